@@ -1,0 +1,97 @@
+//! Dual numbers over any scalar: a value with its first derivative along one direction.
+
+use super::operators::operators;
+use super::{ArithmeticError, Field, Rational, Real, Ring};
+
+/// `value + e derivative` with `e² = 0`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dual<T> {
+    /// The value.
+    pub value: T,
+    /// The derivative along the chosen direction.
+    pub derivative: T,
+}
+
+impl<T: Ring> Dual<T> {
+    /// A value that moves with the given derivative.
+    pub fn new(value: T, derivative: T) -> Self {
+        Dual { value, derivative }
+    }
+
+    /// A constant.
+    pub fn constant(value: T) -> Self {
+        let derivative = value.zero();
+        Dual { value, derivative }
+    }
+
+    /// The chain rule: a function with this value and slope at `self.value`.
+    fn chain(&self, value: T, slope: T) -> Self {
+        Dual { value, derivative: slope * &self.derivative }
+    }
+}
+
+operators!(
+    [T: Ring] Dual<T>,
+    |a, b| Dual { value: a.value.clone() + &b.value, derivative: a.derivative.clone() + &b.derivative },
+    |a, b| Dual { value: a.value.clone() - &b.value, derivative: a.derivative.clone() - &b.derivative },
+    |a, b| Dual {
+        value: a.value.clone() * &b.value,
+        derivative: a.derivative.clone() * &b.value + a.value.clone() * &b.derivative,
+    },
+    |a| Dual { value: -a.value.clone(), derivative: -a.derivative.clone() }
+);
+
+impl<T: Ring> Ring for Dual<T> {
+    fn integer(&self, n: i64) -> Self {
+        Dual::constant(self.value.integer(n))
+    }
+}
+
+impl<T: Field> Field for Dual<T> {
+    fn rational(&self, q: &Rational) -> Self {
+        Dual::constant(self.value.rational(q))
+    }
+
+    fn recip(&self) -> Result<Self, ArithmeticError> {
+        let value = self.value.recip()?;
+        let slope = -value.square();
+        Ok(self.chain(value, slope))
+    }
+}
+
+impl<T: Real> Real for Dual<T> {
+    fn pi(&self) -> Self {
+        Dual::constant(self.value.pi())
+    }
+
+    /// The derivative at zero does not exist: there it is a division by zero.
+    fn sqrt(&self) -> Result<Self, ArithmeticError> {
+        let value = self.value.sqrt()?;
+        let slope = (value.clone() + &value).recip()?;
+        Ok(self.chain(value, slope))
+    }
+
+    fn exp(&self) -> Result<Self, ArithmeticError> {
+        let value = self.value.exp()?;
+        Ok(self.chain(value.clone(), value))
+    }
+
+    fn ln(&self) -> Result<Self, ArithmeticError> {
+        Ok(self.chain(self.value.ln()?, self.value.recip()?))
+    }
+
+    fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
+        let (sin, cos) = self.value.sin_cos()?;
+        Ok((self.chain(sin.clone(), cos.clone()), self.chain(cos, -sin)))
+    }
+
+    fn atan(&self) -> Result<Self, ArithmeticError> {
+        let slope = (self.value.square() + self.value.one()).recip()?;
+        Ok(self.chain(self.value.atan()?, slope))
+    }
+
+    fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
+        let (sinh, cosh) = self.value.sinh_cosh()?;
+        Ok((self.chain(sinh.clone(), cosh.clone()), self.chain(cosh, sinh)))
+    }
+}

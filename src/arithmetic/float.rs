@@ -1,0 +1,64 @@
+//! `f64` as a scalar: rounded to nearest, no error bound.
+
+use super::{ArithmeticError, Field, Rational, Real, Ring, Sign, Signed};
+use num_traits::ToPrimitive;
+
+impl Ring for f64 {
+    fn integer(&self, n: i64) -> Self {
+        n as f64
+    }
+}
+
+impl Field for f64 {
+    fn rational(&self, q: &Rational) -> Self {
+        q.to_f64().unwrap_or(f64::NAN)
+    }
+
+    fn recip(&self) -> Result<Self, ArithmeticError> {
+        if *self == 0.0 { Err(ArithmeticError::DivisionByZero) } else { Ok(1.0 / self) }
+    }
+
+    fn over(&self, divisor: &Self) -> Result<Self, ArithmeticError> {
+        if *divisor == 0.0 { Err(ArithmeticError::DivisionByZero) } else { Ok(self / divisor) }
+    }
+}
+
+impl Real for f64 {
+    fn pi(&self) -> Self {
+        std::f64::consts::PI
+    }
+
+    fn sqrt(&self) -> Result<Self, ArithmeticError> {
+        if *self < 0.0 { Err(ArithmeticError::Domain("sqrt")) } else { Ok(f64::sqrt(*self)) }
+    }
+
+    fn exp(&self) -> Result<Self, ArithmeticError> {
+        Ok(f64::exp(*self))
+    }
+
+    fn ln(&self) -> Result<Self, ArithmeticError> {
+        if *self <= 0.0 { Err(ArithmeticError::Domain("ln")) } else { Ok(f64::ln(*self)) }
+    }
+
+    fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
+        Ok(f64::sin_cos(*self))
+    }
+
+    fn atan(&self) -> Result<Self, ArithmeticError> {
+        Ok(f64::atan(*self))
+    }
+
+    fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
+        Ok((f64::sinh(*self), f64::cosh(*self)))
+    }
+}
+
+impl Signed for f64 {
+    fn sign(&self) -> Option<Sign> {
+        self.partial_cmp(&0.0).map(|order| match order {
+            std::cmp::Ordering::Less => Sign::Negative,
+            std::cmp::Ordering::Equal => Sign::Zero,
+            std::cmp::Ordering::Greater => Sign::Positive,
+        })
+    }
+}

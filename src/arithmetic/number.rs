@@ -1,0 +1,147 @@
+//! Numbers as people write them: integers, fractions and decimals in, decimals with a stated rounding out.
+
+use super::{Interval, Rational};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{Pow, Signed, Zero};
+
+/// Longest number that is read, in characters; also the largest decimal exponent.
+const LONGEST: usize = 10_000;
+
+/// Why a text is not a number.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum NumberError {
+    /// Not an integer, a fraction or a decimal.
+    #[error("`{0}` is not an integer, a fraction p/q or a decimal")]
+    NotANumber(String),
+    /// A fraction with denominator zero.
+    #[error("`{0}` has a zero denominator")]
+    ZeroDenominator(String),
+    /// Too many digits or too large an exponent.
+    #[error("a number of more than {LONGEST} digits is not read")]
+    TooLong,
+}
+
+/// Reads an integer `-3`, a fraction `-1/2` or a decimal `-0.5`, `2.5e-3`, exactly.
+///
+/// # Errors
+/// [`NumberError`] with the text at fault.
+pub fn parse_rational(text: &str) -> Result<Rational, NumberError> {
+    let text = text.trim();
+    if text.len() > LONGEST {
+        return Err(NumberError::TooLong);
+    }
+    if let Some((p, q)) = text.split_once('/') {
+        let (p, q) = (parse_decimal(p, text)?, parse_decimal(q, text)?);
+        if q.is_zero() {
+            return Err(NumberError::ZeroDenominator(text.to_string()));
+        }
+        return Ok(p / q);
+    }
+    parse_decimal(text, text)
+}
+
+fn parse_decimal(part: &str, whole: &str) -> Result<Rational, NumberError> {
+    let refuse = || NumberError::NotANumber(whole.to_string());
+    let (digits, exponent) = match part.split_once(['e', 'E']) {
+        Some((digits, exponent)) => (digits, exponent.parse::<i64>().map_err(|_| refuse())?),
+        None => (part, 0),
+    };
+    let (negative, digits) = match digits.strip_prefix('-') {
+        Some(rest) => (true, rest),
+        None => (false, digits.strip_prefix('+').unwrap_or(digits)),
+    };
+    let (before, after) = digits.split_once('.').unwrap_or((digits, ""));
+    let all = format!("{before}{after}");
+    if all.is_empty() || !all.bytes().all(|b| b.is_ascii_digit()) {
+        return Err(refuse());
+    }
+    let shift = exponent - after.len() as i64;
+    if shift.unsigned_abs() > LONGEST as u64 {
+        return Err(NumberError::TooLong);
+    }
+    let magnitude: BigInt = all.parse().map_err(|_| refuse())?;
+    let signed = if negative { -magnitude } else { magnitude };
+    let power = BigInt::from(10).pow(shift.unsigned_abs());
+    Ok(if shift < 0 { Rational::new(signed, power) } else { Rational::from_integer(signed * power) })
+}
+
+/// `q` to `digits` significant decimal digits, rounded down (`up = false`) or up.
+///
+/// Plain notation for exponents from -5 to 20, otherwise `d.ddde±x`.
+pub fn decimal(q: &Rational, digits: u32, up: bool) -> String {
+    if q.is_zero() {
+        return "0".to_string();
+    }
+    let digits = digits.max(1);
+    let mut exponent = decimal_exponent(q);
+    let mut scaled = round_scaled(q, i64::from(digits) - 1 - exponent, up);
+    // Rounding may carry into one more digit.
+    if scaled.abs() >= BigInt::from(10).pow(digits) {
+        exponent += 1;
+        scaled /= 10;
+    }
+    layout(&scaled.abs().to_string(), exponent, scaled.is_negative())
+}
+
+/// The enclosure of an interval as two decimals of `digits` significant digits, rounded outward.
+pub fn decimals(x: &Interval, digits: u32) -> (String, String) {
+    let (lo, hi) = x.to_rationals();
+    (decimal(&lo, digits, false), decimal(&hi, digits, true))
+}
+
+/// How many significant decimal digits of a number are settled by knowing that it lies in the interval: the relative
+/// width is at most `10^-digits`.
+pub fn significant_digits(x: &Interval) -> u32 {
+    let (lo, hi) = x.to_rationals();
+    let width = &hi - &lo;
+    if width.is_zero() {
+        return u32::MAX;
+    }
+    if x.contains_zero() {
+        return 0;
+    }
+    // width / size <= 10^-d.
+    let ratio = lo.abs().min(hi.abs()) / width;
+    u32::try_from(decimal_exponent(&ratio).max(0)).unwrap_or(0)
+}
+
+/// `floor(log10 |q|)` of a number that is not zero.
+fn decimal_exponent(q: &Rational) -> i64 {
+    let bits = q.numer().bits() as i64 - q.denom().bits() as i64;
+    let mut exponent = (bits as f64 * std::f64::consts::LOG10_2).floor() as i64 - 1;
+    let magnitude = q.abs();
+    while power_of_ten(exponent + 1) <= magnitude {
+        exponent += 1;
+    }
+    exponent
+}
+
+fn power_of_ten(exponent: i64) -> Rational {
+    let power = BigInt::from(10).pow(exponent.unsigned_abs());
+    if exponent < 0 { Rational::new(BigInt::from(1), power) } else { Rational::from_integer(power) }
+}
+
+fn round_scaled(q: &Rational, shift: i64, up: bool) -> BigInt {
+    let power = BigInt::from(10).pow(shift.unsigned_abs());
+    let (numerator, denominator) =
+        if shift >= 0 { (q.numer() * power, q.denom().clone()) } else { (q.numer().clone(), q.denom() * power) };
+    if up { numerator.div_ceil(&denominator) } else { numerator.div_floor(&denominator) }
+}
+
+fn layout(digits: &str, exponent: i64, negative: bool) -> String {
+    let sign = if negative { "-" } else { "" };
+    let point = |head: &str, tail: &str| {
+        let tail = tail.trim_end_matches('0');
+        if tail.is_empty() { head.to_string() } else { format!("{head}.{tail}") }
+    };
+    match exponent {
+        0..=20 => {
+            let whole = exponent as usize + 1;
+            let padded = format!("{digits:0<whole$}");
+            format!("{sign}{}", point(&padded[..whole], &padded[whole..]))
+        }
+        -5..=-1 => format!("{sign}0.{}{}", "0".repeat((-exponent - 1) as usize), digits.trim_end_matches('0')),
+        _ => format!("{sign}{}e{exponent}", point(&digits[..1], &digits[1..])),
+    }
+}

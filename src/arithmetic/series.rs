@@ -1,0 +1,88 @@
+//! Truncated power series over any scalar: expansions to a stated order, exact wherever the coefficients are.
+
+use super::operators::operators;
+use super::{ArithmeticError, Field, Rational, Ring};
+
+/// `c_0 + c_1 h + ... + c_{n-1} h^{n-1} + O(h^n)`.
+///
+/// The order `n` of a result is the smaller order of the operands. There is always at least `c_0`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series<T> {
+    coefficients: Vec<T>,
+}
+
+impl<T: Ring> Series<T> {
+    /// The constant `value + O(h^order)`; an order of 0 is taken as 1.
+    pub fn constant(value: T, order: usize) -> Self {
+        let zero = value.zero();
+        let mut coefficients = vec![zero; order.max(1)];
+        coefficients[0] = value;
+        Series { coefficients }
+    }
+
+    /// The variable `h`, scaled: `scale h + O(h^order)`.
+    pub fn variable(scale: T, order: usize) -> Self {
+        let mut series = Series::constant(scale.zero(), order.max(2));
+        series.coefficients[1] = scale;
+        series
+    }
+
+    /// The coefficients, lowest first.
+    pub fn coefficients(&self) -> &[T] {
+        &self.coefficients
+    }
+
+    /// The same series with each coefficient multiplied by `factor`.
+    pub fn scale(&self, factor: &T) -> Self {
+        Series { coefficients: self.coefficients.iter().map(|c| c.clone() * factor).collect() }
+    }
+
+    fn zip(a: &Self, b: &Self, f: impl Fn(&T, &T) -> T) -> Self {
+        Series { coefficients: a.coefficients.iter().zip(&b.coefficients).map(|(x, y)| f(x, y)).collect() }
+    }
+
+    fn convolve(a: &Self, b: &Self) -> Self {
+        let order = a.coefficients.len().min(b.coefficients.len());
+        let coefficient = |n: usize| {
+            (0..=n)
+                .map(|k| a.coefficients[k].clone() * &b.coefficients[n - k])
+                .reduce(|x, y| x + y)
+                .unwrap_or_else(|| a.coefficients[0].zero())
+        };
+        Series { coefficients: (0..order).map(coefficient).collect() }
+    }
+}
+
+operators!(
+    [T: Ring] Series<T>,
+    |a, b| Series::zip(a, b, |x, y| x.clone() + y),
+    |a, b| Series::zip(a, b, |x, y| x.clone() - y),
+    Series::convolve,
+    |a| Series { coefficients: a.coefficients.iter().map(|c| -c.clone()).collect() }
+);
+
+impl<T: Ring> Ring for Series<T> {
+    fn integer(&self, n: i64) -> Self {
+        Series::constant(self.coefficients[0].integer(n), self.coefficients.len())
+    }
+}
+
+impl<T: Field> Field for Series<T> {
+    fn rational(&self, q: &Rational) -> Self {
+        Series::constant(self.coefficients[0].rational(q), self.coefficients.len())
+    }
+
+    /// Needs a constant term that is not zero.
+    fn recip(&self) -> Result<Self, ArithmeticError> {
+        let first = self.coefficients[0].recip()?;
+        let mut inverse = vec![first.clone()];
+        for n in 1..self.coefficients.len() {
+            let mut sum = first.zero();
+            for k in 1..=n {
+                sum = sum + self.coefficients[k].clone() * &inverse[n - k];
+            }
+            inverse.push(-(sum * &first));
+        }
+        Ok(Series { coefficients: inverse })
+    }
+}

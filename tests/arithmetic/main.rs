@@ -1,0 +1,8 @@
+//! Mirrors `src/arithmetic`.
+
+mod arb;
+mod complex_dual_series;
+mod identity;
+mod interval;
+mod number;
+mod surd;
