@@ -1,1 +1,3 @@
 pub mod arithmetic;
+pub mod matrix;
+pub mod platoon;

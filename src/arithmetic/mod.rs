@@ -6,11 +6,13 @@
 //! | `f64` | rounded to nearest, no bound |
 //! | [`Rational`] | exact |
 //! | [`Interval`] | encloses the exact value, outward rounded at a chosen precision |
+//! | [`Ball<LIMBS>`] | encloses the exact value at a fixed absolute precision, without allocation |
 //! | [`Complex<T>`] | a pair over any of these; over [`Rational`] the Gaussian rationals |
 //! | [`Dual<T>`] | value and first derivative, exact wherever `T` is |
 //! | [`Series<T>`] | truncated power series, for expansions to a stated order |
 //! | [`DegreeBound`] | degrees of numerator and denominator, for the error bound of an identity test |
 
+mod ball;
 mod complex;
 mod degree;
 mod dual;
@@ -27,6 +29,7 @@ mod rational;
 mod series;
 mod surd;
 
+pub use ball::Ball;
 pub use complex::Complex;
 pub use degree::DegreeBound;
 pub use dual::Dual;

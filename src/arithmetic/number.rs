@@ -91,19 +91,19 @@ pub fn decimals(x: &Interval, digits: u32) -> (String, String) {
 }
 
 /// How many significant decimal digits of a number are settled by knowing that it lies in the interval: the relative
-/// width is at most `10^-digits`.
+/// width is at most `10^-digits`. Never too many; at most one too few.
 pub fn significant_digits(x: &Interval) -> u32 {
-    let (lo, hi) = x.to_rationals();
-    let width = &hi - &lo;
+    let width = x.width();
     if width.is_zero() {
         return u32::MAX;
     }
     if x.contains_zero() {
         return 0;
     }
-    // width / size <= 10^-d.
-    let ratio = lo.abs().min(hi.abs()) / width;
-    u32::try_from(decimal_exponent(&ratio).max(0)).unwrap_or(0)
+    // width < 2^top(width), and the smaller end is at least 2^(top - 1).
+    let size = x.lo().top().min(x.hi().top()) - 1;
+    let bits = (size - width.top()).clamp(0, i64::from(u32::MAX)) as f64;
+    (bits * std::f64::consts::LOG10_2).floor() as u32
 }
 
 /// `floor(log10 |q|)` of a number that is not zero.

@@ -1,0 +1,94 @@
+//! Our side of the peer workloads: prints one JSON line per configuration, like the scripts in `benches/peers/`.
+//!
+//! usage: cargo bench --bench peer_workloads -- [FILTER]   (FILTER keeps the configurations whose name contains it)
+
+#[path = "support/mod.rs"]
+mod support;
+
+use flockproof::matrix::{StochasticMatrix, prefix_products, product_sequential, product_tree};
+use num_bigint::BigUint;
+use sha2::{Digest, Sha256};
+use std::hint::black_box;
+use std::time::Instant;
+use support::stochastic_matrices;
+
+/// Best wall time of one call over at least five trials; short calls are batched.
+fn best_of<T>(mut f: impl FnMut() -> T) -> (f64, T) {
+    let start = Instant::now();
+    let mut result = f();
+    let once = start.elapsed().as_secs_f64();
+    let inner = if once < 0.2 { ((0.2 / once.max(1e-7)) as usize).max(1) } else { 1 };
+    let mut best = once;
+    for _ in 0..5 {
+        let start = Instant::now();
+        for _ in 0..inner {
+            result = black_box(f());
+        }
+        best = best.min(start.elapsed().as_secs_f64() / inner as f64);
+    }
+    (best, result)
+}
+
+fn sha(text: &str) -> String {
+    Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+fn emit(workload: &str, peer: &str, size: &str, seconds: f64, checksum: &str) {
+    println!(
+        "{{\"workload\": \"{workload}\", \"peer\": \"{peer}\", \"size\": \"{size}\", \"seconds\": {seconds:.4e}, \
+         \"checksum\": \"{checksum}\"}}"
+    );
+}
+
+fn joined(numbers: impl Iterator<Item = BigUint>) -> String {
+    numbers.map(|x| x.to_string()).collect::<Vec<_>>().join(",")
+}
+
+fn products(wanted: &dyn Fn(&str) -> bool) {
+    for n in [8usize, 16] {
+        for length in [20usize, 500] {
+            let factors = stochastic_matrices(n, length, 1000 + n as u64);
+            let size = format!("n={n},T={length}");
+            type Product = fn(&[StochasticMatrix]) -> StochasticMatrix;
+            let ways: [(&str, Product); 2] = [
+                ("flockproof_seq", |f| product_sequential(f).expect("factors fit")),
+                ("flockproof_tree", |f| product_tree(f).expect("factors fit")),
+            ];
+            for (name, product) in ways {
+                if wanted(&format!("W1 {name} {size}")) {
+                    let (seconds, result) = best_of(|| product(&factors));
+                    emit("W1", name, &size, seconds, &sha(&joined(result.numerators())));
+                }
+            }
+        }
+    }
+}
+
+fn coefficients(wanted: &dyn Fn(&str) -> bool) {
+    for n in [8usize, 16] {
+        let factors = stochastic_matrices(n, 500, 1000 + n as u64);
+        let size = format!("n={n},T=500");
+        if !wanted(&format!("W2 flockproof {size}")) {
+            continue;
+        }
+        let (seconds, result) = best_of(|| {
+            prefix_products(&factors)
+                .map(|product| {
+                    let product = product.expect("factors fit");
+                    (product.tau_1_numerator(), product.denominator().clone())
+                })
+                .collect::<Vec<_>>()
+        });
+        let (numerator, denominator) = result.last().expect("not empty").clone();
+        let tau = num_rational::BigRational::new(numerator.into(), denominator.into());
+        emit("W2", "flockproof", &size, seconds, &sha(&format!("{}/{}", tau.numer(), tau.denom())));
+    }
+}
+
+fn main() {
+    // Cargo passes `--bench`; everything else is the filter.
+    let filter: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
+    let wanted = |name: &str| filter.iter().all(|part| name.contains(part.as_str()));
+    products(&wanted);
+    coefficients(&wanted);
+}

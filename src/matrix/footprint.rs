@@ -1,0 +1,89 @@
+//! Footprints: 0/1 matrices as bitsets.
+
+/// Which entries of a matrix are not zero; each row is a bitset.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Footprint {
+    rows: usize,
+    cols: usize,
+    words: usize,
+    bits: Vec<u64>,
+}
+
+impl Footprint {
+    /// The footprint whose entry `(i, j)`, counted from 0, is `f(i, j)`.
+    pub fn from_fn(rows: usize, cols: usize, mut f: impl FnMut(usize, usize) -> bool) -> Self {
+        let words = cols.div_ceil(64);
+        let mut bits = vec![0; rows * words];
+        for i in 0..rows {
+            for j in (0..cols).filter(|&j| f(i, j)) {
+                bits[i * words + j / 64] |= 1 << (j % 64);
+            }
+        }
+        Footprint { rows, cols, words, bits }
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Number of columns.
+    pub fn cols(&self) -> usize {
+        self.cols
+    }
+
+    /// Whether entry `(i, j)`, counted from 0, is not zero.
+    pub fn get(&self, i: usize, j: usize) -> bool {
+        self.bits[i * self.words + j / 64] >> (j % 64) & 1 == 1
+    }
+
+    fn row(&self, i: usize) -> &[u64] {
+        &self.bits[i * self.words..(i + 1) * self.words]
+    }
+
+    /// The footprint of a product of non-negative matrices with these footprints; `self.cols()` must be
+    /// `right.rows()`.
+    pub fn times(&self, right: &Self) -> Self {
+        debug_assert_eq!(self.cols, right.rows);
+        let mut bits = vec![0u64; self.rows * right.words];
+        for i in 0..self.rows {
+            let out = &mut bits[i * right.words..(i + 1) * right.words];
+            for k in (0..self.cols).filter(|&k| self.get(i, k)) {
+                out.iter_mut().zip(right.row(k)).for_each(|(word, &other)| *word |= other);
+            }
+        }
+        Footprint { rows: self.rows, cols: right.cols, words: right.words, bits }
+    }
+
+    /// Whether every one of `other` is a one here too; both have the same shape.
+    pub fn contains(&self, other: &Self) -> bool {
+        debug_assert_eq!((self.rows, self.cols), (other.rows, other.cols));
+        self.bits.iter().zip(&other.bits).all(|(&a, &b)| b & !a == 0)
+    }
+
+    /// Whether the footprint is square and equal to its transpose.
+    pub fn is_symmetric(&self) -> bool {
+        self.rows == self.cols && (0..self.rows).all(|i| (0..i).all(|j| self.get(i, j) == self.get(j, i)))
+    }
+
+    /// Whether every diagonal entry is a one.
+    pub fn has_full_diagonal(&self) -> bool {
+        (0..self.rows.min(self.cols)).all(|i| self.get(i, i))
+    }
+
+    /// The rows with a one in column `j`, counted from 0, in order.
+    pub fn column(&self, j: usize) -> Vec<usize> {
+        (0..self.rows).filter(|&i| self.get(i, j)).collect()
+    }
+}
+
+impl std::fmt::Display for Footprint {
+    /// Rows of 0 and 1, separated by spaces.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for i in 0..self.rows {
+            let row: String = (0..self.cols).map(|j| if self.get(i, j) { '1' } else { '0' }).collect();
+            write!(f, "{}{row}", if i == 0 { "" } else { " " })?;
+        }
+        Ok(())
+    }
+}

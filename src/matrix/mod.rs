@@ -1,0 +1,76 @@
+//! Exact matrices as integers over one common denominator: stochastic products, footprints, ergodicity coefficients.
+
+mod ergodicity;
+pub mod floating;
+mod footprint;
+mod limbs;
+mod product;
+mod rational_matrix;
+pub mod read;
+mod stabiliser;
+mod stochastic;
+
+pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_infinity};
+pub use footprint::Footprint;
+pub use product::{prefix_products, product_sequential, product_tree};
+pub use rational_matrix::RationalMatrix;
+pub use stabiliser::{Stabiliser, stabilisers};
+pub use stochastic::StochasticMatrix;
+
+/// Why a matrix or a product of matrices is refused. Rows and columns are counted from 1.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum MatrixError {
+    /// No rows or no columns.
+    #[error("the matrix is empty")]
+    Empty,
+    /// Rows of different lengths.
+    #[error("row {row} has {found} entries where row 1 has {expected}")]
+    Ragged {
+        /// The row at fault.
+        row: usize,
+        /// Entries of the first row.
+        expected: usize,
+        /// Entries of this row.
+        found: usize,
+    },
+    /// The number of entries is not rows times columns.
+    #[error("{found} entries do not fill a matrix of {rows} x {cols}")]
+    EntryCount {
+        /// Rows asked for.
+        rows: usize,
+        /// Columns asked for.
+        cols: usize,
+        /// Entries given.
+        found: usize,
+    },
+    /// A denominator that is zero.
+    #[error("the common denominator is zero")]
+    ZeroDenominator,
+    /// A negative entry in a stochastic matrix.
+    #[error("the entry in row {row}, column {col} is negative")]
+    Negative {
+        /// Row of the entry.
+        row: usize,
+        /// Column of the entry.
+        col: usize,
+    },
+    /// A row that does not sum to one.
+    #[error("row {row} sums to {sum}, not to 1")]
+    RowSum {
+        /// The row at fault.
+        row: usize,
+        /// Its sum.
+        sum: String,
+    },
+    /// Two matrices that cannot be multiplied.
+    #[error("a matrix of {left_cols} columns cannot multiply one of {right_rows} rows")]
+    Shapes {
+        /// Columns of the left factor.
+        left_cols: usize,
+        /// Rows of the right factor.
+        right_rows: usize,
+    },
+    /// A product of no matrices.
+    #[error("there is no matrix to multiply")]
+    NoFactors,
+}

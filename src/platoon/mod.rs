@@ -1,0 +1,21 @@
+//! Platoons on a line that follow an independent leader (Veerman, Stosic and Olvera).
+//!
+//! Conventions. `M = N + 1` followers, numbered 1 to M, behind the leader 0; `y_k = x_k - h_k` is the deviation from the
+//! desired position and `u_k` its rate; the gains `f` (1/s²) and `g` (1/s) are negative; the leader moves as
+//! `y_0 = e^{i w t}` with angular frequency `w >= 0` (a negative `w` only conjugates everything).
+
+mod law;
+mod resonance;
+mod response;
+mod shape;
+pub mod table1;
+pub mod theorem1;
+
+pub use law::{Communication, Gains, accelerations};
+pub use resonance::{
+    LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, Uniqueness, resonance, resonance_uncertified_start,
+};
+pub use response::{
+    amplitude_one_sided, amplitudes_two_sided, chebyshev, gamma, gain_squared_one_sided, strongest_one_sided_square,
+};
+pub use shape::{FrequencyResponse, frequency_response};
