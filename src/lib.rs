@@ -1,3 +1,15 @@
+//! Exact, certified and simulated checks of what five papers claim about flocking, and the machinery behind them.
+//!
+//! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`averaging`] (Chazelle),
+//! [`platoon`] (Veerman, Stosic and Olvera), [`ledger`], [`claims`], [`report`].
+#![warn(missing_docs)]
+#![forbid(unsafe_code)]
+
 pub mod arithmetic;
+pub mod averaging;
+pub mod claims;
+pub mod graph;
+pub mod ledger;
 pub mod matrix;
 pub mod platoon;
+pub mod report;

@@ -96,7 +96,9 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         let ((a_negative, x), (b_negative, y)) = (a.magnitude(), b.magnitude());
         let unit = 2f64.powi(-(Self::SCALE as i32));
         // Upper bounds of |A| and |B| from their highest limbs.
-        let size = |limbs: &[u64; LIMBS]| (limbs[LIMBS - 1] as f64 + (limbs[LIMBS - 2] as f64 + 1.0) * 2f64.powi(-64)) * ROUND_UP;
+        let size = |limbs: &[u64; LIMBS]| {
+            (limbs[LIMBS - 1] as f64 + (limbs[LIMBS - 2] as f64 + 1.0) * 2f64.powi(-64)) * ROUND_UP
+        };
         let radius = ((size(&x) + a.radius * unit) * b.radius + size(&y) * a.radius + 1.0) * ROUND_UP;
         let mut low = [0u64; LIMBS];
         let mut high = [0u64; LIMBS];

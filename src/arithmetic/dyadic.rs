@@ -158,8 +158,7 @@ impl Dyadic {
 
     /// The quotient; the divisor must not be zero.
     pub(super) fn div_rounded(&self, divisor: &Self, bits: u32, round: Round) -> Self {
-        let shift =
-            (i64::from(bits) + 2 + divisor.mantissa.bits() as i64 - self.mantissa.bits() as i64).max(0);
+        let shift = (i64::from(bits) + 2 + divisor.mantissa.bits() as i64 - self.mantissa.bits() as i64).max(0);
         let numerator = &self.mantissa << shift as u64;
         let quotient = match round {
             Round::Down => numerator.div_floor(&divisor.mantissa),

@@ -158,9 +158,8 @@ pub(super) fn sinh(x: &Dyadic, precision: u32) -> Result<Bounds, ArithmeticError
     }
     let (plus_lo, plus_hi) = exp(x, precision + GUARD)?;
     let (minus_lo, minus_hi) = exp(&x.negated(), precision + GUARD)?;
-    let half_difference = |a: &Dyadic, b: &Dyadic, round| {
-        a.add_rounded(&b.negated(), precision + GUARD, round).scaled(-1)
-    };
+    let half_difference =
+        |a: &Dyadic, b: &Dyadic, round| a.add_rounded(&b.negated(), precision + GUARD, round).scaled(-1);
     Ok((half_difference(&plus_lo, &minus_hi, Round::Down), half_difference(&plus_hi, &minus_lo, Round::Up)))
 }
 

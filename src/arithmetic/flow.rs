@@ -28,8 +28,7 @@ pub fn gradient<T: Ring>(
 ) -> Result<Vec<T>, ArithmeticError> {
     (0..state.len())
         .map(|k| {
-            let direction: Vec<T> =
-                state.iter().enumerate().map(|(j, x)| x.integer(i64::from(j == k))).collect();
+            let direction: Vec<T> = state.iter().enumerate().map(|(j, x)| x.integer(i64::from(j == k))).collect();
             along_flow(state, &direction, &potential)
         })
         .collect()

@@ -180,10 +180,7 @@ impl Interval {
             (_, true, _, _) => (down(&a.lo, &b.hi), up(&a.lo, &b.lo)),
             (_, _, true, _) => (down(&a.lo, &b.hi), up(&a.hi, &b.hi)),
             (_, _, _, true) => (down(&a.hi, &b.lo), up(&a.lo, &b.lo)),
-            _ => (
-                down(&a.lo, &b.hi).min(down(&a.hi, &b.lo)),
-                up(&a.lo, &b.lo).max(up(&a.hi, &b.hi)),
-            ),
+            _ => (down(&a.lo, &b.hi).min(down(&a.hi, &b.lo)), up(&a.lo, &b.lo).max(up(&a.hi, &b.hi))),
         };
         Interval { lo, hi, precision }
     }
@@ -202,11 +199,8 @@ impl Ring for Interval {
             let (a, b) = (self.lo.absolute(), self.hi.absolute());
             if a <= b { (a, b) } else { (b, a) }
         };
-        let lo = if self.contains_zero() {
-            Dyadic::zero()
-        } else {
-            small.mul_rounded(&small, self.precision, Round::Down)
-        };
+        let lo =
+            if self.contains_zero() { Dyadic::zero() } else { small.mul_rounded(&small, self.precision, Round::Down) };
         Interval { lo, hi: large.mul_rounded(&large, self.precision, Round::Up), precision: self.precision }
     }
 }

@@ -67,6 +67,27 @@ impl<T: Ring> Ring for Series<T> {
     }
 }
 
+impl<T: Field> Series<T> {
+    /// The square root with constant term 1 of a series with constant term 1 (which is not checked):
+    /// `2 r_n = s_n - sum_{0<k<n} r_k r_{n-k}`.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::DivisionByZero`] in characteristic 2.
+    pub fn sqrt_of_unit(&self) -> Result<Self, ArithmeticError> {
+        let one = self.coefficients[0].one();
+        let half = (one.clone() + &one).recip()?;
+        let mut root = vec![one];
+        for n in 1..self.coefficients.len() {
+            let mut rest = self.coefficients[n].clone();
+            for k in 1..n {
+                rest = rest - root[k].clone() * &root[n - k];
+            }
+            root.push(rest * &half);
+        }
+        Ok(Series { coefficients: root })
+    }
+}
+
 impl<T: Field> Field for Series<T> {
     fn rational(&self, q: &Rational) -> Self {
         Series::constant(self.coefficients[0].rational(q), self.coefficients.len())

@@ -57,8 +57,7 @@ pub enum ReadError {
 /// # Errors
 /// [`ReadError`] with the place at fault.
 pub fn read_sequence(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
-    let matrices =
-        if text.trim_start().starts_with('[') { read_json(text)? } else { read_text(text)? };
+    let matrices = if text.trim_start().starts_with('[') { read_json(text)? } else { read_text(text)? };
     if matrices.is_empty() {
         return Err(ReadError::Nothing);
     }
@@ -79,8 +78,11 @@ fn read_text(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
         if rows.is_empty() {
             return Ok(());
         }
-        let matrix = StochasticMatrix::from_rows(&std::mem::take(rows))
-            .map_err(|error| ReadError::Matrix { matrix: matrices.len() + 1, line, error })?;
+        let matrix = StochasticMatrix::from_rows(&std::mem::take(rows)).map_err(|error| ReadError::Matrix {
+            matrix: matrices.len() + 1,
+            line,
+            error,
+        })?;
         matrices.push(matrix);
         Ok(())
     };
@@ -114,7 +116,8 @@ fn read_json(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
     let matrix = |(k, value): (usize, &Value)| {
         let refuse = |error: String| ReadError::JsonMatrix { matrix: k + 1, error };
         let rows = json_rows(value).map_err(refuse)?;
-        StochasticMatrix::from_rows(&rows).map_err(|error| ReadError::JsonMatrix { matrix: k + 1, error: error.to_string() })
+        StochasticMatrix::from_rows(&rows)
+            .map_err(|error| ReadError::JsonMatrix { matrix: k + 1, error: error.to_string() })
     };
     list.iter().enumerate().map(matrix).collect()
 }

@@ -22,7 +22,8 @@ pub fn stabilisers(factors: &[Footprint]) -> Vec<Stabiliser> {
     let mut members: Vec<usize> = (0..factors.first().map_or(0, Footprint::rows)).collect();
     let mut start = 0;
     while start < factors.len() && !members.is_empty() {
-        let restrict = |f: &Footprint| Footprint::from_fn(members.len(), members.len(), |i, j| f.get(members[i], members[j]));
+        let restrict =
+            |f: &Footprint| Footprint::from_fn(members.len(), members.len(), |i, j| f.get(members[i], members[j]));
         let mut product = restrict(&factors[start]);
         let mut last_change = start + 1;
         for (t, factor) in factors.iter().enumerate().skip(start + 1) {

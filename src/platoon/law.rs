@@ -40,9 +40,8 @@ pub fn accelerations<T: crate::arithmetic::Field>(
             _ => values[k].clone() - front,
         }
     };
-    let acceleration = |k: usize| {
-        deviation(positions, leader.0, k) * &gains.f + deviation(velocities, leader.1, k) * &gains.g
-    };
+    let acceleration =
+        |k: usize| deviation(positions, leader.0, k) * &gains.f + deviation(velocities, leader.1, k) * &gains.g;
     (0..positions.len().min(velocities.len())).map(acceleration).collect()
 }
 

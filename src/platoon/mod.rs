@@ -13,9 +13,9 @@ pub mod theorem1;
 
 pub use law::{Communication, Gains, accelerations};
 pub use resonance::{
-    LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, Uniqueness, resonance, resonance_uncertified_start,
+    LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, resonance, resonance_uncertified_start,
 };
 pub use response::{
-    amplitude_one_sided, amplitudes_two_sided, chebyshev, gamma, gain_squared_one_sided, strongest_one_sided_square,
+    amplitude_one_sided, amplitudes_two_sided, chebyshev, gain_squared_one_sided, gamma, strongest_one_sided_square,
 };
 pub use shape::{FrequencyResponse, frequency_response};

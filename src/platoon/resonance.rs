@@ -1,18 +1,18 @@
 //! The main resonance of the two-sided platoon, enclosed rigorously at a cost that grows like log M.
 //!
-//! `|a_M| = 1/|T_M(gamma(w))|` is largest where `F = |T_M|²` is smallest. The proof that one certified minimum is the
-//! global one is in `notes/resonance.md`; in short, with `gamma = cos(x - i y)`:
+//! `|a_M| = 1/|T_M(gamma(w))|` is largest where `F = |T_M|²` is smallest. That one certified minimum is the global one is
+//! proved in `notes/resonance.md` for all `f, g < 0` and `M >= 2`; in short, with `gamma = cos(x - i y)`:
 //! 1. `F = cos²(Mx) + sinh²(My)`, and `y` increases with `w`. With `w_h` the first frequency where `Mx = pi/2`,
 //!    `F(w) > F(w_h)` for all `w > w_h`.
-//! 2. On `(0, w_h]` there is exactly one critical point if `w² g² <= 8 f²` and `w² <= 2|f|` there: a rational condition
-//!    on `f`, `g`, `M` ([`Uniqueness::Analytic`]). Otherwise the same is established by interval arithmetic on a
-//!    compact range outside of which it is again proved ([`Uniqueness::Subdivision`]).
-//! 3. The critical point is enclosed by interval Newton steps, which include a sign change of `F'`.
+//! 2. On `(0, w_h]` the derivative `F'` has exactly one zero, from minus to plus.
+//!
+//! What is left to compute: one zero of `F'`, enclosed by interval Newton steps (which include the sign change), and that
+//! it lies in `(0, w_h]`. For `M = 1` the zero is the root of a quadratic.
 
 use super::shape::frequency_response_by;
 use super::{FrequencyResponse, Gains, chebyshev, gain_squared_one_sided, strongest_one_sided_square};
 use crate::arithmetic::{
-    ArithmeticError, Ball, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Signed, rational, significant_digits,
+    ArithmeticError, Ball, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, significant_digits,
 };
 use num_traits::ToPrimitive;
 
@@ -22,17 +22,6 @@ pub const LARGEST_FOLLOWERS: u64 = 1_000_000_000_000;
 /// The largest number of digits that is accepted.
 pub const LARGEST_DIGITS: u32 = 10_000;
 
-/// How it was established that the enclosed critical point is the only one up to `w_h`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Uniqueness {
-    /// One follower: the maximum is the root of a quadratic.
-    Quadratic,
-    /// By the theorem in `notes/resonance.md`; its rational conditions hold.
-    Analytic,
-    /// By interval arithmetic on this many pieces.
-    Subdivision(usize),
-}
-
 /// The main resonance of a platoon.
 #[derive(Debug, Clone)]
 pub struct Resonance {
@@ -41,9 +30,10 @@ pub struct Resonance {
     pub omega: Interval,
     /// Encloses that amplitude (per unit amplitude of the leader).
     pub amplitude: Interval,
-    /// How uniqueness was established.
-    pub uniqueness: Uniqueness,
 }
+
+/// The first relative half-width of the Newton interval, as a power of two.
+const FIRST_RADIUS: i64 = -44;
 
 /// Why there is no resonance to enclose.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -98,9 +88,14 @@ pub fn resonance(gains: &Gains<Rational>, followers: u64, digits: u32) -> Result
         return platoon.single_follower();
     }
     let start = resonance_uncertified_start(gains, followers).ok_or(ResonanceError::Extreme)?;
-    let found = platoon.critical_point(start)?;
-    let uniqueness = platoon.is_global(&found)?;
-    Ok(Resonance { uniqueness, ..found })
+    let start = Dyadic::from_f64(start).ok_or(ResonanceError::Extreme)?;
+    // Where the response is so flat that floats do not find its peak, bisection on certified signs does.
+    let found = match platoon.critical_point(start) {
+        Err(ResonanceError::NotIsolated(_)) => platoon.critical_point(platoon.bisected_start()?)?,
+        other => other?,
+    };
+    platoon.check_half_phase(&found.omega)?;
+    Ok(found)
 }
 
 /// Bits by which the angle per car is smaller than one: what doubling loses twice.
@@ -138,7 +133,8 @@ impl Platoon<'_> {
     ) -> Option<(Complex<Interval>, Complex<Interval>)> {
         let ball = Complex::new(Ball::<LIMBS>::from_interval(&d.re), Ball::from_interval(&d.im));
         let (t, u) = chebyshev(self.followers, &ball);
-        let back = |z: Complex<Ball<LIMBS>>| Some(Complex::new(z.re.to_interval(precision)?, z.im.to_interval(precision)?));
+        let back =
+            |z: Complex<Ball<LIMBS>>| Some(Complex::new(z.re.to_interval(precision)?, z.im.to_interval(precision)?));
         Some((back(t)?, back(u)?))
     }
 
@@ -162,7 +158,7 @@ impl Platoon<'_> {
             };
             let (omega, amplitude) = enclose().map_err(|error| (precision, error))?;
             if self.is_thin_enough(&omega) && self.is_thin_enough(&amplitude) {
-                return Ok(Resonance { omega, amplitude, uniqueness: Uniqueness::Quadratic });
+                return Ok(Resonance { omega, amplitude });
             }
             precision = self.more(precision)?;
         }
@@ -170,86 +166,68 @@ impl Platoon<'_> {
 
     fn more(&self, precision: u32) -> Result<u32, ResonanceError> {
         let next = precision + precision / 2;
-        if next > 16 * (self.precision() + 700) { Err(ResonanceError::NotIsolated(precision)) } else { Ok(next) }
+        if next > 4 * self.precision() + 20_000 { Err(ResonanceError::NotIsolated(precision)) } else { Ok(next) }
     }
 
     /// Interval Newton on `F'`: if `N = m - F'(m)/F''(W)` lies in `W` and `F'' > 0` on `W`, there is exactly one zero
     /// of `F'` in `W`, it lies in `N`, and `F'` changes sign from minus to plus there.
-    fn critical_point(&self, start: f64) -> Result<Resonance, ResonanceError> {
+    fn critical_point(&self, mut middle: Dyadic) -> Result<Resonance, ResonanceError> {
         let mut precision = self.precision();
-        let mut middle = Dyadic::from_f64(start).ok_or(ResonanceError::Extreme)?;
         // The start is good to about 2^-48; `radius` is the exponent of the relative half-width of W.
-        let mut radius: i64 = -44;
+        let mut radius = FIRST_RADIUS;
         loop {
             let wide_bits = precision.min(2 * size_bits(self.followers) + 48 + 2 * radius.unsigned_abs() as u32);
             let half_width = Dyadic::new(1.into(), middle.top() + radius);
             let wide = Interval::between(middle.plus(&half_width.negated()), middle.plus(&half_width), wide_bits);
             let point = Interval::between(middle.clone(), middle.clone(), precision);
-            let attempt = self.newton_step(&point, &wide).map_err(|error| (precision, error))?;
-            match attempt {
-                Some(step) if self.is_thin_enough(&step.omega) && self.is_thin_enough(&step.amplitude) => {
-                    return Ok(step);
-                }
-                Some(step) => {
-                    let width = step.omega.width();
-                    let reached = width.top() - middle.top() + 1;
-                    if reached > radius - 4 || -reached > i64::from(precision) {
+            match self.newton_step(&point, &wide) {
+                Some((omega, minimum)) => {
+                    let amplitude = minimum.sqrt().and_then(|root| root.recip()).ok();
+                    if let Some(amplitude) = amplitude.filter(|a| self.is_thin_enough(a) && self.is_thin_enough(&omega))
+                    {
+                        return Ok(Resonance { omega, amplitude });
+                    }
+                    let reached = omega.width().top() - middle.top() + 1;
+                    if reached > radius - 4 || -reached > i64::from(precision) - 8 {
                         precision = self.more(precision)?;
                     }
-                    middle = step.omega.midpoint(precision).lo().clone();
+                    middle = omega.midpoint(precision).lo().clone();
                     radius = reached.min(radius);
                 }
                 None if radius < -8 => radius += 6,
                 None => {
-                    radius = -44;
+                    radius = FIRST_RADIUS;
                     precision = self.more(precision)?;
                 }
             }
         }
     }
 
-    fn newton_step(&self, point: &Interval, wide: &Interval) -> Result<Option<Resonance>, ArithmeticError> {
-        let curvature = self.at(wide)?.curvature.with_precision(point.precision());
+    /// The Newton interval `N` and the enclosure of the minimum of `F`, if `N` lies in `wide`.
+    fn newton_step(&self, point: &Interval, wide: &Interval) -> Option<(Interval, Interval)> {
+        let curvature = self.at(wide).ok()?.curvature.with_precision(point.precision());
         if !curvature.is_certainly_positive() {
-            return Ok(None);
+            return None;
         }
-        let here = self.at(point)?;
-        let step = -here.slope.over(&curvature)?;
+        let here = self.at(point).ok()?;
+        let step = -here.slope.over(&curvature).ok()?;
         let omega = point.clone() + &step;
-        if !wide.encloses(&omega) {
-            return Ok(None);
-        }
         // F(w*) = F(m) + F'(m) s + F''(xi) s²/2.
         let minimum = here.inverse_square + here.slope * &step + curvature.scaled(-1) * step.square();
-        if !minimum.is_certainly_positive() {
-            return Ok(None);
-        }
-        let amplitude = minimum.sqrt()?.recip()?;
-        Ok(Some(Resonance { omega, amplitude, uniqueness: Uniqueness::Analytic }))
+        wide.encloses(&omega).then_some((omega, minimum))
     }
 
-    /// Steps 1 and 2 of the argument at the head of this file.
-    fn is_global(&self, found: &Resonance) -> Result<Uniqueness, ResonanceError> {
-        let precision = found.omega.precision();
-        let upper = Interval::between(found.omega.hi().clone(), found.omega.hi().clone(), precision);
-        if !self.phase_below_pi(&upper) {
-            return Err(ResonanceError::NotIsolated(precision));
+    /// Checks that the zero lies in `(0, w_h]`, where it is the only one: `M x <= pi`, and either `F' > 0` between `w_h`
+    /// and there (because `w² <= 2|f|`) or `Re T_M = cos(Mx) cosh(My) > 0`.
+    fn check_half_phase(&self, omega: &Interval) -> Result<(), ResonanceError> {
+        let precision = omega.precision();
+        let upper = Interval::between(omega.hi().clone(), omega.hi().clone(), precision);
+        let below_half = || self.at(&upper).is_ok_and(|response| response.real_part.is_certainly_positive());
+        if self.phase_below_pi(&upper) && (self.angle_increases(&upper) || below_half()) {
+            Ok(())
+        } else {
+            Err(ResonanceError::NotIsolated(precision))
         }
-        if self.analytic_conditions() && self.angle_increases(&upper) {
-            return Ok(Uniqueness::Analytic);
-        }
-        let response = self.at(&upper).map_err(|error| (precision, error))?;
-        if !response.real_part.is_certainly_positive() {
-            return Err(ResonanceError::NotIsolated(precision));
-        }
-        self.subdivide(found).map(Uniqueness::Subdivision)
-    }
-
-    /// `w² <= 2|f|`, which implies `x' > 0` up to `w`: between `w_h` and `M x = pi` then `F' > 0`, so a zero of `F'`
-    /// with `M x <= pi` lies below `w_h`.
-    fn angle_increases(&self, w: &Interval) -> bool {
-        let w = w.with_precision(64);
-        (-(w.rational(&self.gains.f) * w.integer(2)) - w.square()).is_certainly_positive()
     }
 
     /// A sufficient condition for `M x(w) <= pi`: `|gamma - 1| <= 4/M²`, that is `w⁴ M⁴ <= 16 (f² + w² g²)`.
@@ -262,50 +240,45 @@ impl Platoon<'_> {
         (bound - square.square() * m4).is_certainly_positive()
     }
 
-    /// With `k = 1.2338 > pi²/8` and `b = g²/|f|`: `9 k b <= 8 M²` and `k <= 2 (M² - k b)` imply `w² g² <= 8 f²` and
-    /// `w² <= 2|f|` for all `w <= w_h` (`notes/resonance.md`).
-    fn analytic_conditions(&self) -> bool {
-        let k = Interval::from_rational(&rational(12338, 10000), 64);
-        let Ok(b) = k.rational(&self.gains.g).square().over(&-k.rational(&self.gains.f)) else { return false };
-        let (kb, m2) = (k.clone() * b, k.integer(self.followers as i64).square());
-        (k.integer(8) * &m2 - k.integer(9) * &kb).is_certainly_positive()
-            && (k.integer(2) * (m2 - kb) - k).is_certainly_positive()
+    /// `w² <= 2|f|`.
+    fn angle_increases(&self, w: &Interval) -> bool {
+        let w = w.with_precision(64);
+        (-(w.rational(&self.gains.f) * w.integer(2)) - w.square()).is_certainly_positive()
     }
 
-    /// Covers `[w_1, w_h]` by pieces on which `F'` has one sign, or `F'' > 0` around the enclosed point. Below `w_1`
-    /// every factor of `F` decreases (`notes/resonance.md`). Returns the number of pieces.
-    fn subdivide(&self, found: &Resonance) -> Result<usize, ResonanceError> {
-        const MOST_PIECES: usize = 20_000;
-        let precision = 2 * size_bits(self.followers) + 96;
-        let refuse = |error: ArithmeticError| ResonanceError::from((precision, error));
-        let lowest = self.first_factor_minimum(precision).map_err(refuse)?;
-        let highest = self.beyond_half_phase(found, precision)?;
-        let mut pending = vec![Interval::between(lowest.lo().clone(), highest, precision)];
-        let mut pieces = 0;
-        while let Some(piece) = pending.pop() {
-            pieces += 1;
-            if pieces > MOST_PIECES {
-                return Err(ResonanceError::NotIsolated(precision));
-            }
-            let decided = match self.at(&piece) {
-                Ok(response) => {
-                    let below = piece.is_below(&found.omega) && response.slope.is_certainly_negative();
-                    let above = found.omega.is_below(&piece) && response.slope.is_certainly_positive();
-                    below || above || response.curvature.is_certainly_positive()
-                }
-                Err(_) => false,
-            };
-            if !decided {
-                let cut = piece.midpoint(precision);
-                pending.push(Interval::between(piece.lo().clone(), cut.lo().clone(), precision));
-                pending.push(Interval::between(cut.hi().clone(), piece.hi().clone(), precision));
+    /// Bisection on certified signs of `F'`, from a frequency below the zero, to a relative width of `2^-50`.
+    fn bisected_start(&self) -> Result<Dyadic, ResonanceError> {
+        let refuse = |error| ResonanceError::from((64, error));
+        let mut low = self.below_the_zero(64).map_err(refuse)?.lo().clone();
+        let mut ratio = 1;
+        let mut high = low.scaled(ratio);
+        while !self.slope_is_positive(&high)? {
+            low = high;
+            ratio = (2 * ratio).min(64);
+            high = low.scaled(ratio);
+        }
+        while high.plus(&low.negated()).top() > low.top() - 50 {
+            // Halve the exponents while they differ, then the numbers.
+            let gap = high.top() - low.top();
+            let middle = if gap > 2 { low.scaled(gap / 2) } else { low.midpoint(&high) };
+            if self.slope_is_positive(&middle)? { high = middle } else { low = middle }
+        }
+        Ok(low.midpoint(&high))
+    }
+
+    fn slope_is_positive(&self, w: &Dyadic) -> Result<bool, ResonanceError> {
+        let mut precision = self.precision();
+        loop {
+            let point = Interval::between(w.clone(), w.clone(), precision);
+            match self.at(&point).ok().and_then(|response| response.slope.sign()) {
+                Some(sign) => return Ok(sign == Sign::Positive),
+                None => precision = self.more(precision)?,
             }
         }
-        Ok(pieces)
     }
 
-    /// Below the true first one: `b s² + 2 s = 2 d` with `d = 1/M² < d_1`, `w² = |f| s`.
-    fn first_factor_minimum(&self, precision: u32) -> Result<Interval, ArithmeticError> {
+    /// Every factor of `F` decreases below its `s_k` with `b s² + 2 s = 2 d_k`, `w² = |f| s`; here `d = 1/M² < d_1`.
+    fn below_the_zero(&self, precision: u32) -> Result<Interval, ArithmeticError> {
         let f = Interval::from_rational(&-self.gains.f.clone(), precision);
         let b = Interval::from_rational(&self.gains.g, precision).square().over(&f)?;
         let d = f.integer(self.followers as i64).square().recip()?;
@@ -313,22 +286,6 @@ impl Platoon<'_> {
         let two_d = d.clone() + d;
         let root = (b.one() + b * &two_d).sqrt()?;
         (f * two_d.over(&(root.clone() + root.one()))?).sqrt()
-    }
-
-    /// A frequency beyond `w_h`: `Re T_M < 0` while `M x <= pi`.
-    fn beyond_half_phase(&self, found: &Resonance, precision: u32) -> Result<Dyadic, ResonanceError> {
-        let start = found.omega.midpoint(precision);
-        for step in 1..400 {
-            let w = (start.clone() * start.ratio(100 + step, 100)).midpoint(precision);
-            let response = self.at(&w).map_err(|error| (precision, error))?;
-            if response.real_part.is_certainly_negative() {
-                if !self.phase_below_pi(&w) {
-                    break;
-                }
-                return Ok(w.hi().clone());
-            }
-        }
-        Err(ResonanceError::NotIsolated(precision))
     }
 }
 

@@ -96,9 +96,7 @@ fn every_function_overlaps_arb() {
     for (line, (question, answer)) in text.lines().zip(&questions) {
         let (lo, hi) = line.split_once(' ').expect("two numbers");
         // Arb's fractions can be longer than the reader of user input allows: they are dyadic, read them directly.
-        let read = |s: &str| {
-            parse_rational(s).unwrap_or_else(|_| s.parse().expect("a fraction"))
-        };
+        let read = |s: &str| parse_rational(s).unwrap_or_else(|_| s.parse().expect("a fraction"));
         let (lo, hi) = (read(lo), read(hi));
         let (our_lo, our_hi) = answer.to_rationals();
         assert!(our_lo <= hi && lo <= our_hi, "{question}: ours {answer:?}, Arb [{lo}, {hi}]");

@@ -1,0 +1,65 @@
+//! Averaging on geometric graphs (Chazelle's model D): the transition matrix, the distance rule and the hysteresis rule
+//! on the line.
+
+mod affine;
+mod line;
+
+pub use affine::{Affine, HalfOpenRange};
+pub use line::{LineFlock, distance_network};
+
+use crate::arithmetic::{Rational, Ring, Signed, rational};
+use crate::graph::Graph;
+use crate::matrix::{MatrixError, RationalMatrix};
+
+/// The weights `c_i` of the model: bird `i` moves its velocity towards each neighbour's by `c_i` times the difference.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Weights {
+    /// `c_i = 2/(3 d_i)`: a lazy random walk that stays with probability 1/3.
+    Lazy,
+    /// `c_i = 1/(d_i + 1)`: the mean of a bird and its neighbours.
+    Vicsek,
+    /// Given numbers.
+    Given(Vec<Rational>),
+}
+
+impl Weights {
+    fn of(&self, graph: &Graph, i: usize) -> Option<Rational> {
+        let degree = graph.degree(i) as i64;
+        match self {
+            // A bird without neighbours has no term to weigh.
+            Weights::Lazy => Some(rational(2, 3 * degree.max(1))),
+            Weights::Vicsek => Some(rational(1, degree + 1)),
+            Weights::Given(c) => c.get(i).cloned(),
+        }
+    }
+
+    /// Whether `0 < c_i d_i < 1` for every bird with neighbours (the condition of model D).
+    pub fn are_admissible(&self, graph: &Graph) -> bool {
+        (0..graph.order()).filter(|&i| graph.degree(i) > 0).all(|i| {
+            self.of(graph, i).is_some_and(|c| {
+                let share = c.integer(graph.degree(i) as i64) * c;
+                share.is_certainly_positive() && (share.one() - &share).is_certainly_positive()
+            })
+        })
+    }
+}
+
+/// `P = I - C L` with the combinatorial Laplacian `L = D - A` of the graph (Chazelle, section 1, model D).
+///
+/// # Errors
+/// [`MatrixError`] for a graph without vertices or too few given weights.
+pub fn transition_matrix(graph: &Graph, weights: &Weights) -> Result<RationalMatrix, MatrixError> {
+    let order = graph.order();
+    let mut rows = Vec::with_capacity(order);
+    for i in 0..order {
+        let found = i;
+        let c = weights.of(graph, i).ok_or(MatrixError::EntryCount { rows: order, cols: 1, found })?;
+        let entry = |j: usize| match (i == j, graph.has_edge(i, j)) {
+            (true, _) => c.one() - c.integer(graph.degree(i) as i64) * &c,
+            (false, true) => c.clone(),
+            (false, false) => c.zero(),
+        };
+        rows.push((0..order).map(entry).collect());
+    }
+    RationalMatrix::from_rows(&rows)
+}

@@ -1,0 +1,10 @@
+//! Results beyond the papers: corrected theorems and sharper statements, checked like any claim.
+
+mod one_sided_peak;
+
+use crate::ledger::AnyClaim;
+
+/// All that are built.
+pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+    vec![Box::new(one_sided_peak::OneSidedPeak)]
+}

@@ -1,0 +1,23 @@
+//! Claims of Chazelle, Natural Algorithms.
+
+mod ergodicity;
+mod footprints;
+mod four_birds;
+mod worked_matrices;
+
+use crate::ledger::AnyClaim;
+
+/// All that are built.
+pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+    vec![
+        Box::new(worked_matrices::Stretching),
+        Box::new(worked_matrices::ProductAB),
+        Box::new(ergodicity::Coefficient),
+        Box::new(ergodicity::Submultiplicative),
+        Box::new(ergodicity::SquareRootOfTwo),
+        Box::new(footprints::Monotone),
+        Box::new(four_birds::Eigenvector),
+        Box::new(four_birds::ClosedForm),
+        Box::new(four_birds::Alternation),
+    ]
+}

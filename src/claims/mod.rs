@@ -1,0 +1,29 @@
+//! The claims of the papers and of this project with their checks, one file per group; a claim is found by searching for
+//! its id.
+
+mod beyond;
+mod chazelle;
+mod veerman;
+
+use crate::arithmetic::{Rational, parse_rational, rational};
+use crate::ledger::{AnyClaim, CheckError, Ledger, LedgerError};
+
+/// The ledger of every claim that is built.
+///
+/// # Errors
+/// [`LedgerError`] where a claim is registered twice or lacks a source; the tests rule that out.
+pub fn ledger() -> Result<Ledger, LedgerError> {
+    let mut ledger = Ledger::new();
+    let groups: [Vec<Box<dyn AnyClaim>>; 3] = [chazelle::claims(), veerman::claims(), beyond::claims()];
+    for claim in groups.into_iter().flatten() {
+        ledger.register_boxed(claim)?;
+    }
+    Ok(ledger)
+}
+
+/// The value of a printed decimal and one unit of its last place.
+fn printed_decimal(printed: &str) -> Result<(Rational, Rational), CheckError> {
+    let value = parse_rational(printed).map_err(|error| CheckError::Other(error.to_string()))?;
+    let places = printed.split_once('.').map_or(0, |(_, after)| after.len());
+    Ok((value, rational(10, 1).pow(-(places as i32))))
+}

@@ -1,0 +1,34 @@
+//! Claims of Veerman, Stosic and Olvera, Spatial instabilities and size limitations of flocks.
+//!
+//! Reading of the text: `f, g < 0` wherever stability is assumed (Lemma 1), and a frequency is `w >= 0`, since the
+//! leader moves as `cos w t`; `M = N + 1` is the number of followers.
+
+pub(super) mod one_sided;
+mod table1;
+mod theorem1;
+mod two_sided;
+
+use crate::ledger::AnyClaim;
+
+/// All that are built.
+pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+    vec![
+        Box::new(one_sided::Response),
+        Box::new(one_sided::SpecialResponse),
+        Box::new(one_sided::Substitution),
+        Box::new(one_sided::GainAboveOne),
+        Box::new(one_sided::StrongestGain),
+        Box::new(two_sided::LastAmplitude),
+        Box::new(two_sided::Derivation),
+        Box::new(theorem1::Frequency),
+        Box::new(theorem1::Amplitude),
+        Box::new(theorem1::Epsilon),
+        Box::new(theorem1::Modulus),
+        Box::new(theorem1::Exponent),
+        Box::new(table1::TheoryColumns),
+        Box::new(table1::NumericColumns),
+        Box::new(table1::Size),
+        Box::new(table1::FirstGuess),
+        Box::new(table1::WhichSystem),
+    ]
+}

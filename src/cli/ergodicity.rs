@@ -1,0 +1,115 @@
+//! `ergodicity`: products of a sequence of stochastic matrices.
+
+use super::{CliError, output};
+use flockproof::arithmetic::Rational;
+use flockproof::matrix::{
+    Footprint, Stabiliser, StochasticMatrix, prefix_products, read::read_sequence, stabilisers, tau_2_squared,
+};
+use num_traits::ToPrimitive;
+use serde_json::json;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Matrices, the first factor P(1) first: text (rows on lines, a blank line between matrices) or JSON
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Print one JSON document
+    #[arg(long)]
+    json: bool,
+}
+
+struct Prefix {
+    tau_1: Rational,
+    tau_2_squared: Rational,
+    footprint: Footprint,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    let text = output::read_text(&arguments.file)?;
+    let factors = read_sequence(&text).map_err(|error| CliError::file(&arguments.file, error))?;
+    let mut prefixes = Vec::with_capacity(factors.len());
+    let mut product = None;
+    for prefix in prefix_products(&factors) {
+        let prefix = prefix.map_err(|error| CliError::file(&arguments.file, error))?;
+        prefixes.push(Prefix {
+            tau_1: prefix.tau_1(),
+            tau_2_squared: tau_2_squared(&prefix.to_rational_matrix()),
+            footprint: prefix.footprint(),
+        });
+        product = Some(prefix);
+    }
+    let square = factors.iter().all(|m| m.rows() == m.cols());
+    let found = if square {
+        stabilisers(&factors.iter().map(StochasticMatrix::footprint).collect::<Vec<_>>())
+    } else {
+        Vec::new()
+    };
+    let Some(product) = product else { return Ok(ExitCode::SUCCESS) };
+    if arguments.json {
+        output::print_json(&document(&product, &prefixes, &found))?;
+    } else {
+        output::print(&table(&product, &prefixes, &found))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn members(stabiliser: &Stabiliser) -> Vec<usize> {
+    stabiliser.members.iter().map(|i| i + 1).collect()
+}
+
+fn document(product: &StochasticMatrix, prefixes: &[Prefix], found: &[Stabiliser]) -> serde_json::Value {
+    let rows = product.to_rational_matrix().to_rows();
+    let rows: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(ToString::to_string).collect()).collect();
+    let prefixes: Vec<serde_json::Value> = prefixes
+        .iter()
+        .enumerate()
+        .map(|(k, p)| {
+            json!({
+                "t": k + 1,
+                "tau_1": p.tau_1.to_string(),
+                "tau_2_squared": p.tau_2_squared.to_string(),
+                "footprint": p.footprint.to_string(),
+            })
+        })
+        .collect();
+    let found: Vec<serde_json::Value> = found.iter().map(|s| json!({"time": s.time, "members": members(s)})).collect();
+    json!({"product": rows, "prefixes": prefixes, "stabilisers": found})
+}
+
+fn table(product: &StochasticMatrix, prefixes: &[Prefix], found: &[Stabiliser]) -> String {
+    let float = |x: &Rational| x.to_f64().unwrap_or(f64::NAN);
+    let mut text = format!(
+        "P(t,1) = P(t) ... P(1) of {} factors, computed exactly; the decimals are rounded\n{:>6} {:>22} {:>22} {:>9}  footprint\n",
+        prefixes.len(),
+        "t",
+        "tau_1",
+        "tau_2",
+        "ones"
+    );
+    const WIDEST_FOOTPRINT: usize = 24;
+    for (k, p) in prefixes.iter().enumerate() {
+        let footprint = p.footprint.to_string();
+        let ones = footprint.matches('1').count();
+        let shown = if footprint.len() > WIDEST_FOOTPRINT { String::new() } else { footprint };
+        text.push_str(&format!(
+            "{:>6} {:>22.15e} {:>22.15e} {ones:>9}  {shown}\n",
+            k + 1,
+            float(&p.tau_1),
+            float(&p.tau_2_squared).sqrt()
+        ));
+    }
+    if let Some(last) = prefixes.last() {
+        let exact = last.tau_1.to_string();
+        if exact.len() <= 60 {
+            text.push_str(&format!("tau_1 of the whole product: {exact}\n"));
+        }
+    }
+    text.push_str(&format!("common denominator of the product: {} bits\n", product.denominator().bits()));
+    for (k, s) in found.iter().enumerate() {
+        let list: Vec<String> = members(s).iter().map(ToString::to_string).collect();
+        text.push_str(&format!("stabiliser V_{} = {{{}}} from T_{} = {}\n", k + 1, list.join(", "), k + 1, s.time));
+    }
+    text
+}

@@ -1,0 +1,91 @@
+//! Dispatch, errors and output of the command line.
+//!
+//! Exit status: 0 when all is as it should be, 1 when `verify` differs from what is recorded, 2 on bad use, 130 when
+//! interrupted.
+
+mod ergodicity;
+mod explain;
+mod output;
+mod reproduce;
+mod resonance;
+mod verify;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Checks what is claimed about flocking: every statement with a verdict, graded evidence and negative controls.
+#[derive(Parser)]
+#[command(name = "flockproof", version, about, max_term_width = 100)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run the ledger: a table of claims, verdicts, evidence, controls and times
+    Verify(verify::Arguments),
+    /// Explain one claim: statement, verdict, derivation, evidence, counterexample, correction
+    Explain(explain::Arguments),
+    /// Reproduce tables and figures of the papers as CSV, SVG and PNG
+    Reproduce(reproduce::Arguments),
+    /// Enclose the main resonance of the two-sided platoon rigorously
+    Resonance(resonance::Arguments),
+    /// Products, footprints, stabilisers and ergodicity coefficients of a sequence of stochastic matrices
+    Ergodicity(ergodicity::Arguments),
+}
+
+/// A failure: one sentence for standard error, exit status 2.
+#[derive(Debug, thiserror::Error)]
+pub enum CliError {
+    /// Anything that a person can mend by other arguments or files.
+    #[error("{0}")]
+    Use(String),
+    /// The reader of the output is gone: nothing to say.
+    #[error("the output was closed")]
+    ClosedOutput,
+}
+
+impl CliError {
+    /// A failure about a file.
+    fn file(path: &std::path::Path, error: impl std::fmt::Display) -> Self {
+        CliError::Use(format!("{}: {error}", path.display()))
+    }
+}
+
+/// Parses the arguments and runs the subcommand.
+pub fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) if error.use_stderr() => {
+            eprintln!("{}", one_sentence(&error.render().to_string()));
+            return ExitCode::from(2);
+        }
+        // Help and version.
+        Err(error) => return finish(output::print(&error.render().to_string()).map(|()| ExitCode::SUCCESS)),
+    };
+    finish(match arguments.command {
+        Command::Verify(arguments) => verify::run(&arguments),
+        Command::Explain(arguments) => explain::run(&arguments),
+        Command::Reproduce(arguments) => reproduce::run(&arguments),
+        Command::Resonance(arguments) => resonance::run(&arguments),
+        Command::Ergodicity(arguments) => ergodicity::run(&arguments),
+    })
+}
+
+fn finish(result: Result<ExitCode, CliError>) -> ExitCode {
+    match result {
+        Ok(code) => code,
+        Err(CliError::ClosedOutput) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// The first paragraph of clap's message on one line.
+fn one_sentence(message: &str) -> String {
+    let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
+    paragraph.map(str::trim).collect::<Vec<_>>().join(" ")
+}

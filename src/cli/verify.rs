@@ -1,0 +1,114 @@
+//! `verify`: run the ledger.
+
+use super::{CliError, output};
+use flockproof::ledger::{Ledger, LedgerError, Options, Report, to_json};
+use flockproof::report::{summary, verdict_table};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Only the claims of this paper (may be repeated)
+    #[arg(long, value_name = "P")]
+    paper: Vec<String>,
+    /// Only this claim (may be repeated)
+    #[arg(long, value_name = "ID")]
+    claim: Vec<String>,
+    /// Write the ledger as JSON to this file; `-` prints it instead of the table
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Seed of everything random
+    #[arg(long, value_name = "S", default_value = "flockproof")]
+    seed: String,
+    /// Try more cases; may take minutes
+    #[arg(long)]
+    full: bool,
+    /// Time limit of each claim in seconds (60, or 600 with --full)
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    limit: Option<u64>,
+    /// Claims checked at a time (as many as there are cores)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+/// Set by Ctrl-C: no further claim is started, finished ones are printed and written.
+static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+
+/// The ledger of the program.
+pub fn ledger() -> Result<Ledger, CliError> {
+    flockproof::claims::ledger().map_err(use_error)
+}
+
+/// A wrong id or paper.
+pub fn use_error(error: LedgerError) -> CliError {
+    CliError::Use(error.to_string())
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    let ledger = ledger()?;
+    let ids = ledger.select(&arguments.paper, &arguments.claim).map_err(use_error)?;
+    let mut options = Options {
+        seed: arguments.seed.clone(),
+        full: arguments.full,
+        limit: Duration::from_secs(arguments.limit.unwrap_or(if arguments.full { 600 } else { 60 })),
+        interrupted: || INTERRUPTED.load(Ordering::Relaxed),
+        ..Options::default()
+    };
+    if let Some(threads) = arguments.threads {
+        options.threads = usize::from(threads);
+    }
+    // Without a handler Ctrl-C simply ends the program: nothing to report.
+    let _ = ctrlc::set_handler(|| {
+        if INTERRUPTED.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    });
+    let bar = progress(ids.len());
+    let report = ledger.verify(&ids, &options, |entry| {
+        bar.set_message(entry.id.clone());
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    write_report(arguments, &report, &options)?;
+    Ok(match (report.interrupted, report.is_as_recorded()) {
+        (true, _) => ExitCode::from(130),
+        (false, true) => ExitCode::SUCCESS,
+        (false, false) => ExitCode::FAILURE,
+    })
+}
+
+fn progress(claims: usize) -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::with_draw_target(Some(claims as u64), ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+fn write_report(arguments: &Arguments, report: &Report, options: &Options) -> Result<(), CliError> {
+    let json = to_json(report, options);
+    match &arguments.json {
+        Some(path) if path.as_os_str() == "-" => return output::print(&json),
+        Some(path) => output::write_file(path, json.as_bytes())?,
+        None => {}
+    }
+    let mut text = verdict_table(&report.entries);
+    text.push('\n');
+    text.push_str(&summary(report, &arguments.paper));
+    for difference in &report.differences {
+        text.push_str(&format!("DIFFERS {difference}\n"));
+    }
+    if report.interrupted {
+        text.push_str("interrupted: the claims above were finished\n");
+    } else if report.differences.is_empty() {
+        text.push_str("every verdict is as recorded; every negative control was refuted\n");
+    }
+    output::print(&text)
+}

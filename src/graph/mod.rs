@@ -1,0 +1,108 @@
+//! Undirected simple graphs: what the flocking networks are made of.
+
+use crate::matrix::Footprint;
+
+/// An undirected graph without loops on the vertices `0..order`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Graph {
+    adjacency: Footprint,
+}
+
+/// Why a list of edges is not a simple graph. Vertices are counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum GraphError {
+    /// An edge names a vertex that is not there.
+    #[error("vertex {vertex} is not one of the {order} vertices")]
+    NoSuchVertex {
+        /// The vertex named.
+        vertex: usize,
+        /// Number of vertices.
+        order: usize,
+    },
+    /// An edge from a vertex to itself.
+    #[error("the edge from vertex {0} to itself is not allowed")]
+    Loop(usize),
+}
+
+impl Graph {
+    /// The graph in which `i` and `j > i` are joined where `joined(i, j)`.
+    pub fn from_fn(order: usize, joined: impl Fn(usize, usize) -> bool) -> Self {
+        Graph { adjacency: Footprint::from_fn(order, order, |i, j| i != j && joined(i.min(j), i.max(j))) }
+    }
+
+    /// The graph with these edges.
+    ///
+    /// # Errors
+    /// [`GraphError`].
+    pub fn from_edges(order: usize, edges: &[(usize, usize)]) -> Result<Self, GraphError> {
+        for &(i, j) in edges {
+            if let Some(vertex) = [i, j].into_iter().find(|&v| v >= order) {
+                return Err(GraphError::NoSuchVertex { vertex, order });
+            }
+            if i == j {
+                return Err(GraphError::Loop(i));
+            }
+        }
+        Ok(Graph::from_fn(order, |i, j| edges.contains(&(i, j)) || edges.contains(&(j, i))))
+    }
+
+    /// The path `0 - 1 - ... - (order - 1)`.
+    pub fn path(order: usize) -> Self {
+        Graph::from_fn(order, |i, j| j == i + 1)
+    }
+
+    /// All `2^(order (order - 1)/2)` labelled graphs; meant for `order <= 7`.
+    pub fn all(order: usize) -> impl Iterator<Item = Graph> {
+        let pairs = order * order.saturating_sub(1) / 2;
+        (0u64..1 << pairs).map(move |bits| {
+            // Pair (i, j), i < j, is bit j (j - 1)/2 + i.
+            Graph::from_fn(order, |i, j| bits >> (j * (j - 1) / 2 + i) & 1 == 1)
+        })
+    }
+
+    /// Number of vertices.
+    pub fn order(&self) -> usize {
+        self.adjacency.rows()
+    }
+
+    /// Whether `i` and `j` are joined.
+    pub fn has_edge(&self, i: usize, j: usize) -> bool {
+        self.adjacency.get(i, j)
+    }
+
+    /// Number of neighbours of `i`.
+    pub fn degree(&self, i: usize) -> usize {
+        (0..self.order()).filter(|&j| self.has_edge(i, j)).count()
+    }
+
+    /// The edges `(i, j)` with `i < j`.
+    pub fn edges(&self) -> Vec<(usize, usize)> {
+        (0..self.order()).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| self.has_edge(i, j)).collect()
+    }
+
+    /// The connected components, each sorted, in the order of their smallest vertex.
+    pub fn components(&self) -> Vec<Vec<usize>> {
+        let mut seen = vec![false; self.order()];
+        let mut components = Vec::new();
+        for start in 0..self.order() {
+            if seen[start] {
+                continue;
+            }
+            seen[start] = true;
+            let mut members = vec![start];
+            let mut next = 0;
+            while let Some(&i) = members.get(next) {
+                next += 1;
+                for j in 0..self.order() {
+                    if self.has_edge(i, j) && !seen[j] {
+                        seen[j] = true;
+                        members.push(j);
+                    }
+                }
+            }
+            members.sort_unstable();
+            components.push(members);
+        }
+        components
+    }
+}

@@ -1,0 +1,58 @@
+//! The table of verdicts and the summary per paper, within 80 columns.
+
+use crate::ledger::{Entry, Report, Verdict, listed};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+/// One line per claim: id, verdict, controls, time, evidence.
+pub fn verdict_table(entries: &[Entry]) -> String {
+    let width = entries.iter().map(|e| e.id.len()).max().unwrap_or(0).max("claim".len());
+    let mut text = format!("{:width$} {:<13} {:>8} {:>7}  evidence\n", "claim", "verdict", "controls", "time");
+    for e in entries {
+        let grades: Vec<&str> = e.grades().iter().map(|g| g.word()).collect();
+        let controls = format!("{}/{}", e.controls.refuted, e.controls.total);
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            text,
+            "{:width$} {:<13} {:>8} {:>6.2}s  {}",
+            e.id,
+            e.verdict.word(),
+            controls,
+            e.seconds,
+            grades.join(" ")
+        );
+    }
+    text
+}
+
+/// Counts per paper: claims built, verdicts, claims of the list that are missing.
+pub fn summary(report: &Report, papers: &[String]) -> String {
+    let paper_of = |id: &str| id.split('.').next().unwrap_or_default().to_string();
+    let mut listed_per_paper: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
+    for row in listed() {
+        listed_per_paper.entry(paper_of(row.id)).or_default().insert(row.id);
+    }
+    let mut names: BTreeSet<String> = report.entries.iter().map(|e| e.paper.clone()).collect();
+    names.extend(listed_per_paper.keys().filter(|p| papers.is_empty() || papers.contains(p)).cloned());
+    let mut text = String::new();
+    for paper in names {
+        let entries: Vec<&Entry> = report.entries.iter().filter(|e| e.paper == paper).collect();
+        let counts: Vec<String> =
+            [Verdict::Holds, Verdict::Misprint, Verdict::False, Verdict::Undecided, Verdict::NotCheckable]
+                .into_iter()
+                .map(|v| (v.word(), entries.iter().filter(|e| e.verdict == v).count()))
+                .filter(|(_, n)| *n > 0)
+                .map(|(word, n)| format!("{n} {word}"))
+                .collect();
+        let missing = listed_per_paper
+            .get(&paper)
+            .map_or(0, |ids| ids.iter().filter(|&&id| !entries.iter().any(|e| e.id == id)).count());
+        let built = if entries.is_empty() { "none checked".to_string() } else { counts.join(", ") };
+        let _ = writeln!(
+            text,
+            "{paper:9} {built}{}",
+            if missing > 0 { format!("; {missing} missing") } else { String::new() }
+        );
+    }
+    text
+}
