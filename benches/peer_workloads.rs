@@ -5,8 +5,11 @@
 #[path = "support/mod.rs"]
 mod support;
 
+use flockproof::arithmetic::{Interval, decimal, rational};
 use flockproof::matrix::{StochasticMatrix, prefix_products, product_sequential, product_tree};
+use flockproof::platoon::{Gains, resonance};
 use num_bigint::BigUint;
+use num_traits::ToPrimitive;
 use sha2::{Digest, Sha256};
 use std::hint::black_box;
 use std::time::Instant;
@@ -85,10 +88,36 @@ fn coefficients(wanted: &dyn Fn(&str) -> bool) {
     }
 }
 
+/// The enclosures rounded to 25 significant digits, which both ends must agree on, as the Arb script prints them.
+fn rounded(x: &Interval) -> String {
+    let (lo, hi) = x.to_rationals();
+    let round = |q: &num_rational::BigRational| {
+        // Half a unit of the 25th digit up, then down.
+        let leading = q.to_f64().expect("finite").log10().floor() as i32;
+        let half = rational(5, 1) * rational(10, 1).pow(leading - 25);
+        decimal(&(q + half), 25, false)
+    };
+    assert_eq!(round(&lo), round(&hi), "not settled to 25 digits");
+    round(&lo)
+}
+
+fn peaks(wanted: &dyn Fn(&str) -> bool) {
+    let gains = Gains { f: rational(-1, 1), g: rational(-1, 1) };
+    for followers in [128u64, 10_000, 1_000_000] {
+        let size = format!("M={followers}");
+        if wanted(&format!("W3 flockproof {size}")) {
+            let (seconds, found) = best_of(|| resonance(&gains, followers, 25).expect("gains are negative"));
+            let checksum = format!("w*={} a*={}", rounded(&found.omega), rounded(&found.amplitude));
+            emit("W3", "flockproof", &size, seconds, &checksum);
+        }
+    }
+}
+
 fn main() {
     // Cargo passes `--bench`; everything else is the filter.
     let filter: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
     let wanted = |name: &str| filter.iter().all(|part| name.contains(part.as_str()));
     products(&wanted);
     coefficients(&wanted);
+    peaks(&wanted);
 }

@@ -13,3 +13,8 @@ pub mod ledger;
 pub mod matrix;
 pub mod platoon;
 pub mod report;
+
+/// The example of the page on claims of one's own, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../notes/own_claims.md")]
+struct OwnClaims;

@@ -143,12 +143,11 @@ fn small_counterexample(identity: &impl RationalIdentity) -> Option<IdentityOutc
                     return None;
                 }
                 let at: Vec<Rational> = indices.iter().map(|&k| Rational::from_integer(VALUES[k].into())).collect();
-                if identity.in_domain(&at) {
-                    if let Ok((left, right)) = identity.sides(&at) {
-                        if let Ok(Some(found)) = difference(at, left, right) {
-                            return Some(found);
-                        }
-                    }
+                if identity.in_domain(&at)
+                    && let Ok((left, right)) = identity.sides(&at)
+                    && let Ok(Some(found)) = difference(at, left, right)
+                {
+                    return Some(found);
                 }
             }
             // The next index vector, the last coordinate fastest.

@@ -15,7 +15,7 @@ use std::process::ExitCode;
 
 /// Checks what is claimed about flocking: every statement with a verdict, graded evidence and negative controls.
 #[derive(Parser)]
-#[command(name = "flockproof", version, about, max_term_width = 100)]
+#[command(name = "flockproof", version, about, max_term_width = 100, arg_required_else_help = false)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

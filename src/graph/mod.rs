@@ -93,9 +93,9 @@ impl Graph {
             let mut next = 0;
             while let Some(&i) = members.get(next) {
                 next += 1;
-                for j in 0..self.order() {
-                    if self.has_edge(i, j) && !seen[j] {
-                        seen[j] = true;
+                for (j, seen) in seen.iter_mut().enumerate().filter(|(j, _)| self.has_edge(i, *j)) {
+                    if !*seen {
+                        *seen = true;
                         members.push(j);
                     }
                 }

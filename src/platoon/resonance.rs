@@ -175,8 +175,11 @@ impl Platoon<'_> {
         let mut precision = self.precision();
         // The start is good to about 2^-48; `radius` is the exponent of the relative half-width of W.
         let mut radius = FIRST_RADIUS;
+        let mut economical = true;
         loop {
-            let wide_bits = precision.min(2 * size_bits(self.followers) + 48 + 2 * radius.unsigned_abs() as u32);
+            // F'' is only needed to about the relative width of W, as long as that suffices.
+            let rough = 2 * size_bits(self.followers) + 48 + 2 * radius.unsigned_abs() as u32;
+            let wide_bits = if economical { precision.min(rough) } else { precision };
             let half_width = Dyadic::new(1.into(), middle.top() + radius);
             let wide = Interval::between(middle.plus(&half_width.negated()), middle.plus(&half_width), wide_bits);
             let point = Interval::between(middle.clone(), middle.clone(), precision);
@@ -194,6 +197,7 @@ impl Platoon<'_> {
                     middle = omega.midpoint(precision).lo().clone();
                     radius = reached.min(radius);
                 }
+                None if economical => economical = false,
                 None if radius < -8 => radius += 6,
                 None => {
                     radius = FIRST_RADIUS;

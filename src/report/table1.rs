@@ -117,9 +117,9 @@ impl Table1 {
             text.push('\n');
         }
         text.push_str(
-            "NFREQ and NAMP are Theorem 1 to within a unit of the last digit, not simulations;\n\
-             TFREQ and TAMP are not Theorem 1. More: explain veerman.table1_theory (and\n\
-             veerman.table1_numeric, veerman.table1.size).\n",
+            "NFREQ and NAMP are Theorem 1 to within a unit of the last digit, not\n\
+             simulations; TFREQ and TAMP are not Theorem 1. More: explain\n\
+             veerman.table1_theory, veerman.table1_numeric, veerman.table1.size\n",
         );
         text
     }

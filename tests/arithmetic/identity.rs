@@ -1,7 +1,7 @@
 //! The randomised identity tester: true identities pass with a bound, false ones are refuted at a point.
 
 use flockproof::arithmetic::identity::{IdentityError, IdentityOutcome, RationalIdentity, test_identity};
-use flockproof::arithmetic::{ArithmeticError, Field, Ring};
+use flockproof::arithmetic::{ArithmeticError, Field};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 

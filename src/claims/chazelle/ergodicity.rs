@@ -43,7 +43,7 @@ fn all_matrices(rows: usize, cols: usize, denominator: i64) -> Result<Vec<Ration
 fn random_matrix(rows: usize, cols: usize, random: &mut ChaCha8Rng) -> Result<RationalMatrix, CheckError> {
     let row = |random: &mut ChaCha8Rng| {
         let mut weights: Vec<i64> = (0..cols)
-            .map(|_| if random.next_u32() % 2 == 0 { i64::from(random.next_u32() % 1000) } else { 0 })
+            .map(|_| if random.next_u32().is_multiple_of(2) { i64::from(random.next_u32() % 1000) } else { 0 })
             .collect();
         weights[(random.next_u32() as usize) % cols] += 1;
         let sum: i64 = weights.iter().sum();

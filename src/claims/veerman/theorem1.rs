@@ -162,11 +162,7 @@ impl Claim for Amplitude {
 
 /// The exact expansion behind the proof: with `r = sqrt|f|`, `G = |g|` and series in `w`, `epsilon = sqrt(gamma² - 1) =
 /// i sqrt2 (w/r) E(w)`; returns `gamma` and `E`.
-fn expansion<T: Field>(
-    r: &T,
-    g: &T,
-    order: usize,
-) -> Result<(Series<Complex<T>>, Series<Complex<T>>), ArithmeticError> {
+fn expansion<T: Field>(r: &T, g: &T, order: usize) -> Result<[Series<Complex<T>>; 2], ArithmeticError> {
     let size = r.square();
     let constant = |z: Complex<T>| Series::constant(z, order);
     let w = Series::variable(Complex::real(r.one()), order);
@@ -178,7 +174,7 @@ fn expansion<T: Field>(
     // gamma² - 1 = -q (2 - q) = -2 (w²/|f|) S with S = |f|/(|f| + i w |g|) (1 - q/2).
     let half = Complex::real(r.ratio(1, 2));
     let s = inverse.scale(&Complex::real(size)) * (q.one() - q.scale(&half));
-    Ok((q.one() - q, s.sqrt_of_unit()?))
+    Ok([q.one() - q, s.sqrt_of_unit()?])
 }
 
 fn conjugate<T: Ring>(series: &Series<Complex<T>>, order: usize) -> Series<Complex<T>> {
@@ -209,7 +205,7 @@ impl RationalIdentity for Bracket {
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
         let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
-        let (_, bracket) = expansion(r, g, self.0.coefficients)?;
+        let [_, bracket] = expansion(r, g, self.0.coefficients)?;
         let size = r.square();
         let second = (g.ratio(self.0.damping.0, 2 * self.0.damping.1) * g.square()).over(&size.square())?
             + g.ratio(self.0.stiffness.0, 2 * self.0.stiffness.1).over(&size)?;
@@ -294,7 +290,7 @@ impl RationalIdentity for SquaredModulus {
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
         let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
         let order = self.0.order;
-        let (gamma, bracket) = expansion(r, g, order)?;
+        let [gamma, bracket] = expansion(r, g, order)?;
         let w = Series::variable(Complex::real(r.one()), order);
         let inverse = r.recip()?;
         let epsilon = (w * bracket).scale(&Complex::new(r.zero(), inverse));

@@ -1,0 +1,70 @@
+"""Runs our workloads and the peers' in turn, several rounds in one run, and prints ratios of the best times.
+
+usage: python3 benches/peers/run.py [ROUNDS] [--json FILE]     (default 3 rounds; from anywhere)
+
+Needs python-flint (requirements.txt). Checksums must agree; a ratio below 1 means that flockproof is faster.
+"""
+import json
+import os
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+# (workload, size, our peer name, their script and arguments, the bound that is aimed at)
+PAIRS = [
+    ("W1", "n=8,T=500", "flockproof_seq", ["w1_product.py", "flint_seq", "8"], 1.0),
+    ("W1", "n=16,T=500", "flockproof_seq", ["w1_product.py", "flint_seq", "16"], 1.0),
+    ("W1", "n=8,T=500", "flockproof_tree", ["w1_product.py", "flint_tree", "8"], 2.0),
+    ("W1", "n=16,T=500", "flockproof_tree", ["w1_product.py", "flint_tree", "16"], 2.0),
+    ("W2", "n=8,T=500", "flockproof", ["w2_tau.py", "flint", "8"], 1.0),
+    ("W2", "n=16,T=500", "flockproof", ["w2_tau.py", "flint", "16"], 1.0),
+    ("W3", "M=128", "flockproof", ["w3_peak.py", "arb", "128"], 0.5),
+    ("W3", "M=10000", "flockproof", ["w3_peak.py", "arb", "10000"], 0.5),
+    ("W3", "M=1000000", "flockproof", ["w3_peak.py", "arb", "1000000"], 0.5),
+]
+
+
+def ours(workload, size, peer):
+    command = ["cargo", "bench", "--quiet", "--bench", "peer_workloads", "--", workload, peer, size]
+    out = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    lines = [json.loads(line) for line in out.splitlines() if line.startswith("{")]
+    return next(line for line in lines if (line["peer"], line["size"]) == (peer, size))
+
+
+def theirs(arguments):
+    env = dict(os.environ, OPENBLAS_NUM_THREADS="1", OMP_NUM_THREADS="1")
+    run = subprocess.run([sys.executable] + arguments, cwd=HERE, env=env, capture_output=True, text=True, check=True)
+    return json.loads(run.stdout)
+
+
+def main():
+    arguments = sys.argv[1:]
+    out = arguments.pop(arguments.index("--json") + 1) if "--json" in arguments else None
+    rounds = int(next((a for a in arguments if a != "--json"), "3"))
+    best = {}
+    for _ in range(rounds):
+        for pair in PAIRS:
+            workload, size, peer, script, _bound = pair
+            a, b = ours(workload, size, peer), theirs(script)
+            same = a["checksum"].replace("-0", "-") == b["checksum"].replace("-0", "-")
+            old = best.get((workload, size, peer), (float("inf"), float("inf"), True))
+            best[(workload, size, peer)] = (min(old[0], a["seconds"]), min(old[1], b["seconds"]), old[2] and same)
+    failed = False
+    rows = []
+    print("%-4s %-12s %-16s %-12s %10s %10s %6s  %s" % ("", "size", "ours", "theirs", "ours [s]", "theirs", "ratio", "aim"))
+    for workload, size, peer, script, bound in PAIRS:
+        a, b, same = best[(workload, size, peer)]
+        failed |= not same
+        note = "" if same else "  CHECKSUMS DIFFER"
+        print("%-4s %-12s %-16s %-12s %10.3g %10.3g %6.2f  < %g%s" % (workload, size, peer, script[1], a, b, a / b, bound, note))
+        rows.append({"workload": workload, "size": size, "ours": peer, "theirs": script[1], "ratio": round(a / b, 3), "aim": bound})
+    if out:
+        with open(out, "w") as handle:
+            json.dump(rows, handle, indent=1)
+            handle.write("\n")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()

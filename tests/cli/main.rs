@@ -1,0 +1,175 @@
+//! The program as a user meets it: contracts of the subcommands, wrong input, closed pipes.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+fn flockproof(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_flockproof")).args(arguments).output().expect("the program starts")
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).expect("UTF-8")
+}
+
+/// A folder of its own for each test, under the target folder.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).expect("a folder");
+    path
+}
+
+fn file(folder: &Path, name: &str, contents: &[u8]) -> String {
+    let path = folder.join(name);
+    std::fs::write(&path, contents).expect("a file");
+    path.to_string_lossy().into_owned()
+}
+
+/// Exit status 2, nothing on standard output, one line on standard error that names what is wrong.
+fn assert_refused(arguments: &[&str], named: &str) {
+    let output = flockproof(arguments);
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
+    assert!(output.stdout.is_empty(), "{arguments:?} printed something");
+    assert_eq!(error.trim_end().lines().count(), 1, "{arguments:?}: {error}");
+    assert!(error.contains(named), "{arguments:?}: `{error}` does not name `{named}`");
+    assert!(!error.contains("panicked"));
+}
+
+#[test]
+fn resonance_keeps_its_contract() {
+    let output =
+        flockproof(&["resonance", "--followers", "128", "--f", "-1", "--g", "-1.0", "--digits", "25", "--json"]);
+    assert!(output.status.success() && output.stderr.is_empty());
+    let document: serde_json::Value = serde_json::from_str(&stdout(&output)).expect("one JSON document");
+    assert_eq!(document["followers"], 128);
+    assert_eq!((document["f"].as_str(), document["g"].as_str()), (Some("-1"), Some("-1")));
+    for (name, digits) in [("omega", "0.0086773696075884626268238"), ("amplitude", "146.73083377805038714666")] {
+        for end in ["lo", "hi"] {
+            assert!(document[name][end].as_str().is_some_and(|s| s.starts_with(digits)), "{name} {end}");
+        }
+    }
+    assert!(document["theorem1"]["omega"].as_str().is_some_and(|s| s.starts_with("0.00867750573")));
+    assert!(document["theorem1"]["amplitude"].as_str().is_some_and(|s| s.starts_with("146.728747")));
+}
+
+#[test]
+fn bad_resonances_are_refused() {
+    let ask = |m, f, g, d, named| {
+        assert_refused(&["resonance", "--followers", m, "--f", f, "--g", g, "--digits", d], named);
+    };
+    ask("0", "-1", "-1", "10", "followers");
+    ask("-3", "-1", "-1", "10", "--followers");
+    ask("1e9", "-1", "-1", "10", "--followers");
+    ask("99999999999999999999", "-1", "-1", "10", "--followers");
+    ask("4", "1", "-1", "10", "f must be negative");
+    ask("4", "-1", "0", "10", "g must be negative");
+    ask("4", "-1", "minus one", "10", "--g");
+    ask("4", "-1/0", "-1", "10", "--f");
+    ask("4", "-1", "-1", "0", "digits");
+    ask("4", "-1", "-1", "999999999", "digits");
+    ask("4", "-1e-900", "-1", "9", "extreme");
+    ask("4", "-1e99999999999", "-1", "9", "--f");
+    assert_refused(&["resonance", "--followers", "4"], "--f");
+}
+
+#[test]
+fn verify_writes_the_ledger() {
+    let folder = folder("verify");
+    let path = folder.join("ledger.json");
+    let path = path.to_str().expect("UTF-8");
+    let output = flockproof(&["verify", "--paper", "chazelle", "--json", path]);
+    assert!(output.status.success(), "{}", stdout(&output));
+    let text = stdout(&output);
+    assert!(text.contains("chazelle.ex4birds.alt") && text.contains("missing") && !text.contains("veerman."));
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "wider than 80 columns:\n{text}");
+    let document: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(path).expect("written")).expect("JSON");
+    let ids: Vec<&str> =
+        document["claims"].as_array().expect("a list").iter().filter_map(|c| c["id"].as_str()).collect();
+    assert!(ids.is_sorted() && ids.contains(&"chazelle.lem2.4"));
+    let printed = flockproof(&["verify", "--claim", "chazelle.ex15", "--json", "-"]);
+    let only: serde_json::Value = serde_json::from_str(&stdout(&printed)).expect("only JSON on standard output");
+    assert_eq!(only["claims"][0]["verdict"], "holds");
+}
+
+#[test]
+fn bad_uses_of_verify_and_explain_are_refused() {
+    assert_refused(&["verify", "--paper", "reynolds"], "reynolds");
+    assert_refused(&["verify", "--claim", "veerman.lem99"], "veerman.lem99");
+    assert_refused(&["verify", "--claim", "veerman.lem2", "--json", "/nowhere/at/all.json"], "/nowhere/at/all.json");
+    assert_refused(&["verify", "--threads", "0"], "--threads");
+    assert_refused(&["explain", "paley.eq3"], "not built yet");
+    assert_refused(&["explain", "nonsense"], "nonsense");
+    assert_refused(&["explain"], "ID");
+    assert_refused(&["fly"], "fly");
+    assert_refused(&[], "subcommand");
+}
+
+#[test]
+fn explain_tells_the_whole_story() {
+    let text = stdout(&flockproof(&["explain", "veerman.gain_max"]));
+    for part in ["verdict", "false", "28/13", "corrected", "sqrt(3) - 1", "controls", "3 of 3"] {
+        assert!(text.contains(part), "{part} is missing in\n{text}");
+    }
+    assert!(text.lines().all(|line| line.chars().count() <= 80));
+}
+
+#[test]
+fn reproduce_writes_three_files() {
+    let folder = folder("reproduce");
+    let out = folder.join("new");
+    let output = flockproof(&["reproduce", "table1", "--out", out.to_str().expect("UTF-8")]);
+    assert!(output.status.success());
+    assert!(stdout(&output).lines().all(|line| line.chars().count() <= 80 || line.starts_with("written")));
+    let csv = std::fs::read_to_string(out.join("table1.csv")).expect("CSV");
+    assert_eq!(csv.lines().count(), 25);
+    assert!(csv.lines().all(|line| line.split(',').count() == 11));
+    assert!(std::fs::read_to_string(out.join("table1.svg")).expect("SVG").contains("<svg"));
+    assert!(std::fs::read(out.join("table1.png")).expect("PNG").starts_with(b"\x89PNG"));
+    let occupied = file(&folder, "occupied", b"");
+    assert_refused(&["reproduce", "table1", "--out", &occupied], "occupied");
+    assert_refused(&["reproduce", "figure77", "--out", &occupied], "figure77");
+}
+
+#[test]
+fn ergodicity_reads_and_refuses() {
+    let folder = folder("ergodicity");
+    let good = file(&folder, "good.txt", b"1/2 1/2 0\n1/2 1/2 0\n0 0 1\n\n1 0 0\n0 1/2 1/2\n0 1/2 1/2\n");
+    let output = flockproof(&["ergodicity", &good, "--json"]);
+    let document: serde_json::Value = serde_json::from_str(&stdout(&output)).expect("JSON");
+    assert_eq!(document["prefixes"][1]["tau_1"], "1/2");
+    assert_eq!(document["prefixes"][1]["footprint"], "110 111 111");
+    assert_eq!(document["product"][0], serde_json::json!(["1/2", "1/2", "0"]));
+    assert_eq!(document["stabilisers"][0], serde_json::json!({"time": 2, "members": [1, 2, 3]}));
+    assert!(stdout(&flockproof(&["ergodicity", &good])).contains("stabiliser V_1 = {1, 2, 3}"));
+    for (name, contents, named) in [
+        ("sum.txt", &b"1/2 1/3\n"[..], "sums to 5/6"),
+        ("negative.txt", b"2 -1\n", "negative"),
+        ("ragged.txt", b"1 0\n1\n", "row 2"),
+        ("zero.txt", b"1/0\n", "zero denominator"),
+        ("words.txt", b"one two\n", "one"),
+        ("empty.txt", b"", "no matrix"),
+        ("binary.txt", b"\xff\xfe\x00", "UTF-8"),
+        ("shapes.txt", b"1\n\n1/2 1/2\n", "matrix 2"),
+        ("broken.json", b"[[[1,", "JSON"),
+    ] {
+        assert_refused(&["ergodicity", &file(&folder, name, contents)], named);
+    }
+    assert_refused(&["ergodicity", "/nowhere.txt"], "/nowhere.txt");
+    assert_refused(&["ergodicity", folder.to_str().expect("UTF-8")], "ergodicity");
+}
+
+#[test]
+fn a_closed_pipe_is_no_error() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_flockproof"))
+        .args(["verify", "--claim", "chazelle.ex15"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("it ends");
+    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.status.code(), Some(0));
+}

@@ -1,0 +1,4 @@
+//! Mirrors `src/ledger` and `src/claims`.
+
+mod judging;
+mod recorded;

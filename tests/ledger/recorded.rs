@@ -1,0 +1,43 @@
+//! The ledger of the project: tables in order, every claim as recorded.
+
+use flockproof::ledger::{LedgerError, Options, listed, recorded, to_json};
+use std::collections::BTreeSet;
+
+#[test]
+fn tables_are_in_order() {
+    let ids: Vec<&str> = listed().map(|row| row.id).collect();
+    assert_eq!(ids.len(), 237);
+    assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len());
+    let ledger = flockproof::claims::ledger().unwrap();
+    let built: Vec<&str> = ledger.ids().collect();
+    assert!(built.iter().all(|id| ids.contains(id) || id.starts_with("beyond.")));
+    let rows: Vec<&str> = recorded().map(|row| row.id).collect();
+    assert_eq!(rows, built, "recorded.tsv must hold exactly the claims that are built, sorted");
+}
+
+#[test]
+fn every_claim_is_as_recorded() {
+    let ledger = flockproof::claims::ledger().unwrap();
+    let ids = ledger.select(&[], &[]).unwrap();
+    let options = Options::default();
+    let report = ledger.verify(&ids, &options, |_| {});
+    assert_eq!(report.differences, Vec::<String>::new());
+    assert!(report.is_as_recorded());
+    let document: serde_json::Value = serde_json::from_str(&to_json(&report, &options)).unwrap();
+    assert_eq!(document["schema"], "flockproof.ledger/1");
+    assert_eq!(document["claims"].as_array().map(Vec::len), Some(ids.len()));
+}
+
+#[test]
+fn wrong_names_are_refused() {
+    let ledger = flockproof::claims::ledger().unwrap();
+    let select = |papers: &[&str], claims: &[&str]| {
+        let own = |names: &[&str]| names.iter().map(|s| s.to_string()).collect::<Vec<_>>();
+        ledger.select(&own(papers), &own(claims))
+    };
+    assert!(matches!(select(&["reynolds"], &[]), Err(LedgerError::NoPaper(..))));
+    assert_eq!(select(&[], &["veerman.lem99"]), Err(LedgerError::Unknown("veerman.lem99".into())));
+    assert_eq!(select(&[], &["paley.eq3"]), Err(LedgerError::NotBuilt("paley.eq3".into())));
+    assert_eq!(select(&[], &["veerman.lem2"]), Ok(vec!["veerman.lem2".to_string()]));
+    assert_eq!(select(&["paley"], &[]), Ok(vec![]));
+}
