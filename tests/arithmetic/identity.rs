@@ -1,7 +1,7 @@
 //! The randomised identity tester: true identities pass with a bound, false ones are refuted at a point.
 
 use flockproof::arithmetic::identity::{IdentityError, IdentityOutcome, RationalIdentity, test_identity};
-use flockproof::arithmetic::{ArithmeticError, Field};
+use flockproof::arithmetic::{ArithmeticError, Dual, Field, Rational, Ring, along_flow};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
@@ -30,6 +30,37 @@ impl RationalIdentity for AlwaysAPole {
         let zero = at[0].clone() - &at[0];
         Ok((vec![at[0].over(&zero)?], vec![at[0].one()]))
     }
+}
+
+/// A printed rate of change tested against the law itself: along x' = v, v' = -k x - c v the energy (v² + k x²)/2 changes
+/// at the rate -factor c v², true for factor = 1.
+struct EnergyRate(i64);
+
+impl RationalIdentity for EnergyRate {
+    fn variables(&self) -> usize {
+        4
+    }
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [x, v, k, c] = at else { return Err(ArithmeticError::Domain("four variables")) };
+        let law = [v.clone(), -(k.clone() * x) - c.clone() * v];
+        let rate = along_flow(&[x.clone(), v.clone()], &law, |state| {
+            let stiffness = Dual::constant(k.clone());
+            Ok((state[1].square() + stiffness * state[0].square()) * state[0].ratio(1, 2))
+        })?;
+        Ok((vec![rate], vec![-(c.integer(self.0) * c * v.square())]))
+    }
+}
+
+#[test]
+fn a_printed_rate_is_tested_against_the_law() {
+    let outcome = |factor| test_identity(&EnergyRate(factor), 8, &mut random()).unwrap();
+    assert!(matches!(outcome(1), IdentityOutcome::Agreed { error_bits: 300.., .. }));
+    // The smallest point at which the altered rate fails.
+    let IdentityOutcome::Differed { at, .. } = outcome(2) else { panic!("the altered rate passed") };
+    assert_eq!(
+        at,
+        vec![1.into(), 1.into(), 1.into(), 1.into()].into_iter().map(Rational::from_integer).collect::<Vec<_>>()
+    );
 }
 
 fn random() -> ChaCha8Rng {
