@@ -60,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
              omega      in [{},\n                {}]\n\
              amplitude  in [{},\n                {}]\n\
              Theorem 1: omega ~ {first_frequency}, amplitude ~ {first_amplitude}\n\
-             The last car's amplitude is largest there over all omega > 0 (notes/resonance.md).\n",
+             No omega > 0 gives the last car a larger amplitude: notes/resonance.md.\n",
             gains.f, gains.g, omega.0, omega.1, amplitude.0, amplitude.1
         ))?;
     }

@@ -6,18 +6,18 @@ use std::fmt::Write;
 
 /// One line per claim: id, verdict, controls, time, evidence.
 pub fn verdict_table(entries: &[Entry]) -> String {
-    let width = entries.iter().map(|e| e.id.len()).max().unwrap_or(0).max("claim".len());
-    let mut text = format!("{:width$} {:<13} {:>8} {:>7}  evidence\n", "claim", "verdict", "controls", "time");
+    let widest = |f: fn(&Entry) -> usize, header: &str| entries.iter().map(f).max().unwrap_or(0).max(header.len());
+    let (id, verdict) = (widest(|e| e.id.len(), "claim"), widest(|e| e.verdict.word().len(), "verdict"));
+    let mut text = format!("{:id$} {:verdict$} {:>8} {:>6}  evidence\n", "claim", "verdict", "controls", "time");
     for e in entries {
         let grades: Vec<&str> = e.grades().iter().map(|g| g.word()).collect();
         let controls = format!("{}/{}", e.controls.refuted, e.controls.total);
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "{:width$} {:<13} {:>8} {:>6.2}s  {}",
+            "{:id$} {:verdict$} {controls:>8} {:>5.2}s  {}",
             e.id,
             e.verdict.word(),
-            controls,
             e.seconds,
             grades.join(" ")
         );

@@ -88,6 +88,8 @@ fn verify_writes_the_ledger() {
     let ids: Vec<&str> =
         document["claims"].as_array().expect("a list").iter().filter_map(|c| c["id"].as_str()).collect();
     assert!(ids.is_sorted() && ids.contains(&"chazelle.lem2.4"));
+    let all = stdout(&flockproof(&["verify"]));
+    assert!(all.lines().all(|line| line.chars().count() <= 80), "wider than 80 columns:\n{all}");
     let printed = flockproof(&["verify", "--claim", "chazelle.ex15", "--json", "-"]);
     let only: serde_json::Value = serde_json::from_str(&stdout(&printed)).expect("only JSON on standard output");
     assert_eq!(only["claims"][0]["verdict"], "holds");
