@@ -5,10 +5,10 @@ use super::operators::operators;
 use super::{Dyadic, Interval, Ring};
 use num_bigint::{BigInt, BigUint, Sign};
 
-/// Encloses the numbers within `radius` units of the midpoint, where a unit is `2^(-64 (LIMBS - 1))`.
+/// Encloses the numbers within `radius` units of the midpoint, where a unit is `2^(-64 (LIMBS - 1))`; from 2 to 16 limbs.
 ///
 /// The midpoint is a two's complement number of `LIMBS` limbs, the highest one before the point. A result beyond `2^62`
-/// gets an infinite radius, which no later operation loses.
+/// gets a radius that is not finite, which no later operation loses.
 #[derive(Debug, Clone)]
 pub struct Ball<const LIMBS: usize> {
     limbs: [u64; LIMBS],
@@ -19,14 +19,18 @@ pub struct Ball<const LIMBS: usize> {
 const ROUND_UP: f64 = 1.0 + 1e-14;
 
 impl<const LIMBS: usize> Ball<LIMBS> {
+    /// With more limbs a unit would leave the range of floats, with one there would be nothing after the point.
+    const VALID: () = assert!(LIMBS >= 2 && LIMBS <= 16, "a ball has from 2 to 16 limbs");
+
     /// Bits after the point.
     pub const SCALE: u32 = 64 * (LIMBS as u32 - 1);
 
     /// A ball around the interval.
     pub fn from_interval(x: &Interval) -> Self {
+        let () = Self::VALID;
         let middle = x.lo().midpoint(x.hi()).scaled(i64::from(Self::SCALE));
         let integer = middle.floor();
-        let radius = x.width().scaled(i64::from(Self::SCALE) - 1).to_f64() * ROUND_UP + 1.0;
+        let radius = (x.width().scaled(i64::from(Self::SCALE) - 1).to_f64() + 1.0) * ROUND_UP;
         let mut limbs = [0; LIMBS];
         if integer.bits() > u64::from(Self::SCALE) + 62 {
             return Ball { limbs, radius: f64::INFINITY };

@@ -18,7 +18,10 @@ const GUARD: u32 = 32;
 const LARGEST_EXPONENT_TOP: i64 = 32;
 
 /// Angles beyond `2^60` are not reduced: their sine is only known to lie in [-1, 1].
-const LARGEST_ANGLE_TOP: i64 = 60;
+pub(super) const LARGEST_ANGLE_TOP: i64 = 60;
+
+/// Squarings in `exp` at most: each multiplies the counted error by up to 5.
+pub(super) const MOST_SQUARINGS: u32 = 24;
 
 type Bounds = (Dyadic, Dyadic);
 
@@ -133,8 +136,8 @@ pub(super) fn exp(x: &Dyadic, precision: u32) -> Result<Bounds, ArithmeticError>
         }
         return Err(ArithmeticError::Domain("exp"));
     }
-    let squarings = (f64::from(precision).sqrt() / 2.0).ceil() as u32;
-    let scale = precision + GUARD + 2 * squarings;
+    let squarings = ((f64::from(precision).sqrt() / 2.0).ceil() as u32).min(MOST_SQUARINGS);
+    let scale = precision + GUARD + 3 * squarings;
     let k = (x.to_f64() / std::f64::consts::LN_2).round() as i64;
     let wide = scale + 64;
     let ln2 = ln2_fixed(wide);

@@ -6,8 +6,9 @@ use num_traits::{One, Signed};
 
 /// A number known to lie within `error` units of `value`, where one unit is `2^-scale`.
 ///
-/// The error counts units; the series below run for fewer than `2^32` terms, each of which adds a few units, so it
-/// stays far from overflow.
+/// The error counts units. The series that use this run for fewer than `2^32` terms, each of which adds a few units, and
+/// at most [`MOST_SQUARINGS`](super::elementary::MOST_SQUARINGS) squarings follow, each of which multiplies the count by
+/// less than 5: below `2^96`, it does not overflow.
 #[derive(Debug, Clone)]
 pub(super) struct Fixed {
     pub value: BigInt,
@@ -48,8 +49,9 @@ impl Fixed {
                 e => (e >> (-bits).min(127)) + 1,
             }
         };
-        let error = spread(other.error, &self.value) + spread(self.error, &other.value) + 2;
-        // e_a e_b 2^-scale is below one unit: the errors are below 2^64 and the scale is above 64 wherever this is used.
+        // Far below the range of floats; one unit covers the rounding of this small term.
+        let both = self.error as f64 * other.error as f64 * 2f64.powi(-(self.scale.min(1000) as i32));
+        let error = spread(other.error, &self.value) + spread(self.error, &other.value) + both.ceil() as u128 + 3;
         Fixed { value: (&self.value * &other.value) >> self.scale, error, scale: self.scale }
     }
 

@@ -263,6 +263,10 @@ impl Real for Interval {
     }
 
     fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
+        if self.magnitude().top() > elementary::LARGEST_ANGLE_TOP {
+            let everything = self.one().hull(&self.integer(-1));
+            return Ok((everything.clone(), everything));
+        }
         let (sin_lo, cos_lo) = self.sin_cos_at(&self.lo);
         let (sin_hi, cos_hi) = self.sin_cos_at(&self.hi);
         let half = self.ratio(1, 2);

@@ -94,8 +94,7 @@ pub fn resonance(gains: &Gains<Rational>, followers: u64, digits: u32) -> Result
         Err(ResonanceError::NotIsolated(_)) => platoon.critical_point(platoon.bisected_start()?)?,
         other => other?,
     };
-    platoon.check_half_phase(&found.omega)?;
-    Ok(found)
+    if platoon.is_below_full_phase(&found.omega) { Ok(found) } else { Err(ResonanceError::NotIsolated(64)) }
 }
 
 /// Bits by which the angle per car is smaller than one: what doubling loses twice.
@@ -221,33 +220,15 @@ impl Platoon<'_> {
         wide.encloses(&omega).then_some((omega, minimum))
     }
 
-    /// Checks that the zero lies in `(0, w_h]`, where it is the only one: `M x <= pi`, and either `F' > 0` between `w_h`
-    /// and there (because `w² <= 2|f|`) or `Re T_M = cos(Mx) cosh(My) > 0`.
-    fn check_half_phase(&self, omega: &Interval) -> Result<(), ResonanceError> {
-        let precision = omega.precision();
-        let upper = Interval::between(omega.hi().clone(), omega.hi().clone(), precision);
-        let below_half = || self.at(&upper).is_ok_and(|response| response.real_part.is_certainly_positive());
-        if self.phase_below_pi(&upper) && (self.angle_increases(&upper) || below_half()) {
-            Ok(())
-        } else {
-            Err(ResonanceError::NotIsolated(precision))
-        }
-    }
-
-    /// A sufficient condition for `M x(w) <= pi`: `|gamma - 1| <= 4/M²`, that is `w⁴ M⁴ <= 16 (f² + w² g²)`.
-    fn phase_below_pi(&self, w: &Interval) -> bool {
+    /// Whether `|gamma - 1| <= 4/M²`, that is `w⁴ M⁴ <= 16 (f² + w² g²)`, which implies `M x <= pi` up to `w`, where `F'` has
+    /// no zero beyond `w_h` (`notes/resonance.md`, step 3).
+    fn is_below_full_phase(&self, w: &Interval) -> bool {
         let w = w.with_precision(64);
         let gains = self.gains.map(|q| w.rational(q));
         let square = w.square();
         let m4 = w.integer(self.followers as i64).square().square();
         let bound = w.integer(16) * (gains.f.square() + square.clone() * gains.g.square());
         (bound - square.square() * m4).is_certainly_positive()
-    }
-
-    /// `w² <= 2|f|`.
-    fn angle_increases(&self, w: &Interval) -> bool {
-        let w = w.with_precision(64);
-        (-(w.rational(&self.gains.f) * w.integer(2)) - w.square()).is_certainly_positive()
     }
 
     /// Bisection on certified signs of `F'`, from a frequency below the zero, to a relative width of `2^-50`.

@@ -3,8 +3,7 @@
 use super::{Gains, chebyshev};
 use crate::arithmetic::{ArithmeticError, Complex, Field, Ring};
 
-/// `F`, `F'`, `F''` at one frequency, and the real part of `T_M`, whose sign tells on which side of `M x = pi/2` the
-/// frequency lies.
+/// `F`, `F'` and `F''` at one frequency.
 #[derive(Debug, Clone)]
 pub struct FrequencyResponse<T> {
     /// `F = |T_M(gamma)|² = 1/|a_M|²`.
@@ -13,8 +12,6 @@ pub struct FrequencyResponse<T> {
     pub slope: T,
     /// `d²F/dw²`.
     pub curvature: T,
-    /// `Re T_M(gamma) = cos(M x) cosh(M y)`.
-    pub real_part: T,
 }
 
 /// Evaluates `F` for `followers >= 1` cars at the frequency `w > 0`.
@@ -60,6 +57,5 @@ pub(super) fn frequency_response_by<T: Field>(
         inverse_square: t.norm_squared(),
         slope: two.clone() * t.dot(&t1),
         curvature: two * (t1.norm_squared() + t.dot(&t2)),
-        real_part: t.re,
     })
 }

@@ -190,6 +190,21 @@ fn edges_of_the_domains() {
     assert!(sin.contains(&rational(1, 1)) && sin.contains(&rational(-1, 1)));
 }
 
+/// Many bits: the count of lost units must not overflow.
+#[test]
+fn exp_at_many_bits() {
+    for (precision, finer) in [(14_500, 16_000), (60_000, 62_000)] {
+        for x in [rational(3, 5), rational(3_400_000_001, 10_000_000_000), rational(-3, 5)] {
+            let coarse = Interval::from_rational(&x, precision).exp().unwrap();
+            let fine = Interval::from_rational(&x, finer).exp().unwrap();
+            assert!(coarse.overlaps(&fine));
+            assert!(coarse.width().top() - coarse.magnitude().top() < 4 - i64::from(precision));
+            let back = Interval::from_rational(&-x.clone(), precision).exp().unwrap();
+            assert!((coarse * back).contains(&rational(1, 1)));
+        }
+    }
+}
+
 /// Adding numbers 10^6 bits apart costs no memory and still rounds outward.
 #[test]
 fn far_apart_operands() {

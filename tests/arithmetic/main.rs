@@ -1,6 +1,7 @@
 //! Mirrors `src/arithmetic`.
 
 mod arb;
+mod ball;
 mod complex_dual_series;
 mod identity;
 mod interval;
