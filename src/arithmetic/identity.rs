@@ -29,6 +29,11 @@ pub trait RationalIdentity {
     /// [`ArithmeticError`] where the point is a pole.
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError>;
 
+    /// Names of the components, for messages; an empty list where there is nothing to name.
+    fn components(&self) -> Vec<String> {
+        Vec::new()
+    }
+
     /// Whether a counterexample may lie at this point. It does not restrict where the identity is tested: one that holds
     /// on an open set holds everywhere.
     fn in_domain(&self, _at: &[Rational]) -> bool {
@@ -182,7 +187,7 @@ fn error_bits(degree: u64, cases: usize) -> Result<u64, IdentityError> {
 }
 
 /// A random integer of absolute value below `2^(SET_BITS - 1)`.
-pub fn random_integer(random: &mut ChaCha8Rng) -> Rational {
+fn random_integer(random: &mut ChaCha8Rng) -> Rational {
     let offset = 1i64 << (SET_BITS - 1);
     let drawn = (random.next_u64() >> (u64::BITS - SET_BITS)) as i64;
     Rational::from_integer(BigInt::from(drawn - offset))

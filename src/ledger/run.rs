@@ -90,12 +90,10 @@ impl Run {
             }
             IdentityOutcome::Differed { at, component, left, right } => {
                 let point: Vec<String> = names.iter().zip(&at).map(|(name, x)| format!("{name} = {x}")).collect();
+                let named = identity.components().into_iter().nth(component);
+                let what = named.unwrap_or_else(|| format!("component {}", component + 1));
                 Outcome::fails(
-                    format!(
-                        "{part}: at {} component {} is {left} on one side and {right} on the other",
-                        point.join(", "),
-                        component + 1
-                    ),
+                    format!("{part}: at {}, {what} is {left}, but {right} is claimed", point.join(", ")),
                     Evidence::new(Grade::Exact, part, "the two sides differ at a rational point"),
                 )
             }

@@ -16,9 +16,10 @@ impl Claim for OneSidedPeak {
     fn source(&self) -> Option<Source> {
         Some(Source {
             place: "corrects veerman, proof of Corollary 1".to_string(),
-            statement: "For all f, g < 0 the gain |gamma^{-1}| of system (1) has exactly one maximum over w > 0, at \
+            statement:
+                "For all f, g < 0 the gain |gamma^{-1}| of system (1) is largest over w > 0 at exactly one w, where \
                         w^2 = (f^2/g^2) (sqrt(1 + 2 g^2/|f|) - 1) < |f|."
-                .to_string(),
+                    .to_string(),
         })
     }
 
