@@ -12,9 +12,7 @@ pub mod table1;
 pub mod theorem1;
 
 pub use law::{Communication, Gains, accelerations};
-pub use resonance::{
-    LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, resonance, resonance_uncertified_start,
-};
+pub use resonance::{LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, resonance};
 pub use response::{
     amplitude_one_sided, amplitudes_two_sided, chebyshev, gain_squared_one_sided, gamma, strongest_one_sided_square,
 };

@@ -87,7 +87,7 @@ pub fn resonance(gains: &Gains<Rational>, followers: u64, digits: u32) -> Result
     if followers == 1 {
         return platoon.single_follower();
     }
-    let start = resonance_uncertified_start(gains, followers).ok_or(ResonanceError::Extreme)?;
+    let start = uncertified_start(gains, followers).ok_or(ResonanceError::Extreme)?;
     let start = Dyadic::from_f64(start).ok_or(ResonanceError::Extreme)?;
     // Where the response is so flat that floats do not find its peak, bisection on certified signs does.
     let found = match platoon.critical_point(start) {
@@ -278,7 +278,7 @@ impl Platoon<'_> {
 ///
 /// Bisection on `y' sinh(2My) - x' sin(2Mx)`, a multiple of `F'`, in `s = w²/|f|`. `None` where the gains leave the
 /// range of floats.
-pub fn resonance_uncertified_start(gains: &Gains<Rational>, followers: u64) -> Option<f64> {
+fn uncertified_start(gains: &Gains<Rational>, followers: u64) -> Option<f64> {
     let (f, g) = (-gains.f.to_f64()?, -gains.g.to_f64()?);
     let b = g / f * g;
     if ![f, g, b].iter().all(|x| (1e-100..1e100).contains(x)) {
