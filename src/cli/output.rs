@@ -1,7 +1,7 @@
 //! Writing to standard output and to files without ever panicking.
 
 use super::CliError;
-use std::io::{ErrorKind, Write};
+use std::io::{ErrorKind, Read, Write};
 use std::path::Path;
 
 /// Prints a text; a closed pipe ends the program quietly.
@@ -34,11 +34,14 @@ pub fn write_file(path: &Path, contents: &[u8]) -> Result<(), CliError> {
 /// Reads a whole text file of at most 64 MiB.
 pub fn read_text(path: &Path) -> Result<String, CliError> {
     const LARGEST: u64 = 64 << 20;
-    let size = std::fs::metadata(path).map_err(|error| CliError::file(path, error))?.len();
-    if size > LARGEST {
+    // Not the size that the file system tells: a device has none and no end.
+    let mut bytes = Vec::new();
+    std::fs::File::open(path)
+        .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes))
+        .map_err(|error| CliError::file(path, error))?;
+    if bytes.len() as u64 > LARGEST {
         return Err(CliError::file(path, "files of more than 64 MiB are not read"));
     }
-    let bytes = std::fs::read(path).map_err(|error| CliError::file(path, error))?;
     String::from_utf8(bytes).map_err(|_| CliError::file(path, "it is not a text file (UTF-8)"))
 }
 

@@ -158,6 +158,9 @@ fn ergodicity_reads_and_refuses() {
     ] {
         assert_refused(&["ergodicity", &file(&folder, name, contents)], named);
     }
+    if Path::new("/dev/zero").exists() {
+        assert_refused(&["ergodicity", "/dev/zero"], "64 MiB");
+    }
     assert_refused(&["ergodicity", "/nowhere.txt"], "/nowhere.txt");
     assert_refused(&["ergodicity", folder.to_str().expect("UTF-8")], "ergodicity");
 }
