@@ -84,11 +84,6 @@ impl Interval {
         self.lo <= other.hi && other.lo <= self.hi
     }
 
-    /// Whether every point of this interval is less than every point of the other.
-    pub fn is_below(&self, other: &Self) -> bool {
-        self.hi < other.lo
-    }
-
     /// The smallest interval that contains both.
     pub fn hull(&self, other: &Self) -> Self {
         Interval {
@@ -96,13 +91,6 @@ impl Interval {
             hi: self.hi.clone().max(other.hi.clone()),
             precision: self.precision.min(other.precision),
         }
-    }
-
-    /// What both intervals have in common, if anything.
-    pub fn intersection(&self, other: &Self) -> Option<Self> {
-        let lo = self.lo.clone().max(other.lo.clone());
-        let hi = self.hi.clone().min(other.hi.clone());
-        (lo <= hi).then(|| Interval { lo, hi, precision: self.precision.min(other.precision) })
     }
 
     /// The interval of one point: the midpoint, exact up to the rounding to `precision` bits.

@@ -32,9 +32,14 @@ impl<T: Ring> Series<T> {
         &self.coefficients
     }
 
+    /// The series with `f` of each coefficient.
+    pub fn map(&self, f: impl FnMut(&T) -> T) -> Self {
+        Series { coefficients: self.coefficients.iter().map(f).collect() }
+    }
+
     /// The same series with each coefficient multiplied by `factor`.
     pub fn scale(&self, factor: &T) -> Self {
-        Series { coefficients: self.coefficients.iter().map(|c| c.clone() * factor).collect() }
+        self.map(|c| c.clone() * factor)
     }
 
     fn zip(a: &Self, b: &Self, f: impl Fn(&T, &T) -> T) -> Self {
@@ -58,7 +63,7 @@ operators!(
     |a, b| Series::zip(a, b, |x, y| x.clone() + y),
     |a, b| Series::zip(a, b, |x, y| x.clone() - y),
     Series::convolve,
-    |a| Series { coefficients: a.coefficients.iter().map(|c| -c.clone()).collect() }
+    |a| a.map(|c| -c.clone())
 );
 
 impl<T: Ring> Ring for Series<T> {

@@ -33,11 +33,6 @@ impl LimbMatrix {
         LimbMatrix { rows, cols, len, limbs: vec![0; rows * cols * len] }
     }
 
-    /// Limbs per entry.
-    pub fn len(&self) -> usize {
-        self.len
-    }
-
     pub fn entry(&self, i: usize, j: usize) -> &[u64] {
         let start = (i * self.cols + j) * self.len;
         &self.limbs[start..start + self.len]

@@ -81,11 +81,6 @@ impl StochasticMatrix {
         self.numerators.largest_excess()
     }
 
-    /// Limbs of 64 bits per entry: what the cost of a product is driven by.
-    pub fn limbs_per_entry(&self) -> usize {
-        self.numerators.len()
-    }
-
     /// The same matrix as a plain rational one.
     pub fn to_rational_matrix(&self) -> RationalMatrix {
         let numerators = self.numerators().map(BigInt::from).collect();

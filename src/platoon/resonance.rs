@@ -60,12 +60,6 @@ pub enum ResonanceError {
     NotIsolated(u32),
 }
 
-impl From<(u32, ArithmeticError)> for ResonanceError {
-    fn from((precision, _): (u32, ArithmeticError)) -> Self {
-        ResonanceError::NotIsolated(precision)
-    }
-}
-
 /// Encloses the main resonance of `followers` cars: the global maximum of `|a_M(w)|` over `w > 0`, with a relative width
 /// of at most `10^-digits` in frequency and amplitude.
 ///
@@ -150,12 +144,12 @@ impl Platoon<'_> {
         let mut precision = self.precision();
         loop {
             let gains = self.gains.map(|q| Interval::from_rational(q, precision));
-            let enclose = || {
+            let enclose = || -> Result<_, ArithmeticError> {
                 let square = strongest_one_sided_square(&gains)?;
                 let gain = gain_squared_one_sided(&gains, &square)?;
                 Ok((square.sqrt()?, gain.sqrt()?))
             };
-            let (omega, amplitude) = enclose().map_err(|error| (precision, error))?;
+            let (omega, amplitude) = enclose().map_err(|_| ResonanceError::NotIsolated(precision))?;
             if self.is_thin_enough(&omega) && self.is_thin_enough(&amplitude) {
                 return Ok(Resonance { omega, amplitude });
             }
@@ -233,8 +227,8 @@ impl Platoon<'_> {
 
     /// Bisection on certified signs of `F'`, from a frequency below the zero, to a relative width of `2^-50`.
     fn bisected_start(&self) -> Result<Dyadic, ResonanceError> {
-        let refuse = |error| ResonanceError::from((64, error));
-        let mut low = self.below_the_zero(64).map_err(refuse)?.lo().clone();
+        let below = self.below_the_zero(64).map_err(|_| ResonanceError::NotIsolated(64))?;
+        let mut low = below.lo().clone();
         let mut ratio = 1;
         let mut high = low.scaled(ratio);
         while !self.slope_is_positive(&high)? {

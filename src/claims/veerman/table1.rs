@@ -77,7 +77,7 @@ fn swapped(variant: ColumnsVariant) -> ColumnsVariant {
 const THEORY: (&str, &str) = ("TFREQ", "TAMP");
 const NUMERIC: (&str, &str) = ("NFREQ", "NAMP");
 
-/// Whether some offset makes every cell of both columns the given numbers; otherwise the last mismatch.
+/// Whether some offset makes every cell of both columns the given numbers; otherwise the first mismatches.
 fn examine_columns(
     variant: &ColumnsVariant,
     frequency: impl Fn(u64) -> Result<Interval, CheckError>,
@@ -87,6 +87,7 @@ fn examine_columns(
     let mut mismatches = Vec::new();
     let mut offsets = variant.offsets.to_vec();
     offsets.dedup();
+    let cases = 2 * ROWS.len() * offsets.len();
     for offset in offsets {
         let frequencies = compare_column(variant.columns.0, variant.names.0, &frequency, offset)?;
         let amplitudes = compare_column(variant.columns.1, variant.names.1, &amplitude, offset)?;
@@ -101,8 +102,18 @@ fn examine_columns(
         mismatches.push(format!("{agreeing} of {} cells agree for {followers} followers", 2 * ROWS.len()));
     }
     let evidence = certified("cell by cell", detail);
-    let cases = 2 * ROWS.len() * variant.offsets.len();
     Ok(Outcome::Fails { counterexample: mismatches.join("; "), evidence: vec![evidence.cases(cases)] })
+}
+
+/// Whether the columns are the values of Theorem 1.
+fn examine_theorem(variant: &ColumnsVariant) -> Result<Outcome, CheckError> {
+    let gains = in_intervals(&gains(variant.f));
+    examine_columns(
+        variant,
+        |m| Ok(theorem1::frequency(&gains, m)?),
+        |m| Ok(theorem1::amplitude(&gains, m)?),
+        "enclosures of the values of Theorem 1 against the printed digits",
+    )
 }
 
 /// veerman.table1_theory.
@@ -145,13 +156,7 @@ impl Claim for TheoryColumns {
     }
 
     fn examine(&self, variant: &ColumnsVariant, _: &mut Run) -> Result<Outcome, CheckError> {
-        let gains = in_intervals(&gains(variant.f));
-        examine_columns(
-            variant,
-            |m| Ok(theorem1::frequency(&gains, m)?),
-            |m| Ok(theorem1::amplitude(&gains, m)?),
-            "enclosures of the values of Theorem 1 against the printed digits",
-        )
+        examine_theorem(variant)
     }
 }
 
@@ -339,7 +344,6 @@ impl Claim for Size {
     }
 
     fn examine(&self, offset: &i64, run: &mut Run) -> Result<Outcome, CheckError> {
-        let gains = in_intervals(&gains(-1));
         let columns = ColumnsVariant {
             names: NUMERIC,
             columns: (|row| row.nfreq, |row| row.namp),
@@ -347,18 +351,9 @@ impl Claim for Size {
             f: -1,
         };
         let near = examine_near(*offset, run)?;
-        let leading = examine_any_size(&columns, &gains)?;
+        let leading = examine_theorem(&columns)?;
         Run::all([Ok(near), Ok(leading)])
     }
-}
-
-fn examine_any_size(columns: &ColumnsVariant, gains: &Gains<Interval>) -> Result<Outcome, CheckError> {
-    examine_columns(
-        columns,
-        |m| Ok(theorem1::frequency(gains, m)?),
-        |m| Ok(theorem1::amplitude(gains, m)?),
-        "Theorem 1 against the printed digits",
-    )
 }
 
 /// TFREQ within 0.15 % of the true resonance frequency.

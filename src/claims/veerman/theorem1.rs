@@ -178,13 +178,6 @@ fn expansion<T: Field>(r: &T, g: &T, order: usize) -> Result<[Series<Complex<T>>
     Ok([q.one() - q, s.sqrt_of_unit()?])
 }
 
-fn conjugate<T: Ring>(series: &Series<Complex<T>>, order: usize) -> Series<Complex<T>> {
-    let one = series.coefficients()[0].one();
-    let w = Series::variable(one.clone(), order);
-    let zero = Series::constant(one.zero(), order);
-    series.coefficients().iter().rev().fold(zero, |sum, c| sum * &w + Series::constant(c.conj(), order))
-}
-
 /// veerman.thm1_eps.
 pub struct Epsilon;
 
@@ -304,11 +297,11 @@ impl RationalIdentity for SquaredModulus {
         let w = Series::variable(Complex::real(r.one()), order);
         let inverse = r.recip()?;
         let epsilon = (w * bracket).scale(&Complex::new(r.zero(), inverse));
-        let mixed = conjugate(&gamma, order) * &epsilon;
+        let mixed = gamma.map(Complex::conj) * &epsilon;
         let two = Complex::real(r.integer(2));
         let even =
-            gamma.clone() * conjugate(&gamma, order) + (epsilon.clone() * conjugate(&epsilon, order)).scale(&two);
-        let odd = mixed.clone() + conjugate(&mixed, order);
+            gamma.clone() * gamma.map(Complex::conj) + (epsilon.clone() * epsilon.map(Complex::conj)).scale(&two);
+        let odd = mixed.clone() + mixed.map(Complex::conj);
         let zero = r.zero();
         let mut expected = vec![zero.clone(); 2 * order];
         expected[0] = r.one();
