@@ -6,6 +6,7 @@
 mod support;
 
 use flockproof::arithmetic::{Interval, decimal, rational};
+use flockproof::averaging::{Flock, Hysteresis, Start, Weights};
 use flockproof::matrix::{StochasticMatrix, prefix_products, product_sequential, product_tree};
 use flockproof::platoon::{Gains, resonance};
 use num_bigint::BigUint;
@@ -113,6 +114,29 @@ fn peaks(wanted: &dyn Fn(&str) -> bool) {
     }
 }
 
+/// Eight birds on a line, two groups of four on a collision course of their own.
+fn eight_birds() -> Flock {
+    let positions = (0..4).flat_map(|l| [rational(2 * l, 1), rational(6 * l + 2, 3)]).collect();
+    let velocities = [1, 0, -1, 0, 1, 0, -1, 0].map(|v| rational(v, 512)).to_vec();
+    Flock::new(&Start::on_the_line(positions, velocities, Weights::Lazy, Hysteresis::None)).expect("a flock")
+}
+
+fn stepping(wanted: &dyn Fn(&str) -> bool) {
+    for steps in [1000usize, 10_923] {
+        let size = format!("n=8,steps={steps}");
+        if wanted(&format!("W7 flockproof {size}")) {
+            let (seconds, flock) = best_of(|| {
+                let mut flock = eight_birds();
+                (0..steps).for_each(|_| drop(flock.step().expect("lazy weights suit every network")));
+                flock
+            });
+            let positions: Vec<String> =
+                flock.positions().iter().map(|x| format!("{}/{}", x[0].numer(), x[0].denom())).collect();
+            emit("W7", "flockproof", &size, seconds, &sha(&positions.join(",")));
+        }
+    }
+}
+
 fn main() {
     // Cargo passes `--bench`; everything else is the filter.
     let filter: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
@@ -120,4 +144,5 @@ fn main() {
     products(&wanted);
     coefficients(&wanted);
     peaks(&wanted);
+    stepping(&wanted);
 }

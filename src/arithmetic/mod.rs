@@ -22,6 +22,7 @@ mod fixed;
 mod float;
 mod flow;
 pub mod identity;
+mod integer;
 mod interval;
 mod number;
 mod operators;
@@ -185,7 +186,7 @@ pub trait Real: Field {
 }
 
 /// Scalars whose sign can be asked for.
-pub trait Signed: Field {
+pub trait Signed: Ring {
     /// The sign, or `None` where it is not decided (an interval around zero, NaN).
     fn sign(&self) -> Option<Sign>;
 

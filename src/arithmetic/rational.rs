@@ -30,10 +30,6 @@ impl Field for Rational {
 
 impl Signed for Rational {
     fn sign(&self) -> Option<Sign> {
-        Some(match self.numer().sign() {
-            num_bigint::Sign::Minus => Sign::Negative,
-            num_bigint::Sign::NoSign => Sign::Zero,
-            num_bigint::Sign::Plus => Sign::Positive,
-        })
+        Signed::sign(self.numer())
     }
 }

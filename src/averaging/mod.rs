@@ -1,10 +1,14 @@
-//! Averaging on geometric graphs (Chazelle's model D): the transition matrix, the distance rule and the hysteresis rule
-//! on the line.
+//! Averaging on geometric graphs (Chazelle's model D): the transition matrix, the distance rule, the hysteresis rule and
+//! flocks stepped exactly.
 
 mod affine;
+mod flock;
+mod hysteresis;
 mod line;
 
 pub use affine::{Affine, HalfOpenRange};
+pub use flock::{Flock, Start, Switch};
+pub use hysteresis::Hysteresis;
 pub use line::{LineFlock, distance_network};
 
 use crate::arithmetic::{Rational, Ring, Signed, rational};
@@ -23,8 +27,9 @@ pub enum Weights {
 }
 
 impl Weights {
-    fn of(&self, graph: &Graph, i: usize) -> Option<Rational> {
-        let degree = graph.degree(i) as i64;
+    /// `c_i` for bird `i` (from 0) with this many neighbours; `None` where no weight was given.
+    pub fn of(&self, degree: usize, i: usize) -> Option<Rational> {
+        let degree = degree as i64;
         match self {
             // A bird without neighbours has no term to weigh.
             Weights::Lazy => Some(rational(2, 3 * degree.max(1))),
@@ -36,7 +41,7 @@ impl Weights {
     /// Whether `0 < c_i d_i < 1` for every bird with neighbours (the condition of model D).
     pub fn are_admissible(&self, graph: &Graph) -> bool {
         (0..graph.order()).filter(|&i| graph.degree(i) > 0).all(|i| {
-            self.of(graph, i).is_some_and(|c| {
+            self.of(graph.degree(i), i).is_some_and(|c| {
                 let share = c.integer(graph.degree(i) as i64) * c;
                 share.is_certainly_positive() && (share.one() - &share).is_certainly_positive()
             })
@@ -53,7 +58,7 @@ pub fn transition_matrix(graph: &Graph, weights: &Weights) -> Result<RationalMat
     let mut rows = Vec::with_capacity(order);
     for i in 0..order {
         let found = i;
-        let c = weights.of(graph, i).ok_or(MatrixError::EntryCount { rows: order, cols: 1, found })?;
+        let c = weights.of(graph.degree(i), i).ok_or(MatrixError::EntryCount { rows: order, cols: 1, found })?;
         let entry = |j: usize| match (i == j, graph.has_edge(i, j)) {
             (true, _) => c.one() - c.integer(graph.degree(i) as i64) * &c,
             (false, true) => c.clone(),
@@ -62,4 +67,61 @@ pub fn transition_matrix(graph: &Graph, weights: &Weights) -> Result<RationalMat
         rows.push((0..order).map(entry).collect());
     }
     RationalMatrix::from_rows(&rows)
+}
+
+/// Why a flock is refused or cannot go on. Birds are counted from 1.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FlockError {
+    /// No birds, or birds in no dimension.
+    #[error("a flock needs at least one bird with at least one coordinate")]
+    NoBirds,
+    /// Not as many velocities as positions.
+    #[error("there are {birds} positions but {found} velocities")]
+    Velocities {
+        /// Number of positions.
+        birds: usize,
+        /// Number of velocities.
+        found: usize,
+    },
+    /// A position or velocity of another dimension.
+    #[error("the {what} of bird {bird} has {found} coordinates instead of {dimension}")]
+    Coordinates {
+        /// `position` or `velocity`.
+        what: &'static str,
+        /// The bird.
+        bird: usize,
+        /// Dimension of the first position.
+        dimension: usize,
+        /// Coordinates found.
+        found: usize,
+    },
+    /// Fewer given weights than birds.
+    #[error("there are {birds} birds but no weight c_{bird}")]
+    Weights {
+        /// Number of birds.
+        birds: usize,
+        /// The first bird without one.
+        bird: usize,
+    },
+    /// `0 < c_i d_i < 1` fails.
+    #[error("bird {bird} has {degree} neighbours and c = {c} at t = {time}, but model D needs 0 < c d < 1")]
+    Inadmissible {
+        /// The bird.
+        bird: usize,
+        /// Its number of neighbours.
+        degree: usize,
+        /// Its weight.
+        c: String,
+        /// The time.
+        time: String,
+    },
+    /// A threshold below zero.
+    #[error("the hysteresis threshold {0} is negative")]
+    NegativeHysteresis(String),
+    /// A threshold that would fill the memory.
+    #[error("a comparison needs the hysteresis threshold exactly, but it has {bits:.3e} bits")]
+    ThresholdTooLong {
+        /// Its length.
+        bits: f64,
+    },
 }

@@ -46,6 +46,11 @@ impl Graph {
         Ok(Graph::from_fn(order, |i, j| edges.contains(&(i, j)) || edges.contains(&(j, i))))
     }
 
+    /// The graph without edges.
+    pub fn empty(order: usize) -> Self {
+        Graph::from_fn(order, |_, _| false)
+    }
+
     /// The path `0 - 1 - ... - (order - 1)`.
     pub fn path(order: usize) -> Self {
         Graph::from_fn(order, |i, j| j == i + 1)
@@ -73,6 +78,11 @@ impl Graph {
     /// Number of neighbours of `i`.
     pub fn degree(&self, i: usize) -> usize {
         (0..self.order()).filter(|&j| self.has_edge(i, j)).count()
+    }
+
+    /// The neighbours of `i` in order.
+    pub fn neighbours(&self, i: usize) -> Vec<usize> {
+        self.adjacency.column(i)
     }
 
     /// The edges `(i, j)` with `i < j`.

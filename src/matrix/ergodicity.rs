@@ -6,7 +6,7 @@
 use super::RationalMatrix;
 use crate::arithmetic::{Rational, Ring};
 use num_bigint::BigInt;
-use num_traits::{Signed, Zero};
+use num_traits::Signed;
 
 /// The norms in which diameters are computed exactly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub enum Norm {
 /// `max_{i,j} |a_i* - a_j*|` over the rows in the given norm (for [`Norm::TwoSquared`] the square of the distance).
 /// It is the diameter of the convex hull of the rows, because a convex function is largest at corners.
 pub fn diameter(matrix: &RationalMatrix, norm: Norm) -> Rational {
-    let mut best = BigInt::zero();
+    let mut best = BigInt::default();
     for i in 0..matrix.rows() {
         for j in 0..i {
             let differences = matrix.row(i).iter().zip(matrix.row(j)).map(|(a, b)| a - b);

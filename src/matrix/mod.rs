@@ -3,6 +3,7 @@
 mod ergodicity;
 pub mod floating;
 mod footprint;
+mod integer_rows;
 mod limbs;
 mod product;
 mod rational_matrix;
@@ -12,6 +13,7 @@ mod stochastic;
 
 pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_infinity};
 pub use footprint::Footprint;
+pub use integer_rows::{AverageRow, IntegerRows};
 pub use product::{prefix_products, product_sequential, product_tree};
 pub use rational_matrix::RationalMatrix;
 pub use stabiliser::{Stabiliser, stabilisers};

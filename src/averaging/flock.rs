@@ -1,0 +1,381 @@
+//! Model D in any dimension, stepped exactly: integers over one common denominator.
+
+use super::hysteresis::Threshold;
+use super::{FlockError, Hysteresis, Weights};
+use crate::arithmetic::{Rational, Ring};
+use crate::graph::Graph;
+use crate::matrix::{AverageRow, IntegerRows};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::Signed;
+
+/// A flock at a time `t`: positions `x(t)`, velocities `v(t+1)` and the network `G_t`.
+///
+/// The state is `n d` numerators each over one common denominator; a step multiplies the denominator by the least common
+/// denominator of the weights and allocates nothing while the network stays.
+#[derive(Debug, Clone)]
+pub struct Flock {
+    birds: usize,
+    dimension: usize,
+    weights: Weights,
+    threshold: Threshold,
+    network: Graph,
+    rule: Rule,
+    /// Numerators of x(t), bird by bird, and in the last row the common denominator.
+    positions: IntegerRows,
+    /// Numerators of v(t+1) over the common denominator times `pending`.
+    velocities: IntegerRows,
+    pending: BigInt,
+    time: BigInt,
+    scratch: Scratch,
+}
+
+/// Room that every step uses again.
+#[derive(Debug, Clone)]
+struct Scratch {
+    velocities: IntegerRows,
+    windows: Vec<i128>,
+    /// Pair `i < j` at `j (j - 1)/2 + i`.
+    joined: Vec<bool>,
+}
+
+/// `multiplier P(t)` in integers.
+#[derive(Debug, Clone)]
+struct Rule {
+    multiplier: BigInt,
+    rows: Vec<AverageRow>,
+}
+
+/// A change of the network.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Switch {
+    /// The first time with the new network.
+    pub time: BigInt,
+    /// New edges, vertices from 0.
+    pub gained: Vec<(usize, usize)>,
+    /// Edges that are gone.
+    pub lost: Vec<(usize, usize)>,
+}
+
+impl Switch {
+    /// What changes from one network to another of the same order.
+    pub fn between(old: &Graph, new: &Graph, time: BigInt) -> Self {
+        let only = |a: &Graph, b: &Graph| a.edges().into_iter().filter(|&(i, j)| !b.has_edge(i, j)).collect();
+        Switch { time, gained: only(new, old), lost: only(old, new) }
+    }
+}
+
+/// What a flock starts from: one row per bird, as many columns as dimensions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Start {
+    /// `x(0)`.
+    pub positions: Vec<Vec<Rational>>,
+    /// `v(1)`.
+    pub velocities: Vec<Vec<Rational>>,
+    /// The weights `c_i`.
+    pub weights: Weights,
+    /// The hysteresis rule.
+    pub hysteresis: Hysteresis,
+}
+
+impl Start {
+    /// A start on the line.
+    pub fn on_the_line(
+        positions: Vec<Rational>,
+        velocities: Vec<Rational>,
+        weights: Weights,
+        hysteresis: Hysteresis,
+    ) -> Self {
+        let columns = |list: Vec<Rational>| list.into_iter().map(|x| vec![x]).collect();
+        Start { positions: columns(positions), velocities: columns(velocities), weights, hysteresis }
+    }
+}
+
+/// Bits of the common denominator that are looked at before distances are compared exactly.
+const WINDOW_BITS: u64 = 100;
+
+impl Flock {
+    /// The flock at `t = 0`; `G_0` is the network of the distance rule.
+    ///
+    /// # Errors
+    /// [`FlockError`] where the start is not a flock.
+    pub fn new(start: &Start) -> Result<Self, FlockError> {
+        let mut flock = Flock::resume(start, Graph::empty(start.positions.len()), BigInt::ZERO)?;
+        let network = flock.distance_network();
+        flock.replace_network(network)?;
+        Ok(flock)
+    }
+
+    /// A flock in the middle of its way: `start` holds `x(t)` and `v(t+1)`.
+    ///
+    /// # Errors
+    /// [`FlockError`] where the start is not a flock.
+    pub fn resume(start: &Start, network: Graph, time: BigInt) -> Result<Self, FlockError> {
+        let birds = start.positions.len();
+        let dimension = start.positions.first().map_or(0, Vec::len);
+        if birds == 0 || dimension == 0 {
+            return Err(FlockError::NoBirds);
+        }
+        if start.velocities.len() != birds {
+            return Err(FlockError::Velocities { birds, found: start.velocities.len() });
+        }
+        for (what, list) in [("position", &start.positions), ("velocity", &start.velocities)] {
+            if let Some(bird) = list.iter().position(|x| x.len() != dimension) {
+                return Err(FlockError::Coordinates { what, bird: bird + 1, dimension, found: list[bird].len() });
+            }
+        }
+        let threshold = Threshold::new(start.hysteresis.clone(), birds)?;
+        let rule = Rule::new(&network, &start.weights, dimension, &time)?;
+        let all = || start.positions.iter().chain(&start.velocities).flatten();
+        let denominator = all().fold(BigInt::from(1), |d, x| d.lcm(x.denom()));
+        let numerators = |list: &[Vec<Rational>]| -> Vec<BigInt> {
+            list.iter().flatten().map(|x| x.numer() * (&denominator / x.denom())).collect()
+        };
+        let velocities = numerators(&start.velocities);
+        let mut positions = numerators(&start.positions);
+        positions.push(denominator);
+        Ok(Flock {
+            birds,
+            dimension,
+            weights: start.weights.clone(),
+            threshold,
+            network,
+            rule,
+            positions: IntegerRows::new(&positions),
+            scratch: Scratch { velocities: IntegerRows::new(&velocities), windows: Vec::new(), joined: Vec::new() },
+            velocities: IntegerRows::new(&velocities),
+            pending: BigInt::from(1),
+            time,
+        })
+    }
+
+    /// Number of birds.
+    pub fn birds(&self) -> usize {
+        self.birds
+    }
+
+    /// Dimension of the space.
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// The time `t`.
+    pub fn time(&self) -> &BigInt {
+        &self.time
+    }
+
+    /// `G_t`.
+    pub fn network(&self) -> &Graph {
+        &self.network
+    }
+
+    /// The weights.
+    pub fn weights(&self) -> &Weights {
+        &self.weights
+    }
+
+    /// The hysteresis rule.
+    pub fn hysteresis(&self) -> &Hysteresis {
+        self.threshold.kind()
+    }
+
+    pub(super) fn threshold(&self) -> &Threshold {
+        &self.threshold
+    }
+
+    /// Bits of the common denominator of positions and velocities, not reduced.
+    pub fn denominator_bits(&self) -> u64 {
+        (self.denominator() * &self.pending).bits()
+    }
+
+    /// The common denominator of the positions, not reduced.
+    pub fn denominator(&self) -> BigInt {
+        self.positions.value(self.birds * self.dimension)
+    }
+
+    fn rows(&self, rows: &IntegerRows, denominator: &BigInt) -> Vec<Vec<Rational>> {
+        let entry = |k: usize| Rational::new(rows.value(k), denominator.clone());
+        (0..self.birds).map(|i| (0..self.dimension).map(|k| entry(i * self.dimension + k)).collect()).collect()
+    }
+
+    /// `x(t)`, one row per bird.
+    pub fn positions(&self) -> Vec<Vec<Rational>> {
+        self.rows(&self.positions, &self.denominator())
+    }
+
+    /// `v(t+1)`, one row per bird.
+    pub fn velocities(&self) -> Vec<Vec<Rational>> {
+        self.rows(&self.velocities, &(self.denominator() * &self.pending))
+    }
+
+    /// `x_i(t) - x_j(t)` over [`Flock::denominator`].
+    pub(super) fn position_difference(&self, i: usize, j: usize) -> Vec<BigInt> {
+        self.differences(&self.positions, i, j)
+    }
+
+    fn differences(&self, rows: &IntegerRows, i: usize, j: usize) -> Vec<BigInt> {
+        (0..self.dimension).map(|k| rows.difference(i * self.dimension + k, j * self.dimension + k)).collect()
+    }
+
+    /// One step: `x(t+1) = x(t) + v(t+1)`, then `G_{t+1}`, then `v(t+2) = P(t+1) v(t+1)`. The change of the network, if
+    /// there is one.
+    ///
+    /// # Errors
+    /// [`FlockError`] where the weights do not suit the new network or the threshold is too long to write out.
+    pub fn step(&mut self) -> Result<Option<Switch>, FlockError> {
+        self.advance();
+        let switch = if self.decide_pairs()? {
+            let joined = &self.scratch.joined;
+            let network = Graph::from_fn(self.birds, |i, j| joined[j * (j - 1) / 2 + i]);
+            Some(self.replace_network(network)?)
+        } else {
+            None
+        };
+        self.average();
+        Ok(switch)
+    }
+
+    /// One step with a network that is given instead of being decided: to follow what a network would do.
+    ///
+    /// # Errors
+    /// [`FlockError`] where the weights do not suit the network.
+    pub fn step_on(&mut self, network: &Graph) -> Result<(), FlockError> {
+        self.advance();
+        if *network != self.network {
+            self.replace_network(network.clone())?;
+        }
+        self.average();
+        Ok(())
+    }
+
+    fn advance(&mut self) {
+        self.positions.scale_and_add(&self.pending, &self.velocities);
+        self.pending = BigInt::from(1);
+        self.time += 1;
+    }
+
+    fn replace_network(&mut self, network: Graph) -> Result<Switch, FlockError> {
+        let switch = Switch::between(&self.network, &network, self.time.clone());
+        self.rule = Rule::new(&network, &self.weights, self.dimension, &self.time)?;
+        self.network = network;
+        Ok(switch)
+    }
+
+    fn average(&mut self) {
+        self.scratch.velocities.average(&mut self.velocities, &self.rule.rows);
+        std::mem::swap(&mut self.scratch.velocities, &mut self.velocities);
+        self.pending.clone_from(&self.rule.multiplier);
+    }
+
+    /// Decides every pair into the scratch list; whether any differs from the network. Called between moving and averaging,
+    /// when positions and velocities share one denominator.
+    fn decide_pairs(&mut self) -> Result<bool, FlockError> {
+        let mut scratch = std::mem::take(&mut self.scratch.joined);
+        scratch.clear();
+        self.look_through_windows();
+        let mut changed = false;
+        for j in 0..self.birds {
+            for i in 0..j {
+                let before = self.network.has_edge(i, j);
+                let mut joined = self.is_near(i, j);
+                if !joined && before && *self.hysteresis() != Hysteresis::None {
+                    let moved = self.differences(&self.velocities, i, j);
+                    joined = self.threshold.holds(&self.position_difference(i, j), &moved, &self.denominator())?;
+                }
+                changed |= joined != before;
+                scratch.push(joined);
+            }
+        }
+        self.scratch.joined = scratch;
+        Ok(changed)
+    }
+
+    /// The network that the distance rule alone gives now.
+    pub fn distance_network(&mut self) -> Graph {
+        self.look_through_windows();
+        Graph::from_fn(self.birds, |i, j| self.is_near(i, j))
+    }
+
+    /// Notes the leading bits of all positions and of the denominator, on one scale; none where one does not fit.
+    fn look_through_windows(&mut self) {
+        let rows = self.birds * self.dimension;
+        let shift = self.positions.bits(rows).saturating_sub(WINDOW_BITS);
+        let windows = &mut self.scratch.windows;
+        windows.clear();
+        windows.extend((0..=rows).map_while(|k| self.positions.window(k, shift)));
+        if windows.len() <= rows {
+            windows.clear();
+        }
+    }
+
+    /// Whether `|x_i - x_j| <= 1`: by the leading bits where these decide, otherwise exactly.
+    fn is_near(&self, i: usize, j: usize) -> bool {
+        self.is_near_by_windows(i, j).unwrap_or_else(|| {
+            let squared: BigInt = self.position_difference(i, j).iter().map(Ring::square).sum();
+            squared <= self.denominator().square()
+        })
+    }
+
+    fn is_near_by_windows(&self, i: usize, j: usize) -> Option<bool> {
+        let windows = &self.scratch.windows;
+        let one = *windows.get(self.birds * self.dimension)?;
+        let difference = |k: usize| windows[i * self.dimension + k].checked_sub(windows[j * self.dimension + k]);
+        if self.dimension == 1 {
+            // The true difference is within 1 of this one, the true unit between `one` and `one + 1`.
+            let size = difference(0)?.checked_abs()?;
+            return if size < one {
+                Some(true)
+            } else if size > one + 2 {
+                Some(false)
+            } else {
+                None
+            };
+        }
+        let mut squared = 0.0;
+        for k in 0..self.dimension {
+            let size = difference(k)? as f64;
+            squared += size * size;
+        }
+        // Floats err by less than 1e-14 relative; the windows by less than 2^-90 of the unit each, if it has that many bits.
+        let unit = one as f64;
+        let slack = 1e-9 + 8.0 * self.dimension as f64 / unit;
+        let ratio = squared / (unit * unit);
+        (ratio - 1.0).abs().gt(&(slack * (1.0 + ratio))).then_some(ratio < 1.0)
+    }
+}
+
+impl Rule {
+    /// `multiplier P` for the network, with the smallest multiplier that makes the entries integers.
+    fn new(network: &Graph, weights: &Weights, dimension: usize, time: &BigInt) -> Result<Self, FlockError> {
+        let birds = network.order();
+        let mut factors = Vec::with_capacity(birds);
+        for i in 0..birds {
+            let degree = network.degree(i);
+            let c = weights.of(degree, i).ok_or(FlockError::Weights { birds, bird: i + 1 })?;
+            let share = &c * BigInt::from(degree);
+            if degree > 0 && (!c.is_positive() || share >= share.one()) {
+                let (c, time) = (c.to_string(), time.to_string());
+                return Err(FlockError::Inadmissible { bird: i + 1, degree, c, time });
+            }
+            factors.push((c, share));
+        }
+        let multiplier = factors.iter().zip(0..).fold(BigInt::from(1), |m, ((c, _), i)| {
+            if network.degree(i) > 0 { m.lcm(c.denom()) } else { m }
+        });
+        let times = |q: &Rational| (q * &multiplier).to_integer();
+        let mut rows = Vec::with_capacity(birds * dimension);
+        for (i, (c, share)) in factors.iter().enumerate() {
+            let near = network.neighbours(i);
+            for k in 0..dimension {
+                let near: Vec<usize> = near.iter().map(|&j| j * dimension + k).collect();
+                let (own, other) = if near.is_empty() {
+                    (multiplier.clone(), BigInt::ZERO)
+                } else {
+                    (times(&(share.one() - share)), times(c))
+                };
+                rows.push(AverageRow::new(own, other, near));
+            }
+        }
+        Ok(Rule { multiplier, rows })
+    }
+}

@@ -1,0 +1,95 @@
+//! The hysteresis rule: whether an edge stays although its ends are more than distance 1 apart.
+
+use super::FlockError;
+use crate::arithmetic::{Rational, Ring, Sign, sign_of_square_root_difference};
+use num_bigint::BigInt;
+use num_traits::{Pow, Signed};
+use std::sync::OnceLock;
+
+/// Below which change of distance an existing edge stays.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Hysteresis {
+    /// No hysteresis: the distance rule alone.
+    None,
+    /// A threshold, not negative.
+    Constant(Rational),
+    /// The threshold `n^(-n^4)` of the paper (Chazelle, section 1), `n` the number of birds.
+    Paper,
+}
+
+/// Exact thresholds of more bits than this are not written out.
+const LONGEST: f64 = 4e9;
+
+/// The threshold for a number of birds, written out only when a comparison needs it.
+#[derive(Debug, Clone)]
+pub(super) struct Threshold {
+    kind: Hysteresis,
+    birds: usize,
+    log2: f64,
+    exact: OnceLock<Rational>,
+}
+
+impl Threshold {
+    pub fn new(kind: Hysteresis, birds: usize) -> Result<Self, FlockError> {
+        let log2 = match &kind {
+            Hysteresis::None => f64::NEG_INFINITY,
+            Hysteresis::Constant(threshold) if threshold.is_negative() => {
+                return Err(FlockError::NegativeHysteresis(threshold.to_string()));
+            }
+            Hysteresis::Constant(threshold) => {
+                let bits = |x: &BigInt| x.bits() as f64;
+                bits(threshold.numer()) - bits(threshold.denom())
+            }
+            Hysteresis::Paper => -(birds as f64).powi(4) * (birds as f64).log2(),
+        };
+        Ok(Threshold { kind, birds, log2, exact: OnceLock::new() })
+    }
+
+    pub fn kind(&self) -> &Hysteresis {
+        &self.kind
+    }
+
+    /// The threshold itself.
+    pub fn exact(&self) -> Result<&Rational, FlockError> {
+        if self.log2.abs() > LONGEST && self.log2.is_finite() {
+            return Err(FlockError::ThresholdTooLong { bits: self.log2.abs() });
+        }
+        Ok(self.exact.get_or_init(|| match &self.kind {
+            Hysteresis::None => Rational::from_integer(BigInt::ZERO),
+            Hysteresis::Constant(threshold) => threshold.clone(),
+            Hysteresis::Paper => {
+                let exponent = (self.birds as u64).pow(4);
+                Rational::new(BigInt::from(1), BigInt::from(self.birds).pow(exponent))
+            }
+        }))
+    }
+
+    /// Whether `| |now| - |before| | < threshold * unit` for two difference vectors over the same unit, where
+    /// `now = before + moved`.
+    pub fn holds(&self, now: &[BigInt], moved: &[BigInt], unit: &BigInt) -> Result<bool, FlockError> {
+        if self.kind == Hysteresis::None {
+            return Ok(false);
+        }
+        // Two bits of slack cover the rounding of the logarithms.
+        let slack = 2.0 + 1e-12 * self.log2.abs();
+        let limit = self.log2 + unit.bits() as f64;
+        let squared = |x: &[BigInt]| -> BigInt { x.iter().map(Ring::square).sum() };
+        // The change is at most |moved| (Lemma 2.1).
+        if (squared(moved).bits() as f64) / 2.0 < limit - slack {
+            return Ok(true);
+        }
+        let before: Vec<BigInt> = now.iter().zip(moved).map(|(x, v)| x - v).collect();
+        let (a, b) = (squared(now), squared(&before));
+        // The change is |a - b|/(sqrt a + sqrt b).
+        let longest = a.bits().max(b.bits()) as f64;
+        if (&a - &b).bits() as f64 - 2.0 - longest / 2.0 > limit + slack {
+            return Ok(false);
+        }
+        let threshold = self.exact()?;
+        // sqrt(a q²) - sqrt(b q²) against p unit, for the threshold p/q.
+        let (a, b) = (a * threshold.denom().square(), b * threshold.denom().square());
+        let (larger, smaller) = if a >= b { (a, b) } else { (b, a) };
+        let limit = threshold.numer() * unit;
+        Ok(sign_of_square_root_difference(&larger, &smaller, &limit) == Some(Sign::Negative))
+    }
+}
