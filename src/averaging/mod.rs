@@ -1,11 +1,15 @@
-//! Averaging on geometric graphs (Chazelle's model D): the transition matrix, the distance rule and the hysteresis rule
-//! on the line.
+//! Averaging on geometric graphs (Chazelle's model D): the transition matrix, its stationary distribution and how fast
+//! its powers converge, the distance rule and the hysteresis rule on the line.
 
 mod affine;
+mod contraction;
 mod line;
+mod stationary;
 
 pub use affine::{Affine, HalfOpenRange};
+pub use contraction::{Contraction, contraction};
 pub use line::{LineFlock, distance_network};
+pub use stationary::{deviation_matrix, equal_rows, stationary_distribution};
 
 use crate::arithmetic::{Rational, Ring, Signed, rational};
 use crate::graph::Graph;
@@ -33,6 +37,17 @@ impl Weights {
         }
     }
 
+    /// The weights `c_1, .., c_n` on a graph.
+    ///
+    /// # Errors
+    /// [`MatrixError::EntryCount`] where fewer are given than there are vertices.
+    pub fn all(&self, graph: &Graph) -> Result<Vec<Rational>, MatrixError> {
+        let order = graph.order();
+        (0..order)
+            .map(|i| self.of(graph, i).ok_or(MatrixError::EntryCount { rows: order, cols: 1, found: i }))
+            .collect()
+    }
+
     /// Whether `0 < c_i d_i < 1` for every bird with neighbours (the condition of model D).
     pub fn are_admissible(&self, graph: &Graph) -> bool {
         (0..graph.order()).filter(|&i| graph.degree(i) > 0).all(|i| {
@@ -51,9 +66,7 @@ impl Weights {
 pub fn transition_matrix(graph: &Graph, weights: &Weights) -> Result<RationalMatrix, MatrixError> {
     let order = graph.order();
     let mut rows = Vec::with_capacity(order);
-    for i in 0..order {
-        let found = i;
-        let c = weights.of(graph, i).ok_or(MatrixError::EntryCount { rows: order, cols: 1, found })?;
+    for (i, c) in weights.all(graph)?.into_iter().enumerate() {
         let entry = |j: usize| match (i == j, graph.has_edge(i, j)) {
             (true, _) => c.one() - c.integer(graph.degree(i) as i64) * &c,
             (false, true) => c.clone(),
