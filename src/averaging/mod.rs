@@ -1,15 +1,19 @@
-//! Averaging on geometric graphs (Chazelle's model D): the transition matrix, the distance rule, the hysteresis rule and
-//! flocks stepped exactly.
+//! Averaging on geometric graphs (Chazelle's model D): the transition matrix, its stationary distribution and how fast
+//! its powers converge, the distance rule, the hysteresis rule and flocks stepped exactly.
 
 mod affine;
+mod contraction;
 mod flock;
 mod hysteresis;
 mod line;
+mod stationary;
 
 pub use affine::{Affine, HalfOpenRange};
+pub use contraction::{Contraction, contraction};
 pub use flock::{Flock, Start, Switch};
 pub use hysteresis::Hysteresis;
 pub use line::{LineFlock, distance_network};
+pub use stationary::{deviation_matrix, equal_rows, stationary_distribution};
 
 use crate::arithmetic::{Rational, Ring, Signed, rational};
 use crate::graph::Graph;
@@ -38,6 +42,17 @@ impl Weights {
         }
     }
 
+    /// The weights `c_1, .., c_n` on a graph.
+    ///
+    /// # Errors
+    /// [`MatrixError::EntryCount`] where fewer are given than there are vertices.
+    pub fn all(&self, graph: &Graph) -> Result<Vec<Rational>, MatrixError> {
+        let order = graph.order();
+        (0..order)
+            .map(|i| self.of(graph.degree(i), i).ok_or(MatrixError::EntryCount { rows: order, cols: 1, found: i }))
+            .collect()
+    }
+
     /// Whether `0 < c_i d_i < 1` for every bird with neighbours (the condition of model D).
     pub fn are_admissible(&self, graph: &Graph) -> bool {
         (0..graph.order()).filter(|&i| graph.degree(i) > 0).all(|i| {
@@ -56,9 +71,7 @@ impl Weights {
 pub fn transition_matrix(graph: &Graph, weights: &Weights) -> Result<RationalMatrix, MatrixError> {
     let order = graph.order();
     let mut rows = Vec::with_capacity(order);
-    for i in 0..order {
-        let found = i;
-        let c = weights.of(graph.degree(i), i).ok_or(MatrixError::EntryCount { rows: order, cols: 1, found })?;
+    for (i, c) in weights.all(graph)?.into_iter().enumerate() {
         let entry = |j: usize| match (i == j, graph.has_edge(i, j)) {
             (true, _) => c.one() - c.integer(graph.degree(i) as i64) * &c,
             (false, true) => c.clone(),

@@ -8,6 +8,7 @@ mod limbs;
 mod product;
 mod rational_matrix;
 pub mod read;
+mod solve;
 mod stabiliser;
 mod stochastic;
 
@@ -72,6 +73,28 @@ pub enum MatrixError {
         /// Rows of the right factor.
         right_rows: usize,
     },
+    /// Two matrices that cannot be added.
+    #[error("a matrix of {} x {} and one of {} x {} have no sum", left.0, left.1, right.0, right.1)]
+    DifferentShapes {
+        /// Rows and columns of the left matrix.
+        left: (usize, usize),
+        /// Rows and columns of the right matrix.
+        right: (usize, usize),
+    },
+    /// A matrix that must be square and is not.
+    #[error("a matrix of {rows} x {cols} is not square")]
+    NotSquare {
+        /// Its rows.
+        rows: usize,
+        /// Its columns.
+        cols: usize,
+    },
+    /// A matrix without inverse.
+    #[error("the matrix is singular")]
+    Singular,
+    /// A stochastic matrix whose powers do not forget where they started.
+    #[error("the powers of the matrix do not converge to a matrix of equal rows")]
+    NotErgodic,
     /// A product of no matrices.
     #[error("there is no matrix to multiply")]
     NoFactors,

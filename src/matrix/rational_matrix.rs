@@ -135,6 +135,56 @@ impl RationalMatrix {
         Ok((0..self.rows).map(|i| sum(i) / &self.denominator).collect())
     }
 
+    /// The sum `self + other`.
+    ///
+    /// # Errors
+    /// [`MatrixError::DifferentShapes`].
+    pub fn plus(&self, other: &Self) -> Result<Self, MatrixError> {
+        self.combine(other, |a, b| a + b)
+    }
+
+    /// The difference `self - other`.
+    ///
+    /// # Errors
+    /// [`MatrixError::DifferentShapes`].
+    pub fn minus(&self, other: &Self) -> Result<Self, MatrixError> {
+        self.combine(other, |a, b| a - b)
+    }
+
+    /// Entry by entry over the least common denominator; `sum` must be homogeneous of degree one.
+    fn combine(&self, other: &Self, sum: impl Fn(BigInt, BigInt) -> BigInt) -> Result<Self, MatrixError> {
+        if (self.rows, self.cols) != (other.rows, other.cols) {
+            let (left, right) = ((self.rows, self.cols), (other.rows, other.cols));
+            return Err(MatrixError::DifferentShapes { left, right });
+        }
+        let denominator = self.denominator.lcm(&other.denominator);
+        let (left, right) = (&denominator / &self.denominator, &denominator / &other.denominator);
+        let entries = self.numerators.iter().zip(&other.numerators);
+        let numerators = entries.map(|(a, b)| sum(a * &left, b * &right)).collect();
+        RationalMatrix::new(self.rows, self.cols, numerators, denominator)
+    }
+
+    /// The matrix times a number.
+    pub fn scaled(&self, factor: &Rational) -> Self {
+        RationalMatrix {
+            rows: self.rows,
+            cols: self.cols,
+            numerators: self.numerators.iter().map(|x| x * factor.numer()).collect(),
+            denominator: &self.denominator * factor.denom(),
+        }
+    }
+
+    /// The transpose.
+    pub fn transpose(&self) -> Self {
+        let entry = |k: usize| self.numerators[k % self.rows * self.cols + k / self.rows].clone();
+        RationalMatrix {
+            rows: self.cols,
+            cols: self.rows,
+            numerators: (0..self.numerators.len()).map(entry).collect(),
+            denominator: self.denominator.clone(),
+        }
+    }
+
     /// The same matrix with the least denominator.
     pub fn reduced(&self) -> Self {
         let divisor = self.numerators.iter().fold(self.denominator.clone(), |g, x| g.gcd(x));

@@ -6,6 +6,8 @@ use flockproof::graph::{Graph, GraphError};
 use flockproof::matrix::{MatrixError, StochasticMatrix};
 use proptest::prelude::*;
 
+mod stationary;
+
 fn numbers(range: std::ops::Range<i64>, count: usize, denominator: i64) -> impl Strategy<Value = Vec<Rational>> {
     prop::collection::vec(range, count).prop_map(move |v| v.into_iter().map(|x| rational(x, denominator)).collect())
 }

@@ -11,6 +11,15 @@ use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
 
+mod solve;
+
+/// A matrix of entries -3/d, .., 3/d with d up to 4.
+fn rational_matrix(rows: usize, cols: usize) -> impl Strategy<Value = RationalMatrix> {
+    (prop::collection::vec(-3i64..4, rows * cols), 1i64..5).prop_map(move |(entries, denominator)| {
+        RationalMatrix::from_integers(&entries.chunks(cols).collect::<Vec<_>>(), denominator).expect("a filled shape")
+    })
+}
+
 /// A random stochastic matrix whose entries have about `bits` bits.
 fn stochastic(rows: usize, cols: usize, bits: u32) -> impl Strategy<Value = StochasticMatrix> {
     let words = bits.div_ceil(32) as usize;
