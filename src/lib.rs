@@ -13,6 +13,7 @@ pub mod ledger;
 pub mod matrix;
 pub mod platoon;
 pub mod report;
+pub mod spectrum;
 
 /// The example of the page on claims of one's own, compiled and run.
 #[cfg(doctest)]

@@ -8,6 +8,7 @@ use crate::matrix::{AverageRow, IntegerRows};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::Signed;
+use std::cmp::Ordering;
 
 /// A flock at a time `t`: positions `x(t)`, velocities `v(t+1)` and the network `G_t`.
 ///
@@ -37,6 +38,7 @@ struct Scratch {
     windows: Vec<i128>,
     /// Pair `i < j` at `j (j - 1)/2 + i`.
     joined: Vec<bool>,
+    ties: Vec<(usize, usize)>,
 }
 
 /// `multiplier P(t)` in integers.
@@ -91,6 +93,26 @@ impl Start {
     }
 }
 
+/// A state `x(t)`, `v(t+1)` as numerators over one unit, one row per bird.
+#[derive(Debug, Clone)]
+pub(super) struct IntegerState {
+    pub positions: Vec<Vec<BigInt>>,
+    pub velocities: Vec<Vec<BigInt>>,
+    pub unit: BigInt,
+}
+
+impl IntegerState {
+    /// Divides everything by the common factors.
+    pub fn reduce(&mut self) {
+        let all = || self.positions.iter().chain(&self.velocities).flatten();
+        let content = all().fold(self.unit.clone(), |g, x| g.gcd(x));
+        for row in self.positions.iter_mut().chain(&mut self.velocities) {
+            row.iter_mut().for_each(|x| *x /= &content);
+        }
+        self.unit /= content;
+    }
+}
+
 /// Bits of the common denominator that are looked at before distances are compared exactly.
 const WINDOW_BITS: u64 = 100;
 
@@ -124,29 +146,72 @@ impl Flock {
                 return Err(FlockError::Coordinates { what, bird: bird + 1, dimension, found: list[bird].len() });
             }
         }
-        let threshold = Threshold::new(start.hysteresis.clone(), birds)?;
-        let rule = Rule::new(&network, &start.weights, dimension, &time)?;
         let all = || start.positions.iter().chain(&start.velocities).flatten();
-        let denominator = all().fold(BigInt::from(1), |d, x| d.lcm(x.denom()));
-        let numerators = |list: &[Vec<Rational>]| -> Vec<BigInt> {
-            list.iter().flatten().map(|x| x.numer() * (&denominator / x.denom())).collect()
+        let unit = all().fold(BigInt::from(1), |d, x| d.lcm(x.denom()));
+        let numerators = |list: &[Vec<Rational>]| -> Vec<Vec<BigInt>> {
+            list.iter().map(|row| row.iter().map(|x| x.numer() * (&unit / x.denom())).collect()).collect()
         };
-        let velocities = numerators(&start.velocities);
-        let mut positions = numerators(&start.positions);
-        positions.push(denominator);
+        let state = IntegerState {
+            positions: numerators(&start.positions),
+            velocities: numerators(&start.velocities),
+            unit: unit.clone(),
+        };
+        let threshold = Threshold::new(start.hysteresis.clone(), birds)?;
+        Flock::assemble(&state, start.weights.clone(), threshold, network, time)
+    }
+
+    fn assemble(
+        state: &IntegerState,
+        weights: Weights,
+        threshold: Threshold,
+        network: Graph,
+        time: BigInt,
+    ) -> Result<Self, FlockError> {
+        let (birds, dimension) = (state.positions.len(), state.positions[0].len());
+        let rule = Rule::new(&network, &weights, dimension, &time)?;
+        let mut positions: Vec<BigInt> = state.positions.concat();
+        positions.push(state.unit.clone());
+        let velocities = IntegerRows::new(&state.velocities.concat());
         Ok(Flock {
             birds,
             dimension,
-            weights: start.weights.clone(),
+            weights,
             threshold,
             network,
             rule,
             positions: IntegerRows::new(&positions),
-            scratch: Scratch { velocities: IntegerRows::new(&velocities), windows: Vec::new(), joined: Vec::new() },
-            velocities: IntegerRows::new(&velocities),
+            scratch: Scratch { velocities: velocities.clone(), windows: Vec::new(), joined: Vec::new(), ties: Vec::new() },
+            velocities,
             pending: BigInt::from(1),
             time,
         })
+    }
+
+    /// The same flock in another state, at another time and with another network.
+    ///
+    /// # Errors
+    /// [`FlockError`] where the weights do not suit the network.
+    pub(super) fn moved_to(&self, state: &IntegerState, network: Graph, time: BigInt) -> Result<Self, FlockError> {
+        Flock::assemble(state, self.weights.clone(), self.threshold.clone(), network, time)
+    }
+
+    /// Positions and velocities over one common unit.
+    pub(super) fn integers(&self) -> IntegerState {
+        let rows = |rows: &IntegerRows, factor: &BigInt| -> Vec<Vec<BigInt>> {
+            let entry = |k: usize| rows.value(k) * factor;
+            (0..self.birds).map(|i| (0..self.dimension).map(|k| entry(i * self.dimension + k)).collect()).collect()
+        };
+        IntegerState {
+            positions: rows(&self.positions, &self.pending),
+            velocities: rows(&self.velocities, &BigInt::from(1)),
+            unit: self.denominator() * &self.pending,
+        }
+    }
+
+    /// The pairs whose decision in the last step was an exact tie: distance 1, or a change of distance equal to the
+    /// threshold.
+    pub(super) fn ties(&self) -> &[(usize, usize)] {
+        &self.scratch.ties
     }
 
     /// Number of birds.
@@ -248,6 +313,11 @@ impl Flock {
         Ok(())
     }
 
+    /// Averages the velocities without moving.
+    pub(super) fn average_again(&mut self) {
+        self.average();
+    }
+
     fn advance(&mut self) {
         self.positions.scale_and_add(&self.pending, &self.velocities);
         self.pending = BigInt::from(1);
@@ -272,12 +342,17 @@ impl Flock {
     fn decide_pairs(&mut self) -> Result<bool, FlockError> {
         let mut scratch = std::mem::take(&mut self.scratch.joined);
         scratch.clear();
+        self.scratch.ties.clear();
         self.look_through_windows();
         let mut changed = false;
         for j in 0..self.birds {
             for i in 0..j {
                 let before = self.network.has_edge(i, j);
-                let mut joined = self.is_near(i, j);
+                let near = self.compare_with_one(i, j);
+                if near == Ordering::Equal {
+                    self.scratch.ties.push((i, j));
+                }
+                let mut joined = near != Ordering::Greater;
                 if !joined && before && *self.hysteresis() != Hysteresis::None {
                     let moved = self.differences(&self.velocities, i, j);
                     joined = self.threshold.holds(&self.position_difference(i, j), &moved, &self.denominator())?;
@@ -293,7 +368,7 @@ impl Flock {
     /// The network that the distance rule alone gives now.
     pub fn distance_network(&mut self) -> Graph {
         self.look_through_windows();
-        Graph::from_fn(self.birds, |i, j| self.is_near(i, j))
+        Graph::from_fn(self.birds, |i, j| self.compare_with_one(i, j) != Ordering::Greater)
     }
 
     /// Notes the leading bits of all positions and of the denominator, on one scale; none where one does not fit.
@@ -308,15 +383,15 @@ impl Flock {
         }
     }
 
-    /// Whether `|x_i - x_j| <= 1`: by the leading bits where these decide, otherwise exactly.
-    fn is_near(&self, i: usize, j: usize) -> bool {
-        self.is_near_by_windows(i, j).unwrap_or_else(|| {
+    /// `|x_i - x_j|` against 1: by the leading bits where these decide, otherwise exactly.
+    fn compare_with_one(&self, i: usize, j: usize) -> Ordering {
+        self.compare_by_windows(i, j).unwrap_or_else(|| {
             let squared: BigInt = self.position_difference(i, j).iter().map(Ring::square).sum();
-            squared <= self.denominator().square()
+            squared.cmp(&self.denominator().square())
         })
     }
 
-    fn is_near_by_windows(&self, i: usize, j: usize) -> Option<bool> {
+    fn compare_by_windows(&self, i: usize, j: usize) -> Option<Ordering> {
         let windows = &self.scratch.windows;
         let one = *windows.get(self.birds * self.dimension)?;
         let difference = |k: usize| windows[i * self.dimension + k].checked_sub(windows[j * self.dimension + k]);
@@ -324,9 +399,9 @@ impl Flock {
             // The true difference is within 1 of this one, the true unit between `one` and `one + 1`.
             let size = difference(0)?.checked_abs()?;
             return if size < one {
-                Some(true)
+                Some(Ordering::Less)
             } else if size > one + 2 {
-                Some(false)
+                Some(Ordering::Greater)
             } else {
                 None
             };
@@ -340,7 +415,8 @@ impl Flock {
         let unit = one as f64;
         let slack = 1e-9 + 8.0 * self.dimension as f64 / unit;
         let ratio = squared / (unit * unit);
-        (ratio - 1.0).abs().gt(&(slack * (1.0 + ratio))).then_some(ratio < 1.0)
+        let decided = (ratio - 1.0).abs() > slack * (1.0 + ratio);
+        decided.then_some(if ratio < 1.0 { Ordering::Less } else { Ordering::Greater })
     }
 }
 

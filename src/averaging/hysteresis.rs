@@ -49,6 +49,14 @@ impl Threshold {
         &self.kind
     }
 
+    /// An integer that is at most the binary logarithm of the threshold; `None` where that is zero or there is none.
+    pub fn log2_below(&self) -> Option<i64> {
+        match &self.kind {
+            Hysteresis::Constant(threshold) if num_traits::Zero::is_zero(threshold) => None,
+            _ => self.log2.is_finite().then(|| (self.log2 * (1.0 + 1e-12)) as i64 - 3),
+        }
+    }
+
     /// The threshold itself.
     pub fn exact(&self) -> Result<&Rational, FlockError> {
         if self.log2.abs() > LONGEST && self.log2.is_finite() {

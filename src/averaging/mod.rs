@@ -6,6 +6,8 @@ mod contraction;
 mod flock;
 mod hysteresis;
 mod line;
+pub mod read;
+pub mod settle;
 mod stationary;
 
 pub use affine::{Affine, HalfOpenRange};
@@ -53,6 +55,14 @@ impl Weights {
             .collect()
     }
 
+    /// The weights of these birds, which become `0, 1, ...` in the order given.
+    pub fn restricted(&self, birds: &[usize]) -> Self {
+        match self {
+            Weights::Given(c) => Weights::Given(birds.iter().filter_map(|&i| c.get(i)).cloned().collect()),
+            other => other.clone(),
+        }
+    }
+
     /// Whether `0 < c_i d_i < 1` for every bird with neighbours (the condition of model D).
     pub fn are_admissible(&self, graph: &Graph) -> bool {
         (0..graph.order()).filter(|&i| graph.degree(i) > 0).all(|i| {
@@ -80,6 +90,36 @@ pub fn transition_matrix(graph: &Graph, weights: &Weights) -> Result<RationalMat
         rows.push((0..order).map(entry).collect());
     }
     RationalMatrix::from_rows(&rows)
+}
+
+/// What is run: equations, order of updates, and how each ambiguous word of the rule is read.
+pub fn declaration(flock: &Flock) -> String {
+    let weights = match flock.weights() {
+        Weights::Lazy => "c_i = 2/(3 d_i)".to_string(),
+        Weights::Vicsek => "c_i = 1/(d_i + 1)".to_string(),
+        Weights::Given(c) => format!("c = ({})", c.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
+    };
+    let hysteresis = match flock.hysteresis() {
+        Hysteresis::None => "no hysteresis".to_string(),
+        Hysteresis::Constant(threshold) => held(&threshold.to_string()),
+        Hysteresis::Paper => held(&format!("{0}^(-{0}^4)", flock.birds())),
+    };
+    format!(
+        "model D, {} birds in dimension {}: for t = 1, 2, ..\n\
+         x(t) = x(t-1) + v(t); then G_t: edge i-j if |x_i(t) - x_j(t)| <= 1;\n\
+         then v_i(t+1) = v_i(t) + c_i sum over neighbours in G_t of (v_j(t) - v_i(t)), {weights};\n\
+         {hysteresis};\n\
+         G_0 by distance alone; a bird without neighbours keeps its velocity.",
+        flock.birds(),
+        flock.dimension()
+    )
+}
+
+fn held(threshold: &str) -> String {
+    format!(
+        "hysteresis: an edge of G_(t-1), however it came about, stays in G_t where\n\
+         | |x_i(t) - x_j(t)| - |x_i(t-1) - x_j(t-1)| | < {threshold}, strictly"
+    )
 }
 
 /// Why a flock is refused or cannot go on. Birds are counted from 1.

@@ -5,6 +5,8 @@
 
 mod ergodicity;
 mod explain;
+mod flock;
+mod interrupt;
 mod output;
 mod reproduce;
 mod resonance;
@@ -33,6 +35,8 @@ enum Command {
     Resonance(resonance::Arguments),
     /// Products, footprints, stabilisers and ergodicity coefficients of a sequence of stochastic matrices
     Ergodicity(ergodicity::Arguments),
+    /// Exact flocks: step them, or decide what becomes of them
+    Flock(flock::Arguments),
 }
 
 /// A failure: one sentence for standard error, exit status 2.
@@ -70,6 +74,7 @@ pub fn main() -> ExitCode {
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
+        Command::Flock(arguments) => flock::run(&arguments),
     })
 }
 

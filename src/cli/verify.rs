@@ -1,13 +1,12 @@
 //! `verify`: run the ledger.
 
-use super::{CliError, output};
+use super::{CliError, interrupt, output};
 use flockproof::ledger::{Ledger, LedgerError, Options, Report, to_json};
 use flockproof::report::{summary, verdict_table};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 #[derive(clap::Args)]
@@ -35,9 +34,6 @@ pub struct Arguments {
     threads: Option<u16>,
 }
 
-/// Set by Ctrl-C: no further claim is started, finished ones are printed and written.
-static INTERRUPTED: AtomicBool = AtomicBool::new(false);
-
 /// The ledger of the program.
 pub fn ledger() -> Result<Ledger, CliError> {
     flockproof::claims::ledger().map_err(use_error)
@@ -55,18 +51,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         seed: arguments.seed.clone(),
         full: arguments.full,
         limit: Duration::from_secs(arguments.limit.unwrap_or(if arguments.full { 600 } else { 60 })),
-        interrupted: || INTERRUPTED.load(Ordering::Relaxed),
+        interrupted: interrupt::happened,
         ..Options::default()
     };
     if let Some(threads) = arguments.threads {
         options.threads = usize::from(threads);
     }
-    // Without a handler Ctrl-C simply ends the program: nothing to report.
-    let _ = ctrlc::set_handler(|| {
-        if INTERRUPTED.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    });
+    interrupt::listen();
     let bar = progress(ids.len());
     let report = ledger.verify(&ids, &options, |entry| {
         bar.set_message(entry.id.clone());
@@ -75,7 +66,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     bar.finish_and_clear();
     write_report(arguments, &report, &options)?;
     Ok(match (report.interrupted, report.is_as_recorded()) {
-        (true, _) => ExitCode::from(130),
+        (true, _) => ExitCode::from(interrupt::STATUS),
         (false, true) => ExitCode::SUCCESS,
         (false, false) => ExitCode::FAILURE,
     })

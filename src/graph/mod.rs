@@ -80,6 +80,16 @@ impl Graph {
         (0..self.order()).filter(|&j| self.has_edge(i, j)).count()
     }
 
+    /// The graph on these vertices, which become `0, 1, ...` in the order given, with all edges among them.
+    pub fn induced(&self, vertices: &[usize]) -> Self {
+        Graph::from_fn(vertices.len(), |i, j| self.has_edge(vertices[i], vertices[j]))
+    }
+
+    /// The graph with more edges.
+    pub fn with_edges(&self, more: &[(usize, usize)]) -> Self {
+        Graph::from_fn(self.order(), |i, j| self.has_edge(i, j) || more.contains(&(i, j)) || more.contains(&(j, i)))
+    }
+
     /// The neighbours of `i` in order.
     pub fn neighbours(&self, i: usize) -> Vec<usize> {
         self.adjacency.column(i)

@@ -1,0 +1,35 @@
+//! `flock`: exact flocks of model D.
+
+mod output;
+mod run;
+mod settle;
+
+use super::CliError;
+use flockproof::averaging::read::{FlockFile, read_flock};
+use std::path::Path;
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(clap::Subcommand)]
+enum Command {
+    /// Step a flock exactly and log every change of its network
+    Run(run::Arguments),
+    /// Find every switch by exact jumps and decide whether the network can ever change again
+    Settle(settle::Arguments),
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    match &arguments.command {
+        Command::Run(arguments) => run::run(arguments),
+        Command::Settle(arguments) => settle::run(arguments),
+    }
+}
+
+fn read(path: &Path) -> Result<FlockFile, CliError> {
+    read_flock(&super::output::read_text(path)?).map_err(|error| CliError::file(path, error))
+}

@@ -1,0 +1,91 @@
+//! `flock run`: exact steps with a log of what changes.
+
+use super::super::{CliError, interrupt, output};
+use super::output::{Log, flocks, switch_json, switch_line, tell};
+use flockproof::averaging::read::Model;
+use flockproof::averaging::{Flock, declaration};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::json;
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The flock as JSON
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Last time
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    until: u64,
+    /// Print one JSON document
+    #[arg(long)]
+    json: bool,
+    /// Write every change as it happens to this file, one JSON object per line
+    #[arg(long, value_name = "LOG")]
+    log: Option<PathBuf>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    let refuse = |error: flockproof::averaging::FlockError| CliError::file(&arguments.file, error);
+    let Model::D(start) = super::read(&arguments.file)?.model;
+    let mut flock = Flock::new(&start).map_err(refuse)?;
+    let mut log = Log::new(arguments.log.as_deref())?;
+    interrupt::listen();
+    tell(arguments.json, &format!("{}\n", declaration(&flock)))?;
+    let bar = progress(arguments.until);
+    let mut switches = Vec::new();
+    let mut t = 0;
+    while t < arguments.until && !interrupt::happened() {
+        let before = flock.network().clone();
+        let switch = flock.step().map_err(refuse)?;
+        t += 1;
+        if let Some(switch) = switch {
+            let event = switch_json(&switch);
+            log.write(&event)?;
+            bar.suspend(|| tell(arguments.json, &switch_line(&switch, &before, flock.network())))?;
+            switches.push(event);
+        }
+        if t % 1024 == 0 {
+            bar.set_position(t);
+        }
+    }
+    bar.finish_and_clear();
+    let interrupted = t < arguments.until;
+    let why = match interrupted {
+        true => format!("interrupted after t = {t}"),
+        false => format!("stepped to t = {t}; `flock settle` decides whether the network can ever change again"),
+    };
+    if arguments.json {
+        output::print_json(&json!({
+            "declaration": declaration(&flock),
+            "switches": switches,
+            "flocks": flocks(flock.network()),
+            "steady_from": null,
+            "until": t,
+            "denominator_bits": flock.denominator_bits(),
+            "why": why,
+        }))?;
+    } else {
+        let list: Vec<String> = flocks(flock.network()).iter().map(|flock| format!("{flock:?}")).collect();
+        let text = format!(
+            "{} switches; flocks: {}\ncommon denominator of the state: {} bits\n{why}",
+            switches.len(),
+            list.join(" "),
+            flock.denominator_bits()
+        );
+        output::print(&(textwrap::fill(&text, output::width().min(100)) + "\n"))?;
+    }
+    Ok(if interrupted { ExitCode::from(interrupt::STATUS) } else { ExitCode::SUCCESS })
+}
+
+fn progress(steps: u64) -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} t = {pos} of {len}, {eta} left") {
+        bar.set_style(style);
+    }
+    bar
+}

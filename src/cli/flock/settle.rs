@@ -1,0 +1,130 @@
+//! `flock settle`: every switch, and whether the network can ever change again.
+
+use super::super::{CliError, interrupt, output};
+use super::output::{Log, flocks, switch_json, switch_line, tell};
+use flockproof::arithmetic::decimals;
+use flockproof::averaging::read::Model;
+use flockproof::averaging::settle::{Ending, Limits, Settlement, settle};
+use flockproof::averaging::{Flock, declaration};
+use flockproof::graph::Graph;
+use serde_json::{Value, json};
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The flock as JSON
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Print one JSON document
+    #[arg(long)]
+    json: bool,
+    /// Write every switch as it is found to this file, one JSON object per line
+    #[arg(long, value_name = "LOG")]
+    log: Option<PathBuf>,
+    /// Exact steps on one network before giving up
+    #[arg(long, value_name = "STEPS", default_value_t = Limits::default().steps)]
+    steps: u64,
+    /// Switches before giving up
+    #[arg(long, value_name = "SWITCHES", default_value_t = Limits::default().switches)]
+    switches: usize,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    let Model::D(start) = super::read(&arguments.file)?.model;
+    let flock = Flock::new(&start).map_err(|error| CliError::file(&arguments.file, error))?;
+    let mut log = Log::new(arguments.log.as_deref())?;
+    interrupt::listen();
+    tell(arguments.json, &format!("{}\n", declaration(&flock)))?;
+    let mut network = flock.network().clone();
+    let mut switches = Vec::new();
+    let mut failure = None;
+    let limits = Limits { steps: arguments.steps, switches: arguments.switches, interrupted: interrupt::happened };
+    let declared = declaration(&flock);
+    let settled = settle(flock, &limits, &mut |switch| {
+        let after = after(&network, switch);
+        let line = switch_line(switch, &network, &after);
+        network = after;
+        let event = switch_json(switch);
+        let written = tell(arguments.json, &line).and_then(|()| log.write(&event));
+        switches.push(event);
+        match written {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(error) => {
+                failure = Some(error);
+                ControlFlow::Break(())
+            }
+        }
+    });
+    if let Some(error) = failure {
+        return Err(error);
+    }
+    let settled = settled.map_err(|error| CliError::file(&arguments.file, error))?;
+    if arguments.json {
+        output::print_json(&document(&settled, switches, &declared))?;
+    } else {
+        output::print(&closing(&settled))?;
+    }
+    Ok(match settled.ending {
+        Ending::Interrupted => ExitCode::from(interrupt::STATUS),
+        _ => ExitCode::SUCCESS,
+    })
+}
+
+fn after(before: &Graph, switch: &flockproof::averaging::Switch) -> Graph {
+    let gained = before.with_edges(&switch.gained);
+    Graph::from_fn(gained.order(), |i, j| gained.has_edge(i, j) && !switch.lost.contains(&(i, j)))
+}
+
+fn document(settled: &Settlement, switches: Vec<Value>, declared: &str) -> Value {
+    let steady = matches!(settled.ending, Ending::Steady).then(|| settled.last_switch.to_string());
+    let mut document = json!({
+        "declaration": declared,
+        "switches": switches,
+        "flocks": flocks(&settled.network),
+        "steady_from": steady,
+        "ending": word(&settled.ending),
+        "why": settled.why,
+    });
+    match &settled.ending {
+        Ending::Beyond { pair, log2_steps } => {
+            let (lo, hi) = decimals(log2_steps, 20);
+            document["next"] = json!({"pair": [pair.0 + 1, pair.1 + 1], "log2_steps": {"lo": lo, "hi": hi}});
+        }
+        Ending::Alternating { period } => document["period"] = json!(period),
+        _ => {}
+    }
+    document
+}
+
+fn word(ending: &Ending) -> &'static str {
+    match ending {
+        Ending::Steady => "steady",
+        Ending::Alternating { .. } => "alternating",
+        Ending::Beyond { .. } => "beyond",
+        Ending::Undecided(_) => "undecided",
+        Ending::Interrupted => "interrupted",
+    }
+}
+
+fn closing(settled: &Settlement) -> String {
+    let list: Vec<String> = flocks(&settled.network).iter().map(|flock| format!("{flock:?}")).collect();
+    let last = super::output::shortened(&settled.last_switch);
+    let verdict = match &settled.ending {
+        Ending::Steady => format!("steady from t = {last} on"),
+        Ending::Alternating { period } => format!("alternates forever with period {period}"),
+        Ending::Beyond { pair, log2_steps } => {
+            let (lo, hi) = decimals(log2_steps, 12);
+            format!(
+                "birds {} and {} meet 2^L steps after t = {last},\nL in [{lo}, {hi}]",
+                pair.0 + 1,
+                pair.1 + 1
+            )
+        }
+        Ending::Undecided(_) => "undecided".to_string(),
+        Ending::Interrupted => "interrupted".to_string(),
+    };
+    let text = format!("{verdict}\nflocks: {}\n{}\n", list.join(" "), settled.why);
+    textwrap::fill(&text, output::width().min(100)) + "\n"
+}

@@ -1,0 +1,204 @@
+//! Integer polynomials in one variable: exact signs, common divisors, real roots isolated by Sturm's theorem.
+
+use crate::arithmetic::{Interval, Rational, Ring, rational};
+use num_bigint::{BigInt, Sign};
+use num_integer::Integer;
+use num_traits::{Signed, Zero};
+
+/// A polynomial with integer coefficients without a common factor, the constant one first, the last one not zero. The zero
+/// polynomial has none.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Polynomial {
+    coefficients: Vec<BigInt>,
+}
+
+/// A simple real root: `lo < root < hi`, or `lo = root = hi`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RealRoot {
+    lo: Rational,
+    hi: Rational,
+}
+
+impl Polynomial {
+    /// The primitive multiple of a polynomial with these coefficients, the constant one first.
+    pub fn new(mut coefficients: Vec<BigInt>) -> Self {
+        while coefficients.last().is_some_and(Zero::is_zero) {
+            coefficients.pop();
+        }
+        let content = coefficients.iter().fold(BigInt::ZERO, |g, c| g.gcd(c));
+        if content > BigInt::from(1) {
+            coefficients.iter_mut().for_each(|c| *c /= &content);
+        }
+        Polynomial { coefficients }
+    }
+
+    /// The primitive multiple of a polynomial with rational coefficients.
+    pub fn from_rationals(coefficients: &[Rational]) -> Self {
+        let denominator = coefficients.iter().fold(BigInt::from(1), |d, c| d.lcm(c.denom()));
+        Polynomial::new(coefficients.iter().map(|c| c.numer() * (&denominator / c.denom())).collect())
+    }
+
+    /// The coefficients, the constant one first.
+    pub fn coefficients(&self) -> &[BigInt] {
+        &self.coefficients
+    }
+
+    /// The degree; 0 for constants and for the zero polynomial.
+    pub fn degree(&self) -> usize {
+        self.coefficients.len().saturating_sub(1)
+    }
+
+    /// Whether it is the zero polynomial.
+    pub fn is_zero(&self) -> bool {
+        self.coefficients.is_empty()
+    }
+
+    /// The derivative, up to a positive factor.
+    pub fn derivative(&self) -> Self {
+        Polynomial::new(self.coefficients.iter().enumerate().skip(1).map(|(k, c)| c * k).collect())
+    }
+
+    /// The exact value.
+    pub fn at(&self, x: &Rational) -> Rational {
+        self.coefficients.iter().rev().fold(x.zero(), |sum, c| sum * x + Rational::from_integer(c.clone()))
+    }
+
+    /// An enclosure of the values on an interval.
+    pub fn enclose(&self, x: &Interval) -> Interval {
+        let constant = |c: &BigInt| Interval::from_rational(&Rational::from_integer(c.clone()), x.precision());
+        self.coefficients.iter().rev().fold(x.zero(), |sum, c| sum * x + constant(c))
+    }
+
+    /// -1, 0 or 1: the sign at a rational.
+    fn sign_at(&self, x: &Rational) -> i8 {
+        let (p, q) = (x.numer(), x.denom());
+        // q^degree f(p/q) by Horner's rule.
+        let mut power = BigInt::from(1);
+        let mut sum = BigInt::ZERO;
+        for c in self.coefficients.iter().rev() {
+            sum = sum * p + c * &power;
+            power *= q;
+        }
+        match sum.sign() {
+            Sign::Minus => -1,
+            Sign::NoSign => 0,
+            Sign::Plus => 1,
+        }
+    }
+
+    /// How often `x - root` divides it, and what is left.
+    pub fn without_root(&self, root: i64) -> (usize, Self) {
+        let mut rest = self.clone();
+        let mut times = 0;
+        while !rest.is_zero() && rest.at(&rational(root, 1)).is_zero() {
+            // Synthetic division.
+            let mut quotient = vec![BigInt::ZERO; rest.degree()];
+            let mut carry = BigInt::ZERO;
+            for k in (1..rest.coefficients.len()).rev() {
+                carry = carry * root + &rest.coefficients[k];
+                quotient[k - 1] = carry.clone();
+            }
+            rest = Polynomial::new(quotient);
+            times += 1;
+        }
+        (times, rest)
+    }
+
+    /// The remainder on division by another polynomial, times a positive number.
+    fn positive_remainder(&self, divisor: &Self) -> Self {
+        let mut rest = self.coefficients.clone();
+        let Some(lead) = divisor.coefficients.last() else { return Polynomial::new(rest) };
+        let size = lead.abs();
+        while rest.len() >= divisor.coefficients.len() {
+            let Some(top) = rest.pop() else { break };
+            let shift = rest.len() + 1 - divisor.coefficients.len();
+            let factor = if lead.is_negative() { -&top } else { top };
+            rest.iter_mut().for_each(|c| *c *= &size);
+            for (k, c) in divisor.coefficients.iter().enumerate().take(divisor.degree()) {
+                rest[shift + k] -= c * &factor;
+            }
+        }
+        Polynomial::new(rest)
+    }
+
+    /// Sturm's chain: the polynomial, its derivative, and the negated remainders.
+    fn sturm_chain(&self) -> Vec<Self> {
+        let mut chain = vec![self.clone(), self.derivative()];
+        while chain.last().is_some_and(|last| last.degree() > 0) {
+            let rest = chain[chain.len() - 2].positive_remainder(&chain[chain.len() - 1]);
+            if rest.is_zero() {
+                break;
+            }
+            chain.push(Polynomial { coefficients: rest.coefficients.into_iter().map(|c| -c).collect() });
+        }
+        chain.retain(|p| !p.is_zero());
+        chain
+    }
+
+    /// Whether it has no multiple root, real or complex.
+    pub fn is_square_free(&self) -> bool {
+        self.sturm_chain().last().is_some_and(|last| last.degree() == 0)
+    }
+
+    /// The real roots in `(lo, hi]` of a polynomial without multiple roots, in order, each isolated.
+    pub fn roots_in(&self, lo: &Rational, hi: &Rational) -> Vec<RealRoot> {
+        let chain = self.sturm_chain();
+        let mut found = Vec::new();
+        isolate(&chain, lo.clone(), hi.clone(), &mut found);
+        found
+    }
+
+    /// Halves the enclosure of a root until it is narrower than `2^-bits`.
+    pub fn refine(&self, root: &mut RealRoot, bits: u32) {
+        let width = Rational::new(BigInt::from(1), BigInt::from(1) << bits);
+        let at_hi = self.sign_at(&root.hi);
+        if at_hi == 0 {
+            root.lo.clone_from(&root.hi);
+        }
+        while &root.hi - &root.lo > width {
+            let middle = (&root.lo + &root.hi) / rational(2, 1);
+            match self.sign_at(&middle) {
+                0 => (root.lo, root.hi) = (middle.clone(), middle),
+                sign if sign == at_hi => root.hi = middle,
+                _ => root.lo = middle,
+            }
+        }
+    }
+}
+
+/// Sign changes of a Sturm chain at `x`.
+fn changes(chain: &[Polynomial], x: &Rational) -> usize {
+    let signs: Vec<i8> = chain.iter().map(|p| p.sign_at(x)).filter(|&s| s != 0).collect();
+    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+}
+
+fn isolate(chain: &[Polynomial], lo: Rational, hi: Rational, found: &mut Vec<RealRoot>) {
+    match changes(chain, &lo).saturating_sub(changes(chain, &hi)) {
+        0 => {}
+        // The sign at `lo` has to differ from that at `hi` for later halving.
+        1 if chain[0].sign_at(&hi) == 0 => found.push(RealRoot { lo: hi.clone(), hi }),
+        1 if chain[0].sign_at(&lo) != 0 => found.push(RealRoot { lo, hi }),
+        _ => {
+            let middle = (&lo + &hi) / rational(2, 1);
+            isolate(chain, lo, middle.clone(), found);
+            isolate(chain, middle, hi, found);
+        }
+    }
+}
+
+impl RealRoot {
+    /// The enclosure.
+    pub fn enclosure(&self, precision: u32) -> Interval {
+        Interval::hull_of_rationals(&self.lo, &self.hi, precision)
+    }
+
+    /// The root itself where it was met exactly.
+    pub fn exact(&self) -> Option<&Rational> {
+        (self.lo == self.hi).then_some(&self.lo)
+    }
+
+    /// An upper bound.
+    pub fn hi(&self) -> &Rational {
+        &self.hi
+    }
+}
