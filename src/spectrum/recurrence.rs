@@ -121,7 +121,7 @@ impl Recurrence {
             };
             // 1 + eta with |eta| <= 2^-32 from some index below r on.
             let far = r.to_u64().unwrap_or(u64::MAX).min(1 << 40);
-            if !sum.polynomial.is_empty() || root.precision() < needed || sum.rest_share(far)? > rational(1, 1 << 32) {
+            if !sum.polynomial.is_empty() || root.precision() < needed || !sum.leads_from(far, 32)? {
                 return Ok(None);
             }
             let Some(sign) = coefficient.sign() else { return Ok(None) };
@@ -239,7 +239,7 @@ impl ExponentialSum {
     /// The sign from an index on, where that is certain.
     fn sign_from(&self, from: u64) -> Result<Option<Sign>, RecurrenceError> {
         let Some(lead) = self.polynomial.last() else {
-            return Ok(match (self.terms.first(), self.rest_share(from)? < rational(1, 1)) {
+            return Ok(match (self.terms.first(), self.leads_from(from, 0)?) {
                 (Some((_, coefficient)), true) => coefficient.sign(),
                 _ => None,
             });
@@ -251,25 +251,35 @@ impl ExponentialSum {
             return Ok(None);
         }
         let value = self.polynomial.iter().rev().fold(r.zero(), |sum, c| sum * &r + c).abs();
-        let mut others = rational(0, 1);
+        let Some((first, _)) = self.terms.first() else { return Ok(Signed::sign(lead)) };
+        let mut margin = first.rational(&value);
         for (root, coefficient) in &self.terms {
-            others += (root.power(from) * coefficient).magnitude().to_rational();
+            margin = margin - absolute(&(root.power(from) * coefficient));
         }
-        Ok(if others < value { Signed::sign(lead) } else { None })
+        Ok(if margin.is_certainly_positive() { Signed::sign(lead) } else { None })
     }
 
-    /// An upper bound of the sum of all exponential terms but the leading one, as a share of that, from an index on.
-    fn rest_share(&self, from: u64) -> Result<Rational, RecurrenceError> {
-        let Some(((first, lead), rest)) = self.terms.split_first() else { return Ok(rational(0, 1)) };
-        let mut share = rational(0, 1);
+    /// Whether all exponential terms but the leading one together are below `2^-bits` of that, from an index on.
+    fn leads_from(&self, from: u64, bits: i64) -> Result<bool, RecurrenceError> {
+        let Some(((first, lead), rest)) = self.terms.split_first() else { return Ok(true) };
+        let mut margin = first.one().scaled(-bits);
         for (root, coefficient) in rest {
             let ratio = root.over(first)?;
             if !(ratio.one() - &ratio).is_certainly_positive() {
-                return Ok(rational(1 << 62, 1));
+                return Ok(false);
             }
-            share += (ratio.power(from) * coefficient.over(lead)?).magnitude().to_rational();
+            margin = margin - absolute(&(ratio.power(from) * coefficient.over(lead)?));
         }
-        Ok(share)
+        Ok(margin.is_certainly_positive())
+    }
+}
+
+/// The absolute value of an interval that does not contain zero; otherwise its hull with the negated one.
+fn absolute(x: &Interval) -> Interval {
+    match x.sign() {
+        Some(Sign::Negative) => -x.clone(),
+        Some(_) => x.clone(),
+        None => x.hull(&-x.clone()),
     }
 }
 

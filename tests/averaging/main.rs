@@ -6,6 +6,8 @@ use flockproof::graph::{Graph, GraphError};
 use flockproof::matrix::{MatrixError, StochasticMatrix};
 use proptest::prelude::*;
 
+mod flock;
+mod settle;
 mod stationary;
 
 fn numbers(range: std::ops::Range<i64>, count: usize, denominator: i64) -> impl Strategy<Value = Vec<Rational>> {

@@ -60,13 +60,15 @@ pub struct Limits {
     pub steps: u64,
     /// Switches in all.
     pub switches: usize,
+    /// Bits to which the numbers of the state may grow in an exact jump; longer jumps keep what is left out as sequences.
+    pub jump_bits: u64,
     /// Asked between steps: whether to stop.
     pub interrupted: fn() -> bool,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Limits { steps: 4_000_000, switches: 100_000, interrupted: || false }
+        Limits { steps: 4_000_000, switches: 100_000, jump_bits: 1 << 22, interrupted: || false }
     }
 }
 
@@ -114,9 +116,6 @@ const LONGEST_CYCLE: usize = 6;
 
 /// Times a cycle is seen before it is analysed.
 const REPETITIONS: usize = 6;
-
-/// Bits to which numbers may grow in an exact jump.
-const JUMP_BITS: u64 = 1 << 22;
 
 /// Follows a flock to its end; `watch` sees every switch and can stop.
 ///
@@ -292,10 +291,12 @@ impl Course {
                 switch = changed.then(|| Switch::between(before.network(), &network, self.flock.time().clone()));
             }
         }
-        let transition = transition_matrix(self.flock.network(), self.flock.weights())?;
         match self.stages.last_mut() {
-            Some(Stage::Steps { transition: last, steps }) if *last == transition => *steps += 1,
-            _ => self.stages.push(Stage::Steps { transition, steps: 1 }),
+            Some(Stage::Steps { network, steps, .. }) if network == self.flock.network() => *steps += 1,
+            _ => {
+                let transition = transition_matrix(self.flock.network(), self.flock.weights())?;
+                self.stages.push(Stage::Steps { network: self.flock.network().clone(), transition, steps: 1 });
+            }
         }
         Ok(switch)
     }
@@ -326,7 +327,7 @@ impl Course {
         limits: &Limits,
     ) -> Result<Switch, SettleError> {
         let time = start + &steps;
-        if let Some(few) = self.exact_jump(fixed, &steps) {
+        if let Some(few) = self.exact_jump(fixed, &steps, limits) {
             // The state one step before, then a step by the rule itself.
             let state = motion.state_after(fixed, few - 1)?;
             self.flock = self.flock.moved_to(&state, fixed.network.clone(), &time - 1)?;
@@ -336,12 +337,12 @@ impl Course {
     }
 
     /// The number of steps, where the state after them is short enough to be written exactly.
-    fn exact_jump(&self, fixed: &FixedNetwork, steps: &BigInt) -> Option<u64> {
+    fn exact_jump(&self, fixed: &FixedNetwork, steps: &BigInt, limits: &Limits) -> Option<u64> {
         let growth = fixed.transition.denominator().bits();
         let largest = fixed.flocks.iter().map(Vec::len).max().unwrap_or(1) as u64;
         let few = steps.to_u64()?;
         let bits = few.checked_mul(growth)?.checked_add(self.flock.denominator_bits())?;
-        (self.stages.is_empty() && bits <= JUMP_BITS && bits.checked_mul(largest * largest)? <= 1 << 29).then_some(few)
+        (self.stages.is_empty() && bits <= limits.jump_bits && bits.checked_mul(largest * largest)? <= 1 << 29).then_some(few)
     }
 
     /// A jump to the limit motion; what it leaves out is kept as a sequence.
@@ -413,7 +414,8 @@ impl Course {
 
     /// Looks for a cycle in the recent networks and proves that it goes on forever.
     fn proved_cycle(&self) -> Result<Option<usize>, SettleError> {
-        if !self.stages.is_empty() {
+        // Under hysteresis an edge that is lost again and again would need changes of distance that do not die out.
+        if !self.stages.is_empty() || self.flock.threshold().log2_below().is_some() {
             return Ok(None);
         }
         let recent = &self.recent;

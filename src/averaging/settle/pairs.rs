@@ -9,6 +9,7 @@ use crate::averaging::{Flock, Hysteresis};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed as _, Zero};
+use std::collections::BTreeMap;
 
 /// Bits up to which the polynomial of an approach is reduced.
 const LONGEST_REDUCED: u64 = 40_000;
@@ -47,9 +48,10 @@ pub(super) fn prospects(
     stages: &[Stage],
 ) -> Result<Prospects, SettleError> {
     let mut all = Prospects::default();
+    let mut drifts = BTreeMap::new();
     for j in 0..flock.birds() {
         for i in 0..j {
-            let pair = Pair { flock, fixed, motion, stages, i, j };
+            let mut pair = Pair { flock, fixed, motion, stages, drifts: &mut drifts, i, j };
             if let Err(error) = pair.look(&mut all) {
                 match error {
                     SettleError::Unresolved | SettleError::Recurrence(_) => {
@@ -68,6 +70,8 @@ struct Pair<'a> {
     fixed: &'a FixedNetwork,
     motion: &'a Motion,
     stages: &'a [Stage],
+    /// The differences of drift that were left out of numbers, by pair of flocks.
+    drifts: &'a mut BTreeMap<(usize, usize), Vec<Magnitude>>,
     i: usize,
     j: usize,
 }
@@ -79,7 +83,7 @@ impl Pair<'_> {
         halvings.saturating_mul(self.fixed.halving_steps)
     }
 
-    fn look(&self, all: &mut Prospects) -> Result<(), SettleError> {
+    fn look(&mut self, all: &mut Prospects) -> Result<(), SettleError> {
         let (a, b) = self.motion.difference(self.i, self.j);
         let transient = self.motion.log2_transient(self.fixed, self.i, self.j);
         if b.iter().any(|x| !x.is_zero()) {
@@ -132,15 +136,13 @@ impl Pair<'_> {
     }
 
     /// Different flocks whose drifts agree as far as numbers go. Whether they agree exactly; otherwise notes when they meet.
-    fn creep(&self, a: &[BigInt], excess: &BigInt, all: &mut Prospects) -> Result<bool, SettleError> {
-        let birds = self.flock.birds();
-        let mut drifts = Vec::new();
-        for k in 0..a.len() {
-            let unit: Vec<Rational> = (0..a.len()).map(|l| rational(i64::from(k == l), 1)).collect();
-            let velocities = difference_functional(birds, (self.i, self.j), &unit)?.times(&self.fixed.limit)?;
-            let positions = velocities.scaled(&rational(0, 1));
-            drifts.push(value_of(self.stages, Functional { positions, velocities })?);
+    fn creep(&mut self, a: &[BigInt], excess: &BigInt, all: &mut Prospects) -> Result<bool, SettleError> {
+        let flocks = (self.fixed.flock_of[self.i], self.fixed.flock_of[self.j]);
+        if !self.drifts.contains_key(&flocks) {
+            let found = self.hidden_drift(a.len())?;
+            self.drifts.insert(flocks, found);
         }
+        let drifts = &self.drifts[&flocks];
         if drifts.iter().all(|d| matches!(d, Magnitude::Zero)) {
             return Ok(true);
         }
@@ -161,6 +163,18 @@ impl Pair<'_> {
         Ok(true)
     }
 
+    /// Drift of the flock of `i` less that of the flock of `j`, where their rational parts agree, by coordinate.
+    fn hidden_drift(&self, dimension: usize) -> Result<Vec<Magnitude>, SettleError> {
+        let coordinate = |k: usize| {
+            let unit: Vec<Rational> = (0..dimension).map(|l| rational(i64::from(k == l), 1)).collect();
+            let difference = difference_functional(self.flock.birds(), (self.i, self.j), &unit)?;
+            let velocities = difference.times(&self.fixed.limit)?;
+            let positions = velocities.scaled(&rational(0, 1));
+            value_of(self.stages, Functional { positions, velocities })
+        };
+        (0..dimension).map(coordinate).collect()
+    }
+
     fn look_at_drift(&self, a: &[BigInt], b: &[BigInt], transient: Option<i64>, all: &mut Prospects) {
         let one = self.motion.unit.square();
         let coefficients = [dot(a, a) - &one, dot(a, b) * 2, dot(b, b)];
@@ -169,16 +183,43 @@ impl Pair<'_> {
         let content = if short { coefficients.iter().fold(one.clone(), |g, x| g.gcd(x)) } else { BigInt::from(1) };
         let scale = one / &content;
         let [a, b, c] = coefficients.map(|x| x / &content);
-        // The polynomial is zero or at least 1/scale in absolute value; transients below 1/(4 scale) cannot turn its sign.
-        all.horizon = all.horizon.max(self.steps_until(transient, -(scale.bits() as i64) - 2));
-        all.approaches.push(Approach { pair: (self.i, self.j), a, b, c });
+        let approach = Approach { pair: (self.i, self.j), a, b, c };
+        // The polynomial q is zero or at least 1/scale in absolute value; transients below 1/(4 scale) cannot turn its sign.
+        let latest = self.steps_until(transient, -(scale.bits() as i64) - 2);
+        // Where q >= m > 0, transients below min(1, m)/4 are enough: 2 z sqrt(q + 1) + z² < q.
+        let enough = |m: &BigInt, of: &BigInt| self.steps_until(transient, log2_below(m, &(of * &scale)).min(0) - 2);
+        let horizon = match approach.least_before_contact(latest) {
+            Some((least, divisor)) => enough(&least, &divisor).min(latest),
+            None => latest,
+        };
+        all.horizon = all.horizon.max(horizon);
+        all.approaches.push(approach);
     }
 }
 
 impl Approach {
+    fn at(&self, s: &BigInt) -> BigInt {
+        (&self.c * s + &self.b) * s + &self.a
+    }
+
+    /// A lower bound `m/divisor > 0` of the polynomial (times its scale) on all `s >= 0`, or on those up to half the way to the first
+    /// contact where that half way takes at least `latest` steps.
+    fn least_before_contact(&self, latest: u64) -> Option<(BigInt, BigInt)> {
+        let one = BigInt::from(1);
+        let least = match self.first_contact(&one) {
+            // The polynomial falls until the contact.
+            Some(contact) if contact > BigInt::from(latest) * 2 + 2 => (self.at(&(contact / 2)), one),
+            Some(_) => return None,
+            None if !self.b.is_negative() => (self.a.clone(), one),
+            // The value at the vertex.
+            None => (BigInt::from(4) * &self.a * &self.c - self.b.square(), BigInt::from(4) * &self.c),
+        };
+        least.0.is_positive().then_some(least)
+    }
+
     /// The sign of the polynomial at `s`.
     pub fn sign_at(&self, s: &BigInt) -> Sign {
-        Signed::sign(&((&self.c * s + &self.b) * s + &self.a)).unwrap_or(Sign::Zero)
+        Signed::sign(&self.at(s)).unwrap_or(Sign::Zero)
     }
 
     /// The first `s >= from` at which the polynomial is not positive.

@@ -8,6 +8,7 @@
 use super::SettleError;
 use super::limits::{FixedNetwork, Motion, largest, log2_above};
 use crate::arithmetic::{Field, Interval, Rational, Ring, Sign, rational};
+use crate::graph::Graph;
 use crate::matrix::{MatrixError, RationalMatrix};
 use crate::spectrum::{Leading, Recurrence};
 use num_bigint::BigInt;
@@ -16,7 +17,7 @@ use num_integer::Integer;
 /// What happened since the last exact state, oldest first.
 pub(super) enum Stage {
     /// `steps` times: move, then average by `transition`.
-    Steps { transition: RationalMatrix, steps: u64 },
+    Steps { network: Graph, transition: RationalMatrix, steps: u64 },
     /// Average the velocities once more.
     Average(RationalMatrix),
     /// A jump to the limit motion.
@@ -130,7 +131,7 @@ pub(super) fn value_of(stages: &[Stage], mut of: Functional) -> Result<Magnitude
     let mut slack: u64 = 64;
     for stage in stages.iter().rev() {
         match stage {
-            Stage::Steps { transition, steps } => {
+            Stage::Steps { transition, steps, .. } => {
                 for _ in 0..*steps {
                     of.velocities = of.velocities.times(transition)?.plus(&of.positions)?;
                 }

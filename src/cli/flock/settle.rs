@@ -40,7 +40,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut network = flock.network().clone();
     let mut switches = Vec::new();
     let mut failure = None;
-    let limits = Limits { steps: arguments.steps, switches: arguments.switches, interrupted: interrupt::happened };
+    let limits = Limits { steps: arguments.steps, switches: arguments.switches, interrupted: interrupt::happened, ..Limits::default() };
     let declared = declaration(&flock);
     let settled = settle(flock, &limits, &mut |switch| {
         let after = after(&network, switch);
