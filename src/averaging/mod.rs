@@ -4,11 +4,15 @@
 mod affine;
 mod contraction;
 mod line;
+mod modes;
+mod motion;
 mod stationary;
 
 pub use affine::{Affine, HalfOpenRange};
 pub use contraction::{Contraction, contraction};
 pub use line::{LineFlock, distance_network};
+pub use modes::{Mode, rational_modes};
+pub use motion::{State, motion};
 pub use stationary::{deviation_matrix, equal_rows, stationary_distribution};
 
 use crate::arithmetic::{Rational, Ring, Signed, rational};

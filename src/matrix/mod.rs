@@ -1,8 +1,10 @@
 //! Exact matrices as integers over one common denominator: stochastic products, footprints, ergodicity coefficients.
 
+mod characteristic;
 mod ergodicity;
 pub mod floating;
 mod footprint;
+mod kronecker;
 mod limbs;
 mod product;
 mod rational_matrix;
@@ -11,6 +13,7 @@ mod solve;
 mod stabiliser;
 mod stochastic;
 
+pub use characteristic::CharacteristicPolynomial;
 pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_infinity};
 pub use footprint::Footprint;
 pub use product::{prefix_products, product_sequential, product_tree};
