@@ -27,5 +27,12 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(fixed_network::mixing::EntrywiseRate),
         Box::new(fixed_network::mixing::HalvingTime),
         Box::new(fixed_network::fiedler::FiedlerRate),
+        Box::new(fixed_network::limits::LimitOfGamma),
+        Box::new(fixed_network::limits::Positions),
+        Box::new(fixed_network::limits::RelativeLimit),
+        Box::new(fixed_network::denominators::ShortLimit),
+        Box::new(fixed_network::closed_forms::GeometricSums),
+        Box::new(fixed_network::closed_forms::WithGamma),
+        Box::new(fixed_network::closed_forms::TwoBirdsApart),
     ]
 }

@@ -2,7 +2,9 @@
 //! Proofs for all networks are in notes/chazelle_fixed_network.md.
 
 pub mod closed_forms;
+pub mod denominators;
 pub mod fiedler;
+mod flight;
 pub mod limits;
 pub mod mixing;
 pub mod powers;
@@ -142,6 +144,21 @@ impl Family<'_> {
             if self.connected { Graph::connected_up_to_isomorphism(order) } else { Graph::all(order).collect() }
         });
         graphs.flat_map(|graph| self.kinds.iter().map(move |&kind| Network::new(graph.clone(), kind))).collect()
+    }
+}
+
+impl Family<'_> {
+    /// All labelled graphs of the family on up to `every` birds, one of each isomorphism class beyond.
+    fn labelled(self, every: usize, largest: usize) -> Result<Vec<Network>, CheckError> {
+        if !self.connected {
+            return self.networks(largest);
+        }
+        let small = (1..=every).flat_map(|order| Graph::all(order).filter(Graph::is_connected));
+        let larger = (every + 1..=largest).flat_map(Graph::connected_up_to_isomorphism);
+        small
+            .chain(larger)
+            .flat_map(|graph| self.kinds.iter().map(move |&kind| Network::new(graph.clone(), kind)))
+            .collect()
     }
 }
 
