@@ -16,18 +16,16 @@ pub struct Mode {
 }
 
 impl Mode {
-    /// `C^(a/2) u_k u_k^T C^(b/2)` for odd `a` and `b`; for `a = 1`, `b = -1` the term of equation (3.8).
-    ///
-    /// # Errors
-    /// [`MatrixError::Empty`].
-    pub fn dyad(&self, c: &[Rational], a: i32, b: i32) -> Result<RationalMatrix, MatrixError> {
+    /// `sqrt(norm) C^(a/2) u_k` for odd `a`.
+    pub fn scaled(&self, c: &[Rational], a: i32) -> Vec<Rational> {
         // u = C^-1/2 r / sqrt(norm).
-        let side = |power: i32| -> Vec<Rational> {
-            self.right.iter().zip(c).map(|(r, c)| r * c.pow((power - 1) / 2)).collect()
-        };
-        let (left, right) = (side(a), side(b));
-        let row = |x: &Rational| right.iter().map(|y| x * y / &self.norm).collect();
-        RationalMatrix::from_rows(&left.iter().map(row).collect::<Vec<_>>())
+        self.right.iter().zip(c).map(|(r, c)| r * c.pow((a - 1) / 2)).collect()
+    }
+
+    /// `C^(a/2) u_k u_k^T C^(b/2)` for odd `a` and `b`, row by row; for `a = 1`, `b = -1` the term of equation (3.8).
+    pub fn dyad(&self, c: &[Rational], a: i32, b: i32) -> Vec<Vec<Rational>> {
+        let right: Vec<Rational> = self.scaled(c, b).iter().map(|y| y / &self.norm).collect();
+        self.scaled(c, a).iter().map(|x| right.iter().map(|y| x * y).collect()).collect()
     }
 }
 

@@ -6,6 +6,7 @@ use flockproof::graph::{Graph, GraphError};
 use flockproof::matrix::{MatrixError, StochasticMatrix};
 use proptest::prelude::*;
 
+mod modes;
 mod stationary;
 
 fn numbers(range: std::ops::Range<i64>, count: usize, denominator: i64) -> impl Strategy<Value = Vec<Rational>> {

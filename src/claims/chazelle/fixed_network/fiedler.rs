@@ -43,6 +43,10 @@ impl FiedlerVariant {
 
     fn slow_decay(&self, network: &Network) -> Result<Option<String>, CheckError> {
         let (n, c) = (network.order(), network.exponents().gap + self.gap_shift);
+        if n == 1 {
+            // A single bird has no differences.
+            return Ok(None);
+        }
         for (t, power) in some_powers(&network.p)? {
             let spread = tau_1(&power);
             if !at_most(&spread, &self.bound(n, c, &rational(t as i64, 1))?)? {

@@ -48,6 +48,10 @@ impl Flock {
 fn flocks() -> Result<Vec<std::rc::Rc<Flock>>, CheckError> {
     let mut found = Vec::new();
     for network in Family::PRINTED.networks(4)? {
+        // A single bird is the same with all weights.
+        if network.order() == 1 && network.kind != Kind::Lazy {
+            continue;
+        }
         let modes = rational_modes(&network.p, &network.c)?;
         if let (Some(modes), Some(gamma)) = (modes, limit_of_lemma_3_3(&network)?) {
             let pi = network.pi();
@@ -66,11 +70,6 @@ pub(super) fn flights(birds: usize) -> Result<Vec<[std::rc::Rc<Flock>; 2]>, Chec
 
 /// Steps that are followed after `t_1`.
 const STEPS: usize = 5;
-
-/// The values of `t_1`.
-pub(super) fn start_times() -> [usize; 2] {
-    [1, 3]
-}
 
 /// The motion of two flocks.
 pub(super) struct Flight<'a> {

@@ -16,7 +16,7 @@ use crate::graph::Graph;
 use crate::ledger::{CheckError, Evidence, Grade, Outcome, Run};
 use crate::matrix::RationalMatrix;
 
-/// What the instances are drawn from; `proof` is said of all the others.
+/// How the evidence of these claims begins.
 const FAMILY: &str = "proof in notes/chazelle_fixed_network.md; every connected graph up to isomorphism";
 
 /// The three kinds of weights that the instances carry.
@@ -87,8 +87,8 @@ impl Network {
         Ok(RationalMatrix::identity(self.order())?)
     }
 
-    /// `-a` such that `1 - mu >= n^-a`, and `k` such that `sqrt(c_i/c_j)` and `sqrt(1/(2 pi_i))` are at most `n^k`: proved for
-    /// the admissible kinds in notes/chazelle_fixed_network.md, and assumed of the others where controls need a number.
+    /// Exponents with `1 - mu >= n^-gap` and both `sqrt(c_i/c_j)` and `1/sqrt(2 pi_i)` at most `n^factor`. They are proved
+    /// for the admissible kinds; controls use them for the others too.
     fn exponents(&self) -> Exponents {
         Exponents { factor: 1, gap: if matches!(self.kind, Kind::Uneven | Kind::Tiny) { 4 } else { 3 } }
     }

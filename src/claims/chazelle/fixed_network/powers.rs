@@ -28,8 +28,8 @@ const LARGEST_POWER: u64 = 6;
 impl PowersVariant {
     fn fails_at(&self, network: &Network, modes: &[Mode]) -> Result<Option<String>, CheckError> {
         let limit = every_row(&network.pi())?;
-        let dyads: Vec<RationalMatrix> =
-            modes.iter().map(|mode| mode.dyad(&network.c, self.halves.0, self.halves.1)).collect::<Result<_, _>>()?;
+        let dyad = |mode: &Mode| RationalMatrix::from_rows(&mode.dyad(&network.c, self.halves.0, self.halves.1));
+        let dyads: Vec<RationalMatrix> = modes.iter().map(dyad).collect::<Result<_, _>>()?;
         let mut power = network.identity()?;
         for s in 0..=LARGEST_POWER {
             let mut sum = limit.clone();
@@ -46,9 +46,7 @@ impl PowersVariant {
 
     /// Columns `C^(l/2) u_k` and `C^(r/2) u_k`, times the root of `norm`.
     fn wrong_eigenvectors(&self, network: &Network, modes: &[Mode]) -> Result<Option<String>, CheckError> {
-        let scale = |mode: &Mode, half: i32| -> Vec<Rational> {
-            mode.right.iter().zip(&network.c).map(|(r, c)| r * c.pow((half - 1) / 2)).collect()
-        };
+        let scale = |mode: &Mode, half: i32| mode.scaled(&network.c, half);
         for (k, mode) in modes.iter().enumerate() {
             let (left, right) = (scale(mode, self.eigenvectors.0), scale(mode, self.eigenvectors.1));
             let times = |v: &[Rational]| v.iter().map(|x| x * &mode.eigenvalue).collect::<Vec<_>>();
