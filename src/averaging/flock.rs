@@ -180,7 +180,12 @@ impl Flock {
             network,
             rule,
             positions: IntegerRows::new(&positions),
-            scratch: Scratch { velocities: velocities.clone(), windows: Vec::new(), joined: Vec::new(), ties: Vec::new() },
+            scratch: Scratch {
+                velocities: velocities.clone(),
+                windows: Vec::new(),
+                joined: Vec::new(),
+                ties: Vec::new(),
+            },
             velocities,
             pending: BigInt::from(1),
             time,
@@ -435,9 +440,10 @@ impl Rule {
             }
             factors.push((c, share));
         }
-        let multiplier = factors.iter().zip(0..).fold(BigInt::from(1), |m, ((c, _), i)| {
-            if network.degree(i) > 0 { m.lcm(c.denom()) } else { m }
-        });
+        let multiplier = factors
+            .iter()
+            .zip(0..)
+            .fold(BigInt::from(1), |m, ((c, _), i)| if network.degree(i) > 0 { m.lcm(c.denom()) } else { m });
         let times = |q: &Rational| (q * &multiplier).to_integer();
         let mut rows = Vec::with_capacity(birds * dimension);
         for (i, (c, share)) in factors.iter().enumerate() {

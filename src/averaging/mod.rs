@@ -6,6 +6,8 @@ mod contraction;
 mod flock;
 mod hysteresis;
 mod line;
+mod modes;
+mod motion;
 pub mod read;
 pub mod settle;
 mod stationary;
@@ -15,6 +17,8 @@ pub use contraction::{Contraction, contraction};
 pub use flock::{Flock, Start, Switch};
 pub use hysteresis::Hysteresis;
 pub use line::{LineFlock, distance_network};
+pub use modes::{Mode, rational_modes};
+pub use motion::{State, motion};
 pub use stationary::{deviation_matrix, equal_rows, stationary_distribution};
 
 use crate::arithmetic::{Rational, Ring, Signed, rational};

@@ -1,6 +1,9 @@
 //! Undirected simple graphs: what the flocking networks are made of.
 
-use crate::matrix::Footprint;
+mod isomorphism;
+
+use crate::matrix::{Footprint, MatrixError, RationalMatrix};
+use num_bigint::BigInt;
 
 /// An undirected graph without loops on the vertices `0..order`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -98,6 +101,24 @@ impl Graph {
     /// The edges `(i, j)` with `i < j`.
     pub fn edges(&self) -> Vec<(usize, usize)> {
         (0..self.order()).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| self.has_edge(i, j)).collect()
+    }
+
+    /// Whether there is a path between any two vertices (and at least one vertex).
+    pub fn is_connected(&self) -> bool {
+        self.components().len() == 1
+    }
+
+    /// The combinatorial Laplacian `D - A`.
+    ///
+    /// # Errors
+    /// [`MatrixError::Empty`] for a graph without vertices.
+    pub fn laplacian(&self) -> Result<RationalMatrix, MatrixError> {
+        let order = self.order();
+        let entry = |k: usize| match (k / order, k % order) {
+            (i, j) if i == j => BigInt::from(self.degree(i)),
+            (i, j) => -BigInt::from(u8::from(self.has_edge(i, j))),
+        };
+        RationalMatrix::new(order, order, (0..order * order).map(entry).collect(), BigInt::from(1))
     }
 
     /// The connected components, each sorted, in the order of their smallest vertex.

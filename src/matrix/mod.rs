@@ -1,9 +1,11 @@
 //! Exact matrices as integers over one common denominator: stochastic products, footprints, ergodicity coefficients.
 
+mod characteristic;
 mod ergodicity;
 pub mod floating;
 mod footprint;
 mod integer_rows;
+mod kronecker;
 mod limbs;
 mod product;
 mod rational_matrix;
@@ -12,6 +14,7 @@ mod solve;
 mod stabiliser;
 mod stochastic;
 
+pub use characteristic::CharacteristicPolynomial;
 pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_infinity};
 pub use footprint::Footprint;
 pub use integer_rows::{AverageRow, IntegerRows};

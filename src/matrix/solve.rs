@@ -1,6 +1,7 @@
 //! Exact linear systems: fraction-free elimination over the integers (Bareiss).
 
 use super::{MatrixError, RationalMatrix};
+use crate::arithmetic::Rational;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
@@ -17,7 +18,10 @@ impl RationalMatrix {
             return Err(MatrixError::Shapes { left_cols: order, right_rows: right.rows() });
         }
         let mut rows: Vec<Vec<BigInt>> = (0..order).map(|i| [self.row(i), right.row(i)].concat()).collect();
-        let pivot = eliminate(&mut rows).ok_or(MatrixError::Singular)?;
+        let Elimination { pivot_columns, pivot, .. } = eliminate(&mut rows, order);
+        if pivot_columns.len() < order {
+            return Err(MatrixError::Singular);
+        }
         // With self = N/d and right = B/e the solution is (d/e) N^-1 B, and the rows now hold pivot * N^-1 B.
         let scale = self.denominator();
         let numerators = rows.iter().flat_map(|row| &row[order..]).map(|x| x * scale).collect();
@@ -32,6 +36,35 @@ impl RationalMatrix {
         self.solve(&RationalMatrix::identity(self.square_order()?)?)
     }
 
+    /// The determinant.
+    ///
+    /// # Errors
+    /// [`MatrixError::NotSquare`].
+    pub fn determinant(&self) -> Result<Rational, MatrixError> {
+        let order = self.square_order()?;
+        let mut rows: Vec<Vec<BigInt>> = (0..order).map(|i| self.row(i).to_vec()).collect();
+        let Elimination { pivot_columns, pivot, odd } = eliminate(&mut rows, order);
+        if pivot_columns.len() < order {
+            return Ok(Rational::zero());
+        }
+        Ok(Rational::new(if odd { -pivot } else { pivot }, num_traits::pow(self.denominator().clone(), order)))
+    }
+
+    /// A basis of the vectors `x` with `self * x = 0`, one for each column without pivot.
+    pub fn kernel(&self) -> Vec<Vec<Rational>> {
+        let mut rows: Vec<Vec<BigInt>> = (0..self.rows()).map(|i| self.row(i).to_vec()).collect();
+        let Elimination { pivot_columns, pivot, .. } = eliminate(&mut rows, self.cols());
+        let vector = |free: usize| {
+            let mut x = vec![Rational::zero(); self.cols()];
+            x[free] = Rational::one();
+            for (row, &column) in rows.iter().zip(&pivot_columns) {
+                x[column] = Rational::new(-&row[free], pivot.clone());
+            }
+            x
+        };
+        (0..self.cols()).filter(|j| !pivot_columns.contains(j)).map(vector).collect()
+    }
+
     /// The number of rows, where there are as many columns.
     pub(super) fn square_order(&self) -> Result<usize, MatrixError> {
         match (self.rows(), self.cols()) {
@@ -41,24 +74,36 @@ impl RationalMatrix {
     }
 }
 
-/// Gauss-Jordan elimination without fractions on the rows `[N | B]`, `N` square: afterwards they are `[p I | p N^-1 B]`
-/// and `p`, the determinant of `N` up to sign, is returned. `None` if `N` is singular.
+/// What an elimination found.
+struct Elimination {
+    /// The pivot column of each of the first rows.
+    pivot_columns: Vec<usize>,
+    /// The common pivot: the determinant of the pivot columns in the pivot rows, up to sign.
+    pivot: BigInt,
+    /// Whether the rows were permuted oddly.
+    odd: bool,
+}
+
+/// Gauss-Jordan elimination without fractions in the first `columns` columns. Afterwards the pivot column of each of the
+/// first rows holds `pivot` in that row and 0 elsewhere, and the other rows are 0 in all these columns.
 ///
-/// Every division is exact, because after step `k` each entry is a minor of order `k` or `k + 1` (Bareiss 1968).
-fn eliminate(rows: &mut [Vec<BigInt>]) -> Option<BigInt> {
-    let mut previous = BigInt::one();
-    for k in 0..rows.len() {
-        let with_pivot = (k..rows.len()).find(|&i| !rows[i][k].is_zero())?;
+/// Every division is exact, because after `k` pivots each entry is a minor of order `k` or `k + 1` (Bareiss 1968).
+fn eliminate(rows: &mut [Vec<BigInt>], columns: usize) -> Elimination {
+    let mut found = Elimination { pivot_columns: Vec::new(), pivot: BigInt::one(), odd: false };
+    for column in 0..columns {
+        let k = found.pivot_columns.len();
+        let Some(with_pivot) = (k..rows.len()).find(|&i| !rows[i][column].is_zero()) else { continue };
         rows.swap(k, with_pivot);
+        found.odd ^= k != with_pivot;
         let pivot_row = rows[k].clone();
-        let pivot = &pivot_row[k];
         for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
-            let factor = row[k].clone();
+            let factor = row[column].clone();
             for (x, y) in row.iter_mut().zip(&pivot_row) {
-                *x = (pivot * &*x - &factor * y) / &previous;
+                *x = (&pivot_row[column] * &*x - &factor * y) / &found.pivot;
             }
         }
-        previous.clone_from(pivot);
+        found.pivot = pivot_row[column].clone();
+        found.pivot_columns.push(column);
     }
-    Some(previous)
+    found
 }

@@ -203,7 +203,8 @@ impl Recurrence {
     fn polynomial_part(&self, rest: &Polynomial, ones: usize, start: usize) -> Vec<Rational> {
         let h: Vec<Rational> = rest.coefficients().iter().map(|c| Rational::from_integer(c.clone())).collect();
         // (h(E) f)(start + i) for i < ones, a polynomial of degree below `ones`.
-        let filtered = |i: usize| -> Rational { h.iter().enumerate().map(|(k, c)| c * &self.terms[start + i + k]).sum() };
+        let filtered =
+            |i: usize| -> Rational { h.iter().enumerate().map(|(k, c)| c * &self.terms[start + i + k]).sum() };
         let moment = |m: u32| -> Rational {
             let at = |k: usize| rational(i64::try_from(k).unwrap_or(i64::MAX), 1).pow(m as i32);
             h.iter().enumerate().map(|(k, c)| c * at(k)).sum()

@@ -209,7 +209,10 @@ fn flocks_that_are_refused() {
     let thirds = || Weights::Given(vec![rational(1, 3)]);
     assert_eq!(line(&[0, 1], &[0, 0], thirds(), none()), Err(FlockError::Weights { birds: 2, bird: 2 }));
     let ones = Weights::Given(vec![rational(1, 1); 2]);
-    assert!(matches!(line(&[0, 1], &[0, 0], ones.clone(), none()), Err(FlockError::Inadmissible { bird: 1, degree: 1, .. })));
+    assert!(matches!(
+        line(&[0, 1], &[0, 0], ones.clone(), none()),
+        Err(FlockError::Inadmissible { bird: 1, degree: 1, .. })
+    ));
     let negative = Hysteresis::Constant(rational(-1, 2));
     assert_eq!(line(&[0], &[0], Weights::Lazy, negative), Err(FlockError::NegativeHysteresis("-1/2".to_string())));
     // Far apart at first: refused when they meet.

@@ -7,6 +7,7 @@ use flockproof::matrix::{MatrixError, StochasticMatrix};
 use proptest::prelude::*;
 
 mod flock;
+mod modes;
 mod settle;
 mod stationary;
 

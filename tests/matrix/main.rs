@@ -11,6 +11,7 @@ use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
 
+mod characteristic;
 mod solve;
 
 /// A matrix of entries -3/d, .., 3/d with d up to 4.

@@ -191,7 +191,10 @@ impl Course {
             return Ok(Next::Switch(switch));
         }
         if all.horizon > limits.steps {
-            let why = format!("{} exact steps would be needed on one network, more than the limit of {}", all.horizon, limits.steps);
+            let why = format!(
+                "{} exact steps would be needed on one network, more than the limit of {}",
+                all.horizon, limits.steps
+            );
             return Ok(Next::End(Ending::Undecided(why.clone()), why));
         }
         if let Some(why) = all.open {
@@ -342,7 +345,8 @@ impl Course {
         let largest = fixed.flocks.iter().map(Vec::len).max().unwrap_or(1) as u64;
         let few = steps.to_u64()?;
         let bits = few.checked_mul(growth)?.checked_add(self.flock.denominator_bits())?;
-        (self.stages.is_empty() && bits <= limits.jump_bits && bits.checked_mul(largest * largest)? <= 1 << 29).then_some(few)
+        (self.stages.is_empty() && bits <= limits.jump_bits && bits.checked_mul(largest * largest)? <= 1 << 29)
+            .then_some(few)
     }
 
     /// A jump to the limit motion; what it leaves out is kept as a sequence.
@@ -382,9 +386,8 @@ impl Course {
         for (i, j) in ties {
             let unit = &state.unit;
             let place = |b: usize, k: usize| &state.positions[b][k];
-            let difference: Vec<_> = (0..self.flock.dimension())
-                .map(|k| Rational::new(place(i, k) - place(j, k), unit.clone()))
-                .collect();
+            let difference: Vec<_> =
+                (0..self.flock.dimension()).map(|k| Rational::new(place(i, k) - place(j, k), unit.clone())).collect();
             let positions = difference_functional(self.flock.birds(), (i, j), &difference)?;
             let velocities = positions.scaled(&rational(0, 1));
             let value = value_of(&self.stages, Functional { positions, velocities })?;

@@ -116,7 +116,17 @@ pub(super) fn difference_functional(
     weights: &[Rational],
 ) -> Result<RationalMatrix, MatrixError> {
     let row = |w: &Rational| -> Vec<Rational> {
-        (0..birds).map(|b| if b == i { w.clone() } else if b == j { -w.clone() } else { w.zero() }).collect()
+        (0..birds)
+            .map(|b| {
+                if b == i {
+                    w.clone()
+                } else if b == j {
+                    -w.clone()
+                } else {
+                    w.zero()
+                }
+            })
+            .collect()
     };
     RationalMatrix::from_rows(&weights.iter().map(row).collect::<Vec<_>>())
 }

@@ -40,7 +40,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut network = flock.network().clone();
     let mut switches = Vec::new();
     let mut failure = None;
-    let limits = Limits { steps: arguments.steps, switches: arguments.switches, interrupted: interrupt::happened, ..Limits::default() };
+    let limits = Limits {
+        steps: arguments.steps,
+        switches: arguments.switches,
+        interrupted: interrupt::happened,
+        ..Limits::default()
+    };
     let declared = declaration(&flock);
     let settled = settle(flock, &limits, &mut |switch| {
         let after = after(&network, switch);
@@ -116,11 +121,7 @@ fn closing(settled: &Settlement) -> String {
         Ending::Alternating { period } => format!("alternates forever with period {period}"),
         Ending::Beyond { pair, log2_steps } => {
             let (lo, hi) = decimals(log2_steps, 12);
-            format!(
-                "birds {} and {} meet 2^L steps after t = {last},\nL in [{lo}, {hi}]",
-                pair.0 + 1,
-                pair.1 + 1
-            )
+            format!("birds {} and {} meet 2^L steps after t = {last},\nL in [{lo}, {hi}]", pair.0 + 1, pair.1 + 1)
         }
         Ending::Undecided(_) => "undecided".to_string(),
         Ending::Interrupted => "interrupted".to_string(),
