@@ -1,8 +1,13 @@
 //! Claims of Chazelle, Natural Algorithms.
 
+pub(super) mod entries;
 mod ergodicity;
+mod filling;
 mod footprints;
 mod four_birds;
+mod sequences;
+mod stabilisation;
+mod switch_counts;
 mod worked_matrices;
 
 use crate::ledger::AnyClaim;
@@ -19,5 +24,11 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(four_birds::Eigenvector),
         Box::new(four_birds::ClosedForm),
         Box::new(four_birds::Alternation),
+        Box::new(entries::Entries),
+        Box::new(switch_counts::Count),
+        Box::new(switch_counts::UntilStable),
+        Box::new(stabilisation::Nested),
+        Box::new(stabilisation::Blocks),
+        Box::new(stabilisation::Contraction),
     ]
 }
