@@ -5,9 +5,14 @@ mod ergodicity;
 mod filling;
 mod footprints;
 mod four_birds;
+mod kronecker;
+mod lengths;
+mod model_matrices;
 mod sequences;
 mod stabilisation;
 mod switch_counts;
+pub(super) mod switching;
+mod velocity_bounds;
 mod worked_matrices;
 
 use crate::ledger::AnyClaim;
@@ -30,5 +35,17 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(stabilisation::Nested),
         Box::new(stabilisation::Blocks),
         Box::new(stabilisation::Contraction),
+        Box::new(kronecker::Kronecker),
+        Box::new(kronecker::Difference),
+        Box::new(model_matrices::Stochastic),
+        Box::new(model_matrices::Headings),
+        Box::new(velocity_bounds::DistanceChange),
+        Box::new(velocity_bounds::VelocityNorm),
+        Box::new(lengths::ProductLength),
+        Box::new(lengths::StateLength),
+        Box::new(switching::ThresholdInequality),
+        Box::new(switching::FinalCount),
+        Box::new(switching::FlockingSwitches),
+        Box::new(switching::TotalSwitches),
     ]
 }
