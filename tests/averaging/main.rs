@@ -92,3 +92,16 @@ fn flocks_that_are_refused() {
     assert_eq!(LineFlock::new(vec![], vec![], Weights::Lazy, None).unwrap_err(), MatrixError::Empty);
     assert!(matches!(LineFlock::new(one(), vec![], Weights::Lazy, None), Err(MatrixError::Shapes { .. })));
 }
+
+#[test]
+fn the_closed_adjacency_is_the_footprint_of_the_matrix() {
+    for graph in (1..=4).flat_map(Graph::all) {
+        for weights in [Weights::Lazy, Weights::Vicsek] {
+            let matrix = StochasticMatrix::try_from(&transition_matrix(&graph, &weights).unwrap()).unwrap();
+            assert_eq!(matrix.footprint(), graph.closed_adjacency());
+        }
+        let most: Vec<usize> = (0..graph.order().min(2)).rev().collect();
+        let part = graph.closed_adjacency().restricted(&most);
+        assert!(part.is_symmetric() && part.has_full_diagonal() && part.rows() == most.len());
+    }
+}

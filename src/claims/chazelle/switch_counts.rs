@@ -247,7 +247,7 @@ impl Claim for UntilStable {
                  switches, on 3 and 4 birds",
             )
             .cases(classes),
-            Evidence::new(Grade::Fuzzed, "flocks", "exact flocks on the line, with N(n-1) >= floor((n-1)/2)").cases(flocks),
+            Evidence::new(Grade::Fuzzed, "flocks", "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)").cases(flocks),
         ]))
     }
 }
