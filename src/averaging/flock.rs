@@ -156,6 +156,13 @@ impl Flock {
             velocities: numerators(&start.velocities),
             unit: unit.clone(),
         };
+        if let Weights::Given(c) = &start.weights
+            && birds > 1
+            && let Some((bird, c)) = c.iter().enumerate().find(|(_, c)| !c.is_positive() || **c >= c.one())
+        {
+            let (c, time) = (c.to_string(), time.to_string());
+            return Err(FlockError::Inadmissible { bird: bird + 1, degree: 1, c, time });
+        }
         let threshold = Threshold::new(start.hysteresis.clone(), birds)?;
         Flock::assemble(&state, start.weights.clone(), threshold, network, time)
     }

@@ -159,7 +159,7 @@ pub enum FlockError {
         bird: usize,
     },
     /// `0 < c_i d_i < 1` fails.
-    #[error("bird {bird} has {degree} neighbours and c = {c} at t = {time}, but model D needs 0 < c d < 1")]
+    #[error("bird {bird} with {degree} neighbours has c = {c} (at t = {time}), but model D needs 0 < c d < 1")]
     Inadmissible {
         /// The bird.
         bird: usize,
