@@ -228,7 +228,7 @@ fn flocks_that_are_refused() {
     );
     let mut flock = Flock::new(&start).unwrap();
     flock.step().unwrap();
-    assert!(matches!(flock.step(), Err(FlockError::Inadmissible { bird: 2, degree: 2, .. })));
+    assert!(matches!(flock.step(), Err(FlockError::Inadmissible { bird: 1, degree: 2, .. })));
 }
 
 #[test]
