@@ -3,6 +3,8 @@
 mod fewer_switches;
 mod one_sided_peak;
 mod smallest_entries;
+mod tower;
+mod virtual_origins;
 
 use crate::ledger::AnyClaim;
 
@@ -12,5 +14,8 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(one_sided_peak::OneSidedPeak),
         Box::new(smallest_entries::SmallestEntries),
         Box::new(fewer_switches::FewerSwitches),
+        Box::new(tower::Tower),
+        Box::new(virtual_origins::Angle),
+        Box::new(virtual_origins::Losses),
     ]
 }

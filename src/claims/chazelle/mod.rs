@@ -6,10 +6,14 @@ mod filling;
 mod fixed_network;
 mod footprints;
 mod four_birds;
+pub(super) mod geometry;
+mod hysteresis;
 mod kronecker;
 mod lengths;
+pub(super) mod lower_bound;
 mod model_matrices;
-mod sequences;
+pub(super) mod sequences;
+mod settling;
 mod stabilisation;
 mod switch_counts;
 pub(super) mod switching;
@@ -30,6 +34,19 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(four_birds::Eigenvector),
         Box::new(four_birds::ClosedForm),
         Box::new(four_birds::Alternation),
+        Box::new(hysteresis::Rule),
+        Box::new(hysteresis::SmallerThreshold),
+        Box::new(hysteresis::NearBirdsAreJoined),
+        Box::new(hysteresis::FarBirdsAreNot),
+        Box::new(geometry::AngleAndDistance),
+        Box::new(geometry::AngleDecays),
+        Box::new(geometry::NoLosses),
+        Box::new(lower_bound::LowerBound),
+        Box::new(lower_bound::SinglePaths),
+        Box::new(settling::DistanceExpansion),
+        Box::new(settling::Gaps),
+        Box::new(settling::NextContact),
+        Box::new(settling::SteadyState),
         Box::new(fixed_network::spectrum::Stationary),
         Box::new(fixed_network::spectrum::Symmetrised),
         Box::new(fixed_network::powers::Powers),

@@ -1,12 +1,14 @@
 //! Sequences of networks that the checks run over: all of a length, with a constant end, or of an exact flock.
 
 use crate::arithmetic::{Rational, rational};
-use crate::averaging::{Flock, Hysteresis, Start, Weights};
+use crate::averaging::settle::{Limits, Settlement, settle};
+use crate::averaging::{Flock, Hysteresis, Start, Switch, Weights};
 use crate::graph::Graph;
-use crate::ledger::CheckError;
+use crate::ledger::{CheckError, Run};
 use crate::matrix::{Footprint, RationalMatrix, Stabiliser, StabiliserStream};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
+use std::ops::ControlFlow;
 
 /// The edges of a network, birds from 1.
 pub(super) fn show(graph: &Graph) -> String {
@@ -151,4 +153,33 @@ pub(super) fn random_line_flock(random: &mut ChaCha8Rng, steps: usize) -> Result
 /// The hysteresis threshold of the paper, `n^(-n^4)`.
 pub(super) fn paper_threshold(n: i64) -> Rational {
     rational(1, n).pow(n.pow(4) as i32)
+}
+
+/// A crowded flock of 2 to 5 birds in dimension 1 to 3.
+pub(super) fn random_start(random: &mut ChaCha8Rng, hysteresis: Hysteresis) -> Start {
+    let mut below = |bound: i64| i64::from(random.next_u32()) % bound;
+    let (n, dimension) = (2 + below(4), 1 + below(3));
+    let mut vectors = |range: i64, shift: i64, unit: i64| -> Vec<Vec<Rational>> {
+        (0..n).map(|_| (0..dimension).map(|_| rational(below(range) - shift, unit)).collect()).collect()
+    };
+    let (positions, velocities) = (vectors(40, 0, 16), vectors(13, 6, 48));
+    let weights = if below(2) == 0 { Weights::Lazy } else { Weights::Vicsek };
+    Start { positions, velocities, weights, hysteresis }
+}
+
+/// The four birds of Section 3 of the paper.
+pub(super) fn four_birds(hysteresis: Hysteresis) -> Start {
+    let over = |list: [i64; 4], unit: i64| list.map(|x| rational(x, unit)).to_vec();
+    Start::on_the_line(over([0, 8, 21, 29], 16), over([1, -1, 1, -1], 8), Weights::Lazy, hysteresis)
+}
+
+/// All switches of a flock and what becomes of it.
+pub fn settled(start: &Start, run: &Run) -> Result<(Vec<Switch>, Settlement), CheckError> {
+    let mut switches = Vec::new();
+    let settled = settle(Flock::new(start)?, &Limits::default(), &mut |switch| {
+        switches.push(switch.clone());
+        if run.checkpoint().is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    })?;
+    run.checkpoint()?;
+    Ok((switches, settled))
 }
