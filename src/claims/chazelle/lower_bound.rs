@@ -122,7 +122,7 @@ impl Claim for LowerBound {
     fn derivation(&self) -> &str {
         "All groups of four birds start alike, 4 apart, and are 4/3 apart at first: as long as no two groups meet, they move alike, so their \
          distances never change and they never meet. Inside a group the gap of the middle birds is 4/3 - t/n^c until it is at most 1, at \
-         t = ceil(n^c/3); after that the path keeps its edges and gains none (closed form in notes/settling.md, for n^c > 6). So the network \
+         t = ceil(n^c/3); after that the path keeps its edges and gains none (closed form in notes/settling.md, for n^c >= 8). So the network \
          stands still after n^c/3 steps, which is polynomial. What the sentence needs is groups that approach each other: with every second \
          group mirrored two groups of four merge after 10^84 steps (n = 8, c = 3), and beyond.chazelle.tower climbs one level more. The bound itself \
          is not refuted, the printed initial conditions are."
@@ -135,7 +135,7 @@ impl Claim for LowerBound {
     fn repair(&self) -> Option<Repair<LowerVariant>> {
         Some(Repair {
             fault: Fault::False,
-            statement: "From these initial conditions (n a multiple of 4, n^c > 6) the network changes once, at t = ceil(n^c/3), and then never \
+            statement: "From these initial conditions (n a multiple of 4, n^c >= 8) the network changes once, at t = ceil(n^c/3), and then never \
                         again, with or without hysteresis: flocks of four birds at equal velocities."
                 .to_string(),
             variant: LowerVariant { patterns: [PRINTED; 2], steady: Steady::AtContact { shift: 0 } },
@@ -166,7 +166,7 @@ impl Claim for LowerBound {
         Ok(Outcome::Holds(vec![
             Evidence::new(
                 Grade::Exact,
-                "every switch and the end, for all n and c with n^c > 6",
+                "every switch and the end, for all n and c with n^c >= 8",
                 "closed form in notes/settling.md; settled exactly for n = 4, 8, 12, 16, 20, 32, 64 and several c, with and without hysteresis",
             )
             .cases(2 * all.len()),
@@ -198,8 +198,8 @@ impl Claim for SinglePaths {
     }
 
     fn derivation(&self) -> &str {
-        "Pairs until ceil(n^c/3), then paths of four: the birds of a group stay more than 5/3 - 4/n^c > 1 from the next but one, and groups \
-         stay at least 4/3 apart (closed form in notes/settling.md, n^c > 6: \"n is assumed to be large enough\"). For n = 4, c = 1 the group \
+        "Pairs until ceil(n^c/3), then paths of four: the birds of a group stay more than 5/3 - 4.12/n^c > 1 from the next but one, and groups \
+         stay at least 4/3 apart (closed form in notes/settling.md, n^c >= 8: \"n is assumed to be large enough\"). For n = 4, c = 1 the group \
          contracts so much that two more birds join at t = 5: not a path."
     }
 
@@ -243,7 +243,7 @@ impl Claim for SinglePaths {
         Ok(Outcome::Holds(vec![
             Evidence::new(
                 Grade::Exact,
-                "all flocks at all times, n^c > 6",
+                "all flocks at all times, n^c >= 8",
                 "closed form in notes/settling.md; settled exactly for n = 4, 8, 12, 16, 20, 32, 64 and several c",
             )
             .cases(all.len()),
