@@ -7,6 +7,7 @@ mod flock;
 mod hysteresis;
 mod modes;
 mod motion;
+mod observe;
 pub mod read;
 pub mod settle;
 mod stationary;
@@ -17,6 +18,7 @@ pub use flock::{Flock, Start, Switch};
 pub use hysteresis::Hysteresis;
 pub use modes::{Mode, rational_modes};
 pub use motion::{State, motion};
+pub use observe::{Decay, Observer};
 pub use stationary::{deviation_matrix, equal_rows, stationary_distribution};
 
 use crate::arithmetic::{Rational, Ring, Signed, rational};
