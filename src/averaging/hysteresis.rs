@@ -1,9 +1,9 @@
 //! The hysteresis rule: whether an edge stays although its ends are more than distance 1 apart.
 
 use super::FlockError;
-use crate::arithmetic::{Rational, Ring, Sign, sign_of_square_root_difference};
+use crate::arithmetic::{Interval, Rational, Ring, Sign, sign_of_square_root_difference};
 use num_bigint::BigInt;
-use num_traits::{Pow, Signed};
+use num_traits::{Pow, Signed, Zero};
 use std::sync::OnceLock;
 
 /// Below which change of distance an existing edge stays.
@@ -52,7 +52,7 @@ impl Threshold {
     /// An integer that is at most the binary logarithm of the threshold; `None` where that is zero or there is none.
     pub fn log2_below(&self) -> Option<i64> {
         match &self.kind {
-            Hysteresis::Constant(threshold) if num_traits::Zero::is_zero(threshold) => None,
+            Hysteresis::Constant(threshold) if threshold.is_zero() => None,
             _ => self.log2.is_finite().then(|| (self.log2 * (1.0 + 1e-12)) as i64 - 3),
         }
     }
@@ -70,6 +70,19 @@ impl Threshold {
                 Rational::new(BigInt::from(1), BigInt::from(self.birds).pow(exponent))
             }
         }))
+    }
+
+    /// Encloses the threshold; zero where there is no hysteresis.
+    pub fn enclosure(&self, precision: u32) -> Interval {
+        let constant = |c: &Rational| Interval::from_rational(c, precision);
+        match &self.kind {
+            Hysteresis::None => constant(&Rational::from_integer(BigInt::ZERO)),
+            Hysteresis::Constant(threshold) => constant(threshold),
+            Hysteresis::Paper => {
+                let share = Rational::new(BigInt::from(1), BigInt::from(self.birds));
+                constant(&share).power((self.birds as u64).pow(4))
+            }
+        }
     }
 
     /// Whether `| |now| - |before| | < threshold * unit` for two difference vectors over the same unit, where

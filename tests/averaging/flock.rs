@@ -232,7 +232,7 @@ fn files_of_flocks() {
     let good = r#"{"model": "D", "dimension": 2, "weights": {"c": ["1/4", 0.25]}, "positions": [[0, "1/3"], ["-1e-2", 2]],
                    "velocities": [["0", "0"], ["1", "-1"]], "hysteresis": "1/1024", "ids": ["a", "b"]}"#;
     let file = read_flock(good).unwrap();
-    let Model::D(start) = &file.model;
+    let Model::D { start, control: None } = &file.model else { panic!("{file:?}") };
     assert_eq!(start.positions[1], [rational(-1, 100), rational(2, 1)]);
     assert_eq!(start.weights, Weights::Given(vec![rational(1, 4); 2]));
     assert_eq!(start.hysteresis, Hysteresis::Constant(rational(1, 1024)));
@@ -242,6 +242,7 @@ fn files_of_flocks() {
         assert!(error.contains(named), "{error} does not name {named}");
     };
     bad("\"D\"", "\"E\"", "model");
+    bad("\"D\"", "\"K\"", "weights");
     bad("\"dimension\": 2", "\"dimension\": 3", "dimension");
     bad("{\"c\": [\"1/4\", 0.25]}", "\"heavy\"", "weights");
     bad("\"1/4\"", "\"4\"", "c = 4");
