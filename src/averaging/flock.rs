@@ -8,6 +8,7 @@ use crate::graph::Graph;
 use crate::matrix::{IntegerRows, RationalMatrix};
 use num_bigint::BigInt;
 use num_integer::Integer;
+use num_traits::Signed;
 use std::cmp::Ordering;
 
 /// A flock at a time `t`: positions `x(t)`, velocities `v(t+1)` and the network `G_t`.
@@ -149,6 +150,13 @@ impl Flock {
             velocities: numerators(&start.velocities),
             unit: unit.clone(),
         };
+        if let Weights::Given(c) = &start.weights
+            && birds > 1
+            && let Some((bird, c)) = c.iter().enumerate().find(|(_, c)| !c.is_positive() || **c >= c.one())
+        {
+            let (c, time) = (c.to_string(), time.to_string());
+            return Err(FlockError::Inadmissible { bird: bird + 1, degree: 1, c, time });
+        }
         let threshold = Threshold::new(start.hysteresis.clone(), birds)?;
         Flock::assemble(&state, start.weights.clone(), threshold, network, time)
     }

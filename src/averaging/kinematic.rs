@@ -190,68 +190,74 @@ impl KinematicFlock {
         let mut joined = Vec::with_capacity(self.pairs.len());
         for j in 0..self.birds() {
             for i in 0..j {
-                let parallel = self.headings.are_equal(i, j);
-                if !parallel {
+                if !self.headings.are_equal(i, j) {
                     self.pairs[index(i, j)].turned_start = None;
                 }
-                let near = self.compare_with_one(i, j)? != Ordering::Greater;
-                joined.push(near || (self.network().has_edge(i, j) && self.is_held(i, j, parallel)?));
+                joined.push(self.are_joined(i, j)?);
             }
         }
         Ok(Graph::from_fn(self.birds(), |i, j| joined[index(i, j)]))
+    }
+
+    /// An edge that hysteresis holds needs no decision about its length, which can be hard when changes are small.
+    fn are_joined(&mut self, i: usize, j: usize) -> Result<bool, FlockError> {
+        let edge = self.network().has_edge(i, j);
+        loop {
+            let near = self.are_near(i, j);
+            let held = if edge && near != Some(true) { self.is_held(i, j) } else { Some(false) };
+            match (near, held) {
+                (Some(true), _) | (_, Some(true)) => return Ok(true),
+                (Some(false), Some(false)) => return Ok(false),
+                (Some(false), None) => self.refine(i, j, "the hysteresis threshold")?,
+                (None, _) if self.is_tie(i, j)? => return Ok(true),
+                (None, _) => self.refine(i, j, "distance 1")?,
+            }
+        }
     }
 
     fn difference(&self, i: usize, j: usize) -> Complex<Interval> {
         self.positions[i].clone() - &self.positions[j]
     }
 
-    /// `|x_i - x_j|` against 1.
-    fn compare_with_one(&mut self, i: usize, j: usize) -> Result<Ordering, FlockError> {
-        let at_start = self.pairs[index(i, j)].at_start;
-        if self.pairs[index(i, j)].turned_start == Some(true) {
-            return Ok(at_start);
+    /// Whether `|x_i - x_j| <= 1`.
+    fn are_near(&self, i: usize, j: usize) -> Option<bool> {
+        let pair = &self.pairs[index(i, j)];
+        if pair.turned_start == Some(true) {
+            return Some(pair.at_start != Ordering::Greater);
         }
-        loop {
-            let squared = self.difference(i, j).norm_squared();
-            match (squared.clone() - squared.one()).sign() {
-                Some(Sign::Positive) => return Ok(Ordering::Greater),
-                Some(Sign::Zero) => return Ok(Ordering::Equal),
-                Some(Sign::Negative) => return Ok(Ordering::Less),
-                None => {}
-            }
-            if at_start == Ordering::Equal && self.pairs[index(i, j)].turned_start.is_none() {
-                let turned = self.course.is_turned_start(i, j, self.time)?;
-                self.pairs[index(i, j)].turned_start = Some(turned);
-                if turned {
-                    return Ok(Ordering::Equal);
-                }
-            }
-            self.refine(i, j, "distance 1")?;
-        }
+        let squared = self.difference(i, j).norm_squared();
+        let beyond = (squared.clone() - squared.one()).sign()?;
+        Some(beyond != Sign::Positive)
     }
 
-    /// Whether an edge stays although the distance exceeds 1; `parallel` where the headings of the last move were equal.
-    fn is_held(&mut self, i: usize, j: usize, parallel: bool) -> Result<bool, FlockError> {
+    /// Whether the distance is exactly 1, for a pair of which [`KinematicFlock::are_near`] is not decided.
+    fn is_tie(&mut self, i: usize, j: usize) -> Result<bool, FlockError> {
+        let pair = &self.pairs[index(i, j)];
+        if pair.at_start != Ordering::Equal {
+            return Ok(false);
+        }
+        let turned = match pair.turned_start {
+            Some(turned) => turned,
+            None => self.course.is_turned_start(i, j, self.time)?,
+        };
+        self.pairs[index(i, j)].turned_start = Some(turned);
+        Ok(turned)
+    }
+
+    /// Whether the change of distance is below the threshold.
+    fn is_held(&self, i: usize, j: usize) -> Option<bool> {
         match self.threshold.kind() {
-            Hysteresis::None => return Ok(false),
-            Hysteresis::Constant(threshold) if threshold.is_zero() => return Ok(false),
-            _ if parallel => return Ok(true),
+            Hysteresis::None => return Some(false),
+            Hysteresis::Constant(threshold) if threshold.is_zero() => return Some(false),
+            _ if self.headings.are_equal(i, j) => return Some(true),
             _ => {}
         }
-        loop {
-            let threshold = self.threshold.enclosure(self.precision);
-            if let Some(change) = self.change_of_distance(i, j) {
-                let below = (change.clone() - &threshold).sign();
-                let above = (change + &threshold).sign();
-                match (above, below) {
-                    (Some(Sign::Positive), Some(Sign::Negative)) => return Ok(true),
-                    (_, Some(Sign::Positive | Sign::Zero)) | (Some(Sign::Negative | Sign::Zero), _) => {
-                        return Ok(false);
-                    }
-                    _ => {}
-                }
-            }
-            self.refine(i, j, "the hysteresis threshold")?;
+        let threshold = self.threshold.enclosure(self.precision);
+        let change = self.change_of_distance(i, j)?;
+        match ((change.clone() - &threshold).sign(), (change + &threshold).sign()) {
+            (Some(Sign::Negative), Some(Sign::Positive)) => Some(true),
+            (Some(Sign::Positive | Sign::Zero), _) | (_, Some(Sign::Negative | Sign::Zero)) => Some(false),
+            _ => None,
         }
     }
 

@@ -9,7 +9,6 @@ mod flock;
 mod headings;
 mod hysteresis;
 mod kinematic;
-mod line;
 mod modes;
 mod motion;
 pub mod read;
@@ -23,7 +22,6 @@ pub use declaration::{declaration, kinematic_declaration};
 pub use flock::{Flock, Start, Switch, check_control};
 pub use hysteresis::Hysteresis;
 pub use kinematic::{KinematicFlock, KinematicStart, MOST_BITS, check_kappa};
-pub use line::{LineFlock, distance_network};
 pub use modes::{Mode, rational_modes};
 pub use motion::{State, motion};
 pub use stationary::{deviation_matrix, equal_rows, stationary_distribution};
@@ -138,7 +136,7 @@ pub enum FlockError {
         bird: usize,
     },
     /// `0 < c_i d_i < 1` fails.
-    #[error("bird {bird} has {degree} neighbours and c = {c} at t = {time}, but model D needs 0 < c d < 1")]
+    #[error("bird {bird} with {degree} neighbours has c = {c} (at t = {time}), but model D needs 0 < c d < 1")]
     Inadmissible {
         /// The bird.
         bird: usize,

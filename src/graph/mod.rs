@@ -78,6 +78,11 @@ impl Graph {
         self.adjacency.get(i, j)
     }
 
+    /// The adjacency with ones on the diagonal: the footprint of every matrix `I - CL` with `0 < c_i d_i < 1`.
+    pub fn closed_adjacency(&self) -> Footprint {
+        Footprint::from_fn(self.order(), self.order(), |i, j| i == j || self.has_edge(i, j))
+    }
+
     /// Number of neighbours of `i`.
     pub fn degree(&self, i: usize) -> usize {
         (0..self.order()).filter(|&j| self.has_edge(i, j)).count()

@@ -3,6 +3,8 @@
 use super::{Evidence, Run};
 use crate::arithmetic::ArithmeticError;
 use crate::arithmetic::identity::IdentityError;
+use crate::averaging::FlockError;
+use crate::averaging::settle::SettleError;
 use crate::matrix::MatrixError;
 use crate::platoon::ResonanceError;
 
@@ -111,7 +113,7 @@ impl<V> Control<V> {
 }
 
 /// Why a check could not be carried out.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CheckError {
     /// The time limit was reached.
     #[error("the time limit was reached")]
@@ -122,6 +124,12 @@ pub enum CheckError {
     /// A matrix that is refused.
     #[error(transparent)]
     Matrix(#[from] MatrixError),
+    /// A flock that is refused.
+    #[error(transparent)]
+    Flock(#[from] FlockError),
+    /// A flock that could not be followed.
+    #[error(transparent)]
+    Settle(#[from] SettleError),
     /// An identity that could not be tested.
     #[error(transparent)]
     Identity(#[from] IdentityError),

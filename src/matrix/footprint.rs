@@ -71,6 +71,11 @@ impl Footprint {
         (0..self.rows.min(self.cols)).all(|i| self.get(i, i))
     }
 
+    /// The square submatrix with these rows and columns, counted from 0.
+    pub fn restricted(&self, to: &[usize]) -> Self {
+        Footprint::from_fn(to.len(), to.len(), |i, j| self.get(to[i], to[j]))
+    }
+
     /// The rows with a one in column `j`, counted from 0, in order.
     pub fn column(&self, j: usize) -> Vec<usize> {
         (0..self.rows).filter(|&i| self.get(i, j)).collect()

@@ -20,7 +20,7 @@ pub use footprint::Footprint;
 pub use integer_rows::{AverageRow, IntegerRows};
 pub use product::{prefix_products, product_sequential, product_tree};
 pub use rational_matrix::RationalMatrix;
-pub use stabiliser::{Stabiliser, stabilisers};
+pub use stabiliser::{Stabiliser, StabiliserStream, stabilisers};
 pub use stochastic::StochasticMatrix;
 
 /// Why a matrix or a product of matrices is refused. Rows and columns are counted from 1.

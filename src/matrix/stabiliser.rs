@@ -1,8 +1,8 @@
-//! The stabilisers of a finite sequence of matrices (Chazelle, proof of Lemma 3.1).
+//! The stabilisers of a sequence of matrices (Chazelle, proof of Lemma 3.1), found while the sequence runs.
 
 use super::Footprint;
 
-/// One stabiliser of a finite sequence.
+/// One stabiliser of a sequence, as far as it has been seen.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Stabiliser {
     /// `T_k`: the number of factors after which the footprint, restricted to the previous stabiliser and started after
@@ -12,30 +12,92 @@ pub struct Stabiliser {
     pub members: Vec<usize>,
 }
 
-/// The sequence `V_1 ⊇ V_2 ⊇ ...` with its times, for square footprints of the same order.
+/// The stabilisers `V_1 ⊇ V_2 ⊇ ...` of a sequence whose factors arrive one at a time.
 ///
-/// In the paper `T_k` is the last change over all future time; for a finite sequence it is the last change that the
-/// sequence shows, so `V_k` is what the sequence supports and a longer one may move it. The sequence of stabilisers
-/// ends when the factors are used up.
-pub fn stabilisers(factors: &[Footprint]) -> Vec<Stabiliser> {
-    let mut found = Vec::new();
-    let mut members: Vec<usize> = (0..factors.first().map_or(0, Footprint::rows)).collect();
-    let mut start = 0;
-    while start < factors.len() && !members.is_empty() {
-        let restrict =
-            |f: &Footprint| Footprint::from_fn(members.len(), members.len(), |i, j| f.get(members[i], members[j]));
-        let mut product = restrict(&factors[start]);
-        let mut last_change = start + 1;
-        for (t, factor) in factors.iter().enumerate().skip(start + 1) {
-            let next = restrict(factor).times(&product);
-            if next != product {
-                last_change = t + 1;
-                product = next;
+/// In the paper `T_k` is the last change over all future time; after finitely many factors it is the last change so far,
+/// and a later factor may move it. Memory: one footprint for each level, whatever the length of the sequence. A factor
+/// costs at most one product of footprints for each level.
+#[derive(Debug, Clone)]
+pub struct StabiliserStream {
+    order: usize,
+    most_levels: usize,
+    factors: usize,
+    levels: Vec<Level>,
+}
+
+/// The product since `T_{k-1}` on `V_{k-1}`, and the stabiliser that it shows.
+#[derive(Debug, Clone)]
+struct Level {
+    domain: Vec<usize>,
+    product: Footprint,
+    found: Stabiliser,
+}
+
+impl Level {
+    fn started(domain: Vec<usize>, factor: &Footprint, time: usize) -> Self {
+        let product = factor.restricted(&domain);
+        let members = first_column(&domain, &product);
+        Level { domain, product, found: Stabiliser { time, members } }
+    }
+
+    /// Multiplies by a factor; whether the footprint changed.
+    fn push(&mut self, factor: &Footprint, time: usize) -> bool {
+        let next = factor.restricted(&self.domain).times(&self.product);
+        if next == self.product {
+            return false;
+        }
+        self.found = Stabiliser { time, members: first_column(&self.domain, &next) };
+        self.product = next;
+        true
+    }
+}
+
+fn first_column(domain: &[usize], product: &Footprint) -> Vec<usize> {
+    product.column(0).into_iter().map(|i| domain[i]).collect()
+}
+
+impl StabiliserStream {
+    /// An empty sequence of square footprints of this order, of which the first `most_levels` stabilisers are kept.
+    pub fn new(order: usize, most_levels: usize) -> Self {
+        StabiliserStream { order, most_levels, factors: 0, levels: Vec::new() }
+    }
+
+    /// The next factor of the sequence, a square footprint of the order of the stream.
+    pub fn push(&mut self, factor: &Footprint) {
+        debug_assert_eq!((factor.rows(), factor.cols()), (self.order, self.order));
+        self.factors += 1;
+        for k in 0..self.levels.len() {
+            if self.levels[k].push(factor, self.factors) {
+                // What follows T_k starts again, with the next factor.
+                self.levels.truncate(k + 1);
+                return;
             }
         }
-        members = product.column(0).into_iter().map(|i| members[i]).collect();
-        start = last_change;
-        found.push(Stabiliser { time: last_change, members: members.clone() });
+        if self.levels.len() == self.most_levels {
+            return;
+        }
+        let domain = self.levels.last().map_or_else(|| (0..self.order).collect(), |last| last.found.members.clone());
+        if !domain.is_empty() {
+            self.levels.push(Level::started(domain, factor, self.factors));
+        }
     }
-    found
+
+    /// The number of factors so far.
+    pub fn factors(&self) -> usize {
+        self.factors
+    }
+
+    /// The stabilisers that the factors so far support, in order.
+    pub fn stabilisers(&self) -> impl Iterator<Item = &Stabiliser> {
+        self.levels.iter().map(|level| &level.found)
+    }
+}
+
+/// All stabilisers that a finite sequence of square footprints of the same order supports; they end when the factors are
+/// used up.
+pub fn stabilisers(factors: &[Footprint]) -> Vec<Stabiliser> {
+    let order = factors.first().map_or(0, Footprint::rows);
+    let mut stream = StabiliserStream::new(order, usize::MAX);
+    factors.iter().for_each(|factor| stream.push(factor));
+    stream.stabilisers().cloned().collect()
 }

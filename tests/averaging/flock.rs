@@ -208,23 +208,27 @@ fn flocks_that_are_refused() {
     assert_eq!(line(&[0], &[], Weights::Lazy, none()), Err(FlockError::Velocities { birds: 1, found: 0 }));
     let thirds = || Weights::Given(vec![rational(1, 3)]);
     assert_eq!(line(&[0, 1], &[0, 0], thirds(), none()), Err(FlockError::Weights { birds: 2, bird: 2 }));
-    let ones = Weights::Given(vec![rational(1, 1); 2]);
-    assert!(matches!(
-        line(&[0, 1], &[0, 0], ones.clone(), none()),
-        Err(FlockError::Inadmissible { bird: 1, degree: 1, .. })
-    ));
+    // Too heavy for one neighbour, or for the two that are there.
+    let given = |c| Weights::Given(vec![c; 3]);
+    for (c, degree) in [(rational(1, 1), 1), (rational(0, 1), 1), (rational(1, 2), 2)] {
+        let refused = line(&[0, 1, 2], &[0, 0, 0], given(c), none());
+        assert!(
+            matches!(refused, Err(FlockError::Inadmissible { bird: 1, degree: d, .. }) if d == degree),
+            "{refused:?}"
+        );
+    }
     let negative = Hysteresis::Constant(rational(-1, 2));
     assert_eq!(line(&[0], &[0], Weights::Lazy, negative), Err(FlockError::NegativeHysteresis("-1/2".to_string())));
     // Far apart at first: refused when they meet.
     let start = Start::on_the_line(
-        vec![rational(0, 1), rational(3, 1)],
-        vec![rational(1, 1), rational(0, 1)],
-        ones,
+        vec![rational(0, 1), rational(1, 2), rational(3, 1)],
+        vec![rational(1, 1), rational(1, 1), rational(0, 1)],
+        given(rational(1, 2)),
         Hysteresis::None,
     );
     let mut flock = Flock::new(&start).unwrap();
     flock.step().unwrap();
-    assert!(matches!(flock.step(), Err(FlockError::Inadmissible { degree: 1, .. })));
+    assert!(matches!(flock.step(), Err(FlockError::Inadmissible { bird: 1, degree: 2, .. })));
 }
 
 #[test]

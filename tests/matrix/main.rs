@@ -1,5 +1,7 @@
 //! Mirrors `src/matrix`: fast kernels against naive twins, the definitions, the reader.
 
+mod stabiliser;
+
 use flockproof::arithmetic::{Rational, Ring, rational};
 use flockproof::matrix::floating::{eigenvalues, row_diameter, to_floats};
 use flockproof::matrix::read::{ReadError, read_sequence};

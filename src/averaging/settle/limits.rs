@@ -164,7 +164,7 @@ impl Motion {
             velocities: vec![Vec::new(); birds],
             unit: BigInt::from(1),
         };
-        let power_unit = powers.iter().fold(BigInt::from(1), |d, p| d.lcm(&BigInt::from(p.denominator().clone())));
+        let power_unit = powers.iter().fold(BigInt::from(1), |d, p| common_multiple(d, p.denominator().clone().into()));
         for (members, power) in fixed.flocks.iter().zip(&powers) {
             let numerators: Vec<BigInt> = power.numerators().map(BigInt::from).collect();
             let scale = &power_unit / BigInt::from(power.denominator().clone());
@@ -183,6 +183,13 @@ impl Motion {
         state.unit = &self.unit * power_unit;
         Ok(state)
     }
+}
+
+/// A common multiple: the larger where it is one (powers of the same number), otherwise the product. Greatest common
+/// divisors of long numbers take too long.
+fn common_multiple(a: BigInt, b: BigInt) -> BigInt {
+    let (small, large) = if a <= b { (a, b) } else { (b, a) };
+    if large.is_multiple_of(&small) { large } else { small * large }
 }
 
 /// `matrix rows`, without the denominator of the matrix.

@@ -1,10 +1,16 @@
 //! Results beyond the papers: corrected theorems and sharper statements, checked like any claim.
 
+mod fewer_switches;
 mod one_sided_peak;
+mod smallest_entries;
 
 use crate::ledger::AnyClaim;
 
 /// All that are built.
 pub fn claims() -> Vec<Box<dyn AnyClaim>> {
-    vec![Box::new(one_sided_peak::OneSidedPeak)]
+    vec![
+        Box::new(one_sided_peak::OneSidedPeak),
+        Box::new(smallest_entries::SmallestEntries),
+        Box::new(fewer_switches::FewerSwitches),
+    ]
 }

@@ -1,7 +1,7 @@
 //! chazelle.foot.mono: footprints of products never lose a one.
 
-use crate::arithmetic::rational;
-use crate::averaging::{Weights, transition_matrix};
+use super::sequences::{seen_from_one_side, share_weights, show};
+use crate::averaging::transition_matrix;
 use crate::graph::Graph;
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
 use crate::matrix::{Footprint, StochasticMatrix};
@@ -25,26 +25,10 @@ pub struct MonotoneVariant {
 impl MonotoneVariant {
     /// The matrix of a graph: `c_i = share/d_i`.
     fn matrix(&self, graph: &Graph) -> Result<StochasticMatrix, CheckError> {
-        let (p, q) = self.share;
-        let degrees = (0..graph.order()).map(|i| rational(p, q * (graph.degree(i) as i64).max(1)));
-        let matrix = transition_matrix(graph, &Weights::Given(degrees.collect()))?;
-        if !self.one_sided {
-            return Ok(StochasticMatrix::try_from(&matrix)?);
-        }
-        let mut rows = matrix.to_rows();
-        for (i, row) in rows.iter_mut().enumerate() {
-            for j in i + 1..row.len() {
-                let moved = std::mem::replace(&mut row[j], rational(0, 1));
-                row[i] += moved;
-            }
-        }
-        Ok(StochasticMatrix::from_rows(&rows)?)
+        let matrix = transition_matrix(graph, &share_weights(graph, self.share))?;
+        let matrix = if self.one_sided { seen_from_one_side(&matrix)? } else { matrix };
+        Ok(StochasticMatrix::try_from(&matrix)?)
     }
-}
-
-fn show(graph: &Graph) -> String {
-    let edges: Vec<String> = graph.edges().iter().map(|(i, j)| format!("{}-{}", i + 1, j + 1)).collect();
-    if edges.is_empty() { "no edges".to_string() } else { edges.join(" ") }
 }
 
 impl Claim for Monotone {

@@ -6,7 +6,7 @@
 //! into the other.
 
 use crate::arithmetic::{Rational, Ring, rational};
-use crate::averaging::{Affine, HalfOpenRange, LineFlock, Weights, transition_matrix};
+use crate::averaging::{Affine, Flock, HalfOpenRange, Hysteresis, Start, Weights, transition_matrix};
 use crate::graph::Graph;
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
 use crate::matrix::RationalMatrix;
@@ -60,9 +60,9 @@ impl FourBirds {
         rational(self.eigenvalue.0, self.eigenvalue.1)
     }
 
-    fn flock(&self) -> Result<LineFlock, CheckError> {
-        let threshold = self.hysteresis.map(|(p, q)| rational(p, q));
-        Ok(LineFlock::new(self.start(), self.velocity(), Weights::Lazy, threshold)?)
+    fn flock(&self) -> Result<Flock, CheckError> {
+        let hysteresis = self.hysteresis.map_or(Hysteresis::None, |(p, q)| Hysteresis::Constant(rational(p, q)));
+        Ok(Flock::new(&Start::on_the_line(self.start(), self.velocity(), Weights::Lazy, hysteresis))?)
     }
 
     /// `x(t)` as affine functions of `r = ratio^t`.
@@ -182,7 +182,7 @@ fn examine_closed_form(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
     let mut flock = birds.flock()?;
     let mut r = rational(1, 1);
     for t in 0..=64 {
-        for (i, (x, form)) in flock.positions().iter().zip(&positions).enumerate() {
+        for (i, (x, form)) in flock.positions().concat().iter().zip(&positions).enumerate() {
             if *x != form.at(&r) {
                 return fails(format!("x_{}({t}) = {x}, the closed form gives {}", i + 1, form.at(&r)));
             }

@@ -1,9 +1,19 @@
 //! Claims of Chazelle, Natural Algorithms.
 
+pub(super) mod entries;
 mod ergodicity;
+mod filling;
 mod fixed_network;
 mod footprints;
 mod four_birds;
+mod kronecker;
+mod lengths;
+mod model_matrices;
+mod sequences;
+mod stabilisation;
+mod switch_counts;
+pub(super) mod switching;
+mod velocity_bounds;
 mod worked_matrices;
 
 use crate::ledger::AnyClaim;
@@ -34,5 +44,23 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(fixed_network::closed_forms::GeometricSums),
         Box::new(fixed_network::closed_forms::WithGamma),
         Box::new(fixed_network::closed_forms::TwoBirdsApart),
+        Box::new(entries::Entries),
+        Box::new(switch_counts::Count),
+        Box::new(switch_counts::UntilStable),
+        Box::new(stabilisation::Nested),
+        Box::new(stabilisation::Blocks),
+        Box::new(stabilisation::Contraction),
+        Box::new(kronecker::Kronecker),
+        Box::new(kronecker::Difference),
+        Box::new(model_matrices::Stochastic),
+        Box::new(model_matrices::Headings),
+        Box::new(velocity_bounds::DistanceChange),
+        Box::new(velocity_bounds::VelocityNorm),
+        Box::new(lengths::ProductLength),
+        Box::new(lengths::StateLength),
+        Box::new(switching::ThresholdInequality),
+        Box::new(switching::FinalCount),
+        Box::new(switching::FlockingSwitches),
+        Box::new(switching::TotalSwitches),
     ]
 }
