@@ -386,7 +386,7 @@ impl Flock {
                     self.scratch.ties.push((i, j));
                 }
                 let mut joined = near != Ordering::Greater;
-                if !joined && before && *self.hysteresis() != Hysteresis::None {
+                if !joined && before && !self.threshold.holds_nothing() {
                     let moved = self.differences(&self.velocities, i, j);
                     joined = self.threshold.holds(&self.position_difference(i, j), &moved, &self.denominator())?;
                 }

@@ -36,6 +36,7 @@ impl Threshold {
             Hysteresis::Constant(threshold) if threshold.is_negative() => {
                 return Err(FlockError::NegativeHysteresis(threshold.to_string()));
             }
+            Hysteresis::Constant(threshold) if threshold.is_zero() => f64::NEG_INFINITY,
             Hysteresis::Constant(threshold) => {
                 let bits = |x: &BigInt| x.bits() as f64;
                 bits(threshold.numer()) - bits(threshold.denom())
@@ -49,12 +50,14 @@ impl Threshold {
         &self.kind
     }
 
+    /// Whether no edge is ever held: without hysteresis, and below the threshold 0.
+    pub fn holds_nothing(&self) -> bool {
+        self.log2 == f64::NEG_INFINITY
+    }
+
     /// An integer that is at most the binary logarithm of the threshold; `None` where that is zero or there is none.
     pub fn log2_below(&self) -> Option<i64> {
-        match &self.kind {
-            Hysteresis::Constant(threshold) if threshold.is_zero() => None,
-            _ => self.log2.is_finite().then(|| (self.log2 * (1.0 + 1e-12)) as i64 - 3),
-        }
+        self.log2.is_finite().then(|| (self.log2 * (1.0 + 1e-12)) as i64 - 3)
     }
 
     /// The threshold itself.
@@ -88,7 +91,7 @@ impl Threshold {
     /// Whether `| |now| - |before| | < threshold * unit` for two difference vectors over the same unit, where
     /// `now = before + moved`.
     pub fn holds(&self, now: &[BigInt], moved: &[BigInt], unit: &BigInt) -> Result<bool, FlockError> {
-        if self.kind == Hysteresis::None {
+        if self.holds_nothing() {
             return Ok(false);
         }
         // Two bits of slack cover the rounding of the logarithms.

@@ -7,7 +7,6 @@ use super::{FlockError, Hysteresis, Switch};
 use crate::arithmetic::{Complex, Field, Interval, Rational, Real, Ring, Sign, Signed};
 use crate::graph::Graph;
 use num_bigint::BigInt;
-use num_traits::Zero;
 use std::cmp::Ordering;
 
 /// What a flock of model K starts from.
@@ -246,11 +245,11 @@ impl KinematicFlock {
 
     /// Whether the change of distance is below the threshold.
     fn is_held(&self, i: usize, j: usize) -> Option<bool> {
-        match self.threshold.kind() {
-            Hysteresis::None => return Some(false),
-            Hysteresis::Constant(threshold) if threshold.is_zero() => return Some(false),
-            _ if self.headings.are_equal(i, j) => return Some(true),
-            _ => {}
+        if self.threshold.holds_nothing() {
+            return Some(false);
+        }
+        if self.headings.are_equal(i, j) {
+            return Some(true);
         }
         let threshold = self.threshold.enclosure(self.precision);
         let change = self.change_of_distance(i, j)?;

@@ -197,6 +197,21 @@ fn ties_are_exact() {
     assert!(at(rational(3, 5) - tiny, rational(4, 5)));
 }
 
+/// No change of distance is below 0: the threshold 0 is no hysteresis.
+#[test]
+fn the_threshold_zero_holds_nothing() {
+    let start = |hysteresis| {
+        let numbers = |list: [(i64, i64); 4]| list.map(|(p, q)| rational(p, q)).to_vec();
+        let (x, v) = ([(0, 1), (0, 1), (23, 16), (1, 16)], [(-5, 24), (0, 1), (-5, 24), (1, 6)]);
+        Start::on_the_line(numbers(x), numbers(v), Weights::Lazy, hysteresis)
+    };
+    let (zero, none) = (start(Hysteresis::Constant(rational(0, 1))), start(Hysteresis::None));
+    let (mut zero, mut none) = (Flock::new(&zero).unwrap(), Flock::new(&none).unwrap());
+    for _ in 0..30 {
+        assert_eq!(zero.step().unwrap(), none.step().unwrap());
+    }
+}
+
 #[test]
 fn flocks_that_are_refused() {
     let line = |x: &[i64], v: &[i64], weights: Weights, hysteresis: Hysteresis| {
