@@ -1,10 +1,11 @@
 //! Model D in any dimension, stepped exactly: integers over one common denominator.
 
 use super::hysteresis::Threshold;
+use super::rule::Rule;
 use super::{FlockError, Hysteresis, Weights};
 use crate::arithmetic::{Rational, Ring};
 use crate::graph::Graph;
-use crate::matrix::{AverageRow, IntegerRows};
+use crate::matrix::{IntegerRows, RationalMatrix};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::Signed;
@@ -39,13 +40,6 @@ struct Scratch {
     /// Pair `i < j` at `j (j - 1)/2 + i`.
     joined: Vec<bool>,
     ties: Vec<(usize, usize)>,
-}
-
-/// `multiplier P(t)` in integers.
-#[derive(Debug, Clone)]
-struct Rule {
-    multiplier: BigInt,
-    rows: Vec<AverageRow>,
 }
 
 /// A change of the network.
@@ -300,6 +294,19 @@ impl Flock {
     /// # Errors
     /// [`FlockError`] where the weights do not suit the new network or the threshold is too long to write out.
     pub fn step(&mut self) -> Result<Option<Switch>, FlockError> {
+        self.step_controlled(|_| None)
+    }
+
+    /// One step with control, `v(t+1) = K (P(t) (x) I_d) v(t)` (Chazelle, equation (1.2)). The control sees the flock when
+    /// `x(t)` and `G_t` are known and [`Flock::velocities`] is still `v(t)`; it gives `K`, of order `n d` with the coordinates
+    /// of a bird next to each other, or `None` for the identity.
+    ///
+    /// # Errors
+    /// As [`Flock::step`], and [`FlockError::Control`] where `K` has another shape. The flock cannot go on then.
+    pub fn step_controlled(
+        &mut self,
+        control: impl FnOnce(&Self) -> Option<RationalMatrix>,
+    ) -> Result<Option<Switch>, FlockError> {
         self.advance();
         let switch = if self.decide_pairs()? {
             let joined = &self.scratch.joined;
@@ -308,8 +315,22 @@ impl Flock {
         } else {
             None
         };
+        let control = control(self);
         self.average();
+        if let Some(matrix) = control {
+            self.apply(&matrix)?;
+        }
         Ok(switch)
+    }
+
+    /// Multiplies the velocities by a matrix of order `n d`.
+    fn apply(&mut self, matrix: &RationalMatrix) -> Result<(), FlockError> {
+        check_control(matrix, self.birds, self.dimension)?;
+        let velocities: Vec<BigInt> = (0..matrix.cols()).map(|k| self.velocities.value(k)).collect();
+        let row = |i: usize| -> BigInt { matrix.row(i).iter().zip(&velocities).map(|(a, v)| a * v).sum() };
+        self.velocities = IntegerRows::new(&(0..matrix.rows()).map(row).collect::<Vec<_>>());
+        self.pending *= matrix.denominator();
+        Ok(())
     }
 
     /// One step with a network that is given instead of being decided: to follow what a network would do.
@@ -365,7 +386,7 @@ impl Flock {
                     self.scratch.ties.push((i, j));
                 }
                 let mut joined = near != Ordering::Greater;
-                if !joined && before && *self.hysteresis() != Hysteresis::None {
+                if !joined && before && !self.threshold.holds_nothing() {
                     let moved = self.differences(&self.velocities, i, j);
                     joined = self.threshold.holds(&self.position_difference(i, j), &moved, &self.denominator())?;
                 }
@@ -432,39 +453,11 @@ impl Flock {
     }
 }
 
-impl Rule {
-    /// `multiplier P` for the network, with the smallest multiplier that makes the entries integers.
-    fn new(network: &Graph, weights: &Weights, dimension: usize, time: &BigInt) -> Result<Self, FlockError> {
-        let birds = network.order();
-        let mut factors = Vec::with_capacity(birds);
-        for i in 0..birds {
-            let degree = network.degree(i);
-            let c = weights.of(degree, i).ok_or(FlockError::Weights { birds, bird: i + 1 })?;
-            let share = &c * BigInt::from(degree);
-            if degree > 0 && (!c.is_positive() || share >= share.one()) {
-                let (c, time) = (c.to_string(), time.to_string());
-                return Err(FlockError::Inadmissible { bird: i + 1, degree, c, time });
-            }
-            factors.push((c, share));
-        }
-        let multiplier = factors
-            .iter()
-            .zip(0..)
-            .fold(BigInt::from(1), |m, ((c, _), i)| if network.degree(i) > 0 { m.lcm(c.denom()) } else { m });
-        let times = |q: &Rational| (q * &multiplier).to_integer();
-        let mut rows = Vec::with_capacity(birds * dimension);
-        for (i, (c, share)) in factors.iter().enumerate() {
-            let near = network.neighbours(i);
-            for k in 0..dimension {
-                let near: Vec<usize> = near.iter().map(|&j| j * dimension + k).collect();
-                let (own, other) = if near.is_empty() {
-                    (multiplier.clone(), BigInt::ZERO)
-                } else {
-                    (times(&(share.one() - share)), times(c))
-                };
-                rows.push(AverageRow::new(own, other, near));
-            }
-        }
-        Ok(Rule { multiplier, rows })
-    }
+/// Whether a matrix can be the control of so many birds in so many dimensions.
+///
+/// # Errors
+/// [`FlockError::Control`] where it is not of order `n d`.
+pub fn check_control(matrix: &RationalMatrix, birds: usize, dimension: usize) -> Result<(), FlockError> {
+    let (expected, rows, cols) = (birds * dimension, matrix.rows(), matrix.cols());
+    if (rows, cols) == (expected, expected) { Ok(()) } else { Err(FlockError::Control { expected, rows, cols }) }
 }

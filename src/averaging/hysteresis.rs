@@ -1,9 +1,9 @@
 //! The hysteresis rule: whether an edge stays although its ends are more than distance 1 apart.
 
 use super::FlockError;
-use crate::arithmetic::{Rational, Ring, Sign, sign_of_square_root_difference};
+use crate::arithmetic::{Interval, Rational, Ring, Sign, sign_of_square_root_difference};
 use num_bigint::BigInt;
-use num_traits::{Pow, Signed};
+use num_traits::{Pow, Signed, Zero};
 use std::sync::OnceLock;
 
 /// Below which change of distance an existing edge stays.
@@ -36,6 +36,7 @@ impl Threshold {
             Hysteresis::Constant(threshold) if threshold.is_negative() => {
                 return Err(FlockError::NegativeHysteresis(threshold.to_string()));
             }
+            Hysteresis::Constant(threshold) if threshold.is_zero() => f64::NEG_INFINITY,
             Hysteresis::Constant(threshold) => {
                 let bits = |x: &BigInt| x.bits() as f64;
                 bits(threshold.numer()) - bits(threshold.denom())
@@ -49,12 +50,14 @@ impl Threshold {
         &self.kind
     }
 
+    /// Whether no edge is ever held: without hysteresis, and below the threshold 0.
+    pub fn holds_nothing(&self) -> bool {
+        self.log2 == f64::NEG_INFINITY
+    }
+
     /// An integer that is at most the binary logarithm of the threshold; `None` where that is zero or there is none.
     pub fn log2_below(&self) -> Option<i64> {
-        match &self.kind {
-            Hysteresis::Constant(threshold) if num_traits::Zero::is_zero(threshold) => None,
-            _ => self.log2.is_finite().then(|| (self.log2 * (1.0 + 1e-12)) as i64 - 3),
-        }
+        self.log2.is_finite().then(|| (self.log2 * (1.0 + 1e-12)) as i64 - 3)
     }
 
     /// The threshold itself.
@@ -72,10 +75,23 @@ impl Threshold {
         }))
     }
 
+    /// Encloses the threshold; zero where there is no hysteresis.
+    pub fn enclosure(&self, precision: u32) -> Interval {
+        let constant = |c: &Rational| Interval::from_rational(c, precision);
+        match &self.kind {
+            Hysteresis::None => constant(&Rational::from_integer(BigInt::ZERO)),
+            Hysteresis::Constant(threshold) => constant(threshold),
+            Hysteresis::Paper => {
+                let share = Rational::new(BigInt::from(1), BigInt::from(self.birds));
+                constant(&share).power((self.birds as u64).pow(4))
+            }
+        }
+    }
+
     /// Whether `| |now| - |before| | < threshold * unit` for two difference vectors over the same unit, where
     /// `now = before + moved`.
     pub fn holds(&self, now: &[BigInt], moved: &[BigInt], unit: &BigInt) -> Result<bool, FlockError> {
-        if self.kind == Hysteresis::None {
+        if self.holds_nothing() {
             return Ok(false);
         }
         // Two bits of slack cover the rounding of the logarithms.

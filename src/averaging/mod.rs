@@ -1,21 +1,28 @@
-//! Averaging on geometric graphs (Chazelle's model D): the transition matrix, its stationary distribution and how fast
-//! its powers converge, the distance rule, the hysteresis rule and flocks stepped exactly.
+//! Averaging on geometric graphs (Chazelle's models D and K): the transition matrix, its stationary distribution and how
+//! fast its powers converge, the distance rule, the hysteresis rule, flocks of model D stepped exactly and of model K with
+//! certified positions.
 
 mod affine;
 mod contraction;
+mod declaration;
 mod flock;
+mod headings;
 mod hysteresis;
+mod kinematic;
 mod modes;
 mod motion;
 mod observe;
 pub mod read;
+mod rule;
 pub mod settle;
 mod stationary;
 
 pub use affine::{Affine, HalfOpenRange};
 pub use contraction::{Contraction, contraction};
-pub use flock::{Flock, Start, Switch};
+pub use declaration::{declaration, kinematic_declaration};
+pub use flock::{Flock, Start, Switch, check_control};
 pub use hysteresis::Hysteresis;
+pub use kinematic::{KinematicFlock, KinematicStart, MOST_BITS, check_kappa};
 pub use modes::{Mode, rational_modes};
 pub use motion::{State, motion};
 pub use observe::{Decay, Observer};
@@ -96,36 +103,6 @@ pub fn transition_matrix(graph: &Graph, weights: &Weights) -> Result<RationalMat
     RationalMatrix::from_rows(&rows)
 }
 
-/// What is run: equations, order of updates, and how each ambiguous word of the rule is read.
-pub fn declaration(flock: &Flock) -> String {
-    let weights = match flock.weights() {
-        Weights::Lazy => "c_i = 2/(3 d_i)".to_string(),
-        Weights::Vicsek => "c_i = 1/(d_i + 1)".to_string(),
-        Weights::Given(c) => format!("c = ({})", c.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
-    };
-    let hysteresis = match flock.hysteresis() {
-        Hysteresis::None => "no hysteresis".to_string(),
-        Hysteresis::Constant(threshold) => held(&threshold.to_string()),
-        Hysteresis::Paper => held(&format!("{0}^(-{0}^4)", flock.birds())),
-    };
-    format!(
-        "model D, {} birds in dimension {}: for t = 1, 2, ..\n\
-         x(t) = x(t-1) + v(t); then G_t: edge i-j if |x_i(t) - x_j(t)| <= 1;\n\
-         then v_i(t+1) = v_i(t) + c_i sum over neighbours in G_t of (v_j(t) - v_i(t)), {weights};\n\
-         {hysteresis};\n\
-         G_0 by distance alone; a bird without neighbours keeps its velocity.",
-        flock.birds(),
-        flock.dimension()
-    )
-}
-
-fn held(threshold: &str) -> String {
-    format!(
-        "hysteresis: an edge of G_(t-1), however it came about, stays in G_t where\n\
-         | |x_i(t) - x_j(t)| - |x_i(t-1) - x_j(t-1)| | < {threshold}, strictly"
-    )
-}
-
 /// Why a flock is refused or cannot go on. Birds are counted from 1.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FlockError {
@@ -180,5 +157,54 @@ pub enum FlockError {
     ThresholdTooLong {
         /// Its length.
         bits: f64,
+    },
+    /// A control matrix of another shape.
+    #[error("the control of model D is a matrix of {expected} x {expected}, not {rows} x {cols}")]
+    Control {
+        /// Birds times dimensions.
+        expected: usize,
+        /// Rows found.
+        rows: usize,
+        /// Columns found.
+        cols: usize,
+    },
+    /// A speed that is not positive.
+    #[error("the speed must be positive, but it is {0}")]
+    Speed(String),
+    /// Not as many headings as positions.
+    #[error("there are {birds} positions but {found} headings")]
+    Headings {
+        /// Number of positions.
+        birds: usize,
+        /// Number of headings.
+        found: usize,
+    },
+    /// A heading out of range.
+    #[error("the heading {heading} of bird {bird} is not in [0, 2 pi)")]
+    Heading {
+        /// The bird.
+        bird: usize,
+        /// The heading.
+        heading: String,
+    },
+    /// Not as many controls as birds.
+    #[error("there are {birds} birds but {found} numbers in kappa")]
+    Kappa {
+        /// Number of birds.
+        birds: usize,
+        /// Number of controls.
+        found: usize,
+    },
+    /// Too near to call.
+    #[error("birds {} and {} at t = {time} are too near {against} to be decided with {bits} bits", pair.0, pair.1)]
+    Undecided {
+        /// The birds.
+        pair: (usize, usize),
+        /// The time.
+        time: u64,
+        /// What the distance, or its change, is compared with.
+        against: &'static str,
+        /// Precision reached.
+        bits: u32,
     },
 }

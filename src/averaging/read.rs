@@ -2,10 +2,16 @@
 //!
 //! `{"model": "D", "dimension": 1, "weights": "lazy" | "vicsek" | {"c": ["1/3", ..]}, "positions": [["0"], ..],
 //! "velocities": [["1/8"], ..], "hysteresis": "none" | "paper" | "1/1024"}`; numbers are texts or JSON numbers, read exactly. `ids`
-//! may name the birds.
+//! may name the birds and `control` give the matrix of equation (1.2), as many rows as birds times dimensions.
+//!
+//! `{"model": "K", "speed": "1/10", "headings": ["0", "1/2", ..], "positions": [["0", "0"], ..], "hysteresis": ..}`, headings in
+//! radians; `kappa` may give one number for each bird, as in equation (1.1).
 
-use super::{FlockError, Hysteresis, Start, Weights};
-use crate::arithmetic::{NumberError, Rational, parse_rational};
+use super::{
+    Flock, FlockError, Hysteresis, KinematicFlock, KinematicStart, Start, Weights, check_control, check_kappa,
+};
+use crate::arithmetic::{Complex, NumberError, Rational, parse_rational};
+use crate::matrix::{MatrixError, RationalMatrix};
 use num_traits::Signed;
 use serde_json::{Map, Value};
 
@@ -22,7 +28,19 @@ pub struct FlockFile {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Model {
     /// Velocities are averaged.
-    D(Start),
+    D {
+        /// Initial conditions.
+        start: Start,
+        /// A matrix that multiplies the velocities in every step.
+        control: Option<RationalMatrix>,
+    },
+    /// Headings are averaged.
+    K {
+        /// Initial conditions.
+        start: KinematicStart,
+        /// Numbers that are added to the headings in every step.
+        control: Option<Vec<Rational>>,
+    },
 }
 
 /// Why a file does not describe a flock.
@@ -40,6 +58,16 @@ pub enum ReadFlockError {
     /// A field that is not known.
     #[error("there is no field `{0}`")]
     Unknown(String),
+    /// A field of the other model.
+    #[error("model {model} has no field `{field}`: {why}")]
+    OtherModel {
+        /// The model of the file.
+        model: &'static str,
+        /// The field.
+        field: &'static str,
+        /// What the model has instead.
+        why: &'static str,
+    },
     /// A field of another shape.
     #[error("`{field}` should be {expected}")]
     Shape {
@@ -75,12 +103,39 @@ pub enum ReadFlockError {
         /// As found.
         found: usize,
     },
+    /// A control that is no matrix.
+    #[error("`control`: {0}")]
+    Control(MatrixError),
     /// Not a flock.
     #[error(transparent)]
     Flock(#[from] FlockError),
 }
 
-const FIELDS: [&str; 7] = ["model", "dimension", "weights", "positions", "velocities", "hysteresis", "ids"];
+const FIELDS: [&str; 11] = [
+    "model",
+    "dimension",
+    "weights",
+    "positions",
+    "velocities",
+    "hysteresis",
+    "ids",
+    "control",
+    "speed",
+    "headings",
+    "kappa",
+];
+
+/// Fields that one model does not have, and why.
+const NOT_IN_D: [(&str, &str); 3] = [
+    ("speed", "the velocities say how fast the birds are"),
+    ("headings", "it averages `velocities`"),
+    ("kappa", "its control is the matrix `control`"),
+];
+const NOT_IN_K: [(&str, &str); 3] = [
+    ("weights", "its weights are always 1/(d_i + 1)"),
+    ("velocities", "it has one `speed` and `headings`"),
+    ("control", "its control is `kappa`, one number for each bird"),
+];
 
 /// Reads a flock.
 ///
@@ -92,23 +147,79 @@ pub fn read_flock(text: &str) -> Result<FlockFile, ReadFlockError> {
     if let Some(unknown) = fields.keys().find(|key| !FIELDS.contains(&key.as_str())) {
         return Err(ReadFlockError::Unknown(unknown.clone()));
     }
-    if field(&fields, "model")?.as_str() != Some("D") {
-        return Err(shape("model", "\"D\""));
+    let (model, birds, dimension) = match field(&fields, "model")?.as_str() {
+        Some("D") => {
+            refuse_fields(&fields, "D", &NOT_IN_D)?;
+            let (start, control) = dynamic(&fields)?;
+            let (birds, dimension) = (start.positions.len(), start.positions[0].len());
+            (Model::D { start, control }, birds, dimension)
+        }
+        Some("K") => {
+            refuse_fields(&fields, "K", &NOT_IN_K)?;
+            let (start, control) = kinematic(&fields)?;
+            let birds = start.positions.len();
+            (Model::K { start, control }, birds, 2)
+        }
+        _ => return Err(shape("model", "\"D\" or \"K\"")),
+    };
+    if let Some(stated) = fields.get("dimension").filter(|d| d.as_u64() != Some(dimension as u64)) {
+        return Err(ReadFlockError::Dimension { stated: stated.to_string(), found: dimension });
     }
+    let ids = ids(fields.get("ids"), birds)?;
+    Ok(FlockFile { model, ids })
+}
+
+fn refuse_fields(
+    fields: &Map<String, Value>,
+    model: &'static str,
+    list: &[(&'static str, &'static str)],
+) -> Result<(), ReadFlockError> {
+    match list.iter().find(|(field, _)| fields.contains_key(*field)) {
+        Some(&(field, why)) => Err(ReadFlockError::OtherModel { model, field, why }),
+        None => Ok(()),
+    }
+}
+
+fn dynamic(fields: &Map<String, Value>) -> Result<(Start, Option<RationalMatrix>), ReadFlockError> {
     let start = Start {
-        positions: vectors(&fields, "positions")?,
-        velocities: vectors(&fields, "velocities")?,
-        weights: weights(field(&fields, "weights")?)?,
+        positions: vectors(fields, "positions")?,
+        velocities: vectors(fields, "velocities")?,
+        weights: weights(field(fields, "weights")?)?,
         hysteresis: hysteresis(fields.get("hysteresis"))?,
     };
     // Everything that makes a flock is checked once, there.
-    super::Flock::new(&start)?;
-    let found = start.positions[0].len();
-    if let Some(stated) = fields.get("dimension").filter(|d| d.as_u64() != Some(found as u64)) {
-        return Err(ReadFlockError::Dimension { stated: stated.to_string(), found });
+    let flock = Flock::new(&start)?;
+    if !fields.contains_key("control") {
+        return Ok((start, None));
     }
-    let ids = ids(fields.get("ids"), start.positions.len())?;
-    Ok(FlockFile { model: Model::D(start), ids })
+    let rows = rows(fields, "control", "a list of the rows of a matrix", "row")?;
+    let control = RationalMatrix::from_rows(&rows).map_err(ReadFlockError::Control)?;
+    check_control(&control, flock.birds(), flock.dimension())?;
+    Ok((start, Some(control)))
+}
+
+fn kinematic(fields: &Map<String, Value>) -> Result<(KinematicStart, Option<Vec<Rational>>), ReadFlockError> {
+    let mut positions = Vec::new();
+    for (i, row) in vectors(fields, "positions")?.into_iter().enumerate() {
+        let point: Result<[Rational; 2], _> = row.try_into();
+        let [re, im] = point.map_err(|row| FlockError::Coordinates {
+            what: "position",
+            bird: i + 1,
+            dimension: 2,
+            found: row.len(),
+        })?;
+        positions.push(Complex::new(re, im));
+    }
+    let start = KinematicStart {
+        speed: number(field(fields, "speed")?, || "speed".to_string())?,
+        positions,
+        headings: numbers(field(fields, "headings")?, "headings")?,
+        hysteresis: hysteresis(fields.get("hysteresis"))?,
+    };
+    let flock = KinematicFlock::new(&start)?;
+    let kappa = fields.get("kappa").map(|kappa| numbers(kappa, "kappa")).transpose()?;
+    kappa.iter().try_for_each(|kappa| check_kappa(kappa, flock.birds()))?;
+    Ok((start, kappa))
 }
 
 fn field<'a>(fields: &'a Map<String, Value>, name: &'static str) -> Result<&'a Value, ReadFlockError> {
@@ -129,14 +240,29 @@ fn number(value: &Value, field: impl Fn() -> String) -> Result<Rational, ReadFlo
 }
 
 fn vectors(fields: &Map<String, Value>, name: &'static str) -> Result<Vec<Vec<Rational>>, ReadFlockError> {
-    const EXPECTED: &str = "a list with one list of coordinates for each bird";
-    let rows = field(fields, name)?.as_array().ok_or_else(|| shape(name, EXPECTED))?;
-    let row = |(bird, row): (usize, &Value)| {
-        let coordinates = row.as_array().ok_or_else(|| shape(name, EXPECTED))?;
-        let entry = |(k, value): (usize, &Value)| number(value, || format!("{name}, bird {}, {}", bird + 1, k + 1));
+    rows(fields, name, "a list with one list of coordinates for each bird", "bird")
+}
+
+/// A list of lists of numbers; `each` is what one of them belongs to.
+fn rows(
+    fields: &Map<String, Value>,
+    name: &'static str,
+    expected: &'static str,
+    each: &str,
+) -> Result<Vec<Vec<Rational>>, ReadFlockError> {
+    let rows = field(fields, name)?.as_array().ok_or_else(|| shape(name, expected))?;
+    let row = |(i, row): (usize, &Value)| {
+        let coordinates = row.as_array().ok_or_else(|| shape(name, expected))?;
+        let entry = |(k, value): (usize, &Value)| number(value, || format!("{name}, {each} {}, {}", i + 1, k + 1));
         coordinates.iter().enumerate().map(entry).collect()
     };
     rows.iter().enumerate().map(row).collect()
+}
+
+fn numbers(value: &Value, name: &'static str) -> Result<Vec<Rational>, ReadFlockError> {
+    let list = value.as_array().ok_or_else(|| shape(name, "a list with one number for each bird"))?;
+    let entry = |(i, value)| number(value, || format!("{name}, bird {}", i + 1));
+    list.iter().enumerate().map(entry).collect()
 }
 
 fn weights(value: &Value) -> Result<Weights, ReadFlockError> {

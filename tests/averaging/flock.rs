@@ -197,6 +197,21 @@ fn ties_are_exact() {
     assert!(at(rational(3, 5) - tiny, rational(4, 5)));
 }
 
+/// No change of distance is below 0: the threshold 0 is no hysteresis.
+#[test]
+fn the_threshold_zero_holds_nothing() {
+    let start = |hysteresis| {
+        let numbers = |list: [(i64, i64); 4]| list.map(|(p, q)| rational(p, q)).to_vec();
+        let (x, v) = ([(0, 1), (0, 1), (23, 16), (1, 16)], [(-5, 24), (0, 1), (-5, 24), (1, 6)]);
+        Start::on_the_line(numbers(x), numbers(v), Weights::Lazy, hysteresis)
+    };
+    let (zero, none) = (start(Hysteresis::Constant(rational(0, 1))), start(Hysteresis::None));
+    let (mut zero, mut none) = (Flock::new(&zero).unwrap(), Flock::new(&none).unwrap());
+    for _ in 0..30 {
+        assert_eq!(zero.step().unwrap(), none.step().unwrap());
+    }
+}
+
 #[test]
 fn flocks_that_are_refused() {
     let line = |x: &[i64], v: &[i64], weights: Weights, hysteresis: Hysteresis| {
@@ -236,7 +251,7 @@ fn files_of_flocks() {
     let good = r#"{"model": "D", "dimension": 2, "weights": {"c": ["1/4", 0.25]}, "positions": [[0, "1/3"], ["-1e-2", 2]],
                    "velocities": [["0", "0"], ["1", "-1"]], "hysteresis": "1/1024", "ids": ["a", "b"]}"#;
     let file = read_flock(good).unwrap();
-    let Model::D(start) = &file.model;
+    let Model::D { start, control: None } = &file.model else { panic!("{file:?}") };
     assert_eq!(start.positions[1], [rational(-1, 100), rational(2, 1)]);
     assert_eq!(start.weights, Weights::Given(vec![rational(1, 4); 2]));
     assert_eq!(start.hysteresis, Hysteresis::Constant(rational(1, 1024)));
@@ -246,6 +261,7 @@ fn files_of_flocks() {
         assert!(error.contains(named), "{error} does not name {named}");
     };
     bad("\"D\"", "\"E\"", "model");
+    bad("\"D\"", "\"K\"", "weights");
     bad("\"dimension\": 2", "\"dimension\": 3", "dimension");
     bad("{\"c\": [\"1/4\", 0.25]}", "\"heavy\"", "weights");
     bad("\"1/4\"", "\"4\"", "c = 4");

@@ -6,7 +6,9 @@ use flockproof::graph::{Graph, GraphError};
 use flockproof::matrix::{MatrixError, StochasticMatrix};
 use proptest::prelude::*;
 
+mod control;
 mod flock;
+mod kinematic;
 mod modes;
 mod settle;
 mod stationary;

@@ -1,5 +1,6 @@
-//! `flock`: exact flocks of model D.
+//! `flock`: exact flocks of model D, certified flocks of model K.
 
+mod course;
 mod output;
 mod run;
 mod settle;
@@ -17,9 +18,9 @@ pub struct Arguments {
 
 #[derive(clap::Subcommand)]
 enum Command {
-    /// Step a flock exactly and log every change of its network
+    /// Step a flock exactly (model K: with certified positions) and log every change of its network
     Run(run::Arguments),
-    /// Find every switch by exact jumps and decide whether the network can ever change again
+    /// Find every switch of a flock of model D by exact jumps and decide whether the network can ever change again
     Settle(settle::Arguments),
 }
 

@@ -1,9 +1,8 @@
 //! `flock run`: exact steps with a log of what changes.
 
 use super::super::{CliError, interrupt, output};
+use super::course::Course;
 use super::output::{Log, flocks, switch_json, switch_line, tell};
-use flockproof::averaging::read::Model;
-use flockproof::averaging::{Flock, declaration};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use std::io::IsTerminal;
@@ -28,11 +27,10 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let refuse = |error: flockproof::averaging::FlockError| CliError::file(&arguments.file, error);
-    let Model::D(start) = super::read(&arguments.file)?.model;
-    let mut flock = Flock::new(&start).map_err(refuse)?;
+    let mut flock = Course::new(super::read(&arguments.file)?.model).map_err(refuse)?;
     let mut log = Log::new(arguments.log.as_deref())?;
     interrupt::listen();
-    tell(arguments.json, &format!("{}\n", declaration(&flock)))?;
+    tell(arguments.json, &format!("{}\n", flock.declaration()))?;
     let bar = progress(arguments.until);
     let mut switches = Vec::new();
     let mut t = 0;
@@ -54,26 +52,33 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let interrupted = t < arguments.until;
     let why = match interrupted {
         true => format!("interrupted after t = {t}"),
-        false => format!("stepped to t = {t}; `flock settle` decides whether the network can ever change again"),
+        false if flock.can_be_settled() => {
+            format!("stepped to t = {t}; `flock settle` decides whether the network can ever change again")
+        }
+        false => format!("stepped to t = {t}; nothing is said about later times"),
     };
     if arguments.json {
-        output::print_json(&json!({
-            "declaration": declaration(&flock),
+        let mut document = json!({
+            "declaration": flock.declaration(),
             "switches": switches,
             "flocks": flocks(flock.network()),
             "steady_from": null,
             "until": t,
             "denominator_bits": flock.denominator_bits(),
             "why": why,
-        }))?;
+        });
+        if let Some(bits) = flock.precision() {
+            document["precision_bits"] = json!(bits);
+        }
+        output::print_json(&document)?;
     } else {
         let list: Vec<String> = flocks(flock.network()).iter().map(|flock| format!("{flock:?}")).collect();
-        let text = format!(
-            "{} switches; flocks: {}\ncommon denominator of the state: {} bits\n{why}",
-            switches.len(),
-            list.join(" "),
-            flock.denominator_bits()
-        );
+        let denominator = flock.denominator_bits();
+        let size = match flock.precision() {
+            Some(bits) => format!("common denominator of the headings: {denominator} bits; positions: {bits} bits"),
+            None => format!("common denominator of the state: {denominator} bits"),
+        };
+        let text = format!("{} switches; flocks: {}\n{size}\n{why}", switches.len(), list.join(" "));
         output::print(&(textwrap::fill(&text, output::width().min(100)) + "\n"))?;
     }
     Ok(if interrupted { ExitCode::from(interrupt::STATUS) } else { ExitCode::SUCCESS })

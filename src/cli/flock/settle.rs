@@ -32,11 +32,22 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    let Model::D(start) = super::read(&arguments.file)?.model;
+    let start = match super::read(&arguments.file)?.model {
+        Model::D { start, control: None } => start,
+        Model::D { control: Some(_), .. } => {
+            let why = "`flock settle` follows flocks without `control`; `flock run` steps this one";
+            return Err(CliError::file(&arguments.file, why));
+        }
+        Model::K { .. } => {
+            let why = "`flock settle` follows model D only, as the positions of model K are not rational; \
+                       `flock run` steps it";
+            return Err(CliError::file(&arguments.file, why));
+        }
+    };
     let flock = Flock::new(&start).map_err(|error| CliError::file(&arguments.file, error))?;
     let mut log = Log::new(arguments.log.as_deref())?;
     interrupt::listen();
-    tell(arguments.json, &format!("{}\n", declaration(&flock)))?;
+    tell(arguments.json, &format!("{}\n", declaration(&flock, None)))?;
     let mut network = flock.network().clone();
     let mut switches = Vec::new();
     let mut failure = None;
@@ -46,7 +57,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         interrupted: interrupt::happened,
         ..Limits::default()
     };
-    let declared = declaration(&flock);
+    let declared = declaration(&flock, None);
     let settled = settle(flock, &limits, &mut |switch| {
         let after = after(&network, switch);
         let line = switch_line(switch, &network, &after);
