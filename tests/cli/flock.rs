@@ -1,6 +1,7 @@
 //! `flock` on model K and on flocks with control.
 
 use super::{assert_refused, file, flockproof, folder, stdout};
+use std::process::Output;
 
 const KINEMATIC: &[u8] = br#"{"model": "K", "speed": "1/2", "headings": ["0", "1", "3/2"],
     "positions": [["0", "0"], ["1", "0"], ["5", "-3"]], "hysteresis": "1/1024"}"#;
@@ -67,4 +68,86 @@ fn bad_flocks_of_model_k_are_refused() {
         let path = file(&folder, name, text.replace(from, to).as_bytes());
         assert_refused(&["flock", "run", &path, "--until", "3"], named);
     }
+}
+
+/// The four birds of Chazelle, section 3, with this hysteresis.
+fn four_birds(hysteresis: &str) -> String {
+    format!(
+        r#"{{"model": "D", "dimension": 1, "weights": "lazy", "positions": [["0"], ["1/2"], ["21/16"], ["29/16"]],
+            "velocities": [["1/8"], ["-1/8"], ["1/8"], ["-1/8"]], "hysteresis": "{hysteresis}"}}"#
+    )
+}
+
+fn json(output: &Output) -> serde_json::Value {
+    serde_json::from_str(&stdout(output)).unwrap_or_else(|error| panic!("{error}: {}", stdout(output)))
+}
+
+#[test]
+fn flocks_are_run_and_settled() {
+    let folder = folder("flock");
+    let held = file(&folder, "held.json", four_birds("paper").as_bytes());
+    let settled = json(&flockproof(&["flock", "settle", &held, "--json"]));
+    assert_eq!(settled["steady_from"], "322");
+    assert_eq!(settled["flocks"], serde_json::json!([[1, 2, 3, 4]]));
+    assert_eq!(settled["switches"][0], serde_json::json!({"t": "1", "gained": [], "lost": [[2, 3]]}));
+    assert_eq!(settled["switches"].as_array().map(Vec::len), Some(322));
+    let ran = json(&flockproof(&["flock", "run", &held, "--until", "330", "--json"]));
+    assert_eq!(ran["switches"], settled["switches"]);
+    assert_eq!((&ran["steady_from"], &ran["until"]), (&serde_json::Value::Null, &serde_json::json!(330)));
+    let free = file(&folder, "free.json", four_birds("none").as_bytes());
+    let endless = json(&flockproof(&["flock", "settle", &free, "--json"]));
+    assert_eq!((&endless["ending"], &endless["period"]), (&"alternating".into(), &2.into()));
+    assert!(endless["steady_from"].is_null());
+    let text = stdout(&flockproof(&["flock", "settle", &held]));
+    assert!(text.contains("steady from t = 322 on") && text.contains("strictly"));
+    assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
+    // The log has one JSON object for each change.
+    let log = folder.join("log.jsonl");
+    let arguments = ["flock", "run", &held, "--until", "20", "--log", log.to_str().expect("UTF-8")];
+    assert!(flockproof(&arguments).status.success());
+    let lines = std::fs::read_to_string(&log).expect("written");
+    assert_eq!(lines.lines().count(), 20);
+    assert!(lines.lines().all(|line| serde_json::from_str::<serde_json::Value>(line).is_ok()));
+}
+
+#[test]
+fn a_run_shows_stabilisers_and_mixing() {
+    let folder = folder("observed");
+    let held = file(&folder, "held.json", four_birds("paper").as_bytes());
+    let ran = json(&flockproof(&["flock", "run", &held, "--until", "64", "--products", "--json"]));
+    assert_eq!(ran["footprint"], "1111 1111 1111 1111");
+    assert_eq!(ran["stabilisers"][0], serde_json::json!({"time": 3, "members": [1, 2, 3, 4]}));
+    let decay = ran["decay"].as_array().expect("a list");
+    assert_eq!(decay.len(), 7);
+    assert_eq!((&decay[0]["t"], &decay[0]["tau_1"]), (&1.into(), &"1".into()));
+    assert!(ran["bits"]["state"].as_u64() > Some(100));
+    let text = stdout(&flockproof(&["flock", "run", &held, "--until", "8", "--products"]));
+    assert!(text.contains("V_1 = {1, 2, 3, 4}") && text.contains("tau_1"), "{text}");
+}
+
+#[test]
+fn bad_flocks_are_refused() {
+    let folder = folder("bad-flock");
+    let good = four_birds("1/1024");
+    for (name, from, to, named) in [
+        ("weights", "\"lazy\"", "\"heavy\"", "weights"),
+        ("heavy", "\"lazy\"", "{\"c\": [\"1\", \"1/3\", \"1/3\", \"1/3\"]}", "0 < c d < 1"),
+        ("few", "\"lazy\"", "{\"c\": [\"1/3\"]}", "c_2"),
+        ("dimension", "\"dimension\": 1", "\"dimension\": 2", "dimension"),
+        ("number", "\"21/16\"", "\"21/x\"", "bird 3"),
+        ("hysteresis", "1/1024", "-1/1024", "negative"),
+        ("model", "\"D\"", "\"Z\"", "model"),
+        ("ids", "\"model\"", "\"ids\": [\"a\", \"b\", \"a\", \"c\"], \"model\"", "two birds"),
+        ("json", "}", "", "JSON"),
+    ] {
+        assert!(good.contains(from));
+        let path = file(&folder, name, good.replace(from, to).as_bytes());
+        assert_refused(&["flock", "run", &path, "--until", "3"], named);
+        assert_refused(&["flock", "settle", &path], named);
+    }
+    let path = file(&folder, "good.json", good.as_bytes());
+    assert_refused(&["flock", "run", &path], "--until");
+    assert_refused(&["flock", "run", &path, "--until", "-1"], "--until");
+    assert_refused(&["flock", "settle", &path, "--log", "/nowhere/log"], "/nowhere/log");
+    assert_refused(&["flock", "settle", "/nowhere.json"], "/nowhere.json");
 }

@@ -131,7 +131,7 @@ impl Pair<'_> {
                 return Err(SettleError::Unresolved);
             }
         }
-        let signs = ties::eventual_signs(self.flock, &[self.fixed.network.clone()], (self.i, self.j), &a)?;
+        let signs = ties::eventual_signs(self.flock, std::slice::from_ref(&self.fixed.network), (self.i, self.j), &a)?;
         Ok(signs.from.max(self.steps_until(transient, -1)))
     }
 

@@ -2,7 +2,7 @@
 
 use flockproof::arithmetic::Rational;
 use flockproof::averaging::read::Model;
-use flockproof::averaging::{Flock, FlockError, KinematicFlock, Switch, declaration, kinematic_declaration};
+use flockproof::averaging::{Flock, FlockError, KinematicFlock, Switch, Weights, declaration, kinematic_declaration};
 use flockproof::graph::Graph;
 use flockproof::matrix::RationalMatrix;
 
@@ -37,6 +37,14 @@ impl Course {
         match self {
             Course::D(flock, _) => flock.network(),
             Course::K(flock, _) => flock.network(),
+        }
+    }
+
+    /// The weights of the averaging.
+    pub fn weights(&self) -> &Weights {
+        match self {
+            Course::D(flock, _) => flock.weights(),
+            Course::K(..) => &Weights::Vicsek,
         }
     }
 

@@ -1,6 +1,7 @@
 //! `flock`: exact flocks of model D, certified flocks of model K.
 
 mod course;
+mod observed;
 mod output;
 mod run;
 mod settle;

@@ -2,7 +2,9 @@
 
 use super::super::{CliError, interrupt, output};
 use super::course::Course;
+use super::observed::{Lengths, observed_json, observed_text};
 use super::output::{Log, flocks, switch_json, switch_line, tell};
+use flockproof::averaging::Observer;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use std::io::IsTerminal;
@@ -20,6 +22,12 @@ pub struct Arguments {
     /// Print one JSON document
     #[arg(long)]
     json: bool,
+    /// Footprints, stabilisers and ergodicity coefficients of P(t, S) = P(t) ... P(S)
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    from: u64,
+    /// Multiply the exact product P(t, S) too: tau_1 and tau_2 at S, S + 1, S + 3, S + 7, ...
+    #[arg(long)]
+    products: bool,
     /// Write every change as it happens to this file, one JSON object per line
     #[arg(long, value_name = "LOG")]
     log: Option<PathBuf>,
@@ -32,12 +40,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     interrupt::listen();
     tell(arguments.json, &format!("{}\n", flock.declaration()))?;
     let bar = progress(arguments.until);
+    let mut observer = Observer::new(flock.network().order(), arguments.from, arguments.products);
     let mut switches = Vec::new();
     let mut t = 0;
     while t < arguments.until && !interrupt::happened() {
         let before = flock.network().clone();
         let switch = flock.step().map_err(refuse)?;
         t += 1;
+        let watched = observer.push(t, flock.network(), flock.weights());
+        watched.map_err(|error| CliError::file(&arguments.file, error))?;
         if let Some(switch) = switch {
             let event = switch_json(&switch);
             log.write(&event)?;
@@ -57,6 +68,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         }
         false => format!("stepped to t = {t}; nothing is said about later times"),
     };
+    let lengths = Lengths::new(&flock, t);
     if arguments.json {
         let mut document = json!({
             "declaration": flock.declaration(),
@@ -70,6 +82,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         if let Some(bits) = flock.precision() {
             document["precision_bits"] = json!(bits);
         }
+        observed_json(&observer, &lengths, &mut document);
         output::print_json(&document)?;
     } else {
         let list: Vec<String> = flocks(flock.network()).iter().map(|flock| format!("{flock:?}")).collect();
@@ -78,7 +91,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             Some(bits) => format!("common denominator of the headings: {denominator} bits; positions: {bits} bits"),
             None => format!("common denominator of the state: {denominator} bits"),
         };
-        let text = format!("{} switches; flocks: {}\n{size}\n{why}", switches.len(), list.join(" "));
+        let text = format!(
+            "{} switches; flocks: {}\n{size}\n{}{why}",
+            switches.len(),
+            list.join(" "),
+            observed_text(&observer, &lengths)
+        );
         output::print(&(textwrap::fill(&text, output::width().min(100)) + "\n"))?;
     }
     Ok(if interrupted { ExitCode::from(interrupt::STATUS) } else { ExitCode::SUCCESS })
