@@ -68,7 +68,7 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Limits { steps: 4_000_000, switches: 100_000, jump_bits: 1 << 22, interrupted: || false }
+        Limits { steps: 400_000, switches: 100_000, jump_bits: 1 << 22, interrupted: || false }
     }
 }
 
@@ -232,13 +232,16 @@ impl Course {
     fn end(&self, all: &Prospects) -> Next {
         let log2 = |interval: &Interval| interval.to_rationals();
         let Some(first) = all.creeps.iter().min_by(|a, b| log2(&a.log2_steps).0.cmp(&log2(&b.log2_steps).0)) else {
-            let why = format!(
-                "after {} more steps every distance within a flock, and between flocks without relative drift, keeps its side \
-                 of 1 (transients are halved every so many steps); {} of {} pairs drift apart for good",
-                all.horizon,
-                all.approaches.len(),
-                self.flock.birds() * (self.flock.birds() - 1) / 2
-            );
+            let why = match self.flock.birds() {
+                1 => "one bird has no edges".to_string(),
+                _ => format!(
+                    "checked by exact steps until t = {}; from then on every pair without relative drift keeps its side of \
+                     distance 1, because what is left of its motion is too small (it is halved every so many steps), and the {} pairs \
+                     with relative drift never come within distance 1",
+                    self.flock.time(),
+                    all.approaches.len()
+                ),
+            };
             return Next::End(Ending::Steady, why);
         };
         let (i, j) = first.pair;
