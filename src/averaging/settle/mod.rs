@@ -235,11 +235,14 @@ impl Course {
             let why = match self.flock.birds() {
                 1 => "one bird has no edges".to_string(),
                 _ => format!(
-                    "checked by exact steps until t = {}; from then on every pair without relative drift keeps its side of \
-                     distance 1, because what is left of its motion is too small (it is halved every so many steps), and the {} pairs \
-                     with relative drift never come within distance 1",
-                    self.flock.time(),
-                    all.approaches.len()
+                    "checked step by step for {} steps after the last switch; from then on every pair without relative drift stays \
+                     joined or apart, because what is left of its motion is too small to change that (it is halved every so many \
+                     steps), and {}",
+                    self.flock.time() - &self.last_switch,
+                    match all.approaches.len() {
+                        0 => "there is no pair with relative drift".to_string(),
+                        pairs => format!("the {pairs} pairs with relative drift never come within distance 1"),
+                    }
                 ),
             };
             return Next::End(Ending::Steady, why);
