@@ -1,6 +1,14 @@
-//! Undirected simple graphs: what the flocking networks are made of.
+//! Graphs: undirected simple ones, which the flocking networks are made of, and directed ones with rational weights.
 
 mod isomorphism;
+mod laplacian;
+mod named;
+pub mod read;
+mod weighted;
+
+pub use laplacian::{LaplacianError, LaplacianKind};
+pub use named::{LARGEST_ORDER, NameError, NamedGraph};
+pub use weighted::WeightedGraph;
 
 use crate::matrix::{Footprint, MatrixError, RationalMatrix};
 use num_bigint::BigInt;

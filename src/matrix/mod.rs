@@ -11,6 +11,7 @@ mod product;
 mod rational_matrix;
 pub mod read;
 mod solve;
+mod sparse;
 mod stabiliser;
 mod stochastic;
 
@@ -20,6 +21,7 @@ pub use footprint::Footprint;
 pub use integer_rows::{AverageRow, IntegerRows};
 pub use product::{prefix_products, product_sequential, product_tree};
 pub use rational_matrix::RationalMatrix;
+pub use sparse::SparseMatrix;
 pub use stabiliser::{Stabiliser, StabiliserStream, stabilisers};
 pub use stochastic::StochasticMatrix;
 
