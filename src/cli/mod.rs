@@ -10,6 +10,7 @@ mod interrupt;
 mod output;
 mod reproduce;
 mod resonance;
+mod spectrum;
 mod verify;
 
 use clap::{Parser, Subcommand};
@@ -33,6 +34,8 @@ enum Command {
     Reproduce(reproduce::Arguments),
     /// Enclose the main resonance of the two-sided platoon rigorously
     Resonance(resonance::Arguments),
+    /// Enclose the eigenvalues of a Laplacian or adjacency matrix of a graph
+    Spectrum(spectrum::Arguments),
     /// Products, footprints, stabilisers and ergodicity coefficients of a sequence of stochastic matrices
     Ergodicity(ergodicity::Arguments),
     /// Exact flocks: step them, or decide what becomes of them
@@ -73,6 +76,7 @@ pub fn main() -> ExitCode {
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
+        Command::Spectrum(arguments) => spectrum::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
     })

@@ -121,6 +121,55 @@ impl Polynomial {
         Polynomial::new(rest)
     }
 
+    /// The greatest common divisor, up to a factor.
+    pub fn gcd(&self, other: &Self) -> Self {
+        let (mut a, mut b) = (self.clone(), other.clone());
+        while !b.is_zero() {
+            let rest = a.positive_remainder(&b);
+            (a, b) = (b, rest);
+        }
+        a
+    }
+
+    /// The quotient by a divisor that is not zero, up to a factor; what remains is dropped.
+    pub fn divided_by(&self, divisor: &Self) -> Self {
+        let Some(lead) = divisor.coefficients.last() else { return self.clone() };
+        let mut rest = self.coefficients.clone();
+        let mut quotient = vec![BigInt::ZERO; (rest.len() + 1).saturating_sub(divisor.coefficients.len())];
+        while rest.len() >= divisor.coefficients.len() {
+            let Some(top) = rest.pop() else { break };
+            let shift = rest.len() + 1 - divisor.coefficients.len();
+            rest.iter_mut().for_each(|c| *c *= lead);
+            quotient.iter_mut().for_each(|c| *c *= lead);
+            for (k, c) in divisor.coefficients.iter().enumerate().take(divisor.degree()) {
+                rest[shift + k] -= c * &top;
+            }
+            quotient[shift] = top;
+        }
+        Polynomial::new(quotient)
+    }
+
+    /// Polynomials without multiple roots and without common roots, each with how often it divides this one (which must
+    /// not be zero); constants are left out. By repeated division by greatest common divisors (Musser 1975).
+    pub fn square_free_factors(&self) -> Vec<(Self, usize)> {
+        let mut repeated = self.gcd(&self.derivative());
+        let mut left = self.divided_by(&repeated);
+        let mut factors = Vec::new();
+        for times in 1.. {
+            if left.degree() == 0 {
+                break;
+            }
+            let common = left.gcd(&repeated);
+            let factor = left.divided_by(&common);
+            if factor.degree() > 0 {
+                factors.push((factor, times));
+            }
+            repeated = repeated.divided_by(&common);
+            left = common;
+        }
+        factors
+    }
+
     /// Sturm's chain: the polynomial, its derivative, and the negated remainders.
     fn sturm_chain(&self) -> Vec<Self> {
         let mut chain = vec![self.clone(), self.derivative()];
@@ -133,6 +182,16 @@ impl Polynomial {
         }
         chain.retain(|p| !p.is_zero());
         chain
+    }
+
+    /// The rational root `p/lead` inside the enclosure of a root, where `lead` is the leading coefficient: the enclosure
+    /// is refined until it holds only one such number. `None` where the root is irrational.
+    pub fn rational_root(&self, root: &mut RealRoot) -> Option<Rational> {
+        let lead = self.coefficients.last()?.abs();
+        self.refine(root, lead.bits() as u32 + 1);
+        let lead = Rational::from_integer(lead);
+        let candidate = (&root.hi * &lead).floor() / lead;
+        (root.lo <= candidate && self.sign_at(&candidate) == 0).then_some(candidate)
     }
 
     /// Whether it has no multiple root, real or complex.
@@ -195,6 +254,11 @@ impl RealRoot {
     /// The root itself where it was met exactly.
     pub fn exact(&self) -> Option<&Rational> {
         (self.lo == self.hi).then_some(&self.lo)
+    }
+
+    /// A lower bound.
+    pub fn lo(&self) -> &Rational {
+        &self.lo
     }
 
     /// An upper bound.

@@ -1,0 +1,132 @@
+//! `spectrum`: the eigenvalues of a matrix of a graph, enclosed.
+
+use super::{CliError, output};
+use flockproof::arithmetic::{Interval, decimals};
+use flockproof::graph::read::read_graph;
+use flockproof::graph::{LaplacianKind, NamedGraph};
+use flockproof::spectrum::{Eigenvalue, Method, Spectrum, matrix_spectrum, named_spectrum};
+use serde_json::{Value, json};
+use std::path::Path;
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A graph, such as ring:12, cycle:5, path:30, complete:5, star:7, circulant:12:1,3, platoon1:8, platoon2:8 (8 followers
+    /// and the leader), geometric:50:1/4:7 (points, radius, seed), or a file: an edge list or Matrix Market
+    #[arg(long, value_name = "SPEC|FILE")]
+    graph: String,
+    /// laplacian, out-degree, in-degree, normalised, walk, reduced (without the first vertex) or adjacency
+    #[arg(long, value_name = "KIND", default_value = "laplacian")]
+    kind: String,
+    /// Significant digits [default: 20 where they are exact, otherwise what floating point gives]
+    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    digits: Option<u32>,
+    /// Print one JSON document
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    let kind = LaplacianKind::from_name(&arguments.kind).ok_or_else(|| {
+        let names: Vec<&str> = LaplacianKind::NAMES.iter().map(|(name, _)| *name).collect();
+        CliError::Use(format!("--kind: `{}` is none of {}", arguments.kind, names.join(", ")))
+    })?;
+    let spectrum = find(&arguments.graph, kind, arguments.digits)?;
+    let digits = shown_digits(&spectrum, arguments.digits);
+    if arguments.json {
+        output::print_json(&document(&arguments.graph, kind, &spectrum, digits))?;
+    } else {
+        output::print(&table(&arguments.graph, kind, &spectrum, digits))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn find(graph: &str, kind: LaplacianKind, digits: Option<u32>) -> Result<Spectrum, CliError> {
+    let path = Path::new(graph);
+    let named = graph.parse::<NamedGraph>();
+    // A file wins over a name only where the name means nothing.
+    match named {
+        Ok(named) => named_spectrum(&named, kind, digits).map_err(|error| CliError::Use(format!("{graph}: {error}"))),
+        Err(_) if path.exists() => {
+            let text = output::read_text(path)?;
+            let graph = read_graph(&text).map_err(|error| CliError::file(path, error))?;
+            let matrix = graph.matrix(kind).map_err(|error| CliError::file(path, error))?;
+            matrix_spectrum(&matrix, digits).map_err(|error| CliError::file(path, error))
+        }
+        Err(error) if graph.contains(':') => Err(CliError::Use(format!("--graph: {error}"))),
+        Err(error) => Err(CliError::Use(format!("--graph: there is no file of that name, and {error}"))),
+    }
+}
+
+/// Digits that are printed: those asked for and three more, so that the ends of an enclosure differ.
+fn shown_digits(spectrum: &Spectrum, digits: Option<u32>) -> u32 {
+    match (digits, spectrum.method) {
+        (Some(digits), Method::ClosedForm | Method::Exact) => digits + 3,
+        (None, Method::ClosedForm | Method::Exact) => 20,
+        (_, Method::Certified) => 17,
+    }
+}
+
+fn document(graph: &str, kind: LaplacianKind, spectrum: &Spectrum, digits: u32) -> Value {
+    let ends = |x: &Interval| {
+        let (lo, hi) = decimals(x, digits);
+        json!({"lo": lo, "hi": hi})
+    };
+    let part = |part: &Eigenvalue| {
+        let mut value = if part.is_real() {
+            ends(&part.re)
+        } else {
+            json!({"re": ends(&part.re), "im": ends(&part.im), "certificate": spectrum.reason})
+        };
+        value["multiplicity"] = json!(part.multiplicity);
+        if let Some(exact) = &part.exact {
+            value["exact"] = json!(exact.to_string());
+        }
+        value
+    };
+    json!({
+        "graph": graph,
+        "kind": kind.name(),
+        "order": spectrum.order,
+        "method": spectrum.method.name(),
+        "reason": spectrum.reason,
+        "eigenvalues": spectrum.eigenvalues.iter().map(part).collect::<Vec<Value>>(),
+    })
+}
+
+fn table(graph: &str, kind: LaplacianKind, spectrum: &Spectrum, digits: u32) -> String {
+    let head = format!("{graph}: {} eigenvalues of `{}` ({})", spectrum.order, kind.name(), kind.meaning());
+    let how = format!("{}: {}", spectrum.method.name(), spectrum.reason);
+    let what = match spectrum.method {
+        Method::Certified => "Each line: how many eigenvalues lie in the enclosure.",
+        _ => "Each line: the multiplicity of one eigenvalue, and the eigenvalue.",
+    };
+    let mut text = String::new();
+    for paragraph in [&head, &how, what] {
+        text.push_str(&textwrap::fill(paragraph, 80));
+        text.push('\n');
+    }
+    for part in &spectrum.eigenvalues {
+        text.push_str(&line(part, digits));
+    }
+    text
+}
+
+/// One eigenvalue on one line where it fits in 80 columns, otherwise its ends on lines of their own.
+fn line(part: &Eigenvalue, digits: u32) -> String {
+    let number = |x: &Interval| {
+        let (lo, hi) = decimals(x, digits);
+        if lo == hi { lo } else { format!("[{lo}, {hi}]") }
+    };
+    let times = part.multiplicity;
+    if let Some(exact) = &part.exact {
+        return format!("{times:>8}  {exact}\n");
+    }
+    if part.is_real() {
+        let whole = format!("{times:>8}  {}\n", number(&part.re));
+        return if whole.len() <= 81 { whole } else { whole.replace(", ", &format!(",\n{:>11}", "")) };
+    }
+    let (re, im) = (number(&part.re), number(&part.im));
+    let broken = |x: String, room: usize| if x.len() <= room { x } else { x.replace(", ", &format!(",\n{:>16}", "")) };
+    format!("{times:>8}  re {}\n{:>8}  im {}\n", broken(re, 67), "", broken(im, 67))
+}
