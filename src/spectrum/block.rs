@@ -63,6 +63,15 @@ pub(super) fn symmetrised(a: &SparseMatrix) -> Option<(Mat<f64>, f64)> {
     Some((matrix, if squares == 0.0 { 0.0 } else { (squares.sqrt() + 1e-150) * SLACK }))
 }
 
+/// The entries of a row that are not zero: column, float, bound of its error.
+pub(super) type Row = Vec<(usize, f64, f64)>;
+
+/// The matrix in floats; `None` outside their range.
+pub(super) fn float_rows(a: &SparseMatrix) -> Option<Vec<Row>> {
+    let entry = |(j, x): &(usize, Rational)| nearest(x).map(|(value, error)| (*j, value, error));
+    (0..a.order()).map(|i| a.row(i).iter().map(entry).collect()).collect()
+}
+
 /// The vertices in the order of the path, if the off-diagonal entries of an irreducible matrix form one.
 pub(super) fn path_order(a: &SparseMatrix) -> Option<Vec<usize>> {
     let neighbours = |i: usize| a.row(i).iter().map(|&(j, _)| j).filter(move |&j| j != i);

@@ -1,10 +1,12 @@
 //! Which method a spectrum is found by.
 
-use super::block::{is_symmetrisable, single, symmetrised};
+use super::block::{is_symmetrisable, path_order, single, symmetrised};
 use super::closed_form::{bits, closed_form};
 use super::enclosed::{merged, order};
 use super::exact::Factors;
+use super::general::general_spectrum;
 use super::symmetric::symmetric_spectrum;
+use super::tridiagonal::tridiagonal_spectrum;
 use super::{Eigenvalue, Method, Spectrum};
 use crate::arithmetic::Rational;
 use crate::graph::{LaplacianError, LaplacianKind, NameError, NamedGraph};
@@ -22,6 +24,12 @@ const USUAL_EXACT_ORDER: usize = 12;
 
 /// Order of the irreducible blocks up to which characteristic polynomials are used at all.
 pub const LARGEST_EXACT_ORDER: usize = 40;
+
+/// Order of the irreducible blocks up to which tridiagonal ones are solved in floating point.
+pub const LARGEST_TRIDIAGONAL_ORDER: usize = 20_000;
+
+/// Order of the irreducible blocks up to which non-symmetric ones are solved in floating point.
+pub const LARGEST_GENERAL_ORDER: usize = 1000;
 
 /// Order of the irreducible blocks up to which dense floating-point methods are used.
 pub const LARGEST_DENSE_ORDER: usize = 3000;
@@ -119,10 +127,11 @@ pub fn matrix_spectrum(matrix: &SparseMatrix, digits: Option<u32>) -> Result<Spe
     Ok(Spectrum { order: matrix.order(), method, reason: reason.to_string(), eigenvalues })
 }
 
-const EXACT_REASON: &str = "characteristic polynomials of the irreducible blocks, Sturm's theorem";
+const EXACT_REASON: &str =
+    "characteristic polynomials of the irreducible blocks, roots isolated by Sturm's theorem or discs of Smith";
 
 const CERTIFIED_REASON: &str =
-    "floating point with residual bounds on irreducible blocks (Weyl, Ostrowski, Gershgorin)";
+    "floating point with residual bounds on irreducible blocks (Weyl and Ostrowski, Sturm counts, or Gershgorin)";
 
 fn check(digits: Option<u32>) -> Result<(), SpectrumError> {
     match digits {
@@ -136,7 +145,7 @@ fn exact_blocks(blocks: &[SparseMatrix], digits: u32) -> Result<Option<Vec<Eigen
     for block in blocks {
         factors.multiply(&block.to_dense()?.characteristic_polynomial()?);
     }
-    Ok(factors.real_roots(digits))
+    Ok(factors.roots(digits))
 }
 
 /// Adds the eigenvalues of the blocks of order one; equal rationals become one.
@@ -170,17 +179,37 @@ fn certified_blocks(blocks: &[SparseMatrix], digits: Option<u32>) -> Result<Vec<
 /// Floating-point enclosures of the eigenvalues of an irreducible block.
 fn certified(block: &SparseMatrix) -> Result<Vec<Eigenvalue>, SpectrumError> {
     let order = block.order();
-    if order > LARGEST_DENSE_ORDER {
-        return Err(SpectrumError::TooLarge { order, most: LARGEST_DENSE_ORDER });
+    let symmetrisable = is_symmetrisable(block);
+    if symmetrisable && let Some(path) = path_order(block) {
+        if order > LARGEST_TRIDIAGONAL_ORDER {
+            return Err(SpectrumError::TooLarge { order, most: LARGEST_TRIDIAGONAL_ORDER });
+        }
+        return tridiagonal_spectrum(block, &path);
     }
-    if !is_symmetrisable(block) {
-        return Err(SpectrumError::Unproved("the matrix is not similar to a symmetric one"));
+    let most = if symmetrisable { LARGEST_DENSE_ORDER } else { LARGEST_GENERAL_ORDER };
+    if order > most {
+        return Err(SpectrumError::TooLarge { order, most });
     }
-    let (matrix, error) = symmetrised(block).ok_or(OUT_OF_RANGE)?;
-    symmetric_spectrum(matrix.as_ref(), error).map_err(|_| SpectrumError::Unproved("the residuals are too large"))
+    if symmetrisable { similar_to_symmetric(block) } else { general_spectrum(block) }
 }
 
-const OUT_OF_RANGE: SpectrumError = SpectrumError::Unproved("an entry lies outside 1e-100 to 1e100");
+/// Floating-point enclosures of the eigenvalues of a symmetric matrix; overlapping ones come as one, with their number.
+///
+/// # Errors
+/// [`SpectrumError::Unproved`].
+pub fn symmetric_enclosures(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>, SpectrumError> {
+    if !matrix.is_symmetric() {
+        return Err(SpectrumError::Unproved("the matrix is not symmetric"));
+    }
+    similar_to_symmetric(matrix)
+}
+
+fn similar_to_symmetric(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>, SpectrumError> {
+    let (floats, error) = symmetrised(matrix).ok_or(OUT_OF_RANGE)?;
+    symmetric_spectrum(floats.as_ref(), error).map_err(|_| SpectrumError::Unproved("the residuals are too large"))
+}
+
+pub(super) const OUT_OF_RANGE: SpectrumError = SpectrumError::Unproved("an entry lies outside 1e-100 to 1e100");
 
 /// Digits that the widest enclosure settles against the largest eigenvalue.
 fn certified_digits(parts: &[Eigenvalue]) -> u32 {

@@ -2,8 +2,9 @@
 
 use super::closed_form::bits;
 use super::enclosed::order;
+use super::smith::complex_roots;
 use super::{Eigenvalue, Polynomial, RealRoot};
-use crate::arithmetic::{Interval, rational};
+use crate::arithmetic::{Complex, Interval, rational};
 use crate::matrix::{CharacteristicPolynomial, MatrixError, RationalMatrix};
 use num_traits::Signed;
 
@@ -52,6 +53,24 @@ impl Factors {
             let roots = real_roots_of(factor);
             if roots.len() < factor.degree() {
                 return None;
+            }
+            found.extend(roots.into_iter().map(|root| enclose(factor, root, *multiplicity, digits)));
+        }
+        found.sort_by(order);
+        Some(found)
+    }
+
+    /// All roots; `None` where the complex ones could not be isolated.
+    pub fn roots(&self, digits: u32) -> Option<Vec<Eigenvalue>> {
+        let mut found = Vec::new();
+        for (factor, multiplicity) in &self.list {
+            let roots = real_roots_of(factor);
+            if roots.len() < factor.degree() {
+                let pairs = complex_roots(factor, &roots, digits)?;
+                let both = pairs.into_iter().flat_map(|z| [z.conj(), z]);
+                let part =
+                    |z: Complex<Interval>| Eigenvalue { re: z.re, im: z.im, multiplicity: *multiplicity, exact: None };
+                found.extend(both.map(part));
             }
             found.extend(roots.into_iter().map(|root| enclose(factor, root, *multiplicity, digits)));
         }

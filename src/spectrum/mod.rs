@@ -1,4 +1,8 @@
-//! Exact and enclosed spectra: integer polynomials with their real roots, and sequences that obey a linear recurrence.
+//! Exact and enclosed spectra of matrices and graphs; integer polynomials with their roots; sequences that obey a linear
+//! recurrence.
+//!
+//! [`named_spectrum`] and [`matrix_spectrum`] choose the method and say which: a closed form, the exact characteristic
+//! polynomial, or floating point with proved bounds. Every number comes with its enclosure, or there is an error.
 
 mod block;
 mod choose;
@@ -7,12 +11,16 @@ mod cyclotomic;
 mod enclosed;
 mod exact;
 mod float_bounds;
+mod general;
 mod polynomial;
 mod recurrence;
+mod smith;
 mod symmetric;
+mod tridiagonal;
 
 pub use choose::{
-    LARGEST_DENSE_ORDER, LARGEST_DIGITS, LARGEST_EXACT_ORDER, SpectrumError, matrix_spectrum, named_spectrum,
+    LARGEST_DENSE_ORDER, LARGEST_DIGITS, LARGEST_EXACT_ORDER, LARGEST_GENERAL_ORDER, LARGEST_TRIDIAGONAL_ORDER,
+    SpectrumError, matrix_spectrum, named_spectrum, symmetric_enclosures,
 };
 pub use closed_form::{ClosedForm, ClosedValue, closed_form};
 pub use cyclotomic::{CyclotomicSum, RootTable};

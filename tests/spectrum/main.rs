@@ -1,5 +1,7 @@
 //! Mirrors `src/spectrum`.
 
+mod enclosures;
+
 use flockproof::arithmetic::{Rational, Sign, rational};
 use flockproof::spectrum::{Polynomial, Recurrence, RecurrenceError};
 use num_bigint::BigInt;
