@@ -21,7 +21,7 @@
 
 use super::enclosed::order;
 use super::{CyclotomicSum, Eigenvalue, RootTable};
-use crate::arithmetic::{ArithmeticError, Interval, Rational, Real, Ring, rational};
+use crate::arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, rational};
 use crate::graph::{LaplacianKind, NamedGraph};
 use num_bigint::BigInt;
 use std::collections::hash_map::Entry;
@@ -282,12 +282,19 @@ fn enclose_sum(
         if real && let Some(exact) = sum.exact(&z.re) {
             return Ok(Eigenvalue::rational(exact, multiplicity, bits(digits) + 8));
         }
-        let im = if real { z.im.zero() } else { z.im };
-        let width = z.re.width().top().max(im.width().top());
+        let (re, im) = if real {
+            let zero = z.im.zero();
+            (z.re, zero)
+        } else {
+            // The real part may be rational, as that of i is.
+            let exact = sum.real_part().exact(&z.re).map(|q| z.re.rational(&q));
+            (exact.unwrap_or(z.re), z.im)
+        };
+        let width = re.width().top().max(im.width().top());
         // The modulus is at least this power of two, if neither part is too wide.
-        let size = [&z.re, &im].iter().map(|x| if x.contains_zero() { i64::MIN } else { least_top(x) }).max();
+        let size = [&re, &im].iter().map(|x| if x.contains_zero() { i64::MIN } else { least_top(x) }).max();
         if size.is_some_and(|size| size > i64::MIN && width + i64::from(bits(digits)) <= size) {
-            return Ok(Eigenvalue { re: z.re, im, multiplicity, exact: None });
+            return Ok(Eigenvalue { re, im, multiplicity, exact: None });
         }
         precision = precision.checked_mul(2).ok_or(ArithmeticError::Domain("enclosure of an eigenvalue"))?;
     }

@@ -61,6 +61,12 @@ impl CyclotomicSum {
         CyclotomicSum::new(self.order, 1, self.terms.iter().copied().chain(conjugate)).is_zero()
     }
 
+    /// Its real part: half its sum with its conjugate.
+    pub fn real_part(&self) -> Self {
+        let conjugate = self.terms.iter().map(|&(e, c)| (self.order - e, c));
+        CyclotomicSum::new(self.order, 2 * self.denominator, self.terms.iter().copied().chain(conjugate))
+    }
+
     /// Whether it is `numerator/denominator` with its own denominator.
     fn is_multiple(&self, numerator: i64) -> bool {
         let terms = self.terms.iter().copied().chain([(0, -numerator)]);

@@ -207,21 +207,84 @@ impl Polynomial {
         found
     }
 
-    /// Halves the enclosure of a root until it is narrower than `2^-bits`.
+    /// Shrinks the enclosure of a root until it is narrower than `2^-bits`: by halving, and where the ends are dyadic by
+    /// quadratic refinement (Abbott 2014), which squares the width at each success.
     pub fn refine(&self, root: &mut RealRoot, bits: u32) {
         let width = Rational::new(BigInt::from(1), BigInt::from(1) << bits);
         let at_hi = self.sign_at(&root.hi);
         if at_hi == 0 {
             root.lo.clone_from(&root.hi);
         }
+        // Each division splits the enclosure into 2^cells parts.
+        let mut cells = 2;
         while &root.hi - &root.lo > width {
-            let middle = (&root.lo + &root.hi) / rational(2, 1);
-            match self.sign_at(&middle) {
-                0 => (root.lo, root.hi) = (middle.clone(), middle),
-                sign if sign == at_hi => root.hi = middle,
-                _ => root.lo = middle,
+            if cells > 2 && self.refine_by_chord(root, cells) {
+                // No finer than asked for.
+                let left = (&root.hi - &root.lo) / &width;
+                let needed = (left.numer().bits() + 1).saturating_sub(left.denom().bits());
+                cells = (2 * cells).min(u32::try_from(needed).unwrap_or(u32::MAX).max(4));
+                continue;
+            }
+            cells = (cells / 2).max(2);
+            for _ in 0..2 {
+                let middle = (&root.lo + &root.hi) / rational(2, 1);
+                match self.sign_at(&middle) {
+                    0 => (root.lo, root.hi) = (middle.clone(), middle),
+                    sign if sign == at_hi => root.hi = middle,
+                    _ => root.lo = middle,
+                }
+            }
+            if cells == 2 {
+                cells = 4;
             }
         }
+    }
+
+    /// Tries the part, of `2^cells` equal ones, that the chord points to; keeps it if the root is there.
+    fn refine_by_chord(&self, root: &mut RealRoot, cells: u32) -> bool {
+        let (at_lo, at_hi) = (self.leading_value(&root.lo, cells), self.leading_value(&root.hi, cells));
+        let (Some((low, low_shift)), Some((high, high_shift))) = (at_lo, at_hi) else { return false };
+        // Both as integers with the smaller exponent.
+        let least = low_shift.min(high_shift);
+        if low_shift.abs_diff(high_shift) > u64::from(cells) + 64 {
+            return false;
+        }
+        let (low, high) = (low << (low_shift - least) as u64, high << (high_shift - least) as u64);
+        let fall = &low - &high;
+        if fall.is_zero() {
+            return false;
+        }
+        let place = ((low << cells).div_floor(&fall)).clamp(BigInt::ZERO, (BigInt::from(1) << cells) - 1);
+        let step = (&root.hi - &root.lo) / Rational::from_integer(BigInt::from(1) << cells);
+        let lo = &root.lo + &step * Rational::from_integer(place);
+        let hi = &lo + step;
+        let (at_lo, at_hi) = (self.sign_at(&lo), self.sign_at(&hi));
+        if at_lo == 0 {
+            (root.lo, root.hi) = (lo.clone(), lo);
+        } else if at_hi == 0 {
+            (root.lo, root.hi) = (hi.clone(), hi);
+        } else if at_lo != at_hi {
+            (root.lo, root.hi) = (lo, hi);
+        } else {
+            return false;
+        }
+        true
+    }
+
+    /// The value at a dyadic number as `m 2^e`, with a few more bits than `bits` in `m`; `None` at other numbers. Only the
+    /// choice of the part to try depends on it.
+    fn leading_value(&self, x: &Rational, bits: u32) -> Option<(BigInt, i64)> {
+        let scale = x.denom().trailing_zeros()?;
+        if x.denom() != &(BigInt::from(1) << scale) {
+            return None;
+        }
+        // 2^(scale degree) f(x).
+        let mut sum = BigInt::ZERO;
+        for (k, c) in self.coefficients.iter().rev().enumerate() {
+            sum = sum * x.numer() + (c << (scale * k as u64));
+        }
+        let cut = sum.bits().saturating_sub(u64::from(bits) + 64);
+        Some((sum >> cut, cut as i64 - (scale * self.degree() as u64) as i64))
     }
 }
 

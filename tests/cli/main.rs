@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 mod flock;
+mod spectrum;
 
 fn flockproof(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_flockproof")).args(arguments).output().expect("the program starts")
