@@ -407,9 +407,7 @@ impl Claim for NextContact {
                         return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the time", "settled exactly")));
                     }
                 }
-                let gained = network.with_edges(&switch.gained);
-                network =
-                    Graph::from_fn(gained.order(), |i, j| gained.has_edge(i, j) && !switch.lost.contains(&(i, j)));
+                network = switch.applied_to(&network);
                 before = switch.time;
             }
         }

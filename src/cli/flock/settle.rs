@@ -6,7 +6,6 @@ use flockproof::arithmetic::decimals;
 use flockproof::averaging::read::Model;
 use flockproof::averaging::settle::{Ending, Limits, Settlement, settle};
 use flockproof::averaging::{Flock, declaration};
-use flockproof::graph::Graph;
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -59,7 +58,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     let declared = declaration(&flock, None);
     let settled = settle(flock, &limits, &mut |switch| {
-        let after = after(&network, switch);
+        let after = switch.applied_to(&network);
         let line = switch_line(switch, &network, &after);
         network = after;
         let event = switch_json(switch);
@@ -86,11 +85,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         Ending::Interrupted => ExitCode::from(interrupt::STATUS),
         _ => ExitCode::SUCCESS,
     })
-}
-
-fn after(before: &Graph, switch: &flockproof::averaging::Switch) -> Graph {
-    let gained = before.with_edges(&switch.gained);
-    Graph::from_fn(gained.order(), |i, j| gained.has_edge(i, j) && !switch.lost.contains(&(i, j)))
 }
 
 fn document(settled: &Settlement, switches: Vec<Value>, declared: &str) -> Value {
