@@ -3,7 +3,9 @@
 //! Reading of the text: `f, g < 0` wherever stability is assumed (Lemma 1), and a frequency is `w >= 0`, since the
 //! leader moves as `cos w t`; `M = N + 1` is the number of followers.
 
+mod matrices;
 pub(super) mod one_sided;
+mod stability;
 mod table1;
 mod theorem1;
 mod two_sided;
@@ -30,5 +32,12 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(table1::Size),
         Box::new(table1::FirstGuess),
         Box::new(table1::WhichSystem),
+        Box::new(matrices::FrontMatrices),
+        Box::new(matrices::FrontAndBackMatrices),
+        Box::new(matrices::Dimensions),
+        Box::new(stability::MotionSpectrum),
+        Box::new(stability::ReducedSpectrum),
+        Box::new(stability::ModeEigenvalues),
+        Box::new(stability::Stabilised),
     ]
 }
