@@ -7,6 +7,7 @@
 mod communication_graph;
 mod law;
 pub mod modes;
+pub mod next_order;
 mod phase;
 mod resonance;
 mod response;
@@ -20,7 +21,7 @@ pub use communication_graph::{CommunicationError, CommunicationGraph};
 pub use law::{Communication, Gains, accelerations};
 pub use modes::slowest_rate;
 pub use phase::{argument, phase_lag_one_sided, phase_lags_two_sided};
-pub use resonance::{LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, resonance};
+pub use resonance::{LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, lesser_resonance, resonance};
 pub use response::{
     amplitude_one_sided, amplitudes_two_sided, chebyshev, gain_squared_one_sided, gamma, strongest_one_sided_square,
 };

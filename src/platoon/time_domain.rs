@@ -46,46 +46,19 @@ impl<T: Real + Signed> Modes<T> {
         Ok(Modes { gains: gains.clone(), parts: (1..=followers).map(part).collect::<Result<_, _>>()? })
     }
 
-    /// What the last car still lacks of its periodic motion at time `t`, when the leader moves as `e^{iwt}` and all followers
-    /// start at rest in their places: `y_M(t) - a_M e^{iwt}`. Real and imaginary part belong to the leaders `cos wt` and `sin wt`.
+    /// The start behind a leader that moves as `e^{iwt}`, all followers at rest in their places at time 0.
     ///
     /// # Errors
-    /// [`ArithmeticError`] of the elementary functions.
-    pub fn transient_of_last(&self, w: &T, t: &T) -> Result<Complex<T>, ArithmeticError> {
+    /// [`ArithmeticError`] where the periodic motion does not exist.
+    pub fn behind_harmonic_leader(&self, w: &T) -> Result<HarmonicStart<T>, ArithmeticError> {
         let shift = gamma(&self.gains, w)? - Complex::real(w.one());
-        let mut sum = shift.zero();
-        for part in &self.parts {
-            let periodic = self.periodic(part, &shift)?;
-            let (c, s) = part.mode.propagator(t)?;
-            // z(0) = z'(0) = 0, so the free part starts from minus the periodic one and its rate i w z.
-            let evolved = periodic.scale(&c) + periodic * Complex::new(w.zero(), w.clone() * s);
-            sum = sum - evolved.scale(&part.share);
-        }
-        Ok(sum)
-    }
-
-    /// An upper bound of `|transient_of_last|` that decreases in `t`.
-    ///
-    /// # Errors
-    /// [`ArithmeticError`] of the elementary functions.
-    pub fn transient_bound(&self, w: &T, t: &T) -> Result<T, ArithmeticError> {
-        let shift = gamma(&self.gains, w)? - Complex::real(w.one());
-        let mut sum = w.zero();
-        for part in &self.parts {
-            let size = self.periodic(part, &shift)?.norm_squared().sqrt()?;
-            // |c| <= e^(-rate t) (1 + decay/frequency), |s| <= e^(-rate t)/frequency.
-            let factor = (part.mode.decay.clone() + w).over(&part.mode.frequency)? + w.one();
-            let envelope = (-(part.mode.rate() * t)).exp()?;
-            sum = sum + size * factor * envelope * w.ratio(2, self.parts.len() as i64);
-        }
-        Ok(sum)
-    }
-
-    /// The amplitude of a mode in the periodic motion, `sin phi/(2 (lambda + gamma - 1))`.
-    fn periodic(&self, part: &Part<T>, shift: &Complex<T>) -> Result<Complex<T>, ArithmeticError> {
-        let divisor = shift.clone() + Complex::real(part.lambda.clone());
-        let half_sine = part.angle.sin()? * part.angle.ratio(1, 2);
-        Ok(divisor.recip()?.scale(&half_sine))
+        let periodic = |part: &Part<T>| {
+            // sin phi/(2 (lambda + gamma - 1)), times the share in the last car.
+            let divisor = shift.clone() + Complex::real(part.lambda.clone());
+            let half_sine = part.angle.sin()? * part.angle.ratio(1, 2);
+            Ok((part.mode.clone(), divisor.recip()?.scale(&(half_sine * &part.share))))
+        };
+        Ok(HarmonicStart { w: w.clone(), parts: self.parts.iter().map(periodic).collect::<Result<_, _>>()? })
     }
 
     /// The deviation of the last car from the leader, `y_M - y_0`, at time `t`, when everyone is at rest in its place until the
@@ -110,5 +83,40 @@ impl<T: Real + Signed> Modes<T> {
             sum = sum + (later - c) * rest * &part.share;
         }
         Ok(sum)
+    }
+}
+
+/// The start of a platoon behind a leader that moves as `e^{iwt}`.
+#[derive(Debug, Clone)]
+pub struct HarmonicStart<T> {
+    w: T,
+    /// The modes with their shares in the periodic motion of the last car.
+    parts: Vec<(Mode<T>, Complex<T>)>,
+}
+
+impl<T: Real + Signed> HarmonicStart<T> {
+    /// What the last car still lacks of its periodic motion at time `t`: `y_M(t) - a_M e^{iwt}`. Real and imaginary part
+    /// belong to the leaders `cos wt` and `sin wt`.
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] of the elementary functions.
+    pub fn transient(&self, t: &T) -> Result<Complex<T>, ArithmeticError> {
+        self.parts.iter().try_fold(Complex::real(t.zero()), |sum, (mode, periodic)| {
+            let (c, s) = mode.propagator(t)?;
+            // The mode and its rate are 0 at first, so the free part starts from minus the periodic one and its rate.
+            Ok(sum - periodic.clone() * Complex::new(c, self.w.clone() * s))
+        })
+    }
+
+    /// An upper bound of `|transient|` that decreases in `t >= 0`.
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] of the elementary functions.
+    pub fn transient_bound(&self, t: &T) -> Result<T, ArithmeticError> {
+        self.parts.iter().try_fold(t.zero(), |sum, (mode, periodic)| {
+            // |c| <= e^(-rate t) (1 + decay/frequency), |s| <= e^(-rate t)/frequency.
+            let factor = (mode.decay.clone() + &self.w).over(&mode.frequency)? + t.one();
+            Ok(sum + periodic.norm_squared().sqrt()? * factor * (-(mode.rate() * t)).exp()?)
+        })
     }
 }

@@ -1,6 +1,7 @@
 //! Whether all roots of a real polynomial have negative real parts, decided exactly (Routh's table).
 
 use super::Polynomial;
+use crate::arithmetic::{Rational, Ring};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::Signed;
@@ -33,6 +34,22 @@ impl Polynomial {
             let next = without_content((1..upper.len()).map(entry).collect());
             upper = std::mem::replace(&mut lower, next);
         }
+    }
+
+    /// A positive multiple of the polynomial whose roots are these roots plus `shift`.
+    pub fn with_roots_moved(&self, shift: &Rational) -> Self {
+        // p(x - shift) by Horner's rule.
+        let mut moved: Vec<Rational> = Vec::new();
+        for c in self.coefficients().iter().rev() {
+            let mut next = vec![shift.zero(); moved.len() + 1];
+            for (k, x) in moved.iter().enumerate() {
+                next[k + 1] += x;
+                next[k] -= x * shift;
+            }
+            next[0] += Rational::from_integer(c.clone());
+            moved = next;
+        }
+        Polynomial::from_rationals(&moved)
     }
 }
 

@@ -1,6 +1,8 @@
 //! Results beyond the papers: corrected theorems and sharper statements, checked like any claim.
 
+mod decay_rate;
 mod fewer_switches;
+mod next_order;
 mod one_sided_peak;
 mod smallest_entries;
 
@@ -12,5 +14,8 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(one_sided_peak::OneSidedPeak),
         Box::new(smallest_entries::SmallestEntries),
         Box::new(fewer_switches::FewerSwitches),
+        Box::new(next_order::NextFrequency),
+        Box::new(next_order::NextAmplitude),
+        Box::new(decay_rate::SlowestDecay),
     ]
 }
