@@ -73,10 +73,14 @@ impl<T: Real + Signed> Mode<T> {
 /// `2|f|/(|g| + sqrt(g² - 4|f|/lambda))`, which decreases, beyond; so the slowest mode is the first or the last.
 ///
 /// # Errors
-/// [`ArithmeticError`] where one of these two modes has a double root.
+/// [`ArithmeticError`] where one of these two modes may have a double root, or their rates cannot be told apart.
 pub fn slowest_rate<T: Real + Signed>(gains: &Gains<T>, followers: u64) -> Result<T, ArithmeticError> {
     let rate = |k| Ok::<T, ArithmeticError>(Mode::new(gains, &mode_eigenvalue(&gains.f, followers, k)?)?.rate());
-    let (first, last) = (rate(1)?, rate(followers)?);
+    let first = rate(1)?;
+    if followers <= 1 {
+        return Ok(first);
+    }
+    let last = rate(followers)?;
     match (last.clone() - &first).sign() {
         Some(Sign::Negative) => Ok(last),
         Some(_) => Ok(first),

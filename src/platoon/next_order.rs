@@ -3,7 +3,7 @@
 //!
 //! With `b = |g|/sqrt|f|` and `a0 = pi/(2 sqrt2 M)`, and the leading terms of [`super::theorem1`]:
 //! `w = w_0 (1 - a0² (1/12 + b²/8) + e_w)` and `A = A_0 (1 - a0² (1/12 - 3b²/8 + pi² b²/96) + e_A)`, where for
-//! `M >= 5 max(1, b)` the errors are at most `1.7` and `10.3` times `(a0 max(1, b))^4`.
+//! `M >= 5 max(1, b)` the errors are at most `1.7` and `11` times `(a0 max(1, b))^4`.
 
 use super::{Gains, theorem1};
 use crate::arithmetic::{ArithmeticError, Real};
@@ -14,8 +14,8 @@ pub const SMALLEST_SIZE: u64 = 5;
 /// The bound of the relative error of the frequency, in units of `(a0 max(1, b))^4`: 17/10.
 pub const FREQUENCY_BOUND: (i64, i64) = (17, 10);
 
-/// The bound of the relative error of the amplitude, in units of `(a0 max(1, b))^4`: 103/10.
-pub const AMPLITUDE_BOUND: (i64, i64) = (103, 10);
+/// The bound of the relative error of the amplitude, in units of `(a0 max(1, b))^4`: 11.
+pub const AMPLITUDE_BOUND: (i64, i64) = (11, 1);
 
 /// `a0² = pi²/(8 M²)`.
 ///

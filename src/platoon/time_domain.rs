@@ -6,7 +6,7 @@
 
 use super::modes::{Mode, mode_angle, mode_eigenvalue};
 use super::{Gains, gamma};
-use crate::arithmetic::{ArithmeticError, Complex, Field, Real, Ring, Sign, Signed};
+use crate::arithmetic::{ArithmeticError, Complex, Field, Real, Sign, Signed};
 
 /// One mode with what is needed to follow the last car.
 #[derive(Debug, Clone)]

@@ -97,9 +97,12 @@ impl Claim for Figure4 {
     }
 }
 
+/// A column of Table 1.
+type Column = fn(&Row) -> &'static str;
+
 /// The numbers of Table 1, which the figure shows.
 fn printed_cells(variant: &Figure4Variant) -> Result<Outcome, CheckError> {
-    let columns: [[fn(&Row) -> &'static str; 2]; 2] = [[|r| r.nfreq, |r| r.tfreq], [|r| r.namp, |r| r.tamp]];
+    let columns: [[Column; 2]; 2] = [[|r| r.nfreq, |r| r.tfreq], [|r| r.namp, |r| r.tamp]];
     for row in &ROWS {
         for [first, second] in columns {
             let (first, second) = (printed_decimal(first(row))?.0, printed_decimal(second(row))?.0);

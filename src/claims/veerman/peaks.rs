@@ -48,7 +48,7 @@ impl Claim for Figure1 {
         let half = unit / rational(2, 1);
         let within = |x: &Interval, middle: &Rational, slack: &Rational| {
             let (lo, hi) = x.to_rationals();
-            &(middle - slack) <= &lo && &hi <= &(middle + slack)
+            middle - slack <= lo && hi <= middle + slack
         };
         let evidence = Evidence::new(Grade::Certified, "peaks", "enclosures of the global maxima");
         for offset in [-1, 0, 1] {

@@ -303,7 +303,7 @@ fn shifted_chebyshev(order: usize) -> Polynomial {
         }
         previous = std::mem::replace(&mut current, next);
     }
-    let sign = rational(if order % 2 == 0 { 1 } else { -1 }, 1);
+    let sign = rational(if order.is_multiple_of(2) { 1 } else { -1 }, 1);
     Polynomial::from_rationals(&current.iter().map(|c| c * &sign).collect::<Vec<_>>())
 }
 
