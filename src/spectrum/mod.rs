@@ -2,6 +2,7 @@
 
 mod polynomial;
 mod recurrence;
+mod stability;
 
 pub use polynomial::{Polynomial, RealRoot};
 pub use recurrence::{Eventual, Leading, Recurrence, RecurrenceError};
