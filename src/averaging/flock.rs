@@ -220,8 +220,7 @@ impl Flock {
         }
     }
 
-    /// The pairs whose decision in the last step was an exact tie: distance 1, or a change of distance equal to the
-    /// threshold.
+    /// The pairs that were at distance exactly 1 in the last step.
     pub(super) fn ties(&self) -> &[(usize, usize)] {
         &self.scratch.ties
     }

@@ -98,9 +98,10 @@ fn document(settled: &Settlement, switches: Vec<Value>, declared: &str) -> Value
         "why": settled.why,
     });
     match &settled.ending {
-        Ending::Beyond { pair, log2_steps } => {
+        Ending::Beyond { pairs, log2_steps } => {
             let (lo, hi) = decimals(log2_steps, 20);
-            document["next"] = json!({"pair": [pair.0 + 1, pair.1 + 1], "log2_steps": {"lo": lo, "hi": hi}});
+            let pairs: Vec<[usize; 2]> = pairs.iter().map(|(i, j)| [i + 1, j + 1]).collect();
+            document["next"] = json!({"one_of": pairs, "log2_steps": {"lo": lo, "hi": hi}});
         }
         Ending::Alternating { period } => document["period"] = json!(period),
         _ => {}
@@ -124,9 +125,9 @@ fn closing(settled: &Settlement) -> String {
     let verdict = match &settled.ending {
         Ending::Steady => format!("steady from t = {last} on"),
         Ending::Alternating { period } => format!("alternates forever with period {period}"),
-        Ending::Beyond { pair, log2_steps } => {
+        Ending::Beyond { log2_steps, .. } => {
             let (lo, hi) = decimals(log2_steps, 12);
-            format!("birds {} and {} meet 2^L steps after t = {last},\nL in [{lo}, {hi}]", pair.0 + 1, pair.1 + 1)
+            format!("the next contact comes 2^L steps after t = {last},\nL in [{lo}, {hi}]")
         }
         Ending::Undecided(_) => "undecided".to_string(),
         Ending::Interrupted => "interrupted".to_string(),
