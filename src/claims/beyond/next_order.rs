@@ -1,7 +1,8 @@
 //! beyond.veerman.resonance_frequency, beyond.veerman.resonance_amplitude: the resonance to the next order, with explicit bounds
 //! of the error.
 
-use crate::arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, Signed, rational};
+use crate::arithmetic::identity::RationalIdentity;
+use crate::arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Series, Signed, rational};
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, Source, interval_value};
 use crate::platoon::{Gains, Resonance, next_order, resonance, theorem1};
 
@@ -35,6 +36,39 @@ fn gains_list() -> Vec<Gains<Rational>> {
 
 /// A formula of M cars.
 type Formula = fn(&Gains<Interval>, u64) -> Result<Interval, ArithmeticError>;
+
+/// The expansion of both proofs, as exact power series in `a`: with `theta = x - iy = sqrt2 a H`,
+/// `H = 1 + a²/12 - 3c²/8 - i (c/2)(1 + a²/4 - 5c²/8) + O(a⁴)`, `c = ab`, `cos theta` is `gamma = 1 - a²/(1 + ic)` up to `O(a⁶)`.
+struct Expansion;
+
+/// Coefficients that are compared: up to `a⁵`.
+const ORDER: usize = 6;
+
+impl RationalIdentity for Expansion {
+    fn variables(&self) -> usize {
+        1
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [b] = at else { return Err(ArithmeticError::Domain("one variable")) };
+        let real = |p, q| Complex::real(b.ratio(p, q));
+        let a = Series::variable(real(1, 1), ORDER);
+        let ic = Series::variable(Complex::new(b.zero(), b.clone()), ORDER);
+        let (s, c2) = (a.square(), -ic.square());
+        let bracket = |first: (i64, i64), second: (i64, i64)| {
+            s.one() + s.scale(&real(first.0, first.1)) - c2.scale(&real(second.0, second.1))
+        };
+        let h = bracket((1, 12), (3, 8)) - ic.scale(&real(1, 2)) * bracket((1, 4), (5, 8));
+        // cos(sqrt2 a H) = 1 - (aH)² + (aH)⁴/6 - ...
+        let square = (a * h).square();
+        let cosine = s.one() - &square + square.square().scale(&real(1, 6));
+        let gamma = s.one() - s.clone() * (s.one() + ic).recip()?;
+        let split = |series: Series<Complex<T>>| {
+            series.coefficients().iter().flat_map(|z| [z.re.clone(), z.im.clone()]).collect::<Vec<T>>()
+        };
+        Ok((split(cosine), split(gamma)))
+    }
+}
 
 /// One of the two claims.
 struct Part {
@@ -93,7 +127,9 @@ fn examine(part: &Part, variant: &NextOrderVariant, run: &mut Run) -> Result<Out
     }
     let detail = "proof in notes/veerman_next_order.md for all f, g < 0 and M >= 5 max(1, b); enclosures for five pairs (f, g), b from 1/1000 to 20, and \
                   sizes from the smallest to 10^4 times that";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, part.name, detail).cases(cases)]))
+    let enclosures = Outcome::Holds(vec![Evidence::new(Grade::Certified, part.name, detail).cases(cases)]);
+    let expansion = run.identity(&Expansion, &["b"], "the expansions of x and y in a, exact power series");
+    Run::all([Ok(enclosures), expansion])
 }
 
 /// The least integer M with `M >= 5 max(1, b)`, from `M² |f| >= 25 g²`.
