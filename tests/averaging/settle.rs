@@ -195,7 +195,7 @@ fn ties_of_second_order_are_not_guessed() {
         let across = [(1, 1), (1, 2), (-1, 2), (-1, 1)].map(|(p, q)| rational(p, 100 * q));
         // Gamma v: 1/(1 - lambda) times the modes.
         let place = |k: i64| vec![rational(2 * k, 3), rational(0, 1)];
-        let end = vec![rational(2, 1) + rational(1, 1000) * rational(3, 4), rational(-1, 100) * rational(3, 1)];
+        let end = [rational(2, 1) + rational(1, 1000) * rational(3, 4), rational(-1, 100) * rational(3, 1)];
         let speed = if tangential {
             vec![rational(0, 1), rational(-1, 1_000_000)]
         } else {
