@@ -59,6 +59,12 @@ impl Switch {
         let only = |a: &Graph, b: &Graph| a.edges().into_iter().filter(|&(i, j)| !b.has_edge(i, j)).collect();
         Switch { time, gained: only(new, old), lost: only(old, new) }
     }
+
+    /// The network after it.
+    pub fn applied_to(&self, before: &Graph) -> Graph {
+        let gained = before.with_edges(&self.gained);
+        Graph::from_fn(gained.order(), |i, j| gained.has_edge(i, j) && !self.lost.contains(&(i, j)))
+    }
 }
 
 /// What a flock starts from: one row per bird, as many columns as dimensions.
@@ -214,8 +220,7 @@ impl Flock {
         }
     }
 
-    /// The pairs whose decision in the last step was an exact tie: distance 1, or a change of distance equal to the
-    /// threshold.
+    /// The pairs that were at distance exactly 1 in the last step.
     pub(super) fn ties(&self) -> &[(usize, usize)] {
         &self.scratch.ties
     }

@@ -104,6 +104,9 @@ impl Threshold {
         }
         let before: Vec<BigInt> = now.iter().zip(moved).map(|(x, v)| x - v).collect();
         let (a, b) = (squared(now), squared(&before));
+        if a == b {
+            return Ok(true);
+        }
         // The change is |a - b|/(sqrt a + sqrt b).
         let longest = a.bits().max(b.bits()) as f64;
         if (&a - &b).bits() as f64 - 2.0 - longest / 2.0 > limit + slack {

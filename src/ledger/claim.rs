@@ -6,7 +6,7 @@ use crate::arithmetic::identity::IdentityError;
 use crate::averaging::FlockError;
 use crate::averaging::settle::SettleError;
 use crate::matrix::MatrixError;
-use crate::platoon::ResonanceError;
+use crate::platoon::{CommunicationError, ResonanceError};
 
 /// A statement with a check. `notes/own_claims.md` shows how to write and register one.
 pub trait Claim: Send + Sync + 'static {
@@ -136,6 +136,9 @@ pub enum CheckError {
     /// A resonance that could not be enclosed.
     #[error(transparent)]
     Resonance(#[from] ResonanceError),
+    /// A communication graph that is refused.
+    #[error(transparent)]
+    Communication(#[from] CommunicationError),
     /// Anything else.
     #[error("{0}")]
     Other(String),

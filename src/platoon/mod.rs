@@ -4,15 +4,24 @@
 //! desired position and `u_k` its rate; the gains `f` (1/s²) and `g` (1/s) are negative; the leader moves as
 //! `y_0 = e^{i w t}` with angular frequency `w >= 0` (a negative `w` only conjugates everything).
 
+mod communication_graph;
 mod law;
+pub mod modes;
+pub mod next_order;
+mod phase;
 mod resonance;
 mod response;
 mod shape;
 pub mod table1;
 pub mod theorem1;
+pub mod time_domain;
+pub mod vector_form;
 
+pub use communication_graph::{CommunicationError, CommunicationGraph};
 pub use law::{Communication, Gains, accelerations};
-pub use resonance::{LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, resonance};
+pub use modes::slowest_rate;
+pub use phase::{argument, phase_lag_one_sided, phase_lags_two_sided};
+pub use resonance::{LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, lesser_resonance, resonance};
 pub use response::{
     amplitude_one_sided, amplitudes_two_sided, chebyshev, gain_squared_one_sided, gamma, strongest_one_sided_square,
 };

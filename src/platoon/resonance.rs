@@ -66,17 +66,7 @@ pub enum ResonanceError {
 /// # Errors
 /// [`ResonanceError`]: gains that are not negative, numbers out of range.
 pub fn resonance(gains: &Gains<Rational>, followers: u64, digits: u32) -> Result<Resonance, ResonanceError> {
-    for (name, value) in [("f", &gains.f), ("g", &gains.g)] {
-        if !value.is_certainly_negative() {
-            return Err(ResonanceError::GainNotNegative { name, value: value.to_string() });
-        }
-    }
-    if followers == 0 || followers > LARGEST_FOLLOWERS {
-        return Err(ResonanceError::Followers(followers));
-    }
-    if digits == 0 || digits > LARGEST_DIGITS {
-        return Err(ResonanceError::Digits(digits));
-    }
+    check_arguments(gains, followers, digits)?;
     let platoon = Platoon { gains, followers, digits };
     if followers == 1 {
         return platoon.single_follower();
@@ -89,6 +79,39 @@ pub fn resonance(gains: &Gains<Rational>, followers: u64, digits: u32) -> Result
         other => other?,
     };
     if platoon.is_below_full_phase(&found.omega) { Ok(found) } else { Err(ResonanceError::NotIsolated(64)) }
+}
+
+fn check_arguments(gains: &Gains<Rational>, followers: u64, digits: u32) -> Result<(), ResonanceError> {
+    for (name, value) in [("f", &gains.f), ("g", &gains.g)] {
+        if !value.is_certainly_negative() {
+            return Err(ResonanceError::GainNotNegative { name, value: value.to_string() });
+        }
+    }
+    if followers == 0 || followers > LARGEST_FOLLOWERS {
+        return Err(ResonanceError::Followers(followers));
+    }
+    if digits == 0 || digits > LARGEST_DIGITS {
+        return Err(ResonanceError::Digits(digits));
+    }
+    Ok(())
+}
+
+/// Encloses the `k`-th lesser resonance, k >= 2: a local maximum of `|a_M(w)|` where `Mx` lies between `(k - 3/4) pi` and
+/// `(k - 1/2) pi` with `gamma = cos(x - iy)` (Corollary 3; `notes/veerman_platoons.md`). That it is a local maximum is certified, its
+/// number only as far as its place tells it.
+///
+/// # Errors
+/// [`ResonanceError`]; `NotIsolated` also where the damping has flattened that maximum.
+pub fn lesser_resonance(
+    gains: &Gains<Rational>,
+    followers: u64,
+    k: u64,
+    digits: u32,
+) -> Result<Resonance, ResonanceError> {
+    check_arguments(gains, followers, digits)?;
+    let start = uncertified_lesser_start(gains, followers, k).ok_or(ResonanceError::NotIsolated(0))?;
+    let start = Dyadic::from_f64(start).ok_or(ResonanceError::Extreme)?;
+    Platoon { gains, followers, digits }.critical_point(start)
 }
 
 /// Bits by which the angle per car is smaller than one: what doubling loses twice.
@@ -298,6 +321,31 @@ fn uncertified_start(gains: &Gains<Rational>, followers: u64) -> Option<f64> {
         if slope_sign(middle) { high = middle } else { low = middle }
     }
     Some((0.5 * (low + high)).sqrt() * f.sqrt())
+}
+
+/// The frequency of the `k`-th lesser resonance in floating point, without any guarantee. `None` where there is none.
+fn uncertified_lesser_start(gains: &Gains<Rational>, followers: u64, k: u64) -> Option<f64> {
+    let (f, g) = (-gains.f.to_f64()?, -gains.g.to_f64()?);
+    let (b, m) = (g / f * g, followers as f64);
+    let bisect = |mut low: f64, mut high: f64, above: &dyn Fn(f64) -> bool| {
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if above(middle) { high = middle } else { low = middle }
+        }
+        low
+    };
+    // x increases up to c² = 4; beyond, nothing is looked for.
+    let end = (4.0 / b).min(2.0);
+    let place = |turns: f64| {
+        let beyond = |s: f64| m * angles(s, b).0 >= turns * std::f64::consts::PI;
+        beyond(end).then(|| bisect(0.0, end, &beyond))
+    };
+    let (low, high) = (place(k as f64 - 0.75)?, place(k as f64 - 0.5)?);
+    let rises = |s: f64| {
+        let (x, y, tangent) = angles(s, b);
+        tangent * (2.0 * m * y).sinh() > (2.0 * m * x).sin()
+    };
+    (!rises(low)).then(|| (bisect(low, high, &rises)).sqrt() * f.sqrt())
 }
 
 /// `x`, `y` and `y'/x'` for `gamma = cos(x - i y)` at `s = w²/|f|`, `b = g²/|f|`, in forms without cancellation.

@@ -4,23 +4,21 @@ use crate::ledger::{Entry, Report, Verdict, listed};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-/// One line per claim: id, verdict, controls, time, evidence.
+/// One line per claim: id, verdict, controls, time, the strongest grade of evidence and the number of other grades.
 pub fn verdict_table(entries: &[Entry]) -> String {
     let widest = |f: fn(&Entry) -> usize, header: &str| entries.iter().map(f).max().unwrap_or(0).max(header.len());
     let (id, verdict) = (widest(|e| e.id.len(), "claim"), widest(|e| e.verdict.word().len(), "verdict"));
     let mut text = format!("{:id$} {:verdict$} {:>8} {:>6}  evidence\n", "claim", "verdict", "controls", "time");
     for e in entries {
-        let grades: Vec<&str> = e.grades().iter().map(|g| g.word()).collect();
+        let grades = match e.grades().as_slice() {
+            [] => String::new(),
+            [only] => only.word().to_string(),
+            [strongest, others @ ..] => format!("{} +{}", strongest.word(), others.len()),
+        };
         let controls = format!("{}/{}", e.controls.refuted, e.controls.total);
         // Writing to a string cannot fail.
-        let _ = writeln!(
-            text,
-            "{:id$} {:verdict$} {controls:>8} {:>5.2}s  {}",
-            e.id,
-            e.verdict.word(),
-            e.seconds,
-            grades.join(" ")
-        );
+        let _ =
+            writeln!(text, "{:id$} {:verdict$} {controls:>8} {:>5.2}s  {}", e.id, e.verdict.word(), e.seconds, grades);
     }
     text
 }

@@ -15,6 +15,7 @@ mod general;
 mod polynomial;
 mod recurrence;
 mod smith;
+mod stability;
 mod symmetric;
 mod tridiagonal;
 

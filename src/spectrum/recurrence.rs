@@ -106,7 +106,7 @@ impl Recurrence {
         })
     }
 
-    /// Sign and size of the term `r`, which must be far out; `None` where the sequence is zero throughout.
+    /// Sign and size of the term `r`, which must be far out; `None` where it is zero.
     ///
     /// # Errors
     /// [`RecurrenceError`].
@@ -117,7 +117,8 @@ impl Recurrence {
         let needed = 64 + r.bits() as u32;
         self.with_precision(|sum| {
             let Some((root, coefficient)) = sum.terms.first() else {
-                return Err(RecurrenceError::Roots);
+                // Nothing but the root 0: zero far out.
+                return if sum.polynomial.is_empty() { Ok(Some(None)) } else { Err(RecurrenceError::Roots) };
             };
             // 1 + eta with |eta| <= 2^-32 from some index below r on.
             let far = r.to_u64().unwrap_or(u64::MAX).min(1 << 40);
@@ -130,9 +131,8 @@ impl Recurrence {
             let log2 = |x: &Interval| -> Result<Interval, ArithmeticError> { x.ln()?.over(&ln2) };
             let power = root.rational(&Rational::from_integer(r.clone()));
             let slack = root.ratio(1, 1 << 31).hull(&root.ratio(-1, 1 << 31));
-            Ok(Some(Leading { sign, log2: log2(&size)? + power * log2(root)? + slack }))
+            Ok(Some(Some(Leading { sign, log2: log2(&size)? + power * log2(root)? + slack })))
         })
-        .map(Some)
     }
 
     fn with_precision<T>(

@@ -117,6 +117,7 @@ fn a_run_shows_stabilisers_and_mixing() {
     let ran = json(&flockproof(&["flock", "run", &held, "--until", "64", "--products", "--json"]));
     assert_eq!(ran["footprint"], "1111 1111 1111 1111");
     assert_eq!(ran["stabilisers"][0], serde_json::json!({"time": 3, "members": [1, 2, 3, 4]}));
+    assert_eq!(ran["block_order"], serde_json::json!([1, 2, 3, 4]));
     let decay = ran["decay"].as_array().expect("a list");
     assert_eq!(decay.len(), 7);
     assert_eq!((&decay[0]["t"], &decay[0]["tau_1"]), (&1.into(), &"1".into()));

@@ -84,8 +84,8 @@ pub enum Ending {
     },
     /// The next switch comes, but at a time whose digits cannot be written down.
     Beyond {
-        /// The pair that comes within distance 1 (from 0).
-        pair: (usize, usize),
+        /// The pair that comes within distance 1 (from 0), or all that may be the first.
+        pairs: Vec<(usize, usize)>,
         /// Encloses the binary logarithm of the time from the last switch on.
         log2_steps: Interval,
     },
@@ -153,6 +153,7 @@ pub fn settle(
                     break (Ending::Alternating { period }, why);
                 }
             }
+            Ok(Next::Moved) => {}
             Ok(Next::End(ending, why)) => break (ending, why),
         }
     };
@@ -172,6 +173,8 @@ struct Course {
 
 enum Next {
     Switch(Switch),
+    /// Some steps later, nothing has changed: a contact that was an exact tie in the limit and is not reached.
+    Moved,
     End(Ending, String),
 }
 
@@ -185,6 +188,7 @@ impl Course {
         let motion = Motion::new(&fixed, &self.flock.integers());
         let start = self.flock.time().clone();
         let mark = self.mark();
+        self.left_out_is_below(motion.unit.bits())?;
         let all = prospects(&self.flock, &fixed, &motion, &self.stages)?;
         // A contact that comes before the horizon is met on the way there.
         if let Some(switch) = self.walk(all.horizon.min(limits.steps), limits)? {
@@ -205,7 +209,7 @@ impl Course {
         match contacts.min() {
             Some(steps) => {
                 self.return_to(mark);
-                self.jump(&fixed, &motion, &all.approaches, &start, steps, limits).map(Next::Switch)
+                self.jump(&fixed, &motion, &all, &start, steps, limits)
             }
             None => Ok(self.end(&all)),
         }
@@ -247,14 +251,17 @@ impl Course {
             };
             return Next::End(Ending::Steady, why);
         };
-        let (i, j) = first.pair;
+        // All whose time may be as early.
+        let latest = log2(&first.log2_steps).1;
+        let may_be_first: Vec<_> = all.creeps.iter().filter(|c| log2(&c.log2_steps).0 <= latest).collect();
+        let pairs: Vec<(usize, usize)> = may_be_first.iter().map(|c| c.pair).collect();
+        let log2_steps = may_be_first.iter().fold(first.log2_steps.clone(), |hull, c| hull.hull(&c.log2_steps));
+        let names: Vec<String> = pairs.iter().map(|(i, j)| format!("{} and {}", i + 1, j + 1)).collect();
         let why = format!(
-            "birds {} and {} approach at a speed too small to be written as a number; the time of their contact is enclosed by its \
-             logarithm",
-            i + 1,
-            j + 1
+            "birds {} approach at a speed too small to be written as a number; the time of contact is enclosed by its logarithm",
+            names.join(", or ")
         );
-        Next::End(Ending::Beyond { pair: first.pair, log2_steps: first.log2_steps.clone() }, why)
+        Next::End(Ending::Beyond { pairs, log2_steps }, why)
     }
 
     /// Exact steps, up to a number or the next switch.
@@ -275,14 +282,27 @@ impl Course {
         Ok(None)
     }
 
+    /// Whether what was left out is too small to change any comparison of numbers with denominators of so many bits, but for
+    /// exact ties. Later jumps enlarge an older remainder by their number of steps at most, and steps by theirs.
+    fn left_out_is_below(&self, bits: u64) -> Result<(), SettleError> {
+        let enlarged: u64 = self.stages.iter().map(Stage::growth_bits).sum();
+        let needed = BigInt::from(8 * bits + 8 * enlarged + 4096);
+        let too_large = |stage: &Stage| matches!(stage, Stage::Jump(jump) if jump.smallness < needed);
+        if self.stages.iter().any(too_large) { Err(SettleError::Unresolved) } else { Ok(()) }
+    }
+
     /// A step of the rational part of a state of which something was left out: exact ties are decided by that.
     fn careful_step(&mut self) -> Result<Option<Switch>, SettleError> {
-        let bits = BigInt::from(4 * self.flock.denominator_bits() + 4096);
-        if self.stages.iter().any(|stage| matches!(stage, Stage::Jump(jump) if jump.smallness < bits)) {
-            return Err(SettleError::Unresolved);
-        }
+        self.left_out_is_below(self.flock.denominator_bits())?;
         let before = self.flock.clone();
         let mut switch = self.flock.step()?;
+        if self.flock.threshold().log2_below().is_some() {
+            // A change of distance could tie with the threshold.
+            let near = self.flock.distance_network();
+            if before.network().edges().into_iter().any(|(i, j)| !near.has_edge(i, j)) {
+                return Err(SettleError::Unresolved);
+            }
+        }
         if !self.flock.ties().is_empty() {
             let mut network = self.flock.network().clone();
             for &(i, j) in self.flock.ties() {
@@ -312,17 +332,17 @@ impl Course {
 
     /// Whether two birds at distance exactly 1 in the rational part are in truth farther apart; `before` is one step earlier.
     fn is_beyond(&self, before: &Flock, (i, j): (usize, usize)) -> Result<bool, SettleError> {
+        if self.flock.dimension() > 1 {
+            // The second order of what was left out can outweigh the first.
+            return Err(SettleError::Unresolved);
+        }
         let unit = self.flock.denominator();
         let over = |x| Rational::new(x, unit.clone());
         let difference: Vec<_> = self.flock.position_difference(i, j).into_iter().map(over).collect();
         // Positions after the move are x + v of one step earlier.
         let positions = difference_functional(before.birds(), (i, j), &difference)?;
         let functional = Functional { velocities: positions.clone(), positions };
-        let value = value_of(&self.stages, functional)?;
-        if value.sign() == Sign::Zero && self.flock.dimension() > 1 {
-            return Err(SettleError::Unresolved);
-        }
-        Ok(value.sign() == Sign::Positive)
+        Ok(value_of(&self.stages, functional)?.sign() == Sign::Positive)
     }
 
     /// Jumps to the contact `steps` after `start`, where `motion` began.
@@ -330,19 +350,28 @@ impl Course {
         &mut self,
         fixed: &FixedNetwork,
         motion: &Motion,
-        approaches: &[Approach],
+        all: &Prospects,
         start: &BigInt,
         steps: BigInt,
         limits: &Limits,
-    ) -> Result<Switch, SettleError> {
+    ) -> Result<Next, SettleError> {
+        // Whatever approaches too slowly for numbers has to come later.
+        let contact = Rational::from_integer(BigInt::from(steps.bits() + 1));
+        if all.creeps.iter().any(|creep| creep.log2_steps.to_rationals().0 <= contact) {
+            return Err(SettleError::Unresolved);
+        }
         let time = start + &steps;
         if let Some(few) = self.exact_jump(fixed, &steps, limits) {
             // The state one step before, then a step by the rule itself.
             let state = motion.state_after(fixed, few - 1)?;
             self.flock = self.flock.moved_to(&state, fixed.network.clone(), &time - 1)?;
-            return self.flock.step()?.ok_or_else(|| SettleError::Inconsistent(time.to_string()));
+            return match self.flock.step()? {
+                Some(switch) => Ok(Next::Switch(switch)),
+                None if all.approaches.iter().any(|a| a.sign_at(&steps) == Sign::Zero) => Ok(Next::Moved),
+                None => Err(SettleError::Inconsistent(time.to_string())),
+            };
         }
-        self.limit_jump(fixed, motion, approaches, time, steps, limits)
+        self.limit_jump(fixed, motion, &all.approaches, time, steps)
     }
 
     /// The number of steps, where the state after them is short enough to be written exactly.
@@ -363,8 +392,7 @@ impl Course {
         approaches: &[Approach],
         time: BigInt,
         steps: BigInt,
-        limits: &Limits,
-    ) -> Result<Switch, SettleError> {
+    ) -> Result<Next, SettleError> {
         let jump = Jump::new(fixed, motion, steps.clone())?;
         let mut joined = Vec::new();
         let mut ties = Vec::new();
@@ -389,6 +417,10 @@ impl Course {
         }
         state.reduce();
         self.stages.push(Stage::Jump(Box::new(jump)));
+        if !ties.is_empty() && self.flock.dimension() > 1 {
+            // The second order of what was left out can outweigh the first.
+            return Err(SettleError::Unresolved);
+        }
         for (i, j) in ties {
             let unit = &state.unit;
             let place = |b: usize, k: usize| &state.positions[b][k];
@@ -399,8 +431,7 @@ impl Course {
             let value = value_of(&self.stages, Functional { positions, velocities })?;
             match value.sign() {
                 Sign::Negative => joined.push((i, j)),
-                Sign::Zero if self.flock.dimension() == 1 => joined.push((i, j)),
-                Sign::Zero => return Err(SettleError::Unresolved),
+                Sign::Zero => joined.push((i, j)),
                 Sign::Positive => {}
             }
         }
@@ -412,13 +443,9 @@ impl Course {
         self.flock = averaged;
         self.stages.push(Stage::Average(transition));
         if joined.is_empty() {
-            // Every contact was a tie that is not reached; the next step decides.
-            return match self.walk(2, limits)? {
-                Some(switch) => Ok(switch),
-                None => Err(SettleError::Inconsistent(time.to_string())),
-            };
+            return Ok(Next::Moved);
         }
-        Ok(Switch::between(&fixed.network, &network, time))
+        Ok(Next::Switch(Switch::between(&fixed.network, &network, time)))
     }
 
     /// Looks for a cycle in the recent networks and proves that it goes on forever.

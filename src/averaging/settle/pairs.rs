@@ -132,6 +132,10 @@ impl Pair<'_> {
             }
         }
         let signs = ties::eventual_signs(self.flock, std::slice::from_ref(&self.fixed.network), (self.i, self.j), &a)?;
+        if !self.stages.is_empty() && signs.signs.contains(&Sign::Zero) {
+            // A tie of the rational part for ever: what was left out would decide.
+            return Err(SettleError::Unresolved);
+        }
         Ok(signs.from.max(self.steps_until(transient, -1)))
     }
 

@@ -24,6 +24,17 @@ pub(super) enum Stage {
     Jump(Box<Jump>),
 }
 
+impl Stage {
+    /// Bits by which it enlarges what was left out before.
+    pub fn growth_bits(&self) -> u64 {
+        match self {
+            Stage::Steps { steps, .. } => u64::from(u64::BITS - steps.leading_zeros()) + 1,
+            Stage::Average(_) => 0,
+            Stage::Jump(jump) => jump.steps.bits() + largest_bits(&jump.gamma) + 2,
+        }
+    }
+}
+
 /// A jump: all that is needed to know what it left out and what it does to older remainders.
 pub(super) struct Jump {
     transition: RationalMatrix,

@@ -1,6 +1,8 @@
 //! Results beyond the papers: corrected theorems and sharper statements, checked like any claim.
 
+mod decay_rate;
 mod fewer_switches;
+mod next_order;
 mod one_sided_peak;
 mod smallest_entries;
 mod tower;
@@ -17,5 +19,8 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(tower::Tower),
         Box::new(virtual_origins::Angle),
         Box::new(virtual_origins::Losses),
+        Box::new(next_order::NextFrequency),
+        Box::new(next_order::NextAmplitude),
+        Box::new(decay_rate::SlowestDecay),
     ]
 }

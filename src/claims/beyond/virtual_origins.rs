@@ -18,7 +18,7 @@ impl Claim for Angle {
     fn source(&self) -> Option<Source> {
         Some(Source {
             place: "sharpens chazelle, Lemma 3.7".to_string(),
-            statement: "In model D, for any bird at any time t >= 1, angle(x_i(t), v_i(t)) <= |v_i(t) - x_i(t)/t| = |E_i(t)|/t, where each coordinate \
+            statement: "In model D, as long as no edge is longer than 2 (Lemma 3.6), for any bird at any time t >= 1, angle(x_i(t), v_i(t)) <= |v_i(t) - x_i(t)/t| = |E_i(t)|/t, where each coordinate \
                         of E_i(t) is at most max|x(0)| + 4 (s(t) + 1) n^(2a+3), s(t) the number of switches before t, entries of P at least n^-a: \
                         no waiting time and no log t."
                 .to_string(),
@@ -56,7 +56,7 @@ impl Claim for Losses {
     fn source(&self) -> Option<Source> {
         Some(Source {
             place: "sharpens chazelle, Lemma 3.8".to_string(),
-            statement: "In model D with the hysteresis of the paper, entries of P at least n^-a with a <= 2, speeds and coordinates up to n, no edge is lost \
+            statement: "In model D with the hysteresis of the paper, entries of P at least n^-a with a <= 2, speeds and coordinates up to n, and n >= 4 birds, no edge is lost \
                         after time n^(n^4 + 2(n-1)² + 10(n-1) + 17)."
                 .to_string(),
         })
@@ -68,7 +68,7 @@ impl Claim for Losses {
     }
 
     fn printed(&self) -> LossVariant {
-        LossVariant { time: |n| n.pow(4) + 2 * (n - 1).pow(2) + 10 * (n - 1) + 17, from: 2, hysteresis: true }
+        LossVariant { time: |n| n.pow(4) + 2 * (n - 1).pow(2) + 10 * (n - 1) + 17, from: 4, hysteresis: true }
     }
 
     fn controls(&self) -> Vec<Control<LossVariant>> {

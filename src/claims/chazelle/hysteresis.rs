@@ -153,8 +153,8 @@ impl Claim for SmallerThreshold {
     fn controls(&self) -> Vec<Control<SmallerThresholdVariant>> {
         let printed = self.printed();
         vec![
-            Control::new("2^-1000000", SmallerThresholdVariant { bits: 1_000_000, ..printed }),
-            Control::new("for n = 2 too", SmallerThresholdVariant { from: 2, ..printed }),
+            Control::new("2^-1000000 (the argument fails)", SmallerThresholdVariant { bits: 1_000_000, ..printed }),
+            Control::new("for n = 2 too (the argument fails)", SmallerThresholdVariant { from: 2, ..printed }),
             Control::new("even the times of the example", SmallerThresholdVariant { examples: true, ..printed }),
         ]
     }
@@ -354,7 +354,10 @@ impl Claim for FarBirdsAreNot {
         vec![
             Control::new("1 + n^(-n^4)", FarVariant { power: 4, ..printed }),
             Control::new("any weights, n = 2", FarVariant { from: 4, weight: 1024, ..printed }),
-            Control::new("the argument for n = 2", FarVariant { from: 2, ..printed }),
+            Control::new(
+                "what the argument gives, for n = 2 too (there it is too much)",
+                FarVariant { from: 2, ..printed },
+            ),
         ]
     }
 

@@ -62,8 +62,7 @@ fn cases(run: &Run) -> Vec<(i64, u32)> {
 fn networks(start: &Start, switches: &[Switch]) -> Result<Vec<Graph>, CheckError> {
     let mut all = vec![crate::averaging::Flock::new(start)?.network().clone()];
     for switch in switches {
-        let gained = all[all.len() - 1].with_edges(&switch.gained);
-        all.push(Graph::from_fn(gained.order(), |i, j| gained.has_edge(i, j) && !switch.lost.contains(&(i, j))));
+        all.push(switch.applied_to(&all[all.len() - 1]));
     }
     Ok(all)
 }

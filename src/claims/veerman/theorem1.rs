@@ -5,7 +5,7 @@ use crate::arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Rea
 use crate::ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run, interval_value};
 use crate::platoon::{Gains, Resonance, chebyshev, gamma, resonance, theorem1};
 
-const DIGITS: u32 = 36;
+pub(super) const DIGITS: u32 = 36;
 
 /// The gains at which asymptotic statements are checked.
 fn gains_list() -> [Gains<Rational>; 3] {
@@ -13,9 +13,9 @@ fn gains_list() -> [Gains<Rational>; 3] {
     [gains((-1, 1), (-1, 1)), gains((-2, 1), (-1, 2)), gains((-1, 3), (-2, 1))]
 }
 
-/// Sizes M from 32 on in steps of 8, up to about 10^6 (10^9 with `--full`).
-fn sizes(run: &Run) -> Vec<u64> {
-    (0..run.cases(6, 9) as u32).map(|k| 32 * 8u64.pow(k)).collect()
+/// Sizes M from `first` on in steps of 8: 32 to about 10^6 (10^9 with `--full`).
+fn sizes(run: &Run, first: u64) -> Vec<u64> {
+    (0..run.cases(6, 9) as u32).map(|k| first * 8u64.pow(k)).collect()
 }
 
 /// Certifies that `error(gains, M) M^order` stays bounded: from the smallest to the largest size it does not grow to
@@ -26,7 +26,19 @@ fn scaled_error_is_bounded(
     order: u64,
     error: impl Fn(&Gains<Rational>, u64) -> Result<Interval, CheckError>,
 ) -> Result<Outcome, CheckError> {
-    let sizes = sizes(run);
+    scaled_error_is_bounded_from(32, run, name, order, "proof in notes/resonance.md", error)
+}
+
+/// The same from another smallest size on; `proof` says where the proof for all is.
+pub(super) fn scaled_error_is_bounded_from(
+    smallest: u64,
+    run: &mut Run,
+    name: &str,
+    order: u64,
+    proof: &str,
+    error: impl Fn(&Gains<Rational>, u64) -> Result<Interval, CheckError>,
+) -> Result<Outcome, CheckError> {
+    let sizes = sizes(run, smallest);
     let mut cases = 0;
     for gains in gains_list() {
         let mut first: Option<Interval> = None;
@@ -55,16 +67,19 @@ fn scaled_error_is_bounded(
         }
     }
     let detail = format!(
-        "proof in notes/resonance.md; enclosures for M = 32, 256, ..., {} and three pairs (f, g): the error times M^{order} stays at \
-         most twice its size at M = 32",
-        sizes[sizes.len() - 1]
+        "{proof}; enclosures for M = {}, {}, ..., {} and three pairs (f, g): the error times M^{order} stays at \
+         most twice its size at M = {}",
+        sizes[0],
+        sizes[1],
+        sizes[sizes.len() - 1],
+        sizes[0]
     );
     Ok(Outcome::Holds(vec![
         Evidence::new(Grade::Certified, format!("{name} up to O(M^-{order})"), detail).cases(cases),
     ]))
 }
 
-fn enclosed(gains: &Gains<Rational>, m: u64) -> Result<(Resonance, Gains<Interval>), CheckError> {
+pub(super) fn enclosed(gains: &Gains<Rational>, m: u64) -> Result<(Resonance, Gains<Interval>), CheckError> {
     let found = resonance(gains, m, DIGITS)?;
     let precision = found.omega.precision();
     Ok((found, gains.map(|q| Interval::from_rational(q, precision))))

@@ -3,6 +3,7 @@
 use super::course::Course;
 use flockproof::arithmetic::Rational;
 use flockproof::averaging::{Decay, Observer, deviation_matrix, stationary_distribution, transition_matrix};
+use flockproof::matrix::Footprint;
 use num_traits::ToPrimitive;
 use serde_json::{Value, json};
 
@@ -41,6 +42,16 @@ fn members(list: &[usize]) -> Vec<usize> {
     list.iter().map(|i| i + 1).collect()
 }
 
+/// The birds (from 1) in the order of (3.5): those of the last stabiliser first, then those of the one before, and so on. In this
+/// order the products after `T_k` have the blocks of the stabilisers on their diagonal.
+fn block_order(observer: &Observer, birds: usize) -> Vec<usize> {
+    let stabilisers = observer.stabilisers();
+    let depth = |i: &usize| stabilisers.iter().filter(|s| s.members.contains(i)).count();
+    let mut order: Vec<usize> = (0..birds).collect();
+    order.sort_by_key(|i| std::cmp::Reverse(depth(i)));
+    members(&order)
+}
+
 fn decay_json(decay: &Decay) -> Value {
     json!({
         "t": decay.time,
@@ -57,6 +68,8 @@ pub fn observed_json(observer: &Observer, lengths: &Lengths, document: &mut Valu
     let stabilisers = observer.stabilisers();
     document["stabilisers"] =
         stabilisers.iter().map(|s| json!({"time": s.time, "members": members(&s.members)})).collect();
+    let birds = observer.footprint().map_or(0, Footprint::rows);
+    document["block_order"] = json!(block_order(observer, birds));
     document["decay"] = observer.decay().iter().map(decay_json).collect();
     document["bits"] = json!({
         "state": lengths.state,
@@ -85,6 +98,10 @@ pub fn observed_text(observer: &Observer, lengths: &Lengths) -> String {
             k + 1,
             stabiliser.time
         ));
+    }
+    let birds = observer.footprint().map_or(0, Footprint::rows);
+    if observer.stabilisers().iter().any(|s| s.members.len() < birds) {
+        text.push_str(&format!("block form (3.5): birds in the order {:?}\n", block_order(observer, birds)));
     }
     let float = |x: &Rational| x.to_f64().unwrap_or(f64::NAN);
     for decay in observer.decay() {

@@ -6,7 +6,6 @@ use flockproof::arithmetic::decimals;
 use flockproof::averaging::read::Model;
 use flockproof::averaging::settle::{Ending, Limits, Settlement, settle};
 use flockproof::averaging::{Flock, declaration};
-use flockproof::graph::Graph;
 use serde_json::{Value, json};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -59,7 +58,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     let declared = declaration(&flock, None);
     let settled = settle(flock, &limits, &mut |switch| {
-        let after = after(&network, switch);
+        let after = switch.applied_to(&network);
         let line = switch_line(switch, &network, &after);
         network = after;
         let event = switch_json(switch);
@@ -88,11 +87,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     })
 }
 
-fn after(before: &Graph, switch: &flockproof::averaging::Switch) -> Graph {
-    let gained = before.with_edges(&switch.gained);
-    Graph::from_fn(gained.order(), |i, j| gained.has_edge(i, j) && !switch.lost.contains(&(i, j)))
-}
-
 fn document(settled: &Settlement, switches: Vec<Value>, declared: &str) -> Value {
     let steady = matches!(settled.ending, Ending::Steady).then(|| settled.last_switch.to_string());
     let mut document = json!({
@@ -104,9 +98,10 @@ fn document(settled: &Settlement, switches: Vec<Value>, declared: &str) -> Value
         "why": settled.why,
     });
     match &settled.ending {
-        Ending::Beyond { pair, log2_steps } => {
+        Ending::Beyond { pairs, log2_steps } => {
             let (lo, hi) = decimals(log2_steps, 20);
-            document["next"] = json!({"pair": [pair.0 + 1, pair.1 + 1], "log2_steps": {"lo": lo, "hi": hi}});
+            let pairs: Vec<[usize; 2]> = pairs.iter().map(|(i, j)| [i + 1, j + 1]).collect();
+            document["next"] = json!({"one_of": pairs, "log2_steps": {"lo": lo, "hi": hi}});
         }
         Ending::Alternating { period } => document["period"] = json!(period),
         _ => {}
@@ -130,9 +125,9 @@ fn closing(settled: &Settlement) -> String {
     let verdict = match &settled.ending {
         Ending::Steady => format!("steady from t = {last} on"),
         Ending::Alternating { period } => format!("alternates forever with period {period}"),
-        Ending::Beyond { pair, log2_steps } => {
+        Ending::Beyond { log2_steps, .. } => {
             let (lo, hi) = decimals(log2_steps, 12);
-            format!("birds {} and {} meet 2^L steps after t = {last},\nL in [{lo}, {hi}]", pair.0 + 1, pair.1 + 1)
+            format!("the next contact comes 2^L steps after t = {last},\nL in [{lo}, {hi}]")
         }
         Ending::Undecided(_) => "undecided".to_string(),
         Ending::Interrupted => "interrupted".to_string(),

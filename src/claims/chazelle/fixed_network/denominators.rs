@@ -1,9 +1,9 @@
 //! chazelle.lem3.5: how long the numbers of the limit configuration are.
 
 use super::limits::limit_of_lemma_3_3;
-use super::{FAMILY, Family, Kind, Network, every_row, for_all, power_of_order};
+use super::{FAMILY, Family, Kind, Network, every_row, exhaustively, power_of_order};
 use crate::arithmetic::{Rational, rational};
-use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use crate::ledger::{CheckError, Claim, Control, Outcome, Run};
 use crate::matrix::RationalMatrix;
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -110,12 +110,8 @@ impl Claim for ShortLimit {
         let part = "one denominator D = R² T p for Gamma, and with that of the input for x^r; all below n^(beta n)";
         let networks = Family::PRINTED.networks(run.cases(5, 6))?;
         let mut random = run.random(0);
-        Ok(match for_all(&networks, run, part, |network| variant.fails_at(network, &mut random))? {
-            Err(outcome) => outcome,
-            Ok(cases) => Outcome::Holds(vec![
-                Evidence::new(Grade::Exhaustive, part, format!("{FAMILY} on up to 5 birds (6 with --full), three kinds of weights; for x^r one random input each"))
-                    .cases(cases),
-            ]),
-        })
+        let detail =
+            format!("{FAMILY} on up to 5 birds (6 with --full), three kinds of weights; for x^r one random input each");
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network, &mut random))
     }
 }

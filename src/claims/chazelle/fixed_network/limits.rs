@@ -1,9 +1,9 @@
 //! chazelle.lem3.3, chazelle.eq3.12-13, chazelle.lem3.4: where a flock with a fixed network goes.
 
-use super::{FAMILY, Family, Network, every_row, for_all, list};
+use super::{FAMILY, Family, Network, every_row, exhaustively, list};
 use crate::arithmetic::{Rational, rational};
 use crate::averaging::{State, contraction, deviation_matrix, motion};
-use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use crate::ledger::{CheckError, Claim, Control, Outcome, Run};
 use crate::matrix::{MatrixError, RationalMatrix};
 use num_traits::Zero;
 
@@ -133,13 +133,10 @@ impl Claim for LimitOfGamma {
     fn examine(&self, variant: &LimitOfGammaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
         let part = "the limit, which also is (I - P + 1 pi^T)^-1 - 1 pi^T";
         let networks = variant.family.labelled(4, run.cases(5, 6))?;
-        Ok(match for_all(&networks, run, part, |network| variant.fails_at(network))? {
-            Err(outcome) => outcome,
-            Ok(cases) => Outcome::Holds(vec![
-                Evidence::new(Grade::Exhaustive, part, format!("{FAMILY} on 5 birds (and 6 with --full) and every labelled one on up to 4, three kinds of weights"))
-                    .cases(cases),
-            ]),
-        })
+        let detail = format!(
+            "{FAMILY} on 5 birds (and 6 with --full) and every labelled one on up to 4, three kinds of weights"
+        );
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
     }
 }
 
@@ -246,17 +243,10 @@ impl Claim for Positions {
     fn examine(&self, variant: &PositionsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
         let part = "both equations against steps of (1.2)";
         let networks = Family::PRINTED.networks(run.cases(4, 5))?;
-        Ok(match for_all(&networks, run, part, |network| variant.fails_at(network))? {
-            Err(outcome) => outcome,
-            Ok(cases) => Outcome::Holds(vec![
-                Evidence::new(
-                    Grade::Exhaustive,
-                    part,
-                    format!("{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector v(1), t = 1, .., {STEPS}"),
-                )
-                .cases(cases),
-            ]),
-        })
+        let detail = format!(
+            "{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector v(1), t = 1, .., {STEPS}"
+        );
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
     }
 }
 
@@ -367,16 +357,9 @@ impl Claim for RelativeLimit {
     fn examine(&self, variant: &RelativeLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
         let part = "the limit and the steady mass center";
         let networks = variant.family.networks(run.cases(4, 5))?;
-        Ok(match for_all(&networks, run, part, |network| variant.fails_at(network))? {
-            Err(outcome) => outcome,
-            Ok(cases) => Outcome::Holds(vec![
-                Evidence::new(
-                    Grade::Exhaustive,
-                    part,
-                    format!("{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector (x(0), v(1))"),
-                )
-                .cases(cases),
-            ]),
-        })
+        let detail = format!(
+            "{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector (x(0), v(1))"
+        );
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
     }
 }

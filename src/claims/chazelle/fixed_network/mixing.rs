@@ -1,6 +1,6 @@
 //! chazelle.lem3.2, chazelle.eq3.9, chazelle.eq3.10: how fast the powers of the transition matrix converge.
 
-use super::{FAMILY, Family, Kind, Network, fails, for_all, list, power_of_order};
+use super::{FAMILY, Family, Kind, Network, exhaustively, fails, for_all, list, power_of_order};
 use crate::arithmetic::{Field, Interval, Rational, Real, Ring, rational};
 use crate::averaging::contraction;
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, interval_value};
@@ -122,17 +122,10 @@ impl Claim for SecondEigenvalue {
     fn examine(&self, variant: &SecondEigenvalueVariant, run: &mut Run) -> Result<Outcome, CheckError> {
         let part = "1 - mu >= n^-(a+2), for weights with denominators up to n^a";
         let networks = variant.family.networks(run.cases(6, 7))?;
-        Ok(match for_all(&networks, run, part, |network| variant.fails_at(network))? {
-            Err(outcome) => outcome,
-            Ok(cases) => Outcome::Holds(vec![
-                Evidence::new(
-                    Grade::Exhaustive,
-                    part,
-                    format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues beyond the proved bounds counted exactly"),
-                )
-                .cases(cases),
-            ]),
-        })
+        let detail = format!(
+            "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues beyond the proved bounds counted exactly"
+        );
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
     }
 }
 
@@ -199,17 +192,10 @@ impl Claim for EntrywiseRate {
     fn examine(&self, variant: &EntrywiseVariant, run: &mut Run) -> Result<Outcome, CheckError> {
         let part = "|(P^s)_ij - pi_j| <= n^(a/2) e^(-s n^-(a+2))";
         let networks = variant.family.networks(run.cases(5, 6))?;
-        Ok(match for_all(&networks, run, part, |network| variant.fails_at(network))? {
-            Err(outcome) => outcome,
-            Ok(cases) => Outcome::Holds(vec![
-                Evidence::new(
-                    Grade::Exhaustive,
-                    part,
-                    format!("{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, twelve s up to 64; powers exact, exponentials enclosed"),
-                )
-                .cases(cases),
-            ]),
-        })
+        let detail = format!(
+            "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, twelve s up to 64; powers exact, exponentials enclosed"
+        );
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
     }
 }
 

@@ -178,6 +178,20 @@ fn for_all(
     Ok(Ok(networks.len()))
 }
 
+/// A check of all networks as the whole evidence of a part.
+fn exhaustively(
+    networks: &[Network],
+    run: &Run,
+    part: &str,
+    detail: String,
+    check: impl FnMut(&Network) -> Result<Option<String>, CheckError>,
+) -> Result<Outcome, CheckError> {
+    Ok(match for_all(networks, run, part, check)? {
+        Err(outcome) => outcome,
+        Ok(cases) => Outcome::Holds(vec![Evidence::new(Grade::Exhaustive, part, detail).cases(cases)]),
+    })
+}
+
 fn fails(counterexample: impl Into<String>, part: &str) -> Outcome {
     Outcome::fails(counterexample, Evidence::new(Grade::Exact, part, "exact arithmetic on one network"))
 }

@@ -1,6 +1,6 @@
 //! chazelle.pi and chazelle.eq3.7: eigenvalues and first eigenvectors of the transition matrix.
 
-use super::{FAMILY, Family, Kind, Network, for_all, list};
+use super::{FAMILY, Family, Kind, Network, exhaustively, for_all, list};
 use crate::arithmetic::{RadicalSum, Rational, rational};
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
 use crate::matrix::RationalMatrix;
@@ -70,19 +70,9 @@ impl Claim for Stationary {
     fn examine(&self, variant: &StationaryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
         let part = "1 is a simple dominant eigenvalue with these eigenvectors";
         let networks = variant.family.networks(run.cases(6, 7))?;
-        Ok(match for_all(&networks, run, part, |network| variant.fails_at(network))? {
-            Err(outcome) => outcome,
-            Ok(cases) => Outcome::Holds(vec![
-                Evidence::new(
-                    Grade::Exhaustive,
-                    part,
-                    format!(
-                        "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly"
-                    ),
-                )
-                .cases(cases),
-            ]),
-        })
+        let detail =
+            format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly");
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
     }
 }
 
