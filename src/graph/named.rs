@@ -14,7 +14,7 @@ use std::str::FromStr;
 pub const LARGEST_ORDER: usize = 1 << 20;
 
 /// Most arcs of a named graph that is built.
-const MOST_ARCS: usize = 1 << 24;
+const MOST_ARCS: usize = 1 << 21;
 
 /// A graph known by its name.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -208,22 +208,28 @@ impl NamedGraph {
                 let middle = (1..*m).flat_map(|i| [(i, i - 1, half()), (i, i + 1, half())]);
                 WeightedGraph::from_arcs(n, middle.chain([(*m, m - 1, one())]))
             }
-            NamedGraph::Geometric { radius, seed, .. } => undirected(close_pairs(n, radius, *seed)),
+            NamedGraph::Geometric { radius, seed, .. } => {
+                let edges: Vec<(usize, usize)> = close_pairs(n, radius, *seed).take(MOST_ARCS / 2 + 1).collect();
+                if edges.len() > MOST_ARCS / 2 {
+                    return Err(NameError::TooManyArcs(self.to_string()));
+                }
+                undirected(edges)
+            }
         })
     }
 }
 
 /// The pairs at distance `radius` or less among points whose coordinates are multiples of `2^-32`; decided exactly.
-fn close_pairs(order: usize, radius: &Rational, seed: u64) -> Vec<(usize, usize)> {
+fn close_pairs(order: usize, radius: &Rational, seed: u64) -> impl Iterator<Item = (usize, usize)> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut point = || (i64::from(random.next_u32()), i64::from(random.next_u32()));
     let points: Vec<(i64, i64)> = (0..order).map(|_| point()).collect();
     // floor((2^32 radius)²): squares of distances are integers of at most 65 bits.
     let limit = (radius * radius * Rational::from_integer(BigInt::from(1) << 64)).to_integer();
     let limit = u128::try_from(limit).unwrap_or(u128::MAX);
-    let close = |&(i, j): &(usize, usize)| {
+    let close = move |&(i, j): &(usize, usize)| {
         let square = |a: i64, b: i64| u128::from(a.abs_diff(b)) * u128::from(a.abs_diff(b));
         square(points[i].0, points[j].0) + square(points[i].1, points[j].1) <= limit
     };
-    (0..order).flat_map(|j| (0..j).map(move |i| (i, j))).filter(close).collect()
+    (0..order).flat_map(|j| (0..j).map(move |i| (i, j))).filter(close)
 }

@@ -77,6 +77,7 @@ fn bad_spectra_are_refused() {
     ask("platoon2:5", &["--kind", "normalised"], "undirected");
     ask("path:1", &["--kind", "reduced"], "first one");
     ask("geometric:50:1/2:1", &["--digits", "40"], "order 50");
-    ask("geometric:9000:1/2:1", &[], "order");
+    ask("geometric:9000:1/2:1", &[], "too many");
+    ask("geometric:3500:1/16:1", &[], "irreducible block of order 3500");
     assert_refused(&["spectrum"], "--graph");
 }
