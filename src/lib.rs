@@ -1,16 +1,19 @@
 //! Exact, certified and simulated checks of what five papers claim about flocking, and the machinery behind them.
 //!
 //! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`averaging`] (Chazelle),
-//! [`platoon`] (Veerman, Stosic and Olvera), [`ledger`], [`claims`], [`report`].
+//! [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`double_integrator`] (Tanner,
+//! Jadbabaie and Pappas), [`ledger`], [`claims`], [`report`].
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
 pub mod arithmetic;
 pub mod averaging;
 pub mod claims;
+pub mod double_integrator;
 pub mod graph;
 pub mod ledger;
 pub mod matrix;
+pub mod oscillator;
 pub mod platoon;
 pub mod report;
 pub mod spectrum;

@@ -3,6 +3,9 @@
 
 mod beyond;
 mod chazelle;
+mod paley;
+mod tanner1;
+mod tanner2;
 mod veerman;
 
 use crate::arithmetic::{Rational, parse_rational, rational};
@@ -14,8 +17,9 @@ use crate::ledger::{AnyClaim, CheckError, Ledger, LedgerError};
 /// [`LedgerError`] where a claim is registered twice or lacks a source; the tests rule that out.
 pub fn ledger() -> Result<Ledger, LedgerError> {
     let mut ledger = Ledger::new();
-    let groups: [Vec<Box<dyn AnyClaim>>; 3] = [chazelle::claims(), veerman::claims(), beyond::claims()];
-    for claim in groups.into_iter().flatten() {
+    let groups: [fn() -> Vec<Box<dyn AnyClaim>>; 6] =
+        [chazelle::claims, veerman::claims, paley::claims, tanner1::claims, tanner2::claims, beyond::claims];
+    for claim in groups.into_iter().flat_map(|claims| claims()) {
         ledger.register_boxed(claim)?;
     }
     Ok(ledger)

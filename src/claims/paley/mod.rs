@@ -1,0 +1,11 @@
+//! Claims of Paley, Leonard, Sepulchre, Grünbaum and Parrish, Oscillator models and collective motion.
+
+mod phase;
+mod space;
+
+use crate::ledger::AnyClaim;
+
+/// All that are built.
+pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+    phase::claims().into_iter().chain(space::claims()).collect()
+}
