@@ -2,7 +2,8 @@
 //!
 //! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`averaging`] (Chazelle),
 //! [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`double_integrator`] (Tanner,
-//! Jadbabaie and Pappas), [`ledger`], [`claims`], [`report`].
+//! Jadbabaie and Pappas), [`kernel`] (the Coq development), [`ledger`],
+//! [`claims`], [`report`].
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
@@ -11,6 +12,7 @@ pub mod averaging;
 pub mod claims;
 pub mod double_integrator;
 pub mod graph;
+pub mod kernel;
 pub mod ledger;
 pub mod matrix;
 pub mod oscillator;

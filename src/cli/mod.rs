@@ -8,6 +8,8 @@ mod explain;
 mod flock;
 mod interrupt;
 mod output;
+mod progress;
+mod prove;
 mod reproduce;
 mod resonance;
 mod spectrum;
@@ -36,6 +38,8 @@ enum Command {
     Resonance(resonance::Arguments),
     /// Enclose the eigenvalues of a Laplacian or adjacency matrix of a graph
     Spectrum(spectrum::Arguments),
+    /// Let Coq check the proofs that the ledger rests on
+    Prove(prove::Arguments),
     /// Products, footprints, stabilisers and ergodicity coefficients of a sequence of stochastic matrices
     Ergodicity(ergodicity::Arguments),
     /// Exact flocks: step them, or decide what becomes of them
@@ -77,6 +81,7 @@ pub fn main() -> ExitCode {
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Spectrum(arguments) => spectrum::run(&arguments),
+        Command::Prove(arguments) => prove::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
     })
