@@ -9,7 +9,7 @@ mod tanner2;
 mod veerman;
 
 use crate::arithmetic::{Rational, parse_rational, rational};
-use crate::ledger::{AnyClaim, CheckError, Ledger, LedgerError};
+use crate::ledger::{CheckError, Ledger, LedgerError};
 
 /// The ledger of every claim that is built.
 ///
