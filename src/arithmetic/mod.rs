@@ -28,6 +28,7 @@ mod number;
 mod operators;
 mod radical;
 mod rational;
+mod regression;
 mod series;
 mod surd;
 
@@ -41,6 +42,7 @@ pub use interval::Interval;
 pub use number::{NumberError, decimal, decimals, parse_rational, significant_digits};
 pub use radical::RadicalSum;
 pub use rational::{Rational, rational};
+pub use regression::regression_line;
 pub use series::Series;
 pub use surd::{sign_of_square_root_difference, sign_of_surd};
 

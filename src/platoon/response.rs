@@ -8,8 +8,16 @@ use crate::arithmetic::{ArithmeticError, Complex, Field, Real, Ring};
 /// # Errors
 /// [`ArithmeticError::DivisionByZero`] where `f + i w g` may be zero.
 pub fn gamma<T: Field>(gains: &Gains<T>, w: &T) -> Result<Complex<T>, ArithmeticError> {
+    Ok(Complex::real(w.one()) + gamma_minus_one(gains, w)?)
+}
+
+/// `gamma - 1 = w²/(f + i w g)`, which is small at small frequencies.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where `f + i w g` may be zero.
+pub fn gamma_minus_one<T: Field>(gains: &Gains<T>, w: &T) -> Result<Complex<T>, ArithmeticError> {
     let z = Complex::new(gains.f.clone(), gains.g.clone() * w);
-    Ok(Complex::real(w.one()) + z.recip()?.scale(&w.square()))
+    Ok(z.recip()?.scale(&w.square()))
 }
 
 /// System (1): `a_k = gamma^-k`.

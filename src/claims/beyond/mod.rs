@@ -19,8 +19,8 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(tower::Tower),
         Box::new(virtual_origins::Angle),
         Box::new(virtual_origins::Losses),
-        Box::new(next_order::NextFrequency),
-        Box::new(next_order::NextAmplitude),
+        Box::new(next_order::FREQUENCY),
+        Box::new(next_order::AMPLITUDE),
         Box::new(decay_rate::SlowestDecay),
     ]
 }

@@ -206,7 +206,7 @@ impl Frame {
             return;
         }
         let widest = named.iter().map(|(s, _)| letters(&s.name)).max().unwrap_or(0) as f64;
-        let (width, height) = (44.0 + widest * 12.0 * 0.58, 18.0 * named.len() as f64 + 8.0);
+        let (width, height) = (46.0 + widest * 12.0 * 0.62, 18.0 * named.len() as f64 + 8.0);
         let place = |corner: Corner| match corner {
             Corner::UpperLeft => (self.left + 8.0, self.top + 8.0),
             Corner::UpperRight => (self.right - 8.0 - width, self.top + 8.0),
