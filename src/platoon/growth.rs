@@ -54,14 +54,22 @@ impl Growth {
 /// Candidates are refined by golden sections: around the frequency of the slowest mode, `sqrt(|f| lambda)`, in steps of a quarter
 /// of its width, and around the best three local maxima of a grid of 48 frequencies per factor of 10.
 ///
+/// Where the eigenvalue of the slowest mode cannot be told from 0 in floating point (below `1e-13`), the peak is not searched for: the
+/// resonance of that mode alone, `sqrt|f|/(|g| sqrt(lambda))`, stands for it, with `1e-13` for `lambda`. It exceeds [`LARGEST_PEAK`] for
+/// `|g| < 3 sqrt|f|`.
+///
 /// # Errors
 /// [`ArithmeticError`] where the response does not exist.
 pub fn peak(graph: &CommunicationGraph, gains: &Gains<f64>) -> Result<Extreme, ArithmeticError> {
     let platoon = BandedPlatoon::new(graph);
     let response = |w: f64| platoon.largest_amplitude(gains, w);
     let (root, damping) = (gains.f.abs().sqrt(), gains.g.abs() / gains.f.abs().sqrt());
-    let (eigenvalue, change) = platoon.smallest_eigenvalue()?;
-    let slow = root * eigenvalue.sqrt();
+    const ROUNDING: f64 = 1e-13;
+    let (eigenvalue, change) = platoon.smallest_eigenvalue().unwrap_or((0.0, 0.0));
+    let slow = root * eigenvalue.max(ROUNDING).sqrt();
+    if eigenvalue < ROUNDING {
+        return Ok(Extreme { value: root / (damping * slow), at: slow });
+    }
     // Relative half-width of the resonance of that mode; a mode that is not settled is looked for in a wider range.
     let width = 0.5 * damping * eigenvalue.sqrt();
     let steps = if change < 1e-9 { 24 } else { 200 };

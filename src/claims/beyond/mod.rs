@@ -5,6 +5,7 @@ mod fewer_switches;
 mod next_order;
 mod one_sided_peak;
 mod smallest_entries;
+mod table1_reading;
 mod tower;
 mod virtual_origins;
 
@@ -22,5 +23,6 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(next_order::FREQUENCY),
         Box::new(next_order::AMPLITUDE),
         Box::new(decay_rate::SlowestDecay),
+        Box::new(table1_reading::Table1Reading),
     ]
 }

@@ -37,6 +37,9 @@ fn gains_list() -> Vec<Gains<Rational>> {
 /// A formula of M cars.
 type Formula = fn(&Gains<Interval>, u64) -> Result<Interval, ArithmeticError>;
 
+/// A constant, of the precision of a number.
+type Constant = fn(&Interval) -> Result<Interval, ArithmeticError>;
+
 /// The expansion of both proofs, as exact power series in `a`: with `theta = x - iy = sqrt2 a H`,
 /// `H = 1 + a²/12 - 3c²/8 - i (c/2)(1 + a²/4 - 5c²/8) + O(a⁴)`, `c = ab`, `cos theta` is `gamma = 1 - a²/(1 + ic)` up to `O(a⁶)`.
 struct Expansion;
@@ -81,7 +84,7 @@ pub struct NextOrder {
     next: Formula,
     bound: (i64, i64),
     /// `power` such that `M^power (found - leading)` tends to a constant, and that constant for f = g = -1.
-    limit: (u64, fn(&Interval) -> Result<Interval, ArithmeticError>),
+    limit: (u64, Constant),
 }
 
 /// Enclosures against the formula, from the smallest size of the statement on.

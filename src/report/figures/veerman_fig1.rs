@@ -17,12 +17,14 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             let (t, _) = chebyshev(followers, &gamma_minus_one(&UNIT, &w)?);
             Ok(-0.5 * Complex::norm_squared(&t).ln())
         };
-        // Dense enough for the narrow peaks.
-        let points =
-            steps(end / 3000.0, end, 2999).map(|w| Ok((w, response(w)?))).collect::<Result<Vec<_>, CheckError>>()?;
         let (w, amplitude) = certified(followers)?;
+        // The main peak is much narrower than a step of the even grid.
+        let near = steps(-1.0, 1.0, 400).map(|u| w * (1.0 + 0.2 * u.powi(5)));
+        let mut frequencies: Vec<f64> = steps(end / 3000.0, end, 2999).chain(near).collect();
+        frequencies.sort_by(f64::total_cmp);
+        let points = frequencies.into_iter().map(|w| Ok((w, response(w)?))).collect::<Result<Vec<_>, CheckError>>()?;
         text.push_str(&format!("  N = {followers:4}: certified peak at w = {w:.8}, |a_N| = {amplitude:.4}\n"));
-        rows.extend(points.iter().map(|(w, a)| [followers.to_string(), format!("{w:.8}"), format!("{a:.8}")]));
+        rows.extend(points.iter().map(|(w, a)| [followers.to_string(), format!("{w:.10}"), format!("{a:.8}")]));
         let panel = Panel::new(
             format!("N = {followers}"),
             Axis::linear("ω (rad per unit of time)").between(0.0, end),

@@ -51,8 +51,11 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             } else {
                 ""
             };
+            // One legend is enough.
+            let shown = if from > 0.0 { "" } else { name };
             let line = stage.iter().map(|(t, places)| (*t, places[car]));
-            panel = panel.series(Series::line(name, line).colour(colour).size(if name.is_empty() { 0.6 } else { 1.8 }));
+            panel =
+                panel.series(Series::line(shown, line).colour(colour).size(if name.is_empty() { 0.6 } else { 1.8 }));
         }
         picture = picture.panel(panel);
         for (t, places) in stage {
@@ -85,8 +88,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
                 Axis::linear("periods since the start"),
                 Axis::linear("smallest gap between cars"),
             )
-            .series(Series::line("smallest gap", gaps).size(0.8))
-            .series(Series::dashed("collision", [(0.0, 0.0), (LATE, 0.0)])),
+            .series(Series::line("", gaps).size(0.8))
+            .series(Series::dashed("", [(0.0, 0.0), (LATE, 0.0)])),
         );
     let share = |n: usize| growth[n - 1].1 / amplitude;
     let text = format!(

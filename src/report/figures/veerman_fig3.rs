@@ -5,7 +5,7 @@ use super::{Reproduced, csv};
 use crate::ledger::CheckError;
 use crate::platoon::observe::{largest, smallest_gap};
 use crate::platoon::time_domain::Modes;
-use crate::report::plot::{Axis, Panel, Picture, Series};
+use crate::report::plot::{Axis, Corner, Panel, Picture, Series};
 use std::f64::consts::PI;
 
 const FOLLOWERS: u64 = 20;
@@ -51,9 +51,15 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let half_periods: Vec<f64> = passages.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mean = half_periods.iter().sum::<f64>() / half_periods.len().max(1) as f64;
     let shown = [0usize, 4, 9, 14, 19];
-    let mut places =
-        Panel::new("a) deviation from the place behind the leader", Axis::linear("time"), Axis::linear("deviation"));
-    let mut velocities = Panel::new("b) velocities", Axis::linear("time"), Axis::linear("velocity"));
+    let mut places = Panel::new(
+        "a) deviation from the place behind the leader",
+        Axis::linear("time").between(0.0, 1.18 * END),
+        Axis::linear("deviation"),
+    );
+    let mut velocities =
+        Panel::new("b) velocities", Axis::linear("time").between(0.0, 1.18 * END), Axis::linear("velocity"));
+    // The axis is longer than the run, which leaves room for the legend.
+    (places, velocities) = (places.legend(Corner::UpperRight), velocities.legend(Corner::UpperRight));
     for car in shown {
         places = places.series(Series::line(format!("car {}", car + 1), lines[car].0.clone()));
         velocities = velocities.series(Series::line(format!("car {}", car + 1), lines[car].1.clone()));
@@ -65,8 +71,12 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     .panel(places)
     .panel(velocities)
     .panel(
-        Panel::new("c) collision check", Axis::linear("time"), Axis::linear("gap minus spacing, smallest"))
-            .series(Series::line("closest two neighbours", gaps)),
+        Panel::new(
+            "c) collision check",
+            Axis::linear("time").between(0.0, 1.18 * END),
+            Axis::linear("gap minus spacing, smallest"),
+        )
+        .series(Series::line("", gaps)),
     );
     let text = format!(
         "The paper gives no parameters for this figure. Chosen: f = g = -1 (Section 7),\n\

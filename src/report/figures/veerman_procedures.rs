@@ -2,17 +2,17 @@
 
 use super::veerman::{UNIT, leading};
 use super::{Reproduced, csv};
-use crate::arithmetic::{ArithmeticError, Complex, Field, Ring};
+use crate::arithmetic::{ArithmeticError, Complex, Field, Ring, rational};
 use crate::ledger::CheckError;
 use crate::platoon::observe::{Extreme, largest, measured_amplitude, measured_resonance};
 use crate::platoon::table1::{ROWS, Row};
 use crate::platoon::time_domain::Modes;
-use crate::platoon::{chebyshev, gamma_minus_one};
+use crate::platoon::{amplitude_with_first_car, chebyshev};
 use crate::report::plot::{Axis, Panel, Picture, Series};
 use std::fmt::Write;
 
-/// What car 1 makes of velocities: the weights of its own, the leader's and the one behind (1, 1/2, 1/2 in equation (2)).
-type FirstCar = [f64; 3];
+/// What car 1 makes of velocities: the weights of its own, the leader's and the one behind, in halves (2, 1, 1 in equation (2)).
+type FirstCar = [i64; 3];
 
 /// How the motion is stepped, with the step.
 #[derive(Clone, Copy)]
@@ -37,7 +37,7 @@ enum Procedure {
 }
 
 const PROCEDURES: [(&str, Procedure); 15] = [
-    ("steady state of system (2)", Procedure::Steady([1.0, 0.5, 0.5])),
+    ("steady state of system (2)", Procedure::Steady([2, 1, 1])),
     ("steady state, N + 1 followers", Procedure::More(1)),
     ("explicit Euler, h = 0.01", Procedure::Stepped(Stepping::Explicit(0.01))),
     ("symplectic Euler, h = 0.01", Procedure::Stepped(Stepping::Symplectic(0.01))),
@@ -48,28 +48,22 @@ const PROCEDURES: [(&str, Procedure); 15] = [
     ("from rest, until periods agree to 1e-3", Procedure::Settled(1e-3)),
     ("from rest, until periods agree to 1e-4", Procedure::Settled(1e-4)),
     ("from rest, until periods agree to 1e-8", Procedure::Settled(1e-8)),
-    ("car 1 damped against car 2 only", Procedure::Steady([1.0, 0.0, 1.0])),
-    ("car 1 not damped", Procedure::Steady([0.0, 0.0, 0.0])),
-    ("leader's velocity counted twice", Procedure::Steady([1.0, 1.0, 0.5])),
-    (CLOSEST, Procedure::Steady([1.0, 0.0, 0.5])),
+    ("car 1 damped against car 2 only", Procedure::Steady([2, 0, 2])),
+    ("car 1 not damped", Procedure::Steady([0, 0, 0])),
+    ("leader's velocity counted twice", Procedure::Steady([2, 2, 1])),
+    (CLOSEST, Procedure::Steady([2, 0, 1])),
 ];
 
 /// The reading that comes closest.
 const CLOSEST: &str = "leader's velocity taken as 0";
 
-/// `|a_M|` where car 1 has the velocity weights `own, leader, behind`. The other cars give `a_k = c T_{M-k}(gamma)`; car 1 gives `c = a_M`.
-fn steady(followers: u64, w: f64, [own, leader, behind]: FirstCar) -> Result<f64, ArithmeticError> {
-    let shift = gamma_minus_one(&UNIT, &w)?;
-    let [(t1, _), (t2, _)] = [1, 2].map(|k| chebyshev(followers - k, &shift));
-    let damping = Complex::new(0.0, w * UNIT.g);
-    let position = (t1.clone() - t2.scale(&0.5)).scale(&UNIT.f);
-    let velocity = (t1.scale(&own) - t2.scale(&behind)) * &damping;
-    let drive = Complex::real(0.5 * UNIT.f) + damping.scale(&leader);
-    let amplitude = drive.over(&(t1.scale(&(w * w)) + position + velocity))?;
-    Ok(amplitude.norm_squared().sqrt())
+/// The amplitude of the steady state with another first car.
+fn steady(followers: u64, w: f64, first: FirstCar) -> Result<f64, ArithmeticError> {
+    let weights = first.map(|halves| rational(halves, 2));
+    Ok(amplitude_with_first_car(&UNIT, &w, followers, &weights)?.norm_squared().sqrt())
 }
 
-/// The same for a platoon that is stepped: with `E = e^{iwh}`, `s = (E - 1)/h` stands for the derivative.
+/// The same for system (2) when it is stepped: with `E = e^{iwh}`, `s = (E - 1)/h` stands for the derivative.
 fn stepped(followers: u64, w: f64, stepping: Stepping) -> Result<f64, ArithmeticError> {
     let (Stepping::Explicit(h) | Stepping::Symplectic(h) | Stepping::Implicit(h)) = stepping;
     let (sin, cos) = (w * h).sin_cos();
@@ -112,7 +106,7 @@ impl Procedure {
         let guess = leading(n)?.0;
         let amplitude: Box<dyn Fn(f64) -> Result<f64, ArithmeticError>> = match *self {
             Procedure::Steady(first) => Box::new(move |w| steady(n, w, first)),
-            Procedure::More(more) => Box::new(move |w| steady(n + more, w, [1.0, 0.5, 0.5])),
+            Procedure::More(more) => Box::new(move |w| steady(n + more, w, [2, 1, 1])),
             Procedure::Stepped(stepping) => Box::new(move |w| stepped(n, w, stepping)),
             Procedure::Periods(periods) => {
                 let modes = Modes::new(&UNIT, n)?;
@@ -143,7 +137,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let [mut left, mut right] =
         [("a) TAMP", "|TAMP/amplitude − 1|"), ("b) TFREQ", "|TFREQ/frequency − 1|")].map(|(title, label)| {
             let ticks: Vec<f64> = ROWS.iter().map(|row| row.n as f64).collect();
-            Panel::new(title, Axis::log("N (followers)").ticks(ticks), Axis::log(label).between(1e-7, 1.0))
+            Panel::new(title, Axis::log("N (followers)").ticks(ticks), Axis::log(label).between(1e-7, 1e3))
         });
     for (name, procedure) in &PROCEDURES {
         let mut worst = [0f64; 3];
