@@ -37,7 +37,9 @@ Definition edges_of n (e : nat -> nat -> bool) : list (list bool) := tabulate n 
 (* Multiplying the unit by m makes every weight an integer: factor d = weight d * m. *)
 Definition stepz n (m : positive) (factor : list Z) (threshold : Q) (s : zflock) : zflock :=
   let y := tabulate n (fun i => get (places s) i + get (speeds s) i)%Z in
-  let e := edges_of n (fun i j => nearz y (unit s) i j || (joined (edges s) i j && heldz threshold (places s) y (unit s) i j)) in
+  (* not orb and andb, which would evaluate all three *)
+  let e := edges_of n (fun i j => if nearz y (unit s) i j then true
+    else if joined (edges s) i j then heldz threshold (places s) y (unit s) i j else false) in
   ZFlock (tabulate n (fun i => get y i * Zpos m)%Z)
     (tabulate n (fun i => get (speeds s) i * Zpos m + nth (degree n (joined e) i) factor 0 *
        sumZ n (fun j => if neighbour (joined e) i j then get (speeds s) j - get (speeds s) i else 0))%Z)
@@ -67,12 +69,23 @@ Proof.
 Qed.
 Lemma filter_ext_seq f g n : (forall j, (j < n)%nat -> f j = g j) -> filter f (seq 0 n) = filter g (seq 0 n).
 Proof. intros H. apply filter_ext_in. intros j I. apply in_seq in I. apply H. lia. Qed.
-Lemma degree_bound n e i : (degree n e i <= n)%nat.
-Proof. unfold degree. rewrite <- (seq_length n 0) at 2. generalize (seq 0 n). induction l as [|a l IH]; cbn; [lia|]. destruct (neighbour e i a); cbn; lia. Qed.
+Lemma filter_shorter {T} (f : T -> bool) l a : In a l -> f a = false -> (length (filter f l) < length l)%nat.
+Proof.
+  assert (L : forall l, (length (filter f l) <= length l)%nat).
+  { induction l0 as [|b l0 IH]; cbn; [lia|]. destruct (f b); cbn; lia. }
+  induction l as [|b l IH]; [easy|]. intros [->|I] F; cbn.
+  - rewrite F. specialize (L l). lia.
+  - specialize (IH I F). destruct (f b); cbn; lia.
+Qed.
+Lemma degree_bound n e i : (i < n)%nat -> (degree n e i < n)%nat.
+Proof.
+  intros Hi. unfold degree. rewrite <- (seq_length n 0) at 2. apply (filter_shorter _ _ i); [apply in_seq; lia|].
+  unfold neighbour. now rewrite Nat.eqb_refl.
+Qed.
 
 (* Every weight that can occur. *)
 Definition factors_fit n (weight : nat -> Q) (m : positive) (factor : list Z) : bool :=
-  all (S n) (fun d => Z.eqb (nth d factor 0%Z * Zpos (Qden (weight d))) (Qnum (weight d) * Zpos m)).
+  all n (fun d => Z.eqb (nth d factor 0%Z * Zpos (Qden (weight d))) (Qnum (weight d) * Zpos m)).
 
 Lemma step_val n weight m factor h z s : factors_fit n weight m factor = true -> represents n z s ->
   represents n (stepz n m factor h z) (step n weight h s).
@@ -81,7 +94,8 @@ Proof.
   assert (Y : forall i, (i < n)%nat -> place s i + speed s i == get y i # unit z).
   { intros i Hi. unfold get, y. rewrite nth_tabulate by exact Hi. rewrite (X i Hi), (V i Hi).
     unfold Qeq, Qplus; cbn [Qnum Qden]. rewrite Pos2Z.inj_mul. unfold get. ring. }
-  set (ez := fun i j => nearz y (unit z) i j || (joined (edges z) i j && heldz h (places z) y (unit z) i j)).
+  set (ez := fun i j => if nearz y (unit z) i j then true
+    else if joined (edges z) i j then heldz h (places z) y (unit z) i j else false).
   set (e := fun i j => is_near (fun i => place s i + speed s i) i j ||
     (edge s i j && is_held h (place s) (fun i => place s i + speed s i) i j)).
   assert (EE : forall i j, (i < n)%nat -> (j < n)%nat -> e i j = joined (edges_of n ez) i j).
@@ -98,7 +112,7 @@ Proof.
   - intros i Hi. unfold step, stepz; cbn [speed speeds unit]. fold y. fold ez. fold e. unfold get at 1.
     rewrite nth_tabulate by exact Hi. rewrite (DD i Hi). set (d := degree n (joined (edges_of n ez)) i).
     assert (F : weight d == nth d factor 0%Z # m).
-    { pose proof (all_true _ _ W d) as F. cbv beta in F. assert (d < S n)%nat by (unfold d; pose proof (degree_bound n (joined (edges_of n ez)) i); lia).
+    { pose proof (all_true _ _ W d) as F. cbv beta in F. assert (d < n)%nat by (unfold d; now apply degree_bound).
       specialize (F H). apply Z.eqb_eq in F. unfold Qeq; cbn [Qnum Qden]. lia. }
     rewrite (sum_ext n _ (fun j => (if neighbour (joined (edges_of n ez)) i j then get (speeds z) j - get (speeds z) i else 0)%Z # unit z)).
     + rewrite sum_val, F, (V i Hi). unfold Qeq, Qplus, Qmult; cbn [Qnum Qden]. rewrite !Pos2Z.inj_mul. ring.

@@ -139,8 +139,8 @@ fn switches_theorem(name: &str, switches: &Switches) -> Option<String> {
     if dimension != 1 {
         return None;
     }
-    // The factor of degree d is c m: for every d that the check asks for, c d <= 1 or not.
-    let all: Vec<Rational> = (0..=birds).map(|d| weights.of(d, 0)).collect::<Option<_>>()?;
+    // c times the multiple for every number of neighbours.
+    let all: Vec<Rational> = (0..birds).map(|d| weights.of(d, 0)).collect::<Option<_>>()?;
     let multiple = all.iter().fold(BigInt::from(1), |m, c| m.lcm(c.denom()));
     let factors: Vec<BigInt> = all.iter().map(|c| c.numer() * (&multiple / c.denom())).collect();
     // Positions and velocities over one denominator.
