@@ -204,49 +204,58 @@ Definition converges n (P : qmat) (p : nat -> Q) (Gamma : qmat) (k : nat) (c : Q
   (forall j w, (j < n)%nat -> spread n (fun i => Gamma i j) w -> forall t i, (i < n)%nat ->
      Qabs (gamma_t n P p t i j - Gamma i j) <= pow c (t / k) * w).
 
+(* chazelle.lem3.3 for every P and pi over Q whose powers contract, with Gamma given by two identities. *)
+Theorem gamma_is_the_limit n (P : qmat) (p : nat -> Q) (Gamma : qmat) k c :
+  (0 < n)%nat -> (0 < k)%nat -> 0 <= c -> c < 1 -> stochastic n P ->
+  (forall j, (j < n)%nat -> sumQ n (fun i => p i * P i j) == p j) ->
+  (forall j, (j < n)%nat -> 0 <= p j) -> sumQ n p == 1 ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> distq n (powq n P k) i j <= c) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> Gamma i j - mulq n P Gamma i j == idq i j - p j) ->
+  (forall j, (j < n)%nat -> sumQ n (fun i => p i * Gamma i j) == 0) ->
+  converges n P p Gamma k c.
+Proof.
+  intros HN HK HC0 C1 HP Fixed Pi0 Pi1 D HG HZ.
+  assert (Rows : forall i, (i < n)%nat -> sumQ n (P i) == 1) by now apply stochastic_rows.
+  split; [exact HP|]. split; [split; assumption|]. split; [exact HK|]. split; [exact Fixed|]. split; [exact Pi0|].
+  split; [exact Pi1|]. split.
+  - intros t i j Hi Hj. rewrite (pow_column n _ t i j Hi Hj), <- (mean_unit n p j Hj).
+    rewrite <- (mean_kept n P p (unit_vector j) t Fixed). rewrite <- (Qmult_1_r (pow c (t / k))).
+    apply near_mean; try assumption. apply flattens_at; try assumption.
+    intros a b _ _. unfold unit_vector. destruct (Nat.eqb a j), (Nat.eqb b j); lra.
+  - intros j w Hj W t i Hi. set (g := fun i => Gamma i j).
+    assert (Step : forall i, (i < n)%nat -> g i - app n P g i == unit_vector j i - p j) by (intros l Hl; exact (HG l j Hl Hj)).
+    assert (Sum : forall t, gamma_t n P p t i j - g i == - orbit n P g t i).
+    { induction t0 as [|t0 IH].
+      - unfold gamma_t, g. cbn. ring.
+      - pose proof (orbit_generator n P g (unit_vector j) (p j) t0 Rows Step i Hi) as O.
+        rewrite <- (pow_column n _ t0 i j Hi Hj) in O. unfold gamma_t in *. cbn [sumQ].
+        rewrite Nat2Z.inj_succ, <- Z.add_1_r, inject_Z_plus. change (inject_Z 1) with 1. lra. }
+    change (Gamma i j) with (g i). rewrite (Sum t), Qabs_opp.
+    setoid_replace (orbit n P g t i) with (orbit n P g t i - mean n p (orbit n P g t)).
+    + apply near_mean; try assumption. now apply flattens_at.
+    + rewrite (mean_kept n P p g t Fixed). change (mean n p g) with (sumQ n (fun i => p i * Gamma i j)). rewrite (HZ j Hj). ring.
+Qed.
+
 Theorem limit_certificate n P p G k c :
   limit_check n P p G k c = true -> converges n (val P) (vec p) (val G) k c.
 Proof.
-  unfold limit_check, converges. cbv zeta. intros H. repeat (apply andb_prop in H as [H ?]).
+  unfold limit_check. cbv zeta. intros H. repeat (apply andb_prop in H as [H ?]).
   rename H into HP, H0 into HC0, H1 into HC1, H2 into HN, H3 into HK, H4 into HT, H5 into HZ, H6 into HG, H7 into HF, H8 into HE.
   apply stochasticz_true in HP. apply stochasticz_true in HE. apply eqz_true in HF, HG, HZ.
   apply Nat.ltb_lt in HN, HK. apply Qle_bool_iff in HC0. apply negb_true_iff in HC1.
-  assert (C1 : c < 1). { apply Qnot_le_lt. intros L. apply Qle_bool_iff in L. congruence. }
-  assert (Rows : forall i, (i < n)%nat -> sumQ n (val P i) == 1) by now apply stochastic_rows.
-  assert (Pi0 : forall j, (j < n)%nat -> 0 <= vec p j).
-  { intros j Hj. rewrite <- (val_rows n p 0 j HN). now apply (HE 0%nat HN). }
-  assert (Pi1 : sumQ n (vec p) == 1).
-  { rewrite <- (proj2 (HE 0%nat HN)). apply sum_ext. intros j Hj. now rewrite val_rows. }
-  assert (Fixed : forall j, (j < n)%nat -> sumQ n (fun i => vec p i * val P i j) == vec p j).
-  { intros j Hj. specialize (HF 0%nat j HN Hj). rewrite (val_mul n _ _ 0%nat j HN Hj), val_rows in HF by exact HN.
-    rewrite <- HF. unfold mulq. apply sum_ext. intros i Hi. now rewrite val_rows. }
-  assert (D : forall i j, (i < n)%nat -> (j < n)%nat -> distq n (powq n (val P) k) i j <= c).
-  { intros i j Hi Hj. rewrite <- (dist_ext n _ _ i j (val_pow n P k) Hi Hj). now apply (tau1_at_most_true n). }
-  split; [exact HP|]. split; [split; assumption|]. split; [exact HK|]. split; [exact Fixed|]. split; [exact Pi0|].
-  split; [exact Pi1|]. split.
-  - intros t i j Hi Hj. rewrite (pow_column n _ t i j Hi Hj), <- (mean_unit n (vec p) j Hj).
-    rewrite <- (mean_kept n (val P) (vec p) (unit_vector j) t Fixed). rewrite <- (Qmult_1_r (pow c (t / k))).
-    apply near_mean; try assumption. apply flattens_at; try assumption.
-    intros a b _ _. unfold unit_vector. destruct (Nat.eqb a j), (Nat.eqb b j); lra.
-  - intros j w Hj W t i Hi. set (g := fun i => val G i j).
-    assert (Z : mean n (vec p) g == 0).
-    { specialize (HZ 0%nat j HN Hj). rewrite (val_mul n _ _ 0%nat j HN Hj), val_zero in HZ by assumption.
-      rewrite <- HZ. unfold mean, mulq, g. apply sum_ext. intros l Hl. now rewrite val_rows. }
-    assert (Step : forall i, (i < n)%nat -> g i - app n (val P) g i == unit_vector j i - vec p j).
-    { intros l Hl. specialize (HG l j Hl Hj). rewrite (val_mul n _ _ l j Hl Hj), val_minus in HG by assumption.
-      rewrite (val_id n l j Hl Hj), val_rows in HG by assumption. unfold unit_vector. change (if Nat.eqb l j then 1 else 0) with (idq l j).
-      rewrite <- HG. unfold mulq, app, g.
-      rewrite (sum_ext n (fun k0 => val (minusz n (idz n) P) l k0 * val G k0 j)
-        (fun m => (if Nat.eqb l m then 1 else 0) * val G m j - val P l m * val G m j)).
-      - rewrite sum_minus, (sum_delta n (fun m => val G m j) l Hl). reflexivity.
-      - intros m Hm. rewrite val_minus, (val_id n l m Hl Hm) by assumption. unfold idq. ring. }
-    assert (Sum : forall t, gamma_t n (val P) (vec p) t i j - g i == - orbit n (val P) g t i).
-    { induction t0 as [|t0 IH].
-      - unfold gamma_t, g. cbn. ring.
-      - pose proof (orbit_generator n (val P) g (unit_vector j) (vec p j) t0 Rows Step i Hi) as O.
-        rewrite <- (pow_column n _ t0 i j Hi Hj) in O. unfold gamma_t in *. cbn [sumQ].
-        rewrite Nat2Z.inj_succ, <- Z.add_1_r, inject_Z_plus. change (inject_Z 1) with 1. lra. }
-    change (val G i j) with (g i). rewrite (Sum t), Qabs_opp. setoid_replace (orbit n (val P) g t i) with (orbit n (val P) g t i - mean n (vec p) (orbit n (val P) g t)).
-    + apply near_mean; try assumption. now apply flattens_at.
-    + rewrite (mean_kept n (val P) (vec p) g t Fixed), Z. ring.
+  apply gamma_is_the_limit; try assumption.
+  - apply Qnot_le_lt. intros L. apply Qle_bool_iff in L. congruence.
+  - intros j Hj. specialize (HF 0%nat j HN Hj). rewrite (val_mul n _ _ 0%nat j HN Hj), val_rows in HF by exact HN.
+    rewrite <- HF. unfold mulq. apply sum_ext. intros i Hi. now rewrite val_rows.
+  - intros j Hj. rewrite <- (val_rows n p 0 j HN). now apply (HE 0%nat HN).
+  - rewrite <- (proj2 (HE 0%nat HN)). apply sum_ext. intros j Hj. now rewrite val_rows.
+  - intros i j Hi Hj. rewrite <- (dist_ext n _ _ i j (val_pow n P k) Hi Hj). now apply (tau1_at_most_true n).
+  - intros l j Hl Hj. specialize (HG l j Hl Hj). rewrite (val_mul n _ _ l j Hl Hj), val_minus in HG by assumption.
+    rewrite (val_id n l j Hl Hj), val_rows in HG by assumption. rewrite <- HG. unfold mulq.
+    rewrite (sum_ext n (fun k0 => val (minusz n (idz n) P) l k0 * val G k0 j)
+      (fun m => (if Nat.eqb l m then 1 else 0) * val G m j - val P l m * val G m j)).
+    + rewrite sum_minus, (sum_delta n (fun m => val G m j) l Hl). reflexivity.
+    + intros m Hm. rewrite val_minus, (val_id n l m Hl Hm) by assumption. unfold idq. ring.
+  - intros j Hj. specialize (HZ 0%nat j HN Hj). rewrite (val_mul n _ _ 0%nat j HN Hj), val_zero in HZ by assumption.
+    rewrite <- HZ. unfold mulq. apply sum_ext. intros l Hl. now rewrite val_rows.
 Qed.

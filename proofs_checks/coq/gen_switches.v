@@ -83,12 +83,12 @@ Theorem chazelle_ex4birds_alt_to_64 :
 Proof. apply (switches_certificate 4 lazy_weight 9 [6; 6; 3; 2] chazelle_ex4birds_alt_to_64_threshold
   chazelle_ex4birds_alt_to_64_x chazelle_ex4birds_alt_to_64_v chazelle_ex4birds_alt_to_64_unit chazelle_ex4birds_alt_to_64_first chazelle_ex4birds_alt_to_64_later 64). vm_cast_no_check (eq_refl true). Qed.
 
-Definition chazelle_lem3_6_ii_four_birds_to_330_x : list Z := [0; 8; 21; 29].
-Definition chazelle_lem3_6_ii_four_birds_to_330_v : list Z := [2; (-2); 2; (-2)].
-Definition chazelle_lem3_6_ii_four_birds_to_330_unit : positive := 16.
-Definition chazelle_lem3_6_ii_four_birds_to_330_threshold : Q := (1 # 13407807929942597099574024998205846127479365820592393377723561443721764030073546976801874298166903427690031858186486050853753882811946569946433649006084096).
-Definition chazelle_lem3_6_ii_four_birds_to_330_first : list (nat * nat) := [(0, 1); (1, 2); (2, 3)]%nat.
-Definition chazelle_lem3_6_ii_four_birds_to_330_later : networks := [
+Definition chazelle_hyst_four_birds_to_330_x : list Z := [0; 8; 21; 29].
+Definition chazelle_hyst_four_birds_to_330_v : list Z := [2; (-2); 2; (-2)].
+Definition chazelle_hyst_four_birds_to_330_unit : positive := 16.
+Definition chazelle_hyst_four_birds_to_330_threshold : Q := (1 # 13407807929942597099574024998205846127479365820592393377723561443721764030073546976801874298166903427690031858186486050853753882811946569946433649006084096).
+Definition chazelle_hyst_four_birds_to_330_first : list (nat * nat) := [(0, 1); (1, 2); (2, 3)]%nat.
+Definition chazelle_hyst_four_birds_to_330_later : networks := [
   (1, [(0, 1); (2, 3)]);
   (2, [(0, 1); (1, 2); (2, 3)]);
   (3, [(0, 1); (2, 3)]);
@@ -411,10 +411,10 @@ Definition chazelle_lem3_6_ii_four_birds_to_330_later : networks := [
   (320, [(0, 1); (1, 2); (2, 3)]);
   (321, [(0, 1); (2, 3)]);
   (322, [(0, 1); (1, 2); (2, 3)])]%nat.
-Theorem chazelle_lem3_6_ii_four_birds_to_330 :
+Theorem chazelle_hyst_four_birds_to_330 :
   forall t, (t <= 330)%nat -> forall i j, (i < j < 4)%nat ->
-  edge (run 4 lazy_weight chazelle_lem3_6_ii_four_birds_to_330_threshold
-    (start (fun i => get chazelle_lem3_6_ii_four_birds_to_330_x i # chazelle_lem3_6_ii_four_birds_to_330_unit) (fun i => get chazelle_lem3_6_ii_four_birds_to_330_v i # chazelle_lem3_6_ii_four_birds_to_330_unit)) t) i j =
-  listed (network_at chazelle_lem3_6_ii_four_birds_to_330_first chazelle_lem3_6_ii_four_birds_to_330_later t) i j.
-Proof. apply (switches_certificate 4 lazy_weight 9 [6; 6; 3; 2] chazelle_lem3_6_ii_four_birds_to_330_threshold
-  chazelle_lem3_6_ii_four_birds_to_330_x chazelle_lem3_6_ii_four_birds_to_330_v chazelle_lem3_6_ii_four_birds_to_330_unit chazelle_lem3_6_ii_four_birds_to_330_first chazelle_lem3_6_ii_four_birds_to_330_later 330). vm_cast_no_check (eq_refl true). Qed.
+  edge (run 4 lazy_weight chazelle_hyst_four_birds_to_330_threshold
+    (start (fun i => get chazelle_hyst_four_birds_to_330_x i # chazelle_hyst_four_birds_to_330_unit) (fun i => get chazelle_hyst_four_birds_to_330_v i # chazelle_hyst_four_birds_to_330_unit)) t) i j =
+  listed (network_at chazelle_hyst_four_birds_to_330_first chazelle_hyst_four_birds_to_330_later t) i j.
+Proof. apply (switches_certificate 4 lazy_weight 9 [6; 6; 3; 2] chazelle_hyst_four_birds_to_330_threshold
+  chazelle_hyst_four_birds_to_330_x chazelle_hyst_four_birds_to_330_v chazelle_hyst_four_birds_to_330_unit chazelle_hyst_four_birds_to_330_first chazelle_hyst_four_birds_to_330_later 330). vm_cast_no_check (eq_refl true). Qed.

@@ -120,12 +120,7 @@ fn inertia_theorem(name: &str, inertia: &Inertia) -> Option<String> {
     Some(format!(
         "Definition {name}_A : zmat :=\n  {}.\nTheorem {name} : has_inertia {n} (val {name}_A) {positive} {negative}.\n{}",
         matrix(&inertia.a),
-        proof(&format!(
-            "apply (inertia_certificate _ _\n  {}\n  {}\n  {}).",
-            matrix(&m),
-            list(&d),
-            matrix(&k)
-        ))
+        proof(&format!("apply (inertia_certificate _ _\n  {}\n  {}\n  {}).", matrix(&m), list(&d), matrix(&k)))
     ))
 }
 

@@ -31,9 +31,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if let Some(unknown) = arguments.claim.iter().find(|id| LEDGER.iter().all(|row| row.claim != **id)) {
         let mut ids: Vec<&str> = LEDGER.iter().map(|row| row.claim).collect();
         ids.dedup();
-        return Err(CliError::Use(format!("there is no certificate of {unknown}; there are some of {}", ids.join(", "))));
+        return Err(CliError::Use(format!(
+            "there is no certificate of {unknown}; there are some of {}",
+            ids.join(", ")
+        )));
     }
-    let selected = LEDGER.iter().filter(|row| arguments.claim.is_empty() || arguments.claim.iter().any(|id| id == row.claim));
+    let selected =
+        LEDGER.iter().filter(|row| arguments.claim.is_empty() || arguments.claim.iter().any(|id| id == row.claim));
     let mut theorems = Vec::new();
     for row in selected {
         let certificate = row.make().map_err(|error| CliError::Use(format!("{}: {error}", row.name())))?;

@@ -65,7 +65,9 @@ fn nothing_is_assumed() {
         for word in code.split(|c: char| !c.is_alphanumeric() && c != '_') {
             assert!(!forbidden.contains(&word), "{}: {word}", file.name);
         }
-        assert!(!code.contains("Unset Guard") && !code.contains("Unset Positivity") && !code.contains("Unset Universe"));
+        assert!(
+            !code.contains("Unset Guard") && !code.contains("Unset Positivity") && !code.contains("Unset Universe")
+        );
         assert!(!code.contains("-type-in-type") && !code.contains("Redirect"), "{}", file.name);
     }
 }

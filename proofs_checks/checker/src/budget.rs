@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 
 /// Products of 64-bit words, about a few seconds of them.
-const MOST_WORK: u64 = 1 << 32;
+const MOST_WORK: u64 = 1 << 31;
 
 /// What is left of the bound.
 pub struct Budget {

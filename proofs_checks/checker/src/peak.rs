@@ -67,7 +67,12 @@ pub fn check(reader: &mut Reader) -> Result<String, Refusal> {
 }
 
 /// `N` and `Q` times the same positive power: integers, with `f` and `g` over one denominator `d`.
-fn response(reader: &mut Reader, followers: usize, f: &Fraction, g: &Fraction) -> Result<(Polynomial, Polynomial), Refusal> {
+fn response(
+    reader: &mut Reader,
+    followers: usize,
+    f: &Fraction,
+    g: &Fraction,
+) -> Result<(Polynomial, Polynomial), Refusal> {
     let d = &f.denominator * &g.denominator;
     let (f, g) = (&f.numerator * &g.denominator, &g.numerator * &f.denominator);
     // Numbers a + b i w, where (i w)² = -s.
