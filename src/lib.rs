@@ -2,13 +2,14 @@
 //!
 //! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`averaging`] (Chazelle),
 //! [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`double_integrator`] (Tanner,
-//! Jadbabaie and Pappas), [`kernel`] (the Coq development), [`ledger`],
+//! Jadbabaie and Pappas), [`certificates`], [`kernel`] (the Coq development), [`ledger`],
 //! [`claims`], [`report`].
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
 pub mod arithmetic;
 pub mod averaging;
+pub mod certificates;
 pub mod claims;
 pub mod double_integrator;
 pub mod graph;

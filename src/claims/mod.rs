@@ -2,6 +2,7 @@
 //! its id.
 
 mod beyond;
+pub mod certificates;
 mod chazelle;
 mod paley;
 mod tanner1;

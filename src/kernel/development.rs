@@ -11,7 +11,18 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 0] = sources![];
+const SOURCES: [(&str, &str); 10] = sources![
+    "certificate_matrices",
+    "certificate_limits",
+    "certificate_inertia",
+    "certificate_flocks",
+    "gen_products",
+    "gen_limits",
+    "gen_inertia",
+    "gen_switches",
+    "certificate_instances",
+    "audit_certificates",
+];
 
 /// A file of the development.
 #[derive(Debug, Clone, PartialEq, Eq)]
