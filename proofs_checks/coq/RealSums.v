@@ -112,6 +112,9 @@ Proof.
   lra.
 Qed.
 
+(* Coquelicot states some equations in the carrier of a structure, which ring does not recognise as R *)
+Ltac Rring := match goal with |- @eq _ ?a ?b => change (@eq R a b); ring end.
+
 (* derivatives, with the operations of R written out *)
 Lemma D_eq (f : R -> R) (t a b : R) : is_derive f t a -> a = b -> is_derive f t b.
 Proof. now intros H <-. Qed.
