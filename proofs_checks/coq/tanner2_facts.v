@@ -27,7 +27,7 @@ Proof.
     - reflexivity.
     - intros; apply VB_potential.
     - intros i j Hi Hj A. destruct i as [|[|]], j as [|[|]]; try lia; try discriminate A; intros E; injection E; lra. }
-  unfold v in X. rewrite norm_real, Rabs_R1 in X. assert (sqrt (1 / 2) < 1); [|lra]. rewrite <- sqrt_1. apply sqrt_lt_1; lra.
+  unfold v in X. rewrite norm_real, Rabs_R1 in X. pose proof (sqrt_lt_1 (1 / 2) 1) as L. rewrite sqrt_1 in L. specialize (L ltac:(lra) ltac:(lra) ltac:(lra)). lra.
 Qed.
 
 (* |r_ij| <= V^-1(c (N-1)) fails for a potential that grows faster than s^2: path of three agents at -2, 0, 2 *)
@@ -38,8 +38,8 @@ Proof.
   apply (potential_of_bounds V4 V4' 8); intros s Hs; assert (P2 : 0 < s ^ 2) by (apply pow_lt; lra).
   - split; [|apply pow2_ge_0]. unfold V4, V4'. auto_derive; [apply Rgt_not_eq; simpl in *; lra|field; lra].
   - assert (I1 : 0 < / s) by now apply Rinv_0_lt_compat. assert (E : V4 s = s ^ 4 - 2 + (/ s) ^ 4) by (unfold V4; field; lra). rewrite E.
-    assert (A : forall x, 0 < x -> x - 6 <= x ^ 4) by (intros x Hx; pose proof (pow2_ge_0 (x ^ 2 - 1)); pose proof (pow2_ge_0 (x - 1)); nra).
-    pose proof (A s Hs). pose proof (A (/ s) I1). pose proof (pow2_ge_0 (s ^ 2)). pose proof (pow2_ge_0 ((/ s) ^ 2)). split; nra.
+    assert (A : forall x, 0 < x -> x - 6 <= x ^ 4) by (intros x Hx; pose proof (pow2_ge_0 (x ^ 2 - 1)); pose proof (pow2_ge_0 (x - 1)); lra).
+    pose proof (A s Hs). pose proof (A (/ s) I1). pose proof (pow2_ge_0 (s ^ 2)). pose proof (pow2_ge_0 ((/ s) ^ 2)). split; lra.
 Qed.
 Definition spread (i : nat) : C := match i with 0%nat => RtoC (-2) | 1%nat => RtoC 0 | _ => RtoC 2 end.
 Lemma path3_facts : undirected path3 /\ no_loops path3 /\ strongly_connected 3 path3.
@@ -127,7 +127,7 @@ Proof.
   exists (/ (B * INR n + 1)). assert (P1 : 0 < B * INR n + 1) by nra. split; [now apply Rinv_0_lt_compat|]. intros x Z.
   set (q := qform n (lap n adj) x).
   assert (Qx : Q n (lap n adj) (fun k => RtoC (x k)) = / (2 * INR n) * q).
-  { unfold Q. f_equal. rewrite form_split. unfold q. replace (qform n (lap n adj) (fun i => snd (RtoC (x i)))) with 0; [cbn; ring|].
+  { unfold Q. f_equal. rewrite form_split. unfold q. replace (qform n (lap n adj) (fun i => snd (RtoC (x i)))) with 0; [rewrite Rplus_0_r; reflexivity|].
     unfold qform. symmetry. apply Sum_zero; intros k _. cbn. ring. }
   assert (T : Sum n (fun k => Sum n (fun j => (x k - x j) ^ 2)) <= INR n * (INR n * (B * (/ (2 * INR n) * q)))).
   { rewrite <- Sum_const. apply Sum_le; intros k Hk. rewrite <- Sum_const. apply Sum_le; intros j Hj.
@@ -147,7 +147,7 @@ Theorem more_edges n adj adj' : undirected adj -> undirected adj' -> (forall i j
 Proof.
   intros S S' I. assert (A : forall x, qform n (lap n adj) x <= qform n (lap n adj') x).
   { intros x. rewrite !qform_edges by assumption. apply Rmult_le_compat_l; [lra|]. apply Sum_le; intros i _; apply Sum_le; intros j _.
-    apply Rmult_le_compat_r; [apply pow2_ge_0|]. specialize (I i j). unfold w. destruct (adj i j), (adj' i j); try lra. now specialize (I eq_refl). }
+    apply Rmult_le_compat_r; [apply pow2_ge_0|]. specialize (I i j). unfold w. destruct (adj i j), (adj' i j); try lra; discriminate (I eq_refl). }
   split; [exact A|]. intros lam B x Z. apply Rle_trans with (1 := B x Z). apply A.
 Qed.
 
@@ -184,7 +184,7 @@ Proof.
     rewrite (Sum_ext m (fun j => sat_pair V R0 r m j) (fun j => w (near r R0) m j * V m j (norm (r m - r j)%C) + (1 - w (near r R0) m j) * V m j R0)) by (intros j Hj; apply P; lia).
     rewrite !Sum_plus. assert (D0 : sat_pair V R0 r m m = 0) by (unfold sat_pair; now rewrite Nat.eqb_refl).
     assert (D1 : w (near r R0) m m = 0) by (unfold w, near; now rewrite Nat.eqb_refl). rewrite D0, D1. ring. }
-  rewrite !Sum_plus, T. ring.
+  rewrite !Sum_plus, T. field.
 Qed.
 Theorem Q_rate n (V V' : nat -> nat -> R -> R) R0 (r v : nat -> R -> C) t : 0 < R0 -> (forall i j, V' i j = V' j i) ->
   (forall i j s, 0 < s -> is_derive (V i j) s (V' i j s)) ->
