@@ -1,10 +1,25 @@
 (* Audit of paley: each theorem of theorems.tsv with its statement written out, and the axioms it rests on.
-   The objects of the statements are defined in paley_model.v (phasors, inner product, graphs, Laplacian, W_1),
-   paley_phase.v and paley_particles.v (velocities, centres). *)
+   The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
+
+(* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
+Check (eq_refl : expi = fun t => (cos t, sin t)).
+Check (eq_refl : inner = fun x y => Re (Cconj x * y)%C).
+Check (inner_xy : forall x y, inner x y = fst x * fst y + snd x * snd y).
+Check (eq_refl : w = fun adj k j => if adj k j then 1 else 0).
+Check (eq_refl : lap = fun n adj k j => delta k j * Sum n (w adj k) - w adj k j).
+Check (eq_refl : arc = fun n adj j k => (j < n)%nat /\ (k < n)%nat /\ adj k j = true).
+Check (eq_refl : Q = fun n A x => / (2 * INR n) * Sum n (fun k => inner (x k) (Csum n (fun j => RtoC (A k j) * x j)%C))).
+Check (eq_refl : order = fun n th => (RtoC (/ INR n) * Csum n (fun k => expi (th k)))%C).
+Check (eq_refl : U1 = fun n th => INR n / 2 * Cmod (order n th) ^ 2).
+Check (eq_refl : W1 = fun n adj th => Q n (lap n adj) (fun k => expi (th k))).
+Check (eq_refl : partial = fun f th k d => is_derive (fun s : R => f (upd th k s)) (th k) d).
+Check (eq_refl : is_velocity = fun r t v => is_derive (fun s => fst (r s)) t (fst v) /\ is_derive (fun s => snd (r s)) t (snd v)).
+Check (eq_refl : gW = fun n adj th k => inner (Ci * expi (th k))%C (row n (lap n adj) k (phasors th))).
+Check (eq_refl : circle_centre = fun w0 r th => (r + RtoC (/ w0) * (Ci * expi th))%C).
 
 (* paley.CN *)
 Check (paley_fourier.complete_row :
@@ -707,6 +722,29 @@ Check (paley_fish.sync_par_printed_fails :
         (forall j k : nat, (j < n)%nat -> (k < n)%nat -> om k - om j = 0) -> forall k : nat, (k < n)%nat -> om k = 0)).
 Print Assumptions paley_fish.sync_par_printed_fails.
 
+(* paley.thm1.bal *)
+Check (paley_stability.thm1_balance :
+  forall (n : nat) (w0 K1 : R) (th : nat -> R -> R),
+       (1 <= n)%nat ->
+       K1 <> 0 ->
+       (forall (t : R) (k : nat),
+        0 <= t -> (k < n)%nat -> is_derive (th k) t (w0 + - K1 * g1 n (fun j : nat => th j t) k)) ->
+       0 < K1 ->
+       INR n * Cmod (order n (fun j : nat => th j 0)) < 1 ->
+       forall e : R,
+       0 < e -> exists T : R, 0 <= T /\ (forall t : R, T <= t -> Cmod (order n (fun j : nat => th j t)) < e)).
+Print Assumptions paley_stability.thm1_balance.
+
+(* paley.thm1.conv *)
+Check (paley_stability.thm1_gradient_to_0 :
+  forall (n : nat) (w0 K1 : R) (th : nat -> R -> R),
+       (1 <= n)%nat ->
+       K1 <> 0 ->
+       (forall (t : R) (k : nat),
+        0 <= t -> (k < n)%nat -> is_derive (th k) t (w0 + - K1 * g1 n (fun j : nat => th j t) k)) ->
+       forall e : R, 0 < e -> exists T : R, 0 <= T /\ (forall t : R, T <= t -> G n th t < e)).
+Print Assumptions paley_stability.thm1_gradient_to_0.
+
 (* paley.thm1.saddle *)
 Check (paley_phase.thm1_saddle :
   forall (n : nat) (th : nat -> R),
@@ -716,6 +754,24 @@ Check (paley_phase.thm1_saddle :
        ~ balanced n th ->
        (forall j k : nat, (j < n)%nat -> (k < n)%nat -> sin (th k - th j) = 0) /\ saddle n (U1 n) th).
 Print Assumptions paley_phase.thm1_saddle.
+
+(* paley.thm1.sync *)
+Check (paley_stability.thm1_synchronize :
+  forall (n : nat) (w0 K1 : R) (th : nat -> R -> R),
+       (1 <= n)%nat ->
+       K1 <> 0 ->
+       (forall (t : R) (k : nat),
+        0 <= t -> (k < n)%nat -> is_derive (th k) t (w0 + - K1 * g1 n (fun j : nat => th j t) k)) ->
+       K1 < 0 ->
+       1 - / INR n < Cmod (order n (fun j : nat => th j 0)) ->
+       forall t : R,
+       0 <= t ->
+       INR n / 2 - U1 n (fun j : nat => th j t) <=
+       (INR n / 2 - U1 n (fun j : nat => th j 0)) * exp (- (- K1 * Cmod (order n (fun j : nat => th j 0)) ^ 2) * t) /\
+       (forall j k : nat,
+        (j < n)%nat ->
+        (k < n)%nat -> 1 - cos (th j t - th k t) <= 2 * INR n * (INR n / 2 - U1 n (fun j0 : nat => th j0 t)))).
+Print Assumptions paley_stability.thm1_synchronize.
 
 (* paley.thm2.center *)
 Check (paley_particles.thm2_limit_set :

@@ -1,10 +1,30 @@
 (* Audit of tanner1: each theorem of theorems.tsv with its statement written out, and the axioms it rests on.
-   The objects of the statements are defined in paley_model.v (phasors, inner product, graphs, Laplacian, W_1),
-   paley_phase.v and paley_particles.v (velocities, centres), tanner_energy.v (gradients, control, energy), tanner_flock.v (Definition 3). *)
+   The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
+
+(* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
+Check (eq_refl : expi = fun t => (cos t, sin t)).
+Check (eq_refl : inner = fun x y => Re (Cconj x * y)%C).
+Check (inner_xy : forall x y, inner x y = fst x * fst y + snd x * snd y).
+Check (eq_refl : w = fun adj k j => if adj k j then 1 else 0).
+Check (eq_refl : lap = fun n adj k j => delta k j * Sum n (w adj k) - w adj k j).
+Check (eq_refl : arc = fun n adj j k => (j < n)%nat /\ (k < n)%nat /\ adj k j = true).
+Check (eq_refl : Q = fun n A x => / (2 * INR n) * Sum n (fun k => inner (x k) (Csum n (fun j => RtoC (A k j) * x j)%C))).
+Check (eq_refl : order = fun n th => (RtoC (/ INR n) * Csum n (fun k => expi (th k)))%C).
+Check (eq_refl : U1 = fun n th => INR n / 2 * Cmod (order n th) ^ 2).
+Check (eq_refl : W1 = fun n adj th => Q n (lap n adj) (fun k => expi (th k))).
+Check (eq_refl : partial = fun f th k d => is_derive (fun s : R => f (upd th k s)) (th k) d).
+Check (eq_refl : is_velocity = fun r t v => is_derive (fun s => fst (r s)) t (fst v) /\ is_derive (fun s => snd (r s)) t (snd v)).
+Check (eq_refl : gW = fun n adj th k => inner (Ci * expi (th k))%C (row n (lap n adj) k (phasors th))).
+Check (eq_refl : circle_centre = fun w0 r th => (r + RtoC (/ w0) * (Ci * expi th))%C).
+(* the pair force, the control (4), the energy (6), V_t *)
+Check (eq_refl : grad = fun V' ri rj => (RtoC (V' (Cmod (ri - rj)%C) / Cmod (ri - rj)%C) * (ri - rj))%C).
+Check (eq_refl : control4 = fun n adj V' r v i => (- Csum n (fun j => RtoC (w adj i j) * (v i - v j)) - grad_i n adj V' r i)%C).
+Check (eq_refl : Wenergy = fun n adj V r v => / 2 * Sum n (fun i => Sum n (fun j => w adj i j * V i j (norm (r i - r j)%C)) + inner (v i) (v i))).
+Check (eq_refl : accel = fun n adj V' r v th i => (- grad_i n adj V' r i + RtoC (- align n adj r th i) * (Ci * v i))%C).
 
 (* tanner1.L *)
 Check (paley_gradient.lap_psd :
@@ -13,6 +33,38 @@ Check (paley_gradient.lap_psd :
        (forall k j : nat, lap n adj k j = lap n adj j k) /\
        0 <= Sum n (fun k : nat => inner (x k) (row n (lap n adj) k x))).
 Print Assumptions paley_gradient.lap_psd.
+
+(* tanner1.L *)
+Check (tanner_graph.L_incidence :
+  forall (n : nat) (adj : graph) (O : list (nat * nat)) (k m : nat),
+       undirected adj ->
+       oriented n adj O ->
+       (k < n)%nat -> (m < n)%nat -> lsum O (fun f : nat * nat => inc k f * inc m f) = lap n adj k m).
+Print Assumptions tanner_graph.L_incidence.
+
+(* tanner1.L *)
+Check (tanner_graph.L_orientation :
+  forall (n : nat) (adj : graph) (O O' : list (nat * nat)) (k m : nat),
+       undirected adj ->
+       oriented n adj O ->
+       oriented n adj O' ->
+       (k < n)%nat ->
+       (m < n)%nat ->
+       lsum O (fun f : nat * nat => inc k f * inc m f) = lsum O' (fun f : nat * nat => inc k f * inc m f)).
+Print Assumptions tanner_graph.L_orientation.
+
+(* tanner1.L, tanner1.Lw *)
+Check (tanner_graph.Lw_kernel :
+  forall (n : nat) (adj : graph) (W : nat -> nat -> R) (x : nat -> R),
+       undirected adj ->
+       (forall i j : nat, W i j = W j i) ->
+       (forall i j : nat, 0 < W i j) ->
+       let a := fun i j : nat => w adj i j * W i j in
+       (forall k m : nat, lapw n a k m = lapw n a m k) /\
+       0 <= Sum n (fun k : nat => x k * Sum n (fun j : nat => lapw n a k j * x j)) /\
+       ((forall k : nat, (k < n)%nat -> Sum n (fun j : nat => lapw n a k j * x j) = 0) <->
+        (forall j k : nat, clos_refl_trans nat (arc n adj) j k -> x j = x k))).
+Print Assumptions tanner_graph.Lw_kernel.
 
 (* tanner1.L.ones *)
 Check (paley_gradient.lap_ones :
@@ -26,6 +78,28 @@ Check (paley_gradient.lap_kernel :
        strongly_connected n adj ->
        (forall k : nat, (k < n)%nat -> lmul n adj y k = 0) -> exists c : R, forall k : nat, (k < n)%nat -> y k = c).
 Print Assumptions paley_gradient.lap_kernel.
+
+(* tanner1.L.ones *)
+Check (tanner_graph.L_ones_fails :
+  ~
+       (forall (n : nat) (adj : graph) (x : nat -> R),
+        (1 <= n)%nat ->
+        undirected adj ->
+        no_loops adj ->
+        (forall k : nat, (k < n)%nat -> lmul n adj x k = 0) -> exists c : R, forall k : nat, (k < n)%nat -> x k = c)).
+Print Assumptions tanner_graph.L_ones_fails.
+
+(* tanner1.Lw *)
+Check (tanner_graph.Lw_incidence :
+  forall (n : nat) (adj : graph) (O : list (nat * nat)) (W : nat -> nat -> R) (k m : nat),
+       undirected adj ->
+       oriented n adj O ->
+       (forall i j : nat, W i j = W j i) ->
+       (k < n)%nat ->
+       (m < n)%nat ->
+       lsum O (fun f : nat * nat => inc k f * W (fst f) (snd f) * inc m f) =
+       lapw n (fun i j : nat => w adj i j * W i j) k m).
+Print Assumptions tanner_graph.Lw_incidence.
 
 (* tanner1.Vmono *)
 Check (tanner1_heading.Vmono_fails :
@@ -53,15 +127,8 @@ Print Assumptions tanner1_examples.Vt_grows.
 Check (tanner1_examples.anyV_fails :
   (forall t : R,
         t <> 1 ->
-        closed_loop 2 complete (fun (_ _ : nat) (_ : R) => 0)
-          (fun (i : nat) (t0 : R) => match i with
-                                     | 0%nat => 0 + 2 * t0
-                                     | S _ => 1 + 1 * t0
-                                     end) (fun (i : nat) (_ : R) => match i with
-                                                                    | 0%nat => 2
-                                                                    | S _ => 1
-                                                                    end) (fun (_ : nat) (_ : R) => 0) t) /\
-       (forall s : R, is_derive (fun _ : R => 0) s 0) /\ 0 + 2 * 1 = 1 + 1 * 1).
+        closed_loop 2 complete (fun (_ _ : nat) (_ : R) => 0) (fun (i : nat) (t0 : R) => place i t0) speed
+          (fun (_ : nat) (_ : R) => 0) t) /\ (forall s : R, is_derive (fun _ : R => 0) s 0) /\ place 0 1 = place 1 1).
 Print Assumptions tanner1_examples.anyV_fails.
 
 (* tanner1.collision *)
@@ -175,7 +242,7 @@ Check (tanner1_examples.eq9_printed_fails :
         is_derive
           (fun x : R_AbsRing =>
            Vt n adj V (fun i : nat => r i x) (fun i : nat => (s i x * expi (th i x))%C) (fun i : nat => th i x)) t d ->
-        d = - Lw_form n adj (fun i : nat => r i t) (fun i : nat => th i t) /\ d <= 0)).
+        d = - tanner1_examples.Lw_form n adj (fun i : nat => r i t) (fun i : nat => th i t) /\ d <= 0)).
 Print Assumptions tanner1_examples.eq9_printed_fails.
 
 (* tanner1.eq9.chain *)

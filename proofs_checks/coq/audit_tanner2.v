@@ -1,10 +1,30 @@
 (* Audit of tanner2: each theorem of theorems.tsv with its statement written out, and the axioms it rests on.
-   The objects of the statements are defined in paley_model.v (phasors, inner product, graphs, Laplacian, W_1),
-   paley_phase.v and paley_particles.v (velocities, centres), tanner_energy.v (gradients, control, energy), tanner_flock.v (Definition 3). *)
+   The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
+
+(* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
+Check (eq_refl : expi = fun t => (cos t, sin t)).
+Check (eq_refl : inner = fun x y => Re (Cconj x * y)%C).
+Check (inner_xy : forall x y, inner x y = fst x * fst y + snd x * snd y).
+Check (eq_refl : w = fun adj k j => if adj k j then 1 else 0).
+Check (eq_refl : lap = fun n adj k j => delta k j * Sum n (w adj k) - w adj k j).
+Check (eq_refl : arc = fun n adj j k => (j < n)%nat /\ (k < n)%nat /\ adj k j = true).
+Check (eq_refl : Q = fun n A x => / (2 * INR n) * Sum n (fun k => inner (x k) (Csum n (fun j => RtoC (A k j) * x j)%C))).
+Check (eq_refl : order = fun n th => (RtoC (/ INR n) * Csum n (fun k => expi (th k)))%C).
+Check (eq_refl : U1 = fun n th => INR n / 2 * Cmod (order n th) ^ 2).
+Check (eq_refl : W1 = fun n adj th => Q n (lap n adj) (fun k => expi (th k))).
+Check (eq_refl : partial = fun f th k d => is_derive (fun s : R => f (upd th k s)) (th k) d).
+Check (eq_refl : is_velocity = fun r t v => is_derive (fun s => fst (r s)) t (fst v) /\ is_derive (fun s => snd (r s)) t (snd v)).
+Check (eq_refl : gW = fun n adj th k => inner (Ci * expi (th k))%C (row n (lap n adj) k (phasors th))).
+Check (eq_refl : circle_centre = fun w0 r th => (r + RtoC (/ w0) * (Ci * expi th))%C).
+(* the pair force, the control (4), the energy (6), V_t *)
+Check (eq_refl : grad = fun V' ri rj => (RtoC (V' (Cmod (ri - rj)%C) / Cmod (ri - rj)%C) * (ri - rj))%C).
+Check (eq_refl : control4 = fun n adj V' r v i => (- Csum n (fun j => RtoC (w adj i j) * (v i - v j)) - grad_i n adj V' r i)%C).
+Check (eq_refl : Wenergy = fun n adj V r v => / 2 * Sum n (fun i => Sum n (fun j => w adj i j * V i j (norm (r i - r j)%C)) + inner (v i) (v i))).
+Check (eq_refl : accel = fun n adj V' r v th i => (- grad_i n adj V' r i + RtoC (- align n adj r th i) * (Ci * v i))%C).
 
 (* tanner2.L *)
 Check (paley_gradient.lap_psd :
@@ -28,6 +48,25 @@ Check (tanner2_facts.second_positive :
        (1 <= n)%nat ->
        undirected adj -> strongly_connected n adj -> exists lam : R, 0 < lam /\ below_second n adj lam).
 Print Assumptions tanner2_facts.second_positive.
+
+(* tanner2.L *)
+Check (tanner_graph.L_incidence :
+  forall (n : nat) (adj : graph) (O : list (nat * nat)) (k m : nat),
+       undirected adj ->
+       oriented n adj O ->
+       (k < n)%nat -> (m < n)%nat -> lsum O (fun f : nat * nat => inc k f * inc m f) = lap n adj k m).
+Print Assumptions tanner_graph.L_incidence.
+
+(* tanner2.L *)
+Check (tanner_graph.L_orientation :
+  forall (n : nat) (adj : graph) (O O' : list (nat * nat)) (k m : nat),
+       undirected adj ->
+       oriented n adj O ->
+       oriented n adj O' ->
+       (k < n)%nat ->
+       (m < n)%nat ->
+       lsum O (fun f : nat * nat => inc k f * inc m f) = lsum O' (fun f : nat * nat => inc k f * inc m f)).
+Print Assumptions tanner_graph.L_orientation.
 
 (* tanner2.Q *)
 Check (tanner2_facts.Q_two_forms :
@@ -226,6 +265,22 @@ Check (tanner2_facts.eq13_interval_fails :
         exists e : R, e < 0 /\ (forall x : R, rhs13 n r v R0 x <-> e <= x <= 0))).
 Print Assumptions tanner2_facts.eq13_interval_fails.
 
+(* tanner2.eq14 *)
+Check (tanner_graph.eq14 :
+  forall (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R),
+       (1 <= n)%nat ->
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       (forall i : nat,
+        (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i)) ->
+       (forall i j : nat,
+        (i < n)%nat ->
+        (j < n)%nat ->
+        control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i =
+        control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) j) ->
+       forall i : nat, (i < n)%nat -> control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i = 0).
+Print Assumptions tanner_graph.eq14.
+
 (* tanner2.eq2 *)
 Check (tanner2_facts.eq2_fails :
   ~ (forall v : C, fst v <> 0 -> v = (norm v * expi (atan (snd v / fst v)))%C)).
@@ -321,6 +376,17 @@ Check (tanner_nonsmooth.lemma2_fails :
        continuity_pt V' R0 -> V' R0 = c -> 0 < c -> forall z : R, gen_gradient (saturated V R0) R0 z <-> 0 <= z <= c).
 Print Assumptions tanner_nonsmooth.lemma2_fails.
 
+(* tanner2.rangeB *)
+Check (tanner_graph.range_B :
+  forall (n : nat) (adj : graph) (O0 : list (nat * nat)) (x : nat -> R),
+       (1 <= n)%nat ->
+       undirected adj ->
+       no_loops adj ->
+       oriented n adj O0 ->
+       strongly_connected n adj ->
+       (exists y : nat * nat -> R, forall k : nat, (k < n)%nat -> applyB O0 y k = x k) <-> Sum n x = 0).
+Print Assumptions tanner_graph.range_B.
+
 (* tanner2.thm1a *)
 Check (tanner_flock.velocities_agree :
   forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
@@ -392,3 +458,16 @@ Check (tanner2_examples.thm1c_not_local :
          norm (q 0%nat - line3 0)%C < e /\
          V_i 3 complete (fun _ _ : nat => VA) q 0 < V_i 3 complete (fun _ _ : nat => VA) line3 0).
 Print Assumptions tanner2_examples.thm1c_not_local.
+
+(* tanner2.vdotB *)
+Check (tanner_graph.B_gradients :
+  forall (n : nat) (adj : graph) (O : list (nat * nat)) (V' : nat -> nat -> R -> R) (r : nat -> C) (k : nat),
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       oriented n adj O ->
+       (k < n)%nat ->
+       applyB O (fun f : nat * nat => fst (grad (V' (fst f) (snd f)) (r (fst f)) (r (snd f)))) k =
+       - fst (grad_i n adj V' r k) /\
+       applyB O (fun f : nat * nat => snd (grad (V' (fst f) (snd f)) (r (fst f)) (r (snd f)))) k =
+       - snd (grad_i n adj V' r k)).
+Print Assumptions tanner_graph.B_gradients.

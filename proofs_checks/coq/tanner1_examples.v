@@ -97,14 +97,15 @@ Qed.
 Lemma no_force n adj r i : grad_i n adj (fun _ _ _ => 0) r i = RtoC 0.
 Proof. unfold grad_i. apply Csum_0. intros j _. unfold pair_grad, grad. apply injective_projections; unfold Rdiv; cbn; ring. Qed.
 Lemma C0_plus : (- RtoC 0 + RtoC 0)%C = RtoC 0. Proof. apply injective_projections; cbn; ring. Qed.
-Theorem anyV_fails : (forall t, t <> 1 -> closed_loop 2 complete (fun _ _ _ => 0) (fun i t => RtoC (match i with 0%nat => 0 + 2 * t | _ => 1 + 1 * t end))
-     (fun i _ => match i with 0%nat => 2 | _ => 1 end) (fun _ _ => 0) t) /\
+Definition place (i : nat) (t : R) : R := match i with 0%nat => 0 + 2 * t | _ => 1 + 1 * t end.
+Definition speed (i : nat) (t : R) : R := match i with 0%nat => 2 | _ => 1 end.
+Theorem anyV_fails : (forall t, t <> 1 -> closed_loop 2 complete (fun _ _ _ => 0) (fun i t => RtoC (place i t)) speed (fun _ _ => 0) t) /\
   (forall s : R, is_derive (fun _ : R => 0) s 0) /\
-  RtoC (0 + 2 * 1) = RtoC (1 + 1 * 1).
+  place 0 1 = place 1 1.
 Proof.
-  split; [|split; [intros; apply D_const|f_equal; ring]]. intros t _ i Hi. split; [destruct i; lra|]. split; [eexists; apply D_const|]. split.
-  - destruct i; apply free_motion.
-  - unfold accel. rewrite gyro_aligned, no_force, C0_plus. split; apply D_const.
+  split; [|split; [intros; apply D_const|unfold place; ring]]. intros t _ i Hi. split; [unfold speed; destruct i; lra|]. split; [unfold speed; eexists; apply D_const|]. split.
+  - unfold place, speed. destruct i; apply free_motion.
+  - unfold accel. rewrite gyro_aligned, no_force, C0_plus. unfold speed. split; apply D_const.
 Qed.
 
 (* collisions of agents that are not linked leave V_t bounded: path 0 - 1 - 2, agents 0 and 2 meet *)
