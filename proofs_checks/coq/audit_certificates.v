@@ -55,45 +55,34 @@ Check (gamma_is_the_limit : forall n (P : qmat) (p : nat -> Q) (Gamma : qmat) k 
   (forall i j, (i < n)%nat -> (j < n)%nat -> Gamma i j - mulq n P Gamma i j == idq i j - p j) ->
   (forall j, (j < n)%nat -> sumQ n (fun i => p i * Gamma i j) == 0) ->
   converges n P p Gamma k c).
-Print Assumptions gamma_is_the_limit.
 Check (chazelle_lem3_3_one_edge :
   converges 2 (val ([[12; 3]; [10; 5]]%Z, 15%positive)) (vec ([10; 3]%Z, 13%positive))
     (val ([[45; -45]; [-150; 150]]%Z, 169%positive)) 1 (2 # 15)).
-Print Assumptions chazelle_lem3_3_one_edge.
 Check (chazelle_lem3_3_path_4_lazy :
   converges 4 (val ([[1; 2; 0; 0]; [1; 1; 1; 0]; [0; 1; 1; 1]; [0; 0; 2; 1]]%Z, 3%positive)) (vec ([1; 2; 2; 1]%Z, 6%positive))
     (val ([[35; 10; -26; -19]; [5; 22; -14; -13]; [-13; -14; 22; 5]; [-19; -26; 10; 35]]%Z, 24%positive)) 2 (5 # 9)).
-Print Assumptions chazelle_lem3_3_path_4_lazy.
 Check (four_birds_alternate : forall t i j, (t <= 64)%nat -> (i < j < 4)%nat ->
   edge (run 4 lazy_weight 0 (start four_x four_v) t) i j = listed (if Nat.even t then path4 else pairs4) i j).
-Print Assumptions four_birds_alternate.
 Check (four_birds_held : forall t i j, (t <= 330)%nat -> (i < j < 4)%nat ->
   edge (run 4 lazy_weight (1 # 4 ^ 256) (start four_x four_v) t) i j =
   listed (if Nat.even t || Nat.leb 322 t then path4 else pairs4) i j).
-Print Assumptions four_birds_held.
 Check (product_AB : is_tau1 3 (prodq 3 (concat (repeat
   [([[0; 2; 0]; [1; 0; 1]; [0; 2; 0]]%Z, 2%positive); ([[0; 1; 0]; [1; 0; 0]; [0; 0; 1]]%Z, 1%positive)] 30))) (1 # 2 ^ 29)).
-Print Assumptions product_AB.
 Check (product_four_birds : is_tau1 4 (prodq 4 (concat (repeat
   [([[1; 2; 0; 0]; [2; 1; 0; 0]; [0; 0; 1; 2]; [0; 0; 2; 1]]%Z, 3%positive);
    ([[1; 2; 0; 0]; [1; 1; 1; 0]; [0; 1; 1; 1]; [0; 0; 2; 1]]%Z, 3%positive)] 8))) (895795 # 3 ^ 15)).
-Print Assumptions product_four_birds.
 
 (* ---- quadratic forms ---- *)
 Check (path6_semidefinite : forall x, 0 <= quad 6 (val ([[1; -1; 0; 0; 0; 0]; [-1; 2; -1; 0; 0; 0]; [0; -1; 2; -1; 0; 0];
   [0; 0; -1; 2; -1; 0]; [0; 0; 0; -1; 2; -1]; [0; 0; 0; 0; -1; 1]]%Z, 1%positive)) x).
-Print Assumptions path6_semidefinite.
 Check (ring5_and_path3_semidefinite : forall x, 0 <= quad 8 (val ([[2; -1; 0; 0; -1; 0; 0; 0]; [-1; 2; -1; 0; 0; 0; 0; 0];
   [0; -1; 2; -1; 0; 0; 0; 0]; [0; 0; -1; 2; -1; 0; 0; 0]; [-1; 0; 0; -1; 2; 0; 0; 0]; [0; 0; 0; 0; 0; 1; -1; 0];
   [0; 0; 0; 0; 0; -1; 2; -1]; [0; 0; 0; 0; 0; 0; -1; 1]]%Z, 1%positive)) x).
-Print Assumptions ring5_and_path3_semidefinite.
 Check (saddle_three_and_one :
   (exists x, 0 < quad 4 (val ([[-1; 1; 1; -1]; [1; -1; 1; -1]; [1; 1; -1; -1]; [-1; -1; -1; 3]]%Z, 4%positive)) x) /\
   (exists x, quad 4 (val ([[-1; 1; 1; -1]; [1; -1; 1; -1]; [1; 1; -1; -1]; [-1; -1; -1; 3]]%Z, 4%positive)) x < 0)).
-Print Assumptions saddle_three_and_one.
 Check (saddle_four_and_two :
   (exists x, 0 < quad 6 (val (hessian [1; 1; 1; 1; -1; -1]%Z)) x) /\
   (exists x, quad 6 (val (hessian [1; 1; 1; 1; -1; -1]%Z)) x < 0)).
-Print Assumptions saddle_four_and_two.
 Check (eq_refl : hessian [1; 1; 1; 1; -1; -1]%Z = ([[-1; 1; 1; 1; -1; -1]; [1; -1; 1; 1; -1; -1]; [1; 1; -1; 1; -1; -1];
   [1; 1; 1; -1; -1; -1]; [-1; -1; -1; -1; 3; 1]; [-1; -1; -1; -1; 1; 3]]%Z, 6%positive)).

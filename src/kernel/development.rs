@@ -11,17 +11,38 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 10] = sources![
+const SOURCES: [(&str, &str); 31] = sources![
+    "RealSums",
+    "paley_model",
+    "paley_phase",
+    "paley_laplacian",
+    "paley_gradient",
+    "paley_fourier",
+    "paley_particles",
+    "paley_patterns",
+    "paley_fish",
+    "paley_stability",
+    "tanner_energy",
+    "tanner_flock",
+    "tanner1_heading",
+    "tanner1_examples",
+    "tanner_nonsmooth",
+    "tanner2_examples",
+    "tanner2_facts",
+    "tanner_graph",
     "certificate_matrices",
+    "certificate_flocks",
     "certificate_limits",
     "certificate_inertia",
-    "certificate_flocks",
-    "gen_products",
-    "gen_limits",
     "gen_inertia",
+    "gen_limits",
+    "gen_products",
     "gen_switches",
     "certificate_instances",
     "audit_certificates",
+    "audit_paley",
+    "audit_tanner1",
+    "audit_tanner2",
 ];
 
 /// A file of the development.
