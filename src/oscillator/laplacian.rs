@@ -5,6 +5,7 @@
 //! the arc from `k` to `j`. (The paper draws that arc from `j` to `k`, along the flow of information.)
 
 use super::moments::{kind, powers, quarter_turn};
+use super::network::Interaction;
 use crate::arithmetic::{ArithmeticError, Complex, Field, Ring};
 use crate::matrix::SparseMatrix;
 
@@ -20,10 +21,10 @@ pub fn laplacian_rows<T: Field>(laplacian: &SparseMatrix, x: &[Complex<T>]) -> V
 ///
 /// # Errors
 /// [`ArithmeticError::Domain`] for no particles.
-pub fn quadratic_form<T: Field>(laplacian: &SparseMatrix, x: &[Complex<T>]) -> Result<T, ArithmeticError> {
+pub fn quadratic_form<T: Field>(network: &impl Interaction, x: &[Complex<T>]) -> Result<T, ArithmeticError> {
     let share = kind(x)?.ratio(1, 2 * x.len() as i64);
     let zero = share.zero();
-    let sum = x.iter().zip(laplacian_rows(laplacian, x)).fold(zero, |sum, (x, lx)| sum + x.dot(&lx));
+    let sum = x.iter().zip(network.laplacian_of(x)).fold(zero, |sum, (x, lx)| sum + x.dot(&lx));
     Ok(sum * share)
 }
 
@@ -32,18 +33,18 @@ pub fn quadratic_form<T: Field>(laplacian: &SparseMatrix, x: &[Complex<T>]) -> R
 /// # Errors
 /// [`ArithmeticError`] for no particles or `m = 0`.
 pub fn phase_potential<T: Field>(
-    laplacian: &SparseMatrix,
+    network: &impl Interaction,
     phasors: &[Complex<T>],
     m: u32,
 ) -> Result<T, ArithmeticError> {
     let scale = kind(phasors)?.integer(i64::from(m)).recip()?;
     let scaled: Vec<Complex<T>> = powers(phasors, m).iter().map(|z| z.scale(&scale)).collect();
-    quadratic_form(laplacian, &scaled)
+    quadratic_form(network, &scaled)
 }
 
 /// `<i e^{i theta_k}, L_k e^{i theta}>`, `N` of them: the left side of (16).
-pub fn misalignment<T: Field>(laplacian: &SparseMatrix, phasors: &[Complex<T>]) -> Vec<T> {
-    phasors.iter().zip(laplacian_rows(laplacian, phasors)).map(|(z, lz)| quarter_turn(z).dot(&lz)).collect()
+pub fn misalignment<T: Field>(network: &impl Interaction, phasors: &[Complex<T>]) -> Vec<T> {
+    phasors.iter().zip(network.laplacian_of(phasors)).map(|(z, lz)| quarter_turn(z).dot(&lz)).collect()
 }
 
 /// `dW_1/dtheta_k = (1/(2N)) <i e^{i theta_k}, (L + L^T)_k e^{i theta}>`, on any graph (display before (14)).

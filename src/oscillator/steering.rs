@@ -2,9 +2,9 @@
 
 use super::laplacian::misalignment;
 use super::moments::{kind, moment_gradient, pattern_gradient};
+use super::network::Interaction;
 use crate::arithmetic::{ArithmeticError, Complex, Field};
 use crate::graph::WeightedGraph;
-use crate::matrix::SparseMatrix;
 
 /// `u_k = -K_1 <i e^{i theta_k}, p_theta>` (9), `N` of them.
 ///
@@ -20,11 +20,11 @@ pub fn gradient_control<T: Field>(gain: &T, phasors: &[Complex<T>]) -> Result<Ve
 /// [`ArithmeticError::Domain`] for no particles.
 pub fn laplacian_control<T: Field>(
     gain: &T,
-    laplacian: &SparseMatrix,
+    network: &impl Interaction,
     phasors: &[Complex<T>],
 ) -> Result<Vec<T>, ArithmeticError> {
     let share = kind(phasors)?.ratio(1, phasors.len() as i64) * gain;
-    Ok(misalignment(laplacian, phasors).into_iter().map(|term| term * &share).collect())
+    Ok(misalignment(network, phasors).into_iter().map(|term| term * &share).collect())
 }
 
 /// The negative gradient of (25), with `gains = [K_1, ..., K_M]`.
