@@ -61,6 +61,19 @@ pub fn state_identity(
     run.identity(&OverStates { identity, constants: constants.len() }, &names, part)
 }
 
+/// The graphs on which identities are tested: two and three vertices; with `full`, one of each kind on four as well. Every
+/// term of the identities belongs to a particle and at most two neighbours.
+pub fn identity_graphs(run: &Run) -> Vec<Graph> {
+    let graphs = connected_graphs(false).into_iter();
+    graphs
+        .filter(|g| match g.order() {
+            1 | 2 => true,
+            3 => *g == Graph::path(3) || g.edges().len() == 3,
+            _ => run.cases(0, 1) == 1,
+        })
+        .collect()
+}
+
 /// All connected graphs on one to three vertices and one of each kind on four; with `full`, all labelled ones on four.
 pub fn connected_graphs(full: bool) -> Vec<Graph> {
     let mut graphs: Vec<Graph> = (1..=3).flat_map(Graph::all).filter(Graph::is_connected).collect();

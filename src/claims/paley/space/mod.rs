@@ -1,8 +1,12 @@
 //! Claims about particles in the plane and fish: (1)-(5), (17)-(22), (26)-(29).
 
+mod composite;
+mod fish;
 mod instances;
 mod particles;
 mod spacing;
+mod stability;
+mod symmetry;
 
 use crate::ledger::AnyClaim;
 
@@ -18,5 +22,24 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(spacing::SpacingDescent),
         Box::new(spacing::Theorem2),
         Box::new(spacing::FixedCentre),
+        Box::new(composite::CompositePotential),
+        Box::new(composite::CircularControl),
+        Box::new(composite::TwoNetworks),
+        Box::new(composite::PatternPotential),
+        Box::new(stability::SynchronyStable),
+        Box::new(stability::DriftGain),
+        Box::new(stability::BalancedStable),
+        Box::new(stability::PatternStable),
+        Box::new(stability::LargerGain),
+        Box::new(stability::UniqueMaximum),
+        Box::new(symmetry::BeaconForm),
+        Box::new(symmetry::CommonDrift),
+        Box::new(fish::EulerStep),
+        Box::new(fish::RepulsionField),
+        Box::new(fish::AttractionField),
+        Box::new(fish::LaplacianForm),
+        Box::new(fish::Comparison),
+        Box::new(fish::Chord),
+        Box::new(fish::PerceptualZones),
     ]
 }

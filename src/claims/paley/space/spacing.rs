@@ -1,8 +1,8 @@
 //! paley.eq17, paley.eq18, paley.eq19_20, paley.thm2, paley.thm2.center: the spacing potential and Theorem 2.
 
 use super::instances::{
-    StateIdentity, connected_graphs, described, one_way_ring, scattered_phasors, stability, state_identity,
-    sum_of_squares,
+    StateIdentity, connected_graphs, described, identity_graphs, one_way_ring, scattered_phasors, stability,
+    state_identity, sum_of_squares,
 };
 use crate::arithmetic::{ArithmeticError, Dual, Field, Rational, rational};
 use crate::graph::Graph;
@@ -91,7 +91,7 @@ fn examine_proper(variant: &ProperVariant, run: &Run) -> Result<Outcome, CheckEr
     let detail = "kernel of L spanned by 1, and |c_kj|^2 <= (N - 1) 2 N S by exact effective resistances";
     let bound =
         Evidence::new(Grade::Exhaustive, format!("positive and proper, graphs of up to {most} vertices"), detail);
-    let identities = connected_graphs(false).into_iter().map(|graph| {
+    let identities = identity_graphs(run).into_iter().map(|graph| {
         let part = format!("S is the sum over edges, {}", described(&graph));
         state_identity(&EdgeSum { graph: &graph, share: variant.share }, &["w0"], &part, run)
     });
@@ -234,7 +234,7 @@ impl StateIdentity for DescentIdentity {
 
 fn examine_descent(variant: &DescentVariant, run: &Run) -> Result<Outcome, CheckError> {
     let networks: Vec<(Neighbours, String)> = if variant.undirected {
-        connected_graphs(run.cases(0, 1) == 1).iter().map(|g| (Neighbours::of(g), described(g))).collect()
+        identity_graphs(run).iter().map(|g| (Neighbours::of(g), described(g))).collect()
     } else {
         (2..=3).map(|n| (one_way_ring(n), format!("one-way ring of {n}"))).collect()
     };
@@ -368,7 +368,7 @@ fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcom
     let detail = "turning-frame linearisation: N zeros for the phases, ± i w0 for the translations, all else decays; both signs of w0";
     let formations = Evidence::new(Grade::Exact, "exponential approach near formations", detail).cases(formations);
     let mut parts = vec![examine_proper(&ProperVariant::PRINTED, run), examine_descent(&DescentVariant::PRINTED, run)];
-    parts.extend(connected_graphs(false).into_iter().map(|graph| {
+    parts.extend(identity_graphs(run).into_iter().map(|graph| {
         let part = format!("on the limit set L_k c = 0, {}", described(&graph));
         let identity = LimitIdentity { network: Neighbours::of(&graph), rate: variant.rate };
         state_identity(&identity, &["w0", "K_0"], &part, run)

@@ -1,0 +1,3 @@
+//! Particles with coupled phases and fish.
+
+mod probe;
