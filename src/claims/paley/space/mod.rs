@@ -1,9 +1,13 @@
 //! Claims about particles in the plane and fish: (1)-(5), (17)-(22), (26)-(29).
 
+mod bifurcation;
 mod composite;
+mod figures;
 mod fish;
+mod fish_data;
 mod instances;
 mod particles;
+mod runs;
 mod spacing;
 mod stability;
 mod symmetry;
@@ -41,5 +45,15 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(fish::Comparison),
         Box::new(fish::Chord),
         Box::new(fish::PerceptualZones),
+        Box::new(figures::FourMotions),
+        Box::new(figures::CyclicFormations),
+        Box::new(figures::SixPatterns),
+        Box::new(figures::ReferenceTracking),
+        Box::new(figures::BeaconOrbit),
+        Box::new(bifurcation::CircularInZones),
+        Box::new(bifurcation::FewerClusters),
+        Box::new(bifurcation::PatternsInZones),
+        Box::new(fish_data::MeasuredTracks),
+        Box::new(fish_data::DifferenceInference),
     ]
 }
