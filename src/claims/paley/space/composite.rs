@@ -70,11 +70,11 @@ impl Claim for CompositePotential {
     }
 
     fn derivation(&self) -> &str {
-        "With sigma_k = <e^{i theta_k}, L_k c>, tau_k = <i e^{i theta_k}, L_k e^{i theta}>: Sdot = (1/N) sum sigma_k (1 - u_k/w0) and W_1dot = (1/N) sum tau_k \
-         (u_k - w0), because sum tau_k = 0. Under (22), u_k - w0 = (w0/N)(K_0 sigma_k + K_1 tau_k/w0), so (d/dt)(K_0 S + a W_1) = -(1/N^2) sum (K_0 sigma_k - \
-         a w0 tau_k)(... w0 factors): it is the printed negative sum of squares exactly for a = -K_1/w0^2. With the printed a = K_1/w0 the W_1 part \
-         has the wrong sign: at K_1 > 0 the control (14) increases W_1. V = K_0 S - K_1 w0^-2 W_1 is the potential that (22) decreases, in \
-         agreement with synchronisation for K_1 < 0."
+        "With sigma_k = <e^{i theta_k}, L_k c>, tau_k = <i e^{i theta_k}, L_k e^{i theta}>: Sdot = (1/N) sum sigma_k (1 - u_k/w0), and W_1dot = (1/N) sum \
+         tau_k (u_k - w0) because sum tau_k = 0. So (d/dt)(K_0 S + a W_1) = (1/N) sum (a tau_k - K_0 sigma_k/w0)(u_k - w0), and (22) is u_k - w0 = (w0/N)(K_0 \
+         sigma_k + K_1 tau_k/w0): the printed negative sum of squares results exactly for a = -K_1/w0^2, and for every other a the rate is indefinite. With \
+         the printed a = K_1/w0 the W_1 part has the wrong sign for w0 > 0: at K_1 > 0 the control (14) increases W_1. V = K_0 S - K_1 w0^-2 W_1 is what \
+         (22) decreases, in agreement with synchronisation for K_1 < 0."
     }
 
     fn printed(&self) -> CompositeVariant {
@@ -341,7 +341,7 @@ impl Claim for PatternPotential {
                 }
             }
         }
-        let cases = [(1, 1), (2, 1), (2, 2), (3, 3), (4, 2)];
+        let cases = [(1, 1), (2, 1), (2, 2), (3, 3)];
         let identities = cases.map(|(particles, clusters)| {
             let identity = PatternDescent { variant: *variant, particles, clusters };
             let gains: Vec<String> = (1..=identity.clusters).map(|m| format!("K_{m}")).collect();

@@ -149,10 +149,10 @@ impl Claim for CyclicFormations {
     }
 
     fn examine(&self, variant: &CyclicVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const STEPS: (f64, usize) = (0.5, 1600);
+        const STEPS: (f64, usize) = (1.0, 800);
         const OMEGA: f64 = 0.1;
         let network = Neighbours::circulant(N, &[1]);
-        let seeds = run.cases(6, 60);
+        let seeds = run.cases(4, 60);
         let mut seen = [0; 3];
         for seed in 0..seeds as u64 {
             for (panel, orientation) in [-1.0, 0.0, 1.0].into_iter().enumerate() {
@@ -173,7 +173,7 @@ impl Claim for CyclicFormations {
         let evidence = simulated(
             "outcomes of the three panels",
             format!(
-                "C_12, w0 = 0.1, K_0 = 1.2, K_1 = -1, 0, 1, step 0.5 to t = 800; seen in {negative}, {zero}, {positive} of {seeds} runs"
+                "C_12, w0 = 0.1, K_0 = 1.2, K_1 = -1, 0, 1, step 1 to t = 800; seen in {negative}, {zero}, {positive} of {seeds} runs"
             ),
             3 * seeds,
         );
@@ -271,7 +271,7 @@ impl Claim for ReferenceTracking {
     }
 
     fn derivation(&self) -> &str {
-        "Reading: all-to-all control (14) with K_1 = -1 plus the gradient of 1 - cos(theta_0 - theta_N) on particle N; legs of 120 time units, long against the \
+        "Reading: all-to-all control (14) with K_1 = -1 plus the gradient of 1 - cos(theta_0 - theta_N) on particle N; legs of 160 time units, long against the \
          slowest rate of the synchronised group, about |K_1|/N. At the end of each leg every heading agrees with the reference and the group moves along \
          a straight line in that direction: theta = theta_0 1 is the only stable equilibrium, the minimum of W_1 + 1 - cos(theta_0 - theta_N)."
     }
@@ -288,7 +288,7 @@ impl Claim for ReferenceTracking {
     }
 
     fn examine(&self, variant: &ReferenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const LEG: (f64, usize) = (0.5, 240);
+        const LEG: (f64, usize) = (0.5, 320);
         const TOLERANCE: f64 = 1e-2;
         let network = Neighbours::complete(N);
         let seeds = run.cases(3, 30);
@@ -309,7 +309,7 @@ impl Claim for ReferenceTracking {
                 }
             }
         }
-        let detail = "N = 12, w0 = 0, K_1 = -1, all-to-all, four legs of 120, step 0.5; every heading within 0.01 of the reference at the end of each leg";
+        let detail = "N = 12, w0 = 0, K_1 = -1, all-to-all, four legs of 160, step 0.5; every heading within 0.01 of the reference at the end of each leg";
         Ok(Outcome::Holds(vec![simulated("tracking", detail.to_string(), seeds)]))
     }
 }

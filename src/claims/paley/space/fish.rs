@@ -35,6 +35,10 @@ impl StateIdentity for StepIdentity {
         let turned = step.power(self.0.phase) * u;
         Ok((vec![moved.re, moved.im, turned], vec![euler.re, euler.im, step.clone() * u]))
     }
+
+    fn allows(&self, constants: &[Rational]) -> bool {
+        constants[0] > rational(0, 1)
+    }
 }
 
 impl Claim for EulerStep {

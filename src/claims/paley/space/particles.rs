@@ -33,7 +33,7 @@ impl StateIdentity for CircleVariant {
 
     fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
         let [omega] = constants else { return Err(ArithmeticError::Domain("one constant")) };
-        let moving = state.moving(&[omega.clone()], &[]);
+        let moving = state.moving(std::slice::from_ref(omega), &[]);
         let printed = &circle_centres(&Dual::constant(omega.clone()), &moving)?[0];
         let factor = Dual::constant(omega.integer(self.centre));
         let centre = (printed.clone() - &moving.positions[0]).scale(&factor) + &moving.positions[0];

@@ -1,8 +1,8 @@
 //! paley.eq17, paley.eq18, paley.eq19_20, paley.thm2, paley.thm2.center: the spacing potential and Theorem 2.
 
 use super::instances::{
-    StateIdentity, connected_graphs, described, identity_graphs, one_way_ring, scattered_phasors, stability,
-    state_identity, sum_of_squares,
+    StateIdentity, described, identity_graphs, one_way_ring, scattered_phasors, stability, state_identity,
+    sum_of_squares,
 };
 use crate::arithmetic::{ArithmeticError, Dual, Field, Rational, rational};
 use crate::graph::Graph;
@@ -148,7 +148,7 @@ impl StateIdentity for VelocityVariant {
 
     fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
         let [omega, u] = constants else { return Err(ArithmeticError::Domain("two constants")) };
-        let moving = state.moving(&[u.clone()], &[]);
+        let moving = state.moving(std::slice::from_ref(u), &[]);
         let centre = &circle_centres(&Dual::constant(omega.clone()), &moving)?[0];
         let scale = if self.inverse { omega.recip()? } else { omega.clone() };
         let speed = omega.one() + scale * u * omega.integer(self.factor);
@@ -339,7 +339,25 @@ impl ConvergenceVariant {
 }
 
 fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
-    let graphs = if variant.connected { connected_graphs(false) } else { vec![Graph::empty(2)] };
+    let limits = Run::all(identity_graphs(run).into_iter().map(|graph| {
+        let part = format!("on the limit set L_k c = 0, {}", described(&graph));
+        let identity = LimitIdentity { network: Neighbours::of(&graph), rate: variant.rate };
+        state_identity(&identity, &["w0", "K_0"], &part, run)
+    }))?;
+    if !matches!(limits, Outcome::Holds(_)) {
+        return Ok(limits);
+    }
+    let returns = examine_return(variant, run)?;
+    if !matches!(returns, Outcome::Holds(_)) {
+        return Ok(returns);
+    }
+    let potential = [examine_proper(&ProperVariant::PRINTED, run), examine_descent(&DescentVariant::PRINTED, run)];
+    Run::all([Ok(limits), Ok(returns)].into_iter().chain(potential))
+}
+
+/// Whether all that is no symmetry and no phase decays near circular formations.
+fn examine_return(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let graphs = if variant.connected { identity_graphs(run) } else { vec![Graph::empty(2)] };
     let mut formations = 0;
     for graph in &graphs {
         for (p, q) in [(1, 10), (-3, 2)] {
@@ -367,14 +385,7 @@ fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcom
     }
     let detail = "turning-frame linearisation: N zeros for the phases, ± i w0 for the translations, all else decays; both signs of w0";
     let formations = Evidence::new(Grade::Exact, "exponential approach near formations", detail).cases(formations);
-    let mut parts = vec![examine_proper(&ProperVariant::PRINTED, run), examine_descent(&DescentVariant::PRINTED, run)];
-    parts.extend(identity_graphs(run).into_iter().map(|graph| {
-        let part = format!("on the limit set L_k c = 0, {}", described(&graph));
-        let identity = LimitIdentity { network: Neighbours::of(&graph), rate: variant.rate };
-        state_identity(&identity, &["w0", "K_0"], &part, run)
-    }));
-    parts.push(Ok(Outcome::Holds(vec![formations])));
-    Run::all(parts)
+    Ok(Outcome::Holds(vec![formations]))
 }
 
 /// paley.thm2.
