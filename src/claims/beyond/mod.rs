@@ -4,6 +4,7 @@ mod decay_rate;
 mod fewer_switches;
 mod next_order;
 mod one_sided_peak;
+mod phases;
 mod smallest_entries;
 mod tower;
 mod virtual_origins;
@@ -22,5 +23,7 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(next_order::NextFrequency),
         Box::new(next_order::NextAmplitude),
         Box::new(decay_rate::SlowestDecay),
+        Box::new(phases::CriticalInertia),
+        Box::new(phases::CyclicClassification),
     ]
 }

@@ -1,6 +1,6 @@
 //! Claims about phases: the phase model, its potentials and the graphs (equations (7)-(16), (23)-(25)).
 
-pub mod common;
+mod common;
 mod eigenvectors;
 mod figure2;
 mod graphs;
@@ -10,8 +10,12 @@ mod order;
 mod patterns;
 mod reference;
 mod stationary;
-pub mod theorem1;
+mod theorem1;
 mod zero_set;
+
+pub use common::on_the_line;
+pub use eigenvectors::CyclicVariant;
+pub use theorem1::{Kind, critical_points};
 
 use crate::ledger::AnyClaim;
 
