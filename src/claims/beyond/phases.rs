@@ -1,7 +1,7 @@
 //! beyond.paley.inertia and beyond.paley.cyclic_eigenvectors.
 
-use crate::arithmetic::{Field, Signed};
 use crate::arithmetic::{Complex, Ring};
+use crate::arithmetic::{Field, Signed};
 use crate::claims::paley::{CyclicVariant, Kind, critical_points, on_the_line};
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, Source};
 use crate::matrix::{Inertia, inertia};
@@ -75,7 +75,8 @@ impl Claim for CriticalInertia {
     fn examine(&self, variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
         let most = run.cases(9, 14);
         let mut cases = 0;
-        let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "inertia", "exact elimination")));
+        let fails =
+            |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "inertia", "exact elimination")));
         for n in 2..=most {
             for minority in 0..n.div_ceil(2) {
                 run.checkpoint()?;
@@ -139,13 +140,19 @@ impl Claim for CyclicClassification {
         let right = CyclicVariant::CLASSIFICATION;
         vec![
             Control::new("columns only", CyclicVariant { rhombi: |_, _| false, ..right }),
-            Control::new("for even N", CyclicVariant { rhombi: |n, m| n % 2 == 0 && (4 * m == n || 4 * m == n + 2), ..right }),
-            Control::new("N clusters in each column", CyclicVariant { clusters: |n, _| n, ..right }),
+            Control::new(
+                "for even N",
+                CyclicVariant { rhombi: |n, m| n % 2 == 0 && (4 * m == n || 4 * m == n + 2), ..right },
+            ),
+            Control::new(
+                "N clusters in each column",
+                CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right },
+            ),
         ]
     }
 
     fn examine(&self, variant: &CyclicVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let most = run.cases(12, 24);
+        let most = run.cases(12, 20);
         for nodes in 3..=most {
             run.checkpoint()?;
             if let Some(what) = variant.fails_on(nodes)? {
@@ -155,7 +162,8 @@ impl Claim for CyclicClassification {
                 ));
             }
         }
-        let detail = format!("exact rank of the conditions of equal modulus in every double eigenspace, N = 3 to {most}");
+        let detail =
+            format!("exact rank of the conditions of equal modulus in every double eigenspace, N = 3 to {most}");
         Ok(Outcome::Holds(vec![
             Evidence::new(Grade::Exact, "every N", "proof in notes/paley_phases.md"),
             Evidence::new(Grade::Exhaustive, "all eigenvectors of modulus one", detail).cases(most - 2),

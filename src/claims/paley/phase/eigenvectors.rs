@@ -263,7 +263,10 @@ impl Claim for CyclicEigenvectors {
                 "more eigenvectors at every double eigenvalue",
                 CyclicVariant { rhombi: |_, _| true, ..right },
             ),
-            Control::new("twelve clusters in every column", CyclicVariant { clusters: |n, _| n, ..right }),
+            Control::new(
+                "twelve clusters in every column",
+                CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right },
+            ),
         ]
     }
 

@@ -1,21 +1,25 @@
 //! Claims about phases: the phase model, its potentials and the graphs (equations (7)-(16), (23)-(25)).
 
 mod common;
+mod critical;
 mod eigenvectors;
 mod figure2;
 mod graphs;
 mod laplacian_potential;
+mod moment_potentials;
 mod nearest;
 mod order;
 mod patterns;
 mod reference;
+mod saddles;
 mod stationary;
 mod theorem1;
+mod tutorial;
 mod zero_set;
 
 pub use common::on_the_line;
+pub use critical::{Kind, critical_points};
 pub use eigenvectors::CyclicVariant;
-pub use theorem1::{Kind, critical_points};
 
 use crate::ledger::AnyClaim;
 
@@ -29,13 +33,13 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(theorem1::Convergence),
         Box::new(theorem1::SynchronisedStable),
         Box::new(theorem1::BalancedStable),
-        Box::new(theorem1::Saddles),
-        Box::new(theorem1::Unbalanced),
+        Box::new(saddles::Saddles),
+        Box::new(saddles::Unbalanced),
         Box::new(graphs::EdgeLength),
         Box::new(graphs::Kernel),
         Box::new(graphs::Incidence),
-        Box::new(graphs::Laplacians),
-        Box::new(graphs::NamedLaplacians),
+        Box::new(tutorial::Laplacians),
+        Box::new(tutorial::NamedLaplacians),
         Box::new(laplacian_potential::Complete),
         Box::new(laplacian_potential::Gradient),
         Box::new(laplacian_potential::Law),
@@ -53,8 +57,8 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(nearest::ThreeAndOne),
         Box::new(patterns::TwoPatterns),
         Box::new(patterns::MomentsOfPatterns),
-        Box::new(patterns::LaplacianMoments),
-        Box::new(patterns::MomentPotential),
+        Box::new(moment_potentials::LaplacianMoments),
+        Box::new(moment_potentials::MomentPotential),
         Box::new(patterns::Minimisers),
         Box::new(reference::ReferencePhase),
     ]

@@ -153,7 +153,7 @@ impl Claim for OrderParameter {
     }
 
     fn examine(&self, variant: &OrderVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let parts = (1..=5).map(|particles| {
+        let parts = (1..=4).map(|particles| {
             let part = format!("Rdot = p and 1 - |p|^2 as a sum of squares, N = {particles}");
             identity_of_phases(run, &Velocity { particles, variant: *variant }, &names(particles, &[]), &part)
         });
@@ -342,7 +342,7 @@ impl Claim for GradientLaw {
     }
 
     fn examine(&self, variant: &GradientVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let parts = (2..=4).map(|particles| {
+        let parts = (2..=3).map(|particles| {
             let part = format!("gradient, its sum, (10) and the rate of U_1, N = {particles}");
             let identity = GradientIdentity { particles, variant: *variant };
             identity_of_phases(run, &identity, &names(particles, &["K1", "omega0"]), &part)
