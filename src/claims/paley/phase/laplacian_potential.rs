@@ -64,10 +64,7 @@ impl Claim for Complete {
         vec![
             Control::new("N instead of N/2", CompleteVariant { constant: |n| rational(n, 1), ..printed }),
             Control::new("+ U_1", CompleteVariant { sign: 1, ..printed }),
-            Control::new(
-                "the cyclic graph",
-                CompleteVariant { graph: |n| digraph(n, |k, j| (k + 1) % n == j || (j + 1) % n == k), ..printed },
-            ),
+            Control::new("the path", CompleteVariant { graph: |n| digraph(n, |k, j| k.abs_diff(j) == 1), ..printed }),
         ]
     }
 
