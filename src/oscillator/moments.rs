@@ -14,7 +14,7 @@ pub fn quarter_turn<T: Ring>(z: &Complex<T>) -> Complex<T> {
 
 /// `e^{i m theta_k}`, `N` of them.
 pub fn powers<T: Ring>(phasors: &[Complex<T>], m: u32) -> Vec<Complex<T>> {
-    phasors.iter().map(|z| z.power(u64::from(m))).collect()
+    if m == 1 { phasors.to_vec() } else { phasors.iter().map(|z| z.power(u64::from(m))).collect() }
 }
 
 /// `(1/N) sum_k x_k`: the centre of mass (4) of positions, the order parameter (7) of phasors.

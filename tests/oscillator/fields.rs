@@ -53,15 +53,12 @@ fn inertia_agrees_with_the_characteristic_polynomial() {
     for case in 0..400 {
         let order = 1 + case % 5;
         // Few different entries, zeros on the diagonal often: singular and indefinite matrices.
-        let mut rows = vec![vec![rational(0, 1); order]; order];
-        for i in 0..order {
-            for j in 0..=i {
-                let entry = i64::from(random.next_u32() % 3) - 1;
-                let entry = rational(if i == j && case % 2 == 0 { 0 } else { entry }, 1);
-                rows[i][j] = entry.clone();
-                rows[j][i] = entry;
-            }
-        }
+        let drawn: Vec<i64> = (0..order * order).map(|_| i64::from(random.next_u32() % 3) - 1).collect();
+        let entry = |i: usize, j: usize| match (i, j) {
+            _ if i == j && case % 2 == 0 => rational(0, 1),
+            _ => rational(drawn[i.max(j) * order + i.min(j)], 1),
+        };
+        let rows: Vec<Vec<Rational>> = (0..order).map(|i| (0..order).map(|j| entry(i, j)).collect()).collect();
         let zero: Rational = rational(0, 1);
         let polynomial = RationalMatrix::from_rows(&rows).unwrap().characteristic_polynomial().unwrap();
         let expected = Inertia {

@@ -5,6 +5,7 @@ mod fewer_switches;
 mod next_order;
 mod one_sided_peak;
 mod paley_circulant;
+mod phases;
 mod smallest_entries;
 mod tower;
 mod virtual_origins;
@@ -25,5 +26,7 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(decay_rate::SlowestDecay),
         Box::new(paley_circulant::CirculantSpectrum),
         Box::new(paley_circulant::CyclicPatterns),
+        Box::new(phases::CriticalInertia),
+        Box::new(phases::CyclicClassification),
     ]
 }
