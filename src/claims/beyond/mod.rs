@@ -4,6 +4,8 @@ mod decay_rate;
 mod fewer_switches;
 mod next_order;
 mod one_sided_peak;
+mod paley_circulant;
+mod phases;
 mod smallest_entries;
 mod tower;
 mod virtual_origins;
@@ -22,5 +24,9 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(next_order::NextFrequency),
         Box::new(next_order::NextAmplitude),
         Box::new(decay_rate::SlowestDecay),
+        Box::new(paley_circulant::CirculantSpectrum),
+        Box::new(paley_circulant::CyclicPatterns),
+        Box::new(phases::CriticalInertia),
+        Box::new(phases::CyclicClassification),
     ]
 }

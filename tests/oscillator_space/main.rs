@@ -1,0 +1,5 @@
+//! Particles with coupled phases and fish.
+
+mod laws;
+mod networks;
+mod probe;
