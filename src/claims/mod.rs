@@ -4,6 +4,7 @@
 mod beyond;
 mod chazelle;
 mod paley;
+mod record;
 mod tanner1;
 mod tanner2;
 mod veerman;
