@@ -18,7 +18,7 @@ pub use energy::{agent_potential, kinetic_energy, potential_energy};
 pub use heading::{HeadingDifference, gyroscopic, heading, heading_rate};
 pub use law::{disagreements, linked_within, potential_gradients, tied, velocity_alignment};
 pub use linearisation::{Inertia, hessian, inertia, linearisation};
-pub use potential::{Potential, PotentialError};
+pub use potential::{Potential, PotentialError, Slope};
 pub use saturated::{Kink, Span};
 pub use simulate::{RunError, Stepper, disagreement, random_flock};
 pub use state::{Coordinates, State, Vector, difference, rotated, scaled, sum};

@@ -62,12 +62,17 @@ impl Potential {
         Potential::new(slope, (one, rational(0, 1)))
     }
 
+    /// The slope with its coefficients as scalars of the kind of `like`, for many values.
+    pub fn slope_over<T: Field>(&self, like: &T) -> Slope<T> {
+        Slope { terms: self.slope.iter().map(|(k, c)| (*k, like.rational(c))).collect() }
+    }
+
     /// `V'(s)`.
     ///
     /// # Errors
     /// [`ArithmeticError::DivisionByZero`] at `s = 0`.
     pub fn slope<T: Field>(&self, s: &T) -> Result<T, ArithmeticError> {
-        self.slope.iter().try_fold(s.zero(), |total, (k, c)| Ok(total + power(s, *k)? * s.rational(c)))
+        self.slope_over(s).at(s)
     }
 
     /// `V''(s)`.
@@ -122,15 +127,19 @@ impl Potential {
         (Polynomial::from_rationals(&coefficients), lowest.unsigned_abs())
     }
 
-    /// The squared distances at which the slope vanishes, as long as they are rational; `None` where one is not.
+    /// The squared distances at which the slope vanishes, in order, as long as they are rational; `None` where one is not.
     pub fn critical(&self) -> Option<Vec<Rational>> {
         let (numerator, _) = self.slope_numerator();
-        let bound = numerator.coefficients().iter().fold(rational(1, 1), |sum, c| {
-            sum + Rational::from_integer(num_traits::Signed::abs(c))
-        });
-        let mut roots = numerator.roots_in(&rational(0, 1), &bound);
-        let found: Option<Vec<Rational>> = roots.iter_mut().map(|root| numerator.rational_root(root)).collect();
-        Some(found?.into_iter().filter(|s| s.is_certainly_positive()).collect())
+        let size = numerator.coefficients().iter().map(num_traits::Signed::abs).sum();
+        let (zero, bound) = (rational(0, 1), Rational::from_integer(size) + rational(1, 1));
+        let mut found = Vec::new();
+        for (factor, _) in numerator.square_free_factors() {
+            for mut root in factor.roots_in(&zero, &bound) {
+                found.push(factor.rational_root(&mut root)?);
+            }
+        }
+        found.sort();
+        Some(found)
     }
 
     /// Whether this is a potential of Definition 3 of the second paper: differentiable and non-negative for `s > 0`,
@@ -149,8 +158,7 @@ impl Potential {
         if !terms().max_by_key(|(k, _)| *k).is_some_and(|(k, c)| *k >= -1 && c.is_certainly_positive()) {
             return Err(PotentialError::Bounded);
         }
-        let mut critical = self.critical().ok_or(PotentialError::Minimum)?;
-        critical.sort();
+        let critical = self.critical().ok_or(PotentialError::Minimum)?;
         // The slope changes sign once: then its only descent ends in the minimum.
         let mut rises = Vec::new();
         for (index, s) in critical.iter().enumerate() {
@@ -167,6 +175,22 @@ impl Potential {
             Some(Sign::Negative) => Err(PotentialError::Negative),
             _ => Ok(()),
         }
+    }
+}
+
+/// The slope of a [`Potential`] over one kind of scalar.
+#[derive(Debug, Clone)]
+pub struct Slope<T> {
+    terms: Vec<(i32, T)>,
+}
+
+impl<T: Field> Slope<T> {
+    /// `V'(s)`.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::DivisionByZero`] at `s = 0`.
+    pub fn at(&self, s: &T) -> Result<T, ArithmeticError> {
+        self.terms.iter().try_fold(s.zero(), |total, (k, c)| Ok(total + power(s, *k)? * c))
     }
 }
 

@@ -5,9 +5,17 @@
 
 pub(super) mod arbitrary;
 mod bounds;
+mod collisions;
 mod energy;
+pub(super) mod figures;
+mod filippov;
 pub(super) mod graphs;
+mod limits;
+mod motions;
 mod nonsmooth;
+mod rates;
+mod switching;
+pub(super) mod wording;
 
 use crate::arithmetic::{Rational, rational};
 use crate::ledger::AnyClaim;
@@ -47,5 +55,30 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(nonsmooth::q_dot()),
         Box::new(nonsmooth::eq13()),
         Box::new(nonsmooth::eq13_interval()),
+        Box::new(wording::eq2()),
+        Box::new(wording::figure_references()),
+        Box::new(wording::theorem5_use()),
+        Box::new(filippov::uniqueness()),
+        Box::new(filippov::definition4()),
+        Box::new(filippov::chain_rule()),
+        Box::new(filippov::existence()),
+        Box::new(limits::thm1a()),
+        Box::new(limits::thm1c()),
+        Box::new(limits::flocking()),
+        Box::new(limits::definition3()),
+        Box::new(limits::cor1()),
+        Box::new(limits::thm2_vel()),
+        Box::new(limits::thm2_pot()),
+        Box::new(collisions::thm1b()),
+        Box::new(collisions::cor3()),
+        Box::new(collisions::thm2_coll()),
+        Box::new(collisions::noninter()),
+        Box::new(rates::rate()),
+        Box::new(switching::arbitrary()),
+        Box::new(switching::stops()),
+        Box::new(figures::fig4()),
+        Box::new(figures::fig4_close()),
+        Box::new(figures::fig5()),
+        Box::new(figures::fig6()),
     ]
 }
