@@ -127,9 +127,12 @@ impl Potential {
         (Polynomial::from_rationals(&coefficients), lowest.unsigned_abs())
     }
 
-    /// The squared distances at which the slope vanishes, in order, as long as they are rational; `None` where one is not.
+    /// The squared distances at which the slope vanishes, in order; `None` where one is irrational, and for a constant potential.
     pub fn critical(&self) -> Option<Vec<Rational>> {
         let (numerator, _) = self.slope_numerator();
+        if numerator.is_zero() {
+            return None;
+        }
         let size = numerator.coefficients().iter().map(num_traits::Signed::abs).sum();
         let (zero, bound) = (rational(0, 1), Rational::from_integer(size) + rational(1, 1));
         let mut found = Vec::new();
