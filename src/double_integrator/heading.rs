@@ -14,6 +14,22 @@ pub enum HeadingDifference {
     Unwrapped,
 }
 
+impl HeadingDifference {
+    /// The difference that the law uses, from that of two headings in `(-pi, pi]`, or of two that are followed.
+    pub fn read<T: Real + Signed>(self, difference: T) -> T {
+        let pi = difference.pi();
+        let turn = pi.clone() + &pi;
+        match self {
+            HeadingDifference::Raw | HeadingDifference::Unwrapped => difference,
+            HeadingDifference::Wrapped if (difference.clone() - &pi).is_certainly_positive() => difference - turn,
+            HeadingDifference::Wrapped if (difference.clone() + &pi).sign() != Some(Sign::Positive) => {
+                difference + turn
+            }
+            HeadingDifference::Wrapped => difference,
+        }
+    }
+}
+
 /// `arctan(y, x)`, the angle in `(-pi, pi]` from the first axis to a vector.
 ///
 /// # Errors

@@ -120,9 +120,8 @@ impl Potential {
     pub fn slope_numerator(&self) -> (Polynomial, u32) {
         let lowest = self.slope.iter().map(|(k, _)| *k).min().unwrap_or(0).min(0);
         let highest = self.slope.iter().map(|(k, _)| *k).max().unwrap_or(0).max(0);
-        let coefficient = |k: i32| {
-            self.slope.iter().find(|(exponent, _)| *exponent == k).map_or(rational(0, 1), |(_, c)| c.clone())
-        };
+        let coefficient =
+            |k: i32| self.slope.iter().find(|(exponent, _)| *exponent == k).map_or(rational(0, 1), |(_, c)| c.clone());
         let coefficients: Vec<Rational> = (lowest..=highest).map(coefficient).collect();
         (Polynomial::from_rationals(&coefficients), lowest.unsigned_abs())
     }

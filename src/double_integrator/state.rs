@@ -40,9 +40,7 @@ impl Coordinates {
         let straight = a[0].clone() * &b[0] + a[1].clone() * &b[1];
         match self {
             Coordinates::Cartesian => straight,
-            Coordinates::Triangular => {
-                straight + (a[0].clone() * &b[1] + a[1].clone() * &b[0]) * a[0].ratio(1, 2)
-            }
+            Coordinates::Triangular => straight + (a[0].clone() * &b[1] + a[1].clone() * &b[0]) * a[0].ratio(1, 2),
         }
     }
 
@@ -89,7 +87,8 @@ impl<T: Ring> State<T> {
     /// has as its derivative the rate of change along the motion.
     pub fn moving(&self, accelerations: &[Vector<T>]) -> State<Dual<T>> {
         let pair = |value: &Vector<T>, rate: &Vector<T>| [0, 1].map(|k| Dual::new(value[k].clone(), rate[k].clone()));
-        let pairs = |values: &[Vector<T>], rates: &[Vector<T>]| values.iter().zip(rates).map(|(a, b)| pair(a, b)).collect();
+        let pairs =
+            |values: &[Vector<T>], rates: &[Vector<T>]| values.iter().zip(rates).map(|(a, b)| pair(a, b)).collect();
         State {
             positions: pairs(&self.positions, &self.velocities),
             velocities: pairs(&self.velocities, accelerations),

@@ -217,6 +217,9 @@ fn refusals_are_errors() {
     assert!(kinetic_energy::<Rational>(&[], PLANE).is_err());
     assert!(State::<Rational>::from_list(2, &[q(0), q(1)]).is_none());
     assert_eq!(rotated(&[q(1), q(2)]), [q(-2), q(1)]);
-    assert_ne!(HeadingDifference::Raw, HeadingDifference::Wrapped);
+    assert!((HeadingDifference::Wrapped.read(6.0) - (6.0 - std::f64::consts::TAU)).abs() < 1e-15);
+    assert!((HeadingDifference::Wrapped.read(-6.0) + (6.0 - std::f64::consts::TAU)).abs() < 1e-15);
+    assert_eq!([HeadingDifference::Raw, HeadingDifference::Unwrapped].map(|d| d.read(6.0)), [6.0, 6.0]);
+    assert_eq!(HeadingDifference::Wrapped.read(3.0), 3.0);
     assert_eq!(PLANE.square(&[q(3), q(4)]), q(25).square().over(&q(25)).unwrap());
 }

@@ -43,9 +43,8 @@ fn start() -> State<f64> {
 
 #[test]
 fn both_methods_agree() {
-    let found = Stepper { tolerance: 1e-10, ..Stepper::default() }
-        .run(&start(), 3.0, |s| Ok(law(s)), |_, _| ())
-        .unwrap();
+    let found =
+        Stepper { tolerance: 1e-10, ..Stepper::default() }.run(&start(), 3.0, |s| Ok(law(s)), |_, _| ()).unwrap();
     let naive = naive(&start(), 3.0, 3000);
     for (a, b) in found.positions.iter().chain(&found.velocities).zip(naive.positions.iter().chain(&naive.velocities)) {
         assert!((a[0] - b[0]).abs() < 1e-7 && (a[1] - b[1]).abs() < 1e-7, "{a:?} {b:?}");
@@ -61,11 +60,16 @@ fn momentum_stays_and_energy_falls() {
     };
     let mut last = energy(&start());
     let end = Stepper { tolerance: 1e-9, ..Stepper::default() }
-        .run(&start(), 20.0, |s| Ok(law(s)), |_, s| {
-            let now = energy(s);
-            assert!(now <= last + 1e-7);
-            last = now;
-        })
+        .run(
+            &start(),
+            20.0,
+            |s| Ok(law(s)),
+            |_, s| {
+                let now = energy(s);
+                assert!(now <= last + 1e-7);
+                last = now;
+            },
+        )
         .unwrap();
     let momentum = |s: &State<f64>| s.velocities.iter().map(|v| v[0]).sum::<f64>();
     assert!((momentum(&end) - momentum(&start())).abs() < 1e-9);

@@ -5,6 +5,7 @@ mod fewer_switches;
 mod next_order;
 mod one_sided_peak;
 mod smallest_entries;
+mod tanner;
 mod tower;
 mod virtual_origins;
 
@@ -22,5 +23,8 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(next_order::NextFrequency),
         Box::new(next_order::NextAmplitude),
         Box::new(decay_rate::SlowestDecay),
+        Box::new(tanner::two_agents()),
+        Box::new(tanner::alternating_trees()),
+        Box::new(tanner::endless_switching()),
     ]
 }

@@ -25,14 +25,21 @@ type OnesVariant = fn(&Graph) -> bool;
 
 fn examine_ones(variant: &OnesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut cases = 0;
-    let evidence = |cases: usize| Evidence::new(Grade::Exhaustive, "the kernel of L", "every labelled graph of up to 4 vertices, the connected ones of 5 up to isomorphism; for all, x^T L x is the sum of (x_i - x_j)²").cases(cases);
+    let evidence = |cases: usize| {
+        Evidence::new(Grade::Exhaustive, "the kernel of L", "every labelled graph of up to 4 vertices, the connected ones of 5 up to isomorphism; for all, x^T L x is the sum of (x_i - x_j)²").cases(cases)
+    };
     for graph in small_graphs().into_iter().filter(|graph| variant(graph)) {
         run.checkpoint()?;
         let kernel = graph.laplacian()?.kernel();
         cases += 1;
         let other = kernel.iter().find(|x| x.iter().any(|value| *value != x[0]));
         if let Some(x) = other {
-            let what = format!("{} vertices, edges {:?}: ({}) is an eigenvector for 0", graph.order(), graph.edges(), x.iter().map(ToString::to_string).collect::<Vec<_>>().join(", "));
+            let what = format!(
+                "{} vertices, edges {:?}: ({}) is an eigenvector for 0",
+                graph.order(),
+                graph.edges(),
+                x.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+            );
             return Ok(Outcome::fails(what, evidence(cases)));
         }
     }
@@ -64,7 +71,15 @@ fn examine_weighted(variant: &WeightedVariant, run: &mut Run) -> Result<Outcome,
             let incidence = graph.incidence()?;
             // D W D, where W is the identity here: D is N by |E|.
             if incidence.times(&incidence).is_err() {
-                let what = format!("{} vertices, edges {:?}: D is {} by {} and W is {} by {}, so that D W D is not defined", graph.order(), graph.edges(), incidence.rows(), incidence.cols(), incidence.cols(), incidence.cols());
+                let what = format!(
+                    "{} vertices, edges {:?}: D is {} by {} and W is {} by {}, so that D W D is not defined",
+                    graph.order(),
+                    graph.edges(),
+                    incidence.rows(),
+                    incidence.cols(),
+                    incidence.cols(),
+                    incidence.cols()
+                );
                 return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "D W D", "shapes of the matrices")));
             }
         }
@@ -90,7 +105,8 @@ pub fn weighted() -> Record<WeightedVariant> {
 // --- The potential ---
 
 fn examine_shape(potential: &Potential, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence = Evidence::new(Grade::Exact, "one minimum, growing on both sides", "signs of the slope between its exact roots");
+    let evidence =
+        Evidence::new(Grade::Exact, "one minimum, growing on both sides", "signs of the slope between its exact roots");
     let one = rational(1, 1);
     let critical = potential.critical();
     let problem = match (potential.check_definition3(), &critical) {
@@ -192,11 +208,22 @@ fn examine_usable(variant: &UsableVariant, _run: &mut Run) -> Result<Outcome, Ch
         // Two agents on one line with equal headings feel no alignment force: half the squared relative speed plus 2 V(s) is constant, so
         // that with enough relative speed a finite barrier is passed, inwards or outwards.
         let what = match potential.check_definition3() {
-            Err(PotentialError::NoRepulsion) => "two agents that follow each other on a line with equal headings, the rear one fast enough, collide: V is bounded near 0",
-            Err(PotentialError::Bounded) => "two agents on a line with equal headings, the front one fast enough, part for ever: V is bounded",
+            Err(PotentialError::NoRepulsion) => {
+                "two agents that follow each other on a line with equal headings, the rear one fast enough, collide: V is bounded near 0"
+            }
+            Err(PotentialError::Bounded) => {
+                "two agents on a line with equal headings, the front one fast enough, part for ever: V is bounded"
+            }
             _ => continue,
         };
-        return Ok(Outcome::fails(format!("{name}: {what}"), Evidence::new(Grade::Exact, "collisions and cohesion", "leading terms of the slope; conservation of energy on the line")));
+        return Ok(Outcome::fails(
+            format!("{name}: {what}"),
+            Evidence::new(
+                Grade::Exact,
+                "collisions and cohesion",
+                "leading terms of the slope; conservation of energy on the line",
+            ),
+        ));
     }
     let detail = "linked agents stay between the two distances at which V reaches the energy, which is constant (tanner1.Vt_inv); leading terms of the slopes of the listed potentials";
     Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "collisions and cohesion", detail).cases(cases)]))
@@ -225,7 +252,11 @@ pub fn any_potential() -> Record<UsableVariant> {
 fn examine_sign(potential: &Potential, _run: &mut Run) -> Result<Outcome, CheckError> {
     const PRECISION: u32 = 80;
     let enclose = |q: Rational| Interval::from_rational(&q, PRECISION);
-    let evidence = Evidence::new(Grade::Certified, "V_t >= 0", "enclosures for two agents at distances from 1/100 to 100; for all: a sum of non-negative terms");
+    let evidence = Evidence::new(
+        Grade::Certified,
+        "V_t >= 0",
+        "enclosures for two agents at distances from 1/100 to 100; for all: a sum of non-negative terms",
+    );
     let mut cases = 0;
     for k in -4..=4 {
         let s = enclose(rational(10, 1).pow(k));
@@ -235,7 +266,13 @@ fn examine_sign(potential: &Potential, _run: &mut Run) -> Result<Outcome, CheckE
             let value = potential.value(&s)? + Coordinates::Cartesian.square(&v) + angle.clone() * angle;
             cases += 1;
             if value.is_certainly_negative() {
-                return Ok(Outcome::fails(format!("two agents at |r|² = 10^{k}, both with velocity ({x}/100, {y}/100): V_t = {:.4}", value.to_f64()), evidence));
+                return Ok(Outcome::fails(
+                    format!(
+                        "two agents at |r|² = 10^{k}, both with velocity ({x}/100, {y}/100): V_t = {:.4}",
+                        value.to_f64()
+                    ),
+                    evidence,
+                ));
             }
         }
     }
@@ -258,4 +295,3 @@ pub fn vt() -> Record<Potential> {
     .control("V = log s", of(&[(-1, 1)], 0))
     .control("V = 1/s + log s - 30", of(&[(-2, -1), (-1, 1)], -29))
 }
-

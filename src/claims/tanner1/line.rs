@@ -29,7 +29,7 @@ impl Swing {
         Ok(potential().value(&s)? - least)
     }
 
-    /// Whether both velocities point forwards for ever (`Some(true)`), or the rear one reaches zero (`Some(false)`).
+    /// Whether both velocities point forwards for ever (`Some(true)`), or the front one's reaches zero (`Some(false)`).
     fn keeps_direction(self) -> Result<Option<bool>, CheckError> {
         let excess = self.excess()?;
         let room = excess.rational(&rational(self.speed.0, self.speed.1)).square() - &excess;
@@ -66,7 +66,8 @@ pub enum LimitVariant {
 fn examine(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let fast = Swing { start: 4, speed: (2, 1) };
     let slow = Swing { start: 4, speed: (1, 2) };
-    let evidence = || Evidence::new(Grade::Certified, "two agents on a line", "enclosure of V(4) - V(1), conservation of energy");
+    let evidence =
+        || Evidence::new(Grade::Certified, "two agents on a line", "enclosure of V(4) - V(1), conservation of energy");
     if let LimitVariant::Kept(quantity) = variant {
         return examine_invariant(quantity, run);
     }
@@ -79,13 +80,17 @@ fn examine(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, CheckError>
     let how = match variant {
         LimitVariant::Headings => {
             let what = format!(
-                "{}: the velocity of the second agent falls to zero before they are at distance 1, as u² reaches V(4) - V(1) > 1/4; there it has no heading and (5) no value",
+                "{}: the velocity of the front one falls to zero before they are at distance 1, as u² reaches V(4) - V(1) > 1/4; there it has no heading and (5) no value",
                 slow.describe()
             );
             return Ok(Outcome::fails(what, evidence()));
         }
-        LimitVariant::Stabilised => "both headings stay 0 and the distance swings for ever about 1, as u² + V(s) is constant",
-        LimitVariant::Cases => "-grad V_1 . v_1 changes sign in every swing: neither case lasts, and nothing comes to rest",
+        LimitVariant::Stabilised => {
+            "both headings stay 0 and the distance swings for ever about 1, as u² + V(s) is constant"
+        }
+        LimitVariant::Cases => {
+            "-grad V_1 . v_1 changes sign in every swing: neither case lasts, and nothing comes to rest"
+        }
         LimitVariant::Falling => "the potential energy falls and rises again in every swing",
         LimitVariant::Speeds => "the velocities swing about their mean for ever",
         LimitVariant::Kept(_) => "",
@@ -112,7 +117,7 @@ pub fn distances() -> Record<LimitVariant> {
 pub fn headings() -> Record<LimitVariant> {
     Record::new(
         "tanner1.propIV3a",
-        "The proof rests on Vdot_t = -theta^T L_w theta, which is false (tanner1.eq9). With the law as printed a motion may even end: the rear one of two agents on a line comes to rest, where it has no heading and the law no value, so that headings do not converge. \
+        "The proof rests on Vdot_t = -theta^T L_w theta, which is false (tanner1.eq9). With the law as printed a motion may even end: the front one of two agents on a line comes to rest, where it has no heading and the law no value, so that headings do not converge. \
          Whether all motions without such a stop align is not decided here; the mechanical energy is no obstacle, since it can go into the common motion.",
         LimitVariant::Headings,
         examine,

@@ -54,12 +54,25 @@ fn examine_smooth(variant: &SmoothVariant, _run: &mut Run) -> Result<Outcome, Ch
             continue;
         }
         // Two velocities close by, one on each side.
-        let near = |dx: i64, dy: i64| [rational(x, 1) + &step * rational(dx, 1), rational(y, 1) + &step * rational(dy, 1)];
+        let near =
+            |dx: i64, dy: i64| [rational(x, 1) + &step * rational(dx, 1), rational(y, 1) + &step * rational(dy, 1)];
         let change = second_acceleration(near(1, 1))? - second_acceleration(near(-1, -1))?;
         cases += 1;
-        if (change.clone() - change.ratio(1, 10)).is_certainly_positive() || (change.clone() + change.ratio(1, 10)).is_certainly_negative() {
-            let what = format!("agents at (0, 0) and (1, 0), V = 0, the second with velocity (0, 1): where the first one's velocity passes ({x}, {y}) the second one's acceleration jumps by {:.4}", change.to_f64());
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "the law on both sides", "enclosures at velocities 10^-9 to either side")));
+        if (change.clone() - change.ratio(1, 10)).is_certainly_positive()
+            || (change.clone() + change.ratio(1, 10)).is_certainly_negative()
+        {
+            let what = format!(
+                "agents at (0, 0) and (1, 0), V = 0, the second with velocity (0, 1): where the first one's velocity passes ({x}, {y}) the second one's acceleration jumps by {:.4}",
+                change.to_f64()
+            );
+            return Ok(Outcome::fails(
+                what,
+                Evidence::new(
+                    Grade::Certified,
+                    "the law on both sides",
+                    "enclosures at velocities 10^-9 to either side",
+                ),
+            ));
         }
     }
     let detail = "arctan(y, x) is analytic off the negative x axis and 0, 1/|r_ij|² and the gradients are analytic off collisions of linked agents; enclosures on both sides of eight velocities";
@@ -101,11 +114,17 @@ fn examine_closed(variant: &ClosedVariant, _run: &mut Run) -> Result<Outcome, Ch
     let sequences = [(0, "0"), (1, "1")];
     for (limit, name) in sequences {
         let limit = rational(limit, 1);
-        let members = (2..50).map(|n| &limit + rational(if limit > rational(0, 1) { -1 } else { 1 }, n)).all(|v| belongs(&v));
+        let members =
+            (2..50).map(|n| &limit + rational(if limit > rational(0, 1) { -1 } else { 1 }, n)).all(|v| belongs(&v));
         let without_heading = variant.from_velocities && limit == rational(0, 1);
         if members && (without_heading || !belongs(&limit)) {
             let why = if without_heading { "has no headings" } else { "is not in the set" };
-            return Ok(Outcome::fails(format!("two agents at distance 1 with equal velocities (v, 0), c = 2: the limit v = {name} of points of the set {why}"), evidence("exact values")));
+            return Ok(Outcome::fails(
+                format!(
+                    "two agents at distance 1 with equal velocities (v, 0), c = 2: the limit v = {name} of points of the set {why}"
+                ),
+                evidence("exact values"),
+            ));
         }
     }
     let detail = "V_t is continuous in (r_ij, v_i, theta_i) where linked agents are apart and tends to infinity where they meet; exact values along two sequences";
@@ -138,7 +157,8 @@ fn examine_bounded(variant: &BoundedVariant, _run: &mut Run) -> Result<Outcome, 
     let far = value(&rational(10, 1).pow(40))?;
     let grows = variant.connected && (far - start).to_f64() > 10.0;
     if !grows {
-        let what = "two agents with velocities (1, 0), distance 10^20: V_t exceeds its value at distance 1 by less than 10";
+        let what =
+            "two agents with velocities (1, 0), distance 10^20: V_t exceeds its value at distance 1 by less than 10";
         return Ok(Outcome::fails(what, evidence(Grade::Certified, "enclosures of V at 1 and 10^20")));
     }
     if let Err(problem) = variant.potential.check_definition3() {
@@ -190,7 +210,11 @@ fn examine_collision(variant: &CollisionVariant, _run: &mut Run) -> Result<Outco
         cases += 1;
         let evidence = Evidence::new(Grade::Exact, "V_t where agents meet", "exact, the path of three agents");
         if finite {
-            let what = format!("the path 1-2-3, agents {} and {} in one place: V_t is finite, and the law smooth; followed back from different velocities there, they start apart", pair.0 + 1, pair.1 + 1);
+            let what = format!(
+                "the path 1-2-3, agents {} and {} in one place: V_t is finite, and the law smooth; followed back from different velocities there, they start apart",
+                pair.0 + 1,
+                pair.1 + 1
+            );
             return Ok(Outcome::fails(what, evidence));
         }
     }
@@ -257,4 +281,3 @@ pub fn ratio() -> Record<RatioVariant> {
     .control("xddot/xdot", RatioVariant { numerator: 2, denominator: 0 })
     .control("xddot/yddot", RatioVariant { numerator: 2, denominator: 3 })
 }
-

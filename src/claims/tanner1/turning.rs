@@ -64,7 +64,13 @@ impl<T: Field> Loop<T> {
         (0..self.count())
             .map(|i| {
                 let near = self.flock.edges.iter().filter_map(|&(a, b)| {
-                    if a == i { Some(b) } else if b == i { Some(a) } else { None }
+                    if a == i {
+                        Some(b)
+                    } else if b == i {
+                        Some(a)
+                    } else {
+                        None
+                    }
                 });
                 near.into_iter().try_fold(self.headings[i].zero(), |total, j| {
                     let r = self.flock.state.separation(i, j);
@@ -88,7 +94,11 @@ impl<T: Field> Loop<T> {
 }
 
 /// Runs an identity on connected graphs of up to three agents.
-fn on_connected<I: RationalIdentity>(run: &Run, what: &str, identity: impl Fn(Graph) -> I) -> Result<Outcome, CheckError> {
+fn on_connected<I: RationalIdentity>(
+    run: &Run,
+    what: &str,
+    identity: impl Fn(Graph) -> I,
+) -> Result<Outcome, CheckError> {
     Run::all(Arbitrary::connected(3).into_iter().map(|graph| {
         let part = format!("{what}, {} agents, edges {:?}, any potentials", graph.order(), graph.edges());
         run.identity(&identity(graph), &["positions", "velocities", "slopes", "headings"], &part)
@@ -194,7 +204,10 @@ impl RationalIdentity for AngularMomentum {
         let turning = total(like, state.positions.iter().zip(&alignment).map(|(r, a)| cross(r, a)));
         // Both orders of every pair: r_ij x grad V_ij.
         let pairs = whole.flock.edges.iter().zip(whole.flock.pair_gradients()?);
-        let internal = total(like, pairs.map(|(&(i, j), (at_i, _))| cross(&state.separation(i, j), &push(&at_i)) * like.integer(2)));
+        let internal = total(
+            like,
+            pairs.map(|(&(i, j), (at_i, _))| cross(&state.separation(i, j), &push(&at_i)) * like.integer(2)),
+        );
         // r x (z x v) = r . v.
         let sums = whole.laplacian()?;
         let last = total(like, (0..whole.count()).map(|i| dot(&state.positions[i], &state.velocities[i]) * &sums[i]));
@@ -228,13 +241,19 @@ struct Weighted(Graph, HeadingVariant);
 /// The statement (7).
 struct Separate(Graph, HeadingVariant);
 
-fn heading_sides<T: Field>(graph: &Graph, at: &[T], variant: HeadingVariant) -> Result<(Loop<T>, Vec<T>, Vec<T>), ArithmeticError> {
+fn heading_sides<T: Field>(
+    graph: &Graph,
+    at: &[T],
+    variant: HeadingVariant,
+) -> Result<(Loop<T>, Vec<T>, Vec<T>), ArithmeticError> {
     let whole = Loop::read(graph, at)?;
     let left = whole.heading_rates()?;
     let own = whole.potential_rates()?;
-    let right = whole.laplacian()?.into_iter().zip(own).map(|(sum, own)| {
-        own * at[0].integer(variant.potential) - sum * at[0].integer(variant.alignment)
-    });
+    let right = whole
+        .laplacian()?
+        .into_iter()
+        .zip(own)
+        .map(|(sum, own)| own * at[0].integer(variant.potential) - sum * at[0].integer(variant.alignment));
     let right = right.collect();
     Ok((whole, left, right))
 }
@@ -474,7 +493,12 @@ pub(super) fn examine_invariant(variant: &InvariantVariant, run: &mut Run) -> Re
             let rate = whole.rate_of((1, 2), (1, 2), (1, 2))?;
             let evidence = Evidence::new(Grade::Exact, "V_t at one state", "exact rate, in units of pi/2");
             if rate > rational(0, 1) {
-                return Ok(Outcome::fails(format!("{UPWARDS}: dV_t/dt = {rate} pi/2 > 0, so that {{V_t <= c}} is left for the c of this state"), evidence));
+                return Ok(Outcome::fails(
+                    format!(
+                        "{UPWARDS}: dV_t/dt = {rate} pi/2 > 0, so that {{V_t <= c}} is left for the c of this state"
+                    ),
+                    evidence,
+                ));
             }
             Ok(Outcome::Undecided("no increase at the state tried".to_string()))
         }

@@ -12,10 +12,7 @@ const PLANE: Coordinates = Coordinates::Cartesian;
 
 /// Rational potentials of Definition 3 with their minimum 0 at distance 1, increasing beyond it.
 fn potentials() -> [Potential; 2] {
-    [
-        Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1)),
-        Potential::with_inflection(&rational(2, 1)),
-    ]
+    [Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1)), Potential::with_inflection(&rational(2, 1))]
 }
 
 /// `W`.
@@ -81,9 +78,19 @@ fn examine_distance(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome,
                 if !within {
                     let what = format!(
                         "{count} agents at {:?}, edges {:?}, c = W = {c}: |r_{}{}|² = {s} is too large",
-                        state.positions.iter().map(|r| format!("({}, {})", r[0], r[1])).collect::<Vec<_>>(), graph.edges(), i + 1, j + 1
+                        state.positions.iter().map(|r| format!("({}, {})", r[0], r[1])).collect::<Vec<_>>(),
+                        graph.edges(),
+                        i + 1,
+                        j + 1
                     );
-                    return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the bound of distances", "exact values of s + 1/s - 2 or of the potential with an inflection")));
+                    return Ok(Outcome::fails(
+                        what,
+                        Evidence::new(
+                            Grade::Exact,
+                            "the bound of distances",
+                            "exact values of s + 1/s - 2 or of the potential with an inflection",
+                        ),
+                    ));
                 }
             }
         }
@@ -116,7 +123,12 @@ fn examine_speed(factor: &(i64, i64), run: &mut Run) -> Result<Outcome, CheckErr
             cases += 1;
             let bound = &c * rational(factor.0, factor.1);
             if let Some(v) = state.velocities.iter().find(|v| PLANE.square(v) > bound) {
-                let what = format!("{} agents, edges {:?}, c = W = {c}: a speed squared is {}", graph.order(), graph.edges(), PLANE.square(v));
+                let what = format!(
+                    "{} agents, edges {:?}, c = W = {c}: a speed squared is {}",
+                    graph.order(),
+                    graph.edges(),
+                    PLANE.square(v)
+                );
                 return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the bound of speeds", "exact energies")));
             }
         }
@@ -166,13 +178,23 @@ fn examine_compact(variant: &CompactVariant, run: &mut Run) -> Result<Outcome, C
             let at = |far: i64| -> Result<Rational, ArithmeticError> {
                 let place = |i: usize| [rational(i as i64 + if moves[i] { far } else { 0 }, 1), rational(0, 1)];
                 let rest = vec![[rational(0, 1), rational(0, 1)]; count];
-                energy(&State { positions: (0..count).map(place).collect(), velocities: rest }, &graph.edges(), &variant.potential)
+                energy(
+                    &State { positions: (0..count).map(place).collect(), velocities: rest },
+                    &graph.edges(),
+                    &variant.potential,
+                )
             };
             let levels = [0, 10, 1_000, 1_000_000].map(at);
             let [start, .., far] = levels;
             if far? <= start? + rational(1, 1) {
-                let what = format!("{count} agents in a row, edges {:?}: moving some of them by 10^6 leaves W below its first value plus 1", graph.edges());
-                return Ok(Outcome::fails(what, evidence("exact energies of a row of agents and of the row with some moved away")));
+                let what = format!(
+                    "{count} agents in a row, edges {:?}: moving some of them by 10^6 leaves W below its first value plus 1",
+                    graph.edges()
+                );
+                return Ok(Outcome::fails(
+                    what,
+                    evidence("exact energies of a row of agents and of the row with some moved away"),
+                ));
             }
         }
     }
@@ -229,15 +251,25 @@ fn examine_dissipation(variant: &DissipationVariant, run: &mut Run) -> Result<Ou
         let shift = crate::matrix::RationalMatrix::identity(graph.order())?.scaled(&values[1]);
         let mut velocities = vec![vec![rational(1, 1); graph.order()]];
         velocities.extend(laplacian.minus(&shift)?.kernel());
-        velocities.extend((0..4).map(|_| random_vectors(graph.order(), &mut random).into_iter().map(|[x, _]| x).collect()));
+        velocities
+            .extend((0..4).map(|_| random_vectors(graph.order(), &mut random).into_iter().map(|[x, _]| x).collect()));
         for v in velocities {
             let mean = v.iter().sum::<Rational>() / rational(v.len() as i64, 1);
-            let square: Rational = v.iter().map(|x| if variant.along { &mean * &mean } else { (x - &mean) * (x - &mean) }).sum();
+            let square: Rational =
+                v.iter().map(|x| if variant.along { &mean * &mean } else { (x - &mean) * (x - &mean) }).sum();
             cases += 1;
             let change = -quadratic(&laplacian, &v);
             if change > -(&rate * &square) {
-                let what = format!("edges {:?}, v_x = {:?}, v_y = 0: dW/dt = {change}, but the bound is {}", graph.edges(), v.iter().map(ToString::to_string).collect::<Vec<_>>(), -(rate * square));
-                return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "dW/dt by lambda_2", "exact quadratic forms")));
+                let what = format!(
+                    "edges {:?}, v_x = {:?}, v_y = 0: dW/dt = {change}, but the bound is {}",
+                    graph.edges(),
+                    v.iter().map(ToString::to_string).collect::<Vec<_>>(),
+                    -(rate * square)
+                );
+                return Ok(Outcome::fails(
+                    what,
+                    Evidence::new(Grade::Exact, "dW/dt by lambda_2", "exact quadratic forms"),
+                ));
             }
         }
     }

@@ -94,9 +94,19 @@ fn examine(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckEr
             cases += 1;
             if can_meet(fixed, count, pair, &variant.potential) == variant.avoided {
                 let what = if variant.avoided {
-                    format!("{count} agents, edges {:?}: the law is smooth where agents {} and {} meet with different velocities; followed back from there they start apart", graph.edges(), pair.0 + 1, pair.1 + 1)
+                    format!(
+                        "{count} agents, edges {:?}: the law is smooth where agents {} and {} meet with different velocities; followed back from there they start apart",
+                        graph.edges(),
+                        pair.0 + 1,
+                        pair.1 + 1
+                    )
                 } else {
-                    format!("{count} agents, edges {:?}: the energy is infinite where agents {} and {} meet", graph.edges(), pair.0 + 1, pair.1 + 1)
+                    format!(
+                        "{count} agents, edges {:?}: the energy is infinite where agents {} and {} meet",
+                        graph.edges(),
+                        pair.0 + 1,
+                        pair.1 + 1
+                    )
                 };
                 return Ok(Outcome::fails(what, evidence("the law at a state where they meet, exact")));
             }
@@ -120,7 +130,8 @@ fn examine(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckEr
 }
 
 pub fn thm1b() -> Record<CollisionVariant> {
-    let printed = CollisionVariant { networks: Networks::Connected, pairs: Pairs::Linked, avoided: true, potential: repulsive() };
+    let printed =
+        CollisionVariant { networks: Networks::Connected, pairs: Pairs::Linked, avoided: true, potential: repulsive() };
     Record::new(
         "tanner2.thm1b",
         "W does not increase and is at least V_ij, which tends to infinity where linked agents meet: |r_ij| stays above the smallest distance with V_ij <= W(0).",
@@ -132,7 +143,8 @@ pub fn thm1b() -> Record<CollisionVariant> {
 }
 
 pub fn cor3() -> Record<CollisionVariant> {
-    let printed = CollisionVariant { networks: Networks::Complete, pairs: Pairs::All, avoided: true, potential: repulsive() };
+    let printed =
+        CollisionVariant { networks: Networks::Complete, pairs: Pairs::All, avoided: true, potential: repulsive() };
     Record::new(
         "tanner2.cor3",
         "All pairs are linked: Theorem 1's bound for linked agents is one for all.",
@@ -144,7 +156,8 @@ pub fn cor3() -> Record<CollisionVariant> {
 }
 
 pub fn thm2_coll() -> Record<CollisionVariant> {
-    let printed = CollisionVariant { networks: Networks::ByDistance, pairs: Pairs::All, avoided: true, potential: repulsive() };
+    let printed =
+        CollisionVariant { networks: Networks::ByDistance, pairs: Pairs::All, avoided: true, potential: repulsive() };
     Record::new(
         "tanner2.thm2_coll",
         "Q does not increase along any Filippov solution (tanner2.eq13) and is at least U_ij, which is V_ij near a collision, as close agents are linked, and tends to infinity. Connectivity is not needed.",
@@ -156,7 +169,12 @@ pub fn thm2_coll() -> Record<CollisionVariant> {
 }
 
 pub fn noninter() -> Record<CollisionVariant> {
-    let printed = CollisionVariant { networks: Networks::Connected, pairs: Pairs::Unlinked, avoided: false, potential: repulsive() };
+    let printed = CollisionVariant {
+        networks: Networks::Connected,
+        pairs: Pairs::Unlinked,
+        avoided: false,
+        potential: repulsive(),
+    };
     Record::new(
         "tanner2.noninter",
         "At a state where two agents without link meet and no linked ones do, the law is smooth. Let the two have different velocities there and follow the motion back for a short time: it starts with all agents apart and ends in \

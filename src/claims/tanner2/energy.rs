@@ -26,7 +26,9 @@ pub(super) fn on_connected<I: RationalIdentity>(
 }
 
 fn names(graph: &Graph) -> Vec<String> {
-    let agents = |a: &'static str, b: &'static str| (1..=graph.order()).flat_map(move |i| [format!("{a}{i}"), format!("{b}{i}")]);
+    let agents = |a: &'static str, b: &'static str| {
+        (1..=graph.order()).flat_map(move |i| [format!("{a}{i}"), format!("{b}{i}")])
+    };
     let slopes = graph.edges().into_iter().map(|(i, j)| format!("V'_{}{}", i + 1, j + 1));
     agents("x", "y").chain(agents("vx", "vy")).chain(slopes).collect()
 }
@@ -116,7 +118,9 @@ impl RationalIdentity for Chain {
     }
 
     fn components(&self) -> Vec<String> {
-        ["dW/dt", "the sum of rdot_ij . grad V_ij", "the sum over i and j", "the sum of rdot_i . grad V_i"].map(str::to_string).to_vec()
+        ["dW/dt", "the sum of rdot_ij . grad V_ij", "the sum over i and j", "the sum of rdot_i . grad V_i"]
+            .map(str::to_string)
+            .to_vec()
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
@@ -130,9 +134,11 @@ impl RationalIdentity for Chain {
         let pairs = flock.pair_gradients()?;
         let relative = flock.edges.iter().zip(&pairs).map(|(&(i, j), (at_i, _))| dot(&difference(&v[i], &v[j]), at_i));
         let relative = total(like, relative) * &counted;
-        let both = flock.edges.iter().zip(&pairs).map(|(&(i, j), (at_i, at_j))| {
-            dot(&v[i], at_i) + dot(&v[j], at_j) * like.integer(self.1.sign)
-        });
+        let both = flock
+            .edges
+            .iter()
+            .zip(&pairs)
+            .map(|(&(i, j), (at_i, at_j))| dot(&v[i], at_i) + dot(&v[j], at_j) * like.integer(self.1.sign));
         let both = total(like, both) * counted;
         let single = total(like, (0..v.len()).map(|i| dot(&v[i], &gradients[i])));
         Ok((
@@ -288,7 +294,10 @@ pub enum Vanishing {
 /// Two agents with a common velocity, half a unit further apart than they should be.
 fn drifting_pair() -> State<Rational> {
     let q = |p, d| rational(p, d);
-    State { positions: vec![[q(0, 1), q(0, 1)], [q(3, 2), q(0, 1)]], velocities: vec![[q(1, 1), q(0, 1)], [q(1, 1), q(0, 1)]] }
+    State {
+        positions: vec![[q(0, 1), q(0, 1)], [q(3, 2), q(0, 1)]],
+        velocities: vec![[q(1, 1), q(0, 1)], [q(1, 1), q(0, 1)]],
+    }
 }
 
 fn spring() -> Potential {
@@ -312,7 +321,10 @@ fn examine_vanishing(variant: &Vanishing, run: &mut Run) -> Result<Outcome, Chec
     };
     let evidence = Evidence::new(Grade::Exact, "two agents with a common velocity", "exact rates of change");
     if !num_traits::Zero::is_zero(&energy.derivative) || !vanishes {
-        let what = format!("two linked agents at (0, 0) and (3/2, 0), both with velocity (1, 0): dW/dt = {}, {name} is not 0", energy.derivative);
+        let what = format!(
+            "two linked agents at (0, 0) and (3/2, 0), both with velocity (1, 0): dW/dt = {}, {name} is not 0",
+            energy.derivative
+        );
         return Ok(Outcome::fails(what, evidence));
     }
     // dW/dt is minus the sum of |v_i - v_j|² over the edges, so a zero makes all velocities of a connected graph equal.
@@ -395,7 +407,10 @@ fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, Che
     let accelerations = velocity_alignment(&state, &[(0, 1)], Coordinates::Cartesian, |_, _, s| spring().slope(s))?;
     let evidence = Evidence::new(Grade::Exact, "equal velocities at one instant", "exact accelerations");
     if accelerations.iter().flatten().any(|a| !num_traits::Zero::is_zero(a)) {
-        let what = format!("two agents with a common velocity at distance 3/2: vdot_1 = ({}, {})", accelerations[0][0], accelerations[0][1]);
+        let what = format!(
+            "two agents with a common velocity at distance 3/2: vdot_1 = ({}, {})",
+            accelerations[0][0], accelerations[0][1]
+        );
         return Ok(Outcome::fails(what, evidence));
     }
     Run::all([momentum, Ok(Outcome::Holds(vec![evidence]))])

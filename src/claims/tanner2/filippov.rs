@@ -54,7 +54,10 @@ fn examine_unique(variant: &UniqueVariant, _run: &mut Run) -> Result<Outcome, Ch
                 "f(x) = {} for x < 0 and {} for x >= 0 is measurable and bounded; from x(0) = 0 there are the solutions x = ct with c = {rays:?}",
                 field.left, field.right
             );
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "solutions from the jump", "the inclusion checked for x = ct")));
+            return Ok(Outcome::fails(
+                what,
+                Evidence::new(Grade::Exact, "solutions from the jump", "the inclusion checked for x = ct"),
+            ));
         }
     }
     let detail = "for all one-sided Lipschitz fields: |x - y|² grows at most like exp(2lt), so equal starts stay equal; checked on step fields with values -1, 0, 1";
@@ -109,12 +112,19 @@ fn examine_solution(variant: &SolutionVariant, _run: &mut Run) -> Result<Outcome
         if !(-1..=1).any(solves) {
             let what = format!(
                 "f(x) = {} for x < 0 and {} for x >= 0: no solution starts from 0, not even x = 0, where K[f](0) = [{}, {}]",
-                field.left, field.right, field.inclusion(0).lo, field.inclusion(0).hi
+                field.left,
+                field.right,
+                field.inclusion(0).lo,
+                field.inclusion(0).hi
             );
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "solutions from the jump", "every ray and the point 0")));
+            return Ok(Outcome::fails(
+                what,
+                Evidence::new(Grade::Exact, "solutions from the jump", "every ray and the point 0"),
+            ));
         }
     }
-    let detail = "bounded measurable fields have solutions by the inclusion (Filippov); step fields with values -1, 0, 1";
+    let detail =
+        "bounded measurable fields have solutions by the inclusion (Filippov); step fields with values -1, 0, 1";
     Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "solutions from the jump", detail).cases(cases)]))
 }
 
@@ -144,7 +154,11 @@ pub struct ChainRuleVariant {
 fn examine_chain_rule(variant: &ChainRuleVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
     for dimension in 1..=3 {
         if (variant.arguments)(dimension) != dimension + 1 {
-            let what = format!("x in R^{dimension}: V has {} arguments, but (x(t), t) has {}", (variant.arguments)(dimension), dimension + 1);
+            let what = format!(
+                "x in R^{dimension}: V has {} arguments, but (x(t), t) has {}",
+                (variant.arguments)(dimension),
+                dimension + 1
+            );
             return Ok(Outcome::fails(what, Evidence::new(Grade::Text, "the domain of V", "dimensions compared")));
         }
     }
@@ -228,12 +242,26 @@ fn starts() -> Vec<Start> {
         positions: positions.iter().map(|&(x, y)| [q(x), q(y)]).collect(),
         velocities: velocities.iter().map(|&(x, y)| [q(x), q(y)]).collect(),
     };
-    let start = |name, square, positions: &[(i64, i64)], velocities: &[(i64, i64)]| Start { name, square: q(square), state: state(positions, velocities) };
+    let start = |name, square, positions: &[(i64, i64)], velocities: &[(i64, i64)]| Start {
+        name,
+        square: q(square),
+        state: state(positions, velocities),
+    };
     vec![
         start("two agents at rest at distance R = 2", 4, &[(0, 0), (2, 0)], &[(0, 0), (0, 0)]),
         start("two agents at distance R = 2, moving across with speeds 1/1", 4, &[(0, 0), (2, 0)], &[(0, 1), (0, 0)]),
-        start("three agents at rest in a row at distances 1, R = 2", 4, &[(0, 0), (1, 0), (2, 0)], &[(0, 0), (0, 0), (0, 0)]),
-        start("three agents at rest at the corners (-1, 0), (1, 0), (0, 1), R = 2", 4, &[(-1, 0), (1, 0), (0, 1)], &[(0, 0), (0, 0), (0, 0)]),
+        start(
+            "three agents at rest in a row at distances 1, R = 2",
+            4,
+            &[(0, 0), (1, 0), (2, 0)],
+            &[(0, 0), (0, 0), (0, 0)],
+        ),
+        start(
+            "three agents at rest at the corners (-1, 0), (1, 0), (0, 1), R = 2",
+            4,
+            &[(-1, 0), (1, 0), (0, 1)],
+            &[(0, 0), (0, 0), (0, 0)],
+        ),
         start("two agents at distance R = 2 that approach", 4, &[(0, 0), (2, 0)], &[(1, 0), (0, 0)]),
         start("two agents at distance R = 2 that part", 4, &[(0, 0), (2, 0)], &[(-1, 1), (0, 0)]),
         start("two agents at distance 1, R = 2", 4, &[(0, 0), (1, 0)], &[(0, 1), (0, 0)]),
@@ -289,7 +317,14 @@ fn examine_starts(variant: &StartVariant, _run: &mut Run) -> Result<Outcome, Che
             let ways = ways_on(&start, pair)?;
             if ways.len() > 1 {
                 let what = format!("V = s + 1/s - 2, {}: the pair can go on {}", start.name, ways.join("; or "));
-                return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "solutions of (10) from ties", "exact second derivatives of |r_ij|² on both sides")));
+                return Ok(Outcome::fails(
+                    what,
+                    Evidence::new(
+                        Grade::Exact,
+                        "solutions of (10) from ties",
+                        "exact second derivatives of |r_ij|² on both sides",
+                    ),
+                ));
             }
         }
     }

@@ -79,7 +79,10 @@ pub(in crate::claims) fn examine_laplacian(variant: &LaplacianVariant, run: &mut
         } else {
             continue;
         };
-        return Ok(Outcome::fails(format!("{order} vertices, edges {edges:?}: {problem}"), exhaustive("exact matrices")));
+        return Ok(Outcome::fails(
+            format!("{order} vertices, edges {edges:?}: {problem}"),
+            exhaustive("exact matrices"),
+        ));
     }
     let detail = "every labelled graph of up to 4 vertices and every connected one of 5 up to isomorphism, two orientations of each; \
                   for all graphs the proof is in notes/tanner2.md";
@@ -188,20 +191,33 @@ fn examine_growth(variant: &Growth, run: &mut Run) -> Result<Outcome, CheckError
             let after = more.laplacian()?.characteristic_polynomial()?;
             cases += 1;
             // Counts above a grid of rationals, and the eigenvalues themselves where all are rational.
-            let lost = (0..=8 * order as i64).map(|k| rational(k, 4)).any(|x| after.count_above(&x) < before.count_above(&x));
+            let lost =
+                (0..=8 * order as i64).map(|k| rational(k, 4)).any(|x| after.count_above(&x) < before.count_above(&x));
             let pair = (rational_spectrum(&graph)?, rational_spectrum(&more)?);
             let against = |fails: &dyn Fn(usize, &Rational, &Rational) -> bool| match &pair {
                 (Some(a), Some(b)) => (0..order).find(|&k| fails(k, &a[k], &b[k])),
                 _ => None,
             };
             let found = match variant {
-                Growth::NoneDecreases => if lost { Some(0) } else { against(&|_, a, b| b < a) },
+                Growth::NoneDecreases => {
+                    if lost {
+                        Some(0)
+                    } else {
+                        against(&|_, a, b| b < a)
+                    }
+                }
                 Growth::AllIncrease => against(&|k, a, b| k > 0 && b <= a),
                 Growth::SecondIncreases => against(&|k, a, b| k == 1 && b <= a),
                 Growth::AtMostOne => against(&|_, a, b| b - a > rational(1, 1)),
             };
             if let Some(k) = found {
-                let what = format!("{order} vertices, edges {:?} and then {:?}: eigenvalue {} from below goes {:?}", graph.edges(), (i, j), k + 1, pair.0.zip(pair.1).map(|(a, b)| format!("from {} to {}", a[k], b[k])));
+                let what = format!(
+                    "{order} vertices, edges {:?} and then {:?}: eigenvalue {} from below goes {:?}",
+                    graph.edges(),
+                    (i, j),
+                    k + 1,
+                    pair.0.zip(pair.1).map(|(a, b)| format!("from {} to {}", a[k], b[k]))
+                );
                 return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, part, "rational eigenvalues")));
             }
         }

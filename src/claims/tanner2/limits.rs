@@ -42,7 +42,10 @@ fn contradicts(motion: &Motion, conclusion: Conclusion) -> Result<Option<String>
             moves.then(|| "keep their velocities".to_string())
         }
         Conclusion::Minimised => motion.not_minimised()?.map(|agent| {
-            format!("stay there, though the potential of agent {} is not least: it falls when that agent moves aside", agent + 1)
+            format!(
+                "stay there, though the potential of agent {} is not least: it falls when that agent moves aside",
+                agent + 1
+            )
         }),
         Conclusion::Critical => (!motion.is_critical()?).then(|| "stay at a point that is not critical".to_string()),
     })
@@ -56,7 +59,10 @@ fn refuted_by(motions: &[Motion], connected: bool, conclusion: Conclusion) -> Re
         }
         if let Some(how) = contradicts(motion, conclusion)? {
             let what = format!("{}: the agents {how}", motion.name);
-            return Ok(Some(Outcome::fails(what, Evidence::new(Grade::Exact, "an exact motion", "accelerations and derivatives, exact"))));
+            return Ok(Some(Outcome::fails(
+                what,
+                Evidence::new(Grade::Exact, "an exact motion", "accelerations and derivatives, exact"),
+            )));
         }
     }
     Ok(None)
@@ -71,7 +77,9 @@ fn support(run: &Run, part: &str, notes: &str) -> Result<Outcome, CheckError> {
             return Ok(Outcome::Undecided("a connected graph without positive lambda_2".to_string()));
         }
     }
-    let detail = format!("proof in notes/tanner2.md: {notes}; lambda_2 > 0 exactly on all connected graphs of 2 to 5 agents, and no exact motion contradicts it");
+    let detail = format!(
+        "proof in notes/tanner2.md: {notes}; lambda_2 > 0 exactly on all connected graphs of 2 to 5 agents, and no exact motion contradicts it"
+    );
     Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, part, detail).cases(graphs.len())]))
 }
 
@@ -80,7 +88,14 @@ fn examine_fixed(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, Check
         return Ok(outcome);
     }
     let identity = on_connected(run, "dW/dt is minus the sum of |v_i - v_j|² over the edges", EdgeSum);
-    Run::all([support(run, "the limits", "W decreases, Omega is compact, and LaSalle's principle leaves equal velocities and vanishing gradients"), identity])
+    Run::all([
+        support(
+            run,
+            "the limits",
+            "W decreases, Omega is compact, and LaSalle's principle leaves equal velocities and vanishing gradients",
+        ),
+        identity,
+    ])
 }
 
 pub fn thm1a() -> Record<LimitVariant> {
@@ -152,11 +167,19 @@ fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome,
             return Err(CheckError::Other(format!("{} is not steady", motion.name)));
         }
         if let Some((i, j)) = motion.coincident() {
-            let what = format!("{}: an equilibrium in which agents {} and {} are in the same place", motion.name, i + 1, j + 1);
+            let what = format!(
+                "{}: an equilibrium in which agents {} and {} are in the same place",
+                motion.name,
+                i + 1,
+                j + 1
+            );
             return Ok(Outcome::fails(what, evidence));
         }
         if is_complete(&motion.graph) && !is_stable_up_to_motions(motion)? {
-            let what = format!("{}: an equilibrium whose linearisation has an eigenvalue with positive real part", motion.name);
+            let what = format!(
+                "{}: an equilibrium whose linearisation has an eigenvalue with positive real part",
+                motion.name
+            );
             return Ok(Outcome::fails(what, evidence));
         }
         cases += 1;
@@ -189,11 +212,16 @@ pub fn flocking() -> Record<ManifoldVariant> {
 // --- Definition 3 and Corollary 1 ---
 
 fn examine_definition(potentials: &Vec<Potential>, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence = Evidence::new(Grade::Exact, "the conditions of Definition 3", "signs of the slope and of its leading terms, exact roots");
+    let evidence = Evidence::new(
+        Grade::Exact,
+        "the conditions of Definition 3",
+        "signs of the slope and of its leading terms, exact roots",
+    );
     for potential in potentials {
         if let Err(problem) = potential.check_definition3() {
             let (numerator, power) = potential.slope_numerator();
-            let what = format!("slope with numerator coefficients {:?} over s^{power}: {problem}", numerator.coefficients());
+            let what =
+                format!("slope with numerator coefficients {:?} over s^{power}: {problem}", numerator.coefficients());
             return Ok(Outcome::fails(what, evidence));
         }
     }
@@ -203,7 +231,10 @@ fn examine_definition(potentials: &Vec<Potential>, _run: &mut Run) -> Result<Out
 pub fn definition3() -> Record<Vec<Potential>> {
     let one = rational(1, 1);
     let of = |slope: &[(i32, i64)], least: i64| {
-        vec![Potential::new(slope.iter().map(|&(k, c)| (k, rational(c, 1))).collect(), (one.clone(), rational(least, 1)))]
+        vec![Potential::new(
+            slope.iter().map(|&(k, c)| (k, rational(c, 1))).collect(),
+            (one.clone(), rational(least, 1)),
+        )]
     };
     Record::new(
         "tanner2.def3",
@@ -255,7 +286,8 @@ fn examine_setpoints(variant: &SetpointVariant, run: &mut Run) -> Result<Outcome
         }
     }
     // On a tree B has no kernel, so every force vanishes.
-    let trees: Vec<Graph> = Arbitrary::connected(6).into_iter().filter(|g| g.order() > 1 && g.edges().len() + 1 == g.order()).collect();
+    let trees: Vec<Graph> =
+        Arbitrary::connected(6).into_iter().filter(|g| g.order() > 1 && g.edges().len() + 1 == g.order()).collect();
     for tree in &trees {
         if !tree.incidence()?.kernel().is_empty() {
             return Ok(Outcome::Undecided("a tree with dependent columns".to_string()));
@@ -337,7 +369,10 @@ fn examine_switching(variant: &SwitchingVariant, run: &mut Run) -> Result<Outcom
         && variant.conclusion == Conclusion::Agree
         && let Some(what) = two_agents_part()?
     {
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "an exact motion", "rates at the threshold, exact")));
+        return Ok(Outcome::fails(
+            what,
+            Evidence::new(Grade::Exact, "an exact motion", "rates at the threshold, exact"),
+        ));
     }
     let notes = "Q does not increase along any Filippov solution, the integral of |v - mean|² is finite, and velocities change at a bounded rate (Barbalat); the limits are invariant";
     Run::all([support(run, "the limits", notes), examine_hull(&HullVariant::Subset, run)])

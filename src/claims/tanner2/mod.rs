@@ -7,14 +7,14 @@ pub(super) mod arbitrary;
 mod bounds;
 mod collisions;
 mod energy;
-pub(super) mod figures;
+mod figures;
 mod filippov;
 pub(super) mod graphs;
 mod limits;
 mod motions;
 mod nonsmooth;
 mod rates;
-mod switching;
+pub(super) mod switching;
 pub(super) mod wording;
 
 use crate::arithmetic::{Rational, rational};

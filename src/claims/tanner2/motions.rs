@@ -1,9 +1,7 @@
 //! Motions that are known exactly for all time: agents that keep their velocities.
 
 use crate::arithmetic::{ArithmeticError, Rational, rational};
-use crate::double_integrator::{
-    Coordinates, Pair, Potential, State, hessian, potential_gradients, velocity_alignment,
-};
+use crate::double_integrator::{Coordinates, Pair, Potential, State, hessian, potential_gradients, velocity_alignment};
 use crate::graph::Graph;
 
 /// A start from which all agents keep their velocities for ever: the velocities are equal and the forces vanish, or there

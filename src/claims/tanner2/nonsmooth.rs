@@ -58,9 +58,14 @@ fn examine_regular(variant: &RegularVariant, _run: &mut Run) -> Result<Outcome, 
             best = Some(best.map_or(quotient.clone(), |b| b.max(quotient)));
         }
         let near = best.is_some_and(|b| num_traits::Signed::abs(&(b - &clarke)) < rational(1, 1000));
-        let evidence = Evidence::new(Grade::Exact, "one-sided and generalised derivatives at R", "V = s + 1/s - 2, R = 2; difference quotients agree");
+        let evidence = Evidence::new(
+            Grade::Exact,
+            "one-sided and generalised derivatives at R",
+            "V = s + 1/s - 2, R = 2; difference quotients agree",
+        );
         if !near || one_sided != clarke {
-            let what = format!("V = s + 1/s - 2 with s = r², R = 2, w = {w}: U'(R; w) = {one_sided}, but U°(R; w) = {clarke}");
+            let what =
+                format!("V = s + 1/s - 2 with s = r², R = 2, w = {w}: U'(R; w) = {one_sided}, but U°(R; w) = {clarke}");
             return Ok(Outcome::fails(what, evidence));
         }
     }
@@ -121,7 +126,8 @@ fn examine_gradient(variant: &GradientVariant, _run: &mut Run) -> Result<Outcome
             if !agrees || !kink.subgradient().is_empty() {
                 let what = format!(
                     "V_r(R) = {} at R = {threshold}: the generalised gradient of U(r) is {}, so that of r_i is the segment from 0 to grad_{{r_i}} V_ij",
-                    kink.left, show(&found)
+                    kink.left,
+                    show(&found)
                 );
                 return Ok(Outcome::fails(what, evidence));
             }
@@ -227,19 +233,24 @@ fn examine_kinks(variant: &KinkVariant, run: &mut Run) -> Result<Outcome, CheckE
         let beyond = if variant.saturated { potential.rational_value(square)? } else { rational(0, 1) };
         let jump = potential.rational_value(square)? - beyond;
         if jump != rational(0, 1) {
-            return Ok(Outcome::fails(format!("R² = {square}: the terms of a pair jump by {jump} at R"), evidence("exact values")));
+            return Ok(Outcome::fails(
+                format!("R² = {square}: the terms of a pair jump by {jump} at R"),
+                evidence("exact values"),
+            ));
         }
         // Moving with velocities w and with -w: the one-sided derivatives of Q sum to zero where Q is differentiable.
         let slope = potential.slope(square)?;
         for ties in 1..=3 {
             let directions = random_vectors(ties, &mut random);
             let threshold_points = random_vectors(ties, &mut random);
-            let rates: Vec<Rational> = directions.iter().zip(&threshold_points).map(|(w, r)| dot(w, r) * rational(2, 1)).collect();
+            let rates: Vec<Rational> =
+                directions.iter().zip(&threshold_points).map(|(w, r)| dot(w, r) * rational(2, 1)).collect();
             let kink = Kink::saturated(slope.clone());
             let both: Rational = rates.iter().map(|rate| kink.directional(rate) + kink.directional(&-rate)).sum();
             cases += 1;
             if both == rational(0, 1) {
-                let what = format!("V'(R²) = {slope} at R² = {square}: the derivatives of Q in opposite directions cancel");
+                let what =
+                    format!("V'(R²) = {slope} at R² = {square}: the derivatives of Q in opposite directions cancel");
                 return Ok(Outcome::fails(what, evidence("exact one-sided derivatives")));
             }
         }
@@ -250,7 +261,8 @@ fn examine_kinks(variant: &KinkVariant, run: &mut Run) -> Result<Outcome, CheckE
 }
 
 pub fn q_jump() -> Record<KinkVariant> {
-    let printed = KinkVariant { saturated: true, settings: vec![(spring(), rational(4, 1)), (spring(), rational(9, 4))] };
+    let printed =
+        KinkVariant { saturated: true, settings: vec![(spring(), rational(4, 1)), (spring(), rational(9, 4))] };
     Record::new(
         "tanner2.Qjump",
         "Read where no two agents coincide, and with V_ij increasing at R with a positive slope, as Figure 3 and Lemma 1 have it (c < 0 there). U_ij is continuous and has a concave kink at R. \
@@ -275,9 +287,17 @@ pub struct AwayVariant {
 }
 
 /// `U` of a point that moves: the potential within `R`, constant from `R` on.
-fn saturated_value(potential: &Potential, square: &Rational, s: &Dual<Rational>) -> Result<Dual<Rational>, ArithmeticError> {
+fn saturated_value(
+    potential: &Potential,
+    square: &Rational,
+    s: &Dual<Rational>,
+) -> Result<Dual<Rational>, ArithmeticError> {
     let inward = s.value == *square && s.derivative.is_certainly_negative();
-    if s.value < *square || inward { potential.rational_value(s) } else { Ok(Dual::constant(potential.rational_value(square)?)) }
+    if s.value < *square || inward {
+        potential.rational_value(s)
+    } else {
+        Ok(Dual::constant(potential.rational_value(square)?))
+    }
 }
 
 fn all_pairs(count: usize) -> Vec<Pair> {
@@ -292,7 +312,8 @@ fn rates_of_q(state: &State<Rational>, square: &Rational) -> Result<(Rational, R
     let moving = state.moving(&accelerations);
     let pairs = all_pairs(state.count());
     let value = |_: usize, _: usize, s: &Dual<Rational>| saturated_value(&potential, square, s);
-    let energy = potential_energy(&moving.positions, &pairs, PLANE, value)? + kinetic_energy(&moving.velocities, PLANE)?;
+    let energy =
+        potential_energy(&moving.positions, &pairs, PLANE, value)? + kinetic_energy(&moving.velocities, PLANE)?;
     let form: Rational = edges.iter().map(|&(i, j)| PLANE.square(&state.relative_velocity(i, j))).sum();
     Ok((energy.derivative, -form))
 }
@@ -305,7 +326,8 @@ fn examine_away(variant: &AwayVariant, run: &mut Run) -> Result<Outcome, CheckEr
     }
     for case in 0..run.cases(60, 600) {
         let count = 1 + case % 5;
-        let state = State { positions: random_vectors(count, &mut random), velocities: random_vectors(count, &mut random) };
+        let state =
+            State { positions: random_vectors(count, &mut random), velocities: random_vectors(count, &mut random) };
         states.push((state, rational(1 + case as i64 % 23, 2)));
     }
     let mut cases = 0;
@@ -318,14 +340,24 @@ fn examine_away(variant: &AwayVariant, run: &mut Run) -> Result<Outcome, CheckEr
         let claimed = form * rational(-variant.factor, 1);
         cases += 1;
         if rate != claimed {
-            let places: Vec<String> = state.positions.iter().zip(&state.velocities).map(|(r, v)| format!("({}, {}) with velocity ({}, {})", r[0], r[1], v[0], v[1])).collect();
-            let what = format!("R² = {square}, agents at {}: dQ/dt = {rate}, but {claimed} is claimed", places.join("; "));
+            let places: Vec<String> = state
+                .positions
+                .iter()
+                .zip(&state.velocities)
+                .map(|(r, v)| format!("({}, {}) with velocity ({}, {})", r[0], r[1], v[0], v[1]))
+                .collect();
+            let what =
+                format!("R² = {square}, agents at {}: dQ/dt = {rate}, but {claimed} is claimed", places.join("; "));
             return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "dQ/dt", "exact rate of change")));
         }
     }
     let detail = "random rational states of up to 5 agents, distances compared with R exactly, connected or not; for all potentials by equation (9) on the graph at hand, which is constant near the state";
     let instances = Outcome::Holds(vec![Evidence::new(Grade::Exact, "dQ/dt", detail).cases(cases)]);
-    let identity = super::energy::on_connected(run, "on a fixed graph dW/dt is minus the sum of |v_i - v_j|² over the edges", super::energy::EdgeSum);
+    let identity = super::energy::on_connected(
+        run,
+        "on a fixed graph dW/dt is minus the sum of |v_i - v_j|² over the edges",
+        super::energy::EdgeSum,
+    );
     Run::all([Ok(instances), identity])
 }
 
@@ -424,7 +456,12 @@ fn tied_states(run: &Run) -> Result<Vec<Tied>, ArithmeticError> {
         let sample = (0..run.cases(40, 400)).map(|_| random_vectors(count, &mut random));
         for velocities in std::iter::once(rest).chain(sample) {
             let shown: Vec<String> = velocities.iter().map(|v| format!("({}, {})", v[0], v[1])).collect();
-            let name = format!("R = 2, configuration {}, agents at {:?}, velocities {}", k + 1, positions.iter().map(|r| format!("({}, {})", r[0], r[1])).collect::<Vec<_>>(), shown.join(", "));
+            let name = format!(
+                "R = 2, configuration {}, agents at {:?}, velocities {}",
+                k + 1,
+                positions.iter().map(|r| format!("({}, {})", r[0], r[1])).collect::<Vec<_>>(),
+                shown.join(", ")
+            );
             found.push(Tied::read(&State { positions: positions.clone(), velocities }, &square, name)?);
         }
     }
@@ -438,13 +475,20 @@ pub(super) fn examine_hull(variant: &HullVariant, run: &mut Run) -> Result<Outco
         let all_linked = state.ties.iter().fold(state.base.clone(), |sum, (_, q)| sum - q);
         let point = |x: &Rational| Span { lo: x.clone(), hi: x.clone() };
         let agrees = match variant {
-            HullVariant::Subset => derivative.is_within(&hull) && (derivative.is_empty() || derivative.hi <= rational(0, 1)),
+            HullVariant::Subset => {
+                derivative.is_within(&hull) && (derivative.is_empty() || derivative.hi <= rational(0, 1))
+            }
             HullVariant::Equal => derivative == hull,
             HullVariant::Linked => derivative.is_within(&point(&all_linked)),
             HullVariant::Unlinked => derivative.is_within(&point(&state.base)),
         };
         if !agrees {
-            let what = format!("{}: the generalised derivative of Q is {}, the hull {}", state.name, show(&derivative), show(&hull));
+            let what = format!(
+                "{}: the generalised derivative of Q is {}, the hull {}",
+                state.name,
+                show(&derivative),
+                show(&hull)
+            );
             return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "(13) at ties", "exact sets")));
         }
     }
@@ -512,4 +556,3 @@ pub fn eq13_interval() -> Record<IntervalVariant> {
     .control("[e, 0] with e <= 0", IntervalVariant::ToZeroOrPoint)
     .control("[e, f] with f < 0", IntervalVariant::Negative)
 }
-

@@ -21,7 +21,12 @@ pub enum RateVariant {
 }
 
 /// The modes of the linearised loop without those of rate zero.
-fn modes(state: &State<Rational>, graph: &Graph, coordinates: Coordinates, potential: &Potential) -> Result<Polynomial, CheckError> {
+fn modes(
+    state: &State<Rational>,
+    graph: &Graph,
+    coordinates: Coordinates,
+    potential: &Potential,
+) -> Result<Polynomial, CheckError> {
     let rows = linearisation(state, &graph.edges(), coordinates, potential)?;
     let polynomial = RationalMatrix::from_rows(&rows)?.characteristic_polynomial()?;
     Ok(Polynomial::from_rationals(&polynomial.coefficients()).without_root(0).1)
@@ -34,7 +39,10 @@ fn faster_than(modes: &Polynomial, rate: &Rational) -> bool {
 
 fn at_rest(places: &[(i64, i64)]) -> State<Rational> {
     let q = |n: i64| rational(n, 1);
-    State { positions: places.iter().map(|&(x, y)| [q(x), q(y)]).collect(), velocities: places.iter().map(|_| [q(0), q(0)]).collect() }
+    State {
+        positions: places.iter().map(|&(x, y)| [q(x), q(y)]).collect(),
+        velocities: places.iter().map(|_| [q(0), q(0)]).collect(),
+    }
 }
 
 fn spring(stiffness: (i64, i64)) -> Potential {
@@ -44,7 +52,9 @@ fn spring(stiffness: (i64, i64)) -> Potential {
 /// Two linked agents with two stiffnesses: the same `lambda_2 = 2`, different rates.
 fn same_connectivity() -> Result<Option<String>, CheckError> {
     let (state, graph, q) = (at_rest(&[(0, 0), (1, 0)]), Graph::path(2), rational(1, 2));
-    let faster = |stiffness| Ok::<bool, CheckError>(faster_than(&modes(&state, &graph, Coordinates::Cartesian, &spring(stiffness))?, &q));
+    let faster = |stiffness| {
+        Ok::<bool, CheckError>(faster_than(&modes(&state, &graph, Coordinates::Cartesian, &spring(stiffness))?, &q))
+    };
     Ok((faster((1, 1))? != faster((1, 32))?).then(|| {
         "two agents, lambda_2 = 2, V = k(s + 1/s - 2): with k = 1 every mode decays faster than exp(-t/2), with k = 1/32 not".to_string()
     }))
@@ -62,7 +72,16 @@ fn more_edges() -> Result<Option<String>, CheckError> {
 }
 
 fn examine(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "rates of the linearised loop", "exact characteristic polynomials, Routh's criterion")));
+    let fails = |what: String| {
+        Ok(Outcome::fails(
+            what,
+            Evidence::new(
+                Grade::Exact,
+                "rates of the linearised loop",
+                "exact characteristic polynomials, Routh's criterion",
+            ),
+        ))
+    };
     if matches!(variant, RateVariant::WithPotentials)
         && let Some(what) = same_connectivity()?
     {
@@ -92,7 +111,11 @@ fn examine(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> 
         let small = rational(1, 1000);
         cases += 1;
         if !faster_than(&modes, &(&rate - &small)) || faster_than(&modes, &(&rate + &small)) {
-            return fails(format!("{} agents, edges {:?}, no potentials: the slowest rate is not {rate}", graph.order(), graph.edges()));
+            return fails(format!(
+                "{} agents, edges {:?}, no potentials: the slowest rate is not {rate}",
+                graph.order(),
+                graph.edges()
+            ));
         }
     }
     let detail = "v = -Lv is linear: the slowest part normal to 1 decays like exp(-lambda_2 t), and a new edge never lowers lambda_2 (tanner2.cor2_merris); connected graphs of up to 4 agents with rational spectra, within 1/1000";

@@ -3,7 +3,9 @@
 use super::nonsmooth::{HullVariant, examine_hull};
 use crate::arithmetic::{Rational, Ring, rational};
 use crate::claims::record::Record;
-use crate::double_integrator::{Coordinates, Pair, Potential, State, linearisation, linked_within, tied};
+use crate::double_integrator::{
+    Coordinates, Pair, Potential, State, linearisation, linked_within, potential_gradients, tied,
+};
 use crate::graph::Graph;
 use crate::ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use crate::matrix::RationalMatrix;
@@ -35,10 +37,11 @@ fn forced(graphs: &[Vec<Pair>]) -> Option<Graph> {
     })
 }
 
-/// The dimension of a regular simplex with four corners: the rank of the Gram matrix of three of its edges.
-fn dimension_of_regular_simplex() -> Result<usize, CheckError> {
-    let gram = RationalMatrix::from_integers(&[[2, 1, 1], [1, 2, 1], [1, 1, 2]], 2)?;
-    Ok(3 - gram.kernel().len())
+/// The dimension of a regular simplex with so many corners: the rank of the Gram matrix of its edges at one corner.
+pub(in crate::claims) fn dimension_of_regular_simplex(corners: usize) -> Result<usize, CheckError> {
+    let edges = corners - 1;
+    let rows: Vec<Vec<i64>> = (0..edges).map(|i| (0..edges).map(|j| 1 + i64::from(i == j)).collect()).collect();
+    Ok(edges - RationalMatrix::from_integers(&rows, 2)?.kernel().len())
 }
 
 fn examine_signal(variant: &SignalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -46,7 +49,7 @@ fn examine_signal(variant: &SignalVariant, run: &mut Run) -> Result<Outcome, Che
         return examine_hull(&HullVariant::Subset, run);
     };
     let union = forced(graphs).ok_or_else(|| CheckError::Other("spanning trees of four agents".to_string()))?;
-    if union.edges().len() == 6 && dimension_of_regular_simplex()? > 2 {
+    if union.edges().len() == 6 && dimension_of_regular_simplex(4)? > 2 {
         let what = format!(
             "four agents, V = s + 1/s - 2, links {:?} in turn for equal times, from any start without collision: if the velocities agreed in the limit, all six distances would tend to 1, which no four points of the plane have",
             graphs
@@ -117,8 +120,33 @@ fn symmetric_modes(edges: &[Pair], potential: &Potential) -> Result<Polynomial, 
 
 /// Whether all modes decay and turn: no real roots.
 fn only_decaying_oscillations(modes: &Polynomial) -> bool {
-    let bound = modes.coefficients().iter().fold(rational(1, 1), |sum, c| sum + Rational::from_integer(num_traits::Signed::abs(c)));
+    let bound = modes
+        .coefficients()
+        .iter()
+        .fold(rational(1, 1), |sum, c| sum + Rational::from_integer(num_traits::Signed::abs(c)));
     modes.is_hurwitz() && modes.is_square_free() && modes.roots_in(&-bound.clone(), &bound).is_empty()
+}
+
+/// Whether the rhombus with its long diagonal at R is an equilibrium with and without that link, which symmetric motions nearby approach
+/// in decaying oscillations on both sides.
+pub(in crate::claims) fn symmetric_motions_cross_for_ever(
+    potential: &Potential,
+    square: &Rational,
+) -> Result<bool, CheckError> {
+    let state = rhombus();
+    let linked = linked_within(&state.positions, square, Coordinates::Triangular);
+    if tied(&state.positions, square, Coordinates::Triangular) != [(0, 2)] || !linked.is_connected() {
+        return Ok(false);
+    }
+    for edges in [linked.edges(), linked.with_edges(&[(0, 2)]).edges()] {
+        let slope = |_: usize, _: usize, s: &Rational| potential.slope(s);
+        let forces = potential_gradients(&state.positions, &edges, Coordinates::Triangular, slope)?;
+        let rests = forces.iter().flatten().all(|x| *x == x.zero());
+        if !rests || !only_decaying_oscillations(&symmetric_modes(&edges, potential)?) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 fn examine_stop(variant: &StopVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -127,16 +155,7 @@ fn examine_stop(variant: &StopVariant, run: &mut Run) -> Result<Outcome, CheckEr
         if jump > jump.zero() {
             continue;
         }
-        // At slope zero: the rhombus with the long diagonal at R.
-        let state = rhombus();
-        let linked = linked_within(&state.positions, square, Coordinates::Triangular);
-        let ties = tied(&state.positions, square, Coordinates::Triangular);
-        let both = [linked.edges(), linked.with_edges(&ties).edges()];
-        let mut turning = ties == [(0, 2)] && linked.is_connected();
-        for edges in &both {
-            turning &= only_decaying_oscillations(&symmetric_modes(edges, potential)?);
-        }
-        if turning {
+        if symmetric_motions_cross_for_ever(potential, square)? {
             let what = format!(
                 "four agents near two equilateral triangles side by side, R² = {square}, V'(R²) = 0: symmetric motions tend to this rhombus in decaying oscillations on both sides, so agents 1 and 3 pass |r_13| = R for ever"
             );
@@ -146,7 +165,8 @@ fn examine_stop(variant: &StopVariant, run: &mut Run) -> Result<Outcome, CheckEr
         return Ok(Outcome::Undecided("the slope at R is zero".to_string()));
     }
     let detail = "proof in notes/tanner2.md for V'(R²) > 0: the second derivative of |r_ij|² falls by 8 V'(R²) R² where a link closes, so that a crossing at a late time would leave a speed that does not tend to zero; the jump, exact";
-    let own = Outcome::Holds(vec![Evidence::new(Grade::Exact, "crossings of R at late times", detail).cases(variant.len())]);
+    let own =
+        Outcome::Holds(vec![Evidence::new(Grade::Exact, "crossings of R at late times", detail).cases(variant.len())]);
     Run::all([Ok(own), examine_hull(&HullVariant::Subset, run)])
 }
 
@@ -168,4 +188,3 @@ pub fn stops() -> Record<StopVariant> {
         (Potential::with_inflection(&rational(3, 1)), rational(3, 1)),
     ])
 }
-

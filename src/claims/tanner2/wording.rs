@@ -41,9 +41,14 @@ pub(in crate::claims) fn examine_heading(variant: &HeadingVariant, _run: &mut Ru
     let enclose = |n: i64| Interval::from_rational(&rational(n, 1), PRECISION);
     let mut cases = 0;
     // Smaller vectors first.
-    let mut vectors: Vec<(i64, i64)> = (-4..=4).flat_map(|x| (-4..=4).map(move |y| (x, y))).filter(|v| *v != (0, 0)).collect();
+    let mut vectors: Vec<(i64, i64)> =
+        (-4..=4).flat_map(|x| (-4..=4).map(move |y| (x, y))).filter(|v| *v != (0, 0)).collect();
     vectors.sort_by_key(|(x, y)| (x * x + y * y, -x, -y));
-    let evidence = Evidence::new(Grade::Certified, "the angle of every velocity that is not zero", "enclosures for all integer vectors up to 4 in size; by quadrants for all");
+    let evidence = Evidence::new(
+        Grade::Certified,
+        "the angle of every velocity that is not zero",
+        "enclosures for all integer vectors up to 4 in size; by quadrants for all",
+    );
     for (x, y) in vectors {
         let v = [enclose(x), enclose(y)];
         let Ok(angle) = variant.angle(&v) else {
@@ -51,9 +56,13 @@ pub(in crate::claims) fn examine_heading(variant: &HeadingVariant, _run: &mut Ru
         };
         let (sin, cos) = angle.sin_cos()?;
         let length = Coordinates::Cartesian.square(&v).sqrt()?;
-        let outside = (angle.clone() - angle.pi()).is_certainly_positive() || (angle.clone() + angle.pi()).is_certainly_negative();
+        let outside = (angle.clone() - angle.pi()).is_certainly_positive()
+            || (angle.clone() + angle.pi()).is_certainly_negative();
         if outside || !(length.clone() * cos).overlaps(&v[0]) || !(length * sin).overlaps(&v[1]) {
-            return Ok(Outcome::fails(format!("velocity ({x}, {y}): the formula gives {:.4}", angle.to_f64()), evidence));
+            return Ok(Outcome::fails(
+                format!("velocity ({x}, {y}): the formula gives {:.4}", angle.to_f64()),
+                evidence,
+            ));
         }
         cases += 1;
     }
@@ -88,8 +97,14 @@ fn examine_references(variant: &FigureVariant, _run: &mut Run) -> Result<Outcome
     for (word, figure) in WORDS.iter().zip(variant) {
         let shown = CAPTIONS.iter().find(|(_, caption)| caption.contains(word)).map(|(number, _)| *number);
         if shown != Some(*figure) {
-            let what = format!("the text names Figure {figure} for the run whose caption says \"{word}\", which is Figure {}", shown.unwrap_or(0));
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Text, "references", "captions compared with references")));
+            let what = format!(
+                "the text names Figure {figure} for the run whose caption says \"{word}\", which is Figure {}",
+                shown.unwrap_or(0)
+            );
+            return Ok(Outcome::fails(
+                what,
+                Evidence::new(Grade::Text, "references", "captions compared with references"),
+            ));
         }
     }
     Ok(Outcome::Holds(vec![Evidence::new(Grade::Text, "references", "captions compared with references").cases(3)]))
@@ -118,8 +133,13 @@ fn examine_use(theorem: &u8, _run: &mut Run) -> Result<Outcome, CheckError> {
     // Whether the law of the theorem jumps where |r_12| = R: three agents, two of them at the threshold.
     let q = |n: i64| rational(n, 1);
     let potential = Potential::inverse_square_spring(&q(1), &q(1));
-    let at = |x: Rational| State { positions: vec![[q(0), q(0)], [q(1), q(0)], [x, q(0)]], velocities: vec![[q(0), q(0)]; 3] };
-    let law = |state: &State<Rational>, edges: &[Pair]| velocity_alignment(state, edges, Coordinates::Cartesian, |_, _, s| potential.slope(s));
+    let at = |x: Rational| State {
+        positions: vec![[q(0), q(0)], [q(1), q(0)], [x, q(0)]],
+        velocities: vec![[q(0), q(0)]; 3],
+    };
+    let law = |state: &State<Rational>, edges: &[Pair]| {
+        velocity_alignment(state, edges, Coordinates::Cartesian, |_, _, s| potential.slope(s))
+    };
     let step = rational(1, 1_000_000);
     let sides = [q(2) - &step, q(2) + &step].map(at);
     let edges = |state: &State<Rational>| match theorem {
@@ -136,7 +156,10 @@ fn examine_use(theorem: &u8, _run: &mut Run) -> Result<Outcome, CheckError> {
     if named && jumps && *theorem == 2 {
         return Ok(Outcome::Holds(evidence));
     }
-    let what = format!("the proof of Theorem {theorem} applies the nonsmooth principle: {named}; its law jumps by {} across R", if jumps { jump.to_string() } else { "nothing".to_string() });
+    let what = format!(
+        "the proof of Theorem {theorem} applies the nonsmooth principle: {named}; its law jumps by {} across R",
+        if jumps { jump.to_string() } else { "nothing".to_string() }
+    );
     Ok(Outcome::Fails { counterexample: what, evidence })
 }
 
