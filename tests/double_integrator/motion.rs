@@ -2,10 +2,9 @@
 
 use flockproof::arithmetic::rational;
 use flockproof::double_integrator::{
-    Coordinates, Pair, Potential, State, Stepper, Vector, disagreement, kinetic_energy, linked_within,
-    potential_energy, random_flock, velocity_alignment,
+    Coordinates, Pair, Potential, State, Stepper, Vector, disagreement, kinetic_energy, potential_energy, random_flock,
+    velocity_alignment,
 };
-use flockproof::graph::Graph;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
@@ -82,38 +81,4 @@ fn random_flocks_repeat() {
     assert_eq!(draw(), draw());
     assert!(draw().positions.iter().flatten().all(|x| x.abs() < 2.5));
     assert!(draw().velocities.iter().all(|v| PLANE.square(v) < 1.0));
-}
-
-/// For choosing what the figures state; prints one line a seed.
-#[test]
-#[ignore = "prints"]
-fn survey() {
-    let slope = Potential::inverse_square_log(&rational(1, 1)).slope_over(&1.0);
-    for seed in 0..40 {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let near = |s: &State<f64>| linked_within(&s.positions, &4.0, PLANE);
-        let mut start = random_flock(10, 2.5, 1.0, &mut random);
-        while !near(&start).is_connected() {
-            start = random_flock(10, 2.5, 1.0, &mut random);
-        }
-        let begun = std::time::Instant::now();
-        let mut steps = 0;
-        let end = Stepper { tolerance: 1e-5, ..Stepper::default() }
-            .run(
-                &start,
-                100.0,
-                |s| velocity_alignment(s, &near(s).edges(), PLANE, |_, _, s| slope.at(s)),
-                |_, _| steps += 1,
-            )
-            .unwrap();
-        let graph: Graph = near(&end);
-        println!(
-            "{seed} components {} links {} disagreement {:.2e} from {:.2} steps {steps} {:?}",
-            graph.components().len(),
-            graph.edges().len(),
-            disagreement(&end),
-            disagreement(&start),
-            begun.elapsed()
-        );
-    }
 }

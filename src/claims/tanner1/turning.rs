@@ -241,11 +241,14 @@ struct Weighted(Graph, HeadingVariant);
 /// The statement (7).
 struct Separate(Graph, HeadingVariant);
 
+/// The loop, its heading rates, and the rates that are claimed.
+type HeadingSides<T> = (Loop<T>, Vec<T>, Vec<T>);
+
 fn heading_sides<T: Field>(
     graph: &Graph,
     at: &[T],
     variant: HeadingVariant,
-) -> Result<(Loop<T>, Vec<T>, Vec<T>), ArithmeticError> {
+) -> Result<HeadingSides<T>, ArithmeticError> {
     let whole = Loop::read(graph, at)?;
     let left = whole.heading_rates()?;
     let own = whole.potential_rates()?;

@@ -11,6 +11,9 @@ use crate::double_integrator::{
 use crate::graph::Graph;
 use crate::matrix::RationalMatrix;
 
+/// `grad_{r_i} V_ij` and `grad_{r_j} V_ij`.
+pub type PairGradient<T> = (Vector<T>, Vector<T>);
+
 /// The closed loop of equation (4) at one state.
 pub struct Arbitrary<T> {
     pub state: State<T>,
@@ -84,7 +87,7 @@ impl<T: Field> Arbitrary<T> {
     }
 
     /// `(grad_{r_i} V_ij, grad_{r_j} V_ij)` for each edge, by differentiation.
-    pub fn pair_gradients(&self) -> Result<Vec<(Vector<T>, Vector<T>)>, ArithmeticError> {
+    pub fn pair_gradients(&self) -> Result<Vec<PairGradient<T>>, ArithmeticError> {
         let of_pair = |&(i, j): &Pair| {
             let [a, b] = [&self.state.positions[i], &self.state.positions[j]];
             let at = [a[0].clone(), a[1].clone(), b[0].clone(), b[1].clone()];

@@ -66,12 +66,15 @@ impl Motion {
     }
 }
 
+/// Position and velocity.
+type Agent = ((i64, i64), (i64, i64));
+
 fn motion(
     name: &'static str,
     edges: &[Pair],
     coordinates: Coordinates,
     potential: Potential,
-    agents: &[((i64, i64), (i64, i64))],
+    agents: &[Agent],
 ) -> Motion {
     let vector = |(x, y): (i64, i64)| [rational(x, 1), rational(y, 1)];
     Motion {
