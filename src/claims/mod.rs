@@ -5,6 +5,7 @@ mod beyond;
 pub mod certificates;
 mod chazelle;
 mod paley;
+mod record;
 mod tanner1;
 mod tanner2;
 mod veerman;

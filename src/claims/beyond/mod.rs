@@ -7,6 +7,7 @@ mod one_sided_peak;
 mod paley_circulant;
 mod phases;
 mod smallest_entries;
+mod tanner;
 mod tower;
 mod virtual_origins;
 
@@ -28,5 +29,8 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(paley_circulant::CyclicPatterns),
         Box::new(phases::CriticalInertia),
         Box::new(phases::CyclicClassification),
+        Box::new(tanner::two_agents()),
+        Box::new(tanner::alternating_trees()),
+        Box::new(tanner::endless_switching()),
     ]
 }
