@@ -8,6 +8,7 @@ mod support;
 use flockproof::arithmetic::{Interval, decimal, rational};
 use flockproof::averaging::{Flock, Hysteresis, Start, Weights};
 use flockproof::matrix::{StochasticMatrix, prefix_products, product_sequential, product_tree};
+use flockproof::platoon::time_domain::Modes;
 use flockproof::platoon::{Gains, resonance};
 use num_bigint::BigUint;
 use num_traits::ToPrimitive;
@@ -137,6 +138,21 @@ fn stepping(wanted: &dyn Fn(&str) -> bool) {
     }
 }
 
+/// The start of 128 cars behind a leader at the leading resonance: all positions and velocities at time 2000.
+fn platoon(wanted: &dyn Fn(&str) -> bool) {
+    const FOLLOWERS: u64 = 128;
+    let size = format!("M={FOLLOWERS},t=2000");
+    if wanted(&format!("W8 flockproof {size}")) {
+        let gains = Gains { f: -1.0, g: -1.0 };
+        let w = std::f64::consts::PI / (2.0 * 2f64.sqrt() * FOLLOWERS as f64);
+        let (seconds, cars) = best_of(|| {
+            let start = Modes::new(&gains, FOLLOWERS).and_then(|modes| modes.behind_harmonic_leader(&w));
+            start.and_then(|start| start.followers(&2000.0)).expect("distinct roots")
+        });
+        emit("W8", "flockproof", &size, seconds, &format!("{:.8}", cars.positions[FOLLOWERS as usize - 1]));
+    }
+}
+
 fn main() {
     // Cargo passes `--bench`; everything else is the filter.
     let filter: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
@@ -145,4 +161,5 @@ fn main() {
     coefficients(&wanted);
     peaks(&wanted);
     stepping(&wanted);
+    platoon(&wanted);
 }

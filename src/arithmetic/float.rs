@@ -1,6 +1,6 @@
 //! `f64` as a scalar: rounded to nearest, no error bound.
 
-use super::{ArithmeticError, Field, Rational, Real, Ring, Sign, Signed};
+use super::{ArithmeticError, Field, Rational, Real, Ring, Sign, Signed, rational};
 use num_traits::ToPrimitive;
 
 impl Ring for f64 {
@@ -12,6 +12,16 @@ impl Ring for f64 {
 impl Field for f64 {
     fn rational(&self, q: &Rational) -> Self {
         q.to_f64().unwrap_or(f64::NAN)
+    }
+
+    fn ratio(&self, p: i64, q: i64) -> Self {
+        // Both integers are exact as floats, so that one division rounds correctly.
+        const EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
+        if p.unsigned_abs() <= EXACT && q.unsigned_abs() <= EXACT {
+            p as f64 / q as f64
+        } else {
+            self.rational(&rational(p, q))
+        }
     }
 
     fn recip(&self) -> Result<Self, ArithmeticError> {

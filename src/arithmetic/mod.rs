@@ -30,6 +30,7 @@ mod operators;
 mod radical;
 mod rational;
 mod real_cyclotomic;
+mod regression;
 mod series;
 mod surd;
 
@@ -44,6 +45,7 @@ pub use number::{NumberError, decimal, decimals, parse_rational, significant_dig
 pub use radical::RadicalSum;
 pub use rational::{Rational, rational};
 pub use real_cyclotomic::{CosineField, RealCyclotomic};
+pub use regression::regression_line;
 pub use series::Series;
 pub use surd::{sign_of_square_root_difference, sign_of_surd};
 

@@ -1,5 +1,6 @@
 //! Which agents each follower keeps track of, for any communication graph on the line, and the matrices made from it.
 
+use super::law::from_deviations;
 use super::{Communication, Gains};
 use crate::arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, Signed, rational};
 use crate::matrix::{MatrixError, RationalMatrix};
@@ -192,9 +193,8 @@ impl CommunicationGraph {
                 sum + (values[k].clone() - other) * values[k].rational(weight)
             })
         };
-        let acceleration =
-            |k: usize| deviation(positions, leader.0, k) * &gains.f + deviation(velocities, leader.1, k) * &gains.g;
-        (0..self.followers().min(positions.len()).min(velocities.len())).map(acceleration).collect()
+        let cars = self.followers().min(positions.len());
+        from_deviations(deviation, gains, leader, &positions[..cars], velocities)
     }
 
     /// The amplitudes `a_1..a_M` of the harmonic response to `y_0 = e^{iwt}`: the solution of
@@ -204,7 +204,7 @@ impl CommunicationGraph {
     /// # Errors
     /// [`ArithmeticError`] where the response does not exist or cannot be separated from a pole.
     pub fn response<T: Field>(&self, gains: &Gains<T>, w: &T) -> Result<Vec<Complex<T>>, ArithmeticError> {
-        let shift = super::gamma(gains, w)? - Complex::real(w.one());
+        let shift = super::gamma_minus_one(gains, w)?;
         let reached = self.reached_by_leader();
         let index: Vec<usize> = (1..=self.followers()).filter(|&k| reached[k]).collect();
         let mut rows: Vec<Vec<Complex<T>>> = Vec::with_capacity(index.len());

@@ -40,6 +40,17 @@ pub fn accelerations<T: crate::arithmetic::Field>(
             _ => values[k].clone() - front,
         }
     };
+    from_deviations(deviation, gains, leader, positions, velocities)
+}
+
+/// `f e_k + g e'_k` for every follower, with `deviation(values, value of the leader, k - 1)` for `e_k`.
+pub(super) fn from_deviations<T: crate::arithmetic::Field>(
+    deviation: impl Fn(&[T], &T, usize) -> T,
+    gains: &Gains<T>,
+    leader: (&T, &T),
+    positions: &[T],
+    velocities: &[T],
+) -> Vec<T> {
     let acceleration =
         |k: usize| deviation(positions, leader.0, k) * &gains.f + deviation(velocities, leader.1, k) * &gains.g;
     (0..positions.len().min(velocities.len())).map(acceleration).collect()

@@ -4,10 +4,14 @@
 //! desired position and `u_k` its rate; the gains `f` (1/s²) and `g` (1/s) are negative; the leader moves as
 //! `y_0 = e^{i w t}` with angular frequency `w >= 0` (a negative `w` only conjugates everything).
 
+pub mod banded;
 mod communication_graph;
+pub mod growth;
 mod law;
 pub mod modes;
+mod neighbourhood;
 pub mod next_order;
+pub mod observe;
 mod phase;
 mod resonance;
 mod response;
@@ -20,9 +24,11 @@ pub mod vector_form;
 pub use communication_graph::{CommunicationError, CommunicationGraph};
 pub use law::{Communication, Gains, accelerations};
 pub use modes::slowest_rate;
+pub use neighbourhood::Neighbourhood;
 pub use phase::{argument, phase_lag_one_sided, phase_lags_two_sided};
 pub use resonance::{LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, lesser_resonance, resonance};
 pub use response::{
-    amplitude_one_sided, amplitudes_two_sided, chebyshev, gain_squared_one_sided, gamma, strongest_one_sided_square,
+    amplitude_one_sided, amplitude_with_first_car, amplitudes_two_sided, chebyshev, gain_squared_one_sided, gamma,
+    gamma_minus_one, strongest_one_sided_square,
 };
 pub use shape::{FrequencyResponse, frequency_response};

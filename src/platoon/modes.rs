@@ -31,6 +31,8 @@ pub struct Mode<T> {
     pub frequency: T,
     /// Whether the roots are real.
     pub overdamped: bool,
+    /// The slower of the two rates at which it decays, 1/s.
+    pub rate: T,
 }
 
 impl<T: Real + Signed> Mode<T> {
@@ -46,12 +48,11 @@ impl<T: Real + Signed> Mode<T> {
             Some(Sign::Negative) => (false, -discriminant),
             _ => return Err(ArithmeticError::Domain("a mode with distinct roots")),
         };
-        Ok(Mode { decay, frequency: size.sqrt()?, overdamped })
-    }
-
-    /// The slower of the two rates at which it decays.
-    pub fn rate(&self) -> T {
-        if self.overdamped { self.decay.clone() - &self.frequency } else { self.decay.clone() }
+        let frequency = size.sqrt()?;
+        // decay - frequency without the cancellation: the product of the two rates is lambda |f|.
+        let faster = decay.clone() + &frequency;
+        let rate = if overdamped { (-(lambda.clone() * &gains.f)).over(&faster)? } else { decay.clone() };
+        Ok(Mode { decay, frequency, overdamped, rate })
     }
 
     /// `(c, s)` such that the free motion is `z(t) = c z(0) + s z'(0)`.
@@ -59,8 +60,16 @@ impl<T: Real + Signed> Mode<T> {
     /// # Errors
     /// [`ArithmeticError`] of the elementary functions.
     pub fn propagator(&self, t: &T) -> Result<(T, T), ArithmeticError> {
-        let envelope = (-(self.decay.clone() * t)).exp()?;
         let angle = self.frequency.clone() * t;
+        if self.overdamped && (angle.clone() - t.one()).is_certainly_positive() {
+            // Both exponentials decrease; their difference is far from zero here.
+            let slow = (-(self.rate.clone() * t)).exp()?;
+            let fast = (-((self.decay.clone() + &self.frequency) * t)).exp()?;
+            let half = t.ratio(1, 2);
+            let s = (slow.clone() - &fast).over(&self.frequency)? * &half;
+            return Ok(((slow + fast) * half + self.decay.clone() * &s, s));
+        }
+        let envelope = (-(self.decay.clone() * t)).exp()?;
         let (sine, cosine) = if self.overdamped { angle.sinh_cosh()? } else { angle.sin_cos()? };
         let s = sine.over(&self.frequency)?;
         Ok((envelope.clone() * (cosine + self.decay.clone() * &s), envelope * s))
@@ -75,7 +84,7 @@ impl<T: Real + Signed> Mode<T> {
 /// # Errors
 /// [`ArithmeticError`] where one of these two modes may have a double root, or their rates cannot be told apart.
 pub fn slowest_rate<T: Real + Signed>(gains: &Gains<T>, followers: u64) -> Result<T, ArithmeticError> {
-    let rate = |k| Ok::<T, ArithmeticError>(Mode::new(gains, &mode_eigenvalue(&gains.f, followers, k)?)?.rate());
+    let rate = |k| Ok::<T, ArithmeticError>(Mode::new(gains, &mode_eigenvalue(&gains.f, followers, k)?)?.rate);
     let first = rate(1)?;
     if followers <= 1 {
         return Ok(first);

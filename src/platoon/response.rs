@@ -1,15 +1,23 @@
 //! Harmonic response of the followers: `y_k = a_k e^{i w t}` with `a_0 = 1`.
 
 use super::Gains;
-use crate::arithmetic::{ArithmeticError, Complex, Field, Real, Ring};
+use crate::arithmetic::{ArithmeticError, Complex, Field, Rational, Real, Ring};
 
 /// `gamma = (f + i w g + w²)/(f + i w g) = 1 + w²/(f + i w g)` (Corollary 1).
 ///
 /// # Errors
 /// [`ArithmeticError::DivisionByZero`] where `f + i w g` may be zero.
 pub fn gamma<T: Field>(gains: &Gains<T>, w: &T) -> Result<Complex<T>, ArithmeticError> {
+    Ok(Complex::real(w.one()) + gamma_minus_one(gains, w)?)
+}
+
+/// `gamma - 1 = w²/(f + i w g)`, which is small at small frequencies.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where `f + i w g` may be zero.
+pub fn gamma_minus_one<T: Field>(gains: &Gains<T>, w: &T) -> Result<Complex<T>, ArithmeticError> {
     let z = Complex::new(gains.f.clone(), gains.g.clone() * w);
-    Ok(Complex::real(w.one()) + z.recip()?.scale(&w.square()))
+    Ok(z.recip()?.scale(&w.square()))
 }
 
 /// System (1): `a_k = gamma^-k`.
@@ -81,4 +89,27 @@ pub fn amplitudes_two_sided<T: Field>(
     let Some(last) = values.pop() else { return Ok(Vec::new()) };
     let scale = last.recip()?;
     Ok(values.into_iter().rev().map(|value| value * &scale).collect())
+}
+
+/// System (2) with another first car: `a_M` where car 1 compares its velocity as `own u_1 - leader u_0 - behind u_2` (in
+/// equation (2) the weights are 1, 1/2, 1/2). The other cars give `a_k = a_M T_{M-k}(gamma)`, k >= 1; `followers >= 2`.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where the response may not exist.
+pub fn amplitude_with_first_car<T: Field>(
+    gains: &Gains<T>,
+    w: &T,
+    followers: u64,
+    weights: &[Rational; 3],
+) -> Result<Complex<T>, ArithmeticError> {
+    let [own, leader, behind] = weights.each_ref().map(|q| w.rational(q));
+    let distance = gamma_minus_one(gains, w)?;
+    let [(t1, _), (t2, _)] = [1, 2].map(|k| chebyshev(followers.saturating_sub(k), &distance));
+    // w² a_1 + f (a_1 - (a_0 + a_2)/2) + iwg (own a_1 - leader a_0 - behind a_2) = 0.
+    let half = w.ratio(1, 2);
+    let damping = Complex::new(w.zero(), gains.g.clone() * w);
+    let position = (t1.clone() - t2.scale(&half)).scale(&gains.f);
+    let velocity = (t1.scale(&own) - t2.scale(&behind)) * &damping;
+    let drive = Complex::real(gains.f.clone() * half) + damping.scale(&leader);
+    drive.over(&(t1.scale(&w.square()) + position + velocity))
 }

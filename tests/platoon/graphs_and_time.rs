@@ -2,7 +2,7 @@
 
 use flockproof::arithmetic::{Complex, Field, Interval, Rational, Real, Ring, rational};
 use flockproof::platoon::modes::{Mode, mode_angle, mode_eigenvalue};
-use flockproof::platoon::time_domain::Modes;
+use flockproof::platoon::time_domain::{Followers, Modes};
 use flockproof::platoon::vector_form::motion_matrix;
 use flockproof::platoon::{
     Communication, CommunicationError, CommunicationGraph, Gains, accelerations, amplitude_one_sided,
@@ -132,6 +132,40 @@ fn step(gains: &Gains<f64>, leader: &dyn Fn(f64) -> (f64, f64), t: f64, h: f64, 
     }
 }
 
+fn assert_close(found: &(Vec<f64>, Vec<f64>), expected: &Followers<f64>, tolerance: f64) {
+    let pairs = found.0.iter().zip(&expected.positions).chain(found.1.iter().zip(&expected.velocities));
+    pairs.for_each(|(a, b)| assert!((a - b).abs() < tolerance, "{found:?} {expected:?}"));
+}
+
+/// Floats against enclosures, also far out in time and for many cars.
+#[test]
+fn floats_agree_with_enclosures() {
+    for (f, g, m, t) in [(-1, -1, 128u64, 2000), (-3, -7, 40, 5), (-1, -20, 5, 10_000), (-2, -1, 1, 1)] {
+        let interval = |p, q| Interval::from_rational(&rational(p, q), 100);
+        let w = |m: u64| (1, m as i64);
+        let floats = Modes::new(&floats(f as f64 / 2.0, g as f64 / 3.0), m).unwrap();
+        let exact = Modes::new(&Gains { f: interval(f, 2), g: interval(g, 3) }, m).unwrap();
+        let harmonic = floats.behind_harmonic_leader(&(1.0 / m as f64)).unwrap();
+        let enclosed = exact.behind_harmonic_leader(&interval(w(m).0, w(m).1)).unwrap();
+        let abrupt = floats.behind_accelerating_leader(&[(0.0, 1.0), (0.75, -1.0)]).unwrap();
+        let enclosed_abrupt = exact
+            .behind_accelerating_leader(&[(interval(0, 1), interval(1, 1)), (interval(3, 4), interval(-1, 1))])
+            .unwrap();
+        let (time, enclosed_time) = (t as f64, interval(t, 1));
+        for (found, enclosed) in [
+            (harmonic.followers(&time).unwrap(), enclosed.followers(&enclosed_time).unwrap()),
+            (abrupt.deviations(&time).unwrap(), enclosed_abrupt.deviations(&enclosed_time).unwrap()),
+        ] {
+            let enclosed = (
+                enclosed.positions.iter().map(Interval::to_f64).collect(),
+                enclosed.velocities.iter().map(Interval::to_f64).collect(),
+            );
+            let size = found.positions.iter().fold(1f64, |a, b| a.max(b.abs()));
+            assert_close(&enclosed, &found, 1e-11 * size);
+        }
+    }
+}
+
 /// The sum of the modes is what a naive integration finds, with and without overdamped modes.
 #[test]
 fn modes_follow_the_start_behind_a_periodic_leader() {
@@ -155,6 +189,10 @@ fn modes_follow_the_start_behind_a_periodic_leader() {
             let expected = if cosine { motion.re } else { motion.im };
             // Order four: (h w_max)^4 times the length, with room.
             assert!((state.0[m - 1] - expected).abs() < 1e-8, "{f} {g} {m}: {} {expected}", state.0[m - 1]);
+            if cosine {
+                assert!((start.last(&until).unwrap() - expected).abs() < 1e-12);
+                assert_close(&state, &start.followers(&until).unwrap(), 1e-8);
+            }
         }
         let (bound, size) = (start.transient_bound(&until).unwrap(), start.transient(&until).unwrap());
         assert!(size.norm_squared().sqrt() <= bound);
@@ -166,8 +204,9 @@ fn modes_follow_an_abrupt_start() {
     const STEPS: usize = 2000;
     for (f, g, m) in [(-1.0, -1.0, 3usize), (-0.5, -3.0, 4)] {
         let gains = floats(f, g);
-        let modes = Modes::new(&gains, m as u64).unwrap();
         let (until, end) = (4.0, 16.0);
+        let changes = [(0.0, 1.0), (until, -1.0)];
+        let start = Modes::new(&gains, m as u64).unwrap().behind_accelerating_leader(&changes).unwrap();
         let h = end / STEPS as f64;
         let leader = |t: f64| if t < until { (t * t / 2.0, t) } else { (until * (t - until / 2.0), until) };
         let mut state = (vec![0.0; m], vec![0.0; m]);
@@ -175,9 +214,12 @@ fn modes_follow_an_abrupt_start() {
             step(&gains, &leader, k as f64 * h, h, &mut state);
             let t = (k + 1) as f64 * h;
             if k == STEPS / 8 || k + 1 == STEPS {
-                let expected = modes.last_after_start(&until, &t).unwrap();
-                let found = state.0[m - 1] - leader(t).0;
-                assert!((found - expected).abs() < 1e-7, "{f} {g} {m} {t}: {found} {expected}");
+                let (y0, u0) = leader(t);
+                assert_eq!(start.leader(&t).unwrap(), (y0, u0));
+                let found = (state.0.iter().map(|y| y - y0).collect(), state.1.iter().map(|u| u - u0).collect());
+                let expected = start.deviations(&t).unwrap();
+                assert!((start.last(&t).unwrap() - expected.positions[m - 1]).abs() < 1e-12);
+                assert_close(&found, &expected, 1e-7);
             }
         }
     }

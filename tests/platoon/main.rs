@@ -1,6 +1,7 @@
 //! Mirrors `src/platoon`: the law, the response, the resonance against naive twins.
 
 mod graphs_and_time;
+mod growth;
 
 use flockproof::arithmetic::{
     Complex, Dual, Field, Interval, Rational, Real, Ring, Signed, parse_rational, rational, significant_digits,

@@ -8,6 +8,7 @@ mod paley_circulant;
 mod phases;
 mod smallest_entries;
 mod tanner;
+mod table1_reading;
 mod tower;
 mod virtual_origins;
 
@@ -22,8 +23,8 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(tower::Tower),
         Box::new(virtual_origins::Angle),
         Box::new(virtual_origins::Losses),
-        Box::new(next_order::NextFrequency),
-        Box::new(next_order::NextAmplitude),
+        Box::new(next_order::FREQUENCY),
+        Box::new(next_order::AMPLITUDE),
         Box::new(decay_rate::SlowestDecay),
         Box::new(paley_circulant::CirculantSpectrum),
         Box::new(paley_circulant::CyclicPatterns),
@@ -32,5 +33,6 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(tanner::two_agents()),
         Box::new(tanner::alternating_trees()),
         Box::new(tanner::endless_switching()),
+        Box::new(table1_reading::Table1Reading),
     ]
 }

@@ -37,6 +37,9 @@ fn gains_list() -> Vec<Gains<Rational>> {
 /// A formula of M cars.
 type Formula = fn(&Gains<Interval>, u64) -> Result<Interval, ArithmeticError>;
 
+/// A constant, of the precision of a number.
+type Constant = fn(&Interval) -> Result<Interval, ArithmeticError>;
+
 /// The expansion of both proofs, as exact power series in `a`: with `theta = x - iy = sqrt2 a H`,
 /// `H = 1 + a²/12 - 3c²/8 - i (c/2)(1 + a²/4 - 5c²/8) + O(a⁴)`, `c = ab`, `cos theta` is `gamma = 1 - a²/(1 + ic)` up to `O(a⁶)`.
 struct Expansion;
@@ -70,17 +73,22 @@ impl RationalIdentity for Expansion {
     }
 }
 
-/// One of the two claims.
-struct Part {
+/// One of the two claims: beyond.veerman.resonance_frequency, beyond.veerman.resonance_amplitude.
+pub struct NextOrder {
+    id: &'static str,
     name: &'static str,
+    statement: &'static str,
+    derivation: &'static str,
     found: fn(Resonance) -> Interval,
     leading: Formula,
     next: Formula,
     bound: (i64, i64),
+    /// `power` such that `M^power (found - leading)` tends to a constant, and that constant for f = g = -1.
+    limit: (u64, Constant),
 }
 
 /// Enclosures against the formula, from the smallest size of the statement on.
-fn examine(part: &Part, variant: &NextOrderVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+fn examine(part: &NextOrder, variant: &NextOrderVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut cases = 0;
     let mut worst: Option<Interval> = None;
     for exact in gains_list() {
@@ -143,75 +151,58 @@ fn smallest_size(gains: &Gains<Rational>) -> Result<u64, CheckError> {
 }
 
 /// beyond.veerman.resonance_frequency.
-pub struct NextFrequency;
-
-impl Claim for NextFrequency {
-    type Variant = NextOrderVariant;
-
-    fn id(&self) -> &str {
-        "beyond.veerman.resonance_frequency"
-    }
-
-    fn source(&self) -> Option<Source> {
-        Some(Source {
-            place: "sharpens veerman, Theorem 1".to_string(),
-            statement: "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the main resonance of system (2) lies at \
-                        w = w_0 (1 - a0^2 (1/12 + b^2/8) + e), w_0 = sqrt|f| a0, a0 = pi/(2 sqrt(2) M), with \
-                        |e| <= 1.7 (a0 max(1, b))^4."
-                .to_string(),
-        })
-    }
-
-    fn derivation(&self) -> &str {
-        "With gamma = cos(x - iy): x = sqrt2 a (1 + a²/12 - 3a²b²/8 + O(4)) and y = (a² b/sqrt2)(1 + a²/4 - 5a²b²/8 + O(4)). The resonance has \
-         Mx = pi/2 - delta, 2 delta = (pi/2)(a/a0) a² b² (1 + O(2)). Together a/a0 = 1/(1 + a²/12 + a²b²/8 + r), |r| <= 1.2 (a max(1, b))^4. All remainders are \
-         bounded in notes/veerman_next_order.md."
-    }
-
-    fn printed(&self) -> NextOrderVariant {
-        PRINTED
-    }
-
-    fn controls(&self) -> Vec<Control<NextOrderVariant>> {
-        controls()
-    }
-
-    fn examine(&self, variant: &NextOrderVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let part = Part {
-            name: "frequency",
-            found: |resonance| resonance.omega,
-            leading: theorem1::frequency,
-            next: next_order::frequency,
-            bound: next_order::FREQUENCY_BOUND,
-        };
-        examine(&part, variant, run)
-    }
-}
+pub const FREQUENCY: NextOrder = NextOrder {
+    id: "beyond.veerman.resonance_frequency",
+    name: "frequency",
+    statement: "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the main resonance of system (2) lies at \
+                w = w_0 (1 - a0^2 (1/12 + b^2/8) + e), w_0 = sqrt|f| a0, a0 = pi/(2 sqrt(2) M), with \
+                |e| <= 1.7 (a0 max(1, b))^4.",
+    derivation: "With gamma = cos(x - iy): x = sqrt2 a (1 + a²/12 - 3a²b²/8 + O(4)) and y = (a² b/sqrt2)(1 + a²/4 - 5a²b²/8 + O(4)). The resonance has \
+                 Mx = pi/2 - delta, 2 delta = (pi/2)(a/a0) a² b² (1 + O(2)). Together a/a0 = 1/(1 + a²/12 + a²b²/8 + r), |r| <= 1.2 (a max(1, b))^4. All remainders are \
+                 bounded in notes/veerman_next_order.md.",
+    found: |resonance| resonance.omega,
+    leading: theorem1::frequency,
+    next: next_order::frequency,
+    bound: next_order::FREQUENCY_BOUND,
+    limit: (3, |one| {
+        // -(pi³/(16 sqrt2)) (1/12 + 1/8).
+        (one.pi().power(3) * one.ratio(-5, 24)).over(&(one.integer(16) * one.integer(2).sqrt()?))
+    }),
+};
 
 /// beyond.veerman.resonance_amplitude.
-pub struct NextAmplitude;
+pub const AMPLITUDE: NextOrder = NextOrder {
+    id: "beyond.veerman.resonance_amplitude",
+    name: "amplitude",
+    statement: "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2) is \
+                A = A_0 (1 - a0^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 sqrt(2) M/(pi^2 b), a0 = pi/(2 sqrt(2) M), with \
+                |e| <= 11 (a0 max(1, b))^4. So M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b)).",
+    derivation: "1/A² = sin² delta + sinh²(My) with delta and y of beyond.veerman.resonance_frequency: relative to 1/A_0² the terms of order a0² are b² from \
+                 delta, 1/2 - 5b²/4 from y, -1/3 - b²/2 from the shift of a, and pi² b²/48 from sinh. Their sum is 1/6 - 3b²/4 + pi² b²/48, and the \
+                 amplitude has minus half of it. All remainders are bounded in notes/veerman_next_order.md.",
+    found: |resonance| resonance.amplitude,
+    leading: theorem1::amplitude,
+    next: next_order::amplitude,
+    bound: next_order::AMPLITUDE_BOUND,
+    limit: (1, |one| {
+        let constant = (one.integer(36) - one.pi().square()) * one.ratio(1, 96) - one.ratio(1, 12);
+        Ok(constant * one.integer(2).sqrt()?)
+    }),
+};
 
-impl Claim for NextAmplitude {
+impl Claim for NextOrder {
     type Variant = NextOrderVariant;
 
     fn id(&self) -> &str {
-        "beyond.veerman.resonance_amplitude"
+        self.id
     }
 
     fn source(&self) -> Option<Source> {
-        Some(Source {
-            place: "sharpens veerman, Theorem 1".to_string(),
-            statement: "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2) is \
-                        A = A_0 (1 - a0^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 sqrt(2) M/(pi^2 b), a0 = pi/(2 sqrt(2) M), with \
-                        |e| <= 11 (a0 max(1, b))^4. So M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b))."
-                .to_string(),
-        })
+        Some(Source { place: "sharpens veerman, Theorem 1".to_string(), statement: self.statement.to_string() })
     }
 
     fn derivation(&self) -> &str {
-        "1/A² = sin² delta + sinh²(My) with delta and y of beyond.veerman.resonance_frequency: relative to 1/A_0² the terms of order a0² are b² from \
-         delta, 1/2 - 5b²/4 from y, -1/3 - b²/2 from the shift of a, and pi² b²/48 from sinh. Their sum is 1/6 - 3b²/4 + pi² b²/48, and the \
-         amplitude has minus half of it. All remainders are bounded in notes/veerman_next_order.md."
+        self.derivation
     }
 
     fn printed(&self) -> NextOrderVariant {
@@ -223,20 +214,13 @@ impl Claim for NextAmplitude {
     }
 
     fn examine(&self, variant: &NextOrderVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let gains = Gains { f: rational(-1, 1), g: rational(-1, 1) };
-        let found = resonance(&gains, 1_000_000, DIGITS)?.amplitude;
-        let gains = gains.map(|q| Interval::from_rational(q, found.precision()));
-        let leading = theorem1::amplitude(&gains, 1_000_000)?;
-        run.value("M_(A-A_0)_f_g_-1_M_1000000", interval_value(&((found - leading) * gains.f.integer(1_000_000)), 10));
-        let constant = (gains.f.integer(36) - gains.f.pi().square()) * gains.f.ratio(1, 96) - gains.f.ratio(1, 12);
-        run.value("its_limit", interval_value(&(constant * gains.f.integer(2).sqrt()?), 10));
-        let part = Part {
-            name: "amplitude",
-            found: |resonance| resonance.amplitude,
-            leading: theorem1::amplitude,
-            next: next_order::amplitude,
-            bound: next_order::AMPLITUDE_BOUND,
-        };
-        examine(&part, variant, run)
+        const LARGE: u64 = 1_000_000;
+        let found = (self.found)(resonance(&Gains { f: rational(-1, 1), g: rational(-1, 1) }, LARGE, DIGITS)?);
+        let gains = Gains { f: found.integer(-1), g: found.integer(-1) };
+        let (power, limit) = self.limit;
+        let scaled = (found - (self.leading)(&gains, LARGE)?) * gains.f.integer(LARGE as i64).power(power);
+        run.value(&format!("M^{power}_(found_-_Theorem_1)_f_g_-1_M_{LARGE}"), interval_value(&scaled, 10));
+        run.value("its_limit", interval_value(&limit(&gains.f.one())?, 10));
+        examine(self, variant, run)
     }
 }

@@ -1,6 +1,6 @@
 //! veerman.fig4, veerman.fig5: how well Theorem 1 agrees with the resonance.
 
-use crate::arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
+use crate::arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational, regression_line};
 use crate::claims::printed_decimal;
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, interval_value};
 use crate::platoon::table1::{ROWS, Row};
@@ -129,23 +129,6 @@ pub struct Figure5Variant {
     tolerance: (i64, i64),
 }
 
-/// The slope of the least-squares line.
-fn regression_slope(points: &[(Interval, Interval)]) -> Result<Interval, CheckError> {
-    let Some((first, _)) = points.first() else { return Err(CheckError::Other("no points".to_string())) };
-    let mean = |part: &dyn Fn(&(Interval, Interval)) -> Interval| {
-        let sum = points.iter().fold(first.zero(), |sum, point| sum + part(point));
-        sum * first.ratio(1, points.len() as i64)
-    };
-    let (x_mean, y_mean) = (mean(&|p| p.0.clone()), mean(&|p| p.1.clone()));
-    let (mut above, mut below) = (first.zero(), first.zero());
-    for (x, y) in points {
-        let dx = x.clone() - &x_mean;
-        above = above + dx.clone() * (y.clone() - &y_mean);
-        below = below + dx.square();
-    }
-    Ok(above.over(&below)?)
-}
-
 impl Claim for Figure5 {
     type Variant = Figure5Variant;
 
@@ -184,12 +167,12 @@ impl Claim for Figure5 {
             let difference = printed_decimal(row.nfreq)?.0 - printed_decimal(row.tfreq)?.0;
             printed.push((abscissa(row.n)?, interval(&difference).ln()?));
         }
-        run.value("slope_with_N+1_followers", interval_value(&regression_slope(&shifted)?, 6));
+        run.value("slope_with_N+1_followers", interval_value(&regression_line(&shifted)?.0, 6));
         let (slope, tolerance) =
             (rational(variant.slope.0, variant.slope.1), rational(variant.tolerance.0, variant.tolerance.1));
         let mut evidence = Vec::new();
         for (name, points) in [("enclosed", enclosed), ("printed", printed)] {
-            let found = regression_slope(&points)?;
+            let found = regression_line(&points)?.0;
             run.value(&format!("slope_{name}"), interval_value(&found, 8));
             let distance = found.clone() - interval(&slope);
             let detail = "least squares in the logarithms, six sizes";

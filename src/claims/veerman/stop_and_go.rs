@@ -230,7 +230,8 @@ fn start(variant: &Figure3Variant, run: &mut Run) -> Result<Outcome, CheckError>
     // Floats find the passages, intervals certify them.
     let floats = Modes::new(&minus_one(|q| Interval::from_rational(q, 53).to_f64()), CARS)?;
     let until = UNTIL as f64;
-    let at = |t: f64| floats.last_after_start(&until, &t);
+    let floats = floats.behind_accelerating_leader(&[(0.0, 1.0), (until, -1.0)])?;
+    let at = |t: f64| floats.last(&t);
     let step = half_period / 64.0;
     let mut passages: Vec<f64> = Vec::new();
     let mut t = until + step;
@@ -246,10 +247,12 @@ fn start(variant: &Figure3Variant, run: &mut Run) -> Result<Outcome, CheckError>
         }
         t += step;
     }
-    let modes = Modes::new(&minus_one(interval), CARS)?;
+    let acceleration =
+        [(0, 1), (UNTIL, -1)].map(|(time, change)| (interval(&rational(time, 1)), interval(&rational(change, 1))));
+    let start = Modes::new(&minus_one(interval), CARS)?.behind_accelerating_leader(&acceleration)?;
     let exact = |t: f64| Rational::from_float(t).map(|q| interval(&q)).ok_or(CheckError::Other("a time".to_string()));
     let slack = 1e-6 * half_period;
-    let sign = |t: f64| Ok::<_, CheckError>(modes.last_after_start(&interval(&rational(UNTIL, 1)), &exact(t)?)?.sign());
+    let sign = |t: f64| Ok::<_, CheckError>(start.last(&exact(t)?)?.sign());
     let evidence = |detail: String| Evidence::new(Grade::Certified, "the start", detail).cases(passages.len());
     for (k, &time) in passages.iter().enumerate() {
         let (before, after) = (sign(time - slack)?, sign(time + slack)?);

@@ -251,7 +251,7 @@ impl Claim for NumericColumns {
          followers; they are Theorem 1 (veerman.table1_theory). The other pair, TFREQ and TAMP, is what a simulation may have \
          given: TFREQ is nearer to the true frequency of N followers than to Theorem 1 in every row, but TAMP lies below the \
          true amplitude in every row, so neither column is correct to the digits it shows. By which procedure it came about \
-         is not established here."
+         is not established here; beyond.veerman.table1_reading has one that comes close."
     }
 
     fn printed(&self) -> NumericVariant {

@@ -1,6 +1,15 @@
 //! Figures and tables of the papers. One file and one row of [`FIGURES`] each: a name, what it shows, and the function that
 //! makes it. All of them are deterministic.
 
+mod veerman;
+mod veerman_fig1;
+mod veerman_fig2;
+mod veerman_fig3;
+mod veerman_fig4;
+mod veerman_fig5;
+mod veerman_observation;
+mod veerman_procedures;
+mod veerman_sweep;
 mod veerman_table1;
 
 use super::plot::{Picture, PictureError};
@@ -17,11 +26,29 @@ pub struct Figure {
 }
 
 /// All figures and tables, in the order in which `reproduce all` makes them.
-pub const FIGURES: &[Figure] = &[Figure {
-    name: "veerman.table1",
-    about: "the printed resonances beside certified ones",
-    make: veerman_table1::reproduce,
-}];
+pub const FIGURES: &[Figure] = &[
+    figure("veerman.table1", "the printed resonances beside certified ones", veerman_table1::reproduce),
+    figure(
+        "veerman.table1_readings",
+        "by which procedure its simulated columns come out",
+        veerman_procedures::reproduce,
+    ),
+    figure("veerman.fig1", "the response of the last car over the frequency", veerman_fig1::reproduce),
+    figure("veerman.fig2", "a flock behind a periodic leader, with collision check", veerman_fig2::reproduce),
+    figure("veerman.fig3", "a flock behind an abrupt leader, with collision check", veerman_fig3::reproduce),
+    figure("veerman.fig4", "resonance against the number of cars", veerman_fig4::reproduce),
+    figure("veerman.fig5", "differences from Theorem 1 and their regression lines", veerman_fig5::reproduce),
+    figure(
+        "veerman.observation_time",
+        "how the measured peak converges to the certified one",
+        veerman_observation::reproduce,
+    ),
+    figure("veerman.communication_sweep", "exploration: linear or exponential growth", veerman_sweep::reproduce),
+];
+
+const fn figure(name: &'static str, about: &'static str, make: fn() -> Result<Reproduced, CheckError>) -> Figure {
+    Figure { name, about, make }
+}
 
 impl Figure {
     /// The figure of that name; the paper may be left out where one figure only has the rest of the name.

@@ -205,8 +205,8 @@ impl Frame {
         if named.is_empty() {
             return;
         }
-        let widest = named.iter().map(|(s, _)| letters(&s.name)).max().unwrap_or(0) as f64;
-        let (width, height) = (44.0 + widest * 12.0 * 0.58, 18.0 * named.len() as f64 + 8.0);
+        let widest = named.iter().map(|(s, _)| width_of(&s.name)).fold(0.0, f64::max);
+        let (width, height) = (48.0 + 12.0 * widest, 18.0 * named.len() as f64 + 8.0);
         let place = |corner: Corner| match corner {
             Corner::UpperLeft => (self.left + 8.0, self.top + 8.0),
             Corner::UpperRight => (self.right - 8.0 - width, self.top + 8.0),
@@ -285,6 +285,18 @@ fn number(x: f64) -> String {
 /// Letters that are seen: the caret before an exponent is not.
 fn letters(text: &str) -> usize {
     text.chars().filter(|c| *c != '^').count()
+}
+
+/// About how wide a text is, in units of its size.
+fn width_of(text: &str) -> f64 {
+    let width = |c: char| match c {
+        'i' | 'j' | 'l' | 'I' | '.' | ',' | '\'' | '|' | ' ' => 0.32,
+        'f' | 'r' | 't' | '(' | ')' | '-' | ':' => 0.4,
+        'm' | 'w' | 'M' | 'W' => 0.93,
+        'A'..='Z' | '0'..='9' | '=' | '−' | '+' => 0.7,
+        _ => 0.6,
+    };
+    text.chars().map(width).sum()
 }
 
 fn escaped(text: &str) -> String {

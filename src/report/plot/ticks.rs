@@ -90,21 +90,26 @@ fn labels(ticks: &[f64], logarithmic: bool) -> Vec<(f64, String)> {
     let largest = ticks.iter().fold(0f64, |m, x| m.max(x.abs()));
     let smallest = ticks.iter().filter(|x| x.abs() > 1e-12 * largest).fold(f64::INFINITY, |m, x| m.min(x.abs()));
     let far = if logarithmic { largest > 2e4 || smallest < 1e-3 } else { !(1e-3..1e5).contains(&largest) };
-    ticks
-        .iter()
-        .map(|&x| (x, if far { scientific(x) } else { plain(x, if logarithmic { x } else { largest }, ticks) }))
-        .collect()
+    let decimals = |numbers: &[f64]| {
+        let exact = |places: &usize| {
+            let unit = 10f64.powi(*places as i32);
+            numbers.iter().all(|x| ((x * unit).round() - x * unit).abs() < 1e-6 * (x.abs() * unit).max(1e-3))
+        };
+        (0..8).find(exact).unwrap_or(8)
+    };
+    let common = decimals(ticks);
+    let label = |x: f64| match () {
+        () if far => scientific(x),
+        // On a logarithmic axis each label has its own decimals.
+        () if logarithmic => plain(x, decimals(&[x])),
+        () => plain(x, common),
+    };
+    ticks.iter().map(|&x| (x, label(x))).collect()
 }
 
-fn plain(x: f64, size: f64, ticks: &[f64]) -> String {
-    let decimals = (0..8usize).find(|d| {
-        let unit = 10f64.powi(*d as i32);
-        let whole = |t: f64| ((t * unit).round() - t * unit).abs() < 1e-6 * (size.abs() * unit).max(1e-3);
-        // On a logarithmic axis each label has its own decimals.
-        if size == x { whole(x) } else { ticks.iter().all(|t| whole(*t)) }
-    });
-    let text = format!("{:.*}", decimals.unwrap_or(8), x.abs());
-    if x < 0.0 && text.chars().any(|c| ('1'..='9').contains(&c)) { format!("−{text}") } else { text }
+fn plain(x: f64, decimals: usize) -> String {
+    let text = format!("{:.decimals$}", x.abs());
+    if x < 0.0 && text.contains(|c: char| ('1'..='9').contains(&c)) { format!("−{text}") } else { text }
 }
 
 /// A marker that the drawing turns into a raised exponent: `10^-3`.
