@@ -5,6 +5,7 @@ use flockproof::arithmetic::{Interval, decimals};
 use flockproof::graph::read::read_graph;
 use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::spectrum::{Eigenvalue, Method, Spectrum, matrix_spectrum, named_spectrum};
+use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
 use std::process::ExitCode;
@@ -90,7 +91,7 @@ fn document(graph: &str, kind: LaplacianKind, spectrum: &Spectrum, digits: u32) 
         "order": spectrum.order,
         "method": spectrum.method.name(),
         "reason": spectrum.reason,
-        "eigenvalues": spectrum.eigenvalues.iter().map(part).collect::<Vec<Value>>(),
+        "eigenvalues": spectrum.eigenvalues.par_iter().map(part).collect::<Vec<Value>>(),
     })
 }
 
@@ -106,9 +107,8 @@ fn table(graph: &str, kind: LaplacianKind, spectrum: &Spectrum, digits: u32) -> 
         text.push_str(&textwrap::fill(paragraph, 80));
         text.push('\n');
     }
-    for part in &spectrum.eigenvalues {
-        text.push_str(&line(part, digits));
-    }
+    let lines: Vec<String> = spectrum.eigenvalues.par_iter().map(|part| line(part, digits)).collect();
+    text.extend(lines);
     text
 }
 

@@ -1,7 +1,7 @@
 //! Rational combinations of roots of unity: the eigenvalues of circulants, paths and platoons. Compared exactly, enclosed
 //! at any precision.
 
-use crate::arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, rational};
+use crate::arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use std::collections::BTreeMap;
@@ -57,8 +57,16 @@ impl CyclotomicSum {
 
     /// Whether it is real.
     pub fn is_real(&self) -> bool {
+        let mirrored = |&(e, c): &(u64, i64)| self.coefficient((self.order - e) % self.order) == c;
+        if self.terms.iter().all(mirrored) {
+            return true;
+        }
         let conjugate = self.terms.iter().map(|&(e, c)| (self.order - e, -c));
         CyclotomicSum::new(self.order, 1, self.terms.iter().copied().chain(conjugate)).is_zero()
+    }
+
+    fn coefficient(&self, exponent: u64) -> i64 {
+        self.terms.binary_search_by_key(&exponent, |&(e, _)| e).map_or(0, |place| self.terms[place].1)
     }
 
     /// Its real part: half its sum with its conjugate.
@@ -86,10 +94,10 @@ impl CyclotomicSum {
     /// The number itself where it is rational, given an enclosure of its real part narrower than `1/denominator`.
     pub fn exact(&self, re: &Interval) -> Option<Rational> {
         // An algebraic integer over its denominator is rational only if it is an integer over it.
-        let denominator = Rational::from_integer(BigInt::from(self.denominator));
-        let (lo, hi) = re.to_rationals();
-        let (lo, hi) = ((lo * &denominator).ceil().to_integer(), (hi * &denominator).floor().to_integer());
-        (lo == hi && self.is_multiple(lo.to_i64()?)).then(|| Rational::from_integer(lo) / denominator)
+        let scaled = re.clone() * re.integer(self.denominator);
+        let (lo, hi) = (-scaled.lo().negated().floor(), scaled.hi().floor());
+        let exact = lo == hi && self.is_multiple(lo.to_i64()?);
+        exact.then(|| Rational::new(lo, BigInt::from(self.denominator)))
     }
 }
 

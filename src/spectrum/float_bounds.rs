@@ -11,7 +11,7 @@ pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
 pub(super) const SLACK: f64 = 1.0 + 1e-6;
 
 /// Largest and least size of numbers that are worked on, so that nothing over- or underflows on the way.
-const RANGE: (f64, f64) = (1e-100, 1e100);
+pub(super) const RANGE: std::ops::Range<f64> = 1e-100..1e100;
 
 /// Underflow in sums of fewer than `2^60` products, far below all that matters in [`RANGE`].
 pub(super) const UNDERFLOW: f64 = 1e-280;
@@ -25,7 +25,7 @@ pub(super) fn nearest(q: &Rational) -> Option<(f64, f64)> {
     }
     let exact = q.is_integer() && q.numer().bits() <= 53;
     // An ulp at least: no trust in the last bit of the conversion is needed.
-    (RANGE.0..RANGE.1).contains(&size).then_some((value, if exact { 0.0 } else { 4.0 * UNIT * size }))
+    RANGE.contains(&size).then_some((value, if exact { 0.0 } else { 4.0 * UNIT * size }))
 }
 
 /// `sign * sqrt(q)` for a non-negative rational in the same way.
@@ -33,7 +33,7 @@ pub(super) fn nearest_root(q: &Rational, sign: f64) -> Option<(f64, f64)> {
     let root = Interval::from_rational(&q.abs(), 64).sqrt().ok()?;
     let value = root.to_f64();
     // The enclosure has 64 bits, the float 53.
-    (RANGE.0..RANGE.1).contains(&value).then_some((sign * value, 4.0 * UNIT * value))
+    RANGE.contains(&value).then_some((sign * value, 4.0 * UNIT * value))
 }
 
 /// The Frobenius norm, rounded up; infinite where an entry is not finite.
