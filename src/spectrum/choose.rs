@@ -240,8 +240,9 @@ pub fn symmetric_enclosures(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>, Sp
 }
 
 fn similar_to_symmetric(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>, SpectrumError> {
-    let (floats, error) = symmetrised(matrix).ok_or(OUT_OF_RANGE)?;
-    symmetric_spectrum(floats.as_ref(), error).map_err(|_| SpectrumError::Unproved("the residuals are too large"))
+    let floats = symmetrised(matrix).ok_or(OUT_OF_RANGE)?;
+    symmetric_spectrum(&floats)
+        .ok_or(SpectrumError::Unproved("the reduction to a tridiagonal matrix is too inaccurate"))
 }
 
 pub(super) const OUT_OF_RANGE: SpectrumError = SpectrumError::Unproved("an entry lies outside 1e-100 to 1e100");

@@ -19,11 +19,13 @@
 //! polynomials for small orders. The reduced matrix of platoon2 is zero where `T_M(1 - x) = 0`, as in Lemma 2 of Veerman
 //! et al.
 
-use super::enclosed::order;
+use super::enclosed::{FloatEnclosure, order};
+use super::float_bounds::UNIT;
 use super::{CyclotomicSum, Eigenvalue, RootTable};
 use crate::arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, rational};
 use crate::graph::{LaplacianKind, NamedGraph};
 use num_bigint::BigInt;
+use num_traits::ToPrimitive;
 use rayon::prelude::*;
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -250,6 +252,33 @@ impl ClosedForm {
         let mut found: Vec<Eigenvalue> = enclosed.collect::<Result<_, _>>()?;
         found.par_sort_by(order);
         Ok(found)
+    }
+}
+
+impl ClosedForm {
+    /// All values in floats with proved bounds, by increasing real part: the fast way where 15 digits do.
+    pub fn floats(&self) -> Vec<FloatEnclosure> {
+        let float = |(value, multiplicity): &(ClosedValue, usize)| {
+            let (re, im, radius) = match value {
+                ClosedValue::Cyclotomic(sum) if sum.is_real() => {
+                    let (re, _, radius) = sum.to_floats();
+                    (re, 0.0, radius)
+                }
+                ClosedValue::Cyclotomic(sum) => sum.to_floats(),
+                ClosedValue::Rational(q) => {
+                    let value = q.to_f64().unwrap_or(f64::NAN);
+                    (value, 0.0, if q.is_integer() && value.abs() < 1e15 { 0.0 } else { 4.0 * UNIT * value.abs() })
+                }
+                ClosedValue::SquareRoot { sign, radicand } => {
+                    let value = (*radicand as f64).sqrt();
+                    (*sign as f64 * value, 0.0, 4.0 * UNIT * value)
+                }
+            };
+            FloatEnclosure { re, im, radius, multiplicity: *multiplicity }
+        };
+        let mut found: Vec<FloatEnclosure> = self.values.iter().map(float).collect();
+        found.sort_by(|a, b| a.re.total_cmp(&b.re).then_with(|| a.im.total_cmp(&b.im)));
+        found
     }
 }
 

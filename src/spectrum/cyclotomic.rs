@@ -1,6 +1,8 @@
 //! Rational combinations of roots of unity: the eigenvalues of circulants, paths and platoons. Compared exactly, enclosed
 //! at any precision.
 
+use super::float_bounds::{SLACK, UNIT};
+use super::turn::{CHORD_ERROR, ROOT_ERROR, chord, root_of_unity};
 use crate::arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
@@ -89,6 +91,25 @@ impl CyclotomicSum {
             sum = sum + roots.root(exponent).scale(&factor(coefficient));
         }
         sum.scale(&Interval::from_rational(&rational(1, self.denominator), roots.precision))
+    }
+
+    /// Real and imaginary part in floats, and a bound of the error of both. The real part is taken as the sum of the
+    /// coefficients less the sum of `c_j (1 - cos)`, so that small eigenvalues of Laplacians keep their digits.
+    pub fn to_floats(&self) -> (f64, f64, f64) {
+        let (n, denominator) = (self.order, self.denominator as f64);
+        let whole: i64 = self.terms.iter().map(|&(_, c)| c).sum();
+        let (mut re, mut im, mut chords, mut sines) = (0.0, 0.0, 0.0, 0.0);
+        for &(e, c) in self.terms.iter().filter(|&&(e, _)| e != 0) {
+            let (c, lack) = (c as f64, chord(e.min(n - e) as f64, n as f64));
+            let sine = root_of_unity(e, n).1;
+            (re, im) = (re + c * lack, im + c * sine);
+            (chords, sines) = (chords + (c * lack).abs(), sines + (c * sine).abs());
+        }
+        let terms = self.terms.len() as f64 + 3.0;
+        let real = (whole as f64 - re) / denominator;
+        let radius_re = (CHORD_ERROR + terms * UNIT) * chords / denominator.abs() + 3.0 * UNIT * real.abs();
+        let radius_im = (ROOT_ERROR + terms * UNIT) * sines / denominator.abs();
+        (real, im / denominator, f64::max(radius_re, radius_im) * SLACK)
     }
 
     /// The number itself where it is rational, given an enclosure of its real part narrower than `1/denominator`.

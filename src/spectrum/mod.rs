@@ -16,6 +16,7 @@ mod fourier;
 mod general;
 mod polynomial;
 mod recurrence;
+mod schur;
 mod smith;
 mod stability;
 mod symmetric;
@@ -29,7 +30,8 @@ pub use choose::{
 pub use circulant::{Circulant, CirculantSpectrum};
 pub use closed_form::{ClosedForm, ClosedValue, closed_form};
 pub use cyclotomic::{CyclotomicSum, RootTable};
-pub use enclosed::{Eigenvalue, Method, Spectrum};
+pub use enclosed::{Eigenvalue, FloatEnclosure, Method, Spectrum};
 pub use exact::real_spectrum;
 pub use polynomial::{Polynomial, RealRoot};
 pub use recurrence::{Eventual, Leading, Recurrence, RecurrenceError};
+pub use tridiagonal::tridiagonal_eigenvalues;

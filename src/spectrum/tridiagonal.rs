@@ -10,8 +10,8 @@
 use super::block::symmetric_entry;
 use super::choose::OUT_OF_RANGE;
 use super::enclosed::merged;
-use super::float_bounds::{SLACK, UNIT, around, nearest};
-use super::{Eigenvalue, SpectrumError};
+use super::float_bounds::{RANGE, SLACK, UNIT, around, nearest};
+use super::{Eigenvalue, FloatEnclosure, SpectrumError};
 use crate::matrix::SparseMatrix;
 use rayon::prelude::*;
 
@@ -27,9 +27,10 @@ const LANES: usize = 8;
 /// Doublings of the radius before an enclosure is given up.
 const MOST_DOUBLINGS: usize = 60;
 
-struct Tridiagonal {
+/// A symmetric tridiagonal matrix, known up to `spread`.
+pub(super) struct Tridiagonal {
     diagonal: Vec<f64>,
-    /// `a_{i,i+1} a_{i+1,i}`, rounded.
+    /// Products of opposite entries, `b²`, rounded.
     squares: Vec<f64>,
     /// How far an eigenvalue that is counted may be from one of the matrix that was given.
     spread: f64,
@@ -41,36 +42,28 @@ struct Tridiagonal {
 /// # Errors
 /// [`SpectrumError::Unproved`].
 pub(super) fn tridiagonal_spectrum(a: &SparseMatrix, order: &[usize]) -> Result<Vec<Eigenvalue>, SpectrumError> {
-    let matrix = Tridiagonal::new(a, order).ok_or(OUT_OF_RANGE)?;
-    let unproved = SpectrumError::Unproved("the iteration for a tridiagonal matrix did not converge");
-    let mut values = matrix.approximate().ok_or_else(|| unproved.clone())?;
-    values.sort_by(f64::total_cmp);
-    let size = matrix.diagonal.iter().chain(&values).fold(0.0, |most: f64, x| most.max(x.abs()));
-    let first = 16.0 * UNIT * size + matrix.spread;
-    // The ends `value +- radius` are rounded.
-    let rounding = 2.0 * UNIT * (size + first);
-    let places: Vec<usize> = (0..values.len()).collect();
-    // Each half of the lanes holds the lower and the upper ends of as many eigenvalues.
-    let radii = places.par_chunks(LANES / 2).map(|chunk| {
-        let end = |lane: usize| {
-            let k = chunk[(lane / 2).min(chunk.len() - 1)];
-            if lane.is_multiple_of(2) { values[k] - first } else { values[k] + first }
-        };
-        let counts = matrix.counts(std::array::from_fn(end));
-        let radius = |(slot, &k): (usize, &usize)| {
-            let proved = counts[2 * slot] <= k && counts[2 * slot + 1] > k;
-            if proved { Some(first + rounding) } else { matrix.radius(values[k], k, first) }
-        };
-        chunk.iter().enumerate().map(radius).collect::<Option<Vec<f64>>>()
-    });
-    let radii: Option<Vec<Vec<f64>>> = radii.collect();
-    let radii = radii.ok_or_else(|| unproved.clone())?;
-    let part = |(&value, radius): (&f64, f64)| {
-        Some(Eigenvalue::real(around(value, ((radius + matrix.spread) * SLACK).next_up())?, 1))
-    };
-    let parts = values.iter().zip(radii.into_iter().flatten()).map(part).collect::<Option<Vec<_>>>();
-    Ok(merged(parts.ok_or(unproved)?))
+    let found = Tridiagonal::new(a, order).ok_or(OUT_OF_RANGE)?.eigenvalues().ok_or(UNPROVED)?;
+    let part = |(value, radius): (f64, f64)| Some(Eigenvalue::real(around(value, radius)?, 1));
+    Ok(merged(found.into_iter().map(part).collect::<Option<Vec<_>>>().ok_or(UNPROVED)?))
 }
+
+/// The eigenvalues, in order, of the symmetric tridiagonal matrix with this diagonal and these entries beside it, each
+/// with a proved bound.
+///
+/// # Errors
+/// [`SpectrumError::Unproved`] where a number other than zero lies outside 1e-100 to 1e100, or `beside` is not one shorter.
+pub fn tridiagonal_eigenvalues(diagonal: &[f64], beside: &[f64]) -> Result<Vec<FloatEnclosure>, SpectrumError> {
+    if diagonal.len() != beside.len() + 1 {
+        return Err(SpectrumError::Unproved("the side of a tridiagonal matrix is one shorter than its diagonal"));
+    }
+    if !diagonal.iter().chain(beside).all(|x| *x == 0.0 || RANGE.contains(&x.abs())) {
+        return Err(OUT_OF_RANGE);
+    }
+    let found = Tridiagonal::from_floats(diagonal.to_vec(), beside).eigenvalues().ok_or(UNPROVED)?;
+    Ok(found.into_iter().map(|(re, radius)| FloatEnclosure { re, im: 0.0, radius, multiplicity: 1 }).collect())
+}
+
+const UNPROVED: SpectrumError = SpectrumError::Unproved("the iteration for a tridiagonal matrix did not converge");
 
 impl Tridiagonal {
     fn new(a: &SparseMatrix, order: &[usize]) -> Option<Self> {
@@ -81,6 +74,41 @@ impl Tridiagonal {
         let largest = squares.iter().fold(0.0, |most: f64, &x| most.max(x)).sqrt();
         let spread = (error + 14.0 * UNIT * largest) * SLACK + REPLACED;
         Some(Tridiagonal { diagonal: diagonal.into_iter().map(|(x, _)| x).collect(), squares, spread })
+    }
+
+    /// The matrix with this diagonal and these entries beside it, exactly.
+    pub(super) fn from_floats(diagonal: Vec<f64>, beside: &[f64]) -> Self {
+        let largest = beside.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        // A square below the range of floats hides an entry below 1e-150.
+        let spread = 14.0 * UNIT * largest * SLACK + 1e-150;
+        Tridiagonal { diagonal, squares: beside.iter().map(|b| b * b).collect(), spread }
+    }
+
+    /// The eigenvalues in order, each with a bound of its error; `None` where none could be proved.
+    pub(super) fn eigenvalues(&self) -> Option<Vec<(f64, f64)>> {
+        let mut values = self.approximate()?;
+        values.sort_by(f64::total_cmp);
+        let size = self.diagonal.iter().chain(&values).fold(0.0, |most: f64, x| most.max(x.abs()));
+        let first = 16.0 * UNIT * size + self.spread;
+        // The ends `value +- radius` are rounded.
+        let rounding = 2.0 * UNIT * (size + first);
+        let places: Vec<usize> = (0..values.len()).collect();
+        // Each half of the lanes holds the lower and the upper ends of as many eigenvalues.
+        let radii = places.par_chunks(LANES / 2).map(|chunk| {
+            let end = |lane: usize| {
+                let k = chunk[(lane / 2).min(chunk.len() - 1)];
+                if lane.is_multiple_of(2) { values[k] - first } else { values[k] + first }
+            };
+            let counts = self.counts(std::array::from_fn(end));
+            let radius = |(slot, &k): (usize, &usize)| {
+                let proved = counts[2 * slot] <= k && counts[2 * slot + 1] > k;
+                if proved { Some(first + rounding) } else { self.radius(values[k], k, first) }
+            };
+            chunk.iter().enumerate().map(radius).collect::<Option<Vec<f64>>>()
+        });
+        let radii: Vec<Vec<f64>> = radii.collect::<Option<_>>()?;
+        let whole = |radius: f64| ((radius + self.spread) * SLACK).next_up();
+        Some(values.into_iter().zip(radii.into_iter().flatten().map(whole)).collect())
     }
 
     /// The numbers of eigenvalues below each shift, for a matrix within `spread`.
