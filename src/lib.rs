@@ -16,6 +16,7 @@ pub mod matrix;
 pub mod oscillator;
 pub mod platoon;
 pub mod report;
+pub mod simulate;
 pub mod spectrum;
 
 /// The example of the page on claims of one's own, compiled and run.

@@ -1,12 +1,13 @@
 //! Matrices that are far from having a basis of eigenvectors: a bound from Schur's triangular form.
 //!
-//! **Theorem** (Henrici 1962). Let `AZ = ZT + E` with `T` upper triangular, `‖ZᴴZ - I‖ <= ε < 1`, `‖E‖ <= ρ`, `δ = ρ/(1 - ε)`, and let `ν` be a bound of
-//! the norm of `T` without its diagonal. If `δ sum_(k < n) ν^k/r^(k+1) < 1`, all eigenvalues of `A` lie in the discs of radius
-//! `r` around the diagonal entries of `T`; a set of `k` discs that meet no other one holds exactly `k` of them.
+//! **Theorem** (after Henrici 1962). Let `AZ = ZT + E` with `T = D + N`, `D` diagonal and `N` strictly upper triangular, `‖ZᴴZ - I‖ <= ε < 1`,
+//! `‖E‖ <= ρ` and `δ = ρ/(1 - ε)`. If `δ ‖(r - |N|)⁻¹‖ < 1`, with the moduli of the entries in `|N|`, all eigenvalues of `A` lie in the
+//! discs of radius `r` around the diagonal entries of `T`; a set of `k` discs that meet no other one holds exactly `k` of them.
 //!
 //! *Proof.* `Z` is regular with `‖Z⁻¹‖ <= 1/(1 - ε)`, so `A` is similar to `T + Δ`, `‖Δ‖ <= δ`. If `λ` is further than `r` from all
-//! diagonal entries, `λ - T = D - N` with `‖D⁻¹‖ < 1/r` and `(D⁻¹N)ⁿ = 0`, so `‖(λ - T)⁻¹‖ <= sum_(k < n) ν^k/r^(k+1) < 1/δ`, and `λ - T - tΔ` is
-//! regular for `0 <= t <= 1`. No eigenvalue of `T + tΔ` leaves the discs, and they move continuously with `t`. ∎
+//! diagonal entries, `(λ - T)⁻¹ = sum_k ((λ - D)⁻¹ N)^k (λ - D)⁻¹`, a finite sum whose entries are at most those of
+//! `sum_k |N|^k/r^(k+1) = (r - |N|)⁻¹` in modulus. So `λ - T - tΔ` is regular for `0 <= t <= 1`: no eigenvalue of `T + tΔ` leaves the
+//! discs, and they move continuously with `t`. ∎
 //!
 //! For one Jordan block `r` is of the size `δ^(1/n)`: wide, but so is what a change of the last bit of `A` can do.
 
@@ -50,8 +51,11 @@ pub(super) fn triangular_spectrum(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
         return None;
     }
     let delta = ((residual + meant) / (1.0 - departure) + UNDERFLOW) * SLACK;
-    let above = DMatrix::from_fn(order, order, |i, j| if i < j { t[(i, j)] } else { Complex::new(0.0, 0.0) });
-    let radius = radius(order, norm(&above), delta)? * SLACK;
+    let above = DMatrix::from_fn(order, order, |i, j| {
+        let z = t[(i, j)];
+        if i < j { (z.re * z.re + z.im * z.im).sqrt() + 1e-150 } else { 0.0 }
+    });
+    let radius = radius(&above, delta)? * SLACK;
     let disc = |i: usize| {
         let centre = t[(i, i)];
         Some(Eigenvalue {
@@ -64,14 +68,24 @@ pub(super) fn triangular_spectrum(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
     (0..order).map(disc).collect()
 }
 
-/// A radius with `δ sum_(k < n) ν^k/r^(k+1) < 1`, nearly the least one.
-fn radius(order: usize, nu: f64, delta: f64) -> Option<f64> {
+/// A radius with `δ ‖(r - N)⁻¹‖ < 1` for a strictly upper triangular matrix without negative entries, nearly the least one.
+/// The inverse has no negative entries, so its row and column sums are found by substitution without cancellation; the norm is at
+/// most the root of the product of the largest ones.
+fn radius(above: &DMatrix<f64>, delta: f64) -> Option<f64> {
+    let order = above.nrows();
     let enough = |r: f64| {
-        let sum = (0..order).fold(0.0, |sum, _| sum * (nu / r) + 1.0);
-        delta / r * sum * SLACK < 1.0
+        let (mut rows, mut columns) = (vec![0.0; order], vec![0.0; order]);
+        for k in (0..order).rev() {
+            rows[k] = (1.0 + (k + 1..order).map(|j| above[(k, j)] * rows[j]).sum::<f64>()) / r;
+        }
+        for k in 0..order {
+            columns[k] = (1.0 + (0..k).map(|i| above[(i, k)] * columns[i]).sum::<f64>()) / r;
+        }
+        let largest = |sums: &[f64]| sums.iter().fold(0.0, |most: f64, x| most.max(*x));
+        delta * largest(&rows).sqrt() * largest(&columns).sqrt() * SLACK < 1.0
     };
-    // At 2 (ν + δ) the sum is below 2.
-    let (mut low, mut high) = (delta, 2.0 * (nu + delta) * SLACK);
+    let sum: f64 = above.iter().sum();
+    let (mut low, mut high) = (delta, 2.0 * (sum + delta) * SLACK);
     if !enough(high) {
         return None;
     }
