@@ -39,7 +39,7 @@ pub fn next_crossing(
     until: f64,
     mut event: impl FnMut(f64, &[f64]) -> f64,
 ) -> Result<Option<Crossing>, IntegrationError> {
-    // The sign on the way; none as long as the function has not left zero.
+    // The sign on the way; none before the first step, and as long as the function stays at zero.
     let start = event(solution.time(), solution.state());
     let mut sign = None;
     let mut first = true;
@@ -50,14 +50,17 @@ pub fn next_crossing(
         let values: Vec<f64> =
             (0..=PARTS).map(|k| time(k)).map(|t| event(t, &solution.interpolate(field, t))).collect();
         let size = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        if first && start.abs() > 1e-12 * size {
-            sign = Some(start > 0.0);
+        if std::mem::take(&mut first) {
+            // At a zero, the sign just after it.
+            let after = from + (time(1) - from) * 1e-6;
+            let mut later = || event(after, &solution.interpolate(field, after)) - start;
+            let value = if start.abs() > 1e-12 * size { start } else { later() };
+            sign = (value != 0.0).then_some(value > 0.0);
         }
-        first = false;
         for k in 0..PARTS {
             let (a, b) = (time(k), time(k + 1));
             let Some(positive) = sign else {
-                // Leaving zero: the next sign counts from the end of the part.
+                // Still at zero: the next sign counts from the end of the part.
                 sign = (values[k + 1] != 0.0).then_some(values[k + 1] > 0.0);
                 continue;
             };

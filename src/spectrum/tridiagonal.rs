@@ -1,5 +1,5 @@
-//! Tridiagonal matrices with positive products of opposite entries (weighted paths, platoons): eigenvalues by implicit QL,
-//! enclosed by counting negative pivots.
+//! Tridiagonal matrices with positive products of opposite entries (weighted paths, platoons): eigenvalues by Laguerre's
+//! iteration, enclosed by counting negative pivots.
 //!
 //! **Counts in floating point.** The pivots `q_i = (a_i - x) - b²_{i-1}/q_{i-1}` computed with rounding have the signs of the
 //! exact pivots of a matrix whose `b²` differ by factors of four roundings each: divide `q_i` by the factors of its two
@@ -113,18 +113,7 @@ impl Tridiagonal {
 
     /// The numbers of eigenvalues below each shift, for a matrix within `spread`.
     fn counts(&self, shifts: [f64; LANES]) -> [usize; LANES] {
-        let mut counts = [0usize; LANES];
-        let mut pivots = [1.0f64; LANES];
-        let mut square = 0.0;
-        for (i, &a) in self.diagonal.iter().enumerate() {
-            for lane in 0..LANES {
-                let pivot = (a - shifts[lane]) - square / pivots[lane];
-                pivots[lane] = if pivot.abs() < LEAST_PIVOT { -LEAST_PIVOT } else { pivot };
-                counts[lane] += usize::from(pivots[lane] < 0.0);
-            }
-            square = self.squares.get(i).copied().unwrap_or(0.0);
-        }
-        counts
+        pulp::Arch::new().dispatch(Counts { matrix: self, shifts }).map(|count| count as usize)
     }
 
     /// A radius around a value that the counts prove to hold eigenvalue `k`.
@@ -142,52 +131,177 @@ impl Tridiagonal {
         None
     }
 
-    /// The eigenvalues by implicit QL with Wilkinson's shift (Bowdler, Martin, Reinsch and Wilkinson 1968): no promise.
+    /// The eigenvalues in order, nearly: brackets from counts on a grid, then Laguerre's iteration where the next root is the one
+    /// that is sought, and bisection elsewhere (Li and Zeng 1994). No promise.
     fn approximate(&self) -> Option<Vec<f64>> {
-        const MOST_STEPS: usize = 60;
-        let mut d = self.diagonal.clone();
-        let mut e: Vec<f64> = self.squares.iter().map(|x| x.sqrt()).chain([0.0]).collect();
-        let order = d.len();
-        for l in 0..order {
-            for step in 0.. {
-                let small = |m: usize| e[m].abs() <= UNIT * (d[m].abs() + d[m + 1].abs());
-                let m = (l..order - 1).find(|&m| small(m)).unwrap_or(order - 1);
-                if m == l {
-                    break;
+        let order = self.diagonal.len();
+        let beside = |i: usize| self.squares.get(i).map_or(0.0, |b| b.sqrt());
+        let reach = |i: usize| beside(i) + if i > 0 { beside(i - 1) } else { 0.0 };
+        let least = (0..order).map(|i| self.diagonal[i] - reach(i)).fold(f64::INFINITY, f64::min);
+        let most = (0..order).map(|i| self.diagonal[i] + reach(i)).fold(f64::NEG_INFINITY, f64::max);
+        let size = least.abs().max(most.abs());
+        if !size.is_finite() {
+            return None;
+        }
+        let (least, most) = (least - 8.0 * UNIT * size - REPLACED, most + 8.0 * UNIT * size + REPLACED);
+        let shifts: Vec<f64> = (0..=order).map(|k| least + (most - least) * (k as f64 / order as f64)).collect();
+        let chunks = shifts.par_chunks(LANES);
+        let counted = chunks.flat_map_iter(|chunk| self.counts(std::array::from_fn(|k| chunk[k.min(chunk.len() - 1)])));
+        let mut counts: Vec<usize> = counted.collect();
+        counts.truncate(order + 1);
+        let mut searches: Vec<Search> = (0..order)
+            .map(|k| {
+                let above = counts.partition_point(|&count| count <= k).clamp(1, order);
+                Search::new(k, shifts[above - 1], shifts[above])
+            })
+            .collect();
+        let mut active: Vec<usize> = (0..order).collect();
+        for _ in 0..MOST_ROUNDS {
+            let moved: Vec<(usize, Search)> = active
+                .par_chunks(LANES)
+                .flat_map_iter(|chunk| {
+                    let at = std::array::from_fn(|lane| searches[chunk[lane.min(chunk.len() - 1)]].x);
+                    let found = pulp::Arch::new().dispatch(Logarithm { matrix: self, shifts: at });
+                    let next = |(lane, &k): (usize, &usize)| (k, searches[k].next(found.at(lane), order as f64, size));
+                    chunk.iter().enumerate().map(next).collect::<Vec<_>>()
+                })
+                .collect();
+            active.clear();
+            for (k, search) in moved {
+                searches[k] = search;
+                if !search.done {
+                    active.push(k);
                 }
-                if step == MOST_STEPS {
-                    return None;
-                }
-                sweep(&mut d, &mut e, l, m);
+            }
+            if active.is_empty() {
+                break;
             }
         }
-        d.iter().all(|x| x.is_finite()).then_some(d)
+        Some(searches.into_iter().map(|search| search.x).collect())
     }
 }
 
-/// One sweep on the rows `l..=m`.
-fn sweep(d: &mut [f64], e: &mut [f64], l: usize, m: usize) {
-    let slope = (d[l + 1] - d[l]) / (2.0 * e[l]);
-    let root = (slope * slope + 1.0).sqrt();
-    let mut g = d[m] - d[l] + e[l] / (slope + root.copysign(slope));
-    let (mut sin, mut cos, mut p) = (1.0, 1.0, 0.0);
-    for i in (l..m).rev() {
-        let (f, b) = (sin * e[i], cos * e[i]);
-        let r = (f * f + g * g).sqrt();
-        e[i + 1] = r;
-        if r == 0.0 {
-            d[i + 1] -= p;
-            e[m] = 0.0;
-            return;
-        }
-        (sin, cos) = (f / r, g / r);
-        g = d[i + 1] - p;
-        let t = (d[i] - g) * sin + 2.0 * cos * b;
-        p = sin * t;
-        d[i + 1] = g + p;
-        g = cos * t - b;
+/// Rounds of the iteration; bisection alone would need about as many.
+const MOST_ROUNDS: usize = 120;
+
+/// The search for one eigenvalue.
+#[derive(Debug, Clone, Copy)]
+struct Search {
+    /// Which one, from 0.
+    k: usize,
+    lo: f64,
+    hi: f64,
+    /// Where the matrix is looked at next.
+    x: f64,
+    done: bool,
+}
+
+impl Search {
+    fn new(k: usize, lo: f64, hi: f64) -> Self {
+        Search { k, lo, hi, x: lo.midpoint(hi), done: false }
     }
-    d[l] -= p;
-    e[l] = g;
-    e[m] = 0.0;
+
+    /// The search after a look at `x`.
+    fn next(mut self, look: Look, order: f64, size: f64) -> Self {
+        if look.below <= self.k {
+            self.lo = self.lo.max(self.x);
+        } else {
+            self.hi = self.hi.min(self.x);
+        }
+        // The next root to the right is the one sought, or the next one to the left.
+        let towards = if look.below == self.k { 1.0 } else { -1.0 };
+        let middle = self.lo.midpoint(self.hi);
+        let spread = ((order - 1.0) * (order * look.squares - look.sum * look.sum)).max(0.0).sqrt();
+        let target = self.x + order / (look.sum + towards * spread);
+        let adjacent = look.below == self.k || look.below == self.k + 1;
+        // Rounding may send a converged iterate to the wrong side.
+        let step = target - self.x;
+        let small = step.abs() <= 2.0 * UNIT * size;
+        if adjacent && (small || (self.lo < target && target < self.hi)) {
+            self.done = small;
+            self.x = target;
+        } else {
+            self.done = self.hi - self.lo <= 2.0 * UNIT * size;
+            self.x = middle;
+        }
+        self
+    }
+}
+
+/// What is seen of the characteristic polynomial at some places: `sum 1/(λ - x)`, `sum 1/(λ - x)²`, and how many `λ` are below.
+struct Looks {
+    below: [u64; LANES],
+    sums: [f64; LANES],
+    squares: [f64; LANES],
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Look {
+    below: usize,
+    sum: f64,
+    squares: f64,
+}
+
+impl Looks {
+    fn at(&self, lane: usize) -> Look {
+        Look { below: self.below[lane] as usize, sum: self.sums[lane], squares: self.squares[lane] }
+    }
+}
+
+/// The logarithmic derivatives of the characteristic polynomial, the product of the pivots `q`: with `r = 1/q`, `u = q'r` and
+/// `v = q''r`, the next pivot has `q' = -1 + b² r u` and `q'' = b² r (v - 2u²)`.
+struct Logarithm<'a> {
+    matrix: &'a Tridiagonal,
+    shifts: [f64; LANES],
+}
+
+impl pulp::WithSimd for Logarithm<'_> {
+    type Output = Looks;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Looks {
+        let mut looks = Looks { below: [0; LANES], sums: [0.0; LANES], squares: [0.0; LANES] };
+        let (mut r, mut u, mut v) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let squares = std::iter::once(&0.0).chain(&self.matrix.squares);
+        for (&a, &square) in self.matrix.diagonal.iter().zip(squares) {
+            for lane in 0..LANES {
+                let weight = square * r[lane];
+                let pivot = (a - self.shifts[lane]) - weight;
+                let pivot = if pivot.abs() < LEAST_PIVOT { -LEAST_PIVOT } else { pivot };
+                let inverse = 1.0 / pivot;
+                let slope = (weight * u[lane] - 1.0) * inverse;
+                let bend = (weight * (v[lane] - 2.0 * u[lane] * u[lane])) * inverse;
+                (r[lane], u[lane], v[lane]) = (inverse, slope, bend);
+                looks.sums[lane] -= slope;
+                looks.squares[lane] += slope * slope - bend;
+                looks.below[lane] += u64::from(pivot < 0.0);
+            }
+        }
+        looks
+    }
+}
+
+/// The numbers of negative pivots.
+struct Counts<'a> {
+    matrix: &'a Tridiagonal,
+    shifts: [f64; LANES],
+}
+
+impl pulp::WithSimd for Counts<'_> {
+    type Output = [u64; LANES];
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> [u64; LANES] {
+        let mut counts = [0; LANES];
+        let mut pivots = [1.0f64; LANES];
+        let squares = std::iter::once(&0.0).chain(&self.matrix.squares);
+        for (&a, &square) in self.matrix.diagonal.iter().zip(squares) {
+            for lane in 0..LANES {
+                let pivot = (a - self.shifts[lane]) - square / pivots[lane];
+                pivots[lane] = if pivot.abs() < LEAST_PIVOT { -LEAST_PIVOT } else { pivot };
+                counts[lane] += u64::from(pivots[lane] < 0.0);
+            }
+        }
+        counts
+    }
 }
