@@ -7,8 +7,8 @@ mod one_sided_peak;
 mod paley_circulant;
 mod phases;
 mod smallest_entries;
-mod tanner;
 mod table1_reading;
+mod tanner;
 mod tower;
 mod virtual_origins;
 

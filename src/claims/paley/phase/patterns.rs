@@ -2,7 +2,7 @@
 
 use super::common::{Exact, at, holds, turns, up_to_rotation};
 use crate::arithmetic::{CosineField, Rational, Ring, Sign, Signed, rational};
-use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use crate::ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
 use crate::oscillator::{clusters_of_pattern, moment, pattern_potential, symmetric_pattern};
 
 fn pattern(clusters: u32, particles: u32) -> Result<Exact, CheckError> {
@@ -32,18 +32,28 @@ impl Claim for TwoPatterns {
     }
 
     fn derivation(&self) -> &str {
-        "1 and N divide N and differ for N >= 2, the range the paper gives for its goals; one particle has one pattern, both synchronised and splay (a control). A \
-         prime N has no third pattern."
+        "1 and N divide N and differ for N >= 2. The sentence says \"for any N\": one particle has one pattern, both synchronised and splay. A prime N has no third \
+         pattern."
     }
 
     fn printed(&self) -> TwoVariant {
-        TwoVariant { least: 2, count: 2 }
+        TwoVariant { least: 1, count: 2 }
+    }
+
+    fn repair(&self) -> Option<Repair<TwoVariant>> {
+        Some(Repair {
+            fault: Fault::Misprint,
+            statement:
+                "For any N >= 2 there exist at least two symmetric patterns, the (1,N)-pattern and the (N,N)-pattern."
+                    .to_string(),
+            variant: TwoVariant { least: 2, count: 2 },
+        })
     }
 
     fn controls(&self) -> Vec<Control<TwoVariant>> {
         vec![
-            Control::new("N = 1 too", TwoVariant { least: 1, count: 2 }),
             Control::new("at least three", TwoVariant { least: 2, count: 3 }),
+            Control::new("at least three from N = 4 on", TwoVariant { least: 4, count: 3 }),
         ]
     }
 
