@@ -5,19 +5,19 @@ use super::observe::{Extreme, largest};
 use super::{CommunicationGraph, Gains};
 use crate::arithmetic::ArithmeticError;
 
-/// Sizes stop growing once the peak is beyond this: by then it is clear, and rounding has not eaten the numbers.
+/// Sizes stop growing once the peak is beyond this.
 pub const LARGEST_PEAK: f64 = 1e6;
 
-/// What the peaks of sizes that double look like.
+/// What the peaks of growing sizes look like, by their local exponents `ln(peak ratio)/ln(size ratio)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Growth {
-    /// They double: both of the last two exponents are within 0.05 of 1.
+    /// The last two exponents are within 0.05 of 1.
     Linear,
-    /// They grow like another power: the last two exponents agree within 0.05. Power 0: they stay bounded.
+    /// The last two exponents agree within 0.05 otherwise. Power 0: the peaks stay bounded.
     Power(f64),
-    /// They exceed [`LARGEST_PEAK`], or the exponent grows by half or more with each of the last two doublings.
+    /// The last exponent is at least one and a half times the last but two.
     Exponential,
-    /// None of these.
+    /// None of these, or fewer than three exponents.
     Undecided,
 }
 
@@ -32,18 +32,15 @@ impl Growth {
         }
     }
 
-    /// Classifies the peaks of sizes that double.
-    pub fn of(peaks: &[f64]) -> Self {
-        if peaks.iter().any(|peak| *peak > LARGEST_PEAK) {
-            return Growth::Exponential;
-        }
-        let exponents: Vec<f64> = peaks.windows(2).map(|pair| (pair[1] / pair[0]).log2()).collect();
-        let [.., before, last] = exponents[..] else { return Growth::Undecided };
+    /// Classifies peaks given with their sizes. Over three exponents the sizes should double.
+    pub fn of(peaks: &[(f64, f64)]) -> Self {
+        let exponents: Vec<f64> = peaks.windows(2).map(|p| (p[1].1 / p[0].1).ln() / (p[1].0 / p[0].0).ln()).collect();
+        let [.., first, before, last] = exponents[..] else { return Growth::Undecided };
         let near = |a: f64, b: f64| (a - b).abs() < 0.05;
         match () {
             () if near(before, 1.0) && near(last, 1.0) => Growth::Linear,
             () if near(before, last) => Growth::Power(last),
-            () if last > 1.5 * before && before > 0.05 => Growth::Exponential,
+            () if first > 0.05 && last >= 1.5 * first => Growth::Exponential,
             () => Growth::Undecided,
         }
     }
@@ -54,22 +51,21 @@ impl Growth {
 /// Candidates are refined by golden sections: around the frequency of the slowest mode, `sqrt(|f| lambda)`, in steps of a quarter
 /// of its width, and around the best three local maxima of a grid of 48 frequencies per factor of 10.
 ///
-/// Where the eigenvalue of the slowest mode cannot be told from 0 in floating point (below `1e-13`), the peak is not searched for: the
-/// resonance of that mode alone, `sqrt|f|/(|g| sqrt(lambda))`, stands for it, with `1e-13` for `lambda`. It exceeds [`LARGEST_PEAK`] for
-/// `|g| < 3 sqrt|f|`.
+/// `None` where the eigenvalue `lambda` of the slowest mode is below `1e-9`: rounding shifts it by some `1e-16`, which must be far less than the
+/// width `lambda^(3/2)` of its resonance, or that is missed.
 ///
 /// # Errors
 /// [`ArithmeticError`] where the response does not exist.
-pub fn peak(graph: &CommunicationGraph, gains: &Gains<f64>) -> Result<Extreme, ArithmeticError> {
+pub fn peak(graph: &CommunicationGraph, gains: &Gains<f64>) -> Result<Option<Extreme>, ArithmeticError> {
     let platoon = BandedPlatoon::new(graph);
     let response = |w: f64| platoon.largest_amplitude(gains, w);
     let (root, damping) = (gains.f.abs().sqrt(), gains.g.abs() / gains.f.abs().sqrt());
-    const ROUNDING: f64 = 1e-13;
-    let (eigenvalue, change) = platoon.smallest_eigenvalue().unwrap_or((0.0, 0.0));
-    let slow = root * eigenvalue.max(ROUNDING).sqrt();
-    if eigenvalue < ROUNDING {
-        return Ok(Extreme { value: root / (damping * slow), at: slow });
-    }
+    const SMALLEST_EIGENVALUE: f64 = 1e-9;
+    let Some((eigenvalue, change)) = platoon.smallest_eigenvalue().ok().filter(|(l, _)| *l >= SMALLEST_EIGENVALUE)
+    else {
+        return Ok(None);
+    };
+    let slow = root * eigenvalue.sqrt();
     // Relative half-width of the resonance of that mode; a mode that is not settled is looked for in a wider range.
     let width = 0.5 * damping * eigenvalue.sqrt();
     let steps = if change < 1e-9 { 24 } else { 200 };
@@ -88,5 +84,5 @@ pub fn peak(graph: &CommunicationGraph, gains: &Gains<f64>) -> Result<Extreme, A
             best = found;
         }
     }
-    Ok(best)
+    Ok(Some(best))
 }
