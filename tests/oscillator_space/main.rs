@@ -2,4 +2,3 @@
 
 mod laws;
 mod networks;
-mod probe;

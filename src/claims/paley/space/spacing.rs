@@ -351,8 +351,7 @@ fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcom
     if !matches!(returns, Outcome::Holds(_)) {
         return Ok(returns);
     }
-    let potential = [examine_proper(&ProperVariant::PRINTED, run), examine_descent(&DescentVariant::PRINTED, run)];
-    Run::all([Ok(limits), Ok(returns)].into_iter().chain(potential))
+    Run::all([Ok(limits), Ok(returns)])
 }
 
 /// Whether all that is no symmetry and no phase decays near circular formations.
@@ -420,7 +419,12 @@ impl Claim for Theorem2 {
     }
 
     fn examine(&self, variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_convergence(variant, run)
+        let limit = examine_convergence(variant, run)?;
+        if !matches!(limit, Outcome::Holds(_)) {
+            return Ok(limit);
+        }
+        let proper = examine_proper(&ProperVariant::PRINTED, run);
+        Run::all([Ok(limit), proper, examine_descent(&DescentVariant::PRINTED, run)])
     }
 }
 
