@@ -5,6 +5,7 @@
 //! `s = |r_ij|²`, where a statement needs more than symmetry.
 
 mod fields;
+mod figures;
 mod line;
 mod sets;
 mod turning;
@@ -33,6 +34,8 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(line::distances()),
         Box::new(line::headings()),
         Box::new(line::cases()),
+        Box::new(figures::complete()),
+        Box::new(figures::incomplete()),
         Box::new(sets::eq2()),
         Box::new(sets::smooth()),
         Box::new(sets::closed()),

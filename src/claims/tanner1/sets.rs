@@ -164,7 +164,7 @@ fn examine_bounded(variant: &BoundedVariant, _run: &mut Run) -> Result<Outcome, 
     if let Err(problem) = variant.potential.check_definition3() {
         return Ok(Outcome::Undecided(problem.to_string()));
     }
-    let detail = "V_t <= c gives V_ij <= 2c on links, |v_i|² <= 2c; V is unbounded, so linked distances are bounded, and along paths all are; leading terms of the slope and values at 1 and 10^20";
+    let detail = "V_t <= c gives V_ij <= c on links, |v_i|² <= 2c; V is unbounded, so linked distances are bounded, and along paths all are; leading terms of the slope and values at 1 and 10^20";
     Ok(Outcome::Holds(vec![evidence(Grade::Certified, detail)]))
 }
 

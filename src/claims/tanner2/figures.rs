@@ -38,7 +38,7 @@ pub struct Seen {
 }
 
 /// A random connected graph: each edge with probability 1/2, drawn until connected.
-fn random_connected(count: usize, random: &mut ChaCha8Rng) -> Graph {
+pub(in crate::claims) fn random_connected(count: usize, random: &mut ChaCha8Rng) -> Graph {
     loop {
         let bits: Vec<bool> = (0..count * count).map(|_| random.next_u32() & 1 == 1).collect();
         let graph = Graph::from_fn(count, |i, j| bits[i * count + j]);
@@ -90,7 +90,7 @@ fn simulate(fixed: bool, connected: bool, until: f64, random: &mut ChaCha8Rng) -
 }
 
 /// Wilson's 95% interval of a share.
-fn wilson(hits: usize, total: usize) -> (f64, f64) {
+pub(in crate::claims) fn wilson(hits: usize, total: usize) -> (f64, f64) {
     const Z: f64 = 1.96;
     let (n, p) = (total.max(1) as f64, hits as f64 / total.max(1) as f64);
     let centre = (p + Z * Z / (2.0 * n)) / (1.0 + Z * Z / n);

@@ -7,7 +7,7 @@ pub(super) mod arbitrary;
 mod bounds;
 mod collisions;
 mod energy;
-mod figures;
+pub(super) mod figures;
 mod filippov;
 pub(super) mod graphs;
 mod limits;

@@ -1,6 +1,6 @@
 //! tanner2.eq2, sec6.figures, appA.thm5: a formula and two references.
 
-use crate::arithmetic::{Interval, Rational, Real, Ring, rational};
+use crate::arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
 use crate::claims::record::Record;
 use crate::double_integrator::{Coordinates, Pair, Potential, State, heading, linked_within, velocity_alignment};
 use crate::ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
@@ -31,9 +31,6 @@ impl HeadingVariant {
         })
     }
 }
-
-use crate::arithmetic::Field;
-use crate::arithmetic::Signed;
 
 /// Whether the angle is the heading of every vector with small integer coordinates, and lies in `[-pi, pi]`.
 pub(in crate::claims) fn examine_heading(variant: &HeadingVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
@@ -153,7 +150,7 @@ fn examine_use(theorem: &u8, _run: &mut Run) -> Result<Outcome, CheckError> {
         Evidence::new(Grade::Exact, "whether the law jumps", "accelerations on both sides of |r_13| = R"),
         Evidence::new(Grade::Text, "what the proofs name", "the sentences that apply LaSalle's principle"),
     ];
-    if named && jumps && *theorem == 2 {
+    if named && jumps {
         return Ok(Outcome::Holds(evidence));
     }
     let what = format!(
