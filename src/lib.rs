@@ -2,15 +2,18 @@
 //!
 //! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`spectrum`], [`simulate`], [`averaging`] (Chazelle),
 //! [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`double_integrator`] (Tanner,
-//! Jadbabaie and Pappas), [`ledger`], [`claims`], [`report`].
+//! Jadbabaie and Pappas), [`certificates`], [`kernel`] (the Coq development), [`ledger`],
+//! [`claims`], [`report`].
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
 pub mod arithmetic;
 pub mod averaging;
+pub mod certificates;
 pub mod claims;
 pub mod double_integrator;
 pub mod graph;
+pub mod kernel;
 pub mod ledger;
 pub mod matrix;
 pub mod oscillator;

@@ -3,11 +3,14 @@
 //! Exit status: 0 when all is as it should be, 1 when `verify` differs from what is recorded, 2 on bad use, 130 when
 //! interrupted.
 
+mod certify;
 mod ergodicity;
 mod explain;
 mod flock;
 mod interrupt;
 mod output;
+mod progress;
+mod prove;
 mod reproduce;
 mod resonance;
 mod spectrum;
@@ -36,6 +39,10 @@ enum Command {
     Resonance(resonance::Arguments),
     /// Enclose the eigenvalues of a Laplacian or adjacency matrix of a graph
     Spectrum(spectrum::Arguments),
+    /// Let Coq check the proofs that the ledger rests on
+    Prove(prove::Arguments),
+    /// Write exact results of the ledger as certificates that a separate program, or Coq, checks
+    Certify(certify::Arguments),
     /// Products, footprints, stabilisers and ergodicity coefficients of a sequence of stochastic matrices
     Ergodicity(ergodicity::Arguments),
     /// Exact flocks: step them, or decide what becomes of them
@@ -77,6 +84,8 @@ pub fn main() -> ExitCode {
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Spectrum(arguments) => spectrum::run(&arguments),
+        Command::Prove(arguments) => prove::run(&arguments),
+        Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
     })

@@ -1,13 +1,14 @@
 //! `reproduce`: tables and figures of the papers.
 
 use super::{CliError, output};
-use flockproof::report::{svg_to_png, table1};
+use flockproof::report::{FIGURES, Figure};
+use rayon::prelude::*;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// What to reproduce: table1, or all
+    /// What to reproduce: a name such as veerman.table1, or all
     #[arg(value_name = "WHAT")]
     what: String,
     /// Folder for the CSV, SVG and PNG files; it is made if it is missing
@@ -15,26 +16,29 @@ pub struct Arguments {
     out: PathBuf,
 }
 
-/// What can be reproduced.
-const KNOWN: [&str; 1] = ["table1"];
+/// The figures that are asked for.
+fn chosen(what: &str) -> Result<Vec<&'static Figure>, CliError> {
+    if what == "all" {
+        return Ok(FIGURES.iter().collect());
+    }
+    Figure::named(what).map(|figure| vec![figure]).ok_or_else(|| {
+        let known: Vec<&str> = FIGURES.iter().map(|figure| figure.name).collect();
+        CliError::Use(format!("there is no table or figure `{what}`; there are: {}, all", known.join(", ")))
+    })
+}
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    if arguments.what != "all" && !KNOWN.contains(&arguments.what.as_str()) {
-        let known = KNOWN.join(", ");
-        return Err(CliError::Use(format!(
-            "there is no table or figure `{}`; there are: {known}, all",
-            arguments.what
-        )));
-    }
+    let figures = chosen(&arguments.what)?;
     std::fs::create_dir_all(&arguments.out).map_err(|error| CliError::file(&arguments.out, error))?;
-    let refuse = |error: &dyn std::fmt::Display| CliError::Use(error.to_string());
-    let table = table1().map_err(|error| refuse(&error))?;
-    let svg = table.svg().map_err(|error| refuse(&error))?;
-    let png = svg_to_png(&svg).map_err(|error| refuse(&error))?;
-    output::write_file(&arguments.out.join("table1.csv"), table.csv().as_bytes())?;
-    output::write_file(&arguments.out.join("table1.svg"), svg.as_bytes())?;
-    output::write_file(&arguments.out.join("table1.png"), &png)?;
-    output::print(&table.text())?;
-    output::print(&format!("written: table1.csv, table1.svg, table1.png in {}\n", arguments.out.display()))?;
+    let made: Vec<_> = figures.par_iter().map(|figure| figure.reproduce()).collect();
+    for (figure, made) in figures.into_iter().zip(made) {
+        let (text, files) = made.map_err(|error| CliError::Use(format!("{}: {error}", figure.name)))?;
+        for file in &files {
+            output::write_file(&arguments.out.join(&file.name), &file.contents)?;
+        }
+        let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+        let (names, folder) = (names.join(", "), arguments.out.display());
+        output::print(&format!("{}: {}\n\n{text}written: {names} in {folder}\n\n", figure.name, figure.about))?;
+    }
     Ok(ExitCode::SUCCESS)
 }

@@ -1,10 +1,8 @@
 //! `verify`: run the ledger.
 
-use super::{CliError, interrupt, output};
+use super::{CliError, interrupt, output, progress};
 use flockproof::ledger::{Ledger, LedgerError, Options, Report, to_json};
 use flockproof::report::{summary, verdict_table};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -58,7 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         options.threads = usize::from(threads);
     }
     interrupt::listen();
-    let bar = progress(ids.len());
+    let bar = progress::bar(ids.len());
     let report = ledger.verify(&ids, &options, |entry| {
         bar.set_message(entry.id.clone());
         bar.inc(1);
@@ -70,17 +68,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         (false, true) => ExitCode::SUCCESS,
         (false, false) => ExitCode::FAILURE,
     })
-}
-
-fn progress(claims: usize) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::with_draw_target(Some(claims as u64), ProgressDrawTarget::stderr());
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
-        bar.set_style(style);
-    }
-    bar
 }
 
 fn write_report(arguments: &Arguments, report: &Report, options: &Options) -> Result<(), CliError> {

@@ -30,9 +30,11 @@ impl Ruling {
 /// - printed fails, the correction holds: `misprint` or `false`, as the claim says;
 /// - printed fails and there is no correction: `false`;
 /// - printed fails but the correction does not hold either, or nothing is established: `undecided`.
+///
+/// Checked Coq theorems join the evidence; one that contradicts the verdict makes it `undecided`.
 pub fn judge<C: Claim>(claim: &C, source: &Source, run: &mut Run) -> Entry {
     let started = Instant::now();
-    let ruling = match claim.examine(&claim.printed(), run) {
+    let mut ruling = match claim.examine(&claim.printed(), run) {
         Err(error) => Ruling::undecided(error.to_string()),
         Ok(Outcome::Undecided(why)) => Ruling::undecided(why),
         Ok(Outcome::NotCheckable(why, evidence)) => {
@@ -44,6 +46,10 @@ pub fn judge<C: Claim>(claim: &C, source: &Source, run: &mut Run) -> Entry {
         }
         Ok(Outcome::Fails { counterexample, evidence }) => refuted(claim, counterexample, evidence, run),
     };
+    match super::proofs::evidence(Claim::id(claim), ruling.verdict) {
+        Ok(proofs) => ruling.evidence.extend(proofs),
+        Err(contradiction) => ruling = Ruling::undecided(contradiction),
+    }
     let values = run.take_values();
     let (controls, surviving_controls) = run_controls(claim, run);
     Entry {

@@ -8,6 +8,7 @@ mod claim;
 mod entry;
 mod judge;
 mod listed;
+mod proofs;
 mod run;
 mod runner;
 

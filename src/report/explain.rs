@@ -1,5 +1,6 @@
 //! One claim in words.
 
+use crate::kernel::theorems;
 use crate::ledger::Entry;
 use std::fmt::Write;
 
@@ -31,6 +32,17 @@ pub fn explain(entry: &Entry, width: usize) -> String {
             let _ = write!(line, "; a wrong identity would pass with probability at most {bound}");
         }
         section(&mut text, width, e.grade.word(), &line);
+    }
+    for theorem in theorems().iter().filter(|theorem| theorem.claim == entry.id && theorem.is_checked()) {
+        if let Some((audit, statement)) = theorem.audited() {
+            let statement = statement.split_whitespace().collect::<Vec<_>>().join(" ");
+            section(
+                &mut text,
+                width,
+                "Coq",
+                &format!("{} : {statement}  (stated again in {})", theorem.path(), audit.name),
+            );
+        }
     }
     let controls =
         format!("{} of {} altered variants refuted by the same check", entry.controls.refuted, entry.controls.total);

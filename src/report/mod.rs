@@ -1,11 +1,10 @@
-//! What people read: the table of the ledger, the explanation of one claim, tables and pictures of the papers.
+//! What people read: the table of the ledger, the explanation of one claim, tables and figures of the papers.
 
 mod explain;
-mod picture;
+mod figures;
+pub mod plot;
 mod table;
-mod table1;
 
 pub use explain::explain;
-pub use picture::{PictureError, svg_to_png};
+pub use figures::{FIGURES, Figure, FigureError, File};
 pub use table::{summary, verdict_table};
-pub use table1::{Cell, Table1, Table1Row, table1};

@@ -1,6 +1,7 @@
 //! `flock` on model K and on flocks with control.
 
 use super::{assert_refused, file, flockproof, folder, stdout};
+use std::path::Path;
 use std::process::Output;
 
 const KINEMATIC: &[u8] = br#"{"model": "K", "speed": "1/2", "headings": ["0", "1", "3/2"],
@@ -49,6 +50,14 @@ fn constant_control_is_applied_and_declared() {
     assert!(text.contains("kappa = (1/7)"), "{text}");
 }
 
+/// A flock that is good but for one alteration is refused with a sentence that names it; returns the file.
+fn assert_altered_is_refused(folder: &Path, name: &str, good: &str, (from, to): (&str, &str), named: &str) -> String {
+    assert!(good.contains(from), "{from}");
+    let path = file(folder, name, good.replace(from, to).as_bytes());
+    assert_refused(&["flock", "run", &path, "--until", "3"], named);
+    path
+}
+
 #[test]
 fn bad_flocks_of_model_k_are_refused() {
     let folder = folder("bad_kinematic");
@@ -64,9 +73,7 @@ fn bad_flocks_of_model_k_are_refused() {
         ("dimension.json", "\"speed\"", "\"dimension\": 3, \"speed\"", "dimension"),
         ("model.json", "\"K\"", "\"V\"", "model"),
     ] {
-        assert!(text.contains(from), "{from}");
-        let path = file(&folder, name, text.replace(from, to).as_bytes());
-        assert_refused(&["flock", "run", &path, "--until", "3"], named);
+        assert_altered_is_refused(&folder, name, text, (from, to), named);
     }
 }
 
@@ -141,9 +148,7 @@ fn bad_flocks_are_refused() {
         ("ids", "\"model\"", "\"ids\": [\"a\", \"b\", \"a\", \"c\"], \"model\"", "two birds"),
         ("json", "}", "", "JSON"),
     ] {
-        assert!(good.contains(from));
-        let path = file(&folder, name, good.replace(from, to).as_bytes());
-        assert_refused(&["flock", "run", &path, "--until", "3"], named);
+        let path = assert_altered_is_refused(&folder, name, &good, (from, to), named);
         assert_refused(&["flock", "settle", &path], named);
     }
     let path = file(&folder, "good.json", good.as_bytes());

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
+mod certify;
 mod flock;
 mod spectrum;
 
@@ -127,11 +128,11 @@ fn reproduce_writes_three_files() {
     let output = flockproof(&["reproduce", "table1", "--out", out.to_str().expect("UTF-8")]);
     assert!(output.status.success());
     assert!(stdout(&output).lines().all(|line| line.chars().count() <= 80 || line.starts_with("written")));
-    let csv = std::fs::read_to_string(out.join("table1.csv")).expect("CSV");
+    let csv = std::fs::read_to_string(out.join("veerman.table1.csv")).expect("CSV");
     assert_eq!(csv.lines().count(), 25);
     assert!(csv.lines().all(|line| line.split(',').count() == 11));
-    assert!(std::fs::read_to_string(out.join("table1.svg")).expect("SVG").contains("<svg"));
-    assert!(std::fs::read(out.join("table1.png")).expect("PNG").starts_with(b"\x89PNG"));
+    assert!(std::fs::read_to_string(out.join("veerman.table1.svg")).expect("SVG").contains("<svg"));
+    assert!(std::fs::read(out.join("veerman.table1.png")).expect("PNG").starts_with(b"\x89PNG"));
     let occupied = file(&folder, "occupied", b"");
     assert_refused(&["reproduce", "table1", "--out", &occupied], "occupied");
     assert_refused(&["reproduce", "figure77", "--out", &occupied], "figure77");

@@ -4,25 +4,19 @@ use resvg::{tiny_skia, usvg};
 
 /// Why a picture could not be made.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum PictureError {
-    /// The drawing failed.
-    #[error("the plot could not be drawn: {0}")]
-    Drawing(String),
-    /// The SVG could not be turned into a PNG.
-    #[error("the picture could not be rendered: {0}")]
-    Rendering(String),
-}
+#[error("the picture could not be rendered: {0}")]
+pub struct PictureError(String);
 
 /// DejaVu Sans, reduced to Latin, Greek and mathematical letters; its licence is in `assets/`.
-const FONT: &[u8] = include_bytes!("../../assets/DejaVuSans-subset.ttf");
+const FONT: &[u8] = include_bytes!("../../../assets/DejaVuSans-subset.ttf");
 
 /// Renders an SVG document at twice its size.
 ///
 /// # Errors
-/// [`PictureError::Rendering`].
-pub fn svg_to_png(svg: &str) -> Result<Vec<u8>, PictureError> {
+/// [`PictureError`].
+pub(super) fn svg_to_png(svg: &str) -> Result<Vec<u8>, PictureError> {
     const SCALE: f32 = 2.0;
-    let refuse = |what: String| PictureError::Rendering(what);
+    let refuse = |what: String| PictureError(what);
     let mut options = usvg::Options { font_family: "DejaVu Sans".to_string(), ..Default::default() };
     options.fontdb_mut().load_font_data(FONT.to_vec());
     options.fontdb_mut().set_sans_serif_family("DejaVu Sans");

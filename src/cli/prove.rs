@@ -1,0 +1,100 @@
+//! `prove`: let Coq check the proofs that the ledger rests on.
+
+use super::{CliError, interrupt, output, progress};
+use flockproof::kernel::{ProveError, Theorem, Transcript, Workshop, files, prove, recorded, theorems};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Folder in which the development is compiled [default: flockproof-proofs in the folder for temporary files]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write what coqc said to this file
+    #[arg(long, value_name = "FILE")]
+    transcript: Option<PathBuf>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    let folder = arguments.out.clone().unwrap_or_else(|| std::env::temp_dir().join("flockproof-proofs"));
+    let workshop = Workshop::open(&folder).map_err(use_error)?;
+    interrupt::listen();
+    let with_theorems =
+        files().iter().filter(|file| theorems().iter().any(|theorem| theorem.file == file.name)).count();
+    let bar = progress::bar(files().len() + with_theorems);
+    let step = |name: &str| {
+        bar.set_message(name.to_string());
+        bar.inc(1);
+        !interrupt::happened()
+    };
+    let transcript = prove(&workshop, files(), theorems(), step);
+    bar.finish_and_clear();
+    let transcript = match transcript {
+        Ok(transcript) => transcript,
+        Err(error @ ProveError::Interrupted(_)) => {
+            eprintln!("{error}");
+            return Ok(ExitCode::from(interrupt::STATUS));
+        }
+        Err(error) => return Err(use_error(error)),
+    };
+    if let Some(path) = &arguments.transcript {
+        output::write_file(path, transcript.text().as_bytes())?;
+    }
+    output::print(&table(&transcript))?;
+    let differences = differences(&transcript);
+    output::print(&summary(&transcript, &differences))?;
+    let written_anew = arguments.transcript.is_some();
+    Ok(if differences.is_empty() || written_anew { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn use_error(error: ProveError) -> CliError {
+    CliError::Use(error.to_string())
+}
+
+fn table(transcript: &Transcript) -> String {
+    let widest = |f: fn(&Theorem) -> usize| theorems().iter().map(f).max().unwrap_or(0);
+    let (claim, path) = (widest(|t| t.claim.len()), widest(|t| t.path().len()));
+    let mut text = String::new();
+    for theorem in theorems() {
+        let axioms = transcript.theorems.get(&theorem.path()).map_or("not proved", |axioms| axioms.words());
+        text.push_str(&format!(
+            "{:claim$} {:path$} {:9} {axioms}\n",
+            theorem.claim,
+            theorem.path(),
+            theorem.covers.word()
+        ));
+    }
+    text
+}
+
+/// Theorems that do not have the axioms of the table, and what differs from the transcript of the program.
+fn differences(transcript: &Transcript) -> Vec<String> {
+    let unlike_table = theorems()
+        .iter()
+        .filter(|theorem| transcript.theorems.get(&theorem.path()) != Some(&theorem.axioms))
+        .map(|theorem| format!("{}: the table says {}", theorem.path(), theorem.axioms.words()));
+    let unstated = theorems()
+        .iter()
+        .filter(|theorem| theorem.audited().is_none())
+        .map(|theorem| format!("{}: no audit states it again", theorem.path()));
+    let recorded = recorded();
+    let same = recorded.digests == transcript.digests && recorded.theorems == transcript.theorems;
+    let stale = (!same).then(|| "the transcript that comes with the program".to_string());
+    unlike_table.chain(unstated).chain(stale).collect()
+}
+
+fn summary(transcript: &Transcript, differences: &[String]) -> String {
+    let mut claims: Vec<&str> = theorems().iter().map(|theorem| theorem.claim).collect();
+    claims.sort_unstable();
+    claims.dedup();
+    let mut text: String = differences.iter().map(|difference| format!("DIFFERS {difference}\n")).collect();
+    text.push_str(&format!(
+        "Coq {}: {} files, {} theorems for {} claims{}\n",
+        transcript.coq,
+        transcript.digests.len(),
+        transcript.theorems.len(),
+        claims.len(),
+        if differences.is_empty() { ", all as recorded" } else { "" }
+    ));
+    text
+}

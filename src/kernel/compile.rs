@@ -1,0 +1,203 @@
+//! Running coqc over the development.
+
+use super::{AxiomSet, Source, Theorem, Transcript};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// How Coq is installed where it is missing.
+pub const INSTALL: &str = "apt-get install --no-install-recommends coq libcoq-interval libcoq-flocq libcoq-coquelicot \
+                           libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra libcoq-mathcomp-algebra-tactics \
+                           libcoq-mathcomp-zify";
+
+/// Why a development was not built.
+#[derive(Debug, thiserror::Error)]
+pub enum ProveError {
+    /// There is no coqc.
+    #[error("coqc was not found; on Debian or Ubuntu: {INSTALL}")]
+    NoCoq,
+    /// A file that could not be written or read, or a program that could not be run.
+    #[error("{}: {error}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What happened.
+        error: io::Error,
+    },
+    /// coqc refused a file.
+    #[error("coqc refuses {file}: {message}")]
+    Refused {
+        /// The file.
+        file: String,
+        /// The first lines of what coqc said.
+        message: String,
+    },
+    /// A theorem rests on an axiom that is not allowed.
+    #[error("{theorem} rests on the axiom {axiom}, which is not allowed")]
+    Axiom {
+        /// `file.name`.
+        theorem: String,
+        /// The axiom.
+        axiom: String,
+    },
+    /// Stopped before the end.
+    #[error("the work was interrupted; what was compiled is kept in {}", .0.display())]
+    Interrupted(PathBuf),
+}
+
+/// A folder in which the development is compiled.
+pub struct Workshop {
+    folder: PathBuf,
+    /// The version of Coq.
+    pub coq: String,
+}
+
+impl Workshop {
+    /// Makes the folder and asks for the version of Coq.
+    ///
+    /// # Errors
+    /// [`ProveError::NoCoq`], [`ProveError::File`].
+    pub fn open(folder: &Path) -> Result<Self, ProveError> {
+        let version = Command::new("coqc").arg("--print-version").output().map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound => ProveError::NoCoq,
+            _ => ProveError::File { path: PathBuf::from("coqc"), error },
+        })?;
+        let coq = String::from_utf8_lossy(&version.stdout).split_whitespace().next().unwrap_or("unknown").to_string();
+        std::fs::create_dir_all(folder).map_err(|error| ProveError::File { path: folder.to_path_buf(), error })?;
+        // coqc runs inside the folder.
+        let folder = folder.canonicalize().map_err(|error| ProveError::File { path: folder.to_path_buf(), error })?;
+        Ok(Workshop { folder, coq })
+    }
+
+    /// The folder.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Compiles a file whose needs are compiled; one that an earlier run compiled from the same sources with the same
+    /// Coq is left alone.
+    ///
+    /// # Errors
+    /// [`ProveError::Refused`], [`ProveError::File`].
+    pub fn compile(&self, source: &Source) -> Result<(), ProveError> {
+        let (mark, object) = (self.path(source.name, "done"), self.path(source.name, "vo"));
+        let digest = format!("{} {}", self.coq, source.digest);
+        if object.is_file() && std::fs::read_to_string(&mark).is_ok_and(|done| done == digest) {
+            return Ok(());
+        }
+        self.run(source.name, source.text)?;
+        std::fs::write(&mark, digest).map_err(|error| ProveError::File { path: mark, error })
+    }
+
+    /// The axioms under the theorems of one compiled file, in their order.
+    ///
+    /// # Errors
+    /// [`ProveError::Refused`], [`ProveError::File`], [`ProveError::Axiom`].
+    pub fn axioms(&self, file: &str, theorems: &[&Theorem]) -> Result<Vec<AxiomSet>, ProveError> {
+        let mut text = format!("From Flockproof Require {file}.\n");
+        for theorem in theorems {
+            text.push_str(&format!("Goal True. idtac \"{MARK}\". Abort.\nPrint Assumptions {}.\n", theorem.path()));
+        }
+        let output = self.run(&format!("axioms_of_{file}"), &text)?;
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        let refused = |message: &str| ProveError::Refused { file: file.to_string(), message: message.to_string() };
+        let parts: Vec<&str> = said.split(MARK).skip(1).collect();
+        if parts.len() != theorems.len() {
+            return Err(refused("the axioms of its theorems were not all printed"));
+        }
+        theorems
+            .iter()
+            .zip(parts)
+            .map(|(theorem, part)| {
+                let axioms = named_axioms(part).ok_or_else(|| refused("the axioms of a theorem were not printed"))?;
+                AxiomSet::of(axioms).map_err(|axiom| ProveError::Axiom { theorem: theorem.path(), axiom })
+            })
+            .collect()
+    }
+
+    fn path(&self, name: &str, extension: &str) -> PathBuf {
+        self.folder.join(format!("{name}.{extension}"))
+    }
+
+    fn run(&self, name: &str, text: &str) -> Result<Output, ProveError> {
+        let path = self.path(name, "v");
+        std::fs::write(&path, text).map_err(|error| ProveError::File { path: path.clone(), error })?;
+        let output = Command::new("coqc")
+            .args(["-Q", ".", "Flockproof", "-w", "-notation-overridden,-ambiguous-paths"])
+            .arg(format!("{name}.v"))
+            .current_dir(&self.folder)
+            .output()
+            .map_err(|error| ProveError::File { path, error })?;
+        if output.status.success() {
+            return Ok(output);
+        }
+        let message: Vec<String> =
+            String::from_utf8_lossy(&output.stderr).lines().take(8).map(|line| line.trim().to_string()).collect();
+        Err(ProveError::Refused { file: format!("{name}.v"), message: message.join(" ") })
+    }
+}
+
+/// Printed before the axioms of each theorem.
+const MARK: &str = "== axioms ==";
+
+/// The names in what `Print Assumptions` says: a name opens its line, its type is indented or follows a colon.
+fn named_axioms(said: &str) -> Option<Vec<&str>> {
+    let mut lines = said.trim().lines();
+    match lines.next()? {
+        "Closed under the global context" => Some(Vec::new()),
+        "Axioms:" => Some(lines.filter(|l| !l.starts_with(' ')).filter_map(|l| l.split_whitespace().next()).collect()),
+        _ => None,
+    }
+}
+
+/// Compiles everything and asks for all axioms, as many files at a time as rayon has threads; `before` is told of each
+/// step and may say stop.
+///
+/// # Errors
+/// [`ProveError`].
+pub fn prove(
+    workshop: &Workshop,
+    sources: &[Source],
+    theorems: &[Theorem],
+    before: impl Fn(&str) -> bool + Sync,
+) -> Result<Transcript, ProveError> {
+    let step = |name: &str| {
+        let stopped = || ProveError::Interrupted(workshop.folder().to_path_buf());
+        before(name).then_some(()).ok_or_else(stopped)
+    };
+    for level in levels(sources) {
+        level.par_iter().try_for_each(|source| step(source.name).and_then(|()| workshop.compile(source)))?;
+    }
+    let axioms = sources.par_iter().map(|source| {
+        let proved: Vec<&Theorem> = theorems.iter().filter(|theorem| theorem.file == source.name).collect();
+        if proved.is_empty() {
+            return Ok(Vec::new());
+        }
+        step(source.name)?;
+        let axioms = workshop.axioms(source.name, &proved)?;
+        Ok(proved.into_iter().map(Theorem::path).zip(axioms).collect())
+    });
+    let axioms = axioms.collect::<Result<Vec<Vec<_>>, ProveError>>()?;
+    Ok(Transcript {
+        coq: workshop.coq.clone(),
+        digests: sources.iter().map(|source| (source.name.to_string(), source.digest.clone())).collect(),
+        theorems: axioms.into_iter().flatten().collect(),
+    })
+}
+
+/// The files in groups, each of which needs earlier groups only.
+fn levels(sources: &[Source]) -> Vec<Vec<&Source>> {
+    let mut depths: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut levels: Vec<Vec<&Source>> = Vec::new();
+    for source in sources {
+        let depth = source.needs.iter().filter_map(|need| depths.get(need)).max().map_or(0, |depth| depth + 1);
+        depths.insert(source.name, depth);
+        if levels.len() <= depth {
+            levels.resize_with(depth + 1, Vec::new);
+        }
+        levels[depth].push(source);
+    }
+    levels
+}

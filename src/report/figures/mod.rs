@@ -1,0 +1,111 @@
+//! Figures and tables of the papers. One file and one row of [`FIGURES`] each: a name, what it shows, and the function that
+//! makes it. All of them are deterministic.
+
+mod veerman_table1;
+
+use super::plot::{Picture, PictureError};
+use crate::ledger::CheckError;
+
+/// A figure or table that can be made again.
+#[derive(Debug, Clone, Copy)]
+pub struct Figure {
+    /// Paper and number, as in the ids of claims.
+    pub name: &'static str,
+    /// What it shows, one line.
+    pub about: &'static str,
+    make: fn() -> Result<Reproduced, CheckError>,
+}
+
+/// All figures and tables, in the order in which `reproduce all` makes them.
+pub const FIGURES: &[Figure] = &[Figure {
+    name: "veerman.table1",
+    about: "the printed resonances beside certified ones",
+    make: veerman_table1::reproduce,
+}];
+
+impl Figure {
+    /// The figure of that name; the paper may be left out where one figure only has the rest of the name.
+    pub fn named(name: &str) -> Option<&'static Figure> {
+        let short = |figure: &&Figure| figure.name.split_once('.').is_some_and(|(_, rest)| rest == name);
+        let mut short = FIGURES.iter().filter(short);
+        let alone = short.next().filter(|_| short.next().is_none());
+        FIGURES.iter().find(|figure| figure.name == name).or(alone)
+    }
+
+    /// Makes it: the text for the terminal and the files.
+    ///
+    /// # Errors
+    /// [`FigureError`].
+    pub fn reproduce(&self) -> Result<(String, Vec<File>), FigureError> {
+        let made = (self.make)()?;
+        let file = |part: &str, kind: &str, contents: Vec<u8>| {
+            let hyphen = if part.is_empty() { "" } else { "-" };
+            File { name: format!("{}{hyphen}{part}.{kind}", self.name), contents }
+        };
+        let mut files: Vec<File> =
+            made.tables.into_iter().map(|(part, csv)| file(part, "csv", csv.into_bytes())).collect();
+        for (part, picture) in made.pictures {
+            files.push(file(part, "svg", picture.svg().into_bytes()));
+            files.push(file(part, "png", picture.png()?));
+        }
+        Ok((made.text, files))
+    }
+}
+
+/// A file of a figure.
+#[derive(Debug, Clone)]
+pub struct File {
+    /// Its name, without a folder.
+    pub name: String,
+    /// Its contents.
+    pub contents: Vec<u8>,
+}
+
+/// Why a figure could not be made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FigureError {
+    /// The computation.
+    #[error(transparent)]
+    Check(#[from] CheckError),
+    /// The drawing.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
+}
+
+/// What the function of a figure returns.
+#[derive(Debug, Clone)]
+struct Reproduced {
+    text: String,
+    tables: Vec<(&'static str, String)>,
+    pictures: Vec<(&'static str, Picture)>,
+}
+
+impl Reproduced {
+    /// A figure with a summary of at most 80 columns: what it shows, the parameters that the paper does not give, the main
+    /// numbers.
+    fn new(text: impl Into<String>) -> Self {
+        Reproduced { text: text.into(), tables: Vec::new(), pictures: Vec::new() }
+    }
+
+    /// Adds a CSV file; `part` tells several apart and is empty for the only one.
+    fn table(mut self, part: &'static str, csv: String) -> Self {
+        self.tables.push((part, csv));
+        self
+    }
+
+    /// Adds a picture, which becomes an SVG and a PNG file.
+    fn picture(mut self, part: &'static str, picture: Picture) -> Self {
+        self.pictures.push((part, picture));
+        self
+    }
+}
+
+/// A CSV document of rows that need no quotes.
+fn csv<R: IntoIterator<Item = String>>(header: &str, rows: impl IntoIterator<Item = R>) -> String {
+    let mut text = format!("{header}\n");
+    for row in rows {
+        text.push_str(&row.into_iter().collect::<Vec<_>>().join(","));
+        text.push('\n');
+    }
+    text
+}
