@@ -47,8 +47,7 @@ pub fn next_crossing(
         solution.step(field, until)?;
         let (from, to) = (solution.previous_time(), solution.time());
         let time = |k: usize| if k == PARTS { to } else { from + (to - from) * k as f64 / PARTS as f64 };
-        let values: Vec<f64> =
-            (0..=PARTS).map(|k| time(k)).map(|t| event(t, &solution.interpolate(field, t))).collect();
+        let values: Vec<f64> = (0..=PARTS).map(time).map(|t| event(t, &solution.interpolate(field, t))).collect();
         let size = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         if std::mem::take(&mut first) {
             // At a zero, the sign just after it.

@@ -28,32 +28,33 @@ impl Rk4 {
         self.next_stage(state, dt / 3.0, dt, false);
         field.rate(time + dt, &self.stage, &mut self.slope);
         let last = dt / 6.0;
-        let add = |(state, (sum, slope)): (&mut [f64], (&[f64], &[f64]))| {
+        let add = |state: &mut [f64], sum: &[f64], slope: &[f64]| {
             for ((y, sum), slope) in state.iter_mut().zip(sum).zip(slope) {
                 *y += sum + last * slope;
             }
         };
         let parts = self.sum.par_chunks(CHUNK).zip(self.slope.par_chunks(CHUNK));
         if state.len() <= CHUNK {
-            add((state, (&self.sum, &self.slope)));
+            add(state, &self.sum, &self.slope);
         } else {
-            state.par_chunks_mut(CHUNK).zip(parts).for_each(add);
+            state.par_chunks_mut(CHUNK).zip(parts).for_each(|(state, (sum, slope))| add(state, sum, slope));
         }
     }
 
     /// Adds `weight slope` to the sum, and sets the stage to `state + ahead slope`.
     fn next_stage(&mut self, state: &[f64], weight: f64, ahead: f64, first: bool) {
-        let update = |((stage, sum), (state, slope)): ((&mut [f64], &mut [f64]), (&[f64], &[f64]))| {
+        let update = |stage: &mut [f64], sum: &mut [f64], state: &[f64], slope: &[f64]| {
             for (((stage, sum), y), slope) in stage.iter_mut().zip(sum).zip(state).zip(slope) {
                 *sum = if first { 0.0 } else { *sum } + weight * slope;
                 *stage = y + ahead * slope;
             }
         };
         if state.len() <= CHUNK {
-            update(((&mut self.stage, &mut self.sum), (state, &self.slope)));
+            update(&mut self.stage, &mut self.sum, state, &self.slope);
         } else {
             let to = self.stage.par_chunks_mut(CHUNK).zip(self.sum.par_chunks_mut(CHUNK));
-            to.zip(state.par_chunks(CHUNK).zip(self.slope.par_chunks(CHUNK))).for_each(update);
+            let from = state.par_chunks(CHUNK).zip(self.slope.par_chunks(CHUNK));
+            to.zip(from).for_each(|((stage, sum), (state, slope))| update(stage, sum, state, slope));
         }
     }
 }

@@ -193,12 +193,14 @@ struct Search {
     hi: f64,
     /// Where the matrix is looked at next.
     x: f64,
+    /// The last step of the iteration, zero after a bisection.
+    step: f64,
     done: bool,
 }
 
 impl Search {
     fn new(k: usize, lo: f64, hi: f64) -> Self {
-        Search { k, lo, hi, x: lo.midpoint(hi), done: false }
+        Search { k, lo, hi, x: lo.midpoint(hi), step: 0.0, done: false }
     }
 
     /// The search after a look at `x`.
@@ -209,20 +211,27 @@ impl Search {
             self.hi = self.hi.min(self.x);
         }
         // The next root to the right is the one sought, or the next one to the left.
-        let towards = if look.below == self.k { 1.0 } else { -1.0 };
-        let middle = self.lo.midpoint(self.hi);
-        let spread = ((order - 1.0) * (order * look.squares - look.sum * look.sum)).max(0.0).sqrt();
-        let target = self.x + order / (look.sum + towards * spread);
+        let towards = if look.below <= self.k { 1.0 } else { -1.0 };
+        let laguerre = |multiplicity: f64| {
+            let share = (order - multiplicity) / multiplicity;
+            let spread = (share * (order * look.squares - look.sum * look.sum)).max(0.0).sqrt();
+            order / (look.sum + towards * spread)
+        };
+        let mut step = laguerre(1.0);
+        // Linear convergence: several roots, as many as this quotient says near them.
+        if step.abs() > 0.15 * self.step.abs() && step.abs() < 0.5 * self.step.abs() {
+            step = laguerre((look.sum * look.sum / look.squares).round().clamp(1.0, order));
+        }
+        let near = (self.k..=self.k + 3).contains(&look.below);
         let adjacent = look.below == self.k || look.below == self.k + 1;
-        // Rounding may send a converged iterate to the wrong side.
-        let step = target - self.x;
-        let small = step.abs() <= 2.0 * UNIT * size;
-        if adjacent && (small || (self.lo < target && target < self.hi)) {
-            self.done = small;
-            self.x = target;
+        let target = self.x + step;
+        if near && step.abs() <= 2.0 * UNIT * size {
+            (self.x, self.done) = (target, true);
+        } else if adjacent && self.lo < target && target < self.hi {
+            (self.x, self.step) = (target, step);
         } else {
             self.done = self.hi - self.lo <= 2.0 * UNIT * size;
-            self.x = middle;
+            (self.x, self.step) = (self.lo.midpoint(self.hi), 0.0);
         }
         self
     }
