@@ -154,7 +154,7 @@ pose s := \sum_l a l.
 have sb : \sum_l b l = s.
   apply/eqP; rewrite eq_sym -subr_eq0 /s -sumrB; apply/eqP; rewrite -[RHS]u0.
   by apply: eq_bigr => l _; rewrite uab.
-have nu : 2%:R^-1 * \sum_l `|u l| = s.
+have nu : 2%:R^-1 * (\sum_l `|u l|) = s.
   by rewrite (eq_bigr _ (fun l _ => nab l)) big_split /= sb -/s; field.
 have s0 : 0 <= s by apply: sumr_ge0.
 rewrite nu; have [s1|sn0] := eqVneq s 0.
@@ -171,15 +171,15 @@ have key : s *: (\sum_l u l *: row l B) =
    \sum_l \sum_l' (a l * b l') *: (row l B - row l' B).
   have -> : \sum_l u l *: row l B = \sum_l a l *: row l B - \sum_l b l *: row l B.
     by rewrite -sumrB; apply: eq_bigr => l _; rewrite uab scalerBl.
-  rewrite scalerBr -{1}sb {1}/s !scaler_suml.
-  rewrite (eq_bigr (fun l => \sum_l' ((a l * b l') *: row l B - (a l * b l') *: row l' B))); last first.
-    by move=> l _; apply: eq_bigr => l' _; rewrite scalerBr.
-  rewrite (eq_bigr (fun l => \sum_l' (a l * b l') *: row l B - \sum_l' (a l * b l') *: row l' B)); last first.
-    by move=> l _; rewrite sumrB.
-  rewrite sumrB; congr (_ - _).
-    rewrite exchange_big /=; apply: eq_bigr => l' _; rewrite scaler_sumr.
-    by apply: eq_bigr => l _; rewrite scalerA mulrC.
-  apply: eq_bigr => l _; rewrite scaler_sumr; apply: eq_bigr => l' _; by rewrite scalerA.
+  have -> : \sum_l \sum_l' (a l * b l') *: (row l B - row l' B)
+      = (\sum_l \sum_l' (a l * b l') *: row l B) - \sum_l \sum_l' (a l * b l') *: row l' B.
+    rewrite -sumrB; apply: eq_bigr => l _; rewrite -sumrB; apply: eq_bigr => l' _.
+    by rewrite scalerBr.
+  rewrite scalerBr; congr (_ - _).
+    rewrite scaler_sumr; apply: eq_bigr => l _.
+    by rewrite -scaler_suml -mulr_sumr sb scalerA mulrC.
+  rewrite [RHS]exchange_big /= scaler_sumr; apply: eq_bigr => l' _.
+  by rewrite -scaler_suml -mulr_suml scalerA.
 rewrite -(ler_pmul2l sgt) -{1}(gtr0_norm sgt) -NZ key.
 apply: (@le_trans _ _ (\sum_l \sum_l' a l * b l' * diameter B)).
   apply: le_trans (norm_sum _) _; apply: ler_sum => l _.
@@ -270,7 +270,8 @@ Proof.
 rewrite -(@ler_pexpn2r _ 2) // ?nnegrE ?addr_ge0 ?norm2_ge0 // sqrrD !norm2_sqr.
 rewrite (eq_bigr (fun k => x 0 k ^+ 2 + (x 0 k * y 0 k) *+ 2 + y 0 k ^+ 2)) => [|k _]; last first.
   by rewrite mxE sqrrD.
-by rewrite !big_split /= ler_add2r ler_add2l sumrMnl ler_muln2r /= cauchy_schwarz.
+rewrite !big_split /= ler_add2r ler_add2l.
+by rewrite -mulr2n ler_muln2r /= cauchy_schwarz.
 Qed.
 Lemma norm2N p (x : 'rV[R]_p) : norm2 (- x) = norm2 x.
 Proof. by rewrite -scaleN1r norm2Z normrN1 mul1r. Qed.
@@ -287,7 +288,7 @@ Qed.
 
 Lemma tau2_identity n : tau2 (1%:M : 'M[R]_n) <= Num.sqrt 2%:R.
 Proof.
-apply: max_le => [|[i j] _ /=]; first exact: sqrtr_ge0.
+apply: max_le => [|[i j] /=]; first exact: sqrtr_ge0.
 rewrite ler_wsqrtr // (eq_bigr (fun k => ((k == i)%:R - (k == j)%:R) ^+ 2)) => [|k _]; last first.
   by rewrite !mxE ![_ == k]eq_sym.
 apply: (@le_trans _ _ (\sum_k ((k == i)%:R + (k == j)%:R))).
