@@ -7,7 +7,7 @@
    Any ordered field, no axioms. *)
 Set Warnings "-notation-overridden,-ambiguous-paths".
 From mathcomp Require Import all_ssreflect all_algebra.
-From mathcomp Require Import ring.
+From mathcomp Require Import ring zify.
 From Flockproof Require Import chazelle_model chazelle_ergodicity.
 Set Implicit Arguments. Unset Strict Implicit. Unset Printing Implicit Defensive.
 Import GRing.Theory Num.Theory Order.Theory.
@@ -41,8 +41,8 @@ Let YS k i : Y k.+1 i = \sum_l P (s + k)%N i l * Y k l. Proof. by rewrite /Y /= 
 Lemma supp_mono k : supp k \subset supp k.+1.
 Proof.
 apply/subsetP=> i ik; rewrite inE -/(Y _ _) lt0r_neq0 // YS (bigD1 i) //=.
-rewrite ltr_paddr ?mulr_gt0 ?Ypos //; last exact: diag.
-by apply: sumr_ge0 => l _; rewrite mulr_ge0.
+apply: ltr_paddr; first by apply: sumr_ge0 => l _; rewrite mulr_ge0.
+by apply: mulr_gt0; [exact: diag | exact: Ypos].
 Qed.
 
 Lemma supp_card_gt0 k : (0 < #|supp k|)%N.
@@ -64,9 +64,9 @@ have sub := supp_mono k.
 case: (eqVneq (supp k.+1) (supp k)) => [E|nE].
   rewrite E in ik *; rewrite YS.
   have inside l : P (s + k)%N i l != 0 -> l \in supp k.
-    move=> nz; rewrite -E inE -/(Y _ _) lt0r_neq0 // YS (bigD1 i) //= ltr_paddr //.
-      by apply: sumr_ge0 => m _; rewrite mulr_ge0.
-    by rewrite mulr_gt0 ?Ypos // Ppos // sym.
+    move=> nz; rewrite -E inE -/(Y _ _) lt0r_neq0 // YS (bigD1 i) //=.
+    apply: ltr_paddr; first by apply: sumr_ge0 => m _; rewrite mulr_ge0.
+    by apply: mulr_gt0; [apply: Ppos; rewrite sym | exact: Ypos].
   have [_ sum1] := SP (s + k)%N; rewrite -[X in X <= _]mul1r -(sum1 i) mulr_suml.
   apply: ler_sum => l _; have [->|nz] := eqVneq (P (s + k)%N i l) 0; first by rewrite !mul0r.
   by apply: ler_wpmul2l => //; apply: IH; exact: inside.
@@ -77,7 +77,7 @@ have [l nz lk] : exists2 l, P (s + k)%N i l != 0 & l \in supp k.
   have [-> | /H lk] := eqVneq (P (s + k)%N i l) 0; first by rewrite mul0r.
   by move: lk; rewrite inE negbK -/(Y _ _) => /eqP->; rewrite mulr0.
 apply: (@le_trans _ _ (alpha * alpha ^+ #|supp k|.-1)).
-  rewrite -exprS prednK ?supp_card_gt0 //; apply: ler_wiexpn2l => //; first by rewrite a0.
+  rewrite -exprS prednK ?supp_card_gt0 //; apply: ler_wiexpn2l => //.
   by rewrite -ltnS (ltn_predK lt).
 rewrite YS (bigD1 l) //= -[X in X <= _]addr0 ler_add //; last first.
   by apply: sumr_ge0 => m _; rewrite mulr_ge0.
@@ -88,8 +88,8 @@ Qed.
 Theorem entries_bound k i : span P s k i j != 0 -> alpha ^+ n.-1 <= span P s k i j.
 Proof.
 move=> nz; have ik : i \in supp k by rewrite inE.
-apply: le_trans (entries_support ik); apply: ler_wiexpn2l; rewrite ?ltW ?alpha_le1 //.
-by rewrite -!subn1 leq_sub2r // -[X in (_ <= X)%N]card_ord max_card.
+apply: le_trans (entries_support ik); apply: ler_wiexpn2l; [exact: ltW | exact: (alpha_le1 j) | ].
+have := max_card (mem (supp k)); rewrite card_ord; case: #|_| => [|m] //; case: (n) => [|n'] //=.
 Qed.
 End Entries.
 
@@ -102,7 +102,7 @@ Theorem lemma_2_2_entries (R : realFieldType) n a (G : nat -> rel 'I_n) (c : nat
   (n%:R ^+ (a * n.-1))^-1 <= pprod P t s i j /\ (n%:R ^+ (a * n ^ 2))^-1 <= pprod P t s i j.
 Proof.
 move=> net D P al _; rewrite /pprod; set k := (_).+1 => nz.
-have n0 : (0 < n)%N by case: (n) i => [[]|].
+have n0 : (0 < n)%N by exact: leq_ltn_trans (leq0n _) (ltn_ord i).
 have nR : 1 <= n%:R :> R by rewrite ler1n.
 have S u := model_D_stochastic (net u) (D u).
 have H := @entries_bound R n P (n%:R ^+ a)^-1 (fun u => proj1 (S u)) (fun u => proj2 (S u)) _ _ al s j k i nz.
@@ -129,7 +129,7 @@ move=> HA HB i k; rewrite mxE.
 suff: exists z : int, \sum_j A i j * B j k = z%:~R / (D * E)%:R by [].
 elim/big_rec: _ => [|j x _ [z ->]]; first by exists 0; rewrite mul0r.
 have [a ->] := HA i j; have [b ->] := HB j k; exists (a * b + z).
-by rewrite intrD mulrDl intrM natrM invfM; congr (_ + _); ring.
+by rewrite intrD mulrDl intrM natrM invfM mulrACA.
 Qed.
 Lemma denominator1 : denominator (1%:M : 'M[R]_n) 1.
 Proof. by move=> i j; exists (i == j)%:Z; rewrite mxE divr1; case: (i == j). Qed.
@@ -162,13 +162,13 @@ move=> i j; have [ci qi _] := H i.
 have q0 k : (q k)%:R != 0 :> R by rewrite pnatr_eq0 -lt0n; have [] := H k.
 have [z Ez] : exists z : int, transition G c i j = z%:~R / (q i)%:R.
   rewrite transitionE // ci; case: (i == j); last case: (G i j).
-  - exists ((q i)%:Z - (p i)%:Z * (degree G i)%:Z); rewrite intrB intrM; move: (q0 i).
+  - exists ((q i)%:Z - (p i)%:Z * (degree G i)%:Z); rewrite rmorphB rmorphM /=; move: (q0 i).
     rewrite -[(q i)%:Z%:~R]/((q i)%:R) -[(p i)%:Z%:~R]/((p i)%:R) -[(degree G i)%:Z%:~R]/((degree G i)%:R).
     by move=> qz; field.
   - by exists (p i).
   - by exists 0; rewrite mul0r.
-exists (z * (\prod_(k | k != i) q k)%N%:Z); rewrite Ez (bigD1 i) //= natrM intrM.
-set m := (\prod_(k | k != i) q k)%N; have m0 : m%:R != 0 :> R.
+rewrite (bigD1 i) //=; set m := (\prod_(k | k != i) q k)%N.
+exists (z * m%:Z); rewrite Ez natrM intrM; have m0 : m%:R != 0 :> R.
   by rewrite pnatr_eq0 -lt0n prodn_cond_gt0 // => k _; have [] := H k.
 by rewrite -[m%:Z%:~R]/(m%:R); field; rewrite (q0 i) m0.
 Qed.
@@ -195,7 +195,7 @@ Theorem lemma_2_2_bits s t : (s <= t)%N ->
 Proof.
 move=> _; rewrite /pprod addn1; have [E [E0 Ele HE]] := span_denominator s (t - s).+1.
 exists E; split=> // i j; have [z Ez] := HE i j.
-have [A0 A1] := stochastic_span s (t - s).+1 (fun u => proj1 (model_D_stochastic (net u) (D u))).
+have [A0 A1] := stochastic_span s (t - s).+1 (fun u => proj1 (model_D_stochastic (net u) (@D u))).
 have e0 : 0 < E%:R :> R by rewrite ltr0n.
 have zE : z%:~R = span P s (t - s).+1 i j * E%:R by rewrite Ez divfK // gt_eqF.
 have z0 : 0 <= z by rewrite -(ler0z R) zE mulr_ge0 ?ler0n //; exact: A0.
@@ -225,7 +225,7 @@ move=> [z [q H]]; exists (\prod_i \prod_k q i k)%N; split.
     by apply: leq_prod => i _; apply: leq_prod => k _; have [] := H i k.
   by rewrite !prod_nat_const !card_ord -!expnM (mulnC n) mulnA.
 - move=> i k; have [E q0 _ _] := H i k.
-  rewrite (bigD1 i) //= (bigD1 k) //= -mulnA; set m := (_ * _)%N.
+  rewrite (bigD1 i) //= (bigD1 k) //= -mulnA; set m := (X in (q i k * X)%N).
   have m0 : (0 < m)%N.
     rewrite muln_gt0; apply/andP; split; first by rewrite prodn_cond_gt0 // => k' _; have [] := H i k'.
     by rewrite prodn_cond_gt0 // => i' _; rewrite prodn_gt0 // => k'; have [] := H i' k'.
@@ -234,7 +234,7 @@ move=> [z [q H]]; exists (\prod_i \prod_k q i k)%N; split.
   have mz : m%:R != 0 :> R by rewrite pnatr_eq0 -lt0n.
   by field; rewrite qz mz.
 move=> i k; have [-> q0 _ zb] := H i k; rewrite normrM normfV normr_nat.
-rewrite ler_pdivr_mulr ?ltr0n // -intr_norm abszE -natrM ler_nat.
+rewrite ler_pdivr_mulr ?ltr0n // -intr_norm -abszE -natrM -[X in X <= _]/(`|z i k|%N%:R) ler_nat.
 by apply: leq_trans zb _; rewrite leq_pmulr.
 Qed.
 
@@ -246,15 +246,12 @@ Theorem lemma_2_3 t : (0 < t)%N -> (1 < n)%N ->
 Proof.
 move=> t0 n1; have [Q [Q0 Qle Qx Bx]] := input_denominator Hx0.
 have [Q' [Q'0 Q'le Qv Bv]] := input_denominator Hv1.
-have SP u := proj1 (model_D_stochastic (net u) (D u)).
-pose E t := (\prod_(u < t) \prod_i (n ^ a))%N.
-have vel k : exists F, [/\ (0 < F)%N, (F <= n ^ (a * n * k))%N & denominator (span P 1 k) F].
-  exact: span_denominator.
+have SP u := proj1 (model_D_stochastic (net u) (@D u)).
 (* one denominator for all spans up to k *)
 have den k : exists F, [/\ (0 < F)%N, (F <= n ^ (a * n * k))%N &
     forall m, (m <= k)%N -> denominator (span P 1 m) F].
   elim: k => [|k [F [F0 Fle HF]]].
-    by exists 1%N; split=> // m; rewrite leqn0 => /eqP->; exact: denominator1.
+    by exists 1%N; split=> [//||m]; rewrite ?muln0 ?expn0 // leqn0 => /eqP->; exact: denominator1.
   have [_ irr] := net (1 + k)%N.
   have [F' [F'0 F'le HF']] := transition_denominator irr (short (1 + k)%N).
   exists (F' * F)%N; split; rewrite ?muln_gt0 ?F'0 //; first by rewrite mulnS expnD leq_mul.
@@ -266,9 +263,10 @@ have vden m : (m <= t.-1)%N -> denominator (v m.+1) (F * Q').
   by move=> mt; rewrite vE; apply: denominator_mul => //; exact: HF.
 have vb m i k : `|v m.+1 i k| <= (n ^ b)%:R.
   have [A0 A1] := stochastic_span 1 m SP.
+  move: Bv; set B := (n ^ b)%:R => BB.
   rewrite vE mxE; apply: le_trans (ler_norm_sum _ _ _) _.
   rewrite -[X in _ <= X]mul1r -(A1 i) mulr_suml; apply: ler_sum => l _.
-  by rewrite normrM ger0_norm ?A0 //; apply: ler_wpmul2l; [exact: A0 | exact: Bv].
+  by rewrite normrM ger0_norm ?A0 //; apply: ler_wpmul2l; [exact: A0 | exact: BB].
 have xden m : (m <= t)%N -> denominator (x m) (Q * (F * Q')).
   elim: m => [|m IH] mt; first by rewrite mulnC; apply: denominator_dvd; rewrite ?muln_gt0 ?F0.
   rewrite Hx; apply: denominatorD; first by apply: IH; exact: ltnW.
@@ -282,15 +280,15 @@ exists (Q * (F * Q'))%N; split; first by rewrite !muln_gt0 Q0 F0.
     by rewrite !leq_mul.
   rewrite -!expnD leq_pexp2l ?(ltnW n1) //.
   case: (t) t0 => // u _ /=.
-  have -> : ((2 * b * d + a) * (u.+1 * n) = 2 * b * d * (u.+1 * n) + a * n * u.+1)%N by ring.
+  have -> : ((2 * b * d + a) * (u.+1 * n) = 2 * b * d * (u.+1 * n) + a * n * u.+1)%N by lia.
   have h1 : (b * (n * d) + b * (n * d) <= 2 * b * d * (u.+1 * n))%N.
-    have -> : (b * (n * d) + b * (n * d) = 2 * b * d * n)%N by ring.
+    have -> : (b * (n * d) + b * (n * d) = 2 * b * d * n)%N by lia.
     by rewrite leq_mul2l leq_pmull ?orbT.
   have h2 : (a * n * u <= a * n * u.+1)%N by rewrite leq_mul2l leqnSn orbT.
   by rewrite addnCA addnC leq_add.
 have big0 : (0 < Q * (F * Q'))%N by rewrite !muln_gt0 Q0 F0.
 have numer (y : R) (z : int) B : y = z%:~R / (Q * (F * Q'))%:R -> `|y| <= B%:R -> (`|z| <= Q * (F * Q') * B)%N.
-  move=> -> ; rewrite normrM normfV normr_nat ler_pdivr_mulr ?ltr0n // -intr_norm abszE -natrM ler_nat.
+  move=> -> ; rewrite normrM normfV normr_nat ler_pdivr_mulr ?ltr0n // -intr_norm -abszE -natrM -[X in X <= _]/(`|z|%N%:R) ler_nat.
   by rewrite mulnC.
 have vd : denominator (v t) (Q * (F * Q')).
   apply: denominator_dvd; rewrite ?muln_gt0 ?F0 //; rewrite -(prednK t0); exact: vden.
