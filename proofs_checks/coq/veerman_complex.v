@@ -19,6 +19,17 @@ Proof. apply Cneq0_re; cbn; lra. Qed.
 Lemma C2_neq0 : RtoC 2 <> 0%C.
 Proof. apply Cneq0_re; cbn; lra. Qed.
 
+Lemma Cminus_iff (x y u v : C) : (x - y = u - v)%C -> (x = y <-> u = v).
+Proof.
+  destruct x as [x1 x2], y as [y1 y2], u as [u1 u2], v as [v1 v2]. intros E. injection E as E1 E2.
+  split; intros H; injection H as H1 H2; f_equal; lra.
+Qed.
+Lemma Cmult_cancel_r (x y z : C) : z <> 0%C -> (x * z = y * z)%C -> x = y.
+Proof.
+  intros Hz E. apply (f_equal (fun u => u * / z)%C) in E.
+  now rewrite <- !Cmult_assoc, Cinv_r, !Cmult_1_r in E.
+Qed.
+
 Fixpoint Cpw (z : C) (n : nat) : C := match n with O => RtoC 1 | S n => (z * Cpw z n)%C end.
 Lemma Cpw_neq0 (z : C) (n : nat) : z <> 0%C -> Cpw z n <> 0%C.
 Proof. intros Hz. induction n as [|n IH]; cbn [Cpw]; [exact C1_neq0 | now apply Cmult_neq_0]. Qed.
@@ -58,9 +69,11 @@ Lemma Cderive_wave (a : C) (w t : R) :
 Proof.
   split; unfold cis; cbn [fst snd Cmult]; (evar_last; [auto_derive; [easy|reflexivity] | ]); ring.
 Qed.
-Lemma Cderive_plus_const z t d (h : C) : Cderive z t d -> Cderive (fun s : R => (h + z s)%C) t d.
+Lemma is_derive_shift (u : R -> R) (t d k : R) : is_derive u t d -> is_derive (fun s : R => k + u s) t d.
 Proof.
-  intros [A B]. split; cbn [fst snd Cplus].
-  - evar_last; [eapply is_derive_plus; [apply is_derive_const | exact A]|]. unfold zero, plus; cbn. ring.
-  - evar_last; [eapply is_derive_plus; [apply is_derive_const | exact B]|]. unfold zero, plus; cbn. ring.
+  intros H. replace d with (plus zero d) by (unfold plus, zero; cbn; ring).
+  apply (@is_derive_plus R_AbsRing R_NormedModule (fun _ : R => k) u); [|exact H].
+  exact (@is_derive_const R_AbsRing R_NormedModule k t).
 Qed.
+Lemma Cderive_plus_const z t d (h : C) : Cderive z t d -> Cderive (fun s : R => (h + z s)%C) t d.
+Proof. intros [A B]. split; cbn [fst snd Cplus]; now apply is_derive_shift. Qed.
