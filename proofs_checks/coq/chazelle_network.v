@@ -247,10 +247,10 @@ have al0 : 0 <= (n%:R ^+ a)^-1 :> R by rewrite invr_ge0 ltW.
 have s0 : 0 <= 1 - slow by rewrite subr_ge0 slow_le1.
 have := mixing net MD conn c0 small_d al0 poly_rate_le poly_rate_le1 s i j => h.
 rewrite -/slow -(@ler_pexpn2r _ 2) // ?nnegrE ?mulr_ge0 ?exprn_ge0 //; last exact: ltW.
-rewrite real_normK ?num_real //; apply: le_trans h _; rewrite exprMn -!exprM [(s * 2)%N]mulnC exprM.
+rewrite real_normK ?num_real //; apply: le_trans h _; rewrite exprMn -[((1 - slow) ^+ s) ^+ 2]exprM mulnC exprM.
 apply: ler_pmul; rewrite ?exprn_ge0 ?subr_ge0 ?poly_rate_le1 //.
 - by rewrite divr_ge0 ?ltW.
-- apply: (@le_trans _ _ (n%:R ^+ a)); last by apply: ler_weexpn2l => //; rewrite muln2 -addnn leq_addr.
+- apply: (@le_trans _ _ (n%:R ^+ a)); last by rewrite expr2 ler_pemulr ?exprn_ege1 // ltW.
   rewrite -[X in _ <= X]mul1r; apply: ler_pmul; rewrite ?invr_ge0 ?(ltW (c0 _)) ?weight_le1 //.
   exact: inverse_weight.
 by apply: ler_expn2r; rewrite ?nnegrE ?subr_ge0 ?poly_rate_le1 ?exprn_ge0 // one_minus_slow.
@@ -265,10 +265,10 @@ rewrite exprS -mulrA -/eps; apply: tau1_le; first by rewrite mulr_ge0 // ltW.
 move=> i j; rewrite dist1_overlap; last exact: stochastic_mpow.
 rewrite ler_subl_addr -ler_subl_addl.
 apply: (@le_trans _ _ (\sum_k (pi k - eps))).
-  rewrite sumrB (stat_sum c0 i0) sumr_const card_ord -mulr_natl; exact: lexx.
+  by rewrite sumrB (stat_sum c0 i0) sumr_const card_ord -[eps *+ n]mulr_natl.
 apply: ler_sum => k _; have H l : pi k - eps <= mpow P s l k.
   have := eq_3_9 s l k; rewrite -/slow -/eps ler_norml => /andP[h _].
-  by rewrite ler_subl_addr addrC -ler_subl_addr -ler_oppr opprB.
+  by rewrite ler_subr_addr addrC in h.
 by rewrite le_minr !H.
 Qed.
 
@@ -279,7 +279,8 @@ Theorem eq_3_10 s : (n ^ (3 * a + 6) < s)%N ->
 Proof.
 move=> ss; have -> : 1 - \sum_k (pi k - n%:R ^+ a * (1 - (n%:R ^+ (2 * a + 4))^-1) ^+ s)
     = n%:R ^+ a.+1 * (1 - slow) ^+ s.
-  by rewrite sumrB (stat_sum c0 i0) sumr_const card_ord -mulr_natl -/slow exprS mulrA subKr.
+  rewrite -/slow; set eps := n%:R ^+ a * _.
+  by rewrite sumrB (stat_sum c0 i0) sumr_const card_ord -[eps *+ n]mulr_natl subKr exprS -mulrA.
 split; first exact: tau1_mixing.
 have m0 : (0 < n ^ (2 * a + 4))%N by rewrite expn_gt0 (ltnW n2).
 have H := @halving R (n ^ (2 * a + 4)) s m0; rewrite natrX -/slow in H.
@@ -345,7 +346,7 @@ have -> : \sum_j stat c j * f j * (f j - step G c f j) = n%:R^-1 * lam * sqn c f
   rewrite /sqn mulr_sumr; apply: eq_bigr => j _; rewrite st; ring.
 have -> : trace c = n%:R * n%:R.
   by rewrite /trace (eq_bigr (fun=> n%:R)) => [|j _]; rewrite ?invrK // sumr_const card_ord -mulr_natl.
-rewrite mulrnAr ler_muln2r /= -(ler_pmul2l (mulr_gt0 N0 N0)) mulrA mulfV ?mul1r ?gt_eqF ?mulr_gt0 //.
+rewrite [X in _ <= X]mulrnAr ler_muln2r /= -(ler_pmul2l (mulr_gt0 N0 N0)) mulrA mulfV ?mul1r ?gt_eqF ?mulr_gt0 //.
 rewrite -[X in X <= _]mul1r.
 have -> : n%:R * n%:R * ((n.-1 ^ 2)%:R * (n%:R^-1 * lam * sqn c f)) = lam * (n * n.-1 ^ 2)%:R * sqn c f.
   by rewrite natrM; move: (gt_eqF N0) => nz; field; rewrite nz.
@@ -372,5 +373,5 @@ apply: le_trans (diameter_mul (norm2_0 _ _) (@norm2Z _ _) (@norm2D _ _) _ (stoch
 apply: ler_wpmul2r => //; apply: le_trans (tau1_mixing net MD conn c0 n2 sc sd t) _.
 have N0 : 0 < n%:R :> R by rewrite ltr0n ltnW.
 apply: ler_wpmul2l; first by rewrite exprn_ge0 // ltW.
-rewrite -natrX; apply: halving; by rewrite expn_gt0 ltnW.
+rewrite /slow -natrX; apply: halving; by rewrite expn_gt0 ltnW.
 Qed.
