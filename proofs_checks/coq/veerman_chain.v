@@ -79,7 +79,7 @@ Definition Cmat (gam : C) : mat2 := Mat2 0%C 1%C (- (1))%C (2 * gam)%C.
 Fixpoint mat2_pow (A : mat2) n := match n with O => Mat2 1%C 0%C 0%C 1%C | S n => mat2_mul A (mat2_pow A n) end.
 Definition trace2 (A : mat2) : C := (m11 A + m22 A)%C.
 
-Lemma mu_square gam mu : (mu + / mu = 2 * gam)%C -> mu <> 0%C -> (mu * mu = 2 * gam * mu - 1)%C.
+Lemma mu_square (gam mu : C) : (mu + / mu = 2 * gam)%C -> mu <> 0%C -> (mu * mu = 2 * gam * mu - 1)%C.
 Proof. intros H NZ. rewrite <- H. field. exact NZ. Qed.
 
 (* powers of C, through mu: (mu - 1/mu) C^n = ... ; the trace by its own recurrence *)
@@ -153,7 +153,7 @@ Proof.
 Qed.
 
 (* backwards from the last car: 2 a_{N+1-j} = a_{N+1} (mu^j + mu^-j) *)
-Lemma backwards gam mu N a : mu <> 0%C -> (mu + / mu = 2 * gam)%C -> chain gam N a ->
+Lemma backwards (gam mu : C) (N : nat) (a : nat -> C) : mu <> 0%C -> (mu + / mu = 2 * gam)%C -> chain gam N a ->
   forall j, (j <= N)%nat ->
     (2 * a (S N - j)%nat = a (S N) * (Cpw mu j + / Cpw mu j) /\
      2 * a (N - j)%nat = a (S N) * (Cpw mu (S j) + / Cpw mu (S j)))%C.
@@ -175,11 +175,11 @@ Proof.
 Qed.
 
 (* |mu| <> 1 where gamma is not real *)
-Lemma unit_mu_real gam mu : mu <> 0%C -> (mu + / mu = 2 * gam)%C -> Cmod mu = 1 -> snd gam = 0.
+Lemma unit_mu_real (gam mu : C) : mu <> 0%C -> (mu + / mu = 2 * gam)%C -> Cmod mu = 1 -> snd gam = 0.
 Proof.
   intros NZ H M. assert (S : fst mu ^ 2 + snd mu ^ 2 = 1) by (rewrite <- Cmod_sqr, M; ring).
   apply (f_equal snd) in H. destruct mu as [p q], gam as [x y]. cbn [Cplus Cinv Cmult RtoC fst snd] in *.
-  replace (p * (p * 1) + q * (q * 1)) with 1 in H by (rewrite <- S; ring). lra.
+  rewrite S in H. lra.
 Qed.
 Lemma gamma_imaginary f g w : f < 0 -> g < 0 -> snd (gamma f g w) = - g * w ^ 3 / (f ^ 2 + (w * g) ^ 2).
 Proof.
@@ -207,7 +207,7 @@ Proof.
   destruct (mu_neq0 gam) as [NZ _]. cbn zeta. rewrite mu_inverse, Cpw_inv by exact NZ.
   pose proof (Cpw_neq0 _ n NZ) as PZ. set (z := Cpw (mu_plus gam) n) in *.
   rewrite <- Cmod_Cpw. fold z. split.
-  - pose proof (Cmod_triangle (/ z + z) (- z)) as T1. pose proof (Cmod_triangle (/ z + z) (- / z)) as T2.
+  - pose proof (Cmod_triangle (/ z + z)%C (- z)%C) as T1. pose proof (Cmod_triangle (/ z + z)%C (- / z)%C) as T2.
     replace (/ z + z + - z)%C with (/ z)%C in T1 by ring. replace (/ z + z + - / z)%C with z in T2 by ring.
     rewrite !Cmod_opp, ?Cmod_inv in T1, T2 by exact PZ.
     apply Rabs_le. lra.
@@ -265,11 +265,11 @@ Qed.
 (* veerman.lem2_eigvec *)
 Theorem lemma_2_eigenvectors gam :
   let s := Csqrt (gam * gam - 1)%C in
-  Cmap gam (1%C, mu_plus gam) = (mu_plus gam * 1, mu_plus gam * mu_plus gam)%C /\
-  Cmap gam (1%C, mu_minus gam) = (mu_minus gam * 1, mu_minus gam * mu_minus gam)%C /\
+  Cmap gam (RtoC 1, mu_plus gam) = (mu_plus gam * 1, mu_plus gam * mu_plus gam)%C /\
+  Cmap gam (RtoC 1, mu_minus gam) = (mu_minus gam * 1, mu_minus gam * mu_minus gam)%C /\
   (1 - gam * mu_plus gam = - s * mu_plus gam)%C /\ (1 - gam * mu_minus gam = s * mu_minus gam)%C.
 Proof.
-  intros s. unfold Cmap; cbn [fst snd]. pose proof (Csqrt_sqr (gam * gam - 1)) as S. fold s in S.
+  intros s. unfold Cmap; cbn [fst snd]. pose proof (Csqrt_sqr (gam * gam - 1)%C) as S. fold s in S.
   assert (SS : (gam * gam = 1 + s * s)%C) by (rewrite S; ring).
   unfold mu_plus, mu_minus. fold s.
   split; [|split; [|split]].
@@ -367,8 +367,12 @@ Proof.
   set (p := r ^ n) in *. set (q := / p) in *. set (i := / r) in *.
   assert (r * p - i * q - (p - q) >= r - i); [|nra].
   assert (0 <= (r - 1) * (p - 1)) by (apply Rmult_le_pos; lra).
-  assert (0 <= (1 - i) * (1 - q)) by (apply Rmult_le_pos; lra).
-  nra.
+  assert (PQ : p * q = 1) by (unfold q; field; lra).
+  assert (EQ : (1 - i) * (1 - q) = (r - 1) * (p - 1) * (i * q)).
+  { replace ((r - 1) * (p - 1) * (i * q)) with ((r * i - i) * (p * q - q)) by ring. rewrite RI, PQ. ring. }
+  assert (IQ : i * q <= 1) by (rewrite <- (Rmult_1_l 1); apply Rmult_le_compat; lra).
+  assert ((r - 1) * (p - 1) * (i * q) <= (r - 1) * (p - 1) * 1) by (apply Rmult_le_compat_l; lra).
+  lra.
 Qed.
 Theorem lemma_3 f g w N a : f < 0 -> g < 0 -> 0 < w -> a 0%nat = RtoC 1 -> equation_2 f g w N a ->
   Cmod (a (S N)) * (INR (S N) * (- g * w ^ 3 / (f ^ 2 + (w * g) ^ 2))) <= 1.
@@ -386,7 +390,7 @@ Proof.
   { assert (Hs := f_equal snd Hmu). pose proof (Cmod_parts mu) as [_ MS]. fold r in MS.
     pose proof (Rmax_Cmod mu) as RM. pose proof (Rmax_r (Rabs (fst mu)) (Rabs (snd mu))) as RR. fold r in RM.
     destruct mu as [x y]. cbn [Cplus Cinv Cmult RtoC fst snd] in *.
-    replace (x * (x * 1) + y * (y * 1)) with (r ^ 2) in Hs by (rewrite MS; ring).
+    rewrite <- MS in Hs.
     assert (2 * snd gam = y * (1 - (/ r) ^ 2)).
     { replace (2 * snd gam) with (2 * snd gam + 0 * fst gam) by ring. rewrite <- Hs. field. lra. }
     rewrite H. apply Rle_trans with (Rabs (y * (1 - (/ r) ^ 2))); [apply Rle_abs|].
