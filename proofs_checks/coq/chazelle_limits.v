@@ -146,7 +146,8 @@ apply: le_trans (ler_norm_sum _ _ _) _; rewrite /weight mulr_sumr; apply: ler_su
 rewrite normrM; apply: (@le_trans _ _ (eps * `|W k j|)).
   apply: ler_wpmul2r => //; rewrite mxE; case: eqP => _; first by rewrite mxE normr0.
   have -> : (1%:M - mpow P t - (1%:M - rank1)) i k = - (mpow P t i k - pi k).
-    by rewrite opprB [X in X i k]addrC addrA subrK mxE [X in _ + X]mxE rank1E opprB.
+    have -> : 1%:M - mpow P t - (1%:M - rank1) = rank1 - mpow P t by rewrite opprB addrC addrA subrK.
+    by rewrite mxE [X in _ + X]mxE rank1E opprB.
   by rewrite normrN.
 apply: ler_wpmul2l => //; rewrite (bigD1 j) //= ler_addl; apply: sumr_ge0 => l _; exact: normr_ge0.
 Qed.
@@ -158,13 +159,13 @@ Hypothesis Hx : forall t, x t.+1 = x t + v t.+1.
 Hypothesis Hv : forall t, (0 < t)%N -> v t.+1 = P *m v t.
 
 Lemma velocity_power s : v s.+1 = mpow P s *m v 1%N.
-Proof. by elim: s => [|s IH]; rewrite ?mul1mx // Hv // IH mulmxA. Qed.
+Proof. by elim: s => [|s IH]; [rewrite mul1mx | rewrite Hv // IH mulmxA]. Qed.
 
 (* chazelle.eq3.12-13 *)
 Theorem eq_3_12 t : x t = x 0%N + (\sum_(s < t) mpow P s) *m v 1%N.
 Proof.
 elim: t => [|t IH]; first by rewrite big_ord0 mul0mx addr0.
-by rewrite Hx IH big_ord_recr /= mulmxDl -addrA velocity_power.
+by rewrite Hx IH big_ord_recr /= mulmxDl -addrA (velocity_power t).
 Qed.
 Theorem eq_3_13 t : x t = x 0%N + (rank1 *m v 1%N) *+ t + Gamma_t t *m v 1%N.
 Proof.
@@ -186,11 +187,11 @@ Proof.
 rewrite /relative eq_3_13 !mulmxDr [pirow *m (Gamma_t t *m _)]mulmxA pi_Gamma_t mul0mx mulmx0 addr0.
 have -> : ones *m (pirow *m (rank1 *m v 1%N *+ t)) = rank1 *m v 1%N *+ t.
   by rewrite -!mulmxnr !mulmxA -[ones *m pirow *m ones]mulmxA pi_ones mulmx1.
-rewrite mulmxBl mul1mx /rank1 [ones *m (pirow *m x 0%N)]mulmxA.
-by apply/matrixP=> i j; rewrite !mxE; ring.
+rewrite [(1%:M - rank1) *m _]mulmxBl mul1mx /rank1 [ones *m (pirow *m x 0%N)]mulmxA.
+by rewrite opprD addrAC addrACA subrr addr0.
 Qed.
 Theorem mass_centre t : pirow *m x t.+1 - pirow *m x t = pirow *m v 1%N.
-Proof. by rewrite Hx mulmxDr addrAC subrr add0r velocity_power mulmxA pi_mpow. Qed.
+Proof. by rewrite Hx mulmxDr addrAC subrr add0r (velocity_power t) mulmxA pi_mpow. Qed.
 End Motion.
 End Limits.
 
@@ -206,7 +207,7 @@ Notation P := (transition G c).
 
 
 Lemma rate01 : 0 < Num.min (some_rate G c) 1 <= 1.
-Proof. by rewrite lt_minr (some_rate_gt0 net MD c0 ord0) ltr01 le_minl lexx orbT. Qed.
+Proof. by rewrite lt_minr (some_rate_gt0 net MD c0 ord0) ltr01 /= le_minl lexx orbT. Qed.
 
 Theorem powers_converge : converges (mpow P) (rank1 c).
 Proof.
@@ -279,6 +280,6 @@ Proof.
 move=> Hv; have H := converges_mul (v 1%N) (0 : 'M[R]_(n, d)) powers_converge.
 move=> eps /H[T HT]; exists T => t Tt i j; have := HT t Tt i j; rewrite !add0r.
 suff -> : v t.+1 = mpow P t *m v 1%N by [].
-by elim: (t) => [|s IH]; rewrite ?mul1mx // Hv // IH mulmxA.
+by elim: (t) => [|s IH]; [rewrite mul1mx | rewrite Hv // IH mulmxA].
 Qed.
 End Convergence.
