@@ -68,6 +68,13 @@ Qed.
 Lemma rank1_P : rank1 *m P = rank1. Proof. by rewrite /rank1 -mulmxA pi_P. Qed.
 Lemma P_rank1 : P *m rank1 = rank1. Proof. by rewrite /rank1 mulmxA P_ones. Qed.
 
+Lemma good_rate : exists r, [/\ 0 < r, r <= 1 & r * (n.-1 ^ 2)%:R <= smallest G c * (trace c)^-1 *+ 2].
+Proof.
+have s0 := some_rate_gt0 net MD c0 (0 : 'I_n); have sl := some_rate_le net MD c0 (0 : 'I_n).
+have [s1|s1] := leP (some_rate G c) 1; first by exists (some_rate G c).
+exists 1; split=> //; apply: le_trans sl; apply: ler_wpmul2r; [by rewrite ler0n | exact: ltW].
+Qed.
+
 (* Gamma_t = - 1 pi^T t + sum_{s<t} P^s *)
 Definition Gamma_t (t : nat) : 'M[R]_n := \sum_(s < t) mpow P s - rank1 *+ t.
 Definition last_col (Y : 'M[R]_n) (y : 'cV[R]_n) : 'M[R]_n := \matrix_(i, j) (if j == ord_max then y i 0 else Y i j).
@@ -206,20 +213,14 @@ Hypothesis c0 : forall i, 0 < c i.
 Notation P := (transition G c).
 
 
-Lemma rate01 : 0 < Num.min (some_rate G c) 1 <= 1.
-Proof. by rewrite lt_minr (some_rate_gt0 net MD c0 ord0) ltr01 /= le_minl lexx orbT. Qed.
-
 Theorem powers_converge : converges (mpow P) (rank1 c).
 Proof.
-move=> eps e0; pose r := Num.min (some_rate G c) 1; have /andP[r0 r1] := rate01; rewrite -/r in r0 r1.
+move=> eps e0; have [r [r0 r1 rl]] := good_rate net MD c0.
 pose K := \sum_i \sum_j c i / c j.
 have K0 : 0 <= K by apply: sumr_ge0 => i _; apply: sumr_ge0 => j _; rewrite divr_ge0 ?ltW.
 have y01 : 0 <= 1 - r < 1 by rewrite subr_ge0 r1 ltr_subl_addr ltr_addl r0.
-have e1 : 0 < eps ^+ 2 / (K + 1) by rewrite divr_gt0 ?exprn_gt0 // ltr_spaddr.
+Proof. rewrite lt_minr (some_rate_gt0 net MD c0 ord0) ltr01 /=. Show. by rewrite le_minl lexx orbT. Qed.
 have [T HT] := geometric_small y01 e1; exists T => t /HT ht i j.
-have rl : r * (n.-1 ^ 2)%:R <= smallest G c * (trace c)^-1 *+ 2.
-  apply: le_trans (some_rate_le net MD c0 ord0); apply: ler_wpmul2r; rewrite ?ler0n //.
-  by rewrite le_minl lexx.
 have := mixing net MD conn c0 (smallest_le G c) (ltW (smallest_gt0 net MD)) rl r1 t i j.
 rewrite rank1E => h; rewrite -(@ltr_pexpn2r _ 2) // ?nnegrE ?(ltW e0) // real_normK ?num_real //.
 apply: le_lt_trans h _; apply: (@le_lt_trans _ _ (K * (1 - r) ^+ t)).
