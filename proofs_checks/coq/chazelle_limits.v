@@ -219,7 +219,8 @@ move=> eps e0; have [r [r0 r1 rl]] := good_rate net MD c0.
 pose K := \sum_i \sum_j c i / c j.
 have K0 : 0 <= K by apply: sumr_ge0 => i _; apply: sumr_ge0 => j _; rewrite divr_ge0 ?ltW.
 have y01 : 0 <= 1 - r < 1 by rewrite subr_ge0 r1 ltr_subl_addr ltr_addl r0.
-Proof. rewrite lt_minr (some_rate_gt0 net MD c0 ord0) ltr01 /=. Show. by rewrite le_minl lexx orbT. Qed.
+have K1 : 0 < K + 1 by exact: ltr_paddl K0 ltr01.
+have e1 : 0 < eps ^+ 2 / (K + 1) by rewrite divr_gt0 ?exprn_gt0.
 have [T HT] := geometric_small y01 e1; exists T => t /HT ht i j.
 have := mixing net MD conn c0 (smallest_le G c) (ltW (smallest_gt0 net MD)) rl r1 t i j.
 rewrite rank1E => h; rewrite -(@ltr_pexpn2r _ 2) // ?nnegrE ?(ltW e0) // real_normK ?num_real //.
@@ -230,7 +231,7 @@ apply: le_lt_trans h _; apply: (@le_lt_trans _ _ (K * (1 - r) ^+ t)).
   by apply: sumr_ge0 => k _; apply: sumr_ge0 => l _; rewrite divr_ge0 ?ltW.
 apply: (@le_lt_trans _ _ ((K + 1) * (1 - r) ^+ t)).
   by apply: ler_wpmul2r; rewrite ?exprn_ge0 ?subr_ge0 // ler_addl ler01.
-by rewrite mulrC -ltr_pdivl_mulr // ltr_spaddr.
+by rewrite mulrC -ltr_pdivl_mulr.
 Qed.
 
 (* chazelle.lem3.3 *)
@@ -238,11 +239,12 @@ Theorem lemma_3_3 : converges (Gamma_t G c) (Gamma G c).
 Proof.
 move=> eps e0; pose W := weight G c.
 have W0 : 0 <= W by apply: sumr_ge0 => i _; apply: sumr_ge0 => j _; exact: normr_ge0.
-have e1 : 0 < eps / (W + 1) by rewrite divr_gt0 // ltr_spaddr.
+have W1 : 0 < W + 1 by exact: ltr_paddl W0 ltr01.
+have e1 : 0 < eps / (W + 1) by rewrite divr_gt0.
 have [T HT] := powers_converge e1; exists T => t /HT ht i j.
-have h k l : `|mpow P t k l - stat c l| <= eps / (W + 1) by rewrite -rank1E ltW.
+have h k l : `|mpow P t k l - stat c l| <= eps / (W + 1) by have := ht k l; rewrite rank1E; exact: ltW.
 apply: le_lt_trans (Gamma_rate net MD conn c0 h i j) _; rewrite -/W -mulrA gtr_pmulr //.
-by rewrite mulrC ltr_pdivr_mulr ?ltr_spaddr // mul1r ltr_addl ltr01.
+by rewrite mulrC ltr_pdivr_mulr // mul1r ltr_addl ltr01.
 Qed.
 
 Lemma converges_mul p q (A : nat -> 'M[R]_(p, n)) B (y : 'M[R]_(n, q)) (z : 'M[R]_(p, q)) :
@@ -250,7 +252,8 @@ Lemma converges_mul p q (A : nat -> 'M[R]_(p, n)) B (y : 'M[R]_(n, q)) (z : 'M[R
 Proof.
 move=> H eps e0; pose K := \sum_i \sum_j `|y i j|.
 have K0 : 0 <= K by apply: sumr_ge0 => i _; apply: sumr_ge0 => j _; exact: normr_ge0.
-have e1 : 0 < eps / (K + 1) by rewrite divr_gt0 // ltr_spaddr.
+have K1 : 0 < K + 1 by exact: ltr_paddl K0 ltr01.
+have e1 : 0 < eps / (K + 1) by rewrite divr_gt0.
 have [T HT] := H _ e1; exists T => t /HT ht i j.
 have -> : (z + A t *m y) i j - (z + B *m y) i j = \sum_k (A t i k - B i k) * y k j.
   rewrite !mxE opprD addrACA subrr add0r -sumrB; apply: eq_bigr => k _; by rewrite mulrBl.
@@ -259,7 +262,7 @@ apply: (@le_lt_trans _ _ (eps / (K + 1) * K)).
   rewrite /K mulr_sumr; apply: ler_sum => k _; rewrite normrM.
   apply: ler_pmul => //; first exact: ltW (ht i k).
   by rewrite (bigD1 j) //= ler_addl; apply: sumr_ge0 => l _; exact: normr_ge0.
-rewrite -mulrA gtr_pmulr // mulrC ltr_pdivr_mulr ?ltr_spaddr // mul1r ltr_addl ltr01 //.
+by rewrite -mulrA gtr_pmulr // mulrC ltr_pdivr_mulr // mul1r ltr_addl ltr01.
 Qed.
 
 (* chazelle.lem3.4 *)
@@ -268,7 +271,7 @@ Theorem lemma_3_4 d (x v : nat -> 'M[R]_(n, d)) :
   converges (fun t => relative c (x t)) ((1%:M - rank1 c) *m x 0%N + Gamma G c *m v 1%N) /\
   (forall t, pirow c *m x t.+1 - pirow c *m x t = pirow c *m v 1%N).
 Proof.
-move=> Hx Hv; split; last by move=> t; apply: mass_centre net MD c0 _ _ Hx Hv t.
+move=> Hx Hv; split; last exact: (mass_centre net MD c0 Hx Hv).
 have H := converges_mul (v 1%N) ((1%:M - rank1 c) *m x 0%N) lemma_3_3.
 move=> eps /H[T HT]; exists T => t Tt; rewrite (relative_position net MD c0 Hx Hv); exact: HT.
 Qed.
