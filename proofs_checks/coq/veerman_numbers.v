@@ -43,27 +43,27 @@ Definition table : list (R * cell * cell * cell * cell) :=
 Definition agrees (c : cell) (x : R) : Prop := Rabs (fst c - x) <= snd c.
 
 (* veerman.table1_theory, corrected: NFREQ and NAMP are Theorem 1 with N followers *)
-Theorem table_theory : Forall (fun r => match r with (N, nf, na, tf, ta) =>
+Theorem table_theory : List.Forall (fun r => match r with (N, nf, na, tf, ta) =>
   agrees nf (frequency (-1) N) /\ agrees na (amplitude (-1) (-1) N) end) table.
 Proof.
-  repeat apply Forall_cons; try apply Forall_nil; unfold agrees; cbn [fst snd];
+  repeat apply List.Forall_cons; try apply List.Forall_nil; unfold agrees; cbn [fst snd];
   rewrite frequency_unit, amplitude_unit; split; interval with (i_prec 60).
 Qed.
 (* as printed: no cell of TFREQ, TAMP is Theorem 1, for N + 1 followers or for N *)
-Theorem table_theory_printed_fails : Forall (fun r => match r with (N, nf, na, tf, ta) =>
+Theorem table_theory_printed_fails : List.Forall (fun r => match r with (N, nf, na, tf, ta) =>
   ~ agrees tf (frequency (-1) (N + 1)) /\ ~ agrees ta (amplitude (-1) (-1) (N + 1)) /\
   ~ agrees tf (frequency (-1) N) /\ ~ agrees ta (amplitude (-1) (-1) N) end) table.
 Proof.
   assert (K : forall c x, snd c < Rabs (fst c - x) -> ~ agrees c x) by (unfold agrees; intros; lra).
-  repeat apply Forall_cons; try apply Forall_nil; rewrite !frequency_unit, !amplitude_unit;
+  repeat apply List.Forall_cons; try apply List.Forall_nil; rewrite !frequency_unit, !amplitude_unit;
   repeat split; apply K; cbn [fst snd]; interval with (i_prec 60).
 Qed.
 (* veerman.table1.size: with N + 1 followers no cell of NFREQ, NAMP agrees *)
-Theorem table_size_printed_fails : Forall (fun r => match r with (N, nf, na, tf, ta) =>
+Theorem table_size_printed_fails : List.Forall (fun r => match r with (N, nf, na, tf, ta) =>
   ~ agrees nf (frequency (-1) (N + 1)) /\ ~ agrees na (amplitude (-1) (-1) (N + 1)) end) table.
 Proof.
   assert (K : forall c x, snd c < Rabs (fst c - x) -> ~ agrees c x) by (unfold agrees; intros; lra).
-  repeat apply Forall_cons; try apply Forall_nil; rewrite !frequency_unit, !amplitude_unit;
+  repeat apply List.Forall_cons; try apply List.Forall_nil; rewrite !frequency_unit, !amplitude_unit;
   repeat split; apply K; cbn [fst snd]; interval with (i_prec 60).
 Qed.
 
@@ -120,10 +120,11 @@ Proof.
   assert (LB : forall (m s b : R), 0 <= m -> 0 <= b -> m ^ 2 * s = 1 -> 0 < s -> s * b ^ 2 <= 1 -> b <= m).
   { intros m s b Hm Hb E Hs H. destruct (Rle_lt_dec b m) as [L|L]; [exact L|exfalso].
     assert (m * m < b * b) by (apply Rmult_le_0_lt_compat; lra).
-    assert (s * (m * m) < s * (b * b)) by (apply Rmult_lt_compat_l; lra). nra. }
+    assert (s * (m * m) < s * (b * b)) by (apply Rmult_lt_compat_l; lra).
+    replace (m ^ 2 * s) with (s * (m * m)) in E by ring. replace (s * b ^ 2) with (s * (b * b)) in H by ring. lra. }
   split; intros a A0 HE; apply equation_2_chain in HE; try lra.
   - pose proof (modulus_from _ _ _ (chain4 a _ A0 HE)) as E. rewrite gamma_unit in E. cbn [fst snd] in E.
-    apply (LB _ _ _ (Cmod_ge_0 _) ltac:(lra) E); unfold re4, im4, cx, cz; interval with (i_prec 60).
+    apply (LB _ _ _ (Cmod_ge_0 _) ltac:(lra) E); unfold re4, im4, cx, cz; match goal with |- ?g => idtac g end; interval with (i_prec 60).
   - pose proof (modulus_from _ _ _ (chain5 a _ A0 HE)) as E. rewrite gamma_unit in E. cbn [fst snd] in E.
     apply (LB _ _ _ (Cmod_ge_0 _) ltac:(lra) E); unfold re5, im5, re4, im4, re3, im3, cx, cz; interval with (i_prec 60).
 Qed.
