@@ -124,9 +124,11 @@ Proof.
     replace (m ^ 2 * s) with (s * (m * m)) in E by ring. replace (s * b ^ 2) with (s * (b * b)) in H by ring. lra. }
   split; intros a A0 HE; apply equation_2_chain in HE; try lra.
   - pose proof (modulus_from _ _ _ (chain4 a _ A0 HE)) as E. rewrite gamma_unit in E. cbn [fst snd] in E.
-    apply (LB _ _ _ (Cmod_ge_0 _) ltac:(lra) E); unfold re4, im4, cx, cz; match goal with |- ?g => idtac g end; interval with (i_prec 60).
+    assert (B0 : 0 <= 4.6548) by lra.
+    apply (LB _ _ _ (Cmod_ge_0 _) B0 E); unfold re4, im4, cx, cz; interval with (i_prec 60).
   - pose proof (modulus_from _ _ _ (chain5 a _ A0 HE)) as E. rewrite gamma_unit in E. cbn [fst snd] in E.
-    apply (LB _ _ _ (Cmod_ge_0 _) ltac:(lra) E); unfold re5, im5, re4, im4, re3, im3, cx, cz; interval with (i_prec 60).
+    assert (B0 : 0 <= 5.7) by lra.
+    apply (LB _ _ _ (Cmod_ge_0 _) B0 E); unfold re5, im5, re4, im4, re3, im3, cx, cz; interval with (i_prec 60).
 Qed.
 
 (* ---- veerman.onlytwo: when everyone tracks the leader, the peak does not grow at all ---- *)
