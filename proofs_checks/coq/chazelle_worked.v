@@ -92,7 +92,7 @@ Theorem eps_inequality (nu : nat) : (1 <= nu)%nat ->
 Proof.
   intros H. assert (N1 : 1 <= INR nu) by (apply (le_INR 1); exact H).
   assert (NP : 0 < INR nu) by lra.
-  rewrite <- (exp_ln (INR nu)) at 2 by exact NP.
+  rewrite <- (exp_ln (INR nu)) by exact NP.
   assert (PE : forall n x, exp x ^ n = exp (INR n * x)).
   { induction n as [|n IH]; intros x; [cbn; rewrite Rmult_0_l, exp_0; reflexivity|].
     cbn [pow]. rewrite IH, <- exp_plus, S_INR. f_equal. ring. }
@@ -128,21 +128,38 @@ Proof.
   pose proof (dotp_sq d x) as X. pose proof (dotp_sq d y) as Y.
   pose proof (dotp_sq d (fun k => dotp d y y * x k + - dotp d x y * y k)) as H. rewrite dotp_lin in H.
   destruct (Req_dec (dotp d y y) 0) as [Z|Z].
-  - pose proof (dotp_sq d (fun k => 1 * x k + - dotp d x y * (1 + dotp d x x) * y k)) as K.
-    rewrite dotp_lin, Z in K. rewrite Z. nra.
+  - destruct (Req_dec (dotp d x y) 0) as [T|T]; [rewrite T, Z; lra|exfalso].
+    pose proof (dotp_sq d (fun k => 1 * x k + - (1 + dotp d x x) / dotp d x y * y k)) as K.
+    rewrite dotp_lin, Z in K.
+    replace (2 * 1 * (- (1 + dotp d x x) / dotp d x y) * dotp d x y) with (- 2 * (1 + dotp d x x)) in K by (field; exact T). lra.
   - assert (0 < dotp d y y) by lra.
     assert (0 <= dotp d y y * (dotp d x x * dotp d y y - dotp d x y ^ 2)) by nra. nra.
 Qed.
+Lemma sin_lower x : 0 <= x <= 2 -> 4 / 10 * x <= sin x.
+Proof.
+  intros [A B]. assert (XP : x <= PI) by (pose proof PI2_3_2; unfold PI2 in *; lra).
+  destruct (SIN x A XP) as [L _]. apply Rle_trans with (2 := L).
+  unfold sin_lb, sin_approx, sin_term. cbn [sum_f_R0 Nat.mul Nat.add].
+  assert (F : INR (fact 1) = 1 /\ INR (fact 3) = 6 /\ INR (fact 5) = 120 /\ INR (fact 7) = 5040).
+  { rewrite !INR_IZR_INZ. repeat split. }
+  destruct F as (F1 & F3 & F5 & F7). rewrite F1, F3, F5, F7.
+  replace ((-1) ^ 0 * (x ^ 1 / 1) + (-1) ^ 1 * (x ^ 3 / 6) + (-1) ^ 2 * (x ^ 5 / 120) + (-1) ^ 3 * (x ^ 7 / 5040))
+    with (x * (1 - x ^ 2 / 6 + (x ^ 2) ^ 2 / 120 - (x ^ 2) ^ 3 / 5040)) by field.
+  rewrite Rmult_comm. apply Rmult_le_compat_l; [exact A|].
+  assert (Y0 : 0 <= x ^ 2 <= 4) by (split; [apply pow2_ge_0|nra]). set (y := x ^ 2) in *. clearbody y.
+  assert (y ^ 3 <= 4 * y ^ 2) by (replace (y ^ 3) with (y * y ^ 2) by ring; apply Rmult_le_compat_r; [apply pow2_ge_0|lra]).
+  assert (0 <= (4 - y) * (5 - y)) by (apply Rmult_le_pos; lra). nra.
+Qed.
 Definition diff (x y : nat -> R) : nat -> R := fun k => 1 * x k + (-1) * y k.
 Theorem angle_bounds d v w B : 0 < norm d (diff v w) -> norm d v <= B -> norm d w <= B ->
-  / (1 + B ^ 2) <= angle d v w / norm d (diff v w) <= PI / 2.
+  / (1 + B ^ 2) <= angle d v w / norm d (diff v w) <= 5 / 2.
 Proof.
   intros D HV HW. pose proof (dotp_sq d v) as V0. pose proof (dotp_sq d w) as W0.
   set (p := sqrt (ldot d v v)). set (q := sqrt (ldot d w w)).
   assert (P2 : p * p = 1 + dotp d v v) by (unfold p, ldot; rewrite sqrt_sqrt; lra).
   assert (Q2 : q * q = 1 + dotp d w w) by (unfold q, ldot; rewrite sqrt_sqrt; lra).
-  assert (P1 : 1 <= p) by (unfold p, ldot; rewrite <- sqrt_1; apply sqrt_le_1_alt; lra).
-  assert (Q1 : 1 <= q) by (unfold q, ldot; rewrite <- sqrt_1; apply sqrt_le_1_alt; lra).
+  assert (P1 : 1 <= p) by (unfold p, ldot; apply Rle_trans with (sqrt 1); [rewrite sqrt_1; lra | apply sqrt_le_1_alt; lra]).
+  assert (Q1 : 1 <= q) by (unfold q, ldot; apply Rle_trans with (sqrt 1); [rewrite sqrt_1; lra | apply sqrt_le_1_alt; lra]).
   set (n := norm d (diff v w)) in *.
   assert (N2 : n * n = dotp d v v - 2 * dotp d v w + dotp d w w).
   { unfold n, norm. rewrite sqrt_sqrt by apply dotp_sq. unfold diff. rewrite dotp_lin. ring. }
@@ -152,9 +169,15 @@ Proof.
   assert (PQ : 1 <= p * q) by nra.
   assert (CE : c * (p * q) = s) by (unfold c; field; nra).
   assert (SC : n * n <= (p * q) ^ 2 - s ^ 2).
-  { replace ((p * q) ^ 2) with ((p * p) * (q * q)) by ring. rewrite P2, Q2. nra. }
+  { replace ((p * q) ^ 2) with ((p * p) * (q * q)) by ring. rewrite P2, Q2, N2.
+    replace ((1 + dotp d v v) * (1 + dotp d w w) - s ^ 2)
+      with (dotp d v v - 2 * (s - 1) + dotp d w w + (dotp d v v * dotp d w w - (s - 1) ^ 2)) by ring. lra. }
   assert (C1 : c ^ 2 <= 1).
-  { assert (s ^ 2 <= (p * q) ^ 2) by nra. rewrite <- CE in H. nra. }
+  { pose proof (pow2_ge_0 n) as NN. replace (n ^ 2) with (n * n) in NN by ring. rewrite <- CE in SC.
+    replace ((p * q) ^ 2 - (c * (p * q)) ^ 2) with ((p * q) ^ 2 * (1 - c ^ 2)) in SC by ring.
+    assert (0 < (p * q) ^ 2) by (apply pow_lt; lra).
+    destruct (Rle_lt_dec (c ^ 2) 1) as [L|L]; [exact L|exfalso].
+    assert (0 < (p * q) ^ 2 * (c ^ 2 - 1)) by (apply Rmult_lt_0_compat; lra). lra. }
   assert (CB : -1 <= c <= 1) by nra.
   set (th := acos c). pose proof (acos_bound c) as [T0 T1]. fold th in T0, T1.
   assert (CT : cos th = c) by (apply cos_acos; lra).
@@ -180,7 +203,7 @@ Proof.
     rewrite <- Rmult_assoc, Rinv_r, Rmult_1_l by (pose proof (pow2_ge_0 B); lra).
     apply Rle_trans with (1 := NS). apply Rmult_le_compat; lra.
   - apply Rcomplements.Rle_div_l; [lra|].
-    (* chord: 2 (1 - cos th) <= n^2, and th <= (pi/2) 2 sin(th/2) *)
+    (* chord: 2 (1 - cos th) <= n^2, and th <= (5/2) 2 sin(th/2) *)
     assert (CH : 2 * (1 - c) <= n * n).
     { assert (X : n * n = (p - q) ^ 2 + 2 * (p * q) * (1 - c)).
       { replace (2 * (p * q) * (1 - c)) with (2 * (p * q) - 2 * s) by (rewrite <- CE; ring). rewrite N2.
@@ -193,10 +216,6 @@ Proof.
     assert (SN : 2 * sin (th / 2) <= n).
     { destruct (Rle_lt_dec (2 * sin (th / 2)) n) as [L|L]; [exact L|exfalso].
       assert (n * n < (2 * sin (th / 2)) * (2 * sin (th / 2))) by (apply Rmult_le_0_lt_compat; lra). nra. }
-    (* Jordan: sin x >= (2/pi) x on [0, pi/2] *)
-    assert (J : 2 / PI * (th / 2) <= sin (th / 2)).
-    { admit. }
-    apply Rle_trans with (PI / 2 * (2 * sin (th / 2))).
-    + apply (Rmult_le_compat_l (PI)) in J; [|lra]. replace (PI * (2 / PI * (th / 2))) with th in J by (field; lra). lra.
-    + apply Rmult_le_compat_l; lra.
-Abort.
+    assert (J : 4 / 10 * (th / 2) <= sin (th / 2)) by (apply sin_lower; pose proof PI_4; lra).
+    lra.
+Qed.
