@@ -287,3 +287,15 @@ Proof.
     destruct (Nat.leb_spec 323 t) as [L|L]; [now rewrite orb_true_r|].
     replace t with 322%nat by lia. reflexivity.
 Qed.
+
+
+(* chazelle.ex4birds.eq3.14 and .alt, whole *)
+Theorem eq_3_14 t :
+  (forall i, (i < 4)%nat -> xd t i == x0 i + (3#4) * (1 - r t) * v1 i) /\
+  (xd (S t) 1%nat - xd (S t) 0%nat == (1#16) * (5 - r t) /\ xd (S t) 3%nat - xd (S t) 2%nat == (1#16) * (5 - r t)) /\
+  xd (S t) 2%nat - xd (S t) 1%nat == 1 + (1#16) * r t /\ (1#4) <= (1#16) * (5 - r t) /\ (1#16) * (5 - r t) <= (1#2).
+Proof. split; [intros i; apply positions|apply gaps]. Qed.
+Theorem alternates :
+  (forall t i j, (i < 4)%nat -> (j < 4)%nat -> Gd t i j = if Nat.even t then path4 i j else pairs4 i j) /\
+  ~ exists T, forall t i j, (T <= t)%nat -> (i < 4)%nat -> (j < 4)%nat -> Gd t i j = Gd T i j.
+Proof. split; [exact networks|exact never_steady]. Qed.

@@ -287,3 +287,11 @@ suff -> : v t.+1 = mpow P t *m v 1%N by [].
 by elim: (t) => [|s IH]; [rewrite mul1mx | rewrite Hv // IH mulmxA].
 Qed.
 End Convergence.
+
+
+(* chazelle.eq3.12-13, both *)
+Theorem eq_3_12_13 (R : realFieldType) m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) d (x v : nat -> 'M[R]_(m.+1, d)) t :
+  (forall t, x t.+1 = x t + v t.+1) -> (forall t, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
+  x t = x 0%N + (\sum_(s < t) mpow (transition G c) s) *m v 1%N /\
+  x t = x 0%N + (rank1 c *m v 1%N) *+ t + Gamma_t G c t *m v 1%N.
+Proof. by move=> Hx Hv; split; [exact: eq_3_12 | exact: eq_3_13]. Qed.

@@ -282,3 +282,25 @@ End Kronecker.
 Theorem chi_printed_impossible (R : realFieldType) n (i : 'I_n) (chi : 'rV[R]_n) :
   chi 0 i = 1 -> chi 0 i = -1 -> False.
 Proof. by move=> -> /eqP; rewrite -subr_eq0 opprK -mulr2n pnatr_eq0. Qed.
+
+(* chazelle.kron, both halves *)
+Theorem kronecker (R : comRingType) n p q s (A B C D : nat -> nat -> R) :
+  (forall i j k l, (j < p)%N -> (l < q)%N -> kron p q A B (i * p + j) (k * q + l) = A i k * B j l) /\
+  ((0 < q)%N -> forall i k,
+     mulf (n * q) (kron p q A B) (kron q s C D) i k = kron p s (mulf n A C) (mulf q B D) i k).
+Proof. by split=> [i j k l|q0]; [exact: kron_entry | exact: kron_mixed]. Qed.
+
+(* chazelle.foot.mono, both halves *)
+Theorem footprints (R : realFieldType) :
+  (forall n (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) s k,
+     (forall t, network (G t)) -> (forall t, model_D (G t) (c t)) ->
+     let P t := transition (G t) (c t) in
+     (forall i j, footprint (span P s k) i j -> footprint (span P s k.+1) i j) /\
+     (forall t i j, footprint (P t) i j = footprint (P t) j i) /\ (forall t i, footprint (P t) i i)) /\
+  (exists (G : nat -> rel 'I_3) (c : nat -> 'I_3 -> R), (forall t, network (G t)) /\ (forall t, model_D (G t) (c t)) /\
+     exists i j, let P t := transition (G t) (c t) in footprint (span P 1 2) i j /\ ~~ footprint (span P 1 2) j i).
+Proof.
+split; first by move=> n G c s k; exact: footprint_monotone.
+exists meet, (fun t => vicsek R (meet t)); split; [exact: meet_network | split; first by move=> t; exact: vicsek_model_D].
+exists (inord 2), (inord 0); exact: footprint_asymmetric.
+Qed.

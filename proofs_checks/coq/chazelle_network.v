@@ -375,3 +375,19 @@ have N0 : 0 < n%:R :> R by rewrite ltr0n ltnW.
 apply: ler_wpmul2l; first by rewrite exprn_ge0 // ltW.
 rewrite /slow -natrX; apply: halving; by rewrite expn_gt0 ltnW.
 Qed.
+
+
+(* chazelle.fiedler.rate: both halves *)
+Theorem fiedler_rate (R : rcfType) n (G : rel 'I_n) : network G -> (forall i j, connect G i j) ->
+  (forall lam (f : 'I_n -> R), (forall i, \sum_j laplacian R G i j * f j = lam * f i) -> (exists i, f i != 0) ->
+     lam != 0 -> 1 <= lam * (n * n.-1 ^ 2)%:R) /\
+  (forall d a (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) t i j,
+     model_D G c -> (forall i, 0 < c i) -> (1 < n)%N ->
+     (forall i, (n%:R ^+ a)^-1 <= c i) -> (forall i, (n%:R ^+ a)^-1 <= transition G c i i) ->
+     (forall t, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
+     norm2 (row i (v t.+1) - row j (v t.+1)) <=
+       n%:R ^+ a.+1 * (2%:R^-1) ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N)).
+Proof.
+move=> net conn; split; first exact: (fiedler_number net conn).
+by move=> d a c v t i j MD c0 n2 sc sd Hv; exact: (velocity_differences t i j net MD conn c0 n2 sc sd Hv).
+Qed.

@@ -30,6 +30,10 @@ by rewrite big_nat_recr //= -IH -(N_split tl (mono l)).
 Qed.
 Theorem N_step t : (N t.+1 t <= 1)%N.
 Proof. by rewrite /N subSn // subnn /= addn0 leq_b1. Qed.
+Theorem N_corrected (t : nat -> nat) l : (forall k, t k <= t k.+1)%N ->
+  (forall k, t k.+1 = (t k).+1 -> (N (t k.+1) (t k) <= 1)%N) /\
+  N (t l) (t 0%N) = (\sum_(1 <= k < l.+1) N (t k) (t k.-1))%N.
+Proof. by move=> mono; split; [move=> k ->; exact: N_step | exact: N_additive]. Qed.
 End Counting.
 (* as printed (s < u < t) one step holds no u at all, so it is never 1 *)
 Theorem N_printed_step c t : N_printed c t.+1 t = 0%N.

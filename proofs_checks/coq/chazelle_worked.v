@@ -43,6 +43,14 @@ Proof.
   - intros x y NZ E S. injection E as E1 E2. lra.
 Qed.
 
+Theorem ex15 :
+  (forall lam, (exists x y, (x <> 0 \/ y <> 0) /\ P15 x y = (lam * x, lam * y)) <-> lam = 1 \/ lam = 2 / 15) /\
+  Rabs (2 / 15 - 0.133) < 0.0005 /\
+  Rabs (sqrt (fst (P15 1 0) ^ 2 + snd (P15 1 0) ^ 2) - 1.041) < 0.0005 /\
+  fst (P15 1 (-1)) + snd (P15 1 (-1)) <> 0 /\
+  (forall x y, (x <> 0 \/ y <> 0) -> P15 x y = (2 / 15 * x, 2 / 15 * y) -> x + y <> 0).
+Proof. destruct ex15_stretch as (A & B & C & D). split; [exact ex15_eigenvalues|]. now repeat split. Qed.
+
 (* ---- chazelle.exAB ---- *)
 Definition mat := nat -> nat -> R.
 Definition mat3 (a b c d e f g h k : R) : mat := fun i j =>
