@@ -28,8 +28,12 @@ Lemma root_gt0 i : 0 < root i. Proof. by rewrite sqrtr_gt0. Qed.
 Lemma root_neq0 i : root i != 0. Proof. by rewrite gt_eqF ?root_gt0. Qed.
 Lemma root_sqr i : root i * root i = c i. Proof. by rewrite -expr2 sqr_sqrtr // ltW. Qed.
 
+Lemma root_c i : (root i)^-1 * c i = root i.
+Proof. by apply: (mulfI (root_neq0 i)); rewrite mulVKf ?root_neq0 // root_sqr. Qed.
+
 (* M = C^{-1/2} P C^{1/2} *)
 Definition M : 'M[R]_n := \matrix_(i, j) ((root i)^-1 * P i j * root j).
+Lemma ME i j : M i j = (root i)^-1 * P i j * root j. Proof. by rewrite mxE. Qed.
 Definition u1 (i : 'I_n) : R := Num.sqrt (pi i).
 
 Lemma M_laplacian i j : M i j = (i == j)%:R - root i * laplacian R G i j * root j.
@@ -37,9 +41,9 @@ Proof.
 have [sym irr] := net; have PE : P i j = (i == j)%:R - c i * laplacian R G i j.
   rewrite transitionE // mxE; case: (i == j); first by [].
   by case: (G i j); rewrite ?mulrN1 ?mulr0 ?sub0r ?opprK ?oppr0.
-rewrite mxE PE mulrBr mulrBl; congr (_ - _).
+rewrite ME PE mulrBr mulrBl; congr (_ - _).
   by case: (eqVneq i j) => [->|_]; rewrite ?mulr1 ?mulVf ?root_neq0 // mulr0 mul0r.
-by rewrite -root_sqr !mulrA mulVf ?root_neq0 // mul1r.
+by rewrite mulrA root_c.
 Qed.
 Lemma laplacian_sym i j : laplacian R G i j = laplacian R G j i.
 Proof. by have [sym _] := net; rewrite !mxE eq_sym sym; case: (eqVneq j i) => [->|]. Qed.
@@ -58,13 +62,13 @@ Theorem eq_3_7 :
       (forall lam f, (forall i, \sum_j M i j * f j = lam * f i) -> (exists i, f i != 0) -> lam = 1 \/ -1 < lam < 1)].
 Proof.
 have conj f i : step G c (fun j => root j * f j) i = root i * \sum_j M i j * f j.
-  rewrite /step mulr_sumr; apply: eq_bigr => j _; rewrite mxE !mulrA mulfV ?root_neq0 // mul1r; ring.
+  rewrite /step mulr_sumr; apply: eq_bigr => j _; by rewrite ME !mulrA mulfV ?root_neq0 // mul1r.
 have same lam f : (forall i, \sum_j M i j * f j = lam * f i) <->
      (forall i, step G c (fun j => root j * f j) i = lam * (root i * f i)).
   split=> H i; first by rewrite conj H mulrCA.
   by apply: (mulfI (root_neq0 i)); rewrite -conj H mulrCA.
 split=> //; first exact: M_laplacian.
-- by move=> i j; rewrite !M_laplacian eq_sym laplacian_sym mulrAC mulrC mulrA.
+- by move=> i j; rewrite !M_laplacian eq_sym (laplacian_sym i j); congr (_ - _); ring.
 - split=> [i|].
     rewrite -[RHS]mul1r; apply: (proj2 (same 1 u1)) => k; rewrite mul1r.
     have E j : root j * u1 j = Num.sqrt (trace c)^-1 by rewrite mulrC u1_root.
@@ -94,7 +98,7 @@ elim: s i => [|s IH] i.
   rewrite U_orth' /= mxE; case: (eqVneq i j) => [->|_]; first by rewrite mulr1 mulfV ?root_neq0.
   by rewrite mulr0 mul0r.
 rewrite /= mxE (eq_bigr (fun l => root i * (M i l * \sum_k lam k ^+ s * U l k * U j k) / root j)); last first.
-  move=> l _; rewrite IH mxE; set S := \sum_k _; rewrite !mulrA mulfV ?root_neq0 // mul1r; ring.
+  by move=> l _; rewrite IH ME; set S := \sum_k _; rewrite !mulrA mulfV ?root_neq0 // mul1r.
 rewrite -mulr_suml -mulr_sumr; congr (_ * _ / _).
 rewrite (eq_bigr (fun l => \sum_k lam k ^+ s * U j k * (M i l * U l k))); last first.
   by move=> l _; rewrite mulr_sumr; apply: eq_bigr => k _; ring.
@@ -102,11 +106,10 @@ rewrite exchange_big /=; apply: eq_bigr => k _; rewrite -mulr_sumr U_eig exprS; 
 Qed.
 Lemma first_term i j : root i * (U i 0 * U j 0) / root j = pi j.
 Proof.
-rewrite !U_first mulrA [root i * _]mulrC u1_root.
+rewrite !U_first mulrA [root i * _]mulrC u1_root -mulrA.
 have -> : u1 j / root j = Num.sqrt (trace c)^-1 / c j.
-  by rewrite -(u1_root j) -root_sqr invfM mulrA mulfK ?root_neq0.
-rewrite -mulrA; have -> : u1 j / root j = Num.sqrt (trace c)^-1 / c j.
-  by rewrite -(u1_root j) -root_sqr invfM mulrA mulfK ?root_neq0.
+  rewrite -(u1_root j) -mulrA; congr (_ * _); apply: (mulfI (root_neq0 j)).
+  by rewrite mulfV ?root_neq0 // mulrA root_sqr mulfV ?gt_eqF.
 by rewrite mulrA -expr2 sqr_sqrtr ?invr_ge0 ?ltW ?(trace_gt0 c0 (0 : 'I_n)).
 Qed.
 
@@ -125,7 +128,7 @@ Theorem eq_3_8_vectors :
 Proof.
 have [_ sym _ same _] := eq_3_7; split; last split.
 - by move=> k; apply: (proj1 (same (lam k) (fun j => U j k))) => i; exact: U_eig.
-- move=> k j; have PM i : (root i)^-1 * P i j = M i j / root j by rewrite mxE mulfK ?root_neq0.
+- move=> k j; have PM i : (root i)^-1 * P i j = M i j / root j by rewrite ME mulfK ?root_neq0.
   rewrite (eq_bigr (fun i => (root j)^-1 * (M j i * U i k))) => [|i _]; last by rewrite mulrAC PM sym; ring.
   by rewrite -mulr_sumr U_eig mulrCA.
 move=> k l; have /matrixP/(_ k l) := U_orth; rewrite !mxE => <-; apply: eq_bigr => i _.
@@ -140,9 +143,10 @@ have fix_ i : step G c (fun j => root j * U j k) i = root i * U i k.
   by rewrite -[RHS]mul1r -l1; apply: (proj1 (same (lam k) (fun j => U j k))) => i'; exact: U_eig.
 have const := fixed_constant net MD conn c0 fix_.
 have orth : \sum_i U i 0 * U i k = 0.
-  have /matrixP/(_ 0 k) := U_orth; rewrite !mxE eq_sym (negbTE k0) => <-; apply: eq_bigr => i _; by rewrite mxE.
+  have k0' : (0 == k) = false by rewrite eq_sym; exact: negbTE.
+  have /matrixP/(_ 0 k) := U_orth; rewrite !mxE k0' mulr0n => h; rewrite -[RHS]h; apply: eq_bigr => i _; by rewrite mxE.
 have unit_ : \sum_i U i k * U i k = 1.
-  have /matrixP/(_ k k) := U_orth; rewrite !mxE eqxx => <-; apply: eq_bigr => i _; by rewrite mxE.
+  have /matrixP/(_ k k) := U_orth; rewrite !mxE eqxx mulr1n => h; rewrite -[RHS]h; apply: eq_bigr => i _; by rewrite mxE.
 have zero : root 0 * U 0 k = 0.
   have pos : 0 < \sum_(i < n) U i 0 / root i.
     rewrite (bigD1 (0 : 'I_n)) //=; apply: ltr_paddr.
@@ -189,7 +193,7 @@ rewrite mulmx_suml summxE (eq_bigr (fun s : 'I_tau => drift q + \sum_(k | k != 0
   by apply: eq_bigr => k k0; rewrite -mulr_suml geometric_sum // lam_neq1.
 move=> s _; rewrite mxE (eq_bigr (fun j => pi j * v t1.+1 j q
     + \sum_(k | k != 0) lam k ^+ s * ((root i * (U i k * U j k) / root j) * v t1.+1 j q))); last first.
-  by move=> j _; rewrite eq_3_8 mulrDl mulr_suml; congr (_ + _); apply: eq_bigr => k _; rewrite mulrA.
+  by move=> j _; rewrite eq_3_8 mulrDl mulr_suml; congr (_ + _); apply: eq_bigr => k _; rewrite -[LHS]mulrA.
 rewrite big_split /=; congr (_ + _); rewrite exchange_big /=; apply: eq_bigr => k _.
 by rewrite -mulr_sumr.
 Qed.
@@ -215,7 +219,8 @@ have S1 : S *m ones R m = 0.
     by move=> l _; rewrite !mxE mulr1; apply: eq_bigr => k _; ring.
   rewrite exchange_big /= big1 // => k k0; rewrite -mulr_sumr.
   have orth : \sum_i U i 0 * U i k = 0.
-    have /matrixP/(_ 0 k) := U_orth; rewrite !mxE eq_sym (negbTE k0) => <-; apply: eq_bigr => i' _; by rewrite mxE.
+    have k0' : (0 == k) = false by rewrite eq_sym; exact: negbTE.
+  have /matrixP/(_ 0 k) := U_orth; rewrite !mxE k0' mulr0n => h; rewrite -[RHS]h; apply: eq_bigr => i' _; by rewrite mxE.
   have w0 : Num.sqrt (trace c)^-1 != 0.
     by rewrite gt_eqF // sqrtr_gt0 invr_gt0 (trace_gt0 c0 (0 : 'I_n)).
   suff -> : \sum_(i < n) (root i)^-1 * U i k = 0 by rewrite mulr0.
