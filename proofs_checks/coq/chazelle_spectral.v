@@ -242,3 +242,33 @@ rewrite -sumrB; apply: eq_bigr => k _; ring.
 Qed.
 End ClosedForms.
 End Spectral.
+
+(* chazelle.eq3.17: birds i and i' of two flocks (or of one), each with its own data; the mu_k are the lam k and lam' k, k <> 0,
+   all of modulus less than 1 *)
+Theorem eq_3_17 (R : rcfType) d t1 tau (q : 'I_d)
+  m (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) (U : 'M[R]_m.+1) (lam : 'I_m.+1 -> R) (x v : nat -> 'M[R]_(m.+1, d)) (i : 'I_m.+1)
+  m' (G' : rel 'I_m'.+1) (c' : 'I_m'.+1 -> R) (U' : 'M[R]_m'.+1) (lam' : 'I_m'.+1 -> R)
+  (x' v' : nat -> 'M[R]_(m'.+1, d)) (i' : 'I_m'.+1) :
+  network G -> model_D G c -> (forall a b, connect G a b) -> (forall a, 0 < c a) ->
+  U^T *m U = 1%:M -> (forall a k, \sum_b M G c a b * U b k = lam k * U a k) -> (forall a, U a 0 = u1 c a) -> lam 0 = 1 ->
+  (forall t, (t1 <= t)%N -> x t.+1 = x t + v t.+1) -> (forall t, (t1 < t)%N -> v t.+1 = transition G c *m v t) ->
+  network G' -> model_D G' c' -> (forall a b, connect G' a b) -> (forall a, 0 < c' a) ->
+  U'^T *m U' = 1%:M -> (forall a k, \sum_b M G' c' a b * U' b k = lam' k * U' a k) -> (forall a, U' a 0 = u1 c' a) -> lam' 0 = 1 ->
+  (forall t, (t1 <= t)%N -> x' t.+1 = x' t + v' t.+1) -> (forall t, (t1 < t)%N -> v' t.+1 = transition G' c' *m v' t) ->
+  let A := x t1 i q - x' t1 i' q + ((Gamma G c *m v t1.+1) i q - (Gamma G' c' *m v' t1.+1) i' q) in
+  let B := drift c v t1 q - drift c' v' t1 q in
+  x (t1 + tau)%N i q - x' (t1 + tau)%N i' q = A + B *+ tau
+    - (\sum_(k | k != 0) Phi c U v t1 i k q / (1 - lam k) * lam k ^+ tau
+       + \sum_(k | k != 0) - (Phi c' U' v' t1 i' k q / (1 - lam' k)) * lam' k ^+ tau).
+Proof.
+move=> n1 D1 k1 p1 o1 e1 f1 l1 X1 V1 n2 D2 k2 p2 o2 e2 f2 l2 X2 V2 A B.
+rewrite (eq_3_16 n1 D1 k1 p1 o1 e1 f1 l1 X1 V1 tau i q) (eq_3_16 n2 D2 k2 p2 o2 e2 f2 l2 X2 V2 tau i' q).
+have -> : \sum_(k | k != 0) Phi c U v t1 i k q / (1 - lam k) * lam k ^+ tau
+    = \sum_(k | k != 0) lam k ^+ tau * (Phi c U v t1 i k q / (1 - lam k)).
+  by apply: eq_bigr => k _; rewrite mulrC.
+have -> : \sum_(k | k != 0) - (Phi c' U' v' t1 i' k q / (1 - lam' k)) * lam' k ^+ tau
+    = - \sum_(k | k != 0) lam' k ^+ tau * (Phi c' U' v' t1 i' k q / (1 - lam' k)).
+  by rewrite -sumrN; apply: eq_bigr => k _; rewrite mulNr mulrC.
+rewrite /A /B mulrnBl; move: (\sum_(k | k != 0) _) (\sum_(k | k != 0) _) => S S'.
+by move: (_ *+ tau) (_ *+ tau) => y y'; ring.
+Qed.
