@@ -26,9 +26,9 @@ Check (fun gam : C => eq_refl : Cmat gam = Mat2 0%C 1%C (- (1))%C (2 * gam)%C).
 Check (fun x k => eq_refl : row1 x k = (x k - x (k - 1)%nat)%C).
 Check (fun N x k => eq_refl : row2 N x k =
   if Nat.eqb k (S N) then (x k - x (k - 1)%nat)%C else (x k - / 2 * (x (k - 1)%nat + x (k + 1)%nat))%C).
-Check (fun N P lam => eq_refl : eigenvalue N P lam = exists x,
-  (exists k, (1 <= k <= S N)%nat /\ x k <> 0%C) /\ forall k, (1 <= k <= S N)%nat -> P x k = (lam * x k)%C).
-Check (fun N P (f g : R) nu => eq_refl : eigenvalue_M N P f g nu = exists x u, (nonzero N x \/ nonzero N u) /\
+Check (fun N P lam => eq_refl : eigenvalue N P lam = exists x : nat -> C,
+  (exists k, (1 <= k <= S N)%nat /\ x k <> RtoC 0) /\ forall k, (1 <= k <= S N)%nat -> P x k = (lam * x k)%C).
+Check (fun N P (f g : R) nu => eq_refl : eigenvalue_M N P f g nu = exists x u : nat -> C, (nonzero N x \/ nonzero N u) /\
   forall k, (1 <= k <= S N)%nat -> u k = (nu * x k)%C /\ (f * P x k + g * P u k)%C = (nu * u k)%C).
 Check (fun N P f g => eq_refl : stable N P f g = forall nu, eigenvalue_M N P f g nu -> fst nu < 0).
 
@@ -141,8 +141,8 @@ Print Assumptions veerman_chain.lemma_2.
 Check (@veerman_chain.lemma_2_eigenvectors :
   forall gam : C,
   let s := Csqrt (gam * gam - 1)%C in
-  Cmap gam (1, mu_plus gam) = ((mu_plus gam * 1)%C, (mu_plus gam * mu_plus gam)%C) /\
-  Cmap gam (1, mu_minus gam) = ((mu_minus gam * 1)%C, (mu_minus gam * mu_minus gam)%C) /\
+  Cmap gam (RtoC 1, mu_plus gam) = ((mu_plus gam * 1)%C, (mu_plus gam * mu_plus gam)%C) /\
+  Cmap gam (RtoC 1, mu_minus gam) = ((mu_minus gam * 1)%C, (mu_minus gam * mu_minus gam)%C) /\
   (1 - gam * mu_plus gam)%C = (- s * mu_plus gam)%C /\ (1 - gam * mu_minus gam)%C = (s * mu_minus gam)%C).
 Print Assumptions veerman_chain.lemma_2_eigenvectors.
 (* veerman.lem2_eigvec (part) *)
