@@ -11,8 +11,19 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 31] = sources![
+const SOURCES: [(&str, &str); 51] = sources![
+    "IntervalStdZ",
     "RealSums",
+    "chazelle_birds",
+    "chazelle_model",
+    "chazelle_ergodicity",
+    "chazelle_fixed",
+    "chazelle_network",
+    "chazelle_limits",
+    "chazelle_products",
+    "chazelle_spectral",
+    "chazelle_stabilisers",
+    "chazelle_worked",
     "paley_model",
     "paley_phase",
     "paley_laplacian",
@@ -30,6 +41,13 @@ const SOURCES: [(&str, &str); 31] = sources![
     "tanner2_examples",
     "tanner2_facts",
     "tanner_graph",
+    "veerman_complex",
+    "veerman_front",
+    "veerman_chain",
+    "veerman_stability",
+    "veerman_lemma1",
+    "veerman_matrices",
+    "veerman_numbers",
     "certificate_matrices",
     "certificate_flocks",
     "certificate_limits",
@@ -40,9 +58,11 @@ const SOURCES: [(&str, &str); 31] = sources![
     "gen_switches",
     "certificate_instances",
     "audit_certificates",
+    "audit_chazelle",
     "audit_paley",
     "audit_tanner1",
     "audit_tanner2",
+    "audit_veerman",
 ];
 
 /// A file of the development.
