@@ -7,15 +7,18 @@ mod support;
 
 use flockproof::arithmetic::{Interval, decimal, rational};
 use flockproof::averaging::{Flock, Hysteresis, Start, Weights};
+use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::matrix::{StochasticMatrix, prefix_products, product_sequential, product_tree};
 use flockproof::platoon::time_domain::Modes;
 use flockproof::platoon::{Gains, resonance};
+use flockproof::simulate::{AllToAll, Rk4};
+use flockproof::spectrum::{Eigenvalue, closed_form, matrix_spectrum, symmetric_enclosures, tridiagonal_eigenvalues};
 use num_bigint::BigUint;
 use num_traits::ToPrimitive;
 use sha2::{Digest, Sha256};
 use std::hint::black_box;
 use std::time::Instant;
-use support::stochastic_matrices;
+use support::{circulant, geometric, phases, ring, stochastic_matrices, weighted_path};
 
 /// Best wall time of one call over at least five trials; short calls are batched.
 fn best_of<T>(mut f: impl FnMut() -> T) -> (f64, T) {
@@ -115,6 +118,85 @@ fn peaks(wanted: &dyn Fn(&str) -> bool) {
     }
 }
 
+/// The spectra, each as floats in order with the sizes of their bounds checked to be small.
+fn spectra(wanted: &dyn Fn(&str) -> bool) {
+    let sum_of_squares = |values: &[f64]| values.iter().map(|x| x * x).sum::<f64>();
+    if wanted("W4 flockproof circulant n=1048576") {
+        let n = 1 << 20;
+        let matrix = circulant(n);
+        let (seconds, found) = best_of(|| matrix.eigenvalues().expect("a bound"));
+        let (h, largest) = (found.re(), found.re().iter().fold(0.0, |most: f64, x| most.max(*x)));
+        let square = (2.0 * sum_of_squares(h) - h[0] * h[0] - h[n / 2] * h[n / 2]) / n as f64;
+        assert!(found.radius(largest) < 1e-13 * largest);
+        emit(
+            "W4",
+            "flockproof",
+            &format!("circulant n={n}"),
+            seconds,
+            &format!("max={largest:.12e} meansq={square:.12e}"),
+        );
+    }
+    let ordered = |values: &[f64]| {
+        let (second, last) = (values[1], values[values.len() - 1]);
+        format!("lambda2={second:.12e} max={last:.12e} sumsq={:.12e}", sum_of_squares(values))
+    };
+    let n = 4000;
+    if wanted("W4 flockproof path_tridiag n=4000") {
+        let (diagonal, beside) = weighted_path(n);
+        let (seconds, found) = best_of(|| tridiagonal_eigenvalues(&diagonal, &beside).expect("a bound"));
+        assert!(found.iter().all(|part| part.radius < 1e-13));
+        let values: Vec<f64> = found.iter().map(|part| part.re).collect();
+        emit("W4", "flockproof", &format!("path_tridiag n={n}"), seconds, &ordered(&values));
+    }
+    if wanted("W4 flockproof path_family n=4000") {
+        let (seconds, found) =
+            best_of(|| closed_form(&NamedGraph::Path(n), LaplacianKind::Combinatorial).expect("a family").floats());
+        assert!(found.iter().all(|part| part.radius < 1e-13));
+        let values: Vec<f64> = found.iter().map(|part| part.re).collect();
+        emit("W4", "flockproof", &format!("path_family n={n}"), seconds, &ordered(&values));
+    }
+    let expanded = |parts: &[Eigenvalue]| -> Vec<f64> {
+        assert!(parts.iter().all(|part| part.re.width().to_f64() < 1e-10));
+        parts.iter().flat_map(|part| std::iter::repeat_n(part.re.to_f64(), part.multiplicity)).collect()
+    };
+    for (name, shuffled) in [("ring_dense", false), ("ring_perm", true)] {
+        let size = format!("{name} n=1000");
+        if wanted(&format!("W4 flockproof {size}")) {
+            let matrix = ring(1000, shuffled);
+            let (seconds, found) = best_of(|| symmetric_enclosures(&matrix).expect("a bound"));
+            emit("W4", "flockproof", &size, seconds, &ordered(&expanded(&found)));
+        }
+    }
+    if wanted("W4 flockproof rgg_dense n=500") {
+        let matrix = geometric(500);
+        let (seconds, found) = best_of(|| matrix_spectrum(&matrix, None).expect("a bound"));
+        let values = expanded(&found.eigenvalues);
+        let below = values.iter().rev().find(|x| **x <= 1.0 - 1e-9).copied().unwrap_or(f64::NAN);
+        let (trace, squares) = (values.iter().sum::<f64>(), sum_of_squares(&values));
+        let checksum = format!("trace={trace:.12e} sumsq={squares:.12e} first_below_1={below:.12e}");
+        emit("W4", "flockproof", "rgg_dense n=500", seconds, &checksum);
+    }
+}
+
+/// 200 steps of the phase model in which all are coupled.
+fn phase_model(wanted: &dyn Fn(&str) -> bool) {
+    let (n, steps, dt) = (100_000, 200, 0.01);
+    let size = format!("N={n},steps={steps}");
+    if !wanted(&format!("W5 flockproof {size}")) {
+        return;
+    }
+    let start = phases(n);
+    let (seconds, state) = best_of(|| {
+        let (mut state, mut field, mut method) = (start.clone(), AllToAll::new(0.1, -1.0), Rk4::new(n));
+        (0..steps).for_each(|k| method.step(&mut field, f64::from(k) * dt, dt, &mut state));
+        state
+    });
+    let (c, s) = AllToAll::new(0.1, -1.0).order_parameter(&state);
+    let mean = state.iter().sum::<f64>() / n as f64;
+    let checksum = format!("order={:.12} mean={mean:.12} theta0={:.12}", c.hypot(s), state[0]);
+    emit("W5", "flockproof", &size, seconds, &checksum);
+}
+
 /// Eight birds on a line, two groups of four on a collision course of their own.
 fn eight_birds() -> Flock {
     let positions = (0..4).flat_map(|l| [rational(2 * l, 1), rational(6 * l + 2, 3)]).collect();
@@ -160,6 +242,8 @@ fn main() {
     products(&wanted);
     coefficients(&wanted);
     peaks(&wanted);
+    spectra(&wanted);
+    phase_model(&wanted);
     stepping(&wanted);
     platoon(&wanted);
 }

@@ -1,14 +1,15 @@
 //! Exact, certified and simulated checks of what five papers claim about flocking, and the machinery behind them.
 //!
-//! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`averaging`] (Chazelle),
+//! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`spectrum`], [`simulate`], [`averaging`] (Chazelle),
 //! [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`double_integrator`] (Tanner,
-//! Jadbabaie and Pappas), [`kernel`] (the Coq development), [`ledger`],
+//! Jadbabaie and Pappas), [`certificates`], [`kernel`] (the Coq development), [`ledger`],
 //! [`claims`], [`report`].
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
 
 pub mod arithmetic;
 pub mod averaging;
+pub mod certificates;
 pub mod claims;
 pub mod double_integrator;
 pub mod graph;
@@ -18,6 +19,7 @@ pub mod matrix;
 pub mod oscillator;
 pub mod platoon;
 pub mod report;
+pub mod simulate;
 pub mod spectrum;
 
 /// The example of the page on claims of one's own, compiled and run.

@@ -72,7 +72,9 @@ impl Dyadic {
         if self.exponent >= 0 {
             Rational::from_integer(&self.mantissa << self.exponent as u64)
         } else {
-            Rational::new(self.mantissa.clone(), BigInt::one() << self.exponent.unsigned_abs())
+            // Twos are all that can be cancelled.
+            let twos = self.mantissa.trailing_zeros().unwrap_or(u64::MAX).min(self.exponent.unsigned_abs());
+            Rational::new_raw(&self.mantissa >> twos, BigInt::one() << (self.exponent.unsigned_abs() - twos))
         }
     }
 
@@ -191,7 +193,7 @@ impl Dyadic {
     }
 
     /// The largest integer that is not above the number.
-    pub(super) fn floor(&self) -> BigInt {
+    pub fn floor(&self) -> BigInt {
         if self.exponent >= 0 {
             &self.mantissa << self.exponent as u64
         } else {

@@ -7,6 +7,7 @@
 //! | [`Rational`] | exact |
 //! | [`Interval`] | encloses the exact value, outward rounded at a chosen precision |
 //! | [`Ball<LIMBS>`] | encloses the exact value at a fixed absolute precision, without allocation |
+//! | [`RealCyclotomic`] | exact: cosines and sines of rational parts of a turn |
 //! | [`Complex<T>`] | a pair over any of these; over [`Rational`] the Gaussian rationals |
 //! | [`Dual<T>`] | value and first derivative, exact wherever `T` is |
 //! | [`Series<T>`] | truncated power series, for expansions to a stated order |
@@ -28,6 +29,7 @@ mod number;
 mod operators;
 mod radical;
 mod rational;
+mod real_cyclotomic;
 mod regression;
 mod series;
 mod surd;
@@ -42,6 +44,7 @@ pub use interval::Interval;
 pub use number::{NumberError, decimal, decimals, parse_rational, significant_digits};
 pub use radical::RadicalSum;
 pub use rational::{Rational, rational};
+pub use real_cyclotomic::{CosineField, RealCyclotomic};
 pub use regression::regression_line;
 pub use series::Series;
 pub use surd::{sign_of_square_root_difference, sign_of_surd};

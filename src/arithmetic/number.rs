@@ -74,10 +74,19 @@ pub fn decimal(q: &Rational, digits: u32, up: bool) -> String {
         return "0".to_string();
     }
     let digits = digits.max(1);
-    let mut exponent = decimal_exponent(q);
-    let mut scaled = round_scaled(q, i64::from(digits) - 1 - exponent, up);
+    let limit = BigInt::from(10).pow(digits);
+    // |q| > 2^(bits - 1): not above floor(log10 |q|).
+    let bits = q.numer().bits() as i64 - q.denom().bits() as i64;
+    let mut exponent = ((bits - 1) as f64 * std::f64::consts::LOG10_2 - 1e-6).floor() as i64;
+    let mut scaled = loop {
+        let down = round_scaled(q, i64::from(digits) - 1 - exponent, q.is_negative());
+        if down.abs() < limit {
+            break round_scaled(q, i64::from(digits) - 1 - exponent, up);
+        }
+        exponent += 1;
+    };
     // Rounding may carry into one more digit.
-    if scaled.abs() >= BigInt::from(10).pow(digits) {
+    if scaled.abs() >= limit {
         exponent += 1;
         scaled /= 10;
     }
@@ -104,22 +113,6 @@ pub fn significant_digits(x: &Interval) -> u32 {
     let size = x.lo().top().min(x.hi().top()) - 1;
     let bits = (size - width.top()).clamp(0, i64::from(u32::MAX)) as f64;
     (bits * std::f64::consts::LOG10_2).floor() as u32
-}
-
-/// `floor(log10 |q|)` of a number that is not zero.
-fn decimal_exponent(q: &Rational) -> i64 {
-    let bits = q.numer().bits() as i64 - q.denom().bits() as i64;
-    let mut exponent = (bits as f64 * std::f64::consts::LOG10_2).floor() as i64 - 1;
-    let magnitude = q.abs();
-    while power_of_ten(exponent + 1) <= magnitude {
-        exponent += 1;
-    }
-    exponent
-}
-
-fn power_of_ten(exponent: i64) -> Rational {
-    let power = BigInt::from(10).pow(exponent.unsigned_abs());
-    if exponent < 0 { Rational::new(BigInt::from(1), power) } else { Rational::from_integer(power) }
 }
 
 fn round_scaled(q: &Rational, shift: i64, up: bool) -> BigInt {

@@ -17,8 +17,34 @@ pub enum Hysteresis {
     Paper,
 }
 
+impl Hysteresis {
+    /// The threshold for a number of birds; `None` without hysteresis.
+    ///
+    /// # Errors
+    /// [`FlockError::ThresholdTooLong`] for the threshold of the paper where it has more bits than this.
+    pub fn exact(&self, birds: usize, most_bits: u64) -> Result<Option<Rational>, FlockError> {
+        Ok(match self {
+            Hysteresis::None => None,
+            Hysteresis::Constant(threshold) => Some(threshold.clone()),
+            Hysteresis::Paper => {
+                let bits = paper_bits(birds);
+                if bits > most_bits as f64 {
+                    return Err(FlockError::ThresholdTooLong { bits });
+                }
+                let exponent = (birds as u64).pow(4);
+                Some(Rational::new(BigInt::from(1), BigInt::from(birds).pow(exponent)))
+            }
+        })
+    }
+}
+
+/// `n^4 log2 n`.
+fn paper_bits(birds: usize) -> f64 {
+    (birds as f64).powi(4) * (birds as f64).log2()
+}
+
 /// Exact thresholds of more bits than this are not written out.
-const LONGEST: f64 = 4e9;
+const LONGEST: u64 = 4_000_000_000;
 
 /// The threshold for a number of birds, written out only when a comparison needs it.
 #[derive(Debug, Clone)]
@@ -41,7 +67,7 @@ impl Threshold {
                 let bits = |x: &BigInt| x.bits() as f64;
                 bits(threshold.numer()) - bits(threshold.denom())
             }
-            Hysteresis::Paper => -(birds as f64).powi(4) * (birds as f64).log2(),
+            Hysteresis::Paper => -paper_bits(birds),
         };
         Ok(Threshold { kind, birds, log2, exact: OnceLock::new() })
     }
@@ -62,17 +88,11 @@ impl Threshold {
 
     /// The threshold itself.
     pub fn exact(&self) -> Result<&Rational, FlockError> {
-        if self.log2.abs() > LONGEST && self.log2.is_finite() {
-            return Err(FlockError::ThresholdTooLong { bits: self.log2.abs() });
+        if let Some(known) = self.exact.get() {
+            return Ok(known);
         }
-        Ok(self.exact.get_or_init(|| match &self.kind {
-            Hysteresis::None => Rational::from_integer(BigInt::ZERO),
-            Hysteresis::Constant(threshold) => threshold.clone(),
-            Hysteresis::Paper => {
-                let exponent = (self.birds as u64).pow(4);
-                Rational::new(BigInt::from(1), BigInt::from(self.birds).pow(exponent))
-            }
-        }))
+        let exact = self.kind.exact(self.birds, LONGEST)?;
+        Ok(self.exact.get_or_init(|| exact.unwrap_or_else(|| Rational::from_integer(BigInt::ZERO))))
     }
 
     /// Encloses the threshold; zero where there is no hysteresis.

@@ -2,8 +2,10 @@
 //! its id.
 
 mod beyond;
+pub mod certificates;
 mod chazelle;
 mod paley;
+mod record;
 mod tanner1;
 mod tanner2;
 mod veerman;

@@ -1,7 +1,8 @@
 //! `ergodicity`: products of a sequence of stochastic matrices.
 
-use super::{CliError, output};
+use super::{CliError, certify, output};
 use flockproof::arithmetic::Rational;
+use flockproof::certificates::{Certificate, Product};
 use flockproof::matrix::{
     Footprint, Stabiliser, StochasticMatrix, prefix_products, read::read_sequence, stabilisers, tau_2_squared,
 };
@@ -18,6 +19,9 @@ pub struct Arguments {
     /// Print one JSON document
     #[arg(long)]
     json: bool,
+    /// Write tau_1 of the whole product as a certificate, see proofs_checks/README.md
+    #[arg(long, value_name = "OUT")]
+    certificate: Option<PathBuf>,
 }
 
 struct Prefix {
@@ -29,6 +33,7 @@ struct Prefix {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let text = output::read_text(&arguments.file)?;
     let factors = read_sequence(&text).map_err(|error| CliError::file(&arguments.file, error))?;
+    certify::write_asked(arguments.certificate.as_deref(), || Ok(Certificate::Product(Product::new(&factors)?)))?;
     let mut prefixes = Vec::with_capacity(factors.len());
     let mut product = None;
     for prefix in prefix_products(&factors) {

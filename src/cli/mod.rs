@@ -3,6 +3,7 @@
 //! Exit status: 0 when all is as it should be, 1 when `verify` differs from what is recorded, 2 on bad use, 130 when
 //! interrupted.
 
+mod certify;
 mod ergodicity;
 mod explain;
 mod flock;
@@ -40,6 +41,8 @@ enum Command {
     Spectrum(spectrum::Arguments),
     /// Let Coq check the proofs that the ledger rests on
     Prove(prove::Arguments),
+    /// Write exact results of the ledger as certificates that a separate program, or Coq, checks
+    Certify(certify::Arguments),
     /// Products, footprints, stabilisers and ergodicity coefficients of a sequence of stochastic matrices
     Ergodicity(ergodicity::Arguments),
     /// Exact flocks: step them, or decide what becomes of them
@@ -82,6 +85,7 @@ pub fn main() -> ExitCode {
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Spectrum(arguments) => spectrum::run(&arguments),
         Command::Prove(arguments) => prove::run(&arguments),
+        Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
     })

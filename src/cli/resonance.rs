@@ -1,9 +1,11 @@
 //! `resonance`: the main resonance of the two-sided platoon.
 
-use super::{CliError, output};
+use super::{CliError, certify, output};
 use flockproof::arithmetic::{Interval, Rational, decimal, decimals, parse_rational};
+use flockproof::certificates::{Certificate, Peak};
 use flockproof::platoon::{Gains, resonance, theorem1};
 use serde_json::json;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
@@ -23,6 +25,9 @@ pub struct Arguments {
     /// Print one JSON document
     #[arg(long)]
     json: bool,
+    /// Write the peak as a certificate, for at most 96 followers, see proofs_checks/README.md
+    #[arg(long, value_name = "OUT")]
+    certificate: Option<PathBuf>,
 }
 
 fn number(name: &str, text: &str) -> Result<Rational, CliError> {
@@ -40,6 +45,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let (m, digits) = (arguments.followers, arguments.digits);
     let refuse = |error: &dyn std::fmt::Display| CliError::Use(error.to_string());
     let found = resonance(&gains, m, digits).map_err(|error| refuse(&error))?;
+    certify::write_asked(arguments.certificate.as_deref(), || Ok(Certificate::Peak(Peak::new(&gains, m)?)))?;
     let intervals = gains.map(|q| Interval::from_rational(q, 4 * digits + 64));
     let first_frequency = theorem1::frequency(&intervals, m).map_err(|error| refuse(&error))?;
     let first_amplitude = theorem1::amplitude(&intervals, m).map_err(|error| refuse(&error))?;

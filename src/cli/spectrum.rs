@@ -3,8 +3,9 @@
 use super::{CliError, output};
 use flockproof::arithmetic::{Interval, decimals};
 use flockproof::graph::read::read_graph;
-use flockproof::graph::{LaplacianKind, NamedGraph};
-use flockproof::spectrum::{Eigenvalue, Method, Spectrum, matrix_spectrum, named_spectrum};
+use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
+use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, matrix_spectrum, named_spectrum};
+use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
 use std::process::ExitCode;
@@ -15,9 +16,12 @@ pub struct Arguments {
     /// and the leader), geometric:50:1/4:7 (points, radius, seed), or a file: an edge list or Matrix Market
     #[arg(long, value_name = "SPEC|FILE")]
     graph: String,
-    /// laplacian, out-degree, in-degree, normalised, walk, reduced (without the first vertex) or adjacency
+    /// laplacian, out-degree, in-degree, normalised, walk, reduced (without one vertex, see --root) or adjacency
     #[arg(long, value_name = "KIND", default_value = "laplacian")]
     kind: String,
+    /// The vertex that `reduced` leaves out, counted from 1 [default: 1]
+    #[arg(long, value_name = "K", allow_negative_numbers = true)]
+    root: Option<usize>,
     /// Significant digits [default: 20 where they are exact, otherwise what floating point gives]
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
     digits: Option<u32>,
@@ -31,30 +35,68 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let names: Vec<&str> = LaplacianKind::NAMES.iter().map(|(name, _)| *name).collect();
         CliError::Use(format!("--kind: `{}` is none of {}", arguments.kind, names.join(", ")))
     })?;
-    let spectrum = find(&arguments.graph, kind, arguments.digits)?;
+    if arguments.root.is_some() && kind != LaplacianKind::Reduced {
+        return Err(CliError::Use(format!("--root is for `--kind reduced`, not for `{}`", kind.name())));
+    }
+    let root = arguments.root.unwrap_or(1);
+    let spectrum = find(&arguments.graph, kind, root, arguments.digits)?;
     let digits = shown_digits(&spectrum, arguments.digits);
     if arguments.json {
-        output::print_json(&document(&arguments.graph, kind, &spectrum, digits))?;
+        output::print_json(&document(&arguments.graph, kind, root, &spectrum, digits))?;
     } else {
-        output::print(&table(&arguments.graph, kind, &spectrum, digits))?;
+        output::print(&table(&arguments.graph, kind, root, &spectrum, digits))?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn find(graph: &str, kind: LaplacianKind, digits: Option<u32>) -> Result<Spectrum, CliError> {
+fn find(graph: &str, kind: LaplacianKind, root: usize, digits: Option<u32>) -> Result<Spectrum, CliError> {
     let path = Path::new(graph);
     let named = graph.parse::<NamedGraph>();
     // A file wins over a name only where the name means nothing.
     match named {
-        Ok(named) => named_spectrum(&named, kind, digits).map_err(|error| CliError::Use(format!("{graph}: {error}"))),
+        Ok(named) => {
+            let found = if root == 1 {
+                named_spectrum(&named, kind, digits)
+            } else {
+                in_range(root, named.order())?;
+                named.build().map_err(SpectrumError::from).and_then(|graph| rooted_spectrum(&graph, kind, root, digits))
+            };
+            found.map_err(|error| CliError::Use(format!("{graph}: {error}")))
+        }
         Err(_) if path.exists() => {
             let text = output::read_text(path)?;
             let graph = read_graph(&text).map_err(|error| CliError::file(path, error))?;
-            let matrix = graph.matrix(kind).map_err(|error| CliError::file(path, error))?;
-            matrix_spectrum(&matrix, digits).map_err(|error| CliError::file(path, error))
+            in_range(root, graph.order().max(1))?;
+            rooted_spectrum(&graph, kind, root, digits).map_err(|error| CliError::file(path, error))
         }
         Err(error) if graph.contains(':') => Err(CliError::Use(format!("--graph: {error}"))),
         Err(error) => Err(CliError::Use(format!("--graph: there is no file of that name, and {error}"))),
+    }
+}
+
+fn in_range(root: usize, order: usize) -> Result<(), CliError> {
+    if (1..=order).contains(&root) {
+        return Ok(());
+    }
+    Err(CliError::Use(format!("--root: vertex {root} is not one of the {order} vertices, which are counted from 1")))
+}
+
+/// The spectrum of a matrix of a stored graph; `reduced` leaves out the vertex `root`, counted from 1.
+fn rooted_spectrum(
+    graph: &WeightedGraph,
+    kind: LaplacianKind,
+    root: usize,
+    digits: Option<u32>,
+) -> Result<Spectrum, SpectrumError> {
+    let matrix = if kind == LaplacianKind::Reduced { graph.grounded(root - 1)? } else { graph.matrix(kind)? };
+    matrix_spectrum(&matrix, digits)
+}
+
+/// What the kind means, with the vertex that is left out.
+fn meaning(kind: LaplacianKind, root: usize) -> String {
+    match kind {
+        LaplacianKind::Reduced if root != 1 => format!("D - A without the row and column of vertex {root}"),
+        _ => kind.meaning().to_string(),
     }
 }
 
@@ -67,7 +109,7 @@ fn shown_digits(spectrum: &Spectrum, digits: Option<u32>) -> u32 {
     }
 }
 
-fn document(graph: &str, kind: LaplacianKind, spectrum: &Spectrum, digits: u32) -> Value {
+fn document(graph: &str, kind: LaplacianKind, root: usize, spectrum: &Spectrum, digits: u32) -> Value {
     let ends = |x: &Interval| {
         let (lo, hi) = decimals(x, digits);
         json!({"lo": lo, "hi": hi})
@@ -84,18 +126,22 @@ fn document(graph: &str, kind: LaplacianKind, spectrum: &Spectrum, digits: u32) 
         }
         value
     };
-    json!({
+    let mut document = json!({
         "graph": graph,
         "kind": kind.name(),
         "order": spectrum.order,
         "method": spectrum.method.name(),
         "reason": spectrum.reason,
-        "eigenvalues": spectrum.eigenvalues.iter().map(part).collect::<Vec<Value>>(),
-    })
+        "eigenvalues": spectrum.eigenvalues.par_iter().map(part).collect::<Vec<Value>>(),
+    });
+    if kind == LaplacianKind::Reduced {
+        document["root"] = json!(root);
+    }
+    document
 }
 
-fn table(graph: &str, kind: LaplacianKind, spectrum: &Spectrum, digits: u32) -> String {
-    let head = format!("{graph}: {} eigenvalues of `{}` ({})", spectrum.order, kind.name(), kind.meaning());
+fn table(graph: &str, kind: LaplacianKind, root: usize, spectrum: &Spectrum, digits: u32) -> String {
+    let head = format!("{graph}: {} eigenvalues of `{}` ({})", spectrum.order, kind.name(), meaning(kind, root));
     let how = format!("{}: {}", spectrum.method.name(), spectrum.reason);
     let what = match spectrum.method {
         Method::Certified => "Each line: how many eigenvalues lie in the enclosure.",
@@ -106,9 +152,8 @@ fn table(graph: &str, kind: LaplacianKind, spectrum: &Spectrum, digits: u32) -> 
         text.push_str(&textwrap::fill(paragraph, 80));
         text.push('\n');
     }
-    for part in &spectrum.eigenvalues {
-        text.push_str(&line(part, digits));
-    }
+    let lines: Vec<String> = spectrum.eigenvalues.par_iter().map(|part| line(part, digits)).collect();
+    text.extend(lines);
     text
 }
 

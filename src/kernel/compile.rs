@@ -1,6 +1,8 @@
 //! Running coqc over the development.
 
 use super::{AxiomSet, Source, Theorem, Transcript};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -150,7 +152,8 @@ fn named_axioms(said: &str) -> Option<Vec<&str>> {
     }
 }
 
-/// Compiles everything and asks for all axioms; `before` is told of each step and may say stop.
+/// Compiles everything and asks for all axioms, as many files at a time as rayon has threads; `before` is told of each
+/// step and may say stop.
 ///
 /// # Errors
 /// [`ProveError`].
@@ -158,27 +161,43 @@ pub fn prove(
     workshop: &Workshop,
     sources: &[Source],
     theorems: &[Theorem],
-    mut before: impl FnMut(&str) -> bool,
+    before: impl Fn(&str) -> bool + Sync,
 ) -> Result<Transcript, ProveError> {
-    let mut transcript = Transcript { coq: workshop.coq.clone(), ..Transcript::default() };
-    let interrupted = || ProveError::Interrupted(workshop.folder().to_path_buf());
-    for source in sources {
-        if !before(source.name) {
-            return Err(interrupted());
-        }
-        workshop.compile(source)?;
-        transcript.digests.insert(source.name.to_string(), source.digest.clone());
+    let step = |name: &str| {
+        let stopped = || ProveError::Interrupted(workshop.folder().to_path_buf());
+        before(name).then_some(()).ok_or_else(stopped)
+    };
+    for level in levels(sources) {
+        level.par_iter().try_for_each(|source| step(source.name).and_then(|()| workshop.compile(source)))?;
     }
-    for source in sources {
+    let axioms = sources.par_iter().map(|source| {
         let proved: Vec<&Theorem> = theorems.iter().filter(|theorem| theorem.file == source.name).collect();
         if proved.is_empty() {
-            continue;
+            return Ok(Vec::new());
         }
-        if !before(source.name) {
-            return Err(interrupted());
-        }
+        step(source.name)?;
         let axioms = workshop.axioms(source.name, &proved)?;
-        transcript.theorems.extend(proved.iter().map(|theorem| theorem.path()).zip(axioms));
+        Ok(proved.into_iter().map(Theorem::path).zip(axioms).collect())
+    });
+    let axioms = axioms.collect::<Result<Vec<Vec<_>>, ProveError>>()?;
+    Ok(Transcript {
+        coq: workshop.coq.clone(),
+        digests: sources.iter().map(|source| (source.name.to_string(), source.digest.clone())).collect(),
+        theorems: axioms.into_iter().flatten().collect(),
+    })
+}
+
+/// The files in groups, each of which needs earlier groups only.
+fn levels(sources: &[Source]) -> Vec<Vec<&Source>> {
+    let mut depths: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut levels: Vec<Vec<&Source>> = Vec::new();
+    for source in sources {
+        let depth = source.needs.iter().filter_map(|need| depths.get(need)).max().map_or(0, |depth| depth + 1);
+        depths.insert(source.name, depth);
+        if levels.len() <= depth {
+            levels.resize_with(depth + 1, Vec::new);
+        }
+        levels[depth].push(source);
     }
-    Ok(transcript)
+    levels
 }

@@ -15,6 +15,8 @@ pub enum Covers {
     Corrected,
     /// The negation of the printed statement.
     Negation,
+    /// One instance of the statement: evidence of an exact computation, not of a proof for all parameters.
+    Instance,
 }
 
 impl Covers {
@@ -25,12 +27,13 @@ impl Covers {
             Covers::Part => "part",
             Covers::Corrected => "corrected",
             Covers::Negation => "negation",
+            Covers::Instance => "instance",
         }
     }
 
     /// From the word in the table.
     pub fn parse(word: &str) -> Option<Self> {
-        let all = [Covers::Claim, Covers::Part, Covers::Corrected, Covers::Negation];
+        let all = [Covers::Claim, Covers::Part, Covers::Corrected, Covers::Negation, Covers::Instance];
         all.into_iter().find(|covers| covers.word() == word)
     }
 }

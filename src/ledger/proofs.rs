@@ -14,12 +14,13 @@ pub fn evidence(claim: &str, verdict: Verdict) -> Result<Vec<Evidence>, String> 
             return Err(format!("the Coq theorem {} says otherwise than the check: {}", theorem.path(), theorem.part));
         }
         let part = match theorem.covers {
-            Covers::Claim | Covers::Part => theorem.part.clone(),
+            Covers::Claim | Covers::Part | Covers::Instance => theorem.part.clone(),
             Covers::Corrected => format!("corrected: {}", theorem.part),
             Covers::Negation => format!("negation: {}", theorem.part),
         };
         let detail = format!("Coq theorem {}; axioms: {}", theorem.path(), theorem.axioms.words());
-        Ok(Evidence::new(Grade::Kernel, part, detail))
+        let grade = if theorem.covers == Covers::Instance { Grade::Exact } else { Grade::Kernel };
+        Ok(Evidence::new(grade, part, detail))
     });
     support.collect()
 }

@@ -1,9 +1,9 @@
 //! Irreducible blocks, and those that are similar to symmetric matrices.
 
 use super::float_bounds::{SLACK, nearest, nearest_root};
+use super::symmetric::Symmetric;
 use crate::arithmetic::{Rational, rational};
 use crate::matrix::SparseMatrix;
-use faer::Mat;
 use num_traits::{Signed, Zero};
 use std::collections::VecDeque;
 
@@ -51,16 +51,20 @@ pub(super) fn symmetric_entry(a: &SparseMatrix, i: usize, j: usize) -> Option<(f
     }
 }
 
-/// The similar symmetric matrix in floats, and a bound of the Frobenius norm of the error.
-pub(super) fn symmetrised(a: &SparseMatrix) -> Option<(Mat<f64>, f64)> {
-    let mut matrix = Mat::zeros(a.order(), a.order());
+/// The similar symmetric matrix in floats; `None` outside their range.
+pub(super) fn symmetrised(a: &SparseMatrix) -> Option<Symmetric> {
     let mut squares = 0.0;
-    for (i, j, _) in a.entries() {
+    let mut entry = |i: usize, j: usize| {
         let (value, error) = symmetric_entry(a, i, j)?;
-        matrix[(i, j)] = value;
         squares += error * error;
+        Some((j, value))
+    };
+    let mut rows = Vec::with_capacity(a.order());
+    for i in 0..a.order() {
+        rows.push(a.row(i).iter().map(|&(j, _)| entry(i, j)).collect::<Option<Vec<_>>>()?);
     }
-    Some((matrix, if squares == 0.0 { 0.0 } else { (squares.sqrt() + 1e-150) * SLACK }))
+    let error = if squares == 0.0 { 0.0 } else { (squares.sqrt() + 1e-150) * SLACK };
+    Some(Symmetric { rows, error })
 }
 
 /// The entries of a row that are not zero: column, float, bound of its error.

@@ -7,11 +7,11 @@ use super::exact::Factors;
 use super::general::general_spectrum;
 use super::symmetric::symmetric_spectrum;
 use super::tridiagonal::tridiagonal_spectrum;
-use super::{Eigenvalue, Method, Spectrum};
-use crate::arithmetic::Rational;
+use super::{Circulant, Eigenvalue, Method, Spectrum};
+use crate::arithmetic::{Rational, rational};
 use crate::graph::{LaplacianError, LaplacianKind, NameError, NamedGraph};
 use crate::matrix::{MatrixError, SparseMatrix};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Most significant digits.
 pub const LARGEST_DIGITS: u32 = 10_000;
@@ -84,12 +84,47 @@ pub enum SpectrumError {
 pub fn named_spectrum(graph: &NamedGraph, kind: LaplacianKind, digits: Option<u32>) -> Result<Spectrum, SpectrumError> {
     check(digits)?;
     let Some(form) = closed_form(graph, kind) else {
-        return matrix_spectrum(&graph.build()?.matrix(kind)?, digits);
+        return match named_circulant(graph, kind) {
+            Some(matrix) => circulant_spectrum(&matrix?, digits),
+            None => matrix_spectrum(&graph.build()?.matrix(kind)?, digits),
+        };
     };
     let unproved = |_| SpectrumError::Unproved("the closed form could not be evaluated");
     let eigenvalues = form.enclose(digits.unwrap_or(USUAL_DIGITS)).map_err(unproved)?;
     let order = eigenvalues.iter().map(|part| part.multiplicity).sum();
     Ok(Spectrum { order, method: Method::ClosedForm, reason: form.formula, eigenvalues })
+}
+
+/// Circulants whose eigenvalues are too many to be told apart exactly.
+fn named_circulant(graph: &NamedGraph, kind: LaplacianKind) -> Option<Result<Circulant, SpectrumError>> {
+    let NamedGraph::Circulant(order, offsets) = graph else { return None };
+    let both: BTreeSet<usize> = offsets.iter().flat_map(|&a| [a, order - a]).collect();
+    let degree = rational(both.len() as i64, 1);
+    let weight = match kind {
+        LaplacianKind::Reduced => return None,
+        LaplacianKind::Walk | LaplacianKind::Normalised => degree.recip(),
+        _ => rational(1, 1),
+    };
+    let arcs = both.into_iter().map(move |offset| (offset, weight.clone()));
+    Some(match kind {
+        LaplacianKind::Adjacency => Circulant::new(*order, arcs),
+        _ => Circulant::laplacian(*order, arcs),
+    })
+}
+
+/// The spectrum of a circulant matrix in floating point with a proved bound.
+///
+/// # Errors
+/// [`SpectrumError`].
+pub fn circulant_spectrum(matrix: &Circulant, digits: Option<u32>) -> Result<Spectrum, SpectrumError> {
+    check(digits)?;
+    let eigenvalues = matrix.eigenvalues()?.enclosures()?;
+    let (order, possible) = (matrix.order(), certified_digits(&eigenvalues));
+    if let Some(asked) = digits.filter(|&asked| asked > possible) {
+        return Err(SpectrumError::TooManyDigits { asked, order, possible });
+    }
+    let reason = "sums over the offsets or a fast Fourier transform, with an error bound known beforehand".to_string();
+    Ok(Spectrum { order, method: Method::Certified, reason, eigenvalues })
 }
 
 /// The spectrum of a matrix, block by irreducible block: exact for small blocks, otherwise in floating point with proved
@@ -205,8 +240,9 @@ pub fn symmetric_enclosures(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>, Sp
 }
 
 fn similar_to_symmetric(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>, SpectrumError> {
-    let (floats, error) = symmetrised(matrix).ok_or(OUT_OF_RANGE)?;
-    symmetric_spectrum(floats.as_ref(), error).map_err(|_| SpectrumError::Unproved("the residuals are too large"))
+    let floats = symmetrised(matrix).ok_or(OUT_OF_RANGE)?;
+    symmetric_spectrum(&floats)
+        .ok_or(SpectrumError::Unproved("the reduction to a tridiagonal matrix is too inaccurate"))
 }
 
 pub(super) const OUT_OF_RANGE: SpectrumError = SpectrumError::Unproved("an entry lies outside 1e-100 to 1e100");

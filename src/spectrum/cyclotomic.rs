@@ -1,7 +1,9 @@
 //! Rational combinations of roots of unity: the eigenvalues of circulants, paths and platoons. Compared exactly, enclosed
 //! at any precision.
 
-use crate::arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, rational};
+use super::float_bounds::{SLACK, UNIT};
+use super::turn::{CHORD_ERROR, ROOT_ERROR, chord, root_of_unity};
+use crate::arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use std::collections::BTreeMap;
@@ -57,8 +59,16 @@ impl CyclotomicSum {
 
     /// Whether it is real.
     pub fn is_real(&self) -> bool {
+        let mirrored = |&(e, c): &(u64, i64)| self.coefficient((self.order - e) % self.order) == c;
+        if self.terms.iter().all(mirrored) {
+            return true;
+        }
         let conjugate = self.terms.iter().map(|&(e, c)| (self.order - e, -c));
         CyclotomicSum::new(self.order, 1, self.terms.iter().copied().chain(conjugate)).is_zero()
+    }
+
+    fn coefficient(&self, exponent: u64) -> i64 {
+        self.terms.binary_search_by_key(&exponent, |&(e, _)| e).map_or(0, |place| self.terms[place].1)
     }
 
     /// Its real part: half its sum with its conjugate.
@@ -83,13 +93,32 @@ impl CyclotomicSum {
         sum.scale(&Interval::from_rational(&rational(1, self.denominator), roots.precision))
     }
 
+    /// Real and imaginary part in floats, and a bound of the error of both. The real part is taken as the sum of the
+    /// coefficients less the sum of `c_j (1 - cos)`, so that small eigenvalues of Laplacians keep their digits.
+    pub fn to_floats(&self) -> (f64, f64, f64) {
+        let (n, denominator) = (self.order, self.denominator as f64);
+        let whole: i64 = self.terms.iter().map(|&(_, c)| c).sum();
+        let (mut re, mut im, mut chords, mut sines) = (0.0, 0.0, 0.0, 0.0);
+        for &(e, c) in self.terms.iter().filter(|&&(e, _)| e != 0) {
+            let (c, lack) = (c as f64, chord(e.min(n - e) as f64, n as f64));
+            let sine = root_of_unity(e, n).1;
+            (re, im) = (re + c * lack, im + c * sine);
+            (chords, sines) = (chords + (c * lack).abs(), sines + (c * sine).abs());
+        }
+        let terms = self.terms.len() as f64 + 3.0;
+        let real = (whole as f64 - re) / denominator;
+        let radius_re = (CHORD_ERROR + terms * UNIT) * chords / denominator.abs() + 3.0 * UNIT * real.abs();
+        let radius_im = (ROOT_ERROR + terms * UNIT) * sines / denominator.abs();
+        (real, im / denominator, f64::max(radius_re, radius_im) * SLACK)
+    }
+
     /// The number itself where it is rational, given an enclosure of its real part narrower than `1/denominator`.
     pub fn exact(&self, re: &Interval) -> Option<Rational> {
         // An algebraic integer over its denominator is rational only if it is an integer over it.
-        let denominator = Rational::from_integer(BigInt::from(self.denominator));
-        let (lo, hi) = re.to_rationals();
-        let (lo, hi) = ((lo * &denominator).ceil().to_integer(), (hi * &denominator).floor().to_integer());
-        (lo == hi && self.is_multiple(lo.to_i64()?)).then(|| Rational::from_integer(lo) / denominator)
+        let scaled = re.clone() * re.integer(self.denominator);
+        let (lo, hi) = (-scaled.lo().negated().floor(), scaled.hi().floor());
+        let exact = lo == hi && self.is_multiple(lo.to_i64()?);
+        exact.then(|| Rational::new(lo, BigInt::from(self.denominator)))
     }
 }
 

@@ -18,6 +18,19 @@ pub struct Eigenvalue {
     pub exact: Option<Rational>,
 }
 
+/// Eigenvalues near a float: their real and imaginary parts are each within `radius` of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FloatEnclosure {
+    /// Real part.
+    pub re: f64,
+    /// Imaginary part.
+    pub im: f64,
+    /// Bound of the error of each part.
+    pub radius: f64,
+    /// How many eigenvalues.
+    pub multiplicity: usize,
+}
+
 /// How a spectrum was found, and what the multiplicities mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {

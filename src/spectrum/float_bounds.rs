@@ -11,7 +11,7 @@ pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
 pub(super) const SLACK: f64 = 1.0 + 1e-6;
 
 /// Largest and least size of numbers that are worked on, so that nothing over- or underflows on the way.
-const RANGE: (f64, f64) = (1e-100, 1e100);
+pub(super) const RANGE: std::ops::Range<f64> = 1e-100..1e100;
 
 /// Underflow in sums of fewer than `2^60` products, far below all that matters in [`RANGE`].
 pub(super) const UNDERFLOW: f64 = 1e-280;
@@ -25,7 +25,7 @@ pub(super) fn nearest(q: &Rational) -> Option<(f64, f64)> {
     }
     let exact = q.is_integer() && q.numer().bits() <= 53;
     // An ulp at least: no trust in the last bit of the conversion is needed.
-    (RANGE.0..RANGE.1).contains(&size).then_some((value, if exact { 0.0 } else { 4.0 * UNIT * size }))
+    RANGE.contains(&size).then_some((value, if exact { 0.0 } else { 4.0 * UNIT * size }))
 }
 
 /// `sign * sqrt(q)` for a non-negative rational in the same way.
@@ -33,7 +33,7 @@ pub(super) fn nearest_root(q: &Rational, sign: f64) -> Option<(f64, f64)> {
     let root = Interval::from_rational(&q.abs(), 64).sqrt().ok()?;
     let value = root.to_f64();
     // The enclosure has 64 bits, the float 53.
-    (RANGE.0..RANGE.1).contains(&value).then_some((sign * value, 4.0 * UNIT * value))
+    RANGE.contains(&value).then_some((sign * value, 4.0 * UNIT * value))
 }
 
 /// The Frobenius norm, rounded up; infinite where an entry is not finite.
@@ -70,22 +70,38 @@ fn split_rows(a: MatRef<'_, f64>, bits: i32) -> (Mat<f64>, Mat<f64>) {
     (head, tail)
 }
 
-/// The product of two matrices of floats in range, after Ozaki, Ogita, Oishi and Rump (2012): both are split so that the
-/// product of the heads is exact in whatever order it is summed (its partial sums are integers below `2^53` times one
-/// power of two). The rest is small, so its rounding, `k u |a||b|` for inner dimension `k` in any order of summation (Higham,
-/// Accuracy and Stability, (3.13)), is too.
-pub(super) fn product(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Product {
-    let inner = a.ncols();
-    let sum_bits = (usize::BITS - inner.leading_zeros()) as i32;
-    let bits = (53 - sum_bits) / 2;
-    let (a_head, a_tail) = split_rows(a, bits);
-    let (b_head, b_tail) = split_rows(b.transpose(), bits);
-    let (b_head, b_tail) = (b_head.transpose(), b_tail.transpose());
-    let exact = &a_head * b_head;
-    let rest = &a_head * b_tail + &a_tail * b;
-    let sizes = frobenius(a_head.as_ref()) * frobenius(b_tail) + frobenius(a_tail.as_ref()) * frobenius(b);
-    let error = 2.0 * (inner as f64 + 2.0) * UNIT * sizes * SLACK + UNDERFLOW;
-    Product { exact, rest, error }
+/// A left factor of products whose leading parts are exact, after Ozaki, Ogita, Oishi and Rump (2012): both factors are split so
+/// that the product of the heads is exact in whatever order it is summed (its partial sums are integers below `2^53` times
+/// one power of two). The rest is small, so its rounding, `k u |a||b|` for inner dimension `k` in any order of summation
+/// (Higham, Accuracy and Stability, (3.13)), is too.
+pub(super) struct Split {
+    head: Mat<f64>,
+    tail: Mat<f64>,
+    /// Norms of head and tail.
+    sizes: (f64, f64),
+    bits: i32,
+}
+
+impl Split {
+    pub fn new(a: MatRef<'_, f64>) -> Self {
+        let sum_bits = (usize::BITS - a.ncols().leading_zeros()) as i32;
+        let bits = (53 - sum_bits) / 2;
+        let (head, tail) = split_rows(a, bits);
+        let sizes = (frobenius(head.as_ref()), frobenius(tail.as_ref()));
+        Split { head, tail, sizes, bits }
+    }
+
+    /// The product with a matrix of floats in range.
+    pub fn times(&self, b: MatRef<'_, f64>) -> Product {
+        let inner = b.nrows();
+        let (b_head, b_tail) = split_rows(b.transpose(), self.bits);
+        let (b_head, b_tail) = (b_head.transpose(), b_tail.transpose());
+        let exact = &self.head * b_head;
+        let rest = &self.head * b_tail + &self.tail * b;
+        let sizes = self.sizes.0 * frobenius(b_tail) + self.sizes.1 * frobenius(b);
+        let error = 2.0 * (inner as f64 + 2.0) * UNIT * sizes * SLACK + UNDERFLOW;
+        Product { exact, rest, error }
+    }
 }
 
 /// The interval of all numbers within `radius` of a float.

@@ -8,12 +8,13 @@
 //! *Proof.* `YX = I - E` is regular, so `X⁻¹ = (I - E)⁻¹ Y = (I + E (I - E)⁻¹) Y`; then Gershgorin's theorem for `Λ + G`. ∎
 //!
 //! This is the bound of Bauer and Fike with the condition of the eigenvectors row by row. Where the eigenvectors are nearly
-//! dependent (defective matrices) nothing is proved, and that is said.
+//! dependent (defective matrices) the bound of [Henrici](super::schur) takes its place.
 
 use super::block::{Row, float_rows};
 use super::choose::OUT_OF_RANGE;
 use super::enclosed::merged;
 use super::float_bounds::{SLACK, UNDERFLOW, UNIT, around};
+use super::schur::triangular_spectrum;
 use super::{Eigenvalue, SpectrumError};
 use crate::matrix::SparseMatrix;
 use faer::linalg::solvers::DenseSolveCore;
@@ -36,14 +37,29 @@ fn largest(values: &[f64]) -> f64 {
 /// # Errors
 /// [`SpectrumError::Unproved`].
 pub(super) fn general_spectrum(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>, SpectrumError> {
-    let unproved = || SpectrumError::Unproved("its eigenvectors are too close to dependent for floating point");
-    let order = matrix.order();
     let rows: Vec<Row> = float_rows(matrix).ok_or(OUT_OF_RANGE)?;
+    let parts = match diagonalised(&rows) {
+        Some(parts) => parts,
+        None if rows.len() <= LARGEST_TRIANGULAR_ORDER => triangular_spectrum(&rows).ok_or(UNPROVED)?,
+        None => return Err(UNPROVED),
+    };
+    Ok(merged(parts).into_iter().map(real_if_alone).collect())
+}
+
+const UNPROVED: SpectrumError =
+    SpectrumError::Unproved("its eigenvectors are too close to dependent for floating point");
+
+/// Largest order for which Schur's form is computed where the eigenvectors do not do; it is slow.
+const LARGEST_TRIANGULAR_ORDER: usize = 300;
+
+/// Discs by the theorem above.
+fn diagonalised(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
+    let order = rows.len();
     let mut floats = Mat::<f64>::zeros(order, order);
     for (i, row) in rows.iter().enumerate() {
         row.iter().for_each(|&(j, value, _)| floats[(i, j)] = value);
     }
-    let eigen = floats.eigen().map_err(|_| SpectrumError::Unproved("the eigenvalue iteration did not converge"))?;
+    let eigen = floats.eigen().ok()?;
     let (x, values) = (eigen.U(), eigen.S());
     let inverse = x.partial_piv_lu().inverse();
     // AX - XΛ row by row, with a bound of its rounding and of the rounding of A.
@@ -67,7 +83,7 @@ pub(super) fn general_spectrum(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>,
     let size = largest(&row_sums(x));
     let e = (largest(&row_sums(defect.as_ref())) + rounding * (largest(&inverse_sums) * size + 2.0)) * SLACK;
     if e.is_nan() || e >= 0.5 {
-        return Err(unproved());
+        return None;
     }
     let image = &inverse * &residual;
     let residual_size = largest(&row_sums(residual.as_ref()));
@@ -84,8 +100,7 @@ pub(super) fn general_spectrum(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>,
             exact: None,
         })
     };
-    let parts = (0..order).map(disc).collect::<Option<Vec<_>>>().ok_or_else(unproved)?;
-    Ok(merged(parts).into_iter().map(real_if_alone).collect())
+    (0..order).map(disc).collect()
 }
 
 /// Eigenvalues of real matrices come in conjugate pairs: one alone in an enclosure that is its own mirror image is real.

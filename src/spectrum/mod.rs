@@ -6,26 +6,32 @@
 
 mod block;
 mod choose;
+mod circulant;
 mod closed_form;
 mod cyclotomic;
 mod enclosed;
 mod exact;
 mod float_bounds;
+mod fourier;
 mod general;
 mod polynomial;
 mod recurrence;
+mod schur;
 mod smith;
 mod stability;
 mod symmetric;
 mod tridiagonal;
+mod turn;
 
 pub use choose::{
     LARGEST_DENSE_ORDER, LARGEST_DIGITS, LARGEST_EXACT_ORDER, LARGEST_GENERAL_ORDER, LARGEST_TRIDIAGONAL_ORDER,
-    SpectrumError, matrix_spectrum, named_spectrum, symmetric_enclosures,
+    SpectrumError, circulant_spectrum, matrix_spectrum, named_spectrum, symmetric_enclosures,
 };
+pub use circulant::{Circulant, CirculantSpectrum};
 pub use closed_form::{ClosedForm, ClosedValue, closed_form};
 pub use cyclotomic::{CyclotomicSum, RootTable};
-pub use enclosed::{Eigenvalue, Method, Spectrum};
+pub use enclosed::{Eigenvalue, FloatEnclosure, Method, Spectrum};
 pub use exact::real_spectrum;
 pub use polynomial::{Polynomial, RealRoot};
 pub use recurrence::{Eventual, Leading, Recurrence, RecurrenceError};
+pub use tridiagonal::tridiagonal_eigenvalues;

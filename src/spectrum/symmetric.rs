@@ -1,62 +1,206 @@
 //! Real symmetric matrices: floating-point eigenvalues with proved enclosures, whatever their multiplicities.
 //!
-//! **Theorem.** Let `S` be symmetric, `V` square, `Λ` real diagonal, `‖VᵀV - I‖₂ <= ε < 1` and `‖SV - VΛ‖₂ <= ρ`. With both
-//! sequences in order, `|λ_k(S) - Λ_k| <= β + (|Λ_k| + β) ε/(1 - ε)`, where `β = ε max |Λ| + sqrt(1 + ε) ρ`.
+//! **Theorem** (Bhatia, Davis and Kittaneh 1991; Cao, Xie and Li 1996). Let `S` and `T` be symmetric, `Q` square and regular with
+//! least singular value `σ`. With both sequences in order, `|λ_k(S) - λ_k(T)| <= ‖SQ - QT‖₂/σ`.
 //!
-//! *Proof.* `VᵀSV = Λ + (VᵀV - I)Λ + Vᵀ(SV - VΛ)`, and the last two terms together are symmetric and at most `β` in norm, so
-//! `|λ_k(VᵀSV) - Λ_k| <= β` (Weyl). By Ostrowski's theorem `λ_k(VᵀSV) = θ λ_k(S)` with `θ` between the least and the
-//! largest eigenvalue of `VᵀV`, so `|θ - 1| <= ε`. ∎
+//! *Proof.* Let `Q = UH` with `U` orthogonal and `H` positive definite, `B = UᵀSU`, `D = B - T` and `R = Uᵀ(SQ - QT) = BH - HT`. Then
+//! `R + Rᵀ = DH + HD`. For a unit vector `x` with `Dx = dx`, `|d| = ‖D‖`, it gives `2 |d| xᵀHx = |xᵀ(R + Rᵀ)x| <= 2 ‖R‖`, and
+//! `xᵀHx >= σ`. So `‖B - T‖ <= ‖R‖/σ`, and the rest is Weyl's theorem. ∎
 //!
-//! Nothing is assumed of how `V` and `Λ` were found. Enclosures that overlap are reported as one with their number.
+//! Here `T` is tridiagonal, found by reflections, and its eigenvalues are proved by [counts](super::tridiagonal). `σ² >= 1 - ‖QᵀQ - I‖`
+//! need not be sharp, so one plain product is enough for it. The residual is a sum of few products where `S` is sparse; otherwise
+//! a product whose leading part is exact in any order of summation. Nothing is assumed of how `Q` and `T` were found.
 
 use super::Eigenvalue;
 use super::enclosed::merged;
-use super::float_bounds::{SLACK, UNIT, around, frobenius, product};
-use crate::matrix::floating::EigenError;
-use faer::{Mat, MatRef, Side};
+use super::float_bounds::{SLACK, Split, UNDERFLOW, UNIT, around, frobenius};
+use super::tridiagonal::Tridiagonal;
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::linalg::evd::tridiag::{tridiag_in_place, tridiag_in_place_scratch};
+use faer::linalg::householder::{
+    apply_block_householder_on_the_left_in_place_scratch, apply_block_householder_on_the_left_in_place_with_conj,
+};
+use faer::linalg::qr::no_pivoting::factor::recommended_block_size;
+use faer::{Conj, Mat, MatRef, Par};
+use rayon::prelude::*;
 
-/// Encloses the eigenvalues of every symmetric matrix within `error` (in the Frobenius norm) of `s`, which is symmetric.
-///
-/// # Errors
-/// [`EigenError::NoConvergence`], also where no bound could be proved.
-pub(super) fn symmetric_spectrum(s: MatRef<'_, f64>, error: f64) -> Result<Vec<Eigenvalue>, EigenError> {
-    let order = s.nrows();
-    let eigen = s.self_adjoint_eigen(Side::Lower).map_err(|_| EigenError::NoConvergence)?;
-    let vectors = eigen.U();
-    let values: Vec<f64> = (0..order).map(|k| eigen.S()[k]).collect();
-    let skew = departure(vectors);
-    let residual = residual(s, vectors, &values);
-    if skew.is_nan() || skew >= 0.5 || !residual.is_finite() {
-        return Err(EigenError::NoConvergence);
+/// Columns of `Q` that one task works on; the results do not depend on the number of threads.
+const PANEL: usize = 96;
+
+/// A matrix with more than one entry in so many is multiplied as a dense one.
+const SPARSE: usize = 12;
+
+/// A symmetric matrix in floats.
+pub(super) struct Symmetric {
+    /// Column and value of the entries that are not zero, row by row.
+    pub rows: Vec<Vec<(usize, f64)>>,
+    /// Bound of the distance from the matrix that is meant, in the Frobenius norm.
+    pub error: f64,
+}
+
+/// Encloses the eigenvalues; `None` where nothing could be proved.
+pub(super) fn symmetric_spectrum(s: &Symmetric) -> Option<Vec<Eigenvalue>> {
+    let part = |(value, radius): (f64, f64)| Some(Eigenvalue::real(around(value, radius)?, 1));
+    Some(merged(symmetric_floats(s)?.into_iter().map(part).collect::<Option<_>>()?))
+}
+
+/// The eigenvalues in order, each with a bound of its error.
+pub(super) fn symmetric_floats(s: &Symmetric) -> Option<Vec<(f64, f64)>> {
+    match s.rows.first() {
+        None => return Some(Vec::new()),
+        Some(row) if s.rows.len() == 1 => return Some(vec![(row.first().map_or(0.0, |&(_, x)| x), s.error)]),
+        Some(_) => {}
     }
-    let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-    let beta = (skew * largest + (1.0 + skew) * residual) * SLACK;
-    let radius = |value: f64| (beta + (value.abs() + beta) * skew / (1.0 - skew) + error) * SLACK;
-    let mut sorted = values;
-    sorted.sort_by(f64::total_cmp);
-    let parts = sorted.into_iter().map(|value| Some(Eigenvalue::real(around(value, radius(value))?, 1)));
-    Ok(merged(parts.collect::<Option<_>>().ok_or(EigenError::NoConvergence)?))
+    let reduced = Reduced::new(s);
+    let departure = reduced.departure();
+    if departure.is_nan() || departure >= 0.5 {
+        return None;
+    }
+    let residual = reduced.residual(s);
+    // σ >= sqrt(1 - departure) >= 1 - departure.
+    let moved = (residual / (1.0 - departure) * SLACK + s.error) * SLACK;
+    let found = Tridiagonal::from_floats(reduced.diagonal, &reduced.beside).eigenvalues()?;
+    moved.is_finite().then(|| found.into_iter().map(|(value, radius)| (value, (radius + moved) * SLACK)).collect())
 }
 
-/// `‖VᵀV - I‖`, rounded up.
-fn departure(v: MatRef<'_, f64>) -> f64 {
-    let gram = product(v.transpose(), v);
-    let order = v.ncols();
-    let near = Mat::from_fn(order, order, |i, j| gram.exact[(i, j)] - if i == j { 1.0 } else { 0.0 });
-    let sum = &near + &gram.rest;
-    frobenius(sum.as_ref()) + 4.0 * UNIT * (frobenius(near.as_ref()) + frobenius(gram.rest.as_ref())) + gram.error
+/// `SQ` is nearly `QT` for the tridiagonal `T`; nothing is promised.
+struct Reduced {
+    diagonal: Vec<f64>,
+    beside: Vec<f64>,
+    /// `Q` in panels of [`PANEL`] columns.
+    panels: Vec<Mat<f64>>,
 }
 
-/// `‖SV - VΛ‖`, rounded up.
-fn residual(s: MatRef<'_, f64>, v: MatRef<'_, f64>, values: &[f64]) -> f64 {
-    let image = product(s, v);
-    let (rows, cols) = (v.nrows(), v.ncols());
-    // v λ = rounded + lost, exactly.
-    let rounded = |i: usize, j: usize| v[(i, j)] * values[j];
-    let lost = |i: usize, j: usize| v[(i, j)].mul_add(values[j], -rounded(i, j));
-    let near = Mat::from_fn(rows, cols, |i, j| image.exact[(i, j)] - rounded(i, j));
-    let small = Mat::from_fn(rows, cols, |i, j| image.rest[(i, j)] - lost(i, j));
-    let sum = &near + &small;
-    let rounding = 4.0 * UNIT * (frobenius(near.as_ref()) + frobenius(small.as_ref()));
-    frobenius(sum.as_ref()) + rounding + image.error
+impl Reduced {
+    /// Householder's reduction of a matrix of order 2 at least.
+    fn new(s: &Symmetric) -> Self {
+        let order = s.rows.len();
+        let block = recommended_block_size::<f64>(order, order);
+        let mut work = dense(s);
+        let mut factors = Mat::<f64>::zeros(block, order - 1);
+        let mut memory = MemBuffer::new(tridiag_in_place_scratch::<f64>(order, Par::Seq, Default::default()));
+        let stack = MemStack::new(&mut memory);
+        tridiag_in_place(work.as_mut(), factors.as_mut(), Par::Seq, stack, Default::default());
+        let starts: Vec<usize> = (0..order).step_by(PANEL).collect();
+        let panel = |&start: &usize| reflected(work.as_ref(), factors.as_ref(), start, PANEL.min(order - start));
+        Reduced {
+            diagonal: (0..order).map(|i| work[(i, i)]).collect(),
+            beside: (1..order).map(|i| work[(i, i - 1)]).collect(),
+            panels: starts.par_iter().map(panel).collect(),
+        }
+    }
+
+    fn column(&self, k: usize) -> &[f64] {
+        self.panels[k / PANEL].col_as_slice(k % PANEL)
+    }
+
+    /// Bound of the Frobenius norm of `Q`.
+    fn size(&self) -> f64 {
+        self.panels.iter().map(|panel| frobenius(panel.as_ref())).map(|x| x * x).sum::<f64>().sqrt() * SLACK
+    }
+
+    /// `‖QᵀQ - I‖`, rounded up. A product of floats with inner dimension `n` is within `n u |Qᵀ||Q|`, whose norm is at most
+    /// `n u ‖Q‖²` in the Frobenius norm, in any order of summation.
+    fn departure(&self) -> f64 {
+        let order = self.diagonal.len();
+        let count = self.panels.len();
+        let pairs: Vec<(usize, usize)> = (0..count).flat_map(|j| (0..=j).map(move |i| (i, j))).collect();
+        let squares = pairs.par_iter().map(|&(i, j)| {
+            let mut product = self.panels[i].transpose() * &self.panels[j];
+            if i == j {
+                (0..product.nrows()).for_each(|k| product[(k, k)] -= 1.0);
+            }
+            let norm = frobenius(product.as_ref());
+            norm * norm * if i == j { 1.0 } else { 2.0 }
+        });
+        let squares: Vec<f64> = squares.collect();
+        let size = self.size();
+        let rounding = (order as f64 + 2.0) * UNIT * (size * size + 1.0) * SLACK;
+        squares.into_iter().sum::<f64>().sqrt() * SLACK + rounding + UNDERFLOW
+    }
+
+    /// `‖SQ - QT‖` in the Frobenius norm, rounded up.
+    fn residual(&self, s: &Symmetric) -> f64 {
+        let (order, size) = (self.diagonal.len(), self.size());
+        let entries: usize = s.rows.iter().map(Vec::len).sum();
+        // Rows and columns of T sum to at most this in absolute value, and so its norm is at most this.
+        let largest = |x: &[f64]| x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let small = largest(&self.diagonal) + 2.0 * largest(&self.beside);
+        let (squares, rounding) = if entries <= order * order / SPARSE {
+            let squares = (0..order).into_par_iter().map(|k| self.sparse_residual(s, k)).collect();
+            // Sums of at most so many products; |S| has a norm of at most its largest row sum.
+            let terms = s.rows.iter().map(Vec::len).max().unwrap_or(0) + 5;
+            let sums = s.rows.iter().map(|row| row.iter().map(|(_, x)| x.abs()).sum::<f64>()).fold(0.0, f64::max);
+            (squares, terms as f64 * UNIT * (sums + small) * size)
+        } else {
+            self.dense_residual(s, small)
+        };
+        squares.into_iter().sum::<f64>().sqrt() * SLACK + rounding * SLACK + 1e-150
+    }
+
+    /// `Q t_k`, where `t_k` is column `k` of `T`, for one row.
+    #[inline(always)]
+    fn image(&self, k: usize) -> impl Fn(usize) -> f64 {
+        let own = self.column(k);
+        let (before, left) = if k > 0 { (self.column(k - 1), self.beside[k - 1]) } else { (own, 0.0) };
+        let (after, right) =
+            if k + 1 < self.diagonal.len() { (self.column(k + 1), self.beside[k]) } else { (own, 0.0) };
+        let diagonal = self.diagonal[k];
+        move |i| own[i] * diagonal + before[i] * left + after[i] * right
+    }
+
+    /// The sum of the squares of column `k` of `SQ - QT`.
+    fn sparse_residual(&self, s: &Symmetric, k: usize) -> f64 {
+        let (own, image) = (self.column(k), self.image(k));
+        let rows = s.rows.iter().enumerate();
+        rows.map(|(i, row)| row.iter().fold(-image(i), |sum, &(j, x)| sum + x * own[j])).map(|x| x * x).sum()
+    }
+
+    /// The sums of the squares by panels, and a bound of the rounding.
+    fn dense_residual(&self, s: &Symmetric, small: f64) -> (Vec<f64>, f64) {
+        let split = Split::new(dense(s).as_ref());
+        let panel = |(number, panel): (usize, &Mat<f64>)| {
+            let product = split.times(panel.as_ref());
+            let difference = Mat::from_fn(panel.nrows(), panel.ncols(), |i, j| {
+                (product.exact[(i, j)] - self.image(number * PANEL + j)(i)) + product.rest[(i, j)]
+            });
+            let sizes = frobenius(product.exact.as_ref()) + frobenius(product.rest.as_ref());
+            let norm = frobenius(difference.as_ref());
+            (norm * norm, product.error + 8.0 * UNIT * sizes)
+        };
+        let parts: Vec<(f64, f64)> = self.panels.par_iter().enumerate().map(panel).collect();
+        let rounding = parts.iter().map(|part| part.1).sum::<f64>() + 8.0 * UNIT * small * self.size();
+        (parts.into_iter().map(|part| part.0).collect(), rounding)
+    }
+}
+
+/// Some columns of the product of the reflections: the unit vectors, reflected block by block from the last to the first.
+fn reflected(work: MatRef<'_, f64>, factors: MatRef<'_, f64>, start: usize, width: usize) -> Mat<f64> {
+    let (order, block) = (work.nrows(), factors.nrows());
+    let basis = work.submatrix(1, 0, order - 1, order - 1);
+    let mut panel = Mat::from_fn(order, width, |i, j| f64::from(u8::from(i == start + j)));
+    let scratch: StackReq = apply_block_householder_on_the_left_in_place_scratch::<f64>(order, block, width);
+    let mut memory = MemBuffer::new(scratch);
+    // Blocks that begin below the last column leave these columns as they are.
+    let last = (order - 1).min(start + width);
+    for from in (0..last).step_by(block).rev() {
+        let until = (from + block).min(order - 1);
+        apply_block_householder_on_the_left_in_place_with_conj(
+            basis.get(from.., from..until),
+            factors.get(..until - from, from..until),
+            Conj::No,
+            panel.as_mut().subrows_mut(from + 1, order - from - 1),
+            Par::Seq,
+            MemStack::new(&mut memory),
+        );
+    }
+    panel
+}
+
+fn dense(s: &Symmetric) -> Mat<f64> {
+    let mut matrix = Mat::zeros(s.rows.len(), s.rows.len());
+    for (i, row) in s.rows.iter().enumerate() {
+        row.iter().for_each(|&(j, x)| matrix[(i, j)] = x);
+    }
+    matrix
 }

@@ -1,5 +1,5 @@
-//! Tridiagonal matrices with positive products of opposite entries (weighted paths, platoons): eigenvalues by implicit QL,
-//! enclosed by counting negative pivots.
+//! Tridiagonal matrices with positive products of opposite entries (weighted paths, platoons): eigenvalues by Laguerre's
+//! iteration, enclosed by counting negative pivots.
 //!
 //! **Counts in floating point.** The pivots `q_i = (a_i - x) - b²_{i-1}/q_{i-1}` computed with rounding have the signs of the
 //! exact pivots of a matrix whose `b²` differ by factors of four roundings each: divide `q_i` by the factors of its two
@@ -10,8 +10,8 @@
 use super::block::symmetric_entry;
 use super::choose::OUT_OF_RANGE;
 use super::enclosed::merged;
-use super::float_bounds::{SLACK, UNIT, around, nearest};
-use super::{Eigenvalue, SpectrumError};
+use super::float_bounds::{RANGE, SLACK, UNIT, around, nearest};
+use super::{Eigenvalue, FloatEnclosure, SpectrumError};
 use crate::matrix::SparseMatrix;
 use rayon::prelude::*;
 
@@ -27,9 +27,10 @@ const LANES: usize = 8;
 /// Doublings of the radius before an enclosure is given up.
 const MOST_DOUBLINGS: usize = 60;
 
-struct Tridiagonal {
+/// A symmetric tridiagonal matrix, known up to `spread`.
+pub(super) struct Tridiagonal {
     diagonal: Vec<f64>,
-    /// `a_{i,i+1} a_{i+1,i}`, rounded.
+    /// Products of opposite entries, `b²`, rounded.
     squares: Vec<f64>,
     /// How far an eigenvalue that is counted may be from one of the matrix that was given.
     spread: f64,
@@ -41,36 +42,28 @@ struct Tridiagonal {
 /// # Errors
 /// [`SpectrumError::Unproved`].
 pub(super) fn tridiagonal_spectrum(a: &SparseMatrix, order: &[usize]) -> Result<Vec<Eigenvalue>, SpectrumError> {
-    let matrix = Tridiagonal::new(a, order).ok_or(OUT_OF_RANGE)?;
-    let unproved = SpectrumError::Unproved("the iteration for a tridiagonal matrix did not converge");
-    let mut values = matrix.approximate().ok_or_else(|| unproved.clone())?;
-    values.sort_by(f64::total_cmp);
-    let size = matrix.diagonal.iter().chain(&values).fold(0.0, |most: f64, x| most.max(x.abs()));
-    let first = 16.0 * UNIT * size + matrix.spread;
-    // The ends `value +- radius` are rounded.
-    let rounding = 2.0 * UNIT * (size + first);
-    let places: Vec<usize> = (0..values.len()).collect();
-    // Each half of the lanes holds the lower and the upper ends of as many eigenvalues.
-    let radii = places.par_chunks(LANES / 2).map(|chunk| {
-        let end = |lane: usize| {
-            let k = chunk[(lane / 2).min(chunk.len() - 1)];
-            if lane.is_multiple_of(2) { values[k] - first } else { values[k] + first }
-        };
-        let counts = matrix.counts(std::array::from_fn(end));
-        let radius = |(slot, &k): (usize, &usize)| {
-            let proved = counts[2 * slot] <= k && counts[2 * slot + 1] > k;
-            if proved { Some(first + rounding) } else { matrix.radius(values[k], k, first) }
-        };
-        chunk.iter().enumerate().map(radius).collect::<Option<Vec<f64>>>()
-    });
-    let radii: Option<Vec<Vec<f64>>> = radii.collect();
-    let radii = radii.ok_or_else(|| unproved.clone())?;
-    let part = |(&value, radius): (&f64, f64)| {
-        Some(Eigenvalue::real(around(value, ((radius + matrix.spread) * SLACK).next_up())?, 1))
-    };
-    let parts = values.iter().zip(radii.into_iter().flatten()).map(part).collect::<Option<Vec<_>>>();
-    Ok(merged(parts.ok_or(unproved)?))
+    let found = Tridiagonal::new(a, order).ok_or(OUT_OF_RANGE)?.eigenvalues().ok_or(UNPROVED)?;
+    let part = |(value, radius): (f64, f64)| Some(Eigenvalue::real(around(value, radius)?, 1));
+    Ok(merged(found.into_iter().map(part).collect::<Option<Vec<_>>>().ok_or(UNPROVED)?))
 }
+
+/// The eigenvalues, in order, of the symmetric tridiagonal matrix with this diagonal and these entries beside it, each
+/// with a proved bound.
+///
+/// # Errors
+/// [`SpectrumError::Unproved`] where a number other than zero lies outside 1e-100 to 1e100, or `beside` is not one shorter.
+pub fn tridiagonal_eigenvalues(diagonal: &[f64], beside: &[f64]) -> Result<Vec<FloatEnclosure>, SpectrumError> {
+    if diagonal.len() != beside.len() + 1 {
+        return Err(SpectrumError::Unproved("the side of a tridiagonal matrix is one shorter than its diagonal"));
+    }
+    if !diagonal.iter().chain(beside).all(|x| *x == 0.0 || RANGE.contains(&x.abs())) {
+        return Err(OUT_OF_RANGE);
+    }
+    let found = Tridiagonal::from_floats(diagonal.to_vec(), beside).eigenvalues().ok_or(UNPROVED)?;
+    Ok(found.into_iter().map(|(re, radius)| FloatEnclosure { re, im: 0.0, radius, multiplicity: 1 }).collect())
+}
+
+const UNPROVED: SpectrumError = SpectrumError::Unproved("the iteration for a tridiagonal matrix did not converge");
 
 impl Tridiagonal {
     fn new(a: &SparseMatrix, order: &[usize]) -> Option<Self> {
@@ -83,20 +76,44 @@ impl Tridiagonal {
         Some(Tridiagonal { diagonal: diagonal.into_iter().map(|(x, _)| x).collect(), squares, spread })
     }
 
+    /// The matrix with this diagonal and these entries beside it, exactly.
+    pub(super) fn from_floats(diagonal: Vec<f64>, beside: &[f64]) -> Self {
+        let largest = beside.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        // A square below the range of floats hides an entry below 1e-150.
+        let spread = 14.0 * UNIT * largest * SLACK + 1e-150;
+        Tridiagonal { diagonal, squares: beside.iter().map(|b| b * b).collect(), spread }
+    }
+
+    /// The eigenvalues in order, each with a bound of its error; `None` where none could be proved.
+    pub(super) fn eigenvalues(&self) -> Option<Vec<(f64, f64)>> {
+        let mut values = self.approximate()?;
+        values.sort_by(f64::total_cmp);
+        let size = self.diagonal.iter().chain(&values).fold(0.0, |most: f64, x| most.max(x.abs()));
+        let first = 16.0 * UNIT * size + self.spread;
+        // The ends `value +- radius` are rounded.
+        let rounding = 2.0 * UNIT * (size + first);
+        let places: Vec<usize> = (0..values.len()).collect();
+        // Each half of the lanes holds the lower and the upper ends of as many eigenvalues.
+        let radii = places.par_chunks(LANES / 2).map(|chunk| {
+            let end = |lane: usize| {
+                let k = chunk[(lane / 2).min(chunk.len() - 1)];
+                if lane.is_multiple_of(2) { values[k] - first } else { values[k] + first }
+            };
+            let counts = self.counts(std::array::from_fn(end));
+            let radius = |(slot, &k): (usize, &usize)| {
+                let proved = counts[2 * slot] <= k && counts[2 * slot + 1] > k;
+                if proved { Some(first + rounding) } else { self.radius(values[k], k, first) }
+            };
+            chunk.iter().enumerate().map(radius).collect::<Option<Vec<f64>>>()
+        });
+        let radii: Vec<Vec<f64>> = radii.collect::<Option<_>>()?;
+        let whole = |radius: f64| ((radius + self.spread) * SLACK).next_up();
+        Some(values.into_iter().zip(radii.into_iter().flatten().map(whole)).collect())
+    }
+
     /// The numbers of eigenvalues below each shift, for a matrix within `spread`.
     fn counts(&self, shifts: [f64; LANES]) -> [usize; LANES] {
-        let mut counts = [0usize; LANES];
-        let mut pivots = [1.0f64; LANES];
-        let mut square = 0.0;
-        for (i, &a) in self.diagonal.iter().enumerate() {
-            for lane in 0..LANES {
-                let pivot = (a - shifts[lane]) - square / pivots[lane];
-                pivots[lane] = if pivot.abs() < LEAST_PIVOT { -LEAST_PIVOT } else { pivot };
-                counts[lane] += usize::from(pivots[lane] < 0.0);
-            }
-            square = self.squares.get(i).copied().unwrap_or(0.0);
-        }
-        counts
+        pulp::Arch::new().dispatch(Counts { matrix: self, shifts }).map(|count| count as usize)
     }
 
     /// A radius around a value that the counts prove to hold eigenvalue `k`.
@@ -114,52 +131,186 @@ impl Tridiagonal {
         None
     }
 
-    /// The eigenvalues by implicit QL with Wilkinson's shift (Bowdler, Martin, Reinsch and Wilkinson 1968): no promise.
+    /// The eigenvalues in order, nearly: brackets from counts on a grid, then Laguerre's iteration where the next root is the one
+    /// that is sought, and bisection elsewhere (Li and Zeng 1994). No promise.
     fn approximate(&self) -> Option<Vec<f64>> {
-        const MOST_STEPS: usize = 60;
-        let mut d = self.diagonal.clone();
-        let mut e: Vec<f64> = self.squares.iter().map(|x| x.sqrt()).chain([0.0]).collect();
-        let order = d.len();
-        for l in 0..order {
-            for step in 0.. {
-                let small = |m: usize| e[m].abs() <= UNIT * (d[m].abs() + d[m + 1].abs());
-                let m = (l..order - 1).find(|&m| small(m)).unwrap_or(order - 1);
-                if m == l {
-                    break;
+        let order = self.diagonal.len();
+        let beside = |i: usize| self.squares.get(i).map_or(0.0, |b| b.sqrt());
+        let reach = |i: usize| beside(i) + if i > 0 { beside(i - 1) } else { 0.0 };
+        let least = (0..order).map(|i| self.diagonal[i] - reach(i)).fold(f64::INFINITY, f64::min);
+        let most = (0..order).map(|i| self.diagonal[i] + reach(i)).fold(f64::NEG_INFINITY, f64::max);
+        let size = least.abs().max(most.abs());
+        if !size.is_finite() {
+            return None;
+        }
+        let (least, most) = (least - 8.0 * UNIT * size - REPLACED, most + 8.0 * UNIT * size + REPLACED);
+        let shifts: Vec<f64> = (0..=order).map(|k| least + (most - least) * (k as f64 / order as f64)).collect();
+        let chunks = shifts.par_chunks(LANES);
+        let counted = chunks.flat_map_iter(|chunk| self.counts(std::array::from_fn(|k| chunk[k.min(chunk.len() - 1)])));
+        let mut counts: Vec<usize> = counted.collect();
+        counts.truncate(order + 1);
+        let mut searches: Vec<Search> = (0..order)
+            .map(|k| {
+                let above = counts.partition_point(|&count| count <= k).clamp(1, order);
+                Search::new(k, shifts[above - 1], shifts[above])
+            })
+            .collect();
+        let mut active: Vec<usize> = (0..order).collect();
+        for _ in 0..MOST_ROUNDS {
+            let moved: Vec<(usize, Search)> = active
+                .par_chunks(LANES)
+                .flat_map_iter(|chunk| {
+                    let at = std::array::from_fn(|lane| searches[chunk[lane.min(chunk.len() - 1)]].x);
+                    let found = pulp::Arch::new().dispatch(Logarithm { matrix: self, shifts: at });
+                    let next = |(lane, &k): (usize, &usize)| (k, searches[k].next(found.at(lane), order as f64, size));
+                    chunk.iter().enumerate().map(next).collect::<Vec<_>>()
+                })
+                .collect();
+            active.clear();
+            for (k, search) in moved {
+                searches[k] = search;
+                if !search.done {
+                    active.push(k);
                 }
-                if step == MOST_STEPS {
-                    return None;
-                }
-                sweep(&mut d, &mut e, l, m);
+            }
+            if active.is_empty() {
+                break;
             }
         }
-        d.iter().all(|x| x.is_finite()).then_some(d)
+        Some(searches.into_iter().map(|search| search.x).collect())
     }
 }
 
-/// One sweep on the rows `l..=m`.
-fn sweep(d: &mut [f64], e: &mut [f64], l: usize, m: usize) {
-    let slope = (d[l + 1] - d[l]) / (2.0 * e[l]);
-    let root = (slope * slope + 1.0).sqrt();
-    let mut g = d[m] - d[l] + e[l] / (slope + root.copysign(slope));
-    let (mut sin, mut cos, mut p) = (1.0, 1.0, 0.0);
-    for i in (l..m).rev() {
-        let (f, b) = (sin * e[i], cos * e[i]);
-        let r = (f * f + g * g).sqrt();
-        e[i + 1] = r;
-        if r == 0.0 {
-            d[i + 1] -= p;
-            e[m] = 0.0;
-            return;
-        }
-        (sin, cos) = (f / r, g / r);
-        g = d[i + 1] - p;
-        let t = (d[i] - g) * sin + 2.0 * cos * b;
-        p = sin * t;
-        d[i + 1] = g + p;
-        g = cos * t - b;
+/// Rounds of the iteration; bisection alone would need about as many.
+const MOST_ROUNDS: usize = 120;
+
+/// The search for one eigenvalue.
+#[derive(Debug, Clone, Copy)]
+struct Search {
+    /// Which one, from 0.
+    k: usize,
+    lo: f64,
+    hi: f64,
+    /// Where the matrix is looked at next.
+    x: f64,
+    /// The last step of the iteration, zero after a bisection.
+    step: f64,
+    done: bool,
+}
+
+impl Search {
+    fn new(k: usize, lo: f64, hi: f64) -> Self {
+        Search { k, lo, hi, x: lo.midpoint(hi), step: 0.0, done: false }
     }
-    d[l] -= p;
-    e[l] = g;
-    e[m] = 0.0;
+
+    /// The search after a look at `x`.
+    fn next(mut self, look: Look, order: f64, size: f64) -> Self {
+        if look.below <= self.k {
+            self.lo = self.lo.max(self.x);
+        } else {
+            self.hi = self.hi.min(self.x);
+        }
+        // The next root to the right is the one sought, or the next one to the left.
+        let towards = if look.below <= self.k { 1.0 } else { -1.0 };
+        let laguerre = |multiplicity: f64| {
+            let share = (order - multiplicity) / multiplicity;
+            let spread = (share * (order * look.squares - look.sum * look.sum)).max(0.0).sqrt();
+            order / (look.sum + towards * spread)
+        };
+        let mut step = laguerre(1.0);
+        // Linear convergence: several roots, as many as this quotient says near them.
+        if step.abs() > 0.15 * self.step.abs() && step.abs() < 0.5 * self.step.abs() {
+            step = laguerre((look.sum * look.sum / look.squares).round().clamp(1.0, order));
+        }
+        let near = (self.k..=self.k + 3).contains(&look.below);
+        let adjacent = look.below == self.k || look.below == self.k + 1;
+        let target = self.x + step;
+        if near && step.abs() <= 2.0 * UNIT * size {
+            (self.x, self.done) = (target, true);
+        } else if adjacent && self.lo < target && target < self.hi {
+            (self.x, self.step) = (target, step);
+        } else {
+            self.done = self.hi - self.lo <= 2.0 * UNIT * size;
+            (self.x, self.step) = (self.lo.midpoint(self.hi), 0.0);
+        }
+        self
+    }
+}
+
+/// What is seen of the characteristic polynomial at some places: `sum 1/(λ - x)`, `sum 1/(λ - x)²`, and how many `λ` are below.
+struct Looks {
+    below: [u64; LANES],
+    sums: [f64; LANES],
+    squares: [f64; LANES],
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Look {
+    below: usize,
+    sum: f64,
+    squares: f64,
+}
+
+impl Looks {
+    fn at(&self, lane: usize) -> Look {
+        Look { below: self.below[lane] as usize, sum: self.sums[lane], squares: self.squares[lane] }
+    }
+}
+
+/// The logarithmic derivatives of the characteristic polynomial, the product of the pivots `q`: with `r = 1/q`, `u = q'r` and
+/// `v = q''r`, the next pivot has `q' = -1 + b² r u` and `q'' = b² r (v - 2u²)`.
+struct Logarithm<'a> {
+    matrix: &'a Tridiagonal,
+    shifts: [f64; LANES],
+}
+
+impl pulp::WithSimd for Logarithm<'_> {
+    type Output = Looks;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Looks {
+        let mut looks = Looks { below: [0; LANES], sums: [0.0; LANES], squares: [0.0; LANES] };
+        let (mut r, mut u, mut v) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        let squares = std::iter::once(&0.0).chain(&self.matrix.squares);
+        for (&a, &square) in self.matrix.diagonal.iter().zip(squares) {
+            for lane in 0..LANES {
+                let weight = square * r[lane];
+                let pivot = (a - self.shifts[lane]) - weight;
+                let pivot = if pivot.abs() < LEAST_PIVOT { -LEAST_PIVOT } else { pivot };
+                let inverse = 1.0 / pivot;
+                let slope = (weight * u[lane] - 1.0) * inverse;
+                let bend = (weight * (v[lane] - 2.0 * u[lane] * u[lane])) * inverse;
+                (r[lane], u[lane], v[lane]) = (inverse, slope, bend);
+                looks.sums[lane] -= slope;
+                looks.squares[lane] += slope * slope - bend;
+                looks.below[lane] += u64::from(pivot < 0.0);
+            }
+        }
+        looks
+    }
+}
+
+/// The numbers of negative pivots.
+struct Counts<'a> {
+    matrix: &'a Tridiagonal,
+    shifts: [f64; LANES],
+}
+
+impl pulp::WithSimd for Counts<'_> {
+    type Output = [u64; LANES];
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> [u64; LANES] {
+        let mut counts = [0; LANES];
+        let mut pivots = [1.0f64; LANES];
+        let squares = std::iter::once(&0.0).chain(&self.matrix.squares);
+        for (&a, &square) in self.matrix.diagonal.iter().zip(squares) {
+            for lane in 0..LANES {
+                let pivot = (a - self.shifts[lane]) - square / pivots[lane];
+                pivots[lane] = if pivot.abs() < LEAST_PIVOT { -LEAST_PIVOT } else { pivot };
+                counts[lane] += u64::from(pivots[lane] < 0.0);
+            }
+        }
+        counts
+    }
 }

@@ -28,6 +28,16 @@ fn rings_have_double_eigenvalues() {
 }
 
 #[test]
+fn the_root_of_reduced_matrices() {
+    // Without its middle vertex the path falls apart.
+    let middle = document(&["--graph", "path:3", "--kind", "reduced", "--root", "2"]);
+    assert_eq!((&middle["root"], &middle["eigenvalues"][0]["exact"]), (&2.into(), &"1".into()));
+    assert_eq!(middle["eigenvalues"][0]["multiplicity"], 2);
+    let first = document(&["--graph", "star:5", "--kind", "reduced", "--root", "1"]);
+    assert_eq!((&first["root"], &first["eigenvalues"][0]["multiplicity"]), (&1.into(), &4.into()));
+}
+
+#[test]
 fn tables_fit_the_terminal() {
     for arguments in [
         ["ring:9", "laplacian", "40"],
@@ -79,5 +89,8 @@ fn bad_spectra_are_refused() {
     ask("geometric:50:1/2:1", &["--digits", "40"], "order 50");
     ask("geometric:9000:1/2:1", &[], "too many");
     ask("geometric:3500:1/16:1", &[], "irreducible block of order 3500");
+    ask("path:3", &["--kind", "reduced", "--root", "4"], "--root: vertex 4");
+    ask("path:3", &["--kind", "reduced", "--root", "0"], "--root: vertex 0");
+    ask("path:3", &["--root", "2"], "--root is for");
     assert_refused(&["spectrum"], "--graph");
 }

@@ -112,7 +112,7 @@ fn verdicts_follow_from_outcomes() {
 
 #[test]
 fn misbehaving_checks_cost_only_their_own_verdict() {
-    let options = Options { limit: Duration::from_millis(200), threads: 2, ..Options::default() };
+    let options = Options { limit: Duration::from_secs(1), threads: 2, ..Options::default() };
     let claims = vec![
         claim("test.a", Act::Panic),
         claim("test.b", Act::LoopForever),

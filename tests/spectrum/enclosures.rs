@@ -1,7 +1,7 @@
 //! Closed forms and enclosures against exact characteristic polynomials.
 
 use flockproof::arithmetic::{Rational, rational};
-use flockproof::graph::{LaplacianKind, NamedGraph};
+use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
 use flockproof::matrix::{CharacteristicPolynomial, SparseMatrix};
 use flockproof::spectrum::{
     CyclotomicSum, Eigenvalue, Method, Spectrum, SpectrumError, closed_form, matrix_spectrum, named_spectrum,
@@ -241,13 +241,51 @@ fn defective_and_complex_blocks() {
     assert_eq!((found.method, multiplicities(&found)), (Method::Exact, vec![2, 2, 1]));
     assert_power_sums(&matrix, &found.eigenvalues, "companion");
     assert_eq!(found.eigenvalues[2].exact, Some(rational(2, 1)));
-    // A large defective block is refused, not guessed: (I + N)^2 wrapped by a tiny corner stays irreducible.
-    let n = 60;
-    let jordan =
-        (0..n).flat_map(|i| [(i, i, rational(1, 1)), (i, (i + 1) % n, rational(if i + 1 == n { 0 } else { 1 }, 1))]);
-    let corner = [(n - 1, 0, Rational::new(1.into(), num_bigint::BigInt::from(10).pow(90)))];
-    let error = matrix_spectrum(&SparseMatrix::from_entries(n, jordan.chain(corner)), None);
-    assert!(matches!(error, Err(SpectrumError::Unproved(_))), "{error:?}");
+}
+
+/// `I + N` of order `n` with a corner that keeps it irreducible: its eigenvalues lie on a circle around 1 of the radius
+/// `corner^(1/n)`.
+fn nearly_jordan(n: usize, corner: Rational) -> SparseMatrix {
+    let ones = (0..n).map(|i| (i, i, rational(1, 1)));
+    let above = (1..n).map(|i| (i - 1, i, rational(1, 1)));
+    SparseMatrix::from_entries(n, ones.chain(above).chain([(n - 1, 0, corner)]))
+}
+
+#[test]
+fn large_defective_blocks_have_wide_but_true_bounds() {
+    for n in [41usize, 60, 100] {
+        let matrix = nearly_jordan(n, Rational::new(1.into(), num_bigint::BigInt::from(10).pow(90)));
+        let found = matrix_spectrum(&matrix, None).expect("a bound");
+        assert_eq!(found.eigenvalues.iter().map(|p| p.multiplicity).sum::<usize>(), n);
+        let circle = 10f64.powf(-90.0 / n as f64);
+        for k in 0..n {
+            let angle = std::f64::consts::TAU * k as f64 / n as f64;
+            let (re, im) = (1.0 + circle * angle.cos(), circle * angle.sin());
+            let inside = |part: &&Eigenvalue| {
+                let holds = |x: &flockproof::arithmetic::Interval, y: f64| {
+                    x.lo().to_f64() - 1e-12 <= y && y <= x.hi().to_f64() + 1e-12
+                };
+                holds(&part.re, re) && holds(&part.im, im)
+            };
+            assert!(found.eigenvalues.iter().any(|part| inside(&part)), "{n} {k}");
+        }
+        let width = found.eigenvalues.iter().map(|part| part.re.width().to_f64()).fold(0.0, f64::max);
+        assert!(width < 4.0, "{n}: {width}");
+    }
+}
+
+#[test]
+fn directed_paths_and_trees_are_triangular() {
+    // The walk Laplacian of a directed path has a Jordan block of order n - 1: the blocks of order one give it exactly.
+    for n in [2usize, 50, 2000] {
+        let arcs = (1..n).map(|i| (i, i - 1, rational(1, 1)));
+        for kind in [LaplacianKind::Walk, LaplacianKind::OutDegree] {
+            let matrix = WeightedGraph::from_arcs(n, arcs.clone()).matrix(kind).expect("exists");
+            let found = matrix_spectrum(&matrix, None).expect("triangular");
+            assert_eq!((found.method, multiplicities(&found)), (Method::Exact, vec![1, n - 1]));
+            assert_eq!(found.eigenvalues[1].exact, Some(rational(1, 1)));
+        }
+    }
 }
 
 /// Weighted paths `D - A` with given weights, and a leader at one end.

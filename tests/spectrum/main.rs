@@ -1,5 +1,6 @@
 //! Mirrors `src/spectrum`.
 
+mod circulants;
 mod enclosures;
 
 use flockproof::arithmetic::{Rational, Sign, rational};

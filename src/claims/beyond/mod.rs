@@ -4,8 +4,11 @@ mod decay_rate;
 mod fewer_switches;
 mod next_order;
 mod one_sided_peak;
+mod paley_circulant;
+mod phases;
 mod smallest_entries;
 mod table1_reading;
+mod tanner;
 mod tower;
 mod virtual_origins;
 
@@ -23,6 +26,13 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(next_order::FREQUENCY),
         Box::new(next_order::AMPLITUDE),
         Box::new(decay_rate::SlowestDecay),
+        Box::new(paley_circulant::CirculantSpectrum),
+        Box::new(paley_circulant::CyclicPatterns),
+        Box::new(phases::CriticalInertia),
+        Box::new(phases::CyclicClassification),
+        Box::new(tanner::two_agents()),
+        Box::new(tanner::alternating_trees()),
+        Box::new(tanner::endless_switching()),
         Box::new(table1_reading::Table1Reading),
     ]
 }

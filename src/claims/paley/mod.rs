@@ -3,6 +3,8 @@
 mod phase;
 mod space;
 
+pub use phase::{CyclicVariant, Kind, critical_points, on_the_line};
+
 use crate::ledger::AnyClaim;
 
 /// All that are built.

@@ -1,10 +1,12 @@
 //! `flock run`: exact steps with a log of what changes.
 
-use super::super::{CliError, interrupt, output};
+use super::super::{CliError, certify, interrupt, output};
 use super::course::Course;
 use super::observed::{Lengths, observed_json, observed_text};
 use super::output::{Log, flocks, switch_json, switch_line, tell};
 use flockproof::averaging::Observer;
+use flockproof::averaging::read::Model;
+use flockproof::certificates::{Certificate, Switches};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
 use std::io::IsTerminal;
@@ -31,11 +33,22 @@ pub struct Arguments {
     /// Write every change as it happens to this file, one JSON object per line
     #[arg(long, value_name = "LOG")]
     log: Option<PathBuf>,
+    /// Write the switches as a certificate (model D without control), see proofs_checks/README.md
+    #[arg(long, value_name = "OUT")]
+    certificate: Option<PathBuf>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let refuse = |error: flockproof::averaging::FlockError| CliError::file(&arguments.file, error);
-    let mut flock = Course::new(super::read(&arguments.file)?.model).map_err(refuse)?;
+    let model = super::read(&arguments.file)?.model;
+    if arguments.certificate.is_some() {
+        let Model::D { start, control: None } = &model else {
+            return Err(CliError::Use("--certificate: only flocks of model D without control have one".to_string()));
+        };
+        let switches = || Ok(Certificate::Switches(Switches::new(start, arguments.until)?));
+        certify::write_asked(arguments.certificate.as_deref(), switches)?;
+    }
+    let mut flock = Course::new(model).map_err(refuse)?;
     let mut log = Log::new(arguments.log.as_deref())?;
     interrupt::listen();
     tell(arguments.json, &format!("{}\n", flock.declaration()))?;

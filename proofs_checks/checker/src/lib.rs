@@ -1,0 +1,65 @@
+//! Checks certificates of flockproof; shares no code with it. `../README.md` states the format and what is checked.
+//!
+//! All arithmetic is on integers. The work on a file is bounded before it is done, and the sentence of the `claim` line is
+//! composed again from the numbers that were checked: a certificate cannot say more than it shows.
+#![warn(missing_docs)]
+#![forbid(unsafe_code)]
+
+mod budget;
+mod flock;
+mod inertia;
+mod limit;
+mod matrix;
+mod peak;
+mod product;
+mod read;
+
+use read::Reader;
+
+/// A certificate that was checked.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Certified {
+    /// Its kind.
+    pub kind: &'static str,
+    /// What is certified, in words.
+    pub claim: String,
+}
+
+/// Why a certificate is refused.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refusal {
+    /// The line at fault, from 1.
+    pub line: usize,
+    /// What is wrong.
+    pub reason: String,
+}
+
+type Check = fn(&mut Reader) -> Result<String, Refusal>;
+
+const KINDS: [(&str, Check); 5] = [
+    ("product", product::check),
+    ("limit", limit::check),
+    ("switches", flock::check),
+    ("inertia", inertia::check),
+    ("peak", peak::check),
+];
+
+/// Checks one certificate.
+///
+/// # Errors
+/// [`Refusal`]: the file is malformed, too large, or what it says is not so.
+pub fn check(bytes: &[u8]) -> Result<Certified, Refusal> {
+    let mut reader = Reader::new(bytes)?;
+    let header = reader.value("flockproof-certificate")?;
+    let Some(name) = header.strip_prefix("1 ") else { return Err(reader.refusal("the version is not 1")) };
+    let Some(&(kind, body)) = KINDS.iter().find(|(kind, _)| *kind == name) else {
+        return Err(reader.refusal("there is no such kind of certificate"));
+    };
+    let stated = reader.value("claim")?;
+    let claim = body(&mut reader)?;
+    reader.end()?;
+    if stated != claim {
+        return Err(Refusal { line: 2, reason: format!("what is shown is: {claim}") });
+    }
+    Ok(Certified { kind, claim })
+}

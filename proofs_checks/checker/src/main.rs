@@ -1,0 +1,43 @@
+//! `flockproof-checker FILE...`: exit status 0 when every certificate is right, 1 when one is refused, 2 on bad use.
+#![forbid(unsafe_code)]
+
+use flockproof_checker::check;
+use std::io::{Read, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// One byte more than the longest certificate.
+const MOST_BYTES: u64 = (4 << 20) + 1;
+
+fn read(path: &Path) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    std::fs::File::open(path)?.take(MOST_BYTES).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn main() -> ExitCode {
+    let files: Vec<_> = std::env::args_os().skip(1).collect();
+    if files.is_empty() {
+        eprintln!("use: flockproof-checker FILE...");
+        return ExitCode::from(2);
+    }
+    let mut status = 0;
+    for file in &files {
+        let path = Path::new(file);
+        let line = match read(path).map(|bytes| check(&bytes)) {
+            Err(error) => {
+                eprintln!("error: {}: {error}", path.display());
+                status = 2;
+                continue;
+            }
+            Ok(Ok(certified)) => format!("ok {}: {}", certified.kind, certified.claim),
+            Ok(Err(refusal)) => {
+                status = status.max(1);
+                format!("REFUSED {}:{}: {}", path.display(), refusal.line, refusal.reason)
+            }
+        };
+        // A reader that left cannot be told anything; the status still says it.
+        let _ = writeln!(std::io::stdout(), "{line}");
+    }
+    ExitCode::from(status)
+}

@@ -1,0 +1,530 @@
+(* What is proved for Chazelle's paper, written out again, with the axioms of each theorem.
+   The definitions the statements use are restated first. *)
+From mathcomp Require all_ssreflect all_algebra.
+From Coq Require Reals QArith Qabs.
+From Coquelicot Require Coquelicot.
+From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network
+  chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked.
+
+Module NumbersAndBirds.
+Import Coq.QArith.QArith Coq.QArith.Qabs Coq.Reals.Reals Coquelicot.Coquelicot.
+
+(* the four birds: the distance rule, the hysteresis rule, the matrix of a network, the motion *)
+Section Birds.
+Import chazelle_birds.
+Check (fun x i j => eq_refl : near x i j = (negb (Nat.eqb i j) && Qle_bool (Qabs (x i - x j)) 1)%bool).
+Check (fun e H y x i j => eq_refl : hysteresis e H y x i j
+  = (near x i j || H i j && negb (Qle_bool e (Qabs (Qabs (x i - x j) - Qabs (y i - y j)))))%bool).
+Check (fun H i j => eq_refl : P H i j =
+  if Nat.eqb i j then (if Nat.eqb (deg H i) 0 then 1 else 1#3)
+  else if H i j then (2#3) / inject_Z (Z.of_nat (deg H i)) else 0).
+Check (motion_x : forall rule t i, (x rule (S t) i = x rule t i + v rule (S t) i)%Q).
+Check (motion_v : forall rule t i, v rule (S (S t)) i = mulv (P (G rule (S t))) (v rule (S t)) i).
+Check (motion_G : forall rule t, G rule (S t) = rule (G rule t) (x rule t) (x rule (S t))).
+Check (eq_refl : x0 = vec4 (0#16) (8#16) (21#16) (29#16)).
+Check (eq_refl : v1 = vec4 (1#8) (-1#8) (1#8) (-1#8)).
+Check (eq_refl : eps = (/ inject_Z (4 ^ (4 ^ 4)))%Q).
+Check (fun t => eq_refl : r (S t) = (- (1#3) * r t)%Q).
+End Birds.
+(* chazelle.epsineq (claim) *)
+Check (@chazelle_worked.eps_inequality :
+  forall nu : nat, (1 <= nu)%nat -> exp (- INR (nu ^ nu ^ 2)) < / INR nu ^ nu ^ 4).
+(* chazelle.eq3.15 (part) *)
+Check (@chazelle_worked.angle_bounds :
+  forall (d : nat) (v w : nat -> R) (B : R),
+  0 < chazelle_worked.norm d (chazelle_worked.diff v w) ->
+  chazelle_worked.norm d v <= B ->
+  chazelle_worked.norm d w <= B ->
+  / (1 + B ^ 2) <= chazelle_worked.angle d v w / chazelle_worked.norm d (chazelle_worked.diff v w) <= 5 / 2).
+(* chazelle.ex15 (claim) *)
+Check (@chazelle_worked.ex15 :
+  (forall lam : R,
+   (exists x y : R, (x <> 0 \/ y <> 0) /\ chazelle_worked.P15 x y = (lam * x, lam * y)) <->
+   lam = 1 \/ lam = 2 / 15) /\
+  Rabs (2 / 15 - 0.133) < 0.0005 /\
+  Rabs (sqrt (fst (chazelle_worked.P15 1 0) ^ 2 + snd (chazelle_worked.P15 1 0) ^ 2) - 1.041) < 0.0005 /\
+  fst (chazelle_worked.P15 1 (-1)) + snd (chazelle_worked.P15 1 (-1)) <> 0 /\
+  (forall x y : R, x <> 0 \/ y <> 0 -> chazelle_worked.P15 x y = (2 / 15 * x, 2 / 15 * y) -> x + y <> 0)).
+(* chazelle.ex4birds.alt (claim) *)
+Check (@chazelle_birds.alternates :
+  (forall t i j : nat,
+   (i < 4)%nat ->
+   (j < 4)%nat ->
+   chazelle_birds.G chazelle_birds.distance_rule t i j =
+   (if Nat.even t then chazelle_birds.path4 i j else chazelle_birds.pairs4 i j)) /\
+  ~
+  (exists T : nat,
+     forall t i j : nat,
+     (T <= t)%nat ->
+     (i < 4)%nat ->
+     (j < 4)%nat ->
+     chazelle_birds.G chazelle_birds.distance_rule t i j = chazelle_birds.G chazelle_birds.distance_rule T i j)).
+(* chazelle.ex4birds.eig (claim) *)
+Check (@chazelle_birds.eigenvector :
+  forall i : nat,
+  (i < 4)%nat ->
+  chazelle_birds.mulv chazelle_birds.M2 chazelle_birds.v1 i == - (1 # 3) * chazelle_birds.v1 i /\
+  chazelle_birds.mulv chazelle_birds.M4 chazelle_birds.v1 i == - (1 # 3) * chazelle_birds.v1 i).
+(* chazelle.ex4birds.eq3.14 (claim) *)
+Check (@chazelle_birds.eq_3_14 :
+  forall t : nat,
+  (forall i : nat,
+   (i < 4)%nat ->
+   chazelle_birds.x chazelle_birds.distance_rule t i ==
+   chazelle_birds.x0 i + (3 # 4) * (1 - chazelle_birds.r t) * chazelle_birds.v1 i) /\
+  (chazelle_birds.x chazelle_birds.distance_rule (S t) 1%nat -
+   chazelle_birds.x chazelle_birds.distance_rule (S t) 0%nat == 0x0.1%xQ * (5 - chazelle_birds.r t) /\
+   chazelle_birds.x chazelle_birds.distance_rule (S t) 3%nat -
+   chazelle_birds.x chazelle_birds.distance_rule (S t) 2%nat == 0x0.1%xQ * (5 - chazelle_birds.r t)) /\
+  chazelle_birds.x chazelle_birds.distance_rule (S t) 2%nat -
+  chazelle_birds.x chazelle_birds.distance_rule (S t) 1%nat == 1 + 0x0.1%xQ * chazelle_birds.r t /\
+  (1 # 4 <= 0x0.1%xQ * (5 - chazelle_birds.r t) <= 1 # 2)%Q).
+(* chazelle.exAB (claim) *)
+Check (@chazelle_worked.exAB :
+  forall m i j : nat,
+  (1 <= m)%nat ->
+  (i < 3)%nat ->
+  (j < 3)%nat ->
+  chazelle_worked.product (2 * m) i j =
+  chazelle_worked.mat3 ((1 / 2) ^ m) (1 - 2 * (1 / 2) ^ m) ((1 / 2) ^ m) 0 1 0 0 1 0 i j).
+(* chazelle.hyst (part) *)
+Check (@chazelle_birds.existing_edge_stays :
+  forall (e : Q) (H : nat -> nat -> bool) (y z : nat -> Q) (i j : nat),
+  H i j = true ->
+  (Qabs (Qabs (z i - z j) - Qabs (y i - y j)) < e)%Q -> chazelle_birds.hysteresis e H y z i j = true).
+(* chazelle.hyst (part) *)
+Check (@chazelle_birds.only_these :
+  forall (e : Q) (H : chazelle_birds.network) (y z : chazelle_birds.vec) (i j : nat),
+  chazelle_birds.hysteresis e H y z i j = true ->
+  i <> j /\ (Qabs (z i - z j) <= 1)%Q \/ H i j = true /\ (Qabs (Qabs (z i - z j) - Qabs (y i - y j)) < e)%Q).
+(* chazelle.hyst (part) *)
+Check (@chazelle_birds.last_switch :
+  (forall t : nat,
+   (t < 322)%nat ->
+   chazelle_birds.G (chazelle_birds.hysteresis chazelle_birds.eps) t 1%nat 2%nat <>
+   chazelle_birds.G (chazelle_birds.hysteresis chazelle_birds.eps) (S t) 1%nat 2%nat) /\
+  (forall t i j : nat,
+   (322 <= t)%nat ->
+   (i < 4)%nat ->
+   (j < 4)%nat ->
+   chazelle_birds.G (chazelle_birds.hysteresis chazelle_birds.eps) t i j = chazelle_birds.path4 i j)).
+(* chazelle.lem3.6.i (part) *)
+Check (@chazelle_birds.within_distance_joined :
+  forall (e : Q) (H : chazelle_birds.network) (y : chazelle_birds.vec) (z : nat -> Q) (i j : nat),
+  i <> j -> (Qabs (z i - z j) <= 1)%Q -> chazelle_birds.hysteresis e H y z i j = true).
+End NumbersAndBirds.
+
+Module Matrices.
+Import all_ssreflect all_algebra.
+Import chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_limits chazelle_spectral
+  chazelle_stabilisers.
+Import GRing.Theory Num.Theory Order.Theory.
+Local Open Scope ring_scope.
+
+(* the model: L, P = I - C L, the condition of model D, products, footprints, tau_1, tau_2, pi, Gamma *)
+Section Definitions.
+Variables (R : realFieldType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R).
+Check (erefl : network G = (symmetric G /\ irreflexive G)).
+Check (erefl : transition G c = 1%:M - diag_mx (\row_i c i) *m laplacian R G).
+Check ((fun i j => mxE _ _ _ _) : forall i j, laplacian R G i j = if i == j then (degree G i)%:R else if G i j then -1 else 0).
+Check (erefl : model_D G c = forall i, (0 < degree G i)%N -> 0 < c i * (degree G i)%:R < 1).
+Check (erefl : stochastic (transition G c)
+  = ((forall i k, 0 <= transition G c i k) /\ (forall i, \sum_k transition G c i k = 1))).
+Check (fun (P : nat -> 'M[R]_n) s k => erefl : span P s k.+1 = P (s + k)%N *m span P s k).
+Check (fun (A : 'M[R]_n) i j => erefl : footprint A i j = (A i j != 0)).
+Check (fun (A : 'M[R]_n) => erefl : tau1 A
+  = \big[Num.max/0]_(ij : 'I_n * 'I_n) (2%:R^-1 * \sum_k `|A ij.1 k - A ij.2 k|)).
+Check (fun i => erefl : stat c i = (\sum_k (c k)^-1)^-1 * (c i)^-1).
+Check (fun f i => erefl : step G c f i = \sum_j transition G c i j * f j).
+Check (fun (A : 'M[R]_n) s => erefl : mpow A s.+1 = A *m mpow A s).
+End Definitions.
+Section Limits.
+Variables (R : realFieldType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R).
+Check (fun t => erefl : Gamma_t G c t = \sum_(s < t) mpow (transition G c) s - rank1 c *+ t).
+Check (erefl : Gamma G c = last_col (1%:M - rank1 c) 0 *m invmx (last_col (1%:M - transition G c) (ones R m))).
+Check (rank1E : forall (R : realFieldType) m (c : 'I_m.+1 -> R) i j, rank1 c i j = stat c j).
+Check (fun (Y : 'M[R]_m.+1) y i j => mxE _ _ _ _ : last_col Y y i j = if j == ord_max then y i 0 else Y i j).
+Check (fun (A : nat -> 'M[R]_m.+1) B => erefl : converges A B =
+  forall eps : R, 0 < eps -> exists T, forall t, (T <= t)%N -> forall i j, `|A t i j - B i j| < eps).
+Check bordered_unit.
+End Limits.
+Section Euclid.
+Variables (R : rcfType) (p : nat).
+Check (fun x : 'rV[R]_p => erefl : norm2 x = Num.sqrt (\sum_k x 0 k ^+ 2)).
+Check (fun m (A : 'M[R]_(m, p)) => erefl : tau2 A
+  = \big[Num.max/0]_(ij : 'I_m * 'I_m) norm2 (row ij.1 A - row ij.2 A)).
+End Euclid.
+
+(* chazelle.Nts (corrected) *)
+Check (@chazelle_stabilisers.N_corrected :
+  forall (c : nat -> bool) (t : nat -> nat) (l : nat),
+  (forall k : nat, (t k <= t k.+1)%N) ->
+  (forall k : nat, t k.+1 = (t k).+1 -> (N c (t k.+1) (t k) <= 1)%N) /\
+  N c (t l) (t 0%N) = (\sum_(1 <= k < l.+1) N c (t k) (t k.-1))%N).
+(* chazelle.Nts (negation) *)
+Check (@chazelle_stabilisers.N_printed_step :
+  forall (c : nat -> bool) (t : nat), N_printed c t.+1 t = 0%N).
+(* chazelle.chi (corrected) *)
+Check (@chazelle_model.chi_difference :
+  forall (R : realFieldType) (n : nat) (P : nat -> 'M_n) (d : nat) (v : nat -> 'M_(n, d)) (i j : 'I_n) (k : nat),
+  (forall t : nat, (0 < t)%N -> v t.+1 = P t *m v t) ->
+  row i (v k.+1) - row j (v k.+1) = chi R i j *m span P 1 k *m v 1%N).
+(* chazelle.chi (negation) *)
+Check (@chazelle_model.chi_printed_impossible :
+  forall (R : realFieldType) (n : nat) (i : 'I_n) (chi : 'rV_n), chi 0 i = 1 -> chi 0 i = -1 -> False).
+(* chazelle.eq2.3 (claim) *)
+Check (@chazelle_ergodicity.velocity_polynomial :
+  forall (R : rcfType) (n d b : nat) (P : nat -> 'M_n) (v : nat -> 'M_(n, d)) (t : nat),
+  (forall t0 : nat, stochastic (P t0)) ->
+  (forall t0 : nat, (0 < t0)%N -> v t0.+1 = P t0 *m v t0) ->
+  (0 < t)%N ->
+  (forall (i : 'I_n) (k : 'I_d), `|v 1%N i k| <= n%:R ^+ b) ->
+  length (v t) <= Num.sqrt (n%:R * d%:R) * n%:R ^+ b).
+(* chazelle.eq3.10 (part) *)
+Check (@chazelle_network.eq_3_10 :
+  forall (R : realFieldType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_n, connect G i j) ->
+  (forall i : 'I_n, 0 < c i) ->
+  forall a : nat,
+  (1 < n)%N ->
+  (forall i : 'I_n, n%:R ^- a <= c i) ->
+  (forall i : 'I_n, n%:R ^- a <= transition G c i i) ->
+  forall s : nat,
+  (n ^ (3 * a + 6) < s)%N ->
+  tau1 (mpow (transition G c) s) <= 1 - \sum_k (stat c k - n%:R ^+ a * (1 - n%:R ^- (2 * a + 4)) ^+ s) /\
+  1 - \sum_k (stat c k - n%:R ^+ a * (1 - n%:R ^- (2 * a + 4)) ^+ s) < 2^-1).
+(* chazelle.eq3.12-13 (claim) *)
+Check (@chazelle_limits.eq_3_12_13 :
+  forall (R : realFieldType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) (d : nat)
+    (x v : nat -> 'M_(m.+1, d)) (t : nat),
+  (forall t0 : nat, x t0.+1 = x t0 + v t0.+1) ->
+  (forall t0 : nat, (0 < t0)%N -> v t0.+1 = transition G c *m v t0) ->
+  x t = x 0%N + (\sum_(s < t) mpow (transition G c) s) *m v 1%N /\
+  x t = x 0%N + rank1 c *m v 1%N *+ t + Gamma_t G c t *m v 1%N).
+(* chazelle.eq3.16 (part) *)
+Check (@chazelle_spectral.eq_3_16 :
+  forall (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_m.+1, connect G i j) ->
+  (forall i : 'I_m.+1, 0 < c i) ->
+  forall (U : 'M_m.+1) (lam : 'I_m.+1 -> R),
+  U^T *m U = 1%:M ->
+  (forall i k : 'I_m.+1, \sum_j M G c i j * U j k = lam k * U i k) ->
+  (forall i : 'I_m.+1, U i 0 = u1 c i) ->
+  lam 0 = 1 ->
+  forall (d : nat) (x v : nat -> 'M_(m.+1, d)) (t1 : nat),
+  (forall t : nat, (t1 <= t)%N -> x t.+1 = x t + v t.+1) ->
+  (forall t : nat, (t1 < t)%N -> v t.+1 = transition G c *m v t) ->
+  forall (tau : nat) (i : 'I_m.+1) (q : 'I_d),
+  x (t1 + tau)%N i q =
+  x t1 i q + (Gamma G c *m v t1.+1) i q + drift c v t1 q *+ tau -
+  \sum_(k | k != 0) lam k ^+ tau * (Phi c U v t1 i k q / (1 - lam k))).
+(* chazelle.eq3.17 (part) *)
+Check (@chazelle_spectral.eq_3_17 :
+  forall (R : rcfType) (d t1 tau : nat) (q : 'I_d) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R)
+    (U : 'M_m.+1) (lam : 'I_m.+1 -> R) (x v : nat -> 'M_(m.+1, d)) (i : 'I_m.+1) (m' : nat) 
+    (G' : rel 'I_m'.+1) (c' : 'I_m'.+1 -> R) (U' : 'M_m'.+1) (lam' : 'I_m'.+1 -> R)
+    (x' v' : nat -> 'M_(m'.+1, d)) (i' : 'I_m'.+1),
+  network G ->
+  model_D G c ->
+  (forall a b : 'I_m.+1, connect G a b) ->
+  (forall a : 'I_m.+1, 0 < c a) ->
+  U^T *m U = 1%:M ->
+  (forall a k : 'I_m.+1, \sum_b M G c a b * U b k = lam k * U a k) ->
+  (forall a : 'I_m.+1, U a 0 = u1 c a) ->
+  lam 0 = 1 ->
+  (forall t : nat, (t1 <= t)%N -> x t.+1 = x t + v t.+1) ->
+  (forall t : nat, (t1 < t)%N -> v t.+1 = transition G c *m v t) ->
+  network G' ->
+  model_D G' c' ->
+  (forall a b : ordinal_finType m'.+1, connect G' a b) ->
+  (forall a : 'I_m'.+1, 0 < c' a) ->
+  U'^T *m U' = 1%:M ->
+  (forall a k : 'I_m'.+1, \sum_b M G' c' a b * U' b k = lam' k * U' a k) ->
+  (forall a : 'I_m'.+1, U' a 0 = u1 c' a) ->
+  lam' 0 = 1 ->
+  (forall t : nat, (t1 <= t)%N -> x' t.+1 = x' t + v' t.+1) ->
+  (forall t : nat, (t1 < t)%N -> v' t.+1 = transition G' c' *m v' t) ->
+  let A := x t1 i q - x' t1 i' q + ((Gamma G c *m v t1.+1) i q - (Gamma G' c' *m v' t1.+1) i' q) in
+  let B := drift c v t1 q - drift c' v' t1 q in
+  x (t1 + tau)%N i q - x' (t1 + tau)%N i' q =
+  A + B *+ tau -
+  (\sum_(k | k != 0) Phi c U v t1 i k q / (1 - lam k) * lam k ^+ tau +
+   \sum_(k | k != 0) - (Phi c' U' v' t1 i' k q / (1 - lam' k)) * lam' k ^+ tau)).
+(* chazelle.eq3.5 (corrected) *)
+Check (@chazelle_stabilisers.eq_3_5 :
+  forall (R : realFieldType) (n : nat) (P : nat -> 'M_n),
+  (forall t : nat, stochastic (P t)) ->
+  (forall (t : nat) (i : 'I_n), 0 < P t i i) ->
+  (forall (t : nat) (i j : 'I_n), (P t i j != 0) = (P t j i != 0)) ->
+  forall (b : 'I_n) (T : nat -> nat) (V : nat -> {set 'I_n}),
+  V 0%N = [set: 'I_n] ->
+  (forall k : nat, (T k < T k.+1)%N) ->
+  (forall (k : nat) (i : 'I_n),
+   (i \in V k.+1) = (i \in V k) && (block P (V k) (T k).+1 (T k.+1 - T k) i b != 0)) ->
+  (forall (k t : nat) (i : 'I_n),
+   (T k.+1 <= t)%N -> i \in V k -> block P (V k) (T k).+1 (t - T k) i b != 0 -> i \in V k.+1) ->
+  forall (k u : nat) (i : 'I_n) (j : 'I_n),
+  i \in V k ->
+  span P (T 0%N).+1 (T k - T 0%N + u) i j = \sum_(l in V k) block P (V k) (T k).+1 u i l * tower P T V k l j).
+(* chazelle.eq3.7 (part) *)
+Check (@chazelle_spectral.eq_3_7 :
+  forall (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_m.+1, connect G i j) ->
+  (forall i : 'I_m.+1, 0 < c i) ->
+  [/\ forall i j : 'I_m.+1, M G c i j = (i == j)%:R - Num.sqrt (c i) * laplacian R G i j * Num.sqrt (c j),
+      forall i j : 'I_m.+1, M G c i j = M G c j i,
+      (forall i : 'I_m.+1, \sum_j M G c i j * u1 c j = u1 c i) /\ \sum_i u1 c i ^+ 2 = 1,
+      forall (lam : R) (f : 'I_m.+1 -> R),
+      (forall i : 'I_m.+1, \sum_j M G c i j * f j = lam * f i) <->
+      (forall i : 'I_m.+1, step G c (fun j : 'I_m.+1 => Num.sqrt (c j) * f j) i = lam * (Num.sqrt (c i) * f i))
+    & forall (lam : R) (f : 'I_m.+1 -> R),
+      (forall i : 'I_m.+1, \sum_j M G c i j * f j = lam * f i) ->
+      (exists i : 'I_m.+1, f i != 0) -> lam = 1 \/ -1 < lam < 1]).
+(* chazelle.eq3.8 (part) *)
+Check (@chazelle_spectral.eq_3_8 :
+  forall (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),
+  (forall i : 'I_m.+1, 0 < c i) ->
+  forall (U : 'M_m.+1) (lam : 'I_m.+1 -> R),
+  U^T *m U = 1%:M ->
+  (forall i k : 'I_m.+1, \sum_j M G c i j * U j k = lam k * U i k) ->
+  (forall i : 'I_m.+1, U i 0 = u1 c i) ->
+  lam 0 = 1 ->
+  forall (s : nat) (i j : 'I_m.+1),
+  mpow (transition G c) s i j =
+  stat c j + \sum_(k | k != 0) lam k ^+ s * (Num.sqrt (c i) * (U i k * U j k) / Num.sqrt (c j))).
+(* chazelle.eq3.8 (part) *)
+Check (@chazelle_spectral.eq_3_8_vectors :
+  forall (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_m.+1, connect G i j) ->
+  (forall i : 'I_m.+1, 0 < c i) ->
+  forall (U : 'M_m.+1) (lam : 'I_m.+1 -> R),
+  U^T *m U = 1%:M ->
+  (forall i k : 'I_m.+1, \sum_j M G c i j * U j k = lam k * U i k) ->
+  (forall k i : 'I_m.+1, \sum_j transition G c i j * (Num.sqrt (c j) * U j k) = lam k * (Num.sqrt (c i) * U i k)) /\
+  (forall k j : 'I_m.+1,
+   \sum_i (Num.sqrt (c i))^-1 * U i k * transition G c i j = lam k * ((Num.sqrt (c j))^-1 * U j k)) /\
+  (forall k l : 'I_m.+1, \sum_i (Num.sqrt (c i))^-1 * U i k * (Num.sqrt (c i) * U i l) = (k == l)%:R)).
+(* chazelle.eq3.9 (part) *)
+Check (@chazelle_network.eq_3_9 :
+  forall (R : realFieldType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_n, connect G i j) ->
+  (forall i : 'I_n, 0 < c i) ->
+  forall a : nat,
+  (1 < n)%N ->
+  (forall i : 'I_n, n%:R ^- a <= c i) ->
+  (forall i : 'I_n, n%:R ^- a <= transition G c i i) ->
+  forall (s : nat) (i j : 'I_n),
+  `|mpow (transition G c) s i j - stat c j| <= n%:R ^+ a * (1 - n%:R ^- (2 * a + 4)) ^+ s).
+(* chazelle.fiedler.rate (part) *)
+Check (@chazelle_network.fiedler_rate :
+  forall (R : rcfType) (n : nat) (G : rel 'I_n),
+  network G ->
+  (forall i j : 'I_n, connect G i j) ->
+  (forall (lam : R) (f : 'I_n -> R),
+   (forall i : 'I_n, \sum_j laplacian R G i j * f j = lam * f i) ->
+   (exists i : 'I_n, f i != 0) -> lam != 0 -> 1 <= lam * (n * n.-1 ^ 2)%:R) /\
+  (forall (d a : nat) (c : 'I_n -> R) (v : nat -> 'M_(n, d)) (t : nat) (i j : 'I_n),
+   model_D G c ->
+   (forall i0 : 'I_n, 0 < c i0) ->
+   (1 < n)%N ->
+   (forall i0 : 'I_n, n%:R ^- a <= c i0) ->
+   (forall i0 : 'I_n, n%:R ^- a <= transition G c i0 i0) ->
+   (forall t0 : nat, (0 < t0)%N -> v t0.+1 = transition G c *m v t0) ->
+   norm2 (row i (v t.+1) - row j (v t.+1)) <= n%:R ^+ a.+1 * 2^-1 ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N))).
+(* chazelle.foot.mono (claim) *)
+Check (@chazelle_model.footprints :
+  forall R : realFieldType,
+  (forall (n : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (s k : nat),
+   (forall t : nat, network (G t)) ->
+   (forall t : nat, model_D (G t) (c t)) ->
+   let P := fun t : nat => transition (G t) (c t) in
+   (forall i j : 'I_n, footprint (span P s k) i j -> footprint (span P s k.+1) i j) /\
+   (forall (t : nat) (i j : 'I_n), footprint (P t) i j = footprint (P t) j i) /\
+   (forall (t : nat) (i : 'I_n), footprint (P t) i i)) /\
+  (exists (G : nat -> rel 'I_3) (c : nat -> 'I_3 -> R),
+     (forall t : nat, network (G t)) /\
+     (forall t : nat, model_D (G t) (c t)) /\
+     (exists i j : 'I_3,
+        let P := fun t : nat => transition (G t) (c t) in
+        footprint (span P 1 2) i j /\ ~~ footprint (span P 1 2) j i))).
+(* chazelle.kron (claim) *)
+Check (@chazelle_model.kronecker :
+  forall (R : comRingType) (n p q s : nat) (A B C D : nat -> nat -> R),
+  (forall i j k l : nat, (j < p)%N -> (l < q)%N -> kron p q A B (i * p + j) (k * q + l) = A i k * B j l) /\
+  ((0 < q)%N ->
+   forall i k : nat, mulf (n * q) (kron p q A B) (kron q s C D) i k = kron p s (mulf n A C) (mulf q B D) i k)).
+(* chazelle.lem2.1 (claim) *)
+Check (@chazelle_ergodicity.lemma_2_1 :
+  forall (R : rcfType) (n d : nat) (x v : nat -> 'M_(n, d)) (t : nat) (i j : 'I_n),
+  (forall t0 : nat, (0 < t0)%N -> x t0 = x t0.-1 + v t0) ->
+  (0 < t)%N ->
+  `|norm2 (row i (x t) - row j (x t)) - norm2 (row i (x t.-1) - row j (x t.-1))| <=
+  norm2 (row i (v t) - row j (v t))).
+(* chazelle.lem2.2.bits (claim) *)
+Check (@chazelle_products.lemma_2_2_bits :
+  forall (R : realFieldType) (n a : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R),
+  (forall u : nat, network (G u)) ->
+  (forall u : nat, model_D (G u) (c u)) ->
+  (forall u : nat, short_weights a (c u)) ->
+  forall s t : nat,
+  (s <= t)%N ->
+  exists E : nat,
+    [/\ (0 < E)%N, (E <= n ^ (a * n * (t - s + 1)))%N
+      & forall i j : 'I_n,
+        exists k : nat, (k <= E)%N /\ pprod (fun u : nat => transition (G u) (c u)) t s i j = k%:R / E%:R]).
+(* chazelle.lem2.2.entries (claim) *)
+Check (@chazelle_products.lemma_2_2_entries :
+  forall (R : realFieldType) (n a : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (s t : nat) (i j : 'I_n),
+  (forall u : nat, network (G u)) ->
+  (forall u : nat, model_D (G u) (c u)) ->
+  let P := fun u : nat => transition (G u) (c u) in
+  (forall (u : nat) (i0 j0 : 'I_n), P u i0 j0 != 0 -> n%:R ^- a <= P u i0 j0) ->
+  (s <= t)%N ->
+  pprod P t s i j != 0 -> n%:R ^- (a * n.-1) <= pprod P t s i j /\ n%:R ^- (a * n ^ 2) <= pprod P t s i j).
+(* chazelle.lem2.3 (claim) *)
+Check (@chazelle_products.lemma_2_3 :
+  forall (R : realFieldType) (n a : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R),
+  (forall u : nat, network (G u)) ->
+  (forall u : nat, model_D (G u) (c u)) ->
+  (forall u : nat, short_weights a (c u)) ->
+  forall (d b : nat) (x v : nat -> 'M_(n, d)),
+  (forall t : nat, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
+  (forall t : nat, x t.+1 = x t + v t.+1) ->
+  short_input b (x 0%N) ->
+  short_input b (v 1%N) ->
+  forall t : nat,
+  (0 < t)%N ->
+  (1 < n)%N ->
+  exists E : nat,
+    [/\ (0 < E)%N, (E <= n ^ ((2 * b * d + a) * (t * n)))%N
+      & forall (i : 'I_n) (k : 'I_d),
+        exists z w : int,
+          [/\ v t i k = z%:~R / E%:R, x t i k = w%:~R / E%:R, (`|z| <= E * n ^ b)%N
+            & (`|w| <= E * (n ^ b * t.+1))%N]]).
+(* chazelle.lem2.4 (claim) *)
+Check (@chazelle_ergodicity.lemma_2_4 :
+  forall (R : rcfType) (m n p : nat) (A : 'M_(m, n)) (B : 'M_(n, p)),
+  stochastic A -> stochastic B -> tau2 (A *m B) <= tau1 A * tau2 B).
+(* chazelle.lem3.2 (claim) *)
+Check (@chazelle_network.lemma_3_2 :
+  forall (R : realFieldType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_n, connect G i j) ->
+  (forall i : 'I_n, 0 < c i) ->
+  forall a : nat,
+  (1 < n)%N ->
+  (forall i : 'I_n, n%:R ^- a <= c i) ->
+  (forall i : 'I_n, n%:R ^- a <= transition G c i i) ->
+  forall (lam : R) (f : 'I_n -> R),
+  (forall i : 'I_n, step G c f i = lam * f i) ->
+  (exists i : 'I_n, f i != 0) -> lam != 1 -> `|lam| <= 1 - n%:R ^- (2 * a + 4)).
+(* chazelle.lem3.3 (claim) *)
+Check (@chazelle_limits.lemma_3_3 :
+  forall (R : archiFieldType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_m.+1, connect G i j) ->
+  (forall i : 'I_m.+1, 0 < c i) -> converges (Gamma_t G c) (Gamma G c)).
+(* chazelle.lem3.4 (claim) *)
+Check (@chazelle_limits.lemma_3_4 :
+  forall (R : archiFieldType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_m.+1, connect G i j) ->
+  (forall i : 'I_m.+1, 0 < c i) ->
+  forall (d : nat) (x v : nat -> 'M_(m.+1, d)),
+  (forall t : nat, x t.+1 = x t + v t.+1) ->
+  (forall t : nat, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
+  converges (fun t : nat => relative c (x t)) ((1%:M - rank1 c) *m x 0%N + Gamma G c *m v 1%N) /\
+  (forall t : nat, pirow c *m x t.+1 - pirow c *m x t = pirow c *m v 1%N)).
+(* chazelle.modelD.stoch (claim) *)
+Check (@chazelle_model.model_D_stochastic :
+  forall (R : realFieldType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R),
+  network G -> model_D G c -> stochastic (transition G c) /\ (forall i : 'I_n, 0 < transition G c i i)).
+(* chazelle.modelK.matrix (claim) *)
+Check (@chazelle_model.model_K_matrix :
+  forall (R : realFieldType) (n : nat) (G : rel 'I_n) (theta : 'cV_n) (i : 'I_n),
+  network G ->
+  (transition G (vicsek R G) *m theta) i 0 = (theta i 0 + \sum_(j | G i j) theta j 0) / (degree G i).+1%:R /\
+  (forall j : 'I_n, transition G (vicsek R G) i j = (if (i == j) || G i j then (degree G i).+1%:R^-1 else 0))).
+(* chazelle.pi (claim) *)
+Check (@chazelle_network.stationary :
+  forall (R : realFieldType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_n, connect G i j) ->
+  (forall i : 'I_n, 0 < c i) ->
+  'I_n ->
+  [/\ (forall i : 'I_n, \sum_j transition G c i j = 1) /\
+      (forall j : 'I_n, \sum_i stat c i * transition G c i j = stat c j),
+      (forall i : 'I_n, 0 < stat c i) /\ \sum_i stat c i = 1,
+      (forall f : 'I_n -> R, (forall i : 'I_n, step G c f i = f i) -> forall i j : 'I_n, f i = f j) /\
+      (forall y : 'I_n -> R,
+       (forall j : 'I_n, \sum_i y i * transition G c i j = y j) ->
+       exists k : R, forall i : 'I_n, y i = k * stat c i),
+      forall f : 'I_n -> R,
+      let g := fun i : 'I_n => f i - step G c f i in
+      (forall i : 'I_n, g i - step G c g i = 0) -> forall i j : 'I_n, f i = f j
+    & (forall (lam : R) (f : 'I_n -> R),
+       (forall i : 'I_n, step G c f i = lam * f i) -> (exists i : 'I_n, f i != 0) -> lam = 1 \/ `|lam| < 1) /\
+      (forall (x y : R) (f g : 'I_n -> R),
+       (forall i : 'I_n, step G c f i = x * f i - y * g i) ->
+       (forall i : 'I_n, step G c g i = x * g i + y * f i) ->
+       (exists i : 'I_n, (f i != 0) || (g i != 0)) -> y = 0)]).
+(* chazelle.stab (claim) *)
+Check (@chazelle_stabilisers.stabilisers :
+  forall (R : realFieldType) (n : nat) (P : nat -> 'M_n),
+  (forall t : nat, stochastic (P t)) ->
+  (forall (t : nat) (i : 'I_n), 0 < P t i i) ->
+  (forall (t : nat) (i j : 'I_n), (P t i j != 0) = (P t j i != 0)) ->
+  forall (b : 'I_n) (T : nat -> nat) (V : nat -> {set 'I_n}),
+  V 0%N = [set: 'I_n] ->
+  (forall k : nat, (T k < T k.+1)%N) ->
+  (forall (k : nat) (i : 'I_n),
+   (i \in V k.+1) = (i \in V k) && (block P (V k) (T k).+1 (T k.+1 - T k) i b != 0)) ->
+  (forall (k t : nat) (i : 'I_n),
+   (T k.+1 <= t)%N -> i \in V k -> block P (V k) (T k).+1 (t - T k) i b != 0 -> i \in V k.+1) ->
+  forall k : nat,
+  [/\ V k.+1 \subset V k, b \in V k,
+      forall (t : nat) (i j : 'I_n),
+      (T k.+1 < t)%N -> i \in V k.+1 -> j \in V k -> j \notin V k.+1 -> P t i j = 0 /\ P t j i = 0
+    & forall i : 'I_n, i \in V k.+1 -> 0 < block P (V k) (T k).+1 (T k.+1 - T k) i b]).
+(* chazelle.tau1 (claim) *)
+Check (@chazelle_ergodicity.tau1_overlap :
+  forall (R : realFieldType) (m n : nat) (A : 'M_(m, n)),
+  stochastic A ->
+  0 <= tau1 A /\ tau1 A = 1 - \big[Num.min/1]_ij (\sum_k Num.min (A ij.1 k) (A ij.2 k)) /\ tau1 A <= 1).
+(* chazelle.tau2sqrt2 (claim) *)
+Check (@chazelle_ergodicity.tau2_le_tau1 :
+  forall (R : rcfType) (m n : nat) (A : 'M_(m, n)),
+  stochastic A -> tau2 A <= tau1 A * tau2 1%:M /\ tau1 A * tau2 1%:M <= Num.sqrt 2 * tau1 A).
+(* chazelle.xi.closed (part) *)
+Check (@chazelle_spectral.xi_closed :
+  forall (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),
+  network G ->
+  model_D G c ->
+  (forall i j : 'I_m.+1, connect G i j) ->
+  (forall i : 'I_m.+1, 0 < c i) ->
+  forall (U : 'M_m.+1) (lam : 'I_m.+1 -> R),
+  U^T *m U = 1%:M ->
+  (forall i k : 'I_m.+1, \sum_j M G c i j * U j k = lam k * U i k) ->
+  (forall i : 'I_m.+1, U i 0 = u1 c i) ->
+  lam 0 = 1 ->
+  forall (d : nat) (x v : nat -> 'M_(m.+1, d)) (t1 : nat),
+  (forall t : nat, (t1 <= t)%N -> x t.+1 = x t + v t.+1) ->
+  (forall t : nat, (t1 < t)%N -> v t.+1 = transition G c *m v t) ->
+  forall (tau : nat) (i : 'I_m.+1) (q : 'I_d),
+  x (t1 + tau)%N i q =
+  x t1 i q + drift c v t1 q *+ tau + \sum_(k | k != 0) (1 - lam k ^+ tau) / (1 - lam k) * Phi c U v t1 i k q).
+End Matrices.

@@ -1,0 +1,434 @@
+(* Audit of tanner2: each theorem of theorems.tsv with its statement written out, and the axioms it rests on.
+   The objects of the statements are restated first. *)
+From Coq Require Import Reals Lra Lia ZArith Relations List.
+From Coquelicot Require Import Coquelicot.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
+Open Scope R_scope.
+
+(* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
+Check (eq_refl : expi = fun t => (cos t, sin t)).
+Check (eq_refl : inner = fun x y => Re (Cconj x * y)%C).
+Check (inner_xy : forall x y, inner x y = fst x * fst y + snd x * snd y).
+Check (eq_refl : w = fun adj k j => if adj k j then 1 else 0).
+Check (eq_refl : lap = fun n adj k j => delta k j * Sum n (w adj k) - w adj k j).
+Check (eq_refl : arc = fun n adj j k => (j < n)%nat /\ (k < n)%nat /\ adj k j = true).
+Check (eq_refl : Q = fun n A x => / (2 * INR n) * Sum n (fun k => inner (x k) (Csum n (fun j => RtoC (A k j) * x j)%C))).
+Check (eq_refl : order = fun n th => (RtoC (/ INR n) * Csum n (fun k => expi (th k)))%C).
+Check (eq_refl : U1 = fun n th => INR n / 2 * Cmod (order n th) ^ 2).
+Check (eq_refl : W1 = fun n adj th => Q n (lap n adj) (fun k => expi (th k))).
+Check (eq_refl : partial = fun f th k d => is_derive (fun s : R => f (upd th k s)) (th k) d).
+Check (eq_refl : is_velocity = fun r t v => is_derive (fun s => fst (r s)) t (fst v) /\ is_derive (fun s => snd (r s)) t (snd v)).
+Check (eq_refl : gW = fun n adj th k => inner (Ci * expi (th k))%C (row n (lap n adj) k (phasors th))).
+Check (eq_refl : circle_centre = fun w0 r th => (r + RtoC (/ w0) * (Ci * expi th))%C).
+(* the pair force, the control (4), the energy (6), V_t *)
+Check (eq_refl : grad = fun V' ri rj => (RtoC (V' (Cmod (ri - rj)%C) / Cmod (ri - rj)%C) * (ri - rj))%C).
+Check (eq_refl : control4 = fun n adj V' r v i => (- Csum n (fun j => RtoC (w adj i j) * (v i - v j)) - grad_i n adj V' r i)%C).
+Check (eq_refl : Wenergy = fun n adj V r v => / 2 * Sum n (fun i => Sum n (fun j => w adj i j * V i j (norm (r i - r j)%C)) + inner (v i) (v i))).
+Check (eq_refl : accel = fun n adj V' r v th i => (- grad_i n adj V' r i + RtoC (- align n adj r th i) * (Ci * v i))%C).
+
+(* tanner2.L *)
+Check (paley_gradient.lap_psd :
+  forall (n : nat) (adj : graph) (x : nat -> C),
+       undirected adj ->
+       (forall k j : nat, lap n adj k j = lap n adj j k) /\
+       0 <= Sum n (fun k : nat => inner (x k) (row n (lap n adj) k x))).
+
+(* tanner2.L *)
+Check (paley_gradient.lap_kernel :
+  forall (n : nat) (adj : graph) (y : nat -> R),
+       (1 <= n)%nat ->
+       strongly_connected n adj ->
+       (forall k : nat, (k < n)%nat -> lmul n adj y k = 0) -> exists c : R, forall k : nat, (k < n)%nat -> y k = c).
+
+(* tanner2.L *)
+Check (tanner2_facts.second_positive :
+  forall (n : nat) (adj : graph),
+       (1 <= n)%nat ->
+       undirected adj -> strongly_connected n adj -> exists lam : R, 0 < lam /\ below_second n adj lam).
+
+(* tanner2.L *)
+Check (tanner_graph.L_incidence :
+  forall (n : nat) (adj : graph) (O : list (nat * nat)) (k m : nat),
+       undirected adj ->
+       oriented n adj O ->
+       (k < n)%nat -> (m < n)%nat -> lsum O (fun f : nat * nat => inc k f * inc m f) = lap n adj k m).
+
+(* tanner2.L *)
+Check (tanner_graph.L_orientation :
+  forall (n : nat) (adj : graph) (O O' : list (nat * nat)) (k m : nat),
+       undirected adj ->
+       oriented n adj O ->
+       oriented n adj O' ->
+       (k < n)%nat ->
+       (m < n)%nat ->
+       lsum O (fun f : nat * nat => inc k f * inc m f) = lsum O' (fun f : nat * nat => inc k f * inc m f)).
+
+(* tanner2.Q *)
+Check (tanner2_facts.Q_two_forms :
+  forall (n : nat) (V : nat -> nat -> R -> R) (R0 : R) (r v : nat -> C),
+       (forall i j : nat, V i j = V j i) ->
+       Wenergy n (near r R0) V r v + Sum n (fun i : nat => Sum i (fun j : nat => (1 - w (near r R0) i j) * V i j R0)) =
+       Qsat n V R0 r v).
+
+(* tanner2.Qdot *)
+Check (tanner2_facts.Q_rate :
+  forall (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R) (r v : nat -> R -> C) (t : R),
+       0 < R0 ->
+       (forall i j : nat, V' i j = V' j i) ->
+       (forall (i j : nat) (s : R), 0 < s -> is_derive (V i j) s (V' i j s)) ->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t /\ norm (r i t - r j t)%C <> R0) ->
+       (forall i : nat, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+       (forall i : nat,
+        (i < n)%nat ->
+        is_velocity (v i) t
+          (control4 n (near (fun i0 : nat => r i0 t) R0) V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i)) ->
+       is_derive (fun s : R_AbsRing => Qsat n V R0 (fun i : nat => r i s) (fun i : nat => v i s)) t
+         (- qform (2 * n) (kron2 (lap n (near (fun i : nat => r i t) R0))) (stack (fun i : nat => v i t)))).
+
+(* tanner2.Qjump *)
+Check (tanner_nonsmooth.saturated_continuous :
+  forall (V V' : R -> R) (R0 : R),
+       0 < R0 ->
+       (forall s : R, 0 < s -> is_derive V s (V' s)) -> forall s : R, 0 < s -> continuity_pt (saturated V R0) s).
+
+(* tanner2.Qjump *)
+Check (tanner_nonsmooth.saturated_not_differentiable :
+  forall (V V' : R -> R) (R0 c : R),
+       0 < R0 ->
+       (forall s : R, 0 < s -> is_derive V s (V' s)) ->
+       continuity_pt V' R0 -> V' R0 = c -> 0 < c -> ~ ex_derive (saturated V R0) R0).
+
+(* tanner2.S_config *)
+Check (tanner2_facts.S_config_fails :
+  ~
+       (forall (n : nat) (adj : graph) (r v : nat -> C),
+        undirected adj ->
+        strongly_connected n adj ->
+        qform (2 * n) (kron2 (lap n adj)) (stack v) = 0 ->
+        forall i j : nat, (i < n)%nat -> (j < n)%nat -> (r i - r j)%C = 0)).
+
+(* tanner2.S_config *)
+Check (tanner2_facts.S_config_corrected :
+  forall (n : nat) (adj : graph) (v : nat -> C),
+       (1 <= n)%nat ->
+       undirected adj ->
+       strongly_connected n adj ->
+       qform (2 * n) (kron2 (lap n adj)) (stack v) = 0 <->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> v i = v j)).
+
+(* tanner2.appA_uniq *)
+Check (tanner_nonsmooth.two_solutions :
+  (forall t : R_AbsRing, is_derive (fun _ : R => 0) t (2 * sqrt (Rabs 0))) /\
+       (forall t : R_AbsRing, is_derive late t (2 * sqrt (Rabs (late t)))) /\ late 0 = 0 /\ late 1 = 1).
+
+(* tanner2.bound_r *)
+Check (tanner2_facts.bound_r_fails :
+  ~
+       (forall (n : nat) (adj : graph) (V V' : R -> R) (r v : nat -> C) (c : R),
+        undirected adj ->
+        no_loops adj ->
+        strongly_connected n adj ->
+        potential V V' ->
+        (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j) ->
+        Wenergy n adj (fun _ _ : nat => V) r v <= c ->
+        forall (i j : nat) (b : R),
+        (i < n)%nat ->
+        (j < n)%nat -> (forall s : R, 0 < s -> V s <= c * (INR n - 1) -> s <= b) -> norm (r i - r j)%C <= b)).
+
+(* tanner2.bound_r, tanner2.eq7 *)
+Check (tanner_flock.all_distances :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (c : R),
+       (1 <= n)%nat ->
+       undirected adj ->
+       no_loops adj ->
+       strongly_connected n adj ->
+       (forall i j : nat, V i j = V j i) ->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       exists B : R,
+         forall r v : nat -> C,
+         (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j) ->
+         Wenergy n adj V r v <= c -> forall i j : nat, (i < n)%nat -> (j < n)%nat -> norm (r i - r j)%C <= B).
+
+(* tanner2.bound_v *)
+Check (tanner2_facts.bound_v_fails :
+  ~
+       (forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> C) (c : R),
+        undirected adj ->
+        no_loops adj ->
+        strongly_connected n adj ->
+        (forall i j : nat, V i j = V j i) ->
+        (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+        (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j) ->
+        Wenergy n adj V r v <= c -> forall i : nat, (i < n)%nat -> norm (v i) <= sqrt c)).
+
+(* tanner2.bound_v *)
+Check (tanner_flock.speed_bound_norm :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R),
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       forall r v : nat -> C,
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j) ->
+       forall (i : nat) (c : R), (i < n)%nat -> Wenergy n adj V r v <= c -> norm (v i) <= sqrt (2 * c)).
+
+(* tanner2.cor1 *)
+Check (tanner2_examples.cor1_step_fails :
+  ~
+       (forall (V V' : R -> R) (rd : R),
+        potential V V' -> (forall s : R, 0 < s -> s <> rd -> V rd < V s) -> forall s : R, 0 < s -> V' s = 0 -> s = rd)).
+
+(* tanner2.cor1 *)
+Check (tanner2_examples.cor1_stuck :
+  solution 2 complete (fun _ _ : nat => VB) (fun _ _ : nat => VB') (fun (i : nat) (_ : R) => pair2 i)
+         (fun (_ : nat) (_ : R) => 0) /\
+       (forall s : R, 0 < s -> s <> 1 -> VB 1 < VB s) /\ norm (pair2 0 - pair2 1)%C = 2).
+
+(* tanner2.cor2_decomp *)
+Check (tanner2_facts.cor2_decomposition :
+  forall (n : nat) (adj : graph) (x : nat -> R) (c : R),
+       undirected adj -> qform n (lap n adj) x = qform n (lap n adj) (fun i : nat => x i - c)).
+
+(* tanner2.cor2_merris *)
+Check (tanner2_facts.more_edges :
+  forall (n : nat) (adj adj' : graph),
+       undirected adj ->
+       undirected adj' ->
+       (forall i j : nat, adj i j = true -> adj' i j = true) ->
+       (forall x : nat -> R, qform n (lap n adj) x <= qform n (lap n adj') x) /\
+       (forall lam : R, below_second n adj lam -> below_second n adj' lam)).
+
+(* tanner2.cor2_sub *)
+Check (tanner2_facts.cor2_sub_fails :
+  forall (n : nat) (adj : graph) (lam : R),
+       (1 <= n)%nat ->
+       undirected adj ->
+       0 < lam ->
+       ~
+       (forall v : nat -> C,
+        - qform (2 * n) (kron2 (lap n adj)) (stack v) <=
+        - lam * (INR n * mean n (fun j : nat => fst (v j)) ^ 2 + INR n * mean n (fun j : nat => snd (v j)) ^ 2))).
+
+(* tanner2.cor2_sub *)
+Check (tanner2_facts.cor2_corrected :
+  forall (n : nat) (adj : graph) (lam : R) (v : nat -> C),
+       (1 <= n)%nat ->
+       undirected adj ->
+       below_second n adj lam ->
+       - qform (2 * n) (kron2 (lap n adj)) (stack v) <=
+       - lam *
+       (Sum n (fun i : nat => (fst (v i) - mean n (fun j : nat => fst (v j))) ^ 2) +
+        Sum n (fun i : nat => (snd (v i) - mean n (fun j : nat => snd (v j))) ^ 2))).
+
+(* tanner2.cor3, tanner2.thm1b *)
+Check (tanner_flock.no_collision :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
+       undirected adj ->
+       no_loops adj ->
+       (forall i j : nat, V i j = V j i) ->
+       (forall i j : nat, V' i j = V' j i) ->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       (forall (t : R) (i j : nat), 0 <= t -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall (t : R) (i : nat), 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+       (forall (t : R) (i : nat),
+        0 <= t ->
+        (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i)) ->
+       exists d : R,
+         0 < d /\
+         (forall (t : R) (i j : nat),
+          0 <= t -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> d <= norm (r i t - r j t)%C)).
+
+(* tanner2.eq13.interval *)
+Check (tanner2_facts.eq13_interval_fails :
+  ~
+       (forall (n : nat) (r v : nat -> C) (R0 : R),
+        exists e : R, e < 0 /\ (forall x : R, rhs13 n r v R0 x <-> e <= x <= 0))).
+
+(* tanner2.eq14 *)
+Check (tanner_graph.eq14 :
+  forall (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R),
+       (1 <= n)%nat ->
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       (forall i : nat,
+        (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i)) ->
+       (forall i j : nat,
+        (i < n)%nat ->
+        (j < n)%nat ->
+        control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i =
+        control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) j) ->
+       forall i : nat, (i < n)%nat -> control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i = 0).
+
+(* tanner2.eq2 *)
+Check (tanner2_facts.eq2_fails :
+  ~ (forall v : C, fst v <> 0 -> v = (norm v * expi (atan (snd v / fst v)))%C)).
+
+(* tanner2.eq6 *)
+Check (tanner_flock.energy_ge0 :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R),
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       forall r v : nat -> C,
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j) -> 0 <= Wenergy n adj V r v).
+
+(* tanner2.eq7 *)
+Check (tanner_flock.linked_distances :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (c : R),
+       undirected adj ->
+       no_loops adj ->
+       (forall i j : nat, V i j = V j i) ->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       exists d D : R,
+         0 < d /\
+         (forall r v : nat -> C,
+          (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j) ->
+          Wenergy n adj V r v <= c ->
+          forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> d <= norm (r i - r j)%C <= D)).
+
+(* tanner2.eq8 *)
+Check (tanner_energy.eq8_potential :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R),
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       (forall i : nat, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall i j : nat,
+        (i < n)%nat ->
+        (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
+       is_derive (fun s : R_AbsRing => / 2 * Sum n (fun i : nat => V_i n adj V (fun i0 : nat => r i0 s) i)) t
+         (Sum n (fun i : nat => inner (v i t) (grad_i n adj V' (fun i0 : nat => r i0 t) i)))).
+
+(* tanner2.eq8 *)
+Check (tanner_energy.eq8_edges :
+  forall (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R),
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       no_loops adj ->
+       Sum n (fun i : nat => inner (v i t) (grad_i n adj V' (fun i0 : nat => r i0 t) i)) =
+       Sum n
+         (fun i : nat => Sum i (fun j : nat => w adj i j * inner (v i t - v j t)%C (grad (V' i j) (r i t) (r j t)))) /\
+       Sum n (fun i : nat => inner (v i t) (grad_i n adj V' (fun i0 : nat => r i0 t) i)) =
+       Sum n
+         (fun i : nat =>
+          Sum i
+            (fun j : nat =>
+             w adj i j *
+             (inner (v i t) (grad (V' i j) (r i t) (r j t)) + inner (v j t) (grad (V' i j) (r j t) (r i t)))))).
+
+(* tanner2.eq9 *)
+Check (tanner_energy.eq9 :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R),
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       (forall i : nat, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall i j : nat,
+        (i < n)%nat ->
+        (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
+       (forall i : nat,
+        (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i)) ->
+       is_derive (fun s : R_AbsRing => Wenergy n adj V (fun i : nat => r i s) (fun i : nat => v i s)) t
+         (- qform (2 * n) (kron2 (lap n adj)) (stack (fun i : nat => v i t))) /\
+       qform (2 * n) (kron2 (lap n adj)) (stack (fun i : nat => v i t)) =
+       qform n (lap n adj) (fun i : nat => fst (v i t)) + qform n (lap n adj) (fun i : nat => snd (v i t)) /\
+       0 <= qform (2 * n) (kron2 (lap n adj)) (stack (fun i : nat => v i t))).
+
+(* tanner2.lem1 *)
+Check (tanner_nonsmooth.lemma1_fails :
+  forall (V V' : R -> R) (R0 c : R),
+       0 < R0 ->
+       (forall s : R, 0 < s -> is_derive V s (V' s)) ->
+       continuity_pt V' R0 -> V' R0 = c -> 0 < c -> ~ regular (saturated V R0) R0).
+
+(* tanner2.lem2 *)
+Check (tanner_nonsmooth.lemma2_fails :
+  forall (V V' : R -> R) (R0 c : R),
+       0 < R0 ->
+       (forall s : R, 0 < s -> is_derive V s (V' s)) ->
+       continuity_pt V' R0 -> V' R0 = c -> 0 < c -> forall z : R, gen_gradient (saturated V R0) R0 z <-> 0 <= z <= c).
+
+(* tanner2.rangeB *)
+Check (tanner_graph.range_B :
+  forall (n : nat) (adj : graph) (O0 : list (nat * nat)) (x : nat -> R),
+       (1 <= n)%nat ->
+       undirected adj ->
+       no_loops adj ->
+       oriented n adj O0 ->
+       strongly_connected n adj ->
+       (exists y : nat * nat -> R, forall k : nat, (k < n)%nat -> applyB O0 y k = x k) <-> Sum n x = 0).
+
+(* tanner2.thm1a *)
+Check (tanner_flock.velocities_agree :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
+       (1 <= n)%nat ->
+       undirected adj ->
+       no_loops adj ->
+       strongly_connected n adj ->
+       (forall i j : nat, V i j = V j i) ->
+       (forall i j : nat, V' i j = V' j i) ->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       (forall (i j : nat) (s : R), (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
+       (forall (t : R) (i j : nat), 0 <= t -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall (t : R) (i : nat), 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+       (forall (t : R) (i : nat),
+        0 <= t ->
+        (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i)) ->
+       forall i j : nat,
+       (i < n)%nat ->
+       (j < n)%nat ->
+       forall e : R, 0 < e -> exists T : R, 0 <= T /\ (forall t : R, T <= t -> norm (v i t - v j t)%C < e)).
+
+(* tanner2.thm1a *)
+Check (tanner_flock.velocities_to_mean :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
+       (1 <= n)%nat ->
+       undirected adj ->
+       no_loops adj ->
+       strongly_connected n adj ->
+       (forall i j : nat, V i j = V j i) ->
+       (forall i j : nat, V' i j = V' j i) ->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       (forall (i j : nat) (s : R), (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
+       (forall (t : R) (i j : nat), 0 <= t -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall (t : R) (i : nat), 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+       (forall (t : R) (i : nat),
+        0 <= t ->
+        (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i)) ->
+       forall i : nat,
+       (i < n)%nat ->
+       forall e : R,
+       0 < e ->
+       exists T : R, 0 <= T /\ (forall t : R, T <= t -> norm (v i t - centre n (fun j : nat => v j 0))%C < e)).
+
+(* tanner2.thm1c *)
+Check (tanner2_examples.thm1c_fails :
+  ~
+       (forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
+        solution n adj V V' r v ->
+        forall i : nat,
+        (i < n)%nat ->
+        forall e : R,
+        0 < e ->
+        exists T : R,
+          forall t : R,
+          T <= t ->
+          forall q : nat -> C,
+          (forall a b : nat, (a < n)%nat -> (b < n)%nat -> adj a b = true -> q a <> q b) ->
+          V_i n adj V (fun j : nat => r j t) i <= V_i n adj V q i + e)).
+
+(* tanner2.thm1c *)
+Check (tanner2_examples.thm1c_not_local :
+  forall e : R,
+       0 < e ->
+       exists q : nat -> C,
+         (forall j : nat, j <> 0%nat -> q j = line3 j) /\
+         norm (q 0%nat - line3 0)%C < e /\
+         V_i 3 complete (fun _ _ : nat => VA) q 0 < V_i 3 complete (fun _ _ : nat => VA) line3 0).
+
+(* tanner2.vdotB *)
+Check (tanner_graph.B_gradients :
+  forall (n : nat) (adj : graph) (O : list (nat * nat)) (V' : nat -> nat -> R -> R) (r : nat -> C) (k : nat),
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       oriented n adj O ->
+       (k < n)%nat ->
+       applyB O (fun f : nat * nat => fst (grad (V' (fst f) (snd f)) (r (fst f)) (r (snd f)))) k =
+       - fst (grad_i n adj V' r k) /\
+       applyB O (fun f : nat * nat => snd (grad (V' (fst f) (snd f)) (r (fst f)) (r (snd f)))) k =
+       - snd (grad_i n adj V' r k)).

@@ -1,0 +1,273 @@
+(* What is proved for the paper of Veerman, Stosic and Olvera, written out again, with the axioms of each theorem.
+   The definitions the statements use are restated first. *)
+From Coq Require Import Reals List.
+From Coquelicot Require Import Coquelicot.
+From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
+From Flockproof Require veerman_numbers.
+Open Scope R_scope.
+
+Check (den_printed : forall f g w : R, den f g w = (RtoC f + Ci * w * g)%C).
+Check (num_printed : forall f g w : R, num f g w = (RtoC f + Ci * w * g + RtoC (w ^ 2))%C).
+Check (fun f g w : R => eq_refl : gamma f g w = (num f g w / den f g w)%C).
+Check (fun (f g : R) h x u => eq_refl : equation_1 f g h x u = forall k t, Cderive (x (S k)) t (u (S k) t) /\
+  Cderive (u (S k)) t ((f * ((x (S k) t - h (S k)) - (x k t - h k)) + g * (u (S k) t - u k t))%C)).
+Check (fun z t d => eq_refl : Cderive z t d =
+  (is_derive (fun s : R => fst (z s)) t (fst d) /\ is_derive (fun s : R => snd (z s)) t (snd d))).
+Check (fun h a w k t => eq_refl : wave_x h a w k t = (RtoC (h k) + a k * cis (w * t))%C).
+Check (fun f g w N a => eq_refl : equation_2 f g w N a =
+  ((forall k, (1 <= k <= N)%nat ->
+     ((- w ^ 2)%R * a k = den f g w * (a k - / 2 * (a (k - 1)%nat + a (k + 1)%nat)))%C) /\
+   ((- w ^ 2)%R * a (S N) = den f g w * (a (S N) - a N))%C)).
+Check (Csqrt_sqr : forall z : C, (Csqrt z * Csqrt z)%C = z).
+Check (Csqrt_angle : forall z : C, 0 < fst (Csqrt z) \/ (fst (Csqrt z) = 0 /\ 0 <= snd (Csqrt z))).
+Check (fun gam : C => eq_refl : mu_plus gam = (gam + Csqrt (gam * gam - 1))%C).
+Check (fun gam : C => eq_refl : mu_minus gam = (gam - Csqrt (gam * gam - 1))%C).
+Check (fun gam : C => eq_refl : Cmat gam = Mat2 0%C 1%C (- (1))%C (2 * gam)%C).
+Check (fun x k => eq_refl : row1 x k = (x k - x (k - 1)%nat)%C).
+Check (fun N x k => eq_refl : row2 N x k =
+  if Nat.eqb k (S N) then (x k - x (k - 1)%nat)%C else (x k - / 2 * (x (k - 1)%nat + x (k + 1)%nat))%C).
+Check (fun N P lam => eq_refl : eigenvalue N P lam = exists x : nat -> C,
+  (exists k, (1 <= k <= S N)%nat /\ x k <> RtoC 0) /\ forall k, (1 <= k <= S N)%nat -> P x k = (lam * x k)%C).
+Check (fun N P (f g : R) nu => eq_refl : eigenvalue_M N P f g nu = exists x u : nat -> C, (nonzero N x \/ nonzero N u) /\
+  forall k, (1 <= k <= S N)%nat -> u k = (nu * x k)%C /\ (f * P x k + g * P u k)%C = (nu * u k)%C).
+Check (fun N P f g => eq_refl : stable N P f g = forall nu, eigenvalue_M N P f g nu -> fst nu < 0).
+
+(* veerman.cor1 (claim) *)
+Check (@veerman_front.corollary_1 :
+  forall (f g : R) (h : nat -> R) (a : nat -> C) (w : R),
+  f < 0 ->
+  g < 0 ->
+  a 0%nat = 1 ->
+  equation_1 f g h (wave_x h a w) (wave_u a w) <-> (forall k : nat, a k = Cpw (/ gamma f g w)%C k)).
+(* veerman.cor1.proof (corrected) *)
+Check (@veerman_front.substitution :
+  forall (f g : R) (h : nat -> R) (a : nat -> C) (w : R),
+  equation_1 f g h (wave_x h a w) (wave_u a w) <->
+  (forall k : nat, ((- w ^ 2)%R * a (S k))%C = (f * (a (S k) - a k) + (0, w) * g * (a (S k) - a k))%C)).
+(* veerman.cor1_special (claim) *)
+Check (@veerman_front.corollary_1_special :
+  forall (f g : R) (k : nat),
+  f < 0 -> g < 0 -> Cpw (/ gamma f g (sqrt (Rabs f)))%C k = Cpw (1, sqrt (Rabs f) / g) k).
+(* veerman.cor2 (claim) *)
+Check (@veerman_chain.corollary_2 :
+  forall f g w : R,
+  f < 0 ->
+  g < 0 ->
+  w <> 0 ->
+  let gam := gamma f g w in
+  Cmod (mu_plus gam) <> Cmod (mu_minus gam) /\
+  (exists rho : R,
+     1 < rho /\
+     (forall (N : nat) (a : nat -> C),
+      a 0%nat = 1 ->
+      equation_2 f g w N a -> 2 / (rho ^ S N + / rho ^ S N) <= Cmod (a (S N)) <= 2 / (rho ^ S N - / rho ^ S N)))).
+(* veerman.eigAK (claim) *)
+Check (@veerman_stability.eigenvalues_AK :
+  forall (f g : R) (lam : C),
+  (forall nu : C, eigenvalue_AK f g lam nu <-> (nu * nu - lam * g * nu - lam * f)%C = 0) /\
+  (forall nu s : C,
+   (s * s)%C = (lam * g * (lam * g) + 4 * lam * f)%C ->
+   eigenvalue_AK f g lam nu <-> nu = (/ 2 * (lam * g + s))%C \/ nu = (/ 2 * (lam * g - s))%C)).
+(* veerman.eq1_matrix (part) *)
+Check (@veerman_matrices.equation_1_vector :
+  forall (f g : R) (N : nat) (x h u : nat -> R) (k : nat),
+  (1 <= k <= S N)%nat ->
+  form_x u k = u k /\
+  form_u f g L1 N x h u k = f * (x k - h k - (x (k - 1)%nat - h (k - 1)%nat)) + g * (u k - u (k - 1)%nat)).
+(* veerman.eq1_matrix (part) *)
+Check (@veerman_stability.spectrum_P1 :
+  forall (N : nat) (lam : C), eigenvalue N P1 lam <-> lam = 1).
+(* veerman.eq2_matrix (claim) *)
+Check (@veerman_matrices.equation_2_vector :
+  forall (f g : R) (N : nat) (x h u : nat -> R) (k : nat),
+  (1 <= k <= S N)%nat ->
+  form_x u k = u k /\
+  form_u f g (L2 N) N x h u k =
+  (if k =? S N
+   then f * (x k - h k - (x (k - 1)%nat - h (k - 1)%nat)) + g * (u k - u (k - 1)%nat)
+   else
+    f * (x k - h k - / 2 * (x (k - 1)%nat - h (k - 1)%nat + (x (k + 1)%nat - h (k + 1)%nat))) +
+    g * (u k - / 2 * (u (k - 1)%nat + u (k + 1)%nat)))).
+(* veerman.gain_iff (corrected) *)
+Check (@veerman_front.gain_above_one :
+  forall f g w : R, f < 0 -> g < 0 -> 1 < Cmod (/ gamma f g w)%C <-> 0 < w ^ 2 < 2 * Rabs f).
+(* veerman.gain_iff (negation) *)
+Check (@veerman_front.gain_iff_printed_fails :
+  ~ (forall f g w : R, f < 0 -> g < 0 -> 1 < Cmod (/ gamma f g w)%C <-> w ^ 2 < 2 * Rabs f)).
+(* veerman.gain_max (corrected) *)
+Check (@veerman_front.gain_strongest :
+  forall f g w : R,
+  f < 0 ->
+  g < 0 ->
+  let v := strongest f g in
+  v < Rabs f /\
+  (w ^ 2 = v -> forall w' : R, Cmod (/ gamma f g w')%C <= Cmod (/ gamma f g w)%C) /\
+  (w ^ 2 <> v -> exists w' : R, Cmod (/ gamma f g w)%C < Cmod (/ gamma f g w')%C)).
+(* veerman.gain_max (negation) *)
+Check (@veerman_front.gain_max_printed_fails :
+  forall f g w : R,
+  f < 0 -> g < 0 -> w ^ 2 = Rabs f -> exists w' : R, Cmod (/ gamma f g w)%C < Cmod (/ gamma f g w')%C).
+(* veerman.lem1 (claim) *)
+Check (@veerman_lemma1.lemma_1 :
+  forall f g : R,
+  (forall N : nat, stable N P1 f g <-> f < 0 /\ g < 0) /\
+  (forall N : nat, stable N (P2 N) f g <-> f < 0 /\ g < 0) /\
+  ((forall N : nat, stable N P1 f g /\ stable N (P2 N) f g) <-> f < 0 /\ g < 0)).
+(* veerman.lem2 (claim) *)
+Check (@veerman_chain.lemma_2 :
+  forall (f g w : R) (N : nat) (a : nat -> C),
+  f < 0 ->
+  g < 0 ->
+  a 0%nat = 1 ->
+  equation_2 f g w N a ->
+  let gam := gamma f g w in
+  a (S N) = (2 / trace2 (mat2_pow (Cmat gam) (S N)))%C /\
+  a (S N) = (2 / (Cpw (mu_minus gam) (S N) + Cpw (mu_plus gam) (S N)))%C).
+(* veerman.lem2_eigvec (part) *)
+Check (@veerman_chain.lemma_2_eigenvectors :
+  forall gam : C,
+  let s := Csqrt (gam * gam - 1)%C in
+  Cmap gam (RtoC 1, mu_plus gam) = ((mu_plus gam * 1)%C, (mu_plus gam * mu_plus gam)%C) /\
+  Cmap gam (RtoC 1, mu_minus gam) = ((mu_minus gam * 1)%C, (mu_minus gam * mu_minus gam)%C) /\
+  (1 - gam * mu_plus gam)%C = (- s * mu_plus gam)%C /\ (1 - gam * mu_minus gam)%C = (s * mu_minus gam)%C).
+(* veerman.lem2_eigvec (part) *)
+Check (@veerman_chain.equation_2_chain :
+  forall (f g w : R) (N : nat) (a : nat -> C),
+  f < 0 -> g < 0 -> equation_2 f g w N a <-> chain (gamma f g w) N a).
+(* veerman.lem2_eigvec (part) *)
+Check (@veerman_chain.lemma_2_constant :
+  forall (f g w : R) (N : nat) (a : nat -> C),
+  f < 0 ->
+  g < 0 ->
+  w <> 0 ->
+  a 0%nat = 1 ->
+  equation_2 f g w N a ->
+  let gam := gamma f g w in
+  let p := mu_plus gam in
+  let m := mu_minus gam in
+  forall c : C,
+  (forall k : nat, (k <= S N)%nat -> a k = (c * Cpw p k + (1 - c) * Cpw m k)%C) ->
+  c = (Cpw m (S N) / (Cpw m (S N) + Cpw p (S N)))%C).
+(* veerman.lem3 (claim) *)
+Check (@veerman_chain.lemma_3 :
+  forall (f g w : R) (N : nat) (a : nat -> C),
+  f < 0 ->
+  g < 0 ->
+  0 < w ->
+  a 0%nat = 1 ->
+  equation_2 f g w N a -> Cmod (a (S N)) * (INR (S N) * (- g * w ^ 3 / (f ^ 2 + (w * g) ^ 2))) <= 1).
+(* veerman.nth_neighbour (part) *)
+Check (@veerman_numbers.nth_neighbour :
+  forall n N : nat, (2 <= n)%nat -> ~ veerman_numbers.joined n N 0 1).
+(* veerman.nth_neighbour (negation) *)
+Check (@veerman_numbers.nth_neighbour_printed_fails :
+  forall N i j : nat, (i <= S N)%nat -> (j <= S N)%nat -> veerman_numbers.joined 1 N i j).
+(* veerman.onlytwo (negation) *)
+Check (@veerman_numbers.star_peak :
+  forall f g : R,
+  f < 0 ->
+  g < 0 ->
+  exists A : R,
+    1 < A /\
+    (forall N : nat,
+     (exists w : R, forall a : nat -> C, veerman_numbers.equation_star f g w a -> Cmod (a (S N)) = A) /\
+     (forall (w : R) (a : nat -> C), veerman_numbers.equation_star f g w a -> Cmod (a (S N)) <= A))).
+(* veerman.prop1 (corrected) *)
+Check (@veerman_front.proposition_1 :
+  forall (f g a0 D : R) (N : nat),
+  f < 0 ->
+  g < 0 ->
+  0 < a0 ->
+  0 < D ->
+  let A := a0 * Cmod (Cpw (/ gamma f g (sqrt (Rabs f)))%C (S N)) in
+  A <= D <-> INR (S N) <= 2 * ln (D / a0) / ln (1 + Rabs f / g ^ 2)).
+(* veerman.prop1 (negation) *)
+Check (@veerman_front.proposition_1_printed_fails :
+  ~
+  (forall (f g a0 D : R) (N : nat),
+   f < 0 ->
+   g < 0 ->
+   0 < a0 ->
+   a0 < D ->
+   a0 * Cmod (Cpw (/ gamma f g (Rabs f))%C (S N)) <= D -> INR N <= 2 * ln (D / a0) / ln (1 + Rabs f / g ^ 2))).
+(* veerman.sec7.omega0 (claim) *)
+Check (@veerman_numbers.omega_0 :
+  forall N : nat, veerman_numbers.frequency (-1) (INR (N + 1)) = PI * sqrt 2 / (4 * INR (N + 1))).
+(* veerman.sep_remark (corrected) *)
+Check (@veerman_front.separation :
+  forall (a0 : R) (h : nat -> R) (gam : C) (w : R) (k : nat) (t : R),
+  h (S k) - h k = 1 ->
+  position a0 h gam w (S k) t - position a0 h gam w k t =
+  a0 * fst (Cpw (/ gam) (S k) * cis (w * t))%C - a0 * fst (Cpw (/ gam) k * cis (w * t))%C + 1).
+(* veerman.sep_remark (negation) *)
+Check (@veerman_front.separation_printed_fails :
+  forall (a0 : R) (h : nat -> R) (gam : C) (w : R) (k : nat) (t : R),
+  0 < a0 ->
+  h (S k) - h k = 1 ->
+  position a0 h gam w (S k) t - position a0 h gam w k t <>
+  a0 * fst (Cpw (/ gam) (S k) * cis (w * t))%C - a0 * fst (Cpw (/ gam) k * cis (w * t) + 1)%C).
+(* veerman.specM (corrected) *)
+Check (@veerman_lemma1.spectrum_M_systems :
+  forall (N : nat) (f g : R) (nu : C),
+  (eigenvalue_M N P1 f g nu <->
+   (exists lam : C, L_eigenvalue N row1 lam /\ lam <> 0 /\ eigenvalue_AK f g lam nu)) /\
+  (eigenvalue_M N (P2 N) f g nu <->
+   (exists lam : C, L_eigenvalue N (row2 N) lam /\ lam <> 0 /\ eigenvalue_AK f g lam nu))).
+(* veerman.specM (part) *)
+Check (@veerman_stability.spectrum_L :
+  forall (N : nat) (row : (nat -> C) -> nat -> C) (lam : C),
+  (forall (x y : nat -> C) (k : nat),
+   (1 <= k <= S N)%nat -> (forall j : nat, (j <= S N)%nat -> x j = y j) -> row x k = row y k) ->
+  lam <> 0 -> L_eigenvalue N row lam <-> eigenvalue N (reduced row) lam).
+(* veerman.specM (negation) *)
+Check (@veerman_lemma1.spectrum_M_printed_fails :
+  forall (N : nat) (g : R),
+  exists nu lam : C,
+    L_eigenvalue N row1 lam /\ lam <> 0 /\ eigenvalue_AK 0 g lam nu /\ ~ (eigenvalue_M N P1 0 g nu /\ nu <> 0)).
+(* veerman.specP2 (claim) *)
+Check (@veerman_stability.spectrum_P2_whole :
+  forall N : nat,
+  (forall lam : C,
+   eigenvalue N (P2 N) lam <->
+   (exists k : nat, (1 <= k <= S N)%nat /\ lam = 1 - cos ((2 * INR k - 1) * PI / (2 * (INR N + 1))))) /\
+  (forall j k : nat,
+   (1 <= j <= S N)%nat -> (1 <= k <= S N)%nat -> j <> k -> 1 - cos (angle N j) <> 1 - cos (angle N k)) /\
+  (forall (lam : C) (x y : nat -> C),
+   eigenvector N (P2 N) lam x ->
+   eigenvector N (P2 N) lam y -> exists c : C, forall k : nat, (1 <= k <= S N)%nat -> y k = (c * x k)%C)).
+(* veerman.table1.size (part) *)
+Check (@veerman_numbers.table_size_printed_fails :
+  List.Forall
+    (fun r : R * veerman_numbers.cell * veerman_numbers.cell * veerman_numbers.cell * veerman_numbers.cell =>
+     let (y, _) := r in
+     let (y0, _) := y in
+     let (y1, na) := y0 in
+     let (N, nf) := y1 in
+     ~ veerman_numbers.agrees nf (veerman_numbers.frequency (-1) (N + 1)) /\
+     ~ veerman_numbers.agrees na (veerman_numbers.amplitude (-1) (-1) (N + 1))) veerman_numbers.table).
+(* veerman.table1_numeric (negation) *)
+Check (@veerman_numbers.table_numeric_fails :
+  (forall a : nat -> C, a 0%nat = 1 -> equation_2 (-1) (-1) 0.27311 3 a -> 4.6548 <= Cmod (a 4%nat)) /\
+  (forall a : nat -> C, a 0%nat = 1 -> equation_2 (-1) (-1) 0.22 4 a -> 5.7 <= Cmod (a 5%nat))).
+(* veerman.table1_theory (corrected) *)
+Check (@veerman_numbers.table_theory :
+  List.Forall
+    (fun r : R * veerman_numbers.cell * veerman_numbers.cell * veerman_numbers.cell * veerman_numbers.cell =>
+     let (y, _) := r in
+     let (y0, _) := y in
+     let (y1, na) := y0 in
+     let (N, nf) := y1 in
+     veerman_numbers.agrees nf (veerman_numbers.frequency (-1) N) /\
+     veerman_numbers.agrees na (veerman_numbers.amplitude (-1) (-1) N)) veerman_numbers.table).
+(* veerman.table1_theory (negation) *)
+Check (@veerman_numbers.table_theory_printed_fails :
+  List.Forall
+    (fun r : R * veerman_numbers.cell * veerman_numbers.cell * veerman_numbers.cell * veerman_numbers.cell =>
+     let (y, ta) := r in
+     let (y0, tf) := y in
+     let (y1, _) := y0 in
+     let (N, _) := y1 in
+     ~ veerman_numbers.agrees tf (veerman_numbers.frequency (-1) (N + 1)) /\
+     ~ veerman_numbers.agrees ta (veerman_numbers.amplitude (-1) (-1) (N + 1)) /\
+     ~ veerman_numbers.agrees tf (veerman_numbers.frequency (-1) N) /\
+     ~ veerman_numbers.agrees ta (veerman_numbers.amplitude (-1) (-1) N)) veerman_numbers.table).

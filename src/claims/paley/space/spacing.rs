@@ -1,0 +1,496 @@
+//! paley.eq17, paley.eq18, paley.eq19_20, paley.thm2, paley.thm2.center: the spacing potential and Theorem 2.
+
+use super::instances::{
+    StateIdentity, described, identity_graphs, one_way_ring, scattered_phasors, stability, state_identity,
+    sum_of_squares,
+};
+use crate::arithmetic::{ArithmeticError, Dual, Field, Rational, rational};
+use crate::graph::Graph;
+use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use crate::matrix::RationalMatrix;
+use crate::oscillator::{
+    Neighbours, State, circle_centres, circular_formation, heading_components, linearisation, mean, quarter_turn,
+    spacing_control, spacing_potential,
+};
+
+/// `S` is `share` times the sum of the squared lengths of the edges between centres.
+struct EdgeSum<'a> {
+    graph: &'a Graph,
+    share: (i64, i64),
+}
+
+impl StateIdentity for EdgeSum<'_> {
+    fn particles(&self) -> usize {
+        self.graph.order()
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega] = constants else { return Err(ArithmeticError::Domain("one constant")) };
+        let s = spacing_potential(omega, &Neighbours::of(self.graph), state)?;
+        let c = circle_centres(omega, state)?;
+        let edges = self.graph.edges().into_iter();
+        let sum = edges.fold(omega.zero(), |sum, (i, j)| sum + (c[i].clone() - &c[j]).norm_squared());
+        Ok((vec![s], vec![sum * omega.ratio(self.share.0, self.share.1 * self.graph.order() as i64)]))
+    }
+}
+
+/// The largest `|c_k - c_j|^2` with `<c, L c> = 1`: the largest effective resistance; `None` on a disconnected graph.
+fn largest_resistance(graph: &Graph) -> Result<Option<Rational>, CheckError> {
+    let (order, laplacian) = (graph.order(), graph.laplacian()?);
+    if laplacian.kernel().len() != 1 {
+        return Ok(None);
+    }
+    let mut largest = rational(0, 1);
+    for ground in 0..order {
+        let kept: Vec<usize> = (0..order).filter(|&k| k != ground).collect();
+        let row = |&i: &usize| kept.iter().map(|&j| laplacian.entry(i, j)).collect::<Vec<_>>();
+        let rows: Vec<Vec<Rational>> = kept.iter().map(row).collect();
+        if rows.is_empty() {
+            continue;
+        }
+        let inverse = RationalMatrix::from_rows(&rows)?.inverse()?;
+        for k in 0..inverse.rows() {
+            largest = largest.max(inverse.entry(k, k));
+        }
+    }
+    Ok(Some(largest))
+}
+
+/// paley.eq17.
+pub struct SpacingPotential;
+
+/// On which graphs, with which bound `|c_kj|^2 <= (N - 1 + excess) 2 N S` and which share of the edge sum.
+#[derive(Clone, Copy)]
+pub struct ProperVariant {
+    disconnected: bool,
+    excess: i64,
+    share: (i64, i64),
+}
+
+impl ProperVariant {
+    const PRINTED: Self = ProperVariant { disconnected: false, excess: 0, share: (1, 2) };
+}
+
+fn examine_proper(variant: &ProperVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let most = run.cases(4, 5);
+    let mut graphs = 0;
+    for graph in (1..=most).flat_map(Graph::all).filter(|g| variant.disconnected || g.is_connected()) {
+        run.checkpoint()?;
+        graphs += 1;
+        let fails = |what: String| {
+            let evidence = Evidence::new(Grade::Exact, "positive and proper", "exact kernel and effective resistances");
+            Ok(Outcome::fails(format!("{}: {what}", described(&graph)), evidence))
+        };
+        let Some(resistance) = largest_resistance(&graph)? else {
+            return fails("S = 0 though the centres differ".to_string());
+        };
+        if resistance > rational(graph.order() as i64 - 1 + variant.excess, 1) {
+            return fails(format!("|c_kj|^2 can be {resistance} times 2 N S"));
+        }
+    }
+    let detail = "kernel of L spanned by 1, and |c_kj|^2 <= (N - 1) 2 N S by exact effective resistances";
+    let bound =
+        Evidence::new(Grade::Exhaustive, format!("positive and proper, graphs of up to {most} vertices"), detail);
+    let identities = identity_graphs(run).into_iter().map(|graph| {
+        let part = format!("S is the sum over edges, {}", described(&graph));
+        state_identity(&EdgeSum { graph: &graph, share: variant.share }, &["w0"], &part, run)
+    });
+    Run::all(identities.chain([Ok(Outcome::Holds(vec![bound.cases(graphs)]))]))
+}
+
+impl Claim for SpacingPotential {
+    type Variant = ProperVariant;
+
+    fn id(&self) -> &str {
+        "paley.eq17"
+    }
+
+    fn derivation(&self) -> &str {
+        "S = (1/(2N)) sum over edges |c_j - c_k|^2. It is zero iff c is constant along edges, that is, on a connected graph, c = c_0 1. Along a path of \
+         l <= N - 1 edges from j to k, |c_kj|^2 <= l sum |steps|^2 <= (N - 1) 2 N S, so that sublevel sets are bounded in the relative centres: \
+         S is positive definite and proper. On a path N - 1 is attained by its ends."
+    }
+
+    fn printed(&self) -> ProperVariant {
+        ProperVariant::PRINTED
+    }
+
+    fn controls(&self) -> Vec<Control<ProperVariant>> {
+        vec![
+            Control::new(
+                "graphs that are not connected",
+                ProperVariant { disconnected: true, ..ProperVariant::PRINTED },
+            ),
+            Control::new("(N - 2) 2 N S as the bound", ProperVariant { excess: -1, ..ProperVariant::PRINTED }),
+            Control::new("1/N times the sum over edges", ProperVariant { share: (1, 1), ..ProperVariant::PRINTED }),
+        ]
+    }
+
+    fn examine(&self, variant: &ProperVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        examine_proper(variant, run)
+    }
+}
+
+/// paley.eq18.
+pub struct CentreVelocity;
+
+/// `cdot = e^{i theta} (1 + factor omega^power u)`.
+#[derive(Clone, Copy)]
+pub struct VelocityVariant {
+    factor: i64,
+    inverse: bool,
+}
+
+impl StateIdentity for VelocityVariant {
+    fn particles(&self) -> usize {
+        1
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega, u] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+        let moving = state.moving(std::slice::from_ref(u), &[]);
+        let centre = &circle_centres(&Dual::constant(omega.clone()), &moving)?[0];
+        let scale = if self.inverse { omega.recip()? } else { omega.clone() };
+        let speed = omega.one() + scale * u * omega.integer(self.factor);
+        let claimed = state.phasors[0].scale(&speed);
+        Ok((vec![centre.re.derivative.clone(), centre.im.derivative.clone()], vec![claimed.re, claimed.im]))
+    }
+}
+
+impl Claim for CentreVelocity {
+    type Variant = VelocityVariant;
+
+    fn id(&self) -> &str {
+        "paley.eq18"
+    }
+
+    fn derivation(&self) -> &str {
+        "cdot = rdot + w0^-1 i (i u e^{i theta}) = e^{i theta} - w0^-1 u e^{i theta}."
+    }
+
+    fn printed(&self) -> VelocityVariant {
+        VelocityVariant { factor: -1, inverse: true }
+    }
+
+    fn controls(&self) -> Vec<Control<VelocityVariant>> {
+        vec![
+            Control::new("1 + u/w0", VelocityVariant { factor: 1, inverse: true }),
+            Control::new("1 - w0 u", VelocityVariant { factor: -1, inverse: false }),
+        ]
+    }
+
+    fn examine(&self, variant: &VelocityVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        state_identity(variant, &["w0", "u"], "velocity of the centre", run)
+    }
+}
+
+/// paley.eq19_20.
+pub struct SpacingDescent;
+
+/// `Sdot = (share/N) sum ...` and, under (20), `descent (K_0/N^2) sum ...^2`; on an undirected graph or not.
+#[derive(Clone, Copy)]
+pub struct DescentVariant {
+    share: (i64, i64),
+    descent: i64,
+    undirected: bool,
+}
+
+impl DescentVariant {
+    const PRINTED: Self = DescentVariant { share: (1, 1), descent: -1, undirected: true };
+}
+
+struct DescentIdentity {
+    variant: DescentVariant,
+    network: Neighbours,
+}
+
+impl StateIdentity for DescentIdentity {
+    fn particles(&self) -> usize {
+        self.network.particles()
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega, gain, steering @ ..] = constants else { return Err(ArithmeticError::Domain("constants")) };
+        let particles = self.particles() as i64;
+        let network = &self.network;
+        let rate = |u: &[T]| -> Result<T, ArithmeticError> {
+            Ok(spacing_potential(&Dual::constant(omega.clone()), network, &state.moving(u, &[]))?.derivative)
+        };
+        let forward = heading_components(network, &state.phasors, &circle_centres(omega, state)?);
+        let inverse = omega.recip()?;
+        let terms = forward.iter().zip(steering).map(|(f, u)| f.clone() * (omega.one() - u.clone() * &inverse));
+        let (p, q) = self.variant.share;
+        let sum = terms.fold(omega.zero(), |sum, term| sum + term) * omega.ratio(p, q * particles);
+        let closed = spacing_control(omega, gain, network, state)?.into_iter().map(|u| u + omega);
+        let descent = omega.ratio(self.variant.descent, particles * particles) * gain;
+        let right = vec![sum, sum_of_squares(&forward, omega) * descent];
+        Ok((vec![rate(steering)?, rate(&closed.collect::<Vec<_>>())?], right))
+    }
+
+    fn allows(&self, constants: &[Rational]) -> bool {
+        constants[1] > rational(0, 1)
+    }
+}
+
+fn examine_descent(variant: &DescentVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let networks: Vec<(Neighbours, String)> = if variant.undirected {
+        identity_graphs(run).iter().map(|g| (Neighbours::of(g), described(g))).collect()
+    } else {
+        (2..=3).map(|n| (one_way_ring(n), format!("one-way ring of {n}"))).collect()
+    };
+    Run::all(networks.into_iter().map(|(network, name)| {
+        let steering: Vec<String> = (1..=network.particles()).map(|k| format!("u_{k}")).collect();
+        let names: Vec<&str> = ["w0", "K_0"].into_iter().chain(steering.iter().map(String::as_str)).collect();
+        let identity = DescentIdentity { variant: *variant, network };
+        state_identity(&identity, &names, &format!("rate of S for any u and under (20), {name}"), run)
+    }))
+}
+
+impl Claim for SpacingDescent {
+    type Variant = DescentVariant;
+
+    fn id(&self) -> &str {
+        "paley.eq19_20"
+    }
+
+    fn derivation(&self) -> &str {
+        "L is symmetric: Sdot = (1/N) <cdot, L c> = (1/N) sum <e^{i theta_k}, L_k c> (1 - u_k/w0) by (18). Under (20), 1 - u_k/w0 = \
+         -(K_0/N) <e^{i theta_k}, L_k c>, for either sign of w0. Both sides are polynomial in the weights of the graph, so graphs of up to four \
+         vertices are instances of an identity that holds for all undirected graphs. On a directed graph (19) fails."
+    }
+
+    fn printed(&self) -> DescentVariant {
+        DescentVariant::PRINTED
+    }
+
+    fn controls(&self) -> Vec<Control<DescentVariant>> {
+        vec![
+            Control::new("1/(2N) in (19)", DescentVariant { share: (1, 2), ..DescentVariant::PRINTED }),
+            Control::new("Sdot >= 0", DescentVariant { descent: 1, ..DescentVariant::PRINTED }),
+            Control::new("directed graphs", DescentVariant { undirected: false, ..DescentVariant::PRINTED }),
+        ]
+    }
+
+    fn examine(&self, variant: &DescentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        examine_descent(variant, run)
+    }
+}
+
+/// The rate of `sigma_k = <e^{i theta_k}, L_k c>` under (20) is `rate w0 <i e^{i theta_k}, L_k c>` up to terms with a factor `sigma_j`, and
+/// `|L_k c|^2 = sigma_k^2 + <i e^{i theta_k}, L_k c>^2`.
+struct LimitIdentity {
+    network: Neighbours,
+    rate: i64,
+}
+
+impl StateIdentity for LimitIdentity {
+    fn particles(&self) -> usize {
+        self.network.particles()
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega, gain] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+        let share = omega.ratio(1, self.particles() as i64) * gain;
+        let network = &self.network;
+        let control = spacing_control(omega, gain, network, state)?;
+        let total: Vec<T> = control.iter().map(|u| u.clone() + omega).collect();
+        let moving = state.moving(&total, &[]);
+        let centres = circle_centres(&Dual::constant(omega.clone()), &moving)?;
+        let mut left: Vec<T> =
+            heading_components(network, &moving.phasors, &centres).into_iter().map(|s| s.derivative).collect();
+        let centres = circle_centres(omega, state)?;
+        let sigma = heading_components(network, &state.phasors, &centres);
+        let turned: Vec<_> = state.phasors.iter().map(quarter_turn).collect();
+        let tau = heading_components(network, &turned, &centres);
+        // cdot_j = -(K_0/N) sigma_j e^{i theta_j}
+        let pulled: Vec<_> = state.phasors.iter().zip(&sigma).map(|(z, s)| z.scale(&-(s.clone() * &share))).collect();
+        let with_sigma = heading_components(network, &state.phasors, &pulled);
+        let mut right = Vec::new();
+        for ((tau, u), rest) in tau.iter().zip(&control).zip(with_sigma) {
+            right.push((omega.clone() * omega.integer(self.rate) + u) * tau + rest);
+        }
+        for ((s, t), lc) in sigma.iter().zip(&tau).zip(crate::oscillator::Interaction::laplacian_of(network, &centres))
+        {
+            left.push(lc.norm_squared());
+            right.push(s.square() + t.square());
+        }
+        Ok((left, right))
+    }
+}
+
+/// paley.thm2 and paley.thm2.center.
+#[derive(Clone, Copy)]
+pub struct ConvergenceVariant {
+    /// `K_0`.
+    gain: i64,
+    /// Connected graphs, or the graph without edges on two vertices.
+    connected: bool,
+    /// The limit turns at this multiple of `omega`.
+    rate: i64,
+    /// The mean of the centres is conserved.
+    mean_conserved: bool,
+    /// The centre of mass is fixed.
+    mass_fixed: bool,
+}
+
+impl ConvergenceVariant {
+    const PRINTED: Self =
+        ConvergenceVariant { gain: 1, connected: true, rate: 1, mean_conserved: false, mass_fixed: false };
+}
+
+fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let limits = Run::all(identity_graphs(run).into_iter().map(|graph| {
+        let part = format!("on the limit set L_k c = 0, {}", described(&graph));
+        let identity = LimitIdentity { network: Neighbours::of(&graph), rate: variant.rate };
+        state_identity(&identity, &["w0", "K_0"], &part, run)
+    }))?;
+    if !matches!(limits, Outcome::Holds(_)) {
+        return Ok(limits);
+    }
+    let returns = examine_return(variant, run)?;
+    if !matches!(returns, Outcome::Holds(_)) {
+        return Ok(returns);
+    }
+    Run::all([Ok(limits), Ok(returns)])
+}
+
+/// Whether all that is no symmetry and no phase decays near circular formations.
+fn examine_return(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let graphs = if variant.connected { identity_graphs(run) } else { vec![Graph::empty(2)] };
+    let mut formations = 0;
+    for graph in &graphs {
+        for (p, q) in [(1, 10), (-3, 2)] {
+            run.checkpoint()?;
+            formations += 1;
+            let omega = rational(p, q);
+            let network = Neighbours::of(graph);
+            let state = circular_formation(&omega, &scattered_phasors(graph.order())?)?;
+            let rows = linearisation(&state, &omega, |state| {
+                let like = Dual::constant(omega.clone());
+                spacing_control(&like, &Dual::constant(rational(variant.gain, 1)), &network, state)
+            })?;
+            let found = stability(&rows, &omega, true)?;
+            if !found.stable || found.zeros != graph.order() {
+                let what = format!(
+                    "{}, K_0 = {}, w0 = {omega}: near a circular formation there are {} directions without change and the others do not all decay",
+                    described(graph),
+                    variant.gain,
+                    found.zeros
+                );
+                let evidence = Evidence::new(Grade::Exact, "the formation", "exact characteristic polynomial");
+                return Ok(Outcome::fails(what, evidence));
+            }
+        }
+    }
+    let detail = "turning-frame linearisation: N zeros for the phases, ± i w0 for the translations, all else decays; both signs of w0";
+    let formations = Evidence::new(Grade::Exact, "exponential approach near formations", detail).cases(formations);
+    Ok(Outcome::Holds(vec![formations]))
+}
+
+/// paley.thm2.
+pub struct Theorem2;
+
+impl Claim for Theorem2 {
+    type Variant = ConvergenceVariant;
+
+    fn id(&self) -> &str {
+        "paley.thm2"
+    }
+
+    fn derivation(&self) -> &str {
+        "S is proper in the relative centres (eq17) and does not increase (eq19_20), and the relative centres with the phases move on their own: LaSalle \
+         applies to every solution. Where Sdot = 0 for all time, sigma_k = <e^{i theta_k}, L_k c> = 0, so u = w0, and the rate of sigma_k is then \
+         w0 <i e^{i theta_k}, L_k c>, which vanishes too: L_k c = 0 for all k, c = c_0 1, a circle of radius 1/|w0| turned at w0. States with sigma = 0 \
+         and unequal centres exist but are not invariant. K_0 > 0 as under (20)."
+    }
+
+    fn printed(&self) -> ConvergenceVariant {
+        ConvergenceVariant::PRINTED
+    }
+
+    fn controls(&self) -> Vec<Control<ConvergenceVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("K_0 = -1", ConvergenceVariant { gain: -1, ..printed }),
+            Control::new("K_0 = 0", ConvergenceVariant { gain: 0, ..printed }),
+            Control::new("a graph that is not connected", ConvergenceVariant { connected: false, ..printed }),
+            Control::new("rotation at 2 w0", ConvergenceVariant { rate: 2, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let limit = examine_convergence(variant, run)?;
+        if !matches!(limit, Outcome::Holds(_)) {
+            return Ok(limit);
+        }
+        let proper = examine_proper(&ProperVariant::PRINTED, run);
+        Run::all([Ok(limit), proper, examine_descent(&DescentVariant::PRINTED, run)])
+    }
+}
+
+/// The rate of the mean centre under (20) is zero.
+struct MeanCentre;
+
+impl StateIdentity for MeanCentre {
+    fn particles(&self) -> usize {
+        2
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega, gain] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+        let control = spacing_control(omega, gain, &Neighbours::complete(2), state)?;
+        let total: Vec<T> = control.into_iter().map(|u| u + omega).collect();
+        let centre = mean(&circle_centres(&Dual::constant(omega.clone()), &state.moving(&total, &[]))?)?;
+        Ok((vec![centre.re.derivative, centre.im.derivative], vec![omega.zero(), omega.zero()]))
+    }
+}
+
+/// paley.thm2.center.
+pub struct FixedCentre;
+
+impl Claim for FixedCentre {
+    type Variant = ConvergenceVariant;
+
+    fn id(&self) -> &str {
+        "paley.thm2.center"
+    }
+
+    fn derivation(&self) -> &str {
+        "The limit set is that of Theorem 2. Near it S decays by a fixed factor per turn (notes: S is quadratic in c, so the ratio of S over one turn \
+         extends continuously to S = 0, where it is below 1), so sqrt(S), |sigma| and |cdot_k| are integrable: each c_k converges to one c_0, which \
+         is fixed, and which the closed loop determines from the initial state alone (nothing in the law names a place). It is not the initial \
+         mean of the centres. The centre of mass is c_0 - (i/w0) p_theta and turns unless p_theta = 0."
+    }
+
+    fn printed(&self) -> ConvergenceVariant {
+        ConvergenceVariant::PRINTED
+    }
+
+    fn controls(&self) -> Vec<Control<ConvergenceVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new(
+                "c_0 is the mean of the initial centres",
+                ConvergenceVariant { mean_conserved: true, ..printed },
+            ),
+            Control::new("the centre of mass is fixed", ConvergenceVariant { mass_fixed: true, ..printed }),
+            Control::new("the limit turns at 2 w0", ConvergenceVariant { rate: 2, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let velocity = mean(&circular_formation(&rational(1, 10), &scattered_phasors(2)?)?.phasors)?;
+        let speed = velocity.norm_squared();
+        let exact = |detail: String| Evidence::new(Grade::Exact, "centre of mass", detail);
+        if variant.mass_fixed && speed != rational(0, 1) {
+            let what = format!("two particles on a circle: the centre of mass has the squared speed {speed}");
+            return Ok(Outcome::fails(what, exact("an exact circular formation".to_string())));
+        }
+        let moving = Outcome::Holds(vec![exact(format!("squared speed {speed} in a formation of two"))]);
+        let conserved = match variant.mean_conserved {
+            true => state_identity(&MeanCentre, &["w0", "K_0"], "the mean centre is conserved", run),
+            false => Ok(moving),
+        };
+        Run::all([conserved, examine_convergence(variant, run)])
+    }
+}

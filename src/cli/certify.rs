@@ -1,0 +1,80 @@
+//! `certify`: exact results of the ledger as certificates that other programs check.
+
+use super::{CliError, output};
+use flockproof::certificates::{Certificate, CertificateError, CoqTheorem, coq_file};
+use flockproof::claims::certificates::LEDGER;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Folder for the certificates, one file CLAIM.RESULT.cert for each
+    #[arg(long, value_name = "DIR", required_unless_present = "coq")]
+    out: Option<PathBuf>,
+    /// Only those of this claim
+    #[arg(long, value_name = "ID", conflicts_with = "coq")]
+    claim: Vec<String>,
+    /// Folder for the same results as theorems: gen_products.v, gen_limits.v, gen_switches.v, gen_inertia.v
+    #[arg(long, value_name = "DIR")]
+    coq: Option<PathBuf>,
+}
+
+/// The kinds that Coq checks, with the names of their files.
+const COQ_FILES: [(&str, &str); 4] = [
+    ("product", "gen_products.v"),
+    ("limit", "gen_limits.v"),
+    ("switches", "gen_switches.v"),
+    ("inertia", "gen_inertia.v"),
+];
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    if let Some(unknown) = arguments.claim.iter().find(|id| LEDGER.iter().all(|row| row.claim != **id)) {
+        let mut ids: Vec<&str> = LEDGER.iter().map(|row| row.claim).collect();
+        ids.dedup();
+        return Err(CliError::Use(format!(
+            "there is no certificate of {unknown}; there are some of {}",
+            ids.join(", ")
+        )));
+    }
+    let selected =
+        LEDGER.iter().filter(|row| arguments.claim.is_empty() || arguments.claim.iter().any(|id| id == row.claim));
+    let mut theorems = Vec::new();
+    for row in selected {
+        let certificate = row.make().map_err(|error| CliError::Use(format!("{}: {error}", row.name())))?;
+        if let Some(folder) = &arguments.out {
+            let path = made(folder)?.join(format!("{}.cert", row.name()));
+            write(&path, &certificate)?;
+            output::print(&format!("{}: {}\n", path.display(), certificate.claim()))?;
+        }
+        theorems.push(CoqTheorem { name: row.name().replace('.', "_"), certificate });
+    }
+    if let Some(folder) = &arguments.coq {
+        for (kind, name) in COQ_FILES {
+            let Some(text) = coq_file(kind, &theorems) else { continue };
+            let path = made(folder)?.join(name);
+            output::write_file(&path, text.as_bytes())?;
+            output::print(&format!("{}\n", path.display()))?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Writes one certificate.
+pub fn write(path: &Path, certificate: &Certificate) -> Result<(), CliError> {
+    output::write_file(path, certificate.text().as_bytes())
+}
+
+/// Writes the certificate of a run to the file that `--certificate` names.
+pub fn write_asked(
+    path: Option<&Path>,
+    make: impl FnOnce() -> Result<Certificate, CertificateError>,
+) -> Result<(), CliError> {
+    let Some(path) = path else { return Ok(()) };
+    write(path, &make().map_err(|error| CliError::Use(format!("--certificate: {error}")))?)
+}
+
+/// The folder, made where it is not there.
+fn made(folder: &Path) -> Result<&Path, CliError> {
+    std::fs::create_dir_all(folder).map_err(|error| CliError::file(folder, error))?;
+    Ok(folder)
+}

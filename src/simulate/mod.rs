@@ -1,0 +1,35 @@
+//! Simulation in floats, shared by the continuous models: integrators, events, neighbours in the plane, all-to-all sums.
+//!
+//! A model is a [`VectorField`]: it fills in `dy/dt` at a state. Results do not depend on the number of threads: work is cut into
+//! chunks of fixed size, and sums over chunks are taken in their order. Nothing here proves anything.
+
+mod cells;
+mod dop853;
+mod dop853_table;
+mod event;
+mod phases;
+mod rk4;
+mod sine;
+
+pub use cells::{CellError, CellList};
+pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
+pub use event::{Crossing, next_crossing};
+pub use phases::AllToAll;
+pub use rk4::Rk4;
+pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
+
+/// The right-hand side of `dy/dt = f(t, y)`. A field may keep scratch space, so it is asked by a mutable reference; the
+/// answer must depend on `time` and `state` only. Closures `FnMut(f64, &[f64], &mut [f64])` are fields.
+pub trait VectorField {
+    /// Writes `f(time, state)` into `rate`, which is as long as `state`.
+    fn rate(&mut self, time: f64, state: &[f64], rate: &mut [f64]);
+}
+
+impl<F: FnMut(f64, &[f64], &mut [f64])> VectorField for F {
+    fn rate(&mut self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self(time, state, rate);
+    }
+}
+
+/// Numbers that one task works on.
+const CHUNK: usize = 4096;

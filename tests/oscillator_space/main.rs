@@ -1,0 +1,4 @@
+//! Particles with coupled phases and fish.
+
+mod laws;
+mod networks;

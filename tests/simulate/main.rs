@@ -1,0 +1,5 @@
+//! Mirrors `src/simulate`.
+
+mod cells;
+mod integrators;
+mod phases;
