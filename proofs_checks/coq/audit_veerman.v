@@ -66,13 +66,13 @@ Check (@veerman_chain.corollary_2 :
       equation_2 f g w N a -> 2 / (rho ^ S N + / rho ^ S N) <= Cmod (a (S N)) <= 2 / (rho ^ S N - / rho ^ S N)))).
 Print Assumptions veerman_chain.corollary_2.
 (* veerman.eigAK (claim) *)
-Check (@veerman_stability.eigenvalues_AK :
+Check (@veerman_lemma1.eigenvalues_AK :
   forall (f g : R) (lam : C),
   (forall nu : C, eigenvalue_AK f g lam nu <-> (nu * nu - lam * g * nu - lam * f)%C = 0) /\
   (forall nu s : C,
    (s * s)%C = (lam * g * (lam * g) + 4 * lam * f)%C ->
    eigenvalue_AK f g lam nu <-> nu = (/ 2 * (lam * g + s))%C \/ nu = (/ 2 * (lam * g - s))%C)).
-Print Assumptions veerman_stability.eigenvalues_AK.
+Print Assumptions veerman_lemma1.eigenvalues_AK.
 (* veerman.eq1_matrix (part) *)
 Check (@veerman_matrices.equation_1_vector :
   forall (f g : R) (N : nat) (x h u : nat -> R) (k : nat),
@@ -254,7 +254,7 @@ Check (@veerman_lemma1.spectrum_M_printed_fails :
     L_eigenvalue N row1 lam /\ lam <> 0 /\ eigenvalue_AK 0 g lam nu /\ ~ (eigenvalue_M N P1 0 g nu /\ nu <> 0)).
 Print Assumptions veerman_lemma1.spectrum_M_printed_fails.
 (* veerman.specP2 (claim) *)
-Check (@veerman_stability.spectrum_P2_whole :
+Check (@veerman_lemma1.spectrum_P2_whole :
   forall N : nat,
   (forall lam : C,
    eigenvalue N (P2 N) lam <->
@@ -264,7 +264,7 @@ Check (@veerman_stability.spectrum_P2_whole :
   (forall (lam : C) (x y : nat -> C),
    eigenvector N (P2 N) lam x ->
    eigenvector N (P2 N) lam y -> exists c : C, forall k : nat, (1 <= k <= S N)%nat -> y k = (c * x k)%C)).
-Print Assumptions veerman_stability.spectrum_P2_whole.
+Print Assumptions veerman_lemma1.spectrum_P2_whole.
 (* veerman.table1.size (part) *)
 Check (@veerman_numbers.table_size_printed_fails :
   List.Forall
