@@ -62,7 +62,7 @@ Check (@veerman_chain.corollary_2 :
       a 0%nat = 1 ->
       equation_2 f g w N a -> 2 / (rho ^ S N + / rho ^ S N) <= Cmod (a (S N)) <= 2 / (rho ^ S N - / rho ^ S N)))).
 (* veerman.eigAK (claim) *)
-Check (@veerman_stability.eigenvalues_AK :
+Check (@veerman_lemma1.eigenvalues_AK :
   forall (f g : R) (lam : C),
   (forall nu : C, eigenvalue_AK f g lam nu <-> (nu * nu - lam * g * nu - lam * f)%C = 0) /\
   (forall nu s : C,
@@ -225,7 +225,7 @@ Check (@veerman_lemma1.spectrum_M_printed_fails :
   exists nu lam : C,
     L_eigenvalue N row1 lam /\ lam <> 0 /\ eigenvalue_AK 0 g lam nu /\ ~ (eigenvalue_M N P1 0 g nu /\ nu <> 0)).
 (* veerman.specP2 (claim) *)
-Check (@veerman_stability.spectrum_P2_whole :
+Check (@veerman_lemma1.spectrum_P2_whole :
   forall N : nat,
   (forall lam : C,
    eigenvalue N (P2 N) lam <->

@@ -1,5 +1,5 @@
 (* Small facts about Coquelicot's complex numbers that the Veerman files share. *)
-From Coq Require Import Reals Lra Lia.
+From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 Open Scope R_scope.
 
@@ -45,6 +45,47 @@ Lemma Cpw_one (n : nat) : Cpw (RtoC 1) n = RtoC 1.
 Proof. induction n as [|n IH]; cbn [Cpw]; [reflexivity | rewrite IH; ring]. Qed.
 Lemma Cmod_Cpw (z : C) (n : nat) : Cmod (Cpw z n) = Cmod z ^ n.
 Proof. induction n as [|n IH]; cbn [Cpw pow]; [apply Cmod_1 | now rewrite Cmod_mult, IH]. Qed.
+
+(* the principal square root *)
+Definition Csqrt (z : C) : C :=
+  let r := Cmod z in
+  (sqrt ((r + fst z) / 2), if Rle_dec 0 (snd z) then sqrt ((r - fst z) / 2) else - sqrt ((r - fst z) / 2)).
+Lemma Cmod_parts (z : C) : - Cmod z <= fst z <= Cmod z /\ Cmod z ^ 2 = fst z ^ 2 + snd z ^ 2.
+Proof.
+  pose proof (Cmod_sqr z) as E. pose proof (Cmod_ge_0 z) as P. pose proof (pow2_ge_0 (snd z)).
+  split; [|exact E]. pose proof (Rmax_Cmod z) as M. pose proof (Rmax_l (Rabs (fst z)) (Rabs (snd z))).
+  pose proof (Rle_abs (fst z)). pose proof (Rle_abs (- fst z)). rewrite Rabs_Ropp in *. lra.
+Qed.
+Lemma Csqrt_sqr (z : C) : (Csqrt z * Csqrt z)%C = z.
+Proof.
+  destruct (Cmod_parts z) as [[A B] E]. unfold Csqrt. set (r := Cmod z) in *.
+  assert (P : sqrt ((r + fst z) / 2) * sqrt ((r + fst z) / 2) = (r + fst z) / 2) by (apply sqrt_sqrt; lra).
+  assert (Q : sqrt ((r - fst z) / 2) * sqrt ((r - fst z) / 2) = (r - fst z) / 2) by (apply sqrt_sqrt; lra).
+  assert (PQ : sqrt ((r + fst z) / 2) * sqrt ((r - fst z) / 2) = Rabs (snd z) / 2).
+  { rewrite <- sqrt_mult by lra. replace ((r + fst z) / 2 * ((r - fst z) / 2)) with ((snd z / 2) ^ 2).
+    - rewrite <- Rsqr_pow2, sqrt_Rsqr_abs. unfold Rdiv. rewrite Rabs_mult, (Rabs_right (/ 2)) by lra. reflexivity.
+    - transitivity ((r ^ 2 - fst z ^ 2) / 4); [rewrite E; field | field]. }
+  apply injective_projections; cbn [Cmult fst snd]; destruct (Rle_dec 0 (snd z)) as [S|S].
+  - rewrite P, Q. field.
+  - replace (- sqrt ((r - fst z) / 2) * - sqrt ((r - fst z) / 2)) with ((r - fst z) / 2)
+      by (transitivity (sqrt ((r - fst z) / 2) * sqrt ((r - fst z) / 2)); [symmetry; exact Q | ring]).
+    rewrite P. field.
+  - rewrite (Rmult_comm (sqrt ((r - fst z) / 2))), PQ, Rabs_right by lra. field.
+  - replace (- sqrt ((r - fst z) / 2) * sqrt ((r + fst z) / 2)) with
+      (- (sqrt ((r + fst z) / 2) * sqrt ((r - fst z) / 2))) by ring.
+    replace (sqrt ((r + fst z) / 2) * - sqrt ((r - fst z) / 2)) with
+      (- (sqrt ((r + fst z) / 2) * sqrt ((r - fst z) / 2))) by ring.
+    rewrite PQ, Rabs_left by lra. field.
+Qed.
+(* its angle is in (-pi/2, pi/2] *)
+Lemma Csqrt_angle (z : C) : 0 < fst (Csqrt z) \/ (fst (Csqrt z) = 0 /\ 0 <= snd (Csqrt z)).
+Proof.
+  destruct (Cmod_parts z) as [[A B] E]. unfold Csqrt; cbn [fst snd]. set (r := Cmod z) in *.
+  destruct (Rle_lt_or_eq_dec (- r) (fst z) A) as [L|L]; [left; apply sqrt_lt_R0; lra|right].
+  assert (S : snd z = 0) by (rewrite <- L in E; nra).
+  split; [replace ((r + fst z) / 2) with 0 by lra; apply sqrt_0|].
+  destruct (Rle_dec 0 (snd z)) as [N|N]; [apply sqrt_pos|lra].
+Qed.
 
 (* e^{i t} *)
 Definition cis (t : R) : C := (cos t, sin t).

@@ -1,5 +1,5 @@
 (* Veerman, Stosic, Olvera: Lemma 1, and where the printed spectrum of M fails (f = 0).
-     veerman.lem1, veerman.specM (corrected, negation). *)
+     veerman.lem1, veerman.specM (corrected, negation), and the whole statements of veerman.specP2 and veerman.eigAK. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_chain veerman_stability.
@@ -105,4 +105,21 @@ Proof.
     intros x y k Hk E. unfold row1. now rewrite !E by lia.
   - apply eigenvalue_AK_iff. ring.
   - intros [_ H]. now apply H.
+Qed.
+
+(* veerman.specP2, whole *)
+Theorem spectrum_P2_whole N :
+  (forall lam, eigenvalue N (P2 N) lam <->
+     exists k, (1 <= k <= S N)%nat /\ lam = RtoC (1 - cos ((2 * INR k - 1) * PI / (2 * (INR N + 1))))) /\
+  (forall j k, (1 <= j <= S N)%nat -> (1 <= k <= S N)%nat -> j <> k -> 1 - cos (angle N j) <> 1 - cos (angle N k)) /\
+  (forall lam x y, eigenvector N (P2 N) lam x -> eigenvector N (P2 N) lam y ->
+     exists c, forall k, (1 <= k <= S N)%nat -> y k = (c * x k)%C).
+Proof. split; [exact (spectrum_P2 N)|exact (spectrum_P2_simple N)]. Qed.
+(* veerman.eigAK, whole *)
+Theorem eigenvalues_AK (f g : R) (lam : C) :
+  (forall nu, eigenvalue_AK f g lam nu <-> (nu * nu - lam * g * nu - lam * f = 0)%C) /\
+  (forall nu s, (s * s = (lam * g) * (lam * g) + 4 * lam * f)%C ->
+     (eigenvalue_AK f g lam nu <-> nu = (/ 2 * (lam * g + s))%C \/ nu = (/ 2 * (lam * g - s))%C)).
+Proof.
+  split; [intros nu; apply eigenvalue_AK_iff|]. intros nu s Hs. rewrite eigenvalue_AK_iff. now apply quadratic_formula.
 Qed.
