@@ -61,14 +61,14 @@ pub fn state_identity(
     run.identity(&OverStates { identity, constants: constants.len() }, &names, part)
 }
 
-/// The graphs on which identities are tested: two and three vertices; with `full`, one of each kind on four as well. Every
+/// The graphs on which identities are tested: a vertex, a pair, a path of three; with `full`, all on three and one of each kind on four. Every
 /// term of the identities belongs to a particle and at most two neighbours.
 pub fn identity_graphs(run: &Run) -> Vec<Graph> {
     let graphs = connected_graphs(false).into_iter();
     graphs
         .filter(|g| match g.order() {
             1 | 2 => true,
-            3 => *g == Graph::path(3) || g.edges().len() == 3,
+            3 => *g == Graph::path(3) || run.cases(0, 1) == 1,
             _ => run.cases(0, 1) == 1,
         })
         .collect()
