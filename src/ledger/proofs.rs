@@ -13,10 +13,11 @@ pub fn evidence(claim: &str, verdict: Verdict) -> Result<Vec<Evidence>, String> 
         if contradict(theorem.covers, verdict) {
             return Err(format!("the Coq theorem {} says otherwise than the check: {}", theorem.path(), theorem.part));
         }
+        let said = theorem.part.trim_end_matches('.');
         let part = match theorem.covers {
-            Covers::Claim | Covers::Part | Covers::Instance => theorem.part.clone(),
-            Covers::Corrected => format!("corrected: {}", theorem.part),
-            Covers::Negation => format!("negation: {}", theorem.part),
+            Covers::Claim | Covers::Part | Covers::Instance => said.to_string(),
+            Covers::Corrected => format!("corrected: {said}"),
+            Covers::Negation => format!("negation: {said}"),
         };
         let detail = format!("Coq theorem {}; axioms: {}", theorem.path(), theorem.axioms.words());
         let grade = if theorem.covers == Covers::Instance { Grade::Exact } else { Grade::Kernel };
