@@ -118,7 +118,7 @@ pub fn headings() -> Record<LimitVariant> {
     Record::new(
         "tanner1.propIV3a",
         "The proof rests on Vdot_t = -theta^T L_w theta, which is false (tanner1.eq9). With the law as printed a motion may even end: the front one of two agents on a line comes to rest, where it has no heading and the law no value, so that headings do not converge. \
-         Whether all motions without such a stop align is not decided here; the mechanical energy is no obstacle, since it can go into the common motion.",
+         With wrapped differences they need not align even without such a stop: three linked agents on an equilateral triangle of squared side 2 that turns at the rate omega² = 6 V'(2) = 3/2 have headings a third of a turn apart for ever, and their alignment forces cancel (by hand; not part of the check). With raw differences that is not decided here; the mechanical energy is no obstacle, since it can go into the common motion.",
         LimitVariant::Headings,
         examine,
     )

@@ -382,7 +382,7 @@ pub fn thm2_vel() -> Record<SwitchingVariant> {
     let printed = SwitchingVariant { connected: Connected::Always, conclusion: Conclusion::Agree };
     Record::new(
         "tanner2.thm2_vel",
-        "Read with the graph connected at all times. The printed proof needs regularity (Lemma 1, false) and uniqueness (false), but the statement holds for every Filippov solution: almost everywhere dQ/dt = -v^T (L_m kron I_2) v, where L_m has \
+        "Read with the graph connected at all times and with K of the whole vector field, as in Definition 4 (agent by agent, as (10b) is written, the two agents of a tied pair could weigh it differently; then momentum is not kept and velocities need not agree). The printed proof needs regularity (Lemma 1, false) and uniqueness (false), but the statement holds for every Filippov solution: almost everywhere dQ/dt = -v^T (L_m kron I_2) v, where L_m has \
          weights in [0, 1] on tied pairs and 1 on links, so dQ/dt <= -l |v - mean|² with l the least lambda_2 of connected graphs. Hence |v - mean|² is integrable; its rate is bounded since distances of linked agents stay away from 0; it tends to 0.",
         printed,
         examine_switching,

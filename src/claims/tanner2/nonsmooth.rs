@@ -500,7 +500,7 @@ pub(super) fn examine_hull(variant: &HullVariant, run: &mut Run) -> Result<Outco
 pub fn eq13() -> Record<HullVariant> {
     Record::new(
         "tanner2.eq13",
-        "Take (A.2) with the true gradient of Lemma 2 (not empty). The law and the gradient of Q switch together: the hull of the graphs that meet at the state acts on both, with weights m and z. \
+        "Take (A.2) with the true gradient of Lemma 2 (not empty) and K of the whole vector field (Definition 4), not agent by agent. The law and the gradient of Q switch together: the hull of the graphs that meet at the state acts on both, with weights m and z. \
          x lies in the intersection over z only if for each z some m gives it; a fixed point m = z (Kakutani) leaves x = -v^T (L_m kron I_2) v, a point of the hull. So q <= 0. Q is not regular, so \
          Theorem 4 does not give Q's monotony, but it holds: almost everywhere on |r_ij| = R the distance has derivative zero, and dQ/dt = -v^T (L_m kron I_2) v.",
         HullVariant::Subset,

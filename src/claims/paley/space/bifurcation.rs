@@ -104,7 +104,8 @@ impl Claim for CircularInZones {
     }
 
     fn derivation(&self) -> &str {
-        "Under (29) with the blind spot, N = 12: start in any state with the symmetry r_k = e^{2 pi i k/12} r, theta_k = 2 pi k/12 + theta. The law keeps the \
+        "Circular formation as in Theorem 2: c = c_0 1 with the centres (3), radius 1/|w0|. (In paley.releq the common rate takes the place of w0; in that wider sense some \
+         of the states below are circular formations, of another radius.) Under (29) with the blind spot, N = 12: start in any state with the symmetry r_k = e^{2 pi i k/12} r, theta_k = 2 pi k/12 + theta. The law keeps the \
          symmetry. Convergence to a circular formation of radius 1/|w0| would bring the centres to 0 and u_k near w0 + ((K_1 - K_0) tau^ori + K_0 \
          tau^att)/N at the splay phases; a particle does not see the one 30 degrees behind, so tau^att <= -1/2 and tau^ori <= 0: u_k <= w0 - K_0/(2N) for K_1 >= \
          K_0 whichever way the ties at the boundaries fall. But with c near 0 and 1 - u/w0 >= epsilon > 0, (d/dt) <c, e^{i theta}> = 1 - u/w0 + small: \
@@ -120,7 +121,7 @@ impl Claim for CircularInZones {
         Some(Repair {
             fault: Fault::False,
             statement: "Under (29) with w0 = K_0 = 0.1, K_1 = -K_0, N = 12 and the blind spot of 60 degrees, runs from random initial states converge \
-                        to a circular formation (not from every state, and not for K_1 >= K_0)."
+                        to a circular formation of radius 1/|w0| (not from every state, and not for K_1 >= K_0)."
                 .to_string(),
             variant: CircularVariant { every_state: false, spacing: 0.1, spread: 0.02 },
         })
@@ -138,7 +139,7 @@ impl Claim for CircularInZones {
 
     fn examine(&self, variant: &CircularVariant, run: &mut Run) -> Result<Outcome, CheckError> {
         if variant.every_state && [0, 1, 4].into_iter().all(splay_turns_slower) {
-            let what = "N = 12, r_k = e^{2 pi i k/12} r, theta_k = 2 pi k/12 + theta, K_1 >= K_0 (tested: K_0, 2 K_0, 5 K_0): near the circular formation every u_k < w0";
+            let what = "N = 12, r_k = e^{2 pi i k/12} r, theta_k = 2 pi k/12 + theta, K_1 >= K_0 (tested: K_0, 2 K_0, 5 K_0): near the circular formation of radius 1/w0 every u_k < w0";
             return Ok(Outcome::fails(
                 what,
                 Evidence::new(Grade::Exact, "symmetric initial states", "exact sines, every way to decide the ties"),
@@ -180,7 +181,7 @@ impl Claim for FewerClusters {
 
     fn derivation(&self) -> &str {
         "Readings: particles \"in overlapping orientation zones\" are those of which one senses the other in its zone (zones of clusters a chord apart overlap as \
-         discs in Figure 8(b) too, so that cannot be meant); they end within 10 degrees of each other. K_1 = -0.1 and N = 12 are chosen here; runs with \
+         discs in Figure 8(b) too, so that cannot be meant); they end within 10 degrees of each other. K_1 = -0.1, N = 12 and random initial states are chosen here (from symmetric states particles can stay in each other's zones for ever, apart); runs with \
          the printed (29) and with the corrected one. Over the same random starts the number of clusters does not increase with the zone, from the smallest \
          zone to a single cluster in the largest (values: mean numbers, M = 12, 8, 2; with the printed law M = 12 and 8 hardly differ)."
     }
@@ -258,7 +259,7 @@ impl Claim for PatternsInZones {
     fn derivation(&self) -> &str {
         "Reading: for every K_1 > 0 (no size is given) the clusters suit the zone: for M = 12 and 8 their number is within 25% of M, at least 75% of the zone's \
          angle 2 pi/M apart on average, and the largest zone has at most four. Under (29) as printed the orientation term has the gain K_1 - K_0: at K_1 = K_0 the law does not contain the orientation \
-         zone at all, so one and the same run results for all M (two or three clusters), and below it aligns. With K_0 on the attraction network (paley.eq29) the runs show what the text describes: \
+         zone at all, so one and the same run results for all M (two or three clusters), and below it aligns. (The text grants that clusters are \"not necessarily M in number\"; but nothing can suit the size of a zone that the law does not contain.) With K_0 on the attraction network (paley.eq29) the runs show what the text describes: \
          about 12, about 8 and two to three clusters, nearly evenly spaced."
     }
 
