@@ -463,7 +463,8 @@ impl Claim for LargerGain {
          theta_k = 2 pi m k/N the Hessian of W_1 is (1/N) cos(2 pi m/N) L: for m = 5 negative definite up to rotation. W_1 is an isolated strict maximum \
          there, so by V = K_0 S - K_1 w0^-2 W_1 the formation is exponentially stable for every K_1 > 0: no gain turns Figure 3(c) into the \
          (2,N)-pattern (m = 6), which is stable for every K_1 > 0 as well. Which of the two is reached depends on the \
-         initial state at every gain (shares: paley.fig3)."
+         initial state at every gain (shares: paley.fig3). Reading: the gain is raised on the formation of Figure 3(c). Started anew from one initial state, a larger gain can \
+         end in the other pattern."
     }
 
     fn printed(&self) -> GainVariant {
