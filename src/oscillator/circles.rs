@@ -6,7 +6,7 @@ use super::moments::{kind, quarter_turn};
 use super::network::Interaction;
 use super::state::State;
 use super::steering::{laplacian_control, sine_of_difference};
-use crate::arithmetic::{ArithmeticError, Complex, Field};
+use crate::arithmetic::{ArithmeticError, Complex, Dual, Field, Ring};
 
 /// Natural frequency and gains of the circular controls.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +17,18 @@ pub struct CircularGains<T> {
     pub spacing: T,
     /// `K_1` of the orientation control.
     pub orientation: T,
+}
+
+impl<T: Ring> CircularGains<T> {
+    /// The same gains for a state with derivatives, which they do not take part in.
+    pub fn constant(&self) -> CircularGains<Dual<T>> {
+        let constant = |gain: &T| Dual::constant(gain.clone());
+        CircularGains {
+            omega: constant(&self.omega),
+            spacing: constant(&self.spacing),
+            orientation: constant(&self.orientation),
+        }
+    }
 }
 
 /// `c_k = r_k + i e^{i theta_k}/omega_0` (3), `N` of them.

@@ -1,8 +1,6 @@
 //! beyond.paley.circulant_spectrum, beyond.paley.cyclic_patterns: circular formations on circulant graphs.
 
-use crate::arithmetic::{
-    ArithmeticError, Complex, CosineField, Dual, Field, RealCyclotomic, Ring, Sign, Signed, rational,
-};
+use crate::arithmetic::{ArithmeticError, Complex, CosineField, Field, RealCyclotomic, Ring, Sign, Signed, rational};
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, Source};
 use crate::matrix::{Inertia, inertia};
 use crate::oscillator::{
@@ -51,14 +49,9 @@ impl Pattern<'_> {
         let gains = self.gains();
         let phasors: Vec<Number> = (0..self.order).map(|k| self.field.phasor((self.m * k) as i64)).collect();
         let network = Neighbours::circulant(self.order, self.offsets);
+        let constant = gains.constant();
         let rows = linearisation(&circular_formation(&gains.omega, &phasors)?, &gains.omega, |state| {
-            let dual = |x: &RealCyclotomic| Dual::constant(x.clone());
-            let gains = CircularGains {
-                omega: dual(&gains.omega),
-                spacing: dual(&gains.spacing),
-                orientation: dual(&gains.orientation),
-            };
-            circular_control(&gains, &network, &network, state)
+            circular_control(&constant, &network, &network, state)
         })?;
         points.iter().map(|s| determinant(shifted(&rows, s))).collect()
     }

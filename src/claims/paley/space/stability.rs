@@ -58,15 +58,8 @@ fn examine_synchrony(variant: &SynchronyVariant, run: &Run) -> Result<Outcome, C
             let network = Neighbours::of(graph);
             let phasors = vec![scattered_phasors(2)?[1].clone(); graph.order()];
             let state = circular_formation(&omega, &phasors)?;
-            let rows = linearisation(&state, &omega, |state| {
-                let dual = |x: &Rational| Dual::constant(x.clone());
-                let gains = CircularGains {
-                    omega: dual(&gains.omega),
-                    spacing: dual(&gains.spacing),
-                    orientation: dual(&gains.orientation),
-                };
-                circular_control(&gains, &network, &network, state)
-            })?;
+            let constant = gains.constant();
+            let rows = linearisation(&state, &omega, |state| circular_control(&constant, &network, &network, state))?;
             let found = stability(&rows, &omega, true)?;
             if !found.stable || found.zeros != 1 {
                 let how =
