@@ -184,6 +184,15 @@ pub fn stops() -> Record<StopVariant> {
         ],
         examine_stop,
     )
+    .repaired(
+        Fault::False,
+        "If V'(R) > 0 and no limit configuration has more than one pair at distance R, then from some time on no pair passes from one side of R to the other without \
+         staying at R in between.",
+        vec![
+            (Potential::inverse_square_spring(&one, &one), rational(4, 1)),
+            (Potential::inverse_square_log(&one), rational(4, 1)),
+        ],
+    )
     .control("slope zero at R² = 3", vec![(Potential::with_inflection(&rational(3, 1)), rational(3, 1))])
     .control("with another potential of positive slope", vec![
         (Potential::inverse_square_log(&one), rational(4, 1)),
