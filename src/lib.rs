@@ -1,6 +1,6 @@
 //! Exact, certified and simulated checks of what five papers claim about flocking, and the machinery behind them.
 //!
-//! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`spectrum`], [`simulate`], [`averaging`] (Chazelle),
+//! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`spectrum`], [`simulate`], [`validated`], [`averaging`] (Chazelle),
 //! [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`double_integrator`] (Tanner,
 //! Jadbabaie and Pappas), [`certificates`], [`kernel`] (the Coq development), [`ledger`],
 //! [`claims`], [`report`].
@@ -21,6 +21,7 @@ pub mod platoon;
 pub mod report;
 pub mod simulate;
 pub mod spectrum;
+pub mod validated;
 
 /// The example of the page on claims of one's own, compiled and run.
 #[cfg(doctest)]

@@ -6,6 +6,7 @@
 //! | `f64` | rounded to nearest, no bound |
 //! | [`Rational`] | exact |
 //! | [`Interval`] | encloses the exact value, outward rounded at a chosen precision |
+//! | [`FloatInterval`] | encloses the exact value, between floats, without allocation |
 //! | [`Ball<LIMBS>`] | encloses the exact value at a fixed absolute precision, without allocation |
 //! | [`RealCyclotomic`] | exact: cosines and sines of rational parts of a turn |
 //! | [`Complex<T>`] | a pair over any of these; over [`Rational`] the Gaussian rationals |
@@ -21,6 +22,7 @@ mod dyadic;
 mod elementary;
 mod fixed;
 mod float;
+mod float_interval;
 mod flow;
 pub mod identity;
 mod integer;
@@ -39,6 +41,7 @@ pub use complex::Complex;
 pub use degree::DegreeBound;
 pub use dual::Dual;
 pub use dyadic::Dyadic;
+pub use float_interval::FloatInterval;
 pub use flow::{along_flow, gradient};
 pub use interval::Interval;
 pub use number::{NumberError, decimal, decimals, parse_rational, significant_digits};

@@ -27,6 +27,11 @@ impl<T: Ring> Series<T> {
         series
     }
 
+    /// The series with these coefficients, lowest first, of which there is at least one: the order is their number.
+    pub fn from_coefficients(first: T, rest: impl IntoIterator<Item = T>) -> Self {
+        Series { coefficients: std::iter::once(first).chain(rest).collect() }
+    }
+
     /// The coefficients, lowest first.
     pub fn coefficients(&self) -> &[T] {
         &self.coefficients

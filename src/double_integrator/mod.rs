@@ -5,6 +5,7 @@
 //! pair: an identity of first derivatives that holds for the potentials `g_ij s`, with variables `g_ij`, holds for all
 //! differentiable potentials.
 
+mod enclosed;
 mod energy;
 mod heading;
 mod law;
@@ -14,6 +15,7 @@ mod saturated;
 mod simulate;
 mod state;
 
+pub use enclosed::{EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError};
 pub use energy::{agent_potential, kinetic_energy, potential_energy};
 pub use heading::{HeadingDifference, gyroscopic, heading, heading_rate};
 pub use law::{disagreements, linked_within, potential_gradients, tied, velocity_alignment};

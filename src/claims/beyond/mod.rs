@@ -1,5 +1,6 @@
 //! Results beyond the papers: corrected theorems and sharper statements, checked like any claim.
 
+mod certified_split;
 mod decay_rate;
 mod fewer_switches;
 mod next_order;
@@ -33,6 +34,7 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(tanner::two_agents()),
         Box::new(tanner::alternating_trees()),
         Box::new(tanner::endless_switching()),
+        Box::new(certified_split::certified_split()),
         Box::new(table1_reading::Table1Reading),
     ]
 }

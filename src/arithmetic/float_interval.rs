@@ -1,0 +1,191 @@
+//! Intervals of floats: two words on the stack, for long integrations with proved bounds; [`Interval`] is the general type.
+//!
+//! Every operation rounds to nearest and then steps to the next float outwards, which needs no rounding modes: the exact result
+//! lies within half a step of the rounded one.
+
+use super::operators::operators;
+use super::{ArithmeticError, Field, Interval, Rational, Ring, Sign, Signed};
+
+/// The numbers from `lo` to `hi`. A result that may not be finite becomes the whole line, and stays it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FloatInterval {
+    lo: f64,
+    hi: f64,
+}
+
+/// Bits asked of the enclosure of a rational that is not a float.
+const BITS: u32 = 80;
+
+impl FloatInterval {
+    /// All real numbers.
+    pub const LINE: Self = FloatInterval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+
+    /// One number; all of them where it is not finite.
+    pub fn point(x: f64) -> Self {
+        FloatInterval::between(x, x)
+    }
+
+    /// The numbers between two, in either order; all of them where one is not finite.
+    pub fn between(a: f64, b: f64) -> Self {
+        if a.is_finite() && b.is_finite() { FloatInterval { lo: a.min(b), hi: a.max(b) } } else { FloatInterval::LINE }
+    }
+
+    /// An enclosure of a rational.
+    pub fn from_rational(q: &Rational) -> Self {
+        let enclosure = Interval::from_rational(q, BITS);
+        let (lo, hi) = (enclosure.lo().to_f64(), enclosure.hi().to_f64());
+        // Floats that are themselves the ends of the enclosure need no step.
+        if lo == hi && super::Dyadic::from_f64(lo).is_some_and(|x| x.to_rational() == *q) {
+            FloatInterval::point(lo)
+        } else {
+            FloatInterval::outward(lo, hi)
+        }
+    }
+
+    /// The lower end.
+    pub fn lo(&self) -> f64 {
+        self.lo
+    }
+
+    /// The upper end.
+    pub fn hi(&self) -> f64 {
+        self.hi
+    }
+
+    /// A number in the interval: the midpoint, or zero for the whole line.
+    pub fn midpoint(&self) -> f64 {
+        if self.is_bounded() { self.lo.midpoint(self.hi).clamp(self.lo, self.hi) } else { 0.0 }
+    }
+
+    /// The width, rounded up.
+    pub fn width(&self) -> f64 {
+        if self.lo == self.hi { 0.0 } else { (self.hi - self.lo).next_up() }
+    }
+
+    /// The largest absolute value.
+    pub fn magnitude(&self) -> f64 {
+        self.hi.max(-self.lo)
+    }
+
+    /// Whether both ends are finite.
+    pub fn is_bounded(&self) -> bool {
+        self.lo.is_finite() && self.hi.is_finite()
+    }
+
+    /// Whether the number lies in the interval.
+    pub fn contains(&self, x: f64) -> bool {
+        self.lo <= x && x <= self.hi
+    }
+
+    /// Whether the other interval lies inside this one.
+    pub fn encloses(&self, other: &Self) -> bool {
+        self.lo <= other.lo && other.hi <= self.hi
+    }
+
+    /// The smallest interval that contains both.
+    pub fn hull(&self, other: &Self) -> Self {
+        FloatInterval { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
+    }
+
+    /// The numbers in both; `None` where there is none.
+    pub fn intersection(&self, other: &Self) -> Option<Self> {
+        let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
+        (lo <= hi).then_some(FloatInterval { lo, hi })
+    }
+
+    /// Ends rounded to nearest, moved outwards.
+    fn outward(lo: f64, hi: f64) -> Self {
+        let (lo, hi) = (lo.next_down(), hi.next_up());
+        // Also where an end is not a number.
+        if lo.is_finite() && hi.is_finite() { FloatInterval { lo, hi } } else { FloatInterval::LINE }
+    }
+
+    fn is_zero(&self) -> bool {
+        self.lo == 0.0 && self.hi == 0.0
+    }
+
+    fn plus(a: &Self, b: &Self) -> Self {
+        match (a.is_zero(), b.is_zero()) {
+            (true, _) => *b,
+            (_, true) => *a,
+            _ => FloatInterval::outward(a.lo + b.lo, a.hi + b.hi),
+        }
+    }
+
+    fn minus(a: &Self, b: &Self) -> Self {
+        FloatInterval::plus(a, &FloatInterval::negated(b))
+    }
+
+    fn negated(a: &Self) -> Self {
+        FloatInterval { lo: -a.hi, hi: -a.lo }
+    }
+
+    fn times(a: &Self, b: &Self) -> Self {
+        if a.is_zero() || b.is_zero() {
+            return FloatInterval { lo: 0.0, hi: 0.0 };
+        }
+        if !(a.is_bounded() && b.is_bounded()) {
+            return FloatInterval::LINE;
+        }
+        let products = [a.lo * b.lo, a.lo * b.hi, a.hi * b.lo, a.hi * b.hi];
+        let least = products.into_iter().fold(f64::INFINITY, f64::min);
+        FloatInterval::outward(least, products.into_iter().fold(f64::NEG_INFINITY, f64::max))
+    }
+}
+
+operators!([] FloatInterval, FloatInterval::plus, FloatInterval::minus, FloatInterval::times, FloatInterval::negated);
+
+impl Ring for FloatInterval {
+    fn integer(&self, n: i64) -> Self {
+        let value = n as f64;
+        if n.unsigned_abs() <= 1 << f64::MANTISSA_DIGITS {
+            FloatInterval::point(value)
+        } else {
+            FloatInterval::outward(value, value)
+        }
+    }
+
+    fn square(&self) -> Self {
+        if self.is_zero() || !self.is_bounded() {
+            return *self;
+        }
+        let (a, b) = (self.lo * self.lo, self.hi * self.hi);
+        let square = FloatInterval::outward(a.min(b), a.max(b));
+        FloatInterval { lo: if self.contains(0.0) { 0.0 } else { square.lo.max(0.0) }, hi: square.hi }
+    }
+}
+
+impl Field for FloatInterval {
+    fn rational(&self, q: &Rational) -> Self {
+        FloatInterval::from_rational(q)
+    }
+
+    fn recip(&self) -> Result<Self, ArithmeticError> {
+        if self.contains(0.0) {
+            return Err(ArithmeticError::DivisionByZero);
+        }
+        Ok(FloatInterval::outward(1.0 / self.hi, 1.0 / self.lo))
+    }
+
+    fn ratio(&self, p: i64, q: i64) -> Self {
+        let (value, exact) = (p as f64 / q as f64, 1u64 << f64::MANTISSA_DIGITS);
+        if p.unsigned_abs() > exact || q.unsigned_abs() > exact {
+            self.rational(&super::rational(p, q))
+        } else if q.unsigned_abs().is_power_of_two() {
+            FloatInterval::point(value)
+        } else {
+            FloatInterval::outward(value, value)
+        }
+    }
+}
+
+impl Signed for FloatInterval {
+    fn sign(&self) -> Option<Sign> {
+        match (self.lo > 0.0, self.hi < 0.0, self.is_zero()) {
+            (true, _, _) => Some(Sign::Positive),
+            (_, true, _) => Some(Sign::Negative),
+            (_, _, true) => Some(Sign::Zero),
+            _ => None,
+        }
+    }
+}

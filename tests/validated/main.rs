@@ -1,0 +1,4 @@
+//! Enclosures of solutions: against closed forms, floats, and free flight.
+
+mod flocks;
+mod flow;
