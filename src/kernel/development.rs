@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 51] = sources![
+const SOURCES: [(&str, &str); 55] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -21,8 +21,11 @@ const SOURCES: [(&str, &str); 51] = sources![
     "chazelle_network",
     "chazelle_limits",
     "chazelle_products",
+    "chazelle_recurrent",
+    "chazelle_agreement",
     "chazelle_spectral",
     "chazelle_stabilisers",
+    "chazelle_contraction",
     "chazelle_worked",
     "paley_model",
     "paley_phase",
@@ -52,6 +55,7 @@ const SOURCES: [(&str, &str); 51] = sources![
     "certificate_flocks",
     "certificate_limits",
     "certificate_inertia",
+    "certificate_index",
     "gen_inertia",
     "gen_limits",
     "gen_products",
