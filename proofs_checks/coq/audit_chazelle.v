@@ -5,7 +5,7 @@ From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
 From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network
   chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked
-  chazelle_recurrent chazelle_agreement chazelle_contraction.
+  chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count.
 
 Module NumbersAndBirds.
 Import Coq.QArith.QArith Coq.QArith.Qabs Coq.Reals.Reals Coquelicot.Coquelicot.
@@ -118,7 +118,7 @@ End NumbersAndBirds.
 Module Matrices.
 Import all_ssreflect all_algebra.
 Import chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_limits chazelle_spectral
-  chazelle_stabilisers chazelle_recurrent chazelle_agreement chazelle_contraction.
+  chazelle_stabilisers chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count.
 Import GRing.Theory Num.Theory Order.Theory.
 Local Open Scope ring_scope.
 
@@ -160,6 +160,19 @@ Check (erefl : complete R = forall a : nat -> R,
   (forall eps, 0 < eps -> exists T, forall t u, (T < t)%N -> (T < u)%N -> `|a t - a u| <= eps) ->
   exists l, forall eps, 0 < eps -> exists T, forall t, (T < t)%N -> `|a t - l| <= eps).
 End Windows.
+(* a flock on the line with hysteresis; the changes of its network *)
+Section Switches.
+Variables (R : realFieldType) (n : nat) (G : nat -> rel 'I_n).
+Check (fun (eps : R) x v c => erefl : line_flock eps x v G c =
+  [/\ forall i j, G 0%N i j = (i != j) && (`|x 0%N i 0 - x 0%N j 0| <= 1),
+      forall t i j, G t.+1 i j = (i != j) && ((`|x t.+1 i 0 - x t.+1 j 0| <= 1) ||
+        (G t i j && (`| `|x t.+1 i 0 - x t.+1 j 0| - `|x t i 0 - x t j 0| | < eps))),
+      forall t, model_D (G t) (c t),
+      forall t, x t.+1 = x t + v t.+1 &
+      forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t]).
+Check (fun u => erefl : changes G u = [exists i, exists j, G u i j != G u.-1 i j]).
+Check (fun c t s => erefl : chazelle_stabilisers.N c t s = count c (iota s.+1 (t - s))).
+End Switches.
 Section Limits.
 Variables (R : realFieldType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R).
 Check (fun t => erefl : Gamma_t G c t = \sum_(s < t) mpow (transition G c) s - rank1 c *+ t).
@@ -510,6 +523,20 @@ Check (@chazelle_products.lemma_2_3 :
 Check (@chazelle_ergodicity.lemma_2_4 :
   forall (R : rcfType) (m n p : nat) (A : 'M_(m, n)) (B : 'M_(n, p)),
   stochastic A -> stochastic B -> tau2 (A *m B) <= tau1 A * tau2 B).
+(* chazelle.lem3.1.count (negation) *)
+Check (@chazelle_count.count_fails :
+  forall (R : realFieldType) (eps : R),
+  0 < eps <= 1 ->
+  exists (x v : nat -> 'cV[R]_3) (G : nat -> rel 'I_3) (c : nat -> 'I_3 -> R) (b : 'I_3) (T : nat -> nat)
+    (V : nat -> {set 'I_3}),
+  let P t := transition (G t) (c t) in
+  [/\ line_flock eps x v G c,
+      [/\ T 0%N = 0%N, V 0%N = [set: 'I_3], (forall k, (T k < T k.+1)%N),
+        (forall k i, (i \in V k.+1) = (i \in V k) && (block P (V k) (T k).+1 (T k.+1 - T k) i b != 0)) &
+        forall k t i, (T k.+1 <= t)%N -> i \in V k -> block P (V k) (T k).+1 (t - T k) i b != 0 -> i \in V k.+1],
+      (forall t i j, (T 1%N + 1 < t)%N -> i \in V 1%N -> j \in V 1%N -> G t i j -> G t.+1 i j) &
+      exists t, (chazelle_stabilisers.N (changes G) (T 1%N) 1 + 'C(#|V 1%N|, 2) <
+                 chazelle_stabilisers.N (changes G) t 1)%N]).
 (* chazelle.lem3.2 (claim) *)
 Check (@chazelle_network.lemma_3_2 :
   forall (R : realFieldType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R),

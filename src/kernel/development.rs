@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 55] = sources![
+const SOURCES: [(&str, &str); 56] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -26,6 +26,7 @@ const SOURCES: [(&str, &str); 55] = sources![
     "chazelle_spectral",
     "chazelle_stabilisers",
     "chazelle_contraction",
+    "chazelle_count",
     "chazelle_worked",
     "paley_model",
     "paley_phase",
