@@ -5,7 +5,7 @@ From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
 From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network
   chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked
-  chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count.
+  chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits.
 
 Module NumbersAndBirds.
 Import Coq.QArith.QArith Coq.QArith.Qabs Coq.Reals.Reals Coquelicot.Coquelicot.
@@ -118,7 +118,7 @@ End NumbersAndBirds.
 Module Matrices.
 Import all_ssreflect all_algebra.
 Import chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_limits chazelle_spectral
-  chazelle_stabilisers chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count.
+  chazelle_stabilisers chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits.
 Import GRing.Theory Num.Theory Order.Theory.
 Local Open Scope ring_scope.
 
@@ -183,6 +183,13 @@ Check (fun (A : nat -> 'M[R]_m.+1) B => erefl : converges A B =
   forall eps : R, 0 < eps -> exists T, forall t, (T <= t)%N -> forall i j, `|A t i j - B i j| < eps).
 Check bordered_unit.
 End Limits.
+Section Lengths.
+Variables (R : realFieldType) (n d : nat).
+Check (fun a (c : 'I_n -> R) => erefl : short_weights a c = exists p q : 'I_n -> nat,
+  forall i, [/\ c i = (p i)%:R / (q i)%:R, (0 < q i)%N & (q i <= n ^ a)%N]).
+Check (fun b (y : 'M[R]_(n, d)) => erefl : short_input b y = exists (z : 'I_n -> 'I_d -> int) (q : 'I_n -> 'I_d -> nat),
+  forall i k, [/\ y i k = (z i k)%:~R / (q i k)%:R, (0 < q i k)%N, (q i k <= n ^ b)%N & (`|z i k| <= n ^ b)%N]).
+End Lengths.
 Section Euclid.
 Variables (R : rcfType) (p : nat).
 Check (fun x : 'rV[R]_p => erefl : norm2 x = Num.sqrt (\sum_k x 0 k ^+ 2)).
@@ -570,6 +577,21 @@ Check (@chazelle_limits.lemma_3_4 :
   (forall t : nat, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
   converges (fun t : nat => relative c (x t)) ((1%:M - rank1 c) *m x 0%N + Gamma G c *m v 1%N) /\
   (forall t : nat, pirow c *m x t.+1 - pirow c *m x t = pirow c *m v 1%N)).
+(* chazelle.lem3.5 (claim) *)
+Check (@chazelle_bits.lemma_3_5 :
+  forall (R : realFieldType) (m a b d : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) (x v : 'M_(m.+1, d)),
+  network G ->
+  model_D G c ->
+  (forall i j, connect G i j) ->
+  (forall i, 0 < c i) ->
+  short_weights a c ->
+  let n := m.+1 in
+  (exists E, [/\ (0 < E)%N, (E <= n ^ ((2 * a + 1) * n + 1))%N &
+    forall i j, exists z : int, Gamma G c i j = z%:~R / E%:R /\ (`|z| <= E * n ^ (a.+1 * n + a + 1))%N]) /\
+  (short_input b x -> short_input b v ->
+   exists E, [/\ (0 < E)%N, (E <= n ^ ((2 * a + 1) * n + 1 + 2 * b * n * d))%N &
+    forall i k, exists z : int, ((1%:M - rank1 c) *m x + Gamma G c *m v) i k = z%:~R / E%:R /\
+      (`|z| <= E * n ^ (a.+1 * n + a + b + 3))%N])).
 (* chazelle.modelD.stoch (claim) *)
 Check (@chazelle_model.model_D_stochastic :
   forall (R : realFieldType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R),

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 56] = sources![
+const SOURCES: [(&str, &str); 57] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -21,6 +21,7 @@ const SOURCES: [(&str, &str); 56] = sources![
     "chazelle_network",
     "chazelle_limits",
     "chazelle_products",
+    "chazelle_bits",
     "chazelle_recurrent",
     "chazelle_agreement",
     "chazelle_spectral",
