@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 57] = sources![
+const SOURCES: [(&str, &str); 58] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -42,6 +42,7 @@ const SOURCES: [(&str, &str); 57] = sources![
     "tanner_flock",
     "tanner1_heading",
     "tanner1_examples",
+    "tanner1_motion",
     "tanner_nonsmooth",
     "tanner2_examples",
     "tanner2_facts",
