@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 58] = sources![
+const SOURCES: [(&str, &str); 59] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -36,6 +36,7 @@ const SOURCES: [(&str, &str); 58] = sources![
     "paley_fourier",
     "paley_particles",
     "paley_patterns",
+    "paley_composite",
     "paley_fish",
     "paley_stability",
     "tanner_energy",
