@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 59] = sources![
+const SOURCES: [(&str, &str); 60] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -46,6 +46,7 @@ const SOURCES: [(&str, &str); 59] = sources![
     "tanner1_motion",
     "tanner_nonsmooth",
     "tanner2_examples",
+    "tanner2_path",
     "tanner2_facts",
     "tanner_graph",
     "veerman_complex",
