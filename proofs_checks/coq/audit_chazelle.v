@@ -5,7 +5,7 @@ From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
 From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network
   chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked
-  chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits.
+  chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals.
 
 Module NumbersAndBirds.
 Import Coq.QArith.QArith Coq.QArith.Qabs Coq.Reals.Reals Coquelicot.Coquelicot.
@@ -456,6 +456,34 @@ Check (@chazelle_recurrent.tau1_repeatedly :
   (forall t i j, P t i j != 0 -> gamma <= P t i j) ->
   (forall s, rooted (window P s B)) ->
   forall s t, tau1 (span P s t) <= (1 - gamma ^+ (n.-1 * B)) ^+ (t %/ (n.-1 * B))).
+(* rational numbers as real ones *)
+Check (fun x : rat => erefl : chazelle_reals.value x = Rdefinitions.Rdiv
+  (Rdefinitions.IZR (mathcomp.zify.ssrZ.Z_of_int (numq x))) (Rdefinitions.IZR (mathcomp.zify.ssrZ.Z_of_int (denq x)))).
+(* chazelle.fiedler.rate (part) *)
+Check (@chazelle_reals.recurrent_real_limit :
+  forall (n d : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> rat) (v : nat -> 'M[rat]_(n, d)) (alpha : rat),
+  (0 < n)%N ->
+  (forall t, network (G t)) ->
+  (forall t, model_D (G t) (c t)) ->
+  0 < alpha ->
+  (forall t i j, transition (G t) (c t) i j != 0 -> alpha <= transition (G t) (c t) i j) ->
+  (forall s, exists k, forall i j, connect (union G s k) i j) ->
+  (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
+  exists y : 'I_d -> Rdefinitions.R, forall i l, Rseries.Un_cv (fun t => chazelle_reals.value (v t i l)) (y l)).
+(* chazelle.fiedler.rate (part) *)
+Check (@chazelle_reals.repeatedly_real_limit :
+  forall (n d : nat) (P : nat -> 'M[rat]_n) (v : nat -> 'M[rat]_(n, d)) (gamma : rat) (B : nat),
+  (forall t, stochastic (P t)) ->
+  (forall t i, 0 < P t i i) ->
+  0 < gamma ->
+  (forall t i j, P t i j != 0 -> gamma <= P t i j) ->
+  (forall s, rooted (window P s B)) ->
+  (forall t, (0 < t)%N -> v t.+1 = P t *m v t) ->
+  exists y : 'I_d -> Rdefinitions.R,
+    (forall i l, Rseries.Un_cv (fun t => chazelle_reals.value (v t i l)) (y l)) /\
+    (forall k t i l, (k < t)%N ->
+     Rdefinitions.Rle (Rbasic_fun.Rabs (Rdefinitions.Rminus (chazelle_reals.value (v t i l)) (y l)))
+       (chazelle_reals.value ((1 - gamma ^+ (n.-1 * B)) ^+ (k %/ (n.-1 * B)) * extent v l)))).
 (* chazelle.foot.mono (claim) *)
 Check (@chazelle_model.footprints :
   forall R : realFieldType,

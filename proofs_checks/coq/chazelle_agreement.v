@@ -164,9 +164,9 @@ move=> H; have [s Hs] : exists s : seq R, forall i : 'I_m, Q i (nth 0 s i).
 by exists (\row_i nth 0 s i) => i; rewrite mxE; exact: Hs.
 Qed.
 
-(* if all birds at all late times are close in every coordinate, they have one common limit; at a rate r k
-   that bounds all differences after time k the distance to the limit is at most r k too *)
-Theorem common_limit (r : nat -> 'I_d -> R) : complete R -> (0 < n)%N ->
+(* if all birds at all late times are close in every coordinate, they have one common limit; a number x
+   that bounds all differences after time k bounds the distances to the limit too *)
+Theorem common_limit : complete R -> (0 < n)%N ->
   (forall eps, 0 < eps -> exists T, forall t u i j l, (T < t)%N -> (T < u)%N -> `|v t i l - v u j l| <= eps) ->
   exists y : 'rV[R]_d, converges (fun t => v t.+1) (\matrix_(i, l) y 0 l) /\
     forall k l x, (forall t u i j, (k < t)%N -> (k < u)%N -> `|v t i l - v u j l| <= x) ->
@@ -226,8 +226,44 @@ by rewrite ltr_paddl ?ltr01.
 Qed.
 End Limit.
 
-(* every window of B times is rooted: all velocities converge to one common limit, within
-   (1 - gamma^((n-1)B))^floor(k/((n-1)B)) times the largest initial difference, in every coordinate, after time k *)
+(* every window of B times is rooted: after time k all coordinates of all birds are within
+   (1 - gamma^((n-1)B))^floor(k/((n-1)B)) times the largest initial difference, which tends to 0 *)
+Theorem repeatedly_cauchy (R : archiFieldType) n d (P : nat -> 'M[R]_n) (v : nat -> 'M[R]_(n, d)) gamma B :
+  (forall t, stochastic (P t)) -> (forall t i, 0 < P t i i) -> 0 < gamma ->
+  (forall t i j, P t i j != 0 -> gamma <= P t i j) ->
+  (forall s, rooted (window P s B)) -> (forall t, (0 < t)%N -> v t.+1 = P t *m v t) ->
+  (forall k t u i j l, (k < t)%N -> (k < u)%N ->
+     `|v t i l - v u j l| <= (1 - gamma ^+ (n.-1 * B)) ^+ (k %/ (n.-1 * B)) * extent v l) /\
+  (forall eps, 0 < eps -> exists T, forall t u i j l, (T < t)%N -> (T < u)%N -> `|v t i l - v u j l| <= eps).
+Proof.
+move=> SP diag g0 gle W Hv.
+have close k t u i j l : (k < t)%N -> (k < u)%N ->
+    `|v t i l - v u j l| <= (1 - gamma ^+ (n.-1 * B)) ^+ (k %/ (n.-1 * B)) * extent v l.
+  move=> kt ku; rewrite -coordinate_rows.
+  apply: (velocities_repeatedly (N := coordinate l) i j _ _ _ SP diag g0 gle W Hv kt ku).
+  - exact: coordinate0.
+  - exact: coordinateZ.
+  exact: coordinateD.
+split=> // eps e0; have g1 := gamma_le1 SP diag gle W.
+pose m := (n.-1 * B)%N; pose x := 1 - gamma ^+ m; pose b := \sum_l extent v l.
+have b0 : 0 <= b by apply: sumr_ge0 => l _; exact: extent_ge0.
+have le_b l : extent v l <= b by rewrite /b (bigD1 l) //= ler_addl; apply: sumr_ge0 => l' _; exact: extent_ge0.
+have [m0|mn] := posnP m.
+  have one : forall i j : 'I_n, i = j.
+    move: m0 => /eqP; rewrite /m muln_eq0 => /orP[/eqP n1 i j|/eqP B0 i j].
+      have {}n1 : (n <= 1)%N by move: n1; case: (n) => [|[]].
+      by apply/ord_inj; move: (leq_trans (ltn_ord i) n1) (leq_trans (ltn_ord j) n1); rewrite !ltnS !leqn0 => /eqP-> /eqP->.
+    have [q Wq] := W 0%N; suff all k : k = q by rewrite (all i) (all j).
+    have /connectP[[|k' p] /=] := Wq k; first by move=> _ ->.
+    by case/andP=> /existsP[[u]]; rewrite B0.
+  exists 0%N => t u i j l t0 u0; apply: le_trans (close _ _ _ _ _ _ t0 u0) _.
+  by rewrite (extent_one v l one) mulr0 ltW.
+have x01 : 0 <= x < 1 by rewrite /x subr_ge0 exprn_ile1 ?(ltW g0) //= ltr_subl_addr ltr_addl exprn_gt0.
+have [q Hq] := shrinking x01 b0 e0.
+exists (q * m)%N => t u i j l tq uq; apply: le_trans (close _ _ _ _ _ _ tq uq) _; rewrite -/m mulnK // -/x.
+apply: le_trans Hq; apply: ler_wpmul2l => //; by rewrite exprn_ge0 //; case/andP: x01.
+Qed.
+(* ... so all velocities converge to one common limit, at this rate *)
 Theorem velocities_repeatedly_limit (R : archiFieldType) n d (P : nat -> 'M[R]_n) (v : nat -> 'M[R]_(n, d)) gamma B :
   complete R -> (forall t, stochastic (P t)) -> (forall t i, 0 < P t i i) -> 0 < gamma ->
   (forall t i j, P t i j != 0 -> gamma <= P t i j) ->
@@ -238,51 +274,22 @@ Theorem velocities_repeatedly_limit (R : archiFieldType) n d (P : nat -> 'M[R]_n
 Proof.
 move=> cR SP diag g0 gle W Hv; have [r _] := W 0%N.
 have n0 : (0 < n)%N by exact: leq_ltn_trans (leq0n _) (ltn_ord r).
-have close k t u i j l : (k < t)%N -> (k < u)%N ->
-    `|v t i l - v u j l| <= (1 - gamma ^+ (n.-1 * B)) ^+ (k %/ (n.-1 * B)) * extent v l.
-  move=> kt ku; rewrite -coordinate_rows.
-  apply: (velocities_repeatedly (N := coordinate l) i j _ _ _ SP diag g0 gle W Hv kt ku).
-  - exact: coordinate0.
-  - exact: coordinateZ.
-  exact: coordinateD.
-have g1 := gamma_le1 SP diag gle W.
-have [y [Cy Ny]] : exists y : 'rV[R]_d, converges (fun t => v t.+1) (\matrix_(i, l) y 0 l) /\
-    forall k l x, (forall t u i j, (k < t)%N -> (k < u)%N -> `|v t i l - v u j l| <= x) ->
-      forall t i, (k < t)%N -> `|v t i l - y 0 l| <= x.
-  apply: common_limit => // eps e0; pose m := (n.-1 * B)%N; pose x := 1 - gamma ^+ m; pose b := \sum_l extent v l.
-  have b0 : 0 <= b by apply: sumr_ge0 => l _; exact: extent_ge0.
-  have le_b l : extent v l <= b by rewrite /b (bigD1 l) //= ler_addl; apply: sumr_ge0 => l' _; exact: extent_ge0.
-  have [m0|mn] := posnP m.
-    have one : forall i j : 'I_n, i = j.
-      move: m0 => /eqP; rewrite /m muln_eq0 => /orP[/eqP n1 i j|/eqP B0 i j].
-        have {}n1 : (n <= 1)%N by move: n1; case: (n) => [|[]].
-        by apply/ord_inj; move: (leq_trans (ltn_ord i) n1) (leq_trans (ltn_ord j) n1); rewrite !ltnS !leqn0 => /eqP-> /eqP->.
-      have [q Wq] := W 0%N; suff all k : k = q by rewrite (all i) (all j).
-      have /connectP[[|k' p] /=] := Wq k; first by move=> _ ->.
-      by case/andP=> /existsP[[u]]; rewrite B0.
-    exists 0%N => t u i j l t0 u0; apply: le_trans (close _ _ _ _ _ _ t0 u0) _.
-    by rewrite (extent_one v l one) mulr0 ltW.
-  have x01 : 0 <= x < 1 by rewrite /x subr_ge0 exprn_ile1 ?(ltW g0) //= ltr_subl_addr ltr_addl exprn_gt0.
-  have [q Hq] := shrinking x01 b0 e0.
-  exists (q * m)%N => t u i j l tq uq; apply: le_trans (close _ _ _ _ _ _ tq uq) _; rewrite -/m mulnK // -/x.
-  apply: le_trans Hq; apply: ler_wpmul2l => //; by rewrite exprn_ge0 //; case/andP: x01.
+have [close cau] := repeatedly_cauchy SP diag g0 gle W Hv.
+have [y [Cy Ny]] := common_limit cR n0 cau.
 exists y; split=> // k t i l kt; apply: Ny kt => t' u i' j; exact: close.
 Qed.
 
-(* the flock of model D, connected again and again: all velocities converge to one common limit *)
-Theorem recurrent_limit (R : archiFieldType) n d (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R)
+(* the flock of model D, connected again and again: all late velocities are close *)
+Theorem recurrent_cauchy (R : archiFieldType) n d (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R)
   (v : nat -> 'M[R]_(n, d)) alpha :
-  complete R -> (0 < n)%N -> (forall t, network (G t)) -> (forall t, model_D (G t) (c t)) -> 0 < alpha ->
+  (forall t, network (G t)) -> (forall t, model_D (G t) (c t)) -> 0 < alpha ->
   (forall t i j, transition (G t) (c t) i j != 0 -> alpha <= transition (G t) (c t) i j) ->
   (forall s, exists k, forall i j, connect (union G s k) i j) ->
   (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
-  exists y : 'rV[R]_d, converges (fun t => v t.+1) (\matrix_(i, l) y 0 l).
+  forall eps, 0 < eps -> exists T, forall t u i j l, (T < t)%N -> (T < u)%N -> `|v t i l - v u j l| <= eps.
 Proof.
-move=> cR n0 net MD a0 ale rec Hv; pose i0 := Ordinal n0; pose x := 1 - alpha ^+ n.-1.
-suff [y [Cy _]] : exists y : 'rV[R]_d, converges (fun t => v t.+1) (\matrix_(i, l) y 0 l) /\
-    forall k l x, (forall t u i j, (k < t)%N -> (k < u)%N -> `|v t i l - v u j l| <= x) ->
-      forall t i, (k < t)%N -> `|v t i l - y 0 l| <= x by exists y.
-apply: common_limit => // eps e0; pose b := \sum_l extent v l.
+move=> net MD a0 ale rec Hv eps e0; pose x := 1 - alpha ^+ n.-1; pose b := \sum_l extent v l.
+case: (pickP 'I_n) => [i0 _|none]; last by exists 0%N => t u i; have := none i.
 have b0 : 0 <= b by apply: sumr_ge0 => l _; exact: extent_ge0.
 have le_b l : extent v l <= b by rewrite /b (bigD1 l) //= ler_addl; apply: sumr_ge0 => l' _; exact: extent_ge0.
 have SP t := proj1 (model_D_stochastic (net t) (@MD t)).
@@ -298,4 +305,16 @@ have [T HT] := tau1_recurrent SP diag sym a0 ale rec' 1 q.
 exists T => t u i j l Tt Tu; rewrite -coordinate_rows.
 have := after_close SP Hv (coordinate0 R l) (coordinateZ l) (coordinateD l) i j Tt Tu => /le_trans; apply.
 apply: le_trans Hq; apply: ler_pmul; [exact: tau1_ge0 | exact: extent_ge0 | exact: HT | exact: le_b].
+Qed.
+(* ... so all velocities converge to one common limit *)
+Theorem recurrent_limit (R : archiFieldType) n d (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R)
+  (v : nat -> 'M[R]_(n, d)) alpha :
+  complete R -> (0 < n)%N -> (forall t, network (G t)) -> (forall t, model_D (G t) (c t)) -> 0 < alpha ->
+  (forall t i j, transition (G t) (c t) i j != 0 -> alpha <= transition (G t) (c t) i j) ->
+  (forall s, exists k, forall i j, connect (union G s k) i j) ->
+  (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
+  exists y : 'rV[R]_d, converges (fun t => v t.+1) (\matrix_(i, l) y 0 l).
+Proof.
+move=> cR n0 net MD a0 ale rec Hv.
+by have [y [Cy _]] := common_limit cR n0 (recurrent_cauchy net MD a0 ale rec Hv); exists y.
 Qed.

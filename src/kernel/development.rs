@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 61] = sources![
+const SOURCES: [(&str, &str); 62] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -24,6 +24,7 @@ const SOURCES: [(&str, &str); 61] = sources![
     "chazelle_bits",
     "chazelle_recurrent",
     "chazelle_agreement",
+    "chazelle_reals",
     "chazelle_spectral",
     "chazelle_stabilisers",
     "chazelle_contraction",
