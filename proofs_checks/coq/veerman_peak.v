@@ -27,7 +27,7 @@ Proof.
     pose proof (Cpw_neq0 mu n NZ). field. split; assumption.
 Qed.
 
-(* mu = rho (cos phi, sin phi) with M phi = pi/2 *)
+(* mu = rho (cos phi, sin phi) *)
 Lemma Cpw_polar rho phi n : Cpw (rho * cos phi, rho * sin phi) n = (rho ^ n * cos (INR n * phi), rho ^ n * sin (INR n * phi)).
 Proof.
   induction n as [|n IH].
@@ -35,12 +35,13 @@ Proof.
   - cbn [Cpw]. rewrite IH, S_INR. replace ((INR n + 1) * phi) with (phi + INR n * phi) by ring. rewrite cos_plus, sin_plus.
     apply injective_projections; cbn; ring.
 Qed.
-Lemma polar_response f g N w rho phi : 1 < rho -> INR (S N) * phi = PI / 2 ->
+Lemma polar_trace f g w n rho phi : 1 < rho ->
   fst (gamma f g w) = (rho + / rho) / 2 * cos phi -> snd (gamma f g w) = (rho - / rho) / 2 * sin phi ->
-  response f g N w = 2 / (rho ^ S N - / rho ^ S N).
+  trace2 (mat2_pow (Cmat (gamma f g w)) n) =
+    ((rho ^ n + / rho ^ n) * cos (INR n * phi), (rho ^ n - / rho ^ n) * sin (INR n * phi)).
 Proof.
-  intros Hr Hp G1 G2. set (mu := (rho * cos phi, rho * sin phi) : C).
-  assert (T : cos phi ^ 2 + sin phi ^ 2 = 1) by (pose proof (sin2_cos2 phi) as T; unfold Rsqr in T; lra).
+  intros Hr G1 G2. set (mu := (rho * cos phi, rho * sin phi) : C).
+  assert (T : forall x, cos x ^ 2 + sin x ^ 2 = 1) by (intros x; pose proof (sin2_cos2 x) as T; unfold Rsqr in T; lra).
   assert (I : (/ mu)%C = (/ rho * cos phi, - (/ rho * sin phi))).
   { unfold mu, Cinv. cbn [fst snd]. replace ((rho * cos phi) ^ 2 + (rho * sin phi) ^ 2) with (rho ^ 2) by (transitivity (rho ^ 2 * (cos phi ^ 2 + sin phi ^ 2)); [rewrite T|]; ring).
     apply injective_projections; cbn; field; lra. }
@@ -49,13 +50,47 @@ Proof.
     assert (rho ^ 2 = 0) by (rewrite <- Z; transitivity (rho ^ 2 * (cos phi ^ 2 + sin phi ^ 2)); [rewrite T|]; ring). nra. }
   assert (H : (mu + / mu = 2 * gamma f g w)%C).
   { rewrite I. rewrite (surjective_pairing (gamma f g w)), G1, G2. unfold mu. apply injective_projections; cbn; field; lra. }
-  unfold response. rewrite (trace_mu _ mu (S N) NZ H). unfold mu at 1 2. rewrite (Cpw_polar rho phi (S N)), Hp, cos_PI2, sin_PI2, Rmult_0_r, Rmult_1_r.
+  rewrite (trace_mu _ mu n NZ H). unfold mu at 1 2. rewrite (Cpw_polar rho phi n).
+  set (p := rho ^ n). assert (P : 0 < p) by (apply pow_lt; lra). specialize (T (INR n * phi)).
+  set (c := cos (INR n * phi)) in *. set (d := sin (INR n * phi)) in *.
+  assert (Q : (p * c) ^ 2 + (p * d) ^ 2 = p ^ 2) by (transitivity (p ^ 2 * (c ^ 2 + d ^ 2)); [|rewrite T]; ring).
+  apply injective_projections; cbn [Cplus Cinv fst snd]; rewrite Q; field; lra.
+Qed.
+Lemma response_modulus f g N w : trace2 (mat2_pow (Cmat (gamma f g w)) (S N)) <> 0%C ->
+  response f g N w = 2 / Cmod (trace2 (mat2_pow (Cmat (gamma f g w)) (S N))).
+Proof. intros NZ. unfold response. rewrite Cmod_div, Cmod_R, Rabs_pos_eq by (exact NZ || lra). reflexivity. Qed.
+Lemma trace_neq0 f g w n : f < 0 -> g < 0 -> trace2 (mat2_pow (Cmat (gamma f g w)) n) <> 0%C.
+Proof. intros Hf Hg. rewrite trace_power. now apply denominator_neq0. Qed.
+(* where the cosine vanishes, and elsewhere *)
+Lemma polar_response f g N w rho phi : f < 0 -> g < 0 -> 1 < rho -> cos (INR (S N) * phi) = 0 ->
+  fst (gamma f g w) = (rho + / rho) / 2 * cos phi -> snd (gamma f g w) = (rho - / rho) / 2 * sin phi ->
+  response f g N w = 2 / (rho ^ S N - / rho ^ S N).
+Proof.
+  intros Hf Hg Hr Hc G1 G2. rewrite response_modulus by now apply trace_neq0. rewrite (polar_trace f g w (S N) rho phi Hr G1 G2), Hc.
+  pose proof (sin2_cos2 (INR (S N) * phi)) as T. rewrite Hc in T. unfold Rsqr in T.
   set (p := rho ^ S N). assert (P : 1 < p) by (apply Rlt_pow_R1; [exact Hr|lia]).
-  assert (E : Cplus ((0, p) : C) (Cinv ((0, p) : C)) = ((0, p - / p) : C)).
-  { apply injective_projections; cbn [Cplus Cinv fst snd]; field; lra. }
-  rewrite E. assert (Q : / p < 1) by (rewrite <- Rinv_1; apply Rinv_lt_contravar; lra).
-  rewrite Cmod_div by (apply Cneq0_im; cbn [snd]; apply Rgt_not_eq; lra). rewrite Cmod_R, Rabs_pos_eq by lra. f_equal.
-  unfold Cmod; cbn [fst snd]. replace (0 ^ 2 + (p - / p) ^ 2) with ((p - / p) ^ 2) by ring. rewrite <- Rsqr_pow2, sqrt_Rsqr by lra. reflexivity.
+  assert (Q : / p < 1) by (rewrite <- Rinv_1; apply Rinv_lt_contravar; lra).
+  f_equal. unfold Cmod; cbn [fst snd]. set (d := sin (INR (S N) * phi)) in *.
+  replace (((p + / p) * 0) ^ 2 + ((p - / p) * d) ^ 2) with ((p - / p) ^ 2) by (transitivity ((p - / p) ^ 2 * (d * d + 0 * 0)); [rewrite T|]; ring).
+  rewrite <- Rsqr_pow2, sqrt_Rsqr by lra. reflexivity.
+Qed.
+Lemma polar_bounded f g N w rho phi : f < 0 -> g < 0 -> 1 < rho -> cos (INR (S N) * phi) <> 0 ->
+  fst (gamma f g w) = (rho + / rho) / 2 * cos phi -> snd (gamma f g w) = (rho - / rho) / 2 * sin phi ->
+  response f g N w <= / Rabs (cos (INR (S N) * phi)).
+Proof.
+  intros Hf Hg Hr Hc G1 G2. rewrite response_modulus by now apply trace_neq0. rewrite (polar_trace f g w (S N) rho phi Hr G1 G2).
+  set (p := rho ^ S N). assert (P : 1 < p) by (apply Rlt_pow_R1; [exact Hr|lia]). set (c := cos (INR (S N) * phi)) in *.
+  set (z := ((p + / p) * c, (p - / p) * sin (INR (S N) * phi)) : C).
+  assert (A : 0 < Rabs c) by now apply Rabs_pos_lt.
+  assert (B : 2 * Rabs c <= Cmod z).
+  { apply Rle_trans with (Rabs (fst z)).
+    - unfold z; cbn [fst]. rewrite Rabs_mult. apply Rmult_le_compat_r; [apply Rabs_pos|].
+      assert (E : p * / p = 1) by (apply Rinv_r; lra). assert (0 < / p) by (apply Rinv_0_lt_compat; lra).
+      rewrite Rabs_pos_eq by lra. pose proof (pow2_ge_0 (p - 1)). apply (Rmult_le_reg_r p); [lra|]. nra.
+    - apply Rle_trans with (2 := Rmax_Cmod z). apply Rmax_l. }
+  apply Rle_trans with (2 / (2 * Rabs c)).
+  - unfold Rdiv. apply Rmult_le_compat_l; [lra|]. apply Rinv_le_contravar; lra.
+  - right. field. lra.
 Qed.
 
 (* 2/(rho^M - rho^-M) is at least 1/(M S) - 1 *)
@@ -84,44 +119,36 @@ Proof.
   replace ((/ d - 1) * (d * (2 - d) / (1 - d))) with (2 - d) by (field; split; lra). lra.
 Qed.
 
-(* ---- the frequency ---- *)
-Section Peak.
-Variables (f g : R) (N : nat).
+(* ---- the frequency at which mu has the angle phi ---- *)
+Section Angle.
+Variables (f g phi : R).
 Hypotheses (Hf : f < 0) (Hg : g < 0).
 Notation F := (- f).
-Notation M := (INR (S N)).
-Definition peak_angle : R := PI / (2 * M).
-Notation phi := peak_angle.
 Notation h := (phi ^ 2).
 Definition stiffness_term : R := g ^ 2 / (2 * F).
 Notation k := stiffness_term.
+Hypothesis phi_pos : 0 < phi.
 Hypothesis small : (/ 2 + 2 * k) * h < 1.
 
-Lemma M_pos : 1 <= M.
-Proof. apply (le_INR 1). lia. Qed.
-Lemma phi_pos : 0 < phi.
-Proof. unfold peak_angle. pose proof M_pos. pose proof PI_RGT_0. apply Rdiv_lt_0_compat; lra. Qed.
-Lemma M_phi : M * phi = PI / 2.
-Proof. unfold peak_angle. pose proof M_pos. field. lra. Qed.
 Lemma k_pos : 0 < k.
 Proof. unfold stiffness_term. apply Rdiv_lt_0_compat; [apply pow2_gt_0; lra|lra]. Qed.
 Lemma h_small : 0 < h /\ h < 2 /\ k * h < / 2.
-Proof. pose proof phi_pos. pose proof k_pos. assert (0 < h) by (apply pow_lt; lra). split; [lra|]. split; nra. Qed.
+Proof. pose proof k_pos. assert (0 < h) by (apply pow_lt; lra). split; [lra|]. split; nra. Qed.
+Lemma phi_lt : phi < PI / 2.
+Proof. destruct h_small as (_ & h2 & _). pose proof PI2_3_2. nra. Qed.
 Lemma cos_lower : 1 - h / 2 <= cos phi.
 Proof.
-  pose proof phi_pos. assert (E : cos phi = 1 - 2 * sin (phi / 2) * sin (phi / 2)).
+  assert (E : cos phi = 1 - 2 * sin (phi / 2) * sin (phi / 2)).
   { replace phi with (2 * (phi / 2)) at 1 by field. apply cos_2a_sin. }
-  rewrite E. assert (0 < phi / 2) by lra. pose proof (sin_lt_x (phi / 2) H0). destruct h_small as (_ & h2 & _).
-  assert (phi <= PI). { unfold peak_angle. pose proof M_pos. pose proof PI_RGT_0. apply (Rmult_le_reg_r (2 * M)); [lra|].
-    replace (PI / (2 * M) * (2 * M)) with PI by (field; lra). nra. }
+  rewrite E. assert (0 < phi / 2) by lra. pose proof (sin_lt_x (phi / 2) H). destruct h_small as (_ & h2 & _).
+  pose proof phi_lt.
   assert (0 <= sin (phi / 2)) by (apply sin_ge_0; lra). nra.
 Qed.
 Lemma phi_range : 0 < cos phi < 1 /\ phi * (1 - h / 2) <= sin phi /\ 0 < sin phi.
 Proof.
   pose proof phi_pos as P. destruct h_small as (h0 & h2 & _). pose proof cos_lower as L.
   assert (C0 : 0 < cos phi) by lra.
-  assert (P2 : phi <= PI / 2). { unfold peak_angle. pose proof M_pos. pose proof PI_RGT_0. apply (Rmult_le_reg_r (2 * M)); [lra|].
-    replace (PI / (2 * M) * (2 * M)) with PI by (field; lra). nra. }
+  pose proof phi_lt as P2. pose proof PI_RGT_0.
   assert (S0 : 0 < sin phi) by (apply sin_gt_0; lra).
   split; [split; [exact C0|]|split; [|exact S0]].
   - rewrite <- cos_0. apply cos_decreasing_1; lra.
@@ -203,17 +230,16 @@ Proof.
   replace (h / 2 * f ^ 2 / (F - h / 2 * g ^ 2) * (F - kappa * g ^ 2) * (F - h / 2 * g ^ 2)) with (h / 2 * f ^ 2 * (F - kappa * g ^ 2)) by (field; lra).
   assert (0 <= f ^ 2 * F * (h / 2 - kappa)) by (apply Rmult_le_pos; [apply Rmult_le_pos; lra|lra]). nra.
 Qed.
-(* the number X of Proposition 2 *)
-Definition slope : R := PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f)).
-Notation X := slope.
-Lemma slope_pos : 0 < X.
+(* S = im/sin phi is at most of the order phi^2 *)
+Definition height : R := - g / (2 * sqrt 2 * sqrt F).
+Lemma height_pos : 0 < height.
 Proof.
-  unfold slope. pose proof PI_RGT_0. assert (0 < Rabs g) by (apply Rabs_pos_lt; lra). assert (0 < sqrt (Rabs f)) by (apply sqrt_lt_R0, Rabs_pos_lt; lra).
-  assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra). apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [apply pow_lt; lra|lra]|]. apply Rmult_lt_0_compat; lra.
+  unfold height. assert (0 < sqrt F) by (apply sqrt_lt_R0; lra). assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra).
+  apply Rdiv_lt_0_compat; [lra|]. apply Rmult_lt_0_compat; lra.
 Qed.
-Lemma delta_le w : 0 < w <= w1 -> M * (im w / sin phi) <= X / M / (q ^ 2 * (1 - h / 2)).
+Lemma sinh_le w : 0 < w <= w1 -> im w / sin phi <= height * h / (q ^ 2 * (1 - h / 2)).
 Proof.
-  intros W. pose proof M_pos. pose proof phi_pos as P. destruct phi_range as (_ & S1 & S0). destruct quotient_range as ((Q0 & Q1) & _).
+  intros W. destruct phi_range as (_ & S1 & S0). destruct quotient_range as ((Q0 & Q1) & _).
   destruct h_small as (h0 & h2 & _). pose proof w1_le as L. destruct w1_sqr as (_ & P1).
   set (r := sqrt F). assert (R0 : 0 < r) by (apply sqrt_lt_R0; lra). assert (R2 : r * r = F) by (apply sqrt_sqrt; lra).
   set (t := sqrt 2). assert (T0 : 0 < t) by (apply sqrt_lt_R0; lra). assert (T2 : t * t = 2) by (apply sqrt_sqrt; lra).
@@ -235,51 +261,90 @@ Proof.
   set (J := - g * (h * F / (2 * q) * b) / f ^ 2) in *.
   assert (J0 : 0 < J). { unfold J. apply Rdiv_lt_0_compat; [|apply pow2_gt_0; lra]. apply Rmult_lt_0_compat; [lra|]. apply Rmult_lt_0_compat; [|exact B0].
     apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; lra|lra]. }
-  apply Rle_trans with (M * (J / (phi * (1 - h / 2)))).
-  - apply Rmult_le_compat_l; [lra|]. assert (D0 : 0 < phi * (1 - h / 2)) by (apply Rmult_lt_0_compat; lra).
-    apply Rle_trans with (J / sin phi).
+  assert (D0 : 0 < phi * (1 - h / 2)) by (apply Rmult_lt_0_compat; lra).
+  apply Rle_trans with (J / (phi * (1 - h / 2))).
+  - apply Rle_trans with (J / sin phi).
     + unfold Rdiv. apply Rmult_le_compat_r; [left; now apply Rinv_0_lt_compat|exact I].
     + unfold Rdiv. apply Rmult_le_compat_l; [lra|]. now apply Rinv_le_contravar.
-  - right. unfold J, b, slope. rewrite (Rabs_left g), (Rabs_left f) by lra. fold r. fold t.
+  - right. unfold J, b, height. fold r. fold t.
     assert (EF : f ^ 2 = r * r * (r * r)) by (rewrite R2; ring). rewrite EF, <- R2.
-    assert (EM : M = PI / (2 * phi)). { unfold peak_angle. pose proof PI_RGT_0. field. split; lra. } rewrite EM.
-    pose proof PI_RGT_0. assert (1 - h / 2 <> 0) by lra. field_simplify_eq; [|repeat split; lra]. ring.
+    assert (1 - h / 2 <> 0) by lra. field. repeat split; lra.
 Qed.
-Theorem peak_lower : exists w, 0 < w /\ M / X * (1 - (/ 2 + 2 * k) * h) - 1 <= response f g N w.
+(* the frequency, with c = cosh y and s = sinh y *)
+Theorem angle_frequency : exists w c s, 0 < w /\ w ^ 2 <= h * F / (2 * q) /\ 0 < s /\ 1 < c /\ c ^ 2 - s ^ 2 = 1 /\
+  fst (gamma f g w) = c * cos phi /\ snd (gamma f g w) = s * sin phi /\ s <= height * h / (q ^ 2 * (1 - h / 2)).
 Proof.
-  destruct peak_frequency as (w & W & E). exists w. split; [lra|]. pose proof (delta_le w W) as L.
-  destruct phi_range as ((C0 & C1) & S1 & S0). destruct quotient_range as ((Q0 & Q1) & Q2). destruct h_small as (h0 & h2 & kh). pose proof slope_pos. pose proof M_pos. pose proof k_pos.
+  destruct peak_frequency as (w & W & E). pose proof (sinh_le w W) as L.
+  destruct phi_range as ((C0 & C1) & S1 & S0). destruct quotient_range as ((Q0 & Q1) & Q2). destruct h_small as (h0 & h2 & kh). pose proof k_pos.
+  assert (WL : w ^ 2 <= h * F / (2 * q)) by (apply Rle_trans with (w1 ^ 2); [apply pow_incr; lra|apply w1_le]).
   assert (W2 : w ^ 2 < F).
-  { apply Rle_lt_trans with (w1 ^ 2); [apply pow_incr; lra|]. apply Rle_lt_trans with (h * F / (2 * q)); [apply w1_le|].
-    apply (Rmult_lt_reg_r (2 * q)); [lra|]. replace (h * F / (2 * q) * (2 * q)) with (h * F) by (field; lra). nra. }
+  { apply Rle_lt_trans with (1 := WL). apply (Rmult_lt_reg_r (2 * q)); [lra|]. replace (h * F / (2 * q) * (2 * q)) with (h * F) by (field; lra). nra. }
   assert (RE : 0 < re w).
   { unfold re. pose proof (den_pos w) as DP. assert (w ^ 2 * F / (f ^ 2 + (w * g) ^ 2) < 1); [|lra].
     apply (Rmult_lt_reg_r (f ^ 2 + (w * g) ^ 2)); [exact DP|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. pose proof (pow2_ge_0 (w * g)).
     assert (w ^ 2 * F < f ^ 2) by nra. lra. }
   assert (IM : 0 < im w).
   { unfold im. pose proof (den_pos w). apply Rdiv_lt_0_compat; [|lra]. apply Rmult_lt_0_compat; [lra|apply pow_lt; lra]. }
-  set (c := re w / cos phi) in *. set (s := im w / sin phi) in *.
+  exists w, (re w / cos phi), (im w / sin phi). set (c := re w / cos phi) in *. set (s := im w / sin phi) in *.
   assert (c0 : 0 < c) by (apply Rdiv_lt_0_compat; lra). assert (s0 : 0 < s) by (apply Rdiv_lt_0_compat; lra).
-  assert (c1 : 1 < c) by nra.
-  assert (I : / (c + s) = c - s) by (apply (Rmult_eq_reg_l (c + s)); [rewrite Rinv_r; nra|lra]).
+  repeat split; try assumption; try lra.
+  - nra.
+  - rewrite gamma_re. unfold c. field. lra.
+  - rewrite gamma_im. unfold s. field. lra.
+Qed.
+End Angle.
+
+(* rho = c + s and 1/rho = c - s *)
+Lemma hyperbolic_pair c s : 0 < s -> 1 < c -> c ^ 2 - s ^ 2 = 1 ->
+  1 < c + s /\ / (c + s) = c - s /\ (c + s + / (c + s)) / 2 = c /\ (c + s - / (c + s)) / 2 = s.
+Proof.
+  intros Hs Hc E. assert (I : / (c + s) = c - s) by (apply (Rmult_eq_reg_l (c + s)); [rewrite Rinv_r; nra|lra]).
+  rewrite I. repeat split; lra.
+Qed.
+
+(* ---- the main resonance: phi = pi/(2 M), M = N + 1 ---- *)
+Definition slope (f g : R) : R := PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f)).              (* the X of Proposition 2 *)
+Definition peak_angle (N : nat) : R := PI / (2 * INR (S N)).
+Lemma M_pos N : 1 <= INR (S N).
+Proof. apply (le_INR 1). lia. Qed.
+Lemma slope_pos f g : f < 0 -> g < 0 -> 0 < slope f g.
+Proof.
+  intros Hf Hg. unfold slope. pose proof PI_RGT_0. assert (0 < Rabs g) by (apply Rabs_pos_lt; lra). assert (0 < sqrt (Rabs f)) by (apply sqrt_lt_R0, Rabs_pos_lt; lra).
+  assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra). apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [apply pow_lt; lra|lra]|]. apply Rmult_lt_0_compat; lra.
+Qed.
+Lemma angle_pos N : 0 < peak_angle N.
+Proof. unfold peak_angle. pose proof (M_pos N). pose proof PI_RGT_0. apply Rdiv_lt_0_compat; lra. Qed.
+Theorem peak_lower f g N : f < 0 -> g < 0 -> (/ 2 + 2 * stiffness_term f g) * peak_angle N ^ 2 < 1 ->
+  exists w, 0 < w /\ INR (S N) / slope f g * (1 - (/ 2 + 2 * stiffness_term f g) * peak_angle N ^ 2) - 1 <= response f g N w.
+Proof.
+  intros Hf Hg small. pose proof (angle_pos N) as P. pose proof (M_pos N) as M1. set (phi := peak_angle N) in *. set (M := INR (S N)) in *.
+  destruct (angle_frequency f g phi Hf Hg P small) as (w & c & s & W & _ & s0 & c1 & E & G1 & G2 & L). exists w. split; [exact W|].
+  destruct (h_small f g phi Hf Hg P small) as (h0 & h2 & kh). destruct (quotient_range f g phi Hf Hg P small) as ((Q0 & Q1) & Q2).
+  pose proof (k_pos f g Hf Hg) as K0. pose proof (slope_pos f g Hf Hg) as X0. set (X := slope f g) in *. set (k := stiffness_term f g) in *.
+  destruct (hyperbolic_pair c s s0 c1 E) as (R1 & I & A & B). set (q := quotient f g phi) in *. set (h := phi ^ 2) in *.
+  assert (MP : M * phi = PI / 2) by (unfold phi, peak_angle; fold M; field; lra).
   assert (RESP : response f g N w = 2 / ((c + s) ^ S N - / (c + s) ^ S N)).
-  { apply (polar_response f g N w (c + s) phi); [lra|exact M_phi| |].
-    - rewrite gamma_re, I. unfold c. field. lra.
-    - rewrite gamma_im, I. unfold s. field. lra. }
-  (* M/X (1 - e) <= 1/delta *)
+  { apply (polar_response f g N w (c + s) phi Hf Hg R1); [fold M; rewrite MP; apply cos_PI2|now rewrite A|now rewrite B]. }
+  (* M s <= X/M (1 + ..) *)
+  assert (HX : M * (height f g * h) = X / M).
+  { unfold height, X, slope, h, phi, peak_angle. fold M. rewrite (Rabs_left g), (Rabs_left f) by lra.
+    assert (0 < sqrt (- f)) by (apply sqrt_lt_R0; lra). assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra). field. repeat split; lra. }
+  assert (V : 0 < q ^ 2 * (1 - h / 2)) by (apply Rmult_lt_0_compat; [apply pow_lt|]; lra).
+  assert (L2 : M * s <= X / M / (q ^ 2 * (1 - h / 2))).
+  { rewrite <- HX. replace (M * (height f g * h) / (q ^ 2 * (1 - h / 2))) with (M * (height f g * h / (q ^ 2 * (1 - h / 2)))) by (field; split; lra).
+    apply Rmult_le_compat_l; lra. }
   assert (D0 : 0 < M * s) by (apply Rmult_lt_0_compat; lra).
   assert (U : M / X * (1 - (/ 2 + 2 * k) * h) <= / (M * s)).
   { apply Rle_trans with (M / X * (q ^ 2 * (1 - h / 2))).
-    - apply Rmult_le_compat_l; [left; apply Rdiv_lt_0_compat; lra|]. unfold quotient. assert (0 <= k * h) by nra. assert (0 <= k ^ 2 * h ^ 2 * (1 - h / 2)) by (apply Rmult_le_pos; [apply Rmult_le_pos; apply pow2_ge_0|lra]). nra.
-    - assert (V : 0 < q ^ 2 * (1 - h / 2)) by (apply Rmult_lt_0_compat; [apply pow_lt|]; lra).
-      replace (M / X * (q ^ 2 * (1 - h / 2))) with (/ (X / M / (q ^ 2 * (1 - h / 2)))) by (field; repeat split; lra).
+    - apply Rmult_le_compat_l; [left; apply Rdiv_lt_0_compat; lra|]. unfold q, quotient. fold k. fold h. assert (0 <= k * h) by nra.
+      assert (0 <= k ^ 2 * h ^ 2 * (1 - h / 2)) by (apply Rmult_le_pos; [apply Rmult_le_pos; apply pow2_ge_0|lra]). nra.
+    - replace (M / X * (q ^ 2 * (1 - h / 2))) with (/ (X / M / (q ^ 2 * (1 - h / 2)))) by (field; repeat split; lra).
       now apply Rinv_le_contravar. }
   destruct (Rlt_le_dec (M * s) 1) as [D1|D1].
-  - rewrite RESP. apply Rle_trans with (/ (M * s) - 1); [lra|]. apply hyperbolic_lower; try assumption. lia.
+  - rewrite RESP. apply Rle_trans with (/ (M * s) - 1); [lra|]. apply hyperbolic_lower; try assumption; [lra|lia].
   - assert (/ (M * s) <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). pose proof (Cmod_ge_0 (2 / trace2 (mat2_pow (Cmat (gamma f g w)) (S N)))%C).
     unfold response. lra.
 Qed.
-End Peak.
 
 Lemma unbounded (A : R) : exists n, A < INR n.
 Proof.
