@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 62] = sources![
+const SOURCES: [(&str, &str); 63] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -58,6 +58,7 @@ const SOURCES: [(&str, &str); 62] = sources![
     "veerman_matrices",
     "veerman_numbers",
     "veerman_peak",
+    "veerman_resonances",
     "certificate_matrices",
     "certificate_flocks",
     "certificate_limits",
