@@ -3,6 +3,7 @@ From Coq Require Import ZArith QArith Qabs List Bool.
 From Flockproof Require Import certificate_matrices.
 From Flockproof Require Import certificate_limits.
 From Flockproof Require Import certificate_inertia.
+From Flockproof Require Import certificate_index.
 From Flockproof Require Import certificate_flocks.
 From Flockproof Require Import gen_limits.
 From Flockproof Require Import gen_inertia.
@@ -30,6 +31,13 @@ Check (fun n P p G k c => eq_refl : converges n P p G k c =
    (forall j w, (j < n)%nat -> spread n (fun i => G i j) w -> forall t i, (i < n)%nat ->
       Qabs (gamma_t n P p t i j - G i j) <= pow c (t / k) * w))).
 Check (fun n A x => eq_refl : quad n A x = sumQ n (fun i => x i * sumQ n (fun j => A i j * x j))).
+Check (fun m c W i => eq_refl : combination m c W i = sumQ m (fun k => c k * W k i)).
+Check (fun n A q => eq_refl : negative_index n A q =
+  ((exists W, forall c, (exists k, (k < q)%nat /\ ~ c k == 0) -> quad n A (combination q c W) < 0) /\
+   forall m W, (forall c, (exists k, (k < m)%nat /\ ~ c k == 0) -> quad n A (combination m c W) < 0) -> (m <= q)%nat)).
+Check (fun n A p => eq_refl : positive_index n A p =
+  ((exists W, forall c, (exists k, (k < p)%nat /\ ~ c k == 0) -> 0 < quad n A (combination p c W)) /\
+   forall m W, (forall c, (exists k, (k < m)%nat /\ ~ c k == 0) -> 0 < quad n A (combination m c W)) -> (m <= p)%nat)).
 Check (fun x v => eq_refl : edge (start x v) = fun i j => Qle_bool (Qabs (x i - x j)) 1).
 Check (fun n w h s i j => eq_refl : edge (step n w h s) i j =
   (Qle_bool (Qabs ((place s i + speed s i) - (place s j + speed s j))) 1 ||
@@ -73,16 +81,23 @@ Check (product_four_birds : is_tau1 4 (prodq 4 (concat (repeat
    ([[1; 2; 0; 0]; [1; 1; 1; 0]; [0; 1; 1; 1]; [0; 0; 2; 1]]%Z, 3%positive)] 8))) (895795 # 3 ^ 15)).
 
 (* ---- quadratic forms ---- *)
-Check (path6_semidefinite : forall x, 0 <= quad 6 (val ([[1; -1; 0; 0; 0; 0]; [-1; 2; -1; 0; 0; 0]; [0; -1; 2; -1; 0; 0];
-  [0; 0; -1; 2; -1; 0]; [0; 0; 0; -1; 2; -1]; [0; 0; 0; 0; -1; 1]]%Z, 1%positive)) x).
-Check (ring5_and_path3_semidefinite : forall x, 0 <= quad 8 (val ([[2; -1; 0; 0; -1; 0; 0; 0]; [-1; 2; -1; 0; 0; 0; 0; 0];
-  [0; -1; 2; -1; 0; 0; 0; 0]; [0; 0; -1; 2; -1; 0; 0; 0]; [-1; 0; 0; -1; 2; 0; 0; 0]; [0; 0; 0; 0; 0; 1; -1; 0];
-  [0; 0; 0; 0; 0; -1; 2; -1]; [0; 0; 0; 0; 0; 0; -1; 1]]%Z, 1%positive)) x).
+Check (law_of_inertia : forall n A p q p' q', has_inertia n A p q -> has_inertia n A p' q' -> p = p' /\ q = q').
+Check (index_certificate : forall n A M D K p q, inertia_check n A M D K p q = true ->
+  positive_index n (val A) p /\ negative_index n (val A) q).
+Check (path6_semidefinite :
+  let A := val ([[1; -1; 0; 0; 0; 0]; [-1; 2; -1; 0; 0; 0]; [0; -1; 2; -1; 0; 0];
+    [0; 0; -1; 2; -1; 0]; [0; 0; 0; -1; 2; -1]; [0; 0; 0; 0; -1; 1]]%Z, 1%positive) in
+  (forall x, 0 <= quad 6 A x) /\ positive_index 6 A 5).
+Check (ring5_and_path3_semidefinite :
+  let A := val ([[2; -1; 0; 0; -1; 0; 0; 0]; [-1; 2; -1; 0; 0; 0; 0; 0];
+    [0; -1; 2; -1; 0; 0; 0; 0]; [0; 0; -1; 2; -1; 0; 0; 0]; [-1; 0; 0; -1; 2; 0; 0; 0]; [0; 0; 0; 0; 0; 1; -1; 0];
+    [0; 0; 0; 0; 0; -1; 2; -1]; [0; 0; 0; 0; 0; 0; -1; 1]]%Z, 1%positive) in
+  (forall x, 0 <= quad 8 A x) /\ positive_index 8 A 6).
 Check (saddle_three_and_one :
-  (exists x, 0 < quad 4 (val ([[-1; 1; 1; -1]; [1; -1; 1; -1]; [1; 1; -1; -1]; [-1; -1; -1; 3]]%Z, 4%positive)) x) /\
-  (exists x, quad 4 (val ([[-1; 1; 1; -1]; [1; -1; 1; -1]; [1; 1; -1; -1]; [-1; -1; -1; 3]]%Z, 4%positive)) x < 0)).
+  let A := val ([[-1; 1; 1; -1]; [1; -1; 1; -1]; [1; 1; -1; -1]; [-1; -1; -1; 3]]%Z, 4%positive) in
+  ((exists x, 0 < quad 4 A x) /\ (exists x, quad 4 A x < 0)) /\ positive_index 4 A 1 /\ negative_index 4 A 2).
 Check (saddle_four_and_two :
-  (exists x, 0 < quad 6 (val (hessian [1; 1; 1; 1; -1; -1]%Z)) x) /\
-  (exists x, quad 6 (val (hessian [1; 1; 1; 1; -1; -1]%Z)) x < 0)).
+  let A := val (hessian [1; 1; 1; 1; -1; -1]%Z) in
+  ((exists x, 0 < quad 6 A x) /\ (exists x, quad 6 A x < 0)) /\ positive_index 6 A 2 /\ negative_index 6 A 3).
 Check (eq_refl : hessian [1; 1; 1; 1; -1; -1]%Z = ([[-1; 1; 1; 1; -1; -1]; [1; -1; 1; 1; -1; -1]; [1; 1; -1; 1; -1; -1];
   [1; 1; 1; -1; -1; -1]; [-1; -1; -1; -1; 3; 1]; [-1; -1; -1; -1; 1; 3]]%Z, 6%positive)).

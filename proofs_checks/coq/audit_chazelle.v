@@ -4,7 +4,8 @@ From mathcomp Require all_ssreflect all_algebra.
 From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
 From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network
-  chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked.
+  chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked
+  chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals.
 
 Module NumbersAndBirds.
 Import Coq.QArith.QArith Coq.QArith.Qabs Coq.Reals.Reals Coquelicot.Coquelicot.
@@ -117,7 +118,7 @@ End NumbersAndBirds.
 Module Matrices.
 Import all_ssreflect all_algebra.
 Import chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_limits chazelle_spectral
-  chazelle_stabilisers.
+  chazelle_stabilisers chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits.
 Import GRing.Theory Num.Theory Order.Theory.
 Local Open Scope ring_scope.
 
@@ -138,6 +139,40 @@ Check (fun i => erefl : stat c i = (\sum_k (c k)^-1)^-1 * (c i)^-1).
 Check (fun f i => erefl : step G c f i = \sum_j transition G c i j * f j).
 Check (fun (A : 'M[R]_n) s => erefl : mpow A s.+1 = A *m mpow A s).
 End Definitions.
+(* windows of time; blocks of a matrix; products of blocks; completeness *)
+Section Windows.
+Variables (R : realFieldType) (n : nat) (P : nat -> 'M[R]_n) (G : nat -> rel 'I_n).
+Check (fun s k i j => erefl : window P s k i j = [exists u : 'I_k, P (s + u)%N i j != 0]).
+Check (fun H => erefl : rooted H = exists r : 'I_n, forall i, connect H i r).
+Check (fun s k i j => erefl : union G s k i j = [exists u : 'I_k, G (s + u)%N i j]).
+Check (fun s => erefl : connected_windows G s [::] = True).
+Check (fun s k ks => erefl : connected_windows G s (k :: ks) =
+  ((forall i j, connect (union G s k) i j) /\ connected_windows G (s + k)%N ks)).
+Check ((fun V W A i j => mxE _ _ _ _) : forall (V W : {set 'I_n}) (A : 'I_n -> 'I_n -> R) i j,
+  restrict V W A i j = A (enum_val i) (enum_val j)).
+Check (fun V s k i j => erefl : block P V s k.+1 i j = \sum_(l in V) P (s + k)%N i l * block P V s k l j).
+Check (fun t s => erefl : pprod P t s = span P s (t - s).+1).
+Check (fun d (N : 'rV[R]_d -> R) m (A : 'M[R]_(m, d)) => erefl : diameter N A
+  = \big[Num.max/0]_(ij : 'I_m * 'I_m) N (row ij.1 A - row ij.2 A)).
+Check (fun (K : archiFieldType) d (v : nat -> 'M[K]_(n, d)) l => erefl : extent v l
+  = \big[Num.max/0]_(ij : 'I_n * 'I_n) `|(row ij.1 (v 1%N) - row ij.2 (v 1%N)) 0 l|).
+Check (erefl : complete R = forall a : nat -> R,
+  (forall eps, 0 < eps -> exists T, forall t u, (T < t)%N -> (T < u)%N -> `|a t - a u| <= eps) ->
+  exists l, forall eps, 0 < eps -> exists T, forall t, (T < t)%N -> `|a t - l| <= eps).
+End Windows.
+(* a flock on the line with hysteresis; the changes of its network *)
+Section Switches.
+Variables (R : realFieldType) (n : nat) (G : nat -> rel 'I_n).
+Check (fun (eps : R) x v c => erefl : line_flock eps x v G c =
+  [/\ forall i j, G 0%N i j = (i != j) && (`|x 0%N i 0 - x 0%N j 0| <= 1),
+      forall t i j, G t.+1 i j = (i != j) && ((`|x t.+1 i 0 - x t.+1 j 0| <= 1) ||
+        (G t i j && (`| `|x t.+1 i 0 - x t.+1 j 0| - `|x t i 0 - x t j 0| | < eps))),
+      forall t, model_D (G t) (c t),
+      forall t, x t.+1 = x t + v t.+1 &
+      forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t]).
+Check (fun u => erefl : changes G u = [exists i, exists j, G u i j != G u.-1 i j]).
+Check (fun c t s => erefl : chazelle_stabilisers.N c t s = count c (iota s.+1 (t - s))).
+End Switches.
 Section Limits.
 Variables (R : realFieldType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R).
 Check (fun t => erefl : Gamma_t G c t = \sum_(s < t) mpow (transition G c) s - rank1 c *+ t).
@@ -148,6 +183,13 @@ Check (fun (A : nat -> 'M[R]_m.+1) B => erefl : converges A B =
   forall eps : R, 0 < eps -> exists T, forall t, (T <= t)%N -> forall i j, `|A t i j - B i j| < eps).
 Check bordered_unit.
 End Limits.
+Section Lengths.
+Variables (R : realFieldType) (n d : nat).
+Check (fun a (c : 'I_n -> R) => erefl : short_weights a c = exists p q : 'I_n -> nat,
+  forall i, [/\ c i = (p i)%:R / (q i)%:R, (0 < q i)%N & (q i <= n ^ a)%N]).
+Check (fun b (y : 'M[R]_(n, d)) => erefl : short_input b y = exists (z : 'I_n -> 'I_d -> int) (q : 'I_n -> 'I_d -> nat),
+  forall i k, [/\ y i k = (z i k)%:~R / (q i k)%:R, (0 < q i k)%N, (q i k <= n ^ b)%N & (`|z i k| <= n ^ b)%N]).
+End Lengths.
 Section Euclid.
 Variables (R : rcfType) (p : nat).
 Check (fun x : 'rV[R]_p => erefl : norm2 x = Num.sqrt (\sum_k x 0 k ^+ 2)).
@@ -270,6 +312,25 @@ Check (@chazelle_stabilisers.eq_3_5 :
   forall (k u : nat) (i : 'I_n) (j : 'I_n),
   i \in V k ->
   span P (T 0%N).+1 (T k - T 0%N + u) i j = \sum_(l in V k) block P (V k) (T k).+1 u i l * tower P T V k l j).
+(* chazelle.eq3.6 (part) *)
+Check (@chazelle_contraction.eq_3_6 :
+  forall (R : rcfType) (n a : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (b : 'I_n)
+    (T : nat -> nat) (V : nat -> {set 'I_n}),
+  (forall t, network (G t)) ->
+  (forall t, model_D (G t) (c t)) ->
+  let P := fun t => transition (G t) (c t) in
+  (forall t i j, P t i j != 0 -> n%:R ^- a <= P t i j) ->
+  V 0%N = [set: 'I_n] ->
+  (forall k, (T k < T k.+1)%N) ->
+  (forall k i, (i \in V k.+1) = (i \in V k) && (block P (V k) (T k).+1 (T k.+1 - T k) i b != 0)) ->
+  (forall k t i, (T k.+1 <= t)%N -> i \in V k -> block P (V k) (T k).+1 (t - T k) i b != 0 -> i \in V k.+1) ->
+  forall k t, (T k < t)%N ->
+  tau2 (restrict (V k) (V 0%N) (fun i j => pprod P t (T 0%N).+1 i j)) <=
+    Num.sqrt 2%:R * (tau1 (restrict (V k) (V k) (fun i j => pprod P t (T k).+1 i j)) *
+      \prod_(i < k) tau1 (restrict (V i.+1) (V i) (block P (V i) (T i).+1 (T i.+1 - T i)))) /\
+  Num.sqrt 2%:R * (tau1 (restrict (V k) (V k) (fun i j => pprod P t (T k).+1 i j)) *
+      \prod_(i < k) tau1 (restrict (V i.+1) (V i) (block P (V i) (T i).+1 (T i.+1 - T i)))) <=
+    Num.sqrt 2%:R * (1 - n%:R ^- (a * n.-1)) ^+ k).
 (* chazelle.eq3.7 (part) *)
 Check (@chazelle_spectral.eq_3_7 :
   forall (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),
@@ -326,6 +387,51 @@ Check (@chazelle_network.eq_3_9 :
   forall (s : nat) (i j : 'I_n),
   `|mpow (transition G c) s i j - stat c j| <= n%:R ^+ a * (1 - n%:R ^- (2 * a + 4)) ^+ s).
 (* chazelle.fiedler.rate (part) *)
+Check (@chazelle_agreement.recurrent_limit :
+  forall (R : archiFieldType) (n d : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R)
+    (v : nat -> 'M_(n, d)) (alpha : R),
+  complete R ->
+  (0 < n)%N ->
+  (forall t, network (G t)) ->
+  (forall t, model_D (G t) (c t)) ->
+  0 < alpha ->
+  (forall t i j, transition (G t) (c t) i j != 0 -> alpha <= transition (G t) (c t) i j) ->
+  (forall s, exists k, forall i j, connect (union G s k) i j) ->
+  (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
+  exists y : 'rV_d, converges (fun t => v t.+1) (\matrix_(i, l) y 0 l)).
+(* chazelle.fiedler.rate (part) *)
+Check (@chazelle_agreement.recurrent_velocities :
+  forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (alpha : R),
+  (forall t, network (G t)) ->
+  (forall t, model_D (G t) (c t)) ->
+  let P := fun t => transition (G t) (c t) in
+  0 < alpha ->
+  (forall t i j, P t i j != 0 -> alpha <= P t i j) ->
+  forall (d : nat) (v : nat -> 'M_(n, d)) (N : 'rV_d -> R),
+  (forall t, (0 < t)%N -> v t.+1 = P t *m v t) ->
+  N 0 = 0 ->
+  (forall a x, N (a *: x) = `|a| * N x) ->
+  (forall x y, N (x + y) <= N x + N y) ->
+  forall (ks : seq nat) (t u : nat) (i j : 'I_n),
+  connected_windows G 1 ks ->
+  (sumn ks < t)%N ->
+  (sumn ks < u)%N ->
+  N (row i (v t) - row j (v u)) <= (1 - alpha ^+ n.-1) ^+ (size ks %/ n.-1) * diameter N (v 1%N)).
+(* chazelle.fiedler.rate (part) *)
+Check (@chazelle_agreement.velocities_repeatedly_limit :
+  forall (R : archiFieldType) (n d : nat) (P : nat -> 'M_n) (v : nat -> 'M_(n, d)) (gamma : R) (B : nat),
+  complete R ->
+  (forall t, stochastic (P t)) ->
+  (forall t i, 0 < P t i i) ->
+  0 < gamma ->
+  (forall t i j, P t i j != 0 -> gamma <= P t i j) ->
+  (forall s, rooted (window P s B)) ->
+  (forall t, (0 < t)%N -> v t.+1 = P t *m v t) ->
+  exists y : 'rV_d,
+    converges (fun t => v t.+1) (\matrix_(i, l) y 0 l) /\
+    (forall k t i l, (k < t)%N ->
+     `|v t i l - y 0 l| <= (1 - gamma ^+ (n.-1 * B)) ^+ (k %/ (n.-1 * B)) * extent v l)).
+(* chazelle.fiedler.rate (part) *)
 Check (@chazelle_network.fiedler_rate :
   forall (R : rcfType) (n : nat) (G : rel 'I_n),
   network G ->
@@ -341,6 +447,43 @@ Check (@chazelle_network.fiedler_rate :
    (forall i0 : 'I_n, n%:R ^- a <= transition G c i0 i0) ->
    (forall t0 : nat, (0 < t0)%N -> v t0.+1 = transition G c *m v t0) ->
    norm2 (row i (v t.+1) - row j (v t.+1)) <= n%:R ^+ a.+1 * 2^-1 ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N))).
+(* chazelle.fiedler.rate (part) *)
+Check (@chazelle_recurrent.tau1_repeatedly :
+  forall (R : realFieldType) (n : nat) (P : nat -> 'M_n) (gamma : R) (B : nat),
+  (forall t, stochastic (P t)) ->
+  (forall t i, 0 < P t i i) ->
+  0 < gamma ->
+  (forall t i j, P t i j != 0 -> gamma <= P t i j) ->
+  (forall s, rooted (window P s B)) ->
+  forall s t, tau1 (span P s t) <= (1 - gamma ^+ (n.-1 * B)) ^+ (t %/ (n.-1 * B))).
+(* rational numbers as real ones *)
+Check (fun x : rat => erefl : chazelle_reals.value x = Rdefinitions.Rdiv
+  (Rdefinitions.IZR (mathcomp.zify.ssrZ.Z_of_int (numq x))) (Rdefinitions.IZR (mathcomp.zify.ssrZ.Z_of_int (denq x)))).
+(* chazelle.fiedler.rate (part) *)
+Check (@chazelle_reals.recurrent_real_limit :
+  forall (n d : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> rat) (v : nat -> 'M[rat]_(n, d)) (alpha : rat),
+  (0 < n)%N ->
+  (forall t, network (G t)) ->
+  (forall t, model_D (G t) (c t)) ->
+  0 < alpha ->
+  (forall t i j, transition (G t) (c t) i j != 0 -> alpha <= transition (G t) (c t) i j) ->
+  (forall s, exists k, forall i j, connect (union G s k) i j) ->
+  (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
+  exists y : 'I_d -> Rdefinitions.R, forall i l, Rseries.Un_cv (fun t => chazelle_reals.value (v t i l)) (y l)).
+(* chazelle.fiedler.rate (part) *)
+Check (@chazelle_reals.repeatedly_real_limit :
+  forall (n d : nat) (P : nat -> 'M[rat]_n) (v : nat -> 'M[rat]_(n, d)) (gamma : rat) (B : nat),
+  (forall t, stochastic (P t)) ->
+  (forall t i, 0 < P t i i) ->
+  0 < gamma ->
+  (forall t i j, P t i j != 0 -> gamma <= P t i j) ->
+  (forall s, rooted (window P s B)) ->
+  (forall t, (0 < t)%N -> v t.+1 = P t *m v t) ->
+  exists y : 'I_d -> Rdefinitions.R,
+    (forall i l, Rseries.Un_cv (fun t => chazelle_reals.value (v t i l)) (y l)) /\
+    (forall k t i l, (k < t)%N ->
+     Rdefinitions.Rle (Rbasic_fun.Rabs (Rdefinitions.Rminus (chazelle_reals.value (v t i l)) (y l)))
+       (chazelle_reals.value ((1 - gamma ^+ (n.-1 * B)) ^+ (k %/ (n.-1 * B)) * extent v l)))).
 (* chazelle.foot.mono (claim) *)
 Check (@chazelle_model.footprints :
   forall R : realFieldType,
@@ -415,6 +558,20 @@ Check (@chazelle_products.lemma_2_3 :
 Check (@chazelle_ergodicity.lemma_2_4 :
   forall (R : rcfType) (m n p : nat) (A : 'M_(m, n)) (B : 'M_(n, p)),
   stochastic A -> stochastic B -> tau2 (A *m B) <= tau1 A * tau2 B).
+(* chazelle.lem3.1.count (negation) *)
+Check (@chazelle_count.count_fails :
+  forall (R : realFieldType) (eps : R),
+  0 < eps <= 1 ->
+  exists (x v : nat -> 'cV[R]_3) (G : nat -> rel 'I_3) (c : nat -> 'I_3 -> R) (b : 'I_3) (T : nat -> nat)
+    (V : nat -> {set 'I_3}),
+  let P t := transition (G t) (c t) in
+  [/\ line_flock eps x v G c,
+      [/\ T 0%N = 0%N, V 0%N = [set: 'I_3], (forall k, (T k < T k.+1)%N),
+        (forall k i, (i \in V k.+1) = (i \in V k) && (block P (V k) (T k).+1 (T k.+1 - T k) i b != 0)) &
+        forall k t i, (T k.+1 <= t)%N -> i \in V k -> block P (V k) (T k).+1 (t - T k) i b != 0 -> i \in V k.+1],
+      (forall t i j, (T 1%N + 1 < t)%N -> i \in V 1%N -> j \in V 1%N -> G t i j -> G t.+1 i j) &
+      exists t, (chazelle_stabilisers.N (changes G) (T 1%N) 1 + 'C(#|V 1%N|, 2) <
+                 chazelle_stabilisers.N (changes G) t 1)%N]).
 (* chazelle.lem3.2 (claim) *)
 Check (@chazelle_network.lemma_3_2 :
   forall (R : realFieldType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R),
@@ -448,6 +605,21 @@ Check (@chazelle_limits.lemma_3_4 :
   (forall t : nat, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
   converges (fun t : nat => relative c (x t)) ((1%:M - rank1 c) *m x 0%N + Gamma G c *m v 1%N) /\
   (forall t : nat, pirow c *m x t.+1 - pirow c *m x t = pirow c *m v 1%N)).
+(* chazelle.lem3.5 (claim) *)
+Check (@chazelle_bits.lemma_3_5 :
+  forall (R : realFieldType) (m a b d : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R) (x v : 'M_(m.+1, d)),
+  network G ->
+  model_D G c ->
+  (forall i j, connect G i j) ->
+  (forall i, 0 < c i) ->
+  short_weights a c ->
+  let n := m.+1 in
+  (exists E, [/\ (0 < E)%N, (E <= n ^ ((2 * a + 1) * n + 1))%N &
+    forall i j, exists z : int, Gamma G c i j = z%:~R / E%:R /\ (`|z| <= E * n ^ (a.+1 * n + a + 1))%N]) /\
+  (short_input b x -> short_input b v ->
+   exists E, [/\ (0 < E)%N, (E <= n ^ ((2 * a + 1) * n + 1 + 2 * b * n * d))%N &
+    forall i k, exists z : int, ((1%:M - rank1 c) *m x + Gamma G c *m v) i k = z%:~R / E%:R /\
+      (`|z| <= E * n ^ (a.+1 * n + a + b + 3))%N])).
 (* chazelle.modelD.stoch (claim) *)
 Check (@chazelle_model.model_D_stochastic :
   forall (R : realFieldType) (n : nat) (G : rel 'I_n) (c : 'I_n -> R),

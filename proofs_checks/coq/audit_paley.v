@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_composite paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -60,6 +60,36 @@ Check (paley_patterns.Um_extremes :
 Check (paley_patterns.partial_rotation :
   forall (n : nat) (th : nat -> R) (k : nat) (a d : R),
        (1 <= n)%nat -> partial (U1 n) th k d -> partial (U1 n) (fun j : nat => th j + a) k d).
+
+(* paley.VMN *)
+Check (eq_refl : UMN = fun n M K th => Sum M (fun i => K (S i) * Um n (S i) th)).
+Check (paley_composite.UMN_gradient :
+  forall (n M : nat) (K th : nat -> R) (k : nat),
+       (1 <= n)%nat -> (k < n)%nat -> partial (UMN n M K) th k (gUMN n M K th k)).
+Check (eq_refl : pattern_control = fun n adj w0 K0 M K r th t k =>
+  w0 - gUMN n M K (fun k => th k t) k + w0 * (K0 / INR n * aS n adj w0 (fun k => r k t) (fun k => th k t) k)).
+Check (paley_composite.VMN_corrected :
+  forall (n : nat) (adj : graph) (w0 K0 : R) (M : nat) (K : nat -> R),
+       (1 <= n)%nat ->
+       w0 <> 0 ->
+       undirected adj ->
+       forall (r : nat -> R -> C) (th : nat -> R -> R) (t : R),
+       (forall k : nat, (k < n)%nat -> is_velocity (r k) t (expi (th k t))) ->
+       (forall k : nat, (k < n)%nat -> is_derive (th k) t (pattern_control n adj w0 K0 M K r th t k)) ->
+       is_derive
+         (fun s => K0 * spacing n adj w0 (fun k => r k s) (fun k => th k s) + / w0 ^ 2 * UMN n M K (fun k => th k s)) t
+         (- / w0 ^ 2 * Sum n (fun k => (pattern_control n adj w0 K0 M K r th t k - w0) ^ 2))).
+
+(* paley.VMN *)
+Check (paley_composite.VMN_printed_fails :
+  ~ (forall (n M : nat) (adj : graph) (w0 K0 : R) (K : nat -> R),
+       (1 <= n)%nat -> (1 <= M)%nat -> undirected adj -> strongly_connected n adj -> w0 <> 0 -> 0 < K0 ->
+       (forall m : nat, (1 <= m < M)%nat -> 0 < K m) -> K M < 0 -> (exists q : nat, n = (q * M)%nat) ->
+       forall (r : nat -> R -> C) (th : nat -> R -> R) (t d : R),
+       (forall k : nat, (k < n)%nat -> is_velocity (r k) t (expi (th k t))) ->
+       (forall k : nat, (k < n)%nat -> is_derive (th k) t (pattern_control n adj w0 K0 M K r th t k)) ->
+       is_derive (fun s => K0 * spacing n adj w0 (fun k => r k s) (fun k => th k s) + UMN n M K (fun k => th k s)) t d ->
+       d <= 0)).
 
 (* paley.Wm *)
 Check (paley_patterns.Wm_printed_fails :

@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner1_motion tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -267,3 +267,50 @@ Check (tanner1_examples.propIV3b_fails :
        (forall m : nat,
         norm (r_osc 0 (INR m * PI) - r_osc 1 (INR m * PI))%C = 5 / 2 /\
         Vh (norm (r_osc 0 (INR m * PI) - r_osc 1 (INR m * PI))%C) = 1 / 4)).
+
+(* the motions of propIV3a and propIV3b; the law for given headings *)
+Check (eq_refl : closed_loop = fun n adj V' r s th t => forall i, (i < n)%nat -> 0 < s i t /\ ex_derive (s i) t /\
+  is_velocity (r i) t (RtoC (s i t) * expi (th i t))%C /\ is_velocity (fun x => RtoC (s i x) * expi (th i x))%C t
+    (accel n adj V' (fun j => r j t) (fun j => RtoC (s j t) * expi (th j t))%C (fun j => th j t) i)).
+Check (eq_refl : gap = fun t => 2 + / 2 * cos (2 * t)).
+Check (eq_refl : swing = fun c i t => match i with 0%nat => RtoC (c * t + / 2 * gap t) | _ => RtoC (c * t - / 2 * gap t) end).
+Check (eq_refl : swing_speed = fun c i t => match i with 0%nat => c - / 2 * sin (2 * t) | _ => c + / 2 * sin (2 * t) end).
+Check (eq_refl : Vh' = fun s => 2 * (s - 2) - (if Rlt_dec s 1 then 2 * (/ s - 1) / s ^ 2 else 0)).
+Check (eq_refl : steered = fun n adj V V' r v th t =>
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) /\
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) /\
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+     is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) /\
+  (forall i, (i < n)%nat -> is_velocity (v i) t (accel n adj V' (fun j => r j t) (fun j => v j t) (fun j => th j t) i))).
+Check (eq_refl : mechanical = fun n adj V r v =>
+  / 2 * Sum n (fun i => Sum n (fun j => w adj i j * V i j (norm (r i - r j)%C)) + inner (v i) (v i))).
+
+(* tanner1.Vt_inv, tanner1.propIV3b, tanner1.decoupled *)
+Check (tanner1_motion.mechanical_constant :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R),
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       forall T : R,
+       (forall t : R, 0 <= t < T -> steered n adj V V' r v th t) ->
+       forall t : R, 0 <= t < T ->
+       mechanical n adj V (fun i => r i t) (fun i => v i t) = mechanical n adj V (fun i => r i 0) (fun i => v i 0)).
+
+(* tanner1.collision *)
+Check (tanner1_motion.linked_apart :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R),
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       forall T : R,
+       (forall t : R, 0 <= t < T -> steered n adj V V' r v th t) ->
+       (forall (i j : nat) (s : R), (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
+       (forall (i j : nat) (M : R), (i < n)%nat -> (j < n)%nat -> exists d, 0 < d /\ forall s : R, 0 < s < d -> M < V i j s) ->
+       forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+       exists d : R, 0 < d /\ forall t : R, 0 <= t < T -> d <= norm (r i t - r j t)%C).
+
+(* tanner1.propIV3a *)
+Check (tanner1_motion.propIV3a_ends :
+  (forall t : R, 0 <= t < PI / 12 ->
+     closed_loop 2 complete (fun _ _ : nat => Vh') (swing (/ 4)) (swing_speed (/ 4)) (fun (_ : nat) (_ : R) => 0) t) /\
+       (forall (r : nat -> R -> C) (s th : nat -> R -> R),
+        (forall (t : R) (i : nat), 0 <= t < PI / 12 -> (i < 2)%nat -> r i t = swing (/ 4) i t) ->
+        ~ closed_loop 2 complete (fun _ _ : nat => Vh') r s th (PI / 12))).

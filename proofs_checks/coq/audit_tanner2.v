@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_path tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -432,3 +432,25 @@ Check (tanner_graph.B_gradients :
        - fst (grad_i n adj V' r k) /\
        applyB O (fun f : nat * nat => snd (grad (V' (fst f) (snd f)) (r (fst f)) (r (snd f)))) k =
        - snd (grad_i n adj V' r k)).
+
+(* the path 0 - 1 - 2 *)
+Check (eq_refl : path3 = fun k j => (Nat.eqb k 1 && negb (Nat.eqb j 1) || Nat.eqb j 1 && negb (Nat.eqb k 1))%bool).
+Check (eq_refl : VP = fun s => (s - 2) ^ 2 / 4 + Rmax 0 (/ s - 1) ^ 2).
+Check (eq_refl : place2 = fun d i => match i with 0%nat => RtoC (2 + d / 2) | 1%nat => RtoC 0 | _ => RtoC (2 - d / 2) end).
+Check (eq_refl : speed2 = fun e i => match i with 0%nat => RtoC (e / 2) | 1%nat => RtoC 0 | _ => RtoC (- e / 2) end).
+Check (eq_refl : apart = fun t => exp (- t / 2) * cos (t / 2)).
+
+(* tanner2.noninter *)
+Check (tanner2_path.unlinked_meet :
+  solution 3 path3 (fun _ _ : nat => VP) (fun _ _ : nat => VP') (fun (i : nat) (t : R) => place2 (apart t) i)
+         (fun (i : nat) (t : R) => speed2 (apart' t) i) /\
+       (forall s : R, 0 < s -> s <> 2 -> VP 2 < VP s) /\
+       path3 0 2 = false /\
+       norm (place2 (apart 0) 0 - place2 (apart 0) 2)%C = 1 /\ place2 (apart PI) 0 = place2 (apart PI) 2).
+
+(* tanner2.sec4.flocking *)
+Check (tanner2_path.unlinked_together :
+  solution 3 path3 (fun _ _ : nat => VP) (fun _ _ : nat => VP') (fun (i : nat) (_ : R) => place2 0 i)
+         (fun (i : nat) (_ : R) => speed2 0 i) /\
+       (forall s : R, 0 < s -> s <> 2 -> VP 2 < VP s) /\
+       (forall i : nat, speed2 0 i = RtoC 0) /\ place2 0 0 = place2 0 2).

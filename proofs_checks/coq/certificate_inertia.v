@@ -1,6 +1,6 @@
 (* The signs of the squares of a quadratic form, by integers: A = M D M^T with an invertible M is x^T A x = sum d_k y_k^2
-   in the coordinates y = M^T x, and the signs of the d_k are those of the eigenvalues (Sylvester's law of inertia, which
-   says that they do not depend on M and is not proved here). *)
+   in the coordinates y = M^T x; that the signs of the d_k do not depend on M (Sylvester's law of inertia) is in
+   certificate_index.v. *)
 From Coq Require Import ZArith QArith Qabs List Lia Lqa Bool.
 From Flockproof Require Import certificate_matrices.
 From Flockproof Require Import certificate_limits.

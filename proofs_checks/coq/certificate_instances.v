@@ -3,6 +3,7 @@ From Coq Require Import ZArith QArith Qabs List Lia Lqa Bool Arith.
 From Flockproof Require Import certificate_matrices.
 From Flockproof Require Import certificate_limits.
 From Flockproof Require Import certificate_inertia.
+From Flockproof Require Import certificate_index.
 From Flockproof Require Import certificate_flocks.
 From Flockproof Require Import gen_products.
 From Flockproof Require Import gen_limits.
@@ -99,11 +100,18 @@ Theorem product_four_birds :
 Proof. exact (proj2 chazelle_tau1_four_birds_16_factors). Qed.
 
 (* ---- quadratic forms ---- *)
-(* The sum of (x_i - x_j)^2 over the edges is the form of the Laplacian; here only the signs. *)
-Theorem path6_semidefinite x : 0 <= quad 6 (val tanner2_L_path_6_A) x.
-Proof. exact (semidefinite 6 _ 5 tanner2_L_path_6 x). Qed.
-Theorem ring5_and_path3_semidefinite x : 0 <= quad 8 (val tanner1_L_ring_5_and_path_3_A) x.
-Proof. exact (semidefinite 8 _ 6 tanner1_L_ring_5_and_path_3 x). Qed.
+(* The sum of (x_i - x_j)^2 over the edges is the form of the Laplacian; here only the signs: not negative, and positive on a
+   space of n - 1 (n - 2) dimensions and no larger one, as for one (two) connected components. *)
+Theorem path6_semidefinite :
+  (forall x, 0 <= quad 6 (val tanner2_L_path_6_A) x) /\ positive_index 6 (val tanner2_L_path_6_A) 5.
+Proof.
+  split; [exact (semidefinite 6 _ 5 tanner2_L_path_6)|exact (sylvester_positive 6 _ 5 0 tanner2_L_path_6)].
+Qed.
+Theorem ring5_and_path3_semidefinite :
+  (forall x, 0 <= quad 8 (val tanner1_L_ring_5_and_path_3_A) x) /\ positive_index 8 (val tanner1_L_ring_5_and_path_3_A) 6.
+Proof.
+  split; [exact (semidefinite 8 _ 6 tanner1_L_ring_5_and_path_3)|exact (sylvester_positive 8 _ 6 0 tanner1_L_ring_5_and_path_3)].
+Qed.
 (* The Hessian of U_1 = |sum_k e^(i theta_k)|^2/(2 N) where e^(i theta_k) = s_k is 1 or -1: (1 - s_k sum s)/N on the
    diagonal, s_k s_j/N beside it. *)
 Definition hessian (s : list Z) : zmat :=
@@ -111,9 +119,19 @@ Definition hessian (s : list Z) : zmat :=
   (table (length s) (fun k j => if Nat.eqb k j then (1 - nth k s 0 * total)%Z else (nth k s 0 * nth j s 0)%Z),
    Pos.of_nat (length s)).
 Theorem saddle_three_and_one :
-  (exists x, 0 < quad 4 (val (hessian [1; 1; 1; -1]%Z)) x) /\ (exists x, quad 4 (val (hessian [1; 1; 1; -1]%Z)) x < 0).
-Proof. exact (indefinite 4 _ 0 1 paley_thm1_saddle_three_and_one). Qed.
+  ((exists x, 0 < quad 4 (val (hessian [1; 1; 1; -1]%Z)) x) /\ (exists x, quad 4 (val (hessian [1; 1; 1; -1]%Z)) x < 0)) /\
+  positive_index 4 (val (hessian [1; 1; 1; -1]%Z)) 1 /\ negative_index 4 (val (hessian [1; 1; 1; -1]%Z)) 2.
+Proof.
+  split; [exact (indefinite 4 _ 0 1 paley_thm1_saddle_three_and_one)|]. split.
+  - exact (sylvester_positive 4 _ 1 2 paley_thm1_saddle_three_and_one).
+  - exact (sylvester_negative 4 _ 1 2 paley_thm1_saddle_three_and_one).
+Qed.
 Theorem saddle_four_and_two :
-  (exists x, 0 < quad 6 (val (hessian [1; 1; 1; 1; -1; -1]%Z)) x) /\
-  (exists x, quad 6 (val (hessian [1; 1; 1; 1; -1; -1]%Z)) x < 0).
-Proof. exact (indefinite 6 _ 1 2 paley_thm1_saddle_four_and_two). Qed.
+  ((exists x, 0 < quad 6 (val (hessian [1; 1; 1; 1; -1; -1]%Z)) x) /\
+   (exists x, quad 6 (val (hessian [1; 1; 1; 1; -1; -1]%Z)) x < 0)) /\
+  positive_index 6 (val (hessian [1; 1; 1; 1; -1; -1]%Z)) 2 /\ negative_index 6 (val (hessian [1; 1; 1; 1; -1; -1]%Z)) 3.
+Proof.
+  split; [exact (indefinite 6 _ 1 2 paley_thm1_saddle_four_and_two)|]. split.
+  - exact (sylvester_positive 6 _ 2 3 paley_thm1_saddle_four_and_two).
+  - exact (sylvester_negative 6 _ 2 3 paley_thm1_saddle_four_and_two).
+Qed.

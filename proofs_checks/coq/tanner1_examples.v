@@ -141,8 +141,11 @@ Proof.
   - unfold Vh'. destruct (Rlt_dec s 1); [lra|]. eapply D_eq; [apply (D_sqr (fun x => x - 2)); apply D_minus; [apply D_id|apply D_const]|]. ring.
 Qed.
 Definition gap (t : R) : R := 2 + / 2 * cos (2 * t).
-Definition r_osc (i : nat) (t : R) : C := match i with 0%nat => RtoC (3 * t + / 2 * gap t) | _ => RtoC (3 * t - / 2 * gap t) end.
-Definition s_osc (i : nat) (t : R) : R := match i with 0%nat => 3 - / 2 * sin (2 * t) | _ => 3 + / 2 * sin (2 * t) end.
+(* c is the speed of the centre *)
+Definition swing (c : R) (i : nat) (t : R) : C := match i with 0%nat => RtoC (c * t + / 2 * gap t) | _ => RtoC (c * t - / 2 * gap t) end.
+Definition swing_speed (c : R) (i : nat) (t : R) : R := match i with 0%nat => c - / 2 * sin (2 * t) | _ => c + / 2 * sin (2 * t) end.
+Definition r_osc := swing 3.
+Definition s_osc := swing_speed 3.
 Lemma gap_range t : 3 / 2 <= gap t <= 5 / 2.
 Proof. unfold gap. pose proof (COS_bound (2 * t)). lra. Qed.
 Lemma D_cos2 t : is_derive (fun s => cos (2 * s)) t (- 2 * sin (2 * t)).
@@ -151,34 +154,36 @@ Lemma D_sin2 t : is_derive (fun s => sin (2 * s)) t (2 * cos (2 * t)).
 Proof. eapply D_eq; [apply (D_sin (fun s => 2 * s)), D_scal, D_id|]. ring. Qed.
 Lemma D_gap t : is_derive gap t (- sin (2 * t)).
 Proof. unfold gap. eapply D_eq; [apply D_plus; [apply D_const|apply D_scal, D_cos2]|]. field. Qed.
-Lemma osc_loop t : closed_loop 2 complete (fun _ _ => Vh') r_osc s_osc (fun _ _ => 0) t.
+Lemma swing_loop c t : (forall i, 0 < swing_speed c i t) -> closed_loop 2 complete (fun _ _ => Vh') (swing c) (swing_speed c) (fun _ _ => 0) t.
 Proof.
-  pose proof (gap_range t) as G. pose proof (SIN_bound (2 * t)) as SB.
-  assert (N : norm (r_osc 0 t - r_osc 1 t)%C = gap t /\ norm (r_osc 1 t - r_osc 0 t)%C = gap t).
-  { assert (E : norm (r_osc 0 t - r_osc 1 t)%C = gap t).
-    { unfold r_osc. rewrite RtoC_minus', norm_real. replace (3 * t + / 2 * gap t - (3 * t - / 2 * gap t)) with (gap t) by field. apply Rabs_pos_eq. lra. }
+  intros P. pose proof (gap_range t) as G.
+  assert (N : norm (swing c 0 t - swing c 1 t)%C = gap t /\ norm (swing c 1 t - swing c 0 t)%C = gap t).
+  { assert (E : norm (swing c 0 t - swing c 1 t)%C = gap t).
+    { unfold swing. rewrite RtoC_minus', norm_real. replace (c * t + / 2 * gap t - (c * t - / 2 * gap t)) with (gap t) by field. apply Rabs_pos_eq. lra. }
     split; [exact E|]. rewrite norm_sym. exact E. }
   destruct N as [N0 N1].
   assert (Vg : Vh' (gap t) = cos (2 * t)). { unfold Vh'. destruct (Rlt_dec (gap t) 1); [lra|]. unfold gap. field. }
-  assert (Z : forall i, pair_grad complete (fun _ _ => Vh') (fun j => r_osc j t) i i = RtoC 0).
+  assert (Z : forall i, pair_grad complete (fun _ _ => Vh') (fun j => swing c j t) i i = RtoC 0).
   { intros i. unfold pair_grad, w, complete. rewrite Nat.eqb_refl. apply injective_projections; cbn [negb RtoC fst snd Cmult]; ring. }
-  assert (F : grad_i 2 complete (fun _ _ => Vh') (fun j => r_osc j t) 0 = RtoC (cos (2 * t)) /\ grad_i 2 complete (fun _ _ => Vh') (fun j => r_osc j t) 1 = RtoC (- cos (2 * t))).
-  { unfold grad_i, Csum. cbn [Sum]. rewrite !Z. unfold pair_grad, grad. rewrite N0, N1, Vg. unfold w, complete, r_osc.
+  assert (F : grad_i 2 complete (fun _ _ => Vh') (fun j => swing c j t) 0 = RtoC (cos (2 * t)) /\ grad_i 2 complete (fun _ _ => Vh') (fun j => swing c j t) 1 = RtoC (- cos (2 * t))).
+  { unfold grad_i, Csum. cbn [Sum]. rewrite !Z. unfold pair_grad, grad. rewrite N0, N1, Vg. unfold w, complete, swing.
     split; apply injective_projections; cbn; field; lra. }
   destruct F as [F0 F1]. intros i Hi. unfold accel. rewrite gyro_aligned. destruct i as [|[|]]; [| |lia].
-  - split; [unfold s_osc; lra|]. split; [unfold s_osc; eexists; apply D_minus; [apply D_const|apply D_scal, D_sin2]|]. rewrite F0, expi_0. split.
+  - split; [apply P|]. split; [unfold swing_speed; eexists; apply D_minus; [apply D_const|apply D_scal, D_sin2]|]. rewrite F0, expi_0. split.
     + rewrite Cmult_1_r. split; cbn; [|apply D_const]. eapply D_eq; [apply D_plus; [apply D_scal, D_id|apply D_scal, D_gap]|]. ring.
     + split; cbn [fst snd].
-      * apply (is_derive_ext (fun x => 3 - / 2 * sin (2 * x))); [intros; cbn; try rewrite cos_0; Rring|].
+      * apply (is_derive_ext (fun x => c - / 2 * sin (2 * x))); [intros; cbn; try rewrite cos_0; Rring|].
         eapply D_eq; [apply D_minus; [apply D_const|apply D_scal, D_sin2]|]. cbn. field.
       * apply (is_derive_ext (fun _ : R => 0)); [intros; cbn; try rewrite sin_0; Rring|]. eapply D_eq; [apply D_const|]. cbn. ring.
-  - split; [unfold s_osc; lra|]. split; [unfold s_osc; eexists; apply D_plus; [apply D_const|apply D_scal, D_sin2]|]. rewrite F1, expi_0. split.
+  - split; [apply P|]. split; [unfold swing_speed; eexists; apply D_plus; [apply D_const|apply D_scal, D_sin2]|]. rewrite F1, expi_0. split.
     + rewrite Cmult_1_r. split; cbn; [|apply D_const]. eapply D_eq; [apply D_minus; [apply D_scal, D_id|apply D_scal, D_gap]|]. ring.
     + split; cbn [fst snd].
-      * apply (is_derive_ext (fun x => 3 + / 2 * sin (2 * x))); [intros; cbn; try rewrite cos_0; Rring|].
+      * apply (is_derive_ext (fun x => c + / 2 * sin (2 * x))); [intros; cbn; try rewrite cos_0; Rring|].
         eapply D_eq; [apply D_plus; [apply D_const|apply D_scal, D_sin2]|]. cbn. field.
       * apply (is_derive_ext (fun _ : R => 0)); [intros; cbn; try rewrite sin_0; Rring|]. eapply D_eq; [apply D_const|]. cbn. ring.
 Qed.
+Lemma osc_loop t : closed_loop 2 complete (fun _ _ => Vh') r_osc s_osc (fun _ _ => 0) t.
+Proof. apply swing_loop. intros i. pose proof (SIN_bound (2 * t)). unfold swing_speed. destruct i; lra. Qed.
 (* the distance returns to 5/2 for ever, where V = 1/4; the minimum of V is 0, at distance 2 *)
 Theorem propIV3b_fails : (forall t, closed_loop 2 complete (fun _ _ => Vh') r_osc s_osc (fun _ _ => 0) t) /\
   (forall s, 0 < s -> 0 <= Vh s /\ (Vh s = 0 <-> s = 2)) /\
@@ -189,7 +194,7 @@ Proof.
     + nra.
     + subst. rewrite Rmax_left by lra. ring.
   - intros m. assert (E : norm (r_osc 0 (INR m * PI) - r_osc 1 (INR m * PI))%C = 5 / 2).
-    { unfold r_osc. rewrite RtoC_minus', norm_real. unfold gap. replace (2 * (INR m * PI)) with (0 + 2 * INR m * PI) by ring. rewrite cos_period, cos_0.
+    { unfold r_osc, swing. rewrite RtoC_minus', norm_real. unfold gap. replace (2 * (INR m * PI)) with (0 + 2 * INR m * PI) by ring. rewrite cos_period, cos_0.
       replace (3 * (INR m * PI) + / 2 * (2 + / 2 * 1) - (3 * (INR m * PI) - / 2 * (2 + / 2 * 1))) with (5 / 2) by field. apply Rabs_pos_eq. lra. }
     split; [exact E|]. rewrite E. unfold Vh. rewrite Rmax_left; [field|]. assert (/ (5 / 2) = 2 / 5) by field. lra.
 Qed.
