@@ -3,7 +3,7 @@
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
-From Flockproof Require veerman_numbers veerman_peak veerman_resonances.
+From Flockproof Require veerman_numbers.
 Open Scope R_scope.
 
 Check (den_printed : forall f g w : R, den f g w = (RtoC f + Ci * w * g)%C).
@@ -271,27 +271,3 @@ Check (@veerman_numbers.table_theory_printed_fails :
      ~ veerman_numbers.agrees ta (veerman_numbers.amplitude (-1) (-1) (N + 1)) /\
      ~ veerman_numbers.agrees tf (veerman_numbers.frequency (-1) N) /\
      ~ veerman_numbers.agrees ta (veerman_numbers.amplitude (-1) (-1) N)) veerman_numbers.table).
-
-(* the response of the last car, for any amplitudes that solve equation (2) *)
-Check (fun f g N w => eq_refl : veerman_peak.response f g N w = Cmod (2 / trace2 (mat2_pow (Cmat (gamma f g w)) (S N)))%C).
-Check (veerman_peak.response_solution : forall (f g w : R) (N : nat) (a : nat -> C),
-  f < 0 -> g < 0 -> a 0%nat = RtoC 1 -> equation_2 f g w N a -> Cmod (a (S N)) = veerman_peak.response f g N w).
-(* veerman.prop2 (claim) *)
-Check (veerman_peak.proposition_2 : forall f g : R, f < 0 -> g < 0 ->
-  forall eps : R, 0 < eps -> exists N0 : nat, forall N : nat, (N0 <= N)%nat -> forall a0 D wp : R, 0 < a0 ->
-  (forall w : R, veerman_peak.response f g N w <= veerman_peak.response f g N wp) ->
-  a0 * veerman_peak.response f g N wp <= D ->
-  INR (N + 1) <= (1 + eps) * (PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f)) * (D / a0))).
-(* veerman.thm1_amp (part) *)
-Check (veerman_peak.peak_lower : forall (f g : R) (N : nat), f < 0 -> g < 0 ->
-  (/ 2 + 2 * (g ^ 2 / (2 * - f))) * (PI / (2 * INR (S N))) ^ 2 < 1 ->
-  exists w : R, 0 < w /\
-    INR (S N) / (PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f))) *
-      (1 - (/ 2 + 2 * (g ^ 2 / (2 * - f))) * (PI / (2 * INR (S N))) ^ 2) - 1 <= veerman_peak.response f g N w).
-(* veerman.cor3, veerman.thm1_omega (part) *)
-Check (veerman_resonances.corollary_3 : forall f g : R, f < 0 -> g < 0 -> forall k : nat, (1 <= k)%nat -> forall delta : R, 0 < delta ->
-  exists N0 : nat, forall N : nat, (N0 <= N)%nat -> exists w : R,
-    (exists e : R, 0 < e /\ forall x : R, Rabs (x - w) < e -> veerman_peak.response f g N x <= veerman_peak.response f g N w) /\
-    1 < veerman_peak.response f g N w /\
-    Rabs (w - (2 * INR k - 1) * (sqrt (Rabs f) * PI / (INR (N + 1) * 2 * sqrt 2))) <=
-      delta * ((2 * INR k - 1) * (sqrt (Rabs f) * PI / (INR (N + 1) * 2 * sqrt 2)))).

@@ -57,8 +57,6 @@ const SOURCES: [(&str, &str); 63] = sources![
     "veerman_lemma1",
     "veerman_matrices",
     "veerman_numbers",
-    "veerman_peak",
-    "veerman_resonances",
     "certificate_matrices",
     "certificate_flocks",
     "certificate_limits",
