@@ -73,7 +73,7 @@ Lemma energy_bounds t : r ^ 2 * dot N (fun k => e k t) (fun k => e k t) <= energ
 Proof using HE Hf.
   unfold energy. destruct HE as [Z _]. set (et := fun k => e k t).
   assert (Q : 0 <= dot N et (back2 N et)).
-  { rewrite by_parts by apply Z. apply Rmult_le_pos; [lra|]. apply Sum_ge0. intros; nra. }
+  { rewrite by_parts by apply Z. apply Rmult_le_pos; [lra|]. apply Sum_ge0. intros i _. apply Rle_0_sqr. }
   assert (0 <= (- f + g * r) * dot N et (back2 N et)) by (apply Rmult_le_pos; lra).
   pose proof (dot_ge0 N et). pose proof (dot_ge0 N (fun k => v k t)). pose proof (pow2_ge_0 r).
   assert (0 <= r ^ 2 * dot N et et) by (apply Rmult_le_pos; lra). lra.
@@ -154,4 +154,93 @@ Proof using Hg Hq.
       with ((2 * (- f + g * r) ^ 2 / q + 2 * g ^ 2) * (W ^ 2 + q * y ^ 2) / (2 * p)) by (field; split; [lra|fold q in Hq; lra]).
     apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra|exact B]. }
   lra.
+Qed.
+Lemma passed_ge0 : 0 <= passed.
+Proof using Hg Hq.
+  unfold passed. apply Rmult_le_pos; [|left; apply Rinv_0_lt_compat; lra]. pose proof (pow2_ge_0 g).
+  assert (0 <= 2 * (- f + g * r) ^ 2 / q); [|lra]. apply Rmult_le_pos; [pose proof (pow2_ge_0 (- f + g * r)); lra|].
+  left. now apply Rinv_0_lt_compat.
+Qed.
+Lemma Sum_first n F : Sum (S n) F = F 0%nat + Sum n (fun i => F (S i)).
+Proof. induction n as [|n IH]; [cbn [Sum]; ring|]. cbn [Sum] in IH |- *. lra. Qed.
+Lemma all_cars dl t : 0 < dl -> 0 <= t ->
+  Sum (S N) (fun i => dl ^ i * H (S i) t) <= Sum (S N) (fun i => dl ^ i * H (S i) 0) * exp (- (2 * r - passed * dl) * t).
+Proof using HE Hg Hq.
+  intros Hd Ht. pose proof passed_ge0 as P0. assert (H0 : forall k t, 0 <= H k t).
+  { intros k s. unfold H. pose proof (pow2_ge_0 (v k s)). assert (0 <= q * e k s ^ 2) by (apply Rmult_le_pos; [unfold q; lra|apply pow2_ge_0]). lra. }
+  apply (gronwall (fun t => Sum (S N) (fun i => dl ^ i * H (S i) t)) (fun t => Sum (S N) (fun i => dl ^ i * H' (S i) t))); [| |exact Ht].
+  - intros s Hs. apply (D_Sum (S N) (fun i s => dl ^ i * H (S i) s)). intros i Hi. apply (D_scal (dl ^ i) (H (S i))). apply car_derive; [lia|exact Hs].
+  - intros s _.
+    apply Rle_trans with (Sum (S N) (fun i => (- (2 * r)) * (dl ^ i * H (S i) s) + passed * (dl ^ i * H i s))).
+    + apply Sum_le. intros i _. assert (0 < dl ^ i) by now apply pow_lt. pose proof (car_rate i s) as C.
+      apply (Rmult_le_compat_l (dl ^ i)) in C; lra.
+    + rewrite Sum_plus, !Sum_scal, (Sum_first N (fun i => dl ^ i * H i s)).
+      assert (Z : H 0%nat s = 0) by (unfold H, v; destruct (proj1 HE s) as [-> ->]; ring).
+      rewrite Z, (Sum_ext N (fun i => dl ^ S i * H (S i) s) (fun i => dl * (dl ^ i * H (S i) s))) by (intros; cbn [pow]; ring).
+      rewrite Sum_scal. cbn [Sum]. set (T := Sum N _). pose proof (H0 (S N) s). assert (0 < dl ^ N) by now apply pow_lt.
+      assert (0 <= dl * (dl ^ N * H (S N) s)) by (apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]).
+      assert (0 <= passed * (dl * (dl ^ N * H (S N) s))) by (apply Rmult_le_pos; assumption). lra.
+Qed.
+End OneSided.
+
+Theorem one_sided_settles f g s N h x u : g < 0 -> 0 <= s -> 2 * s < - g -> 0 < - f + g * s + s ^ 2 ->
+  system_1 f g N h x u -> leader_cruises x u -> settles_at_rate s N h x u.
+Proof.
+  intros Gn Hs Hg Hq HS HL. destruct (errors_of f g N h x u HL) as (e & d & A & B & _). specialize (B HS).
+  set (eta := Rmin ((- g - 2 * s) / 4) ((- f + g * s + s ^ 2) / (2 * - g))).
+  assert (Q1 : 0 < (- f + g * s + s ^ 2) / (2 * - g)) by (apply Rdiv_lt_0_compat; lra).
+  assert (E0 : 0 < eta) by (unfold eta; apply Rmin_glb_lt; lra).
+  assert (E1 : eta <= (- g - 2 * s) / 4) by apply Rmin_l.
+  assert (E2 : - g * eta <= (- f + g * s + s ^ 2) / 2).
+  { apply Rle_trans with (- g * ((- f + g * s + s ^ 2) / (2 * - g))); [apply Rmult_le_compat_l; [lra|apply Rmin_r]|]. right. field. lra. }
+  set (r := s + eta). assert (R0 : 0 <= r) by (unfold r; lra). assert (R1 : 2 * r < - g) by (unfold r; lra).
+  assert (R2 : 0 < - f + g * r + r ^ 2).
+  { unfold r. assert (0 <= s * eta) by (apply Rmult_le_pos; lra). pose proof (pow2_ge_0 eta). nra. }
+  pose proof (passed_ge0 f g r R1 R2) as P0. set (p := passed f g r) in *.
+  set (dl := Rmin 1 (2 * eta / (p + 1))).
+  assert (L0 : 0 < 2 * eta / (p + 1)) by (apply Rdiv_lt_0_compat; lra).
+  assert (D0 : 0 < dl) by (unfold dl; apply Rmin_glb_lt; lra). assert (D1 : dl <= 1) by apply Rmin_l.
+  assert (D2 : p * dl <= 2 * eta).
+  { apply Rle_trans with (p * (2 * eta / (p + 1))); [apply Rmult_le_compat_l; [exact P0|apply Rmin_r]|].
+    apply (Rmult_le_reg_r (p + 1)); [lra|]. replace (p * (2 * eta / (p + 1)) * (p + 1)) with (2 * eta * p) by (field; lra).
+    assert (0 <= 2 * eta * 1) by lra. lra. }
+  set (q := - f + g * r + r ^ 2) in *.
+  set (H := fun k t => (d k t + r * e k t) ^ 2 + q * e k t ^ 2).
+  assert (H0 : forall k t, 0 <= H k t).
+  { intros k t. unfold H. pose proof (pow2_ge_0 (d k t + r * e k t)). assert (0 <= q * e k t ^ 2) by (apply Rmult_le_pos; [lra|apply pow2_ge_0]). lra. }
+  set (W := Sum (S N) (fun i => dl ^ i * H (S i) 0)).
+  assert (W0 : 0 <= W) by (apply Sum_ge0; intros; apply Rmult_le_pos; [now apply pow_le, Rlt_le|apply H0]).
+  set (K := W / dl ^ N). assert (DN : 0 < dl ^ N) by now apply pow_lt.
+  assert (K0 : 0 <= K) by (apply Rmult_le_pos; [exact W0|left; now apply Rinv_0_lt_compat]).
+  assert (B1 : forall k t, (1 <= k <= S N)%nat -> 0 <= t -> H k t <= K * exp (- (2 * s) * t)).
+  { intros k t Hk Ht. destruct k as [|i]; [lia|].
+    pose proof (all_cars f g r N e d R1 R2 B dl t D0 Ht) as T. fold p in T. fold q in T.
+    change (Sum (S N) (fun i => dl ^ i * H (S i) t) <= W * exp (- (2 * r - p * dl) * t)) in T.
+    assert (X : exp (- (2 * r - p * dl) * t) <= exp (- (2 * s) * t)).
+    { assert (Y : - (2 * r - p * dl) * t <= - (2 * s) * t) by (apply Rmult_le_compat_r; [exact Ht|unfold r; lra]).
+      destruct Y as [Y|Y]; [left; now apply exp_increasing|rewrite Y; right; reflexivity]. }
+    pose proof (Sum_term_le (S N) (fun i => dl ^ i * H (S i) t) i) as M. cbv beta in M.
+    specialize (M ltac:(intros; apply Rmult_le_pos; [now apply pow_le, Rlt_le|apply H0]) ltac:(lia)).
+    assert (Pw : dl ^ N <= dl ^ i).
+    { replace N with (i + (N - i))%nat by lia. rewrite pow_add. assert (0 < dl ^ i) by now apply pow_lt.
+      assert (dl ^ (N - i) <= 1) by (rewrite <- (pow1 (N - i)); apply pow_incr; lra).
+      rewrite <- (Rmult_1_r (dl ^ i)) at 2. apply Rmult_le_compat_l; lra. }
+    assert (dl ^ N * H (S i) t <= dl ^ i * H (S i) t) by (apply Rmult_le_compat_r; [apply H0|exact Pw]).
+    assert (W * exp (- (2 * r - p * dl) * t) <= W * exp (- (2 * s) * t)) by (apply Rmult_le_compat_l; assumption).
+    apply (Rmult_le_reg_l (dl ^ N)); [exact DN|]. unfold K. replace (dl ^ N * (W / dl ^ N * exp (- (2 * s) * t))) with (W * exp (- (2 * s) * t)) by (field; lra). lra. }
+  exists (sqrt (K / q) + (sqrt K + r * sqrt (K / q))). intros k t Hk Ht. destruct (A k t Hk Ht) as [<- <-].
+  specialize (B1 k t Hk Ht). unfold H in B1. pose proof (pow2_ge_0 (d k t + r * e k t)). pose proof (pow2_ge_0 (e k t)).
+  assert (0 <= q * e k t ^ 2) by (apply Rmult_le_pos; lra). pose proof (exp_pos (- s * t)) as EP.
+  assert (KQ : 0 <= K / q) by (apply Rmult_le_pos; [exact K0|left; now apply Rinv_0_lt_compat]).
+  assert (X : Rabs (e k t) <= sqrt (K / q) * exp (- s * t)).
+  { apply root_bound; [exact KQ|]. apply (Rmult_le_reg_l q); [exact R2|].
+    replace (q * (K / q * exp (- (2 * s) * t))) with (K * exp (- (2 * s) * t)) by (field; lra). lra. }
+  assert (Y : Rabs (d k t + r * e k t) <= sqrt K * exp (- s * t)) by (apply root_bound; [exact K0|lra]).
+  pose proof (sqrt_pos K). pose proof (sqrt_pos (K / q)).
+  assert (0 <= r * sqrt (K / q) * exp (- s * t)) by (repeat apply Rmult_le_pos; lra).
+  assert (0 <= sqrt K * exp (- s * t)) by (apply Rmult_le_pos; lra).
+  assert (0 <= sqrt (K / q) * exp (- s * t)) by (apply Rmult_le_pos; lra).
+  split; [lra|].
+  replace (d k t) with ((d k t + r * e k t) + - (r * e k t)) by ring. eapply Rle_trans; [apply Rabs_triang|].
+  rewrite Rabs_Ropp, Rabs_mult, (Rabs_right r) by lra. apply (Rmult_le_compat_l r) in X; lra.
 Qed.
