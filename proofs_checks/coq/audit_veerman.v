@@ -4,6 +4,7 @@ From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
 From Flockproof Require veerman_numbers.
+From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled.
 Open Scope R_scope.
 
 Check (den_printed : forall f g w : R, den f g w = (RtoC f + Ci * w * g)%C).
@@ -31,7 +32,44 @@ Check (fun N P lam => eq_refl : eigenvalue N P lam = exists x : nat -> C,
 Check (fun N P (f g : R) nu => eq_refl : eigenvalue_M N P f g nu = exists x u : nat -> C, (nonzero N x \/ nonzero N u) /\
   forall k, (1 <= k <= S N)%nat -> u k = (nu * x k)%C /\ (f * P x k + g * P u k)%C = (nu * u k)%C).
 Check (fun N P f g => eq_refl : stable N P f g = forall nu, eigenvalue_M N P f g nu -> fst nu < 0).
+Check (fun (f g : R) N h x u => eq_refl : system_1 f g N h x u = forall k t, (1 <= k <= S N)%nat -> 0 <= t ->
+  is_derive (x k) t (u k t) /\
+  is_derive (u k) t (f * ((x k t - h k) - (x (k - 1)%nat t - h (k - 1)%nat)) + g * (u k t - u (k - 1)%nat t))).
+Check (fun (f g : R) N h x u => eq_refl : system_2 f g N h x u = forall k t, (1 <= k <= S N)%nat -> 0 <= t ->
+  is_derive (x k) t (u k t) /\
+  is_derive (u k) t (if Nat.eqb k (S N)
+    then f * ((x k t - h k) - (x (k - 1)%nat t - h (k - 1)%nat)) + g * (u k t - u (k - 1)%nat t)
+    else f * ((x k t - h k) - / 2 * ((x (k - 1)%nat t - h (k - 1)%nat) + (x (k + 1)%nat t - h (k + 1)%nat))) +
+         g * (u k t - / 2 * (u (k - 1)%nat t + u (k + 1)%nat t)))).
+Check (fun x u => eq_refl : leader_cruises x u =
+  exists V : R, forall t, 0 <= t -> x 0%nat t = x 0%nat 0 + V * t /\ u 0%nat t = V).
+Check (fun h x k t => eq_refl : deviation h x k t = (x k t - h k) - (x 0%nat t - h 0%nat)).
+Check (fun (u : nat -> R -> R) k t => eq_refl : excess u k t = u k t - u 0%nat t).
+Check (fun N h x u => eq_refl : settles N h x u = forall k, (1 <= k <= S N)%nat ->
+  is_lim (deviation h x k) p_infty 0 /\ is_lim (excess u k) p_infty 0).
+Check (fun r N h x u => eq_refl : settles_at_rate r N h x u = exists C : R, forall k t, (1 <= k <= S N)%nat -> 0 <= t ->
+  Rabs (deviation h x k t) <= C * exp (- r * t) /\ Rabs (excess u k t) <= C * exp (- r * t)).
+Check (fun f g N => eq_refl : stable_1 f g N =
+  forall h x u, system_1 f g N h x u -> leader_cruises x u -> settles N h x u).
+Check (fun f g N => eq_refl : stable_2 f g N =
+  forall h x u, system_2 f g N h x u -> leader_cruises x u -> settles N h x u).
+Check (fun N => eq_refl : lowest N = 1 - cos (PI / (2 * (INR N + 1)))).
 
+(* beyond.veerman.decay_rate (claim) *)
+Check (@veerman_unsettled.decay_rate :
+  forall f g : R,
+  f < 0 ->
+  g < 0 ->
+  (forall N : nat,
+   Rabs g / sqrt (Rabs f) <= INR (S N) ->
+   let rate := Rabs g * (1 - cos (PI / (2 * INR (S N)))) / 2 in
+   (forall nu : C, eigenvalue_M N (P2 N) f g nu -> fst nu <= - rate) /\
+   (exists nu : C, eigenvalue_M N (P2 N) f g nu /\ fst nu = - rate) /\
+   rate < PI ^ 2 * Rabs g / (16 * INR (S N) ^ 2) /\
+   (forall (h : nat -> R) (x u : nat -> R -> R),
+    system_2 f g N h x u -> leader_cruises x u -> settles_at_rate rate N h x u)) /\
+  (forall N : nat, stable N (P2 N) f g) /\
+  (forall common : R, 0 < common -> exists (N : nat) (nu : C), eigenvalue_M N (P2 N) f g nu /\ - common < fst nu)).
 (* veerman.cor1 (claim) *)
 Check (@veerman_front.corollary_1 :
   forall (f g : R) (h : nat -> R) (a : nat -> C) (w : R),
@@ -113,6 +151,33 @@ Check (@veerman_lemma1.lemma_1 :
   (forall N : nat, stable N P1 f g <-> f < 0 /\ g < 0) /\
   (forall N : nat, stable N (P2 N) f g <-> f < 0 /\ g < 0) /\
   ((forall N : nat, stable N P1 f g /\ stable N (P2 N) f g) <-> f < 0 /\ g < 0)).
+(* veerman.lem1 (claim) *)
+Check (@veerman_unsettled.lemma_1_in_time :
+  forall f g : R,
+  (forall N : nat, stable_1 f g N <-> f < 0 /\ g < 0) /\ (forall N : nat, stable_2 f g N <-> f < 0 /\ g < 0)).
+(* veerman.lem1 (part) *)
+Check (@veerman_rates.one_sided_settles :
+  forall (f g s : R) (N : nat) (h : nat -> R) (x u : nat -> R -> R),
+  g < 0 ->
+  0 <= s ->
+  2 * s < - g ->
+  0 < - f + g * s + s ^ 2 -> system_1 f g N h x u -> leader_cruises x u -> settles_at_rate s N h x u).
+(* veerman.lem1 (part) *)
+Check (@veerman_rates.two_sided_settles :
+  forall (f g r : R) (N : nat) (h : nat -> R) (x u : nat -> R -> R),
+  0 < r ->
+  - g * r <= - f ->
+  2 * r <= - g * lowest N -> system_2 f g N h x u -> leader_cruises x u -> settles_at_rate r N h x u).
+(* veerman.lem1 (part) *)
+Check (@veerman_settling.mode_decays :
+  forall (f g mu r : R) (x u : R -> R),
+  0 <= r ->
+  2 * r <= - mu * g ->
+  0 < - mu * f + mu * g * r + r ^ 2 ->
+  (forall t : R, 0 <= t -> is_derive x t (u t) /\ is_derive u t (mu * (f * x t + g * u t))) ->
+  let q := - mu * f + mu * g * r + r ^ 2 in
+  forall t : R,
+  0 <= t -> (u t + r * x t) ^ 2 + q * x t ^ 2 <= ((u 0 + r * x 0) ^ 2 + q * x 0 ^ 2) * exp (- (2 * r) * t)).
 (* veerman.lem2 (claim) *)
 Check (@veerman_chain.lemma_2 :
   forall (f g w : R) (N : nat) (a : nat -> C),

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 51] = sources![
+const SOURCES: [(&str, &str); 54] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -48,6 +48,9 @@ const SOURCES: [(&str, &str); 51] = sources![
     "veerman_lemma1",
     "veerman_matrices",
     "veerman_numbers",
+    "veerman_settling",
+    "veerman_rates",
+    "veerman_unsettled",
     "certificate_matrices",
     "certificate_flocks",
     "certificate_limits",
