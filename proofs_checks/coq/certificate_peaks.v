@@ -1,112 +1,12 @@
 (* The main resonance of a two-sided platoon by integers (Veerman, Stosic, Olvera, section 4).
    With z = f + i w g = z'/d the numbers t_k = z'^k a_(M-k)/a_M obey t_0 = 1, t_1 = z' + d w^2,
    t_(k+1) = 2 (z' + d w^2) t_k - z'^2 t_(k-1): polynomials in s = w^2, apart from a factor i w of the imaginary part. So
-   |a_M|^2 = |z'|^(2 M)/|t_M|^2, and A^2 - |a_M|^2 has the sign of a polynomial in s with integer coefficients.
-   A polynomial is positive on y >= 0 if its coefficients are; if not, y >= 1 and y <= 1 are looked at apart (y = 1 + u, 1/y = 1 + u). *)
+   |a_M|^2 = |z'|^(2 M)/|t_M|^2; the signs of its slope and of A^2 - |a_M|^2 are those of polynomials with integer coefficients. *)
 From Coq Require Import Reals Qreals ZArith QArith List Bool Lia Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import veerman_complex veerman_front veerman_chain veerman_stability.
+From Flockproof Require Import RealSums veerman_complex veerman_front veerman_chain veerman_stability certificate_polynomials.
 Import ListNotations.
 Open Scope R_scope.
-
-(* ---- integer polynomials, the constant coefficient first ---- *)
-Fixpoint ev (p : list Z) (x : R) : R := match p with [] => 0 | c :: p => IZR c + x * ev p x end.
-Fixpoint padd (p q : list Z) : list Z :=
-  match p, q with [], _ => q | _, [] => p | a :: p, b :: q => (a + b)%Z :: padd p q end.
-Definition pscal (c : Z) (p : list Z) : list Z := map (Z.mul c) p.
-Fixpoint pmul (p q : list Z) : list Z := match p with [] => [] | a :: p => padd (pscal a q) (0%Z :: pmul p q) end.
-(* (a + b x) p(x) *)
-Definition lin (a b : Z) (p : list Z) : list Z := padd (pscal a p) (0%Z :: pscal b p).
-(* p(x + a), p(a x) *)
-Fixpoint shift (a : Z) (p : list Z) : list Z := match p with [] => [] | c :: p => padd [c] (lin a 1 (shift a p)) end.
-Fixpoint grow (a : Z) (p : list Z) : list Z := match p with [] => [] | c :: p => c :: pscal a (grow a p) end.
-(* c^(length p - 1) p(x/c) *)
-Definition shrink (c : Z) (p : list Z) : list Z := rev (grow c (rev p)).
-
-Lemma ev_add p : forall q x, ev (padd p q) x = ev p x + ev q x.
-Proof. induction p as [|a p IH]; intros [|b q] x; cbn [padd ev]; try ring. rewrite plus_IZR, IH. ring. Qed.
-Lemma ev_scal c p x : ev (pscal c p) x = IZR c * ev p x.
-Proof. induction p as [|a p IH]; cbn [pscal map ev]; [ring|]. change (map (Z.mul c) p) with (pscal c p). rewrite mult_IZR, IH. ring. Qed.
-Lemma ev_mul p q x : ev (pmul p q) x = ev p x * ev q x.
-Proof. induction p as [|a p IH]; cbn [pmul ev]; [ring|]. rewrite ev_add, ev_scal. cbn [ev]. rewrite IH. ring. Qed.
-Lemma ev_lin a b p x : ev (lin a b p) x = (IZR a + IZR b * x) * ev p x.
-Proof. unfold lin. rewrite ev_add. cbn [ev]. rewrite !ev_scal. ring. Qed.
-Lemma ev_shift a p x : ev (shift a p) x = ev p (IZR a + x).
-Proof. induction p as [|c p IH]; cbn [shift ev]; [reflexivity|]. rewrite ev_add, ev_lin. cbn [ev]. rewrite IH. ring. Qed.
-Lemma ev_grow a p x : ev (grow a p) x = ev p (IZR a * x).
-Proof.
-  revert x. induction p as [|c p IH]; intros x; cbn [grow ev]; [reflexivity|]. rewrite ev_scal, IH. ring.
-Qed.
-Lemma ev_app p q x : ev (p ++ q) x = ev p x + x ^ length p * ev q x.
-Proof. induction p as [|a p IH]; cbn [app ev length pow]; [ring|]. rewrite IH. ring. Qed.
-Lemma ev_rev p x : x <> 0 -> x * ev (rev p) x = x ^ length p * ev p (/ x).
-Proof.
-  intros H. induction p as [|c p IH]; cbn [rev ev length pow]; [ring|].
-  rewrite ev_app, rev_length, Rmult_plus_distr_l, IH. cbn [ev]. field. exact H.
-Qed.
-Lemma grow_length a p : length (grow a p) = length p.
-Proof. induction p as [|c p IH]; cbn [grow length]; [reflexivity|]. unfold pscal. now rewrite map_length, IH. Qed.
-(* the signs are kept *)
-Lemma rev_pos p x : 0 < x -> 0 < ev (rev p) (/ x) -> 0 < ev p x.
-Proof.
-  intros H P. pose proof (Rinv_0_lt_compat x H) as I. pose proof (ev_rev p (/ x) ltac:(lra)) as E. rewrite Rinv_inv in E.
-  assert (0 < (/ x) ^ length p * ev p x) by (rewrite <- E; now apply Rmult_lt_0_compat).
-  assert (Q : 0 < (/ x) ^ length p) by now apply pow_lt. apply (Rmult_lt_reg_l _ _ _ Q). now rewrite Rmult_0_r.
-Qed.
-Lemma shrink_ev c p x : 0 < IZR c -> 0 < x -> exists k, 0 < k /\ ev (shrink c p) x = k * ev p (x / IZR c).
-Proof.
-  intros C H. unfold shrink. pose proof (Rinv_0_lt_compat x H) as I.
-  pose proof (ev_rev (grow c (rev p)) x ltac:(lra)) as E. rewrite ev_grow, grow_length, rev_length in E.
-  assert (J : 0 < IZR c * / x) by now apply Rmult_lt_0_compat.
-  pose proof (ev_rev p (IZR c * / x) ltac:(lra)) as E2. replace (/ (IZR c * / x)) with (x / IZR c) in E2 by (field; lra).
-  exists (x ^ length p * (IZR c * / x) ^ length p / (IZR c * / x) / x). split.
-  - repeat apply Rdiv_lt_0_compat; try assumption. apply Rmult_lt_0_compat; now apply pow_lt.
-  - apply (Rmult_eq_reg_l x); [|lra]. rewrite E. apply (Rmult_eq_reg_l (IZR c * / x)); [|lra].
-    replace (IZR c * / x * (x ^ length p * ev (rev p) (IZR c * / x))) with (x ^ length p * ((IZR c * / x) * ev (rev p) (IZR c * / x))) by ring.
-    rewrite E2. field. lra.
-Qed.
-
-(* positive for all y >= 0; no eager && or ||, so that nothing is computed in vain *)
-Fixpoint pos (fuel : nat) (p : list Z) : bool :=
-  match p with
-  | [] => false
-  | c :: _ => if Z.ltb 0 c then
-      if forallb (Z.leb 0) p then true
-      else match fuel with
-        | O => false
-        | S k => if pos k (shift 1 p) then pos k (shift 1 (rev p)) else false
-        end
-      else false
-  end.
-Lemma ev_nonneg p x : forallb (Z.leb 0) p = true -> 0 <= x -> 0 <= ev p x.
-Proof.
-  intros H X. induction p as [|c p IH]; cbn [ev]; [lra|]. cbn [forallb] in H. apply andb_prop in H as [C H].
-  apply Z.leb_le in C. apply IZR_le in C. specialize (IH H). assert (0 <= x * ev p x) by now apply Rmult_le_pos. lra.
-Qed.
-Lemma pos_true fuel : forall p, pos fuel p = true -> forall y, 0 <= y -> 0 < ev p y.
-Proof.
-  induction fuel as [|k IH]; intros [|c p] H y Y; cbn [pos] in H; try discriminate;
-    destruct (Z.ltb 0 c) eqn:C; try discriminate; apply Z.ltb_lt in C; pose proof (IZR_lt _ _ C) as C1;
-    destruct (forallb (Z.leb 0) (c :: p)) eqn:A; try discriminate.
-  1, 2: cbn [forallb] in A; apply andb_prop in A as [_ A]; pose proof (ev_nonneg p y A Y); cbn [ev];
-    assert (0 <= y * ev p y) by (now apply Rmult_le_pos); lra.
-  destruct (pos k (shift 1 (c :: p))) eqn:S; [|discriminate].
-  destruct (Rle_lt_dec 1 y) as [L|L].
-  - pose proof (IH _ S (y - 1) ltac:(lra)) as P. rewrite ev_shift in P. replace (IZR 1 + (y - 1)) with y in P by ring. exact P.
-  - destruct Y as [Y|Y]; [|rewrite <- Y; cbn [ev]; lra]. apply rev_pos; [exact Y|].
-    assert (I : 1 <= / y) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
-    pose proof (IH _ H (/ y - 1) ltac:(lra)) as P. rewrite ev_shift in P. replace (IZR 1 + (/ y - 1)) with (/ y) in P by ring. exact P.
-Qed.
-(* for all x in (0, 1], for all x >= 1 *)
-Lemma pos_below fuel p : pos fuel (shift 1 (rev p)) = true -> forall x, 0 < x <= 1 -> 0 < ev p x.
-Proof.
-  intros H x X. apply rev_pos; [lra|]. assert (I : 1 <= / x) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
-  pose proof (pos_true _ _ H (/ x - 1) ltac:(lra)) as P. rewrite ev_shift in P. now replace (IZR 1 + (/ x - 1)) with (/ x) in P by ring.
-Qed.
-Lemma pos_above fuel p : pos fuel (shift 1 p) = true -> forall x, 1 <= x -> 0 < ev p x.
-Proof.
-  intros H x X. pose proof (pos_true _ _ H (x - 1) ltac:(lra)) as P. rewrite ev_shift in P. now replace (IZR 1 + (x - 1)) with x in P by ring.
-Qed.
 
 (* ---- the response ---- *)
 Definition pair_poly : Type := list Z * list Z.
@@ -178,4 +78,223 @@ Proof.
       replace (z * Cpw z j * (2 * nc F G d w * a (N - j)%nat - z * a (S N - j)%nat))%C
         with (2 * nc F G d w * (z * Cpw z j * a (N - j)%nat) - z * z * (Cpw z j * a (S N - j)%nat))%C by ring.
       rewrite A, B. ring.
+Qed.
+
+(* ---- the amplitude of the last of N + 1 cars: T_(N+1)(gamma)^-1, by Lemma 2 that of every solution, and there is one ---- *)
+Definition amplitude (f g : R) (N : nat) (w : R) : R := Cmod (/ chebT (gamma f g w) (S N))%C.
+Lemma cheb_mu gam n : (2 * chebT gam n = Cpw (mu_minus gam) n + Cpw (mu_plus gam) n)%C.
+Proof.
+  rewrite <- trace_power.
+  assert (A : (2 * chebT gam n = trace2 (mat2_pow (Cmat gam) n) /\ 2 * chebT gam (S n) = trace2 (mat2_pow (Cmat gam) (S n)))%C); [|apply A].
+  induction n as [|n [A B]].
+  - cbn [chebT mat2_pow]. unfold trace2, mat2_mul, Cmat. cbn [m11 m12 m21 m22]. rewrite C2. split; ring.
+  - split; [exact B|]. rewrite chebT_SS, trace_recurrence, <- A, <- B. ring.
+Qed.
+Lemma cheb_neq0 f g w n : f < 0 -> g < 0 -> chebT (gamma f g w) n <> 0%C.
+Proof.
+  intros Hf Hg E. apply (denominator_neq0 f g w n Hf Hg). rewrite <- cheb_mu, E. ring.
+Qed.
+Theorem amplitude_spec f g N w : f < 0 -> g < 0 ->
+  (exists a, a 0%nat = RtoC 1 /\ equation_2 f g w N a) /\
+  forall a, a 0%nat = RtoC 1 -> equation_2 f g w N a -> Cmod (a (S N)) = amplitude f g N w.
+Proof.
+  intros Hf Hg. pose proof (cheb_neq0 f g w (S N) Hf Hg) as NZ. set (gam := gamma f g w) in *. split.
+  - exists (fun k => (chebT gam (S N - k) / chebT gam (S N))%C). split; [rewrite Nat.sub_0_r; now apply Cinv_r|].
+    apply equation_2_chain; [assumption..|]. fold gam. split.
+    + intros k Hk. unfold Cmap. cbn [fst snd]. f_equal. replace (S N - (k - 1))%nat with (S (S (S N - (k + 1)))) by lia.
+      replace (S N - k)%nat with (S (S N - (k + 1))) by lia. rewrite chebT_SS. field. exact NZ.
+    + rewrite Nat.sub_diag. replace (S N - N)%nat with 1%nat by lia. cbn [chebT]. field. exact NZ.
+  - intros a A0 HE. destruct (lemma_2 f g w N a Hf Hg A0 HE) as [_ E]. fold gam in E. rewrite <- cheb_mu in E.
+    unfold amplitude. fold gam. f_equal. rewrite E. field. split; [exact NZ|exact C2_neq0].
+Qed.
+Lemma amplitude_poly F G d f g N w : f < 0 -> g < 0 -> 0 < IZR d -> IZR F = IZR d * f -> IZR G = IZR d * g ->
+  0 < ev (below F G d (S N)) (w ^ 2) /\
+  amplitude f g N w ^ 2 * ev (below F G d (S N)) (w ^ 2) = ev (above F G (S N)) (w ^ 2).
+Proof.
+  intros Hf Hg Hd HF HG. destruct (amplitude_spec f g N w Hf Hg) as [(a & A0 & HE) U]. rewrite <- (U a A0 HE).
+  destruct (amplitudes F G d f g w N a HF HG HE N (le_n N)) as [_ A]. rewrite Nat.sub_diag, A0, Cmult_1_r in A.
+  change (snd (two_terms F G d N)) with (fst (two_terms F G d (S N))) in A.
+  rewrite below_spec, above_spec, A, Cmod_mult, Rpow_mult_distr. split; [|ring].
+  assert (Z : Cpw (zc F G w) (S N) <> 0%C).
+  { apply Cpw_neq0, Cneq0_re. unfold zc. cbn [fst]. rewrite HF. assert (0 < IZR d * - f) by (apply Rmult_lt_0_compat; lra). lra. }
+  apply pow_lt, Cmod_gt_0. intros T. apply Z. rewrite A, T. ring.
+Qed.
+
+(* ---- the certificate ---- *)
+(* A positive multiple of a^2 - amplitude^2 *)
+Definition excess (F G d : Z) (M : nat) (a : Q) : list Z :=
+  padd (pscal (Qnum a * Qnum a) (below F G d M)) (pscal (- (Zpos (Qden a) * Zpos (Qden a))) (above F G M)).
+Lemma excess_spec F G d f g N w a : f < 0 -> g < 0 -> 0 < IZR d -> IZR F = IZR d * f -> IZR G = IZR d * g -> 0 < Q2R a ->
+  (0 < ev (excess F G d (S N) a) (w ^ 2) -> amplitude f g N w < Q2R a) /\
+  (ev (excess F G d (S N) a) (w ^ 2) <= 0 -> Q2R a <= amplitude f g N w).
+Proof.
+  intros Hf Hg Hd HF HG Ha. destruct (amplitude_poly F G d f g N w Hf Hg Hd HF HG) as [P E].
+  assert (A0 : 0 <= amplitude f g N w) by apply Cmod_ge_0. set (m := amplitude f g N w) in *.
+  assert (D : 0 < IZR (Zpos (Qden a))) by (apply IZR_lt; reflexivity).
+  assert (X : ev (excess F G d (S N) a) (w ^ 2) = (Q2R a - m) * ((Q2R a + m) * (IZR (Zpos (Qden a)) ^ 2 * ev (below F G d (S N)) (w ^ 2)))).
+  { unfold excess. rewrite ev_add, !ev_scal, <- E, opp_IZR, !mult_IZR. unfold Q2R. field. lra. }
+  assert (Y : 0 < (Q2R a + m) * (IZR (Zpos (Qden a)) ^ 2 * ev (below F G d (S N)) (w ^ 2))).
+  { apply Rmult_lt_0_compat; [lra|]. apply Rmult_lt_0_compat; [now apply pow_lt|exact P]. }
+  rewrite X. set (y := (Q2R a + m) * _) in *. split; intros H.
+  - apply Rnot_le_lt. intros L. assert (0 <= (m - Q2R a) * y) by (apply Rmult_le_pos; lra). lra.
+  - apply Rnot_lt_le. intros L. assert (0 < (Q2R a - m) * y) by (apply Rmult_lt_0_compat; lra). lra.
+Qed.
+
+(* d|a_M|^2/ds times |t_M|^4, where s = w^2 *)
+Definition steepness (F G d : Z) (M : nat) : list Z :=
+  padd (pmul (slope (above F G M)) (below F G d M)) (pscal (-1) (pmul (above F G M) (slope (below F G d M)))).
+Lemma amplitude_derive F G d f g N w : f < 0 -> g < 0 -> 0 < w -> 0 < IZR d -> IZR F = IZR d * f -> IZR G = IZR d * g ->
+  exists k, 0 < k /\ is_derive (fun w => amplitude f g N w ^ 2) w (k * ev (steepness F G d (S N)) (w ^ 2)).
+Proof.
+  intros Hf Hg Hw Hd HF HG. set (b := ev (below F G d (S N)) (w ^ 2)).
+  assert (P : 0 < b) by apply (amplitude_poly F G d f g N w Hf Hg Hd HF HG).
+  exists (2 * w / b ^ 2). split; [apply Rdiv_lt_0_compat; [lra|now apply pow_lt]|].
+  assert (EQ : forall v : R, ev (above F G (S N)) (v ^ 2) / ev (below F G d (S N)) (v ^ 2) = amplitude f g N v ^ 2).
+  { intros v. destruct (amplitude_poly F G d f g N v Hf Hg Hd HF HG) as [Q E]. rewrite <- E. field. lra. }
+  apply (is_derive_ext _ _ _ _ EQ).
+  assert (D : forall p, is_derive (fun w => ev p (w ^ 2)) w (ev (slope p) (w ^ 2) * (2 * w))).
+  { intros p. apply (D_comp (ev p) (fun w => w ^ 2) w _ (2 * w)); [apply D_ev|]. eapply D_eq; [apply (D_sqr (fun w => w)), D_id|ring]. }
+  eapply D_eq; [apply is_derive_div; [apply D|apply D|fold b; lra]|]. fold b. unfold steepness.
+  rewrite ev_add, ev_scal, !ev_mul. fold b. field. lra.
+Qed.
+
+(* a multiple of p(w^2 x) *)
+Definition at_square (w : Q) (p : list Z) : list Z := grow (Qnum w * Qnum w) (shrink (Zpos (Qden w) * Zpos (Qden w)) p).
+Lemma at_square_ev w p x : 0 < x -> 0 < Q2R w -> exists k, 0 < k /\ ev (at_square w p) x = k * ev p (Q2R w ^ 2 * x).
+Proof.
+  intros X W. unfold at_square. rewrite ev_grow. assert (D : 0 < IZR (Zpos (Qden w))) by (apply IZR_lt; reflexivity).
+  assert (N : 0 < IZR (Qnum w)).
+  { unfold Q2R in W. apply (Rmult_lt_reg_r (/ IZR (Zpos (Qden w)))); [now apply Rinv_0_lt_compat|]. now rewrite Rmult_0_l. }
+  rewrite mult_IZR. set (n := IZR (Qnum w)) in *.
+  assert (P : 0 < n * n * x) by (repeat apply Rmult_lt_0_compat; assumption).
+  assert (C : 0 < IZR (Zpos (Qden w) * Zpos (Qden w))) by (rewrite mult_IZR; now apply Rmult_lt_0_compat).
+  destruct (shrink_ev (Zpos (Qden w) * Zpos (Qden w)) p (n * n * x) C P) as (k & K & E).
+  exists k. split; [exact K|]. rewrite E. f_equal. f_equal. unfold Q2R. fold n. rewrite mult_IZR. field. lra.
+Qed.
+
+(* the sign of p(w^2) *)
+Definition value (w : Q) (p : list Z) : Z := fst (horner (Qnum w * Qnum w) (Zpos (Qden w) * Zpos (Qden w)) p).
+Lemma value_spec w p : exists k, 0 < k /\ IZR (value w p) = k * ev p (Q2R w ^ 2).
+Proof.
+  unfold value. set (c := (Zpos (Qden w) * Zpos (Qden w))%Z). assert (D : 0 < IZR (Zpos (Qden w))) by (apply IZR_lt; reflexivity).
+  assert (C : 0 < IZR c) by (unfold c; rewrite mult_IZR; now apply Rmult_lt_0_compat).
+  destruct (horner_spec (Qnum w * Qnum w) c p C) as [K E]. set (r := horner _ _ _) in *.
+  replace (Q2R w ^ 2) with (IZR (Qnum w * Qnum w) / IZR c) by (unfold c, Q2R; rewrite !mult_IZR; field; lra).
+  exists (IZR (snd r) / IZR c). split; [now apply Rdiv_lt_0_compat|]. apply (Rmult_eq_reg_l (IZR c)); [|lra]. rewrite E. field. lra.
+Qed.
+
+Definition positive (q : Q) : bool := Z.ltb 0 (Qnum q).
+Definition less (p q : Q) : bool := Z.ltb (Qnum p * Zpos (Qden q)) (Qnum q * Zpos (Qden p)).
+(* lo and hi over one denominator *)
+Definition peak_check (f g : Q) (N : nat) (lo hi at_w least most : Q) (fuel : nat) : bool :=
+  let d := (Zpos (Qden f) * Zpos (Qden g))%Z in
+  let F := (Qnum f * Zpos (Qden g))%Z in let G := (Qnum g * Zpos (Qden f))%Z in
+  let low := excess F G d (S N) least in
+  let c := Zpos (Qden lo) in
+  Z.ltb (Qnum f) 0 && Z.ltb (Qnum g) 0 && positive lo && positive least && positive most && less lo at_w && less at_w hi &&
+  Pos.eqb (Qden lo) (Qden hi) &&
+  Z.ltb 0 (value lo (steepness F G d (S N))) && Z.ltb (value hi (steepness F G d (S N))) 0 && Z.leb (value at_w low) 0 &&
+  pos fuel (at_square lo low) && pos fuel (rev (at_square hi low)) &&
+  pos fuel (grow (Qnum hi * Qnum hi - Qnum lo * Qnum lo) (shift (Qnum lo * Qnum lo) (shrink (c * c) (excess F G d (S N) most)))).
+Definition has_peak (f g : R) (N : nat) (lo hi least most : R) : Prop :=
+  (exists s, is_derive (fun w => amplitude f g N w ^ 2) lo s /\ 0 < s) /\
+  (exists s, is_derive (fun w => amplitude f g N w ^ 2) hi s /\ s < 0) /\
+  (exists w, lo < w < hi /\ least <= amplitude f g N w < most /\ forall w', 0 < w' -> amplitude f g N w' <= amplitude f g N w) /\
+  forall w, 0 < w -> ~ (lo < w < hi) -> amplitude f g N w < least.
+
+Lemma Q2R_less p q : less p q = true -> Q2R p < Q2R q.
+Proof. intros H. apply Qlt_Rlt. unfold less in H. apply Z.ltb_lt in H. exact H. Qed.
+Lemma Q2R_positive q : positive q = true -> 0 < Q2R q.
+Proof.
+  intros H. apply Z.ltb_lt in H. unfold Q2R. apply Rmult_lt_0_compat; [now apply IZR_lt|]. apply Rinv_0_lt_compat, IZR_lt. reflexivity.
+Qed.
+Lemma ev_continuous p w : continuous (fun w => ev p (w ^ 2)) w.
+Proof.
+  apply (continuous_comp (fun w => w ^ 2) (ev p)); apply (ex_derive_continuous (V := R_NormedModule)); [|eexists; apply D_ev].
+  apply ex_derive_pow, ex_derive_id.
+Qed.
+Lemma amplitude_continuous F G d f g N w : f < 0 -> g < 0 -> 0 < IZR d -> IZR F = IZR d * f -> IZR G = IZR d * g ->
+  continuity_pt (amplitude f g N) w.
+Proof.
+  intros Hf Hg Hd HF HG. apply continuity_pt_filterlim.
+  apply (continuous_ext (fun w => sqrt (ev (above F G (S N)) (w ^ 2) * / ev (below F G d (S N)) (w ^ 2)))).
+  - intros v. destruct (amplitude_poly F G d f g N v Hf Hg Hd HF HG) as [P E]. rewrite <- E, Rmult_assoc, Rinv_r, Rmult_1_r by lra.
+    apply sqrt_pow2, Cmod_ge_0.
+  - apply continuous_comp; [|apply continuous_sqrt].
+    apply (continuous_mult (fun w => ev (above F G (S N)) (w ^ 2)) (fun w => / ev (below F G d (S N)) (w ^ 2))); [apply ev_continuous|].
+    apply (continuous_comp (fun w => ev (below F G d (S N)) (w ^ 2)) Rinv); [apply ev_continuous|].
+    apply continuous_Rinv. destruct (amplitude_poly F G d f g N w Hf Hg Hd HF HG) as [P _]. lra.
+Qed.
+
+Theorem peak_certificate f g N lo hi at_w least most fuel : peak_check f g N lo hi at_w least most fuel = true ->
+  has_peak (Q2R f) (Q2R g) N (Q2R lo) (Q2R hi) (Q2R least) (Q2R most).
+Proof.
+  unfold peak_check. cbv zeta. set (d := (Zpos (Qden f) * Zpos (Qden g))%Z).
+  set (F := (Qnum f * Zpos (Qden g))%Z). set (G := (Qnum g * Zpos (Qden f))%Z).
+  intros H. do 13 (apply andb_prop in H as [H ?]).
+  rename H0 into Kmid, H1 into Khi, H2 into Klo, H3 into Kat, H4 into Khs, H5 into Kls, H6 into Kden, H7 into Lh, H8 into Ll, H9 into Pm, H10 into Pl, H11 into Plo, H12 into Ng.
+  apply Z.ltb_lt in H, Ng.
+  assert (Df : 0 < IZR (Zpos (Qden f))) by (apply IZR_lt; reflexivity). assert (Dg : 0 < IZR (Zpos (Qden g))) by (apply IZR_lt; reflexivity).
+  assert (Hf : Q2R f < 0).
+  { unfold Q2R. apply IZR_lt in H. assert (0 < - IZR (Qnum f) * / IZR (Zpos (Qden f))) by (apply Rmult_lt_0_compat; [lra|now apply Rinv_0_lt_compat]). lra. }
+  assert (Hg : Q2R g < 0).
+  { unfold Q2R. apply IZR_lt in Ng. assert (0 < - IZR (Qnum g) * / IZR (Zpos (Qden g))) by (apply Rmult_lt_0_compat; [lra|now apply Rinv_0_lt_compat]). lra. }
+  assert (Hd : 0 < IZR d) by (unfold d; rewrite mult_IZR; now apply Rmult_lt_0_compat).
+  assert (HF : IZR F = IZR d * Q2R f) by (unfold F, d, Q2R; rewrite !mult_IZR; field; lra).
+  assert (HG : IZR G = IZR d * Q2R g) by (unfold G, d, Q2R; rewrite !mult_IZR; field; lra).
+  apply Q2R_less in Lh, Ll. apply Q2R_positive in Pm, Pl, Plo.
+  pose proof (fun w a => excess_spec F G d (Q2R f) (Q2R g) N w a Hf Hg Hd HF HG) as X.
+  set (A := amplitude (Q2R f) (Q2R g) N) in *. set (l := Q2R lo) in *. set (h := Q2R hi) in *.
+  assert (Out : forall w, 0 < w -> ~ (l < w < h) -> A w < Q2R least).
+  { intros w W O. apply (X w least Pl). destruct (Rle_lt_dec w l) as [L|L].
+    - assert (U : 0 < w ^ 2 / l ^ 2 <= 1).
+      { assert (0 < l ^ 2) by now apply pow_lt. split; [apply Rdiv_lt_0_compat; [now apply pow_lt|assumption]|].
+        apply (Rmult_le_reg_r (l ^ 2)); [assumption|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. rewrite Rmult_1_r, Rmult_1_l. apply pow_incr. lra. }
+      destruct (at_square_ev lo (excess F G d (S N) least) _ (proj1 U) Plo) as (k & K & E). pose proof (pos_true _ _ Klo _ U) as P. rewrite E in P.
+      fold l in P. replace (l ^ 2 * (w ^ 2 / l ^ 2)) with (w ^ 2) in P by (field; lra).
+      apply (Rmult_lt_reg_l k); [exact K|]. now rewrite Rmult_0_r.
+    - assert (Hh : 0 < h) by lra. assert (W2 : h <= w) by (apply Rnot_lt_le; intros C; apply O; now split).
+      assert (U : 1 <= w ^ 2 / h ^ 2).
+      { assert (0 < h ^ 2) by now apply pow_lt. apply (Rmult_le_reg_r (h ^ 2)); [assumption|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra.
+        rewrite Rmult_1_r, Rmult_1_l. apply pow_incr. lra. }
+      destruct (at_square_ev hi (excess F G d (S N) least) (w ^ 2 / h ^ 2) ltac:(lra) Hh) as (k & K & E). pose proof (pos_above _ _ Khi _ U) as P. rewrite E in P.
+      fold h in P. replace (h ^ 2 * (w ^ 2 / h ^ 2)) with (w ^ 2) in P by (field; lra).
+      apply (Rmult_lt_reg_l k); [exact K|]. now rewrite Rmult_0_r. }
+  assert (In : forall w, l < w < h -> A w < Q2R most).
+  { intros w W. apply (X w most Pm). apply Pos.eqb_eq in Kden. set (c := IZR (Zpos (Qden lo))).
+    assert (C : 0 < c) by (apply IZR_lt; reflexivity).
+    assert (El : IZR (Qnum lo) = l * c) by (unfold l, Q2R; fold c; field; lra).
+    assert (Eh : IZR (Qnum hi) = h * c) by (unfold h, Q2R, c; rewrite Kden; field; apply IZR_neq; discriminate).
+    assert (B : l ^ 2 < w ^ 2 < h ^ 2) by (split; rewrite <- !Rsqr_pow2; apply Rsqr_incrst_1; lra).
+    assert (U : 0 < (w ^ 2 - l ^ 2) / (h ^ 2 - l ^ 2) <= 1).
+    { split; [apply Rdiv_lt_0_compat; lra|]. apply (Rmult_le_reg_r (h ^ 2 - l ^ 2)); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+    pose proof (pos_true _ _ Kmid _ U) as P. rewrite ev_grow, ev_shift, minus_IZR, !mult_IZR, El, Eh in P.
+    replace (l * c * (l * c) + (h * c * (h * c) - l * c * (l * c)) * ((w ^ 2 - l ^ 2) / (h ^ 2 - l ^ 2))) with (w ^ 2 * c ^ 2) in P by (field; lra).
+    assert (CC : 0 < IZR (Zpos (Qden lo) * Zpos (Qden lo))) by (rewrite mult_IZR; now apply Rmult_lt_0_compat).
+    destruct (shrink_ev _ (excess F G d (S N) most) (w ^ 2 * c ^ 2) CC) as (k & K & E).
+    { apply Rmult_lt_0_compat; apply pow_lt; lra. }
+    rewrite E, mult_IZR in P. fold c in P. replace (w ^ 2 * c ^ 2 / (c * c)) with (w ^ 2) in P by (field; lra).
+    apply (Rmult_lt_reg_l k); [exact K|]. now rewrite Rmult_0_r. }
+  assert (At : Q2R least <= A (Q2R at_w)).
+  { apply (X _ least Pl). apply Z.leb_le, IZR_le in Kat. destruct (value_spec at_w (excess F G d (S N) least)) as (k & K & E).
+    rewrite E in Kat. apply (Rmult_le_reg_l k); [exact K|]. now rewrite Rmult_0_r. }
+  assert (Slope : forall q, 0 < Q2R q -> exists k, 0 < k /\
+    is_derive (fun w => amplitude (Q2R f) (Q2R g) N w ^ 2) (Q2R q) (k * IZR (value q (steepness F G d (S N))))).
+  { intros q P. destruct (amplitude_derive F G d (Q2R f) (Q2R g) N (Q2R q) Hf Hg P Hd HF HG) as (k & K & D).
+    destruct (value_spec q (steepness F G d (S N))) as (c & C & E). exists (k / c). split; [now apply Rdiv_lt_0_compat|].
+    eapply D_eq; [exact D|]. rewrite E. field. lra. }
+  split; [|split].
+  1: { destruct (Slope lo Plo) as (k & K & D). eexists. split; [exact D|]. apply Rmult_lt_0_compat; [exact K|]. now apply IZR_lt, Z.ltb_lt. }
+  1: { destruct (Slope hi ltac:(fold h; lra)) as (k & K & D). eexists. split; [exact D|]. apply Z.ltb_lt, IZR_lt in Khs. set (v := IZR (value hi _)) in *.
+       assert (0 < k * - v) by (apply Rmult_lt_0_compat; lra). lra. }
+  split; [|exact Out].
+  destruct (continuity_ab_maj A l h ltac:(lra)) as (w & M & W).
+  { intros c _. now apply (amplitude_continuous F G d). }
+  pose proof (M (Q2R at_w) ltac:(lra)) as Ma.
+  assert (Wi : l < w < h).
+  { destruct (Rlt_dec l w) as [L1|L1], (Rlt_dec w h) as [L2|L2]; try (now split); exfalso;
+      pose proof (Out w ltac:(lra) ltac:(tauto)); lra. }
+  exists w. split; [exact Wi|]. split; [split; [exact (Rle_trans _ _ _ At Ma)|now apply In]|].
+  intros w' W'. change (A w' <= A w). destruct (Rlt_dec l w') as [L1|L1], (Rlt_dec w' h) as [L2|L2]; [apply M; lra| | |];
+    pose proof (Out w' W' ltac:(tauto)); lra.
 Qed.
