@@ -3,7 +3,7 @@
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
-From Flockproof Require veerman_numbers.
+From Flockproof Require veerman_numbers certificate_peaks veerman_resonances.
 From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled.
 Open Scope R_scope.
 
@@ -54,6 +54,22 @@ Check (fun f g N => eq_refl : stable_1 f g N =
 Check (fun f g N => eq_refl : stable_2 f g N =
   forall h x u, system_2 f g N h x u -> leader_cruises x u -> settles N h x u).
 Check (fun N => eq_refl : lowest N = 1 - cos (PI / (2 * (INR N + 1)))).
+(* the amplitude of the last of N + 1 followers, and where it is largest *)
+Check (certificate_peaks.amplitude_spec : forall (f g : R) (N : nat) (w : R), f < 0 -> g < 0 ->
+  (exists a, a 0%nat = RtoC 1 /\ equation_2 f g w N a) /\
+  forall a, a 0%nat = RtoC 1 -> equation_2 f g w N a -> Cmod (a (S N)) = certificate_peaks.amplitude f g N w).
+Check (fun f g N lo hi least most => eq_refl : certificate_peaks.has_peak f g N lo hi least most =
+  let amplitude := certificate_peaks.amplitude f g N in
+  ((exists s, is_derive (fun w => amplitude w ^ 2) lo s /\ 0 < s) /\
+   (exists s, is_derive (fun w => amplitude w ^ 2) hi s /\ s < 0) /\
+   (exists w, lo < w < hi /\ least <= amplitude w < most /\ forall w', 0 < w' -> amplitude w' <= amplitude w) /\
+   forall w, 0 < w -> ~ (lo < w < hi) -> amplitude w < least)).
+Check (fun N w => eq_refl : veerman_resonances.is_strongest N w = (0 < w /\
+  forall w', 0 < w' -> certificate_peaks.amplitude (-1) (-1) N w' <= certificate_peaks.amplitude (-1) (-1) N w)).
+Check (fun y nf na tf ta N => eq_refl : veerman_resonances.no_cell_is_true (y, nf, na, tf, ta) N =
+  ((exists w, veerman_resonances.is_strongest N w) /\ forall w, veerman_resonances.is_strongest N w ->
+   ~ veerman_numbers.agrees nf w /\ ~ veerman_numbers.agrees na (certificate_peaks.amplitude (-1) (-1) N w) /\
+   ~ veerman_numbers.agrees tf w /\ ~ veerman_numbers.agrees ta (certificate_peaks.amplitude (-1) (-1) N w))).
 
 (* beyond.veerman.decay_rate (claim) *)
 Check (@veerman_unsettled.decay_rate :
@@ -314,6 +330,18 @@ Check (@veerman_numbers.table_size_printed_fails :
 Check (@veerman_numbers.table_numeric_fails :
   (forall a : nat -> C, a 0%nat = 1 -> equation_2 (-1) (-1) 0.27311 3 a -> 4.6548 <= Cmod (a 4%nat)) /\
   (forall a : nat -> C, a 0%nat = 1 -> equation_2 (-1) (-1) 0.22 4 a -> 5.7 <= Cmod (a 5%nat))).
+(* veerman.table1_numeric (corrected) *)
+Check (@veerman_resonances.table_rows_fail :
+  List.Forall2 veerman_resonances.no_cell_is_true (List.firstn 3 veerman_numbers.table) (3 :: 7 :: 15 :: nil)%nat).
+(* veerman.table1_numeric (instance) *)
+Check (@veerman_resonances.resonance_4 :
+  certificate_peaks.has_peak (-1) (-1) 3 0.27310829 0.27310884 4.6548995380734 4.654899538074).
+(* veerman.table1_numeric (instance) *)
+Check (@veerman_resonances.resonance_8 :
+  certificate_peaks.has_peak (-1) (-1) 7 0.13827819 0.13827847 9.2043186764187 9.2043186764198).
+(* veerman.table1_numeric (instance) *)
+Check (@veerman_resonances.resonance_16 :
+  certificate_peaks.has_peak (-1) (-1) 15 0.069350142 0.069350282 18.357835519798 18.357835519801).
 (* veerman.table1_theory (corrected) *)
 Check (@veerman_numbers.table_theory :
   List.Forall

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 54] = sources![
+const SOURCES: [(&str, &str); 58] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -55,11 +55,15 @@ const SOURCES: [(&str, &str); 54] = sources![
     "certificate_flocks",
     "certificate_limits",
     "certificate_inertia",
+    "certificate_polynomials",
+    "certificate_peaks",
     "gen_inertia",
     "gen_limits",
+    "gen_peaks",
     "gen_products",
     "gen_switches",
     "certificate_instances",
+    "veerman_resonances",
     "audit_certificates",
     "audit_chazelle",
     "audit_paley",
