@@ -51,3 +51,24 @@ Proof.
   - refine (Row _ _ _ _ _ _ _ resonance_8 _); [lra|]. intros w m W M. repeat split; apply K; cbn [fst snd]; lra.
   - refine (Row _ _ _ _ _ _ _ resonance_16 _); [lra|]. intros w m W M. repeat split; apply K; cbn [fst snd]; lra.
 Qed.
+
+(* Other gains, f = -4 and g = -1/3, with 6 followers. *)
+Theorem resonance_6_other_gains : has_peak (-4) (-1/3) 5 0.36913899 0.36913974 41.159656756735 41.159656756741.
+Proof.
+  eapply same_peak; [apply (peak_certificate (-4 # 1) (-1 # 3) 5 (36913899 # 100000000) (36913974 # 100000000)
+    (36913936731909 # 100000000000000) (41159656756735 # 1000000000000) (41159656756741 # 1000000000000) 64);
+    vm_cast_no_check (eq_refl true) | decimals..].
+Qed.
+(* What the check refuses: the range of 4 followers beside the peak, with its ends exchanged, for 5 followers, with an
+   lower amplitude that is not reached, an upper one that is exceeded, a lower one that is exceeded outside, one of 0. *)
+Definition check_4 (N : nat) (lo hi : Z) (least most : Z) : bool :=
+  peak_check (-1 # 1) (-1 # 1) N (lo # 100000000) (hi # 100000000) (27310856427488 # 100000000000000)
+    (least # 10000000000000) (most # 10000000000000) 64.
+Example accepted : check_4 3 27310829 27310884 46548995380734 46548995380740 = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+Example refused : forallb negb
+  [check_4 3 27310857 27310884 46548995380734 46548995380740; check_4 3 27310884 27310829 46548995380734 46548995380740;
+   check_4 4 27310829 27310884 46548995380734 46548995380740; check_4 3 27310829 27310884 46548995380740 46548995380745;
+   check_4 3 27310829 27310884 46548995380734 46548995380738; check_4 3 27310829 27310884 46548995300000 46548995380740;
+   check_4 3 27310829 27310884 0 46548995380740] = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
