@@ -229,3 +229,160 @@ Proof using Hf Hg H1 H2 H3.
   - exfalso. assert (Z * (E1 * lam) <= Z * / 2) by (apply Rmult_le_compat_l; lra). lra.
 Qed.
 End Units.
+
+(* ---- Theorem 1 ---- *)
+Definition main_resonance (f g : R) (N : nat) (w : R) : Prop := 0 < w /\ forall w', 0 < w' -> amplitude f g N w' <= amplitude f g N w.
+Lemma quiet_amplitude f g N v w : f < 0 -> g < 0 -> amplitude f g N v <= amplitude f g N w -> quiet f g N w <= quiet f g N v.
+Proof.
+  intros Hf Hg H. pose proof (amplitude_pos f g N v Hf Hg). unfold quiet. apply Rinv_le_contravar; [now apply pow_lt|]. apply pow_incr. lra.
+Qed.
+Lemma lowest_expansion N : let l0 := PI ^ 2 / (8 * INR (S N) ^ 2) in l0 * (1 - l0) <= lowest N <= l0.
+Proof.
+  intros l0. split; [|left; apply lowest_small]. rewrite lowest_angle. pose proof (M_ge1 N) as M1. set (M := INR (S N)) in *.
+  pose proof PI_4. pose proof PI_RGT_0. set (t := PI / (2 * M)).
+  assert (T : 0 < t <= 2).
+  { unfold t. split; [apply Rdiv_lt_0_compat; lra|]. apply (Rmult_le_reg_r (2 * M)); [lra|]. unfold Rdiv. rewrite Rmult_assoc, Rinv_l by lra. lra. }
+  destruct (pre_cos_bound t 0 ltac:(lra) ltac:(lra)) as [_ U].
+  assert (E : cos_approx t (2 * (0 + 1)) = 1 - t ^ 2 / 2 + t ^ 4 / 24) by (unfold cos_approx, cos_term; cbn; field).
+  rewrite E in U. assert (L : l0 = t ^ 2 / 2) by (unfold l0, t; field; lra). assert (0 <= t ^ 4) by (apply pow_le; lra).
+  rewrite L. replace (t ^ 2 / 2 * (1 - t ^ 2 / 2)) with (t ^ 2 / 2 - t ^ 4 / 4) by field. lra.
+Qed.
+
+(* veerman.thm1_omega and veerman.thm1_amp, for M = N + 1 followers: C and M0 depend on f and g only *)
+Theorem theorem_1 f g : f < 0 -> g < 0 -> exists C M0, forall N, M0 <= INR (S N) ->
+  (exists w, main_resonance f g N w) /\ forall w, main_resonance f g N w ->
+    Rabs (w - veerman_numbers.frequency f (INR (S N))) <= C / INR (S N) ^ 3 /\
+    Rabs (amplitude f g N w - veerman_numbers.amplitude f g (INR (S N))) <= C / INR (S N).
+Proof.
+  intros Hf Hg. set (beta := g ^ 2 / - f). assert (B : 0 < beta) by (apply Rdiv_lt_0_compat; [apply pow2_gt_0|]; lra).
+  set (E1 := 1 + 304 * beta). set (K := 2 + 6 * beta). set (G := spread f g).
+  assert (G0 : 0 < G) by (unfold G, spread; fold beta; assert (0 < beta * (1 + 306 * beta)) by (apply Rmult_lt_0_compat; lra); lra).
+  assert (BB : 0 < (1 + 4 * beta) * (3 + beta)) by (apply Rmult_lt_0_compat; lra).
+  set (Q := 8 * beta + 2 * E1 + (1 + 4 * beta) * (3 + beta) + 2 * G + 2 * K).
+  set (C1 := (G + 1) * (sqrt (- f) * PI ^ 3 / (16 * sqrt 2))). set (C2' := (K + E1) * (sqrt (2 * - f) / - g)).
+  pose proof PI_4 as P4. pose proof PI_RGT_0 as P0. assert (R2 : 0 < sqrt 2) by (apply sqrt_lt_R0; lra).
+  assert (R22 : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
+  assert (C10 : 0 <= C1).
+  { apply Rmult_le_pos; [lra|]. apply Rmult_le_pos; [apply Rmult_le_pos; [apply sqrt_pos|apply pow_le; lra]|]. left. apply Rinv_0_lt_compat. lra. }
+  assert (C20 : 0 <= C2').
+  { apply Rmult_le_pos; [unfold K, E1; lra|]. apply Rmult_le_pos; [apply sqrt_pos|left; apply Rinv_0_lt_compat; lra]. }
+  exists (C1 + C2'), (2 * Q). intros N HM. pose proof (M_ge1 N) as M1. destruct (lowest_expansion N) as [LL LU]. destruct (lowest_range N) as [L0 L1].
+  set (M := INR (S N)) in *. set (l0 := PI ^ 2 / (8 * M ^ 2)) in *. set (lam := lowest N) in *.
+  assert (Q1 : 2 <= Q) by (unfold Q, E1, K; lra).
+  assert (QL : Q * l0 <= 1).
+  { unfold l0. apply (Rmult_le_reg_r (8 * M ^ 2)); [assert (0 < M ^ 2) by (apply pow_lt; lra); lra|].
+    replace (Q * (PI ^ 2 / (8 * M ^ 2)) * (8 * M ^ 2)) with (Q * PI ^ 2) by (field; lra).
+    assert (PI ^ 2 <= 16) by nra. assert (Q * PI ^ 2 <= Q * 16) by (apply Rmult_le_compat_l; lra).
+    assert (2 * Q * 1 <= M * M) by (apply Rmult_le_compat; lra). lra. }
+  assert (part : forall q, 0 <= q -> q <= Q -> q * l0 <= 1) by (intros q q0 qQ; assert (q * l0 <= Q * l0) by (apply Rmult_le_compat_r; lra); lra).
+  assert (below : forall q, 0 <= q -> q * lam <= q * l0) by (intros q q0; apply Rmult_le_compat_l; lra).
+  assert (H1 : 8 * beta * lam <= 1).
+  { eapply Rle_trans; [apply below; lra|]. apply part; [lra|]. unfold Q, E1, K. lra. }
+  assert (H2 : 2 * (1 + 304 * beta) * lam <= 1).
+  { eapply Rle_trans; [apply below; lra|]. apply part; [lra|]. unfold Q, E1, K. lra. }
+  assert (H3 : (1 + 4 * beta) * (3 + beta) * lam <= 1).
+  { eapply Rle_trans; [apply below; lra|]. apply part; [lra|]. unfold Q, E1, K. lra. }
+  assert (H4 : 2 * G * l0 <= 1) by (apply part; [lra|]; unfold Q, E1, K; lra).
+  assert (H5 : 2 * K * l0 <= 1) by (apply part; [unfold K; lra|]; unfold Q, E1, K; lra).
+  assert (H6 : 2 * E1 * l0 <= 1) by (apply part; [unfold E1; lra|]; unfold Q, E1, K; lra).
+  destruct (units f g N Hf Hg) as (_ & _ & _ & ZB & W0 & W2). fold beta M lam in ZB, W0, W2.
+  pose proof (quiet_at_middle f g N Hf Hg H1) as Mid. pose proof (quiet_everywhere f g N Hf Hg H1 H3) as All.
+  pose proof (close_to_middle f g N Hf Hg H1 H2 H3) as Close. fold beta M lam E1 G in Mid, All, Close.
+  set (Z := M ^ 2 * (beta * lam ^ 2) / 2) in *. set (ws := sqrt (- f * lam)) in *.
+  assert (Near : forall w, 0 < w -> amplitude f g N ws <= amplitude f g N w -> Rabs (w / ws - 1) <= G * lam).
+  { intros w Hw H. apply Close; [exact Hw|]. apply (quiet_amplitude f g N ws w Hf Hg) in H. lra. }
+  assert (GL : G * lam <= / 2) by (pose proof (below G ltac:(lra)); lra).
+  split.
+  - destruct (continuity_ab_maj (amplitude f g N) (ws / 2) (2 * ws) ltac:(lra)) as (w & Mx & W).
+    { intros c _. now apply amplitude_is_continuous. }
+    exists w. split; [lra|]. intros w' W'. pose proof (Mx ws ltac:(lra)) as Mw.
+    destruct (Rle_lt_dec (amplitude f g N w') (amplitude f g N w)) as [D|D]; [exact D|]. apply Mx.
+    pose proof (Near w' W' ltac:(lra)) as T. apply Rabs_le_between in T.
+    replace w' with (w' / ws * ws) by (field; lra). split.
+    + replace (ws / 2) with (/ 2 * ws) by field. apply Rmult_le_compat_r; lra.
+    + apply Rmult_le_compat_r; lra.
+  - intros w [Hw Hmax]. pose proof (Hmax ws W0) as Ha. pose proof (Near w Hw Ha) as T. split.
+    + (* the frequency *)
+      set (w0 := veerman_numbers.frequency f M). assert (SF : 0 < sqrt (- f)) by (apply sqrt_lt_R0; lra). assert (SF2 : sqrt (- f) * sqrt (- f) = - f) by (apply sqrt_sqrt; lra).
+      assert (w0E : w0 = sqrt (- f) * PI / (M * 2 * sqrt 2)) by (unfold w0, veerman_numbers.frequency; now rewrite Rabs_left).
+      assert (w00 : 0 < w0) by (rewrite w0E; apply Rdiv_lt_0_compat; apply Rmult_lt_0_compat; lra).
+      assert (w02 : w0 ^ 2 = - f * l0).
+      { rewrite w0E. unfold l0. replace ((sqrt (- f) * PI / (M * 2 * sqrt 2)) ^ 2) with ((sqrt (- f) * sqrt (- f)) * PI ^ 2 / (4 * M ^ 2 * (sqrt 2 * sqrt 2))) by (field; lra).
+        rewrite SF2, R22. field. lra. }
+      assert (LC : w0 * l0 = sqrt (- f) * PI ^ 3 / (16 * sqrt 2) / M ^ 3) by (rewrite w0E; unfold l0; field; lra).
+      assert (l00 : 0 < l0) by lra. assert (l01 : l0 <= 1) by (assert (1 * l0 <= Q * l0) by (apply Rmult_le_compat_r; lra); lra).
+      assert (U1 : ws <= w0).
+      { apply Rsqr_incr_0_var; [|lra]. rewrite !Rsqr_pow2, W2, w02. apply Rmult_le_compat_l; lra. }
+      assert (U2 : w0 * (1 - l0) <= ws).
+      { apply Rsqr_incr_0_var; [|lra]. rewrite !Rsqr_pow2, W2. replace ((w0 * (1 - l0)) ^ 2) with (w0 ^ 2 * (1 - l0) * (1 - l0)) by ring. rewrite w02.
+        replace (- f * l0 * (1 - l0) * (1 - l0)) with (- f * (l0 * (1 - l0) * (1 - l0))) by ring. apply Rmult_le_compat_l; [lra|].
+        assert (l0 * (1 - l0) * (1 - l0) <= l0 * (1 - l0) * 1) by (apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|lra]). lra. }
+      assert (U3 : Rabs (w - ws) <= w0 * (G * l0)).
+      { replace (w - ws) with (ws * (w / ws - 1)) by (field; lra). rewrite Rabs_mult, (Rabs_right ws) by lra.
+        apply Rmult_le_compat; try lra; [apply Rabs_pos|]. pose proof (below G ltac:(lra)). lra. }
+      assert (U4 : Rabs (ws - w0) <= w0 * l0) by (rewrite Rabs_left1 by lra; lra).
+      apply Rle_trans with ((G + 1) * (w0 * l0)).
+      * replace (w - w0) with ((w - ws) + (ws - w0)) by ring. pose proof (Rabs_triang (w - ws) (ws - w0)). lra.
+      * rewrite LC. replace ((G + 1) * (sqrt (- f) * PI ^ 3 / (16 * sqrt 2) / M ^ 3)) with (C1 / M ^ 3) by (unfold C1, Rdiv; ring).
+        apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, pow_lt; lra|lra].
+    + (* the amplitude *)
+      set (A0 := veerman_numbers.amplitude f g M). set (A := amplitude f g N w) in *.
+      set (Z0 := M ^ 2 * (beta * l0 ^ 2) / 2). assert (l00 : 0 < l0) by lra. assert (m2 : 0 < M ^ 2) by (apply pow_lt; lra).
+      assert (Z00 : 0 < Z0) by (unfold Z0; apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [exact m2|apply Rmult_lt_0_compat; [exact B|now apply pow_lt]]|lra]).
+      assert (S2 : 0 < sqrt (2 * - f)) by (apply sqrt_lt_R0; lra). assert (S22 : sqrt (2 * - f) * sqrt (2 * - f) = 2 * - f) by (apply sqrt_sqrt; lra).
+      assert (p2 : 0 < PI ^ 2) by (apply pow_lt; lra).
+      assert (A0E : A0 = 8 * sqrt (2 * - f) / (PI ^ 2 * - g) * M) by (unfold A0, veerman_numbers.amplitude; now rewrite !Rabs_left).
+      assert (A00 : 0 < A0).
+      { rewrite A0E. apply Rmult_lt_0_compat; [|lra]. apply Rdiv_lt_0_compat; [lra|]. apply Rmult_lt_0_compat; lra. }
+      assert (AZ : A0 ^ 2 * Z0 = 1).
+      { rewrite A0E. unfold Z0, l0, beta.
+        replace ((8 * sqrt (2 * - f) / (PI ^ 2 * - g) * M) ^ 2) with (64 * (sqrt (2 * - f) * sqrt (2 * - f)) / (PI ^ 4 * g ^ 2) * M ^ 2) by (field; lra).
+        rewrite S22. field. lra. }
+      assert (LA : A0 * l0 = sqrt (2 * - f) / - g / M) by (rewrite A0E; unfold l0; field; lra).
+      pose proof (amplitude_pos f g N w Hf Hg) as Ap. fold A in Ap.
+      assert (AQ : A ^ 2 * quiet f g N w = 1) by (unfold quiet; fold A; apply Rinv_r, pow_nonzero; lra).
+      assert (q1 : quiet f g N w <= Z * (1 + E1 * lam)) by (apply (quiet_amplitude f g N ws w Hf Hg) in Ha; lra).
+      pose proof (All w Hw) as q2. set (q := quiet f g N w) in *.
+      assert (ZU : Z <= Z0).
+      { unfold Z, Z0. apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; [lra|]. apply pow_incr. lra. }
+      assert (ZL : Z0 * (1 - 2 * l0) <= Z).
+      { assert (X : l0 ^ 2 * (1 - 2 * l0) <= lam ^ 2).
+        { assert (K1 : 1 * l0 <= K * l0) by (apply Rmult_le_compat_r; unfold K; lra).
+          assert ((l0 * (1 - l0)) ^ 2 <= lam ^ 2) by (apply pow_incr; split; [apply Rmult_le_pos; lra|lra]).
+          assert (0 <= l0 ^ 2 * l0 ^ 2) by (apply Rmult_le_pos; apply pow2_ge_0). lra. }
+        unfold Z, Z0. replace (M ^ 2 * (beta * l0 ^ 2) / 2 * (1 - 2 * l0)) with (M ^ 2 * (beta * (l0 ^ 2 * (1 - 2 * l0))) / 2) by field.
+        apply Rmult_le_compat_r; [lra|]. apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; lra. }
+      set (e := E1 * l0). assert (E10 : 0 < E1) by (unfold E1; lra). assert (e0 : 0 < e) by (apply Rmult_lt_0_compat; lra). assert (e1 : e <= / 2) by (unfold e; lra).
+      set (k := K * l0). assert (K0 : 0 < K) by (unfold K; lra). assert (k0 : 0 < k) by (apply Rmult_lt_0_compat; lra). assert (k1 : k <= / 2) by (unfold k; lra).
+      assert (QU : q <= Z0 * (1 + e)).
+      { eapply Rle_trans; [exact q1|]. pose proof (below E1 ltac:(lra)). assert (0 <= E1 * lam) by (apply Rmult_le_pos; lra).
+        apply Rmult_le_compat; unfold e; lra. }
+      assert (QD : Z0 * (1 - k) <= q).
+      { eapply Rle_trans; [|exact q2]. pose proof (below (6 * beta) ltac:(lra)).
+        assert (Z * (1 - 6 * beta * l0) <= Z * (1 - 6 * beta * lam)) by (apply Rmult_le_compat_l; lra).
+        assert (X1 : 0 <= 1 - 6 * beta * l0) by (unfold k, K in k1; lra).
+        assert (Z0 * (1 - 2 * l0) * (1 - 6 * beta * l0) <= Z * (1 - 6 * beta * l0)) by (apply Rmult_le_compat_r; lra).
+        assert (0 <= Z0 * (2 * l0 * (6 * beta * l0))) by (apply Rmult_le_pos; [lra|]; apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]).
+        unfold k, K. lra. }
+      pose proof (pow2_ge_0 A) as A2. pose proof (pow2_ge_0 A0) as A02.
+      (* A^2 (1 - k) <= A0^2 <= A^2 (1 + e) *)
+      assert (V1 : A ^ 2 * (1 - k) <= A0 ^ 2).
+      { apply (Rmult_le_reg_r Z0); [exact Z00|]. rewrite AZ, Rmult_assoc. apply Rle_trans with (A ^ 2 * q); [apply Rmult_le_compat_l; lra|lra]. }
+      assert (V2 : A0 ^ 2 <= A ^ 2 * (1 + e)).
+      { apply (Rmult_le_reg_r Z0); [exact Z00|]. rewrite AZ, Rmult_assoc. apply Rle_trans with (A ^ 2 * q); [lra|apply Rmult_le_compat_l; lra]. }
+      assert (X1 : A <= A0 * (1 + k)).
+      { apply Rsqr_incr_0_var; [|apply Rmult_le_pos; lra]. rewrite !Rsqr_pow2, Rpow_mult_distr.
+        apply Rle_trans with (A ^ 2 * (1 - k) * (1 + k) ^ 2); [|apply Rmult_le_compat_r; [apply pow2_ge_0|exact V1]].
+        rewrite Rmult_assoc, <- (Rmult_1_r (A ^ 2)) at 1. apply Rmult_le_compat_l; [exact A2|].
+        assert (0 <= k * (1 - k - k * k)) by (apply Rmult_le_pos; [lra|]; assert (k * k <= k * / 2) by (apply Rmult_le_compat_l; lra); lra). lra. }
+      assert (X2 : A0 * (1 - e) <= A).
+      { apply Rsqr_incr_0_var; [|lra]. rewrite !Rsqr_pow2, Rpow_mult_distr.
+        apply Rle_trans with (A ^ 2 * (1 + e) * (1 - e) ^ 2); [apply Rmult_le_compat_r; [apply pow2_ge_0|exact V2]|].
+        rewrite Rmult_assoc. apply Rle_trans with (A ^ 2 * 1); [|lra]. apply Rmult_le_compat_l; [exact A2|].
+        assert (0 <= e * (1 + e - e * e)) by (apply Rmult_le_pos; [lra|]; assert (e * e <= e * / 2) by (apply Rmult_le_compat_l; lra); lra). lra. }
+      apply Rle_trans with ((K + E1) * (A0 * l0)).
+      * apply Rabs_le. unfold k in X1. unfold e in X2. assert (0 <= A0 * l0 * K) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra).
+        assert (0 <= A0 * l0 * E1) by (apply Rmult_le_pos; [apply Rmult_le_pos|]; lra). lra.
+      * rewrite LA. replace ((K + E1) * (sqrt (2 * - f) / - g / M)) with (C2' / M) by (unfold C2', Rdiv; ring).
+        apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra|lra].
+Qed.
