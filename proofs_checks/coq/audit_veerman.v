@@ -3,7 +3,7 @@
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
-From Flockproof Require veerman_numbers certificate_peaks veerman_resonances.
+From Flockproof Require veerman_numbers veerman_amplitude veerman_theorem1 certificate_peaks veerman_resonances.
 From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled.
 Open Scope R_scope.
 
@@ -55,21 +55,21 @@ Check (fun f g N => eq_refl : stable_2 f g N =
   forall h x u, system_2 f g N h x u -> leader_cruises x u -> settles N h x u).
 Check (fun N => eq_refl : lowest N = 1 - cos (PI / (2 * (INR N + 1)))).
 (* the amplitude of the last of N + 1 followers, and where it is largest *)
-Check (certificate_peaks.amplitude_spec : forall (f g : R) (N : nat) (w : R), f < 0 -> g < 0 ->
+Check (veerman_amplitude.amplitude_spec : forall (f g : R) (N : nat) (w : R), f < 0 -> g < 0 ->
   (exists a, a 0%nat = RtoC 1 /\ equation_2 f g w N a) /\
-  forall a, a 0%nat = RtoC 1 -> equation_2 f g w N a -> Cmod (a (S N)) = certificate_peaks.amplitude f g N w).
+  forall a, a 0%nat = RtoC 1 -> equation_2 f g w N a -> Cmod (a (S N)) = veerman_amplitude.amplitude f g N w).
 Check (fun f g N lo hi least most => eq_refl : certificate_peaks.has_peak f g N lo hi least most =
-  let amplitude := certificate_peaks.amplitude f g N in
+  let amplitude := veerman_amplitude.amplitude f g N in
   ((exists s, is_derive (fun w => amplitude w ^ 2) lo s /\ 0 < s) /\
    (exists s, is_derive (fun w => amplitude w ^ 2) hi s /\ s < 0) /\
    (exists w, lo < w < hi /\ least <= amplitude w < most /\ forall w', 0 < w' -> amplitude w' <= amplitude w) /\
    forall w, 0 < w -> ~ (lo < w < hi) -> amplitude w < least)).
-Check (fun N w => eq_refl : veerman_resonances.is_strongest N w = (0 < w /\
-  forall w', 0 < w' -> certificate_peaks.amplitude (-1) (-1) N w' <= certificate_peaks.amplitude (-1) (-1) N w)).
+Check (fun f g N w => eq_refl : veerman_amplitude.main_resonance f g N w = (0 < w /\
+  forall w', 0 < w' -> veerman_amplitude.amplitude f g N w' <= veerman_amplitude.amplitude f g N w)).
 Check (fun y nf na tf ta N => eq_refl : veerman_resonances.no_cell_is_true (y, nf, na, tf, ta) N =
-  ((exists w, veerman_resonances.is_strongest N w) /\ forall w, veerman_resonances.is_strongest N w ->
-   ~ veerman_numbers.agrees nf w /\ ~ veerman_numbers.agrees na (certificate_peaks.amplitude (-1) (-1) N w) /\
-   ~ veerman_numbers.agrees tf w /\ ~ veerman_numbers.agrees ta (certificate_peaks.amplitude (-1) (-1) N w))).
+  ((exists w, veerman_amplitude.main_resonance (-1) (-1) N w) /\ forall w, veerman_amplitude.main_resonance (-1) (-1) N w ->
+   ~ veerman_numbers.agrees nf w /\ ~ veerman_numbers.agrees na (veerman_amplitude.amplitude (-1) (-1) N w) /\
+   ~ veerman_numbers.agrees tf w /\ ~ veerman_numbers.agrees ta (veerman_amplitude.amplitude (-1) (-1) N w))).
 
 (* beyond.veerman.decay_rate (claim) *)
 Check (@veerman_unsettled.decay_rate :
@@ -364,3 +364,13 @@ Check (@veerman_numbers.table_theory_printed_fails :
      ~ veerman_numbers.agrees ta (veerman_numbers.amplitude (-1) (-1) (N + 1)) /\
      ~ veerman_numbers.agrees tf (veerman_numbers.frequency (-1) N) /\
      ~ veerman_numbers.agrees ta (veerman_numbers.amplitude (-1) (-1) N)) veerman_numbers.table).
+(* veerman.thm1_amp, veerman.thm1_omega (claim) *)
+Check (fun f M => eq_refl : veerman_numbers.frequency f M = sqrt (Rabs f) * PI / (M * 2 * sqrt 2)).
+Check (fun f g M => eq_refl : veerman_numbers.amplitude f g M = 8 * sqrt (2 * Rabs f) / (PI ^ 2 * Rabs g) * M).
+Check (@veerman_theorem1.theorem_1 :
+  forall f g : R, f < 0 -> g < 0 ->
+  exists C M0 : R, forall N : nat, M0 <= INR (S N) ->
+  (exists w, veerman_amplitude.main_resonance f g N w) /\
+  (forall w, veerman_amplitude.main_resonance f g N w ->
+   Rabs (w - veerman_numbers.frequency f (INR (S N))) <= C / INR (S N) ^ 3 /\
+   Rabs (veerman_amplitude.amplitude f g N w - veerman_numbers.amplitude f g (INR (S N))) <= C / INR (S N))).

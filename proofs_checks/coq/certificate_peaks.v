@@ -4,7 +4,7 @@
    |a_M|^2 = |z'|^(2 M)/|t_M|^2; the signs of its slope and of A^2 - |a_M|^2 are those of polynomials with integer coefficients. *)
 From Coq Require Import Reals Qreals ZArith QArith List Bool Lia Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums veerman_complex veerman_front veerman_chain veerman_stability certificate_polynomials.
+From Flockproof Require Import RealSums veerman_complex veerman_front veerman_chain veerman_stability veerman_amplitude certificate_polynomials.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -80,33 +80,7 @@ Proof.
       rewrite A, B. ring.
 Qed.
 
-(* ---- the amplitude of the last of N + 1 cars: T_(N+1)(gamma)^-1, by Lemma 2 that of every solution, and there is one ---- *)
-Definition amplitude (f g : R) (N : nat) (w : R) : R := Cmod (/ chebT (gamma f g w) (S N))%C.
-Lemma cheb_mu gam n : (2 * chebT gam n = Cpw (mu_minus gam) n + Cpw (mu_plus gam) n)%C.
-Proof.
-  rewrite <- trace_power.
-  assert (A : (2 * chebT gam n = trace2 (mat2_pow (Cmat gam) n) /\ 2 * chebT gam (S n) = trace2 (mat2_pow (Cmat gam) (S n)))%C); [|apply A].
-  induction n as [|n [A B]].
-  - cbn [chebT mat2_pow]. unfold trace2, mat2_mul, Cmat. cbn [m11 m12 m21 m22]. rewrite C2. split; ring.
-  - split; [exact B|]. rewrite chebT_SS, trace_recurrence, <- A, <- B. ring.
-Qed.
-Lemma cheb_neq0 f g w n : f < 0 -> g < 0 -> chebT (gamma f g w) n <> 0%C.
-Proof.
-  intros Hf Hg E. apply (denominator_neq0 f g w n Hf Hg). rewrite <- cheb_mu, E. ring.
-Qed.
-Theorem amplitude_spec f g N w : f < 0 -> g < 0 ->
-  (exists a, a 0%nat = RtoC 1 /\ equation_2 f g w N a) /\
-  forall a, a 0%nat = RtoC 1 -> equation_2 f g w N a -> Cmod (a (S N)) = amplitude f g N w.
-Proof.
-  intros Hf Hg. pose proof (cheb_neq0 f g w (S N) Hf Hg) as NZ. set (gam := gamma f g w) in *. split.
-  - exists (fun k => (chebT gam (S N - k) / chebT gam (S N))%C). split; [rewrite Nat.sub_0_r; now apply Cinv_r|].
-    apply equation_2_chain; [assumption..|]. fold gam. split.
-    + intros k Hk. unfold Cmap. cbn [fst snd]. f_equal. replace (S N - (k - 1))%nat with (S (S (S N - (k + 1)))) by lia.
-      replace (S N - k)%nat with (S (S N - (k + 1))) by lia. rewrite chebT_SS. field. exact NZ.
-    + rewrite Nat.sub_diag. replace (S N - N)%nat with 1%nat by lia. cbn [chebT]. field. exact NZ.
-  - intros a A0 HE. destruct (lemma_2 f g w N a Hf Hg A0 HE) as [_ E]. fold gam in E. rewrite <- cheb_mu in E.
-    unfold amplitude. fold gam. f_equal. rewrite E. field. split; [exact NZ|exact C2_neq0].
-Qed.
+(* ---- the amplitude ---- *)
 Lemma amplitude_poly F G d f g N w : f < 0 -> g < 0 -> 0 < IZR d -> IZR F = IZR d * f -> IZR G = IZR d * g ->
   0 < ev (below F G d (S N)) (w ^ 2) /\
   amplitude f g N w ^ 2 * ev (below F G d (S N)) (w ^ 2) = ev (above F G (S N)) (w ^ 2).
@@ -208,24 +182,6 @@ Lemma Q2R_positive q : positive q = true -> 0 < Q2R q.
 Proof.
   intros H. apply Z.ltb_lt in H. unfold Q2R. apply Rmult_lt_0_compat; [now apply IZR_lt|]. apply Rinv_0_lt_compat, IZR_lt. reflexivity.
 Qed.
-Lemma ev_continuous p w : continuous (fun w => ev p (w ^ 2)) w.
-Proof.
-  apply (continuous_comp (fun w => w ^ 2) (ev p)); apply (ex_derive_continuous (V := R_NormedModule)); [|eexists; apply D_ev].
-  apply ex_derive_pow, ex_derive_id.
-Qed.
-Lemma amplitude_continuous F G d f g N w : f < 0 -> g < 0 -> 0 < IZR d -> IZR F = IZR d * f -> IZR G = IZR d * g ->
-  continuity_pt (amplitude f g N) w.
-Proof.
-  intros Hf Hg Hd HF HG. apply continuity_pt_filterlim.
-  apply (continuous_ext (fun w => sqrt (ev (above F G (S N)) (w ^ 2) * / ev (below F G d (S N)) (w ^ 2)))).
-  - intros v. destruct (amplitude_poly F G d f g N v Hf Hg Hd HF HG) as [P E]. rewrite <- E, Rmult_assoc, Rinv_r, Rmult_1_r by lra.
-    apply sqrt_pow2, Cmod_ge_0.
-  - apply continuous_comp; [|apply continuous_sqrt].
-    apply (continuous_mult (fun w => ev (above F G (S N)) (w ^ 2)) (fun w => / ev (below F G d (S N)) (w ^ 2))); [apply ev_continuous|].
-    apply (continuous_comp (fun w => ev (below F G d (S N)) (w ^ 2)) Rinv); [apply ev_continuous|].
-    apply continuous_Rinv. destruct (amplitude_poly F G d f g N w Hf Hg Hd HF HG) as [P _]. lra.
-Qed.
-
 Theorem peak_certificate f g N lo hi at_w least most fuel : peak_check f g N lo hi at_w least most fuel = true ->
   has_peak (Q2R f) (Q2R g) N (Q2R lo) (Q2R hi) (Q2R least) (Q2R most).
 Proof.
@@ -289,7 +245,7 @@ Proof.
        assert (0 < k * - v) by (apply Rmult_lt_0_compat; lra). lra. }
   split; [|exact Out].
   destruct (continuity_ab_maj A l h ltac:(lra)) as (w & M & W).
-  { intros c _. now apply (amplitude_continuous F G d). }
+  { intros c _. now apply amplitude_continuous. }
   pose proof (M (Q2R at_w) ltac:(lra)) as Ma.
   assert (Wi : l < w < h).
   { destruct (Rlt_dec l w) as [L1|L1], (Rlt_dec w h) as [L2|L2]; try (now split); exfalso;

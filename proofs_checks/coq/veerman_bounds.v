@@ -3,7 +3,7 @@
    Below a^2 = lambda the cosine keeps |a_M| small, above it the sinh; at a^2 = lambda both are small. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums veerman_complex veerman_front veerman_chain veerman_stability certificate_peaks.
+From Flockproof Require Import RealSums veerman_complex veerman_front veerman_chain veerman_stability veerman_amplitude.
 From Flockproof Require Import veerman_settling veerman_rates veerman_coordinates.
 Open Scope R_scope.
 

@@ -4,7 +4,7 @@
    1 - gamma has modulus cosh y - cos x, 1 + gamma has cosh y + cos x, and sin x sinh y is the imaginary part. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import veerman_complex veerman_front veerman_chain veerman_stability certificate_peaks.
+From Flockproof Require Import veerman_complex veerman_front veerman_chain veerman_stability veerman_amplitude.
 Open Scope R_scope.
 
 Lemma cosh_plus x y : cosh (x + y) = cosh x * cosh y + sinh x * sinh y.

@@ -2,7 +2,7 @@
      veerman.table1_numeric: no cell of these rows, in either pair of columns, is the resonance to its digits. *)
 From Coq Require Import Reals ZArith QArith List Lra.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import veerman_complex veerman_front veerman_chain certificate_peaks gen_peaks.
+From Flockproof Require Import veerman_complex veerman_front veerman_chain veerman_amplitude certificate_peaks gen_peaks.
 From Flockproof Require veerman_numbers.
 Import ListNotations.
 Open Scope R_scope.
@@ -19,10 +19,8 @@ Proof. eapply same_peak; [exact veerman_table1_numeric_M_8|decimals..]. Qed.
 Theorem resonance_16 : has_peak (-1) (-1) 15 0.069350142 0.069350282 18.357835519798 18.357835519801.
 Proof. eapply same_peak; [exact veerman_table1_numeric_M_16|decimals..]. Qed.
 
-(* the frequencies of the largest amplitude *)
-Definition is_strongest (N : nat) (w : R) : Prop := 0 < w /\ forall w', 0 < w' -> amplitude (-1) (-1) N w' <= amplitude (-1) (-1) N w.
 Lemma peak_of N lo hi a b : 0 < lo -> has_peak (-1) (-1) N lo hi a b ->
-  (exists w, is_strongest N w) /\ forall w, is_strongest N w -> lo < w < hi /\ a <= amplitude (-1) (-1) N w < b.
+  (exists w, main_resonance (-1) (-1) N w) /\ forall w, main_resonance (-1) (-1) N w -> lo < w < hi /\ a <= amplitude (-1) (-1) N w < b.
 Proof.
   intros L (_ & _ & (w & W & A & M) & O). split; [exists w; split; [lra|exact M]|].
   intros v [V0 V]. pose proof (V w ltac:(lra)) as Vw. pose proof (M v V0) as Mv.
@@ -32,7 +30,7 @@ Qed.
 (* a row of the table and the number N + 1 of followers: there is a strongest response, and no cell is its frequency or size *)
 Definition no_cell_is_true (row : R * veerman_numbers.cell * veerman_numbers.cell * veerman_numbers.cell * veerman_numbers.cell) (N : nat) : Prop :=
   match row with (_, nf, na, tf, ta) =>
-    (exists w, is_strongest N w) /\ forall w, is_strongest N w ->
+    (exists w, main_resonance (-1) (-1) N w) /\ forall w, main_resonance (-1) (-1) N w ->
       ~ veerman_numbers.agrees nf w /\ ~ veerman_numbers.agrees na (amplitude (-1) (-1) N w) /\
       ~ veerman_numbers.agrees tf w /\ ~ veerman_numbers.agrees ta (amplitude (-1) (-1) N w)
   end.

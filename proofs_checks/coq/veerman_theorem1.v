@@ -4,61 +4,10 @@
    |a_M|^-2 >= Z (1 - O(lambda)) everywhere, and more than the former where |t - 1| exceeds a multiple of lambda = pi^2/(8M^2) + O(M^-4). *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums veerman_complex veerman_front veerman_chain veerman_stability certificate_peaks.
+From Flockproof Require Import RealSums veerman_complex veerman_front veerman_chain veerman_stability veerman_amplitude.
 From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled veerman_coordinates veerman_bounds veerman_window.
 From Flockproof Require veerman_numbers.
 Open Scope R_scope.
-
-(* ---- the amplitude is continuous, so that it has a maximum on a closed interval ---- *)
-Definition Ccont (z : R -> C) (w : R) := continuous (fun v => fst (z v)) w /\ continuous (fun v => snd (z v)) w.
-Lemma Ccont_mult z1 z2 w : Ccont z1 w -> Ccont z2 w -> Ccont (fun v => (z1 v * z2 v)%C) w.
-Proof.
-  intros [A B] [C D]. split; cbn [Cmult fst snd].
-  - apply (continuous_minus (fun v => fst (z1 v) * fst (z2 v)) (fun v => snd (z1 v) * snd (z2 v))); now apply (continuous_mult (K := R_AbsRing)).
-  - apply (continuous_plus (fun v => fst (z1 v) * snd (z2 v)) (fun v => snd (z1 v) * fst (z2 v))); now apply (continuous_mult (K := R_AbsRing)).
-Qed.
-Lemma Ccont_minus z1 z2 w : Ccont z1 w -> Ccont z2 w -> Ccont (fun v => (z1 v - z2 v)%C) w.
-Proof.
-  intros [A B] [C D]. split; cbn [Cminus Cplus Copp fst snd].
-  - now apply (continuous_minus (fun v => fst (z1 v)) (fun v => fst (z2 v))).
-  - now apply (continuous_minus (fun v => snd (z1 v)) (fun v => snd (z2 v))).
-Qed.
-Lemma Ccont_const z w : Ccont (fun _ => z) w.
-Proof. split; apply continuous_const. Qed.
-Lemma gamma_continuous f g w : f < 0 -> g < 0 -> Ccont (gamma f g) w.
-Proof.
-  intros Hf Hg.
-  assert (Q : forall v, 0 < f ^ 2 + (v * g) ^ 2) by (intros v; pose proof (pow2_ge_0 (v * g)); assert (0 < f ^ 2) by (apply pow2_gt_0; lra); lra).
-  split.
-  - assert (E : forall v : R, ((f + v ^ 2) * f + (v * g) ^ 2) / (f ^ 2 + (v * g) ^ 2) = fst (gamma f g v)).
-    { intros v. unfold gamma, num, den, Cdiv, Cinv, Cmult; cbn [fst snd]. specialize (Q v). field. nra. }
-    apply (continuous_ext _ _ _ E).
-    apply (ex_derive_continuous (V := R_NormedModule)). auto_derive. specialize (Q w). split; [nra|easy] || nra.
-  - assert (E : forall v : R, - g * v ^ 3 / (f ^ 2 + (v * g) ^ 2) = snd (gamma f g v)) by (intros v; symmetry; now apply gamma_imaginary).
-    apply (continuous_ext _ _ _ E).
-    apply (ex_derive_continuous (V := R_NormedModule)). auto_derive. specialize (Q w). split; [nra|easy] || nra.
-Qed.
-Lemma cheb_continuous f g n w : f < 0 -> g < 0 -> Ccont (fun v => chebT (gamma f g v) n) w.
-Proof.
-  intros Hf Hg. assert (A : Ccont (fun v => chebT (gamma f g v) n) w /\ Ccont (fun v => chebT (gamma f g v) (S n)) w); [|apply A].
-  induction n as [|n [A B]]; [split; [apply Ccont_const|now apply gamma_continuous]|]. split; [exact B|].
-  apply (Ccont_minus (fun v => (2 * gamma f g v * chebT (gamma f g v) (S n))%C)); [|exact A].
-  apply (Ccont_mult (fun v => (2 * gamma f g v)%C)); [|exact B]. apply (Ccont_mult (fun _ => RtoC 2)); [apply Ccont_const|now apply gamma_continuous].
-Qed.
-Lemma amplitude_is_continuous f g N w : f < 0 -> g < 0 -> continuity_pt (amplitude f g N) w.
-Proof.
-  intros Hf Hg. apply continuity_pt_filterlim. set (T := fun v => chebT (gamma f g v) (S N)).
-  assert (E : forall v : R, / sqrt (fst (T v) ^ 2 + snd (T v) ^ 2) = amplitude f g N v).
-  { intros v. unfold amplitude. rewrite Cmod_inv by now apply cheb_neq0. reflexivity. }
-  apply (continuous_ext _ _ _ E).
-  - destruct (cheb_continuous f g (S N) w Hf Hg) as [A B]. fold T in A, B.
-    apply (continuous_comp (fun v => sqrt (fst (T v) ^ 2 + snd (T v) ^ 2)) Rinv).
-    + apply (continuous_comp (fun v => fst (T v) ^ 2 + snd (T v) ^ 2) sqrt); [|apply continuous_sqrt].
-      apply (continuous_plus (fun v => fst (T v) ^ 2) (fun v => snd (T v) ^ 2)).
-      * apply (continuous_comp (fun v => fst (T v)) (fun x => x ^ 2)); [exact A|apply (ex_derive_continuous (V := R_NormedModule)); auto_derive; easy].
-      * apply (continuous_comp (fun v => snd (T v)) (fun x => x ^ 2)); [exact B|apply (ex_derive_continuous (V := R_NormedModule)); auto_derive; easy].
-    + apply continuous_Rinv. change (Cmod (T w) <> 0). assert (0 < Cmod (T w)); [|lra]. apply Cmod_gt_0. now apply cheb_neq0.
-Qed.
 
 (* ---- in units of lambda ---- *)
 Section Units.
@@ -231,7 +180,6 @@ Qed.
 End Units.
 
 (* ---- Theorem 1 ---- *)
-Definition main_resonance (f g : R) (N : nat) (w : R) : Prop := 0 < w /\ forall w', 0 < w' -> amplitude f g N w' <= amplitude f g N w.
 Lemma quiet_amplitude f g N v w : f < 0 -> g < 0 -> amplitude f g N v <= amplitude f g N w -> quiet f g N w <= quiet f g N v.
 Proof.
   intros Hf Hg H. pose proof (amplitude_pos f g N v Hf Hg). unfold quiet. apply Rinv_le_contravar; [now apply pow_lt|]. apply pow_incr. lra.
@@ -294,7 +242,7 @@ Proof.
   assert (GL : G * lam <= / 2) by (pose proof (below G ltac:(lra)); lra).
   split.
   - destruct (continuity_ab_maj (amplitude f g N) (ws / 2) (2 * ws) ltac:(lra)) as (w & Mx & W).
-    { intros c _. now apply amplitude_is_continuous. }
+    { intros c _. now apply amplitude_continuous. }
     exists w. split; [lra|]. intros w' W'. pose proof (Mx ws ltac:(lra)) as Mw.
     destruct (Rle_lt_dec (amplitude f g N w') (amplitude f g N w)) as [D|D]; [exact D|]. apply Mx.
     pose proof (Near w' W' ltac:(lra)) as T. apply Rabs_le_between in T.

@@ -2,7 +2,7 @@
    for every M and w > 0: lower bounds everywhere, an upper bound where w^2 = lambda |f|. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums veerman_complex veerman_front veerman_chain veerman_stability certificate_peaks.
+From Flockproof Require Import RealSums veerman_complex veerman_front veerman_chain veerman_stability veerman_amplitude.
 From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled veerman_coordinates veerman_bounds.
 Open Scope R_scope.
 

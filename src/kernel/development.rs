@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 58] = sources![
+const SOURCES: [(&str, &str); 63] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -48,9 +48,14 @@ const SOURCES: [(&str, &str); 58] = sources![
     "veerman_lemma1",
     "veerman_matrices",
     "veerman_numbers",
+    "veerman_amplitude",
     "veerman_settling",
     "veerman_rates",
     "veerman_unsettled",
+    "veerman_coordinates",
+    "veerman_bounds",
+    "veerman_window",
+    "veerman_theorem1",
     "certificate_matrices",
     "certificate_flocks",
     "certificate_limits",
