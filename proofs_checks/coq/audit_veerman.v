@@ -3,7 +3,7 @@
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
-From Flockproof Require veerman_numbers veerman_amplitude veerman_theorem1 certificate_peaks veerman_resonances.
+From Flockproof Require veerman_numbers veerman_amplitude veerman_theorem1 veerman_size_limit certificate_peaks veerman_resonances.
 From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled.
 Open Scope R_scope.
 
@@ -374,3 +374,11 @@ Check (@veerman_theorem1.theorem_1 :
   (forall w, veerman_amplitude.main_resonance f g N w ->
    Rabs (w - veerman_numbers.frequency f (INR (S N))) <= C / INR (S N) ^ 3 /\
    Rabs (veerman_amplitude.amplitude f g N w - veerman_numbers.amplitude f g (INR (S N))) <= C / INR (S N))).
+(* veerman.prop2 (claim) *)
+Check (@veerman_size_limit.proposition_2 :
+  forall f g : R, f < 0 -> g < 0 ->
+  let X := PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f)) in
+  exists C M0 : R, forall (N : nat) (a0 D w : R), M0 <= INR (S N) -> 0 < a0 -> veerman_amplitude.main_resonance f g N w ->
+  (a0 * veerman_amplitude.amplitude f g N w <= D -> INR (S N) <= X * (D / a0) + C / INR (S N)) /\
+  (INR (S N) + C / INR (S N) <= X * (D / a0) -> a0 * veerman_amplitude.amplitude f g N w <= D) /\
+  (a0 * veerman_amplitude.amplitude f g N w <= D -> INR N <= X * (D / a0))).
