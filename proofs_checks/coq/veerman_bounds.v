@@ -76,7 +76,8 @@ Lemma frequency_coordinates : exists x y, 0 <= x <= PI /\ 0 <= y /\
   (forall N, amplitude f g N w ^ 2 * (cos (INR (S N) * x) ^ 2 + sinh (INR (S N) * y) ^ 2) = 1) /\
   sin x ^ 2 * sinh y ^ 2 = a2 ^ 2 * c / (1 + c) ^ 2 /\
   0 <= cosh y - cos x <= a2 /\ (cosh y - cos x) ^ 2 = a2 ^ 2 / (1 + c) /\
-  (cosh y + cos x) ^ 2 = 4 - 4 * (a2 / (1 + c)) + a2 ^ 2 / (1 + c).
+  (cosh y + cos x) ^ 2 = 4 - 4 * (a2 / (1 + c)) + a2 ^ 2 / (1 + c) /\
+  gamma f g w = (cos x * cosh y, sin x * sinh y).
 Proof using Hf Hg Hw.
   destruct positives as (B & A & C). destruct gamma_parts as (G1 & G2 & G3).
   destruct (coordinates_exist (gamma f g w) G3) as (x & y & X & Y & Z & R & P). exists x, y. split; [exact X|]. split; [exact Y|].
@@ -84,7 +85,7 @@ Proof using Hf Hg Hw.
   cbn [fst snd Cminus Cplus Copp RtoC] in R2, P2. rewrite G1 in R2, P2.
   replace ((0 + - snd (gamma f g w)) ^ 2) with (snd (gamma f g w) ^ 2) in R2 by ring. rewrite Rplus_0_l, G2 in P2. rewrite G2 in R2.
   assert (RR : (cosh y - cos x) ^ 2 = a2 ^ 2 / (1 + c)) by (rewrite R, R2; field; lra).
-  split; [|split; [|split; [split; [rewrite R; exact R0|]|split; [exact RR|rewrite P, P2; field; lra]]]].
+  split; [|split; [|split; [split; [rewrite R; exact R0|]|split; [exact RR|split; [rewrite P, P2; field; lra|exact Z]]]]].
   - intros N. pose proof (cheb_neq0 f g w (S N) Hf Hg) as NZ. unfold amplitude. rewrite Cmod_inv by exact NZ.
     assert (M : Cmod (chebT (gamma f g w) (S N)) ^ 2 = cos (INR (S N) * x) ^ 2 + sinh (INR (S N) * y) ^ 2).
     { rewrite Z, cheb_coordinates, Cmod_sqr. cbn [fst snd]. set (mx := INR (S N) * x). set (my := INR (S N) * y).

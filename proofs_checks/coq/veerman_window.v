@@ -39,7 +39,7 @@ Qed.
 
 Lemma quiet_moderate w : 0 < w -> w ^ 2 / - f <= 4 -> M ^ 2 * share (w ^ 2 / - f) ^ 2 <= 2 * beta * quiet f g N w.
 Proof using Hf Hg.
-  intros Hw A4. destruct (frequency_coordinates f g w Hf Hg Hw) as (x & y & X & Y & F & Im & R1 & R2 & P2).
+  intros Hw A4. destruct (frequency_coordinates f g w Hf Hg Hw) as (x & y & X & Y & F & Im & R1 & R2 & P2 & _).
   pose proof (sinh_moderate f g w Hf Hg Hw x y Im R1 P2 A4) as L. specialize (F N). fold M in F.
   pose proof (amplitude_pos f g N w Hf Hg) as A0. destruct (positives f g w Hf Hg Hw) as (B & _ & _). fold beta in B, L.
   assert (Q : quiet f g N w = cos (M * x) ^ 2 + sinh (M * y) ^ 2).
@@ -54,7 +54,7 @@ Proof using Hf Hg.
 Qed.
 Lemma quiet_large w : 0 < w -> 4 <= w ^ 2 / - f -> M ^ 2 * share (w ^ 2 / - f) <= (3 + beta) * quiet f g N w.
 Proof using Hf Hg.
-  intros Hw A4. destruct (frequency_coordinates f g w Hf Hg Hw) as (x & y & X & Y & F & Im & R1 & R2 & P2).
+  intros Hw A4. destruct (frequency_coordinates f g w Hf Hg Hw) as (x & y & X & Y & F & Im & R1 & R2 & P2 & _).
   pose proof (sinh_large f g w Hf Hg Hw x y Im R1 R2 P2 A4) as L. specialize (F N). fold M in F.
   pose proof (amplitude_pos f g N w Hf Hg) as A0. destruct (positives f g w Hf Hg Hw) as (B & _ & _). fold beta in B, L.
   assert (Q : quiet f g N w = cos (M * x) ^ 2 + sinh (M * y) ^ 2).
@@ -84,7 +84,7 @@ Qed.
 Lemma quiet_below w t : 0 < w -> 0 <= t <= 1 -> w ^ 2 / - f = t ^ 2 * lam ->
   (1 - t) ^ 2 + M ^ 2 * share (w ^ 2 / - f) ^ 2 / (2 * beta) <= quiet f g N w.
 Proof using Hf Hg.
-  intros Hw T E. destruct (frequency_coordinates f g w Hf Hg Hw) as (x & y & X & Y & F & Im & R1 & R2 & P2).
+  intros Hw T E. destruct (frequency_coordinates f g w Hf Hg Hw) as (x & y & X & Y & F & Im & R1 & R2 & P2 & _).
   assert (A4 : w ^ 2 / - f <= 4).
   { rewrite E. destruct (lowest_range N) as [L0 L1]. fold lam in L0, L1. assert (t ^ 2 <= 1) by nra. assert (t ^ 2 * lam <= 1 * 1) by (apply Rmult_le_compat; try lra; apply pow2_ge_0). lra. }
   pose proof (sinh_moderate f g w Hf Hg Hw x y Im R1 P2 A4) as L. specialize (F N). fold M in F.
@@ -109,7 +109,7 @@ Qed.
 Lemma quiet_middle w : 0 < w -> w ^ 2 / - f = lam -> let V := M ^ 2 * (beta * lam ^ 2) / (2 - lam) in V <= 1 ->
   quiet f g N w <= 64 * (M ^ 2 * (beta * lam ^ 2)) ^ 2 + V * (1 + 2 * V) ^ 2.
 Proof using Hf Hg.
-  intros Hw E V V1. destruct (frequency_coordinates f g w Hf Hg Hw) as (x & y & X & Y & F & Im & R1 & R2 & P2).
+  intros Hw E V V1. destruct (frequency_coordinates f g w Hf Hg Hw) as (x & y & X & Y & F & Im & R1 & R2 & P2 & _).
   destruct (lowest_range N) as [L0 L1]. fold lam in L0, L1.
   pose proof (sinh_upper f g w Hf Hg Hw x y Im R1 R2 P2) as L. specialize (F N). fold M in F.
   pose proof (amplitude_pos f g N w Hf Hg) as A0. destruct (positives f g w Hf Hg Hw) as (B & _ & C). fold beta in B, L, R2, C.
