@@ -3,7 +3,7 @@
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
-From Flockproof Require veerman_numbers veerman_amplitude veerman_theorem1 veerman_size_limit certificate_peaks veerman_resonances.
+From Flockproof Require veerman_numbers veerman_amplitude veerman_theorem1 veerman_size_limit veerman_exponent certificate_peaks veerman_resonances.
 From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled.
 Open Scope R_scope.
 
@@ -382,3 +382,17 @@ Check (@veerman_size_limit.proposition_2 :
   (a0 * veerman_amplitude.amplitude f g N w <= D -> INR (S N) <= X * (D / a0) + C / INR (S N)) /\
   (INR (S N) + C / INR (S N) <= X * (D / a0) -> a0 * veerman_amplitude.amplitude f g N w <= D) /\
   (a0 * veerman_amplitude.amplitude f g N w <= D -> INR N <= X * (D / a0))).
+(* veerman.thm1_x (corrected) *)
+Check (@veerman_exponent.exponent :
+  forall f g : R, f < 0 -> g < 0 ->
+  let X := PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f)) in
+  exists C M0 : R, forall (N : nat) (w : R), M0 <= INR (S N) -> veerman_amplitude.main_resonance f g N w ->
+  let M := INR (S N) in
+  Rabs (Cmod (mu_plus (gamma f g w)) ^ S N - exp (X / M)) <= C / M ^ 3 /\
+  Rabs (Cmod (mu_minus (gamma f g w)) ^ S N - exp (- (X / M))) <= C / M ^ 3 /\
+  Rabs (veerman_amplitude.amplitude f g N w - M / X) <= C / M).
+(* veerman.thm1_x (negation) *)
+Check (@veerman_exponent.exponent_printed_fails :
+  ~ (forall f g : R, f < 0 -> g < 0 -> let x := PI ^ 2 * Rabs g / (8 * sqrt 2 * Rabs f) in
+     exists C M0 : R, forall (N : nat) (w : R), M0 <= INR (S N) -> veerman_amplitude.main_resonance f g N w ->
+     Rabs (veerman_amplitude.amplitude f g N w - INR (S N) / x) <= C / INR (S N))).

@@ -192,3 +192,33 @@ Proof.
   replace (M / X) with (veerman_numbers.amplitude f g M) by (apply (Rmult_eq_reg_l X); [rewrite XM; field; lra|lra]).
   assert (C * h <= Rabs C * h) by (apply Rmult_le_compat_r; lra). assert (0 <= E * h) by (apply Rmult_le_pos; lra). lra.
 Qed.
+(* as printed, with |f|, it contradicts Theorem 1 at f = -4, g = -1: the printed x is half of the true one *)
+Theorem exponent_printed_fails : ~ (forall f g, f < 0 -> g < 0 -> let x := PI ^ 2 * Rabs g / (8 * sqrt 2 * Rabs f) in
+  exists C M0, forall N w, M0 <= INR (S N) -> main_resonance f g N w -> Rabs (amplitude f g N w - INR (S N) / x) <= C / INR (S N)).
+Proof.
+  intros H. destruct (H (-4) (-1) ltac:(lra) ltac:(lra)) as (C & M0 & P). clear H.
+  destruct (exponent (-4) (-1) ltac:(lra) ltac:(lra)) as (C' & M0' & T). destruct (theorem_1 (-4) (-1) ltac:(lra) ltac:(lra)) as (C'' & M0'' & E).
+  assert (S4 : sqrt (Rabs (-4)) = 2) by (rewrite Rabs_left by lra; replace (- -4) with (2 * 2) by ring; apply sqrt_square; lra).
+  rewrite S4 in T. set (X := PI ^ 2 * Rabs (-1) / (8 * sqrt 2 * 2)) in *.
+  assert (XP : 0 < X).
+  { unfold X. rewrite Rabs_left by lra. pose proof PI_RGT_0. assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra).
+    apply Rdiv_lt_0_compat; [assert (0 < PI ^ 2) by (apply pow_lt; lra); lra|lra]. }
+  set (big := Rabs M0 + Rabs M0' + Rabs M0'' + X * (Rabs C + Rabs C') + 1).
+  pose proof (Rle_abs M0). pose proof (Rle_abs M0'). pose proof (Rle_abs M0''). pose proof (Rabs_pos M0). pose proof (Rabs_pos M0'). pose proof (Rabs_pos M0'').
+  pose proof (Rabs_pos C). pose proof (Rabs_pos C'). pose proof (Rle_abs C). pose proof (Rle_abs C').
+  assert (XC : 0 <= X * (Rabs C + Rabs C')) by (apply Rmult_le_pos; lra).
+  destruct (nfloor_ex big) as [N [_ HN]]; [unfold big; lra|]. rewrite <- S_INR in HN. unfold big in HN.
+  destruct (E N ltac:(lra)) as [(w & W) _]. specialize (P N w ltac:(lra) W). destruct (T N w ltac:(lra) W) as (_ & _ & Q).
+  set (M := INR (S N)) in *. set (A := amplitude (-4) (-1) N w) in *.
+  assert (R2 : 0 < sqrt 2) by (apply sqrt_lt_R0; lra).
+  replace (M / (PI ^ 2 * Rabs (-1) / (8 * sqrt 2 * Rabs (-4)))) with (2 * (M / X)) in P.
+  2: { unfold X. rewrite !Rabs_left by lra. pose proof PI_RGT_0. field. lra. }
+  apply Rabs_le_between in P, Q.
+  assert (MX : M / X <= (Rabs C + Rabs C') / M).
+  { assert (C / M <= Rabs C / M) by (apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat|]; lra).
+    assert (C' / M <= Rabs C' / M) by (apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat|]; lra).
+    replace ((Rabs C + Rabs C') / M) with (Rabs C / M + Rabs C' / M) by (field; lra). lra. }
+  apply (Rmult_le_compat_r (M * X)) in MX; [|apply Rmult_le_pos; lra].
+  replace (M / X * (M * X)) with (M * M) in MX by (field; lra). replace ((Rabs C + Rabs C') / M * (M * X)) with (X * (Rabs C + Rabs C')) in MX by (field; lra).
+  assert (1 * M <= M * M) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
