@@ -396,3 +396,9 @@ Check (@veerman_exponent.exponent_printed_fails :
   ~ (forall f g : R, f < 0 -> g < 0 -> let x := PI ^ 2 * Rabs g / (8 * sqrt 2 * Rabs f) in
      exists C M0 : R, forall (N : nat) (w : R), M0 <= INR (S N) -> veerman_amplitude.main_resonance f g N w ->
      Rabs (veerman_amplitude.amplitude f g N w - INR (S N) / x) <= C / INR (S N))).
+(* veerman.thm1_mod (claim) *)
+Check (@veerman_exponent.moduli :
+  forall f g : R, f < 0 -> g < 0 -> exists C small : R, 0 < small /\ (forall w : R, 0 < w <= small ->
+  let u := sqrt 2 * w ^ 2 * Rabs g / (Rabs f * sqrt (Rabs f)) in
+  Rabs (Cmod (mu_plus (gamma f g w)) ^ 2 - (1 + u)) <= C * w ^ 4 /\
+  Rabs (Cmod (mu_minus (gamma f g w)) ^ 2 - (1 - u)) <= C * w ^ 4)).

@@ -1,5 +1,5 @@
 (* Veerman, Stosic, Olvera, proof of Theorem 1: |mu_+-|^(N+1) = e^(+-x/(N+1)) + O(N^-3) at the main resonance.
-     veerman.thm1_x, with x = pi^2 |g|/(8 sqrt2 sqrt|f|) (printed with |f| in the place of sqrt|f|).
+     veerman.thm1_mod; veerman.thm1_x, with x = pi^2 |g|/(8 sqrt2 sqrt|f|) (printed with |f| in the place of sqrt|f|).
    In the coordinates gamma = cos(x - i y) the roots are mu_+- = e^(+-(y + i x)), and sinh y = a^2 b/sqrt2 (1 + O(a^2)). *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -221,4 +221,61 @@ Proof.
   apply (Rmult_le_compat_r (M * X)) in MX; [|apply Rmult_le_pos; lra].
   replace (M / X * (M * X)) with (M * M) in MX by (field; lra). replace ((Rabs C + Rabs C') / M * (M * X)) with (X * (Rabs C + Rabs C')) in MX by (field; lra).
   assert (1 * M <= M * M) by (apply Rmult_le_compat_r; lra). lra.
+Qed.
+
+Lemma exp_second u : Rabs u <= 1 -> Rabs (exp u - (1 + u)) <= 3 * u ^ 2.
+Proof.
+  intros U. assert (M : exists c, Rabs c <= Rabs u /\ exp u - 1 = exp c * u).
+  { apply Rabs_le_between in U. destruct (Rle_lt_dec 0 u) as [L|L].
+    - destruct (MVT_le exp exp 0 u L) as (c & P & E); [intros; apply is_derive_exp|]. rewrite exp_0, Rminus_0_r in E.
+      exists c. split; [rewrite !Rabs_right; lra|exact E].
+    - destruct (MVT_le exp exp u 0 ltac:(lra)) as (c & P & E); [intros; apply is_derive_exp|]. rewrite exp_0 in E.
+      exists c. split; [rewrite !Rabs_left1; lra|lra]. }
+  destruct M as (c & P & E). pose proof (exp_close c 0 ltac:(lra) ltac:(rewrite Rabs_R0; lra)) as C. rewrite exp_0, Rminus_0_r in C.
+  replace (exp u - (1 + u)) with ((exp c - 1) * u) by lra. rewrite Rabs_mult. replace (3 * u ^ 2) with (3 * Rabs u * Rabs u).
+  - apply Rmult_le_compat_r; [apply Rabs_pos|]. lra.
+  - rewrite Rmult_assoc, <- Rabs_mult, Rabs_right; [ring|]. pose proof (pow2_ge_0 u). lra.
+Qed.
+(* veerman.thm1_mod: |mu_+-|^2 = 1 +- sqrt2 w^2 |g|/|f|^(3/2) + O(w^4) *)
+Theorem moduli f g : f < 0 -> g < 0 -> exists C small, 0 < small /\ forall w, 0 < w <= small ->
+  let u := sqrt 2 * w ^ 2 * Rabs g / (Rabs f * sqrt (Rabs f)) in
+  Rabs (Cmod (mu_plus (gamma f g w)) ^ 2 - (1 + u)) <= C * w ^ 4 /\ Rabs (Cmod (mu_minus (gamma f g w)) ^ 2 - (1 - u)) <= C * w ^ 4.
+Proof.
+  intros Hf Hg. set (beta := g ^ 2 / - f). set (k := sqrt (beta / 2)).
+  assert (B : 0 < beta) by (apply Rdiv_lt_0_compat; [apply pow2_gt_0|]; lra). assert (K0 : 0 < k) by (unfold k; apply sqrt_lt_R0; lra).
+  assert (SF : 0 < sqrt (- f)) by (apply sqrt_lt_R0; lra). assert (SF2 : sqrt (- f) * sqrt (- f) = - f) by (apply sqrt_sqrt; lra).
+  assert (R2 : 0 < sqrt 2) by (apply sqrt_lt_R0; lra). assert (R22 : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
+  assert (KE : k = - g / (sqrt 2 * sqrt (- f))).
+  { apply Rsqr_inj; [lra|left; apply Rdiv_lt_0_compat; [|apply Rmult_lt_0_compat]; lra|]. unfold k. rewrite Rsqr_sqrt by lra.
+    unfold beta, Rsqr. replace (- g / (sqrt 2 * sqrt (- f)) * (- g / (sqrt 2 * sqrt (- f)))) with (g ^ 2 / ((sqrt 2 * sqrt 2) * (sqrt (- f) * sqrt (- f)))) by (field; lra).
+    rewrite R22, SF2. field. lra. }
+  set (E := k * (1 + beta) + 16 * k ^ 3). assert (k3 : 0 < k ^ 3) by (apply pow_lt; lra). assert (kb : 0 < k * (1 + beta)) by (apply Rmult_lt_0_compat; lra).
+  set (room := / (2 + 8 * k)). assert (r0 : 0 < room) by (apply Rinv_0_lt_compat; lra).
+  exists ((2 * E + 48 * k ^ 2) / f ^ 2), (sqrt (- f * room)). assert (fr : 0 < - f * room) by (apply Rmult_lt_0_compat; lra).
+  split; [now apply sqrt_lt_R0|]. intros w [Hw Ws] u. set (a2 := w ^ 2 / - f).
+  assert (A : 0 < a2) by (unfold a2; apply Rdiv_lt_0_compat; [apply pow_lt|]; lra).
+  assert (AR : a2 <= room).
+  { unfold a2. apply (Rmult_le_reg_r (- f)); [lra|]. replace (w ^ 2 / - f * - f) with (w ^ 2) by (field; lra).
+    apply Rle_trans with (sqrt (- f * room) ^ 2); [apply pow_incr; lra|]. rewrite pow2_sqrt by lra. lra. }
+  assert (AQ : a2 * (2 + 8 * k) <= 1) by (rewrite <- (Rinv_l (2 + 8 * k)) by lra; apply Rmult_le_compat_r; [lra|exact AR]).
+  assert (KA : 0 < k * a2) by (apply Rmult_lt_0_compat; lra).
+  destruct (exponent_bounds f g w Hf Hg Hw) as (y & Y0 & Mp & Mm & YL & YU); fold beta k a2; [lra|lra|]. fold beta k a2 in YL, YU.
+  assert (UE : u = 2 * (k * a2)).
+  { unfold u, a2. rewrite KE, !Rabs_left by assumption. replace 2 with (sqrt 2 * sqrt 2) at 2 by exact R22. field. lra. }
+  assert (A2 : 0 < a2 ^ 2) by now apply pow_lt.
+  assert (D : Rabs (2 * y - u) <= 2 * E * a2 ^ 2).
+  { rewrite UE. assert (0 < k * beta * a2 ^ 2) by (apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat|]; lra). assert (0 < k * a2 ^ 2) by (apply Rmult_lt_0_compat; lra).
+    assert (k ^ 3 * (a2 ^ 2 * a2) <= k ^ 3 * (a2 ^ 2 * 1)) by (apply Rmult_le_compat_l; [lra|]; apply Rmult_le_compat_l; lra).
+    assert (0 < k ^ 3 * a2 ^ 2) by (apply Rmult_lt_0_compat; lra). unfold E. apply Rabs_le. lra. }
+  assert (YB : y <= 2 * (k * a2)) by (assert (k * a2 * (1 + a2) <= k * a2 * 2) by (apply Rmult_le_compat_l; lra); lra).
+  assert (S2 : (2 * y) ^ 2 <= 16 * k ^ 2 * a2 ^ 2).
+  { replace (16 * k ^ 2 * a2 ^ 2) with ((2 * (2 * (k * a2))) ^ 2) by ring. apply pow_incr. lra. }
+  assert (CE : (2 * E + 48 * k ^ 2) / f ^ 2 * w ^ 4 = 2 * E * a2 ^ 2 + 48 * k ^ 2 * a2 ^ 2) by (unfold a2; field; lra).
+  rewrite CE, Mp, Mm, !exp_times. cbn [INR]. replace ((1 + 1) * y) with (2 * y) by ring. replace ((1 + 1) * - y) with (- (2 * y)) by ring.
+  split.
+  - pose proof (exp_second (2 * y) ltac:(rewrite Rabs_right; lra)) as X. replace (exp (2 * y) - (1 + u)) with ((exp (2 * y) - (1 + 2 * y)) + (2 * y - u)) by ring.
+    eapply Rle_trans; [apply Rabs_triang|]. lra.
+  - pose proof (exp_second (- (2 * y)) ltac:(rewrite Rabs_Ropp, Rabs_right; lra)) as X.
+    replace (exp (- (2 * y)) - (1 - u)) with ((exp (- (2 * y)) - (1 + - (2 * y))) + - (2 * y - u)) by ring.
+    eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. replace ((- (2 * y)) ^ 2) with ((2 * y) ^ 2) in X by ring. lra.
 Qed.
