@@ -3,7 +3,7 @@
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
-From Flockproof Require veerman_numbers veerman_amplitude veerman_theorem1 veerman_size_limit veerman_exponent certificate_peaks veerman_resonances.
+From Flockproof Require veerman_numbers veerman_amplitude veerman_theorem1 veerman_size_limit veerman_exponent veerman_lesser certificate_peaks veerman_resonances.
 From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled.
 Open Scope R_scope.
 
@@ -402,3 +402,10 @@ Check (@veerman_exponent.moduli :
   let u := sqrt 2 * w ^ 2 * Rabs g / (Rabs f * sqrt (Rabs f)) in
   Rabs (Cmod (mu_plus (gamma f g w)) ^ 2 - (1 + u)) <= C * w ^ 4 /\
   Rabs (Cmod (mu_minus (gamma f g w)) ^ 2 - (1 - u)) <= C * w ^ 4)).
+(* veerman.cor3 (claim) *)
+Check (fun F w => eq_refl : veerman_lesser.local_maximum F w = exists r, 0 < r /\ forall v, Rabs (v - w) < r -> F v <= F w).
+Check (@veerman_lesser.corollary_3 :
+  forall (f g : R) (k : nat) (e : R), f < 0 -> g < 0 -> (1 <= k)%nat -> 0 < e ->
+  exists M0 : R, forall N : nat, M0 <= INR (S N) -> forall main : R, veerman_amplitude.main_resonance f g N main ->
+  exists w : R, 0 < w /\ Rabs (w / main - (2 * INR k - 1)) <= e /\
+    veerman_lesser.local_maximum (veerman_amplitude.amplitude f g N) w).

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 65] = sources![
+const SOURCES: [(&str, &str); 66] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -58,6 +58,7 @@ const SOURCES: [(&str, &str); 65] = sources![
     "veerman_theorem1",
     "veerman_size_limit",
     "veerman_exponent",
+    "veerman_lesser",
     "certificate_matrices",
     "certificate_flocks",
     "certificate_limits",
