@@ -3,7 +3,8 @@
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
-From Flockproof Require veerman_numbers.
+From Flockproof Require veerman_numbers veerman_amplitude veerman_theorem1 veerman_size_limit veerman_exponent veerman_lesser certificate_peaks veerman_resonances.
+From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled.
 Open Scope R_scope.
 
 Check (den_printed : forall f g w : R, den f g w = (RtoC f + Ci * w * g)%C).
@@ -31,7 +32,60 @@ Check (fun N P lam => eq_refl : eigenvalue N P lam = exists x : nat -> C,
 Check (fun N P (f g : R) nu => eq_refl : eigenvalue_M N P f g nu = exists x u : nat -> C, (nonzero N x \/ nonzero N u) /\
   forall k, (1 <= k <= S N)%nat -> u k = (nu * x k)%C /\ (f * P x k + g * P u k)%C = (nu * u k)%C).
 Check (fun N P f g => eq_refl : stable N P f g = forall nu, eigenvalue_M N P f g nu -> fst nu < 0).
+Check (fun (f g : R) N h x u => eq_refl : system_1 f g N h x u = forall k t, (1 <= k <= S N)%nat -> 0 <= t ->
+  is_derive (x k) t (u k t) /\
+  is_derive (u k) t (f * ((x k t - h k) - (x (k - 1)%nat t - h (k - 1)%nat)) + g * (u k t - u (k - 1)%nat t))).
+Check (fun (f g : R) N h x u => eq_refl : system_2 f g N h x u = forall k t, (1 <= k <= S N)%nat -> 0 <= t ->
+  is_derive (x k) t (u k t) /\
+  is_derive (u k) t (if Nat.eqb k (S N)
+    then f * ((x k t - h k) - (x (k - 1)%nat t - h (k - 1)%nat)) + g * (u k t - u (k - 1)%nat t)
+    else f * ((x k t - h k) - / 2 * ((x (k - 1)%nat t - h (k - 1)%nat) + (x (k + 1)%nat t - h (k + 1)%nat))) +
+         g * (u k t - / 2 * (u (k - 1)%nat t + u (k + 1)%nat t)))).
+Check (fun x u => eq_refl : leader_cruises x u =
+  exists V : R, forall t, 0 <= t -> x 0%nat t = x 0%nat 0 + V * t /\ u 0%nat t = V).
+Check (fun h x k t => eq_refl : deviation h x k t = (x k t - h k) - (x 0%nat t - h 0%nat)).
+Check (fun (u : nat -> R -> R) k t => eq_refl : excess u k t = u k t - u 0%nat t).
+Check (fun N h x u => eq_refl : settles N h x u = forall k, (1 <= k <= S N)%nat ->
+  is_lim (deviation h x k) p_infty 0 /\ is_lim (excess u k) p_infty 0).
+Check (fun r N h x u => eq_refl : settles_at_rate r N h x u = exists C : R, forall k t, (1 <= k <= S N)%nat -> 0 <= t ->
+  Rabs (deviation h x k t) <= C * exp (- r * t) /\ Rabs (excess u k t) <= C * exp (- r * t)).
+Check (fun f g N => eq_refl : stable_1 f g N =
+  forall h x u, system_1 f g N h x u -> leader_cruises x u -> settles N h x u).
+Check (fun f g N => eq_refl : stable_2 f g N =
+  forall h x u, system_2 f g N h x u -> leader_cruises x u -> settles N h x u).
+Check (fun N => eq_refl : lowest N = 1 - cos (PI / (2 * (INR N + 1)))).
+(* the amplitude of the last of N + 1 followers, and where it is largest *)
+Check (veerman_amplitude.amplitude_spec : forall (f g : R) (N : nat) (w : R), f < 0 -> g < 0 ->
+  (exists a, a 0%nat = RtoC 1 /\ equation_2 f g w N a) /\
+  forall a, a 0%nat = RtoC 1 -> equation_2 f g w N a -> Cmod (a (S N)) = veerman_amplitude.amplitude f g N w).
+Check (fun f g N lo hi least most => eq_refl : certificate_peaks.has_peak f g N lo hi least most =
+  let amplitude := veerman_amplitude.amplitude f g N in
+  ((exists s, is_derive (fun w => amplitude w ^ 2) lo s /\ 0 < s) /\
+   (exists s, is_derive (fun w => amplitude w ^ 2) hi s /\ s < 0) /\
+   (exists w, lo < w < hi /\ least <= amplitude w < most /\ forall w', 0 < w' -> amplitude w' <= amplitude w) /\
+   forall w, 0 < w -> ~ (lo < w < hi) -> amplitude w < least)).
+Check (fun f g N w => eq_refl : veerman_amplitude.main_resonance f g N w = (0 < w /\
+  forall w', 0 < w' -> veerman_amplitude.amplitude f g N w' <= veerman_amplitude.amplitude f g N w)).
+Check (fun y nf na tf ta N => eq_refl : veerman_resonances.no_cell_is_true (y, nf, na, tf, ta) N =
+  ((exists w, veerman_amplitude.main_resonance (-1) (-1) N w) /\ forall w, veerman_amplitude.main_resonance (-1) (-1) N w ->
+   ~ veerman_numbers.agrees nf w /\ ~ veerman_numbers.agrees na (veerman_amplitude.amplitude (-1) (-1) N w) /\
+   ~ veerman_numbers.agrees tf w /\ ~ veerman_numbers.agrees ta (veerman_amplitude.amplitude (-1) (-1) N w))).
 
+(* beyond.veerman.decay_rate (claim) *)
+Check (@veerman_unsettled.decay_rate :
+  forall f g : R,
+  f < 0 ->
+  g < 0 ->
+  (forall N : nat,
+   Rabs g / sqrt (Rabs f) <= INR (S N) ->
+   let rate := Rabs g * (1 - cos (PI / (2 * INR (S N)))) / 2 in
+   (forall nu : C, eigenvalue_M N (P2 N) f g nu -> fst nu <= - rate) /\
+   (exists nu : C, eigenvalue_M N (P2 N) f g nu /\ fst nu = - rate) /\
+   rate < PI ^ 2 * Rabs g / (16 * INR (S N) ^ 2) /\
+   (forall (h : nat -> R) (x u : nat -> R -> R),
+    system_2 f g N h x u -> leader_cruises x u -> settles_at_rate rate N h x u)) /\
+  (forall N : nat, stable N (P2 N) f g) /\
+  (forall common : R, 0 < common -> exists (N : nat) (nu : C), eigenvalue_M N (P2 N) f g nu /\ - common < fst nu)).
 (* veerman.cor1 (claim) *)
 Check (@veerman_front.corollary_1 :
   forall (f g : R) (h : nat -> R) (a : nat -> C) (w : R),
@@ -113,6 +167,33 @@ Check (@veerman_lemma1.lemma_1 :
   (forall N : nat, stable N P1 f g <-> f < 0 /\ g < 0) /\
   (forall N : nat, stable N (P2 N) f g <-> f < 0 /\ g < 0) /\
   ((forall N : nat, stable N P1 f g /\ stable N (P2 N) f g) <-> f < 0 /\ g < 0)).
+(* veerman.lem1 (claim) *)
+Check (@veerman_unsettled.lemma_1_in_time :
+  forall f g : R,
+  (forall N : nat, stable_1 f g N <-> f < 0 /\ g < 0) /\ (forall N : nat, stable_2 f g N <-> f < 0 /\ g < 0)).
+(* veerman.lem1 (part) *)
+Check (@veerman_rates.one_sided_settles :
+  forall (f g s : R) (N : nat) (h : nat -> R) (x u : nat -> R -> R),
+  g < 0 ->
+  0 <= s ->
+  2 * s < - g ->
+  0 < - f + g * s + s ^ 2 -> system_1 f g N h x u -> leader_cruises x u -> settles_at_rate s N h x u).
+(* veerman.lem1 (part) *)
+Check (@veerman_rates.two_sided_settles :
+  forall (f g r : R) (N : nat) (h : nat -> R) (x u : nat -> R -> R),
+  0 < r ->
+  - g * r <= - f ->
+  2 * r <= - g * lowest N -> system_2 f g N h x u -> leader_cruises x u -> settles_at_rate r N h x u).
+(* veerman.lem1 (part) *)
+Check (@veerman_settling.mode_decays :
+  forall (f g mu r : R) (x u : R -> R),
+  0 <= r ->
+  2 * r <= - mu * g ->
+  0 < - mu * f + mu * g * r + r ^ 2 ->
+  (forall t : R, 0 <= t -> is_derive x t (u t) /\ is_derive u t (mu * (f * x t + g * u t))) ->
+  let q := - mu * f + mu * g * r + r ^ 2 in
+  forall t : R,
+  0 <= t -> (u t + r * x t) ^ 2 + q * x t ^ 2 <= ((u 0 + r * x 0) ^ 2 + q * x 0 ^ 2) * exp (- (2 * r) * t)).
 (* veerman.lem2 (claim) *)
 Check (@veerman_chain.lemma_2 :
   forall (f g w : R) (N : nat) (a : nat -> C),
@@ -249,6 +330,18 @@ Check (@veerman_numbers.table_size_printed_fails :
 Check (@veerman_numbers.table_numeric_fails :
   (forall a : nat -> C, a 0%nat = 1 -> equation_2 (-1) (-1) 0.27311 3 a -> 4.6548 <= Cmod (a 4%nat)) /\
   (forall a : nat -> C, a 0%nat = 1 -> equation_2 (-1) (-1) 0.22 4 a -> 5.7 <= Cmod (a 5%nat))).
+(* veerman.table1_numeric (corrected) *)
+Check (@veerman_resonances.table_rows_fail :
+  List.Forall2 veerman_resonances.no_cell_is_true (List.firstn 3 veerman_numbers.table) (3 :: 7 :: 15 :: nil)%nat).
+(* veerman.table1_numeric (instance) *)
+Check (@veerman_resonances.resonance_4 :
+  certificate_peaks.has_peak (-1) (-1) 3 0.27310829 0.27310884 4.6548995380734 4.654899538074).
+(* veerman.table1_numeric (instance) *)
+Check (@veerman_resonances.resonance_8 :
+  certificate_peaks.has_peak (-1) (-1) 7 0.13827819 0.13827847 9.2043186764187 9.2043186764198).
+(* veerman.table1_numeric (instance) *)
+Check (@veerman_resonances.resonance_16 :
+  certificate_peaks.has_peak (-1) (-1) 15 0.069350142 0.069350282 18.357835519798 18.357835519801).
 (* veerman.table1_theory (corrected) *)
 Check (@veerman_numbers.table_theory :
   List.Forall
@@ -271,3 +364,48 @@ Check (@veerman_numbers.table_theory_printed_fails :
      ~ veerman_numbers.agrees ta (veerman_numbers.amplitude (-1) (-1) (N + 1)) /\
      ~ veerman_numbers.agrees tf (veerman_numbers.frequency (-1) N) /\
      ~ veerman_numbers.agrees ta (veerman_numbers.amplitude (-1) (-1) N)) veerman_numbers.table).
+(* veerman.thm1_amp, veerman.thm1_omega (claim) *)
+Check (fun f M => eq_refl : veerman_numbers.frequency f M = sqrt (Rabs f) * PI / (M * 2 * sqrt 2)).
+Check (fun f g M => eq_refl : veerman_numbers.amplitude f g M = 8 * sqrt (2 * Rabs f) / (PI ^ 2 * Rabs g) * M).
+Check (@veerman_theorem1.theorem_1 :
+  forall f g : R, f < 0 -> g < 0 ->
+  exists C M0 : R, forall N : nat, M0 <= INR (S N) ->
+  (exists w, veerman_amplitude.main_resonance f g N w) /\
+  (forall w, veerman_amplitude.main_resonance f g N w ->
+   Rabs (w - veerman_numbers.frequency f (INR (S N))) <= C / INR (S N) ^ 3 /\
+   Rabs (veerman_amplitude.amplitude f g N w - veerman_numbers.amplitude f g (INR (S N))) <= C / INR (S N))).
+(* veerman.prop2 (claim) *)
+Check (@veerman_size_limit.proposition_2 :
+  forall f g : R, f < 0 -> g < 0 ->
+  let X := PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f)) in
+  exists C M0 : R, forall (N : nat) (a0 D w : R), M0 <= INR (S N) -> 0 < a0 -> veerman_amplitude.main_resonance f g N w ->
+  (a0 * veerman_amplitude.amplitude f g N w <= D -> INR (S N) <= X * (D / a0) + C / INR (S N)) /\
+  (INR (S N) + C / INR (S N) <= X * (D / a0) -> a0 * veerman_amplitude.amplitude f g N w <= D) /\
+  (a0 * veerman_amplitude.amplitude f g N w <= D -> INR N <= X * (D / a0))).
+(* veerman.thm1_x (corrected) *)
+Check (@veerman_exponent.exponent :
+  forall f g : R, f < 0 -> g < 0 ->
+  let X := PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f)) in
+  exists C M0 : R, forall (N : nat) (w : R), M0 <= INR (S N) -> veerman_amplitude.main_resonance f g N w ->
+  let M := INR (S N) in
+  Rabs (Cmod (mu_plus (gamma f g w)) ^ S N - exp (X / M)) <= C / M ^ 3 /\
+  Rabs (Cmod (mu_minus (gamma f g w)) ^ S N - exp (- (X / M))) <= C / M ^ 3 /\
+  Rabs (veerman_amplitude.amplitude f g N w - M / X) <= C / M).
+(* veerman.thm1_x (negation) *)
+Check (@veerman_exponent.exponent_printed_fails :
+  ~ (forall f g : R, f < 0 -> g < 0 -> let x := PI ^ 2 * Rabs g / (8 * sqrt 2 * Rabs f) in
+     exists C M0 : R, forall (N : nat) (w : R), M0 <= INR (S N) -> veerman_amplitude.main_resonance f g N w ->
+     Rabs (veerman_amplitude.amplitude f g N w - INR (S N) / x) <= C / INR (S N))).
+(* veerman.thm1_mod (claim) *)
+Check (@veerman_exponent.moduli :
+  forall f g : R, f < 0 -> g < 0 -> exists C small : R, 0 < small /\ (forall w : R, 0 < w <= small ->
+  let u := sqrt 2 * w ^ 2 * Rabs g / (Rabs f * sqrt (Rabs f)) in
+  Rabs (Cmod (mu_plus (gamma f g w)) ^ 2 - (1 + u)) <= C * w ^ 4 /\
+  Rabs (Cmod (mu_minus (gamma f g w)) ^ 2 - (1 - u)) <= C * w ^ 4)).
+(* veerman.cor3 (claim) *)
+Check (fun F w => eq_refl : veerman_lesser.local_maximum F w = exists r, 0 < r /\ forall v, Rabs (v - w) < r -> F v <= F w).
+Check (@veerman_lesser.corollary_3 :
+  forall (f g : R) (k : nat) (e : R), f < 0 -> g < 0 -> (1 <= k)%nat -> 0 < e ->
+  exists M0 : R, forall N : nat, M0 <= INR (S N) -> forall main : R, veerman_amplitude.main_resonance f g N main ->
+  exists w : R, 0 < w /\ Rabs (w / main - (2 * INR k - 1)) <= e /\
+    veerman_lesser.local_maximum (veerman_amplitude.amplitude f g N) w).

@@ -1,6 +1,6 @@
 //! Certificates as theorems: files for the Coq development whose proofs are one evaluation.
 
-use super::{Certificate, Inertia, Limit, Product, Switches};
+use super::{Certificate, Inertia, Limit, Peak, Product, Switches};
 use crate::arithmetic::Rational;
 use crate::averaging::Weights;
 use crate::matrix::RationalMatrix;
@@ -18,23 +18,22 @@ pub struct CoqTheorem {
 }
 
 /// The file of one kind of certificates; `None` where none of these can be stated there: rectangular factors, flocks off the
-/// line or with given weights, and platoons are left to the other checker.
+/// line or with given weights, and platoons of more than 16 followers are left to the other checker.
 pub fn coq_file(kind: &str, theorems: &[CoqTheorem]) -> Option<String> {
     let of_kind = theorems.iter().filter(|theorem| theorem.certificate.kind() == kind);
     let stated: Vec<String> = of_kind.filter_map(|theorem| statement(&theorem.name, &theorem.certificate)).collect();
-    let library = match kind {
-        "limit" => "certificate_limits",
-        "switches" => "certificate_flocks",
-        "inertia" => "certificate_inertia",
-        _ => "certificate_matrices",
+    let (standard, libraries): (&str, &[&str]) = match kind {
+        "limit" => ("ZArith QArith List", &["certificate_matrices", "certificate_limits"]),
+        "switches" => ("ZArith QArith List", &["certificate_matrices", "certificate_flocks"]),
+        "inertia" => ("ZArith QArith List", &["certificate_matrices", "certificate_inertia"]),
+        "peak" => ("Reals ZArith QArith List", &["certificate_peaks"]),
+        _ => ("ZArith QArith List", &["certificate_matrices"]),
     };
-    let mut imports = "From Flockproof Require Import certificate_matrices.\n".to_string();
-    if library != "certificate_matrices" {
-        imports.push_str(&format!("From Flockproof Require Import {library}.\n"));
-    }
+    let imports: String =
+        libraries.iter().map(|library| format!("From Flockproof Require Import {library}.\n")).collect();
     (!stated.is_empty()).then(|| {
         format!(
-            "(* Written by `flockproof certify --coq`. *)\nFrom Coq Require Import ZArith QArith List.\n{imports}Import \
+            "(* Written by `flockproof certify --coq`. *)\nFrom Coq Require Import {standard}.\n{imports}Import \
              ListNotations.\nOpen Scope Z_scope.\n\n{}",
             stated.join("\n")
         )
@@ -47,7 +46,7 @@ fn statement(name: &str, certificate: &Certificate) -> Option<String> {
         Certificate::Limit(limit) => Some(limit_theorem(name, limit)),
         Certificate::Switches(switches) => switches_theorem(name, switches),
         Certificate::Inertia(inertia) => inertia_theorem(name, inertia),
-        Certificate::Peak(_) => None,
+        Certificate::Peak(peak) => peak_theorem(name, peak),
     }
 }
 
@@ -121,6 +120,31 @@ fn inertia_theorem(name: &str, inertia: &Inertia) -> Option<String> {
         "Definition {name}_A : zmat :=\n  {}.\nTheorem {name} : has_inertia {n} (val {name}_A) {positive} {negative}.\n{}",
         matrix(&inertia.a),
         proof(&format!("apply (inertia_certificate _ _\n  {}\n  {}\n  {}).", matrix(&m), list(&d), matrix(&k)))
+    ))
+}
+
+/// With more followers one evaluation takes minutes.
+const MOST_FOLLOWERS: u64 = 16;
+/// How often an interval is halved.
+const HALVINGS: usize = 64;
+
+fn peak_theorem(name: &str, peak: &Peak) -> Option<String> {
+    if peak.followers > MOST_FOLLOWERS {
+        return None;
+    }
+    let peak = peak.for_coq().ok()?;
+    let (low, high) = &peak.frequency;
+    // Both ends over one denominator.
+    let unit = low.denom().lcm(high.denom());
+    let end = |q: &Rational| format!("({} # {unit})", q.numer() * (&unit / q.denom()));
+    let reals = |numbers: &[String]| numbers.iter().map(|q| format!("(Q2R {q})")).collect::<Vec<_>>().join(" ");
+    Some(format!(
+        "Theorem {name} :\n  has_peak {} {}\n    {}\n    {}.\n{}",
+        reals(&[fraction(&peak.gains.f), fraction(&peak.gains.g)]),
+        peak.followers - 1,
+        reals(&[end(low), end(high)]),
+        reals(&[fraction(&peak.amplitude.0), fraction(&peak.amplitude.1)]),
+        proof(&format!("apply (peak_certificate _ _ _ _ _ {} _ _ {HALVINGS}).", fraction(&peak.at)))
     ))
 }
 

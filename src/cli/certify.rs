@@ -14,17 +14,18 @@ pub struct Arguments {
     /// Only those of this claim
     #[arg(long, value_name = "ID", conflicts_with = "coq")]
     claim: Vec<String>,
-    /// Folder for the same results as theorems: gen_products.v, gen_limits.v, gen_switches.v, gen_inertia.v
+    /// Folder for the same results as theorems: gen_products.v, gen_limits.v, gen_switches.v, gen_inertia.v, gen_peaks.v
     #[arg(long, value_name = "DIR")]
     coq: Option<PathBuf>,
 }
 
 /// The kinds that Coq checks, with the names of their files.
-const COQ_FILES: [(&str, &str); 4] = [
+const COQ_FILES: [(&str, &str); 5] = [
     ("product", "gen_products.v"),
     ("limit", "gen_limits.v"),
     ("switches", "gen_switches.v"),
     ("inertia", "gen_inertia.v"),
+    ("peak", "gen_peaks.v"),
 ];
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {

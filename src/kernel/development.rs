@@ -11,7 +11,8 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 63] = sources![
+<<<<<<< HEAD
+const SOURCES: [(&str, &str); 76] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -57,16 +58,31 @@ const SOURCES: [(&str, &str); 63] = sources![
     "veerman_lemma1",
     "veerman_matrices",
     "veerman_numbers",
+    "veerman_amplitude",
+    "veerman_settling",
+    "veerman_rates",
+    "veerman_unsettled",
+    "veerman_coordinates",
+    "veerman_bounds",
+    "veerman_window",
+    "veerman_theorem1",
+    "veerman_size_limit",
+    "veerman_exponent",
+    "veerman_lesser",
     "certificate_matrices",
     "certificate_flocks",
     "certificate_limits",
     "certificate_inertia",
     "certificate_index",
+    "certificate_polynomials",
+    "certificate_peaks",
     "gen_inertia",
     "gen_limits",
+    "gen_peaks",
     "gen_products",
     "gen_switches",
     "certificate_instances",
+    "veerman_resonances",
     "audit_certificates",
     "audit_chazelle",
     "audit_paley",
