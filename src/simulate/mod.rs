@@ -13,7 +13,7 @@ mod sine;
 
 pub use cells::{CellError, CellList};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
-pub use event::{Crossing, next_crossing};
+pub use event::{Crossing, next_crossing, next_fall};
 pub use phases::AllToAll;
 pub use rk4::Rk4;
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
