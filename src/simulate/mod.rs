@@ -13,6 +13,7 @@ mod sine;
 
 pub use cells::{CellError, CellList};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
+pub(crate) use event::root;
 pub use event::{Crossing, next_crossing, next_fall};
 pub use phases::AllToAll;
 pub use rk4::Rk4;
