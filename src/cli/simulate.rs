@@ -37,8 +37,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.json {
         output::print_json(&simulation_summary(&outcome))?;
     } else {
-        let (table, events, folder) = (sample_table(&outcome), outcome.events.len(), arguments.out.display());
-        output::print(&format!("\n{table}{events} events\nwritten: {} in {folder}\n", written.join(", ")))?;
+        let (table, events) = (sample_table(&outcome), outcome.events.len());
+        let (remarks, folder) = (declared(&outcome.remarks), arguments.out.display());
+        let events = format!("{events} event{}", if events == 1 { "" } else { "s" });
+        let files = declared(&[format!("written: {}", written.join(", "))]);
+        output::print(&format!("\n{table}{remarks}{events}\n{files}in {folder}\n"))?;
     }
     let kept = format!("what was reached up to t = {} is kept", outcome.reached());
     match outcome.end {

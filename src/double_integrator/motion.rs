@@ -129,6 +129,9 @@ pub enum MotionError {
         /// The closest linked agents.
         closest: Option<(Pair, f64)>,
     },
+    /// It was told to stop.
+    #[error("stopped at t = {0}")]
+    Halted(f64),
     /// Linked agents coincide where a signal links them.
     #[error("at t = {time} a new graph comes into force: {error}")]
     Signal {

@@ -41,6 +41,27 @@ impl Flock {
     /// # Errors
     /// [`MotionError`].
     pub fn run(&self, until: f64, samples: &[f64], options: &Options) -> Result<Motion, MotionError> {
+        let (motion, end) = self.run_while(until, samples, options, &|| true);
+        end.map(|()| motion)
+    }
+
+    /// As [`Self::run`], as long as `goes_on`, which is asked at every step: what was reached, and why there is no more of it.
+    pub fn run_while(
+        &self,
+        until: f64,
+        samples: &[f64],
+        options: &Options,
+        goes_on: &dyn Fn() -> bool,
+    ) -> (Motion, Result<(), MotionError>) {
+        let mut engine = match Engine::new(self, options, goes_on) {
+            Ok(engine) => engine,
+            Err(error) => return (Motion::default(), Err(error)),
+        };
+        let end = engine.run(until, samples);
+        (engine.motion, end)
+    }
+
+    fn check(until: f64, samples: &[f64], options: &Options) -> Result<(), MotionError> {
         if !(until >= 0.0 && until < f64::INFINITY) {
             return Err(MotionError::Until(until));
         }
@@ -52,20 +73,7 @@ impl Flock {
         if let Some((_, &sample)) = before.zip(samples).find(|(a, b)| !(a <= b && **b <= until)) {
             return Err(MotionError::Samples { until, sample });
         }
-        let mut engine = Engine::new(self, options)?;
-        engine.start()?;
-        for (from, until) in self.stretches(until) {
-            if let Some(graph) = self.graph_from(from) {
-                engine.impose(graph.edges())?;
-            }
-            while engine.time < until {
-                engine.advance(until, samples)?;
-            }
-        }
-        while engine.motion.samples.len() < samples.len() {
-            engine.sample(until, &engine.list.clone())?;
-        }
-        Ok(engine.motion)
+        Ok(())
     }
 
     /// The accelerations with some links; of the pairs in `staying` with the weights that keep them at distance `R`.
@@ -131,6 +139,7 @@ impl Flock {
 struct Engine<'a> {
     flock: &'a Flock,
     options: &'a Options,
+    goes_on: &'a dyn Fn() -> bool,
     slope: Slope<f64>,
     energy: Energy,
     time: f64,
@@ -144,12 +153,13 @@ struct Engine<'a> {
 }
 
 impl<'a> Engine<'a> {
-    fn new(flock: &'a Flock, options: &'a Options) -> Result<Self, MotionError> {
+    fn new(flock: &'a Flock, options: &'a Options, goes_on: &'a dyn Fn() -> bool) -> Result<Self, MotionError> {
         let radius = if let Network::Within(radius) = flock.network { Some(radius) } else { None };
         let count = flock.start.count();
         let mut engine = Engine {
             flock,
             options,
+            goes_on,
             slope: flock.potential.slope_over(&1.0),
             energy: Energy::new(&flock.potential, radius)?,
             time: 0.0,
@@ -163,6 +173,24 @@ impl<'a> Engine<'a> {
         };
         engine.link(&flock.links_at_start());
         Ok(engine)
+    }
+
+    /// The whole way.
+    fn run(&mut self, until: f64, samples: &[f64]) -> Result<(), MotionError> {
+        Flock::check(until, samples, self.options)?;
+        self.start()?;
+        for (from, until) in self.flock.stretches(until) {
+            if let Some(graph) = self.flock.graph_from(from) {
+                self.impose(graph.edges())?;
+            }
+            while self.time < until {
+                self.advance(until, samples)?;
+            }
+        }
+        while self.motion.samples.len() < samples.len() {
+            self.sample(until, &self.list.clone())?;
+        }
+        Ok(())
     }
 
     fn count(&self) -> usize {
@@ -223,12 +251,14 @@ impl<'a> Engine<'a> {
 
     /// One step or the part of it before the next arrival.
     fn advance(&mut self, until: f64, samples: &[f64]) -> Result<(), MotionError> {
-        let (flock, slope, links, staying) =
-            (self.flock, self.slope.clone(), self.links.clone(), self.staying.clone());
+        let (flock, slope, links, staying) = (self.flock, self.slope.clone(), self.links.clone(), self.staying.clone());
         let law = |state: &State<f64>| flock.accelerations(&slope, state, &links, &staying);
         let mut field = ClosedLoop::new(self.count(), law);
         let mut solution = Integrator::new(self.time, &self.list, self.options.tolerance);
         while solution.time() < until {
+            if !(self.goes_on)() {
+                return Err(MotionError::Halted(solution.time()));
+            }
             let before = self.state_of(solution.state());
             let stepped = solution.step(&mut field, until);
             if stepped.is_err() || solution.counts().0 > MOST_STEPS {
@@ -425,7 +455,11 @@ impl<'a> Engine<'a> {
     fn jump_allowed(&self, state: &State<f64>, pair: Pair, stayed: bool) -> f64 {
         let Network::Within(radius) = self.flock.network else { return 0.0 };
         let slope = self.slope.at(&(radius * radius)).unwrap_or(0.0).abs();
-        let drift = if stayed { 1e3 * radius * (self.options.tolerance.absolute + self.options.tolerance.relative * radius) } else { 0.0 };
+        let drift = if stayed {
+            1e3 * radius * (self.options.tolerance.absolute + self.options.tolerance.relative * radius)
+        } else {
+            0.0
+        };
         slope * (2.0 * self.slack(state, pair, radius) + drift)
     }
 

@@ -41,6 +41,7 @@ pub fn simulation_summary(outcome: &Outcome) -> Json {
         "declaration": outcome.declaration.join("\n"),
         "samples": outcome.samples().map(sample).collect::<Vec<_>>(),
         "events": outcome.events.iter().map(event).collect::<Vec<_>>(),
+        "remarks": outcome.remarks,
         "ended": ended,
         "reached": outcome.reached(),
     })

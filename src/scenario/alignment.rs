@@ -7,11 +7,12 @@ use super::observables::{Observable, min_distance, total};
 use super::potential::PairPotential;
 use super::source::Source;
 use super::start::{Needs, Start, problem};
+use super::switching::Switching;
 use super::turns::{Turns, unwrapped};
 use crate::arithmetic::ArithmeticError;
 use crate::double_integrator::{
-    Coordinates, HeadingDifference, State, Vector, disagreement, gyroscopic, heading, heading_rate, kinetic_energy,
-    potential_energy, potential_gradients, velocity_alignment,
+    self, Coordinates, Flock, HeadingDifference, Pair, State, Vector, disagreement, gyroscopic, heading, heading_rate,
+    kinetic_energy, potential_energy, potential_gradients, velocity_alignment,
 };
 use std::f64::consts::TAU;
 
@@ -26,7 +27,7 @@ enum Alignment {
 }
 
 /// Agents with accelerations.
-struct Agents {
+pub(super) struct Agents {
     network: Network,
     potential: PairPotential,
     alignment: Alignment,
@@ -74,6 +75,13 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
         }
     }
     let agents = Agents { network, potential, alignment, count: start.agents(), drawn: start.drawn };
+    if let (Alignment::Velocities, Some(radius)) = (&agents.alignment, agents.network.radius()) {
+        let network = double_integrator::Network::Within(radius);
+        let potential = agents.potential.exact().clone();
+        let flock = Flock::new(double_integrator::Alignment::Velocity, potential, network, state);
+        let flock = flock.map_err(|error| problem(source, "positions", error.into()))?;
+        return Ok(Box::new(Switching::new(agents, flock, tolerance)));
+    }
     Ok(Box::new(Continuous::new(agents, &list, tolerance)))
 }
 
@@ -84,6 +92,11 @@ fn state_of(count: usize, list: &[f64]) -> State<f64> {
 }
 
 impl Agents {
+    /// Sets the links.
+    pub fn relink(&mut self, pairs: &[Pair]) {
+        self.network.relink(pairs);
+    }
+
     fn state(&self, list: &[f64]) -> State<f64> {
         state_of(self.count, list)
     }

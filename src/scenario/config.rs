@@ -32,7 +32,7 @@ const MODELS: [(&str, Model); 7] = [
 ];
 
 /// Rows of a trajectory, unless the configuration says how many.
-const ROWS: usize = 200;
+const ROWS: usize = 500;
 
 /// Most entries of all rows: rows times agents.
 const MOST_ENTRIES: usize = 1 << 22;

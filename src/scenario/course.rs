@@ -37,6 +37,9 @@ impl Event {
 
 /// A model that can be moved forward in time.
 pub(super) trait Course {
+    /// Tells beforehand all times that will be asked for; models that are followed step by step need no plan.
+    fn plan(&mut self, _times: &[f64], _halt: &dyn Fn() -> bool) {}
+
     /// Moves to a time that is not before the last one; `false` where `halt` told to stop before.
     fn advance(&mut self, until: f64, events: &mut Vec<Event>, halt: &dyn Fn() -> bool) -> Result<bool, RunError>;
 
@@ -48,6 +51,11 @@ pub(super) trait Course {
 
     /// What is run, in words: equations and every choice that the configuration leaves open.
     fn declaration(&self) -> Vec<String>;
+
+    /// What was special about the run, in words.
+    fn remarks(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// A model in continuous time: `dy/dt = f(t, y)`, with links that are held between switches.
@@ -151,7 +159,7 @@ impl<L: Law> Course for Continuous<L> {
             self.tolerance.relative
         ));
         if self.law.switches() {
-            lines.push("links are held between switches, and each switch is located to rounding".to_string());
+            lines.push("links are held between switches, and each switch is located to rounding; a pair at exactly the switching distance at the start is linked if it approaches".to_string());
         }
         lines
     }

@@ -2,6 +2,7 @@
 
 use crate::arithmetic::{ArithmeticError, NumberError};
 use crate::averaging::FlockError;
+use crate::double_integrator::{InputError, MotionError};
 use crate::platoon::CommunicationError;
 use crate::simulate::IntegrationError;
 
@@ -165,6 +166,9 @@ pub enum Problem {
     /// Not a platoon.
     #[error(transparent)]
     Communication(#[from] CommunicationError),
+    /// Not a flock of switching links.
+    #[error(transparent)]
+    Motion(#[from] InputError),
     /// The law has no value at the start.
     #[error("the law has no value at the start: {0}")]
     Law(#[from] ArithmeticError),
@@ -190,4 +194,7 @@ pub enum RunError {
     /// An exact flock.
     #[error(transparent)]
     Flock(#[from] FlockError),
+    /// A flock of switching links.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
 }

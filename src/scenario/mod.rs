@@ -16,6 +16,7 @@ mod potential;
 mod run;
 mod source;
 mod start;
+mod switching;
 mod turns;
 mod vicsek;
 

@@ -139,7 +139,7 @@ impl Network {
             Kind::Within => {
                 let radius = section.need("radius", "a number above 0")?.positive()?;
                 let declaration = format!(
-                    "links i-j where |r_i - r_j| < {radius}; they come and go where a distance crosses {radius}; a pair at exactly that distance is linked if it approaches"
+                    "links i-j where |r_i - r_j| < {radius}; they come and go where a distance crosses {radius}"
                 );
                 Ok(Network::switching(order, Rule::Within(radius), false, declaration))
             }
@@ -261,6 +261,13 @@ impl Network {
     /// The neighbours of an agent; empty for an implicit all-to-all network.
     pub fn neighbours(&self, k: usize) -> &[usize] {
         self.lists.as_ref().map_or(&[], |lists| lists.of_particle(k))
+    }
+
+    /// Sets the links of a network that switches.
+    pub fn relink(&mut self, pairs: &[Pair]) {
+        self.pairs = pairs.iter().map(|&(i, j)| (i.min(j), i.max(j))).collect();
+        self.pairs.sort_unstable();
+        self.relist();
     }
 
     /// The number of components, arcs taken as edges.

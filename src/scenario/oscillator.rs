@@ -79,7 +79,7 @@ impl Orientation {
     }
 }
 
-const CONVENTIONS: &str = "observables: order |p_m| with p_m = (1/(m N)) sum e^(i m theta_k) (23), at most 1/m; phase_potential W_1 = (1/(2N)) <z, L z> (12), each edge once; clusters of phases less than 10 degrees apart; pattern_order M where M equal clusters are evenly spaced within 5 degrees";
+const CONVENTIONS: &str = "observables: order |p_m| with p_m = (1/(m N)) sum e^(i m theta_k) (23), at most 1/m; phase_potential W_1 = (1/(2N)) <z, L z> (12), on an undirected network each edge once; clusters of phases less than 10 degrees apart; pattern_order M where M equal clusters are evenly spaced within 5 degrees";
 
 /// The phase model (6).
 struct Phases {
@@ -292,7 +292,7 @@ impl Law for Particles {
             self.orientation.declaration(),
             self.network.declaration().to_string(),
             CONVENTIONS.to_string(),
-            "spacing_potential S = (1/(2N)) <c, L c> (17), each edge once, with centres c_k = r_k + i e^(i theta_k)/omega0 (3); centre_spread is the largest distance of a centre from their mean; momentum is the sum of the velocities; phases in radians, not reduced to one turn".to_string(),
+            "spacing_potential S = (1/(2N)) <c, L c> (17), on an undirected network each edge once, with centres c_k = r_k + i e^(i theta_k)/omega0 (3); centre_spread is the largest distance of a centre from their mean; momentum is the sum of the velocities; phases in radians, not reduced to one turn".to_string(),
         ];
         lines.extend(self.drawn.clone());
         lines

@@ -2,8 +2,8 @@
 
 use super::error::{ConfigError, Problem};
 use super::source::Section;
-use crate::arithmetic::{ArithmeticError, Rational, Real, rational};
-use crate::double_integrator::{Potential, Slope};
+use crate::arithmetic::{ArithmeticError, Rational, rational};
+use crate::double_integrator::{self, Potential, Slope};
 use num_traits::Signed;
 
 /// A potential with its slope over floats.
@@ -11,6 +11,7 @@ use num_traits::Signed;
 pub(super) struct PairPotential {
     potential: Potential,
     slope: Slope<f64>,
+    value: double_integrator::Value<f64>,
     formula: String,
 }
 
@@ -79,7 +80,7 @@ impl PairPotential {
                 (Potential::with_inflection(&place), formula)
             }
         };
-        Ok(PairPotential::new(potential, formula))
+        PairPotential::new(potential, formula).map_err(|error| entry.problem(error))
     }
 
     /// `{ slope = [[exponent, coefficient], ..], at = s, value = V }`.
@@ -108,17 +109,23 @@ impl PairPotential {
         debug_assert!(place.is_positive());
         let sum = terms.iter().map(|(k, c)| format!("{c} s^{k}")).collect::<Vec<_>>().join(" + ");
         let formula = format!("the integral of {sum} with V({place}) = {height}");
-        Ok(PairPotential::new(Potential::new(terms, (place, height)), formula))
+        let potential = Potential::new(terms, (place, height));
+        PairPotential::new(potential, formula).map_err(|error| value.problem(error))
     }
 
-    fn new(potential: Potential, formula: String) -> Self {
-        let slope = potential.slope_over(&0.0);
-        PairPotential { potential, slope, formula }
+    fn new(potential: Potential, formula: String) -> Result<Self, ArithmeticError> {
+        let (slope, value) = (potential.slope_over(&1.0), potential.value_over(&1.0)?);
+        Ok(PairPotential { potential, slope, value, formula })
+    }
+
+    /// The potential itself.
+    pub fn exact(&self) -> &Potential {
+        &self.potential
     }
 
     /// `V(s)` at a squared distance.
-    pub fn value<T: Real>(&self, s: &T) -> Result<T, ArithmeticError> {
-        self.potential.value(s)
+    pub fn value(&self, s: &f64) -> Result<f64, ArithmeticError> {
+        self.value.at(s)
     }
 
     /// `V'(s)`.

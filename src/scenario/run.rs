@@ -40,6 +40,8 @@ pub struct Outcome {
     pub rows: Vec<Row>,
     /// Links that came and went, in order.
     pub events: Vec<Event>,
+    /// What was special about the run, in words.
+    pub remarks: Vec<String>,
     /// How it ended.
     pub end: End,
 }
@@ -69,8 +71,10 @@ pub(super) fn run(
         declaration: [course.declaration(), schedule.declaration()].concat(),
         rows: Vec::new(),
         events: Vec::new(),
+        remarks: Vec::new(),
         end: End::Finished,
     };
+    course.plan(&schedule.times.iter().map(|(time, _)| *time).collect::<Vec<_>>(), halt);
     for &(time, sample) in &schedule.times {
         match course.advance(time, &mut outcome.events, halt) {
             Ok(true) => {}
@@ -92,5 +96,6 @@ pub(super) fn run(
         }
         progress(time);
     }
+    outcome.remarks = course.remarks();
     outcome
 }

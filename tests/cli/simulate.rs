@@ -13,7 +13,7 @@ fn simulate(folder: &Path, name: &str, config: &str) -> Value {
     let output = flockproof(&["simulate", &path, "--out", out.to_str().expect("UTF-8")]);
     assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
     let text = stdout(&output);
-    let lines = || text.lines().filter(|line| !line.starts_with("written"));
+    let lines = || text.lines().filter(|line| !line.starts_with("in /"));
     assert!(lines().all(|line| line.chars().count() <= 80), "{name}: wider than 80 columns:\n{text}");
     for written in ["trajectory.csv", "observables.csv", "observables.svg", "observables.png"] {
         assert!(out.join(written).is_file(), "{name}: {written}");
@@ -56,8 +56,8 @@ fn three_agents_keep_the_contract() {
     assert!((number(&last["energy"]) - 3.0 - 2.0 / 3.0).abs() < 1e-6);
     let trajectory = std::fs::read_to_string(folder.join("three/trajectory.csv")).expect("written");
     assert!(trajectory.starts_with("t,agent,x,y,vx,vy\n0.0,1,0.0,0.0,1.0,0.0\n"));
-    // 201 times of the grid, which has the samples, with three agents each, and the header.
-    assert_eq!(trajectory.lines().count(), 1 + 3 * 201);
+    // 501 times of the grid, which has the samples, with three agents each, and the header.
+    assert_eq!(trajectory.lines().count(), 1 + 3 * 501);
     assert!(std::fs::read(folder.join("three/paths.png")).expect("written").starts_with(b"\x89PNG"));
 }
 

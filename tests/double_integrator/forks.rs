@@ -29,7 +29,8 @@ fn ways(agents: Agents) -> Fork<Rational> {
 }
 
 fn flock(agents: Agents) -> Flock {
-    let start = state(agents).map(|x| x.numer().to_string().parse::<f64>().unwrap() / x.denom().to_string().parse::<f64>().unwrap());
+    let start = state(agents)
+        .map(|x| x.numer().to_string().parse::<f64>().unwrap() / x.denom().to_string().parse::<f64>().unwrap());
     Flock::new(Alignment::Velocity, spring(), Network::Within(2.0), start).unwrap()
 }
 
@@ -126,7 +127,8 @@ fn two_ties_multiply() {
     // By symmetry the middle agent keeps the line if both do the same.
     let both: Vec<_> = path.branches.iter().filter(|b| b.ways[0].1 == b.ways[1].1).collect();
     assert_eq!(both.len(), 3);
-    let ring: Vec<_> = (0..8).map(|k| ((200 * k, 0), (0, 0))).flat_map(|(r, v)| [(r, v), ((r.0 + 4, 0), (0, 0))]).collect();
+    let ring: Vec<_> =
+        (0..8).map(|k| ((200 * k, 0), (0, 0))).flat_map(|(r, v)| [(r, v), ((r.0 + 4, 0), (0, 0))]).collect();
     assert_eq!(fork(&state(&ring), &rational(4, 1), PLANE, &spring()), Err(ForkError::TooMany(8)));
 }
 
