@@ -417,7 +417,7 @@ mod tests {
         assert!(network.margin(&positions) > 0.0);
         // Both pairs of a symmetric motion switch at once, whatever rounding does to each.
         network.settle(&[0.0, 0.0, 0.9, 0.0, 0.0, 0.9], &[0.0; 6]);
-        let apart = 1.0 + 1e-14;
+        let apart = 1.0 + 1e-13;
         let after = [0.0, 0.0, apart, 0.0, 0.0, apart + 1e-16];
         assert!(network.margin(&after) <= 0.0);
         assert_eq!(network.switch(&after).len(), 2);

@@ -48,8 +48,10 @@ impl Start {
         }
         section.allow(&allowed, " of this model")?;
         if let Some(entry) = section.get("random") {
-            if section.get("positions").or(section.get("phases")).is_some() {
-                return Err(entry.problem(Problem::Both("random", "a list of agents")));
+            for list in ["positions", "velocities", "phases"] {
+                if section.get(list).is_some() {
+                    return Err(entry.problem(Problem::Both("random", list)));
+                }
             }
             return Start::random(&entry.table("state.random")?, needs);
         }

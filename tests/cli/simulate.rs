@@ -302,3 +302,23 @@ fn bad_configurations_of_other_models_are_refused() {
     assert_refused(&["simulate", "/nowhere.toml", "--out", out.to_str().expect("UTF-8")], "/nowhere.toml");
     assert_refused(&["simulate", "/nowhere.toml"], "--out");
 }
+
+#[test]
+fn random_starts_are_repeated_by_their_seed() {
+    let folder = folder("simulate-random");
+    let config = |seed: u64| {
+        format!(
+            "model = \"phase\"\n[state]\nrandom = {{ agents = 5000, seed = {seed} }}\n[law]\nK1 = -1\n[run]\nuntil = 1\nrows = 2\n"
+        )
+    };
+    let ends: Vec<Value> =
+        [("a", 1), ("b", 1), ("c", 2)].map(|(name, seed)| simulate(&folder, name, &config(seed))).into();
+    assert_eq!(ends[0], ends[1]);
+    assert!(ends[0]["samples"] != ends[2]["samples"]);
+    assert_altered_is_refused("random", &config(1), ("[law]", "phases = [0]\n[law]"), &["`random` and `phases`"]);
+    assert_altered_is_refused("random", &config(1), ("5000", "0"), &["state.random.agents", "from 1 to"]);
+    assert_altered_is_refused("random", &config(1), ("seed", "sed"), &["no key `sed`"]);
+    let path = file(&folder, "good.toml", config(1).as_bytes());
+    let occupied = file(&folder, "occupied", b"");
+    assert_refused(&["simulate", &path, "--out", &occupied], "occupied");
+}

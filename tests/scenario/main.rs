@@ -169,3 +169,11 @@ fn the_smallest_distance_is_that_of_all_pairs() {
     }
     assert_eq!(min_distance(&[vec![1.0, 2.0], vec![3.0, 0.0], vec![1.0, 2.0]]), 0.0);
 }
+
+#[test]
+fn the_example_of_the_readme_runs() {
+    let readme = include_str!("../../README.md");
+    let lines = readme.lines().skip_while(|line| !line.starts_with("    model = "));
+    let text: Vec<&str> = lines.map_while(|line| line.strip_prefix("    ")).collect();
+    assert_eq!(run(&text.join("\n")).samples().count(), 3);
+}
