@@ -4,7 +4,6 @@ use super::error::{ConfigError, Problem};
 use super::source::Section;
 use crate::arithmetic::{ArithmeticError, Rational, rational};
 use crate::double_integrator::{self, Potential, Slope};
-use num_traits::Signed;
 
 /// A potential with its slope over floats.
 #[derive(Debug, Clone)]
@@ -105,8 +104,8 @@ impl PairPotential {
         let at = table.need("at", "a squared distance at which the value is known")?;
         let value = table.need("value", "the potential there")?;
         let (place, height) = (at.exact()?, value.exact()?);
-        (at.positive()?, value.number()?);
-        debug_assert!(place.is_positive());
+        at.positive()?;
+        value.number()?;
         let sum = terms.iter().map(|(k, c)| format!("{c} s^{k}")).collect::<Vec<_>>().join(" + ");
         let formula = format!("the integral of {sum} with V({place}) = {height}");
         let potential = Potential::new(terms, (place, height));
