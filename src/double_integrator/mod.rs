@@ -6,6 +6,7 @@
 //! differentiable potentials.
 
 mod energy;
+mod flock;
 mod heading;
 mod law;
 mod linearisation;
@@ -15,8 +16,9 @@ mod simulate;
 mod state;
 
 pub use energy::{agent_potential, kinetic_energy, potential_energy};
+pub use flock::{FlockError, SwitchingFlock};
 pub use heading::{HeadingDifference, gyroscopic, heading, heading_rate};
-pub use law::{disagreements, linked_within, potential_gradients, tied, velocity_alignment};
+pub use law::{disagreements, linked_within, potential_gradients, pull, tied, velocity_alignment};
 pub use linearisation::{Inertia, hessian, inertia, linearisation};
 pub use potential::{Potential, PotentialError, Slope};
 pub use saturated::{Kink, Span};

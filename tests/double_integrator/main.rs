@@ -1,5 +1,6 @@
 //! Mirrors `src/double_integrator`: laws, potentials, kinks, linearisations and the float motion against naive twins.
 
+mod flock;
 mod motion;
 
 use flockproof::arithmetic::{Dual, Field, Interval, Rational, Real, Ring, rational};
