@@ -64,7 +64,9 @@ impl Potential {
 
     /// The slope with its coefficients as scalars of the kind of `like`, for many values.
     pub fn slope_over<T: Field>(&self, like: &T) -> Slope<T> {
-        Slope { terms: self.slope.iter().map(|(k, c)| (*k, like.rational(c))).collect() }
+        let mut terms: Vec<(i32, T)> = self.slope.iter().map(|(k, c)| (*k, like.rational(c))).collect();
+        terms.sort_by_key(|(k, _)| std::cmp::Reverse(*k));
+        Slope { terms }
     }
 
     /// `V'(s)`.
@@ -192,16 +194,50 @@ impl Potential {
 /// The slope of a [`Potential`] over one kind of scalar.
 #[derive(Debug, Clone)]
 pub struct Slope<T> {
+    /// Exponents and coefficients, the highest exponent first.
     terms: Vec<(i32, T)>,
 }
 
 impl<T: Field> Slope<T> {
-    /// `V'(s)`.
+    /// `V'(s)`: Horner's scheme, then the lowest power, so that there is one division at most.
     ///
     /// # Errors
     /// [`ArithmeticError::DivisionByZero`] at `s = 0`.
+    #[inline(always)]
     pub fn at(&self, s: &T) -> Result<T, ArithmeticError> {
-        self.terms.iter().try_fold(s.zero(), |total, (k, c)| Ok(total + power(s, *k)? * c))
+        let Some((first, rest)) = self.terms.split_first() else { return Ok(s.zero()) };
+        let (mut value, mut exponent) = (first.1.clone(), first.0);
+        for (k, c) in rest {
+            value = raised(value, s, exponent.abs_diff(*k)) + c;
+            exponent = *k;
+        }
+        Ok(if exponent < 0 {
+            raised(value, &s.recip()?, exponent.unsigned_abs())
+        } else {
+            raised(value, s, exponent.unsigned_abs())
+        })
+    }
+
+    /// The same over another kind of scalar.
+    #[inline(always)]
+    pub fn map<U>(&self, convert: impl Fn(&T) -> U) -> Slope<U> {
+        Slope { terms: self.terms.iter().map(|(k, c)| (*k, convert(c))).collect() }
+    }
+
+    /// The coefficients.
+    pub fn coefficients(&self) -> impl Iterator<Item = &T> {
+        self.terms.iter().map(|(_, c)| c)
+    }
+}
+
+/// `value s^exponent`.
+#[inline(always)]
+fn raised<T: Ring>(value: T, s: &T, exponent: u32) -> T {
+    match exponent {
+        0 => value,
+        1 => value * s,
+        2 => value * s.square(),
+        _ => value * Ring::power(s, u64::from(exponent)),
     }
 }
 

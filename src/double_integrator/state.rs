@@ -6,16 +6,19 @@ use crate::arithmetic::{Dual, Field, Ring};
 pub type Vector<T> = [T; 2];
 
 /// `a + b`.
+#[inline(always)]
 pub fn sum<T: Ring>(a: &Vector<T>, b: &Vector<T>) -> Vector<T> {
     [0, 1].map(|k| a[k].clone() + &b[k])
 }
 
 /// `a - b`.
+#[inline(always)]
 pub fn difference<T: Ring>(a: &Vector<T>, b: &Vector<T>) -> Vector<T> {
     [0, 1].map(|k| a[k].clone() - &b[k])
 }
 
 /// `factor a`.
+#[inline(always)]
 pub fn scaled<T: Ring>(factor: &T, a: &Vector<T>) -> Vector<T> {
     [0, 1].map(|k| factor.clone() * &a[k])
 }
@@ -36,6 +39,7 @@ pub enum Coordinates {
 
 impl Coordinates {
     /// The inner product of two vectors.
+    #[inline(always)]
     pub fn product<T: Field>(self, a: &Vector<T>, b: &Vector<T>) -> T {
         let straight = a[0].clone() * &b[0] + a[1].clone() * &b[1];
         match self {
@@ -45,6 +49,7 @@ impl Coordinates {
     }
 
     /// The squared length of a vector.
+    #[inline(always)]
     pub fn square<T: Field>(self, a: &Vector<T>) -> T {
         self.product(a, a)
     }
@@ -68,7 +73,7 @@ impl<T: Ring> State<T> {
             .then(|| State { positions: vectors(&list[..2 * count]), velocities: vectors(&list[2 * count..]) })
     }
 
-    /// The list of [`Self::from_list`].
+    /// The list that [`Self::from_list`] reads.
     pub fn to_list(&self) -> Vec<T> {
         self.positions.iter().chain(&self.velocities).flatten().cloned().collect()
     }

@@ -2,6 +2,7 @@
 
 use super::course::{Continuous, Course, Frame, Law};
 use super::error::{ConfigError, Problem};
+use super::large::LargeFlock;
 use super::network::{Abilities, Change, Network};
 use super::observables::{Observable, min_distance, total};
 use super::potential::PairPotential;
@@ -11,8 +12,8 @@ use super::switching::Switching;
 use super::turns::{Turns, unwrapped};
 use crate::arithmetic::ArithmeticError;
 use crate::double_integrator::{
-    self, Coordinates, Flock, HeadingDifference, Pair, State, Vector, disagreement, gyroscopic, heading, heading_rate,
-    kinetic_energy, potential_energy, potential_gradients, velocity_alignment,
+    self, Coordinates, Flock, HeadingDifference, Pair, State, SwitchingFlock, Vector, disagreement, gyroscopic,
+    heading, heading_rate, kinetic_energy, potential_energy, potential_gradients, velocity_alignment,
 };
 use std::f64::consts::TAU;
 
@@ -45,8 +46,13 @@ const READINGS: [(&str, HeadingDifference); 3] = [
 pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: true, phases: false })?;
     let model = if headings { "heading-alignment" } else { "velocity-alignment" };
-    let can = Abilities { model, positions: true, directed: false, edges: true, default: None };
+    let step_key = source.needed("run")?.get("step").filter(|_| !headings);
+    let step = step_key.as_ref().map(|entry| entry.positive()).transpose()?;
+    let can = Abilities { model, positions: true, directed: false, edges: true, large: step.is_some(), default: None };
     let mut network = Network::read(source, start.agents(), can)?;
+    if let Some(entry) = step_key.filter(|_| network.radius().is_none()) {
+        return Err(entry.range("left out: only links within a radius are followed in fixed steps"));
+    }
     let law = source.needed("law")?;
     let mut keys = PairPotential::KEYS.to_vec();
     keys.extend(headings.then_some("heading_difference"));
@@ -75,6 +81,12 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
         }
     }
     let agents = Agents { network, potential, alignment, count: start.agents(), drawn: start.drawn };
+    if let (Some(step), Some(radius)) = (step, agents.network.radius()) {
+        let mut field =
+            SwitchingFlock::new(agents.potential.exact(), radius).map_err(|error| law.problem(error.into()))?;
+        field.start(&state).map_err(|error| problem(source, "positions", error.into()))?;
+        return Ok(Box::new(LargeFlock::new(agents, field, list, step)));
+    }
     if let (Alignment::Velocities, Some(radius)) = (&agents.alignment, agents.network.radius()) {
         let network = double_integrator::Network::Within(radius);
         let potential = agents.potential.exact().clone();
@@ -95,6 +107,12 @@ impl Agents {
     /// Sets the links.
     pub fn relink(&mut self, pairs: &[Pair]) {
         self.network.relink(pairs);
+    }
+
+    /// Makes the links of the positions.
+    pub fn settle(&mut self, list: &[f64]) {
+        let (positions, velocities) = list.split_at(2 * self.count);
+        self.network.settle(positions, velocities);
     }
 
     fn state(&self, list: &[f64]) -> State<f64> {
@@ -176,7 +194,11 @@ impl Law for Agents {
             Alignment::Velocities => {
                 let saturated = match self.network.radius() {
                     None => potential,
-                    Some(radius) => self.saturated(&state.positions, radius)?,
+                    // All other pairs are beyond the radius.
+                    Some(radius) => {
+                        let beyond = self.count * (self.count - 1) / 2 - self.network.pairs().len();
+                        potential + beyond as f64 * self.potential.value(&(radius * radius))?
+                    }
                 };
                 all.push(Observable::number("saturated_energy", saturated + kinetic));
             }
@@ -216,16 +238,6 @@ impl Law for Agents {
         lines.push("disagreement sqrt(sum |v_i - mean|²); momentum the sum of the velocities".to_string());
         lines.extend(self.drawn.clone());
         lines
-    }
-}
-
-impl Agents {
-    /// The sum over all pairs of the potential that is constant from the radius on.
-    fn saturated(&self, positions: &[Vector<f64>], radius: f64) -> Result<f64, ArithmeticError> {
-        let count = positions.len();
-        let all: Vec<_> = (0..count).flat_map(|i| (i + 1..count).map(move |j| (i, j))).collect();
-        let square = radius * radius;
-        potential_energy(positions, &all, PLANE, |_, _, s| self.potential.value(&s.min(square)))
     }
 }
 

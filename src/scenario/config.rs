@@ -53,9 +53,11 @@ impl Schedule {
     }
 
     /// Reads the section `[run]` for a model with this time step, if it has one.
-    fn read(source: &Source, step: Option<&Rational>, agents: usize) -> Result<Self, ConfigError> {
+    fn read(source: &Source, model: Model, step: Option<&Rational>, agents: usize) -> Result<Self, ConfigError> {
         let section = source.needed("run")?;
-        section.allow(&["until", "samples", "tolerance", "rows"], "")?;
+        let keys = ["until", "samples", "tolerance", "rows", "step"];
+        let known = if model == Model::Velocities { keys.len() } else { keys.len() - 1 };
+        section.allow(&keys[..known], " of this model")?;
         let entry = section.need("until", "the last time, a number above 0")?;
         let last = entry.positive()?;
         let until = entry.exact()?;
@@ -170,7 +172,7 @@ impl Scenario {
         };
         let frame = course.frame();
         let agents = frame.positions.len().max(frame.phases.len());
-        let schedule = Schedule::read(&source, step.as_ref(), agents)?;
+        let schedule = Schedule::read(&source, model, step.as_ref(), agents)?;
         Ok(Scenario { model: name, schedule, course })
     }
 

@@ -2,7 +2,7 @@
 
 use crate::arithmetic::{ArithmeticError, NumberError};
 use crate::averaging::FlockError;
-use crate::double_integrator::{InputError, MotionError};
+use crate::double_integrator::{FlockError as LargeFlockError, InputError, MotionError};
 use crate::platoon::CommunicationError;
 use crate::simulate::IntegrationError;
 
@@ -133,6 +133,11 @@ pub enum Problem {
         /// What it needs.
         needs: &'static str,
     },
+    /// Too many agents to locate the switches of all pairs.
+    #[error(
+        "links that depend on distances are located for at most {0} agents; velocity-alignment within a radius takes more with a fixed `step` in [run]"
+    )]
+    TooMany(usize),
     /// A potential without a value.
     #[error("the potential of agents {0} and {1} is not finite at the start")]
     Potential(usize, usize),
@@ -166,6 +171,9 @@ pub enum Problem {
     /// Not a platoon.
     #[error(transparent)]
     Communication(#[from] CommunicationError),
+    /// Not a large flock.
+    #[error(transparent)]
+    Large(#[from] LargeFlockError),
     /// Not a flock of switching links.
     #[error(transparent)]
     Motion(#[from] InputError),
@@ -197,4 +205,12 @@ pub enum RunError {
     /// A flock of switching links.
     #[error(transparent)]
     Motion(#[from] MotionError),
+    /// A large flock.
+    #[error("about t = {time}: {error}")]
+    Large {
+        /// About when.
+        time: f64,
+        /// Why there are no accelerations.
+        error: LargeFlockError,
+    },
 }

@@ -8,6 +8,7 @@ mod config;
 mod course;
 mod error;
 mod fish;
+mod large;
 mod network;
 mod observables;
 mod oscillator;

@@ -14,6 +14,9 @@ pub(super) type Pair = (usize, usize);
 /// Most edges that are stored.
 const MOST_EDGES: usize = 1 << 23;
 
+/// Most agents where every switch is located: each pair is looked at.
+const MOST_LOCATED: usize = 4096;
+
 /// Which networks a model can use.
 #[derive(Clone, Copy)]
 pub(super) struct Abilities {
@@ -25,6 +28,8 @@ pub(super) struct Abilities {
     pub directed: bool,
     /// The law sums over a list of edges; otherwise all-to-all costs O(N).
     pub edges: bool,
+    /// Large flocks are followed although links depend on distances.
+    pub large: bool,
     /// What is used where the section is missing.
     pub default: Option<Kind>,
 }
@@ -110,6 +115,9 @@ impl Network {
         }
         if !can.directed && kind == Kind::Nearest {
             return Err(needs("an undirected graph: that of the nearest is not"));
+        }
+        if order > MOST_LOCATED && matches!(kind, Kind::Within | Kind::Nearest) && !can.large {
+            return Err(entry.problem(Problem::TooMany(MOST_LOCATED)));
         }
         let keys: &[&str] = match kind {
             Kind::Circulant => &["kind", "offsets"],

@@ -85,7 +85,8 @@ fn tracked(source: &Source, law: &Section, cars: usize) -> Result<(Communication
     if let Some(entry) = communication {
         return Err(entry.problem(Problem::Both("communication", "[graph]")));
     }
-    let can = Abilities { model: "platoon", positions: false, directed: true, edges: true, default: None };
+    let can =
+        Abilities { model: "platoon", positions: false, directed: true, edges: true, large: false, default: None };
     let network = Network::read(source, cars, can)?;
     let rows: Vec<Vec<usize>> = (1..cars).map(|k| network.neighbours(k).to_vec()).collect();
     let graph = CommunicationGraph::with_equal_weights(&rows).map_err(|error| section.problem(error.into()))?;

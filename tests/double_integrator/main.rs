@@ -1,5 +1,6 @@
 //! Mirrors `src/double_integrator`: laws, potentials, kinks, linearisations and the float motion against naive twins.
 
+mod flock;
 mod forks;
 mod inputs;
 mod motion;

@@ -177,3 +177,29 @@ fn the_example_of_the_readme_runs() {
     let text: Vec<&str> = lines.map_while(|line| line.strip_prefix("    ")).collect();
     assert_eq!(run(&text.join("\n")).samples().count(), 3);
 }
+
+#[test]
+fn fixed_steps_agree_with_located_switches() {
+    let config = include_str!("../../assets/scenarios/switching_flock.toml");
+    let located = run(config);
+    let end = |outcome: &Outcome| outcome.rows.last().expect("a row").frame.positions.concat();
+    let far = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    // A step over a switch is wrong by about the square of its length; there are seven.
+    for (step, most) in [("1/100", 1e-3), ("1/1000", 1e-4)] {
+        let fixed = run(&config.replace("tolerance = 1e-12", &format!("step = \"{step}\"")));
+        let error = far(&end(&fixed), &end(&located));
+        assert!(error < most, "{step}: {error}");
+        let last = fixed.samples().last().expect("a sample");
+        let other = located.samples().last().expect("a sample");
+        assert!((value(last, "saturated_energy") - value(other, "saturated_energy")).abs() < most);
+        assert_eq!(value(last, "components"), 1.0);
+    }
+    let large = "model = \"velocity-alignment\"\n[graph]\nkind = \"within\"\nradius = 1\n[state]\nrandom = { agents = 5000, half = 50 }\n\
+        [law]\npotential = \"none\"\n[run]\nuntil = \"1/10\"\nrows = 2\n";
+    let error = Scenario::read(large).expect_err("too many").to_string();
+    assert!(error.contains("line 3") && error.contains("4096") && error.contains("step"), "{error}");
+    let outcome = run(&format!("{large}step = \"1/20\"\n"));
+    assert!(value(outcome.samples().last().expect("a sample"), "disagreement") > 0.0);
+    let fixed = include_str!("../../assets/scenarios/three_agents.toml").replace("tolerance = 1e-12", "step = 1");
+    assert!(Scenario::read(&fixed).expect_err("no radius").to_string().contains("within a radius"));
+}
