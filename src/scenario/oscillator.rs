@@ -94,8 +94,14 @@ struct Phases {
 /// Reads the phase model.
 pub(super) fn read_phases(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 0, velocities: false, phases: true })?;
-    let can =
-        Abilities { model: "phase", positions: false, directed: true, edges: false, default: Some(Kind::AllToAll) };
+    let can = Abilities {
+        model: "phase",
+        positions: false,
+        directed: true,
+        edges: false,
+        large: false,
+        default: Some(Kind::AllToAll),
+    };
     let network = Network::read(source, start.agents(), can)?;
     let law = source.needed("law")?;
     law.allow(&["omega0", "K1", "K", "reference"], " of the phase model")?;
@@ -189,8 +195,14 @@ struct Particles {
 /// Reads the particle model.
 pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
-    let can =
-        Abilities { model: "particle", positions: true, directed: true, edges: false, default: Some(Kind::AllToAll) };
+    let can = Abilities {
+        model: "particle",
+        positions: true,
+        directed: true,
+        edges: false,
+        large: false,
+        default: Some(Kind::AllToAll),
+    };
     let mut network = Network::read(source, start.agents(), can)?;
     let law = source.needed("law")?;
     law.allow(&["omega0", "K0", "K1", "K", "drift", "beacon", "reference"], " of the particle model")?;
