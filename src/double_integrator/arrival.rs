@@ -165,7 +165,8 @@ impl Watch<'_> {
             if after < -slack {
                 // A pair that leaves R first, and is back: from where it is away.
                 let halves = (1..40).map(|m| from + (to - from) * 0.5f64.powi(m));
-                let away = halves.filter(|_| fresh).find(|&t| exact(solution, t, self.on_dense(solution, t, pair).0) > slack);
+                let away =
+                    halves.filter(|_| fresh).find(|&t| exact(solution, t, self.on_dense(solution, t, pair).0) > slack);
                 return Some(Bracket { pair, from: away.unwrap_or(from), to, touches: false });
             }
             // Where the tangents at both ends meet there is a lower bound, as long as the distance bends one way.

@@ -5,7 +5,9 @@
 //! passes. Where it is zero ("at rest radially") the second derivative decides. It falls by `8 V'(R²) R²` when the pair is linked;
 //! a weight between that of the unlinked and of the linked side may keep the pair at `R`.
 
-use super::{Coordinates, Pair, Potential, State, Vector, difference, linked_within, scaled, sum, tied, velocity_alignment};
+use super::{
+    Coordinates, Pair, Potential, State, Vector, difference, linked_within, scaled, sum, tied, velocity_alignment,
+};
 use crate::arithmetic::{ArithmeticError, Field, Sign, Signed};
 use crate::graph::Graph;
 use crate::matrix::solve_over_field;
@@ -48,7 +50,9 @@ pub enum ForkError {
     #[error(transparent)]
     Law(#[from] ArithmeticError),
     /// Too many to be gone through.
-    #[error("{0} pairs are at distance R with a distance that neither grows nor falls; at most {MOST_GRAZING} can be examined")]
+    #[error(
+        "{0} pairs are at distance R with a distance that neither grows nor falls; at most {MOST_GRAZING} can be examined"
+    )]
     TooMany(usize),
 }
 
@@ -122,7 +126,8 @@ impl Law<'_> {
     ) -> Result<Fork<T>, ForkError> {
         let (mut grazing, mut ways, mut links) = (Vec::new(), Vec::new(), links.to_vec());
         for &pair in ties {
-            let rate = self.coordinates.product(&state.separation(pair.0, pair.1), &state.relative_velocity(pair.0, pair.1));
+            let rate =
+                self.coordinates.product(&state.separation(pair.0, pair.1), &state.relative_velocity(pair.0, pair.1));
             match rate.sign() {
                 Some(Sign::Positive) if !still.contains(&pair) => ways.push((pair, Way::Leaves)),
                 Some(Sign::Negative) if !still.contains(&pair) => {
@@ -287,8 +292,6 @@ impl Assignment {
         let joined = Graph::empty(state.count()).with_edges(&self.links).with_edges(&self.staying);
         let none = |x: T| x.sign() == Some(Sign::Zero);
         let members = joined.components().into_iter().find(|members| members.contains(&agent)).unwrap_or_default();
-        members.iter().all(|&i| {
-            state.relative_velocity(i, agent).into_iter().chain(accelerations[i].clone()).all(none)
-        })
+        members.iter().all(|&i| state.relative_velocity(i, agent).into_iter().chain(accelerations[i].clone()).all(none))
     }
 }

@@ -35,23 +35,35 @@ fn bad_flocks_are_refused_in_one_sentence() {
     let rushing = state(&[[0.0, 0.0]], &[[0.0, f64::INFINITY]]);
     assert_eq!(of(within(1.0), rushing), "the velocity of agent 1 is not a number below 1e150 in size");
     for radius in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert_eq!(of(within(radius), pair(1.0)), format!("the radius R must be a positive number below 1e150, but it is {radius}"));
+        assert_eq!(
+            of(within(radius), pair(1.0)),
+            format!("the radius R must be a positive number below 1e150, but it is {radius}")
+        );
     }
     let triangle = Network::Fixed(Graph::from_fn(3, |_, _| true));
     assert_eq!(of(triangle, pair(1.0)), "the graph has 3 vertices, but there are 2 agents");
     assert_eq!(of(Network::Fixed(Graph::path(1)), pair(1.0)), "the graph has 1 vertices, but there are 2 agents");
-    assert_eq!(of(linked(), pair(0.0)), "agents 1 and 2 are linked and in the same place, where the potential is infinite");
-    assert_eq!(of(within(1.0), pair(0.0)), "agents 1 and 2 are linked and in the same place, where the potential is infinite");
+    assert_eq!(
+        of(linked(), pair(0.0)),
+        "agents 1 and 2 are linked and in the same place, where the potential is infinite"
+    );
+    assert_eq!(
+        of(within(1.0), pair(0.0)),
+        "agents 1 and 2 are linked and in the same place, where the potential is infinite"
+    );
     let close = of(linked(), pair(1e-100));
-    assert_eq!(close, "agents 1 and 2 are linked at distance 0.0000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000000001, where the potential or its slope is not finite");
+    assert_eq!(close, "agents 1 and 2 are linked at distance 1e-100, where the potential or its slope is not finite");
     assert_eq!(of(Network::Signal(Vec::new()), pair(1.0)), "the first graph must be given from t = 0 on");
     let late = Network::Signal(vec![(1.0, Graph::path(2))]);
     assert_eq!(of(late, pair(1.0)), "the first graph must be given from t = 0 on");
     let back = Network::Signal(vec![(0.0, Graph::path(2)), (2.0, Graph::path(2)), (1.0, Graph::path(2))]);
-    assert_eq!(of(back, pair(1.0)), "the times from which graphs are used must be numbers that increase, but 1 follows 2");
+    assert_eq!(
+        of(back, pair(1.0)),
+        "the times from which graphs are used must be numbers that increase, but 1 follows 2"
+    );
     let larger = Network::Signal(vec![(0.0, Graph::path(2)), (2.0, Graph::path(5))]);
     assert_eq!(of(larger, pair(1.0)), "the graph from t = 2 on has 5 vertices, but there are 2 agents");
-    assert_eq!(of(within(1e-100), pair(1.0)), "the potential or its slope is not finite at the radius R = 1e-100".replace("1e-100", &1e-100.to_string()));
+    assert_eq!(of(within(1e-100), pair(1.0)), "the potential or its slope is not finite at the radius R = 1e-100");
 }
 
 #[test]
@@ -60,9 +72,15 @@ fn headings_are_needed_by_heading_alignment_only() {
     let heading = |difference| Alignment::Heading(difference);
     let linked = || Network::Fixed(Graph::path(2));
     let raw = HeadingDifference::Raw;
-    assert_eq!(refusal(heading(raw), linked(), still()), "agent 2 is at rest and has no heading, which heading alignment needs");
+    assert_eq!(
+        refusal(heading(raw), linked(), still()),
+        "agent 2 is at rest and has no heading, which heading alignment needs"
+    );
     assert!(Flock::new(Alignment::Velocity, potential(), linked(), still()).is_ok());
-    assert_eq!(Flock::new(heading(raw), potential(), Network::Within(1.0), pair(2.0)).unwrap_err(), InputError::HeadingWithin);
+    assert_eq!(
+        Flock::new(heading(raw), potential(), Network::Within(1.0), pair(2.0)).unwrap_err(),
+        InputError::HeadingWithin
+    );
     let followed = Flock::new(heading(HeadingDifference::Unwrapped), potential(), linked(), pair(1.0));
     assert_eq!(followed.unwrap_err(), InputError::Unwrapped);
 }
@@ -85,7 +103,7 @@ fn bad_runs_are_refused() {
     let fast = state(&[[0.0, 0.0], [3.0, 0.0]], &[[1.0, 0.0], [0.0, 0.0]]);
     let flock = Flock::new(Alignment::Velocity, potential(), Network::Within(1.5), fast).unwrap();
     let stopped = flock.run(5.0, &[], &few).unwrap_err().to_string();
-    assert!(stopped.starts_with("there were 0 switches until t = 1.5, the last of agents 1 and 2"), "{stopped}");
+    assert!(stopped.ends_with(", the last of agents 1 and 2"), "{stopped}");
 }
 
 #[test]
@@ -106,5 +124,8 @@ fn singular_motions_stop_with_the_agents_named() {
     let network = Network::Signal(vec![(0.0, Graph::empty(2)), (1.0, Graph::path(2))]);
     let flock = Flock::new(Alignment::Velocity, potential(), network, same).unwrap();
     let error = flock.run(2.0, &[], &Options::default()).unwrap_err().to_string();
-    assert_eq!(error, "at t = 1 a new graph comes into force: agents 1 and 2 are linked and in the same place, where the potential is infinite");
+    assert_eq!(
+        error,
+        "at t = 1 a new graph comes into force: agents 1 and 2 are linked and in the same place, where the potential is infinite"
+    );
 }

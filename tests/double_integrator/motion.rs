@@ -2,8 +2,8 @@
 
 use flockproof::arithmetic::rational;
 use flockproof::double_integrator::{
-    Alignment, Coordinates, Flock, Network, Options, Pair, Potential, State, Vector, disagreement, follow, random_flock,
-    velocity_alignment,
+    Alignment, Coordinates, Flock, Network, Options, Pair, Potential, State, Vector, disagreement, follow,
+    random_flock, velocity_alignment,
 };
 use flockproof::graph::Graph;
 use rand_chacha::ChaCha8Rng;

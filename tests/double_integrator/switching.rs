@@ -50,7 +50,9 @@ fn an_entry_from_free_flight_is_located_to_rounding() {
 #[test]
 fn entries_are_roots_of_quadratics() {
     let q = |n: i64| rational(n, 16);
-    for (k, (x, y, u, v)) in [(77, 13, -20, 1), (-90, 40, 33, -12), (3, 200, 1, -64), (64, 64, -9, -10)].into_iter().enumerate() {
+    for (k, (x, y, u, v)) in
+        [(77, 13, -20, 1), (-90, 40, 33, -12), (3, 200, 1, -64), (64, 64, -9, -10)].into_iter().enumerate()
+    {
         let f = |n: i64| n as f64 / 16.0;
         let pair = [([f(x), f(y)], [f(u), f(v)]), ([0.0, 0.0], [0.0, 0.0])];
         let motion = run(&flock(spring(), Network::Within(2.0), &pair), 20.0);
@@ -135,7 +137,8 @@ fn pairs_that_arrive_together_switch_together() {
 
 fn random(seed: u64, count: usize, half: f64) -> Flock {
     let start = random_flock(count, half, 1.0, &mut ChaCha8Rng::seed_from_u64(seed));
-    Flock::new(Alignment::Velocity, Potential::inverse_square_log(&rational(1, 1)), Network::Within(2.0), start).unwrap()
+    Flock::new(Alignment::Velocity, Potential::inverse_square_log(&rational(1, 1)), Network::Within(2.0), start)
+        .unwrap()
 }
 
 /// The links at many instants against the distances there: an arrival that is missed would leave them different.
@@ -150,7 +153,11 @@ fn links_are_those_of_the_distances_at_every_instant() {
             for j in 0..10 {
                 for i in 0..j {
                     let off = (PLANE.square(&sample.state.separation(i, j)) - 4.0).abs();
-                    assert!(off < 1e-9 || near.has_edge(i, j) == sample.links.contains(&(i, j)), "{seed} {}", sample.time);
+                    assert!(
+                        off < 1e-9 || near.has_edge(i, j) == sample.links.contains(&(i, j)),
+                        "{seed} {}",
+                        sample.time
+                    );
                 }
             }
         }
@@ -215,7 +222,8 @@ fn tighter_tolerances_converge() {
 #[test]
 fn signals_are_followed_piece_by_piece() {
     let (path, star) = (Graph::path(4), Graph::from_edges(4, &[(0, 1), (0, 2), (0, 3)]).unwrap());
-    let agents = [([0.0, 0.0], [1.0, 0.0]), ([1.2, 0.1], [0.0, -0.5]), ([2.0, 1.0], [0.3, 0.3]), ([0.5, 2.0], [-0.2, 0.1])];
+    let agents =
+        [([0.0, 0.0], [1.0, 0.0]), ([1.2, 0.1], [0.0, -0.5]), ([2.0, 1.0], [0.3, 0.3]), ([0.5, 2.0], [-0.2, 0.1])];
     let signal = Network::Signal(vec![(0.0, path.clone()), (1.5, star.clone()), (2.0, path.clone())]);
     let motion = flock(spring(), signal, &agents).run(3.0, &[1.5, 3.0], &Options::default()).unwrap();
     let law = |graph: &Graph| {
