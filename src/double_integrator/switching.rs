@@ -62,7 +62,7 @@ impl Flock {
     }
 
     fn check(until: f64, samples: &[f64], options: &Options) -> Result<(), MotionError> {
-        if !(until >= 0.0 && until < f64::INFINITY) {
+        if !(0.0..f64::INFINITY).contains(&until) {
             return Err(MotionError::Until(until));
         }
         let is_part = |x: f64| x > 0.0 && x < 1.0;
@@ -224,29 +224,32 @@ impl<'a> Engine<'a> {
         let state = self.state();
         let first = self.energy.of(&state, &self.links)?.0;
         (self.motion.energy.first, self.motion.energy.last) = (first, first);
-        let Network::Within(radius) = self.flock.network else { return Ok(()) };
-        let ties = self.ties(&state, radius);
-        if ties.is_empty() {
-            return Ok(());
-        }
-        // Exactly, if the numbers given are exactly at R.
-        let exact = state.map(|x| Rational::from_float(*x).unwrap_or_default());
-        let square = Rational::from_float(radius).unwrap_or_default();
-        let fork = if tied(&exact.positions, &(&square * &square), PLANE) == ties {
-            let links: Vec<Pair> = self.links.iter().copied().filter(|pair| !ties.contains(pair)).collect();
-            let fork = self.flock.law().fork(&exact, &links, &ties, &[]);
-            fork.map(|f| f.branches.iter().map(|b| b.map(|w| 1.0.rational(w))).collect())
-        } else {
-            let still = self.grazing(&state, &ties, radius);
-            self.fork(&state, &ties, &still).map(|f| f.branches)
+        let branches = match self.flock.network {
+            Network::Within(radius) => self.first_branches(&state, radius)?,
+            _ => vec![Branch { ways: Vec::new(), decided: true }],
         };
-        let branches: Vec<Branch<f64>> = fork.map_err(|error| MotionError::Fork { time: 0.0, error })?;
         if let Some(index) = self.options.first_branch
             && index >= branches.len()
         {
             return Err(MotionError::NoSuchBranch { index, count: branches.len() });
         }
         self.follow(&state, branches, self.options.first_branch, &[])
+    }
+
+    fn first_branches(&self, state: &State<f64>, radius: f64) -> Result<Vec<Branch<f64>>, MotionError> {
+        let ties = self.ties(state, radius);
+        // Exactly, if the numbers given are exactly at R.
+        let exact = state.map(|x| Rational::from_float(*x).unwrap_or_default());
+        let square = Rational::from_float(radius).unwrap_or_default();
+        let branches = if tied(&exact.positions, &(&square * &square), PLANE) == ties {
+            let links: Vec<Pair> = self.links.iter().copied().filter(|pair| !ties.contains(pair)).collect();
+            let fork = self.flock.law().fork(&exact, &links, &ties, &[]);
+            fork.map(|f| f.branches.iter().map(|b| b.map(|w| 1.0.rational(w))).collect())
+        } else {
+            let still = self.grazing(state, &ties, radius);
+            self.fork(state, &ties, &still).map(|f| f.branches)
+        };
+        branches.map_err(|error| MotionError::Fork { time: 0.0, error })
     }
 
     /// One step or the part of it before the next arrival.
@@ -343,16 +346,18 @@ impl<'a> Engine<'a> {
         4.0 * (rounding(state, pair, radius) + rate.abs() * f64::EPSILON * self.time)
     }
 
-    /// The ties whose distance has rate 0: if it turned, it would within rounding of `R`.
+    /// The ties whose distance has rate 0: if it turned, it would within rounding of `R`. Where links push apart (`V'(R²) < 0`) pairs can
+    /// switch ever faster; then as much as the integrator's tolerance allows counts as 0, and they stay at `R`.
     fn grazing(&self, state: &State<f64>, ties: &[Pair], radius: f64) -> Vec<Pair> {
         let accelerations = self.flock.accelerations(&self.slope, state, &self.links, &[]).unwrap_or_default();
-        let jump = 8.0 * radius * radius * self.slope.at(&(radius * radius)).unwrap_or(0.0).abs();
+        let slope = self.slope.at(&(radius * radius)).unwrap_or(0.0);
+        let least = if slope < 0.0 { 100.0 * self.options.tolerance.relative * radius * radius } else { 0.0 };
         let grazes = |&&(i, j): &&Pair| {
             let (r, v) = (state.separation(i, j), state.relative_velocity(i, j));
             let size = |k: usize| accelerations.get(k).map_or(0.0, |a| PLANE.square(a).sqrt());
-            let bend = 2.0 * (PLANE.square(&v) + radius * (size(i) + size(j))) + jump;
+            let bend = 2.0 * (PLANE.square(&v) + radius * (size(i) + size(j))) + 8.0 * radius * radius * slope.abs();
             let rate = 2.0 * PLANE.product(&r, &v);
-            rate * rate <= 2.0 * bend * 4.0 * rounding(state, (i, j), radius)
+            rate * rate <= 2.0 * bend * least.max(4.0 * rounding(state, (i, j), radius))
         };
         ties.iter().filter(grazes).copied().collect()
     }
