@@ -7,6 +7,7 @@ mod support;
 
 use flockproof::arithmetic::{Interval, decimal, rational};
 use flockproof::averaging::{Flock, Hysteresis, Start, Weights};
+use flockproof::double_integrator::{Potential, State, SwitchingFlock};
 use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::matrix::{StochasticMatrix, prefix_products, product_sequential, product_tree};
 use flockproof::platoon::time_domain::Modes;
@@ -18,7 +19,7 @@ use num_traits::ToPrimitive;
 use sha2::{Digest, Sha256};
 use std::hint::black_box;
 use std::time::Instant;
-use support::{circulant, geometric, phases, ring, stochastic_matrices, weighted_path};
+use support::{circulant, geometric, lattice_flock, phases, ring, stochastic_matrices, weighted_path};
 
 /// Best wall time of one call over at least five trials; short calls are batched.
 fn best_of<T>(mut f: impl FnMut() -> T) -> (f64, T) {
@@ -197,6 +198,32 @@ fn phase_model(wanted: &dyn Fn(&str) -> bool) {
     emit("W5", "flockproof", &size, seconds, &checksum);
 }
 
+/// 50 steps of velocity alignment with neighbours found anew at each stage.
+fn switching_flock(wanted: &dyn Fn(&str) -> bool) {
+    let (steps, dt) = (50, 0.002);
+    for (columns, rows) in [(50, 40), (200, 100)] {
+        let n = columns * rows;
+        let size = format!("N={n},steps={steps}");
+        if !wanted(&format!("W6 flockproof {size}")) {
+            continue;
+        }
+        let start = lattice_flock(columns, rows).to_list();
+        let mut flock = SwitchingFlock::new(&Potential::inverse_square_log(&rational(1, 1)), 2.0).expect("a radius");
+        let (seconds, state) = best_of(|| {
+            let (mut state, mut method) = (start.clone(), Rk4::new(4 * n));
+            (0..steps).for_each(|k| method.step(&mut flock, f64::from(k) * dt, dt, &mut state));
+            state
+        });
+        let end = State::from_list(n, &state).expect("four numbers for each");
+        let square = |x: &[f64; 2]| x[0] * x[0] + x[1] * x[1];
+        let mean = [0, 1].map(|k| end.positions.iter().map(|x| x[k]).sum::<f64>() / n as f64);
+        let spread = end.positions.iter().map(|x| square(&[x[0] - mean[0], x[1] - mean[1]])).sum::<f64>() / n as f64;
+        let kinetic = end.velocities.iter().map(square).sum::<f64>() / (2 * n) as f64;
+        let checksum = format!("kinetic={kinetic:.10} spread={spread:.10} x0={:.9}", end.positions[0][0]);
+        emit("W6", "flockproof", &size, seconds, &checksum);
+    }
+}
+
 /// Eight birds on a line, two groups of four on a collision course of their own.
 fn eight_birds() -> Flock {
     let positions = (0..4).flat_map(|l| [rational(2 * l, 1), rational(6 * l + 2, 3)]).collect();
@@ -244,6 +271,7 @@ fn main() {
     peaks(&wanted);
     spectra(&wanted);
     phase_model(&wanted);
+    switching_flock(&wanted);
     stepping(&wanted);
     platoon(&wanted);
 }

@@ -2,7 +2,7 @@
 //!
 //! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`spectrum`], [`simulate`], [`validated`], [`averaging`] (Chazelle),
 //! [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`double_integrator`] (Tanner,
-//! Jadbabaie and Pappas), [`certificates`], [`kernel`] (the Coq development), [`ledger`],
+//! Jadbabaie and Pappas), [`scenario`] (runs of all of them from a file), [`certificates`], [`kernel`] (the Coq development), [`ledger`],
 //! [`claims`], [`report`].
 #![warn(missing_docs)]
 #![forbid(unsafe_code)]
@@ -19,6 +19,7 @@ pub mod matrix;
 pub mod oscillator;
 pub mod platoon;
 pub mod report;
+pub mod scenario;
 pub mod simulate;
 pub mod spectrum;
 pub mod validated;

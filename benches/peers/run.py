@@ -30,6 +30,10 @@ PAIRS = [
     ("W4", "rgg_dense n=500", "flockproof", ["w4_spectra.py", "rgg_dense", "2"], 2.5),
     ("W5", "N=100000,steps=200", "flockproof", ["w5_phase.py", "numba2"], 0.667),
     ("W5", "N=100000,steps=200", "flockproof", ["w5_phase.py", "numpy"], 0.2),
+    ("W6", "N=2000,steps=50", "flockproof", ["w6_flock2d.py", "numba_half", "2000"], 1.0),
+    ("W6", "N=20000,steps=50", "flockproof", ["w6_flock2d.py", "numba_half", "20000"], 1.0),
+    ("W6", "N=2000,steps=50", "flockproof", ["w6_flock2d.py", "ckdtree", "2000"], 0.1),
+    ("W6", "N=20000,steps=50", "flockproof", ["w6_flock2d.py", "ckdtree", "20000"], 0.1),
     ("W7", "n=8,steps=1000", "flockproof", ["w7_exact_flock.py", "flint", "1000"], 0.33),
     ("W7", "n=8,steps=10923", "flockproof", ["w7_exact_flock.py", "flint"], 0.33),
     ("W7", "n=8,steps=10923", "flockproof", ["w7_exact_flock.py", "gmpy2"], 1.0),
@@ -53,7 +57,7 @@ def theirs(arguments):
 
 def same_result(workload, ours, theirs):
     """Exact text, or numbers of double precision: relative 1e-8, or one unit of the last printed digit."""
-    if workload not in ("W4", "W5"):
+    if workload not in ("W4", "W5", "W6"):
         return ours.replace("-0", "-") == theirs.replace("-0", "-")
     a, b = (dict(part.split("=") for part in text.split()) for text in (ours, theirs))
     # LAPACK gives lambda2 of a path to no more digits.

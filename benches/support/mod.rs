@@ -2,6 +2,7 @@
 #![allow(dead_code)] // Each bench uses some of it.
 
 use flockproof::arithmetic::rational;
+use flockproof::double_integrator::State;
 use flockproof::matrix::{SparseMatrix, StochasticMatrix};
 use flockproof::spectrum::Circulant;
 
@@ -73,6 +74,20 @@ pub fn geometric(n: usize) -> SparseMatrix {
 pub fn phases(n: usize) -> Vec<f64> {
     let mut random = Lcg(5);
     (0..n).map(|_| std::f64::consts::PI * random.unit()).collect()
+}
+
+/// Agents near the points of a square lattice, with random velocities.
+pub fn lattice_flock(columns: usize, rows: usize) -> State<f64> {
+    let mut random = Lcg((columns * rows) as u64);
+    let (mut positions, mut velocities) = (Vec::new(), Vec::new());
+    for row in 0..rows {
+        for column in 0..columns {
+            let mut near = |k: usize| k as f64 + 0.5 + 0.4 * (random.unit() - 0.5);
+            positions.push([near(column), near(row)]);
+            velocities.push([random.unit() - 0.5, random.unit() - 0.5]);
+        }
+    }
+    State { positions, velocities }
 }
 
 /// Row-stochastic matrices over the denominator 2520, every entry positive.

@@ -13,6 +13,7 @@ mod progress;
 mod prove;
 mod reproduce;
 mod resonance;
+mod simulate;
 mod spectrum;
 mod verify;
 
@@ -47,6 +48,8 @@ enum Command {
     Ergodicity(ergodicity::Arguments),
     /// Exact flocks: step them, or decide what becomes of them
     Flock(flock::Arguments),
+    /// Simulate a flock from a TOML file: samples, events, trajectory, plots
+    Simulate(simulate::Arguments),
 }
 
 /// A failure: one sentence for standard error, exit status 2.
@@ -88,6 +91,7 @@ pub fn main() -> ExitCode {
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
+        Command::Simulate(arguments) => simulate::run(&arguments),
     })
 }
 

@@ -4,6 +4,13 @@ use super::{Coordinates, Pair, State, Vector, difference, scaled, sum};
 use crate::arithmetic::{ArithmeticError, Field, Ring, Sign, Signed};
 use crate::graph::Graph;
 
+/// `grad_{r_i} V_ij = 2 V_ij'(s_ij) r_ij` for one pair, from its separation `r_ij` and its slope.
+#[inline(always)]
+pub fn pull<T: Ring>(separation: &Vector<T>, slope: T) -> Vector<T> {
+    let two = slope.integer(2);
+    scaled(&(slope * two), separation)
+}
+
 /// `grad_{r_i} V_i = sum over j ~ i of 2 V_ij'(s_ij) r_ij` for every agent; `slope(i, j, s)` is `V_ij'(s)`, asked for once for each
 /// edge.
 ///
@@ -19,7 +26,7 @@ pub fn potential_gradients<T: Field>(
     for &(i, j) in edges {
         let separation = difference(&positions[i], &positions[j]);
         let s = coordinates.square(&separation);
-        let pull = scaled(&(slope(i, j, &s)? * s.integer(2)), &separation);
+        let pull = pull(&separation, slope(i, j, &s)?);
         gradients[i] = sum(&gradients[i], &pull);
         gradients[j] = difference(&gradients[j], &pull);
     }

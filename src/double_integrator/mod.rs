@@ -6,24 +6,38 @@
 //! differentiable potentials.
 
 mod enclosed;
+mod arrival;
+mod closed_loop;
 mod energy;
+mod energy_log;
+mod flock;
+mod fork;
 mod heading;
+mod input;
 mod law;
 mod linearisation;
+mod motion;
 mod potential;
+mod random;
 mod saturated;
-mod simulate;
 mod state;
+mod switching;
 
 pub use enclosed::{EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError};
+pub use closed_loop::follow;
 pub use energy::{agent_potential, kinetic_energy, potential_energy};
+pub use energy_log::{EnergyLog, Excess};
+pub use flock::{FlockError, SwitchingFlock};
+pub use fork::{Branch, Fork, ForkError, MOST_GRAZING, Way, fork};
 pub use heading::{HeadingDifference, gyroscopic, heading, heading_rate};
-pub use law::{disagreements, linked_within, potential_gradients, tied, velocity_alignment};
+pub use input::{Alignment, Flock, InputError, Network};
+pub use law::{disagreements, linked_within, potential_gradients, pull, tied, velocity_alignment};
 pub use linearisation::{Inertia, hessian, inertia, linearisation};
-pub use potential::{Potential, PotentialError, Slope};
+pub use motion::{Choice, Event, EventKind, Motion, MotionError, Options, Prefer, Sample};
+pub use potential::{Potential, PotentialError, Slope, Value};
+pub use random::random_flock;
 pub use saturated::{Kink, Span};
-pub use simulate::{RunError, Stepper, disagreement, random_flock};
-pub use state::{Coordinates, State, Vector, difference, rotated, scaled, sum};
+pub use state::{Coordinates, State, Vector, difference, disagreement, rotated, scaled, sum};
 
 /// A pair of agents, counted from 0.
 pub type Pair = (usize, usize);

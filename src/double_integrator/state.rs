@@ -6,16 +6,19 @@ use crate::arithmetic::{Dual, Field, Ring};
 pub type Vector<T> = [T; 2];
 
 /// `a + b`.
+#[inline(always)]
 pub fn sum<T: Ring>(a: &Vector<T>, b: &Vector<T>) -> Vector<T> {
     [0, 1].map(|k| a[k].clone() + &b[k])
 }
 
 /// `a - b`.
+#[inline(always)]
 pub fn difference<T: Ring>(a: &Vector<T>, b: &Vector<T>) -> Vector<T> {
     [0, 1].map(|k| a[k].clone() - &b[k])
 }
 
 /// `factor a`.
+#[inline(always)]
 pub fn scaled<T: Ring>(factor: &T, a: &Vector<T>) -> Vector<T> {
     [0, 1].map(|k| factor.clone() * &a[k])
 }
@@ -36,6 +39,7 @@ pub enum Coordinates {
 
 impl Coordinates {
     /// The inner product of two vectors.
+    #[inline(always)]
     pub fn product<T: Field>(self, a: &Vector<T>, b: &Vector<T>) -> T {
         let straight = a[0].clone() * &b[0] + a[1].clone() * &b[1];
         match self {
@@ -45,6 +49,7 @@ impl Coordinates {
     }
 
     /// The squared length of a vector.
+    #[inline(always)]
     pub fn square<T: Field>(self, a: &Vector<T>) -> T {
         self.product(a, a)
     }
@@ -66,6 +71,11 @@ impl<T: Ring> State<T> {
         let vectors = |part: &[T]| part.chunks(2).map(|p| [p[0].clone(), p[1].clone()]).collect();
         (list.len() == 4 * count)
             .then(|| State { positions: vectors(&list[..2 * count]), velocities: vectors(&list[2 * count..]) })
+    }
+
+    /// The list that [`Self::from_list`] reads.
+    pub fn to_list(&self) -> Vec<T> {
+        self.positions.iter().chain(&self.velocities).flatten().cloned().collect()
     }
 
     /// The number of agents.
@@ -100,4 +110,12 @@ impl<T: Ring> State<T> {
         let all = |vectors: &[Vector<T>]| vectors.iter().map(|v| [convert(&v[0]), convert(&v[1])]).collect();
         State { positions: all(&self.positions), velocities: all(&self.velocities) }
     }
+}
+
+/// `sqrt(sum |v_i - mean|²)`.
+pub fn disagreement(state: &State<f64>) -> f64 {
+    let count = state.count().max(1) as f64;
+    let total = state.velocities.iter().fold([0.0, 0.0], |s, v| sum(&s, v));
+    let mean = scaled(&(1.0 / count), &total);
+    state.velocities.iter().map(|v| Coordinates::Cartesian.square(&difference(v, &mean))).sum::<f64>().sqrt()
 }

@@ -1,11 +1,13 @@
 //! Graphs: undirected simple ones, which the flocking networks are made of, and directed ones with rational weights.
 
+mod components;
 mod isomorphism;
 mod laplacian;
 mod named;
 pub mod read;
 mod weighted;
 
+pub use components::components;
 pub use laplacian::{LaplacianError, LaplacianKind};
 pub use named::{LARGEST_ORDER, NameError, NamedGraph};
 pub use weighted::WeightedGraph;

@@ -2,11 +2,11 @@
 //! (29), the beacon and the reference phase.
 
 use super::laplacian::{misalignment, phase_potential, quadratic_form};
-use super::moments::{kind, quarter_turn};
+use super::moments::{kind, mean, quarter_turn};
 use super::network::Interaction;
 use super::state::State;
 use super::steering::{laplacian_control, sine_of_difference};
-use crate::arithmetic::{ArithmeticError, Complex, Dual, Field, Ring};
+use crate::arithmetic::{ArithmeticError, Complex, Dual, Field, Real, Ring};
 
 /// Natural frequency and gains of the circular controls.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,6 +39,19 @@ pub fn circle_centres<T: Field>(omega: &T, state: &State<T>) -> Result<Vec<Compl
     let radius = omega.recip()?;
     let centre = |(r, z): (&Complex<T>, &Complex<T>)| quarter_turn(z).scale(&radius) + r;
     Ok(state.positions.iter().zip(&state.phasors).map(centre).collect())
+}
+
+/// The largest distance of a circle centre (3) from the mean of them.
+///
+/// # Errors
+/// [`ArithmeticError`] for `omega_0 = 0` or no particles.
+pub fn centre_spread<T: Real + PartialOrd>(omega: &T, state: &State<T>) -> Result<T, ArithmeticError> {
+    let centres = circle_centres(omega, state)?;
+    let middle = mean(&centres)?;
+    centres.into_iter().try_fold(omega.zero(), |most, c| {
+        let distance = (c - &middle).norm_squared().sqrt()?;
+        Ok(if distance > most { distance } else { most })
+    })
 }
 
 /// The circular formation around the origin with these phasors: `r_k = -i e^{i theta_k}/omega_0`.

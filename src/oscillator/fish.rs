@@ -1,9 +1,10 @@
 //! The fish model (26)-(28): zones with a blind spot, and the behaviours of repulsion, alignment and attraction.
 
+use super::laplacian::misalignment;
 use super::moments::quarter_turn;
-use super::network::Neighbours;
+use super::network::{Interaction, Neighbours};
 use super::state::State;
-use crate::arithmetic::{Complex, Field, Ring, Signed};
+use crate::arithmetic::{ArithmeticError, Complex, Field, Real, Ring, Signed};
 
 /// Outer radii of the concentric zones and the blind spot, the same for all fish.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,4 +82,82 @@ pub fn alignment<T: Ring>(heading: &Complex<T>, neighbours: &[Complex<T>]) -> Co
 /// `<i e^{i theta_k}, v>`: what a desired direction adds to the steering (27).
 pub fn steering_towards<T: Ring>(heading: &Complex<T>, desired: &Complex<T>) -> T {
     quarter_turn(heading).dot(desired)
+}
+
+/// Gains of the three behaviours.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BehaviourGains<T> {
+    /// `K_rep`.
+    pub repulsion: T,
+    /// `K_ori`.
+    pub orientation: T,
+    /// `K_att`.
+    pub attraction: T,
+}
+
+/// The networks of the three zones.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ZoneNetworks {
+    /// Who is in the zone of repulsion of each fish.
+    pub repulsion: Neighbours,
+    /// Who is in its zone of orientation.
+    pub orientation: Neighbours,
+    /// Who is in its zone of attraction.
+    pub attraction: Neighbours,
+}
+
+impl<T: Field + Signed> Zones<T> {
+    /// All three networks.
+    pub fn networks(&self, state: &State<T>) -> ZoneNetworks {
+        ZoneNetworks {
+            repulsion: self.network(Zone::Repulsion, state),
+            orientation: self.network(Zone::Orientation, state),
+            attraction: self.network(Zone::Attraction, state),
+        }
+    }
+}
+
+/// (27) with `v^rep` and `v^att` of the right signs: `w + <i e^{i theta_k}, K_rep v^rep + K_ori v^ori + K_att v^att>`, `N` entries.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where a fish is at the place of one that it senses.
+pub fn behaviour_control<T: Real>(
+    turning: &T,
+    gains: &BehaviourGains<T>,
+    networks: &ZoneNetworks,
+    state: &State<T>,
+) -> Result<Vec<T>, ArithmeticError> {
+    let control = |(k, z): (usize, &Complex<T>)| {
+        let away = |network: &Neighbours| -> Result<Vec<Complex<T>>, ArithmeticError> {
+            let unit = |&j: &usize| {
+                let r = state.positions[k].clone() - &state.positions[j];
+                Ok(r.scale(&r.norm_squared().sqrt()?.recip()?))
+            };
+            network.of_particle(k).iter().map(unit).collect()
+        };
+        let mates: Vec<_> = networks.orientation.of_particle(k).iter().map(|&j| state.phasors[j].clone()).collect();
+        let desired = repulsion(z, &away(&networks.repulsion)?).scale(&gains.repulsion)
+            + alignment(z, &mates).scale(&gains.orientation)
+            + attraction(z, &away(&networks.attraction)?).scale(&gains.attraction);
+        Ok(turning.clone() + steering_towards(z, &desired))
+    };
+    state.phasors.iter().enumerate().map(control).collect()
+}
+
+/// (28) with the right sign of the attraction, for an empty zone of repulsion:
+/// `w - K_ori <i e^{i theta_k}, L_k^ori e^{i theta}> - K_att <i e^{i theta_k}, L_k^att r>`, `N` entries.
+pub fn laplacian_behaviour_control<T: Field>(
+    turning: &T,
+    gains: &BehaviourGains<T>,
+    networks: &ZoneNetworks,
+    state: &State<T>,
+) -> Vec<T> {
+    let apart = misalignment(&networks.orientation, &state.phasors);
+    let from = networks.attraction.laplacian_of(&state.positions);
+    let terms = state.phasors.iter().zip(apart).zip(from);
+    terms
+        .map(|((z, apart), from)| {
+            turning.clone() - apart * &gains.orientation - steering_towards(z, &from) * &gains.attraction
+        })
+        .collect()
 }

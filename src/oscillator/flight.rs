@@ -2,6 +2,7 @@
 
 use super::state::State;
 use crate::arithmetic::{ArithmeticError, Complex};
+use crate::simulate::Rk4;
 use std::f64::consts::TAU;
 
 /// Positions and phases of `N` particles, in floating point.
@@ -34,27 +35,38 @@ impl Flight {
         drift: &Complex<f64>,
         steering: impl Fn(&State<f64>) -> Result<Vec<f64>, ArithmeticError>,
     ) -> Result<(), ArithmeticError> {
-        for _ in 0..steps {
-            let slope = |flight: &Flight| -> Result<(Vec<Complex<f64>>, Vec<f64>), ArithmeticError> {
-                let state = flight.state();
-                let turning = steering(&state)?;
-                Ok((state.phasors.into_iter().map(|z| z + drift).collect(), turning))
-            };
-            let first = slope(self)?;
-            let second = slope(&self.moved(step / 2.0, &first))?;
-            let third = slope(&self.moved(step / 2.0, &second))?;
-            let fourth = slope(&self.moved(step, &third))?;
-            for (share, slope) in [(1.0, first), (2.0, second), (2.0, third), (1.0, fourth)] {
-                *self = self.moved(step * share / 6.0, &slope);
+        let mut list = self.to_list();
+        let mut method = Rk4::new(list.len());
+        let mut failure = None;
+        let mut field = |_: f64, list: &[f64], rate: &mut [f64]| {
+            let state = Flight::from_list(list).state();
+            match steering(&state) {
+                Ok(turning) => write_rate(&state, drift, &turning, rate),
+                Err(error) => {
+                    failure.get_or_insert(error);
+                    rate.fill(f64::NAN);
+                }
             }
+        };
+        (0..steps).for_each(|_| method.step(&mut field, 0.0, step, &mut list));
+        if let Some(error) = failure {
+            return Err(error);
         }
+        *self = Flight::from_list(&list);
         Ok(())
     }
 
-    fn moved(&self, step: f64, (velocities, turning): &(Vec<Complex<f64>>, Vec<f64>)) -> Self {
-        let positions = self.positions.iter().zip(velocities).map(|(r, v)| v.scale(&step) + r).collect();
-        let phases = self.phases.iter().zip(turning).map(|(theta, u)| theta + step * u).collect();
-        Flight { positions, phases }
+    /// `x_1, y_1, ..., x_N, y_N, theta_1, ..., theta_N`.
+    pub fn to_list(&self) -> Vec<f64> {
+        let places = self.positions.iter().flat_map(|r| [r.re, r.im]);
+        places.chain(self.phases.iter().copied()).collect()
+    }
+
+    /// The particles of such a list, a third of its length.
+    pub fn from_list(list: &[f64]) -> Self {
+        let (places, phases) = list.split_at(list.len() / 3 * 2);
+        let positions = places.chunks_exact(2).map(|r| Complex::new(r[0], r[1])).collect();
+        Flight { positions, phases: phases.to_vec() }
     }
 
     /// The clusters of phases around the circle: sizes, and the angles in radians from the last of one to the first of the next.
@@ -74,4 +86,22 @@ impl Flight {
         }
         clusters
     }
+
+    /// Whether the phases form `clusters` clusters of equal size, evenly spaced: with clusters by `tolerance` radians and gaps
+    /// within half of it.
+    pub fn forms_pattern(&self, clusters: usize, tolerance: f64) -> bool {
+        let found = self.clusters(tolerance);
+        let gap = TAU / clusters as f64;
+        // A cluster has some width, so that gaps are a little smaller.
+        let even = |&(count, angle): &(usize, f64)| {
+            count * clusters == self.phases.len() && (clusters == 1 || (angle - gap).abs() < tolerance / 2.0)
+        };
+        found.len() == clusters && found.iter().all(even)
+    }
+}
+
+/// Writes the rates of (1)-(2) in the order of [`Flight::to_list`].
+pub(crate) fn write_rate(state: &State<f64>, drift: &Complex<f64>, turning: &[f64], rate: &mut [f64]) {
+    let velocities = state.phasors.iter().flat_map(|z| [z.re + drift.re, z.im + drift.im]);
+    rate.iter_mut().zip(velocities.chain(turning.iter().copied())).for_each(|(rate, value)| *rate = value);
 }

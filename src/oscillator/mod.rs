@@ -17,18 +17,22 @@ mod steering;
 mod variation;
 
 pub use circles::{
-    CircularGains, beacon_control, beacon_potential, circle_centres, circular_control, circular_formation,
-    composite_potential, heading_components, reference_control, relative_position_control, spacing_control,
-    spacing_potential,
+    CircularGains, beacon_control, beacon_potential, centre_spread, circle_centres, circular_control,
+    circular_formation, composite_potential, heading_components, reference_control, relative_position_control,
+    spacing_control, spacing_potential,
 };
-pub use fish::{Zone, Zones, alignment, attraction, repulsion, steering_towards};
+pub use fish::{
+    BehaviourGains, Zone, ZoneNetworks, Zones, alignment, attraction, behaviour_control, laplacian_behaviour_control,
+    repulsion, steering_towards,
+};
 pub use flight::Flight;
+pub(crate) use flight::write_rate;
 pub use laplacian::{laplacian_rows, misalignment, phase_potential, phase_potential_gradient, quadratic_form};
 pub use linearisation::linearisation;
 pub use moments::{
     mean, moment, moment_gradient, moment_potential, pattern_gradient, pattern_potential, powers, quarter_turn,
 };
-pub use network::{Interaction, Neighbours};
+pub use network::{Everyone, Interaction, Neighbours};
 pub use pattern::{clusters_of_pattern, symmetric_pattern};
 pub use state::{State, phasor};
 pub use steering::{gradient_control, laplacian_control, pairwise_control, pattern_control, sine_of_difference};

@@ -1,7 +1,7 @@
 //! Who takes account of whom: the Laplacian of an interaction network as an operator, fixed or made from positions.
 
 use super::laplacian::laplacian_rows;
-use crate::arithmetic::{Complex, Field, Sign, Signed};
+use crate::arithmetic::{Complex, Field, Ring, Sign, Signed};
 use crate::graph::Graph;
 use crate::matrix::SparseMatrix;
 use std::cmp::Ordering;
@@ -18,6 +18,19 @@ impl Interaction for SparseMatrix {
     }
 }
 
+/// All-to-all interaction, whose Laplacian costs O(N): `L_k x = N x_k - sum_j x_j`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Everyone;
+
+impl Interaction for Everyone {
+    fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>> {
+        let Some(first) = x.first() else { return Vec::new() };
+        let sum = x.iter().fold(first.zero(), |sum, x| sum + x);
+        let count = first.re.integer(x.len() as i64);
+        x.iter().map(|x| x.scale(&count) - &sum).collect()
+    }
+}
+
 /// The neighbours `N_k` of each particle, numbered from 0: the unweighted digraph of a network.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Neighbours {
@@ -29,6 +42,17 @@ impl Neighbours {
     pub fn from_fn(particles: usize, senses: impl Fn(usize, usize) -> bool) -> Self {
         let list = |k: usize| (0..particles).filter(|&j| j != k && senses(k, j)).collect();
         Neighbours { lists: (0..particles).map(list).collect() }
+    }
+
+    /// The neighbours `j` of `k` for the arcs `(k, j)`, in order; arcs to particles that are not there are left out.
+    pub fn from_arcs(particles: usize, arcs: impl IntoIterator<Item = (usize, usize)>) -> Self {
+        let mut lists = vec![Vec::new(); particles];
+        arcs.into_iter().filter(|&(k, j)| k != j && k.max(j) < particles).for_each(|(k, j)| lists[k].push(j));
+        for list in &mut lists {
+            list.sort_unstable();
+            list.dedup();
+        }
+        Neighbours { lists }
     }
 
     /// The neighbours in an undirected graph.

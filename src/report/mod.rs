@@ -1,10 +1,13 @@
-//! What people read: the table of the ledger, the explanation of one claim, tables and figures of the papers.
+//! What people read: the table of the ledger, the explanation of one claim, tables and figures of the papers,
+//! files and pictures of simulated scenarios.
 
 mod explain;
 mod figures;
 pub mod plot;
+mod simulation;
 mod table;
 
 pub use explain::explain;
 pub use figures::{FIGURES, Figure, FigureError, File};
+pub use simulation::{observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv};
 pub use table::{summary, verdict_table};

@@ -1,6 +1,7 @@
 //! Neighbours in the plane: points sorted into square cells.
 
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Why there is no cell list. Points are counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -31,6 +32,12 @@ pub struct CellList {
 
 /// Points whose neighbours one task looks up.
 const TASK: usize = 512;
+
+/// Points whose cells are found by several processors.
+const MANY: usize = 8192;
+
+/// Columns over which points that are looked at together may be spread.
+const SPAN: usize = 3;
 
 impl CellList {
     /// Sorts the points.
@@ -70,7 +77,15 @@ impl CellList {
             radius,
         };
         // Counting sort.
-        let cells: Vec<usize> = points.iter().map(|p| list.cell(p)).map(|(i, j)| j * columns + i).collect();
+        let number = |p: &[f64; 2]| {
+            let (i, j) = list.cell(p);
+            j * columns + i
+        };
+        let cells: Vec<usize> = if points.len() < MANY {
+            points.iter().map(number).collect()
+        } else {
+            points.par_iter().with_min_len(TASK).map(number).collect()
+        };
         cells.iter().for_each(|&cell| list.starts[cell + 1] += 1);
         (0..columns * rows).for_each(|cell| list.starts[cell + 1] += list.starts[cell]);
         let mut next = list.starts.clone();
@@ -83,9 +98,32 @@ impl CellList {
     }
 
     /// Column and row of the cell of a point inside the box of all points.
+    #[inline(always)]
     fn cell(&self, p: &[f64; 2]) -> (usize, usize) {
         let part = |k: usize, most: usize| (((p[k] - self.corner[k]) * self.per_width) as usize).min(most - 1);
         (part(0, self.columns), part(1, self.rows))
+    }
+
+    /// The numbers of the points in the order of the cells, and in a cell in their own order. A place is a position in this list.
+    pub fn numbers(&self) -> &[usize] {
+        &self.numbers
+    }
+
+    /// A few consecutive places, from `place` on and fewer than `most`, whose points lie close together in one row; and three stretches of
+    /// places (some may be empty), without overlaps and in order, that hold all points at a distance below the radius from one of these, they
+    /// themselves and others too. The cells of a row lie next to each other.
+    #[inline(always)]
+    pub fn neighbourhood(&self, place: usize, most: usize) -> (Range<usize>, [Range<usize>; 3]) {
+        let (column, row) = self.cell(&self.sorted[place]);
+        let start = |row: usize, column: usize| self.starts[row * self.columns + column];
+        let near = (column + SPAN).min(self.columns);
+        let places = place..start(row, near).min(place + most).max(place + 1);
+        let (last, _) = self.cell(&self.sorted[places.end - 1]);
+        let (left, right) = (column.saturating_sub(1), (last + 2).min(self.columns));
+        let stretch = |row: usize| start(row, left)..start(row, right);
+        let below = if row > 0 { stretch(row - 1) } else { 0..0 };
+        let above = if row + 1 < self.rows { stretch(row + 1) } else { 0..0 };
+        (places, [below, stretch(row), above])
     }
 
     /// Calls `visit(j, r, r²)` for each other point `j` (by number) at a distance below the radius from the point in place
@@ -94,19 +132,12 @@ impl CellList {
     #[inline]
     fn visit(&self, place: usize, mut visit: impl FnMut(usize, [f64; 2], f64)) {
         let own = self.sorted[place];
-        let (column, row) = self.cell(&own);
-        let (first, last) = (column.saturating_sub(1), (column + 1).min(self.columns - 1));
         let limit = self.radius * self.radius;
-        for row in row.saturating_sub(1)..=(row + 1).min(self.rows - 1) {
-            // The cells of a row lie next to each other.
-            let from = self.starts[row * self.columns + first];
-            let until = self.starts[row * self.columns + last + 1];
-            for other in from..until {
-                let r = [self.sorted[other][0] - own[0], self.sorted[other][1] - own[1]];
-                let square = r[0] * r[0] + r[1] * r[1];
-                if square < limit && other != place {
-                    visit(self.numbers[other], r, square);
-                }
+        for other in self.neighbourhood(place, 1).1.into_iter().flatten() {
+            let r = [self.sorted[other][0] - own[0], self.sorted[other][1] - own[1]];
+            let square = r[0] * r[0] + r[1] * r[1];
+            if square < limit && other != place {
+                visit(self.numbers[other], r, square);
             }
         }
     }

@@ -37,12 +37,36 @@ pub fn next_crossing(
     field: &mut impl VectorField,
     solution: &mut Integrator,
     until: f64,
+    event: impl FnMut(f64, &[f64]) -> f64,
+) -> Result<Option<Crossing>, IntegrationError> {
+    search(field, solution, until, event, None)
+}
+
+/// Steps forward until `margin`, which is known to be positive at first, however small, falls to zero or `until` is reached.
+///
+/// # Errors
+/// [`IntegrationError`].
+pub fn next_fall(
+    field: &mut impl VectorField,
+    solution: &mut Integrator,
+    until: f64,
+    margin: impl FnMut(f64, &[f64]) -> f64,
+) -> Result<Option<Crossing>, IntegrationError> {
+    search(field, solution, until, margin, Some(true))
+}
+
+/// The next change of sign, from the sign that is known at first.
+fn search(
+    field: &mut impl VectorField,
+    solution: &mut Integrator,
+    until: f64,
     mut event: impl FnMut(f64, &[f64]) -> f64,
+    known: Option<bool>,
 ) -> Result<Option<Crossing>, IntegrationError> {
     // The sign on the way; none before the first step, and as long as the function stays at zero.
     let start = event(solution.time(), solution.state());
-    let mut sign = None;
-    let mut first = true;
+    let mut sign = known;
+    let mut first = known.is_none();
     while solution.time() < until {
         solution.step(field, until)?;
         let (from, to) = (solution.previous_time(), solution.time());
@@ -116,7 +140,7 @@ fn golden(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
 
 /// The place in `[a, b]` where a function gets the sign `positive`, by regula falsi with halved weights (Illinois): the later
 /// end of the last bracket, so that the event has happened there.
-fn root(mut a: f64, mut b: f64, positive: bool, mut f: impl FnMut(f64) -> f64) -> f64 {
+pub(crate) fn root(mut a: f64, mut b: f64, positive: bool, mut f: impl FnMut(f64) -> f64) -> f64 {
     let sign = if positive { 1.0 } else { -1.0 };
     let (mut at_a, mut at_b) = ((sign * f(a)).min(0.0), sign * f(b));
     let mut side = 0;

@@ -7,13 +7,16 @@ mod cells;
 mod dop853;
 mod dop853_table;
 mod event;
+mod lanes;
 mod phases;
 mod rk4;
 mod sine;
 
 pub use cells::{CellError, CellList};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
-pub use event::{Crossing, next_crossing};
+pub(crate) use event::root;
+pub use event::{Crossing, next_crossing, next_fall};
+pub(crate) use lanes::Lanes;
 pub use phases::AllToAll;
 pub use rk4::Rk4;
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};

@@ -38,12 +38,19 @@ pub(super) fn nearest_root(q: &Rational, sign: f64) -> Option<(f64, f64)> {
 
 /// The Frobenius norm, rounded up; infinite where an entry is not finite.
 pub(super) fn frobenius(a: MatRef<'_, f64>) -> f64 {
-    let mut sum = 0.0;
-    for j in 0..a.ncols() {
-        for i in 0..a.nrows() {
-            sum += a[(i, j)] * a[(i, j)];
+    const LANES: usize = 8;
+    let mut lanes = [0.0; LANES];
+    for column in a.col_iter() {
+        match column.try_as_col_major() {
+            Some(column) => {
+                let chunks = column.as_slice().chunks_exact(LANES);
+                chunks.remainder().iter().zip(&mut lanes).for_each(|(x, lane)| *lane += x * x);
+                chunks.for_each(|chunk| chunk.iter().zip(&mut lanes).for_each(|(x, lane)| *lane += x * x));
+            }
+            None => column.iter().zip((0..LANES).cycle()).for_each(|(x, k)| lanes[k] += x * x),
         }
     }
+    let sum: f64 = lanes.iter().sum();
     if sum.is_finite() { (sum.sqrt() + 1e-150) * SLACK } else { f64::INFINITY }
 }
 

@@ -16,6 +16,8 @@ mod fourier;
 mod general;
 mod polynomial;
 mod recurrence;
+mod reduction;
+mod reflections;
 mod schur;
 mod smith;
 mod stability;

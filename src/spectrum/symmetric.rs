@@ -7,21 +7,16 @@
 //! `R + Rᵀ = DH + HD`. For a unit vector `x` with `Dx = dx`, `|d| = ‖D‖`, it gives `2 |d| xᵀHx = |xᵀ(R + Rᵀ)x| <= 2 ‖R‖`, and
 //! `xᵀHx >= σ`. So `‖B - T‖ <= ‖R‖/σ`, and the rest is Weyl's theorem. ∎
 //!
-//! Here `T` is tridiagonal, found by reflections, and its eigenvalues are proved by [counts](super::tridiagonal). `σ² >= 1 - ‖QᵀQ - I‖`
-//! need not be sharp, so one plain product is enough for it. The residual is a sum of few products where `S` is sparse; otherwise
+//! Here `T` is tridiagonal, found by reflections, and its eigenvalues are proved by [counts](super::tridiagonal). `σ`
+//! need not be sharp; a bound comes with the [`reflections`](super::reflections) that `Q` is made of. The residual is a sum of few products where `S` is sparse; otherwise
 //! a product whose leading part is exact in any order of summation. Nothing is assumed of how `Q` and `T` were found.
 
 use super::Eigenvalue;
 use super::enclosed::merged;
-use super::float_bounds::{SLACK, Split, UNDERFLOW, UNIT, around, frobenius};
+use super::float_bounds::{SLACK, Split, UNIT, around, frobenius};
+use super::reduction::Reduction;
 use super::tridiagonal::Tridiagonal;
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
-use faer::linalg::evd::tridiag::{tridiag_in_place, tridiag_in_place_scratch};
-use faer::linalg::householder::{
-    apply_block_householder_on_the_left_in_place_scratch, apply_block_householder_on_the_left_in_place_with_conj,
-};
-use faer::linalg::qr::no_pivoting::factor::recommended_block_size;
-use faer::{Conj, Mat, MatRef, Par};
+use faer::Mat;
 use rayon::prelude::*;
 
 /// Columns of `Q` that one task works on; the results do not depend on the number of threads.
@@ -52,13 +47,11 @@ pub(super) fn symmetric_floats(s: &Symmetric) -> Option<Vec<(f64, f64)>> {
         Some(_) => {}
     }
     let reduced = Reduced::new(s);
-    let departure = reduced.departure();
-    if departure.is_nan() || departure >= 0.5 {
+    if reduced.least.is_nan() || reduced.least < 0.5 {
         return None;
     }
     let residual = reduced.residual(s);
-    // σ >= sqrt(1 - departure) >= 1 - departure.
-    let moved = (residual / (1.0 - departure) * SLACK + s.error) * SLACK;
+    let moved = (residual / reduced.least * SLACK + s.error) * SLACK;
     let found = Tridiagonal::from_floats(reduced.diagonal, &reduced.beside).eigenvalues()?;
     moved.is_finite().then(|| found.into_iter().map(|(value, radius)| (value, (radius + moved) * SLACK)).collect())
 }
@@ -69,25 +62,20 @@ struct Reduced {
     beside: Vec<f64>,
     /// `Q` in panels of [`PANEL`] columns.
     panels: Vec<Mat<f64>>,
+    /// A bound from below of its least singular value, or NaN.
+    least: f64,
 }
 
 impl Reduced {
     /// Householder's reduction of a matrix of order 2 at least.
     fn new(s: &Symmetric) -> Self {
         let order = s.rows.len();
-        let block = recommended_block_size::<f64>(order, order);
-        let mut work = dense(s);
-        let mut factors = Mat::<f64>::zeros(block, order - 1);
-        let mut memory = MemBuffer::new(tridiag_in_place_scratch::<f64>(order, Par::Seq, Default::default()));
-        let stack = MemStack::new(&mut memory);
-        tridiag_in_place(work.as_mut(), factors.as_mut(), Par::Seq, stack, Default::default());
+        let Reduction { diagonal, beside, reflections } = Reduction::new(dense(s));
         let starts: Vec<usize> = (0..order).step_by(PANEL).collect();
-        let panel = |&start: &usize| reflected(work.as_ref(), factors.as_ref(), start, PANEL.min(order - start));
-        Reduced {
-            diagonal: (0..order).map(|i| work[(i, i)]).collect(),
-            beside: (1..order).map(|i| work[(i, i - 1)]).collect(),
-            panels: starts.par_iter().map(panel).collect(),
-        }
+        let panel = |&start: &usize| reflections.columns(start, PANEL.min(order - start));
+        let (panels, least) =
+            rayon::join(|| starts.par_iter().map(panel).collect(), || reflections.least_singular_value());
+        Reduced { diagonal, beside, panels, least }
     }
 
     fn column(&self, k: usize) -> &[f64] {
@@ -96,27 +84,8 @@ impl Reduced {
 
     /// Bound of the Frobenius norm of `Q`.
     fn size(&self) -> f64 {
-        self.panels.iter().map(|panel| frobenius(panel.as_ref())).map(|x| x * x).sum::<f64>().sqrt() * SLACK
-    }
-
-    /// `‖QᵀQ - I‖`, rounded up. A product of floats with inner dimension `n` is within `n u |Qᵀ||Q|`, whose norm is at most
-    /// `n u ‖Q‖²` in the Frobenius norm, in any order of summation.
-    fn departure(&self) -> f64 {
-        let order = self.diagonal.len();
-        let count = self.panels.len();
-        let pairs: Vec<(usize, usize)> = (0..count).flat_map(|j| (0..=j).map(move |i| (i, j))).collect();
-        let squares = pairs.par_iter().map(|&(i, j)| {
-            let mut product = self.panels[i].transpose() * &self.panels[j];
-            if i == j {
-                (0..product.nrows()).for_each(|k| product[(k, k)] -= 1.0);
-            }
-            let norm = frobenius(product.as_ref());
-            norm * norm * if i == j { 1.0 } else { 2.0 }
-        });
-        let squares: Vec<f64> = squares.collect();
-        let size = self.size();
-        let rounding = (order as f64 + 2.0) * UNIT * (size * size + 1.0) * SLACK;
-        squares.into_iter().sum::<f64>().sqrt() * SLACK + rounding + UNDERFLOW
+        let norms: Vec<f64> = self.panels.par_iter().map(|panel| frobenius(panel.as_ref())).collect();
+        norms.into_iter().map(|x| x * x).sum::<f64>().sqrt() * SLACK
     }
 
     /// `‖SQ - QT‖` in the Frobenius norm, rounded up.
@@ -172,29 +141,6 @@ impl Reduced {
         let rounding = parts.iter().map(|part| part.1).sum::<f64>() + 8.0 * UNIT * small * self.size();
         (parts.into_iter().map(|part| part.0).collect(), rounding)
     }
-}
-
-/// Some columns of the product of the reflections: the unit vectors, reflected block by block from the last to the first.
-fn reflected(work: MatRef<'_, f64>, factors: MatRef<'_, f64>, start: usize, width: usize) -> Mat<f64> {
-    let (order, block) = (work.nrows(), factors.nrows());
-    let basis = work.submatrix(1, 0, order - 1, order - 1);
-    let mut panel = Mat::from_fn(order, width, |i, j| f64::from(u8::from(i == start + j)));
-    let scratch: StackReq = apply_block_householder_on_the_left_in_place_scratch::<f64>(order, block, width);
-    let mut memory = MemBuffer::new(scratch);
-    // Blocks that begin below the last column leave these columns as they are.
-    let last = (order - 1).min(start + width);
-    for from in (0..last).step_by(block).rev() {
-        let until = (from + block).min(order - 1);
-        apply_block_householder_on_the_left_in_place_with_conj(
-            basis.get(from.., from..until),
-            factors.get(..until - from, from..until),
-            Conj::No,
-            panel.as_mut().subrows_mut(from + 1, order - from - 1),
-            Par::Seq,
-            MemStack::new(&mut memory),
-        );
-    }
-    panel
 }
 
 fn dense(s: &Symmetric) -> Mat<f64> {

@@ -5,6 +5,7 @@ use std::process::{Command, Output, Stdio};
 
 mod certify;
 mod flock;
+mod simulate;
 mod spectrum;
 
 fn flockproof(arguments: &[&str]) -> Output {

@@ -2,7 +2,7 @@
 
 use flockproof::arithmetic::rational;
 use flockproof::graph::read::{GraphReadError, read_graph};
-use flockproof::graph::{Graph, LaplacianError, LaplacianKind, NameError, NamedGraph, WeightedGraph};
+use flockproof::graph::{Graph, LaplacianError, LaplacianKind, NameError, NamedGraph, WeightedGraph, components};
 use flockproof::matrix::SparseMatrix;
 
 fn named(text: &str) -> NamedGraph {
@@ -149,4 +149,25 @@ fn bad_files_are_refused_with_the_line() {
     refused("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 2 NaN\n", "line 3");
     refused("%%MatrixMarket matrix coordinate real symmetric\n2 2 1\n1 2 1\n", "line 3: an entry");
     refused("%%MatrixMarket matrix coordinate real general\n999999999999 999999999999 1\n1 2 1\n", "line 2");
+}
+
+#[test]
+fn components_of_edges_are_those_of_the_graph() {
+    let mut seed = 1u64;
+    for order in 0..24 {
+        for density in [1, 4, 12] {
+            let mut edges = Vec::new();
+            for j in 0..order {
+                for i in 0..j {
+                    seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                    if (seed >> 40) % 24 < density {
+                        edges.push(if seed >> 39 & 1 == 0 { (i, j) } else { (j, i) });
+                    }
+                }
+            }
+            let graph = Graph::from_edges(order, &edges).expect("simple");
+            assert_eq!(components(order, &edges), graph.components());
+        }
+    }
+    assert_eq!(components(2, &[(0, 5), (1, 1)]), [[0], [1]]);
 }

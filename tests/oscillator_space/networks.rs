@@ -3,7 +3,8 @@
 use flockproof::arithmetic::{Complex, Rational, rational};
 use flockproof::graph::Graph;
 use flockproof::oscillator::{
-    CircularGains, Flight, Interaction, Neighbours, State, Zone, Zones, circular_control, phasor,
+    BehaviourGains, CircularGains, Everyone, Flight, Interaction, Neighbours, State, Zone, ZoneNetworks, Zones,
+    behaviour_control, circular_control, laplacian_behaviour_control, phasor,
 };
 use std::f64::consts::TAU;
 
@@ -101,4 +102,43 @@ fn clusters_go_around_the_circle() {
     assert_eq!(clusters(&[0.0]), [1]);
     let turned = phasor(&rational(0, 1)).unwrap();
     assert_eq!(turned, Complex::real(rational(1, 1)));
+}
+
+#[test]
+fn everyone_is_the_complete_network() {
+    for count in 0..6 {
+        let x: Vec<Complex<_>> = (0..count).map(|k| Complex::new(rational(k * k, 3), rational(1 - k, 7))).collect();
+        assert_eq!(Everyone.laplacian_of(&x), Neighbours::complete(count as usize).laplacian_of(&x));
+    }
+    let arcs = Neighbours::from_arcs(3, [(0, 2), (0, 1), (0, 2), (1, 1), (2, 9)]);
+    assert_eq!((arcs.of_particle(0), arcs.of_particle(1), arcs.of_particle(2)), (&[1, 2][..], &[][..], &[][..]));
+}
+
+#[test]
+fn both_forms_of_the_fish_agree_at_unit_distance() {
+    // All distances are 1: an equilateral triangle, every fish in every other's zones of orientation and attraction.
+    let height = 3f64.sqrt() / 2.0;
+    let positions = vec![Complex::new(0.0, 0.0), Complex::new(1.0, 0.0), Complex::new(0.5, height)];
+    let phases = [0.3f64, 1.1, 4.0];
+    let state = State { positions, phasors: phases.iter().map(|t| Complex::new(t.cos(), t.sin())).collect() };
+    let all = Neighbours::complete(3);
+    let none = Neighbours::from_arcs(3, []);
+    let networks = ZoneNetworks { repulsion: none, orientation: all.clone(), attraction: all.clone() };
+    let gains = BehaviourGains { repulsion: 5.0, orientation: 0.7, attraction: 0.4 };
+    let behaviours = behaviour_control(&0.2, &gains, &networks, &state).unwrap();
+    let laplacians = laplacian_behaviour_control(&0.2, &gains, &networks, &state);
+    for (a, b) in behaviours.iter().zip(&laplacians) {
+        assert!((a - b).abs() < 1e-12, "{behaviours:?} {laplacians:?}");
+    }
+    // By hand: a fish that swims north turns left, away from one close to its right, and right, towards one far off there.
+    let north = Complex::new(0.0, 1.0);
+    let state =
+        State { positions: vec![Complex::new(0.0, 0.0), Complex::new(1.0, 0.0)], phasors: vec![north.clone(), north] };
+    let zones =
+        |repulsion: f64| Zones { repulsion, orientation: repulsion, attraction: 10.0, blind_cosine_squared: 1.0 };
+    let gains = BehaviourGains { repulsion: 5.0, orientation: 0.0, attraction: 2.0 };
+    let turn = |zones: &Zones<f64>| behaviour_control(&0.0, &gains, &zones.networks(&state), &state).unwrap()[0];
+    assert_eq!((turn(&zones(2.0)), turn(&zones(0.5))), (5.0, -2.0));
+    let together = State { positions: vec![Complex::new(0.0, 0.0); 2], phasors: state.phasors.clone() };
+    assert!(behaviour_control(&0.0, &gains, &zones(2.0).networks(&together), &together).is_err());
 }

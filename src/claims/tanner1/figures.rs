@@ -7,11 +7,10 @@
 //! every `|grad V_i|` below 1/10.
 
 use super::line::potential;
-use crate::arithmetic::ArithmeticError;
 use crate::claims::record::Record;
-use crate::claims::tanner2::figures::{random_connected, wilson};
+use crate::claims::tanner2::figures::{TOLERANCE, other, random_connected, wilson};
 use crate::double_integrator::{
-    Coordinates, HeadingDifference, State, Stepper, Vector, gyroscopic, heading, potential_gradients,
+    Alignment, Coordinates, Flock, HeadingDifference, Network, Options, State, Vector, heading, potential_gradients,
 };
 use crate::graph::Graph;
 use crate::ledger::{CheckError, Evidence, Grade, Outcome, Run};
@@ -52,22 +51,19 @@ fn simulate(variant: &FigureVariant, random: &mut ChaCha8Rng) -> Result<(f64, f6
     let edges = graph.edges();
     let slope = potential().slope_over(&1.0);
     let start = State { positions: disc(AGENTS, RADIUS, random), velocities: disc(AGENTS, variant.speed, random) };
-    let gradients = |state: &State<f64>| potential_gradients(&state.positions, &edges, PLANE, |_, _, s| slope.at(s));
-    let law = |state: &State<f64>| {
-        let angles: Result<Vec<f64>, ArithmeticError> = state.velocities.iter().map(heading).collect();
-        let angles = angles?;
-        gyroscopic(state, &gradients(state)?, &edges, |i, j| variant.difference.read(angles[i] - angles[j]))
-    };
-    let end = Stepper { tolerance: 1e-5, ..Stepper::default() }
-        .run(&start, variant.until, law, |_, _| ())
-        .map_err(|e| CheckError::Other(e.to_string()))?;
+    let alignment = Alignment::Heading(variant.difference);
+    let flock = Flock::new(alignment, potential(), Network::Fixed(graph), start).map_err(other)?;
+    let options = Options { tolerance: TOLERANCE, ..Options::default() };
+    let motion = flock.run(variant.until, &[variant.until], &options).map_err(other)?;
+    let end = &motion.samples.last().ok_or(CheckError::Other("a run without end".to_string()))?.state;
     let mut spread: f64 = 0.0;
     for v in &end.velocities {
         for w in &end.velocities {
             spread = spread.max(HeadingDifference::Wrapped.read(heading(v)? - heading(w)?).abs());
         }
     }
-    let push = gradients(&end)?.iter().map(|g| PLANE.square(g).sqrt()).fold(0.0, f64::max);
+    let gradients = potential_gradients(&end.positions, &edges, PLANE, |_, _, s| slope.at(s))?;
+    let push = gradients.iter().map(|g| PLANE.square(g).sqrt()).fold(0.0, f64::max);
     Ok((spread, push))
 }
 

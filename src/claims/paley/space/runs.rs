@@ -2,7 +2,7 @@
 
 use crate::arithmetic::Complex;
 use crate::ledger::Run;
-use crate::oscillator::{Flight, circle_centres};
+use crate::oscillator::Flight;
 use rand_chacha::rand_core::Rng;
 use std::f64::consts::TAU;
 
@@ -32,16 +32,10 @@ pub fn share(found: usize, of: usize) -> String {
 
 /// The largest distance of a circle centre (3) from the mean of them; infinite for `omega = 0`.
 pub fn centre_spread(omega: f64, flight: &Flight) -> f64 {
-    let Ok(centres) = circle_centres(&omega, &flight.state()) else { return f64::INFINITY };
-    let Ok(middle) = crate::oscillator::mean(&centres) else { return 0.0 };
-    centres.into_iter().map(|c| (c - &middle).norm_squared().sqrt()).fold(0.0, f64::max)
+    crate::oscillator::centre_spread(&omega, &flight.state()).unwrap_or(f64::INFINITY)
 }
 
 /// Whether the phases form `clusters` clusters of equal size, evenly spaced within half the cluster angle.
 pub fn is_pattern(flight: &Flight, clusters: usize) -> bool {
-    let found = flight.clusters(CLUSTER);
-    let (size, gap) = (flight.phases.len() / clusters, TAU / clusters as f64);
-    // A cluster has some width, so that gaps are a little smaller.
-    found.len() == clusters
-        && found.iter().all(|&(count, angle)| count == size && (clusters == 1 || (angle - gap).abs() < CLUSTER / 2.0))
+    flight.forms_pattern(clusters, CLUSTER)
 }

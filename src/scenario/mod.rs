@@ -1,0 +1,28 @@
+//! Scenarios: a model, its start and the times to look at, read from TOML, run, and observed.
+//!
+//! The laws are those of the models' modules; here they are only chosen, integrated and measured. Observables are functions of a
+//! state, apart from the integration. `notes/simulate.md` lists keys, defaults and observables.
+
+mod alignment;
+mod config;
+mod course;
+mod error;
+mod fish;
+mod large;
+mod network;
+mod observables;
+mod oscillator;
+mod platoon;
+mod potential;
+mod run;
+mod source;
+mod start;
+mod switching;
+mod turns;
+mod vicsek;
+
+pub use config::Scenario;
+pub use course::{Event, Frame};
+pub use error::{ConfigError, Problem, RunError};
+pub use observables::{Observable, Value, min_distance, pattern_order, total};
+pub use run::{End, Outcome, Row};

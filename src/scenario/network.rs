@@ -1,0 +1,434 @@
+//! Who takes account of whom: the graph of a scenario, fixed or made from positions, with its switches.
+
+use super::error::{ConfigError, Problem};
+use super::source::{Section, Source};
+use crate::arithmetic::{Complex, Field};
+use crate::graph::{NamedGraph, components};
+use crate::oscillator::{Everyone, Interaction, Neighbours};
+use crate::simulate::CellList;
+use std::collections::BTreeSet;
+
+/// A pair of agents from 0.
+pub(super) type Pair = (usize, usize);
+
+/// Most edges that are stored.
+const MOST_EDGES: usize = 1 << 23;
+
+/// Most agents where every switch is located: each pair is looked at.
+const MOST_LOCATED: usize = 4096;
+
+/// Which networks a model can use.
+#[derive(Clone, Copy)]
+pub(super) struct Abilities {
+    /// For messages.
+    pub model: &'static str,
+    /// The model has positions in the plane.
+    pub positions: bool,
+    /// Arcs need no way back.
+    pub directed: bool,
+    /// The law sums over a list of edges; otherwise all-to-all costs O(N).
+    pub edges: bool,
+    /// Large flocks are followed although links depend on distances.
+    pub large: bool,
+    /// What is used where the section is missing.
+    pub default: Option<Kind>,
+}
+
+/// The kinds of the contract.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    AllToAll,
+    Path,
+    Ring,
+    Circulant,
+    Edges,
+    Within,
+    Nearest,
+}
+
+const KINDS: [(&str, Kind); 8] = [
+    ("complete", Kind::AllToAll),
+    ("path", Kind::Path),
+    ("ring", Kind::Ring),
+    ("circulant", Kind::Circulant),
+    ("edges", Kind::Edges),
+    ("within", Kind::Within),
+    ("nearest", Kind::Nearest),
+    ("all-to-all", Kind::AllToAll),
+];
+
+/// What makes the links.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Rule {
+    Fixed,
+    /// `|r_ij| < radius`.
+    Within(f64),
+    /// The so many nearest.
+    Nearest(usize),
+}
+
+/// A link that comes or goes; the pair from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Change {
+    pub gained: bool,
+    pub pair: Pair,
+}
+
+/// A network, held between its switches.
+#[derive(Debug, Clone)]
+pub(super) struct Network {
+    order: usize,
+    rule: Rule,
+    directed: bool,
+    /// Edges `i < j`, or arcs; empty for an implicit all-to-all network.
+    pairs: Vec<Pair>,
+    /// None for an implicit all-to-all network.
+    lists: Option<Neighbours>,
+    declaration: String,
+}
+
+impl Interaction for Network {
+    fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>> {
+        match &self.lists {
+            Some(lists) => lists.laplacian_of(x),
+            None => Everyone.laplacian_of(x),
+        }
+    }
+}
+
+impl Network {
+    /// Reads the section `[graph]`; a network that depends on positions is still without links, see [`Self::settle`].
+    pub fn read(source: &Source, order: usize, can: Abilities) -> Result<Self, ConfigError> {
+        let Some(section) = source.section("graph")? else {
+            return match can.default {
+                Some(Kind::AllToAll) => {
+                    Network::all_to_all(order, can.edges).map_err(|problem| source.top().problem(problem))
+                }
+                _ => Err(ConfigError::MissingSection("graph")),
+            };
+        };
+        let entry = section.need("kind", &KINDS.map(|(name, _)| name).join(", "))?;
+        let kind = entry.choice(&KINDS)?;
+        let needs = |needs| entry.problem(Problem::Network { model: can.model, needs });
+        if !can.positions && matches!(kind, Kind::Within | Kind::Nearest) {
+            return Err(needs("a fixed graph: it has no positions in the plane"));
+        }
+        if !can.directed && kind == Kind::Nearest {
+            return Err(needs("an undirected graph: that of the nearest is not"));
+        }
+        if order > MOST_LOCATED && matches!(kind, Kind::Within | Kind::Nearest) && !can.large {
+            return Err(entry.problem(Problem::TooMany(MOST_LOCATED)));
+        }
+        let keys: &[&str] = match kind {
+            Kind::Circulant => &["kind", "offsets"],
+            Kind::Edges => &["kind", "edges", "directed"],
+            Kind::Within => &["kind", "radius"],
+            Kind::Nearest => &["kind", "nearest"],
+            _ => &["kind"],
+        };
+        section.allow(keys, &format!(" of kind \"{}\"", entry.word()?))?;
+        match kind {
+            Kind::AllToAll => Network::all_to_all(order, can.edges).map_err(|problem| entry.problem(problem)),
+            Kind::Path => Network::named(order, &NamedGraph::Path(order), &section),
+            Kind::Ring if order < 3 => Err(needs("at least 3 agents for a ring")),
+            Kind::Ring => Network::named(order, &NamedGraph::Ring(order), &section),
+            Kind::Circulant => {
+                let entry = section.need("offsets", "a list of integers")?;
+                let mut offsets = BTreeSet::new();
+                for item in entry.items("a list of integers")? {
+                    let offset = item.count(1, order - 1)?;
+                    if !offsets.insert(offset.min(order - offset)) {
+                        return Err(item.range("an offset that is not there yet, up to its sign modulo N"));
+                    }
+                }
+                Network::named(order, &NamedGraph::Circulant(order, offsets), &section)
+            }
+            Kind::Edges => Network::listed(order, &section, can),
+            Kind::Within => {
+                let radius = section.need("radius", "a number above 0")?.positive()?;
+                let declaration = format!(
+                    "links i-j where |r_i - r_j| < {radius}; they come and go where a distance crosses {radius}"
+                );
+                Ok(Network::switching(order, Rule::Within(radius), false, declaration))
+            }
+            Kind::Nearest => {
+                let count = section.need("nearest", "a number of neighbours")?.count(1, order - 1)?;
+                let declaration = format!(
+                    "agent k takes account of its {count} nearest agents; at equal distance of the one with the smaller number; events are arcs [k, j]"
+                );
+                Ok(Network::switching(order, Rule::Nearest(count), true, declaration))
+            }
+        }
+    }
+
+    /// All pairs.
+    pub fn all_to_all(order: usize, edges: bool) -> Result<Self, Problem> {
+        let declaration = "all-to-all network".to_string();
+        if !edges {
+            let (pairs, lists) = (Vec::new(), None);
+            return Ok(Network { order, rule: Rule::Fixed, directed: false, pairs, lists, declaration });
+        }
+        if order.saturating_mul(order) / 2 > MOST_EDGES {
+            return Err(Problem::Range(format!("a graph of at most {MOST_EDGES} edges")));
+        }
+        let pairs = (0..order).flat_map(|i| (i + 1..order).map(move |j| (i, j))).collect();
+        Ok(Network::fixed(order, pairs, false, declaration))
+    }
+
+    fn named(order: usize, graph: &NamedGraph, section: &Section) -> Result<Self, ConfigError> {
+        let built = graph.build().map_err(|error| section.problem(Problem::Range(error.to_string())))?;
+        let row = |i: usize| built.adjacency().row(i).iter().map(move |(j, _)| (i, *j)).collect::<Vec<_>>();
+        let pairs = (0..order).flat_map(row).filter(|(i, j)| i < j).collect();
+        Ok(Network::fixed(order, pairs, false, format!("fixed network {graph}")))
+    }
+
+    fn listed(order: usize, section: &Section, can: Abilities) -> Result<Self, ConfigError> {
+        const EXPECTED: &str = "a list of pairs such as [1, 2]";
+        let directed = match section.get("directed") {
+            None => false,
+            Some(entry) => {
+                let directed = entry.flag()?;
+                if directed && !can.directed {
+                    return Err(entry.problem(Problem::Network { model: can.model, needs: "an undirected graph" }));
+                }
+                directed
+            }
+        };
+        let mut pairs = BTreeSet::new();
+        for item in section.need("edges", EXPECTED)?.items(EXPECTED)? {
+            let ends = item.items(EXPECTED)?;
+            let [first, second] = &ends[..] else { return Err(item.problem(Problem::Shape(EXPECTED.to_string()))) };
+            let (i, j) = (first.count(0, usize::MAX)?, second.count(0, usize::MAX)?);
+            if i.min(j) < 1 || i.max(j) > order {
+                return Err(item.problem(Problem::EdgeRange(i, j, order)));
+            }
+            if i == j {
+                return Err(item.problem(Problem::Loop(i)));
+            }
+            let pair = if directed { (i - 1, j - 1) } else { (i.min(j) - 1, i.max(j) - 1) };
+            if !pairs.insert(pair) {
+                return Err(item.problem(Problem::Duplicate(i, j)));
+            }
+        }
+        let kind = if directed { "arcs i -> j (i takes account of j)" } else { "edges" };
+        let declaration = format!("fixed network of {} {kind}", pairs.len());
+        Ok(Network::fixed(order, pairs.into_iter().collect(), directed, declaration))
+    }
+
+    fn fixed(order: usize, pairs: Vec<Pair>, directed: bool, declaration: String) -> Self {
+        let mut network = Network { order, rule: Rule::Fixed, directed, pairs, lists: None, declaration };
+        network.relist();
+        network
+    }
+
+    fn switching(order: usize, rule: Rule, directed: bool, declaration: String) -> Self {
+        let lists = Some(Neighbours::from_arcs(order, []));
+        Network { order, rule, directed, pairs: Vec::new(), lists, declaration }
+    }
+
+    /// The lists of neighbours from the pairs.
+    fn relist(&mut self) {
+        let back = |&(i, j): &Pair| if self.directed { None } else { Some((j, i)) };
+        let arcs = self.pairs.iter().copied().chain(self.pairs.iter().filter_map(back));
+        self.lists = Some(Neighbours::from_arcs(self.order, arcs));
+    }
+
+    /// The number of agents.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// What is linked, in words.
+    pub fn declaration(&self) -> &str {
+        &self.declaration
+    }
+
+    /// Whether the links depend on the positions.
+    pub fn switches(&self) -> bool {
+        self.rule != Rule::Fixed
+    }
+
+    /// Whether everyone takes account of everyone, without a list.
+    pub fn is_all_to_all(&self) -> bool {
+        self.lists.is_none() || !self.switches() && self.pairs.len() == self.order * (self.order - 1) / 2
+    }
+
+    /// The distance below which agents are linked.
+    pub fn radius(&self) -> Option<f64> {
+        match self.rule {
+            Rule::Within(radius) => Some(radius),
+            _ => None,
+        }
+    }
+
+    /// The edges, or the arcs of a directed network; empty for an implicit all-to-all network.
+    pub fn pairs(&self) -> &[Pair] {
+        &self.pairs
+    }
+
+    /// The neighbours of an agent; empty for an implicit all-to-all network.
+    pub fn neighbours(&self, k: usize) -> &[usize] {
+        self.lists.as_ref().map_or(&[], |lists| lists.of_particle(k))
+    }
+
+    /// Sets the links of a network that switches.
+    pub fn relink(&mut self, pairs: &[Pair]) {
+        self.pairs = pairs.iter().map(|&(i, j)| (i.min(j), i.max(j))).collect();
+        self.pairs.sort_unstable();
+        self.relist();
+    }
+
+    /// The number of components, arcs taken as edges.
+    pub fn components(&self) -> usize {
+        if self.lists.is_none() { self.order.min(1) } else { components(self.order, &self.pairs).len() }
+    }
+
+    /// Makes the links of the positions at the start, where the agents move at the rates.
+    pub fn settle(&mut self, positions: &[f64], rates: &[f64]) {
+        let order = self.order;
+        match self.rule {
+            Rule::Fixed => return,
+            Rule::Within(radius) => {
+                let (square, slack) = (radius * radius, self.slack(positions));
+                let points: Vec<[f64; 2]> = (0..order).map(|k| [positions[2 * k], positions[2 * k + 1]]).collect();
+                // A little wider, for the pairs at exactly the radius.
+                let near = CellList::new(&points, radius * (1.0 + 1e-9)).map(|cells| cells.pairs()).unwrap_or_default();
+                let linked = |&(i, j): &Pair| match square - squared(positions, i, j) {
+                    gap if gap.abs() > slack => gap > 0.0,
+                    gap => match approach(positions, rates, i, j) {
+                        0.0 => gap > 0.0,
+                        rate => rate < 0.0,
+                    },
+                };
+                self.pairs = near.into_iter().filter(linked).collect();
+            }
+            Rule::Nearest(count) => {
+                let points: Vec<Complex<f64>> =
+                    positions.chunks_exact(2).map(|r| Complex::new(r[0], r[1])).take(order).collect();
+                let lists = Neighbours::nearest(&points, count);
+                self.pairs = (0..order).flat_map(|k| lists.of_particle(k).iter().map(move |&j| (k, j))).collect();
+            }
+        }
+        self.relist();
+    }
+
+    /// What rounding may do to a squared distance near the squared radius, many times over.
+    fn slack(&self, positions: &[f64]) -> f64 {
+        let far = positions[..2 * self.order].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let near = match self.rule {
+            Rule::Within(radius) => radius,
+            _ => far,
+        };
+        64.0 * f64::EPSILON * near * (near + far)
+    }
+
+    /// Positive as long as the held links are those of the positions, up to the slack: falls through zero at a switch.
+    pub fn margin(&self, positions: &[f64]) -> f64 {
+        let gaps = match self.rule {
+            Rule::Fixed => f64::INFINITY,
+            Rule::Within(radius) => {
+                self.gaps_within(positions, radius).map(|(_, gap)| gap).fold(f64::INFINITY, f64::min)
+            }
+            Rule::Nearest(_) => (0..self.order).map(|k| self.gap_nearest(positions, k)).fold(f64::INFINITY, f64::min),
+        };
+        gaps + self.slack(positions)
+    }
+
+    /// For each pair how far it is from changing its link, as a difference of squared distances.
+    fn gaps_within<'a>(&'a self, positions: &'a [f64], radius: f64) -> impl Iterator<Item = (Pair, f64)> + 'a {
+        let square = radius * radius;
+        let mut held = self.pairs.iter().peekable();
+        (0..self.order).flat_map(move |i| (i + 1..self.order).map(move |j| (i, j))).map(move |pair| {
+            let linked = held.next_if(|next| **next == pair).is_some();
+            let gap = square - squared(positions, pair.0, pair.1);
+            (pair, if linked { gap } else { -gap })
+        })
+    }
+
+    /// By how much the nearest of the others is farther than the farthest neighbour of `k`, squared.
+    fn gap_nearest(&self, positions: &[f64], k: usize) -> f64 {
+        let near = self.neighbours(k);
+        let (mut inner, mut outer) = (0.0f64, f64::INFINITY);
+        let mut held = near.iter().peekable();
+        for j in (0..self.order).filter(|&j| j != k) {
+            let distance = squared(positions, k, j);
+            match held.next_if(|next| **next == j) {
+                Some(_) => inner = inner.max(distance),
+                None => outer = outer.min(distance),
+            }
+        }
+        outer - inner
+    }
+
+    /// Changes the links whose switch has come, at a state where the margin is not positive.
+    pub fn switch(&mut self, positions: &[f64]) -> Vec<Change> {
+        let due = -self.slack(positions) / 2.0;
+        let mut changes = Vec::new();
+        match self.rule {
+            Rule::Fixed => {}
+            Rule::Within(radius) => {
+                let held: BTreeSet<Pair> = self.pairs.iter().copied().collect();
+                for (pair, _) in self.gaps_within(positions, radius).filter(|(_, gap)| *gap <= due) {
+                    changes.push(Change { gained: !held.contains(&pair), pair });
+                }
+            }
+            Rule::Nearest(count) => {
+                let points: Vec<Complex<f64>> =
+                    positions.chunks_exact(2).map(|r| Complex::new(r[0], r[1])).take(self.order).collect();
+                let new = Neighbours::nearest(&points, count);
+                for k in (0..self.order).filter(|&k| self.gap_nearest(positions, k) <= due) {
+                    let old = self.neighbours(k);
+                    let new = new.of_particle(k);
+                    let lost = old.iter().filter(|j| !new.contains(j)).map(|&j| Change { gained: false, pair: (k, j) });
+                    let gained =
+                        new.iter().filter(|j| !old.contains(j)).map(|&j| Change { gained: true, pair: (k, j) });
+                    changes.extend(lost.chain(gained));
+                }
+            }
+        }
+        let mut pairs: BTreeSet<Pair> = self.pairs.iter().copied().collect();
+        for change in &changes {
+            if change.gained {
+                pairs.insert(change.pair)
+            } else {
+                pairs.remove(&change.pair)
+            };
+        }
+        self.pairs = pairs.into_iter().collect();
+        self.relist();
+        changes
+    }
+}
+
+/// `|r_ij|²`.
+fn squared(positions: &[f64], i: usize, j: usize) -> f64 {
+    let (x, y) = (positions[2 * i] - positions[2 * j], positions[2 * i + 1] - positions[2 * j + 1]);
+    x * x + y * y
+}
+
+/// Half the rate of change of `|r_ij|²`.
+fn approach(positions: &[f64], rates: &[f64], i: usize, j: usize) -> f64 {
+    (0..2).map(|c| (positions[2 * i + c] - positions[2 * j + c]) * (rates[2 * i + c] - rates[2 * j + c])).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Network, Rule};
+
+    #[test]
+    fn resting_ties_stay_and_crossings_switch_together() {
+        let mut network = Network::switching(3, Rule::Within(1.0), false, String::new());
+        // A pair at rest at exactly the radius is not linked; one that approaches is.
+        let positions = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
+        network.settle(&positions, &[0.0, 0.0, 0.0, 0.0, 0.0, -1.0]);
+        assert_eq!(network.pairs(), [(0, 2)]);
+        assert!(network.margin(&positions) > 0.0);
+        // Both pairs of a symmetric motion switch at once, whatever rounding does to each.
+        network.settle(&[0.0, 0.0, 0.9, 0.0, 0.0, 0.9], &[0.0; 6]);
+        let apart = 1.0 + 1e-13;
+        let after = [0.0, 0.0, apart, 0.0, 0.0, apart + 1e-16];
+        assert!(network.margin(&after) <= 0.0);
+        assert_eq!(network.switch(&after).len(), 2);
+        assert!(network.pairs().is_empty() && network.margin(&after) > 0.0);
+    }
+}

@@ -1,0 +1,101 @@
+//! From a scenario to its samples, rows and events.
+
+use super::config::Schedule;
+use super::course::{Course, Event, Frame};
+use super::error::RunError;
+use super::observables::Observable;
+
+/// One time that is written.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// The time.
+    pub time: f64,
+    /// Whether it was asked for by name.
+    pub sample: bool,
+    /// Where the agents are.
+    pub frame: Frame,
+    /// What is measured.
+    pub observables: Vec<Observable>,
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, PartialEq)]
+pub enum End {
+    /// At its last time.
+    Finished,
+    /// Before, because it was told to.
+    Interrupted,
+    /// Before, because it could not go on.
+    Failed(RunError),
+}
+
+/// All that a run leaves behind; of one that ended early what was finished.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// The name of the model.
+    pub model: &'static str,
+    /// Equations and choices, one sentence or more a line.
+    pub declaration: Vec<String>,
+    /// The times that are written, in order.
+    pub rows: Vec<Row>,
+    /// Links that came and went, in order.
+    pub events: Vec<Event>,
+    /// What was special about the run, in words.
+    pub remarks: Vec<String>,
+    /// How it ended.
+    pub end: End,
+}
+
+impl Outcome {
+    /// The rows that were asked for by name.
+    pub fn samples(&self) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(|row| row.sample)
+    }
+
+    /// The last time that was written; 0 where there is none.
+    pub fn reached(&self) -> f64 {
+        self.rows.last().map_or(0.0, |row| row.time)
+    }
+}
+
+/// Runs a course; `halt` is asked often whether to stop, and `progress` is told every time that is written.
+pub(super) fn run(
+    model: &'static str,
+    schedule: &Schedule,
+    course: &mut dyn Course,
+    halt: &dyn Fn() -> bool,
+    progress: &mut dyn FnMut(f64),
+) -> Outcome {
+    let mut outcome = Outcome {
+        model,
+        declaration: [course.declaration(), schedule.declaration()].concat(),
+        rows: Vec::new(),
+        events: Vec::new(),
+        remarks: Vec::new(),
+        end: End::Finished,
+    };
+    course.plan(&schedule.times.iter().map(|(time, _)| *time).collect::<Vec<_>>(), halt);
+    for &(time, sample) in &schedule.times {
+        match course.advance(time, &mut outcome.events, halt) {
+            Ok(true) => {}
+            Ok(false) => {
+                outcome.end = End::Interrupted;
+                break;
+            }
+            Err(error) => {
+                outcome.end = End::Failed(error);
+                break;
+            }
+        }
+        match course.observe() {
+            Ok(observables) => outcome.rows.push(Row { time, sample, frame: course.frame(), observables }),
+            Err(error) => {
+                outcome.end = End::Failed(RunError::Law { time, error });
+                break;
+            }
+        }
+        progress(time);
+    }
+    outcome.remarks = course.remarks();
+    outcome
+}

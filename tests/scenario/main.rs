@@ -1,0 +1,205 @@
+//! Mirrors `src/scenario`: runs against closed forms and against other parts of the library.
+
+use flockproof::platoon::Gains;
+use flockproof::platoon::time_domain::Modes;
+use flockproof::scenario::{End, Outcome, Row, Scenario, Value, min_distance};
+
+fn run(text: &str) -> Outcome {
+    let scenario = Scenario::read(text).unwrap_or_else(|error| panic!("{error}"));
+    let outcome = scenario.run(&|| false, &mut |_| {});
+    assert_eq!(outcome.end, End::Finished);
+    outcome
+}
+
+fn value(row: &Row, name: &str) -> f64 {
+    match row.observables.iter().find(|o| o.name == name).map(|o| &o.value) {
+        Some(Value::Number(x)) => *x,
+        Some(Value::Count(Some(n))) => *n as f64,
+        other => panic!("{name}: {other:?}"),
+    }
+}
+
+#[test]
+fn two_phases_follow_their_closed_form() {
+    // With N = 2 the difference d obeys d' = K1 sin d: tan(d/2) = tan(d_0/2) e^(K1 t).
+    for kind in ["\"all-to-all\"", "\"path\"", "\"edges\"\nedges = [[1, 2]]"] {
+        let text = format!(
+            "model = \"phase\"\n[graph]\nkind = {kind}\n[state]\nphases = [0, 2]\n[law]\nomega0 = \"1/3\"\nK1 = \"-1/2\"\n\
+             [run]\nuntil = 6\nsamples = [1, 3, 6]\ntolerance = 1e-12\n"
+        );
+        let outcome = run(&text);
+        for row in outcome.samples() {
+            let difference = row.frame.phases[1] - row.frame.phases[0];
+            let expected = 2.0 * (1f64.tan() * (-0.5 * row.time).exp()).atan();
+            assert!((difference - expected).abs() < 1e-10, "{kind}, t = {}", row.time);
+            let mean = 0.5 * (row.frame.phases[0] + row.frame.phases[1]);
+            assert!((mean - 1.0 - row.time / 3.0).abs() < 1e-10);
+        }
+    }
+}
+
+#[test]
+fn free_particles_go_round_and_drift() {
+    let outcome = run(
+        "model = \"particles\"\n[state]\npositions = [[1, 2]]\nphases = [\"1/2\"]\n[law]\nomega0 = 2\ndrift = [\"1/4\", 0]\n\
+         [run]\nuntil = 5\nsamples = [5]\ntolerance = 1e-12\n",
+    );
+    let row = outcome.samples().next().expect("a sample");
+    let theta = 0.5 + 2.0 * 5.0;
+    let expected =
+        [1.0 + 0.25 * 5.0 + (f64::sin(theta) - 0.5f64.sin()) / 2.0, 2.0 - (f64::cos(theta) - 0.5f64.cos()) / 2.0];
+    assert!((row.frame.positions[0][0] - expected[0]).abs() < 1e-10);
+    assert!((row.frame.positions[0][1] - expected[1]).abs() < 1e-10);
+    assert!(value(row, "min_distance").is_infinite());
+    assert!(value(row, "centre_spread").abs() < 1e-12);
+}
+
+#[test]
+fn a_platoon_moves_as_the_sum_of_its_modes() {
+    let outcome = run(
+        "model = \"platoon\"\n[state]\npositions = [[0], [-1], [-2], [-3], [-4]]\nvelocities = [[0], [0], [0], [0], [0]]\n\
+         [law]\nf = -1\ng = \"-1/2\"\nleader = { frequency = \"3/10\" }\n[run]\nuntil = 50\nsamples = [0, 1, 20, 50]\ntolerance = 1e-12\n",
+    );
+    let modes =
+        Modes::new(&Gains { f: -1.0, g: -0.5 }, 4).expect("modes").behind_harmonic_leader(&0.3).expect("a start");
+    for row in outcome.samples() {
+        let exact = modes.followers(&row.time).expect("a motion");
+        assert!((row.frame.positions[0][0] - (0.3 * row.time).cos()).abs() < 1e-12);
+        for (k, y) in exact.positions.iter().enumerate() {
+            assert!((row.frame.positions[k + 1][0] + (k + 1) as f64 - y).abs() < 1e-9, "t = {}, car {k}", row.time);
+            assert!((row.frame.velocities[k + 1][0] - exact.velocities[k]).abs() < 1e-9);
+        }
+    }
+}
+
+const HEADINGS: &str = "model = \"heading-alignment\"\n[graph]\nkind = \"complete\"\n[state]\n\
+    positions = [[0, 0], [2, 0], [0, 1], [3, 1]]\nvelocities = [[-1, \"1/100\"], [-1, \"-1/10\"], [1, 1], [\"1/2\", -1]]\n\
+    [law]\npotential = \"inverse-square-spring\"\nstiffness = \"1/2\"\nheading_difference = \"READING\"\n\
+    [run]\nuntil = 8\nsamples = [0, 1, 2, 4, 8]\ntolerance = 1e-12\n";
+
+#[test]
+fn gyroscopic_forces_keep_the_energy_in_every_reading() {
+    let mut ends = Vec::new();
+    for reading in ["raw", "wrapped", "unwrapped"] {
+        let outcome = run(&HEADINGS.replace("READING", reading));
+        let rows: Vec<&Row> = outcome.samples().collect();
+        for row in &rows {
+            let drift = (value(row, "energy") - value(rows[0], "energy")).abs();
+            assert!(drift < 1e-8, "{reading}, t = {}: {drift}", row.time);
+        }
+        ends.push(rows[4].frame.positions.concat());
+    }
+    // The readings differ: headings on both sides of pi.
+    assert!(ends[0] != ends[1]);
+}
+
+#[test]
+fn zero_coupling_leaves_every_network_alone() {
+    // Straight flight at unit speed: the distance of two particles is known, and so are the times of the switches.
+    let outcome = run(
+        "model = \"particles\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\npositions = [[0, 0], [10, 1]]\n\
+         phases = [0, \"3.141592653589793\"]\n[law]\nomega0 = 0\n[run]\nuntil = 10\nsamples = [0, 5, 10]\ntolerance = 1e-12\n",
+    );
+    // |(10 - 2 t, 1)| = 2.
+    let half = 3f64.sqrt() / 2.0;
+    let times: Vec<(f64, bool)> = outcome.events.iter().map(|e| (e.time, e.gained)).collect();
+    assert_eq!(times.len(), 2, "{times:?}");
+    assert!((times[0].0 - 5.0 + half).abs() < 1e-12 && times[0].1);
+    assert!((times[1].0 - 5.0 - half).abs() < 1e-12 && !times[1].1);
+    assert_eq!(outcome.samples().map(|row| value(row, "components")).collect::<Vec<_>>(), [2.0, 1.0, 2.0]);
+}
+
+#[test]
+fn a_grazing_pass_is_seen_or_not_as_it_should() {
+    for (offset, events) in [("1.9999999", 2), ("2.0000001", 0)] {
+        let outcome = run(&format!(
+            "model = \"particles\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\npositions = [[0, 0], [10, {offset}]]\n\
+             phases = [0, \"3.141592653589793\"]\n[law]\nomega0 = 0\n[run]\nuntil = 10\ntolerance = 1e-12\nrows = 3\n"
+        ));
+        assert_eq!(outcome.events.len(), events, "{offset}");
+    }
+}
+
+#[test]
+fn nearest_neighbours_change_when_distances_cross() {
+    let outcome = run(
+        "model = \"particles\"\n[graph]\nkind = \"nearest\"\nnearest = 1\n[state]\npositions = [[0, 0], [0, 10], [-1, 5]]\n\
+         phases = [0, 0, \"0.1\"]\n[law]\nomega0 = 0\n[run]\nuntil = 4\nsamples = [4]\n",
+    );
+    // Agent 3 starts as near to 1 as to 2 (the smaller number is taken) and drifts towards 2 at once: one switch for it.
+    let arcs: Vec<_> = outcome.events.iter().map(|e| (e.gained, e.pair)).collect();
+    assert_eq!(arcs, [(false, (3, 1)), (true, (3, 2))]);
+    assert!(outcome.events[0].time < 1e-9);
+}
+
+#[test]
+fn what_was_reached_is_kept() {
+    let text = "model = \"phase\"\n[state]\nphases = [0, 2]\n[law]\nK1 = -1\n[run]\nuntil = 10\nsamples = [1, 5, 10]\n";
+    let reached = std::cell::Cell::new(0.0);
+    let scenario = Scenario::read(text).expect("good");
+    let outcome = scenario.run(&|| reached.get() >= 6.0, &mut |time| reached.set(time));
+    assert_eq!(outcome.end, End::Interrupted);
+    assert_eq!(outcome.samples().map(|row| row.time).collect::<Vec<_>>(), [1.0, 5.0]);
+    assert!((6.0..6.1).contains(&outcome.reached()));
+    // Two agents that fall into each other.
+    let text = "model = \"velocity-alignment\"\n[graph]\nkind = \"path\"\n[state]\npositions = [[0, 0], [1, 0]]\n\
+        velocities = [[0, 0], [0, 0]]\n[law]\npotential = { slope = [[-2, 1]], at = 1, value = 0 }\n[run]\nuntil = 10\nsamples = [0, 10]\n";
+    for graph in ["\"path\"", "\"within\"\nradius = 3"] {
+        let scenario = Scenario::read(&text.replace("\"path\"", graph)).expect("good");
+        let outcome = scenario.run(&|| false, &mut |_| {});
+        assert!(matches!(outcome.end, End::Failed(_)), "{graph}: {:?}", outcome.end);
+        assert_eq!(outcome.samples().count(), 1);
+        assert!(outcome.reached() < 1.0 && outcome.rows.len() > 1, "{graph}");
+    }
+}
+
+#[test]
+fn the_smallest_distance_is_that_of_all_pairs() {
+    let mut seed = 7u64;
+    let mut next = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) as f64 / 1e9
+    };
+    for count in [0, 1, 2, 3, 10, 60] {
+        let points: Vec<Vec<f64>> = (0..count).map(|_| vec![next(), next()]).collect();
+        let distance = |a: &[f64], b: &[f64]| ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt();
+        let pairs = (0..count).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let naive = pairs.map(|(i, j)| distance(&points[i], &points[j])).fold(f64::INFINITY, f64::min);
+        assert_eq!(min_distance(&points), naive);
+    }
+    assert_eq!(min_distance(&[vec![1.0, 2.0], vec![3.0, 0.0], vec![1.0, 2.0]]), 0.0);
+}
+
+#[test]
+fn the_example_of_the_readme_runs() {
+    let readme = include_str!("../../README.md");
+    let lines = readme.lines().skip_while(|line| !line.starts_with("    model = "));
+    let text: Vec<&str> = lines.map_while(|line| line.strip_prefix("    ")).collect();
+    assert_eq!(run(&text.join("\n")).samples().count(), 3);
+}
+
+#[test]
+fn fixed_steps_agree_with_located_switches() {
+    let config = include_str!("../../assets/scenarios/switching_flock.toml");
+    let located = run(config);
+    let end = |outcome: &Outcome| outcome.rows.last().expect("a row").frame.positions.concat();
+    let far = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    // A step over a switch is wrong by about the square of its length; there are seven.
+    for (step, most) in [("1/100", 1e-3), ("1/1000", 1e-4)] {
+        let fixed = run(&config.replace("tolerance = 1e-12", &format!("step = \"{step}\"")));
+        let error = far(&end(&fixed), &end(&located));
+        assert!(error < most, "{step}: {error}");
+        let last = fixed.samples().last().expect("a sample");
+        let other = located.samples().last().expect("a sample");
+        assert!((value(last, "saturated_energy") - value(other, "saturated_energy")).abs() < most);
+        assert_eq!(value(last, "components"), 1.0);
+    }
+    let large = "model = \"velocity-alignment\"\n[graph]\nkind = \"within\"\nradius = 1\n[state]\nrandom = { agents = 5000, half = 50 }\n\
+        [law]\npotential = \"none\"\n[run]\nuntil = \"1/10\"\nrows = 2\n";
+    let error = Scenario::read(large).expect_err("too many").to_string();
+    assert!(error.contains("line 3") && error.contains("4096") && error.contains("step"), "{error}");
+    let outcome = run(&format!("{large}step = \"1/20\"\n"));
+    assert!(value(outcome.samples().last().expect("a sample"), "disagreement") > 0.0);
+    let fixed = include_str!("../../assets/scenarios/three_agents.toml").replace("tolerance = 1e-12", "step = 1");
+    assert!(Scenario::read(&fixed).expect_err("no radius").to_string().contains("within a radius"));
+}
