@@ -9,6 +9,7 @@ mod dop853_table;
 mod event;
 mod phases;
 mod rk4;
+mod sampling;
 mod sine;
 
 pub use cells::{CellError, CellList};
@@ -16,6 +17,7 @@ pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
 pub use event::{Crossing, next_crossing};
 pub use phases::AllToAll;
 pub use rk4::Rk4;
+pub use sampling::wilson;
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 
 /// The right-hand side of `dy/dt = f(t, y)`. A field may keep scratch space, so it is asked by a mutable reference; the
