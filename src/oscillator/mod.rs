@@ -32,9 +32,7 @@ pub use moments::{
 };
 pub use network::{Interaction, Neighbours};
 pub use pattern::{clusters_of_pattern, symmetric_pattern};
-pub use reached::{
-    CLUSTER, centre_spread, is_pattern, nearest_twist, order, pattern, ring_differences, shape_rate, winding,
-};
+pub use reached::{CLUSTER, centre_spread, nearest_twist, order, pattern, ring_differences, shape_rate, winding};
 pub use runs::{
     CyclicFormation, DECLARATION, DriftingOrbit, Experiment, FourMotions, OMEGA, PARTICLES, PatternFormation,
     PatternPhases, ReferenceTracking, RingPhases, ZoneFormation, ZoneLaw, zones_of_figure_7,

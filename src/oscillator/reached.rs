@@ -18,26 +18,34 @@ pub fn order(flight: &Flight, m: u32) -> Result<f64, ArithmeticError> {
     Ok(f64::from(m) * moment(&flight.state().phasors, m)?.norm_squared().sqrt())
 }
 
-/// The largest distance of a circle centre (3) from the mean of them; infinite for `omega = 0`.
-pub fn centre_spread(omega: f64, flight: &Flight) -> f64 {
-    let Ok(centres) = circle_centres(&omega, &flight.state()) else { return f64::INFINITY };
-    let Ok(middle) = mean(&centres) else { return 0.0 };
-    centres.into_iter().map(|c| (c - &middle).norm_squared().sqrt()).fold(0.0, f64::max)
+/// The largest distance of a circle centre (3) from the mean of them.
+///
+/// # Errors
+/// [`ArithmeticError`] for `omega_0 = 0` or no particles.
+pub fn centre_spread(omega: &f64, state: &State<f64>) -> Result<f64, ArithmeticError> {
+    let centres = circle_centres(omega, state)?;
+    let middle = mean(&centres)?;
+    Ok(centres.into_iter().map(|c| (c - &middle).norm_squared().sqrt()).fold(0.0, f64::max))
 }
 
-/// Whether the phases form `clusters` clusters of equal size, evenly spaced within half of [`CLUSTER`].
-pub fn is_pattern(flight: &Flight, clusters: usize) -> bool {
-    let found = flight.clusters(CLUSTER);
-    let (size, gap) = (flight.phases.len() / clusters, TAU / clusters as f64);
-    // A cluster has some width, so that gaps are a little smaller.
-    found.len() == clusters
-        && found.iter().all(|&(count, angle)| count == size && (clusters == 1 || (angle - gap).abs() < CLUSTER / 2.0))
+impl Flight {
+    /// Whether the phases form `clusters` clusters of equal size, evenly spaced: with clusters by `tolerance` radians and gaps
+    /// within half of it.
+    pub fn forms_pattern(&self, clusters: usize, tolerance: f64) -> bool {
+        let found = self.clusters(tolerance);
+        let gap = TAU / clusters as f64;
+        // A cluster has some width, so that gaps are a little smaller.
+        let even = |&(count, angle): &(usize, f64)| {
+            count * clusters == self.phases.len() && (clusters == 1 || (angle - gap).abs() < tolerance / 2.0)
+        };
+        found.len() == clusters && found.iter().all(even)
+    }
 }
 
-/// The number of clusters of the symmetric pattern that the phases form within [`is_pattern`]'s tolerance, if any.
+/// The number of clusters of the symmetric pattern that the phases form, clusters by [`CLUSTER`], if any.
 pub fn pattern(flight: &Flight) -> Option<usize> {
     let count = flight.phases.len();
-    (1..=count).find(|&m| count.is_multiple_of(m) && is_pattern(flight, m))
+    (1..=count).find(|&m| flight.forms_pattern(m, CLUSTER))
 }
 
 /// The angles in `[-pi, pi)` from each phase to the next around a ring, `N` of them.

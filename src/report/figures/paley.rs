@@ -31,11 +31,11 @@ pub(super) fn first_run<E: Experiment>(
     experiment: &E,
     claim: &str,
     (every, most): (usize, u64),
-    wanted: impl Fn(&Flight) -> bool,
+    wanted: impl Fn(&Flight) -> Result<bool, CheckError>,
 ) -> Result<(u64, Vec<Timed>), CheckError> {
     for replicate in 0..most {
         let course = experiment.course(start(claim, replicate), every)?;
-        if course.last().is_some_and(|(_, flight)| wanted(flight)) {
+        if wanted(end(&course)?)? {
             return Ok((replicate, course));
         }
     }

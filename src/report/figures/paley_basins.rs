@@ -4,11 +4,11 @@ use super::paley::{START, start};
 use super::{Reproduced, csv};
 use crate::ledger::CheckError;
 use crate::oscillator::{
-    CLUSTER, CyclicFormation, Experiment, Flight, OMEGA, PatternPhases, RingPhases, centre_spread, is_pattern,
-    nearest_twist, ring_differences, winding,
+    CLUSTER, CyclicFormation, Experiment, Flight, OMEGA, PatternPhases, RingPhases, centre_spread, nearest_twist,
+    ring_differences, winding,
 };
 use crate::report::plot::{Axis, Colour, Corner, PALETTE, Panel, Picture, Series};
-use crate::simulate::wilson;
+use crate::simulate::Share;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
@@ -57,7 +57,7 @@ fn patterns(clusters: usize, last: f64) -> Result<Counts<String>, CheckError> {
     let model = PatternPhases { gains };
     let settled = |flight: &Flight| {
         let rest = model.steering(&flight.state())?.iter().all(|slope| slope.abs() < REST);
-        Ok(rest.then(|| match is_pattern(flight, clusters) {
+        Ok(rest.then(|| match flight.forms_pattern(clusters, CLUSTER) {
             true => "pattern".to_string(),
             false => sizes(flight),
         }))
@@ -82,7 +82,7 @@ fn circular(orientation: f64) -> Result<Counts<i64>, CheckError> {
     const NEAR: f64 = 0.05;
     let settled = |flight: &Flight| {
         let (m, off) = nearest_twist(&flight.phases);
-        Ok((off < NEAR && centre_spread(OMEGA, flight) * OMEGA < NEAR).then_some(m))
+        Ok((off < NEAR && centre_spread(&OMEGA, &flight.state())? * OMEGA < NEAR).then_some(m))
     };
     let formation = CyclicFormation::new(orientation);
     count("paley.basins.circular", CIRCULAR_STARTS, |flight| Ok(formation.until(flight, (5, 3000), settled)?))
@@ -109,8 +109,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let (mut table, mut panels) = (Vec::new(), Vec::new());
     // Every state is in the table; the text leaves out the rare ones.
     let mut line = |text: &mut String, model: &str, state: &str, (found, of): (usize, u64), shown: bool| {
-        let share = found as f64 / of as f64;
-        let (low, high) = wilson(found, of as usize);
+        let share = Share::new(found, of as usize);
+        let (share, (low, high)) = (share.value(), share.interval());
         if shown {
             // Writing to a string cannot fail, here and below.
             let _ = writeln!(text, "  {state:36} {found:>8}  {share:8.4}   [{low:.4}, {high:.4}]");

@@ -5,7 +5,7 @@ use super::{Reproduced, csv};
 use crate::arithmetic::Complex;
 use crate::ledger::CheckError;
 use crate::oscillator::{
-    CyclicFormation, Experiment, Flight, OMEGA, PARTICLES, centre_spread, is_pattern, nearest_twist, order, pattern,
+    CLUSTER, CyclicFormation, Experiment, Flight, OMEGA, PARTICLES, centre_spread, nearest_twist, order, pattern,
     phase_potential,
 };
 use crate::report::plot::{Axis, Corner, Panel, Picture, Series};
@@ -21,14 +21,15 @@ const ONE_CIRCLE: f64 = 0.01;
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let find = |sign: f64, wanted: &dyn Fn(&Flight) -> bool| {
-        let circular = |flight: &Flight| centre_spread(OMEGA, flight) * OMEGA < ONE_CIRCLE;
+        let circular =
+            |flight: &Flight| Ok::<bool, CheckError>(centre_spread(&OMEGA, &flight.state())? * OMEGA < ONE_CIRCLE);
         let formation = CyclicFormation::new(sign * CyclicFormation::GAIN);
-        first_run(&formation, CLAIM, (EVERY, MOST), |flight| circular(flight) && wanted(flight))
+        first_run(&formation, CLAIM, (EVERY, MOST), |flight| Ok(circular(flight)? && wanted(flight)))
     };
-    let synchronised = find(-1.0, &|flight| is_pattern(flight, 1))?;
+    let synchronised = find(-1.0, &|flight| flight.forms_pattern(1, CLUSTER))?;
     let arbitrary = find(0.0, &|flight| pattern(flight).is_none())?;
-    let splay = find(1.0, &|flight| is_pattern(flight, PARTICLES))?;
-    let pairs = find(1.0, &|flight| is_pattern(flight, 2))?;
+    let splay = find(1.0, &|flight| flight.forms_pattern(PARTICLES, CLUSTER))?;
+    let pairs = find(1.0, &|flight| flight.forms_pattern(2, CLUSTER))?;
     let raised = CyclicFormation::new(RAISED).course(end(&splay.1)?.clone(), EVERY)?;
     let panels: [(&str, f64, &str, u64, Vec<Timed>); 5] = [
         ("a", -CyclicFormation::GAIN, "synchronised", synchronised.0, synchronised.1),
@@ -72,7 +73,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             order(last, 1)?,
             w(last)?,
             turning_error(OMEGA, &formation.steering(&state)?),
-            centre_spread(OMEGA, last) * OMEGA,
+            centre_spread(&OMEGA, &last.state())? * OMEGA,
         );
         // A turn takes 62.8.
         let turn = &course[course.len() - 33 / EVERY..];

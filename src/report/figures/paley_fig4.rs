@@ -4,7 +4,7 @@ use super::paley::{COLUMNS, START, end, largest_lower_moment, rows, scene, start
 use super::{Reproduced, csv};
 use crate::arithmetic::Complex;
 use crate::ledger::CheckError;
-use crate::oscillator::{Experiment, OMEGA, PatternFormation, centre_spread, is_pattern, order};
+use crate::oscillator::{CLUSTER, Experiment, OMEGA, PatternFormation, centre_spread, order};
 use crate::report::plot::Picture;
 use rayon::prelude::*;
 use std::fmt::Write;
@@ -32,11 +32,11 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         let _ = writeln!(
             text,
             "{clusters:3}   {:7}  {:.6}  {:15.1e}  {:9.1e}  {:14.1e}",
-            if is_pattern(flight, clusters) { "yes" } else { "NO" },
+            if flight.forms_pattern(clusters, CLUSTER) { "yes" } else { "NO" },
             order(flight, clusters as u32)?,
             largest_lower_moment(flight, clusters)?,
             turning_error(OMEGA, &formation.steering(&flight.state())?),
-            centre_spread(OMEGA, flight) * OMEGA,
+            centre_spread(&OMEGA, &flight.state())? * OMEGA,
         );
         // A turn takes 62.8.
         let turn = &course[course.len() - 33..];

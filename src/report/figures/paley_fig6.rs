@@ -51,7 +51,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     ] {
         let course = orbit.course(start(CLAIM, 0), 10)?;
         let mut flight = end(&course)?.clone();
-        let (spread, synchrony) = (centre_spread(OMEGA, &flight) * OMEGA, order(&flight, 1)?);
+        let (spread, synchrony) = (centre_spread(&OMEGA, &flight.state())? * OMEGA, order(&flight, 1)?);
         let means = (0..TURNS).map(|_| Ok(orbit.turn(&mut flight)?)).collect::<Result<Vec<_>, CheckError>>()?;
         let list: Vec<String> = means.iter().map(|c| format!("{:.2}{:+.2}i", c.re, c.im)).collect();
         // Writing to a string cannot fail.

@@ -29,7 +29,7 @@ fn ended(formation: &ZoneFormation, flight: &Flight) -> Result<Ended, CheckError
     let state = flight.state();
     Ok(Ended {
         clusters: flight.clusters(CLUSTER),
-        spread: centre_spread(OMEGA, flight) * OMEGA,
+        spread: centre_spread(&OMEGA, &flight.state())? * OMEGA,
         rate: shape_rate(&state, &formation.steering(&state)?),
     })
 }

@@ -120,7 +120,7 @@ impl Claim for CircularInZones {
                 for seed in 0..seeds as u64 {
                     runs += 1;
                     let flight = fly(&formation, seed, run)?;
-                    if centre_spread(OMEGA, &flight) * OMEGA > variant.spread {
+                    if centre_spread(&OMEGA, &flight.state())? * OMEGA > variant.spread {
                         off.push(Astray::follow(&formation, flight)?);
                     }
                 }
@@ -166,7 +166,7 @@ impl Astray {
         let mut least = Astray { spread: f64::INFINITY, rate: f64::INFINITY };
         for _ in 0..=6 {
             let state = flight.state();
-            least.spread = least.spread.min(centre_spread(OMEGA, &flight) * OMEGA);
+            least.spread = least.spread.min(centre_spread(&OMEGA, &flight.state())? * OMEGA);
             least.rate = least.rate.min(shape_rate(&state, &formation.steering(&state)?));
             formation.advance(&mut flight, 100)?;
         }

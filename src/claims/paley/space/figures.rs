@@ -1,12 +1,13 @@
 //! paley.fig1, paley.fig3, paley.fig4, paley.fig5, paley.beacon: the runs of the figures.
 
-use super::runs::{random_start, share, simulated};
+use super::runs::{random_start, simulated};
 use crate::arithmetic::Complex;
 use crate::ledger::{CheckError, Claim, Control, Outcome, Run};
 use crate::oscillator::{
     CLUSTER, CyclicFormation, DriftingOrbit, Experiment, FourMotions, OMEGA, PARTICLES, PatternFormation,
-    ReferenceTracking, centre_spread, is_pattern, order, pattern, shape_rate,
+    ReferenceTracking, centre_spread, order, pattern, shape_rate,
 };
+use crate::simulate::Share;
 
 /// paley.fig1.
 pub struct MotionsFigure;
@@ -126,18 +127,18 @@ impl Claim for CyclicFigure {
                 run.checkpoint()?;
                 let flight = CyclicFormation::new(sign * CyclicFormation::GAIN).end(random_start(run, seed))?;
                 // One circle, within a hundredth of its radius.
-                let circular = centre_spread(OMEGA, &flight) * OMEGA < 0.01;
+                let circular = centre_spread(&OMEGA, &flight.state())? * OMEGA < 0.01;
                 let shown = match panel {
-                    0 => is_pattern(&flight, variant.negative),
+                    0 => flight.forms_pattern(variant.negative, CLUSTER),
                     1 => pattern(&flight).is_none(),
-                    _ => is_pattern(&flight, variant.positive),
+                    _ => flight.forms_pattern(variant.positive, CLUSTER),
                 };
                 seen[panel] += usize::from(circular && shown);
             }
         }
         let [negative, zero, positive] = seen;
-        run.value("share_synchronised_K1_negative", share(negative, seeds));
-        run.value("share_splay_K1_positive", share(positive, seeds));
+        run.value("share_synchronised_K1_negative", Share::new(negative, seeds).enclosure());
+        run.value("share_splay_K1_positive", Share::new(positive, seeds).enclosure());
         let evidence = simulated(
             "outcomes of the three panels",
             &format!(
@@ -197,13 +198,15 @@ impl Claim for PatternsFigure {
             for seed in 0..seeds as u64 {
                 run.checkpoint()?;
                 let flight = formation.end(random_start(run, seed))?;
-                reached += usize::from(is_pattern(&flight, clusters) && centre_spread(OMEGA, &flight) * OMEGA < 0.05);
+                reached += usize::from(
+                    flight.forms_pattern(clusters, CLUSTER) && centre_spread(&OMEGA, &flight.state())? * OMEGA < 0.05,
+                );
             }
             if reached == 0 {
                 let what = format!("M = {clusters}: none of {seeds} runs reached the pattern");
                 return Ok(Outcome::fails(what, simulated("the patterns", "runs", seeds)));
             }
-            run.value(&format!("share_M_{clusters}"), share(reached, seeds));
+            run.value(&format!("share_M_{clusters}"), Share::new(reached, seeds).enclosure());
         }
         let detail = "all-to-all, N = 12, w0 = K_0 = 0.1, K_m = 0.2, K_M = -0.04, step 2 to t = 1200; equal clusters, evenly spaced within 5 degrees, centres within 5% of the radius";
         Ok(Outcome::Holds(vec![simulated("M = 1, 2, 3, 4, 6, 12 are reached", detail, 6 * seeds)]))
