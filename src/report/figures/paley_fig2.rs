@@ -28,8 +28,8 @@ fn panel(title: String, vertices: &[(f64, f64)]) -> Panel {
 }
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
-    let mut text = "Columns e^(2 pi i (m-1)(k-1)/12) of the Fourier matrix, k = 1..12; all exact (roots\n\
-         of unity). Edges join neighbours on C_12.\n\n\
+    let mut text = "Columns e^(2 pi i (m-1)(k-1)/12) of the Fourier matrix, k = 1..12; all exact\n\
+         (roots of unity). Edges join neighbours on C_12.\n\n\
          \x20 m  eigenvalue                         L f = value f  regular  pattern\n"
         .to_string();
     let mut picture = Picture::new("Figure 2: eigenvectors of the Laplacian of C_12").grid(4, (290.0, 300.0));
@@ -62,11 +62,11 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let rhombus = rhombus()?;
     let _ = writeln!(
         text,
-        "\nRegular: all edges have one length, whose square is the eigenvalue, and turn by one\n\
-         angle (paley.fig2, holds). The caption's \"if e^(i theta) is an eigenvector of L, then\n\
-         theta forms a symmetric pattern\" is false (paley.fig2.caption): phases 0, 1/6, 1/2,\n\
-         2/3 turns in turn are an eigenvector for 2 ({}) and {} (file\n\
-         paley.fig2-rhombus).",
+        "\nRegular: all edges have one length, whose square is the eigenvalue, and turn by\n\
+         one angle (paley.fig2, holds). The caption's \"if e^(i theta) is an eigenvector\n\
+         of L, then theta forms a symmetric pattern\" is false (paley.fig2.caption):\n\
+         phases 0, 1/6, 1/2, 2/3 turns in turn are an eigenvector for 2 ({}) and\n\
+         {} (picture paley.fig2-rhombus).",
         if rhombus.has_value { "exactly" } else { "NOT" },
         if rhombus.clusters.is_none() { "no symmetric pattern" } else { "a symmetric pattern" },
     );

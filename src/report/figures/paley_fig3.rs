@@ -55,7 +55,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let mut potentials =
         Panel::new("(f) the phase potential", Axis::linear("t"), Axis::linear("W_1").between(-0.1, 2.1))
             .legend(Corner::LowerRight);
-    let mut table = Vec::new();
+    let (mut table, mut curves) = (Vec::new(), Vec::new());
     for (panel, gain, name, replicate, course) in &panels {
         let formation = CyclicFormation::new(*gain);
         let last = end(course)?;
@@ -80,8 +80,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         let title = format!("({panel}) K_1 = {gain}: {name}").replace('-', "−");
         picture = picture.panel(scene(title, turn, &Complex::new(0.0, 0.0))?);
         let values = course.iter().map(|(t, flight)| Ok((*t, w(flight)?))).collect::<Result<Vec<_>, CheckError>>()?;
+        table.extend(rows(panel, turn));
+        curves.extend(values.iter().map(|(t, w)| [panel.to_string(), t.to_string(), format!("{w:.9}")]));
         potentials = potentials.series(Series::line(format!("({panel}), K_1 = {gain}").replace('-', "−"), values));
-        table.extend(rows(panel, course));
     }
     text += "\nFalse: that more K_1 turns (c) into the (2,N)-pattern. Both are exponentially\n\
              stable for every K_1 > 0; the start decides (paley.fig3.gain; panel d).\n\
@@ -89,5 +90,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
              m: th_k = 2 pi m k/12 up to a rotation. The panels are not the only outcomes:\n\
              for K_1 < 0 the states m = 1, 2 are stable too (beyond.paley.cyclic_patterns,\n\
              paley.basins).\n";
-    Ok(Reproduced::new(text).table("", csv(COLUMNS, table)).picture("", picture.panel(potentials)))
+    Ok(Reproduced::new(text)
+        .table("", csv(COLUMNS, table))
+        .table("potential", csv("panel,t,W_1", curves))
+        .picture("", picture.panel(potentials)))
 }

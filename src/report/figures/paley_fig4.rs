@@ -41,7 +41,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         // A turn takes 62.8.
         let turn = &course[course.len() - 33..];
         picture = picture.panel(scene(format!("M = {clusters}"), turn, &Complex::new(0.0, 0.0))?);
-        table.extend(rows(&clusters.to_string(), &course));
+        table.extend(rows(&clusters.to_string(), turn));
     }
     text += "\nPattern: M equal clusters, evenly spaced within 5 degrees. In an (M,N)-pattern\n\
              M|p_M| = 1 and p_m = 0 for m < M (paley.eq23). Exponentially stable for all\n\

@@ -103,7 +103,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         }
         picture = picture.panel(scene);
         let label = format!("{column}-{}", formation.clusters);
-        table.extend(rows(&label, shown).collect::<Vec<_>>());
+        table.extend(rows(&label, turn).collect::<Vec<_>>());
         for (replicate, run) in all.iter().enumerate() {
             let sizes: Vec<String> = run.clusters.iter().map(|(size, _)| size.to_string()).collect();
             summary.push([

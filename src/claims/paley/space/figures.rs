@@ -54,7 +54,7 @@ impl Claim for MotionsFigure {
 
     fn examine(&self, variant: &MotionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
         const TOLERANCE: f64 = 1e-4;
-        let seeds = run.cases(4, 40);
+        let seeds = run.cases(6, 40);
         for seed in 0..seeds as u64 {
             for (row, omega) in [0.0, OMEGA].into_iter().enumerate() {
                 for (column, gain) in [variant.synchronising, -variant.synchronising].into_iter().enumerate() {
@@ -120,7 +120,7 @@ impl Claim for CyclicFigure {
     }
 
     fn examine(&self, variant: &CyclicVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let seeds = run.cases(4, 60);
+        let seeds = run.cases(8, 60);
         let mut seen = [0; 3];
         for seed in 0..seeds as u64 {
             for (panel, sign) in [-1.0, 0.0, 1.0].into_iter().enumerate() {
@@ -189,7 +189,7 @@ impl Claim for PatternsFigure {
     }
 
     fn examine(&self, variant: &GainsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let seeds = run.cases(1, 10);
+        let seeds = run.cases(2, 20);
         let (below, last) = PatternFormation::GAINS;
         for clusters in [1, 2, 3, 4, 6, 12] {
             let gain = |m: usize| if m < clusters { below * variant.below } else { last * variant.last };
@@ -249,7 +249,7 @@ impl Claim for TrackingFigure {
 
     fn examine(&self, variant: &ReferenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
         const TOLERANCE: f64 = 1e-2;
-        let seeds = run.cases(3, 30);
+        let seeds = run.cases(6, 30);
         for seed in 0..seeds as u64 {
             let mut flight = random_start(run, seed);
             for (leg, tracking) in ReferenceTracking::legs(variant.gain, variant.coupled).into_iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use super::instances::{StateIdentity, described, identity_graphs, state_identity};
 use crate::arithmetic::identity::RationalIdentity;
-use crate::arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, rational};
+use crate::arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
 use crate::ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
 use crate::oscillator::{
     CircularGains, Interaction, Neighbours, State, alignment, circle_centres, circular_control, circular_formation,
