@@ -4,7 +4,7 @@
 mod beyond;
 pub mod certificates;
 mod chazelle;
-mod paley;
+pub(crate) mod paley;
 mod record;
 mod tanner1;
 mod tanner2;

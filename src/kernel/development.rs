@@ -11,7 +11,6 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-<<<<<<< HEAD
 const SOURCES: [(&str, &str); 76] = sources![
     "IntervalStdZ",
     "RealSums",

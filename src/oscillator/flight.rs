@@ -86,18 +86,6 @@ impl Flight {
         }
         clusters
     }
-
-    /// Whether the phases form `clusters` clusters of equal size, evenly spaced: with clusters by `tolerance` radians and gaps
-    /// within half of it.
-    pub fn forms_pattern(&self, clusters: usize, tolerance: f64) -> bool {
-        let found = self.clusters(tolerance);
-        let gap = TAU / clusters as f64;
-        // A cluster has some width, so that gaps are a little smaller.
-        let even = |&(count, angle): &(usize, f64)| {
-            count * clusters == self.phases.len() && (clusters == 1 || (angle - gap).abs() < tolerance / 2.0)
-        };
-        found.len() == clusters && found.iter().all(even)
-    }
 }
 
 /// Writes the rates of (1)-(2) in the order of [`Flight::to_list`].

@@ -47,9 +47,6 @@ impl Observable {
     }
 }
 
-/// Phases less than this apart on the circle belong to one cluster: 10 degrees.
-pub(super) const CLUSTER: f64 = TAU / 36.0;
-
 /// The smallest distance of two agents; infinite for fewer than two. Cost: `N log N` unless many share a strip.
 pub fn min_distance(positions: &[Vec<f64>]) -> f64 {
     let mut sorted: Vec<&Vec<f64>> = positions.iter().collect();

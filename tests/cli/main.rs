@@ -133,9 +133,31 @@ fn reproduce_writes_three_files() {
     assert!(csv.lines().all(|line| line.split(',').count() == 11));
     assert!(std::fs::read_to_string(out.join("veerman.table1.svg")).expect("SVG").contains("<svg"));
     assert!(std::fs::read(out.join("veerman.table1.png")).expect("PNG").starts_with(b"\x89PNG"));
+    // What was chosen stands beside the numbers.
+    let text = std::fs::read_to_string(out.join("veerman.table1.txt")).expect("text");
+    assert!(!text.is_empty() && stdout(&output).contains(&text));
     let occupied = file(&folder, "occupied", b"");
     assert_refused(&["reproduce", "table1", "--out", &occupied], "occupied");
     assert_refused(&["reproduce", "figure77", "--out", &occupied], "figure77");
+}
+
+#[test]
+fn reproduce_draws_polygons_and_zones() {
+    let folder = folder("reproduce_drawings");
+    let out = folder.to_str().expect("UTF-8");
+    for (name, files, marks) in [("paley.fig2", 6, "<path"), ("paley.fig7", 4, "fill-opacity")] {
+        let output = flockproof(&["reproduce", name, "--out", out]);
+        assert!(output.status.success());
+        assert!(stdout(&output).lines().all(|line| line.chars().count() <= 80 || line.starts_with("written")));
+        let made = std::fs::read_dir(&folder)
+            .expect("folder")
+            .filter(|entry| entry.as_ref().is_ok_and(|entry| entry.file_name().to_string_lossy().starts_with(name)));
+        assert_eq!(made.count(), files);
+        assert!(std::fs::read_to_string(folder.join(format!("{name}.svg"))).expect("SVG").contains(marks));
+    }
+    // Claimed false, and drawn as false.
+    let text = std::fs::read_to_string(folder.join("paley.fig2.txt")).expect("text");
+    assert!(text.contains("exactly") && !text.contains("NO"));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 mod phase;
 mod space;
 
-pub use phase::{CyclicVariant, Kind, critical_points, on_the_line};
+pub use phase::{CyclicVariant, Kind, Polygon, critical_points, on_the_line, printed_column, rhombus, value_of};
 
 use crate::ledger::AnyClaim;
 

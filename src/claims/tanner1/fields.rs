@@ -288,7 +288,9 @@ pub fn vt() -> Record<Potential> {
     };
     Record::new(
         "tanner1.Vt",
-        "Read with the printed potential, whose least value is 1 (or any other one that is not negative): a sum of non-negative terms. The second form puts in the definition of V_i. For \"any potential\" it would fail: see the controls.",
+        "Reading: the potentials of this section are those of Figure 2, the one that is printed, with the least value 1; with them (and any that are not negative) V_t is a sum of non-negative terms. \
+         The second form puts in the definition of V_i. \"Any potential function can be used\" is tanner1.anyV, where it is taken at its word and is false: potentials that take negative values, for \
+         which V_t is not positive semi-definite, are among those that it would admit (see the controls).",
         printed_potential(),
         examine_sign,
     )

@@ -26,7 +26,7 @@ fn states(run: &Run) -> Vec<(Graph, State<Rational>)> {
     let mut random = run.random(1);
     let mut found = Vec::new();
     for count in 1..=5 {
-        for (p, q) in [(1, 1), (3, 2), (2, 1)] {
+        for (p, q) in [(2, 1), (3, 2), (1, 1)] {
             let at = |i: usize| [rational(p * i as i64, q), rational(0, 1)];
             let rest = vec![[rational(0, 1), rational(0, 1)]; count];
             found.push((Graph::path(count), State { positions: (0..count).map(at).collect(), velocities: rest }));
@@ -103,8 +103,8 @@ pub fn bound_r() -> Record<DistanceVariant> {
     Record::new(
         "tanner2.bound_r",
         "W <= c gives V_e <= c for each edge, so |r_e| <= V^{-1}(c) (the largest distance with V <= c), and a path of at most N - 1 edges gives \
-         |r_ij| <= (N - 1) V^{-1}(c). In print the factor stands inside. Three agents in a row at the desired distance 1 with V = s + 1/s - 2 have W = 0 and \
-         |r_13| = 2 > 1 = V^{-1}(0).",
+         |r_ij| <= (N - 1) V^{-1}(c). In print the factor stands inside. Three agents in a row, 2 apart, with V = s + 1/s - 2 have W = 9/2, \
+         and |r_13|² = 16, but V <= 9 only for s < 11. (At the distance 1 they have W = 0 and |r_13| = 2 > 1 = V^{-1}(0).)",
         DistanceVariant { inside: |n| rational(n - 1, 1), outside: |_| 1 },
         examine_distance,
     )

@@ -1,6 +1,16 @@
 //! Figures and tables of the papers. One file and one row of [`FIGURES`] each: a name, what it shows, and the function that
 //! makes it. All of them are deterministic.
 
+mod paley;
+mod paley_basins;
+mod paley_fig1;
+mod paley_fig2;
+mod paley_fig3;
+mod paley_fig4;
+mod paley_fig5;
+mod paley_fig6;
+mod paley_fig7;
+mod paley_fig8;
 mod veerman;
 mod veerman_fig1;
 mod veerman_fig2;
@@ -44,6 +54,15 @@ pub const FIGURES: &[Figure] = &[
         veerman_observation::reproduce,
     ),
     figure("veerman.communication_sweep", "exploration: linear or exponential growth", veerman_sweep::reproduce),
+    figure("paley.fig1", "four types of motion under the all-to-all control", paley_fig1::reproduce),
+    figure("paley.fig2", "the eigenvectors of the cyclic graph as polygons", paley_fig2::reproduce),
+    figure("paley.fig3", "circular formations on the cyclic graph", paley_fig3::reproduce),
+    figure("paley.fig4", "the six symmetric circular formations", paley_fig4::reproduce),
+    figure("paley.fig5", "a group that tracks a reference direction", paley_fig5::reproduce),
+    figure("paley.fig6", "a circular formation in a drift field, with a beacon", paley_fig6::reproduce),
+    figure("paley.fig7", "the perceptual zones of a fish", paley_fig7::reproduce),
+    figure("paley.fig8", "circular formations for growing zones of orientation", paley_fig8::reproduce),
+    figure("paley.basins", "exploration: which share of starts ends where", paley_basins::reproduce),
 ];
 
 const fn figure(name: &'static str, about: &'static str, make: fn() -> Result<Reproduced, CheckError>) -> Figure {
@@ -69,8 +88,9 @@ impl Figure {
             let hyphen = if part.is_empty() { "" } else { "-" };
             File { name: format!("{}{hyphen}{part}.{kind}", self.name), contents }
         };
-        let mut files: Vec<File> =
-            made.tables.into_iter().map(|(part, csv)| file(part, "csv", csv.into_bytes())).collect();
+        // What was chosen stands beside the numbers.
+        let mut files = vec![file("", "txt", made.text.clone().into_bytes())];
+        files.extend(made.tables.into_iter().map(|(part, csv)| file(part, "csv", csv.into_bytes())));
         for (part, picture) in made.pictures {
             files.push(file(part, "svg", picture.svg().into_bytes()));
             files.push(file(part, "png", picture.png()?));

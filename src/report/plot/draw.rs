@@ -193,8 +193,26 @@ impl Frame {
                 "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{dashes}/>"
             );
         }
-        for (x, y) in places.into_iter().flatten() {
-            symbol(series, colour, x, y, out);
+        match series.mark {
+            Mark::Area => {
+                let corners: Vec<String> =
+                    places.into_iter().flatten().map(|(x, y)| format!("{} {}", number(x), number(y))).collect();
+                if !corners.is_empty() {
+                    area(&format!("M{}Z", corners.join("L")), colour, out);
+                }
+            }
+            Mark::Arrows => {
+                for pair in places.chunks_exact(2) {
+                    if let [Some(tail), Some(head)] = pair {
+                        arrow(series, colour, *tail, *head, out);
+                    }
+                }
+            }
+            _ => {
+                for (x, y) in places.into_iter().flatten() {
+                    symbol(series, colour, x, y, out);
+                }
+            }
         }
     }
 
@@ -241,7 +259,11 @@ impl Frame {
                     if series.mark == Mark::Joined { 1.4 } else { series.size.max(1.2) }
                 );
             }
-            symbol(series, colour, x0 + 19.0, y, out);
+            match series.mark {
+                Mark::Area => area(&format!("M{} {}h24v10h-24Z", number(x0 + 7.0), number(y - 5.0)), colour, out),
+                Mark::Arrows => arrow(series, colour, (x0 + 7.0, y), (x0 + 31.0, y), out),
+                _ => symbol(series, colour, x0 + 19.0, y, out),
+            }
             let _ = writeln!(
                 out,
                 "<text x=\"{}\" y=\"{}\" font-size=\"12\">{}</text>",
@@ -267,8 +289,43 @@ fn symbol(series: &Series, colour: &str, x: f64, y: f64, out: &mut String) {
                 "<path d=\"M{x} {y}l{d} {d}m0 -{d}l-{d} {d}\" stroke=\"{colour}\" stroke-width=\"1.8\"/>"
             );
         }
-        Mark::Line | Mark::Dashed => {}
+        Mark::Line | Mark::Dashed | Mark::Arrows | Mark::Area => {}
     }
+}
+
+/// A filled outline that lets through what lies below.
+fn area(path: &str, colour: &str, out: &mut String) {
+    let _ = writeln!(out, "<path d=\"{path}\" fill=\"{colour}\" fill-opacity=\"0.25\"/>");
+}
+
+/// A line with a filled head. Where the arrow is shorter than a head, the head is as long as the arrow.
+fn arrow(series: &Series, colour: &str, tail: (f64, f64), head: (f64, f64), out: &mut String) {
+    let (dx, dy) = (head.0 - tail.0, head.1 - tail.1);
+    let length = dx.hypot(dy);
+    if length < 0.05 {
+        return;
+    }
+    let (along, across) = ((dx / length, dy / length), (-dy / length, dx / length));
+    let (deep, wide) = (length.min(3.0 + 2.5 * series.size), length.min(1.0 + 1.2 * series.size));
+    let corner = |side: f64| {
+        let (x, y) =
+            (head.0 - deep * along.0 + side * wide * across.0, head.1 - deep * along.1 + side * wide * across.1);
+        format!("{} {}", number(x), number(y))
+    };
+    let neck = (head.0 - 0.7 * deep * along.0, head.1 - 0.7 * deep * along.1);
+    let _ = writeln!(
+        out,
+        "<path d=\"M{} {}L{} {}\" stroke=\"{colour}\" stroke-width=\"{}\"/>\n<path d=\"M{} {}L{}L{}Z\" fill=\"{colour}\"/>",
+        number(tail.0),
+        number(tail.1),
+        number(neck.0),
+        number(neck.1),
+        series.size,
+        number(head.0),
+        number(head.1),
+        corner(1.0),
+        corner(-1.0)
+    );
 }
 
 fn colours(series: &[Series]) -> Vec<&'static str> {

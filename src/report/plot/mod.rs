@@ -91,6 +91,12 @@ impl Panel {
         self.series.push(series);
         self
     }
+
+    /// Adds a series that is drawn below the others.
+    pub fn below(mut self, series: Series) -> Self {
+        self.series.insert(0, series);
+        self
+    }
 }
 
 /// A corner of a panel.
@@ -144,6 +150,9 @@ enum Mark {
     Points,
     Crosses,
     Joined,
+    /// Tails and heads in turn.
+    Arrows,
+    Area,
 }
 
 /// A series of points.
@@ -186,13 +195,23 @@ impl Series {
         Series::new(name, points, Mark::Joined, 3.2)
     }
 
+    /// Arrows from tails to heads.
+    pub fn arrows(name: impl Into<String>, arrows: impl IntoIterator<Item = ((f64, f64), (f64, f64))>) -> Self {
+        Series::new(name, arrows.into_iter().flat_map(|(tail, head)| [tail, head]), Mark::Arrows, 1.2)
+    }
+
+    /// The inside of a closed line, through which the rest is seen.
+    pub fn area(name: impl Into<String>, outline: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        Series::new(name, outline, Mark::Area, 0.0)
+    }
+
     /// Another colour than the next of the palette; it does not use one up.
     pub fn colour(mut self, colour: Colour) -> Self {
         self.colour = Some(colour);
         self
     }
 
-    /// Width of a line or radius of a disc, in pixels.
+    /// Width of a line or an arrow or radius of a disc, in pixels.
     pub fn size(mut self, size: f64) -> Self {
         self.size = size;
         self

@@ -1,9 +1,65 @@
 //! paley.fig2: the twelve columns with their eigenvalues and polygons.
 
-use super::common::{all_equal, holds, laplacian, named};
+use super::common::{Exact, all_equal, at, holds, laplacian, named};
 use crate::arithmetic::{CosineField, RealCyclotomic, Ring};
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, interval_value};
-use crate::oscillator::laplacian_rows;
+use crate::oscillator::{clusters_of_pattern, laplacian_rows};
+
+const NODES: i64 = 12;
+/// Phases are multiples of this part of a turn.
+const PARTS: u32 = 24;
+
+/// Phasors around `C_12`, with what Figure 2 says of them.
+pub struct Polygon {
+    /// `e^{i theta_k}`.
+    pub phasors: Exact,
+    /// Whether `L e^{i theta} = value e^{i theta}` for the value that is claimed.
+    pub has_value: bool,
+    /// Whether the edges have one length and turn by one angle: a generalised regular polygon.
+    pub regular: bool,
+    /// The squared length of the first edge.
+    pub squared_edge: RealCyclotomic,
+    /// The clusters of the symmetric pattern that it is, if any.
+    pub clusters: Option<u32>,
+}
+
+fn polygon(phasors: Exact, value: &RealCyclotomic) -> Result<Polygon, CheckError> {
+    let laplacian = laplacian(&named("ring:12")?)?;
+    let has_value = laplacian_rows(&laplacian, &phasors).into_iter().zip(&phasors).all(|(lz, z)| lz == z.scale(value));
+    let next = |k: usize| &phasors[(k + 1) % phasors.len()];
+    // The factor from each vertex to the next, and the squared length of the edge.
+    let turns: Vec<_> = phasors.iter().enumerate().map(|(k, z)| next(k).clone() * z.conj()).collect();
+    let lengths: Vec<RealCyclotomic> =
+        phasors.iter().enumerate().map(|(k, z)| (next(k).clone() - z).norm_squared()).collect();
+    Ok(Polygon {
+        has_value,
+        regular: all_equal(&turns) && all_equal(&lengths),
+        squared_edge: lengths[0].clone(),
+        clusters: clusters_of_pattern(&phasors),
+        phasors,
+    })
+}
+
+/// The column `m`, counted from 1, in the variant, and its eigenvalue.
+fn column(variant: &ColumnVariant, m: i64) -> Result<(Polygon, RealCyclotomic), CheckError> {
+    let field = CosineField::new(PARTS);
+    let z: Vec<_> = (1..=NODES).map(|k| field.phasor((variant.exponent)(m, k))).collect();
+    let cosine = field.cos(2 * (m - 1));
+    let value = cosine.integer(variant.constant) - cosine.integer(variant.factor) * &cosine;
+    Ok((polygon(z, &value)?, value))
+}
+
+/// The column `m`, counted from 1, as printed, and its eigenvalue.
+pub fn printed_column(m: i64) -> Result<(Polygon, RealCyclotomic), CheckError> {
+    column(&Columns.printed(), m)
+}
+
+/// An eigenvector with the eigenvalue 2 that is no symmetric pattern: phases at 0, 1/6, 1/2 and 2/3 of a turn in turn.
+pub fn rhombus() -> Result<Polygon, CheckError> {
+    let field = CosineField::new(PARTS);
+    let phasors = at(&field, &(0..NODES as usize).map(|k| [0, 4, 12, 16][k % 4]).collect::<Vec<_>>());
+    polygon(phasors, &field.cos(0).integer(2))
+}
 
 /// paley.fig2.
 pub struct Columns;
@@ -44,26 +100,16 @@ impl Claim for Columns {
     }
 
     fn examine(&self, variant: &ColumnVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const NODES: i64 = 12;
         run.checkpoint()?;
-        let field = CosineField::new(24);
-        let laplacian = laplacian(&named("ring:12")?)?;
         for m in 1..=NODES {
-            let z: Vec<_> = (1..=NODES).map(|k| field.phasor((variant.exponent)(m, k))).collect();
-            let cosine = field.cos(2 * (m - 1));
-            let value = cosine.integer(variant.constant) - cosine.integer(variant.factor) * &cosine;
-            let eigenvector = laplacian_rows(&laplacian, &z).into_iter().zip(&z).all(|(lz, z)| lz == z.scale(&value));
-            let next = |k: usize| &z[(k + 1) % z.len()];
-            // The factor from each vertex to the next, and the squared length of the edge.
-            let turns: Vec<_> = z.iter().enumerate().map(|(k, z)| next(k).clone() * z.conj()).collect();
-            let lengths: Vec<RealCyclotomic> =
-                z.iter().enumerate().map(|(k, z)| (next(k).clone() - z).norm_squared()).collect();
-            if !eigenvector || !all_equal(&turns) || !all_equal(&lengths) || lengths[0] != value {
+            let (found, value) = column(variant, m)?;
+            if !found.has_value || !found.regular || found.squared_edge != value {
                 return Ok(Outcome::fails(
                     format!(
-                        "column {m}: eigenvector {eigenvector} for {:.6}, edges alike {}",
+                        "column {m}: eigenvector {} for {:.6}, edges alike {}",
+                        found.has_value,
                         value.enclose(64)?.to_f64(),
-                        all_equal(&turns)
+                        found.regular
                     ),
                     Evidence::new(Grade::Exact, "columns", "exact roots of unity"),
                 ));
@@ -80,7 +126,7 @@ impl Claim for Columns {
 }
 
 /// Exactly where it is rational.
-fn value_of(x: &RealCyclotomic) -> Result<String, CheckError> {
+pub fn value_of(x: &RealCyclotomic) -> Result<String, CheckError> {
     Ok(match x.rational_value() {
         Some(q) => q.to_string(),
         None => interval_value(&x.enclose(80)?, 12),

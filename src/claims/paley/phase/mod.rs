@@ -20,6 +20,7 @@ mod zero_set;
 pub use common::on_the_line;
 pub use critical::{Kind, critical_points};
 pub use eigenvectors::CyclicVariant;
+pub use figure2::{Polygon, printed_column, rhombus, value_of};
 
 use crate::ledger::AnyClaim;
 

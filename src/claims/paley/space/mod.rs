@@ -1,9 +1,12 @@
 //! Claims about particles in the plane and fish: (1)-(5), (17)-(22), (26)-(29).
 
+mod balanced;
 mod bifurcation;
 mod composite;
+mod convergence;
 mod figures;
 mod fish;
+mod fish_control;
 mod fish_data;
 mod instances;
 mod particles;
@@ -11,6 +14,7 @@ mod runs;
 mod spacing;
 mod stability;
 mod symmetry;
+mod zones;
 
 use crate::ledger::AnyClaim;
 
@@ -24,32 +28,32 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(spacing::SpacingPotential),
         Box::new(spacing::CentreVelocity),
         Box::new(spacing::SpacingDescent),
-        Box::new(spacing::Theorem2),
-        Box::new(spacing::FixedCentre),
+        Box::new(convergence::Theorem2),
+        Box::new(convergence::FixedCentre),
         Box::new(composite::CompositePotential),
         Box::new(composite::CircularControl),
         Box::new(composite::TwoNetworks),
         Box::new(composite::PatternPotential),
         Box::new(stability::SynchronyStable),
         Box::new(stability::DriftGain),
-        Box::new(stability::BalancedStable),
+        Box::new(balanced::BalancedStable),
         Box::new(stability::PatternStable),
-        Box::new(stability::LargerGain),
-        Box::new(stability::UniqueMaximum),
+        Box::new(balanced::LargerGain),
+        Box::new(balanced::UniqueMaximum),
         Box::new(symmetry::BeaconForm),
         Box::new(symmetry::CommonDrift),
         Box::new(fish::EulerStep),
         Box::new(fish::RepulsionField),
         Box::new(fish::AttractionField),
-        Box::new(fish::LaplacianForm),
-        Box::new(fish::Comparison),
-        Box::new(fish::Chord),
-        Box::new(fish::PerceptualZones),
-        Box::new(figures::FourMotions),
-        Box::new(figures::CyclicFormations),
-        Box::new(figures::SixPatterns),
-        Box::new(figures::ReferenceTracking),
-        Box::new(figures::BeaconOrbit),
+        Box::new(fish_control::LaplacianForm),
+        Box::new(fish_control::Comparison),
+        Box::new(zones::Chord),
+        Box::new(zones::PerceptualZones),
+        Box::new(figures::MotionsFigure),
+        Box::new(figures::CyclicFigure),
+        Box::new(figures::PatternsFigure),
+        Box::new(figures::TrackingFigure),
+        Box::new(figures::BeaconFigure),
         Box::new(bifurcation::CircularInZones),
         Box::new(bifurcation::FewerClusters),
         Box::new(bifurcation::PatternsInZones),
