@@ -155,7 +155,7 @@ impl SwitchingFlock {
     fn reason(&self, cells: &CellList, positions: &[Vector<f64>]) -> FlockError {
         let failed = |place: &usize| !(self.found[0][*place].is_finite() && self.found[1][*place].is_finite());
         let apart = |i: usize, j: usize| Coordinates::Cartesian.square(&difference(&positions[i], &positions[j]));
-        let agent = self.places.iter().position(|place| failed(place)).unwrap_or(0);
+        let agent = self.places.iter().position(failed).unwrap_or(0);
         let near =
             cells.neighbourhood(self.places[agent], 1).1.into_iter().flatten().map(|place| cells.numbers()[place]);
         match near.filter(|&other| other != agent && apart(agent, other) == 0.0).min() {
