@@ -1,7 +1,8 @@
 //! Exact, certified and simulated checks of what five papers claim about flocking, and the machinery behind them.
 //!
 //! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`spectrum`], [`simulate`], [`averaging`] (Chazelle),
-//! [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`double_integrator`] (Tanner,
+//! [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`tracks`] (measured
+//! trajectories), [`double_integrator`] (Tanner,
 //! Jadbabaie and Pappas), [`certificates`], [`kernel`] (the Coq development), [`ledger`],
 //! [`claims`], [`report`].
 #![warn(missing_docs)]
@@ -21,6 +22,7 @@ pub mod platoon;
 pub mod report;
 pub mod simulate;
 pub mod spectrum;
+pub mod tracks;
 
 /// The example of the page on claims of one's own, compiled and run.
 #[cfg(doctest)]

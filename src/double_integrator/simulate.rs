@@ -4,8 +4,8 @@
 
 use super::{Coordinates, State, Vector, difference, scaled, sum};
 use crate::arithmetic::ArithmeticError;
+use crate::simulate::uniform;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::Rng;
 
 /// Why a motion could not be followed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -120,7 +120,7 @@ pub fn disagreement(state: &State<f64>) -> f64 {
 
 /// A random flock: positions even in the square `|x|, |y| < half`, speeds even in `(0, speed)`, directions even.
 pub fn random_flock(count: usize, half: f64, speed: f64, random: &mut ChaCha8Rng) -> State<f64> {
-    let mut even = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let mut even = || uniform(random);
     let positions = (0..count).map(|_| [half * (2.0 * even() - 1.0), half * (2.0 * even() - 1.0)]).collect();
     let velocities = (0..count)
         .map(|_| {

@@ -4,7 +4,9 @@ mod explain;
 mod figures;
 pub mod plot;
 mod table;
+mod tracks;
 
 pub use explain::explain;
 pub use figures::{FIGURES, Figure, FigureError, File};
 pub use table::{summary, verdict_table};
+pub use tracks::TracksReport;

@@ -8,6 +8,7 @@ mod dop853;
 mod dop853_table;
 mod event;
 mod phases;
+mod random;
 mod rk4;
 mod sine;
 
@@ -15,6 +16,7 @@ pub use cells::{CellError, CellList};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
 pub use event::{Crossing, next_crossing};
 pub use phases::AllToAll;
+pub use random::{generator, normal, uniform};
 pub use rk4::Rk4;
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 

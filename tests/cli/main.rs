@@ -6,6 +6,7 @@ use std::process::{Command, Output, Stdio};
 mod certify;
 mod flock;
 mod spectrum;
+mod tracks;
 
 fn flockproof(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_flockproof")).args(arguments).output().expect("the program starts")

@@ -7,16 +7,16 @@
 //! every `|grad V_i|` below 1/10.
 
 use super::line::potential;
-use crate::arithmetic::ArithmeticError;
+use crate::arithmetic::{ArithmeticError, wilson_interval};
 use crate::claims::record::Record;
-use crate::claims::tanner2::figures::{random_connected, wilson};
+use crate::claims::tanner2::figures::random_connected;
 use crate::double_integrator::{
     Coordinates, HeadingDifference, State, Stepper, Vector, gyroscopic, heading, potential_gradients,
 };
 use crate::graph::Graph;
 use crate::ledger::{CheckError, Evidence, Grade, Outcome, Run};
+use crate::simulate::uniform;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::Rng;
 
 const AGENTS: usize = 10;
 const RADIUS: f64 = 20.0;
@@ -38,7 +38,7 @@ pub struct FigureVariant {
 }
 
 fn disc(count: usize, radius: f64, random: &mut ChaCha8Rng) -> Vec<Vector<f64>> {
-    let mut even = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let mut even = || uniform(random);
     let mut point = || {
         let (size, angle) = (radius * even().sqrt(), std::f64::consts::TAU * even());
         [size * angle.cos(), size * angle.sin()]
@@ -80,7 +80,7 @@ fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError
         headings += usize::from(spread < variant.heading);
         hits += usize::from(spread < variant.heading && push < variant.gradient);
     }
-    let ((lo, hi), (low, high)) = (wilson(hits, total), wilson(headings, total));
+    let ((lo, hi), (low, high)) = (wilson_interval(hits, total), wilson_interval(headings, total));
     run.value("share", format!("~{:.4}", hits as f64 / total as f64));
     run.value("share_headings", format!("~{:.4}", headings as f64 / total as f64));
     let what = format!(

@@ -5,7 +5,7 @@
 //! graph is connected; positions, speeds and directions evenly distributed. Agreement means a disagreement
 //! `sqrt(sum |v_i - mean|²)` of at most one hundredth of the initial one.
 
-use crate::arithmetic::rational;
+use crate::arithmetic::{rational, wilson_interval};
 use crate::claims::record::Record;
 use crate::double_integrator::{
     Coordinates, Pair, Potential, State, Stepper, disagreement, linked_within, random_flock, velocity_alignment,
@@ -89,15 +89,6 @@ fn simulate(fixed: bool, connected: bool, until: f64, random: &mut ChaCha8Rng) -
     Ok(observe(&start, &end, &last))
 }
 
-/// Wilson's 95% interval of a share.
-pub(in crate::claims) fn wilson(hits: usize, total: usize) -> (f64, f64) {
-    const Z: f64 = 1.96;
-    let (n, p) = (total.max(1) as f64, hits as f64 / total.max(1) as f64);
-    let centre = (p + Z * Z / (2.0 * n)) / (1.0 + Z * Z / n);
-    let half = Z / (1.0 + Z * Z / n) * (p * (1.0 - p) / n + Z * Z / (4.0 * n * n)).sqrt();
-    (centre - half, centre + half)
-}
-
 /// A statement about a run and the least share of runs for which it is claimed.
 #[derive(Clone, Copy)]
 pub struct FigureVariant {
@@ -123,7 +114,7 @@ fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError
             hits += usize::from((variant.seen)(&seen));
         }
     }
-    let (lo, hi) = wilson(hits, total);
+    let (lo, hi) = wilson_interval(hits, total);
     run.value("runs_counted", format!("{total}/{all}"));
     run.value("share", format!("~{:.4}", hits as f64 / total.max(1) as f64));
     let detail = format!(

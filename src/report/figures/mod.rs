@@ -1,6 +1,7 @@
 //! Figures and tables of the papers. One file and one row of [`FIGURES`] each: a name, what it shows, and the function that
 //! makes it. All of them are deterministic.
 
+mod paley_fish_data;
 mod veerman;
 mod veerman_fig1;
 mod veerman_fig2;
@@ -44,6 +45,8 @@ pub const FIGURES: &[Figure] = &[
         veerman_observation::reproduce,
     ),
     figure("veerman.communication_sweep", "exploration: linear or exponential growth", veerman_sweep::reproduce),
+    figure("paley.figS2", "fish, headings and zones of orientation, on synthetic schools", paley_fish_data::snapshots),
+    figure("paley.figS3", "scaled phase potentials and null models, on synthetic schools", paley_fish_data::potentials),
 ];
 
 const fn figure(name: &'static str, about: &'static str, make: fn() -> Result<Reproduced, CheckError>) -> Figure {

@@ -193,6 +193,11 @@ impl Frame {
                 "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{dashes}/>"
             );
         }
+        if series.mark == Mark::Area {
+            let corners: Vec<String> =
+                places.iter().flatten().map(|(x, y)| format!("{},{}", number(*x), number(*y))).collect();
+            let _ = writeln!(out, "<polygon points=\"{}\" fill=\"{colour}\" fill-opacity=\"0.3\"/>", corners.join(" "));
+        }
         for (x, y) in places.into_iter().flatten() {
             symbol(series, colour, x, y, out);
         }
@@ -267,7 +272,7 @@ fn symbol(series: &Series, colour: &str, x: f64, y: f64, out: &mut String) {
                 "<path d=\"M{x} {y}l{d} {d}m0 -{d}l-{d} {d}\" stroke=\"{colour}\" stroke-width=\"1.8\"/>"
             );
         }
-        Mark::Line | Mark::Dashed => {}
+        Mark::Line | Mark::Dashed | Mark::Area => {}
     }
 }
 

@@ -144,6 +144,7 @@ enum Mark {
     Points,
     Crosses,
     Joined,
+    Area,
 }
 
 /// A series of points.
@@ -184,6 +185,11 @@ impl Series {
     /// Discs joined by a line.
     pub fn joined(name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         Series::new(name, points, Mark::Joined, 3.2)
+    }
+
+    /// A pale area inside the closed line through the points.
+    pub fn area(name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        Series::new(name, points, Mark::Area, 1.6)
     }
 
     /// Another colour than the next of the palette; it does not use one up.
