@@ -89,6 +89,8 @@ pub struct Comparison {
     pub mean: f64,
     /// The 2.5% and 97.5% points of the shifts.
     pub range: (f64, f64),
+    /// Shifts with at least the observed value, and shifts.
+    pub at_least: (usize, usize),
     /// `(1 + number of shifts with at least the observed value)/(1 + number of shifts)`.
     pub share_at_least: f64,
 }
@@ -260,6 +262,7 @@ fn comparison(observed: f64, mut values: Vec<f64>) -> Option<Comparison> {
         observed,
         mean: values.iter().sum::<f64>() / values.len() as f64,
         range: (point(0.025), point(0.975)),
+        at_least: (as_large, values.len()),
         share_at_least: (1 + as_large) as f64 / (1 + values.len()) as f64,
     })
 }

@@ -63,7 +63,7 @@ pub enum TracksError {
         found: String,
     },
     /// A fish without a name.
-    #[error("line {0}: id is empty")]
+    #[error("line {0}: id is empty or has a control character")]
     NoId(u64),
     /// Two rows of one fish at one time.
     #[error("line {line}: fish {id} at t = {time} is there twice, first in line {first}")]
@@ -246,8 +246,8 @@ fn rows(text: &str) -> Result<Vec<Row>, TracksError> {
     let mut columns = [0; 4];
     for (place, column) in columns.iter_mut().zip(COLUMNS) {
         let mut found = header.iter().enumerate().filter(|(_, name)| *name == column).map(|(i, _)| i);
-        let shown = || header.iter().collect::<Vec<_>>().join(",").chars().take(60).collect();
-        *place = found.next().ok_or_else(|| TracksError::NoColumn { column, found: shown() })?;
+        let found_header = || shown(&header.iter().collect::<Vec<_>>().join(","), 60);
+        *place = found.next().ok_or_else(|| TracksError::NoColumn { column, found: found_header() })?;
         if found.next().is_some() {
             return Err(TracksError::ColumnTwice(column));
         }
@@ -267,7 +267,7 @@ fn row(record: &csv::StringRecord, columns: &[usize; 4], expected: usize) -> Res
     }
     let field = |c: usize| record.get(columns[c]).unwrap_or_default();
     let number = |c: usize| {
-        let (column, found) = (COLUMNS[c], field(c).chars().take(40).collect());
+        let (column, found) = (COLUMNS[c], shown(field(c), 40));
         match field(c).parse::<f64>() {
             // Without the negative zero, which is another time for a hash.
             Ok(x) if x.abs() <= LARGEST => Ok(x + 0.0),
@@ -276,7 +276,7 @@ fn row(record: &csv::StringRecord, columns: &[usize; 4], expected: usize) -> Res
         }
     };
     let id = field(1).to_string();
-    if id.is_empty() {
+    if id.is_empty() || id.contains(char::is_control) {
         return Err(TracksError::NoId(line));
     }
     Ok(Row { line, time: number(0)?, id, place: Complex::new(number(2)?, number(3)?) })
@@ -285,6 +285,11 @@ fn row(record: &csv::StringRecord, columns: &[usize; 4], expected: usize) -> Res
 /// A name as a field of CSV.
 pub(crate) fn csv_field(name: &str) -> String {
     if name.contains([',', '"', '\n', '\r']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name.to_string() }
+}
+
+/// The start of a field as part of a sentence.
+fn shown(field: &str, length: usize) -> String {
+    field.chars().take(length).map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 /// Numbers by value and before other names.

@@ -22,12 +22,11 @@ fn with_room<'a>(histograms: impl IntoIterator<Item = &'a Histogram>) -> f64 {
 
 /// A histogram as an outline beside those of the null models.
 fn histogram_panel(title: &str, label: &str, observed: &Histogram, nulls: &[(&str, &Histogram)]) -> Panel {
-    let all = [observed].into_iter().chain(nulls.iter().map(|(_, histogram)| *histogram));
-    let highest = with_room(all);
+    let highest = with_room([observed].into_iter().chain(nulls.iter().map(|(_, histogram)| *histogram)));
+    let (low, high) = observed.range;
+    let (x, y) = (Axis::linear(label).between(low, high), Axis::linear("share").between(0.0, highest));
     let name = if nulls.is_empty() { "" } else { "recording" };
-    let mut panel =
-        Panel::new(title, Axis::linear(label).between(observed.range.0, observed.range.1), Axis::linear("share"))
-            .series(Series::line(name, observed.outline()).colour(BLUE).size(2.0));
+    let mut panel = Panel::new(title, x, y).series(Series::line(name, observed.outline()).colour(BLUE).size(2.0));
     for ((name, histogram), colour) in nulls.iter().zip(["#d1580b", GREY]) {
         panel = panel.series(Series::dashed(*name, histogram.outline()).colour(colour).size(1.3));
     }

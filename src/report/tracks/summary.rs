@@ -124,7 +124,11 @@ fn null_models(report: &TracksReport) -> Value {
     for (kind, comparisons, _) in &models.shifted {
         let values = comparisons.map(|c| {
             c.map_or(Value::Null, |c| {
-                json!({"mean": c.mean, "points_2.5_97.5": [c.range.0, c.range.1], "share_at_least": c.share_at_least})
+                let (low, high) = wilson_interval(c.at_least.0, c.at_least.1);
+                json!({
+                    "mean": c.mean, "points_2.5_97.5": [c.range.0, c.range.1],
+                    "share_at_least": c.share_at_least, "wilson_95": [low, high],
+                })
             })
         });
         shifted.insert(kind.name().to_string(), Value::Object(named(values)));
