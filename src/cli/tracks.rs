@@ -101,14 +101,16 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String), CliError> {
     let path = arguments.file.as_deref().unwrap_or(Path::new(""));
     let text = output::read_text(path)?;
     let tracks = Tracks::from_csv(&text).map_err(|error| CliError::file(path, error))?;
-    Ok((tracks, path.display().to_string()))
+    // The name only, so that the same file gives the same output wherever it is.
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    Ok((tracks, name.to_string_lossy().into_owned()))
 }
 
 fn choices(arguments: &Arguments, tracks: &Tracks) -> Result<Choices, CliError> {
     let sidebar = Choices::of_sidebar(tracks.step);
-    let zones = match arguments.zones.as_slice() {
-        &[repulsion, orientation] => [repulsion, orientation, f64::INFINITY],
-        &[repulsion, orientation, attraction] => [repulsion, orientation, attraction],
+    let zones = match *arguments.zones.as_slice() {
+        [repulsion, orientation] => [repulsion, orientation, f64::INFINITY],
+        [repulsion, orientation, attraction] => [repulsion, orientation, attraction],
         _ => return Err(CliError::Use("--zones needs two or three radii, such as 1.4,2.4".to_string())),
     };
     Ok(Choices {

@@ -98,7 +98,7 @@ impl Choices {
     /// [`ChoicesError`].
     pub fn check(&self, fish: usize) -> Result<(), ChoicesError> {
         let [repulsion, orientation, attraction] = self.zones;
-        if self.window % 2 == 0 {
+        if self.window.is_multiple_of(2) {
             return Err(ChoicesError::EvenWindow(self.window));
         }
         if !(self.body_length > 0.0 && self.body_length.is_finite()) {

@@ -289,7 +289,7 @@ pub(crate) fn csv_field(name: &str) -> String {
 
 /// The start of a field as part of a sentence.
 fn shown(field: &str, length: usize) -> String {
-    field.chars().take(length).map(|c| if c.is_control() { ' ' } else { c }).collect()
+    field.chars().take(length).map(|c| if c.is_control() { '?' } else { c }).collect()
 }
 
 /// Numbers by value and before other names.

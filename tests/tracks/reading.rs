@@ -53,7 +53,7 @@ fn bad_tables_are_refused_with_the_line() {
         ("t,id,x,y\nnow,1,1,3\n", "line 2: t is `now`"),
         ("t,id,x,y\n0, ,1,3\n", "line 2: id is empty"),
         ("t,id,x,y\n0,\"a\nb\",1,3\n", "line 2: id is empty or has a control character"),
-        ("t,id,x,y\n0,1,\"1\n2\",3\n", "line 2: x is `1 2`"),
+        ("t,id,x,y\n0,1,\"1\n2\",3\n", "line 2: x is `1?2`"),
         ("t;id;x;y\n0;1;2;3\n", "it has t;id;x;y"),
         ("t,id,x,y\n0,1,1,3\n0,2,1,1\n-0.0,1,5,5\n", "line 4: fish 1 at t = 0 is there twice, first in line 2"),
         ("t,id,x,y\n0,1,1,3\n1,1,1,3\n2,1,1,3\n", "only one fish, 1"),

@@ -1,5 +1,6 @@
 //! Pictures of an analysis, like Figures S2 and S3 of the sidebar.
 
+use super::text::cut;
 use super::{TracksReport, tables};
 use crate::report::plot::{Axis, Panel, Picture, Series};
 use crate::tracks::{Analysis, Histogram, Scale, Vector};
@@ -13,6 +14,11 @@ const GREY: &str = "#777777";
 const PERIOD: (f64, f64) = (30.0, 60.0);
 /// Seconds of a trajectory that a snapshot shows.
 const TRAIL: f64 = 5.0;
+
+/// A title with the start of the name of the recording.
+fn titled(report: &TracksReport, what: &str) -> String {
+    format!("{}: {what}", cut(report.source, 40))
+}
 
 /// The upper end of an axis of shares, with room for the legend.
 fn with_room<'a>(histograms: impl IntoIterator<Item = &'a Histogram>) -> f64 {
@@ -51,7 +57,7 @@ pub(in crate::report) fn scaled_panel(report: &TracksReport, title: &str) -> Pan
 }
 
 pub(super) fn histograms(report: &TracksReport) -> Picture {
-    let mut picture = Picture::new(format!("{}: histograms", report.source)).grid(3, (430.0, 330.0));
+    let mut picture = Picture::new(titled(report, "histograms")).grid(3, (430.0, 330.0));
     for named in tables::all(report) {
         let nulls: Vec<_> = [("independent headings", &named.uniform), ("headings shifted", &named.shifted)]
             .into_iter()
@@ -80,14 +86,12 @@ pub(in crate::report) fn potential_panel(report: &TracksReport, title: &str) -> 
 }
 
 pub(super) fn potentials(report: &TracksReport) -> Picture {
-    Picture::new(format!("{}: scaled phase potentials", report.source)).panel(potential_panel(report, ""))
+    Picture::new(titled(report, "scaled phase potentials")).panel(potential_panel(report, ""))
 }
 
 pub(super) fn snapshot(report: &TracksReport, at: Option<f64>) -> Picture {
     let panel = snapshot_panel(report, "", at);
-    Picture::new(format!("{}: positions, headings, zones of orientation", report.source))
-        .grid(1, (640.0, 640.0))
-        .panel(panel)
+    Picture::new(titled(report, "positions, headings, zones of orientation")).grid(1, (640.0, 640.0)).panel(panel)
 }
 
 /// The frame with all headings that is closest to a time, the middle one without a time.

@@ -28,7 +28,8 @@ fn paragraph(text: &mut String, name: &str, what: &str) {
     text.push('\n');
 }
 
-fn cut(text: &str, length: usize) -> String {
+/// The start of a text, of at most so many letters.
+pub(super) fn cut(text: &str, length: usize) -> String {
     if text.chars().count() <= length {
         return text.to_string();
     }
@@ -230,18 +231,7 @@ fn null_models(report: &TracksReport, text: &mut String) {
         text.push('\n');
     }
     text.push('\n');
-    let (low, high) = wilson_interval(null.uniform.positive[0], null.uniform.draws);
-    let mut verdict = format!(
-        "With the scale of Figure S3 independent uniform headings give a positive difference in [{low:.4}, {high:.4}] of the draws \
-         (95%, {} draws; exact mean 1/2 - 1/N), so a difference that is nearly always positive is no sign of interaction. ",
-        null.uniform.draws
-    );
-    let _ = write!(
-        verdict,
-        "In {:.1}% of the frames the neighbours for n = 1 form pairs; there it is never negative, whatever the headings. ",
-        100.0 * null.in_pairs
-    );
-    verdict.push_str("The scale 1/n compares neighbours with the school: mean 0 for independent headings. ");
+    let mut verdict = reading(report);
     verdict.push_str(&match null.shifts {
         0 => "No shifts were made (--null 0).".to_string(),
         shifts => {
@@ -251,4 +241,22 @@ fn null_models(report: &TracksReport, text: &mut String) {
         }
     });
     let _ = writeln!(text, "{}", textwrap::fill(&verdict, WIDTH));
+}
+
+/// What the difference of Figure S3 says here.
+fn reading(report: &TracksReport) -> String {
+    let (null, fish) = (report.null, report.tracks.fish());
+    if fish == 2 {
+        return "With two fish n = N-1 is n = 1 and there is no difference. ".to_string();
+    }
+    let (low, high) = wilson_interval(null.uniform.positive[0], null.uniform.draws);
+    let nearly_always = "so a difference that is nearly always positive is no sign of interaction";
+    format!(
+        "With the scale of Figure S3 independent uniform headings give a positive difference in [{low:.4}, {high:.4}] of the draws \
+         (95%, {} draws; exact mean 1/2 - 1/N), {}. In {:.1}% of the frames the neighbours for n = 1 form pairs; there it is never \
+         negative, whatever the headings. The scale 1/n compares neighbours with the school: mean 0 for independent headings. ",
+        null.uniform.draws,
+        if low > 0.9 { nearly_always } else { "with which the share of the recording has to be compared" },
+        100.0 * null.in_pairs
+    )
 }
