@@ -15,6 +15,7 @@ mod reproduce;
 mod resonance;
 mod simulate;
 mod spectrum;
+mod tracks;
 mod verify;
 
 use clap::{Parser, Subcommand};
@@ -40,6 +41,8 @@ enum Command {
     Resonance(resonance::Arguments),
     /// Enclose the eigenvalues of a Laplacian or adjacency matrix of a graph
     Spectrum(spectrum::Arguments),
+    /// Analyse measured trajectories of a school: order, potentials, zones, null models
+    Tracks(tracks::Arguments),
     /// Let Coq check the proofs that the ledger rests on
     Prove(prove::Arguments),
     /// Write exact results of the ledger as certificates that a separate program, or Coq, checks
@@ -87,6 +90,7 @@ pub fn main() -> ExitCode {
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Spectrum(arguments) => spectrum::run(&arguments),
+        Command::Tracks(arguments) => tracks::run(&arguments),
         Command::Prove(arguments) => prove::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),

@@ -2,9 +2,8 @@
 
 use super::{CheckError, Evidence, Grade, Outcome};
 use crate::arithmetic::identity::{IdentityOutcome, RationalIdentity, test_identity};
+use crate::simulate::generator;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
@@ -35,13 +34,7 @@ impl Run {
 
     /// A generator whose seed depends on the seed of the run, the id of the claim and the replicate only.
     pub fn random(&self, replicate: u64) -> ChaCha8Rng {
-        let mut hash = Sha256::new();
-        hash.update(self.seed.as_bytes());
-        hash.update([0]);
-        hash.update(self.id.as_bytes());
-        hash.update([0]);
-        hash.update(replicate.to_le_bytes());
-        ChaCha8Rng::from_seed(hash.finalize().into())
+        generator(&self.seed, &self.id, replicate)
     }
 
     /// `few` cases in an ordinary run, `many` in a full one.

@@ -6,8 +6,10 @@ mod figures;
 pub mod plot;
 mod simulation;
 mod table;
+mod tracks;
 
 pub use explain::explain;
 pub use figures::{FIGURES, Figure, FigureError, File};
 pub use simulation::{observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv};
 pub use table::{summary, verdict_table};
+pub use tracks::TracksReport;

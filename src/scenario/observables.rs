@@ -1,8 +1,7 @@
 //! What is measured on a state, apart from any integration; formulas are those of the models' own modules.
 
 use crate::arithmetic::{ArithmeticError, Complex};
-use crate::oscillator::{Flight, Interaction, State, moment, phase_potential};
-use std::f64::consts::TAU;
+use crate::oscillator::{CLUSTER, Flight, Interaction, State, moment, phase_potential};
 
 /// A measured quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,8 +70,7 @@ pub fn total(vectors: impl IntoIterator<Item = [f64; 2]>) -> Vec<f64> {
 
 /// The number `M` where the phases form an `(M, N)`-pattern: `M` clusters of equal size, evenly spaced within 5 degrees.
 pub fn pattern_order(flight: &Flight) -> Option<usize> {
-    let clusters = flight.clusters(CLUSTER).len();
-    flight.forms_pattern(clusters, CLUSTER).then_some(clusters)
+    crate::oscillator::pattern(flight)
 }
 
 /// What is measured on phases: `order`, `phase_potential`, `clusters`, `pattern_order`.

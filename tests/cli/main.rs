@@ -7,6 +7,7 @@ mod certify;
 mod flock;
 mod simulate;
 mod spectrum;
+mod tracks;
 
 fn flockproof(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_flockproof")).args(arguments).output().expect("the program starts")

@@ -11,6 +11,7 @@ mod paley_fig5;
 mod paley_fig6;
 mod paley_fig7;
 mod paley_fig8;
+mod paley_fish_data;
 mod veerman;
 mod veerman_fig1;
 mod veerman_fig2;
@@ -63,6 +64,8 @@ pub const FIGURES: &[Figure] = &[
     figure("paley.fig7", "the perceptual zones of a fish", paley_fig7::reproduce),
     figure("paley.fig8", "circular formations for growing zones of orientation", paley_fig8::reproduce),
     figure("paley.basins", "exploration: which share of starts ends where", paley_basins::reproduce),
+    figure("paley.figS2", "fish, headings and zones of orientation, on synthetic schools", paley_fish_data::snapshots),
+    figure("paley.figS3", "scaled phase potentials and null models, on synthetic schools", paley_fish_data::potentials),
 ];
 
 const fn figure(name: &'static str, about: &'static str, make: fn() -> Result<Reproduced, CheckError>) -> Figure {

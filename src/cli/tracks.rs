@@ -1,0 +1,162 @@
+//! `tracks`: the fish analysis of Paley and others on anyone's trajectories.
+
+use super::{CliError, output, progress};
+use flockproof::report::TracksReport;
+use flockproof::tracks::{
+    Choices, NearestRule, PositionsUsed, School, Setting, Tracks, analyse, null_models, synthetic_school,
+};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Table with the columns t, id, x, y: seconds, a name for each fish, horizontal positions
+    #[arg(value_name = "FILE.csv", required_unless_present = "synthetic", conflicts_with = "synthetic")]
+    file: Option<PathBuf>,
+    /// Folder for summary.json, tables and pictures; it is made if it is missing
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// Frames of the moving average for velocities, odd [default: closest to 5 s]
+    #[arg(long, value_name = "FRAMES")]
+    window: Option<usize>,
+    /// Use the averaged positions for distances and networks too
+    #[arg(long)]
+    smooth_positions: bool,
+    /// Body length in the unit of x and y
+    #[arg(long, value_name = "B", default_value_t = 5.3, allow_negative_numbers = true)]
+    body_length: f64,
+    /// Outer radii of repulsion, orientation and attraction in body lengths; the last may be left out
+    #[arg(
+        long,
+        value_name = "R,O[,A]",
+        default_value = "1.4,2.4",
+        value_delimiter = ',',
+        allow_negative_numbers = true
+    )]
+    zones: Vec<f64>,
+    /// Blind spot behind each fish in degrees
+    #[arg(long, value_name = "DEGREES", default_value_t = 60.0, allow_negative_numbers = true)]
+    blind: f64,
+    /// A fish that is no faster than this has no heading
+    #[arg(long, value_name = "SPEED", default_value_t = 0.0, allow_negative_numbers = true)]
+    still: f64,
+    /// For n = 1 always the nearest neighbour, also in the zone of repulsion
+    #[arg(long)]
+    plain_nearest: bool,
+    /// Other numbers of nearest neighbours for which W_1 is computed
+    #[arg(long, value_name = "N,..", value_delimiter = ',')]
+    nearest: Vec<usize>,
+    /// Only these fish
+    #[arg(long, value_name = "ID,..", value_delimiter = ',')]
+    ids: Vec<String>,
+    /// Circular time shifts for each of the two null models; the time grows with frames x fish^2 x shifts
+    #[arg(long, value_name = "SHIFTS", default_value_t = 199)]
+    null: usize,
+    /// Time of the snapshot [default: the middle]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    at: Option<f64>,
+    /// Seed of the null models and of a synthetic school
+    #[arg(long, value_name = "SEED", default_value = "flockproof")]
+    seed: String,
+    /// Make a school instead of reading one: polarised, milling, diffuse-milling, independent, coupled; it is written to tracks.csv
+    #[arg(long, value_name = "KIND", value_parser = school)]
+    synthetic: Option<(&'static str, School)>,
+    /// Fish of a synthetic school
+    #[arg(long, value_name = "N", default_value_t = 8, requires = "synthetic", value_parser = clap::value_parser!(u16).range(2..=500))]
+    fish: u16,
+    /// Frames of a synthetic school
+    #[arg(long, value_name = "F", default_value_t = 3000, requires = "synthetic", value_parser = clap::value_parser!(u32).range(3..=1_000_000))]
+    frames: u32,
+    /// Print the summary as one JSON document
+    #[arg(long)]
+    json: bool,
+}
+
+/// Frame step of synthetic schools in seconds.
+const STEP: f64 = 0.1;
+/// Most positions of a synthetic school.
+const LARGEST_SCHOOL: usize = 5_000_000;
+/// More shifts than this say nothing more.
+const MOST_SHIFTS: usize = 100_000;
+
+fn school(name: &str) -> Result<(&'static str, School), String> {
+    let known = || School::ALL.map(|(name, _)| name).join(", ");
+    let found = School::ALL.into_iter().find(|(known, _)| *known == name.replace("polarized", "polarised"));
+    found.ok_or_else(|| format!("there are {}", known()))
+}
+
+/// The trajectories, where they come from, and whether they were made here.
+fn tracks(arguments: &Arguments) -> Result<(Tracks, String), CliError> {
+    if let Some((name, school)) = arguments.synthetic {
+        let (fish, frames) = (usize::from(arguments.fish), arguments.frames as usize);
+        if fish * frames > LARGEST_SCHOOL {
+            return Err(CliError::Use(format!(
+                "--frames {frames} for {fish} fish are more than {LARGEST_SCHOOL} positions"
+            )));
+        }
+        let setting =
+            Setting { fish, frames, step: STEP, body_length: arguments.body_length, seed: arguments.seed.clone() };
+        return Ok((synthetic_school(school, &setting), format!("synthetic school: {name}, seed {}", arguments.seed)));
+    }
+    let path = arguments.file.as_deref().unwrap_or(Path::new(""));
+    let text = output::read_text(path)?;
+    let tracks = Tracks::from_csv(&text).map_err(|error| CliError::file(path, error))?;
+    // The name only, so that the same file gives the same output wherever it is.
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    Ok((tracks, name.to_string_lossy().into_owned()))
+}
+
+fn choices(arguments: &Arguments, tracks: &Tracks) -> Result<Choices, CliError> {
+    let sidebar = Choices::of_sidebar(tracks.step);
+    let zones = match *arguments.zones.as_slice() {
+        [repulsion, orientation] => [repulsion, orientation, f64::INFINITY],
+        [repulsion, orientation, attraction] => [repulsion, orientation, attraction],
+        _ => return Err(CliError::Use("--zones needs two or three radii, such as 1.4,2.4".to_string())),
+    };
+    Ok(Choices {
+        window: arguments.window.unwrap_or(sidebar.window),
+        positions: if arguments.smooth_positions { PositionsUsed::Smoothed } else { PositionsUsed::File },
+        body_length: arguments.body_length,
+        zones,
+        blind: arguments.blind,
+        still: arguments.still,
+        rule: if arguments.plain_nearest { NearestRule::Nearest } else { NearestRule::SecondInRepulsion },
+        nearest: arguments.nearest.clone(),
+    })
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    if arguments.null > MOST_SHIFTS {
+        return Err(CliError::Use(format!("--null {} is more than {MOST_SHIFTS} shifts", arguments.null)));
+    }
+    let (tracks, source) = tracks(arguments)?;
+    let refuse = |error: &dyn std::fmt::Display| CliError::Use(format!("{source}: {error}"));
+    let tracks = if arguments.ids.is_empty() {
+        tracks
+    } else {
+        tracks.only(&arguments.ids).map_err(|error| CliError::Use(format!("--ids: {error}")))?
+    };
+    let choices = choices(arguments, &tracks)?;
+    choices.check(tracks.fish()).map_err(|error| CliError::Use(error.to_string()))?;
+    let analysis = analyse(&tracks, &choices).map_err(|error| refuse(&error))?;
+    let bar = progress::bar(2 * arguments.null);
+    let null = null_models(&analysis.sample(), arguments.null, &arguments.seed, || bar.inc(1));
+    bar.finish_and_clear();
+    let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: &null };
+    std::fs::create_dir_all(&arguments.out).map_err(|error| CliError::file(&arguments.out, error))?;
+    if arguments.synthetic.is_some() {
+        output::write_file(&arguments.out.join("tracks.csv"), tracks.to_csv().as_bytes())?;
+    }
+    let files = report.files(arguments.at).map_err(|error| refuse(&error))?;
+    for file in &files {
+        output::write_file(&arguments.out.join(&file.name), &file.contents)?;
+    }
+    if arguments.json {
+        output::print_json(&report.summary())?;
+    } else {
+        let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+        let written = format!("written to {}: {}", arguments.out.display(), names.join(", "));
+        output::print(&format!("{}\n{}\n", report.text(), textwrap::fill(&written, 80)))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,186 @@
+//! The whole analysis of a recording.
+
+use super::measures::Moment;
+use super::{
+    Choices, ChoicesError, FrameMeasures, Gap, GroupState, Motion, PositionsUsed, Sample, Tracks, Vector, gaps,
+    smoothed,
+};
+
+/// Why frames are not in what needs the headings of all fish; a frame counts once, at the first reason.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct LeftOut {
+    /// Frames from the first to the last.
+    pub recorded: u64,
+    /// A fish is missing.
+    pub missing: u64,
+    /// All are there, but the window of one meets a gap or an end of the recording.
+    pub window: u64,
+    /// All have a velocity, but one is at rest.
+    pub still: u64,
+    /// Frames that are used.
+    pub used: u64,
+}
+
+/// What is said of one fish.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FishSummary {
+    /// Frames with a position.
+    pub seen: u64,
+    /// Frames without a position, and the number of gaps they form.
+    pub missing: (u64, usize),
+    /// Frames at rest, without a heading.
+    pub still: u64,
+    /// Mean speed in units of the file per second, over the frames with a velocity.
+    pub speed: Option<f64>,
+    /// Mean distance to the nearest neighbour in units of the file, over the frames with all fish.
+    pub distance: Option<f64>,
+    /// Shares of frames with a neighbour in the zones of repulsion, orientation and attraction.
+    pub zones: Option<[f64; 3]>,
+}
+
+/// A recording with everything that was measured.
+#[derive(Debug, Clone)]
+pub struct Analysis {
+    /// The choices it rests on.
+    pub choices: Choices,
+    /// Where fish are missing.
+    pub gaps: Vec<Gap>,
+    /// Velocities and headings.
+    pub motion: Motion,
+    /// The positions used for networks and distances, `[fish][frame]`.
+    pub positions: Vec<Vec<Option<Vector>>>,
+    /// A record for each frame of the recording that has a row.
+    pub frames: Vec<FrameMeasures>,
+    /// What was left out.
+    pub left_out: LeftOut,
+    /// A summary for each fish.
+    pub fish: Vec<FishSummary>,
+}
+
+/// Measures a recording.
+///
+/// # Errors
+/// [`ChoicesError`]; also where no frame has a heading of every fish.
+pub fn analyse(tracks: &Tracks, choices: &Choices) -> Result<Analysis, ChoicesError> {
+    choices.check(tracks.fish())?;
+    let motion = Motion::new(tracks, choices.window, choices.still);
+    let positions = match choices.positions {
+        PositionsUsed::File => tracks.positions.clone(),
+        PositionsUsed::Smoothed => (0..tracks.fish()).map(|k| smoothed(tracks, k, choices.window)).collect(),
+    };
+    let of_frame = |rows: &'_ [Vec<Option<Vector>>], i: usize| -> Vec<Option<Vector>> {
+        rows.iter().map(|row| row[i].clone()).collect()
+    };
+    let mut frames = Vec::with_capacity(tracks.frames.len());
+    for (i, frame) in tracks.frames.iter().enumerate() {
+        let (r, v, z) = (of_frame(&positions, i), of_frame(&motion.velocities, i), of_frame(&motion.headings, i));
+        let moment = Moment {
+            time: frame.time,
+            positions: r.iter().map(Option::as_ref).collect(),
+            velocities: v.iter().map(Option::as_ref).collect(),
+            headings: z.iter().map(Option::as_ref).collect(),
+        };
+        let measured = FrameMeasures::new(&moment, choices);
+        frames.push(measured.map_err(|error| ChoicesError::NothingLeft(format!("t = {}: {error}", frame.time)))?);
+    }
+    let gaps = gaps(tracks);
+    let mut analysis = Analysis {
+        choices: choices.clone(),
+        gaps,
+        motion,
+        positions,
+        frames,
+        left_out: LeftOut::default(),
+        fish: vec![],
+    };
+    analysis.left_out = analysis.count_left_out(tracks);
+    analysis.fish = (0..tracks.fish()).map(|k| analysis.summary_of(tracks, k)).collect();
+    if analysis.left_out.used == 0 {
+        return Err(ChoicesError::NothingLeft(analysis.why_nothing_is_left(tracks)));
+    }
+    Ok(analysis)
+}
+
+impl Analysis {
+    /// The frames with headings of all fish.
+    pub fn groups(&self) -> impl Iterator<Item = (f64, &GroupState)> {
+        self.frames.iter().filter_map(|frame| Some((frame.time, frame.group.as_ref()?)))
+    }
+
+    /// The mean of a number over the frames with headings of all fish, of which there is at least one.
+    pub fn mean(&self, of: impl Fn(&GroupState) -> f64) -> f64 {
+        self.groups().map(|(_, group)| of(group)).sum::<f64>() / self.left_out.used as f64
+    }
+
+    /// All speeds, of all fish and frames that have one.
+    pub fn speeds(&self) -> impl Iterator<Item = f64> + '_ {
+        self.motion.velocities.iter().flatten().flatten().map(|v| v.norm_squared().sqrt())
+    }
+
+    /// All distances to nearest neighbours.
+    pub fn distances(&self) -> impl Iterator<Item = f64> + '_ {
+        self.frames.iter().filter_map(|frame| frame.distances.as_ref()).flatten().copied()
+    }
+
+    /// Positions and headings of the frames with headings of all fish, for the null models.
+    pub fn sample(&self) -> Sample {
+        let used: Vec<usize> = (0..self.frames.len()).filter(|&i| self.frames[i].group.is_some()).collect();
+        let of = |rows: &[Vec<Option<Vector>>]| -> Vec<Vec<Vector>> {
+            used.iter().map(|&i| rows.iter().filter_map(|row| row[i].clone()).collect()).collect()
+        };
+        Sample::new(of(&self.positions), of(&self.motion.headings), &self.choices)
+    }
+
+    fn count_left_out(&self, tracks: &Tracks) -> LeftOut {
+        let mut counts = LeftOut { recorded: tracks.recorded_frames(), ..LeftOut::default() };
+        counts.missing = counts.recorded - tracks.frames.len() as u64;
+        for (i, frame) in self.frames.iter().enumerate() {
+            let all_seen = tracks.positions.iter().all(|places| places[i].is_some());
+            let reason = match frame {
+                _ if !all_seen => &mut counts.missing,
+                frame if frame.group.is_some() => &mut counts.used,
+                frame if frame.moving == tracks.fish() && frame.distances.is_some() => &mut counts.still,
+                _ => &mut counts.window,
+            };
+            *reason += 1;
+        }
+        counts
+    }
+
+    fn summary_of(&self, tracks: &Tracks, k: usize) -> FishSummary {
+        let mean = |values: &mut dyn Iterator<Item = f64>| {
+            let (sum, count) = values.fold((0.0, 0u64), |(sum, count), x| (sum + x, count + 1));
+            (count > 0).then(|| sum / count as f64)
+        };
+        let velocities = &self.motion.velocities[k];
+        let presence = |zone: usize| {
+            let in_zone = self.frames.iter().filter_map(|frame| frame.zones[k]).map(|zones| f64::from(zones[zone]));
+            mean(&mut { in_zone })
+        };
+        let seen = tracks.positions[k].iter().flatten().count() as u64;
+        let moving = velocities.iter().flatten().count();
+        let headed = self.motion.headings[k].iter().flatten().count();
+        FishSummary {
+            seen,
+            missing: (tracks.recorded_frames() - seen, self.gaps.iter().filter(|gap| gap.fish == k).count()),
+            still: (moving - headed) as u64,
+            speed: mean(&mut velocities.iter().flatten().map(|v| v.norm_squared().sqrt())),
+            distance: mean(&mut self.frames.iter().filter_map(|frame| Some(frame.distances.as_ref()?[k]))),
+            zones: presence(0).zip(presence(1)).zip(presence(2)).map(|((a, b), c)| [a, b, c]),
+        }
+    }
+
+    fn why_nothing_is_left(&self, tracks: &Tracks) -> String {
+        let LeftOut { recorded, missing, window, still, .. } = self.left_out;
+        let rarest = (0..tracks.fish()).min_by_key(|&k| self.fish[k].seen).unwrap_or(0);
+        format!(
+            "no frame has a heading of all {} fish: of {recorded} frames, a fish is missing in {missing}, the window of {} \
+             frames meets a gap or an end in {window}, a fish is at rest in {still}; fish {} is seen least, in {} frames; \
+             choose a smaller --window or fewer fish with --ids",
+            tracks.fish(),
+            self.choices.window,
+            tracks.ids[rarest],
+            self.fish[rarest].seen
+        )
+    }
+}

@@ -1,0 +1,91 @@
+//! `tracks`: the contract and refusals.
+
+use super::{assert_refused, file, flockproof, folder, stdout};
+
+#[test]
+fn a_synthetic_school_can_be_analysed_again_from_its_table() {
+    let folder = folder("tracks");
+    let out = folder.join("made");
+    let out = out.to_str().expect("UTF-8");
+    let made = flockproof(&[
+        "tracks",
+        "--synthetic",
+        "polarized",
+        "--fish",
+        "5",
+        "--frames",
+        "200",
+        "--null",
+        "9",
+        "--out",
+        out,
+    ]);
+    assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+    let text = stdout(&made);
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "wider than 80 columns:\n{text}");
+    for part in ["synthetic", "window", "blind spot 60", "|p_1|", "2/(n+1)", "headings shifted"] {
+        assert!(text.contains(part), "{part} is missing in\n{text}");
+    }
+    let csv = format!("{out}/tracks.csv");
+    let again = folder.join("again");
+    let again = again.to_str().expect("UTF-8");
+    let read = flockproof(&["tracks", &csv, "--null", "9", "--nearest", "2,3", "--at", "10", "--out", again, "--json"]);
+    assert!(read.status.success() && read.stderr.is_empty());
+    let printed: serde_json::Value = serde_json::from_str(&stdout(&read)).expect("one JSON document");
+    assert_eq!((printed["fish"].as_u64(), printed["frames"].as_u64()), (Some(5), Some(200)));
+    assert!(printed["means"]["p_1"].as_f64().is_some_and(|p| p > 0.95));
+    assert!(printed["means"]["W_nearest"]["3"].is_number());
+    let on_disk = std::fs::read_to_string(format!("{again}/summary.json")).expect("written");
+    assert_eq!(serde_json::from_str::<serde_json::Value>(&on_disk).expect("JSON"), printed);
+    for name in
+        ["frames.csv", "fish.csv", "gaps.csv", "histograms.csv", "histograms.svg", "potentials.png", "snapshot.svg"]
+    {
+        assert!(std::path::Path::new(again).join(name).exists(), "{name}");
+    }
+    let frames = std::fs::read_to_string(format!("{again}/frames.csv")).expect("written");
+    let fields = frames.lines().next().map_or(0, |line| line.split(',').count());
+    assert_eq!(frames.lines().count(), 201);
+    assert!(frames.lines().all(|line| line.split(',').count() == fields));
+}
+
+#[test]
+fn bad_tracks_are_refused() {
+    let folder = folder("bad_tracks");
+    let out = folder.join("out");
+    let out = out.to_str().expect("UTF-8");
+    let refuse = |name: &str, text: &str, extra: &[&str], named: &str| {
+        let path = file(&folder, name, text.as_bytes());
+        let mut arguments = vec!["tracks", &path, "--out", out];
+        arguments.extend(extra);
+        assert_refused(&arguments, named);
+    };
+    let good: String = (0..9).map(|i| format!("{i},a,{i},0\n{i},b,{i},9\n{i},c,{},{i}\n", 20 - i)).collect();
+    let good = format!("t,id,x,y\n{good}");
+    refuse("empty.csv", "", &[], "empty.csv: there are no rows");
+    refuse("text.csv", "t,id,x,y\n0,a,1,2\n0,b,here,2\n", &[], "text.csv: line 3: x is `here`");
+    refuse("twice.csv", &format!("{good}3,b,0,0\n"), &[], "twice.csv: line 29: fish b at t = 3 is there twice");
+    refuse("good.csv", &good, &["--zones", "2.4,1.4", "--window", "1"], "the zones 2.4, 1.4");
+    refuse("good.csv", &good, &["--zones", "2.4"], "--zones");
+    refuse("good.csv", &good, &["--zones", "a,b"], "--zones");
+    refuse("good.csv", &good, &["--window", "4"], "window of 4 frames");
+    refuse("good.csv", &good, &["--window", "9"], "no frame has a heading of all 3 fish");
+    refuse("good.csv", &good, &["--window", "18446744073709551615"], "no frame has a heading");
+    refuse("good.csv", &good, &["--window", "-1"], "-1");
+    refuse("good.csv", &good, &["--window", "1", "--ids", "a,z"], "no fish z");
+    refuse("good.csv", &good, &["--window", "1", "--ids", "a"], "only one fish");
+    refuse("good.csv", &good, &["--window", "1", "--nearest", "3"], "between 1 and 2");
+    refuse("good.csv", &good, &["--window", "1", "--body-length", "0"], "body length 0");
+    refuse("good.csv", &good, &["--window", "1", "--body-length", "nan"], "body length NaN");
+    refuse("good.csv", &good, &["--window", "1", "--blind", "400"], "blind spot of 400");
+    refuse("good.csv", &good, &["--window", "1", "--null", "99999999"], "--null 99999999");
+    refuse("good.csv", &good, &["--synthetic", "milling"], "--synthetic");
+    assert_refused(&["tracks", "/nowhere/at/all.csv", "--out", out], "/nowhere/at/all.csv");
+    assert_refused(&["tracks", "--out", out], "FILE.csv");
+    assert_refused(&["tracks", "--synthetic", "swarm", "--out", out], "swarm");
+    assert_refused(&["tracks", "--synthetic", "milling", "--fish", "1", "--out", out], "--fish");
+    let path = file(&folder, "fine.csv", good.as_bytes());
+    let fine = flockproof(&["tracks", &path, "--window", "1", "--null", "3", "--out", out]);
+    assert!(fine.status.success(), "{}", String::from_utf8_lossy(&fine.stderr));
+    let occupied = file(&folder, "occupied", b"");
+    assert_refused(&["tracks", &path, "--window", "1", "--null", "3", "--out", &occupied], "occupied");
+}

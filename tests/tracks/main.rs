@@ -1,0 +1,5 @@
+//! Trajectories: reading and refusing, smoothing without crossing gaps, measures against naive twins, schools whose answer is known.
+
+mod measures;
+mod reading;
+mod schools;
