@@ -20,6 +20,7 @@ mod random;
 mod saturated;
 mod state;
 mod switching;
+mod threshold;
 
 pub use closed_loop::follow;
 pub use energy::{agent_potential, kinetic_energy, potential_energy};
