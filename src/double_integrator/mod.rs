@@ -22,6 +22,7 @@ mod random;
 mod saturated;
 mod state;
 mod switching;
+mod threshold;
 
 pub use enclosed::{EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError};
 pub use closed_loop::follow;
