@@ -1,4 +1,5 @@
-//! Simulation in floats, shared by the continuous models: integrators, events, neighbours in the plane, all-to-all sums.
+//! Simulation in floats, shared by the continuous models: integrators, events, neighbours in the plane, all-to-all sums,
+//! shares of runs.
 //!
 //! A model is a [`VectorField`]: it fills in `dy/dt` at a state. Results do not depend on the number of threads: work is cut into
 //! chunks of fixed size, and sums over chunks are taken in their order. Nothing here proves anything.
@@ -10,6 +11,7 @@ mod event;
 mod phases;
 mod rk4;
 mod sine;
+mod statistics;
 
 pub use cells::{CellError, CellList};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
@@ -17,6 +19,7 @@ pub use event::{Crossing, next_crossing};
 pub use phases::AllToAll;
 pub use rk4::Rk4;
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
+pub use statistics::Share;
 
 /// The right-hand side of `dy/dt = f(t, y)`. A field may keep scratch space, so it is asked by a mutable reference; the
 /// answer must depend on `time` and `state` only. Closures `FnMut(f64, &[f64], &mut [f64])` are fields.

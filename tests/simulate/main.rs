@@ -3,3 +3,4 @@
 mod cells;
 mod integrators;
 mod phases;
+mod statistics;

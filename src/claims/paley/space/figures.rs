@@ -1,12 +1,13 @@
 //! paley.fig1, paley.fig3, paley.fig4, paley.fig5, paley.beacon: the runs of the figures.
 
-use super::runs::{CLUSTER, DECLARATION, centre_spread, is_pattern, random_start, share};
+use super::runs::{CLUSTER, DECLARATION, centre_spread, is_pattern, random_start};
 use crate::arithmetic::{ArithmeticError, Complex};
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
 use crate::oscillator::{
     CircularGains, Flight, Neighbours, State, beacon_control, circular_control, gradient_control, laplacian_control,
     mean, pattern_control, quarter_turn, reference_control, spacing_control,
 };
+use crate::simulate::Share;
 use std::f64::consts::{FRAC_PI_8, PI, TAU};
 
 const N: usize = 12;
@@ -168,8 +169,8 @@ impl Claim for CyclicFormations {
             }
         }
         let [negative, zero, positive] = seen;
-        run.value("share_synchronised_K1_negative", share(negative, seeds));
-        run.value("share_splay_K1_positive", share(positive, seeds));
+        run.value("share_synchronised_K1_negative", Share::new(negative, seeds).enclosure());
+        run.value("share_splay_K1_positive", Share::new(positive, seeds).enclosure());
         let evidence = simulated(
             "outcomes of the three panels",
             format!(
@@ -246,7 +247,7 @@ impl Claim for SixPatterns {
                 let what = format!("M = {clusters}: none of {seeds} runs reached the pattern");
                 return Ok(Outcome::fails(what, simulated("the patterns", "runs".to_string(), seeds)));
             }
-            run.value(&format!("share_M_{clusters}"), share(reached, seeds));
+            run.value(&format!("share_M_{clusters}"), Share::new(reached, seeds).enclosure());
         }
         let detail = "all-to-all, N = 12, w0 = K_0 = 0.1, K_m = 0.2, K_M = -0.04, step 1 to t = 600; equal clusters, evenly spaced within 5 degrees";
         Ok(Outcome::Holds(vec![simulated("M = 1, 2, 3, 4, 6, 12 are reached", detail.to_string(), 6 * seeds)]))

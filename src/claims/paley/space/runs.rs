@@ -1,4 +1,4 @@
-//! Runs in floating point for the figures: random starts, shares with confidence intervals.
+//! Runs in floating point for the figures: random starts, and what is read off at the end.
 
 use crate::arithmetic::Complex;
 use crate::ledger::Run;
@@ -19,15 +19,6 @@ pub fn random_start(run: &Run, replicate: u64, particles: usize) -> Flight {
     let mut uniform = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
     let positions = (0..particles).map(|_| Complex::new(20.0 * uniform() - 10.0, 20.0 * uniform() - 10.0)).collect();
     Flight { positions, phases: (0..particles).map(|_| TAU * uniform()).collect() }
-}
-
-/// The 95% confidence interval of a share (Wilson), as a value of the ledger.
-pub fn share(found: usize, of: usize) -> String {
-    const Z: f64 = 1.96;
-    let (n, p) = (of as f64, found as f64 / of as f64);
-    let middle = (p + Z * Z / (2.0 * n)) / (1.0 + Z * Z / n);
-    let half = Z / (1.0 + Z * Z / n) * (p * (1.0 - p) / n + Z * Z / (4.0 * n * n)).sqrt();
-    format!("[{:.3}, {:.3}]", (middle - half).max(0.0), (middle + half).min(1.0))
 }
 
 /// The largest distance of a circle centre (3) from the mean of them; infinite for `omega = 0`.
