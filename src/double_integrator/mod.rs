@@ -6,20 +6,26 @@
 //! differentiable potentials.
 
 mod energy;
+pub mod equilibria;
+mod experiment;
 mod heading;
 mod law;
 mod linearisation;
 mod potential;
+pub mod relaxation;
 mod saturated;
+mod setup;
 mod simulate;
 mod state;
 
 pub use energy::{agent_potential, kinetic_energy, potential_energy};
+pub use experiment::{Alignment, Experiment, Links, Observation, Trial};
 pub use heading::{HeadingDifference, gyroscopic, heading, heading_rate};
-pub use law::{disagreements, linked_within, potential_gradients, tied, velocity_alignment};
+pub use law::{disagreements, linked_within, pairs_within, potential_gradients, tied, velocity_alignment};
 pub use linearisation::{Inertia, hessian, inertia, linearisation};
 pub use potential::{Potential, PotentialError, Slope};
 pub use saturated::{Kink, Span};
+pub use setup::{HeadingReading, LinkRule, Setup, StartRule};
 pub use simulate::{RunError, Stepper, disagreement, random_flock};
 pub use state::{Coordinates, State, Vector, difference, rotated, scaled, sum};
 

@@ -31,6 +31,7 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(phases::CriticalInertia),
         Box::new(phases::CyclicClassification),
         Box::new(tanner::two_agents()),
+        Box::new(tanner::turning_triangle()),
         Box::new(tanner::alternating_trees()),
         Box::new(tanner::endless_switching()),
         Box::new(table1_reading::Table1Reading),

@@ -1,153 +1,71 @@
 //! tanner2.fig4, fig4.close, fig5, fig6: the simulations of Section 6, over many seeds.
 //!
 //! Declared, since the paper does not give it: the potential `1/s + log s` of the companion paper (desired distance 1 m); random
-//! graphs with each edge present with probability 1/2, drawn until connected; starts for Figure 5 drawn until the neighbouring
-//! graph is connected; positions, speeds and directions evenly distributed. Agreement means a disagreement
-//! `sqrt(sum |v_i - mean|²)` of at most one hundredth of the initial one.
+//! graphs with each edge present with probability 1/2, drawn until connected; positions, speeds and directions evenly
+//! distributed. Agreement means a disagreement `sqrt(sum |v_i - mean|²)` of at most one hundredth of the initial one. The runs
+//! are those that the figures of `reproduce` draw.
 
-use crate::arithmetic::rational;
 use crate::claims::record::Record;
-use crate::double_integrator::{
-    Coordinates, Pair, Potential, State, Stepper, disagreement, linked_within, random_flock, velocity_alignment,
-};
-use crate::graph::Graph;
+use crate::double_integrator::{LinkRule, Setup, Trial};
 use crate::ledger::{CheckError, Evidence, Grade, Outcome, Run};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::Rng;
+use crate::simulate::Share;
 
-const AGENTS: usize = 10;
-/// Half the side of the square of positions, in metres.
-const HALF: f64 = 2.5;
-const SPEED: f64 = 1.0;
-/// The square of the neighbourhood radius, 2 m.
-const SQUARE: f64 = 4.0;
-const PLANE: Coordinates = Coordinates::Cartesian;
-
-/// What is seen at the end of a run.
-pub struct Seen {
-    /// Disagreement at the end over that of the start.
-    pub disagreement: f64,
-    /// Smallest distance of two agents without a fixed link at the end.
-    pub closest: f64,
-    /// Connected components.
-    pub components: usize,
-    /// Largest disagreement within a component, over the initial one.
-    pub within: f64,
-    /// Links over pairs.
-    pub density: f64,
-}
-
-/// A random connected graph: each edge with probability 1/2, drawn until connected.
-pub(in crate::claims) fn random_connected(count: usize, random: &mut ChaCha8Rng) -> Graph {
-    loop {
-        let bits: Vec<bool> = (0..count * count).map(|_| random.next_u32() & 1 == 1).collect();
-        let graph = Graph::from_fn(count, |i, j| bits[i * count + j]);
-        if graph.is_connected() {
-            return graph;
-        }
-    }
-}
-
-fn observe(start: &State<f64>, end: &State<f64>, links: &Graph) -> Seen {
-    let first = disagreement(start);
-    let pairs = (0..AGENTS).flat_map(|j| (0..j).map(move |i| (i, j)));
-    let closest = pairs
-        .filter(|&(i, j)| !links.has_edge(i, j))
-        .map(|(i, j)| PLANE.square(&end.separation(i, j)).sqrt())
-        .fold(f64::INFINITY, f64::min);
-    let components = links.components();
-    let within = components.iter().map(|members| {
-        disagreement(&State {
-            positions: members.iter().map(|&i| end.positions[i]).collect(),
-            velocities: members.iter().map(|&i| end.velocities[i]).collect(),
-        })
-    });
-    Seen {
-        disagreement: disagreement(end) / first,
-        closest,
-        components: components.len(),
-        within: within.fold(0.0, f64::max) / first,
-        density: links.edges().len() as f64 / (AGENTS * (AGENTS - 1) / 2) as f64,
-    }
-}
-
-/// One run with a fixed random graph, or with links within 2 m.
-fn simulate(fixed: bool, connected: bool, until: f64, random: &mut ChaCha8Rng) -> Result<Seen, CheckError> {
-    let slope = Potential::inverse_square_log(&rational(1, 1)).slope_over(&1.0);
-    let graph = random_connected(AGENTS, random);
-    let near = |state: &State<f64>| linked_within(&state.positions, &SQUARE, PLANE);
-    let mut start = random_flock(AGENTS, HALF, SPEED, random);
-    while !fixed && connected && !near(&start).is_connected() {
-        start = random_flock(AGENTS, HALF, SPEED, random);
-    }
-    let links = |state: &State<f64>| -> Vec<Pair> { if fixed { graph.edges() } else { near(state).edges() } };
-    let law = |state: &State<f64>| velocity_alignment(state, &links(state), PLANE, |_, _, s| slope.at(s));
-    let end = Stepper { tolerance: 1e-5, ..Stepper::default() }
-        .run(&start, until, law, |_, _| ())
-        .map_err(|e| CheckError::Other(e.to_string()))?;
-    let last = if fixed { graph.clone() } else { near(&end) };
-    Ok(observe(&start, &end, &last))
-}
-
-/// Wilson's 95% interval of a share.
-pub(in crate::claims) fn wilson(hits: usize, total: usize) -> (f64, f64) {
-    const Z: f64 = 1.96;
-    let (n, p) = (total.max(1) as f64, hits as f64 / total.max(1) as f64);
-    let centre = (p + Z * Z / (2.0 * n)) / (1.0 + Z * Z / n);
-    let half = Z / (1.0 + Z * Z / n) * (p * (1.0 - p) / n + Z * Z / (4.0 * n * n)).sqrt();
-    (centre - half, centre + half)
-}
+/// Fixed random graphs.
+const FIXED: LinkRule = LinkRule::Random(0.5);
+/// Links within 2 m, from any start.
+const NEAR: LinkRule = LinkRule::Within { radius: Setup::RADIUS, connected: false };
+/// Links within 2 m, from starts that are connected.
+const CONNECTED: LinkRule = LinkRule::Within { radius: Setup::RADIUS, connected: true };
 
 /// A statement about a run and the least share of runs for which it is claimed.
 #[derive(Clone, Copy)]
 pub struct FigureVariant {
-    fixed: bool,
-    connected: bool,
+    links: LinkRule,
     until: f64,
     what: &'static str,
     /// The runs that are counted.
-    among: fn(&Seen) -> bool,
-    seen: fn(&Seen) -> bool,
+    among: fn(&Trial) -> bool,
+    seen: fn(&Trial) -> bool,
     /// The interval of the share has to lie above this.
     above: f64,
 }
 
 fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let all = run.cases(12, 200);
-    let (mut hits, mut total) = (0, 0);
-    for seed in 0..all {
+    let setup = Setup::velocity_alignment(variant.links);
+    let all = run.cases(24, 200);
+    let (mut counted, mut of_all) = (Share::default(), Share::default());
+    for seed in 0..all as u64 {
         run.checkpoint()?;
-        let seen = simulate(variant.fixed, variant.connected, variant.until, &mut run.random(seed as u64))?;
-        if (variant.among)(&seen) {
-            total += 1;
-            hits += usize::from((variant.seen)(&seen));
+        let trial = setup.draw(&mut run.random(seed)).trial(variant.until);
+        let trial = trial.map_err(|e| CheckError::Other(e.to_string()))?;
+        let (among, seen) = ((variant.among)(&trial), (variant.seen)(&trial));
+        of_all = of_all.with(among && seen);
+        if among {
+            counted = counted.with(seen);
         }
     }
-    let (lo, hi) = wilson(hits, total);
-    run.value("runs_counted", format!("{total}/{all}"));
-    run.value("share", format!("~{:.4}", hits as f64 / total.max(1) as f64));
+    run.value("runs_counted", format!("{}/{all}", counted.of));
+    run.value("share", counted.enclosure());
+    run.value("share_of_all_runs", of_all.enclosure());
+    let of_which = if counted.of == all { String::new() } else { format!("; of all runs {of_all}") };
     let detail = format!(
-        "{hits} of {total} runs, share {lo:.2} to {hi:.2} (95%); V = 1/s + log s and the other choices declared in notes/tanner2.md; Dormand-Prince, error per step below 1e-5"
+        "{counted}{of_which}; V = 1/s + log s and the other choices declared in notes/tanner2.md; adaptive steps, error per step below 1e-5"
     );
-    let evidence = Evidence::new(Grade::Simulated, variant.what, detail).cases(total);
-    if hits > 0 && lo > variant.above {
+    let evidence = Evidence::new(Grade::Simulated, variant.what, detail).cases(counted.of);
+    if counted.found > 0 && counted.interval().0 > variant.above {
         return Ok(Outcome::Holds(vec![evidence]));
     }
-    let what = format!(
-        "{}: {hits} of {total} runs, share {lo:.2} to {hi:.2} (95%), not above {}",
-        variant.what, variant.above
-    );
+    let what = format!("{}: {counted}{of_which}, not above {}", variant.what, variant.above);
     Ok(Outcome::Fails { counterexample: what, evidence: vec![evidence] })
 }
 
 pub fn fig4() -> Record<FigureVariant> {
     let printed = FigureVariant {
-        fixed: true,
-        connected: true,
+        links: FIXED,
         until: 100.0,
         what: "velocities agree after 100 s, fixed graph",
         among: |_| true,
-        seen: |seen| seen.disagreement < 0.01,
+        seen: |trial| trial.agrees(0.01),
         above: 0.5,
     };
     Record::new(
@@ -157,17 +75,16 @@ pub fn fig4() -> Record<FigureVariant> {
         examine,
     )
     .control("after 1/10 s", FigureVariant { until: 0.1, what: "velocities agree after 1/10 s", ..printed })
-    .control("disagreement below 1e-12 of the first after 10 s", FigureVariant { until: 10.0, seen: |seen| seen.disagreement < 1e-12, ..printed })
+    .control("disagreement below 1e-12 of the first after 10 s", FigureVariant { until: 10.0, seen: |trial| trial.agrees(1e-12), ..printed })
 }
 
 pub fn fig4_close() -> Record<FigureVariant> {
     let printed = FigureVariant {
-        fixed: true,
-        connected: true,
+        links: FIXED,
         until: 100.0,
         what: "two agents that are not linked end within a quarter of the desired distance",
         among: |_| true,
-        seen: |seen| seen.closest < 0.25 && seen.closest > 0.0,
+        seen: |trial| trial.end.least_unlinked < 0.25 && trial.end.least_unlinked > 0.0,
         above: 0.0,
     };
     Record::new(
@@ -176,18 +93,17 @@ pub fn fig4_close() -> Record<FigureVariant> {
         printed,
         examine,
     )
-    .control("in the same place after 5 s", FigureVariant { until: 5.0, seen: |seen| seen.closest == 0.0, ..printed })
-    .control("in most runs within 1/1000 after 5 s", FigureVariant { until: 5.0, seen: |seen| seen.closest < 0.001, above: 0.5, ..printed })
+    .control("in the same place after 5 s", FigureVariant { until: 5.0, seen: |trial| trial.end.least_unlinked == 0.0, ..printed })
+    .control("in most runs within 1/1000 after 5 s", FigureVariant { until: 5.0, seen: |trial| trial.end.least_unlinked < 0.001, above: 0.5, ..printed })
 }
 
 pub fn fig5() -> Record<FigureVariant> {
     let printed = FigureVariant {
-        fixed: false,
-        connected: true,
+        links: CONNECTED,
         until: 100.0,
         what: "links within 2 m, runs that end connected: velocities agree after 100 s with at least half of all links",
-        among: |seen| seen.components == 1,
-        seen: |seen| seen.disagreement < 0.01 && seen.density >= 0.5,
+        among: |trial| trial.end.components == 1,
+        seen: |trial| trial.agrees(0.01) && trial.end.density() >= 0.5,
         above: 0.5,
     };
     Record::new(
@@ -197,17 +113,16 @@ pub fn fig5() -> Record<FigureVariant> {
         examine,
     )
     .control("after 1/10 s", FigureVariant { until: 0.1, ..printed })
-    .control("disagreement below 1e-12 of the first after 10 s", FigureVariant { until: 10.0, seen: |seen| seen.disagreement < 1e-12, ..printed })
+    .control("disagreement below 1e-12 of the first after 10 s", FigureVariant { until: 10.0, seen: |trial| trial.agrees(1e-12), ..printed })
 }
 
 pub fn fig6() -> Record<FigureVariant> {
     let printed = FigureVariant {
-        fixed: false,
-        connected: false,
+        links: NEAR,
         until: 100.0,
         what: "links within 2 m: more than one component after 100 s, velocities agree within each",
         among: |_| true,
-        seen: |seen| seen.components > 1 && seen.within < 0.01,
+        seen: |trial| trial.end.components > 1 && trial.components_agree(0.01),
         above: 0.0,
     };
     Record::new(
@@ -218,10 +133,10 @@ pub fn fig6() -> Record<FigureVariant> {
     )
     .control(
         "ten components after 5 s",
-        FigureVariant { until: 5.0, seen: |seen| seen.components == AGENTS, ..printed },
+        FigureVariant { until: 5.0, seen: |trial| trial.end.components == 10, ..printed },
     )
     .control(
         "components that agree with each other after 5 s",
-        FigureVariant { until: 5.0, seen: |seen| seen.components > 1 && seen.disagreement < 1e-9, ..printed },
+        FigureVariant { until: 5.0, seen: |trial| trial.end.components > 1 && trial.agrees(1e-9), ..printed },
     )
 }

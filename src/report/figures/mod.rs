@@ -1,6 +1,13 @@
 //! Figures and tables of the papers. One file and one row of [`FIGURES`] each: a name, what it shows, and the function that
 //! makes it. All of them are deterministic.
 
+mod tanner;
+mod tanner1_fig2;
+mod tanner1_flocking;
+mod tanner2_fig4;
+mod tanner2_switching;
+mod tanner_equilibria;
+mod tanner_rates;
 mod veerman;
 mod veerman_fig1;
 mod veerman_fig2;
@@ -44,6 +51,14 @@ pub const FIGURES: &[Figure] = &[
         veerman_observation::reproduce,
     ),
     figure("veerman.communication_sweep", "exploration: linear or exponential growth", veerman_sweep::reproduce),
+    figure("tanner1.fig2", "the potential of two agents", tanner1_fig2::reproduce),
+    figure("tanner1.figs3_6", "heading alignment on the complete graph, with shares", tanner1_flocking::complete),
+    figure("tanner1.figs7_10", "heading alignment on incomplete graphs, with shares", tanner1_flocking::incomplete),
+    figure("tanner2.fig4", "velocity alignment on a fixed network, and collisions", tanner2_fig4::reproduce),
+    figure("tanner2.fig5", "links within 2 m, a flock that stays connected", tanner2_switching::connected),
+    figure("tanner2.fig6", "links within 2 m, a flock that is torn apart", tanner2_switching::torn),
+    figure("tanner.rates", "exploration: rate of approach against connectivity", tanner_rates::reproduce),
+    figure("tanner.equilibria", "exploration: equilibria, minima and saddles", tanner_equilibria::reproduce),
 ];
 
 const fn figure(name: &'static str, about: &'static str, make: fn() -> Result<Reproduced, CheckError>) -> Figure {
