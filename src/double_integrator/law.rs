@@ -56,17 +56,10 @@ pub fn velocity_alignment<T: Field>(
 /// The neighbouring graph of Section 5: a link where `|r_ij| < R`; `square` is `R²`. A pair whose order with `R` is not
 /// decided is not linked.
 pub fn linked_within<T: Field + Signed>(positions: &[Vector<T>], square: &T, coordinates: Coordinates) -> Graph {
-    Graph::from_fn(positions.len(), |i, j| is_within(&positions[i], &positions[j], square, coordinates))
-}
-
-/// The links of [`linked_within`] as pairs.
-pub fn pairs_within<T: Field + Signed>(positions: &[Vector<T>], square: &T, coordinates: Coordinates) -> Vec<Pair> {
-    let pairs = (0..positions.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
-    pairs.filter(|&(i, j)| is_within(&positions[i], &positions[j], square, coordinates)).collect()
-}
-
-fn is_within<T: Field + Signed>(a: &Vector<T>, b: &Vector<T>, square: &T, coordinates: Coordinates) -> bool {
-    (coordinates.square(&difference(a, b)) - square).is_certainly_negative()
+    Graph::from_fn(positions.len(), |i, j| {
+        let s = coordinates.square(&difference(&positions[i], &positions[j]));
+        (s - square).sign() == Some(Sign::Negative)
+    })
 }
 
 /// The pairs at distance exactly `R`.

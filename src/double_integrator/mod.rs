@@ -5,29 +5,41 @@
 //! pair: an identity of first derivatives that holds for the potentials `g_ij s`, with variables `g_ij`, holds for all
 //! differentiable potentials.
 
+mod arrival;
+mod closed_loop;
 mod energy;
+mod energy_log;
 pub mod equilibria;
-mod experiment;
+mod fork;
 mod heading;
+mod input;
 mod law;
 mod linearisation;
+mod motion;
+mod observation;
 mod potential;
+mod random;
 pub mod relaxation;
 mod saturated;
 mod setup;
-mod simulate;
 mod state;
+mod switching;
 
+pub use closed_loop::follow;
 pub use energy::{agent_potential, kinetic_energy, potential_energy};
-pub use experiment::{Alignment, Experiment, Links, Observation, Trial};
+pub use energy_log::{EnergyLog, Excess};
+pub use fork::{Branch, Fork, ForkError, MOST_GRAZING, Way, fork};
 pub use heading::{HeadingDifference, gyroscopic, heading, heading_rate};
-pub use law::{disagreements, linked_within, pairs_within, potential_gradients, tied, velocity_alignment};
+pub use input::{Alignment, Flock, InputError, Network};
+pub use law::{disagreements, linked_within, potential_gradients, tied, velocity_alignment};
 pub use linearisation::{Inertia, hessian, inertia, linearisation};
-pub use potential::{Potential, PotentialError, Slope};
+pub use motion::{Choice, Event, EventKind, Motion, MotionError, Options, Prefer, Sample};
+pub use observation::{Observation, Trial};
+pub use potential::{Potential, PotentialError, Slope, Value};
+pub use random::random_flock;
 pub use saturated::{Kink, Span};
 pub use setup::{HeadingReading, LinkRule, Setup, StartRule};
-pub use simulate::{RunError, Stepper, disagreement, random_flock};
-pub use state::{Coordinates, State, Vector, difference, rotated, scaled, sum};
+pub use state::{Coordinates, State, Vector, difference, disagreement, rotated, scaled, sum};
 
 /// A pair of agents, counted from 0.
 pub type Pair = (usize, usize);

@@ -89,13 +89,25 @@ impl Potential {
         Ok(self.slope(&Dual::new(s.clone(), s.one()))?.derivative)
     }
 
-    /// `V(s)` without its logarithm.
-    fn rational_part<T: Field>(&self, s: &T) -> Result<T, ArithmeticError> {
-        let at = s.rational(&self.anchor.0);
-        let powers = self.slope.iter().filter(|(k, _)| *k != -1);
-        powers.into_iter().try_fold(s.rational(&self.anchor.1), |total, (k, c)| {
-            let factor = s.rational(&(c / rational(i64::from(*k) + 1, 1)));
-            Ok(total + (power(s, *k + 1)? - power(&at, *k + 1)?) * factor)
+    /// The value with its coefficients as scalars of the kind of `like`, for many values.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::DivisionByZero`] where the value at `s = 0` is given and the potential has none there.
+    pub fn value_over<T: Field>(&self, like: &T) -> Result<Value<T>, ArithmeticError> {
+        let (at, start) = &self.anchor;
+        let terms: Vec<(i32, Rational)> = self
+            .slope
+            .iter()
+            .filter(|(k, _)| *k != -1)
+            .map(|(k, c)| (k + 1, c / rational(i64::from(*k) + 1, 1)))
+            .collect();
+        let constant: Result<Rational, ArithmeticError> =
+            terms.iter().try_fold(start.clone(), |sum, (k, c)| Ok(sum - power(at, *k)? * c));
+        let log = self.slope.iter().find(|(k, _)| *k == -1).map(|(_, c)| (like.rational(c), like.rational(at)));
+        Ok(Value {
+            terms: terms.iter().map(|(k, c)| (*k, like.rational(c))).collect(),
+            constant: like.rational(&constant?),
+            log,
         })
     }
 
@@ -104,10 +116,11 @@ impl Potential {
     /// # Errors
     /// [`ArithmeticError::Domain`] where there is a logarithm, [`ArithmeticError::DivisionByZero`] at `s = 0`.
     pub fn rational_value<T: Field>(&self, s: &T) -> Result<T, ArithmeticError> {
-        if self.slope.iter().any(|(k, _)| *k == -1) {
+        let value = self.value_over(s)?;
+        if value.log.is_some() {
             return Err(ArithmeticError::Domain("a potential without logarithm"));
         }
-        self.rational_part(s)
+        value.powers(s)
     }
 
     /// `V(s)`.
@@ -115,11 +128,7 @@ impl Potential {
     /// # Errors
     /// [`ArithmeticError::DivisionByZero`] or [`ArithmeticError::Domain`] where `s` is not certainly positive.
     pub fn value<T: Real>(&self, s: &T) -> Result<T, ArithmeticError> {
-        let rational = self.rational_part(s)?;
-        match self.slope.iter().find(|(k, _)| *k == -1) {
-            None => Ok(rational),
-            Some((_, c)) => Ok(rational + s.over(&s.rational(&self.anchor.0))?.ln()? * s.rational(c)),
-        }
+        self.value_over(s)?.at(s)
     }
 
     /// The polynomial `s^k V'(s)` with the least `k >= 0` that makes it one, and `k`.
@@ -199,6 +208,35 @@ impl<T: Field> Slope<T> {
     /// [`ArithmeticError::DivisionByZero`] at `s = 0`.
     pub fn at(&self, s: &T) -> Result<T, ArithmeticError> {
         self.terms.iter().try_fold(s.zero(), |total, (k, c)| Ok(total + power(s, *k)? * c))
+    }
+}
+
+/// The value of a [`Potential`] over one kind of scalar.
+#[derive(Debug, Clone)]
+pub struct Value<T> {
+    terms: Vec<(i32, T)>,
+    constant: T,
+    /// Factor and unit of the logarithm.
+    log: Option<(T, T)>,
+}
+
+impl<T: Field> Value<T> {
+    fn powers(&self, s: &T) -> Result<T, ArithmeticError> {
+        self.terms.iter().try_fold(self.constant.clone(), |total, (k, c)| Ok(total + power(s, *k)? * c))
+    }
+}
+
+impl<T: Real> Value<T> {
+    /// `V(s)`.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::DivisionByZero`] or [`ArithmeticError::Domain`] where `s` is not certainly positive.
+    pub fn at(&self, s: &T) -> Result<T, ArithmeticError> {
+        let powers = self.powers(s)?;
+        match &self.log {
+            None => Ok(powers),
+            Some((factor, unit)) => Ok(powers + s.over(unit)?.ln()? * factor),
+        }
     }
 }
 

@@ -1,8 +1,12 @@
 //! The starts and links that the papers' simulations are drawn from.
 
-use super::{Alignment, Experiment, HeadingDifference, Links, Potential, State, Vector, linked_within, random_flock};
+use super::{
+    Alignment, Coordinates, Flock, HeadingDifference, InputError, Network, Options, Potential, Prefer, State, Vector,
+    linked_within, random_flock,
+};
 use crate::arithmetic::rational;
 use crate::graph::Graph;
+use crate::simulate::Tolerance;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -46,9 +50,6 @@ pub struct Setup {
     pub potential: Potential,
 }
 
-/// Error estimate of a step; the verdicts on figures do not depend on more.
-const TOLERANCE: f64 = 1e-5;
-
 /// How Section V of the first paper, which leaves the potential open, can be read. Positions are in a disc of radius 20 m in all.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HeadingReading {
@@ -87,6 +88,14 @@ impl HeadingReading {
 }
 
 impl Setup {
+    /// How the runs are computed; what is claimed of them does not depend on more.
+    pub const OPTIONS: Options = Options {
+        tolerance: Tolerance { relative: 1e-8, absolute: 1e-8 },
+        prefer: Prefer::Keep,
+        first_branch: None,
+        most_events: 100_000,
+    };
+
     /// Section V of the first paper: ten agents, complete or random connected graphs. Chosen: everything is drawn evenly; each edge of an
     /// incomplete graph with probability 1/2; differences of headings as in (2), not wrapped.
     pub fn heading_alignment(complete: bool, reading: HeadingReading) -> Self {
@@ -94,7 +103,7 @@ impl Setup {
             agents: 10,
             links: if complete { LinkRule::Complete } else { LinkRule::Random(0.5) },
             start: reading.start(),
-            alignment: Alignment::Headings(HeadingDifference::Raw),
+            alignment: Alignment::Heading(HeadingDifference::Raw),
             potential: reading.potential(),
         }
     }
@@ -106,7 +115,7 @@ impl Setup {
             agents: 10,
             links,
             start: StartRule::Square(2.5, 1.0),
-            alignment: Alignment::Velocities,
+            alignment: Alignment::Velocity,
             potential: Potential::inverse_square_log(&rational(1, 1)),
         }
     }
@@ -114,20 +123,23 @@ impl Setup {
     /// The radius of the second paper, 2 m.
     pub const RADIUS: f64 = 2.0;
 
-    /// An experiment.
-    pub fn draw(&self, random: &mut ChaCha8Rng) -> Experiment {
-        let links = match self.links {
-            LinkRule::Complete => Links::Fixed(Graph::from_fn(self.agents, |_, _| true)),
-            LinkRule::Random(probability) => Links::Fixed(random_connected(self.agents, probability, random)),
-            LinkRule::Within { radius, .. } => Links::Within(radius * radius),
+    /// A flock.
+    ///
+    /// # Errors
+    /// [`InputError`], where linked agents are in one place or so, which does not happen but by a very small chance.
+    pub fn draw(&self, random: &mut ChaCha8Rng) -> Result<Flock, InputError> {
+        let network = match self.links {
+            LinkRule::Complete => Network::Fixed(Graph::from_fn(self.agents, |_, _| true)),
+            LinkRule::Random(probability) => Network::Fixed(random_connected(self.agents, probability, random)),
+            LinkRule::Within { radius, .. } => Network::Within(radius),
         };
         let mut start = self.start.draw(self.agents, random);
         if let LinkRule::Within { radius, connected: true } = self.links {
-            while !linked_within(&start.positions, &(radius * radius), super::Coordinates::Cartesian).is_connected() {
+            while !linked_within(&start.positions, &(radius * radius), Coordinates::Cartesian).is_connected() {
                 start = self.start.draw(self.agents, random);
             }
         }
-        Experiment { start, links, alignment: self.alignment, potential: self.potential.clone(), tolerance: TOLERANCE }
+        Flock::new(self.alignment, self.potential.clone(), network, start)
     }
 }
 

@@ -68,6 +68,11 @@ impl<T: Ring> State<T> {
             .then(|| State { positions: vectors(&list[..2 * count]), velocities: vectors(&list[2 * count..]) })
     }
 
+    /// The list of [`Self::from_list`].
+    pub fn to_list(&self) -> Vec<T> {
+        self.positions.iter().chain(&self.velocities).flatten().cloned().collect()
+    }
+
     /// The number of agents.
     pub fn count(&self) -> usize {
         self.positions.len()
@@ -100,4 +105,12 @@ impl<T: Ring> State<T> {
         let all = |vectors: &[Vector<T>]| vectors.iter().map(|v| [convert(&v[0]), convert(&v[1])]).collect();
         State { positions: all(&self.positions), velocities: all(&self.velocities) }
     }
+}
+
+/// `sqrt(sum |v_i - mean|²)`.
+pub fn disagreement(state: &State<f64>) -> f64 {
+    let count = state.count().max(1) as f64;
+    let total = state.velocities.iter().fold([0.0, 0.0], |s, v| sum(&s, v));
+    let mean = scaled(&(1.0 / count), &total);
+    state.velocities.iter().map(|v| Coordinates::Cartesian.square(&difference(v, &mean))).sum::<f64>().sqrt()
 }

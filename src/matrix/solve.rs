@@ -1,7 +1,7 @@
-//! Exact linear systems: fraction-free elimination over the integers (Bareiss).
+//! Linear systems: fraction-free elimination over the integers (Bareiss), and plain elimination over any scalars.
 
 use super::{MatrixError, RationalMatrix};
-use crate::arithmetic::Rational;
+use crate::arithmetic::{ArithmeticError, Field, Rational};
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
@@ -106,4 +106,26 @@ fn eliminate(rows: &mut [Vec<BigInt>], columns: usize) -> Elimination {
         found.pivot_columns.push(column);
     }
     found
+}
+
+/// Solves `A x = b` over any scalars, given as rows `(A | b)`, taking as pivot the first entry that can be inverted.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where no pivot can be inverted.
+pub fn solve_over_field<T: Field>(mut rows: Vec<Vec<T>>) -> Result<Vec<T>, ArithmeticError> {
+    let order = rows.len();
+    for column in 0..order {
+        let pivot = (column..order).find_map(|i| rows[i][column].recip().ok().map(|inverse| (i, inverse)));
+        let (i, inverse) = pivot.ok_or(ArithmeticError::DivisionByZero)?;
+        rows.swap(column, i);
+        let pivot_row: Vec<T> = rows[column].iter().map(|x| x.clone() * &inverse).collect();
+        for (_, row) in rows.iter_mut().enumerate().filter(|(k, _)| *k != column) {
+            let factor = row[column].clone();
+            for (x, y) in row.iter_mut().zip(&pivot_row).skip(column) {
+                *x = x.clone() - factor.clone() * y;
+            }
+        }
+        rows[column] = pivot_row;
+    }
+    Ok(rows.into_iter().filter_map(|mut row| row.pop()).collect())
 }

@@ -3,7 +3,7 @@
 use super::law::from_deviations;
 use super::{Communication, Gains};
 use crate::arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, Signed, rational};
-use crate::matrix::{MatrixError, RationalMatrix};
+use crate::matrix::{MatrixError, RationalMatrix, solve_over_field};
 
 /// The agents that each follower keeps track of, with weights that sum to one. Agent 0 is the leader, which tracks nobody; the
 /// followers are 1 to M. A follower that tracks nobody moves with constant velocity.
@@ -224,30 +224,11 @@ impl CommunicationGraph {
             }
             rows.push(row);
         }
-        let solution = solve(rows)?;
+        let solution = solve_over_field(rows)?;
         let mut amplitudes = vec![shift.zero(); self.followers()];
         for (k, value) in index.into_iter().zip(solution) {
             amplitudes[k - 1] = value;
         }
         Ok(amplitudes)
     }
-}
-
-/// Solves `A x = b` given as rows `(A | b)`, taking as pivot the first entry that can be inverted.
-fn solve<T: Field>(mut rows: Vec<Vec<T>>) -> Result<Vec<T>, ArithmeticError> {
-    let order = rows.len();
-    for column in 0..order {
-        let pivot = (column..order).find_map(|i| rows[i][column].recip().ok().map(|inverse| (i, inverse)));
-        let (i, inverse) = pivot.ok_or(ArithmeticError::DivisionByZero)?;
-        rows.swap(column, i);
-        let pivot_row: Vec<T> = rows[column].iter().map(|x| x.clone() * &inverse).collect();
-        for (_, row) in rows.iter_mut().enumerate().filter(|(k, _)| *k != column) {
-            let factor = row[column].clone();
-            for (x, y) in row.iter_mut().zip(&pivot_row).skip(column) {
-                *x = x.clone() - factor.clone() * y;
-            }
-        }
-        rows[column] = pivot_row;
-    }
-    Ok(rows.into_iter().filter_map(|mut row| row.pop()).collect())
 }

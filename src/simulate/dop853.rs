@@ -130,22 +130,18 @@ impl Integrator {
 
     /// The state at a time within the last step, by the dense output of order seven.
     pub fn interpolate(&mut self, field: &mut impl VectorField, time: f64) -> Vec<f64> {
+        self.prepare(field);
+        (0..self.state.len()).map(|k| self.component(k, time)).collect()
+    }
+
+    /// One component of [`Self::interpolate`], which must have been asked since the last step.
+    pub fn component(&self, k: usize, time: f64) -> f64 {
         let h = self.time - self.before.0;
-        if h == 0.0 {
-            return self.state.clone();
-        }
-        if self.dense.is_none() {
-            self.prepare(field, h);
-        }
+        let Some(dense) = self.dense.as_ref().filter(|_| h != 0.0) else { return self.state[k] };
         let x = (time - self.before.0) / h;
-        let coefficients = self.dense.iter().flatten();
-        let value = |(y, f): (&f64, &[f64; 7])| {
-            // Alternately times x and 1 - x, from the last coefficient.
-            let sum =
-                f.iter().rev().enumerate().fold(0.0, |sum, (k, f)| (sum + f) * if k % 2 == 0 { x } else { 1.0 - x });
-            y + sum
-        };
-        self.before.1.iter().zip(coefficients).map(value).collect()
+        // Alternately times x and 1 - x, from the last coefficient.
+        let add = |sum: f64, (place, f): (usize, &f64)| (sum + f) * if place % 2 == 0 { x } else { 1.0 - x };
+        self.before.1[k] + dense[k].iter().rev().enumerate().fold(0.0, add)
     }
 
     /// The state at a time within the last step, by a step of full order from its beginning. The step's slopes are lost: the
@@ -218,7 +214,11 @@ impl Integrator {
     }
 
     /// The coefficients of the dense output: three more slopes.
-    fn prepare(&mut self, field: &mut impl VectorField, h: f64) {
+    fn prepare(&mut self, field: &mut impl VectorField) {
+        let h = self.time - self.before.0;
+        if h == 0.0 || self.dense.is_some() {
+            return;
+        }
         for i in STAGES + 1..ALL_STAGES {
             self.slope(field, h, i);
         }

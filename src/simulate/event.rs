@@ -116,7 +116,7 @@ fn golden(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
 
 /// The place in `[a, b]` where a function gets the sign `positive`, by regula falsi with halved weights (Illinois): the later
 /// end of the last bracket, so that the event has happened there.
-fn root(mut a: f64, mut b: f64, positive: bool, mut f: impl FnMut(f64) -> f64) -> f64 {
+pub(crate) fn root(mut a: f64, mut b: f64, positive: bool, mut f: impl FnMut(f64) -> f64) -> f64 {
     let sign = if positive { 1.0 } else { -1.0 };
     let (mut at_a, mut at_b) = ((sign * f(a)).min(0.0), sign * f(b));
     let mut side = 0;

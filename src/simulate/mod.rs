@@ -15,6 +15,7 @@ mod statistics;
 
 pub use cells::{CellError, CellList};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
+pub(crate) use event::root;
 pub use event::{Crossing, next_crossing};
 pub use phases::AllToAll;
 pub use rk4::Rk4;

@@ -1,6 +1,9 @@
 //! Mirrors `src/double_integrator`: laws, potentials, kinks, linearisations and the float motion against naive twins.
 
+mod forks;
+mod inputs;
 mod motion;
+mod switching;
 
 use flockproof::arithmetic::{Dual, Field, Interval, Rational, Real, Ring, rational};
 use flockproof::double_integrator::{

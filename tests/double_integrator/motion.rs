@@ -2,9 +2,10 @@
 
 use flockproof::arithmetic::rational;
 use flockproof::double_integrator::{
-    Coordinates, Pair, Potential, State, Stepper, Vector, disagreement, kinetic_energy, potential_energy, random_flock,
-    velocity_alignment,
+    Alignment, Coordinates, Flock, Network, Options, Pair, Potential, State, Vector, disagreement, follow,
+    random_flock, velocity_alignment,
 };
+use flockproof::graph::Graph;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
@@ -40,39 +41,36 @@ fn start() -> State<f64> {
     }
 }
 
+fn flock() -> Flock {
+    let potential = Potential::inverse_square_log(&rational(1, 1));
+    let network = Network::Fixed(Graph::from_edges(4, &EDGES).unwrap());
+    Flock::new(Alignment::Velocity, potential, network, start()).unwrap()
+}
+
 #[test]
 fn both_methods_agree() {
-    let found =
-        Stepper { tolerance: 1e-10, ..Stepper::default() }.run(&start(), 3.0, |s| Ok(law(s)), |_, _| ()).unwrap();
+    let found = flock().run(3.0, &[3.0], &Options::default()).unwrap().samples.remove(0).state;
+    let by_law = follow(&start(), &[3.0], Options::default().tolerance, |s| Ok(law(s))).unwrap().remove(0);
     let naive = naive(&start(), 3.0, 3000);
     for (a, b) in found.positions.iter().chain(&found.velocities).zip(naive.positions.iter().chain(&naive.velocities)) {
-        assert!((a[0] - b[0]).abs() < 1e-7 && (a[1] - b[1]).abs() < 1e-7, "{a:?} {b:?}");
+        assert!((a[0] - b[0]).abs() < 1e-9 && (a[1] - b[1]).abs() < 1e-9, "{a:?} {b:?}");
+    }
+    for (a, b) in found.positions.iter().zip(&by_law.positions) {
+        assert!((a[0] - b[0]).abs() < 1e-8 && (a[1] - b[1]).abs() < 1e-8, "{a:?} {b:?}");
     }
 }
 
 #[test]
 fn momentum_stays_and_energy_falls() {
-    let potential = Potential::inverse_square_log(&rational(1, 1));
-    let energy = |s: &State<f64>| {
-        potential_energy(&s.positions, &EDGES, PLANE, |_, _, s| potential.value(s)).unwrap()
-            + kinetic_energy(&s.velocities, PLANE).unwrap()
-    };
-    let mut last = energy(&start());
-    let end = Stepper { tolerance: 1e-9, ..Stepper::default() }
-        .run(
-            &start(),
-            20.0,
-            |s| Ok(law(s)),
-            |_, s| {
-                let now = energy(s);
-                assert!(now <= last + 1e-7);
-                last = now;
-            },
-        )
-        .unwrap();
+    let times: Vec<f64> = (0..=200).map(|k| f64::from(k) / 10.0).collect();
+    let motion = flock().run(20.0, &times, &Options::default()).unwrap();
+    assert!(motion.energy.is_monotone(), "{:?}", motion.energy);
+    assert!(motion.samples.windows(2).all(|w| w[1].energy <= w[0].energy + 1e-9));
+    assert_eq!(motion.samples[0].energy, motion.energy.first);
+    let end = &motion.samples[200].state;
     let momentum = |s: &State<f64>| s.velocities.iter().map(|v| v[0]).sum::<f64>();
-    assert!((momentum(&end) - momentum(&start())).abs() < 1e-9);
-    assert!(disagreement(&end) < 0.01 * disagreement(&start()));
+    assert!((momentum(end) - momentum(&start())).abs() < 1e-9);
+    assert!(disagreement(end) < 0.01 * disagreement(&start()));
 }
 
 #[test]

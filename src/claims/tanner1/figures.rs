@@ -6,6 +6,7 @@
 //! within 10 m of their mean (far apart, gradients are small too).
 
 use crate::claims::record::Record;
+use crate::claims::tanner2::figures::other;
 use crate::double_integrator::{HeadingReading, Setup};
 use crate::ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use crate::simulate::Share;
@@ -31,8 +32,8 @@ fn examine_reading(variant: &FigureVariant, reading: HeadingReading, run: &mut R
     let (mut formations, mut headings, mut narrowest) = (Share::default(), Share::default(), f64::INFINITY);
     for seed in 0..run.cases(12, 100) as u64 {
         run.checkpoint()?;
-        let trial = setup.draw(&mut run.random(seed)).trial(variant.until);
-        let end = trial.map_err(|e| CheckError::Other(e.to_string()))?.end;
+        let flock = setup.draw(&mut run.random(seed)).map_err(other)?;
+        let end = flock.trial(variant.until, None, &Setup::OPTIONS).map_err(other)?.end;
         formations = formations.with(end.is_formation(variant.heading, variant.gradient, TIGHT));
         headings = headings.with(end.heading_spread < variant.heading);
         narrowest = narrowest.min(end.radius);

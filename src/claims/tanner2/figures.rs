@@ -30,14 +30,18 @@ pub struct FigureVariant {
     above: f64,
 }
 
+pub(in crate::claims) fn other(error: impl std::fmt::Display) -> CheckError {
+    CheckError::Other(error.to_string())
+}
+
 fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let setup = Setup::velocity_alignment(variant.links);
     let all = run.cases(24, 200);
     let (mut counted, mut of_all) = (Share::default(), Share::default());
     for seed in 0..all as u64 {
         run.checkpoint()?;
-        let trial = setup.draw(&mut run.random(seed)).trial(variant.until);
-        let trial = trial.map_err(|e| CheckError::Other(e.to_string()))?;
+        let flock = setup.draw(&mut run.random(seed)).map_err(other)?;
+        let trial = flock.trial(variant.until, None, &Setup::OPTIONS).map_err(other)?;
         let (among, seen) = ((variant.among)(&trial), (variant.seen)(&trial));
         of_all = of_all.with(among && seen);
         if among {
@@ -49,7 +53,7 @@ fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError
     run.value("share_of_all_runs", of_all.enclosure());
     let of_which = if counted.of == all { String::new() } else { format!("; of all runs {of_all}") };
     let detail = format!(
-        "{counted}{of_which}; V = 1/s + log s and the other choices declared in notes/tanner2.md; adaptive steps, error per step below 1e-5"
+        "{counted}{of_which}; V = 1/s + log s and the other choices declared in notes/tanner2.md; switches located, adaptive steps with errors below 1e-8"
     );
     let evidence = Evidence::new(Grade::Simulated, variant.what, detail).cases(counted.of);
     if counted.found > 0 && counted.interval().0 > variant.above {

@@ -1,6 +1,8 @@
 //! Figures 3 to 6 and 7 to 10 of Tanner, Jadbabaie and Pappas, part I: heading alignment on complete and incomplete graphs.
 
-use super::tanner::{COURSE, Row, course_rows, drawn, line, run_error, shares_csv, shares_text, snapshot, trials};
+use super::tanner::{
+    COURSE, Row, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
+};
 use super::{Reproduced, csv};
 use crate::double_integrator::{HeadingReading, Observation, Setup, Trial};
 use crate::ledger::CheckError;
@@ -41,7 +43,7 @@ fn reproduce(complete: bool) -> Result<Reproduced, CheckError> {
     let mut shown = 0;
     for reading in HeadingReading::ALL {
         let setup = Setup::heading_alignment(complete, reading);
-        let trials = trials(id, &setup, RUNS, UNTIL)?;
+        let trials = trials(id, &setup, RUNS, UNTIL, None)?;
         let count = |passes: &dyn Fn(&Trial) -> bool| Share::count(&trials, passes);
         let name = reading.describe();
         rows.push(Row::new(name, "common heading", count(&|t| t.end.heading_spread < FORMATION.0)));
@@ -52,11 +54,11 @@ fn reproduce(complete: bool) -> Result<Reproduced, CheckError> {
             all[all.len() / 2]
         };
         ends.push_str(&format!(
-            "  {name:36} {:8.2} {:9.3} {:8.1} {:8.3} {:6.1e}\n",
+            "  {name:36} {:8.2e} {:9.2e} {:7.2} {:7.1e} {:6.0e}\n",
             median(|t| t.end.heading_spread),
             median(|t| t.end.disagreement),
             median(|t| t.end.radius),
-            median(|t| t.closest),
+            median(|t| t.end.gradient),
             median(|t| ((t.end.energy - t.start.energy) / t.start.energy).abs()),
         ));
         if reading == HeadingReading::Spring {
@@ -71,8 +73,8 @@ fn reproduce(complete: bool) -> Result<Reproduced, CheckError> {
          Common heading: largest difference below {}; minimum: all |grad V_i| below {};\n\
          tight: all within {} m of the mean. {RUNS} runs each, Wilson 95% intervals.\n\n\
          {}\n\
-         medians after {UNTIL} s                   headings disagreem. radius closest energy\n\
-         \x20                                       spread    (m/s)     (m)     (m)  drift\n\
+         medians after {UNTIL} s                    headings disagreem.  radius gradient energy\n\
+         \x20                                         (rad)     (m/s)     (m)           drift\n\
          {ends}\n\
          With the numbers and the potential as printed the flock scatters over kilometres:\n\
          alignment does no work, and 1/s + log s can store the energy of speeds up to\n\
@@ -103,16 +105,18 @@ fn draw(
     let mut picture =
         Picture::new(format!("Figures {figures}: headings align, {kind} graph, ten agents")).grid(5, (330.0, 310.0));
     let mut courses = Vec::new();
+    // Equal ratios from 1/10 s on.
+    let times = merged((0..400).map(|k| 0.1 * (UNTIL / 0.1).powf(f64::from(k) / 400.0)), &TIMES);
     for reading in HeadingReading::ALL {
-        let experiment = drawn(id, &Setup::heading_alignment(complete, reading), replicate);
-        let (course, states) = experiment.course(&TIMES, 0.02).map_err(run_error)?;
+        let flock = drawn(id, &Setup::heading_alignment(complete, reading), replicate)?;
+        let (motion, seen) = course(&flock, &times)?;
         if reading == HeadingReading::Spring {
-            for (k, (time, state)) in TIMES.iter().zip(&states).enumerate() {
-                let title = format!("Figure {}: t = {time} s", first + k);
-                picture = picture.panel(snapshot(title, &experiment, state, !complete));
+            for (k, sample) in TIMES.iter().filter_map(|time| at(&motion, *time)).enumerate() {
+                let title = format!("Figure {}: t = {} s", first + k, sample.time);
+                picture = picture.panel(snapshot(title, sample, !complete));
             }
         }
-        courses.push((reading, thinned(course)));
+        courses.push((reading, seen));
     }
     let over_time = |title: &str, axis: Axis, legend: bool, quantity: fn(&Observation) -> f64| {
         let time = Axis::log("time (s)").between(0.1, UNTIL);
@@ -140,17 +144,4 @@ fn draw(
     });
     let rows = rows.collect();
     Ok((picture, rows))
-}
-
-/// Observations at about equal ratios of their times.
-fn thinned(course: Vec<Observation>) -> Vec<Observation> {
-    let mut next = 0.0;
-    let mut kept = Vec::new();
-    for seen in course {
-        if seen.time >= next || seen.time == UNTIL {
-            next = (seen.time * 1.01).max(0.02);
-            kept.push(seen);
-        }
-    }
-    kept
 }

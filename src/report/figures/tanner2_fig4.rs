@@ -1,9 +1,11 @@
 //! Figure 4 of Tanner, Jadbabaie and Pappas, Flocking in fixed and switching networks: a fixed random network; and how often agents without link
 //! come close.
 
-use super::tanner::{COURSE, Row, course_rows, drawn, line, run_error, shares_csv, shares_text, snapshot, trials};
+use super::tanner::{
+    COURSE, Row, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
+};
 use super::{Reproduced, csv};
-use crate::double_integrator::{LinkRule, Setup};
+use crate::double_integrator::{LinkRule, Setup, Trial};
 use crate::ledger::CheckError;
 use crate::report::plot::{Axis, PALETTE, Panel, Picture};
 use crate::simulate::Share;
@@ -16,16 +18,18 @@ const DENSITIES: [f64; 5] = [0.2, 0.35, 0.5, 0.7, 1.0];
 const RUNS: u64 = 40;
 /// Closer than this, in metres, is a collision for the table.
 const COLLISION: f64 = 0.1;
+/// Time between samples.
+const EVERY: f64 = 0.1;
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let until = TIMES[TIMES.len() - 1];
     let mut rows = Vec::new();
     let mut shown = None;
     for density in DENSITIES {
-        let trials = trials(ID, &Setup::velocity_alignment(LinkRule::Random(density)), RUNS, until)?;
+        let trials = trials(ID, &Setup::velocity_alignment(LinkRule::Random(density)), RUNS, until, Some(EVERY))?;
         let links = trials.iter().map(|t| t.end.links).sum::<usize>() as f64 / trials.len() as f64;
         let setting = format!("edge probability {density}: {links:.1} of 45 links on average");
-        let count = |passes: &dyn Fn(&crate::double_integrator::Trial) -> bool| Share::count(&trials, passes);
+        let count = |passes: &dyn Fn(&Trial) -> bool| Share::count(&trials, passes);
         let apart = trials.iter().filter(|t| t.start.least_distance >= COLLISION);
         rows.push(Row::new(&setting, "velocities agree (to 1/100)", count(&|t| t.agrees(0.01))));
         rows.push(Row::new(
@@ -48,11 +52,11 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         }
     }
     let shown = shown.unwrap_or(0) as u64;
-    let experiment = drawn(ID, &Setup::velocity_alignment(LinkRule::Random(0.5)), shown);
-    let (course, states) = experiment.course(&TIMES, 0.05).map_err(run_error)?;
+    let flock = drawn(ID, &Setup::velocity_alignment(LinkRule::Random(0.5)), shown)?;
+    let (motion, course) = course(&flock, &merged((0..500).map(|k| 0.2 * f64::from(k)), &TIMES))?;
     let mut picture = Picture::new("Figure 4: ten agents on a fixed random network").grid(3, (380.0, 350.0));
-    for (time, state) in TIMES.iter().zip(&states) {
-        picture = picture.panel(snapshot(format!("t = {time} s"), &experiment, state, true));
+    for sample in TIMES.iter().filter_map(|time| at(&motion, *time)) {
+        picture = picture.panel(snapshot(format!("t = {} s", sample.time), sample, true));
     }
     let time = || Axis::linear("time (s)").between(0.0, until);
     picture = picture
@@ -69,12 +73,12 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         .panel(
             Panel::new("energy", time(), Axis::linear("sum of potentials, W"))
                 .series(line("potential", PALETTE[2], &course, |o| o.potential))
-                .series(line("W", PALETTE[3], &course, |o| o.lyapunov)),
+                .series(line("W", PALETTE[3], &course, |o| o.energy)),
         );
     let end = course.last().map_or(String::new(), |o| {
         format!(
             "disagreement {:.1e} m/s, heading spread {:.1e}, least distance {:.3} m\n  (without link {:.3} m), W = {:.4}, largest |grad V_i| {:.1e}",
-            o.disagreement, o.heading_spread, o.least_distance, o.least_unlinked, o.lyapunov, o.gradient
+            o.disagreement, o.heading_spread, o.least_distance, o.least_unlinked, o.energy, o.gradient
         )
     });
     let text = format!(
@@ -86,7 +90,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
          The figure's statement, velocities synchronised after {until} s, is typical. Drawn:\n\
          run {shown} with probability 1/2, the first in which two agents without link end\n\
          close. At its end: {end}\n\
-         Distances between steps by cubic interpolation; nothing here is proved.\n",
+         Distances between samples ({EVERY} s) by cubics; nothing here is proved.\n",
         shares_text(&rows)
     );
     Ok(Reproduced::new(text)
