@@ -110,16 +110,17 @@ impl Framework {
             if gradient.norm() < AT_REST {
                 break;
             }
-            let matrix = self.float_hessian(&positions).ok()?;
-            let mut normal = &matrix * &matrix;
-            for k in 0..normal.nrows() {
-                normal[(k, k)] += damping * gradient.norm_squared().min(1.0) + 1e-15;
-            }
-            let step = normal.cholesky()?.solve(&(-(&matrix * &gradient)));
+            let eigen = self.float_hessian(&positions).ok()?.symmetric_eigen();
+            let along = eigen.eigenvectors.tr_mul(&gradient);
+            // Not along the rigid motions, whose curvatures are zero.
+            let scaled = along.zip_map(&eigen.eigenvalues, |g, curvature| {
+                if curvature.abs() < 1e-9 { 0.0 } else { -g * curvature / (curvature * curvature + damping) }
+            });
+            let step = &eigen.eigenvectors * scaled;
             let moved = moved(&positions, &(&step * (LONGEST / step.amax()).min(1.0)));
             match self.float_gradient(&moved) {
                 Some(next) if next.norm() < gradient.norm() => {
-                    (positions, gradient, damping) = (moved, next, (damping / 4.0f64).max(1e-12));
+                    (positions, gradient, damping) = (moved, next, (damping / 4.0f64).max(1e-20));
                 }
                 _ if damping > 1e12 => break,
                 _ => damping *= 4.0,
@@ -182,8 +183,7 @@ impl Framework {
         let inverse = exact_rows(&inverse)?;
         let product = times(&inverse, &rows);
         for (i, (row, y)) in product.iter().zip(&inverse).enumerate() {
-            let zero = whole.clone() - &whole;
-            let mut image = y.iter().zip(&gradient).fold(zero, |sum, (y, f)| sum - y.clone() * f);
+            let mut image = y.iter().zip(&gradient).fold(whole.zero(), |sum, (y, f)| sum - y.clone() * f);
             for (j, x) in row.iter().enumerate() {
                 let unit = if i == j { x.clone() - whole.one() } else { x.clone() };
                 image = image - unit * &whole;

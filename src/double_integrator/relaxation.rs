@@ -4,7 +4,7 @@ use super::equilibria::{Equilibrium, Framework};
 use super::{Coordinates, State, linearisation};
 use crate::arithmetic::ArithmeticError;
 use crate::matrix::floating::{EigenError, eigenvalues};
-use nalgebra::DMatrix;
+use nalgebra::{Complex, DMatrix};
 
 /// Why there is no rate.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -26,7 +26,7 @@ pub struct Relaxation {
     pub swings: bool,
     /// Modes of rate zero besides the uniform motions: rotations, and bendings that no potential resists.
     pub neutral: usize,
-    /// The largest residual of an eigenvalue.
+    /// The smallest singular value of `mu² + mu L + H` at that mode's eigenvalue `mu`: a change of `H` of this size makes it exact.
     pub residual: f64,
 }
 
@@ -52,13 +52,19 @@ pub fn relaxation(framework: &Framework, equilibrium: &Equilibrium) -> Result<Re
         (false, false) => damping[(i - kept, j - kept)],
     });
     let mut modes = eigenvalues(&matrix)?;
-    let residual = modes.iter().map(|mode| mode.residual).fold(0.0, f64::max);
     // By decreasing modulus: the zeros come last, as many as the Hessian has besides translations.
     let neutral = equilibrium.inertia.zero.saturating_sub(2);
     modes.truncate(modes.len() - neutral.min(modes.len()));
-    let slowest = modes.iter().min_by(|a, b| (-a.re).total_cmp(&-b.re));
-    let (rate, swings) = slowest.map_or((f64::INFINITY, false), |mode| (-mode.re, mode.im.abs() > 1e-6));
-    Ok(Relaxation { rate, swings, neutral, residual })
+    let Some(slowest) = modes.iter().min_by(|a, b| (-a.re).total_cmp(&-b.re)) else {
+        return Ok(Relaxation { rate: f64::INFINITY, swings: false, neutral, residual: 0.0 });
+    };
+    let mu = Complex::new(slowest.re, slowest.im);
+    let pencil = DMatrix::from_fn(kept, kept, |i, j| {
+        let square = if i == j { mu * mu } else { Complex::new(0.0, 0.0) };
+        square - mu * damping[(i, j)] - stiffness[(i, j)]
+    });
+    let residual = pencil.singular_values().min();
+    Ok(Relaxation { rate: -slowest.re, swings: slowest.im.abs() > 1e-6, neutral, residual })
 }
 
 /// An orthonormal basis of the planar vectors whose sum over all agents is zero (Helmert), in columns.

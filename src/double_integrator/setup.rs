@@ -74,6 +74,15 @@ impl HeadingReading {
         }
     }
 
+    /// Fewer words, for legends.
+    pub fn name(self) -> &'static str {
+        match self {
+            HeadingReading::Printed => "20 m/s, logarithm",
+            HeadingReading::Spring => "20 m/s, spring",
+            HeadingReading::Slow => "1 m/s, logarithm",
+        }
+    }
+
     fn start(self) -> StartRule {
         StartRule::Discs(20.0, if self == HeadingReading::Slow { 1.0 } else { 20.0 })
     }
@@ -90,7 +99,7 @@ impl HeadingReading {
 impl Setup {
     /// How the runs are computed; what is claimed of them does not depend on more.
     pub const OPTIONS: Options = Options {
-        tolerance: Tolerance { relative: 1e-8, absolute: 1e-8 },
+        tolerance: Tolerance { relative: 1e-7, absolute: 1e-7 },
         prefer: Prefer::Keep,
         first_branch: None,
         most_events: 100_000,

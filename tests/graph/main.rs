@@ -150,3 +150,19 @@ fn bad_files_are_refused_with_the_line() {
     refused("%%MatrixMarket matrix coordinate real symmetric\n2 2 1\n1 2 1\n", "line 3: an entry");
     refused("%%MatrixMarket matrix coordinate real general\n999999999999 999999999999 1\n1 2 1\n", "line 2");
 }
+
+/// Renamed graphs share the code; the classes of connected graphs have different ones.
+#[test]
+fn isomorphism_codes() {
+    for order in 1..=5 {
+        let mut codes: Vec<usize> =
+            Graph::connected_up_to_isomorphism(order).iter().map(Graph::isomorphism_code).collect();
+        let count = codes.len();
+        codes.sort_unstable();
+        codes.dedup();
+        assert_eq!(codes.len(), count);
+    }
+    let path = Graph::path(5);
+    let renamed = Graph::from_edges(5, &[(3, 1), (1, 4), (4, 0), (0, 2)]).unwrap();
+    assert_eq!(path.isomorphism_code(), renamed.isomorphism_code());
+}

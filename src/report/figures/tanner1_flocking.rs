@@ -121,7 +121,7 @@ fn draw(
     let over_time = |title: &str, axis: Axis, legend: bool, quantity: fn(&Observation) -> f64| {
         let time = Axis::log("time (s)").between(0.1, UNTIL);
         courses.iter().fold(Panel::new(title, time, axis), |panel, (reading, course)| {
-            let name = if legend { reading.describe() } else { "" };
+            let name = if legend { reading.name() } else { "" };
             panel.series(line(name, colour(*reading), course, quantity))
         })
     };

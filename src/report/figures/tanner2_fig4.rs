@@ -34,7 +34,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         rows.push(Row::new(&setting, "velocities agree (to 1/100)", count(&|t| t.agrees(0.01))));
         rows.push(Row::new(
             &setting,
-            "all pairs 0.1 m apart before, closer later",
+            "a pair comes closer than 0.1 m (*)",
             Share::count(apart, |t| t.closest < COLLISION),
         ));
         rows.push(Row::new(
@@ -77,7 +77,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         );
     let end = course.last().map_or(String::new(), |o| {
         format!(
-            "disagreement {:.1e} m/s, heading spread {:.1e}, least distance {:.3} m\n  (without link {:.3} m), W = {:.4}, largest |grad V_i| {:.1e}",
+            "disagreement {:.1e} m/s, heading spread {:.1e},\nleast distance {:.3} m (without link {:.3} m), W = {:.4}, largest |grad V_i| {:.1e}",
             o.disagreement, o.heading_spread, o.least_distance, o.least_unlinked, o.energy, o.gradient
         )
     });
@@ -87,6 +87,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
          say: V = 1/s + log s, and how graphs are drawn (each edge with a probability,\n\
          until connected). {RUNS} runs each, Wilson 95% intervals.\n\n\
          {}\n\
+         (*) Of the runs with all pairs at least 0.1 m apart at the start. Agents without link\n\
+         but with the same neighbours are drawn to the same place.\n\n\
          The figure's statement, velocities synchronised after {until} s, is typical. Drawn:\n\
          run {shown} with probability 1/2, the first in which two agents without link end\n\
          close. At its end: {end}\n\

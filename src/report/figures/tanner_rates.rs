@@ -87,12 +87,13 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let (firm_slowed, soft_slowed) = (slowed(&found, firm), slowed(&found, soft));
     let residual = found.iter().map(|f| f.firm.residual.max(f.soft.residual)).fold(0.0, f64::max);
     let below = found.iter().filter(|f| f.firm.rate < f.connectivity / 2.0 - 1e-9).count();
+    let soft_below = found.iter().filter(|f| f.soft.rate < f.connectivity / 2.0 - 1e-9).count();
     let text = format!(
         "EXPLORATION in floating point, not a proof. All {} connected graphs of 3 to 6\n\
          agents, law (4) with V = 1/s + log s, and with V/{SOFT}; the lowest minimum found by\n\
          {STARTS} descents; rate: the least decay of a mode of the linearised loop, without\n\
-         uniform motion and without modes of rate 0, along which equilibria lie. Largest\n\
-         residual of an eigenvalue {residual:.0e}. lambda_2: algebraic connectivity.\n\n\
+         uniform motion and without modes of rate 0, along which equilibria lie (exact for H\n\
+         changed by at most {residual:.0e}). lambda_2: algebraic connectivity.\n\n\
          \x20                                             V             V/{SOFT}\n\
          rate / lambda_2                        {:6.3} .. {:5.3}  {:7.4} .. {:5.3}\n\
          edge additions that lower the rate       {:4} of {:4}     {:4} of {:4}\n\n\
@@ -100,9 +101,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
          h = x*Hx (|x| = 1), is normal to uniform motions, so lambda_2 <= l. If it swings,\n\
          its rate is l/2, between lambda_2/2 and lambda_N/2: so for the {swinging} graphs whose\n\
          slowest mode swings (ratios {:.3} to {:.3}). Without potentials the rate is\n\
-         lambda_2. What it does not bound: a mode that does not swing has a rate\n\
-         (l - sqrt(l² - 4h))/2, about h/l, which more damping makes slower; with V {below}\n\
-         graphs lie below lambda_2/2, with V/{SOFT} many. This is what tanner2.cor2_rate shows\n\
+         lambda_2. What it does not bound: modes that do not swing have the rates\n\
+         (l ± sqrt(l² - 4h))/2, the slower about h/l, and more damping makes it slower: with\n\
+         V {below} graphs lie below lambda_2/2, with V/{SOFT} {soft_below}. This is what tanner2.cor2_rate shows\n\
          exactly for a pair, a row and a triangle.\n",
         found.len(),
         firm_ratio.0,
