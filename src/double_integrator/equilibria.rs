@@ -199,10 +199,10 @@ impl Framework {
     }
 }
 
-/// Places even in a square whose area grows with the number of agents.
+/// Places even in a square of side 2: about as wide as a flock of a few agents at rest with desired distance 1, from which more
+/// searches succeed than from wider ones.
 pub fn random_places(count: usize, random: &mut ChaCha8Rng) -> Vec<Vector<f64>> {
-    let side = 1.4 * (count as f64).sqrt();
-    let mut even = || side * (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let mut even = || 2.0 * (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
     (0..count).map(|_| [even(), even()]).collect()
 }
 

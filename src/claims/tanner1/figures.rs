@@ -68,9 +68,9 @@ const TYPICAL: FigureVariant = FigureVariant {
 pub fn complete() -> Record<FigureVariant> {
     Record::new(
         "tanner1.figs3_6",
-        "Reading: the numbers as printed, with the only potential that the paper prints; typical if more than half of all runs end in a formation after 200 s. None does: speeds up to 20 m/s are too much for V = 1/s + log s. The alignment forces turn a heading by at most \
-         about the sum of |theta_i - theta_j|/(v d) over the agents met at speed v and distance d, and do no work; the kinetic energy of the relative motion, about 90 per agent, must be stored in potentials that grow with the logarithm of the distance, so the flock first grows by \
-         a factor of about exp(K/(N(N-1))) = exp(10), to hundreds of kilometres (runs over 100000 s have not returned). The paper allows any potential: with V = s + 1/s - 2 and the printed numbers, and with the printed potential at speeds up to 1 m/s, all runs end as in the figures.",
+        "Reading: the numbers as printed, with the only potential that the paper prints; typical if more than half of all runs end in a formation after 200 s. None does: speeds up to 20 m/s are too much for V = 1/s + log s. The alignment forces turn a heading by about pi |theta_i - theta_j|/(v d) \
+         where two agents pass at speed v and distance d, and do no work; the kinetic energy of the relative motion, about 90 per agent, must be stored in potentials that grow with the logarithm of the distance, so the flock first grows by \
+         a factor of about exp(K/(N(N-1))) = exp(10), to hundreds of kilometres (exploratory runs over 100000 s had not returned). The paper allows any potential: with V = s + 1/s - 2 and the printed numbers, and with the printed potential at speeds up to 1 m/s, all runs end as in the figures.",
         FigureVariant { readings: &[HeadingReading::Printed], ..TYPICAL },
         examine,
     )

@@ -94,7 +94,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let found: Vec<Found> =
         graphs().into_par_iter().map(|(name, graph, starts)| explore(name, graph, starts)).collect();
     let mut text = String::from(
-        "EXPLORATION: equilibria of V = 1/s + log s, from random starts even in a square,\n\
+        "EXPLORATION: equilibria of V = 1/s + log s, from starts even in a square of side 2,\n\
          half by descent, half by steps on |grad V|² (which find saddles). Distinct: by\n\
          all distances within 1e-5, so up to congruence and names. Proved: Krawczyk's test\n\
          in intervals finds exactly one equilibrium in a box, and the signs of its Hessian\n\
@@ -106,14 +106,19 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}", one.row());
     }
-    let falling: usize = found.iter().map(|one| one.bent.1).sum();
+    let falling: Vec<String> = found
+        .iter()
+        .filter(|one| one.bent.1 > 0)
+        .map(|one| format!("{} on {}", one.bent.1, one.name))
+        .collect();
+    let falling = if falling.is_empty() { "none".to_string() } else { falling.join(", ") };
     let _ = write!(
         text,
         "\nOn trees every equilibrium has all links at distance 1 (V' = 0 on each, as the\n\
          incidence matrix has independent columns), so all are minima with V = N - 1 and\n\
          can be bent. On rings all links at distance 1 are one family of minima; what is\n\
          isolated there are rows, in which each link pulls or pushes with the same force.\n\
-         Of the bent configurations {falling} have a direction in which V falls.\n"
+         Bent configurations from which V can fall to second order: {falling}.\n"
     );
     let rows = found.iter().flat_map(|one| {
         one.isolated.iter().map(|(equilibrium, times, proved)| {
