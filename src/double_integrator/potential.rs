@@ -62,6 +62,12 @@ impl Potential {
         Potential::new(slope, (one, rational(0, 1)))
     }
 
+    /// The potential times a number.
+    pub fn times(&self, factor: &Rational) -> Self {
+        let slope = self.slope.iter().map(|(k, c)| (*k, c * factor)).collect();
+        Potential::new(slope, (self.anchor.0.clone(), &self.anchor.1 * factor))
+    }
+
     /// The slope with its coefficients as scalars of the kind of `like`, for many values.
     pub fn slope_over<T: Field>(&self, like: &T) -> Slope<T> {
         let mut terms: Vec<(i32, T)> = self.slope.iter().map(|(k, c)| (*k, like.rational(c))).collect();

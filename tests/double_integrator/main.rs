@@ -1,9 +1,11 @@
 //! Mirrors `src/double_integrator`: laws, potentials, kinks, linearisations and the float motion against naive twins.
 
 mod flock;
+mod equilibria;
 mod forks;
 mod inputs;
 mod motion;
+mod observation;
 mod switching;
 
 use flockproof::arithmetic::{Dual, Field, Interval, Rational, Real, Ring, rational};

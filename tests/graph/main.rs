@@ -171,3 +171,19 @@ fn components_of_edges_are_those_of_the_graph() {
     }
     assert_eq!(components(2, &[(0, 5), (1, 1)]), [[0], [1]]);
 }
+
+/// Renamed graphs share the code; the classes of connected graphs have different ones.
+#[test]
+fn isomorphism_codes() {
+    for order in 1..=5 {
+        let mut codes: Vec<usize> =
+            Graph::connected_up_to_isomorphism(order).iter().map(Graph::isomorphism_code).collect();
+        let count = codes.len();
+        codes.sort_unstable();
+        codes.dedup();
+        assert_eq!(codes.len(), count);
+    }
+    let path = Graph::path(5);
+    let renamed = Graph::from_edges(5, &[(3, 1), (1, 4), (4, 0), (0, 2)]).unwrap();
+    assert_eq!(path.isomorphism_code(), renamed.isomorphism_code());
+}

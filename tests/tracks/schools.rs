@@ -1,7 +1,7 @@
 //! Schools made by a rule: the analysis finds what was put in.
 
 use super::measures::setting;
-use flockproof::arithmetic::wilson_interval;
+use flockproof::simulate::Share;
 use flockproof::tracks::{Analysis, Choices, NullModels, School, Tracks, analyse, null_models, synthetic_school};
 
 fn analysed(school: School, fish: usize, frames: usize) -> Analysis {
@@ -46,7 +46,7 @@ fn a_mill_is_found_balanced_and_turning() {
 fn independent_headings_give_the_null_shares() {
     for (fish, share) in [(4, 0.945), (8, 0.9983)] {
         let null = compared(&analysed(School::Independent, fish, 3000), 0);
-        let (low, high) = wilson_interval(null.uniform.positive[0], null.uniform.draws);
+        let (low, high) = Share::new(null.uniform.positive[0], null.uniform.draws).interval();
         // The shares for positions uniform in a square, 200000 draws of an independent program: 0.9454 and 0.9984. The network of the
         // recording and the rule for n = 1 differ a little.
         assert!(low - 0.02 < share && share < high + 0.02, "[{low}, {high}] for {fish} fish");

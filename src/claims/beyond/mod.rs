@@ -32,6 +32,7 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(phases::CriticalInertia),
         Box::new(phases::CyclicClassification),
         Box::new(tanner::two_agents()),
+        Box::new(tanner::turning_triangle()),
         Box::new(tanner::alternating_trees()),
         Box::new(tanner::endless_switching()),
         Box::new(certified_split::certified_split()),

@@ -1,8 +1,9 @@
-//! beyond.tanner1.two_agents, beyond.tanner2.alternating_trees, beyond.tanner2.endless_switching.
+//! beyond.tanner1.two_agents, beyond.tanner1.turning_triangle, beyond.tanner2.alternating_trees, beyond.tanner2.endless_switching.
 
 use crate::arithmetic::identity::RationalIdentity;
 use crate::arithmetic::{ArithmeticError, Field, Rational, rational};
 use crate::claims::record::Record;
+use crate::claims::tanner1::triangle::turns_for_ever;
 use crate::claims::tanner2::switching::{dimension_of_regular_simplex, symmetric_motions_cross_for_ever};
 use crate::double_integrator::{Coordinates, Potential, State, gyroscopic, potential_gradients, scaled, sum};
 use crate::graph::Graph;
@@ -69,6 +70,37 @@ pub fn two_agents() -> Record<TotalVariant> {
     .control("half of it", TotalVariant { factor: 1, ..printed })
     .control("the other sign", TotalVariant { factor: -2, ..printed })
     .control("over the fourth power of the distance", TotalVariant { power: 2, ..printed })
+}
+
+// --- Three agents need not align ---
+
+pub fn turning_triangle() -> Record<(i64, i64)> {
+    Record::new(
+        "beyond.tanner1.turning_triangle",
+        "The potential forces on an equilateral triangle with its centre at the origin are -6 V'(s) r_i, as the positions sum to zero: they keep it turning with omega² = 6 V'(s). Each agent has the two others' headings a third of a turn to its left and to its right, at equal distances: wrapped differences cancel. \
+         The law is the same in turned coordinates, so this holds at all times. The motion fulfils the hypotheses of Proposition IV.3 (connected graph, finite V_t). The variant is omega over sqrt(3/2).",
+        (1, 1),
+        |rate, _| {
+            let evidence = Evidence::new(
+                Grade::Exact,
+                "accelerations, headings, sides",
+                "in the field of the cosines of multiples of pi/12, which has sqrt 2 and sqrt 3",
+            );
+            Ok(match turns_for_ever(&rational(rate.0, rate.1))? {
+                true => Outcome::Holds(vec![evidence]),
+                false => Outcome::fails(
+                    format!("omega = {}/{} sqrt(3/2): the accelerations are not -omega² r_i", rate.0, rate.1),
+                    evidence,
+                ),
+            })
+        },
+    )
+    .stated(
+        "beside tanner1, Proposition IV.3",
+        "Three linked agents on an equilateral triangle of squared side 2 that turns about its centre with omega² = 6 V'(2) = 3/2, V = 1/s + log s, move so for ever under (4), (5) with heading differences wrapped to (-pi, pi]: the headings stay a third of a turn apart.",
+    )
+    .control("omega² = 6", (2, 1))
+    .control("omega² = 3/2 (99/100)²", (99, 100))
 }
 
 // --- Alternating trees ---

@@ -3,7 +3,8 @@
 //! Two linked agents start from relative rest on a line with the common velocity `c > 0` along it. As long as both velocities point the same way
 //! the headings are equal, no alignment force acts, and the velocities are `c ± u` with `u² + V(s) = V(s_0)`: they swing for ever.
 
-use super::turning::{ENERGY, InvariantVariant, examine_invariant};
+use super::energy_rates::{ENERGY, InvariantVariant, examine_invariant};
+use super::triangle::turns_for_ever;
 use crate::arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
 use crate::claims::record::Record;
 use crate::double_integrator::Potential;
@@ -83,7 +84,15 @@ fn examine(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, CheckError>
                 "{}: the velocity of the front one falls to zero before they are at distance 1, as u² reaches V(4) - V(1) > 1/4; there it has no heading and (5) no value",
                 slow.describe()
             );
-            return Ok(Outcome::fails(what, evidence()));
+            if !turns_for_ever(&rational(1, 1))? {
+                return Ok(Outcome::fails(what, evidence()));
+            }
+            let triangle = Evidence::new(
+                Grade::Exact,
+                "with wrapped differences: a triangle that turns for ever",
+                "three linked agents on an equilateral triangle of squared side 2, omega² = 6 V'(2) = 3/2, V = 1/s + log s: the accelerations of (4), (5) are -omega² r_i, exactly; headings stay a third of a turn apart (beyond.tanner1.turning_triangle)",
+            );
+            return Ok(Outcome::Fails { counterexample: what, evidence: vec![evidence(), triangle] });
         }
         LimitVariant::Stabilised => {
             "both headings stay 0 and the distance swings for ever about 1, as u² + V(s) is constant"
@@ -118,7 +127,8 @@ pub fn headings() -> Record<LimitVariant> {
     Record::new(
         "tanner1.propIV3a",
         "The proof rests on Vdot_t = -theta^T L_w theta, which is false (tanner1.eq9). With the law as printed a motion may even end: the front one of two agents on a line comes to rest, where it has no heading and the law no value, so that headings do not converge. \
-         With wrapped differences they need not align even without such a stop: three linked agents on an equilateral triangle of squared side 2 that turns at the rate omega² = 6 V'(2) = 3/2 have headings a third of a turn apart for ever, and their alignment forces cancel (by hand; not part of the check). With raw differences that is not decided here; the mechanical energy is no obstacle, since it can go into the common motion.",
+         With wrapped differences they need not align even in a motion that goes on for ever and fulfils every hypothesis (connected graph, V_t finite, nobody rests): three linked agents on an equilateral triangle of squared side 2 that turns at the rate omega² = 6 V'(2) = 3/2 have headings a third of a turn apart for ever, and their alignment forces cancel. \
+         With raw or followed differences those forces do not cancel (at -2/3 pi, 0, 2/3 pi the first agent's differences sum to -2 pi), and whether all motions without a stop align is not decided here; the mechanical energy is no obstacle, since it can go into the common motion.",
         LimitVariant::Headings,
         examine,
     )

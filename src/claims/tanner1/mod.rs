@@ -4,10 +4,13 @@
 //! difference of these numbers ("raw"); a statement that depends on this says so. The potential is the printed `1/s + log s`, with
 //! `s = |r_ij|²`, where a statement needs more than symmetry.
 
+mod closed_loop;
+mod energy_rates;
 mod fields;
 mod figures;
 mod line;
 mod sets;
+pub(super) mod triangle;
 mod turning;
 
 use crate::ledger::AnyClaim;
@@ -19,11 +22,11 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(turning::eq6()),
         Box::new(turning::eq6b()),
         Box::new(turning::eq7()),
-        Box::new(turning::eq8()),
-        Box::new(turning::eq9_chain()),
-        Box::new(turning::eq9()),
-        Box::new(turning::vt_inv()),
-        Box::new(turning::decoupled()),
+        Box::new(energy_rates::eq8()),
+        Box::new(energy_rates::eq9_chain()),
+        Box::new(energy_rates::eq9()),
+        Box::new(energy_rates::vt_inv()),
+        Box::new(energy_rates::decoupled()),
         Box::new(fields::laplacian()),
         Box::new(fields::ones()),
         Box::new(fields::weighted()),

@@ -90,7 +90,8 @@ pub fn eq9() -> Record<RateVariant> {
     Record::new(
         "tanner2.eq9",
         "dW/dt = sum v_i . (grad V_i + u_i) = -sum over i of v_i . sum over j ~ i of (v_i - v_j), which is minus the sum over the edges of \
-         |v_i - v_j|². With the stack vector (v_1, v_2, ...) the matrix L kron I_2 gives the same sum. Any graph, any potentials.",
+         |v_i - v_j|². With the stack vector (v_1, v_2, ...) the matrix L kron I_2 gives the same sum. Any graph, any potentials. \
+         (The text calls the velocities three dimensional; the agents move in the plane, and I_2 in the formula is right. In three dimensions it would be I_3, with a third form in v_z.)",
         printed,
         |variant, run| on_connected(run, "equation (9)", |graph| Rate(graph, *variant)),
     )

@@ -104,7 +104,7 @@ pub fn thm1a() -> Record<LimitVariant> {
     Record::new(
         "tanner2.thm1a",
         "dW/dt = -v^T (L kron I_2) v <= 0 and Omega is compact in (r_ij, v_i), so the motion exists for all time and tends to the largest invariant set with equal velocities. The sum of all velocities is kept, \
-         so each tends to the mean of the initial ones.",
+         so each tends to the mean of the initial ones. A continuous V' is enough for this part: the squared disagreement is integrable along every solution and has a bounded rate (Barbalat), without LaSalle's principle and without uniqueness (notes/tanner2.md).",
         printed,
         examine_fixed,
     )

@@ -12,6 +12,13 @@ mod paley_fig6;
 mod paley_fig7;
 mod paley_fig8;
 mod paley_fish_data;
+mod tanner;
+mod tanner1_fig2;
+mod tanner1_flocking;
+mod tanner2_fig4;
+mod tanner2_switching;
+mod tanner_equilibria;
+mod tanner_rates;
 mod veerman;
 mod veerman_fig1;
 mod veerman_fig2;
@@ -66,6 +73,14 @@ pub const FIGURES: &[Figure] = &[
     figure("paley.basins", "exploration: which share of starts ends where", paley_basins::reproduce),
     figure("paley.figS2", "fish, headings and zones of orientation, on synthetic schools", paley_fish_data::snapshots),
     figure("paley.figS3", "scaled phase potentials and null models, on synthetic schools", paley_fish_data::potentials),
+    figure("tanner1.fig2", "the potential of two agents", tanner1_fig2::reproduce),
+    figure("tanner1.figs3_6", "heading alignment on the complete graph, with shares", tanner1_flocking::complete),
+    figure("tanner1.figs7_10", "heading alignment on incomplete graphs, with shares", tanner1_flocking::incomplete),
+    figure("tanner2.fig4", "velocity alignment on a fixed network, and collisions", tanner2_fig4::reproduce),
+    figure("tanner2.fig5", "links within 2 m, a flock that stays connected", tanner2_switching::connected),
+    figure("tanner2.fig6", "links within 2 m, a flock that is torn apart", tanner2_switching::torn),
+    figure("tanner.rates", "exploration: rate of approach against connectivity", tanner_rates::reproduce),
+    figure("tanner.equilibria", "exploration: equilibria, minima and saddles", tanner_equilibria::reproduce),
 ];
 
 const fn figure(name: &'static str, about: &'static str, make: fn() -> Result<Reproduced, CheckError>) -> Figure {
