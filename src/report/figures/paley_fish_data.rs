@@ -30,8 +30,8 @@ figures show the analysis, not the data. Ten minutes in steps of 0.1 s (chosen),
 b = 5.3 cm, speed 2 b/s (chosen); velocities averaged over 51 frames (5.1 s; the
 paper: 5 s); zones 1.4 b to 2.4 b, blind spot 60 degrees; n = 1: the second
 nearest where the nearest is within 1.4 b. Schools: a) the fish model (26), (27)
-with noise in a tank of 1 m; b), c) mills of radius 2.5 b and 7 b, where each fish
-circles by itself, with noise.
+with noise in a tank of 1 m; b), c) mills of radius 2.5 b and 7 b, where each
+fish circles by itself, with noise. (Figure S1 is a photograph.)
 ";
 
 /// One school with its analysis.
@@ -93,7 +93,7 @@ pub(super) fn potentials() -> Result<Reproduced, CheckError> {
         "{DECLARATION}Added: d) eight fish that swim independently. Null models: independent uniform\n\
          headings; headings shifted in time ({SHIFTS} circular shifts).\n\n\
          Share of frames in which 2/(n+1) W_1 is larger for n = N-1 than for n = 1, and\n\
-         the mean of W_1/n for n = N-1 less n = 1 (above 0: neighbours more synchronised):\n\n\
+         the mean of W_1/n for n = N-1 less n = 1 (above 0: neighbours more in step):\n\n\
          \x20                             share > 0  indep. uniform [95%]  shifted  W_1/n\n"
     );
     let mut rows = Vec::new();
@@ -130,9 +130,9 @@ pub(super) fn potentials() -> Result<Reproduced, CheckError> {
         }
     }
     text.push_str(
-        "\nThe paper takes a difference that is nearly always positive as evidence for local\n\
-         synchronisation. Schools without any interaction have it too (b, c, d and both\n\
-         null models), and more often than the coupled school a: see\n\
+        "\nThe paper takes a difference that is nearly always positive as evidence for\n\
+         local synchronisation. Schools without any interaction have it too (b, c, d and\n\
+         both null models), and more often than the coupled school a: see\n\
          paley.figS3.difference. In pairs of mutual neighbours it is never negative,\n\
          whatever the headings.\n",
     );
