@@ -1,11 +1,10 @@
 //! paley.figS1_S3, paley.figS3.difference: the measured tracks and what is inferred from them.
 
-use super::runs::share;
 use crate::arithmetic::identity::RationalIdentity;
 use crate::arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
 use crate::ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
 use crate::oscillator::{Neighbours, mean, phase_potential, phasor};
-use crate::simulate::uniform;
+use crate::simulate::{Share, uniform};
 use crate::tracks::{Scale, nearest_neighbour, uniform_draw};
 
 /// Positions or headings in the plane.
@@ -177,7 +176,7 @@ impl Claim for DifferenceInference {
             }
             let draws = run.cases(20_000, 400_000);
             let positive = positive_draws(variant, fish, draws, run);
-            let interval = share(positive, draws);
+            let interval = Share::new(positive, draws).enclosure();
             run.value(&format!("share_positive_{}_N_{fish}", variant.name), interval.clone());
             let detail = format!(
                 "the difference is positive in a share {interval} of the draws (95%); positions uniform in a square"
