@@ -569,6 +569,7 @@ Check (@chazelle_count.count_fails :
       [/\ T 0%N = 0%N, V 0%N = [set: 'I_3], (forall k, (T k < T k.+1)%N),
         (forall k i, (i \in V k.+1) = (i \in V k) && (block P (V k) (T k).+1 (T k.+1 - T k) i b != 0)) &
         forall k t i, (T k.+1 <= t)%N -> i \in V k -> block P (V k) (T k).+1 (t - T k) i b != 0 -> i \in V k.+1],
+      T 1%N = 1%N /\ (forall t i j, (0 < t)%N -> footprint (span P 1 t) i j = footprint (span P 1 1) i j),
       (forall t i j, (T 1%N + 1 < t)%N -> i \in V 1%N -> j \in V 1%N -> G t i j -> G t.+1 i j) &
       exists t, (chazelle_stabilisers.N (changes G) (T 1%N) 1 + 'C(#|V 1%N|, 2) <
                  chazelle_stabilisers.N (changes G) t 1)%N]).

@@ -160,7 +160,7 @@ Check (tanner1_examples.eq6b_printed_fails :
            inner (r i t) (s i t * expi (th i t))%C *
            (dth i + align n adj (fun j : nat => r j t) (fun j : nat => th j t) i)) = 0)).
 
-(* tanner1.eq7 *)
+(* tanner1.eq7, tanner1.decoupled *)
 Check (tanner1_examples.eq7_printed_fails :
   ~
        (forall (n : nat) (adj : graph) (V : nat -> nat -> R_AbsRing -> R_NormedModule)
@@ -260,21 +260,25 @@ Check (tanner1_heading.gyro_kinetic :
        is_velocity (v i) t (f + gyro n adj r (fun i0 : nat => v i0 t) th i)%C ->
        is_derive (fun s : R_AbsRing => / 2 * inner (v i s) (v i s)) t (inner (v i t) f)).
 
-(* tanner1.propIV3b *)
+(* tanner1.propIV3b, tanner1.proof_cases *)
 Check (tanner1_examples.propIV3b_fails :
   (forall t : R, closed_loop 2 complete (fun _ _ : nat => Vh') r_osc s_osc (fun (_ : nat) (_ : R) => 0) t) /\
        (forall s : R, 0 < s -> 0 <= Vh s /\ (Vh s = 0 <-> s = 2)) /\
+       (forall s : R, 1 < s -> is_derive Vh s (Vh' s)) /\
        (forall m : nat,
         norm (r_osc 0 (INR m * PI) - r_osc 1 (INR m * PI))%C = 5 / 2 /\
         Vh (norm (r_osc 0 (INR m * PI) - r_osc 1 (INR m * PI))%C) = 1 / 4)).
 
-(* the motions of propIV3a and propIV3b; the law for given headings *)
+(* the motions of propIV3b_fails and propIV3a_ends; the law for given headings *)
 Check (eq_refl : closed_loop = fun n adj V' r s th t => forall i, (i < n)%nat -> 0 < s i t /\ ex_derive (s i) t /\
   is_velocity (r i) t (RtoC (s i t) * expi (th i t))%C /\ is_velocity (fun x => RtoC (s i x) * expi (th i x))%C t
     (accel n adj V' (fun j => r j t) (fun j => RtoC (s j t) * expi (th j t))%C (fun j => th j t) i)).
 Check (eq_refl : gap = fun t => 2 + / 2 * cos (2 * t)).
 Check (eq_refl : swing = fun c i t => match i with 0%nat => RtoC (c * t + / 2 * gap t) | _ => RtoC (c * t - / 2 * gap t) end).
 Check (eq_refl : swing_speed = fun c i t => match i with 0%nat => c - / 2 * sin (2 * t) | _ => c + / 2 * sin (2 * t) end).
+Check (eq_refl : r_osc = swing 3).
+Check (eq_refl : s_osc = swing_speed 3).
+Check (eq_refl : Vh = fun s => (s - 2) ^ 2 + Rmax 0 (/ s - 1) ^ 2).
 Check (eq_refl : Vh' = fun s => 2 * (s - 2) - (if Rlt_dec s 1 then 2 * (/ s - 1) / s ^ 2 else 0)).
 Check (eq_refl : steered = fun n adj V V' r v th t =>
   (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) /\
@@ -300,14 +304,14 @@ Check (tanner1_motion.linked_apart :
   forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R),
        undirected adj ->
        (forall i j : nat, V' i j = V' j i) ->
-       forall T : R,
-       (forall t : R, 0 <= t < T -> steered n adj V V' r v th t) ->
        (forall (i j : nat) (s : R), (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
        (forall (i j : nat) (M : R), (i < n)%nat -> (j < n)%nat -> exists d, 0 < d /\ forall s : R, 0 < s < d -> M < V i j s) ->
        forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
-       exists d : R, 0 < d /\ forall t : R, 0 <= t < T -> d <= norm (r i t - r j t)%C).
+       exists d : R, 0 < d /\ forall T : R, (forall t : R, 0 <= t < T -> steered n adj V V' r v th t) ->
+         forall t : R, 0 <= t < T -> d <= norm (r i t - r j t)%C).
 
-(* tanner1.propIV3a *)
+(* no row of theorems.tsv: refutes tanner1.propIV3a only if it is read as including that the motion, with its headings (2), exists
+   for all t >= 0; uniqueness of the motion is not proved *)
 Check (tanner1_motion.propIV3a_ends :
   (forall t : R, 0 <= t < PI / 12 ->
      closed_loop 2 complete (fun _ _ : nat => Vh') (swing (/ 4)) (swing_speed (/ 4)) (fun (_ : nat) (_ : R) => 0) t) /\

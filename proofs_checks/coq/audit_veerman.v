@@ -330,7 +330,7 @@ Check (@veerman_numbers.table_size_printed_fails :
 Check (@veerman_numbers.table_numeric_fails :
   (forall a : nat -> C, a 0%nat = 1 -> equation_2 (-1) (-1) 0.27311 3 a -> 4.6548 <= Cmod (a 4%nat)) /\
   (forall a : nat -> C, a 0%nat = 1 -> equation_2 (-1) (-1) 0.22 4 a -> 5.7 <= Cmod (a 5%nat))).
-(* veerman.table1_numeric (corrected) *)
+(* veerman.table1_numeric (negation) *)
 Check (@veerman_resonances.table_rows_fail :
   List.Forall2 veerman_resonances.no_cell_is_true (List.firstn 3 veerman_numbers.table) (3 :: 7 :: 15 :: nil)%nat).
 (* veerman.table1_numeric (instance) *)

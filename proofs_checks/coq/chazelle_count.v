@@ -120,7 +120,18 @@ by move=> l /andP[_ /negbTE lb]; rewrite IH lb mulr0.
 Qed.
 End Counterexample.
 
-(* chazelle.lem3.1.count, negation with k = 1: T_0 = 0, T_1 = 1, and b is the first bird *)
+(* every P(t) with t > 1 is the identity, so the footprint of P(t,1) stays that of P(1,1) *)
+Lemma span_still (R : realFieldType) t :
+  span (fun t => transition (Gs t) (cs R t)) 1 t.+1 = span (fun t => transition (Gs t) (cs R t)) 1 1.
+Proof.
+elim: t => [//|t IH]; rewrite [LHS]/= -/(span _ 1 t.+1) IH.
+suff -> : transition (Gs (1 + t.+1)) (cs R (1 + t.+1)) = 1%:M by rewrite mul1mx.
+have [_ irr] := Gs_network (1 + t.+1); apply/matrixP=> i j.
+by rewrite transitionE // degreeE GsE /= mulr0 subr0 mxE; case: eqP.
+Qed.
+
+(* chazelle.lem3.1.count, negation only for k = 1: T_0 = 0, T_1 = 1, and b is the first bird; the proof of the lemma takes
+   k = nu^(b nu^2) *)
 Theorem count_fails (R : realFieldType) (eps : R) : 0 < eps <= 1 ->
   exists (x v : nat -> 'cV[R]_3) (G : nat -> rel 'I_3) (c : nat -> 'I_3 -> R) (b : 'I_3) (T : nat -> nat)
     (V : nat -> {set 'I_3}),
@@ -129,6 +140,8 @@ Theorem count_fails (R : realFieldType) (eps : R) : 0 < eps <= 1 ->
       [/\ T 0%N = 0%N, V 0%N = setT, (forall k, (T k < T k.+1)%N),
         (forall k i, (i \in V k.+1) = (i \in V k) && (block P (V k) (T k).+1 (T k.+1 - T k) i b != 0)) &
         forall k t i, (T k.+1 <= t)%N -> i \in V k -> block P (V k) (T k).+1 (t - T k) i b != 0 -> i \in V k.+1],
+      (* the footprint of P(t,1) no longer changes from T_1 = 1 on *)
+      T 1%N = 1%N /\ forall t i j, (0 < t)%N -> footprint (span P 1 t) i j = footprint (span P 1 1) i j,
       (* birds of V_1 that are joined after T_1 + 1 remain so *)
       (forall t i j, (T 1%N + 1 < t)%N -> i \in V 1%N -> j \in V 1%N -> G t i j -> G t.+1 i j) &
       (* there are more changes than counted *)
@@ -142,6 +155,7 @@ exists (xs R), (vs R), Gs, (cs R), ord0, id, U; split.
     move=> k i; rewrite block_b ?bU // pnatr_eq0 eqb0 negbK [in LHS]inE.
     by case: k => [|k]; rewrite inE ?andbb.
   by move=> k t i _ iV; rewrite block_b ?bU // pnatr_eq0 eqb0 negbK inE.
+- by split=> // -[//|t] i j _; rewrite span_still.
 - by move=> t i j _; rewrite !inE => /eqP-> /eqP->; rewrite GsE eqxx !andbF.
 exists 2%N; rewrite cards1 /N /=.
 have -> : changes Gs 2 = true; last by [].

@@ -187,13 +187,14 @@ Proof. apply swing_loop. intros i. pose proof (SIN_bound (2 * t)). unfold swing_
 (* the distance returns to 5/2 for ever, where V = 1/4; the minimum of V is 0, at distance 2 *)
 Theorem propIV3b_fails : (forall t, closed_loop 2 complete (fun _ _ => Vh') r_osc s_osc (fun _ _ => 0) t) /\
   (forall s, 0 < s -> 0 <= Vh s /\ (Vh s = 0 <-> s = 2)) /\
+  (forall s, 1 < s -> is_derive Vh s (Vh' s)) /\
   forall m : nat, norm (r_osc 0 (INR m * PI) - r_osc 1 (INR m * PI))%C = 5 / 2 /\ Vh (norm (r_osc 0 (INR m * PI) - r_osc 1 (INR m * PI))%C) = 1 / 4.
 Proof.
   split; [exact osc_loop|]. split.
   - intros s Hs. unfold Vh. pose proof (pow2_ge_0 (s - 2)). pose proof (pow2_ge_0 (Rmax 0 (/ s - 1))). split; [lra|]. split; intros E.
     + nra.
     + subst. rewrite Rmax_left by lra. ring.
-  - intros m. assert (E : norm (r_osc 0 (INR m * PI) - r_osc 1 (INR m * PI))%C = 5 / 2).
+  - split; [exact Vh_derive|]. intros m. assert (E : norm (r_osc 0 (INR m * PI) - r_osc 1 (INR m * PI))%C = 5 / 2).
     { unfold r_osc, swing. rewrite RtoC_minus', norm_real. unfold gap. replace (2 * (INR m * PI)) with (0 + 2 * INR m * PI) by ring. rewrite cos_period, cos_0.
       replace (3 * (INR m * PI) + / 2 * (2 + / 2 * 1) - (3 * (INR m * PI) - / 2 * (2 + / 2 * 1))) with (5 / 2) by field. apply Rabs_pos_eq. lra. }
     split; [exact E|]. rewrite E. unfold Vh. rewrite Rmax_left; [field|]. assert (/ (5 / 2) = 2 / 5) by field. lra.

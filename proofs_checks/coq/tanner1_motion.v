@@ -1,5 +1,6 @@
 (* Tanner, Jadbabaie, Pappas, Part I: the mechanical energy, which the alignment does not change, and what it decides.
-     tanner1.Vt_inv, tanner1.propIV3b, tanner1.collision, tanner1.decoupled (corrected), tanner1.propIV3a (negation). *)
+     tanner1.Vt_inv, tanner1.propIV3b, tanner1.collision (corrected), tanner1.decoupled (part).
+   At the end a motion that stops: Proposition IV.3 read as including that the motion exists for all t >= 0. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles tanner_energy tanner_flock tanner1_heading tanner1_examples.
@@ -43,14 +44,15 @@ Proof.
   apply (eq_is_derive E 0 t); [|lra]. intros x Hx. apply mechanical_rate, H. lra.
 Qed.
 
-(* linked agents keep a distance: V_ij >= 0 is unbounded at 0 *)
-Theorem linked_apart T : (forall t, 0 <= t < T -> steered n adj V V' r v th t) ->
+(* linked agents keep a distance, one for all T: V_ij >= 0 is unbounded at 0 *)
+Theorem linked_apart :
   (forall i j s, (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
   (forall i j M, (i < n)%nat -> (j < n)%nat -> exists d, 0 < d /\ forall s, 0 < s < d -> M < V i j s) ->
   forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
-  exists d, 0 < d /\ forall t, 0 <= t < T -> d <= norm (r i t - r j t)%C.
+  exists d, 0 < d /\ forall T, (forall t, 0 <= t < T -> steered n adj V V' r v th t) ->
+    forall t, 0 <= t < T -> d <= norm (r i t - r j t)%C.
 Proof.
-  intros H P U i j Hi Hj A. destruct (U i j (2 * E 0) Hi Hj) as (d & Hd & B). exists d. split; [exact Hd|]. intros t Ht.
+  intros P U i j Hi Hj A. destruct (U i j (2 * E 0) Hi Hj) as (d & Hd & B). exists d. split; [exact Hd|]. intros T H t Ht.
   destruct (Rle_lt_dec d (norm (r i t - r j t)%C)) as [|L]; [assumption|]. exfalso.
   destruct (H t Ht) as (_ & HN & _ & _). pose proof (norm_neq _ _ (HN i j Hi Hj A)) as N0.
   specialize (B _ (conj N0 L)). rewrite <- (mechanical_constant T H t Ht) in B. unfold mechanical in B.
@@ -66,7 +68,7 @@ Proof.
 Qed.
 End Energy.
 
-(* ---- Proposition IV.3, headings: a motion that ends ---- *)
+(* ---- Proposition IV.3 with headings for all t >= 0: a motion that ends; that motions are unique is not proved ---- *)
 (* two functions that agree before a have the same derivative there *)
 Lemma left_derivative (f g : R -> R) a l m : is_derive f a l -> is_derive g a m ->
   (forall x, 0 <= x < a -> f x = g x) -> 0 < a -> l = m.
