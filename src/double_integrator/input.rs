@@ -82,7 +82,7 @@ pub enum InputError {
     #[error("agents {} and {} are linked and in the same place, where the potential is infinite", .0.0 + 1, .0.1 + 1)]
     Coincident(Pair),
     /// The potential has no finite value or slope between two linked agents.
-    #[error("agents {} and {} are linked at distance {distance}, where the potential or its slope is not finite", .pair.0 + 1, .pair.1 + 1)]
+    #[error("agents {} and {} are linked at distance {distance:e}, where the potential or its slope is not finite", .pair.0 + 1, .pair.1 + 1)]
     Potential {
         /// Who.
         pair: Pair,
@@ -90,7 +90,7 @@ pub enum InputError {
         distance: f64,
     },
     /// The potential has no finite value or slope at `R`.
-    #[error("the potential or its slope is not finite at the radius R = {0}")]
+    #[error("the potential or its slope is not finite at the radius R = {0:e}")]
     PotentialAtRadius(f64),
     /// No heading.
     #[error("agent {} is at rest and has no heading, which heading alignment needs", .0 + 1)]
@@ -207,7 +207,7 @@ fn check_network(network: &Network, agents: usize) -> Result<(), InputError> {
         Network::Within(radius) if *radius > 1.0 / LARGEST && *radius < LARGEST => Ok(()),
         Network::Within(radius) => Err(InputError::Radius(*radius)),
         Network::Signal(graphs) => {
-            if graphs.first().is_none_or(|(from, _)| !(*from <= 0.0)) {
+            if !graphs.first().is_some_and(|(from, _)| *from <= 0.0) {
                 return Err(InputError::NoFirstGraph);
             }
             for pair in graphs.windows(2) {

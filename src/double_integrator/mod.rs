@@ -24,6 +24,7 @@ mod saturated;
 mod setup;
 mod state;
 mod switching;
+mod threshold;
 
 pub use closed_loop::follow;
 pub use energy::{agent_potential, kinetic_energy, potential_energy};

@@ -145,3 +145,29 @@ fn staying_ends_where_no_weight_does() {
     assert_eq!(next.kind, EventKind::Link);
     assert!(next.time > 0.1 && motion.energy.is_monotone(), "{:?}", motion.energy);
 }
+
+/// With R below the desired distance links push apart: the threshold attracts, and staying is the only way on.
+#[test]
+fn where_links_push_apart_pairs_stay_at_the_threshold() {
+    let wide = Potential::inverse_square_spring(&rational(9, 1), &rational(1, 1));
+    let flock = |speed: f64| {
+        let start = State {
+            positions: vec![[0.0, 0.0], [2.0, 0.0], [3.95, 0.0]],
+            velocities: vec![[0.0, 0.0], [-speed, 0.0], [0.0, 0.0]],
+        };
+        Flock::new(Alignment::Velocity, wide.clone(), Network::Within(2.0), start).unwrap()
+    };
+    let exact = State {
+        positions: [(0, 1), (2, 1), (79, 20)].map(|(p, q)| [rational(p, q), rational(0, 1)]).to_vec(),
+        velocities: vec![[rational(0, 1), rational(0, 1)]; 3],
+    };
+    let found = fork(&exact, &rational(4, 1), PLANE, &wide).unwrap();
+    assert_eq!(found.branches.len(), 1);
+    assert!(found.branches[0].decided && matches!(found.branches[0].ways[0].1, Way::Stays(_)));
+    let still = flock(0.0).run(3.0, &[0.01], &Options::default()).unwrap();
+    assert!(still.events[0].kind == EventKind::Stay && still.choices.iter().all(|c| c.time > 0.0));
+    assert!((PLANE.square(&still.samples[0].state.separation(0, 1)) - 4.0).abs() < 1e-12);
+    // Near it the pair switches ever faster until it stays.
+    let moving = flock(0.05).run(3.0, &[], &Options::default()).unwrap();
+    assert!(moving.events.len() < 10_000 && moving.energy.is_monotone(), "{} {:?}", moving.events.len(), moving.energy);
+}

@@ -1,10 +1,9 @@
 //! tanner2.eq10_exist, appA.def4, appA_uniq, appA.thm4: solutions of equations with discontinuous right-hand sides.
 
-use crate::arithmetic::{ArithmeticError, Rational, Ring, Signed, rational};
+use super::figures::other;
+use crate::arithmetic::{Rational, Signed, rational};
 use crate::claims::record::Record;
-use crate::double_integrator::{
-    Coordinates, Kink, Pair, Potential, Span, State, linked_within, tied, velocity_alignment,
-};
+use crate::double_integrator::{Coordinates, Kink, Pair, Potential, Span, State, Way, fork, linked_within, tied};
 use crate::ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 
 const PLANE: Coordinates = Coordinates::Cartesian;
@@ -268,33 +267,20 @@ fn starts() -> Vec<Start> {
     ]
 }
 
-/// The ways in which one pair tied with `ds/dt = 0` can go on: outside, inside, or along the threshold.
-fn ways_on(start: &Start, pair: Pair) -> Result<Vec<&'static str>, ArithmeticError> {
+/// In words, the ways in which the pairs at the threshold can go on.
+fn ways_on(start: &Start) -> Result<Vec<String>, CheckError> {
     let one = rational(1, 1);
     let potential = Potential::inverse_square_spring(&one, &one);
-    let apart = linked_within(&start.state.positions, &start.square, PLANE);
-    let together = apart.with_edges(&[pair]);
-    let second = |edges: Vec<Pair>| -> Result<Rational, ArithmeticError> {
-        let accelerations = velocity_alignment(&start.state, &edges, PLANE, |_, _, s| potential.slope(s))?;
-        // d²s/dt² of s = |r_ij|²: the derivative of 2 r.v along the motion.
-        let moving = start.state.moving(&accelerations);
-        let rate = PLANE.product(&moving.separation(pair.0, pair.1), &moving.relative_velocity(pair.0, pair.1));
-        Ok(rate.derivative * rational(2, 1))
+    let fork = fork(&start.state, &start.square, PLANE, &potential).map_err(other)?;
+    if fork.branches.iter().any(|branch| !branch.decided) {
+        return Err(other(format!("{}: the ways on are not decided", start.name)));
+    }
+    let word = |(_, way): &(Pair, Way<Rational>)| match way {
+        Way::Leaves => "not linked, with growing distance",
+        Way::Enters => "linked, with falling distance",
+        Way::Stays(_) => "at distance R for a while",
     };
-    let (outside, inside) = (second(apart.edges())?, second(together.edges())?);
-    let zero = one.zero();
-    let mut ways = Vec::new();
-    if outside > zero {
-        ways.push("not linked, with growing distance");
-    }
-    if inside < zero {
-        ways.push("linked, with falling distance");
-    }
-    // Along the threshold the share of the link is such that d²s/dt² = 0; at relative rest without force nothing moves.
-    if inside <= zero && zero <= outside {
-        ways.push("at distance R for a while");
-    }
-    Ok(ways)
+    Ok(fork.branches.iter().map(|branch| branch.ways.iter().map(word).collect::<Vec<_>>().join(", ")).collect())
 }
 
 fn examine_starts(variant: &StartVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
@@ -313,19 +299,11 @@ fn examine_starts(variant: &StartVariant, _run: &mut Run) -> Result<Outcome, Che
             continue;
         }
         cases += 1;
-        for &pair in ties.iter().filter(|pair| rate(pair) == rational(0, 1)) {
-            let ways = ways_on(&start, pair)?;
-            if ways.len() > 1 {
-                let what = format!("V = s + 1/s - 2, {}: the pair can go on {}", start.name, ways.join("; or "));
-                return Ok(Outcome::fails(
-                    what,
-                    Evidence::new(
-                        Grade::Exact,
-                        "solutions of (10) from ties",
-                        "exact second derivatives of |r_ij|² on both sides",
-                    ),
-                ));
-            }
+        let ways = ways_on(&start)?;
+        if ways.len() > 1 {
+            let what = format!("V = s + 1/s - 2, {}: the pair can go on {}", start.name, ways.join("; or "));
+            let detail = "exact second derivatives of |r_ij|² on both sides";
+            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "solutions of (10) from ties", detail)));
         }
     }
     let detail = "existence: K[u] is bounded near the start, closed and convex (Filippov). Uniqueness while every pair at |r_ij| = R has r_ij.v_ij != 0: the rate of |r_ij|² does not jump, so each pair passes \

@@ -1,5 +1,6 @@
 //! tanner2.thm1a, thm1c, sec4.flocking, def3, cor1, thm2_vel, thm2_pot: where the motions go.
 
+use super::agentwise::swing;
 use super::arbitrary::Arbitrary;
 use super::energy::{EdgeSum, on_connected};
 use super::motions::{Motion, inflected_pair, motions, paths, row_of_three, triangle};
@@ -336,6 +337,8 @@ pub enum Connected {
 #[derive(Clone, Copy)]
 pub struct SwitchingVariant {
     connected: Connected,
+    /// Whether each agent takes its own weights of tied links.
+    agentwise: bool,
     conclusion: Conclusion,
 }
 
@@ -374,12 +377,18 @@ fn examine_switching(variant: &SwitchingVariant, run: &mut Run) -> Result<Outcom
             Evidence::new(Grade::Exact, "an exact motion", "rates at the threshold, exact"),
         ));
     }
+    if variant.conclusion == Conclusion::Agree
+        && let Some(what) = swing(variant.agentwise)?
+    {
+        let detail = "weights of the tied link, enclosed for the whole period";
+        return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "a motion for all time", detail)));
+    }
     let notes = "Q does not increase along any Filippov solution, the integral of |v - mean|² is finite, and velocities change at a bounded rate (Barbalat); the limits are invariant";
     Run::all([support(run, "the limits", notes), examine_hull(&HullVariant::Subset, run)])
 }
 
 pub fn thm2_vel() -> Record<SwitchingVariant> {
-    let printed = SwitchingVariant { connected: Connected::Always, conclusion: Conclusion::Agree };
+    let printed = SwitchingVariant { connected: Connected::Always, agentwise: false, conclusion: Conclusion::Agree };
     Record::new(
         "tanner2.thm2_vel",
         "Read with the graph connected at all times and with K of the whole vector field, as in Definition 4 (agent by agent, as (10b) is written, the two agents of a tied pair could weigh it differently; then momentum is not kept and velocities need not agree). The printed proof needs regularity (Lemma 1, false) and uniqueness (false), but the statement holds for every Filippov solution: almost everywhere dQ/dt = -v^T (L_m kron I_2) v, where L_m has \
@@ -387,12 +396,14 @@ pub fn thm2_vel() -> Record<SwitchingVariant> {
         printed,
         examine_switching,
     )
+    .control("with K agent by agent", SwitchingVariant { agentwise: true, ..printed })
     .control("connected at the start only", SwitchingVariant { connected: Connected::AtFirst, ..printed })
     .control("all velocities tend to zero", SwitchingVariant { conclusion: Conclusion::Stop, ..printed })
 }
 
 pub fn thm2_pot() -> Record<SwitchingVariant> {
-    let printed = SwitchingVariant { connected: Connected::Always, conclusion: Conclusion::Minimised };
+    let printed =
+        SwitchingVariant { connected: Connected::Always, agentwise: false, conclusion: Conclusion::Minimised };
     let repaired = SwitchingVariant { conclusion: Conclusion::Critical, ..printed };
     Record::new(
         "tanner2.thm2_pot",

@@ -3,6 +3,7 @@
 //! Reading of the text: the potentials are those of Definition 3 with a continuous gradient ("the control laws are smooth",
 //! Section 4); pairs are pairs of different agents; no linked agents coincide at the start.
 
+mod agentwise;
 pub(super) mod arbitrary;
 mod bounds;
 mod collisions;

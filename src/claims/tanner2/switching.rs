@@ -170,6 +170,12 @@ fn examine_stop(variant: &StopVariant, run: &mut Run) -> Result<Outcome, CheckEr
     Run::all([Ok(own), examine_hull(&HullVariant::Subset, run)])
 }
 
+/// The potential with slope `(s - 1)(s - 3)²/s²` and minimum 0 at `s = 1`.
+fn logarithmic_inflection() -> Potential {
+    let slope = [(1, 1), (0, -7), (-1, 15), (-2, -9)].map(|(k, c)| (k, rational(c, 1)));
+    Potential::new(slope.to_vec(), (rational(1, 1), rational(0, 1)))
+}
+
 pub fn stops() -> Record<StopVariant> {
     let one = rational(1, 1);
     Record::new(
@@ -194,6 +200,7 @@ pub fn stops() -> Record<StopVariant> {
         ],
     )
     .control("slope zero at R² = 3", vec![(Potential::with_inflection(&rational(3, 1)), rational(3, 1))])
+    .control("V' = (s - 1)(s - 3)²/s², slope zero at R² = 3", vec![(logarithmic_inflection(), rational(3, 1))])
     .control("with another potential of positive slope", vec![
         (Potential::inverse_square_log(&one), rational(4, 1)),
         (Potential::with_inflection(&rational(3, 1)), rational(3, 1)),

@@ -96,9 +96,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let mut text = String::from(
         "EXPLORATION: equilibria of V = 1/s + log s, from starts even in a square of side 2,\n\
          half by descent, half by steps on |grad V|² (which find saddles). Distinct: by\n\
-         all distances within 1e-5, so up to congruence and names. Proved: Krawczyk's test\n\
-         in intervals finds exactly one equilibrium in a box, and the signs of its Hessian\n\
-         are enclosed over the box. Bent: starts that ended where more than the three\n\
+         all distances within 1e-5, so up to congruence and names. Proved: Krawczyk's\n\
+         test in intervals finds exactly one equilibrium in a box, and the signs of its\n\
+         Hessian are enclosed over the box. Bent: starts that ended where more than the three\n\
          rigid motions cost nothing. That there are no other equilibria is not proved.\n\n\
          graph       starts at rest  distinct  minima  saddles  proved  bent  least V\n",
     );
@@ -106,11 +106,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}", one.row());
     }
-    let falling: Vec<String> = found
-        .iter()
-        .filter(|one| one.bent.1 > 0)
-        .map(|one| format!("{} on {}", one.bent.1, one.name))
-        .collect();
+    let falling: Vec<String> =
+        found.iter().filter(|one| one.bent.1 > 0).map(|one| format!("{} on {}", one.bent.1, one.name)).collect();
     let falling = if falling.is_empty() { "none".to_string() } else { falling.join(", ") };
     let _ = write!(
         text,
