@@ -32,7 +32,7 @@ fn explore(name: String, graph: Graph, starts: u64) -> Found {
         let id = format!("tanner.equilibria.{name}");
         let start =
             random_places(graph.order(), &mut Run::new(&id, &Options::default().seed, false, None).random(replicate));
-        if replicate % 2 == 0 { framework.descend(&start) } else { framework.approach(&start) }
+        if replicate.is_multiple_of(2) { framework.descend(&start) } else { framework.approach(&start) }
     };
     let rest: Vec<Equilibrium> = (0..starts).into_par_iter().filter_map(search).collect();
     let at_rest = rest.len();

@@ -79,12 +79,11 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         .enumerate()
         .map(|(index, graph)| explore(graph, index as u64))
         .collect::<Result<_, _>>()?;
-    let (firm, soft): (fn(&Found) -> f64, fn(&Found) -> f64) = (|f| f.firm.rate, |f| f.soft.rate);
     let firm_ratio = range(found.iter().map(|f| f.firm.rate / f.connectivity));
     let soft_ratio = range(found.iter().map(|f| f.soft.rate / f.connectivity));
     let swinging = found.iter().filter(|f| f.firm.swings).count();
     let swing = range(found.iter().filter(|f| f.firm.swings).map(|f| f.firm.rate / f.connectivity));
-    let (firm_slowed, soft_slowed) = (slowed(&found, firm), slowed(&found, soft));
+    let (firm_slowed, soft_slowed) = (slowed(&found, |f| f.firm.rate), slowed(&found, |f| f.soft.rate));
     let residual = found.iter().map(|f| f.firm.residual.max(f.soft.residual)).fold(0.0, f64::max);
     let below = found.iter().filter(|f| f.firm.rate < f.connectivity / 2.0 - 1e-9).count();
     let soft_below = found.iter().filter(|f| f.soft.rate < f.connectivity / 2.0 - 1e-9).count();
