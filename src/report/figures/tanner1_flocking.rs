@@ -82,7 +82,7 @@ fn reproduce(complete: bool) -> Result<Reproduced, CheckError> {
          readings show the figures. Drawn: run {shown}; pictures with V = s + 1/s - 2 and\n\
          speeds up to 20 m/s.\n",
         if complete { "complete" } else { "random connected incomplete" },
-        if complete { "" } else { "; each edge with probability 1/2" },
+        if complete { "" } else { ";\neach edge with probability 1/2" },
         FORMATION.0,
         FORMATION.1,
         FORMATION.2,
