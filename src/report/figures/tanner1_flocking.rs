@@ -54,7 +54,7 @@ fn reproduce(complete: bool) -> Result<Reproduced, CheckError> {
             all[all.len() / 2]
         };
         ends.push_str(&format!(
-            "  {name:36} {:8.2e} {:9.2e} {:7.2} {:7.1e} {:6.0e}\n",
+            " {name:36} {:8.2e} {:9.2e} {:6.1} {:8.1e} {:6.0e}\n",
             median(|t| t.end.heading_spread),
             median(|t| t.end.disagreement),
             median(|t| t.end.radius),
@@ -67,21 +67,22 @@ fn reproduce(complete: bool) -> Result<Reproduced, CheckError> {
     }
     let (picture, courses) = draw(complete, id, figures, first, shown)?;
     let text = format!(
-        "Ten agents, {} graph, law (4), (5). Printed: positions and\n\
-         velocities in a ball of radius 20. Chosen: all drawn evenly; the potential;\n\
-         headings (2) and their raw differences{}; {UNTIL} s.\n\
+        "Ten agents, {} graph, law (4), (5). Printed:\n\
+         positions and velocities in a ball of radius 20. Chosen: all drawn evenly; the\n\
+         potential; raw differences of headings (2){}; {UNTIL} s.\n\
          Common heading: largest difference below {}; minimum: all |grad V_i| below {};\n\
          tight: all within {} m of the mean. {RUNS} runs each, Wilson 95% intervals.\n\n\
          {}\n\
-         medians after {UNTIL} s                    headings disagreem.  radius gradient energy\n\
-         \x20                                         (rad)     (m/s)     (m)           drift\n\
+         medians after {UNTIL} s                   headings disagreem. radius gradient energy\n\
+         \x20                                        (rad)     (m/s)    (m)           drift\n\
          {ends}\n\
-         With the numbers and the potential as printed the flock scatters over kilometres:\n\
-         alignment does no work, and 1/s + log s can store the energy of speeds up to\n\
-         20 m/s only at distances of hundreds of kilometres. Both other readings show the\n\
-         figures. Drawn: run {shown}; pictures with V = s + 1/s - 2 and speeds up to 20 m/s.\n",
+         With the numbers and the potential as printed the flock scatters over\n\
+         kilometres: alignment does no work, and 1/s + log s can store the energy of\n\
+         speeds up to 20 m/s only at distances of hundreds of kilometres. Both other\n\
+         readings show the figures. Drawn: run {shown}; pictures with V = s + 1/s - 2 and\n\
+         speeds up to 20 m/s.\n",
         if complete { "complete" } else { "random connected incomplete" },
-        if complete { "" } else { "; each edge with probability 1/2" },
+        if complete { "" } else { ";\neach edge with probability 1/2" },
         FORMATION.0,
         FORMATION.1,
         FORMATION.2,

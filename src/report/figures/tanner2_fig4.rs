@@ -77,18 +77,18 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         );
     let end = course.last().map_or(String::new(), |o| {
         format!(
-            "disagreement {:.1e} m/s, heading spread {:.1e},\nleast distance {:.3} m (without link {:.3} m), W = {:.4}, largest |grad V_i| {:.1e}",
+            "disagreement {:.1e} m/s, heading spread {:.1e},\nleast distance {:.3} m (without link {:.3} m), W = {:.4},\nlargest |grad V_i| {:.1e}",
             o.disagreement, o.heading_spread, o.least_distance, o.least_unlinked, o.energy, o.gradient
         )
     });
     let text = format!(
         "Ten agents, law (4), positions even in a square of side 5 m, speeds even in\n\
-         (0, 1) m/s, directions even, links fixed, {until} s. Chosen, since the paper does not\n\
-         say: V = 1/s + log s, and how graphs are drawn (each edge with a probability,\n\
-         until connected). {RUNS} runs each, Wilson 95% intervals.\n\n\
+         (0, 1) m/s, directions even, links fixed, {until} s. Chosen, since the paper does\n\
+         not say: V = 1/s + log s, and how graphs are drawn (each edge with a\n\
+         probability, until connected). {RUNS} runs each, Wilson 95% intervals.\n\n\
          {}\n\
-         (*) Of the runs with all pairs at least 0.1 m apart at the start. Agents without link\n\
-         but with the same neighbours are drawn to the same place.\n\n\
+         (*) Of the runs with all pairs at least 0.1 m apart at the start. Agents without\n\
+         link but with the same neighbours are drawn to the same place.\n\n\
          The figure's statement, velocities synchronised after {until} s, is typical. Drawn:\n\
          run {shown} with probability 1/2, the first in which two agents without link end\n\
          close. At its end: {end}\n\

@@ -32,7 +32,7 @@ fn explore(name: String, graph: Graph, starts: u64) -> Found {
         let id = format!("tanner.equilibria.{name}");
         let start =
             random_places(graph.order(), &mut Run::new(&id, &Options::default().seed, false, None).random(replicate));
-        if replicate % 2 == 0 { framework.descend(&start) } else { framework.approach(&start) }
+        if replicate.is_multiple_of(2) { framework.descend(&start) } else { framework.approach(&start) }
     };
     let rest: Vec<Equilibrium> = (0..starts).into_par_iter().filter_map(search).collect();
     let at_rest = rest.len();
@@ -94,23 +94,20 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let found: Vec<Found> =
         graphs().into_par_iter().map(|(name, graph, starts)| explore(name, graph, starts)).collect();
     let mut text = String::from(
-        "EXPLORATION: equilibria of V = 1/s + log s, from starts even in a square of side 2,\n\
+        "EXPLORATION: equilibria of V = 1/s + log s; starts even in a square of side 2,\n\
          half by descent, half by steps on |grad V|² (which find saddles). Distinct: by\n\
-         all distances within 1e-5, so up to congruence and names. Proved: Krawczyk's test\n\
-         in intervals finds exactly one equilibrium in a box, and the signs of its Hessian\n\
-         are enclosed over the box. Bent: starts that ended where more than the three\n\
-         rigid motions cost nothing. That there are no other equilibria is not proved.\n\n\
+         all distances within 1e-5, so up to congruence and names. Proved: Krawczyk's\n\
+         test in intervals finds exactly one equilibrium in a box, and the signs of its\n\
+         Hessian are enclosed over the box. Bent: starts that ended where more than the\n\
+         three rigid motions cost nothing. That there are no others is not proved.\n\n\
          graph       starts at rest  distinct  minima  saddles  proved  bent  least V\n",
     );
     for one in &found {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}", one.row());
     }
-    let falling: Vec<String> = found
-        .iter()
-        .filter(|one| one.bent.1 > 0)
-        .map(|one| format!("{} on {}", one.bent.1, one.name))
-        .collect();
+    let falling: Vec<String> =
+        found.iter().filter(|one| one.bent.1 > 0).map(|one| format!("{} on {}", one.bent.1, one.name)).collect();
     let falling = if falling.is_empty() { "none".to_string() } else { falling.join(", ") };
     let _ = write!(
         text,

@@ -12,7 +12,7 @@ use crate::report::plot::{Axis, PALETTE, Panel, Picture, Series};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-const STARTS: u64 = 16;
+const STARTS: u64 = 24;
 /// The potential divided by this, for soft flocks.
 const SOFT: i64 = 32;
 
@@ -79,32 +79,34 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         .enumerate()
         .map(|(index, graph)| explore(graph, index as u64))
         .collect::<Result<_, _>>()?;
-    let (firm, soft): (fn(&Found) -> f64, fn(&Found) -> f64) = (|f| f.firm.rate, |f| f.soft.rate);
     let firm_ratio = range(found.iter().map(|f| f.firm.rate / f.connectivity));
     let soft_ratio = range(found.iter().map(|f| f.soft.rate / f.connectivity));
     let swinging = found.iter().filter(|f| f.firm.swings).count();
     let swing = range(found.iter().filter(|f| f.firm.swings).map(|f| f.firm.rate / f.connectivity));
-    let (firm_slowed, soft_slowed) = (slowed(&found, firm), slowed(&found, soft));
+    let (firm_slowed, soft_slowed) = (slowed(&found, |f| f.firm.rate), slowed(&found, |f| f.soft.rate));
     let residual = found.iter().map(|f| f.firm.residual.max(f.soft.residual)).fold(0.0, f64::max);
     let below = found.iter().filter(|f| f.firm.rate < f.connectivity / 2.0 - 1e-9).count();
     let soft_below = found.iter().filter(|f| f.soft.rate < f.connectivity / 2.0 - 1e-9).count();
+    // Three zeros belong to translations and rotations.
+    let bent = found.iter().filter(|f| f.minimum.inertia.zero > 3).count();
     let text = format!(
         "EXPLORATION in floating point, not a proof. All {} connected graphs of 3 to 6\n\
          agents, law (4) with V = 1/s + log s, and with V/{SOFT}; the lowest minimum found by\n\
          {STARTS} descents; rate: the least decay of a mode of the linearised loop, without\n\
-         uniform motion and without modes of rate 0, along which equilibria lie (exact for H\n\
-         changed by at most {residual:.0e}). lambda_2: algebraic connectivity.\n\n\
+         uniform motion and without modes of rate 0, along which equilibria lie (exact\n\
+         for H changed by at most {residual:.0e}). lambda_2: algebraic connectivity.\n\n\
          \x20                                             V             V/{SOFT}\n\
          rate / lambda_2                        {:6.3} .. {:5.3}  {:7.4} .. {:5.3}\n\
          edge additions that lower the rate       {:4} of {:4}     {:4} of {:4}\n\n\
          What the Laplacian bounds: a mode x with mu² + l mu + h = 0, l = x*Lx and\n\
-         h = x*Hx (|x| = 1), is normal to uniform motions, so lambda_2 <= l. If it swings,\n\
-         its rate is l/2, between lambda_2/2 and lambda_N/2: so for the {swinging} graphs whose\n\
-         slowest mode swings (ratios {:.3} to {:.3}). Without potentials the rate is\n\
-         lambda_2. What it does not bound: modes that do not swing have the rates\n\
-         (l ± sqrt(l² - 4h))/2, the slower about h/l, and more damping makes it slower: with\n\
-         V {below} graphs lie below lambda_2/2, with V/{SOFT} {soft_below}. This is what tanner2.cor2_rate shows\n\
-         exactly for a pair, a row and a triangle.\n",
+         h = x*Hx (|x| = 1), is normal to uniform motions, so lambda_2 <= l. If it\n\
+         swings, its rate is l/2, between lambda_2/2 and lambda_N/2: so for the {swinging}\n\
+         graphs whose slowest mode swings (ratios {:.3} to {:.3}). Without potentials the\n\
+         rate is lambda_2. What it does not bound: modes that do not swing have the rates\n\
+         (l ± sqrt(l² - 4h))/2, the slower about h/l, which more damping makes slower: so\n\
+         {below} graphs lie below lambda_2/2 with V, {soft_below} with V/{SOFT}. This is what\n\
+         tanner2.cor2_rate shows exactly for a pair, a row and a triangle. {bent} of the\n\
+         graphs can be bent at their minimum: theirs are the rates of the one shape found.\n",
         found.len(),
         firm_ratio.0,
         firm_ratio.1,
