@@ -5,13 +5,13 @@
 //! pair: an identity of first derivatives that holds for the potentials `g_ij s`, with variables `g_ij`, holds for all
 //! differentiable potentials.
 
-mod enclosed;
 mod arrival;
 mod closed_loop;
+mod enclosed;
 mod energy;
 mod energy_log;
-mod flock;
 pub mod equilibria;
+mod flock;
 mod fork;
 mod heading;
 mod input;
@@ -28,8 +28,8 @@ mod state;
 mod switching;
 mod threshold;
 
-pub use enclosed::{EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError};
 pub use closed_loop::follow;
+pub use enclosed::{EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError};
 pub use energy::{agent_potential, kinetic_energy, potential_energy};
 pub use energy_log::{EnergyLog, Excess};
 pub use flock::{FlockError, SwitchingFlock};

@@ -1,7 +1,7 @@
 //! Mirrors `src/double_integrator`: laws, potentials, kinks, linearisations and the float motion against naive twins.
 
-mod flock;
 mod equilibria;
+mod flock;
 mod forks;
 mod inputs;
 mod motion;

@@ -2,10 +2,10 @@
 //! published. Figure S1 is a photograph.
 
 use super::{Reproduced, csv};
-use crate::simulate::Share;
 use crate::ledger::CheckError;
 use crate::report::plot::Picture;
 use crate::report::tracks::{TracksReport, difference_panel, potential_panel, scaled_panel, snapshot_panel};
+use crate::simulate::Share;
 use crate::tracks::{Analysis, Choices, NullModels, School, Setting, Tracks, analyse, null_models, synthetic_school};
 use std::fmt::Write;
 
