@@ -5,7 +5,7 @@
 //! which the force may be any mean of those with and without the link; the squared distance is proved to be monotone meanwhile, so that
 //! there is one crossing.
 
-use super::{Coordinates, Pair, Potential, State, linked_within, velocity_alignment};
+use super::{Coordinates, Pair, Potential, State, Vector, linked_within, velocity_alignment};
 use crate::arithmetic::{ArithmeticError, Field, FloatInterval, Rational, Sign, Signed};
 use crate::graph::Graph;
 use crate::validated::{Flow, IntervalVector, Parallelepiped, SmoothLaw, Step, ValidationError, box_of_step};
@@ -151,12 +151,16 @@ impl EnclosedFlock {
 
     /// The pairs that are not certainly on the side of the threshold on which the network has them.
     fn doubtful(&self, states: &[FloatInterval], graph: &Graph) -> Vec<Pair> {
-        let Some(square) = self.threshold.as_ref().map(FloatInterval::from_rational) else { return Vec::new() };
         let state = unpack(states);
+        self.on_no_side(graph, |i, j| state.separation(i, j))
+    }
+
+    /// As [`Self::doubtful`], given `r_i - r_j`.
+    fn on_no_side(&self, graph: &Graph, separation: impl Fn(usize, usize) -> Vector<FloatInterval>) -> Vec<Pair> {
+        let Some(square) = self.threshold.as_ref().map(FloatInterval::from_rational) else { return Vec::new() };
         let doubtful = |&(i, j): &Pair| {
-            let s = Coordinates::Cartesian.square(&state.separation(i, j));
             let side = if graph.has_edge(i, j) { Sign::Negative } else { Sign::Positive };
-            (s - square).sign() != Some(side)
+            (Coordinates::Cartesian.square(&separation(i, j)) - square).sign() != Some(side)
         };
         let count = graph.order();
         (0..count).flat_map(|j| (0..j).map(move |i| (i, j))).filter(doubtful).collect()
@@ -168,7 +172,9 @@ impl EnclosedFlock {
         // Parts of the step still to be looked at, the earliest last.
         let mut parts = vec![(0.0, step.span.hi(), DEPTH)];
         while let Some((from, to, depth)) = parts.pop() {
-            if self.doubtful(&step.states(FloatInterval::between(from, to)), graph).is_empty() {
+            let part = FloatInterval::between(from, to);
+            let apart = |i: usize, j: usize| [0, 1].map(|k| step.difference(2 * i + k, 2 * j + k, part));
+            if self.on_no_side(graph, apart).is_empty() {
                 certain = to;
             } else if depth == 0 {
                 break;

@@ -43,6 +43,13 @@ impl Step {
     pub fn states(&self, after: FloatInterval) -> IntervalVector {
         self.expansion.iter().map(|c| horner(c, &after)).collect()
     }
+
+    /// Coordinate `i` less coordinate `j` after some part of the step: narrower than the difference of [`Self::states`], since both are
+    /// taken at the same time.
+    pub fn difference(&self, i: usize, j: usize, after: FloatInterval) -> FloatInterval {
+        let difference = self.expansion[i].iter().zip(&self.expansion[j]).map(|(a, b)| *a - b);
+        horner(&difference.collect::<Vec<_>>(), &after)
+    }
 }
 
 impl<L: SmoothLaw> Flow<L> {

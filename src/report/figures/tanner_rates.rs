@@ -103,10 +103,10 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
          swings, its rate is l/2, between lambda_2/2 and lambda_N/2: so for the {swinging}\n\
          graphs whose slowest mode swings (ratios {:.3} to {:.3}). Without potentials the\n\
          rate is lambda_2. What it does not bound: modes that do not swing have the rates\n\
-         (l ± sqrt(l² - 4h))/2, the slower about h/l, which more damping makes slower: so\n\
+         (l ± sqrt(l² - 4h))/2, the slower about h/l, less for more damping: so\n\
          {below} graphs lie below lambda_2/2 with V, {soft_below} with V/{SOFT}. This is what\n\
          tanner2.cor2_rate shows exactly for a pair, a row and a triangle. {bent} of the\n\
-         graphs can be bent at their minimum: theirs are the rates of the one shape found.\n",
+         graphs can be bent at their minimum: theirs are rates of the one shape found.\n",
         found.len(),
         firm_ratio.0,
         firm_ratio.1,
