@@ -1,4 +1,4 @@
-//! One rate of change of large flocks with links that depend on the distance, and one step of order four.
+//! Large groups: rates and steps of flocks with links that depend on the distance, and of phases that are all coupled.
 
 #[path = "support/mod.rs"]
 mod support;
@@ -6,8 +6,8 @@ mod support;
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use flockproof::arithmetic::rational;
 use flockproof::double_integrator::{Potential, SwitchingFlock};
-use flockproof::simulate::{Rk4, VectorField};
-use support::lattice_flock;
+use flockproof::simulate::{AllToAll, Rk4, VectorField};
+use support::{Lcg, lattice_flock};
 
 fn flocks(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("switching flock");
@@ -33,5 +33,21 @@ fn flocks(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, flocks);
+/// The phase model with all coupled to all: the cost of a particle in a step of order four should not depend on their number.
+fn phases(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("phases");
+    group.sample_size(10);
+    for count in [1_000usize, 10_000, 100_000, 1_000_000] {
+        group.throughput(Throughput::Elements(count as u64));
+        let mut random = Lcg(5);
+        let start: Vec<f64> = (0..count).map(|_| std::f64::consts::PI * random.unit()).collect();
+        let (mut state, mut field, mut method) = (start, AllToAll::new(0.1, -1.0), Rk4::new(count));
+        group.bench_function(BenchmarkId::new("step, particles", count), |b| {
+            b.iter(|| method.step(&mut field, 0.0, 0.01, &mut state));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, phases, flocks);
 criterion_main!(benches);
