@@ -75,6 +75,11 @@ struct Fixed<'a> {
     edges: &'a [Pair],
 }
 
+/// The network with the links of some pairs `i < j` switched.
+fn switched(graph: &Graph, switches: impl Fn(Pair) -> bool) -> Graph {
+    Graph::from_fn(graph.order(), |i, j| graph.has_edge(i, j) != switches((i.min(j), i.max(j))))
+}
+
 /// A set plus a box, with its shape kept or as a box, whichever is narrower.
 fn moved(set: &Parallelepiped, hull: &[FloatInterval], shift: &[FloatInterval]) -> Option<Parallelepiped> {
     let as_box = Parallelepiped::of_box(&hull.iter().zip(shift).map(|(x, d)| *x + d).collect::<Vec<_>>());
@@ -83,17 +88,11 @@ fn moved(set: &Parallelepiped, hull: &[FloatInterval], shift: &[FloatInterval]) 
     Some(if widest(&shaped) < widest(&as_box) { shaped } else { as_box })
 }
 
-fn unpack<T: Clone>(flat: &[T]) -> State<T> {
-    let vectors = |part: &[T]| part.chunks(2).map(|c| [c[0].clone(), c[1].clone()]).collect();
-    let (positions, velocities) = flat.split_at(flat.len() / 2);
-    State { positions: vectors(positions), velocities: vectors(velocities) }
-}
-
 impl SmoothLaw for Fixed<'_> {
     fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let Some(like) = state.first() else { return Ok(Vec::new()) };
         let slope = self.potential.slope_over(like);
-        let moving = unpack(state);
+        let moving = State::from_halves(state);
         let forces = velocity_alignment(&moving, self.edges, Coordinates::Cartesian, |_, _, s| slope.at(s))?;
         Ok(moving.velocities.into_iter().chain(forces).flatten().collect())
     }
@@ -112,7 +111,7 @@ impl EnclosedFlock {
         until: f64,
         mut observe: impl FnMut(f64, &Step),
     ) -> Result<EnclosedRun, EnclosureError> {
-        let flat: IntervalVector = start.positions.iter().chain(&start.velocities).flatten().copied().collect();
+        let flat = start.to_list();
         let mut graph = match &self.threshold {
             None => Graph::from_fn(start.count(), |i, j| edges.contains(&(i, j)) || edges.contains(&(j, i))),
             Some(square) => {
@@ -146,12 +145,12 @@ impl EnclosedFlock {
                 events.extend(crossed.2);
             }
         }
-        Ok(EnclosedRun { events, edges: graph.edges(), end: unpack(&set.hull()) })
+        Ok(EnclosedRun { events, edges: graph.edges(), end: State::from_halves(&set.hull()) })
     }
 
     /// The pairs that are not certainly on the side of the threshold on which the network has them.
     fn doubtful(&self, states: &[FloatInterval], graph: &Graph) -> Vec<Pair> {
-        let state = unpack(states);
+        let state = State::from_halves(states);
         self.on_no_side(graph, |i, j| state.separation(i, j))
     }
 
@@ -204,15 +203,13 @@ impl EnclosedFlock {
             let Ok(rate) = self.mixed(&around, graph) else { continue };
             let shift: IntervalVector = rate.into_iter().map(|f| span * f).collect();
             let Some(end) = moved(set, &start, &shift) else { continue };
-            let state = unpack(&around);
+            let state = State::from_halves(&around);
             let monotone = |&(i, j): &Pair| {
                 let rate = Coordinates::Cartesian.product(&state.separation(i, j), &state.relative_velocity(i, j));
                 rate.sign() == Some(if graph.has_edge(i, j) { Sign::Positive } else { Sign::Negative })
             };
             pair = crossing.first().copied().unwrap_or(pair);
-            let next = Graph::from_fn(graph.order(), |i, j| {
-                graph.has_edge(i, j) != (crossing.contains(&(i, j)) || crossing.contains(&(j, i)))
-            });
+            let next = switched(graph, |pair| crossing.contains(&pair));
             if crossing.iter().all(monotone) && self.doubtful(&end.hull(), &next).is_empty() {
                 let event =
                     |&(i, j): &Pair| EnclosedEvent { pair: (i, j), linked: next.has_edge(i, j), from: time, to };
@@ -232,11 +229,8 @@ impl EnclosedFlock {
         }
         let mut hull: Option<IntervalVector> = None;
         for choice in 0..1usize << doubtful.len() {
-            let chosen = |pair: Pair| {
-                let place = doubtful.iter().position(|&p| p == pair || p == (pair.1, pair.0));
-                place.is_some_and(|k| choice >> k & 1 == 1)
-            };
-            let edges = Graph::from_fn(graph.order(), |i, j| graph.has_edge(i, j) != chosen((i, j))).edges();
+            let chosen = |pair| doubtful.iter().position(|&p| p == pair).is_some_and(|k| choice >> k & 1 == 1);
+            let edges = switched(graph, chosen).edges();
             let rate = Fixed { potential: &self.potential, edges: &edges }.rate(over)?;
             hull = Some(match hull {
                 None => rate,

@@ -3,9 +3,9 @@
 use super::{Coordinates, Pair, Potential, Vector, difference, hessian, potential_energy, potential_gradients};
 use crate::arithmetic::{ArithmeticError, Dyadic, Field, Interval, Ring};
 use crate::matrix::{Inertia, inertia};
+use crate::simulate::uniform;
 use nalgebra::{DMatrix, DVector};
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::Rng;
 
 const PLANE: Coordinates = Coordinates::Cartesian;
 
@@ -202,7 +202,7 @@ impl Framework {
 /// Places even in a square of side 2: about as wide as a flock of a few agents at rest with desired distance 1, from which more
 /// searches succeed than from wider ones.
 pub fn random_places(count: usize, random: &mut ChaCha8Rng) -> Vec<Vector<f64>> {
-    let mut even = || 2.0 * (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let mut even = || 2.0 * uniform(random);
     (0..count).map(|_| [even(), even()]).collect()
 }
 

@@ -1,8 +1,8 @@
 //! What can be seen of a simulated flock: at one time, over a run, between start and end.
 
 use super::{
-    Coordinates, EventKind, Flock, HeadingDifference, Motion, MotionError, Options, Pair, Potential, Sample, State,
-    Vector, difference, disagreement, heading, potential_energy, potential_gradients,
+    Coordinates, EventKind, Flock, Motion, MotionError, Options, Pair, Potential, Sample, State, Vector, difference,
+    disagreement, heading, heading_spread, potential_energy, potential_gradients,
 };
 use crate::arithmetic::ArithmeticError;
 use crate::graph::Graph;
@@ -61,11 +61,12 @@ impl Observation {
         let slope = potential.slope_over(&1.0);
         let gradients = potential_gradients(&state.positions, links, PLANE, |_, _, s| slope.at(s))?;
         let value = potential.value_over(&1.0)?;
+        let headings: Vec<f64> = state.velocities.iter().filter_map(|v| heading(v).ok()).collect();
         Ok(Observation {
             time: sample.time,
             disagreement: disagreement(state),
             component_disagreement: within.fold(0.0, f64::max),
-            heading_spread: heading_spread(state),
+            heading_spread: heading_spread(&headings),
             least_distance: least(&mut pairs(count)),
             least_unlinked: least(&mut pairs(count).filter(|&(i, j)| !graph.has_edge(i, j))),
             radius: radius(&state.positions),
@@ -170,12 +171,6 @@ fn pairs(count: usize) -> impl Iterator<Item = Pair> {
 
 fn length(vector: &Vector<f64>) -> f64 {
     PLANE.square(vector).sqrt()
-}
-
-fn heading_spread(state: &State<f64>) -> f64 {
-    let angles: Vec<f64> = state.velocities.iter().filter_map(|v| heading(v).ok()).collect();
-    let apart = pairs(angles.len()).map(|(i, j)| HeadingDifference::Wrapped.read(angles[i] - angles[j]).abs());
-    apart.fold(0.0, f64::max)
 }
 
 fn radius(positions: &[Vector<f64>]) -> f64 {

@@ -6,9 +6,8 @@ use super::{
 };
 use crate::arithmetic::rational;
 use crate::graph::Graph;
-use crate::simulate::Tolerance;
+use crate::simulate::{Tolerance, uniform};
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::Rng;
 
 /// How links are drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -163,14 +162,9 @@ impl StartRule {
     }
 }
 
-/// A number evenly from `[0, 1)`.
-fn even(random: &mut ChaCha8Rng) -> f64 {
-    (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-}
-
 fn disc(count: usize, radius: f64, random: &mut ChaCha8Rng) -> Vec<Vector<f64>> {
     let mut point = || {
-        let (size, angle) = (radius * even(random).sqrt(), std::f64::consts::TAU * even(random));
+        let (size, angle) = (radius * uniform(random).sqrt(), std::f64::consts::TAU * uniform(random));
         [size * angle.cos(), size * angle.sin()]
     };
     (0..count).map(|_| point()).collect()
@@ -179,7 +173,7 @@ fn disc(count: usize, radius: f64, random: &mut ChaCha8Rng) -> Vec<Vector<f64>> 
 /// Each edge with a probability, which must be positive; drawn until connected.
 fn random_connected(count: usize, probability: f64, random: &mut ChaCha8Rng) -> Graph {
     loop {
-        let numbers: Vec<f64> = (0..count * count).map(|_| even(random)).collect();
+        let numbers: Vec<f64> = (0..count * count).map(|_| uniform(random)).collect();
         let graph = Graph::from_fn(count, |i, j| numbers[i * count + j] < probability);
         if graph.is_connected() {
             return graph;

@@ -68,9 +68,14 @@ impl<T: Ring> State<T> {
     /// The state of `count` agents from a list `x_1, y_1, ..., x_N, y_N` of positions and then one of velocities; `None`
     /// where the list has another length than `4 count`.
     pub fn from_list(count: usize, list: &[T]) -> Option<Self> {
-        let vectors = |part: &[T]| part.chunks(2).map(|p| [p[0].clone(), p[1].clone()]).collect();
-        (list.len() == 4 * count)
-            .then(|| State { positions: vectors(&list[..2 * count]), velocities: vectors(&list[2 * count..]) })
+        (list.len() == 4 * count).then(|| State::from_halves(list))
+    }
+
+    /// The state whose positions are the first half of a list, and whose velocities are the second.
+    pub(super) fn from_halves(list: &[T]) -> Self {
+        let vectors = |part: &[T]| part.chunks_exact(2).map(|p| [p[0].clone(), p[1].clone()]).collect();
+        let (positions, velocities) = list.split_at(list.len() / 2);
+        State { positions: vectors(positions), velocities: vectors(velocities) }
     }
 
     /// The list that [`Self::from_list`] reads.

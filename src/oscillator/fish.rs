@@ -107,12 +107,20 @@ pub struct ZoneNetworks {
 }
 
 impl<T: Field + Signed> Zones<T> {
-    /// All three networks.
-    pub fn networks(&self, state: &State<T>) -> ZoneNetworks {
+    /// All three networks, where all pairs at a distance up to the radius of attraction are among these.
+    pub fn networks_among(&self, state: &State<T>, pairs: &[(usize, usize)]) -> ZoneNetworks {
+        let network = |zone| {
+            let arcs = pairs.iter().flat_map(|&(i, j)| [(i, j), (j, i)]);
+            let senses = |&(k, j): &(usize, usize)| {
+                let offset = state.positions[j].clone() - &state.positions[k];
+                self.senses(zone, &state.phasors[k], &offset)
+            };
+            Neighbours::from_arcs(state.phasors.len(), arcs.filter(senses))
+        };
         ZoneNetworks {
-            repulsion: self.network(Zone::Repulsion, state),
-            orientation: self.network(Zone::Orientation, state),
-            attraction: self.network(Zone::Attraction, state),
+            repulsion: network(Zone::Repulsion),
+            orientation: network(Zone::Orientation),
+            attraction: network(Zone::Attraction),
         }
     }
 }

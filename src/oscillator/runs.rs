@@ -10,6 +10,7 @@ use super::network::Neighbours;
 use super::state::State;
 use super::steering::{gradient_control, laplacian_control, pattern_control};
 use crate::arithmetic::{ArithmeticError, Complex, Field};
+use crate::simulate::uniform;
 use rand_chacha::rand_core::Rng;
 use std::f64::consts::{FRAC_PI_8, PI, TAU};
 
@@ -24,7 +25,7 @@ pub const DECLARATION: &str =
 impl Flight {
     /// Positions uniform in a square of half-width 10 around the origin, uniform phases.
     pub fn random(random: &mut impl Rng, particles: usize) -> Self {
-        let mut uniform = || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+        let mut uniform = || uniform(random);
         let positions =
             (0..particles).map(|_| Complex::new(20.0 * uniform() - 10.0, 20.0 * uniform() - 10.0)).collect();
         Flight { positions, phases: (0..particles).map(|_| TAU * uniform()).collect() }

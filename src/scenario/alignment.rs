@@ -1,21 +1,25 @@
 //! Heading and velocity alignment of Tanner and others, on fixed and distance-switched networks.
 
 use super::course::{Continuous, Course, Frame, Law};
-use super::error::{ConfigError, Problem};
-use super::large::LargeFlock;
+use super::error::{ConfigError, Problem, RunError};
+use super::links::Hold;
 use super::network::{Abilities, Change, Network};
 use super::observables::{Observable, min_distance, total};
 use super::potential::PairPotential;
 use super::source::Source;
 use super::start::{Needs, Start, problem};
+use super::stepped::{Stepped, read_step};
 use super::switching::Switching;
-use super::turns::{Turns, unwrapped};
+use super::turns::Turns;
 use crate::arithmetic::ArithmeticError;
 use crate::double_integrator::{
     self, Coordinates, Flock, HeadingDifference, Pair, State, SwitchingFlock, Vector, disagreement, gyroscopic,
-    heading, heading_rate, kinetic_energy, potential_energy, potential_gradients, velocity_alignment,
+    heading, heading_rate, heading_spread, kinetic_energy, potential_energy, potential_gradients, velocity_alignment,
 };
-use std::f64::consts::TAU;
+use crate::simulate::VectorField;
+
+/// Most agents whose velocity alignment within a radius is followed as a Filippov solution: each pair is looked at.
+const MOST_LOCATED: usize = 4096;
 
 const PLANE: Coordinates = Coordinates::Cartesian;
 
@@ -46,13 +50,11 @@ const READINGS: [(&str, HeadingDifference); 3] = [
 pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: true, phases: false })?;
     let model = if headings { "heading-alignment" } else { "velocity-alignment" };
-    let step_key = source.needed("run")?.get("step").filter(|_| !headings);
-    let step = step_key.as_ref().map(|entry| entry.positive()).transpose()?;
-    let can = Abilities { model, positions: true, directed: false, edges: true, large: step.is_some(), default: None };
+    let located = !headings && source.needed("run")?.get("step").is_none();
+    let most_switching = if located { MOST_LOCATED } else { usize::MAX };
+    let can = Abilities { model, positions: true, directed: false, edges: true, most_switching, default: None };
     let mut network = Network::read(source, start.agents(), can)?;
-    if let Some(entry) = step_key.filter(|_| network.radius().is_none()) {
-        return Err(entry.range("left out: only links within a radius are followed in fixed steps"));
-    }
+    let step = read_step(source, &network)?;
     let law = source.needed("law")?;
     let mut keys = PairPotential::KEYS.to_vec();
     keys.extend(headings.then_some("heading_difference"));
@@ -68,7 +70,7 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
         for (v, agent) in state.velocities.iter().zip(1..) {
             list.push(heading(v).map_err(|_| problem(source, "velocities", Problem::NoHeading(agent)))?);
         }
-        Alignment::Headings(Turns::new(reading, &list[4 * start.agents()..]))
+        Alignment::Headings(Turns::new(reading, &list[4 * start.agents()..], network.pairs()))
     } else {
         Alignment::Velocities
     };
@@ -81,20 +83,27 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
         }
     }
     let agents = Agents { network, potential, alignment, count: start.agents(), drawn: start.drawn };
-    if let (Some(step), Some(radius)) = (step, agents.network.radius()) {
-        let mut field =
-            SwitchingFlock::new(agents.potential.exact(), radius).map_err(|error| law.problem(error.into()))?;
-        field.start(&state).map_err(|error| problem(source, "positions", error.into()))?;
-        return Ok(Box::new(LargeFlock::new(agents, field, list, step)));
-    }
     if let (Alignment::Velocities, Some(radius)) = (&agents.alignment, agents.network.radius()) {
+        if let Some(step) = step {
+            let mut field =
+                SwitchingFlock::new(agents.potential.exact(), radius).map_err(|error| law.problem(error.into()))?;
+            field.start(&state).map_err(|error| problem(source, "positions", error.into()))?;
+            let rate = move |_: &mut Agents, time: f64, list: &[f64], rate: &mut [f64]| {
+                field.rate(time, list, rate);
+                field.take_failure().map_or(Ok(()), |error| Err(RunError::Large { time, error }))
+            };
+            return Ok(Box::new(Stepped::new(agents, list, step, Box::new(rate))));
+        }
         let network = double_integrator::Network::Within(radius);
         let potential = agents.potential.exact().clone();
         let flock = Flock::new(double_integrator::Alignment::Velocity, potential, network, state);
         let flock = flock.map_err(|error| problem(source, "positions", error.into()))?;
         return Ok(Box::new(Switching::new(agents, flock, tolerance)));
     }
-    Ok(Box::new(Continuous::new(agents, &list, tolerance)))
+    Ok(match step {
+        Some(step) => Box::new(Stepped::settled(agents, list, step)),
+        None => Box::new(Continuous::new(agents, &list, tolerance)),
+    })
 }
 
 /// The state of so many agents, from a list that may hold headings too.
@@ -106,13 +115,14 @@ fn state_of(count: usize, list: &[f64]) -> State<f64> {
 impl Agents {
     /// Sets the links.
     pub fn relink(&mut self, pairs: &[Pair]) {
-        self.network.relink(pairs);
+        self.network.set_pairs(pairs.iter().map(|&(i, j)| (i.min(j), i.max(j))).collect());
     }
 
-    /// Makes the links of the positions.
-    pub fn settle(&mut self, list: &[f64]) {
-        let (positions, velocities) = list.split_at(2 * self.count);
-        self.network.settle(positions, velocities);
+    /// The jumps of the heading differences.
+    fn count_turns(&mut self, list: &[f64]) {
+        if let Alignment::Headings(turns) = &mut self.alignment {
+            turns.update(&list[4 * self.count..], self.network.pairs());
+        }
     }
 
     fn state(&self, list: &[f64]) -> State<f64> {
@@ -157,20 +167,24 @@ impl Law for Agents {
         turns || self.network.switches()
     }
 
-    fn margin(&self, list: &[f64]) -> f64 {
-        let links = self.network.margin(list);
-        match &self.alignment {
-            Alignment::Velocities => links,
-            Alignment::Headings(turns) => links.min(turns.margin(self.headings(list), self.network.pairs())),
+    fn holds(&self, list: &[f64], moved: &[f64]) -> Vec<Hold> {
+        let mut holds = self.network.holds(list, moved);
+        if let Alignment::Headings(turns) = &self.alignment {
+            holds.extend(turns.holds(list, moved, self.network.pairs()));
         }
+        holds
     }
 
     fn switch(&mut self, list: &[f64]) -> Vec<Change> {
-        let changes = if self.network.margin(list) <= 0.0 { self.network.switch(list) } else { Vec::new() };
-        if let Alignment::Headings(turns) = &mut self.alignment {
-            turns.update(&list[4 * self.count..], self.network.pairs());
-        }
+        let changes = self.network.switch(list);
+        self.count_turns(list);
         changes
+    }
+
+    fn settle(&mut self, list: &[f64]) {
+        let (positions, velocities) = list.split_at(2 * self.count);
+        self.network.settle(positions, velocities);
+        self.count_turns(list);
     }
 
     fn frame(&self, _: f64, list: &[f64]) -> Frame {
@@ -238,35 +252,5 @@ impl Law for Agents {
         lines.push("disagreement sqrt(sum |v_i - mean|²); momentum the sum of the velocities".to_string());
         lines.extend(self.drawn.clone());
         lines
-    }
-}
-
-/// The largest angle between two of the headings, up to pi.
-fn heading_spread(headings: &[f64]) -> f64 {
-    let mut angles: Vec<f64> = headings.iter().map(|theta| theta.rem_euclid(TAU)).collect();
-    angles.sort_by(f64::total_cmp);
-    // Farthest from an angle is what comes next to its opposite.
-    let farthest = |angle: f64| {
-        let place = angles.partition_point(|other| *other < (angle + TAU / 2.0).rem_euclid(TAU));
-        let near = [place % angles.len(), (place + angles.len() - 1) % angles.len()];
-        near.map(|k| unwrapped(angles[k] - angle).abs()).into_iter().fold(0.0, f64::max)
-    };
-    angles.iter().map(|angle| farthest(*angle)).fold(0.0, f64::max)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::heading_spread;
-    use std::f64::consts::PI;
-
-    #[test]
-    fn the_spread_of_headings_is_that_of_all_pairs() {
-        let naive = |angles: &[f64]| {
-            let turn = |a: f64, b: f64| ((a - b + PI).rem_euclid(2.0 * PI) - PI).abs();
-            angles.iter().flat_map(|a| angles.iter().map(move |b| turn(*a, *b))).fold(0.0, f64::max)
-        };
-        for angles in [&[0.3][..], &[0.0, 3.0], &[0.1, 7.0, -2.0], &[3.1, -3.1, 3.0], &[1.0, 2.5, 4.0, 5.5, 0.2]] {
-            assert!((heading_spread(angles) - naive(angles)).abs() < 1e-12, "{angles:?}");
-        }
     }
 }

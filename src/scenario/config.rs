@@ -56,8 +56,8 @@ impl Schedule {
     fn read(source: &Source, model: Model, step: Option<&Rational>, agents: usize) -> Result<Self, ConfigError> {
         let section = source.needed("run")?;
         let keys = ["until", "samples", "tolerance", "rows", "step"];
-        let known = if model == Model::Velocities { keys.len() } else { keys.len() - 1 };
-        section.allow(&keys[..known], " of this model")?;
+        let stepped = matches!(model, Model::Particles | Model::Headings | Model::Velocities);
+        section.allow(&keys[..keys.len() - usize::from(!stepped)], " of this model")?;
         let entry = section.need("until", "the last time, a number above 0")?;
         let last = entry.positive()?;
         let until = entry.exact()?;

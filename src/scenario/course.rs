@@ -1,6 +1,7 @@
 //! A model on its way in time: what every model shows, and the continuous ones with their integrator and switches.
 
 use super::error::RunError;
+use super::links::Hold;
 use super::network::Change;
 use super::observables::Observable;
 use crate::arithmetic::ArithmeticError;
@@ -63,14 +64,23 @@ pub(super) trait Law {
     /// Writes `f(t, y)`.
     fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) -> Result<(), ArithmeticError>;
 
-    /// Whether anything ever switches.
-    fn switches(&self) -> bool;
+    /// Whether anything ever switches; by default nothing does.
+    fn switches(&self) -> bool {
+        false
+    }
 
-    /// Positive as long as nothing has to switch.
-    fn margin(&self, state: &[f64]) -> f64;
+    /// What may fail, so that something has to switch, while no component of the state moves by more than `moved`.
+    fn holds(&self, _state: &[f64], _moved: &[f64]) -> Vec<Hold> {
+        Vec::new()
+    }
 
-    /// Switches what is due at a state where the margin is not positive.
-    fn switch(&mut self, state: &[f64]) -> Vec<Change>;
+    /// Switches what is due.
+    fn switch(&mut self, _state: &[f64]) -> Vec<Change> {
+        Vec::new()
+    }
+
+    /// Makes everything that is held between switches anew from a state.
+    fn settle(&mut self, _state: &[f64]) {}
 
     /// Where the agents are.
     fn frame(&self, time: f64, state: &[f64]) -> Frame;
@@ -112,7 +122,7 @@ impl<L: Law> Continuous<L> {
             }
         };
         let moved = if law.switches() {
-            next_fall(&mut field, &mut self.solution, until, |_, state| law.margin(state))
+            next_fall(&mut field, &mut self.solution, until, |state, moved| law.holds(state, moved))
         } else {
             self.solution.step(&mut field, until).map(|()| None)
         };
@@ -120,7 +130,7 @@ impl<L: Law> Continuous<L> {
             (IntegrationError::Stuck(time), Some(error)) => RunError::Law { time, error },
             (error, _) => RunError::Integration(error),
         };
-        Ok(moved.map_err(explained)?.map(|crossing| (crossing.time, crossing.state)))
+        Ok(moved.map_err(explained)?.map(|fall| (fall.time, fall.state)))
     }
 }
 

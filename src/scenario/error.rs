@@ -133,9 +133,9 @@ pub enum Problem {
         /// What it needs.
         needs: &'static str,
     },
-    /// Too many agents to locate the switches of all pairs.
+    /// Too many agents to follow all ways on at the radius.
     #[error(
-        "links that depend on distances are located for at most {0} agents; velocity-alignment within a radius takes more with a fixed `step` in [run]"
+        "velocity alignment within a radius is followed as a Filippov solution for at most {0} agents; with a fixed `step` in [run] it takes more"
     )]
     TooMany(usize),
     /// A potential without a value.

@@ -11,6 +11,7 @@ use crate::oscillator::{
     BehaviourGains, Flight, Neighbours, State, ZoneNetworks, Zones, behaviour_control, laplacian_behaviour_control,
     write_rate,
 };
+use crate::simulate::CellList;
 use num_traits::ToPrimitive;
 
 /// Which of the steering laws.
@@ -97,8 +98,17 @@ pub(super) fn read(source: &Source) -> Result<(Fish, Rational), ConfigError> {
 }
 
 impl Fish {
+    /// Who senses whom, by cells a little wider than the zones; fish at one place sense each other in a zone of radius 0.
+    fn networks(&self, state: &State<f64>) -> ZoneNetworks {
+        let points: Vec<[f64; 2]> = state.positions.iter().map(|r| [r.re, r.im]).collect();
+        let radius = (self.zones.attraction * (1.0 + 1e-9)).max(1e-150);
+        // Positions are finite after every step.
+        let pairs = CellList::new(&points, radius).map(|cells| cells.pairs()).unwrap_or_default();
+        self.zones.networks_among(state, &pairs)
+    }
+
     fn control(&self, state: &State<f64>) -> Result<Vec<f64>, ArithmeticError> {
-        let networks = self.zones.networks(state);
+        let networks = self.networks(state);
         match self.steering {
             Steering::Behaviours => behaviour_control(&self.turning, &self.gains, &networks, state),
             Steering::Laplacians => Ok(laplacian_behaviour_control(&self.turning, &self.gains, &networks, state)),
@@ -143,7 +153,7 @@ impl Course for Fish {
 
     fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
         let state = self.flight.state();
-        let networks = self.zones.networks(&state);
+        let networks = self.networks(&state);
         let fish = self.flight.phases.len();
         let mut all = of_phases(&self.flight, &state.phasors, &networks.orientation, 4.min(fish as u32))?;
         all.push(Observable::number("min_distance", min_distance(&places(&state))));

@@ -5,7 +5,6 @@ use super::source::{Section, Source};
 use crate::arithmetic::{Complex, Field};
 use crate::graph::{NamedGraph, components};
 use crate::oscillator::{Everyone, Interaction, Neighbours};
-use crate::simulate::CellList;
 use std::collections::BTreeSet;
 
 /// A pair of agents from 0.
@@ -13,9 +12,6 @@ pub(super) type Pair = (usize, usize);
 
 /// Most edges that are stored.
 const MOST_EDGES: usize = 1 << 23;
-
-/// Most agents where every switch is located: each pair is looked at.
-const MOST_LOCATED: usize = 4096;
 
 /// Which networks a model can use.
 #[derive(Clone, Copy)]
@@ -28,8 +24,8 @@ pub(super) struct Abilities {
     pub directed: bool,
     /// The law sums over a list of edges; otherwise all-to-all costs O(N).
     pub edges: bool,
-    /// Large flocks are followed although links depend on distances.
-    pub large: bool,
+    /// The most agents where links depend on distances.
+    pub most_switching: usize,
     /// What is used where the section is missing.
     pub default: Option<Kind>,
 }
@@ -59,7 +55,7 @@ const KINDS: [(&str, Kind); 8] = [
 
 /// What makes the links.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Rule {
+pub(super) enum Rule {
     Fixed,
     /// `|r_ij| < radius`.
     Within(f64),
@@ -80,7 +76,7 @@ pub(super) struct Network {
     order: usize,
     rule: Rule,
     directed: bool,
-    /// Edges `i < j`, or arcs; empty for an implicit all-to-all network.
+    /// Edges `i < j`, or arcs, in order; empty for an implicit all-to-all network.
     pairs: Vec<Pair>,
     /// None for an implicit all-to-all network.
     lists: Option<Neighbours>,
@@ -116,8 +112,8 @@ impl Network {
         if !can.directed && kind == Kind::Nearest {
             return Err(needs("an undirected graph: that of the nearest is not"));
         }
-        if order > MOST_LOCATED && matches!(kind, Kind::Within | Kind::Nearest) && !can.large {
-            return Err(entry.problem(Problem::TooMany(MOST_LOCATED)));
+        if order > can.most_switching && matches!(kind, Kind::Within | Kind::Nearest) {
+            return Err(entry.problem(Problem::TooMany(can.most_switching)));
         }
         let keys: &[&str] = match kind {
             Kind::Circulant => &["kind", "offsets"],
@@ -221,7 +217,8 @@ impl Network {
         network
     }
 
-    fn switching(order: usize, rule: Rule, directed: bool, declaration: String) -> Self {
+    /// Links by a rule, none as yet.
+    pub fn switching(order: usize, rule: Rule, directed: bool, declaration: String) -> Self {
         let lists = Some(Neighbours::from_arcs(order, []));
         Network { order, rule, directed, pairs: Vec::new(), lists, declaration }
     }
@@ -241,6 +238,11 @@ impl Network {
     /// What is linked, in words.
     pub fn declaration(&self) -> &str {
         &self.declaration
+    }
+
+    /// What makes the links.
+    pub fn rule(&self) -> Rule {
+        self.rule
     }
 
     /// Whether the links depend on the positions.
@@ -271,164 +273,15 @@ impl Network {
         self.lists.as_ref().map_or(&[], |lists| lists.of_particle(k))
     }
 
-    /// Sets the links of a network that switches.
-    pub fn relink(&mut self, pairs: &[Pair]) {
-        self.pairs = pairs.iter().map(|&(i, j)| (i.min(j), i.max(j))).collect();
-        self.pairs.sort_unstable();
+    /// Sets the links of a network that switches: edges `i < j`, or arcs.
+    pub fn set_pairs(&mut self, mut pairs: Vec<Pair>) {
+        pairs.sort_unstable();
+        self.pairs = pairs;
         self.relist();
     }
 
     /// The number of components, arcs taken as edges.
     pub fn components(&self) -> usize {
         if self.lists.is_none() { self.order.min(1) } else { components(self.order, &self.pairs).len() }
-    }
-
-    /// Makes the links of the positions at the start, where the agents move at the rates.
-    pub fn settle(&mut self, positions: &[f64], rates: &[f64]) {
-        let order = self.order;
-        match self.rule {
-            Rule::Fixed => return,
-            Rule::Within(radius) => {
-                let (square, slack) = (radius * radius, self.slack(positions));
-                let points: Vec<[f64; 2]> = (0..order).map(|k| [positions[2 * k], positions[2 * k + 1]]).collect();
-                // A little wider, for the pairs at exactly the radius.
-                let near = CellList::new(&points, radius * (1.0 + 1e-9)).map(|cells| cells.pairs()).unwrap_or_default();
-                let linked = |&(i, j): &Pair| match square - squared(positions, i, j) {
-                    gap if gap.abs() > slack => gap > 0.0,
-                    gap => match approach(positions, rates, i, j) {
-                        0.0 => gap > 0.0,
-                        rate => rate < 0.0,
-                    },
-                };
-                self.pairs = near.into_iter().filter(linked).collect();
-            }
-            Rule::Nearest(count) => {
-                let points: Vec<Complex<f64>> =
-                    positions.chunks_exact(2).map(|r| Complex::new(r[0], r[1])).take(order).collect();
-                let lists = Neighbours::nearest(&points, count);
-                self.pairs = (0..order).flat_map(|k| lists.of_particle(k).iter().map(move |&j| (k, j))).collect();
-            }
-        }
-        self.relist();
-    }
-
-    /// What rounding may do to a squared distance near the squared radius, many times over.
-    fn slack(&self, positions: &[f64]) -> f64 {
-        let far = positions[..2 * self.order].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let near = match self.rule {
-            Rule::Within(radius) => radius,
-            _ => far,
-        };
-        64.0 * f64::EPSILON * near * (near + far)
-    }
-
-    /// Positive as long as the held links are those of the positions, up to the slack: falls through zero at a switch.
-    pub fn margin(&self, positions: &[f64]) -> f64 {
-        let gaps = match self.rule {
-            Rule::Fixed => f64::INFINITY,
-            Rule::Within(radius) => {
-                self.gaps_within(positions, radius).map(|(_, gap)| gap).fold(f64::INFINITY, f64::min)
-            }
-            Rule::Nearest(_) => (0..self.order).map(|k| self.gap_nearest(positions, k)).fold(f64::INFINITY, f64::min),
-        };
-        gaps + self.slack(positions)
-    }
-
-    /// For each pair how far it is from changing its link, as a difference of squared distances.
-    fn gaps_within<'a>(&'a self, positions: &'a [f64], radius: f64) -> impl Iterator<Item = (Pair, f64)> + 'a {
-        let square = radius * radius;
-        let mut held = self.pairs.iter().peekable();
-        (0..self.order).flat_map(move |i| (i + 1..self.order).map(move |j| (i, j))).map(move |pair| {
-            let linked = held.next_if(|next| **next == pair).is_some();
-            let gap = square - squared(positions, pair.0, pair.1);
-            (pair, if linked { gap } else { -gap })
-        })
-    }
-
-    /// By how much the nearest of the others is farther than the farthest neighbour of `k`, squared.
-    fn gap_nearest(&self, positions: &[f64], k: usize) -> f64 {
-        let near = self.neighbours(k);
-        let (mut inner, mut outer) = (0.0f64, f64::INFINITY);
-        let mut held = near.iter().peekable();
-        for j in (0..self.order).filter(|&j| j != k) {
-            let distance = squared(positions, k, j);
-            match held.next_if(|next| **next == j) {
-                Some(_) => inner = inner.max(distance),
-                None => outer = outer.min(distance),
-            }
-        }
-        outer - inner
-    }
-
-    /// Changes the links whose switch has come, at a state where the margin is not positive.
-    pub fn switch(&mut self, positions: &[f64]) -> Vec<Change> {
-        let due = -self.slack(positions) / 2.0;
-        let mut changes = Vec::new();
-        match self.rule {
-            Rule::Fixed => {}
-            Rule::Within(radius) => {
-                let held: BTreeSet<Pair> = self.pairs.iter().copied().collect();
-                for (pair, _) in self.gaps_within(positions, radius).filter(|(_, gap)| *gap <= due) {
-                    changes.push(Change { gained: !held.contains(&pair), pair });
-                }
-            }
-            Rule::Nearest(count) => {
-                let points: Vec<Complex<f64>> =
-                    positions.chunks_exact(2).map(|r| Complex::new(r[0], r[1])).take(self.order).collect();
-                let new = Neighbours::nearest(&points, count);
-                for k in (0..self.order).filter(|&k| self.gap_nearest(positions, k) <= due) {
-                    let old = self.neighbours(k);
-                    let new = new.of_particle(k);
-                    let lost = old.iter().filter(|j| !new.contains(j)).map(|&j| Change { gained: false, pair: (k, j) });
-                    let gained =
-                        new.iter().filter(|j| !old.contains(j)).map(|&j| Change { gained: true, pair: (k, j) });
-                    changes.extend(lost.chain(gained));
-                }
-            }
-        }
-        let mut pairs: BTreeSet<Pair> = self.pairs.iter().copied().collect();
-        for change in &changes {
-            if change.gained {
-                pairs.insert(change.pair)
-            } else {
-                pairs.remove(&change.pair)
-            };
-        }
-        self.pairs = pairs.into_iter().collect();
-        self.relist();
-        changes
-    }
-}
-
-/// `|r_ij|²`.
-fn squared(positions: &[f64], i: usize, j: usize) -> f64 {
-    let (x, y) = (positions[2 * i] - positions[2 * j], positions[2 * i + 1] - positions[2 * j + 1]);
-    x * x + y * y
-}
-
-/// Half the rate of change of `|r_ij|²`.
-fn approach(positions: &[f64], rates: &[f64], i: usize, j: usize) -> f64 {
-    (0..2).map(|c| (positions[2 * i + c] - positions[2 * j + c]) * (rates[2 * i + c] - rates[2 * j + c])).sum()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Network, Rule};
-
-    #[test]
-    fn resting_ties_stay_and_crossings_switch_together() {
-        let mut network = Network::switching(3, Rule::Within(1.0), false, String::new());
-        // A pair at rest at exactly the radius is not linked; one that approaches is.
-        let positions = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
-        network.settle(&positions, &[0.0, 0.0, 0.0, 0.0, 0.0, -1.0]);
-        assert_eq!(network.pairs(), [(0, 2)]);
-        assert!(network.margin(&positions) > 0.0);
-        // Both pairs of a symmetric motion switch at once, whatever rounding does to each.
-        network.settle(&[0.0, 0.0, 0.9, 0.0, 0.0, 0.9], &[0.0; 6]);
-        let apart = 1.0 + 1e-13;
-        let after = [0.0, 0.0, apart, 0.0, 0.0, apart + 1e-16];
-        assert!(network.margin(&after) <= 0.0);
-        assert_eq!(network.switch(&after).len(), 2);
-        assert!(network.pairs().is_empty() && network.margin(&after) > 0.0);
     }
 }

@@ -2,10 +2,12 @@
 
 use super::course::{Continuous, Course, Frame, Law};
 use super::error::{ConfigError, Problem};
+use super::links::Hold;
 use super::network::{Abilities, Change, Kind, Network};
 use super::observables::{Observable, min_distance, of_phases, places, total};
 use super::source::{Section, Source};
 use super::start::{Needs, Start};
+use super::stepped::{Stepped, read_step};
 use crate::arithmetic::{ArithmeticError, Complex};
 use crate::oscillator::{
     Flight, State, beacon_control, centre_spread, laplacian_control, pattern_control, reference_control,
@@ -99,7 +101,7 @@ pub(super) fn read_phases(source: &Source, tolerance: f64) -> Result<Box<dyn Cou
         positions: false,
         directed: true,
         edges: false,
-        large: false,
+        most_switching: 0,
         default: Some(Kind::AllToAll),
     };
     let network = Network::read(source, start.agents(), can)?;
@@ -131,18 +133,6 @@ impl Law for Phases {
         let control = self.orientation.control(&self.network, &Phases::flight(state).state().phasors)?;
         rate.iter_mut().zip(control).for_each(|(rate, u)| *rate = self.frequency + u);
         Ok(())
-    }
-
-    fn switches(&self) -> bool {
-        false
-    }
-
-    fn margin(&self, _: &[f64]) -> f64 {
-        f64::INFINITY
-    }
-
-    fn switch(&mut self, _: &[f64]) -> Vec<Change> {
-        Vec::new()
     }
 
     fn frame(&self, _: f64, state: &[f64]) -> Frame {
@@ -200,10 +190,11 @@ pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn 
         positions: true,
         directed: true,
         edges: false,
-        large: false,
+        most_switching: usize::MAX,
         default: Some(Kind::AllToAll),
     };
-    let mut network = Network::read(source, start.agents(), can)?;
+    let network = Network::read(source, start.agents(), can)?;
+    let step = read_step(source, &network)?;
     let law = source.needed("law")?;
     law.allow(&["omega0", "K0", "K1", "K", "drift", "beacon", "reference"], " of the particle model")?;
     let frequency = law.number_or("omega0", 0.0)?;
@@ -223,11 +214,12 @@ pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn 
     let drift = Complex::new(re, im);
     let mut state = start.flat_positions();
     state.extend(start.flat_phases());
-    let mut rate = vec![0.0; state.len()];
-    write_rate(&Flight::from_list(&state).state(), &drift, &[], &mut rate);
-    network.settle(&state, &rate);
-    let particles = Particles { network, frequency, orientation, spacing, drift, drawn: start.drawn };
-    Ok(Box::new(Continuous::new(particles, &state, tolerance)))
+    let mut particles = Particles { network, frequency, orientation, spacing, drift, drawn: start.drawn };
+    particles.settle(&state);
+    Ok(match step {
+        Some(step) => Box::new(Stepped::settled(particles, state, step)),
+        None => Box::new(Continuous::new(particles, &state, tolerance)),
+    })
 }
 
 impl Particles {
@@ -255,12 +247,20 @@ impl Law for Particles {
         self.network.switches()
     }
 
-    fn margin(&self, state: &[f64]) -> f64 {
-        self.network.margin(state)
+    fn holds(&self, state: &[f64], moved: &[f64]) -> Vec<Hold> {
+        self.network.holds(state, moved)
     }
 
     fn switch(&mut self, state: &[f64]) -> Vec<Change> {
         self.network.switch(state)
+    }
+
+    fn settle(&mut self, state: &[f64]) {
+        if self.network.switches() {
+            let mut rate = vec![0.0; state.len()];
+            write_rate(&Flight::from_list(state).state(), &self.drift, &[], &mut rate);
+            self.network.settle(state, &rate);
+        }
     }
 
     fn frame(&self, _: f64, list: &[f64]) -> Frame {

@@ -2,7 +2,7 @@
 
 use super::course::{Continuous, Course, Frame, Law};
 use super::error::{ConfigError, Problem};
-use super::network::{Abilities, Change, Network};
+use super::network::{Abilities, Network};
 use super::observables::{Observable, min_distance};
 use super::source::{Section, Source};
 use super::start::{Needs, Start};
@@ -86,7 +86,7 @@ fn tracked(source: &Source, law: &Section, cars: usize) -> Result<(Communication
         return Err(entry.problem(Problem::Both("communication", "[graph]")));
     }
     let can =
-        Abilities { model: "platoon", positions: false, directed: true, edges: true, large: false, default: None };
+        Abilities { model: "platoon", positions: false, directed: true, edges: true, most_switching: 0, default: None };
     let network = Network::read(source, cars, can)?;
     let rows: Vec<Vec<usize>> = (1..cars).map(|k| network.neighbours(k).to_vec()).collect();
     let graph = CommunicationGraph::with_equal_weights(&rows).map_err(|error| section.problem(error.into()))?;
@@ -105,18 +105,6 @@ impl Law for Platoon {
         let rates = velocities.iter().copied().chain(accelerations);
         rate.iter_mut().zip(rates).for_each(|(rate, value)| *rate = value);
         Ok(())
-    }
-
-    fn switches(&self) -> bool {
-        false
-    }
-
-    fn margin(&self, _: &[f64]) -> f64 {
-        f64::INFINITY
-    }
-
-    fn switch(&mut self, _: &[f64]) -> Vec<Change> {
-        Vec::new()
     }
 
     fn frame(&self, time: f64, state: &[f64]) -> Frame {

@@ -4,9 +4,10 @@ use super::error::{ConfigError, Problem};
 use super::source::{Entry, Section, Source};
 use crate::arithmetic::Rational;
 use crate::double_integrator::random_flock;
+use crate::simulate::uniform;
 use num_traits::ToPrimitive;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use rand_chacha::rand_core::SeedableRng;
 use std::f64::consts::TAU;
 
 /// Most agents.
@@ -97,7 +98,7 @@ impl Start {
             drawn += &format!(", speeds even in (0, {speed}), directions even");
         }
         if needs.phases {
-            let mut phase = || TAU * ((random.next_u64() >> 11) as f64 / (1u64 << 53) as f64);
+            let mut phase = || TAU * uniform(&mut random);
             start.phases = (0..agents).map(|_| exact(phase())).collect();
             drawn += ", phases even in [0, 2 pi)";
         }

@@ -142,6 +142,30 @@ impl CellList {
         }
     }
 
+    /// Calls `visit(j, r²)` for each other point `j` (by number) at a distance up to `radius`, which need not be that of the list, from the
+    /// point in place `place`.
+    pub fn visit_up_to(&self, place: usize, radius: f64, mut visit: impl FnMut(usize, f64)) {
+        let own = self.sorted[place];
+        let limit = radius * radius;
+        // A little farther, for rounding.
+        let far = radius * (1.0 + 1e-9);
+        let stretch = |k: usize, count: usize| {
+            let at = |x: f64| (((x - self.corner[k]) * self.per_width) as usize).min(count - 1);
+            at(own[k] - far)..at(own[k] + far) + 1
+        };
+        let columns = stretch(0, self.columns);
+        for row in stretch(1, self.rows) {
+            let start = |column: usize| self.starts[row * self.columns + column];
+            for other in (start(columns.start)..start(columns.end)).filter(|&other| other != place) {
+                let r = [self.sorted[other][0] - own[0], self.sorted[other][1] - own[1]];
+                let square = r[0] * r[0] + r[1] * r[1];
+                if square <= limit {
+                    visit(self.numbers[other], square);
+                }
+            }
+        }
+    }
+
     /// For each point, in the order of their numbers, the fold of `add` over all others at a distance below the radius:
     /// `add(value, i, j, r, r²)` with `r` the vector from `i` to `j`. In parallel; each point's neighbours come in a fixed order.
     pub fn fold_neighbours<T: Copy + Send + Sync>(
@@ -175,4 +199,42 @@ impl CellList {
         pairs.sort_unstable();
         pairs
     }
+}
+
+/// For each point the numbers of its `count` nearest others in increasing order, all of them where there are fewer; of two at the same
+/// distance the one with the smaller number is nearer. O(N) for points that are spread evenly.
+///
+/// # Errors
+/// [`CellError::Position`].
+pub fn nearest(points: &[[f64; 2]], count: usize) -> Result<Vec<Vec<usize>>, CellError> {
+    let wanted = count.min(points.len().saturating_sub(1));
+    let side = |k: usize| {
+        let fold = |start: f64, f: fn(f64, f64) -> f64| points.iter().map(|p| p[k]).fold(start, f);
+        fold(f64::NEG_INFINITY, f64::max) - fold(f64::INFINITY, f64::min)
+    };
+    // So that a cell holds about as many as are asked for.
+    let part = (wanted + 1) as f64 / points.len().max(1) as f64;
+    let typical = (side(0) * side(1) * part).sqrt();
+    let radius = if typical > 0.0 && typical.is_finite() { typical } else { 1.0 };
+    let list = CellList::new(points, radius)?;
+    let search = |place: usize| {
+        let mut found: Vec<(f64, usize)> = Vec::new();
+        let mut far = radius;
+        loop {
+            list.visit_up_to(place, far, |j, square| found.push((square, j)));
+            if found.len() >= wanted {
+                break;
+            }
+            found.clear();
+            far *= 2.0;
+        }
+        found.sort_by(|(a, i), (b, j)| a.total_cmp(b).then(i.cmp(j)));
+        let mut numbers: Vec<usize> = found.into_iter().take(wanted).map(|(_, j)| j).collect();
+        numbers.sort_unstable();
+        numbers
+    };
+    let by_place: Vec<Vec<usize>> = (0..points.len()).into_par_iter().with_min_len(TASK).map(search).collect();
+    let mut lists = vec![Vec::new(); points.len()];
+    list.numbers.iter().zip(by_place).for_each(|(&number, numbers)| lists[number] = numbers);
+    Ok(lists)
 }

@@ -1,10 +1,10 @@
-//! Events: the first time at which a function of time and state changes its sign.
+//! Events: the first time at which one of many functions of the state falls to zero.
 //!
-//! In each step the function is looked at in [`PARTS`] equal parts of the dense output. A part holds a crossing where the signs at its
-//! ends differ, or where the function comes towards zero at its beginning and leaves it at its end: then its extremum is
-//! sought, and if the sign differs there, the part has two crossings. So near-grazing crossings are not missed as long as the
-//! function has at most one extremum in a part. Crossings are then refined on states of full order, each by a step
-//! from the beginning of the step, not on the dense output.
+//! Each step is looked at in [`PARTS`] equal parts of the dense output. Only functions that can fall to zero in a part are examined in it. A
+//! function falls in a part where it is negative at the end, or where it decreases at the beginning and increases at the
+//! end, and its least value is negative. So near-grazing falls are not missed as long as each function, not the least of
+//! all, has at most one minimum in a part. The first fall is then refined on states of full order, each by a step from the
+//! beginning of the step, not on the dense output.
 
 use super::{IntegrationError, Integrator, VectorField};
 
@@ -17,106 +17,92 @@ const SECTIONS: usize = 60;
 /// Steps of the search for a root.
 const MOST_ITERATIONS: usize = 100;
 
-/// A crossing of zero.
+/// A function of the state that is positive, however little, until its event.
+pub trait Margin {
+    /// Its value, where `at` gives the components of the state.
+    fn value(&self, at: &dyn Fn(usize) -> f64) -> f64;
+}
+
+/// The first time at which a function falls to zero.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Crossing {
+pub struct Fall {
     /// When.
     pub time: f64,
-    /// The state then.
+    /// The state then: a function is zero or negative there.
     pub state: Vec<f64>,
-    /// Whether the function goes from negative to positive.
-    pub rising: bool,
 }
 
-/// Steps forward until `event` crosses zero or `until` is reached. On a crossing, continue with a new [`Integrator`] from its state; a
-/// zero right at the start is not a crossing.
+/// Steps forward until a function falls to zero or `until` is reached. `near(state, moved)` gives the functions that can fall while no
+/// component of the state moves by more than `moved`: they are asked for at the beginning of each part of a step, where `moved` is twice the
+/// largest movement in any part of the step. After a fall, continue with a new [`Integrator`] from its state.
 ///
 /// # Errors
 /// [`IntegrationError`].
-pub fn next_crossing(
+pub fn next_fall<M: Margin>(
     field: &mut impl VectorField,
     solution: &mut Integrator,
     until: f64,
-    event: impl FnMut(f64, &[f64]) -> f64,
-) -> Result<Option<Crossing>, IntegrationError> {
-    search(field, solution, until, event, None)
-}
-
-/// Steps forward until `margin`, which is known to be positive at first, however small, falls to zero or `until` is reached.
-///
-/// # Errors
-/// [`IntegrationError`].
-pub fn next_fall(
-    field: &mut impl VectorField,
-    solution: &mut Integrator,
-    until: f64,
-    margin: impl FnMut(f64, &[f64]) -> f64,
-) -> Result<Option<Crossing>, IntegrationError> {
-    search(field, solution, until, margin, Some(true))
-}
-
-/// The next change of sign, from the sign that is known at first.
-fn search(
-    field: &mut impl VectorField,
-    solution: &mut Integrator,
-    until: f64,
-    mut event: impl FnMut(f64, &[f64]) -> f64,
-    known: Option<bool>,
-) -> Result<Option<Crossing>, IntegrationError> {
-    // The sign on the way; none before the first step, and as long as the function stays at zero.
-    let start = event(solution.time(), solution.state());
-    let mut sign = known;
-    let mut first = known.is_none();
+    near: impl Fn(&[f64], &[f64]) -> Vec<M>,
+) -> Result<Option<Fall>, IntegrationError> {
     while solution.time() < until {
         solution.step(field, until)?;
         let (from, to) = (solution.previous_time(), solution.time());
         let time = |k: usize| if k == PARTS { to } else { from + (to - from) * k as f64 / PARTS as f64 };
-        let values: Vec<f64> = (0..=PARTS).map(time).map(|t| event(t, &solution.interpolate(field, t))).collect();
-        let size = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        if std::mem::take(&mut first) {
-            // At a zero, the sign just after it.
-            let after = from + (time(1) - from) * 1e-6;
-            let mut later = || event(after, &solution.interpolate(field, after)) - start;
-            let value = if start.abs() > 1e-12 * size { start } else { later() };
-            sign = (value != 0.0).then_some(value > 0.0);
-        }
+        let nodes: Vec<Vec<f64>> = (0..=PARTS).map(|k| solution.interpolate(field, time(k))).collect();
+        let movement = |c: usize| nodes.windows(2).map(|pair| (pair[1][c] - pair[0][c]).abs()).fold(0.0, f64::max);
+        let moved: Vec<f64> = (0..nodes[0].len()).map(|c| 2.0 * movement(c)).collect();
         for k in 0..PARTS {
-            let (a, b) = (time(k), time(k + 1));
-            let Some(positive) = sign else {
-                // Still at zero: the next sign counts from the end of the part.
-                sign = (values[k + 1] != 0.0).then_some(values[k + 1] > 0.0);
-                continue;
-            };
-            let turned = |x: f64| x != 0.0 && (x > 0.0) != positive;
-            let end = if turned(values[k + 1]) {
-                Some(b)
-            } else {
-                let slope =
-                    |t: f64, solution: &mut Integrator, field: &mut _, event: &mut dyn FnMut(f64, &[f64]) -> f64| {
-                        let width = (b - a) * 1e-3;
-                        let ahead = event(t + width, &solution.interpolate(field, t + width));
-                        ahead - event(t - width, &solution.interpolate(field, t - width))
-                    };
-                let towards = if positive { -1.0 } else { 1.0 };
-                let comes = slope(a, solution, field, &mut event) * towards > 0.0;
-                let leaves = slope(b, solution, field, &mut event) * towards < 0.0;
-                // The extremum by the dense output, its sign by a step of full order.
-                if comes && leaves {
-                    let nearest = golden(a, b, |t| -towards * event(t, &solution.interpolate(field, t)));
-                    turned(event(nearest, &solution.within(field, nearest))).then_some(nearest)
-                } else {
-                    None
-                }
-            };
-            if let Some(end) = end {
-                let value = |t: f64| event(t, &solution.within(field, t));
-                let time = root(a, end, !positive, value);
-                let state = solution.within(field, time);
-                return Ok(Some(Crossing { time, state, rising: !positive }));
+            let margins = near(&nodes[k], &moved);
+            let fall = in_part(field, solution, (time(k), time(k + 1)), &nodes[k + 1], &margins);
+            if fall.is_some() {
+                return Ok(fall);
             }
         }
     }
     Ok(None)
+}
+
+/// The first fall in a part of the last step, whose dense output is known.
+fn in_part(
+    field: &mut impl VectorField,
+    solution: &mut Integrator,
+    (from, to): (f64, f64),
+    end: &[f64],
+    margins: &[impl Margin],
+) -> Option<Fall> {
+    // By the dense output, with a time at which each is negative, or nearly so.
+    let mut falls = Vec::new();
+    for margin in margins {
+        let dense = |t: f64| margin.value(&|c| solution.component(c, t));
+        let negative = if margin.value(&|c| end[c]) < 0.0 { Some(to) } else { dip(from, to, dense) };
+        falls.extend(negative.map(|negative| (root(from, negative, false, dense), negative)));
+    }
+    falls.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    for (_, negative) in falls {
+        let mut least = |t: f64| {
+            let state = solution.within(field, t);
+            margins.iter().map(|margin| margin.value(&|c| state[c])).fold(f64::INFINITY, f64::min)
+        };
+        if least(negative) <= 0.0 {
+            let time = root(from, negative, false, least);
+            return Some(Fall { time, state: solution.within(field, time) });
+        }
+    }
+    None
+}
+
+/// Minima below this part of the values at both ends are looked at on states of full order.
+const LOW: f64 = 1e-6;
+
+/// Where a function that is positive at both ends may be negative in between: its minimum.
+fn dip(a: f64, b: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
+    let width = (b - a) * 1e-3;
+    let slope = |t: f64| f(t + width) - f(t - width);
+    if slope(a) >= 0.0 || slope(b) <= 0.0 {
+        return None;
+    }
+    let lowest = golden(a, b, &f);
+    (f(lowest) <= LOW * (f(a) + f(b))).then_some(lowest)
 }
 
 /// The place of the minimum of a function with one.

@@ -15,10 +15,10 @@ mod rk4;
 mod sine;
 mod statistics;
 
-pub use cells::{CellError, CellList};
+pub use cells::{CellError, CellList, nearest};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
 pub(crate) use event::root;
-pub use event::{Crossing, next_crossing, next_fall};
+pub use event::{Fall, Margin, next_fall};
 pub(crate) use lanes::Lanes;
 pub use phases::AllToAll;
 pub use random::{generator, normal, uniform};

@@ -51,6 +51,16 @@ impl Share {
         (low, high)
     }
 
+    /// Whether the probability is above a number: `None` where that lies inside the interval.
+    pub fn is_above(self, number: f64) -> Option<bool> {
+        let (low, high) = self.interval();
+        match (low > number, high <= number) {
+            (true, _) => Some(true),
+            (_, true) => Some(false),
+            _ => None,
+        }
+    }
+
     /// The interval as a value of the ledger, `[lo, hi]`.
     pub fn enclosure(self) -> String {
         let (low, high) = self.interval();

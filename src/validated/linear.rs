@@ -19,28 +19,15 @@ pub(super) fn apply(a: &[IntervalVector], x: &[FloatInterval]) -> IntervalVector
     a.iter().map(|row| dot(row, x)).collect()
 }
 
-/// A matrix times a matrix of floats.
-pub(super) fn times(a: &[IntervalVector], b: &DMatrix<f64>) -> IntervalMatrix {
-    let columns: Vec<IntervalVector> =
-        b.column_iter().map(|c| c.iter().map(|&x| FloatInterval::point(x)).collect()).collect();
-    a.iter().map(|row| columns.iter().map(|c| dot(row, c)).collect()).collect()
+/// A product of matrices.
+pub(super) fn times(a: &[IntervalVector], b: &[IntervalVector]) -> IntervalMatrix {
+    let columns: IntervalMatrix = (0..b.len()).map(|j| b.iter().map(|row| row[j]).collect()).collect();
+    a.iter().map(|row| columns.iter().map(|column| dot(row, column)).collect()).collect()
 }
 
-/// The transpose of a matrix of floats times a matrix.
-pub(super) fn transpose_times(a: &DMatrix<f64>, b: &[IntervalVector]) -> IntervalMatrix {
-    let size = b.len();
-    let entry = |i: usize, j: usize| {
-        (0..size).fold(FloatInterval::point(ZERO), |sum, k| sum + FloatInterval::point(a[(k, i)]) * b[k][j])
-    };
-    (0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect()
-}
-
-/// The transpose of a matrix of floats times a vector.
-pub(super) fn transpose_apply(a: &DMatrix<f64>, x: &[FloatInterval]) -> IntervalVector {
-    let entry = |i: usize| {
-        x.iter().enumerate().fold(FloatInterval::point(ZERO), |sum, (k, x)| sum + FloatInterval::point(a[(k, i)]) * x)
-    };
-    (0..x.len()).map(entry).collect()
+/// A matrix of floats.
+pub(super) fn points(a: &DMatrix<f64>) -> IntervalMatrix {
+    a.row_iter().map(|row| row.iter().map(|&x| FloatInterval::point(x)).collect()).collect()
 }
 
 /// The largest sum of the magnitudes in a row, rounded up.
@@ -63,9 +50,7 @@ pub(super) fn frame_of(a: &[IntervalVector], lengths: &[f64]) -> DMatrix<f64> {
 /// A bound of `‖(FᵀF)⁻¹ - I‖` in the norm of row sums, for a frame that is nearly orthogonal; `None` where it is not.
 pub(super) fn departure(frame: &DMatrix<f64>) -> Option<f64> {
     let size = frame.nrows();
-    let columns: IntervalMatrix =
-        (0..size).map(|i| (0..size).map(|j| FloatInterval::point(frame[(i, j)])).collect()).collect();
-    let mut gram = transpose_times(frame, &columns);
+    let mut gram = times(&points(&frame.transpose()), &points(frame));
     (0..size).for_each(|i| gram[i][i] = gram[i][i] - FloatInterval::point(1.0));
     let g = row_norm(&gram);
     // (I + G)⁻¹ - I = -G + G² - ...

@@ -1,7 +1,7 @@
 //! Sets of states: parallelepipeds.
 
 use super::IntervalVector;
-use super::linear::{IntervalMatrix, apply, departure, frame_of, times, transpose_apply, transpose_times};
+use super::linear::{IntervalMatrix, apply, departure, frame_of, points, times};
 use crate::arithmetic::{FloatInterval, Ring};
 use nalgebra::DMatrix;
 
@@ -16,8 +16,8 @@ pub struct Parallelepiped {
 impl Parallelepiped {
     /// A box.
     pub fn of_box(state: &[FloatInterval]) -> Self {
-        let centre: Vec<f64> = state.iter().map(FloatInterval::midpoint).collect();
-        let radii = state.iter().zip(&centre).map(|(x, c)| *x - FloatInterval::point(*c)).map(with_zero).collect();
+        let (centre, rest) = around_midpoints(state);
+        let radii = rest.into_iter().map(with_zero).collect();
         Parallelepiped { frame: DMatrix::identity(centre.len(), centre.len()), centre, radii }
     }
 
@@ -28,19 +28,16 @@ impl Parallelepiped {
 
     /// A box that contains the set.
     pub fn hull(&self) -> IntervalVector {
-        let row = |(i, c): (usize, &f64)| {
-            self.radii
-                .iter()
-                .enumerate()
-                .fold(FloatInterval::point(*c), |sum, (j, r)| sum + FloatInterval::point(self.frame[(i, j)]) * r)
+        let row = |(c, row): (&f64, IntervalVector)| {
+            row.iter().zip(&self.radii).fold(FloatInterval::point(*c), |sum, (f, r)| sum + *f * r)
         };
-        self.centre.iter().enumerate().map(row).collect()
+        self.centre.iter().zip(points(&self.frame)).map(row).collect()
     }
 
     /// All `image + derivative (x - centre)` for `x` in the set: the image under a map with `image` enclosing that of the centre, and `derivative` its
     /// derivatives on a convex set around this one (mean value theorem, row by row). `None` where a bound is not finite.
     pub(super) fn mapped(&self, image: &[FloatInterval], derivative: &IntervalMatrix) -> Option<Self> {
-        let linear = times(derivative, &self.frame);
+        let linear = times(derivative, &points(&self.frame));
         let lengths: Vec<f64> = self.radii.iter().map(FloatInterval::width).collect();
         let size = self.centre.len();
         let found = frame_of(&linear, &lengths);
@@ -48,10 +45,10 @@ impl Parallelepiped {
             Some(lost) => (found, lost),
             None => (DMatrix::identity(size, size), 0.0),
         };
-        let centre: Vec<f64> = image.iter().map(FloatInterval::midpoint).collect();
-        let rest: IntervalVector = image.iter().zip(&centre).map(|(x, c)| *x - FloatInterval::point(*c)).collect();
-        let turned = apply(&transpose_times(&frame, &linear), &self.radii);
-        let added = transpose_apply(&frame, &rest);
+        let (centre, rest) = around_midpoints(image);
+        let back = points(&frame.transpose());
+        let turned = apply(&times(&back, &linear), &self.radii);
+        let added = apply(&back, &rest);
         let inside = turned.into_iter().zip(added).map(|(a, b)| a + b).collect();
         Parallelepiped { centre, frame, radii: inside }.widened(lost)
     }
@@ -59,10 +56,10 @@ impl Parallelepiped {
     /// The set plus a box.
     pub(crate) fn plus(&self, shift: &[FloatInterval]) -> Option<Self> {
         let moved: IntervalVector = self.centre.iter().zip(shift).map(|(c, d)| FloatInterval::point(*c) + d).collect();
-        let centre: Vec<f64> = moved.iter().map(FloatInterval::midpoint).collect();
-        let rest: IntervalVector = moved.iter().zip(&centre).map(|(x, c)| *x - FloatInterval::point(*c)).collect();
+        let (centre, rest) = around_midpoints(&moved);
         let lost = departure(&self.frame)?;
-        let added = Parallelepiped { centre, frame: self.frame.clone(), radii: transpose_apply(&self.frame, &rest) };
+        let radii = apply(&points(&self.frame.transpose()), &rest);
+        let added = Parallelepiped { centre, frame: self.frame.clone(), radii };
         let mut sum = added.widened(lost)?;
         sum.radii.iter_mut().zip(&self.radii).for_each(|(a, b)| *a = *a + b);
         Some(sum)
@@ -75,6 +72,13 @@ impl Parallelepiped {
         self.radii.iter_mut().for_each(|r| *r = with_zero(*r + slack));
         (self.radii.iter().all(FloatInterval::is_bounded) && self.centre.iter().all(|c| c.is_finite())).then_some(self)
     }
+}
+
+/// Midpoints, and the intervals less these.
+fn around_midpoints(x: &[FloatInterval]) -> (Vec<f64>, IntervalVector) {
+    let centre: Vec<f64> = x.iter().map(FloatInterval::midpoint).collect();
+    let rest = x.iter().zip(&centre).map(|(x, c)| *x - FloatInterval::point(*c)).collect();
+    (centre, rest)
 }
 
 fn with_zero(x: FloatInterval) -> FloatInterval {

@@ -11,12 +11,24 @@ mod switching;
 use flockproof::arithmetic::{Dual, Field, Interval, Rational, Real, Ring, rational};
 use flockproof::double_integrator::{
     Coordinates, HeadingDifference, Inertia, Kink, Potential, PotentialError, State, agent_potential, gyroscopic,
-    heading, heading_rate, hessian, inertia, kinetic_energy, linearisation, linked_within, potential_energy,
-    potential_gradients, rotated, tied, velocity_alignment,
+    heading, heading_rate, heading_spread, hessian, inertia, kinetic_energy, linearisation, linked_within,
+    potential_energy, potential_gradients, rotated, tied, velocity_alignment,
 };
 use flockproof::graph::Graph;
 use flockproof::matrix::RationalMatrix;
 use proptest::prelude::*;
+use std::f64::consts::PI;
+
+#[test]
+fn the_spread_of_headings_is_that_of_all_pairs() {
+    let naive = |angles: &[f64]| {
+        let turn = |a: f64, b: f64| ((a - b + PI).rem_euclid(2.0 * PI) - PI).abs();
+        angles.iter().flat_map(|a| angles.iter().map(move |b| turn(*a, *b))).fold(0.0, f64::max)
+    };
+    for angles in [&[][..], &[0.3], &[0.0, 3.0], &[0.1, 7.0, -2.0], &[3.1, -3.1, 3.0], &[1.0, 2.5, 4.0, 5.5, 0.2]] {
+        assert!((heading_spread(angles) - naive(angles)).abs() < 1e-12, "{angles:?}");
+    }
+}
 
 const PLANE: Coordinates = Coordinates::Cartesian;
 

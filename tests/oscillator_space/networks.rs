@@ -61,6 +61,23 @@ fn zones_share_their_boundaries_and_leave_out_the_blind_spot() {
 }
 
 #[test]
+fn networks_among_near_pairs_are_those_among_all() {
+    let blind_cosine_squared = (TAU / 8.0).cos().powi(2);
+    let zones = Zones { repulsion: 1.0, orientation: 2.0, attraction: 4.0, blind_cosine_squared };
+    // A lattice, with ties at every boundary, and every fish with its own heading.
+    let place = |k: u32| Complex::new(f64::from(k % 7), f64::from(k / 7));
+    let heading = |k: u32| Complex::new(f64::from(k).cos(), f64::from(k).sin());
+    let state = State { positions: (0..40).map(place).collect(), phasors: (0..40).map(heading).collect() };
+    let square = |i: usize, j: usize| (state.positions[i].clone() - &state.positions[j]).norm_squared();
+    let pairs: Vec<(usize, usize)> =
+        (0..40).flat_map(|i| (i + 1..40).map(move |j| (i, j))).filter(|&(i, j)| square(i, j) <= 16.0).collect();
+    let networks = zones.networks_among(&state, &pairs);
+    assert_eq!(networks.repulsion, zones.network(Zone::Repulsion, &state));
+    assert_eq!(networks.orientation, zones.network(Zone::Orientation, &state));
+    assert_eq!(networks.attraction, zones.network(Zone::Attraction, &state));
+}
+
+#[test]
 fn runge_kutta_follows_a_circle_with_its_order() {
     let error = |steps: usize| {
         let mut flight = Flight { positions: vec![Complex::new(0.0, 0.0)], phases: vec![0.0] };
@@ -137,8 +154,10 @@ fn both_forms_of_the_fish_agree_at_unit_distance() {
     let zones =
         |repulsion: f64| Zones { repulsion, orientation: repulsion, attraction: 10.0, blind_cosine_squared: 1.0 };
     let gains = BehaviourGains { repulsion: 5.0, orientation: 0.0, attraction: 2.0 };
-    let turn = |zones: &Zones<f64>| behaviour_control(&0.0, &gains, &zones.networks(&state), &state).unwrap()[0];
+    let pair = [(0, 1)];
+    let turn =
+        |zones: &Zones<f64>| behaviour_control(&0.0, &gains, &zones.networks_among(&state, &pair), &state).unwrap()[0];
     assert_eq!((turn(&zones(2.0)), turn(&zones(0.5))), (5.0, -2.0));
     let together = State { positions: vec![Complex::new(0.0, 0.0); 2], phasors: state.phasors.clone() };
-    assert!(behaviour_control(&0.0, &gains, &zones(2.0).networks(&together), &together).is_err());
+    assert!(behaviour_control(&0.0, &gains, &zones(2.0).networks_among(&together, &pair), &together).is_err());
 }

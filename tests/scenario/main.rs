@@ -121,6 +121,72 @@ fn a_grazing_pass_is_seen_or_not_as_it_should() {
 }
 
 #[test]
+fn a_grazing_pass_is_seen_beside_pairs_that_are_nearer_to_their_switch() {
+    // Agents 3 and 4 fly side by side at a hair below the radius.
+    let outcome = run("model = \"particles\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\n\
+         positions = [[0, 0], [10, \"1.9999999\"], [50, 0], [50, \"1.99999999\"]]\nphases = [0, \"3.141592653589793\", 1, 1]\n\
+         [law]\nomega0 = 0\n[run]\nuntil = 10\ntolerance = 1e-12\nrows = 3\n");
+    let pairs: Vec<_> = outcome.events.iter().map(|e| (e.gained, e.pair)).collect();
+    assert_eq!(pairs, [(true, (1, 2)), (false, (1, 2))]);
+}
+
+const SCHOOL: &str = "model = \"particles\"\n[graph]\nGRAPH\n[state]\nrandom = { agents = AGENTS, seed = 3, half = HALF }\n\
+    [law]\nomega0 = \"1/5\"\nK0 = \"1/10\"\nK1 = \"-2\"\n[run]\nuntil = UNTIL\nrows = 2\n";
+
+fn school(graph: &str, agents: usize, half: &str, until: &str) -> String {
+    let text = SCHOOL.replace("GRAPH", graph).replace("AGENTS", &agents.to_string());
+    text.replace("HALF", half).replace("UNTIL", until)
+}
+
+#[test]
+fn particles_in_fixed_steps_agree_with_located_switches() {
+    let end = |outcome: &Outcome| outcome.rows.last().expect("a row").frame.positions.concat();
+    for graph in ["kind = \"within\"\nradius = 1", "kind = \"nearest\"\nnearest = 3"] {
+        let text = school(graph, 20, "3", "2");
+        let located = run(&text);
+        assert!(located.events.len() > 10, "{graph}");
+        let far = |step: &str| {
+            let fixed = run(&format!("{text}step = \"{step}\"\n"));
+            assert!(fixed.events.is_empty());
+            end(&fixed).iter().zip(end(&located)).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+        };
+        // A step over a switch is wrong by about its length, in the positions by its square.
+        assert!(far("1/100") < 1e-2 && far("1/2000") < 2e-4, "{graph}: {} {}", far("1/100"), far("1/2000"));
+    }
+}
+
+#[test]
+fn large_schools_need_no_table_of_pairs() {
+    for graph in ["kind = \"within\"\nradius = \"1/2\"", "kind = \"nearest\"\nnearest = 3"] {
+        let text = school(graph, 5000, "50", "\"1/1000\"");
+        let outcome = run(&format!("{text}step = \"1/1000\"\n"));
+        assert_eq!(outcome.rows.len(), 3, "{graph}");
+        // Located, in a time without more than a few switches.
+        let located = run(&school(graph, 5000, "50", "\"1/100000\""));
+        assert!(located.events.iter().all(|event| event.time <= 1e-5));
+    }
+}
+
+#[test]
+fn headings_in_fixed_steps_agree_with_located_jumps() {
+    let text = |reading: &str, run: &str| {
+        HEADINGS
+            .replace("\"complete\"", "\"within\"\nradius = 2")
+            .replace("READING", reading)
+            .replace("\"1/2\"\nheading", "\"1/50\"\nheading")
+            .replace("until = 8\nsamples = [0, 1, 2, 4, 8]\ntolerance = 1e-12", run)
+    };
+    for reading in ["raw", "wrapped", "unwrapped"] {
+        let end = |outcome: Outcome| outcome.rows.last().expect("a row").frame.positions.concat();
+        let located = run(&text(reading, "until = 2\ntolerance = 1e-12"));
+        let fixed = run(&text(reading, "until = 2\nstep = \"1/4000\""));
+        let events = located.events.len();
+        let error = end(located).iter().zip(end(fixed)).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+        assert!(error < 1e-3 && events > 0, "{reading}: {error}, {events} events");
+    }
+}
+
+#[test]
 fn nearest_neighbours_change_when_distances_cross() {
     let outcome = run(
         "model = \"particles\"\n[graph]\nkind = \"nearest\"\nnearest = 1\n[state]\npositions = [[0, 0], [0, 10], [-1, 5]]\n\
@@ -201,5 +267,5 @@ fn fixed_steps_agree_with_located_switches() {
     let outcome = run(&format!("{large}step = \"1/20\"\n"));
     assert!(value(outcome.samples().last().expect("a sample"), "disagreement") > 0.0);
     let fixed = include_str!("../../assets/scenarios/three_agents.toml").replace("tolerance = 1e-12", "step = 1");
-    assert!(Scenario::read(&fixed).expect_err("no radius").to_string().contains("within a radius"));
+    assert!(Scenario::read(&fixed).expect_err("no radius").to_string().contains("depend on distances"));
 }

@@ -66,6 +66,9 @@ fn examine(variant: &Split, run: &mut Run) -> Result<Outcome, CheckError> {
     let [EnclosedEvent { pair: (1, 2), linked: false, from, to }] = found.events[..] else {
         return Ok(Outcome::fails(format!("changes of the network until t = {SETTLED}: {:?}", found.events), evidence));
     };
+    if found.edges != [(0, 1)] {
+        return Ok(Outcome::fails(format!("links at t = {SETTLED}: {:?}", found.edges), evidence));
+    }
     run.value("link_lost", format!("[{from:.6}, {to:.6}]"));
     if FloatInterval::point(to).hi() > FloatInterval::from_rational(&variant.by).lo() {
         return Ok(Outcome::fails(format!("the link ends between {} and {}", number(from), number(to)), evidence));

@@ -6,7 +6,7 @@
 //! within 10 m of their mean (far apart, gradients are small too).
 
 use crate::claims::record::Record;
-use crate::claims::tanner2::figures::other;
+use crate::claims::tanner2::figures::{judged, other};
 use crate::double_integrator::{HeadingReading, Setup};
 use crate::ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use crate::simulate::Share;
@@ -45,10 +45,7 @@ fn examine_reading(variant: &FigureVariant, reading: HeadingReading, run: &mut R
     );
     run.value(&format!("share_{reading:?}").to_lowercase(), formations.enclosure());
     let evidence = Evidence::new(Grade::Simulated, "end of the run", what.clone()).cases(formations.of);
-    if formations.found > 0 && formations.interval().0 > variant.above {
-        return Ok(Outcome::Holds(vec![evidence]));
-    }
-    Ok(Outcome::fails(what, evidence))
+    Ok(judged(formations, variant.above, what, evidence))
 }
 
 fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -32,6 +32,18 @@ pub(in crate::claims) fn other(error: impl std::fmt::Display) -> CheckError {
     CheckError::Other(error.to_string())
 }
 
+/// Whether a share is above a number: it fails where no run shows it or the interval lies below, and is undecided where the number lies
+/// inside the interval.
+pub(in crate::claims) fn judged(share: Share, above: f64, what: String, evidence: Evidence) -> Outcome {
+    match share.is_above(above) {
+        Some(true) if share.found > 0 => Outcome::Holds(vec![evidence]),
+        None if share.found > 0 => {
+            Outcome::Undecided(format!("{what}: too few runs to tell whether it is above {above}"))
+        }
+        _ => Outcome::fails(format!("{what}: not above {above}"), evidence),
+    }
+}
+
 fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let setup = Setup::velocity_alignment(variant.links);
     let (mut all, mut given) = (Share::default(), Share::default());
@@ -52,10 +64,7 @@ fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError
         "{what}; V = 1/s + log s and the other choices declared in notes/tanner2.md; switches located, errors of a step below 1e-7"
     );
     let evidence = Evidence::new(Grade::Simulated, variant.what, detail).cases(all.of);
-    if all.found > 0 && all.interval().0 > variant.above {
-        return Ok(Outcome::Holds(vec![evidence]));
-    }
-    Ok(Outcome::fails(format!("{what}: not above {}", variant.above), evidence))
+    Ok(judged(all, variant.above, what, evidence))
 }
 
 pub fn fig4() -> Record<FigureVariant> {
