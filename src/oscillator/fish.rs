@@ -47,6 +47,10 @@ impl<T: Field + Signed> Zones<T> {
 
     /// Whether the offset lies in the open wedge around the direction opposite to the heading.
     pub fn is_blind(&self, heading: &Complex<T>, offset: &Complex<T>) -> bool {
+        // An empty wedge, which rounding must not fill.
+        if !(self.blind_cosine_squared.one() - &self.blind_cosine_squared).is_certainly_positive() {
+            return false;
+        }
         let behind = -heading.dot(offset);
         let edge = offset.norm_squared() * &self.blind_cosine_squared;
         behind.is_certainly_positive() && (behind.square() - edge).is_certainly_positive()

@@ -69,19 +69,26 @@ impl Flight {
         Flight { positions, phases: phases.to_vec() }
     }
 
+    /// The angles in radians from each phase to the next around the circle, from the smallest in `[0, 2 pi)` on, `N` of them.
+    pub fn gaps(&self) -> Vec<f64> {
+        let mut angles: Vec<f64> = self.phases.iter().map(|theta| theta.rem_euclid(TAU)).collect();
+        angles.sort_by(f64::total_cmp);
+        let around = angles.first().map(|first| first + TAU);
+        let next = angles.iter().skip(1).copied().chain(around);
+        angles.iter().zip(next).map(|(angle, next)| next - angle).collect()
+    }
+
     /// The clusters of phases around the circle: sizes, and the angles in radians from the last of one to the first of the next.
     /// Neighbours on the circle belong together where they are less than `tolerance` radians apart.
     pub fn clusters(&self, tolerance: f64) -> Vec<(usize, f64)> {
-        let mut angles: Vec<f64> = self.phases.iter().map(|theta| theta.rem_euclid(TAU)).collect();
-        angles.sort_by(f64::total_cmp);
-        let count = angles.len();
-        let gap = |k: usize| (angles[(k + 1) % count] - angles[k]).rem_euclid(TAU);
-        let ends: Vec<usize> = (0..count).filter(|&k| gap(k) >= tolerance).collect();
+        let gaps = self.gaps();
+        let count = gaps.len();
+        let ends: Vec<usize> = (0..count).filter(|&k| gaps[k] >= tolerance).collect();
         let Some(&last) = ends.last() else { return vec![(count, 0.0)] };
         let mut before = last as isize - count as isize;
         let mut clusters = Vec::new();
         for end in ends {
-            clusters.push(((end as isize - before) as usize, gap(end)));
+            clusters.push(((end as isize - before) as usize, gaps[end]));
             before = end as isize;
         }
         clusters

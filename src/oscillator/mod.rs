@@ -36,7 +36,7 @@ pub use moments::{
 };
 pub use network::{Everyone, Interaction, Neighbours};
 pub use pattern::{clusters_of_pattern, symmetric_pattern};
-pub use reached::{CLUSTER, nearest_twist, order, pattern, ring_differences, shape_rate, winding};
+pub use reached::{CLUSTER, cluster_gap, nearest_twist, order, pattern, ring_differences, shape_rate, winding};
 pub use runs::{
     CyclicFormation, DECLARATION, DriftingOrbit, Experiment, FourMotions, OMEGA, PARTICLES, PatternFormation,
     PatternPhases, ReferenceTracking, RingPhases, ZoneFormation, ZoneLaw, zones_of_figure_7,

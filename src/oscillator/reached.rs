@@ -17,24 +17,48 @@ pub fn order(flight: &Flight, m: u32) -> Result<f64, ArithmeticError> {
     Ok(f64::from(m) * moment(&flight.state().phasors, m)?.norm_squared().sqrt())
 }
 
+/// The gap in radians that parts clusters of so many phases: [`CLUSTER`], or a third of the mean gap where that is smaller.
+pub fn cluster_gap(phases: usize) -> f64 {
+    CLUSTER.min(TAU / (3 * phases.max(1)) as f64)
+}
+
 impl Flight {
-    /// Whether the phases form `clusters` clusters of equal size, evenly spaced: with clusters by `tolerance` radians and gaps
-    /// within half of it.
+    /// Whether the phases form `clusters` clusters of equal size at evenly spaced places: each phase is within half of `tolerance` of its place,
+    /// and within a sixth of the gap between places.
     pub fn forms_pattern(&self, clusters: usize, tolerance: f64) -> bool {
-        let found = self.clusters(tolerance);
-        let gap = TAU / clusters as f64;
-        // A cluster has some width, so that gaps are a little smaller.
-        let even = |&(count, angle): &(usize, f64)| {
-            count * clusters == self.phases.len() && (clusters == 1 || (angle - gap).abs() < tolerance / 2.0)
-        };
-        found.len() == clusters && found.iter().all(even)
+        let count = self.phases.len();
+        if clusters == 0 || !count.is_multiple_of(clusters) || count == 0 {
+            return false;
+        }
+        let turns = clusters as f64;
+        let (sin, cos) = self.phases.iter().fold((0.0, 0.0), |(s, c), theta| {
+            let (sin, cos) = (turns * theta).sin_cos();
+            (s + sin, c + cos)
+        });
+        let first = f64::atan2(sin, cos) / turns;
+        let gap = TAU / turns;
+        let mut sizes = vec![0; clusters];
+        for theta in &self.phases {
+            let place = ((theta - first) / gap).round();
+            if (theta - first - place * gap).abs() > (tolerance / 2.0).min(gap / 6.0) {
+                return false;
+            }
+            sizes[place.rem_euclid(turns) as usize % clusters] += 1;
+        }
+        sizes.iter().all(|size| size * clusters == count)
     }
 }
 
-/// The number of clusters of the symmetric pattern that the phases form, clusters by [`CLUSTER`], if any.
+/// The number of clusters of the symmetric pattern that the phases form, clusters by [`CLUSTER`], if any. Cost: `N log N` unless there is one.
 pub fn pattern(flight: &Flight) -> Option<usize> {
     let count = flight.phases.len();
-    (1..=count).find(|&m| flight.forms_pattern(m, CLUSTER))
+    let mut gaps: Vec<f64> = flight.gaps();
+    gaps.sort_by(|a, b| b.total_cmp(a));
+    // Places are whole turns over M apart, phases at most a sixth of that away from them.
+    let parted =
+        |m: &usize| gaps[m - 1] > 0.6 * TAU / *m as f64 && gaps.get(*m).is_none_or(|gap| *gap < 0.4 * TAU / *m as f64);
+    let divisors = (1..=count).filter(|m| count.is_multiple_of(*m));
+    divisors.filter(parted).find(|&m| flight.forms_pattern(m, CLUSTER))
 }
 
 /// The angles in `[-pi, pi)` from each phase to the next around a ring, `N` of them.

@@ -10,7 +10,8 @@ pub fn simulation_summary(outcome: &Outcome) -> Json {
     let sample = |row: &Row| {
         let mut sample = Map::new();
         sample.insert("t".to_string(), json!(row.time));
-        let lists = [("positions", &row.frame.positions), ("velocities", &row.frame.velocities)];
+        let frame = &row.frame;
+        let lists = [("positions", &frame.positions), ("velocities", &frame.velocities), ("centres", &frame.centres)];
         for (name, list) in lists.into_iter().filter(|(_, list)| !list.is_empty()) {
             sample.insert(name.to_string(), json!(list));
         }
@@ -56,6 +57,7 @@ pub fn trajectory_csv(outcome: &Outcome) -> String {
     header.extend(coordinates.iter().take(dimension(&first.frame.positions)).map(|c| c.to_string()));
     header.extend(coordinates.iter().take(dimension(&first.frame.velocities)).map(|c| format!("v{c}")));
     header.extend((!first.frame.phases.is_empty()).then(|| "theta".to_string()));
+    header.extend(coordinates.iter().take(dimension(&first.frame.centres)).map(|c| format!("centre_{c}")));
     let mut text = header.join(",") + "\n";
     for row in &outcome.rows {
         let frame = &row.frame;
@@ -63,7 +65,9 @@ pub fn trajectory_csv(outcome: &Outcome) -> String {
             // Writing to a string cannot fail.
             let _ = write!(text, "{:?},{}", row.time, agent + 1);
             let vectors = [&frame.positions, &frame.velocities].into_iter().filter_map(|list| list.get(agent));
-            for x in vectors.flatten().chain(frame.phases.get(agent)) {
+            for x in
+                vectors.flatten().chain(frame.phases.get(agent)).chain(frame.centres.get(agent).into_iter().flatten())
+            {
                 let _ = write!(text, ",{x:?}");
             }
             text.push('\n');

@@ -52,7 +52,8 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
     let model = if headings { "heading-alignment" } else { "velocity-alignment" };
     let located = !headings && source.needed("run")?.get("step").is_none();
     let most_switching = if located { MOST_LOCATED } else { usize::MAX };
-    let can = Abilities { model, positions: true, directed: false, edges: true, most_switching, default: None };
+    let can =
+        Abilities { model, positions: true, directed: false, edges: true, timed: true, most_switching, default: None };
     let mut network = Network::read(source, start.agents(), can)?;
     let step = read_step(source, &network)?;
     let law = source.needed("law")?;
@@ -181,6 +182,16 @@ impl Law for Agents {
         changes
     }
 
+    fn next_time(&self) -> Option<f64> {
+        self.network.next_time()
+    }
+
+    fn replace(&mut self, list: &[f64]) -> Vec<Change> {
+        let changes = self.network.replace();
+        self.count_turns(list);
+        changes
+    }
+
     fn settle(&mut self, list: &[f64]) {
         let (positions, velocities) = list.split_at(2 * self.count);
         self.network.settle(positions, velocities);
@@ -190,7 +201,7 @@ impl Law for Agents {
     fn frame(&self, _: f64, list: &[f64]) -> Frame {
         let state = self.state(list);
         let lists = |vectors: &[Vector<f64>]| vectors.iter().map(|v| v.to_vec()).collect();
-        Frame { positions: lists(&state.positions), velocities: lists(&state.velocities), phases: Vec::new() }
+        Frame { positions: lists(&state.positions), velocities: lists(&state.velocities), ..Frame::default() }
     }
 
     fn observe(&self, _: f64, list: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {

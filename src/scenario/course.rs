@@ -17,6 +17,8 @@ pub struct Frame {
     pub velocities: Vec<Vec<f64>>,
     /// Radians, not reduced to one turn.
     pub phases: Vec<f64>,
+    /// Centres of the circles that steered particles would fly on without control, one list of coordinates for each.
+    pub centres: Vec<Vec<f64>>,
 }
 
 /// A link that came or went.
@@ -79,6 +81,16 @@ pub(super) trait Law {
         Vec::new()
     }
 
+    /// When something is replaced whatever the state is, if ever again.
+    fn next_time(&self) -> Option<f64> {
+        None
+    }
+
+    /// Replaces what is due at that time.
+    fn replace(&mut self, _state: &[f64]) -> Vec<Change> {
+        Vec::new()
+    }
+
     /// Makes everything that is held between switches anew from a state.
     fn settle(&mut self, _state: &[f64]) {}
 
@@ -111,6 +123,15 @@ impl<L: Law> Continuous<L> {
         Continuous { law, solution: Integrator::new(0.0, state, tolerance), tolerance, crowd: 0 }
     }
 
+    /// Replaces what is due by now.
+    fn replace_due(&mut self, events: &mut Vec<Event>) {
+        while self.law.next_time().is_some_and(|due| due <= self.solution.time()) {
+            let (time, state) = (self.solution.time(), self.solution.state().to_vec());
+            events.extend(self.law.replace(&state).iter().map(|change| Event::new(time, change)));
+            self.solution = Integrator::new(time, &state, self.tolerance);
+        }
+    }
+
     /// Moves without or up to the next switch; whether there was one.
     fn step(&mut self, until: f64) -> Result<Option<(f64, Vec<f64>)>, RunError> {
         let failure = RefCell::new(None);
@@ -141,7 +162,8 @@ impl<L: Law> Course for Continuous<L> {
                 return Ok(false);
             }
             let before = self.solution.time();
-            if let Some((time, state)) = self.step(until)? {
+            let end = self.law.next_time().map_or(until, |time| time.min(until));
+            if let Some((time, state)) = self.step(end)? {
                 let changes = self.law.switch(&state);
                 events.extend(changes.iter().map(|change| Event::new(time, change)));
                 self.solution = Integrator::new(time, &state, self.tolerance);
@@ -150,6 +172,7 @@ impl<L: Law> Course for Continuous<L> {
                     return Err(RunError::Sliding(time));
                 }
             }
+            self.replace_due(events);
         }
         Ok(true)
     }

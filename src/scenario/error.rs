@@ -122,6 +122,9 @@ pub enum Problem {
     /// Circles without a radius.
     #[error("omega0 must not be 0 where K0 or a beacon asks for circles of radius 1/|omega0|")]
     NoCircles,
+    /// A beacon without an effect.
+    #[error("a beacon needs its gain `K0`, not 0")]
+    NoGain,
     /// Two keys of which there can be one.
     #[error("`{0}` and `{1}` cannot both be given")]
     Both(&'static str, &'static str),

@@ -2,7 +2,7 @@
 
 use super::course::{Course, Event, Frame};
 use super::error::{ConfigError, RunError};
-use super::observables::{Observable, min_distance, of_phases, places, total};
+use super::observables::{CLUSTERS, Observable, min_distance, of_phases, places, total};
 use super::source::Source;
 use super::start::{Needs, Start};
 use crate::arithmetic::{ArithmeticError, Complex, Rational};
@@ -184,7 +184,8 @@ impl Course for Fish {
                 "zones, boundaries included: repulsion up to {repulsion}, orientation up to {orientation}, attraction up to {attraction}; blind spot of {} degrees behind, its edge is seen; networks are those of the state before the step",
                 self.blind_angle
             ),
-            "observables: order |p_m| with p_m = (1/(m N)) sum e^(i m theta_k) (23), at most 1/m; phase_potential W_1 = (1/(2N)) <z, L z> on the arcs of the zone of orientation; components of all arcs taken as edges; momentum is the sum of the velocities; clusters of phases less than 10 degrees apart".to_string(),
+            "observables: order |p_m| with p_m = (1/(m N)) sum e^(i m theta_k) (23), at most 1/m; phase_potential W_1 = (1/(2N)) <z, L z> on the arcs of the zone of orientation; components of all arcs taken as edges; momentum is the sum of the velocities".to_string(),
+            CLUSTERS.to_string(),
         ];
         lines.extend(self.drawn.clone());
         lines

@@ -24,6 +24,8 @@ pub(super) struct Abilities {
     pub directed: bool,
     /// The law sums over a list of edges; otherwise all-to-all costs O(N).
     pub edges: bool,
+    /// Links can be replaced at given times.
+    pub timed: bool,
     /// The most agents where links depend on distances.
     pub most_switching: usize,
     /// What is used where the section is missing.
@@ -80,6 +82,8 @@ pub(super) struct Network {
     pairs: Vec<Pair>,
     /// None for an implicit all-to-all network.
     lists: Option<Neighbours>,
+    /// When other links come into force, and which; the next one last.
+    coming: Vec<(f64, Vec<Pair>)>,
     declaration: String,
 }
 
@@ -117,6 +121,7 @@ impl Network {
         }
         let keys: &[&str] = match kind {
             Kind::Circulant => &["kind", "offsets"],
+            Kind::Edges if can.timed => &["kind", "edges", "directed", "switches"],
             Kind::Edges => &["kind", "edges", "directed"],
             Kind::Within => &["kind", "radius"],
             Kind::Nearest => &["kind", "nearest"],
@@ -162,7 +167,8 @@ impl Network {
         let declaration = "all-to-all network".to_string();
         if !edges {
             let (pairs, lists) = (Vec::new(), None);
-            return Ok(Network { order, rule: Rule::Fixed, directed: false, pairs, lists, declaration });
+            let (rule, directed, coming) = (Rule::Fixed, false, Vec::new());
+            return Ok(Network { order, rule, directed, pairs, lists, coming, declaration });
         }
         if order.saturating_mul(order) / 2 > MOST_EDGES {
             return Err(Problem::Range(format!("a graph of at most {MOST_EDGES} edges")));
@@ -179,7 +185,6 @@ impl Network {
     }
 
     fn listed(order: usize, section: &Section, can: Abilities) -> Result<Self, ConfigError> {
-        const EXPECTED: &str = "a list of pairs such as [1, 2]";
         let directed = match section.get("directed") {
             None => false,
             Some(entry) => {
@@ -190,29 +195,23 @@ impl Network {
                 directed
             }
         };
-        let mut pairs = BTreeSet::new();
-        for item in section.need("edges", EXPECTED)?.items(EXPECTED)? {
-            let ends = item.items(EXPECTED)?;
-            let [first, second] = &ends[..] else { return Err(item.problem(Problem::Shape(EXPECTED.to_string()))) };
-            let (i, j) = (first.count(0, usize::MAX)?, second.count(0, usize::MAX)?);
-            if i.min(j) < 1 || i.max(j) > order {
-                return Err(item.problem(Problem::EdgeRange(i, j, order)));
-            }
-            if i == j {
-                return Err(item.problem(Problem::Loop(i)));
-            }
-            let pair = if directed { (i - 1, j - 1) } else { (i.min(j) - 1, i.max(j) - 1) };
-            if !pairs.insert(pair) {
-                return Err(item.problem(Problem::Duplicate(i, j)));
-            }
-        }
+        let pairs = edge_list(order, section, directed)?;
+        let coming = timetable(order, section, directed)?;
         let kind = if directed { "arcs i -> j (i takes account of j)" } else { "edges" };
-        let declaration = format!("fixed network of {} {kind}", pairs.len());
-        Ok(Network::fixed(order, pairs.into_iter().collect(), directed, declaration))
+        let mut declaration = format!("fixed network of {} {kind}", pairs.len());
+        if let (Some((last, _)), Some((first, _))) = (coming.first(), coming.last()) {
+            declaration = format!(
+                "network of {} {kind}, replaced {} times, first at t = {first}, last at t = {last}; each is in force from its time on",
+                pairs.len(),
+                coming.len()
+            );
+        }
+        Ok(Network { coming, ..Network::fixed(order, pairs, directed, declaration) })
     }
 
     fn fixed(order: usize, pairs: Vec<Pair>, directed: bool, declaration: String) -> Self {
-        let mut network = Network { order, rule: Rule::Fixed, directed, pairs, lists: None, declaration };
+        let mut network =
+            Network { order, rule: Rule::Fixed, directed, pairs, lists: None, coming: Vec::new(), declaration };
         network.relist();
         network
     }
@@ -220,7 +219,7 @@ impl Network {
     /// Links by a rule, none as yet.
     pub fn switching(order: usize, rule: Rule, directed: bool, declaration: String) -> Self {
         let lists = Some(Neighbours::from_arcs(order, []));
-        Network { order, rule, directed, pairs: Vec::new(), lists, declaration }
+        Network { order, rule, directed, pairs: Vec::new(), lists, coming: Vec::new(), declaration }
     }
 
     /// The lists of neighbours from the pairs.
@@ -252,7 +251,8 @@ impl Network {
 
     /// Whether everyone takes account of everyone, without a list.
     pub fn is_all_to_all(&self) -> bool {
-        self.lists.is_none() || !self.switches() && self.pairs.len() == self.order * (self.order - 1) / 2
+        self.lists.is_none()
+            || !self.switches() && self.coming.is_empty() && self.pairs.len() == self.order * (self.order - 1) / 2
     }
 
     /// The distance below which agents are linked.
@@ -280,8 +280,66 @@ impl Network {
         self.relist();
     }
 
+    /// When other links come into force, if ever.
+    pub fn next_time(&self) -> Option<f64> {
+        self.coming.last().map(|(time, _)| *time)
+    }
+
+    /// Puts the next links into force.
+    pub fn replace(&mut self) -> Vec<Change> {
+        let Some((_, pairs)) = self.coming.pop() else { return Vec::new() };
+        let absent = |list: &[Pair], pair: &Pair| list.binary_search(pair).is_err();
+        let lost = self.pairs.iter().filter(|pair| absent(&pairs, pair)).map(|&pair| Change { gained: false, pair });
+        let gained = pairs.iter().filter(|pair| absent(&self.pairs, pair)).map(|&pair| Change { gained: true, pair });
+        let mut changes: Vec<Change> = lost.chain(gained).collect();
+        changes.sort_by_key(|change| change.pair);
+        self.set_pairs(pairs);
+        changes
+    }
+
     /// The number of components, arcs taken as edges.
     pub fn components(&self) -> usize {
         if self.lists.is_none() { self.order.min(1) } else { components(self.order, &self.pairs).len() }
     }
+}
+
+const EDGES: &str = "a list of pairs such as [1, 2]";
+
+/// The key `edges`: pairs `i < j`, or arcs, in order.
+fn edge_list(order: usize, section: &Section, directed: bool) -> Result<Vec<Pair>, ConfigError> {
+    let mut pairs = BTreeSet::new();
+    for item in section.need("edges", EDGES)?.items(EDGES)? {
+        let ends = item.items(EDGES)?;
+        let [first, second] = &ends[..] else { return Err(item.problem(Problem::Shape(EDGES.to_string()))) };
+        let (i, j) = (first.count(0, usize::MAX)?, second.count(0, usize::MAX)?);
+        if i.min(j) < 1 || i.max(j) > order {
+            return Err(item.problem(Problem::EdgeRange(i, j, order)));
+        }
+        if i == j {
+            return Err(item.problem(Problem::Loop(i)));
+        }
+        let pair = if directed { (i - 1, j - 1) } else { (i.min(j) - 1, i.max(j) - 1) };
+        if !pairs.insert(pair) {
+            return Err(item.problem(Problem::Duplicate(i, j)));
+        }
+    }
+    Ok(pairs.into_iter().collect())
+}
+
+/// The key `switches`: the times from which on other edges are in force, and these; the first one last.
+fn timetable(order: usize, section: &Section, directed: bool) -> Result<Vec<(f64, Vec<Pair>)>, ConfigError> {
+    let Some(entry) = section.get("switches") else { return Ok(Vec::new()) };
+    let mut coming: Vec<(f64, Vec<Pair>)> = Vec::new();
+    for item in entry.items("a list such as [{ at = 5, edges = [[1, 2]] }]")? {
+        let table = item.table("graph.switches")?;
+        table.allow(&["at", "edges"], "")?;
+        let at = table.need("at", "the time from which on these edges are in force")?;
+        let time = at.positive()?;
+        if let Some((before, _)) = coming.last().filter(|(before, _)| *before >= time) {
+            return Err(at.problem(Problem::Order { before: *before, after: time }));
+        }
+        coming.push((time, edge_list(order, &table, directed)?));
+    }
+    coming.reverse();
+    Ok(coming)
 }

@@ -1,7 +1,7 @@
 //! What is measured on a state, apart from any integration; formulas are those of the models' own modules.
 
 use crate::arithmetic::{ArithmeticError, Complex};
-use crate::oscillator::{CLUSTER, Flight, Interaction, State, moment, phase_potential};
+use crate::oscillator::{Flight, Interaction, State, cluster_gap, moment, phase_potential};
 
 /// A measured quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,10 +68,14 @@ pub fn total(vectors: impl IntoIterator<Item = [f64; 2]>) -> Vec<f64> {
     vectors.into_iter().fold([0.0, 0.0], |sum, v| [sum[0] + v[0], sum[1] + v[1]]).to_vec()
 }
 
-/// The number `M` where the phases form an `(M, N)`-pattern: `M` clusters of equal size, evenly spaced within 5 degrees.
+/// The number `M` where the phases form an `(M, N)`-pattern: each is within 5 degrees, and a sixth of the gap, of one of `M` evenly spaced
+/// places that have `N/M` phases each.
 pub fn pattern_order(flight: &Flight) -> Option<usize> {
     crate::oscillator::pattern(flight)
 }
+
+/// What `clusters` and `pattern_order` mean.
+pub(super) const CLUSTERS: &str = "clusters of phases less than 10 degrees, and a third of the mean gap 360/N, apart; pattern_order M where each phase is within 5 degrees, and a sixth of the gap 360/M, of one of M evenly spaced places that have N/M phases each";
 
 /// What is measured on phases: `order`, `phase_potential`, `clusters`, `pattern_order`.
 pub(super) fn of_phases(
@@ -84,7 +88,7 @@ pub(super) fn of_phases(
     Ok(vec![
         Observable::list("order", moments.collect::<Result<Vec<f64>, ArithmeticError>>()?),
         Observable::number("phase_potential", phase_potential(network, phasors, 1)?),
-        Observable::count("clusters", flight.clusters(CLUSTER).len()),
+        Observable::count("clusters", flight.clusters(cluster_gap(flight.phases.len())).len()),
         Observable::count("pattern_order", pattern_order(flight)),
     ])
 }

@@ -4,14 +4,14 @@ use super::course::{Continuous, Course, Frame, Law};
 use super::error::{ConfigError, Problem};
 use super::links::Hold;
 use super::network::{Abilities, Change, Kind, Network};
-use super::observables::{Observable, min_distance, of_phases, places, total};
+use super::observables::{CLUSTERS, Observable, min_distance, of_phases, places, total};
 use super::source::{Section, Source};
 use super::start::{Needs, Start};
 use super::stepped::{Stepped, read_step};
 use crate::arithmetic::{ArithmeticError, Complex};
 use crate::oscillator::{
-    Flight, State, beacon_control, centre_spread, laplacian_control, pattern_control, reference_control,
-    spacing_control, spacing_potential, write_rate,
+    Flight, State, beacon_control, beacon_potential, centre_spread, circle_centres, laplacian_control, pattern_control,
+    pattern_potential, phase_potential, reference_control, spacing_control, spacing_potential, write_rate,
 };
 use crate::simulate::{AllToAll, VectorField};
 use std::cell::RefCell;
@@ -25,12 +25,12 @@ enum Orientation {
     Laplacian(f64),
     /// The negative gradient of (25), with `K_1, ..., K_M`.
     Pattern(Vec<f64>),
-    /// (14) with the last particle coupled to a reference phase.
-    Reference(f64, f64),
+    /// (14) with `K_1`, the last particle coupled to a reference phase that starts here and turns at the rate `omega_0`.
+    Reference { gain: f64, start: f64, rate: f64 },
 }
 
 impl Orientation {
-    fn read(law: &Section, network: &Network) -> Result<Self, ConfigError> {
+    fn read(law: &Section, network: &Network, frequency: f64) -> Result<Self, ConfigError> {
         let gain = law.number_or("K1", 0.0)?;
         if let Some(entry) = law.get("K") {
             for other in ["K1", "reference"] {
@@ -50,15 +50,40 @@ impl Orientation {
             return Ok(Orientation::Pattern(gains));
         }
         let reference = law.get("reference").map(|entry| entry.number()).transpose()?;
-        Ok(reference.map_or(Orientation::Laplacian(gain), |phase| Orientation::Reference(gain, phase)))
+        Ok(match reference {
+            None => Orientation::Laplacian(gain),
+            Some(start) => Orientation::Reference { gain, start, rate: frequency },
+        })
     }
 
-    fn control(&self, network: &Network, phasors: &[Complex<f64>]) -> Result<Vec<f64>, ArithmeticError> {
+    /// `e^(i theta_0)` where there is a reference phase.
+    fn reference(&self, time: f64) -> Option<Complex<f64>> {
+        let Orientation::Reference { start, rate, .. } = self else { return None };
+        let (sin, cos) = (start + rate * time).sin_cos();
+        Some(Complex::new(cos, sin))
+    }
+
+    fn control(&self, network: &Network, time: f64, phasors: &[Complex<f64>]) -> Result<Vec<f64>, ArithmeticError> {
+        if let (Orientation::Reference { gain, .. }, Some(reference)) = (self, self.reference(time)) {
+            return reference_control(gain, network, &reference, phasors);
+        }
         match self {
-            Orientation::Laplacian(gain) => laplacian_control(gain, network, phasors),
+            Orientation::Laplacian(gain) | Orientation::Reference { gain, .. } => {
+                laplacian_control(gain, network, phasors)
+            }
             Orientation::Pattern(gains) => pattern_control(gains, phasors),
-            Orientation::Reference(gain, phase) => {
-                reference_control(gain, network, &Complex::new(phase.cos(), phase.sin()), phasors)
+        }
+    }
+
+    /// The potential whose negative gradient the control is, on an undirected network.
+    fn potential(&self, network: &Network, time: f64, phasors: &[Complex<f64>]) -> Result<f64, ArithmeticError> {
+        match self {
+            Orientation::Laplacian(gain) => Ok(-gain * phase_potential(network, phasors, 1)?),
+            Orientation::Pattern(gains) => pattern_potential(gains, phasors),
+            Orientation::Reference { gain, .. } => {
+                let pair = self.reference(time).zip(phasors.last());
+                let apart = pair.map_or(0.0, |(reference, z)| 1.0 - reference.dot(z));
+                Ok(-gain * (phase_potential(network, phasors, 1)? + apart))
             }
         }
     }
@@ -74,14 +99,14 @@ impl Orientation {
                 format!("u_k^ori = (K1/N) <i e^(i theta_k), L_k e^(i theta)> (14), K1 = {gain}; K1 < 0 synchronises")
             }
             Orientation::Pattern(gains) => format!("u_k^ori = -dU/dtheta_k with U = sum K_m U_m (25), K = {gains:?}"),
-            Orientation::Reference(gain, phase) => format!(
-                "u_k^ori by (14) with K1 = {gain}, and K1 sin(theta_N - {phase}) for the last particle N: the reference phase"
+            Orientation::Reference { gain, start, rate } => format!(
+                "u_k^ori by (14) with K1 = {gain}, and K1 sin(theta_N - theta_0) more for the last particle N; reference phase theta_0 = {start} + {rate} t"
             ),
         }
     }
 }
 
-const CONVENTIONS: &str = "observables: order |p_m| with p_m = (1/(m N)) sum e^(i m theta_k) (23), at most 1/m; phase_potential W_1 = (1/(2N)) <z, L z> (12), on an undirected network each edge once; clusters of phases less than 10 degrees apart; pattern_order M where M equal clusters are evenly spaced within 5 degrees";
+const CONVENTIONS: &str = "observables: order |p_m| with p_m = (1/(m N)) sum e^(i m theta_k) (23), at most 1/m; phase_potential W_1 = (1/(2N)) <z, L z> (12), on an undirected network each edge once; orientation_potential is what the orientation control is the negative gradient of, on an undirected network: -K1 W_1 for (14), with a reference phase -K1 (W_1 + 1 - cos(theta_0 - theta_N)), sum K_m U_m for K";
 
 /// The phase model (6).
 struct Phases {
@@ -101,6 +126,7 @@ pub(super) fn read_phases(source: &Source, tolerance: f64) -> Result<Box<dyn Cou
         positions: false,
         directed: true,
         edges: false,
+        timed: true,
         most_switching: 0,
         default: Some(Kind::AllToAll),
     };
@@ -108,7 +134,7 @@ pub(super) fn read_phases(source: &Source, tolerance: f64) -> Result<Box<dyn Cou
     let law = source.needed("law")?;
     law.allow(&["omega0", "K1", "K", "reference"], " of the phase model")?;
     let frequency = law.number_or("omega0", 0.0)?;
-    let orientation = Orientation::read(&law, &network)?;
+    let orientation = Orientation::read(&law, &network, frequency)?;
     let mean_field = match orientation {
         Orientation::Laplacian(gain) if network.is_all_to_all() => Some(RefCell::new(AllToAll::new(frequency, gain))),
         _ => None,
@@ -130,19 +156,30 @@ impl Law for Phases {
             field.borrow_mut().rate(time, state, rate);
             return Ok(());
         }
-        let control = self.orientation.control(&self.network, &Phases::flight(state).state().phasors)?;
+        let control = self.orientation.control(&self.network, time, &Phases::flight(state).state().phasors)?;
         rate.iter_mut().zip(control).for_each(|(rate, u)| *rate = self.frequency + u);
         Ok(())
+    }
+
+    fn next_time(&self) -> Option<f64> {
+        self.network.next_time()
+    }
+
+    fn replace(&mut self, _: &[f64]) -> Vec<Change> {
+        self.network.replace()
     }
 
     fn frame(&self, _: f64, state: &[f64]) -> Frame {
         Frame { phases: state.to_vec(), ..Frame::default() }
     }
 
-    fn observe(&self, _: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
+    fn observe(&self, time: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
         let flight = Phases::flight(state);
+        let phasors = flight.state().phasors;
         let orders = self.orientation.orders(state.len());
-        let mut all = of_phases(&flight, &flight.state().phasors, &self.network, orders)?;
+        let mut all = of_phases(&flight, &phasors, &self.network, orders)?;
+        let potential = self.orientation.potential(&self.network, time, &phasors)?;
+        all.push(Observable::number("orientation_potential", potential));
         all.push(Observable::count("components", self.network.components()));
         Ok(all)
     }
@@ -156,6 +193,7 @@ impl Law for Phases {
             self.orientation.declaration(),
             self.network.declaration().to_string(),
             CONVENTIONS.to_string(),
+            CLUSTERS.to_string(),
             "phases in radians, not reduced to one turn".to_string(),
         ];
         lines.extend(self.drawn.clone());
@@ -190,6 +228,7 @@ pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn 
         positions: true,
         directed: true,
         edges: false,
+        timed: true,
         most_switching: usize::MAX,
         default: Some(Kind::AllToAll),
     };
@@ -198,10 +237,13 @@ pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn 
     let law = source.needed("law")?;
     law.allow(&["omega0", "K0", "K1", "K", "drift", "beacon", "reference"], " of the particle model")?;
     let frequency = law.number_or("omega0", 0.0)?;
-    let orientation = Orientation::read(&law, &network)?;
+    let orientation = Orientation::read(&law, &network, frequency)?;
     let gain = law.number_or("K0", 0.0)?;
     let beacon = law.get("beacon").map(|entry| entry.vector()).transpose()?;
     let spacing = match beacon {
+        Some(_) if gain == 0.0 => {
+            return Err(law.problem(Problem::NoGain));
+        }
         Some(place) => Spacing::Beacon(gain, place),
         None if gain != 0.0 => Spacing::Circle(gain),
         None => Spacing::None,
@@ -223,8 +265,8 @@ pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn 
 }
 
 impl Particles {
-    fn steering(&self, state: &State<f64>) -> Result<Vec<f64>, ArithmeticError> {
-        let mut steering = self.orientation.control(&self.network, &state.phasors)?;
+    fn steering(&self, time: f64, state: &State<f64>) -> Result<Vec<f64>, ArithmeticError> {
+        let mut steering = self.orientation.control(&self.network, time, &state.phasors)?;
         let spacing = match &self.spacing {
             Spacing::None => Vec::new(),
             Spacing::Circle(gain) => spacing_control(&self.frequency, gain, &self.network, state)?,
@@ -236,10 +278,24 @@ impl Particles {
     }
 }
 
+impl Particles {
+    /// What the spacing control lowers: `K_0 S`, or with a beacon `(K_0/2) sum |c_k - c_0|²`.
+    fn spacing_part(&self, state: &State<f64>) -> Result<f64, ArithmeticError> {
+        match &self.spacing {
+            Spacing::None => Ok(0.0),
+            Spacing::Circle(gain) => Ok(gain * spacing_potential(&self.frequency, &self.network, state)?),
+            Spacing::Beacon(gain, [x, y]) => {
+                let share = beacon_potential(&self.frequency, &Complex::new(*x, *y), state)?;
+                Ok(gain * state.phasors.len() as f64 * share)
+            }
+        }
+    }
+}
+
 impl Law for Particles {
-    fn rate(&self, _: f64, list: &[f64], rate: &mut [f64]) -> Result<(), ArithmeticError> {
+    fn rate(&self, time: f64, list: &[f64], rate: &mut [f64]) -> Result<(), ArithmeticError> {
         let state = Flight::from_list(list).state();
-        write_rate(&state, &self.drift, &self.steering(&state)?, rate);
+        write_rate(&state, &self.drift, &self.steering(time, &state)?, rate);
         Ok(())
     }
 
@@ -263,19 +319,35 @@ impl Law for Particles {
         }
     }
 
-    fn frame(&self, _: f64, list: &[f64]) -> Frame {
-        let flight = Flight::from_list(list);
-        Frame { positions: places(&flight.state()), phases: flight.phases, ..Frame::default() }
+    fn next_time(&self) -> Option<f64> {
+        self.network.next_time()
     }
 
-    fn observe(&self, _: f64, list: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
+    fn replace(&mut self, _: &[f64]) -> Vec<Change> {
+        self.network.replace()
+    }
+
+    fn frame(&self, _: f64, list: &[f64]) -> Frame {
         let flight = Flight::from_list(list);
         let state = flight.state();
+        // There are none where omega0 is 0.
+        let centres = circle_centres(&self.frequency, &state).unwrap_or_default();
+        let centres = centres.iter().map(|c| vec![c.re, c.im]).collect();
+        Frame { positions: places(&state), phases: flight.phases, centres, ..Frame::default() }
+    }
+
+    fn observe(&self, time: f64, list: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
+        let flight = Flight::from_list(list);
+        let state = flight.state();
+        let orientation = self.orientation.potential(&self.network, time, &state.phasors)?;
         let orders = self.orientation.orders(flight.phases.len());
         let mut all = of_phases(&flight, &state.phasors, &self.network, orders)?;
+        all.push(Observable::number("orientation_potential", orientation));
         if self.frequency != 0.0 {
             let spacing = spacing_potential(&self.frequency, &self.network, &state)?;
+            let composite = self.spacing_part(&state)? + orientation / (self.frequency * self.frequency);
             all.push(Observable::number("spacing_potential", spacing));
+            all.push(Observable::number("composite_potential", composite));
             all.push(Observable::number("centre_spread", centre_spread(&self.frequency, &state)?));
         }
         all.push(Observable::number("min_distance", min_distance(&places(&state))));
@@ -304,7 +376,8 @@ impl Law for Particles {
             self.orientation.declaration(),
             self.network.declaration().to_string(),
             CONVENTIONS.to_string(),
-            "spacing_potential S = (1/(2N)) <c, L c> (17), on an undirected network each edge once, with centres c_k = r_k + i e^(i theta_k)/omega0 (3); centre_spread is the largest distance of a centre from their mean; momentum is the sum of the velocities; phases in radians, not reduced to one turn".to_string(),
+            CLUSTERS.to_string(),
+            "spacing_potential S = (1/(2N)) <c, L c> (17), on an undirected network each edge once, with centres c_k = r_k + i e^(i theta_k)/omega0 (3); composite_potential K0 S, or (K0/2) sum |c_k - c_0|² with a beacon, plus orientation_potential/omega0²: it does not increase on an undirected network; centre_spread is the largest distance of a centre from their mean; the centres are listed with the trajectory; momentum is the sum of the velocities; phases in radians, not reduced to one turn".to_string(),
         ];
         lines.extend(self.drawn.clone());
         lines

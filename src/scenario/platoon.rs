@@ -85,8 +85,15 @@ fn tracked(source: &Source, law: &Section, cars: usize) -> Result<(Communication
     if let Some(entry) = communication {
         return Err(entry.problem(Problem::Both("communication", "[graph]")));
     }
-    let can =
-        Abilities { model: "platoon", positions: false, directed: true, edges: true, most_switching: 0, default: None };
+    let can = Abilities {
+        model: "platoon",
+        positions: false,
+        directed: true,
+        edges: true,
+        timed: false,
+        most_switching: 0,
+        default: None,
+    };
     let network = Network::read(source, cars, can)?;
     let rows: Vec<Vec<usize>> = (1..cars).map(|k| network.neighbours(k).to_vec()).collect();
     let graph = CommunicationGraph::with_equal_weights(&rows).map_err(|error| section.problem(error.into()))?;
@@ -114,7 +121,7 @@ impl Law for Platoon {
         Frame {
             positions: std::iter::once(y).chain(positions.iter().copied()).zip(0..).map(place).collect(),
             velocities: std::iter::once(u).chain(velocities.iter().copied()).map(|u| vec![u]).collect(),
-            phases: Vec::new(),
+            ..Frame::default()
         }
     }
 

@@ -3,7 +3,7 @@
 use super::course::{Course, Event, Frame};
 use super::error::{ConfigError, Problem, RunError};
 use super::network::Change;
-use super::observables::{Observable, min_distance, of_phases, total};
+use super::observables::{CLUSTERS, Observable, min_distance, of_phases, total};
 use super::source::Source;
 use super::start::{Needs, Start};
 use crate::arithmetic::{ArithmeticError, Complex, Rational, rational};
@@ -141,13 +141,13 @@ impl Course for Vicsek {
         };
         match &self.birds {
             Birds::D(flock) => {
-                Frame { positions: rows(flock.positions()), velocities: rows(flock.velocities()), phases: Vec::new() }
+                Frame { positions: rows(flock.positions()), velocities: rows(flock.velocities()), ..Frame::default() }
             }
             Birds::K(flock) => {
                 let place = |x: &crate::arithmetic::Interval| unit * x.to_f64();
                 let positions = flock.positions().iter().map(|r| vec![place(&r.re), place(&r.im)]).collect();
                 let phases = flock.headings().iter().map(float).collect();
-                Frame { positions, velocities: Vec::new(), phases }
+                Frame { positions, phases, ..Frame::default() }
             }
         }
     }
@@ -186,6 +186,9 @@ impl Course for Vicsek {
         let mut lines: Vec<String> = text.lines().map(str::to_string).collect();
         if self.radius != rational(1, 1) {
             lines.push(format!("all lengths above are in units of the radius {}", self.radius));
+        }
+        if matches!(self.birds, Birds::K(_)) {
+            lines.push(CLUSTERS.to_string());
         }
         lines.push("exact steps, rounded once where they are written; velocities and phases at t are those of the step to t + 1".to_string());
         lines.extend(self.drawn.clone());

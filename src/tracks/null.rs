@@ -170,11 +170,11 @@ impl Sample {
             let complete = complete_potential(&headings);
             for (s, scale) in Scale::ALL.iter().enumerate() {
                 let difference = scale.difference(fish, complete, single);
-                statistics.difference[s] += difference / frames as f64;
-                statistics.positive[s] += f64::from(difference > ROUNDING) / frames as f64;
+                statistics.difference[s] += difference;
+                statistics.positive[s] += f64::from(difference > ROUNDING);
             }
             statistics.histogram.add(Scale::Figure.difference(fish, complete, single));
-            statistics.order += mean(&headings).norm_squared().sqrt() / frames as f64;
+            statistics.order += mean(&headings).norm_squared().sqrt();
             for (k, z) in headings.iter().enumerate() {
                 for j in (0..fish).filter(|&j| j != k) {
                     if self.zones.senses(Zone::Orientation, z, &(positions[j].clone() - &positions[k])) {
@@ -184,6 +184,8 @@ impl Sample {
                 }
             }
         }
+        let means = statistics.difference.iter_mut().chain(&mut statistics.positive).chain([&mut statistics.order]);
+        means.for_each(|sum| *sum /= frames as f64);
         statistics.zone_alignment = (arcs > 0).then(|| cosines / arcs as f64);
         statistics
     }

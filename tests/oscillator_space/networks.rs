@@ -55,6 +55,12 @@ fn zones_share_their_boundaries_and_leave_out_the_blind_spot() {
             assert_eq!(zones.senses(Zone::Attraction, &ahead, &place), behind > 30.0, "{degrees}");
         }
     }
+    // Without a blind spot rounding must not make one.
+    let open = Zones { blind_cosine_squared: 1.0, ..zones.clone() };
+    for k in 0..1000 {
+        let heading = Complex::new(f64::from(k).cos(), f64::from(k).sin());
+        assert!(open.senses(Zone::Attraction, &heading, &heading.scale(&-3.0)), "{k}");
+    }
     let state = State { positions: vec![Complex::new(0.0, 0.0), Complex::new(-1.5, 0.0)], phasors: vec![ahead; 2] };
     let network = zones.network(Zone::Orientation, &state);
     assert_eq!((network.of_particle(0), network.of_particle(1)), (&[][..], &[0][..]));

@@ -3,7 +3,7 @@
 use flockproof::arithmetic::Complex;
 use flockproof::oscillator::{
     CLUSTER, CyclicFormation, Experiment, Flight, FourMotions, OMEGA, RingPhases, centre_spread, circular_formation,
-    nearest_twist, order, pattern, ring_differences, shape_rate, winding,
+    cluster_gap, nearest_twist, order, pattern, ring_differences, shape_rate, winding,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -37,6 +37,36 @@ fn twisted_states_are_told_apart() {
         }
     }
     assert!(ring_differences(&[0.0, 3.0, -3.0]).iter().all(|d| (-PI..PI).contains(d)));
+}
+
+#[test]
+fn patterns_of_many_phases_are_no_chains() {
+    let evenly = |count: usize, places: usize| {
+        let phases = (0..count).map(|k| TAU * (k % places) as f64 / places as f64 + 0.4).collect();
+        Flight { positions: Vec::new(), phases }
+    };
+    for (count, places) in
+        [(1, 1), (2, 1), (2, 2), (3, 3), (36, 36), (37, 37), (40, 40), (100, 100), (1000, 8), (1000, 1000)]
+    {
+        let flight = evenly(count, places);
+        assert_eq!(pattern(&flight), Some(places), "{count} phases");
+        assert_eq!(flight.clusters(cluster_gap(count)).len(), places, "{count} phases");
+    }
+    // A chain of phases that are close to the next, but not together.
+    let chain = Flight { positions: Vec::new(), phases: (0..12).map(|k| f64::from(k) * 9.9f64.to_radians()).collect() };
+    assert_eq!((pattern(&chain), chain.forms_pattern(1, CLUSTER)), (None, false));
+    // Equal places with unequal clusters, places that are missing, and nobody.
+    let uneven = Flight { positions: Vec::new(), phases: vec![0.0, 0.0, 0.0, PI] };
+    assert_eq!((pattern(&uneven), uneven.clusters(CLUSTER).len()), (None, 2));
+    let quarter = Flight { positions: Vec::new(), phases: vec![0.0, PI / 2.0] };
+    assert_eq!(pattern(&quarter), None);
+    assert_eq!(pattern(&Flight { positions: Vec::new(), phases: Vec::new() }), None);
+    // Just inside and just outside of the tolerance of 5 degrees.
+    for (degrees, expected) in [(4.9, Some(2)), (5.1, None)] {
+        let off = f64::to_radians(degrees);
+        let flight = Flight { positions: Vec::new(), phases: vec![off, -off, PI + off, PI - off] };
+        assert_eq!(pattern(&flight), expected, "{degrees}");
+    }
 }
 
 #[test]

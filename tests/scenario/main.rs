@@ -55,6 +55,85 @@ fn free_particles_go_round_and_drift() {
 }
 
 #[test]
+fn the_reference_phase_turns_with_the_particles() {
+    let text = "model = \"phase\"\n[state]\nphases = [0, 1, 2, \"3/10\"]\n[law]\nomega0 = 1\nK1 = -1\nreference = \"1/2\"\n\
+        [run]\nuntil = 200\nsamples = [100, 200]\n";
+    for row in run(text).samples() {
+        for theta in &row.frame.phases {
+            assert!((theta - 0.5 - row.time).abs() < 1e-6, "t = {}: {theta}", row.time);
+        }
+    }
+    // Particles end on one circle, all at the reference phase.
+    let text = "model = \"particles\"\n[state]\npositions = [[0, 0], [3, 0], [0, 4]]\nphases = [0, 1, 2]\n\
+        [law]\nomega0 = \"1/2\"\nK0 = \"1/2\"\nK1 = -1\nreference = 0\n[run]\nuntil = 600\n";
+    let outcome = run(text);
+    let row = outcome.samples().next().expect("a sample");
+    assert!(value(row, "centre_spread") < 1e-6, "{}", value(row, "centre_spread"));
+    let apart = |theta: &f64| (theta - 300.0).rem_euclid(std::f64::consts::TAU);
+    assert!(row.frame.phases.iter().all(|theta| apart(theta).min(std::f64::consts::TAU - apart(theta)) < 1e-6));
+    // Their centres are those of the circles through them.
+    for ((r, theta), c) in row.frame.positions.iter().zip(&row.frame.phases).zip(&row.frame.centres) {
+        assert!((r[0] - theta.sin() / 0.5 - c[0]).abs() < 1e-9 && (r[1] + theta.cos() / 0.5 - c[1]).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn networks_are_replaced_at_given_times() {
+    let text = |graph: &str| {
+        format!(
+            "model = \"phase\"\n[graph]\nkind = \"edges\"\n{graph}\n[state]\nphases = [0, 2, 5]\n[law]\nK1 = -3\n\
+             [run]\nuntil = 2\nsamples = [1, 2]\ntolerance = 1e-13\n"
+        )
+    };
+    // Only two phases are coupled at a time: a difference d obeys d' = K1 (2/N) sin d.
+    let after = |d: f64| 2.0 * ((d / 2.0).tan() * (-2.0f64).exp()).atan();
+    let outcome = run(&text("edges = [[1, 2]]\nswitches = [{ at = 1, edges = [[2, 3]] }]"));
+    let rows: Vec<&Row> = outcome.samples().collect();
+    let events: Vec<_> = outcome.events.iter().map(|e| (e.time, e.gained, e.pair)).collect();
+    assert_eq!(events, [(1.0, false, (1, 2)), (1.0, true, (2, 3))]);
+    let phases = [&rows[0].frame.phases, &rows[1].frame.phases];
+    assert!((phases[0][1] - phases[0][0] - after(2.0)).abs() < 1e-10 && phases[0][2] == 5.0);
+    assert!((phases[1][2] - phases[1][1] - after(5.0 - phases[0][1])).abs() < 1e-10 && phases[1][0] == phases[0][0]);
+    // A complete network that becomes an arc is not all-to-all, and a network may become empty.
+    let outcome = run(&text(
+        "edges = [[1, 2], [2, 1], [1, 3], [3, 1], [2, 3], [3, 2]]\ndirected = true\n\
+         switches = [{ at = 1, edges = [[1, 2]] }, { at = \"3/2\", edges = [] }]",
+    ));
+    let rows: Vec<&Row> = outcome.samples().collect();
+    assert_eq!(rows[0].frame.phases[1..], rows[1].frame.phases[1..]);
+    assert!(rows[0].frame.phases[0] != rows[1].frame.phases[0]);
+    assert_eq!((value(rows[0], "components"), value(rows[1], "components")), (2.0, 3.0));
+    for (graph, named) in [
+        ("edges = []\nswitches = [{ at = 1, edges = [] }, { at = 1, edges = [] }]", "line 4"),
+        ("edges = []\nswitches = [{ at = 0, edges = [] }]", "above 0"),
+        ("edges = []\nswitches = [{ at = 1, edges = [[1, 9]] }]", "9"),
+        ("edges = []\nswitches = [{ edges = [[1, 2]] }]", "`at`"),
+    ] {
+        let error = Scenario::read(&text(graph)).expect_err(graph).to_string();
+        assert!(error.contains(named), "{error}");
+    }
+}
+
+#[test]
+fn composite_potentials_do_not_increase() {
+    let start = "[state]\npositions = [[0, 0], [3, 0], [0, 4], [-5, 1]]\nphases = [0, 1, 2, 5]\n";
+    for law in ["K1 = -1", "K1 = \"1/2\"\nreference = 1", "K = [1, \"-1/4\"]", "K1 = -1\nbeacon = [1, 2]"] {
+        for graph in ["complete", "ring", "path"] {
+            if law.contains("K = ") && graph != "complete" {
+                continue;
+            }
+            let text = format!(
+                "model = \"particles\"\n[graph]\nkind = \"{graph}\"\n{start}[law]\nomega0 = \"-1/2\"\nK0 = \"1/3\"\n{law}\n[run]\nuntil = 30\n"
+            );
+            let rows = run(&text).rows;
+            let values: Vec<f64> = rows.iter().map(|row| value(row, "composite_potential")).collect();
+            assert!(values.windows(2).all(|pair| pair[1] <= pair[0] + 1e-9), "{law}, {graph}");
+            assert!(values[values.len() - 1] < values[0] - 0.1, "{law}, {graph}: {values:?}");
+        }
+    }
+}
+
+#[test]
 fn a_platoon_moves_as_the_sum_of_its_modes() {
     let outcome = run(
         "model = \"platoon\"\n[state]\npositions = [[0], [-1], [-2], [-3], [-4]]\nvelocities = [[0], [0], [0], [0], [0]]\n\
