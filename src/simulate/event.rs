@@ -17,6 +17,9 @@ const SECTIONS: usize = 60;
 /// Steps of the search for a root.
 const MOST_ITERATIONS: usize = 100;
 
+/// Falls that the dense output puts within this part of a step's part are compared on states of full order.
+const WINDOW: f64 = 1e-4;
+
 /// A function of the state that is positive, however little, until its event.
 pub trait Margin {
     /// Its value, where `at` gives the components of the state.
@@ -75,13 +78,15 @@ fn in_part(
     for margin in margins {
         let dense = |t: f64| margin.value(&|c| solution.component(c, t));
         let negative = if margin.value(&|c| end[c]) < 0.0 { Some(to) } else { dip(from, to, dense) };
-        falls.extend(negative.map(|negative| (root(from, negative, false, dense), negative)));
+        falls.extend(negative.map(|negative| (root(from, negative, false, dense), negative, margin)));
     }
-    falls.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-    for (_, negative) in falls {
+    falls.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
+    for (k, &(estimate, negative, _)) in falls.iter().enumerate() {
+        // Only those that fall about then: another one near zero would hide them in the least of all.
+        let together = falls[k..].iter().take_while(|(other, ..)| *other <= estimate + WINDOW * (to - from));
         let mut least = |t: f64| {
             let state = solution.within(field, t);
-            margins.iter().map(|margin| margin.value(&|c| state[c])).fold(f64::INFINITY, f64::min)
+            together.clone().map(|(_, _, margin)| margin.value(&|c| state[c])).fold(f64::INFINITY, f64::min)
         };
         if least(negative) <= 0.0 {
             let time = root(from, negative, false, least);
