@@ -4,6 +4,7 @@
 //! [`named_spectrum`] and [`matrix_spectrum`] choose the method and say which: a closed form, the exact characteristic
 //! polynomial, or floating point with proved bounds. Every number comes with its enclosure, or there is an error.
 
+mod abscissa;
 mod block;
 mod choose;
 mod circulant;
@@ -25,6 +26,7 @@ mod symmetric;
 mod tridiagonal;
 mod turn;
 
+pub use abscissa::complex_abscissa;
 pub use choose::{
     LARGEST_DENSE_ORDER, LARGEST_DIGITS, LARGEST_EXACT_ORDER, LARGEST_GENERAL_ORDER, LARGEST_TRIDIAGONAL_ORDER,
     SpectrumError, circulant_spectrum, matrix_spectrum, named_spectrum, symmetric_enclosures,

@@ -1,5 +1,6 @@
 //! Mirrors `src/spectrum`.
 
+mod abscissa;
 mod circulants;
 mod enclosures;
 
