@@ -4,6 +4,7 @@
 //! exact over the Gaussian rationals; see [`State`]. Symmetric patterns are exact over
 //! [`RealCyclotomic`](crate::arithmetic::RealCyclotomic).
 
+mod abscissa;
 mod circles;
 mod fish;
 mod flight;
@@ -18,6 +19,7 @@ mod state;
 mod steering;
 mod variation;
 
+pub use abscissa::{FourierFormation, Mode, TransverseSpectrum, circulant_eigenvalue};
 pub use circles::{
     CircularGains, beacon_control, beacon_potential, centre_spread, circle_centres, circular_control,
     circular_formation, composite_potential, heading_components, reference_control, relative_position_control,

@@ -173,7 +173,7 @@ pub struct CyclicFormation {
 }
 
 impl CyclicFormation {
-    /// The size of `K_1` that is chosen here: with it the slowest motion decays like `e^{-0.006 t}`, with 1 like `e^{-0.001 t}`.
+    /// The size of `K_1` that is chosen here: far larger ones are slower (`reproduce paley.abscissa`).
     pub const GAIN: f64 = 0.3;
 
     /// With this `K_1`.
