@@ -5,7 +5,9 @@ mod decay_rate;
 mod fewer_switches;
 mod next_order;
 mod one_sided_peak;
+mod paley_abscissa;
 mod paley_circulant;
+mod paley_modes;
 mod phases;
 mod smallest_entries;
 mod table1_reading;
@@ -29,6 +31,7 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(decay_rate::SlowestDecay),
         Box::new(paley_circulant::CirculantSpectrum),
         Box::new(paley_circulant::CyclicPatterns),
+        Box::new(paley_abscissa::PatternAbscissa),
         Box::new(phases::CriticalInertia),
         Box::new(phases::CyclicClassification),
         Box::new(tanner::two_agents()),

@@ -4,7 +4,8 @@ use crate::arithmetic::{ArithmeticError, Complex, CosineField, Field, RealCyclot
 use crate::ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, Source};
 use crate::matrix::{Inertia, inertia};
 use crate::oscillator::{
-    CircularGains, Neighbours, circular_control, circular_formation, linearisation, misalignment, phase_jacobian,
+    CircularGains, Mode, Neighbours, circulant_eigenvalue, circular_control, circular_formation, linearisation,
+    misalignment, phase_jacobian,
 };
 
 /// beyond.paley.circulant_spectrum.
@@ -29,16 +30,6 @@ struct Pattern<'a> {
 }
 
 impl Pattern<'_> {
-    /// The eigenvalue `lambda_q` of the Laplacian.
-    fn eigenvalue(&self, q: i64) -> RealCyclotomic {
-        let zero = self.field.number(&rational(0, 1));
-        self.offsets.iter().fold(zero, |sum, &offset| {
-            let term = zero_like(&sum).integer(1) - self.field.cos(q * offset as i64);
-            // The offset N/2 joins each pair once.
-            sum + term.clone() * term.integer(if 2 * offset == self.order { 1 } else { 2 })
-        })
-    }
-
     fn gains(&self) -> CircularGains<RealCyclotomic> {
         let number = |p, q| self.field.number(&rational(p, q));
         CircularGains { omega: number(-1, 2), spacing: number(3, 2), orientation: number(-2, 3) }
@@ -62,25 +53,27 @@ impl Pattern<'_> {
         let share = s.ratio(1, self.order as i64);
         let (k0, k1) = (gains.spacing * &share, gains.orientation * &share);
         let omega = &gains.omega;
-        let own = self.eigenvalue(self.m as i64);
+        let order = self.order;
+        let roots: Vec<Number> = (0..order).map(|k| self.field.phasor(k as i64)).collect();
+        let eigenvalue = |q: usize| circulant_eigenvalue(&roots, self.offsets.iter().copied(), q % order);
+        let own = eigenvalue(self.m);
         let mut product = Complex::real(s.one());
-        for q in 0..self.order as i64 {
-            let (plus, minus) = (self.eigenvalue(self.m as i64 + q), self.eigenvalue(self.m as i64 - q));
+        for q in 0..order {
+            let (plus, minus) = (eigenvalue(self.m + q), eigenvalue(self.m + order - q));
             let c = (plus.clone() + &minus) * s.ratio(1, 2);
             let d = (plus - minus) * s.ratio(1, 2);
             let t = c.clone() - own.clone() * s.integer(variant.shift);
-            let growth = k1.clone() * &t;
-            let real = s.power(3) + (c * &k0 * s.integer(variant.pull) - &growth) * s.square() + omega.square() * s
-                - growth * omega.square();
-            let imaginary = -(omega.clone() * &k0 * d * s * s.integer(variant.turn));
-            product = product * Complex::new(real, imaginary);
+            let mode = Mode {
+                omega: omega.clone(),
+                pull: c * &k0 * s.integer(variant.pull),
+                twist: d * &k0 * s.integer(variant.turn),
+                hessian: -(k1.clone() * t),
+            };
+            let zero = Complex::real(s.zero());
+            product = product * mode.cubic().iter().rev().fold(zero, |value, c| value.scale(s) + c);
         }
         Ok(product)
     }
-}
-
-fn zero_like(x: &RealCyclotomic) -> RealCyclotomic {
-    x.zero()
 }
 
 /// `s - A`.

@@ -4,6 +4,7 @@ mod phase;
 mod space;
 
 pub use phase::{CyclicVariant, Kind, Polygon, critical_points, on_the_line, printed_column, rhombus, value_of};
+pub use space::without_symmetries;
 
 use crate::ledger::AnyClaim;
 

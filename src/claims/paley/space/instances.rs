@@ -116,19 +116,30 @@ pub struct Stability {
     pub positive: bool,
 }
 
-/// Decides the stability of a linearisation exactly, from its characteristic polynomial.
+/// The characteristic polynomial of a linearisation without the zeros, which are counted, and without `± i omega` once.
 ///
 /// `translations` says whether the law is invariant under translations, so that `± i omega` are eigenvalues.
-pub fn stability(rows: &[Vec<Rational>], omega: &Rational, translations: bool) -> Result<Stability, CheckError> {
+pub fn without_symmetries(
+    rows: &[Vec<Rational>],
+    omega: &Rational,
+    translations: bool,
+) -> Result<(usize, Polynomial), CheckError> {
     let polynomial = RationalMatrix::from_rows(rows)?.characteristic_polynomial()?;
-    let (zeros, mut rest) = Polynomial::from_rationals(&polynomial.coefficients()).without_root(0);
-    if translations {
-        let factor = Polynomial::from_rationals(&[omega * omega, rational(0, 1), rational(1, 1)]);
-        if rest.gcd(&factor).degree() != 2 {
-            return Err(CheckError::Other("the linearisation has no translations".to_string()));
-        }
-        rest = rest.divided_by(&factor);
+    let (zeros, rest) = Polynomial::from_rationals(&polynomial.coefficients()).without_root(0);
+    if !translations {
+        return Ok((zeros, rest));
     }
+    let factor = Polynomial::from_rationals(&[omega * omega, rational(0, 1), rational(1, 1)]);
+    if rest.gcd(&factor).degree() != 2 {
+        return Err(CheckError::Other("the linearisation has no translations".to_string()));
+    }
+    Ok((zeros, rest.divided_by(&factor)))
+}
+
+/// Decides the stability of a linearisation exactly, from its characteristic polynomial; `translations` as in
+/// [`without_symmetries`].
+pub fn stability(rows: &[Vec<Rational>], omega: &Rational, translations: bool) -> Result<Stability, CheckError> {
+    let (zeros, rest) = without_symmetries(rows, omega, translations)?;
     let bound = rest
         .coefficients()
         .iter()

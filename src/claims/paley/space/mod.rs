@@ -16,6 +16,8 @@ mod stability;
 mod symmetry;
 mod zones;
 
+pub use instances::without_symmetries;
+
 use crate::ledger::AnyClaim;
 
 /// All that are built.

@@ -5,13 +5,13 @@
 //! negative ones; it is exponentially stable up to the symmetries where that Hessian is positive definite up to rotation.
 
 use super::instances::{connected_graphs, described, scattered_phasors, stability};
-use crate::arithmetic::{Complex, Dual, Field, rational};
+use crate::arithmetic::{Complex, Dual, Field, Interval, Signed, rational};
 use crate::graph::Graph;
-use crate::ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use crate::ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run, interval_value};
 use crate::matrix::{Inertia, inertia};
 use crate::oscillator::{
-    CircularGains, Neighbours, circular_control, circular_formation, linearisation, pattern_control, pattern_gradient,
-    phase_jacobian, spacing_control, symmetric_pattern,
+    CircularGains, FourierFormation, Neighbours, circular_control, circular_formation, linearisation, pattern_control,
+    pattern_gradient, phase_jacobian, spacing_control, symmetric_pattern,
 };
 
 /// paley.sync.exp and paley.fig6.gain: the synchronised circular formation under (22).
@@ -164,6 +164,28 @@ impl PatternVariant {
             .map(|m| if m < clusters { like.integer(4 * self.below) } else { like.ratio(self.last, 3) })
             .collect()
     }
+
+    /// The spectral abscissae at the patterns of twelve particles: the range of their enclosures, or where one is not negative or 0
+    /// is an eigenvalue more than once.
+    fn abscissae(&self, run: &Run) -> Result<Result<Interval, String>, CheckError> {
+        const ORDER: usize = 12;
+        let reach = if self.connected { ORDER / 2 } else { 0 };
+        let mut range: Option<Interval> = None;
+        for omega in [rational(1, 10), rational(-2, 1)] {
+            for clusters in (1..=ORDER).filter(|m| ORDER.is_multiple_of(*m)) {
+                run.checkpoint()?;
+                let spacing = rational(self.spacing, 10);
+                let formation = FourierFormation::new(ORDER, 1..=reach, ORDER / clusters, (&omega, &spacing));
+                let found = formation.with_moments(&self.gains(clusters, &omega)).transverse()?;
+                let Some(found) = found.filter(|found| found.zeros == 1 && found.abscissa.is_certainly_negative())
+                else {
+                    return Ok(Err(format!("M = {clusters}, N = {ORDER}, w0 = {omega}: the abscissa is not negative")));
+                };
+                range = Some(range.map_or_else(|| found.abscissa.clone(), |range| range.hull(&found.abscissa)));
+            }
+        }
+        Ok(range.ok_or_else(|| "no patterns".to_string()))
+    }
 }
 
 impl Claim for PatternStable {
@@ -248,7 +270,14 @@ impl Claim for PatternStable {
                 }
             }
         }
+        let range = match variant.abscissae(run)? {
+            Ok(range) => interval_value(&range, 4),
+            Err(what) => return fails(what),
+        };
+        let enclosed =
+            format!("N = 12, all M: spectral abscissae in {range} for w0 = 1/10 and -2 (beyond.paley.abscissa)");
         Ok(Outcome::Holds(vec![
+            Evidence::new(Grade::Certified, "linearisation", enclosed).cases(12),
             Evidence::new(
                 Grade::Exact,
                 "exponential stability, all M, N",
