@@ -2,6 +2,7 @@
 //! makes it. All of them are deterministic.
 
 mod paley;
+mod paley_abscissa;
 mod paley_basins;
 mod paley_fig1;
 mod paley_fig2;
@@ -70,6 +71,7 @@ pub const FIGURES: &[Figure] = &[
     figure("paley.fig6", "a circular formation in a drift field, with a beacon", paley_fig6::reproduce),
     figure("paley.fig7", "the perceptual zones of a fish", paley_fig7::reproduce),
     figure("paley.fig8", "circular formations for growing zones of orientation", paley_fig8::reproduce),
+    figure("paley.abscissa", "enclosed rates of decay to symmetric circular formations", paley_abscissa::reproduce),
     figure("paley.basins", "exploration: which share of starts ends where", paley_basins::reproduce),
     figure("paley.figS2", "fish, headings and zones of orientation, on synthetic schools", paley_fish_data::snapshots),
     figure("paley.figS3", "scaled phase potentials and null models, on synthetic schools", paley_fish_data::potentials),

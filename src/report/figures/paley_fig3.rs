@@ -1,6 +1,7 @@
 //! Figure 3 of Paley and others: circular formations on the cyclic graph, for K_1 negative, zero and positive.
 
 use super::paley::{COLUMNS, START, Timed, end, first_run, rows, scene, turning_error};
+use super::paley_abscissa::{rate, twisted};
 use super::{Reproduced, csv};
 use crate::arithmetic::Complex;
 use crate::ledger::CheckError;
@@ -84,6 +85,12 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         curves.extend(values.iter().map(|(t, w)| [panel.to_string(), t.to_string(), format!("{w:.9}")]));
         potentials = potentials.series(Series::line(format!("({panel}), K_1 = {gain}").replace('-', "−"), values));
     }
+    text += "\nLargest real part of the linearisation there, enclosed (paley.abscissa):\n";
+    for (panel, gain, _, _, course) in panels.iter().filter(|(_, gain, ..)| *gain != 0.0) {
+        let decay = twisted(*gain, nearest_twist(&end(course)?.phases).0)?;
+        let _ = write!(text, "({panel}) {}   ", rate(&decay.abscissa));
+    }
+    text.push('\n');
     text += "\nFalse: that more K_1 turns (c) into the (2,N)-pattern. Both are exponentially\n\
              stable for every K_1 > 0; the start decides (paley.fig3.gain; panel d).\n\
              Holds: W_1 is largest, 2, in the alternating (2,N)-pattern (paley.fig3.max).\n\
