@@ -150,8 +150,12 @@ pub trait AnyClaim: Send + Sync {
     fn id(&self) -> &str;
     /// Place and text, for claims that are not in the list of the papers.
     fn source(&self) -> Option<Source>;
+    /// The corrected statement, for claims whose printed form fails.
+    fn corrected(&self) -> Option<String>;
     /// Runs the check on the printed statement, the correction and the controls.
     fn judge(&self, source: &Source, run: &mut Run) -> super::Entry;
+    /// Runs the check on the corrected statement, as a claim of its own; the printed one joins the controls.
+    fn judge_correction(&self, source: &Source, run: &mut Run) -> super::Entry;
 }
 
 impl<C: Claim> AnyClaim for C {
@@ -163,5 +167,11 @@ impl<C: Claim> AnyClaim for C {
     }
     fn judge(&self, source: &Source, run: &mut Run) -> super::Entry {
         super::judge(self, source, run)
+    }
+    fn corrected(&self) -> Option<String> {
+        self.repair().map(|repair| repair.statement)
+    }
+    fn judge_correction(&self, source: &Source, run: &mut Run) -> super::Entry {
+        super::judge::judge_correction(self, source, run)
     }
 }

@@ -1,6 +1,7 @@
 //! From the outcomes of a check to a verdict.
 
-use super::{CheckError, Claim, Controls, Entry, Evidence, Fault, Outcome, Run, Source, Verdict};
+use super::correction::correction_id;
+use super::{CheckError, Claim, Control, Controls, Entry, Evidence, Fault, Outcome, Repair, Run, Source, Verdict};
 use std::time::Instant;
 
 /// What the printed statement and its correction come to.
@@ -24,6 +25,15 @@ impl Ruling {
     }
 }
 
+/// What is asked of the check of a claim: the statement to rule on and the altered ones that it must refute.
+struct Question<V> {
+    id: String,
+    statement: V,
+    repair: Option<Repair<V>>,
+    controls: Vec<Control<V>>,
+    derivation: String,
+}
+
 /// Examines the printed statement, the correction where the printed one fails, and every control.
 ///
 /// - printed holds: `holds`;
@@ -33,8 +43,40 @@ impl Ruling {
 ///
 /// Checked Coq theorems join the evidence; one that contradicts the verdict makes it `undecided`.
 pub fn judge<C: Claim>(claim: &C, source: &Source, run: &mut Run) -> Entry {
+    let question = Question {
+        id: Claim::id(claim).to_string(),
+        statement: claim.printed(),
+        repair: claim.repair(),
+        controls: claim.controls(),
+        derivation: claim.derivation().to_string(),
+    };
+    answer(claim, question, source, run)
+}
+
+/// The same for the correction as a statement of its own (a claim without one is judged as printed): besides the controls
+/// of the claim, the check must refute the printed statement.
+pub(super) fn judge_correction<C: Claim>(claim: &C, source: &Source, run: &mut Run) -> Entry {
+    let Some(repair) = claim.repair() else { return judge(claim, source, run) };
+    let of = Claim::id(claim);
+    let fault = match repair.fault {
+        Fault::Misprint => "is misprinted",
+        Fault::False => "is false as printed",
+    };
+    let mut controls = claim.controls();
+    controls.push(Control::new("as printed", claim.printed()));
+    let question = Question {
+        id: correction_id(of),
+        statement: repair.variant,
+        repair: None,
+        controls,
+        derivation: format!("{of} {fault} (`explain {of}` has its counterexample). {}", claim.derivation()),
+    };
+    answer(claim, question, source, run)
+}
+
+fn answer<C: Claim>(claim: &C, question: Question<C::Variant>, source: &Source, run: &mut Run) -> Entry {
     let started = Instant::now();
-    let mut ruling = match claim.examine(&claim.printed(), run) {
+    let mut ruling = match claim.examine(&question.statement, run) {
         Err(error) => Ruling::undecided(error.to_string()),
         Ok(Outcome::Undecided(why)) => Ruling::undecided(why),
         Ok(Outcome::NotCheckable(why, evidence)) => {
@@ -44,17 +86,19 @@ pub fn judge<C: Claim>(claim: &C, source: &Source, run: &mut Run) -> Entry {
         Ok(Outcome::Holds(evidence)) => {
             Ruling { verdict: Verdict::Holds, evidence, counterexample: None, corrected: None, why: None }
         }
-        Ok(Outcome::Fails { counterexample, evidence }) => refuted(claim, counterexample, evidence, run),
+        Ok(Outcome::Fails { counterexample, evidence }) => {
+            refuted(claim, question.repair, (counterexample, evidence), run)
+        }
     };
-    match super::proofs::evidence(Claim::id(claim), ruling.verdict) {
+    match super::proofs::evidence(&question.id, ruling.verdict) {
         Ok(proofs) => ruling.evidence.extend(proofs),
         Err(contradiction) => ruling = Ruling::undecided(contradiction),
     }
     let values = run.take_values();
-    let (controls, surviving_controls) = run_controls(claim, run);
+    let (controls, surviving_controls) = run_controls(claim, question.controls, run);
     Entry {
-        id: Claim::id(claim).to_string(),
-        paper: Claim::id(claim).split('.').next().unwrap_or_default().to_string(),
+        paper: question.id.split('.').next().unwrap_or_default().to_string(),
+        id: question.id,
         place: source.place.clone(),
         statement: source.statement.clone(),
         verdict: ruling.verdict,
@@ -66,12 +110,17 @@ pub fn judge<C: Claim>(claim: &C, source: &Source, run: &mut Run) -> Entry {
         why: ruling.why,
         seconds: started.elapsed().as_secs_f64(),
         surviving_controls,
-        derivation: claim.derivation().to_string(),
+        derivation: question.derivation,
     }
 }
 
-fn refuted<C: Claim>(claim: &C, counterexample: String, mut evidence: Vec<Evidence>, run: &mut Run) -> Ruling {
-    let Some(repair) = claim.repair() else {
+fn refuted<C: Claim>(
+    claim: &C,
+    repair: Option<Repair<C::Variant>>,
+    (counterexample, mut evidence): (String, Vec<Evidence>),
+    run: &mut Run,
+) -> Ruling {
+    let Some(repair) = repair else {
         return Ruling {
             verdict: Verdict::False,
             evidence,
@@ -102,8 +151,7 @@ fn refuted<C: Claim>(claim: &C, counterexample: String, mut evidence: Vec<Eviden
     Ruling { counterexample: Some(counterexample), ..Ruling::undecided(problem) }
 }
 
-fn run_controls<C: Claim>(claim: &C, run: &mut Run) -> (Controls, Vec<String>) {
-    let controls = claim.controls();
+fn run_controls<C: Claim>(claim: &C, controls: Vec<Control<C::Variant>>, run: &mut Run) -> (Controls, Vec<String>) {
     let total = controls.len();
     let mut surviving = Vec::new();
     for control in controls {

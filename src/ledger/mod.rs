@@ -5,6 +5,7 @@
 //! says, never written down: see [`judge()`].
 
 mod claim;
+mod correction;
 mod entry;
 mod judge;
 mod listed;
@@ -13,8 +14,10 @@ mod run;
 mod runner;
 
 pub use claim::{AnyClaim, CheckError, Claim, Control, Fault, Outcome, Repair, Source};
+pub use correction::correction_id;
 pub use entry::{Controls, Entry, Evidence, Grade, Verdict, interval_value};
 pub use judge::judge;
 pub use listed::{Listed, Recorded, listed, recorded};
+pub use proofs::proofs_of;
 pub use run::Run;
 pub use runner::{Ledger, LedgerError, Options, Report, to_json};

@@ -1,26 +1,36 @@
 //! Checked Coq theorems as evidence.
 
-use super::{Evidence, Grade, Verdict};
-use crate::kernel::{Covers, theorems};
+use super::{Evidence, Grade, Verdict, correction_id};
+use crate::kernel::{Covers, Theorem, theorems};
+
+/// The checked theorems about a claim and how much of it each proves. What is proved of the corrected statement of a
+/// claim is a part of its correction ([`correction_id`]).
+pub fn proofs_of(claim: &str) -> impl Iterator<Item = (&'static Theorem, Covers)> {
+    let covers = move |theorem: &Theorem| match theorem.covers {
+        covers if theorem.claim == claim => Some(covers),
+        Covers::Corrected if correction_id(theorem.claim) == claim => Some(Covers::Part),
+        _ => None,
+    };
+    theorems().iter().filter_map(move |theorem| Some((theorem, covers(theorem)?))).filter(|(t, _)| t.is_checked())
+}
 
 /// The evidence that checked theorems give for a claim with this verdict.
 ///
 /// # Errors
 /// What a theorem proves that contradicts the verdict.
 pub fn evidence(claim: &str, verdict: Verdict) -> Result<Vec<Evidence>, String> {
-    let checked = theorems().iter().filter(|theorem| theorem.claim == claim && theorem.is_checked());
-    let support = checked.map(|theorem| {
-        if contradict(theorem.covers, verdict) {
+    let support = proofs_of(claim).map(|(theorem, covers)| {
+        if contradict(covers, verdict) {
             return Err(format!("the Coq theorem {} says otherwise than the check: {}", theorem.path(), theorem.part));
         }
         let said = theorem.part.trim_end_matches('.');
-        let part = match theorem.covers {
+        let part = match covers {
             Covers::Claim | Covers::Part | Covers::Instance => said.to_string(),
             Covers::Corrected => format!("corrected: {said}"),
             Covers::Negation => format!("negation: {said}"),
         };
         let detail = format!("Coq theorem {}; axioms: {}", theorem.path(), theorem.axioms.words());
-        let grade = if theorem.covers == Covers::Instance { Grade::Exact } else { Grade::Kernel };
+        let grade = if covers == Covers::Instance { Grade::Exact } else { Grade::Kernel };
         Ok(Evidence::new(grade, part, detail))
     });
     support.collect()

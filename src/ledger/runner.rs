@@ -1,5 +1,6 @@
 //! The ledger and its parallel runner.
 
+use super::correction::Correction;
 use super::{AnyClaim, Controls, Entry, Evidence, Grade, Run, Source, Verdict, listed, recorded};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -55,7 +56,7 @@ pub enum LedgerError {
 }
 
 struct Registered {
-    claim: Box<dyn AnyClaim>,
+    claim: Arc<dyn AnyClaim>,
     source: Source,
 }
 
@@ -129,10 +130,29 @@ impl Ledger {
             Some(Source { place: row.place.to_string(), statement: row.statement.to_string() })
         };
         let source = claim.source().or_else(from_list).ok_or_else(|| LedgerError::NoSource(id.clone()))?;
-        if self.claims.insert(id.clone(), Arc::new(Registered { claim, source })).is_some() {
-            return Err(LedgerError::Twice(id));
+        self.insert(id, Registered { claim: claim.into(), source })
+    }
+
+    /// Adds the corrected statements of the registered claims whose printed form fails, as claims of their own, where
+    /// `wanted` says so of the id of the printed claim.
+    ///
+    /// # Errors
+    /// [`LedgerError::Twice`].
+    pub fn register_corrections(&mut self, wanted: impl Fn(&str) -> bool) -> Result<(), LedgerError> {
+        let printed: Vec<Arc<Registered>> = self.claims.values().filter(|r| wanted(r.claim.id())).cloned().collect();
+        for registered in printed {
+            if let Some(correction) = Correction::of(&registered.claim, &registered.source) {
+                self.register(correction)?;
+            }
         }
         Ok(())
+    }
+
+    fn insert(&mut self, id: String, registered: Registered) -> Result<(), LedgerError> {
+        match self.claims.insert(id.clone(), Arc::new(registered)) {
+            Some(_) => Err(LedgerError::Twice(id)),
+            None => Ok(()),
+        }
     }
 
     /// The registered ids, sorted.

@@ -1,7 +1,6 @@
 //! One claim in words.
 
-use crate::kernel::theorems;
-use crate::ledger::Entry;
+use crate::ledger::{Entry, correction_id, proofs_of, recorded};
 use std::fmt::Write;
 
 /// The printed claim, verdict, derivation, counterexample, correction, evidence, controls and numbers, wrapped to
@@ -9,7 +8,8 @@ use std::fmt::Write;
 pub fn explain(entry: &Entry, width: usize) -> String {
     let width = width.clamp(40, 120);
     let mut text = format!("{}  ({})\n", entry.id, entry.place);
-    section(&mut text, width, "printed", &entry.statement);
+    let source = if entry.paper == "beyond" { "claim" } else { "printed" };
+    section(&mut text, width, source, &entry.statement);
     let verdict = match &entry.why {
         Some(why) => format!("{}: {why}", entry.verdict.word()),
         None => entry.verdict.word().to_string(),
@@ -20,6 +20,10 @@ pub fn explain(entry: &Entry, width: usize) -> String {
     }
     if let Some(corrected) = &entry.corrected {
         section(&mut text, width, "corrected", corrected);
+        let own = correction_id(&entry.id);
+        if recorded().any(|row| row.id == own) {
+            section(&mut text, width, "proved as", &own);
+        }
     }
     section(&mut text, width, "why", &entry.derivation);
     for e in &entry.evidence {
@@ -33,7 +37,7 @@ pub fn explain(entry: &Entry, width: usize) -> String {
         }
         section(&mut text, width, e.grade.word(), &line);
     }
-    for theorem in theorems().iter().filter(|theorem| theorem.claim == entry.id && theorem.is_checked()) {
+    for (theorem, _) in proofs_of(&entry.id) {
         if let Some((audit, statement)) = theorem.audited() {
             let statement = statement.split_whitespace().collect::<Vec<_>>().join(" ");
             section(

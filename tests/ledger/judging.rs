@@ -2,7 +2,8 @@
 
 use flockproof::arithmetic::rational;
 use flockproof::ledger::{
-    CheckError, Claim, Control, Evidence, Fault, Grade, Ledger, Options, Outcome, Repair, Run, Source, Verdict, to_json,
+    CheckError, Claim, Control, Evidence, Fault, Grade, Ledger, LedgerError, Options, Outcome, Repair, Run, Source,
+    Verdict, to_json,
 };
 use rand_chacha::rand_core::Rng;
 use std::time::Duration;
@@ -108,6 +109,39 @@ fn verdicts_follow_from_outcomes() {
     assert_eq!(verdict(claim("test.a", Act::NotCheckable)), (Verdict::NotCheckable, Some("no data".into())));
     assert_eq!(verdict(claim("test.a", Act::Error)), (Verdict::Undecided, Some("broken".into())));
     assert_eq!(verdict(claim("test.a", Act::HoldWithoutEvidence)).0, Verdict::Undecided);
+}
+
+#[test]
+fn a_correction_is_a_claim_that_refutes_the_printed_form() {
+    let judged = |printed, repair| {
+        let mut ledger = Ledger::new();
+        ledger.register(Scripted { repair, ..claim("test.a", printed) }).unwrap();
+        ledger.expect("beyond.test.a", Verdict::Holds, &[Grade::Exact]);
+        ledger.register_corrections(|id| id == "test.a").unwrap();
+        let ids = ledger.select(&["beyond".into()], &[]).unwrap_or_default();
+        ledger.verify(&ids, &Options::default(), |_| {})
+    };
+    let report = judged(Act::Fail, Some((Fault::Misprint, Act::Hold)));
+    let entry = &report.entries[0];
+    assert_eq!((entry.id.as_str(), entry.paper.as_str(), entry.verdict), ("beyond.test.a", "beyond", Verdict::Holds));
+    assert_eq!((entry.statement.as_str(), entry.place.as_str()), ("corrected", "corrects test, test"));
+    assert_eq!((entry.controls.refuted, entry.controls.total), (2, 2), "its own control and the printed form");
+    assert!(entry.derivation.contains("test.a is misprinted") && report.is_as_recorded());
+    // A correction that the check cannot tell from the printed form says nothing.
+    let same = judged(Act::Hold, Some((Fault::False, Act::Hold)));
+    assert!(same.differences[0].contains("as printed: it holds"), "{:?}", same.differences);
+    assert_eq!(judged(Act::Fail, Some((Fault::False, Act::Fail))).entries[0].verdict, Verdict::False);
+    assert!(judged(Act::Fail, None).entries.is_empty());
+}
+
+#[test]
+fn a_correction_needs_an_id_of_its_own() {
+    let mut ledger = Ledger::new();
+    for id in ["test.a", "beyond.test.a"] {
+        ledger.register(Scripted { repair: Some((Fault::False, Act::Hold)), ..claim(id, Act::Fail) }).unwrap();
+    }
+    let twice = ledger.register_corrections(|id| id == "test.a");
+    assert_eq!(twice, Err(LedgerError::Twice("beyond.test.a".into())));
 }
 
 #[test]

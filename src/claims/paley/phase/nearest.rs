@@ -97,8 +97,8 @@ impl Claim for Scale {
     fn repair(&self) -> Option<Repair<ScaleVariant>> {
         Some(Repair {
             fault: Fault::False,
-            statement: "2/(n+1) W_1 lies in [0,1] for n = 1 and n = N - 1 (those of Figure S3); for other n it reaches 2n/(n+1). For all n the scaled potential \
-                        W_1/n lies in [0,1]."
+            statement: "2/(n+1) W_1 lies in [0,1] for n = 1 and n = N - 1 (those of Figure S3), but not for every n: it is 4/3 for four fish on a square, \
+                        n = 2, each opposite to both neighbours. For all n the scaled potential W_1/n lies in [0,1]."
                 .to_string(),
             variant: ScaleVariant(vec![
                 (|n, fish| n == 1 || n + 1 == fish, figure_scale),
