@@ -21,10 +21,16 @@ fn chosen(what: &str) -> Result<Vec<&'static Figure>, CliError> {
     if what == "all" {
         return Ok(FIGURES.iter().collect());
     }
-    Figure::named(what).map(|figure| vec![figure]).ok_or_else(|| {
-        let known: Vec<&str> = FIGURES.iter().map(|figure| figure.name).collect();
-        CliError::Use(format!("there is no table or figure `{what}`; there are: {}, all", known.join(", ")))
-    })
+    let names = |figures: &[&Figure]| figures.iter().map(|figure| figure.name).collect::<Vec<_>>().join(", ");
+    let named = Figure::named(what);
+    match named.len() {
+        0 => {
+            let known = names(&FIGURES.iter().collect::<Vec<_>>());
+            Err(CliError::Use(format!("there is no table or figure `{what}`; there are: {known}, all")))
+        }
+        1 => Ok(named),
+        _ => Err(CliError::Use(format!("`{what}` is ambiguous; it may be: {}", names(&named)))),
+    }
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {

@@ -140,6 +140,8 @@ fn reproduce_writes_three_files() {
     let occupied = file(&folder, "occupied", b"");
     assert_refused(&["reproduce", "table1", "--out", &occupied], "occupied");
     assert_refused(&["reproduce", "figure77", "--out", &occupied], "figure77");
+    let several = "`fig2` is ambiguous; it may be: veerman.fig2, paley.fig2, tanner1.fig2";
+    assert_refused(&["reproduce", "fig2", "--out", &occupied], several);
 }
 
 #[test]

@@ -90,12 +90,13 @@ const fn figure(name: &'static str, about: &'static str, make: fn() -> Result<Re
 }
 
 impl Figure {
-    /// The figure of that name; the paper may be left out where one figure only has the rest of the name.
-    pub fn named(name: &str) -> Option<&'static Figure> {
+    /// The figure of that name, or all that have it without their paper.
+    pub fn named(name: &str) -> Vec<&'static Figure> {
         let short = |figure: &&Figure| figure.name.split_once('.').is_some_and(|(_, rest)| rest == name);
-        let mut short = FIGURES.iter().filter(short);
-        let alone = short.next().filter(|_| short.next().is_none());
-        FIGURES.iter().find(|figure| figure.name == name).or(alone)
+        match FIGURES.iter().find(|figure| figure.name == name) {
+            Some(figure) => vec![figure],
+            None => FIGURES.iter().filter(short).collect(),
+        }
     }
 
     /// Makes it: the text for the terminal and the files.
