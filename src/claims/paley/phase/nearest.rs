@@ -85,7 +85,7 @@ impl Claim for Scale {
 
     fn derivation(&self) -> &str {
         "Tried with the factor of Figure S3, 2/(n+1); that of the text, 2/n + 1, fails at once (N = 2, n = 1, opposite fish: 3; a control). W_1 = (1/(2N)) sum \
-         over arcs of 1 - cos theta_kj <= n, with nN arcs, so 2 W_1/(n+1) <= 2n/(n+1), and this is reached: four fish at the corners of a square, n = 2, each opposite to \
+         over arcs of 1 - cos theta_kj <= n, with nN arcs, so 2 W_1/(n+1) <= 2n/(n+1), which can be reached: four fish at the corners of a square, n = 2, each opposite to \
          both neighbours, give 4/3. For n = 1 the bound is 1, and for n = N - 1 it is 1 - |p|^2 <= 1; N = 4, n = 2 is the smallest case that is neither. W_1/n lies in [0, 1] for \
          all n."
     }
