@@ -9,6 +9,7 @@ mod paley_abscissa;
 mod paley_circulant;
 mod paley_modes;
 mod phases;
+mod recurrent;
 mod smallest_entries;
 mod table1_reading;
 mod tanner;
@@ -24,6 +25,7 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(smallest_entries::SmallestEntries),
         Box::new(fewer_switches::FewerSwitches),
         Box::new(tower::Tower),
+        Box::new(recurrent::Recurrent),
         Box::new(virtual_origins::Angle),
         Box::new(virtual_origins::Losses),
         Box::new(next_order::FREQUENCY),
