@@ -22,7 +22,7 @@ pub fn explain(entry: &Entry, width: usize) -> String {
         section(&mut text, width, "corrected", corrected);
         let own = correction_id(&entry.id);
         if recorded().any(|row| row.id == own) {
-            section(&mut text, width, "proved as", &own);
+            section(&mut text, width, "checked as", &own);
         }
     }
     section(&mut text, width, "why", &entry.derivation);
