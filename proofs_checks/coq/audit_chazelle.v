@@ -245,7 +245,7 @@ Check (@chazelle_limits.eq_3_12_13 :
   (forall t0 : nat, (0 < t0)%N -> v t0.+1 = transition G c *m v t0) ->
   x t = x 0%N + (\sum_(s < t) mpow (transition G c) s) *m v 1%N /\
   x t = x 0%N + rank1 c *m v 1%N *+ t + Gamma_t G c t *m v 1%N).
-(* chazelle.eq3.16 (part) *)
+(* chazelle.eq3.16 (corrected) *)
 Check (@chazelle_spectral.eq_3_16 :
   forall (R : rcfType) (m : nat) (G : rel 'I_m.+1) (c : 'I_m.+1 -> R),
   network G ->
@@ -386,7 +386,7 @@ Check (@chazelle_network.eq_3_9 :
   (forall i : 'I_n, n%:R ^- a <= transition G c i i) ->
   forall (s : nat) (i j : 'I_n),
   `|mpow (transition G c) s i j - stat c j| <= n%:R ^+ a * (1 - n%:R ^- (2 * a + 4)) ^+ s).
-(* chazelle.fiedler.rate (part) *)
+(* beyond.chazelle.recurrent (part) *)
 Check (@chazelle_agreement.recurrent_limit :
   forall (R : archiFieldType) (n d : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R)
     (v : nat -> 'M_(n, d)) (alpha : R),
@@ -399,7 +399,7 @@ Check (@chazelle_agreement.recurrent_limit :
   (forall s, exists k, forall i j, connect (union G s k) i j) ->
   (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
   exists y : 'rV_d, converges (fun t => v t.+1) (\matrix_(i, l) y 0 l)).
-(* chazelle.fiedler.rate (part) *)
+(* beyond.chazelle.recurrent (part) *)
 Check (@chazelle_agreement.recurrent_velocities :
   forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (alpha : R),
   (forall t, network (G t)) ->
@@ -417,7 +417,7 @@ Check (@chazelle_agreement.recurrent_velocities :
   (sumn ks < t)%N ->
   (sumn ks < u)%N ->
   N (row i (v t) - row j (v u)) <= (1 - alpha ^+ n.-1) ^+ (size ks %/ n.-1) * diameter N (v 1%N)).
-(* chazelle.fiedler.rate (part) *)
+(* beyond.chazelle.recurrent (part) *)
 Check (@chazelle_agreement.velocities_repeatedly_limit :
   forall (R : archiFieldType) (n d : nat) (P : nat -> 'M_n) (v : nat -> 'M_(n, d)) (gamma : R) (B : nat),
   complete R ->
@@ -431,7 +431,7 @@ Check (@chazelle_agreement.velocities_repeatedly_limit :
     converges (fun t => v t.+1) (\matrix_(i, l) y 0 l) /\
     (forall k t i l, (k < t)%N ->
      `|v t i l - y 0 l| <= (1 - gamma ^+ (n.-1 * B)) ^+ (k %/ (n.-1 * B)) * extent v l)).
-(* chazelle.fiedler.rate (part) *)
+(* chazelle.fiedler.rate (corrected) *)
 Check (@chazelle_network.fiedler_rate :
   forall (R : rcfType) (n : nat) (G : rel 'I_n),
   network G ->
@@ -447,7 +447,7 @@ Check (@chazelle_network.fiedler_rate :
    (forall i0 : 'I_n, n%:R ^- a <= transition G c i0 i0) ->
    (forall t0 : nat, (0 < t0)%N -> v t0.+1 = transition G c *m v t0) ->
    norm2 (row i (v t.+1) - row j (v t.+1)) <= n%:R ^+ a.+1 * 2^-1 ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N))).
-(* chazelle.fiedler.rate (part) *)
+(* beyond.chazelle.recurrent (part) *)
 Check (@chazelle_recurrent.tau1_repeatedly :
   forall (R : realFieldType) (n : nat) (P : nat -> 'M_n) (gamma : R) (B : nat),
   (forall t, stochastic (P t)) ->
@@ -459,7 +459,7 @@ Check (@chazelle_recurrent.tau1_repeatedly :
 (* rational numbers as real ones *)
 Check (fun x : rat => erefl : chazelle_reals.value x = Rdefinitions.Rdiv
   (Rdefinitions.IZR (mathcomp.zify.ssrZ.Z_of_int (numq x))) (Rdefinitions.IZR (mathcomp.zify.ssrZ.Z_of_int (denq x)))).
-(* chazelle.fiedler.rate (part) *)
+(* beyond.chazelle.recurrent (part) *)
 Check (@chazelle_reals.recurrent_real_limit :
   forall (n d : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> rat) (v : nat -> 'M[rat]_(n, d)) (alpha : rat),
   (0 < n)%N ->
@@ -470,7 +470,7 @@ Check (@chazelle_reals.recurrent_real_limit :
   (forall s, exists k, forall i j, connect (union G s k) i j) ->
   (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
   exists y : 'I_d -> Rdefinitions.R, forall i l, Rseries.Un_cv (fun t => chazelle_reals.value (v t i l)) (y l)).
-(* chazelle.fiedler.rate (part) *)
+(* beyond.chazelle.recurrent (part) *)
 Check (@chazelle_reals.repeatedly_real_limit :
   forall (n d : nat) (P : nat -> 'M[rat]_n) (v : nat -> 'M[rat]_(n, d)) (gamma : rat) (B : nat),
   (forall t, stochastic (P t)) ->
