@@ -129,7 +129,8 @@ impl FourierFormation {
             let wave = m * self.wave % order;
             // The Hessian of U_m is (1/N) (cos m theta_kj) - m |p_m| I, and m |p_m| is 1 or 0.
             for q in 0..order {
-                let halves = i64::from(q == wave) + i64::from((q + wave) % order == 0) - 2 * i64::from(wave == 0);
+                let halves =
+                    i64::from(q == wave) + i64::from((q + wave).is_multiple_of(order)) - 2 * i64::from(wave == 0);
                 self.hessian[q] = self.hessian[q].clone() + self.omega.rational(gain) * self.omega.ratio(halves, 2);
             }
         }
