@@ -6,6 +6,7 @@ pub mod certificates;
 mod chazelle;
 pub(crate) mod paley;
 mod record;
+mod shares;
 mod tanner1;
 mod tanner2;
 mod veerman;

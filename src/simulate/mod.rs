@@ -24,7 +24,7 @@ pub use phases::AllToAll;
 pub use random::{generator, normal, uniform};
 pub use rk4::Rk4;
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
-pub use statistics::Share;
+pub use statistics::{Sample, Share};
 
 /// The right-hand side of `dy/dt = f(t, y)`. A field may keep scratch space, so it is asked by a mutable reference; the
 /// answer must depend on `time` and `state` only. Closures `FnMut(f64, &[f64], &mut [f64])` are fields.

@@ -6,7 +6,8 @@
 //! within 10 m of their mean (far apart, gradients are small too).
 
 use crate::claims::record::Record;
-use crate::claims::tanner2::figures::{judged, other};
+use crate::claims::shares::judged;
+use crate::claims::tanner2::figures::other;
 use crate::double_integrator::{HeadingReading, Setup};
 use crate::ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use crate::simulate::Share;

@@ -6,6 +6,7 @@
 //! are those that the figures of `reproduce` draw.
 
 use crate::claims::record::Record;
+use crate::claims::shares::judged;
 use crate::double_integrator::{LinkRule, Setup, Trial};
 use crate::ledger::{CheckError, Evidence, Grade, Outcome, Run};
 use crate::simulate::Share;
@@ -30,18 +31,6 @@ pub struct FigureVariant {
 
 pub(in crate::claims) fn other(error: impl std::fmt::Display) -> CheckError {
     CheckError::Other(error.to_string())
-}
-
-/// Whether a share is above a number: it fails where no run shows it or the interval lies below, and is undecided where the number lies
-/// inside the interval.
-pub(in crate::claims) fn judged(share: Share, above: f64, what: String, evidence: Evidence) -> Outcome {
-    match share.is_above(above) {
-        Some(true) if share.found > 0 => Outcome::Holds(vec![evidence]),
-        None if share.found > 0 => {
-            Outcome::Undecided(format!("{what}: too few runs to tell whether it is above {above}"))
-        }
-        _ => Outcome::fails(format!("{what}: not above {above}"), evidence),
-    }
 }
 
 fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError> {
