@@ -25,7 +25,9 @@ impl StateIdentity for StepIdentity {
     }
 
     fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [step, u] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+        let [fineness, u] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+        // A counterexample is looked for at small integers, and T is to be small.
+        let step = &(fineness.recip()? * fineness.ratio(1, 10));
         let z = &state.phasors[0];
         let moved = z.scale(&step.power(self.0.position));
         let euler = z.scale(step);
@@ -48,7 +50,9 @@ impl Claim for EulerStep {
     fn derivation(&self) -> &str {
         "The forward Euler method of step h for (1), (2) is r + h e^{i theta}, theta + h u: one step for both equations. (26) moves positions with the step 1 and \
          phases with the step T << 1, which is Euler's method for no h (h = 1 from the first line, h = T from the second). It is so for the first line \
-         r + T e^{i theta}; or for a model of speed 1/T, not the unit speed of (1)."
+         r + T e^{i theta}; or for a model of speed 1/T, not the unit speed of (1). Reading: u_k is one and the same steering in (26) and in (2). As (2) allows any control, (26) is also \
+         Euler's method with h = 1 for (1), (2) under the control T u_k (with T = 1 and all gains times T it is the printed model); but the article goes on to compare the gains of u_k in (28) with those of (22), \
+         K_1 - K_0 = -K_ori N (paley.fish28ori), which under that reading would be off by the factor T."
     }
 
     fn printed(&self) -> StepVariant {
@@ -72,7 +76,7 @@ impl Claim for EulerStep {
     }
 
     fn examine(&self, variant: &StepVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        state_identity(&StepIdentity(*variant), &["T", "u"], "increments of Euler's method with step T", run)
+        state_identity(&StepIdentity(*variant), &["1/(10 T)", "u"], "increments of Euler's method with step T", run)
     }
 }
 

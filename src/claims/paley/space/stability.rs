@@ -10,8 +10,8 @@ use crate::graph::Graph;
 use crate::ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run, interval_value};
 use crate::matrix::{Inertia, inertia};
 use crate::oscillator::{
-    CircularGains, FourierFormation, Neighbours, circular_control, circular_formation, linearisation, pattern_control,
-    pattern_gradient, phase_jacobian, spacing_control, symmetric_pattern,
+    CircularGains, FourierFormation, Neighbours, PARTICLES, circular_control, circular_formation, linearisation,
+    pattern_control, pattern_gradient, phase_jacobian, spacing_control, symmetric_pattern,
 };
 
 /// paley.sync.exp and paley.fig6.gain: the synchronised circular formation under (22).
@@ -28,11 +28,18 @@ impl SynchronyVariant {
     const STABLE: Self = SynchronyVariant { orientation: -1, spacing: 1, connected: true };
 }
 
-fn examine_synchrony(variant: &SynchronyVariant, run: &Run) -> Result<Outcome, CheckError> {
-    let graphs = if variant.connected { connected_graphs(run.cases(0, 1) == 1) } else { vec![Graph::empty(2)] };
+/// Numerators and denominators of `w0` and `|K_1|`.
+type Sizes = ((i64, i64), (i64, i64));
+
+fn examine_synchrony(
+    variant: &SynchronyVariant,
+    graphs: &[Graph],
+    sizes: &[Sizes],
+    run: &Run,
+) -> Result<Outcome, CheckError> {
     let mut cases = 0;
     for graph in graphs.iter().filter(|graph| graph.order() > 1) {
-        for ((p, q), gain) in [((1, 10), (1, 10)), ((-1, 10), (1, 10)), ((2, 1), (5, 1))] {
+        for &((p, q), gain) in sizes {
             run.checkpoint()?;
             cases += 1;
             let omega = rational(p, q);
@@ -102,7 +109,8 @@ impl Claim for SynchronyStable {
     }
 
     fn examine(&self, variant: &SynchronyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_synchrony(variant, run)
+        let graphs = if variant.connected { connected_graphs(run.cases(0, 1) == 1) } else { vec![Graph::empty(2)] };
+        examine_synchrony(variant, &graphs, &[((1, 10), (1, 10)), ((-1, 10), (1, 10)), ((2, 1), (5, 1))], run)
     }
 }
 
@@ -119,7 +127,7 @@ impl Claim for DriftGain {
     fn derivation(&self) -> &str {
         "In a drift common to all the relative motion is that without drift (paley.drift). By the cubic of paley.sync.exp the product of the three \
          eigenvalues of each mode is k_1 w0^2: for K_1 > 0 there is a positive one on every connected graph with N >= 2, N = 12 included, so the \
-         synchronised circular formation is not stabilised. The caption contradicts the convention of the article (K_1 < 0 synchronises): a sign slip."
+         synchronised circular formation is not stabilised. (Checked at the printed values, N = 12, w0 = K_0 = 0.1, on C_12 and all-to-all.) The caption contradicts the convention of the article (K_1 < 0 synchronises): a sign slip."
     }
 
     fn printed(&self) -> SynchronyVariant {
@@ -142,7 +150,10 @@ impl Claim for DriftGain {
     }
 
     fn examine(&self, variant: &SynchronyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_synchrony(variant, run)
+        // The printed values. The caption names no network: the sparsest and the densest of the article.
+        let on_ring = |i: usize, j: usize| matches!(i.abs_diff(j), 1 | 11);
+        let graphs = [Graph::from_fn(PARTICLES, on_ring), Graph::from_fn(PARTICLES, |_, _| true)];
+        examine_synchrony(variant, &graphs, &[((1, 10), (1, 10)), ((1, 10), (1, 1))], run)
     }
 }
 
