@@ -2,3 +2,4 @@
 
 mod judging;
 mod recorded;
+mod seeds;

@@ -14,6 +14,8 @@ mod runs;
 mod spacing;
 mod stability;
 mod symmetry;
+mod zone_circles;
+mod zone_patterns;
 mod zones;
 
 pub use instances::without_symmetries;
@@ -56,9 +58,9 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(figures::PatternsFigure),
         Box::new(figures::TrackingFigure),
         Box::new(figures::BeaconFigure),
-        Box::new(bifurcation::CircularInZones),
+        Box::new(zone_circles::CircularInZones),
         Box::new(bifurcation::FewerClusters),
-        Box::new(bifurcation::PatternsInZones),
+        Box::new(zone_patterns::PatternsInZones),
         Box::new(fish_data::MeasuredTracks),
         Box::new(fish_data::DifferenceInference),
     ]
