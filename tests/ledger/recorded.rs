@@ -4,8 +4,7 @@ use flockproof::ledger::{LedgerError, Options, Verdict, correction_id, listed, r
 use std::collections::BTreeSet;
 
 /// Corrections of wording, and by long runs.
-const WITHOUT_OWN_CLAIM: [&str; 7] = [
-    "paley.fig8.circ",
+const WITHOUT_OWN_CLAIM: [&str; 6] = [
     "tanner1.figs3_6",
     "tanner2.appA.thm4",
     "tanner2.appA.thm5",
