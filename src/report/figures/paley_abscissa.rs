@@ -73,28 +73,31 @@ fn row(model: &str, particles: usize, kind: usize, gain: &str, found: &Transvers
 
 /// Rates over the gain: `(gain, -abscissa)`.
 fn curve(
-    name: String,
+    (name, dashed): (String, bool),
     of: impl Fn(f64, &Rational) -> Result<TransverseSpectrum, CheckError> + Sync,
 ) -> Result<Series, CheckError> {
     let points = gains()?.into_par_iter().map(|(x, q)| Ok((x, -of(x, &q)?.abscissa.to_f64())));
-    Ok(Series::line(name, points.collect::<Result<Vec<_>, CheckError>>()?))
+    let points = points.collect::<Result<Vec<_>, CheckError>>()?;
+    // Some curves lie on others.
+    Ok(if dashed { Series::dashed(name, points) } else { Series::line(name, points) })
 }
 
 /// The patterns of all numbers of particles, as rows of the table, lines of the text, and points.
 fn patterns(text: &mut String, table: &mut Vec<Vec<String>>) -> Result<Panel, CheckError> {
     let last = printed(PatternFormation::GAINS.1)?;
     let mut panel =
-        Panel::new("a) gains of Figure 4, all M and N", Axis::linear("M"), Axis::log("rate").between(2e-3, 1.0));
+        Panel::new("a) gains of Figure 4, all M and N", Axis::linear("M"), Axis::log("rate").between(2e-3, 0.1));
     for particles in ORDERS {
         let mut points = Vec::new();
         for clusters in (1..=particles).filter(|m| particles.is_multiple_of(*m)) {
             let found = pattern(clusters, particles, &last)?;
             points.push((clusters as f64, -found.abscissa.to_f64()));
-            table.push(row("(25)", particles, clusters, &format!("-{last}"), &found));
+            table.push(row("(25)", particles, clusters, &format!("-{}", PatternFormation::GAINS.1), &found));
             if particles == PARTICLES {
                 let (lo, hi) = decimals(&found.abscissa, 12);
                 // Writing to a string cannot fail.
-                let _ = writeln!(text, "{clusters:4} {:8}  [{lo}, {hi}] {:8}", found.zeros, found.wave);
+                let _ =
+                    writeln!(text, "{clusters:4} {:8}   {:37} {:6}", found.zeros, format!("[{lo}, {hi}]"), found.wave);
             }
         }
         panel = panel.series(Series::points(format!("N = {particles}"), points).size(7.0 - particles as f64 / 6.0));
@@ -126,7 +129,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
          and Routh's table of the shifted cubics; notes/paley_particles.md.\n\n\
          Theorem 3 with the gains of Figure 4, N = 12: w0 = K_0 = {OMEGA}, K_m = {below}, K_M =\n\
          -{last}; zeros: how many were removed; q: a slowest mode\n\
-         \x20  M    zeros   abscissa                                        q\n"
+         \x20  M    zeros   abscissa                                   q\n"
     );
     let mut table = Vec::new();
     let all = patterns(&mut text, &mut table)?;
@@ -141,13 +144,14 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         Panel::new(title, Axis::log(gain), Axis::log("rate").between(1e-5, 1.0)).legend(Corner::UpperLeft)
     };
     let mut raised = axes("b) N = 12, K_m = 0.2, over |K_M|", "|K_M|");
-    for clusters in [1, 2, 3, 4, 12] {
-        raised = raised.series(curve(format!("M = {clusters}"), |_, last| pattern(clusters, PARTICLES, last))?);
+    for (clusters, dashed) in [(1, false), (2, true), (3, false), (4, false), (12, true)] {
+        raised =
+            raised.series(curve((format!("M = {clusters}"), dashed), |_, last| pattern(clusters, PARTICLES, last))?);
     }
     let mut ring = axes("c) Figure 3 on the ring, over |K_1|", "|K_1|");
     for (wave, sign) in [(0, -1.0), (1, -1.0), (2, -1.0), (4, 1.0), (5, 1.0), (6, 1.0)] {
         let name = format!("m = {wave}, K_1 {} 0", if sign < 0.0 { "<" } else { ">" });
-        ring = ring.series(curve(name, |gain, _| twisted(sign * gain, wave))?);
+        ring = ring.series(curve((name, sign > 0.0), |gain, _| twisted(sign * gain, wave))?);
     }
     let picture = Picture::new("Rates of decay to symmetric circular formations, ω0 = 0.1")
         .grid(3, (430.0, 400.0))

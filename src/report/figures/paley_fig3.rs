@@ -86,10 +86,12 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         potentials = potentials.series(Series::line(format!("({panel}), K_1 = {gain}").replace('-', "−"), values));
     }
     text += "\nLargest real part of the linearisation there, enclosed (paley.abscissa):\n";
-    for (panel, gain, _, _, course) in panels.iter().filter(|(_, gain, ..)| *gain != 0.0) {
+    let turning = panels.iter().filter(|(_, gain, ..)| *gain != 0.0);
+    let rates = turning.map(|(panel, gain, _, _, course)| {
         let decay = twisted(*gain, nearest_twist(&end(course)?.phases).0)?;
-        let _ = write!(text, "({panel}) {}   ", rate(&decay.abscissa));
-    }
+        Ok(format!("({panel}) {}", rate(&decay.abscissa)))
+    });
+    text += &rates.collect::<Result<Vec<_>, CheckError>>()?.join("   ");
     text.push('\n');
     text += "\nFalse: that more K_1 turns (c) into the (2,N)-pattern. Both are exponentially\n\
              stable for every K_1 > 0; the start decides (paley.fig3.gain; panel d).\n\
