@@ -129,8 +129,8 @@ impl FourierFormation {
             let wave = m * self.wave % order;
             // The Hessian of U_m is (1/N) (cos m theta_kj) - m |p_m| I, and m |p_m| is 1 or 0.
             for q in 0..order {
-                let halves =
-                    i64::from(q == wave) + i64::from((q + wave).is_multiple_of(order)) - 2 * i64::from(wave == 0);
+                let opposite = i64::from((q + wave).is_multiple_of(order));
+                let halves = i64::from(q == wave) + opposite - 2 * i64::from(wave == 0);
                 self.hessian[q] = self.hessian[q].clone() + self.omega.rational(gain) * self.omega.ratio(halves, 2);
             }
         }
@@ -219,15 +219,21 @@ impl FourierFormation {
         let zero = Complex::real(self.omega.zero());
         let zeros = (0..self.order()).map(|q| removed(q).iter().filter(|root| **root == zero).count()).sum();
         let mut found: Option<TransverseSpectrum> = None;
+        // Modes with the same polynomial, as most are all-to-all, have the same abscissa.
+        let mut seen: Vec<Vec<Complex<RealCyclotomic>>> = Vec::new();
         // The mode -q is the conjugate of the mode q.
         for wave in 0..=self.order() / 2 {
             let rest = removed(wave).iter().try_fold(self.mode(wave).cubic(), |cubic, root| divided(&cubic, root))?;
+            if seen.contains(&rest) {
+                continue;
+            }
             let enclosed = rest.iter().map(enclosed).collect::<Result<Vec<_>, _>>()?;
             let Some(own) = complex_abscissa(&enclosed, BITS) else { continue };
             found = Some(match found {
                 None => TransverseSpectrum { zeros, abscissa: own, wave },
                 Some(known) => known.joined(own, wave),
             });
+            seen.push(rest);
         }
         Ok(found)
     }

@@ -41,8 +41,8 @@ fn float(q: &Rational) -> f64 {
 fn patterns_agree_with_the_whole_matrix() {
     for (omega, spacing, below, last) in [((1, 10), (1, 10), (1, 5), (-1, 25)), ((-2, 1), (3, 2), (-1, 7), (1, 3))] {
         let [omega, spacing, below, last] = [omega, spacing, below, last].map(|(p, q)| rational(p, q));
-        for particles in [2, 3, 5, 8, 12, 18, 24, 30] {
-            for clusters in (1..=particles).filter(|m| particles % m == 0) {
+        for particles in [2usize, 3, 5, 8, 12, 18, 24, 30] {
+            for clusters in (1..=particles).filter(|m| particles.is_multiple_of(*m)) {
                 let gain = |m: usize| if m < clusters { below.clone() * rational(1, m as i64) } else { last.clone() };
                 let gains: Vec<Rational> = (1..=clusters).map(gain).collect();
                 let formation = FourierFormation::pattern(clusters, particles, (&omega, &spacing), &gains).unwrap();
@@ -67,8 +67,8 @@ fn patterns_agree_with_the_whole_matrix() {
 #[test]
 fn twisted_states_agree_with_the_whole_matrix() {
     for gain in [rational(-3, 10), rational(3, 10), rational(1, 1)] {
-        for (particles, offsets) in [(12, vec![1]), (12, vec![1, 6]), (7, vec![1, 2])] {
-            for wave in (0..particles).filter(|wave| 4 * wave % particles != 0 || *wave == 0) {
+        for (particles, offsets) in [(12usize, vec![1]), (12, vec![1, 6]), (7, vec![1, 2])] {
+            for wave in (0..particles).filter(|wave| !(4 * wave).is_multiple_of(particles) || *wave == 0) {
                 let (omega, spacing) = (rational(1, 10), rational(6, 5));
                 let formation = FourierFormation::new(particles, offsets.clone(), wave, (&omega, &spacing));
                 let found = formation.with_alignment(&gain).transverse().unwrap().unwrap();
