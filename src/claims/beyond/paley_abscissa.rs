@@ -92,6 +92,35 @@ fn gains(clusters: usize, (below, last): (&Rational, &Rational)) -> Vec<Rational
     (1..=clusters).map(|m| if m < clusters { below.clone() } else { last.clone() }).collect()
 }
 
+/// A pattern with spacing offsets from 1 to `reach`.
+struct Instance {
+    particles: usize,
+    reach: usize,
+    omega: Rational,
+    spacing: Rational,
+    gains: Vec<Rational>,
+}
+
+impl Instance {
+    /// A stable splay state with `K_1 + K_2 > 2 K_3` and `K_2 < K_3 = 0`.
+    fn beyond_the_signs() -> Self {
+        let gains = [2, -1, 0].map(|k| rational(k, 1)).to_vec();
+        Instance { particles: 3, reach: 1, omega: rational(1, 10), spacing: rational(1, 10), gains }
+    }
+
+    fn random(random: &mut impl Rng) -> Self {
+        let mut draw = |n: usize| (random.next_u64() % n as u64) as usize;
+        let particles = 2 + draw(7);
+        let clusters: Vec<usize> = divisors(particles).collect();
+        let clusters = clusters[draw(clusters.len())];
+        let gains = (0..clusters).map(|_| rational(draw(9) as i64 - 4, 4)).collect();
+        let omega = [rational(1, 10), rational(-1, 2), rational(2, 1)][draw(3)].clone();
+        let spacing = [rational(1, 10), rational(3, 2), rational(-1, 5)][draw(3)].clone();
+        let reach = [1, particles / 2][draw(2)];
+        Instance { particles, reach, omega, spacing, gains }
+    }
+}
+
 impl AbscissaVariant {
     /// The spectrum without what this variant leaves out.
     fn spectrum(&self, formation: &FourierFormation) -> Result<Option<TransverseSpectrum>, CheckError> {
@@ -106,17 +135,13 @@ impl AbscissaVariant {
     fn signs(&self, run: &Run) -> Result<Outcome, CheckError> {
         let cases = run.cases(60, 600);
         let mut random = run.random(0);
-        let mut draw = |n: usize| (random.next_u64() % n as u64) as usize;
         let mut stable = 0;
-        for _ in 0..cases {
+        for case in 0..cases {
             run.checkpoint()?;
-            let particles = 2 + draw(7);
-            let clusters: Vec<usize> = divisors(particles).collect();
-            let clusters = clusters[draw(clusters.len())];
-            let gains: Vec<Rational> = (0..clusters).map(|_| rational(draw(9) as i64 - 4, 4)).collect();
-            let omega = [rational(1, 10), rational(-1, 2), rational(2, 1)][draw(3)].clone();
-            let spacing = [rational(1, 10), rational(3, 2), rational(-1, 5)][draw(3)].clone();
-            let reach = [1, particles / 2][draw(2)];
+            // The first shows that K_2 may be negative and below K_3.
+            let Instance { particles, reach, omega, spacing, gains } =
+                if case == 0 { Instance::beyond_the_signs() } else { Instance::random(&mut random) };
+            let clusters = gains.len();
             let formation = FourierFormation::new(particles, 1..=reach, particles / clusters, (&omega, &spacing));
             let Some(found) = self.spectrum(&formation.with_moments(&gains))? else { continue };
             let least = (self.condition)(&gains, particles).map(|least| least.min(spacing.clone()));
