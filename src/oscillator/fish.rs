@@ -111,16 +111,24 @@ pub struct ZoneNetworks {
 }
 
 impl<T: Field + Signed> Zones<T> {
+    /// The network of a zone, where all of its arcs are among these.
+    pub fn network_among(
+        &self,
+        zone: Zone,
+        state: &State<T>,
+        arcs: impl Iterator<Item = (usize, usize)>,
+    ) -> Neighbours {
+        let senses = |&(k, j): &(usize, usize)| {
+            let offset = state.positions[j].clone() - &state.positions[k];
+            self.senses(zone, &state.phasors[k], &offset)
+        };
+        Neighbours::from_arcs(state.phasors.len(), arcs.filter(senses))
+    }
+
     /// All three networks, where all pairs at a distance up to the radius of attraction are among these.
     pub fn networks_among(&self, state: &State<T>, pairs: &[(usize, usize)]) -> ZoneNetworks {
-        let network = |zone| {
-            let arcs = pairs.iter().flat_map(|&(i, j)| [(i, j), (j, i)]);
-            let senses = |&(k, j): &(usize, usize)| {
-                let offset = state.positions[j].clone() - &state.positions[k];
-                self.senses(zone, &state.phasors[k], &offset)
-            };
-            Neighbours::from_arcs(state.phasors.len(), arcs.filter(senses))
-        };
+        let arcs = || pairs.iter().flat_map(|&(i, j)| [(i, j), (j, i)]);
+        let network = |zone| self.network_among(zone, state, arcs());
         ZoneNetworks {
             repulsion: network(Zone::Repulsion),
             orientation: network(Zone::Orientation),

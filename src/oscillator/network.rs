@@ -107,6 +107,11 @@ impl Neighbours {
         self.lists.len()
     }
 
+    /// The arcs `(k, j)`, in order.
+    pub fn arcs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.lists.iter().enumerate().flat_map(|(k, list)| list.iter().map(move |&j| (k, j)))
+    }
+
     /// The neighbours of `k`, in order.
     pub fn of_particle(&self, k: usize) -> &[usize] {
         &self.lists[k]

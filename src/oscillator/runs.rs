@@ -430,8 +430,9 @@ impl Experiment for ZoneFormation {
     const STEPS: usize = 600;
 
     fn steering(&self, state: &State<f64>) -> Result<Vec<f64>, ArithmeticError> {
-        let own = self.orientation_network(state);
+        // Who is sensed in the zone is sensed by the attraction too.
         let all = ZoneFormation::reaching(1e9).network(Zone::Orientation, state);
+        let own = self.zone().network_among(Zone::Orientation, state, all.arcs());
         let (spacing, orientation) = (self.spacing, self.orientation);
         match self.law {
             ZoneLaw::Printed => {

@@ -11,8 +11,9 @@ use crate::oscillator::{
     BehaviourGains, Flight, Neighbours, State, ZoneNetworks, Zones, behaviour_control, laplacian_behaviour_control,
     write_rate,
 };
-use crate::simulate::CellList;
+use crate::simulate::{CellList, generator, normal};
 use num_traits::ToPrimitive;
+use rand_chacha::ChaCha8Rng;
 
 /// Which of the steering laws.
 #[derive(Clone, Copy, PartialEq)]
@@ -30,14 +31,28 @@ pub(super) struct Fish {
     blind_angle: f64,
     gains: BehaviourGains<f64>,
     turning: f64,
+    /// The standard deviation of the turning rates, with the seed and generator that they are drawn by.
+    noise: Option<(f64, usize, ChaCha8Rng)>,
     steering: Steering,
     step: f64,
     steps: u64,
     drawn: Option<String>,
 }
 
-const KEYS: [&str; 10] =
-    ["T", "omega0", "Krep", "Kori", "Katt", "repulsion", "orientation", "attraction", "blind_angle", "steering"];
+const KEYS: [&str; 12] = [
+    "T",
+    "omega0",
+    "Krep",
+    "Kori",
+    "Katt",
+    "repulsion",
+    "orientation",
+    "attraction",
+    "blind_angle",
+    "steering",
+    "noise",
+    "seed",
+];
 
 /// Reads the fish model; returns its time step too.
 pub(super) fn read(source: &Source) -> Result<(Fish, Rational), ConfigError> {
@@ -77,6 +92,18 @@ pub(super) fn read(source: &Source) -> Result<(Fish, Rational), ConfigError> {
         // Only they divide by distances.
         start.refuse_coincident(source)?;
     }
+    let seed = law.get("seed").map(|entry| entry.count(0, usize::MAX)).transpose()?;
+    if let Some(entry) = law.get("seed").filter(|_| law.get("noise").is_none()) {
+        return Err(entry.range("left out: nothing is drawn without `noise`"));
+    }
+    let noise = match law.get("noise") {
+        None => None,
+        Some(entry) => {
+            let deviation = entry.positive()?;
+            let seed = seed.unwrap_or(1);
+            Some((deviation, seed, generator(&seed.to_string(), "fish.turning", 0)))
+        }
+    };
     let half = (blind_angle / 2.0).to_radians().cos();
     let positions = start.flat_positions().chunks_exact(2).map(|r| Complex::new(r[0], r[1])).collect();
     let fish = Fish {
@@ -89,6 +116,7 @@ pub(super) fn read(source: &Source) -> Result<(Fish, Rational), ConfigError> {
             attraction: law.number_or("Katt", 0.0)?,
         },
         turning: law.number_or("omega0", 0.0)?,
+        noise,
         steering,
         step,
         steps: 0,
@@ -132,7 +160,10 @@ impl Course for Fish {
             }
             let time = self.steps as f64 * self.step;
             let state = self.flight.state();
-            let control = self.control(&state).map_err(|error| RunError::Law { time, error })?;
+            let mut control = self.control(&state).map_err(|error| RunError::Law { time, error })?;
+            if let Some((deviation, _, random)) = &mut self.noise {
+                control.iter_mut().for_each(|u| *u += *deviation * normal(random));
+            }
             let mut list = self.flight.to_list();
             let mut rate = vec![0.0; list.len()];
             write_rate(&state, &Complex::new(0.0, 0.0), &control, &mut rate);
@@ -186,6 +217,9 @@ impl Course for Fish {
             ),
             "observables: order |p_m| with p_m = (1/(m N)) sum e^(i m theta_k) (23), at most 1/m; phase_potential W_1 = (1/(2N)) <z, L z> on the arcs of the zone of orientation; components of all arcs taken as edges; momentum is the sum of the velocities".to_string(),
             CLUSTERS.to_string(),
+            self.noise.as_ref().map_or("omega_k is omega0 for every fish".to_string(), |(deviation, seed, _)| {
+                format!("omega_k(q) is omega0 plus {deviation} times a standard normal number (ChaCha8, seed {seed}), anew for every fish and step")
+            }),
         ];
         lines.extend(self.drawn.clone());
         lines

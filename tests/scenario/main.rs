@@ -115,6 +115,29 @@ fn networks_are_replaced_at_given_times() {
 }
 
 #[test]
+fn fish_turn_at_random_where_asked() {
+    let text = |noise: &str| {
+        format!(
+            "model = \"fish\"\n[state]\npositions = [[0, 0], [100, 0]]\nphases = [0, 1]\n[law]\nT = \"1/10\"\nomega0 = \"1/2\"\n\
+             repulsion = 1\norientation = 2\nattraction = 3\n{noise}\n[run]\nuntil = 1000\n"
+        )
+    };
+    // Fish that sense nobody: the phases are sums of T times their turning rates.
+    let turned = |noise: &str| {
+        let outcome = run(&text(noise));
+        let row = outcome.samples().next().expect("a sample").clone();
+        [row.frame.phases[0] - 500.0, row.frame.phases[1] - 501.0]
+    };
+    assert!(turned("").iter().all(|off| off.abs() < 1e-6));
+    let [a, b] = turned("noise = 2");
+    // A normal number with variance 10000 (2/10)² for each: four deviations are 80.
+    assert!(a != b && a.abs().max(b.abs()) < 80.0 && a.abs().min(b.abs()) > 0.01, "{a} {b}");
+    assert_eq!(turned("noise = 2\nseed = 1"), [a, b]);
+    assert!(turned("noise = 2\nseed = 2") != [a, b]);
+    assert!(Scenario::read(&text("noise = -1")).expect_err("negative").to_string().contains("above 0"));
+}
+
+#[test]
 fn composite_potentials_do_not_increase() {
     let start = "[state]\npositions = [[0, 0], [3, 0], [0, 4], [-5, 1]]\nphases = [0, 1, 2, 5]\n";
     for law in ["K1 = -1", "K1 = \"1/2\"\nreference = 1", "K = [1, \"-1/4\"]", "K1 = -1\nbeacon = [1, 2]"] {
