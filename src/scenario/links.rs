@@ -84,6 +84,9 @@ impl Network {
 
     /// What may fail while no coordinate moves by more than `moved`.
     pub fn holds(&self, state: &[f64], moved: &[f64]) -> Vec<Hold> {
+        if !self.switches() {
+            return Vec::new();
+        }
         let coordinates: Vec<f64> =
             state.iter().zip(moved).take(2 * self.order()).map(|(x, moved)| x.abs() + moved).collect();
         let slack = self.slack(&coordinates);

@@ -29,6 +29,12 @@ enum Orientation {
     Reference { gain: f64, start: f64, rate: f64 },
 }
 
+/// The unit vector at an angle.
+fn unit(angle: f64) -> Complex<f64> {
+    let (sin, cos) = angle.sin_cos();
+    Complex::new(cos, sin)
+}
+
 impl Orientation {
     fn read(law: &Section, network: &Network, frequency: f64) -> Result<Self, ConfigError> {
         let gain = law.number_or("K1", 0.0)?;
@@ -56,22 +62,13 @@ impl Orientation {
         })
     }
 
-    /// `e^(i theta_0)` where there is a reference phase.
-    fn reference(&self, time: f64) -> Option<Complex<f64>> {
-        let Orientation::Reference { start, rate, .. } = self else { return None };
-        let (sin, cos) = (start + rate * time).sin_cos();
-        Some(Complex::new(cos, sin))
-    }
-
     fn control(&self, network: &Network, time: f64, phasors: &[Complex<f64>]) -> Result<Vec<f64>, ArithmeticError> {
-        if let (Orientation::Reference { gain, .. }, Some(reference)) = (self, self.reference(time)) {
-            return reference_control(gain, network, &reference, phasors);
-        }
         match self {
-            Orientation::Laplacian(gain) | Orientation::Reference { gain, .. } => {
-                laplacian_control(gain, network, phasors)
-            }
+            Orientation::Laplacian(gain) => laplacian_control(gain, network, phasors),
             Orientation::Pattern(gains) => pattern_control(gains, phasors),
+            Orientation::Reference { gain, start, rate } => {
+                reference_control(gain, network, &unit(start + rate * time), phasors)
+            }
         }
     }
 
@@ -80,9 +77,8 @@ impl Orientation {
         match self {
             Orientation::Laplacian(gain) => Ok(-gain * phase_potential(network, phasors, 1)?),
             Orientation::Pattern(gains) => pattern_potential(gains, phasors),
-            Orientation::Reference { gain, .. } => {
-                let pair = self.reference(time).zip(phasors.last());
-                let apart = pair.map_or(0.0, |(reference, z)| 1.0 - reference.dot(z));
+            Orientation::Reference { gain, start, rate } => {
+                let apart = phasors.last().map_or(0.0, |z| 1.0 - unit(start + rate * time).dot(z));
                 Ok(-gain * (phase_potential(network, phasors, 1)? + apart))
             }
         }
@@ -276,14 +272,12 @@ impl Particles {
         steering.iter_mut().zip(spacing).for_each(|(u, spacing)| *u += spacing);
         Ok(steering)
     }
-}
 
-impl Particles {
-    /// What the spacing control lowers: `K_0 S`, or with a beacon `(K_0/2) sum |c_k - c_0|²`.
-    fn spacing_part(&self, state: &State<f64>) -> Result<f64, ArithmeticError> {
+    /// What the spacing control lowers: `K_0 S`, given `S`, or with a beacon `(K_0/2) sum |c_k - c_0|²`.
+    fn spacing_part(&self, spacing: f64, state: &State<f64>) -> Result<f64, ArithmeticError> {
         match &self.spacing {
             Spacing::None => Ok(0.0),
-            Spacing::Circle(gain) => Ok(gain * spacing_potential(&self.frequency, &self.network, state)?),
+            Spacing::Circle(gain) => Ok(gain * spacing),
             Spacing::Beacon(gain, [x, y]) => {
                 let share = beacon_potential(&self.frequency, &Complex::new(*x, *y), state)?;
                 Ok(gain * state.phasors.len() as f64 * share)
@@ -345,7 +339,7 @@ impl Law for Particles {
         all.push(Observable::number("orientation_potential", orientation));
         if self.frequency != 0.0 {
             let spacing = spacing_potential(&self.frequency, &self.network, &state)?;
-            let composite = self.spacing_part(&state)? + orientation / (self.frequency * self.frequency);
+            let composite = self.spacing_part(spacing, &state)? + orientation / (self.frequency * self.frequency);
             all.push(Observable::number("spacing_potential", spacing));
             all.push(Observable::number("composite_potential", composite));
             all.push(Observable::number("centre_spread", centre_spread(&self.frequency, &state)?));
