@@ -1,13 +1,10 @@
 //! Large groups: rates and steps of flocks with links that depend on the distance, and of phases that are all coupled.
 
-#[path = "support/mod.rs"]
-mod support;
-
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use flockproof::arithmetic::rational;
 use flockproof::double_integrator::{Potential, SwitchingFlock};
-use flockproof::simulate::{AllToAll, Rk4, VectorField};
-use support::{Lcg, lattice_flock};
+use flockproof::motion::{AllToAll, Rk4, VectorField};
+use flockproof_benches::{Lcg, lattice_flock};
 
 fn flocks(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("switching flock");

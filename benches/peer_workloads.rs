@@ -2,24 +2,21 @@
 //!
 //! usage: cargo bench --bench peer_workloads -- [FILTER]   (FILTER keeps the configurations whose name contains it)
 
-#[path = "support/mod.rs"]
-mod support;
-
 use flockproof::arithmetic::{Interval, decimal, rational};
 use flockproof::averaging::{Flock, Hysteresis, Start, Weights};
 use flockproof::double_integrator::{Potential, State, SwitchingFlock};
 use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::matrix::{StochasticMatrix, prefix_products, product_sequential, product_tree};
+use flockproof::motion::{AllToAll, Rk4};
 use flockproof::platoon::time_domain::Modes;
 use flockproof::platoon::{Gains, resonance};
-use flockproof::simulate::{AllToAll, Rk4};
 use flockproof::spectrum::{Eigenvalue, closed_form, matrix_spectrum, symmetric_enclosures, tridiagonal_eigenvalues};
+use flockproof_benches::{circulant, geometric, lattice_flock, phases, ring, stochastic_matrices, weighted_path};
 use num_bigint::BigUint;
 use num_traits::ToPrimitive;
 use sha2::{Digest, Sha256};
 use std::hint::black_box;
 use std::time::Instant;
-use support::{circulant, geometric, lattice_flock, phases, ring, stochastic_matrices, weighted_path};
 
 /// Best wall time of one call over at least five trials; short calls are batched.
 fn best_of<T>(mut f: impl FnMut() -> T) -> (f64, T) {

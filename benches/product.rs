@@ -1,11 +1,8 @@
 //! Exact products of stochastic matrices and their ergodicity coefficients; the cost is driven by order³ x limbs².
 
-#[path = "support/mod.rs"]
-mod support;
-
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use flockproof::matrix::{prefix_products, product_sequential, product_tree};
-use support::stochastic_matrices;
+use flockproof_benches::stochastic_matrices;
 
 fn products(c: &mut Criterion) {
     let mut group = c.benchmark_group("product");

@@ -1,12 +1,9 @@
 //! Spectra with proved bounds, by method and size.
 
-#[path = "support/mod.rs"]
-mod support;
-
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::spectrum::{Circulant, closed_form, matrix_spectrum, symmetric_enclosures, tridiagonal_eigenvalues};
-use support::{Lcg, circulant, geometric, ring, weighted_path};
+use flockproof_benches::{Lcg, circulant, geometric, ring, weighted_path};
 
 fn circulants(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("circulant");

@@ -1,29 +1,19 @@
 //! Exact, certified and simulated checks of what five papers claim about flocking, and the machinery behind them.
 //!
-//! The modules point one way, top to bottom: [`arithmetic`], [`matrix`], [`graph`], [`spectrum`], [`simulate`], [`validated`], [`averaging`] (Chazelle),
-//! [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`tracks`] (measured trajectories), [`double_integrator`] (Tanner,
-//! Jadbabaie and Pappas), [`scenario`] (runs of all of them from a file), [`certificates`], [`kernel`] (the Coq development), [`ledger`],
-//! [`claims`], [`report`].
-#![warn(missing_docs)]
-#![forbid(unsafe_code)]
+//! This is the face of a house of crates; each can be used without those above it. From the ground up: [`arithmetic`]; [`matrix`], [`graph`] and [`spectrum`];
+//! [`motion`]; the models [`averaging`] (Chazelle), [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`tracks`] (measured
+//! trajectories) and [`double_integrator`] (Tanner, Jadbabaie and Pappas); [`scenario`] (runs of all of them from a file); [`ledger`]; [`certificates`] and
+//! [`kernel`] (the Coq development); [`claims`]; [`report`].
 
-pub mod arithmetic;
-pub mod averaging;
-pub mod certificates;
-pub mod claims;
-pub mod double_integrator;
-pub mod graph;
-pub mod kernel;
-pub mod ledger;
-pub mod matrix;
-pub mod oscillator;
-pub mod platoon;
-pub mod report;
-pub mod scenario;
-pub mod simulate;
-pub mod spectrum;
-pub mod tracks;
-pub mod validated;
+pub use algebra::{graph, matrix, spectrum};
+pub use arithmetic;
+pub use claims;
+pub use ledger;
+pub use models::{averaging, double_integrator, oscillator, platoon, tracks};
+pub use motion;
+pub use proofs::{certificates, kernel};
+pub use report;
+pub use scenario;
 
 /// The example of the page on claims of one's own, compiled and run.
 #[cfg(doctest)]

@@ -1,5 +1,4 @@
 //! Inputs shared by the benches: the generator that the peer scripts use too (`benches/peers/common.py`).
-#![allow(dead_code)] // Each bench uses some of it.
 
 use flockproof::arithmetic::rational;
 use flockproof::double_integrator::State;

@@ -1,6 +1,7 @@
 //! `verify`: run the ledger.
 
-use super::{CliError, interrupt, output, progress};
+use super::interrupt::{self, Watch};
+use super::{CliError, output, progress};
 use flockproof::ledger::{Ledger, LedgerError, Options, Report, to_json};
 use flockproof::report::{summary, verdict_table};
 use std::path::PathBuf;
@@ -24,7 +25,7 @@ pub struct Arguments {
     /// Try more cases; may take minutes
     #[arg(long)]
     full: bool,
-    /// Time limit of each claim in seconds (60, or 600 with --full)
+    /// Give up a claim after so many seconds of wall time, as a last resort (3600); what is decided does not depend on it
     #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..=86_400))]
     limit: Option<u64>,
     /// Claims checked at a time (as many as there are cores)
@@ -45,25 +46,21 @@ pub fn use_error(error: LedgerError) -> CliError {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let ledger = ledger()?;
     let ids = ledger.select(&arguments.paper, &arguments.claim).map_err(use_error)?;
-    let mut options = Options {
-        seed: arguments.seed.clone(),
-        full: arguments.full,
-        limit: Duration::from_secs(arguments.limit.unwrap_or(if arguments.full { 600 } else { 60 })),
-        interrupted: interrupt::happened,
-        ..Options::default()
-    };
+    let mut options = Options { seed: arguments.seed.clone(), full: arguments.full, ..Options::default() };
+    if let Some(seconds) = arguments.limit {
+        options.longest = Duration::from_secs(seconds);
+    }
     if let Some(threads) = arguments.threads {
         options.threads = usize::from(threads);
     }
     interrupt::listen();
     let bar = progress::bar(ids.len());
-    let report = ledger.verify(&ids, &options, |entry| {
-        bar.set_message(entry.id.clone());
-        bar.inc(1);
-    });
+    options.progress = Watch::with(bar.clone()).shared();
+    let report = ledger.verify(&ids, &options, |_| {});
     bar.finish_and_clear();
+    interrupt::finishing();
     write_report(arguments, &report, &options)?;
-    Ok(match (report.interrupted, report.is_as_recorded()) {
+    Ok(match (!report.missing.is_empty(), report.is_as_recorded()) {
         (true, _) => ExitCode::from(interrupt::STATUS),
         (false, true) => ExitCode::SUCCESS,
         (false, false) => ExitCode::FAILURE,
@@ -83,7 +80,7 @@ fn write_report(arguments: &Arguments, report: &Report, options: &Options) -> Re
     for difference in &report.differences {
         text.push_str(&format!("DIFFERS {difference}\n"));
     }
-    if report.interrupted {
+    if !report.missing.is_empty() {
         text.push_str("interrupted: the claims above were finished\n");
     } else if report.differences.is_empty() {
         text.push_str("every verdict is as recorded; every negative control was refuted\n");

@@ -41,7 +41,7 @@ fn certificates_and_theorems_are_those_that_are_committed() {
 
 #[test]
 fn certificates_belong_to_claims_in_order() {
-    let listed = include_str!("../../src/claims/listed.tsv");
+    let listed = include_str!("../../crates/claims/src/listed.tsv");
     for row in &LEDGER {
         assert!(listed.lines().any(|line| line.split('\t').next() == Some(row.claim)), "{}", row.claim);
     }

@@ -1,0 +1,115 @@
+//! Characteristic polynomials and exact counts of real eigenvalues.
+
+use super::{MatrixError, RationalMatrix};
+use arithmetic::Rational;
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Signed, Zero};
+
+/// `det(xI - A)` of a rational matrix.
+///
+/// The counts are for matrices **whose eigenvalues are all real** (symmetric ones, and the transition matrices of
+/// averaging, which are similar to symmetric ones). For these Descartes' rule of signs is exact: the positive roots are as many as
+/// the changes of sign among the coefficients.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CharacteristicPolynomial {
+    /// Coefficients of `det(xI - N)`, lowest first, where `A = N/denominator`.
+    coefficients: Vec<BigInt>,
+    denominator: BigInt,
+}
+
+impl RationalMatrix {
+    /// The characteristic polynomial, by the method of Faddeev and LeVerrier: `order` products of matrices.
+    ///
+    /// # Errors
+    /// [`MatrixError::NotSquare`].
+    pub fn characteristic_polynomial(&self) -> Result<CharacteristicPolynomial, MatrixError> {
+        let order = self.square_order()?;
+        let integers = self.scaled(&Rational::from_integer(self.denominator().clone())).reduced();
+        let identity = RationalMatrix::identity(order)?;
+        let mut coefficients = vec![BigInt::one()];
+        let mut auxiliary = identity.clone();
+        for k in 1..=order {
+            let product = integers.times(&auxiliary)?;
+            let trace: BigInt = (0..order).map(|i| &product.row(i)[i]).sum();
+            let next = -trace / BigInt::from(k);
+            auxiliary = product.plus(&identity.scaled(&Rational::from_integer(next.clone())))?;
+            coefficients.push(next);
+        }
+        coefficients.reverse();
+        Ok(CharacteristicPolynomial { coefficients, denominator: self.denominator().clone() })
+    }
+}
+
+impl CharacteristicPolynomial {
+    /// The degree, which is the order of the matrix.
+    pub fn degree(&self) -> usize {
+        self.coefficients.len() - 1
+    }
+
+    /// The coefficients of `det(xI - A)`, lowest first; the last is 1.
+    pub fn coefficients(&self) -> Vec<Rational> {
+        let scale = |k: usize| num_traits::pow(self.denominator.clone(), self.degree() - k);
+        self.coefficients.iter().enumerate().map(|(k, c)| Rational::new(c.clone(), scale(k))).collect()
+    }
+
+    /// The coefficients, lowest first and up to positive factors, of the polynomial whose roots are `root - x`, where
+    /// `root` runs through the eigenvalues.
+    fn shifted(&self, x: &Rational) -> Vec<BigInt> {
+        let (numerator, denominator) = (x.numer() * &self.denominator, x.denom());
+        // The roots become integers over one denominator: q^n f(y/q) in y = q times the root of N, then y = z + p.
+        let degree = self.degree();
+        let mut shifted: Vec<BigInt> =
+            (0..=degree).map(|k| &self.coefficients[k] * num_traits::pow(denominator.clone(), degree - k)).collect();
+        for start in 0..degree {
+            for k in (start..degree).rev() {
+                let carried = &shifted[k + 1] * &numerator;
+                shifted[k] += carried;
+            }
+        }
+        shifted
+    }
+
+    /// How often `x` is an eigenvalue.
+    pub fn multiplicity(&self, x: &Rational) -> usize {
+        self.shifted(x).iter().take_while(|c| c.is_zero()).count()
+    }
+
+    /// The number of eigenvalues greater than `x`, with multiplicity, if all eigenvalues are real.
+    pub fn count_above(&self, x: &Rational) -> usize {
+        let shifted = self.shifted(x);
+        let signs: Vec<bool> = shifted.iter().filter(|c| !c.is_zero()).map(Signed::is_positive).collect();
+        signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+    }
+
+    /// The number of eigenvalues less than `x`, with multiplicity, if all eigenvalues are real.
+    pub fn count_below(&self, x: &Rational) -> usize {
+        self.degree() - self.count_above(x) - self.multiplicity(x)
+    }
+
+    /// The rational eigenvalues with their multiplicities, largest first, if all eigenvalues are real.
+    pub fn rational_eigenvalues(&self) -> Vec<(Rational, usize)> {
+        // Rational roots of a monic integer polynomial are integers; no root exceeds the sum of the coefficients.
+        let bound: BigInt = self.coefficients.iter().map(Signed::abs).sum();
+        let mut found = Vec::new();
+        // Half-open ranges (low, high] of roots of N, largest on top.
+        let mut open = vec![(-bound.clone() - 1, bound)];
+        while let Some((low, high)) = open.pop() {
+            let value = |x: &BigInt| Rational::new(x.clone(), self.denominator.clone());
+            let (top, multiplicity) = (value(&high), self.multiplicity(&value(&high)));
+            if self.count_above(&value(&low)) == self.count_above(&top) {
+                continue;
+            }
+            if &high - &low <= BigInt::one() {
+                if multiplicity > 0 {
+                    found.push((top, multiplicity));
+                }
+                continue;
+            }
+            let middle = (&low + &high).div_floor(&BigInt::from(2));
+            open.push((low, middle.clone()));
+            open.push((middle, high));
+        }
+        found
+    }
+}

@@ -1,0 +1,142 @@
+//! Reading a sequence of row-stochastic matrices.
+//!
+//! Text: one row per line, numbers separated by spaces or commas, a blank line between matrices, `#` starts a comment.
+//! JSON: a list of matrices, each a list of rows, entries as strings or numbers.
+
+use super::{MatrixError, StochasticMatrix};
+use arithmetic::{NumberError, Rational, parse_rational};
+use serde_json::Value;
+
+/// Why a file does not hold a sequence of stochastic matrices. Matrices and lines are counted from 1.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ReadError {
+    /// There is nothing in it.
+    #[error("there is no matrix in it")]
+    Nothing,
+    /// A number that cannot be read.
+    #[error("line {line}: {error}")]
+    Number {
+        /// The line.
+        line: usize,
+        /// What is wrong with the number.
+        error: NumberError,
+    },
+    /// A matrix that is not row-stochastic.
+    #[error("line {line}, matrix {matrix}: {error}")]
+    Matrix {
+        /// Which matrix.
+        matrix: usize,
+        /// The line where the matrix starts.
+        line: usize,
+        /// What is wrong with it.
+        error: MatrixError,
+    },
+    /// Not JSON.
+    #[error("not valid JSON: {0}")]
+    Json(String),
+    /// JSON of another shape.
+    #[error("matrix {matrix}: {error}")]
+    JsonMatrix {
+        /// Which matrix.
+        matrix: usize,
+        /// What is wrong with it.
+        error: String,
+    },
+    /// Matrices that cannot be multiplied.
+    #[error("matrix {matrix} cannot multiply the one before it: {error}")]
+    Sequence {
+        /// The later matrix.
+        matrix: usize,
+        /// The mismatch.
+        error: MatrixError,
+    },
+}
+
+/// Reads a sequence of matrices that can be multiplied, the first factor (the rightmost) first.
+///
+/// # Errors
+/// [`ReadError`] with the place at fault.
+pub fn read_sequence(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
+    let matrices = if text.trim_start().starts_with('[') { read_json(text)? } else { read_text(text)? };
+    if matrices.is_empty() {
+        return Err(ReadError::Nothing);
+    }
+    for (k, pair) in matrices.windows(2).enumerate() {
+        if pair[1].cols() != pair[0].rows() {
+            let error = MatrixError::Shapes { left_cols: pair[1].cols(), right_rows: pair[0].rows() };
+            return Err(ReadError::Sequence { matrix: k + 2, error });
+        }
+    }
+    Ok(matrices)
+}
+
+fn read_text(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
+    let mut matrices = Vec::new();
+    let mut rows: Vec<Vec<Rational>> = Vec::new();
+    let mut first_line = 0;
+    let mut finish = |rows: &mut Vec<Vec<Rational>>, line: usize| {
+        if rows.is_empty() {
+            return Ok(());
+        }
+        let matrix = StochasticMatrix::from_rows(&std::mem::take(rows)).map_err(|error| ReadError::Matrix {
+            matrix: matrices.len() + 1,
+            line,
+            error,
+        })?;
+        matrices.push(matrix);
+        Ok(())
+    };
+    for (k, line) in text.lines().enumerate() {
+        let content = line.split('#').next().unwrap_or_default();
+        if line.trim().is_empty() {
+            finish(&mut rows, first_line)?;
+            continue;
+        }
+        let words = content.split([' ', '\t', ',', '\r']).filter(|word| !word.is_empty());
+        let row: Vec<Rational> = words
+            .map(|word| parse_rational(word).map_err(|error| ReadError::Number { line: k + 1, error }))
+            .collect::<Result<_, _>>()?;
+        if row.is_empty() {
+            continue;
+        }
+        if rows.is_empty() {
+            first_line = k + 1;
+        }
+        rows.push(row);
+    }
+    finish(&mut rows, first_line)?;
+    Ok(matrices)
+}
+
+fn read_json(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
+    let document: Value = serde_json::from_str(text).map_err(|error| ReadError::Json(error.to_string()))?;
+    let Some(list) = document.as_array() else {
+        return Err(ReadError::Json("a list of matrices is expected".to_string()));
+    };
+    let matrix = |(k, value): (usize, &Value)| {
+        let refuse = |error: String| ReadError::JsonMatrix { matrix: k + 1, error };
+        let rows = json_rows(value).map_err(refuse)?;
+        StochasticMatrix::from_rows(&rows)
+            .map_err(|error| ReadError::JsonMatrix { matrix: k + 1, error: error.to_string() })
+    };
+    list.iter().enumerate().map(matrix).collect()
+}
+
+fn json_rows(value: &Value) -> Result<Vec<Vec<Rational>>, String> {
+    let rows = value.as_array().ok_or("a list of rows is expected")?;
+    rows.iter()
+        .map(|row| {
+            let row = row.as_array().ok_or("a row must be a list of numbers")?;
+            row.iter().map(json_number).collect()
+        })
+        .collect()
+}
+
+fn json_number(value: &Value) -> Result<Rational, String> {
+    let text = match value {
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.to_string(),
+        _ => return Err("an entry must be a number or a string".to_string()),
+    };
+    parse_rational(&text).map_err(|error| error.to_string())
+}

@@ -1,0 +1,164 @@
+//! Square rational matrices of which most entries are zero.
+
+use super::{MatrixError, RationalMatrix};
+use arithmetic::Rational;
+use num_traits::Zero;
+
+/// A square matrix given by its entries that are not zero, row by row in the order of the columns.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SparseMatrix {
+    rows: Vec<Vec<(usize, Rational)>>,
+}
+
+impl SparseMatrix {
+    /// The matrix with these entries `(row, column, value)`, counted from 0; values at the same place are added, and
+    /// places outside the matrix are left out.
+    pub fn from_entries(order: usize, entries: impl IntoIterator<Item = (usize, usize, Rational)>) -> Self {
+        let mut rows: Vec<Vec<(usize, Rational)>> = vec![Vec::new(); order];
+        for (i, j, value) in entries {
+            if i < order && j < order {
+                rows[i].push((j, value));
+            }
+        }
+        for row in &mut rows {
+            row.sort_by_key(|&(j, _)| j);
+            row.dedup_by(|next, kept| {
+                let same = next.0 == kept.0;
+                if same {
+                    kept.1 += &next.1;
+                }
+                same
+            });
+            row.retain(|(_, value)| !value.is_zero());
+        }
+        SparseMatrix { rows }
+    }
+
+    /// The entries of a square matrix.
+    ///
+    /// # Errors
+    /// [`MatrixError::NotSquare`].
+    pub fn from_dense(matrix: &RationalMatrix) -> Result<Self, MatrixError> {
+        let (rows, cols) = (matrix.rows(), matrix.cols());
+        if rows != cols {
+            return Err(MatrixError::NotSquare { rows, cols });
+        }
+        let places = (0..rows * cols).map(|k| (k / cols, k % cols));
+        Ok(SparseMatrix::from_entries(rows, places.map(|(i, j)| (i, j, matrix.entry(i, j)))))
+    }
+
+    /// Number of rows and of columns.
+    pub fn order(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The entries of row `i` that are not zero, `(column, value)`, in order.
+    pub fn row(&self, i: usize) -> &[(usize, Rational)] {
+        &self.rows[i]
+    }
+
+    /// All entries that are not zero, `(row, column, value)`, in order.
+    pub fn entries(&self) -> impl Iterator<Item = (usize, usize, &Rational)> {
+        self.rows.iter().enumerate().flat_map(|(i, row)| row.iter().map(move |(j, value)| (i, *j, value)))
+    }
+
+    /// The entry in row `i` and column `j`, or `None` where it is zero.
+    pub fn get(&self, i: usize, j: usize) -> Option<&Rational> {
+        let row = &self.rows[i];
+        row.binary_search_by_key(&j, |&(column, _)| column).ok().map(|place| &row[place].1)
+    }
+
+    /// The sums of the rows.
+    pub fn row_sums(&self) -> Vec<Rational> {
+        self.rows.iter().map(|row| row.iter().map(|(_, value)| value).sum()).collect()
+    }
+
+    /// The transpose.
+    pub fn transpose(&self) -> Self {
+        SparseMatrix::from_entries(self.order(), self.entries().map(|(i, j, value)| (j, i, value.clone())))
+    }
+
+    /// Whether it equals its transpose.
+    pub fn is_symmetric(&self) -> bool {
+        self.entries().all(|(i, j, value)| self.get(j, i) == Some(value))
+    }
+
+    /// The rows and columns with these numbers, which become `0, 1, ...` in the order given.
+    pub fn principal(&self, kept: &[usize]) -> Self {
+        let mut name = vec![None; self.order()];
+        for (new, &old) in kept.iter().enumerate() {
+            name[old] = Some(new);
+        }
+        let entry = |i: usize, (j, value): &(usize, Rational)| name[*j].map(|column| (i, column, value.clone()));
+        let entries = kept.iter().enumerate();
+        SparseMatrix::from_entries(
+            kept.len(),
+            entries.flat_map(|(i, &old)| self.rows[old].iter().filter_map(move |pair| entry(i, pair))),
+        )
+    }
+
+    /// All entries, over their common denominator.
+    ///
+    /// # Errors
+    /// [`MatrixError::Empty`] for order 0.
+    pub fn to_dense(&self) -> Result<RationalMatrix, MatrixError> {
+        let order = self.order();
+        let mut rows = vec![vec![Rational::zero(); order]; order];
+        for (i, j, value) in self.entries() {
+            rows[i][j].clone_from(value);
+        }
+        RationalMatrix::from_rows(&rows)
+    }
+
+    /// The strongly connected components of the digraph with an arc from `i` to `j` for each entry `(i, j)` that is not
+    /// zero, each sorted, in the order of their smallest member (Kosaraju and Sharir: one pass for the order in which
+    /// vertices are finished, one against the arcs).
+    ///
+    /// With the components in a suitable order the matrix is block triangular, so its eigenvalues are those of the
+    /// diagonal blocks.
+    pub fn strong_components(&self) -> Vec<Vec<usize>> {
+        let order = self.order();
+        let mut finished = Vec::with_capacity(order);
+        let mut seen = vec![false; order];
+        for start in 0..order {
+            if std::mem::replace(&mut seen[start], true) {
+                continue;
+            }
+            // Vertices on the way, each with the place of its next arc.
+            let mut way = vec![(start, 0)];
+            while let Some((vertex, next)) = way.last_mut() {
+                if let Some(&(target, _)) = self.rows[*vertex].get(*next) {
+                    *next += 1;
+                    if !std::mem::replace(&mut seen[target], true) {
+                        way.push((target, 0));
+                    }
+                } else {
+                    finished.push(*vertex);
+                    way.pop();
+                }
+            }
+        }
+        let reversed = self.transpose();
+        let mut placed = vec![false; order];
+        let mut components = Vec::new();
+        for &start in finished.iter().rev() {
+            if std::mem::replace(&mut placed[start], true) {
+                continue;
+            }
+            let mut members = vec![start];
+            let mut next = 0;
+            while let Some(&vertex) = members.get(next) {
+                next += 1;
+                for &(target, _) in reversed.row(vertex) {
+                    if !std::mem::replace(&mut placed[target], true) {
+                        members.push(target);
+                    }
+                }
+            }
+            members.sort_unstable();
+            components.push(members);
+        }
+        components.sort();
+        components
+    }
+}

@@ -1,0 +1,79 @@
+//! Whether all roots of a real polynomial have negative real parts, decided exactly (Routh's table).
+
+use super::Polynomial;
+use arithmetic::{Rational, Ring, Sign, Signed};
+use num_bigint::BigInt;
+use num_integer::Integer;
+
+impl Polynomial {
+    /// Whether every complex root has a negative real part. A constant other than zero has no roots; the zero polynomial is not
+    /// stable. Cost: `degree²/2` products.
+    pub fn is_hurwitz(&self) -> bool {
+        let descending = self.coefficients().iter().rev().cloned().collect();
+        routh(descending, without_content) == Some(true)
+    }
+
+    /// A positive multiple of the polynomial whose roots are these roots plus `shift`.
+    pub fn with_roots_moved(&self, shift: &Rational) -> Self {
+        let coefficients: Vec<Rational> = self.coefficients().iter().cloned().map(Rational::from_integer).collect();
+        Polynomial::from_rationals(&roots_moved(&coefficients, shift))
+    }
+}
+
+/// Whether every root of the real polynomial with these coefficients, the leading one first, has a negative real part; `None`
+/// where the sign that decides is not known. `scaled` multiplies a row of the table by a positive number.
+///
+/// Routh: with a positive leading coefficient, this is so exactly where every entry of the first column of the table is
+/// positive.
+pub(super) fn routh<T: Ring + Signed>(mut descending: Vec<T>, scaled: impl Fn(Vec<T>) -> Vec<T>) -> Option<bool> {
+    let Some(lead) = descending.first() else { return Some(false) };
+    match lead.sign()? {
+        Sign::Positive => {}
+        Sign::Negative => descending.iter_mut().for_each(|c| *c = -c.clone()),
+        Sign::Zero => return None,
+    }
+    let every_other = |start: usize| descending.iter().skip(start).step_by(2).cloned().collect::<Vec<_>>();
+    let (mut upper, mut lower) = (every_other(0), every_other(1));
+    loop {
+        let Some(top) = upper.first().cloned() else { return Some(true) };
+        if top.sign()? != Sign::Positive {
+            return Some(false);
+        }
+        let Some(bottom) = lower.first().cloned() else { return Some(true) };
+        if bottom.sign()? != Sign::Positive {
+            return Some(false);
+        }
+        // Scaling a row by a positive number does not change the signs.
+        let entry = |k: usize| {
+            let product = bottom.clone() * &upper[k];
+            lower.get(k).map_or_else(|| product.clone(), |below| product.clone() - top.clone() * below)
+        };
+        let next = scaled((1..upper.len()).map(entry).collect());
+        upper = std::mem::replace(&mut lower, next);
+    }
+}
+
+/// The coefficients, constant one first, of `p(x - shift)`, whose roots are those of `p` plus `shift`.
+pub(super) fn roots_moved<T: Ring>(coefficients: &[T], shift: &T) -> Vec<T> {
+    // Horner's rule.
+    let mut moved: Vec<T> = Vec::new();
+    for c in coefficients.iter().rev() {
+        let mut next = vec![shift.zero(); moved.len() + 1];
+        for (k, x) in moved.iter().enumerate() {
+            next[k + 1] = next[k + 1].clone() + x;
+            next[k] = next[k].clone() - x.clone() * shift;
+        }
+        next[0] = next[0].clone() + c;
+        moved = next;
+    }
+    moved
+}
+
+/// The row divided by the greatest common divisor of its entries.
+fn without_content(mut row: Vec<BigInt>) -> Vec<BigInt> {
+    let content = row.iter().fold(BigInt::ZERO, |g, c| g.gcd(c));
+    if content > BigInt::from(1) {
+        row.iter_mut().for_each(|c| *c /= &content);
+    }
+    row
+}

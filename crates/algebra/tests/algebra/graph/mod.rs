@@ -1,0 +1,189 @@
+//! Mirrors `src/graph`.
+
+use algebra::graph::read::{GraphReadError, read_graph};
+use algebra::graph::{Graph, LaplacianError, LaplacianKind, NameError, NamedGraph, WeightedGraph, components};
+use algebra::matrix::SparseMatrix;
+use arithmetic::rational;
+
+fn named(text: &str) -> NamedGraph {
+    text.parse().unwrap_or_else(|error| panic!("{text}: {error}"))
+}
+
+#[test]
+fn names_are_read_and_written() {
+    for text in ["ring:3", "cycle:1", "path:1", "complete:4", "star:2", "circulant:12:1,3", "platoon1:1", "platoon2:8"]
+    {
+        assert_eq!(named(text).to_string(), text);
+    }
+    assert_eq!(named("circulant:12:11,3,1").to_string(), "circulant:12:1,3");
+    for text in
+        ["", "ring", "ring:", "ring:2", "ring:0", "ring:+5", "ring:3:3", "path:0", "path:-1", "path:2000000", "Ring:3"]
+    {
+        assert!(text.parse::<NamedGraph>().is_err(), "{text}");
+    }
+    for text in ["circulant:12", "circulant:12:", "circulant:12:0", "circulant:12:12", "circulant:1:1", "platoon2:0"] {
+        assert!(text.parse::<NamedGraph>().is_err(), "{text}");
+    }
+    for text in ["geometric:0:1:1", "geometric:5:0:1", "geometric:5:x:1", "geometric:5:1/2:-1", "geometric:5:1/2"] {
+        assert!(text.parse::<NamedGraph>().is_err(), "{text}");
+    }
+    assert!(matches!(named("complete:1048576").build(), Err(NameError::TooManyArcs(_))));
+}
+
+#[test]
+fn laplacian_is_incidence_times_its_transpose() {
+    for graph in Graph::all(4).filter(|graph| !graph.edges().is_empty()) {
+        let incidence = graph.incidence().expect("edges");
+        let product = incidence.times(&incidence.transpose()).expect("shapes");
+        assert_eq!(product, graph.laplacian().expect("vertices"));
+        let weighted = WeightedGraph::from(&graph).matrix(LaplacianKind::Combinatorial).expect("a Laplacian");
+        assert_eq!(weighted.to_dense().expect("vertices"), product);
+    }
+}
+
+#[test]
+fn kinds_are_what_they_say() {
+    let arcs = [(0, 1, rational(2, 1)), (1, 2, rational(1, 3)), (2, 0, rational(1, 1)), (2, 1, rational(4, 1))];
+    let graph = WeightedGraph::from_arcs(3, arcs);
+    let matrix = |kind| graph.matrix(kind);
+    let out = matrix(LaplacianKind::OutDegree).expect("exists");
+    assert!(out.row_sums().iter().all(|sum| *sum == rational(0, 1)));
+    assert_eq!(out, matrix(LaplacianKind::Combinatorial).expect("exists"));
+    let inward = matrix(LaplacianKind::InDegree).expect("exists");
+    assert!(inward.transpose().row_sums().iter().all(|sum| *sum == rational(0, 1)));
+    assert_eq!(inward.get(1, 1), Some(&rational(6, 1)));
+    let walk = matrix(LaplacianKind::Walk).expect("exists");
+    assert_eq!((walk.get(2, 2), walk.get(2, 1)), (Some(&rational(1, 1)), Some(&rational(-4, 5))));
+    assert_eq!(matrix(LaplacianKind::Normalised), Err(LaplacianError::Directed));
+    assert_eq!(matrix(LaplacianKind::Reduced).expect("exists"), out.principal(&[1, 2]));
+    let balanced = WeightedGraph::from_arcs(2, [(0, 0, rational(1, 1)), (0, 1, rational(-1, 1))]);
+    assert_eq!(balanced.matrix(LaplacianKind::Walk), Err(LaplacianError::ZeroDegree(1)));
+    assert_eq!(WeightedGraph::from_arcs(1, []).matrix(LaplacianKind::Reduced), Err(LaplacianError::NothingLeft));
+}
+
+#[test]
+fn platoons_have_a_leader_without_neighbours() {
+    let two = named("platoon2:3").build().expect("small");
+    let half = rational(1, 2);
+    assert!(two.adjacency().row(0).is_empty());
+    assert_eq!(two.adjacency().row(1), [(0, half.clone()), (2, half.clone())]);
+    assert_eq!(two.adjacency().row(3), [(2, rational(1, 1))]);
+    assert_eq!(two.matrix(LaplacianKind::Combinatorial), two.matrix(LaplacianKind::Walk));
+    assert_eq!(named("platoon1:2").build().expect("small").adjacency().row(2), [(1, rational(1, 1))]);
+}
+
+#[test]
+fn strong_components_agree_with_reachability() {
+    for code in 0..1u32 << 12 {
+        // All digraphs on 4 vertices.
+        let places: Vec<(usize, usize)> =
+            (0..4).flat_map(|i| (0..4).map(move |j| (i, j))).filter(|(i, j)| i != j).collect();
+        let arcs: Vec<(usize, usize)> =
+            places.into_iter().enumerate().filter(|(k, _)| code >> k & 1 == 1).map(|(_, arc)| arc).collect();
+        let mut reach = [[false; 4]; 4];
+        (0..4).for_each(|i| reach[i][i] = true);
+        for _ in 0..4 {
+            for &(i, j) in &arcs {
+                for row in &mut reach {
+                    row[j] |= row[i];
+                }
+            }
+        }
+        let matrix = SparseMatrix::from_entries(4, arcs.iter().map(|&(i, j)| (i, j, rational(1, 1))));
+        let components = matrix.strong_components();
+        assert_eq!(components.iter().map(Vec::len).sum::<usize>(), 4);
+        for component in &components {
+            let together = |i: usize| (0..4).filter(|&j| reach[i][j] && reach[j][i]).collect::<Vec<_>>();
+            assert!(component.iter().all(|&i| together(i) == *component), "{arcs:?}");
+        }
+    }
+}
+
+#[test]
+fn geometric_graphs_depend_on_the_seed_only() {
+    let graph = |text: &str| named(text).build().expect("small");
+    assert_eq!(graph("geometric:30:1/3:7"), graph("geometric:30:1/3:7"));
+    assert_ne!(graph("geometric:30:1/3:7"), graph("geometric:30:1/3:8"));
+    assert_eq!(graph("geometric:6:3/2:1"), graph("complete:6"));
+    assert!(graph("geometric:6:1e-9:1").adjacency().entries().next().is_none());
+}
+
+#[test]
+fn both_formats_are_read() {
+    let path = named("path:3").build().expect("small");
+    assert_eq!(read_graph("# a path\n1 2\n\n2 3 # the end\n"), Ok(path.clone()));
+    assert_eq!(read_graph("%%MatrixMarket matrix coordinate pattern symmetric\n% x\n3 3 2\n2 1\n3 2\n"), Ok(path));
+    let arc = WeightedGraph::from_arcs(3, [(0, 1, rational(-1, 2))]);
+    assert_eq!(read_graph("directed\nvertices 3\n1 2 -0.5\n"), Ok(arc.clone()));
+    assert_eq!(read_graph("%%MatrixMarket matrix coordinate real general\n3 3 1\n1 2 -5e-1"), Ok(arc));
+    let loops = read_graph("%%matrixmarket MATRIX coordinate integer general\r\n1 1 1\r\n1 1 7\r\n").expect("a loop");
+    assert_eq!(loops.adjacency().get(0, 0), Some(&rational(7, 1)));
+}
+
+#[test]
+fn bad_files_are_refused_with_the_line() {
+    let refused = |text: &str, named: &str| {
+        let error = read_graph(text).expect_err(text).to_string();
+        assert!(error.contains(named), "`{error}` does not name `{named}`");
+    };
+    assert_eq!(read_graph(""), Err(GraphReadError::Nothing));
+    assert_eq!(read_graph("# nothing\n"), Err(GraphReadError::Nothing));
+    refused("1 2\n1 x\n", "line 2: `x`");
+    refused("1 2\n0 1\n", "line 2: `0`");
+    refused("1 2\n1 2 3 4\n", "line 2: an edge");
+    refused("1\n", "line 1: an edge");
+    refused("1 2 a\n", "line 1: `a`");
+    refused("1 2 1/0\n", "zero denominator");
+    refused("1 2\n2 1\n", "line 2: (2, 1) was given in line 1");
+    refused("1 1\n", "line 1: the edge from vertex 1");
+    refused("1 2\ndirected\n", "line 2");
+    refused("vertices 2\n1 3\n", "line 2: `3`");
+    refused("1 99999999999999999999\n", "line 1");
+    refused("%%MatrixMarket matrix array real general\n1 1\n1\n", "line 1");
+    refused("%%MatrixMarket matrix coordinate complex general\n1 1 0\n", "line 1");
+    refused("%%MatrixMarket matrix coordinate real general\n", "no graph");
+    refused("%%MatrixMarket matrix coordinate real general\n2 3 0\n", "line 2: a matrix of 2 x 3");
+    refused("%%MatrixMarket matrix coordinate real general\n2 2 2\n1 2 1\n", "2 entries are announced");
+    refused("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 3 1\n", "line 3: `3`");
+    refused("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 2\n", "line 3");
+    refused("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 2 NaN\n", "line 3");
+    refused("%%MatrixMarket matrix coordinate real symmetric\n2 2 1\n1 2 1\n", "line 3: an entry");
+    refused("%%MatrixMarket matrix coordinate real general\n999999999999 999999999999 1\n1 2 1\n", "line 2");
+}
+
+#[test]
+fn components_of_edges_are_those_of_the_graph() {
+    let mut seed = 1u64;
+    for order in 0..24 {
+        for density in [1, 4, 12] {
+            let mut edges = Vec::new();
+            for j in 0..order {
+                for i in 0..j {
+                    seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                    if (seed >> 40) % 24 < density {
+                        edges.push(if seed >> 39 & 1 == 0 { (i, j) } else { (j, i) });
+                    }
+                }
+            }
+            let graph = Graph::from_edges(order, &edges).expect("simple");
+            assert_eq!(components(order, &edges), graph.components());
+        }
+    }
+    assert_eq!(components(2, &[(0, 5), (1, 1)]), [[0], [1]]);
+}
+
+/// Renamed graphs share the code; the classes of connected graphs have different ones.
+#[test]
+fn isomorphism_codes() {
+    for order in 1..=5 {
+        let mut codes: Vec<usize> =
+            Graph::connected_up_to_isomorphism(order).iter().map(Graph::isomorphism_code).collect();
+        let count = codes.len();
+        codes.sort_unstable();
+        codes.dedup();
+        assert_eq!(codes.len(), count);
+    }
+    let path = Graph::path(5);
+    let renamed = Graph::from_edges(5, &[(3, 1), (1, 4), (4, 0), (0, 2)]).unwrap();
+    assert_eq!(path.isomorphism_code(), renamed.isomorphism_code());
+}

@@ -1,0 +1,5 @@
+//! Mirrors `src/`.
+
+mod graph;
+mod matrix;
+mod spectrum;

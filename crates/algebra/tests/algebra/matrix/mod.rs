@@ -1,0 +1,204 @@
+//! Mirrors `src/matrix`: fast kernels against naive twins, the definitions, the reader.
+
+mod stabiliser;
+
+use algebra::matrix::floating::{eigenvalues, row_diameter, to_floats};
+use algebra::matrix::read::{ReadError, read_sequence};
+use algebra::matrix::{
+    Footprint, MatrixError, RationalMatrix, StochasticMatrix, prefix_products, product_sequential, product_tree,
+    stabilisers, tau_1, tau_2_squared, tau_infinity,
+};
+use arithmetic::{Rational, Ring, rational};
+use num_bigint::BigInt;
+use num_traits::ToPrimitive;
+use proptest::prelude::*;
+
+mod characteristic;
+mod solve;
+
+/// A matrix of entries -3/d, .., 3/d with d up to 4.
+fn rational_matrix(rows: usize, cols: usize) -> impl Strategy<Value = RationalMatrix> {
+    (prop::collection::vec(-3i64..4, rows * cols), 1i64..5).prop_map(move |(entries, denominator)| {
+        RationalMatrix::from_integers(&entries.chunks(cols).collect::<Vec<_>>(), denominator).expect("a filled shape")
+    })
+}
+
+/// A random stochastic matrix whose entries have about `bits` bits.
+fn stochastic(rows: usize, cols: usize, bits: u32) -> impl Strategy<Value = StochasticMatrix> {
+    let words = bits.div_ceil(32) as usize;
+    let entry = (prop::collection::vec(any::<u32>(), words), any::<bool>());
+    prop::collection::vec(prop::collection::vec(entry, cols), rows).prop_map(move |rows| {
+        let rows: Vec<Vec<Rational>> = rows
+            .into_iter()
+            .map(|row| {
+                let mut weights: Vec<BigInt> = row
+                    .into_iter()
+                    .map(
+                        |(digits, zero)| {
+                            if zero { 0.into() } else { BigInt::from_slice(num_bigint::Sign::Plus, &digits) }
+                        },
+                    )
+                    .collect();
+                let denominator = BigInt::from(1) << (32 * words + 8);
+                let rest = &denominator - weights.iter().sum::<BigInt>();
+                weights[0] += rest;
+                weights.into_iter().map(|w| Rational::new(w, denominator.clone())).collect()
+            })
+            .collect();
+        StochasticMatrix::from_rows(&rows).expect("rows sum to one")
+    })
+}
+
+fn shape() -> impl Strategy<Value = (usize, usize, usize, u32, u32)> {
+    // Entry sizes around the threshold of the splitting kernel (16 limbs), unequal ones among them.
+    (1usize..5, 1usize..6, 1usize..5, 1u32..2600, 1u32..2600)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn the_limb_kernels_agree_with_the_naive_product(
+        (a, b) in shape().prop_flat_map(|(m, n, p, x, y)| (stochastic(m, n, x), stochastic(n, p, y)))
+    ) {
+        let fast = a.times(&b).unwrap();
+        let naive = a.to_rational_matrix().times(&b.to_rational_matrix()).unwrap();
+        prop_assert_eq!(fast.to_rational_matrix(), naive.clone());
+        prop_assert_eq!(fast.denominator() , naive.denominator().magnitude());
+        prop_assert!(StochasticMatrix::try_from(&naive).is_ok());
+        prop_assert_eq!(fast.footprint(), a.footprint().times(&b.footprint()));
+    }
+
+    #[test]
+    fn the_fast_coefficient_agrees_with_the_definition(a in (1usize..6, 1usize..6, 1u32..400).prop_flat_map(|(m, n, x)| stochastic(m, n, x))) {
+        prop_assert_eq!(a.tau_1(), tau_1(&a.to_rational_matrix()));
+    }
+
+    #[test]
+    fn tree_and_sequence_agree(factors in prop::collection::vec(stochastic(3, 3, 40), 1..40)) {
+        let sequential = product_sequential(&factors).unwrap();
+        prop_assert_eq!(product_tree(&factors).unwrap(), sequential.clone());
+        let prefixes: Vec<StochasticMatrix> = prefix_products(&factors).collect::<Result<_, _>>().unwrap();
+        prop_assert_eq!(prefixes.len(), factors.len());
+        prop_assert_eq!(prefixes.last(), Some(&sequential));
+        // tau_1 never increases along prefixes.
+        for pair in prefixes.windows(2) {
+            prop_assert!(pair[1].tau_1() <= pair[0].tau_1());
+        }
+    }
+
+    #[test]
+    fn diameters_agree_with_floats(a in stochastic(4, 5, 30)) {
+        let exact = a.to_rational_matrix();
+        let floats = to_floats(&exact);
+        // 5 differences and a sum: below 16 roundings of numbers at most 2.
+        let tolerance = 32.0 * f64::EPSILON;
+        let value = |x: Rational| x.to_f64().unwrap();
+        prop_assert!((2.0 * value(tau_1(&exact)) - row_diameter(&floats, 1.0)).abs() <= tolerance);
+        prop_assert!((value(tau_2_squared(&exact)).sqrt() - row_diameter(&floats, 2.0)).abs() <= tolerance);
+        prop_assert!((value(tau_infinity(&exact)) - row_diameter(&floats, f64::INFINITY)).abs() <= tolerance);
+    }
+
+    #[test]
+    fn any_text_is_read_or_refused(text in "[0-9/ .,#\\n\\[\\]\"-]{0,80}") {
+        let _ = read_sequence(&text);
+    }
+}
+
+#[test]
+fn bad_matrices_are_refused() {
+    let rows = |rows: &[&[i64]], d| RationalMatrix::from_integers(rows, d);
+    assert_eq!(rows(&[], 1).unwrap_err(), MatrixError::Empty);
+    assert_eq!(rows(&[&[]], 1).unwrap_err(), MatrixError::Empty);
+    assert_eq!(rows(&[&[1, 2], &[1]], 1).unwrap_err(), MatrixError::Ragged { row: 2, expected: 2, found: 1 });
+    assert_eq!(rows(&[&[1]], 0).unwrap_err(), MatrixError::ZeroDenominator);
+    assert_eq!(RationalMatrix::identity(0).unwrap_err(), MatrixError::Empty);
+    let stochastic = |m: RationalMatrix| StochasticMatrix::try_from(&m).unwrap_err();
+    assert_eq!(stochastic(rows(&[&[2, -1]], 1).unwrap()), MatrixError::Negative { row: 1, col: 2 });
+    assert_eq!(stochastic(rows(&[&[1, 1], &[1, 2]], 2).unwrap()), MatrixError::RowSum { row: 2, sum: "3/2".into() });
+    assert_eq!(product_tree(&[]).unwrap_err(), MatrixError::NoFactors);
+    let (one, two) = (
+        StochasticMatrix::from_integers(&[[1]], 1).unwrap(),
+        StochasticMatrix::from_integers(&[[1, 1], [1, 1]], 2).unwrap(),
+    );
+    let shapes = MatrixError::Shapes { left_cols: 1, right_rows: 2 };
+    assert_eq!(one.times(&two).unwrap_err(), shapes);
+    let prefixes: Vec<_> = prefix_products(&[two.clone(), one, two]).collect();
+    assert_eq!(prefixes.len(), 2);
+    assert_eq!(prefixes[1].as_ref().unwrap_err(), &shapes);
+}
+
+#[test]
+fn a_negative_denominator_is_turned_around() {
+    let m = RationalMatrix::from_integers(&[[-1, -2]], -3).unwrap();
+    assert_eq!(m, RationalMatrix::from_integers(&[[2, 4]], 6).unwrap());
+    assert_eq!(m.reduced().denominator(), &BigInt::from(3));
+    assert_eq!(RationalMatrix::from_integers(&[[2, 4]], 6).unwrap().reduced().denominator(), &BigInt::from(3));
+}
+
+#[test]
+fn reading_sequences() {
+    let text = "# two factors\n12/15, 3/15\n10/15 5/15   # comment\n\n0.5 0.5\n0 1\n";
+    let matrices = read_sequence(text).unwrap();
+    assert_eq!(matrices.len(), 2);
+    assert_eq!(read_sequence("[[[\"12/15\",0.2],[\"2/3\",\"1/3\"]],[[0.5,0.5],[0,1]]]").unwrap(), matrices);
+    let error = |text| read_sequence(text).unwrap_err();
+    assert_eq!(error(""), ReadError::Nothing);
+    assert_eq!(error("[]"), ReadError::Nothing);
+    assert!(matches!(error("1/0"), ReadError::Number { line: 1, .. }));
+    assert!(matches!(error("1 0\n\n0 1\n1"), ReadError::Matrix { matrix: 2, line: 3, .. }));
+    assert!(matches!(error("1/2 1/3"), ReadError::Matrix { error: MatrixError::RowSum { .. }, .. }));
+    assert!(matches!(error("[[1]]"), ReadError::JsonMatrix { matrix: 1, .. }));
+    assert!(matches!(error("[[[1],[1,0]]]"), ReadError::JsonMatrix { matrix: 1, .. }));
+    assert!(matches!(error("[[[1]"), ReadError::Json(_)));
+    assert!(matches!(error("1\n\n1/2 1/2\n1 0"), ReadError::Sequence { matrix: 2, .. }));
+}
+
+#[test]
+fn footprints_and_stabilisers() {
+    let edge = |i: usize, j: usize| Footprint::from_fn(3, 3, |a, b| a == b || (a, b) == (i, j) || (a, b) == (j, i));
+    let (one_two, two_three) = (edge(0, 1), edge(1, 2));
+    let product = two_three.times(&one_two);
+    assert_eq!(product.to_string(), "110 111 111");
+    assert!(product.contains(&one_two) && !one_two.contains(&product) && !product.is_symmetric());
+    // Bird 1 reaches 2 and then, through the second edge, 3; afterwards nothing changes.
+    let sequence = [one_two.clone(), two_three, one_two.clone(), one_two];
+    let found = stabilisers(&sequence);
+    assert_eq!(found[0].members, vec![0, 1, 2]);
+    assert!(found.windows(2).all(|w| w[1].members.iter().all(|m| w[0].members.contains(m)) && w[0].time < w[1].time));
+    assert!(stabilisers(&[]).is_empty());
+}
+
+/// 130 columns: three words per row.
+#[test]
+fn wide_footprints() {
+    let f = Footprint::from_fn(130, 130, |i, j| j == (i + 1) % 130);
+    assert_eq!(f.times(&f), Footprint::from_fn(130, 130, |i, j| j == (i + 2) % 130));
+}
+
+#[test]
+fn floating_eigenvalues_carry_small_residuals() {
+    // Cyclic permutations, on which another solver does not return.
+    for n in [4usize, 6, 8, 12] {
+        let rows: Vec<Vec<i64>> = (0..n).map(|i| (0..n).map(|j| i64::from(j == (i + 1) % n)).collect()).collect();
+        let matrix = to_floats(&RationalMatrix::from_integers(&rows, 1).unwrap());
+        let values = eigenvalues(&matrix).unwrap();
+        assert_eq!(values.len(), n);
+        for value in values {
+            // Backward stable: residual of the order of n eps |A|.
+            assert!(value.residual < 64.0 * n as f64 * f64::EPSILON, "{value:?}");
+            assert!((value.re.hypot(value.im) - 1.0).abs() < 64.0 * n as f64 * f64::EPSILON);
+        }
+    }
+    let worked = to_floats(&RationalMatrix::from_integers(&[[12, 3], [10, 5]], 15).unwrap());
+    let values = eigenvalues(&worked).unwrap();
+    assert!((values[0].re - 1.0).abs() < 1e-14 && (values[1].re - 2.0 / 15.0).abs() < 1e-14);
+    assert!(eigenvalues(&to_floats(&RationalMatrix::from_integers(&[[1, 0]], 1).unwrap())).is_err());
+}
+
+#[test]
+fn applying_a_matrix() {
+    let p = RationalMatrix::from_integers(&[[12, 3], [10, 5]], 15).unwrap();
+    assert_eq!(p.apply(&[rational(3, 1), rational(-10, 1)]).unwrap(), vec![rational(2, 5), rational(-4, 3)]);
+    assert_eq!(p.apply(&[rational(1, 1).one()]).unwrap_err(), MatrixError::Shapes { left_cols: 2, right_rows: 1 });
+}

@@ -1,0 +1,214 @@
+//! The scalar layer: laws, potentials and identities are written once over the traits here and then run over any of
+//! the arithmetics below.
+//!
+//! | scalar | what a result means |
+//! |---|---|
+//! | `f64` | rounded to nearest, no bound |
+//! | [`Rational`] | exact |
+//! | [`Interval`] | encloses the exact value, outward rounded at a chosen precision |
+//! | [`FloatInterval`] | encloses the exact value, between floats, without allocation |
+//! | [`Ball<LIMBS>`] | encloses the exact value at a fixed absolute precision, without allocation |
+//! | [`RealCyclotomic`] | exact: cosines and sines of rational parts of a turn |
+//! | [`Complex<T>`] | a pair over any of these; over [`Rational`] the Gaussian rationals |
+//! | [`Dual<T>`] | value and first derivative, exact wherever `T` is |
+//! | [`Series<T>`] | truncated power series, for expansions to a stated order |
+//! | [`DegreeBound`] | degrees of numerator and denominator, for the error bound of an identity test |
+
+mod ball;
+mod complex;
+mod degree;
+mod dual;
+mod dyadic;
+mod elementary;
+mod fixed;
+mod float;
+mod float_interval;
+mod flow;
+pub mod identity;
+mod integer;
+mod interval;
+mod number;
+mod operators;
+mod progress;
+mod radical;
+pub mod random;
+mod rational;
+mod real_cyclotomic;
+mod regression;
+mod series;
+mod surd;
+
+pub use ball::Ball;
+pub use complex::Complex;
+pub use degree::DegreeBound;
+pub use dual::Dual;
+pub use dyadic::Dyadic;
+pub use float_interval::FloatInterval;
+pub use flow::{along_flow, gradient};
+pub use interval::Interval;
+pub use number::{NumberError, decimal, decimals, parse_rational, significant_digits};
+pub use progress::{Cancelled, Progress, Unwatched};
+pub use radical::RadicalSum;
+pub use rational::{Rational, rational};
+pub use real_cyclotomic::{CosineField, RealCyclotomic};
+pub use regression::regression_line;
+pub use series::Series;
+pub use surd::{sign_of_square_root_difference, sign_of_surd};
+
+use std::fmt::Debug;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// Why an arithmetic operation has no result.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ArithmeticError {
+    /// The divisor is zero, or is an interval that contains zero.
+    #[error("division by zero (or by an interval that contains zero)")]
+    DivisionByZero,
+    /// The argument lies outside the domain of the function, or is an interval that is not inside it.
+    #[error("the argument of {0} lies outside its domain")]
+    Domain(&'static str),
+}
+
+/// The sign of a real number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Sign {
+    /// Less than zero.
+    Negative,
+    /// Equal to zero.
+    Zero,
+    /// Greater than zero.
+    Positive,
+}
+
+impl Sign {
+    /// The sign of the negated number.
+    pub fn negate(self) -> Self {
+        match self {
+            Sign::Negative => Sign::Positive,
+            Sign::Zero => Sign::Zero,
+            Sign::Positive => Sign::Negative,
+        }
+    }
+}
+
+/// A commutative ring with the integers in it. Operators take the right operand by value or by reference.
+///
+/// Constants are made from an existing value (`x.integer(2)`), because an interval constant needs a precision and a
+/// series constant an order.
+pub trait Ring:
+    Clone
+    + Debug
+    + Send
+    + Sync
+    + Sized
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + for<'a> Add<&'a Self, Output = Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+{
+    /// The integer `n` as a scalar of the same kind, precision and order as `self`.
+    fn integer(&self, n: i64) -> Self;
+
+    /// Zero, of the same kind as `self`.
+    fn zero(&self) -> Self {
+        self.integer(0)
+    }
+
+    /// One, of the same kind as `self`.
+    fn one(&self) -> Self {
+        self.integer(1)
+    }
+
+    /// `self * self`; overridden where a square is cheaper or tighter than a product.
+    fn square(&self) -> Self {
+        self.clone() * self
+    }
+
+    /// `self` to a non-negative power, by repeated squaring.
+    fn power(&self, exponent: u64) -> Self {
+        let mut result = self.one();
+        for bit in (0..u64::BITS - exponent.leading_zeros()).rev() {
+            result = result.square();
+            if exponent >> bit & 1 == 1 {
+                result = result * self;
+            }
+        }
+        result
+    }
+}
+
+/// A field, or an arithmetic that encloses one.
+pub trait Field: Ring {
+    /// The rational `q` as a scalar of the same kind as `self`.
+    fn rational(&self, q: &Rational) -> Self;
+
+    /// `1 / self`.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::DivisionByZero`] where `self` is zero or may be zero.
+    fn recip(&self) -> Result<Self, ArithmeticError>;
+
+    /// `self / divisor`.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::DivisionByZero`] where the divisor is zero or may be zero.
+    fn over(&self, divisor: &Self) -> Result<Self, ArithmeticError> {
+        Ok(self.clone() * divisor.recip()?)
+    }
+
+    /// `p / q` as a scalar of the same kind as `self`; `q` must not be zero.
+    fn ratio(&self, p: i64, q: i64) -> Self {
+        self.rational(&rational(p, q))
+    }
+}
+
+/// The real functions the laws of the five papers need.
+///
+/// Every method returns [`ArithmeticError::Domain`] where the argument is not certainly inside the domain.
+pub trait Real: Field {
+    /// The circle constant, at the precision of `self`.
+    fn pi(&self) -> Self;
+    /// Square root of a non-negative number.
+    fn sqrt(&self) -> Result<Self, ArithmeticError>;
+    /// Exponential.
+    fn exp(&self) -> Result<Self, ArithmeticError>;
+    /// Natural logarithm of a positive number.
+    fn ln(&self) -> Result<Self, ArithmeticError>;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError>;
+    /// Inverse tangent, in (-pi/2, pi/2).
+    fn atan(&self) -> Result<Self, ArithmeticError>;
+    /// Hyperbolic sine and cosine.
+    fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError>;
+
+    /// Sine of an angle in radians.
+    fn sin(&self) -> Result<Self, ArithmeticError> {
+        Ok(self.sin_cos()?.0)
+    }
+    /// Cosine of an angle in radians.
+    fn cos(&self) -> Result<Self, ArithmeticError> {
+        Ok(self.sin_cos()?.1)
+    }
+    /// Hyperbolic cosine.
+    fn cosh(&self) -> Result<Self, ArithmeticError> {
+        Ok(self.sinh_cosh()?.1)
+    }
+}
+
+/// Scalars whose sign can be asked for.
+pub trait Signed: Ring {
+    /// The sign, or `None` where it is not decided (an interval around zero, NaN).
+    fn sign(&self) -> Option<Sign>;
+
+    /// Whether the value is certainly greater than zero.
+    fn is_certainly_positive(&self) -> bool {
+        self.sign() == Some(Sign::Positive)
+    }
+    /// Whether the value is certainly less than zero.
+    fn is_certainly_negative(&self) -> bool {
+        self.sign() == Some(Sign::Negative)
+    }
+}

@@ -1,0 +1,89 @@
+//! Complex, dual and series numbers over exact rationals; derivatives along a flow.
+
+use arithmetic::{
+    ArithmeticError, Complex, Dual, Field, Interval, Rational, Real, Ring, Series, along_flow, gradient, rational,
+};
+use proptest::prelude::*;
+
+fn small() -> impl Strategy<Value = Rational> {
+    (-30i64..30, 1i64..9).prop_map(|(p, q)| rational(p, q))
+}
+
+fn gaussian() -> impl Strategy<Value = Complex<Rational>> {
+    (small(), small()).prop_map(|(re, im)| Complex::new(re, im))
+}
+
+proptest! {
+    #[test]
+    fn gaussian_rationals_are_a_field(a in gaussian(), b in gaussian(), c in gaussian()) {
+        prop_assert_eq!(a.clone() * (b.clone() + &c), a.clone() * &b + a.clone() * &c);
+        prop_assert_eq!(a.square(), a.clone() * &a);
+        prop_assert_eq!((a.clone() * &b).norm_squared(), a.norm_squared() * b.norm_squared());
+        match b.recip() {
+            Ok(inverse) => prop_assert_eq!(b.clone() * inverse, b.one()),
+            Err(error) => {
+                prop_assert_eq!(error, ArithmeticError::DivisionByZero);
+                prop_assert_eq!(b.clone(), b.zero());
+            }
+        }
+    }
+
+    /// d/dx of x^n / (1 + x²), by duals and by hand.
+    #[test]
+    fn dual_numbers_differentiate_exactly(x in small(), n in 1u64..6) {
+        let dual = Dual::new(x.clone(), x.one());
+        let denominator = dual.square() + dual.one();
+        let quotient = dual.power(n).over(&denominator).unwrap();
+        let d = denominator.value.clone();
+        let by_hand = (x.integer(n as i64) * x.power(n - 1) * &d - x.power(n) * x.integer(2) * &x) / d.square();
+        prop_assert_eq!(quotient.derivative, by_hand);
+    }
+
+    /// Series of 1/(1 - h)² has coefficients 1, 2, 3, ...
+    #[test]
+    fn series_invert(order in 2usize..12) {
+        let h = Series::variable(rational(1, 1), order);
+        let inverse = (h.one() - &h).square().recip().unwrap();
+        for (n, c) in inverse.coefficients().iter().enumerate() {
+            prop_assert_eq!(c, &rational(n as i64 + 1, 1));
+        }
+        prop_assert_eq!(inverse.coefficients().len(), order);
+    }
+}
+
+/// The energy of a harmonic oscillator x'' = -k x is conserved; with friction -c v it changes at the rate -c v².
+#[test]
+fn derivative_along_a_flow() {
+    let (k, c) = (rational(3, 2), rational(1, 5));
+    let (x, v) = (rational(7, 3), rational(-2, 9));
+    let velocity = [v.clone(), -(k.clone() * &x) - c.clone() * &v];
+    let energy = |s: &[Dual<Rational>]| {
+        let half = s[0].ratio(1, 2);
+        Ok(half.clone() * s[1].square() + half * s[0].rational(&k) * s[0].square())
+    };
+    assert_eq!(along_flow(&[x.clone(), v.clone()], &velocity, energy).unwrap(), -c * v.square());
+    assert_eq!(gradient(&[x.clone(), v.clone()], energy).unwrap(), vec![k.clone() * x, v]);
+}
+
+/// Duals over intervals: d/dx of every elementary function against its known derivative.
+#[test]
+fn duals_over_intervals_know_the_elementary_functions() {
+    let x = Interval::from_rational(&rational(5, 7), 120);
+    let dual = Dual::new(x.clone(), x.one());
+    let (sin, cos) = x.sin_cos().unwrap();
+    let (sinh, cosh) = x.sinh_cosh().unwrap();
+    let pairs = [
+        (dual.exp().unwrap(), x.exp().unwrap()),
+        (dual.ln().unwrap(), x.recip().unwrap()),
+        (dual.sin().unwrap(), cos),
+        (dual.cos().unwrap(), -sin),
+        (dual.atan().unwrap(), (x.square() + x.one()).recip().unwrap()),
+        (dual.cosh().unwrap(), sinh),
+        (dual.sinh_cosh().unwrap().0, cosh),
+        (dual.sqrt().unwrap(), (x.integer(2) * x.sqrt().unwrap()).recip().unwrap()),
+    ];
+    for (k, (computed, expected)) in pairs.iter().enumerate() {
+        assert!(computed.derivative.overlaps(expected), "function {k}");
+        assert!(computed.derivative.width().top() < -100, "function {k} is wide");
+    }
+}

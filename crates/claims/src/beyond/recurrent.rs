@@ -1,0 +1,320 @@
+//! beyond.chazelle.recurrent: flocks whose networks are connected only over windows of time.
+
+use algebra::graph::Graph;
+use algebra::matrix::{Footprint, RationalMatrix, StochasticMatrix};
+use arithmetic::{Rational, Ring, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, Source};
+use models::averaging::{Weights, transition_matrix};
+use rand_chacha::rand_core::Rng;
+
+/// beyond.chazelle.recurrent.
+pub struct Recurrent;
+
+/// What counts as a window, and the bound: one factor `1 - alpha^power` for every `windows` windows of `n` birds.
+#[derive(Clone, Copy)]
+pub struct RecurrentVariant {
+    /// Windows are connected together; otherwise any factor is one.
+    connected: bool,
+    /// Birds give weight to themselves.
+    keeps_own: bool,
+    windows: fn(n: usize) -> usize,
+    network_power: fn(n: usize) -> usize,
+    directed_power: fn(n: usize, length: usize) -> usize,
+}
+
+/// A matrix that may be chosen at each time.
+struct Factor {
+    matrix: StochasticMatrix,
+    heard: Footprint,
+    least: Rational,
+    arcs: String,
+}
+
+impl Factor {
+    fn new(matrix: &RationalMatrix) -> Result<Self, CheckError> {
+        let zero = rational(0, 1);
+        let rows = matrix.to_rows();
+        let least = rows.iter().flatten().filter(|x| **x > zero).min().cloned().unwrap_or(zero);
+        let matrix = StochasticMatrix::from_rows(&rows)?;
+        let heard = matrix.footprint();
+        let n = heard.rows();
+        let pairs = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|&(i, j)| i != j && heard.get(i, j));
+        let arcs: Vec<String> = pairs.map(|(i, j)| format!("{}<-{}", i + 1, j + 1)).collect();
+        let arcs = if arcs.is_empty() { "nothing".to_string() } else { arcs.join(" ") };
+        Ok(Factor { matrix, heard, least, arcs })
+    }
+
+    /// Model D on a network.
+    fn network(graph: &Graph, weights: &Weights) -> Result<Self, CheckError> {
+        Factor::new(&transition_matrix(graph, weights)?)
+    }
+
+    /// Everybody gives equal weight to itself and to the birds it listens to: `listens(i, j)`.
+    fn directed(n: usize, listens: impl Fn(usize, usize) -> bool) -> Result<Self, CheckError> {
+        let row = |i: usize| {
+            let ones: Vec<bool> = (0..n).map(|j| i == j || listens(i, j)).collect();
+            let count = ones.iter().filter(|one| **one).count() as i64;
+            ones.into_iter().map(|one| rational(i64::from(one), count)).collect::<Vec<_>>()
+        };
+        Factor::new(&RationalMatrix::from_rows(&(0..n).map(row).collect::<Vec<_>>())?)
+    }
+}
+
+/// The factors of all networks on `n` birds, lazy and with equal weights; or without any weight for the bird itself.
+fn networks(n: usize, keeps_own: bool) -> Result<Vec<Factor>, CheckError> {
+    let weights = |graph: &Graph| match keeps_own {
+        true => vec![Weights::Lazy, Weights::Vicsek],
+        false => vec![Weights::Given((0..n).map(|i| rational(1, (graph.degree(i) as i64).max(1))).collect())],
+    };
+    let all = Graph::all(n).flat_map(|graph| weights(&graph).into_iter().map(move |w| (graph.clone(), w)));
+    all.map(|(graph, weights)| Factor::network(&graph, &weights)).collect()
+}
+
+/// The factors of all directed networks on `n` birds.
+fn directed_networks(n: usize) -> Result<Vec<Factor>, CheckError> {
+    let place = |i: usize, j: usize| i * (n - 1) + if j > i { j - 1 } else { j };
+    let all = 0usize..1 << (n * (n - 1));
+    all.map(|bits| Factor::directed(n, |i, j| i != j && bits >> place(i, j) & 1 == 1)).collect()
+}
+
+/// Whether some bird is heard, through others, by all of them.
+fn is_rooted(heard: &Footprint) -> bool {
+    let n = heard.rows();
+    let mut reached = Footprint::from_fn(n, n, |i, j| i == j || heard.get(i, j));
+    // Paths of up to n arcs.
+    for _ in 0..n.next_power_of_two().ilog2() {
+        reached = reached.times(&reached);
+    }
+    (0..n).any(|root| reached.column(root).len() == n)
+}
+
+/// A product of factors, the latest on the left, cut into windows.
+#[derive(Clone)]
+struct Product {
+    matrix: StochasticMatrix,
+    least: Rational,
+    /// What was heard since the last window ended, and for how long.
+    heard: Footprint,
+    since: usize,
+    windows: usize,
+    /// Whether all windows were connected.
+    recurrent: bool,
+    arcs: Vec<String>,
+}
+
+impl Product {
+    fn empty(n: usize) -> Result<Self, CheckError> {
+        let identity = RationalMatrix::identity(n)?;
+        Ok(Product {
+            matrix: StochasticMatrix::try_from(&identity)?,
+            least: rational(1, 1),
+            heard: Footprint::from_fn(n, n, |_, _| false),
+            since: 0,
+            windows: 0,
+            recurrent: true,
+            arcs: Vec::new(),
+        })
+    }
+}
+
+/// How windows end: when they are connected, or after so many factors, connected or not.
+#[derive(Clone, Copy)]
+enum Windows {
+    Any,
+    Of(usize),
+}
+
+impl RecurrentVariant {
+    fn after(&self, before: &Product, factor: &Factor, windows: Windows) -> Result<Product, CheckError> {
+        let n = factor.heard.rows();
+        let mut next = before.clone();
+        next.matrix = factor.matrix.times(&before.matrix)?;
+        next.least = factor.least.clone().min(before.least.clone());
+        next.heard = Footprint::from_fn(n, n, |i, j| before.heard.get(i, j) || factor.heard.get(i, j));
+        next.since += 1;
+        next.arcs.push(factor.arcs.clone());
+        let rooted = !self.connected || is_rooted(&next.heard);
+        let ends = match windows {
+            Windows::Any => rooted,
+            Windows::Of(length) => next.since == length,
+        };
+        if ends {
+            next.recurrent &= rooted;
+            next.windows += 1;
+            next.since = 0;
+            next.heard = Footprint::from_fn(n, n, |_, _| false);
+        }
+        Ok(next)
+    }
+
+    /// What is wrong with the bound after these factors.
+    fn fails_at(&self, product: &Product, windows: Windows) -> Option<String> {
+        let n = product.heard.rows();
+        let power = match windows {
+            Windows::Any => (self.network_power)(n),
+            Windows::Of(length) => (self.directed_power)(n, length),
+        };
+        let factor = rational(1, 1) - product.least.power(power as u64);
+        let bound = factor.power((product.windows / (self.windows)(n)) as u64);
+        let tau = product.matrix.tau_1();
+        let times = product.arcs.join(", then ");
+        (tau > bound).then(|| format!("{n} birds, who hears whom: {times}: tau_1 = {tau}, the bound is {bound}"))
+    }
+
+    /// Runs over all sequences of up to `left` more factors; the first that fails.
+    fn search(
+        &self,
+        factors: &[Factor],
+        (before, left): (&Product, usize),
+        windows: Windows,
+        (cases, run): (&mut usize, &Run),
+    ) -> Result<Option<String>, CheckError> {
+        run.checkpoint()?;
+        for factor in factors.iter().filter(|_| left > 0) {
+            let next = self.after(before, factor, windows)?;
+            if !next.recurrent {
+                continue;
+            }
+            *cases += 1;
+            if let Some(what) = self.fails_at(&next, windows) {
+                return Ok(Some(what));
+            }
+            if let Some(what) = self.search(factors, (&next, left - 1), windows, (cases, run))? {
+                return Ok(Some(what));
+            }
+        }
+        Ok(None)
+    }
+
+    fn follow(&self, factors: &[&Factor], windows: Windows) -> Result<Option<String>, CheckError> {
+        let Some(first) = factors.first() else { return Ok(None) };
+        let mut product = Product::empty(first.heard.rows())?;
+        for factor in factors {
+            product = self.after(&product, factor, windows)?;
+            if !product.recurrent {
+                break;
+            }
+            if let Some(what) = self.fails_at(&product, windows) {
+                return Ok(Some(what));
+            }
+        }
+        Ok(None)
+    }
+
+    /// All sequences over all networks of few birds.
+    fn exhaustive(&self, run: &Run) -> Result<Outcome, CheckError> {
+        let mut cases = 0;
+        for (n, length) in [(2, 5), (3, run.cases(3, 4)), (4, run.cases(1, 2))] {
+            let factors = networks(n, self.keeps_own)?;
+            let start = Product::empty(n)?;
+            if let Some(what) = self.search(&factors, (&start, length), Windows::Any, (&mut cases, run))? {
+                return Ok(failure(what));
+            }
+        }
+        for (n, length, window) in [(2, 6, 1), (2, 6, 2), (2, 6, 3), (3, run.cases(2, 3), 1)] {
+            let factors = directed_networks(n)?;
+            let start = Product::empty(n)?;
+            if let Some(what) = self.search(&factors, (&start, length), Windows::Of(window), (&mut cases, run))? {
+                return Ok(failure(what));
+            }
+        }
+        let detail = "all sequences of networks on 2 to 4 birds, lazy and equal weights, and of directed networks on 2 and 3 birds";
+        Ok(Outcome::Holds(vec![Evidence::new(Grade::Exhaustive, "tau_1 against the bound", detail).cases(cases)]))
+    }
+
+    /// Long sequences: in the last step of a window the birds 1 and 3 nearly lose each other; random ones.
+    fn sampled(&self, run: &Run) -> Result<Outcome, CheckError> {
+        let arc = |i: usize, j: usize| Factor::directed(3, move |a, b| (a, b) == (i, j));
+        let (third, first, second) = (arc(2, 0)?, arc(0, 1)?, arc(1, 2)?);
+        for length in 2..=8 {
+            let again = std::iter::repeat_n(&first, length - 1);
+            let word: Vec<&Factor> = [&third].into_iter().chain(again.clone()).chain(again).chain([&second]).collect();
+            if let Some(what) = self.follow(&word, Windows::Of(length))? {
+                return Ok(failure(what));
+            }
+        }
+        let mut random = run.random(0);
+        let samples = run.cases(300, 3000);
+        for case in 0..samples {
+            run.checkpoint()?;
+            let (n, window) = (3 + case % 3, 1 + case % 4);
+            let mut bits = || random.next_u32() as usize;
+            let mut word = Vec::new();
+            for _ in 0..2 * (n - 1) * window {
+                let chosen = bits() & bits();
+                word.push(if case % 2 == 0 {
+                    let graph = Graph::from_fn(n, |i, j| chosen >> (i * n + j) & 1 == 1);
+                    Factor::network(&graph, &if bits() % 2 == 0 { Weights::Lazy } else { Weights::Vicsek })?
+                } else {
+                    Factor::directed(n, |i, j| chosen >> (i * n + j) & 1 == 1)?
+                });
+            }
+            let windows = if case % 2 == 0 { Windows::Any } else { Windows::Of(window) };
+            if let Some(what) = self.follow(&word.iter().collect::<Vec<_>>(), windows)? {
+                return Ok(failure(what));
+            }
+        }
+        let detail = "random sequences of networks on 3 to 5 birds";
+        Ok(Outcome::Holds(vec![Evidence::new(Grade::Fuzzed, "tau_1 against the bound", detail).cases(samples)]))
+    }
+}
+
+fn failure(what: String) -> Outcome {
+    Outcome::fails(what, Evidence::new(Grade::Exact, "tau_1 against the bound", "exact product"))
+}
+
+impl Claim for Recurrent {
+    type Variant = RecurrentVariant;
+
+    fn id(&self) -> &str {
+        "beyond.chazelle.recurrent"
+    }
+
+    fn source(&self) -> Option<Source> {
+        Some(Source {
+            place: "extends chazelle, section 3, to networks that change".to_string(),
+            statement: "Let P(1), P(2), ... be stochastic with positive diagonals and positive entries at least alpha > 0, for n >= 2 birds, \
+                        and v(t+1) = P(t) v(t). Networks of model D: m consecutive windows of any lengths, in each of which the union of the \
+                        networks is connected, contract by tau_1 <= (1 - alpha^(n-1))^floor(m/(n-1)). Directed networks: if in the union over every \
+                        B consecutive times a path leads from every bird to one bird, t factors contract by tau_1 <= (1 - \
+                        alpha^((n-1)B))^floor(t/((n-1)B)). If such windows never end, all velocities converge to one limit, for bounded windows at that rate."
+                .to_string(),
+        })
+    }
+
+    fn derivation(&self) -> &str {
+        "Follow backwards in time the birds that two birds have listened to. While the two sets are disjoint, in every window one of them grows: else both \
+         would be closed and both would hold a root. After n - 1 windows they meet, and the two rows overlap by a positive entry of the product, which is at least \
+         alpha^((n-1)B), and for networks at least alpha^(n-1) however long the windows are, because a closed set of birds keeps its smallest entry. \
+         tau_1 <= 1 - overlap, and tau_1 of a product is at most the product of tau_1. Later velocities are averages of earlier ones, so the \
+         bounds give one Cauchy sequence (proofs_checks/coq/chazelle_recurrent.v, chazelle_agreement.v, chazelle_reals.v)."
+    }
+
+    fn printed(&self) -> RecurrentVariant {
+        RecurrentVariant {
+            connected: true,
+            keeps_own: true,
+            windows: |n| n - 1,
+            network_power: |n| n - 1,
+            directed_power: |n, length| (n - 1) * length,
+        }
+    }
+
+    fn controls(&self) -> Vec<Control<RecurrentVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("windows that are not connected", RecurrentVariant { connected: false, ..printed }),
+            Control::new("no weight for the bird itself", RecurrentVariant { keeps_own: false, ..printed }),
+            Control::new("a factor for every window", RecurrentVariant { windows: |_| 1, ..printed }),
+            Control::new("alpha^(n-2)", RecurrentVariant { network_power: |n| n - 2, ..printed }),
+            Control::new(
+                "alpha^(n-1) on directed networks, however long the windows",
+                RecurrentVariant { directed_power: |n, _| n - 1, ..printed },
+            ),
+        ]
+    }
+
+    fn examine(&self, variant: &RecurrentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        Run::all([variant.exhaustive(run), variant.sampled(run)])
+    }
+}

@@ -1,0 +1,348 @@
+//! chazelle.lem2.2.entries, and beyond.chazelle.entries: how small the nonzero entries of products get.
+
+use super::sequences::{random_graph, seen_from_one_side, share_weights, show_all, words};
+use algebra::graph::Graph;
+use algebra::matrix::{RationalMatrix, StochasticMatrix, prefix_products, product_sequential};
+use arithmetic::{Rational, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use models::averaging::{Weights, transition_matrix};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, ToPrimitive, Zero};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::Rng;
+
+/// A bound from below for the nonzero entries of all products.
+#[derive(Clone, Copy)]
+pub enum Floor {
+    /// `(n^-a)^e(n)`, where `n^-a` bounds the positive entries of the factors: `a = 1` for `vicsek`, 2 for the rest.
+    Power(fn(u32) -> u32),
+    /// This multiple of the smallest entry that occurs: `1/n!` for `vicsek`, `2^(n-2)/(3^(n-1) (n-1)!)` for `lazy`.
+    Smallest(i64, i64),
+}
+
+/// A statement about the entries of products.
+#[derive(Clone, Copy)]
+pub struct EntriesVariant {
+    pub floor: Floor,
+    /// Whether the bound is claimed to be attained.
+    pub attained: bool,
+    /// `c_i d_i` for all birds with neighbours, instead of the two models.
+    pub share: Option<(i64, i64)>,
+    /// Whether edges are seen from one side only.
+    pub one_sided: bool,
+}
+
+impl EntriesVariant {
+    pub const PRINTED: Self =
+        EntriesVariant { floor: Floor::Power(|n| n * n), attained: false, share: None, one_sided: false };
+    pub const SHARP: Self = EntriesVariant { floor: Floor::Smallest(1, 1), attained: true, ..Self::PRINTED };
+
+    fn models(&self) -> &'static [Model] {
+        if self.share.is_some() { &[Model::Lazy] } else { &[Model::Lazy, Model::Vicsek] }
+    }
+
+    fn matrix(&self, model: Model, graph: &Graph) -> Result<RationalMatrix, CheckError> {
+        let weights = match (self.share, model) {
+            (Some(share), _) => share_weights(graph, share),
+            (None, Model::Lazy) => Weights::Lazy,
+            (None, Model::Vicsek) => Weights::Vicsek,
+        };
+        let matrix = transition_matrix(graph, &weights)?;
+        if self.one_sided { seen_from_one_side(&matrix) } else { Ok(matrix) }
+    }
+
+    fn floor(&self, model: Model, order: usize) -> Rational {
+        let n = order as i64;
+        match (self.floor, model) {
+            (Floor::Power(exponent), _) => {
+                let base = n.pow(if matches!(model, Model::Vicsek) { 1 } else { 2 });
+                rational(1, base).pow(exponent(order as u32) as i32)
+            }
+            _ if n == 1 => rational(1, 1),
+            (Floor::Smallest(p, q), Model::Vicsek) => rational(p, q) / factorial(n),
+            (Floor::Smallest(p, q), Model::Lazy) => {
+                rational(p, q) * rational(2, 1).pow(n as i32 - 2)
+                    / (rational(3, 1).pow(n as i32 - 1) * factorial(n - 1))
+            }
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Model {
+    Lazy,
+    Vicsek,
+}
+
+impl Model {
+    fn name(self) -> &'static str {
+        match self {
+            Model::Lazy => "lazy",
+            Model::Vicsek => "vicsek",
+        }
+    }
+}
+
+fn factorial(n: i64) -> Rational {
+    Rational::from_integer((1..=n).map(BigInt::from).product())
+}
+
+/// The factors as integers over one denominator.
+struct IntegerFactors {
+    rows: Vec<Vec<Vec<u128>>>,
+    denominator: u128,
+}
+
+impl IntegerFactors {
+    fn new(matrices: &[RationalMatrix]) -> Result<Self, CheckError> {
+        let common = matrices.iter().fold(BigInt::one(), |d, m| d.lcm(m.denominator()));
+        let small = |x: BigInt| x.to_u128().ok_or_else(|| CheckError::Other("a factor is too long".to_string()));
+        let row = |m: &RationalMatrix, i: usize| -> Result<Vec<u128>, CheckError> {
+            m.row(i).iter().map(|x| small(x * (&common / m.denominator()))).collect()
+        };
+        let rows = matrices
+            .iter()
+            .map(|m| (0..m.rows()).map(|i| row(m, i)).collect::<Result<_, _>>())
+            .collect::<Result<_, CheckError>>()?;
+        Ok(IntegerFactors { rows, denominator: small(common)? })
+    }
+
+    fn apply(&self, factor: usize, vector: &[u128]) -> Vec<u128> {
+        let dot = |row: &Vec<u128>| row.iter().zip(vector).map(|(a, x)| a * x).sum();
+        self.rows[factor].iter().map(dot).collect()
+    }
+}
+
+/// The smallest nonzero entry of a first column of any product of a length, with the factors.
+#[derive(Clone)]
+struct Smallest {
+    numerator: u128,
+    factors: Vec<usize>,
+}
+
+/// The smallest nonzero entries of all products of 1, ..., `length` factors, by depth first search; `count` counts the
+/// products. All graphs are among the factors, so the first column stands for every column.
+fn smallest_entries(factors: &IntegerFactors, order: usize, length: usize, count: &mut usize) -> Vec<Smallest> {
+    let mut found = vec![Smallest { numerator: u128::MAX, factors: Vec::new() }; length];
+    let start: Vec<u128> = (0..order).map(|i| u128::from(i == 0)).collect();
+    let mut open = vec![(Vec::new(), start)];
+    while let Some((names, vector)) = open.pop() {
+        for factor in 0..factors.rows.len() {
+            let next = factors.apply(factor, &vector);
+            *count += 1;
+            let best = &mut found[names.len()];
+            let least = next.iter().copied().filter(|&x| x > 0).min().unwrap_or(u128::MAX);
+            let mut names: Vec<usize> = names.clone();
+            names.push(factor);
+            if least < best.numerator {
+                *best = Smallest { numerator: least, factors: names.clone() };
+            }
+            if names.len() < length {
+                open.push((names, next));
+            }
+        }
+    }
+    found
+}
+
+/// The sequence that attains the bound: at step `k` bird `k` (from 0) is joined to bird `k - 1`, which has the smallest
+/// entry so far, and to all birds that the column has not reached.
+fn extremal_sequence(order: usize) -> Vec<Graph> {
+    (1..order).map(|k| Graph::from_fn(order, |i, j| (i, j) == (k - 1, k) || (i == k && j > k))).collect()
+}
+
+fn least_positive(matrix: &RationalMatrix) -> Rational {
+    let entries = matrix.to_rows().into_iter().flatten().filter(|x| !x.is_zero());
+    entries.min().unwrap_or_else(|| rational(0, 1))
+}
+
+fn refuted(model: Model, graphs: &[Graph], entry: &Rational, floor: &Rational) -> Outcome {
+    Outcome::fails(
+        format!(
+            "{}, {} birds, {}: a nonzero entry is {entry}, below {floor}",
+            model.name(),
+            graphs[0].order(),
+            show_all(graphs)
+        ),
+        Evidence::new(Grade::Exact, "the bound", "one exact product"),
+    )
+}
+
+/// Decides a bound for the nonzero entries.
+pub fn examine_entries(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    Run::all([
+        all_products(variant, run),
+        long_products(variant, run),
+        attained(variant, run),
+        given_weights(variant, run),
+    ])
+}
+
+fn all_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut cases = 0;
+    for (order, length) in [(1, 3), (2, 6), (3, 5), (4, run.cases(3, 4))] {
+        let graphs: Vec<Graph> = Graph::all(order).collect();
+        for &model in variant.models() {
+            run.checkpoint()?;
+            let matrices: Vec<RationalMatrix> =
+                graphs.iter().map(|g| variant.matrix(model, g)).collect::<Result<_, _>>()?;
+            let factors = IntegerFactors::new(&matrices)?;
+            let floor = variant.floor(model, order);
+            let mut scale = BigInt::one();
+            let mut least = rational(1, 1);
+            for smallest in smallest_entries(&factors, order, length, &mut cases) {
+                scale *= factors.denominator;
+                let entry = Rational::new(smallest.numerator.into(), scale.clone());
+                if entry < floor {
+                    let sequence: Vec<Graph> = smallest.factors.iter().map(|&k| graphs[k].clone()).collect();
+                    return Ok(refuted(model, &sequence, &entry, &floor));
+                }
+                least = least.min(entry);
+            }
+            run.value(&format!("smallest_entry_{}_{order}", model.name()), least.to_string());
+        }
+    }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exhaustive,
+            "the bound, for all products of all lengths",
+            "proof in notes/chazelle_switches.md; all products of up to 6, 5, 3 factors (4 with --full) on 2, 3, 4 birds, lazy and \
+             vicsek",
+        )
+        .cases(cases),
+    ]))
+}
+
+/// Products of 64 factors that alternate between two networks on three birds.
+fn long_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const LENGTH: usize = 64;
+    let graphs: Vec<Graph> = Graph::all(3).collect();
+    let mut cases = 0;
+    for &model in variant.models() {
+        let floor = variant.floor(model, 3);
+        let matrices: Vec<StochasticMatrix> = graphs
+            .iter()
+            .map(|g| Ok(StochasticMatrix::try_from(&variant.matrix(model, g)?)?))
+            .collect::<Result<_, CheckError>>()?;
+        for pair in words(graphs.len(), 2) {
+            run.checkpoint()?;
+            let factors: Vec<StochasticMatrix> = (0..LENGTH).map(|t| matrices[pair[t % 2]].clone()).collect();
+            for (t, product) in prefix_products(&factors).enumerate() {
+                cases += 1;
+                let entry = least_positive(&product?.to_rational_matrix());
+                if entry < floor {
+                    let sequence: Vec<Graph> = (0..=t).map(|t| graphs[pair[t % 2]].clone()).collect();
+                    return Ok(refuted(model, &sequence, &entry, &floor));
+                }
+            }
+        }
+    }
+    let detail = "products of up to 64 factors that alternate between any two networks on 3 birds";
+    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "independence of t", detail).cases(cases)]))
+}
+
+fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const LARGEST: usize = 9;
+    if !variant.attained {
+        return Ok(Outcome::Holds(Vec::new()));
+    }
+    for order in 2..=LARGEST {
+        run.checkpoint()?;
+        let sequence = extremal_sequence(order);
+        for &model in variant.models() {
+            let factors: Vec<StochasticMatrix> = sequence
+                .iter()
+                .map(|g| Ok(StochasticMatrix::try_from(&variant.matrix(model, g)?)?))
+                .collect::<Result<_, CheckError>>()?;
+            let entry = least_positive(&product_sequential(&factors)?.to_rational_matrix());
+            let floor = variant.floor(model, order);
+            if entry != floor {
+                return Ok(Outcome::fails(
+                    format!("{}, {order} birds: the smallest entry is {entry}, not {floor}", model.name()),
+                    Evidence::new(Grade::Exact, "attained", "the extremal sequence"),
+                ));
+            }
+        }
+    }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(Grade::Exact, "the bound is attained", "a product of n - 1 factors for n = 2, ..., 9")
+            .cases(LARGEST - 1),
+    ]))
+}
+
+/// Random rational weights `p/n²`, so that all positive entries of the factors are at least `n^-2`.
+fn given_weights(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    if !matches!(variant.floor, Floor::Power(_)) || variant.share.is_some() {
+        return Ok(Outcome::Holds(Vec::new()));
+    }
+    let mut random = run.random(0);
+    let cases = run.cases(60, 1000);
+    for _ in 0..cases {
+        run.checkpoint()?;
+        let order = 2 + random.next_u32() as usize % 4;
+        let graphs: Vec<Graph> = (0..10).map(|_| random_graph(order, 1, &mut random)).collect();
+        let factors: Vec<StochasticMatrix> = graphs
+            .iter()
+            .map(|g| Ok(StochasticMatrix::try_from(&transition_matrix(g, &small_weights(g, 2, &mut random))?)?))
+            .collect::<Result<_, CheckError>>()?;
+        let floor = variant.floor(Model::Lazy, order);
+        for product in prefix_products(&factors) {
+            let entry = least_positive(&product?.to_rational_matrix());
+            if entry < floor {
+                return Ok(refuted(Model::Lazy, &graphs, &entry, &floor));
+            }
+        }
+    }
+    let detail = "random c_i(t) = p/n^2, up to 5 birds, 10 factors";
+    Ok(Outcome::Holds(vec![Evidence::new(Grade::Fuzzed, "any weights of O(log n) bits", detail).cases(cases)]))
+}
+
+/// Random admissible weights `p/n^a`.
+pub(super) fn small_weights(graph: &Graph, a: u32, random: &mut ChaCha8Rng) -> Weights {
+    let denominator = (graph.order() as i64).pow(a);
+    let weight = |i: usize, random: &mut ChaCha8Rng| {
+        // c_i d_i < 1 for all choices below.
+        let most = ((denominator - 1) / (graph.degree(i) as i64).max(1)).max(1);
+        let p = if random.next_u32().is_multiple_of(2) { 1 } else { 1 + i64::from(random.next_u32()) % most };
+        rational(p, denominator)
+    };
+    Weights::Given((0..graph.order()).map(|i| weight(i, random)).collect())
+}
+
+/// chazelle.lem2.2.entries.
+pub struct Entries;
+
+impl Claim for Entries {
+    type Variant = EntriesVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.lem2.2.entries"
+    }
+
+    fn derivation(&self) -> &str {
+        "Read as: at least n^(-b n²), for c_i(t) of O(log n) bits, so that positive entries of every P(t) are at least n^-a \
+         (a = 1 for vicsek, 2 for lazy); b = a will do. Follow one column of P(t,s) and its support S. While S does not grow, symmetry \
+         keeps all neighbours of S in S, and the rows of S average entries of S: the smallest does not drop. When S grows, it drops by a factor n^-a \
+         at worst. S grows at most n - 1 times: every nonzero entry is at least n^(-a(n-1)), which is more than printed \
+         (beyond.chazelle.entries, notes/chazelle_switches.md)."
+    }
+
+    fn printed(&self) -> EntriesVariant {
+        EntriesVariant::PRINTED
+    }
+
+    fn controls(&self) -> Vec<Control<EntriesVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("the bound of a single factor", EntriesVariant { floor: Floor::Power(|_| 1), ..printed }),
+            Control::new("exponent n - 2", EntriesVariant { floor: Floor::Power(|n| n.saturating_sub(2)), ..printed }),
+            Control::new("c_i d_i = 1", EntriesVariant { share: Some((1, 1)), ..printed }),
+            Control::new("edges seen from one side", EntriesVariant { one_sided: true, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        examine_entries(variant, run)
+    }
+}

@@ -1,0 +1,311 @@
+//! chazelle.lem3.2, chazelle.eq3.9, chazelle.eq3.10: how fast the powers of the transition matrix converge.
+
+use super::{FAMILY, Family, Kind, Network, exhaustively, fails, for_all, list, power_of_order};
+use algebra::matrix::{RationalMatrix, tau_1};
+use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, interval_value};
+use models::averaging::contraction;
+use num_bigint::BigUint;
+use num_traits::Signed;
+
+/// Precision of the exponentials.
+const PRECISION: u32 = 96;
+
+/// `n^factor e^(-s n^-gap)`, enclosed.
+pub(super) fn bound(n: usize, factor: i32, gap: i32, s: &Rational) -> Result<Interval, CheckError> {
+    let interval = |q: &Rational| Interval::from_rational(q, PRECISION);
+    let decay = interval(&(-s * power_of_order(n, -gap))).exp()?;
+    Ok(interval(&power_of_order(n, factor)) * decay)
+}
+
+/// Whether `x <= bound`; where the enclosure is too wide to tell, that is an error.
+pub(super) fn at_most(x: &Rational, bound: &Interval) -> Result<bool, CheckError> {
+    let (lo, hi) = bound.to_rationals();
+    match (*x <= lo, *x > hi) {
+        (true, _) => Ok(true),
+        (_, true) => Ok(false),
+        _ => Err(CheckError::Other("an exponential could not be told from a rational".into())),
+    }
+}
+
+/// The powers of a matrix for some exponents up to 64, in order.
+pub(super) fn some_powers(p: &RationalMatrix) -> Result<Vec<(u64, RationalMatrix)>, CheckError> {
+    let mut powers = vec![(0, RationalMatrix::identity(p.rows())?)];
+    for s in 1..=8 {
+        let next = powers[s as usize - 1].1.times(p)?.reduced();
+        powers.push((s, next));
+    }
+    for s in [16, 32, 64] {
+        let half = &powers[powers.len() - 1].1;
+        let next = half.times(half)?.reduced();
+        powers.push((s, next));
+    }
+    Ok(powers)
+}
+
+/// chazelle.lem3.2.
+pub struct SecondEigenvalue;
+
+/// Which networks, and a factor of the lower bound of `1 - mu`.
+#[derive(Clone, Copy)]
+pub struct SecondEigenvalueVariant {
+    family: Family<'static>,
+    factor: (i64, i64),
+}
+
+impl SecondEigenvalueVariant {
+    /// The bounds of `1 - lambda_2` and `1 + lambda_n`: first for any weights, then by `n` alone.
+    fn bounds(&self, network: &Network) -> [(Rational, Rational); 2] {
+        let (n, factor) = (network.order(), rational(self.factor.0, self.factor.1));
+        let trace: Rational = network.c.iter().map(Rational::recip).sum();
+        let least_stay = (0..n).map(|i| network.p.entry(i, i)).min().unwrap_or_default();
+        let paths = rational(4, n as i64 - 1) / trace;
+        let of_n = match network.kind {
+            Kind::Lazy => rational(8, 3) / (power_of_order(n, 1) * power_of_order(n - 1, 2)),
+            Kind::Uneven | Kind::Tiny => rational(4, n as i64 - 1) * power_of_order(n, -3),
+            Kind::Vicsek | Kind::Uniform | Kind::Whole => rational(4, n as i64 - 1) * power_of_order(n, -2),
+        };
+        let least_of_n = match network.kind {
+            Kind::Lazy => rational(2, 3),
+            _ => of_n.clone(),
+        };
+        [(paths * &factor, least_stay * rational(2, 1) * &factor), (of_n * &factor, least_of_n * &factor)]
+    }
+
+    fn fails_at(&self, network: &Network) -> Result<Option<String>, CheckError> {
+        let spectrum = network.p.characteristic_polynomial()?;
+        if network.order() == 1 {
+            // No k > 1: mu is the maximum of nothing, 0 = 1 - n^-a for every a.
+            return Ok((spectrum.multiplicity(&rational(1, 1)) != 1).then(|| "P is not [1]".into()));
+        }
+        for (above, below) in self.bounds(network) {
+            let (high, low) = (rational(1, 1) - &above, &below - rational(1, 1));
+            let (more, less) = (spectrum.count_above(&high), spectrum.count_below(&low));
+            if more != 1 || less != 0 {
+                return Ok(Some(format!("{more} eigenvalues lie above {high}, {less} below {low}")));
+            }
+        }
+        Ok(None)
+    }
+}
+
+impl Claim for SecondEigenvalue {
+    type Variant = SecondEigenvalueVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.lem3.2"
+    }
+
+    fn derivation(&self) -> &str {
+        "Read with weights that are rationals of O(log n) bits, denominators at most n^a (Remark 3, Lemma 2.2); without that mu can be as near to 1 \
+         as one likes. Rayleigh quotient: the edges of a path between the largest and the least value of f give the \
+         Dirichlet form at least (max f - min f)²/((n-1) tr C^-1), the variance is at most (max f - min f)²/4, so \
+         1 - lambda_2 >= 4/((n-1) tr C^-1). P - (min p_ii) I is a multiple of a stochastic matrix, so 1 + lambda_n >= 2 min p_ii. Hence \
+         1 - mu >= 4/((n-1) n^(a+1)) >= n^-(a+2); for lazy weights 1 - mu >= min(2/3, 8/(3n(n-1)²)), for c_i = 1/(d_i+1) \
+         1 - mu >= 4/(n²(n-1)). Two birds attain the bound of lambda_2. A single bird has no lambda_k, k > 1, and mu = 0 (notes/chazelle_fixed_network.md)."
+    }
+
+    fn printed(&self) -> SecondEigenvalueVariant {
+        SecondEigenvalueVariant { family: Family::PRINTED, factor: (1, 1) }
+    }
+
+    fn controls(&self) -> Vec<Control<SecondEigenvalueVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("bounds larger by 1/100", SecondEigenvalueVariant { factor: (101, 100), ..printed }),
+            Control::new("not connected", SecondEigenvalueVariant { family: Family::ANY_GRAPH, ..printed }),
+            Control::new("c_i d_i = 1", SecondEigenvalueVariant { family: Family::WHOLE, ..printed }),
+            Control::new("weights of 2n bits", SecondEigenvalueVariant { family: Family::TINY, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &SecondEigenvalueVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let part = "1 - mu >= n^-(a+2), for weights with denominators up to n^a";
+        let networks = variant.family.networks(run.cases(6, 7))?;
+        let detail = format!(
+            "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues beyond the proved bounds counted exactly"
+        );
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
+    }
+}
+
+/// chazelle.eq3.9.
+pub struct EntrywiseRate;
+
+/// `|(P^s)_ij - pi_j| <= n^factor e^(-s n^-gap)`, exponents shifted from the proved ones.
+#[derive(Clone, Copy)]
+pub struct EntrywiseVariant {
+    family: Family<'static>,
+    factor_shift: i32,
+    gap_shift: i32,
+    /// `pi_j`, or `pi_i`.
+    by_column: bool,
+}
+
+impl EntrywiseVariant {
+    fn fails_at(&self, network: &Network) -> Result<Option<String>, CheckError> {
+        let (n, exponents, pi) = (network.order(), network.exponents(), network.pi());
+        for (s, power) in some_powers(&network.p)? {
+            let (factor, gap) = (exponents.factor + self.factor_shift, exponents.gap + self.gap_shift);
+            let bound = bound(n, factor, gap, &rational(s as i64, 1))?;
+            for i in 0..n {
+                for j in 0..n {
+                    let difference = (power.entry(i, j) - &pi[if self.by_column { j } else { i }]).abs();
+                    if !at_most(&difference, &bound)? {
+                        return Ok(Some(format!("s = {s}: entry ({}, {}) differs by {difference}", i + 1, j + 1)));
+                    }
+                }
+            }
+        }
+        Ok(None)
+    }
+}
+
+impl Claim for EntrywiseRate {
+    type Variant = EntrywiseVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.eq3.9"
+    }
+
+    fn derivation(&self) -> &str {
+        "By (3.8) and Cauchy-Schwarz, |(P^s)_ij - pi_j| <= sqrt(c_i/c_j) sqrt((1-pi_i)(1-pi_j)) mu^s for all s >= 0. With \
+         Lemma 3.2 (same reading: weights with denominators up to n^a) the right side is at most n^(a/2) e^(-s n^-(a+2)); for lazy weights \
+         and for c_i = 1/(d_i+1) it is at most n e^(-s n^-3) (notes/chazelle_fixed_network.md)."
+    }
+
+    fn printed(&self) -> EntrywiseVariant {
+        EntrywiseVariant { family: Family::PRINTED, factor_shift: 0, gap_shift: 0, by_column: true }
+    }
+
+    fn controls(&self) -> Vec<Control<EntrywiseVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("1/n in place of n^O(1)", EntrywiseVariant { factor_shift: -2, ..printed }),
+            Control::new("about e^-s in place of e^(-s n^-O(1))", EntrywiseVariant { gap_shift: -3, ..printed }),
+            Control::new("pi_i in place of pi_j", EntrywiseVariant { by_column: false, ..printed }),
+            Control::new("not connected", EntrywiseVariant { family: Family::ANY_GRAPH, ..printed }),
+            Control::new("c_i d_i = 1", EntrywiseVariant { family: Family::WHOLE, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &EntrywiseVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let part = "|(P^s)_ij - pi_j| <= n^(a/2) e^(-s n^-(a+2))";
+        let networks = variant.family.networks(run.cases(5, 6))?;
+        let detail = format!(
+            "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, twelve s up to 64; powers exact, exponentials enclosed"
+        );
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
+    }
+}
+
+/// chazelle.eq3.10.
+pub struct HalvingTime;
+
+/// `tau(P^s) <= 1 - sum_k (pi_k + sign n^factor e^(-s n^-gap)) < most` for `s > n^(gap + margin)`.
+#[derive(Clone, Copy)]
+pub struct HalvingVariant {
+    family: Family<'static>,
+    sign: i64,
+    factor_shift: i32,
+    margin: i32,
+    most: (i64, i64),
+}
+
+/// Numbers of birds for which the second inequality is evaluated.
+const MOST_BIRDS: usize = 64;
+
+impl HalvingVariant {
+    /// `1 - sum_k (pi_k + sign epsilon)`.
+    fn middle(&self, pi: &[Rational], n: usize, epsilon: &Interval) -> Interval {
+        let rest = rational(1, 1) - pi.iter().sum::<Rational>();
+        epsilon.rational(&rest) + epsilon.integer(-self.sign * n as i64) * epsilon
+    }
+
+    /// The first inequality on a network, and that `tau` is below `most` in time.
+    fn fails_at(&self, network: &Network) -> Result<Option<String>, CheckError> {
+        let (n, exponents, pi) = (network.order(), network.exponents(), network.pi());
+        for (s, power) in some_powers(&network.p)?.into_iter().skip(1) {
+            let epsilon = bound(n, exponents.factor + self.factor_shift, exponents.gap, &rational(s as i64, 1))?;
+            let tau = tau_1(&power);
+            if !at_most(&tau, &self.middle(&pi, n, &epsilon))? {
+                return Ok(Some(format!("s = {s}: tau is {tau}, the sum over pi = ({}) is smaller", list(&pi))));
+            }
+        }
+        // tau(P^2k) <= tau(P^k)² <= 1/4, and tau does not increase.
+        let steps = contraction(&network.p)?.steps * 2u8;
+        let limit = BigUint::from(n).pow((exponents.gap + self.margin).unsigned_abs());
+        Ok((steps > limit + 1u8).then(|| format!("tau is shown to be 1/4 only after {steps} steps")))
+    }
+
+    /// The second inequality at the first `s`, for the exponents of all kinds: `sum pi_k = 1` is all it needs.
+    fn second_fails(&self) -> Result<Option<String>, CheckError> {
+        let most = rational(self.most.0, self.most.1);
+        for n in 1..=MOST_BIRDS {
+            for gap in [3, 4] {
+                let first = power_of_order(n, gap + self.margin) + rational(1, 1);
+                let middle = self.middle(&[rational(1, 1)], n, &bound(n, 1 + self.factor_shift, gap, &first)?);
+                if middle.to_rationals().1 >= most {
+                    return Ok(Some(format!("n = {n}, s = {first}: the sum is {}", interval_value(&middle, 6))));
+                }
+            }
+        }
+        Ok(None)
+    }
+}
+
+impl Claim for HalvingTime {
+    type Variant = HalvingVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.eq3.10"
+    }
+
+    fn derivation(&self) -> &str {
+        "tau is tau_1. tau_1(P^s) = 1 - min_ij sum_k min((P^s)_ik, (P^s)_jk), and by (3.9) both entries are at least \
+         pi_k - eps with eps = n^(a/2) e^(-s n^-(a+2)). The sum over k is 1 - n eps. For s > n^(2a+4) \
+         n eps <= sqrt(x) e^-x with x = n^(a+2) >= 1, which is at most 1/e < 1/2. For lazy weights and for c_i = 1/(d_i+1), eps = n e^(-s n^-3) \
+         and c_0 = 5 will do (notes/chazelle_fixed_network.md)."
+    }
+
+    fn printed(&self) -> HalvingVariant {
+        HalvingVariant { family: Family::PRINTED, sign: -1, factor_shift: 0, margin: 2, most: (1, 2) }
+    }
+
+    fn controls(&self) -> Vec<Control<HalvingVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("pi_k + n^O(1) e^..", HalvingVariant { sign: 1, ..printed }),
+            Control::new("1/n in place of n^O(1)", HalvingVariant { factor_shift: -2, ..printed }),
+            Control::new("for s > n^3", HalvingVariant { margin: 0, ..printed }),
+            Control::new("less than 1/8 at once", HalvingVariant { most: (1, 8), ..printed }),
+            Control::new("not connected", HalvingVariant { family: Family::ANY_GRAPH, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &HalvingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let (first, second) = ("the first inequality, and tau(P^s) < 1/2", "the second inequality");
+        let networks = variant.family.networks(run.cases(5, 6))?;
+        let cases = match for_all(&networks, run, first, |network| variant.fails_at(network))? {
+            Err(outcome) => return Ok(outcome),
+            Ok(cases) => cases,
+        };
+        if let Some(what) = variant.second_fails()? {
+            return Ok(fails(what, second));
+        }
+        Ok(Outcome::Holds(vec![
+            Evidence::new(
+                Grade::Exhaustive,
+                first,
+                format!("{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, eleven s from 1 to 64; and powers until tau <= 1/4"),
+            )
+            .cases(cases),
+            Evidence::new(
+                Grade::Certified,
+                second,
+                "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on; all n by the proof in notes/chazelle_fixed_network.md",
+            )
+            .cases(2 * MOST_BIRDS),
+        ]))
+    }
+}

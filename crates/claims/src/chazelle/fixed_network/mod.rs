@@ -1,0 +1,202 @@
+//! Claims about flocks with a network that does not change (section 3, and the closed forms in the proof of Lemma 3.9).
+//! Proofs for all networks are in notes/chazelle_fixed_network.md.
+
+pub mod closed_forms;
+pub mod denominators;
+pub mod fiedler;
+mod flight;
+pub mod limits;
+pub mod mixing;
+pub mod powers;
+pub mod spectrum;
+
+use algebra::graph::Graph;
+use algebra::matrix::RationalMatrix;
+use arithmetic::{Rational, rational};
+use ledger::{CheckError, Evidence, Grade, Outcome, Run};
+use models::averaging::{Weights, transition_matrix};
+
+/// How the evidence of these claims begins.
+const FAMILY: &str = "proof in notes/chazelle_fixed_network.md; every connected graph up to isomorphism";
+
+/// The three kinds of weights that the instances carry.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum Kind {
+    Lazy,
+    Vicsek,
+    /// `c_i = i/((i+1) d_i)`, birds counted from 1: different shares for all birds. `O(log n)`-bit: numerators and
+    /// denominators are at most `n^2`.
+    Uneven,
+    /// `c_i = 1/n`: a symmetric matrix.
+    Uniform,
+    /// `c_i = 1/d_i`, which model D forbids; for controls.
+    Whole,
+    /// `c_i = 4^-n`, which is not `O(log n)`-bit; for controls.
+    Tiny,
+}
+
+impl Kind {
+    const ADMISSIBLE: [Kind; 3] = [Kind::Lazy, Kind::Vicsek, Kind::Uneven];
+
+    fn weights(self, graph: &Graph) -> Weights {
+        let degree = |i: usize| graph.degree(i).max(1) as i64;
+        let given = |c: &dyn Fn(usize) -> Rational| Weights::Given((0..graph.order()).map(c).collect());
+        match self {
+            Kind::Lazy => Weights::Lazy,
+            Kind::Vicsek => Weights::Vicsek,
+            Kind::Uneven => given(&|i| rational(i as i64 + 1, (i as i64 + 2) * degree(i))),
+            Kind::Uniform => given(&|_| rational(1, graph.order() as i64)),
+            Kind::Whole => given(&|i| rational(1, degree(i))),
+            Kind::Tiny => given(&|_| rational(1, 4).pow(graph.order() as i32)),
+        }
+    }
+}
+
+/// One network with its weights and transition matrix.
+struct Network {
+    graph: Graph,
+    kind: Kind,
+    c: Vec<Rational>,
+    p: RationalMatrix,
+}
+
+impl Network {
+    fn new(graph: Graph, kind: Kind) -> Result<Self, CheckError> {
+        let weights = kind.weights(&graph);
+        let (c, p) = (weights.all(&graph)?, transition_matrix(&graph, &weights)?);
+        Ok(Network { graph, kind, c, p })
+    }
+
+    fn order(&self) -> usize {
+        self.graph.order()
+    }
+
+    /// `(tr C^k)^-1 C^k 1`; the stationary distribution for `k = -1`.
+    fn normalised_power(&self, k: i32) -> Vec<Rational> {
+        let powers: Vec<Rational> = self.c.iter().map(|c| c.pow(k)).collect();
+        let trace: Rational = powers.iter().sum();
+        powers.iter().map(|x| x / &trace).collect()
+    }
+
+    /// The stationary distribution, by its formula and whether or not the network is connected.
+    fn pi(&self) -> Vec<Rational> {
+        self.normalised_power(-1)
+    }
+
+    fn identity(&self) -> Result<RationalMatrix, CheckError> {
+        Ok(RationalMatrix::identity(self.order())?)
+    }
+
+    /// Exponents with `1 - mu >= n^-gap` and both `sqrt(c_i/c_j)` and `1/sqrt(2 pi_i)` at most `n^factor`. They are proved
+    /// for the admissible kinds; controls use them for the others too.
+    fn exponents(&self) -> Exponents {
+        Exponents { factor: 1, gap: if matches!(self.kind, Kind::Uneven | Kind::Tiny) { 4 } else { 3 } }
+    }
+
+    /// The network in words, birds counted from 1.
+    fn show(&self) -> String {
+        let edges: Vec<String> = self.graph.edges().iter().map(|(i, j)| format!("{}-{}", i + 1, j + 1)).collect();
+        let edges = if edges.is_empty() { "none".to_string() } else { edges.join(" ") };
+        format!("n = {}, edges {edges}, c = ({})", self.order(), list(&self.c))
+    }
+}
+
+/// The exponents of `n^factor e^(-s n^-gap)`.
+#[derive(Clone, Copy)]
+struct Exponents {
+    factor: i32,
+    gap: i32,
+}
+
+/// `n^k` for any integer `k`.
+fn power_of_order(n: usize, k: i32) -> Rational {
+    rational(n as i64, 1).pow(k)
+}
+
+fn list(numbers: &[Rational]) -> String {
+    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// Which networks are looked at.
+#[derive(Clone, Copy)]
+struct Family<'a> {
+    kinds: &'a [Kind],
+    /// Only connected graphs, one of each isomorphism class; otherwise all labelled graphs.
+    connected: bool,
+}
+
+impl Family<'static> {
+    /// What section 3 is about.
+    const PRINTED: Family<'static> = Family { kinds: &Kind::ADMISSIBLE, connected: true };
+    /// Without the hypothesis that the graph is connected.
+    const ANY_GRAPH: Family<'static> = Family { kinds: &Kind::ADMISSIBLE, connected: false };
+    /// Without `c_i d_i < 1`.
+    const WHOLE: Family<'static> = Family { kinds: &[Kind::Whole], connected: true };
+    /// Without the hypothesis on the length of the weights.
+    const TINY: Family<'static> = Family { kinds: &[Kind::Tiny], connected: true };
+}
+
+impl Family<'_> {
+    fn networks(self, largest: usize) -> Result<Vec<Network>, CheckError> {
+        // Without the hypothesis a small counterexample is enough.
+        let largest = if self.connected { largest } else { largest.min(3) };
+        let graphs = (1..=largest).flat_map(|order| {
+            if self.connected { Graph::connected_up_to_isomorphism(order) } else { Graph::all(order).collect() }
+        });
+        graphs.flat_map(|graph| self.kinds.iter().map(move |&kind| Network::new(graph.clone(), kind))).collect()
+    }
+}
+
+impl Family<'_> {
+    /// All labelled graphs of the family on up to `every` birds, one of each isomorphism class beyond.
+    fn labelled(self, every: usize, largest: usize) -> Result<Vec<Network>, CheckError> {
+        if !self.connected {
+            return self.networks(largest);
+        }
+        let small = (1..=every).flat_map(|order| Graph::all(order).filter(Graph::is_connected));
+        let larger = (every + 1..=largest).flat_map(Graph::connected_up_to_isomorphism);
+        small
+            .chain(larger)
+            .flat_map(|graph| self.kinds.iter().map(move |&kind| Network::new(graph.clone(), kind)))
+            .collect()
+    }
+}
+
+/// The number of networks at which `check` found nothing wrong, or the first failure.
+fn for_all(
+    networks: &[Network],
+    run: &Run,
+    part: &str,
+    mut check: impl FnMut(&Network) -> Result<Option<String>, CheckError>,
+) -> Result<Result<usize, Outcome>, CheckError> {
+    for network in networks {
+        run.checkpoint()?;
+        if let Some(what) = check(network)? {
+            return Ok(Err(fails(format!("{}: {what}", network.show()), part)));
+        }
+    }
+    Ok(Ok(networks.len()))
+}
+
+/// A check of all networks as the whole evidence of a part.
+fn exhaustively(
+    networks: &[Network],
+    run: &Run,
+    part: &str,
+    detail: String,
+    check: impl FnMut(&Network) -> Result<Option<String>, CheckError>,
+) -> Result<Outcome, CheckError> {
+    Ok(match for_all(networks, run, part, check)? {
+        Err(outcome) => outcome,
+        Ok(cases) => Outcome::Holds(vec![Evidence::new(Grade::Exhaustive, part, detail).cases(cases)]),
+    })
+}
+
+fn fails(counterexample: impl Into<String>, part: &str) -> Outcome {
+    Outcome::fails(counterexample, Evidence::new(Grade::Exact, part, "exact arithmetic on one network"))
+}
+
+/// The matrix `1 pi^T` for any list `pi`.
+fn every_row(pi: &[Rational]) -> Result<RationalMatrix, CheckError> {
+    Ok(models::averaging::equal_rows(pi)?)
+}

@@ -1,0 +1,179 @@
+//! chazelle.eq3.8: the powers of the transition matrix.
+
+use super::{FAMILY, Family, Network, every_row, fails};
+use algebra::matrix::RationalMatrix;
+use arithmetic::identity::RationalIdentity;
+use arithmetic::{ArithmeticError, Field, Rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use models::averaging::{Mode, rational_modes};
+use num_traits::{One, Signed, Zero};
+
+/// chazelle.eq3.8.
+pub struct Powers;
+
+/// `P^s = 1 pi^T + sum_{k > first} lambda_k^(s + offset) C^(a/2) u_k u_k^T C^(b/2)`.
+#[derive(Clone, Copy)]
+pub struct PowersVariant {
+    halves: (i32, i32),
+    offset: u64,
+    /// Leave out `lambda_1`.
+    skip_first: bool,
+    /// The half powers of the left and of the right eigenvectors.
+    eigenvectors: (i32, i32),
+}
+
+/// Powers up to this one are compared on instances.
+const LARGEST_POWER: u64 = 6;
+
+impl PowersVariant {
+    fn fails_at(&self, network: &Network, modes: &[Mode]) -> Result<Option<String>, CheckError> {
+        let limit = every_row(&network.pi())?;
+        let dyad = |mode: &Mode| RationalMatrix::from_rows(&mode.dyad(&network.c, self.halves.0, self.halves.1));
+        let dyads: Vec<RationalMatrix> = modes.iter().map(dyad).collect::<Result<_, _>>()?;
+        let mut power = network.identity()?;
+        for s in 0..=LARGEST_POWER {
+            let mut sum = limit.clone();
+            for (mode, dyad) in modes.iter().zip(&dyads).skip(usize::from(self.skip_first)) {
+                sum = sum.plus(&dyad.scaled(&mode.eigenvalue.pow((s + self.offset) as i32)))?;
+            }
+            if sum != power {
+                return Ok(Some(format!("s = {s}: the sum is not P^s")));
+            }
+            power = power.times(&network.p)?;
+        }
+        self.wrong_eigenvectors(network, modes)
+    }
+
+    /// Columns `C^(l/2) u_k` and `C^(r/2) u_k`, times the root of `norm`.
+    fn wrong_eigenvectors(&self, network: &Network, modes: &[Mode]) -> Result<Option<String>, CheckError> {
+        let scale = |mode: &Mode, half: i32| mode.scaled(&network.c, half);
+        for (k, mode) in modes.iter().enumerate() {
+            let (left, right) = (scale(mode, self.eigenvectors.0), scale(mode, self.eigenvectors.1));
+            let times = |v: &[Rational]| v.iter().map(|x| x * &mode.eigenvalue).collect::<Vec<_>>();
+            if network.p.transpose().apply(&left)? != times(&left) || network.p.apply(&right)? != times(&right) {
+                return Ok(Some(format!("k = {}: not the eigenvectors for {}", k + 1, mode.eigenvalue)));
+            }
+            for (l, other) in modes.iter().enumerate() {
+                let product: Rational = left.iter().zip(scale(other, self.eigenvectors.1)).map(|(a, b)| a * b).sum();
+                let expected = if k == l { mode.norm.clone() } else { Rational::zero() };
+                if product != expected {
+                    return Ok(Some(format!(
+                        "k = {}, {}: the eigenvectors do not form inverse matrices",
+                        k + 1,
+                        l + 1
+                    )));
+                }
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// Equation (3.8) for two birds with any weights.
+struct TwoBirds(PowersVariant);
+
+impl RationalIdentity for TwoBirds {
+    fn variables(&self) -> usize {
+        2
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [c1, c2] = at else { return Err(ArithmeticError::Domain("two variables")) };
+        let (one, c) = (c1.one(), [c1, c2]);
+        let entries = [(0, 0), (0, 1), (1, 0), (1, 1)];
+        let p = |(i, j): (usize, usize)| if i == j { one.clone() - c[i] } else { c[i].clone() };
+        let total = c1.clone() + c2;
+        // The spectrum of P: 1 with u_1 = (sqrt c2, sqrt c1)/sqrt(c1+c2), 1 - c1 - c2 with u_2 = (sqrt c1, -sqrt c2)/sqrt(c1+c2).
+        let modes = [(one.clone(), [c2, c1], 1), (one.clone() - &total, [c1, c2], -1)];
+        let half = |x: &T, power: i32| -> Result<T, ArithmeticError> {
+            match power {
+                0 => Ok(x.one()),
+                1 => Ok(x.clone()),
+                -1 => x.recip(),
+                _ => Err(ArithmeticError::Domain("a half power")),
+            }
+        };
+        let (a, b) = self.0.halves;
+        let (mut left, mut right) = (Vec::new(), Vec::new());
+        let mut power: Vec<T> = entries.iter().map(|&(i, j)| one.integer(i64::from(i == j))).collect();
+        for s in 0..4u64 {
+            left.extend(power.iter().cloned());
+            for &(i, j) in &entries {
+                // 1 pi^T, then C^(a/2) u u^T C^(b/2): sqrt(c_i^a w_i) sqrt(c_j^b w_j) is rational for odd a and b.
+                let mut sum = c[1 - j].over(&total)?;
+                for (k, (eigenvalue, w, sign)) in modes.iter().enumerate().skip(usize::from(self.0.skip_first)) {
+                    let sign = if i == j { 1 } else { *sign };
+                    // w_i = c_i for the second mode; for the first c_1 c_2/c_i, whose root leaves sqrt(c_1 c_2) twice.
+                    let product = if k == 1 {
+                        half(c[i], (a + 1) / 2)? * half(c[j], (b + 1) / 2)?
+                    } else {
+                        half(c[i], (a - 1) / 2)? * half(c[j], (b - 1) / 2)? * w[0] * w[1]
+                    };
+                    let term = product.over(&total)? * eigenvalue.power(s + self.0.offset);
+                    sum = sum + one.integer(sign) * term;
+                }
+                right.push(sum);
+            }
+            let next = |(i, j): (usize, usize)| p((i, 0)) * &power[j] + p((i, 1)) * &power[2 + j];
+            power = entries.iter().map(|&entry| next(entry)).collect();
+        }
+        Ok((left, right))
+    }
+
+    fn in_domain(&self, at: &[Rational]) -> bool {
+        at.iter().all(|c| c.is_positive() && *c < Rational::one())
+    }
+}
+
+impl Claim for Powers {
+    type Variant = PowersVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.eq3.8"
+    }
+
+    fn derivation(&self) -> &str {
+        "P = C^1/2 M C^-1/2 and M = sum lambda_k u_k u_k^T with orthonormal u_k. The first term is 1 pi^T because \
+         C^1/2 u_1 = 1/sqrt(tr C^-1). For s = 0 the convention is 0^0 = 1. The sum does not depend on the basis that is chosen \
+         where an eigenvalue is repeated. The eigenvectors form inverse matrices because u_k^T u_l = [k = l]."
+    }
+
+    fn printed(&self) -> PowersVariant {
+        PowersVariant { halves: (1, -1), offset: 0, skip_first: true, eigenvectors: (-1, 1) }
+    }
+
+    fn controls(&self) -> Vec<Control<PowersVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("C^-1/2 u_k u_k^T C^1/2", PowersVariant { halves: (-1, 1), ..printed }),
+            Control::new("lambda_k^(s+1)", PowersVariant { offset: 1, ..printed }),
+            Control::new("the sum from k = 1", PowersVariant { skip_first: false, ..printed }),
+            Control::new("left eigenvectors C^1/2 u_k", PowersVariant { eigenvectors: (1, 1), ..printed }),
+            Control::new("right eigenvectors C^-1/2 u_k", PowersVariant { eigenvectors: (-1, -1), ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &PowersVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let part = "P^s for s = 0, .., 6, the eigenvectors and the inverse matrices";
+        let mut cases = 0;
+        for network in Family::PRINTED.networks(run.cases(5, 6))? {
+            run.checkpoint()?;
+            let Some(modes) = rational_modes(&network.p, &network.c)? else { continue };
+            cases += 1;
+            if let Some(what) = variant.fails_at(&network, &modes)? {
+                return Ok(fails(format!("{}: {what}", network.show()), part));
+            }
+        }
+        let exact = Evidence::new(
+            Grade::Exact,
+            part,
+            format!(
+                "{FAMILY} on up to 5 birds (6 with --full) and of three kinds of weights whose eigenvalues all are rational"
+            ),
+        );
+        Run::all([
+            run.identity(&TwoBirds(*variant), &["c_1", "c_2"], "two birds with any weights, s = 0, .., 3"),
+            Ok(Outcome::Holds(vec![exact.cases(cases)])),
+        ])
+    }
+}

@@ -1,0 +1,230 @@
+//! chazelle.pi and chazelle.eq3.7: eigenvalues and first eigenvectors of the transition matrix.
+
+use super::{FAMILY, Family, Kind, Network, exhaustively, for_all, list};
+use algebra::matrix::RationalMatrix;
+use arithmetic::{RadicalSum, Rational, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use num_traits::{One, Signed, Zero};
+
+/// chazelle.pi.
+pub struct Stationary;
+
+/// Which networks, and the power of `C` in `pi = (tr C^k)^-1 C^k 1`.
+#[derive(Clone, Copy)]
+pub struct StationaryVariant {
+    family: Family<'static>,
+    power: i32,
+    /// Whether 1 is the right and `pi` the left eigenvector, or the other way round.
+    right_is_one: bool,
+}
+
+impl StationaryVariant {
+    fn fails_at(&self, network: &Network) -> Result<Option<String>, CheckError> {
+        let (ones, pi) = (vec![Rational::one(); network.order()], network.normalised_power(self.power));
+        let (right, left) = if self.right_is_one { (&ones, &pi) } else { (&pi, &ones) };
+        if network.p.apply(right)? != *right {
+            return Ok(Some(format!("({}) is no right eigenvector for 1", list(right))));
+        }
+        if network.p.transpose().apply(left)? != *left {
+            return Ok(Some(format!("({}) is no left eigenvector for 1", list(left))));
+        }
+        let spectrum = network.p.characteristic_polynomial()?;
+        let one = Rational::one();
+        let simple = spectrum.multiplicity(&one) == 1;
+        let inside = spectrum.count_above(&-one.clone()) == network.order() && spectrum.count_above(&one) == 0;
+        Ok((!simple || !inside).then(|| {
+            let (ones, minus) = (spectrum.multiplicity(&one), spectrum.multiplicity(&-one.clone()));
+            format!("the eigenvalue 1 occurs {ones} times, -1 {minus} times")
+        }))
+    }
+}
+
+impl Claim for Stationary {
+    type Variant = StationaryVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.pi"
+    }
+
+    fn derivation(&self) -> &str {
+        "P is taken for a connected G with c_i > 0 and c_i d_i < 1 (a single bird: P = [1]). L 1 = 0 = 1^T L gives both eigenvectors, \
+         and pi^T C = const 1^T. CLf = 0 only for constant f, and P is similar to a symmetric matrix, so 1 is simple. \
+         Dominant: every other eigenvalue lies in (-1, 1), because P >= a I with a = min p_ii > 0 leaves a stochastic \
+         rest (notes/chazelle_fixed_network.md)."
+    }
+
+    fn printed(&self) -> StationaryVariant {
+        StationaryVariant { family: Family::PRINTED, power: -1, right_is_one: true }
+    }
+
+    fn controls(&self) -> Vec<Control<StationaryVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("C in place of its inverse", StationaryVariant { power: 1, ..printed }),
+            Control::new("left and right exchanged", StationaryVariant { right_is_one: false, ..printed }),
+            Control::new("graphs that are not connected", StationaryVariant { family: Family::ANY_GRAPH, ..printed }),
+            Control::new("c_i d_i = 1", StationaryVariant { family: Family::WHOLE, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &StationaryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let part = "1 is a simple dominant eigenvalue with these eigenvectors";
+        let networks = variant.family.networks(run.cases(6, 7))?;
+        let detail =
+            format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly");
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
+    }
+}
+
+/// chazelle.eq3.7.
+pub struct Symmetrised;
+
+/// The half powers in `M = C^(a/2) P C^(b/2) = I - C^(e/2) L C^(e/2)`, and what is said of its eigenvalues.
+#[derive(Clone, Copy)]
+pub struct SymmetrisedVariant {
+    family: Family<'static>,
+    /// `(a, b)`.
+    of_p: (i32, i32),
+    /// `e`.
+    of_l: i32,
+    /// The lower bound of the eigenvalues.
+    least: (i64, i64),
+    /// Whether the entries of `u_1` are square roots of those of `pi`.
+    rooted: bool,
+}
+
+/// `sign * sqrt(square)`.
+type SignedRoot = (Rational, Rational);
+
+impl SymmetrisedVariant {
+    /// The entries of `C^(a/2) P C^(b/2)`.
+    fn root_entry(&self, network: &Network, i: usize, j: usize) -> SignedRoot {
+        let (a, b) = self.of_p;
+        (network.p.entry(i, j), network.c[i].pow(a) * network.c[j].pow(b))
+    }
+
+    /// Whether `C^(a/2) P C^(b/2)` and `I - C^(e/2) L C^(e/2)` are the same symmetric matrix, entry by entry.
+    fn is_symmetric_form(&self, network: &Network) -> Result<bool, CheckError> {
+        let laplacian = network.graph.laplacian()?;
+        let mut same = true;
+        for i in 0..network.order() {
+            for j in 0..network.order() {
+                let root = network.c[i].pow(self.of_l) * network.c[j].pow(self.of_l);
+                let diagonal = if i == j { Rational::one() } else { Rational::zero() };
+                same &= sum_of_roots([self.root_entry(network, i, j)])
+                    == sum_of_roots([(diagonal, Rational::one()), (-laplacian.entry(i, j), root)]);
+                same &=
+                    sum_of_roots([self.root_entry(network, i, j)]) == sum_of_roots([self.root_entry(network, j, i)]);
+            }
+        }
+        Ok(same)
+    }
+
+    /// Whether `M u_1 = u_1`, and `u_1` has length 1.
+    fn fixes_u1(&self, network: &Network) -> bool {
+        let pi = network.pi();
+        let u = |i: usize| -> SignedRoot {
+            if self.rooted { (Rational::one(), pi[i].clone()) } else { (pi[i].clone(), Rational::one()) }
+        };
+        let term = |i: usize, j: usize| {
+            let ((a, r), (b, s)) = (self.root_entry(network, i, j), u(j));
+            (a * b, r * s)
+        };
+        let length: Rational = (0..network.order()).map(u).map(|(a, r)| &a * &a * r).sum();
+        length.is_one()
+            && (0..network.order())
+                .all(|i| sum_of_roots((0..network.order()).map(|j| term(i, j))) == sum_of_roots([u(i)]))
+    }
+
+    fn fails_at(&self, network: &Network) -> Result<Option<String>, CheckError> {
+        if !self.is_symmetric_form(network)? {
+            return Ok(Some("the two forms of M are not the same symmetric matrix".into()));
+        }
+        if !self.fixes_u1(network) {
+            return Ok(Some("u_1 is no unit eigenvector of M for 1".into()));
+        }
+        // M has the eigenvalues of P because the half powers are inverse to each other (checked above by symmetry for
+        // the printed form, and below on rational M).
+        let spectrum = network.p.characteristic_polynomial()?;
+        let (one, least) = (Rational::one(), rational(self.least.0, self.least.1));
+        let (largest, below) = (spectrum.multiplicity(&one), spectrum.count_below(&least));
+        Ok((largest != 1 || spectrum.count_above(&one) > 0 || below > 0)
+            .then(|| format!("1 is an eigenvalue {largest} times, {below} eigenvalues lie below {least}")))
+    }
+
+    /// For weights that are squares `M` is rational, and its characteristic polynomial can be compared.
+    fn differs_on_squares(&self, network: &Network) -> Result<Option<String>, CheckError> {
+        let roots: Vec<Rational> = (0..network.order()).map(|i| rational(1, i as i64 + 3)).collect();
+        let c: Vec<Rational> = roots.iter().map(|r| r * r).collect();
+        let p = models::averaging::transition_matrix(&network.graph, &models::averaging::Weights::Given(c))?;
+        let laplacian = network.graph.laplacian()?;
+        let entry = |i: usize, j: usize| {
+            let scaled = roots[i].pow(self.of_l) * roots[j].pow(self.of_l) * laplacian.entry(i, j);
+            if i == j { Rational::one() - scaled } else { -scaled }
+        };
+        let order = network.order();
+        let rows: Vec<Vec<Rational>> = (0..order).map(|i| (0..order).map(|j| entry(i, j)).collect()).collect();
+        let of_m = RationalMatrix::from_rows(&rows)?.characteristic_polynomial()?;
+        Ok((of_m.coefficients() != p.characteristic_polynomial()?.coefficients())
+            .then(|| "with c_i = 1/(i+2)² M and P have different characteristic polynomials".to_string()))
+    }
+}
+
+fn sum_of_roots(terms: impl IntoIterator<Item = SignedRoot>) -> RadicalSum {
+    let mut sum = RadicalSum::default();
+    for (coefficient, radicand) in terms {
+        // Products of weights, which are positive.
+        sum.add_root(&coefficient, &radicand.abs());
+    }
+    sum
+}
+
+impl Claim for Symmetrised {
+    type Variant = SymmetrisedVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.eq3.7"
+    }
+
+    fn derivation(&self) -> &str {
+        "Off the diagonal c_i^-1/2 p_ij c_j^1/2 = sqrt(c_i c_j) on edges; the diagonal is that of P. M is similar to P. \
+         I - M = C^1/2 L C^1/2 is positive semidefinite with kernel C^-1/2 1, of dimension 1 for a connected graph: \
+         u_1. Gershgorin's discs of P lie to the right of 2 min p_ii - 1 > -1, so the printed lower bound is even strict \
+         (notes/chazelle_fixed_network.md)."
+    }
+
+    fn printed(&self) -> SymmetrisedVariant {
+        SymmetrisedVariant { family: Family::PRINTED, of_p: (-1, 1), of_l: 1, least: (-1, 1), rooted: true }
+    }
+
+    fn controls(&self) -> Vec<Control<SymmetrisedVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("M = C^1/2 P C^-1/2", SymmetrisedVariant { of_p: (1, -1), ..printed }),
+            Control::new("M = I - C^-1/2 L C^-1/2", SymmetrisedVariant { of_l: -1, ..printed }),
+            Control::new("u_1 = pi", SymmetrisedVariant { rooted: false, ..printed }),
+            Control::new("eigenvalues at least -1/4", SymmetrisedVariant { least: (-1, 4), ..printed }),
+            Control::new("graphs that are not connected", SymmetrisedVariant { family: Family::ANY_GRAPH, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &SymmetrisedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let part = "both forms, symmetry, u_1 and the order of the eigenvalues";
+        let networks = variant.family.networks(run.cases(6, 7))?;
+        let cases = match for_all(&networks, run, part, |network| variant.fails_at(network))? {
+            Err(outcome) => return Ok(outcome),
+            Ok(cases) => cases,
+        };
+        let similar = "M and P have the same eigenvalues";
+        let lazy: Vec<Network> = networks.into_iter().filter(|n| n.kind == Kind::Lazy).collect();
+        Ok(match for_all(&lazy, run, similar, |network| variant.differs_on_squares(network))? {
+            Err(outcome) => outcome,
+            Ok(squares) => Outcome::Holds(vec![
+                Evidence::new(Grade::Exhaustive, part, format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; square roots exact, eigenvalues counted exactly"))
+                    .cases(cases),
+                Evidence::new(Grade::Exhaustive, similar, "similar by definition; characteristic polynomials compared on the same graphs with weights that are squares")
+                    .cases(squares),
+            ]),
+        })
+    }
+}

@@ -1,0 +1,327 @@
+//! chazelle.ex4birds.*: the flock on the line whose network never settles without hysteresis.
+//!
+//! The proof for all `t` is by invariants. With `r = (-1/3)^t` the state at time `t` is
+//! `x(t) = x(0) + (3/4)(1 - r) v(1)`, `v(t+1) = r v(1)`: affine in `r`. For `r` in `(0, 1]` the distance rule gives one
+//! network, for `r` in `[-1/3, 0)` the other; both multiply `v(1)` by -1/3, so a step maps `r` to `-r/3`, from one range
+//! into the other.
+
+use algebra::graph::Graph;
+use algebra::matrix::RationalMatrix;
+use arithmetic::{Rational, Ring, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use models::averaging::{Affine, Flock, HalfOpenRange, Hysteresis, Start, Weights, transition_matrix};
+
+/// The example with everything that the claims print about it.
+#[derive(Clone)]
+pub struct FourBirds {
+    /// x(0), over 16.
+    positions: [i64; 4],
+    /// v(1), over 8.
+    velocities: [i64; 4],
+    eigenvalue: (i64, i64),
+    /// The two printed matrices, over 3: two pairs, one path.
+    pairs: [[i64; 4]; 4],
+    path: [[i64; 4]; 4],
+    /// `x(t) = x(0) + factor (1 - ratio^t) v(1)`.
+    factor: (i64, i64),
+    /// The printed gaps for t >= 1, `(constant, coefficient of ratio^(t-1))` over 16: outer and middle.
+    outer_gap: (i64, i64),
+    middle_gap: (i64, i64),
+    /// The bounds of the outer gaps, over 16.
+    outer_bounds: (i64, i64),
+    hysteresis: Option<(i64, i64)>,
+}
+
+impl FourBirds {
+    fn printed() -> Self {
+        FourBirds {
+            positions: [0, 8, 21, 29],
+            velocities: [1, -1, 1, -1],
+            eigenvalue: (-1, 3),
+            pairs: [[1, 2, 0, 0], [2, 1, 0, 0], [0, 0, 1, 2], [0, 0, 2, 1]],
+            path: [[1, 2, 0, 0], [1, 1, 1, 0], [0, 1, 1, 1], [0, 0, 2, 1]],
+            factor: (3, 4),
+            outer_gap: (5, -1),
+            middle_gap: (16, 1),
+            outer_bounds: (4, 8),
+            hysteresis: None,
+        }
+    }
+
+    fn start(&self) -> Vec<Rational> {
+        self.positions.iter().map(|&x| rational(x, 16)).collect()
+    }
+
+    fn velocity(&self) -> Vec<Rational> {
+        self.velocities.iter().map(|&v| rational(v, 8)).collect()
+    }
+
+    fn eigenvalue(&self) -> Rational {
+        rational(self.eigenvalue.0, self.eigenvalue.1)
+    }
+
+    fn flock(&self) -> Result<Flock, CheckError> {
+        let hysteresis = self.hysteresis.map_or(Hysteresis::None, |(p, q)| Hysteresis::Constant(rational(p, q)));
+        Ok(Flock::new(&Start::on_the_line(self.start(), self.velocity(), Weights::Lazy, hysteresis))?)
+    }
+
+    /// `x(t)` as affine functions of `r = ratio^t`.
+    fn closed_form(&self) -> Vec<Affine> {
+        let factor = rational(self.factor.0, self.factor.1);
+        let position =
+            |(x, v): (Rational, Rational)| Affine { constant: x + factor.clone() * &v, slope: -(factor.clone() * v) };
+        self.start().into_iter().zip(self.velocity()).map(position).collect()
+    }
+}
+
+const PAIRS: [(usize, usize); 2] = [(0, 1), (2, 3)];
+
+/// The network at even and at odd times.
+fn networks() -> Result<[Graph; 2], CheckError> {
+    let pairs = Graph::from_edges(4, &PAIRS).map_err(|error| CheckError::Other(error.to_string()))?;
+    Ok([Graph::path(4), pairs])
+}
+
+fn exact(part: &str, detail: &str) -> Evidence {
+    Evidence::new(Grade::Exact, part, detail)
+}
+
+/// Both printed matrices are those of model D with lazy weights, and `v(1)` is an eigenvector of both.
+fn examine_eigenvector(birds: &FourBirds) -> Result<Outcome, CheckError> {
+    let velocity = birds.velocity();
+    let expected: Vec<Rational> = velocity.iter().map(|v| v * birds.eigenvalue()).collect();
+    let [path, pairs] = networks()?;
+    for (name, printed, graph) in [("two pairs", birds.pairs, pairs), ("path", birds.path, path)] {
+        let matrix = RationalMatrix::from_integers(&printed, 3)?;
+        if matrix.apply(&velocity)? != expected {
+            return Ok(Outcome::fails(
+                format!("the matrix of the {name} maps v(1) to something else"),
+                exact("the eigenvector", "multiplied out"),
+            ));
+        }
+        if matrix != transition_matrix(&graph, &Weights::Lazy)? {
+            return Ok(Outcome::fails(
+                format!("the matrix of the {name} is not the lazy transition matrix of that network"),
+                exact("the printed matrices", "compared with I - CL, c_i = 2/(3 d_i)"),
+            ));
+        }
+    }
+    Ok(Outcome::Holds(vec![exact(
+        "both matrices and the eigenvector",
+        "the printed matrices are I - CL with c_i = 2/(3 d_i) for two pairs and for the path; both map v(1) to its multiple",
+    )]))
+}
+
+/// The network alternates forever: first stepped, then proved for all t by the invariants at the head of this file.
+fn examine_alternation(birds: &FourBirds, run: &Run) -> Result<Outcome, CheckError> {
+    const STEPS: usize = 64;
+    let expected = networks()?;
+    let mut flock = birds.flock()?;
+    for t in 0..=STEPS {
+        run.checkpoint()?;
+        if *flock.network() != expected[t % 2] {
+            let components = flock.network().components().len();
+            return Ok(Outcome::fails(
+                format!(
+                    "at t = {t} the network has {components} component(s), edges {:?} (birds from 0)",
+                    flock.network().edges()
+                ),
+                exact("the network", "stepped exactly"),
+            ));
+        }
+        flock.step()?;
+    }
+    let ratio = birds.eigenvalue();
+    let positions = birds.closed_form();
+    let first = HalfOpenRange { end: rational(1, 1) };
+    let second = HalfOpenRange { end: ratio.clone() };
+    let not_proved = |what: String| Ok(Outcome::Undecided(what));
+    // The initial state is r = 1.
+    if positions.iter().map(|x| x.at(&rational(1, 1))).collect::<Vec<_>>() != birds.start() {
+        return not_proved("the family does not start at x(0)".to_string());
+    }
+    for (range, network) in [(&first, &expected[0]), (&second, &expected[1])] {
+        for j in 0..4 {
+            for i in 0..j {
+                let near = positions[j].minus(&positions[i]).is_within_one(range);
+                if near != Some(network.has_edge(i, j)) {
+                    return not_proved(format!("the distance of birds {} and {} is not settled", i + 1, j + 1));
+                }
+            }
+        }
+        // v(t+2) = P v(t+1) = ratio r v(1).
+        let scaled: Vec<Rational> = birds.velocity().iter().map(|v| v * &ratio).collect();
+        if transition_matrix(network, &Weights::Lazy)?.apply(&birds.velocity())? != scaled {
+            return not_proved("v(1) is not an eigenvector of both networks".to_string());
+        }
+    }
+    // x(t+1) = x(t) + r v(1) is the family at ratio r, as affine functions; the end of each range goes into the other.
+    for (x, v) in positions.iter().zip(birds.velocity()) {
+        let moved = Affine { constant: x.constant.clone(), slope: x.slope.clone() + v };
+        if moved != x.rescaled(&ratio) {
+            return not_proved("a step leaves the family".to_string());
+        }
+    }
+    if ratio.square() > rational(1, 1) || ratio >= rational(0, 1) {
+        return not_proved("a step leaves the ranges".to_string());
+    }
+    Ok(Outcome::Holds(vec![
+        exact(
+            "the alternation for all t",
+            "induction: states affine in r = (-1/3)^t, all six distances settled on (0,1] and on [-1/3,0), a step maps r to -r/3",
+        ),
+        exact("t = 0, ..., 64", "stepped exactly").cases(STEPS + 1),
+    ]))
+}
+
+/// The closed form for all t (induction, using the alternation) and the printed gaps.
+fn examine_closed_form(birds: &FourBirds, run: &mut Run) -> Result<Outcome, CheckError> {
+    let fails = |what: String| Ok(Outcome::fails(what, exact("(3.14)", "exact comparison")));
+    let ratio = birds.eigenvalue();
+    let positions = birds.closed_form();
+    let mut flock = birds.flock()?;
+    let mut r = rational(1, 1);
+    for t in 0..=64 {
+        for (i, (x, form)) in flock.positions().concat().iter().zip(&positions).enumerate() {
+            if *x != form.at(&r) {
+                return fails(format!("x_{}({t}) = {x}, the closed form gives {}", i + 1, form.at(&r)));
+            }
+        }
+        flock.step()?;
+        r *= &ratio;
+    }
+    // ratio^(t-1) = r/ratio.
+    let printed = |(constant, slope): (i64, i64)| Affine {
+        constant: rational(constant, 16),
+        slope: rational(slope, 16) / &ratio,
+    };
+    for (i, gap) in [birds.outer_gap, birds.middle_gap, birds.outer_gap].into_iter().enumerate() {
+        let derived = positions[i + 1].minus(&positions[i]);
+        if derived != printed(gap) {
+            return fails(format!("x_{} - x_{} at t = 1 is {}", i + 2, i + 1, derived.at(&ratio)));
+        }
+    }
+    // For t >= 1, r runs between ratio and ratio²: the extremes of an affine function.
+    let (low, high) = (rational(birds.outer_bounds.0, 16), rational(birds.outer_bounds.1, 16));
+    let outer = printed(birds.outer_gap);
+    let ends = [outer.at(&ratio), outer.at(&ratio.square())];
+    run.value("outer_gap_at_t_1", ends[0].to_string());
+    run.value("outer_gap_at_t_2", ends[1].to_string());
+    if let Some(end) = ends.iter().find(|&end| *end < low || *end > high) {
+        return fails(format!("an outer gap is {end}"));
+    }
+    let alternation = examine_alternation(birds, run)?;
+    let own = Outcome::Holds(vec![exact(
+        "closed form and gaps for all t",
+        "induction over the alternating networks; gaps compared as affine functions of (-1/3)^t; for t >= 1 the outer gap runs \
+         between 1/4 (attained at t = 1) and 1/3 (at t = 2)",
+    )]);
+    Run::all([Ok(own), Ok(alternation)])
+}
+
+/// chazelle.ex4birds.eig.
+pub struct Eigenvector;
+
+impl Claim for Eigenvector {
+    type Variant = FourBirds;
+
+    fn id(&self) -> &str {
+        "chazelle.ex4birds.eig"
+    }
+
+    fn derivation(&self) -> &str {
+        "Each bird has velocity +-1/8 and all its neighbours the opposite one: a third of the own minus two thirds, or for \
+         the inner birds of the path 1/3 - 1/3 - 1/3, is -1/3 of the own velocity."
+    }
+
+    fn printed(&self) -> FourBirds {
+        FourBirds::printed()
+    }
+
+    fn controls(&self) -> Vec<Control<FourBirds>> {
+        vec![
+            Control::new("eigenvalue 1/3", FourBirds { eigenvalue: (1, 3), ..self.printed() }),
+            Control::new("v(1) = (1,1,-1,-1)/8", FourBirds { velocities: [1, 1, -1, -1], ..self.printed() }),
+            Control::new(
+                "a matrix with two entries exchanged",
+                FourBirds { path: [[1, 2, 0, 0], [1, 1, 1, 0], [0, 1, 1, 1], [0, 0, 1, 2]], ..self.printed() },
+            ),
+        ]
+    }
+
+    fn examine(&self, variant: &FourBirds, _: &mut Run) -> Result<Outcome, CheckError> {
+        examine_eigenvector(variant)
+    }
+}
+
+/// chazelle.ex4birds.eq3.14.
+pub struct ClosedForm;
+
+impl Claim for ClosedForm {
+    type Variant = FourBirds;
+
+    fn id(&self) -> &str {
+        "chazelle.ex4birds.eq3.14"
+    }
+
+    fn derivation(&self) -> &str {
+        "v(s) = (-1/3)^(s-1) v(1) sums to (3/4)(1 - (-1/3)^t) v(1). The gaps follow; \"stays comfortably between 1/4 and 1/2\" is read with \
+         the ends included: the outer gaps are exactly 1/4 at t = 1 and never more than 1/3 for t >= 1."
+    }
+
+    fn printed(&self) -> FourBirds {
+        FourBirds::printed()
+    }
+
+    fn controls(&self) -> Vec<Control<FourBirds>> {
+        vec![
+            Control::new("factor 3/2", FourBirds { factor: (3, 2), ..self.printed() }),
+            Control::new("the sign in the outer gaps", FourBirds { outer_gap: (5, 1), ..self.printed() }),
+            Control::new("the sign in the middle gap", FourBirds { middle_gap: (16, -1), ..self.printed() }),
+            Control::new("a lower bound of 5/16", FourBirds { outer_bounds: (5, 8), ..self.printed() }),
+            Control::new("an upper bound of 5/16", FourBirds { outer_bounds: (4, 5), ..self.printed() }),
+            Control::new("x_3(0) = 20/16", FourBirds { positions: [0, 8, 20, 29], ..self.printed() }),
+        ]
+    }
+
+    fn examine(&self, variant: &FourBirds, run: &mut Run) -> Result<Outcome, CheckError> {
+        examine_closed_form(variant, run)
+    }
+}
+
+/// chazelle.ex4birds.alt.
+pub struct Alternation;
+
+impl Claim for Alternation {
+    type Variant = FourBirds;
+
+    fn id(&self) -> &str {
+        "chazelle.ex4birds.alt"
+    }
+
+    fn derivation(&self) -> &str {
+        "The middle gap is 1 - (3/16)(-1/3)^t: at most 1 for even t, more than 1 for odd t. The outer gaps stay below 1 and \
+         birds 1, 3 and 2, 4 stay 21/16 apart, birds 1, 4 farther. So the network is the path at even and two pairs at odd times; both have \
+         the eigenvector v(1), which closes the induction."
+    }
+
+    fn printed(&self) -> FourBirds {
+        FourBirds::printed()
+    }
+
+    fn controls(&self) -> Vec<Control<FourBirds>> {
+        vec![
+            Control::new(
+                "a hysteresis threshold of 1/1024",
+                FourBirds { hysteresis: Some((1, 1024)), ..self.printed() },
+            ),
+            Control::new("birds 3 and 4 nearer by 1/16", FourBirds { positions: [0, 8, 20, 28], ..self.printed() }),
+            Control::new("all velocities zero", FourBirds { velocities: [0, 0, 0, 0], ..self.printed() }),
+            Control::new("opposite velocities", FourBirds { velocities: [-1, 1, -1, 1], ..self.printed() }),
+        ]
+    }
+
+    fn examine(&self, variant: &FourBirds, run: &mut Run) -> Result<Outcome, CheckError> {
+        examine_alternation(variant, run)
+    }
+}

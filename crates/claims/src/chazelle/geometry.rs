@@ -1,0 +1,376 @@
+//! chazelle.eq3.15, chazelle.lem3.7 and chazelle.lem3.8: the geometry of flocking, and when edges are lost.
+//!
+//! The key is the virtual origin `E_i(t) = x_i(t) - t v_i(t)`: `E(1) = x(0)` and `E(t+1) = P(t) E(t) + (I - P(t)) x(t)`, whose last term is
+//! bounded and has stationary mean zero on a fixed network (notes/settling.md).
+
+use super::sequences::{four_birds, random_start, settled};
+use super::switching::SwitchesVariant;
+use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use models::averaging::settle::Ending;
+use models::averaging::{Flock, Hysteresis, Start, Weights, transition_matrix};
+use num_bigint::BigInt;
+use rand_chacha::rand_core::Rng;
+
+const PRECISION: u32 = 128;
+
+/// `N(n) <= n^switch_exponent` for entries of at least `n^-a` and speeds up to `n^c` (beyond.chazelle.switches).
+pub fn switch_exponent(n: u64, a: u64, c: u64) -> u64 {
+    (SwitchesVariant::QUADRATIC.exponent)(n, a, c)
+}
+
+/// `|E_i(t)| <= n^origin_exponent` for coordinates of `x(0)` up to `n^c` in dimension up to `n²`.
+pub fn origin_exponent(n: u64, a: u64, c: u64) -> u64 {
+    switch_exponent(n, a, c) + 2 * a + c + 8
+}
+
+/// No edge is lost after `n^(n^4 + loss_exponent)`.
+pub fn loss_exponent(n: u64, a: u64, c: u64) -> u64 {
+    origin_exponent(n, a, c) + 3
+}
+
+fn dot(a: &[Rational], b: &[Rational]) -> Rational {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+fn minus(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+    a.iter().zip(b).map(|(x, y)| x - y).collect()
+}
+
+/// The angle between `(a, 1)` and `(b, 1)`, and the distance of `a` and `b`.
+fn angle_and_distance(a: &[Rational], b: &[Rational]) -> Result<(Interval, Interval), CheckError> {
+    let enclose = |q: &Rational| Interval::from_rational(q, PRECISION);
+    let one = rational(1, 1);
+    let cosine = &one + dot(a, b);
+    let squared_sine = (&one + dot(a, a)) * (&one + dot(b, b)) - cosine.square();
+    let difference = minus(a, b);
+    let distance = enclose(&dot(&difference, &difference)).sqrt()?;
+    let sine = enclose(&squared_sine).sqrt()?;
+    let angle = if cosine > one.zero() {
+        sine.over(&enclose(&cosine))?.atan()?
+    } else {
+        sine.pi() * sine.ratio(1, 2) + enclose(&-cosine).over(&sine)?.atan()?
+    };
+    Ok((angle, distance))
+}
+
+/// chazelle.eq3.15.
+pub struct AngleAndDistance;
+
+/// `lower/(1 + R^power) <= angle/distance <= upper`, where `R` bounds both vectors.
+#[derive(Clone, Copy)]
+pub struct AngleVariant {
+    lower: (i64, i64),
+    power: u64,
+    upper: (i64, i64),
+}
+
+impl AngleVariant {
+    fn fails_at(&self, a: &[Rational], b: &[Rational]) -> Result<Option<String>, CheckError> {
+        let (angle, distance) = angle_and_distance(a, b)?;
+        let reach = Interval::from_rational(&dot(a, a).max(dot(b, b)), PRECISION).sqrt()?;
+        let ratio = angle.over(&distance)?;
+        let upper = ratio.ratio(self.upper.0, self.upper.1);
+        let lower = ratio.ratio(self.lower.0, self.lower.1).over(&(reach.one() + reach.power(self.power)))?;
+        // Certainly outside; both bounds are approached, so that enclosures alone do not decide the limit cases.
+        let outside = (ratio.clone() - upper).is_certainly_positive() || (lower - &ratio).is_certainly_positive();
+        Ok(outside.then(|| format!("w = {a:?}, v = {b:?}: the quotient is {:.6}", ratio.to_f64())))
+    }
+}
+
+impl Claim for AngleAndDistance {
+    type Variant = AngleVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.eq3.15"
+    }
+
+    fn derivation(&self) -> &str {
+        "(v, 1) and (w, 1) lie in a plane that touches the unit sphere. Projection to the sphere maps the segment between them to an arc of \
+         the length of the angle, and shrinks lengths at distance r from the point of contact by a factor between 1/(1 + r²) and 1. So \
+         1/(1 + R²) <= angle/|v - w| <= 1, with R the larger of |v| and |w|, and R <= n^O(1) because w is the mean of velocities plus \
+         x_i(0)/t. Both constants are best (notes/settling.md)."
+    }
+
+    fn printed(&self) -> AngleVariant {
+        AngleVariant { lower: (1, 1), power: 2, upper: (1, 1) }
+    }
+
+    fn controls(&self) -> Vec<Control<AngleVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("an upper bound of 99/100", AngleVariant { upper: (99, 100), ..printed }),
+            Control::new("a lower bound of 1/(1 + R)", AngleVariant { power: 1, ..printed }),
+            Control::new("twice the lower bound", AngleVariant { lower: (2, 1), ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &AngleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let mut random = run.random(0);
+        let cases = run.cases(400, 5000);
+        // Near the point of contact, and far from it in its direction.
+        let line = |x: (i64, i64)| vec![rational(x.0, x.1)];
+        let mut pairs = vec![
+            (line((0, 1)), line((1, 1000))),
+            (line((100, 1)), line((10_001, 100))),
+            (line((-1, 1)), line((1, 1))),
+            (line((-50, 1)), line((50, 1))),
+            (vec![rational(3, 1), rational(0, 1)], vec![rational(0, 1), rational(3, 1)]),
+        ];
+        for _ in 0..cases {
+            let dimension = 1 + random.next_u32() as usize % 3;
+            let scale = [1, 16, 256][random.next_u32() as usize % 3];
+            let mut point =
+                || (0..dimension).map(|_| rational(i64::from(random.next_u32() % 2001) - 1000, scale)).collect();
+            let pair: (Vec<Rational>, Vec<Rational>) = (point(), point());
+            if pair.0 != pair.1 {
+                pairs.push(pair);
+            }
+        }
+        for (w, v) in &pairs {
+            run.checkpoint()?;
+            if let Some(what) = variant.fails_at(w, v)? {
+                return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "the quotient", "an enclosure")));
+            }
+        }
+        Ok(Outcome::Holds(vec![
+            Evidence::new(
+                Grade::Certified,
+                "1/(1 + R²) <= angle/distance <= 1, for all v != w",
+                "proof in notes/settling.md; enclosures for vectors in dimension 1 to 3, obtuse angles among them",
+            )
+            .cases(pairs.len()),
+        ]))
+    }
+}
+
+/// The virtual origins `x_i(t) - t v_i(t)` of a flock one step after `before`.
+fn origins(before: &[Vec<Rational>], flock: &Flock) -> Vec<Vec<Rational>> {
+    let t = Rational::from_integer(flock.time().clone());
+    let now = flock.positions();
+    let origin =
+        |(x, old): (&Vec<Rational>, &Vec<Rational>)| x.iter().zip(old).map(|(a, b)| a - (a - b) * &t).collect();
+    now.iter().zip(before).map(origin).collect()
+}
+
+/// What the angle between `x_i(t)` and `v_i(t)` is compared with.
+#[derive(Clone, Copy)]
+pub struct OriginVariant {
+    /// The share of `(I - P) x` in the recursion of the origins.
+    coupling: (i64, i64),
+    /// `|E(t)| <= start |x(0)| + steps (switches + 1) 4 H` with `H = n^h`.
+    start: i64,
+    steps: i64,
+    h: fn(u64) -> u32,
+    /// `|v - x/t| <= |E| (log2 t)^logarithm / t^power`.
+    power: i32,
+    logarithm: u32,
+}
+
+impl OriginVariant {
+    /// (log t/t) n^O(n³), as printed.
+    pub const PRINTED: Self =
+        OriginVariant { coupling: (1, 1), start: 1, steps: 1, h: |a| 2 * a as u32 + 3, power: 1, logarithm: 1 };
+    /// Without the logarithm.
+    pub const SHARPER: Self = OriginVariant { logarithm: 0, ..Self::PRINTED };
+}
+
+/// Controls of the statements about the angle.
+pub fn origin_controls(printed: OriginVariant) -> Vec<Control<OriginVariant>> {
+    vec![
+        Control::new("half of (I - P) x in the recursion", OriginVariant { coupling: (1, 2), ..printed }),
+        Control::new("1/t² instead of 1/t", OriginVariant { power: 2, ..printed }),
+        Control::new("without the initial positions", OriginVariant { start: 0, steps: 0, ..printed }),
+        Control::new("a constant bound", OriginVariant { steps: 0, ..printed }),
+    ]
+}
+
+/// Decides a bound of the angle: the recursion of the virtual origins and the bound that follows from it.
+pub fn examine_origins(variant: &OriginVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut random = run.random(0);
+    let flocks = run.cases(60, 600);
+    let mut steps = 0;
+    // One bird, the four birds of the paper without hysteresis (they switch forever), random flocks.
+    let single = Start::on_the_line(vec![rational(5, 1)], vec![rational(0, 1)], Weights::Lazy, Hysteresis::Paper);
+    let mut starts = vec![single, four_birds(Hysteresis::None), four_birds(Hysteresis::Paper)];
+    starts.extend(
+        (0..flocks).map(|k| random_start(&mut random, if k % 2 == 0 { Hysteresis::Paper } else { Hysteresis::None })),
+    );
+    for start in &starts {
+        run.checkpoint()?;
+        if let Some(what) = follow(variant, start, &mut steps)? {
+            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "virtual origins", "an exact flock")));
+        }
+    }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exact,
+            "the angle at all times t >= 2, for all flocks of model D",
+            "proof in notes/settling.md: virtual origins E(t+1) = P E(t) + (I - P) x(t), bounded by mixing between switches",
+        ),
+        Evidence::new(
+            Grade::Fuzzed,
+            "the recursion and the bound",
+            "exact flocks of 1 to 5 birds in dimension 1 to 3, the four birds of the paper with and without hysteresis",
+        )
+        .cases(steps),
+    ]))
+}
+
+fn follow(variant: &OriginVariant, start: &Start, steps: &mut usize) -> Result<Option<String>, CheckError> {
+    const UNTIL: u32 = 20;
+    let mut flock = Flock::new(start)?;
+    let n = flock.birds() as u64;
+    let largest = |rows: &[Vec<Rational>]| rows.iter().flatten().map(num_traits::Signed::abs).max();
+    let first = largest(&start.positions).unwrap_or_else(|| rational(0, 1));
+    let h = rational(n as i64, 1).pow((variant.h)(if *flock.weights() == Weights::Vicsek { 1 } else { 2 }) as i32);
+    let mut before = flock.positions();
+    let mut switches = i64::from(flock.step()?.is_some());
+    let mut now = origins(&before, &flock);
+    for t in 2..=UNTIL {
+        *steps += 1;
+        before = flock.positions();
+        let p = transition_matrix(flock.network(), flock.weights())?;
+        switches += i64::from(flock.step()?.is_some());
+        let next = origins(&before, &flock);
+        let (p, q) = (p, rational(variant.coupling.0, variant.coupling.1));
+        for k in 0..flock.dimension() {
+            let column = |rows: &[Vec<Rational>]| -> Vec<Rational> { rows.iter().map(|row| row[k].clone()).collect() };
+            let (averaged, x) = (p.apply(&column(&now))?, column(&before));
+            let pulled = p.apply(&x)?;
+            let expected = averaged.iter().zip(x.iter().zip(&pulled)).map(|(e, (x, px))| e + (x - px) * &q);
+            if expected.ne(column(&next)) {
+                return Ok(Some(format!("{start:?}: the origins at t = {t} are not those of the recursion")));
+            }
+        }
+        now = next;
+        // The printed bound, on |v - x/t| = |E|/t per coordinate, which is at least the angle over sqrt(d).
+        let time = rational(i64::from(t), 1);
+        let bound = &first * rational(variant.start, 1) + &h * rational(4 * variant.steps * (switches + 1), 1);
+        let logarithm = rational(i64::from(t.ilog2()), 1).pow(variant.logarithm as i32);
+        let size = largest(&now).unwrap_or_else(|| rational(0, 1)) / &time;
+        if size > bound * logarithm / time.pow(variant.power) {
+            return Ok(Some(format!("{start:?} at t = {t}: |v - x/t| reaches {size}")));
+        }
+    }
+    Ok(None)
+}
+
+/// chazelle.lem3.7.
+pub struct AngleDecays;
+
+impl Claim for AngleDecays {
+    type Variant = OriginVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.lem3.7"
+    }
+
+    fn derivation(&self) -> &str {
+        "Readings: \"=\" bounds from above; no edge is longer than 2 (Lemma 3.6, n >= 4). With E_i(t) = x_i(t) - t v_i(t), the angle is at most |v_i - x_i/t| = |E_i|/t by (3.15). E(1) = x(0) and \
+         E(t+1) = P(t) E(t) + (I - P(t)) x(t); (I - P) x is bounded by 2 because neighbours are near, and its stationary mean is zero, so \
+         that on a fixed network E grows by at most 4 sum_r tau_1(P^r) <= 4 n^(2a+3) altogether. N(n) + 1 networks give \
+         |E(t)| <= n^O(n³), even n^O(n²), at all t >= 1: no waiting time is needed, nor the logarithm (beyond.chazelle.angle)."
+    }
+
+    fn printed(&self) -> OriginVariant {
+        OriginVariant::PRINTED
+    }
+
+    fn controls(&self) -> Vec<Control<OriginVariant>> {
+        origin_controls(self.printed())
+    }
+
+    fn examine(&self, variant: &OriginVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        examine_origins(variant, run)
+    }
+}
+
+/// chazelle.lem3.8.
+pub struct NoLosses;
+
+/// After `n^time(n)` no edge is lost.
+#[derive(Clone, Copy)]
+pub struct LossVariant {
+    /// The exponent.
+    pub time: fn(u64) -> u64,
+    /// From this number of birds on.
+    pub from: u64,
+    /// The hysteresis rule, or none.
+    pub hysteresis: bool,
+}
+
+/// Controls of the statements about lost edges.
+pub fn loss_controls(printed: LossVariant) -> Vec<Control<LossVariant>> {
+    vec![
+        Control::new("after n^n", LossVariant { time: |n| n, ..printed }),
+        Control::new("without hysteresis", LossVariant { hysteresis: false, ..printed }),
+        Control::new(
+            "what the argument gives, for n = 2 too (there it is too late)",
+            LossVariant { from: 2, ..printed },
+        ),
+    ]
+}
+
+/// Decides from when on no edge is lost.
+pub fn examine_losses(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let fails = |what: String, how: &str| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "lost edges", how)));
+    let hysteresis = if variant.hysteresis { Hysteresis::Paper } else { Hysteresis::None };
+    let (switches, end) = settled(&four_birds(hysteresis), run)?;
+    let last = switches.iter().rev().find(|s| !s.lost.is_empty()).map_or(BigInt::ZERO, |s| s.time.clone());
+    run.value("four_birds_last_loss", last.to_string());
+    if !matches!(end.ending, Ending::Steady) {
+        return fails(format!("the four birds: {}", end.why), "settled exactly");
+    }
+    if last > BigInt::from(4).pow((variant.time)(4) as u32) {
+        return fails(format!("the four birds lose the edge 2-3 at t = {last}"), "settled exactly");
+    }
+    const LARGEST: u64 = 200;
+    for n in variant.from..=LARGEST {
+        for (a, c) in [(1, 1), (2, 1)] {
+            let needed = n.pow(4) + loss_exponent(n, a, c);
+            if (variant.time)(n) < needed {
+                let what = format!(
+                    "n = {n}, a = {a}, c = {c}: the argument gives n^{needed}, more than n^{}",
+                    (variant.time)(n)
+                );
+                return fails(what, "exact integers");
+            }
+        }
+    }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exact,
+            "no edge is lost after that time, for all n large enough",
+            "proof in notes/settling.md; its exponents compared for n = 4, ..., 200 and entries >= 1/n, 1/n² (vicsek, lazy)",
+        )
+        .cases(2 * (LARGEST + 1 - variant.from) as usize),
+        Evidence::new(Grade::Exact, "the four birds", format!("last loss at t = {last}, settled exactly")),
+    ]))
+}
+
+impl Claim for NoLosses {
+    type Variant = LossVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.lem3.8"
+    }
+
+    fn derivation(&self) -> &str {
+        "For an edge of G_{t-1}, v_i(t) - v_j(t) = (x_i(t-1) - x_j(t-1) - E_i(t) + E_j(t))/(t-1), at most (2 + 2|E|)/(t-1). By Lemma 2.1 the edge \
+         stays once that is below eps = n^(-n^4): after n^(n^4 + K) with K = O(n²) from |E| <= n^O(n²) (lem3.7). K <= n^4 for n >= 4 with lazy or \
+         vicsek weights and inputs up to n, for other O(log n)-bit inputs from some n on (notes/settling.md). So n^(2n^4) is enough."
+    }
+
+    fn printed(&self) -> LossVariant {
+        LossVariant { time: |n| 2 * n.pow(4), from: 4, hysteresis: true }
+    }
+
+    fn controls(&self) -> Vec<Control<LossVariant>> {
+        loss_controls(self.printed())
+    }
+
+    fn examine(&self, variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        examine_losses(variant, run)
+    }
+}

@@ -1,0 +1,251 @@
+//! chazelle.lower_bound and chazelle.lower_paths: the initial conditions said to need 2^^Omega(log n) steps.
+
+use super::sequences::settled;
+use algebra::graph::Graph;
+use arithmetic::{Rational, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use models::averaging::settle::{Ending, Settlement};
+use models::averaging::{Hysteresis, Start, Switch, Weights};
+use num_bigint::BigInt;
+
+/// The velocities of a group of four birds, in units of 1/8 of the speed `n^-c`.
+pub type Group = [i64; 4];
+
+/// As printed: (1, 0, -1, 0).
+pub const PRINTED: Group = [8, 0, -8, 0];
+/// Its mirror image: (0, 1, 0, -1).
+pub const MIRRORED: Group = [0, 8, 0, -8];
+
+/// Groups of four birds with the printed positions, on the line (the common y-speed changes nothing).
+pub fn groups(list: &[Group], speed: &Rational, hysteresis: Hysteresis) -> Start {
+    let pairs = 2 * list.len() as i64;
+    let positions = (0..pairs).flat_map(|l| [rational(2 * l, 1), rational(6 * l + 2, 3)]).collect();
+    let velocities = list.iter().flatten().map(|&v| speed * rational(v, 8)).collect();
+    Start::on_the_line(positions, velocities, Weights::Lazy, hysteresis)
+}
+
+/// `n` and `c` with a moderate `n^c`.
+const CASES: [(i64, u32); 22] = [
+    (8, 3),
+    (8, 1),
+    (8, 2),
+    (8, 4),
+    (8, 5),
+    (4, 2),
+    (4, 3),
+    (4, 4),
+    (4, 5),
+    (12, 1),
+    (12, 2),
+    (12, 3),
+    (16, 1),
+    (16, 2),
+    (16, 3),
+    (20, 1),
+    (20, 2),
+    (20, 3),
+    (32, 1),
+    (32, 2),
+    (64, 1),
+    (64, 2),
+];
+/// More of them, for a full run.
+const MORE_CASES: [(i64, u32); 6] = [(12, 4), (12, 5), (16, 4), (20, 4), (32, 3), (64, 3)];
+
+fn cases(run: &Run) -> Vec<(i64, u32)> {
+    let mut all = CASES.to_vec();
+    all.extend(&MORE_CASES[..run.cases(0, MORE_CASES.len())]);
+    all
+}
+
+/// The networks `G_0` and those after each switch.
+fn networks(start: &Start, switches: &[Switch]) -> Result<Vec<Graph>, CheckError> {
+    let mut all = vec![models::averaging::Flock::new(start)?.network().clone()];
+    for switch in switches {
+        all.push(switch.applied_to(&all[all.len() - 1]));
+    }
+    Ok(all)
+}
+
+/// chazelle.lower_bound.
+pub struct LowerBound;
+
+/// When the network is said to stand still.
+#[derive(Clone, Copy)]
+pub struct LowerVariant {
+    /// The groups alternate between these two.
+    patterns: [Group; 2],
+    steady: Steady,
+}
+
+#[derive(Clone, Copy)]
+enum Steady {
+    /// Later than every polynomial: in particular later than `n^(c+1)`.
+    Late,
+    /// At `ceil(n^c/3) + shift`, after one switch in which the middles of all groups join.
+    AtContact { shift: i64 },
+}
+
+impl LowerVariant {
+    fn fails_at(&self, n: i64, c: u32, hysteresis: &Hysteresis, run: &mut Run) -> Result<Option<String>, CheckError> {
+        let power = BigInt::from(n).pow(c);
+        let list: Vec<Group> = (0..n as usize / 4).map(|k| self.patterns[k % 2]).collect();
+        let start = groups(&list, &Rational::new(1.into(), power.clone()), hysteresis.clone());
+        let (switches, end) = settled(&start, run)?;
+        let steady = matches!(end.ending, Ending::Steady);
+        run.value(&format!("steady_from_n_{n}_c_{c}"), end.last_switch.to_string());
+        let at = format!(
+            "n = {n}, c = {c}, hysteresis {hysteresis:?}: the network stands still from t = {} on",
+            end.last_switch
+        );
+        Ok(match self.steady {
+            Steady::Late => (steady && end.last_switch <= &power * n).then_some(at),
+            Steady::AtContact { shift } => {
+                let middles: Vec<(usize, usize)> = (0..list.len()).map(|g| (4 * g + 1, 4 * g + 2)).collect();
+                let contact: BigInt = (&power + 2) / 3 + shift;
+                let as_said =
+                    steady && end.last_switch == contact && switches.len() == 1 && switches[0].gained == middles;
+                (!as_said).then_some(at)
+            }
+        })
+    }
+}
+
+impl Claim for LowerBound {
+    type Variant = LowerVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.lower_bound"
+    }
+
+    fn derivation(&self) -> &str {
+        "All groups of four birds start alike, 4 apart, and are 4/3 apart at first: as long as no two groups meet, they move alike, so their \
+         distances never change and they never meet. Inside a group the gap of the middle birds is 4/3 - t/n^c until it is at most 1, at \
+         t = ceil(n^c/3); after that the path keeps its edges and gains none (closed form in notes/settling.md, for n^c >= 8). So the network \
+         stands still after n^c/3 steps, which is polynomial. What the sentence needs is groups that approach each other: with every second \
+         group mirrored two groups of four merge after 10^84 steps (n = 8, c = 3), and beyond.chazelle.tower climbs one level more. The bound itself \
+         is not refuted, the printed initial conditions are."
+    }
+
+    fn printed(&self) -> LowerVariant {
+        LowerVariant { patterns: [PRINTED; 2], steady: Steady::Late }
+    }
+
+    fn repair(&self) -> Option<Repair<LowerVariant>> {
+        Some(Repair {
+            fault: Fault::False,
+            statement: "From these initial conditions (n a multiple of 4, n^c >= 8) the network changes once, at t = ceil(n^c/3), and then never \
+                        again, with or without hysteresis: flocks of four birds at equal velocities."
+                .to_string(),
+            variant: LowerVariant { patterns: [PRINTED; 2], steady: Steady::AtContact { shift: 0 } },
+        })
+    }
+
+    fn controls(&self) -> Vec<Control<LowerVariant>> {
+        let corrected = LowerVariant { patterns: [PRINTED; 2], steady: Steady::AtContact { shift: 0 } };
+        vec![
+            Control::new("one step later", LowerVariant { steady: Steady::AtContact { shift: 1 }, ..corrected }),
+            Control::new("one step earlier", LowerVariant { steady: Steady::AtContact { shift: -1 }, ..corrected }),
+            Control::new("every second group mirrored", LowerVariant { patterns: [MIRRORED, PRINTED], ..corrected }),
+        ]
+    }
+
+    fn examine(&self, variant: &LowerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let all = cases(run);
+        for &(n, c) in &all {
+            for hysteresis in [Hysteresis::None, Hysteresis::Paper] {
+                if n == 64 && c > 1 && hysteresis == Hysteresis::Paper {
+                    continue;
+                }
+                if let Some(what) = variant.fails_at(n, c, &hysteresis, run)? {
+                    return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the last switch", "settled exactly")));
+                }
+            }
+        }
+        Ok(Outcome::Holds(vec![
+            Evidence::new(
+                Grade::Exact,
+                "every switch and the end, for all n and c with n^c >= 8",
+                "closed form in notes/settling.md; settled exactly for n = 4, 8, 12, 16, 20, 32, 64 and several c, with and without hysteresis",
+            )
+            .cases(2 * all.len()),
+        ]))
+    }
+}
+
+/// chazelle.lower_paths.
+pub struct SinglePaths;
+
+/// The flocks are paths, from `n^c >= least` on, of at most so many birds.
+#[derive(Clone, Copy)]
+pub struct PathsVariant {
+    least: i64,
+    longest: usize,
+    patterns: [Group; 2],
+}
+
+fn is_path(graph: &Graph) -> bool {
+    let degrees: Vec<usize> = (0..graph.order()).map(|i| graph.degree(i)).collect();
+    graph.edges().len() + 1 == graph.order() && graph.is_connected() && degrees.iter().all(|&d| d <= 2)
+}
+
+impl Claim for SinglePaths {
+    type Variant = PathsVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.lower_paths"
+    }
+
+    fn derivation(&self) -> &str {
+        "Pairs until ceil(n^c/3), then paths of four: the birds of a group stay more than 5/3 - 4.12/n^c > 1 from the next but one, and groups \
+         stay at least 4/3 apart (closed form in notes/settling.md, n^c >= 8: \"n is assumed to be large enough\"). For n = 4, c = 1 the group \
+         contracts so much that two more birds join at t = 5: not a path."
+    }
+
+    fn printed(&self) -> PathsVariant {
+        PathsVariant { least: 7, longest: 4, patterns: [PRINTED; 2] }
+    }
+
+    fn controls(&self) -> Vec<Control<PathsVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("n = 4, c = 1 as well", PathsVariant { least: 4, ..printed }),
+            Control::new("pairs for ever", PathsVariant { longest: 2, ..printed }),
+            Control::new("every second group mirrored", PathsVariant { patterns: [MIRRORED, PRINTED], ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &PathsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let mut all = cases(run);
+        all.insert(0, (4, 1));
+        for &(n, c) in all.iter().filter(|&&(n, c)| n.pow(c) >= variant.least) {
+            let list: Vec<Group> = (0..n as usize / 4).map(|k| variant.patterns[k % 2]).collect();
+            let start = groups(&list, &rational(1, n.pow(c)), Hysteresis::None);
+            let (switches, end): (Vec<Switch>, Settlement) = settled(&start, run)?;
+            if !matches!(end.ending, Ending::Steady) {
+                return Ok(Outcome::Undecided(end.why));
+            }
+            for (k, network) in networks(&start, &switches)?.iter().enumerate() {
+                let flocks = network.components();
+                if let Some(odd) = flocks.iter().find(|f| f.len() > variant.longest || !is_path(&network.induced(f))) {
+                    let birds: Vec<usize> = odd.iter().map(|i| i + 1).collect();
+                    return Ok(Outcome::fails(
+                        format!(
+                            "n = {n}, c = {c}: after switch {k} birds {birds:?} are no path of at most {} birds",
+                            variant.longest
+                        ),
+                        Evidence::new(Grade::Exact, "the flocks", "settled exactly"),
+                    ));
+                }
+            }
+        }
+        Ok(Outcome::Holds(vec![
+            Evidence::new(
+                Grade::Exact,
+                "all flocks at all times, n^c >= 8",
+                "closed form in notes/settling.md; settled exactly for n = 4, 8, 12, 16, 20, 32, 64 and several c",
+            )
+            .cases(all.len()),
+        ]))
+    }
+}

@@ -1,0 +1,404 @@
+//! chazelle.stab, chazelle.eq3.5 and chazelle.eq3.6: the stabilisers and the product of their blocks.
+
+use super::entries::small_weights;
+use super::sequences::{NetworkHistory, random_graph, words};
+use algebra::graph::Graph;
+use algebra::matrix::{RationalMatrix, Stabiliser, tau_1, tau_2_squared};
+use arithmetic::{Interval, Rational, Real, Ring, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use models::averaging::{Weights, transition_matrix};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::Rng;
+
+/// Levels that are followed.
+const LEVELS: usize = 3;
+
+/// Checks all sequences of 6, 4, 2 networks on 2, 3, 4 birds (`shorter`: 4, 3, 1) with a constant end, then random ones on
+/// up to 6; stops at the first failure.
+fn over_histories(
+    run: &Run,
+    shorter: bool,
+    mut fails: impl FnMut(&NetworkHistory, &mut ChaCha8Rng) -> Result<Option<String>, CheckError>,
+) -> Result<Result<[usize; 2], String>, CheckError> {
+    let mut random = run.random(0);
+    let mut exhaustive = 0;
+    let lengths = if shorter { [1, 4, 3, 1] } else { [3, 6, 4, 2] };
+    for (order, length) in (1..).zip(lengths) {
+        let graphs: Vec<Graph> = Graph::all(order).collect();
+        for word in words(graphs.len(), length) {
+            run.checkpoint()?;
+            exhaustive += 1;
+            let history = NetworkHistory::new(word.iter().map(|&k| graphs[k].clone()).collect());
+            if let Some(counterexample) = fails(&history, &mut random)? {
+                return Ok(Err(counterexample));
+            }
+        }
+    }
+    let sampled = run.cases(60, 2000);
+    for _ in 0..sampled {
+        run.checkpoint()?;
+        let order = 3 + random.next_u32() as usize % 4;
+        let history = NetworkHistory::new((0..8).map(|_| random_graph(order, 1, &mut random)).collect());
+        if let Some(counterexample) = fails(&history, &mut random)? {
+            return Ok(Err(counterexample));
+        }
+    }
+    Ok(Ok([exhaustive, sampled]))
+}
+
+fn outcome(part: &str, exhaustive: &str, found: Result<[usize; 2], String>) -> Outcome {
+    match found {
+        Err(counterexample) => {
+            Outcome::fails(counterexample, Evidence::new(Grade::Exact, part, "one sequence with a constant end"))
+        }
+        Ok([cases, sampled]) => Outcome::Holds(vec![
+            Evidence::new(Grade::Exhaustive, part, format!("proof in notes/chazelle_switches.md; {exhaustive}"))
+                .cases(cases),
+            Evidence::new(Grade::Fuzzed, part, "random sequences of 8 networks on 3 to 6 birds").cases(sampled),
+        ]),
+    }
+}
+
+/// `V_0 = [n]`, `V_1`, ... and `T_0 = 0`, `T_1`, ... for `s = 1`.
+struct Levels {
+    members: Vec<Vec<usize>>,
+    times: Vec<usize>,
+}
+
+impl Levels {
+    fn of(history: &NetworkHistory) -> Self {
+        let found = history.stabilisers(LEVELS);
+        let first = Stabiliser { time: 0, members: (0..history.order()).collect() };
+        let (times, members) = std::iter::once(first).chain(found).map(|s| (s.time, s.members)).unzip();
+        Levels { members, times }
+    }
+}
+
+/// chazelle.stab.
+pub struct Nested;
+
+/// What is altered.
+#[derive(Clone, Copy)]
+pub struct NestedVariant {
+    strictly: bool,
+    /// Separation for `t > T_1` or already for `t >= T_1`.
+    at_t1: bool,
+    /// The column that is claimed to be positive.
+    column: usize,
+    /// `V_1` from the first row instead of the first column.
+    from_row: bool,
+}
+
+impl NestedVariant {
+    fn fails_at(&self, history: &NetworkHistory) -> Option<String> {
+        let levels = Levels::of(history);
+        let place = |what: String| Some(format!("{}: {what}", history.show()));
+        for k in 1..levels.members.len() {
+            let (outer, inner) = (&levels.members[k - 1], &levels.members[k]);
+            if !inner.iter().all(|i| outer.contains(i)) || (self.strictly && inner.len() == outer.len()) {
+                return place(format!("V_{} = {}, V_{k} = {}", k - 1, birds(outer), birds(inner)));
+            }
+            if levels.times[k] <= levels.times[k - 1] {
+                return place(format!("T_{k} = {}", levels.times[k]));
+            }
+            // The product P(T_k, T_{k-1} + 1) of all birds: the block must be positive there.
+            let (first, last) = (levels.times[k - 1] + 1, levels.times[k]);
+            let product = (first + 1..=last)
+                .fold(history.footprint(first).clone(), |product, t| history.footprint(t).times(&product));
+            if let Some(&column) = outer.get(self.column)
+                && let Some(i) = inner.iter().find(|&&i| !product.get(i, column))
+            {
+                return place(format!("P({last}, {first}) is 0 at ({}, {})", i + 1, column + 1));
+            }
+            let stable = levels.times[k];
+            let inner = if self.from_row && k == 1 {
+                outer.iter().copied().filter(|&j| product.get(0, j)).collect()
+            } else {
+                inner.clone()
+            };
+            let from = if self.at_t1 { stable } else { stable + 1 };
+            for t in from..=history.constant_from().max(from) {
+                let outside = |j: &usize| outer.contains(j) && !inner.contains(j);
+                let graph = history.at(t);
+                let edge = graph
+                    .edges()
+                    .into_iter()
+                    .find(|(i, j)| (inner.contains(i) && outside(j)) || (inner.contains(j) && outside(i)));
+                if let Some((i, j)) = edge {
+                    let set = birds(&inner);
+                    return place(format!(
+                        "T_{k} = {stable}, V_{k} = {set}, and {}-{} is an edge at t = {t}",
+                        i + 1,
+                        j + 1
+                    ));
+                }
+            }
+        }
+        None
+    }
+}
+
+fn birds(members: &[usize]) -> String {
+    let names: Vec<String> = members.iter().map(|i| (i + 1).to_string()).collect();
+    format!("{{{}}}", names.join(", "))
+}
+
+impl Claim for Nested {
+    type Variant = NestedVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.stab"
+    }
+
+    fn derivation(&self) -> &str {
+        "V_k indexes rows of a matrix on V_{k-1}, so it is contained in it. An edge at t > T_k between i in V_k and j in V_{k-1} \\ V_k \
+         would give the column a one in row j after T_k, when nothing changes any more. So P(t) on V_{k-1} is block diagonal for t > T_k, \
+         and products of restrictions are restrictions of products. The first bird stays first: its diagonal entry is positive, so it belongs to every V_k, \
+         and the rows of V_k are by definition those with a positive entry in its column."
+    }
+
+    fn printed(&self) -> NestedVariant {
+        NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false }
+    }
+
+    fn controls(&self) -> Vec<Control<NestedVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("strictly nested", NestedVariant { strictly: true, ..printed }),
+            Control::new("separated at t = T_1 already", NestedVariant { at_t1: true, ..printed }),
+            Control::new("the second column", NestedVariant { column: 1, ..printed }),
+            Control::new("V_1 from the first row", NestedVariant { from_row: true, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &NestedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let found = over_histories(run, false, |history, _| Ok(variant.fails_at(history)))?;
+        let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
+        Ok(outcome("nested, block diagonal, positive first columns", cases, found))
+    }
+}
+
+/// `P(t)` for all `t` of a history, with exact products.
+struct Factors<'a> {
+    history: &'a NetworkHistory,
+    matrices: Vec<RationalMatrix>,
+}
+
+impl<'a> Factors<'a> {
+    /// Lazy weights on up to 3 birds, random ones of denominator `n²` on more.
+    fn new(history: &'a NetworkHistory, random: &mut ChaCha8Rng) -> Result<Self, CheckError> {
+        let matrix = |t: usize| {
+            let graph = history.at(t);
+            let weights = if history.order() <= 3 { Weights::Lazy } else { small_weights(graph, 2, random) };
+            Ok(transition_matrix(graph, &weights)?)
+        };
+        Ok(Factors { history, matrices: (1..=history.constant_from()).map(matrix).collect::<Result<_, CheckError>>()? })
+    }
+
+    /// `P(t, s)`; the identity for `t < s`.
+    fn product(&self, t: usize, s: usize) -> Result<RationalMatrix, CheckError> {
+        let at = |u: usize| &self.matrices[u.min(self.matrices.len()) - 1];
+        let identity = RationalMatrix::identity(self.history.order())?;
+        (s..=t).try_fold(identity, |product, u| Ok(at(u).times(&product)?.reduced()))
+    }
+}
+
+fn block(matrix: &RationalMatrix, rows: &[usize], cols: &[usize]) -> Result<RationalMatrix, CheckError> {
+    let picked: Vec<Vec<Rational>> = rows.iter().map(|&i| cols.iter().map(|&j| matrix.entry(i, j)).collect()).collect();
+    Ok(RationalMatrix::from_rows(&picked)?)
+}
+
+/// chazelle.eq3.5.
+pub struct Blocks;
+
+/// The index sets of two factors, and where the products start.
+#[derive(Clone, Copy)]
+pub struct BlocksVariant {
+    /// The columns of the factor of `T_2`: `V_1`, or `V_k`.
+    second_has_v1: bool,
+    /// The rows of the factor of `T_1`: `V_1`, or `V_k`.
+    first_has_v1: bool,
+    /// The product after `T_{i-1}` starts this many steps later.
+    gap: usize,
+}
+
+impl BlocksVariant {
+    fn fails_at(&self, history: &NetworkHistory, random: &mut ChaCha8Rng) -> Result<Option<String>, CheckError> {
+        let levels = Levels::of(history);
+        let factors = Factors::new(history, random)?;
+        for k in 1..levels.members.len() {
+            let (sets, times) = (&levels.members, &levels.times);
+            for t in times[k] + 1..=times[k] + 2 {
+                let left = block(&factors.product(t, 1)?, &sets[k], &sets[0])?;
+                let mut right = block(&factors.product(t, times[k] + self.gap)?, &sets[k], &sets[k])?;
+                for i in (1..=k).rev() {
+                    let rows = if i == 1 && !self.first_has_v1 { &sets[k] } else { &sets[i] };
+                    let cols = if i == 2 && !self.second_has_v1 { &sets[k] } else { &sets[i - 1] };
+                    let factor = block(
+                        &factors.product(times[i], times[i - 1] + if i == 1 { 1 } else { self.gap })?,
+                        rows,
+                        cols,
+                    )?;
+                    if right.cols() != factor.rows() {
+                        return Ok(Some(format!(
+                            "{}, k = {k}: {} columns meet {} rows at the factor of T_{i}",
+                            history.show(),
+                            right.cols(),
+                            factor.rows()
+                        )));
+                    }
+                    right = right.times(&factor)?.reduced();
+                }
+                if left != right {
+                    let entry = |m: &RationalMatrix| {
+                        m.to_rows()
+                            .iter()
+                            .map(|r| r.iter().map(ToString::to_string).collect::<Vec<_>>().join(" "))
+                            .collect::<Vec<_>>()
+                            .join("; ")
+                    };
+                    return Ok(Some(format!(
+                        "{}, lazy weights, s = 1, k = {k}, T = {:?}, V_{k} = {}, t = {t}: the block is [{}], the product is [{}]",
+                        history.show(),
+                        &times[1..=k],
+                        birds(&sets[k]),
+                        entry(&left),
+                        entry(&right)
+                    )));
+                }
+            }
+        }
+        Ok(None)
+    }
+}
+
+impl Claim for Blocks {
+    type Variant = BlocksVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.eq3.5"
+    }
+
+    fn derivation(&self) -> &str {
+        "After T_i the matrices on V_{i-1} are block diagonal with the block V_i, so the rows V_i of P(t, T_{i-1}+1) on V_{i-1} are \
+         P_{|V_i x V_i}(t, T_i+1) P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1); the rows V_k of that are rows of the left factor only. Iterated, the factor of T_2 has the \
+         columns V_1 and the factor of T_1 the rows V_1. With V_k in both places the paths through V_1 \\ V_k are lost."
+    }
+
+    fn printed(&self) -> BlocksVariant {
+        BlocksVariant { second_has_v1: false, first_has_v1: false, gap: 1 }
+    }
+
+    fn repair(&self) -> Option<Repair<BlocksVariant>> {
+        Some(Repair {
+            fault: Fault::Misprint,
+            statement: "P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
+                        P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1)"
+                .to_string(),
+            variant: BlocksVariant { second_has_v1: true, first_has_v1: true, ..self.printed() },
+        })
+    }
+
+    fn controls(&self) -> Vec<Control<BlocksVariant>> {
+        let corrected = BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 };
+        vec![
+            Control::new("V_2 x V_k, V_1 x V_0", BlocksVariant { second_has_v1: false, ..corrected }),
+            Control::new("V_2 x V_1, V_k x V_0", BlocksVariant { first_has_v1: false, ..corrected }),
+            Control::new("the factor at T_i taken twice", BlocksVariant { gap: 0, ..corrected }),
+            Control::new("the factor at T_i + 1 left out", BlocksVariant { gap: 2, ..corrected }),
+        ]
+    }
+
+    fn examine(&self, variant: &BlocksVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
+        let cases =
+            "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+        Ok(outcome("the factorisation, for all k", cases, found))
+    }
+}
+
+/// chazelle.eq3.6.
+pub struct Contraction;
+
+/// The constants of the two inequalities.
+#[derive(Clone, Copy)]
+pub struct ContractionVariant {
+    /// The square of the constant that is printed as the square root of 2.
+    squared_constant: (i64, i64),
+    /// `e(nu)` in `e^(-k nu^(-a e(nu)))`, a = 2.
+    exponent: fn(u32) -> u32,
+    /// Whether the last block `P_{|V_k x V_k}` is in the product.
+    last_block: bool,
+    /// A power of the whole product.
+    power: u64,
+}
+
+impl ContractionVariant {
+    fn fails_at(&self, history: &NetworkHistory, random: &mut ChaCha8Rng) -> Result<Option<String>, CheckError> {
+        const DENOMINATOR_POWER: u32 = 2;
+        const PRECISION: u32 = 128;
+        let levels = Levels::of(history);
+        let factors = Factors::new(history, random)?;
+        let (sets, times) = (&levels.members, &levels.times);
+        let nu = history.order() as i64;
+        let beta = rational(1, nu).pow((DENOMINATOR_POWER * (self.exponent)(nu as u32)) as i32);
+        let mut contraction = rational(1, 1);
+        for k in 1..sets.len() {
+            let factor = factors.product(times[k], times[k - 1] + 1)?;
+            contraction *= tau_1(&block(&factor, &sets[k], &sets[k - 1])?);
+            let exponent = Interval::from_rational(&-(beta.clone() * rational(k as i64, 1)), PRECISION);
+            let (bound, _) = exponent.exp()?.to_rationals();
+            for t in times[k] + 1..=times[k] + 2 {
+                let last = tau_1(&block(&factors.product(t, times[k] + 1)?, &sets[k], &sets[k])?);
+                let product = if self.last_block { contraction.clone() * last } else { contraction.clone() };
+                let left = tau_2_squared(&block(&factors.product(t, 1)?, &sets[k], &sets[0])?);
+                let (p, q) = self.squared_constant;
+                let place = |what: String| Ok(Some(format!("{}, k = {k}, t = {t}: {what}", history.show())));
+                let right = product.power(self.power).square() * rational(p, q);
+                if left > right {
+                    return place(format!("tau_2 squared is {left}, more than {right}"));
+                }
+                if product > bound {
+                    return place(format!(
+                        "the product of the coefficients is {product}, more than exp(-{k} * {beta})"
+                    ));
+                }
+            }
+        }
+        Ok(None)
+    }
+}
+
+impl Claim for Contraction {
+    type Variant = ContractionVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.eq3.6"
+    }
+
+    fn derivation(&self) -> &str {
+        "The blocks of (3.5) as corrected are row-stochastic. Lemma 2.4, once for each factor, and tau_2(I) <= sqrt(2) give the first inequality. The \
+         first column of each P_{|V_i x V_{i-1}} is at least beta = nu^(-a(nu-1)), which is more than nu^(-a nu²) (lem2.2.entries): any two rows \
+         overlap by beta, tau_1 <= 1 - beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2."
+    }
+
+    fn printed(&self) -> ContractionVariant {
+        ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 }
+    }
+
+    fn controls(&self) -> Vec<Control<ContractionVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("1.41 for sqrt(2)", ContractionVariant { squared_constant: (19881, 10000), ..printed }),
+            Control::new("e^(-k)", ContractionVariant { exponent: |_| 0, ..printed }),
+            Control::new("the square of the product", ContractionVariant { power: 2, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &ContractionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
+        let cases =
+            "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+        Ok(outcome("both inequalities, for all k", cases, found))
+    }
+}

@@ -1,0 +1,253 @@
+//! chazelle.Nts and chazelle.eq3.4: counting network switches while the columns of `P(t, s)` fill.
+
+use super::filling::{Filling, GroupRule};
+use super::sequences::{NetworkHistory, line_networks, random_line_flock, words};
+use algebra::graph::Graph;
+use arithmetic::rational;
+use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use models::averaging::Weights;
+
+/// chazelle.Nts.
+pub struct Count;
+
+/// Which `u` are counted, and what is claimed of one step.
+#[derive(Clone, Copy)]
+pub struct CountVariant {
+    with_s: bool,
+    with_t: bool,
+    /// One step counts exactly 1, or at most 1.
+    exactly_one: bool,
+    /// The first summand of the sum over `k`.
+    first_summand: usize,
+}
+
+impl CountVariant {
+    fn count(&self, history: &NetworkHistory, s: usize, t: usize) -> usize {
+        let first = if self.with_s { s } else { s + 1 };
+        // G_0 is not part of the sequence, and so u = 1 is not counted.
+        if self.with_t { history.changes(first.max(2), t) } else { history.changes(first.max(2), t - 1) }
+    }
+
+    /// What fails for a column and `s`, if anything: one step, the sum.
+    fn failures(&self, history: &NetworkHistory, column: usize, s: usize) -> [Option<String>; 2] {
+        let mut times = vec![s];
+        times.extend(weight_times(history, column, s));
+        let one_step = times.windows(2).skip(1).filter(|pair| pair[1] == pair[0] + 1).find_map(|pair| {
+            let count = self.count(history, pair[0], pair[1]);
+            let wrong = if self.exactly_one { count != 1 } else { count > 1 };
+            wrong.then(|| format!("N({}, {}) = {count}", pair[1], pair[0]))
+        });
+        let last = times[times.len() - 1];
+        let summands = times.windows(2).skip(self.first_summand - 1);
+        let (whole, sum) =
+            (self.count(history, s, last), summands.map(|p| self.count(history, p[0], p[1])).sum::<usize>());
+        let additivity = (whole != sum).then(|| format!("N({last}, {s}) = {whole}, but the sum is {sum}"));
+        let place = |what: String| format!("{}, s = {s}, column {}: {what}", history.show(), column + 1);
+        [one_step.map(place), additivity.map(place)]
+    }
+}
+
+/// `t_1 = s, t_2, ...`: the times at which the column of `P(t, s)` acquires its successive weights.
+fn weight_times(history: &NetworkHistory, column: usize, s: usize) -> Vec<usize> {
+    let mut product = history.footprint(s).clone();
+    let mut times = vec![s];
+    for t in s + 1..=history.constant_from() + history.order() {
+        let next = history.footprint(t).times(&product);
+        if next.column(column).len() > product.column(column).len() {
+            times.push(t);
+        }
+        product = next;
+    }
+    times
+}
+
+/// Exact flocks that fail for an honest reason: three birds at rest in a row, and birds that meet one after the other.
+fn small_flocks() -> Result<Vec<NetworkHistory>, CheckError> {
+    let eighths = |x: &[i64]| x.iter().map(|&x| rational(x, 8)).collect::<Vec<_>>();
+    let hysteresis = Some(rational(1, 3).pow(81));
+    [([0, 8, 16], [0, 0, 0]), ([0, 12, 40], [0, -3, -10]), ([0, 12, 24], [1, 0, -2])]
+        .iter()
+        .map(|(x, v)| {
+            Ok(NetworkHistory::new(line_networks(eighths(x), eighths(v), &Weights::Lazy, hysteresis.clone(), 12)?))
+        })
+        .collect()
+}
+
+impl Claim for Count {
+    type Variant = CountVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.Nts"
+    }
+
+    fn derivation(&self) -> &str {
+        "With s < u < t there is no u between t_k and t_k + 1, so N(t_{k+1}, t_k) = 0; and the changes at u = t_1, ..., t_{l-1} are in no \
+         summand. With s < u <= t the intervals are disjoint and fill (s, t_l], so N is additive. One step contains one u, which \
+         counts where G_u differs from G_{u-1}: a column can grow while the network rests (three birds at rest in a row), so N = 1 is \
+         N <= 1. t_1 = s, because P(s,s) has a first column. Neither slip matters for what follows."
+    }
+
+    fn printed(&self) -> CountVariant {
+        CountVariant { with_s: false, with_t: false, exactly_one: true, first_summand: 1 }
+    }
+
+    fn repair(&self) -> Option<Repair<CountVariant>> {
+        Some(Repair {
+            fault: Fault::Misprint,
+            statement:
+                "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when \
+                        t_{k+1} = t_k + 1, and N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1})."
+                    .to_string(),
+            variant: CountVariant { with_t: true, exactly_one: false, ..self.printed() },
+        })
+    }
+
+    fn controls(&self) -> Vec<Control<CountVariant>> {
+        let corrected = CountVariant { with_t: true, exactly_one: false, ..self.printed() };
+        vec![
+            Control::new("strict at both ends, at most 1", CountVariant { with_t: false, ..corrected }),
+            Control::new("both ends counted", CountVariant { with_s: true, ..corrected }),
+            Control::new("s < u <= t, exactly 1", CountVariant { exactly_one: true, ..corrected }),
+            Control::new("the sum from k = 3", CountVariant { first_summand: 3, ..corrected }),
+        ]
+    }
+
+    fn examine(&self, variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let mut found: [Option<String>; 2] = [None, None];
+        let mut sequences = 0;
+        let look = |history: &NetworkHistory, found: &mut [Option<String>; 2]| {
+            for s in 1..=2 {
+                for column in 0..history.order() {
+                    let failures = variant.failures(history, column, s);
+                    found.iter_mut().zip(failures).for_each(|(found, failure)| *found = found.take().or(failure));
+                }
+            }
+        };
+        for history in small_flocks()? {
+            look(&history, &mut found);
+        }
+        for (order, length) in [(1, 3), (2, 6), (3, 4), (4, 2)] {
+            let graphs: Vec<Graph> = Graph::all(order).collect();
+            for word in words(graphs.len(), length) {
+                run.checkpoint()?;
+                if found.iter().any(Option::is_some) {
+                    break;
+                }
+                sequences += 1;
+                look(&NetworkHistory::new(word.iter().map(|&k| graphs[k].clone()).collect()), &mut found);
+            }
+        }
+        let failures: Vec<String> = found.into_iter().flatten().collect();
+        if !failures.is_empty() {
+            let evidence =
+                Evidence::new(Grade::Exact, "one step, and the sum", "networks of an exact flock or sequence");
+            return Ok(Outcome::fails(failures.join("; "), evidence));
+        }
+        Ok(Outcome::Holds(vec![
+            Evidence::new(
+                Grade::Exhaustive,
+                "one step, and the sum",
+                "disjoint intervals (notes/chazelle_switches.md); all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 \
+                 birds with a constant end",
+            )
+            .cases(sequences),
+            Evidence::new(Grade::Exact, "the same", "exact flocks of three birds with the hysteresis of the paper"),
+        ]))
+    }
+}
+
+/// chazelle.eq3.4.
+pub struct UntilStable;
+
+/// A bound of the switches until the footprint is stable.
+#[derive(Clone, Copy)]
+pub struct UntilStableVariant {
+    /// The bound as a function of `n` and `N(n - 1)`.
+    bound: fn(u64, u64) -> u64,
+    /// Count to `T_1`, or count all switches.
+    until_stable: bool,
+}
+
+impl Claim for UntilStable {
+    type Variant = UntilStableVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.eq3.4"
+    }
+
+    fn derivation(&self) -> &str {
+        "Reading: N(n) is the maximum over a class of motions that contains the continuation of a motion from any time and of any group \
+         that meets no other bird (positions, old edges and weights arbitrary, speeds bounded); N(t,s) counts s < u <= t. T_1 is the \
+         last growth time t_l of some column, and the count for that column is the count of the whole network, so no factor for n \
+         columns is needed. Between t_k and t_{k+1} the column's birds and the others do not meet: N(n_k) + N(n - n_k) switches, one at t_{k+1}, \
+         and one the paper forgets, at t_k + 1, when an edge between the two sides breaks. There are l - 1 <= n - 1 intervals (t_1 = s), which makes \
+         (n-1)(2N(n-1)+2) <= 2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times)."
+    }
+
+    fn printed(&self) -> UntilStableVariant {
+        UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true }
+    }
+
+    fn controls(&self) -> Vec<Control<UntilStableVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("one interval only", UntilStableVariant { bound: |_, before| 2 * before + 1, ..printed }),
+            Control::new("N(n-1) + n", UntilStableVariant { bound: |n, before| before + n, ..printed }),
+            Control::new("all switches", UntilStableVariant { until_stable: false, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &UntilStableVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let mut classes = 0;
+        let settings =
+            [(3, vec![0, 0, 1]), (3, vec![0, 0, 2]), (3, vec![0, 0, 3]), (4, vec![0, 0, 1, 1]), (4, vec![0, 0, 1, 2])];
+        for (order, most) in settings {
+            run.checkpoint()?;
+            let rule = GroupRule { order, most: most.clone() };
+            let bound = (variant.bound)(order as u64, most[order - 1]);
+            let found = Filling::new(rule, variant.until_stable).longest();
+            let name = format!("most_switches_{order}_birds_N_{}", most[order - 1]);
+            let place =
+                format!("sequences of networks on {order} birds with N(2), ..., N({}) = {:?}", order - 1, &most[2..]);
+            match found {
+                Some(count) if count <= bound => run.value(&name, count.to_string()),
+                Some(count) => {
+                    let evidence = Evidence::new(Grade::Exhaustive, "the bound", "longest sequence of the class");
+                    return Ok(Outcome::fails(format!("{place}: {count} switches, more than {bound}"), evidence));
+                }
+                None => {
+                    let evidence = Evidence::new(Grade::Exhaustive, "the bound", "a cycle of the class");
+                    return Ok(Outcome::fails(format!("{place}: there is no largest number of switches"), evidence));
+                }
+            }
+            classes += 1;
+        }
+        let mut random = run.random(0);
+        let flocks = run.cases(60, 1500);
+        for _ in 0..flocks {
+            run.checkpoint()?;
+            let history = random_line_flock(&mut random, 14)?;
+            let n = history.order();
+            let stable = (0..n).filter_map(|j| weight_times(&history, j, 1).last().copied()).max().unwrap_or(1);
+            let end = if variant.until_stable { stable } else { history.constant_from() };
+            let (count, bound) = (history.changes(2, end) as u64, (variant.bound)(n as u64, (n as u64 - 1) / 2));
+            if count > bound {
+                let evidence = Evidence::new(Grade::Exact, "the bound", "an exact flock");
+                return Ok(Outcome::fails(
+                    format!("{}: {count} switches, more than {bound}", history.show()),
+                    evidence,
+                ));
+            }
+        }
+        Ok(Outcome::Holds(vec![
+            Evidence::new(
+                Grade::Exhaustive,
+                "the bound, for every class of sequences closed under continuation and separation",
+                "proof in notes/chazelle_switches.md; the longest sequences in which each group of birds that meets no other has at most N \
+                 switches, on 3 and 4 birds",
+            )
+            .cases(classes),
+            Evidence::new(Grade::Fuzzed, "flocks", "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)").cases(flocks),
+        ]))
+    }
+}

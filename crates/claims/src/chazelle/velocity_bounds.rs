@@ -1,0 +1,222 @@
+//! chazelle.lem2.1 and chazelle.eq2.3: changes of distances, and lengths of velocities.
+
+use super::sequences::{random_graph, words};
+use algebra::graph::Graph;
+use algebra::matrix::RationalMatrix;
+use arithmetic::{Rational, Ring, Sign, rational, sign_of_surd};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use models::averaging::{Weights, transition_matrix};
+use rand_chacha::rand_core::Rng;
+
+/// chazelle.lem2.1.
+pub struct DistanceChange;
+
+/// The right side.
+#[derive(Clone, Copy)]
+pub struct DistanceChangeVariant {
+    /// A factor of the right side, squared.
+    squared_factor: (i64, i64),
+    /// The Euclidean norm, or the largest coordinate.
+    euclidean: bool,
+    /// Strictly less.
+    strict: bool,
+}
+
+impl DistanceChangeVariant {
+    /// Whether `| |r + w| - |r| | <= |w|` (or what is claimed instead) for integer vectors.
+    fn holds(&self, r: &[i64], w: &[i64]) -> bool {
+        let squared = |x: &mut dyn Iterator<Item = i64>| rational(x.map(|x| x * x).sum(), 1);
+        let after = squared(&mut r.iter().zip(w).map(|(a, b)| a + b));
+        let before = squared(&mut r.iter().copied());
+        let size = if self.euclidean {
+            squared(&mut w.iter().copied())
+        } else {
+            squared(&mut w.iter().map(|x| x.abs()).max().into_iter())
+        };
+        let bound = size * rational(self.squared_factor.0, self.squared_factor.1);
+        // sqrt(A) <= sqrt(B) + sqrt(W) exactly when B + W - A + 2 sqrt(BW) >= 0, both ways.
+        [(&after, &before), (&before, &after)].into_iter().all(|(a, b)| {
+            let slack = b.clone() + &bound - a;
+            match sign_of_surd(&slack, &rational(2, 1), &(b.clone() * &bound)) {
+                Some(Sign::Positive) => true,
+                Some(Sign::Zero) => !self.strict,
+                _ => false,
+            }
+        })
+    }
+}
+
+impl Claim for DistanceChange {
+    type Variant = DistanceChangeVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.lem2.1"
+    }
+
+    fn derivation(&self) -> &str {
+        "With r = x_i(t-1) - x_j(t-1) and w = v_i(t) - v_j(t): x_i(t) - x_j(t) = r + w, and | |r + w| - |r| | <= |w| is the triangle inequality, twice, in \
+         any dimension. Equality where w is a multiple m r with m >= -1, or r = 0 or r + w = 0."
+    }
+
+    fn printed(&self) -> DistanceChangeVariant {
+        DistanceChangeVariant { squared_factor: (1, 1), euclidean: true, strict: false }
+    }
+
+    fn controls(&self) -> Vec<Control<DistanceChangeVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("a factor 0.99", DistanceChangeVariant { squared_factor: (9801, 10000), ..printed }),
+            Control::new("the largest coordinate", DistanceChangeVariant { euclidean: false, ..printed }),
+            Control::new("strictly less", DistanceChangeVariant { strict: true, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &DistanceChangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let mut cases = 0;
+        for (d, size) in [(1usize, 6i64), (2, 3), (3, 1)] {
+            let side = (2 * size + 1) as usize;
+            for word in words(side, 2 * d as u32) {
+                run.checkpoint()?;
+                cases += 1;
+                let numbers: Vec<i64> = word.iter().map(|&k| k as i64 - size).collect();
+                let (r, w) = numbers.split_at(d);
+                if !variant.holds(r, w) {
+                    let what = format!("x_i(t-1) - x_j(t-1) = {r:?}, v_i(t) - v_j(t) = {w:?}");
+                    return Ok(Outcome::fails(
+                        what,
+                        Evidence::new(Grade::Exact, "the bound", "exact signs of square roots"),
+                    ));
+                }
+            }
+        }
+        Ok(Outcome::Holds(vec![
+            Evidence::new(
+                Grade::Exhaustive,
+                "the bound, in any dimension",
+                "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension 1, 2, 3",
+            )
+            .cases(cases),
+        ]))
+    }
+}
+
+/// chazelle.eq2.3.
+pub struct VelocityNorm;
+
+/// The bound that is claimed.
+#[derive(Clone, Copy)]
+pub enum VelocityNormVariant {
+    /// A multiple of `sqrt(n)` times the largest speed at the start, squared.
+    LargestSpeed(i64, i64),
+    /// The largest speed at the start, without `sqrt(n)`.
+    WithoutRoot,
+    /// The norm at the start.
+    NormAtStart,
+}
+
+impl Claim for VelocityNorm {
+    type Variant = VelocityNormVariant;
+
+    fn id(&self) -> &str {
+        "chazelle.eq2.3"
+    }
+
+    fn derivation(&self) -> &str {
+        "Reading: coordinates of v(1) are at most n^b in absolute value (O(log n) bits), d is fixed. Each v_i(t+1) is a convex combination of the \
+         v_j(t), so |v_i(t)| <= max_j |v_j(1)| <= sqrt(d) n^b and ||v(t)||_2 <= sqrt(n) max_j |v_j(1)| <= sqrt(d) n^(b + 1/2). \
+         The constant sqrt(n) is attained by equal velocities. ||v(t)||_2 <= ||v(1)||_2 would be false: P can stretch."
+    }
+
+    fn printed(&self) -> VelocityNormVariant {
+        VelocityNormVariant::LargestSpeed(1, 1)
+    }
+
+    fn controls(&self) -> Vec<Control<VelocityNormVariant>> {
+        vec![
+            Control::new("0.995 sqrt(n)", VelocityNormVariant::LargestSpeed(99, 100)),
+            Control::new("without sqrt(n)", VelocityNormVariant::WithoutRoot),
+            Control::new("||v(t)|| <= ||v(1)||", VelocityNormVariant::NormAtStart),
+        ]
+    }
+
+    fn examine(&self, variant: &VelocityNormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the bound", "an exact run")));
+        let mut exhaustive = 0;
+        for order in 1..=4usize {
+            for graph in Graph::all(order) {
+                run.checkpoint()?;
+                for word in words(3, order as u32) {
+                    exhaustive += 1;
+                    let velocities = word.iter().map(|&k| vec![rational(k as i64 - 1, 1)]).collect();
+                    if let Some(what) = variant.fails_at(velocities, std::slice::from_ref(&graph), &Weights::Lazy)? {
+                        return fails(what);
+                    }
+                }
+            }
+        }
+        let mut random = run.random(0);
+        let cases = run.cases(80, 2000);
+        for case in 0..cases {
+            run.checkpoint()?;
+            let (n, d) = (1 + case % 5, 1 + case / 5 % 3);
+            let mut number = || rational(i64::from(random.next_u32() % 17) - 8, 4);
+            let velocities = (0..n).map(|_| (0..d).map(|_| number()).collect()).collect();
+            let graphs: Vec<Graph> = (0..5).map(|_| random_graph(n, 2, &mut random)).collect();
+            if let Some(what) = variant.fails_at(velocities, &graphs, &Weights::Vicsek)? {
+                return fails(what);
+            }
+        }
+        Ok(Outcome::Holds(vec![
+            Evidence::new(
+                Grade::Exhaustive,
+                "||v(t)||_2 <= sqrt(n) max |v_j(1)|, for all sequences of networks",
+                "proof in notes/chazelle_switches.md; one step of all networks on up to 4 birds, velocities -1, 0, 1 (equal ones attain it)",
+            )
+            .cases(exhaustive),
+            Evidence::new(Grade::Fuzzed, "the same", "exact runs of 1 to 5 birds in dimension 1 to 3").cases(cases),
+        ]))
+    }
+}
+
+impl VelocityNormVariant {
+    /// Where `v(1), v(2), ...` exceeds the bound for these networks, if anywhere.
+    fn fails_at(
+        &self,
+        start: Vec<Vec<Rational>>,
+        graphs: &[Graph],
+        weights: &Weights,
+    ) -> Result<Option<String>, CheckError> {
+        let (n, d) = (start.len(), start[0].len());
+        let speed_squared = |v: &Vec<Rational>| v.iter().map(Ring::square).sum::<Rational>();
+        let total = |v: &[Vec<Rational>]| v.iter().map(speed_squared).sum::<Rational>();
+        let largest = start.iter().map(speed_squared).max().unwrap_or_else(|| rational(0, 1));
+        let bound = match *self {
+            VelocityNormVariant::LargestSpeed(p, q) => largest * rational(n as i64 * p, q),
+            VelocityNormVariant::WithoutRoot => largest,
+            VelocityNormVariant::NormAtStart => total(&start),
+        };
+        let mut velocities = start;
+        for t in 1..=graphs.len() + 1 {
+            let norm = total(&velocities);
+            if norm > bound {
+                return Ok(Some(format!(
+                    "{n} birds, d = {d}, t = {t}: ||v(t)||_2 squared is {norm}, the bound is {bound}"
+                )));
+            }
+            let Some(graph) = graphs.get(t - 1) else { break };
+            velocities = step_velocities(&transition_matrix(graph, weights)?, &velocities)?;
+        }
+        Ok(None)
+    }
+}
+
+/// `(P kron I_d) v`, bird by bird.
+pub(super) fn step_velocities(
+    matrix: &RationalMatrix,
+    velocities: &[Vec<Rational>],
+) -> Result<Vec<Vec<Rational>>, CheckError> {
+    let coordinate = |k: usize| velocities.iter().map(|v| v[k].clone()).collect::<Vec<_>>();
+    let columns: Vec<Vec<Rational>> =
+        (0..velocities[0].len()).map(|k| Ok(matrix.apply(&coordinate(k))?)).collect::<Result<_, CheckError>>()?;
+    Ok((0..velocities.len()).map(|i| columns.iter().map(|c| c[i].clone()).collect()).collect())
+}

@@ -1,0 +1,54 @@
+//! The claims of the papers and of this project with their checks, one file per group; a claim is found by searching for
+//! its id.
+
+mod beyond;
+pub mod certificates;
+mod chazelle;
+pub mod paley;
+mod record;
+mod shares;
+mod tanner1;
+mod tanner2;
+mod veerman;
+
+use arithmetic::{Rational, parse_rational, rational};
+use ledger::{CheckError, Ledger, LedgerError};
+use proofs::kernel::Development;
+
+/// What is true instead of a printed statement that fails is a claim of its own, `beyond.paley.eq21` for `paley.eq21`; but
+/// not where only the wording of the paper is corrected, or where it is a matter of long runs.
+const WITHOUT_OWN_CLAIM: [&str; 6] = [
+    "tanner1.figs3_6",
+    "tanner2.appA.thm4",
+    "tanner2.appA.thm5",
+    "tanner2.sec6.figures",
+    "veerman.dimL",
+    "veerman.sec7.system",
+];
+
+/// What the five papers claim: id, place and statement, separated by tabs.
+pub const LISTED: &str = include_str!("listed.tsv");
+
+/// The verdicts that the ledger is expected to reach, with the grades of their evidence.
+pub const RECORDED: &str = include_str!("recorded.tsv");
+
+/// The ledger of every claim that is built, and of the corrections of those whose printed form fails.
+///
+/// # Errors
+/// [`LedgerError`] where a claim is registered twice or lacks a source; the tests rule that out.
+pub fn ledger() -> Result<Ledger, LedgerError> {
+    let mut ledger = Ledger::new().with_list(LISTED).with_record(RECORDED).with_proofs(Development);
+    let papers = [chazelle::claims(), veerman::claims(), paley::claims(), tanner1::claims(), tanner2::claims()];
+    for claim in papers.into_iter().flatten().chain(beyond::claims()) {
+        ledger.register_boxed(claim)?;
+    }
+    ledger.register_corrections(|printed| !WITHOUT_OWN_CLAIM.contains(&printed))?;
+    Ok(ledger)
+}
+
+/// The value of a printed decimal and one unit of its last place.
+fn printed_decimal(printed: &str) -> Result<(Rational, Rational), CheckError> {
+    let value = parse_rational(printed).map_err(|error| CheckError::Other(error.to_string()))?;
+    let places = printed.split_once('.').map_or(0, |(_, after)| after.len());
+    Ok((value, rational(10, 1).pow(-(places as i32))))
+}

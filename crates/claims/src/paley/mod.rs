@@ -1,0 +1,14 @@
+//! Claims of Paley, Leonard, Sepulchre, Grünbaum and Parrish, Oscillator models and collective motion.
+
+mod phase;
+mod space;
+
+pub use phase::{CyclicVariant, Kind, Polygon, critical_points, on_the_line, printed_column, rhombus, value_of};
+pub use space::without_symmetries;
+
+use ledger::AnyClaim;
+
+/// All that are built.
+pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+    phase::claims().into_iter().chain(space::claims()).collect()
+}

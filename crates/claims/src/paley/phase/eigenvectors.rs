@@ -1,0 +1,284 @@
+//! paley.eig.sym, paley.fig2.caption: which eigenvectors with entries of modulus one a circulant Laplacian has.
+
+use super::common::{Exact, all_zero, at, circulants, digraph, holds, laplacian, turns, up_to_rotation};
+use super::stationary::is_eigenvector;
+use algebra::matrix::inertia;
+use arithmetic::{Complex, CosineField, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use models::oscillator::{clusters_of_pattern, laplacian_rows, misalignment, phasor};
+use num_integer::Integer;
+
+/// The column `m` of the Fourier matrix, counted from 0, without its factor.
+pub fn column(field: &CosineField, nodes: usize, m: usize) -> Exact {
+    at(field, &(0..nodes).map(|k| m * k % nodes).collect::<Vec<_>>())
+}
+
+/// How many clusters the column `m`, counted from 0, has.
+pub fn clusters_of_column(nodes: usize, m: usize) -> usize {
+    nodes / nodes.gcd(&m)
+}
+
+/// paley.eig.sym.
+pub struct CirculantEigenvectors;
+
+/// All eigenvectors with entries of modulus one, or the columns of `F` only, and how many clusters column `m` has.
+#[derive(Clone, Copy)]
+pub struct SymmetryVariant {
+    columns_only: bool,
+    clusters: fn(nodes: usize, m: usize) -> usize,
+}
+
+impl Claim for CirculantEigenvectors {
+    type Variant = SymmetryVariant;
+
+    fn id(&self) -> &str {
+        "paley.eig.sym"
+    }
+
+    fn derivation(&self) -> &str {
+        "The columns of F are eigenvectors, but not the only ones: an eigenvalue of an undirected circulant is repeated unless it belongs to column 1 or \
+         N/2 + 1. On C_4 every rhombus (u, v, -u, -v) with |u| = |v| = 1 is an eigenvector with eigenvalue 2; on K_N every balanced arrangement is one with eigenvalue N; on a \
+         graph without edges every arrangement is one (there already for N = 2). Connected circulants of 2 and 3 nodes have no counterexample: balanced \
+         arrangements of 2 or 3 phases are symmetric."
+    }
+
+    fn printed(&self) -> SymmetryVariant {
+        SymmetryVariant { columns_only: false, clusters: clusters_of_column }
+    }
+
+    fn repair(&self) -> Option<Repair<SymmetryVariant>> {
+        Some(Repair {
+            fault: Fault::False,
+            statement: "If e^{i theta} is, up to a common rotation, a column of F (column m other than the first), then the phasors form a symmetric pattern, \
+                        that of N/gcd(N, m - 1) clusters. Other eigenvectors of a repeated eigenvalue need not be symmetric."
+                .to_string(),
+            variant: SymmetryVariant { columns_only: true, clusters: clusters_of_column },
+        })
+    }
+
+    fn controls(&self) -> Vec<Control<SymmetryVariant>> {
+        vec![
+            Control::new(
+                "N clusters in every column",
+                SymmetryVariant { columns_only: true, clusters: |nodes, _| nodes },
+            ),
+            Control::new(
+                "gcd(N, m - 1) clusters",
+                SymmetryVariant { columns_only: true, clusters: |nodes, m| nodes.gcd(&m) },
+            ),
+            Control::new("N/(m - 1) clusters", SymmetryVariant { columns_only: true, clusters: |nodes, m| nodes / m }),
+        ]
+    }
+
+    fn examine(&self, variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        const PARTS: usize = 12;
+        let fails =
+            |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "eigenvectors", "exact products")));
+        if !variant.columns_only {
+            let field = CosineField::new(PARTS as u32);
+            for order in 2..=4 {
+                for (offsets, graph) in circulants(order, true).into_iter().filter(|(_, g)| g.is_strongly_connected()) {
+                    let laplacian = laplacian(&graph)?;
+                    for exponents in up_to_rotation(order, PARTS) {
+                        run.checkpoint()?;
+                        let z = at(&field, &exponents);
+                        if is_eigenvector(&laplacian, &z) && clusters_of_pattern(&z).is_none() {
+                            let place = turns(&exponents, PARTS);
+                            let z = format!("circulant with N = {order} and offsets {offsets:?}, {place}");
+                            return fails(format!("{z}: an eigenvector, but no symmetric pattern"));
+                        }
+                    }
+                }
+            }
+        }
+        let most = run.cases(6, 8);
+        let mut cases = 0;
+        for order in 2..=most {
+            let field = CosineField::new(order as u32);
+            for (offsets, graph) in circulants(order, true) {
+                run.checkpoint()?;
+                let laplacian = laplacian(&graph)?;
+                for m in 1..order {
+                    cases += 1;
+                    let z = column(&field, order, m);
+                    let expected = Some((variant.clusters)(order, m) as u32);
+                    if !is_eigenvector(&laplacian, &z) || clusters_of_pattern(&z) != expected {
+                        let found = clusters_of_pattern(&z);
+                        return fails(format!(
+                            "N = {order}, offsets {offsets:?}, column {}: clusters {found:?}, claimed {expected:?}",
+                            m + 1
+                        ));
+                    }
+                }
+            }
+        }
+        let detail = format!(
+            "all columns on all undirected circulants of 2 to {most} nodes; for all: w^m has order N/gcd(N, m)"
+        );
+        holds([Evidence::new(Grade::Exhaustive, "columns of F are symmetric patterns", detail).cases(cases)])
+    }
+}
+
+/// The rank of the conditions on `c = a conj(b)` and `r` under which `a w^(mk) + b w^(-mk)` has the same modulus for all `k`:
+/// `2 Re(c w^(2mk)) = r`. Exact; the rank of the Gram matrix.
+fn rank_of_conditions(field: &CosineField, nodes: usize, m: usize) -> Result<usize, CheckError> {
+    let one = field.cos(0);
+    let rows: Vec<[RealCyclotomic; 3]> = (0..nodes)
+        .map(|k| {
+            let z = field.phasor((2 * m * k % nodes) as i64);
+            [z.re, -z.im, -one.clone()]
+        })
+        .collect();
+    let entry = |i: usize, j: usize| rows.iter().fold(one.zero(), |sum, row| sum + row[i].clone() * &row[j]);
+    let gram: Vec<Vec<RealCyclotomic>> = (0..3).map(|i| (0..3).map(|j| entry(i, j)).collect()).collect();
+    Ok(inertia(&gram)?.positive)
+}
+
+/// `(u, v, -u, -v)` repeated.
+fn rhombi(nodes: usize) -> Result<Vec<Vec<Complex<Rational>>>, CheckError> {
+    let parameters = [(1, 2), (-3, 1), (2, 7), (1, 1), (5, 3)];
+    let vector = |&(p, q): &(i64, i64)| {
+        let (u, v) = (phasor(&rational(0, 1))?, phasor(&rational(p, q))?);
+        let four = [u.clone(), v.clone(), -u, -v];
+        Ok((0..nodes).map(|k| four[k % 4].clone()).collect())
+    };
+    parameters.iter().map(vector).collect()
+}
+
+/// The eigenvectors with entries of modulus one on `C_N`, up to rotation: the columns of `F`, and rhombi where it says so.
+#[derive(Clone, Copy)]
+pub struct CyclicVariant {
+    /// Columns `m < N/2`, counted from 0, whose eigenvalue is claimed to have more eigenvectors of modulus one: rhombi.
+    pub rhombi: fn(nodes: usize, m: usize) -> bool,
+    /// How many clusters column `m` has.
+    pub clusters: fn(nodes: usize, m: usize) -> usize,
+}
+
+impl CyclicVariant {
+    /// Where `4 m = N`, and nowhere else.
+    pub const CLASSIFICATION: Self = CyclicVariant { rhombi: |nodes, m| 4 * m == nodes, clusters: clusters_of_column };
+
+    /// Where the classification fails on `C_N`, if it does.
+    pub fn fails_on(&self, nodes: usize) -> Result<Option<String>, CheckError> {
+        let field = CosineField::new(nodes as u32);
+        let graph = digraph(nodes, |k, j| (k + 1) % nodes == j || (j + 1) % nodes == k);
+        let laplacian = laplacian(&graph)?;
+        for m in 0..nodes {
+            let z = column(&field, nodes, m);
+            if !is_eigenvector(&laplacian, &z) || !all_zero(&misalignment(&laplacian, &z)) {
+                return Ok(Some(format!("column {} is no stationary eigenvector", m + 1)));
+            }
+            if clusters_of_pattern(&z) != Some((self.clusters)(nodes, m) as u32) {
+                return Ok(Some(format!("column {} has {:?} clusters", m + 1, clusters_of_pattern(&z))));
+            }
+        }
+        // Eigenvalues 2 - 2 cos(2 pi m/N) increase with m <= N/2: the eigenspaces are those of the pairs m, N - m.
+        if (0..nodes / 2).any(|m| (field.cos(m as i64) - field.cos(m as i64 + 1)).sign() != Some(Sign::Positive)) {
+            return Ok(Some("two eigenvalues are equal".to_string()));
+        }
+        for m in (1..nodes).filter(|m| 2 * m < nodes) {
+            // Rank 3: c = 0, one of the two columns. Rank 2: a line of c, two free phases.
+            let more = rank_of_conditions(&field, nodes, m)? < 3;
+            if more == (self.rhombi)(nodes, m) {
+                continue;
+            }
+            if !more {
+                return Ok(Some(format!("the eigenvalue of column {} has the columns only", m + 1)));
+            }
+            for z in rhombi(nodes)? {
+                let image = laplacian_rows(&laplacian, &z);
+                let factor = rational(2, 1);
+                let eigenvector = image.iter().zip(&z).all(|(lz, z)| *lz == z.scale(&factor));
+                if eigenvector && clusters_of_pattern(&z).is_none() {
+                    let (u, v) = (&z[0], &z[1]);
+                    return Ok(Some(format!(
+                        "(u, v, -u, -v, ...) with u = {} + {} i, v = {} + {} i is an eigenvector with eigenvalue 2 and no symmetric pattern",
+                        u.re, u.im, v.re, v.im
+                    )));
+                }
+            }
+            return Ok(Some(format!("the eigenvalue of column {} has other eigenvectors", m + 1)));
+        }
+        self.rhombi_fail_on(nodes, &laplacian)
+    }
+
+    /// Whether the claimed rhombi are eigenvectors and stationary.
+    fn rhombi_fail_on(
+        &self,
+        nodes: usize,
+        laplacian: &algebra::matrix::SparseMatrix,
+    ) -> Result<Option<String>, CheckError> {
+        if !(1..nodes).any(|m| 2 * m < nodes && (self.rhombi)(nodes, m)) {
+            return Ok(None);
+        }
+        for z in rhombi(nodes)? {
+            let doubled =
+                laplacian_rows(laplacian, &z).into_iter().zip(&z).all(|(lz, z)| lz == z.scale(&rational(2, 1)));
+            if !doubled || !all_zero(&misalignment(laplacian, &z)) {
+                return Ok(Some("a rhombus is no eigenvector with eigenvalue 2".to_string()));
+            }
+        }
+        Ok(None)
+    }
+}
+
+/// paley.fig2.caption.
+pub struct CyclicEigenvectors;
+
+impl Claim for CyclicEigenvectors {
+    type Variant = CyclicVariant;
+
+    fn id(&self) -> &str {
+        "paley.fig2.caption"
+    }
+
+    fn derivation(&self) -> &str {
+        "Stationary: yes (paley.eq16.eigvec). The eigenvalues 2 - 2 cos(2 pi m/12), 0 < m < 6, are double, with eigenvectors a w^(mk) + b w^(-mk). Their moduli \
+         squared are |a|^2 + |b|^2 + 2 Re(a conj(b) w^(2mk)), the same for all k exactly if a = 0 or b = 0, or if w^(2m) = -1 and a conj(b) is imaginary: m = 3, \
+         eigenvalue 2, the rhombi (u, v, -u, -v) three times over, with any phases of u and v. They are symmetric patterns only if v = ±u or v = ±iu."
+    }
+
+    fn printed(&self) -> CyclicVariant {
+        CyclicVariant { rhombi: |_, _| false, clusters: clusters_of_column }
+    }
+
+    fn repair(&self) -> Option<Repair<CyclicVariant>> {
+        Some(Repair {
+            fault: Fault::False,
+            statement: "On C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of W_1, and up to rotation it is a column of F, which \
+                        is a symmetric pattern, or, with eigenvalue 2, (u, v, -u, -v) three times over with any u, v of modulus one."
+                .to_string(),
+            variant: CyclicVariant::CLASSIFICATION,
+        })
+    }
+
+    fn controls(&self) -> Vec<Control<CyclicVariant>> {
+        let right = CyclicVariant::CLASSIFICATION;
+        vec![
+            Control::new(
+                "more eigenvectors at eigenvalue 1 too",
+                CyclicVariant { rhombi: |n, m| 4 * m == n || 6 * m == n, ..right },
+            ),
+            Control::new(
+                "more eigenvectors at every double eigenvalue",
+                CyclicVariant { rhombi: |_, _| true, ..right },
+            ),
+            Control::new(
+                "twelve clusters in every column",
+                CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right },
+            ),
+        ]
+    }
+
+    fn examine(&self, variant: &CyclicVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        run.checkpoint()?;
+        if let Some(what) = variant.fails_on(12)? {
+            return Ok(Outcome::fails(
+                format!("C_12: {what}"),
+                Evidence::new(Grade::Exact, "eigenvectors", "exact products"),
+            ));
+        }
+        let detail = "exact rank of the conditions of equal modulus in each of the five double eigenspaces; all twelve columns; rhombi at rational points";
+        holds([Evidence::new(Grade::Exact, "all eigenvectors of C_12 with entries of modulus one", detail).cases(12)])
+    }
+}

@@ -1,0 +1,229 @@
+//! paley.thm2, paley.thm2.center: what solutions under the spacing control converge to.
+
+use super::instances::{StateIdentity, described, identity_graphs, scattered_phasors, stability, state_identity};
+use super::spacing::{DescentVariant, ProperVariant, examine_descent, examine_proper};
+use algebra::graph::Graph;
+use arithmetic::{ArithmeticError, Dual, Field, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use models::oscillator::{
+    Interaction, Neighbours, State, circle_centres, circular_formation, heading_components, linearisation, mean,
+    quarter_turn, spacing_control,
+};
+
+/// The rate of `sigma_k = <e^{i theta_k}, L_k c>` under (20) is `rate w0 <i e^{i theta_k}, L_k c>` up to terms with a factor `sigma_j`, and
+/// `|L_k c|^2 = sigma_k^2 + <i e^{i theta_k}, L_k c>^2`.
+struct LimitIdentity {
+    network: Neighbours,
+    rate: i64,
+}
+
+impl StateIdentity for LimitIdentity {
+    fn particles(&self) -> usize {
+        self.network.particles()
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega, gain] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+        let share = omega.ratio(1, self.particles() as i64) * gain;
+        let network = &self.network;
+        let control = spacing_control(omega, gain, network, state)?;
+        let total: Vec<T> = control.iter().map(|u| u.clone() + omega).collect();
+        let moving = state.moving(&total, &[]);
+        let centres = circle_centres(&Dual::constant(omega.clone()), &moving)?;
+        let mut left: Vec<T> =
+            heading_components(network, &moving.phasors, &centres).into_iter().map(|s| s.derivative).collect();
+        let centres = circle_centres(omega, state)?;
+        let sigma = heading_components(network, &state.phasors, &centres);
+        let turned: Vec<_> = state.phasors.iter().map(quarter_turn).collect();
+        let tau = heading_components(network, &turned, &centres);
+        // cdot_j = -(K_0/N) sigma_j e^{i theta_j}
+        let pulled: Vec<_> = state.phasors.iter().zip(&sigma).map(|(z, s)| z.scale(&-(s.clone() * &share))).collect();
+        let with_sigma = heading_components(network, &state.phasors, &pulled);
+        let mut right = Vec::new();
+        for ((tau, u), rest) in tau.iter().zip(&control).zip(with_sigma) {
+            right.push((omega.clone() * omega.integer(self.rate) + u) * tau + rest);
+        }
+        for ((s, t), lc) in sigma.iter().zip(&tau).zip(network.laplacian_of(&centres)) {
+            left.push(lc.norm_squared());
+            right.push(s.square() + t.square());
+        }
+        Ok((left, right))
+    }
+}
+
+/// paley.thm2 and paley.thm2.center.
+#[derive(Clone, Copy)]
+pub struct ConvergenceVariant {
+    /// `K_0`.
+    gain: i64,
+    /// Connected graphs, or the graph without edges on two vertices.
+    connected: bool,
+    /// The limit turns at this multiple of `omega`.
+    rate: i64,
+    /// The mean of the centres is conserved.
+    mean_conserved: bool,
+    /// The centre of mass is fixed.
+    mass_fixed: bool,
+}
+
+impl ConvergenceVariant {
+    const PRINTED: Self =
+        ConvergenceVariant { gain: 1, connected: true, rate: 1, mean_conserved: false, mass_fixed: false };
+}
+
+fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let limits = Run::all(identity_graphs(run).into_iter().map(|graph| {
+        let part = format!("on the limit set L_k c = 0, {}", described(&graph));
+        let identity = LimitIdentity { network: Neighbours::of(&graph), rate: variant.rate };
+        state_identity(&identity, &["w0", "K_0"], &part, run)
+    }))?;
+    if !matches!(limits, Outcome::Holds(_)) {
+        return Ok(limits);
+    }
+    let returns = examine_return(variant, run)?;
+    if !matches!(returns, Outcome::Holds(_)) {
+        return Ok(returns);
+    }
+    Run::all([Ok(limits), Ok(returns)])
+}
+
+/// Whether all that is no symmetry and no phase decays near circular formations.
+fn examine_return(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let graphs = if variant.connected { identity_graphs(run) } else { vec![Graph::empty(2)] };
+    let mut formations = 0;
+    for graph in &graphs {
+        for (p, q) in [(1, 10), (-3, 2)] {
+            run.checkpoint()?;
+            formations += 1;
+            let omega = rational(p, q);
+            let network = Neighbours::of(graph);
+            let state = circular_formation(&omega, &scattered_phasors(graph.order())?)?;
+            let rows = linearisation(&state, &omega, |state| {
+                let like = Dual::constant(omega.clone());
+                spacing_control(&like, &Dual::constant(rational(variant.gain, 1)), &network, state)
+            })?;
+            let found = stability(&rows, &omega, true)?;
+            if !found.stable || found.zeros != graph.order() {
+                let what = format!(
+                    "{}, K_0 = {}, w0 = {omega}: near a circular formation there are {} directions without change and the others do not all decay",
+                    described(graph),
+                    variant.gain,
+                    found.zeros
+                );
+                let evidence = Evidence::new(Grade::Exact, "the formation", "exact characteristic polynomial");
+                return Ok(Outcome::fails(what, evidence));
+            }
+        }
+    }
+    let detail = "turning-frame linearisation: N zeros for the phases, ± i w0 for the translations, all else decays; both signs of w0";
+    let formations = Evidence::new(Grade::Exact, "exponential approach near formations", detail).cases(formations);
+    Ok(Outcome::Holds(vec![formations]))
+}
+
+/// paley.thm2.
+pub struct Theorem2;
+
+impl Claim for Theorem2 {
+    type Variant = ConvergenceVariant;
+
+    fn id(&self) -> &str {
+        "paley.thm2"
+    }
+
+    fn derivation(&self) -> &str {
+        "S is proper in the relative centres (eq17) and does not increase (eq19_20), and the relative centres with the phases move on their own: LaSalle \
+         applies to every solution. Where Sdot = 0 for all time, sigma_k = <e^{i theta_k}, L_k c> = 0, so u = w0, and the rate of sigma_k is then \
+         w0 <i e^{i theta_k}, L_k c>, which vanishes too: L_k c = 0 for all k, c = c_0 1, a circle of radius 1/|w0| turned at w0. States with sigma = 0 \
+         and unequal centres exist but are not invariant. K_0 > 0 as under (20)."
+    }
+
+    fn printed(&self) -> ConvergenceVariant {
+        ConvergenceVariant::PRINTED
+    }
+
+    fn controls(&self) -> Vec<Control<ConvergenceVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("K_0 = -1", ConvergenceVariant { gain: -1, ..printed }),
+            Control::new("K_0 = 0", ConvergenceVariant { gain: 0, ..printed }),
+            Control::new("a graph that is not connected", ConvergenceVariant { connected: false, ..printed }),
+            Control::new("rotation at 2 w0", ConvergenceVariant { rate: 2, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let limit = examine_convergence(variant, run)?;
+        if !matches!(limit, Outcome::Holds(_)) {
+            return Ok(limit);
+        }
+        let proper = examine_proper(&ProperVariant::PRINTED, run);
+        Run::all([Ok(limit), proper, examine_descent(&DescentVariant::PRINTED, run)])
+    }
+}
+
+/// The rate of the mean centre under (20) is zero.
+struct MeanCentre;
+
+impl StateIdentity for MeanCentre {
+    fn particles(&self) -> usize {
+        2
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega, gain] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+        let control = spacing_control(omega, gain, &Neighbours::complete(2), state)?;
+        let total: Vec<T> = control.into_iter().map(|u| u + omega).collect();
+        let centre = mean(&circle_centres(&Dual::constant(omega.clone()), &state.moving(&total, &[]))?)?;
+        Ok((vec![centre.re.derivative, centre.im.derivative], vec![omega.zero(), omega.zero()]))
+    }
+}
+
+/// paley.thm2.center.
+pub struct FixedCentre;
+
+impl Claim for FixedCentre {
+    type Variant = ConvergenceVariant;
+
+    fn id(&self) -> &str {
+        "paley.thm2.center"
+    }
+
+    fn derivation(&self) -> &str {
+        "The limit set is that of Theorem 2. Near it S decays by a fixed factor per turn (notes: S is quadratic in c, so the ratio of S over one turn \
+         extends continuously to S = 0, where it is below 1), so sqrt(S), |sigma| and |cdot_k| are integrable: each c_k converges to one c_0, which \
+         is fixed, and which the closed loop determines from the initial state alone (nothing in the law names a place). It is not the initial \
+         mean of the centres. The centre of mass is c_0 - (i/w0) p_theta and turns unless p_theta = 0."
+    }
+
+    fn printed(&self) -> ConvergenceVariant {
+        ConvergenceVariant::PRINTED
+    }
+
+    fn controls(&self) -> Vec<Control<ConvergenceVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new(
+                "c_0 is the mean of the initial centres",
+                ConvergenceVariant { mean_conserved: true, ..printed },
+            ),
+            Control::new("the centre of mass is fixed", ConvergenceVariant { mass_fixed: true, ..printed }),
+            Control::new("the limit turns at 2 w0", ConvergenceVariant { rate: 2, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let velocity = mean(&circular_formation(&rational(1, 10), &scattered_phasors(2)?)?.phasors)?;
+        let speed = velocity.norm_squared();
+        let exact = |detail: String| Evidence::new(Grade::Exact, "centre of mass", detail);
+        if variant.mass_fixed && speed != rational(0, 1) {
+            let what = format!("two particles on a circle: the centre of mass has the squared speed {speed}");
+            return Ok(Outcome::fails(what, exact("an exact circular formation".to_string())));
+        }
+        let moving = Outcome::Holds(vec![exact(format!("squared speed {speed} in a formation of two"))]);
+        let conserved = match variant.mean_conserved {
+            true => state_identity(&MeanCentre, &["w0", "K_0"], "the mean centre is conserved", run),
+            false => Ok(moving),
+        };
+        Run::all([conserved, examine_convergence(variant, run)])
+    }
+}

@@ -1,0 +1,160 @@
+//! Instances shared by the claims about particles: identities over states, graphs, linearised formations.
+
+use algebra::graph::Graph;
+use algebra::matrix::RationalMatrix;
+use algebra::spectrum::Polynomial;
+use arithmetic::identity::RationalIdentity;
+use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, rational};
+use ledger::{CheckError, Outcome, Run};
+use models::oscillator::{Neighbours, State, phasor};
+
+/// An identity between rational functions of a state and of some constants.
+pub trait StateIdentity {
+    /// Number of particles.
+    fn particles(&self) -> usize;
+
+    /// Both sides.
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError>;
+
+    /// Whether a counterexample may have these constants.
+    fn allows(&self, _constants: &[Rational]) -> bool {
+        true
+    }
+}
+
+/// A [`StateIdentity`] as an identity in the constants, the coordinates and the half-angle tangents `t_k` of the phases.
+struct OverStates<'a, I> {
+    identity: &'a I,
+    constants: usize,
+}
+
+impl<I: StateIdentity> RationalIdentity for OverStates<'_, I> {
+    fn variables(&self) -> usize {
+        self.constants + 3 * self.identity.particles()
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let (constants, coordinates) = at.split_at(self.constants);
+        let state = State {
+            positions: coordinates.chunks(3).map(|c| Complex::new(c[0].clone(), c[1].clone())).collect(),
+            phasors: coordinates.chunks(3).map(|c| phasor(&c[2])).collect::<Result<_, _>>()?,
+        };
+        self.identity.sides(constants, &state)
+    }
+
+    fn in_domain(&self, at: &[Rational]) -> bool {
+        self.identity.allows(&at[..self.constants])
+    }
+}
+
+/// Tests an identity at random constants and states.
+pub fn state_identity(
+    identity: &impl StateIdentity,
+    constants: &[&str],
+    part: &str,
+    run: &Run,
+) -> Result<Outcome, CheckError> {
+    let of_particle = |k: usize| [format!("x_{k}"), format!("y_{k}"), format!("tan(th_{k}/2)")];
+    let names = constants.iter().map(ToString::to_string);
+    let names: Vec<String> = names.chain((1..=identity.particles()).flat_map(of_particle)).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    run.identity(&OverStates { identity, constants: constants.len() }, &names, part)
+}
+
+/// The graphs on which identities are tested: a vertex, a pair, a path of three; with `full`, all on three and one of each kind on four. Every
+/// term of the identities belongs to a particle and at most two neighbours.
+pub fn identity_graphs(run: &Run) -> Vec<Graph> {
+    let graphs = connected_graphs(false).into_iter();
+    graphs
+        .filter(|g| match g.order() {
+            1 | 2 => true,
+            3 => *g == Graph::path(3) || run.cases(0, 1) == 1,
+            _ => run.cases(0, 1) == 1,
+        })
+        .collect()
+}
+
+/// All connected graphs on one to three vertices and one of each kind on four; with `full`, all labelled ones on four.
+pub fn connected_graphs(full: bool) -> Vec<Graph> {
+    let mut graphs: Vec<Graph> = (1..=3).flat_map(Graph::all).filter(Graph::is_connected).collect();
+    if full {
+        graphs.extend(Graph::all(4).filter(Graph::is_connected));
+    } else {
+        let edges: [&[(usize, usize)]; 6] = [
+            &[(0, 1), (1, 2), (2, 3)],
+            &[(0, 1), (0, 2), (0, 3)],
+            &[(0, 1), (1, 2), (2, 3), (0, 3)],
+            &[(0, 1), (1, 2), (0, 2), (2, 3)],
+            &[(0, 1), (1, 2), (2, 3), (0, 3), (0, 2)],
+            &[(0, 1), (1, 2), (2, 3), (0, 3), (0, 2), (1, 3)],
+        ];
+        graphs.extend(edges.map(|edges| Graph::empty(4).with_edges(edges)));
+    }
+    graphs
+}
+
+/// The vertices and edges in words, vertices from 1.
+pub fn described(graph: &Graph) -> String {
+    let edges: Vec<String> = graph.edges().iter().map(|(i, j)| format!("{}-{}", i + 1, j + 1)).collect();
+    format!("N = {}, edges {{{}}}", graph.order(), edges.join(", "))
+}
+
+/// Unequal phasors with rational coordinates, none opposite to another.
+pub fn scattered_phasors(particles: usize) -> Result<Vec<Complex<Rational>>, CheckError> {
+    let tangents = [(0, 1), (1, 2), (3, 1), (-1, 3), (-5, 2), (2, 3)];
+    Ok(tangents.iter().cycle().take(particles).map(|&(p, q)| phasor(&rational(p, q))).collect::<Result<_, _>>()?)
+}
+
+/// What a linearisation in the turning frame has beside its symmetries.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Stability {
+    /// Multiplicity of the eigenvalue 0.
+    pub zeros: usize,
+    /// Whether all eigenvalues but 0 and `± i omega` (the translations, once) have negative real parts.
+    pub stable: bool,
+    /// Whether there is a positive eigenvalue.
+    pub positive: bool,
+}
+
+/// The characteristic polynomial of a linearisation without the zeros, which are counted, and without `± i omega` once.
+///
+/// `translations` says whether the law is invariant under translations, so that `± i omega` are eigenvalues.
+pub fn without_symmetries(
+    rows: &[Vec<Rational>],
+    omega: &Rational,
+    translations: bool,
+) -> Result<(usize, Polynomial), CheckError> {
+    let polynomial = RationalMatrix::from_rows(rows)?.characteristic_polynomial()?;
+    let (zeros, rest) = Polynomial::from_rationals(&polynomial.coefficients()).without_root(0);
+    if !translations {
+        return Ok((zeros, rest));
+    }
+    let factor = Polynomial::from_rationals(&[omega * omega, rational(0, 1), rational(1, 1)]);
+    if rest.gcd(&factor).degree() != 2 {
+        return Err(CheckError::Other("the linearisation has no translations".to_string()));
+    }
+    Ok((zeros, rest.divided_by(&factor)))
+}
+
+/// Decides the stability of a linearisation exactly, from its characteristic polynomial; `translations` as in
+/// [`without_symmetries`].
+pub fn stability(rows: &[Vec<Rational>], omega: &Rational, translations: bool) -> Result<Stability, CheckError> {
+    let (zeros, rest) = without_symmetries(rows, omega, translations)?;
+    let bound = rest
+        .coefficients()
+        .iter()
+        .fold(rational(1, 1), |sum, c| sum + Rational::from_integer(c.magnitude().clone().into()));
+    let simple = rest.divided_by(&rest.gcd(&rest.derivative()));
+    let positive = !simple.roots_in(&rational(0, 1), &bound).is_empty();
+    Ok(Stability { zeros, stable: rest.is_hurwitz(), positive })
+}
+
+/// The neighbours along a one-way ring: each takes account of the next.
+pub fn one_way_ring(particles: usize) -> Neighbours {
+    Neighbours::from_fn(particles, |k, j| j == (k + 1) % particles)
+}
+
+/// The sum of squares.
+pub fn sum_of_squares<T: Ring>(terms: &[T], like: &T) -> T {
+    terms.iter().fold(like.zero(), |sum, term| sum + term.square())
+}

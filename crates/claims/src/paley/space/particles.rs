@@ -1,0 +1,364 @@
+//! paley.eq3, paley.energy, paley.releq, paley.Rball: what single particles, shapes and circular motion do.
+
+use super::instances::{StateIdentity, scattered_phasors, state_identity, sum_of_squares};
+use algebra::matrix::RationalMatrix;
+use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, Ring, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use models::oscillator::{State, circle_centres, circular_formation, mean, quarter_turn};
+
+/// The rates of change of complex numbers, real parts and imaginary parts in turn.
+fn rates<T: Ring>(numbers: &[Complex<Dual<T>>]) -> Vec<T> {
+    numbers.iter().flat_map(|z| [z.re.derivative.clone(), z.im.derivative.clone()]).collect()
+}
+
+fn parts<T: Ring>(z: &Complex<T>) -> [T; 2] {
+    [z.re.clone(), z.im.clone()]
+}
+
+/// paley.eq3.
+pub struct CircleOfParticle;
+
+/// `c = r + centre i e^{i theta}/omega`, radius `|omega|^-radius`, counterclockwise for `turn omega > 0`.
+#[derive(Clone, Copy)]
+pub struct CircleVariant {
+    centre: i64,
+    radius: u64,
+    turn: i64,
+}
+
+impl StateIdentity for CircleVariant {
+    fn particles(&self) -> usize {
+        1
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega] = constants else { return Err(ArithmeticError::Domain("one constant")) };
+        let moving = state.moving(std::slice::from_ref(omega), &[]);
+        let printed = &circle_centres(&Dual::constant(omega.clone()), &moving)?[0];
+        let factor = Dual::constant(omega.integer(self.centre));
+        let centre = (printed.clone() - &moving.positions[0]).scale(&factor) + &moving.positions[0];
+        let (r, z) = (&state.positions[0], &state.phasors[0]);
+        let arm = r.clone() - &Complex::new(centre.re.value.clone(), centre.im.value.clone());
+        let mut left = rates(&[centre]);
+        left.push(arm.norm_squared() * omega.power(2 * self.radius));
+        left.push(quarter_turn(&arm).dot(z));
+        // Without steering the velocity does not change.
+        left.extend(rates(&state.moving(&[omega.zero()], &[]).phasors));
+        let turning = arm.norm_squared() * omega * omega.integer(self.turn);
+        Ok((left, vec![omega.zero(), omega.zero(), omega.one(), turning, omega.zero(), omega.zero()]))
+    }
+}
+
+impl Claim for CircleOfParticle {
+    type Variant = CircleVariant;
+
+    fn id(&self) -> &str {
+        "paley.eq3"
+    }
+
+    fn derivation(&self) -> &str {
+        "u = 0: the velocity e^{i theta} is constant. u = w0: cdot = e^{i theta} + w0^-1 i (i w0 e^{i theta}) = 0, |r - c| = 1/|w0|, and the angular \
+         velocity about c is <i(r - c), rdot>/|r - c|^2 = w0: counterclockwise for w0 > 0, clockwise for w0 < 0."
+    }
+
+    fn printed(&self) -> CircleVariant {
+        CircleVariant { centre: 1, radius: 1, turn: 1 }
+    }
+
+    fn controls(&self) -> Vec<Control<CircleVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("c = r - i e^{i theta}/w0", CircleVariant { centre: -1, ..printed }),
+            Control::new("radius 1/w0^2", CircleVariant { radius: 2, ..printed }),
+            Control::new("clockwise for w0 > 0", CircleVariant { turn: -1, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &CircleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        state_identity(variant, &["w0"], "centre at rest, radius, sense of rotation; straight line for u = 0", run)
+    }
+}
+
+/// paley.energy.
+pub struct KineticEnergy;
+
+/// The acceleration is `factor u i^turns rdot`.
+#[derive(Clone, Copy)]
+pub struct AccelerationVariant {
+    factor: i64,
+    turns: u32,
+}
+
+impl StateIdentity for AccelerationVariant {
+    fn particles(&self) -> usize {
+        2
+    }
+
+    fn sides<T: Field>(&self, steering: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let moving = state.moving(steering, &[]);
+        let acceleration = |(z, u): (&Complex<T>, &T)| {
+            let turned = (0..self.turns).fold(z.clone(), |z, _| quarter_turn(&z));
+            turned.scale(&(u.integer(self.factor) * u))
+        };
+        let claimed: Vec<Complex<T>> = state.phasors.iter().zip(steering).map(acceleration).collect();
+        let mut left = rates(&moving.phasors);
+        let mut right: Vec<T> = claimed.iter().flat_map(parts).collect();
+        // d/dt |rdot|^2/2, and <rdot, rddot> with the claimed acceleration.
+        for ((z, claimed), moving) in state.phasors.iter().zip(&claimed).zip(&moving.phasors) {
+            left.extend([moving.norm_squared().derivative, z.dot(claimed)]);
+            right.extend([z.re.zero(), z.re.zero()]);
+        }
+        Ok((left, right))
+    }
+}
+
+impl Claim for KineticEnergy {
+    type Variant = AccelerationVariant;
+
+    fn id(&self) -> &str {
+        "paley.energy"
+    }
+
+    fn derivation(&self) -> &str {
+        "rddot = (d/dt) e^{i theta} = i u e^{i theta} = u i rdot, and <z, u i z> = u Re(i |z|^2) = 0. Each |rdot_k|^2 is constant, hence their sum."
+    }
+
+    fn printed(&self) -> AccelerationVariant {
+        AccelerationVariant { factor: 1, turns: 1 }
+    }
+
+    fn controls(&self) -> Vec<Control<AccelerationVariant>> {
+        vec![
+            Control::new("rddot = u rdot", AccelerationVariant { factor: 1, turns: 0 }),
+            Control::new("rddot = -u i rdot", AccelerationVariant { factor: -1, turns: 1 }),
+            Control::new("rddot = 2 u i rdot", AccelerationVariant { factor: 2, turns: 1 }),
+        ]
+    }
+
+    fn examine(&self, variant: &AccelerationVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        state_identity(variant, &["u_1", "u_2"], "acceleration, d/dt |rdot_k|^2/2 = <rdot_k, rddot_k> = 0", run)
+    }
+}
+
+/// paley.releq.
+pub struct RelativeEquilibria;
+
+/// `d/dt (r_kj e^{-i theta_k}) = -i u e^{-i theta_k} (c_k - c_j)`, centres for the rate `rate u`; the shape space has `fewer` dimensions
+/// fewer. Without `same_circle` circles with any centres count.
+#[derive(Clone, Copy)]
+pub struct EquilibriumVariant {
+    rate: (i64, i64),
+    fewer: usize,
+    same_circle: bool,
+}
+
+impl StateIdentity for EquilibriumVariant {
+    fn particles(&self) -> usize {
+        2
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [u, other] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+        let zero = || u.zero();
+        let (z, w) = (&state.phasors[0], &state.phasors[1]);
+        // Both turn at the rate u.
+        let left = rates(&[relative_position(&state.moving(&[u.clone(), u.clone()], &[]))]);
+        let centres = circle_centres(&(u.clone() * u.ratio(self.rate.0, self.rate.1)), state)?;
+        let arm = (centres[0].clone() - &centres[1]) * z.conj();
+        let weight = if self.same_circle { u.one() } else { zero() };
+        let mut right = parts(&(-quarter_turn(&arm)).scale(&(u.clone() * weight))).to_vec();
+        // Neither turns.
+        let straight = rates(&[relative_position(&state.moving(&[zero(), zero()], &[]))]);
+        right.extend(parts(&(z.conj() * (z.clone() - w))));
+        // The shape moves with the shape variables alone: sdot = 1 - e^{-i theta_kj} - i u_k s.
+        let turning = state.moving(&[u.clone(), other.clone()], &[]);
+        let shape = z.conj() * (state.positions[0].clone() - &state.positions[1]);
+        right.extend(parts(&(Complex::real(u.one()) - z.conj() * w - quarter_turn(&shape).scale(u))));
+        // theta_kj is at rest exactly where the rates are equal.
+        let difference = turning.phasors[0].clone() * turning.phasors[1].conj();
+        right.push((u.clone() - other).square());
+        let turned = rates(&[difference]);
+        let left = [left, straight, rates(&[relative_position(&turning)]), vec![sum_of_squares(&turned, u)]].concat();
+        Ok((left, right))
+    }
+}
+
+/// `r_12 e^{-i theta_1}`.
+fn relative_position<T: Ring>(state: &State<T>) -> Complex<T> {
+    (state.positions[0].clone() - &state.positions[1]) * state.phasors[0].conj()
+}
+
+/// The rank of the derivative of all shape variables at a state: the number of directions in which the shape can change.
+fn shape_dimension(state: &State<Rational>) -> Result<usize, CheckError> {
+    let particles = state.phasors.len();
+    let (zero, one) = (rational(0, 1), rational(1, 1));
+    let mut rows = Vec::new();
+    for direction in 0..3 * particles {
+        let unit = |coordinate: usize| if coordinate == direction { one.clone() } else { zero.clone() };
+        let steering: Vec<Rational> = (0..particles).map(|k| unit(2 * particles + k)).collect();
+        // The drift makes the velocity the unit vector of the direction.
+        let drift = state.phasors.iter().enumerate().map(|(k, z)| Complex::new(unit(k), unit(particles + k)) - z);
+        let moving = state.moving(&steering, &drift.collect::<Vec<_>>());
+        let mut row = Vec::new();
+        for (r, z) in moving.positions.iter().zip(&moving.phasors) {
+            for (s, w) in moving.positions.iter().zip(&moving.phasors) {
+                row.extend(rates(&[z.clone() * w.conj(), (r.clone() - s) * z.conj()]));
+            }
+        }
+        rows.push(row);
+    }
+    Ok(3 * particles - RationalMatrix::from_rows(&rows)?.transpose().kernel().len())
+}
+
+impl Claim for RelativeEquilibria {
+    type Variant = EquilibriumVariant;
+
+    fn id(&self) -> &str {
+        "paley.releq"
+    }
+
+    fn derivation(&self) -> &str {
+        "The group of rotations and translations (dimension 3) acts freely, and the shape variables separate its orbits: the Jacobian of the shape \
+         variables has rank 3N - 3. With s_kj = r_kj e^{-i theta_k}: theta_kj is at rest iff u_k = u_j, and sdot_kj = 1 - e^{-i theta_kj} - i u_k s_kj \
+         depends on the shape and the shape controls only. In an equilibrium of shape all u_k are one constant u. For u = 0, sdot = \
+         e^{-i theta_k}(e^{i theta_k} - e^{i theta_j}) vanishes iff theta_k = theta_j: parallel. For u != 0, sdot = -i u e^{-i theta_k}(c_k - c_j) vanishes \
+         iff the centres for the rate u agree: circular. No third type. Reading: c_k is the centre of the circle that is travelled, (3) with the common \
+         rate in the place of w0 (they differ where the controls do not vanish in the equilibrium). Equal circles with different centres are no \
+         relative equilibrium."
+    }
+
+    fn printed(&self) -> EquilibriumVariant {
+        EquilibriumVariant { rate: (1, 1), fewer: 3, same_circle: true }
+    }
+
+    fn controls(&self) -> Vec<Control<EquilibriumVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new(
+                "equal rates suffice, whatever the centres",
+                EquilibriumVariant { same_circle: false, ..printed },
+            ),
+            Control::new(
+                "centres for another rate than the common one",
+                EquilibriumVariant { rate: (2, 1), ..printed },
+            ),
+            Control::new("two dimensions fewer", EquilibriumVariant { fewer: 2, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &EquilibriumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let mut states = 0;
+        for particles in 1..=run.cases(4, 6) {
+            let phasors = scattered_phasors(particles)?;
+            let positions = (0..particles as i64).map(|k| Complex::new(rational(k * k, 1), rational(3 * k, 2)));
+            let spread = State { positions: positions.collect(), phasors: phasors.clone() };
+            let circle = circular_formation(&rational(2, 1), &phasors)?;
+            let together = State { positions: vec![Complex::real(rational(0, 1)); particles], phasors };
+            for state in [spread, circle, together] {
+                states += 1;
+                let dimension = shape_dimension(&state)?;
+                if dimension != 3 * particles - variant.fewer {
+                    return Ok(Outcome::fails(
+                        format!("N = {particles}: the shape has {dimension} dimensions of {}", 3 * particles),
+                        Evidence::new(
+                            Grade::Exact,
+                            "dimension of the shape",
+                            "rank of the exact Jacobian of the shape variables",
+                        ),
+                    ));
+                }
+            }
+        }
+        let detail =
+            "rank 3N - 3 of the exact Jacobian of the shape variables; spread, circular and coinciding particles";
+        let dimension = Evidence::new(Grade::Exact, "three dimensions fewer", detail).cases(states);
+        Run::all([
+            state_identity(
+                variant,
+                &["u", "u_2"],
+                "rates of change of the shape; equilibria for u != 0 and u = 0",
+                run,
+            ),
+            Ok(Outcome::Holds(vec![dimension])),
+        ])
+    }
+}
+
+/// paley.Rball.
+pub struct CentreOfMassBall;
+
+/// With `u = rate omega` the centre of mass stays within `radius/|omega|` of the mean centre.
+#[derive(Clone, Copy)]
+pub struct BallVariant {
+    rate: i64,
+    radius: (i64, i64),
+}
+
+/// On `N` particles.
+struct BallIdentity(BallVariant, usize);
+
+impl StateIdentity for BallIdentity {
+    fn particles(&self) -> usize {
+        self.1
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega] = constants else { return Err(ArithmeticError::Domain("one constant")) };
+        let particles = self.1 as i64;
+        let rate = omega.integer(self.0.rate) * omega;
+        let moving = state.moving(&vec![rate; self.1], &[]);
+        let centre = mean(&circle_centres(&Dual::constant(omega.clone()), &moving)?)?;
+        let arm = mean(&state.positions)? - &mean(&circle_centres(omega, state)?)?;
+        // 1 - |p|^2 is a sum of squares.
+        let pairs = (0..self.1).flat_map(|j| (0..j).map(move |k| (j, k)));
+        let spread = pairs.fold(omega.zero(), |sum, (j, k)| {
+            sum + (state.phasors[j].clone() - &state.phasors[k]).norm_squared() * omega.ratio(1, particles * particles)
+        });
+        let mut left = rates(&[centre]);
+        left.push(arm.norm_squared() * omega.square() + spread);
+        Ok((left, vec![omega.zero(), omega.zero(), omega.one()]))
+    }
+}
+
+impl Claim for CentreOfMassBall {
+    type Variant = BallVariant;
+
+    fn id(&self) -> &str {
+        "paley.Rball"
+    }
+
+    fn derivation(&self) -> &str {
+        "Reading: in circular motion, u = w0 (for every initial state; in a circular formation the ball is centred at c_0). Then the circle centres rest, \
+         R - mean(c) = -(i/w0) p_theta, and w0^2 |R - mean(c)|^2 = |p_theta|^2 = 1 - sum_{j<k} |e^{i theta_j} - e^{i theta_k}|^2/N^2 <= 1. The radius is \
+         attained by synchronised phases. It is no statement about the approach to the formation, in which mean(c) moves."
+    }
+
+    fn printed(&self) -> BallVariant {
+        BallVariant { rate: 1, radius: (1, 1) }
+    }
+
+    fn controls(&self) -> Vec<Control<BallVariant>> {
+        vec![
+            Control::new("radius 99/100 of it", BallVariant { rate: 1, radius: (99, 100) }),
+            Control::new("particles that turn at 2 w0", BallVariant { rate: 2, radius: (1, 1) }),
+            Control::new("a point", BallVariant { rate: 1, radius: (0, 1) }),
+        ]
+    }
+
+    fn examine(&self, variant: &BallVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        // The bound 1 of |p| is attained by synchronised phases.
+        let omega = rational(1, 10);
+        let phasors = vec![scattered_phasors(2)?[1].clone(); 3];
+        let arm = mean(&circular_formation(&omega, &phasors)?.positions)?.norm_squared();
+        let radius = rational(variant.radius.0, variant.radius.1) / &omega;
+        let exact = |detail| Evidence::new(Grade::Exact, "the radius", detail);
+        if arm > &radius * &radius {
+            let what = format!("w0 = {omega}, synchronised: |R - c_0|^2 = {arm} is more than {}", &radius * &radius);
+            return Ok(Outcome::fails(what, exact("an exact circular formation")));
+        }
+        let part = |n: usize| format!("mean centre at rest, distance |p|/|w0| <= 1/|w0|, N = {n}");
+        let identities = (1..=4).map(|n| state_identity(&BallIdentity(*variant, n), &["w0"], &part(n), run));
+        let sharp = Ok(Outcome::Holds(vec![exact("attained by three synchronised particles")]));
+        Run::all(identities.chain([sharp]))
+    }
+}

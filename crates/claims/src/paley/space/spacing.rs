@@ -1,0 +1,273 @@
+//! paley.eq17, paley.eq18, paley.eq19_20: the spacing potential and how it changes.
+
+use super::instances::{StateIdentity, described, identity_graphs, one_way_ring, state_identity, sum_of_squares};
+use algebra::graph::Graph;
+use algebra::matrix::RationalMatrix;
+use arithmetic::{ArithmeticError, Dual, Field, Rational, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use models::oscillator::{Neighbours, State, circle_centres, heading_components, spacing_control, spacing_potential};
+
+/// `S` is `share` times the sum of the squared lengths of the edges between centres.
+struct EdgeSum<'a> {
+    graph: &'a Graph,
+    share: (i64, i64),
+}
+
+impl StateIdentity for EdgeSum<'_> {
+    fn particles(&self) -> usize {
+        self.graph.order()
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega] = constants else { return Err(ArithmeticError::Domain("one constant")) };
+        let s = spacing_potential(omega, &Neighbours::of(self.graph), state)?;
+        let c = circle_centres(omega, state)?;
+        let edges = self.graph.edges().into_iter();
+        let sum = edges.fold(omega.zero(), |sum, (i, j)| sum + (c[i].clone() - &c[j]).norm_squared());
+        Ok((vec![s], vec![sum * omega.ratio(self.share.0, self.share.1 * self.graph.order() as i64)]))
+    }
+}
+
+/// The largest `|c_k - c_j|^2` with `<c, L c> = 1`: the largest effective resistance; `None` on a disconnected graph.
+fn largest_resistance(graph: &Graph) -> Result<Option<Rational>, CheckError> {
+    let (order, laplacian) = (graph.order(), graph.laplacian()?);
+    if laplacian.kernel().len() != 1 {
+        return Ok(None);
+    }
+    let mut largest = rational(0, 1);
+    for ground in 0..order {
+        let kept: Vec<usize> = (0..order).filter(|&k| k != ground).collect();
+        let row = |&i: &usize| kept.iter().map(|&j| laplacian.entry(i, j)).collect::<Vec<_>>();
+        let rows: Vec<Vec<Rational>> = kept.iter().map(row).collect();
+        if rows.is_empty() {
+            continue;
+        }
+        let inverse = RationalMatrix::from_rows(&rows)?.inverse()?;
+        for k in 0..inverse.rows() {
+            largest = largest.max(inverse.entry(k, k));
+        }
+    }
+    Ok(Some(largest))
+}
+
+/// paley.eq17.
+pub struct SpacingPotential;
+
+/// On which graphs, with which bound `|c_kj|^2 <= (N - 1 + excess) 2 N S` and which share of the edge sum.
+#[derive(Clone, Copy)]
+pub struct ProperVariant {
+    disconnected: bool,
+    excess: i64,
+    share: (i64, i64),
+}
+
+impl ProperVariant {
+    pub const PRINTED: Self = ProperVariant { disconnected: false, excess: 0, share: (1, 2) };
+}
+
+/// Whether `S` is positive and proper as the variant says.
+pub fn examine_proper(variant: &ProperVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let most = run.cases(4, 5);
+    let mut graphs = 0;
+    for graph in (1..=most).flat_map(Graph::all).filter(|g| variant.disconnected || g.is_connected()) {
+        run.checkpoint()?;
+        graphs += 1;
+        let fails = |what: String| {
+            let evidence = Evidence::new(Grade::Exact, "positive and proper", "exact kernel and effective resistances");
+            Ok(Outcome::fails(format!("{}: {what}", described(&graph)), evidence))
+        };
+        let Some(resistance) = largest_resistance(&graph)? else {
+            return fails("S = 0 though the centres differ".to_string());
+        };
+        if resistance > rational(graph.order() as i64 - 1 + variant.excess, 1) {
+            return fails(format!("|c_kj|^2 can be {resistance} times 2 N S"));
+        }
+    }
+    let detail = "kernel of L spanned by 1, and |c_kj|^2 <= (N - 1) 2 N S by exact effective resistances";
+    let bound =
+        Evidence::new(Grade::Exhaustive, format!("positive and proper, graphs of up to {most} vertices"), detail);
+    let identities = identity_graphs(run).into_iter().map(|graph| {
+        let part = format!("S is the sum over edges, {}", described(&graph));
+        state_identity(&EdgeSum { graph: &graph, share: variant.share }, &["w0"], &part, run)
+    });
+    Run::all(identities.chain([Ok(Outcome::Holds(vec![bound.cases(graphs)]))]))
+}
+
+impl Claim for SpacingPotential {
+    type Variant = ProperVariant;
+
+    fn id(&self) -> &str {
+        "paley.eq17"
+    }
+
+    fn derivation(&self) -> &str {
+        "S = (1/(2N)) sum over edges |c_j - c_k|^2. It is zero iff c is constant along edges, that is, on a connected graph, c = c_0 1. Along a path of \
+         l <= N - 1 edges from j to k, |c_kj|^2 <= l sum |steps|^2 <= (N - 1) 2 N S, so that sublevel sets are bounded in the relative centres: \
+         S is positive definite and proper. On a path N - 1 is attained by its ends."
+    }
+
+    fn printed(&self) -> ProperVariant {
+        ProperVariant::PRINTED
+    }
+
+    fn controls(&self) -> Vec<Control<ProperVariant>> {
+        vec![
+            Control::new(
+                "graphs that are not connected",
+                ProperVariant { disconnected: true, ..ProperVariant::PRINTED },
+            ),
+            Control::new("(N - 2) 2 N S as the bound", ProperVariant { excess: -1, ..ProperVariant::PRINTED }),
+            Control::new("1/N times the sum over edges", ProperVariant { share: (1, 1), ..ProperVariant::PRINTED }),
+        ]
+    }
+
+    fn examine(&self, variant: &ProperVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        examine_proper(variant, run)
+    }
+}
+
+/// paley.eq18.
+pub struct CentreVelocity;
+
+/// `cdot = e^{i theta} (1 + factor omega^power u)`.
+#[derive(Clone, Copy)]
+pub struct VelocityVariant {
+    factor: i64,
+    inverse: bool,
+}
+
+impl StateIdentity for VelocityVariant {
+    fn particles(&self) -> usize {
+        1
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega, u] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+        let moving = state.moving(std::slice::from_ref(u), &[]);
+        let centre = &circle_centres(&Dual::constant(omega.clone()), &moving)?[0];
+        let scale = if self.inverse { omega.recip()? } else { omega.clone() };
+        let speed = omega.one() + scale * u * omega.integer(self.factor);
+        let claimed = state.phasors[0].scale(&speed);
+        Ok((vec![centre.re.derivative.clone(), centre.im.derivative.clone()], vec![claimed.re, claimed.im]))
+    }
+}
+
+impl Claim for CentreVelocity {
+    type Variant = VelocityVariant;
+
+    fn id(&self) -> &str {
+        "paley.eq18"
+    }
+
+    fn derivation(&self) -> &str {
+        "cdot = rdot + w0^-1 i (i u e^{i theta}) = e^{i theta} - w0^-1 u e^{i theta}."
+    }
+
+    fn printed(&self) -> VelocityVariant {
+        VelocityVariant { factor: -1, inverse: true }
+    }
+
+    fn controls(&self) -> Vec<Control<VelocityVariant>> {
+        vec![
+            Control::new("1 + u/w0", VelocityVariant { factor: 1, inverse: true }),
+            Control::new("1 - w0 u", VelocityVariant { factor: -1, inverse: false }),
+        ]
+    }
+
+    fn examine(&self, variant: &VelocityVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        state_identity(variant, &["w0", "u"], "velocity of the centre", run)
+    }
+}
+
+/// paley.eq19_20.
+pub struct SpacingDescent;
+
+/// `Sdot = (share/N) sum ...` and, under (20), `descent (K_0/N^2) sum ...^2`; on an undirected graph or not.
+#[derive(Clone, Copy)]
+pub struct DescentVariant {
+    share: (i64, i64),
+    descent: i64,
+    undirected: bool,
+}
+
+impl DescentVariant {
+    pub const PRINTED: Self = DescentVariant { share: (1, 1), descent: -1, undirected: true };
+}
+
+struct DescentIdentity {
+    variant: DescentVariant,
+    network: Neighbours,
+}
+
+impl StateIdentity for DescentIdentity {
+    fn particles(&self) -> usize {
+        self.network.particles()
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega, gain, steering @ ..] = constants else { return Err(ArithmeticError::Domain("constants")) };
+        let particles = self.particles() as i64;
+        let network = &self.network;
+        let rate = |u: &[T]| -> Result<T, ArithmeticError> {
+            Ok(spacing_potential(&Dual::constant(omega.clone()), network, &state.moving(u, &[]))?.derivative)
+        };
+        let forward = heading_components(network, &state.phasors, &circle_centres(omega, state)?);
+        let inverse = omega.recip()?;
+        let terms = forward.iter().zip(steering).map(|(f, u)| f.clone() * (omega.one() - u.clone() * &inverse));
+        let (p, q) = self.variant.share;
+        let sum = terms.fold(omega.zero(), |sum, term| sum + term) * omega.ratio(p, q * particles);
+        let closed = spacing_control(omega, gain, network, state)?.into_iter().map(|u| u + omega);
+        let descent = omega.ratio(self.variant.descent, particles * particles) * gain;
+        let right = vec![sum, sum_of_squares(&forward, omega) * descent];
+        Ok((vec![rate(steering)?, rate(&closed.collect::<Vec<_>>())?], right))
+    }
+
+    fn allows(&self, constants: &[Rational]) -> bool {
+        constants[1] > rational(0, 1)
+    }
+}
+
+/// Whether `S` changes as the variant says.
+pub fn examine_descent(variant: &DescentVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let networks: Vec<(Neighbours, String)> = if variant.undirected {
+        identity_graphs(run).iter().map(|g| (Neighbours::of(g), described(g))).collect()
+    } else {
+        (2..=3).map(|n| (one_way_ring(n), format!("one-way ring of {n}"))).collect()
+    };
+    Run::all(networks.into_iter().map(|(network, name)| {
+        let steering: Vec<String> = (1..=network.particles()).map(|k| format!("u_{k}")).collect();
+        let names: Vec<&str> = ["w0", "K_0"].into_iter().chain(steering.iter().map(String::as_str)).collect();
+        let identity = DescentIdentity { variant: *variant, network };
+        state_identity(&identity, &names, &format!("rate of S for any u and under (20), {name}"), run)
+    }))
+}
+
+impl Claim for SpacingDescent {
+    type Variant = DescentVariant;
+
+    fn id(&self) -> &str {
+        "paley.eq19_20"
+    }
+
+    fn derivation(&self) -> &str {
+        "L is symmetric: Sdot = (1/N) <cdot, L c> = (1/N) sum <e^{i theta_k}, L_k c> (1 - u_k/w0) by (18). Under (20), 1 - u_k/w0 = \
+         -(K_0/N) <e^{i theta_k}, L_k c>, for either sign of w0. Both sides are polynomial in the weights of the graph, so small graphs \
+         vertices are instances of an identity that holds for all undirected graphs. On a directed graph (19) fails."
+    }
+
+    fn printed(&self) -> DescentVariant {
+        DescentVariant::PRINTED
+    }
+
+    fn controls(&self) -> Vec<Control<DescentVariant>> {
+        vec![
+            Control::new("1/(2N) in (19)", DescentVariant { share: (1, 2), ..DescentVariant::PRINTED }),
+            Control::new("Sdot >= 0", DescentVariant { descent: 1, ..DescentVariant::PRINTED }),
+            Control::new("directed graphs", DescentVariant { undirected: false, ..DescentVariant::PRINTED }),
+        ]
+    }
+
+    fn examine(&self, variant: &DescentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        examine_descent(variant, run)
+    }
+}

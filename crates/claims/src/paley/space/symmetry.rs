@@ -1,0 +1,225 @@
+//! paley.beacon.form, paley.drift: the beacon, and a drift common to all particles.
+
+use super::instances::{StateIdentity, scattered_phasors, stability, state_identity, sum_of_squares};
+use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, Ring, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use models::oscillator::{
+    CircularGains, Neighbours, State, beacon_control, beacon_potential, circle_centres, circular_control,
+    circular_formation, linearisation, quarter_turn,
+};
+
+/// paley.beacon.form.
+pub struct BeaconForm;
+
+/// The control with `sign gain`; the potential is `share/N` times the squared distances.
+#[derive(Clone, Copy)]
+pub struct BeaconVariant {
+    sign: i64,
+    share: (i64, i64),
+}
+
+struct BeaconIdentity {
+    variant: BeaconVariant,
+    particles: usize,
+}
+
+impl StateIdentity for BeaconIdentity {
+    fn particles(&self) -> usize {
+        self.particles
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega, gain, x, y] = constants else { return Err(ArithmeticError::Domain("four constants")) };
+        let (particles, beacon) = (self.particles as i64, Complex::new(x.clone(), y.clone()));
+        let signed = gain.clone() * gain.integer(self.variant.sign);
+        let control = beacon_control(omega, &signed, &beacon, state)?;
+        let total: Vec<T> = control.iter().map(|u| u.clone() + omega).collect();
+        let moving = state.moving(&total, &[]);
+        let like = Dual::constant(omega.clone());
+        let fixed = Complex::new(Dual::constant(x.clone()), Dual::constant(y.clone()));
+        let rate = beacon_potential(&like, &fixed, &moving)?.derivative;
+        let arms: Vec<_> = circle_centres(omega, state)?.into_iter().map(|c| c - &beacon).collect();
+        let forward: Vec<T> = state.phasors.iter().zip(&arms).map(|(z, e)| z.dot(e)).collect();
+        let squares = arms.iter().fold(omega.zero(), |sum, e| sum + e.norm_squared());
+        let (p, q) = self.variant.share;
+        let mut left = vec![beacon_potential(omega, &beacon, state)?, rate];
+        let mut right = vec![
+            squares * omega.ratio(p, q * particles),
+            -(sum_of_squares(&forward, omega) * gain * omega.ratio(1, particles)),
+        ];
+        // The rate of <z, c - c_0> where it vanishes is omega <i z, c - c_0>, which does not vanish too unless c = c_0.
+        let centres = circle_centres(&like, &moving)?;
+        for (k, (z, e)) in state.phasors.iter().zip(&arms).enumerate() {
+            left.push(moving.phasors[k].dot(&(centres[k].clone() - &fixed)).derivative);
+            right.push(total[k].clone() * quarter_turn(z).dot(e) - forward[k].clone() * gain);
+            left.push(e.norm_squared());
+            right.push(forward[k].square() + quarter_turn(z).dot(e).square());
+        }
+        Ok((left, right))
+    }
+
+    fn allows(&self, constants: &[Rational]) -> bool {
+        constants[1] > rational(0, 1)
+    }
+}
+
+impl Claim for BeaconForm {
+    type Variant = BeaconVariant;
+
+    fn id(&self) -> &str {
+        "paley.beacon.form"
+    }
+
+    fn derivation(&self) -> &str {
+        "Reading: \"the spacing control\" is the one that (20) becomes for this potential, u_k^spac = w0 K <e^{i theta_k}, c_k - c_0> with K > 0 (K = K_0/N or any). \
+         A sum of squares is zero iff every term is. cdot_k = -K e^{i theta_k} sigma_k with sigma_k = <e^{i theta_k}, c_k - c_0>, so the potential has \
+         the rate -(K/N) sum sigma_k^2; where sigma_k = 0 its rate is w0 <i e^{i theta_k}, c_k - c_0>, not zero unless c_k = c_0: the potential \
+         decreases strictly until c = c_0 1, and LaSalle gives c_k -> c_0 for every initial state."
+    }
+
+    fn printed(&self) -> BeaconVariant {
+        BeaconVariant { sign: 1, share: (1, 2) }
+    }
+
+    fn controls(&self) -> Vec<Control<BeaconVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("the control with the other sign", BeaconVariant { sign: -1, ..printed }),
+            Control::new("no control", BeaconVariant { sign: 0, ..printed }),
+            Control::new("1/N instead of 1/(2N)", BeaconVariant { share: (1, 1), ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &BeaconVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let names = ["w0", "K", "Re c_0", "Im c_0"];
+        let part = |n: usize| format!("potential, its rate, no rest where it is stationary, N = {n}");
+        let identities = (1..=3).map(|particles| {
+            state_identity(&BeaconIdentity { variant: *variant, particles }, &names, &part(particles), run)
+        });
+        let mut formations = 0;
+        for (p, q) in [(1, 10), (-3, 1)] {
+            let omega = rational(p, q);
+            let state = circular_formation(&omega, &scattered_phasors(2)?)?;
+            let rows = linearisation(&state, &omega, |state| {
+                let like = Dual::constant(omega.clone());
+                let origin = Complex::real(like.zero());
+                beacon_control(&like, &like.ratio(variant.sign, 10), &origin, state)
+            })?;
+            let found = stability(&rows, &omega, false)?;
+            if !found.stable || found.zeros != 2 {
+                let what = format!("two particles around the beacon, w0 = {omega}: the centres do not return");
+                return Ok(Outcome::fails(
+                    what,
+                    Evidence::new(Grade::Exact, "return", "exact characteristic polynomial"),
+                ));
+            }
+            formations += 1;
+        }
+        let detail = "linearised around the beacon: zeros for the phases only, the centres return exponentially; both signs of w0";
+        let returns = Evidence::new(Grade::Exact, "fixes the centre to c_0", detail).cases(formations);
+        Run::all(identities.chain([Ok(Outcome::Holds(vec![returns]))]))
+    }
+}
+
+/// paley.drift.
+pub struct CommonDrift;
+
+/// The centres gain `sign f`, where particle `k` drifts with `f` (or `k f`); with a beacon or without.
+#[derive(Clone, Copy)]
+pub struct DriftVariant {
+    sign: i64,
+    common: bool,
+    beacon: bool,
+}
+
+struct DriftIdentity {
+    variant: DriftVariant,
+    network: Neighbours,
+}
+
+impl StateIdentity for DriftIdentity {
+    fn particles(&self) -> usize {
+        self.network.particles()
+    }
+
+    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [omega, spacing, orientation, x, y] = constants else { return Err(ArithmeticError::Domain("constants")) };
+        let field = Complex::new(x.clone(), y.clone());
+        let of_particle = |k: usize| field.scale(&x.integer(if self.variant.common { 1 } else { k as i64 + 1 }));
+        let drift: Vec<Complex<T>> = (0..self.particles()).map(of_particle).collect();
+        let steering = self.law([omega, spacing, orientation], state)?;
+        let (with, without) = (state.moving(&steering, &drift), state.moving(&steering, &[]));
+        let constant = |x: &T| Dual::constant(x.clone());
+        let lifted = [constant(omega), constant(spacing), constant(orientation)];
+        let lifted = [&lifted[0], &lifted[1], &lifted[2]];
+        // The controls do not feel the drift,
+        let mut left: Vec<T> = self.law(lifted, &with)?.into_iter().map(|u| u.derivative).collect();
+        let mut right: Vec<T> = self.law(lifted, &without)?.into_iter().map(|u| u.derivative).collect();
+        // and every circle centre is carried along by it.
+        let carried = field.scale(&x.integer(self.variant.sign));
+        let centres = circle_centres(lifted[0], &with)?.into_iter().zip(circle_centres(lifted[0], &without)?);
+        for (with, without) in centres {
+            left.extend([with.re.derivative, with.im.derivative]);
+            right.extend([without.re.derivative + &carried.re, without.im.derivative + &carried.im]);
+        }
+        Ok((left, right))
+    }
+}
+
+impl DriftIdentity {
+    fn law<T: Field>(
+        &self,
+        [omega, spacing, orientation]: [&T; 3],
+        state: &State<T>,
+    ) -> Result<Vec<T>, ArithmeticError> {
+        let gains = CircularGains { omega: omega.clone(), spacing: spacing.clone(), orientation: orientation.clone() };
+        let control = circular_control(&gains, &self.network, &self.network, state)?;
+        if !self.variant.beacon {
+            return Ok(control);
+        }
+        let pulled = beacon_control(omega, spacing, &Complex::real(omega.integer(10)), state)?;
+        Ok(control.into_iter().zip(pulled).map(|(u, pull)| u + pull).collect())
+    }
+}
+
+impl Claim for CommonDrift {
+    type Variant = DriftVariant;
+
+    fn id(&self) -> &str {
+        "paley.drift"
+    }
+
+    fn derivation(&self) -> &str {
+        "The shape controls depend on relative positions and phases only, which a drift f common to all does not change: r(t) - f t, theta(t) is a solution \
+         without drift, and conversely: for every gain and graph the motion is the one without drift, carried along with the velocity f. Reading: K_0 > 0, as under \
+         (20), on a connected undirected graph. There V (paley.eq21) keeps the relative centres bounded and u_k - w0 tends to 0, so that the centres travel with the mean velocity f, all \
+         together; with K_0 <= 0 there need not be a collective that travels. Where a circular formation is reached, its centre moves as c_0 + f t, in the direction of the field (-0.1: 6.28 to the left in a turn of \
+         62.8, the circle having radius 10)."
+    }
+
+    fn printed(&self) -> DriftVariant {
+        DriftVariant { sign: 1, common: true, beacon: false }
+    }
+
+    fn controls(&self) -> Vec<Control<DriftVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("against the field", DriftVariant { sign: -1, ..printed }),
+            Control::new("different drifts", DriftVariant { common: false, ..printed }),
+            Control::new("with a beacon", DriftVariant { beacon: true, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &DriftVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let names = ["w0", "K_0", "K_1", "Re f", "Im f"];
+        let networks = [
+            ("two", Neighbours::complete(2)),
+            ("three in a row", Neighbours::from_fn(3, |k, j| k.abs_diff(j) == 1)),
+            ("ring of four", Neighbours::circulant(4, &[1])),
+        ];
+        Run::all(networks.into_iter().take(run.cases(2, 3)).map(|(name, network)| {
+            let identity = DriftIdentity { variant: *variant, network };
+            state_identity(&identity, &names, &format!("the drift carries the motion along, {name}"), run)
+        }))
+    }
+}

@@ -1,0 +1,62 @@
+//! The equilateral triangle that turns for ever: three linked agents whose headings, with wrapped differences, never align.
+//!
+//! Squared side `s`, centre at rest, rate `omega`: the potential forces are `-6 V'(s) r_i` (the three positions sum to zero), so the motion needs
+//! `omega² = 6 V'(s)`; with the printed potential and `s = 2` that is 3/2. Each agent sees the two others with headings a third of a turn to either
+//! side: wrapped differences cancel, whatever the (equal) weights. The law is the same in turned coordinates, so what holds at
+//! one time holds for ever.
+
+use super::line::potential;
+use arithmetic::{ArithmeticError, CosineField, Field, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
+use models::double_integrator::{
+    Coordinates, State, Vector, difference, gyroscopic, potential_gradients, rotated, scaled,
+};
+
+const PLANE: Coordinates = Coordinates::Cartesian;
+const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
+
+/// Whether the triangle of squared side 2 that turns with `omega = rate sqrt(3/2)` is a motion of (1), (4), (5) with the printed potential
+/// and wrapped heading differences: exactly, in the field of the cosines of multiples of a 24th of a turn, which has the
+/// square roots of 2 and 3.
+///
+/// # Errors
+/// [`ArithmeticError`], which does not happen here.
+pub(crate) fn turns_for_ever(rate: &Rational) -> Result<bool, ArithmeticError> {
+    let field = CosineField::new(24);
+    // sqrt 2 = 2 cos(pi/4), sqrt 3 = 2 cos(pi/6).
+    let root = field.cos(3) * field.cos(2) * field.number(&rational(4, 1));
+    let radius = root.clone() * root.ratio(1, 3);
+    let omega = root * field.number(&(rate / rational(2, 1)));
+    let positions: Vec<Vector<RealCyclotomic>> =
+        (0..3).map(|k| scaled(&radius, &[field.cos(8 * k), field.sin(8 * k)])).collect();
+    let velocities = positions.iter().map(|r| scaled(&omega, &rotated(r))).collect();
+    let state = State { positions, velocities };
+    let slope = potential().slope_over(&omega);
+    let gradients = potential_gradients(&state.positions, &PAIRS, PLANE, |_, _, s| slope.at(s))?;
+    let mut thirds = Vec::with_capacity(3);
+    for (i, j) in PAIRS {
+        let Some(third) = third_of_a_turn(&state.velocities[j], &state.velocities[i]) else { return Ok(false) };
+        thirds.push(((i, j), third));
+    }
+    // Differences in units of a third of a turn. The forces are linear in them: zero in one unit is zero in all.
+    let differ = |i: usize, j: usize| {
+        let known = thirds.iter().find(|(pair, _)| *pair == (i, j)).map_or(0, |(_, third)| *third);
+        omega.integer(known)
+    };
+    let accelerations = gyroscopic(&state, &gradients, &PAIRS, differ)?;
+    let centripetal = omega.clone() * &omega;
+    let side = PLANE.square(&difference(&state.positions[0], &state.positions[1]));
+    let turning = accelerations.iter().zip(&state.positions).all(|(a, r)| *a == scaled(&-centripetal.clone(), r));
+    Ok(turning && side == omega.integer(2))
+}
+
+/// 1 or -1 where `w` points a third of a turn to the left or right of `v`, exactly: `v.w = -|v||w|/2` for equal lengths.
+fn third_of_a_turn(v: &Vector<RealCyclotomic>, w: &Vector<RealCyclotomic>) -> Option<i64> {
+    let (square, product) = (PLANE.square(v), PLANE.product(v, w));
+    let equal = PLANE.square(w) == square && product.clone() + &product == -square;
+    let cross = v[0].clone() * &w[1] - v[1].clone() * &w[0];
+    match cross.sign()? {
+        Sign::Positive if equal => Some(1),
+        Sign::Negative if equal => Some(-1),
+        _ => None,
+    }
+}

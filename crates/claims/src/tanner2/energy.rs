@@ -1,0 +1,481 @@
+//! tanner2.eq6, eq8, eq9, cor2_decomp, S_config, eq14, vdotB: the energy and its rate of change on a fixed graph.
+
+use super::arbitrary::{Arbitrary, dot, quadratic, total};
+use crate::record::Record;
+use algebra::graph::Graph;
+use algebra::matrix::RationalMatrix;
+use arithmetic::identity::RationalIdentity;
+use arithmetic::{ArithmeticError, Dual, Field, Rational, Signed, gradient, rational};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
+use models::double_integrator::{
+    Coordinates, Potential, State, difference, kinetic_energy, potential_energy, scaled, sum, velocity_alignment,
+};
+
+/// Runs an identity on connected graphs of up to three agents, or four in a full run, one of each class.
+pub(super) fn on_connected<I: RationalIdentity>(
+    run: &Run,
+    what: &str,
+    identity: impl Fn(Graph) -> I,
+) -> Result<Outcome, CheckError> {
+    let graphs = Arbitrary::connected(run.cases(3, 4)).into_iter();
+    Run::all(graphs.map(|graph| {
+        let names = names(&graph);
+        let part = format!("{what}, {} agents, edges {:?}, any potentials", graph.order(), graph.edges());
+        run.identity(&identity(graph), &names.iter().map(String::as_str).collect::<Vec<_>>(), &part)
+    }))
+}
+
+fn names(graph: &Graph) -> Vec<String> {
+    let agents = |a: &'static str, b: &'static str| {
+        (1..=graph.order()).flat_map(move |i| [format!("{a}{i}"), format!("{b}{i}")])
+    };
+    let slopes = graph.edges().into_iter().map(|(i, j)| format!("V'_{}{}", i + 1, j + 1));
+    agents("x", "y").chain(agents("vx", "vy")).chain(slopes).collect()
+}
+
+// --- Equation (9) ---
+
+/// `Wdot = factor v^T (M kron I_2) v = factor (v_x^T M v_x + v_y^T M v_y)`.
+#[derive(Clone, Copy)]
+pub struct RateVariant {
+    factor: i64,
+    /// `D + A` in place of `D - A`.
+    signless: bool,
+    /// All x components first in the stack vector, but the same matrix `M kron I_2`.
+    by_axis: bool,
+}
+
+struct Rate(Graph, RateVariant);
+
+/// `D - A`, or `D + A`.
+fn laplacian(graph: &Graph, signless: bool) -> Result<RationalMatrix, ArithmeticError> {
+    let square = |_| ArithmeticError::Domain("a graph with vertices");
+    let laplacian = graph.laplacian().map_err(square)?;
+    if !signless {
+        return Ok(laplacian);
+    }
+    let rows: Vec<Vec<Rational>> =
+        laplacian.to_rows().into_iter().map(|row| row.iter().map(num_traits::Signed::abs).collect()).collect();
+    RationalMatrix::from_rows(&rows).map_err(square)
+}
+
+impl RationalIdentity for Rate {
+    fn variables(&self) -> usize {
+        Arbitrary::variables(&self.0)
+    }
+
+    fn components(&self) -> Vec<String> {
+        ["dW/dt, stacked", "dW/dt, by axes"].map(str::to_string).to_vec()
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let flock = Arbitrary::read(&self.0, at)?;
+        let matrix = laplacian(&self.0, self.1.signless)?;
+        let plane = RationalMatrix::identity(2).map_err(|_| ArithmeticError::Domain("the plane"))?;
+        let stack: Vec<T> = if self.1.by_axis {
+            [flock.axis(0), flock.axis(1)].concat()
+        } else {
+            flock.state.velocities.iter().flatten().cloned().collect()
+        };
+        let factor = at[0].integer(self.1.factor);
+        let stacked = quadratic(&matrix.kronecker(&plane), &stack) * &factor;
+        let axes = (quadratic(&matrix, &flock.axis(0)) + quadratic(&matrix, &flock.axis(1))) * factor;
+        let rate = flock.energy_rate()?;
+        Ok((vec![rate.clone(), rate], vec![stacked, axes]))
+    }
+}
+
+pub fn eq9() -> Record<RateVariant> {
+    let printed = RateVariant { factor: -1, signless: false, by_axis: false };
+    Record::new(
+        "tanner2.eq9",
+        "dW/dt = sum v_i . (grad V_i + u_i) = -sum over i of v_i . sum over j ~ i of (v_i - v_j), which is minus the sum over the edges of \
+         |v_i - v_j|². With the stack vector (v_1, v_2, ...) the matrix L kron I_2 gives the same sum. Any graph, any potentials. \
+         (The text calls the velocities three dimensional; the agents move in the plane, and I_2 in the formula is right. In three dimensions it would be I_3, with a third form in v_z.)",
+        printed,
+        |variant, run| on_connected(run, "equation (9)", |graph| Rate(graph, *variant)),
+    )
+    .control("the other sign", RateVariant { factor: 1, ..printed })
+    .control("twice", RateVariant { factor: -2, ..printed })
+    .control("D + A in place of L", RateVariant { signless: true, ..printed })
+    .control("L kron I_2 with all x components first", RateVariant { by_axis: true, ..printed })
+}
+
+// --- Equation (8) and the display after it ---
+
+/// The chain of equations, with a factor before the first sum, the number of times an edge is counted, and the sign of the second term.
+#[derive(Clone, Copy)]
+pub struct ChainVariant {
+    half: (i64, i64),
+    counted: i64,
+    sign: i64,
+}
+
+struct Chain(Graph, ChainVariant);
+
+impl RationalIdentity for Chain {
+    fn variables(&self) -> usize {
+        Arbitrary::variables(&self.0)
+    }
+
+    fn components(&self) -> Vec<String> {
+        ["dW/dt", "the sum of rdot_ij . grad V_ij", "the sum over i and j", "the sum of rdot_i . grad V_i"]
+            .map(str::to_string)
+            .to_vec()
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let flock = Arbitrary::read(&self.0, at)?;
+        let (like, v) = (&at[0], &flock.state.velocities);
+        let half = total(like, flock.agent_rates()?) * like.ratio(self.1.half.0, self.1.half.1);
+        let gradients = flock.gradients()?;
+        let damping = models::double_integrator::disagreements(v, &flock.edges);
+        let work = total(like, (0..v.len()).map(|i| dot(&v[i], &sum(&damping[i], &gradients[i]))));
+        let counted = like.integer(self.1.counted);
+        let pairs = flock.pair_gradients()?;
+        let relative = flock.edges.iter().zip(&pairs).map(|(&(i, j), (at_i, _))| dot(&difference(&v[i], &v[j]), at_i));
+        let relative = total(like, relative) * &counted;
+        let both = flock
+            .edges
+            .iter()
+            .zip(&pairs)
+            .map(|(&(i, j), (at_i, at_j))| dot(&v[i], at_i) + dot(&v[j], at_j) * like.integer(self.1.sign));
+        let both = total(like, both) * counted;
+        let single = total(like, (0..v.len()).map(|i| dot(&v[i], &gradients[i])));
+        Ok((
+            vec![flock.energy_rate()?, half.clone(), half.clone(), half.clone()],
+            vec![half - work, relative, both, single],
+        ))
+    }
+}
+
+pub fn eq8() -> Record<ChainVariant> {
+    let printed = ChainVariant { half: (1, 2), counted: 1, sign: 1 };
+    Record::new(
+        "tanner2.eq8",
+        "Each V_ij occurs in V_i and in V_j, so half the sum of the V_i is the sum over the edges, each once: this is what the sums over j ~ i \
+         without i mean. V_ij depends on r_i - r_j, so grad_{r_j} = -grad_{r_i} = -grad_{r_ij}. Any graph, any potentials.",
+        printed,
+        |variant, run| on_connected(run, "equation (8)", |graph| Chain(graph, *variant)),
+    )
+    .control("without the half", ChainVariant { half: (1, 1), ..printed })
+    .control("each edge twice", ChainVariant { counted: 2, ..printed })
+    .control("minus grad_{r_j}", ChainVariant { sign: -1, ..printed })
+}
+
+// --- Equation (6) ---
+
+/// `W = factor sum V_i + 1/2 sum |v_i|²` with potentials whose least value is `least`.
+#[derive(Clone, Copy)]
+pub struct MechanicalVariant {
+    factor: (i64, i64),
+    least: i64,
+}
+
+struct Mechanical(Graph, MechanicalVariant);
+
+impl RationalIdentity for Mechanical {
+    fn variables(&self) -> usize {
+        Arbitrary::variables(&self.0)
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let flock = Arbitrary::read(&self.0, at)?;
+        let count = self.0.order();
+        let derivatives = gradient(&at[..4 * count], |list: &[Dual<T>]| {
+            let state = State::from_list(count, list).ok_or(ArithmeticError::Domain("a state"))?;
+            flock.energy(&state, self.1.factor)
+        })?;
+        // grad_{r_i} W against minus the force, grad_{v_i} W against the momentum.
+        let forces = flock.gradients()?.into_iter().flatten();
+        Ok((derivatives, forces.chain(flock.state.velocities.iter().flatten().cloned()).collect()))
+    }
+}
+
+fn examine_mechanical(variant: &MechanicalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let identity = on_connected(run, "the forces are -grad W", |graph| Mechanical(graph, *variant));
+    Run::all([identity, non_negative(variant)])
+}
+
+/// The least value of `W` is that at rest at the minimum of every potential, for two agents.
+fn non_negative(variant: &MechanicalVariant) -> Result<Outcome, CheckError> {
+    let (one, least) = (rational(1, 1), rational(variant.least, 1));
+    let potential = Potential::new(vec![(0, one.clone()), (-2, -one.clone())], (one.clone(), least));
+    let zero = [rational(0, 1), rational(0, 1)];
+    let positions = [zero.clone(), [one.clone(), rational(0, 1)]];
+    let value = |_: usize, _: usize, s: &Rational| potential.rational_value(s);
+    let edges = potential_energy(&positions, &[(0, 1)], Coordinates::Cartesian, value)?;
+    let energy = edges * rational(2 * variant.factor.0, variant.factor.1)
+        + kinetic_energy(&[zero.clone(), zero], Coordinates::Cartesian)?;
+    let evidence = Evidence::new(
+        Grade::Exact,
+        "W >= 0",
+        "a sum of non-negative terms; its least value for two agents and s + 1/s - 2",
+    );
+    if energy.is_certainly_negative() {
+        return Ok(Outcome::fails(format!("two agents at rest at the desired distance: W = {energy}"), evidence));
+    }
+    Ok(Outcome::Holds(vec![evidence]))
+}
+
+pub fn eq6() -> Record<MechanicalVariant> {
+    let printed = MechanicalVariant { factor: (1, 2), least: 0 };
+    Record::new(
+        "tanner2.eq6",
+        "V_ij >= 0 by Definition 3, so W is a sum of non-negative terms, differentiable where no linked agents coincide. Half the sum of \
+         the V_i counts each edge once, so -grad_{r_i} W = -grad_{r_i} V_i is the force of (4): W is potential plus kinetic energy (unit masses).",
+        printed,
+        examine_mechanical,
+    )
+    .control("without the half before V_i", MechanicalVariant { factor: (1, 1), ..printed })
+    .control("a potential that is negative at its minimum", MechanicalVariant { least: -1, ..printed })
+}
+
+// --- Corollary 2: the decomposition ---
+
+/// `Wdot = -(x_p or x_n part) - (the same of y)`, where p is the mean, n the rest.
+#[derive(Clone, Copy)]
+pub struct PartVariant {
+    mean: bool,
+    axes: usize,
+    power: usize,
+}
+
+struct Part(Graph, PartVariant);
+
+impl RationalIdentity for Part {
+    fn variables(&self) -> usize {
+        Arbitrary::variables(&self.0)
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let flock = Arbitrary::read(&self.0, at)?;
+        let mut matrix = laplacian(&self.0, false)?;
+        if self.1.power == 2 {
+            matrix = matrix.times(&matrix).map_err(|_| ArithmeticError::Domain("a square matrix"))?;
+        }
+        let form = (0..self.1.axes).map(|k| {
+            let v = flock.axis(k);
+            let mean = total(&at[0], v.iter().cloned()) * at[0].ratio(1, v.len() as i64);
+            let part: Vec<T> = v.iter().map(|x| if self.1.mean { mean.clone() } else { x.clone() - &mean }).collect();
+            -quadratic(&matrix, &part)
+        });
+        Ok((vec![flock.energy_rate()?], vec![total(&at[0], form)]))
+    }
+}
+
+pub fn cor2_decomp() -> Record<PartVariant> {
+    let printed = PartVariant { mean: false, axes: 2, power: 1 };
+    Record::new(
+        "tanner2.cor2_decomp",
+        "L 1 = 0 and L is symmetric, so the part of v_x along 1 drops out of v_x^T L v_x; the same for v_y.",
+        printed,
+        |variant, run| on_connected(run, "Wdot by the parts normal to 1", |graph| Part(graph, *variant)),
+    )
+    .control("the parts along 1", PartVariant { mean: true, ..printed })
+    .control("without v_y", PartVariant { axes: 1, ..printed })
+    .control("L² in place of L", PartVariant { power: 2, ..printed })
+}
+
+// --- Where Wdot = 0 ---
+
+/// What is said to vanish where `Wdot = 0`.
+#[derive(Clone, Copy)]
+pub enum Vanishing {
+    /// `r_ij`.
+    Separations,
+    /// `rdot_ij`.
+    RelativeVelocities,
+    /// `v_i`.
+    Velocities,
+    /// `vdot_i`.
+    Accelerations,
+}
+
+/// Two agents with a common velocity, half a unit further apart than they should be.
+fn drifting_pair() -> State<Rational> {
+    let q = |p, d| rational(p, d);
+    State {
+        positions: vec![[q(0, 1), q(0, 1)], [q(3, 2), q(0, 1)]],
+        velocities: vec![[q(1, 1), q(0, 1)], [q(1, 1), q(0, 1)]],
+    }
+}
+
+fn spring() -> Potential {
+    Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1))
+}
+
+fn examine_vanishing(variant: &Vanishing, run: &mut Run) -> Result<Outcome, CheckError> {
+    let state = drifting_pair();
+    let potential = spring();
+    let accelerations = velocity_alignment(&state, &[(0, 1)], Coordinates::Cartesian, |_, _, s| potential.slope(s))?;
+    let moving = state.moving(&accelerations);
+    let value = |_: usize, _: usize, s: &Dual<Rational>| potential.rational_value(s);
+    let energy = potential_energy(&moving.positions, &[(0, 1)], Coordinates::Cartesian, value)?
+        + kinetic_energy(&moving.velocities, Coordinates::Cartesian)?;
+    let is_zero = |v: &[Rational; 2]| v.iter().all(num_traits::Zero::is_zero);
+    let (name, vanishes) = match variant {
+        Vanishing::Separations => ("r_12", is_zero(&state.separation(0, 1))),
+        Vanishing::RelativeVelocities => ("rdot_12", is_zero(&state.relative_velocity(0, 1))),
+        Vanishing::Velocities => ("v_1", is_zero(&state.velocities[0])),
+        Vanishing::Accelerations => ("vdot_1", is_zero(&accelerations[0])),
+    };
+    let evidence = Evidence::new(Grade::Exact, "two agents with a common velocity", "exact rates of change");
+    if !num_traits::Zero::is_zero(&energy.derivative) || !vanishes {
+        let what = format!(
+            "two linked agents at (0, 0) and (3/2, 0), both with velocity (1, 0): dW/dt = {}, {name} is not 0",
+            energy.derivative
+        );
+        return Ok(Outcome::fails(what, evidence));
+    }
+    // dW/dt is minus the sum of |v_i - v_j|² over the edges, so a zero makes all velocities of a connected graph equal.
+    let identity = on_connected(run, "dW/dt is minus the sum of |v_i - v_j|² over the edges", EdgeSum)?;
+    Run::all([Ok(identity), Ok(Outcome::Holds(vec![evidence]))])
+}
+
+/// `Wdot` is minus the sum of `|v_i - v_j|²` over the edges.
+pub(super) struct EdgeSum(pub Graph);
+
+impl RationalIdentity for EdgeSum {
+    fn variables(&self) -> usize {
+        Arbitrary::variables(&self.0)
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let flock = Arbitrary::read(&self.0, at)?;
+        let squares = flock.edges.iter().map(|&(i, j)| {
+            let relative = flock.state.relative_velocity(i, j);
+            -dot(&relative, &relative)
+        });
+        Ok((vec![flock.energy_rate()?], vec![total(&at[0], squares)]))
+    }
+}
+
+pub fn s_config() -> Record<Vanishing> {
+    Record::new(
+        "tanner2.S_config",
+        "dW/dt is minus the sum of |v_i - v_j|² over the edges: it vanishes exactly where linked agents, and on a connected graph all \
+         agents, have equal velocities. Then rdot_ij = v_i - v_j = 0; r_ij = 0 would be a collision. A dot is missing in print.",
+        Vanishing::Separations,
+        examine_vanishing,
+    )
+    .repaired(Fault::Misprint, "It follows that rdot_ij = v_i - v_j = 0 for all (i, j).", Vanishing::RelativeVelocities)
+    .control("v_i = 0", Vanishing::Velocities)
+    .control("vdot_i = 0", Vanishing::Accelerations)
+}
+
+// --- Equation (14) ---
+
+/// In the invariant set the accelerations lie along 1 and are normal to 1.
+#[derive(Clone, Copy)]
+pub struct SteadyVariant {
+    /// `V_ij` and `V_ji` are the same potential.
+    mutual: bool,
+    /// Velocities stay equal, not only at one instant.
+    invariant: bool,
+}
+
+/// The sum of all accelerations is zero; the slope at the second agent of each edge is a variable of its own where forces are not mutual.
+struct Momentum(Graph, bool);
+
+impl RationalIdentity for Momentum {
+    fn variables(&self) -> usize {
+        Arbitrary::variables(&self.0) + if self.1 { 0 } else { self.0.edges().len() }
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let flock = Arbitrary::read(&self.0, at)?;
+        let mut accelerations = flock.accelerations()?;
+        if !self.1 {
+            let own = &at[Arbitrary::variables(&self.0)..];
+            for ((&(i, j), mutual), other) in flock.edges.iter().zip(&flock.slopes).zip(own) {
+                let extra = scaled(&((other.clone() - mutual) * at[0].integer(2)), &flock.state.separation(i, j));
+                accelerations[j] = sum(&accelerations[j], &extra);
+            }
+        }
+        let sums = [0, 1].map(|k| total(&at[0], accelerations.iter().map(|a| a[k].clone())));
+        Ok((sums.to_vec(), vec![at[0].zero(), at[0].zero()]))
+    }
+}
+
+fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let momentum = on_connected(run, "the accelerations sum to zero", |graph| Momentum(graph, variant.mutual));
+    if variant.invariant {
+        // Equal accelerations that sum to zero are zero: N a = 0.
+        return momentum;
+    }
+    let state = drifting_pair();
+    let accelerations = velocity_alignment(&state, &[(0, 1)], Coordinates::Cartesian, |_, _, s| spring().slope(s))?;
+    let evidence = Evidence::new(Grade::Exact, "equal velocities at one instant", "exact accelerations");
+    if accelerations.iter().flatten().any(|a| !num_traits::Zero::is_zero(a)) {
+        let what = format!(
+            "two agents with a common velocity at distance 3/2: vdot_1 = ({}, {})",
+            accelerations[0][0], accelerations[0][1]
+        );
+        return Ok(Outcome::fails(what, evidence));
+    }
+    Run::all([momentum, Ok(Outcome::Holds(vec![evidence]))])
+}
+
+pub fn eq14() -> Record<SteadyVariant> {
+    let printed = SteadyVariant { mutual: true, invariant: true };
+    Record::new(
+        "tanner2.eq14",
+        "All forces are mutual, so the accelerations sum to zero in every state (they are normal to 1), and so does every convex \
+         combination of them over graphs. In an invariant set of equal velocities all accelerations are equal. Equal vectors that sum to zero are zero.",
+        printed,
+        examine_steady,
+    )
+    .control("forces that are not mutual", SteadyVariant { mutual: false, ..printed })
+    .control("equal velocities at one instant only", SteadyVariant { invariant: false, ..printed })
+}
+
+// --- vdot = -(B kron I_2) grad V ---
+
+/// `vdot = sign (B kron I_2) [grad_{r_ij} V_ij]`; in `B` the entry of the vertex an edge leaves is `outgoing`.
+#[derive(Clone, Copy)]
+pub struct IncidenceVariant {
+    sign: i64,
+    outgoing: i64,
+}
+
+struct ByIncidence(Graph, IncidenceVariant);
+
+impl RationalIdentity for ByIncidence {
+    fn variables(&self) -> usize {
+        Arbitrary::variables(&self.0)
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let flock = Arbitrary::read(&self.0, at)?;
+        // In S the velocities are equal: the accelerations are minus the gradients.
+        let left = flock.gradients()?.into_iter().flatten().map(|x| -x).collect();
+        let mut right: Vec<[T; 2]> = vec![[at[0].zero(), at[0].zero()]; self.0.order()];
+        for (&(i, j), (gradient, _)) in flock.edges.iter().zip(&flock.pair_gradients()?) {
+            // The arc from i to j.
+            let entry = scaled(&at[0].integer(self.1.sign * self.1.outgoing), gradient);
+            right[i] = sum(&right[i], &entry);
+            right[j] = difference(&right[j], &entry);
+        }
+        Ok((left, right.into_iter().flatten().collect()))
+    }
+}
+
+pub fn vdot_b() -> Record<IncidenceVariant> {
+    let printed = IncidenceVariant { sign: -1, outgoing: -1 };
+    Record::new(
+        "tanner2.vdotB",
+        "The edge (i, j) is an arc from i to j, so in its column of B the entry of i is -1 and that of j is 1 (Section 2.1). As grad_{r_ij} V_ij = grad_{r_i} V_ij, \
+         row i of (B kron I_2)[grad_{r_ij} V_ij] is -grad_{r_i} V_i: the minus sign before B is one too many. The range of B, which is all the \
+         proof uses, does not depend on the sign.",
+        printed,
+        |variant, run| on_connected(run, "vdot in S by the incidence matrix", |graph| ByIncidence(graph, *variant)),
+    )
+    .repaired(
+        Fault::Misprint,
+        "vdot = (B kron I_2) [..., grad_{r_ij} V_ij, ...]^T with B as in Section 2.1 (or the minus sign with 1 for outgoing edges).",
+        IncidenceVariant { sign: 1, outgoing: -1 },
+    )
+    .control("plus, with 1 for outgoing edges", IncidenceVariant { sign: 1, outgoing: 1 })
+    .control("twice", IncidenceVariant { sign: 2, outgoing: -1 })
+}

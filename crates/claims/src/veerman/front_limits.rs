@@ -1,0 +1,242 @@
+//! veerman.sep_remark, veerman.prop1: separation and size limit where every car tracks only the one in front.
+
+use super::one_sided::negative_gains;
+use arithmetic::identity::RationalIdentity;
+use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run, interval_value};
+use models::platoon::{Gains, amplitude_one_sided, gain_squared_one_sided};
+
+/// veerman.sep_remark.
+pub struct Separation;
+
+/// `a_0 Re(gamma^{-k-1} e) - back a_0 Re(gamma^{-k} e + inside) + outside`.
+#[derive(Clone, Copy)]
+pub struct SeparationVariant {
+    back: i64,
+    inside: i64,
+    outside: i64,
+}
+
+/// Car `k` at `h + a_0 Re(z e)`, car `k + 1` at `h + 1 + a_0 Re(z e/gamma)`, where `z` is any number in the place of
+/// `gamma^-k` and `e = e^{iwt}` any phase.
+struct Difference(SeparationVariant);
+
+impl RationalIdentity for Difference {
+    fn variables(&self) -> usize {
+        8
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [f, g, w, a, u, z_re, z_im, h] = at else { return Err(ArithmeticError::Domain("eight variables")) };
+        let gains = Gains { f: f.clone(), g: g.clone() };
+        // e = (1 + iu)/(1 - iu) runs through all phases but one.
+        let half_turn = Complex::new(u.one(), u.clone());
+        let phase = half_turn.over(&half_turn.conj())?;
+        let front = Complex::new(z_re.clone(), z_im.clone()) * phase;
+        let own = front.clone() * amplitude_one_sided(&gains, w, 1)?;
+        let position = |place: T, z: &Complex<T>| place + a.clone() * &z.re;
+        let separation = position(h.clone() + h.one(), &own) - position(h.clone(), &front);
+        let inside = front.re.clone() + a.integer(self.0.inside);
+        let claimed = a.clone() * &own.re - a.integer(self.0.back) * a * inside + a.integer(self.0.outside);
+        Ok((vec![separation], vec![claimed]))
+    }
+
+    fn in_domain(&self, at: &[Rational]) -> bool {
+        negative_gains(at) && at[3] > rational(0, 1)
+    }
+
+    fn components(&self) -> Vec<String> {
+        vec!["the separation x_{k+1} - x_k".to_string()]
+    }
+}
+
+impl Claim for Separation {
+    type Variant = SeparationVariant;
+
+    fn id(&self) -> &str {
+        "veerman.sep_remark"
+    }
+
+    fn derivation(&self) -> &str {
+        "x_{k+1} - x_k = h_{k+1} - h_k + a_0 Re(gamma^{-k-1} e^{iwt}) - a_0 Re(gamma^{-k} e^{iwt}). With h_{k+1} - h_k = 1 the 1 is \
+         added once and is not multiplied by a_0. As printed it stands inside the second real part and gives -a_0 instead of \
+         +1; no sign of the separation and no a_0 > 0 makes that right. At w = 0 the separation is 1 and the printed formula gives -a_0."
+    }
+
+    fn printed(&self) -> SeparationVariant {
+        SeparationVariant { back: 1, inside: 1, outside: 0 }
+    }
+
+    fn repair(&self) -> Option<Repair<SeparationVariant>> {
+        Some(Repair {
+            fault: Fault::Misprint,
+            statement: "If h_{k+1} - h_k = 1, the separation between two successive agents is a_0 Re(gamma^{-k-1} e^{i w t}) - \
+                        a_0 Re(gamma^{-k} e^{i w t}) + 1."
+                .to_string(),
+            variant: SeparationVariant { back: 1, inside: 0, outside: 1 },
+        })
+    }
+
+    fn controls(&self) -> Vec<Control<SeparationVariant>> {
+        let repaired = SeparationVariant { back: 1, inside: 0, outside: 1 };
+        vec![
+            Control::new("- 1 at the end", SeparationVariant { outside: -1, ..repaired }),
+            Control::new("+ a_0 Re(gamma^{-k} e^{iwt})", SeparationVariant { back: -1, ..repaired }),
+            Control::new("without the 1", SeparationVariant { outside: 0, ..repaired }),
+        ]
+    }
+
+    fn examine(&self, variant: &SeparationVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let names = ["f", "g", "w", "a_0", "tan(wt/2)", "Re gamma^-k", "Im gamma^-k", "h_k"];
+        run.identity(&Difference(*variant), &names, "the difference of the positions, any k and t")
+    }
+}
+
+/// veerman.prop1.
+pub struct FrontSizeLimit;
+
+/// The leader's frequency is `|f|^(half_powers/2)`, and the limit `factor ln(D/a_0)/ln(1 + |f|^a/|g|^b)` with `(a, b) = powers`.
+#[derive(Clone, Copy)]
+pub struct FrontLimitVariant {
+    half_powers: u64,
+    factor: (i64, i64),
+    powers: (u64, u64),
+}
+
+impl FrontLimitVariant {
+    /// The claimed gain per car, squared, for `|f| = r²`.
+    fn growth<T: Field>(&self, r: &T, g: &T) -> Result<T, ArithmeticError> {
+        let size = g.integer(if self.powers.1 % 2 == 1 { -1 } else { 1 }) * g.power(self.powers.1);
+        Ok(r.power(2 * self.powers.0).over(&size)? + r.one())
+    }
+}
+
+/// The squared gain per car at the leader's frequency, with `f = -r²`.
+struct GrowthPerCar(FrontLimitVariant);
+
+impl RationalIdentity for GrowthPerCar {
+    fn variables(&self) -> usize {
+        2
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
+        let gains = Gains { f: -r.square(), g: g.clone() };
+        let gain = gain_squared_one_sided(&gains, &r.power(2 * self.0.half_powers))?;
+        Ok((vec![gain], vec![self.0.growth(r, g)?]))
+    }
+
+    fn in_domain(&self, at: &[Rational]) -> bool {
+        at[0] > rational(0, 1) && at[1] < rational(0, 1)
+    }
+
+    fn components(&self) -> Vec<String> {
+        vec!["|1/gamma|² at the leader's frequency".to_string()]
+    }
+}
+
+/// The largest N for which the last car, number N + 1, stays within `ratio = D/a_0`; -1 if even one follower does not.
+fn largest_size(growth: &Rational, ratio: &Rational) -> i64 {
+    let limit = ratio * ratio;
+    let mut power = growth.clone();
+    let mut n = -1;
+    while power <= limit {
+        power *= growth;
+        n += 1;
+    }
+    n
+}
+
+impl Claim for FrontSizeLimit {
+    type Variant = FrontLimitVariant;
+
+    fn id(&self) -> &str {
+        "veerman.prop1"
+    }
+
+    fn derivation(&self) -> &str {
+        "At w² = |f|, Corollary 1 gives |a_k| = a_0 (1 + |f|/g²)^{k/2}, which grows with k, so the last car stays within D \
+         exactly if N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g²) =: X, that is for N <= floor(X) - 1: within the printed N <~ X (read as N <= X, \
+         sharp up to less than 2). But the frequency is sqrt|f|, not |f|: at w = |f| the squared gain is (1 + g²)/((|f| - 1)² + g²), which is \
+         even below 1 for |f| > 2, so that there is no limit at all."
+    }
+
+    fn printed(&self) -> FrontLimitVariant {
+        FrontLimitVariant { half_powers: 2, factor: (2, 1), powers: (1, 2) }
+    }
+
+    fn repair(&self) -> Option<Repair<FrontLimitVariant>> {
+        Some(Repair {
+            fault: Fault::Misprint,
+            statement: "If the amplitude of the oscillation of the leader at frequency sqrt(|f|) is a_0, and the maximum \
+                        oscillation allowed is D, then N <~ 2 ln(D/a_0)/ln(1 + |f|/g^2); exactly, N + 1 is at most that."
+                .to_string(),
+            variant: FrontLimitVariant { half_powers: 1, ..self.printed() },
+        })
+    }
+
+    fn controls(&self) -> Vec<Control<FrontLimitVariant>> {
+        let repaired = FrontLimitVariant { half_powers: 1, ..self.printed() };
+        vec![
+            Control::new("without the factor 2", FrontLimitVariant { factor: (1, 1), ..repaired }),
+            Control::new("the factor 3", FrontLimitVariant { factor: (3, 1), ..repaired }),
+            Control::new("|f|/|g|", FrontLimitVariant { powers: (1, 1), ..repaired }),
+            Control::new("f²/g²", FrontLimitVariant { powers: (2, 2), ..repaired }),
+        ]
+    }
+
+    fn examine(&self, variant: &FrontLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let part = "the gain per car at the leader's frequency, |f| = r²";
+        let growth = run.identity(&GrowthPerCar(*variant), &["r", "g"], part)?;
+        if let Outcome::Fails { counterexample, evidence } = growth {
+            return Ok(Outcome::Fails { counterexample: no_limit(variant)?.unwrap_or(counterexample), evidence });
+        }
+        Run::all([Ok(growth), limit_instances(variant)])
+    }
+}
+
+/// Where the response at the claimed frequency decays although a limit is claimed: f = -4, g = -1.
+fn no_limit(variant: &FrontLimitVariant) -> Result<Option<String>, CheckError> {
+    let (r, g) = (rational(2, 1), rational(-1, 1));
+    let gains = Gains { f: -r.square(), g: g.clone() };
+    let (w, claimed) = (r.power(variant.half_powers), variant.growth(&r, &g)?);
+    let gain = gain_squared_one_sided(&gains, &w.square())?;
+    Ok((gain <= rational(1, 1) && claimed > rational(1, 1)).then(|| {
+        format!("f = -4, g = -1, leader's frequency {w}: |1/gamma|² is {gain}, so no car moves more than the leader and N is not limited, but a limit with ln({claimed}) is claimed")
+    }))
+}
+
+/// The exact largest size against the enclosed bound X: `X - 2 < N <= X`.
+fn limit_instances(variant: &FrontLimitVariant) -> Result<Outcome, CheckError> {
+    const PRECISION: u32 = 100;
+    let mut cases = 0;
+    // For |f| = 9, g = -4 the gain per car is 5/4 exactly, so D/a_0 = 5/4 and 25/16 are ties.
+    for (r, g) in [((1, 1), (-1, 1)), ((2, 1), (-1, 1)), ((1, 2), (-2, 1)), ((1, 1), (-1, 5)), ((3, 1), (-4, 1))] {
+        let (r, g) = (rational(r.0, r.1), rational(g.0, g.1));
+        let growth = gain_squared_one_sided(&Gains { f: -r.square(), g: g.clone() }, &r.square())?;
+        for ratio in [(1, 1), (5, 4), (25, 16), (2, 1), (10, 1), (1000, 1), (1_000_000, 1)] {
+            let ratio = rational(ratio.0, ratio.1);
+            let exact = largest_size(&growth, &ratio);
+            let interval = |q: &Rational| Interval::from_rational(q, PRECISION);
+            let per_car = interval(&variant.growth(&r, &g)?).ln()?;
+            let factor = interval(&rational(variant.factor.0, variant.factor.1));
+            let bound = (interval(&ratio).ln()? * factor).over(&per_car)?;
+            let (lo, hi) = bound.to_rationals();
+            let size = rational(exact, 1);
+            cases += 1;
+            if size > hi || size <= lo - rational(2, 1) {
+                return Ok(Outcome::fails(
+                    format!(
+                        "|f| = {}, g = {g}, D/a_0 = {ratio}: the largest N is {exact}, the bound {}",
+                        r.square(),
+                        interval_value(&bound, 8)
+                    ),
+                    Evidence::new(Grade::Certified, "largest sizes", "exact powers against the enclosed bound"),
+                ));
+            }
+        }
+    }
+    let detail =
+        "the largest N with (1 + |f|/g²)^(N+1) <= (D/a_0)², found exactly, is at most the bound X and more than X - 2";
+    Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, "largest sizes", detail).cases(cases)]))
+}

@@ -1,0 +1,323 @@
+//! veerman.lem2 and veerman.lem2_eigvec: tracking the cars in front and behind.
+
+use super::one_sided::negative_gains;
+use arithmetic::identity::RationalIdentity;
+use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, rational};
+use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use models::platoon::{Communication, Gains, accelerations, gamma};
+use rand_chacha::rand_core::Rng;
+
+type Matrix2<T> = [[Complex<T>; 2]; 2];
+
+fn times<T: Ring>(a: &Matrix2<T>, b: &Matrix2<T>) -> Matrix2<T> {
+    let entry = |i: usize, j: usize| a[i][0].clone() * &b[0][j] + a[i][1].clone() * &b[1][j];
+    [[entry(0, 0), entry(0, 1)], [entry(1, 0), entry(1, 1)]]
+}
+
+/// The companion matrix `C = [[0, 1], [corner, 2 gamma]]` to a positive power.
+fn companion_power<T: Ring>(gamma: &Complex<T>, corner: i64, power: u64) -> Matrix2<T> {
+    let c = [[gamma.zero(), gamma.one()], [gamma.integer(corner), gamma.clone() + gamma]];
+    (1..power).fold(c.clone(), |product, _| times(&c, &product))
+}
+
+/// veerman.lem2.
+pub struct LastAmplitude;
+
+/// `a_{N+1} = numerator/Tr C^(N + 1 + shift)` with `C = [[0, 1], [corner, 2 gamma]]`.
+#[derive(Clone, Copy)]
+pub struct LastAmplitudeVariant {
+    numerator: i64,
+    shift: i64,
+    corner: i64,
+}
+
+/// From the claimed amplitude of the last car, equation (2) gives those in front one after the other; the leader's
+/// must come out as 1.
+struct LeaderIsOne {
+    variant: LastAmplitudeVariant,
+    followers: u64,
+}
+
+impl RationalIdentity for LeaderIsOne {
+    fn variables(&self) -> usize {
+        3
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [f, g, w] = at else { return Err(ArithmeticError::Domain("three variables")) };
+        let gamma = gamma(&Gains { f: f.clone(), g: g.clone() }, w)?;
+        let power = (self.followers as i64 + self.variant.shift).max(1) as u64;
+        let c = companion_power(&gamma, self.variant.corner, power);
+        let trace = c[0][0].clone() + &c[1][1];
+        let gains = Gains { f: Complex::real(f.clone()), g: Complex::real(g.clone()) };
+        let iw = Complex::new(w.zero(), w.clone());
+        // Scaled by the trace: the last car has the numerator, the leader must have the trace.
+        let mut amplitudes = vec![trace.integer(self.variant.numerator)];
+        for _ in 0..self.followers {
+            amplitudes.insert(0, car_in_front(&gains, &iw, &amplitudes)?);
+        }
+        let leader = amplitudes.swap_remove(0);
+        Ok((vec![leader.re, leader.im], vec![trace.re, trace.im]))
+    }
+
+    fn in_domain(&self, at: &[Rational]) -> bool {
+        negative_gains(at)
+    }
+}
+
+/// The amplitude in front of `amplitudes[0]`, solved from its equation: the force is affine in it.
+fn car_in_front<T: Field>(
+    gains: &Gains<Complex<T>>,
+    iw: &Complex<T>,
+    amplitudes: &[Complex<T>],
+) -> Result<Complex<T>, ArithmeticError> {
+    // Only the own car and the one behind matter; the one behind gives the own car a middle place.
+    let cars = &amplitudes[..amplitudes.len().min(2)];
+    let rates: Vec<Complex<T>> = cars.iter().map(|a| a.clone() * iw).collect();
+    let force = |front: Complex<T>| {
+        let rate = front.clone() * iw;
+        accelerations(Communication::FrontAndBack, gains, (&front, &rate), cars, &rates).swap_remove(0)
+    };
+    let at_zero = force(iw.zero());
+    let slope = force(iw.one()) - &at_zero;
+    (rates[0].clone() * iw - at_zero).over(&slope)
+}
+
+/// `2/(mu_-^M + mu_+^M)` is `2/Tr C^M` for `gamma = (mu + 1/mu)/2`.
+struct TraceByRoots {
+    corner: i64,
+    followers: u64,
+}
+
+impl RationalIdentity for TraceByRoots {
+    fn variables(&self) -> usize {
+        2
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let (mu, inverse, gamma, _) = roots(at)?;
+        let c = companion_power(&gamma, self.corner, self.followers);
+        let trace = c[0][0].clone() + &c[1][1];
+        let sum = mu.power(self.followers) + inverse.power(self.followers);
+        Ok((vec![trace.re, trace.im], vec![sum.re, sum.im]))
+    }
+}
+
+type Roots<T> = (Complex<T>, Complex<T>, Complex<T>, Complex<T>);
+
+/// `mu_+`, `mu_-`, `gamma` and `sqrt(gamma² - 1)` parametrised by `mu_+`: every `gamma` arises so, and exchanging the
+/// roots exchanges the branch of the square root.
+fn roots<T: Field>(at: &[T]) -> Result<Roots<T>, ArithmeticError> {
+    let [re, im] = at else { return Err(ArithmeticError::Domain("two variables")) };
+    let mu = Complex::new(re.clone(), im.clone());
+    let inverse = mu.recip()?;
+    let half = re.ratio(1, 2);
+    let gamma = (mu.clone() + &inverse).scale(&half);
+    let root = (mu.clone() - &inverse).scale(&half);
+    Ok((mu, inverse, gamma, root))
+}
+
+impl Claim for LastAmplitude {
+    type Variant = LastAmplitudeVariant;
+
+    fn id(&self) -> &str {
+        "veerman.lem2"
+    }
+
+    fn derivation(&self) -> &str {
+        "The middle cars give a_{k-1} = 2 gamma a_k - a_{k+1} and the last one a_{M-1} = gamma a_M. So a_{M-j} = T_j(gamma) a_M \
+         with the Chebyshev polynomials, and a_0 = 1 gives a_M = 1/T_M(gamma) = 2/Tr C^M, for every M by induction. For \
+         f, g < 0 and w != 0 gamma is not real while the zeros of T_M are; at w = 0 T_M(1) = 1 (notes/veerman.md)."
+    }
+
+    fn printed(&self) -> LastAmplitudeVariant {
+        LastAmplitudeVariant { numerator: 2, shift: 0, corner: -1 }
+    }
+
+    fn controls(&self) -> Vec<Control<LastAmplitudeVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("numerator 1", LastAmplitudeVariant { numerator: 1, ..printed }),
+            Control::new("the exponent N", LastAmplitudeVariant { shift: -1, ..printed }),
+            Control::new("the exponent N + 2", LastAmplitudeVariant { shift: 1, ..printed }),
+            Control::new("determinant -1", LastAmplitudeVariant { corner: 1, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &LastAmplitudeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        const IDENTITIES: u64 = 6;
+        let mut results = Vec::new();
+        for followers in 1..=IDENTITIES {
+            results.push(run.identity(
+                &LeaderIsOne { variant: *variant, followers },
+                &["f", "g", "w"],
+                &format!("equation (2) solved from the last car to the leader, {followers} followers"),
+            ));
+            results.push(run.identity(
+                &TraceByRoots { corner: variant.corner, followers },
+                &["Re mu", "Im mu"],
+                &format!("Tr C^M = mu_-^M + mu_+^M, M = {followers}"),
+            ));
+        }
+        results.push(exact_instances(variant, run));
+        Run::all(results)
+    }
+}
+
+/// Longer platoons at exact points with f, g < 0, w = 0 among them.
+fn exact_instances(variant: &LastAmplitudeVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let mut random = run.random(1);
+    let mut cases = 0;
+    for followers in [1, 2, 3, 7, 20, 41] {
+        for frequency in 0..3 {
+            run.checkpoint()?;
+            let mut gain = |denominator| rational(-1 - i64::from(random.next_u32() % 50), denominator);
+            let at = [gain(7), gain(9), rational(frequency, 5)];
+            let (leader, expected) = LeaderIsOne { variant: *variant, followers }.sides(&at)?;
+            cases += 1;
+            if leader != expected {
+                return Ok(Outcome::fails(
+                    format!("{followers} followers, f = {}, g = {}, w = {}", at[0], at[1], at[2]),
+                    Evidence::new(Grade::Exact, "instances", "solved exactly"),
+                ));
+            }
+        }
+    }
+    let detail = "up to 41 followers; f in -1/7, ..., -50/7, g in -1/9, ..., -50/9 at random, w = 0, 1/5, 2/5";
+    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "longer platoons", detail).cases(cases)]))
+}
+
+/// veerman.lem2_eigvec.
+pub struct Derivation;
+
+/// What the proof prints, with the signs and exponents that could be wrong.
+#[derive(Clone, Copy)]
+pub struct DerivationVariant {
+    /// `C = [[0, 1], [corner, 2 gamma]]`.
+    corner: i64,
+    /// `1 - gamma mu_+ = -sign sqrt(gamma² - 1) mu_+`.
+    sign: i64,
+    /// `c_+ = mu_-^(N + shift)/(mu_-^(N + 1) + mu_+^(N + 1))`.
+    shift: u64,
+}
+
+/// The recurrence and the last car's condition satisfy equation (2).
+struct Recurrence(DerivationVariant);
+
+impl RationalIdentity for Recurrence {
+    fn variables(&self) -> usize {
+        7
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [f, g, w, front_re, front_im, own_re, own_im] = at else {
+            return Err(ArithmeticError::Domain("seven variables"));
+        };
+        let gamma = gamma(&Gains { f: f.clone(), g: g.clone() }, w)?;
+        let gains = Gains { f: Complex::real(f.clone()), g: Complex::real(g.clone()) };
+        let iw = Complex::new(w.zero(), w.clone());
+        let front = Complex::new(front_re.clone(), front_im.clone());
+        let own = Complex::new(own_re.clone(), own_im.clone());
+        let behind = gamma.integer(self.0.corner) * &front + (gamma.clone() + &gamma) * &own;
+        let last = front.over(&gamma)?;
+        let residual = |cars: &[Complex<T>]| {
+            let rates: Vec<Complex<T>> = cars.iter().map(|a| a.clone() * &iw).collect();
+            let forces =
+                accelerations(Communication::FrontAndBack, &gains, (&front, &(front.clone() * &iw)), cars, &rates);
+            (rates[0].clone() * &iw, forces[0].clone())
+        };
+        let (middle_rate, middle_force) = residual(&[own, behind]);
+        let (last_rate, last_force) = residual(&[last]);
+        Ok((
+            vec![middle_rate.re, middle_rate.im, last_rate.re, last_rate.im],
+            vec![middle_force.re, middle_force.im, last_force.re, last_force.im],
+        ))
+    }
+
+    fn in_domain(&self, at: &[Rational]) -> bool {
+        negative_gains(at)
+    }
+}
+
+/// Eigenvectors, the relation of gamma and mu, and the boundary conditions with `c_+`; `mu_+^N = p` is a free variable, so
+/// that one identity serves every N.
+struct RootsOfC(DerivationVariant);
+
+impl RationalIdentity for RootsOfC {
+    fn variables(&self) -> usize {
+        4
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let [mu_re, mu_im, p_re, p_im] = at else { return Err(ArithmeticError::Domain("four variables")) };
+        let (plus, minus, gamma, root) = roots(&[mu_re.clone(), mu_im.clone()])?;
+        let one = gamma.one();
+        let (mut left, mut right) = (Vec::new(), Vec::new());
+        let mut equate = |a: Complex<T>, b: Complex<T>| {
+            left.extend([a.re, a.im]);
+            right.extend([b.re, b.im]);
+        };
+        let c = companion_power(&gamma, self.0.corner, 1);
+        for (mu, sign) in [(&plus, -1), (&minus, 1)] {
+            let [first, second] = [0, 1].map(|i| c[i][0].clone() + c[i][1].clone() * mu);
+            equate(first, mu.clone());
+            equate(second, mu.square());
+            equate(one.clone() - gamma.clone() * mu, one.integer(sign * self.0.sign) * &root * mu);
+        }
+        let plus_n = Complex::new(p_re.clone(), p_im.clone());
+        let minus_n = plus_n.recip()?;
+        let (plus_next, minus_next) = (plus_n.clone() * &plus, minus_n.clone() * &minus);
+        let numerator = if self.0.shift == 1 { &minus_next } else { &minus_n };
+        let share = numerator.over(&(minus_next.clone() + &plus_next))?;
+        let other = one.clone() - &share;
+        // C^N (a_0, a_1) = c_+ mu_+^N (1, mu_+) + (1 - c_+) mu_-^N (1, mu_-) = (a_N, a_{N+1}), and a_N = gamma a_{N+1}.
+        let before = share.clone() * plus_n + other.clone() * minus_n;
+        let last = share * plus_next + other * minus_next;
+        equate(before, gamma * last);
+        Ok((left, right))
+    }
+}
+
+impl Claim for Derivation {
+    type Variant = DerivationVariant;
+
+    fn id(&self) -> &str {
+        "veerman.lem2_eigvec"
+    }
+
+    fn derivation(&self) -> &str {
+        "mu_+ mu_- = 1 and mu_+ + mu_- = 2 gamma, so C (1, mu) = (mu, -1 + 2 gamma mu) = mu (1, mu). With s² = gamma² - 1, \
+         1 - gamma mu_+ = -s² - gamma s = -s mu_+. The last car's condition a_N = gamma a_{N+1} then gives \
+         c_+ mu_+^{N+1} = (1 - c_+) mu_-^{N+1} for s != 0, that is w != 0. At w = 0 the two roots are 1, C has one eigenvector \
+         only, every c_+ gives a_k = 1, and the printed formula gives 1/2."
+    }
+
+    fn printed(&self) -> DerivationVariant {
+        DerivationVariant { corner: -1, sign: 1, shift: 1 }
+    }
+
+    fn controls(&self) -> Vec<Control<DerivationVariant>> {
+        let printed = self.printed();
+        vec![
+            Control::new("the corner +1 in C", DerivationVariant { corner: 1, ..printed }),
+            Control::new("the opposite sign of the square root", DerivationVariant { sign: -1, ..printed }),
+            Control::new("mu_-^N in c_+", DerivationVariant { shift: 0, ..printed }),
+        ]
+    }
+
+    fn examine(&self, variant: &DerivationVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+        let names = ["f", "g", "w", "Re a_{k-1}", "Im a_{k-1}", "Re a_k", "Im a_k"];
+        Run::all([
+            run.identity(
+                &Recurrence(*variant),
+                &names,
+                "the recurrence with C and a_{N+1} = a_N/gamma satisfy equation (2)",
+            ),
+            run.identity(
+                &RootsOfC(*variant),
+                &["Re mu_+", "Im mu_+", "Re mu_+^N", "Im mu_+^N"],
+                "eigenvectors, 1 - gamma mu, c_+ and the boundary conditions, for every N",
+            ),
+        ])
+    }
+}

@@ -1,0 +1,4 @@
+//! Every claim as recorded.
+
+mod recorded;
+mod seeds;

@@ -1,0 +1,71 @@
+//! The ledger of the project: tables in order, every claim as recorded.
+
+use claims::{LISTED, RECORDED};
+use ledger::{Ledger, LedgerError, Options, Verdict, correction_id, listed, recorded, to_json};
+use std::collections::BTreeSet;
+
+/// Corrections of wording, and by long runs.
+const WITHOUT_OWN_CLAIM: [&str; 6] = [
+    "tanner1.figs3_6",
+    "tanner2.appA.thm4",
+    "tanner2.appA.thm5",
+    "tanner2.sec6.figures",
+    "veerman.dimL",
+    "veerman.sec7.system",
+];
+
+#[test]
+fn tables_are_in_order() {
+    let ids: Vec<&str> = listed(LISTED).map(|row| row.id).collect();
+    assert_eq!(ids.len(), 237);
+    assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len());
+    let ledger = claims::ledger().unwrap();
+    let built: Vec<&str> = ledger.ids().collect();
+    assert!(built.iter().all(|id| ids.contains(id) || id.starts_with("beyond.")));
+    let rows: Vec<&str> = recorded(RECORDED).map(|row| row.id).collect();
+    assert_eq!(rows, built, "recorded.tsv must hold exactly the claims that are built, sorted");
+}
+
+#[test]
+fn every_claim_is_as_recorded() {
+    let ledger = claims::ledger().unwrap();
+    let ids = ledger.select(&[], &[]).unwrap();
+    let options = Options::default();
+    let report = ledger.verify(&ids, &options, |_| {});
+    assert_eq!(report.differences, Vec::<String>::new());
+    assert!(report.is_as_recorded());
+    let document: serde_json::Value = serde_json::from_str(&to_json(&report, &options)).unwrap();
+    assert_eq!(document["schema"], "flockproof.ledger/1");
+    assert_eq!(document["claims"].as_array().map(Vec::len), Some(ids.len()));
+    // What is true instead of a printed statement is a claim that holds.
+    for (printed, corrected) in report.entries.iter().filter_map(|entry| Some((&entry.id, entry.corrected.as_ref()?))) {
+        match report.entries.iter().find(|entry| entry.id == correction_id(printed)) {
+            Some(own) => assert_eq!((own.verdict, &own.statement), (Verdict::Holds, corrected)),
+            None => assert!(WITHOUT_OWN_CLAIM.contains(&printed.as_str()), "{printed}: the correction is not a claim"),
+        }
+    }
+}
+
+#[test]
+fn wrong_names_are_refused() {
+    let ledger = claims::ledger().unwrap();
+    let select = |papers: &[&str], claims: &[&str]| {
+        let own = |names: &[&str]| names.iter().map(|s| s.to_string()).collect::<Vec<_>>();
+        ledger.select(&own(papers), &own(claims))
+    };
+    assert!(matches!(select(&["reynolds"], &[]), Err(LedgerError::NoPaper(..))));
+    assert_eq!(select(&[], &["veerman.lem99"]), Err(LedgerError::Unknown("veerman.lem99".into())));
+    let nothing_built = Ledger::new().with_list(LISTED).select(&[], &["tanner1.eq2".to_string()]);
+    assert_eq!(nothing_built, Err(LedgerError::NotBuilt("tanner1.eq2".into())));
+    assert_eq!(select(&[], &["veerman.lem2"]), Ok(vec!["veerman.lem2".to_string()]));
+    assert!(select(&["paley"], &[]).is_ok_and(|ids| ids.contains(&"paley.eq7".to_string())));
+}
+
+#[test]
+fn every_coq_theorem_is_about_a_claim() {
+    let ledger = claims::ledger().unwrap();
+    let ids: BTreeSet<&str> = ledger.ids().collect();
+    for theorem in proofs::kernel::theorems() {
+        assert!(ids.contains(theorem.claim), "{} is not a claim of the ledger", theorem.claim);
+    }
+}

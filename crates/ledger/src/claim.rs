@@ -1,0 +1,192 @@
+//! The trait that a claim implements.
+
+use super::{Evidence, Run};
+
+/// A statement with a check. `notes/own_claims.md` shows how to write and register one.
+pub trait Claim: Send + Sync + 'static {
+    /// The data in which variants of the statement differ: a sign, an index, a factor, a bound.
+    type Variant;
+
+    /// The id, such as `veerman.lem2`.
+    fn id(&self) -> &str;
+
+    /// Place and text of the statement; `None` for the ids of the papers, whose list the ledger has.
+    fn source(&self) -> Option<Source> {
+        None
+    }
+
+    /// The argument in words, for `explain`.
+    fn derivation(&self) -> &str;
+
+    /// The statement as printed.
+    fn printed(&self) -> Self::Variant;
+
+    /// The corrected statement, for claims whose printed form fails.
+    fn repair(&self) -> Option<Repair<Self::Variant>> {
+        None
+    }
+
+    /// Altered variants that the check must refute.
+    fn controls(&self) -> Vec<Control<Self::Variant>>;
+
+    /// Decides a variant.
+    ///
+    /// # Errors
+    /// [`CheckError`] where the check itself could not be carried out.
+    fn examine(&self, variant: &Self::Variant, run: &mut Run) -> Result<Outcome, CheckError>;
+}
+
+/// Where a statement comes from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// Section, equation, lemma.
+    pub place: String,
+    /// The statement.
+    pub statement: String,
+}
+
+/// What the check says of one variant.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// It holds, on this evidence.
+    Holds(Vec<Evidence>),
+    /// It fails.
+    Fails {
+        /// Where it fails, so that anyone can check.
+        counterexample: String,
+        /// How that was established.
+        evidence: Vec<Evidence>,
+    },
+    /// Neither could be established, and why.
+    Undecided(String),
+    /// There is nothing to check, and why; with what could be checked all the same.
+    NotCheckable(String, Vec<Evidence>),
+}
+
+impl Outcome {
+    /// A failure on one piece of evidence.
+    pub fn fails(counterexample: impl Into<String>, evidence: Evidence) -> Self {
+        Outcome::Fails { counterexample: counterexample.into(), evidence: vec![evidence] }
+    }
+}
+
+/// What is wrong with a printed claim that fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fault {
+    /// Misprinted: an evident correction holds.
+    Misprint,
+    /// False: the repaired statement says something else.
+    False,
+}
+
+/// A corrected statement.
+#[derive(Debug, Clone)]
+pub struct Repair<V> {
+    /// What kind of fault it corrects.
+    pub fault: Fault,
+    /// The corrected statement in words.
+    pub statement: String,
+    /// The corrected statement for the check.
+    pub variant: V,
+}
+
+/// A negative control.
+#[derive(Debug, Clone)]
+pub struct Control<V> {
+    /// What was altered.
+    pub what: &'static str,
+    /// The altered statement for the check.
+    pub variant: V,
+}
+
+impl<V> Control<V> {
+    /// A named control.
+    pub fn new(what: &'static str, variant: V) -> Self {
+        Control { what, variant }
+    }
+}
+
+/// Why a check could not be carried out. Every error of the libraries below converts into it.
+#[derive(Debug)]
+pub enum CheckError {
+    /// The limit of work or of time was reached, or the run was interrupted.
+    Limit,
+    /// What the check computes with failed.
+    Failed(Box<dyn std::error::Error + Send + Sync>),
+    /// Anything else.
+    Other(String),
+}
+
+// Not an error type itself: the conversion below would overlap with that of a type into itself.
+impl std::fmt::Display for CheckError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            CheckError::Limit => write!(f, "the limit of work was reached"),
+            CheckError::Failed(error) => write!(f, "{error}"),
+            CheckError::Other(what) => write!(f, "{what}"),
+        }
+    }
+}
+
+impl<E: std::error::Error + Send + Sync + 'static> From<E> for CheckError {
+    fn from(error: E) -> Self {
+        CheckError::Failed(Box::new(error))
+    }
+}
+
+/// Which form of a claim is examined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Form {
+    /// As printed.
+    Printed,
+    /// As corrected.
+    Corrected,
+    /// The altered form of this negative control.
+    Control(usize),
+}
+
+/// A claim of any variant type, as the ledger holds it: the same for every claim, so that judging is compiled once.
+pub trait AnyClaim: Send + Sync {
+    /// The id.
+    fn id(&self) -> &str;
+    /// Place and text, for claims that are not in a list.
+    fn source(&self) -> Option<Source>;
+    /// The argument in words.
+    fn derivation(&self) -> &str;
+    /// The fault and the corrected statement, for claims whose printed form fails.
+    fn correction(&self) -> Option<(Fault, String)>;
+    /// What each negative control alters.
+    fn alterations(&self) -> Vec<&'static str>;
+    /// Decides one form.
+    ///
+    /// # Errors
+    /// [`CheckError`] where the check could not be carried out, or has no such form.
+    fn examine(&self, form: Form, run: &mut Run) -> Result<Outcome, CheckError>;
+}
+
+impl<C: Claim> AnyClaim for C {
+    fn id(&self) -> &str {
+        Claim::id(self)
+    }
+    fn source(&self) -> Option<Source> {
+        Claim::source(self)
+    }
+    fn derivation(&self) -> &str {
+        Claim::derivation(self)
+    }
+    fn correction(&self) -> Option<(Fault, String)> {
+        self.repair().map(|repair| (repair.fault, repair.statement))
+    }
+    fn alterations(&self) -> Vec<&'static str> {
+        self.controls().into_iter().map(|control| control.what).collect()
+    }
+    fn examine(&self, form: Form, run: &mut Run) -> Result<Outcome, CheckError> {
+        let variant = match form {
+            Form::Printed => Some(self.printed()),
+            Form::Corrected => self.repair().map(|repair| repair.variant),
+            Form::Control(k) => self.controls().into_iter().nth(k).map(|control| control.variant),
+        };
+        let variant = variant.ok_or_else(|| CheckError::Other("the claim has no such form".to_string()))?;
+        Claim::examine(self, &variant, run)
+    }
+}

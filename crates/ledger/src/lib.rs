@@ -1,0 +1,24 @@
+//! The ledger: claims with executable checks, verdicts, graded evidence and negative controls. It knows no model and no claim.
+//!
+//! A claim is data (the statement as printed, altered variants that must fail, a corrected variant where there is one)
+//! plus one check, [`Claim::examine`], that is run on every variant alike. The verdict is computed from what the check
+//! says, never written down: see [`Ledger::verify`].
+
+mod claim;
+mod entry;
+mod judge;
+mod proofs;
+mod run;
+mod runner;
+mod tables;
+
+pub use claim::{AnyClaim, CheckError, Claim, Control, Fault, Form, Outcome, Repair, Source};
+pub use entry::{Controls, Entry, Evidence, Grade, Verdict, interval_value};
+pub use judge::correction_id;
+pub use proofs::Proofs;
+pub use run::Run;
+pub use runner::{Ledger, LedgerError, Options, Report, to_json};
+pub use tables::{Listed, Recorded, listed, recorded};
+
+/// The generator of [`Run::random`] stands in its signature.
+pub use rand_chacha;

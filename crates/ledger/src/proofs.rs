@@ -1,0 +1,34 @@
+//! Proofs from outside the program, as the ledger sees them.
+
+use super::{Entry, Evidence, Verdict};
+
+/// A body of machine-checked proofs. The ledger asks it about every claim that it has judged.
+pub trait Proofs: Send + Sync {
+    /// The evidence that checked theorems give for a claim with this verdict.
+    ///
+    /// # Errors
+    /// What a theorem proves that contradicts the verdict.
+    fn evidence(&self, claim: &str, verdict: Verdict) -> Result<Vec<Evidence>, String>;
+}
+
+/// No proofs.
+pub(super) struct NoProofs;
+
+impl Proofs for NoProofs {
+    fn evidence(&self, _: &str, _: Verdict) -> Result<Vec<Evidence>, String> {
+        Ok(Vec::new())
+    }
+}
+
+/// Adds what is proved of a claim to its entry; a contradiction leaves it undecided.
+pub(super) fn join(entry: &mut Entry, proofs: &dyn Proofs) {
+    match proofs.evidence(&entry.id, entry.verdict) {
+        Ok(more) => entry.evidence.extend(more),
+        Err(contradiction) => {
+            entry.verdict = Verdict::Undecided;
+            entry.why = Some(contradiction);
+            entry.evidence.clear();
+            (entry.corrected, entry.counterexample) = (None, None);
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! What a check is given: seeded randomness, a limit of work, a place for values.
+
+use super::{CheckError, Evidence, Grade, Outcome};
+use arithmetic::Progress;
+use arithmetic::identity::{AnyIdentity, IdentityOutcome, test_identity};
+use arithmetic::random::generator;
+use rand_chacha::ChaCha8Rng;
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// The surroundings of the check of one form of a claim.
+#[derive(Debug)]
+pub struct Run {
+    id: String,
+    seed: String,
+    full: bool,
+    most_work: u64,
+    work: AtomicU64,
+    identities: AtomicU64,
+    values: BTreeMap<String, String>,
+}
+
+/// Points at which an identity is tested.
+const IDENTITY_CASES: usize = 16;
+
+impl Run {
+    /// The surroundings of a check of `id`. With `full`, checks try more cases. The check may pass `most_work` checkpoints.
+    pub fn new(id: &str, seed: &str, full: bool, most_work: u64) -> Self {
+        Run {
+            id: id.to_string(),
+            seed: seed.to_string(),
+            full,
+            most_work,
+            work: AtomicU64::new(0),
+            identities: AtomicU64::new(0),
+            values: BTreeMap::new(),
+        }
+    }
+
+    /// A generator whose seed depends on the seed of the run, the id of the claim and the replicate only.
+    pub fn random(&self, replicate: u64) -> ChaCha8Rng {
+        generator(&self.seed, &self.id, replicate)
+    }
+
+    /// `few` cases in an ordinary run, `many` in a full one.
+    pub fn cases(&self, few: usize, many: usize) -> usize {
+        if self.full { many } else { few }
+    }
+
+    /// To be called inside long loops: it counts the work, so that the limit does not depend on the machine.
+    ///
+    /// # Errors
+    /// [`CheckError::Limit`].
+    pub fn checkpoint(&self) -> Result<(), CheckError> {
+        if self.is_cancelled() { Err(CheckError::Limit) } else { Ok(()) }
+    }
+
+    /// Records a named number: `p/q`, `[lo, hi]` or `~` and a float.
+    pub fn value(&mut self, name: &str, number: impl Into<String>) {
+        self.values.insert(name.to_string(), number.into());
+    }
+
+    pub(super) fn into_values(self) -> BTreeMap<String, String> {
+        self.values
+    }
+
+    /// Tests an identity and turns the result into an outcome with evidence for `part`; `names` are the variables.
+    ///
+    /// # Errors
+    /// An identity that cannot be tested; [`CheckError::Limit`].
+    pub fn identity(&self, identity: &dyn AnyIdentity, names: &[&str], part: &str) -> Result<Outcome, CheckError> {
+        self.checkpoint()?;
+        let cases = self.cases(IDENTITY_CASES, 4 * IDENTITY_CASES);
+        // Each identity of a check has points of its own.
+        let replicate = IDENTITY_POINTS + self.identities.fetch_add(1, Ordering::Relaxed);
+        Ok(match test_identity(identity, cases, &mut self.random(replicate))? {
+            IdentityOutcome::Agreed { cases, degree, error_bits } => {
+                let detail = format!("equal at random integer points in {}; degree at most {degree}", names.join(", "));
+                Outcome::Holds(vec![Evidence::new(Grade::Identity, part, detail).cases(cases).error_bits(error_bits)])
+            }
+            IdentityOutcome::Differed { at, component, left, right } => {
+                let point: Vec<String> = names.iter().zip(&at).map(|(name, x)| format!("{name} = {x}")).collect();
+                let named = identity.components().into_iter().nth(component);
+                let what = named.unwrap_or_else(|| format!("component {}", component + 1));
+                Outcome::fails(
+                    format!("{part}: at {}, {what} is {left}, but {right} is claimed", point.join(", ")),
+                    Evidence::new(Grade::Exact, part, "the two sides differ at a rational point"),
+                )
+            }
+        })
+    }
+
+    /// Runs parts in order; the evidence of all, or the first one that does not hold.
+    ///
+    /// # Errors
+    /// Whatever a part returns.
+    pub fn all(parts: impl IntoIterator<Item = Result<Outcome, CheckError>>) -> Result<Outcome, CheckError> {
+        let mut evidence = Vec::new();
+        for part in parts {
+            match part? {
+                Outcome::Holds(more) => evidence.extend(more),
+                other => return Ok(other),
+            }
+        }
+        Ok(Outcome::Holds(evidence))
+    }
+}
+
+/// Replicates from here on are the points of identities; checks that draw themselves use smaller ones.
+const IDENTITY_POINTS: u64 = 1 << 32;
+
+/// A check that hands its run to long work of the models stops with them.
+impl Progress for Run {
+    fn is_cancelled(&self) -> bool {
+        self.work.fetch_add(1, Ordering::Relaxed) >= self.most_work
+    }
+}

@@ -1,0 +1,413 @@
+//! The ledger and its parallel runner.
+
+use super::judge::{Examined, Judge, correction_id};
+use super::proofs::{NoProofs, join};
+use super::{
+    AnyClaim, CheckError, Controls, Entry, Evidence, Form, Grade, Proofs, Run, Source, Verdict, listed, recorded,
+};
+use arithmetic::{Progress, Unwatched};
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, OnceLock, mpsc};
+use std::time::{Duration, Instant};
+
+/// How the ledger is run.
+#[derive(Clone)]
+pub struct Options {
+    /// Seed of everything random.
+    pub seed: String,
+    /// More cases.
+    pub full: bool,
+    /// Checkpoints that the check of one form may pass; one that passes more is undecided, on every machine.
+    pub most_work: u64,
+    /// The last resort against a check that passes no checkpoints: wall time for one claim.
+    pub longest: Duration,
+    /// Number of claims checked at a time.
+    pub threads: usize,
+    /// Asked often whether to stop; told of each finished claim.
+    pub progress: Arc<dyn Progress + Send>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options {
+            seed: "flockproof".to_string(),
+            full: false,
+            most_work: 10_000_000,
+            longest: Duration::from_secs(3600),
+            threads: std::thread::available_parallelism().map_or(1, usize::from),
+            progress: Arc::new(Unwatched),
+        }
+    }
+}
+
+/// Why a claim cannot be registered or found.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum LedgerError {
+    /// Two claims with one id.
+    #[error("the claim {0} is registered twice")]
+    Twice(String),
+    /// Neither in the list nor with a source of its own.
+    #[error("the claim {0} is not in the list of claims and has no source of its own")]
+    NoSource(String),
+    /// An id that is not registered.
+    #[error("there is no claim {0}")]
+    Unknown(String),
+    /// An id of the list without a check.
+    #[error("the claim {0} is listed, but its check is not built yet")]
+    NotBuilt(String),
+    /// A paper that does not exist.
+    #[error("there is no paper {0}; there are {1}")]
+    NoPaper(String, String),
+}
+
+/// A claim in the ledger: its printed statement, or its correction as a statement of its own.
+struct Registered {
+    id: String,
+    claim: Arc<dyn AnyClaim>,
+    source: Source,
+    correction: bool,
+}
+
+/// A set of claims with checks, the verdicts they are expected to reach, and the proofs behind them.
+pub struct Ledger {
+    claims: BTreeMap<String, Arc<Registered>>,
+    listed: BTreeMap<String, Source>,
+    expected: BTreeMap<String, Expected>,
+    proofs: Box<dyn Proofs>,
+}
+
+/// The words of a verdict and of its grades.
+struct Expected {
+    verdict: String,
+    grades: String,
+}
+
+impl Default for Ledger {
+    fn default() -> Self {
+        Ledger {
+            claims: BTreeMap::new(),
+            listed: BTreeMap::new(),
+            expected: BTreeMap::new(),
+            proofs: Box::new(NoProofs),
+        }
+    }
+}
+
+/// What a run of the ledger came to.
+#[derive(Debug, Clone)]
+pub struct Report {
+    /// The entries, sorted by id.
+    pub entries: Vec<Entry>,
+    /// Differences from the recorded verdicts, one sentence each.
+    pub differences: Vec<String>,
+    /// Claims that were asked for and not finished, because the run was interrupted.
+    pub missing: Vec<String>,
+}
+
+impl Report {
+    /// Whether every claim reached its recorded verdict with all controls refuted.
+    pub fn is_as_recorded(&self) -> bool {
+        self.differences.is_empty() && self.missing.is_empty()
+    }
+}
+
+impl Ledger {
+    /// A ledger without claims.
+    pub fn new() -> Self {
+        Ledger::default()
+    }
+
+    /// The same with a list of what is claimed ([`listed`]): claims of the list need no source of their own.
+    pub fn with_list(mut self, table: &str) -> Self {
+        let source = |place: &str, statement: &str| Source { place: place.into(), statement: statement.into() };
+        self.listed.extend(listed(table).map(|row| (row.id.to_string(), source(row.place, row.statement))));
+        self
+    }
+
+    /// The same with verdicts that are expected ([`recorded`]).
+    pub fn with_record(mut self, table: &str) -> Self {
+        self.expected.extend(recorded(table).map(|row| {
+            (row.id.to_string(), Expected { verdict: row.verdict.to_string(), grades: row.grades.to_string() })
+        }));
+        self
+    }
+
+    /// The same with proofs, which join the evidence.
+    pub fn with_proofs(mut self, proofs: impl Proofs + 'static) -> Self {
+        self.proofs = Box::new(proofs);
+        self
+    }
+
+    /// Records the verdict and the grades of evidence (strongest first) that a claim is expected to reach.
+    pub fn expect(&mut self, id: &str, verdict: Verdict, grades: &[Grade]) {
+        let expected = Expected { verdict: verdict.word().to_string(), grades: words(grades) };
+        self.expected.insert(id.to_string(), expected);
+    }
+
+    /// Adds a claim.
+    ///
+    /// # Errors
+    /// [`LedgerError::Twice`] or [`LedgerError::NoSource`].
+    pub fn register(&mut self, claim: impl AnyClaim + 'static) -> Result<(), LedgerError> {
+        self.register_boxed(Box::new(claim))
+    }
+
+    /// Adds a boxed claim.
+    ///
+    /// # Errors
+    /// As [`Ledger::register`].
+    pub fn register_boxed(&mut self, claim: Box<dyn AnyClaim>) -> Result<(), LedgerError> {
+        let id = claim.id().to_string();
+        let listed = || self.listed.get(&id).cloned();
+        let source = claim.source().or_else(listed).ok_or_else(|| LedgerError::NoSource(id.clone()))?;
+        self.insert(Registered { id, claim: claim.into(), source, correction: false })
+    }
+
+    /// Adds the corrected statements of the registered claims whose printed form fails, as claims of their own, where
+    /// `wanted` says so of the id of the printed claim.
+    ///
+    /// # Errors
+    /// [`LedgerError::Twice`].
+    pub fn register_corrections(&mut self, wanted: impl Fn(&str) -> bool) -> Result<(), LedgerError> {
+        let printed: Vec<Arc<Registered>> =
+            self.claims.values().filter(|r| !r.correction && wanted(&r.id)).cloned().collect();
+        for of in printed {
+            if let Some((_, statement)) = of.claim.correction() {
+                let paper = of.id.split('.').next().unwrap_or_default();
+                let source = Source { place: format!("corrects {paper}, {}", of.source.place), statement };
+                let id = correction_id(&of.id);
+                self.insert(Registered { id, claim: of.claim.clone(), source, correction: true })?;
+            }
+        }
+        Ok(())
+    }
+
+    fn insert(&mut self, registered: Registered) -> Result<(), LedgerError> {
+        let id = registered.id.clone();
+        match self.claims.insert(id.clone(), Arc::new(registered)) {
+            Some(_) => Err(LedgerError::Twice(id)),
+            None => Ok(()),
+        }
+    }
+
+    /// The registered ids, sorted.
+    pub fn ids(&self) -> impl Iterator<Item = &str> {
+        self.claims.keys().map(String::as_str)
+    }
+
+    /// The ids of the list, sorted.
+    pub fn listed_ids(&self) -> impl Iterator<Item = &str> {
+        self.listed.keys().map(String::as_str)
+    }
+
+    /// The ids of the named papers and claims, sorted; all ids where nothing is named.
+    ///
+    /// # Errors
+    /// [`LedgerError`] for a name that is not there.
+    pub fn select(&self, papers: &[String], claims: &[String]) -> Result<Vec<String>, LedgerError> {
+        let paper_of = |id: &str| id.split('.').next().unwrap_or_default().to_string();
+        let known: BTreeSet<String> = self.listed_ids().chain(self.ids()).map(paper_of).collect();
+        for paper in papers {
+            if !known.contains(paper) {
+                let known: Vec<String> = known.into_iter().collect();
+                return Err(LedgerError::NoPaper(paper.clone(), known.join(", ")));
+            }
+        }
+        for id in claims {
+            if !self.claims.contains_key(id) {
+                let is_listed = self.listed.contains_key(id);
+                return Err(if is_listed { LedgerError::NotBuilt } else { LedgerError::Unknown }(id.clone()));
+            }
+        }
+        let all = papers.is_empty() && claims.is_empty();
+        let wanted = |id: &&str| all || papers.contains(&paper_of(id)) || claims.iter().any(|c| c == id);
+        Ok(self.ids().filter(wanted).map(String::from).collect())
+    }
+
+    /// Checks the given claims in parallel and compares with the recorded verdicts; `done` is called after each claim.
+    /// The result does not depend on the number of threads.
+    pub fn verify(&self, ids: &[String], options: &Options, done: impl Fn(&Entry) + Sync) -> Report {
+        let next = AtomicUsize::new(0);
+        let finished: Mutex<Vec<Entry>> = Mutex::new(Vec::new());
+        let checks = self.checks(ids, options);
+        std::thread::scope(|scope| {
+            for _ in 0..options.threads.clamp(1, ids.len().max(1)) {
+                scope.spawn(|| {
+                    while let Some((registered, check)) = checks.get(next.fetch_add(1, Ordering::Relaxed)) {
+                        let Some(mut entry) = check_in_time(registered, check, options) else { break };
+                        join(&mut entry, &*self.proofs);
+                        done(&entry);
+                        let mut finished = finished.lock().unwrap_or_else(|e| e.into_inner());
+                        finished.push(entry);
+                        options.progress.tell("claims", finished.len() as u64, Some(ids.len() as u64));
+                    }
+                });
+            }
+        });
+        let mut entries = finished.into_inner().unwrap_or_else(|e| e.into_inner());
+        entries.sort_by(|a, b| a.id.cmp(&b.id));
+        let reached: BTreeSet<&str> = entries.iter().map(|entry| entry.id.as_str()).collect();
+        let missing = ids.iter().filter(|id| !reached.contains(id.as_str())).cloned().collect();
+        let differences = entries.iter().flat_map(|e| difference(e, self.expected.get(&e.id))).collect();
+        Report { entries, differences, missing }
+    }
+
+    /// The claims to be checked, each with its check; a claim and its correction share one.
+    fn checks(&self, ids: &[String], options: &Options) -> Vec<(Arc<Registered>, Arc<Check>)> {
+        let mut shared: BTreeMap<String, Arc<Check>> = BTreeMap::new();
+        let registered = ids.iter().filter_map(|id| self.claims.get(id));
+        registered
+            .map(|registered| {
+                let printed = registered.claim.id();
+                let check = shared
+                    .entry(printed.to_string())
+                    .or_insert_with(|| Arc::new(Check::new(registered.claim.clone(), options)));
+                (registered.clone(), check.clone())
+            })
+            .collect()
+    }
+}
+
+/// The check of one claim on each of its forms, run once however many entries ask for it.
+struct Check {
+    claim: Arc<dyn AnyClaim>,
+    seed: String,
+    full: bool,
+    most_work: u64,
+    printed: OnceLock<Examined>,
+    corrected: OnceLock<Examined>,
+    controls: Vec<OnceLock<Examined>>,
+    /// What a form that does not exist comes to.
+    nothing: Examined,
+}
+
+impl Check {
+    fn new(claim: Arc<dyn AnyClaim>, options: &Options) -> Self {
+        let nothing = Err(CheckError::Other("the claim has no such form".to_string()));
+        Check {
+            controls: claim.alterations().iter().map(|_| OnceLock::new()).collect(),
+            claim,
+            seed: options.seed.clone(),
+            full: options.full,
+            most_work: options.most_work,
+            printed: OnceLock::new(),
+            corrected: OnceLock::new(),
+            nothing: Examined { outcome: nothing, values: BTreeMap::new() },
+        }
+    }
+
+    fn examine(&self, form: Form) -> &Examined {
+        let cell = match form {
+            Form::Printed => Some(&self.printed),
+            Form::Corrected => Some(&self.corrected),
+            Form::Control(k) => self.controls.get(k),
+        };
+        cell.map_or(&self.nothing, |cell| {
+            cell.get_or_init(|| {
+                let mut run = Run::new(self.claim.id(), &self.seed, self.full, self.most_work);
+                let outcome = self.claim.examine(form, &mut run);
+                Examined { outcome, values: run.into_values() }
+            })
+        })
+    }
+}
+
+/// How often a waiting runner asks whether to stop.
+const TICK: Duration = Duration::from_millis(50);
+
+/// Runs a check on a thread of its own, so that one that does not end or panics costs only its own verdict; `None` where
+/// the run was interrupted.
+fn check_in_time(registered: &Arc<Registered>, check: &Arc<Check>, options: &Options) -> Option<Entry> {
+    let started = Instant::now();
+    let (sender, receiver) = mpsc::channel();
+    let (shared, check) = (registered.clone(), check.clone());
+    std::thread::spawn(move || {
+        let examine = |form| check.examine(form);
+        let judge =
+            Judge { claim: &*shared.claim, source: &shared.source, correction: shared.correction, examine: &examine };
+        // The receiver is gone if the run was interrupted or took too long: nobody waits for this entry any more.
+        let _ = sender.send(judge.judge());
+    });
+    loop {
+        if options.progress.is_cancelled() {
+            return None;
+        }
+        let why = match receiver.recv_timeout(TICK) {
+            Ok(entry) => return Some(Entry { seconds: started.elapsed().as_secs_f64(), ..entry }),
+            Err(mpsc::RecvTimeoutError::Disconnected) => "the check ended in a panic".to_string(),
+            Err(mpsc::RecvTimeoutError::Timeout) if started.elapsed() < options.longest => continue,
+            Err(mpsc::RecvTimeoutError::Timeout) => format!("not decided within {} s", options.longest.as_secs()),
+        };
+        return Some(abandoned(registered, why, started.elapsed()));
+    }
+}
+
+fn abandoned(registered: &Registered, why: String, after: Duration) -> Entry {
+    Entry {
+        id: registered.id.clone(),
+        paper: registered.id.split('.').next().unwrap_or_default().to_string(),
+        place: registered.source.place.clone(),
+        statement: registered.source.statement.clone(),
+        verdict: Verdict::Undecided,
+        corrected: None,
+        counterexample: None,
+        evidence: Vec::<Evidence>::new(),
+        controls: Controls { refuted: 0, total: 0 },
+        values: BTreeMap::new(),
+        why: Some(why),
+        seconds: after.as_secs_f64(),
+        surviving_controls: Vec::new(),
+        derivation: String::new(),
+    }
+}
+fn words(grades: &[Grade]) -> String {
+    grades.iter().map(|grade| grade.word()).collect::<Vec<_>>().join(",")
+}
+
+/// One sentence for each way in which an entry is not as recorded.
+fn difference(entry: &Entry, expected: Option<&Expected>) -> Vec<String> {
+    let mut sentences = Vec::new();
+    let reached = entry.verdict.word();
+    let grades = words(&entry.grades());
+    match expected {
+        None => sentences.push(format!("{}: reached {reached} ({grades}), but no verdict is recorded", entry.id)),
+        Some(row) if row.verdict != reached => {
+            let why = entry.why.as_ref().map(|why| format!(" ({why})")).unwrap_or_default();
+            sentences.push(format!("{}: recorded {}, reached {reached}{why}", entry.id, row.verdict));
+        }
+        Some(row) if row.grades != grades => {
+            sentences.push(format!("{}: recorded evidence {}, reached {grades}", entry.id, row.grades));
+        }
+        Some(_) => {}
+    }
+    for control in &entry.surviving_controls {
+        sentences.push(format!("{}: a negative control was not refuted: {control}", entry.id));
+    }
+    let only_text = grades == "text";
+    if entry.controls.total == 0 && !only_text && matches!(reached, "holds" | "misprint" | "false") {
+        sentences.push(format!("{}: there is no negative control", entry.id));
+    }
+    sentences
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    schema: &'a str,
+    version: &'a str,
+    seed: &'a str,
+    claims: &'a [Entry],
+}
+
+/// The JSON document of a run.
+pub fn to_json(report: &Report, options: &Options) -> String {
+    let document = Document {
+        schema: "flockproof.ledger/1",
+        version: env!("CARGO_PKG_VERSION"),
+        seed: &options.seed,
+        claims: &report.entries,
+    };
+    // Strings, numbers and lists only: this cannot fail.
+    serde_json::to_string_pretty(&document).unwrap_or_default() + "\n"
+}

@@ -1,0 +1,477 @@
+//! The settling decision (Chazelle, proof of Lemma 3.9): every switch of the network by exact jumps, and whether it can
+//! ever change again.
+//!
+//! On a fixed network `x_i - x_j = A + B s - transients`, and the transients are halved every so many steps (`contraction`). So
+//! after finitely many exact steps every pair without relative drift keeps its status for good (unless `|A| = 1`, where the
+//! leading terms decide), and pairs with drift follow a quadratic polynomial in `s` whose roots are found exactly, however
+//! far away they are. `notes/settling.md` has the argument.
+
+mod limits;
+mod pairs;
+mod perturbation;
+mod ties;
+
+use super::{Flock, FlockError, Switch, transition_matrix};
+use algebra::graph::Graph;
+use algebra::matrix::MatrixError;
+use algebra::spectrum::RecurrenceError;
+use arithmetic::{ArithmeticError, Interval, Rational, Sign, rational};
+use limits::{FixedNetwork, Motion};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::ToPrimitive;
+use pairs::{Approach, Prospects, prospects};
+use perturbation::{Functional, Jump, Stage, difference_functional, value_of};
+use std::ops::ControlFlow;
+
+/// Why a flock could not be followed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SettleError {
+    /// The flock cannot go on.
+    #[error(transparent)]
+    Flock(#[from] FlockError),
+    /// A matrix without a limit.
+    #[error(transparent)]
+    Matrix(#[from] MatrixError),
+    /// A sign in the long run that is not decided.
+    #[error(transparent)]
+    Recurrence(#[from] RecurrenceError),
+    /// An interval operation without a result.
+    #[error(transparent)]
+    Arithmetic(#[from] ArithmeticError),
+    /// A network that contracts too slowly to be followed.
+    #[error("the network contracts too slowly")]
+    TooSlow,
+    /// Contributions that cannot be told apart.
+    #[error("contributions too small to be written as numbers decide, and they cannot be told apart")]
+    Unresolved,
+    /// Stopped by the caller.
+    #[error("interrupted")]
+    Interrupted,
+    /// A jump that does not pass its own check: never to be seen.
+    #[error("the switch predicted for t = {0} does not pass the rule")]
+    Inconsistent(String),
+}
+
+/// How far to go.
+#[derive(Debug, Clone)]
+pub struct Limits {
+    /// Exact steps on one network.
+    pub steps: u64,
+    /// Switches in all.
+    pub switches: usize,
+    /// Bits to which the numbers of the state may grow in an exact jump; longer jumps keep what is left out as sequences.
+    pub jump_bits: u64,
+    /// Asked between steps: whether to stop.
+    pub interrupted: fn() -> bool,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits { steps: 400_000, switches: 100_000, jump_bits: 1 << 22, interrupted: || false }
+    }
+}
+
+/// How it ends.
+#[derive(Debug, Clone)]
+pub enum Ending {
+    /// The network never changes again.
+    Steady,
+    /// The network repeats a cycle of this length forever.
+    Alternating {
+        /// Length of the cycle.
+        period: usize,
+    },
+    /// The next switch comes, but at a time whose digits cannot be written down.
+    Beyond {
+        /// The pair that comes within distance 1 (from 0), or all that may be the first.
+        pairs: Vec<(usize, usize)>,
+        /// Encloses the binary logarithm of the time from the last switch on.
+        log2_steps: Interval,
+    },
+    /// Not decided, and why.
+    Undecided(String),
+    /// Stopped by the caller.
+    Interrupted,
+}
+
+/// What became of a flock.
+#[derive(Debug, Clone)]
+pub struct Settlement {
+    /// The network after the last switch.
+    pub network: Graph,
+    /// The time of the last switch, 0 if there was none.
+    pub last_switch: BigInt,
+    /// How it ends.
+    pub ending: Ending,
+    /// Why.
+    pub why: String,
+}
+
+/// Steps that are taken one by one after a switch before anything is analysed.
+const PATIENCE: u64 = 48;
+
+/// The longest cycle of networks that is looked for.
+const LONGEST_CYCLE: usize = 6;
+
+/// Times a cycle is seen before it is analysed.
+const REPETITIONS: usize = 6;
+
+/// Follows a flock to its end; `watch` sees every switch and can stop.
+///
+/// # Errors
+/// [`SettleError`] where the flock is refused on its way.
+pub fn settle(
+    flock: Flock,
+    limits: &Limits,
+    watch: &mut dyn FnMut(&Switch) -> ControlFlow<()>,
+) -> Result<Settlement, SettleError> {
+    let mut course = Course { flock, stages: Vec::new(), recent: Vec::new(), last_switch: BigInt::ZERO, switches: 0 };
+    let (ending, why) = loop {
+        match course.next(limits) {
+            Err(SettleError::Interrupted) => break (Ending::Interrupted, "interrupted".to_string()),
+            Err(SettleError::Unresolved) => {
+                let why = SettleError::Unresolved.to_string();
+                break (Ending::Undecided(why.clone()), why);
+            }
+            Err(error) => return Err(error),
+            Ok(Next::Switch(switch)) => {
+                course.last_switch.clone_from(&switch.time);
+                course.switches += 1;
+                if watch(&switch).is_break() {
+                    break (Ending::Interrupted, "interrupted".to_string());
+                }
+                if course.switches >= limits.switches {
+                    let why = format!("stopped after {} switches", limits.switches);
+                    break (Ending::Undecided(why.clone()), why);
+                }
+                if let Some(period) = course.proved_cycle()? {
+                    let why = format!(
+                        "the networks repeat a cycle of {period}: if they do, every distance keeps its side of 1 at each \
+                         phase, by the leading term of its recurrence"
+                    );
+                    break (Ending::Alternating { period }, why);
+                }
+            }
+            Ok(Next::Moved) => {}
+            Ok(Next::End(ending, why)) => break (ending, why),
+        }
+    };
+    Ok(Settlement { network: course.flock.network().clone(), last_switch: course.last_switch, ending, why })
+}
+
+/// A flock on its way.
+struct Course {
+    flock: Flock,
+    /// What happened since the last exact state; empty while the state is exact.
+    stages: Vec<Stage>,
+    /// The networks of the last steps, as long as switches follow one another closely.
+    recent: Vec<Graph>,
+    last_switch: BigInt,
+    switches: usize,
+}
+
+enum Next {
+    Switch(Switch),
+    /// Some steps later, nothing has changed: a contact that was an exact tie in the limit and is not reached.
+    Moved,
+    End(Ending, String),
+}
+
+impl Course {
+    fn next(&mut self, limits: &Limits) -> Result<Next, SettleError> {
+        if let Some(switch) = self.walk(PATIENCE, limits)? {
+            return Ok(Next::Switch(switch));
+        }
+        self.recent.clear();
+        let fixed = FixedNetwork::new(self.flock.network(), self.flock.weights())?;
+        let motion = Motion::new(&fixed, &self.flock.integers());
+        let start = self.flock.time().clone();
+        let mark = self.mark();
+        self.left_out_is_below(motion.unit.bits())?;
+        let all = prospects(&self.flock, &fixed, &motion, &self.stages)?;
+        // A contact that comes before the horizon is met on the way there.
+        if let Some(switch) = self.walk(all.horizon.min(limits.steps), limits)? {
+            return Ok(Next::Switch(switch));
+        }
+        if all.horizon > limits.steps {
+            let why = format!(
+                "{} exact steps would be needed on one network, more than the limit of {}",
+                all.horizon, limits.steps
+            );
+            return Ok(Next::End(Ending::Undecided(why.clone()), why));
+        }
+        if let Some(why) = all.open {
+            return Ok(Next::End(Ending::Undecided(why.clone()), why));
+        }
+        let from = BigInt::from(all.horizon) + 1;
+        let contacts = all.approaches.iter().filter_map(|a| a.first_contact(&from));
+        match contacts.min() {
+            Some(steps) => {
+                self.return_to(mark);
+                self.jump(&fixed, &motion, &all, &start, steps, limits)
+            }
+            None => Ok(self.end(&all)),
+        }
+    }
+
+    /// Where the list of stages ends now: its length and the steps of the last one.
+    fn mark(&self) -> (usize, u64) {
+        let steps = match self.stages.last() {
+            Some(Stage::Steps { steps, .. }) => *steps,
+            _ => 0,
+        };
+        (self.stages.len(), steps)
+    }
+
+    /// Forgets the steps taken since a mark: a jump starts there.
+    fn return_to(&mut self, (length, count): (usize, u64)) {
+        self.stages.truncate(length);
+        if let Some(Stage::Steps { steps, .. }) = self.stages.last_mut() {
+            *steps = count;
+        }
+    }
+
+    /// No switch comes at a time that can be written.
+    fn end(&self, all: &Prospects) -> Next {
+        let log2 = |interval: &Interval| interval.to_rationals();
+        let Some(first) = all.creeps.iter().min_by(|a, b| log2(&a.log2_steps).0.cmp(&log2(&b.log2_steps).0)) else {
+            let why = match self.flock.birds() {
+                1 => "one bird has no edges".to_string(),
+                _ => format!(
+                    "checked step by step for {} steps after the last switch; from then on every pair without relative drift stays \
+                     joined or apart, because what is left of its motion is too small to change that (it is halved every so many \
+                     steps), and {}",
+                    self.flock.time() - &self.last_switch,
+                    match all.approaches.len() {
+                        0 => "there is no pair with relative drift".to_string(),
+                        pairs => format!("the {pairs} pairs with relative drift never come within distance 1"),
+                    }
+                ),
+            };
+            return Next::End(Ending::Steady, why);
+        };
+        // All whose time may be as early.
+        let latest = log2(&first.log2_steps).1;
+        let may_be_first: Vec<_> = all.creeps.iter().filter(|c| log2(&c.log2_steps).0 <= latest).collect();
+        let pairs: Vec<(usize, usize)> = may_be_first.iter().map(|c| c.pair).collect();
+        let log2_steps = may_be_first.iter().fold(first.log2_steps.clone(), |hull, c| hull.hull(&c.log2_steps));
+        let names: Vec<String> = pairs.iter().map(|(i, j)| format!("{} and {}", i + 1, j + 1)).collect();
+        let why = format!(
+            "birds {} approach at a speed too small to be written as a number; the time of contact is enclosed by its logarithm",
+            names.join(", or ")
+        );
+        Next::End(Ending::Beyond { pairs, log2_steps }, why)
+    }
+
+    /// Exact steps, up to a number or the next switch.
+    fn walk(&mut self, steps: u64, limits: &Limits) -> Result<Option<Switch>, SettleError> {
+        for _ in 0..steps {
+            if (limits.interrupted)() {
+                return Err(SettleError::Interrupted);
+            }
+            let switch = if self.stages.is_empty() { self.flock.step()? } else { self.careful_step()? };
+            if self.recent.len() == 4 * LONGEST_CYCLE * REPETITIONS {
+                self.recent.clear();
+            }
+            self.recent.push(self.flock.network().clone());
+            if switch.is_some() {
+                return Ok(switch);
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether what was left out is too small to change any comparison of numbers with denominators of so many bits, but for
+    /// exact ties. Later jumps enlarge an older remainder by their number of steps at most, and steps by theirs.
+    fn left_out_is_below(&self, bits: u64) -> Result<(), SettleError> {
+        let enlarged: u64 = self.stages.iter().map(Stage::growth_bits).sum();
+        let needed = BigInt::from(8 * bits + 8 * enlarged + 4096);
+        let too_large = |stage: &Stage| matches!(stage, Stage::Jump(jump) if jump.smallness < needed);
+        if self.stages.iter().any(too_large) { Err(SettleError::Unresolved) } else { Ok(()) }
+    }
+
+    /// A step of the rational part of a state of which something was left out: exact ties are decided by that.
+    fn careful_step(&mut self) -> Result<Option<Switch>, SettleError> {
+        self.left_out_is_below(self.flock.denominator_bits())?;
+        let before = self.flock.clone();
+        let mut switch = self.flock.step()?;
+        if self.flock.threshold().log2_below().is_some() {
+            // A change of distance could tie with the threshold.
+            let near = self.flock.distance_network();
+            if before.network().edges().into_iter().any(|(i, j)| !near.has_edge(i, j)) {
+                return Err(SettleError::Unresolved);
+            }
+        }
+        if !self.flock.ties().is_empty() {
+            let mut network = self.flock.network().clone();
+            for &(i, j) in self.flock.ties() {
+                if self.is_beyond(&before, (i, j))? {
+                    if before.network().has_edge(i, j) && self.flock.threshold().log2_below().is_some() {
+                        return Err(SettleError::Unresolved);
+                    }
+                    network = Graph::from_fn(network.order(), |a, b| (a, b) != (i, j) && network.has_edge(a, b));
+                }
+            }
+            if network != *self.flock.network() {
+                self.flock = before.clone();
+                self.flock.step_on(&network)?;
+                let changed = network != *before.network();
+                switch = changed.then(|| Switch::between(before.network(), &network, self.flock.time().clone()));
+            }
+        }
+        match self.stages.last_mut() {
+            Some(Stage::Steps { network, steps, .. }) if network == self.flock.network() => *steps += 1,
+            _ => {
+                let transition = transition_matrix(self.flock.network(), self.flock.weights())?;
+                self.stages.push(Stage::Steps { network: self.flock.network().clone(), transition, steps: 1 });
+            }
+        }
+        Ok(switch)
+    }
+
+    /// Whether two birds at distance exactly 1 in the rational part are in truth farther apart; `before` is one step earlier.
+    fn is_beyond(&self, before: &Flock, (i, j): (usize, usize)) -> Result<bool, SettleError> {
+        if self.flock.dimension() > 1 {
+            // The second order of what was left out can outweigh the first.
+            return Err(SettleError::Unresolved);
+        }
+        let unit = self.flock.denominator();
+        let over = |x| Rational::new(x, unit.clone());
+        let difference: Vec<_> = self.flock.position_difference(i, j).into_iter().map(over).collect();
+        // Positions after the move are x + v of one step earlier.
+        let positions = difference_functional(before.birds(), (i, j), &difference)?;
+        let functional = Functional { velocities: positions.clone(), positions };
+        Ok(value_of(&self.stages, functional)?.sign() == Sign::Positive)
+    }
+
+    /// Jumps to the contact `steps` after `start`, where `motion` began.
+    fn jump(
+        &mut self,
+        fixed: &FixedNetwork,
+        motion: &Motion,
+        all: &Prospects,
+        start: &BigInt,
+        steps: BigInt,
+        limits: &Limits,
+    ) -> Result<Next, SettleError> {
+        // Whatever approaches too slowly for numbers has to come later.
+        let contact = Rational::from_integer(BigInt::from(steps.bits() + 1));
+        if all.creeps.iter().any(|creep| creep.log2_steps.to_rationals().0 <= contact) {
+            return Err(SettleError::Unresolved);
+        }
+        let time = start + &steps;
+        if let Some(few) = self.exact_jump(fixed, &steps, limits) {
+            // The state one step before, then a step by the rule itself.
+            let state = motion.state_after(fixed, few - 1)?;
+            self.flock = self.flock.moved_to(&state, fixed.network.clone(), &time - 1)?;
+            return match self.flock.step()? {
+                Some(switch) => Ok(Next::Switch(switch)),
+                None if all.approaches.iter().any(|a| a.sign_at(&steps) == Sign::Zero) => Ok(Next::Moved),
+                None => Err(SettleError::Inconsistent(time.to_string())),
+            };
+        }
+        self.limit_jump(fixed, motion, &all.approaches, time, steps)
+    }
+
+    /// The number of steps, where the state after them is short enough to be written exactly.
+    fn exact_jump(&self, fixed: &FixedNetwork, steps: &BigInt, limits: &Limits) -> Option<u64> {
+        let growth = fixed.transition.denominator().bits();
+        let largest = fixed.flocks.iter().map(Vec::len).max().unwrap_or(1) as u64;
+        let few = steps.to_u64()?;
+        let bits = few.checked_mul(growth)?.checked_add(self.flock.denominator_bits())?;
+        (self.stages.is_empty() && bits <= limits.jump_bits && bits.checked_mul(largest * largest)? <= 1 << 29)
+            .then_some(few)
+    }
+
+    /// A jump to the limit motion; what it leaves out is kept as a sequence.
+    fn limit_jump(
+        &mut self,
+        fixed: &FixedNetwork,
+        motion: &Motion,
+        approaches: &[Approach],
+        time: BigInt,
+        steps: BigInt,
+    ) -> Result<Next, SettleError> {
+        let jump = Jump::new(fixed, motion, steps.clone())?;
+        let mut joined = Vec::new();
+        let mut ties = Vec::new();
+        for approach in approaches {
+            // One step before, all are apart.
+            if approach.sign_at(&(&steps - 1)) != Sign::Positive {
+                return Err(SettleError::Inconsistent(time.to_string()));
+            }
+            match approach.sign_at(&steps) {
+                Sign::Positive => {}
+                Sign::Negative => joined.push(approach.pair),
+                Sign::Zero => ties.push(approach.pair),
+            }
+        }
+        let mut state = super::flock::IntegerState {
+            positions: motion.place.clone(),
+            velocities: motion.drift.clone(),
+            unit: motion.unit.clone(),
+        };
+        for (row, drift) in state.positions.iter_mut().zip(&motion.drift) {
+            row.iter_mut().zip(drift).for_each(|(x, d)| *x += d * &steps);
+        }
+        state.reduce();
+        self.stages.push(Stage::Jump(Box::new(jump)));
+        if !ties.is_empty() && self.flock.dimension() > 1 {
+            // The second order of what was left out can outweigh the first.
+            return Err(SettleError::Unresolved);
+        }
+        for (i, j) in ties {
+            let unit = &state.unit;
+            let place = |b: usize, k: usize| &state.positions[b][k];
+            let difference: Vec<_> =
+                (0..self.flock.dimension()).map(|k| Rational::new(place(i, k) - place(j, k), unit.clone())).collect();
+            let positions = difference_functional(self.flock.birds(), (i, j), &difference)?;
+            let velocities = positions.scaled(&rational(0, 1));
+            let value = value_of(&self.stages, Functional { positions, velocities })?;
+            match value.sign() {
+                Sign::Negative => joined.push((i, j)),
+                Sign::Zero => joined.push((i, j)),
+                Sign::Positive => {}
+            }
+        }
+        let network = fixed.network.with_edges(&joined);
+        let transition = transition_matrix(&network, self.flock.weights())?;
+        // The last averaging of the jump is that of the new network.
+        let mut averaged = self.flock.moved_to(&state, network.clone(), time.clone())?;
+        averaged.average_again();
+        self.flock = averaged;
+        self.stages.push(Stage::Average(transition));
+        if joined.is_empty() {
+            return Ok(Next::Moved);
+        }
+        Ok(Next::Switch(Switch::between(&fixed.network, &network, time)))
+    }
+
+    /// Looks for a cycle in the recent networks and proves that it goes on forever.
+    fn proved_cycle(&self) -> Result<Option<usize>, SettleError> {
+        // Under hysteresis an edge that is lost again and again would need changes of distance that do not die out.
+        if !self.stages.is_empty() || self.flock.threshold().log2_below().is_some() {
+            return Ok(None);
+        }
+        let recent = &self.recent;
+        let repeats = |period: usize| {
+            let seen = REPETITIONS * period;
+            recent.len().is_multiple_of(2 * seen)
+                && recent.len() >= 2 * seen
+                && (recent.len() - seen..recent.len()).all(|k| recent[k] == recent[k - period])
+        };
+        let Some(period) = (2..=LONGEST_CYCLE).find(|&p| repeats(p)) else { return Ok(None) };
+        let cycle = recent[recent.len() - period..].to_vec();
+        let Ok(Some(horizon)) = ties::cycle_horizon(&self.flock, &cycle) else { return Ok(None) };
+        // Until the horizon the networks have to keep to the cycle too.
+        let mut follower = self.flock.clone();
+        for step in 0..horizon {
+            follower.step()?;
+            if *follower.network() != cycle[(step as usize).mod_floor(&period)] {
+                return Ok(None);
+            }
+        }
+        Ok(Some(period))
+    }
+}

@@ -1,0 +1,46 @@
+//! Energies as the papers print them.
+
+use super::{Coordinates, Pair, Vector, difference};
+use arithmetic::{ArithmeticError, Field};
+
+/// `V_i`: the sum of `V_ij` over the neighbours of `i`; `value(i, j, s)` is `V_ij` at the squared distance `s`.
+///
+/// # Errors
+/// Whatever the value returns.
+pub fn agent_potential<T: Field>(
+    agent: usize,
+    positions: &[Vector<T>],
+    edges: &[Pair],
+    coordinates: Coordinates,
+    value: impl Fn(usize, usize, &T) -> Result<T, ArithmeticError>,
+) -> Result<T, ArithmeticError> {
+    let own: Vec<Pair> = edges.iter().copied().filter(|&(i, j)| i == agent || j == agent).collect();
+    potential_energy(positions, &own, coordinates, value)
+}
+
+/// The sum of `V_ij` over the edges, each once; this is half the sum of all `V_i`.
+///
+/// # Errors
+/// Whatever the value returns.
+pub fn potential_energy<T: Field>(
+    positions: &[Vector<T>],
+    edges: &[Pair],
+    coordinates: Coordinates,
+    value: impl Fn(usize, usize, &T) -> Result<T, ArithmeticError>,
+) -> Result<T, ArithmeticError> {
+    let Some(first) = positions.first() else { return Err(ArithmeticError::Domain("the energy of no agents")) };
+    edges.iter().try_fold(first[0].zero(), |total, &(i, j)| {
+        let s = coordinates.square(&difference(&positions[i], &positions[j]));
+        Ok(total + value(i, j, &s)?)
+    })
+}
+
+/// Half the sum of the squared speeds.
+///
+/// # Errors
+/// [`ArithmeticError::Domain`] where there is no agent.
+pub fn kinetic_energy<T: Field>(velocities: &[Vector<T>], coordinates: Coordinates) -> Result<T, ArithmeticError> {
+    let Some(first) = velocities.first() else { return Err(ArithmeticError::Domain("the energy of no agents")) };
+    let twice = velocities.iter().fold(first[0].zero(), |total, v| total + coordinates.square(v));
+    Ok(twice * first[0].ratio(1, 2))
+}

@@ -1,0 +1,269 @@
+//! Configurations at rest on a fixed graph: searched for in floats, then proved to exist and classified by intervals.
+
+use super::{Coordinates, Pair, Potential, Vector, difference, hessian, potential_energy, potential_gradients};
+use algebra::matrix::{Inertia, inertia};
+use arithmetic::random::uniform;
+use arithmetic::{ArithmeticError, Dyadic, Field, Interval, Ring};
+use nalgebra::{DMatrix, DVector};
+use rand_chacha::ChaCha8Rng;
+
+const PLANE: Coordinates = Coordinates::Cartesian;
+
+/// Bits of the intervals.
+const PRECISION: u32 = 80;
+/// Half the side of the box in which an equilibrium is proved.
+const BOX: f64 = 1e-9;
+/// A gradient below this ends a search.
+const AT_REST: f64 = 1e-11;
+const MOST_STEPS: usize = 400;
+/// Longest step of a descent.
+const LONGEST: f64 = 0.5;
+/// An eigenvalue of a Hessian below this counts as zero. In floats the zeros of translations and rotations are about `1e-14`.
+pub const FLAT: f64 = 1e-6;
+
+/// A potential on the links of a graph.
+#[derive(Debug, Clone)]
+pub struct Framework {
+    /// The links.
+    pub edges: Vec<Pair>,
+    /// The potential of each.
+    pub potential: Potential,
+}
+
+/// A critical configuration in floats.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equilibrium {
+    /// Where the agents are.
+    pub positions: Vec<Vector<f64>>,
+    /// The sum of the potentials.
+    pub energy: f64,
+    /// Signs of the eigenvalues of the Hessian; zero means below [`FLAT`] in floats.
+    pub inertia: Inertia,
+}
+
+impl Framework {
+    /// The gradient of the potential, `x_1, y_1, x_2, ...`.
+    fn gradient<T: Field>(&self, positions: &[Vector<T>]) -> Result<Vec<T>, ArithmeticError> {
+        let slope = self.potential.slope_over(&positions[0][0]);
+        let gradients = potential_gradients(positions, &self.edges, PLANE, |_, _, s| slope.at(s))?;
+        Ok(gradients.into_iter().flatten().collect())
+    }
+
+    fn float_gradient(&self, positions: &[Vector<f64>]) -> Option<DVector<f64>> {
+        let gradient = DVector::from_vec(self.gradient(positions).ok()?);
+        gradient.iter().all(|x| x.is_finite()).then_some(gradient)
+    }
+
+    /// The Hessian in floats.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::DivisionByZero`] where linked agents coincide.
+    pub fn float_hessian(&self, positions: &[Vector<f64>]) -> Result<DMatrix<f64>, ArithmeticError> {
+        let rows = hessian(positions, &self.edges, PLANE, &self.potential)?;
+        Ok(DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i][j]))
+    }
+
+    fn energy(&self, positions: &[Vector<f64>]) -> Option<f64> {
+        potential_energy(positions, &self.edges, PLANE, |_, _, s| self.potential.value(s))
+            .ok()
+            .filter(|e| e.is_finite())
+    }
+
+    /// Goes down from a start to a minimum, by Newton's steps with the absolute values of the curvatures; `None` where it
+    /// does not come to rest.
+    pub fn descend(&self, start: &[Vector<f64>]) -> Option<Equilibrium> {
+        let mut positions = start.to_vec();
+        let mut energy = self.energy(&positions)?;
+        for _ in 0..MOST_STEPS {
+            let gradient = self.float_gradient(&positions)?;
+            if gradient.norm() < AT_REST {
+                break;
+            }
+            let eigen = self.float_hessian(&positions).ok()?.symmetric_eigen();
+            let along = eigen.eigenvectors.tr_mul(&gradient);
+            let scaled =
+                along.zip_map(&eigen.eigenvalues, |g, curvature| -g / (curvature.abs() + 1e-3 * gradient.norm()));
+            let step = &eigen.eigenvectors * scaled;
+            let mut length = (LONGEST / step.amax()).min(1.0);
+            // Halve until the energy does not rise, up to the rounding of the energy itself.
+            let next = loop {
+                let moved = moved(&positions, &(&step * length));
+                match self.energy(&moved) {
+                    Some(e) if e <= energy + 1e-14 * energy.abs() => break Some((moved, e)),
+                    _ if length < 1e-12 => break None,
+                    _ => length /= 2.0,
+                }
+            };
+            let Some((moved, e)) = next else { break };
+            (positions, energy) = (moved, e);
+        }
+        self.at_rest(positions)
+    }
+
+    /// Goes from a start to a critical configuration of any kind, by Levenberg's and Marquardt's steps on the gradient; `None`
+    /// where it does not come to one.
+    pub fn approach(&self, start: &[Vector<f64>]) -> Option<Equilibrium> {
+        let mut positions = start.to_vec();
+        let mut gradient = self.float_gradient(&positions)?;
+        let mut damping = 1.0;
+        for _ in 0..MOST_STEPS {
+            if gradient.norm() < AT_REST {
+                break;
+            }
+            let eigen = self.float_hessian(&positions).ok()?.symmetric_eigen();
+            let along = eigen.eigenvectors.tr_mul(&gradient);
+            // Not along the rigid motions, whose curvatures are zero.
+            let scaled = along.zip_map(&eigen.eigenvalues, |g, curvature| {
+                if curvature.abs() < 1e-9 { 0.0 } else { -g * curvature / (curvature * curvature + damping) }
+            });
+            let step = &eigen.eigenvectors * scaled;
+            let moved = moved(&positions, &(&step * (LONGEST / step.amax()).min(1.0)));
+            match self.float_gradient(&moved) {
+                Some(next) if next.norm() < gradient.norm() => {
+                    (positions, gradient, damping) = (moved, next, (damping / 4.0f64).max(1e-20));
+                }
+                _ if damping > 1e12 => break,
+                _ => damping *= 4.0,
+            }
+        }
+        self.at_rest(positions)
+    }
+
+    /// The configuration as an equilibrium; `None` where it is not at rest, or spread so wide that rest means little.
+    fn at_rest(&self, positions: Vec<Vector<f64>>) -> Option<Equilibrium> {
+        let widest = distances(&positions).last().copied().unwrap_or(0.0);
+        if self.float_gradient(&positions)?.norm() > 100.0 * AT_REST || widest > 10.0 * positions.len() as f64 {
+            return None;
+        }
+        let eigenvalues = self.float_hessian(&positions).ok()?.symmetric_eigenvalues();
+        let count = |passes: fn(f64) -> bool| eigenvalues.iter().filter(|x| passes(**x)).count();
+        let inertia =
+            Inertia { positive: count(|x| x > FLAT), negative: count(|x| x < -FLAT), zero: count(|x| x.abs() <= FLAT) };
+        Some(Equilibrium { energy: self.energy(&positions)?, positions, inertia })
+    }
+
+    /// Proves that there is exactly one equilibrium near this one, up to translations and rotations, and encloses the signs of its
+    /// Hessian besides the three zeros of these motions; `None` where that fails, as for a configuration that can be bent.
+    ///
+    /// Agent 0 is put at the origin and the agent farthest from it, `k`, on the first axis. Left are `2N - 3` coordinates, and the
+    /// same components of the gradient: if these vanish, all do, as gradients and torques sum to zero. Krawczyk's test in a
+    /// box around the configuration; then the inertia of the Hessian over the box, in a basis of approximate eigenvectors. The
+    /// space of these coordinates is a complement of the translations and rotations, so the signs are those of the whole
+    /// Hessian (Sylvester).
+    pub fn enclose(&self, equilibrium: &Equilibrium) -> Option<Inertia> {
+        let (mut positions, free) = gauge(&equilibrium.positions)?;
+        let restricted = |rows: &[Vec<f64>]| DMatrix::from_fn(free.len(), free.len(), |i, j| rows[free[i]][free[j]]);
+        let float = |p: &[Vector<f64>]| Some(restricted(&hessian(p, &self.edges, PLANE, &self.potential).ok()?));
+        for _ in 0..3 {
+            let gradient = self.float_gradient(&positions)?;
+            let gradient = DVector::from_fn(free.len(), |i, _| gradient[free[i]]);
+            let step = float(&positions)?.lu().solve(&gradient)?;
+            for (&index, s) in free.iter().zip(step.iter()) {
+                positions[index / 2][index % 2] -= s;
+            }
+        }
+        let middle = float(&positions)?;
+        let inverse = middle.clone().try_inverse()?;
+        let point = |x: f64| Some(Interval::between(Dyadic::from_f64(x)?, Dyadic::from_f64(x)?, PRECISION));
+        let whole = Interval::between(Dyadic::from_f64(-BOX)?, Dyadic::from_f64(BOX)?, PRECISION);
+        let (mut at, mut around) = (Vec::new(), Vec::new());
+        for (agent, r) in positions.iter().enumerate() {
+            let exact = [point(r[0])?, point(r[1])?];
+            around.push([0, 1].map(|k| match free.contains(&(2 * agent + k)) {
+                true => exact[k].clone() + &whole,
+                false => exact[k].clone(),
+            }));
+            at.push(exact);
+        }
+        let gradient = self.gradient(&at).ok()?;
+        let rows = hessian(&around, &self.edges, PLANE, &self.potential).ok()?;
+        let rows: Vec<Vec<Interval>> =
+            free.iter().map(|&i| free.iter().map(|&j| rows[i][j].clone()).collect()).collect();
+        let gradient: Vec<Interval> = free.iter().map(|&i| gradient[i].clone()).collect();
+        let inverse = exact_rows(&inverse)?;
+        let product = times(&inverse, &rows);
+        for (i, (row, y)) in product.iter().zip(&inverse).enumerate() {
+            let mut image = y.iter().zip(&gradient).fold(whole.zero(), |sum, (y, f)| sum - y.clone() * f);
+            for (j, x) in row.iter().enumerate() {
+                let unit = if i == j { x.clone() - whole.one() } else { x.clone() };
+                image = image - unit * &whole;
+            }
+            if !whole.encloses(&image) || image.lo() == whole.lo() || image.hi() == whole.hi() {
+                return None;
+            }
+        }
+        let basis = exact_rows(&middle.symmetric_eigen().eigenvectors)?;
+        let turned: Vec<Vec<Interval>> =
+            (0..free.len()).map(|j| basis.iter().map(|row| row[j].clone()).collect()).collect();
+        inertia(&times(&times(&turned, &rows), &basis)).ok().filter(|found| found.zero == 0)
+    }
+}
+
+/// Places even in a square of side 2: about as wide as a flock of a few agents at rest with desired distance 1, from which more
+/// searches succeed than from wider ones.
+pub fn random_places(count: usize, random: &mut ChaCha8Rng) -> Vec<Vector<f64>> {
+    let mut even = || 2.0 * uniform(random);
+    (0..count).map(|_| [even(), even()]).collect()
+}
+
+fn moved(positions: &[Vector<f64>], step: &DVector<f64>) -> Vec<Vector<f64>> {
+    positions.iter().enumerate().map(|(i, r)| [r[0] + step[2 * i], r[1] + step[2 * i + 1]]).collect()
+}
+
+/// All distances in order: equal for congruent configurations, however the agents are named.
+pub fn distances(positions: &[Vector<f64>]) -> Vec<f64> {
+    let pairs = (0..positions.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+    let mut all: Vec<f64> =
+        pairs.map(|(i, j)| PLANE.square(&difference(&positions[i], &positions[j])).sqrt()).collect();
+    all.sort_by(f64::total_cmp);
+    all
+}
+
+/// One of each class of configurations with the same distances, within `1e-5`, by energy, with how often it was found.
+pub fn classes(found: impl IntoIterator<Item = Equilibrium>) -> Vec<(Equilibrium, usize)> {
+    let mut known: Vec<(Vec<f64>, Equilibrium, usize)> = Vec::new();
+    for one in found {
+        let own = distances(&one.positions);
+        let same = |other: &Vec<f64>| own.iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-5);
+        match known.iter_mut().find(|(other, ..)| same(other)) {
+            Some((.., times)) => *times += 1,
+            None => known.push((own, one, 1)),
+        }
+    }
+    let mut all: Vec<(Equilibrium, usize)> = known.into_iter().map(|(_, one, times)| (one, times)).collect();
+    all.sort_by(|a, b| a.0.energy.total_cmp(&b.0.energy));
+    all
+}
+
+/// The configuration with agent 0 at the origin and the farthest agent on the first axis, and the indices of the
+/// coordinates that are left; `None` where all agents are in one place.
+fn gauge(positions: &[Vector<f64>]) -> Option<(Vec<Vector<f64>>, Vec<usize>)> {
+    let relative: Vec<Vector<f64>> = positions.iter().map(|r| difference(r, &positions[0])).collect();
+    let far = (0..relative.len()).max_by(|&i, &j| PLANE.square(&relative[i]).total_cmp(&PLANE.square(&relative[j])))?;
+    let [x, y] = relative[far];
+    let length = x.hypot(y);
+    if length < 0.1 {
+        return None;
+    }
+    let turn = |r: &Vector<f64>| [(x * r[0] + y * r[1]) / length, (x * r[1] - y * r[0]) / length];
+    let mut turned: Vec<Vector<f64>> = relative.iter().map(turn).collect();
+    turned[far] = [length, 0.0];
+    let free = (2..2 * positions.len()).filter(|&index| index != 2 * far + 1).collect();
+    Some((turned, free))
+}
+
+/// A matrix of floats as exact intervals.
+fn exact_rows(matrix: &DMatrix<f64>) -> Option<Vec<Vec<Interval>>> {
+    let point = |x: &f64| Dyadic::from_f64(*x).map(|x| Interval::between(x.clone(), x, PRECISION));
+    matrix.row_iter().map(|row| row.iter().map(point).collect()).collect()
+}
+
+fn times(left: &[Vec<Interval>], right: &[Vec<Interval>]) -> Vec<Vec<Interval>> {
+    let columns = right.first().map_or(0, Vec::len);
+    let entry = |row: &[Interval], j: usize| {
+        let mut products = row.iter().zip(right).map(|(a, b)| a.clone() * &b[j]);
+        let first = products.next();
+        first.map(|first| products.fold(first, |sum, x| sum + x))
+    };
+    left.iter().map(|row| (0..columns).filter_map(|j| entry(row, j)).collect()).collect()
+}

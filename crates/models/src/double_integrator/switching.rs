@@ -1,0 +1,336 @@
+//! The motion of a flock in floats: on a fixed network, with links that switch by distance, or by a given signal.
+//!
+//! The network is a state of its own, not read off the positions: between events it is constant and the law smooth. When a pair arrives at
+//! `R` (`arrival.rs`), the integration goes on from the state located, with the network that follows. All pairs that are at `R` then,
+//! within rounding, are handled together. Where they may go on in several ways (`fork.rs`) the choice is recorded.
+
+use super::arrival::{Arrival, Watch, place};
+use super::closed_loop::ClosedLoop;
+use super::energy_log::Energy;
+use super::fork::Law;
+use super::input::{Flock, Network};
+use super::motion::{Event, EventKind, Motion, MotionError, Options, Sample};
+use super::{Alignment, Branch, Coordinates, Pair, Slope, State, Vector};
+use super::{gyroscopic, heading, potential_gradients, velocity_alignment};
+use arithmetic::ArithmeticError;
+use motion::{Integrator, VectorField, root};
+
+const PLANE: Coordinates = Coordinates::Cartesian;
+
+/// Steps between two arrivals after which it is given up.
+const MOST_STEPS: usize = 10_000_000;
+
+/// Pairs that stay at `R` are drawn back to it at this rate, against the errors of the integrator.
+const DRAWN_BACK: f64 = 4.0;
+
+/// Weights of pairs that stay at `R` may leave `[0, 1]` by this much through rounding.
+const WEIGHT_SLACK: f64 = 1e-9;
+
+/// Parts of a step in which weights are looked at.
+const PARTS: usize = 8;
+
+impl Flock {
+    /// The motion from time 0 to `until`, with samples at some times.
+    ///
+    /// Switching by distance: every arrival of a pair at `R` is located to rounding on states of full order. Cost: a step takes time proportional
+    /// to the links, and to the number of pairs with a small factor.
+    ///
+    /// # Errors
+    /// [`MotionError`].
+    pub fn run(&self, until: f64, samples: &[f64], options: &Options) -> Result<Motion, MotionError> {
+        let (motion, end) = self.run_while(until, samples, options, &|| true);
+        end.map(|()| motion)
+    }
+
+    /// As [`Self::run`], as long as `goes_on`, which is asked at every step: what was reached, and why there is no more of it.
+    pub fn run_while(
+        &self,
+        until: f64,
+        samples: &[f64],
+        options: &Options,
+        goes_on: &dyn Fn() -> bool,
+    ) -> (Motion, Result<(), MotionError>) {
+        let mut engine = match Engine::new(self, options, goes_on) {
+            Ok(engine) => engine,
+            Err(error) => return (Motion::default(), Err(error)),
+        };
+        let end = engine.run(until, samples);
+        (engine.motion, end)
+    }
+
+    fn check(until: f64, samples: &[f64], options: &Options) -> Result<(), MotionError> {
+        if !(0.0..f64::INFINITY).contains(&until) {
+            return Err(MotionError::Until(until));
+        }
+        let is_part = |x: f64| x > 0.0 && x < 1.0;
+        if !(is_part(options.tolerance.relative) && is_part(options.tolerance.absolute)) {
+            return Err(MotionError::Tolerance(options.tolerance));
+        }
+        let before = std::iter::once(&0.0).chain(samples);
+        if let Some((_, &sample)) = before.zip(samples).find(|(a, b)| !(a <= b && **b <= until)) {
+            return Err(MotionError::Samples { until, sample });
+        }
+        Ok(())
+    }
+
+    /// The accelerations with some links; of the pairs in `staying` with the weights that keep them at distance `R`.
+    pub(super) fn accelerations(
+        &self,
+        slope: &Slope<f64>,
+        state: &State<f64>,
+        links: &[Pair],
+        staying: &[Pair],
+    ) -> Result<Vec<Vector<f64>>, ArithmeticError> {
+        match self.alignment {
+            Alignment::Velocity if staying.is_empty() => velocity_alignment(state, links, PLANE, |_, _, s| slope.at(s)),
+            Alignment::Velocity => {
+                let weights = self.weights(state, links, staying)?;
+                let weighted: Vec<(Pair, f64)> = staying.iter().copied().zip(weights).collect();
+                self.law().weighted(state, links, &weighted)
+            }
+            Alignment::Heading(difference) => {
+                let gradients = potential_gradients(&state.positions, links, PLANE, |_, _, s| slope.at(s))?;
+                let angles: Result<Vec<f64>, ArithmeticError> = state.velocities.iter().map(heading).collect();
+                let angles = angles?;
+                gyroscopic(state, &gradients, links, |i, j| difference.read(angles[i] - angles[j]))
+            }
+        }
+    }
+
+    pub(super) fn law(&self) -> Law<'_> {
+        Law { coordinates: PLANE, potential: &self.potential }
+    }
+
+    /// The weights that keep pairs at distance `R`, and draw them back to it; 0 where the law does not depend on them.
+    fn weights(&self, state: &State<f64>, links: &[Pair], staying: &[Pair]) -> Result<Vec<f64>, ArithmeticError> {
+        let Network::Within(radius) = self.network else { return Ok(Vec::new()) };
+        let wanted = |(i, j): Pair| {
+            let r = state.separation(i, j);
+            let rate = 2.0 * PLANE.product(&r, &state.relative_velocity(i, j));
+            -DRAWN_BACK * (2.0 * rate + DRAWN_BACK * (PLANE.square(&r) - radius * radius))
+        };
+        match self.law().weights(state, links, staying, wanted) {
+            Err(ArithmeticError::DivisionByZero) => Ok(vec![0.0; staying.len()]),
+            other => other,
+        }
+    }
+
+    /// The times between which no signal switches.
+    fn stretches(&self, until: f64) -> Vec<(f64, f64)> {
+        let mut ends = vec![0.0];
+        if let Network::Signal(graphs) = &self.network {
+            ends.extend(graphs.iter().map(|(from, _)| *from).filter(|from| *from > 0.0 && *from <= until));
+        }
+        ends.push(until);
+        ends.windows(2).map(|w| (w[0], w[1])).collect()
+    }
+
+    /// The graph that a signal brings at a time after the start.
+    fn graph_from(&self, time: f64) -> Option<&algebra::graph::Graph> {
+        let Network::Signal(graphs) = &self.network else { return None };
+        graphs.iter().find(|(from, _)| *from == time && time > 0.0).map(|(_, graph)| graph)
+    }
+}
+
+/// A motion on its way.
+pub(super) struct Engine<'a> {
+    pub flock: &'a Flock,
+    pub options: &'a Options,
+    goes_on: &'a dyn Fn() -> bool,
+    pub slope: Slope<f64>,
+    pub energy: Energy,
+    pub time: f64,
+    pub list: Vec<f64>,
+    pub linked: Vec<bool>,
+    pub links: Vec<Pair>,
+    pub staying: Vec<Pair>,
+    pub fresh: Vec<Pair>,
+    pub arrivals: usize,
+    pub motion: Motion,
+}
+
+impl<'a> Engine<'a> {
+    fn new(flock: &'a Flock, options: &'a Options, goes_on: &'a dyn Fn() -> bool) -> Result<Self, MotionError> {
+        let radius = if let Network::Within(radius) = flock.network { Some(radius) } else { None };
+        let count = flock.start.count();
+        let mut engine = Engine {
+            flock,
+            options,
+            goes_on,
+            slope: flock.potential.slope_over(&1.0),
+            energy: Energy::new(&flock.potential, radius)?,
+            time: 0.0,
+            list: flock.start.to_list(),
+            linked: vec![false; count * (count - 1) / 2],
+            links: Vec::new(),
+            staying: Vec::new(),
+            fresh: Vec::new(),
+            arrivals: 0,
+            motion: Motion::default(),
+        };
+        engine.link(&flock.links_at_start());
+        Ok(engine)
+    }
+
+    /// The whole way.
+    fn run(&mut self, until: f64, samples: &[f64]) -> Result<(), MotionError> {
+        Flock::check(until, samples, self.options)?;
+        self.start()?;
+        for (from, until) in self.flock.stretches(until) {
+            if let Some(graph) = self.flock.graph_from(from) {
+                self.impose(graph.edges())?;
+            }
+            while self.time < until {
+                self.advance(until, samples)?;
+            }
+        }
+        while self.motion.samples.len() < samples.len() {
+            self.sample(until, &self.list.clone())?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.flock.start.count()
+    }
+
+    pub(super) fn state(&self) -> State<f64> {
+        self.state_of(&self.list)
+    }
+
+    fn state_of(&self, list: &[f64]) -> State<f64> {
+        State::from_list(self.count(), list).unwrap_or_else(|| self.flock.start.clone())
+    }
+
+    /// These links and no others.
+    fn link(&mut self, links: &[Pair]) {
+        self.linked.fill(false);
+        links.iter().for_each(|&pair| self.linked[place(pair)] = true);
+        self.links = links.to_vec();
+    }
+
+    fn sample(&mut self, time: f64, list: &[f64]) -> Result<(), MotionError> {
+        let state = self.state_of(list);
+        let energy = self.energy.of(&state, &self.links)?.0;
+        self.motion.samples.push(Sample { time, state, links: self.links.clone(), energy });
+        Ok(())
+    }
+
+    /// Pairs at `R` at the start, exactly or within rounding.
+    fn start(&mut self) -> Result<(), MotionError> {
+        let state = self.state();
+        let first = self.energy.of(&state, &self.links)?.0;
+        (self.motion.energy.first, self.motion.energy.last) = (first, first);
+        let branches = match self.flock.network {
+            Network::Within(radius) => self.first_branches(&state, radius)?,
+            _ => vec![Branch { ways: Vec::new(), decided: true }],
+        };
+        if let Some(index) = self.options.first_branch
+            && index >= branches.len()
+        {
+            return Err(MotionError::NoSuchBranch { index, count: branches.len() });
+        }
+        self.follow(&state, branches, self.options.first_branch, &[])
+    }
+
+    /// One step or the part of it before the next arrival.
+    fn advance(&mut self, until: f64, samples: &[f64]) -> Result<(), MotionError> {
+        let (flock, slope, links, staying) = (self.flock, self.slope.clone(), self.links.clone(), self.staying.clone());
+        let law = |state: &State<f64>| flock.accelerations(&slope, state, &links, &staying);
+        let mut field = ClosedLoop::new(self.count(), law);
+        let mut solution = Integrator::new(self.time, &self.list, self.options.tolerance);
+        while solution.time() < until {
+            if !(self.goes_on)() {
+                return Err(MotionError::Halted(solution.time()));
+            }
+            let before = self.state_of(solution.state());
+            let stepped = solution.step(&mut field, until);
+            if stepped.is_err() || solution.counts().0 > MOST_STEPS {
+                return Err(self.stuck(solution.time(), solution.state()));
+            }
+            let arrival = self.arrival(&mut solution, &mut field)?;
+            let (end, list) = match &arrival {
+                Some(arrival) => (arrival.time, arrival.list.clone()),
+                None => (solution.time(), solution.state().to_vec()),
+            };
+            while let Some(&time) = samples.get(self.motion.samples.len()).filter(|time| **time < end) {
+                let there = solution.within(&mut field, time);
+                self.sample(time, &there)?;
+            }
+            self.log_step(&before, end, &list)?;
+            (self.time, self.list) = (end, list);
+            if let Some(arrival) = arrival {
+                self.motion.steps += solution.counts().0;
+                return self.switch(&arrival);
+            }
+            self.fresh.clear();
+        }
+        self.motion.steps += solution.counts().0;
+        Ok(())
+    }
+
+    fn stuck(&self, time: f64, list: &[f64]) -> MotionError {
+        let state = self.state_of(list);
+        let distance = |&(i, j): &Pair| ((i, j), PLANE.square(&state.separation(i, j)).sqrt());
+        MotionError::Stuck { time, closest: self.links.iter().map(distance).min_by(|a, b| a.1.total_cmp(&b.1)) }
+    }
+
+    fn log_step(&mut self, before: &State<f64>, time: f64, list: &[f64]) -> Result<(), MotionError> {
+        let after = self.state_of(list);
+        let (from, rounding) = self.energy.of(before, &self.links)?;
+        let (to, more) = self.energy.of(&after, &self.links)?;
+        let margin = self.energy.margin(before, &self.links, self.options.tolerance)?;
+        self.motion.energy.step(time, from, to, margin + rounding + more);
+        Ok(())
+    }
+
+    /// The first arrival in the last step, or the first time at which a pair cannot stay at `R` any more.
+    fn arrival(
+        &self,
+        solution: &mut Integrator,
+        field: &mut impl VectorField,
+    ) -> Result<Option<Arrival>, ArithmeticError> {
+        let Network::Within(radius) = self.flock.network else { return Ok(None) };
+        let watch = Watch {
+            radius,
+            count: self.count(),
+            linked: &self.linked,
+            staying: &self.staying,
+            fresh: &self.fresh,
+            tolerance: self.options.tolerance,
+        };
+        let arrival = watch.first(solution, field);
+        let Some(&pair) = self.staying.first() else { return Ok(arrival) };
+        // How far the weights are within [0, 1].
+        let room = |list: &[f64]| {
+            let weights = self.flock.weights(&self.state_of(list), &self.links, &self.staying).unwrap_or_default();
+            weights.iter().fold(1.0, |room: f64, w| room.min(*w).min(1.0 - w))
+        };
+        let (from, to) = (solution.previous_time(), arrival.as_ref().map_or(solution.time(), |a| a.time));
+        let time = |k: usize| from + (to - from) * k as f64 / PARTS as f64;
+        let outside = (1..=PARTS).find(|&k| room(&solution.interpolate(field, time(k))) < -WEIGHT_SLACK);
+        let Some(k) = outside else { return Ok(arrival) };
+        let time = root(time(k - 1), time(k), false, |t| room(&solution.within(field, t)));
+        Ok(Some(Arrival { time, list: solution.within(field, time), pair, touches: true }))
+    }
+
+    /// A signal brings new links.
+    fn impose(&mut self, links: Vec<Pair>) -> Result<(), MotionError> {
+        let state = self.state();
+        let time = self.time;
+        self.flock.check_links(&links, &state).map_err(|error| MotionError::Signal { time, error })?;
+        let old = self.energy.of(&state, &self.links)?.0;
+        let before = self.linked.clone();
+        self.link(&links);
+        let pairs = (0..self.count()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        for (i, j) in pairs.filter(|&pair| before[place(pair)] != self.linked[place(pair)]) {
+            let kind = if self.linked[place((i, j))] { EventKind::Link } else { EventKind::Unlink };
+            let rate = 2.0 * PLANE.product(&state.separation(i, j), &state.relative_velocity(i, j));
+            self.motion.events.push(Event { time, pair: (i, j), kind, rate });
+        }
+        let new = self.energy.of(&state, &self.links)?.0;
+        self.motion.energy.imposed += new - old;
+        self.motion.energy.last = new;
+        Ok(())
+    }
+}

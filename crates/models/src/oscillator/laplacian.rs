@@ -1,0 +1,62 @@
+//! Laplacian quadratic forms and phase potentials: (11), (12), `W_m` and their gradient.
+//!
+//! The Laplacian `L = D - A` has `a_kj = 1` where `j` is a neighbour of `k`, that is, where `k` takes account of `j`: it is
+//! [`LaplacianKind::OutDegree`](algebra::graph::LaplacianKind) of a [`WeightedGraph`](algebra::graph::WeightedGraph) with
+//! the arc from `k` to `j`. (The paper draws that arc from `j` to `k`, along the flow of information.)
+
+use super::moments::{kind, powers, quarter_turn};
+use super::network::Interaction;
+use algebra::matrix::SparseMatrix;
+use arithmetic::{ArithmeticError, Complex, Field, Ring};
+
+/// `L_k x` for every row `k`; `x` has as many entries as the matrix has rows.
+pub fn laplacian_rows<T: Field>(laplacian: &SparseMatrix, x: &[Complex<T>]) -> Vec<Complex<T>> {
+    let row = |(k, own): (usize, &Complex<T>)| {
+        laplacian.row(k).iter().fold(own.zero(), |sum, (j, entry)| sum + x[*j].scale(&own.re.rational(entry)))
+    };
+    x.iter().enumerate().map(row).collect()
+}
+
+/// `Q_L(x) = (1/(2N)) <x, L x>` (11).
+///
+/// # Errors
+/// [`ArithmeticError::Domain`] for no particles.
+pub fn quadratic_form<T: Field>(network: &impl Interaction, x: &[Complex<T>]) -> Result<T, ArithmeticError> {
+    let share = kind(x)?.ratio(1, 2 * x.len() as i64);
+    let zero = share.zero();
+    let sum = x.iter().zip(network.laplacian_of(x)).fold(zero, |sum, (x, lx)| sum + x.dot(&lx));
+    Ok(sum * share)
+}
+
+/// `W_m = Q_L((1/m) e^{i m theta})`, for `m >= 1`; `W_1` is (12).
+///
+/// # Errors
+/// [`ArithmeticError`] for no particles or `m = 0`.
+pub fn phase_potential<T: Field>(
+    network: &impl Interaction,
+    phasors: &[Complex<T>],
+    m: u32,
+) -> Result<T, ArithmeticError> {
+    let scale = kind(phasors)?.integer(i64::from(m)).recip()?;
+    let scaled: Vec<Complex<T>> = powers(phasors, m).iter().map(|z| z.scale(&scale)).collect();
+    quadratic_form(network, &scaled)
+}
+
+/// `<i e^{i theta_k}, L_k e^{i theta}>`, `N` of them: the left side of (16).
+pub fn misalignment<T: Field>(network: &impl Interaction, phasors: &[Complex<T>]) -> Vec<T> {
+    phasors.iter().zip(network.laplacian_of(phasors)).map(|(z, lz)| quarter_turn(z).dot(&lz)).collect()
+}
+
+/// `dW_1/dtheta_k = (1/(2N)) <i e^{i theta_k}, (L + L^T)_k e^{i theta}>`, on any graph (display before (14)).
+///
+/// # Errors
+/// [`ArithmeticError::Domain`] for no particles.
+pub fn phase_potential_gradient<T: Field>(
+    laplacian: &SparseMatrix,
+    phasors: &[Complex<T>],
+) -> Result<Vec<T>, ArithmeticError> {
+    let share = kind(phasors)?.ratio(1, 2 * phasors.len() as i64);
+    let back = misalignment(&laplacian.transpose(), phasors);
+    let both = misalignment(laplacian, phasors).into_iter().zip(back);
+    Ok(both.map(|(there, back)| (there + back) * &share).collect())
+}

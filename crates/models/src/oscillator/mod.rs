@@ -1,0 +1,48 @@
+//! Paley, Leonard, Sepulchre, Grünbaum and Parrish: coupled oscillators, steered particles, patterns and fish.
+//!
+//! A phase is kept as its phasor `e^{i theta}`, a complex number over any scalar, so that statements about phases are
+//! exact over the Gaussian rationals; see [`State`]. Symmetric patterns are exact over
+//! [`RealCyclotomic`](arithmetic::RealCyclotomic).
+
+mod abscissa;
+mod circles;
+mod fish;
+mod flight;
+mod laplacian;
+mod linearisation;
+mod moments;
+mod network;
+mod pattern;
+mod reached;
+mod runs;
+mod state;
+mod steering;
+mod variation;
+
+pub use abscissa::{FourierFormation, Mode, TransverseSpectrum, circulant_eigenvalue};
+pub use circles::{
+    CircularGains, beacon_control, beacon_potential, centre_spread, circle_centres, circular_control,
+    circular_formation, composite_potential, heading_components, reference_control, relative_position_control,
+    spacing_control, spacing_potential,
+};
+pub use fish::{
+    BehaviourGains, Zone, ZoneNetworks, Zones, alignment, attraction, behaviour_control, laplacian_behaviour_control,
+    repulsion, steering_towards,
+};
+pub use flight::Flight;
+pub use flight::write_rate;
+pub use laplacian::{laplacian_rows, misalignment, phase_potential, phase_potential_gradient, quadratic_form};
+pub use linearisation::linearisation;
+pub use moments::{
+    mean, moment, moment_gradient, moment_potential, pattern_gradient, pattern_potential, powers, quarter_turn,
+};
+pub use network::{Everyone, Interaction, Neighbours};
+pub use pattern::{clusters_of_pattern, symmetric_pattern};
+pub use reached::{CLUSTER, cluster_gap, nearest_twist, order, pattern, ring_differences, shape_rate, winding};
+pub use runs::{
+    CyclicFormation, DECLARATION, DriftingOrbit, Experiment, FourMotions, OMEGA, PARTICLES, PatternFormation,
+    PatternPhases, ReferenceTracking, RingPhases, ZoneFormation, ZoneLaw, zones_of_figure_7,
+};
+pub use state::{State, phasor};
+pub use steering::{gradient_control, laplacian_control, pairwise_control, pattern_control, sine_of_difference};
+pub use variation::{phase_gradient, phase_jacobian, rate_of_change, turning};

@@ -1,0 +1,128 @@
+//! Who takes account of whom: the Laplacian of an interaction network as an operator, fixed or made from positions.
+
+use super::laplacian::laplacian_rows;
+use algebra::graph::Graph;
+use algebra::matrix::SparseMatrix;
+use arithmetic::{Complex, Field, Ring, Sign, Signed};
+use std::cmp::Ordering;
+
+/// A network that has a Laplacian `L = D - A`, where `a_kj = 1` if `k` takes account of `j`.
+pub trait Interaction {
+    /// `L_k x` for every particle `k`; `x` has an entry for each particle.
+    fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>>;
+}
+
+impl Interaction for SparseMatrix {
+    fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>> {
+        laplacian_rows(self, x)
+    }
+}
+
+/// All-to-all interaction, whose Laplacian costs O(N): `L_k x = N x_k - sum_j x_j`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Everyone;
+
+impl Interaction for Everyone {
+    fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>> {
+        let Some(first) = x.first() else { return Vec::new() };
+        let sum = x.iter().fold(first.zero(), |sum, x| sum + x);
+        let count = first.re.integer(x.len() as i64);
+        x.iter().map(|x| x.scale(&count) - &sum).collect()
+    }
+}
+
+/// The neighbours `N_k` of each particle, numbered from 0: the unweighted digraph of a network.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Neighbours {
+    lists: Vec<Vec<usize>>,
+}
+
+impl Neighbours {
+    /// `j` is a neighbour of `k` where `senses(k, j)`; never of itself.
+    pub fn from_fn(particles: usize, senses: impl Fn(usize, usize) -> bool) -> Self {
+        let list = |k: usize| (0..particles).filter(|&j| j != k && senses(k, j)).collect();
+        Neighbours { lists: (0..particles).map(list).collect() }
+    }
+
+    /// The neighbours `j` of `k` for the arcs `(k, j)`, in order; arcs to particles that are not there are left out.
+    pub fn from_arcs(particles: usize, arcs: impl IntoIterator<Item = (usize, usize)>) -> Self {
+        let mut lists = vec![Vec::new(); particles];
+        arcs.into_iter().filter(|&(k, j)| k != j && k.max(j) < particles).for_each(|(k, j)| lists[k].push(j));
+        for list in &mut lists {
+            list.sort_unstable();
+            list.dedup();
+        }
+        Neighbours { lists }
+    }
+
+    /// The neighbours in an undirected graph.
+    pub fn of(graph: &Graph) -> Self {
+        Neighbours::from_fn(graph.order(), |k, j| graph.has_edge(k, j))
+    }
+
+    /// All-to-all interaction.
+    pub fn complete(particles: usize) -> Self {
+        Neighbours::from_fn(particles, |_, _| true)
+    }
+
+    /// The circulant graph: `k` and `j` are neighbours where `k - j` modulo `N` is one of the offsets or its negative; `[1]`
+    /// gives the cyclic graph `C_N`.
+    pub fn circulant(particles: usize, offsets: &[usize]) -> Self {
+        let joined = |k: usize, j: usize| {
+            let difference = (k + particles - j) % particles;
+            offsets.iter().any(|&offset| difference == offset || difference + offset == particles)
+        };
+        Neighbours::from_fn(particles, joined)
+    }
+
+    /// Those at distance `radius` or less, `radius` not negative.
+    pub fn within<T: Field + Signed>(positions: &[Complex<T>], radius: &T) -> Self {
+        let near = |k: usize, j: usize| {
+            let distance = (positions[j].clone() - &positions[k]).norm_squared();
+            !(distance - radius.square()).is_certainly_positive()
+        };
+        Neighbours::from_fn(positions.len(), near)
+    }
+
+    /// The `count` nearest of each particle; of two at the same distance, the one with the smaller number.
+    pub fn nearest<T: Field + Signed>(positions: &[Complex<T>], count: usize) -> Self {
+        let list = |k: usize| {
+            let distance = |j: usize| (positions[j].clone() - &positions[k]).norm_squared();
+            let mut others: Vec<(usize, T)> =
+                (0..positions.len()).filter(|&j| j != k).map(|j| (j, distance(j))).collect();
+            others.sort_by(|(_, a), (_, b)| match (a.clone() - b).sign() {
+                Some(Sign::Negative) => Ordering::Less,
+                Some(Sign::Positive) => Ordering::Greater,
+                _ => Ordering::Equal,
+            });
+            let mut nearest: Vec<usize> = others.into_iter().take(count).map(|(j, _)| j).collect();
+            nearest.sort_unstable();
+            nearest
+        };
+        Neighbours { lists: (0..positions.len()).map(list).collect() }
+    }
+
+    /// Number of particles.
+    pub fn particles(&self) -> usize {
+        self.lists.len()
+    }
+
+    /// The arcs `(k, j)`, in order.
+    pub fn arcs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.lists.iter().enumerate().flat_map(|(k, list)| list.iter().map(move |&j| (k, j)))
+    }
+
+    /// The neighbours of `k`, in order.
+    pub fn of_particle(&self, k: usize) -> &[usize] {
+        &self.lists[k]
+    }
+}
+
+impl Interaction for Neighbours {
+    fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>> {
+        let row = |(own, list): (&Complex<T>, &Vec<usize>)| {
+            list.iter().fold(Complex::real(own.re.zero()), |sum, &j| sum + own - &x[j])
+        };
+        x.iter().zip(&self.lists).map(row).collect()
+    }
+}

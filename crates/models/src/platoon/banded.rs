@@ -1,0 +1,151 @@
+//! The harmonic response of platoons whose cars track near cars only, in floating point: `O(M)` per frequency.
+
+use super::{CommunicationGraph, Gains, gamma_minus_one};
+use arithmetic::{ArithmeticError, Complex, Field, Ring};
+use num_traits::ToPrimitive;
+
+/// The reduced Laplacian `P` of a communication graph, by bands.
+#[derive(Debug, Clone)]
+pub struct BandedPlatoon {
+    /// Entries of `P` by row, `(column, value)`.
+    rows: Vec<Vec<(usize, f64)>>,
+    /// `-L_l`: the weight of the leader in each row.
+    leader: Vec<f64>,
+    /// How far entries lie below and above the diagonal.
+    lower: usize,
+    upper: usize,
+}
+
+/// A factored band matrix; the pivot rows have up to `lower + upper` entries right of the diagonal.
+struct Factors {
+    /// Row `i` of `U` from the diagonal on.
+    rows: Vec<Vec<Complex<f64>>>,
+    /// In elimination order: the row that was swapped to the place, and the multipliers of the rows below.
+    steps: Vec<(usize, Vec<Complex<f64>>)>,
+}
+
+impl BandedPlatoon {
+    /// The bands of a graph.
+    pub fn new(graph: &CommunicationGraph) -> Self {
+        let size = graph.followers();
+        let (mut rows, mut leader) = (vec![Vec::new(); size], vec![0.0; size]);
+        let (mut lower, mut upper) = (0, 0);
+        for i in 0..size {
+            let mut own = 0.0;
+            for (agent, weight) in graph.tracked_by(i + 1) {
+                let weight = weight.to_f64().unwrap_or(f64::NAN);
+                own += weight;
+                match agent.checked_sub(1) {
+                    None => leader[i] += weight,
+                    Some(j) => {
+                        rows[i].push((j, -weight));
+                        lower = lower.max(i.saturating_sub(j));
+                        upper = upper.max(j.saturating_sub(i));
+                    }
+                }
+            }
+            rows[i].push((i, own));
+        }
+        BandedPlatoon { rows, leader, lower, upper }
+    }
+
+    /// `P + shift` factored with partial pivoting.
+    fn factored(&self, shift: &Complex<f64>) -> Result<Factors, ArithmeticError> {
+        let size = self.rows.len();
+        let width = self.lower + self.upper + 1;
+        let zero = shift.zero();
+        // Row i holds the columns from `start` on: i - lower at first, the pivot column while it is eliminated.
+        let mut rows: Vec<Vec<Complex<f64>>> = self
+            .rows
+            .iter()
+            .enumerate()
+            .map(|(i, entries)| {
+                let start = i.saturating_sub(self.lower);
+                let mut row = vec![zero.clone(); width];
+                for &(j, value) in entries {
+                    row[j - start].re += value;
+                }
+                row[i - start] = row[i - start].clone() + shift;
+                row
+            })
+            .collect();
+        let mut steps = Vec::with_capacity(size);
+        for k in 0..size {
+            // All rows that reach column k start there: earlier columns have been eliminated and dropped.
+            let end = (k + self.lower + 1).min(size);
+            let best = (k..end).max_by(|&a, &b| rows[a][0].norm_squared().total_cmp(&rows[b][0].norm_squared()));
+            let best = best.unwrap_or(k);
+            rows.swap(k, best);
+            let inverse = rows[k][0].recip()?;
+            let (upper, below) = rows.split_at_mut(k + 1);
+            let pivot = &upper[k];
+            let mut multipliers = Vec::with_capacity(end - k - 1);
+            for row in &mut below[..end - k - 1] {
+                let factor = row[0].clone() * &inverse;
+                for n in 1..width {
+                    row[n - 1] = row[n].clone() - factor.clone() * &pivot[n];
+                }
+                row[width - 1] = zero.clone();
+                multipliers.push(factor);
+            }
+            steps.push((best, multipliers));
+        }
+        Ok(Factors { rows, steps })
+    }
+
+    /// The amplitudes `a_1..a_M` behind the leader `e^{iwt}`.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::DivisionByZero`] where `P + gamma - 1` is singular.
+    pub fn response(&self, gains: &Gains<f64>, w: f64) -> Result<Vec<Complex<f64>>, ArithmeticError> {
+        let shift = gamma_minus_one(gains, &w)?;
+        let right: Vec<Complex<f64>> = self.leader.iter().map(|&x| Complex::real(x)).collect();
+        self.factored(&shift)?.solve(right)
+    }
+
+    /// The largest amplitude of all followers.
+    ///
+    /// # Errors
+    /// As [`BandedPlatoon::response`].
+    pub fn largest_amplitude(&self, gains: &Gains<f64>, w: f64) -> Result<f64, ArithmeticError> {
+        let amplitudes = self.response(gains, w)?;
+        Ok(amplitudes.iter().map(Complex::norm_squared).fold(0.0, f64::max).sqrt())
+    }
+
+    /// The modulus of the eigenvalue of `P` nearest to 0, by inverse iteration; the steps that it still changed by, relatively,
+    /// come second: they are small where that eigenvalue is real and simple.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::DivisionByZero`] where `P` is singular.
+    pub fn smallest_eigenvalue(&self) -> Result<(f64, f64), ArithmeticError> {
+        let zero = Complex::real(0.0);
+        let factors = self.factored(&zero)?;
+        let mut vector = vec![Complex::real(1.0); self.rows.len()];
+        let (mut value, mut change) = (f64::INFINITY, f64::INFINITY);
+        for _ in 0..60 {
+            let next = factors.solve(vector)?;
+            let size = next.iter().map(Complex::norm_squared).fold(0.0, f64::max).sqrt();
+            change = (value * size - 1.0).abs();
+            value = 1.0 / size;
+            vector = next.iter().map(|z| z.scale(&value)).collect();
+        }
+        Ok((value, change))
+    }
+}
+
+impl Factors {
+    fn solve(&self, mut right: Vec<Complex<f64>>) -> Result<Vec<Complex<f64>>, ArithmeticError> {
+        for (k, (swapped, multipliers)) in self.steps.iter().enumerate() {
+            right.swap(k, *swapped);
+            for (n, factor) in multipliers.iter().enumerate() {
+                right[k + 1 + n] = right[k + 1 + n].clone() - factor.clone() * &right[k];
+            }
+        }
+        for k in (0..right.len()).rev() {
+            let known = right.iter().skip(k + 1).zip(&self.rows[k][1..]);
+            let sum = known.fold(right[k].clone(), |sum, (x, entry)| sum - entry.clone() * x);
+            right[k] = sum.over(&self.rows[k][0])?;
+        }
+        Ok(right)
+    }
+}

@@ -1,0 +1,115 @@
+//! Harmonic response of the followers: `y_k = a_k e^{i w t}` with `a_0 = 1`.
+
+use super::Gains;
+use arithmetic::{ArithmeticError, Complex, Field, Rational, Real, Ring};
+
+/// `gamma = (f + i w g + w²)/(f + i w g) = 1 + w²/(f + i w g)` (Corollary 1).
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where `f + i w g` may be zero.
+pub fn gamma<T: Field>(gains: &Gains<T>, w: &T) -> Result<Complex<T>, ArithmeticError> {
+    Ok(Complex::real(w.one()) + gamma_minus_one(gains, w)?)
+}
+
+/// `gamma - 1 = w²/(f + i w g)`, which is small at small frequencies.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where `f + i w g` may be zero.
+pub fn gamma_minus_one<T: Field>(gains: &Gains<T>, w: &T) -> Result<Complex<T>, ArithmeticError> {
+    let z = Complex::new(gains.f.clone(), gains.g.clone() * w);
+    Ok(z.recip()?.scale(&w.square()))
+}
+
+/// System (1): `a_k = gamma^-k`.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where `gamma` does not exist or may be zero.
+pub fn amplitude_one_sided<T: Field>(gains: &Gains<T>, w: &T, k: u64) -> Result<Complex<T>, ArithmeticError> {
+    Ok(gamma(gains, w)?.recip()?.power(k))
+}
+
+/// System (1): `|1/gamma|²` as a function of `y = w²`, which is `(f² + g² y)/((f + y)² + g² y)`.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where the denominator may be zero.
+pub fn gain_squared_one_sided<T: Field>(gains: &Gains<T>, y: &T) -> Result<T, ArithmeticError> {
+    let damping = gains.g.square() * y;
+    (gains.f.square() + &damping).over(&((gains.f.clone() + y).square() + damping))
+}
+
+/// System (1): the `w²` at which `|1/gamma|` is largest: the positive root of `g² y² + 2 f² y + 2 f³ = 0`
+/// (`notes/veerman.md`).
+///
+/// # Errors
+/// [`ArithmeticError`] where `f` or `g` may be zero or `f` may be positive.
+pub fn strongest_one_sided_square<T: Real>(gains: &Gains<T>) -> Result<T, ArithmeticError> {
+    let two = gains.f.integer(2);
+    let ratio = gains.g.square().over(&-gains.f.clone())?;
+    // f² (sqrt(1 + 2 g²/|f|) - 1)/g², without the cancellation: 2 |f| / (sqrt(1 + 2 g²/|f|) + 1).
+    let root = (ratio.one() + ratio * &two).sqrt()?;
+    (-gains.f.clone() * two).over(&(root.clone() + root.one()))
+}
+
+/// The Chebyshev polynomials `(T_n, U_{n-1})` at `gamma`, with `distance = gamma - 1` given apart because it is small
+/// where this is used. About `2 log2 n` products.
+pub fn chebyshev<T: Ring>(n: u64, distance: &T) -> (T, T) {
+    let one = distance.one();
+    let gamma = one.clone() + distance;
+    let s2 = distance.clone() * (gamma.clone() + &one);
+    let (mut t, mut u) = (one.clone(), one.zero());
+    for bit in (0..u64::BITS - n.leading_zeros()).rev() {
+        let product = t.clone() * &u;
+        let square = t.square();
+        t = square.clone() + square - &one;
+        u = product.clone() + product;
+        if n >> bit & 1 == 1 {
+            (t, u) = (gamma.clone() * &t + s2.clone() * &u, gamma.clone() * u + t);
+        }
+    }
+    (t, u)
+}
+
+/// System (2): all amplitudes `a_1, ..., a_M`, `a_k = T_{M-k}(gamma)/T_M(gamma)`, by the three-term recurrence.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where `gamma` does not exist or `T_M(gamma)` may be zero.
+pub fn amplitudes_two_sided<T: Field>(
+    gains: &Gains<T>,
+    w: &T,
+    followers: usize,
+) -> Result<Vec<Complex<T>>, ArithmeticError> {
+    let gamma = gamma(gains, w)?;
+    let two_gamma = gamma.clone() + &gamma;
+    let mut values = vec![gamma.one(), gamma];
+    while values.len() <= followers {
+        let n = values.len();
+        values.push(two_gamma.clone() * &values[n - 1] - &values[n - 2]);
+    }
+    values.truncate(followers + 1);
+    let Some(last) = values.pop() else { return Ok(Vec::new()) };
+    let scale = last.recip()?;
+    Ok(values.into_iter().rev().map(|value| value * &scale).collect())
+}
+
+/// System (2) with another first car: `a_M` where car 1 compares its velocity as `own u_1 - leader u_0 - behind u_2` (in
+/// equation (2) the weights are 1, 1/2, 1/2). The other cars give `a_k = a_M T_{M-k}(gamma)`, k >= 1; `followers >= 2`.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where the response may not exist.
+pub fn amplitude_with_first_car<T: Field>(
+    gains: &Gains<T>,
+    w: &T,
+    followers: u64,
+    weights: &[Rational; 3],
+) -> Result<Complex<T>, ArithmeticError> {
+    let [own, leader, behind] = weights.each_ref().map(|q| w.rational(q));
+    let distance = gamma_minus_one(gains, w)?;
+    let [(t1, _), (t2, _)] = [1, 2].map(|k| chebyshev(followers.saturating_sub(k), &distance));
+    // w² a_1 + f (a_1 - (a_0 + a_2)/2) + iwg (own a_1 - leader a_0 - behind a_2) = 0.
+    let half = w.ratio(1, 2);
+    let damping = Complex::new(w.zero(), gains.g.clone() * w);
+    let position = (t1.clone() - t2.scale(&half)).scale(&gains.f);
+    let velocity = (t1.scale(&own) - t2.scale(&behind)) * &damping;
+    let drive = Complex::real(gains.f.clone() * half) + damping.scale(&leader);
+    drive.over(&(t1.scale(&w.square()) + position + velocity))
+}

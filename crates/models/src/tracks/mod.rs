@@ -1,0 +1,34 @@
+//! Measured trajectories, read from a table and analysed as in the sidebar "Analysis of Fish Data" of Paley, Leonard,
+//! Sepulchre, Grünbaum and Parrish: headings, nearest neighbours, zones, scaled phase potentials, and what their values mean
+//! under null models without interaction.
+//!
+//! Nothing is filled in: a frame in which a fish is missing is left out of what needs that fish, and the gaps are listed.
+//! `notes/tracks.md` has the file format, the formulas and the choices.
+
+mod analysis;
+mod choices;
+mod gaps;
+mod histogram;
+mod measures;
+mod motion;
+mod null;
+mod potential;
+mod read;
+mod synthetic;
+
+pub use analysis::{Analysis, FishSummary, LeftOut, analyse};
+pub use choices::{Choices, ChoicesError, NearestRule, PositionsUsed};
+pub use gaps::{Gap, gaps};
+pub use histogram::Histogram;
+pub use measures::{FrameMeasures, GroupState, ZonePresence, nearest_neighbour};
+pub use motion::{Motion, smoothed};
+pub use null::{Comparison, NullKind, NullModels, Sample, Statistics, UniformShares, null_models, uniform_draw};
+pub use potential::{Scale, complete_potential, partner_potential};
+pub use read::csv_field;
+pub use read::{Frame, Tracks, TracksError};
+pub use synthetic::{School, Setting, synthetic_school};
+
+use arithmetic::Complex;
+
+/// A point or vector of the horizontal plane, in the unit of the file.
+pub type Vector = Complex<f64>;

@@ -1,0 +1,270 @@
+//! What the scaled potentials look like without any interaction: independent uniform headings, and headings or tracks shifted in
+//! time against each other.
+
+use super::measures::partners;
+use super::potential::{complete_potential, mean, partner_potential};
+use super::{Choices, Histogram, Scale, Vector};
+use crate::oscillator::{Zone, Zones};
+use arithmetic::Complex;
+use arithmetic::random::{generator, uniform};
+use rand_chacha::rand_core::Rng;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+/// A difference counts as positive above this: rounding of numbers that are zero.
+const ROUNDING: f64 = 1e-12;
+/// At least so many draws of independent uniform headings.
+const DRAWS: usize = 20_000;
+
+/// Positions and headings of all fish in the frames that have all of them, `[frame][fish]`.
+#[derive(Debug, Clone)]
+pub struct Sample {
+    positions: Vec<Vec<Vector>>,
+    headings: Vec<Vec<Vector>>,
+    partners: Vec<Vec<usize>>,
+    zones: Zones<f64>,
+    too_near: Option<f64>,
+}
+
+/// Numbers that a recording and its shifted copies have.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Statistics {
+    /// Share of frames in which the scaled potential is larger for `n = N - 1` than for `n = 1`, in the order of [`Scale::ALL`].
+    pub positive: [f64; 3],
+    /// Mean of that difference.
+    pub difference: [f64; 3],
+    /// Mean of `|p_1|`.
+    pub order: f64,
+    /// Mean of `cos theta_kj` over all arcs to neighbours in the zone of orientation; `None` where there are none.
+    pub zone_alignment: Option<f64>,
+    /// The difference with the scale of Figure S3.
+    pub histogram: Histogram,
+}
+
+impl Statistics {
+    /// Names, in the order of [`Statistics::values`].
+    pub const NAMES: [&'static str; 8] = [
+        "positive_2/(n+1)",
+        "positive_2/n+1",
+        "positive_1/n",
+        "difference_2/(n+1)",
+        "difference_2/n+1",
+        "difference_1/n",
+        "order",
+        "zone_alignment",
+    ];
+
+    /// The numbers.
+    pub fn values(&self) -> [Option<f64>; 8] {
+        let ([a, b, c], [d, e, f]) = (self.positive, self.difference);
+        [Some(a), Some(b), Some(c), Some(d), Some(e), Some(f), Some(self.order), self.zone_alignment]
+    }
+}
+
+/// Which series of a fish is shifted in time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NullKind {
+    /// Its headings; positions stay, and with them the nearest neighbours.
+    Headings,
+    /// Its positions and headings together: what fish that swim alone in the same tank would show.
+    Tracks,
+}
+
+impl NullKind {
+    /// In letters.
+    pub fn name(self) -> &'static str {
+        match self {
+            NullKind::Headings => "headings shifted",
+            NullKind::Tracks => "tracks shifted",
+        }
+    }
+}
+
+/// One number of the recording beside its values under a null model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Comparison {
+    /// Of the recording.
+    pub observed: f64,
+    /// Mean over the shifts.
+    pub mean: f64,
+    /// The 2.5% and 97.5% points of the shifts.
+    pub range: (f64, f64),
+    /// Shifts with at least the observed value, and shifts.
+    pub at_least: (usize, usize),
+    /// `(1 + number of shifts with at least the observed value)/(1 + number of shifts)`.
+    pub share_at_least: f64,
+}
+
+/// Independent uniform headings on the networks of the recording.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UniformShares {
+    /// How many draws.
+    pub draws: usize,
+    /// Draws with a positive difference, in the order of [`Scale::ALL`].
+    pub positive: [usize; 3],
+    /// Scaled potentials (Figure S3) for `n = N - 1` and `n = 1`, and their difference.
+    pub histograms: [Histogram; 3],
+}
+
+/// A recording against all null models.
+#[derive(Debug, Clone)]
+pub struct NullModels {
+    /// The numbers of the recording.
+    pub observed: Statistics,
+    /// Share of frames in which the neighbours for `n = 1` form pairs: there the difference `2/(n+1)` is never negative.
+    pub in_pairs: f64,
+    /// Independent uniform headings.
+    pub uniform: UniformShares,
+    /// The two shifts: comparisons in the order of [`Statistics::NAMES`], and the differences of all shifts.
+    pub shifted: Vec<(NullKind, [Option<Comparison>; 8], Histogram)>,
+    /// How many shifts of each kind.
+    pub shifts: usize,
+}
+
+/// The bins of differences.
+fn difference_bins() -> Histogram {
+    Histogram::new(-1.0, 1.0, 40)
+}
+
+impl Sample {
+    pub(super) fn new(positions: Vec<Vec<Vector>>, headings: Vec<Vec<Vector>>, choices: &Choices) -> Sample {
+        let too_near = choices.too_near();
+        let partners = positions.iter().map(|frame| partners(frame, too_near)).collect();
+        Sample { positions, headings, partners, zones: choices.zones(), too_near }
+    }
+
+    /// Number of frames.
+    pub fn frames(&self) -> usize {
+        self.headings.len()
+    }
+
+    fn fish(&self) -> usize {
+        self.headings.first().map_or(0, Vec::len)
+    }
+
+    /// The numbers with the headings of fish `k` shifted by `shift[k]` frames around the end, and with `kind` also its positions.
+    pub fn statistics(&self, kind: NullKind, shift: &[usize]) -> Statistics {
+        let (frames, fish) = (self.frames(), self.fish());
+        let mut statistics = Statistics {
+            positive: [0.0; 3],
+            difference: [0.0; 3],
+            order: 0.0,
+            zone_alignment: None,
+            histogram: difference_bins(),
+        };
+        let (mut cosines, mut arcs) = (0.0, 0usize);
+        for i in 0..frames {
+            let moved = |rows: &[Vec<Vector>]| -> Vec<Vector> {
+                shift.iter().enumerate().map(|(k, s)| rows[(i + s) % frames][k].clone()).collect()
+            };
+            let headings = moved(&self.headings);
+            let shifted = match kind {
+                NullKind::Headings => None,
+                NullKind::Tracks => Some(moved(&self.positions)),
+            };
+            let positions = shifted.as_ref().unwrap_or(&self.positions[i]);
+            let single = match &shifted {
+                None => partner_potential(&self.partners[i], &headings),
+                Some(positions) => partner_potential(&partners(positions, self.too_near), &headings),
+            };
+            let complete = complete_potential(&headings);
+            for (s, scale) in Scale::ALL.iter().enumerate() {
+                let difference = scale.difference(fish, complete, single);
+                statistics.difference[s] += difference;
+                statistics.positive[s] += f64::from(difference > ROUNDING);
+            }
+            statistics.histogram.add(Scale::Figure.difference(fish, complete, single));
+            statistics.order += mean(&headings).norm_squared().sqrt();
+            for (k, z) in headings.iter().enumerate() {
+                for j in (0..fish).filter(|&j| j != k) {
+                    if self.zones.senses(Zone::Orientation, z, &(positions[j].clone() - &positions[k])) {
+                        cosines += z.dot(&headings[j]);
+                        arcs += 1;
+                    }
+                }
+            }
+        }
+        let means = statistics.difference.iter_mut().chain(&mut statistics.positive).chain([&mut statistics.order]);
+        means.for_each(|sum| *sum /= frames as f64);
+        statistics.zone_alignment = (arcs > 0).then(|| cosines / arcs as f64);
+        statistics
+    }
+
+    /// Share of frames in which every fish is the neighbour of its neighbour.
+    fn in_pairs(&self) -> f64 {
+        let mutual = |partners: &&Vec<usize>| (0..partners.len()).all(|k| partners[partners[k]] == k);
+        self.partners.iter().filter(mutual).count() as f64 / self.frames() as f64
+    }
+
+    /// Independent uniform headings, as often in each frame, until there are enough draws.
+    fn uniform(&self, seed: &str) -> UniformShares {
+        let rounds = DRAWS.div_ceil(self.frames());
+        let unit = || Histogram::new(0.0, 1.0, 20);
+        let mut shares = UniformShares { draws: 0, positive: [0; 3], histograms: [unit(), unit(), difference_bins()] };
+        let mut random = generator(seed, "tracks.uniform", 0);
+        let n = self.fish();
+        for partners in (0..rounds).flat_map(|_| &self.partners) {
+            let (complete, single) = uniform_draw(partners, &mut random);
+            shares.draws += 1;
+            for (positive, scale) in shares.positive.iter_mut().zip(Scale::ALL) {
+                *positive += usize::from(scale.difference(n, complete, single) > ROUNDING);
+            }
+            let (blue, red) = (Scale::Figure.factor(n - 1) * complete, Scale::Figure.factor(1) * single);
+            shares.histograms.iter_mut().zip([blue, red, blue - red]).for_each(|(histogram, x)| histogram.add(x));
+        }
+        shares
+    }
+}
+
+/// `W_1` for `n = N - 1` and for `n = 1` with the neighbours given, for headings that are independent and uniform on the circle.
+pub fn uniform_draw(partners: &[usize], random: &mut impl Rng) -> (f64, f64) {
+    let heading = |_: &usize| {
+        let (sin, cos) = (TAU * uniform(random)).sin_cos();
+        Complex::new(cos, sin)
+    };
+    let headings: Vec<Vector> = partners.iter().map(heading).collect();
+    (complete_potential(&headings), partner_potential(partners, &headings))
+}
+
+/// Compares a recording with independent uniform headings and with `shifts` shifts of each kind; `done` is called after each shift.
+pub fn null_models(sample: &Sample, shifts: usize, seed: &str, done: impl Fn() + Sync) -> NullModels {
+    let (frames, fish) = (sample.frames(), sample.fish());
+    let observed = sample.statistics(NullKind::Headings, &vec![0; fish]);
+    let offsets = |kind: NullKind, replicate: usize| -> Vec<usize> {
+        let mut random = generator(seed, kind.name(), replicate as u64);
+        (0..fish).map(|_| ((uniform(&mut random) * frames as f64) as usize).min(frames - 1)).collect()
+    };
+    let compare = |kind: NullKind| {
+        let all: Vec<Statistics> = (0..shifts)
+            .into_par_iter()
+            .map(|replicate| {
+                let statistics = sample.statistics(kind, &offsets(kind, replicate));
+                done();
+                statistics
+            })
+            .collect();
+        let mut histogram = difference_bins();
+        all.iter().for_each(|statistics| histogram.merge(&statistics.histogram));
+        let table: Vec<[Option<f64>; 8]> = all.iter().map(Statistics::values).collect();
+        let seen = observed.values();
+        let comparisons =
+            std::array::from_fn(|c| comparison(seen[c]?, table.iter().filter_map(|row| row[c]).collect()));
+        (kind, comparisons, histogram)
+    };
+    let shifted = if shifts == 0 { vec![] } else { vec![compare(NullKind::Headings), compare(NullKind::Tracks)] };
+    NullModels { in_pairs: sample.in_pairs(), uniform: sample.uniform(seed), shifted, shifts, observed }
+}
+
+fn comparison(observed: f64, mut values: Vec<f64>) -> Option<Comparison> {
+    values.sort_by(f64::total_cmp);
+    let last = values.len().checked_sub(1)?;
+    let point = |share: f64| values[(share * last as f64).round() as usize];
+    let as_large = values.iter().filter(|&&x| x >= observed - ROUNDING).count();
+    Some(Comparison {
+        observed,
+        mean: values.iter().sum::<f64>() / values.len() as f64,
+        range: (point(0.025), point(0.975)),
+        at_least: (as_large, values.len()),
+        share_at_least: (1 + as_large) as f64 / (1 + values.len()) as f64,
+    })
+}

@@ -1,0 +1,326 @@
+//! Reading trajectories: CSV with the columns `t,id,x,y`, rows and columns in any order, other columns ignored.
+
+use super::Vector;
+use arithmetic::Complex;
+use std::collections::{BTreeMap, HashMap};
+
+/// The columns that are needed.
+const COLUMNS: [&str; 4] = ["t", "id", "x", "y"];
+/// Numbers beyond are refused, so that no square overflows.
+const LARGEST: f64 = 1e100;
+/// How far, as a share of the frame step, a step may be from a multiple of it: times are often written with three decimals.
+const JITTER: f64 = 0.1;
+/// The same for a hole of many steps, as a share of its length: the step is known from rounded times only.
+const HOLE_JITTER: f64 = 0.01;
+/// More frames than this are never missing in one piece.
+const LONGEST_GAP: f64 = 1e9;
+
+/// Why a table holds no trajectories that can be analysed. Lines are counted from 1.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum TracksError {
+    /// Nothing, or a header only.
+    #[error("there are no rows in it; a header with t,id,x,y and a row for each fish in each frame are expected")]
+    Empty,
+    /// A column is missing.
+    #[error("line 1: the header has no column `{column}`; t, id, x and y are needed, and it has {found}")]
+    NoColumn {
+        /// The column.
+        column: &'static str,
+        /// The header.
+        found: String,
+    },
+    /// A column is there twice.
+    #[error("line 1: the header has the column `{0}` twice")]
+    ColumnTwice(&'static str),
+    /// A row of another length than the header.
+    #[error("line {line}: there are {found} fields where the header has {expected}")]
+    Fields {
+        /// The line.
+        line: u64,
+        /// How many fields it has.
+        found: usize,
+        /// How many the header has.
+        expected: usize,
+    },
+    /// Not a number.
+    #[error("line {line}: {column} is `{found}`, not a finite number; leave out the row where a fish was not seen")]
+    Number {
+        /// The line.
+        line: u64,
+        /// The column.
+        column: &'static str,
+        /// The field.
+        found: String,
+    },
+    /// A number that is too large.
+    #[error("line {line}: {column} is {found}, beyond 1e100")]
+    Large {
+        /// The line.
+        line: u64,
+        /// The column.
+        column: &'static str,
+        /// The field.
+        found: String,
+    },
+    /// A fish without a name.
+    #[error("line {0}: id is empty or has a control character")]
+    NoId(u64),
+    /// Two rows of one fish at one time.
+    #[error("line {line}: fish {id} at t = {time} is there twice, first in line {first}")]
+    Duplicate {
+        /// The second line.
+        line: u64,
+        /// The first line.
+        first: u64,
+        /// The fish.
+        id: String,
+        /// The time.
+        time: f64,
+    },
+    /// One fish.
+    #[error("there is only one fish, {0}; at least two are needed")]
+    OneFish(String),
+    /// One frame.
+    #[error("all rows have the same time t = {0}; at least three frames are needed")]
+    OneFrame(f64),
+    /// Times that are not on a grid.
+    #[error(
+        "line {line}: the frame times are not uniform: {step} from the frame before to t = {time}, but {usual} elsewhere"
+    )]
+    Uneven {
+        /// The line where the frame starts.
+        line: u64,
+        /// Its time.
+        time: f64,
+        /// The time since the frame before.
+        step: f64,
+        /// The frame step of the others.
+        usual: f64,
+    },
+    /// A fish that is asked for and is not there.
+    #[error("there is no fish {id}; there are {known}")]
+    UnknownFish {
+        /// The fish.
+        id: String,
+        /// Those that are there.
+        known: String,
+    },
+    /// A row that is not CSV.
+    #[error("line {line}: {what}")]
+    Csv {
+        /// The line.
+        line: u64,
+        /// What the reader says.
+        what: String,
+    },
+}
+
+/// A frame that has a row: its number on the grid of times, from 0, and its time as written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// Number on the grid; numbers that are skipped are frames without any row.
+    pub number: u64,
+    /// Time in seconds.
+    pub time: f64,
+}
+
+/// Trajectories of at least two fish over at least two frames.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tracks {
+    /// Names, in the order of numbers where all are numbers, else of the alphabet.
+    pub ids: Vec<String>,
+    /// Frames in order.
+    pub frames: Vec<Frame>,
+    /// Frame step in seconds: the mean over the recording.
+    pub step: f64,
+    /// `positions[fish][frame]`; `None` where the fish has no row.
+    pub positions: Vec<Vec<Option<Vector>>>,
+}
+
+/// A row of the table.
+struct Row {
+    line: u64,
+    time: f64,
+    id: String,
+    place: Vector,
+}
+
+impl Tracks {
+    /// Reads a table.
+    ///
+    /// # Errors
+    /// [`TracksError`], with the line.
+    pub fn from_csv(text: &str) -> Result<Tracks, TracksError> {
+        Tracks::from_rows(&rows(text)?)
+    }
+
+    fn from_rows(rows: &[Row]) -> Result<Tracks, TracksError> {
+        let mut starts: Vec<(f64, u64)> = rows.iter().map(|row| (row.time, row.line)).collect();
+        starts.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        starts.dedup_by(|later, first| later.0 == first.0);
+        let mut ids: Vec<String> = rows.iter().map(|row| row.id.clone()).collect();
+        ids.sort_by(|a, b| natural_order(a, b));
+        ids.dedup();
+        let number_of: BTreeMap<&str, usize> = ids.iter().enumerate().map(|(k, id)| (id.as_str(), k)).collect();
+        let frame_of: HashMap<u64, usize> = starts.iter().enumerate().map(|(i, (t, _))| (t.to_bits(), i)).collect();
+        let mut positions = vec![vec![None; starts.len()]; ids.len()];
+        let mut lines = vec![vec![0; starts.len()]; ids.len()];
+        for row in rows {
+            let (fish, frame) = (number_of[row.id.as_str()], frame_of[&row.time.to_bits()]);
+            if positions[fish][frame].replace(row.place.clone()).is_some() {
+                let (line, first) = (row.line, lines[fish][frame]);
+                return Err(TracksError::Duplicate { line, first, id: row.id.clone(), time: row.time });
+            }
+            lines[fish][frame] = row.line;
+        }
+        if let [only] = ids.as_slice() {
+            return Err(TracksError::OneFish(only.clone()));
+        }
+        let (frames, step) = grid(&starts)?;
+        Ok(Tracks { ids, frames, step, positions })
+    }
+
+    /// Number of fish.
+    pub fn fish(&self) -> usize {
+        self.ids.len()
+    }
+
+    /// Frames from the first to the last, also those without any row.
+    pub fn recorded_frames(&self) -> u64 {
+        self.frames.last().map_or(0, |frame| frame.number + 1)
+    }
+
+    /// The time of a frame number, also of one without rows.
+    pub fn time_of(&self, number: u64) -> f64 {
+        match self.frames.binary_search_by_key(&number, |frame| frame.number) {
+            Ok(found) => self.frames[found].time,
+            Err(_) => self.frames.first().map_or(0.0, |frame| frame.time) + number as f64 * self.step,
+        }
+    }
+
+    /// The same recording with these fish only.
+    ///
+    /// # Errors
+    /// [`TracksError::UnknownFish`], or [`TracksError::OneFish`] for fewer than two.
+    pub fn only(&self, ids: &[String]) -> Result<Tracks, TracksError> {
+        if let Some(id) = ids.iter().find(|id| !self.ids.contains(id)) {
+            return Err(TracksError::UnknownFish { id: id.clone(), known: self.ids.join(", ") });
+        }
+        let kept: Vec<usize> = (0..self.fish()).filter(|&k| ids.contains(&self.ids[k])).collect();
+        if let [only] = kept.as_slice() {
+            return Err(TracksError::OneFish(self.ids[*only].clone()));
+        }
+        Ok(Tracks {
+            ids: kept.iter().map(|&k| self.ids[k].clone()).collect(),
+            frames: self.frames.clone(),
+            step: self.step,
+            positions: kept.iter().map(|&k| self.positions[k].clone()).collect(),
+        })
+    }
+
+    /// The table again, sorted by time and fish.
+    pub fn to_csv(&self) -> String {
+        let mut text = String::from("t,id,x,y\n");
+        for (i, frame) in self.frames.iter().enumerate() {
+            for (id, places) in self.ids.iter().zip(&self.positions) {
+                if let Some(r) = &places[i] {
+                    text.push_str(&format!("{},{},{},{}\n", frame.time, csv_field(id), r.re, r.im));
+                }
+            }
+        }
+        text
+    }
+}
+
+/// The rows, in the order of the file.
+fn rows(text: &str) -> Result<Vec<Row>, TracksError> {
+    let broken = |error: &csv::Error| TracksError::Csv {
+        line: error.position().map_or(0, csv::Position::line),
+        what: "it cannot be read as CSV".to_string(),
+    };
+    let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(text.as_bytes());
+    let header = reader.headers().map_err(|error| broken(&error))?.clone();
+    if header.is_empty() {
+        return Err(TracksError::Empty);
+    }
+    let mut columns = [0; 4];
+    for (place, column) in columns.iter_mut().zip(COLUMNS) {
+        let mut found = header.iter().enumerate().filter(|(_, name)| *name == column).map(|(i, _)| i);
+        let found_header = || shown(&header.iter().collect::<Vec<_>>().join(","), 60);
+        *place = found.next().ok_or_else(|| TracksError::NoColumn { column, found: found_header() })?;
+        if found.next().is_some() {
+            return Err(TracksError::ColumnTwice(column));
+        }
+    }
+    let mut rows = Vec::new();
+    let mut record = csv::StringRecord::new();
+    while reader.read_record(&mut record).map_err(|error| broken(&error))? {
+        rows.push(row(&record, &columns, header.len())?);
+    }
+    if rows.is_empty() { Err(TracksError::Empty) } else { Ok(rows) }
+}
+
+fn row(record: &csv::StringRecord, columns: &[usize; 4], expected: usize) -> Result<Row, TracksError> {
+    let line = record.position().map_or(0, csv::Position::line);
+    if record.len() != expected {
+        return Err(TracksError::Fields { line, found: record.len(), expected });
+    }
+    let field = |c: usize| record.get(columns[c]).unwrap_or_default();
+    let number = |c: usize| {
+        let (column, found) = (COLUMNS[c], shown(field(c), 40));
+        match field(c).parse::<f64>() {
+            // Without the negative zero, which is another time for a hash.
+            Ok(x) if x.abs() <= LARGEST => Ok(x + 0.0),
+            Ok(x) if x.is_finite() => Err(TracksError::Large { line, column, found }),
+            _ => Err(TracksError::Number { line, column, found }),
+        }
+    };
+    let id = field(1).to_string();
+    if id.is_empty() || id.contains(char::is_control) {
+        return Err(TracksError::NoId(line));
+    }
+    Ok(Row { line, time: number(0)?, id, place: Complex::new(number(2)?, number(3)?) })
+}
+
+/// A name as a field of CSV.
+pub fn csv_field(name: &str) -> String {
+    if name.contains([',', '"', '\n', '\r']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name.to_string() }
+}
+
+/// The start of a field as part of a sentence.
+fn shown(field: &str, length: usize) -> String {
+    field.chars().take(length).map(|c| if c.is_control() { '?' } else { c }).collect()
+}
+
+/// Numbers by value and before other names.
+fn natural_order(a: &str, b: &str) -> std::cmp::Ordering {
+    let key = |id: &str| id.parse::<u64>().unwrap_or(u64::MAX);
+    key(a).cmp(&key(b)).then_with(|| a.cmp(b))
+}
+
+/// The frames on a uniform grid and its step, from the distinct times and their first lines.
+fn grid(starts: &[(f64, u64)]) -> Result<(Vec<Frame>, f64), TracksError> {
+    let steps: Vec<f64> = starts.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
+    let mut sorted = steps.clone();
+    sorted.sort_by(f64::total_cmp);
+    let Some(&median) = sorted.get(steps.len().saturating_sub(1) / 2) else {
+        return Err(TracksError::OneFrame(starts.first().map_or(0.0, |start| start.0)));
+    };
+    // The median of times with few decimals is rounded; the mean of the single steps is not.
+    let single: Vec<f64> = steps.iter().copied().filter(|step| (step / median - 1.0).abs() <= 2.0 * JITTER).collect();
+    let usual = single.iter().sum::<f64>() / single.len() as f64;
+    let mut frames = vec![Frame { number: 0, time: starts[0].0 }];
+    let mut number = 0;
+    for (step, &(time, line)) in steps.iter().zip(&starts[1..]) {
+        let times = (step / usual).round();
+        let uneven =
+            (step / usual - times).abs() > JITTER.max(HOLE_JITTER * times) || !(1.0..=LONGEST_GAP).contains(&times);
+        if uneven {
+            return Err(TracksError::Uneven { line, time, step: *step, usual });
+        }
+        number += times as u64;
+        frames.push(Frame { number, time });
+    }
+    let step = (starts[starts.len() - 1].0 - starts[0].0) / number as f64;
+    Ok((frames, step))
+}

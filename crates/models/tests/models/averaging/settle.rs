@@ -1,0 +1,214 @@
+//! Jumping against stepping.
+
+use super::flock::starts;
+use arithmetic::{Rational, rational};
+use models::averaging::settle::{Ending, Limits, Settlement, settle};
+use models::averaging::{Flock, Hysteresis, Start, Switch, Weights};
+use num_bigint::BigInt;
+use proptest::prelude::*;
+use std::ops::ControlFlow;
+
+fn all_switches(start: &Start, limits: &Limits) -> (Vec<Switch>, Settlement) {
+    let mut switches = Vec::new();
+    let settled = settle(Flock::new(start).unwrap(), limits, &mut |switch| {
+        switches.push(switch.clone());
+        ControlFlow::Continue(())
+    });
+    (switches, settled.unwrap())
+}
+
+fn line(x: &[(i64, i64)], v: &[(i64, i64)], hysteresis: Hysteresis) -> Start {
+    let numbers = |list: &[(i64, i64)]| list.iter().map(|&(p, q)| rational(p, q)).collect();
+    Start::on_the_line(numbers(x), numbers(v), Weights::Lazy, hysteresis)
+}
+
+fn four_birds(hysteresis: Hysteresis) -> Start {
+    line(&[(0, 16), (8, 16), (21, 16), (29, 16)], &[(1, 8), (-1, 8), (1, 8), (-1, 8)], hysteresis)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// The switches up to some time are those of stepping, and what is called steady does not change.
+    #[test]
+    fn settling_agrees_with_stepping(start in starts()) {
+        const UNTIL: u32 = 300;
+        let limits = Limits { switches: 400, steps: 6_000, ..Limits::default() };
+        let (jumped, settled) = all_switches(&start, &limits);
+        let mut flock = Flock::new(&start).unwrap();
+        let stepped: Vec<Switch> = (0..UNTIL).filter_map(|_| flock.step().unwrap()).collect();
+        let jumped: Vec<Switch> = jumped.into_iter().filter(|s| s.time <= UNTIL.into()).collect();
+        match settled.ending {
+            Ending::Steady => prop_assert_eq!(jumped, stepped),
+            // Stopped on the way: what was found so far.
+            _ => prop_assert_eq!(&jumped, &stepped[..jumped.len()]),
+        }
+    }
+
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4))]
+
+    /// Pairs that meet after about 10^4 steps: the exact jump and the limit jump find the same switches.
+    #[test]
+    fn both_kinds_of_jump_agree(speeds in prop::collection::vec(1i64..9, 2), gaps in prop::collection::vec(20i64..60, 1)) {
+        let mut x = vec![rational(0, 1), rational(2, 3)];
+        let mut v = Vec::new();
+        for gap in &gaps {
+            let next = x[x.len() - 1].clone() + rational(*gap, 16);
+            x.extend([next.clone(), next + rational(2, 3)]);
+        }
+        for (k, speed) in speeds.iter().enumerate() {
+            let sign = if k % 2 == 0 { 1 } else { -1 };
+            v.extend([rational(sign * speed, 30_000), rational(0, 1)]);
+        }
+        let start = Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None);
+        let exact = all_switches(&start, &Limits::default());
+        let limit = all_switches(&start, &Limits { jump_bits: 0, ..Limits::default() });
+        if matches!(exact.1.ending, Ending::Steady) && matches!(limit.1.ending, Ending::Steady) {
+            prop_assert_eq!(exact.0, limit.0);
+        } else {
+            let common = exact.0.len().min(limit.0.len());
+            prop_assert_eq!(&exact.0[..common], &limit.0[..common]);
+        }
+    }
+}
+
+#[test]
+fn four_birds_alternate_forever_without_hysteresis() {
+    let (switches, settled) = all_switches(&four_birds(Hysteresis::None), &Limits::default());
+    assert!(matches!(settled.ending, Ending::Alternating { period: 2 }));
+    assert!(switches.iter().enumerate().all(|(k, s)| s.time == (k as u32 + 1).into()));
+}
+
+#[test]
+fn four_birds_with_the_hysteresis_of_the_paper() {
+    // The edge 2-3 is lost at odd t while (1/4) 3^(1-t) >= 4^(-256): 3^(t-1) <= 2^510, t <= 322; it stays at t = 323.
+    let (switches, settled) = all_switches(&four_birds(Hysteresis::Paper), &Limits::default());
+    assert!(matches!(settled.ending, Ending::Steady));
+    assert_eq!(settled.last_switch, 322.into());
+    assert_eq!(switches.len(), 322);
+    assert_eq!(settled.network.edges(), vec![(0, 1), (1, 2), (2, 3)]);
+}
+
+/// Two groups of four birds that merge after more than 10^84 steps.
+fn two_groups() -> Start {
+    let x: Vec<Rational> = (0..4).flat_map(|l| [rational(2 * l, 1), rational(6 * l + 2, 3)]).collect();
+    let v = [0, 1, 0, -1, 1, 0, -1, 0].map(|s| rational(s, 512)).to_vec();
+    Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None)
+}
+
+#[test]
+fn a_merger_after_many_steps() {
+    let (switches, settled) = all_switches(&two_groups(), &Limits::default());
+    assert!(matches!(settled.ending, Ending::Steady));
+    assert_eq!(switches.len(), 2);
+    assert_eq!(switches[0].time, 171.into());
+    assert_eq!(switches[1].gained, vec![(3, 4)]);
+    assert_eq!(switches[1].time.to_string().len(), 85);
+    // By hand: after t = 171 the groups move at a/6 3^-170 towards one another; the gap is the limit of x_5 - x_4.
+    let mut flock = Flock::new(&two_groups()).unwrap();
+    (0..171).for_each(|_| drop(flock.step().unwrap()));
+    let mean = |rows: &[Vec<Rational>]| {
+        let weights = [1, 2, 2, 1].map(|w| rational(w, 6));
+        rows.iter().zip(weights).map(|(v, w)| &v[0] * w).sum::<Rational>()
+    };
+    let v = flock.velocities();
+    let closing = mean(&v[..4]) - mean(&v[4..]);
+    assert!(closing > rational(0, 1));
+    (0..2000).for_each(|_| drop(flock.step().unwrap()));
+    let x = flock.positions();
+    let gap = &x[4][0] - &x[3][0] - rational(1, 1);
+    let contact = (gap / closing).ceil().to_integer() + BigInt::from(2171);
+    assert_eq!(switches[1].time, contact);
+}
+
+#[test]
+fn a_contact_beyond_all_digits() {
+    // Mirror images of two groups whose drifts cancel but for what is left of their inner motion.
+    let patterns: [[(i64, i64); 4]; 4] = [
+        [(0, 1), (1, 1), (0, 1), (-1, 1)],
+        [(7, 8), (1, 8), (-9, 8), (1, 8)],
+        [(-1, 8), (9, 8), (-1, 8), (-7, 8)],
+        [(1, 1), (0, 1), (-1, 1), (0, 1)],
+    ];
+    let x: Vec<Rational> = (0..8).flat_map(|l| [rational(2 * l, 1), rational(6 * l + 2, 3)]).collect();
+    let v = patterns.concat().into_iter().map(|(p, q)| rational(p, 512 * q)).collect();
+    let (switches, settled) =
+        all_switches(&Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None), &Limits::default());
+    assert_eq!(switches.len(), 2);
+    let Ending::Beyond { pairs, log2_steps } = settled.ending else { panic!("{:?}", settled.ending) };
+    assert_eq!(pairs, [(7, 8)]);
+    // The relative drift falls like 3^-s, because the contributions of the eigenvalue 2/3 cancel.
+    let s = switches[1].time.clone() - 171u32;
+    let ratio = log2_steps.to_f64() / s.to_string().parse::<f64>().unwrap();
+    assert!((ratio - 3f64.log2()).abs() < 1e-9, "{ratio}");
+}
+
+#[test]
+fn small_cases() {
+    // One bird; two that part; two that meet at distance exactly 1 and part again, because the one ahead becomes the faster
+    // one; two that pass one another at more than distance 1, and at exactly 1.
+    let steady = |start: &Start| {
+        let (switches, settled) = all_switches(start, &Limits::default());
+        assert!(matches!(settled.ending, Ending::Steady), "{:?}", settled.why);
+        switches.into_iter().map(|s| s.time.to_string()).collect::<Vec<_>>()
+    };
+    assert!(steady(&line(&[(0, 1)], &[(5, 1)], Hysteresis::Paper)).is_empty());
+    assert!(steady(&line(&[(0, 1), (2, 1)], &[(-1, 1), (1, 1)], Hysteresis::None)).is_empty());
+    assert_eq!(steady(&line(&[(0, 1), (1001, 1)], &[(1, 10), (0, 1)], Hysteresis::None)), ["10000", "10001"]);
+    let plane = |y: (i64, i64)| Start {
+        positions: vec![vec![rational(-1000, 1), rational(0, 1)], vec![rational(0, 1), rational(y.0, y.1)]],
+        velocities: vec![vec![rational(1, 1), rational(0, 1)], vec![rational(0, 1); 2]],
+        weights: Weights::Given(vec![rational(1, 1_000_000); 2]),
+        hysteresis: Hysteresis::None,
+    };
+    assert!(steady(&plane((1_000_001, 1_000_000))).is_empty());
+    assert_eq!(steady(&plane((1, 1)))[0], "1000");
+}
+
+#[test]
+fn contacts_that_are_not_reached() {
+    // The limit of the distance of birds 2 and 3 is exactly 1 at t = 200 (and t = 201), and what is left of the inner motion of the
+    // pair pushes apart: no contact then, one step later yes.
+    for n in [200i64, 201] {
+        let gap = rational(1, 2) + rational(3, 32) + rational(1, 1) + rational(n, 1000);
+        let x = vec![rational(0, 1), rational(1, 2), gap];
+        let v = vec![rational(-1, 8), rational(1, 8), rational(-1, 1000)];
+        let start = Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None);
+        let (switches, _) = all_switches(&start, &Limits::default());
+        let mut flock = Flock::new(&start).unwrap();
+        let stepped: Vec<Switch> = (0..400).filter_map(|_| flock.step().unwrap()).collect();
+        let jumped: Vec<Switch> = switches.into_iter().filter(|s| s.time <= 400.into()).collect();
+        assert_eq!(jumped, stepped);
+    }
+}
+
+/// A lazy path of four in the plane whose inner motion dies out like (2/3)^s across and (1/3)^s along the way of a fifth bird, which passes
+/// (or meets) the end of the path at distance exactly 1 in the limit: the second order decides, and it is not guessed.
+#[test]
+fn ties_of_second_order_are_not_guessed() {
+    let n = 3_000_000i64;
+    for tangential in [true, false] {
+        let along = [-1, 1, -1, 1].map(|m| rational(m, 1000));
+        let across = [(1, 1), (1, 2), (-1, 2), (-1, 1)].map(|(p, q)| rational(p, 100 * q));
+        // Gamma v: 1/(1 - lambda) times the modes.
+        let place = |k: i64| vec![rational(2 * k, 3), rational(0, 1)];
+        let end = [rational(2, 1) + rational(1, 1000) * rational(3, 4), rational(-1, 100) * rational(3, 1)];
+        let speed = if tangential {
+            vec![rational(0, 1), rational(-1, 1_000_000)]
+        } else {
+            vec![rational(-1, 1_000_000), rational(0, 1)]
+        };
+        let fifth = vec![&end[0] + rational(1, 1) - &speed[0] * rational(n, 1), &end[1] - &speed[1] * rational(n, 1)];
+        let mut positions: Vec<Vec<Rational>> = (0..4).map(place).collect();
+        positions.push(fifth);
+        let mut velocities: Vec<Vec<Rational>> = along.into_iter().zip(across).map(|(a, b)| vec![a, b]).collect();
+        velocities.push(speed);
+        let start = Start { positions, velocities, weights: Weights::Lazy, hysteresis: Hysteresis::None };
+        let (switches, settled) = all_switches(&start, &Limits { jump_bits: 0, ..Limits::default() });
+        assert!(switches.is_empty(), "{switches:?}");
+        assert!(matches!(settled.ending, Ending::Undecided(_)), "{:?}", settled.why);
+    }
+}

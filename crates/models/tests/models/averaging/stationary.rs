@@ -1,0 +1,79 @@
+//! Stationary distributions, deviation matrices and contraction on fixed networks.
+
+use algebra::graph::Graph;
+use algebra::matrix::{MatrixError, RationalMatrix, tau_1};
+use arithmetic::{Rational, rational};
+use models::averaging::{Weights, contraction, deviation_matrix, stationary_distribution, transition_matrix};
+use num_bigint::BigUint;
+
+fn connected(order: usize) -> impl Iterator<Item = Graph> {
+    Graph::all(order).filter(|graph| graph.components().len() == 1)
+}
+
+#[test]
+fn the_stationary_distribution_and_the_group_inverse() {
+    for graph in (1..=4).flat_map(connected) {
+        let n = graph.order();
+        let given = Weights::Given((0..n).map(|i| rational(1, graph.degree(i) as i64 + 1 + i as i64)).collect());
+        for weights in [Weights::Lazy, Weights::Vicsek, given] {
+            let p = transition_matrix(&graph, &weights).unwrap();
+            let pi = stationary_distribution(&graph, &weights).unwrap();
+            assert_eq!(pi.iter().sum::<Rational>(), rational(1, 1));
+            assert_eq!(p.transpose().apply(&pi).unwrap(), pi);
+            // The group inverse G of A = I - P: AGA = A, GAG = G, AG = GA.
+            let gamma = deviation_matrix(&p, &pi).unwrap();
+            let a = RationalMatrix::identity(n).unwrap().minus(&p).unwrap();
+            let (ag, ga) = (a.times(&gamma).unwrap(), gamma.times(&a).unwrap());
+            assert_eq!(ag, ga);
+            assert_eq!(ag.times(&a).unwrap(), a);
+            assert_eq!(ga.times(&gamma).unwrap(), gamma);
+            assert_eq!(gamma.apply(&vec![rational(1, 1); n]).unwrap(), vec![rational(0, 1); n]);
+            assert_eq!(gamma.transpose().apply(&pi).unwrap(), vec![rational(0, 1); n]);
+        }
+    }
+}
+
+#[test]
+fn a_single_bird_and_disconnected_flocks() {
+    let alone = Graph::path(1);
+    assert_eq!(stationary_distribution(&alone, &Weights::Lazy), Ok(vec![rational(1, 1)]));
+    let p = transition_matrix(&alone, &Weights::Lazy).unwrap();
+    assert_eq!(deviation_matrix(&p, &[rational(1, 1)]).unwrap(), RationalMatrix::from_integers(&[[0]], 1).unwrap());
+    assert_eq!(contraction(&p).unwrap().steps, BigUint::from(1u8));
+    let pair = Graph::from_edges(2, &[]).unwrap();
+    assert_eq!(stationary_distribution(&pair, &Weights::Lazy), Err(MatrixError::NotErgodic));
+    assert_eq!(contraction(&transition_matrix(&pair, &Weights::Lazy).unwrap()), Err(MatrixError::NotErgodic));
+    let zero = Weights::Given(vec![rational(0, 1); 2]);
+    assert_eq!(stationary_distribution(&Graph::path(2), &zero), Err(MatrixError::Singular));
+    let swap = RationalMatrix::from_integers(&[[0, 1], [1, 0]], 1).unwrap();
+    assert_eq!(contraction(&swap), Err(MatrixError::NotErgodic));
+}
+
+/// The rounded bound against the exact definition, and its length.
+#[test]
+fn contraction_is_an_upper_bound() {
+    for graph in [Graph::path(2), Graph::path(7), Graph::path(12), Graph::from_fn(9, |i, _| i == 0)] {
+        for weights in [Weights::Lazy, Weights::Vicsek] {
+            let p = transition_matrix(&graph, &weights).unwrap();
+            let found = contraction(&p).unwrap();
+            let mut power = p;
+            let mut steps = BigUint::from(1u8);
+            while tau_1(&power) > rational(1, 2) {
+                power = power.times(&power).unwrap().reduced();
+                steps *= 2u8;
+            }
+            assert_eq!(found.steps, steps);
+            let slack = &found.tau - tau_1(&power);
+            assert!(slack >= rational(0, 1) && slack < rational(1, 1 << 62) && found.tau <= rational(1, 2));
+        }
+    }
+}
+
+/// Weights so small that the powers take more than 2^300 steps: the length of the rounding must grow.
+#[test]
+fn contraction_of_tiny_weights() {
+    let tiny = Rational::new(1.into(), num_bigint::BigInt::from(1) << 300);
+    let p = transition_matrix(&Graph::path(2), &Weights::Given(vec![tiny.clone(), tiny])).unwrap();
+    // tau_1(P^k) = (1 - 2^-299)^k, which is below 1/2 from k = ln 2 * 2^299 on.
+    assert_eq!(contraction(&p).unwrap().steps, BigUint::from(1u8) << 299);
+}

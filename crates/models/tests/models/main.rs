@@ -1,0 +1,9 @@
+//! Mirrors `src/`.
+
+mod averaging;
+mod cells;
+mod double_integrator;
+mod oscillator;
+mod oscillator_space;
+mod platoon;
+mod tracks;

@@ -1,0 +1,169 @@
+//! Networks made from positions, zones, and runs in floating point.
+
+use algebra::graph::Graph;
+use arithmetic::{Complex, Rational, rational};
+use models::oscillator::{
+    BehaviourGains, CircularGains, Everyone, Flight, Interaction, Neighbours, State, Zone, ZoneNetworks, Zones,
+    behaviour_control, circular_control, laplacian_behaviour_control, phasor,
+};
+use std::f64::consts::TAU;
+
+fn places() -> Vec<Complex<Rational>> {
+    [(0, 0), (3, 0), (0, 4), (3, 4), (-6, 0)].map(|(x, y)| Complex::new(rational(x, 1), rational(y, 1))).to_vec()
+}
+
+#[test]
+fn ties_of_distance_count_as_near() {
+    let within = Neighbours::within(&places(), &rational(4, 1));
+    assert_eq!(within.of_particle(0), [1, 2]);
+    assert_eq!(within.of_particle(4), [0usize; 0]);
+    let within = Neighbours::within(&places(), &rational(5, 1));
+    assert_eq!(within.of_particle(0), [1, 2, 3]);
+}
+
+#[test]
+fn nearest_takes_the_smaller_number_of_two() {
+    let nearest = Neighbours::nearest(&places(), 1);
+    assert_eq!(nearest.of_particle(0), [1]);
+    assert_eq!(nearest.of_particle(3), [2]);
+    assert_eq!(nearest.of_particle(4), [0]);
+    assert_eq!(Neighbours::nearest(&places(), 4), Neighbours::complete(5));
+    assert_eq!(Neighbours::nearest(&places(), 9), Neighbours::complete(5));
+}
+
+#[test]
+fn neighbours_and_matrices_are_one_operator() {
+    let graph = Graph::path(5);
+    let matrix = algebra::matrix::SparseMatrix::from_dense(&graph.laplacian().unwrap()).unwrap();
+    assert_eq!(Neighbours::of(&graph).laplacian_of(&places()), matrix.laplacian_of(&places()));
+    assert_eq!(Neighbours::circulant(4, &[2, 1]), Neighbours::complete(4));
+}
+
+#[test]
+fn zones_share_their_boundaries_and_leave_out_the_blind_spot() {
+    let zones =
+        Zones { repulsion: 1.0, orientation: 2.0, attraction: 4.0, blind_cosine_squared: (TAU / 12.0).cos().powi(2) };
+    let ahead = Complex::new(1.0, 0.0);
+    let seen = |zone, x, y| zones.senses(zone, &ahead, &Complex::new(x, y));
+    assert!(seen(Zone::Orientation, 2.0, 0.0) && seen(Zone::Attraction, 2.0, 0.0));
+    assert!(seen(Zone::Repulsion, 0.0, 0.0) && !seen(Zone::Repulsion, -0.5, 0.0) && seen(Zone::Repulsion, -0.5, 0.5));
+    for degrees in 0..360 {
+        let angle = f64::from(degrees) * TAU / 360.0;
+        let place = Complex::new(3.0 * angle.cos(), 3.0 * angle.sin());
+        let behind = (f64::from(degrees) - 180.0).abs();
+        if behind != 30.0 {
+            assert_eq!(zones.senses(Zone::Attraction, &ahead, &place), behind > 30.0, "{degrees}");
+        }
+    }
+    // Without a blind spot rounding must not make one.
+    let open = Zones { blind_cosine_squared: 1.0, ..zones.clone() };
+    for k in 0..1000 {
+        let heading = Complex::new(f64::from(k).cos(), f64::from(k).sin());
+        assert!(open.senses(Zone::Attraction, &heading, &heading.scale(&-3.0)), "{k}");
+    }
+    let state = State { positions: vec![Complex::new(0.0, 0.0), Complex::new(-1.5, 0.0)], phasors: vec![ahead; 2] };
+    let network = zones.network(Zone::Orientation, &state);
+    assert_eq!((network.of_particle(0), network.of_particle(1)), (&[][..], &[0][..]));
+}
+
+#[test]
+fn networks_among_near_pairs_are_those_among_all() {
+    let blind_cosine_squared = (TAU / 8.0).cos().powi(2);
+    let zones = Zones { repulsion: 1.0, orientation: 2.0, attraction: 4.0, blind_cosine_squared };
+    // A lattice, with ties at every boundary, and every fish with its own heading.
+    let place = |k: u32| Complex::new(f64::from(k % 7), f64::from(k / 7));
+    let heading = |k: u32| Complex::new(f64::from(k).cos(), f64::from(k).sin());
+    let state = State { positions: (0..40).map(place).collect(), phasors: (0..40).map(heading).collect() };
+    let square = |i: usize, j: usize| (state.positions[i].clone() - &state.positions[j]).norm_squared();
+    let pairs: Vec<(usize, usize)> =
+        (0..40).flat_map(|i| (i + 1..40).map(move |j| (i, j))).filter(|&(i, j)| square(i, j) <= 16.0).collect();
+    let networks = zones.networks_among(&state, &pairs);
+    assert_eq!(networks.repulsion, zones.network(Zone::Repulsion, &state));
+    assert_eq!(networks.orientation, zones.network(Zone::Orientation, &state));
+    assert_eq!(networks.attraction, zones.network(Zone::Attraction, &state));
+}
+
+#[test]
+fn runge_kutta_follows_a_circle_with_its_order() {
+    let error = |steps: usize| {
+        let mut flight = Flight { positions: vec![Complex::new(0.0, 0.0)], phases: vec![0.0] };
+        flight.advance((2.0 / steps as f64, steps), &Complex::new(0.25, 0.0), |_| Ok(vec![1.0])).unwrap();
+        assert!((flight.phases[0] - 2.0).abs() < 1e-12);
+        // On the circle around i, carried along by the drift.
+        (flight.positions[0].re - 0.5 - 2f64.sin()).hypot(flight.positions[0].im - 1.0 + 2f64.cos())
+    };
+    let (coarse, fine) = (error(4), error(8));
+    assert!(coarse < 1e-2 && fine < coarse / 8.0, "{coarse} {fine}");
+}
+
+#[test]
+fn halving_the_step_divides_the_error_by_sixteen() {
+    let run = |steps: usize| {
+        let phases = vec![0.0, 1.0, 2.5];
+        let positions = vec![Complex::new(0.0, 0.0), Complex::new(4.0, 1.0), Complex::new(-2.0, 3.0)];
+        let mut flight = Flight { positions, phases };
+        let gains = CircularGains { omega: 0.5, spacing: 0.6, orientation: -0.4 };
+        let all = Neighbours::complete(3);
+        let law = |state: &State<f64>| circular_control(&gains, &all, &all, state);
+        flight.advance((8.0 / steps as f64, steps), &Complex::new(0.0, 0.0), law).unwrap();
+        flight.phases
+    };
+    let far = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    let (coarse, middle, fine) = (run(32), run(64), run(128));
+    let ratio = far(&coarse, &middle) / far(&middle, &fine);
+    assert!((8.0..32.0).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn clusters_go_around_the_circle() {
+    let clusters = |phases: &[f64]| {
+        let flight = Flight { positions: vec![Complex::new(0.0, 0.0); phases.len()], phases: phases.to_vec() };
+        flight.clusters(0.2).into_iter().map(|(size, _)| size).collect::<Vec<_>>()
+    };
+    assert_eq!(clusters(&[1.0, 1.0, 1.0 + TAU]), [3]);
+    assert_eq!(clusters(&[0.05, TAU - 0.05, 2.0, 4.0, 4.1]), [2, 1, 2]);
+    assert_eq!(clusters(&[0.0]), [1]);
+    let turned = phasor(&rational(0, 1)).unwrap();
+    assert_eq!(turned, Complex::real(rational(1, 1)));
+}
+
+#[test]
+fn everyone_is_the_complete_network() {
+    for count in 0..6 {
+        let x: Vec<Complex<_>> = (0..count).map(|k| Complex::new(rational(k * k, 3), rational(1 - k, 7))).collect();
+        assert_eq!(Everyone.laplacian_of(&x), Neighbours::complete(count as usize).laplacian_of(&x));
+    }
+    let arcs = Neighbours::from_arcs(3, [(0, 2), (0, 1), (0, 2), (1, 1), (2, 9)]);
+    assert_eq!((arcs.of_particle(0), arcs.of_particle(1), arcs.of_particle(2)), (&[1, 2][..], &[][..], &[][..]));
+}
+
+#[test]
+fn both_forms_of_the_fish_agree_at_unit_distance() {
+    // All distances are 1: an equilateral triangle, every fish in every other's zones of orientation and attraction.
+    let height = 3f64.sqrt() / 2.0;
+    let positions = vec![Complex::new(0.0, 0.0), Complex::new(1.0, 0.0), Complex::new(0.5, height)];
+    let phases = [0.3f64, 1.1, 4.0];
+    let state = State { positions, phasors: phases.iter().map(|t| Complex::new(t.cos(), t.sin())).collect() };
+    let all = Neighbours::complete(3);
+    let none = Neighbours::from_arcs(3, []);
+    let networks = ZoneNetworks { repulsion: none, orientation: all.clone(), attraction: all.clone() };
+    let gains = BehaviourGains { repulsion: 5.0, orientation: 0.7, attraction: 0.4 };
+    let behaviours = behaviour_control(&0.2, &gains, &networks, &state).unwrap();
+    let laplacians = laplacian_behaviour_control(&0.2, &gains, &networks, &state);
+    for (a, b) in behaviours.iter().zip(&laplacians) {
+        assert!((a - b).abs() < 1e-12, "{behaviours:?} {laplacians:?}");
+    }
+    // By hand: a fish that swims north turns left, away from one close to its right, and right, towards one far off there.
+    let north = Complex::new(0.0, 1.0);
+    let state =
+        State { positions: vec![Complex::new(0.0, 0.0), Complex::new(1.0, 0.0)], phasors: vec![north.clone(), north] };
+    let zones =
+        |repulsion: f64| Zones { repulsion, orientation: repulsion, attraction: 10.0, blind_cosine_squared: 1.0 };
+    let gains = BehaviourGains { repulsion: 5.0, orientation: 0.0, attraction: 2.0 };
+    let pair = [(0, 1)];
+    let turn =
+        |zones: &Zones<f64>| behaviour_control(&0.0, &gains, &zones.networks_among(&state, &pair), &state).unwrap()[0];
+    assert_eq!((turn(&zones(2.0)), turn(&zones(0.5))), (5.0, -2.0));
+    let together = State { positions: vec![Complex::new(0.0, 0.0); 2], phasors: state.phasors.clone() };
+    assert!(behaviour_control(&0.0, &gains, &zones(2.0).networks_among(&together, &pair), &together).is_err());
+}

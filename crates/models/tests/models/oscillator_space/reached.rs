@@ -1,0 +1,120 @@
+//! What runs are said to have reached, on states whose answer is known.
+
+use arithmetic::Complex;
+use models::oscillator::{
+    CLUSTER, CyclicFormation, Experiment, Flight, FourMotions, OMEGA, RingPhases, centre_spread, circular_formation,
+    cluster_gap, nearest_twist, order, pattern, ring_differences, shape_rate, winding,
+};
+use std::f64::consts::{PI, TAU};
+
+/// Particles on one circle with these phases, turned by the same angle.
+fn on_circle(phases: impl Iterator<Item = f64>) -> Flight {
+    let phases: Vec<f64> = phases.map(|theta| theta + 0.4).collect();
+    let phasors: Vec<_> = phases.iter().map(|t| Complex::new(t.cos(), t.sin())).collect();
+    Flight { positions: circular_formation(&OMEGA, &phasors).unwrap().positions, phases }
+}
+
+#[test]
+fn twisted_states_are_told_apart() {
+    for m in -5i64..=6 {
+        let flight = on_circle((0..12).map(|k| TAU * (m * k) as f64 / 12.0 + 1e-3 * (k % 3) as f64));
+        let (found, off) = nearest_twist(&flight.phases);
+        assert_eq!(found, m);
+        assert!(off < 3e-3);
+        // Half a turn may be read as minus half a turn, so that only the others have a winding number.
+        if m < 6 {
+            assert_eq!(winding(&flight.phases), m);
+        }
+        let clusters = 12 / num_integer::gcd(12, m);
+        assert_eq!(pattern(&flight), Some(clusters as usize));
+        for divisor in [1usize, 2, 3, 4, 6, 12] {
+            assert_eq!(flight.forms_pattern(divisor, CLUSTER), divisor as i64 == clusters);
+        }
+        // Balanced modulo a turn over j unless the clusters agree modulo it.
+        for j in 1..=12 {
+            let expected = f64::from(i64::from(j) % clusters == 0);
+            assert!((order(&flight, j).unwrap() - expected).abs() < 2e-2);
+        }
+    }
+    assert!(ring_differences(&[0.0, 3.0, -3.0]).iter().all(|d| (-PI..PI).contains(d)));
+}
+
+#[test]
+fn patterns_of_many_phases_are_no_chains() {
+    let evenly = |count: usize, places: usize| {
+        let phases = (0..count).map(|k| TAU * (k % places) as f64 / places as f64 + 0.4).collect();
+        Flight { positions: Vec::new(), phases }
+    };
+    for (count, places) in
+        [(1, 1), (2, 1), (2, 2), (3, 3), (36, 36), (37, 37), (40, 40), (100, 100), (1000, 8), (1000, 1000)]
+    {
+        let flight = evenly(count, places);
+        assert_eq!(pattern(&flight), Some(places), "{count} phases");
+        assert_eq!(flight.clusters(cluster_gap(count)).len(), places, "{count} phases");
+    }
+    // A chain of phases that are close to the next, but not together.
+    let chain = Flight { positions: Vec::new(), phases: (0..12).map(|k| f64::from(k) * 9.9f64.to_radians()).collect() };
+    assert_eq!((pattern(&chain), chain.forms_pattern(1, CLUSTER)), (None, false));
+    // Equal places with unequal clusters, places that are missing, and nobody.
+    let uneven = Flight { positions: Vec::new(), phases: vec![0.0, 0.0, 0.0, PI] };
+    assert_eq!((pattern(&uneven), uneven.clusters(CLUSTER).len()), (None, 2));
+    let quarter = Flight { positions: Vec::new(), phases: vec![0.0, PI / 2.0] };
+    assert_eq!(pattern(&quarter), None);
+    assert_eq!(pattern(&Flight { positions: Vec::new(), phases: Vec::new() }), None);
+    // Just inside and just outside of the tolerance of 5 degrees.
+    for (degrees, expected) in [(4.9, Some(2)), (5.1, None)] {
+        let off = f64::to_radians(degrees);
+        let flight = Flight { positions: Vec::new(), phases: vec![off, -off, PI + off, PI - off] };
+        assert_eq!(pattern(&flight), expected, "{degrees}");
+    }
+}
+
+#[test]
+fn one_circle_is_at_rest_and_two_are_not() {
+    let flight = on_circle([0.0, 0.5, 2.0, -1.0].into_iter());
+    let state = flight.state();
+    assert!(centre_spread(&OMEGA, &state).unwrap() < 1e-12);
+    assert!(shape_rate(&state, &[OMEGA; 4]) < 1e-12);
+    // At another rate the same particles are on different circles.
+    assert!(shape_rate(&state, &[2.0 * OMEGA; 4]) > 0.1);
+    let mut apart = flight.clone();
+    apart.positions[0].re += 3.0;
+    assert!((centre_spread(&OMEGA, &apart.state()).unwrap() - 2.25).abs() < 1e-12);
+    assert!((shape_rate(&apart.state(), &[OMEGA; 4]) - 0.3).abs() < 1e-12);
+    assert!(centre_spread(&0.0, &state).is_err());
+}
+
+#[test]
+fn courses_end_where_runs_end() {
+    let start = on_circle((0..12).map(|k| f64::from(k * k)));
+    let motion = FourMotions { omega: OMEGA, gain: -1.0 };
+    let course = motion.course(start.clone(), 100).unwrap();
+    let end = motion.end(start.clone()).unwrap();
+    assert_eq!(course.len(), 6);
+    assert_eq!(course[5], (100.0, end.clone()));
+    assert!(order(&end, 1).unwrap() > 0.999_999);
+    let asked = motion.until(start.clone(), (100, 500), |flight| Ok((*flight == end).then_some(()))).unwrap();
+    assert_eq!(asked, Some(()));
+    assert_eq!(motion.until(start, (100, 500), |_| Ok(None::<()>)).unwrap(), None);
+}
+
+/// From a twisted state with small disturbances both models come back to it exactly where it is stable.
+#[test]
+fn stable_twists_attract() {
+    for m in [0i64, 1, 2, 4, 5, 6] {
+        let disturbed = |k: i64| TAU * (m * k) as f64 / 12.0 + 0.05 * ((7 * k % 12) as f64 / 12.0 - 0.5);
+        let start = on_circle((0..12).map(disturbed));
+        let sign = if m <= 2 { -1.0 } else { 1.0 };
+        let end = CyclicFormation::new(sign * CyclicFormation::GAIN).end(start.clone()).unwrap();
+        assert_eq!(nearest_twist(&end.phases).0, m);
+        assert!(nearest_twist(&end.phases).1 < 0.02, "m = {m}");
+        // The other sign drives it away.
+        let other = CyclicFormation::new(-sign * CyclicFormation::GAIN).end(start.clone()).unwrap();
+        assert!(nearest_twist(&other.phases).0 != m, "m = {m}");
+        if m <= 2 {
+            let mut phases = start;
+            RingPhases::default().advance(&mut phases, 1000).unwrap();
+            assert!(nearest_twist(&phases.phases).1 < 1e-3 && winding(&phases.phases) == m);
+        }
+    }
+}

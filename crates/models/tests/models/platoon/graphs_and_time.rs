@@ -1,0 +1,320 @@
+//! Communication graphs, modes and motion in time against naive twins.
+
+use algebra::spectrum::Polynomial;
+use arithmetic::{Complex, Field, Interval, Rational, Real, Ring, rational};
+use models::platoon::modes::{Mode, mode_angle, mode_eigenvalue};
+use models::platoon::time_domain::{Followers, Modes};
+use models::platoon::vector_form::motion_matrix;
+use models::platoon::{
+    Communication, CommunicationError, CommunicationGraph, Gains, accelerations, amplitude_one_sided,
+    amplitudes_two_sided, argument, lesser_resonance, next_order, phase_lag_one_sided, phase_lags_two_sided, resonance,
+    slowest_rate, theorem1,
+};
+use proptest::prelude::*;
+
+const SYSTEMS: [Communication; 2] = [Communication::Front, Communication::FrontAndBack];
+
+fn floats(f: f64, g: f64) -> Gains<f64> {
+    Gains { f, g }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(30))]
+
+    /// The law of a graph is the law of the two systems.
+    #[test]
+    fn the_graphs_of_the_two_systems_have_their_laws(m in 1usize..7, values in prop::collection::vec(-50i64..50, 16)) {
+        let q: Vec<Rational> = values.iter().map(|&v| rational(v, 7)).collect();
+        let gains = Gains { f: q[0].clone(), g: q[1].clone() };
+        let (leader, positions, velocities) = ((&q[2], &q[3]), &q[4..4 + m], &q[10..10 + m]);
+        for system in SYSTEMS {
+            let graph = CommunicationGraph::of(system, m).unwrap();
+            prop_assert_eq!(
+                graph.accelerations(&gains, leader, positions, velocities),
+                accelerations(system, &gains, leader, positions, velocities)
+            );
+        }
+    }
+
+    /// The solved response is the closed form of the two systems.
+    #[test]
+    fn the_response_of_a_graph_is_the_closed_form(m in 1usize..6, f in 1i64..30, g in 1i64..30, w in 0i64..40) {
+        let gains = Gains { f: rational(-f, 7), g: rational(-g, 5) };
+        let w = rational(w, 9);
+        let front = CommunicationGraph::of(Communication::Front, m).unwrap().response(&gains, &w).unwrap();
+        let expected: Vec<_> = (1..=m as u64).map(|k| amplitude_one_sided(&gains, &w, k).unwrap()).collect();
+        prop_assert_eq!(front, expected);
+        let both = CommunicationGraph::of(Communication::FrontAndBack, m).unwrap().response(&gains, &w).unwrap();
+        prop_assert_eq!(both, amplitudes_two_sided(&gains, &w, m).unwrap());
+    }
+
+    /// Routh's table against polynomials with known roots: real ones and conjugate pairs.
+    #[test]
+    fn stability_is_read_off_the_roots(
+        real in prop::collection::vec(-6i64..3, 0..4),
+        pairs in prop::collection::vec((-6i64..3, 0i64..5), 0..3),
+        shift in -4i64..4,
+    ) {
+        let mut product = vec![rational(-3, 2)];
+        let mut times = |factor: &[i64]| {
+            let mut next = vec![rational(0, 1); product.len() + factor.len() - 1];
+            for (i, a) in product.iter().enumerate() {
+                for (j, b) in factor.iter().enumerate() {
+                    next[i + j] += a * rational(*b, 1);
+                }
+            }
+            product = next;
+        };
+        real.iter().for_each(|r| times(&[-r, 1]));
+        pairs.iter().for_each(|(re, im)| times(&[re * re + im * im, -2 * re, 1]));
+        let stable = |by: i64| real.iter().chain(pairs.iter().map(|(re, _)| re)).all(|re| re + by < 0);
+        let polynomial = Polynomial::from_rationals(&product);
+        prop_assert_eq!(polynomial.is_hurwitz(), stable(0));
+        prop_assert_eq!(polynomial.with_roots_moved(&rational(shift, 1)).is_hurwitz(), stable(shift));
+    }
+
+    /// The angle against the one of the standard library.
+    #[test]
+    fn angles_are_those_of_the_standard_library(re in -50i64..50, im in -50i64..50) {
+        prop_assume!(im != 0 || re > 0);
+        let z = Complex::new(re as f64 / 3.0, im as f64 / 7.0);
+        let expected = z.im.atan2(z.re);
+        prop_assert!((argument(&z).unwrap() - expected).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn lists_that_are_no_platoon_are_refused() {
+    let graph = |rows: &[Vec<usize>]| CommunicationGraph::with_equal_weights(rows);
+    assert_eq!(graph(&[]), Err(CommunicationError::NoFollowers));
+    assert_eq!(graph(&[vec![1]]), Err(CommunicationError::Agent { follower: 1, agent: 1 }));
+    assert_eq!(graph(&[vec![0], vec![3]]), Err(CommunicationError::Agent { follower: 2, agent: 3 }));
+    let weights = |p, q| CommunicationGraph::new(vec![vec![(0, rational(p, q))]]);
+    assert_eq!(weights(1, 2), Err(CommunicationError::Weights(1)));
+    assert_eq!(
+        CommunicationGraph::new(vec![vec![(0, rational(2, 1)), (2, rational(-1, 1))], vec![(0, rational(1, 1))]]),
+        Err(CommunicationError::Weights(1))
+    );
+    assert!(weights(1, 1).is_ok());
+    assert!(CommunicationGraph::nth_neighbours(0, 3).is_err());
+}
+
+#[test]
+fn residue_classes_do_not_hear_of_the_leader() {
+    let graph = CommunicationGraph::nth_neighbours(3, 7).unwrap();
+    assert_eq!(graph.reached_by_leader(), [true, false, false, true, false, false, true, false]);
+    assert!(!graph.is_connected());
+    let gains = Gains { f: rational(-1, 1), g: rational(-1, 1) };
+    let response = graph.response(&gains, &rational(1, 2)).unwrap();
+    let at_rest: Vec<bool> = response.iter().map(|a| a.norm_squared() == rational(0, 1)).collect();
+    assert_eq!(at_rest, [true, true, false, true, true, false, true]);
+    // A follower that tracks nobody has a zero row.
+    let alone = CommunicationGraph::with_equal_weights(&[vec![0], vec![]]).unwrap();
+    assert_eq!(alone.reduced_laplacian().unwrap().entry(1, 1), rational(0, 1));
+}
+
+/// One step of the classical method of order four for the positions and velocities of the followers.
+fn step(gains: &Gains<f64>, leader: &dyn Fn(f64) -> (f64, f64), t: f64, h: f64, state: &mut (Vec<f64>, Vec<f64>)) {
+    let rate = |t: f64, y: &[f64], u: &[f64]| {
+        let (y0, u0) = leader(t);
+        (u.to_vec(), accelerations(Communication::FrontAndBack, gains, (&y0, &u0), y, u))
+    };
+    let moved =
+        |base: &[f64], rate: &[f64], h: f64| -> Vec<f64> { base.iter().zip(rate).map(|(a, b)| a + h * b).collect() };
+    let (y, u) = state.clone();
+    let k1 = rate(t, &y, &u);
+    let k2 = rate(t + h / 2.0, &moved(&y, &k1.0, h / 2.0), &moved(&u, &k1.1, h / 2.0));
+    let k3 = rate(t + h / 2.0, &moved(&y, &k2.0, h / 2.0), &moved(&u, &k2.1, h / 2.0));
+    let k4 = rate(t + h, &moved(&y, &k3.0, h), &moved(&u, &k3.1, h));
+    for k in 0..y.len() {
+        state.0[k] += h / 6.0 * (k1.0[k] + 2.0 * k2.0[k] + 2.0 * k3.0[k] + k4.0[k]);
+        state.1[k] += h / 6.0 * (k1.1[k] + 2.0 * k2.1[k] + 2.0 * k3.1[k] + k4.1[k]);
+    }
+}
+
+fn assert_close(found: &(Vec<f64>, Vec<f64>), expected: &Followers<f64>, tolerance: f64) {
+    let pairs = found.0.iter().zip(&expected.positions).chain(found.1.iter().zip(&expected.velocities));
+    pairs.for_each(|(a, b)| assert!((a - b).abs() < tolerance, "{found:?} {expected:?}"));
+}
+
+/// Floats against enclosures, also far out in time and for many cars.
+#[test]
+fn floats_agree_with_enclosures() {
+    for (f, g, m, t) in [(-1, -1, 128u64, 2000), (-3, -7, 40, 5), (-1, -20, 5, 10_000), (-2, -1, 1, 1)] {
+        let interval = |p, q| Interval::from_rational(&rational(p, q), 100);
+        let w = |m: u64| (1, m as i64);
+        let floats = Modes::new(&floats(f as f64 / 2.0, g as f64 / 3.0), m).unwrap();
+        let exact = Modes::new(&Gains { f: interval(f, 2), g: interval(g, 3) }, m).unwrap();
+        let harmonic = floats.behind_harmonic_leader(&(1.0 / m as f64)).unwrap();
+        let enclosed = exact.behind_harmonic_leader(&interval(w(m).0, w(m).1)).unwrap();
+        let abrupt = floats.behind_accelerating_leader(&[(0.0, 1.0), (0.75, -1.0)]).unwrap();
+        let enclosed_abrupt = exact
+            .behind_accelerating_leader(&[(interval(0, 1), interval(1, 1)), (interval(3, 4), interval(-1, 1))])
+            .unwrap();
+        let (time, enclosed_time) = (t as f64, interval(t, 1));
+        for (found, enclosed) in [
+            (harmonic.followers(&time).unwrap(), enclosed.followers(&enclosed_time).unwrap()),
+            (abrupt.deviations(&time).unwrap(), enclosed_abrupt.deviations(&enclosed_time).unwrap()),
+        ] {
+            let enclosed = (
+                enclosed.positions.iter().map(Interval::to_f64).collect(),
+                enclosed.velocities.iter().map(Interval::to_f64).collect(),
+            );
+            let size = found.positions.iter().fold(1f64, |a, b| a.max(b.abs()));
+            assert_close(&enclosed, &found, 1e-11 * size);
+        }
+    }
+}
+
+/// The sum of the modes is what a naive integration finds, with and without overdamped modes.
+#[test]
+fn modes_follow_the_start_behind_a_periodic_leader() {
+    const STEPS: usize = 4000;
+    for (f, g, m, w) in [(-1.0, -1.0, 3usize, 0.4), (-0.5, -3.0, 4, 0.7), (-2.0, -0.3, 1, 1.1)] {
+        let gains = floats(f, g);
+        let start = Modes::new(&gains, m as u64).unwrap().behind_harmonic_leader(&w).unwrap();
+        let amplitude = amplitudes_two_sided(&gains, &w, m).unwrap().pop().unwrap();
+        let (until, h) = (20.0, 20.0 / STEPS as f64);
+        for cosine in [true, false] {
+            let leader = move |t: f64| {
+                let (s, c) = (w * t).sin_cos();
+                if cosine { (c, -w * s) } else { (s, w * c) }
+            };
+            let mut state = (vec![0.0; m], vec![0.0; m]);
+            for k in 0..STEPS {
+                step(&gains, &leader, k as f64 * h, h, &mut state);
+            }
+            let (s, c) = (w * until).sin_cos();
+            let motion = amplitude.clone() * Complex::new(c, s) + start.transient(&until).unwrap();
+            let expected = if cosine { motion.re } else { motion.im };
+            // Order four: (h w_max)^4 times the length, with room.
+            assert!((state.0[m - 1] - expected).abs() < 1e-8, "{f} {g} {m}: {} {expected}", state.0[m - 1]);
+            if cosine {
+                assert!((start.last(&until).unwrap() - expected).abs() < 1e-12);
+                assert_close(&state, &start.followers(&until).unwrap(), 1e-8);
+            }
+        }
+        let (bound, size) = (start.transient_bound(&until).unwrap(), start.transient(&until).unwrap());
+        assert!(size.norm_squared().sqrt() <= bound);
+    }
+}
+
+#[test]
+fn modes_follow_an_abrupt_start() {
+    const STEPS: usize = 2000;
+    for (f, g, m) in [(-1.0, -1.0, 3usize), (-0.5, -3.0, 4)] {
+        let gains = floats(f, g);
+        let (until, end) = (4.0, 16.0);
+        let changes = [(0.0, 1.0), (until, -1.0)];
+        let start = Modes::new(&gains, m as u64).unwrap().behind_accelerating_leader(&changes).unwrap();
+        let h = end / STEPS as f64;
+        let leader = |t: f64| if t < until { (t * t / 2.0, t) } else { (until * (t - until / 2.0), until) };
+        let mut state = (vec![0.0; m], vec![0.0; m]);
+        for k in 0..STEPS {
+            step(&gains, &leader, k as f64 * h, h, &mut state);
+            let t = (k + 1) as f64 * h;
+            if k == STEPS / 8 || k + 1 == STEPS {
+                let (y0, u0) = leader(t);
+                assert_eq!(start.leader(&t).unwrap(), (y0, u0));
+                let found = (state.0.iter().map(|y| y - y0).collect(), state.1.iter().map(|u| u - u0).collect());
+                let expected = start.deviations(&t).unwrap();
+                assert!((start.last(&t).unwrap() - expected.positions[m - 1]).abs() < 1e-12);
+                assert_close(&found, &expected, 1e-7);
+            }
+        }
+    }
+}
+
+#[test]
+fn eigenvectors_of_the_modes_are_orthogonal() {
+    let m = 6u64;
+    let angle = |k| mode_angle(&1.0f64, m, k);
+    for k in 1..=m {
+        assert!((mode_eigenvalue(&1.0f64, m, k).unwrap() - (1.0 - angle(k).cos())).abs() < 1e-14);
+        for l in 1..=m {
+            let weight = |j| if j == m { 0.5 } else { 1.0 };
+            let product: f64 =
+                (1..=m).map(|j| weight(j) * (j as f64 * angle(k)).sin() * (j as f64 * angle(l)).sin()).sum();
+            let expected = if k == l { m as f64 / 2.0 } else { 0.0 };
+            assert!((product - expected).abs() < 1e-12);
+        }
+    }
+}
+
+/// The slowest rate moves the spectrum of M just to the axis, decided exactly on both sides.
+#[test]
+fn the_slowest_rate_is_exact() {
+    for (f, g) in [((-1, 1), (-1, 1)), ((-1, 5), (-4, 1)), ((-3, 1), (-1, 7))] {
+        let gains = Gains { f: rational(f.0, f.1), g: rational(g.0, g.1) };
+        for m in 1..=5usize {
+            let graph = CommunicationGraph::of(Communication::FrontAndBack, m).unwrap();
+            let motion = motion_matrix(&graph.reduced_laplacian().unwrap(), &gains).unwrap();
+            let polynomial = Polynomial::from_rationals(&motion.characteristic_polynomial().unwrap().coefficients());
+            let rate = slowest_rate(&gains.map(|q| Interval::from_rational(q, 80)), m as u64).unwrap();
+            let (lo, hi) = rate.to_rationals();
+            let step = rational(1, 1 << 30);
+            assert!(polynomial.with_roots_moved(&(lo - &step)).is_hurwitz(), "{gains:?} {m}");
+            assert!(!polynomial.with_roots_moved(&(hi + step)).is_hurwitz(), "{gains:?} {m}");
+        }
+    }
+}
+
+#[test]
+fn a_double_root_is_refused() {
+    // lambda = 1 for one follower: g² = 4|f|.
+    assert!(
+        Mode::new(
+            &Gains { f: rational(-1, 1), g: rational(-2, 1) }.map(|q| Interval::from_rational(q, 60)),
+            &Interval::from_rational(&rational(1, 1), 60)
+        )
+        .is_err()
+    );
+}
+
+#[test]
+fn phase_lags_add_up() {
+    let gains = Gains { f: rational(-1, 1), g: rational(-2, 3) }.map(|q| Interval::from_rational(q, 80));
+    let w = gains.f.ratio(3, 5);
+    let lag = phase_lag_one_sided(&gains, &w).unwrap();
+    let second = amplitude_one_sided(&gains, &w, 2).unwrap();
+    assert!((argument(&second).unwrap() + &lag + lag).contains_zero());
+    let lags = phase_lags_two_sided(&gains, &w, 3).unwrap();
+    let last = amplitudes_two_sided(&gains, &w, 3).unwrap().pop().unwrap();
+    let total = lags.iter().fold(gains.f.zero(), |sum, lag| sum + lag);
+    let turned = argument(&last).unwrap() + total;
+    let turns = turned.over(&(turned.pi() + turned.pi())).unwrap();
+    assert!((-1..=1).any(|n| turns.contains(&rational(n, 1))), "{turns:?}");
+}
+
+/// A lesser resonance beats its neighbourhood and is where the chain of maxima puts it.
+#[test]
+fn lesser_resonances_are_local_maxima() {
+    let gains = Gains { f: rational(-2, 1), g: rational(-1, 1) };
+    for (m, k) in [(40u64, 2u64), (100, 2), (100, 4)] {
+        let found = lesser_resonance(&gains, m, k, 12).unwrap();
+        let height = |w: f64| {
+            let floats = floats(-2.0, -1.0);
+            amplitudes_two_sided(&floats, &w, m as usize).unwrap().pop().unwrap().norm_squared().sqrt()
+        };
+        let (w, top) = (found.omega.to_f64(), found.amplitude.to_f64());
+        assert!((height(w) - top).abs() < 1e-9 * top);
+        assert!((1..100).all(|j| height(w * (1.0 + 1e-4 * f64::from(j))) < top && height(w * (1.0 - 1e-4 * f64::from(j))) < top));
+        let main = resonance(&gains, m, 12).unwrap().omega.to_f64();
+        assert!((w / main / (2 * k - 1) as f64 - 1.0).abs() < 0.05);
+    }
+    // Damped away.
+    assert!(lesser_resonance(&gains, 1, 2, 12).is_err());
+    assert!(lesser_resonance(&Gains { f: rational(-1, 1), g: rational(-50, 1) }, 20, 3, 12).is_err());
+}
+
+#[test]
+fn the_next_order_is_closer_than_theorem_1() {
+    let exact = Gains { f: rational(-3, 1), g: rational(-1, 1) };
+    let found = resonance(&exact, 50, 20).unwrap();
+    let gains = exact.map(|q| Interval::from_rational(q, 100));
+    let distance = |x: Interval, y: &Interval| (x - y).to_f64().abs();
+    let (w0, w1) = (theorem1::frequency(&gains, 50).unwrap(), next_order::frequency(&gains, 50).unwrap());
+    assert!(100.0 * distance(w1, &found.omega) < distance(w0, &found.omega));
+    let (a0, a1) = (theorem1::amplitude(&gains, 50).unwrap(), next_order::amplitude(&gains, 50).unwrap());
+    assert!(100.0 * distance(a1, &found.amplitude) < distance(a0, &found.amplitude));
+}

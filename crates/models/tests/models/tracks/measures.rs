@@ -1,0 +1,213 @@
+//! Measures against naive twins.
+
+use arithmetic::Complex;
+use arithmetic::random::{generator, uniform};
+use models::oscillator::{Neighbours, phase_potential};
+use models::tracks::{
+    Choices, ChoicesError, Histogram, Motion, NearestRule, NullKind, Scale, School, Setting, Tracks, Vector, analyse,
+    complete_potential, nearest_neighbour, null_models, partner_potential, smoothed, synthetic_school,
+};
+use std::collections::HashMap;
+
+pub fn setting(fish: usize, frames: usize) -> Setting {
+    Setting { fish, frames, step: 0.1, body_length: 5.3, seed: "test".to_string() }
+}
+
+/// A school with rows taken out at random, through its table.
+fn holed(school: School, fish: usize, frames: usize, left_out: f64) -> Tracks {
+    let mut random = generator("test", "holes", fish as u64);
+    let whole = synthetic_school(school, &setting(fish, frames)).to_csv();
+    let mut lines = whole.lines();
+    let mut text = format!("{}\n", lines.next().expect("a header"));
+    for line in lines.filter(|_| uniform(&mut random) >= left_out) {
+        text.push_str(&format!("{line}\n"));
+    }
+    Tracks::from_csv(&text).expect("still a recording")
+}
+
+/// The mean over the window of central differences, by frame number.
+fn naive_velocity(tracks: &Tracks, fish: usize, number: u64, window: usize) -> Option<Vector> {
+    let by_number: HashMap<u64, &Vector> =
+        tracks.frames.iter().zip(&tracks.positions[fish]).filter_map(|(f, r)| Some((f.number, r.as_ref()?))).collect();
+    let half = (window / 2) as u64;
+    let at = |n: u64| by_number.get(&n).copied();
+    let mut sum = Complex::new(0.0, 0.0);
+    for n in number.checked_sub(half)?..=number + half {
+        at(n)?;
+        sum = sum + (at(n + 1)?.clone() - at(n.checked_sub(1)?)?).scale(&(0.5 / tracks.step));
+    }
+    Some(sum.scale(&(1.0 / window as f64)))
+}
+
+#[test]
+fn velocities_are_means_of_central_differences_inside_a_run() {
+    let tracks = holed(School::Independent, 3, 300, 0.02);
+    for window in [1, 3, 11, 51] {
+        let motion = Motion::new(&tracks, window, 0.0);
+        let mut found = 0;
+        for fish in 0..3 {
+            for (i, frame) in tracks.frames.iter().enumerate() {
+                let (ours, naive) = (&motion.velocities[fish][i], naive_velocity(&tracks, fish, frame.number, window));
+                match (ours, naive) {
+                    (None, None) => {}
+                    (Some(a), Some(b)) => {
+                        found += 1;
+                        // Sums of some dozen positions below 100 over a time of 0.1.
+                        assert!((a.clone() - &b).norm_squared().sqrt() < 1e-10, "{a:?} {b:?}");
+                    }
+                    other => panic!("window {window}, fish {fish}, frame {}: {other:?}", frame.number),
+                }
+            }
+        }
+        assert!(found > 0, "no velocity with a window of {window}");
+    }
+}
+
+#[test]
+fn a_window_as_long_as_the_recording_leaves_nothing_and_says_so() {
+    let tracks = synthetic_school(School::Polarised, &setting(4, 60));
+    assert_eq!(smoothed(&tracks, 0, 61).iter().flatten().count(), 0);
+    assert_eq!(smoothed(&tracks, 0, 59).iter().flatten().count(), 2);
+    let choices = Choices { window: 59, ..Choices::of_sidebar(0.1) };
+    let error = analyse(&tracks, &choices).expect_err("no velocity").to_string();
+    assert!(error.contains("no frame has a heading of all 4 fish") && error.contains("--window"), "{error}");
+    assert!(analyse(&tracks, &Choices { window: 57, ..choices }).is_ok());
+}
+
+#[test]
+fn the_default_window_is_the_odd_one_closest_to_five_seconds() {
+    for (step, window) in [(0.1, 51), (1.0 / 30.0, 151), (1.0, 5), (5.0, 1), (100.0, 1), (2.0, 3), (0.04, 125)] {
+        assert_eq!(Choices::of_sidebar(step).window, window, "{step}");
+    }
+}
+
+#[test]
+fn a_fish_at_rest_has_no_heading() {
+    let mut text = String::from("t,id,x,y\n");
+    for i in 0..9 {
+        text.push_str(&format!("{i},moves,{i},0\n{i},rests,0.1,0.7\n{i},starts,{},3\n", (i - 4).max(0)));
+    }
+    let tracks = Tracks::from_csv(&text).expect("a recording");
+    let analysis = analyse(&tracks, &Choices { window: 1, ..Choices::of_sidebar(1.0) });
+    let Err(ChoicesError::NothingLeft(why)) = analysis else { panic!("used {analysis:?}") };
+    assert!(why.contains("at rest in 7"), "{why}");
+    let two = tracks.only(&["moves".into(), "starts".into()]).expect("two fish");
+    let choices = Choices { window: 1, ..Choices::of_sidebar(1.0) };
+    let analysis = analyse(&two, &choices).expect("analysed");
+    let left = analysis.left_out;
+    assert_eq!((left.recorded, left.missing, left.window, left.still, left.used), (9, 0, 2, 3, 4));
+    assert_eq!((analysis.fish[0].still, analysis.fish[1].still), (0, 3));
+    assert!(analysis.groups().all(|(_, g)| (g.order[0] - 1.0).abs() < 1e-12 && g.momentum > 0.7));
+    // Half a unit per frame is rest if one says so.
+    let slower = analyse(&two, &Choices { still: 0.5, ..choices }).expect("analysed");
+    assert_eq!(slower.left_out.still, 4);
+}
+
+#[test]
+fn neighbours_and_potentials_agree_with_the_general_ones() {
+    let mut random = generator("test", "twin", 0);
+    for case in 0..200 {
+        let fish = 2 + case % 7;
+        // On a small lattice distances tie; off it they do not.
+        let coordinate = |random: &mut _| if case % 2 == 0 { uniform(random) } else { (4.0 * uniform(random)).floor() };
+        let positions: Vec<Vector> =
+            (0..fish).map(|_| Complex::new(coordinate(&mut random), coordinate(&mut random))).collect();
+        let headings: Vec<Vector> = (0..fish)
+            .map(|_| {
+                let (s, c) = (std::f64::consts::TAU * uniform(&mut random)).sin_cos();
+                Complex::new(c, s)
+            })
+            .collect();
+        let (first, two) = (Neighbours::nearest(&positions, 1), Neighbours::nearest(&positions, 2));
+        let partners: Vec<usize> = (0..fish).map(|k| nearest_neighbour(&positions, k, None)).collect();
+        for (k, &j) in partners.iter().enumerate() {
+            assert_eq!(first.of_particle(k), [j]);
+            let distance = (positions[j].clone() - &positions[k]).norm_squared().sqrt();
+            let second = two.of_particle(k).iter().copied().find(|&i| i != j).unwrap_or(j);
+            assert_eq!(nearest_neighbour(&positions, k, Some(distance * (1.0 + 1e-9))), second);
+            if distance > 0.0 {
+                assert_eq!(nearest_neighbour(&positions, k, Some(distance * (1.0 - 1e-9))), j);
+            }
+        }
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} {b}");
+        near(partner_potential(&partners, &headings), phase_potential(&first, &headings, 1).expect("fish"));
+        let all = Neighbours::complete(fish);
+        near(complete_potential(&headings), phase_potential(&all, &headings, 1).expect("fish"));
+    }
+}
+
+#[test]
+fn the_three_scales_are_those_of_the_paper() {
+    assert_eq!(Scale::ALL.map(|scale| scale.ratio(3)), [(2, 4), (5, 3), (1, 3)]);
+    // Independent headings: W_1 has the mean n/2, so the difference has the mean 1/2 - 1/N, (N - 2)/2, 0.
+    let means = Scale::ALL.map(|scale| scale.difference(8, 3.5, 0.5));
+    assert!(means.iter().zip([0.375, 3.0, 0.0]).all(|(a, b)| (a - b).abs() < 1e-15), "{means:?}");
+}
+
+#[test]
+fn mutual_pairs_never_have_a_negative_difference() {
+    let mut random = generator("test", "pairs", 0);
+    let partners: Vec<usize> = (0..8).map(|k| k ^ 1).collect();
+    for _ in 0..2000 {
+        let (complete, single) = models::tracks::uniform_draw(&partners, &mut random);
+        assert!(Scale::Figure.difference(8, complete, single) > -1e-12);
+    }
+}
+
+#[test]
+fn no_shift_changes_nothing_and_a_common_shift_of_tracks_neither() {
+    let tracks = synthetic_school(School::Coupled, &setting(5, 400));
+    let analysis = analyse(&tracks, &Choices::of_sidebar(0.1)).expect("analysed");
+    let sample = analysis.sample();
+    let observed = sample.statistics(NullKind::Headings, &[0; 5]);
+    assert_eq!(observed, sample.statistics(NullKind::Tracks, &[0; 5]));
+    let shifted = sample.statistics(NullKind::Tracks, &[17; 5]);
+    for (a, b) in observed.values().iter().zip(shifted.values()) {
+        assert!((a.expect("a number") - b.expect("a number")).abs() < 1e-12);
+    }
+    // The naive sums over the frames.
+    let difference = analysis.mean(|g| Scale::Figure.difference(5, g.complete, g.single));
+    assert!((difference - observed.difference[0]).abs() < 1e-12);
+    let arcs = analysis.mean(|g| g.orientation_arcs as f64);
+    let cosine = 1.0 - analysis.mean(|g| g.orientation) * 10.0 / arcs;
+    assert!((cosine - observed.zone_alignment.expect("arcs")).abs() < 1e-12);
+    assert_eq!(null_models(&sample, 0, "x", || ()).shifted.len(), 0);
+}
+
+#[test]
+fn choices_that_make_no_sense_are_refused() {
+    let good = Choices::of_sidebar(0.1);
+    assert_eq!(good.check(4), Ok(()));
+    let bad = |choices: Choices, said: &str| {
+        let error = choices.check(4).expect_err(said).to_string();
+        assert!(error.contains(said), "{error}");
+    };
+    bad(Choices { window: 10, ..good.clone() }, "10 frames has no middle");
+    bad(Choices { window: 0, ..good.clone() }, "0 frames");
+    bad(Choices { body_length: -1.0, ..good.clone() }, "body length -1");
+    bad(Choices { body_length: f64::NAN, ..good.clone() }, "body length NaN");
+    bad(Choices { zones: [2.4, 1.4, 9.0], ..good.clone() }, "growing radii");
+    bad(Choices { zones: [1.4, f64::NAN, 9.0], ..good.clone() }, "growing radii");
+    bad(Choices { zones: [0.0, 1.4, 9.0], ..good.clone() }, "growing radii");
+    bad(Choices { blind: 181.0, ..good.clone() }, "blind spot");
+    bad(Choices { still: -0.1, ..good.clone() }, "at rest");
+    bad(Choices { nearest: vec![2, 4], ..good.clone() }, "between 1 and 3");
+    bad(Choices { nearest: vec![0], ..good }, "not 0");
+}
+
+#[test]
+fn others_are_reported_for_the_asked_numbers_of_neighbours() {
+    let tracks = synthetic_school(School::Milling, &setting(6, 120));
+    let choices = Choices { nearest: vec![1, 5], rule: NearestRule::Nearest, window: 5, ..Choices::of_sidebar(0.1) };
+    let analysis = analyse(&tracks, &choices).expect("analysed");
+    for (_, g) in analysis.groups() {
+        assert!((g.others[0] - g.single).abs() < 1e-12 && (g.others[1] - g.complete).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn histograms_count_everything() {
+    let histogram = Histogram::of(0.0, 1.0, 4, [0.0, 0.25, 0.5, 1.0, 1.0 + 1e-15, -1e-16, 2.0, -1.0]);
+    assert_eq!((histogram.counts.clone(), histogram.outside), (vec![2, 1, 1, 2], (1, 1)));
+    assert_eq!(histogram.total(), 8);
+}

@@ -1,0 +1,41 @@
+//! Simulation in floats, shared by the continuous models: integrators, events, neighbours in the plane, all-to-all sums,
+//! shares of runs.
+//!
+//! A model is a [`VectorField`]: it fills in `dy/dt` at a state. Results do not depend on the number of threads: work is cut into
+//! chunks of fixed size, and sums over chunks are taken in their order. Nothing here proves anything.
+
+mod cells;
+mod dop853;
+mod dop853_table;
+mod event;
+mod lanes;
+mod phases;
+mod rk4;
+mod sine;
+mod statistics;
+pub mod validated;
+
+pub use cells::{CellError, CellList, nearest};
+pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
+pub use event::{Fall, Margin, next_fall, root};
+pub use lanes::Lanes;
+pub use phases::AllToAll;
+pub use rk4::Rk4;
+pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
+pub use statistics::{Sample, Share};
+
+/// The right-hand side of `dy/dt = f(t, y)`. A field may keep scratch space, so it is asked by a mutable reference; the
+/// answer must depend on `time` and `state` only. Closures `FnMut(f64, &[f64], &mut [f64])` are fields.
+pub trait VectorField {
+    /// Writes `f(time, state)` into `rate`, which is as long as `state`.
+    fn rate(&mut self, time: f64, state: &[f64], rate: &mut [f64]);
+}
+
+impl<F: FnMut(f64, &[f64], &mut [f64])> VectorField for F {
+    fn rate(&mut self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self(time, state, rate);
+    }
+}
+
+/// Numbers that one task works on.
+const CHUNK: usize = 4096;

@@ -1,0 +1,4 @@
+//! Mirrors `src/`.
+
+mod simulate;
+mod validated;

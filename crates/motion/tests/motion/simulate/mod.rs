@@ -1,0 +1,5 @@
+//! Mirrors `src/simulate`.
+
+mod integrators;
+mod phases;
+mod statistics;

@@ -1,0 +1,3 @@
+//! Enclosures of solutions: against closed forms, and floats.
+
+mod flow;

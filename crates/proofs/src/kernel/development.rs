@@ -1,0 +1,136 @@
+//! The Coq sources: their texts, what each needs, and digests over both.
+
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+macro_rules! sources {
+    ($($name:literal),* $(,)?) => {
+        [$(($name, include_str!(concat!("../../../../proofs_checks/coq/", $name, ".v")))),*]
+    };
+}
+
+/// In an order in which they compile; the same as in `_CoqProject`.
+const SOURCES: [(&str, &str); 76] = sources![
+    "IntervalStdZ",
+    "RealSums",
+    "chazelle_birds",
+    "chazelle_model",
+    "chazelle_ergodicity",
+    "chazelle_fixed",
+    "chazelle_network",
+    "chazelle_limits",
+    "chazelle_products",
+    "chazelle_bits",
+    "chazelle_recurrent",
+    "chazelle_agreement",
+    "chazelle_reals",
+    "chazelle_spectral",
+    "chazelle_stabilisers",
+    "chazelle_contraction",
+    "chazelle_count",
+    "chazelle_worked",
+    "paley_model",
+    "paley_phase",
+    "paley_laplacian",
+    "paley_gradient",
+    "paley_fourier",
+    "paley_particles",
+    "paley_patterns",
+    "paley_composite",
+    "paley_fish",
+    "paley_stability",
+    "tanner_energy",
+    "tanner_flock",
+    "tanner1_heading",
+    "tanner1_examples",
+    "tanner1_motion",
+    "tanner_nonsmooth",
+    "tanner2_examples",
+    "tanner2_path",
+    "tanner2_facts",
+    "tanner_graph",
+    "veerman_complex",
+    "veerman_front",
+    "veerman_chain",
+    "veerman_stability",
+    "veerman_lemma1",
+    "veerman_matrices",
+    "veerman_numbers",
+    "veerman_amplitude",
+    "veerman_settling",
+    "veerman_rates",
+    "veerman_unsettled",
+    "veerman_coordinates",
+    "veerman_bounds",
+    "veerman_window",
+    "veerman_theorem1",
+    "veerman_size_limit",
+    "veerman_exponent",
+    "veerman_lesser",
+    "certificate_matrices",
+    "certificate_flocks",
+    "certificate_limits",
+    "certificate_inertia",
+    "certificate_index",
+    "certificate_polynomials",
+    "certificate_peaks",
+    "gen_inertia",
+    "gen_limits",
+    "gen_peaks",
+    "gen_products",
+    "gen_switches",
+    "certificate_instances",
+    "veerman_resonances",
+    "audit_certificates",
+    "audit_chazelle",
+    "audit_paley",
+    "audit_tanner1",
+    "audit_tanner2",
+    "audit_veerman",
+];
+
+/// A file of the development.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// The name without `.v`.
+    pub name: &'static str,
+    /// The text.
+    pub text: &'static str,
+    /// The files of the development that it requires.
+    pub needs: Vec<&'static str>,
+    /// SHA-256 of the text and of the digests of what it needs, in hexadecimal.
+    pub digest: String,
+}
+
+/// Every file, what a file needs before it.
+pub fn files() -> &'static [Source] {
+    static FILES: OnceLock<Vec<Source>> = OnceLock::new();
+    FILES.get_or_init(|| with_digests(&SOURCES))
+}
+
+/// The files of a development, given as (name, text) in an order in which they compile.
+pub fn with_digests(sources: &[(&'static str, &'static str)]) -> Vec<Source> {
+    let mut digests: BTreeMap<&str, String> = BTreeMap::new();
+    let describe = |&(name, text): &(&'static str, &'static str)| {
+        let needs = needs(text, sources);
+        let mut hash = Sha256::new();
+        hash.update(text.as_bytes());
+        for need in &needs {
+            hash.update([0]);
+            hash.update(digests.get(need).map_or("", String::as_str).as_bytes());
+        }
+        let digest: String = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+        digests.insert(name, digest.clone());
+        Source { name, text, needs, digest }
+    };
+    sources.iter().map(describe).collect()
+}
+
+/// The files named in `From Flockproof Require ...` sentences.
+fn needs(text: &str, sources: &[(&'static str, &'static str)]) -> Vec<&'static str> {
+    let sentences = text.split("From Flockproof Require").skip(1);
+    let named: Vec<&str> =
+        sentences.filter_map(|rest| rest.split_once('.')).flat_map(|(list, _)| list.split_whitespace()).collect();
+    sources.iter().map(|(name, _)| *name).filter(|name| named.contains(name)).collect()
+}

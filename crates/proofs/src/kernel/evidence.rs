@@ -1,0 +1,51 @@
+//! Checked Coq theorems as evidence.
+
+use super::{Covers, Theorem, theorems};
+use ledger::{Evidence, Grade, Proofs, Verdict, correction_id};
+
+/// The checked theorems about a claim and how much of it each proves. What is proved of the corrected statement of a
+/// claim is a part of its correction ([`correction_id`]).
+pub fn proofs_of(claim: &str) -> impl Iterator<Item = (&'static Theorem, Covers)> {
+    let covers = move |theorem: &Theorem| match theorem.covers {
+        covers if theorem.claim == claim => Some(covers),
+        Covers::Corrected if correction_id(theorem.claim) == claim => Some(Covers::Part),
+        _ => None,
+    };
+    theorems().iter().filter_map(move |theorem| Some((theorem, covers(theorem)?))).filter(|(t, _)| t.is_checked())
+}
+
+/// The Coq development as the ledger's proofs.
+pub struct Development;
+
+impl Proofs for Development {
+    fn evidence(&self, claim: &str, verdict: Verdict) -> Result<Vec<Evidence>, String> {
+        let support = proofs_of(claim).map(|(theorem, covers)| {
+            if contradict(covers, verdict) {
+                return Err(format!(
+                    "the Coq theorem {} says otherwise than the check: {}",
+                    theorem.path(),
+                    theorem.part
+                ));
+            }
+            let said = theorem.part.trim_end_matches('.');
+            let part = match covers {
+                Covers::Claim | Covers::Part | Covers::Instance => said.to_string(),
+                Covers::Corrected => format!("corrected: {said}"),
+                Covers::Negation => format!("negation: {said}"),
+            };
+            let detail = format!("Coq theorem {}; axioms: {}", theorem.path(), theorem.axioms.words());
+            let grade = if covers == Covers::Instance { Grade::Exact } else { Grade::Kernel };
+            Ok(Evidence::new(grade, part, detail))
+        });
+        support.collect()
+    }
+}
+
+/// Whether a theorem and a verdict cannot both be right.
+fn contradict(covers: Covers, verdict: Verdict) -> bool {
+    match verdict {
+        Verdict::Holds => matches!(covers, Covers::Corrected | Covers::Negation),
+        Verdict::Misprint | Verdict::False => covers == Covers::Claim,
+        Verdict::Undecided | Verdict::NotCheckable => false,
+    }
+}

@@ -1,0 +1,132 @@
+//! What the figures of Paley and others share: starts, scenes in the plane, tables of states.
+
+use crate::plot::{Axis, Panel, Series};
+use arithmetic::random::generator;
+use arithmetic::{ArithmeticError, Complex};
+use ledger::{CheckError, Options};
+use models::oscillator::{Experiment, Flight, PARTICLES, Zones, mean};
+use std::f64::consts::{PI, TAU};
+
+pub(super) const RED: &str = "#c22f2f";
+pub(super) const BLACK: &str = "#222222";
+pub(super) const GREY: &str = "#b4bfc6";
+pub(super) const BLUE: &str = "#0b5fa5";
+pub(super) const ORANGE: &str = "#d1580b";
+pub(super) const GREEN: &str = "#138a5e";
+
+/// What the text of every run says about its start.
+pub(super) const START: &str = "Classical Runge-Kutta with fixed step; at the start positions are uniform in a\n\
+     square of half-width 10 around 0 and phases uniform.\n";
+
+/// A state with its time.
+pub(super) type Timed = (f64, Flight);
+
+/// The start that the claim of this id uses for the replicate.
+pub(super) fn start(claim: &str, replicate: u64) -> Flight {
+    Flight::random(&mut generator(&Options::default().seed, claim, replicate), PARTICLES)
+}
+
+/// The first replicate of the claim whose run ends as wanted, with the run; at most `most` are tried.
+pub(super) fn first_run<E: Experiment>(
+    experiment: &E,
+    claim: &str,
+    (every, most): (usize, u64),
+    wanted: impl Fn(&Flight) -> Result<bool, CheckError>,
+) -> Result<(u64, Vec<Timed>), CheckError> {
+    for replicate in 0..most {
+        let course = experiment.course(start(claim, replicate), every)?;
+        if wanted(end(&course)?)? {
+            return Ok((replicate, course));
+        }
+    }
+    Err(CheckError::Other(format!("none of {most} runs of {claim} ended as the figure shows")))
+}
+
+/// The last state of a course.
+pub(super) fn end(course: &[Timed]) -> Result<&Flight, CheckError> {
+    course.last().map(|(_, flight)| flight).ok_or_else(|| CheckError::Other("a run without states".to_string()))
+}
+
+pub(super) fn pair(z: &Complex<f64>) -> (f64, f64) {
+    (z.re, z.im)
+}
+
+/// Particles at the end of a course with their velocities and paths, the centre of mass with its velocity, as in the figures of the paper.
+/// `drift` is added to all velocities.
+pub(super) fn scene(title: String, course: &[Timed], drift: &Complex<f64>) -> Result<Panel, CheckError> {
+    let last = end(course)?;
+    let state = last.state();
+    let points = || course.iter().flat_map(|(_, flight)| flight.positions.iter());
+    let (mut low, mut high) = ((f64::INFINITY, f64::INFINITY), (f64::NEG_INFINITY, f64::NEG_INFINITY));
+    for r in points() {
+        (low, high) = ((low.0.min(r.re), low.1.min(r.im)), (high.0.max(r.re), high.1.max(r.im)));
+    }
+    // A unit of speed is drawn as a share of the width of the picture.
+    let unit = 0.1 * (high.0 - low.0).max(high.1 - low.1);
+    let mut panel = Panel::new(title, Axis::linear("x"), Axis::linear("y")).equal_scales();
+    for k in 0..last.positions.len() {
+        let path = course.iter().map(|(_, flight)| pair(&flight.positions[k]));
+        panel = panel.series(Series::line("", path).colour(GREY).size(0.7));
+    }
+    let arrow = |r: &Complex<f64>, v: Complex<f64>| (pair(r), pair(&(v.scale(&unit) + r)));
+    let velocities = state.positions.iter().zip(&state.phasors).map(|(r, z)| arrow(r, z.clone() + drift));
+    let centre = mean(&state.positions)?;
+    let moving = arrow(&centre, mean(&state.phasors)? + drift);
+    Ok(panel
+        .series(Series::arrows("", velocities).colour(BLACK).size(1.0))
+        .series(Series::points("", state.positions.iter().map(pair)).colour(RED))
+        .series(Series::arrows("", [moving]).colour(BLUE).size(1.8))
+        .series(Series::crosses("", [pair(&centre)]).colour(BLUE)))
+}
+
+/// Rows of a CSV table with the header [`COLUMNS`].
+pub(super) fn rows<'a>(panel: &'a str, course: &'a [Timed]) -> impl Iterator<Item = Vec<String>> + 'a {
+    course.iter().flat_map(move |(t, flight)| {
+        flight.positions.iter().zip(&flight.phases).enumerate().map(move |(k, (r, theta))| {
+            let numbers = [r.re, r.im, theta.rem_euclid(TAU)].map(|x| format!("{x:.6}"));
+            [panel.to_string(), format!("{t:.3}"), (k + 1).to_string()].into_iter().chain(numbers).collect()
+        })
+    })
+}
+
+/// The header of [`rows`].
+pub(super) const COLUMNS: &str = "panel,t,particle,x,y,theta";
+
+/// A dashed circle.
+pub(super) fn circle(centre: (f64, f64), radius: f64) -> Series {
+    let point = |k: u32| {
+        let (sin, cos) = (TAU * f64::from(k) / 120.0).sin_cos();
+        (centre.0 + radius * cos, centre.1 + radius * sin)
+    };
+    Series::dashed("", (0..=120).map(point)).size(0.8)
+}
+
+/// The outline of the zone between two radii around a fish, without its blind spot.
+pub(super) fn zone_outline(
+    zones: &Zones<f64>,
+    (inner, outer): (f64, f64),
+    at: &Complex<f64>,
+    heading: f64,
+) -> Vec<(f64, f64)> {
+    const STEPS: u32 = 90;
+    // Half of the angle that is seen.
+    let half = PI - zones.blind_cosine_squared.sqrt().acos();
+    let arc = |radius: f64| {
+        (0..=STEPS).map(move |k| {
+            let (sin, cos) = (heading - half + 2.0 * half * f64::from(k) / f64::from(STEPS)).sin_cos();
+            (at.re + radius * cos, at.im + radius * sin)
+        })
+    };
+    arc(outer).chain(arc(inner).rev()).collect()
+}
+
+/// The largest difference between a rate of turning and `omega`.
+pub(super) fn turning_error(omega: f64, steering: &[f64]) -> f64 {
+    steering.iter().map(|u| (u - omega).abs()).fold(0.0, f64::max)
+}
+
+/// The largest `|p_m|` with `m` below `clusters`, times `m`: 0 in an (M,N)-pattern.
+pub(super) fn largest_lower_moment(flight: &Flight, clusters: usize) -> Result<f64, ArithmeticError> {
+    let mut moments = (1..clusters as u32).map(|m| models::oscillator::order(flight, m));
+    moments.try_fold(0.0, |largest: f64, p| Ok(largest.max(p?)))
+}

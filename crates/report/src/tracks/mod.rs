@@ -1,0 +1,63 @@
+//! The analysis of trajectories as people read it: a text with all choices, tables, a summary in JSON, pictures.
+
+mod pictures;
+mod summary;
+mod tables;
+mod text;
+
+pub(super) use pictures::{difference_panel, potential_panel, scaled_panel, snapshot_panel};
+
+use super::File;
+use super::plot::PictureError;
+use models::tracks::{Analysis, NullModels, Tracks};
+
+/// A recording, its analysis and the null models.
+#[derive(Debug, Clone, Copy)]
+pub struct TracksReport<'a> {
+    /// Where the trajectories come from: a file, or the rule of a synthetic school.
+    pub source: &'a str,
+    /// The trajectories.
+    pub tracks: &'a Tracks,
+    /// What was measured.
+    pub analysis: &'a Analysis,
+    /// The null models.
+    pub null: &'a NullModels,
+}
+
+impl TracksReport<'_> {
+    /// The text for the terminal, of at most 80 columns.
+    pub fn text(&self) -> String {
+        text::text(self)
+    }
+
+    /// `summary.json`.
+    pub fn summary(&self) -> serde_json::Value {
+        summary::summary(self)
+    }
+
+    /// All files: the summary, a row for each frame, for each gap and for each fish, histograms, pictures. The snapshot shows the
+    /// frame with all headings that is closest to `snapshot_at`.
+    ///
+    /// # Errors
+    /// [`PictureError`].
+    pub fn files(&self, snapshot_at: Option<f64>) -> Result<Vec<File>, PictureError> {
+        let text = |name: &str, contents: String| File { name: name.to_string(), contents: contents.into_bytes() };
+        let mut files = vec![
+            text("summary.json", format!("{:#}\n", self.summary())),
+            text("frames.csv", tables::frames(self)),
+            text("fish.csv", tables::fish(self)),
+            text("gaps.csv", tables::gaps(self)),
+            text("histograms.csv", tables::histograms(self)),
+        ];
+        let pictures = [
+            ("histograms", pictures::histograms(self)),
+            ("potentials", pictures::potentials(self)),
+            ("snapshot", pictures::snapshot(self, snapshot_at)),
+        ];
+        for (name, picture) in pictures {
+            files.push(text(&format!("{name}.svg"), picture.svg()));
+            files.push(File { name: format!("{name}.png"), contents: picture.png()? });
+        }
+        Ok(files)
+    }
+}

@@ -1,0 +1,158 @@
+//! Pictures of an analysis, like Figures S2 and S3 of the sidebar.
+
+use super::text::cut;
+use super::{TracksReport, tables};
+use crate::plot::{Axis, Panel, Picture, Series};
+use models::tracks::{Analysis, Histogram, Scale, Vector};
+use std::f64::consts::PI;
+
+const BLUE: &str = "#0b5fa5";
+const RED: &str = "#c22f2f";
+const GREY: &str = "#777777";
+
+/// The period that Figure S3 shows.
+const PERIOD: (f64, f64) = (30.0, 60.0);
+/// Seconds of a trajectory that a snapshot shows.
+const TRAIL: f64 = 5.0;
+
+/// A title with the start of the name of the recording.
+fn titled(report: &TracksReport, what: &str) -> String {
+    format!("{}: {what}", cut(report.source, 40))
+}
+
+/// The upper end of an axis of shares, with room for the legend.
+fn with_room<'a>(histograms: impl IntoIterator<Item = &'a Histogram>) -> f64 {
+    let largest = histograms.into_iter().flat_map(Histogram::bins).map(|bin| bin.3).fold(0.0, f64::max);
+    if largest > 0.0 { 1.35 * largest } else { 1.0 }
+}
+
+/// A histogram as an outline beside those of the null models.
+fn histogram_panel(title: &str, label: &str, observed: &Histogram, nulls: &[(&str, &Histogram)]) -> Panel {
+    let highest = with_room([observed].into_iter().chain(nulls.iter().map(|(_, histogram)| *histogram)));
+    let (low, high) = observed.range;
+    let (x, y) = (Axis::linear(label).between(low, high), Axis::linear("share").between(0.0, highest));
+    let name = if nulls.is_empty() { "" } else { "recording" };
+    let mut panel = Panel::new(title, x, y).series(Series::line(name, observed.outline()).colour(BLUE).size(2.0));
+    for ((name, histogram), colour) in nulls.iter().zip(["#d1580b", GREY]) {
+        panel = panel.series(Series::dashed(*name, histogram.outline()).colour(colour).size(1.3));
+    }
+    panel
+}
+
+/// The histogram of the difference of the scaled potentials with the null models.
+pub(crate) fn difference_panel(report: &TracksReport, title: &str) -> Panel {
+    let shifted = report.null.shifted.first().map(|(kind, _, histogram)| (kind.name(), histogram));
+    let nulls: Vec<_> =
+        [("independent headings", &report.null.uniform.histograms[2])].into_iter().chain(shifted).collect();
+    histogram_panel(title, "2/(n+1) W_1: n = N−1 less n = 1", &report.null.observed.histogram, &nulls)
+}
+
+/// The histograms of the scaled potentials for `n = N - 1` and `n = 1`.
+pub(crate) fn scaled_panel(report: &TracksReport, title: &str) -> Panel {
+    let [blue, red] = tables::scaled(report);
+    let shares = Axis::linear("share").between(0.0, with_room([&blue, &red]));
+    Panel::new(title, Axis::linear("2/(n+1) W_1").between(0.0, 1.0), shares)
+        .series(Series::line("n = N−1", blue.outline()).colour(BLUE))
+        .series(Series::line("n = 1", red.outline()).colour(RED))
+}
+
+pub(super) fn histograms(report: &TracksReport) -> Picture {
+    let mut picture = Picture::new(titled(report, "histograms")).grid(3, (430.0, 330.0));
+    for named in tables::all(report) {
+        let nulls: Vec<_> = [("independent headings", &named.uniform), ("headings shifted", &named.shifted)]
+            .into_iter()
+            .filter_map(|(name, histogram)| Some((name, histogram.as_ref()?)))
+            .collect();
+        picture = picture.panel(histogram_panel("", &named.label, &named.observed, &nulls));
+    }
+    picture
+}
+
+/// The scaled potentials over time: the 30 s from t = 30 s where the recording has them, else all.
+pub(crate) fn potential_panel(report: &TracksReport, title: &str) -> Panel {
+    let (analysis, fish) = (report.analysis, report.tracks.fish());
+    let covered = analysis.groups().any(|(t, _)| t <= PERIOD.0) && analysis.groups().any(|(t, _)| t >= PERIOD.1);
+    let shown = |t: f64| !covered || (PERIOD.0..=PERIOD.1).contains(&t);
+    let scale = |n: usize| Scale::Figure.factor(n);
+    // A frame that was left out breaks the line.
+    let line = |value: &dyn Fn(&models::tracks::GroupState) -> f64| -> Vec<(f64, f64)> {
+        let frames = analysis.frames.iter().filter(|frame| shown(frame.time));
+        frames.map(|frame| (frame.time, frame.group.as_ref().map_or(f64::NAN, value))).collect()
+    };
+    let potential = Axis::linear("2/(n+1) W_1").between(0.0, 1.4).ticks([0.0, 0.25, 0.5, 0.75, 1.0]);
+    Panel::new(title, Axis::linear("t (s)"), potential)
+        .series(Series::line("n = N−1", line(&|g| scale(fish - 1) * g.complete)).colour(BLUE))
+        .series(Series::line("n = 1", line(&|g| scale(1) * g.single)).colour(RED))
+}
+
+pub(super) fn potentials(report: &TracksReport) -> Picture {
+    Picture::new(titled(report, "scaled phase potentials")).panel(potential_panel(report, ""))
+}
+
+pub(super) fn snapshot(report: &TracksReport, at: Option<f64>) -> Picture {
+    let panel = snapshot_panel(report, "", at);
+    Picture::new(titled(report, "positions, headings, zones of orientation")).grid(1, (640.0, 640.0)).panel(panel)
+}
+
+/// The frame with all headings that is closest to a time, the middle one without a time.
+fn frame_at(analysis: &Analysis, at: Option<f64>) -> usize {
+    let used = || (0..analysis.frames.len()).filter(|&i| analysis.frames[i].group.is_some());
+    let found = match at {
+        None => used().nth(analysis.left_out.used as usize / 2),
+        Some(t) => used().min_by(|&i, &j| {
+            let distance = |i: usize| (analysis.frames[i].time - t).abs();
+            distance(i).total_cmp(&distance(j))
+        }),
+    };
+    found.unwrap_or(0)
+}
+
+/// Positions, headings, the last five seconds of the trajectories and the zones of orientation, as in Figure S2.
+pub(crate) fn snapshot_panel(report: &TracksReport, title: &str, at: Option<f64>) -> Panel {
+    let (analysis, b) = (report.analysis, report.analysis.choices.body_length);
+    let i = frame_at(analysis, at);
+    let time = analysis.frames[i].time;
+    let title = if title.is_empty() { format!("t = {time} s") } else { format!("{title}, t = {time} s") };
+    let point = |r: &Vector| (r.re, r.im);
+    let mut panel = Panel::new(title, Axis::linear("x"), Axis::linear("y")).equal_scales();
+    let state: Vec<(&Vector, &Vector)> = analysis
+        .positions
+        .iter()
+        .zip(&analysis.motion.headings)
+        .filter_map(|(r, z)| Some((r[i].as_ref()?, z[i].as_ref()?)))
+        .collect();
+    for &(r, z) in &state {
+        panel = panel.series(Series::area("", zone(analysis, r, z)).colour(GREY));
+    }
+    for places in &analysis.positions {
+        let trail = (0..=i)
+            .filter(|&j| analysis.frames[j].time >= time - TRAIL)
+            .map(|j| places[j].as_ref().map_or((f64::NAN, f64::NAN), point));
+        panel = panel.series(Series::line("", trail).colour(BLUE).size(1.2));
+    }
+    for &(r, z) in &state {
+        panel = panel.series(Series::line("", arrow(r, z, 1.2 * b)).colour("#000000").size(1.4));
+    }
+    panel.series(Series::points("", state.iter().map(|&(r, _)| point(r))).colour(RED).size(3.6))
+}
+
+/// The outline of the zone of orientation without the blind spot.
+fn zone(analysis: &Analysis, r: &Vector, z: &Vector) -> Vec<(f64, f64)> {
+    let zones = analysis.choices.zones();
+    let (ahead, widest) = (z.im.atan2(z.re), PI - (analysis.choices.blind / 2.0).to_radians());
+    let arc = |radius: f64, sign: f64| {
+        (0..=72).map(move |k| {
+            let angle = ahead + sign * widest * (f64::from(k) / 36.0 - 1.0);
+            (r.re + radius * angle.cos(), r.im + radius * angle.sin())
+        })
+    };
+    arc(zones.orientation, 1.0).chain(arc(zones.repulsion, -1.0)).collect()
+}
+
+/// A line with two barbs.
+fn arrow(r: &Vector, z: &Vector, length: f64) -> Vec<(f64, f64)> {
+    let at = |along: f64, across: f64| {
+        (r.re + length * (along * z.re - across * z.im), r.im + length * (along * z.im + across * z.re))
+    };
+    vec![at(0.0, 0.0), at(1.0, 0.0), at(0.7, 0.16), at(1.0, 0.0), at(0.7, -0.16)]
+}

@@ -1,0 +1,143 @@
+//! `summary.json`.
+
+use super::{TracksReport, tables};
+use models::tracks::{NearestRule, PositionsUsed, Scale, Statistics};
+use motion::Share;
+use serde_json::{Map, Value, json};
+
+/// A number of JSON, or null.
+fn number(x: f64) -> Value {
+    if x.is_finite() { json!(x) } else { Value::Null }
+}
+
+pub(super) fn summary(report: &TracksReport) -> Value {
+    let (tracks, analysis) = (report.tracks, report.analysis);
+    let left = analysis.left_out;
+    let gaps: Vec<Value> = analysis
+        .gaps
+        .iter()
+        .map(|gap| {
+            let place = tables::place(gap.at_start, gap.at_end);
+            json!({"id": tracks.ids[gap.fish], "from": gap.from, "to": gap.to, "frames": gap.frames, "where": place})
+        })
+        .collect();
+    let fish: Vec<Value> = tracks
+        .ids
+        .iter()
+        .zip(&analysis.fish)
+        .map(|(id, fish)| {
+            json!({
+                "id": id, "frames_seen": fish.seen, "frames_missing": fish.missing.0, "gaps": fish.missing.1,
+                "frames_at_rest": fish.still, "mean_speed": fish.speed, "mean_nearest_distance": fish.distance,
+                "zones": fish.zones.map(|[r, o, a]| json!({"repulsion": r, "orientation": o, "attraction": a})),
+            })
+        })
+        .collect();
+    json!({
+        "schema": "flockproof.tracks/1",
+        "source": report.source,
+        "fish": tracks.fish(),
+        "frames": left.recorded,
+        "step": tracks.step,
+        "from": tracks.frames.first().map(|frame| frame.time),
+        "to": tracks.frames.last().map(|frame| frame.time),
+        "declaration": declaration(report),
+        "left_out": {"missing": left.missing, "window": left.window, "at_rest": left.still, "used": left.used},
+        "gaps": gaps,
+        "per_fish": fish,
+        "means": means(report),
+        "null_models": null_models(report),
+    })
+}
+
+fn declaration(report: &TracksReport) -> Value {
+    let choices = &report.analysis.choices;
+    json!({
+        "window_frames": choices.window,
+        "window_seconds": choices.window as f64 * report.tracks.step,
+        "positions": match choices.positions {
+            PositionsUsed::File => "file",
+            PositionsUsed::Smoothed => "smoothed",
+        },
+        "velocity": "central differences of positions averaged over the window; no window crosses a gap",
+        "heading": "direction of the velocity",
+        "at_rest": choices.still,
+        "body_length": choices.body_length,
+        "zones_in_body_lengths": choices.zones.map(number),
+        "blind_degrees": choices.blind,
+        "single_neighbour": match choices.rule {
+            NearestRule::SecondInRepulsion => "nearest, or second nearest where the nearest is in the zone of repulsion",
+            NearestRule::Nearest => "nearest",
+        },
+        "p_m": "(1/(m N)) sum e^(i m theta), so |p_2| is at most 1/2",
+        "null_frames": "frames with headings of all fish, in a row; shifts run around the end",
+    })
+}
+
+fn means(report: &TracksReport) -> Value {
+    let (analysis, fish) = (report.analysis, report.tracks.fish());
+    let mut scaled = Map::new();
+    for scale in Scale::ALL {
+        scaled.insert(
+            scale.name().to_string(),
+            json!({
+                "single": scale.factor(1) * analysis.mean(|g| g.single),
+                "complete": scale.factor(fish - 1) * analysis.mean(|g| g.complete),
+            }),
+        );
+    }
+    let mut others = Map::new();
+    for (i, n) in analysis.choices.nearest.iter().enumerate() {
+        others.insert(n.to_string(), json!(analysis.mean(|g| g.others[i])));
+    }
+    json!({
+        "p_1": analysis.mean(|g| g.order[0]),
+        "p_2": analysis.mean(|g| g.order[1]),
+        "momentum": analysis.mean(|g| g.momentum),
+        "rotation": analysis.mean(|g| g.rotation),
+        "W_single": analysis.mean(|g| g.single),
+        "W_complete": analysis.mean(|g| g.complete),
+        "W_nearest": others,
+        "W_orientation": analysis.mean(|g| g.orientation),
+        "orientation_arcs": analysis.mean(|g| g.orientation_arcs as f64),
+        "scaled": scaled,
+    })
+}
+
+fn null_models(report: &TracksReport) -> Value {
+    let (models, fish) = (report.null, report.tracks.fish());
+    let draws = models.uniform.draws;
+    let mut uniform = Map::new();
+    for (scale, &positive) in Scale::ALL.iter().zip(&models.uniform.positive) {
+        let (low, high) = Share::new(positive, draws).interval();
+        // W_1 has the mean n/2.
+        let mean = scale.difference(fish, (fish - 1) as f64 / 2.0, 0.5);
+        uniform.insert(
+            scale.name().to_string(),
+            json!({"positive": positive as f64 / draws as f64, "wilson_95": [low, high], "exact_mean_difference": mean}),
+        );
+    }
+    let named = |values: [Value; 8]| -> Map<String, Value> {
+        Statistics::NAMES.iter().map(ToString::to_string).zip(values).collect()
+    };
+    let mut shifted = Map::new();
+    for (kind, comparisons, _) in &models.shifted {
+        let values = comparisons.map(|c| {
+            c.map_or(Value::Null, |c| {
+                let (low, high) = Share::new(c.at_least.0, c.at_least.1).interval();
+                json!({
+                    "mean": c.mean, "points_2.5_97.5": [c.range.0, c.range.1],
+                    "share_at_least": c.share_at_least, "wilson_95": [low, high],
+                })
+            })
+        });
+        shifted.insert(kind.name().to_string(), Value::Object(named(values)));
+    }
+    json!({
+        "observed": named(models.observed.values().map(|x| x.map_or(Value::Null, number))),
+        "single_neighbours_in_pairs": models.in_pairs,
+        "independent_uniform_headings": {"draws": draws, "scales": uniform},
+        "shifts": models.shifts,
+        "shifted": shifted,
+    })
+}

@@ -1,0 +1,262 @@
+//! The analysis as a text of at most 80 columns.
+
+use super::{TracksReport, tables};
+use models::tracks::{Choices, Comparison, NearestRule, PositionsUsed, Scale};
+use motion::Share;
+use std::fmt::Write;
+
+const WIDTH: usize = 80;
+/// Most gaps and fish that are printed one by one.
+const LISTED: usize = 12;
+
+pub(super) fn text(report: &TracksReport) -> String {
+    let mut text = String::new();
+    heading(report, &mut text);
+    declaration(report, &mut text);
+    left_out(report, &mut text);
+    each_fish(report, &mut text);
+    potentials(report, &mut text);
+    null_models(report, &mut text);
+    text
+}
+
+/// A named paragraph.
+fn paragraph(text: &mut String, name: &str, what: &str) {
+    let first = format!("{name:15} ");
+    let options = textwrap::Options::new(WIDTH).initial_indent(&first).subsequent_indent("                ");
+    text.push_str(&textwrap::fill(what, options));
+    text.push('\n');
+}
+
+/// The start of a text, of at most so many letters.
+pub(super) fn cut(text: &str, length: usize) -> String {
+    if text.chars().count() <= length {
+        return text.to_string();
+    }
+    text.chars().take(length.saturating_sub(1)).chain(['…']).collect()
+}
+
+/// At most four significant digits, for numbers of any size.
+fn number(x: f64) -> String {
+    if x == 0.0 || (1e-3..1e6).contains(&x.abs()) {
+        let digits = (3 - x.abs().max(1e-3).log10().floor() as i32).clamp(0, 6) as usize;
+        let text = format!("{x:.digits$}");
+        if digits == 0 { text } else { text.trim_end_matches('0').trim_end_matches('.').to_string() }
+    } else {
+        format!("{x:.3e}")
+    }
+}
+
+/// Four decimals, without the sign of a rounded zero.
+fn four(x: f64) -> String {
+    format!("{:.4}", if x.abs() < 5e-5 { 0.0 } else { x })
+}
+
+fn heading(report: &TracksReport, text: &mut String) {
+    let (tracks, left) = (report.tracks, report.analysis.left_out);
+    let ends = [tracks.frames.first(), tracks.frames.last()].map(|frame| number(frame.map_or(0.0, |frame| frame.time)));
+    // Writing to a string cannot fail, here and below.
+    let _ = writeln!(text, "{}", cut(report.source, WIDTH));
+    let _ = writeln!(
+        text,
+        "{} fish, {} frames of {} s from t = {} to {}\n",
+        tracks.fish(),
+        left.recorded,
+        number(tracks.step),
+        ends[0],
+        ends[1]
+    );
+}
+
+fn declaration(report: &TracksReport, text: &mut String) {
+    let choices = &report.analysis.choices;
+    let seconds = number(choices.window as f64 * report.tracks.step);
+    paragraph(
+        text,
+        "headings",
+        &format!(
+            "direction of the velocity: central differences of the positions averaged over {} frames ({seconds} s), so that speeds \
+             along a curved path are below those of the fish; no window crosses a gap; at rest at a speed of at most {}",
+            choices.window,
+            number(choices.still)
+        ),
+    );
+    let positions = match choices.positions {
+        PositionsUsed::File => "for distances and networks: as in the file",
+        PositionsUsed::Smoothed => "for distances and networks: averaged over the window",
+    };
+    paragraph(text, "positions", positions);
+    paragraph(text, "zones", &zones(choices));
+    let single = match choices.rule {
+        NearestRule::SecondInRepulsion => {
+            "the nearest neighbour, or the second nearest where the nearest is in the zone of repulsion"
+        }
+        NearestRule::Nearest => "the nearest neighbour",
+    };
+    paragraph(text, "n = 1", &format!("{single}; of two at one distance the first in the list"));
+    text.push('\n');
+}
+
+fn zones(choices: &Choices) -> String {
+    let [repulsion, orientation, attraction] = choices.zones;
+    let last = if attraction.is_finite() { format!("to {attraction}") } else { "without end".to_string() };
+    format!(
+        "repulsion to {repulsion}, orientation to {orientation}, attraction {last} body lengths of {}; blind spot {} degrees",
+        number(choices.body_length),
+        choices.blind
+    )
+}
+
+fn left_out(report: &TracksReport, text: &mut String) {
+    let (tracks, analysis, left) = (report.tracks, report.analysis, report.analysis.left_out);
+    paragraph(
+        text,
+        "frames",
+        &format!(
+            "{} of {} have a heading of every fish; left out: {} where a fish is missing, {} where a window meets a gap or an end, \
+             {} with a fish at rest",
+            left.used, left.recorded, left.missing, left.window, left.still
+        ),
+    );
+    for gap in analysis.gaps.iter().take(LISTED) {
+        let what = format!(
+            "fish {}: {} frames missing from t = {} to {} ({})",
+            cut(&tracks.ids[gap.fish], 20),
+            gap.frames,
+            number(gap.from),
+            number(gap.to),
+            tables::place(gap.at_start, gap.at_end)
+        );
+        paragraph(text, "gap", &what);
+    }
+    if analysis.gaps.len() > LISTED {
+        paragraph(text, "gaps", &format!("{} more, see gaps.csv", analysis.gaps.len() - LISTED));
+    }
+    text.push('\n');
+}
+
+fn each_fish(report: &TracksReport, text: &mut String) {
+    text.push_str("fish         frames  at rest     speed   nearest  share with a neighbour in zone\n");
+    text.push_str("                                       (b lengths)  repulsion  orient.  attract.\n");
+    let shown = |x: Option<f64>| x.map_or_else(|| "-".to_string(), number);
+    let b = report.analysis.choices.body_length;
+    for (id, fish) in report.tracks.ids.iter().zip(&report.analysis.fish).take(LISTED) {
+        let share = |z: usize| fish.zones.map_or_else(|| "-".to_string(), |zones| format!("{:.3}", zones[z]));
+        let _ = writeln!(
+            text,
+            "{:11} {:>7} {:>8} {:>9} {:>11} {:>10} {:>8} {:>9}",
+            cut(id, 11),
+            fish.seen,
+            fish.still,
+            shown(fish.speed),
+            shown(fish.distance.map(|d| d / b)),
+            share(0),
+            share(1),
+            share(2)
+        );
+    }
+    if report.tracks.fish() > LISTED {
+        let _ = writeln!(text, "{} more, see fish.csv", report.tracks.fish() - LISTED);
+    }
+    text.push('\n');
+}
+
+fn potentials(report: &TracksReport, text: &mut String) {
+    let (analysis, fish) = (report.analysis, report.tracks.fish());
+    let order = format!(
+        "|p_1| {:.3}, |p_2| {:.3} (at most 1/2), rotation {:.3}, mean momentum {}",
+        analysis.mean(|g| g.order[0]),
+        analysis.mean(|g| g.order[1]),
+        analysis.mean(|g| g.rotation),
+        number(analysis.mean(|g| g.momentum))
+    );
+    paragraph(text, "order (means)", &order);
+    let arcs = analysis.mean(|g| g.orientation_arcs as f64);
+    let zone = format!(
+        "W_1 {:.4} on {arcs:.2} arcs of the zones of orientation (an empty zone counts as synchronised)",
+        analysis.mean(|g| g.orientation)
+    );
+    paragraph(text, "zones (means)", &zone);
+    text.push_str("\nscaled W_1 (means)    n = N-1     n = 1     all n in [0, 1]?\n");
+    for scale in Scale::ALL {
+        let inside = match scale {
+            Scale::Figure => "n = 1, N-1 only (Figure S3)",
+            Scale::Text => "no (the text)",
+            Scale::PerArc => "yes; compares mean 1 - cos per arc",
+        };
+        let complete = scale.factor(fish - 1) * analysis.mean(|g| g.complete);
+        let single = scale.factor(1) * analysis.mean(|g| g.single);
+        let _ = writeln!(text, "{:18} {complete:>10.4} {single:>9.4}     {inside}", scale.name());
+    }
+    for (i, n) in analysis.choices.nearest.iter().enumerate() {
+        let w = analysis.mean(|g| g.others[i]);
+        let per_arc = Scale::PerArc.factor(*n) * w;
+        let _ = writeln!(text, "{:18} {w:>10.4} {:>9} W_1/n = {per_arc:.4}", format!("W_1, n = {n}"), "");
+    }
+    text.push('\n');
+}
+
+/// The statistics that the text shows: their place among the names, and what they are called here.
+const SHOWN: [(usize, &str); 7] = [
+    (0, "share > 0, 2/(n+1)"),
+    (1, "share > 0, 2/n+1"),
+    (2, "share > 0, 1/n"),
+    (3, "mean, 2/(n+1)"),
+    (5, "mean, 1/n"),
+    (7, "cos in orient. zone"),
+    (6, "|p_1|"),
+];
+
+fn null_models(report: &TracksReport, text: &mut String) {
+    let (null, fish) = (report.null, report.tracks.fish());
+    text.push_str("Difference of the scaled potentials, n = N-1 less n = 1, beside schools without\n");
+    text.push_str("interaction. p: share of shifts with at least the value of the recording.\n\n");
+    text.push_str("                     recording  indep.   headings shifted    tracks shifted\n");
+    text.push_str("                                uniform  mean         p      mean         p\n");
+    let observed = null.observed.values();
+    for (place, name) in SHOWN {
+        let uniform = match place {
+            0..=2 => four(null.uniform.positive[place] as f64 / null.uniform.draws as f64),
+            // W_1 has the mean n/2.
+            3..=5 => four(Scale::ALL[place - 3].difference(fish, (fish - 1) as f64 / 2.0, 0.5)),
+            7 => "0".to_string(),
+            _ => "-".to_string(),
+        };
+        let seen = observed[place].map_or_else(|| "-".to_string(), four);
+        let _ = write!(text, "{name:20} {seen:>9} {uniform:>8}");
+        for (_, comparisons, _) in &null.shifted {
+            let compared = |c: Comparison| format!("{:>9} {:>9.3}", four(c.mean), c.share_at_least);
+            let _ = write!(text, " {:>19}", comparisons[place].map_or_else(|| "-".to_string(), compared));
+        }
+        text.push('\n');
+    }
+    text.push('\n');
+    let mut verdict = reading(report);
+    verdict.push_str(&match null.shifts {
+        0 => "No shifts were made (--null 0).".to_string(),
+        shifts => {
+            format!("{shifts} circular time shifts of each kind; p is at least {:.4}. \
+             Interaction shows in small p of |p_1|, of the cosine and of the mean with 1/n under shifted tracks; shifted headings \
+             also differ where fish only share a circulation.", 1.0 / (shifts + 1) as f64)
+        }
+    });
+    let _ = writeln!(text, "{}", textwrap::fill(&verdict, WIDTH));
+}
+
+/// What the difference of Figure S3 says here.
+fn reading(report: &TracksReport) -> String {
+    let (null, fish) = (report.null, report.tracks.fish());
+    if fish == 2 {
+        return "With two fish n = N-1 is n = 1 and there is no difference. ".to_string();
+    }
+    let (low, high) = Share::new(null.uniform.positive[0], null.uniform.draws).interval();
+    let nearly_always = "so a difference that is nearly always positive is no sign of interaction";
+    format!(
+        "With the scale of Figure S3 independent uniform headings give a positive difference in [{low:.4}, {high:.4}] of the draws \
+         (95%, {} draws; exact mean 1/2 - 1/N), {}. In {:.1}% of the frames the neighbours for n = 1 form pairs; there it is never \
+         negative, whatever the headings. The scale 1/n compares neighbours with the school: mean 0 for independent headings. ",
+        null.uniform.draws,
+        if low > 0.9 { nearly_always } else { "with which the share of the recording has to be compared" },
+        100.0 * null.in_pairs
+    )
+}

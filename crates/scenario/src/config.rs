@@ -1,0 +1,194 @@
+//! A scenario as its TOML describes it: which model, from which state, until when.
+
+use super::course::Course;
+use super::error::{ConfigError, Problem};
+use super::run::{Outcome, run};
+use super::source::{Entry, Source};
+use super::{alignment, fish, oscillator, platoon, vicsek};
+use arithmetic::{Rational, rational};
+use num_traits::{ToPrimitive, Zero};
+use std::collections::BTreeMap;
+
+/// The models of the contract.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Model {
+    Phase,
+    Particles,
+    Fish,
+    Headings,
+    Velocities,
+    Platoon,
+    Vicsek,
+}
+
+const MODELS: [(&str, Model); 7] = [
+    ("phase", Model::Phase),
+    ("particles", Model::Particles),
+    ("fish", Model::Fish),
+    ("heading-alignment", Model::Headings),
+    ("velocity-alignment", Model::Velocities),
+    ("platoon", Model::Platoon),
+    ("vicsek", Model::Vicsek),
+];
+
+/// Rows of a trajectory, unless the configuration says how many.
+const ROWS: usize = 500;
+
+/// Most entries of all rows: rows times agents.
+const MOST_ENTRIES: usize = 1 << 22;
+
+/// When something is written.
+pub(super) struct Schedule {
+    /// All times that are written, with whether they are samples.
+    pub times: Vec<(f64, bool)>,
+    rows: usize,
+    ignored: bool,
+}
+
+impl Schedule {
+    pub fn declaration(&self) -> Vec<String> {
+        let rows = format!("trajectory: {} equal intervals from 0 to the end, and the samples", self.rows);
+        let ignored = "tolerance: no effect, time is discrete".to_string();
+        if self.ignored { vec![rows, ignored] } else { vec![rows] }
+    }
+
+    /// Reads the section `[run]` for a model with this time step, if it has one.
+    fn read(source: &Source, model: Model, step: Option<&Rational>, agents: usize) -> Result<Self, ConfigError> {
+        let section = source.needed("run")?;
+        let keys = ["until", "samples", "tolerance", "rows", "step"];
+        let stepped = matches!(model, Model::Particles | Model::Headings | Model::Velocities);
+        section.allow(&keys[..keys.len() - usize::from(!stepped)], " of this model")?;
+        let entry = section.need("until", "the last time, a number above 0")?;
+        let last = entry.positive()?;
+        let until = entry.exact()?;
+        on_grid(&entry, &until, step)?;
+        let mut times: BTreeMap<Rational, bool> = BTreeMap::new();
+        let mut before: Option<f64> = None;
+        let samples = section.get("samples");
+        for item in samples.as_ref().map_or(Ok(Vec::new()), |list| list.items("a list of times"))? {
+            let (sample, exact) = (item.number()?, item.exact()?);
+            match before {
+                _ if sample < 0.0 => return Err(item.range("a time that is not negative")),
+                Some(before) if sample <= before => return Err(item.problem(Problem::Order { before, after: sample })),
+                _ if exact > until => return Err(item.problem(Problem::Beyond { sample, until: last })),
+                _ => before = Some(sample),
+            }
+            on_grid(&item, &exact, step)?;
+            times.insert(exact, true);
+        }
+        if samples.is_none() {
+            times.insert(until.clone(), true);
+        }
+        let most = MOST_ENTRIES / agents.max(1);
+        let mut rows = match section.get("rows") {
+            Some(entry) => entry.count(1, most)?,
+            None => ROWS.min(most),
+        };
+        let steps = step.and_then(|step| fish::steps_to(&until, step));
+        if let Some(steps) = steps {
+            rows = rows.min(steps.to_usize().unwrap_or(usize::MAX));
+        }
+        for k in 0..=rows {
+            let time = match (steps, step) {
+                (Some(steps), Some(step)) => {
+                    let whole = u128::from(steps) * k as u128 / rows as u128;
+                    step * Rational::from_integer(whole.into())
+                }
+                _ => &until * rational(k as i64, rows as i64),
+            };
+            times.entry(time).or_insert(false);
+        }
+        let rounded = |(time, sample): (Rational, bool)| (time.to_f64().unwrap_or(f64::NAN), sample);
+        let ignored = step.is_some() && section.get("tolerance").is_some();
+        Ok(Schedule { times: times.into_iter().map(rounded).collect(), rows, ignored })
+    }
+}
+
+fn on_grid(entry: &Entry, time: &Rational, step: Option<&Rational>) -> Result<(), ConfigError> {
+    match step {
+        Some(step) if !time.is_zero() && fish::steps_to(time, step).is_none() => {
+            Err(entry.problem(Problem::OffGrid { time: time.to_string(), step: step.to_string() }))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn tolerance(source: &Source) -> Result<f64, ConfigError> {
+    const DEFAULT: f64 = 1e-10;
+    match source.needed("run")?.get("tolerance") {
+        None => Ok(DEFAULT),
+        Some(entry) => {
+            let tolerance = entry.number()?;
+            if !(1e-14..=0.1).contains(&tolerance) {
+                return Err(entry.range("a number from 1e-14 to 0.1"));
+            }
+            Ok(tolerance)
+        }
+    }
+}
+
+/// A model with its start and the times that are asked for, checked and ready to run.
+pub struct Scenario {
+    model: &'static str,
+    schedule: Schedule,
+    course: Box<dyn Course>,
+}
+
+impl std::fmt::Debug for Scenario {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Scenario").field("model", &self.model).finish_non_exhaustive()
+    }
+}
+
+impl Scenario {
+    /// Reads a configuration.
+    ///
+    /// # Errors
+    /// [`ConfigError`] with the line and key at fault.
+    pub fn read(text: &str) -> Result<Self, ConfigError> {
+        let source = Source::parse(text)?;
+        let top = source.top();
+        top.allow(&["model", "graph", "state", "law", "run"], "")?;
+        let entry = top.need("model", &MODELS.map(|(name, _)| name).join(", "))?;
+        let model = entry.choice(&MODELS)?;
+        let name = MODELS.iter().find(|(_, known)| *known == model).map_or("", |(name, _)| name);
+        let tolerance = tolerance(&source)?;
+        let mut step = None;
+        let course: Box<dyn Course> = match model {
+            Model::Phase => oscillator::read_phases(&source, tolerance)?,
+            Model::Particles => oscillator::read_particles(&source, tolerance)?,
+            Model::Headings => alignment::read(&source, true, tolerance)?,
+            Model::Velocities => alignment::read(&source, false, tolerance)?,
+            Model::Platoon => platoon::read(&source, tolerance)?,
+            Model::Fish => {
+                let (school, length) = fish::read(&source)?;
+                step = Some(length);
+                Box::new(school)
+            }
+            Model::Vicsek => {
+                step = Some(rational(1, 1));
+                vicsek::read(&source)?
+            }
+        };
+        let frame = course.frame();
+        let agents = frame.positions.len().max(frame.phases.len());
+        let schedule = Schedule::read(&source, model, step.as_ref(), agents)?;
+        Ok(Scenario { model: name, schedule, course })
+    }
+
+    /// The last time.
+    pub fn until(&self) -> f64 {
+        self.schedule.times.last().map_or(0.0, |(time, _)| *time)
+    }
+
+    /// Equations and choices, one sentence or more a line.
+    pub fn declaration(&self) -> Vec<String> {
+        [self.course.declaration(), self.schedule.declaration()].concat()
+    }
+
+    /// Runs it; `halt` is asked often whether to stop, and `progress` is told every time that is reached. The result does not depend on
+    /// the number of threads.
+    pub fn run(mut self, halt: &dyn Fn() -> bool, progress: &mut dyn FnMut(f64)) -> Outcome {
+        run(self.model, &self.schedule, self.course.as_mut(), halt, progress)
+    }
+}

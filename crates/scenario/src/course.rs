@@ -1,0 +1,199 @@
+//! A model on its way in time: what every model shows, and the continuous ones with their integrator and switches.
+
+use super::error::RunError;
+use super::links::Hold;
+use super::network::Change;
+use super::observables::Observable;
+use arithmetic::ArithmeticError;
+use motion::{IntegrationError, Integrator, Tolerance, next_fall};
+use std::cell::RefCell;
+
+/// Where the agents are; lists that the model does not have are empty.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Frame {
+    /// One list of coordinates for each agent.
+    pub positions: Vec<Vec<f64>>,
+    /// One list of coordinates for each agent.
+    pub velocities: Vec<Vec<f64>>,
+    /// Radians, not reduced to one turn.
+    pub phases: Vec<f64>,
+    /// Centres of the circles that steered particles would fly on without control, one list of coordinates for each.
+    pub centres: Vec<Vec<f64>>,
+}
+
+/// A link that came or went.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// When.
+    pub time: f64,
+    /// Whether it came.
+    pub gained: bool,
+    /// The agents from 1, the smaller number first; of an arc the one that takes account of the other first.
+    pub pair: (usize, usize),
+}
+
+impl Event {
+    pub(super) fn new(time: f64, change: &Change) -> Self {
+        Event { time, gained: change.gained, pair: (change.pair.0 + 1, change.pair.1 + 1) }
+    }
+}
+
+/// A model that can be moved forward in time.
+pub(super) trait Course {
+    /// Tells beforehand all times that will be asked for; models that are followed step by step need no plan.
+    fn plan(&mut self, _times: &[f64], _halt: &dyn Fn() -> bool) {}
+
+    /// Moves to a time that is not before the last one; `false` where `halt` told to stop before.
+    fn advance(&mut self, until: f64, events: &mut Vec<Event>, halt: &dyn Fn() -> bool) -> Result<bool, RunError>;
+
+    /// Where the agents are.
+    fn frame(&self) -> Frame;
+
+    /// What is measured there.
+    fn observe(&self) -> Result<Vec<Observable>, ArithmeticError>;
+
+    /// What is run, in words: equations and every choice that the configuration leaves open.
+    fn declaration(&self) -> Vec<String>;
+
+    /// What was special about the run, in words.
+    fn remarks(&self) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// A model in continuous time: `dy/dt = f(t, y)`, with links that are held between switches.
+pub(super) trait Law {
+    /// Writes `f(t, y)`.
+    fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) -> Result<(), ArithmeticError>;
+
+    /// Whether anything ever switches; by default nothing does.
+    fn switches(&self) -> bool {
+        false
+    }
+
+    /// What may fail, so that something has to switch, while no component of the state moves by more than `moved`.
+    fn holds(&self, _state: &[f64], _moved: &[f64]) -> Vec<Hold> {
+        Vec::new()
+    }
+
+    /// Switches what is due.
+    fn switch(&mut self, _state: &[f64]) -> Vec<Change> {
+        Vec::new()
+    }
+
+    /// When something is replaced whatever the state is, if ever again.
+    fn next_time(&self) -> Option<f64> {
+        None
+    }
+
+    /// Replaces what is due at that time.
+    fn replace(&mut self, _state: &[f64]) -> Vec<Change> {
+        Vec::new()
+    }
+
+    /// Makes everything that is held between switches anew from a state.
+    fn settle(&mut self, _state: &[f64]) {}
+
+    /// Where the agents are.
+    fn frame(&self, time: f64, state: &[f64]) -> Frame;
+
+    /// What is measured there.
+    fn observe(&self, time: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError>;
+
+    /// What is run, in words.
+    fn declaration(&self) -> Vec<String>;
+}
+
+/// A law with its solution.
+pub(super) struct Continuous<L> {
+    law: L,
+    solution: Integrator,
+    tolerance: Tolerance,
+    /// Switches in a row that took no time worth speaking of.
+    crowd: usize,
+}
+
+/// So many switches in no time are taken for a sliding motion.
+const LARGEST_CROWD: usize = 1000;
+
+impl<L: Law> Continuous<L> {
+    /// The law at its start.
+    pub fn new(law: L, state: &[f64], tolerance: f64) -> Self {
+        let tolerance = Tolerance { relative: tolerance, absolute: tolerance };
+        Continuous { law, solution: Integrator::new(0.0, state, tolerance), tolerance, crowd: 0 }
+    }
+
+    /// Replaces what is due by now.
+    fn replace_due(&mut self, events: &mut Vec<Event>) {
+        while self.law.next_time().is_some_and(|due| due <= self.solution.time()) {
+            let (time, state) = (self.solution.time(), self.solution.state().to_vec());
+            events.extend(self.law.replace(&state).iter().map(|change| Event::new(time, change)));
+            self.solution = Integrator::new(time, &state, self.tolerance);
+        }
+    }
+
+    /// Moves without or up to the next switch; whether there was one.
+    fn step(&mut self, until: f64) -> Result<Option<(f64, Vec<f64>)>, RunError> {
+        let failure = RefCell::new(None);
+        let law = &self.law;
+        let mut field = |time: f64, state: &[f64], rate: &mut [f64]| {
+            if let Err(error) = law.rate(time, state, rate) {
+                failure.replace(Some(error));
+                rate.fill(f64::NAN);
+            }
+        };
+        let moved = if law.switches() {
+            next_fall(&mut field, &mut self.solution, until, |state, moved| law.holds(state, moved))
+        } else {
+            self.solution.step(&mut field, until).map(|()| None)
+        };
+        let explained = |error| match (error, failure.take()) {
+            (IntegrationError::Stuck(time), Some(error)) => RunError::Law { time, error },
+            (error, _) => RunError::Integration(error),
+        };
+        Ok(moved.map_err(explained)?.map(|fall| (fall.time, fall.state)))
+    }
+}
+
+impl<L: Law> Course for Continuous<L> {
+    fn advance(&mut self, until: f64, events: &mut Vec<Event>, halt: &dyn Fn() -> bool) -> Result<bool, RunError> {
+        while self.solution.time() < until {
+            if halt() {
+                return Ok(false);
+            }
+            let before = self.solution.time();
+            let end = self.law.next_time().map_or(until, |time| time.min(until));
+            if let Some((time, state)) = self.step(end)? {
+                let changes = self.law.switch(&state);
+                events.extend(changes.iter().map(|change| Event::new(time, change)));
+                self.solution = Integrator::new(time, &state, self.tolerance);
+                self.crowd = if time - before > 1e-9 * (1.0 + time) { 0 } else { self.crowd + 1 };
+                if self.crowd > LARGEST_CROWD {
+                    return Err(RunError::Sliding(time));
+                }
+            }
+            self.replace_due(events);
+        }
+        Ok(true)
+    }
+
+    fn frame(&self) -> Frame {
+        self.law.frame(self.solution.time(), self.solution.state())
+    }
+
+    fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
+        self.law.observe(self.solution.time(), self.solution.state())
+    }
+
+    fn declaration(&self) -> Vec<String> {
+        let mut lines = self.law.declaration();
+        lines.push(format!(
+            "integrator: Dormand and Prince of order 8, error of a step at most {0:e} + {0:e} |y| in each component; steps end at every time that is written",
+            self.tolerance.relative
+        ));
+        if self.law.switches() {
+            lines.push("links are held between switches, and each switch is located to rounding; a pair at exactly the switching distance at the start is linked if it approaches".to_string());
+        }
+        lines
+    }
+}

@@ -1,0 +1,219 @@
+//! Why a configuration is refused or a run ends early.
+
+use arithmetic::{ArithmeticError, NumberError};
+use models::averaging::FlockError;
+use models::double_integrator::{FlockError as LargeFlockError, InputError, MotionError};
+use models::platoon::CommunicationError;
+use motion::IntegrationError;
+
+/// Why a text is not a scenario. Lines, agents and entries are counted from 1.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ConfigError {
+    /// Not TOML.
+    #[error("line {line}: not valid TOML: {message}")]
+    Toml {
+        /// The line.
+        line: usize,
+        /// What the parser says.
+        message: String,
+    },
+    /// A section that every scenario of the model has.
+    #[error("the section [{0}] is missing")]
+    MissingSection(&'static str),
+    /// A key that is needed.
+    #[error("`{key}` is missing in {section}: it should be {expected}")]
+    MissingKey {
+        /// The section, as it is called in a sentence.
+        section: String,
+        /// The key.
+        key: &'static str,
+        /// What it should be.
+        expected: String,
+    },
+    /// A key that is not known there.
+    #[error("line {line}: there is no key `{key}` in {section}; allowed are {allowed}")]
+    UnknownKey {
+        /// The line.
+        line: usize,
+        /// The key.
+        key: String,
+        /// The section, as it is called in a sentence.
+        section: String,
+        /// All keys that are allowed there.
+        allowed: String,
+    },
+    /// A value that cannot be used.
+    #[error("line {line}: `{key}`: {problem}")]
+    Value {
+        /// The line.
+        line: usize,
+        /// The key with its section, and the place in a list.
+        key: String,
+        /// What is wrong.
+        problem: Problem,
+    },
+}
+
+/// What is wrong with a value.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Problem {
+    /// Not a number.
+    #[error(transparent)]
+    Number(#[from] NumberError),
+    /// A number that no float holds.
+    #[error("the number is too large for a float")]
+    TooLarge,
+    /// A value of another kind.
+    #[error("it should be {0}")]
+    Shape(String),
+    /// Not one of the names.
+    #[error("`{found}` is not known; allowed are {allowed}")]
+    Name {
+        /// What was given.
+        found: String,
+        /// What there is.
+        allowed: String,
+    },
+    /// An empty list of agents.
+    #[error("there are no agents")]
+    NoAgents,
+    /// Lists of different lengths.
+    #[error("there are {found} entries for {agents} agents")]
+    Count {
+        /// The number of agents.
+        agents: usize,
+        /// Entries found.
+        found: usize,
+    },
+    /// A vector of another dimension.
+    #[error("there are {found} coordinates instead of {expected}")]
+    Coordinates {
+        /// The dimension of the model.
+        expected: usize,
+        /// Coordinates found.
+        found: usize,
+    },
+    /// Agents at the same place where the law divides by their distance.
+    #[error("agents {0} and {1} are at the same place")]
+    Coincident(usize, usize),
+    /// A zero velocity where a heading is needed.
+    #[error("agent {0} has velocity zero, and so no heading")]
+    NoHeading(usize),
+    /// An edge to an agent that is not there.
+    #[error("the edge {0}-{1} does not join two of the {2} agents")]
+    EdgeRange(usize, usize, usize),
+    /// A loop.
+    #[error("the edge {0}-{0} joins an agent with itself")]
+    Loop(usize),
+    /// An edge that is given twice.
+    #[error("the edge {0}-{1} is given twice")]
+    Duplicate(usize, usize),
+    /// A number outside its range.
+    #[error("it must be {0}")]
+    Range(String),
+    /// Gains for a pattern that does not exist.
+    #[error("a pattern of M = {clusters} clusters needs M to divide N = {agents}")]
+    Pattern {
+        /// Number of gains.
+        clusters: usize,
+        /// Number of agents.
+        agents: usize,
+    },
+    /// Circles without a radius.
+    #[error("omega0 must not be 0 where K0 or a beacon asks for circles of radius 1/|omega0|")]
+    NoCircles,
+    /// A beacon without an effect.
+    #[error("a beacon needs its gain `K0`, not 0")]
+    NoGain,
+    /// Two keys of which there can be one.
+    #[error("`{0}` and `{1}` cannot both be given")]
+    Both(&'static str, &'static str),
+    /// A network that the model does not have.
+    #[error("the {model} model needs {needs}")]
+    Network {
+        /// The model.
+        model: &'static str,
+        /// What it needs.
+        needs: &'static str,
+    },
+    /// Too many agents to follow all ways on at the radius.
+    #[error(
+        "velocity alignment within a radius is followed as a Filippov solution for at most {0} agents; with a fixed `step` in [run] it takes more"
+    )]
+    TooMany(usize),
+    /// A potential without a value.
+    #[error("the potential of agents {0} and {1} is not finite at the start")]
+    Potential(usize, usize),
+    /// A sample that is not on the grid of a model in discrete time.
+    #[error("{time} is not a multiple of the time step {step}")]
+    OffGrid {
+        /// The sample.
+        time: String,
+        /// The step.
+        step: String,
+    },
+    /// Times that do not increase.
+    #[error("the times must increase, but {after} follows {before}")]
+    Order {
+        /// The earlier entry.
+        before: f64,
+        /// The later one.
+        after: f64,
+    },
+    /// A sample after the end.
+    #[error("the sample at {sample} is beyond until = {until}")]
+    Beyond {
+        /// The sample.
+        sample: f64,
+        /// The end.
+        until: f64,
+    },
+    /// Not a flock of Chazelle's models.
+    #[error(transparent)]
+    Flock(#[from] FlockError),
+    /// Not a platoon.
+    #[error(transparent)]
+    Communication(#[from] CommunicationError),
+    /// Not a large flock.
+    #[error(transparent)]
+    Large(#[from] LargeFlockError),
+    /// Not a flock of switching links.
+    #[error(transparent)]
+    Motion(#[from] InputError),
+    /// The law has no value at the start.
+    #[error("the law has no value at the start: {0}")]
+    Law(#[from] ArithmeticError),
+}
+
+/// Why a run ended before its time.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RunError {
+    /// The integrator.
+    #[error(transparent)]
+    Integration(#[from] IntegrationError),
+    /// The law has no value at a state.
+    #[error("the law has no value near t = {time}: {error}")]
+    Law {
+        /// About when.
+        time: f64,
+        /// What was asked for.
+        error: ArithmeticError,
+    },
+    /// Switches pile up.
+    #[error("links switch without end at t = {0}: the motion along the switching distance is not followed")]
+    Sliding(f64),
+    /// An exact flock.
+    #[error(transparent)]
+    Flock(#[from] FlockError),
+    /// A flock of switching links.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// A large flock.
+    #[error("about t = {time}: {error}")]
+    Large {
+        /// About when.
+        time: f64,
+        /// Why there are no accelerations.
+        error: LargeFlockError,
+    },
+}

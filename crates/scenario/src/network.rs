@@ -1,0 +1,345 @@
+//! Who takes account of whom: the graph of a scenario, fixed or made from positions, with its switches.
+
+use super::error::{ConfigError, Problem};
+use super::source::{Section, Source};
+use algebra::graph::{NamedGraph, components};
+use arithmetic::{Complex, Field};
+use models::oscillator::{Everyone, Interaction, Neighbours};
+use std::collections::BTreeSet;
+
+/// A pair of agents from 0.
+pub(super) type Pair = (usize, usize);
+
+/// Most edges that are stored.
+const MOST_EDGES: usize = 1 << 23;
+
+/// Which networks a model can use.
+#[derive(Clone, Copy)]
+pub(super) struct Abilities {
+    /// For messages.
+    pub model: &'static str,
+    /// The model has positions in the plane.
+    pub positions: bool,
+    /// Arcs need no way back.
+    pub directed: bool,
+    /// The law sums over a list of edges; otherwise all-to-all costs O(N).
+    pub edges: bool,
+    /// Links can be replaced at given times.
+    pub timed: bool,
+    /// The most agents where links depend on distances.
+    pub most_switching: usize,
+    /// What is used where the section is missing.
+    pub default: Option<Kind>,
+}
+
+/// The kinds of the contract.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    AllToAll,
+    Path,
+    Ring,
+    Circulant,
+    Edges,
+    Within,
+    Nearest,
+}
+
+const KINDS: [(&str, Kind); 8] = [
+    ("complete", Kind::AllToAll),
+    ("path", Kind::Path),
+    ("ring", Kind::Ring),
+    ("circulant", Kind::Circulant),
+    ("edges", Kind::Edges),
+    ("within", Kind::Within),
+    ("nearest", Kind::Nearest),
+    ("all-to-all", Kind::AllToAll),
+];
+
+/// What makes the links.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Rule {
+    Fixed,
+    /// `|r_ij| < radius`.
+    Within(f64),
+    /// The so many nearest.
+    Nearest(usize),
+}
+
+/// A link that comes or goes; the pair from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Change {
+    pub gained: bool,
+    pub pair: Pair,
+}
+
+/// A network, held between its switches.
+#[derive(Debug, Clone)]
+pub(super) struct Network {
+    order: usize,
+    rule: Rule,
+    directed: bool,
+    /// Edges `i < j`, or arcs, in order; empty for an implicit all-to-all network.
+    pairs: Vec<Pair>,
+    /// None for an implicit all-to-all network.
+    lists: Option<Neighbours>,
+    /// When other links come into force, and which; the next one last.
+    coming: Vec<(f64, Vec<Pair>)>,
+    declaration: String,
+}
+
+impl Interaction for Network {
+    fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>> {
+        match &self.lists {
+            Some(lists) => lists.laplacian_of(x),
+            None => Everyone.laplacian_of(x),
+        }
+    }
+}
+
+impl Network {
+    /// Reads the section `[graph]`; a network that depends on positions is still without links, see [`Self::settle`].
+    pub fn read(source: &Source, order: usize, can: Abilities) -> Result<Self, ConfigError> {
+        let Some(section) = source.section("graph")? else {
+            return match can.default {
+                Some(Kind::AllToAll) => {
+                    Network::all_to_all(order, can.edges).map_err(|problem| source.top().problem(problem))
+                }
+                _ => Err(ConfigError::MissingSection("graph")),
+            };
+        };
+        let entry = section.need("kind", &KINDS.map(|(name, _)| name).join(", "))?;
+        let kind = entry.choice(&KINDS)?;
+        let needs = |needs| entry.problem(Problem::Network { model: can.model, needs });
+        if !can.positions && matches!(kind, Kind::Within | Kind::Nearest) {
+            return Err(needs("a fixed graph: it has no positions in the plane"));
+        }
+        if !can.directed && kind == Kind::Nearest {
+            return Err(needs("an undirected graph: that of the nearest is not"));
+        }
+        if order > can.most_switching && matches!(kind, Kind::Within | Kind::Nearest) {
+            return Err(entry.problem(Problem::TooMany(can.most_switching)));
+        }
+        let keys: &[&str] = match kind {
+            Kind::Circulant => &["kind", "offsets"],
+            Kind::Edges if can.timed => &["kind", "edges", "directed", "switches"],
+            Kind::Edges => &["kind", "edges", "directed"],
+            Kind::Within => &["kind", "radius"],
+            Kind::Nearest => &["kind", "nearest"],
+            _ => &["kind"],
+        };
+        section.allow(keys, &format!(" of kind \"{}\"", entry.word()?))?;
+        match kind {
+            Kind::AllToAll => Network::all_to_all(order, can.edges).map_err(|problem| entry.problem(problem)),
+            Kind::Path => Network::named(order, &NamedGraph::Path(order), &section),
+            Kind::Ring if order < 3 => Err(needs("at least 3 agents for a ring")),
+            Kind::Ring => Network::named(order, &NamedGraph::Ring(order), &section),
+            Kind::Circulant => {
+                let entry = section.need("offsets", "a list of integers")?;
+                let mut offsets = BTreeSet::new();
+                for item in entry.items("a list of integers")? {
+                    let offset = item.count(1, order - 1)?;
+                    if !offsets.insert(offset.min(order - offset)) {
+                        return Err(item.range("an offset that is not there yet, up to its sign modulo N"));
+                    }
+                }
+                Network::named(order, &NamedGraph::Circulant(order, offsets), &section)
+            }
+            Kind::Edges => Network::listed(order, &section, can),
+            Kind::Within => {
+                let radius = section.need("radius", "a number above 0")?.positive()?;
+                let declaration = format!(
+                    "links i-j where |r_i - r_j| < {radius}; they come and go where a distance crosses {radius}"
+                );
+                Ok(Network::switching(order, Rule::Within(radius), false, declaration))
+            }
+            Kind::Nearest => {
+                let count = section.need("nearest", "a number of neighbours")?.count(1, order - 1)?;
+                let declaration = format!(
+                    "agent k takes account of its {count} nearest agents; at equal distance of the one with the smaller number; events are arcs [k, j]"
+                );
+                Ok(Network::switching(order, Rule::Nearest(count), true, declaration))
+            }
+        }
+    }
+
+    /// All pairs.
+    pub fn all_to_all(order: usize, edges: bool) -> Result<Self, Problem> {
+        let declaration = "all-to-all network".to_string();
+        if !edges {
+            let (pairs, lists) = (Vec::new(), None);
+            let (rule, directed, coming) = (Rule::Fixed, false, Vec::new());
+            return Ok(Network { order, rule, directed, pairs, lists, coming, declaration });
+        }
+        if order.saturating_mul(order) / 2 > MOST_EDGES {
+            return Err(Problem::Range(format!("a graph of at most {MOST_EDGES} edges")));
+        }
+        let pairs = (0..order).flat_map(|i| (i + 1..order).map(move |j| (i, j))).collect();
+        Ok(Network::fixed(order, pairs, false, declaration))
+    }
+
+    fn named(order: usize, graph: &NamedGraph, section: &Section) -> Result<Self, ConfigError> {
+        let built = graph.build().map_err(|error| section.problem(Problem::Range(error.to_string())))?;
+        let row = |i: usize| built.adjacency().row(i).iter().map(move |(j, _)| (i, *j)).collect::<Vec<_>>();
+        let pairs = (0..order).flat_map(row).filter(|(i, j)| i < j).collect();
+        Ok(Network::fixed(order, pairs, false, format!("fixed network {graph}")))
+    }
+
+    fn listed(order: usize, section: &Section, can: Abilities) -> Result<Self, ConfigError> {
+        let directed = match section.get("directed") {
+            None => false,
+            Some(entry) => {
+                let directed = entry.flag()?;
+                if directed && !can.directed {
+                    return Err(entry.problem(Problem::Network { model: can.model, needs: "an undirected graph" }));
+                }
+                directed
+            }
+        };
+        let pairs = edge_list(order, section, directed)?;
+        let coming = timetable(order, section, directed)?;
+        let kind = if directed { "arcs i -> j (i takes account of j)" } else { "edges" };
+        let mut declaration = format!("fixed network of {} {kind}", pairs.len());
+        if let (Some((last, _)), Some((first, _))) = (coming.first(), coming.last()) {
+            declaration = format!(
+                "network of {} {kind}, replaced {} times, first at t = {first}, last at t = {last}; each is in force from its time on",
+                pairs.len(),
+                coming.len()
+            );
+        }
+        Ok(Network { coming, ..Network::fixed(order, pairs, directed, declaration) })
+    }
+
+    fn fixed(order: usize, pairs: Vec<Pair>, directed: bool, declaration: String) -> Self {
+        let mut network =
+            Network { order, rule: Rule::Fixed, directed, pairs, lists: None, coming: Vec::new(), declaration };
+        network.relist();
+        network
+    }
+
+    /// Links by a rule, none as yet.
+    pub fn switching(order: usize, rule: Rule, directed: bool, declaration: String) -> Self {
+        let lists = Some(Neighbours::from_arcs(order, []));
+        Network { order, rule, directed, pairs: Vec::new(), lists, coming: Vec::new(), declaration }
+    }
+
+    /// The lists of neighbours from the pairs.
+    fn relist(&mut self) {
+        let back = |&(i, j): &Pair| if self.directed { None } else { Some((j, i)) };
+        let arcs = self.pairs.iter().copied().chain(self.pairs.iter().filter_map(back));
+        self.lists = Some(Neighbours::from_arcs(self.order, arcs));
+    }
+
+    /// The number of agents.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// What is linked, in words.
+    pub fn declaration(&self) -> &str {
+        &self.declaration
+    }
+
+    /// What makes the links.
+    pub fn rule(&self) -> Rule {
+        self.rule
+    }
+
+    /// Whether the links depend on the positions.
+    pub fn switches(&self) -> bool {
+        self.rule != Rule::Fixed
+    }
+
+    /// Whether everyone takes account of everyone, without a list.
+    pub fn is_all_to_all(&self) -> bool {
+        self.lists.is_none()
+            || !self.switches() && self.coming.is_empty() && self.pairs.len() == self.order * (self.order - 1) / 2
+    }
+
+    /// The distance below which agents are linked.
+    pub fn radius(&self) -> Option<f64> {
+        match self.rule {
+            Rule::Within(radius) => Some(radius),
+            _ => None,
+        }
+    }
+
+    /// The edges, or the arcs of a directed network; empty for an implicit all-to-all network.
+    pub fn pairs(&self) -> &[Pair] {
+        &self.pairs
+    }
+
+    /// The neighbours of an agent; empty for an implicit all-to-all network.
+    pub fn neighbours(&self, k: usize) -> &[usize] {
+        self.lists.as_ref().map_or(&[], |lists| lists.of_particle(k))
+    }
+
+    /// Sets the links of a network that switches: edges `i < j`, or arcs.
+    pub fn set_pairs(&mut self, mut pairs: Vec<Pair>) {
+        pairs.sort_unstable();
+        self.pairs = pairs;
+        self.relist();
+    }
+
+    /// When other links come into force, if ever.
+    pub fn next_time(&self) -> Option<f64> {
+        self.coming.last().map(|(time, _)| *time)
+    }
+
+    /// Puts the next links into force.
+    pub fn replace(&mut self) -> Vec<Change> {
+        let Some((_, pairs)) = self.coming.pop() else { return Vec::new() };
+        let absent = |list: &[Pair], pair: &Pair| list.binary_search(pair).is_err();
+        let lost = self.pairs.iter().filter(|pair| absent(&pairs, pair)).map(|&pair| Change { gained: false, pair });
+        let gained = pairs.iter().filter(|pair| absent(&self.pairs, pair)).map(|&pair| Change { gained: true, pair });
+        let mut changes: Vec<Change> = lost.chain(gained).collect();
+        changes.sort_by_key(|change| change.pair);
+        self.set_pairs(pairs);
+        changes
+    }
+
+    /// The number of components, arcs taken as edges.
+    pub fn components(&self) -> usize {
+        if self.lists.is_none() { self.order.min(1) } else { components(self.order, &self.pairs).len() }
+    }
+}
+
+const EDGES: &str = "a list of pairs such as [1, 2]";
+
+/// The key `edges`: pairs `i < j`, or arcs, in order.
+fn edge_list(order: usize, section: &Section, directed: bool) -> Result<Vec<Pair>, ConfigError> {
+    let mut pairs = BTreeSet::new();
+    for item in section.need("edges", EDGES)?.items(EDGES)? {
+        let ends = item.items(EDGES)?;
+        let [first, second] = &ends[..] else { return Err(item.problem(Problem::Shape(EDGES.to_string()))) };
+        let (i, j) = (first.count(0, usize::MAX)?, second.count(0, usize::MAX)?);
+        if i.min(j) < 1 || i.max(j) > order {
+            return Err(item.problem(Problem::EdgeRange(i, j, order)));
+        }
+        if i == j {
+            return Err(item.problem(Problem::Loop(i)));
+        }
+        let pair = if directed { (i - 1, j - 1) } else { (i.min(j) - 1, i.max(j) - 1) };
+        if !pairs.insert(pair) {
+            return Err(item.problem(Problem::Duplicate(i, j)));
+        }
+    }
+    Ok(pairs.into_iter().collect())
+}
+
+/// The key `switches`: the times from which on other edges are in force, and these; the first one last.
+fn timetable(order: usize, section: &Section, directed: bool) -> Result<Vec<(f64, Vec<Pair>)>, ConfigError> {
+    let Some(entry) = section.get("switches") else { return Ok(Vec::new()) };
+    let mut coming: Vec<(f64, Vec<Pair>)> = Vec::new();
+    for item in entry.items("a list such as [{ at = 5, edges = [[1, 2]] }]")? {
+        let table = item.table("graph.switches")?;
+        table.allow(&["at", "edges"], "")?;
+        let at = table.need("at", "the time from which on these edges are in force")?;
+        let time = at.positive()?;
+        if let Some((before, _)) = coming.last().filter(|(before, _)| *before >= time) {
+            return Err(at.problem(Problem::Order { before: *before, after: time }));
+        }
+        coming.push((time, edge_list(order, &table, directed)?));
+    }
+    coming.reverse();
+    Ok(coming)
+}

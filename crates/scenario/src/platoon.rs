@@ -1,0 +1,168 @@
+//! Platoons on a line behind a leader (Veerman and others), on any fixed communication graph.
+
+use super::course::{Continuous, Course, Frame, Law};
+use super::error::{ConfigError, Problem};
+use super::network::{Abilities, Network};
+use super::observables::{Observable, min_distance};
+use super::source::{Section, Source};
+use super::start::{Needs, Start};
+use arithmetic::ArithmeticError;
+use models::platoon::observe::smallest_gap;
+use models::platoon::{Communication, CommunicationGraph, Gains};
+
+/// How the leader moves: `x_1(t) = place + speed t + amplitude cos(frequency t)`.
+struct Leader {
+    place: f64,
+    speed: f64,
+    amplitude: f64,
+    frequency: f64,
+}
+
+impl Leader {
+    /// Deviation from the desired position, which is 0 at rest, and its rate.
+    fn at(&self, time: f64) -> (f64, f64) {
+        let (sin, cos) = (self.frequency * time).sin_cos();
+        let position = self.place + self.speed * time + self.amplitude * cos;
+        (position, self.speed - self.amplitude * self.frequency * sin)
+    }
+}
+
+/// A platoon; states are deviations and rates of the followers.
+struct Platoon {
+    leader: Leader,
+    graph: CommunicationGraph,
+    tracking: String,
+    gains: Gains<f64>,
+    spacing: f64,
+}
+
+const COMMUNICATIONS: [(&str, Communication); 2] =
+    [("front", Communication::Front), ("front-and-back", Communication::FrontAndBack)];
+
+/// Reads the model.
+pub(super) fn read(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
+    let start = Start::read(source, Needs { dimension: 1, velocities: true, phases: false })?;
+    let law = source.needed("law")?;
+    law.allow(&["f", "g", "spacing", "communication", "leader"], " of the platoon model")?;
+    let negative = |key: &'static str| {
+        let entry = law.need(key, "a number below 0")?;
+        let gain = entry.number()?;
+        if gain < 0.0 { Ok(gain) } else { Err(entry.range("a number below 0")) }
+    };
+    let gains = Gains { f: negative("f")?, g: negative("g")? };
+    let spacing = law.get("spacing").map_or(Ok(1.0), |entry| entry.positive())?;
+    let (positions, velocities) = (start.flat_positions(), start.flat_velocities());
+    let (amplitude, frequency) = match law.get("leader") {
+        None => (0.0, 0.0),
+        Some(entry) => {
+            let leader = entry.table("law.leader")?;
+            leader.allow(&["amplitude", "frequency"], "")?;
+            (leader.number_or("amplitude", 1.0)?, leader.need("frequency", "a number in radians a second")?.number()?)
+        }
+    };
+    let leader = Leader { place: positions[0], speed: velocities[0], amplitude, frequency };
+    let (graph, tracking) = tracked(source, &law, positions.len())?;
+    let deviations = positions.iter().zip(0..).skip(1).map(|(x, k)| x + spacing * f64::from(k));
+    let state: Vec<f64> = deviations.chain(velocities.iter().skip(1).copied()).collect();
+    let platoon = Platoon { leader, graph, tracking, gains, spacing };
+    Ok(Box::new(Continuous::new(platoon, &state, tolerance)))
+}
+
+/// Who keeps track of whom.
+fn tracked(source: &Source, law: &Section, cars: usize) -> Result<(CommunicationGraph, String), ConfigError> {
+    let communication = law.get("communication");
+    let Some(section) = source.section("graph")? else {
+        let chosen = communication.as_ref().map_or(Ok(Communication::FrontAndBack), |e| e.choice(&COMMUNICATIONS))?;
+        let graph = CommunicationGraph::of(chosen, cars - 1).map_err(|error| law.problem(error.into()))?;
+        let words = match chosen {
+            Communication::Front => "every follower tracks the car in front (1)",
+            Communication::FrontAndBack => {
+                "every follower tracks the cars in front and behind with weights 1/2, the last one the car in front (2)"
+            }
+        };
+        return Ok((graph, words.to_string()));
+    };
+    if let Some(entry) = communication {
+        return Err(entry.problem(Problem::Both("communication", "[graph]")));
+    }
+    let can = Abilities {
+        model: "platoon",
+        positions: false,
+        directed: true,
+        edges: true,
+        timed: false,
+        most_switching: 0,
+        default: None,
+    };
+    let network = Network::read(source, cars, can)?;
+    let rows: Vec<Vec<usize>> = (1..cars).map(|k| network.neighbours(k).to_vec()).collect();
+    let graph = CommunicationGraph::with_equal_weights(&rows).map_err(|error| section.problem(error.into()))?;
+    let words = format!(
+        "every follower compares itself with the mean of its neighbours in the {}; the leader takes account of nobody",
+        network.declaration()
+    );
+    Ok((graph, words))
+}
+
+impl Law for Platoon {
+    fn rate(&self, time: f64, state: &[f64], rate: &mut [f64]) -> Result<(), ArithmeticError> {
+        let (positions, velocities) = state.split_at(state.len() / 2);
+        let (y, u) = self.leader.at(time);
+        let accelerations = self.graph.accelerations(&self.gains, (&y, &u), positions, velocities);
+        let rates = velocities.iter().copied().chain(accelerations);
+        rate.iter_mut().zip(rates).for_each(|(rate, value)| *rate = value);
+        Ok(())
+    }
+
+    fn frame(&self, time: f64, state: &[f64]) -> Frame {
+        let (positions, velocities) = state.split_at(state.len() / 2);
+        let (y, u) = self.leader.at(time);
+        let place = |(y, k): (f64, u32)| vec![y - self.spacing * f64::from(k)];
+        Frame {
+            positions: std::iter::once(y).chain(positions.iter().copied()).zip(0..).map(place).collect(),
+            velocities: std::iter::once(u).chain(velocities.iter().copied()).map(|u| vec![u]).collect(),
+            ..Frame::default()
+        }
+    }
+
+    fn observe(&self, time: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
+        let (positions, _) = state.split_at(state.len() / 2);
+        let frame = self.frame(time, state);
+        let (y, _) = self.leader.at(time);
+        let gaps: Vec<f64> = frame.positions.windows(2).map(|pair| pair[0][0] - pair[1][0]).collect();
+        let speeds: Vec<f64> = frame.velocities.iter().flatten().copied().collect();
+        let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
+        let spread = speeds.iter().map(|u| (u - mean) * (u - mean)).sum::<f64>().sqrt();
+        let largest = positions.iter().map(|x| (x - y).abs()).fold(0.0, f64::max);
+        Ok(vec![
+            Observable::number("min_gap", smallest_gap(y, positions, self.spacing)),
+            Observable::number("max_gap", gaps.into_iter().fold(f64::NEG_INFINITY, f64::max)),
+            Observable::number("largest_deviation", largest),
+            Observable::number("last_deviation", positions.last().map_or(0.0, |x| x - y)),
+            Observable::number("disagreement", spread),
+            Observable::number("min_distance", min_distance(&frame.positions)),
+            Observable::count("components", if self.graph.is_connected() { 1 } else { self.components() }),
+        ])
+    }
+
+    fn declaration(&self) -> Vec<String> {
+        let Leader { place, speed, amplitude, frequency } = &self.leader;
+        vec![
+            format!(
+                "platoon of Veerman and others: y_k'' = f e_k + g e_k' with f = {}, g = {}, e_k the deviation of follower k from the mean of the cars it tracks, y_k = x_k - h_k, h_k = -{} (k - 1)",
+                self.gains.f, self.gains.g, self.spacing
+            ),
+            self.tracking.clone(),
+            format!("agent 1 is the leader: x_1(t) = {place} + {speed} t + {amplitude} cos({frequency} t); at t = 0 it is at {}", place + amplitude),
+            "observables: gaps x_k - x_(k+1) of successive cars (min_gap, max_gap); deviations y_k - y_1 from the leader (largest in size; of the last car); disagreement sqrt(sum |v_k - mean|²) with the leader; min_distance over all pairs; components of the communication graph".to_string(),
+        ]
+    }
+}
+
+impl Platoon {
+    fn components(&self) -> usize {
+        let followers = 1..=self.graph.followers();
+        let arcs = followers.flat_map(|k| self.graph.tracked_by(k).iter().map(move |(agent, _)| (k, *agent)));
+        algebra::graph::components(self.graph.followers() + 1, &arcs.collect::<Vec<_>>()).len()
+    }
+}

@@ -1,0 +1,208 @@
+//! TOML as sections, keys and numbers, each with its line, so that every error can say where it is.
+
+use super::error::{ConfigError, Problem};
+use arithmetic::{Rational, parse_rational};
+use num_traits::ToPrimitive;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A configuration that was parsed but not yet understood.
+pub(super) struct Source<'a> {
+    text: &'a str,
+    table: Spanned<DeTable<'a>>,
+}
+
+/// The line of a place in a text, from 1.
+fn line_of(text: &str, place: usize) -> usize {
+    1 + text.as_bytes().iter().take(place).filter(|byte| **byte == b'\n').count()
+}
+
+impl<'a> Source<'a> {
+    /// Parses a text.
+    pub fn parse(text: &'a str) -> Result<Self, ConfigError> {
+        let table = DeTable::parse(text).map_err(|error| ConfigError::Toml {
+            line: line_of(text, error.span().map_or(0, |span| span.start)),
+            message: error.message().lines().next().unwrap_or_default().to_string(),
+        })?;
+        Ok(Source { text, table })
+    }
+
+    /// The keys outside any section.
+    pub fn top(&self) -> Section<'_> {
+        Section { name: "", text: self.text, line: 1, table: self.table.get_ref() }
+    }
+
+    /// A section, where there is one.
+    pub fn section(&self, name: &'static str) -> Result<Option<Section<'_>>, ConfigError> {
+        self.top().get(name).map(|entry| entry.table(name)).transpose()
+    }
+
+    /// A section that must be there.
+    pub fn needed(&self, name: &'static str) -> Result<Section<'_>, ConfigError> {
+        self.section(name)?.ok_or(ConfigError::MissingSection(name))
+    }
+}
+
+/// A table of the configuration.
+#[derive(Clone, Copy)]
+pub(super) struct Section<'a> {
+    name: &'static str,
+    text: &'a str,
+    line: usize,
+    table: &'a DeTable<'a>,
+}
+
+impl<'a> Section<'a> {
+    fn called(&self) -> String {
+        if self.name.is_empty() { "the configuration".to_string() } else { format!("[{}]", self.name) }
+    }
+
+    /// Refuses keys that are not in the list; `among` says more about the section, such as the model.
+    pub fn allow(&self, keys: &[&str], among: &str) -> Result<(), ConfigError> {
+        let unknown = self.table.iter().filter(|(key, _)| !keys.contains(&key.get_ref().as_ref()));
+        match unknown.min_by_key(|(key, _)| key.span().start) {
+            None => Ok(()),
+            Some((key, _)) => Err(ConfigError::UnknownKey {
+                line: line_of(self.text, key.span().start),
+                key: key.get_ref().to_string(),
+                section: format!("{}{among}", self.called()),
+                allowed: if keys.is_empty() { "none".to_string() } else { keys.join(", ") },
+            }),
+        }
+    }
+
+    /// The value of a key, where it is given.
+    pub fn get(&self, key: &str) -> Option<Entry<'a>> {
+        let (_, value) = self.table.iter().find(|(known, _)| known.get_ref().as_ref() == key)?;
+        let name = if self.name.is_empty() { key.to_string() } else { format!("{}.{key}", self.name) };
+        Some(Entry { key: name, text: self.text, value })
+    }
+
+    /// The value of a key that must be there; `expected` is what it should be.
+    pub fn need(&self, key: &'static str, expected: &str) -> Result<Entry<'a>, ConfigError> {
+        let missing = || ConfigError::MissingKey { section: self.called(), key, expected: expected.to_string() };
+        self.get(key).ok_or_else(missing)
+    }
+
+    /// A number with a default.
+    pub fn number_or(&self, key: &str, default: f64) -> Result<f64, ConfigError> {
+        self.get(key).map_or(Ok(default), |entry| entry.number())
+    }
+
+    /// A problem of the section as a whole.
+    pub fn problem(&self, problem: Problem) -> ConfigError {
+        ConfigError::Value { line: self.line, key: self.name.to_string(), problem }
+    }
+}
+
+/// A value with its name.
+#[derive(Clone)]
+pub(super) struct Entry<'a> {
+    key: String,
+    text: &'a str,
+    value: &'a Spanned<DeValue<'a>>,
+}
+
+impl<'a> Entry<'a> {
+    /// A problem of this value.
+    pub fn problem(&self, problem: impl Into<Problem>) -> ConfigError {
+        let line = line_of(self.text, self.value.span().start);
+        ConfigError::Value { line, key: self.key.clone(), problem: problem.into() }
+    }
+
+    fn shape(&self, expected: &str) -> ConfigError {
+        self.problem(Problem::Shape(expected.to_string()))
+    }
+
+    /// A range that the value breaks.
+    pub fn range(&self, must: impl Into<String>) -> ConfigError {
+        self.problem(Problem::Range(must.into()))
+    }
+
+    /// The value as a table.
+    pub fn table(&self, name: &'static str) -> Result<Section<'a>, ConfigError> {
+        let line = line_of(self.text, self.value.span().start);
+        match self.value.get_ref() {
+            DeValue::Table(table) => Ok(Section { name, text: self.text, line, table }),
+            _ => Err(self.shape("a table")),
+        }
+    }
+
+    /// Whether the value is a table.
+    pub fn is_table(&self) -> bool {
+        self.value.get_ref().is_table()
+    }
+
+    /// The value as a text.
+    pub fn word(&self) -> Result<&'a str, ConfigError> {
+        self.value.get_ref().as_str().ok_or_else(|| self.shape("a text in quotes"))
+    }
+
+    /// One of some names.
+    pub fn choice<T: Copy>(&self, names: &[(&'static str, T)]) -> Result<T, ConfigError> {
+        let word = self.word()?;
+        let known = names.iter().find(|(name, _)| *name == word);
+        known.map(|(_, value)| *value).ok_or_else(|| {
+            let allowed = names.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
+            self.problem(Problem::Name { found: word.to_string(), allowed })
+        })
+    }
+
+    /// True or false.
+    pub fn flag(&self) -> Result<bool, ConfigError> {
+        self.value.get_ref().as_bool().ok_or_else(|| self.shape("true or false"))
+    }
+
+    /// The value as an exact number: an integer, a decimal, or a text such as `"1/2"`.
+    pub fn exact(&self) -> Result<Rational, ConfigError> {
+        let text = match self.value.get_ref() {
+            DeValue::String(text) => text.as_ref(),
+            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str(),
+            DeValue::Float(float) => float.as_str(),
+            _ => return Err(self.shape("a number: an integer, a decimal or a fraction in quotes")),
+        };
+        parse_rational(text).map_err(|error| self.problem(error))
+    }
+
+    /// The exact number, rounded once.
+    pub fn number(&self) -> Result<f64, ConfigError> {
+        let number = self.exact()?.to_f64().filter(|x| x.is_finite());
+        number.ok_or_else(|| self.problem(Problem::TooLarge))
+    }
+
+    /// A number above zero.
+    pub fn positive(&self) -> Result<f64, ConfigError> {
+        let number = self.number()?;
+        if number > 0.0 { Ok(number) } else { Err(self.range("a number above 0")) }
+    }
+
+    /// An integer from `least` to `most`.
+    pub fn count(&self, least: usize, most: usize) -> Result<usize, ConfigError> {
+        let refuse = || match least > most {
+            true => self.range("left out: there are too few agents for it"),
+            false => self.range(format!("an integer from {least} to {most}")),
+        };
+        let exact = self.exact()?;
+        let count = exact.is_integer().then(|| exact.to_integer().to_usize()).flatten();
+        count.filter(|n| (least..=most).contains(n)).ok_or_else(refuse)
+    }
+
+    /// The entries of a list.
+    pub fn items(&self, expected: &str) -> Result<Vec<Entry<'a>>, ConfigError> {
+        let list = self.value.get_ref().as_array().ok_or_else(|| self.shape(expected))?;
+        let entry = |(i, value)| Entry { key: format!("{}, entry {}", self.key, i + 1), text: self.text, value };
+        Ok(list.iter().enumerate().map(entry).collect())
+    }
+
+    /// A list of numbers.
+    pub fn numbers(&self) -> Result<Vec<f64>, ConfigError> {
+        self.items("a list of numbers")?.iter().map(Entry::number).collect()
+    }
+
+    /// A vector of the plane.
+    pub fn vector(&self) -> Result<[f64; 2], ConfigError> {
+        let numbers = self.numbers()?;
+        let found = numbers.len();
+        numbers.try_into().map_err(|_| self.problem(Problem::Coordinates { expected: 2, found }))
+    }
+}

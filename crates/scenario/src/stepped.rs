@@ -1,0 +1,99 @@
+//! Fixed steps, for many agents whose links depend on distances: each stage reads the links off the positions, neighbours by cells;
+//! switches are passed over.
+
+use super::course::{Course, Event, Frame, Law};
+use super::error::{ConfigError, RunError};
+use super::network::Network;
+use super::observables::Observable;
+use super::source::Source;
+use arithmetic::ArithmeticError;
+use motion::Rk4;
+
+/// Writes the rate of change at a time and state.
+type Rate<L> = Box<dyn FnMut(&mut L, f64, &[f64], &mut [f64]) -> Result<(), RunError>>;
+
+/// A law with its state.
+pub(super) struct Stepped<L> {
+    law: L,
+    rate: Rate<L>,
+    method: Rk4,
+    list: Vec<f64>,
+    time: f64,
+    /// The longest step.
+    step: f64,
+}
+
+/// The length of fixed steps, where `[run]` asks for them.
+pub(super) fn read_step(source: &Source, network: &Network) -> Result<Option<f64>, ConfigError> {
+    let Some(entry) = source.needed("run")?.get("step") else { return Ok(None) };
+    if !network.switches() {
+        return Err(entry.range("left out: only links that depend on distances are followed in fixed steps"));
+    }
+    entry.positive().map(Some)
+}
+
+impl<L: Law> Stepped<L> {
+    /// A law at its start, with its rate where the links are those of the positions.
+    pub fn new(law: L, list: Vec<f64>, step: f64, rate: Rate<L>) -> Self {
+        Stepped { law, rate, method: Rk4::new(list.len()), list, time: 0.0, step }
+    }
+
+    /// A law at its start, which is settled before its rate is asked for.
+    pub fn settled(law: L, list: Vec<f64>, step: f64) -> Self {
+        let rate = |law: &mut L, time: f64, list: &[f64], rate: &mut [f64]| {
+            law.settle(list);
+            law.rate(time, list, rate).map_err(|error| RunError::Law { time, error })
+        };
+        Stepped::new(law, list, step, Box::new(rate))
+    }
+
+    fn single_step(&mut self, length: f64) -> Result<(), RunError> {
+        let (law, rate) = (&mut self.law, &mut self.rate);
+        let mut failure = None;
+        let mut field = |time: f64, list: &[f64], slope: &mut [f64]| {
+            if failure.is_none() {
+                failure = rate(law, time, list, slope).err();
+            }
+        };
+        self.method.step(&mut field, self.time, length, &mut self.list);
+        failure.map_or(Ok(()), Err)
+    }
+}
+
+impl<L: Law> Course for Stepped<L> {
+    fn advance(&mut self, until: f64, _: &mut Vec<Event>, halt: &dyn Fn() -> bool) -> Result<bool, RunError> {
+        let from = self.time;
+        // A remainder of a hair's breadth is taken along.
+        let steps = ((until - from) / self.step * (1.0 - 1e-12)).ceil().max(0.0);
+        let length = (until - from) / steps.max(1.0);
+        let mut taken = 0.0;
+        while taken < steps {
+            if halt() {
+                return Ok(false);
+            }
+            self.single_step(length)?;
+            taken += 1.0;
+            self.time = from + taken * length;
+        }
+        self.time = until;
+        self.law.settle(&self.list);
+        Ok(true)
+    }
+
+    fn frame(&self) -> Frame {
+        self.law.frame(self.time, &self.list)
+    }
+
+    fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
+        self.law.observe(self.time, &self.list)
+    }
+
+    fn declaration(&self) -> Vec<String> {
+        let mut lines = self.law.declaration();
+        lines.push(format!(
+            "integrator: the classical method of Runge and Kutta of order 4, steps of {} or a little less, so that they end at every time that is written; links are read off the positions in every stage: switches are neither located nor listed, and the tolerance has no effect",
+            self.step
+        ));
+        lines
+    }
+}

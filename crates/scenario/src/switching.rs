@@ -1,0 +1,124 @@
+//! Velocity alignment with links within a radius, followed by the motions of [`models::double_integrator`]: every arrival at the radius
+//! is located, and what has several ways on is followed as a Filippov solution.
+
+use super::alignment::Agents;
+use super::course::{Course, Event, Frame, Law};
+use super::error::RunError;
+use super::network::Change;
+use super::observables::Observable;
+use arithmetic::ArithmeticError;
+use models::double_integrator::{EventKind, Flock, Motion, MotionError, Options};
+use motion::Tolerance;
+
+/// A flock with the motion that is known once it was planned.
+pub(super) struct Switching {
+    agents: Agents,
+    flock: Flock,
+    options: Options,
+    motion: Motion,
+    /// Why there is no more of the motion.
+    end: Result<(), MotionError>,
+    /// The sample where it is, none before the first; and the events that were told.
+    sample: Option<usize>,
+    told: usize,
+}
+
+impl Switching {
+    /// A flock at its start.
+    pub fn new(agents: Agents, flock: Flock, tolerance: f64) -> Self {
+        let tolerance = Tolerance { relative: tolerance, absolute: tolerance };
+        let options = Options { tolerance, ..Options::default() };
+        Switching { agents, flock, options, motion: Motion::default(), end: Ok(()), sample: None, told: 0 }
+    }
+
+    fn list(&self) -> Vec<f64> {
+        let sample = self.sample.and_then(|k| self.motion.samples.get(k));
+        sample.map_or_else(|| self.flock.start().to_list(), |sample| sample.state.to_list())
+    }
+
+    fn time(&self) -> f64 {
+        self.sample.and_then(|k| self.motion.samples.get(k)).map_or(0.0, |sample| sample.time)
+    }
+}
+
+impl Course for Switching {
+    fn plan(&mut self, times: &[f64], halt: &dyn Fn() -> bool) {
+        let until = times.last().copied().unwrap_or(0.0);
+        (self.motion, self.end) = self.flock.run_while(until, times, &self.options, &|| !halt());
+    }
+
+    fn advance(&mut self, until: f64, events: &mut Vec<Event>, _: &dyn Fn() -> bool) -> Result<bool, RunError> {
+        let next = self.sample.map_or(0, |k| k + 1);
+        let Some(sample) = self.motion.samples.get(next) else {
+            return match self.end.clone() {
+                Err(MotionError::Halted(_)) | Ok(()) => Ok(false),
+                Err(error) => Err(error.into()),
+            };
+        };
+        self.sample = Some(next);
+        self.agents.relink(&sample.links);
+        for event in self.motion.events.iter().skip(self.told).take_while(|event| event.time <= until) {
+            self.told += 1;
+            let gained = match event.kind {
+                EventKind::Link => true,
+                EventKind::Unlink => false,
+                EventKind::Touch | EventKind::Stay => continue,
+            };
+            events.push(Event::new(event.time, &Change { gained, pair: event.pair }));
+        }
+        Ok(true)
+    }
+
+    fn frame(&self) -> Frame {
+        self.agents.frame(self.time(), &self.list())
+    }
+
+    fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
+        self.agents.observe(self.time(), &self.list())
+    }
+
+    fn declaration(&self) -> Vec<String> {
+        let mut lines = self.agents.declaration();
+        lines.push(format!(
+            "integrator: Dormand and Prince of order 8, error of a step at most {0:e} + {0:e} |y| in each component; states between steps by a step of full order",
+            self.options.tolerance.relative
+        ));
+        lines.push("every arrival of a pair at the radius is located to rounding; where the motion has several ways on (Filippov), pairs stay on their side, and a pair that starts at the radius is not linked; remarks tell where".to_string());
+        lines
+    }
+
+    fn remarks(&self) -> Vec<String> {
+        /// More are only counted.
+        const MOST: usize = 100;
+        let stays = self.motion.events.iter().filter_map(|event| {
+            let what = match event.kind {
+                EventKind::Touch => "reach the radius and go back",
+                EventKind::Stay => "stay at the radius for a while",
+                _ => return None,
+            };
+            Some((
+                event.time,
+                format!("t = {}: agents {} and {} {what}", event.time, event.pair.0 + 1, event.pair.1 + 1),
+            ))
+        });
+        let forks = self.motion.choices.iter().map(|choice| {
+            let (count, taken) = (choice.branches.len(), choice.taken + 1);
+            (
+                choice.time,
+                format!("t = {}: {count} ways on for the pairs at the radius, followed is number {taken}", choice.time),
+            )
+        });
+        let mut all: Vec<(f64, String)> = stays.chain(forks).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let count = all.len();
+        let mut lines: Vec<String> = all.into_iter().take(MOST).map(|(_, line)| line).collect();
+        if count > MOST {
+            lines.push(format!("and {} more", count - MOST));
+        }
+        let energy = &self.motion.energy;
+        if !energy.is_monotone() {
+            lines.push("the energy Q rose by more than the tolerance allows: the motion is not reliable".to_string());
+        }
+        lines
+    }
+}

@@ -1,5 +1,0 @@
-//! Mirrors `src/ledger` and `src/claims`.
-
-mod judging;
-mod recorded;
-mod seeds;

@@ -1,6 +1,0 @@
-//! Mirrors `src/simulate`.
-
-mod cells;
-mod integrators;
-mod phases;
-mod statistics;
