@@ -2,7 +2,7 @@
 
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress};
-use flockproof::ledger::{Ledger, LedgerError, Options, Report, to_json};
+use flockproof::ledger::{Ledger, LedgerError, Options, Report, recorded_row, to_json};
 use flockproof::report::{summary, verdict_table};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -19,6 +19,9 @@ pub struct Arguments {
     /// Write the ledger as JSON to this file; `-` prints it instead of the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Write what was reached as a table of recorded verdicts, for crates/claims/src/recorded.tsv
+    #[arg(long, value_name = "FILE")]
+    record: Option<PathBuf>,
     /// Seed of everything random
     #[arg(long, value_name = "S", default_value = "flockproof")]
     seed: String,
@@ -68,6 +71,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
 }
 
 fn write_report(arguments: &Arguments, report: &Report, options: &Options) -> Result<(), CliError> {
+    if let Some(path) = &arguments.record {
+        let rows: String = report.entries.iter().map(|entry| recorded_row(entry) + "\n").collect();
+        output::write_file(path, format!("id\tverdict\tfault\treach\tgrades\n{rows}").as_bytes())?;
+    }
     let json = to_json(report, options);
     match &arguments.json {
         Some(path) if path.as_os_str() == "-" => return output::print(&json),

@@ -5,7 +5,6 @@ mod beyond;
 pub mod certificates;
 mod chazelle;
 pub mod paley;
-mod record;
 mod shares;
 mod tanner1;
 mod tanner2;

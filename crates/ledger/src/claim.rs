@@ -1,6 +1,7 @@
 //! The trait that a claim implements.
 
-use super::{Evidence, Run};
+use super::{Evidence, Run, Verdict};
+use serde::Serialize;
 
 /// A statement with a check. `notes/own_claims.md` shows how to write and register one.
 pub trait Claim: Send + Sync + 'static {
@@ -12,6 +13,16 @@ pub trait Claim: Send + Sync + 'static {
 
     /// Place and text of the statement; `None` for the ids of the papers, whose list the ledger has.
     fn source(&self) -> Option<Source> {
+        None
+    }
+
+    /// The sentences of the statement that can be true or false alone, in order; none where the statement is one clause.
+    fn clauses(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// How the statement is read, where that is a choice.
+    fn reading(&self) -> Option<String> {
         None
     }
 
@@ -71,12 +82,38 @@ impl Outcome {
 }
 
 /// What is wrong with a printed claim that fails.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Fault {
-    /// Misprinted: an evident correction holds.
-    Misprint,
-    /// False: the repaired statement says something else.
+    /// A hypothesis is missing that the paper does not state (a degenerate size, connectedness); true with it.
+    Hypothesis,
+    /// The intended text is evident.
+    Typo,
+    /// A step of algebra or an estimate is wrong, and the use made of it survives.
+    Slip,
+    /// The mathematics is wrong.
     False,
+}
+
+impl Fault {
+    /// The verdict on a statement with this fault.
+    pub fn verdict(self) -> Verdict {
+        match self {
+            Fault::Hypothesis => Verdict::NeedsHypothesis,
+            Fault::Typo | Fault::Slip => Verdict::Misprint,
+            Fault::False => Verdict::False,
+        }
+    }
+
+    /// The word used in the ledger.
+    pub fn word(self) -> &'static str {
+        match self {
+            Fault::Hypothesis => "hypothesis",
+            Fault::Typo => "typo",
+            Fault::Slip => "slip",
+            Fault::False => "false",
+        }
+    }
 }
 
 /// A corrected statement.
@@ -86,6 +123,8 @@ pub struct Repair<V> {
     pub fault: Fault,
     /// The corrected statement in words.
     pub statement: String,
+    /// Its clauses; none where it is one.
+    pub clauses: Vec<String>,
     /// The corrected statement for the check.
     pub variant: V,
 }
@@ -153,8 +192,12 @@ pub trait AnyClaim: Send + Sync {
     fn source(&self) -> Option<Source>;
     /// The argument in words.
     fn derivation(&self) -> &str;
-    /// The fault and the corrected statement, for claims whose printed form fails.
-    fn correction(&self) -> Option<(Fault, String)>;
+    /// The sentences of the printed statement, where it has several.
+    fn clauses(&self) -> Vec<String>;
+    /// How the statement is read.
+    fn reading(&self) -> Option<String>;
+    /// The corrected statement, for claims whose printed form fails.
+    fn correction(&self) -> Option<Repair<()>>;
     /// What each negative control alters.
     fn alterations(&self) -> Vec<&'static str>;
     /// Decides one form.
@@ -174,8 +217,15 @@ impl<C: Claim> AnyClaim for C {
     fn derivation(&self) -> &str {
         Claim::derivation(self)
     }
-    fn correction(&self) -> Option<(Fault, String)> {
-        self.repair().map(|repair| (repair.fault, repair.statement))
+    fn clauses(&self) -> Vec<String> {
+        Claim::clauses(self)
+    }
+    fn reading(&self) -> Option<String> {
+        Claim::reading(self)
+    }
+    fn correction(&self) -> Option<Repair<()>> {
+        let Repair { fault, statement, clauses, .. } = self.repair()?;
+        Some(Repair { fault, statement, clauses, variant: () })
     }
     fn alterations(&self) -> Vec<&'static str> {
         self.controls().into_iter().map(|control| control.what).collect()

@@ -1,8 +1,9 @@
 //! What the ledger says about one claim; the JSON of `verify --json`.
 
+use super::Fault;
 use arithmetic::{Interval, decimals};
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The verdict on a claim as printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -10,9 +11,11 @@ use std::collections::BTreeMap;
 pub enum Verdict {
     /// The printed claim holds.
     Holds,
-    /// The printed form fails, an evident correction holds.
+    /// It fails only where a hypothesis is missing that the paper does not state; true with it.
+    NeedsHypothesis,
+    /// It fails as printed; the intended text is evident, or a wrong step does not touch the use made of it.
     Misprint,
-    /// The printed claim fails.
+    /// The mathematics is wrong: a counterexample within the paper's own hypotheses and standing conventions.
     False,
     /// Neither could be established.
     Undecided,
@@ -21,10 +24,21 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// All verdicts, in the order of a summary.
+    pub const ALL: [Verdict; 6] = [
+        Verdict::Holds,
+        Verdict::NeedsHypothesis,
+        Verdict::Misprint,
+        Verdict::False,
+        Verdict::Undecided,
+        Verdict::NotCheckable,
+    ];
+
     /// The word used in the ledger.
     pub fn word(self) -> &'static str {
         match self {
             Verdict::Holds => "holds",
+            Verdict::NeedsHypothesis => "needs_hypothesis",
             Verdict::Misprint => "misprint",
             Verdict::False => "false",
             Verdict::Undecided => "undecided",
@@ -41,12 +55,14 @@ pub enum Grade {
     Kernel,
     /// Exact identity of rational functions, tested at random points with an error bound.
     Identity,
-    /// Exact arithmetic on the concrete instance.
-    Exact,
-    /// Every case up to a stated size.
+    /// Every case of a finite family.
     Exhaustive,
-    /// Interval enclosures that imply the statement.
+    /// Interval enclosures that imply the statement, for a box of parameters or an instance.
     Certified,
+    /// A proof on paper in notes/, with its computed checks beside it.
+    Argued,
+    /// Exact arithmetic on named instances; also a counterexample.
+    Exact,
     /// Floating-point run with a derived tolerance.
     Simulated,
     /// Property test.
@@ -61,9 +77,10 @@ impl Grade {
         match self {
             Grade::Kernel => "kernel",
             Grade::Identity => "identity",
-            Grade::Exact => "exact",
             Grade::Exhaustive => "exhaustive",
             Grade::Certified => "certified",
+            Grade::Argued => "argued",
+            Grade::Exact => "exact",
             Grade::Simulated => "simulated",
             Grade::Fuzzed => "fuzzed",
             Grade::Text => "text",
@@ -71,11 +88,25 @@ impl Grade {
     }
 }
 
+/// How far a piece of evidence reaches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Scope {
+    /// All parameters of its clauses.
+    All,
+    /// Some of them.
+    Instances,
+}
+
 /// One piece of evidence for a stated part of a claim.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Evidence {
     /// Its grade.
     pub grade: Grade,
+    /// The clauses that it bears on, counted from 1.
+    pub clauses: Vec<usize>,
+    /// How far it reaches; nothing for the text against itself.
+    pub scope: Option<Scope>,
     /// The part of the claim it supports.
     pub part: String,
     /// What was done.
@@ -87,9 +118,31 @@ pub struct Evidence {
 }
 
 impl Evidence {
-    /// Evidence without a count or bound.
+    /// Evidence on instances, without a count or bound. It bears on the only clause of a statement that has one; for others
+    /// see [`Evidence::on`].
     pub fn new(grade: Grade, part: impl Into<String>, detail: impl Into<String>) -> Self {
-        Evidence { grade, part: part.into(), detail: detail.into(), cases: None, error_bound: None }
+        let scope = (grade != Grade::Text).then_some(Scope::Instances);
+        Evidence {
+            grade,
+            clauses: Vec::new(),
+            scope,
+            part: part.into(),
+            detail: detail.into(),
+            cases: None,
+            error_bound: None,
+        }
+    }
+
+    /// The same for these clauses, counted from 1.
+    pub fn on(mut self, clauses: impl Into<Vec<usize>>) -> Self {
+        self.clauses = clauses.into();
+        self
+    }
+
+    /// The same for all parameters of its clauses. To be said only where the evidence would change if the clause were false for any of them.
+    pub fn for_all(mut self) -> Self {
+        self.scope = Some(Scope::All);
+        self
     }
 
     /// The same with a number of cases.
@@ -105,13 +158,17 @@ impl Evidence {
     }
 }
 
-/// How many negative controls were refuted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+/// What became of the negative controls.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 pub struct Controls {
-    /// Refuted by the check.
+    /// How many the check refuted.
     pub refuted: usize,
-    /// All there are.
+    /// How many there are.
     pub total: usize,
+    /// What each alters.
+    pub what: Vec<String>,
+    /// Where each failed, in the same order; for one that was not refuted, what happened instead.
+    pub failed: Vec<String>,
 }
 
 /// The entry of one claim.
@@ -125,8 +182,14 @@ pub struct Entry {
     pub place: String,
     /// The claim as printed.
     pub statement: String,
+    /// The sentences of the statement that can be true or false alone; those of a correction follow, marked as such.
+    pub clauses: Vec<String>,
+    /// How the statement is read, where that is a choice.
+    pub reading: Option<String>,
     /// The verdict.
     pub verdict: Verdict,
+    /// What is wrong with a statement that fails.
+    pub fault: Option<Fault>,
     /// The corrected statement, itself checked.
     pub corrected: Option<String>,
     /// Where the printed claim fails.
@@ -156,6 +219,17 @@ impl Entry {
         grades.sort();
         grades.dedup();
         grades
+    }
+
+    /// The clauses that evidence covers, or covers for all parameters.
+    pub fn covered(&self, for_all: bool) -> BTreeSet<usize> {
+        let counts = |e: &&Evidence| e.scope.is_some() && (!for_all || e.scope == Some(Scope::All));
+        self.evidence.iter().filter(counts).flat_map(|e| e.clauses.iter().copied()).collect()
+    }
+
+    /// How many clauses are covered for all parameters, of how many.
+    pub fn reach(&self) -> (usize, usize) {
+        (self.covered(true).len(), self.clauses.len())
     }
 }
 

@@ -15,9 +15,10 @@ pub fn correction_id(of: &str) -> String {
     format!("beyond.{of}")
 }
 
-/// What the printed statement and its correction come to.
+/// What the statement and its correction come to.
 struct Ruling {
     verdict: Verdict,
+    fault: Option<Fault>,
     evidence: Vec<Evidence>,
     counterexample: Option<String>,
     corrected: Option<String>,
@@ -25,9 +26,12 @@ struct Ruling {
 }
 
 impl Ruling {
+    fn of(verdict: Verdict, evidence: Vec<Evidence>) -> Self {
+        Ruling { verdict, fault: None, evidence, counterexample: None, corrected: None, why: None }
+    }
+
     fn undecided(why: impl Into<String>) -> Self {
-        let why = Some(why.into());
-        Ruling { verdict: Verdict::Undecided, evidence: Vec::new(), counterexample: None, corrected: None, why }
+        Ruling { why: Some(why.into()), ..Ruling::of(Verdict::Undecided, Vec::new()) }
     }
 }
 
@@ -45,7 +49,7 @@ impl Judge<'_> {
     /// Examines the statement, the correction where the printed one fails, and every control.
     ///
     /// - the statement holds: `holds`;
-    /// - printed fails, the correction holds: `misprint` or `false`, as the claim says;
+    /// - printed fails, the correction holds: `needs_hypothesis`, `misprint` or `false`, by the fault that the claim names;
     /// - printed fails and there is no correction: `false`;
     /// - printed fails but the correction does not hold either, or nothing is established: `undecided`.
     pub fn judge(&self) -> Entry {
@@ -55,26 +59,29 @@ impl Judge<'_> {
             Err(error) => Ruling::undecided(error.to_string()),
             Ok(Outcome::Undecided(why)) => Ruling::undecided(why),
             Ok(Outcome::NotCheckable(why, evidence)) => {
-                let evidence = evidence.clone();
-                Ruling { verdict: Verdict::NotCheckable, evidence, ..Ruling::undecided(why) }
+                Ruling { why: Some(why.clone()), ..Ruling::of(Verdict::NotCheckable, self.placed(evidence, 0)) }
             }
             Ok(Outcome::Holds(evidence)) if evidence.is_empty() => Ruling::undecided("the check gave no evidence"),
-            Ok(Outcome::Holds(evidence)) => {
-                let evidence = evidence.clone();
-                Ruling { verdict: Verdict::Holds, evidence, counterexample: None, corrected: None, why: None }
-            }
+            Ok(Outcome::Holds(evidence)) => Ruling::of(Verdict::Holds, self.placed(evidence, 0)),
             Ok(Outcome::Fails { counterexample, evidence }) => {
-                self.refuted(counterexample, evidence.clone(), &mut values)
+                self.refuted(counterexample, self.placed(evidence, 0), &mut values)
             }
         };
         let (controls, surviving_controls) = self.controls();
-        let id = self.id();
+        let mut clauses = self.clauses();
+        if ruling.corrected.is_some() {
+            clauses.extend(self.corrected_clauses().into_iter().map(|clause| format!("{CORRECTED}{clause}")));
+        }
+        let id = if self.correction { correction_id(self.claim.id()) } else { self.claim.id().to_string() };
         Entry {
             paper: id.split('.').next().unwrap_or_default().to_string(),
             id,
             place: self.source.place.clone(),
             statement: self.source.statement.clone(),
+            clauses,
+            reading: self.claim.reading(),
             verdict: ruling.verdict,
+            fault: ruling.fault,
             corrected: ruling.corrected,
             counterexample: ruling.counterexample,
             evidence: ruling.evidence,
@@ -87,22 +94,47 @@ impl Judge<'_> {
         }
     }
 
-    fn id(&self) -> String {
-        if self.correction { correction_id(self.claim.id()) } else { self.claim.id().to_string() }
-    }
-
     fn derivation(&self) -> String {
         let (of, derivation) = (self.claim.id(), self.claim.derivation());
         match self.claim.correction().filter(|_| self.correction) {
             None => derivation.to_string(),
-            Some((fault, _)) => {
-                let fault = match fault {
-                    Fault::Misprint => "is misprinted",
+            Some(repair) => {
+                let fault = match repair.fault {
+                    Fault::Hypothesis => "lacks a hypothesis",
+                    Fault::Typo | Fault::Slip => "is misprinted",
                     Fault::False => "is false as printed",
                 };
                 format!("{of} {fault} (`explain {of}` has its counterexample). {derivation}")
             }
         }
+    }
+
+    /// The clauses of the statement that is judged.
+    fn clauses(&self) -> Vec<String> {
+        if self.correction {
+            return self.corrected_clauses();
+        }
+        let clauses = self.claim.clauses();
+        if clauses.is_empty() { vec![self.source.statement.clone()] } else { clauses }
+    }
+
+    fn corrected_clauses(&self) -> Vec<String> {
+        match self.claim.correction() {
+            Some(repair) if repair.clauses.is_empty() => vec![repair.statement],
+            Some(repair) => repair.clauses,
+            None => Vec::new(),
+        }
+    }
+
+    /// Evidence with the numbers of its clauses in the entry, where those before are `skipped`. What names no clause bears
+    /// on the only one.
+    fn placed(&self, evidence: &[Evidence], skipped: usize) -> Vec<Evidence> {
+        let count = if skipped == 0 { self.clauses().len() } else { self.corrected_clauses().len() };
+        let place = |e: &Evidence| {
+            let own = if e.clauses.is_empty() && e.scope.is_some() && count == 1 { vec![1] } else { e.clauses.clone() };
+            Evidence { clauses: own.into_iter().map(|k| k + skipped).collect(), ..e.clone() }
+        };
+        evidence.iter().map(place).collect()
     }
 
     fn outcome(&self, form: Form, values: &mut BTreeMap<String, String>) -> Result<&Outcome, &CheckError> {
@@ -118,18 +150,16 @@ impl Judge<'_> {
         values: &mut BTreeMap<String, String>,
     ) -> Ruling {
         let counterexample = Some(counterexample.to_string());
-        let Some((fault, statement)) = self.claim.correction().filter(|_| !self.correction) else {
-            return Ruling { verdict: Verdict::False, evidence, counterexample, corrected: None, why: None };
+        let Some(repair) = self.claim.correction().filter(|_| !self.correction) else {
+            let fault = Some(Fault::False);
+            return Ruling { fault, counterexample, ..Ruling::of(Verdict::False, evidence) };
         };
         let problem = match self.outcome(Form::Corrected, values) {
             Ok(Outcome::Holds(support)) if !support.is_empty() => {
-                evidence
-                    .extend(support.iter().cloned().map(|e| Evidence { part: format!("corrected: {}", e.part), ..e }));
-                let verdict = match fault {
-                    Fault::Misprint => Verdict::Misprint,
-                    Fault::False => Verdict::False,
-                };
-                return Ruling { verdict, evidence, counterexample, corrected: Some(statement), why: None };
+                let support = self.placed(support, self.clauses().len());
+                evidence.extend(support.into_iter().map(|e| Evidence { part: format!("{CORRECTED}{}", e.part), ..e }));
+                let (fault, corrected) = (Some(repair.fault), Some(repair.statement));
+                return Ruling { fault, counterexample, corrected, ..Ruling::of(repair.fault.verdict(), evidence) };
             }
             Ok(Outcome::Fails { counterexample, .. }) => format!("the correction fails too: {counterexample}"),
             Ok(Outcome::Undecided(why) | Outcome::NotCheckable(why, _)) => {
@@ -142,19 +172,27 @@ impl Judge<'_> {
     }
 
     fn controls(&self) -> (Controls, Vec<String>) {
-        let own = self.claim.alterations();
-        let own = own.into_iter().enumerate().map(|(k, what)| (what, Form::Control(k)));
-        let altered: Vec<_> = own.chain(self.correction.then_some(("as printed", Form::Printed))).collect();
-        let survives = |&(what, form): &(&str, Form)| {
-            let said = match self.outcome(form, &mut BTreeMap::new()) {
-                Ok(Outcome::Fails { .. }) => return None,
-                Ok(Outcome::Holds(_)) => "it holds".to_string(),
-                Ok(Outcome::Undecided(why) | Outcome::NotCheckable(why, _)) => why.clone(),
-                Err(error) => error.to_string(),
+        let own = self.claim.alterations().into_iter().enumerate().map(|(k, what)| (what, Form::Control(k)));
+        let altered = own.chain(self.correction.then_some(("as printed", Form::Printed)));
+        let (mut controls, mut surviving) = (Controls::default(), Vec::new());
+        for (what, form) in altered {
+            let (refuted, said) = match self.outcome(form, &mut BTreeMap::new()) {
+                Ok(Outcome::Fails { counterexample, .. }) => (true, counterexample.clone()),
+                Ok(Outcome::Holds(_)) => (false, "it holds".to_string()),
+                Ok(Outcome::Undecided(why) | Outcome::NotCheckable(why, _)) => (false, why.clone()),
+                Err(error) => (false, error.to_string()),
             };
-            Some(format!("{what}: {said}"))
-        };
-        let surviving: Vec<String> = altered.iter().filter_map(survives).collect();
-        (Controls { refuted: altered.len() - surviving.len(), total: altered.len() }, surviving)
+            controls.total += 1;
+            controls.refuted += usize::from(refuted);
+            if !refuted {
+                surviving.push(format!("{what}: {said}"));
+            }
+            controls.what.push(what.to_string());
+            controls.failed.push(said);
+        }
+        (controls, surviving)
     }
 }
+
+/// What marks the clauses of a correction, and the evidence for it, in the entry of the printed statement.
+pub(super) const CORRECTED: &str = "corrected: ";

@@ -8,16 +8,18 @@ mod claim;
 mod entry;
 mod judge;
 mod proofs;
+mod record;
 mod run;
 mod runner;
 mod tables;
 
 pub use claim::{AnyClaim, CheckError, Claim, Control, Fault, Form, Outcome, Repair, Source};
-pub use entry::{Controls, Entry, Evidence, Grade, Verdict, interval_value};
+pub use entry::{Controls, Entry, Evidence, Grade, Scope, Verdict, interval_value};
 pub use judge::correction_id;
 pub use proofs::Proofs;
+pub use record::Record;
 pub use run::Run;
-pub use runner::{Ledger, LedgerError, Options, Report, to_json};
+pub use runner::{Ledger, LedgerError, Options, Report, recorded_row, to_json};
 pub use tables::{Listed, Recorded, listed, recorded};
 
 /// The generator of [`Run::random`] stands in its signature.

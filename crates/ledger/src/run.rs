@@ -1,6 +1,6 @@
 //! What a check is given: seeded randomness, a limit of work, a place for values.
 
-use super::{CheckError, Evidence, Grade, Outcome};
+use super::{CheckError, Evidence, Grade, Outcome, Scope};
 use arithmetic::Progress;
 use arithmetic::identity::{AnyIdentity, IdentityOutcome, test_identity};
 use arithmetic::random::generator;
@@ -88,6 +88,58 @@ impl Run {
                 )
             }
         })
+    }
+
+    /// Looks at every case of a finite family: evidence of grade `exhaustive` for all of it, or the first case of which `wrong`
+    /// says what is wrong.
+    ///
+    /// # Errors
+    /// Whatever `wrong` returns; [`CheckError::Limit`].
+    pub fn exhaustive<T>(
+        &self,
+        part: &str,
+        detail: &str,
+        cases: impl IntoIterator<Item = T>,
+        wrong: impl FnMut(T) -> Result<Option<String>, CheckError>,
+    ) -> Result<Outcome, CheckError> {
+        self.every(Evidence::new(Grade::Exhaustive, part, detail).for_all(), cases, wrong)
+    }
+
+    /// Looks at instances by exact arithmetic: evidence of grade `exact`, or the first instance of which `wrong` says what is wrong.
+    ///
+    /// # Errors
+    /// Whatever `wrong` returns; [`CheckError::Limit`].
+    pub fn instances<T>(
+        &self,
+        part: &str,
+        detail: &str,
+        cases: impl IntoIterator<Item = T>,
+        wrong: impl FnMut(T) -> Result<Option<String>, CheckError>,
+    ) -> Result<Outcome, CheckError> {
+        self.every(Evidence::new(Grade::Exact, part, detail), cases, wrong)
+    }
+
+    /// Looks at cases one by one: the evidence with their number, or the first case of which `wrong` says what is wrong.
+    ///
+    /// # Errors
+    /// Whatever `wrong` returns; [`CheckError::Limit`].
+    pub fn every<T>(
+        &self,
+        evidence: Evidence,
+        cases: impl IntoIterator<Item = T>,
+        mut wrong: impl FnMut(T) -> Result<Option<String>, CheckError>,
+    ) -> Result<Outcome, CheckError> {
+        let mut count = 0;
+        for case in cases {
+            self.checkpoint()?;
+            if let Some(counterexample) = wrong(case)? {
+                let grade = if evidence.grade == Grade::Exhaustive { Grade::Exact } else { evidence.grade };
+                let scope = evidence.scope.map(|_| Scope::Instances);
+                return Ok(Outcome::fails(counterexample, Evidence { grade, scope, ..evidence }));
+            }
+            count += 1;
+        }
+        Ok(Outcome::Holds(vec![evidence.cases(count)]))
     }
 
     /// Runs parts in order; the evidence of all, or the first one that does not hold.

@@ -1,9 +1,10 @@
 //! The ledger and its parallel runner.
 
-use super::judge::{Examined, Judge, correction_id};
+use super::judge::{CORRECTED, Examined, Judge, correction_id};
 use super::proofs::{NoProofs, join};
 use super::{
-    AnyClaim, CheckError, Controls, Entry, Evidence, Form, Grade, Proofs, Run, Source, Verdict, listed, recorded,
+    AnyClaim, CheckError, Controls, Entry, Evidence, Fault, Form, Grade, Proofs, Repair, Run, Source, Verdict, listed,
+    recorded,
 };
 use arithmetic::{Progress, Unwatched};
 use serde::Serialize;
@@ -78,9 +79,11 @@ pub struct Ledger {
     proofs: Box<dyn Proofs>,
 }
 
-/// The words of a verdict and of its grades.
+/// What a claim is expected to reach, in the words of the table of verdicts.
 struct Expected {
     verdict: String,
+    /// Fault and reach; claims that are registered by a user need not say.
+    more: Option<(String, String)>,
     grades: String,
 }
 
@@ -129,7 +132,9 @@ impl Ledger {
     /// The same with verdicts that are expected ([`recorded`]).
     pub fn with_record(mut self, table: &str) -> Self {
         self.expected.extend(recorded(table).map(|row| {
-            (row.id.to_string(), Expected { verdict: row.verdict.to_string(), grades: row.grades.to_string() })
+            let more = Some((row.fault.to_string(), row.reach.to_string()));
+            let expected = Expected { verdict: row.verdict.to_string(), more, grades: row.grades.to_string() };
+            (row.id.to_string(), expected)
         }));
         self
     }
@@ -142,7 +147,7 @@ impl Ledger {
 
     /// Records the verdict and the grades of evidence (strongest first) that a claim is expected to reach.
     pub fn expect(&mut self, id: &str, verdict: Verdict, grades: &[Grade]) {
-        let expected = Expected { verdict: verdict.word().to_string(), grades: words(grades) };
+        let expected = Expected { verdict: verdict.word().to_string(), more: None, grades: words(grades) };
         self.expected.insert(id.to_string(), expected);
     }
 
@@ -174,7 +179,7 @@ impl Ledger {
         let printed: Vec<Arc<Registered>> =
             self.claims.values().filter(|r| !r.correction && wanted(&r.id)).cloned().collect();
         for of in printed {
-            if let Some((_, statement)) = of.claim.correction() {
+            if let Some(Repair { statement, .. }) = of.claim.correction() {
                 let paper = of.id.split('.').next().unwrap_or_default();
                 let source = Source { place: format!("corrects {paper}, {}", of.source.place), statement };
                 let id = correction_id(&of.id);
@@ -350,11 +355,14 @@ fn abandoned(registered: &Registered, why: String, after: Duration) -> Entry {
         paper: registered.id.split('.').next().unwrap_or_default().to_string(),
         place: registered.source.place.clone(),
         statement: registered.source.statement.clone(),
+        clauses: Vec::new(),
+        reading: None,
         verdict: Verdict::Undecided,
+        fault: None,
         corrected: None,
         counterexample: None,
         evidence: Vec::<Evidence>::new(),
-        controls: Controls { refuted: 0, total: 0 },
+        controls: Controls::default(),
         values: BTreeMap::new(),
         why: Some(why),
         seconds: after.as_secs_f64(),
@@ -366,28 +374,64 @@ fn words(grades: &[Grade]) -> String {
     grades.iter().map(|grade| grade.word()).collect::<Vec<_>>().join(",")
 }
 
-/// One sentence for each way in which an entry is not as recorded.
+/// The row of an entry in the table of recorded verdicts.
+pub fn recorded_row(entry: &Entry) -> String {
+    let (whole, total) = entry.reach();
+    let fault = entry.fault.map_or("-", Fault::word);
+    format!("{}\t{}\t{fault}\t{whole}/{total}\t{}", entry.id, entry.verdict.word(), words(&entry.grades()))
+}
+
+/// One sentence for each way in which an entry is not as recorded, or says more than its evidence.
 fn difference(entry: &Entry, expected: Option<&Expected>) -> Vec<String> {
-    let mut sentences = Vec::new();
+    let mut sentences = not_as_recorded(entry, expected);
+    sentences.extend(entry.surviving_controls.iter().map(|what| format!("a negative control was not refuted: {what}")));
+    let only_text = entry.grades() == [Grade::Text];
+    if !matches!(entry.verdict, Verdict::Undecided | Verdict::NotCheckable) && !only_text {
+        sentences.extend(overstated(entry));
+    }
+    sentences.into_iter().map(|sentence| format!("{}: {sentence}", entry.id)).collect()
+}
+
+fn not_as_recorded(entry: &Entry, expected: Option<&Expected>) -> Vec<String> {
     let reached = entry.verdict.word();
     let grades = words(&entry.grades());
-    match expected {
-        None => sentences.push(format!("{}: reached {reached} ({grades}), but no verdict is recorded", entry.id)),
+    let (whole, total) = entry.reach();
+    let more = (entry.fault.map_or("-", Fault::word).to_string(), format!("{whole}/{total}"));
+    let sentence = match expected {
+        None => format!("reached {reached} ({grades}), but no verdict is recorded"),
         Some(row) if row.verdict != reached => {
             let why = entry.why.as_ref().map(|why| format!(" ({why})")).unwrap_or_default();
-            sentences.push(format!("{}: recorded {}, reached {reached}{why}", entry.id, row.verdict));
+            format!("recorded {}, reached {reached}{why}", row.verdict)
         }
-        Some(row) if row.grades != grades => {
-            sentences.push(format!("{}: recorded evidence {}, reached {grades}", entry.id, row.grades));
+        Some(row) if row.grades != grades => format!("recorded evidence {}, reached {grades}", row.grades),
+        Some(Expected { more: Some((fault, reach)), .. }) if (fault, reach) != (&more.0, &more.1) => {
+            format!("recorded fault {fault} and {reach} clauses for all parameters, reached {} and {}", more.0, more.1)
         }
-        Some(_) => {}
+        Some(_) => return Vec::new(),
+    };
+    vec![sentence]
+}
+
+/// Where a decided entry lacks controls, or says more than its evidence.
+fn overstated(entry: &Entry) -> Vec<String> {
+    let mut sentences = Vec::new();
+    let names: BTreeSet<&String> = entry.controls.what.iter().collect();
+    if entry.controls.total == 0 {
+        sentences.push("there is no negative control".to_string());
+    } else if names.len() < entry.controls.total {
+        sentences.push("two negative controls alter the same".to_string());
     }
-    for control in &entry.surviving_controls {
-        sentences.push(format!("{}: a negative control was not refuted: {control}", entry.id));
+    let clauses = 1..=entry.clauses.len();
+    for e in entry.evidence.iter().filter(|e| e.scope.is_some()) {
+        if e.clauses.is_empty() || e.clauses.iter().any(|k| !clauses.contains(k)) {
+            sentences.push(format!("the evidence \"{}\" names no clause", e.part));
+        }
     }
-    let only_text = grades == "text";
-    if entry.controls.total == 0 && !only_text && matches!(reached, "holds" | "misprint" | "false") {
-        sentences.push(format!("{}: there is no negative control", entry.id));
+    let covered = entry.covered(false);
+    for (k, clause) in clauses.zip(&entry.clauses).filter(|(k, _)| !covered.contains(k)) {
+        if entry.verdict == Verdict::Holds || clause.starts_with(CORRECTED) {
+            sentences.push(format!("clause {k} is not covered: {clause}"));
+        }
     }
     sentences
 }
@@ -403,7 +447,7 @@ struct Document<'a> {
 /// The JSON document of a run.
 pub fn to_json(report: &Report, options: &Options) -> String {
     let document = Document {
-        schema: "flockproof.ledger/1",
+        schema: "flockproof.ledger/2",
         version: env!("CARGO_PKG_VERSION"),
         seed: &options.seed,
         claims: &report.entries,

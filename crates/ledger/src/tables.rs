@@ -18,23 +18,24 @@ pub struct Recorded<'a> {
     pub id: &'a str,
     /// The word of the verdict.
     pub verdict: &'a str,
+    /// The word of the fault, `-` where there is none.
+    pub fault: &'a str,
+    /// How many clauses are covered for all parameters, of how many: `2/3`.
+    pub reach: &'a str,
     /// The words of the grades, strongest first, joined by commas.
     pub grades: &'a str,
 }
 
-fn rows(table: &str) -> impl Iterator<Item = (&str, &str, &str)> {
-    table.lines().skip(1).filter_map(|line| {
-        let mut cells = line.split('\t');
-        Some((cells.next()?, cells.next()?, cells.next()?))
-    })
+fn rows<const N: usize>(table: &str) -> impl Iterator<Item = [&str; N]> {
+    table.lines().skip(1).filter_map(|line| line.split('\t').collect::<Vec<_>>().try_into().ok())
 }
 
 /// The rows of a table of claims: a header, then id, place and statement separated by tabs.
 pub fn listed(table: &str) -> impl Iterator<Item = Listed<'_>> {
-    rows(table).map(|(id, place, statement)| Listed { id, place, statement })
+    rows(table).map(|[id, place, statement]| Listed { id, place, statement })
 }
 
-/// The rows of a table of verdicts: a header, then id, verdict and grades separated by tabs.
+/// The rows of a table of verdicts: a header, then id, verdict, fault, reach and grades separated by tabs.
 pub fn recorded(table: &str) -> impl Iterator<Item = Recorded<'_>> {
-    rows(table).map(|(id, verdict, grades)| Recorded { id, verdict, grades })
+    rows(table).map(|[id, verdict, fault, reach, grades]| Recorded { id, verdict, fault, reach, grades })
 }

@@ -1,7 +1,7 @@
 //! One claim in words.
 
 use claims::RECORDED;
-use ledger::{Entry, correction_id, recorded};
+use ledger::{Entry, Scope, correction_id, recorded};
 use proofs::kernel::proofs_of;
 use std::fmt::Write;
 
@@ -12,9 +12,15 @@ pub fn explain(entry: &Entry, width: usize) -> String {
     let mut text = format!("{}  ({})\n", entry.id, entry.place);
     let source = if entry.paper == "beyond" { "claim" } else { "printed" };
     section(&mut text, width, source, &entry.statement);
+    if let Some(reading) = &entry.reading {
+        section(&mut text, width, "reading", reading);
+    }
     let verdict = match &entry.why {
         Some(why) => format!("{}: {why}", entry.verdict.word()),
-        None => entry.verdict.word().to_string(),
+        None => match entry.fault.filter(|fault| fault.word() != entry.verdict.word()) {
+            Some(fault) => format!("{} ({})", entry.verdict.word(), fault.word()),
+            None => entry.verdict.word().to_string(),
+        },
     };
     section(&mut text, width, "verdict", &verdict);
     if let Some(counterexample) = &entry.counterexample {
@@ -28,8 +34,27 @@ pub fn explain(entry: &Entry, width: usize) -> String {
         }
     }
     section(&mut text, width, "why", &entry.derivation);
+    let (all, some) = (entry.covered(true), entry.covered(false));
+    if entry.clauses.len() > 1 {
+        for (k, clause) in (1..).zip(&entry.clauses) {
+            let how = match (all.contains(&k), some.contains(&k)) {
+                (true, _) => "for all parameters",
+                (_, true) => "on instances",
+                _ => "no evidence of its own",
+            };
+            section(&mut text, width, &format!("clause {k}"), &format!("{clause} [{how}]"));
+        }
+    }
     for e in &entry.evidence {
-        let mut line = format!("{}: {}", e.part, e.detail);
+        let clauses = e.clauses.iter().map(usize::to_string).collect::<Vec<_>>().join(", ");
+        let which = match (entry.clauses.len(), e.scope) {
+            (_, None) => String::new(),
+            (0 | 1, Some(Scope::All)) => "[all] ".to_string(),
+            (0 | 1, Some(Scope::Instances)) => "[instances] ".to_string(),
+            (_, Some(Scope::All)) => format!("[{clauses}: all] "),
+            (_, Some(Scope::Instances)) => format!("[{clauses}: instances] "),
+        };
+        let mut line = format!("{which}{}: {}", e.part, e.detail);
         if let Some(cases) = e.cases {
             // Writing to a string cannot fail.
             let _ = write!(line, " ({cases} cases)");
@@ -53,6 +78,9 @@ pub fn explain(entry: &Entry, width: usize) -> String {
     let controls =
         format!("{} of {} altered variants refuted by the same check", entry.controls.refuted, entry.controls.total);
     section(&mut text, width, "controls", &controls);
+    for (what, failed) in entry.controls.what.iter().zip(&entry.controls.failed) {
+        section(&mut text, width, "  altered", &format!("{what}: {failed}"));
+    }
     for survivor in &entry.surviving_controls {
         section(&mut text, width, "NOT REFUTED", survivor);
     }

@@ -1,7 +1,7 @@
 //! beyond.tanner2.certified_split: an open set of connected starts from which a flock breaks up for ever.
 
-use crate::record::Record;
 use arithmetic::{FloatInterval, Rational, Ring, Signed, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Grade, Outcome, Run};
 use models::double_integrator::{Coordinates, EnclosedEvent, EnclosedFlock, Potential, State};
 

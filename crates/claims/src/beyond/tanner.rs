@@ -1,11 +1,11 @@
 //! beyond.tanner1.two_agents, beyond.tanner1.turning_triangle, beyond.tanner2.alternating_trees, beyond.tanner2.endless_switching.
 
-use crate::record::Record;
 use crate::tanner1::triangle::turns_for_ever;
 use crate::tanner2::switching::{dimension_of_regular_simplex, symmetric_motions_cross_for_ever};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Grade, Outcome, Run};
 use models::double_integrator::{Coordinates, Potential, State, gyroscopic, potential_gradients, scaled, sum};
 

@@ -204,7 +204,8 @@ impl Claim for Difference {
 
     fn repair(&self) -> Option<Repair<DifferenceVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement: "chi(i,j)_i = 1 and chi(i,j)_j = -1".to_string(),
             variant: DifferenceVariant { assignments: vec![(false, 1), (true, -1)], shift: 0 },
         })

@@ -133,7 +133,7 @@ impl Claim for LowerBound {
 
     fn repair(&self) -> Option<Repair<LowerVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "From these initial conditions (n a multiple of 4, n^c >= 8) the network changes once, at t = ceil(n^c/3), and then never \
                         again, with or without hysteresis: flocks of four birds at equal velocities."
                 .to_string(),

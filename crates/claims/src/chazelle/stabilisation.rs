@@ -291,7 +291,8 @@ impl Claim for Blocks {
 
     fn repair(&self) -> Option<Repair<BlocksVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement: "P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
                         P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1)"
                 .to_string(),

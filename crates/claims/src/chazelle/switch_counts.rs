@@ -93,7 +93,8 @@ impl Claim for Count {
 
     fn repair(&self) -> Option<Repair<CountVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement:
                 "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when \
                         t_{k+1} = t_k + 1, and N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1})."

@@ -146,7 +146,7 @@ impl Claim for FinalCount {
 
     fn repair(&self) -> Option<Repair<FinalCountVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "When birds of V_k joined at time T_k+1 or later always remain so, the total number of network changes is at most \
                         N(T_k,T_{k-1}) + ... + N(T_1,1) + 1 + binom(|V_k|,2) + N(n-|V_k|)."
                 .to_string(),

@@ -2,11 +2,11 @@
 
 use super::closed_loop::{Loop, UPWARDS, at_upwards, on_connected, upwards};
 use super::turning::{PRINTED_HEADINGS, examine_separate};
-use crate::record::Record;
 use crate::tanner2::arbitrary::{Arbitrary, dot, total};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{Vector, scaled};
 

@@ -1,10 +1,10 @@
 //! tanner1.L, L.ones, Lw, anyV, fig2, Vmono, Vt: graph matrices and the potential.
 
 use super::line::potential as printed_potential;
-use crate::record::Record;
 use crate::tanner2::graphs::{LaplacianVariant, examine_laplacian, small_graphs};
 use algebra::graph::Graph;
 use arithmetic::{Interval, Rational, Signed, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{Coordinates, Potential, PotentialError, heading};
 
@@ -97,7 +97,7 @@ pub fn weighted() -> Record<WeightedVariant> {
         printed,
         examine_weighted,
     )
-    .repaired(Fault::Misprint, "L_w(G) = D(G^sigma) W D(G^sigma)^T.", repaired)
+    .repaired(Fault::Slip, "L_w(G) = D(G^sigma) W D(G^sigma)^T.", repaired)
     .control("D W D^T = Delta_w + A_w", WeightedVariant { properties: LaplacianVariant { sign: 1, ..properties }, ..repaired })
     .control("one more zero eigenvalue", WeightedVariant { properties: LaplacianVariant { offset: 1, ..properties }, ..repaired })
 }

@@ -5,9 +5,9 @@
 //! difference below 1/10; a potential energy minimum shows in every `|grad V_i|` below 1/10, a tight formation in all agents
 //! within 10 m of their mean (far apart, gradients are small too).
 
-use crate::record::Record;
 use crate::shares::judged;
 use crate::tanner2::figures::other;
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{HeadingReading, Setup};
 use motion::Share;

@@ -5,8 +5,8 @@
 
 use super::energy_rates::{ENERGY, InvariantVariant, examine_invariant};
 use super::triangle::turns_for_ever;
-use crate::record::Record;
 use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run, interval_value};
 use models::double_integrator::Potential;
 

@@ -1,10 +1,10 @@
 //! tanner1.smooth, eq2, Omega.closed, Omega.bounded, collision, proof_ratio: the law and the set Omega.
 
 use super::line::potential as printed_potential;
-use crate::record::Record;
 use crate::tanner2::wording::{HeadingVariant, examine_heading};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Interval, Rational, Signed, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{Coordinates, Pair, Potential, State, gyroscopic, heading};
 
@@ -277,7 +277,7 @@ pub fn ratio() -> Record<RatioVariant> {
         printed,
         |variant, run| run.identity(&Ratio(*variant), &["k", "xdot", "xddot"], "the quotients, for ydot = k xdot at all times"),
     )
-    .repaired(Fault::Misprint, "yddot_i/xddot_i = ydot_i/xdot_i = k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).", RatioVariant { numerator: 3, denominator: 2 })
+    .repaired(Fault::Slip, "yddot_i/xddot_i = ydot_i/xdot_i = k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).", RatioVariant { numerator: 3, denominator: 2 })
     .control("xddot/xdot", RatioVariant { numerator: 2, denominator: 0 })
     .control("xddot/yddot", RatioVariant { numerator: 2, denominator: 3 })
 }

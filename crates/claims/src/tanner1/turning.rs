@@ -1,11 +1,11 @@
 //! tanner1.gyro, eq6, eq6b, eq7: what turns headings along the closed loop (1), (4), (5).
 
 use super::closed_loop::{Loop, at_upwards, cross, on_connected};
-use crate::record::Record;
 use crate::tanner2::arbitrary::{dot, total};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational};
+use ledger::Record;
 use ledger::{CheckError, Fault, Outcome, Run};
 use models::double_integrator::{Vector, difference, rotated, scaled};
 

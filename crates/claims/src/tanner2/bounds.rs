@@ -2,9 +2,9 @@
 
 use super::arbitrary::{Arbitrary, quadratic};
 use super::random_vectors;
-use crate::record::Record;
 use algebra::graph::Graph;
 use arithmetic::{ArithmeticError, Rational, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{Coordinates, Pair, Potential, State, kinetic_energy, potential_energy};
 
@@ -108,7 +108,7 @@ pub fn bound_r() -> Record<DistanceVariant> {
         DistanceVariant { inside: |n| rational(n - 1, 1), outside: |_| 1 },
         examine_distance,
     )
-    .repaired(Fault::Misprint, "W <= c implies |r_ij| <= (N - 1) V_ij^{-1}(c) for all i, j, with V^{-1}(c) the largest distance at which V <= c.", DISTANCE)
+    .repaired(Fault::Slip, "W <= c implies |r_ij| <= (N - 1) V_ij^{-1}(c) for all i, j, with V^{-1}(c) the largest distance at which V <= c.", DISTANCE)
     .control("(N - 2) V^{-1}(c)", DistanceVariant { outside: |n| n - 2, ..DISTANCE })
     .control("(N - 1) V^{-1}(c/2)", DistanceVariant { inside: |_| rational(1, 2), ..DISTANCE })
 }
@@ -145,7 +145,7 @@ pub fn bound_v() -> Record<(i64, i64)> {
         (1, 1),
         examine_speed,
     )
-    .repaired(Fault::Misprint, "W <= c implies v_i^T v_i <= 2c, yielding |v_i| <= sqrt(2c).", (2, 1))
+    .repaired(Fault::Slip, "W <= c implies v_i^T v_i <= 2c, yielding |v_i| <= sqrt(2c).", (2, 1))
     .control("|v_i|² <= 19c/10", (19, 10))
     .control("|v_i|² <= 3c/2", (3, 2))
 }
@@ -287,7 +287,7 @@ pub fn cor2_sub() -> Record<DissipationVariant> {
         printed,
         examine_dissipation,
     )
-    .repaired(Fault::Misprint, "Wdot <= -lambda_2 (|v_{x_n}|² + |v_{y_n}|²), with v_{x_n}, v_{y_n} normal to 1.", repaired)
+    .repaired(Fault::Slip, "Wdot <= -lambda_2 (|v_{x_n}|² + |v_{y_n}|²), with v_{x_n}, v_{y_n} normal to 1.", repaired)
     .control("the largest eigenvalue", DissipationVariant { index: 0, ..repaired })
     .control("lambda_3", DissipationVariant { index: 3, ..repaired })
     .control("2 lambda_2", DissipationVariant { factor: 2, ..repaired })

@@ -7,9 +7,9 @@
 use super::arbitrary::Arbitrary;
 use super::energy::{EdgeSum, on_connected};
 use super::nonsmooth::{HullVariant, examine_hull};
-use crate::record::Record;
 use algebra::graph::Graph;
 use arithmetic::{Rational, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Grade, Outcome, Run};
 use models::double_integrator::{Coordinates, Pair, Potential, State, linked_within, velocity_alignment};
 

@@ -1,11 +1,11 @@
 //! tanner2.eq6, eq8, eq9, cor2_decomp, S_config, eq14, vdotB: the energy and its rate of change on a fixed graph.
 
 use super::arbitrary::{Arbitrary, dot, quadratic, total};
-use crate::record::Record;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Dual, Field, Rational, Signed, gradient, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{
     Coordinates, Potential, State, difference, kinetic_energy, potential_energy, scaled, sum, velocity_alignment,
@@ -359,7 +359,7 @@ pub fn s_config() -> Record<Vanishing> {
         Vanishing::Separations,
         examine_vanishing,
     )
-    .repaired(Fault::Misprint, "It follows that rdot_ij = v_i - v_j = 0 for all (i, j).", Vanishing::RelativeVelocities)
+    .repaired(Fault::Slip, "It follows that rdot_ij = v_i - v_j = 0 for all (i, j).", Vanishing::RelativeVelocities)
     .control("v_i = 0", Vanishing::Velocities)
     .control("vdot_i = 0", Vanishing::Accelerations)
 }
@@ -472,7 +472,7 @@ pub fn vdot_b() -> Record<IncidenceVariant> {
         |variant, run| on_connected(run, "vdot in S by the incidence matrix", |graph| ByIncidence(graph, *variant)),
     )
     .repaired(
-        Fault::Misprint,
+        Fault::Slip,
         "vdot = (B kron I_2) [..., grad_{r_ij} V_ij, ...]^T with B as in Section 2.1 (or the minus sign with 1 for outgoing edges).",
         IncidenceVariant { sign: 1, outgoing: -1 },
     )

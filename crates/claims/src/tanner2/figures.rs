@@ -5,8 +5,8 @@
 //! distributed. Agreement means a disagreement `sqrt(sum |v_i - mean|²)` of at most one hundredth of the initial one. The runs
 //! are those that the figures of `reproduce` draw.
 
-use crate::record::Record;
 use crate::shares::judged;
+use ledger::Record;
 use ledger::{CheckError, Evidence, Grade, Outcome, Run};
 use models::double_integrator::{LinkRule, Setup, Trial};
 use motion::Share;

@@ -1,8 +1,8 @@
 //! tanner2.eq10_exist, appA.def4, appA_uniq, appA.thm4: solutions of equations with discontinuous right-hand sides.
 
 use super::figures::other;
-use crate::record::Record;
 use arithmetic::{Rational, Signed, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{Coordinates, Kink, Pair, Potential, Span, State, Way, fork, linked_within, tied};
 
@@ -135,7 +135,7 @@ pub fn definition4() -> Record<SolutionVariant> {
         SolutionVariant::Equal,
         examine_solution,
     )
-    .repaired(Fault::Misprint, "... and for almost all t, xdot is an element of K[f](x).", SolutionVariant::Member)
+    .repaired(Fault::Slip, "... and for almost all t, xdot is an element of K[f](x).", SolutionVariant::Member)
     .control("without the convex hull", SolutionVariant::Limit)
     .control("xdot = f(x)", SolutionVariant::Classical)
 }
@@ -208,7 +208,7 @@ pub fn chain_rule() -> Record<ChainRuleVariant> {
         printed,
         examine_chain_rule,
     )
-    .repaired(Fault::Misprint, "... V: R^n x R -> R ...", repaired)
+    .repaired(Fault::Slip, "... V: R^n x R -> R ...", repaired)
     .control("K[f] with 0 in place of 1", ChainRuleVariant { time: false, ..repaired })
     .control("for every t", ChainRuleVariant { everywhere: true, ..repaired })
     .control("V of x alone", ChainRuleVariant { arguments: |n| n, ..repaired })

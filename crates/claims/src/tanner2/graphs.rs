@@ -1,10 +1,10 @@
 //! tanner2.L, rangeB, cor2_merris, and the same statements of tanner1: Laplacians and incidence matrices.
 
 use super::arbitrary::Arbitrary;
-use crate::record::Record;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Grade, Outcome, Run};
 use rand_chacha::rand_core::Rng;
 

@@ -5,11 +5,11 @@ use super::arbitrary::Arbitrary;
 use super::energy::{EdgeSum, on_connected};
 use super::motions::{Motion, inflected_pair, motions, paths, row_of_three, triangle};
 use super::nonsmooth::{HullVariant, examine_hull};
-use crate::record::Record;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use algebra::spectrum::Polynomial;
 use arithmetic::{Rational, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{Coordinates, Potential, State, linearisation, linked_within, velocity_alignment};
 

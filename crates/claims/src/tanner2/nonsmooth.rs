@@ -2,10 +2,10 @@
 
 use super::arbitrary::dot;
 use super::random_vectors;
-use crate::record::Record;
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Dual, Field, Rational, Signed, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{
     Coordinates, Kink, Pair, Potential, Span, State, kinetic_energy, linked_within, potential_energy, tied,

@@ -1,11 +1,11 @@
 //! tanner2.cor2_rate: how fast velocities agree, by exact linearisations.
 
 use super::arbitrary::Arbitrary;
-use crate::record::Record;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use algebra::spectrum::Polynomial;
 use arithmetic::{Rational, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{Coordinates, Potential, State, linearisation};
 

@@ -1,11 +1,11 @@
 //! tanner2.arbswitch, thm2_stop: switching by any signal, and switching by distance that ends or does not.
 
 use super::nonsmooth::{HullVariant, examine_hull};
-use crate::record::Record;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use algebra::spectrum::Polynomial;
 use arithmetic::{Rational, Ring, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{
     Coordinates, Pair, Potential, State, linearisation, linked_within, potential_gradients, tied,

@@ -1,7 +1,7 @@
 //! tanner2.eq2, sec6.figures, appA.thm5: a formula and two references.
 
-use crate::record::Record;
 use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
+use ledger::Record;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
 use models::double_integrator::{Coordinates, Pair, Potential, State, heading, linked_within, velocity_alignment};
 
@@ -74,7 +74,7 @@ pub fn eq2() -> Record<HeadingVariant> {
         HeadingVariant::Quotient,
         examine_heading,
     )
-    .repaired(Fault::Misprint, "theta_i = arctan(ydot_i, xdot_i), the two-argument arctangent, for velocities other than zero.", HeadingVariant::TwoArguments)
+    .repaired(Fault::Slip, "theta_i = arctan(ydot_i, xdot_i), the two-argument arctangent, for velocities other than zero.", HeadingVariant::TwoArguments)
     .control("the arguments swapped", HeadingVariant::Swapped)
     .control("values in [0, 2 pi)", HeadingVariant::Positive)
 }
@@ -114,7 +114,7 @@ pub fn figure_references() -> Record<FigureVariant> {
         [6, 6, 6],
         examine_references,
     )
-    .repaired(Fault::Misprint, "The fixed-topology run is shown in Figure 4, the distance-dependent run in Figure 5, the loss of connectivity in Figure 6.", [4, 5, 6])
+    .repaired(Fault::Slip, "The fixed-topology run is shown in Figure 4, the distance-dependent run in Figure 5, the loss of connectivity in Figure 6.", [4, 5, 6])
     .control("Figures 5, 4, 6", [5, 4, 6])
     .control("Figures 4, 5, 5", [4, 5, 5])
 }
@@ -168,7 +168,7 @@ pub fn theorem5_use() -> Record<u8> {
         1,
         examine_use,
     )
-    .repaired(Fault::Misprint, "Theorem 5 is used in the proof of Theorem 2.", 2)
+    .repaired(Fault::Slip, "Theorem 5 is used in the proof of Theorem 2.", 2)
     .control("Theorem 3", 3)
     .control("Theorem 4", 4)
 }

@@ -69,7 +69,7 @@ impl Claim for Separation {
 
     fn repair(&self) -> Option<Repair<SeparationVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "If h_{k+1} - h_k = 1, the separation between two successive agents is a_0 Re(gamma^{-k-1} e^{i w t}) - \
                         a_0 Re(gamma^{-k} e^{i w t}) + 1."
                 .to_string(),
@@ -167,7 +167,7 @@ impl Claim for FrontSizeLimit {
 
     fn repair(&self) -> Option<Repair<FrontLimitVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "If the amplitude of the oscillation of the leader at frequency sqrt(|f|) is a_0, and the maximum \
                         oscillation allowed is D, then N <~ 2 ln(D/a_0)/ln(1 + |f|/g^2); exactly, N + 1 is at most that."
                 .to_string(),

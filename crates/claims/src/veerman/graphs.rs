@@ -41,7 +41,7 @@ impl Claim for NthNeighbour {
 
     fn repair(&self) -> Option<Repair<NeighbourVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "If each agent keeps track of only the n-th agent in front and behind it, with n >= 2, the communication graph \
                         is not connected and therefore some agents will stay behind."
                 .to_string(),
@@ -178,7 +178,7 @@ impl Claim for OnlyTwo {
 
     fn repair(&self) -> Option<Repair<GrowthVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "Exponential and linear growth both occur, but they are not the only possibilities: for every p >= 0 there \
                         are communication graphs of agents on a line, with a directed path from the leader to every agent, whose peak \
                         response grows like N^p (p two-sided flocks in series; for p = 0 every agent tracks the leader)."

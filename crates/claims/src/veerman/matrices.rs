@@ -273,7 +273,8 @@ impl Claim for Dimensions {
 
     fn repair(&self) -> Option<Repair<DimensionsVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement:
                 "I_{N+1} and P_i are the (N+1)-dimensional identity and Reduced Directed Laplacian, and L_i is the \
                         (N+2)-dimensional Directed Laplacian."

@@ -287,7 +287,8 @@ impl Claim for Substitution {
 
     fn repair(&self) -> Option<Repair<SubstitutionVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement: "Substituting x_k - h_{x,k} = a_k e^{i w t} and u_k = i w a_k e^{i w t} in Equation (1) gives \
                         - w^2 a_k = f (a_k - a_{k-1}) + i w g (a_k - a_{k-1})."
                 .to_string(),
@@ -365,7 +366,8 @@ impl Claim for GainAboveOne {
 
     fn repair(&self) -> Option<Repair<GainVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement: "|gamma^{-1}| is greater than one if and only if 0 < w^2 < 2|f| (f, g < 0).".to_string(),
             variant: GainVariant { zero_included: false, ..self.printed() },
         })
@@ -492,6 +494,7 @@ impl Claim for StrongestGain {
     fn repair(&self) -> Option<Repair<StrongestVariant>> {
         Some(Repair {
             fault: Fault::False,
+            clauses: Vec::new(),
             statement:
                 "|gamma^{-1}| is strongest when w^2 = (f^2/g^2) (sqrt(1 + 2 g^2/|f|) - 1) (f, g < 0), which is always \
                         less than |f|; for f = g = -1 it is sqrt(3) - 1."

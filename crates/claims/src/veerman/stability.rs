@@ -128,7 +128,8 @@ impl Claim for MotionSpectrum {
 
     fn repair(&self) -> Option<Repair<SpectrumVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement:
                 "spec(M) = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K), and spec(L_i) \\ {0} equals \
                         spec(P_i), for all real f and g (as printed, with spec(M) \\ {0}, for f != 0 only)."

@@ -138,7 +138,7 @@ impl Claim for TheoryColumns {
 
     fn repair(&self) -> Option<Repair<ColumnsVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "Columns NFREQ and NAMP are the second order approximation values (Theorem 1, f = g = -1, with N in the \
                         place of N + 1), to within one unit of the last printed digit: the headings are exchanged."
                 .to_string(),
@@ -265,7 +265,7 @@ impl Claim for NumericColumns {
 
     fn repair(&self) -> Option<Repair<NumericVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "Columns NFREQ and NAMP are the values of Theorem 1 for N followers. Of the other two, TFREQ is nearer to \
                         the true resonance frequency of N followers than to Theorem 1 in every row (relative deviation at most \
                         0.14 % in all rows and 0.001 % at N = 128), and TAMP is below the true resonance amplitude in every row (by at \
@@ -331,7 +331,7 @@ impl Claim for Size {
 
     fn repair(&self) -> Option<Repair<i64>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "The rows of Table 1 refer to flocks of size N+1 (including the leader), that is, N followers, with N the \
                         first column."
                 .to_string(),
@@ -495,7 +495,7 @@ impl Claim for WhichSystem {
 
     fn repair(&self) -> Option<Repair<SystemVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "The experiments reported on in detail in Section 7 all concern the system given by Equation (2); the \
                         behavior of the system given by Equation (1) is relatively simple and is discussed in Section 3."
                 .to_string(),

@@ -264,7 +264,8 @@ impl Claim for Epsilon {
 
     fn repair(&self) -> Option<Repair<EpsilonVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement:
                 "eps = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- (3/4) g^2/f^2 - 1/(2|f|)) ) + O(w^4)."
                     .to_string(),
@@ -430,7 +431,8 @@ impl Claim for Exponent {
 
     fn repair(&self) -> Option<Repair<ExponentVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement:
                 "With x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal \
                         resonance and A = |a_{N+1}| = (N+1)/x + O(N^{-1})."

@@ -35,7 +35,7 @@ fn every_claim_is_as_recorded() {
     assert_eq!(report.differences, Vec::<String>::new());
     assert!(report.is_as_recorded());
     let document: serde_json::Value = serde_json::from_str(&to_json(&report, &options)).unwrap();
-    assert_eq!(document["schema"], "flockproof.ledger/1");
+    assert_eq!(document["schema"], "flockproof.ledger/2");
     assert_eq!(document["claims"].as_array().map(Vec::len), Some(ids.len()));
     // What is true instead of a printed statement is a claim that holds.
     for (printed, corrected) in report.entries.iter().filter_map(|entry| Some((&entry.id, entry.corrected.as_ref()?))) {

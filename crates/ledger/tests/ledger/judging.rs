@@ -55,10 +55,10 @@ impl Claim for Scripted {
         self.printed
     }
     fn repair(&self) -> Option<Repair<Act>> {
-        self.repair.map(|(fault, variant)| Repair { fault, statement: "corrected".into(), variant })
+        self.repair.map(|(fault, variant)| Repair { fault, statement: "corrected".into(), clauses: vec![], variant })
     }
     fn controls(&self) -> Vec<Control<Act>> {
-        self.controls.iter().map(|&act| Control::new("control", act)).collect()
+        ["control", "another"].into_iter().zip(&self.controls).map(|(what, &act)| Control::new(what, act)).collect()
     }
     fn examine(&self, act: &Act, run: &mut Run) -> Result<Outcome, CheckError> {
         let evidence = || Evidence::new(Grade::Exact, "part", "detail");
@@ -109,10 +109,10 @@ fn verdicts_follow_from_outcomes() {
     let repaired = |fault, act| Scripted { repair: Some((fault, act)), ..claim("test.a", Act::Fail) };
     assert_eq!(verdict(claim("test.a", Act::Hold)).0, Verdict::Holds);
     assert_eq!(verdict(claim("test.a", Act::Fail)).0, Verdict::False);
-    assert_eq!(verdict(repaired(Fault::Misprint, Act::Hold)).0, Verdict::Misprint);
+    assert_eq!(verdict(repaired(Fault::Typo, Act::Hold)).0, Verdict::Misprint);
     assert_eq!(verdict(repaired(Fault::False, Act::Hold)).0, Verdict::False);
     for act in [Act::Fail, Act::Undecided, Act::NotCheckable, Act::Error, Act::HoldWithoutEvidence] {
-        assert_eq!(verdict(repaired(Fault::Misprint, act)).0, Verdict::Undecided);
+        assert_eq!(verdict(repaired(Fault::Typo, act)).0, Verdict::Undecided);
     }
     assert_eq!(verdict(claim("test.a", Act::Undecided)), (Verdict::Undecided, Some("tried".into())));
     assert_eq!(verdict(claim("test.a", Act::NotCheckable)), (Verdict::NotCheckable, Some("no data".into())));
@@ -130,7 +130,7 @@ fn a_correction_is_a_claim_that_refutes_the_printed_form() {
         let ids = ledger.select(&["beyond".into()], &[]).unwrap_or_default();
         ledger.verify(&ids, &Options::default(), |_| {})
     };
-    let report = judged(Act::Fail, Some((Fault::Misprint, Act::Hold)));
+    let report = judged(Act::Fail, Some((Fault::Typo, Act::Hold)));
     let entry = &report.entries[0];
     assert_eq!((entry.id.as_str(), entry.paper.as_str(), entry.verdict), ("beyond.test.a", "beyond", Verdict::Holds));
     assert_eq!((entry.statement.as_str(), entry.place.as_str()), ("corrected", "corrects test, test"));

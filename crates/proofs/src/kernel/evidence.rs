@@ -18,7 +18,7 @@ pub fn proofs_of(claim: &str) -> impl Iterator<Item = (&'static Theorem, Covers)
 pub struct Development;
 
 impl Proofs for Development {
-    fn evidence(&self, claim: &str, verdict: Verdict) -> Result<Vec<Evidence>, String> {
+    fn evidence(&self, claim: &str, verdict: Verdict, printed: usize) -> Result<Vec<Evidence>, String> {
         let support = proofs_of(claim).map(|(theorem, covers)| {
             if contradict(covers, verdict) {
                 return Err(format!(
@@ -35,7 +35,11 @@ impl Proofs for Development {
             };
             let detail = format!("Coq theorem {}; axioms: {}", theorem.path(), theorem.axioms.words());
             let grade = if covers == Covers::Instance { Grade::Exact } else { Grade::Kernel };
-            Ok(Evidence::new(grade, part, detail))
+            // In the entry of the printed statement the clauses of its correction come last.
+            let skipped = if covers == Covers::Corrected { printed } else { 0 };
+            let clauses: Vec<usize> = theorem.clauses.iter().map(|k| k + skipped).collect();
+            let evidence = Evidence::new(grade, part, detail).on(clauses);
+            Ok(if theorem.whole && grade == Grade::Kernel { evidence.for_all() } else { evidence })
         });
         support.collect()
     }
@@ -45,7 +49,7 @@ impl Proofs for Development {
 fn contradict(covers: Covers, verdict: Verdict) -> bool {
     match verdict {
         Verdict::Holds => matches!(covers, Covers::Corrected | Covers::Negation),
-        Verdict::Misprint | Verdict::False => covers == Covers::Claim,
+        Verdict::NeedsHypothesis | Verdict::Misprint | Verdict::False => covers == Covers::Claim,
         Verdict::Undecided | Verdict::NotCheckable => false,
     }
 }

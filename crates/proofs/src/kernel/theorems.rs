@@ -51,6 +51,10 @@ pub struct Theorem {
     pub axioms: AxiomSet,
     /// How much of the claim it proves.
     pub covers: Covers,
+    /// The clauses that it states, counted from 1, of the printed statement or, for [`Covers::Corrected`], of the corrected one.
+    pub clauses: Vec<usize>,
+    /// Whether it states them for all their parameters with the hypotheses of the claim.
+    pub whole: bool,
     /// What it proves, in words.
     pub part: String,
 }
@@ -90,9 +94,16 @@ pub fn theorems() -> &'static [Theorem] {
 }
 
 fn parse_row(line: &'static str) -> Option<Theorem> {
-    let [claim, file, name, axioms, covers, part] = line.split('\t').collect::<Vec<_>>().try_into().ok()?;
-    let part = part.to_string();
-    Some(Theorem { claim, file, name, axioms: AxiomSet::parse(axioms)?, covers: Covers::parse(covers)?, part })
+    let [claim, file, name, axioms, covers, clauses, scope, part] =
+        line.split('\t').collect::<Vec<_>>().try_into().ok()?;
+    let (axioms, covers) = (AxiomSet::parse(axioms)?, Covers::parse(covers)?);
+    let clauses = clauses.split(',').map(|k| k.parse().ok()).collect::<Option<_>>()?;
+    let whole = match scope {
+        "all" => true,
+        "instances" => false,
+        _ => return None,
+    };
+    Some(Theorem { claim, file, name, axioms, covers, clauses, whole, part: part.to_string() })
 }
 
 /// The statement in `Check (name : statement).`

@@ -253,7 +253,8 @@ impl Claim for WithGamma {
 
     fn repair(&self) -> Option<Repair<ClosedFormVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement:
                 "x_i(t) = x_i(t_1) + ((chi(i)^T Gamma) kron I_d) v(t_1+1) + (t-t_1) y - sum_{k=2}^m lambda_k^{t-t_1} \
                         Phi_k/(1-lambda_k)."

@@ -85,7 +85,7 @@ impl Claim for FiedlerRate {
 
     fn repair(&self) -> Option<Repair<FiedlerVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "When the graph is connected the Fiedler number is bounded away from 0 by an inverse polynomial, so \
                         differences between velocities decay to 0 at a rate of 2^{-t/n^c} for some constant c > 0 (c = 3 for lazy weights \
                         and for c_i = 1/(d_i+1))."

@@ -48,7 +48,7 @@ impl Claim for CirculantEigenvectors {
 
     fn repair(&self) -> Option<Repair<SymmetryVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "If e^{i theta} is, up to a common rotation, a column of F (column m other than the first), then the phasors form a symmetric pattern, \
                         that of N/gcd(N, m - 1) clusters. Other eigenvectors of a repeated eigenvalue need not be symmetric."
                 .to_string(),
@@ -244,7 +244,7 @@ impl Claim for CyclicEigenvectors {
 
     fn repair(&self) -> Option<Repair<CyclicVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "On C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of W_1, and up to rotation it is a column of F, which \
                         is a symmetric pattern, or, with eigenvalue 2, (u, v, -u, -v) three times over with any u, v of modulus one."
                 .to_string(),

@@ -55,7 +55,7 @@ impl Claim for EdgeLength {
 
     fn repair(&self) -> Option<Repair<LengthVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "Q_L(x) = (1/(4N)) sum_{(j,k) in E} |x_j - x_k|^2 for undirected G with both directions of each edge in E (or (1/(2N)) with \
                         each edge counted once): proportional to the total squared length of the edges."
                 .to_string(),
@@ -202,7 +202,7 @@ impl Claim for Incidence {
 
     fn repair(&self) -> Option<Repair<IncidenceVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way; with one column for each \
                         directed edge in E, L = (1/2) B B^T."
                 .to_string(),

@@ -50,7 +50,8 @@ impl Claim for LaplacianMoments {
 
     fn repair(&self) -> Option<Repair<ConstantOf>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement: "If G is complete, then W_m(theta) = Q_L((1/m) e^{i m theta}) = N/(2 m^2) - U_m(theta)."
                 .to_string(),
             variant: |particles, m| rational(particles, 2 * m * m),

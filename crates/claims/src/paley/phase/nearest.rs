@@ -96,7 +96,7 @@ impl Claim for Scale {
 
     fn repair(&self) -> Option<Repair<ScaleVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "2/(n+1) W_1 lies in [0,1] for n = 1 and n = N - 1 (those of Figure S3), but not for every n: it is 4/3 for four fish on a square, \
                         n = 2, each opposite to both neighbours. For all n the scaled potential W_1/n lies in [0,1]."
                 .to_string(),
@@ -208,7 +208,8 @@ impl Claim for CompleteScale {
 
     fn repair(&self) -> Option<Repair<ScaleOf>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement: "n = N-1 corresponds to the complete graph, in which case 2/(n+1) W_1(theta) = 1 - |p_theta|^2."
                 .to_string(),
             variant: figure_scale,

@@ -38,7 +38,7 @@ impl Claim for Synchronised {
 
     fn repair(&self) -> Option<Repair<RateVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "A synchronised arrangement implies that the particles have a common direction at all times, which turns at their \
                         common rate, omega_0 under (6) with (9) or (14); the formation is parallel if and only if that rate is zero."
                 .to_string(),

@@ -42,7 +42,8 @@ impl Claim for TwoPatterns {
 
     fn repair(&self) -> Option<Repair<TwoVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement:
                 "For any N >= 2 there exist at least two symmetric patterns, the (1,N)-pattern and the (N,N)-pattern."
                     .to_string(),

@@ -226,7 +226,7 @@ impl Claim for StrongSubgraphs {
 
     fn repair(&self) -> Option<Repair<ZeroVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "W_1(theta) is zero if and only if the phases within each weakly connected component of G are synchronised; otherwise W_1(theta) is \
                         positive. (Synchronised strong components are necessary, but sufficient only if no arc joins two of them.)"
                 .to_string(),

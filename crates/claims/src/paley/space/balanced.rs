@@ -100,7 +100,7 @@ impl Claim for BalancedStable {
 
     fn repair(&self) -> Option<Repair<BalancedVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "If G is circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular formations whose phases maximise W_1 \
                         (all of them balanced: L e^{i theta} = lambda_max e^{i theta}) is asymptotically stable. It is the set of all balanced \
                         circular formations if G is complete."
@@ -211,7 +211,7 @@ impl Claim for LargerGain {
 
     fn repair(&self) -> Option<Repair<GainVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) and the balanced (2,N)-pattern are both \
                         exponentially stable up to symmetry for every K_1 > 0; increasing the gain does not lead from one to the other."
                 .to_string(),

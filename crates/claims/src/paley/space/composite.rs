@@ -83,7 +83,7 @@ impl Claim for CompositePotential {
 
     fn repair(&self) -> Option<Repair<CompositeVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "V = K_0 S - K_1 w0^-2 W_1; along (1), (2) with (22), Vdot = -(1/N^2) sum_k (K_0 <e^{i th_k}, L_k c> + K_1 w0^-1 <i \
                         e^{i th_k}, L_k e^{i th}>)^2, for all w0 != 0 and every undirected graph."
                 .to_string(),
@@ -209,7 +209,7 @@ impl Claim for TwoNetworks {
 
     fn repair(&self) -> Option<Repair<FormVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "u_k = w0 + (K_1/N) <i e^{i th_k}, L_k^ori e^{i th}> - (K_0/N) <i e^{i th_k}, L_k^att e^{i th}> + w0 (K_0/N) <e^{i th_k}, L_k^att r>, \
                         that is, (5) with (14) on L^ori and (20) on L^att."
                 .to_string(),
@@ -304,7 +304,8 @@ impl Claim for PatternPotential {
 
     fn repair(&self) -> Option<Repair<WeightVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip,
+            clauses: Vec::new(),
             statement:
                 "V^{M,N}(r, theta) = K_0 S(r, theta) + w0^-2 U^{M,N}(theta), with Vdot = -w0^-2 sum_k (u_k - w0)^2."
                     .to_string(),

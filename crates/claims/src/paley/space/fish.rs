@@ -61,7 +61,7 @@ impl Claim for EulerStep {
 
     fn repair(&self) -> Option<Repair<StepVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "r_k(q+1) = r_k(q) + T e^{i th_k(q)}, th_k(q+1) = th_k(q) + T u_k(q) is the forward Euler method with step T for (1), (2).".to_string(),
             variant: StepVariant { position: 1, phase: 1 },
         })
@@ -179,7 +179,7 @@ impl Claim for RepulsionField {
 
     fn repair(&self) -> Option<Repair<BehaviourVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "v_k^rep = sum_{j in N_k^rep} rhat_kj with rhat_kj = (r_k - r_j)/|r_k - r_j| (or - sum with rhat_jk); with K_rep > 0 it produces repulsion."
                 .to_string(),
             variant: BehaviourVariant { sign: 1, away: 1, gain: 1 },
@@ -219,7 +219,7 @@ impl Claim for AttractionField {
 
     fn repair(&self) -> Option<Repair<BehaviourVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "v_k^att = - sum_{j in N_k^att} rhat_kj with rhat_kj = (r_k - r_j)/|r_k - r_j| (or sum with rhat_jk); with K_att > 0 it produces attraction."
                 .to_string(),
             variant: BehaviourVariant { sign: -1, away: -1, gain: 1 },

@@ -84,7 +84,7 @@ impl Claim for LaplacianForm {
 
     fn repair(&self) -> Option<Repair<FormVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "u_k = w_k - K_ori <i e^{i th_k}, L_k^ori e^{i th}> - K_att <i e^{i th_k}, L_k^att r>, from (27) with v_k^att = - sum rhat_kj.".to_string(),
             variant: FormVariant { orientation: -1, attraction: -1, field: -1 },
         })

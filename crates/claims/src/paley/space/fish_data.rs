@@ -133,7 +133,7 @@ impl Claim for DifferenceInference {
 
     fn repair(&self) -> Option<Repair<ScaleVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "The difference of W_1/n for n = N-1 and n = 1 is positive if and only if nearest neighbours are on average more synchronised than all pairs \
                         (mean of 1 - cos th_kj over arcs); for independent uniform headings it has mean zero."
                 .to_string(),

@@ -136,7 +136,7 @@ impl Claim for DriftGain {
 
     fn repair(&self) -> Option<Repair<SynchronyVariant>> {
         Some(Repair {
-            fault: Fault::Misprint,
+            fault: Fault::Slip, clauses: Vec::new(),
             statement: "Stabilizing the synchronized circular formation in a drift field: f_k = -0.1, N = 12, w0 = K_0 = 0.1 and K_1 < 0.".to_string(),
             variant: SynchronyVariant::STABLE,
         })

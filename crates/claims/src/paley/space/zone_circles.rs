@@ -86,7 +86,7 @@ impl Claim for CircularInZones {
 
     fn repair(&self) -> Option<Repair<CircularVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "Under (29) with w0 = K_0 = 0.1, N = 12, the blind spot of 60 degrees and K_1 = ±K_0, in each zone most runs from random \
                         initial states come to one circle of radius 1/|w0| by t = 2400, the centres within 2% of it (values: the shares; nearly all of 2000); not all, since \
                         there are other rigid motions (and for K_1 = 5 K_0 no run tried comes to a circular formation of any radius)."

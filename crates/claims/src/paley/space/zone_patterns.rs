@@ -46,7 +46,7 @@ impl Claim for PatternsInZones {
 
     fn repair(&self) -> Option<Repair<PatternsVariant>> {
         Some(Repair {
-            fault: Fault::False,
+            fault: Fault::False, clauses: Vec::new(),
             statement: "With (29) corrected (paley.eq29), K_1 = K_0 = w0 = 0.1, N = 12, in most runs from random states the particles form 9 to 12 clusters for M = 12 and 6 to 10 \
                         for M = 8, on average at least three quarters of the angle 2 pi/M of the zone apart, and at most four for M = 2."
                 .to_string(),

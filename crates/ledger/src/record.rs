@@ -1,0 +1,126 @@
+//! Claims as records: data, and the function that decides a variant.
+
+use super::{CheckError, Claim, Control, Fault, Outcome, Repair, Run, Source};
+
+/// A check of one variant.
+type Examine<V> = fn(&V, &mut Run) -> Result<Outcome, CheckError>;
+
+/// A claim: its data and the function that decides a variant.
+///
+/// ```
+/// use ledger::{Evidence, Grade, Outcome, Record};
+/// let squares = Record::new("mine.squares", "n n < n^k for n >= 2 and k > 2.", 3u32, |k, run| {
+///     let larger = |n: &u64| (n.pow(2) >= n.pow(*k)).then(|| format!("n = {n}"));
+///     run.exhaustive("n from 2 to 9", "compared", 2..=9u64, |n| Ok(larger(&n)))
+/// })
+/// .stated("school", "n^2 < n^3 for every integer n from 2 to 9.")
+/// .control("the square itself", 2);
+/// ```
+pub struct Record<V> {
+    id: &'static str,
+    derivation: &'static str,
+    printed: V,
+    examine: Examine<V>,
+    source: Option<(&'static str, &'static str)>,
+    clauses: &'static [&'static str],
+    reading: Option<&'static str>,
+    repair: Option<(Fault, &'static str, V)>,
+    repaired_clauses: &'static [&'static str],
+    controls: Vec<(&'static str, V)>,
+}
+
+impl<V> Record<V> {
+    /// A claim without correction and controls.
+    pub fn new(id: &'static str, derivation: &'static str, printed: V, examine: Examine<V>) -> Self {
+        Record {
+            id,
+            derivation,
+            printed,
+            examine,
+            source: None,
+            clauses: &[],
+            reading: None,
+            repair: None,
+            repaired_clauses: &[],
+            controls: Vec::new(),
+        }
+    }
+
+    /// Place and statement, for claims beyond the papers.
+    pub fn stated(mut self, place: &'static str, statement: &'static str) -> Self {
+        self.source = Some((place, statement));
+        self
+    }
+
+    /// The sentences of the statement that can be true or false alone, for statements of several.
+    pub fn clauses(mut self, clauses: &'static [&'static str]) -> Self {
+        self.clauses = clauses;
+        self
+    }
+
+    /// How the statement is read, where that is a choice.
+    pub fn reading(mut self, reading: &'static str) -> Self {
+        self.reading = Some(reading);
+        self
+    }
+
+    /// The clauses of the corrected statement, where it has several.
+    pub fn repaired_clauses(mut self, clauses: &'static [&'static str]) -> Self {
+        self.repaired_clauses = clauses;
+        self
+    }
+
+    /// The corrected statement.
+    pub fn repaired(mut self, fault: Fault, statement: &'static str, variant: V) -> Self {
+        self.repair = Some((fault, statement, variant));
+        self
+    }
+
+    /// One more negative control.
+    pub fn control(mut self, what: &'static str, variant: V) -> Self {
+        self.controls.push((what, variant));
+        self
+    }
+}
+
+impl<V: Clone + Send + Sync + 'static> Claim for Record<V> {
+    type Variant = V;
+
+    fn id(&self) -> &str {
+        self.id
+    }
+
+    fn source(&self) -> Option<Source> {
+        self.source.map(|(place, statement)| Source { place: place.to_string(), statement: statement.to_string() })
+    }
+
+    fn clauses(&self) -> Vec<String> {
+        self.clauses.iter().map(|clause| clause.to_string()).collect()
+    }
+
+    fn reading(&self) -> Option<String> {
+        self.reading.map(str::to_string)
+    }
+
+    fn derivation(&self) -> &str {
+        self.derivation
+    }
+
+    fn printed(&self) -> V {
+        self.printed.clone()
+    }
+
+    fn repair(&self) -> Option<Repair<V>> {
+        let (fault, statement, variant) = self.repair.as_ref()?;
+        let clauses = self.repaired_clauses.iter().map(|clause| clause.to_string()).collect();
+        Some(Repair { fault: *fault, statement: statement.to_string(), clauses, variant: variant.clone() })
+    }
+
+    fn controls(&self) -> Vec<Control<V>> {
+        self.controls.iter().map(|(what, variant)| Control::new(what, variant.clone())).collect()
+    }
+
+    fn examine(&self, variant: &V, run: &mut Run) -> Result<Outcome, CheckError> {
+        (self.examine)(variant, run)
+    }
+}
