@@ -79,6 +79,30 @@ impl Outcome {
     pub fn fails(counterexample: impl Into<String>, evidence: Evidence) -> Self {
         Outcome::Fails { counterexample: counterexample.into(), evidence: vec![evidence] }
     }
+
+    /// The same with evidence that bears on these clauses, counted from 1.
+    pub fn on(self, clauses: impl Into<Vec<usize>>) -> Self {
+        let clauses = clauses.into();
+        self.with(|e| e.on(clauses.clone()))
+    }
+
+    /// The same, where it holds, with evidence for all parameters of its clauses.
+    pub fn for_all(self) -> Self {
+        match self {
+            Outcome::Holds(_) => self.with(Evidence::for_all),
+            other => other,
+        }
+    }
+
+    fn with(self, change: impl Fn(Evidence) -> Evidence) -> Self {
+        let each = |evidence: Vec<Evidence>| evidence.into_iter().map(&change).collect();
+        match self {
+            Outcome::Holds(evidence) => Outcome::Holds(each(evidence)),
+            Outcome::Fails { counterexample, evidence } => Outcome::Fails { counterexample, evidence: each(evidence) },
+            Outcome::NotCheckable(why, evidence) => Outcome::NotCheckable(why, each(evidence)),
+            Outcome::Undecided(why) => Outcome::Undecided(why),
+        }
+    }
 }
 
 /// What is wrong with a printed claim that fails.
