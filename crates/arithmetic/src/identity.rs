@@ -1,18 +1,22 @@
 //! Randomised exact testing of rational identities, with an error bound.
 //!
-//! Two rational expressions are written once over [`Field`]. They are run over [`DegreeBound`] to bound the degree `d`
-//! of the polynomial that vanishes exactly when they agree (the difference, over a common denominator), and over exact
-//! rationals at random integer points from a set of `2^SET_BITS` values per variable. By the lemma of Schwartz and
-//! Zippel a wrong identity survives one point with probability at most `d / 2^SET_BITS`; points where a denominator
-//! vanishes are drawn again, which at most doubles that.
+//! Two rational expressions are written once over [`Field`]. They are run over [`DegreeBound`], which bounds the degree `d` and the bits `h` of the
+//! coefficients of the polynomial that vanishes exactly when they agree (the numerator of the difference, over the integers), and then modulo
+//! random primes at random points.
+//!
+//! **Error bound.** Let that polynomial not be zero. A prime between 2^60 and 2^61 that divides all its coefficients divides one that is not zero, and at most
+//! `h/60` of them do; there are at least `3·2^60/(5 ln 2^60) > 2^53` such primes (Rosser and Schoenfeld 1962), so a random one does so
+//! with probability at most `h/(60·2^53) < h·2^-58`. For any other prime a random point is a zero with probability at most `d·2^-60` (Schwartz and
+//! Zippel). Points where a denominator vanishes are drawn again with a new prime, which at most doubles the sum. So a wrong identity survives
+//! one case with probability at most `(d + 4h)·2^-59`, and all of them with the power of that.
 
-use super::{ArithmeticError, DegreeBound, Field, Rational};
-use num_bigint::BigInt;
+use super::residue::{Residue, random_prime};
+use super::{ArithmeticError, DegreeBound, Field, Probe, Rational, Ring};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
-/// Each variable is drawn from the integers of absolute value below `2^(SET_BITS - 1)`.
-pub const SET_BITS: u32 = 48;
+/// `-log2` of the probability that a case misses a polynomial with `d + 4h = 1`.
+const CASE_BITS: u32 = 59;
 
 /// Draws in a row that may hit a pole before the test gives up.
 const LONGEST_RUN_OF_POLES: usize = 64;
@@ -41,20 +45,18 @@ pub trait RationalIdentity {
     }
 }
 
-/// A [`RationalIdentity`] as the test sees it: over the two scalars that it needs. One test serves all identities.
+/// Both sides of an identity.
+type Sides<T> = (Vec<T>, Vec<T>);
+
+/// A [`RationalIdentity`] as the test sees it: over one scalar. The test is compiled once for all identities.
 pub trait AnyIdentity {
     /// [`RationalIdentity::variables`].
     fn variables(&self) -> usize;
-    /// [`RationalIdentity::sides`] at a rational point.
+    /// [`RationalIdentity::sides`].
     ///
     /// # Errors
     /// [`ArithmeticError`] where the point is a pole.
-    fn sides_at(&self, at: &[Rational]) -> Result<(Vec<Rational>, Vec<Rational>), ArithmeticError>;
-    /// [`RationalIdentity::sides`] over degrees.
-    ///
-    /// # Errors
-    /// [`ArithmeticError`] where the identity has a pole everywhere.
-    fn degrees(&self) -> Result<(Vec<DegreeBound>, Vec<DegreeBound>), ArithmeticError>;
+    fn sides(&self, at: &[Probe]) -> Result<Sides<Probe>, ArithmeticError>;
     /// [`RationalIdentity::components`].
     fn components(&self) -> Vec<String>;
     /// [`RationalIdentity::in_domain`].
@@ -65,11 +67,8 @@ impl<I: RationalIdentity> AnyIdentity for I {
     fn variables(&self) -> usize {
         RationalIdentity::variables(self)
     }
-    fn sides_at(&self, at: &[Rational]) -> Result<(Vec<Rational>, Vec<Rational>), ArithmeticError> {
-        self.sides(at)
-    }
-    fn degrees(&self) -> Result<(Vec<DegreeBound>, Vec<DegreeBound>), ArithmeticError> {
-        self.sides(&vec![DegreeBound::VARIABLE; RationalIdentity::variables(self)])
+    fn sides(&self, at: &[Probe]) -> Result<Sides<Probe>, ArithmeticError> {
+        RationalIdentity::sides(self, at)
     }
     fn components(&self) -> Vec<String> {
         RationalIdentity::components(self)
@@ -119,7 +118,7 @@ pub enum IdentityError {
         right: usize,
     },
     /// The degree is too large for the set the points are drawn from.
-    #[error("the degree bound {0} is too large for the set of points")]
+    #[error("the degree bound {0} and the coefficients are too large for the set of points")]
     Degree(u64),
 }
 
@@ -132,63 +131,73 @@ pub fn test_identity(
     cases: usize,
     random: &mut ChaCha8Rng,
 ) -> Result<IdentityOutcome, IdentityError> {
-    let degree = degree_of_difference(identity)?;
+    let bound = bound_of_difference(identity)?;
+    let error_bits = case_bits(bound)? * cases as u64;
     let mut done = 0;
     let mut poles = 0;
     while done < cases {
-        let at: Vec<Rational> = (0..identity.variables()).map(|_| random_integer(random)).collect();
-        let Ok((left, right)) = identity.sides_at(&at) else {
+        let prime = random_prime(random);
+        let at: Vec<Residue> = (0..identity.variables()).map(|_| random_residue(prime, random)).collect();
+        let probes: Vec<Probe> = at.iter().map(|&x| Probe::Residue(x)).collect();
+        let Ok(sides) = identity.sides(&probes) else {
             poles += 1;
             if poles > LONGEST_RUN_OF_POLES {
                 return Err(IdentityError::OnlyPoles);
             }
             continue;
         };
-        if let Some(difference) = difference(at, left, right)? {
-            return Ok(small_counterexample(identity).unwrap_or(difference));
+        if differing(&sides)?.is_some() {
+            let whole: Vec<Rational> = at.iter().map(|x| Rational::from_integer(x.value().into())).collect();
+            let found = small_counterexample(identity, prime).or_else(|| exact_difference(identity, whole));
+            // The sides differ modulo the prime, so they differ at these integers, where no denominator vanishes.
+            return found.ok_or(IdentityError::OnlyPoles);
         }
         poles = 0;
         done += 1;
     }
-    Ok(IdentityOutcome::Agreed { cases, degree, error_bits: error_bits(degree, cases)? })
+    Ok(IdentityOutcome::Agreed { cases, degree: bound.numerator.max(bound.denominator), error_bits })
 }
 
-fn difference(
-    at: Vec<Rational>,
-    left: Vec<Rational>,
-    right: Vec<Rational>,
-) -> Result<Option<IdentityOutcome>, IdentityError> {
-    if left.len() != right.len() {
-        return Err(IdentityError::Shape { left: left.len(), right: right.len() });
+/// The first component that differs.
+fn differing(sides: &Sides<Probe>) -> Result<Option<usize>, IdentityError> {
+    let (left, right) = (sides.0.len(), sides.1.len());
+    if left != right {
+        return Err(IdentityError::Shape { left, right });
     }
-    let component = left.iter().zip(&right).position(|(l, r)| l != r);
-    Ok(component.map(|component| IdentityOutcome::Differed {
-        at,
-        component,
-        left: left[component].clone(),
-        right: right[component].clone(),
-    }))
+    Ok(sides.0.iter().zip(&sides.1).position(|(l, r)| l != r))
 }
 
-/// Looks for a counterexample with coordinates 1, -1, 2, -2, 3, -3, smaller ones first, in the domain of the identity.
-fn small_counterexample(identity: &dyn AnyIdentity) -> Option<IdentityOutcome> {
+/// The difference at a rational point, if there is one.
+fn exact_difference(identity: &dyn AnyIdentity, at: Vec<Rational>) -> Option<IdentityOutcome> {
+    let probes: Vec<Probe> = at.iter().cloned().map(Probe::Exact).collect();
+    let sides = identity.sides(&probes).ok()?;
+    let component = differing(&sides).ok()??;
+    let (Probe::Exact(left), Probe::Exact(right)) = (&sides.0[component], &sides.1[component]) else { return None };
+    Some(IdentityOutcome::Differed { at, component, left: left.clone(), right: right.clone() })
+}
+
+/// Looks for a counterexample with coordinates 1, -1, 2, -2, 3, -3, smaller ones first, in the domain of the identity. Points are tried modulo
+/// the prime first.
+fn small_counterexample(identity: &dyn AnyIdentity, prime: u64) -> Option<IdentityOutcome> {
     const VALUES: [i64; 6] = [1, -1, 2, -2, 3, -3];
     const MOST_POINTS: usize = 20_000;
-    let variables = identity.variables();
+    let residues = VALUES.map(|x| Probe::Residue(Residue::new(0, prime)).integer(x));
     let mut tried = 0;
     for level in 1..=VALUES.len() {
         // All index vectors below `level` with `level - 1` among them.
-        let mut indices = vec![0; variables];
+        let mut indices = vec![0; identity.variables()];
         loop {
             if indices.contains(&(level - 1)) {
                 tried += 1;
                 if tried > MOST_POINTS {
                     return None;
                 }
+                let probes: Vec<Probe> = indices.iter().map(|&k| residues[k].clone()).collect();
+                let differs = identity.sides(&probes).is_ok_and(|sides| differing(&sides).is_ok_and(|d| d.is_some()));
                 let at: Vec<Rational> = indices.iter().map(|&k| Rational::from_integer(VALUES[k].into())).collect();
-                if identity.in_domain(&at)
-                    && let Ok((left, right)) = identity.sides_at(&at)
-                    && let Ok(Some(found)) = difference(at, left, right)
+                if differs
+                    && identity.in_domain(&at)
+                    && let Some(found) = exact_difference(identity, at)
                 {
                     return Some(found);
                 }
@@ -202,30 +211,35 @@ fn small_counterexample(identity: &dyn AnyIdentity) -> Option<IdentityOutcome> {
     None
 }
 
-/// The largest degree over all components, numerators and denominators alike: it bounds the zeros of the difference
+/// The largest bounds over all components, numerators and denominators alike: they bound the zeros of the difference
 /// and the poles.
-fn degree_of_difference(identity: &dyn AnyIdentity) -> Result<u64, IdentityError> {
-    let (left, right) = identity.degrees().map_err(|_| IdentityError::OnlyPoles)?;
-    if left.len() != right.len() {
-        return Err(IdentityError::Shape { left: left.len(), right: right.len() });
+fn bound_of_difference(identity: &dyn AnyIdentity) -> Result<DegreeBound, IdentityError> {
+    let variables = vec![Probe::Degree(DegreeBound::VARIABLE); identity.variables()];
+    let sides = identity.sides(&variables).map_err(|_| IdentityError::OnlyPoles)?;
+    differing(&sides)?;
+    let mut largest = DegreeBound::constant(0, 0);
+    for (left, right) in sides.0.into_iter().zip(sides.1) {
+        let Probe::Degree(bound) = left - right else { return Err(IdentityError::Degree(u64::MAX)) };
+        largest.numerator = largest.numerator.max(bound.numerator).max(bound.denominator);
+        largest.numerator_bits = largest.numerator_bits.max(bound.numerator_bits).max(bound.denominator_bits);
     }
-    let differences = left.into_iter().zip(right).map(|(l, r)| l - r);
-    Ok(differences.map(|d| d.numerator.max(d.denominator)).max().unwrap_or(0))
+    Ok(largest)
 }
 
-/// `floor(log2((2^SET_BITS / 2d)^cases))`, whole bits per case; the 2 pays for the points drawn again at poles.
-///
-/// The denominators that can vanish have at most the same degree, so with `d < 2^(SET_BITS - 1)` at least half of all
-/// points are usable.
-fn error_bits(degree: u64, cases: usize) -> Result<u64, IdentityError> {
-    let degree_bits = u64::from(u64::BITS - degree.max(1).leading_zeros());
-    let bits_per_case = u64::from(SET_BITS).checked_sub(degree_bits + 1).filter(|&bits| bits > 0);
-    Ok(bits_per_case.ok_or(IdentityError::Degree(degree))? * cases as u64)
+/// Whole bits by which one case bounds the probability that a wrong identity passes.
+fn case_bits(bound: DegreeBound) -> Result<u64, IdentityError> {
+    let sum = bound.numerator_bits.saturating_mul(4).saturating_add(bound.numerator).max(1);
+    let lost = u64::BITS - (sum - 1).leading_zeros();
+    let bits = CASE_BITS.checked_sub(lost).filter(|&bits| bits > 0);
+    Ok(u64::from(bits.ok_or(IdentityError::Degree(bound.numerator))?))
 }
 
-/// A random integer of absolute value below `2^(SET_BITS - 1)`.
-fn random_integer(random: &mut ChaCha8Rng) -> Rational {
-    let offset = 1i64 << (SET_BITS - 1);
-    let drawn = (random.next_u64() >> (u64::BITS - SET_BITS)) as i64;
-    Rational::from_integer(BigInt::from(drawn - offset))
+/// Uniform modulo the prime.
+fn random_residue(prime: u64, random: &mut ChaCha8Rng) -> Residue {
+    loop {
+        let drawn = random.next_u64() >> 3;
+        if drawn < prime {
+            return Residue::new(drawn, prime);
+        }
+    }
 }

@@ -12,7 +12,9 @@
 //! | [`Complex<T>`] | a pair over any of these; over [`Rational`] the Gaussian rationals |
 //! | [`Dual<T>`] | value and first derivative, exact wherever `T` is |
 //! | [`Series<T>`] | truncated power series, for expansions to a stated order |
-//! | [`DegreeBound`] | degrees of numerator and denominator, for the error bound of an identity test |
+//! | [`Residue`] | exact modulo a prime |
+//! | [`DegreeBound`] | degrees and coefficient sizes of numerator and denominator, for the error bound of an identity test |
+//! | [`Probe`] | one of the three that an identity test needs |
 
 mod ball;
 mod complex;
@@ -29,12 +31,14 @@ mod integer;
 mod interval;
 mod number;
 mod operators;
+mod probe;
 mod progress;
 mod radical;
 pub mod random;
 mod rational;
 mod real_cyclotomic;
 mod regression;
+mod residue;
 mod series;
 mod surd;
 
@@ -47,11 +51,13 @@ pub use float_interval::FloatInterval;
 pub use flow::{along_flow, gradient};
 pub use interval::Interval;
 pub use number::{NumberError, decimal, decimals, parse_rational, significant_digits};
+pub use probe::Probe;
 pub use progress::{Cancelled, Progress, Unwatched};
 pub use radical::RadicalSum;
 pub use rational::{Rational, rational};
 pub use real_cyclotomic::{CosineField, RealCyclotomic};
 pub use regression::regression_line;
+pub use residue::{Residue, is_prime, random_prime};
 pub use series::Series;
 pub use surd::{sign_of_square_root_difference, sign_of_surd};
 

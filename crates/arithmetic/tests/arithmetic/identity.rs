@@ -1,9 +1,9 @@
 //! The randomised identity tester: true identities pass with a bound, false ones are refuted at a point.
 
 use arithmetic::identity::{IdentityError, IdentityOutcome, RationalIdentity, test_identity};
-use arithmetic::{ArithmeticError, Dual, Field, Rational, Ring, along_flow};
+use arithmetic::{ArithmeticError, Dual, Field, Rational, Residue, Ring, along_flow, is_prime, random_prime};
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 
 /// `(x³ - y³)/(x - y) = x² + c xy + y²`, true for c = 1.
 struct DifferenceOfCubes(i64);
@@ -70,8 +70,9 @@ fn random() -> ChaCha8Rng {
 #[test]
 fn a_true_identity_passes_with_a_bound() {
     let outcome = test_identity(&DifferenceOfCubes(1), 8, &mut random()).unwrap();
-    // Left side: degree 3 over 1; right side: degree 2; difference: max(3, 2 + 1) = 3, two bits; 48 - 2 - 1 per case.
-    assert_eq!(outcome, IdentityOutcome::Agreed { cases: 8, degree: 3, error_bits: 8 * 45 });
+    // Left side: degree 3 over 1, (x³ - y³)/(x - y) with one bit each; right side: degree 2, 1 + 1 + 1 with the constant 1 of one bit, three bits;
+    // difference: max(3, 2 + 1) = 3 and max(1, 3 + 1) + 1 = 5 bits; 3 + 4·5 = 23 < 2^5; 59 - 5 per case.
+    assert_eq!(outcome, IdentityOutcome::Agreed { cases: 8, degree: 3, error_bits: 8 * 54 });
 }
 
 #[test]
@@ -85,4 +86,34 @@ fn a_false_identity_is_refuted_at_a_point() {
 #[test]
 fn poles_everywhere_are_reported() {
     assert_eq!(test_identity(&AlwaysAPole, 3, &mut random()), Err(IdentityError::OnlyPoles));
+}
+
+/// Residues against remainders of integers.
+#[test]
+fn residues_are_remainders() {
+    let mut random = random();
+    for _ in 0..50 {
+        let p = random_prime(&mut random);
+        assert!((1 << 60..1 << 61).contains(&p) && is_prime(p));
+        let (a, b) = (random.next_u64(), random.next_u64() >> 1);
+        let (x, y) = (Residue::new(a, p), Residue::new(b, p));
+        let wide = |n: u128| (n % u128::from(p)) as u64;
+        assert_eq!((x * y).value(), wide(u128::from(a % p) * u128::from(b % p)));
+        assert_eq!((x + y).value(), wide(u128::from(a) + u128::from(b)));
+        assert_eq!((x - y) + y, x);
+        assert_eq!(y.recip().unwrap() * y, y.one());
+        let q = Rational::new((b as i64).into(), (-3).into());
+        assert_eq!(x.rational(&q) * x.integer(-3), y);
+        assert_eq!(x.ratio(5, -7) * x.integer(7), x.integer(-5));
+    }
+}
+
+#[test]
+fn small_primes_and_strong_pseudoprimes_are_told_apart() {
+    let naive = |n: u64| n > 1 && (2..n).take_while(|d| d * d <= n).all(|d| n % d != 0);
+    assert!((0..2000).all(|n| is_prime(n) == naive(n)));
+    for composite in [3_215_031_751, 3_825_123_056_546_413_051] {
+        assert!(!is_prime(composite), "{composite}");
+    }
+    assert!(is_prime((1 << 61) - 1));
 }
