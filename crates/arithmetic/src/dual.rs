@@ -14,17 +14,20 @@ pub struct Dual<T> {
 
 impl<T: Ring> Dual<T> {
     /// A value that moves with the given derivative.
+    #[inline]
     pub fn new(value: T, derivative: T) -> Self {
         Dual { value, derivative }
     }
 
     /// A constant.
+    #[inline]
     pub fn constant(value: T) -> Self {
         let derivative = value.zero();
         Dual { value, derivative }
     }
 
     /// The chain rule: a function with this value and slope at `self.value`.
+    #[inline]
     fn chain(&self, value: T, slope: T) -> Self {
         Dual { value, derivative: slope * &self.derivative }
     }
@@ -42,16 +45,19 @@ operators!(
 );
 
 impl<T: Ring> Ring for Dual<T> {
+    #[inline]
     fn integer(&self, n: i64) -> Self {
         Dual::constant(self.value.integer(n))
     }
 }
 
 impl<T: Field> Field for Dual<T> {
+    #[inline]
     fn rational(&self, q: &Rational) -> Self {
         Dual::constant(self.value.rational(q))
     }
 
+    #[inline]
     fn recip(&self) -> Result<Self, ArithmeticError> {
         let value = self.value.recip()?;
         let slope = -value.square();
@@ -60,36 +66,43 @@ impl<T: Field> Field for Dual<T> {
 }
 
 impl<T: Real> Real for Dual<T> {
+    #[inline]
     fn pi(&self) -> Self {
         Dual::constant(self.value.pi())
     }
 
     /// The derivative at zero does not exist: there it is a division by zero.
+    #[inline]
     fn sqrt(&self) -> Result<Self, ArithmeticError> {
         let value = self.value.sqrt()?;
         let slope = (value.clone() + &value).recip()?;
         Ok(self.chain(value, slope))
     }
 
+    #[inline]
     fn exp(&self) -> Result<Self, ArithmeticError> {
         let value = self.value.exp()?;
         Ok(self.chain(value.clone(), value))
     }
 
+    #[inline]
     fn ln(&self) -> Result<Self, ArithmeticError> {
         Ok(self.chain(self.value.ln()?, self.value.recip()?))
     }
 
+    #[inline]
     fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
         let (sin, cos) = self.value.sin_cos()?;
         Ok((self.chain(sin.clone(), cos.clone()), self.chain(cos, -sin)))
     }
 
+    #[inline]
     fn atan(&self) -> Result<Self, ArithmeticError> {
         let slope = (self.value.square() + self.value.one()).recip()?;
         Ok(self.chain(self.value.atan()?, slope))
     }
 
+    #[inline]
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
         let (sinh, cosh) = self.value.sinh_cosh()?;
         Ok((self.chain(sinh.clone(), cosh.clone()), self.chain(cosh, sinh)))

@@ -4,16 +4,19 @@ use super::{ArithmeticError, Field, Rational, Real, Ring, Sign, Signed, rational
 use num_traits::ToPrimitive;
 
 impl Ring for f64 {
+    #[inline]
     fn integer(&self, n: i64) -> Self {
         n as f64
     }
 }
 
 impl Field for f64 {
+    #[inline]
     fn rational(&self, q: &Rational) -> Self {
         q.to_f64().unwrap_or(f64::NAN)
     }
 
+    #[inline]
     fn ratio(&self, p: i64, q: i64) -> Self {
         // Both integers are exact as floats, so that one division rounds correctly.
         const EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
@@ -24,46 +27,56 @@ impl Field for f64 {
         }
     }
 
+    #[inline]
     fn recip(&self) -> Result<Self, ArithmeticError> {
         if *self == 0.0 { Err(ArithmeticError::DivisionByZero) } else { Ok(1.0 / self) }
     }
 
+    #[inline]
     fn over(&self, divisor: &Self) -> Result<Self, ArithmeticError> {
         if *divisor == 0.0 { Err(ArithmeticError::DivisionByZero) } else { Ok(self / divisor) }
     }
 }
 
 impl Real for f64 {
+    #[inline]
     fn pi(&self) -> Self {
         std::f64::consts::PI
     }
 
+    #[inline]
     fn sqrt(&self) -> Result<Self, ArithmeticError> {
         if *self < 0.0 { Err(ArithmeticError::Domain("sqrt")) } else { Ok(f64::sqrt(*self)) }
     }
 
+    #[inline]
     fn exp(&self) -> Result<Self, ArithmeticError> {
         Ok(f64::exp(*self))
     }
 
+    #[inline]
     fn ln(&self) -> Result<Self, ArithmeticError> {
         if *self <= 0.0 { Err(ArithmeticError::Domain("ln")) } else { Ok(f64::ln(*self)) }
     }
 
+    #[inline]
     fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {
         Ok(f64::sin_cos(*self))
     }
 
+    #[inline]
     fn atan(&self) -> Result<Self, ArithmeticError> {
         Ok(f64::atan(*self))
     }
 
+    #[inline]
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError> {
         Ok((f64::sinh(*self), f64::cosh(*self)))
     }
 }
 
 impl Signed for f64 {
+    #[inline]
     fn sign(&self) -> Option<Sign> {
         self.partial_cmp(&0.0).map(|order| match order {
             std::cmp::Ordering::Less => Sign::Negative,

@@ -21,16 +21,19 @@ impl FloatInterval {
     pub const LINE: Self = FloatInterval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 
     /// One number; all of them where it is not finite.
+    #[inline]
     pub fn point(x: f64) -> Self {
         FloatInterval::between(x, x)
     }
 
     /// The numbers between two, in either order; all of them where one is not finite.
+    #[inline]
     pub fn between(a: f64, b: f64) -> Self {
         if a.is_finite() && b.is_finite() { FloatInterval { lo: a.min(b), hi: a.max(b) } } else { FloatInterval::LINE }
     }
 
     /// An enclosure of a rational.
+    #[inline]
     pub fn from_rational(q: &Rational) -> Self {
         let enclosure = Interval::from_rational(q, BITS);
         let (lo, hi) = (enclosure.lo().to_f64(), enclosure.hi().to_f64());
@@ -43,67 +46,80 @@ impl FloatInterval {
     }
 
     /// The lower end.
+    #[inline]
     pub fn lo(&self) -> f64 {
         self.lo
     }
 
     /// The upper end.
+    #[inline]
     pub fn hi(&self) -> f64 {
         self.hi
     }
 
     /// A number in the interval: the midpoint, or zero for the whole line.
+    #[inline]
     pub fn midpoint(&self) -> f64 {
         if self.is_bounded() { self.lo.midpoint(self.hi).clamp(self.lo, self.hi) } else { 0.0 }
     }
 
     /// The width, rounded up.
+    #[inline]
     pub fn width(&self) -> f64 {
         if self.lo == self.hi { 0.0 } else { (self.hi - self.lo).next_up() }
     }
 
     /// The largest absolute value.
+    #[inline]
     pub fn magnitude(&self) -> f64 {
         self.hi.max(-self.lo)
     }
 
     /// Whether both ends are finite.
+    #[inline]
     pub fn is_bounded(&self) -> bool {
         self.lo.is_finite() && self.hi.is_finite()
     }
 
     /// Whether the number lies in the interval.
+    #[inline]
     pub fn contains(&self, x: f64) -> bool {
         self.lo <= x && x <= self.hi
     }
 
     /// Whether the other interval lies inside this one.
+    #[inline]
     pub fn encloses(&self, other: &Self) -> bool {
         self.lo <= other.lo && other.hi <= self.hi
     }
 
     /// The smallest interval that contains both.
+    #[inline]
     pub fn hull(&self, other: &Self) -> Self {
         FloatInterval { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
     /// The numbers in both; `None` where there is none.
+    #[inline]
     pub fn intersection(&self, other: &Self) -> Option<Self> {
         let (lo, hi) = (self.lo.max(other.lo), self.hi.min(other.hi));
         (lo <= hi).then_some(FloatInterval { lo, hi })
     }
 
     /// Ends rounded to nearest, moved outwards.
+    #[inline]
     fn outward(lo: f64, hi: f64) -> Self {
         let (lo, hi) = (lo.next_down(), hi.next_up());
         // Also where an end is not a number.
         if lo.is_finite() && hi.is_finite() { FloatInterval { lo, hi } } else { FloatInterval::LINE }
     }
 
+    #[inline]
     fn is_zero(&self) -> bool {
         self.lo == 0.0 && self.hi == 0.0
     }
 
+    #[inline]
     fn plus(a: &Self, b: &Self) -> Self {
         match (a.is_zero(), b.is_zero()) {
             (true, _) => *b,
@@ -112,14 +128,17 @@ impl FloatInterval {
         }
     }
 
+    #[inline]
     fn minus(a: &Self, b: &Self) -> Self {
         FloatInterval::plus(a, &FloatInterval::negated(b))
     }
 
+    #[inline]
     fn negated(a: &Self) -> Self {
         FloatInterval { lo: -a.hi, hi: -a.lo }
     }
 
+    #[inline]
     fn times(a: &Self, b: &Self) -> Self {
         if a.is_zero() || b.is_zero() {
             return FloatInterval { lo: 0.0, hi: 0.0 };
@@ -136,6 +155,7 @@ impl FloatInterval {
 operators!([] FloatInterval, FloatInterval::plus, FloatInterval::minus, FloatInterval::times, FloatInterval::negated);
 
 impl Ring for FloatInterval {
+    #[inline]
     fn integer(&self, n: i64) -> Self {
         let value = n as f64;
         if n.unsigned_abs() <= 1 << f64::MANTISSA_DIGITS {
@@ -145,6 +165,7 @@ impl Ring for FloatInterval {
         }
     }
 
+    #[inline]
     fn square(&self) -> Self {
         if self.is_zero() || !self.is_bounded() {
             return *self;
@@ -156,10 +177,12 @@ impl Ring for FloatInterval {
 }
 
 impl Field for FloatInterval {
+    #[inline]
     fn rational(&self, q: &Rational) -> Self {
         FloatInterval::from_rational(q)
     }
 
+    #[inline]
     fn recip(&self) -> Result<Self, ArithmeticError> {
         if self.contains(0.0) {
             return Err(ArithmeticError::DivisionByZero);
@@ -167,6 +190,7 @@ impl Field for FloatInterval {
         Ok(FloatInterval::outward(1.0 / self.hi, 1.0 / self.lo))
     }
 
+    #[inline]
     fn ratio(&self, p: i64, q: i64) -> Self {
         let (value, exact) = (p as f64 / q as f64, 1u64 << f64::MANTISSA_DIGITS);
         if p.unsigned_abs() > exact || q.unsigned_abs() > exact {
@@ -180,6 +204,7 @@ impl Field for FloatInterval {
 }
 
 impl Signed for FloatInterval {
+    #[inline]
     fn sign(&self) -> Option<Sign> {
         match (self.lo > 0.0, self.hi < 0.0, self.is_zero()) {
             (true, _, _) => Some(Sign::Positive),

@@ -119,21 +119,25 @@ pub trait Ring:
     fn integer(&self, n: i64) -> Self;
 
     /// Zero, of the same kind as `self`.
+    #[inline]
     fn zero(&self) -> Self {
         self.integer(0)
     }
 
     /// One, of the same kind as `self`.
+    #[inline]
     fn one(&self) -> Self {
         self.integer(1)
     }
 
     /// `self * self`; overridden where a square is cheaper or tighter than a product.
+    #[inline]
     fn square(&self) -> Self {
         self.clone() * self
     }
 
     /// `self` to a non-negative power, by repeated squaring.
+    #[inline]
     fn power(&self, exponent: u64) -> Self {
         let mut result = self.one();
         for bit in (0..u64::BITS - exponent.leading_zeros()).rev() {
@@ -161,11 +165,13 @@ pub trait Field: Ring {
     ///
     /// # Errors
     /// [`ArithmeticError::DivisionByZero`] where the divisor is zero or may be zero.
+    #[inline]
     fn over(&self, divisor: &Self) -> Result<Self, ArithmeticError> {
         Ok(self.clone() * divisor.recip()?)
     }
 
     /// `p / q` as a scalar of the same kind as `self`; `q` must not be zero.
+    #[inline]
     fn ratio(&self, p: i64, q: i64) -> Self {
         self.rational(&rational(p, q))
     }
@@ -191,14 +197,17 @@ pub trait Real: Field {
     fn sinh_cosh(&self) -> Result<(Self, Self), ArithmeticError>;
 
     /// Sine of an angle in radians.
+    #[inline]
     fn sin(&self) -> Result<Self, ArithmeticError> {
         Ok(self.sin_cos()?.0)
     }
     /// Cosine of an angle in radians.
+    #[inline]
     fn cos(&self) -> Result<Self, ArithmeticError> {
         Ok(self.sin_cos()?.1)
     }
     /// Hyperbolic cosine.
+    #[inline]
     fn cosh(&self) -> Result<Self, ArithmeticError> {
         Ok(self.sinh_cosh()?.1)
     }
@@ -210,10 +219,12 @@ pub trait Signed: Ring {
     fn sign(&self) -> Option<Sign>;
 
     /// Whether the value is certainly greater than zero.
+    #[inline]
     fn is_certainly_positive(&self) -> bool {
         self.sign() == Some(Sign::Positive)
     }
     /// Whether the value is certainly less than zero.
+    #[inline]
     fn is_certainly_negative(&self) -> bool {
         self.sign() == Some(Sign::Negative)
     }

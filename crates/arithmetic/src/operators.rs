@@ -8,6 +8,7 @@ macro_rules! operators {
         $crate::operators::operators!(@binary [$($generics)*] $type, Mul, mul, $mul);
         impl<$($generics)*> std::ops::Neg for $type {
             type Output = $type;
+            #[inline]
             fn neg(self) -> $type {
                 let f: fn(&$type) -> $type = $neg;
                 f(&self)
@@ -17,6 +18,7 @@ macro_rules! operators {
     (@binary [$($generics:tt)*] $type:ty, $trait:ident, $method:ident, $function:expr) => {
         impl<$($generics)*> std::ops::$trait<&$type> for $type {
             type Output = $type;
+            #[inline]
             fn $method(self, right: &$type) -> $type {
                 let f: fn(&$type, &$type) -> $type = $function;
                 f(&self, right)
@@ -24,6 +26,7 @@ macro_rules! operators {
         }
         impl<$($generics)*> std::ops::$trait for $type {
             type Output = $type;
+            #[inline]
             fn $method(self, right: $type) -> $type {
                 let f: fn(&$type, &$type) -> $type = $function;
                 f(&self, &right)

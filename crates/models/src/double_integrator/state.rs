@@ -8,19 +8,19 @@ pub type Vector<T> = [T; 2];
 /// `a + b`.
 #[inline(always)]
 pub fn sum<T: Ring>(a: &Vector<T>, b: &Vector<T>) -> Vector<T> {
-    [0, 1].map(|k| a[k].clone() + &b[k])
+    [a[0].clone() + &b[0], a[1].clone() + &b[1]]
 }
 
 /// `a - b`.
 #[inline(always)]
 pub fn difference<T: Ring>(a: &Vector<T>, b: &Vector<T>) -> Vector<T> {
-    [0, 1].map(|k| a[k].clone() - &b[k])
+    [a[0].clone() - &b[0], a[1].clone() - &b[1]]
 }
 
 /// `factor a`.
 #[inline(always)]
 pub fn scaled<T: Ring>(factor: &T, a: &Vector<T>) -> Vector<T> {
-    [0, 1].map(|k| factor.clone() * &a[k])
+    [factor.clone() * &a[0], factor.clone() * &a[1]]
 }
 
 /// `z x a`: the vector turned by a right angle, in Cartesian coordinates.
