@@ -150,10 +150,16 @@ impl Frame {
             // A point without a place breaks the line.
             let parts = places.split(Option::is_none).map(|part| part.iter().copied().flatten());
             let steps: Vec<Step> = parts.flat_map(steps).collect();
-            out.push(Shape::Drawn { outline: Outline::Path(steps), fill: None, stroke: Some(stroke) });
+            if !steps.is_empty() {
+                out.push(Shape::Drawn { outline: Outline::Path(steps), fill: None, stroke: Some(stroke) });
+            }
         }
         match series.mark {
-            Mark::Area => out.push(area(places.into_iter().flatten(), colour)),
+            Mark::Area => {
+                if places.iter().any(Option::is_some) {
+                    out.push(area(places.into_iter().flatten(), colour));
+                }
+            }
             Mark::Arrows => {
                 for pair in places.chunks_exact(2) {
                     if let [Some(tail), Some(head)] = pair {

@@ -30,7 +30,7 @@ fn blue(pixel: PremultipliedColorU8) -> bool {
     pixel.red() < 60 && pixel.green() < 60 && pixel.blue() > 200
 }
 
-/// One panel without labels of ticks: its axes go from 41.8 to 386 across and from 46 to 260 down.
+/// One panel without labels of ticks: its axes go from 41.8 to 386 across and, below a title, from 46 to 260 down.
 fn panel() -> Panel {
     let none: [f64; 0] = [];
     let (x, y) = (Axis::linear("across").between(0.0, 1.0), Axis::linear("down").between(0.0, 1.0));
@@ -84,7 +84,7 @@ fn an_area_lets_through_what_lies_below() {
 fn a_point_that_is_not_finite_breaks_a_line() {
     let points = [(0.0, 0.5), (0.4, 0.5), (f64::NAN, 0.5), (0.6, 0.5), (1.0, 0.5)];
     let broken = picture("", panel().series(Series::line("", points).colour("#ff0000")));
-    assert!(broken.svg().contains("d=\"M41.8 117L179.48 117M248.32 117L386 117\""), "{}", broken.svg());
+    assert!(broken.svg().contains("d=\"M41.8 125L179.48 125M248.32 125L386 125\""), "{}", broken.svg());
 }
 
 #[test]
