@@ -1,39 +1,34 @@
-//! From a picture to an SVG document.
+//! From a picture to shapes: where everything goes on the sheet.
 
+use super::shape::{Anchor, Fill, Outline, Place, Rectangle, Shape, Sheet, Span, Step, Stroke, Text, steps};
 use super::ticks::Scale;
-use super::{Corner, Mark, PALETTE, Panel, Picture, Series};
-use std::fmt::Write;
+use super::{Colour, Corner, Mark, PALETTE, Panel, Picture, Series};
 
-const FONT: f64 = 13.0;
+/// Size of the labels of axes.
+pub(super) const FONT_SIZE: f64 = 13.0;
+/// Size of ticks and legends.
+const SMALL: f64 = 12.0;
 /// Width of an average letter, in units of the font size.
 const LETTER: f64 = 0.6;
-const GREY: &str = "#555555";
+const GREY: Colour = "#555555";
 
 /// Draws the whole picture.
-pub(super) fn svg(picture: &Picture) -> String {
+pub(super) fn draw(picture: &Picture) -> Sheet {
     let (width, height) = picture.panel_size;
     let rows = picture.panels.len().div_ceil(picture.columns);
     let top = if picture.title.is_empty() { 8.0 } else { 36.0 };
     let (all, down) = (width * picture.columns as f64 + 8.0, top + height * rows as f64 + 6.0);
-    // Writing to a string cannot fail, here and below.
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{all}\" height=\"{down}\" viewBox=\"0 0 {all} {down}\" \
-         font-family=\"DejaVu Sans, sans-serif\" font-size=\"{FONT}\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
-    );
+    let mut shapes = Vec::new();
     if !picture.title.is_empty() {
-        let _ = writeln!(
-            out,
-            "<text x=\"{}\" y=\"24\" text-anchor=\"middle\" font-size=\"16\">{}</text>",
-            number(all / 2.0),
-            escaped(&picture.title)
-        );
+        let spans = vec![Span { text: picture.title.clone(), raised: false }];
+        let at = (all / 2.0, 24.0);
+        shapes.push(Shape::Text(Text { at, anchor: Anchor::Middle, size: 16.0, turned: false, spans }));
     }
     for (k, panel) in picture.panels.iter().enumerate() {
         let corner = ((k % picture.columns) as f64 * width, top + (k / picture.columns) as f64 * height);
-        Frame::new(panel, corner, picture.panel_size, k).draw(panel, &mut out);
+        Frame::new(panel, corner, picture.panel_size).draw(panel, &mut shapes);
     }
-    out.push_str("</svg>\n");
-    out
+    Sheet { width: all, height: down, shapes }
 }
 
 /// The axes of a panel on the sheet.
@@ -44,24 +39,22 @@ struct Frame {
     right: f64,
     top: f64,
     bottom: f64,
-    index: usize,
 }
 
 impl Frame {
-    fn new(panel: &Panel, (corner_x, corner_y): (f64, f64), (width, height): (f64, f64), index: usize) -> Self {
+    fn new(panel: &Panel, (corner_x, corner_y): (f64, f64), (width, height): (f64, f64)) -> Self {
         let xs = || panel.series.iter().flat_map(|s| s.points.iter().map(|p| p.0));
         let ys = || panel.series.iter().flat_map(|s| s.points.iter().map(|p| p.1));
         let mut x = Scale::new(&panel.x, xs(), (width / 95.0) as usize);
         let mut y = Scale::new(&panel.y, ys(), (height / 60.0) as usize);
         let widest = y.major.iter().map(|(_, label)| letters(label)).max().unwrap_or(1) as f64;
         let mut frame = Frame {
-            left: corner_x + 34.0 + widest * FONT * LETTER,
+            left: corner_x + 34.0 + widest * FONT_SIZE * LETTER,
             right: corner_x + width - 14.0,
             top: corner_y + if panel.title.is_empty() { 10.0 } else { 28.0 },
             bottom: corner_y + height - 46.0,
             x: x.clone(),
             y: y.clone(),
-            index,
         };
         if panel.equal_scales {
             // The axis with room to spare gets a wider range.
@@ -91,114 +84,80 @@ impl Frame {
             .then(|| (self.left + far(u) * (self.right - self.left), self.bottom - far(v) * (self.bottom - self.top)))
     }
 
-    fn draw(&self, panel: &Panel, out: &mut String) {
-        let (width, height) = (self.right - self.left, self.bottom - self.top);
+    fn draw(&self, panel: &Panel, out: &mut Vec<Shape>) {
         self.draw_ticks(out);
-        let clip = format!("panel{}", self.index);
-        let rectangle = format!(
-            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"",
-            number(self.left),
-            number(self.top),
-            number(width),
-            number(height)
-        );
-        let _ = writeln!(out, "<clipPath id=\"{clip}\">{rectangle}/></clipPath>\n<g clip-path=\"url(#{clip})\">");
+        let window =
+            Rectangle { left: self.left, top: self.top, width: self.right - self.left, height: self.bottom - self.top };
         let colours = colours(&panel.series);
+        let mut inside = Vec::new();
         for (series, colour) in panel.series.iter().zip(&colours) {
-            self.draw_series(series, colour, out);
+            self.draw_series(series, colour, &mut inside);
         }
-        let _ = writeln!(out, "</g>\n{rectangle} fill=\"none\" stroke=\"#333333\"/>");
-        let middle = (number(0.5 * (self.left + self.right)), number(0.5 * (self.top + self.bottom)));
+        out.push(Shape::Clipped { window, shapes: inside });
+        let stroke = Some(Stroke { colour: "#333333", width: 1.0, dashed: false });
+        out.push(Shape::Drawn { outline: Outline::Rectangle(window), fill: None, stroke });
+        let middle = (0.5 * (self.left + self.right), 0.5 * (self.top + self.bottom));
         let widest = self.y.major.iter().map(|(_, label)| letters(label)).max().unwrap_or(1) as f64;
-        let across = number(self.left - widest * FONT * LETTER - 18.0);
-        for (x, y, extra, text) in [
-            (&middle.0, &number(self.top - 9.0), "", &panel.title),
-            (&middle.0, &number(self.bottom + 36.0), "", &panel.x.label),
-            (&across, &middle.1, &*format!(" transform=\"rotate(-90 {across} {})\"", middle.1), &panel.y.label),
+        let across = self.left - widest * FONT_SIZE * LETTER - 18.0;
+        for (at, turned, text) in [
+            ((middle.0, self.top - 9.0), false, &panel.title),
+            ((middle.0, self.bottom + 36.0), false, &panel.x.label),
+            ((across, middle.1), true, &panel.y.label),
         ] {
             if !text.is_empty() {
-                let _ = writeln!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"middle\"{extra}>{}</text>", rich(text));
+                let (anchor, size, spans) = (Anchor::Middle, FONT_SIZE, spans(text));
+                out.push(Shape::Text(Text { at, anchor, size, turned, spans }));
             }
         }
         self.draw_legend(panel, &colours, out);
     }
 
-    fn draw_ticks(&self, out: &mut String) {
-        let mut line = |x1: f64, y1: f64, x2: f64, y2: f64, colour: &str| {
-            let _ = writeln!(
-                out,
-                "<path d=\"M{} {}L{} {}\" stroke=\"{colour}\"/>",
-                number(x1),
-                number(y1),
-                number(x2),
-                number(y2)
-            );
+    fn draw_ticks(&self, out: &mut Vec<Shape>) {
+        let mut line = |from: Place, to: Place, colour: Colour| {
+            out.push(Shape::line([from, to], Stroke { colour, width: 1.0, dashed: false }));
         };
         let across = |x: f64| self.left + self.x.place(x) * (self.right - self.left);
         let down = |y: f64| self.bottom - self.y.place(y) * (self.bottom - self.top);
         for (x, _) in &self.x.major {
-            line(across(*x), self.top, across(*x), self.bottom + 5.0, "#e4e4e4");
+            line((across(*x), self.top), (across(*x), self.bottom + 5.0), "#e4e4e4");
         }
         for (y, _) in &self.y.major {
-            line(self.left - 5.0, down(*y), self.right, down(*y), "#e4e4e4");
+            line((self.left - 5.0, down(*y)), (self.right, down(*y)), "#e4e4e4");
         }
         for x in &self.x.minor {
-            line(across(*x), self.bottom, across(*x), self.bottom + 3.0, GREY);
+            line((across(*x), self.bottom), (across(*x), self.bottom + 3.0), GREY);
         }
         for y in &self.y.minor {
-            line(self.left - 3.0, down(*y), self.left, down(*y), GREY);
+            line((self.left - 3.0, down(*y)), (self.left, down(*y)), GREY);
         }
         let mut free_from = f64::NEG_INFINITY;
         for (x, label) in &self.x.major {
-            let half = 0.5 * letters(label) as f64 * FONT * LETTER;
+            let half = 0.5 * letters(label) as f64 * FONT_SIZE * LETTER;
             // A label that would run into the last one is left out.
             if across(*x) - half > free_from {
                 free_from = across(*x) + half + 4.0;
-                let (x, y) = (number(across(*x)), number(self.bottom + 18.0));
-                let _ = writeln!(
-                    out,
-                    "<text x=\"{x}\" y=\"{y}\" text-anchor=\"middle\" font-size=\"12\">{}</text>",
-                    rich(label)
-                );
+                out.push(small((across(*x), self.bottom + 18.0), Anchor::Middle, label));
             }
         }
         for (y, label) in &self.y.major {
-            let (x, y) = (number(self.left - 8.0), number(down(*y) + 4.5));
-            let _ =
-                writeln!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"end\" font-size=\"12\">{}</text>", rich(label));
+            out.push(small((self.left - 8.0, down(*y) + 4.5), Anchor::End, label));
         }
     }
 
-    fn draw_series(&self, series: &Series, colour: &str, out: &mut String) {
-        let places: Vec<Option<(f64, f64)>> = series.points.iter().map(|&p| self.at(p)).collect();
-        if matches!(series.mark, Mark::Line | Mark::Dashed | Mark::Joined) {
-            let (mut path, mut last) = (String::new(), None);
-            for place in &places {
-                let Some((x, y)) = *place else {
-                    last = None;
-                    continue;
-                };
-                let text = format!("{} {}", number(x), number(y));
-                // Points that fall together on the sheet are drawn once.
-                if last.as_ref() != Some(&text) {
-                    path.push(if last.is_none() { 'M' } else { 'L' });
-                    path.push_str(&text);
-                }
-                last = Some(text);
+    fn draw_series(&self, series: &Series, colour: Colour, out: &mut Vec<Shape>) {
+        let places: Vec<Option<Place>> = series.points.iter().map(|&p| self.at(p)).collect();
+        if let Some(stroke) = stroke(series, colour) {
+            // A point without a place breaks the line.
+            let parts = places.split(Option::is_none).map(|part| part.iter().copied().flatten());
+            let steps: Vec<Step> = parts.flat_map(steps).collect();
+            if !steps.is_empty() {
+                out.push(Shape::Drawn { outline: Outline::Path(steps), fill: None, stroke: Some(stroke) });
             }
-            let dashes = if series.mark == Mark::Dashed { " stroke-dasharray=\"6 4\"" } else { "" };
-            let width = if series.mark == Mark::Joined { 1.4 } else { series.size };
-            let _ = writeln!(
-                out,
-                "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{dashes}/>"
-            );
         }
         match series.mark {
             Mark::Area => {
-                let corners: Vec<String> =
-                    places.into_iter().flatten().map(|(x, y)| format!("{} {}", number(x), number(y))).collect();
-                if !corners.is_empty() {
-                    area(&format!("M{}Z", corners.join("L")), colour, out);
+                if places.iter().any(Option::is_some) {
+                    out.push(area(places.into_iter().flatten(), colour));
                 }
             }
             Mark::Arrows => {
@@ -208,17 +167,13 @@ impl Frame {
                     }
                 }
             }
-            _ => {
-                for (x, y) in places.into_iter().flatten() {
-                    symbol(series, colour, x, y, out);
-                }
-            }
+            _ => out.extend(places.into_iter().flatten().filter_map(|place| symbol(series, colour, place))),
         }
     }
 
     /// The legend, in the corner that covers the fewest points.
-    fn draw_legend(&self, panel: &Panel, colours: &[&str], out: &mut String) {
-        let named: Vec<(&Series, &&str)> =
+    fn draw_legend(&self, panel: &Panel, colours: &[Colour], out: &mut Vec<Shape>) {
+        let named: Vec<(&Series, &Colour)> =
             panel.series.iter().zip(colours).filter(|(s, _)| !s.name.is_empty()).collect();
         if named.is_empty() {
             return;
@@ -239,67 +194,65 @@ impl Frame {
         let corners = [Corner::UpperRight, Corner::UpperLeft, Corner::LowerRight, Corner::LowerLeft];
         let Some(corner) = panel.legend.or_else(|| corners.into_iter().min_by_key(covered)) else { return };
         let (x0, y0) = place(corner);
-        let _ = writeln!(
-            out,
-            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"white\" fill-opacity=\"0.88\" stroke=\"#bbbbbb\"/>",
-            number(x0),
-            number(y0),
-            number(width),
-            number(height)
-        );
+        out.push(Shape::Drawn {
+            outline: Outline::Rectangle(Rectangle { left: x0, top: y0, width, height }),
+            fill: Some(Fill { colour: "#ffffff", opacity: 0.88 }),
+            stroke: Some(Stroke { colour: "#bbbbbb", width: 1.0, dashed: false }),
+        });
         for (k, (series, colour)) in named.into_iter().enumerate() {
             let y = y0 + 13.0 + 18.0 * k as f64;
-            if matches!(series.mark, Mark::Line | Mark::Dashed | Mark::Joined) {
-                let dashes = if series.mark == Mark::Dashed { " stroke-dasharray=\"6 4\"" } else { "" };
-                let _ = writeln!(
-                    out,
-                    "<path d=\"M{} {}h24\" stroke=\"{colour}\" stroke-width=\"{}\"{dashes}/>",
-                    number(x0 + 7.0),
-                    number(y),
-                    if series.mark == Mark::Joined { 1.4 } else { series.size.max(1.2) }
-                );
+            let (left, right) = (x0 + 7.0, x0 + 31.0);
+            if let Some(stroke) = stroke(series, colour) {
+                let width = stroke.width.max(1.2);
+                out.push(Shape::line([(left, y), (right, y)], Stroke { width, ..stroke }));
             }
             match series.mark {
-                Mark::Area => area(&format!("M{} {}h24v10h-24Z", number(x0 + 7.0), number(y - 5.0)), colour, out),
-                Mark::Arrows => arrow(series, colour, (x0 + 7.0, y), (x0 + 31.0, y), out),
-                _ => symbol(series, colour, x0 + 19.0, y, out),
+                Mark::Area => {
+                    let (top, bottom) = (y - 5.0, y + 5.0);
+                    out.push(area([(left, top), (right, top), (right, bottom), (left, bottom)], colour));
+                }
+                Mark::Arrows => arrow(series, colour, (left, y), (right, y), out),
+                _ => out.extend(symbol(series, colour, (x0 + 19.0, y))),
             }
-            let _ = writeln!(
-                out,
-                "<text x=\"{}\" y=\"{}\" font-size=\"12\">{}</text>",
-                number(x0 + 38.0),
-                number(y + 4.3),
-                rich(&series.name)
-            );
+            out.push(small((x0 + 38.0, y + 4.3), Anchor::Start, &series.name));
         }
+    }
+}
+
+/// How the points of the series are joined, if they are.
+fn stroke(series: &Series, colour: Colour) -> Option<Stroke> {
+    match series.mark {
+        Mark::Line | Mark::Dashed => Some(Stroke { colour, width: series.size, dashed: series.mark == Mark::Dashed }),
+        Mark::Joined => Some(Stroke { colour, width: 1.4, dashed: false }),
+        Mark::Points | Mark::Crosses | Mark::Arrows | Mark::Area => None,
     }
 }
 
 /// The mark of a single point, if the series has one.
-fn symbol(series: &Series, colour: &str, x: f64, y: f64, out: &mut String) {
-    let r = number(series.size);
+fn symbol(series: &Series, colour: Colour, (x, y): Place) -> Option<Shape> {
+    let r = series.size;
     match series.mark {
-        Mark::Points | Mark::Joined => {
-            let _ = writeln!(out, "<circle cx=\"{}\" cy=\"{}\" r=\"{r}\" fill=\"{colour}\"/>", number(x), number(y));
-        }
+        Mark::Points | Mark::Joined => Some(Shape::Drawn {
+            outline: Outline::Circle { centre: (x, y), radius: r },
+            fill: Some(Fill { colour, opacity: 1.0 }),
+            stroke: None,
+        }),
         Mark::Crosses => {
-            let (x, y, d) = (number(x - series.size), number(y - series.size), number(2.0 * series.size));
-            let _ = writeln!(
-                out,
-                "<path d=\"M{x} {y}l{d} {d}m0 -{d}l-{d} {d}\" stroke=\"{colour}\" stroke-width=\"1.8\"/>"
-            );
+            let lines = [[(x - r, y - r), (x + r, y + r)], [(x + r, y - r), (x - r, y + r)]];
+            let outline = Outline::Path(lines.into_iter().flat_map(steps).collect());
+            Some(Shape::Drawn { outline, fill: None, stroke: Some(Stroke { colour, width: 1.8, dashed: false }) })
         }
-        Mark::Line | Mark::Dashed | Mark::Arrows | Mark::Area => {}
+        Mark::Line | Mark::Dashed | Mark::Arrows | Mark::Area => None,
     }
 }
 
 /// A filled outline that lets through what lies below.
-fn area(path: &str, colour: &str, out: &mut String) {
-    let _ = writeln!(out, "<path d=\"{path}\" fill=\"{colour}\" fill-opacity=\"0.25\"/>");
+fn area(corners: impl IntoIterator<Item = Place>, colour: Colour) -> Shape {
+    Shape::area(corners, Fill { colour, opacity: 0.25 })
 }
 
 /// A line with a filled head. Where the arrow is shorter than a head, the head is as long as the arrow.
-fn arrow(series: &Series, colour: &str, tail: (f64, f64), head: (f64, f64), out: &mut String) {
+fn arrow(series: &Series, colour: Colour, tail: Place, head: Place, out: &mut Vec<Shape>) {
     let (dx, dy) = (head.0 - tail.0, head.1 - tail.1);
     let length = dx.hypot(dy);
     if length < 0.05 {
@@ -308,35 +261,16 @@ fn arrow(series: &Series, colour: &str, tail: (f64, f64), head: (f64, f64), out:
     let (along, across) = ((dx / length, dy / length), (-dy / length, dx / length));
     let (deep, wide) = (length.min(3.0 + 2.5 * series.size), length.min(1.0 + 1.2 * series.size));
     let corner = |side: f64| {
-        let (x, y) =
-            (head.0 - deep * along.0 + side * wide * across.0, head.1 - deep * along.1 + side * wide * across.1);
-        format!("{} {}", number(x), number(y))
+        (head.0 - deep * along.0 + side * wide * across.0, head.1 - deep * along.1 + side * wide * across.1)
     };
     let neck = (head.0 - 0.7 * deep * along.0, head.1 - 0.7 * deep * along.1);
-    let _ = writeln!(
-        out,
-        "<path d=\"M{} {}L{} {}\" stroke=\"{colour}\" stroke-width=\"{}\"/>\n<path d=\"M{} {}L{}L{}Z\" fill=\"{colour}\"/>",
-        number(tail.0),
-        number(tail.1),
-        number(neck.0),
-        number(neck.1),
-        series.size,
-        number(head.0),
-        number(head.1),
-        corner(1.0),
-        corner(-1.0)
-    );
+    out.push(Shape::line([tail, neck], Stroke { colour, width: series.size, dashed: false }));
+    out.push(Shape::area([head, corner(1.0), corner(-1.0)], Fill { colour, opacity: 1.0 }));
 }
 
-fn colours(series: &[Series]) -> Vec<&'static str> {
+fn colours(series: &[Series]) -> Vec<Colour> {
     let mut next = 0..;
     series.iter().map(|s| s.colour.unwrap_or_else(|| PALETTE[next.next().unwrap_or(0) % PALETTE.len()])).collect()
-}
-
-/// A coordinate with two decimals at most.
-fn number(x: f64) -> String {
-    let text = format!("{x:.2}");
-    text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
 /// Letters that are seen: the caret before an exponent is not.
@@ -356,21 +290,19 @@ fn width_of(text: &str) -> f64 {
     text.chars().map(width).sum()
 }
 
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+fn small(at: Place, anchor: Anchor, text: &str) -> Shape {
+    Shape::Text(Text { at, anchor, size: SMALL, turned: false, spans: spans(text) })
 }
 
 /// `10^−3` with a raised exponent; an exponent ends at the first character that is neither a digit nor a sign.
-fn rich(text: &str) -> String {
+fn spans(text: &str) -> Vec<Span> {
     let mut parts = text.split('^');
-    let mut out = escaped(parts.next().unwrap_or_default());
+    let mut out = vec![(parts.next().unwrap_or_default(), false)];
     for part in parts {
         let end = part.find(|c: char| !c.is_ascii_digit() && c != '−').unwrap_or(part.len());
         let (exponent, rest) = part.split_at(end);
-        let _ = write!(out, "<tspan dy=\"-4.5\" font-size=\"9\">{exponent}</tspan>");
-        if !rest.is_empty() {
-            let _ = write!(out, "<tspan dy=\"4.5\">{}</tspan>", escaped(rest));
-        }
+        out.extend([(exponent, true), (rest, false)]);
     }
-    out
+    let seen = out.into_iter().filter(|(text, _)| !text.is_empty());
+    seen.map(|(text, raised)| Span { text: text.to_string(), raised }).collect()
 }

@@ -4,12 +4,15 @@
 //! axes is clipped.
 
 mod draw;
+mod font;
 mod png;
+mod shape;
+mod svg;
 mod ticks;
 
 pub use png::PictureError;
 
-/// A colour as SVG writes it.
+/// A colour as `#rrggbb`.
 pub type Colour = &'static str;
 
 /// Colours that stay apart for most eyes and in print; series take them in this order.
@@ -45,7 +48,7 @@ impl Picture {
 
     /// The picture as an SVG document.
     pub fn svg(&self) -> String {
-        draw::svg(self)
+        svg::svg(&draw::draw(self))
     }
 
     /// The picture as a PNG of twice the size.
@@ -53,7 +56,7 @@ impl Picture {
     /// # Errors
     /// [`PictureError`].
     pub fn png(&self) -> Result<Vec<u8>, PictureError> {
-        png::svg_to_png(&self.svg())
+        png::png(&draw::draw(self))
     }
 }
 

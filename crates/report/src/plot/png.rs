@@ -1,30 +1,152 @@
-//! From a drawing in SVG to a PNG, with the font that is built in: no font of the machine is used.
+//! From shapes to a PNG.
 
-use resvg::{tiny_skia, usvg};
+use super::Colour;
+use super::font::Font;
+use super::shape::{Anchor, DASHES, Fill, Outline, Rectangle, Shape, Sheet, Step, Stroke, Text};
+use tiny_skia::{Color, FillRule, LineJoin, Mask, Paint, Path, PathBuilder, Pixmap, Rect, StrokeDash, Transform};
 
 /// Why a picture could not be made.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("the picture could not be rendered: {0}")]
-pub struct PictureError(String);
+pub enum PictureError {
+    /// Nothing to be seen, or more than memory can hold.
+    #[error("the picture cannot be {width} pixels wide and {height} high")]
+    Size {
+        /// Its width.
+        width: u32,
+        /// Its height.
+        height: u32,
+    },
+    /// Not of the form `#rrggbb`.
+    #[error("the picture has no colour {0:?}: colours are written #rrggbb")]
+    Colour(String),
+    /// The font that is built in.
+    #[error("the font of pictures cannot be read: {0}")]
+    Font(String),
+    /// Writing the pixels.
+    #[error("the picture could not be written: {0}")]
+    Writing(String),
+}
 
-/// DejaVu Sans, reduced to Latin, Greek and mathematical letters; its licence is in `assets/`.
-const FONT: &[u8] = include_bytes!("../../../../assets/DejaVuSans-subset.ttf");
+/// Pixels of the PNG for each of the sheet.
+const SCALE: u32 = 2;
 
-/// Renders an SVG document at twice its size.
+/// Renders the sheet at twice its size.
 ///
 /// # Errors
 /// [`PictureError`].
-pub(super) fn svg_to_png(svg: &str) -> Result<Vec<u8>, PictureError> {
-    const SCALE: f32 = 2.0;
-    let refuse = |what: String| PictureError(what);
-    let mut options = usvg::Options { font_family: "DejaVu Sans".to_string(), ..Default::default() };
-    options.fontdb_mut().load_font_data(FONT.to_vec());
-    options.fontdb_mut().set_sans_serif_family("DejaVu Sans");
-    let tree = usvg::Tree::from_str(svg, &options).map_err(|error| refuse(error.to_string()))?;
-    let size = tree.size().to_int_size();
-    let (width, height) = (size.width() * SCALE as u32, size.height() * SCALE as u32);
-    let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or_else(|| refuse("it has no size".to_string()))?;
-    pixels.fill(tiny_skia::Color::WHITE);
-    resvg::render(&tree, tiny_skia::Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
-    pixels.encode_png().map_err(|error| refuse(error.to_string()))
+pub(super) fn png(sheet: &Sheet) -> Result<Vec<u8>, PictureError> {
+    let pixels = |length: f64| (length.ceil() as u32).saturating_mul(SCALE);
+    let (width, height) = (pixels(sheet.width), pixels(sheet.height));
+    let mut canvas = Pixmap::new(width, height).ok_or(PictureError::Size { width, height })?;
+    canvas.fill(Color::WHITE);
+    let mut painter = Painter { canvas, scale: Transform::from_scale(SCALE as f32, SCALE as f32), font: Font::new()? };
+    painter.draw_all(&sheet.shapes, None)?;
+    painter.canvas.encode_png().map_err(|error| PictureError::Writing(error.to_string()))
+}
+
+struct Painter {
+    canvas: Pixmap,
+    /// From the sheet to pixels.
+    scale: Transform,
+    font: Font,
+}
+
+impl Painter {
+    fn draw_all(&mut self, shapes: &[Shape], mask: Option<&Mask>) -> Result<(), PictureError> {
+        for shape in shapes {
+            match shape {
+                Shape::Drawn { outline, fill, stroke } => self.draw(outline, *fill, *stroke, mask)?,
+                Shape::Text(text) => self.write(text, mask),
+                Shape::Clipped { window, shapes } => {
+                    let mask = self.mask(window)?;
+                    self.draw_all(shapes, Some(&mask))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn draw(
+        &mut self,
+        outline: &Outline,
+        fill: Option<Fill>,
+        stroke: Option<Stroke>,
+        mask: Option<&Mask>,
+    ) -> Result<(), PictureError> {
+        let Some(path) = path(outline) else { return Ok(()) };
+        if let Some(Fill { colour, opacity }) = fill {
+            self.canvas.fill_path(&path, &paint(colour, opacity)?, FillRule::Winding, self.scale, mask);
+        }
+        if let Some(Stroke { colour, width, dashed }) = stroke {
+            let pen = tiny_skia::Stroke {
+                width: width as f32,
+                line_join: if matches!(outline, Outline::Path(_)) { LineJoin::Round } else { LineJoin::Miter },
+                dash: dashed.then(|| StrokeDash::new(vec![DASHES.0 as f32, DASHES.1 as f32], 0.0)).flatten(),
+                ..tiny_skia::Stroke::default()
+            };
+            self.canvas.stroke_path(&path, &paint(colour, 1.0)?, &pen, self.scale, mask);
+        }
+        Ok(())
+    }
+
+    fn write(&mut self, text: &Text, mask: Option<&Mask>) {
+        let (letters, width) = self.font.outline(&text.spans, text.size as f32);
+        let Some(letters) = letters else { return };
+        let before = match text.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5 * width,
+            Anchor::End => width,
+        };
+        let place = self.scale.pre_translate(text.at.0 as f32, text.at.1 as f32);
+        let place = place.pre_rotate(if text.turned { -90.0 } else { 0.0 }).pre_translate(-before, 0.0);
+        let mut black = Paint::default();
+        black.set_color(Color::BLACK);
+        self.canvas.fill_path(&letters, &black, FillRule::Winding, place, mask);
+    }
+
+    /// Lets through what lies in the window.
+    fn mask(&self, window: &Rectangle) -> Result<Mask, PictureError> {
+        let (width, height) = (self.canvas.width(), self.canvas.height());
+        let mut mask = Mask::new(width, height).ok_or(PictureError::Size { width, height })?;
+        if let Some(sides) = rectangle(window) {
+            mask.fill_path(&PathBuilder::from_rect(sides), FillRule::Winding, true, self.scale);
+        }
+        Ok(mask)
+    }
+}
+
+/// None if there is nothing to draw.
+fn path(outline: &Outline) -> Option<Path> {
+    match outline {
+        Outline::Rectangle(sides) => rectangle(sides).map(PathBuilder::from_rect),
+        Outline::Circle { centre: (x, y), radius } => PathBuilder::from_circle(*x as f32, *y as f32, *radius as f32),
+        Outline::Path(steps) => {
+            let mut path = PathBuilder::new();
+            for step in steps {
+                match step {
+                    Step::Move((x, y)) => path.move_to(*x as f32, *y as f32),
+                    Step::Line((x, y)) => path.line_to(*x as f32, *y as f32),
+                    Step::Close => path.close(),
+                }
+            }
+            path.finish()
+        }
+    }
+}
+
+fn rectangle(Rectangle { left, top, width, height }: &Rectangle) -> Option<Rect> {
+    Rect::from_xywh(*left as f32, *top as f32, *width as f32, *height as f32)
+}
+
+fn paint(colour: Colour, opacity: f64) -> Result<Paint<'static>, PictureError> {
+    let digits = colour
+        .strip_prefix('#')
+        .filter(|digits| digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit()));
+    let Some(number) = digits.and_then(|digits| u32::from_str_radix(digits, 16).ok()) else {
+        return Err(PictureError::Colour(colour.to_string()));
+    };
+    let [_, red, green, blue] = number.to_be_bytes();
+    let mut paint = Paint::default();
+    paint.set_color_rgba8(red, green, blue, (255.0 * opacity).round() as u8);
+    Ok(paint)
 }

@@ -128,32 +128,3 @@ fn scientific(x: f64) -> String {
         format!("{}·{power}", format!("{:.1}", mantissa).trim_end_matches(".0").replace('-', "−"))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Axis, Scale};
-
-    fn labels(axis: &Axis, numbers: &[f64]) -> Vec<String> {
-        Scale::new(axis, numbers.iter().copied(), 5).major.into_iter().map(|(_, label)| label).collect()
-    }
-
-    #[test]
-    fn ticks_are_round_and_labels_short() {
-        assert_eq!(labels(&Axis::linear("").between(0.0, 1.0), &[]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
-        assert_eq!(labels(&Axis::linear("").between(-5.0, 5.0), &[]), ["−4", "−2", "0", "2", "4"]);
-        assert_eq!(labels(&Axis::linear("").between(0.0, 3e6), &[]), ["0", "10^6", "2·10^6", "3·10^6"]);
-        assert_eq!(labels(&Axis::log("").between(1e-6, 1.0), &[]), ["10^−6", "10^−4", "10^−2", "10^0"]);
-        assert_eq!(labels(&Axis::log("").between(0.1, 10.0), &[]), ["0.1", "0.2", "0.5", "1", "2", "5", "10"]);
-        assert_eq!(labels(&Axis::log("").ticks([4.0, 16.0]), &[3.0, 128.0]), ["4", "16"]);
-    }
-
-    #[test]
-    fn empty_and_constant_data_have_a_range() {
-        for axis in [Axis::linear(""), Axis::log("")] {
-            for numbers in [&[][..], &[2.0][..], &[f64::NAN, -0.0][..]] {
-                let scale = Scale::new(&axis, numbers.iter().copied(), 5);
-                assert!(scale.low < scale.high && scale.place(scale.low).abs() < 1e-12);
-            }
-        }
-    }
-}

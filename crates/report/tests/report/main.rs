@@ -1,0 +1,3 @@
+//! What the report prints and draws.
+
+mod plot;
