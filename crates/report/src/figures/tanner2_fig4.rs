@@ -97,6 +97,6 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     );
     Ok(Reproduced::new(text)
         .table("shares", shares_csv(&rows))
-        .table("course", csv(COURSE, course_rows("fixed", &course)))
+        .table("time-series", csv(COURSE, course_rows("fixed", &course)))
         .picture("", picture))
 }

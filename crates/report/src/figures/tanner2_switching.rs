@@ -127,6 +127,6 @@ fn draw(
     );
     Ok(Reproduced::new(text)
         .table("shares", shares_csv(rows))
-        .table("course", csv(COURSE, course_rows("switching", &course)))
+        .table("time-series", csv(COURSE, course_rows("switching", &course)))
         .picture("", picture))
 }
