@@ -9,7 +9,7 @@ mod page;
 use flockproof::report::Figure;
 use flockproof::scenario::Scenario;
 use page::{Page, pages, root, spans};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -212,6 +212,20 @@ fn the_two_commands_of_the_readme() {
     for command in ["cargo run --release -- verify", "cargo test"] {
         assert!(lines.contains(&command), "{command}");
     }
+}
+
+#[test]
+fn the_readme_counts_the_statements() {
+    let readme = std::fs::read_to_string(root().join("README.md")).expect("text");
+    let mut papers = BTreeMap::new();
+    for row in flockproof::ledger::listed(flockproof::claims::LISTED) {
+        *papers.entry(row.id.split('.').next().unwrap_or("")).or_insert(0) += 1;
+    }
+    assert_eq!(papers.len(), 5);
+    for (paper, count) in &papers {
+        assert!(readme.contains(&format!("| {count}: ")), "{paper}: {count}");
+    }
+    assert!(readme.contains(&format!("{} statements", papers.values().sum::<usize>())));
 }
 
 #[test]
