@@ -1,6 +1,6 @@
 //! Exact, certified and simulated checks of what five papers claim about flocking, and the machinery behind them.
 //!
-//! This is the face of a house of crates; each can be used without those above it. From the ground up: [`arithmetic`]; [`matrix`], [`graph`] and [`spectrum`];
+//! The crates of the workspace under one name; each can be used without those above it. From the lowest: [`arithmetic`]; [`matrix`], [`graph`] and [`spectrum`];
 //! [`motion`]; the models [`averaging`] (Chazelle), [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`tracks`] (measured
 //! trajectories) and [`double_integrator`] (Tanner, Jadbabaie and Pappas); [`scenario`] (runs of all of them from a file); [`ledger`]; [`certificates`] and
 //! [`kernel`] (the Coq development); [`claims`]; [`report`].

@@ -1,3 +1,4 @@
-//! The program as a user meets it.
+//! The program as a user meets it, and what its documents say of it.
 
 mod cli;
+mod documents;

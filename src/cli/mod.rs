@@ -4,10 +4,12 @@
 //! interrupted.
 
 mod certify;
+mod completions;
 mod ergodicity;
 mod explain;
 mod flock;
 mod interrupt;
+mod man;
 mod output;
 mod progress;
 mod prove;
@@ -53,6 +55,10 @@ enum Command {
     Flock(flock::Arguments),
     /// Simulate a flock from a TOML file: samples, events, trajectory, plots
     Simulate(simulate::Arguments),
+    /// Print a script that completes commands and options in a shell
+    Completions(completions::Arguments),
+    /// Write the manual pages, one for each command
+    Man(man::Arguments),
 }
 
 /// A failure: one sentence for standard error, exit status 2.
@@ -96,6 +102,8 @@ pub fn main() -> ExitCode {
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
+        Command::Completions(arguments) => completions::run(&arguments),
+        Command::Man(arguments) => man::run(&arguments),
     })
 }
 

@@ -124,8 +124,10 @@ fn switches_are_events() {
 #[test]
 fn particles_form_a_pattern() {
     let folder = folder("simulate-pattern");
-    let summary = simulate(&folder, "pattern", include_str!("../../assets/scenarios/pattern.toml"));
-    let last = &summary["samples"][4]["observables"];
+    let config = include_str!("../../assets/scenarios/pattern.toml");
+    let longer = config.replace("until = 300", "until = 1000").replace("200, 300]", "300, 1000]");
+    let summary = simulate(&folder, "pattern", &longer);
+    let last = &summary["samples"][3]["observables"];
     assert_eq!((&last["pattern_order"], &last["clusters"]), (&3.into(), &3.into()));
     assert!(number(&last["centre_spread"]) < 1e-2);
     assert!((number(&last["order"][2]) - 1.0 / 3.0).abs() < 1e-3);

@@ -28,7 +28,7 @@ pub struct Event {
     pub time: f64,
     /// Whether it came.
     pub gained: bool,
-    /// The agents from 1, the smaller number first; of an arc the one that takes account of the other first.
+    /// The agents from 1, the smaller number first; of an arc the one that senses the other first.
     pub pair: (usize, usize),
 }
 
@@ -192,7 +192,7 @@ impl<L: Law> Course for Continuous<L> {
             self.tolerance.relative
         ));
         if self.law.switches() {
-            lines.push("links are held between switches, and each switch is located to rounding; a pair at exactly the switching distance at the start is linked if it approaches".to_string());
+            lines.push("the links stay as they are between switches, and each switch is located to rounding; a pair at exactly the switching distance at the start is linked if it approaches".to_string());
         }
         lines
     }

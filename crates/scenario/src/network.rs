@@ -1,4 +1,4 @@
-//! Who takes account of whom: the graph of a scenario, fixed or made from positions, with its switches.
+//! Who senses whom: the graph of a scenario, fixed or made from positions, with its switches.
 
 use super::error::{ConfigError, Problem};
 use super::source::{Section, Source};
@@ -155,7 +155,7 @@ impl Network {
             Kind::Nearest => {
                 let count = section.need("nearest", "a number of neighbours")?.count(1, order - 1)?;
                 let declaration = format!(
-                    "agent k takes account of its {count} nearest agents; at equal distance of the one with the smaller number; events are arcs [k, j]"
+                    "agent k senses its {count} nearest agents; at equal distance of the one with the smaller number; events are arcs [k, j]"
                 );
                 Ok(Network::switching(order, Rule::Nearest(count), true, declaration))
             }
@@ -197,7 +197,7 @@ impl Network {
         };
         let pairs = edge_list(order, section, directed)?;
         let coming = timetable(order, section, directed)?;
-        let kind = if directed { "arcs i -> j (i takes account of j)" } else { "edges" };
+        let kind = if directed { "arcs i -> j (i senses j)" } else { "edges" };
         let mut declaration = format!("fixed network of {} {kind}", pairs.len());
         if let (Some((last, _)), Some((first, _))) = (coming.first(), coming.last()) {
             declaration = format!(
@@ -249,7 +249,7 @@ impl Network {
         self.rule != Rule::Fixed
     }
 
-    /// Whether everyone takes account of everyone, without a list.
+    /// Whether everyone senses everyone, without a list.
     pub fn is_all_to_all(&self) -> bool {
         self.lists.is_none()
             || !self.switches() && self.coming.is_empty() && self.pairs.len() == self.order * (self.order - 1) / 2

@@ -371,7 +371,7 @@ impl Law for Particles {
             self.network.declaration().to_string(),
             CONVENTIONS.to_string(),
             CLUSTERS.to_string(),
-            "spacing_potential S = (1/(2N)) <c, L c> (17), on an undirected network each edge once, with centres c_k = r_k + i e^(i theta_k)/omega0 (3); composite_potential K0 S, or (K0/2) sum |c_k - c_0|² with a beacon, plus orientation_potential/omega0²: it does not increase on an undirected network; centre_spread is the largest distance of a centre from their mean; the centres are listed with the trajectory; momentum is the sum of the velocities; phases in radians, not reduced to one turn".to_string(),
+            "spacing_potential S = (1/(2N)) <c, L c> (17), on an undirected network each edge once, with centres c_k = r_k + i e^(i theta_k)/omega0 (3); composite_potential K0 S, or (K0/2) sum |c_k - c_0|² with a beacon, plus orientation_potential/omega0²: it does not increase on a fixed undirected network, unless there is a beacon and a drift; centre_spread is the largest distance of a centre from their mean; the centres are listed with the trajectory; momentum is the sum of the velocities; phases in radians, not reduced to one turn".to_string(),
         ];
         lines.extend(self.drawn.clone());
         lines

@@ -98,7 +98,7 @@ fn tracked(source: &Source, law: &Section, cars: usize) -> Result<(Communication
     let rows: Vec<Vec<usize>> = (1..cars).map(|k| network.neighbours(k).to_vec()).collect();
     let graph = CommunicationGraph::with_equal_weights(&rows).map_err(|error| section.problem(error.into()))?;
     let words = format!(
-        "every follower compares itself with the mean of its neighbours in the {}; the leader takes account of nobody",
+        "every follower compares itself with the mean of its neighbours in the {}; the leader senses nobody",
         network.declaration()
     );
     Ok((graph, words))

@@ -91,16 +91,16 @@ impl Start {
         let mut start = Start::default();
         if needs.dimension > 0 {
             start.positions = list(&flock.positions);
-            drawn += &format!(", positions even in |x|, |y| < {half}");
+            drawn += &format!(", positions uniform in |x|, |y| < {half}");
         }
         if needs.velocities {
             start.velocities = list(&flock.velocities);
-            drawn += &format!(", speeds even in (0, {speed}), directions even");
+            drawn += &format!(", speeds uniform in (0, {speed}), directions uniform");
         }
         if needs.phases {
             let mut phase = || TAU * uniform(&mut random);
             start.phases = (0..agents).map(|_| exact(phase())).collect();
-            drawn += ", phases even in [0, 2 pi)";
+            drawn += ", phases uniform in [0, 2 pi)";
         }
         start.drawn = Some(drawn);
         Ok(start)

@@ -31,7 +31,7 @@ pub enum NamedGraph {
     Star(usize),
     /// `circulant:N:a,b,..`: `i` is joined to `i + a`, `i - a`, `i + b`, .. modulo N. The offsets are kept between 1 and N/2.
     Circulant(usize, BTreeSet<usize>),
-    /// `platoon1:M`: vertex 1 is the leader, who takes account of nobody; each of the M followers of the car in front
+    /// `platoon1:M`: vertex 1 is the leader, who senses nobody; each of the M followers of the car in front
     /// (Veerman et al., equation (1)).
     PlatoonOne(usize),
     /// `platoon2:M`: followers take account of the cars in front and behind with weights 1/2; the last of the one in front

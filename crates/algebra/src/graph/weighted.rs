@@ -4,7 +4,7 @@ use super::Graph;
 use crate::matrix::SparseMatrix;
 use arithmetic::{Rational, rational};
 
-/// A directed graph on the vertices `0..order`: the arc from `i` to `j` has the weight `a_ij`, "`i` takes account of `j`
+/// A directed graph on the vertices `0..order`: the arc from `i` to `j` has the weight `a_ij`, "`i` senses `j`
 /// with weight `a_ij`". An undirected graph has `a_ij = a_ji`. Weights may be negative, and loops are allowed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WeightedGraph {

@@ -104,7 +104,7 @@ impl Circulant {
         Ok(matrix)
     }
 
-    /// The Laplacian `D - A` of the graph in which every vertex `i` takes account of `i + s` with the weights `(s, a_s)`.
+    /// The Laplacian `D - A` of the graph in which every vertex `i` senses `i + s` with the weights `(s, a_s)`.
     ///
     /// # Errors
     /// As [`Self::new`].

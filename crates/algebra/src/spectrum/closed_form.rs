@@ -182,7 +182,7 @@ fn platoon_two(m: usize, kind: LaplacianKind) -> Option<ClosedForm> {
     }
 }
 
-/// The circulant in which `i` takes account of `i + a` for each step `a` with weight 1. `apart` tells that equal eigenvalues
+/// The circulant in which `i` senses `i + a` for each step `a` with weight 1. `apart` tells that equal eigenvalues
 /// are those of `k` and `n - k` for symmetric steps, and that there are none for one step.
 fn circulant(n: usize, steps: &[usize], kind: LaplacianKind, apart: bool) -> Option<ClosedForm> {
     let degree = steps.len() as i64;

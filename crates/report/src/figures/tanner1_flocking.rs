@@ -90,7 +90,7 @@ fn reproduce(complete: bool) -> Result<Reproduced, CheckError> {
     );
     Ok(Reproduced::new(text)
         .table("shares", shares_csv(&rows))
-        .table("course", csv(COURSE, courses))
+        .table("time-series", csv(COURSE, courses))
         .picture("", picture))
 }
 

@@ -82,8 +82,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         )
     });
     let text = format!(
-        "Ten agents, law (4), positions even in a square of side 5 m, speeds even in\n\
-         (0, 1) m/s, directions even, links fixed, {until} s. Chosen, since the paper does\n\
+        "Ten agents, law (4), uniform positions in a square of side 5 m, speeds in\n\
+         (0, 1) m/s and directions, links fixed, {until} s. Chosen, since the paper does\n\
          not say: V = 1/s + log s, and how graphs are drawn (each edge with a\n\
          probability, until connected). {RUNS} runs each, Wilson 95% intervals.\n\n\
          {}\n\
@@ -97,6 +97,6 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     );
     Ok(Reproduced::new(text)
         .table("shares", shares_csv(&rows))
-        .table("course", csv(COURSE, course_rows("fixed", &course)))
+        .table("time-series", csv(COURSE, course_rows("fixed", &course)))
         .picture("", picture))
 }

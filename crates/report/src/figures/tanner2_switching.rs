@@ -116,10 +116,10 @@ fn draw(
         )
     });
     let text = format!(
-        "Ten agents, law (4), links within 2 m, positions even in a square of side 5 m,\n\
-         speeds even in (0, 1) m/s, directions even, {UNTIL} s. Chosen: V = 1/s + log s;\n\
-         starts are drawn as they come, or until their network is connected. {RUNS} runs\n\
-         each, Wilson 95% intervals. Agreement: against the disagreement at the start.\n\n\
+        "Ten agents, law (4), links within 2 m; uniform positions in a square of side\n\
+         5 m, speeds in (0, 1) m/s and directions; {UNTIL} s. Chosen: V = 1/s + log s; starts\n\
+         are any, or drawn again until their network is connected. {RUNS} runs each,\n\
+         Wilson 95% intervals. Agreement: against the disagreement at the start.\n\n\
          {}\n\
          Drawn: run {replicate} from a connected start. At its end: {end}.\n\
          {switches} switches, each located; Q {monotone}, within rounding and tolerance.\n",
@@ -127,6 +127,6 @@ fn draw(
     );
     Ok(Reproduced::new(text)
         .table("shares", shares_csv(rows))
-        .table("course", csv(COURSE, course_rows("switching", &course)))
+        .table("time-series", csv(COURSE, course_rows("switching", &course)))
         .picture("", picture))
 }

@@ -94,9 +94,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let found: Vec<Found> =
         graphs().into_par_iter().map(|(name, graph, starts)| explore(name, graph, starts)).collect();
     let mut text = String::from(
-        "EXPLORATION: equilibria of V = 1/s + log s; starts even in a square of side 2,\n\
-         half by descent, half by steps on |grad V|² (which find saddles). Distinct: by\n\
-         all distances within 1e-5, so up to congruence and names. Proved: Krawczyk's\n\
+        "EXPLORATION: equilibria of V = 1/s + log s; uniform starts in a square of side\n\
+         2, half by descent, half by steps on |grad V|² (which find saddles). Distinct:\n\
+         by all distances within 1e-5, up to congruence and names. Proved: Krawczyk's\n\
          test in intervals finds exactly one equilibrium in a box, and the signs of its\n\
          Hessian are enclosed over the box. Bent: starts that ended where more than the\n\
          three rigid motions cost nothing. That there are no others is not proved.\n\n\
