@@ -5,7 +5,7 @@ use super::error::{ConfigError, Problem};
 use super::run::{Outcome, run};
 use super::source::{Entry, Source};
 use super::{alignment, fish, oscillator, platoon, vicsek};
-use arithmetic::{Rational, rational};
+use arithmetic::{Progress, Rational, rational};
 use num_traits::{ToPrimitive, Zero};
 use std::collections::BTreeMap;
 
@@ -186,9 +186,8 @@ impl Scenario {
         [self.course.declaration(), self.schedule.declaration()].concat()
     }
 
-    /// Runs it; `halt` is asked often whether to stop, and `progress` is told every time that is reached. The result does not depend on
-    /// the number of threads.
-    pub fn run(mut self, halt: &dyn Fn() -> bool, progress: &mut dyn FnMut(f64)) -> Outcome {
-        run(self.model, &self.schedule, self.course.as_mut(), halt, progress)
+    /// Runs it; `progress` may stop it and is told of each row. The result does not depend on the number of threads.
+    pub fn run(mut self, progress: &dyn Progress) -> Outcome {
+        run(self.model, &self.schedule, self.course.as_mut(), progress)
     }
 }

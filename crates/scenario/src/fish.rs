@@ -7,7 +7,7 @@ use super::source::Source;
 use super::start::{Needs, Start};
 use algebra::graph::components;
 use arithmetic::random::{generator, normal};
-use arithmetic::{ArithmeticError, Complex, Rational};
+use arithmetic::{ArithmeticError, Complex, Progress, Rational};
 use models::oscillator::{
     BehaviourGains, Flight, Neighbours, State, ZoneNetworks, Zones, behaviour_control, laplacian_behaviour_control,
     write_rate,
@@ -153,10 +153,10 @@ fn sensed(networks: &ZoneNetworks, fish: usize) -> Vec<(usize, usize)> {
 }
 
 impl Course for Fish {
-    fn advance(&mut self, until: f64, _: &mut Vec<Event>, halt: &dyn Fn() -> bool) -> Result<bool, RunError> {
+    fn advance(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         let last = (until / self.step).round() as u64;
         while self.steps < last {
-            if halt() {
+            if progress.is_cancelled() {
                 return Ok(false);
             }
             let time = self.steps as f64 * self.step;

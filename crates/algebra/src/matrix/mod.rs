@@ -106,4 +106,7 @@ pub enum MatrixError {
     /// A product of no matrices.
     #[error("there is no matrix to multiply")]
     NoFactors,
+    /// Stopped by the caller.
+    #[error(transparent)]
+    Cancelled(#[from] arithmetic::Cancelled),
 }

@@ -1,7 +1,7 @@
 //! Rational matrices with one common denominator.
 
 use super::MatrixError;
-use arithmetic::Rational;
+use arithmetic::{Progress, Rational, Unwatched};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
@@ -110,11 +110,20 @@ impl RationalMatrix {
     /// # Errors
     /// [`MatrixError::Shapes`].
     pub fn times(&self, right: &Self) -> Result<Self, MatrixError> {
+        self.times_watched(right, &Unwatched)
+    }
+
+    /// As [`RationalMatrix::times`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// As there, and [`MatrixError::Cancelled`].
+    pub fn times_watched(&self, right: &Self, progress: &dyn Progress) -> Result<Self, MatrixError> {
         if self.cols != right.rows {
             return Err(MatrixError::Shapes { left_cols: self.cols, right_rows: right.rows });
         }
         let mut numerators = Vec::with_capacity(self.rows * right.cols);
         for i in 0..self.rows {
+            progress.checkpoint()?;
             for j in 0..right.cols {
                 let terms = self.row(i).iter().enumerate().map(|(k, x)| x * &right.numerators[k * right.cols + j]);
                 numerators.push(terms.sum());
@@ -187,13 +196,26 @@ impl RationalMatrix {
 
     /// The same matrix with the least denominator.
     pub fn reduced(&self) -> Self {
-        let divisor = self.numerators.iter().fold(self.denominator.clone(), |g, x| g.gcd(x));
-        RationalMatrix {
+        // Nobody stops it.
+        self.reduced_watched(&Unwatched).unwrap_or_else(|_| self.clone())
+    }
+
+    /// As [`RationalMatrix::reduced`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// [`MatrixError::Cancelled`].
+    pub fn reduced_watched(&self, progress: &dyn Progress) -> Result<Self, MatrixError> {
+        let mut divisor = self.denominator.clone();
+        for x in &self.numerators {
+            progress.checkpoint()?;
+            divisor = divisor.gcd(x);
+        }
+        Ok(RationalMatrix {
             rows: self.rows,
             cols: self.cols,
             numerators: self.numerators.iter().map(|x| x / &divisor).collect(),
             denominator: &self.denominator / &divisor,
-        }
+        })
     }
 }
 

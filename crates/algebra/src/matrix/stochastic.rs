@@ -2,7 +2,7 @@
 
 use super::limbs::LimbMatrix;
 use super::{Footprint, MatrixError, RationalMatrix};
-use arithmetic::Rational;
+use arithmetic::{Progress, Rational, Unwatched};
 use num_bigint::{BigInt, BigUint};
 use num_traits::{Signed, ToPrimitive};
 
@@ -55,6 +55,14 @@ impl StochasticMatrix {
     /// # Errors
     /// [`MatrixError::Shapes`].
     pub fn times(&self, right: &Self) -> Result<Self, MatrixError> {
+        self.times_watched(right, &Unwatched)
+    }
+
+    /// As [`StochasticMatrix::times`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// As there, and [`MatrixError::Cancelled`].
+    pub fn times_watched(&self, right: &Self, progress: &dyn Progress) -> Result<Self, MatrixError> {
         if self.cols() != right.rows() {
             return Err(MatrixError::Shapes { left_cols: self.cols(), right_rows: right.rows() });
         }
@@ -62,7 +70,8 @@ impl StochasticMatrix {
         // No entry exceeds the denominator.
         let longest = denominator.bits().div_ceil(64) as usize;
         let small_rows = self.denominator.to_u64().is_some();
-        Ok(StochasticMatrix { numerators: self.numerators.times(&right.numerators, longest, small_rows), denominator })
+        let numerators = self.numerators.times(&right.numerators, longest, small_rows, progress)?;
+        Ok(StochasticMatrix { numerators, denominator })
     }
 
     /// The footprint: ones where the entries are not zero.
