@@ -39,7 +39,7 @@ impl Real for f64 {
     }
 
     fn sqrt(&self) -> Result<Self, ArithmeticError> {
-        if *self < 0.0 { Err(ArithmeticError::Domain("sqrt")) } else { Ok(f64::sqrt(*self)) }
+        if *self < 0.0 { Err(ArithmeticError::Argument("sqrt")) } else { Ok(f64::sqrt(*self)) }
     }
 
     fn exp(&self) -> Result<Self, ArithmeticError> {
@@ -47,7 +47,7 @@ impl Real for f64 {
     }
 
     fn ln(&self) -> Result<Self, ArithmeticError> {
-        if *self <= 0.0 { Err(ArithmeticError::Domain("ln")) } else { Ok(f64::ln(*self)) }
+        if *self <= 0.0 { Err(ArithmeticError::Argument("ln")) } else { Ok(f64::ln(*self)) }
     }
 
     fn sin_cos(&self) -> Result<(Self, Self), ArithmeticError> {

@@ -14,6 +14,9 @@
 //! | [`Series<T>`] | truncated power series, for expansions to a stated order |
 //! | [`DegreeBound`] | degrees of numerator and denominator, for the error bound of an identity test |
 
+/// Crates that stand in signatures.
+pub use {num_bigint, num_rational, rand_chacha};
+
 mod ball;
 mod complex;
 mod degree;
@@ -49,7 +52,7 @@ pub use interval::Interval;
 pub use number::{NumberError, decimal, decimals, parse_rational, significant_digits};
 pub use progress::{Cancelled, Progress, Unwatched};
 pub use radical::RadicalSum;
-pub use rational::{Rational, rational};
+pub use rational::{Rational, quotient, rational};
 pub use real_cyclotomic::{CosineField, RealCyclotomic};
 pub use regression::regression_line;
 pub use series::Series;
@@ -64,8 +67,11 @@ pub enum ArithmeticError {
     /// The divisor is zero, or is an interval that contains zero.
     #[error("division by zero (or by an interval that contains zero)")]
     DivisionByZero,
-    /// The argument lies outside the domain of the function, or is an interval that is not inside it.
+    /// The argument of the named function lies outside its domain, or is an interval that is not inside it.
     #[error("the argument of {0} lies outside its domain")]
+    Argument(&'static str),
+    /// What was given lacks what is named.
+    #[error("this needs {0}")]
     Domain(&'static str),
 }
 

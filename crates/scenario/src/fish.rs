@@ -170,7 +170,7 @@ impl Course for Fish {
             write_rate(&state, &Complex::new(0.0, 0.0), &control, &mut rate);
             list.iter_mut().zip(rate).for_each(|(x, rate)| *x += self.step * rate);
             if list.iter().any(|x| !x.is_finite()) {
-                return Err(RunError::Law { time, error: ArithmeticError::Domain("a finite step") });
+                return Err(RunError::Law { time, error: ArithmeticError::Domain("steps that stay finite") });
             }
             self.flight = Flight::from_list(&list);
             self.steps += 1;

@@ -1,10 +1,27 @@
 //! From a scenario to its samples, rows and events.
 
-use super::config::Schedule;
 use super::course::{Course, Event, Frame};
 use super::error::RunError;
 use super::observables::Observable;
 use arithmetic::Progress;
+
+/// When something is written.
+pub(super) struct Schedule {
+    /// All times that are written, with whether they are samples.
+    pub times: Vec<(f64, bool)>,
+    /// Equal intervals of the trajectory.
+    pub rows: usize,
+    /// Whether a tolerance was given that has no effect.
+    pub ignored: bool,
+}
+
+impl Schedule {
+    pub fn declaration(&self) -> Vec<String> {
+        let rows = format!("trajectory: {} equal intervals from 0 to the end, and the samples", self.rows);
+        let ignored = "tolerance: no effect, time is discrete".to_string();
+        if self.ignored { vec![rows, ignored] } else { vec![rows] }
+    }
+}
 
 /// One time that is written.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,7 @@
 //! Velocity alignment with links within a radius, followed by the motions of [`models::double_integrator`]: every arrival at the radius
 //! is located, and what has several ways on is followed as a Filippov solution.
 
-use super::alignment::Agents;
+use super::agents::Agents;
 use super::course::{Course, Event, Frame, Law};
 use super::error::RunError;
 use super::network::Change;

@@ -30,7 +30,7 @@ impl RationalMatrix {
         if rows == 0 || cols == 0 {
             return Err(MatrixError::Empty);
         }
-        if numerators.len() != rows * cols {
+        if rows.checked_mul(cols) != Some(numerators.len()) {
             return Err(MatrixError::EntryCount { rows, cols, found: numerators.len() });
         }
         if denominator.is_zero() {
@@ -41,6 +41,11 @@ impl RationalMatrix {
             numerators.iter_mut().for_each(|x| *x = -std::mem::take(x));
         }
         Ok(RationalMatrix { rows, cols, numerators, denominator })
+    }
+
+    /// As [`RationalMatrix::new`] where the shape is known to be filled and the denominator to be positive.
+    pub(super) fn of_known_shape(rows: usize, cols: usize, numerators: Vec<BigInt>, denominator: BigInt) -> Self {
+        RationalMatrix { rows, cols, numerators, denominator }
     }
 
     /// From rows of small integers over a small denominator.
@@ -90,14 +95,14 @@ impl RationalMatrix {
         &self.denominator
     }
 
-    /// The numerators of one row, counted from 0.
+    /// The numerators of one row, counted from 0; none outside the matrix.
     pub fn row(&self, i: usize) -> &[BigInt] {
-        &self.numerators[i * self.cols..(i + 1) * self.cols]
+        if i < self.rows { &self.numerators[i * self.cols..(i + 1) * self.cols] } else { &[] }
     }
 
-    /// The entry in row `i` and column `j`, counted from 0, in lowest terms.
+    /// The entry in row `i` and column `j`, counted from 0, in lowest terms; zero outside the matrix.
     pub fn entry(&self, i: usize, j: usize) -> Rational {
-        Rational::new(self.row(i)[j].clone(), self.denominator.clone())
+        self.row(i).get(j).map_or_else(Rational::zero, |x| Rational::new(x.clone(), self.denominator.clone()))
     }
 
     /// All entries in lowest terms, row by row.

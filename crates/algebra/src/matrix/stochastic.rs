@@ -93,8 +93,7 @@ impl StochasticMatrix {
     /// The same matrix as a plain rational one.
     pub fn to_rational_matrix(&self) -> RationalMatrix {
         let numerators = self.numerators().map(BigInt::from).collect();
-        RationalMatrix::new(self.rows(), self.cols(), numerators, BigInt::from(self.denominator.clone()))
-            .expect("a stochastic matrix has a shape and a denominator")
+        RationalMatrix::of_known_shape(self.rows(), self.cols(), numerators, BigInt::from(self.denominator.clone()))
     }
 }
 

@@ -120,7 +120,7 @@ impl Potential {
     pub fn rational_value<T: Field>(&self, s: &T) -> Result<T, ArithmeticError> {
         let value = self.value_over(s)?;
         if value.log.is_some() {
-            return Err(ArithmeticError::Domain("a potential without logarithm"));
+            return Err(ArithmeticError::Domain("potentials without logarithm"));
         }
         value.powers(s)
     }

@@ -143,7 +143,8 @@ impl Sample {
         self.headings.first().map_or(0, Vec::len)
     }
 
-    /// The numbers with the headings of fish `k` shifted by `shift[k]` frames around the end, and with `kind` also its positions.
+    /// The numbers with the headings of fish `k` shifted by `shift[k]` frames around the end, and with `kind` also its positions; fish
+    /// without a shift stay.
     pub fn statistics(&self, kind: NullKind, shift: &[usize]) -> Statistics {
         let (frames, fish) = (self.frames(), self.fish());
         let mut statistics = Statistics {
@@ -156,7 +157,8 @@ impl Sample {
         let (mut cosines, mut arcs) = (0.0, 0usize);
         for i in 0..frames {
             let moved = |rows: &[Vec<Vector>]| -> Vec<Vector> {
-                shift.iter().enumerate().map(|(k, s)| rows[(i + s) % frames][k].clone()).collect()
+                let place = |k: usize| (i + shift.get(k).map_or(0, |s| s % frames)) % frames;
+                (0..fish).map(|k| rows[place(k)][k].clone()).collect()
             };
             let headings = moved(&self.headings);
             let shifted = match kind {

@@ -338,6 +338,13 @@ fn what_was_reached_is_kept() {
 }
 
 #[test]
+fn places_without_coordinates_have_distances() {
+    assert_eq!(min_distance(&[]), f64::INFINITY);
+    assert_eq!(min_distance(&[vec![], vec![]]), 0.0);
+    assert_eq!(min_distance(&[vec![], vec![3.0, 4.0], vec![0.0, 1.0]]), 0.0);
+}
+
+#[test]
 fn the_smallest_distance_is_that_of_all_pairs() {
     let mut seed = 7u64;
     let mut next = || {
