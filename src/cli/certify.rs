@@ -55,7 +55,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     if theorems.len() < rows.len() {
         eprintln!("interrupted: {} of {} certificates are made", theorems.len(), rows.len());
-        return Ok(interrupt::status());
+        return Ok(interrupt::status(false));
     }
     if let Some(folder) = &arguments.coq {
         for (kind, name) in COQ_FILES {

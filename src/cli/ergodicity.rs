@@ -60,7 +60,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         prefixes.push(measured);
         product = Some(prefix);
     }
-    if prefixes.len() < factors.len() {
+    let complete = prefixes.len() == factors.len();
+    if !complete {
         eprintln!("interrupted: {} of {} products are finished", prefixes.len(), factors.len());
     }
     let factors = &factors[..prefixes.len()];
@@ -70,13 +71,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     } else {
         Vec::new()
     };
-    let Some(product) = product else { return Ok(interrupt::status()) };
+    let Some(product) = product else { return Ok(interrupt::status(complete)) };
     if arguments.json {
         output::print_json(&document(&product, &prefixes, &found))?;
     } else {
         output::print(&table(&product, &prefixes, &found))?;
     }
-    Ok(interrupt::status())
+    Ok(interrupt::status(complete))
 }
 
 fn members(stabiliser: &Stabiliser) -> Vec<usize> {

@@ -124,9 +124,9 @@ pub fn results<T: Send + 'static>(work: impl FnOnce(mpsc::Sender<T>) + Send + 's
     })
 }
 
-/// The exit status of work that was done as far as a signal let it.
-pub fn status() -> ExitCode {
-    if happened() { ExitCode::from(STATUS) } else { ExitCode::SUCCESS }
+/// The exit status of work that a signal may have cut short.
+pub fn status(complete: bool) -> ExitCode {
+    if complete { ExitCode::SUCCESS } else { ExitCode::from(STATUS) }
 }
 
 impl Progress for Watch {

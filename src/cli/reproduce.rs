@@ -62,10 +62,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     for text in texts.values() {
         output::print(text)?;
     }
-    if interrupt::happened() {
+    if count < figures.len() {
         eprintln!("interrupted: {count} of {} are made, they are written", figures.len());
     }
-    Ok(interrupt::status())
+    Ok(interrupt::status(count == figures.len()))
 }
 
 /// Writes the files of a figure and tells what they show.

@@ -43,8 +43,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     let kept = format!("what was reached up to t = {} is kept", outcome.reached());
     match outcome.end {
-        End::Finished => Ok(ExitCode::SUCCESS),
-        End::Interrupted => {
+        End::Finished if !interrupt::happened() => Ok(ExitCode::SUCCESS),
+        End::Finished | End::Interrupted => {
             eprintln!("interrupted: {kept}");
             Ok(ExitCode::from(interrupt::STATUS))
         }

@@ -149,12 +149,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let (sample, seed) = (analysis.sample(), &arguments.seed);
     let null = null_models(&sample, arguments.null, seed, &watch);
     watch.finish();
-    // Interrupted: the analysis is kept, without the shifts.
-    let null = null.or_else(|Cancelled| null_models(&sample, 0, seed, &Unwatched));
-    let null = null.map_err(|error| refuse(&error))?;
-    if interrupt::happened() {
+    let complete = null.is_ok();
+    if !complete {
         eprintln!("interrupted: what was measured is written, without the shifts in time");
     }
+    let null = null.or_else(|Cancelled| null_models(&sample, 0, seed, &Unwatched));
+    let null = null.map_err(|error| refuse(&error))?;
     interrupt::finishing();
     let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: &null };
     let files = report.files(arguments.at).map_err(|error| refuse(&error))?;
@@ -168,5 +168,5 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let written = format!("written to {}: {}", arguments.out.display(), names.join(", "));
         output::print(&format!("{}\n{}\n", report.text(), textwrap::fill(&written, 80)))?;
     }
-    Ok(interrupt::status())
+    Ok(interrupt::status(complete))
 }
