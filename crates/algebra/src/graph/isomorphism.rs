@@ -11,16 +11,15 @@ impl Graph {
     /// bit for each labelled graph.
     pub fn connected_up_to_isomorphism(order: usize) -> Vec<Graph> {
         const LARGEST_MARKED: usize = 7;
-        let connected = Graph::all(order).enumerate().filter(|(_, graph)| graph.is_connected());
         if order > LARGEST_MARKED {
-            let first = |graph: &Graph| graph.isomorphism_code() == graph.code(|i| i);
-            return connected.map(|(_, graph)| graph).filter(first).collect();
+            let first = |graph: &Graph| graph.isomorphism_code() == code(&graph.edges(), |i| i);
+            return Graph::all(order).filter(Graph::is_connected).filter(first).collect();
         }
         let orders: Vec<Vec<usize>> = permutations(order).collect();
         let mut seen = vec![false; 1 << (order * order.saturating_sub(1) / 2)];
         let mut found = Vec::new();
-        for (code, graph) in connected {
-            if seen[code] {
+        for (code, graph) in Graph::all(order).enumerate() {
+            if seen[code] || !graph.is_connected() {
                 continue;
             }
             let edges = graph.edges();
@@ -34,15 +33,16 @@ impl Graph {
 
     /// A number that isomorphic graphs of the same order share and others do not: the least code among all `order!` renamings.
     pub fn isomorphism_code(&self) -> BigUint {
-        permutations(self.order()).map(|names| self.code(|i| names[i])).min().unwrap_or_default()
+        let edges = self.edges();
+        permutations(self.order()).map(|names| code(&edges, |i| names[i])).min().unwrap_or_default()
     }
+}
 
-    /// The number in the order of [`Graph::all`] after a renaming.
-    fn code(&self, name: impl Fn(usize) -> usize) -> BigUint {
-        let mut code = BigUint::ZERO;
-        self.edges().into_iter().for_each(|(i, j)| code.set_bit(pair_bit(name(i), name(j)) as u64, true));
-        code
-    }
+/// The number of a graph in the order of [`Graph::all`] after a renaming.
+fn code(edges: &[(usize, usize)], name: impl Fn(usize) -> usize) -> BigUint {
+    let mut code = BigUint::ZERO;
+    edges.iter().for_each(|&(i, j)| code.set_bit(pair_bit(name(i), name(j)) as u64, true));
+    code
 }
 
 /// The place of the bit of a pair in the numbering of [`Graph::all`].

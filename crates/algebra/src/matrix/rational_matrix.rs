@@ -64,9 +64,21 @@ impl RationalMatrix {
     /// # Errors
     /// [`MatrixError::Empty`] or [`MatrixError::Ragged`].
     pub fn from_rows(rows: &[Vec<Rational>]) -> Result<Self, MatrixError> {
+        RationalMatrix::from_rows_watched(rows, &Unwatched)
+    }
+
+    /// As [`RationalMatrix::from_rows`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// As there, and [`MatrixError::Cancelled`].
+    pub fn from_rows_watched(rows: &[Vec<Rational>], progress: &dyn Progress) -> Result<Self, MatrixError> {
         let widths: Vec<usize> = rows.iter().map(Vec::len).collect();
         let cols = common_width(&widths)?;
-        let denominator = rows.iter().flatten().fold(BigInt::one(), |d, x| d.lcm(x.denom()));
+        let mut denominator = BigInt::one();
+        for x in rows.iter().flatten() {
+            progress.checkpoint()?;
+            denominator = denominator.lcm(x.denom());
+        }
         let numerators = rows.iter().flatten().map(|x| x.numer() * (&denominator / x.denom())).collect();
         RationalMatrix::new(rows.len(), cols, numerators, denominator)
     }

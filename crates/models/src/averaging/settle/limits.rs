@@ -58,7 +58,7 @@ impl FixedNetwork {
         }
         let transition = transition_matrix(network, weights)?;
         // One denominator for both.
-        let both = RationalMatrix::from_rows(&[limit, gamma].concat())?;
+        let both = RationalMatrix::from_rows_watched(&[limit, gamma].concat(), progress)?;
         let half = |from: usize| -> Result<RationalMatrix, SettleError> {
             let numerators = (from..from + birds).flat_map(|i| both.row(i).to_vec()).collect();
             Ok(RationalMatrix::new(birds, birds, numerators, both.denominator().clone())?)
@@ -178,8 +178,8 @@ impl Motion {
             let numerators: Vec<BigInt> = power.numerators().map(BigInt::from).collect();
             let scale = &power_unit / BigInt::from(power.denominator().clone());
             for (a, &i) in members.iter().enumerate() {
-                progress.checkpoint()?;
                 for k in 0..self.place[i].len() {
+                    progress.checkpoint()?;
                     let through = |rows: &Rows| -> BigInt {
                         let row = numerators[a * members.len()..].iter();
                         members.iter().zip(row).map(|(&j, p)| p * &rows[j][k]).sum::<BigInt>() * &scale
