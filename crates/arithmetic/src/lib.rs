@@ -173,7 +173,7 @@ pub trait Field: Ring {
 
 /// The real functions the laws of the five papers need.
 ///
-/// Every method returns [`ArithmeticError::Domain`] where the argument is not certainly inside the domain.
+/// Every method returns [`ArithmeticError::Argument`] where the argument is not certainly inside the domain.
 pub trait Real: Field {
     /// The circle constant, at the precision of `self`.
     fn pi(&self) -> Self;
