@@ -151,13 +151,17 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     watch.finish();
     let complete = null.is_ok();
     if !complete {
-        eprintln!("interrupted: what was measured is written, without the shifts in time");
+        eprintln!("interrupted: what was measured is written, without the shifts in time and the pictures");
     }
     let null = null.or_else(|Cancelled| null_models(&sample, 0, seed, &Unwatched));
     let null = null.map_err(|error| refuse(&error))?;
     interrupt::finishing();
     let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: &null };
-    let files = report.files(arguments.at).map_err(|error| refuse(&error))?;
+    let mut files = report.tables();
+    // Who stops the work does not wait for pictures.
+    if complete {
+        files.extend(report.pictures(arguments.at).map_err(|error| refuse(&error))?);
+    }
     for file in &files {
         output::write_file(&arguments.out.join(&file.name), &file.contents)?;
     }

@@ -170,7 +170,6 @@ fn silent_commands_end_too() {
     let factors = file(&folder, "factors.txt", vec![factor; 3000].join("\n").as_bytes());
     for arguments in [
         &["verify", "--threads", "1"][..],
-        &["certify", "--out", folder.join("certificates").to_str().expect("UTF-8")],
         &["ergodicity", &factors],
         &["spectrum", "--graph", "geometric:1500:1/4:7"],
         &["resonance", "--followers", "1000000000", "--f", "-1", "--g", "-1", "--digits", "9000"],

@@ -188,10 +188,11 @@ impl LimbMatrix {
     }
 
     /// The largest `sum_k max(a_ik - a_jk, 0)` over pairs of rows; 0 for a single row.
-    pub fn largest_excess(&self) -> BigUint {
+    pub fn largest_excess(&self, progress: &dyn Progress) -> Result<BigUint, Cancelled> {
         let mut best = vec![0u64; self.len + 1];
         let mut sum = vec![0u64; self.len + 1];
         for i in 0..self.rows {
+            progress.checkpoint()?;
             for j in (0..self.rows).filter(|&j| j != i) {
                 sum.fill(0);
                 for k in 0..self.cols {
@@ -205,7 +206,7 @@ impl LimbMatrix {
                 }
             }
         }
-        to_biguint(&best)
+        Ok(to_biguint(&best))
     }
 }
 

@@ -17,7 +17,7 @@ mod stabiliser;
 mod stochastic;
 
 pub use characteristic::CharacteristicPolynomial;
-pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_infinity};
+pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_2_squared_watched, tau_infinity};
 pub use footprint::Footprint;
 pub use inertia::{Inertia, inertia};
 pub use integer_rows::{AverageRow, IntegerRows};

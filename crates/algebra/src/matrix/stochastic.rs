@@ -2,7 +2,7 @@
 
 use super::limbs::LimbMatrix;
 use super::{Footprint, MatrixError, RationalMatrix};
-use arithmetic::{Progress, Rational, Unwatched};
+use arithmetic::{Cancelled, Progress, Rational, Unwatched};
 use num_bigint::{BigInt, BigUint};
 use num_traits::{Signed, ToPrimitive};
 
@@ -87,7 +87,17 @@ impl StochasticMatrix {
 
     /// The numerator of [`StochasticMatrix::tau_1`] over [`StochasticMatrix::denominator`], not reduced.
     pub fn tau_1_numerator(&self) -> BigUint {
-        self.numerators.largest_excess()
+        // Nobody stops it.
+        self.numerators.largest_excess(&Unwatched).unwrap_or_default()
+    }
+
+    /// As [`StochasticMatrix::tau_1`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn tau_1_watched(&self, progress: &dyn Progress) -> Result<Rational, Cancelled> {
+        let numerator = self.numerators.largest_excess(progress)?;
+        Ok(Rational::new(BigInt::from(numerator), BigInt::from(self.denominator.clone())))
     }
 
     /// The same matrix as a plain rational one.

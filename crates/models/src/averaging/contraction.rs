@@ -80,7 +80,7 @@ fn contraction_at(
     // P^2k - A^2 = P^k (P^k - A) + (P^k - A) A doubles it, and tau_1, half an l1-diameter, moves by at most `error`.
     let (mut power, mut steps, mut error) = (p.clone(), BigUint::one(), unit.clone() - &unit);
     loop {
-        let tau = power.tau_1() + &error;
+        let tau = power.tau_1_watched(progress)? + &error;
         if tau <= half {
             return Ok(Some(Contraction { steps, tau }));
         }

@@ -3,7 +3,7 @@
 
 use super::{Weights, transition_matrix};
 use algebra::graph::Graph;
-use algebra::matrix::{Footprint, MatrixError, Stabiliser, StabiliserStream, StochasticMatrix, tau_2_squared};
+use algebra::matrix::{Footprint, MatrixError, Stabiliser, StabiliserStream, StochasticMatrix, tau_2_squared_watched};
 use arithmetic::{Progress, Rational};
 
 /// Stabilisers kept; the sequence `V_1 ⊇ V_2 ⊇ ..` has no end.
@@ -65,8 +65,8 @@ impl Observer {
         if (time - self.from + 1).is_power_of_two() {
             self.decay.push(Decay {
                 time,
-                tau_1: next.tau_1(),
-                tau_2_squared: tau_2_squared(&next.to_rational_matrix()),
+                tau_1: next.tau_1_watched(progress)?,
+                tau_2_squared: tau_2_squared_watched(&next.to_rational_matrix(), progress)?,
                 denominator_bits: next.denominator().bits(),
             });
         }
