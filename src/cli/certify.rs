@@ -42,8 +42,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut theorems = Vec::new();
     let rows: Vec<_> = selected.collect();
     let work = rows.clone();
-    let certificates =
-        interrupt::results(move |sender| work.iter().try_for_each(|row| sender.send(row.make())).unwrap_or(()));
+    let certificates = interrupt::results(move |sender| {
+        // Nobody listens any more after a signal.
+        work.iter().take_while(|row| sender.send(row.make()).is_ok()).for_each(drop);
+    });
     for (row, certificate) in rows.iter().zip(certificates) {
         let certificate = certificate.map_err(|error| CliError::Use(format!("{}: {error}", row.name())))?;
         if let Some(folder) = &arguments.out {
