@@ -1,11 +1,10 @@
 //! Exact flocks: stepping, and settling against the length of the answer.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use flockproof::arithmetic::{Rational, rational};
+use flockproof::arithmetic::{Rational, Unwatched, rational};
 use flockproof::averaging::settle::{Limits, settle};
 use flockproof::averaging::{Flock, Hysteresis, Start, Weights};
 use std::hint::black_box;
-use std::ops::ControlFlow;
 
 /// Two groups of four birds at speed `1/speed`, the first mirrored: they merge after about `3^(speed/3)` steps.
 fn two_groups(speed: i64) -> Start {
@@ -42,15 +41,14 @@ fn settling(criterion: &mut Criterion) {
         let mut run = || {
             let mut watch = |switch: &flockproof::averaging::Switch| {
                 digits = digits.max(switch.time.to_string().len());
-                ControlFlow::Continue(())
             };
-            settle(Flock::new(&start).expect("a flock"), &Limits::default(), &mut watch).expect("settles")
+            settle(Flock::new(&start).expect("a flock"), &Limits::default(), &mut watch, &Unwatched).expect("settles")
         };
         run();
         group.bench_function(BenchmarkId::new("digits", digits), |bencher| {
             bencher.iter(|| {
-                let mut go_on = |_: &flockproof::averaging::Switch| ControlFlow::Continue(());
-                settle(Flock::new(&start).expect("a flock"), &Limits::default(), &mut go_on).expect("settles")
+                settle(Flock::new(&start).expect("a flock"), &Limits::default(), &mut |_| {}, &Unwatched)
+                    .expect("settles")
             });
         });
     }

@@ -1,6 +1,6 @@
 //! `certify`: exact results of the ledger as certificates that other programs check.
 
-use super::{CliError, output};
+use super::{CliError, interrupt, output};
 use flockproof::certificates::{Certificate, CertificateError, CoqTheorem, coq_file};
 use flockproof::claims::certificates::LEDGER;
 use std::path::{Path, PathBuf};
@@ -40,14 +40,24 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let selected =
         LEDGER.iter().filter(|row| arguments.claim.is_empty() || arguments.claim.iter().any(|id| id == row.claim));
     let mut theorems = Vec::new();
-    for row in selected {
-        let certificate = row.make().map_err(|error| CliError::Use(format!("{}: {error}", row.name())))?;
+    let rows: Vec<_> = selected.collect();
+    let work = rows.clone();
+    let certificates = interrupt::results(move |sender| {
+        // Nobody listens any more after a signal.
+        work.iter().take_while(|row| sender.send(row.make()).is_ok()).for_each(drop);
+    });
+    for (row, certificate) in rows.iter().zip(certificates) {
+        let certificate = certificate.map_err(|error| CliError::Use(format!("{}: {error}", row.name())))?;
         if let Some(folder) = &arguments.out {
             let path = made(folder)?.join(format!("{}.cert", row.name()));
             write(&path, &certificate)?;
             output::print(&format!("{}: {}\n", path.display(), certificate.claim()))?;
         }
         theorems.push(CoqTheorem { name: row.name().replace('.', "_"), certificate });
+    }
+    if theorems.len() < rows.len() {
+        eprintln!("interrupted: {} of {} certificates are made", theorems.len(), rows.len());
+        return Ok(interrupt::status(false));
     }
     if let Some(folder) = &arguments.coq {
         for (kind, name) in COQ_FILES {

@@ -1,6 +1,6 @@
 //! `ergodicity`: products of a sequence of stochastic matrices.
 
-use super::{CliError, certify, output};
+use super::{CliError, certify, interrupt, output};
 use flockproof::arithmetic::Rational;
 use flockproof::certificates::{Certificate, Product};
 use flockproof::matrix::{
@@ -30,34 +30,54 @@ struct Prefix {
     footprint: Footprint,
 }
 
+impl Prefix {
+    fn of(product: &StochasticMatrix) -> Self {
+        Prefix {
+            tau_1: product.tau_1(),
+            tau_2_squared: tau_2_squared(&product.to_rational_matrix()),
+            footprint: product.footprint(),
+        }
+    }
+}
+
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let text = output::read_text(&arguments.file)?;
     let factors = read_sequence(&text).map_err(|error| CliError::file(&arguments.file, error))?;
     certify::write_asked(arguments.certificate.as_deref(), || Ok(Certificate::Product(Product::new(&factors)?)))?;
+    let work = factors.clone();
+    let made = interrupt::results(move |sender| {
+        for prefix in prefix_products(&work) {
+            let measured = prefix.map(|prefix| (Prefix::of(&prefix), prefix));
+            if sender.send(measured).is_err() {
+                break;
+            }
+        }
+    });
     let mut prefixes = Vec::with_capacity(factors.len());
     let mut product = None;
-    for prefix in prefix_products(&factors) {
-        let prefix = prefix.map_err(|error| CliError::file(&arguments.file, error))?;
-        prefixes.push(Prefix {
-            tau_1: prefix.tau_1(),
-            tau_2_squared: tau_2_squared(&prefix.to_rational_matrix()),
-            footprint: prefix.footprint(),
-        });
+    for prefix in made {
+        let (measured, prefix) = prefix.map_err(|error| CliError::file(&arguments.file, error))?;
+        prefixes.push(measured);
         product = Some(prefix);
     }
+    let complete = prefixes.len() == factors.len();
+    if !complete {
+        eprintln!("interrupted: {} of {} products are finished", prefixes.len(), factors.len());
+    }
+    let factors = &factors[..prefixes.len()];
     let square = factors.iter().all(|m| m.rows() == m.cols());
     let found = if square {
         stabilisers(&factors.iter().map(StochasticMatrix::footprint).collect::<Vec<_>>())
     } else {
         Vec::new()
     };
-    let Some(product) = product else { return Ok(ExitCode::SUCCESS) };
+    let Some(product) = product else { return Ok(interrupt::status(complete)) };
     if arguments.json {
         output::print_json(&document(&product, &prefixes, &found))?;
     } else {
         output::print(&table(&product, &prefixes, &found))?;
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(interrupt::status(complete))
 }
 
 fn members(stabiliser: &Stabiliser) -> Vec<usize> {

@@ -2,11 +2,13 @@
 
 use flockproof::arithmetic::Progress;
 use indicatif::ProgressBar;
+use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, OnceLock, mpsc};
 use std::time::{Duration, Instant};
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
+static WATCHED: AtomicBool = AtomicBool::new(false);
 static FINISHING: AtomicBool = AtomicBool::new(false);
 
 /// Exit status of an interrupted run.
@@ -15,7 +17,7 @@ pub const STATUS: u8 = 130;
 /// Work that has not stopped by then is abandoned.
 const PATIENCE: Duration = Duration::from_millis(900);
 
-/// Starts listening, for commands that have something to keep. Without a handler a signal simply ends the program.
+/// Starts listening. Until the first [`Watch`] is made there is nothing to keep, and a signal ends the program at once.
 ///
 /// The second signal counts only a second after the first: some programs send two at once.
 pub fn listen() {
@@ -26,6 +28,9 @@ pub fn listen() {
                 std::process::exit(i32::from(STATUS));
             }
             return;
+        }
+        if !WATCHED.load(Ordering::Relaxed) {
+            std::process::exit(i32::from(STATUS));
         }
         let _ = FIRST.set(Instant::now());
         eprintln!("stopping; again to quit at once");
@@ -53,17 +58,34 @@ pub fn finishing() {
 #[derive(Clone)]
 pub struct Watch {
     bar: ProgressBar,
+    stopped: Arc<AtomicBool>,
 }
 
 impl Watch {
     /// With a bar that shows how far the work is.
     pub fn with(bar: ProgressBar) -> Self {
-        Watch { bar }
+        WATCHED.store(true, Ordering::Relaxed);
+        Watch { bar, stopped: Arc::default() }
     }
 
     /// Without a bar.
     pub fn silent() -> Self {
-        Watch { bar: ProgressBar::hidden() }
+        Watch::with(ProgressBar::hidden())
+    }
+
+    /// The bar.
+    pub fn bar(&self) -> &ProgressBar {
+        &self.bar
+    }
+
+    /// Stops the work as a signal does: what it finds can no longer be written.
+    pub fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+
+    /// Removes the bar.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
     }
 
     /// For work that runs on threads of its own.
@@ -72,9 +94,44 @@ impl Watch {
     }
 }
 
+/// How often waiting asks whether a signal has come.
+const TICK: Duration = Duration::from_millis(50);
+
+/// What work on a thread of its own sends, one result after the other; after a signal what was sent before it, and no more. For work
+/// in pieces that do not ask whether to stop.
+pub fn results<T: Send + 'static>(work: impl FnOnce(mpsc::Sender<T>) + Send + 'static) -> impl Iterator<Item = T> {
+    WATCHED.store(true, Ordering::Relaxed);
+    let (sender, receiver) = mpsc::channel();
+    let mut worker = Some(std::thread::spawn(move || work(sender)));
+    std::iter::from_fn(move || {
+        loop {
+            if happened() {
+                return receiver.try_recv().ok();
+            }
+            match receiver.recv_timeout(TICK) {
+                Ok(result) => return Some(result),
+                Err(mpsc::RecvTimeoutError::Timeout) => {}
+                // All is sent, or the work panicked: then so does this thread.
+                Err(mpsc::RecvTimeoutError::Disconnected) => {
+                    let panicked = worker.take().and_then(|worker| worker.join().err());
+                    if let Some(panic) = panicked {
+                        std::panic::resume_unwind(panic);
+                    }
+                    return None;
+                }
+            }
+        }
+    })
+}
+
+/// The exit status of work that a signal may have cut short.
+pub fn status(complete: bool) -> ExitCode {
+    if complete { ExitCode::SUCCESS } else { ExitCode::from(STATUS) }
+}
+
 impl Progress for Watch {
     fn is_cancelled(&self) -> bool {
-        happened()
+        happened() || self.stopped.load(Ordering::Relaxed)
     }
 
     fn tell(&self, stage: &str, done: u64, total: Option<u64>) {

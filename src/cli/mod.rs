@@ -90,6 +90,7 @@ pub fn main() -> ExitCode {
         // Help and version.
         Err(error) => return finish(output::print(&error.render().to_string()).map(|()| ExitCode::SUCCESS)),
     };
+    interrupt::listen();
     finish(match arguments.command {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),

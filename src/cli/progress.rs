@@ -3,13 +3,18 @@
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 
-/// A bar of so many steps.
-pub fn bar(steps: usize) -> ProgressBar {
+/// A bar that shows how many steps are done; how many there are is told with the first.
+pub fn bar() -> ProgressBar {
+    styled("{bar:30} {pos}/{len} {msg}")
+}
+
+/// A bar in a template of indicatif.
+pub fn styled(template: &str) -> ProgressBar {
     if !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::stderr());
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} {msg}") {
+    let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style);
     }
     bar

@@ -1,10 +1,9 @@
 //! `simulate`: a flock of one's own from a TOML file.
 
-use super::{CliError, interrupt, output};
+use super::interrupt::{self, Watch};
+use super::{CliError, output, progress};
 use flockproof::report::{observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv};
 use flockproof::scenario::{End, Outcome, Scenario};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -25,14 +24,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let refuse = |error: &dyn std::fmt::Display| CliError::file(&arguments.config, error);
     let scenario = Scenario::read(&output::read_text(&arguments.config)?).map_err(|error| refuse(&error))?;
     std::fs::create_dir_all(&arguments.out).map_err(|error| CliError::file(&arguments.out, error))?;
-    interrupt::listen();
     if !arguments.json {
         output::print(&declared(&scenario.declaration()))?;
     }
-    let bar = progress();
-    let until = scenario.until();
-    let outcome = scenario.run(&interrupt::happened, &mut |time| bar.set_position((1000.0 * time / until) as u64));
-    bar.finish_and_clear();
+    let watch = Watch::with(progress::styled("{bar:30} {percent} % of the time, {eta} left"));
+    let outcome = scenario.run(&watch);
+    watch.finish();
+    interrupt::finishing();
     let written = write(&outcome, &arguments.out)?;
     if arguments.json {
         output::print_json(&simulation_summary(&outcome))?;
@@ -45,8 +43,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     let kept = format!("what was reached up to t = {} is kept", outcome.reached());
     match outcome.end {
-        End::Finished => Ok(ExitCode::SUCCESS),
-        End::Interrupted => {
+        End::Finished if !interrupt::happened() => Ok(ExitCode::SUCCESS),
+        End::Finished | End::Interrupted => {
             eprintln!("interrupted: {kept}");
             Ok(ExitCode::from(interrupt::STATUS))
         }
@@ -62,29 +60,23 @@ fn declared(lines: &[String]) -> String {
 
 /// Writes all files and returns their names.
 fn write(outcome: &Outcome, folder: &Path) -> Result<Vec<String>, CliError> {
-    let mut files = vec![
-        ("summary.json".to_string(), format!("{:#}\n", simulation_summary(outcome)).into_bytes()),
-        ("trajectory.csv".to_string(), trajectory_csv(outcome).into_bytes()),
-        ("observables.csv".to_string(), observables_csv(outcome).into_bytes()),
-    ];
+    let mut names = Vec::new();
+    let mut put = |name: String, contents: Vec<u8>| {
+        output::write_file(&folder.join(&name), &contents)?;
+        names.push(name);
+        Ok(())
+    };
+    put("summary.json".to_string(), format!("{:#}\n", simulation_summary(outcome)).into_bytes())?;
+    put("trajectory.csv".to_string(), trajectory_csv(outcome).into_bytes())?;
+    put("observables.csv".to_string(), observables_csv(outcome).into_bytes())?;
     for (name, picture) in simulation_pictures(outcome) {
-        files.push((format!("{name}.svg"), picture.svg().into_bytes()));
+        // Who stops a run does not wait for its pictures: the numbers are kept.
+        if interrupt::happened() {
+            break;
+        }
+        put(format!("{name}.svg"), picture.svg().into_bytes())?;
         let png = picture.png().map_err(|error| CliError::Use(format!("{name}.png: {error}")))?;
-        files.push((format!("{name}.png"), png));
+        put(format!("{name}.png"), png)?;
     }
-    for (name, contents) in &files {
-        output::write_file(&folder.join(name), contents)?;
-    }
-    Ok(files.into_iter().map(|(name, _)| name).collect())
-}
-
-fn progress() -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::with_draw_target(Some(1000), ProgressDrawTarget::stderr());
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} {percent} % of the time, {eta} left") {
-        bar.set_style(style);
-    }
-    bar
+    Ok(names)
 }

@@ -1,6 +1,8 @@
 //! `tracks`: the fish analysis of Paley and others on anyone's trajectories.
 
+use super::interrupt::{self, Watch};
 use super::{CliError, output, progress};
+use flockproof::arithmetic::{Cancelled, Unwatched};
 use flockproof::report::TracksReport;
 use flockproof::tracks::{
     Choices, NearestRule, PositionsUsed, School, Setting, Tracks, analyse, null_models, synthetic_school,
@@ -138,16 +140,28 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     let choices = choices(arguments, &tracks)?;
     choices.check(tracks.fish()).map_err(|error| CliError::Use(error.to_string()))?;
-    let analysis = analyse(&tracks, &choices).map_err(|error| refuse(&error))?;
-    let bar = progress::bar(2 * arguments.null);
-    let null = null_models(&analysis.sample(), arguments.null, &arguments.seed, || bar.inc(1));
-    bar.finish_and_clear();
-    let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: &null };
     std::fs::create_dir_all(&arguments.out).map_err(|error| CliError::file(&arguments.out, error))?;
     if arguments.synthetic.is_some() {
         output::write_file(&arguments.out.join("tracks.csv"), tracks.to_csv().as_bytes())?;
     }
-    let files = report.files(arguments.at).map_err(|error| refuse(&error))?;
+    let watch = Watch::with(progress::bar());
+    let analysis = analyse(&tracks, &choices).map_err(|error| refuse(&error))?;
+    let (sample, seed) = (analysis.sample(), &arguments.seed);
+    let null = null_models(&sample, arguments.null, seed, &watch);
+    watch.finish();
+    let complete = null.is_ok();
+    if !complete {
+        eprintln!("interrupted: what was measured is written, without the shifts in time and the pictures");
+    }
+    let null = null.or_else(|Cancelled| null_models(&sample, 0, seed, &Unwatched));
+    let null = null.map_err(|error| refuse(&error))?;
+    interrupt::finishing();
+    let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: &null };
+    let mut files = report.tables();
+    // Who stops the work does not wait for pictures.
+    if complete {
+        files.extend(report.pictures(arguments.at).map_err(|error| refuse(&error))?);
+    }
     for file in &files {
         output::write_file(&arguments.out.join(&file.name), &file.contents)?;
     }
@@ -158,5 +172,5 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let written = format!("written to {}: {}", arguments.out.display(), names.join(", "));
         output::print(&format!("{}\n{}\n", report.text(), textwrap::fill(&written, 80)))?;
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(interrupt::status(complete))
 }

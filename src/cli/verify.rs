@@ -56,11 +56,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if let Some(threads) = arguments.threads {
         options.threads = usize::from(threads);
     }
-    interrupt::listen();
-    let bar = progress::bar(ids.len());
-    options.progress = Watch::with(bar.clone()).shared();
+    let watch = Watch::with(progress::bar());
+    options.progress = watch.shared();
     let report = ledger.verify(&ids, &options, |_| {});
-    bar.finish_and_clear();
+    watch.finish();
     interrupt::finishing();
     write_report(arguments, &report, &options)?;
     Ok(match (!report.missing.is_empty(), report.is_as_recorded()) {
@@ -77,7 +76,12 @@ fn write_report(arguments: &Arguments, report: &Report, options: &Options) -> Re
     }
     let json = to_json(report, options);
     match &arguments.json {
-        Some(path) if path.as_os_str() == "-" => return output::print(&json),
+        Some(path) if path.as_os_str() == "-" => {
+            if !report.missing.is_empty() {
+                eprintln!("interrupted: missing: {}", report.missing.join(", "));
+            }
+            return output::print(&json);
+        }
         Some(path) => output::write_file(path, json.as_bytes())?,
         None => {}
     }
@@ -88,7 +92,8 @@ fn write_report(arguments: &Arguments, report: &Report, options: &Options) -> Re
         text.push_str(&format!("DIFFERS {difference}\n"));
     }
     if !report.missing.is_empty() {
-        text.push_str("interrupted: the claims above were finished\n");
+        let missing = format!("interrupted: the claims above were finished; missing: {}", report.missing.join(", "));
+        text.push_str(&(textwrap::fill(&missing, 80) + "\n"));
     } else if report.differences.is_empty() {
         text.push_str("every verdict is as recorded; every negative control was refuted\n");
     }

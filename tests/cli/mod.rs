@@ -5,6 +5,8 @@ use std::process::{Command, Output, Stdio};
 
 mod certify;
 mod flock;
+#[cfg(unix)]
+mod interrupt;
 mod shell;
 mod simulate;
 mod spectrum;

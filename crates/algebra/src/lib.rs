@@ -1,5 +1,8 @@
 //! Exact matrices, graphs, and spectra with enclosures.
 
+/// Crates that stand in signatures.
+pub use {nalgebra, num_bigint, num_rational};
+
 pub mod graph;
 pub mod matrix;
 pub mod spectrum;

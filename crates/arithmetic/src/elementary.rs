@@ -134,7 +134,7 @@ pub(super) fn exp(x: &Dyadic, precision: u32) -> Result<Bounds, ArithmeticError>
         if x.is_negative() {
             return Ok((Dyadic::zero(), Dyadic::new(BigInt::one(), -(1 << LARGEST_EXPONENT_TOP))));
         }
-        return Err(ArithmeticError::Domain("exp"));
+        return Err(ArithmeticError::Argument("exp"));
     }
     let squarings = ((f64::from(precision).sqrt() / 2.0).ceil() as u32).min(MOST_SQUARINGS);
     let scale = precision + GUARD + 3 * squarings;
@@ -169,7 +169,7 @@ pub(super) fn sinh(x: &Dyadic, precision: u32) -> Result<Bounds, ArithmeticError
 /// ln(m 2^e) = e ln 2 + 2 atanh((m-1)/(m+1)) with m in [3/4, 3/2).
 pub(super) fn ln(x: &Dyadic, precision: u32) -> Result<Bounds, ArithmeticError> {
     if !x.is_positive() {
-        return Err(ArithmeticError::Domain("ln"));
+        return Err(ArithmeticError::Argument("ln"));
     }
     let mut e = x.top();
     let mut m = x.scaled(-e);

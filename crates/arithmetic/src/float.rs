@@ -46,7 +46,7 @@ impl Real for f64 {
 
     #[inline]
     fn sqrt(&self) -> Result<Self, ArithmeticError> {
-        if *self < 0.0 { Err(ArithmeticError::Domain("sqrt")) } else { Ok(f64::sqrt(*self)) }
+        if *self < 0.0 { Err(ArithmeticError::Argument("sqrt")) } else { Ok(f64::sqrt(*self)) }
     }
 
     #[inline]
@@ -56,7 +56,7 @@ impl Real for f64 {
 
     #[inline]
     fn ln(&self) -> Result<Self, ArithmeticError> {
-        if *self <= 0.0 { Err(ArithmeticError::Domain("ln")) } else { Ok(f64::ln(*self)) }
+        if *self <= 0.0 { Err(ArithmeticError::Argument("ln")) } else { Ok(f64::ln(*self)) }
     }
 
     #[inline]

@@ -3,6 +3,7 @@
 //! Every operation rounds to nearest and then steps to the next float outwards, which needs no rounding modes: the exact result
 //! lies within half a step of the rounded one.
 
+use super::number::{fixed, significant};
 use super::operators::operators;
 use super::{ArithmeticError, Field, Interval, Rational, Ring, Sign, Signed};
 
@@ -212,5 +213,17 @@ impl Signed for FloatInterval {
             (_, _, true) => Some(Sign::Zero),
             _ => None,
         }
+    }
+}
+
+impl std::fmt::Display for FloatInterval {
+    /// As [`Interval`] prints itself; an end that is not finite as `-inf` or `inf`.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let end = |x: f64, up: bool| match (super::Dyadic::from_f64(x), f.precision()) {
+            (None, _) => x.to_string(),
+            (Some(x), Some(places)) => fixed(&x.to_rational(), places, up),
+            (Some(x), None) => significant(&x.to_rational(), up),
+        };
+        write!(f, "[{}, {}]", end(self.lo, false), end(self.hi, true))
     }
 }

@@ -2,6 +2,7 @@
 
 use super::dyadic::Round;
 use super::elementary;
+use super::number::{fixed, significant};
 use super::operators::operators;
 use super::{ArithmeticError, Dyadic, Field, Rational, Real, Ring, Sign, Signed};
 use num_bigint::BigInt;
@@ -230,7 +231,7 @@ impl Real for Interval {
 
     fn sqrt(&self) -> Result<Self, ArithmeticError> {
         if self.lo.is_negative() {
-            return Err(ArithmeticError::Domain("sqrt"));
+            return Err(ArithmeticError::Argument("sqrt"));
         }
         Ok(Interval {
             lo: self.lo.sqrt_rounded(self.precision, Round::Down),
@@ -245,7 +246,7 @@ impl Real for Interval {
 
     fn ln(&self) -> Result<Self, ArithmeticError> {
         if !self.lo.is_positive() {
-            return Err(ArithmeticError::Domain("ln"));
+            return Err(ArithmeticError::Argument("ln"));
         }
         self.map_monotone(elementary::ln)
     }
@@ -309,5 +310,18 @@ impl Signed for Interval {
         } else {
             None
         }
+    }
+}
+
+impl std::fmt::Display for Interval {
+    /// `[lo, hi]` in decimals that are rounded outward: as many digits after the point as the format asks for, otherwise 20
+    /// significant ones.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (lo, hi) = self.to_rationals();
+        let end = |q: &Rational, up: bool| match f.precision() {
+            Some(places) => fixed(q, places, up),
+            None => significant(q, up),
+        };
+        write!(f, "[{}, {}]", end(&lo, false), end(&hi, true))
     }
 }

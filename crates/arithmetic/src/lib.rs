@@ -16,6 +16,9 @@
 //! | [`DegreeBound`] | degrees and coefficient sizes of numerator and denominator, for the error bound of an identity test |
 //! | [`Probe`] | one of the three that an identity test needs |
 
+/// Crates that stand in signatures.
+pub use {num_bigint, num_rational, rand_chacha};
+
 mod ball;
 mod complex;
 mod degree;
@@ -54,7 +57,7 @@ pub use number::{NumberError, decimal, decimals, parse_rational, significant_dig
 pub use probe::Probe;
 pub use progress::{Cancelled, Progress, Unwatched};
 pub use radical::RadicalSum;
-pub use rational::{Rational, rational};
+pub use rational::{Rational, quotient, rational};
 pub use real_cyclotomic::{CosineField, RealCyclotomic};
 pub use regression::regression_line;
 pub use residue::{Residue, is_prime, random_prime};
@@ -70,8 +73,11 @@ pub enum ArithmeticError {
     /// The divisor is zero, or is an interval that contains zero.
     #[error("division by zero (or by an interval that contains zero)")]
     DivisionByZero,
-    /// The argument lies outside the domain of the function, or is an interval that is not inside it.
+    /// The argument of the named function lies outside its domain, or is an interval that is not inside it.
     #[error("the argument of {0} lies outside its domain")]
+    Argument(&'static str),
+    /// What was given lacks what is named.
+    #[error("this needs {0}")]
     Domain(&'static str),
 }
 
@@ -179,7 +185,7 @@ pub trait Field: Ring {
 
 /// The real functions the laws of the five papers need.
 ///
-/// Every method returns [`ArithmeticError::Domain`] where the argument is not certainly inside the domain.
+/// Every method returns [`ArithmeticError::Argument`] where the argument is not certainly inside the domain.
 pub trait Real: Field {
     /// The circle constant, at the precision of `self`.
     fn pi(&self) -> Self;

@@ -93,6 +93,23 @@ pub fn decimal(q: &Rational, digits: u32, up: bool) -> String {
     layout(&scaled.abs().to_string(), exponent, scaled.is_negative())
 }
 
+/// Significant digits of a number that is printed without asking for a precision.
+const USUAL_DIGITS: u32 = 20;
+
+/// A number as intervals print their ends.
+pub(super) fn significant(q: &Rational, up: bool) -> String {
+    decimal(q, USUAL_DIGITS, up)
+}
+
+/// `q` with so many digits after the point, rounded down (`up = false`) or up.
+pub(super) fn fixed(q: &Rational, places: usize, up: bool) -> String {
+    let scaled = round_scaled(q, places as i64, up);
+    let digits = format!("{:0>width$}", scaled.abs().to_string(), width = places + 1);
+    let (whole, part) = digits.split_at(digits.len() - places);
+    let sign = if scaled.is_negative() { "-" } else { "" };
+    if places == 0 { format!("{sign}{whole}") } else { format!("{sign}{whole}.{part}") }
+}
+
 /// The enclosure of an interval as two decimals of `digits` significant digits, rounded outward.
 pub fn decimals(x: &Interval, digits: u32) -> (String, String) {
     let (lo, hi) = x.to_rationals();

@@ -5,7 +5,8 @@ use super::operators::operators;
 use super::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Sign, Signed, rational};
 use num_integer::Integer;
 use num_traits::Zero;
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The field `Q(y)` with `y = 2 cos(2 pi/order)`, four dividing the order, so that it has the cosines and the sines of all
 /// multiples of `1/order` of a turn.
@@ -20,6 +21,22 @@ struct FieldData {
     order: i64,
     /// The minimal polynomial of `y`, lowest coefficient first, the leading one (1) left out.
     minimal: Vec<Rational>,
+    /// `y` at the precisions that were asked for.
+    enclosures: Mutex<BTreeMap<u32, Interval>>,
+}
+
+impl FieldData {
+    /// `y = 2 cos(2 pi/order)`.
+    fn generator(&self, precision: u32) -> Result<Interval, ArithmeticError> {
+        let mut known = self.enclosures.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(y) = known.get(&precision) {
+            return Ok(y.clone());
+        }
+        let one = Interval::from_rational(&rational(1, 1), precision);
+        let y = (one.pi() * one.ratio(2, self.order)).cos()? * one.integer(2);
+        known.insert(precision, y.clone());
+        Ok(y)
+    }
 }
 
 /// A number of a [`CosineField`]. Both operands of an operation belong to the same field.
@@ -38,7 +55,10 @@ impl CosineField {
     pub fn new(parts: u32) -> Self {
         let parts = i64::from(parts.max(1));
         let order = parts.lcm(&4);
-        CosineField { parts, data: Arc::new(FieldData { order, minimal: minimal_polynomial(order) }) }
+        CosineField {
+            parts,
+            data: Arc::new(FieldData { order, minimal: minimal_polynomial(order), enclosures: Mutex::default() }),
+        }
     }
 
     /// Degree over the rationals.
@@ -173,9 +193,8 @@ impl RealCyclotomic {
     /// # Errors
     /// [`ArithmeticError`], which does not happen for an angle in one turn.
     pub fn enclose(&self, precision: u32) -> Result<Interval, ArithmeticError> {
-        let one = Interval::from_rational(&rational(1, 1), precision);
-        let y = (one.pi() * one.ratio(2, self.field.order)).cos()? * one.integer(2);
-        Ok(self.coefficients.iter().rev().fold(one.zero(), |sum, c| sum * &y + one.rational(c)))
+        let y = self.field.generator(precision)?;
+        Ok(self.coefficients.iter().rev().fold(y.zero(), |sum, c| sum * &y + y.rational(c)))
     }
 
     fn combined(&self, other: &Self, f: impl Fn(&Rational, &Rational) -> Rational) -> Self {

@@ -1,5 +1,8 @@
 //! The models of the five papers, each law written once over the scalar traits of `arithmetic`.
 
+/// Crates that stand in signatures.
+pub use {nalgebra, rand_chacha};
+
 pub mod averaging;
 pub mod double_integrator;
 pub mod oscillator;

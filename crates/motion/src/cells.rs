@@ -114,10 +114,11 @@ impl CellList {
     /// themselves and others too. The cells of a row lie next to each other.
     #[inline(always)]
     pub fn neighbourhood(&self, place: usize, most: usize) -> (Range<usize>, [Range<usize>; 3]) {
-        let (column, row) = self.cell(&self.sorted[place]);
+        let Some(point) = self.sorted.get(place) else { return (place..place, [0..0, 0..0, 0..0]) };
+        let (column, row) = self.cell(point);
         let start = |row: usize, column: usize| self.starts[row * self.columns + column];
         let near = (column + SPAN).min(self.columns);
-        let places = place..start(row, near).min(place + most).max(place + 1);
+        let places = place..start(row, near).min(place.saturating_add(most)).max(place + 1);
         let (last, _) = self.cell(&self.sorted[places.end - 1]);
         let (left, right) = (column.saturating_sub(1), (last + 2).min(self.columns));
         let stretch = |row: usize| start(row, left)..start(row, right);
@@ -145,7 +146,7 @@ impl CellList {
     /// Calls `visit(j, r²)` for each other point `j` (by number) at a distance up to `radius`, which need not be that of the list, from the
     /// point in place `place`.
     pub fn visit_up_to(&self, place: usize, radius: f64, mut visit: impl FnMut(usize, f64)) {
-        let own = self.sorted[place];
+        let Some(&own) = self.sorted.get(place) else { return };
         let limit = radius * radius;
         // A little farther, for rounding.
         let far = radius * (1.0 + 1e-9);

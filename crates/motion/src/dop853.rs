@@ -134,14 +134,15 @@ impl Integrator {
         (0..self.state.len()).map(|k| self.component(k, time)).collect()
     }
 
-    /// One component of [`Self::interpolate`], which must have been asked since the last step.
+    /// One component of [`Self::interpolate`], which must have been asked since the last step; NaN for one that is not there.
     pub fn component(&self, k: usize, time: f64) -> f64 {
         let h = self.time - self.before.0;
-        let Some(dense) = self.dense.as_ref().filter(|_| h != 0.0) else { return self.state[k] };
+        let (Some(state), Some(before)) = (self.state.get(k), self.before.1.get(k)) else { return f64::NAN };
+        let Some(dense) = self.dense.as_ref().filter(|_| h != 0.0) else { return *state };
         let x = (time - self.before.0) / h;
         // Alternately times x and 1 - x, from the last coefficient.
         let add = |sum: f64, (place, f): (usize, &f64)| (sum + f) * if place % 2 == 0 { x } else { 1.0 - x };
-        self.before.1[k] + dense[k].iter().rev().enumerate().fold(0.0, add)
+        before + dense[k].iter().rev().enumerate().fold(0.0, add)
     }
 
     /// The state at a time within the last step, by a step of full order from its beginning. The step's slopes are lost: the

@@ -46,11 +46,13 @@ impl<S: Simd> Lanes<S> {
         self.simd.less_than_f64s(self.values, other.values)
     }
 
-    /// With another number in one lane.
+    /// With another number in one lane, if there is such a lane.
     #[inline(always)]
     pub fn with(self, lane: usize, x: f64) -> Self {
         let mut values = self.values;
-        pulp::bytemuck::cast_slice_mut(std::slice::from_mut(&mut values))[lane] = x;
+        if let Some(slot) = pulp::bytemuck::cast_slice_mut(std::slice::from_mut(&mut values)).get_mut(lane) {
+            *slot = x;
+        }
         Lanes { values, ..self }
     }
 

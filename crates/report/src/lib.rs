@@ -8,6 +8,9 @@ mod simulation;
 mod table;
 mod tracks;
 
+/// Stands in signatures.
+pub use serde_json;
+
 pub use explain::explain;
 pub use figures::{FIGURES, Figure, FigureError, File};
 pub use simulation::{observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv};

@@ -2,10 +2,10 @@
 
 use super::course::Course;
 use super::error::{ConfigError, Problem};
-use super::run::{Outcome, run};
+use super::run::{Outcome, Schedule, run};
 use super::source::{Entry, Source};
 use super::{alignment, fish, oscillator, platoon, vicsek};
-use arithmetic::{Rational, rational};
+use arithmetic::{Progress, Rational, rational};
 use num_traits::{ToPrimitive, Zero};
 use std::collections::BTreeMap;
 
@@ -37,71 +37,60 @@ const ROWS: usize = 500;
 /// Most entries of all rows: rows times agents.
 const MOST_ENTRIES: usize = 1 << 22;
 
-/// When something is written.
-pub(super) struct Schedule {
-    /// All times that are written, with whether they are samples.
-    pub times: Vec<(f64, bool)>,
-    rows: usize,
-    ignored: bool,
-}
-
-impl Schedule {
-    pub fn declaration(&self) -> Vec<String> {
-        let rows = format!("trajectory: {} equal intervals from 0 to the end, and the samples", self.rows);
-        let ignored = "tolerance: no effect, time is discrete".to_string();
-        if self.ignored { vec![rows, ignored] } else { vec![rows] }
+/// Reads the section `[run]` for a model with this time step, if it has one.
+fn read_schedule(
+    source: &Source,
+    model: Model,
+    step: Option<&Rational>,
+    agents: usize,
+) -> Result<Schedule, ConfigError> {
+    let section = source.needed("run")?;
+    let keys = ["until", "samples", "tolerance", "rows", "step"];
+    let stepped = matches!(model, Model::Particles | Model::Headings | Model::Velocities);
+    section.allow(&keys[..keys.len() - usize::from(!stepped)], " of this model")?;
+    let entry = section.need("until", "the last time, a number above 0")?;
+    let last = entry.positive()?;
+    let until = entry.exact()?;
+    on_grid(&entry, &until, step)?;
+    let mut times: BTreeMap<Rational, bool> = BTreeMap::new();
+    let mut before: Option<f64> = None;
+    let samples = section.get("samples");
+    for item in samples.as_ref().map_or(Ok(Vec::new()), |list| list.items("a list of times"))? {
+        let (sample, exact) = (item.number()?, item.exact()?);
+        match before {
+            _ if sample < 0.0 => return Err(item.range("a time that is not negative")),
+            Some(before) if sample <= before => return Err(item.problem(Problem::Order { before, after: sample })),
+            _ if exact > until => return Err(item.problem(Problem::Beyond { sample, until: last })),
+            _ => before = Some(sample),
+        }
+        on_grid(&item, &exact, step)?;
+        times.insert(exact, true);
     }
-
-    /// Reads the section `[run]` for a model with this time step, if it has one.
-    fn read(source: &Source, model: Model, step: Option<&Rational>, agents: usize) -> Result<Self, ConfigError> {
-        let section = source.needed("run")?;
-        let keys = ["until", "samples", "tolerance", "rows", "step"];
-        let stepped = matches!(model, Model::Particles | Model::Headings | Model::Velocities);
-        section.allow(&keys[..keys.len() - usize::from(!stepped)], " of this model")?;
-        let entry = section.need("until", "the last time, a number above 0")?;
-        let last = entry.positive()?;
-        let until = entry.exact()?;
-        on_grid(&entry, &until, step)?;
-        let mut times: BTreeMap<Rational, bool> = BTreeMap::new();
-        let mut before: Option<f64> = None;
-        let samples = section.get("samples");
-        for item in samples.as_ref().map_or(Ok(Vec::new()), |list| list.items("a list of times"))? {
-            let (sample, exact) = (item.number()?, item.exact()?);
-            match before {
-                _ if sample < 0.0 => return Err(item.range("a time that is not negative")),
-                Some(before) if sample <= before => return Err(item.problem(Problem::Order { before, after: sample })),
-                _ if exact > until => return Err(item.problem(Problem::Beyond { sample, until: last })),
-                _ => before = Some(sample),
+    if samples.is_none() {
+        times.insert(until.clone(), true);
+    }
+    let most = MOST_ENTRIES / agents.max(1);
+    let mut rows = match section.get("rows") {
+        Some(entry) => entry.count(1, most)?,
+        None => ROWS.min(most),
+    };
+    let steps = step.and_then(|step| fish::steps_to(&until, step));
+    if let Some(steps) = steps {
+        rows = rows.min(steps.to_usize().unwrap_or(usize::MAX));
+    }
+    for k in 0..=rows {
+        let time = match (steps, step) {
+            (Some(steps), Some(step)) => {
+                let whole = u128::from(steps) * k as u128 / rows as u128;
+                step * Rational::from_integer(whole.into())
             }
-            on_grid(&item, &exact, step)?;
-            times.insert(exact, true);
-        }
-        if samples.is_none() {
-            times.insert(until.clone(), true);
-        }
-        let most = MOST_ENTRIES / agents.max(1);
-        let mut rows = match section.get("rows") {
-            Some(entry) => entry.count(1, most)?,
-            None => ROWS.min(most),
+            _ => &until * rational(k as i64, rows as i64),
         };
-        let steps = step.and_then(|step| fish::steps_to(&until, step));
-        if let Some(steps) = steps {
-            rows = rows.min(steps.to_usize().unwrap_or(usize::MAX));
-        }
-        for k in 0..=rows {
-            let time = match (steps, step) {
-                (Some(steps), Some(step)) => {
-                    let whole = u128::from(steps) * k as u128 / rows as u128;
-                    step * Rational::from_integer(whole.into())
-                }
-                _ => &until * rational(k as i64, rows as i64),
-            };
-            times.entry(time).or_insert(false);
-        }
-        let rounded = |(time, sample): (Rational, bool)| (time.to_f64().unwrap_or(f64::NAN), sample);
-        let ignored = step.is_some() && section.get("tolerance").is_some();
-        Ok(Schedule { times: times.into_iter().map(rounded).collect(), rows, ignored })
+        times.entry(time).or_insert(false);
     }
+    let rounded = |(time, sample): (Rational, bool)| (time.to_f64().unwrap_or(f64::NAN), sample);
+    let ignored = step.is_some() && section.get("tolerance").is_some();
+    Ok(Schedule { times: times.into_iter().map(rounded).collect(), rows, ignored })
 }
 
 fn on_grid(entry: &Entry, time: &Rational, step: Option<&Rational>) -> Result<(), ConfigError> {
@@ -172,7 +161,7 @@ impl Scenario {
         };
         let frame = course.frame();
         let agents = frame.positions.len().max(frame.phases.len());
-        let schedule = Schedule::read(&source, model, step.as_ref(), agents)?;
+        let schedule = read_schedule(&source, model, step.as_ref(), agents)?;
         Ok(Scenario { model: name, schedule, course })
     }
 
@@ -186,9 +175,8 @@ impl Scenario {
         [self.course.declaration(), self.schedule.declaration()].concat()
     }
 
-    /// Runs it; `halt` is asked often whether to stop, and `progress` is told every time that is reached. The result does not depend on
-    /// the number of threads.
-    pub fn run(mut self, halt: &dyn Fn() -> bool, progress: &mut dyn FnMut(f64)) -> Outcome {
-        run(self.model, &self.schedule, self.course.as_mut(), halt, progress)
+    /// Runs it; `progress` may stop it and is told of each row. The result does not depend on the number of threads.
+    pub fn run(mut self, progress: &dyn Progress) -> Outcome {
+        run(self.model, &self.schedule, self.course.as_mut(), progress)
     }
 }

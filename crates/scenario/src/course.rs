@@ -4,7 +4,7 @@ use super::error::RunError;
 use super::links::Hold;
 use super::network::Change;
 use super::observables::Observable;
-use arithmetic::ArithmeticError;
+use arithmetic::{ArithmeticError, Progress};
 use motion::{IntegrationError, Integrator, Tolerance, next_fall};
 use std::cell::RefCell;
 
@@ -41,10 +41,10 @@ impl Event {
 /// A model that can be moved forward in time.
 pub(super) trait Course {
     /// Tells beforehand all times that will be asked for; models that are followed step by step need no plan.
-    fn plan(&mut self, _times: &[f64], _halt: &dyn Fn() -> bool) {}
+    fn plan(&mut self, _times: &[f64], _progress: &dyn Progress) {}
 
-    /// Moves to a time that is not before the last one; `false` where `halt` told to stop before.
-    fn advance(&mut self, until: f64, events: &mut Vec<Event>, halt: &dyn Fn() -> bool) -> Result<bool, RunError>;
+    /// Moves to a time that is not before the last one; `false` where `progress` told to stop before.
+    fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError>;
 
     /// Where the agents are.
     fn frame(&self) -> Frame;
@@ -156,9 +156,9 @@ impl<L: Law> Continuous<L> {
 }
 
 impl<L: Law> Course for Continuous<L> {
-    fn advance(&mut self, until: f64, events: &mut Vec<Event>, halt: &dyn Fn() -> bool) -> Result<bool, RunError> {
+    fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         while self.solution.time() < until {
-            if halt() {
+            if progress.is_cancelled() {
                 return Ok(false);
             }
             let before = self.solution.time();

@@ -7,7 +7,7 @@ use super::source::Source;
 use super::start::{Needs, Start};
 use algebra::graph::components;
 use arithmetic::random::{generator, normal};
-use arithmetic::{ArithmeticError, Complex, Rational};
+use arithmetic::{ArithmeticError, Complex, Progress, Rational};
 use models::oscillator::{
     BehaviourGains, Flight, Neighbours, State, ZoneNetworks, Zones, behaviour_control, laplacian_behaviour_control,
     write_rate,
@@ -153,10 +153,10 @@ fn sensed(networks: &ZoneNetworks, fish: usize) -> Vec<(usize, usize)> {
 }
 
 impl Course for Fish {
-    fn advance(&mut self, until: f64, _: &mut Vec<Event>, halt: &dyn Fn() -> bool) -> Result<bool, RunError> {
+    fn advance(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         let last = (until / self.step).round() as u64;
         while self.steps < last {
-            if halt() {
+            if progress.is_cancelled() {
                 return Ok(false);
             }
             let time = self.steps as f64 * self.step;
@@ -170,7 +170,7 @@ impl Course for Fish {
             write_rate(&state, &Complex::new(0.0, 0.0), &control, &mut rate);
             list.iter_mut().zip(rate).for_each(|(x, rate)| *x += self.step * rate);
             if list.iter().any(|x| !x.is_finite()) {
-                return Err(RunError::Law { time, error: ArithmeticError::Domain("a finite step") });
+                return Err(RunError::Law { time, error: ArithmeticError::Domain("steps that stay finite") });
             }
             self.flight = Flight::from_list(&list);
             self.steps += 1;

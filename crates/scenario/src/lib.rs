@@ -3,6 +3,7 @@
 //! The laws are those of the models' modules; here they are only chosen, integrated and measured. Observables are functions of a
 //! state, apart from the integration. `notes/simulate.md` lists keys, defaults and observables.
 
+mod agents;
 mod alignment;
 mod config;
 mod course;

@@ -46,14 +46,15 @@ impl Observable {
     }
 }
 
-/// The smallest distance of two agents; infinite for fewer than two. Cost: `N log N` unless many share a strip.
+/// The smallest distance of two agents with the same number of coordinates; infinite for fewer than two. Cost: `N log N` unless many share a strip.
 pub fn min_distance(positions: &[Vec<f64>]) -> f64 {
+    let first = |place: &Vec<f64>| place.first().copied().unwrap_or(0.0);
     let mut sorted: Vec<&Vec<f64>> = positions.iter().collect();
-    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    sorted.sort_by(|a, b| first(a).total_cmp(&first(b)));
     let mut least = f64::INFINITY;
     for (i, a) in sorted.iter().enumerate() {
         for b in &sorted[i + 1..] {
-            if b[0] - a[0] >= least {
+            if first(b) - first(a) >= least {
                 break;
             }
             let square: f64 = a.iter().zip(b.iter()).map(|(x, y)| (x - y) * (x - y)).sum();

@@ -1,9 +1,27 @@
 //! From a scenario to its samples, rows and events.
 
-use super::config::Schedule;
 use super::course::{Course, Event, Frame};
 use super::error::RunError;
 use super::observables::Observable;
+use arithmetic::Progress;
+
+/// When something is written.
+pub(super) struct Schedule {
+    /// All times that are written, with whether they are samples.
+    pub times: Vec<(f64, bool)>,
+    /// Equal intervals of the trajectory.
+    pub rows: usize,
+    /// Whether a tolerance was given that has no effect.
+    pub ignored: bool,
+}
+
+impl Schedule {
+    pub fn declaration(&self) -> Vec<String> {
+        let rows = format!("trajectory: {} equal intervals from 0 to the end, and the samples", self.rows);
+        let ignored = "tolerance: no effect, time is discrete".to_string();
+        if self.ignored { vec![rows, ignored] } else { vec![rows] }
+    }
+}
 
 /// One time that is written.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,13 +76,12 @@ impl Outcome {
     }
 }
 
-/// Runs a course; `halt` is asked often whether to stop, and `progress` is told every time that is written.
+/// Runs a course; `progress` may stop it and is told of each row.
 pub(super) fn run(
     model: &'static str,
     schedule: &Schedule,
     course: &mut dyn Course,
-    halt: &dyn Fn() -> bool,
-    progress: &mut dyn FnMut(f64),
+    progress: &dyn Progress,
 ) -> Outcome {
     let mut outcome = Outcome {
         model,
@@ -74,9 +91,9 @@ pub(super) fn run(
         remarks: Vec::new(),
         end: End::Finished,
     };
-    course.plan(&schedule.times.iter().map(|(time, _)| *time).collect::<Vec<_>>(), halt);
+    course.plan(&schedule.times.iter().map(|(time, _)| *time).collect::<Vec<_>>(), progress);
     for &(time, sample) in &schedule.times {
-        match course.advance(time, &mut outcome.events, halt) {
+        match course.advance(time, &mut outcome.events, progress) {
             Ok(true) => {}
             Ok(false) => {
                 outcome.end = End::Interrupted;
@@ -94,7 +111,7 @@ pub(super) fn run(
                 break;
             }
         }
-        progress(time);
+        progress.tell("rows", outcome.rows.len() as u64, Some(schedule.times.len() as u64));
     }
     outcome.remarks = course.remarks();
     outcome

@@ -6,7 +6,7 @@ use super::error::{ConfigError, RunError};
 use super::network::Network;
 use super::observables::Observable;
 use super::source::Source;
-use arithmetic::ArithmeticError;
+use arithmetic::{ArithmeticError, Progress};
 use motion::Rk4;
 
 /// Writes the rate of change at a time and state.
@@ -61,14 +61,14 @@ impl<L: Law> Stepped<L> {
 }
 
 impl<L: Law> Course for Stepped<L> {
-    fn advance(&mut self, until: f64, _: &mut Vec<Event>, halt: &dyn Fn() -> bool) -> Result<bool, RunError> {
+    fn advance(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         let from = self.time;
         // A remainder of a hair's breadth is taken along.
         let steps = ((until - from) / self.step * (1.0 - 1e-12)).ceil().max(0.0);
         let length = (until - from) / steps.max(1.0);
         let mut taken = 0.0;
         while taken < steps {
-            if halt() {
+            if progress.is_cancelled() {
                 return Ok(false);
             }
             self.single_step(length)?;

@@ -1,12 +1,12 @@
 //! Velocity alignment with links within a radius, followed by the motions of [`models::double_integrator`]: every arrival at the radius
 //! is located, and what has several ways on is followed as a Filippov solution.
 
-use super::alignment::Agents;
+use super::agents::Agents;
 use super::course::{Course, Event, Frame, Law};
 use super::error::RunError;
 use super::network::Change;
 use super::observables::Observable;
-use arithmetic::ArithmeticError;
+use arithmetic::{ArithmeticError, Progress};
 use models::double_integrator::{EventKind, Flock, Motion, MotionError, Options};
 use motion::Tolerance;
 
@@ -42,12 +42,12 @@ impl Switching {
 }
 
 impl Course for Switching {
-    fn plan(&mut self, times: &[f64], halt: &dyn Fn() -> bool) {
+    fn plan(&mut self, times: &[f64], progress: &dyn Progress) {
         let until = times.last().copied().unwrap_or(0.0);
-        (self.motion, self.end) = self.flock.run_while(until, times, &self.options, &|| !halt());
+        (self.motion, self.end) = self.flock.run_watched(until, times, &self.options, progress);
     }
 
-    fn advance(&mut self, until: f64, events: &mut Vec<Event>, _: &dyn Fn() -> bool) -> Result<bool, RunError> {
+    fn advance(&mut self, until: f64, events: &mut Vec<Event>, _: &dyn Progress) -> Result<bool, RunError> {
         let next = self.sample.map_or(0, |k| k + 1);
         let Some(sample) = self.motion.samples.get(next) else {
             return match self.end.clone() {

@@ -7,7 +7,7 @@ use super::observables::{CLUSTERS, Observable, min_distance, of_phases, total};
 use super::source::Source;
 use super::start::{Needs, Start};
 use algebra::graph::Graph;
-use arithmetic::{ArithmeticError, Complex, Rational, rational};
+use arithmetic::{ArithmeticError, Complex, Progress, Rational, rational};
 use models::averaging::{
     Flock, Hysteresis, KinematicFlock, KinematicStart, Start as FlockStart, Switch, Weights, declaration,
     kinematic_declaration,
@@ -118,9 +118,9 @@ impl Vicsek {
 }
 
 impl Course for Vicsek {
-    fn advance(&mut self, until: f64, events: &mut Vec<Event>, halt: &dyn Fn() -> bool) -> Result<bool, RunError> {
+    fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         while (self.time as f64) < until.round() {
-            if halt() {
+            if progress.is_cancelled() {
                 return Ok(false);
             }
             let switch = self.step()?;

@@ -1,15 +1,16 @@
 //! `flock run`: exact steps with a log of what changes.
 
-use super::super::{CliError, certify, interrupt, output};
+use super::super::interrupt::{self, Watch};
+use super::super::{CliError, certify, output, progress};
 use super::course::Course;
 use super::observed::{Lengths, observed_json, observed_text};
 use super::output::{Log, flocks, switch_json, switch_line, tell};
+use flockproof::arithmetic::Progress;
 use flockproof::averaging::Observer;
 use flockproof::averaging::read::Model;
 use flockproof::certificates::{Certificate, Switches};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use flockproof::matrix::MatrixError;
 use serde_json::json;
-use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -50,30 +51,33 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     let mut flock = Course::new(model).map_err(refuse)?;
     let mut log = Log::new(arguments.log.as_deref())?;
-    interrupt::listen();
     tell(arguments.json, &format!("{}\n", flock.declaration()))?;
-    let bar = progress(arguments.until);
+    let watch = Watch::with(progress::styled("{bar:30} t = {pos} of {len}, {eta} left"));
     let mut observer = Observer::new(flock.network().order(), arguments.from, arguments.products);
     let mut switches = Vec::new();
     let mut t = 0;
-    while t < arguments.until && !interrupt::happened() {
+    while t < arguments.until && !watch.is_cancelled() {
         let before = flock.network().clone();
         let switch = flock.step().map_err(refuse)?;
         t += 1;
-        let watched = observer.push(t, flock.network(), flock.weights());
-        watched.map_err(|error| CliError::file(&arguments.file, error))?;
+        let observed = observer.push(t, flock.network(), flock.weights(), &watch);
         if let Some(switch) = switch {
             let event = switch_json(&switch);
             log.write(&event)?;
-            bar.suspend(|| tell(arguments.json, &switch_line(&switch, &before, flock.network())))?;
+            watch.bar().suspend(|| tell(arguments.json, &switch_line(&switch, &before, flock.network())))?;
             switches.push(event);
         }
+        match observed {
+            // The step is kept; what it does to the product is not.
+            Err(MatrixError::Cancelled(_)) => break,
+            other => other.map_err(|error| CliError::file(&arguments.file, error))?,
+        }
         if t % 1024 == 0 {
-            bar.set_position(t);
+            watch.tell("steps", t, Some(arguments.until));
         }
     }
-    bar.finish_and_clear();
-    let interrupted = t < arguments.until;
+    watch.finish();
+    let interrupted = t < arguments.until || interrupt::happened();
     let why = match interrupted {
         true => format!("interrupted after t = {t}"),
         false if flock.can_be_settled() => {
@@ -81,7 +85,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         }
         false => format!("stepped to t = {t}; nothing is said about later times"),
     };
-    let lengths = Lengths::new(&flock, t);
+    let lengths = Lengths::new(&flock, t, &watch);
+    interrupt::finishing();
     if arguments.json {
         let mut document = json!({
             "declaration": flock.declaration(),
@@ -113,15 +118,4 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         output::print(&(textwrap::fill(&text, output::width().min(100)) + "\n"))?;
     }
     Ok(if interrupted { ExitCode::from(interrupt::STATUS) } else { ExitCode::SUCCESS })
-}
-
-fn progress(steps: u64) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let bar = ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr());
-    if let Ok(style) = ProgressStyle::with_template("{bar:30} t = {pos} of {len}, {eta} left") {
-        bar.set_style(style);
-    }
-    bar
 }

@@ -1,13 +1,13 @@
 //! `flock settle`: every switch, and whether the network can ever change again.
 
-use super::super::{CliError, interrupt, output};
+use super::super::interrupt::{self, Watch};
+use super::super::{CliError, output};
 use super::output::{Log, flocks, switch_json, switch_line, tell};
 use flockproof::arithmetic::decimals;
 use flockproof::averaging::read::Model;
 use flockproof::averaging::settle::{Ending, Limits, Settlement, settle};
-use flockproof::averaging::{Flock, declaration};
+use flockproof::averaging::{Flock, Switch, declaration};
 use serde_json::{Value, json};
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -45,37 +45,31 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     let flock = Flock::new(&start).map_err(|error| CliError::file(&arguments.file, error))?;
     let mut log = Log::new(arguments.log.as_deref())?;
-    interrupt::listen();
     tell(arguments.json, &format!("{}\n", declaration(&flock, None)))?;
     let mut network = flock.network().clone();
     let mut switches = Vec::new();
     let mut failure = None;
-    let limits = Limits {
-        steps: arguments.steps,
-        switches: arguments.switches,
-        interrupted: interrupt::happened,
-        ..Limits::default()
-    };
+    let limits = Limits { steps: arguments.steps, switches: arguments.switches, ..Limits::default() };
     let declared = declaration(&flock, None);
-    let settled = settle(flock, &limits, &mut |switch| {
+    let watch = Watch::silent();
+    let mut found = |switch: &Switch| {
         let after = switch.applied_to(&network);
         let line = switch_line(switch, &network, &after);
         network = after;
         let event = switch_json(switch);
         let written = tell(arguments.json, &line).and_then(|()| log.write(&event));
         switches.push(event);
-        match written {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(error) => {
-                failure = Some(error);
-                ControlFlow::Break(())
-            }
+        if let Err(error) = written {
+            failure = Some(error);
+            watch.stop();
         }
-    });
+    };
+    let settled = settle(flock, &limits, &mut found, &watch);
     if let Some(error) = failure {
         return Err(error);
     }
     let settled = settled.map_err(|error| CliError::file(&arguments.file, error))?;
+    interrupt::finishing();
     if arguments.json {
         output::print_json(&document(&settled, switches, &declared))?;
     } else {

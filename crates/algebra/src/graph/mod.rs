@@ -21,6 +21,14 @@ pub struct Graph {
     adjacency: Footprint,
 }
 
+/// The binary number, lowest bit first, plus one; `None` after the last of its length.
+fn counted_on(mut bits: Vec<bool>) -> Option<Vec<bool>> {
+    let zero = bits.iter().position(|bit| !bit)?;
+    bits[..zero].fill(false);
+    bits[zero] = true;
+    Some(bits)
+}
+
 /// Why a list of edges is not a simple graph. Vertices are counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum GraphError {
@@ -69,12 +77,15 @@ impl Graph {
         Graph::from_fn(order, |i, j| j == i + 1)
     }
 
-    /// All `2^(order (order - 1)/2)` labelled graphs; meant for `order <= 7`.
+    /// All `2^(order (order - 1)/2)` labelled graphs; nobody lives to see the last of them for `order > 9`.
     pub fn all(order: usize) -> impl Iterator<Item = Graph> {
-        let pairs = order * order.saturating_sub(1) / 2;
-        (0u64..1 << pairs).map(move |bits| {
+        let mut next = Some(vec![false; order * order.saturating_sub(1) / 2]);
+        std::iter::from_fn(move || {
+            let bits = next.take()?;
             // Pair (i, j), i < j, is bit j (j - 1)/2 + i.
-            Graph::from_fn(order, |i, j| bits >> (j * (j - 1) / 2 + i) & 1 == 1)
+            let graph = Graph::from_fn(order, |i, j| bits[j * (j - 1) / 2 + i]);
+            next = counted_on(bits);
+            Some(graph)
         })
     }
 
@@ -83,7 +94,7 @@ impl Graph {
         self.adjacency.rows()
     }
 
-    /// Whether `i` and `j` are joined.
+    /// Whether `i` and `j` are joined; vertices that are not there are joined to none.
     pub fn has_edge(&self, i: usize, j: usize) -> bool {
         self.adjacency.get(i, j)
     }

@@ -4,7 +4,7 @@
 //! the fast kernel for stochastic ones.
 
 use super::RationalMatrix;
-use arithmetic::{Rational, Ring};
+use arithmetic::{Cancelled, Progress, Rational, Ring, Unwatched};
 use num_bigint::BigInt;
 use num_traits::Signed;
 
@@ -22,8 +22,14 @@ pub enum Norm {
 /// `max_{i,j} |a_i* - a_j*|` over the rows in the given norm (for [`Norm::TwoSquared`] the square of the distance).
 /// It is the diameter of the convex hull of the rows, because a convex function is largest at corners.
 pub fn diameter(matrix: &RationalMatrix, norm: Norm) -> Rational {
+    // Nobody stops it.
+    diameter_watched(matrix, norm, &Unwatched).unwrap_or_else(|Cancelled| Rational::from_integer(BigInt::ZERO))
+}
+
+fn diameter_watched(matrix: &RationalMatrix, norm: Norm, progress: &dyn Progress) -> Result<Rational, Cancelled> {
     let mut best = BigInt::default();
     for i in 0..matrix.rows() {
+        progress.checkpoint()?;
         for j in 0..i {
             let differences = matrix.row(i).iter().zip(matrix.row(j)).map(|(a, b)| a - b);
             let distance = match norm {
@@ -38,7 +44,7 @@ pub fn diameter(matrix: &RationalMatrix, norm: Norm) -> Rational {
         Norm::TwoSquared => matrix.denominator() * matrix.denominator(),
         Norm::One | Norm::Infinity => matrix.denominator().clone(),
     };
-    Rational::new(best, scale)
+    Ok(Rational::new(best, scale))
 }
 
 /// The ergodicity coefficient tau_1: half the l1-diameter of the rows.
@@ -51,6 +57,14 @@ pub fn tau_1(matrix: &RationalMatrix) -> Rational {
 /// tau_2 squared: the squared Euclidean diameter of the rows, exact.
 pub fn tau_2_squared(matrix: &RationalMatrix) -> Rational {
     diameter(matrix, Norm::TwoSquared)
+}
+
+/// As [`tau_2_squared`], until `progress` stops it.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn tau_2_squared_watched(matrix: &RationalMatrix, progress: &dyn Progress) -> Result<Rational, Cancelled> {
+    diameter_watched(matrix, Norm::TwoSquared, progress)
 }
 
 /// tau_infinity: the diameter of the rows in the maximum norm.

@@ -32,33 +32,32 @@ impl Footprint {
         self.cols
     }
 
-    /// Whether entry `(i, j)`, counted from 0, is not zero.
+    /// Whether entry `(i, j)`, counted from 0, is not zero; outside the matrix there are only zeros.
     pub fn get(&self, i: usize, j: usize) -> bool {
-        self.bits[i * self.words + j / 64] >> (j % 64) & 1 == 1
+        i < self.rows && j < self.cols && self.bits[i * self.words + j / 64] >> (j % 64) & 1 == 1
     }
 
     fn row(&self, i: usize) -> &[u64] {
         &self.bits[i * self.words..(i + 1) * self.words]
     }
 
-    /// The footprint of a product of non-negative matrices with these footprints; `self.cols()` must be
-    /// `right.rows()`.
+    /// The footprint of a product of non-negative matrices with these footprints; where `right` has fewer rows than this has
+    /// columns, rows of zeros make up for them.
     pub fn times(&self, right: &Self) -> Self {
-        debug_assert_eq!(self.cols, right.rows);
         let mut bits = vec![0u64; self.rows * right.words];
         for i in 0..self.rows {
             let out = &mut bits[i * right.words..(i + 1) * right.words];
-            for k in (0..self.cols).filter(|&k| self.get(i, k)) {
+            for k in (0..self.cols.min(right.rows)).filter(|&k| self.get(i, k)) {
                 out.iter_mut().zip(right.row(k)).for_each(|(word, &other)| *word |= other);
             }
         }
         Footprint { rows: self.rows, cols: right.cols, words: right.words, bits }
     }
 
-    /// Whether every one of `other` is a one here too; both have the same shape.
+    /// Whether `other` has the same shape and every one of it is a one here too.
     pub fn contains(&self, other: &Self) -> bool {
-        debug_assert_eq!((self.rows, self.cols), (other.rows, other.cols));
-        self.bits.iter().zip(&other.bits).all(|(&a, &b)| b & !a == 0)
+        let same_shape = (self.rows, self.cols) == (other.rows, other.cols);
+        same_shape && self.bits.iter().zip(&other.bits).all(|(&a, &b)| b & !a == 0)
     }
 
     /// Whether the footprint is square and equal to its transpose.

@@ -49,7 +49,7 @@ pub fn inertia<T: Field + Signed>(rows: &[Vec<T>]) -> Result<Inertia, Arithmetic
 
 /// A row whose diagonal entry is not zero, with its sign, made by a congruence if need be; `None` for the zero matrix.
 fn pivot<T: Field + Signed>(a: &mut [Vec<T>]) -> Result<Option<(usize, Sign)>, ArithmeticError> {
-    let sign = |x: &T| x.sign().ok_or(ArithmeticError::Domain("the sign of a pivot"));
+    let sign = |x: &T| x.sign().ok_or(ArithmeticError::Domain("matrices whose pivots have a certain sign"));
     for (i, row) in a.iter().enumerate() {
         match sign(&row[i])? {
             Sign::Zero => {}

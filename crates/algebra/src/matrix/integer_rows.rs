@@ -81,10 +81,10 @@ impl IntegerRows {
     }
 
     fn row(&self, i: usize) -> &[u64] {
-        &self.limbs[i * self.stride..i * self.stride + self.width]
+        if i < self.count { &self.limbs[i * self.stride..i * self.stride + self.width] } else { &[] }
     }
 
-    /// The value of row `i`.
+    /// The value of row `i`; zero of one that is not there.
     pub fn value(&self, i: usize) -> BigInt {
         to_integer(self.row(i).to_vec())
     }

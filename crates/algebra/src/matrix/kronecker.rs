@@ -10,7 +10,7 @@ impl RationalMatrix {
             let (i, j) = (k / cols, k % cols);
             &self.row(i / right.rows())[j / right.cols()] * &right.row(i % right.rows())[j % right.cols()]
         };
-        RationalMatrix::new(rows, cols, (0..rows * cols).map(entry).collect(), self.denominator() * right.denominator())
-            .expect("the factors have entries and denominators")
+        let numerators = (0..rows * cols).map(entry).collect();
+        RationalMatrix::of_known_shape(rows, cols, numerators, self.denominator() * right.denominator())
     }
 }

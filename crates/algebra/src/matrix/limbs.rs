@@ -3,6 +3,7 @@
 //! The sum over the inner index is accumulated limb by limb, so no product of two entries is ever stored; long entries
 //! are split once per matrix and multiplied by Karatsuba's three products of half-length matrices.
 
+use arithmetic::{Cancelled, Progress};
 use num_bigint::BigUint;
 
 /// Entries at least this long are split. Measured, see `benches/product.rs`.
@@ -60,21 +61,28 @@ impl LimbMatrix {
 
     /// `self * right`. No entry of the product needs more than `longest` limbs, and `small_rows` says that the rows of
     /// `self` sum to less than `2^64`.
-    pub fn times(&self, right: &Self, longest: usize, small_rows: bool) -> Self {
+    pub fn times(
+        &self,
+        right: &Self,
+        longest: usize,
+        small_rows: bool,
+        progress: &dyn Progress,
+    ) -> Result<Self, Cancelled> {
         if self.len == 1 && small_rows {
-            return self.times_small(right, longest.min(right.len + 1));
+            return self.times_small(right, longest.min(right.len + 1), progress);
         }
-        self.times_long(right).trimmed()
+        Ok(self.times_long(right, progress)?.trimmed())
     }
 
     /// Single limbs on the left: each output limb is one sum of `cols` products. The row sum bounds it:
     /// `sum_k a_ik p_k + carry <= (2^64 - 1) 2^64`.
-    fn times_small(&self, right: &Self, out_len: usize) -> Self {
+    fn times_small(&self, right: &Self, out_len: usize, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let (inner, len) = (self.cols, right.len);
         let mut out = LimbMatrix::zeros(self.rows, right.cols, out_len);
         let mut column = vec![0u64; inner];
         let mut carries = vec![0u64; self.rows];
         for j in 0..right.cols {
+            progress.checkpoint()?;
             carries.fill(0);
             for l in 0..len {
                 for (k, limb) in column.iter_mut().enumerate() {
@@ -92,20 +100,20 @@ impl LimbMatrix {
                 }
             }
         }
-        out
+        Ok(out)
     }
 
-    fn times_long(&self, right: &Self) -> Self {
+    fn times_long(&self, right: &Self, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let (shorter, longer) = (self.len.min(right.len), self.len.max(right.len));
         if shorter >= KARATSUBA_LIMBS && 3 * shorter >= 2 * longer {
-            self.times_karatsuba(right, longer.div_ceil(2))
+            self.times_karatsuba(right, longer.div_ceil(2), progress)
         } else {
-            self.times_schoolbook(right)
+            self.times_schoolbook(right, progress)
         }
     }
 
     /// Product scanning: one column of limbs after the other, over all inner indices, in a 192-bit accumulator.
-    fn times_schoolbook(&self, right: &Self) -> Self {
+    fn times_schoolbook(&self, right: &Self, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let (la, lb) = (self.len, right.len);
         let len = la + lb + 1;
         let mut out = LimbMatrix::zeros(self.rows, right.cols, len);
@@ -118,20 +126,21 @@ impl LimbMatrix {
         }
         let rows = self.limbs.chunks_exact(self.cols * la);
         for (row, out_row) in rows.zip(out.limbs.chunks_exact_mut(right.cols * len)) {
+            progress.checkpoint()?;
             for (column, slot) in reversed.chunks_exact(right.rows * lb).zip(out_row.chunks_exact_mut(len)) {
                 scan_products(row, la, column, lb, slot);
             }
         }
-        out
+        Ok(out)
     }
 
     /// `A = A0 + A1 x`, `B = B0 + B1 x` with `x = 2^(64 h)`: `AB = P0 + (Pm - P0 - P1) x + P1 x²`.
-    fn times_karatsuba(&self, right: &Self, h: usize) -> Self {
+    fn times_karatsuba(&self, right: &Self, h: usize, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let (a0, a1) = self.split(h);
         let (b0, b1) = right.split(h);
-        let low = a0.times_long(&b0);
-        let high = a1.times_long(&b1);
-        let middle = a0.plus(&a1).times_long(&b0.plus(&b1));
+        let low = a0.times_long(&b0, progress)?;
+        let high = a1.times_long(&b1, progress)?;
+        let middle = a0.plus(&a1).times_long(&b0.plus(&b1), progress)?;
         let len = self.len + right.len + 1;
         let mut out = LimbMatrix::zeros(self.rows, right.cols, len);
         let parts = low
@@ -148,7 +157,7 @@ impl LimbMatrix {
             add_signed(&mut slot[h..], &scratch, false);
             add_signed(&mut slot[(2 * h).min(len)..], high, false);
         }
-        out
+        Ok(out)
     }
 
     /// The entries modulo `2^(64 h)` and divided by it.
@@ -179,10 +188,11 @@ impl LimbMatrix {
     }
 
     /// The largest `sum_k max(a_ik - a_jk, 0)` over pairs of rows; 0 for a single row.
-    pub fn largest_excess(&self) -> BigUint {
+    pub fn largest_excess(&self, progress: &dyn Progress) -> Result<BigUint, Cancelled> {
         let mut best = vec![0u64; self.len + 1];
         let mut sum = vec![0u64; self.len + 1];
         for i in 0..self.rows {
+            progress.checkpoint()?;
             for j in (0..self.rows).filter(|&j| j != i) {
                 sum.fill(0);
                 for k in 0..self.cols {
@@ -196,7 +206,7 @@ impl LimbMatrix {
                 }
             }
         }
-        to_biguint(&best)
+        Ok(to_biguint(&best))
     }
 }
 

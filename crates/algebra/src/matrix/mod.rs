@@ -17,7 +17,7 @@ mod stabiliser;
 mod stochastic;
 
 pub use characteristic::CharacteristicPolynomial;
-pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_infinity};
+pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_2_squared_watched, tau_infinity};
 pub use footprint::Footprint;
 pub use inertia::{Inertia, inertia};
 pub use integer_rows::{AverageRow, IntegerRows};
@@ -106,4 +106,7 @@ pub enum MatrixError {
     /// A product of no matrices.
     #[error("there is no matrix to multiply")]
     NoFactors,
+    /// Stopped by the caller.
+    #[error(transparent)]
+    Cancelled(#[from] arithmetic::Cancelled),
 }

@@ -1,7 +1,7 @@
 //! Rational matrices with one common denominator.
 
 use super::MatrixError;
-use arithmetic::Rational;
+use arithmetic::{Progress, Rational, Unwatched};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
@@ -30,7 +30,7 @@ impl RationalMatrix {
         if rows == 0 || cols == 0 {
             return Err(MatrixError::Empty);
         }
-        if numerators.len() != rows * cols {
+        if rows.checked_mul(cols) != Some(numerators.len()) {
             return Err(MatrixError::EntryCount { rows, cols, found: numerators.len() });
         }
         if denominator.is_zero() {
@@ -41,6 +41,11 @@ impl RationalMatrix {
             numerators.iter_mut().for_each(|x| *x = -std::mem::take(x));
         }
         Ok(RationalMatrix { rows, cols, numerators, denominator })
+    }
+
+    /// As [`RationalMatrix::new`] where the shape is known to be filled and the denominator to be positive.
+    pub(super) fn of_known_shape(rows: usize, cols: usize, numerators: Vec<BigInt>, denominator: BigInt) -> Self {
+        RationalMatrix { rows, cols, numerators, denominator }
     }
 
     /// From rows of small integers over a small denominator.
@@ -59,9 +64,21 @@ impl RationalMatrix {
     /// # Errors
     /// [`MatrixError::Empty`] or [`MatrixError::Ragged`].
     pub fn from_rows(rows: &[Vec<Rational>]) -> Result<Self, MatrixError> {
+        RationalMatrix::from_rows_watched(rows, &Unwatched)
+    }
+
+    /// As [`RationalMatrix::from_rows`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// As there, and [`MatrixError::Cancelled`].
+    pub fn from_rows_watched(rows: &[Vec<Rational>], progress: &dyn Progress) -> Result<Self, MatrixError> {
         let widths: Vec<usize> = rows.iter().map(Vec::len).collect();
         let cols = common_width(&widths)?;
-        let denominator = rows.iter().flatten().fold(BigInt::one(), |d, x| d.lcm(x.denom()));
+        let mut denominator = BigInt::one();
+        for x in rows.iter().flatten() {
+            progress.checkpoint()?;
+            denominator = denominator.lcm(x.denom());
+        }
         let numerators = rows.iter().flatten().map(|x| x.numer() * (&denominator / x.denom())).collect();
         RationalMatrix::new(rows.len(), cols, numerators, denominator)
     }
@@ -90,14 +107,14 @@ impl RationalMatrix {
         &self.denominator
     }
 
-    /// The numerators of one row, counted from 0.
+    /// The numerators of one row, counted from 0; none outside the matrix.
     pub fn row(&self, i: usize) -> &[BigInt] {
-        &self.numerators[i * self.cols..(i + 1) * self.cols]
+        if i < self.rows { &self.numerators[i * self.cols..(i + 1) * self.cols] } else { &[] }
     }
 
-    /// The entry in row `i` and column `j`, counted from 0, in lowest terms.
+    /// The entry in row `i` and column `j`, counted from 0, in lowest terms; zero outside the matrix.
     pub fn entry(&self, i: usize, j: usize) -> Rational {
-        Rational::new(self.row(i)[j].clone(), self.denominator.clone())
+        self.row(i).get(j).map_or_else(Rational::zero, |x| Rational::new(x.clone(), self.denominator.clone()))
     }
 
     /// All entries in lowest terms, row by row.
@@ -110,11 +127,20 @@ impl RationalMatrix {
     /// # Errors
     /// [`MatrixError::Shapes`].
     pub fn times(&self, right: &Self) -> Result<Self, MatrixError> {
+        self.times_watched(right, &Unwatched)
+    }
+
+    /// As [`RationalMatrix::times`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// As there, and [`MatrixError::Cancelled`].
+    pub fn times_watched(&self, right: &Self, progress: &dyn Progress) -> Result<Self, MatrixError> {
         if self.cols != right.rows {
             return Err(MatrixError::Shapes { left_cols: self.cols, right_rows: right.rows });
         }
         let mut numerators = Vec::with_capacity(self.rows * right.cols);
         for i in 0..self.rows {
+            progress.checkpoint()?;
             for j in 0..right.cols {
                 let terms = self.row(i).iter().enumerate().map(|(k, x)| x * &right.numerators[k * right.cols + j]);
                 numerators.push(terms.sum());
@@ -131,8 +157,12 @@ impl RationalMatrix {
         if self.cols != vector.len() {
             return Err(MatrixError::Shapes { left_cols: self.cols, right_rows: vector.len() });
         }
-        let sum = |i: usize| -> Rational { self.row(i).iter().zip(vector).map(|(a, x)| x * a).sum() };
-        Ok((0..self.rows).map(|i| sum(i) / &self.denominator).collect())
+        // Over one denominator, so that only the results are reduced.
+        let common = vector.iter().fold(BigInt::from(1), |lcm, x| lcm.lcm(x.denom()));
+        let numerators: Vec<BigInt> = vector.iter().map(|x| x.numer() * (&common / x.denom())).collect();
+        let below = common * &self.denominator;
+        let sum = |i: usize| -> BigInt { self.row(i).iter().zip(&numerators).map(|(a, x)| a * x).sum() };
+        Ok((0..self.rows).map(|i| Rational::new(sum(i), below.clone())).collect())
     }
 
     /// The sum `self + other`.
@@ -187,13 +217,26 @@ impl RationalMatrix {
 
     /// The same matrix with the least denominator.
     pub fn reduced(&self) -> Self {
-        let divisor = self.numerators.iter().fold(self.denominator.clone(), |g, x| g.gcd(x));
-        RationalMatrix {
+        // Nobody stops it.
+        self.reduced_watched(&Unwatched).unwrap_or_else(|_| self.clone())
+    }
+
+    /// As [`RationalMatrix::reduced`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// [`MatrixError::Cancelled`].
+    pub fn reduced_watched(&self, progress: &dyn Progress) -> Result<Self, MatrixError> {
+        let mut divisor = self.denominator.clone();
+        for x in &self.numerators {
+            progress.checkpoint()?;
+            divisor = divisor.gcd(x);
+        }
+        Ok(RationalMatrix {
             rows: self.rows,
             cols: self.cols,
             numerators: self.numerators.iter().map(|x| x / &divisor).collect(),
             denominator: &self.denominator / &divisor,
-        }
+        })
     }
 }
 

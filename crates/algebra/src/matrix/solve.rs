@@ -1,7 +1,7 @@
 //! Linear systems: fraction-free elimination over the integers (Bareiss), and plain elimination over any scalars.
 
 use super::{MatrixError, RationalMatrix};
-use arithmetic::{ArithmeticError, Field, Rational};
+use arithmetic::{ArithmeticError, Cancelled, Field, Progress, Rational, Unwatched};
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
@@ -13,19 +13,27 @@ impl RationalMatrix {
     /// # Errors
     /// [`MatrixError::NotSquare`], [`MatrixError::Shapes`] or [`MatrixError::Singular`].
     pub fn solve(&self, right: &Self) -> Result<Self, MatrixError> {
+        self.solve_watched(right, &Unwatched)
+    }
+
+    /// As [`RationalMatrix::solve`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// As there, and [`MatrixError::Cancelled`].
+    pub fn solve_watched(&self, right: &Self, progress: &dyn Progress) -> Result<Self, MatrixError> {
         let order = self.square_order()?;
         if right.rows() != order {
             return Err(MatrixError::Shapes { left_cols: order, right_rows: right.rows() });
         }
         let mut rows: Vec<Vec<BigInt>> = (0..order).map(|i| [self.row(i), right.row(i)].concat()).collect();
-        let Elimination { pivot_columns, pivot, .. } = eliminate(&mut rows, order);
+        let Elimination { pivot_columns, pivot, .. } = eliminate(&mut rows, order, progress)?;
         if pivot_columns.len() < order {
             return Err(MatrixError::Singular);
         }
         // With self = N/d and right = B/e the solution is (d/e) N^-1 B, and the rows now hold pivot * N^-1 B.
         let scale = self.denominator();
         let numerators = rows.iter().flat_map(|row| &row[order..]).map(|x| x * scale).collect();
-        Ok(RationalMatrix::new(order, right.cols(), numerators, pivot * right.denominator())?.reduced())
+        RationalMatrix::new(order, right.cols(), numerators, pivot * right.denominator())?.reduced_watched(progress)
     }
 
     /// The inverse, reduced.
@@ -33,7 +41,15 @@ impl RationalMatrix {
     /// # Errors
     /// [`MatrixError::NotSquare`] or [`MatrixError::Singular`].
     pub fn inverse(&self) -> Result<Self, MatrixError> {
-        self.solve(&RationalMatrix::identity(self.square_order()?)?)
+        self.inverse_watched(&Unwatched)
+    }
+
+    /// As [`RationalMatrix::inverse`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// As there, and [`MatrixError::Cancelled`].
+    pub fn inverse_watched(&self, progress: &dyn Progress) -> Result<Self, MatrixError> {
+        self.solve_watched(&RationalMatrix::identity(self.square_order()?)?, progress)
     }
 
     /// The determinant.
@@ -43,7 +59,7 @@ impl RationalMatrix {
     pub fn determinant(&self) -> Result<Rational, MatrixError> {
         let order = self.square_order()?;
         let mut rows: Vec<Vec<BigInt>> = (0..order).map(|i| self.row(i).to_vec()).collect();
-        let Elimination { pivot_columns, pivot, odd } = eliminate(&mut rows, order);
+        let Elimination { pivot_columns, pivot, odd } = eliminate(&mut rows, order, &Unwatched)?;
         if pivot_columns.len() < order {
             return Ok(Rational::zero());
         }
@@ -53,7 +69,10 @@ impl RationalMatrix {
     /// A basis of the vectors `x` with `self * x = 0`, one for each column without pivot.
     pub fn kernel(&self) -> Vec<Vec<Rational>> {
         let mut rows: Vec<Vec<BigInt>> = (0..self.rows()).map(|i| self.row(i).to_vec()).collect();
-        let Elimination { pivot_columns, pivot, .. } = eliminate(&mut rows, self.cols());
+        // Nobody stops it.
+        let Ok(Elimination { pivot_columns, pivot, .. }) = eliminate(&mut rows, self.cols(), &Unwatched) else {
+            return Vec::new();
+        };
         let vector = |free: usize| {
             let mut x = vec![Rational::zero(); self.cols()];
             x[free] = Rational::one();
@@ -88,7 +107,7 @@ struct Elimination {
 /// first rows holds `pivot` in that row and 0 elsewhere, and the other rows are 0 in all these columns.
 ///
 /// Every division is exact, because after `k` pivots each entry is a minor of order `k` or `k + 1` (Bareiss 1968).
-fn eliminate(rows: &mut [Vec<BigInt>], columns: usize) -> Elimination {
+fn eliminate(rows: &mut [Vec<BigInt>], columns: usize, progress: &dyn Progress) -> Result<Elimination, Cancelled> {
     let mut found = Elimination { pivot_columns: Vec::new(), pivot: BigInt::one(), odd: false };
     for column in 0..columns {
         let k = found.pivot_columns.len();
@@ -97,6 +116,7 @@ fn eliminate(rows: &mut [Vec<BigInt>], columns: usize) -> Elimination {
         found.odd ^= k != with_pivot;
         let pivot_row = rows[k].clone();
         for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+            progress.checkpoint()?;
             let factor = row[column].clone();
             for (x, y) in row.iter_mut().zip(&pivot_row) {
                 *x = (&pivot_row[column] * &*x - &factor * y) / &found.pivot;
@@ -105,7 +125,7 @@ fn eliminate(rows: &mut [Vec<BigInt>], columns: usize) -> Elimination {
         found.pivot = pivot_row[column].clone();
         found.pivot_columns.push(column);
     }
-    found
+    Ok(found)
 }
 
 /// Solves `A x = b` over any scalars, given as rows `(A | b)`, taking as pivot the first entry that can be inverted.

@@ -52,9 +52,9 @@ impl SparseMatrix {
         self.rows.len()
     }
 
-    /// The entries of row `i` that are not zero, `(column, value)`, in order.
+    /// The entries of row `i` that are not zero, `(column, value)`, in order; none outside the matrix.
     pub fn row(&self, i: usize) -> &[(usize, Rational)] {
-        &self.rows[i]
+        self.rows.get(i).map_or(&[], Vec::as_slice)
     }
 
     /// All entries that are not zero, `(row, column, value)`, in order.
@@ -62,9 +62,9 @@ impl SparseMatrix {
         self.rows.iter().enumerate().flat_map(|(i, row)| row.iter().map(move |(j, value)| (i, *j, value)))
     }
 
-    /// The entry in row `i` and column `j`, or `None` where it is zero.
+    /// The entry in row `i` and column `j`, or `None` where it is zero, as it is outside the matrix.
     pub fn get(&self, i: usize, j: usize) -> Option<&Rational> {
-        let row = &self.rows[i];
+        let row = self.row(i);
         row.binary_search_by_key(&j, |&(column, _)| column).ok().map(|place| &row[place].1)
     }
 
@@ -83,17 +83,19 @@ impl SparseMatrix {
         self.entries().all(|(i, j, value)| self.get(j, i) == Some(value))
     }
 
-    /// The rows and columns with these numbers, which become `0, 1, ...` in the order given.
+    /// The rows and columns with these numbers, which become `0, 1, ...` in the order given; those that are not there are zero.
     pub fn principal(&self, kept: &[usize]) -> Self {
         let mut name = vec![None; self.order()];
         for (new, &old) in kept.iter().enumerate() {
-            name[old] = Some(new);
+            if let Some(name) = name.get_mut(old) {
+                *name = Some(new);
+            }
         }
         let entry = |i: usize, (j, value): &(usize, Rational)| name[*j].map(|column| (i, column, value.clone()));
         let entries = kept.iter().enumerate();
         SparseMatrix::from_entries(
             kept.len(),
-            entries.flat_map(|(i, &old)| self.rows[old].iter().filter_map(move |pair| entry(i, pair))),
+            entries.flat_map(|(i, &old)| self.row(old).iter().filter_map(move |pair| entry(i, pair))),
         )
     }
 

@@ -62,9 +62,8 @@ impl StabiliserStream {
         StabiliserStream { order, most_levels, factors: 0, levels: Vec::new() }
     }
 
-    /// The next factor of the sequence, a square footprint of the order of the stream.
+    /// The next factor of the sequence, a square footprint of the order of the stream; outside of it there are only zeros.
     pub fn push(&mut self, factor: &Footprint) {
-        debug_assert_eq!((factor.rows(), factor.cols()), (self.order, self.order));
         self.factors += 1;
         for k in 0..self.levels.len() {
             if self.levels[k].push(factor, self.factors) {

@@ -2,7 +2,7 @@
 
 use super::limbs::LimbMatrix;
 use super::{Footprint, MatrixError, RationalMatrix};
-use arithmetic::Rational;
+use arithmetic::{Cancelled, Progress, Rational, Unwatched};
 use num_bigint::{BigInt, BigUint};
 use num_traits::{Signed, ToPrimitive};
 
@@ -55,6 +55,14 @@ impl StochasticMatrix {
     /// # Errors
     /// [`MatrixError::Shapes`].
     pub fn times(&self, right: &Self) -> Result<Self, MatrixError> {
+        self.times_watched(right, &Unwatched)
+    }
+
+    /// As [`StochasticMatrix::times`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// As there, and [`MatrixError::Cancelled`].
+    pub fn times_watched(&self, right: &Self, progress: &dyn Progress) -> Result<Self, MatrixError> {
         if self.cols() != right.rows() {
             return Err(MatrixError::Shapes { left_cols: self.cols(), right_rows: right.rows() });
         }
@@ -62,7 +70,8 @@ impl StochasticMatrix {
         // No entry exceeds the denominator.
         let longest = denominator.bits().div_ceil(64) as usize;
         let small_rows = self.denominator.to_u64().is_some();
-        Ok(StochasticMatrix { numerators: self.numerators.times(&right.numerators, longest, small_rows), denominator })
+        let numerators = self.numerators.times(&right.numerators, longest, small_rows, progress)?;
+        Ok(StochasticMatrix { numerators, denominator })
     }
 
     /// The footprint: ones where the entries are not zero.
@@ -78,14 +87,23 @@ impl StochasticMatrix {
 
     /// The numerator of [`StochasticMatrix::tau_1`] over [`StochasticMatrix::denominator`], not reduced.
     pub fn tau_1_numerator(&self) -> BigUint {
-        self.numerators.largest_excess()
+        // Nobody stops it.
+        self.numerators.largest_excess(&Unwatched).unwrap_or_default()
+    }
+
+    /// As [`StochasticMatrix::tau_1`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn tau_1_watched(&self, progress: &dyn Progress) -> Result<Rational, Cancelled> {
+        let numerator = self.numerators.largest_excess(progress)?;
+        Ok(Rational::new(BigInt::from(numerator), BigInt::from(self.denominator.clone())))
     }
 
     /// The same matrix as a plain rational one.
     pub fn to_rational_matrix(&self) -> RationalMatrix {
         let numerators = self.numerators().map(BigInt::from).collect();
-        RationalMatrix::new(self.rows(), self.cols(), numerators, BigInt::from(self.denominator.clone()))
-            .expect("a stochastic matrix has a shape and a denominator")
+        RationalMatrix::of_known_shape(self.rows(), self.cols(), numerators, BigInt::from(self.denominator.clone()))
     }
 }
 

@@ -1,7 +1,6 @@
 //! Irreducible blocks, and those that are similar to symmetric matrices.
 
 use super::float_bounds::{SLACK, nearest, nearest_root};
-use super::symmetric::Symmetric;
 use crate::matrix::SparseMatrix;
 use arithmetic::{Rational, rational};
 use num_traits::{Signed, Zero};
@@ -49,6 +48,14 @@ pub(super) fn symmetric_entry(a: &SparseMatrix, i: usize, j: usize) -> Option<(f
         (Some(x), Some(y)) => nearest_root(&(x * y), if x.is_negative() { -1.0 } else { 1.0 }),
         _ => Some((0.0, 0.0)),
     }
+}
+
+/// A symmetric matrix in floats.
+pub(super) struct Symmetric {
+    /// Column and value of the entries that are not zero, row by row.
+    pub rows: Vec<Vec<(usize, f64)>>,
+    /// Bound of the distance from the matrix that is meant, in the Frobenius norm.
+    pub error: f64,
 }
 
 /// The similar symmetric matrix in floats; `None` outside their range.

@@ -3,79 +3,25 @@
 use super::block::{is_symmetrisable, path_order, single, symmetrised};
 use super::closed_form::{bits, closed_form};
 use super::enclosed::{merged, order};
+use super::error::{
+    LARGEST_DENSE_ORDER, LARGEST_DIGITS, LARGEST_EXACT_ORDER, LARGEST_GENERAL_ORDER, LARGEST_TRIDIAGONAL_ORDER,
+    OUT_OF_RANGE, SpectrumError,
+};
 use super::exact::Factors;
 use super::general::general_spectrum;
 use super::symmetric::symmetric_spectrum;
 use super::tridiagonal::tridiagonal_spectrum;
 use super::{Circulant, Eigenvalue, Method, Spectrum};
-use crate::graph::{LaplacianError, LaplacianKind, NameError, NamedGraph};
+use crate::graph::{LaplacianKind, NamedGraph};
 use crate::matrix::{MatrixError, SparseMatrix};
 use arithmetic::{Rational, rational};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Most significant digits.
-pub const LARGEST_DIGITS: u32 = 10_000;
 
 /// Digits where none are asked for and any number is possible.
 const USUAL_DIGITS: u32 = 20;
 
 /// Order of the irreducible blocks up to which characteristic polynomials are used without being asked for digits.
 const USUAL_EXACT_ORDER: usize = 12;
-
-/// Order of the irreducible blocks up to which characteristic polynomials are used at all.
-pub const LARGEST_EXACT_ORDER: usize = 40;
-
-/// Order of the irreducible blocks up to which tridiagonal ones are solved in floating point.
-pub const LARGEST_TRIDIAGONAL_ORDER: usize = 20_000;
-
-/// Order of the irreducible blocks up to which non-symmetric ones are solved in floating point.
-pub const LARGEST_GENERAL_ORDER: usize = 1000;
-
-/// Order of the irreducible blocks up to which dense floating-point methods are used.
-pub const LARGEST_DENSE_ORDER: usize = 3000;
-
-/// Why there is no spectrum.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum SpectrumError {
-    /// No digits, or too many.
-    #[error("the number of digits must lie between 1 and {LARGEST_DIGITS}, but it is {0}")]
-    Digits(u32),
-    /// The graph is too large to store.
-    #[error(transparent)]
-    Name(#[from] NameError),
-    /// The graph has no such matrix.
-    #[error(transparent)]
-    Kind(#[from] LaplacianError),
-    /// An empty matrix.
-    #[error(transparent)]
-    Matrix(#[from] MatrixError),
-    /// An irreducible block too large for any method.
-    #[error(
-        "the matrix has an irreducible block of order {order}, and without a closed form blocks of order up to {most} are solved"
-    )]
-    TooLarge {
-        /// Its order.
-        order: usize,
-        /// The largest order.
-        most: usize,
-    },
-    /// Floating point does not reach the digits.
-    #[error(
-        "{asked} digits need the exact characteristic polynomial, which is for irreducible blocks of order up to \
-         {LARGEST_EXACT_ORDER}; this one has order {order}, for which {possible} digits are possible"
-    )]
-    TooManyDigits {
-        /// Digits asked for.
-        asked: u32,
-        /// Order of the block.
-        order: usize,
-        /// What the certified enclosures give.
-        possible: u32,
-    },
-    /// No bounds could be proved.
-    #[error("no enclosure of the eigenvalues could be proved: {0}")]
-    Unproved(&'static str),
-}
 
 /// The spectrum of a matrix of a named graph: by a closed form where there is one, otherwise that of the matrix.
 ///
@@ -244,8 +190,6 @@ fn similar_to_symmetric(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>, Spectr
     symmetric_spectrum(&floats)
         .ok_or(SpectrumError::Unproved("the reduction to a tridiagonal matrix is too inaccurate"))
 }
-
-pub(super) const OUT_OF_RANGE: SpectrumError = SpectrumError::Unproved("an entry lies outside 1e-100 to 1e100");
 
 /// Digits that the widest enclosure settles against the largest eigenvalue.
 fn certified_digits(parts: &[Eigenvalue]) -> u32 {

@@ -14,8 +14,8 @@
 //! imaginary part: the same with `|c_s|`.
 
 use super::Eigenvalue;
-use super::choose::{OUT_OF_RANGE, SpectrumError};
 use super::enclosed::merged;
+use super::error::{OUT_OF_RANGE, SpectrumError};
 use super::float_bounds::{RANGE, SLACK, UNDERFLOW, UNIT, around, nearest};
 use super::fourier::real_transform;
 use super::turn::{CHORD_ERROR, ROOT_ERROR, chord, root_of_unity};

@@ -330,7 +330,7 @@ fn enclose_sum(
         if size.is_some_and(|size| size > i64::MIN && width + i64::from(bits(digits)) <= size) {
             return Ok(Eigenvalue { re, im, multiplicity, exact: None });
         }
-        precision = precision.checked_mul(2).ok_or(ArithmeticError::Domain("enclosure of an eigenvalue"))?;
+        precision = precision.checked_mul(2).ok_or(ArithmeticError::Argument("the enclosure of an eigenvalue"))?;
         finer = Some(RootTable::new(sum.order(), precision)?);
     }
 }

@@ -10,12 +10,12 @@
 //! This is the bound of Bauer and Fike with the condition of the eigenvectors row by row. Where the eigenvectors are nearly
 //! dependent (defective matrices) the bound of [Henrici](super::schur) takes its place.
 
+use super::Eigenvalue;
 use super::block::{Row, float_rows};
-use super::choose::OUT_OF_RANGE;
 use super::enclosed::merged;
+use super::error::{OUT_OF_RANGE, SpectrumError};
 use super::float_bounds::{SLACK, UNDERFLOW, UNIT, around};
 use super::schur::triangular_spectrum;
-use super::{Eigenvalue, SpectrumError};
 use crate::matrix::SparseMatrix;
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, MatRef, c64};

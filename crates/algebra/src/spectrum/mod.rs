@@ -11,6 +11,7 @@ mod circulant;
 mod closed_form;
 mod cyclotomic;
 mod enclosed;
+mod error;
 mod exact;
 mod float_bounds;
 mod fourier;
@@ -27,14 +28,15 @@ mod tridiagonal;
 mod turn;
 
 pub use abscissa::complex_abscissa;
-pub use choose::{
-    LARGEST_DENSE_ORDER, LARGEST_DIGITS, LARGEST_EXACT_ORDER, LARGEST_GENERAL_ORDER, LARGEST_TRIDIAGONAL_ORDER,
-    SpectrumError, circulant_spectrum, matrix_spectrum, named_spectrum, symmetric_enclosures,
-};
+pub use choose::{circulant_spectrum, matrix_spectrum, named_spectrum, symmetric_enclosures};
 pub use circulant::{Circulant, CirculantSpectrum};
 pub use closed_form::{ClosedForm, ClosedValue, closed_form};
 pub use cyclotomic::{CyclotomicSum, RootTable};
 pub use enclosed::{Eigenvalue, FloatEnclosure, Method, Spectrum};
+pub use error::{
+    LARGEST_DENSE_ORDER, LARGEST_DIGITS, LARGEST_EXACT_ORDER, LARGEST_GENERAL_ORDER, LARGEST_TRIDIAGONAL_ORDER,
+    SpectrumError,
+};
 pub use exact::real_spectrum;
 pub use polynomial::{Polynomial, RealRoot};
 pub use recurrence::{Eventual, Leading, Recurrence, RecurrenceError};

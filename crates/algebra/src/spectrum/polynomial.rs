@@ -1,6 +1,6 @@
 //! Integer polynomials in one variable: exact signs, common divisors, real roots isolated by Sturm's theorem.
 
-use arithmetic::{Interval, Rational, Ring, rational};
+use arithmetic::{Cancelled, Interval, Progress, Rational, Ring, Unwatched, rational};
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
@@ -171,9 +171,10 @@ impl Polynomial {
     }
 
     /// Sturm's chain: the polynomial, its derivative, and the negated remainders.
-    fn sturm_chain(&self) -> Vec<Self> {
+    fn sturm_chain(&self, progress: &dyn Progress) -> Result<Vec<Self>, Cancelled> {
         let mut chain = vec![self.clone(), self.derivative()];
         while chain.last().is_some_and(|last| last.degree() > 0) {
+            progress.checkpoint()?;
             let rest = chain[chain.len() - 2].positive_remainder(&chain[chain.len() - 1]);
             if rest.is_zero() {
                 break;
@@ -181,7 +182,7 @@ impl Polynomial {
             chain.push(Polynomial { coefficients: rest.coefficients.into_iter().map(|c| -c).collect() });
         }
         chain.retain(|p| !p.is_zero());
-        chain
+        Ok(chain)
     }
 
     /// The rational root `p/lead` inside the enclosure of a root, where `lead` is the leading coefficient: the enclosure
@@ -196,15 +197,38 @@ impl Polynomial {
 
     /// Whether it has no multiple root, real or complex.
     pub fn is_square_free(&self) -> bool {
-        self.sturm_chain().last().is_some_and(|last| last.degree() == 0)
+        // Nobody stops it.
+        self.is_square_free_watched(&Unwatched).unwrap_or_default()
+    }
+
+    /// As [`Polynomial::is_square_free`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn is_square_free_watched(&self, progress: &dyn Progress) -> Result<bool, Cancelled> {
+        Ok(self.sturm_chain(progress)?.last().is_some_and(|last| last.degree() == 0))
     }
 
     /// The real roots in `(lo, hi]` of a polynomial without multiple roots, in order, each isolated.
     pub fn roots_in(&self, lo: &Rational, hi: &Rational) -> Vec<RealRoot> {
-        let chain = self.sturm_chain();
+        // Nobody stops it.
+        self.roots_in_watched(lo, hi, &Unwatched).unwrap_or_default()
+    }
+
+    /// As [`Polynomial::roots_in`], until `progress` stops it.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn roots_in_watched(
+        &self,
+        lo: &Rational,
+        hi: &Rational,
+        progress: &dyn Progress,
+    ) -> Result<Vec<RealRoot>, Cancelled> {
+        let chain = self.sturm_chain(progress)?;
         let mut found = Vec::new();
-        isolate(&chain, lo.clone(), hi.clone(), &mut found);
-        found
+        isolate(&chain, lo.clone(), hi.clone(), &mut found, progress)?;
+        Ok(found)
     }
 
     /// Shrinks the enclosure of a root until it is narrower than `2^-bits`: by halving, and where the ends are dyadic by
@@ -294,7 +318,14 @@ fn changes(chain: &[Polynomial], x: &Rational) -> usize {
     signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
 }
 
-fn isolate(chain: &[Polynomial], lo: Rational, hi: Rational, found: &mut Vec<RealRoot>) {
+fn isolate(
+    chain: &[Polynomial],
+    lo: Rational,
+    hi: Rational,
+    found: &mut Vec<RealRoot>,
+    progress: &dyn Progress,
+) -> Result<(), Cancelled> {
+    progress.checkpoint()?;
     match changes(chain, &lo).saturating_sub(changes(chain, &hi)) {
         0 => {}
         // The sign at `lo` has to differ from that at `hi` for later halving.
@@ -302,10 +333,11 @@ fn isolate(chain: &[Polynomial], lo: Rational, hi: Rational, found: &mut Vec<Rea
         1 if chain[0].sign_at(&lo) != 0 => found.push(RealRoot { lo, hi }),
         _ => {
             let middle = (&lo + &hi) / rational(2, 1);
-            isolate(chain, lo, middle.clone(), found);
-            isolate(chain, middle, hi, found);
+            isolate(chain, lo, middle.clone(), found, progress)?;
+            isolate(chain, middle, hi, found, progress)?;
         }
     }
+    Ok(())
 }
 
 impl RealRoot {

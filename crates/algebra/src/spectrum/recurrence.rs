@@ -5,7 +5,7 @@
 //! vanishes, so that enclosures settle the sign of the leading term.
 
 use super::{Polynomial, RealRoot};
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, Sign, Signed, rational};
+use arithmetic::{ArithmeticError, Cancelled, Field, Interval, Progress, Rational, Real, Ring, Sign, Signed, rational};
 use num_bigint::BigInt;
 use num_traits::{Signed as _, ToPrimitive, Zero};
 
@@ -38,6 +38,9 @@ pub enum RecurrenceError {
     /// An interval operation without a result.
     #[error(transparent)]
     Arithmetic(#[from] ArithmeticError),
+    /// Stopped by the caller.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 /// A sign that a sequence keeps.
@@ -72,8 +75,11 @@ struct ExponentialSum {
 
 impl Recurrence {
     /// The shortest recurrence of a sequence that is known to obey one of order at most half the number of terms given.
-    pub fn new(terms: Vec<Rational>) -> Self {
-        Recurrence { characteristic: shortest(&terms), terms }
+    ///
+    /// # Errors
+    /// [`Cancelled`].
+    pub fn new(terms: Vec<Rational>, progress: &dyn Progress) -> Result<Self, Cancelled> {
+        Ok(Recurrence { characteristic: shortest(&terms, progress)?, terms })
     }
 
     /// The order.
@@ -90,8 +96,8 @@ impl Recurrence {
     ///
     /// # Errors
     /// [`RecurrenceError`].
-    pub fn eventual_sign(&self) -> Result<Eventual, RecurrenceError> {
-        self.with_precision(|sum| {
+    pub fn eventual_sign(&self, progress: &dyn Progress) -> Result<Eventual, RecurrenceError> {
+        self.with_precision(progress, |sum| {
             if sum.polynomial.is_empty() && sum.terms.is_empty() {
                 return Ok(Some(Eventual { sign: Sign::Zero, from: sum.start }));
             }
@@ -110,12 +116,12 @@ impl Recurrence {
     ///
     /// # Errors
     /// [`RecurrenceError`].
-    pub fn leading(&self, r: &BigInt) -> Result<Option<Leading>, RecurrenceError> {
+    pub fn leading(&self, r: &BigInt, progress: &dyn Progress) -> Result<Option<Leading>, RecurrenceError> {
         if self.is_zero() {
             return Ok(None);
         }
         let needed = 64 + r.bits() as u32;
-        self.with_precision(|sum| {
+        self.with_precision(progress, |sum| {
             let Some((root, coefficient)) = sum.terms.first() else {
                 // Nothing but the root 0: zero far out.
                 return if sum.polynomial.is_empty() { Ok(Some(None)) } else { Err(RecurrenceError::Roots) };
@@ -137,13 +143,14 @@ impl Recurrence {
 
     fn with_precision<T>(
         &self,
+        progress: &dyn Progress,
         attempt: impl Fn(&ExponentialSum) -> Result<Option<T>, RecurrenceError>,
     ) -> Result<T, RecurrenceError> {
         if self.terms.len() < 2 * self.order() {
             return Err(RecurrenceError::TooFewTerms { terms: self.terms.len(), order: self.order() });
         }
         for precision in PRECISIONS {
-            if let Some(sum) = self.decompose(precision)?
+            if let Some(sum) = self.decompose(precision, progress)?
                 && let Some(result) = attempt(&sum)?
             {
                 return Ok(result);
@@ -153,21 +160,22 @@ impl Recurrence {
     }
 
     /// The closed form at a precision, or `None` where that is too low.
-    fn decompose(&self, precision: u32) -> Result<Option<ExponentialSum>, RecurrenceError> {
+    fn decompose(&self, precision: u32, progress: &dyn Progress) -> Result<Option<ExponentialSum>, RecurrenceError> {
         let start = self.characteristic.iter().take_while(|c| c.is_zero()).count();
         let full = &self.characteristic[start..];
         let integers = Polynomial::from_rationals(full);
         let (ones, rest) = integers.without_root(1);
-        if rest.degree() > 0 && !rest.is_square_free() {
+        if rest.degree() > 0 && !rest.is_square_free_watched(progress)? {
             return Err(RecurrenceError::Roots);
         }
-        let mut roots = rest.roots_in(&rational(0, 1), &rational(1, 1));
+        let mut roots = rest.roots_in_watched(&rational(0, 1), &rational(1, 1), progress)?;
         if roots.len() != rest.degree() {
             return Err(RecurrenceError::Roots);
         }
         roots.reverse();
         let mut terms = Vec::with_capacity(roots.len());
         for root in &mut roots {
+            progress.checkpoint()?;
             rest.refine(root, precision);
             let enclosure = root.enclosure(precision);
             match self.coefficient(full, start, &enclosure) {
@@ -285,12 +293,13 @@ fn absolute(x: &Interval) -> Interval {
 }
 
 /// The monic characteristic polynomial of the shortest recurrence of the terms (Berlekamp and Massey).
-fn shortest(terms: &[Rational]) -> Vec<Rational> {
+fn shortest(terms: &[Rational], progress: &dyn Progress) -> Result<Vec<Rational>, Cancelled> {
     let (one, zero) = (rational(1, 1), rational(0, 1));
     // connection(x) = 1 + c_1 x + ...: f(r) + c_1 f(r-1) + ... = 0.
     let (mut connection, mut previous) = (vec![one.clone()], vec![one.clone()]);
     let (mut order, mut gap, mut last) = (0usize, 1usize, one);
     for r in 0..terms.len() {
+        progress.checkpoint()?;
         let discrepancy: Rational = connection.iter().zip(terms[..=r].iter().rev()).map(|(c, f)| c * f).sum();
         if discrepancy.is_zero() {
             gap += 1;
@@ -314,7 +323,7 @@ fn shortest(terms: &[Rational]) -> Vec<Rational> {
     }
     connection.resize(order + 1, zero);
     connection.reverse();
-    connection
+    Ok(connection)
 }
 
 impl RealRoot {

@@ -12,6 +12,7 @@
 //! a product whose leading part is exact in any order of summation. Nothing is assumed of how `Q` and `T` were found.
 
 use super::Eigenvalue;
+use super::block::Symmetric;
 use super::enclosed::merged;
 use super::float_bounds::{SLACK, Split, UNIT, around, frobenius};
 use super::reduction::Reduction;
@@ -24,14 +25,6 @@ const PANEL: usize = 96;
 
 /// A matrix with more than one entry in so many is multiplied as a dense one.
 const SPARSE: usize = 12;
-
-/// A symmetric matrix in floats.
-pub(super) struct Symmetric {
-    /// Column and value of the entries that are not zero, row by row.
-    pub rows: Vec<Vec<(usize, f64)>>,
-    /// Bound of the distance from the matrix that is meant, in the Frobenius norm.
-    pub error: f64,
-}
 
 /// Encloses the eigenvalues; `None` where nothing could be proved.
 pub(super) fn symmetric_spectrum(s: &Symmetric) -> Option<Vec<Eigenvalue>> {

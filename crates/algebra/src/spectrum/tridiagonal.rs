@@ -8,10 +8,10 @@
 //! (Weyl). Pivots below `1e-200` are replaced, which is a change of `a_i` of that size.
 
 use super::block::symmetric_entry;
-use super::choose::OUT_OF_RANGE;
 use super::enclosed::merged;
+use super::error::{OUT_OF_RANGE, SpectrumError};
 use super::float_bounds::{RANGE, SLACK, UNIT, around, nearest};
-use super::{Eigenvalue, FloatEnclosure, SpectrumError};
+use super::{Eigenvalue, FloatEnclosure};
 use crate::matrix::SparseMatrix;
 use rayon::prelude::*;
 

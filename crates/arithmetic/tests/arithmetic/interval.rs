@@ -1,7 +1,7 @@
 //! The two shapes of test of certified arithmetic: the interval contains the exact value, and two ways to compute the
 //! same thing overlap; at random precision.
 
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, Signed, rational};
+use arithmetic::{ArithmeticError, Field, FloatInterval, Interval, Rational, Real, Ring, Signed, quotient, rational};
 use num_bigint::BigInt;
 use num_traits::Signed as _;
 use proptest::prelude::*;
@@ -177,14 +177,14 @@ fn edges_of_the_domains() {
     let around = Interval::hull_of_rationals(&rational(-1, 1), &rational(1, 1), 60);
     assert_eq!(zero.recip().unwrap_err(), ArithmeticError::DivisionByZero);
     assert_eq!(around.recip().unwrap_err(), ArithmeticError::DivisionByZero);
-    assert_eq!(minus.sqrt().unwrap_err(), ArithmeticError::Domain("sqrt"));
-    assert_eq!(zero.ln().unwrap_err(), ArithmeticError::Domain("ln"));
+    assert_eq!(minus.sqrt().unwrap_err(), ArithmeticError::Argument("sqrt"));
+    assert_eq!(zero.ln().unwrap_err(), ArithmeticError::Argument("ln"));
     assert!(zero.sqrt().unwrap().contains(&rational(0, 1)));
     assert!(zero.exp().unwrap().contains(&rational(1, 1)));
     assert!(around.square().contains(&rational(0, 1)) && !around.square().contains(&rational(-1, 1000)));
     assert_eq!(around.sign(), None);
     let huge = Interval::from_rational(&Rational::from_integer(BigInt::from(1) << 40), 60);
-    assert_eq!(huge.exp().unwrap_err(), ArithmeticError::Domain("exp"));
+    assert_eq!(huge.exp().unwrap_err(), ArithmeticError::Argument("exp"));
     assert!((-huge.clone()).exp().unwrap().to_rationals().0 == rational(0, 1));
     let (sin, _) = Interval::from_rational(&Rational::from_integer(BigInt::from(1) << 70), 60).sin_cos().unwrap();
     assert!(sin.contains(&rational(1, 1)) && sin.contains(&rational(-1, 1)));
@@ -214,4 +214,27 @@ fn far_apart_operands() {
     assert!(sum.lo().to_rational() == rational(1, 1) && sum.hi().to_rational() > rational(1, 1));
     let difference = one - tiny;
     assert!(difference.lo().to_rational() < rational(1, 1) && difference.hi().to_rational() == rational(1, 1));
+}
+
+/// Ends are rounded outward, to places after the point where the format says how many.
+#[test]
+fn intervals_print_what_they_enclose() {
+    let third = Interval::from_rational(&rational(1, 3), 64);
+    assert_eq!(format!("{third:.5}"), "[0.33333, 0.33334]");
+    assert_eq!(format!("{:.2}", -third.clone()), "[-0.34, -0.33]");
+    assert_eq!(format!("{:.0}", -third.clone()), "[-1, 0]");
+    assert_eq!(third.to_string(), "[0.33333333333333333331, 0.33333333333333333335]");
+    let exact = Interval::from_rational(&rational(-5, 4), 64);
+    assert_eq!(format!("{exact} {exact:.3} {exact:.1}"), "[-1.25, -1.25] [-1.250, -1.250] [-1.3, -1.2]");
+    assert_eq!(format!("{:.3}", FloatInterval::between(-0.0625, 1e3)), "[-0.063, 1000.000]");
+    assert_eq!(FloatInterval::point(0.5).to_string(), "[0.5, 0.5]");
+    assert_eq!(FloatInterval::LINE.to_string(), "[-inf, inf]");
+}
+
+#[test]
+fn errors_say_what_is_wrong() {
+    assert_eq!(quotient(1, 0), Err(ArithmeticError::DivisionByZero));
+    assert_eq!(quotient(6, -4), Ok(rational(-3, 2)));
+    assert_eq!(ArithmeticError::Argument("ln").to_string(), "the argument of ln lies outside its domain");
+    assert_eq!(ArithmeticError::Domain("two variables").to_string(), "this needs two variables");
 }

@@ -84,7 +84,7 @@ fn shifted(rows: &[Vec<RealCyclotomic>], s: &RealCyclotomic) -> Vec<Vec<RealCycl
 
 /// The determinant, by elimination.
 fn determinant<T: Field + Signed>(mut rows: Vec<Vec<T>>) -> Result<T, ArithmeticError> {
-    let first = rows.first().and_then(|row| row.first()).ok_or(ArithmeticError::Domain("a determinant of nothing"))?;
+    let first = rows.first().and_then(|row| row.first()).ok_or(ArithmeticError::Domain("at least one row"))?;
     let mut product = first.one();
     for column in 0..rows.len() {
         let found = (column..rows.len()).find(|&i| rows[i][column].sign() != Some(Sign::Zero));

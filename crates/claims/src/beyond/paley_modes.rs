@@ -37,7 +37,7 @@ type Number = Complex<RealCyclotomic>;
 impl Law {
     /// The derivative of the law at a circular formation with these phasors, by duals.
     fn linearised<T: Field>(&self, phasors: &[Complex<T>]) -> Result<Vec<Vec<T>>, ArithmeticError> {
-        let first = phasors.first().ok_or(ArithmeticError::Domain("no particles"))?;
+        let first = phasors.first().ok_or(ArithmeticError::Domain("at least one particle"))?;
         let offsets: Vec<usize> = (1..=self.reach).collect();
         let network = Neighbours::circulant(self.particles, &offsets);
         let omega = first.re.rational(&self.omega);

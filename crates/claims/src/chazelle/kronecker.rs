@@ -102,7 +102,7 @@ impl RationalIdentity for Footnote {
             };
             (times(&blocks(&a, &b), &blocks(&c, &d)), right)
         } else {
-            let ruled = self.variant.by_rule(&a, &b).ok_or(ArithmeticError::Domain("the index rule"))?;
+            let ruled = self.variant.by_rule(&a, &b).ok_or(ArithmeticError::Domain("indices inside the product"))?;
             (ruled, blocks(&a, &b))
         };
         Ok((left.into_iter().flatten().collect(), right.into_iter().flatten().collect()))

@@ -8,7 +8,6 @@ use models::averaging::settle::{Limits, Settlement, settle};
 use models::averaging::{Flock, Hysteresis, Start, Switch, Weights};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
-use std::ops::ControlFlow;
 
 /// The edges of a network, birds from 1.
 pub(super) fn show(graph: &Graph) -> String {
@@ -176,10 +175,7 @@ pub(super) fn four_birds(hysteresis: Hysteresis) -> Start {
 /// All switches of a flock and what becomes of it.
 pub fn settled(start: &Start, run: &Run) -> Result<(Vec<Switch>, Settlement), CheckError> {
     let mut switches = Vec::new();
-    let settled = settle(Flock::new(start)?, &Limits::default(), &mut |switch| {
-        switches.push(switch.clone());
-        if run.checkpoint().is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-    })?;
+    let settled = settle(Flock::new(start)?, &Limits::default(), &mut |switch| switches.push(switch.clone()), run)?;
     run.checkpoint()?;
     Ok((switches, settled))
 }

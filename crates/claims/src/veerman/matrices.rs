@@ -90,7 +90,8 @@ impl RationalIdentity for VectorForm {
             if self.variant.transposed { [[a00, a10], [a01, a11]] } else { [[a00, a01], [a10, a11]] }
         };
         let control = control_block(&gains);
-        let identity = RationalMatrix::identity(self.followers).map_err(|_| ArithmeticError::Domain("no followers"))?;
+        let identity =
+            RationalMatrix::identity(self.followers).map_err(|_| ArithmeticError::Domain("at least one follower"))?;
         let free = kronecker_apply(&identity.to_rows(), &geodesic, &followers.clone().map(state).collect::<Vec<_>>());
         let own = kronecker_apply(
             &self.variant.reduced(self.followers),

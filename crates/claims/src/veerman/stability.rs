@@ -42,7 +42,7 @@ struct Characteristic {
 
 impl Characteristic {
     fn product<T: Field>(&self, f: &T, g: &T) -> Result<Vec<T>, ArithmeticError> {
-        let of_p = self.reduced.characteristic_polynomial().map_err(|_| ArithmeticError::Domain("P is square"))?;
+        let of_p = self.reduced.characteristic_polynomial().map_err(|_| ArithmeticError::Domain("square matrices"))?;
         let p = of_p.coefficients();
         let order = p.len() - 1;
         let scale = rational(self.factor.0, self.factor.1);

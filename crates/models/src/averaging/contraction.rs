@@ -1,7 +1,7 @@
 //! How many steps halve the diameter of a flock: a rigorous bound at a cost that grows like the logarithm of the number.
 
 use algebra::matrix::{Footprint, MatrixError, RationalMatrix, StochasticMatrix};
-use arithmetic::Rational;
+use arithmetic::{Progress, Rational, Unwatched};
 use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
 use num_traits::One;
@@ -25,6 +25,14 @@ pub struct Contraction {
 /// [`MatrixError`] where the matrix is not stochastic or not square, and [`MatrixError::NotErgodic`] where no power
 /// contracts.
 pub fn contraction(p: &RationalMatrix) -> Result<Contraction, MatrixError> {
+    contraction_watched(p, &Unwatched)
+}
+
+/// As [`contraction`], until `progress` stops it.
+///
+/// # Errors
+/// As there, and [`MatrixError::Cancelled`].
+pub fn contraction_watched(p: &RationalMatrix, progress: &dyn Progress) -> Result<Contraction, MatrixError> {
     let p = StochasticMatrix::try_from(p)?;
     if p.rows() != p.cols() {
         return Err(MatrixError::NotSquare { rows: p.rows(), cols: p.cols() });
@@ -34,7 +42,7 @@ pub fn contraction(p: &RationalMatrix) -> Result<Contraction, MatrixError> {
     }
     let mut bits = 256;
     loop {
-        if let Some(contraction) = contraction_at(&p, bits)? {
+        if let Some(contraction) = contraction_at(&p, bits, progress)? {
             return Ok(contraction);
         }
         bits *= 2;
@@ -61,21 +69,25 @@ fn some_power_is_scrambling(footprint: &Footprint) -> bool {
 }
 
 /// The bound from squares rounded to `bits` bits; `None` where the error grows too large before the powers contract.
-fn contraction_at(p: &StochasticMatrix, bits: u64) -> Result<Option<Contraction>, MatrixError> {
+fn contraction_at(
+    p: &StochasticMatrix,
+    bits: u64,
+    progress: &dyn Progress,
+) -> Result<Option<Contraction>, MatrixError> {
     let unit = Rational::new(BigInt::one(), BigInt::one() << bits);
     let half = Rational::new(BigInt::one(), BigInt::from(2));
     // Invariant: the rows of `power` and of P^steps differ by at most `error` in the l1-norm. Both are stochastic, so
     // P^2k - A^2 = P^k (P^k - A) + (P^k - A) A doubles it, and tau_1, half an l1-diameter, moves by at most `error`.
     let (mut power, mut steps, mut error) = (p.clone(), BigUint::one(), unit.clone() - &unit);
     loop {
-        let tau = power.tau_1() + &error;
+        let tau = power.tau_1_watched(progress)? + &error;
         if tau <= half {
             return Ok(Some(Contraction { steps, tau }));
         }
         if &error * BigInt::from(8) > half {
             return Ok(None);
         }
-        power = power.times(&power)?;
+        power = power.times_watched(&power, progress)?;
         steps *= 2u8;
         error = &error * BigInt::from(2);
         if power.denominator().bits() > bits + 1 {

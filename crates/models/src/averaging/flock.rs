@@ -5,7 +5,7 @@ use super::rule::Rule;
 use super::{FlockError, Hysteresis, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::{IntegerRows, RationalMatrix};
-use arithmetic::{Rational, Ring};
+use arithmetic::{Cancelled, Progress, Rational, Ring};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::Signed;
@@ -103,13 +103,17 @@ pub(super) struct IntegerState {
 
 impl IntegerState {
     /// Divides everything by the common factors.
-    pub fn reduce(&mut self) {
-        let all = || self.positions.iter().chain(&self.velocities).flatten();
-        let content = all().fold(self.unit.clone(), |g, x| g.gcd(x));
+    pub fn reduce(&mut self, progress: &dyn Progress) -> Result<(), Cancelled> {
+        let mut content = self.unit.clone();
+        for x in self.positions.iter().chain(&self.velocities).flatten() {
+            progress.checkpoint()?;
+            content = content.gcd(x);
+        }
         for row in self.positions.iter_mut().chain(&mut self.velocities) {
             row.iter_mut().for_each(|x| *x /= &content);
         }
         self.unit /= content;
+        Ok(())
     }
 }
 

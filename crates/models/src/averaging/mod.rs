@@ -18,7 +18,7 @@ pub mod settle;
 mod stationary;
 
 pub use affine::{Affine, HalfOpenRange};
-pub use contraction::{Contraction, contraction};
+pub use contraction::{Contraction, contraction, contraction_watched};
 pub use declaration::{declaration, kinematic_declaration};
 pub use flock::{Flock, Start, Switch, check_control};
 pub use hysteresis::Hysteresis;
@@ -26,7 +26,7 @@ pub use kinematic::{KinematicFlock, KinematicStart, MOST_BITS, check_kappa};
 pub use modes::{Mode, rational_modes};
 pub use motion::{State, motion};
 pub use observe::{Decay, Observer};
-pub use stationary::{deviation_matrix, equal_rows, stationary_distribution};
+pub use stationary::{deviation_matrix, deviation_matrix_watched, equal_rows, stationary_distribution};
 
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};

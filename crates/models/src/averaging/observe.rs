@@ -3,8 +3,8 @@
 
 use super::{Weights, transition_matrix};
 use algebra::graph::Graph;
-use algebra::matrix::{Footprint, MatrixError, Stabiliser, StabiliserStream, StochasticMatrix, tau_2_squared};
-use arithmetic::Rational;
+use algebra::matrix::{Footprint, MatrixError, Stabiliser, StabiliserStream, StochasticMatrix, tau_2_squared_watched};
+use arithmetic::{Progress, Rational};
 
 /// Stabilisers kept; the sequence `V_1 ⊇ V_2 ⊇ ..` has no end.
 const LEVELS: usize = 8;
@@ -42,8 +42,14 @@ impl Observer {
     /// The network `G_t` of the next time. Coefficients are noted when `t - s + 1` is a power of two.
     ///
     /// # Errors
-    /// [`MatrixError`] where the weights do not suit the network.
-    pub fn push(&mut self, time: u64, network: &Graph, weights: &Weights) -> Result<(), MatrixError> {
+    /// [`MatrixError`] where the weights do not suit the network; [`MatrixError::Cancelled`], after which the product is not known.
+    pub fn push(
+        &mut self,
+        time: u64,
+        network: &Graph,
+        weights: &Weights,
+        progress: &dyn Progress,
+    ) -> Result<(), MatrixError> {
         if time < self.from {
             return Ok(());
         }
@@ -54,13 +60,13 @@ impl Observer {
         let factor = StochasticMatrix::try_from(&transition_matrix(network, weights)?)?;
         let next = match product.take() {
             None => factor,
-            Some(before) => factor.times(&before)?,
+            Some(before) => factor.times_watched(&before, progress)?,
         };
         if (time - self.from + 1).is_power_of_two() {
             self.decay.push(Decay {
                 time,
-                tau_1: next.tau_1(),
-                tau_2_squared: tau_2_squared(&next.to_rational_matrix()),
+                tau_1: next.tau_1_watched(progress)?,
+                tau_2_squared: tau_2_squared_watched(&next.to_rational_matrix(), progress)?,
                 denominator_bits: next.denominator().bits(),
             });
         }

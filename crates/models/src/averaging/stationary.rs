@@ -3,7 +3,7 @@
 use super::Weights;
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};
-use arithmetic::{Rational, Ring};
+use arithmetic::{Progress, Rational, Ring, Unwatched};
 use num_traits::Zero;
 
 /// The stationary distribution `pi = (tr C^-1)^-1 C^-1 1` of the transition matrix of a connected graph; `[1]` for a
@@ -48,7 +48,19 @@ pub fn equal_rows(pi: &[Rational]) -> Result<RationalMatrix, MatrixError> {
 /// [`MatrixError::Singular`] where 1 is more than a simple eigenvalue of `P`, and [`MatrixError`] where the shapes do not
 /// fit.
 pub fn deviation_matrix(p: &RationalMatrix, pi: &[Rational]) -> Result<RationalMatrix, MatrixError> {
+    deviation_matrix_watched(p, pi, &Unwatched)
+}
+
+/// As [`deviation_matrix`], until `progress` stops it.
+///
+/// # Errors
+/// As there, and [`MatrixError::Cancelled`].
+pub fn deviation_matrix_watched(
+    p: &RationalMatrix,
+    pi: &[Rational],
+    progress: &dyn Progress,
+) -> Result<RationalMatrix, MatrixError> {
     let limit = equal_rows(pi)?;
-    let fundamental = RationalMatrix::identity(pi.len())?.minus(p)?.plus(&limit)?.inverse()?;
-    Ok(fundamental.minus(&limit)?.reduced())
+    let fundamental = RationalMatrix::identity(pi.len())?.minus(p)?.plus(&limit)?.inverse_watched(progress)?;
+    fundamental.minus(&limit)?.reduced_watched(progress)
 }

@@ -225,7 +225,7 @@ impl EnclosedFlock {
     fn mixed(&self, over: &[FloatInterval], graph: &Graph) -> Result<IntervalVector, ArithmeticError> {
         let doubtful = self.doubtful(over, graph);
         if doubtful.len() > MOST_AT_ONCE {
-            return Err(ArithmeticError::Domain("a law with so many uncertain links"));
+            return Err(ArithmeticError::Domain("fewer uncertain links"));
         }
         let mut hull: Option<IntervalVector> = None;
         for choice in 0..1usize << doubtful.len() {

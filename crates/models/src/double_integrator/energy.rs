@@ -1,5 +1,6 @@
 //! Energies as the papers print them.
 
+use super::law::check_links;
 use super::{Coordinates, Pair, Vector, difference};
 use arithmetic::{ArithmeticError, Field};
 
@@ -21,14 +22,15 @@ pub fn agent_potential<T: Field>(
 /// The sum of `V_ij` over the edges, each once; this is half the sum of all `V_i`.
 ///
 /// # Errors
-/// Whatever the value returns.
+/// Whatever the value returns; [`ArithmeticError::Domain`] for no agents and for a link to an agent that is not there.
 pub fn potential_energy<T: Field>(
     positions: &[Vector<T>],
     edges: &[Pair],
     coordinates: Coordinates,
     value: impl Fn(usize, usize, &T) -> Result<T, ArithmeticError>,
 ) -> Result<T, ArithmeticError> {
-    let Some(first) = positions.first() else { return Err(ArithmeticError::Domain("the energy of no agents")) };
+    let Some(first) = positions.first() else { return Err(ArithmeticError::Domain("at least one agent")) };
+    check_links(edges, positions.len())?;
     edges.iter().try_fold(first[0].zero(), |total, &(i, j)| {
         let s = coordinates.square(&difference(&positions[i], &positions[j]));
         Ok(total + value(i, j, &s)?)
@@ -40,7 +42,7 @@ pub fn potential_energy<T: Field>(
 /// # Errors
 /// [`ArithmeticError::Domain`] where there is no agent.
 pub fn kinetic_energy<T: Field>(velocities: &[Vector<T>], coordinates: Coordinates) -> Result<T, ArithmeticError> {
-    let Some(first) = velocities.first() else { return Err(ArithmeticError::Domain("the energy of no agents")) };
+    let Some(first) = velocities.first() else { return Err(ArithmeticError::Domain("at least one agent")) };
     let twice = velocities.iter().fold(first[0].zero(), |total, v| total + coordinates.square(v));
     Ok(twice * first[0].ratio(1, 2))
 }

@@ -1,5 +1,6 @@
 //! Headings, and the first paper's alignment by a force normal to the velocity.
 
+use super::law::check_links;
 use super::{Coordinates, Pair, State, Vector, difference, rotated, scaled};
 use arithmetic::{ArithmeticError, Field, Real, Ring, Sign, Signed};
 use std::f64::consts::TAU;
@@ -36,7 +37,7 @@ impl HeadingDifference {
 /// # Errors
 /// [`ArithmeticError::Domain`] for the zero vector, and where a sign is not decided.
 pub fn heading<T: Real + Signed>(v: &Vector<T>) -> Result<T, ArithmeticError> {
-    let undecided = ArithmeticError::Domain("the heading of a vector that is not zero");
+    let undecided = ArithmeticError::Domain("vectors that are not zero");
     let [x, y] = v;
     let (across, up) = (x.sign().ok_or(undecided.clone())?, y.sign().ok_or(undecided.clone())?);
     let half = x.pi() * x.ratio(1, 2);
@@ -80,7 +81,7 @@ pub fn heading_rate<T: Field>(velocity: &Vector<T>, acceleration: &Vector<T>) ->
 /// `sum over j ~ i of differ(i, j)/|r_ij|² (z x v_i)`; `differ(i, j)` is the heading difference of `i` and `j`, odd in `(i, j)`.
 ///
 /// # Errors
-/// [`ArithmeticError::DivisionByZero`] where linked agents coincide.
+/// [`ArithmeticError::DivisionByZero`] where linked agents coincide; [`ArithmeticError::Domain`] for a link to an agent that is not there.
 pub fn gyroscopic<T: Field>(
     state: &State<T>,
     gradients: &[Vector<T>],
@@ -98,6 +99,7 @@ fn turning_rates<T: Field>(
     edges: &[Pair],
     differ: impl Fn(usize, usize) -> T,
 ) -> Result<Vec<T>, ArithmeticError> {
+    check_links(edges, state.count())?;
     let mut rates: Vec<T> = state.positions.iter().map(|r| Ring::zero(&r[0])).collect();
     for &(i, j) in edges {
         let weight = Coordinates::Cartesian.square(&state.separation(i, j)).recip()?;

@@ -11,17 +11,25 @@ pub fn pull<T: Ring>(separation: &Vector<T>, slope: T) -> Vector<T> {
     scaled(&(slope * two), separation)
 }
 
+/// That all links are between agents that are there.
+pub(super) fn check_links(links: &[Pair], agents: usize) -> Result<(), ArithmeticError> {
+    let there = links.iter().all(|&(i, j)| i.max(j) < agents);
+    if there { Ok(()) } else { Err(ArithmeticError::Domain("links between agents that are there")) }
+}
+
 /// `grad_{r_i} V_i = sum over j ~ i of 2 V_ij'(s_ij) r_ij` for every agent; `slope(i, j, s)` is `V_ij'(s)`, asked for once for each
 /// edge.
 ///
 /// # Errors
-/// Whatever the slope returns: [`ArithmeticError::DivisionByZero`] where linked agents coincide.
+/// Whatever the slope returns: [`ArithmeticError::DivisionByZero`] where linked agents coincide; [`ArithmeticError::Domain`] for a link
+/// to an agent that is not there.
 pub fn potential_gradients<T: Field>(
     positions: &[Vector<T>],
     edges: &[Pair],
     coordinates: Coordinates,
     slope: impl Fn(usize, usize, &T) -> Result<T, ArithmeticError>,
 ) -> Result<Vec<Vector<T>>, ArithmeticError> {
+    check_links(edges, positions.len())?;
     let mut gradients: Vec<Vector<T>> = positions.iter().map(|r| [r[0].zero(), r[0].zero()]).collect();
     for &(i, j) in edges {
         let separation = difference(&positions[i], &positions[j]);
@@ -33,10 +41,10 @@ pub fn potential_gradients<T: Field>(
     Ok(gradients)
 }
 
-/// `sum over j ~ i of (v_i - v_j)` for every agent.
+/// `sum over j ~ i of (v_i - v_j)` for every agent; links to agents that are not there are left out.
 pub fn disagreements<T: Ring>(velocities: &[Vector<T>], edges: &[Pair]) -> Vec<Vector<T>> {
     let mut total: Vec<Vector<T>> = velocities.iter().map(|v| [v[0].zero(), v[0].zero()]).collect();
-    for &(i, j) in edges {
+    for &(i, j) in edges.iter().filter(|&&(i, j)| i.max(j) < velocities.len()) {
         let relative = difference(&velocities[i], &velocities[j]);
         total[i] = sum(&total[i], &relative);
         total[j] = difference(&total[j], &relative);

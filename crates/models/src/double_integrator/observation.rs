@@ -128,7 +128,7 @@ impl Flock {
         let times: Vec<f64> = (0..=steps).map(|k| until * k as f64 / steps as f64).collect();
         let motion = self.run(until, &times, options)?;
         let seen = |sample: Option<&Sample>| {
-            let sample = sample.ok_or(ArithmeticError::Domain("a run with a start and an end"))?;
+            let sample = sample.ok_or(ArithmeticError::Domain("runs with a start and an end"))?;
             Observation::of(sample, &self.potential)
         };
         Ok(Trial {

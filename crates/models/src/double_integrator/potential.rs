@@ -120,7 +120,7 @@ impl Potential {
     pub fn rational_value<T: Field>(&self, s: &T) -> Result<T, ArithmeticError> {
         let value = self.value_over(s)?;
         if value.log.is_some() {
-            return Err(ArithmeticError::Domain("a potential without logarithm"));
+            return Err(ArithmeticError::Domain("potentials without logarithm"));
         }
         value.powers(s)
     }
@@ -128,7 +128,7 @@ impl Potential {
     /// `V(s)`.
     ///
     /// # Errors
-    /// [`ArithmeticError::DivisionByZero`] or [`ArithmeticError::Domain`] where `s` is not certainly positive.
+    /// [`ArithmeticError::DivisionByZero`] or [`ArithmeticError::Argument`] where `s` is not certainly positive.
     pub fn value<T: Real>(&self, s: &T) -> Result<T, ArithmeticError> {
         self.value_over(s)?.at(s)
     }
@@ -266,7 +266,7 @@ impl<T: Real> Value<T> {
     /// `V(s)`.
     ///
     /// # Errors
-    /// [`ArithmeticError::DivisionByZero`] or [`ArithmeticError::Domain`] where `s` is not certainly positive.
+    /// [`ArithmeticError::DivisionByZero`] or [`ArithmeticError::Argument`] where `s` is not certainly positive.
     pub fn at(&self, s: &T) -> Result<T, ArithmeticError> {
         let powers = self.powers(s)?;
         match &self.log {

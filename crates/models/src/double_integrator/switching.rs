@@ -12,7 +12,7 @@ use super::input::{Flock, Network};
 use super::motion::{Event, EventKind, Motion, MotionError, Options, Sample};
 use super::{Alignment, Branch, Coordinates, Pair, Slope, State, Vector};
 use super::{gyroscopic, heading, potential_gradients, velocity_alignment};
-use arithmetic::ArithmeticError;
+use arithmetic::{ArithmeticError, Progress, Unwatched};
 use motion::{Integrator, VectorField, root};
 
 const PLANE: Coordinates = Coordinates::Cartesian;
@@ -38,19 +38,19 @@ impl Flock {
     /// # Errors
     /// [`MotionError`].
     pub fn run(&self, until: f64, samples: &[f64], options: &Options) -> Result<Motion, MotionError> {
-        let (motion, end) = self.run_while(until, samples, options, &|| true);
+        let (motion, end) = self.run_watched(until, samples, options, &Unwatched);
         end.map(|()| motion)
     }
 
-    /// As [`Self::run`], as long as `goes_on`, which is asked at every step: what was reached, and why there is no more of it.
-    pub fn run_while(
+    /// As [`Self::run`], until `progress` stops it: what was reached, and why there is no more of it.
+    pub fn run_watched(
         &self,
         until: f64,
         samples: &[f64],
         options: &Options,
-        goes_on: &dyn Fn() -> bool,
+        progress: &dyn Progress,
     ) -> (Motion, Result<(), MotionError>) {
-        let mut engine = match Engine::new(self, options, goes_on) {
+        let mut engine = match Engine::new(self, options, progress) {
             Ok(engine) => engine,
             Err(error) => return (Motion::default(), Err(error)),
         };
@@ -136,7 +136,7 @@ impl Flock {
 pub(super) struct Engine<'a> {
     pub flock: &'a Flock,
     pub options: &'a Options,
-    goes_on: &'a dyn Fn() -> bool,
+    progress: &'a dyn Progress,
     pub slope: Slope<f64>,
     pub energy: Energy,
     pub time: f64,
@@ -150,13 +150,13 @@ pub(super) struct Engine<'a> {
 }
 
 impl<'a> Engine<'a> {
-    fn new(flock: &'a Flock, options: &'a Options, goes_on: &'a dyn Fn() -> bool) -> Result<Self, MotionError> {
+    fn new(flock: &'a Flock, options: &'a Options, progress: &'a dyn Progress) -> Result<Self, MotionError> {
         let radius = if let Network::Within(radius) = flock.network { Some(radius) } else { None };
         let count = flock.start.count();
         let mut engine = Engine {
             flock,
             options,
-            goes_on,
+            progress,
             slope: flock.potential.slope_over(&1.0),
             energy: Energy::new(&flock.potential, radius)?,
             time: 0.0,
@@ -240,7 +240,7 @@ impl<'a> Engine<'a> {
         let mut field = ClosedLoop::new(self.count(), law);
         let mut solution = Integrator::new(self.time, &self.list, self.options.tolerance);
         while solution.time() < until {
-            if !(self.goes_on)() {
+            if self.progress.is_cancelled() {
                 return Err(MotionError::Halted(solution.time()));
             }
             let before = self.state_of(solution.state());

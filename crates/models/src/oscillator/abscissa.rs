@@ -275,7 +275,7 @@ fn divided<T: Ring + PartialEq>(cubic: &[Complex<T>], root: &Complex<T>) -> Resu
     quotient.reverse();
     match remainder {
         Some(rest) if rest == rest.zero() => Ok(quotient),
-        _ => Err(ArithmeticError::Domain("a neutral eigenvalue")),
+        _ => Err(ArithmeticError::Domain("modes that have their neutral eigenvalues")),
     }
 }
 

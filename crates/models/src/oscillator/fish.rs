@@ -111,7 +111,7 @@ pub struct ZoneNetworks {
 }
 
 impl<T: Field + Signed> Zones<T> {
-    /// The network of a zone, where all of its arcs are among these.
+    /// The network of a zone, where all of its arcs are among these; arcs to fish that are not there are left out.
     pub fn network_among(
         &self,
         zone: Zone,
@@ -119,8 +119,8 @@ impl<T: Field + Signed> Zones<T> {
         arcs: impl Iterator<Item = (usize, usize)>,
     ) -> Neighbours {
         let senses = |&(k, j): &(usize, usize)| {
-            let offset = state.positions[j].clone() - &state.positions[k];
-            self.senses(zone, &state.phasors[k], &offset)
+            let (Some(own), Some(other)) = (state.positions.get(k), state.positions.get(j)) else { return false };
+            state.phasors.get(k).is_some_and(|heading| self.senses(zone, heading, &(other.clone() - own)))
         };
         Neighbours::from_arcs(state.phasors.len(), arcs.filter(senses))
     }
@@ -140,13 +140,18 @@ impl<T: Field + Signed> Zones<T> {
 /// (27) with `v^rep` and `v^att` of the right signs: `w + <i e^{i theta_k}, K_rep v^rep + K_ori v^ori + K_att v^att>`, `N` entries.
 ///
 /// # Errors
-/// [`ArithmeticError::DivisionByZero`] where a fish is at the place of one that it senses.
+/// [`ArithmeticError::DivisionByZero`] where a fish is at the place of one that it senses; [`ArithmeticError::Domain`] where a network
+/// has more fish than the state.
 pub fn behaviour_control<T: Real>(
     turning: &T,
     gains: &BehaviourGains<T>,
     networks: &ZoneNetworks,
     state: &State<T>,
 ) -> Result<Vec<T>, ArithmeticError> {
+    let fish = state.positions.len().min(state.phasors.len());
+    if [&networks.repulsion, &networks.orientation, &networks.attraction].iter().any(|n| n.particles() > fish) {
+        return Err(ArithmeticError::Domain("networks of the fish of the state"));
+    }
     let control = |(k, z): (usize, &Complex<T>)| {
         let away = |network: &Neighbours| -> Result<Vec<Complex<T>>, ArithmeticError> {
             let unit = |&j: &usize| {

@@ -7,15 +7,7 @@
 use super::moments::{kind, powers, quarter_turn};
 use super::network::Interaction;
 use algebra::matrix::SparseMatrix;
-use arithmetic::{ArithmeticError, Complex, Field, Ring};
-
-/// `L_k x` for every row `k`; `x` has as many entries as the matrix has rows.
-pub fn laplacian_rows<T: Field>(laplacian: &SparseMatrix, x: &[Complex<T>]) -> Vec<Complex<T>> {
-    let row = |(k, own): (usize, &Complex<T>)| {
-        laplacian.row(k).iter().fold(own.zero(), |sum, (j, entry)| sum + x[*j].scale(&own.re.rational(entry)))
-    };
-    x.iter().enumerate().map(row).collect()
-}
+use arithmetic::{ArithmeticError, Complex, Field};
 
 /// `Q_L(x) = (1/(2N)) <x, L x>` (11).
 ///

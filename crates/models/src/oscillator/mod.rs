@@ -31,12 +31,12 @@ pub use fish::{
 };
 pub use flight::Flight;
 pub use flight::write_rate;
-pub use laplacian::{laplacian_rows, misalignment, phase_potential, phase_potential_gradient, quadratic_form};
+pub use laplacian::{misalignment, phase_potential, phase_potential_gradient, quadratic_form};
 pub use linearisation::linearisation;
 pub use moments::{
     mean, moment, moment_gradient, moment_potential, pattern_gradient, pattern_potential, powers, quarter_turn,
 };
-pub use network::{Everyone, Interaction, Neighbours};
+pub use network::{Everyone, Interaction, Neighbours, laplacian_rows};
 pub use pattern::{clusters_of_pattern, symmetric_pattern};
 pub use reached::{CLUSTER, cluster_gap, nearest_twist, order, pattern, ring_differences, shape_rate, winding};
 pub use runs::{

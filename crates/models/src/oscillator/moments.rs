@@ -4,7 +4,7 @@ use arithmetic::{ArithmeticError, Complex, Field, Ring};
 
 /// A scalar of the kind of the phasors.
 pub(super) fn kind<T>(phasors: &[Complex<T>]) -> Result<&T, ArithmeticError> {
-    phasors.first().map(|z| &z.re).ok_or(ArithmeticError::Domain("a mean over no particles"))
+    phasors.first().map(|z| &z.re).ok_or(ArithmeticError::Domain("at least one particle"))
 }
 
 /// `i z`: a phasor turned by a quarter.

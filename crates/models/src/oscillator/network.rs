@@ -1,6 +1,5 @@
 //! Who takes account of whom: the Laplacian of an interaction network as an operator, fixed or made from positions.
 
-use super::laplacian::laplacian_rows;
 use algebra::graph::Graph;
 use algebra::matrix::SparseMatrix;
 use arithmetic::{Complex, Field, Ring, Sign, Signed};
@@ -8,8 +7,17 @@ use std::cmp::Ordering;
 
 /// A network that has a Laplacian `L = D - A`, where `a_kj = 1` if `k` takes account of `j`.
 pub trait Interaction {
-    /// `L_k x` for every particle `k`; `x` has an entry for each particle.
+    /// `L_k x` for every particle `k`; `x` has an entry for each particle, and particles without one are left out.
     fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>>;
+}
+
+/// `L_k x` for every row `k`; entries of `x` without a row, and of rows without an entry of `x`, are left out.
+pub fn laplacian_rows<T: Field>(laplacian: &SparseMatrix, x: &[Complex<T>]) -> Vec<Complex<T>> {
+    let row = |(k, own): (usize, &Complex<T>)| {
+        let there = laplacian.row(k).iter().filter_map(|(j, entry)| Some((x.get(*j)?, entry)));
+        there.fold(own.zero(), |sum, (other, entry)| sum + other.scale(&own.re.rational(entry)))
+    };
+    x.iter().enumerate().take(laplacian.order()).map(row).collect()
 }
 
 impl Interaction for SparseMatrix {
@@ -70,7 +78,7 @@ impl Neighbours {
     pub fn circulant(particles: usize, offsets: &[usize]) -> Self {
         let joined = |k: usize, j: usize| {
             let difference = (k + particles - j) % particles;
-            offsets.iter().any(|&offset| difference == offset || difference + offset == particles)
+            offsets.iter().any(|&offset| offset == difference || offset == particles - difference)
         };
         Neighbours::from_fn(particles, joined)
     }
@@ -112,16 +120,17 @@ impl Neighbours {
         self.lists.iter().enumerate().flat_map(|(k, list)| list.iter().map(move |&j| (k, j)))
     }
 
-    /// The neighbours of `k`, in order.
+    /// The neighbours of `k`, in order; of a particle that is not there, none.
     pub fn of_particle(&self, k: usize) -> &[usize] {
-        &self.lists[k]
+        self.lists.get(k).map_or(&[], Vec::as_slice)
     }
 }
 
 impl Interaction for Neighbours {
     fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>> {
         let row = |(own, list): (&Complex<T>, &Vec<usize>)| {
-            list.iter().fold(Complex::real(own.re.zero()), |sum, &j| sum + own - &x[j])
+            let there = list.iter().filter_map(|&j| x.get(j));
+            there.fold(Complex::real(own.re.zero()), |sum, other| sum + own - other)
         };
         x.iter().zip(&self.lists).map(row).collect()
     }

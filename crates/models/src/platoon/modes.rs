@@ -46,7 +46,7 @@ impl<T: Real + Signed> Mode<T> {
         let (overdamped, size) = match discriminant.sign() {
             Some(Sign::Positive) => (true, discriminant),
             Some(Sign::Negative) => (false, -discriminant),
-            _ => return Err(ArithmeticError::Domain("a mode with distinct roots")),
+            _ => return Err(ArithmeticError::Domain("modes with distinct roots")),
         };
         let frequency = size.sqrt()?;
         // decay - frequency without the cancellation: the product of the two rates is lambda |f|.
@@ -93,6 +93,6 @@ pub fn slowest_rate<T: Real + Signed>(gains: &Gains<T>, followers: u64) -> Resul
     match (last.clone() - &first).sign() {
         Some(Sign::Negative) => Ok(last),
         Some(_) => Ok(first),
-        None => Err(ArithmeticError::Domain("two rates that can be told apart")),
+        None => Err(ArithmeticError::Domain("rates that can be told apart")),
     }
 }

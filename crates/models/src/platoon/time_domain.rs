@@ -206,7 +206,7 @@ impl<T: Real + Signed> StopAndGo<T> {
             match since.sign() {
                 Some(Sign::Negative) => {}
                 Some(_) => past.push((since, change)),
-                None => return Err(ArithmeticError::Domain("a time before or after a change of the acceleration")),
+                None => return Err(ArithmeticError::Domain("times before or after a change of the acceleration")),
             }
         }
         Ok(past)

@@ -51,11 +51,12 @@ pub struct FrameMeasures {
 }
 
 /// The neighbour of `k` for `n = 1`: the nearest, or the second nearest where the nearest is within `too_near`. Of two at the same
-/// distance the one with the smaller number. At least two positions.
+/// distance the one with the smaller number; `k` itself where there is no other.
 pub fn nearest_neighbour(positions: &[Vector], k: usize, too_near: Option<f64>) -> usize {
+    let Some(own) = positions.get(k) else { return k };
     let mut best = [(f64::INFINITY, k); 2];
     for (j, r) in positions.iter().enumerate().filter(|&(j, _)| j != k) {
-        let distance = (r.clone() - &positions[k]).norm_squared();
+        let distance = (r.clone() - own).norm_squared();
         if distance < best[0].0 {
             best = [(distance, j), best[0]];
         } else if distance < best[1].0 {

@@ -18,17 +18,19 @@ fn inside_a_run(tracks: &Tracks, i: usize) -> bool {
     i > 0 && number(i - 1).map(|n| n + 1) == number(i) && number(i).map(|n| n + 1) == number(i + 1)
 }
 
-/// Positions of one fish averaged over `window` frames (odd) around each; `None` where the window is not filled without a gap.
+/// Positions of one fish averaged over `window` frames (odd) around each; `None` where the window is not filled without a gap. A
+/// fish that is not there has no positions.
 pub fn smoothed(tracks: &Tracks, fish: usize, window: usize) -> Vec<Option<Vector>> {
-    let (places, half) = (&tracks.positions[fish], window / 2);
+    let places: &[Option<Vector>] = tracks.positions.get(fish).map_or(&[], Vec::as_slice);
+    let half = window / 2;
     let average = |i: usize| {
-        let (from, to) = (i.checked_sub(half)?, i + half);
+        let (from, to) = (i.checked_sub(half)?, i.checked_add(half)?);
         let (first, last) = (tracks.frames.get(from)?, tracks.frames.get(to)?);
         if last.number - first.number != 2 * half as u64 {
             return None;
         }
         let mut sum = Complex::new(0.0, 0.0);
-        for r in &places[from..=to] {
+        for r in places.get(from..=to)? {
             sum = sum + r.as_ref()?;
         }
         Some(sum.scale(&(1.0 / (2 * half + 1) as f64)))

@@ -5,11 +5,12 @@ use super::measures::partners;
 use super::potential::{complete_potential, mean, partner_potential};
 use super::{Choices, Histogram, Scale, Vector};
 use crate::oscillator::{Zone, Zones};
-use arithmetic::Complex;
 use arithmetic::random::{generator, uniform};
+use arithmetic::{Cancelled, Complex, Progress};
 use rand_chacha::rand_core::Rng;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A difference counts as positive above this: rounding of numbers that are zero.
 const ROUNDING: f64 = 1e-12;
@@ -142,7 +143,8 @@ impl Sample {
         self.headings.first().map_or(0, Vec::len)
     }
 
-    /// The numbers with the headings of fish `k` shifted by `shift[k]` frames around the end, and with `kind` also its positions.
+    /// The numbers with the headings of fish `k` shifted by `shift[k]` frames around the end, and with `kind` also its positions; fish
+    /// without a shift stay.
     pub fn statistics(&self, kind: NullKind, shift: &[usize]) -> Statistics {
         let (frames, fish) = (self.frames(), self.fish());
         let mut statistics = Statistics {
@@ -155,7 +157,8 @@ impl Sample {
         let (mut cosines, mut arcs) = (0.0, 0usize);
         for i in 0..frames {
             let moved = |rows: &[Vec<Vector>]| -> Vec<Vector> {
-                shift.iter().enumerate().map(|(k, s)| rows[(i + s) % frames][k].clone()).collect()
+                let place = |k: usize| (i + shift.get(k).map_or(0, |s| s % frames)) % frames;
+                (0..fish).map(|k| rows[place(k)][k].clone()).collect()
             };
             let headings = moved(&self.headings);
             let shifted = match kind {
@@ -226,33 +229,41 @@ pub fn uniform_draw(partners: &[usize], random: &mut impl Rng) -> (f64, f64) {
     (complete_potential(&headings), partner_potential(partners, &headings))
 }
 
-/// Compares a recording with independent uniform headings and with `shifts` shifts of each kind; `done` is called after each shift.
-pub fn null_models(sample: &Sample, shifts: usize, seed: &str, done: impl Fn() + Sync) -> NullModels {
+/// Compares a recording with independent uniform headings and with `shifts` shifts of each kind; `progress` is told of each shift.
+///
+/// # Errors
+/// [`Cancelled`].
+pub fn null_models(
+    sample: &Sample,
+    shifts: usize,
+    seed: &str,
+    progress: &dyn Progress,
+) -> Result<NullModels, Cancelled> {
     let (frames, fish) = (sample.frames(), sample.fish());
     let observed = sample.statistics(NullKind::Headings, &vec![0; fish]);
     let offsets = |kind: NullKind, replicate: usize| -> Vec<usize> {
         let mut random = generator(seed, kind.name(), replicate as u64);
         (0..fish).map(|_| ((uniform(&mut random) * frames as f64) as usize).min(frames - 1)).collect()
     };
+    let done = AtomicU64::new(0);
     let compare = |kind: NullKind| {
-        let all: Vec<Statistics> = (0..shifts)
-            .into_par_iter()
-            .map(|replicate| {
-                let statistics = sample.statistics(kind, &offsets(kind, replicate));
-                done();
-                statistics
-            })
-            .collect();
+        let shifted = |replicate: usize| {
+            progress.checkpoint()?;
+            let statistics = sample.statistics(kind, &offsets(kind, replicate));
+            progress.tell("shifts", done.fetch_add(1, Ordering::Relaxed) + 1, Some(2 * shifts as u64));
+            Ok(statistics)
+        };
+        let all = (0..shifts).into_par_iter().map(shifted).collect::<Result<Vec<Statistics>, Cancelled>>()?;
         let mut histogram = difference_bins();
         all.iter().for_each(|statistics| histogram.merge(&statistics.histogram));
         let table: Vec<[Option<f64>; 8]> = all.iter().map(Statistics::values).collect();
         let seen = observed.values();
         let comparisons =
             std::array::from_fn(|c| comparison(seen[c]?, table.iter().filter_map(|row| row[c]).collect()));
-        (kind, comparisons, histogram)
+        Ok((kind, comparisons, histogram))
     };
-    let shifted = if shifts == 0 { vec![] } else { vec![compare(NullKind::Headings), compare(NullKind::Tracks)] };
-    NullModels { in_pairs: sample.in_pairs(), uniform: sample.uniform(seed), shifted, shifts, observed }
+    let shifted = if shifts == 0 { vec![] } else { vec![compare(NullKind::Headings)?, compare(NullKind::Tracks)?] };
+    Ok(NullModels { in_pairs: sample.in_pairs(), uniform: sample.uniform(seed), shifted, shifts, observed })
 }
 
 fn comparison(observed: f64, mut values: Vec<f64>) -> Option<Comparison> {

@@ -44,7 +44,7 @@ impl Scale {
 
     /// Scaled potential for all neighbours less the one for a single neighbour, from `W_1` of both.
     pub fn difference(self, fish: usize, complete: f64, single: f64) -> f64 {
-        self.factor(fish - 1) * complete - self.factor(1) * single
+        self.factor(fish.saturating_sub(1)) * complete - self.factor(1) * single
     }
 }
 
@@ -54,9 +54,10 @@ pub(super) fn mean(x: &[Vector]) -> Vector {
     sum.scale(&(1.0 / x.len() as f64))
 }
 
-/// `W_1` where fish `k` has the one neighbour `partners[k]`: `(1/(2N)) sum_k (1 - cos theta_kj)`.
+/// `W_1` where fish `k` has the one neighbour `partners[k]`: `(1/(2N)) sum_k (1 - cos theta_kj)`; a neighbour that is not there adds
+/// nothing.
 pub fn partner_potential(partners: &[usize], headings: &[Vector]) -> f64 {
-    let sum: f64 = headings.iter().zip(partners).map(|(z, &j)| 1.0 - z.dot(&headings[j])).sum();
+    let sum: f64 = headings.iter().zip(partners).filter_map(|(z, &j)| Some(1.0 - z.dot(headings.get(j)?))).sum();
     sum / (2 * headings.len()) as f64
 }
 

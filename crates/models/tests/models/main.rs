@@ -3,6 +3,7 @@
 mod averaging;
 mod cells;
 mod double_integrator;
+mod missing;
 mod oscillator;
 mod oscillator_space;
 mod platoon;

@@ -4,13 +4,11 @@
 //! counts as checked only where the transcript holds the digest of its file, of everything that file needs and of the
 //! audit that states it again; a changed file loses its theorems until coqc has seen it.
 
-mod compile;
 mod development;
 mod evidence;
 mod theorems;
 mod transcript;
 
-pub use compile::{ProveError, Workshop, prove};
 pub use development::{Source, files, with_digests};
 pub use evidence::{Development, proofs_of};
 pub use theorems::{Covers, Theorem, theorems};

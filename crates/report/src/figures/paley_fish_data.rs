@@ -4,6 +4,7 @@
 use super::{Reproduced, csv};
 use crate::plot::Picture;
 use crate::tracks::{TracksReport, difference_panel, potential_panel, scaled_panel, snapshot_panel};
+use arithmetic::Unwatched;
 use ledger::CheckError;
 use models::tracks::{Analysis, Choices, NullModels, School, Setting, Tracks, analyse, null_models, synthetic_school};
 use motion::Share;
@@ -49,7 +50,8 @@ impl Made {
         let tracks = synthetic_school(school, &setting);
         let analysis = analyse(&tracks, &Choices::of_sidebar(tracks.step))
             .map_err(|error| CheckError::Other(format!("{name}: {error}")))?;
-        let null = null_models(&analysis.sample(), shifts, name, || ());
+        let null = null_models(&analysis.sample(), shifts, name, &Unwatched)
+            .map_err(|stopped| CheckError::Other(stopped.to_string()))?;
         Ok(Made { name, tracks, analysis, null })
     }
 

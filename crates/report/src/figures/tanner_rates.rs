@@ -51,7 +51,7 @@ fn explore(graph: Graph, replicate: u64) -> Result<Found, CheckError> {
 
 /// How many of the additions of one edge lower the rate, among all.
 fn slowed(found: &[Found], rate: fn(&Found) -> f64) -> (usize, usize) {
-    let known: BTreeMap<(usize, usize), f64> =
+    let known: BTreeMap<_, f64> =
         found.iter().map(|f| ((f.graph.order(), f.graph.isomorphism_code()), rate(f))).collect();
     let (mut lower, mut all) = (0, 0);
     for f in found {

@@ -35,27 +35,31 @@ impl TracksReport<'_> {
         summary::summary(self)
     }
 
-    /// All files: the summary, a row for each frame, for each gap and for each fish, histograms, pictures. The snapshot shows the
-    /// frame with all headings that is closest to `snapshot_at`.
-    ///
-    /// # Errors
-    /// [`PictureError`].
-    pub fn files(&self, snapshot_at: Option<f64>) -> Result<Vec<File>, PictureError> {
+    /// The summary and the tables.
+    pub fn tables(&self) -> Vec<File> {
         let text = |name: &str, contents: String| File { name: name.to_string(), contents: contents.into_bytes() };
-        let mut files = vec![
+        vec![
             text("summary.json", format!("{:#}\n", self.summary())),
             text("frames.csv", tables::frames(self)),
             text("fish.csv", tables::fish(self)),
             text("gaps.csv", tables::gaps(self)),
             text("histograms.csv", tables::histograms(self)),
-        ];
+        ]
+    }
+
+    /// The pictures; the snapshot shows the frame with all headings that is closest to `snapshot_at`.
+    ///
+    /// # Errors
+    /// [`PictureError`].
+    pub fn pictures(&self, snapshot_at: Option<f64>) -> Result<Vec<File>, PictureError> {
         let pictures = [
             ("histograms", pictures::histograms(self)),
             ("potentials", pictures::potentials(self)),
             ("snapshot", pictures::snapshot(self, snapshot_at)),
         ];
+        let mut files = Vec::new();
         for (name, picture) in pictures {
-            files.push(text(&format!("{name}.svg"), picture.svg()));
+            files.push(File { name: format!("{name}.svg"), contents: picture.svg().into_bytes() });
             files.push(File { name: format!("{name}.png"), contents: picture.png()? });
         }
         Ok(files)

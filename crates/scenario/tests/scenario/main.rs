@@ -1,12 +1,14 @@
 //! Mirrors `src/scenario`: runs against closed forms and against other parts of the library.
 
+use arithmetic::{Progress, Unwatched};
 use models::platoon::Gains;
 use models::platoon::time_domain::Modes;
 use scenario::{End, Outcome, Row, Scenario, Value, min_distance};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 fn run(text: &str) -> Outcome {
     let scenario = Scenario::read(text).unwrap_or_else(|error| panic!("{error}"));
-    let outcome = scenario.run(&|| false, &mut |_| {});
+    let outcome = scenario.run(&Unwatched);
     assert_eq!(outcome.end, End::Finished);
     outcome
 }
@@ -300,25 +302,46 @@ fn nearest_neighbours_change_when_distances_cross() {
     assert!(outcome.events[0].time < 1e-9);
 }
 
+/// Stops a run after the 301 rows up to 6 of 10.
+struct Rows(AtomicU64);
+
+impl Progress for Rows {
+    fn is_cancelled(&self) -> bool {
+        self.0.load(Ordering::Relaxed) > 300
+    }
+
+    fn tell(&self, stage: &str, done: u64, total: Option<u64>) {
+        assert_eq!((stage, total), ("rows", Some(501)));
+        self.0.store(done, Ordering::Relaxed);
+    }
+}
+
 #[test]
 fn what_was_reached_is_kept() {
     let text = "model = \"phase\"\n[state]\nphases = [0, 2]\n[law]\nK1 = -1\n[run]\nuntil = 10\nsamples = [1, 5, 10]\n";
-    let reached = std::cell::Cell::new(0.0);
     let scenario = Scenario::read(text).expect("good");
-    let outcome = scenario.run(&|| reached.get() >= 6.0, &mut |time| reached.set(time));
+    let outcome = scenario.run(&Rows(AtomicU64::new(0)));
     assert_eq!(outcome.end, End::Interrupted);
     assert_eq!(outcome.samples().map(|row| row.time).collect::<Vec<_>>(), [1.0, 5.0]);
+    assert_eq!(outcome.rows.len(), 301);
     assert!((6.0..6.1).contains(&outcome.reached()));
     // Two agents that fall into each other.
     let text = "model = \"velocity-alignment\"\n[graph]\nkind = \"path\"\n[state]\npositions = [[0, 0], [1, 0]]\n\
         velocities = [[0, 0], [0, 0]]\n[law]\npotential = { slope = [[-2, 1]], at = 1, value = 0 }\n[run]\nuntil = 10\nsamples = [0, 10]\n";
     for graph in ["\"path\"", "\"within\"\nradius = 3"] {
         let scenario = Scenario::read(&text.replace("\"path\"", graph)).expect("good");
-        let outcome = scenario.run(&|| false, &mut |_| {});
+        let outcome = scenario.run(&Unwatched);
         assert!(matches!(outcome.end, End::Failed(_)), "{graph}: {:?}", outcome.end);
         assert_eq!(outcome.samples().count(), 1);
         assert!(outcome.reached() < 1.0 && outcome.rows.len() > 1, "{graph}");
     }
+}
+
+#[test]
+fn places_without_coordinates_have_distances() {
+    assert_eq!(min_distance(&[]), f64::INFINITY);
+    assert_eq!(min_distance(&[vec![], vec![]]), 0.0);
+    assert_eq!(min_distance(&[vec![], vec![3.0, 4.0], vec![0.0, 1.0]]), 0.0);
 }
 
 #[test]

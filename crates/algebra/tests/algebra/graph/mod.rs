@@ -176,14 +176,36 @@ fn components_of_edges_are_those_of_the_graph() {
 #[test]
 fn isomorphism_codes() {
     for order in 1..=5 {
-        let mut codes: Vec<usize> =
-            Graph::connected_up_to_isomorphism(order).iter().map(Graph::isomorphism_code).collect();
+        let mut codes: Vec<_> = Graph::connected_up_to_isomorphism(order).iter().map(Graph::isomorphism_code).collect();
         let count = codes.len();
         codes.sort_unstable();
         codes.dedup();
         assert_eq!(codes.len(), count);
     }
+    // One graph of many vertices at a time; the numbering goes on as it began.
+    let large: Vec<Graph> = Graph::all(40).take(3).collect();
+    assert_eq!(large[2], Graph::from_edges(40, &[(0, 2)]).unwrap());
+    assert_eq!(Graph::all(4).count(), 64);
+    assert!((3..5).all(|order| Graph::all(order).last() == Some(Graph::from_fn(order, |_, _| true))));
     let path = Graph::path(5);
     let renamed = Graph::from_edges(5, &[(3, 1), (1, 4), (4, 0), (0, 2)]).unwrap();
     assert_eq!(path.isomorphism_code(), renamed.isomorphism_code());
+}
+
+/// Outside of matrices and graphs there is nothing, and nobody panics about it.
+#[test]
+fn places_that_are_not_there_are_zero() {
+    let path = Graph::path(70);
+    assert!(!path.has_edge(3, 70) && !path.has_edge(70, 3) && !path.has_edge(0, 128) && path.has_edge(68, 69));
+    assert!(path.neighbours(70).is_empty() && path.degree(1000) == 0);
+    assert_eq!(path.induced(&[68, 69, 70]), Graph::from_edges(3, &[(0, 1)]).unwrap());
+    let small = Graph::path(2).closed_adjacency();
+    assert_eq!(path.closed_adjacency().times(&small).rows(), 70);
+    assert!(!path.closed_adjacency().contains(&small));
+    let laplacian = path.laplacian().unwrap();
+    assert!(laplacian.row(70).is_empty());
+    assert_eq!(laplacian.entry(0, 70), rational(0, 1));
+    let sparse = SparseMatrix::from_dense(&laplacian).unwrap();
+    assert!(sparse.row(70).is_empty() && sparse.get(70, 0).is_none());
+    assert_eq!(sparse.principal(&[0, 99]).order(), 2);
 }

@@ -5,7 +5,7 @@ mod circulants;
 mod enclosures;
 
 use algebra::spectrum::{Polynomial, Recurrence, RecurrenceError};
-use arithmetic::{Rational, Sign, rational};
+use arithmetic::{Rational, Sign, Unwatched, rational};
 use num_bigint::BigInt;
 use num_traits::Signed;
 use proptest::prelude::*;
@@ -56,10 +56,10 @@ proptest! {
     #[test]
     fn the_long_run_is_that_of_the_terms(polynomial in prop::collection::vec(-5i64..5, 0..3), sum in sums()) {
         let terms: Vec<Rational> = (0..20).map(|r| value(&polynomial, &sum, r)).collect();
-        let recurrence = Recurrence::new(terms);
+        let recurrence = Recurrence::new(terms, &Unwatched).unwrap();
         let degree = polynomial.iter().rposition(|&c| c != 0).map_or(0, |k| k + 1);
         prop_assert_eq!(recurrence.order(), degree + sum.len());
-        let eventual = recurrence.eventual_sign().unwrap();
+        let eventual = recurrence.eventual_sign(&Unwatched).unwrap();
         for k in 0..12 {
             let at = value(&polynomial, &sum, eventual.from as i32 + k);
             let sign = if at.is_positive() { Sign::Positive } else if at.is_negative() { Sign::Negative } else { Sign::Zero };
@@ -69,9 +69,9 @@ proptest! {
 
     #[test]
     fn sizes_far_out_are_enclosed(sum in sums()) {
-        let recurrence = Recurrence::new((0..14).map(|r| value(&[], &sum, r)).collect());
+        let recurrence = Recurrence::new((0..14).map(|r| value(&[], &sum, r)).collect(), &Unwatched).unwrap();
         let r = 3000;
-        match recurrence.leading(&BigInt::from(r)) {
+        match recurrence.leading(&BigInt::from(r), &Unwatched) {
             Ok(None) => prop_assert!(sum.is_empty()),
             Ok(Some(leading)) => {
                 let exact = value(&[], &sum, r);
@@ -89,11 +89,14 @@ proptest! {
 fn sequences_that_are_not_decided() {
     // Fibonacci grows; (-1/2)^r has a negative root; r 2^-r a double one.
     let fibonacci = [0, 1, 1, 2, 3, 5, 8, 13].map(|x| rational(x, 1)).to_vec();
-    assert_eq!(Recurrence::new(fibonacci).eventual_sign(), Err(RecurrenceError::Roots));
+    assert_eq!(Recurrence::new(fibonacci, &Unwatched).unwrap().eventual_sign(&Unwatched), Err(RecurrenceError::Roots));
     let negative = (0..6).map(|r| rational(-1, 2).pow(r)).collect();
-    assert_eq!(Recurrence::new(negative).eventual_sign(), Err(RecurrenceError::Roots));
+    assert_eq!(Recurrence::new(negative, &Unwatched).unwrap().eventual_sign(&Unwatched), Err(RecurrenceError::Roots));
     let double = (0..8).map(|r| rational(i64::from(r), 1) * rational(1, 2).pow(r)).collect();
-    assert_eq!(Recurrence::new(double).eventual_sign(), Err(RecurrenceError::Roots));
+    assert_eq!(Recurrence::new(double, &Unwatched).unwrap().eventual_sign(&Unwatched), Err(RecurrenceError::Roots));
     let short = vec![rational(0, 1), rational(0, 1), rational(1, 1)];
-    assert!(matches!(Recurrence::new(short).eventual_sign(), Err(RecurrenceError::TooFewTerms { .. })));
+    assert!(matches!(
+        Recurrence::new(short, &Unwatched).unwrap().eventual_sign(&Unwatched),
+        Err(RecurrenceError::TooFewTerms { .. })
+    ));
 }

@@ -2,10 +2,12 @@
 
 use super::SettleError;
 use crate::averaging::flock::IntegerState;
-use crate::averaging::{Weights, contraction, deviation_matrix, stationary_distribution, transition_matrix};
+use crate::averaging::{
+    Weights, contraction_watched, deviation_matrix_watched, stationary_distribution, transition_matrix,
+};
 use algebra::graph::Graph;
 use algebra::matrix::{RationalMatrix, StochasticMatrix};
-use arithmetic::{Rational, rational};
+use arithmetic::{Cancelled, Progress, Rational, rational};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -31,7 +33,7 @@ pub(super) struct FixedNetwork {
 }
 
 impl FixedNetwork {
-    pub fn new(network: &Graph, weights: &Weights) -> Result<Self, SettleError> {
+    pub fn new(network: &Graph, weights: &Weights, progress: &dyn Progress) -> Result<Self, SettleError> {
         let birds = network.order();
         let mut flock_of = vec![0; birds];
         let flocks = network.components();
@@ -42,11 +44,12 @@ impl FixedNetwork {
             let (graph, weights) = (network.induced(members), weights.restricted(members));
             let transition = transition_matrix(&graph, &weights)?;
             let pi = stationary_distribution(&graph, &weights)?;
-            let deviation = deviation_matrix(&transition, &pi)?;
-            let steps = contraction(&transition)?.steps.to_u64().ok_or(SettleError::TooSlow)?;
+            let deviation = deviation_matrix_watched(&transition, &pi, progress)?;
+            let steps = contraction_watched(&transition, progress)?.steps.to_u64().ok_or(SettleError::TooSlow)?;
             halving_steps = halving_steps.max(steps);
             for (a, &i) in members.iter().enumerate() {
                 flock_of[i] = number;
+                progress.checkpoint()?;
                 for (b, &j) in members.iter().enumerate() {
                     limit[i][j] = pi[b].clone();
                     gamma[i][j] = deviation.entry(a, b);
@@ -55,7 +58,7 @@ impl FixedNetwork {
         }
         let transition = transition_matrix(network, weights)?;
         // One denominator for both.
-        let both = RationalMatrix::from_rows(&[limit, gamma].concat())?;
+        let both = RationalMatrix::from_rows_watched(&[limit, gamma].concat(), progress)?;
         let half = |from: usize| -> Result<RationalMatrix, SettleError> {
             let numerators = (from..from + birds).flat_map(|i| both.row(i).to_vec()).collect();
             Ok(RationalMatrix::new(birds, birds, numerators, both.denominator().clone())?)
@@ -73,16 +76,16 @@ impl FixedNetwork {
     }
 
     /// The powers `P^exponent` of the flocks, in the order of `flocks`.
-    pub fn powers(&self, exponent: u64) -> Result<Vec<StochasticMatrix>, SettleError> {
+    pub fn powers(&self, exponent: u64, progress: &dyn Progress) -> Result<Vec<StochasticMatrix>, SettleError> {
         let power = |members: &Vec<usize>| -> Result<StochasticMatrix, SettleError> {
             let (graph, weights) = (self.network.induced(members), self.weights.restricted(members));
             let base = StochasticMatrix::try_from(&transition_matrix(&graph, &weights)?)?;
             let one = StochasticMatrix::try_from(&RationalMatrix::identity(members.len())?)?;
             let mut result = one;
             for bit in (0..u64::BITS - exponent.leading_zeros()).rev() {
-                result = result.times(&result)?;
+                result = result.times_watched(&result, progress)?;
                 if exponent >> bit & 1 == 1 {
-                    result = result.times(&base)?;
+                    result = result.times_watched(&base, progress)?;
                 }
             }
             Ok(result)
@@ -109,16 +112,17 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    pub fn new(fixed: &FixedNetwork, state: &IntegerState) -> Self {
+    pub fn new(fixed: &FixedNetwork, state: &IntegerState, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let factor = fixed.limit.denominator();
-        let (drift, rest) = (apply(&fixed.limit, &state.velocities), apply(&fixed.gamma, &state.velocities));
+        let drift = apply(&fixed.limit, &state.velocities, progress)?;
+        let rest = apply(&fixed.gamma, &state.velocities, progress)?;
         let zip = |a: &Rows, b: &Rows, f: &dyn Fn(&BigInt, &BigInt) -> BigInt| -> Rows {
             a.iter().zip(b).map(|(p, q)| p.iter().zip(q).map(|(x, y)| f(x, y)).collect()).collect()
         };
         let place = zip(&state.positions, &rest, &|x, r| x * factor + r);
         let velocity_rest = zip(&state.velocities, &drift, &|v, y| v * factor - y);
         let ranges = |rows: &Rows| fixed.flocks.iter().map(|members| range(members, rows)).collect();
-        Motion {
+        Ok(Motion {
             unit: &state.unit * factor,
             rest_range: ranges(&rest),
             velocity_range: ranges(&velocity_rest),
@@ -126,7 +130,7 @@ impl Motion {
             drift,
             rest,
             velocity_rest,
-        }
+        })
     }
 
     /// `(A, B)` with `x_i - x_j = A + B s - (transients)`.
@@ -156,8 +160,13 @@ impl Motion {
     }
 
     /// The exact state after some steps, by the powers of the transition matrix.
-    pub fn state_after(&self, fixed: &FixedNetwork, steps: u64) -> Result<IntegerState, SettleError> {
-        let powers = fixed.powers(steps)?;
+    pub fn state_after(
+        &self,
+        fixed: &FixedNetwork,
+        steps: u64,
+        progress: &dyn Progress,
+    ) -> Result<IntegerState, SettleError> {
+        let powers = fixed.powers(steps, progress)?;
         let birds = self.place.len();
         let mut state = IntegerState {
             positions: vec![Vec::new(); birds],
@@ -170,6 +179,7 @@ impl Motion {
             let scale = &power_unit / BigInt::from(power.denominator().clone());
             for (a, &i) in members.iter().enumerate() {
                 for k in 0..self.place[i].len() {
+                    progress.checkpoint()?;
                     let through = |rows: &Rows| -> BigInt {
                         let row = numerators[a * members.len()..].iter();
                         members.iter().zip(row).map(|(&j, p)| p * &rows[j][k]).sum::<BigInt>() * &scale
@@ -193,11 +203,15 @@ fn common_multiple(a: BigInt, b: BigInt) -> BigInt {
 }
 
 /// `matrix rows`, without the denominator of the matrix.
-fn apply(matrix: &RationalMatrix, rows: &Rows) -> Rows {
+fn apply(matrix: &RationalMatrix, rows: &Rows, progress: &dyn Progress) -> Result<Rows, Cancelled> {
     let entry = |i: usize, k: usize| {
         matrix.row(i).iter().zip(rows).filter(|(m, _)| !m.is_zero()).map(|(m, row)| m * &row[k]).sum()
     };
-    (0..matrix.rows()).map(|i| (0..rows[0].len()).map(|k| entry(i, k)).collect()).collect()
+    let row = |i: usize| {
+        progress.checkpoint()?;
+        Ok((0..rows[0].len()).map(|k| entry(i, k)).collect())
+    };
+    (0..matrix.rows()).map(row).collect()
 }
 
 /// The sum over the coordinates of largest minus smallest.

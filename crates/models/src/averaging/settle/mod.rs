@@ -15,14 +15,13 @@ use super::{Flock, FlockError, Switch, transition_matrix};
 use algebra::graph::Graph;
 use algebra::matrix::MatrixError;
 use algebra::spectrum::RecurrenceError;
-use arithmetic::{ArithmeticError, Interval, Rational, Sign, rational};
+use arithmetic::{ArithmeticError, Cancelled, Interval, Progress, Rational, Sign, rational};
 use limits::{FixedNetwork, Motion};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::ToPrimitive;
 use pairs::{Approach, Prospects, prospects};
 use perturbation::{Functional, Jump, Stage, difference_functional, value_of};
-use std::ops::ControlFlow;
 
 /// Why a flock could not be followed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -32,10 +31,10 @@ pub enum SettleError {
     Flock(#[from] FlockError),
     /// A matrix without a limit.
     #[error(transparent)]
-    Matrix(#[from] MatrixError),
+    Matrix(MatrixError),
     /// A sign in the long run that is not decided.
     #[error(transparent)]
-    Recurrence(#[from] RecurrenceError),
+    Recurrence(RecurrenceError),
     /// An interval operation without a result.
     #[error(transparent)]
     Arithmetic(#[from] ArithmeticError),
@@ -46,11 +45,29 @@ pub enum SettleError {
     #[error("contributions too small to be written as numbers decide, and they cannot be told apart")]
     Unresolved,
     /// Stopped by the caller.
-    #[error("interrupted")]
-    Interrupted,
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// A jump that does not pass its own check: never to be seen.
     #[error("the switch predicted for t = {0} does not pass the rule")]
     Inconsistent(String),
+}
+
+impl From<MatrixError> for SettleError {
+    fn from(error: MatrixError) -> Self {
+        match error {
+            MatrixError::Cancelled(stopped) => SettleError::Cancelled(stopped),
+            other => SettleError::Matrix(other),
+        }
+    }
+}
+
+impl From<RecurrenceError> for SettleError {
+    fn from(error: RecurrenceError) -> Self {
+        match error {
+            RecurrenceError::Cancelled(stopped) => SettleError::Cancelled(stopped),
+            other => SettleError::Recurrence(other),
+        }
+    }
 }
 
 /// How far to go.
@@ -62,13 +79,11 @@ pub struct Limits {
     pub switches: usize,
     /// Bits to which the numbers of the state may grow in an exact jump; longer jumps keep what is left out as sequences.
     pub jump_bits: u64,
-    /// Asked between steps: whether to stop.
-    pub interrupted: fn() -> bool,
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Limits { steps: 400_000, switches: 100_000, jump_bits: 1 << 22, interrupted: || false }
+        Limits { steps: 400_000, switches: 100_000, jump_bits: 1 << 22 }
     }
 }
 
@@ -117,19 +132,22 @@ const LONGEST_CYCLE: usize = 6;
 /// Times a cycle is seen before it is analysed.
 const REPETITIONS: usize = 6;
 
-/// Follows a flock to its end; `watch` sees every switch and can stop.
+/// Follows a flock to its end; `found` sees every switch at once. Stopped by `progress`, it ends in [`Ending::Interrupted`] with the
+/// network after the last switch that was found.
 ///
 /// # Errors
 /// [`SettleError`] where the flock is refused on its way.
 pub fn settle(
     flock: Flock,
     limits: &Limits,
-    watch: &mut dyn FnMut(&Switch) -> ControlFlow<()>,
+    found: &mut dyn FnMut(&Switch),
+    progress: &dyn Progress,
 ) -> Result<Settlement, SettleError> {
-    let mut course = Course { flock, stages: Vec::new(), recent: Vec::new(), last_switch: BigInt::ZERO, switches: 0 };
+    let (stages, recent, last_switch) = (Vec::new(), Vec::new(), BigInt::ZERO);
+    let mut course = Course { flock, stages, recent, last_switch, switches: 0, progress };
     let (ending, why) = loop {
         match course.next(limits) {
-            Err(SettleError::Interrupted) => break (Ending::Interrupted, "interrupted".to_string()),
+            Err(SettleError::Cancelled(stopped)) => break (Ending::Interrupted, stopped.to_string()),
             Err(SettleError::Unresolved) => {
                 let why = SettleError::Unresolved.to_string();
                 break (Ending::Undecided(why.clone()), why);
@@ -138,14 +156,16 @@ pub fn settle(
             Ok(Next::Switch(switch)) => {
                 course.last_switch.clone_from(&switch.time);
                 course.switches += 1;
-                if watch(&switch).is_break() {
-                    break (Ending::Interrupted, "interrupted".to_string());
-                }
+                found(&switch);
                 if course.switches >= limits.switches {
                     let why = format!("stopped after {} switches", limits.switches);
                     break (Ending::Undecided(why.clone()), why);
                 }
-                if let Some(period) = course.proved_cycle()? {
+                let cycle = match course.proved_cycle() {
+                    Err(SettleError::Cancelled(stopped)) => break (Ending::Interrupted, stopped.to_string()),
+                    found => found?,
+                };
+                if let Some(period) = cycle {
                     let why = format!(
                         "the networks repeat a cycle of {period}: if they do, every distance keeps its side of 1 at each \
                          phase, by the leading term of its recurrence"
@@ -161,7 +181,7 @@ pub fn settle(
 }
 
 /// A flock on its way.
-struct Course {
+struct Course<'a> {
     flock: Flock,
     /// What happened since the last exact state; empty while the state is exact.
     stages: Vec<Stage>,
@@ -169,6 +189,7 @@ struct Course {
     recent: Vec<Graph>,
     last_switch: BigInt,
     switches: usize,
+    progress: &'a dyn Progress,
 }
 
 enum Next {
@@ -178,20 +199,20 @@ enum Next {
     End(Ending, String),
 }
 
-impl Course {
+impl Course<'_> {
     fn next(&mut self, limits: &Limits) -> Result<Next, SettleError> {
-        if let Some(switch) = self.walk(PATIENCE, limits)? {
+        if let Some(switch) = self.walk(PATIENCE)? {
             return Ok(Next::Switch(switch));
         }
         self.recent.clear();
-        let fixed = FixedNetwork::new(self.flock.network(), self.flock.weights())?;
-        let motion = Motion::new(&fixed, &self.flock.integers());
+        let fixed = FixedNetwork::new(self.flock.network(), self.flock.weights(), self.progress)?;
+        let motion = Motion::new(&fixed, &self.flock.integers(), self.progress)?;
         let start = self.flock.time().clone();
         let mark = self.mark();
         self.left_out_is_below(motion.unit.bits())?;
-        let all = prospects(&self.flock, &fixed, &motion, &self.stages)?;
+        let all = prospects(&self.flock, &fixed, &motion, &self.stages, self.progress)?;
         // A contact that comes before the horizon is met on the way there.
-        if let Some(switch) = self.walk(all.horizon.min(limits.steps), limits)? {
+        if let Some(switch) = self.walk(all.horizon.min(limits.steps))? {
             return Ok(Next::Switch(switch));
         }
         if all.horizon > limits.steps {
@@ -265,11 +286,9 @@ impl Course {
     }
 
     /// Exact steps, up to a number or the next switch.
-    fn walk(&mut self, steps: u64, limits: &Limits) -> Result<Option<Switch>, SettleError> {
+    fn walk(&mut self, steps: u64) -> Result<Option<Switch>, SettleError> {
         for _ in 0..steps {
-            if (limits.interrupted)() {
-                return Err(SettleError::Interrupted);
-            }
+            self.progress.checkpoint()?;
             let switch = if self.stages.is_empty() { self.flock.step()? } else { self.careful_step()? };
             if self.recent.len() == 4 * LONGEST_CYCLE * REPETITIONS {
                 self.recent.clear();
@@ -342,7 +361,7 @@ impl Course {
         // Positions after the move are x + v of one step earlier.
         let positions = difference_functional(before.birds(), (i, j), &difference)?;
         let functional = Functional { velocities: positions.clone(), positions };
-        Ok(value_of(&self.stages, functional)?.sign() == Sign::Positive)
+        Ok(value_of(&self.stages, functional, self.progress)?.sign() == Sign::Positive)
     }
 
     /// Jumps to the contact `steps` after `start`, where `motion` began.
@@ -363,7 +382,7 @@ impl Course {
         let time = start + &steps;
         if let Some(few) = self.exact_jump(fixed, &steps, limits) {
             // The state one step before, then a step by the rule itself.
-            let state = motion.state_after(fixed, few - 1)?;
+            let state = motion.state_after(fixed, few - 1, self.progress)?;
             self.flock = self.flock.moved_to(&state, fixed.network.clone(), &time - 1)?;
             return match self.flock.step()? {
                 Some(switch) => Ok(Next::Switch(switch)),
@@ -393,7 +412,7 @@ impl Course {
         time: BigInt,
         steps: BigInt,
     ) -> Result<Next, SettleError> {
-        let jump = Jump::new(fixed, motion, steps.clone())?;
+        let jump = Jump::new(fixed, motion, steps.clone(), self.progress)?;
         let mut joined = Vec::new();
         let mut ties = Vec::new();
         for approach in approaches {
@@ -415,7 +434,7 @@ impl Course {
         for (row, drift) in state.positions.iter_mut().zip(&motion.drift) {
             row.iter_mut().zip(drift).for_each(|(x, d)| *x += d * &steps);
         }
-        state.reduce();
+        state.reduce(self.progress)?;
         self.stages.push(Stage::Jump(Box::new(jump)));
         if !ties.is_empty() && self.flock.dimension() > 1 {
             // The second order of what was left out can outweigh the first.
@@ -428,7 +447,7 @@ impl Course {
                 (0..self.flock.dimension()).map(|k| Rational::new(place(i, k) - place(j, k), unit.clone())).collect();
             let positions = difference_functional(self.flock.birds(), (i, j), &difference)?;
             let velocities = positions.scaled(&rational(0, 1));
-            let value = value_of(&self.stages, Functional { positions, velocities })?;
+            let value = value_of(&self.stages, Functional { positions, velocities }, self.progress)?;
             match value.sign() {
                 Sign::Negative => joined.push((i, j)),
                 Sign::Zero => joined.push((i, j)),
@@ -463,10 +482,15 @@ impl Course {
         };
         let Some(period) = (2..=LONGEST_CYCLE).find(|&p| repeats(p)) else { return Ok(None) };
         let cycle = recent[recent.len() - period..].to_vec();
-        let Ok(Some(horizon)) = ties::cycle_horizon(&self.flock, &cycle) else { return Ok(None) };
+        let horizon = match ties::cycle_horizon(&self.flock, &cycle, self.progress) {
+            Ok(Some(horizon)) => horizon,
+            Err(SettleError::Cancelled(stopped)) => return Err(stopped.into()),
+            _ => return Ok(None),
+        };
         // Until the horizon the networks have to keep to the cycle too.
         let mut follower = self.flock.clone();
         for step in 0..horizon {
+            self.progress.checkpoint()?;
             follower.step()?;
             if *follower.network() != cycle[(step as usize).mod_floor(&period)] {
                 return Ok(None);

@@ -5,7 +5,7 @@ use super::limits::{FixedNetwork, Motion, dot, log2_below};
 use super::perturbation::{Functional, Magnitude, Stage, difference_functional, value_of};
 use super::ties;
 use crate::averaging::{Flock, Hysteresis};
-use arithmetic::{Field, Interval, Rational, Real, Ring, Sign, Signed, rational};
+use arithmetic::{Field, Interval, Progress, Rational, Real, Ring, Sign, Signed, rational};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{Signed as _, Zero};
@@ -46,12 +46,14 @@ pub(super) fn prospects(
     fixed: &FixedNetwork,
     motion: &Motion,
     stages: &[Stage],
+    progress: &dyn Progress,
 ) -> Result<Prospects, SettleError> {
     let mut all = Prospects::default();
     let mut drifts = BTreeMap::new();
     for j in 0..flock.birds() {
         for i in 0..j {
-            let mut pair = Pair { flock, fixed, motion, stages, drifts: &mut drifts, i, j };
+            progress.checkpoint()?;
+            let mut pair = Pair { flock, fixed, motion, stages, drifts: &mut drifts, progress, i, j };
             if let Err(error) = pair.look(&mut all) {
                 match error {
                     SettleError::Unresolved | SettleError::Recurrence(_) => {
@@ -72,6 +74,7 @@ struct Pair<'a> {
     stages: &'a [Stage],
     /// The differences of drift that were left out of numbers, by pair of flocks.
     drifts: &'a mut BTreeMap<(usize, usize), Vec<Magnitude>>,
+    progress: &'a dyn Progress,
     i: usize,
     j: usize,
 }
@@ -126,12 +129,18 @@ impl Pair<'_> {
         if !self.stages.is_empty() {
             // The limit itself may be off by what was left out.
             let positions = difference_functional(self.flock.birds(), (self.i, self.j), &a)?;
-            let velocities = positions.times(&self.fixed.gamma)?;
-            if !matches!(value_of(self.stages, Functional { positions, velocities })?, Magnitude::Zero) {
+            let velocities = positions.times_watched(&self.fixed.gamma, self.progress)?;
+            if !matches!(value_of(self.stages, Functional { positions, velocities }, self.progress)?, Magnitude::Zero) {
                 return Err(SettleError::Unresolved);
             }
         }
-        let signs = ties::eventual_signs(self.flock, std::slice::from_ref(&self.fixed.network), (self.i, self.j), &a)?;
+        let signs = ties::eventual_signs(
+            self.flock,
+            std::slice::from_ref(&self.fixed.network),
+            (self.i, self.j),
+            &a,
+            self.progress,
+        )?;
         if !self.stages.is_empty() && signs.signs.contains(&Sign::Zero) {
             // A tie of the rational part for ever: what was left out would decide.
             return Err(SettleError::Unresolved);
@@ -172,9 +181,9 @@ impl Pair<'_> {
         let coordinate = |k: usize| {
             let unit: Vec<Rational> = (0..dimension).map(|l| rational(i64::from(k == l), 1)).collect();
             let difference = difference_functional(self.flock.birds(), (self.i, self.j), &unit)?;
-            let velocities = difference.times(&self.fixed.limit)?;
+            let velocities = difference.times_watched(&self.fixed.limit, self.progress)?;
             let positions = velocities.scaled(&rational(0, 1));
-            value_of(self.stages, Functional { positions, velocities })
+            value_of(self.stages, Functional { positions, velocities }, self.progress)
         };
         (0..dimension).map(coordinate).collect()
     }

@@ -10,7 +10,7 @@ use super::limits::{FixedNetwork, Motion, largest, log2_above};
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};
 use algebra::spectrum::{Leading, Recurrence};
-use arithmetic::{Field, Interval, Rational, Ring, Sign, rational};
+use arithmetic::{Field, Interval, Progress, Rational, Ring, Sign, rational};
 use num_bigint::BigInt;
 use num_integer::Integer;
 
@@ -65,9 +65,15 @@ pub(super) struct Functional {
 }
 
 impl Jump {
-    pub fn new(fixed: &FixedNetwork, motion: &Motion, steps: BigInt) -> Result<Self, SettleError> {
+    pub fn new(
+        fixed: &FixedNetwork,
+        motion: &Motion,
+        steps: BigInt,
+        progress: &dyn Progress,
+    ) -> Result<Self, SettleError> {
         let matrix = |rows: &[Vec<BigInt>]| {
-            RationalMatrix::new(rows.len(), rows[0].len(), rows.concat(), motion.unit.clone()).map(|m| m.reduced())
+            RationalMatrix::new(rows.len(), rows[0].len(), rows.concat(), motion.unit.clone())?
+                .reduced_watched(progress)
         };
         // Powers of P halve the range of a vector of mean zero every so many steps; entries are within the range.
         let size = (largest(&motion.rest) + largest(&motion.velocity_rest) + &motion.unit) * 2;
@@ -75,7 +81,7 @@ impl Jump {
         Ok(Jump {
             limit: fixed.limit.clone(),
             gamma: fixed.gamma.clone(),
-            rest: fixed.transition.times(&matrix(&motion.rest)?)?,
+            rest: fixed.transition.times_watched(&matrix(&motion.rest)?, progress)?,
             velocity_rest: matrix(&motion.velocity_rest)?,
             transition: fixed.transition.clone(),
             smallness: halvings - log2_above(&size, &motion.unit),
@@ -84,7 +90,7 @@ impl Jump {
     }
 
     /// The functional of what this jump left out.
-    fn value(&self, of: &Functional) -> Result<Magnitude, SettleError> {
+    fn value(&self, of: &Functional, progress: &dyn Progress) -> Result<Magnitude, SettleError> {
         let exponent: BigInt = &self.steps - 1;
         let (half, parity) = exponent.div_rem(&BigInt::from(2));
         let mut rest = self.rest.clone();
@@ -95,23 +101,26 @@ impl Jump {
         let mut index = 0;
         while terms.len() < wanted {
             if (index % 2 == 1) == (parity == BigInt::from(1)) {
-                terms.push(trace(&of.velocities.times(&velocities)?) - trace(&of.positions.times(&rest)?));
+                terms.push(
+                    trace(&of.velocities.times_watched(&velocities, progress)?)
+                        - trace(&of.positions.times_watched(&rest, progress)?),
+                );
             }
-            rest = self.transition.times(&rest)?;
-            velocities = self.transition.times(&velocities)?;
+            rest = self.transition.times_watched(&rest, progress)?;
+            velocities = self.transition.times_watched(&velocities, progress)?;
             index += 1;
         }
-        Ok(match Recurrence::new(terms).leading(&half)? {
+        Ok(match Recurrence::new(terms, progress)?.leading(&half, progress)? {
             None => Magnitude::Zero,
             Some(leading) => Magnitude::Known(leading),
         })
     }
 
     /// The functional before the jump that has the value of `of` after it, leaving out what the jump leaves out.
-    fn pull_back(&self, of: Functional) -> Result<Functional, MatrixError> {
+    fn pull_back(&self, of: Functional, progress: &dyn Progress) -> Result<Functional, MatrixError> {
         let steps = Rational::from_integer(self.steps.clone());
-        let through_limit = of.positions.scaled(&steps).plus(&of.velocities)?.times(&self.limit)?;
-        let velocities = of.positions.times(&self.gamma)?.plus(&through_limit)?;
+        let through_limit = of.positions.scaled(&steps).plus(&of.velocities)?.times_watched(&self.limit, progress)?;
+        let velocities = of.positions.times_watched(&self.gamma, progress)?.plus(&through_limit)?;
         Ok(Functional { positions: of.positions, velocities })
     }
 }
@@ -146,7 +155,11 @@ pub(super) fn difference_functional(
 ///
 /// # Errors
 /// [`SettleError::Unresolved`] where several contributions cannot be told apart.
-pub(super) fn value_of(stages: &[Stage], mut of: Functional) -> Result<Magnitude, SettleError> {
+pub(super) fn value_of(
+    stages: &[Stage],
+    mut of: Functional,
+    progress: &dyn Progress,
+) -> Result<Magnitude, SettleError> {
     let mut known: Vec<Leading> = Vec::new();
     let mut smallness: Vec<BigInt> = Vec::new();
     let mut slack: u64 = 64;
@@ -154,20 +167,20 @@ pub(super) fn value_of(stages: &[Stage], mut of: Functional) -> Result<Magnitude
         match stage {
             Stage::Steps { transition, steps, .. } => {
                 for _ in 0..*steps {
-                    of.velocities = of.velocities.times(transition)?.plus(&of.positions)?;
+                    of.velocities = of.velocities.times_watched(transition, progress)?.plus(&of.positions)?;
                 }
-                of.velocities = of.velocities.reduced();
+                of.velocities = of.velocities.reduced_watched(progress)?;
                 slack += 2 * u64::from(u64::BITS - steps.leading_zeros()) + 2;
             }
-            Stage::Average(transition) => of.velocities = of.velocities.times(transition)?,
+            Stage::Average(transition) => of.velocities = of.velocities.times_watched(transition, progress)?,
             Stage::Jump(jump) => {
-                if let Magnitude::Known(leading) = jump.value(&of)? {
+                if let Magnitude::Known(leading) = jump.value(&of, progress)? {
                     known.push(leading);
                 }
                 smallness.push(jump.smallness.clone());
                 slack += jump.steps.bits() + 2 * largest_bits(&jump.gamma) + largest_bits(&of.positions) + 8;
                 slack += largest_bits(&of.velocities);
-                of = jump.pull_back(of)?;
+                of = jump.pull_back(of, progress)?;
             }
         }
     }

@@ -4,7 +4,7 @@ use super::SettleError;
 use crate::averaging::Flock;
 use algebra::graph::Graph;
 use algebra::spectrum::Recurrence;
-use arithmetic::{Rational, Ring, Sign, rational};
+use arithmetic::{Progress, Rational, Ring, Sign, rational};
 
 /// The signs of `|x_i - x_j|² - 1` in the long run, by the number of steps modulo their count.
 pub(super) struct LongRun {
@@ -22,6 +22,7 @@ pub(super) fn eventual_signs(
     cycle: &[Graph],
     pair: (usize, usize),
     limit: &[Rational],
+    progress: &dyn Progress,
 ) -> Result<LongRun, SettleError> {
     // Twice the cycle, so that the characteristic roots are squares.
     let stride = 2 * cycle.len();
@@ -30,6 +31,7 @@ pub(super) fn eventual_signs(
     let mut sequences: Vec<Vec<Rational>> = vec![Vec::with_capacity(terms); stride];
     let mut follower = flock.clone();
     for step in 0..stride * terms {
+        progress.checkpoint()?;
         let difference = difference(&follower, pair);
         sequences[step % stride].push(match (difference.as_slice(), limit) {
             ([d], [l]) => (d - l) * l,
@@ -40,7 +42,7 @@ pub(super) fn eventual_signs(
     let mut signs = Vec::with_capacity(stride);
     let mut from = 0;
     for sequence in sequences {
-        let long_run = Recurrence::new(sequence).eventual_sign()?;
+        let long_run = Recurrence::new(sequence, progress)?.eventual_sign(progress)?;
         from = from.max(long_run.from);
         signs.push(long_run.sign);
     }
@@ -60,11 +62,15 @@ fn difference(flock: &Flock, (i, j): (usize, usize)) -> Vec<Rational> {
 
 /// Whether the networks follow the cycle forever; the number of steps after which signs are those of the long run, or `None`
 /// where some pair does not keep to the cycle.
-pub(super) fn cycle_horizon(flock: &Flock, cycle: &[Graph]) -> Result<Option<u64>, SettleError> {
+pub(super) fn cycle_horizon(
+    flock: &Flock,
+    cycle: &[Graph],
+    progress: &dyn Progress,
+) -> Result<Option<u64>, SettleError> {
     let mut horizon = 0;
     for j in 0..flock.birds() {
         for i in 0..j {
-            let long_run = pair_in_cycle(flock, cycle, (i, j))?;
+            let long_run = pair_in_cycle(flock, cycle, (i, j), progress)?;
             let keeps = long_run.signs.iter().enumerate().all(|(residue, &sign)| {
                 // After `residue` steps (modulo the count) the network is that of step `residue - 1`.
                 let network = &cycle[(residue + cycle.len() - 1) % cycle.len()];
@@ -80,12 +86,17 @@ pub(super) fn cycle_horizon(flock: &Flock, cycle: &[Graph]) -> Result<Option<u64
 }
 
 /// On the line the status is that of two linear sequences, `x_i - x_j` against 1 and against -1.
-fn pair_in_cycle(flock: &Flock, cycle: &[Graph], pair: (usize, usize)) -> Result<LongRun, SettleError> {
+fn pair_in_cycle(
+    flock: &Flock,
+    cycle: &[Graph],
+    pair: (usize, usize),
+    progress: &dyn Progress,
+) -> Result<LongRun, SettleError> {
     if flock.dimension() > 1 {
-        return eventual_signs(flock, cycle, pair, &vec![rational(0, 1); flock.dimension()]);
+        return eventual_signs(flock, cycle, pair, &vec![rational(0, 1); flock.dimension()], progress);
     }
-    let above = eventual_signs(flock, cycle, pair, &[rational(1, 1)])?;
-    let below = eventual_signs(flock, cycle, pair, &[rational(-1, 1)])?;
+    let above = eventual_signs(flock, cycle, pair, &[rational(1, 1)], progress)?;
+    let below = eventual_signs(flock, cycle, pair, &[rational(-1, 1)], progress)?;
     // (d - 1) 1 > 0 or (d + 1)(-1) > 0: outside.
     let signs = above.signs.iter().zip(&below.signs).map(|(&a, &b)| a.max(b)).collect();
     Ok(LongRun { signs, from: above.from.max(below.from) })

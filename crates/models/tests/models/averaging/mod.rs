@@ -8,6 +8,7 @@ use proptest::prelude::*;
 
 mod control;
 mod flock;
+mod interrupted;
 mod kinematic;
 mod modes;
 mod settle;

@@ -1,19 +1,15 @@
 //! Jumping against stepping.
 
 use super::flock::starts;
-use arithmetic::{Rational, rational};
+use arithmetic::{Rational, Unwatched, rational};
 use models::averaging::settle::{Ending, Limits, Settlement, settle};
 use models::averaging::{Flock, Hysteresis, Start, Switch, Weights};
 use num_bigint::BigInt;
 use proptest::prelude::*;
-use std::ops::ControlFlow;
 
 fn all_switches(start: &Start, limits: &Limits) -> (Vec<Switch>, Settlement) {
     let mut switches = Vec::new();
-    let settled = settle(Flock::new(start).unwrap(), limits, &mut |switch| {
-        switches.push(switch.clone());
-        ControlFlow::Continue(())
-    });
+    let settled = settle(Flock::new(start).unwrap(), limits, &mut |switch| switches.push(switch.clone()), &Unwatched);
     (switches, settled.unwrap())
 }
 

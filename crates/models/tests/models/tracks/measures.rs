@@ -1,7 +1,7 @@
 //! Measures against naive twins.
 
-use arithmetic::Complex;
 use arithmetic::random::{generator, uniform};
+use arithmetic::{Complex, Unwatched};
 use models::oscillator::{Neighbours, phase_potential};
 use models::tracks::{
     Choices, ChoicesError, Histogram, Motion, NearestRule, NullKind, Scale, School, Setting, Tracks, Vector, analyse,
@@ -171,7 +171,7 @@ fn no_shift_changes_nothing_and_a_common_shift_of_tracks_neither() {
     let arcs = analysis.mean(|g| g.orientation_arcs as f64);
     let cosine = 1.0 - analysis.mean(|g| g.orientation) * 10.0 / arcs;
     assert!((cosine - observed.zone_alignment.expect("arcs")).abs() < 1e-12);
-    assert_eq!(null_models(&sample, 0, "x", || ()).shifted.len(), 0);
+    assert_eq!(null_models(&sample, 0, "x", &Unwatched).expect("to its end").shifted.len(), 0);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Schools made by a rule: the analysis finds what was put in.
 
 use super::measures::setting;
+use arithmetic::Unwatched;
 use models::tracks::{Analysis, Choices, NullModels, School, Tracks, analyse, null_models, synthetic_school};
 use motion::Share;
 
@@ -12,7 +13,7 @@ fn analysed(school: School, fish: usize, frames: usize) -> Analysis {
 }
 
 fn compared(analysis: &Analysis, shifts: usize) -> NullModels {
-    null_models(&analysis.sample(), shifts, "test", || ())
+    null_models(&analysis.sample(), shifts, "test", &Unwatched).expect("to its end")
 }
 
 #[test]

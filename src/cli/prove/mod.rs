@@ -1,7 +1,11 @@
 //! `prove`: let Coq check the proofs that the ledger rests on.
 
-use super::{CliError, interrupt, output, progress};
-use flockproof::kernel::{ProveError, Theorem, Transcript, Workshop, files, prove, recorded, theorems};
+mod compile;
+
+use super::interrupt::{self, Watch};
+use super::{CliError, output, progress};
+use compile::{ProveError, Workshop, prove};
+use flockproof::kernel::{Theorem, Transcript, files, recorded, theorems};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -18,17 +22,9 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let folder = arguments.out.clone().unwrap_or_else(|| std::env::temp_dir().join("flockproof-proofs"));
     let workshop = Workshop::open(&folder).map_err(use_error)?;
-    interrupt::listen();
-    let with_theorems =
-        files().iter().filter(|file| theorems().iter().any(|theorem| theorem.file == file.name)).count();
-    let bar = progress::bar(files().len() + with_theorems);
-    let step = |name: &str| {
-        bar.set_message(name.to_string());
-        bar.inc(1);
-        !interrupt::happened()
-    };
-    let transcript = prove(&workshop, files(), theorems(), step);
-    bar.finish_and_clear();
+    let watch = Watch::with(progress::bar());
+    let transcript = prove(&workshop, files(), theorems(), &watch);
+    watch.finish();
     let transcript = match transcript {
         Ok(transcript) => transcript,
         Err(error @ ProveError::Interrupted(_)) => {

@@ -1,11 +1,15 @@
 //! Running coqc over the development.
 
-use super::{AxiomSet, Source, Theorem, Transcript};
+use flockproof::arithmetic::Progress;
+use flockproof::kernel::{AxiomSet, Source, Theorem, Transcript};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread::JoinHandle;
+use std::time::Duration;
 
 /// How Coq is installed where it is missing.
 pub const INSTALL: &str = "apt-get install --no-install-recommends coq libcoq-interval libcoq-flocq libcoq-coquelicot \
@@ -47,6 +51,9 @@ pub enum ProveError {
     Interrupted(PathBuf),
 }
 
+/// How often it is asked whether a running coqc should be ended.
+const TICK: Duration = Duration::from_millis(20);
+
 /// A folder in which the development is compiled.
 pub struct Workshop {
     folder: PathBuf,
@@ -71,23 +78,18 @@ impl Workshop {
         Ok(Workshop { folder, coq })
     }
 
-    /// The folder.
-    pub fn folder(&self) -> &Path {
-        &self.folder
-    }
-
     /// Compiles a file whose needs are compiled; one that an earlier run compiled from the same sources with the same
     /// Coq is left alone.
     ///
     /// # Errors
     /// [`ProveError::Refused`], [`ProveError::File`].
-    pub fn compile(&self, source: &Source) -> Result<(), ProveError> {
+    pub fn compile(&self, source: &Source, progress: &dyn Progress) -> Result<(), ProveError> {
         let (mark, object) = (self.path(source.name, "done"), self.path(source.name, "vo"));
         let digest = format!("{} {}", self.coq, source.digest);
         if object.is_file() && std::fs::read_to_string(&mark).is_ok_and(|done| done == digest) {
             return Ok(());
         }
-        self.run(source.name, source.text)?;
+        self.run(source.name, source.text, progress)?;
         std::fs::write(&mark, digest).map_err(|error| ProveError::File { path: mark, error })
     }
 
@@ -95,12 +97,17 @@ impl Workshop {
     ///
     /// # Errors
     /// [`ProveError::Refused`], [`ProveError::File`], [`ProveError::Axiom`].
-    pub fn axioms(&self, file: &str, theorems: &[&Theorem]) -> Result<Vec<AxiomSet>, ProveError> {
+    pub fn axioms(
+        &self,
+        file: &str,
+        theorems: &[&Theorem],
+        progress: &dyn Progress,
+    ) -> Result<Vec<AxiomSet>, ProveError> {
         let mut text = format!("From Flockproof Require {file}.\n");
         for theorem in theorems {
             text.push_str(&format!("Goal True. idtac \"{MARK}\". Abort.\nPrint Assumptions {}.\n", theorem.path()));
         }
-        let output = self.run(&format!("axioms_of_{file}"), &text)?;
+        let output = self.run(&format!("axioms_of_{file}"), &text, progress)?;
         let said = String::from_utf8_lossy(&output.stdout).into_owned();
         let refused = |message: &str| ProveError::Refused { file: file.to_string(), message: message.to_string() };
         let parts: Vec<&str> = said.split(MARK).skip(1).collect();
@@ -121,15 +128,35 @@ impl Workshop {
         self.folder.join(format!("{name}.{extension}"))
     }
 
-    fn run(&self, name: &str, text: &str) -> Result<Output, ProveError> {
+    /// Runs coqc; `progress` may end it.
+    fn run(&self, name: &str, text: &str, progress: &dyn Progress) -> Result<Output, ProveError> {
         let path = self.path(name, "v");
-        std::fs::write(&path, text).map_err(|error| ProveError::File { path: path.clone(), error })?;
-        let output = Command::new("coqc")
+        let failed = |error| ProveError::File { path: path.clone(), error };
+        self.checkpoint(progress)?;
+        std::fs::write(&path, text).map_err(failed)?;
+        let mut coqc = Command::new("coqc")
             .args(["-Q", ".", "Flockproof", "-w", "-notation-overridden,-ambiguous-paths"])
             .arg(format!("{name}.v"))
             .current_dir(&self.folder)
-            .output()
-            .map_err(|error| ProveError::File { path, error })?;
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .map_err(failed)?;
+        // Both pipes are emptied while it runs, so that it never waits for us.
+        let (said, complained) = (drain(coqc.stdout.take()), drain(coqc.stderr.take()));
+        let status = loop {
+            if let Some(status) = coqc.try_wait().map_err(failed)? {
+                break status;
+            }
+            if let Err(stopped) = self.checkpoint(progress) {
+                coqc.kill().and_then(|()| coqc.wait()).map_err(failed)?;
+                return Err(stopped);
+            }
+            std::thread::sleep(TICK);
+        };
+        let output =
+            Output { status, stdout: said.join().unwrap_or_default(), stderr: complained.join().unwrap_or_default() };
         if output.status.success() {
             return Ok(output);
         }
@@ -137,6 +164,20 @@ impl Workshop {
             String::from_utf8_lossy(&output.stderr).lines().take(8).map(|line| line.trim().to_string()).collect();
         Err(ProveError::Refused { file: format!("{name}.v"), message: message.join(" ") })
     }
+
+    fn checkpoint(&self, progress: &dyn Progress) -> Result<(), ProveError> {
+        progress.checkpoint().map_err(|_| ProveError::Interrupted(self.folder.clone()))
+    }
+}
+
+/// Reads all that comes through a pipe, on a thread of its own.
+fn drain(pipe: Option<impl Read + Send + 'static>) -> JoinHandle<Vec<u8>> {
+    std::thread::spawn(move || {
+        let mut bytes = Vec::new();
+        // What was read before an error still tells why coqc failed.
+        let _ = pipe.map(|mut pipe| pipe.read_to_end(&mut bytes));
+        bytes
+    })
 }
 
 /// Printed before the axioms of each theorem.
@@ -152,8 +193,8 @@ fn named_axioms(said: &str) -> Option<Vec<&str>> {
     }
 }
 
-/// Compiles everything and asks for all axioms, as many files at a time as rayon has threads; `before` is told of each
-/// step and may say stop.
+/// Compiles everything and asks for all axioms, as many files at a time as rayon has threads; `progress` is told of each file that
+/// is begun, and may stop it.
 ///
 /// # Errors
 /// [`ProveError`].
@@ -161,22 +202,27 @@ pub fn prove(
     workshop: &Workshop,
     sources: &[Source],
     theorems: &[Theorem],
-    before: impl Fn(&str) -> bool + Sync,
+    progress: &dyn Progress,
 ) -> Result<Transcript, ProveError> {
-    let step = |name: &str| {
-        let stopped = || ProveError::Interrupted(workshop.folder().to_path_buf());
-        before(name).then_some(()).ok_or_else(stopped)
+    let proved_in = |source: &Source| -> Vec<&Theorem> { theorems.iter().filter(|t| t.file == source.name).collect() };
+    let steps = sources.len() + sources.iter().filter(|source| !proved_in(source).is_empty()).count();
+    let begun = AtomicU64::new(0);
+    let tell = |source: &Source| {
+        progress.tell(source.name, begun.fetch_add(1, Ordering::Relaxed) + 1, Some(steps as u64));
     };
     for level in levels(sources) {
-        level.par_iter().try_for_each(|source| step(source.name).and_then(|()| workshop.compile(source)))?;
+        level.par_iter().try_for_each(|source| {
+            tell(source);
+            workshop.compile(source, progress)
+        })?;
     }
     let axioms = sources.par_iter().map(|source| {
-        let proved: Vec<&Theorem> = theorems.iter().filter(|theorem| theorem.file == source.name).collect();
+        let proved = proved_in(source);
         if proved.is_empty() {
             return Ok(Vec::new());
         }
-        step(source.name)?;
-        let axioms = workshop.axioms(source.name, &proved)?;
+        tell(source);
+        let axioms = workshop.axioms(source.name, &proved, progress)?;
         Ok(proved.into_iter().map(Theorem::path).zip(axioms).collect())
     });
     let axioms = axioms.collect::<Result<Vec<Vec<_>>, ProveError>>()?;

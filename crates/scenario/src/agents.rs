@@ -1,0 +1,192 @@
+//! Agents that align their headings or velocities: their law and what is measured on them.
+
+use super::course::{Frame, Law};
+use super::links::Hold;
+use super::network::{Change, Network};
+use super::observables::{Observable, min_distance, total};
+use super::potential::PairPotential;
+use super::turns::Turns;
+use arithmetic::ArithmeticError;
+use models::double_integrator::{
+    Coordinates, Pair, State, Vector, disagreement, gyroscopic, heading_rate, heading_spread, kinetic_energy,
+    potential_energy, potential_gradients, velocity_alignment,
+};
+
+pub(super) const PLANE: Coordinates = Coordinates::Cartesian;
+
+/// What aligns the agents.
+pub(super) enum Alignment {
+    /// Equation (4) of the second paper.
+    Velocities,
+    /// Equations (4) and (5) of the first paper; the headings are states too.
+    Headings(Turns),
+}
+
+/// Agents with accelerations.
+pub(super) struct Agents {
+    pub network: Network,
+    pub potential: PairPotential,
+    pub alignment: Alignment,
+    pub count: usize,
+    /// How a random start was drawn.
+    pub drawn: Option<String>,
+}
+
+/// The state of so many agents, from a list that may hold headings too.
+pub(super) fn state_of(count: usize, list: &[f64]) -> State<f64> {
+    let empty = State { positions: Vec::new(), velocities: Vec::new() };
+    State::from_list(count, &list[..4 * count]).unwrap_or(empty)
+}
+
+impl Agents {
+    /// Sets the links.
+    pub fn relink(&mut self, pairs: &[Pair]) {
+        self.network.set_pairs(pairs.iter().map(|&(i, j)| (i.min(j), i.max(j))).collect());
+    }
+
+    /// The jumps of the heading differences.
+    fn count_turns(&mut self, list: &[f64]) {
+        if let Alignment::Headings(turns) = &mut self.alignment {
+            turns.update(&list[4 * self.count..], self.network.pairs());
+        }
+    }
+
+    fn state(&self, list: &[f64]) -> State<f64> {
+        state_of(self.count, list)
+    }
+
+    fn headings<'a>(&self, list: &'a [f64]) -> &'a [f64] {
+        &list[4 * self.count..]
+    }
+
+    fn accelerations(&self, state: &State<f64>, headings: &[f64]) -> Result<Vec<Vector<f64>>, ArithmeticError> {
+        let (edges, slope) = (self.network.pairs(), |_: usize, _: usize, s: &f64| self.potential.slope(s));
+        match &self.alignment {
+            Alignment::Velocities => velocity_alignment(state, edges, PLANE, slope),
+            Alignment::Headings(turns) => {
+                let gradients = potential_gradients(&state.positions, edges, PLANE, slope)?;
+                gyroscopic(state, &gradients, edges, |i, j| turns.difference(headings, i, j))
+            }
+        }
+    }
+}
+
+impl Law for Agents {
+    fn rate(&self, _: f64, list: &[f64], rate: &mut [f64]) -> Result<(), ArithmeticError> {
+        let state = self.state(list);
+        let accelerations = self.accelerations(&state, self.headings(list))?;
+        let (velocities, rest) = rate.split_at_mut(2 * self.count);
+        velocities.copy_from_slice(&list[2 * self.count..4 * self.count]);
+        let (forces, turning) = rest.split_at_mut(2 * self.count);
+        forces.iter_mut().zip(accelerations.iter().flatten()).for_each(|(rate, a)| *rate = *a);
+        for ((rate, v), a) in turning.iter_mut().zip(&state.velocities).zip(&accelerations) {
+            *rate = heading_rate(v, a)?;
+        }
+        Ok(())
+    }
+
+    fn switches(&self) -> bool {
+        let turns = match &self.alignment {
+            Alignment::Velocities => false,
+            Alignment::Headings(turns) => turns.switch(),
+        };
+        turns || self.network.switches()
+    }
+
+    fn holds(&self, list: &[f64], moved: &[f64]) -> Vec<Hold> {
+        let mut holds = self.network.holds(list, moved);
+        if let Alignment::Headings(turns) = &self.alignment {
+            holds.extend(turns.holds(list, moved, self.network.pairs()));
+        }
+        holds
+    }
+
+    fn switch(&mut self, list: &[f64]) -> Vec<Change> {
+        let changes = self.network.switch(list);
+        self.count_turns(list);
+        changes
+    }
+
+    fn next_time(&self) -> Option<f64> {
+        self.network.next_time()
+    }
+
+    fn replace(&mut self, list: &[f64]) -> Vec<Change> {
+        let changes = self.network.replace();
+        self.count_turns(list);
+        changes
+    }
+
+    fn settle(&mut self, list: &[f64]) {
+        let (positions, velocities) = list.split_at(2 * self.count);
+        self.network.settle(positions, velocities);
+        self.count_turns(list);
+    }
+
+    fn frame(&self, _: f64, list: &[f64]) -> Frame {
+        let state = self.state(list);
+        let lists = |vectors: &[Vector<f64>]| vectors.iter().map(|v| v.to_vec()).collect();
+        Frame { positions: lists(&state.positions), velocities: lists(&state.velocities), ..Frame::default() }
+    }
+
+    fn observe(&self, _: f64, list: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
+        let state = self.state(list);
+        let places: Vec<Vec<f64>> = state.positions.iter().map(|r| r.to_vec()).collect();
+        let value = |_: usize, _: usize, s: &f64| self.potential.value(s);
+        let potential = potential_energy(&state.positions, self.network.pairs(), PLANE, value)?;
+        let kinetic = kinetic_energy(&state.velocities, PLANE)?;
+        let mut all = vec![
+            Observable::number("potential", potential),
+            Observable::number("kinetic", kinetic),
+            Observable::number("energy", potential + kinetic),
+        ];
+        match &self.alignment {
+            Alignment::Velocities => {
+                let saturated = match self.network.radius() {
+                    None => potential,
+                    // All other pairs are beyond the radius.
+                    Some(radius) => {
+                        let beyond = self.count * (self.count - 1) / 2 - self.network.pairs().len();
+                        potential + beyond as f64 * self.potential.value(&(radius * radius))?
+                    }
+                };
+                all.push(Observable::number("saturated_energy", saturated + kinetic));
+            }
+            Alignment::Headings(_) => {
+                all.push(Observable::number("heading_spread", heading_spread(self.headings(list))));
+            }
+        }
+        all.extend([
+            Observable::number("disagreement", disagreement(&state)),
+            Observable::number("min_distance", min_distance(&places)),
+            Observable::count("components", self.network.components()),
+            Observable::list("momentum", total(state.velocities.iter().copied())),
+        ]);
+        Ok(all)
+    }
+
+    fn declaration(&self) -> Vec<String> {
+        let mut lines = match &self.alignment {
+            Alignment::Velocities => vec![
+                "velocity alignment, equation (4) of Tanner and others (fixed and switching networks): dv_i/dt = -sum over j ~ i of (v_i - v_j) - grad_i V_i, unit masses".to_string(),
+                "observables: potential is the sum of V_ij over the links, each once; kinetic (1/2) sum |v_i|²; energy their sum, W of (6)".to_string(),
+                match self.network.radius() {
+                    None => "saturated_energy Q is the energy: no pair saturates on a fixed graph".to_string(),
+                    Some(radius) => format!(
+                        "saturated_energy Q is kinetic plus the sum over all pairs, each once, of V at the distance, or at {radius} beyond it"
+                    ),
+                },
+            ],
+            Alignment::Headings(turns) => vec![
+                "heading alignment, equations (4) and (5) of Tanner and others (part I): dv_i/dt = -grad_i V_i - sum over j ~ i of (theta_i - theta_j)/|r_ij|² (z x v_i), unit masses".to_string(),
+                turns.declaration().to_string(),
+                "observables: potential is the sum of V_ij over the links, each once; kinetic (1/2) sum |v_i|²; energy their sum; heading_spread the largest angle between two headings".to_string(),
+            ],
+        };
+        lines.push(self.potential.declaration());
+        lines.push(self.network.declaration().to_string());
+        lines.push("disagreement sqrt(sum |v_i - mean|²); momentum the sum of the velocities".to_string());
+        lines.extend(self.drawn.clone());
+        lines
+    }
+}

@@ -1,0 +1,188 @@
+//! SIGTERM to a running command: it ends with status 130 and keeps what was finished.
+//!
+//! Nothing here looks at a clock. Where a machine is too busy for the work to ask in time, the program gives up in the middle and says
+//! so; that is an end as good as the other, and what was written before is there in both.
+
+use super::{file, folder};
+use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::Duration;
+
+fn start(command: &mut Command) -> Child {
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+fn flockproof(arguments: &[&str]) -> Child {
+    start(Command::new(env!("CARGO_BIN_EXE_flockproof")).args(arguments))
+}
+
+fn terminate(child: &Child) {
+    let sent = Command::new("kill").args(["-TERM", &child.id().to_string()]).status().expect("kill starts");
+    assert!(sent.success());
+}
+
+/// Waits until something is there, as long as the command runs.
+fn wait_for(child: &mut Child, ready: impl Fn() -> bool) {
+    while !ready() {
+        assert!(child.try_wait().expect("a child").is_none(), "the command ended before it was interrupted");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+/// Sends SIGTERM after the first line of output that begins like this; all of the output.
+fn terminated_after(mut child: Child, begins: &str) -> Output {
+    let mut reader = BufReader::new(child.stdout.take().expect("a pipe"));
+    let mut text = String::new();
+    loop {
+        let mut line = String::new();
+        assert!(reader.read_line(&mut line).expect("UTF-8") > 0, "no line begins with {begins}:\n{text}");
+        text.push_str(&line);
+        if line.starts_with(begins) {
+            break;
+        }
+    }
+    terminate(&child);
+    reader.read_to_string(&mut text).expect("UTF-8");
+    let mut output = child.wait_with_output().expect("it ends");
+    output.stdout = text.into_bytes();
+    output
+}
+
+/// Status 130, and one of two ends: with the closing words, or given up in the middle.
+fn assert_interrupted(output: &Output, closed: bool) -> String {
+    let (text, error) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.status.code(), Some(130), "{text}\n{error}");
+    assert!(!error.contains("panicked"), "{error}");
+    assert!(closed || error.contains("in the middle of a computation"), "{text}\n{error}");
+    text.into_owned()
+}
+
+fn contains(output: &Output, words: &str) -> bool {
+    String::from_utf8_lossy(&output.stdout).contains(words) || String::from_utf8_lossy(&output.stderr).contains(words)
+}
+
+/// Birds at pseudo-random places in a square, as many as one flock takes minutes to settle.
+fn birds(count: u64) -> String {
+    let mut seed = 1u64;
+    let mut number = |below: u64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) % below
+    };
+    let places: Vec<String> =
+        (0..count).map(|_| format!("[\"{}/100\", \"{}/100\"]", number(800), number(800))).collect();
+    let speeds: Vec<String> =
+        (0..count).map(|_| format!("[\"{}/1000\", \"-{}/1000\"]", number(100), number(100))).collect();
+    format!(
+        "{{\"model\": \"D\", \"weights\": \"lazy\", \"positions\": [{}], \"velocities\": [{}]}}",
+        places.join(", "),
+        speeds.join(", ")
+    )
+}
+
+#[test]
+fn settling_many_birds_ends_with_the_switches_found() {
+    let path = file(&folder("interrupt_settle"), "birds.json", birds(150).as_bytes());
+    let output = terminated_after(flockproof(&["flock", "settle", &path]), "t = ");
+    let text = assert_interrupted(&output, contains(&output, "interrupted\nflocks: "));
+    assert!(text.contains("150 birds") && text.lines().any(|line| line.starts_with("t = ")), "{text}");
+}
+
+#[test]
+fn a_run_of_a_flock_ends_where_it_is() {
+    let path = file(&folder("interrupt_run"), "birds.json", birds(4).as_bytes());
+    let output = terminated_after(flockproof(&["flock", "run", &path, "--until", "1000000000"]), "model D");
+    assert_interrupted(&output, contains(&output, "interrupted after t = "));
+}
+
+#[test]
+fn a_simulation_keeps_what_it_reached() {
+    let folder = folder("interrupt_simulate");
+    let text =
+        b"model = \"phase\"\n[state]\nphases = [0, 1, 2]\n[law]\nomega0 = 1000\nK1 = -1\n[run]\nuntil = 1000000\n";
+    let (config, out) = (file(&folder, "long.toml", text), folder.join("out"));
+    let child = flockproof(&["simulate", &config, "--out", out.to_str().expect("UTF-8")]);
+    let output = terminated_after(child, "");
+    assert_interrupted(&output, contains(&output, "is kept") && out.join("summary.json").exists());
+}
+
+#[test]
+fn figures_are_kept_as_they_are_made() {
+    let out = folder("interrupt_reproduce");
+    let made = |out: &Path| std::fs::read_dir(out).expect("a folder").count() > 0;
+    let mut child = flockproof(&["reproduce", "all", "--out", out.to_str().expect("UTF-8")]);
+    wait_for(&mut child, || made(&out));
+    terminate(&child);
+    let output = child.wait_with_output().expect("it ends");
+    assert_interrupted(&output, contains(&output, "they are written"));
+    assert!(made(&out));
+}
+
+#[test]
+fn tracks_keep_what_was_measured() {
+    let out = folder("interrupt_tracks");
+    let arguments = ["--synthetic", "coupled", "--fish", "20", "--null", "100000"];
+    let mut child = flockproof(&[&["tracks", "--out", out.to_str().expect("UTF-8")], &arguments[..]].concat());
+    wait_for(&mut child, || out.join("tracks.csv").exists());
+    terminate(&child);
+    let output = child.wait_with_output().expect("it ends");
+    // Between the table of the school and its analysis nothing else is there to be kept.
+    assert_interrupted(&output, output.stderr.is_empty() || out.join("summary.json").exists());
+}
+
+/// A program in the place of coqc that tells its version and otherwise sleeps.
+#[test]
+fn proofs_end_with_the_coqc_that_runs() {
+    let folder = folder("interrupt_prove");
+    let script = "#!/bin/sh\ncase \"$1\" in --print-version) echo 8.0 4.0; exit 0;; esac\necho $$ > \"$STARTED.part\"\nmv \"$STARTED.part\" \"$STARTED\"\nexec sleep 600\n";
+    let coqc = file(&folder, "coqc", script.as_bytes());
+    assert!(Command::new("chmod").args(["+x", &coqc]).status().expect("chmod starts").success());
+    let (started, out) = (folder.join("started"), folder.join("out"));
+    let path = format!("{}:{}", folder.display(), std::env::var("PATH").expect("a path"));
+    let mut child = start(
+        Command::new(env!("CARGO_BIN_EXE_flockproof"))
+            .args(["prove", "--out", out.to_str().expect("UTF-8")])
+            .env("PATH", path)
+            .env("STARTED", &started)
+            .env("RAYON_NUM_THREADS", "1"),
+    );
+    wait_for(&mut child, || started.exists());
+    terminate(&child);
+    let output = child.wait_with_output().expect("it ends");
+    assert_interrupted(&output, contains(&output, "what was compiled is kept"));
+    let coqc = std::fs::read_to_string(&started).expect("a process");
+    let alive = Command::new("kill").args(["-0", coqc.trim()]).stderr(Stdio::null()).status().expect("kill starts");
+    assert!(!alive.success() || contains(&output, "in the middle"), "coqc {coqc} still runs");
+}
+
+/// Commands that say nothing before their end: the signal is sent once they catch it.
+#[cfg(target_os = "linux")]
+#[test]
+fn silent_commands_end_too() {
+    let catches_sigterm = |id: u32| {
+        let status = std::fs::read_to_string(format!("/proc/{id}/status")).unwrap_or_default();
+        let mask = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).map(str::trim).unwrap_or("0");
+        u64::from_str_radix(mask, 16).is_ok_and(|mask| mask >> 14 & 1 == 1)
+    };
+    let folder = folder("interrupt_silent");
+    let row = |shift: usize| (0..48).map(|k| format!("{}/1128", (k + shift) % 48)).collect::<Vec<_>>().join(" ");
+    let factor: String = (0..48).map(|i| row(7 * i * i + i) + "\n").collect();
+    let factors = file(&folder, "factors.txt", vec![factor; 3000].join("\n").as_bytes());
+    for arguments in [
+        &["verify", "--threads", "1"][..],
+        &["ergodicity", &factors],
+        &["spectrum", "--graph", "geometric:1500:1/4:7"],
+        &["resonance", "--followers", "1000000000", "--f", "-1", "--g", "-1", "--digits", "9000"],
+    ] {
+        let mut child = flockproof(arguments);
+        let id = child.id();
+        wait_for(&mut child, || catches_sigterm(id));
+        terminate(&child);
+        let output = child.wait_with_output().expect("it ends");
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(130), "{arguments:?}: {error}");
+        // Either nothing was finished yet, or it is told what is missing.
+        let named = error.contains("interrupted") || error.contains("in the middle");
+        assert!(output.stdout.is_empty() || named || contains(&output, "missing"), "{arguments:?}: {error}");
+    }
+}
