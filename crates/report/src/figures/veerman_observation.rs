@@ -3,9 +3,10 @@
 use super::veerman::{UNIT, certified, leading};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
+use claims::veerman::printed_table::ROWS;
 use ledger::CheckError;
 use models::platoon::observe::measured_resonance;
-use models::platoon::{slowest_rate, table1::ROWS};
+use models::platoon::slowest_rate;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
