@@ -56,7 +56,7 @@ fn compare_column(
     Ok((agreeing, first))
 }
 
-/// Two columns that are claimed to hold a frequency and an amplitude.
+/// Two columns that are claimed to be a frequency and an amplitude.
 #[derive(Clone, Copy)]
 pub struct ColumnsVariant {
     columns: [(&'static str, Column); 2],
