@@ -231,8 +231,8 @@ pub fn numeric_columns() -> Record<NumericVariant> {
         "TAMP is below the true resonance amplitude in every row, by at most 3.53 % in all rows and 0.006 % at N = 128.",
     ])
     .control("TFREQ, TAMP are the true resonance to their digits", NumericVariant::TrueResonance(exchanged))
-    .control("the deviations for N + 1 followers", NumericVariant::Deviations([TFREQ, TAMP], 1))
-    .control("NAMP in the place of TAMP", NumericVariant::Deviations([TFREQ, NAMP], 0))
+    .control("the deviations for N - 1 followers", NumericVariant::Deviations([TFREQ, TAMP], -1))
+    .control("NFREQ in the place of TFREQ", NumericVariant::Deviations([NFREQ, TAMP], 0))
 }
 
 // --- The size of the flocks ---
