@@ -9,7 +9,7 @@ use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::matrix::{StochasticMatrix, prefix_products, product_sequential, product_tree};
 use flockproof::motion::{AllToAll, Rk4};
 use flockproof::platoon::time_domain::Modes;
-use flockproof::platoon::{Gains, resonance};
+use flockproof::platoon::{Gains, resonance, theorem1};
 use flockproof::spectrum::{Eigenvalue, closed_form, matrix_spectrum, symmetric_enclosures, tridiagonal_eigenvalues};
 use flockproof_benches::{circulant, geometric, lattice_flock, phases, ring, stochastic_matrices, weighted_path};
 use num_bigint::BigUint;
@@ -250,7 +250,7 @@ fn platoon(wanted: &dyn Fn(&str) -> bool) {
     let size = format!("M={FOLLOWERS},t=2000");
     if wanted(&format!("W8 flockproof {size}")) {
         let gains = Gains { f: -1.0, g: -1.0 };
-        let w = std::f64::consts::PI / (2.0 * 2f64.sqrt() * FOLLOWERS as f64);
+        let w = theorem1::frequency(&gains, FOLLOWERS).expect("negative gains");
         let (seconds, cars) = best_of(|| {
             let start = Modes::new(&gains, FOLLOWERS).and_then(|modes| modes.behind_harmonic_leader(&w));
             start.and_then(|start| start.followers(&2000.0)).expect("distinct roots")

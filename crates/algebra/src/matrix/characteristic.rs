@@ -1,10 +1,11 @@
 //! Characteristic polynomials and exact counts of real eigenvalues.
 
 use super::{MatrixError, RationalMatrix};
-use arithmetic::Rational;
+use arithmetic::{Field, Rational};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
+use std::convert::Infallible;
 
 /// `det(xI - A)` of a rational matrix.
 ///
@@ -27,18 +28,53 @@ impl RationalMatrix {
         let order = self.square_order()?;
         let integers = self.scaled(&Rational::from_integer(self.denominator().clone())).reduced();
         let identity = RationalMatrix::identity(order)?;
-        let mut coefficients = vec![BigInt::one()];
-        let mut auxiliary = identity.clone();
-        for k in 1..=order {
-            let product = integers.times(&auxiliary)?;
+        let step = |auxiliary: &RationalMatrix, k: usize| {
+            let product = integers.times(auxiliary)?;
             let trace: BigInt = (0..order).map(|i| &product.row(i)[i]).sum();
             let next = -trace / BigInt::from(k);
-            auxiliary = product.plus(&identity.scaled(&Rational::from_integer(next.clone())))?;
-            coefficients.push(next);
-        }
-        coefficients.reverse();
+            let auxiliary = product.plus(&identity.scaled(&Rational::from_integer(next.clone())))?;
+            Ok::<_, MatrixError>((auxiliary, next))
+        };
+        let coefficients = faddeev_leverrier(order, identity.clone(), BigInt::one(), step)?;
         Ok(CharacteristicPolynomial { coefficients, denominator: self.denominator().clone() })
     }
+}
+
+/// The coefficients of `det(xI - A)` for a square matrix over any field, lowest first.
+pub fn characteristic_coefficients<T: Field>(matrix: &[Vec<T>], like: &T) -> Vec<T> {
+    let order = matrix.len();
+    let identity = (0..order).map(|i| (0..order).map(|j| like.integer(i64::from(i == j))).collect()).collect();
+    let step = |auxiliary: &Vec<Vec<T>>, k: usize| {
+        let entry = |i: usize, j: usize| {
+            matrix[i].iter().zip(auxiliary).fold(like.zero(), |sum, (a, row)| sum + a.clone() * &row[j])
+        };
+        let mut product: Vec<Vec<T>> = (0..order).map(|i| (0..order).map(|j| entry(i, j)).collect()).collect();
+        let trace = (0..order).fold(like.zero(), |sum, i| sum + &product[i][i]);
+        let next = trace * like.ratio(-1, k as i64);
+        for (i, row) in product.iter_mut().enumerate() {
+            row[i] = row[i].clone() + &next;
+        }
+        Ok::<_, Infallible>((product, next))
+    };
+    let Ok(coefficients) = faddeev_leverrier(order, identity, like.one(), step);
+    coefficients
+}
+
+/// The method of Faddeev and LeVerrier: `step(B, k)` gives `A B + c I` and `c = -tr(A B)/k`. Coefficients lowest first.
+fn faddeev_leverrier<M, T, E>(
+    order: usize,
+    mut auxiliary: M,
+    one: T,
+    step: impl Fn(&M, usize) -> Result<(M, T), E>,
+) -> Result<Vec<T>, E> {
+    let mut coefficients = vec![one];
+    for k in 1..=order {
+        let (next, coefficient) = step(&auxiliary, k)?;
+        auxiliary = next;
+        coefficients.push(coefficient);
+    }
+    coefficients.reverse();
+    Ok(coefficients)
 }
 
 impl CharacteristicPolynomial {

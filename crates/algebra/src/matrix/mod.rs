@@ -16,7 +16,7 @@ mod sparse;
 mod stabiliser;
 mod stochastic;
 
-pub use characteristic::CharacteristicPolynomial;
+pub use characteristic::{CharacteristicPolynomial, characteristic_coefficients};
 pub use ergodicity::{Norm, diameter, tau_1, tau_2_squared, tau_2_squared_watched, tau_infinity};
 pub use footprint::Footprint;
 pub use inertia::{Inertia, inertia};

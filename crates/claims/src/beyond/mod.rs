@@ -3,6 +3,7 @@
 mod certified_split;
 mod decay_rate;
 mod fewer_switches;
+mod growth;
 mod next_order;
 mod one_sided_peak;
 mod paley_abscissa;
@@ -21,16 +22,17 @@ use ledger::AnyClaim;
 /// All that are built.
 pub fn claims() -> Vec<Box<dyn AnyClaim>> {
     vec![
-        Box::new(one_sided_peak::OneSidedPeak),
+        Box::new(one_sided_peak::one_sided_peak()),
         Box::new(smallest_entries::SmallestEntries),
         Box::new(fewer_switches::FewerSwitches),
         Box::new(tower::Tower),
         Box::new(recurrent::Recurrent),
         Box::new(virtual_origins::Angle),
         Box::new(virtual_origins::Losses),
-        Box::new(next_order::FREQUENCY),
-        Box::new(next_order::AMPLITUDE),
-        Box::new(decay_rate::SlowestDecay),
+        Box::new(next_order::frequency()),
+        Box::new(next_order::amplitude()),
+        Box::new(decay_rate::slowest_decay()),
+        Box::new(growth::growth()),
         Box::new(paley_circulant::CirculantSpectrum),
         Box::new(paley_circulant::CyclicPatterns),
         Box::new(paley_abscissa::PatternAbscissa),
@@ -41,6 +43,6 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(tanner::alternating_trees()),
         Box::new(tanner::endless_switching()),
         Box::new(certified_split::certified_split()),
-        Box::new(table1_reading::Table1Reading),
+        Box::new(table1_reading::table1_reading()),
     ]
 }

@@ -1,44 +1,36 @@
 //! beyond.veerman.resonance_frequency, beyond.veerman.resonance_amplitude: the resonance to the next order, with explicit bounds
 //! of the error.
 
+use crate::veerman::{argued, enclosed, gains, unit};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Series, Signed, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, Source, interval_value};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
 use models::platoon::{Gains, Resonance, next_order, resonance, theorem1};
 
 const DIGITS: u32 = 40;
 
-/// The correction to Theorem 1 times a factor, for `M + offset` followers, and the claimed bound of the error times another.
+/// The correction to Theorem 1 times a factor, for `M + offset` followers.
 #[derive(Clone, Copy)]
 pub struct NextOrderVariant {
     correction: (i64, i64),
-    bound: (i64, i64),
     offset: i64,
 }
 
-const PRINTED: NextOrderVariant = NextOrderVariant { correction: (1, 1), bound: (1, 1), offset: 0 };
+const PRINTED: NextOrderVariant = NextOrderVariant { correction: (1, 1), offset: 0 };
 
-fn controls() -> Vec<Control<NextOrderVariant>> {
-    vec![
-        Control::new("without the correction", NextOrderVariant { correction: (0, 1), ..PRINTED }),
-        Control::new("the correction with the opposite sign", NextOrderVariant { correction: (-1, 1), ..PRINTED }),
-        Control::new("a correction larger by 1/1000", NextOrderVariant { correction: (1001, 1000), ..PRINTED }),
-        Control::new("an error bound 500 times smaller", NextOrderVariant { bound: (1, 500), ..PRINTED }),
-        Control::new("N instead of N + 1", NextOrderVariant { offset: -1, ..PRINTED }),
-    ]
+fn with_controls(record: Record<NextOrderVariant>) -> Record<NextOrderVariant> {
+    record
+        .control("the correction with the opposite sign", NextOrderVariant { correction: (-1, 1), ..PRINTED })
+        .control("a correction larger by 1/1000", NextOrderVariant { correction: (1001, 1000), ..PRINTED })
+        .control("N instead of N + 1", NextOrderVariant { offset: -1, ..PRINTED })
 }
 
-fn gains_list() -> Vec<Gains<Rational>> {
-    let numbers =
-        [((-1, 1), (-1, 1)), ((-2, 1), (-1, 2)), ((-1, 3), (-2, 1)), ((-1, 1), (-1, 1000)), ((-9, 1), (-60, 1))];
-    numbers.iter().map(|&(f, g)| Gains { f: rational(f.0, f.1), g: rational(g.0, g.1) }).collect()
+fn gains_list() -> [Gains<Rational>; 5] {
+    [((-1, 1), (-1, 1)), ((-2, 1), (-1, 2)), ((-1, 3), (-2, 1)), ((-1, 1), (-1, 1000)), ((-9, 1), (-60, 1))].map(gains)
 }
 
 /// A formula of M cars.
 type Formula = fn(&Gains<Interval>, u64) -> Result<Interval, ArithmeticError>;
-
-/// A constant, of the precision of a number.
-type Constant = fn(&Interval) -> Result<Interval, ArithmeticError>;
 
 /// The expansion of both proofs, as exact power series in `a`: with `theta = x - iy = sqrt2 a H`,
 /// `H = 1 + a²/12 - 3c²/8 - i (c/2)(1 + a²/4 - 5c²/8) + O(a⁴)`, `c = ab`, `cos theta` is `gamma = 1 - a²/(1 + ic)` up to `O(a⁶)`.
@@ -73,71 +65,98 @@ impl RationalIdentity for Expansion {
     }
 }
 
-/// One of the two claims: beyond.veerman.resonance_frequency, beyond.veerman.resonance_amplitude.
-pub struct NextOrder {
-    id: &'static str,
+/// What one of the two claims is about.
+struct Quantity {
     name: &'static str,
-    statement: &'static str,
-    derivation: &'static str,
     found: fn(Resonance) -> Interval,
     leading: Formula,
     next: Formula,
+    /// Of the error, in units of `(a0 max(1, b))^4`.
     bound: (i64, i64),
-    /// `power` such that `M^power (found - leading)` tends to a constant, and that constant for f = g = -1.
-    limit: (u64, Constant),
+    /// `M^power (found - leading)` tends to `limit`.
+    power: u64,
+    limit: fn(&Gains<Interval>) -> Result<Interval, ArithmeticError>,
+    steps: &'static str,
 }
 
-/// Enclosures against the formula, from the smallest size of the statement on.
-fn examine(part: &NextOrder, variant: &NextOrderVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut cases = 0;
-    let mut worst: Option<Interval> = None;
+/// Enclosures against the formula, from the smallest size of the statement on; the expansion that both proofs start from; the limit.
+fn examine(part: &Quantity, variant: &NextOrderVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut cases = Vec::new();
     for exact in gains_list() {
         let smallest = smallest_size(&exact)?;
         let mut sizes = vec![smallest, smallest + 1, 2 * smallest, 7 * smallest, 100 * smallest, 10_000 * smallest];
         if run.cases(0, 1) == 1 {
             sizes.extend(smallest..smallest + 60);
         }
-        for m in sizes {
-            run.checkpoint()?;
-            let found = (part.found)(resonance(&exact, m, DIGITS)?);
-            let gains = exact.map(|q| Interval::from_rational(q, found.precision()));
-            let size = m.saturating_add_signed(variant.offset);
-            let (leading, next) = ((part.leading)(&gains, size)?, (part.next)(&gains, size)?);
-            let correction = (next - &leading) * leading.ratio(variant.correction.0, variant.correction.1);
-            let relative = (found - &leading - correction).over(&leading)?;
-            // In units of (a0 max(1, b))^4.
-            let b2 = next_order::relative_damping_square(&gains)?;
-            let larger = if (b2.clone() - b2.one()).is_certainly_positive() { b2.clone() } else { b2.one() };
-            let unit = (next_order::square_of_leading(&b2, m)? * larger).square();
-            let scaled = relative.over(&unit)?;
-            let limit = rational(part.bound.0 * variant.bound.0, part.bound.1 * variant.bound.1);
-            let (lo, hi) = scaled.to_rationals();
-            cases += 1;
-            if lo < -limit.clone() || hi > limit {
-                return Ok(Outcome::fails(
-                    format!(
-                        "f = {}, g = {}, {m} followers: the relative error of the {} is {} (a0 max(1, b))^4",
-                        exact.f,
-                        exact.g,
-                        part.name,
-                        interval_value(&scaled, 6)
-                    ),
-                    Evidence::new(Grade::Certified, part.name, "enclosures of the true resonance"),
-                ));
-            }
-            if worst.as_ref().is_none_or(|w| w.magnitude() < scaled.magnitude()) {
-                worst = Some(scaled);
-            }
-        }
+        cases.extend(sizes.into_iter().map(|m| (exact.clone(), m)));
     }
+    let mut worst: Option<Interval> = None;
+    let limit = rational(part.bound.0, part.bound.1);
+    let detail =
+        "enclosures for five pairs (f, g), b from 1/1000 to 20, and sizes from the smallest to 10^4 times that";
+    let enclosures = run.every(Evidence::new(Grade::Certified, part.name, detail), cases, |(exact, m)| {
+        let scaled = scaled_error(part, variant, &exact, m)?;
+        let (lo, hi) = scaled.to_rationals();
+        if lo < -limit.clone() || hi > limit {
+            let (size, Gains { f, g }) = (interval_value(&scaled, 6), exact);
+            let name = part.name;
+            return Ok(Some(format!(
+                "f = {f}, g = {g}, {m} followers: the relative error of the {name} is {size} (a0 max(1, b))^4"
+            )));
+        }
+        if worst.as_ref().is_none_or(|w| w.magnitude() < scaled.magnitude()) {
+            worst = Some(scaled);
+        }
+        Ok(None)
+    })?;
     if let Some(worst) = worst {
         run.value("largest_error_met_in_units_of_the_fourth_power", interval_value(&worst, 6));
     }
-    let detail = "proof in notes/veerman_next_order.md for all f, g < 0 and M >= 5 max(1, b); enclosures for five pairs (f, g), b from 1/1000 to 20, and \
-                  sizes from the smallest to 10^4 times that";
-    let enclosures = Outcome::Holds(vec![Evidence::new(Grade::Certified, part.name, detail).cases(cases)]);
-    let expansion = run.identity(&Expansion, &["b"], "the expansions of x and y in a, exact power series");
-    Run::all([Ok(enclosures), expansion])
+    let expansion = run.identity(&Expansion, &["b"], "the expansions of x and y in a, exact power series")?;
+    let proof = argued("all f, g < 0 and M >= 5 max(1, b)", part.steps);
+    Run::all([Ok(enclosures), Ok(expansion), Ok(Outcome::Holds(vec![proof]))])
+}
+
+/// The relative error of the formula, in units of `(a0 max(1, b))^4`.
+fn scaled_error(
+    part: &Quantity,
+    variant: &NextOrderVariant,
+    exact: &Gains<Rational>,
+    m: u64,
+) -> Result<Interval, CheckError> {
+    let found = (part.found)(resonance(exact, m, DIGITS)?);
+    let gains = enclosed(exact, found.precision());
+    let size = m.saturating_add_signed(variant.offset);
+    let (leading, next) = ((part.leading)(&gains, size)?, (part.next)(&gains, size)?);
+    let correction = (next - &leading) * leading.ratio(variant.correction.0, variant.correction.1);
+    let relative = (found - &leading - correction).over(&leading)?;
+    let b2 = next_order::relative_damping_square(&gains)?;
+    let larger = if (b2.clone() - b2.one()).is_certainly_positive() { b2.clone() } else { b2.one() };
+    Ok(relative.over(&(next_order::square_of_leading(&b2, m)? * larger).square())?)
+}
+
+/// `M^power (next - leading)`, which does not depend on M, is the stated limit.
+fn examine_limit(part: &Quantity, variant: &NextOrderVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const LARGE: u64 = 1_000_000;
+    let found = (part.found)(resonance(&unit(), LARGE, DIGITS)?);
+    let gains = enclosed(&unit(), found.precision());
+    let scaled = |difference: Interval, m: u64| difference.clone() * difference.integer(m as i64).power(part.power);
+    let power = part.power;
+    let reached = scaled(found - (part.leading)(&gains, LARGE)?, LARGE);
+    run.value(&format!("M^{power}_(found_-_Theorem_1)_f_g_-1_M_{LARGE}"), interval_value(&reached, 10));
+    run.value("its_limit", interval_value(&(part.limit)(&gains)?, 10));
+    let detail = "M times the correction is the constant, enclosed to 100 bits; five pairs (f, g), M = 5 and 1000";
+    let cases = gains_list().into_iter().flat_map(|gains| [5, 1000].map(|m| (gains.clone(), m)));
+    run.every(Evidence::new(Grade::Certified, "the limit", detail), cases, |(exact, m)| {
+        let gains = enclosed(&exact, 140);
+        let leading = (part.leading)(&gains, m)?;
+        let (p, q) = variant.correction;
+        let correction = ((part.next)(&gains, m)? - &leading) * leading.ratio(p, q);
+        let (limit, constant) = ((part.limit)(&gains)?, scaled(correction, m));
+        let agree = limit.overlaps(&constant) && (limit - &constant).magnitude().top() < -100;
+        Ok((!agree)
+            .then(|| format!("f = {}, g = {}: M^{power} times the correction is another number", exact.f, exact.g)))
+    })
 }
 
 /// The least integer M with `M >= 5 max(1, b)`, from `M² |f| >= 25 g²`.
@@ -150,77 +169,79 @@ fn smallest_size(gains: &Gains<Rational>) -> Result<u64, CheckError> {
     Ok(m)
 }
 
-/// beyond.veerman.resonance_frequency.
-pub const FREQUENCY: NextOrder = NextOrder {
-    id: "beyond.veerman.resonance_frequency",
+const FREQUENCY: Quantity = Quantity {
     name: "frequency",
-    statement: "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the main resonance of system (2) lies at \
-                w = w_0 (1 - a0^2 (1/12 + b^2/8) + e), w_0 = sqrt|f| a0, a0 = pi/(2 sqrt(2) M), with \
-                |e| <= 1.7 (a0 max(1, b))^4.",
-    derivation: "With gamma = cos(x - iy): x = sqrt2 a (1 + a²/12 - 3a²b²/8 + O(4)) and y = (a² b/sqrt2)(1 + a²/4 - 5a²b²/8 + O(4)). The resonance has \
-                 Mx = pi/2 - delta, 2 delta = (pi/2)(a/a0) a² b² (1 + O(2)). Together a/a0 = 1/(1 + a²/12 + a²b²/8 + r), |r| <= 1.2 (a max(1, b))^4. All remainders are \
-                 bounded in notes/veerman_next_order.md.",
     found: |resonance| resonance.omega,
     leading: theorem1::frequency,
     next: next_order::frequency,
     bound: next_order::FREQUENCY_BOUND,
-    limit: (3, |one| {
-        // -(pi³/(16 sqrt2)) (1/12 + 1/8).
-        (one.pi().power(3) * one.ratio(-5, 24)).over(&(one.integer(16) * one.integer(2).sqrt()?))
-    }),
+    power: 3,
+    limit: |gains| {
+        // -sqrt|f| (pi³/(16 sqrt2)) (1/12 + b²/8).
+        let b2 = next_order::relative_damping_square(gains)?;
+        let factor = b2.ratio(1, 12) + b2.clone() * b2.ratio(1, 8);
+        let root = (-gains.f.clone()).sqrt()?;
+        (-(b2.pi().power(3) * factor * root)).over(&(b2.integer(16) * b2.integer(2).sqrt()?))
+    },
+    steps: "notes/veerman_next_order.md, sections 1 and 2",
 };
 
-/// beyond.veerman.resonance_amplitude.
-pub const AMPLITUDE: NextOrder = NextOrder {
-    id: "beyond.veerman.resonance_amplitude",
+const AMPLITUDE: Quantity = Quantity {
     name: "amplitude",
-    statement: "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2) is \
-                A = A_0 (1 - a0^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 sqrt(2) M/(pi^2 b), a0 = pi/(2 sqrt(2) M), with \
-                |e| <= 11 (a0 max(1, b))^4. So M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b)).",
-    derivation: "1/A² = sin² delta + sinh²(My) with delta and y of beyond.veerman.resonance_frequency: relative to 1/A_0² the terms of order a0² are b² from \
-                 delta, 1/2 - 5b²/4 from y, -1/3 - b²/2 from the shift of a, and pi² b²/48 from sinh. Their sum is 1/6 - 3b²/4 + pi² b²/48, and the \
-                 amplitude has minus half of it. All remainders are bounded in notes/veerman_next_order.md.",
     found: |resonance| resonance.amplitude,
     leading: theorem1::amplitude,
     next: next_order::amplitude,
     bound: next_order::AMPLITUDE_BOUND,
-    limit: (1, |one| {
-        let constant = (one.integer(36) - one.pi().square()) * one.ratio(1, 96) - one.ratio(1, 12);
-        Ok(constant * one.integer(2).sqrt()?)
-    }),
+    power: 1,
+    limit: |gains| {
+        // sqrt2 (b (36 - pi²)/96 - 1/(12 b)).
+        let b2 = next_order::relative_damping_square(gains)?;
+        let b = b2.sqrt()?;
+        let damping = (b.integer(36) - b.pi().square()) * b.ratio(1, 96) * &b;
+        Ok((damping - b.ratio(1, 12).over(&b)?) * b.integer(2).sqrt()?)
+    },
+    steps: "notes/veerman_next_order.md, sections 1 to 3",
 };
 
-impl Claim for NextOrder {
-    type Variant = NextOrderVariant;
+pub fn frequency() -> Record<NextOrderVariant> {
+    with_controls(Record::new(
+        "beyond.veerman.resonance_frequency",
+        "With gamma = cos(x - iy): x = sqrt2 a (1 + a²/12 - 3a²b²/8 + O(4)) and y = (a² b/sqrt2)(1 + a²/4 - 5a²b²/8 + O(4)). The resonance has \
+         Mx = pi/2 - delta, 2 delta = (pi/2)(a/a0) a² b² (1 + O(2)). Together a/a0 = 1/(1 + a²/12 + a²b²/8 + r), |r| <= 1.2 (a max(1, b))^4. All remainders are \
+         bounded in notes/veerman_next_order.md.",
+        PRINTED,
+        |variant, run| Run::all([examine(&FREQUENCY, variant, run), examine_limit(&FREQUENCY, variant, run)]),
+    ))
+    .stated(
+        "sharpens veerman, Theorem 1",
+        "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the main resonance of system (2) lies at \
+         w = w_0 (1 - a0^2 (1/12 + b^2/8) + e), w_0 = sqrt|f| a0, a0 = pi/(2 sqrt(2) M), with \
+         |e| <= 1.7 (a0 max(1, b))^4.",
+    )
+}
 
-    fn id(&self) -> &str {
-        self.id
-    }
-
-    fn source(&self) -> Option<Source> {
-        Some(Source { place: "sharpens veerman, Theorem 1".to_string(), statement: self.statement.to_string() })
-    }
-
-    fn derivation(&self) -> &str {
-        self.derivation
-    }
-
-    fn printed(&self) -> NextOrderVariant {
-        PRINTED
-    }
-
-    fn controls(&self) -> Vec<Control<NextOrderVariant>> {
-        controls()
-    }
-
-    fn examine(&self, variant: &NextOrderVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const LARGE: u64 = 1_000_000;
-        let found = (self.found)(resonance(&Gains { f: rational(-1, 1), g: rational(-1, 1) }, LARGE, DIGITS)?);
-        let gains = Gains { f: found.integer(-1), g: found.integer(-1) };
-        let (power, limit) = self.limit;
-        let scaled = (found - (self.leading)(&gains, LARGE)?) * gains.f.integer(LARGE as i64).power(power);
-        run.value(&format!("M^{power}_(found_-_Theorem_1)_f_g_-1_M_{LARGE}"), interval_value(&scaled, 10));
-        run.value("its_limit", interval_value(&limit(&gains.f.one())?, 10));
-        examine(self, variant, run)
-    }
+pub fn amplitude() -> Record<NextOrderVariant> {
+    with_controls(Record::new(
+        "beyond.veerman.resonance_amplitude",
+        "1/A² = sin² delta + sinh²(My) with delta and y of beyond.veerman.resonance_frequency: relative to 1/A_0² the terms of order a0² are b² from \
+         delta, 1/2 - 5b²/4 from y, -1/3 - b²/2 from the shift of a, and pi² b²/48 from sinh. Their sum is 1/6 - 3b²/4 + pi² b²/48, and the \
+         amplitude has minus half of it. All remainders are bounded in notes/veerman_next_order.md.",
+        PRINTED,
+        |variant, run| {
+            let formula = examine(&AMPLITUDE, variant, run)?.on([1]);
+            let limit = examine_limit(&AMPLITUDE, variant, run)?;
+            let proof = argued("the limit", "notes/veerman_next_order.md, section 4");
+            Run::all([Ok(formula), Ok(limit.on([2])), Ok(Outcome::Holds(vec![proof.on([2])]))])
+        },
+    ))
+    .stated(
+        "sharpens veerman, Theorem 1",
+        "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2) is \
+         A = A_0 (1 - a0^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 sqrt(2) M/(pi^2 b), a0 = pi/(2 sqrt(2) M), with \
+         |e| <= 11 (a0 max(1, b))^4. So M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b)).",
+    )
+    .clauses(&[
+        "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2) is A = A_0 (1 - a0^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 sqrt(2) M/(pi^2 b), a0 = pi/(2 sqrt(2) M), with |e| <= 11 (a0 max(1, b))^4.",
+        "M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b)) for fixed f, g < 0.",
+    ])
 }

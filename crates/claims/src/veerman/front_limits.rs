@@ -1,13 +1,12 @@
 //! veerman.sep_remark, veerman.prop1: separation and size limit where every car tracks only the one in front.
 
-use super::one_sided::negative_gains;
+use super::{certified, negative_gains};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run, interval_value};
+use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
 use models::platoon::{Gains, amplitude_one_sided, gain_squared_one_sided};
 
-/// veerman.sep_remark.
-pub struct Separation;
+// --- The separation ---
 
 /// `a_0 Re(gamma^{-k-1} e) - back a_0 Re(gamma^{-k} e + inside) + outside`.
 #[derive(Clone, Copy)]
@@ -50,50 +49,34 @@ impl RationalIdentity for Difference {
     }
 }
 
-impl Claim for Separation {
-    type Variant = SeparationVariant;
-
-    fn id(&self) -> &str {
-        "veerman.sep_remark"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn separation() -> Record<SeparationVariant> {
+    let repaired = SeparationVariant { back: 1, inside: 0, outside: 1 };
+    Record::new(
+        "veerman.sep_remark",
         "x_{k+1} - x_k = h_{k+1} - h_k + a_0 Re(gamma^{-k-1} e^{iwt}) - a_0 Re(gamma^{-k} e^{iwt}). With h_{k+1} - h_k = 1 the 1 is \
          added once and is not multiplied by a_0. As printed it stands inside the second real part and gives -a_0 instead of \
-         +1; no sign of the separation and no a_0 > 0 makes that right. At w = 0 the separation is 1 and the printed formula gives -a_0."
-    }
-
-    fn printed(&self) -> SeparationVariant {
-        SeparationVariant { back: 1, inside: 1, outside: 0 }
-    }
-
-    fn repair(&self) -> Option<Repair<SeparationVariant>> {
-        Some(Repair {
-            fault: Fault::Slip, clauses: Vec::new(),
-            statement: "If h_{k+1} - h_k = 1, the separation between two successive agents is a_0 Re(gamma^{-k-1} e^{i w t}) - \
-                        a_0 Re(gamma^{-k} e^{i w t}) + 1."
-                .to_string(),
-            variant: SeparationVariant { back: 1, inside: 0, outside: 1 },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<SeparationVariant>> {
-        let repaired = SeparationVariant { back: 1, inside: 0, outside: 1 };
-        vec![
-            Control::new("- 1 at the end", SeparationVariant { outside: -1, ..repaired }),
-            Control::new("+ a_0 Re(gamma^{-k} e^{iwt})", SeparationVariant { back: -1, ..repaired }),
-            Control::new("without the 1", SeparationVariant { outside: 0, ..repaired }),
-        ]
-    }
-
-    fn examine(&self, variant: &SeparationVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let names = ["f", "g", "w", "a_0", "tan(wt/2)", "Re gamma^-k", "Im gamma^-k", "h_k"];
-        run.identity(&Difference(*variant), &names, "the difference of the positions, any k and t")
-    }
+         +1; no sign of the separation and no a_0 > 0 makes that right. At w = 0 the separation is 1 and the printed formula gives -a_0.",
+        SeparationVariant { back: 1, inside: 1, outside: 0 },
+        |variant, run| {
+            let names = ["f", "g", "w", "a_0", "tan(wt/2)", "Re gamma^-k", "Im gamma^-k", "h_k"];
+            let part = "the difference of the positions, any k and t";
+            run.identity(&Difference(*variant), &names, part).map(Outcome::for_all)
+        },
+    )
+    .repaired(
+        Fault::Typo,
+        "If h_{k+1} - h_k = 1, the separation between two successive agents is a_0 Re(gamma^{-k-1} e^{i w t}) - \
+         a_0 Re(gamma^{-k} e^{i w t}) + 1.",
+        repaired,
+    )
+    .control("- 1 at the end", SeparationVariant { outside: -1, ..repaired })
+    .control("+ a_0 Re(gamma^{-k} e^{iwt})", SeparationVariant { back: -1, ..repaired })
+    .control("without the 1", SeparationVariant { outside: 0, ..repaired })
 }
 
-/// veerman.prop1.
-pub struct FrontSizeLimit;
+// --- The size limit ---
+
+const PRECISION: u32 = 100;
 
 /// The leader's frequency is `|f|^(half_powers/2)`, and the limit `factor ln(D/a_0)/ln(1 + |f|^a/|g|^b)` with `(a, b) = powers`.
 #[derive(Clone, Copy)]
@@ -147,52 +130,43 @@ fn largest_size(growth: &Rational, ratio: &Rational) -> i64 {
     n
 }
 
-impl Claim for FrontSizeLimit {
-    type Variant = FrontLimitVariant;
-
-    fn id(&self) -> &str {
-        "veerman.prop1"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn size_limit() -> Record<FrontLimitVariant> {
+    let printed = FrontLimitVariant { half_powers: 2, factor: (2, 1), powers: (1, 2) };
+    let repaired = FrontLimitVariant { half_powers: 1, ..printed };
+    Record::new(
+        "veerman.prop1",
         "At w² = |f|, Corollary 1 gives |a_k| = a_0 (1 + |f|/g²)^{k/2}, which grows with k, so the last car stays within D \
-         exactly if N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g²) =: X, that is for N <= floor(X) - 1: within the printed N <~ X (read as N <= X, \
-         sharp up to less than 2). But the frequency is sqrt|f|, not |f|: at w = |f| the squared gain is (1 + g²)/((|f| - 1)² + g²), which is \
-         even below 1 for |f| > 2, so that there is no limit at all."
-    }
+         exactly if N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g²) =: X, that is for N <= floor(X) - 1: within the printed N <~ X, \
+         sharp up to less than 2. But the frequency is sqrt|f|, not |f|: at w = |f| the squared gain is (1 + g²)/((|f| - 1)² + g²), which is \
+         even below 1 for |f| > 2, so that there is no limit at all.",
+        printed,
+        examine_limit,
+    )
+    .reading("N <~ X is read as N <= X.")
+    .repaired(
+        Fault::Typo,
+        "If the amplitude of the oscillation of the leader at frequency sqrt(|f|) is a_0, then the last car stays within the maximum \
+         oscillation allowed D if and only if N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2) (system (1)).",
+        repaired,
+    )
+    .repaired_clauses(&[
+        "If the leader oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the last car stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2).",
+        "If N + 1 is at most that, the last car stays within D.",
+    ])
+    .control("without the factor 2", FrontLimitVariant { factor: (1, 1), ..repaired })
+    .control("the factor 3", FrontLimitVariant { factor: (3, 1), ..repaired })
+    .control("|f|/|g|", FrontLimitVariant { powers: (1, 1), ..repaired })
+    .control("f²/g²", FrontLimitVariant { powers: (2, 2), ..repaired })
+}
 
-    fn printed(&self) -> FrontLimitVariant {
-        FrontLimitVariant { half_powers: 2, factor: (2, 1), powers: (1, 2) }
+fn examine_limit(variant: &FrontLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "the gain per car at the leader's frequency, |f| = r²";
+    let growth = run.identity(&GrowthPerCar(*variant), &["r", "g"], part)?;
+    if let Outcome::Fails { counterexample, evidence } = growth {
+        let counterexample = no_limit(variant)?.unwrap_or(counterexample);
+        return Ok(Outcome::Fails { counterexample, evidence }.on([1]));
     }
-
-    fn repair(&self) -> Option<Repair<FrontLimitVariant>> {
-        Some(Repair {
-            fault: Fault::Slip, clauses: Vec::new(),
-            statement: "If the amplitude of the oscillation of the leader at frequency sqrt(|f|) is a_0, and the maximum \
-                        oscillation allowed is D, then N <~ 2 ln(D/a_0)/ln(1 + |f|/g^2); exactly, N + 1 is at most that."
-                .to_string(),
-            variant: FrontLimitVariant { half_powers: 1, ..self.printed() },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<FrontLimitVariant>> {
-        let repaired = FrontLimitVariant { half_powers: 1, ..self.printed() };
-        vec![
-            Control::new("without the factor 2", FrontLimitVariant { factor: (1, 1), ..repaired }),
-            Control::new("the factor 3", FrontLimitVariant { factor: (3, 1), ..repaired }),
-            Control::new("|f|/|g|", FrontLimitVariant { powers: (1, 1), ..repaired }),
-            Control::new("f²/g²", FrontLimitVariant { powers: (2, 2), ..repaired }),
-        ]
-    }
-
-    fn examine(&self, variant: &FrontLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let part = "the gain per car at the leader's frequency, |f| = r²";
-        let growth = run.identity(&GrowthPerCar(*variant), &["r", "g"], part)?;
-        if let Outcome::Fails { counterexample, evidence } = growth {
-            return Ok(Outcome::Fails { counterexample: no_limit(variant)?.unwrap_or(counterexample), evidence });
-        }
-        Run::all([Ok(growth), limit_instances(variant)])
-    }
+    Ok(Run::all([Ok(growth), limit_instances(variant, run)])?.on([1, 2]))
 }
 
 /// Where the response at the claimed frequency decays although a limit is claimed: f = -4, g = -1.
@@ -206,37 +180,26 @@ fn no_limit(variant: &FrontLimitVariant) -> Result<Option<String>, CheckError> {
     }))
 }
 
-/// The exact largest size against the enclosed bound X: `X - 2 < N <= X`.
-fn limit_instances(variant: &FrontLimitVariant) -> Result<Outcome, CheckError> {
-    const PRECISION: u32 = 100;
-    let mut cases = 0;
+/// The exact largest size against the enclosed bound X. Since N + 1 <= X for it and not for the next size, `X - 2 < N <= X - 1`.
+fn limit_instances(variant: &FrontLimitVariant, run: &Run) -> Result<Outcome, CheckError> {
     // For |f| = 9, g = -4 the gain per car is 5/4 exactly, so D/a_0 = 5/4 and 25/16 are ties.
-    for (r, g) in [((1, 1), (-1, 1)), ((2, 1), (-1, 1)), ((1, 2), (-2, 1)), ((1, 1), (-1, 5)), ((3, 1), (-4, 1))] {
-        let (r, g) = (rational(r.0, r.1), rational(g.0, g.1));
+    let gains = [((1, 1), (-1, 1)), ((2, 1), (-1, 1)), ((1, 2), (-2, 1)), ((1, 1), (-1, 5)), ((3, 1), (-4, 1))];
+    let ratios = [(1, 1), (5, 4), (25, 16), (2, 1), (10, 1), (1000, 1), (1_000_000, 1)];
+    let cases = gains.iter().flat_map(|gains| ratios.iter().map(move |ratio| (*gains, *ratio)));
+    let detail = "the largest N with (1 + |f|/g²)^(N+1) <= (D/a_0)², found exactly: N + 1 is at most the bound X and N + 2 is not";
+    run.every(certified("largest sizes", detail), cases, |((r, g), ratio)| {
+        let [r, g, ratio] = [r, g, ratio].map(|(p, q)| rational(p, q));
         let growth = gain_squared_one_sided(&Gains { f: -r.square(), g: g.clone() }, &r.square())?;
-        for ratio in [(1, 1), (5, 4), (25, 16), (2, 1), (10, 1), (1000, 1), (1_000_000, 1)] {
-            let ratio = rational(ratio.0, ratio.1);
-            let exact = largest_size(&growth, &ratio);
-            let interval = |q: &Rational| Interval::from_rational(q, PRECISION);
-            let per_car = interval(&variant.growth(&r, &g)?).ln()?;
-            let factor = interval(&rational(variant.factor.0, variant.factor.1));
-            let bound = (interval(&ratio).ln()? * factor).over(&per_car)?;
-            let (lo, hi) = bound.to_rationals();
-            let size = rational(exact, 1);
-            cases += 1;
-            if size > hi || size <= lo - rational(2, 1) {
-                return Ok(Outcome::fails(
-                    format!(
-                        "|f| = {}, g = {g}, D/a_0 = {ratio}: the largest N is {exact}, the bound {}",
-                        r.square(),
-                        interval_value(&bound, 8)
-                    ),
-                    Evidence::new(Grade::Certified, "largest sizes", "exact powers against the enclosed bound"),
-                ));
-            }
-        }
-    }
-    let detail =
-        "the largest N with (1 + |f|/g²)^(N+1) <= (D/a_0)², found exactly, is at most the bound X and more than X - 2";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, "largest sizes", detail).cases(cases)]))
+        let exact = largest_size(&growth, &ratio);
+        let interval = |q: &Rational| Interval::from_rational(q, PRECISION);
+        let per_car = interval(&variant.growth(&r, &g)?).ln()?;
+        let factor = interval(&rational(variant.factor.0, variant.factor.1));
+        let bound = (interval(&ratio).ln()? * factor).over(&per_car)?;
+        let (lo, hi) = bound.to_rationals();
+        let wrong = rational(exact + 1, 1) > hi || rational(exact + 2, 1) <= lo;
+        Ok(wrong.then(|| {
+            let bound = interval_value(&bound, 8);
+            format!("|f| = {}, g = {g}, D/a_0 = {ratio}: the largest N is {exact}, the bound {bound}", r.square())
+        }))
+    })
 }

@@ -1,9 +1,10 @@
 //! veerman.eq1_matrix, veerman.eq2_matrix, veerman.dimL: the equations of motion in vector form.
 
+use super::argued;
 use algebra::matrix::RationalMatrix;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Outcome, Record, Run};
 use models::platoon::vector_form::{control_block, geodesic_block, kronecker_apply};
 use models::platoon::{Communication, CommunicationGraph, Gains, accelerations};
 
@@ -26,6 +27,27 @@ pub struct MatrixVariant {
     /// The only eigenvalue of `P`, where one is claimed.
     eigenvalue: Option<i64>,
 }
+
+/// Equation (1) as printed.
+const FRONT: MatrixVariant = MatrixVariant {
+    communication: Communication::Front,
+    diagonal: (1, 1),
+    below: (-1, 1),
+    above: (0, 1),
+    last: (-1, 1),
+    zeta_sign: -1,
+    transposed: false,
+    eigenvalue: Some(1),
+};
+
+/// Equation (2) as printed.
+const FRONT_AND_BACK: MatrixVariant = MatrixVariant {
+    communication: Communication::FrontAndBack,
+    below: (-1, 2),
+    above: (-1, 2),
+    eigenvalue: None,
+    ..FRONT
+};
 
 impl MatrixVariant {
     /// The Laplacian with the printed rows, of all agents: `P` is what is left without the leader's row and column, `L_l` the rest
@@ -84,11 +106,8 @@ impl RationalIdentity for VectorForm {
             let ([x, u], [zeta, rest]) = (state(k), desired(k));
             [x + sign.clone() * zeta, u + sign.clone() * rest]
         };
-        let geodesic = {
-            let a = geodesic_block(f);
-            let [[a00, a01], [a10, a11]] = a;
-            if self.variant.transposed { [[a00, a10], [a01, a11]] } else { [[a00, a01], [a10, a11]] }
-        };
+        let [[a00, a01], [a10, a11]] = geodesic_block(f);
+        let geodesic = if self.variant.transposed { [[a00, a10], [a01, a11]] } else { [[a00, a01], [a10, a11]] };
         let control = control_block(&gains);
         let identity =
             RationalMatrix::identity(self.followers).map_err(|_| ArithmeticError::Domain("at least one follower"))?;
@@ -112,213 +131,140 @@ impl RationalIdentity for VectorForm {
     }
 }
 
-fn examine_matrices(variant: &MatrixVariant, run: &Run) -> Result<Outcome, CheckError> {
+/// The vector form and the matrices bear on clause 1, the spectrum of P_1 on the others.
+fn examine_matrices(variant: &MatrixVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut results = Vec::new();
     for followers in 1..=LARGEST {
         let names: Vec<String> = (0..=followers).flat_map(|k| ["x", "u", "h"].map(|v| format!("{v}_{k}"))).collect();
         let names: Vec<&str> = ["f", "g"].into_iter().chain(names.iter().map(String::as_str)).collect();
-        results.push(run.identity(
-            &VectorForm { variant: *variant, followers },
-            &names,
-            &format!("the vector form is the printed equations, {followers} followers, any state and leader"),
-        ));
+        let part = format!("the vector form is the printed equations, {followers} followers, any state and leader");
+        let form = VectorForm { variant: *variant, followers };
+        results.push(run.identity(&form, &names, &part).map(|outcome| outcome.on([1])));
     }
-    results.push(from_the_graph(variant));
+    results.push(from_the_graph(variant, run).map(|outcome| outcome.on([1])));
+    if let Some(eigenvalue) = variant.eigenvalue {
+        results.push(only_eigenvalue(variant.communication, eigenvalue, run).map(|outcome| outcome.on([2, 3])));
+        let proof = argued("the multiplicity", "notes/veerman_platoons.md, spectra, steps 1 and 2").on([3]);
+        results.push(Ok(Outcome::Holds(vec![proof])));
+    }
     Run::all(results)
 }
 
-/// The printed matrices are those of the communication graph, and `P` has the claimed spectrum.
-fn from_the_graph(variant: &MatrixVariant) -> Result<Outcome, CheckError> {
-    const MOST: usize = 12;
-    for followers in 1..=MOST {
+const MOST: usize = 12;
+
+/// The printed matrices are those of the communication graph.
+fn from_the_graph(variant: &MatrixVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let detail = format!("L, P and L_l built from the communication graph are the printed ones, 1 to {MOST} followers");
+    run.instances("matrices of the graph", &detail, 1..=MOST, |followers| {
         let graph = CommunicationGraph::of(variant.communication, followers)?;
         let printed = RationalMatrix::from_rows(&variant.laplacian(followers))?;
-        let evidence = Evidence::new(Grade::Exact, "matrices of the communication graph", "compared exactly");
-        if graph.laplacian()? != printed {
-            return Ok(Outcome::fails(format!("{followers} followers: not the Laplacian of the graph"), evidence));
-        }
-        let reduced = graph.reduced_laplacian()?;
-        if let Some(eigenvalue) = variant.eigenvalue
-            && reduced.characteristic_polynomial()?.multiplicity(&rational(eigenvalue, 1)) != followers
-        {
-            let what = format!("{followers} followers: {eigenvalue} is not an eigenvalue of P of multiplicity N + 1");
-            return Ok(Outcome::fails(what, evidence));
-        }
-    }
-    let detail = format!("L, P and L_l built from the communication graph are the printed ones, 1 to {MOST} followers");
-    let mut evidence = vec![Evidence::new(Grade::Exact, "matrices of the graph", detail).cases(MOST)];
-    if variant.eigenvalue.is_some() {
-        let detail = format!("characteristic polynomial (x - 1)^(N+1), 1 to {MOST} followers");
-        evidence.push(Evidence::new(Grade::Exact, "spectrum of P_1", detail).cases(MOST));
-    }
-    Ok(Outcome::Holds(evidence))
+        let wrong = graph.laplacian()? != printed;
+        Ok(wrong.then(|| format!("{followers} followers: not the Laplacian of the graph")))
+    })
 }
 
-/// veerman.eq1_matrix.
-pub struct FrontMatrices;
+/// `P` has this eigenvalue with the multiplicity N + 1.
+fn only_eigenvalue(communication: Communication, eigenvalue: i64, run: &Run) -> Result<Outcome, CheckError> {
+    let detail = format!("characteristic polynomial (x - 1)^(N+1), 1 to {MOST} followers");
+    run.instances("spectrum of P_1", &detail, 1..=MOST, |followers| {
+        let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
+        let times = reduced.characteristic_polynomial()?.multiplicity(&rational(eigenvalue, 1));
+        let what = || format!("{followers} followers: {eigenvalue} is not an eigenvalue of P of multiplicity N + 1");
+        Ok((times != followers).then(what))
+    })
+}
 
-impl Claim for FrontMatrices {
-    type Variant = MatrixVariant;
-
-    fn id(&self) -> &str {
-        "veerman.eq1_matrix"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn front() -> Record<MatrixVariant> {
+    Record::new(
+        "veerman.eq1_matrix",
         "Row k of P_1 and L_l has the entries 1 at k and -1 at k - 1 (in L_l for k = 1). So row k of P_1 ⊗ K (x - zeta) + L_l ⊗ \
          (K (x_l - zeta_l)) is (0, f (y_k - y_{k-1}) + g (u_k - u_{k-1})) with y = x - zeta, and I ⊗ A x adds (u_k, 0): \
          equation (1) with zeta = h. The rows of (L_l, P_1) sum to zero, so zeta may also be h shifted. Every row has one of the shapes first, later or first = last, \
-         which platoons of up to five followers show. P_1 is lower triangular with ones on the diagonal: only the eigenvalue 1."
-    }
-
-    fn printed(&self) -> MatrixVariant {
-        MatrixVariant {
-            communication: Communication::Front,
-            diagonal: (1, 1),
-            below: (-1, 1),
-            above: (0, 1),
-            last: (-1, 1),
-            zeta_sign: -1,
-            transposed: false,
-            eigenvalue: Some(1),
-        }
-    }
-
-    fn controls(&self) -> Vec<Control<MatrixVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("+1 below the diagonal", MatrixVariant { below: (1, 1), ..printed }),
-            Control::new("-1/2 above the diagonal", MatrixVariant { above: (-1, 2), ..printed }),
-            Control::new("x + zeta", MatrixVariant { zeta_sign: 1, ..printed }),
-            Control::new("the transpose of A", MatrixVariant { transposed: true, ..printed }),
-            Control::new("the eigenvalue 2", MatrixVariant { eigenvalue: Some(2), ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &MatrixVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_matrices(variant, run)
-    }
+         which platoons of up to five followers show. P_1 is lower triangular with ones on the diagonal: only the eigenvalue 1.",
+        FRONT,
+        examine_matrices,
+    )
+    .clauses(&[
+        "The equations of motion (1) are equivalent to xdot = I_{N+1} kron A x + P_1 kron K (x - zeta) + L_l kron (K (x_l(t) - zeta_l)) with A = [[0,1],[0,0]], K = [[0,0],[f,g]] and P_1 lower bidiagonal with 1 on the diagonal and -1 below.",
+        "The only eigenvalue of P_1 is 1.",
+        "Its multiplicity is N+1.",
+    ])
+    .control("+1 below the diagonal", MatrixVariant { below: (1, 1), ..FRONT })
+    .control("-1/2 above the diagonal", MatrixVariant { above: (-1, 2), ..FRONT })
+    .control("x + zeta", MatrixVariant { zeta_sign: 1, ..FRONT })
+    .control("the transpose of A", MatrixVariant { transposed: true, ..FRONT })
+    .control("the eigenvalue 2", MatrixVariant { eigenvalue: Some(2), ..FRONT })
 }
 
-/// veerman.eq2_matrix.
-pub struct FrontAndBackMatrices;
-
-impl Claim for FrontAndBackMatrices {
-    type Variant = MatrixVariant;
-
-    fn id(&self) -> &str {
-        "veerman.eq2_matrix"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn front_and_back() -> Record<MatrixVariant> {
+    Record::new(
+        "veerman.eq2_matrix",
         "Row k <= N of (L_l, P_2) is 1 at k and -1/2 at k - 1 and k + 1; the last row is 1 at N + 1 and -1 at N. As for system \
          (1), row k of the vector form is then equation (2) with zeta = h. The rows have the shapes first, middle, last and \
-         first = last, all of which occur up to five followers."
-    }
-
-    fn printed(&self) -> MatrixVariant {
-        MatrixVariant {
-            communication: Communication::FrontAndBack,
-            diagonal: (1, 1),
-            below: (-1, 2),
-            above: (-1, 2),
-            last: (-1, 1),
-            zeta_sign: -1,
-            transposed: false,
-            eigenvalue: None,
-        }
-    }
-
-    fn controls(&self) -> Vec<Control<MatrixVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("-1/2 in the last row", MatrixVariant { last: (-1, 2), ..printed }),
-            Control::new("2 on the diagonal", MatrixVariant { diagonal: (2, 1), ..printed }),
-            Control::new("nothing above the diagonal", MatrixVariant { above: (0, 1), ..printed }),
-            Control::new("x + zeta", MatrixVariant { zeta_sign: 1, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &MatrixVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_matrices(variant, run)
-    }
+         first = last, all of which occur up to five followers.",
+        FRONT_AND_BACK,
+        examine_matrices,
+    )
+    .control("-1/2 in the last row", MatrixVariant { last: (-1, 2), ..FRONT_AND_BACK })
+    .control("2 on the diagonal", MatrixVariant { diagonal: (2, 1), ..FRONT_AND_BACK })
+    .control("nothing above the diagonal", MatrixVariant { above: (0, 1), ..FRONT_AND_BACK })
+    .control("x + zeta", MatrixVariant { zeta_sign: 1, ..FRONT_AND_BACK })
 }
 
-/// veerman.dimL.
-pub struct Dimensions;
-
-/// The claimed dimensions of I, L and P, minus the number `N + 1` of followers.
+/// Orders minus the number `N + 1` of followers, the agent whose row and column `P` lacks (the leader or the last one), and whether the Laplacian
+/// is that of the communication graph or of the one in which everyone tracks the leader.
 #[derive(Clone, Copy)]
 pub struct DimensionsVariant {
     identity: usize,
-    laplacian: usize,
-    reduced: usize,
+    without_last: bool,
+    star: bool,
 }
 
-impl Claim for Dimensions {
-    type Variant = DimensionsVariant;
-
-    fn id(&self) -> &str {
-        "veerman.dimL"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn dimensions() -> Record<DimensionsVariant> {
+    let printed = DimensionsVariant { identity: 0, without_last: false, star: false };
+    Record::new(
+        "veerman.dimL",
         "The agents are 0 to N + 1, so the directed Laplacian with the printed zero first row (the leader's) has N + 2 rows. That \
          L_l consists of the entries 1 through N + 1 of its first column, numbered from 0, and is an (N+1)-vector says the same. \
-         Without the leader's row and column it is the printed P_i, of dimension N + 1 like the identity."
-    }
+         Without the leader's row and column it is the printed P_i, of dimension N + 1 like the identity.",
+        printed,
+        examine_dimensions,
+    )
+    .reading("\"(N+1)-dimensional\" belongs to the identity; read with L_i too it would be wrong, since L_i has N+2 rows.")
+    .clauses(&[
+        "I_{N+1} is the (N+1)-dimensional identity, of the order of P_i.",
+        "L_i is the Directed Laplacian of the communication graph.",
+        "P_i is the Reduced Directed Laplacian: L_i without the row and the column of the leader.",
+    ])
+    .control("the identity of dimension N + 2", DimensionsVariant { identity: 1, ..printed })
+    .control("L of the graph in which everyone tracks the leader", DimensionsVariant { star: true, ..printed })
+    .control("P is L without the last agent", DimensionsVariant { without_last: true, ..printed })
+}
 
-    fn printed(&self) -> DimensionsVariant {
-        DimensionsVariant { identity: 0, laplacian: 0, reduced: 0 }
-    }
-
-    fn repair(&self) -> Option<Repair<DimensionsVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement:
-                "I_{N+1} and P_i are the (N+1)-dimensional identity and Reduced Directed Laplacian, and L_i is the \
-                        (N+2)-dimensional Directed Laplacian."
-                    .to_string(),
-            variant: DimensionsVariant { laplacian: 1, ..self.printed() },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<DimensionsVariant>> {
-        let repaired = DimensionsVariant { laplacian: 1, ..self.printed() };
-        vec![
-            Control::new("L of dimension N + 3", DimensionsVariant { laplacian: 2, ..repaired }),
-            Control::new("P of dimension N + 2", DimensionsVariant { reduced: 1, ..repaired }),
-            Control::new("the identity of dimension N + 2", DimensionsVariant { identity: 1, ..repaired }),
-        ]
-    }
-
-    fn examine(&self, variant: &DimensionsVariant, _: &mut Run) -> Result<Outcome, CheckError> {
-        const MOST: usize = 12;
-        for communication in [Communication::Front, Communication::FrontAndBack] {
-            for followers in 1..=MOST {
-                let graph = CommunicationGraph::of(communication, followers)?;
-                let found = [
-                    ("I", graph.followers(), variant.identity),
-                    ("L", graph.laplacian()?.rows(), variant.laplacian),
-                    ("P", graph.reduced_laplacian()?.rows(), variant.reduced),
-                ];
-                if let Some((name, rows, offset)) = found.into_iter().find(|(_, rows, o)| *rows != followers + o) {
-                    return Ok(Outcome::fails(
-                        format!("N = {}: {name} has dimension {rows}, not {}", followers - 1, followers + offset),
-                        Evidence::new(Grade::Exact, "dimensions", "counted in the matrices built from the graph"),
-                    ));
-                }
+fn examine_dimensions(variant: &DimensionsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let cases = [FRONT, FRONT_AND_BACK].into_iter().flat_map(|system| (1..=MOST).map(move |m| (system, m)));
+    let detail = format!("printed matrices against the communication graph, both systems, 1 to {MOST} followers");
+    let outcome = run.instances("the three matrices", &detail, cases, |(system, followers)| {
+        let graph = if variant.star {
+            CommunicationGraph::star(followers)?
+        } else {
+            CommunicationGraph::of(system.communication, followers)?
+        };
+        let (rows, printed) = (graph.laplacian()?.to_rows(), system.reduced(followers));
+        let without = |agent: usize| {
+            let kept = |k: &usize| *k != agent;
+            let row = |i: usize| (0..rows.len()).filter(kept).map(|j| rows[i][j].clone()).collect::<Vec<_>>();
+            (0..rows.len()).filter(kept).map(row).collect::<Vec<_>>()
+        };
+        let size = format!("{:?}, N = {}", system.communication, followers - 1);
+        Ok(match () {
+            () if printed.len() != followers + variant.identity => Some(format!("{size}: P has {followers} rows")),
+            () if rows != system.laplacian(followers) => Some(format!("{size}: the Laplacian is not the printed one")),
+            () if without(if variant.without_last { followers } else { 0 }) != printed => {
+                Some(format!("{size}: P is another matrix"))
             }
-        }
-        let detail = format!("matrices built from the agents 0 to N + 1, both systems, 1 to {MOST} followers");
-        Ok(Outcome::Holds(vec![
-            Evidence::new(Grade::Exact, "dimensions", detail).cases(2 * MOST),
-            Evidence::new(
-                Grade::Text,
-                "L_l",
-                "the entries 1 through N + 1 of a column numbered from 0 need N + 2 rows",
-            ),
-        ]))
-    }
+            () => None,
+        })
+    })?;
+    Ok(outcome.on([1, 2, 3]))
 }

@@ -1,21 +1,25 @@
 //! veerman.cor2, veerman.lem3: without small frequencies there is no resonance in system (2).
 
-use super::one_sided::negative_gains;
+use super::{certified, enclosed, gains, negative_gains, unit};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Dual, Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, interval_value};
-use models::platoon::{Gains, chebyshev, gamma};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
+use models::platoon::{Gains, chebyshev, gamma, larger_root_modulus};
 
-/// Gains and frequencies at which the bounds are checked.
-fn points() -> Vec<(Gains<Rational>, Rational)> {
-    let gains = [((-1, 1), (-1, 1)), ((-4, 1), (-1, 3)), ((-1, 5), (-3, 1)), ((-1, 1), (-1, 1000))];
+/// Gains and frequencies at which the bounds are checked, with the sizes.
+fn points(sizes: &[u64]) -> Vec<(Gains<Rational>, Rational, u64)> {
+    let pairs = [((-1, 1), (-1, 1)), ((-4, 1), (-1, 3)), ((-1, 5), (-3, 1)), ((-1, 1), (-1, 1000))];
     let frequencies = [(1, 100), (1, 10), (1, 1), (7, 5), (20, 1)];
-    let pair = |f: (i64, i64), g: (i64, i64)| Gains { f: rational(f.0, f.1), g: rational(g.0, g.1) };
-    gains.iter().flat_map(|&(f, g)| frequencies.iter().map(move |w| (pair(f, g), rational(w.0, w.1)))).collect()
+    let mut points = Vec::new();
+    for pair in pairs {
+        for (p, q) in frequencies {
+            points.extend(sizes.iter().map(|&m| (gains(pair), rational(p, q), m)));
+        }
+    }
+    points
 }
 
-/// veerman.cor2.
-pub struct ExponentialDecay;
+// --- Corollary 2 ---
 
 /// `|mu_+| != |mu_-|` for `w != 0` (or for all w), and `|a_M| <= 2/(rho^{cM} - rho^{-cM})`, `rho = max |mu_+-|`.
 #[derive(Clone, Copy)]
@@ -48,56 +52,37 @@ impl RationalIdentity for ImaginaryPart {
     }
 }
 
-/// `rho = e^y` with `cosh y = (|gamma + 1| + |gamma - 1|)/2`.
-fn larger_root(gains: &Gains<Interval>, w: &Interval) -> Result<Interval, ArithmeticError> {
-    let gamma = gamma(gains, w)?;
-    let distance = |to: i64| (gamma.clone() - gamma.integer(to)).norm_squared().sqrt();
-    let cosh = (distance(-1)? + distance(1)?).scaled(-1);
-    Ok((cosh.square() - cosh.one()).sqrt()? + cosh)
-}
-
-impl Claim for ExponentialDecay {
-    type Variant = DecayVariant;
-
-    fn id(&self) -> &str {
-        "veerman.cor2"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn exponential_decay() -> Record<DecayVariant> {
+    let printed = DecayVariant { zero_included: false, rate: (1, 1), sign: -1 };
+    Record::new(
+        "veerman.cor2",
         "mu_+ mu_- = 1, so equal moduli mean |mu_+| = 1; then gamma = (mu + 1/mu)/2 = Re mu is real. But Im gamma = -g w³/(f² + w² g²) \
          is not 0 for f, g < 0 and w != 0. With rho = max |mu_+-| > 1, which does not depend on N, |a_M| = 2/|mu_+^M + mu_-^M| lies between 2/(rho^M + rho^-M) and \
-         2/(rho^M - rho^-M): exponential decay at the exact rate ln rho. (a_N read as the amplitude of the last car; that of its \
-         predecessor is gamma times it.) At w = 0 both roots are 1 and a_N = 1."
-    }
-
-    fn printed(&self) -> DecayVariant {
-        DecayVariant { zero_included: false, rate: (1, 1), sign: -1 }
-    }
-
-    fn controls(&self) -> Vec<Control<DecayVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("for w = 0 too", DecayVariant { zero_included: true, ..printed }),
-            Control::new("a rate larger by 1/10", DecayVariant { rate: (11, 10), ..printed }),
-            Control::new("the opposite sign of Im gamma", DecayVariant { sign: 1, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &DecayVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let names = ["f", "g", "w", "Re mu", "Im mu"];
-        let part = "Im gamma by the gains and by mu: |mu| = 1 only at w = 0";
-        let parts = run.identity(&ImaginaryPart(*variant), &names, part);
-        Run::all([parts, at_zero(variant), decay_bounds(variant, run)])
-    }
+         2/(rho^M - rho^-M): exponential decay at the exact rate ln rho. At w = 0 both roots are 1 and a_N = 1.",
+        printed,
+        |variant, run| {
+            let names = ["f", "g", "w", "Re mu", "Im mu"];
+            let part = "Im gamma by the gains and by mu: |mu| = 1 only at w = 0";
+            let moduli = run.identity(&ImaginaryPart(*variant), &names, part)?.on([1]).for_all();
+            Run::all([Ok(moduli), at_zero(variant), decay_bounds(variant, run).map(|outcome| outcome.on([2]))])
+        },
+    )
+    .reading("a_N is the amplitude of the last car; that of its predecessor is gamma times it.")
+    .clauses(&[
+        "For w != 0, |mu_+| != |mu_-| (f, g < 0).",
+        "For fixed w != 0, a_N decays exponentially as function of N (f, g < 0).",
+    ])
+    .control("for w = 0 too", DecayVariant { zero_included: true, ..printed })
+    .control("a rate larger by 1/10", DecayVariant { rate: (11, 10), ..printed })
+    .control("the opposite sign of Im gamma", DecayVariant { sign: 1, ..printed })
 }
 
 /// At w = 0, gamma = 1 exactly and both roots are 1.
 fn at_zero(variant: &DecayVariant) -> Result<Outcome, CheckError> {
-    let gains = Gains { f: rational(-1, 1), g: rational(-1, 1) };
-    let gamma = gamma(&gains, &rational(0, 1))?;
-    let evidence = Evidence::new(Grade::Exact, "w = 0", "gamma = 1 and mu_+ = mu_- = 1, which the statement excludes");
-    let equal = gamma == gamma.one();
-    if variant.zero_included && equal {
+    let gamma = gamma(&unit(), &rational(0, 1))?;
+    let detail = "gamma = 1 and mu_+ = mu_- = 1, which the statement excludes";
+    let evidence = Evidence::new(Grade::Exact, "w = 0", detail).on([1]);
+    if variant.zero_included && gamma == gamma.one() {
         return Ok(Outcome::fails("w = 0: |mu_+| = |mu_-| = 1", evidence));
     }
     Ok(Outcome::Holds(vec![evidence]))
@@ -105,47 +90,31 @@ fn at_zero(variant: &DecayVariant) -> Result<Outcome, CheckError> {
 
 fn decay_bounds(variant: &DecayVariant, run: &Run) -> Result<Outcome, CheckError> {
     const PRECISION: u32 = 400;
-    let mut cases = 0;
-    for (gains, w) in points() {
-        run.checkpoint()?;
-        let interval = gains.map(|q| Interval::from_rational(q, PRECISION));
-        let w_interval = Interval::from_rational(&w, PRECISION);
-        let rho = larger_root(&interval, &w_interval)?;
-        let distance = gamma(&interval, &w_interval)? - Complex::real(w_interval.one());
-        for m in [1, 2, 3, 10, 100, 1000] {
-            let inverse = chebyshev(m, &distance).0.norm_squared().sqrt()?;
-            let power = rho.power(m);
-            let claimed = {
-                // rho^(pM/q) by logarithms.
-                let (p, q) = variant.rate;
-                if p == q { power.clone() } else { (rho.ln()? * rho.ratio((p * m) as i64, q as i64)).exp()? }
-            };
-            cases += 1;
-            let at_most = |power: &Interval| Ok::<_, ArithmeticError>((power.clone() - power.recip()?).scaled(-1));
-            let upper = inverse.clone() - at_most(&claimed)?;
-            let lower = (power.clone() + power.recip()?).scaled(-1) - &inverse;
-            // Ties are possible where the terms are parallel; they are decided up to 2^-64 of the value.
-            let slack = inverse.scaled(-64);
-            let violated = [upper, lower].iter().any(|gap| (gap.clone() + &slack).is_certainly_negative());
-            if !(rho.clone() - rho.one()).is_certainly_positive() || violated {
-                return Ok(Outcome::fails(
-                    format!(
-                        "f = {}, g = {}, w = {w}, {m} followers: 1/|a| = {}",
-                        gains.f,
-                        gains.g,
-                        interval_value(&inverse, 8)
-                    ),
-                    Evidence::new(Grade::Certified, "decay", "enclosures of the response and of rho"),
-                ));
-            }
-        }
-    }
     let detail = "rho > 1 and (rho^M - rho^-M)/2 <= 1/|a_M| <= (rho^M + rho^-M)/2 up to a relative 2^-64, M up to 1000";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, "decay at the rate ln rho", detail).cases(cases)]))
+    let evidence = certified("decay at the rate ln rho", detail);
+    run.every(evidence, points(&[1, 2, 3, 10, 100, 1000]), |(gains, w, m)| {
+        let (interval, at) = (enclosed(&gains, PRECISION), Interval::from_rational(&w, PRECISION));
+        let rho = larger_root_modulus(&interval, &at)?;
+        let distance = gamma(&interval, &at)? - Complex::real(at.one());
+        let inverse = chebyshev(m, &distance).0.norm_squared().sqrt()?;
+        let power = rho.power(m);
+        // rho^(pM/q) by logarithms.
+        let (p, q) = variant.rate;
+        let claimed = if p == q { power.clone() } else { (rho.ln()? * rho.ratio((p * m) as i64, q as i64)).exp()? };
+        let upper = inverse.clone() - (claimed.clone() - claimed.recip()?).scaled(-1);
+        let lower = (power.clone() + power.recip()?).scaled(-1) - &inverse;
+        // Ties are possible where the terms are parallel; they are decided up to 2^-64 of the value.
+        let slack = inverse.scaled(-64);
+        let violated = [upper, lower].iter().any(|gap| (gap.clone() + &slack).is_certainly_negative());
+        let wrong = violated || !(rho.clone() - rho.one()).is_certainly_positive();
+        Ok(wrong.then(|| {
+            let size = interval_value(&inverse, 8);
+            format!("f = {}, g = {}, w = {w}, {m} followers: 1/|a| = {size}", gains.f, gains.g)
+        }))
+    })
 }
 
-/// veerman.lem3.
-pub struct OnlySmallFrequencies;
+// --- Lemma 3 ---
 
 /// `|a_M(w)| Im(gamma(w)) M^power <= bound`.
 #[derive(Clone, Copy)]
@@ -173,64 +142,42 @@ impl RationalIdentity for Increasing {
     }
 }
 
-impl Claim for OnlySmallFrequencies {
-    type Variant = SmallVariant;
-
-    fn id(&self) -> &str {
-        "veerman.lem3"
-    }
-
-    fn derivation(&self) -> &str {
-        "Read as: in large flocks only small frequencies are amplified, that is if |a_M(w_M)| >= A > 0 for all M then w_M -> 0. Made explicit: \
-         |a_M(w)| <= 1/(M Im gamma(w)) for all f, g < 0, w > 0 and M >= 1. With gamma = cos(x - iy): \
+pub fn only_small_frequencies() -> Record<SmallVariant> {
+    Record::new(
+        "veerman.lem3",
+        "|a_M(w)| <= 1/(M Im gamma(w)) for all f, g < 0, w > 0 and M >= 1. With gamma = cos(x - iy): \
          1/|a_M|² = cos²(Mx) + sinh²(My) >= (M sinh y)² >= (M sin x sinh y)² = (M Im gamma)². Im gamma = b a³/(1 + a² b²) (a = w/sqrt|f|, \
-         b = |g|/sqrt|f|) is 0 at w = 0 and increases, so |a_M| >= A forces w below the root of Im gamma = 1/(AM), which tends to 0."
-    }
+         b = |g|/sqrt|f|) is 0 at w = 0 and increases, so |a_M| >= A forces w below the root of Im gamma = 1/(AM), which tends to 0.",
+        SmallVariant { bound: (1, 1), power: 1 },
+        examine_small,
+    )
+    .reading("In large flocks only small frequencies are amplified: if |a_M(w_M)| >= A > 0 for all M, then w_M -> 0.")
+    .control("a bound smaller by 1/100", SmallVariant { bound: (99, 100), power: 1 })
+    .control("M² instead of M", SmallVariant { bound: (1, 1), power: 2 })
+}
 
-    fn printed(&self) -> SmallVariant {
-        SmallVariant { bound: (1, 1), power: 1 }
-    }
-
-    fn controls(&self) -> Vec<Control<SmallVariant>> {
-        vec![
-            Control::new("a bound smaller by 1/100", SmallVariant { bound: (99, 100), power: 1 }),
-            Control::new("M² instead of M", SmallVariant { bound: (1, 1), power: 2 }),
-        ]
-    }
-
-    fn examine(&self, variant: &SmallVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut cases = 0;
-        for (gains, w) in points() {
-            run.checkpoint()?;
-            let gamma = gamma(&gains, &w)?;
-            for m in [1u64, 2, 3, 5, 8, 20] {
-                // Squared: F bound² >= M^{2 power} (Im gamma)², exactly.
-                let inverse_square = chebyshev(m, &(gamma.clone() - gamma.one())).0.norm_squared();
-                let bound = rational(variant.bound.0, variant.bound.1).square() * &inverse_square;
-                cases += 1;
-                if bound < (rational(m as i64, 1).power(variant.power) * &gamma.im).square() {
-                    let size = Interval::from_rational(&inverse_square, 80).recip()?.sqrt()?;
-                    return Ok(Outcome::fails(
-                        format!(
-                            "f = {}, g = {}, w = {w}, {m} followers: |a_M| is {}, Im gamma {}",
-                            gains.f,
-                            gains.g,
-                            interval_value(&size, 8),
-                            interval_value(&Interval::from_rational(&gamma.im, 80), 8)
-                        ),
-                        Evidence::new(Grade::Exact, "bound of the response", "compared exactly"),
-                    ));
-                }
-            }
+fn examine_small(variant: &SmallVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let detail = "|a_M| M Im gamma <= 1 exactly; f, g < 0, frequencies from 1/100 to 20, up to 20 followers";
+    let cases = points(&[1, 2, 3, 5, 8, 20]);
+    let instances = run.instances("bound of the response", detail, cases, |(gains, w, m)| {
+        let gamma = gamma(&gains, &w)?;
+        // Squared: F bound² >= M^{2 power} (Im gamma)², exactly.
+        let inverse_square = chebyshev(m, &(gamma.clone() - gamma.one())).0.norm_squared();
+        let bound = rational(variant.bound.0, variant.bound.1).square() * &inverse_square;
+        if bound >= (rational(m as i64, 1).power(variant.power) * &gamma.im).square() {
+            return Ok(None);
         }
-        for m in [100, 10_000, 1_000_000] {
-            run.value(&format!("w_above_which_nothing_is_amplified_f_g_-1_M_{m}"), interval_value(&threshold(m)?, 6));
-        }
-        let detail = "|a_M| M Im gamma <= 1 exactly; f, g < 0, frequencies from 1/100 to 20, up to 20 followers; proof in the derivation for all";
-        let instances = Outcome::Holds(vec![Evidence::new(Grade::Exact, "bound of the response", detail).cases(cases)]);
-        let increasing = run.identity(&Increasing, &["w/sqrt|f|", "|g|/sqrt|f|"], "Im gamma increases with w");
-        Run::all([Ok(instances), increasing])
+        let interval = |q: &Rational| Interval::from_rational(q, 80);
+        let size = interval_value(&interval(&inverse_square).recip()?.sqrt()?, 8);
+        let imaginary = interval_value(&interval(&gamma.im), 8);
+        let Gains { f, g } = gains;
+        Ok(Some(format!("f = {f}, g = {g}, w = {w}, {m} followers: |a_M| is {size}, Im gamma {imaginary}")))
+    });
+    for m in [100, 10_000, 1_000_000] {
+        run.value(&format!("w_above_which_nothing_is_amplified_f_g_-1_M_{m}"), interval_value(&threshold(m)?, 6));
     }
+    let increasing = run.identity(&Increasing, &["w/sqrt|f|", "|g|/sqrt|f|"], "Im gamma increases with w");
+    Run::all([instances, increasing])
 }
 
 /// The root of `a³/(1 + a²) = 1/M`, between two decimals found by bisection.

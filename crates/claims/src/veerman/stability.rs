@@ -1,68 +1,48 @@
 //! veerman.specM, veerman.specP2, veerman.eigAK, veerman.lem1: spectra and stability.
 
-use algebra::matrix::RationalMatrix;
+use super::{argued, certified, enclosed, unit};
+use algebra::matrix::{RationalMatrix, characteristic_coefficients};
 use algebra::spectrum::Polynomial;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run, interval_value};
-use models::platoon::vector_form::{Block, control_block, geodesic_block, motion_matrix};
+use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
+use models::platoon::vector_form::{characteristic_by_modes, mode_block, motion_matrix, motion_rows};
 use models::platoon::{Communication, CommunicationGraph, Gains, slowest_rate};
 
 const SYSTEMS: [Communication; 2] = [Communication::Front, Communication::FrontAndBack];
 
-fn gains(f: &Rational, g: &Rational) -> Gains<Rational> {
-    Gains { f: f.clone(), g: g.clone() }
+/// Both systems with 1 to `most` followers.
+fn systems(most: usize) -> impl Iterator<Item = (Communication, usize)> {
+    SYSTEMS.into_iter().flat_map(move |communication| (1..=most).map(move |followers| (communication, followers)))
 }
 
-/// `A + lambda K`.
-fn mode_block<T: Ring>(gains: &Gains<T>, lambda: &T) -> Block<T> {
-    let (a, k) = (geodesic_block(&gains.f), control_block(gains));
-    [0, 1].map(|i| [0, 1].map(|j| a[i][j].clone() + lambda.clone() * &k[i][j]))
+/// `det(xI - A)` up to a factor, over the integers.
+fn polynomial(matrix: &RationalMatrix) -> Result<Polynomial, CheckError> {
+    Ok(Polynomial::from_rationals(&matrix.characteristic_polynomial()?.coefficients()))
 }
 
-/// veerman.specM.
-pub struct MotionSpectrum;
+// --- The spectrum of M ---
 
-/// `spec(M)`, without 0 or with it, is the union of the spectra of `A + lambda K`, where `lambda` runs through the spectrum of
-/// `P`, `factor` times.
+/// `spec(M)`, without 0 or with it, is the union of the spectra of `A + factor lambda K`, where `lambda` runs through the spectrum of
+/// `P`.
 #[derive(Clone, Copy)]
 pub struct SpectrumVariant {
     zero_removed: bool,
-    factor: (i64, i64),
+    factor: i64,
     /// `spec(L)` loses this eigenvalue to become `spec(P)`.
     lost: i64,
 }
 
-/// The coefficients of `det(xI - M)`, and those of the product of `x² - lambda g x - lambda f` over the spectrum of `P`, which is
-/// the sum of `p_k x^{2k} (g x + f)^{m-k}` for `det(yI - P) = sum p_k y^k`.
+/// The coefficients of `det(xI - M)`, and those of the product over the spectrum of `P`.
 struct Characteristic {
     reduced: RationalMatrix,
-    factor: (i64, i64),
+    factor: i64,
 }
 
 impl Characteristic {
-    fn product<T: Field>(&self, f: &T, g: &T) -> Result<Vec<T>, ArithmeticError> {
+    fn product<T: Field>(&self, gains: &Gains<T>) -> Result<Vec<T>, ArithmeticError> {
         let of_p = self.reduced.characteristic_polynomial().map_err(|_| ArithmeticError::Domain("square matrices"))?;
-        let p = of_p.coefficients();
-        let order = p.len() - 1;
-        let scale = rational(self.factor.0, self.factor.1);
-        let mut sum = vec![f.zero(); 2 * order + 1];
-        for (k, coefficient) in p.iter().enumerate() {
-            // (g x + f)^(m-k), lowest first.
-            let mut power = vec![f.rational(coefficient)];
-            for _ in k..order {
-                let mut next = vec![f.zero(); power.len() + 1];
-                for (n, c) in power.iter().enumerate() {
-                    next[n] = next[n].clone() + f.clone() * c * f.rational(&scale);
-                    next[n + 1] = g.clone() * c * f.rational(&scale);
-                }
-                power = next;
-            }
-            for (n, c) in power.into_iter().enumerate() {
-                sum[2 * k + n] = sum[2 * k + n].clone() + c;
-            }
-        }
-        Ok(sum)
+        Ok(characteristic_by_modes(&of_p.coefficients(), &gains.map(|x| x.integer(self.factor) * x)))
     }
 }
 
@@ -74,143 +54,101 @@ impl RationalIdentity for Characteristic {
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
         let [f, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
         let gains = Gains { f: f.clone(), g: g.clone() };
-        let (a, k) = (geodesic_block(f), control_block(&gains));
-        let order = 2 * self.reduced.rows();
-        let entry = |i: usize, j: usize| {
-            let own = if i / 2 == j / 2 { a[i % 2][j % 2].clone() } else { f.zero() };
-            own + f.rational(&self.reduced.entry(i / 2, j / 2)) * &k[i % 2][j % 2]
-        };
-        let motion: Vec<Vec<T>> = (0..order).map(|i| (0..order).map(|j| entry(i, j)).collect()).collect();
-        Ok((characteristic(&motion, f), self.product(f, g)?))
+        Ok((characteristic_coefficients(&motion_rows(&self.reduced, &gains), f), self.product(&gains)?))
     }
 }
 
-/// The coefficients of `det(xI - A)`, lowest first, by Faddeev and LeVerrier.
-fn characteristic<T: Field>(matrix: &[Vec<T>], like: &T) -> Vec<T> {
-    let order = matrix.len();
-    let mut coefficients = vec![like.one()];
-    let mut auxiliary: Vec<Vec<T>> =
-        (0..order).map(|i| (0..order).map(|j| like.integer(i64::from(i == j))).collect()).collect();
-    for k in 1..=order {
-        let entry =
-            |i: usize, j: usize| (0..order).fold(like.zero(), |s, l| s + matrix[i][l].clone() * &auxiliary[l][j]);
-        let mut product: Vec<Vec<T>> = (0..order).map(|i| (0..order).map(|j| entry(i, j)).collect()).collect();
-        let trace = (0..order).fold(like.zero(), |sum, i| sum + &product[i][i]);
-        let next = trace * like.ratio(-1, k as i64);
-        for (i, row) in product.iter_mut().enumerate() {
-            row[i] = row[i].clone() + &next;
-        }
-        auxiliary = product;
-        coefficients.push(next);
-    }
-    coefficients.reverse();
-    coefficients
-}
-
-impl Claim for MotionSpectrum {
-    type Variant = SpectrumVariant;
-
-    fn id(&self) -> &str {
-        "veerman.specM"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn motion_spectrum() -> Record<SpectrumVariant> {
+    let printed = SpectrumVariant { zero_removed: true, factor: 1, lost: 0 };
+    let repaired = SpectrumVariant { zero_removed: false, ..printed };
+    Record::new(
+        "veerman.specM",
         "M = I ⊗ A + P ⊗ K. With P = S T S^-1, T triangular, M is similar to I ⊗ A + T ⊗ K, block triangular with the blocks \
          A + lambda K: spec(M) is the union, for all real f and g and every P. L has the leader's zero row, so \
          spec(L) = {0} and spec(P), and 0 is not in spec(P) (det P_1 = 1, det P_2 = 2^-N). As printed the left side loses the \
          eigenvalue 0 but the right side does not: at f = 0 (f and g are any real constants in Section 2) A + lambda K has the eigenvalue 0. For f != 0 neither side \
-         contains 0 and the printed equation holds. (The cited papers remove 0 because their M contains the leader.)"
-    }
-
-    fn printed(&self) -> SpectrumVariant {
-        SpectrumVariant { zero_removed: true, factor: (1, 1), lost: 0 }
-    }
-
-    fn repair(&self) -> Option<Repair<SpectrumVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement:
-                "spec(M) = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K), and spec(L_i) \\ {0} equals \
-                        spec(P_i), for all real f and g (as printed, with spec(M) \\ {0}, for f != 0 only)."
-                    .to_string(),
-            variant: SpectrumVariant { zero_removed: false, ..self.printed() },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<SpectrumVariant>> {
-        let repaired = SpectrumVariant { zero_removed: false, ..self.printed() };
-        vec![
-            Control::new("A - lambda K", SpectrumVariant { factor: (-1, 1), ..repaired }),
-            Control::new("A + lambda K/2", SpectrumVariant { factor: (1, 2), ..repaired }),
-            Control::new("spec(L) without 1", SpectrumVariant { lost: 1, ..repaired }),
-        ]
-    }
-
-    fn examine(&self, variant: &SpectrumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const IDENTITIES: usize = 3;
-        let mut results = Vec::new();
-        for communication in SYSTEMS {
-            for followers in 1..=IDENTITIES {
-                let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
-                let part = format!("det(xI - M) is the product over spec(P), {communication:?}, {followers} followers");
-                results.push(run.identity(&Characteristic { reduced, factor: variant.factor }, &["f", "g"], &part));
-            }
-        }
-        results.push(exact_spectra(variant, run));
-        Run::all(results)
-    }
+         contains 0 and the printed equation holds. (The cited papers remove 0 because their M contains the leader.)",
+        printed,
+        examine_spectrum,
+    )
+    .clauses(&[
+        "spec(M) \\ {0} = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K) = union of spec [[0,1],[lambda f, lambda g]].",
+        "spec(L_i) \\ {0} equals spec(P_i).",
+    ])
+    .repaired(
+        Fault::Hypothesis,
+        "For f != 0, spec(M) \\ {0} = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K); for all real f and g the union is spec(M). \
+         spec(L_i) \\ {0} equals spec(P_i).",
+        repaired,
+    )
+    .repaired_clauses(&[
+        "spec(M) = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K), for all real f and g.",
+        "For f != 0, 0 is not in spec(M), so that the union is spec(M) \\ {0} too.",
+        "spec(L_i) \\ {0} equals spec(P_i).",
+    ])
+    .control("A - lambda K", SpectrumVariant { factor: -1, ..repaired })
+    .control("spec(L) without 1", SpectrumVariant { lost: 1, ..repaired })
 }
 
-/// Exact characteristic polynomials: the relation of L and P, and whether 0 belongs to both sides at small gains.
-fn exact_spectra(variant: &SpectrumVariant, run: &Run) -> Result<Outcome, CheckError> {
+fn examine_spectrum(variant: &SpectrumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const IDENTITIES: usize = 3;
     const MOST: usize = 6;
-    let mut cases = 0;
-    for communication in SYSTEMS {
-        for followers in 1..=MOST {
-            run.checkpoint()?;
-            let graph = CommunicationGraph::of(communication, followers)?;
-            let reduced = graph.reduced_laplacian()?;
-            let integer = |m: &RationalMatrix| -> Result<Polynomial, CheckError> {
-                Ok(Polynomial::from_rationals(&m.characteristic_polynomial()?.coefficients()))
-            };
-            let (times, rest) = integer(&graph.laplacian()?)?.without_root(variant.lost);
-            if times == 0 || rest != integer(&reduced)? {
-                return Ok(Outcome::fails(
-                    format!(
-                        "{communication:?}, {followers} followers: spec(L) without {} is not spec(P)",
-                        variant.lost
-                    ),
-                    Evidence::new(Grade::Exact, "spec(L) and spec(P)", "characteristic polynomials"),
-                ));
-            }
-            for (f, g) in [(-1, -1), (1, -1), (0, -1), (-1, 0), (0, 1), (0, 0)] {
-                let (f, g) = (rational(f, 1), rational(g, 1));
-                let motion = motion_matrix(&reduced, &gains(&f, &g))?;
-                let left = integer(&motion)?;
-                let characteristic = Characteristic { reduced: reduced.clone(), factor: variant.factor };
-                let right = Polynomial::from_rationals(&characteristic.product(&f, &g)?);
-                let zero_left = !variant.zero_removed && left.without_root(0).0 > 0;
-                let zero_right = right.without_root(0).0 > 0;
-                cases += 1;
-                if left != right || zero_left != zero_right {
-                    let what = if left == right { "0 is on one side only" } else { "the spectra differ" };
-                    return Ok(Outcome::fails(
-                        format!("{communication:?}, {followers} followers, f = {f}, g = {g}: {what}"),
-                        Evidence::new(Grade::Exact, "f = 0", "characteristic polynomials of M and of the modes"),
-                    ));
-                }
-            }
-        }
+    let mut results = Vec::new();
+    for (communication, followers) in systems(IDENTITIES) {
+        let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
+        let part = format!("det(xI - M) is the product over spec(P), {communication:?}, {followers} followers");
+        let identity = Characteristic { reduced, factor: variant.factor };
+        results.push(run.identity(&identity, &["f", "g"], &part).map(|outcome| outcome.on([1])));
     }
-    let detail = format!(
-        "exact characteristic polynomials, both systems, up to {MOST} followers, six pairs (f, g), f = 0 among them"
+    let detail = format!("exact characteristic polynomials, both systems, up to {MOST} followers");
+    results.push(
+        run.instances("spec(L) and spec(P)", &detail, systems(MOST), |(communication, followers)| {
+            let graph = CommunicationGraph::of(communication, followers)?;
+            let (times, rest) = polynomial(&graph.laplacian()?)?.without_root(variant.lost);
+            let wrong = times == 0 || rest != polynomial(&graph.reduced_laplacian()?)?;
+            let lost = variant.lost;
+            Ok(wrong
+                .then(|| format!("{communication:?}, {followers} followers: spec(L) without {lost} is not spec(P)")))
+        })
+        .map(|outcome| outcome.on([3])),
     );
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "spec(M), spec(L), spec(P)", detail).cases(cases)]))
+    results.push(zero_on_both_sides(variant, MOST, run));
+    results.push(Ok(Outcome::Holds(vec![
+        argued("spec(M) for f != 0", "notes/veerman_platoons.md, spectra, steps 3 to 6").on([2]),
+        argued("spec(L) and spec(P)", "notes/veerman_platoons.md, spectra, steps 1 to 4").on([3]),
+    ])));
+    Run::all(results)
 }
 
-/// veerman.specP2.
-pub struct ReducedSpectrum;
+/// Whether the characteristic polynomials agree at small gains, and 0 is on both sides or on none.
+fn zero_on_both_sides(variant: &SpectrumVariant, most: usize, run: &Run) -> Result<Outcome, CheckError> {
+    let pairs = [(-1, -1), (1, -1), (0, -1), (-1, 0), (0, 1), (0, 0)];
+    let cases = systems(most).flat_map(|system| pairs.map(|pair| (system, pair)));
+    let detail = format!(
+        "exact characteristic polynomials of M and of the modes, both systems, up to {most} followers, six pairs (f, g), f = 0 among them"
+    );
+    let outcome = run.instances("spec(M)", &detail, cases, |((communication, followers), (f, g))| {
+        let gains = Gains { f: rational(f, 1), g: rational(g, 1) };
+        let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
+        let left = polynomial(&motion_matrix(&reduced, &gains)?)?;
+        let modes = Characteristic { reduced, factor: variant.factor };
+        let right = Polynomial::from_rationals(&modes.product(&gains)?);
+        let zero_left = left.without_root(0).0 > 0;
+        let what = match () {
+            () if left != right => "the spectra differ",
+            () if (zero_left && !variant.zero_removed) != (right.without_root(0).0 > 0) => "0 is on one side only",
+            () if f != 0 && zero_left => "0 is an eigenvalue of M",
+            () => return Ok(None),
+        };
+        Ok(Some(format!("{communication:?}, {followers} followers, f = {f}, g = {g}: {what}")))
+    })?;
+    Ok(match outcome {
+        Outcome::Holds(_) => outcome.on([1, 2]),
+        failed => failed.on([1]),
+    })
+}
+
+// --- The spectrum of P_2 ---
 
 /// `1 + sign cos((2k + offset) pi/(2 (N + 1 + shift)))` for k = 1 to N + 1.
 #[derive(Clone, Copy)]
@@ -220,71 +158,68 @@ pub struct ReducedSpectrumVariant {
     shift: i64,
 }
 
-impl Claim for ReducedSpectrum {
-    type Variant = ReducedSpectrumVariant;
-
-    fn id(&self) -> &str {
-        "veerman.specP2"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn reduced_spectrum() -> Record<ReducedSpectrumVariant> {
+    let printed = ReducedSpectrumVariant { sign: -1, offset: -1, shift: 0 };
+    Record::new(
+        "veerman.specP2",
         "P_2 v = lambda v with v_0 = 0 is v_{k-1} = 2(1 - lambda) v_k - v_{k+1}, and v_{M-1} = (1 - lambda) v_M in the last row. So \
          v_{M-j} = T_j(1 - lambda) v_M with v_M != 0, and v_0 = 0 says T_M(1 - lambda) = 0: 1 - lambda = cos((2k-1) pi/(2M)) for \
-         k = 1, ..., M. These are M different real numbers because the angles differ and lie in (0, pi)."
-    }
+         k = 1, ..., M. These are M different real numbers because the angles differ and lie in (0, pi).",
+        printed,
+        examine_reduced_spectrum,
+    )
+    .clauses(&[
+        "The spectrum of P_2 is {1 - cos((2k-1) pi/(2(N+1))) : k = 1,...,N+1}.",
+        "All these eigenvalues are simple and real.",
+    ])
+    .control("2k + 1", ReducedSpectrumVariant { offset: 1, ..printed })
+    .control("2k", ReducedSpectrumVariant { offset: 0, ..printed })
+    .control("N + 2 in the denominator", ReducedSpectrumVariant { shift: 1, ..printed })
+}
 
-    fn printed(&self) -> ReducedSpectrumVariant {
-        ReducedSpectrumVariant { sign: -1, offset: -1, shift: 0 }
-    }
-
-    fn controls(&self) -> Vec<Control<ReducedSpectrumVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("2k + 1", ReducedSpectrumVariant { offset: 1, ..printed }),
-            Control::new("2k", ReducedSpectrumVariant { offset: 0, ..printed }),
-            Control::new("N + 2 in the denominator", ReducedSpectrumVariant { shift: 1, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &ReducedSpectrumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const PRECISION: u32 = 96;
-        const BITS: u32 = 60;
-        let most = run.cases(12, 24);
-        for followers in 1..=most {
-            run.checkpoint()?;
-            let reduced = CommunicationGraph::of(Communication::FrontAndBack, followers)?.reduced_laplacian()?;
-            let polynomial = Polynomial::from_rationals(&reduced.characteristic_polynomial()?.coefficients());
-            let evidence = Evidence::new(Grade::Certified, "eigenvalues", "isolated by Sturm's theorem");
-            let mut roots = polynomial.roots_in(&rational(0, 1), &rational(2, 1));
-            if polynomial != shifted_chebyshev(followers) || !polynomial.is_square_free() || roots.len() != followers {
-                let what = format!(
-                    "{followers} followers: det(xI - P_2) is not a multiple of T_M(1 - x) with simple real roots"
-                );
-                return Ok(Outcome::fails(what, evidence));
-            }
-            let one = Interval::from_rational(&rational(1, 1), PRECISION);
-            let mut claimed = Vec::new();
-            for k in 1..=followers as i64 {
-                let angle = one.pi() * one.ratio(2 * k + variant.offset, 2 * (followers as i64 + variant.shift));
-                claimed.push(one.clone() + one.integer(variant.sign) * angle.cos()?);
-            }
-            // Both lists increase: k-th with k-th.
-            for (k, (root, claimed)) in roots.iter_mut().zip(&claimed).enumerate() {
-                polynomial.refine(root, BITS);
-                let enclosure = root.enclosure(PRECISION);
-                if !enclosure.overlaps(claimed) {
-                    let (found, claimed) = (interval_value(&enclosure, 12), interval_value(claimed, 12));
-                    let what = format!("N = {}: eigenvalue {} of P_2 is {found}, not {claimed}", followers - 1, k + 1);
-                    return Ok(Outcome::fails(what, evidence));
-                }
+fn examine_reduced_spectrum(variant: &ReducedSpectrumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const BITS: u32 = 60;
+    let most = run.cases(12, 24);
+    let isolated = |followers: usize| -> Result<_, CheckError> {
+        let reduced = CommunicationGraph::of(Communication::FrontAndBack, followers)?.reduced_laplacian()?;
+        let polynomial = polynomial(&reduced)?;
+        let roots = polynomial.roots_in(&rational(0, 1), &rational(2, 1));
+        Ok((polynomial, roots))
+    };
+    let detail = format!("det(xI - P_2) is a multiple of T_M(1 - x) with M simple roots in (0, 2), M = 1 to {most}");
+    let exact = run.instances("characteristic polynomial", &detail, 1..=most, |followers| {
+        let (polynomial, roots) = isolated(followers)?;
+        let wrong =
+            polynomial != shifted_chebyshev(followers) || !polynomial.is_square_free() || roots.len() != followers;
+        let what = "det(xI - P_2) is not a multiple of T_M(1 - x) with simple real roots";
+        Ok(wrong.then(|| format!("{followers} followers: {what}")))
+    })?;
+    let detail = format!("every claimed number meets its own root, isolated to 2^-{BITS}, M = 1 to {most}");
+    let enclosed = run.every(certified("eigenvalues", detail), 1..=most, |followers| {
+        let (polynomial, mut roots) = isolated(followers)?;
+        // Both lists increase: k-th with k-th.
+        for (k, root) in (1..).zip(roots.iter_mut()) {
+            polynomial.refine(root, BITS);
+            let (enclosure, claimed) = (root.enclosure(PRECISION), variant.eigenvalue(followers, k)?);
+            if !enclosure.overlaps(&claimed) {
+                let (found, claimed) = (interval_value(&enclosure, 12), interval_value(&claimed, 12));
+                let what = format!("N = {}: eigenvalue {k} of P_2 is {found}, not {claimed}", followers - 1);
+                return Ok(Some(what));
             }
         }
-        let exact = format!("det(xI - P_2) is a multiple of T_M(1 - x) without multiple roots, M = 1 to {most}");
-        let certified = format!("every claimed number meets its own root, isolated to 2^-{BITS}, M = 1 to {most}");
-        Ok(Outcome::Holds(vec![
-            Evidence::new(Grade::Exact, "characteristic polynomial", exact).cases(most),
-            Evidence::new(Grade::Certified, "eigenvalues", certified).cases(most * (most + 1) / 2),
-        ]))
+        Ok(None)
+    })?;
+    Run::all([Ok(exact.on([1, 2])), Ok(enclosed.on([1]))])
+}
+
+const PRECISION: u32 = 96;
+
+impl ReducedSpectrumVariant {
+    /// The claimed `k`-th eigenvalue.
+    fn eigenvalue(&self, followers: usize, k: i64) -> Result<Interval, ArithmeticError> {
+        let one = Interval::from_rational(&rational(1, 1), PRECISION);
+        let angle = one.pi() * one.ratio(2 * k + self.offset, 2 * (followers as i64 + self.shift));
+        Ok(one.clone() + one.integer(self.sign) * angle.cos()?)
     }
 }
 
@@ -308,8 +243,7 @@ fn shifted_chebyshev(order: usize) -> Polynomial {
     Polynomial::from_rationals(&current.iter().map(|c| c * &sign).collect::<Vec<_>>())
 }
 
-/// veerman.eigAK.
-pub struct ModeEigenvalues;
+// --- The modes ---
 
 /// `x² - lambda g x + sign lambda f = 0` and `x = half (lambda g ± sqrt((lambda g)² + four lambda f))`.
 #[derive(Clone, Copy)]
@@ -351,122 +285,79 @@ impl RationalIdentity for ModeIdentity {
     }
 }
 
-impl Claim for ModeEigenvalues {
-    type Variant = ModeVariant;
+const MODE: ModeVariant = ModeVariant { sign: -1, half: (1, 2), four: 4 };
 
-    fn id(&self) -> &str {
-        "veerman.eigAK"
-    }
-
-    fn derivation(&self) -> &str {
-        "det(xI - A - lambda K) = x (x - lambda g) - lambda f. The quadratic formula, with multiplicity: sum lambda g, product \
-         -lambda f. For lambda = 0 both are 0. The square root may be imaginary; either branch gives the same pair."
-    }
-
-    fn printed(&self) -> ModeVariant {
-        ModeVariant { sign: -1, half: (1, 2), four: 4 }
-    }
-
-    fn controls(&self) -> Vec<Control<ModeVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("+ lambda f", ModeVariant { sign: 1, ..printed }),
-            Control::new("- 4 lambda f under the root", ModeVariant { four: -4, ..printed }),
-            Control::new("1 instead of 1/2", ModeVariant { half: (1, 1), ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &ModeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        run.identity(
-            &ModeIdentity(*variant),
-            &["lambda", "g", "r", "x"],
-            "characteristic equation and its roots, (lambda g)² + 4 lambda f = r²",
-        )
-    }
+fn examine_modes(variant: &ModeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "characteristic equation and its roots, (lambda g)² + 4 lambda f = r², lambda != 0";
+    run.identity(&ModeIdentity(*variant), &["lambda", "g", "r", "x"], part).map(|outcome| outcome.on([1, 2]))
 }
 
-/// veerman.lem1.
-pub struct Stabilised;
+pub fn mode_eigenvalues() -> Record<ModeVariant> {
+    Record::new(
+        "veerman.eigAK",
+        "det(xI - A - lambda K) = x (x - lambda g) - lambda f. The quadratic formula, with multiplicity: sum lambda g, product \
+         -lambda f. For lambda = 0 both are 0. The square root may be imaginary; either branch gives the same pair.",
+        MODE,
+        examine_modes,
+    )
+    .clauses(&[
+        "The eigenvalues of A + lambda K are the solutions of x^2 - lambda g x - lambda f = 0.",
+        "They are x_+- = (1/2)(lambda g +- sqrt((lambda g)^2 + 4 lambda f)).",
+    ])
+    .control("+ lambda f", ModeVariant { sign: 1, ..MODE })
+    .control("- 4 lambda f under the root", ModeVariant { four: -4, ..MODE })
+    .control("1 instead of 1/2", ModeVariant { half: (1, 1), ..MODE })
+}
+
+// --- Lemma 1 ---
 
 /// When a platoon of any size is claimed to be stable.
-#[derive(Clone, Copy)]
-pub struct StabilityVariant {
-    condition: fn(f: &Rational, g: &Rational) -> bool,
-}
+type Condition = fn(f: &Rational, g: &Rational) -> bool;
 
-impl Claim for Stabilised {
-    type Variant = StabilityVariant;
-
-    fn id(&self) -> &str {
-        "veerman.lem1"
-    }
-
-    fn derivation(&self) -> &str {
-        "Stabilised means, as the text before says, that all eigenvalues of M have negative real parts; uniformly in N is read as: under one and the \
-         same condition for every N. The eigenvalues are the roots of x² - lambda g x - lambda f with lambda in spec(P), and all \
+pub fn stabilised() -> Record<Condition> {
+    Record::new(
+        "veerman.lem1",
+        "The eigenvalues are the roots of x² - lambda g x - lambda f with lambda in spec(P), and all \
          lambda are positive. A real quadratic x² + p x + q has both roots in the left half plane exactly if p > 0 and q > 0 (sum -p and \
          product q; complex roots have real part -p/2), so exactly if g < 0 and f < 0: for each N, and for all N together. Read as one rate of decay for \
-         all N the lemma would hold for system (1) only: beyond.veerman.decay_rate."
-    }
+         all N the lemma would hold for system (1) only: beyond.veerman.decay_rate.",
+        (|f, g| *f < rational(0, 1) && *g < rational(0, 1)) as Condition,
+        examine_stability,
+    )
+    .reading("Stabilised means, as the text before says, that all eigenvalues of M have negative real parts; uniformly in N: under one and the same condition for every N.")
+    .clauses(&[
+        "If both f and g are strictly smaller than zero, systems (1) and (2) are stabilized for every N.",
+        "If systems (1) and (2) are stabilized for every N, both f and g are strictly smaller than zero.",
+    ])
+    .control("f <= 0", |f, g| *f <= rational(0, 1) && *g < rational(0, 1))
+    .control("g <= 0", |f, g| *f < rational(0, 1) && *g <= rational(0, 1))
+    .control("g² > 4|f| too", |f, g| {
+        *f < rational(0, 1) && *g < rational(0, 1) && g * g > rational(-4, 1) * f
+    })
+}
 
-    fn printed(&self) -> StabilityVariant {
-        StabilityVariant { condition: |f, g| *f < rational(0, 1) && *g < rational(0, 1) }
+fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, CheckError> {
+    const MOST: usize = 4;
+    const VALUES: [(i64, i64); 7] = [(-3, 1), (-1, 1), (-1, 100), (0, 1), (1, 100), (1, 1), (3, 1)];
+    let detail = format!(
+        "Routh's table of the exact characteristic polynomial of M, both systems, up to {MOST} followers, f and g of either sign and zero"
+    );
+    let pairs = || VALUES.iter().flat_map(|f| VALUES.iter().map(move |g| super::gains((*f, *g))));
+    let cases = systems(MOST).flat_map(|system| pairs().map(move |gains| (system, gains)));
+    let instances = run.instances("instances", &detail, cases, |((communication, followers), gains)| {
+        let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
+        let stable = polynomial(&motion_matrix(&reduced, &gains)?)?.is_hurwitz();
+        let is = if stable { "stable" } else { "not stable" };
+        let Gains { f, g } = gains;
+        let what = || format!("{communication:?}, N = {}, f = {f}, g = {g}: M is {is}", followers - 1);
+        Ok((stable != condition(&f, &g)).then(what))
+    })?;
+    let minus_one = enclosed(&unit(), 64);
+    for followers in [10, 100] {
+        let name = format!("slowest_decay_rate_of_system_2_f_g_-1_M_{followers}");
+        run.value(&name, interval_value(&slowest_rate(&minus_one, followers)?, 8));
     }
-
-    fn controls(&self) -> Vec<Control<StabilityVariant>> {
-        vec![
-            Control::new("f <= 0", StabilityVariant { condition: |f, g| *f <= rational(0, 1) && *g < rational(0, 1) }),
-            Control::new("g <= 0", StabilityVariant { condition: |f, g| *f < rational(0, 1) && *g <= rational(0, 1) }),
-            Control::new("f < 0 only", StabilityVariant { condition: |f, _| *f < rational(0, 1) }),
-            Control::new(
-                "g² > 4|f| too",
-                StabilityVariant {
-                    condition: |f, g| *f < rational(0, 1) && *g < rational(0, 1) && g * g > rational(-4, 1) * f,
-                },
-            ),
-        ]
-    }
-
-    fn examine(&self, variant: &StabilityVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const MOST: usize = 4;
-        const VALUES: [(i64, i64); 7] = [(-3, 1), (-1, 1), (-1, 100), (0, 1), (1, 100), (1, 1), (3, 1)];
-        let mut cases = 0;
-        for communication in SYSTEMS {
-            for followers in 1..=MOST {
-                run.checkpoint()?;
-                let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
-                for (f, g) in VALUES.iter().flat_map(|f| VALUES.iter().map(move |g| (f, g))) {
-                    let (f, g) = (rational(f.0, f.1), rational(g.0, g.1));
-                    let motion = motion_matrix(&reduced, &gains(&f, &g))?;
-                    let stable =
-                        Polynomial::from_rationals(&motion.characteristic_polynomial()?.coefficients()).is_hurwitz();
-                    cases += 1;
-                    if stable != (variant.condition)(&f, &g) {
-                        let is = if stable { "stable" } else { "not stable" };
-                        return Ok(Outcome::fails(
-                            format!("{communication:?}, N = {}, f = {f}, g = {g}: M is {is}", followers - 1),
-                            Evidence::new(Grade::Exact, "instances", "Routh's table of det(xI - M)"),
-                        ));
-                    }
-                }
-            }
-        }
-        let detail = format!(
-            "Routh's table of the exact characteristic polynomial of M, both systems, up to {MOST} followers, f and g of either sign and zero; proof in \
-             the derivation for all"
-        );
-        let minus_one = Gains { f: rational(-1, 1), g: rational(-1, 1) }.map(|q| Interval::from_rational(q, 64));
-        for followers in [10, 100] {
-            run.value(
-                &format!("slowest_decay_rate_of_system_2_f_g_-1_M_{followers}"),
-                interval_value(&slowest_rate(&minus_one, followers)?, 8),
-            );
-        }
-        let quadratic = run.identity(
-            &ModeIdentity(ModeEigenvalues.printed()),
-            &["lambda", "g", "r", "x"],
-            "the quadratic of every mode, whose coefficients decide",
-        );
-        Run::all([quadratic, Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "instances", detail).cases(cases)]))])
-    }
+    let part = "the quadratic of every mode, whose coefficients decide";
+    let quadratic = run.identity(&ModeIdentity(MODE), &["lambda", "g", "r", "x"], part);
+    Ok(Run::all([quadratic, Ok(instances)])?.on([1, 2]))
 }

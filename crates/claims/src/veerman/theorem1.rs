@@ -1,16 +1,16 @@
 //! veerman.thm1_*: the main resonance of large platoons and the expansions in its proof.
 
+use super::{certified, gains};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Series, Signed, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run, interval_value};
-use models::platoon::{Gains, Resonance, chebyshev, gamma, resonance, theorem1};
+use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
+use models::platoon::{Gains, Resonance, larger_root_power, resonance, theorem1};
 
 pub(super) const DIGITS: u32 = 36;
 
 /// The gains at which asymptotic statements are checked.
 fn gains_list() -> [Gains<Rational>; 3] {
-    let gains = |f: (i64, i64), g: (i64, i64)| Gains { f: rational(f.0, f.1), g: rational(g.0, g.1) };
-    [gains((-1, 1), (-1, 1)), gains((-2, 1), (-1, 2)), gains((-1, 3), (-2, 1))]
+    [((-1, 1), (-1, 1)), ((-2, 1), (-1, 2)), ((-1, 3), (-2, 1))].map(gains)
 }
 
 /// Sizes M from `first` on in steps of 8: 32 to about 10^6 (10^9 with `--full`).
@@ -18,75 +18,55 @@ fn sizes(run: &Run, first: u64) -> Vec<u64> {
     (0..run.cases(6, 9) as u32).map(|k| first * 8u64.pow(k)).collect()
 }
 
-/// Certifies that `error(gains, M) M^order` stays bounded: from the smallest to the largest size it does not grow to
+/// Certifies on three pairs of gains that `error(gains, M) M^order` does not grow from the smallest to the largest size to
 /// more than twice its size. An error of a lower order grows by a factor of 8 at least at every step.
-fn scaled_error_is_bounded(
-    run: &mut Run,
-    name: &str,
-    order: u64,
-    error: impl Fn(&Gains<Rational>, u64) -> Result<Interval, CheckError>,
-) -> Result<Outcome, CheckError> {
-    scaled_error_is_bounded_from(32, run, name, order, "proof in notes/resonance.md", error)
-}
-
-/// The same from another smallest size on; `proof` says where the proof for all is.
-pub(super) fn scaled_error_is_bounded_from(
+pub(super) fn scaled_error_is_bounded(
     smallest: u64,
     run: &mut Run,
     name: &str,
     order: u64,
-    proof: &str,
     error: impl Fn(&Gains<Rational>, u64) -> Result<Interval, CheckError>,
 ) -> Result<Outcome, CheckError> {
     let sizes = sizes(run, smallest);
-    let mut cases = 0;
-    for gains in gains_list() {
-        let mut first: Option<Interval> = None;
-        for &m in &sizes {
-            run.checkpoint()?;
-            let error = error(&gains, m)?;
-            let scaled = error.clone() * error.integer(m as i64).power(order);
-            cases += 1;
-            let bound = first.get_or_insert_with(|| scaled.clone() + &scaled);
-            if bound.magnitude() < scaled.magnitude() {
-                return Ok(Outcome::fails(
-                    format!(
-                        "{name}, f = {}, g = {}: the error times M^{order} is {} for M = {} and {} for M = {m}",
-                        gains.f,
-                        gains.g,
-                        interval_value(&bound.scaled(-1), 6),
-                        sizes[0],
-                        interval_value(&scaled, 6),
-                    ),
-                    Evidence::new(Grade::Certified, name, "enclosures of the true resonance"),
-                ));
-            }
-            if gains.f == rational(-1, 1) && m == sizes[sizes.len() - 1] {
-                run.value(&format!("{name}_error_times_M^{order}_at_f_g_-1_M_{m}"), interval_value(&scaled, 8));
-            }
-        }
-    }
+    let last = sizes[sizes.len() - 1];
+    let mut reached: Option<Interval> = None;
+    let mut first: Option<Interval> = None;
     let detail = format!(
-        "{proof}; enclosures for M = {}, {}, ..., {} and three pairs (f, g): the error times M^{order} stays at \
-         most twice its size at M = {}",
-        sizes[0],
-        sizes[1],
-        sizes[sizes.len() - 1],
-        sizes[0]
+        "enclosures of the true resonance for M = {}, {}, ..., {last} and three pairs (f, g): the error times M^{order} stays at most twice its size at M = {}",
+        sizes[0], sizes[1], sizes[0]
     );
-    Ok(Outcome::Holds(vec![
-        Evidence::new(Grade::Certified, format!("{name} up to O(M^-{order})"), detail).cases(cases),
-    ]))
+    let list = gains_list();
+    let cases = list.iter().flat_map(|gains| sizes.iter().map(move |&m| (gains, m)));
+    let outcome = run.every(certified(format!("{name} up to O(M^-{order})"), detail), cases, |(gains, m)| {
+        let error = error(gains, m)?;
+        let scaled = error.clone() * error.integer(m as i64).power(order);
+        if m == sizes[0] {
+            first = Some(scaled.clone() + &scaled);
+        }
+        if gains.f == rational(-1, 1) && m == last {
+            reached = Some(scaled.clone());
+        }
+        let exceeded = first.iter().find(|bound| bound.magnitude() < scaled.magnitude());
+        Ok(exceeded.map(|bound| {
+            let (before, now) = (interval_value(&bound.scaled(-1), 6), interval_value(&scaled, 6));
+            let at = format!("{name}, f = {}, g = {}", gains.f, gains.g);
+            format!("{at}: the error times M^{order} is {before} for M = {} and {now} for M = {m}", sizes[0])
+        }))
+    })?;
+    if let Some(scaled) = reached {
+        run.value(&format!("{name}_error_times_M^{order}_at_f_g_-1_M_{last}"), interval_value(&scaled, 8));
+    }
+    Ok(outcome)
 }
 
+/// The true resonance and the gains as intervals of its precision.
 pub(super) fn enclosed(gains: &Gains<Rational>, m: u64) -> Result<(Resonance, Gains<Interval>), CheckError> {
     let found = resonance(gains, m, DIGITS)?;
     let precision = found.omega.precision();
-    Ok((found, gains.map(|q| Interval::from_rational(q, precision))))
+    Ok((found, super::enclosed(gains, precision)))
 }
 
-/// veerman.thm1_omega.
-pub struct Frequency;
+// --- The leading terms ---
 
 /// A printed leading term times a factor, for `M + offset` followers, with the order of its error.
 #[derive(Clone, Copy)]
@@ -96,105 +76,58 @@ pub struct LeadingVariant {
     order: u64,
 }
 
-impl LeadingVariant {
-    fn followers(&self, m: u64) -> u64 {
-        m.saturating_add_signed(self.offset)
-    }
+/// What the theorem says of one quantity.
+fn leading(
+    id: &'static str,
+    derivation: &'static str,
+    order: u64,
+    examine: fn(&LeadingVariant, &mut Run) -> Result<Outcome, CheckError>,
+) -> Record<LeadingVariant> {
+    let printed = LeadingVariant { factor: (1, 1), offset: 0, order };
+    Record::new(id, derivation, printed, examine)
+        .control("an error of the next order", LeadingVariant { order: order + 1, ..printed })
+        .control("N instead of N + 1", LeadingVariant { offset: -1, ..printed })
+        .control("a coefficient larger by 1/1000", LeadingVariant { factor: (1001, 1000), ..printed })
 }
 
-/// What is altered in either leading term.
-fn leading_controls(printed: LeadingVariant) -> Vec<Control<LeadingVariant>> {
-    vec![
-        Control::new("an error of the next order", LeadingVariant { order: printed.order + 1, ..printed }),
-        Control::new("N instead of N + 1", LeadingVariant { offset: -1, ..printed }),
-        Control::new("a coefficient larger by 1/1000", LeadingVariant { factor: (1001, 1000), ..printed }),
-    ]
+fn examine_leading(
+    name: &str,
+    variant: &LeadingVariant,
+    run: &mut Run,
+    found: impl Fn(Resonance) -> Interval,
+    leading: impl Fn(&Gains<Interval>, u64) -> Result<Interval, ArithmeticError>,
+) -> Result<Outcome, CheckError> {
+    let (p, q) = variant.factor;
+    scaled_error_is_bounded(32, run, name, variant.order, |gains, m| {
+        let (resonance, gains) = enclosed(gains, m)?;
+        let leading = leading(&gains, m.saturating_add_signed(variant.offset))?;
+        Ok(found(resonance) - leading.ratio(p, q) * leading)
+    })
 }
 
-impl Claim for Frequency {
-    type Variant = LeadingVariant;
-
-    fn id(&self) -> &str {
-        "veerman.thm1_omega"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn frequency() -> Record<LeadingVariant> {
+    leading(
+        "veerman.thm1_omega",
         "With a = w/sqrt|f|, b = |g|/sqrt|f| and gamma = cos(x - i y): x = sqrt2 a (1 + O(a²)), y = a² b/sqrt2 (1 + O(a²)). \
          F = cos²(Mx) + sinh²(My) is least where x' sin(2Mx) = y' sinh(2My), so Mx = pi/2 + O(M^-2), which gives \
          a = pi/(2 sqrt2 M) + O(M^-3). That this minimum is the main resonance is proved in notes/resonance.md for all \
-         f, g < 0 and all M."
-    }
-
-    fn printed(&self) -> LeadingVariant {
-        LeadingVariant { factor: (1, 1), offset: 0, order: 3 }
-    }
-
-    fn controls(&self) -> Vec<Control<LeadingVariant>> {
-        leading_controls(self.printed())
-    }
-
-    fn examine(&self, variant: &LeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let (p, q) = variant.factor;
-        scaled_error_is_bounded(run, "omega", variant.order, |gains, m| {
-            let (found, in_intervals) = enclosed(gains, m)?;
-            let leading = theorem1::frequency(&in_intervals, variant.followers(m))?;
-            Ok(found.omega - leading.ratio(p, q) * leading)
-        })
-    }
+         f, g < 0 and all M.",
+        3,
+        |variant, run| examine_leading("omega", variant, run, |found| found.omega, theorem1::frequency),
+    )
 }
 
-/// veerman.thm1_amp.
-pub struct Amplitude;
-
-impl Claim for Amplitude {
-    type Variant = LeadingVariant;
-
-    fn id(&self) -> &str {
-        "veerman.thm1_amp"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn amplitude() -> Record<LeadingVariant> {
+    leading(
+        "veerman.thm1_amp",
         "At the resonance F = cos²(Mx) + sinh²(My) with Mx = pi/2 + O(M^-2), so 1/sqrt F = 1/sinh(My) (1 + O(M^-2)), and \
-         My = pi² b/(8 sqrt2 M) (1 + O(M^-2)): A = 8 sqrt(2|f|) M/(pi² |g|) + O(M^-1) (notes/resonance.md)."
-    }
-
-    fn printed(&self) -> LeadingVariant {
-        LeadingVariant { factor: (1, 1), offset: 0, order: 1 }
-    }
-
-    fn controls(&self) -> Vec<Control<LeadingVariant>> {
-        leading_controls(self.printed())
-    }
-
-    fn examine(&self, variant: &LeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let (p, q) = variant.factor;
-        scaled_error_is_bounded(run, "amplitude", variant.order, |gains, m| {
-            let (found, in_intervals) = enclosed(gains, m)?;
-            let leading = theorem1::amplitude(&in_intervals, variant.followers(m))?;
-            Ok(found.amplitude - leading.ratio(p, q) * leading)
-        })
-    }
+         My = pi² b/(8 sqrt2 M) (1 + O(M^-2)): A = 8 sqrt(2|f|) M/(pi² |g|) + O(M^-1) (notes/resonance.md).",
+        1,
+        |variant, run| examine_leading("amplitude", variant, run, |found| found.amplitude, theorem1::amplitude),
+    )
 }
 
-/// The exact expansion behind the proof: with `r = sqrt|f|`, `G = |g|` and series in `w`, `epsilon = sqrt(gamma² - 1) =
-/// i sqrt2 (w/r) E(w)`; returns `gamma` and `E`.
-fn expansion<T: Field>(r: &T, g: &T, order: usize) -> Result<[Series<Complex<T>>; 2], ArithmeticError> {
-    let size = r.square();
-    let constant = |z: Complex<T>| Series::constant(z, order);
-    let w = Series::variable(Complex::real(r.one()), order);
-    // q = 1 - gamma = w²/(|f| + i w |g|).
-    let denominator =
-        constant(Complex::real(size.clone())) + Series::variable(Complex::new(r.zero(), g.clone()), order);
-    let inverse = denominator.recip()?;
-    let q = w.square() * &inverse;
-    // gamma² - 1 = -q (2 - q) = -2 (w²/|f|) S with S = |f|/(|f| + i w |g|) (1 - q/2).
-    let half = Complex::real(r.ratio(1, 2));
-    let s = inverse.scale(&Complex::real(size)) * (q.one() - q.scale(&half));
-    Ok([q.one() - q, s.sqrt_of_unit()?])
-}
-
-/// veerman.thm1_eps.
-pub struct Epsilon;
+// --- The expansion of epsilon ---
 
 /// The second-order bracket `(w²/2)(damping g²/f² + stiffness/|f|)`, and how many coefficients of the bracket are
 /// compared.
@@ -214,7 +147,7 @@ impl RationalIdentity for Bracket {
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
         let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
-        let [_, bracket] = expansion(r, g, self.0.coefficients)?;
+        let [_, bracket] = theorem1::expansion(r, g, self.0.coefficients)?;
         let size = r.square();
         let second = (g.ratio(self.0.damping.0, 2 * self.0.damping.1) * g.square()).over(&size.square())?
             + g.ratio(self.0.stiffness.0, 2 * self.0.stiffness.1).over(&size)?;
@@ -244,51 +177,32 @@ impl RationalIdentity for Bracket {
     }
 }
 
-impl Claim for Epsilon {
-    type Variant = EpsilonVariant;
-
-    fn id(&self) -> &str {
-        "veerman.thm1_eps"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn epsilon() -> Record<EpsilonVariant> {
+    let printed = EpsilonVariant { damping: (-1, 1), stiffness: (-1, 2), coefficients: 3 };
+    let repaired = EpsilonVariant { damping: (-3, 4), ..printed };
+    Record::new(
+        "veerman.thm1_eps",
         "epsilon² = gamma² - 1 = -(2w²/|f|) S with S = (1 + i w|g|/|f|)^-1 (1 - q/2). The square root of S = 1 + s_1 w + s_2 w² \
          is 1 + s_1 w/2 + (s_2/2 - s_1²/8) w²; the paper drops the term -s_1²/8 = g²/(8 f²). The coefficient is -3/4 g²/f², \
          not -g²/f². The error is O(w³) and does not change the theorem. For w > 0 the imaginary part of gamma² - 1 is positive and its \
-         angle near pi, so the root with angle in (-pi/2, pi/2] is the one with +i."
-    }
-
-    fn printed(&self) -> EpsilonVariant {
-        EpsilonVariant { damping: (-1, 1), stiffness: (-1, 2), coefficients: 3 }
-    }
-
-    fn repair(&self) -> Option<Repair<EpsilonVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement:
-                "eps = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- (3/4) g^2/f^2 - 1/(2|f|)) ) + O(w^4)."
-                    .to_string(),
-            variant: EpsilonVariant { damping: (-3, 4), ..self.printed() },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<EpsilonVariant>> {
-        let repaired = EpsilonVariant { damping: (-3, 4), ..self.printed() };
-        vec![
-            Control::new("+ 3/4 g²/f²", EpsilonVariant { damping: (3, 4), ..repaired }),
-            Control::new("- 1/|f|", EpsilonVariant { stiffness: (-1, 1), ..repaired }),
-            Control::new("an error O(w^5)", EpsilonVariant { coefficients: 4, ..repaired }),
-        ]
-    }
-
-    fn examine(&self, variant: &EpsilonVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        run.identity(&Bracket(*variant), &["sqrt|f|", "|g|"], "coefficients of the expansion, exact power series")
-    }
+         angle near pi, so the root with angle in (-pi/2, pi/2] is the one with +i.",
+        printed,
+        |variant, run| {
+            let part = "coefficients of the expansion, exact power series";
+            run.identity(&Bracket(*variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
+        },
+    )
+    .repaired(
+        Fault::Slip,
+        "eps = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- (3/4) g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
+        repaired,
+    )
+    .control("+ 3/4 g²/f²", EpsilonVariant { damping: (3, 4), ..repaired })
+    .control("- 1/|f|", EpsilonVariant { stiffness: (-1, 1), ..repaired })
+    .control("an error O(w^5)", EpsilonVariant { coefficients: 4, ..repaired })
 }
 
-/// veerman.thm1_mod.
-pub struct Modulus;
+// --- The moduli ---
 
 /// `|mu_+-|² = 1 +- coefficient sqrt2 w² |g|/|f|^(power/2) + O(w^order)`.
 #[derive(Clone, Copy)]
@@ -309,7 +223,7 @@ impl RationalIdentity for SquaredModulus {
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
         let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
         let order = self.0.order;
-        let [gamma, bracket] = expansion(r, g, order)?;
+        let [gamma, bracket] = theorem1::expansion(r, g, order)?;
         let w = Series::variable(Complex::real(r.one()), order);
         let inverse = r.recip()?;
         let epsilon = (w * bracket).scale(&Complex::new(r.zero(), inverse));
@@ -333,48 +247,43 @@ impl RationalIdentity for SquaredModulus {
     }
 }
 
-impl Claim for Modulus {
-    type Variant = ModulusVariant;
-
-    fn id(&self) -> &str {
-        "veerman.thm1_mod"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn modulus() -> Record<ModulusVariant> {
+    let printed = ModulusVariant { coefficient: 1, power: 3, order: 4 };
+    Record::new(
+        "veerman.thm1_mod",
         "|gamma +- epsilon|² = |gamma|² + |epsilon|² +- 2 Re(conj(gamma) epsilon). The first two terms sum to 1 + O(w⁴); the \
          last is sqrt2 w² |g|/|f|^(3/2) + O(w⁴). Exact power series in w; the faulty term of eps enters at w⁴ only. mu_+ is the root with the principal \
-         square root, for w > 0 the one with +i (see veerman.thm1_eps)."
-    }
-
-    fn printed(&self) -> ModulusVariant {
-        ModulusVariant { coefficient: 1, power: 3, order: 4 }
-    }
-
-    fn controls(&self) -> Vec<Control<ModulusVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("2 sqrt2", ModulusVariant { coefficient: 2, ..printed }),
-            Control::new("the signs exchanged", ModulusVariant { coefficient: -1, ..printed }),
-            Control::new("|f| instead of |f|^(3/2)", ModulusVariant { power: 2, ..printed }),
-            Control::new("an error O(w^5)", ModulusVariant { order: 5, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &ModulusVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        run.identity(&SquaredModulus(*variant), &["sqrt|f|", "|g|"], "coefficients of |mu|², exact power series")
-    }
+         square root, for w > 0 the one with +i (see veerman.thm1_eps).",
+        printed,
+        |variant, run| {
+            let part = "coefficients of |mu|², exact power series";
+            run.identity(&SquaredModulus(*variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
+        },
+    )
+    .control("2 sqrt2", ModulusVariant { coefficient: 2, ..printed })
+    .control("the signs exchanged", ModulusVariant { coefficient: -1, ..printed })
+    .control("|f| instead of |f|^(3/2)", ModulusVariant { power: 2, ..printed })
+    .control("an error O(w^5)", ModulusVariant { order: 5, ..printed })
 }
 
-/// veerman.thm1_x.
-pub struct Exponent;
+// --- The exponent x ---
 
 /// `x = pi² |g|/(divisor sqrt2 |f|^(power/2))`.
 #[derive(Clone, Copy)]
 pub struct ExponentVariant {
-    divisor: i64,
-    power: u64,
-    /// Order of the error of `|mu_+-|^(N+1)`.
-    order: u64,
+    pub(super) divisor: i64,
+    pub(super) power: u64,
+    /// Order of the error of `|mu_+-|^(N+1)`, and in Proposition 2 of the size.
+    pub(super) order: u64,
+}
+
+impl ExponentVariant {
+    /// `x`: that of the library for the divisor 8 and the power 1.
+    pub(super) fn value(&self, gains: &Gains<Interval>) -> Result<Interval, ArithmeticError> {
+        let root = (-gains.f.clone()).sqrt()?;
+        let altered = root.ratio(8, self.divisor) * &root;
+        (theorem1::exponent(gains)? * altered).over(&root.power(self.power))
+    }
 }
 
 /// In units of pi² and squared: `2x/M²` is `sqrt2 w² |g|/|f|^(3/2)` at the frequency of Theorem 1, and `(N+1)/x` its
@@ -401,80 +310,56 @@ impl RationalIdentity for ExponentDefinition {
     }
 }
 
-/// `|mu_+|^M = e^{My}` at the resonance, from `|T_M|² + |gamma² - 1| |U_{M-1}|² = 1 + 2 sinh²(My)`.
-fn modulus_power(gains: &Gains<Interval>, w: &Interval, m: u64) -> Result<Interval, ArithmeticError> {
-    let d = gamma(gains, w)? - Complex::real(w.one());
-    let (t, u) = chebyshev(m, &d);
-    let s2 = d.clone() * (d.one() + d.one() + d);
-    let root = s2.norm_squared().sqrt()?;
-    let double = t.norm_squared() + root * u.norm_squared() - w.one();
-    let sinh = double.scaled(-1).sqrt()?;
-    Ok((sinh.square() + w.one()).sqrt()? + sinh)
-}
-
-impl Claim for Exponent {
-    type Variant = ExponentVariant;
-
-    fn id(&self) -> &str {
-        "veerman.thm1_x"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn exponent() -> Record<ExponentVariant> {
+    let printed = ExponentVariant { divisor: 8, power: 2, order: 3 };
+    let repaired = ExponentVariant { power: 1, ..printed };
+    Record::new(
+        "veerman.thm1_x",
         "|mu_+-|² = 1 +- sqrt2 w² |g|/|f|^(3/2) at w = sqrt|f| pi/(2 sqrt2 M) is 1 +- pi² |g|/(4 sqrt2 sqrt|f| M²), which is \
          1 +- 2x/M² for x = pi² |g|/(8 sqrt2 sqrt|f|). The printed |f| instead of sqrt|f| would also contradict the amplitude \
-         of the theorem, M/x; for f = -1 the two agree."
-    }
+         of the theorem, M/x; for f = -1 the two agree.",
+        printed,
+        examine_exponent,
+    )
+    .clauses(&[
+        "With x := pi^2 |g|/(8 sqrt(2) |f|), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal resonance.",
+        "A = |a_{N+1}| = (N+1)/x + O(N^{-1}).",
+    ])
+    .repaired(
+        Fault::Typo,
+        "With x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal \
+         resonance and A = |a_{N+1}| = (N+1)/x + O(N^{-1}).",
+        repaired,
+    )
+    .repaired_clauses(&[
+        "With x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal resonance.",
+        "A = |a_{N+1}| = (N+1)/x + O(N^{-1}).",
+    ])
+    .control("4 sqrt2 instead of 8 sqrt2", ExponentVariant { divisor: 4, ..repaired })
+    .control("|f|^(3/2)", ExponentVariant { power: 3, ..repaired })
+    .control("an error O(N^-4)", ExponentVariant { order: 4, ..repaired })
+}
 
-    fn printed(&self) -> ExponentVariant {
-        ExponentVariant { divisor: 8, power: 2, order: 3 }
-    }
-
-    fn repair(&self) -> Option<Repair<ExponentVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement:
-                "With x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal \
-                        resonance and A = |a_{N+1}| = (N+1)/x + O(N^{-1})."
-                    .to_string(),
-            variant: ExponentVariant { power: 1, ..self.printed() },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<ExponentVariant>> {
-        let repaired = ExponentVariant { power: 1, ..self.printed() };
-        vec![
-            Control::new("4 sqrt2 instead of 8 sqrt2", ExponentVariant { divisor: 4, ..repaired }),
-            Control::new("|f|^(3/2)", ExponentVariant { power: 3, ..repaired }),
-            Control::new("an error O(N^-4)", ExponentVariant { order: 4, ..repaired }),
-        ]
-    }
-
-    fn examine(&self, variant: &ExponentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let x_over_m = |gains: &Gains<Interval>, m: u64| -> Result<Interval, ArithmeticError> {
-            let root = (-gains.f.clone()).sqrt()?.power(variant.power);
-            let numerator = gains.f.pi().square() * -gains.g.clone();
-            numerator.over(
-                &(root * gains.f.integer(variant.divisor) * gains.f.integer(2).sqrt()? * gains.f.integer(m as i64)),
-            )
-        };
-        let plus = scaled_error_is_bounded(run, "modulus_plus", variant.order, |gains, m| {
-            let (found, intervals) = enclosed(gains, m)?;
-            Ok(modulus_power(&intervals, &found.omega, m)? - x_over_m(&intervals, m)?.exp()?)
-        })?;
-        let minus = scaled_error_is_bounded(run, "modulus_minus", variant.order, |gains, m| {
-            let (found, intervals) = enclosed(gains, m)?;
-            Ok(modulus_power(&intervals, &found.omega, m)?.recip()? - (-x_over_m(&intervals, m)?).exp()?)
-        })?;
-        let amplitude = scaled_error_is_bounded(run, "amplitude", 1, |gains, m| {
-            let (found, intervals) = enclosed(gains, m)?;
-            Ok(found.amplitude - x_over_m(&intervals, m)?.recip()?)
-        })?;
-        let definition = run.identity(
-            &ExponentDefinition(*variant),
-            &["sqrt|f|", "|g|"],
-            "2x/M² is the term of |mu|² at the frequency of Theorem 1, and (N+1)/x its amplitude",
-        );
-        Run::all([Ok(amplitude), Ok(plus), Ok(minus), definition])
-    }
+fn examine_exponent(variant: &ExponentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let x_over_m =
+        |gains: &Gains<Interval>, m: u64| Ok::<_, CheckError>(variant.value(gains)?.over(&gains.f.integer(m as i64))?);
+    let modulus = |gains: &Gains<Rational>, m: u64| {
+        let (found, gains) = enclosed(gains, m)?;
+        Ok::<_, CheckError>((larger_root_power(&gains, &found.omega, m)?, x_over_m(&gains, m)?))
+    };
+    let plus = scaled_error_is_bounded(32, run, "modulus_plus", variant.order, |gains, m| {
+        let (power, x) = modulus(gains, m)?;
+        Ok(power - x.exp()?)
+    })?;
+    let minus = scaled_error_is_bounded(32, run, "modulus_minus", variant.order, |gains, m| {
+        let (power, x) = modulus(gains, m)?;
+        Ok(power.recip()? - (-x).exp()?)
+    })?;
+    let amplitude = scaled_error_is_bounded(32, run, "amplitude", 1, |gains, m| {
+        let (found, gains) = enclosed(gains, m)?;
+        Ok(found.amplitude - x_over_m(&gains, m)?.recip()?)
+    })?;
+    let part = "2x/M² is the term of |mu|² at the frequency of Theorem 1, and (N+1)/x its amplitude";
+    let definition = run.identity(&ExponentDefinition(*variant), &["sqrt|f|", "|g|"], part)?;
+    Run::all([Ok(amplitude.on([2])), Ok(plus.on([1])), Ok(minus.on([1])), Ok(definition.on([1, 2]))])
 }

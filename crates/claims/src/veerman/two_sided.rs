@@ -1,9 +1,9 @@
 //! veerman.lem2 and veerman.lem2_eigvec: tracking the cars in front and behind.
 
-use super::one_sided::negative_gains;
+use super::{complex_gains, imaginary, negative_gains, parts};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Outcome, Record, Run};
 use models::platoon::{Communication, Gains, accelerations, gamma};
 use rand_chacha::rand_core::Rng;
 
@@ -19,9 +19,6 @@ fn companion_power<T: Ring>(gamma: &Complex<T>, corner: i64, power: u64) -> Matr
     let c = [[gamma.zero(), gamma.one()], [gamma.integer(corner), gamma.clone() + gamma]];
     (1..power).fold(c.clone(), |product, _| times(&c, &product))
 }
-
-/// veerman.lem2.
-pub struct LastAmplitude;
 
 /// `a_{N+1} = numerator/Tr C^(N + 1 + shift)` with `C = [[0, 1], [corner, 2 gamma]]`.
 #[derive(Clone, Copy)]
@@ -49,15 +46,14 @@ impl RationalIdentity for LeaderIsOne {
         let power = (self.followers as i64 + self.variant.shift).max(1) as u64;
         let c = companion_power(&gamma, self.variant.corner, power);
         let trace = c[0][0].clone() + &c[1][1];
-        let gains = Gains { f: Complex::real(f.clone()), g: Complex::real(g.clone()) };
-        let iw = Complex::new(w.zero(), w.clone());
+        let (gains, iw) = (complex_gains(f, g), imaginary(w));
         // Scaled by the trace: the last car has the numerator, the leader must have the trace.
         let mut amplitudes = vec![trace.integer(self.variant.numerator)];
         for _ in 0..self.followers {
             amplitudes.insert(0, car_in_front(&gains, &iw, &amplitudes)?);
         }
         let leader = amplitudes.swap_remove(0);
-        Ok((vec![leader.re, leader.im], vec![trace.re, trace.im]))
+        Ok((parts([leader]), parts([trace])))
     }
 
     fn in_domain(&self, at: &[Rational]) -> bool {
@@ -99,7 +95,7 @@ impl RationalIdentity for TraceByRoots {
         let c = companion_power(&gamma, self.corner, self.followers);
         let trace = c[0][0].clone() + &c[1][1];
         let sum = mu.power(self.followers) + inverse.power(self.followers);
-        Ok((vec![trace.re, trace.im], vec![sum.re, sum.im]))
+        Ok((parts([trace]), parts([sum])))
     }
 }
 
@@ -117,78 +113,54 @@ fn roots<T: Field>(at: &[T]) -> Result<Roots<T>, ArithmeticError> {
     Ok((mu, inverse, gamma, root))
 }
 
-impl Claim for LastAmplitude {
-    type Variant = LastAmplitudeVariant;
-
-    fn id(&self) -> &str {
-        "veerman.lem2"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn last_amplitude() -> Record<LastAmplitudeVariant> {
+    let printed = LastAmplitudeVariant { numerator: 2, shift: 0, corner: -1 };
+    Record::new(
+        "veerman.lem2",
         "The middle cars give a_{k-1} = 2 gamma a_k - a_{k+1} and the last one a_{M-1} = gamma a_M. So a_{M-j} = T_j(gamma) a_M \
          with the Chebyshev polynomials, and a_0 = 1 gives a_M = 1/T_M(gamma) = 2/Tr C^M, for every M by induction. For \
-         f, g < 0 and w != 0 gamma is not real while the zeros of T_M are; at w = 0 T_M(1) = 1 (notes/veerman.md)."
-    }
+         f, g < 0 and w != 0 gamma is not real while the zeros of T_M are; at w = 0 T_M(1) = 1 (notes/veerman.md).",
+        printed,
+        examine_last_amplitude,
+    )
+    .clauses(&[
+        "If only the agents immediately preceding and trailing are tracked, a_{N+1} = 2/Tr C^{N+1}.",
+        "Tr C^{N+1} = mu_-^{N+1} + mu_+^{N+1}.",
+    ])
+    .control("numerator 1", LastAmplitudeVariant { numerator: 1, ..printed })
+    .control("the exponent N", LastAmplitudeVariant { shift: -1, ..printed })
+    .control("the exponent N + 2", LastAmplitudeVariant { shift: 1, ..printed })
+    .control("determinant -1", LastAmplitudeVariant { corner: 1, ..printed })
+}
 
-    fn printed(&self) -> LastAmplitudeVariant {
-        LastAmplitudeVariant { numerator: 2, shift: 0, corner: -1 }
+fn examine_last_amplitude(variant: &LastAmplitudeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    const IDENTITIES: u64 = 6;
+    let mut results = Vec::new();
+    for followers in 1..=IDENTITIES {
+        let part = format!("equation (2) solved from the last car to the leader, {followers} followers");
+        let leader = LeaderIsOne { variant: *variant, followers };
+        results.push(Ok(run.identity(&leader, &["f", "g", "w"], &part)?.on([1])));
+        let part = format!("Tr C^M = mu_-^M + mu_+^M, M = {followers}");
+        let trace = TraceByRoots { corner: variant.corner, followers };
+        results.push(Ok(run.identity(&trace, &["Re mu", "Im mu"], &part)?.on([2])));
     }
-
-    fn controls(&self) -> Vec<Control<LastAmplitudeVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("numerator 1", LastAmplitudeVariant { numerator: 1, ..printed }),
-            Control::new("the exponent N", LastAmplitudeVariant { shift: -1, ..printed }),
-            Control::new("the exponent N + 2", LastAmplitudeVariant { shift: 1, ..printed }),
-            Control::new("determinant -1", LastAmplitudeVariant { corner: 1, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &LastAmplitudeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const IDENTITIES: u64 = 6;
-        let mut results = Vec::new();
-        for followers in 1..=IDENTITIES {
-            results.push(run.identity(
-                &LeaderIsOne { variant: *variant, followers },
-                &["f", "g", "w"],
-                &format!("equation (2) solved from the last car to the leader, {followers} followers"),
-            ));
-            results.push(run.identity(
-                &TraceByRoots { corner: variant.corner, followers },
-                &["Re mu", "Im mu"],
-                &format!("Tr C^M = mu_-^M + mu_+^M, M = {followers}"),
-            ));
-        }
-        results.push(exact_instances(variant, run));
-        Run::all(results)
-    }
+    results.push(exact_instances(variant, run).map(|outcome| outcome.on([1])));
+    Run::all(results)
 }
 
 /// Longer platoons at exact points with f, g < 0, w = 0 among them.
 fn exact_instances(variant: &LastAmplitudeVariant, run: &Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(1);
-    let mut cases = 0;
-    for followers in [1, 2, 3, 7, 20, 41] {
-        for frequency in 0..3 {
-            run.checkpoint()?;
-            let mut gain = |denominator| rational(-1 - i64::from(random.next_u32() % 50), denominator);
-            let at = [gain(7), gain(9), rational(frequency, 5)];
-            let (leader, expected) = LeaderIsOne { variant: *variant, followers }.sides(&at)?;
-            cases += 1;
-            if leader != expected {
-                return Ok(Outcome::fails(
-                    format!("{followers} followers, f = {}, g = {}, w = {}", at[0], at[1], at[2]),
-                    Evidence::new(Grade::Exact, "instances", "solved exactly"),
-                ));
-            }
-        }
-    }
+    let cases = [1, 2, 3, 7, 20, 41].into_iter().flat_map(|followers| (0..3).map(move |w| (followers, w)));
     let detail = "up to 41 followers; f in -1/7, ..., -50/7, g in -1/9, ..., -50/9 at random, w = 0, 1/5, 2/5";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "longer platoons", detail).cases(cases)]))
+    run.instances("longer platoons", detail, cases, |(followers, frequency)| {
+        let mut gain = |denominator| rational(-1 - i64::from(random.next_u32() % 50), denominator);
+        let at = [gain(7), gain(9), rational(frequency, 5)];
+        let (leader, expected) = LeaderIsOne { variant: *variant, followers }.sides(&at)?;
+        let [f, g, w] = &at;
+        Ok((leader != expected).then(|| format!("{followers} followers, f = {f}, g = {g}, w = {w}")))
+    })
 }
-
-/// veerman.lem2_eigvec.
-pub struct Derivation;
 
 /// What the proof prints, with the signs and exponents that could be wrong.
 #[derive(Clone, Copy)]
@@ -214,24 +186,20 @@ impl RationalIdentity for Recurrence {
             return Err(ArithmeticError::Domain("seven variables"));
         };
         let gamma = gamma(&Gains { f: f.clone(), g: g.clone() }, w)?;
-        let gains = Gains { f: Complex::real(f.clone()), g: Complex::real(g.clone()) };
-        let iw = Complex::new(w.zero(), w.clone());
+        let (gains, iw) = (complex_gains(f, g), imaginary(w));
         let front = Complex::new(front_re.clone(), front_im.clone());
         let own = Complex::new(own_re.clone(), own_im.clone());
         let behind = gamma.integer(self.0.corner) * &front + (gamma.clone() + &gamma) * &own;
         let last = front.over(&gamma)?;
         let residual = |cars: &[Complex<T>]| {
             let rates: Vec<Complex<T>> = cars.iter().map(|a| a.clone() * &iw).collect();
-            let forces =
-                accelerations(Communication::FrontAndBack, &gains, (&front, &(front.clone() * &iw)), cars, &rates);
+            let leader = (&front, &(front.clone() * &iw));
+            let forces = accelerations(Communication::FrontAndBack, &gains, leader, cars, &rates);
             (rates[0].clone() * &iw, forces[0].clone())
         };
         let (middle_rate, middle_force) = residual(&[own, behind]);
         let (last_rate, last_force) = residual(&[last]);
-        Ok((
-            vec![middle_rate.re, middle_rate.im, last_rate.re, last_rate.im],
-            vec![middle_force.re, middle_force.im, last_force.re, last_force.im],
-        ))
+        Ok((parts([middle_rate, last_rate]), parts([middle_force, last_force])))
     }
 
     fn in_domain(&self, at: &[Rational]) -> bool {
@@ -278,46 +246,34 @@ impl RationalIdentity for RootsOfC {
     }
 }
 
-impl Claim for Derivation {
-    type Variant = DerivationVariant;
-
-    fn id(&self) -> &str {
-        "veerman.lem2_eigvec"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn derivation() -> Record<DerivationVariant> {
+    let printed = DerivationVariant { corner: -1, sign: 1, shift: 1 };
+    Record::new(
+        "veerman.lem2_eigvec",
         "mu_+ mu_- = 1 and mu_+ + mu_- = 2 gamma, so C (1, mu) = (mu, -1 + 2 gamma mu) = mu (1, mu). With s² = gamma² - 1, \
          1 - gamma mu_+ = -s² - gamma s = -s mu_+. The last car's condition a_N = gamma a_{N+1} then gives \
          c_+ mu_+^{N+1} = (1 - c_+) mu_-^{N+1} for s != 0, that is w != 0. At w = 0 the two roots are 1, C has one eigenvector \
-         only, every c_+ gives a_k = 1, and the printed formula gives 1/2."
-    }
-
-    fn printed(&self) -> DerivationVariant {
-        DerivationVariant { corner: -1, sign: 1, shift: 1 }
-    }
-
-    fn controls(&self) -> Vec<Control<DerivationVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("the corner +1 in C", DerivationVariant { corner: 1, ..printed }),
-            Control::new("the opposite sign of the square root", DerivationVariant { sign: -1, ..printed }),
-            Control::new("mu_-^N in c_+", DerivationVariant { shift: 0, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &DerivationVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let names = ["f", "g", "w", "Re a_{k-1}", "Im a_{k-1}", "Re a_k", "Im a_k"];
-        Run::all([
-            run.identity(
-                &Recurrence(*variant),
-                &names,
-                "the recurrence with C and a_{N+1} = a_N/gamma satisfy equation (2)",
-            ),
-            run.identity(
-                &RootsOfC(*variant),
-                &["Re mu_+", "Im mu_+", "Re mu_+^N", "Im mu_+^N"],
-                "eigenvectors, 1 - gamma mu, c_+ and the boundary conditions, for every N",
-            ),
-        ])
-    }
+         only, every c_+ gives a_k = 1, and the printed formula gives 1/2.",
+        printed,
+        |variant, run| {
+            let names = ["f", "g", "w", "Re a_{k-1}", "Im a_{k-1}", "Re a_k", "Im a_k"];
+            let part = "the recurrence with C and a_{N+1} = a_N/gamma satisfy equation (2)";
+            let recurrence = run.identity(&Recurrence(*variant), &names, part)?.on([1, 2]).for_all();
+            let names = ["Re mu_+", "Im mu_+", "Re mu_+^N", "Im mu_+^N"];
+            let part = "eigenvectors, 1 - gamma mu, c_+ and the boundary conditions, for every N";
+            let roots = run.identity(&RootsOfC(*variant), &names, part)?.on([3, 4, 5]).for_all();
+            Run::all([Ok(recurrence), Ok(roots)])
+        },
+    )
+    .reading("c_+ and 1 - c_+ are the shares of mu_+^k and mu_-^k in a_k.")
+    .clauses(&[
+        "For system (2), (a_k, a_{k+1})^T = C (a_{k-1}, a_k)^T with C = [[0,1],[-1,2 gamma]].",
+        "With a_0 = 1, the last car says a_{N+1} = gamma^{-1} a_N.",
+        "With mu_+- = gamma +- sqrt(gamma^2 - 1) the eigenvectors of C are (1, mu_+-)^T.",
+        "(1 - gamma mu_+-) = -+ sqrt(gamma^2 - 1) mu_+-.",
+        "c_+ = mu_-^{N+1}/(mu_-^{N+1} + mu_+^{N+1}).",
+    ])
+    .control("the corner +1 in C", DerivationVariant { corner: 1, ..printed })
+    .control("the opposite sign of the square root", DerivationVariant { sign: -1, ..printed })
+    .control("mu_-^N in c_+", DerivationVariant { shift: 0, ..printed })
 }

@@ -1,6 +1,6 @@
 //! Which agents each follower keeps track of, for any communication graph on the line, and the matrices made from it.
 
-use super::law::from_deviations;
+use super::law::accelerations_by;
 use super::{Communication, Gains};
 use algebra::matrix::{MatrixError, RationalMatrix, solve_over_field};
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, Signed, rational};
@@ -69,12 +69,8 @@ impl CommunicationGraph {
     /// # Errors
     /// [`CommunicationError::NoFollowers`].
     pub fn of(communication: Communication, followers: usize) -> Result<Self, CommunicationError> {
-        match communication {
-            Communication::Front => {
-                CommunicationGraph::with_equal_weights(&(0..followers).map(|k| vec![k]).collect::<Vec<_>>())
-            }
-            Communication::FrontAndBack => CommunicationGraph::nth_neighbours(1, followers),
-        }
+        let rows: Vec<_> = (1..=followers).map(|k| communication.tracked(k, followers)).collect();
+        CommunicationGraph::with_equal_weights(&rows)
     }
 
     /// Every follower tracks only the `n`-th agent in front and the `n`-th behind, as far as they exist; `n >= 1`.
@@ -187,14 +183,15 @@ impl CommunicationGraph {
         positions: &[T],
         velocities: &[T],
     ) -> Vec<T> {
-        let deviation = |values: &[T], first: &T, k: usize| {
-            self.tracked_by(k + 1).iter().fold(values[k].zero(), |sum, (agent, weight)| {
-                let other = if *agent == 0 { first } else { &values[agent - 1] };
-                sum + (values[k].clone() - other) * values[k].rational(weight)
-            })
+        let mean = |k: usize, value: &dyn Fn(usize) -> T| {
+            let terms = self.tracked_by(k).iter().map(|(agent, weight)| {
+                let own = value(*agent);
+                own.rational(weight) * own
+            });
+            terms.reduce(|sum, term| sum + term)
         };
         let cars = self.followers().min(positions.len());
-        from_deviations(deviation, gains, leader, &positions[..cars], velocities)
+        accelerations_by(mean, gains, leader, &positions[..cars], velocities)
     }
 
     /// The amplitudes `a_1..a_M` of the harmonic response to `y_0 = e^{iwt}`: the solution of

@@ -1,6 +1,6 @@
-//! The equations of motion (1) and (2), written once over any ring.
+//! The law of platoons, written once over any field: every follower answers the deviation from the agents that it tracks.
 
-use arithmetic::Ring;
+use arithmetic::{Field, Ring};
 
 /// The two gains of the control law, in the scalar they are used in.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,40 +20,51 @@ pub enum Communication {
     FrontAndBack,
 }
 
-/// The accelerations of the followers: `f e_k + g e'_k`, where `e_k` is the deviation of car `k` from the mean of the
-/// cars it keeps track of.
-///
-/// `leader` is `(y_0, u_0)`; `positions` and `velocities` hold `y_1..y_M` and `u_1..u_M` and have the same length.
-pub fn accelerations<T: arithmetic::Field>(
+impl Communication {
+    /// The agents that follower `k` of `followers` cars tracks, each with the same weight.
+    pub(super) fn tracked(self, k: usize, followers: usize) -> Vec<usize> {
+        match self {
+            Communication::FrontAndBack if k < followers => vec![k - 1, k + 1],
+            _ => vec![k - 1],
+        }
+    }
+}
+
+/// The accelerations of the followers of systems (1) and (2): see [`accelerations_by`].
+pub fn accelerations<T: Field>(
     communication: Communication,
     gains: &Gains<T>,
     leader: (&T, &T),
     positions: &[T],
     velocities: &[T],
 ) -> Vec<T> {
-    let deviation = |values: &[T], first: &T, k: usize| {
-        let front = if k == 0 { first } else { &values[k - 1] };
-        match (communication, values.get(k + 1)) {
-            (Communication::FrontAndBack, Some(behind)) => {
-                values[k].clone() - values[k].ratio(1, 2) * (front.clone() + behind)
-            }
-            _ => values[k].clone() - front,
-        }
+    let followers = positions.len();
+    let mean = |k: usize, value: &dyn Fn(usize) -> T| match communication.tracked(k, followers)[..] {
+        [front, behind] => Some((value(front) + value(behind)) * value(front).ratio(1, 2)),
+        [front] => Some(value(front)),
+        _ => None,
     };
-    from_deviations(deviation, gains, leader, positions, velocities)
+    accelerations_by(mean, gains, leader, positions, velocities)
 }
 
-/// `f e_k + g e'_k` for every follower, with `deviation(values, value of the leader, k - 1)` for `e_k`.
-pub(super) fn from_deviations<T: arithmetic::Field>(
-    deviation: impl Fn(&[T], &T, usize) -> T,
+/// The accelerations of the followers: `f e_k + g e'_k`, where `e_k` is the deviation of car `k` from the mean of the agents it
+/// tracks, and zero where it tracks nobody. `mean(k, value)` is the weighted mean of `value(agent)` over these agents.
+///
+/// `leader` is `(y_0, u_0)`; `positions` and `velocities` hold `y_1..y_M` and `u_1..u_M` and have the same length.
+pub(super) fn accelerations_by<T: Field>(
+    mean: impl Fn(usize, &dyn Fn(usize) -> T) -> Option<T>,
     gains: &Gains<T>,
     leader: (&T, &T),
     positions: &[T],
     velocities: &[T],
 ) -> Vec<T> {
+    let deviation = |values: &[T], first: &T, k: usize| {
+        let value = |agent: usize| if agent == 0 { first.clone() } else { values[agent - 1].clone() };
+        mean(k, &value).map_or(first.zero(), |mean| value(k) - mean)
+    };
     let acceleration =
         |k: usize| deviation(positions, leader.0, k) * &gains.f + deviation(velocities, leader.1, k) * &gains.g;
-    (0..positions.len().min(velocities.len())).map(acceleration).collect()
+    (1..=positions.len().min(velocities.len())).map(acceleration).collect()
 }
 
 impl<T: Ring> Gains<T> {

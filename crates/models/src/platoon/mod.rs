@@ -16,7 +16,6 @@ mod phase;
 mod resonance;
 mod response;
 mod shape;
-pub mod table1;
 pub mod theorem1;
 pub mod time_domain;
 pub mod vector_form;
@@ -28,7 +27,7 @@ pub use neighbourhood::Neighbourhood;
 pub use phase::{argument, phase_lag_one_sided, phase_lags_two_sided};
 pub use resonance::{LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, lesser_resonance, resonance};
 pub use response::{
-    amplitude_one_sided, amplitude_with_first_car, amplitudes_two_sided, chebyshev, gain_squared_one_sided, gamma,
-    gamma_minus_one, strongest_one_sided_square,
+    amplitude_one_sided, amplitude_with_first_car, amplitudes_two_sided, chebyshev, gain_fraction_one_sided,
+    gain_squared_one_sided, gamma, gamma_minus_one, larger_root_modulus, larger_root_power, strongest_one_sided_square,
 };
 pub use shape::{FrequencyResponse, frequency_response};

@@ -9,6 +9,7 @@
 //! What is left to compute: one zero of `F'`, enclosed by interval Newton steps (which include the sign change), and that
 //! it lies in `(0, w_h]`. For `M = 1` the zero is the root of a quadratic.
 
+use super::response::positive_root;
 use super::shape::frequency_response_by;
 use super::{FrequencyResponse, Gains, chebyshev, gain_squared_one_sided, strongest_one_sided_square};
 use arithmetic::{
@@ -284,68 +285,75 @@ impl Platoon<'_> {
         let f = Interval::from_rational(&-self.gains.f.clone(), precision);
         let b = Interval::from_rational(&self.gains.g, precision).square().over(&f)?;
         let d = f.integer(self.followers as i64).square().recip()?;
-        // s = 2 d / (1 + sqrt(1 + 2 b d)).
-        let two_d = d.clone() + d;
-        let root = (b.one() + b * &two_d).sqrt()?;
-        (f * two_d.over(&(root.clone() + root.one()))?).sqrt()
+        (f * positive_root(&b, &d)?).sqrt()
     }
 }
 
-/// The frequency of the main resonance in floating point, without any guarantee: where the enclosure starts.
-///
-/// Bisection on `y' sinh(2My) - x' sin(2Mx)`, a multiple of `F'`, in `s = w²/|f|`. `None` where the gains leave the
-/// range of floats.
-fn uncertified_start(gains: &Gains<Rational>, followers: u64) -> Option<f64> {
-    let (f, g) = (-gains.f.to_f64()?, -gains.g.to_f64()?);
-    let b = g / f * g;
-    if ![f, g, b].iter().all(|x| (1e-100..1e100).contains(x)) {
-        return None;
-    }
-    let m = followers as f64;
-    let slope_sign = |s: f64| {
-        let (x, y, tangent) = angles(s, b);
-        if m * x >= std::f64::consts::FRAC_PI_2 {
-            return true;
-        }
-        tangent * (2.0 * m * y).sinh() > (2.0 * m * x).sin()
-    };
-    let d = 1.0 / (m * m);
-    let mut low = 2.0 * d / (1.0 + (1.0 + 2.0 * b * d).sqrt());
-    let mut high = 2.0 * low;
-    while !slope_sign(high) {
-        low = high;
-        high *= 2.0;
-    }
-    for _ in 0..64 {
-        let middle = 0.5 * (low + high);
-        if slope_sign(middle) { high = middle } else { low = middle }
-    }
-    Some((0.5 * (low + high)).sqrt() * f.sqrt())
+/// The platoon in floating point, without any guarantee: where the enclosures start. Frequencies are given as `s = w²/|f|`.
+struct Rough {
+    /// `|f|`.
+    f: f64,
+    /// `g²/|f|`.
+    b: f64,
+    /// The number of followers.
+    m: f64,
 }
 
-/// The frequency of the `k`-th lesser resonance in floating point, without any guarantee. `None` where there is none.
-fn uncertified_lesser_start(gains: &Gains<Rational>, followers: u64, k: u64) -> Option<f64> {
-    let (f, g) = (-gains.f.to_f64()?, -gains.g.to_f64()?);
-    let (b, m) = (g / f * g, followers as f64);
-    let bisect = |mut low: f64, mut high: f64, above: &dyn Fn(f64) -> bool| {
+impl Rough {
+    /// `None` where the gains leave the range of floats.
+    fn new(gains: &Gains<Rational>, followers: u64) -> Option<Self> {
+        let (f, g) = (-gains.f.to_f64()?, -gains.g.to_f64()?);
+        let b = g / f * g;
+        let all = [f, g, b].iter().all(|x| (1e-100..1e100).contains(x));
+        all.then_some(Rough { f, b, m: followers as f64 })
+    }
+
+    /// Whether `F' = M (y' sinh 2My - x' sin 2Mx)` is positive, where `x' > 0`.
+    fn slope_is_positive(&self, s: f64) -> bool {
+        let (x, y, tangent) = angles(s, self.b);
+        tangent * (2.0 * self.m * y).sinh() > (2.0 * self.m * x).sin()
+    }
+
+    /// Between two numbers, where `above` turns true.
+    fn bisect(mut low: f64, mut high: f64, above: impl Fn(f64) -> bool) -> f64 {
         for _ in 0..80 {
             let middle = 0.5 * (low + high);
             if above(middle) { high = middle } else { low = middle }
         }
-        low
-    };
+        0.5 * (low + high)
+    }
+
+    fn frequency(&self, s: f64) -> f64 {
+        s.sqrt() * self.f.sqrt()
+    }
+}
+
+/// The frequency of the main resonance in floating point: the zero of `F'` before `Mx = pi/2`. `None` where the gains leave the range of
+/// floats.
+fn uncertified_start(gains: &Gains<Rational>, followers: u64) -> Option<f64> {
+    let rough = Rough::new(gains, followers)?;
+    let beyond = |s: f64| rough.m * angles(s, rough.b).0 >= std::f64::consts::FRAC_PI_2 || rough.slope_is_positive(s);
+    let mut low = positive_root(&rough.b, &(rough.m * rough.m).recip()).ok()?;
+    let mut high = 2.0 * low;
+    while !beyond(high) {
+        low = high;
+        high *= 2.0;
+    }
+    Some(rough.frequency(Rough::bisect(low, high, beyond)))
+}
+
+/// The frequency of the `k`-th lesser resonance in floating point. `None` where there is none.
+fn uncertified_lesser_start(gains: &Gains<Rational>, followers: u64, k: u64) -> Option<f64> {
+    let rough = Rough::new(gains, followers)?;
     // x increases up to c² = 4; beyond, nothing is looked for.
-    let end = (4.0 / b).min(2.0);
+    let end = (4.0 / rough.b).min(2.0);
     let place = |turns: f64| {
-        let beyond = |s: f64| m * angles(s, b).0 >= turns * std::f64::consts::PI;
-        beyond(end).then(|| bisect(0.0, end, &beyond))
+        let beyond = |s: f64| rough.m * angles(s, rough.b).0 >= turns * std::f64::consts::PI;
+        beyond(end).then(|| Rough::bisect(0.0, end, beyond))
     };
     let (low, high) = (place(k as f64 - 0.75)?, place(k as f64 - 0.5)?);
-    let rises = |s: f64| {
-        let (x, y, tangent) = angles(s, b);
-        tangent * (2.0 * m * y).sinh() > (2.0 * m * x).sin()
-    };
-    (!rises(low)).then(|| (bisect(low, high, &rises)).sqrt() * f.sqrt())
+    let found = || rough.frequency(Rough::bisect(low, high, |s| rough.slope_is_positive(s)));
+    (!rough.slope_is_positive(low)).then(found)
 }
 
 /// `x`, `y` and `y'/x'` for `gamma = cos(x - i y)` at `s = w²/|f|`, `b = g²/|f|`, in forms without cancellation.

@@ -16,8 +16,12 @@ pub fn gamma<T: Field>(gains: &Gains<T>, w: &T) -> Result<Complex<T>, Arithmetic
 /// # Errors
 /// [`ArithmeticError::DivisionByZero`] where `f + i w g` may be zero.
 pub fn gamma_minus_one<T: Field>(gains: &Gains<T>, w: &T) -> Result<Complex<T>, ArithmeticError> {
-    let z = Complex::new(gains.f.clone(), gains.g.clone() * w);
-    Ok(z.recip()?.scale(&w.square()))
+    Ok(complex_gain(gains, w).recip()?.scale(&w.square()))
+}
+
+/// `f + i w g`, by which the force on a car answers its deviation.
+pub(super) fn complex_gain<T: Field>(gains: &Gains<T>, w: &T) -> Complex<T> {
+    Complex::new(gains.f.clone(), gains.g.clone() * w)
 }
 
 /// System (1): `a_k = gamma^-k`.
@@ -33,8 +37,14 @@ pub fn amplitude_one_sided<T: Field>(gains: &Gains<T>, w: &T, k: u64) -> Result<
 /// # Errors
 /// [`ArithmeticError::DivisionByZero`] where the denominator may be zero.
 pub fn gain_squared_one_sided<T: Field>(gains: &Gains<T>, y: &T) -> Result<T, ArithmeticError> {
+    let (numerator, denominator) = gain_fraction_one_sided(gains, y);
+    numerator.over(&denominator)
+}
+
+/// Numerator and denominator of [`gain_squared_one_sided`]; both are positive for `f, g < 0` and `y > 0`.
+pub fn gain_fraction_one_sided<T: Field>(gains: &Gains<T>, y: &T) -> (T, T) {
     let damping = gains.g.square() * y;
-    (gains.f.square() + &damping).over(&((gains.f.clone() + y).square() + damping))
+    (gains.f.square() + &damping, (gains.f.clone() + y).square() + damping)
 }
 
 /// System (1): the `w²` at which `|1/gamma|` is largest: the positive root of `g² y² + 2 f² y + 2 f³ = 0`
@@ -43,11 +53,19 @@ pub fn gain_squared_one_sided<T: Field>(gains: &Gains<T>, y: &T) -> Result<T, Ar
 /// # Errors
 /// [`ArithmeticError`] where `f` or `g` may be zero or `f` may be positive.
 pub fn strongest_one_sided_square<T: Real>(gains: &Gains<T>) -> Result<T, ArithmeticError> {
-    let two = gains.f.integer(2);
     let ratio = gains.g.square().over(&-gains.f.clone())?;
-    // f² (sqrt(1 + 2 g²/|f|) - 1)/g², without the cancellation: 2 |f| / (sqrt(1 + 2 g²/|f|) + 1).
-    let root = (ratio.one() + ratio * &two).sqrt()?;
-    (-gains.f.clone() * two).over(&(root.clone() + root.one()))
+    Ok(-gains.f.clone() * positive_root(&ratio, &ratio.one())?)
+}
+
+/// The positive root `s` of `b s² + 2 s = 2 d`, without cancellation: `2 d/(1 + sqrt(1 + 2 b d))`. With `b = g²/|f|` and `s = w²/|f|`,
+/// this is where `|gamma - 1 + d|` is smallest.
+///
+/// # Errors
+/// [`ArithmeticError`] of the square root.
+pub(super) fn positive_root<T: Real>(b: &T, d: &T) -> Result<T, ArithmeticError> {
+    let two_d = d.clone() + d;
+    let root = (b.one() + b.clone() * &two_d).sqrt()?;
+    two_d.over(&(root + b.one()))
 }
 
 /// The Chebyshev polynomials `(T_n, U_{n-1})` at `gamma`, with `distance = gamma - 1` given apart because it is small
@@ -67,6 +85,33 @@ pub fn chebyshev<T: Ring>(n: u64, distance: &T) -> (T, T) {
         }
     }
     (t, u)
+}
+
+/// `e^y` for `gamma = cos(x - iy)`, `y > 0`: the modulus of the larger root of `mu² - 2 gamma mu + 1 = 0`, from
+/// `cosh y = (|gamma + 1| + |gamma - 1|)/2`. It does not depend on the number of cars.
+///
+/// # Errors
+/// [`ArithmeticError`] where `gamma` does not exist.
+pub fn larger_root_modulus<T: Real>(gains: &Gains<T>, w: &T) -> Result<T, ArithmeticError> {
+    let gamma = gamma(gains, w)?;
+    let distance = |to: i64| (gamma.clone() - gamma.integer(to)).norm_squared().sqrt();
+    let cosh = (distance(-1)? + distance(1)?) * w.ratio(1, 2);
+    Ok((cosh.square() - cosh.one()).sqrt()? + cosh)
+}
+
+/// The `n`-th power of [`larger_root_modulus`], `e^{ny}`, without the cancellation at small frequencies: from
+/// `|T_n|² + |gamma² - 1| |U_{n-1}|² = 1 + 2 sinh²(ny)`.
+///
+/// # Errors
+/// [`ArithmeticError`] where `gamma` does not exist.
+pub fn larger_root_power<T: Real>(gains: &Gains<T>, w: &T, n: u64) -> Result<T, ArithmeticError> {
+    let d = gamma_minus_one(gains, w)?;
+    let (t, u) = chebyshev(n, &d);
+    let two = d.one() + d.one();
+    let s2 = d.clone() * (two + d);
+    let double = t.norm_squared() + s2.norm_squared().sqrt()? * u.norm_squared() - w.one();
+    let sinh = (double * w.ratio(1, 2)).sqrt()?;
+    Ok((sinh.square() + w.one()).sqrt()? + sinh)
 }
 
 /// System (2): all amplitudes `a_1, ..., a_M`, `a_k = T_{M-k}(gamma)/T_M(gamma)`, by the three-term recurrence.

@@ -1,5 +1,6 @@
 //! The inverse squared response `F(w) = |T_M(gamma(w))|²` of the last car with its first two derivatives.
 
+use super::response::complex_gain;
 use super::{Gains, chebyshev};
 use arithmetic::{ArithmeticError, Complex, Field, Ring};
 
@@ -37,12 +38,12 @@ pub(super) fn frequency_response_by<T: Field>(
     w: &T,
     chain: impl FnOnce(&Complex<T>) -> (Complex<T>, Complex<T>),
 ) -> Result<FrequencyResponse<T>, ArithmeticError> {
-    let damping = gains.g.clone() * w;
-    let inverse = Complex::new(gains.f.clone(), damping.clone()).recip()?;
+    let z = complex_gain(gains, w);
+    let inverse = z.recip()?;
     let inverse_square = inverse.square();
     let d = inverse.scale(&w.square());
     let two = w.integer(2);
-    let d1 = inverse_square.clone() * Complex::new(two.clone() * &gains.f, damping).scale(w);
+    let d1 = inverse_square.clone() * (z + Complex::real(gains.f.clone())).scale(w);
     let d2 = (inverse_square * &inverse).scale(&(two.clone() * gains.f.square()));
 
     let m = w.integer(followers as i64);

@@ -1,7 +1,7 @@
 //! The leading-order resonance of system (2) as Theorem 1 prints it.
 
 use super::Gains;
-use arithmetic::{ArithmeticError, Real};
+use arithmetic::{ArithmeticError, Complex, Field, Real, Ring, Series};
 
 /// `sqrt(|f|) pi / (M 2 sqrt 2)` with `M = N + 1` followers (Theorem 1), in rad/s.
 ///
@@ -21,4 +21,32 @@ pub fn amplitude<T: Real>(gains: &Gains<T>, followers: u64) -> Result<T, Arithme
     let m = gains.f.integer(followers as i64);
     let root = (gains.f.integer(-2) * &gains.f).sqrt()?;
     (root * gains.f.integer(8) * m).over(&(gains.f.pi().square() * -gains.g.clone()))
+}
+
+/// `x = pi² |g|/(8 sqrt 2 sqrt|f|)` of the proof of Theorem 1 and of Proposition 2, with the amplitude `M/x`.
+///
+/// # Errors
+/// [`ArithmeticError`] where `f` may be zero or positive, or `g` may be zero.
+pub fn exponent<T: Real>(gains: &Gains<T>) -> Result<T, ArithmeticError> {
+    amplitude(gains, 1)?.recip()
+}
+
+/// The exact expansion at small frequencies behind the proof, over series in `w`: with `r = sqrt|f|` and `G = |g|`, `gamma` and `E` such that
+/// `sqrt(gamma² - 1) = i sqrt2 (w/r) E(w)`, to `order` coefficients each.
+///
+/// # Errors
+/// [`ArithmeticError::DivisionByZero`] where `r` may be zero.
+pub fn expansion<T: Field>(r: &T, g: &T, order: usize) -> Result<[Series<Complex<T>>; 2], ArithmeticError> {
+    let size = r.square();
+    let constant = |z: Complex<T>| Series::constant(z, order);
+    let w = Series::variable(Complex::real(r.one()), order);
+    // q = 1 - gamma = w²/(|f| + i w |g|).
+    let denominator =
+        constant(Complex::real(size.clone())) + Series::variable(Complex::new(r.zero(), g.clone()), order);
+    let inverse = denominator.recip()?;
+    let q = w.square() * &inverse;
+    // gamma² - 1 = -q (2 - q) = -2 (w²/|f|) S with S = |f|/(|f| + i w |g|) (1 - q/2).
+    let half = Complex::real(r.ratio(1, 2));
+    let s = inverse.scale(&Complex::real(size)) * (q.one() - q.scale(&half));
+    Ok([q.one() - q, s.sqrt_of_unit()?])
 }

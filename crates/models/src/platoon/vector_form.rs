@@ -2,7 +2,7 @@
 
 use super::Gains;
 use algebra::matrix::{MatrixError, RationalMatrix};
-use arithmetic::{Rational, Ring};
+use arithmetic::{Field, Rational, Ring};
 
 /// A 2 x 2 matrix that acts on the pair (position, velocity) of one agent.
 pub type Block<T> = [[T; 2]; 2];
@@ -19,11 +19,7 @@ pub fn control_block<T: Ring>(gains: &Gains<T>) -> Block<T> {
 
 /// `outer ⊗ inner` times the pairs `vector`, without forming the product: the block `i` is `inner` times the sum of
 /// `outer_ij vector_j`. `outer` has as many columns as there are pairs.
-pub fn kronecker_apply<T: arithmetic::Field>(
-    outer: &[Vec<Rational>],
-    inner: &Block<T>,
-    vector: &[[T; 2]],
-) -> Vec<[T; 2]> {
+pub fn kronecker_apply<T: Field>(outer: &[Vec<Rational>], inner: &Block<T>, vector: &[[T; 2]]) -> Vec<[T; 2]> {
     let zero = inner[0][0].zero();
     let row = |coefficients: &Vec<Rational>| {
         let mixed = |part: usize| {
@@ -36,12 +32,51 @@ pub fn kronecker_apply<T: arithmetic::Field>(
     outer.iter().map(row).collect()
 }
 
-/// The matrix `M = I ⊗ A + P ⊗ K` of equation (3) for a reduced Laplacian `P` of order m, as a matrix of order 2m.
+/// The matrix `M = I ⊗ A + P ⊗ K` of equation (3) for a reduced Laplacian `P` of order m, as the rows of a matrix of order 2m.
+pub fn motion_rows<T: Field>(reduced: &RationalMatrix, gains: &Gains<T>) -> Vec<Vec<T>> {
+    let (a, k) = (geodesic_block(&gains.f), control_block(gains));
+    let entry = |i: usize, j: usize| {
+        let own = if i / 2 == j / 2 { a[i % 2][j % 2].clone() } else { gains.f.zero() };
+        own + gains.f.rational(&reduced.entry(i / 2, j / 2)) * &k[i % 2][j % 2]
+    };
+    let order = 2 * reduced.rows();
+    (0..order).map(|i| (0..order).map(|j| entry(i, j)).collect()).collect()
+}
+
+/// [`motion_rows`] over the rationals, as a matrix.
 ///
 /// # Errors
 /// [`MatrixError`] where `P` is not square.
 pub fn motion_matrix(reduced: &RationalMatrix, gains: &Gains<Rational>) -> Result<RationalMatrix, MatrixError> {
-    let block = |b: Block<Rational>| RationalMatrix::from_rows(&b.map(|row| row.to_vec()));
-    let free = RationalMatrix::identity(reduced.rows())?.kronecker(&block(geodesic_block(&gains.f))?);
-    free.plus(&reduced.kronecker(&block(control_block(gains))?))
+    RationalMatrix::from_rows(&motion_rows(reduced, gains))
+}
+
+/// `A + lambda K`, by which a mode of the eigenvalue `lambda` of `P` moves.
+pub fn mode_block<T: Ring>(gains: &Gains<T>, lambda: &T) -> Block<T> {
+    let (a, k) = (geodesic_block(&gains.f), control_block(gains));
+    [0, 1].map(|i| [0, 1].map(|j| a[i][j].clone() + lambda.clone() * &k[i][j]))
+}
+
+/// The product of `det(xI - A - lambda K) = x² - lambda g x - lambda f` over the spectrum of `P`, lowest coefficient first: with
+/// `det(yI - P) = sum p_k y^k` (`reduced` holds the `p_k`) it is the sum of `p_k x^{2k} (g x + f)^{m-k}`.
+pub fn characteristic_by_modes<T: Field>(reduced: &[Rational], gains: &Gains<T>) -> Vec<T> {
+    let Gains { f, g } = gains;
+    let order = reduced.len().saturating_sub(1);
+    let mut sum = vec![f.zero(); 2 * order + 1];
+    for (k, coefficient) in reduced.iter().enumerate() {
+        // p_k (g x + f)^(m-k), lowest first.
+        let mut power = vec![f.rational(coefficient)];
+        for _ in k..order {
+            let mut next = vec![f.zero(); power.len() + 1];
+            for (n, c) in power.iter().enumerate() {
+                next[n] = next[n].clone() + f.clone() * c;
+                next[n + 1] = g.clone() * c;
+            }
+            power = next;
+        }
+        for (n, c) in power.into_iter().enumerate() {
+            sum[2 * k + n] = sum[2 * k + n].clone() + c;
+        }
+    }
+    sum
 }

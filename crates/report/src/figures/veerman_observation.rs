@@ -3,9 +3,10 @@
 use super::veerman::{UNIT, certified, leading};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
+use claims::veerman::printed_table::ROWS;
 use ledger::CheckError;
 use models::platoon::observe::measured_resonance;
-use models::platoon::{slowest_rate, table1::ROWS};
+use models::platoon::slowest_rate;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
@@ -14,7 +15,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let mut text = String::from(
         "From rest behind cos wt, f = g = -1: the largest |x_N| in the n-th period,\n\
          maximised over w by golden section, against the certified resonance. The slowest\n\
-         mode falls to 1/e in m periods.\n\n   N        m   periods until within 1e-2, 1e-4, 1e-6 of the certified amplitude\n",
+         mode decreases to 1/e in m periods.\n\n   N        m   periods until within 1e-2, 1e-4, 1e-6 of the certified amplitude\n",
     );
     let [mut left, mut right] = ["periods of observation", "periods over those of the slowest mode"].map(|label| {
         Panel::new("", Axis::log(label), Axis::log("certified amplitude: share that is lacking").between(1e-9, 2.0))

@@ -3,8 +3,8 @@
 use super::Reproduced;
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::{Field, Interval, Rational, decimal, decimals, parse_rational, rational};
+use claims::veerman::printed_table::{ROWS, Row};
 use ledger::CheckError;
-use models::platoon::table1::{ROWS, Row};
 use models::platoon::{Gains, resonance, theorem1};
 use std::fmt::Write;
 

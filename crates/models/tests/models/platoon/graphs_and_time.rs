@@ -1,14 +1,15 @@
 //! Communication graphs, modes and motion in time against naive twins.
 
+use algebra::matrix::characteristic_coefficients;
 use algebra::spectrum::Polynomial;
 use arithmetic::{Complex, Field, Interval, Rational, Real, Ring, rational};
 use models::platoon::modes::{Mode, mode_angle, mode_eigenvalue};
 use models::platoon::time_domain::{Followers, Modes};
-use models::platoon::vector_form::motion_matrix;
+use models::platoon::vector_form::{characteristic_by_modes, motion_matrix, motion_rows};
 use models::platoon::{
     Communication, CommunicationError, CommunicationGraph, Gains, accelerations, amplitude_one_sided,
-    amplitudes_two_sided, argument, lesser_resonance, next_order, phase_lag_one_sided, phase_lags_two_sided, resonance,
-    slowest_rate, theorem1,
+    amplitudes_two_sided, argument, gamma, larger_root_modulus, larger_root_power, lesser_resonance, next_order,
+    phase_lag_one_sided, phase_lags_two_sided, resonance, slowest_rate, theorem1,
 };
 use proptest::prelude::*;
 
@@ -21,19 +22,60 @@ fn floats(f: f64, g: f64) -> Gains<f64> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(30))]
 
-    /// The law of a graph is the law of the two systems.
+    /// The law, and that of the graphs of the two systems, against equations (1) and (2) as printed.
     #[test]
-    fn the_graphs_of_the_two_systems_have_their_laws(m in 1usize..7, values in prop::collection::vec(-50i64..50, 16)) {
+    fn the_law_is_that_of_the_printed_equations(m in 1usize..7, values in prop::collection::vec(-50i64..50, 16)) {
         let q: Vec<Rational> = values.iter().map(|&v| rational(v, 7)).collect();
         let gains = Gains { f: q[0].clone(), g: q[1].clone() };
         let (leader, positions, velocities) = ((&q[2], &q[3]), &q[4..4 + m], &q[10..10 + m]);
+        let half = rational(1, 2);
+        let part = |values: &[Rational], first: &Rational, k: usize, both: bool| {
+            let front = if k == 0 { first } else { &values[k - 1] };
+            match values.get(k + 1).filter(|_| both) {
+                Some(behind) => &values[k] - &half * (front + behind),
+                None => &values[k] - front,
+            }
+        };
         for system in SYSTEMS {
+            let both = system == Communication::FrontAndBack;
+            let printed: Vec<Rational> = (0..m)
+                .map(|k| &gains.f * part(positions, leader.0, k, both) + &gains.g * part(velocities, leader.1, k, both))
+                .collect();
             let graph = CommunicationGraph::of(system, m).unwrap();
-            prop_assert_eq!(
-                graph.accelerations(&gains, leader, positions, velocities),
-                accelerations(system, &gains, leader, positions, velocities)
-            );
+            prop_assert_eq!(&accelerations(system, &gains, leader, positions, velocities), &printed);
+            prop_assert_eq!(&graph.accelerations(&gains, leader, positions, velocities), &printed);
         }
+    }
+
+    /// `det(xI - M)`, the same over any field, and the product over the modes.
+    #[test]
+    fn the_spectrum_of_the_motion_is_that_of_the_modes(m in 1usize..5, f in -9i64..9, g in -9i64..9) {
+        let gains = Gains { f: rational(f, 4), g: rational(g, 3) };
+        for system in SYSTEMS {
+            let reduced = CommunicationGraph::of(system, m).unwrap().reduced_laplacian().unwrap();
+            let motion = motion_matrix(&reduced, &gains).unwrap().characteristic_polynomial().unwrap().coefficients();
+            let spectrum = reduced.characteristic_polynomial().unwrap().coefficients();
+            prop_assert_eq!(&characteristic_coefficients(&motion_rows(&reduced, &gains), &gains.f), &motion);
+            prop_assert_eq!(&characteristic_by_modes(&spectrum, &gains), &motion);
+        }
+    }
+
+    /// The modulus of the larger root against the roots themselves, and its power.
+    #[test]
+    fn the_larger_root_is_that_of_the_quadratic(f in 1i64..30, g in 1i64..30, w in 1i64..40, n in 1u64..9) {
+        let gains = floats(-(f as f64) / 7.0, -(g as f64) / 5.0);
+        let w = w as f64 / 9.0;
+        let gamma = gamma(&gains, &w).unwrap();
+        let square = gamma.square() - gamma.one();
+        // A square root of a complex number with positive imaginary part.
+        let (size, re) = (square.norm_squared().sqrt(), square.re);
+        let root = Complex::new((0.5 * (size + re)).max(0.0).sqrt(), 0.5 * square.im / (0.5 * (size + re)).max(1e-300).sqrt());
+        let moduli = [gamma.clone() + &root, gamma - root].map(|mu| mu.norm_squared().sqrt());
+        let larger = moduli[0].max(moduli[1]);
+        let found = larger_root_modulus(&gains, &w).unwrap();
+        prop_assert!((found / larger - 1.0).abs() < 1e-9, "{found} {larger}");
+        let power = larger_root_power(&gains, &w, n).unwrap();
+        prop_assert!((power / found.powi(n as i32) - 1.0).abs() < 1e-9, "{power}");
     }
 
     /// The solved response is the closed form of the two systems.

@@ -192,6 +192,9 @@ fn leading_terms_for_unit_gains() {
     assert!(frequency.overlaps(&expected) && frequency.width().top() < -90);
     let amplitude = theorem1::amplitude(&unit, 4).unwrap();
     assert!((amplitude.to_f64() - 4.585_273_346).abs() < 1e-9);
+    // pi²/(8 sqrt2).
+    let exponent = theorem1::exponent(&unit).unwrap();
+    assert!((exponent.to_f64() - std::f64::consts::PI.powi(2) / 128f64.sqrt()).abs() < 1e-15);
     let strongest = strongest_one_sided_square(&unit).unwrap();
     assert!((strongest.to_f64() - (3f64.sqrt() - 1.0)).abs() < 1e-15);
 }

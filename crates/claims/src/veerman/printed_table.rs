@@ -1,4 +1,4 @@
-//! Table 1 of the paper as printed: sizes and the four columns, digit by digit.
+//! Table 1 of Veerman, Stosic and Olvera as printed: sizes and the four columns, digit by digit.
 
 /// One row of Table 1, as printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,0 +1,28 @@
+//! beyond.veerman.growth: which growth of the response occurs for communication graphs on a line.
+
+use crate::veerman::graphs::{GrowthVariant, examine_growth};
+use ledger::Record;
+
+pub fn growth() -> Record<GrowthVariant> {
+    Record::new(
+        "beyond.veerman.growth",
+        "Put two two-sided platoons of m cars behind each other: car m ignores the car behind it and so leads the second platoon. Every \
+         car tracks only its nearest cars, with a directed path from the leader to every agent. The last car responds with a_m², a_m = 1/T_m(gamma), so \
+         the peak is A_m² = (M/2)²/X² + O(1): quadratic in M = 2m. With p platoons it is (M/p)^p/X^p, and with sqrt M platoons of sqrt M cars neither polynomial \
+         nor exponential. If everyone tracks the leader all amplitudes are 1/gamma and the peak does not grow at all.",
+        GrowthVariant::TRUE,
+        examine_growth,
+    )
+    .stated(
+        "bears on veerman, Section 6, last part",
+        "The peak response of the last of M followers grows exponentially for system (1), and for every p >= 0 there are communication graphs of \
+         agents on a line, with a directed path from the leader to every agent, for which it grows like M^p (p two-sided flocks in series; \
+         for p = 0 every agent tracks the leader).",
+    )
+    .clauses(&[
+        "For f, g < 0 the peak response of the last of M followers of system (1) grows exponentially with M.",
+        "For f, g < 0 and every p >= 0 there are communication graphs of M agents on a line, with a directed path from the leader to every agent, for which the peak response of the last one grows like M^p.",
+    ])
+    .control("p platoons grow like M^(p+1)", GrowthVariant { shift: 1, ..GrowthVariant::TRUE })
+    .control("system (1) grows like the square of that", GrowthVariant { power: 2, ..GrowthVariant::TRUE })
+}
