@@ -17,6 +17,17 @@ pub fn laplacian_rows<T: Field>(laplacian: &SparseMatrix, x: &[Complex<T>]) -> V
     x.iter().enumerate().map(row).collect()
 }
 
+/// The eigenvalue `sum_s (1 - w^(qs))` of the Laplacian of the circulant digraph in which `k + s` is a neighbour of `k` for each offset `s`, on the
+/// eigenvector `w^(qk)`; given `w^k = e^{2 pi i k/N}`, `N` of them, at least one. Undirected graphs have `s` and `N - s` among the offsets.
+pub fn circulant_eigenvalue<T: Ring>(
+    roots: &[Complex<T>],
+    offsets: impl IntoIterator<Item = usize>,
+    q: usize,
+) -> Complex<T> {
+    let one = &roots[0];
+    offsets.into_iter().fold(one.zero(), |sum, s| sum + one - &roots[q * s % roots.len()])
+}
+
 /// `Q_L(x) = (1/(2N)) <x, L x>` (11).
 ///
 /// # Errors
