@@ -1,6 +1,6 @@
 //! Laplacian quadratic forms and phase potentials: (11), (12), `W_m` and their gradient.
 //!
-//! The Laplacian `L = D - A` has `a_kj = 1` where `j` is a neighbour of `k`, that is, where `k` takes account of `j`: it is
+//! The Laplacian `L = D - A` has `a_kj = 1` where `j` is a neighbour of `k`: it is
 //! [`LaplacianKind::OutDegree`](algebra::graph::LaplacianKind) of a [`WeightedGraph`](algebra::graph::WeightedGraph) with
 //! the arc from `k` to `j`. (The paper draws that arc from `j` to `k`, along the flow of information.)
 

@@ -5,6 +5,7 @@
 //! [`RealCyclotomic`](arithmetic::RealCyclotomic).
 
 mod abscissa;
+mod all_to_all;
 mod circles;
 mod fish;
 mod flight;
@@ -20,6 +21,7 @@ mod steering;
 mod variation;
 
 pub use abscissa::{FourierFormation, Mode, TransverseSpectrum};
+pub use all_to_all::AllToAll;
 pub use circles::{
     CircularGains, beacon_control, beacon_potential, centre_spread, circle_centres, circular_control,
     circular_formation, composite_potential, heading_components, reference_control, relative_position_control,
