@@ -2,6 +2,7 @@
 
 use super::common::{Exact, all_equal, all_zero, argued, at, complete, identities, laplacian, phasors};
 use super::common::{squared_lengths, turns, up_to_rotation};
+use super::figure2::value_of;
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, CosineField, Field, Rational, Sign, Signed, rational};
@@ -162,7 +163,7 @@ fn stationary_contradiction(variant: &MomentVariant, m: u32, z: &Exact) -> Resul
         return Ok(Some("U_m is out of its range".to_string()));
     }
     if low != (value.sign() == Some(Sign::Zero)) || high != (above == Some(Sign::Zero)) {
-        return Ok(Some(format!("U_m = {:?} is not where it is claimed to be extreme", value.rational_value())));
+        return Ok(Some(format!("U_m = {} is not where it is claimed to be extreme", value_of(&value)?)));
     }
     if low || high || !all_zero(&moment_gradient(z, m)?) {
         return Ok(None);

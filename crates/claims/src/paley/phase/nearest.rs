@@ -195,7 +195,6 @@ pub fn complete_scale() -> Record<ScaleOf> {
         right,
     )
     .control("2/n", |n, _| rational(2, n))
-    .control("2/(N+1)", |_, fish| rational(2, fish + 1))
 }
 
 // --- Three and one ---

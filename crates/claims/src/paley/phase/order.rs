@@ -2,6 +2,7 @@
 
 use super::common::{N_AT_LEAST_2, at, supports, turns, up_to_rotation};
 use super::common::{all_equal, all_zero, argued, complete, identities, laplacian, named, phasors, squared_lengths};
+use super::figure2::value_of;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, CosineField, Dual, Field, Rational, Ring, Sign, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
@@ -215,7 +216,8 @@ fn extreme_values(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, Check
         let in_range = value.sign() != Some(Sign::Negative) && above != Some(Sign::Positive);
         let extremes = (value.sign() == Some(Sign::Zero), above == Some(Sign::Zero));
         let wrong = !in_range || extremes != (low, high);
-        Ok(wrong.then(|| format!("N = {}, {}: U_1 = {value:?}", z.len(), turns(&exponents, PARTS))))
+        let value = value_of(&value)?;
+        Ok(wrong.then(|| format!("N = {}, {}: U_1 = {value}", z.len(), turns(&exponents, PARTS))))
     })
 }
 

@@ -1,6 +1,7 @@
 //! paley.patterns.two, paley.eq23, paley.thm3.min: symmetric patterns, their moments, and the potential they minimise.
 
 use super::common::{Exact, N_AT_LEAST_2, at, turns, up_to_rotation};
+use super::figure2::value_of;
 use arithmetic::{CosineField, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::{clusters_of_pattern, moment, pattern_potential, symmetric_pattern};
@@ -71,7 +72,7 @@ impl MomentsVariant {
         let last = moment(z, clusters)?.norm_squared();
         let factor = if self.multiplied { i64::from(clusters) } else { 1 };
         if last.clone() * last.integer(factor * factor) != last.one() {
-            return Ok(Some(format!("|p_M|^2 = {:?}", last.rational_value())));
+            return Ok(Some(format!("|p_M|^2 = {}", value_of(&last)?)));
         }
         let unbalanced = !vanishes(1)? && (clusters > 1 || self.synchronised_too);
         Ok(unbalanced.then(|| "not balanced".to_string()))
@@ -123,7 +124,6 @@ pub fn minimisers() -> Record<Gains> {
     )
     .control("K_M > 0", |_, _| rational(1, 1))
     .control("K_{M-1} = 0", |m, last| rational(if m == last { -1 } else { i64::from(m + 1 != last) }, 1))
-    .control("K_1 < 0", |m, last| rational(if m == 1 || m == last { -1 } else { 1 }, 1))
 }
 
 /// A size, with the gains and the bound of the potential.

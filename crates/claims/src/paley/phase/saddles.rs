@@ -102,7 +102,7 @@ pub fn unbalanced() -> Record<UnbalancedVariant> {
     ])
     .control("M = N/2 too", UnbalancedVariant { applies: |m, _| m >= 1, ..printed })
     .control("M = 0 too", UnbalancedVariant { applies: |m, n| 2 * m != n, ..printed })
-    .control("one phase of the minority at a quarter turn", UnbalancedVariant { distorted: true, ..printed })
+    .control("the last phase a quarter turn off", UnbalancedVariant { distorted: true, ..printed })
 }
 
 fn examine_unbalanced(variant: &UnbalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {

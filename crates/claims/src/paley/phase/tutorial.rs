@@ -151,7 +151,8 @@ fn examine_named(variant: &NamedVariant, run: &mut Run) -> Result<Outcome, Check
         let claimed: Vec<Rational> = row.into_iter().map(|x| rational(x, 1)).collect();
         let regular = graph.out_degrees() == vec![rational(degree, 1); graph.order()];
         let fine = regular && graph.is_undirected() && graph.is_strongly_connected() && first_row(graph)? == claimed;
-        let found = format!("degrees {:?}, first row {:?}", graph.out_degrees(), first_row(graph)?);
+        let list = |numbers: &[Rational]| numbers.iter().map(Rational::to_string).collect::<Vec<_>>().join(", ");
+        let found = format!("degrees {}, first row ({})", list(&graph.out_degrees()), list(&first_row(graph)?));
         Ok((!fine).then_some(found))
     };
     let complete_graphs =
