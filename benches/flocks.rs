@@ -3,7 +3,8 @@
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
 use flockproof::arithmetic::rational;
 use flockproof::double_integrator::{Potential, SwitchingFlock};
-use flockproof::motion::{AllToAll, Rk4, VectorField};
+use flockproof::motion::{Rk4, VectorField};
+use flockproof::oscillator::AllToAll;
 use flockproof_benches::{Lcg, lattice_flock};
 
 fn flocks(criterion: &mut Criterion) {

@@ -3,6 +3,7 @@
 /// Crates that stand in signatures.
 pub use {nalgebra, rand_chacha};
 
+pub mod angles;
 pub mod averaging;
 pub mod double_integrator;
 pub mod oscillator;

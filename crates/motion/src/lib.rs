@@ -1,5 +1,5 @@
-//! Simulation in floats, shared by the continuous models: integrators, events, neighbours in the plane, all-to-all sums,
-//! shares of runs.
+//! Simulation in floats, shared by the continuous models: integrators, events, neighbours in the plane, shares
+//! of runs.
 //!
 //! A model is a [`VectorField`]: it fills in `dy/dt` at a state. Results do not depend on the number of threads: work is cut into
 //! chunks of fixed size, and sums over chunks are taken in their order. Nothing here proves anything.
@@ -9,7 +9,6 @@ mod dop853;
 mod dop853_table;
 mod event;
 mod lanes;
-mod phases;
 mod rk4;
 mod sine;
 mod statistics;
@@ -19,7 +18,6 @@ pub use cells::{CellError, CellList, nearest};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
 pub use event::{Fall, Margin, next_fall, root};
 pub use lanes::Lanes;
-pub use phases::AllToAll;
 pub use rk4::Rk4;
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 pub use statistics::{Sample, Share};
@@ -37,5 +35,5 @@ impl<F: FnMut(f64, &[f64], &mut [f64])> VectorField for F {
     }
 }
 
-/// Numbers that one task works on.
-const CHUNK: usize = 4096;
+/// Numbers that one task works on, whatever the number of threads.
+pub const CHUNK: usize = 4096;

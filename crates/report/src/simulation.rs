@@ -155,7 +155,7 @@ pub fn simulation_pictures(outcome: &Outcome) -> Vec<(&'static str, Picture)> {
         0 => (
             "phases",
             over_time(outcome, "phase modulo 2π (radians)", |row, k| {
-                row.frame.phases.get(k).map(|theta| theta.rem_euclid(std::f64::consts::TAU))
+                row.frame.phases.get(k).map(|theta| models::angles::within_a_turn(*theta))
             }),
         ),
         1 => ("paths", over_time(outcome, "place on the line", |row, k| row.frame.positions.get(k).map(|x| x[0]))),

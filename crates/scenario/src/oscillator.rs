@@ -10,10 +10,11 @@ use super::start::{Needs, Start};
 use super::stepped::{Stepped, read_step};
 use arithmetic::{ArithmeticError, Complex};
 use models::oscillator::{
-    Flight, State, beacon_control, beacon_potential, centre_spread, circle_centres, laplacian_control, pattern_control,
-    pattern_potential, phase_potential, reference_control, spacing_control, spacing_potential, write_rate,
+    AllToAll, Flight, State, beacon_control, beacon_potential, centre_spread, circle_centres, laplacian_control,
+    pattern_control, pattern_potential, phase_potential, reference_control, spacing_control, spacing_potential,
+    write_rate,
 };
-use motion::{AllToAll, VectorField};
+use motion::VectorField;
 use std::cell::RefCell;
 
 /// Moments that are shown at least.

@@ -2,7 +2,8 @@
 
 use super::links::Hold;
 use super::network::Pair;
-use models::double_integrator::{HeadingDifference, modulo_turns};
+use models::angles::modulo_turns;
+use models::double_integrator::HeadingDifference;
 use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 

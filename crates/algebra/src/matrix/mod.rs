@@ -23,7 +23,7 @@ pub use inertia::{Inertia, inertia};
 pub use integer_rows::{AverageRow, IntegerRows};
 pub use product::{prefix_products, product_sequential, product_tree};
 pub use rational_matrix::RationalMatrix;
-pub use solve::solve_over_field;
+pub use solve::{determinant_over_field, solve_over_field};
 pub use sparse::SparseMatrix;
 pub use stabiliser::{Stabiliser, StabiliserStream, stabilisers};
 pub use stochastic::StochasticMatrix;

@@ -1,7 +1,7 @@
 //! Linear systems: fraction-free elimination over the integers (Bareiss), and plain elimination over any scalars.
 
 use super::{MatrixError, RationalMatrix};
-use arithmetic::{ArithmeticError, Cancelled, Field, Progress, Rational, Unwatched};
+use arithmetic::{ArithmeticError, Cancelled, Field, Progress, Rational, Sign, Signed, Unwatched};
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
@@ -126,6 +126,32 @@ fn eliminate(rows: &mut [Vec<BigInt>], columns: usize, progress: &dyn Progress) 
         found.pivot_columns.push(column);
     }
     Ok(found)
+}
+
+/// The determinant over any ordered field; 1 for no rows.
+///
+/// # Errors
+/// [`ArithmeticError`] where a pivot cannot be inverted (an interval around zero).
+pub fn determinant_over_field<T: Field + Signed>(mut rows: Vec<Vec<T>>, one: T) -> Result<T, ArithmeticError> {
+    let mut product = one;
+    for column in 0..rows.len() {
+        let found = (column..rows.len()).find(|&i| rows[i][column].sign() != Some(Sign::Zero));
+        let Some(pivot) = found else { return Ok(product.zero()) };
+        if pivot != column {
+            rows.swap(pivot, column);
+            product = -product;
+        }
+        let inverse = rows[column][column].recip()?;
+        product = product * &rows[column][column];
+        let (upper, lower) = rows.split_at_mut(column + 1);
+        for row in lower {
+            let factor = row[column].clone() * &inverse;
+            for (x, y) in row.iter_mut().zip(&upper[column]).skip(column) {
+                *x = x.clone() - factor.clone() * y;
+            }
+        }
+    }
+    Ok(product)
 }
 
 /// Solves `A x = b` over any scalars, given as rows `(A | b)`, taking as pivot the first entry that can be inverted.

@@ -1,172 +1,131 @@
 //! beyond.paley.inertia and beyond.paley.cyclic_eigenvectors.
 
-use crate::paley::{CyclicVariant, Kind, critical_points, on_the_line};
-use algebra::matrix::{Inertia, inertia};
-use arithmetic::{Complex, Ring};
-use arithmetic::{Field, Signed};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, Source};
-use models::oscillator::{moment_gradient, phase_jacobian, sine_of_difference};
+use crate::paley::{CyclicVariant, Kind, argued, arrangements, critical_points, hessian, is_critical, is_on_a_line};
+use crate::paley::{linearisation, two_clusters};
+use algebra::matrix::Inertia;
+use arithmetic::{Complex, Field, Signed};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 
-/// beyond.paley.inertia.
-pub struct CriticalInertia;
+// --- Inertia ---
 
-/// The inertia (positive, negative, zero) at each kind of critical point, given `N` and the size of the minority.
+/// The inertia (positive, negative, zero) at critical points on a line, given `N` and the size of the minority, and at balanced ones; and whether
+/// balanced arrangements count as critical points.
 #[derive(Clone, Copy)]
 pub struct InertiaVariant {
     unbalanced: fn(n: usize, minority: usize) -> [usize; 3],
     balanced: fn(n: usize, on_a_line: bool) -> [usize; 3],
+    with_balanced: bool,
 }
 
 impl InertiaVariant {
-    fn claimed(&self, kind: Kind, n: usize, minority: usize, on_a_line: bool) -> Inertia {
-        let [positive, negative, zero] = match kind {
-            Kind::Balanced => (self.balanced)(n, on_a_line),
-            // Synchronised is the case of no minority.
-            _ => (self.unbalanced)(n, minority),
-        };
-        Inertia { positive, negative, zero }
+    /// What contradicts the claim at two clusters, with the linearisations for both signs of `K_1`.
+    fn at_two_clusters<T: Field + Signed>(
+        &self,
+        (n, minority): (usize, usize),
+        z: &[Complex<T>],
+    ) -> Result<Option<String>, CheckError> {
+        let [positive, negative, zero] = (self.unbalanced)(n, minority);
+        let (found, claimed) = (hessian(z)?, Inertia { positive, negative, zero });
+        let unstable = [1, -1].map(|gain| linearisation(z, gain).map(|around| around.positive));
+        let [decreasing, increasing] = unstable;
+        let wrong = found != claimed || (decreasing?, increasing?) != (negative, positive);
+        Ok(wrong.then(|| format!("N = {n}, {minority} phases opposite to the others: {found:?}")))
     }
 }
 
-fn hessian_inertia<T: Field + Signed>(z: &[Complex<T>]) -> Result<Inertia, CheckError> {
-    Ok(inertia(&phase_jacobian(z, |z| moment_gradient(z, 1))?)?)
-}
-
-impl Claim for CriticalInertia {
-    type Variant = InertiaVariant;
-
-    fn id(&self) -> &str {
-        "beyond.paley.inertia"
-    }
-
-    fn source(&self) -> Option<Source> {
-        Some(Source {
-            place: "sharpens paley, Theorem 1".to_string(),
-            statement: "The Hessian of U_1 at a critical point has (positive, negative, zero) eigenvalues: (b, N-b-1, 1) with two opposite clusters of N-b > b \
-                        phases (b = 0: synchronised), (2, 0, N-2) at a balanced arrangement not on a line, (1, 0, N-1) at a balanced one on a line. So the unstable \
-                        manifold of an unbalanced arrangement has dimension N-b-1 for K_1 > 0 and b for K_1 < 0, and there are no other critical points."
-                .to_string(),
-        })
-    }
-
-    fn derivation(&self) -> &str {
+pub fn inertia() -> Record<InertiaVariant> {
+    let right = InertiaVariant {
+        unbalanced: |n, minority| [minority, n - minority - 1, 1],
+        balanced: |n, on_a_line| if on_a_line { [1, 0, n - 1] } else { [2, 0, n - 2] },
+        with_balanced: true,
+    };
+    Record::new(
+        "beyond.paley.inertia",
         "On a line the Hessian is s s^T/N - |p| diag(s): the second term has inertia (b, N-b, 0), the first lifts one eigenvalue (Weyl), and the kernel is exactly span{1}. Balanced: \
-         the Gram matrix of the phasors over N (notes/paley_phases.md)."
-    }
-
-    fn printed(&self) -> InertiaVariant {
-        InertiaVariant {
-            unbalanced: |n, minority| [minority, n - minority - 1, 1],
-            balanced: |n, on_a_line| if on_a_line { [1, 0, n - 1] } else { [2, 0, n - 2] },
-        }
-    }
-
-    fn controls(&self) -> Vec<Control<InertiaVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new(
-                "(b + 1, N-b-2, 1)",
-                InertiaVariant { unbalanced: |n, b| [b + 1, (n - b).saturating_sub(2), 1], ..printed },
-            ),
-            Control::new("rank 2 on a line too", InertiaVariant { balanced: |n, _| [2, 0, n - 2], ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let most = run.cases(9, 14);
-        let mut cases = 0;
-        let fails =
-            |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "inertia", "exact elimination")));
-        for n in 2..=most {
-            for minority in 0..n.div_ceil(2) {
-                run.checkpoint()?;
-                let found = hessian_inertia(&on_the_line(n, minority))?;
-                cases += 1;
-                if found != variant.claimed(Kind::Unbalanced, n, minority, true) {
-                    return fails(format!("N = {n}, {minority} phases opposite to the others: {found:?}"));
-                }
-            }
-        }
-        for n in 2..=6 {
-            for point in critical_points(n).iter().filter(|point| point.kind == Kind::Balanced) {
-                run.checkpoint()?;
-                let z = &point.phasors;
-                let on_a_line = z.iter().all(|a| sine_of_difference(a, &z[0]) == a.re.zero());
-                let found = hessian_inertia(z)?;
-                cases += 1;
-                if found != variant.claimed(Kind::Balanced, n, 0, on_a_line) {
-                    return fails(format!("N = {n}, {}: {found:?}", point.name));
-                }
-            }
-        }
-        let detail = format!("all arrangements of two clusters up to N = {most}, balanced ones up to N = 6");
-        Ok(Outcome::Holds(vec![
-            Evidence::new(Grade::Exact, "every N", "proof in notes/paley_phases.md"),
-            Evidence::new(Grade::Exact, "exact inertia", detail).cases(cases),
-        ]))
-    }
+         the Gram matrix of the phasors over N.",
+        right,
+        examine_inertia,
+    )
+    .stated(
+        "sharpens paley, Theorem 1",
+        "N >= 2. The Hessian of U_1 at a critical point has (positive, negative, zero) eigenvalues: (b, N-b-1, 1) with two opposite clusters of N-b > b \
+         phases (b = 0: synchronised), (2, 0, N-2) at a balanced arrangement not on a line, (1, 0, N-1) at a balanced one on a line. So the unstable \
+         manifold of an unbalanced arrangement has dimension N-b-1 for K_1 > 0 and b for K_1 < 0, and there are no other critical points.",
+    )
+    .clauses(&[
+        "With two opposite clusters of N-b > b phases (b = 0: synchronised) the Hessian of U_1 has the inertia (b, N-b-1, 1).",
+        "At a balanced arrangement not on a line it has the inertia (2, 0, N-2).",
+        "At a balanced arrangement on a line it has the inertia (1, 0, N-1).",
+        "The unstable manifold of an unbalanced arrangement under (6) with (9) has dimension N-b-1 for K_1 > 0 and b for K_1 < 0.",
+        "There are no other critical points.",
+    ])
+    .control(
+        "(b + 1, N-b-2, 1)",
+        InertiaVariant { unbalanced: |n, b| [b + 1, (n - b).saturating_sub(2), 1], ..right },
+    )
+    .control("rank 2 on a line too", InertiaVariant { balanced: |n, _| [2, 0, n - 2], ..right })
+    .control("no balanced critical points", InertiaVariant { with_balanced: false, ..right })
 }
 
-/// beyond.paley.cyclic_eigenvectors.
-pub struct CyclicClassification;
+fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let most = run.cases(9, 14);
+    let line =
+        Evidence::new(Grade::Exact, "two clusters", format!("all of N = 2 to {most}, both signs of K_1")).on([1, 4]);
+    let line = run.every(line, two_clusters(most), |(n, minority, z)| variant.at_two_clusters((n, minority), &z));
+    let balanced = (2..=6).flat_map(critical_points).filter(|point| point.kind == Kind::Balanced);
+    let detail = "triangles and antipodal pairs of 2 to 6 particles, exact elimination";
+    let balanced = run.every(Evidence::new(Grade::Exact, "balanced", detail).on([2, 3]), balanced, |point| {
+        let (n, found) = (point.phasors.len(), hessian(&point.phasors)?);
+        let [positive, negative, zero] = (variant.balanced)(n, is_on_a_line(&point.phasors));
+        let wrong = found != Inertia { positive, negative, zero };
+        Ok(wrong.then(|| format!("N = {n}, {}: {found:?}", point.name)))
+    });
+    let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn and of 4 at multiples of 1/6";
+    let others =
+        run.every(Evidence::new(Grade::Exhaustive, "no others", detail).on([5]), arrangements(), |(place, z)| {
+            let known = match Kind::of(&z)? {
+                Kind::Balanced => variant.with_balanced,
+                _ => is_on_a_line(&z),
+            };
+            Ok((is_critical(&z)? && !known).then(|| format!("{place}: another critical point")))
+        });
+    Run::all([line, balanced, others, argued(&[1, 2, 3, 4, 5], "every N", "C1-C6")])
+}
 
-impl Claim for CyclicClassification {
-    type Variant = CyclicVariant;
+// --- Eigenvectors of cyclic graphs ---
 
-    fn id(&self) -> &str {
-        "beyond.paley.cyclic_eigenvectors"
-    }
-
-    fn source(&self) -> Option<Source> {
-        Some(Source {
-            place: "corrects paley, text after eq (16) and Figure 2".to_string(),
-            statement: "N >= 3. The eigenvectors of the Laplacian of the cyclic graph C_N whose entries have modulus one are, up to rotation, the columns of the Fourier matrix, \
-                        which are the symmetric patterns of N/gcd(N, m - 1) clusters, and, if and only if 4 divides N, (u, v, -u, -v, ...) with any u, v of modulus one, with \
-                        eigenvalue 2. So every such eigenvector is a symmetric pattern if and only if 4 does not divide N."
-                .to_string(),
-        })
-    }
-
-    fn derivation(&self) -> &str {
+pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
+    let right = CyclicVariant::CLASSIFICATION;
+    Record::new(
+        "beyond.paley.cyclic_eigenvectors",
         "The double eigenvalue of m has the eigenvectors a w^(mk) + b w^(-mk), with squared moduli |a|^2 + |b|^2 + 2 Re(a conj(b) w^(2mk)). They are equal only if a conj(b) = 0, or w^(2m) = -1 and \
-         a conj(b) is imaginary; u = a + b and v = i(a - b) are then any two numbers of modulus one (notes/paley_phases.md)."
-    }
-
-    fn printed(&self) -> CyclicVariant {
-        CyclicVariant::CLASSIFICATION
-    }
-
-    fn controls(&self) -> Vec<Control<CyclicVariant>> {
-        let right = CyclicVariant::CLASSIFICATION;
-        vec![
-            Control::new("columns only", CyclicVariant { rhombi: |_, _| false, ..right }),
-            Control::new(
-                "for even N",
-                CyclicVariant { rhombi: |n, m| n % 2 == 0 && (4 * m == n || 4 * m == n + 2), ..right },
-            ),
-            Control::new(
-                "N clusters in each column",
-                CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right },
-            ),
-        ]
-    }
-
-    fn examine(&self, variant: &CyclicVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let most = run.cases(12, 20);
-        for nodes in 3..=most {
-            run.checkpoint()?;
-            if let Some(what) = variant.fails_on(nodes)? {
-                return Ok(Outcome::fails(
-                    format!("C_{nodes}: {what}"),
-                    Evidence::new(Grade::Exact, "eigenvectors", "exact ranks and products"),
-                ));
-            }
-        }
-        let detail =
-            format!("exact rank of the conditions of equal modulus in every double eigenspace, N = 3 to {most}");
-        Ok(Outcome::Holds(vec![
-            Evidence::new(Grade::Exact, "every N", "proof in notes/paley_phases.md"),
-            Evidence::new(Grade::Exhaustive, "all eigenvectors of modulus one", detail).cases(most - 2),
-        ]))
-    }
+         a conj(b) is imaginary; u = a + b and v = i(a - b) are then any two numbers of modulus one.",
+        right,
+        |variant, run| {
+            let most = run.cases(12, 20);
+            let detail = format!(
+                "exact rank of the conditions of equal modulus in every double eigenspace, all columns, two rhombi that span all of them, N = 3 to {most}"
+            );
+            let evidence = Evidence::new(Grade::Exact, "all eigenvectors of modulus one", detail).on([1, 2, 3, 4]);
+            let found = run.every(evidence, 3..=most, |nodes| {
+                Ok(variant.fails_on(nodes)?.map(|what| format!("C_{nodes}: {what}")))
+            });
+            Run::all([found, argued(&[1, 2, 3, 4], "every N", "E1-E5")])
+        },
+    )
+    .stated(
+        "corrects paley, text after eq (16) and Figure 2",
+        "N >= 3. The eigenvectors of the Laplacian of the cyclic graph C_N whose entries have modulus one are, up to rotation, the columns of the Fourier matrix, \
+         which are the symmetric patterns of N/gcd(N, m - 1) clusters, and, if and only if 4 divides N, (u, v, -u, -v, ...) with any u, v of modulus one, with \
+         eigenvalue 2. So every such eigenvector is a symmetric pattern if and only if 4 does not divide N.",
+    )
+    .clauses(&[
+        "Up to rotation the eigenvectors of the Laplacian of C_N, N >= 3, with entries of modulus one are columns of the Fourier matrix or, only if 4 divides N, (u, v, -u, -v, ...).",
+        "Column m of the Fourier matrix is an eigenvector and the symmetric pattern of N/gcd(N, m - 1) clusters.",
+        "If 4 divides N, (u, v, -u, -v, ...) with any u, v of modulus one is an eigenvector with eigenvalue 2.",
+        "Every such eigenvector is a symmetric pattern if and only if 4 does not divide N.",
+    ])
+    .control("columns only", CyclicVariant { rhombi: |_, _| false, ..right })
+    .control("for even N", CyclicVariant { rhombi: |n, m| n % 2 == 0 && (4 * m == n || 4 * m == n + 2), ..right })
+    .control("N clusters in each column", CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right })
 }

@@ -2,8 +2,9 @@
 
 use super::law::check_links;
 use super::{Coordinates, Pair, State, Vector, difference, rotated, scaled};
+use crate::angles::{modulo_turns, within_a_turn};
 use arithmetic::{ArithmeticError, Field, Real, Ring, Sign, Signed};
-use std::f64::consts::TAU;
+use std::f64::consts::PI;
 
 /// What `theta_i - theta_j` means in equation (5) of the first paper, which does not say it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,18 +51,13 @@ pub fn heading<T: Real + Signed>(v: &Vector<T>) -> Result<T, ArithmeticError> {
     })
 }
 
-/// An angle less the nearest number of whole turns, in `[-pi, pi]`.
-pub fn modulo_turns(angle: f64) -> f64 {
-    angle - TAU * (angle / TAU).round()
-}
-
 /// The largest angle between two of some headings in radians, at most `pi`; 0 for fewer than two. Cost: `N log N`.
 pub fn heading_spread(headings: &[f64]) -> f64 {
-    let mut angles: Vec<f64> = headings.iter().map(|theta| theta.rem_euclid(TAU)).collect();
+    let mut angles: Vec<f64> = headings.iter().map(|theta| within_a_turn(*theta)).collect();
     angles.sort_by(f64::total_cmp);
     // Farthest from an angle is what comes next to its opposite.
     let farthest = |angle: f64| {
-        let place = angles.partition_point(|other| *other < (angle + TAU / 2.0).rem_euclid(TAU));
+        let place = angles.partition_point(|other| *other < within_a_turn(angle + PI));
         let near = [place % angles.len(), (place + angles.len() - 1) % angles.len()];
         near.map(|k| modulo_turns(angles[k] - angle).abs()).into_iter().fold(0.0, f64::max)
     };

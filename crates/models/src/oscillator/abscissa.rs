@@ -4,9 +4,11 @@
 //! Every `(M,N)`-pattern is such a formation, with `m = N/M`; synchronised is `m = 0`. The formulas are derived in
 //! `notes/paley_particles.md`.
 
+use super::laplacian::circulant_eigenvalue;
 use algebra::spectrum::complex_abscissa;
 use arithmetic::{ArithmeticError, Complex, CosineField, Field, Interval, Rational, RealCyclotomic, Ring};
 use arithmetic::{Sign, Signed};
+use std::collections::BTreeSet;
 
 /// Bits of the coefficients from which the abscissa is enclosed.
 const PRECISION: u32 = 320;
@@ -86,14 +88,16 @@ impl FourierFormation {
     /// [`Neighbours::circulant`](super::Neighbours::circulant), none twice. `particles` is at least 1, and 0 counts as 1.
     pub fn new(
         particles: usize,
-        offsets: impl IntoIterator<Item = usize> + Clone,
+        offsets: impl IntoIterator<Item = usize>,
         wave: usize,
         (omega, spacing): (&Rational, &Rational),
     ) -> Self {
         let order = particles.max(1);
         let field = CosineField::new(order as u32);
         let roots: Vec<_> = (0..order).map(|k| field.phasor(k as i64)).collect();
-        let laplacian = (0..order).map(|q| circulant_eigenvalue(&roots, offsets.clone(), q)).collect();
+        let both: BTreeSet<usize> =
+            offsets.into_iter().flat_map(|s| [s % order, (order - s % order) % order]).collect();
+        let laplacian = (0..order).map(|q| circulant_eigenvalue(&roots, both.iter().copied(), q).re).collect();
         let hessian = vec![roots[0].im.zero(); order];
         let share = field.number(spacing) * roots[0].re.ratio(1, order as i64);
         FourierFormation { wave: wave % order, omega: field.number(omega), share, roots, laplacian, hessian }
@@ -248,20 +252,6 @@ impl TransverseSpectrum {
         let abscissa = Interval::between(lo, hi, own.precision());
         TransverseSpectrum { abscissa, wave: if further { wave } else { self.wave }, ..self }
     }
-}
-
-/// The eigenvalue `q` of the Laplacian of a circulant graph, given `e^{2 pi i k/N}`, `N` of them.
-pub fn circulant_eigenvalue(
-    roots: &[Complex<RealCyclotomic>],
-    offsets: impl IntoIterator<Item = usize>,
-    q: usize,
-) -> RealCyclotomic {
-    let order = roots.len();
-    offsets.into_iter().fold(roots[0].im.zero(), |sum, offset| {
-        let term = roots[0].re.clone() - &roots[q * offset % order].re;
-        // The offset N/2 joins each pair once.
-        sum + term.clone() * term.integer(if 2 * offset == order { 1 } else { 2 })
-    })
 }
 
 /// The quotient by `s - root`, exactly.

@@ -1,6 +1,7 @@
 //! Following particles in floating point: the classical Runge-Kutta method with a fixed step.
 
 use super::state::State;
+use crate::angles::within_a_turn;
 use arithmetic::{ArithmeticError, Complex};
 use motion::Rk4;
 use std::f64::consts::TAU;
@@ -71,7 +72,7 @@ impl Flight {
 
     /// The angles in radians from each phase to the next around the circle, from the smallest in `[0, 2 pi)` on, `N` of them.
     pub fn gaps(&self) -> Vec<f64> {
-        let mut angles: Vec<f64> = self.phases.iter().map(|theta| theta.rem_euclid(TAU)).collect();
+        let mut angles: Vec<f64> = self.phases.iter().map(|theta| within_a_turn(*theta)).collect();
         angles.sort_by(f64::total_cmp);
         let around = angles.first().map(|first| first + TAU);
         let next = angles.iter().skip(1).copied().chain(around);

@@ -1,13 +1,24 @@
 //! Laplacian quadratic forms and phase potentials: (11), (12), `W_m` and their gradient.
 //!
-//! The Laplacian `L = D - A` has `a_kj = 1` where `j` is a neighbour of `k`, that is, where `k` takes account of `j`: it is
+//! The Laplacian `L = D - A` has `a_kj = 1` where `j` is a neighbour of `k`: it is
 //! [`LaplacianKind::OutDegree`](algebra::graph::LaplacianKind) of a [`WeightedGraph`](algebra::graph::WeightedGraph) with
 //! the arc from `k` to `j`. (The paper draws that arc from `j` to `k`, along the flow of information.)
 
 use super::moments::{kind, powers, quarter_turn};
 use super::network::Interaction;
 use algebra::matrix::SparseMatrix;
-use arithmetic::{ArithmeticError, Complex, Field};
+use arithmetic::{ArithmeticError, Complex, Field, Ring};
+
+/// The eigenvalue `sum_s (1 - w^(qs))` of the Laplacian of the circulant digraph in which `k + s` is a neighbour of `k` for each offset `s`, on the
+/// eigenvector `w^(qk)`; given `w^k = e^{2 pi i k/N}`, `N` of them, at least one. Undirected graphs have `s` and `N - s` among the offsets.
+pub fn circulant_eigenvalue<T: Ring>(
+    roots: &[Complex<T>],
+    offsets: impl IntoIterator<Item = usize>,
+    q: usize,
+) -> Complex<T> {
+    let one = &roots[0];
+    offsets.into_iter().fold(one.zero(), |sum, s| sum + one - &roots[q * s % roots.len()])
+}
 
 /// `Q_L(x) = (1/(2N)) <x, L x>` (11).
 ///

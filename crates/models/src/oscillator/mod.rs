@@ -5,6 +5,7 @@
 //! [`RealCyclotomic`](arithmetic::RealCyclotomic).
 
 mod abscissa;
+mod all_to_all;
 mod circles;
 mod fish;
 mod flight;
@@ -19,7 +20,8 @@ mod state;
 mod steering;
 mod variation;
 
-pub use abscissa::{FourierFormation, Mode, TransverseSpectrum, circulant_eigenvalue};
+pub use abscissa::{FourierFormation, Mode, TransverseSpectrum};
+pub use all_to_all::AllToAll;
 pub use circles::{
     CircularGains, beacon_control, beacon_potential, centre_spread, circle_centres, circular_control,
     circular_formation, composite_potential, heading_components, reference_control, relative_position_control,
@@ -31,7 +33,7 @@ pub use fish::{
 };
 pub use flight::Flight;
 pub use flight::write_rate;
-pub use laplacian::{misalignment, phase_potential, phase_potential_gradient, quadratic_form};
+pub use laplacian::{circulant_eigenvalue, misalignment, phase_potential, phase_potential_gradient, quadratic_form};
 pub use linearisation::linearisation;
 pub use moments::{
     mean, moment, moment_gradient, moment_potential, pattern_gradient, pattern_potential, powers, quarter_turn,

@@ -1,11 +1,11 @@
-//! Who takes account of whom: the Laplacian of an interaction network as an operator, fixed or made from positions.
+//! Who is a neighbour of whom: the Laplacian of an interaction network as an operator, fixed or made from positions.
 
 use algebra::graph::Graph;
 use algebra::matrix::SparseMatrix;
 use arithmetic::{Complex, Field, Ring, Sign, Signed};
 use std::cmp::Ordering;
 
-/// A network that has a Laplacian `L = D - A`, where `a_kj = 1` if `k` takes account of `j`.
+/// A network that has a Laplacian `L = D - A`, where `a_kj = 1` if `j` is a neighbour of `k`.
 pub trait Interaction {
     /// `L_k x` for every particle `k`; `x` has an entry for each particle, and particles without one are left out.
     fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>>;

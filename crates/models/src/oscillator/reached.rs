@@ -3,8 +3,9 @@
 use super::flight::Flight;
 use super::moments::{moment, quarter_turn};
 use super::state::State;
+use crate::angles::modulo_turns;
 use arithmetic::ArithmeticError;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// The angle in radians below which neighbouring phases belong to one cluster: 10 degrees.
 pub const CLUSTER: f64 = TAU / 36.0;
@@ -61,10 +62,10 @@ pub fn pattern(flight: &Flight) -> Option<usize> {
     divisors.filter(parted).find(|&m| flight.forms_pattern(m, CLUSTER))
 }
 
-/// The angles in `[-pi, pi)` from each phase to the next around a ring, `N` of them.
+/// The angles in `[-pi, pi]` from each phase to the next around a ring, `N` of them.
 pub fn ring_differences(phases: &[f64]) -> Vec<f64> {
     let next = |k: usize| phases[(k + 1) % phases.len()];
-    phases.iter().enumerate().map(|(k, theta)| (next(k) - theta + PI).rem_euclid(TAU) - PI).collect()
+    phases.iter().enumerate().map(|(k, theta)| modulo_turns(next(k) - theta)).collect()
 }
 
 /// The number of turns that [`ring_differences`] make together: `m` for the twisted state `theta_k = 2 pi m k/N`.
@@ -79,7 +80,7 @@ pub fn nearest_twist(phases: &[f64]) -> (i64, f64) {
     let (sin, cos) = steps.iter().fold((0.0, 0.0), |(s, c), step| (s + step.sin(), c + step.cos()));
     let m = (count * f64::atan2(sin, cos) / TAU).round();
     let m = if 2.0 * m <= -count { m + count } else { m };
-    let off = |step: &f64| ((step - TAU * m / count + PI).rem_euclid(TAU) - PI).abs();
+    let off = |step: &f64| modulo_turns(step - TAU * m / count).abs();
     (m as i64, steps.iter().map(off).fold(0.0, f64::max))
 }
 

@@ -9,6 +9,7 @@ use super::flight::Flight;
 use super::network::Neighbours;
 use super::state::State;
 use super::steering::{gradient_control, laplacian_control, pattern_control};
+use crate::angles::modulo_turns;
 use arithmetic::random::uniform;
 use arithmetic::{ArithmeticError, Complex, Field};
 use rand_chacha::rand_core::Rng;
@@ -259,7 +260,7 @@ impl ReferenceTracking {
 
     /// The largest angle between a heading and the reference, in radians.
     pub fn error(&self, flight: &Flight) -> f64 {
-        let off = |theta: &f64| ((theta - self.reference + PI).rem_euclid(TAU) - PI).abs();
+        let off = |theta: &f64| modulo_turns(theta - self.reference).abs();
         flight.phases.iter().map(off).fold(0.0, f64::max)
     }
 }
@@ -420,7 +421,7 @@ impl ZoneFormation {
     pub fn sensed_apart(&self, flight: &Flight) -> f64 {
         let network = self.orientation_network(&flight.state());
         let pairs = (0..flight.phases.len()).flat_map(|k| network.of_particle(k).iter().map(move |&j| (k, j)));
-        let apart = |(k, j): (usize, usize)| ((flight.phases[k] - flight.phases[j] + PI).rem_euclid(TAU) - PI).abs();
+        let apart = |(k, j): (usize, usize)| modulo_turns(flight.phases[k] - flight.phases[j]).abs();
         pairs.map(apart).fold(0.0, f64::max)
     }
 }

@@ -1,5 +1,6 @@
 //! Mirrors `src/`.
 
+mod angles;
 mod averaging;
 mod cells;
 mod double_integrator;

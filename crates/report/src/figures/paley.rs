@@ -4,6 +4,7 @@ use crate::plot::{Axis, Panel, Series};
 use arithmetic::random::generator;
 use arithmetic::{ArithmeticError, Complex};
 use ledger::{CheckError, Options};
+use models::angles::within_a_turn;
 use models::oscillator::{Experiment, Flight, PARTICLES, Zones, mean};
 use std::f64::consts::{PI, TAU};
 
@@ -83,7 +84,7 @@ pub(super) fn scene(title: String, course: &[Timed], drift: &Complex<f64>) -> Re
 pub(super) fn rows<'a>(panel: &'a str, course: &'a [Timed]) -> impl Iterator<Item = Vec<String>> + 'a {
     course.iter().flat_map(move |(t, flight)| {
         flight.positions.iter().zip(&flight.phases).enumerate().map(move |(k, (r, theta))| {
-            let numbers = [r.re, r.im, theta.rem_euclid(TAU)].map(|x| format!("{x:.6}"));
+            let numbers = [r.re, r.im, within_a_turn(*theta)].map(|x| format!("{x:.6}"));
             [panel.to_string(), format!("{t:.3}"), (k + 1).to_string()].into_iter().chain(numbers).collect()
         })
     })

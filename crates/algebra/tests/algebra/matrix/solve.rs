@@ -1,7 +1,7 @@
 //! Exact inverses and sums.
 
 use super::rational_matrix;
-use algebra::matrix::{MatrixError, RationalMatrix};
+use algebra::matrix::{MatrixError, RationalMatrix, determinant_over_field};
 use arithmetic::rational;
 use proptest::prelude::*;
 
@@ -22,6 +22,11 @@ proptest! {
                 prop_assert!(a.transpose().inverse().is_err());
             }
         }
+    }
+
+    #[test]
+    fn determinants_agree(a in (1usize..6).prop_flat_map(|n| rational_matrix(n, n))) {
+        prop_assert_eq!(determinant_over_field(a.to_rows(), rational(1, 1)).unwrap(), a.determinant().unwrap());
     }
 
     #[test]

@@ -2,8 +2,9 @@
 
 use algebra::graph::{LaplacianKind, NameError, NamedGraph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
+use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, CosineField, Field, Rational, RealCyclotomic, Ring, rational};
-use ledger::{CheckError, Evidence, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Run};
 use models::oscillator::phasor;
 
 /// Phasors of an arrangement, exact at multiples of parts of a turn.
@@ -46,7 +47,7 @@ pub fn complete(particles: usize) -> WeightedGraph {
     digraph(particles, |_, _| true)
 }
 
-/// The digraph in which `k` takes account of `j` where `neighbour(k, j)`.
+/// The digraph in which `j` is a neighbour of `k` where `neighbour(k, j)`.
 pub fn digraph(order: usize, neighbour: impl Fn(usize, usize) -> bool) -> WeightedGraph {
     let pairs = (0..order * order).map(|k| (k / order, k % order));
     let arcs = pairs.filter(|&(k, j)| k != j && neighbour(k, j));
@@ -60,7 +61,7 @@ pub fn digraphs(order: usize) -> impl Iterator<Item = WeightedGraph> {
     (0u64..1 << pairs).map(move |bits| digraph(order, |k, j| bits >> place(k, j) & 1 == 1))
 }
 
-/// The circulant digraphs on `order` nodes, each with its offsets: `k` takes account of `k + s`. With `undirected` those whose
+/// The circulant digraphs on `order` nodes, each with its offsets `s`: `k + s` is a neighbour of `k`. With `undirected` those whose
 /// offsets are symmetric.
 pub fn circulants(order: usize, undirected: bool) -> Vec<(Vec<usize>, WeightedGraph)> {
     let offsets = |bits: usize| (1..order).filter(|s| bits >> (s - 1) & 1 == 1).collect::<Vec<usize>>();
@@ -98,24 +99,36 @@ pub fn squared_lengths<T: Field>(graph: &WeightedGraph, x: &[Complex<T>], zero: 
         .fold(zero.zero(), |sum, (k, j, weight)| sum + (x[k].clone() - &x[j]).norm_squared() * zero.rational(weight))
 }
 
-/// The names of the variables `t1, t2, ...` and more.
-pub fn names(particles: usize, more: &[&'static str]) -> Vec<String> {
-    (1..=particles).map(|k| format!("t{k}")).chain(more.iter().map(|name| name.to_string())).collect()
-}
-
-/// Tests the identity on so many particles; see [`Run::identity`].
-pub fn identity_of_phases(
+/// Tests identities in the half-angle tangents `t1, t2, ...` of the phases and `more` variables after them, each with the part that it
+/// shows; evidence on these clauses.
+pub fn identities<I: RationalIdentity>(
     run: &Run,
-    identity: &impl arithmetic::identity::RationalIdentity,
-    names: &[String],
-    part: &str,
+    clauses: &[usize],
+    more: &[&str],
+    each: impl IntoIterator<Item = Result<(I, String), CheckError>>,
 ) -> Result<Outcome, CheckError> {
-    run.identity(identity, &names.iter().map(String::as_str).collect::<Vec<_>>(), part)
+    let test = |item: Result<(I, String), CheckError>| {
+        let (identity, part) = item?;
+        let phases = RationalIdentity::variables(&identity).saturating_sub(more.len());
+        let names: Vec<String> = (1..=phases).map(|k| format!("t{k}")).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).chain(more.iter().copied()).collect();
+        run.identity(&identity, &names, &part)
+    };
+    Ok(Run::all(each.into_iter().map(test))?.on(clauses))
 }
 
-/// All parts hold, or the first one that does not.
-pub fn holds(evidence: impl IntoIterator<Item = Evidence>) -> Result<Outcome, CheckError> {
-    Ok(Outcome::Holds(evidence.into_iter().collect()))
+/// How sizes are read: the one rule for all claims of this paper.
+pub const N_AT_LEAST_2: &str = "N >= 2, the sizes for which the paper states its goals";
+
+/// The outcome with evidence on these clauses where it holds; a counterexample is one to the only clause of the printed statement.
+pub fn supports(outcome: Outcome, clauses: &[usize]) -> Outcome {
+    if matches!(outcome, Outcome::Holds(_)) { outcome.on(clauses) } else { outcome }
+}
+
+/// A proof on paper of these clauses for all their parameters: the steps of `notes/paley_phases.md` that it takes.
+pub fn argued(clauses: &[usize], part: &str, steps: &str) -> Result<Outcome, CheckError> {
+    let detail = format!("notes/paley_phases.md, steps {steps}");
+    Ok(Outcome::Holds(vec![Evidence::new(Grade::Argued, part, detail).on(clauses).for_all()]))
 }
 
 /// Whether the numbers are all zero.

@@ -1,10 +1,10 @@
 //! The critical points of U_1, and the flow (6) with (9) around them.
 
-use super::common::{Exact, at, turns};
+use super::common::{Exact, all_equal, all_zero, at, on_the_line, turns, up_to_rotation};
 use algebra::matrix::{Inertia, inertia};
 use arithmetic::{Complex, CosineField, Field, Ring, Signed};
 use ledger::CheckError;
-use models::oscillator::{gradient_control, phase_jacobian};
+use models::oscillator::{gradient_control, moment, moment_gradient, phase_jacobian, sine_of_difference};
 
 /// The kinds of critical points of `U_1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,8 +13,20 @@ pub enum Kind {
     Synchronised,
     /// `p = 0`.
     Balanced,
-    /// Two clusters of different sizes on opposite sides.
+    /// Neither of the two: two clusters of different sizes on opposite sides.
     Unbalanced,
+}
+
+impl Kind {
+    /// The kind of a critical point.
+    pub fn of<T: Field + PartialEq>(z: &[Complex<T>]) -> Result<Kind, CheckError> {
+        let p = moment(z, 1)?;
+        Ok(match (all_equal(z), p == p.zero()) {
+            (true, _) => Kind::Synchronised,
+            (_, true) => Kind::Balanced,
+            _ => Kind::Unbalanced,
+        })
+    }
 }
 
 /// A critical point.
@@ -51,6 +63,36 @@ pub fn critical_points(particles: usize) -> Vec<Critical> {
         }
     }
     points
+}
+
+/// Arrangements of two opposite clusters of different sizes, or of one: of up to so many particles, with the size of the minority.
+pub fn two_clusters(most: usize) -> impl Iterator<Item = (usize, usize, Vec<Complex<arithmetic::Rational>>)> {
+    let sizes = (2..=most).flat_map(|n| (0..n.div_ceil(2)).map(move |minority| (n, minority)));
+    sizes.map(|(n, minority)| (n, minority, on_the_line(n, minority)))
+}
+
+/// All arrangements of 2 and 3 phases at multiples of 1/12 turn and of 4 at multiples of 1/6, with their names.
+pub fn arrangements() -> impl Iterator<Item = (String, Exact)> {
+    [(2, 12), (3, 12), (4, 6)].into_iter().flat_map(|(particles, parts)| {
+        let field = CosineField::new(parts as u32);
+        let named = move |exponents: Vec<usize>| (turns(&exponents, parts), at(&field, &exponents));
+        up_to_rotation(particles, parts).map(named)
+    })
+}
+
+/// Whether the gradient of `U_1` vanishes.
+pub fn is_critical<T: Field + PartialEq>(z: &[Complex<T>]) -> Result<bool, CheckError> {
+    Ok(all_zero(&moment_gradient(z, 1)?))
+}
+
+/// Whether all phases are on one line through the origin: every `sin theta_kj` is zero.
+pub fn is_on_a_line<T: Field + PartialEq>(z: &[Complex<T>]) -> bool {
+    z.iter().all(|a| sine_of_difference(a, &z[0]) == a.re.zero())
+}
+
+/// The inertia of the Hessian of `U_1`.
+pub fn hessian<T: Field + Signed>(z: &[Complex<T>]) -> Result<Inertia, CheckError> {
+    Ok(inertia(&phase_jacobian(z, |z| moment_gradient(z, 1))?)?)
 }
 
 /// The inertia of the linearisation of (6) with (9) for a gain.

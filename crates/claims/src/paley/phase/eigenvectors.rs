@@ -1,10 +1,10 @@
 //! paley.eig.sym, paley.fig2.caption: which eigenvectors with entries of modulus one a circulant Laplacian has.
 
-use super::common::{Exact, all_zero, at, circulants, digraph, holds, laplacian, turns, up_to_rotation};
+use super::common::{Exact, all_zero, argued, at, circulants, digraph, laplacian, turns, up_to_rotation};
 use super::stationary::is_eigenvector;
-use algebra::matrix::inertia;
+use algebra::matrix::{SparseMatrix, inertia};
 use arithmetic::{Complex, CosineField, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{clusters_of_pattern, laplacian_rows, misalignment, phasor};
 use num_integer::Integer;
 
@@ -18,8 +18,7 @@ pub fn clusters_of_column(nodes: usize, m: usize) -> usize {
     nodes / nodes.gcd(&m)
 }
 
-/// paley.eig.sym.
-pub struct CirculantEigenvectors;
+// --- The columns of F ---
 
 /// All eigenvectors with entries of modulus one, or the columns of `F` only, and how many clusters column `m` has.
 #[derive(Clone, Copy)]
@@ -28,96 +27,82 @@ pub struct SymmetryVariant {
     clusters: fn(nodes: usize, m: usize) -> usize,
 }
 
-impl Claim for CirculantEigenvectors {
-    type Variant = SymmetryVariant;
-
-    fn id(&self) -> &str {
-        "paley.eig.sym"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
+    let right = SymmetryVariant { columns_only: true, clusters: clusters_of_column };
+    Record::new(
+        "paley.eig.sym",
         "The columns of F are eigenvectors, but not the only ones: an eigenvalue of an undirected circulant is repeated unless it belongs to column 1 or \
          N/2 + 1. On C_4 every rhombus (u, v, -u, -v) with |u| = |v| = 1 is an eigenvector with eigenvalue 2; on K_N every balanced arrangement is one with eigenvalue N; on a \
          graph without edges every arrangement is one (there already for N = 2). Connected circulants of 2 and 3 nodes have no counterexample: balanced \
-         arrangements of 2 or 3 phases are symmetric."
-    }
-
-    fn printed(&self) -> SymmetryVariant {
-        SymmetryVariant { columns_only: false, clusters: clusters_of_column }
-    }
-
-    fn repair(&self) -> Option<Repair<SymmetryVariant>> {
-        Some(Repair {
-            fault: Fault::False, clauses: Vec::new(),
-            statement: "If e^{i theta} is, up to a common rotation, a column of F (column m other than the first), then the phasors form a symmetric pattern, \
-                        that of N/gcd(N, m - 1) clusters. Other eigenvectors of a repeated eigenvalue need not be symmetric."
-                .to_string(),
-            variant: SymmetryVariant { columns_only: true, clusters: clusters_of_column },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<SymmetryVariant>> {
-        vec![
-            Control::new(
-                "N clusters in every column",
-                SymmetryVariant { columns_only: true, clusters: |nodes, _| nodes },
-            ),
-            Control::new(
-                "gcd(N, m - 1) clusters",
-                SymmetryVariant { columns_only: true, clusters: |nodes, m| nodes.gcd(&m) },
-            ),
-            Control::new("N/(m - 1) clusters", SymmetryVariant { columns_only: true, clusters: |nodes, m| nodes / m }),
-        ]
-    }
-
-    fn examine(&self, variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const PARTS: usize = 12;
-        let fails =
-            |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "eigenvectors", "exact products")));
-        if !variant.columns_only {
-            let field = CosineField::new(PARTS as u32);
-            for order in 2..=4 {
-                for (offsets, graph) in circulants(order, true).into_iter().filter(|(_, g)| g.is_strongly_connected()) {
-                    let laplacian = laplacian(&graph)?;
-                    for exponents in up_to_rotation(order, PARTS) {
-                        run.checkpoint()?;
-                        let z = at(&field, &exponents);
-                        if is_eigenvector(&laplacian, &z) && clusters_of_pattern(&z).is_none() {
-                            let place = turns(&exponents, PARTS);
-                            let z = format!("circulant with N = {order} and offsets {offsets:?}, {place}");
-                            return fails(format!("{z}: an eigenvector, but no symmetric pattern"));
-                        }
-                    }
-                }
-            }
-        }
-        let most = run.cases(6, 8);
-        let mut cases = 0;
-        for order in 2..=most {
-            let field = CosineField::new(order as u32);
-            for (offsets, graph) in circulants(order, true) {
-                run.checkpoint()?;
-                let laplacian = laplacian(&graph)?;
-                for m in 1..order {
-                    cases += 1;
-                    let z = column(&field, order, m);
-                    let expected = Some((variant.clusters)(order, m) as u32);
-                    if !is_eigenvector(&laplacian, &z) || clusters_of_pattern(&z) != expected {
-                        let found = clusters_of_pattern(&z);
-                        return fails(format!(
-                            "N = {order}, offsets {offsets:?}, column {}: clusters {found:?}, claimed {expected:?}",
-                            m + 1
-                        ));
-                    }
-                }
-            }
-        }
-        let detail = format!(
-            "all columns on all undirected circulants of 2 to {most} nodes; for all: w^m has order N/gcd(N, m)"
-        );
-        holds([Evidence::new(Grade::Exhaustive, "columns of F are symmetric patterns", detail).cases(cases)])
-    }
+         arrangements of 2 or 3 phases are symmetric.",
+        SymmetryVariant { columns_only: false, ..right },
+        examine_symmetry,
+    )
+    .repaired(
+        Fault::False,
+        "If e^{i theta} is, up to a common rotation, a column of F (column m other than the first), then the phasors form a symmetric pattern, \
+         that of N/gcd(N, m - 1) clusters. Other eigenvectors of a repeated eigenvalue need not be symmetric.",
+        right,
+    )
+    .repaired_clauses(&[
+        "If e^{i theta} is, up to a common rotation, a column m of F other than the first, then the phasors form the symmetric pattern of N/gcd(N, m - 1) clusters.",
+        "Other eigenvectors of a repeated eigenvalue need not be symmetric.",
+    ])
+    .control("N clusters in every column", SymmetryVariant { clusters: |nodes, _| nodes, ..right })
+    .control("gcd(N, m - 1) clusters", SymmetryVariant { clusters: |nodes, m| nodes.gcd(&m), ..right })
 }
+
+fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let asymmetric = asymmetric_eigenvector(run)?;
+    if !variant.columns_only {
+        let evidence = Evidence::new(Grade::Exact, "eigenvectors", "exact products");
+        return Ok(match asymmetric {
+            Some(place) => Outcome::fails(format!("{place}: an eigenvector, but no symmetric pattern"), evidence),
+            None => Outcome::Undecided("no eigenvector among few phases decides".to_string()),
+        });
+    }
+    let most = run.cases(6, 8);
+    let cases = (2..=most)
+        .flat_map(|order| circulants(order, true))
+        .flat_map(|(offsets, graph)| (1..graph.order()).map(move |m| (offsets.clone(), graph.clone(), m)));
+    let detail = format!("all columns on all undirected circulants of 2 to {most} nodes");
+    let evidence = Evidence::new(Grade::Exhaustive, "columns of F are symmetric patterns", detail).on([1]);
+    let columns = run.every(evidence, cases, |(offsets, graph, m)| {
+        let z = column(&CosineField::new(graph.order() as u32), graph.order(), m);
+        let (found, expected) = (clusters_of_pattern(&z), Some((variant.clusters)(graph.order(), m) as u32));
+        let wrong = !is_eigenvector(&laplacian(&graph)?, &z) || found != expected;
+        let place = || format!("N = {}, offsets {offsets:?}, column {}", graph.order(), m + 1);
+        Ok(wrong.then(|| format!("{}: clusters {found:?}, claimed {expected:?}", place())))
+    });
+    let Some(place) = asymmetric else {
+        return Ok(Outcome::Undecided("no asymmetric eigenvector was found".to_string()));
+    };
+    let asymmetric = Evidence::new(Grade::Exact, "an eigenvector that is not symmetric", place).on([2]).for_all();
+    Run::all([columns, Ok(Outcome::Holds(vec![asymmetric]))])
+}
+
+/// An eigenvector of a connected circulant Laplacian with entries of modulus one that is no symmetric pattern, among phases at multiples of 1/12
+/// turn on up to four nodes.
+fn asymmetric_eigenvector(run: &Run) -> Result<Option<String>, CheckError> {
+    const PARTS: usize = 12;
+    let field = CosineField::new(PARTS as u32);
+    for order in 2..=4 {
+        for (offsets, graph) in circulants(order, true).into_iter().filter(|(_, g)| g.is_strongly_connected()) {
+            let laplacian = laplacian(&graph)?;
+            for exponents in up_to_rotation(order, PARTS) {
+                run.checkpoint()?;
+                let z = at(&field, &exponents);
+                if is_eigenvector(&laplacian, &z) && clusters_of_pattern(&z).is_none() {
+                    let place = turns(&exponents, PARTS);
+                    return Ok(Some(format!("circulant with N = {order} and offsets {offsets:?}, {place}")));
+                }
+            }
+        }
+    }
+    Ok(None)
+}
+
+// --- Cyclic graphs ---
 
 /// The rank of the conditions on `c = a conj(b)` and `r` under which `a w^(mk) + b w^(-mk)` has the same modulus for all `k`:
 /// `2 Re(c w^(2mk)) = r`. Exact; the rank of the Gram matrix.
@@ -186,10 +171,7 @@ impl CyclicVariant {
                 return Ok(Some(format!("the eigenvalue of column {} has the columns only", m + 1)));
             }
             for z in rhombi(nodes)? {
-                let image = laplacian_rows(&laplacian, &z);
-                let factor = rational(2, 1);
-                let eigenvector = image.iter().zip(&z).all(|(lz, z)| *lz == z.scale(&factor));
-                if eigenvector && clusters_of_pattern(&z).is_none() {
+                if is_doubled(&laplacian, &z) && clusters_of_pattern(&z).is_none() {
                     let (u, v) = (&z[0], &z[1]);
                     return Ok(Some(format!(
                         "(u, v, -u, -v, ...) with u = {} + {} i, v = {} + {} i is an eigenvector with eigenvalue 2 and no symmetric pattern",
@@ -202,83 +184,71 @@ impl CyclicVariant {
         self.rhombi_fail_on(nodes, &laplacian)
     }
 
-    /// Whether the claimed rhombi are eigenvectors and stationary.
-    fn rhombi_fail_on(
-        &self,
-        nodes: usize,
-        laplacian: &algebra::matrix::SparseMatrix,
-    ) -> Result<Option<String>, CheckError> {
+    /// Whether the claimed rhombi are eigenvectors, all of them because of two that span them, and stationary.
+    fn rhombi_fail_on(&self, nodes: usize, laplacian: &SparseMatrix) -> Result<Option<String>, CheckError> {
         if !(1..nodes).any(|m| 2 * m < nodes && (self.rhombi)(nodes, m)) {
             return Ok(None);
         }
-        for z in rhombi(nodes)? {
-            let doubled =
-                laplacian_rows(laplacian, &z).into_iter().zip(&z).all(|(lz, z)| lz == z.scale(&rational(2, 1)));
-            if !doubled || !all_zero(&misalignment(laplacian, &z)) {
-                return Ok(Some("a rhombus is no eigenvector with eigenvalue 2".to_string()));
-            }
+        let basis =
+            |place: usize| (0..nodes).map(|k| Complex::real(rational([1, 0, -1, 0][(k + place) % 4], 1))).collect();
+        let spanned: [Vec<Complex<Rational>>; 2] = [basis(0), basis(3)];
+        if !spanned.iter().all(|x| is_doubled(laplacian, x)) {
+            return Ok(Some("a rhombus is no eigenvector with eigenvalue 2".to_string()));
         }
-        Ok(None)
+        let rhombi = rhombi(nodes)?;
+        if rhombi.iter().all(|z| clusters_of_pattern(z).is_some()) {
+            return Ok(Some("every rhombus is a symmetric pattern".to_string()));
+        }
+        let moving = rhombi.iter().any(|z| !all_zero(&misalignment(laplacian, z)));
+        Ok(moving.then(|| "a rhombus is not stationary".to_string()))
     }
 }
 
-/// paley.fig2.caption.
-pub struct CyclicEigenvectors;
+/// Whether `L x = 2 x`.
+fn is_doubled(laplacian: &SparseMatrix, x: &[Complex<Rational>]) -> bool {
+    laplacian_rows(laplacian, x).into_iter().zip(x).all(|(lx, x)| lx == x.scale(&rational(2, 1)))
+}
 
-impl Claim for CyclicEigenvectors {
-    type Variant = CyclicVariant;
-
-    fn id(&self) -> &str {
-        "paley.fig2.caption"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
+    let right = CyclicVariant::CLASSIFICATION;
+    Record::new(
+        "paley.fig2.caption",
         "Stationary: yes (paley.eq16.eigvec). The eigenvalues 2 - 2 cos(2 pi m/12), 0 < m < 6, are double, with eigenvectors a w^(mk) + b w^(-mk). Their moduli \
          squared are |a|^2 + |b|^2 + 2 Re(a conj(b) w^(2mk)), the same for all k exactly if a = 0 or b = 0, or if w^(2m) = -1 and a conj(b) is imaginary: m = 3, \
-         eigenvalue 2, the rhombi (u, v, -u, -v) three times over, with any phases of u and v. They are symmetric patterns only if v = ±u or v = ±iu."
-    }
-
-    fn printed(&self) -> CyclicVariant {
-        CyclicVariant { rhombi: |_, _| false, clusters: clusters_of_column }
-    }
-
-    fn repair(&self) -> Option<Repair<CyclicVariant>> {
-        Some(Repair {
-            fault: Fault::False, clauses: Vec::new(),
-            statement: "On C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of W_1, and up to rotation it is a column of F, which \
-                        is a symmetric pattern, or, with eigenvalue 2, (u, v, -u, -v) three times over with any u, v of modulus one."
-                .to_string(),
-            variant: CyclicVariant::CLASSIFICATION,
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<CyclicVariant>> {
-        let right = CyclicVariant::CLASSIFICATION;
-        vec![
-            Control::new(
-                "more eigenvectors at eigenvalue 1 too",
-                CyclicVariant { rhombi: |n, m| 4 * m == n || 6 * m == n, ..right },
-            ),
-            Control::new(
-                "more eigenvectors at every double eigenvalue",
-                CyclicVariant { rhombi: |_, _| true, ..right },
-            ),
-            Control::new(
-                "twelve clusters in every column",
-                CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right },
-            ),
-        ]
-    }
-
-    fn examine(&self, variant: &CyclicVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        run.checkpoint()?;
-        if let Some(what) = variant.fails_on(12)? {
-            return Ok(Outcome::fails(
-                format!("C_12: {what}"),
-                Evidence::new(Grade::Exact, "eigenvectors", "exact products"),
-            ));
-        }
-        let detail = "exact rank of the conditions of equal modulus in each of the five double eigenspaces; all twelve columns; rhombi at rational points";
-        holds([Evidence::new(Grade::Exact, "all eigenvectors of C_12 with entries of modulus one", detail).cases(12)])
-    }
+         eigenvalue 2, the rhombi (u, v, -u, -v) three times over, with any phases of u and v. They are symmetric patterns only if v = ±u or v = ±iu.",
+        CyclicVariant { rhombi: |_, _| false, ..right },
+        |variant, run| {
+            run.checkpoint()?;
+            if let Some(what) = variant.fails_on(12)? {
+                let evidence = Evidence::new(Grade::Exact, "eigenvectors", "exact products").on([2]);
+                return Ok(Outcome::fails(format!("C_12: {what}"), evidence));
+            }
+            let detail = "exact rank of the conditions of equal modulus in each of the five double eigenspaces; all twelve columns; two rhombi that \
+                          span all of them";
+            let part = "all eigenvectors of C_12 with entries of modulus one";
+            let found = Evidence::new(Grade::Exact, part, detail).on([1, 2, 3, 4]).cases(12);
+            Run::all([Ok(Outcome::Holds(vec![found])), argued(&[2, 3, 4], part, "E1-E5")])
+        },
+    )
+    .clauses(&[
+        "For C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of the Laplacian phase potential (12).",
+        "Then theta forms a symmetric pattern on the unit circle.",
+    ])
+    .repaired(
+        Fault::False,
+        "On C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of W_1, and up to rotation it is a column of F, which \
+         is a symmetric pattern, or, with eigenvalue 2, (u, v, -u, -v) three times over with any u, v of modulus one.",
+        right,
+    )
+    .repaired_clauses(&[
+        "On C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of W_1.",
+        "Up to rotation e^{i theta} is then a column of F or (u, v, -u, -v) three times over with u, v of modulus one.",
+        "Each column of F is a symmetric pattern.",
+        "Each (u, v, -u, -v, ...) with any u, v of modulus one is an eigenvector with eigenvalue 2.",
+    ])
+    .control(
+        "more eigenvectors at eigenvalue 1 too",
+        CyclicVariant { rhombi: |n, m| 4 * m == n || 6 * m == n, ..right },
+    )
+    .control("twelve clusters in every column", CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right })
 }

@@ -1,8 +1,8 @@
 //! paley.fig2: the twelve columns with their eigenvalues and polygons.
 
-use super::common::{Exact, all_equal, at, holds, laplacian, named};
+use super::common::{Exact, all_equal, at, laplacian, named};
 use arithmetic::{CosineField, RealCyclotomic, Ring};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, interval_value};
+use ledger::{CheckError, Outcome, Record, Run, interval_value};
 use models::oscillator::{clusters_of_pattern, laplacian_rows};
 
 const NODES: i64 = 12;
@@ -51,7 +51,7 @@ fn column(variant: &ColumnVariant, m: i64) -> Result<(Polygon, RealCyclotomic), 
 
 /// The column `m`, counted from 1, as printed, and its eigenvalue.
 pub fn printed_column(m: i64) -> Result<(Polygon, RealCyclotomic), CheckError> {
-    column(&Columns.printed(), m)
+    column(&PRINTED, m)
 }
 
 /// An eigenvector with the eigenvalue 2 that is no symmetric pattern: phases at 0, 1/6, 1/2 and 2/3 of a turn in turn.
@@ -61,9 +61,6 @@ pub fn rhombus() -> Result<Polygon, CheckError> {
     polygon(phasors, &field.cos(0).integer(2))
 }
 
-/// paley.fig2.
-pub struct Columns;
-
 /// Exponents of the columns, in parts of 1/24 turn, and the eigenvalue `constant - factor cos(2 pi (m - 1)/12)`.
 #[derive(Clone, Copy)]
 pub struct ColumnVariant {
@@ -72,57 +69,43 @@ pub struct ColumnVariant {
     factor: i64,
 }
 
-impl Claim for Columns {
-    type Variant = ColumnVariant;
+const PRINTED: ColumnVariant = ColumnVariant { exponent: |m, k| 2 * (m - 1) * (k - 1), constant: 2, factor: 2 };
 
-    fn id(&self) -> &str {
-        "paley.fig2"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn columns() -> Record<ColumnVariant> {
+    Record::new(
+        "paley.fig2",
         "f_m has L f_m = (2 - w^(m-1) - w^(1-m)) f_m. Neighbours differ by the factor w^(m-1) all around, so the edges are chords of one length that turn by \
          one angle: the generalised regular polygon {12/(m - 1)}, star-shaped or covered several times over, for m = 7 a line and for m = 1 a point. The squared \
-         length of an edge is the eigenvalue. The scan of the paper has no picture to compare with: the eigenvalues are recorded here."
-    }
+         length of an edge is the eigenvalue.",
+        PRINTED,
+        examine_columns,
+    )
+    .reading("The scan of the paper has no picture to compare with: the eigenvalues are those that the columns have")
+    .clauses(&[
+        "The columns f_km = N^{-1/2} e^{i(2 pi/N)(m-1)(k-1)} are eigenvectors of the Laplacian of C_12.",
+        "The edges of each graph form generalized regular polygons.",
+    ])
+    .control("half of each angle", ColumnVariant { exponent: |m, k| (m - 1) * (k - 1), ..PRINTED })
+    .control("eigenvalues 2 + 2 cos", ColumnVariant { factor: -2, ..PRINTED })
+}
 
-    fn printed(&self) -> ColumnVariant {
-        ColumnVariant { exponent: |m, k| 2 * (m - 1) * (k - 1), constant: 2, factor: 2 }
-    }
-
-    fn controls(&self) -> Vec<Control<ColumnVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("m instead of m - 1", ColumnVariant { exponent: |m, k| 2 * m * (k - 1), ..printed }),
-            Control::new("half of each angle", ColumnVariant { exponent: |m, k| (m - 1) * (k - 1), ..printed }),
-            Control::new("eigenvalues 1 - cos", ColumnVariant { constant: 1, factor: 1, ..printed }),
-            Control::new("eigenvalues 2 + 2 cos", ColumnVariant { factor: -2, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &ColumnVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        run.checkpoint()?;
-        for m in 1..=NODES {
-            let (found, value) = column(variant, m)?;
-            if !found.has_value || !found.regular || found.squared_edge != value {
-                return Ok(Outcome::fails(
-                    format!(
-                        "column {m}: eigenvector {} for {:.6}, edges alike {}",
-                        found.has_value,
-                        value.enclose(64)?.to_f64(),
-                        found.regular
-                    ),
-                    Evidence::new(Grade::Exact, "columns", "exact roots of unity"),
-                ));
-            }
-            run.value(&format!("eigenvalue_of_column_{m:02}"), value_of(&value)?);
+fn examine_columns(variant: &ColumnVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut values = Vec::new();
+    let detail = "all twelve columns: exact products; every edge has the same length and turns by the same angle";
+    let found = run.instances("eigenvectors, eigenvalues and polygons", detail, 1..=NODES, |m| {
+        let (found, value) = column(variant, m)?;
+        values.push((m, value_of(&value)?));
+        if found.has_value && found.regular && found.squared_edge == value {
+            return Ok(None);
         }
-        holds([Evidence::new(
-            Grade::Exact,
-            "eigenvectors, eigenvalues and polygons",
-            "all twelve columns: exact products; every edge has the same length and turns by the same angle",
-        )
-        .cases(12)])
+        let (value, regular) = (value.enclose(64)?.to_f64(), found.regular);
+        Ok(Some(format!("column {m}: eigenvector {} for {value:.6}, edges alike {regular}", found.has_value)))
+    })?;
+    for (m, value) in values {
+        run.value(&format!("eigenvalue_of_column_{m:02}"), value);
     }
+    // There are no more columns than these.
+    Ok(found.on([1, 2]).for_all())
 }
 
 /// Exactly where it is rational.

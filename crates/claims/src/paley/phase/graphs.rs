@@ -1,23 +1,23 @@
 //! paley.length, paley.eq11.kernel, paley.incid: the Laplacian as a sum over edges.
 
-use super::common::{arcs, digraph, digraphs, holds, identity_of_phases, laplacian, named, squared_lengths};
+use super::common::{arcs, argued, digraph, digraphs, laplacian, named, squared_lengths, supports};
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::quadratic_form;
 
-/// paley.length.
-pub struct EdgeLength;
+// --- The total length of the edges ---
 
-/// `Q_L = (factor/N) sum |x_j - x_k|^power` over directed edges, on undirected graphs or any.
+/// `Q_L = (factor/N) sum |x_j - x_k|^2` over directed edges, on undirected graphs or any.
 #[derive(Clone, Copy)]
 pub struct LengthVariant {
     factor: (i64, i64),
     directed: bool,
 }
 
+/// Variables are the real and imaginary parts of `x`.
 struct LengthIdentity {
     graph: WeightedGraph,
     laplacian: SparseMatrix,
@@ -37,61 +37,47 @@ impl RationalIdentity for LengthIdentity {
     }
 }
 
-impl Claim for EdgeLength {
-    type Variant = LengthVariant;
-
-    fn id(&self) -> &str {
-        "paley.length"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn edge_length() -> Record<LengthVariant> {
+    let right = LengthVariant { factor: (1, 4), directed: false };
+    Record::new(
+        "paley.length",
         "In <x, L x> = sum_k d_k |x_k|^2 - sum_k sum_{j in N_k} <x_k, x_j> each pair of neighbours gives |x_j - x_k|^2 once. The set E of the tutorial has \
-         both (j,k) and (k,j) of an undirected edge, so the sum over E is twice that. (It is the total of the squared lengths.)"
-    }
-
-    fn printed(&self) -> LengthVariant {
-        LengthVariant { factor: (1, 2), directed: false }
-    }
-
-    fn repair(&self) -> Option<Repair<LengthVariant>> {
-        Some(Repair {
-            fault: Fault::Slip, clauses: Vec::new(),
-            statement: "Q_L(x) = (1/(4N)) sum_{(j,k) in E} |x_j - x_k|^2 for undirected G with both directions of each edge in E (or (1/(2N)) with \
-                        each edge counted once): proportional to the total squared length of the edges."
-                .to_string(),
-            variant: LengthVariant { factor: (1, 4), directed: false },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<LengthVariant>> {
-        vec![
-            Control::new("1/N", LengthVariant { factor: (1, 1), directed: false }),
-            Control::new("1/(8N)", LengthVariant { factor: (1, 8), directed: false }),
-            Control::new("1/(4N) on directed graphs too", LengthVariant { factor: (1, 4), directed: true }),
-        ]
-    }
-
-    fn examine(&self, variant: &LengthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut graphs = ["path:2", "path:3", "ring:4", "star:5", "complete:4"]
-            .map(named)
-            .into_iter()
-            .collect::<Result<Vec<_>, _>>()?;
-        if variant.directed {
-            graphs.insert(0, digraph(2, |k, _| k == 0));
-        }
-        let mut parts = Vec::new();
-        for graph in graphs {
-            let names: Vec<String> =
-                (1..=graph.order()).flat_map(|k| [format!("Re x{k}"), format!("Im x{k}")]).collect();
-            let part = format!("Q_L on the graph {}", arcs(&graph));
-            let identity = LengthIdentity { laplacian: laplacian(&graph)?, graph, factor: variant.factor };
-            parts.push(identity_of_phases(run, &identity, &names, &part));
-        }
-        let identities = Run::all(parts)?;
-        let proof = "both sides are linear in the weights of the edges, so one edge decides";
-        Run::all([Ok(identities), holds([Evidence::new(Grade::Exact, "every undirected graph", proof)])])
-    }
+         both (j,k) and (k,j) of an undirected edge, so the sum over E is twice that. (It is the total of the squared lengths.)",
+        LengthVariant { factor: (1, 2), directed: false },
+        |variant, run| {
+            let mut graphs: Vec<_> = ["path:2", "path:3", "ring:4", "star:5", "complete:4"].map(named).into();
+            if variant.directed {
+                graphs.insert(0, Ok(digraph(2, |k, _| k == 0)));
+            }
+            let tests = graphs.into_iter().map(|graph| {
+                let graph = graph?;
+                let part = format!("Q_L on the graph {}", arcs(&graph));
+                Ok((LengthIdentity { laplacian: laplacian(&graph)?, graph, factor: variant.factor }, part))
+            });
+            let names: Vec<String> = (1..=5).flat_map(|k| [format!("Re x{k}"), format!("Im x{k}")]).collect();
+            let tests = tests.map(|item: Result<(LengthIdentity, String), CheckError>| {
+                let (identity, part) = item?;
+                let names: Vec<&str> = names[..identity.variables()].iter().map(String::as_str).collect();
+                run.identity(&identity, &names, &part)
+            });
+            Ok(supports(Run::all(tests)?, &[1]))
+        },
+    )
+    .repaired(
+        Fault::Slip,
+        "Q_L(x) = (1/(4N)) sum_{(j,k) in E} |x_j - x_k|^2 for undirected G with both directions of each edge in E, or (1/(2N)) with \
+         each edge counted once: proportional to the total squared length of the edges.",
+        right,
+    )
+    .repaired_clauses(&[
+        "For undirected G, Q_L(x) = (1/(4N)) sum_{(j,k) in E} |x_j - x_k|^2 with both directions of each edge in E.",
+        "With each edge counted once it is (1/(2N)) sum |x_j - x_k|^2.",
+    ])
+    .control("1/N", LengthVariant { factor: (1, 1), ..right })
+    .control("1/(4N) on directed graphs too", LengthVariant { directed: true, ..right })
 }
+
+// --- The kernel ---
 
 /// The inertia of the form `<x, L x>` over real vectors.
 pub fn form_inertia(laplacian: &SparseMatrix) -> Result<Inertia, CheckError> {
@@ -104,9 +90,6 @@ pub fn form_inertia(laplacian: &SparseMatrix) -> Result<Inertia, CheckError> {
     Ok(inertia(&rows)?)
 }
 
-/// paley.eq11.kernel.
-pub struct Kernel;
-
 /// The graphs for which `Q_L` is claimed to vanish on `span{1}` only and to be positive elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum KernelVariant {
@@ -118,145 +101,106 @@ pub enum KernelVariant {
     StronglyConnected,
 }
 
-impl Claim for Kernel {
-    type Variant = KernelVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq11.kernel"
-    }
-
-    fn derivation(&self) -> &str {
-        "Q_L is a sum of |x_j - x_k|^2 over the edges (paley.length): not negative, and zero exactly if x is equal across every edge, that is, constant on a \
-         connected graph. x = u + iv: the form is u^T L u + v^T L v, so the span is over the complex numbers."
-    }
-
-    fn printed(&self) -> KernelVariant {
-        KernelVariant::Connected
-    }
-
-    fn controls(&self) -> Vec<Control<KernelVariant>> {
-        vec![
-            Control::new("every undirected graph", KernelVariant::Undirected),
-            Control::new("strongly connected digraphs", KernelVariant::StronglyConnected),
-        ]
-    }
-
-    fn examine(&self, variant: &KernelVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let most = if *variant == KernelVariant::StronglyConnected { 3 } else { run.cases(4, 5) };
-        let mut cases = 0;
-        for order in 1..=most {
-            run.checkpoint()?;
-            let graphs: Vec<WeightedGraph> = match variant {
-                KernelVariant::Connected => {
-                    Graph::all(order).filter(Graph::is_connected).map(|graph| WeightedGraph::from(&graph)).collect()
-                }
-                KernelVariant::Undirected => Graph::all(order).map(|graph| WeightedGraph::from(&graph)).collect(),
-                KernelVariant::StronglyConnected => {
-                    digraphs(order).filter(WeightedGraph::is_strongly_connected).collect()
-                }
-            };
-            for graph in graphs {
-                cases += 1;
-                let found = form_inertia(&laplacian(&graph)?)?;
-                if found != (Inertia { positive: order - 1, negative: 0, zero: 1 }) {
-                    return Ok(Outcome::fails(
-                        format!("N = {order}, {}: the form has {found:?}", arcs(&graph)),
-                        Evidence::new(Grade::Exact, "kernel", "exact inertia of L + L^T"),
-                    ));
-                }
-            }
+impl KernelVariant {
+    fn graphs(self, order: usize) -> Vec<WeightedGraph> {
+        let undirected = Graph::all(order).filter(|graph| self == KernelVariant::Undirected || graph.is_connected());
+        match self {
+            KernelVariant::StronglyConnected => digraphs(order).filter(WeightedGraph::is_strongly_connected).collect(),
+            _ => undirected.map(|graph| WeightedGraph::from(&graph)).collect(),
         }
-        let detail = format!(
-            "exact inertia (N - 1, 0, 1) for all labelled graphs of up to {most} nodes; for all by the sum of squares"
-        );
-        holds([Evidence::new(Grade::Exhaustive, "positive but on span{1}", detail).cases(cases)])
     }
 }
 
-/// paley.incid.
-pub struct Incidence;
+pub fn kernel() -> Record<KernelVariant> {
+    Record::new(
+        "paley.eq11.kernel",
+        "Q_L is a sum of |x_j - x_k|^2 over the edges (paley.length): not negative, and zero exactly if x is equal across every edge, that is, constant on a \
+         connected graph. x = u + iv: the form is u^T L u + v^T L v, so the span is over the complex numbers.",
+        KernelVariant::Connected,
+        |variant, run| {
+            let most = if *variant == KernelVariant::StronglyConnected { 3 } else { run.cases(4, 5) };
+            let detail = format!("exact inertia (N - 1, 0, 1) for all labelled graphs of up to {most} nodes");
+            let evidence = Evidence::new(Grade::Exhaustive, "positive but on span{1}", detail).on([1, 2]);
+            run.every(evidence, (1..=most).flat_map(|order| variant.graphs(order)), |graph| {
+                let (order, found) = (graph.order(), form_inertia(&laplacian(&graph)?)?);
+                let right = found == Inertia { positive: order - 1, negative: 0, zero: 1 };
+                Ok((!right).then(|| format!("N = {order}, {}: the form has {found:?}", arcs(&graph))))
+            })
+        },
+    )
+    .clauses(&[
+        "If G is undirected and connected, then Q_L(x) = 0 if and only if x in span{1}.",
+        "Q_L(x) > 0 otherwise.",
+    ])
+    .control("every undirected graph", KernelVariant::Undirected)
+    .control("strongly connected digraphs", KernelVariant::StronglyConnected)
+}
 
-/// The columns of `B`, their lower sign, and the factor in `L = factor B B^T`.
+// --- The incidence matrix ---
+
+/// The lower sign in the columns of `B`, and the factors in `L = factor B B^T` with a column for each undirected edge and with one for each
+/// directed edge, as far as they are claimed.
 #[derive(Clone, Copy)]
 pub struct IncidenceVariant {
-    both_directions: bool,
     tail: i64,
-    factor: (i64, i64),
+    once: Option<(i64, i64)>,
+    twice: Option<(i64, i64)>,
 }
 
-impl Claim for Incidence {
-    type Variant = IncidenceVariant;
-
-    fn id(&self) -> &str {
-        "paley.incid"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn incidence() -> Record<IncidenceVariant> {
+    let right = IncidenceVariant { tail: -1, once: Some((1, 1)), twice: Some((1, 2)) };
+    Record::new(
+        "paley.incid",
         "A column with 1 and -1 adds to B B^T the Laplacian of its edge, whatever its direction. For undirected G the set E of directed edges holds each edge \
-         twice, so B B^T = 2 L."
-    }
+         twice, so B B^T = 2 L.",
+        IncidenceVariant { tail: -1, once: None, twice: Some((1, 1)) },
+        examine_incidence,
+    )
+    .repaired(
+        Fault::Slip,
+        "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way; with one column for each \
+         directed edge in E, L = (1/2) B B^T.",
+        right,
+    )
+    .repaired_clauses(&[
+        "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way.",
+        "With one column for each directed edge in E, L = (1/2) B B^T.",
+    ])
+    .control("half of B B^T with a column for each undirected edge", IncidenceVariant { once: Some((1, 2)), ..right })
+    .control("both entries 1", IncidenceVariant { tail: 1, ..right })
+    .control("a third with a column for each directed edge", IncidenceVariant { twice: Some((1, 3)), ..right })
+}
 
-    fn printed(&self) -> IncidenceVariant {
-        IncidenceVariant { both_directions: true, tail: -1, factor: (1, 1) }
-    }
-
-    fn repair(&self) -> Option<Repair<IncidenceVariant>> {
-        Some(Repair {
-            fault: Fault::Slip, clauses: Vec::new(),
-            statement: "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way; with one column for each \
-                        directed edge in E, L = (1/2) B B^T."
-                .to_string(),
-            variant: IncidenceVariant { both_directions: false, tail: -1, factor: (1, 1) },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<IncidenceVariant>> {
-        vec![
-            Control::new(
-                "half of B B^T with a column for each undirected edge",
-                IncidenceVariant { both_directions: false, tail: -1, factor: (1, 2) },
-            ),
-            Control::new("both entries 1", IncidenceVariant { both_directions: false, tail: 1, factor: (1, 1) }),
-            Control::new("a third", IncidenceVariant { both_directions: true, tail: -1, factor: (1, 3) }),
-        ]
-    }
-
-    fn examine(&self, variant: &IncidenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let most = run.cases(4, 5);
-        let mut cases = 0;
-        for graph in (1..=most).flat_map(Graph::all) {
-            run.checkpoint()?;
-            let one_way = graph.edges();
-            let reversed = one_way.iter().map(|&(j, k)| (k, j)).filter(|_| variant.both_directions);
-            let columns: Vec<(usize, usize)> = one_way.iter().copied().chain(reversed).collect();
-            // Column (j, k): b_k = 1, b_j = tail; B B^T is the sum of the products of columns.
-            let entries = columns.iter().flat_map(|&(j, k)| {
-                let column = [(k, 1), (j, variant.tail)];
-                column.into_iter().flat_map(move |(a, x)| column.map(|(b, y)| (a, b, x * y)))
-            });
-            let factor = rational(variant.factor.0, variant.factor.1);
-            let product = SparseMatrix::from_entries(
-                graph.order(),
-                entries.map(|(a, b, entry)| (a, b, rational(entry, 1) * &factor)),
-            );
-            cases += 1;
-            if product != laplacian(&WeightedGraph::from(&graph))? {
-                return Ok(Outcome::fails(
-                    format!(
-                        "N = {}, undirected edges {:?} (from 0): the product has {} in the corner of its first edge, not L",
-                        graph.order(),
-                        one_way,
-                        one_way
-                            .first()
-                            .and_then(|&(i, _)| product.get(i, i))
-                            .map_or("0".to_string(), Rational::to_string)
-                    ),
-                    Evidence::new(Grade::Exact, "B B^T", "exact product"),
-                ));
+fn examine_incidence(variant: &IncidenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let most = run.cases(4, 5);
+    let detail = format!("all labelled graphs of up to {most} nodes");
+    let evidence = Evidence::new(Grade::Exhaustive, "L and B B^T", detail);
+    let graphs = run.every(evidence, (1..=most).flat_map(Graph::all), |graph| {
+        let turned = |(place, &(j, k)): (usize, &(usize, usize))| if place % 2 == 0 { (j, k) } else { (k, j) };
+        let once: Vec<(usize, usize)> = graph.edges().iter().enumerate().map(turned).collect();
+        let twice: Vec<(usize, usize)> = once.iter().flat_map(|&(j, k)| [(j, k), (k, j)]).collect();
+        let own = laplacian(&WeightedGraph::from(&graph))?;
+        for (columns, factor) in [(&once, variant.once), (&twice, variant.twice)] {
+            let Some(factor) = factor else { continue };
+            let product = incidence_product(graph.order(), columns, variant.tail, &rational(factor.0, factor.1));
+            if product != own {
+                let corner =
+                    columns.first().and_then(|&(i, _)| product.get(i, i)).map_or("0".into(), Rational::to_string);
+                let what = format!("N = {}, columns {columns:?} (nodes from 0)", graph.order());
+                return Ok(Some(format!("{what}: the product has {corner} in the corner of its first edge, not L")));
             }
         }
-        let detail =
-            format!("all labelled graphs of up to {most} nodes; for all because both sides add up over the edges");
-        holds([Evidence::new(Grade::Exhaustive, "L and B B^T", detail).cases(cases)])
-    }
+        Ok(None)
+    })?;
+    let proof = argued(&[1, 2], "every undirected graph", "L3");
+    Run::all([Ok(supports(graphs, &[1, 2])), proof])
+}
+
+/// `factor B B^T` with the columns `b_k = 1`, `b_j = tail` for `(j, k)`: the sum of the products of columns.
+fn incidence_product(order: usize, columns: &[(usize, usize)], tail: i64, factor: &Rational) -> SparseMatrix {
+    let entries = columns.iter().flat_map(|&(j, k)| {
+        let column = [(k, 1), (j, tail)];
+        column.into_iter().flat_map(move |(a, x)| column.map(|(b, y)| (a, b, rational(x * y, 1) * factor)))
+    });
+    SparseMatrix::from_entries(order, entries)
 }

@@ -17,8 +17,10 @@ mod theorem1;
 mod tutorial;
 mod zero_set;
 
-pub use common::on_the_line;
-pub use critical::{Kind, critical_points};
+pub use common::argued;
+pub use critical::{
+    Kind, arrangements, critical_points, hessian, is_critical, is_on_a_line, linearisation, two_clusters,
+};
 pub use eigenvectors::CyclicVariant;
 pub use figure2::{Polygon, printed_column, rhombus, value_of};
 
@@ -27,40 +29,40 @@ use ledger::AnyClaim;
 /// All that are built.
 pub fn claims() -> Vec<Box<dyn AnyClaim>> {
     vec![
-        Box::new(order::Synchronised),
-        Box::new(order::OrderParameter),
-        Box::new(order::Extremes),
-        Box::new(order::GradientLaw),
-        Box::new(theorem1::Convergence),
-        Box::new(theorem1::SynchronisedStable),
-        Box::new(theorem1::BalancedStable),
-        Box::new(saddles::Saddles),
-        Box::new(saddles::Unbalanced),
-        Box::new(graphs::EdgeLength),
-        Box::new(graphs::Kernel),
-        Box::new(graphs::Incidence),
-        Box::new(tutorial::Laplacians),
-        Box::new(tutorial::NamedLaplacians),
-        Box::new(laplacian_potential::Complete),
-        Box::new(laplacian_potential::Gradient),
-        Box::new(laplacian_potential::Law),
-        Box::new(zero_set::Connected),
-        Box::new(zero_set::StrongSubgraphs),
-        Box::new(zero_set::FishSubgraphs),
-        Box::new(stationary::StationaryPoints),
-        Box::new(stationary::EigenvectorsAreStationary),
-        Box::new(stationary::BalancedPoint),
-        Box::new(eigenvectors::CirculantEigenvectors),
-        Box::new(eigenvectors::CyclicEigenvectors),
-        Box::new(figure2::Columns),
-        Box::new(nearest::Scale),
-        Box::new(nearest::CompleteScale),
-        Box::new(nearest::ThreeAndOne),
-        Box::new(patterns::TwoPatterns),
-        Box::new(patterns::MomentsOfPatterns),
-        Box::new(moment_potentials::LaplacianMoments),
-        Box::new(moment_potentials::MomentPotential),
-        Box::new(patterns::Minimisers),
-        Box::new(reference::ReferencePhase),
+        Box::new(order::synchronised()),
+        Box::new(order::order_parameter()),
+        Box::new(order::extremes()),
+        Box::new(order::gradient_law()),
+        Box::new(theorem1::convergence()),
+        Box::new(theorem1::synchronised_stable()),
+        Box::new(theorem1::balanced_stable()),
+        Box::new(saddles::saddles()),
+        Box::new(saddles::unbalanced()),
+        Box::new(graphs::edge_length()),
+        Box::new(graphs::kernel()),
+        Box::new(graphs::incidence()),
+        Box::new(tutorial::laplacians()),
+        Box::new(tutorial::named_laplacians()),
+        Box::new(laplacian_potential::complete_potential()),
+        Box::new(laplacian_potential::gradient()),
+        Box::new(laplacian_potential::law()),
+        Box::new(zero_set::connected()),
+        Box::new(zero_set::strong_subgraphs()),
+        Box::new(zero_set::fish_subgraphs()),
+        Box::new(stationary::stationary_points()),
+        Box::new(stationary::eigenvectors_are_stationary()),
+        Box::new(stationary::balanced_point_exists()),
+        Box::new(eigenvectors::circulant_eigenvectors()),
+        Box::new(eigenvectors::cyclic_eigenvectors()),
+        Box::new(figure2::columns()),
+        Box::new(nearest::scale()),
+        Box::new(nearest::complete_scale()),
+        Box::new(nearest::three_and_one()),
+        Box::new(patterns::two_patterns()),
+        Box::new(patterns::moments_of_patterns()),
+        Box::new(moment_potentials::laplacian_moments()),
+        Box::new(moment_potentials::moment_potentials()),
+        Box::new(patterns::minimisers()),
+        Box::new(reference::reference_phase()),
     ]
 }

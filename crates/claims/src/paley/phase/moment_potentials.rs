@@ -1,15 +1,15 @@
 //! paley.Wm, paley.Um: the potentials of the moments.
 
-use super::common::{Exact, all_equal, all_zero, at, complete, holds, identity_of_phases, laplacian, names, phasors};
+use super::common::{Exact, all_equal, all_zero, argued, at, complete, identities, laplacian, phasors};
 use super::common::{squared_lengths, turns, up_to_rotation};
+use super::figure2::value_of;
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, CosineField, Field, Rational, Sign, Signed, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{moment, moment_gradient, moment_potential, phase_jacobian, phase_potential, powers};
 
-/// paley.Wm.
-pub struct LaplacianMoments;
+// --- Potentials on the complete graph ---
 
 /// The constant in `W_m = constant - U_m`, given `N` and `m`.
 type ConstantOf = fn(particles: i64, m: i64) -> Rational;
@@ -32,56 +32,33 @@ impl RationalIdentity for LaplacianMomentIdentity {
     }
 }
 
-impl Claim for LaplacianMoments {
-    type Variant = ConstantOf;
-
-    fn id(&self) -> &str {
-        "paley.Wm"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn laplacian_moments() -> Record<ConstantOf> {
+    let printed: ConstantOf = |particles, _| rational(particles, 2);
+    Record::new(
+        "paley.Wm",
         "With L = N I - 1 1^T and x = e^{i m theta}/m: <x, L x> = N * N/m^2 - N^2 |p_m|^2, because (23) has its own 1/m. Divided by 2N: N/(2m^2) - U_m. The printed N/2 \
-         is right for m = 1 only."
-    }
-
-    fn printed(&self) -> ConstantOf {
-        |particles, _| rational(particles, 2)
-    }
-
-    fn repair(&self) -> Option<Repair<ConstantOf>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement: "If G is complete, then W_m(theta) = Q_L((1/m) e^{i m theta}) = N/(2 m^2) - U_m(theta)."
-                .to_string(),
-            variant: |particles, m| rational(particles, 2 * m * m),
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<ConstantOf>> {
-        vec![
-            Control::new("N/(2m)", |particles, m| rational(particles, 2 * m)),
-            Control::new("N/m^2", |particles, m| rational(particles, m * m)),
-        ]
-    }
-
-    fn examine(&self, variant: &ConstantOf, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut parts = Vec::new();
-        for particles in 2..=3usize {
-            for m in 1..=3 {
+         is right for m = 1 only.",
+        printed,
+        |variant, run| {
+            let sizes = (2..=3usize).flat_map(|particles| (1..=3).map(move |m| (particles, m)));
+            let parts = sizes.map(|(particles, m)| {
                 let laplacian = laplacian(&complete(particles))?;
                 let identity = LaplacianMomentIdentity { laplacian, constant: *variant, m };
-                let part = format!("W_{m} on the complete graph, N = {particles}");
-                parts.push(identity_of_phases(run, &identity, &names(particles, &[]), &part));
-            }
-        }
-        let identities = Run::all(parts)?;
-        Run::all([Ok(identities), holds([Evidence::new(Grade::Exact, "every N and m", "the derivation")])])
-    }
+                Ok((identity, format!("W_{m} on the complete graph, N = {particles}")))
+            });
+            identities(run, &[1], &[], parts)
+        },
+    )
+    .repaired(
+        Fault::Slip,
+        "If G is complete, then W_m(theta) = Q_L((1/m) e^{i m theta}) = N/(2 m^2) - U_m(theta).",
+        |particles, m| rational(particles, 2 * m * m),
+    )
+    .control("N/(2m)", |particles, m| rational(particles, 2 * m))
+    .control("N/m^2", |particles, m| rational(particles, m * m))
 }
 
-/// paley.Um.
-pub struct MomentPotential;
+// --- Extremes and saddles ---
 
 /// Where the extremes are claimed to be, and what the other stationary points are.
 #[derive(Clone, Copy)]
@@ -114,80 +91,64 @@ impl RationalIdentity for Deficit {
     }
 }
 
-impl Claim for MomentPotential {
-    type Variant = MomentVariant;
-
-    fn id(&self) -> &str {
-        "paley.Um"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn moment_potentials() -> Record<MomentVariant> {
+    let others = |i: Inertia| i.positive > 0 && i.negative > 0 && i.zero == 1;
+    let printed = MomentVariant { divisor: 1, exchanged: false, others };
+    Record::new(
+        "paley.Um",
         "U_m(theta) = U_1(m theta)/m^2, and theta -> m theta is a local diffeomorphism of the torus: all is as for U_1 (paley.thm1.saddle). At the other stationary points \
-         the Hessian is s s^T/N - |q| diag(s), q = m p_m, with kernel exactly span{1}: v_k = (s.v)/(N |q|) for all k. So they are saddles and isolated modulo rotation, in \
-         shape space, which is what the paper means by isolating (\"no other solutions in shape space\"); in T^N each lies on its circle of rotations (a control). \
-         N >= 2: one particle never has p_m = 0."
-    }
+         the Hessian is s s^T/N - |q| diag(s), q = m p_m, with kernel exactly span{1}: v_k = (s.v)/(N |q|) for all k. So they are saddles and isolated modulo rotation; in T^N \
+         each lies on its circle of rotations. One particle never has p_m = 0.",
+        printed,
+        |variant, run| {
+            let squares = [(2, 2), (2, 3), (3, 1)].map(|(particles, m)| {
+                let part = format!("N/(2m^2) - U_m as a sum of squares, N = {particles}, m = {m}");
+                Ok((Deficit { particles, m }, part))
+            });
+            let squares = identities(run, &[1, 2], &[], squares);
+            Run::all([few_phases(variant, run), two_clusters(variant, run), squares, argued(&[3], "every N >= 2 and m", "P4")])
+        },
+    )
+    .reading(
+        "Isolated means isolated modulo rotation, as the paper explains the word (\"no other solutions in shape space\"); N >= 2, the sizes for which the \
+         paper states its goals",
+    )
+    .clauses(&[
+        "U_m reaches its minimum when p_{m theta} = 0.",
+        "U_m reaches its maximum when the difference between any two phases is an integer multiple of 2 pi/m.",
+        "All of the remaining stationary points are isolated saddle points.",
+    ])
+    .control("isolated in T^N", MomentVariant { others: |i| i.zero == 0, ..printed })
+    .control("maximum at multiples of pi/m", MomentVariant { divisor: 2, ..printed })
+    .control("minimum and maximum exchanged", MomentVariant { exchanged: true, ..printed })
+}
 
-    fn printed(&self) -> MomentVariant {
-        let others = |i: Inertia| i.positive > 0 && i.negative > 0 && i.zero == 1;
-        MomentVariant { divisor: 1, exchanged: false, others }
-    }
+/// All arrangements of few phases.
+fn few_phases(variant: &MomentVariant, run: &Run) -> Result<Outcome, CheckError> {
+    const PARTS: usize = 12;
+    let field = CosineField::new(PARTS as u32);
+    let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn, m = 1 to 3";
+    let sizes = [2usize, 3].into_iter().flat_map(|particles| (1u32..=3).map(move |m| (particles, m)));
+    let cases = sizes.flat_map(|(particles, m)| up_to_rotation(particles, PARTS).map(move |exponents| (m, exponents)));
+    let evidence = Evidence::new(Grade::Exhaustive, "extremes and saddles", detail).on([1, 2, 3]);
+    run.every(evidence, cases, |(m, exponents)| {
+        let found = stationary_contradiction(variant, m, &at(&field, &exponents))?;
+        Ok(found.map(|what| format!("m = {m}, {}: {what}", turns(&exponents, PARTS))))
+    })
+}
 
-    fn controls(&self) -> Vec<Control<MomentVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("isolated in T^N", MomentVariant { others: |i| i.zero == 0, ..printed }),
-            Control::new("local maxima", MomentVariant { others: |i| i.positive == 0, ..printed }),
-            Control::new("maximum at multiples of pi/m", MomentVariant { divisor: 2, ..printed }),
-            Control::new("minimum and maximum exchanged", MomentVariant { exchanged: true, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &MomentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const PARTS: usize = 12;
-        let field = CosineField::new(PARTS as u32);
-        let mut cases = 0;
-        for (particles, m) in [(2usize, 1u32), (2, 2), (2, 3), (3, 1), (3, 2), (3, 3)] {
-            for exponents in up_to_rotation(particles, PARTS) {
-                run.checkpoint()?;
-                cases += 1;
-                if let Some(what) = stationary_contradiction(variant, m, &at(&field, &exponents))? {
-                    return Ok(Outcome::fails(
-                        format!("m = {m}, {}: {what}", turns(&exponents, PARTS)),
-                        Evidence::new(Grade::Exact, "stationary points of U_m", "exact values"),
-                    ));
-                }
-            }
-        }
-        // Larger groups: phases at multiples of pi/m, so that m theta is on a line.
-        for (particles, m) in [(4usize, 1u32), (5, 2), (6, 3), (7, 1)] {
-            let field = CosineField::new(2 * m);
-            for minority in 0..particles.div_ceil(2) {
-                run.checkpoint()?;
-                let exponents: Vec<usize> =
-                    (0..particles).map(|k| 2 * (k % m as usize) + usize::from(k < minority)).collect();
-                cases += 1;
-                if let Some(what) = stationary_contradiction(variant, m, &at(&field, &exponents))? {
-                    return Ok(Outcome::fails(
-                        format!("m = {m}, {}: {what}", turns(&exponents, 2 * m as usize)),
-                        Evidence::new(Grade::Exact, "stationary points of U_m", "exact values"),
-                    ));
-                }
-            }
-        }
-        let identities = Run::all([(2, 2), (2, 3), (3, 1)].map(|(particles, m)| {
-            let part = format!("N/(2m^2) - U_m as a sum of squares, N = {particles}, m = {m}");
-            identity_of_phases(run, &Deficit { particles, m }, &names(particles, &[]), &part)
-        }))?;
-        let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn, m = 1 to 3; two clusters modulo 2 pi/m for N up to 7";
-        Run::all([
-            Ok(identities),
-            holds([
-                Evidence::new(Grade::Exact, "every N >= 2 and m", "the derivation"),
-                Evidence::new(Grade::Exhaustive, "extremes and saddles", detail).cases(cases),
-            ]),
-        ])
-    }
+/// Larger groups: phases at multiples of pi/m, so that m theta is on a line.
+fn two_clusters(variant: &MomentVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let sizes = [(4usize, 1u32), (5, 2), (6, 3), (7, 1)].into_iter();
+    let cases =
+        sizes.flat_map(|(particles, m)| (0..particles.div_ceil(2)).map(move |minority| (particles, m, minority)));
+    let evidence =
+        Evidence::new(Grade::Exact, "saddles of larger groups", "two clusters modulo 2 pi/m for N up to 7").on([3]);
+    run.every(evidence, cases, |(particles, m, minority)| {
+        let exponents: Vec<usize> = (0..particles).map(|k| 2 * (k % m as usize) + usize::from(k < minority)).collect();
+        let found = stationary_contradiction(variant, m, &at(&CosineField::new(2 * m), &exponents))?;
+        Ok(found.map(|what| format!("m = {m}, {}: {what}", turns(&exponents, 2 * m as usize))))
+    })
 }
 
 /// What contradicts the claim at an arrangement.
@@ -202,7 +163,7 @@ fn stationary_contradiction(variant: &MomentVariant, m: u32, z: &Exact) -> Resul
         return Ok(Some("U_m is out of its range".to_string()));
     }
     if low != (value.sign() == Some(Sign::Zero)) || high != (above == Some(Sign::Zero)) {
-        return Ok(Some(format!("U_m = {:?} is not where it is claimed to be extreme", value.rational_value())));
+        return Ok(Some(format!("U_m = {} is not where it is claimed to be extreme", value_of(&value)?)));
     }
     if low || high || !all_zero(&moment_gradient(z, m)?) {
         return Ok(None);

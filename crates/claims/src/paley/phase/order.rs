@@ -1,101 +1,86 @@
 //! paley.sync.par, paley.eq7, paley.eq8.ext, paley.eq8_10: synchrony, the order parameter and the potential U_1.
 
-use super::common::{
-    all_equal, complete, holds, identity_of_phases, laplacian, named, names, phasors, squared_lengths,
-};
-use super::common::{at, turns, up_to_rotation};
+use super::common::{N_AT_LEAST_2, at, supports, turns, up_to_rotation};
+use super::common::{all_equal, all_zero, argued, complete, identities, laplacian, named, phasors, squared_lengths};
+use super::figure2::value_of;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, CosineField, Dual, Field, Rational, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{
     State, gradient_control, laplacian_control, mean, moment, moment_gradient, moment_potential, pairwise_control,
     phase_gradient, rate_of_change, symmetric_pattern,
 };
 
-/// paley.sync.par.
-pub struct Synchronised;
+// --- Synchronised phases ---
 
-/// The common rate of synchronised phases, given `omega_0`.
+/// The common rate given `omega_0`, and whether one phase is apart from the others.
 #[derive(Clone, Copy)]
-pub struct RateVariant(fn(&Rational) -> Rational);
-
-impl Claim for Synchronised {
-    type Variant = RateVariant;
-
-    fn id(&self) -> &str {
-        "paley.sync.par"
-    }
-
-    fn derivation(&self) -> &str {
-        "The definition of a parallel formation asks for thetadot_k = 0. Phase locking gives equal rates only: under (6) with a control that \
-         vanishes at equal phases, such as (9) and (14), the common rate is omega_0, and for omega_0 != 0 all particles turn together on \
-         circles. Figure 1(c) of the paper shows just that and its caption says that it is no relative equilibrium of (1)-(2)."
-    }
-
-    fn printed(&self) -> RateVariant {
-        RateVariant(|_| rational(0, 1))
-    }
-
-    fn repair(&self) -> Option<Repair<RateVariant>> {
-        Some(Repair {
-            fault: Fault::False, clauses: Vec::new(),
-            statement: "A synchronised arrangement implies that the particles have a common direction at all times, which turns at their \
-                        common rate, omega_0 under (6) with (9) or (14); the formation is parallel if and only if that rate is zero."
-                .to_string(),
-            variant: RateVariant(Rational::clone),
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<RateVariant>> {
-        vec![
-            Control::new("the rate 2 omega_0", RateVariant(|omega| omega * rational(2, 1))),
-            Control::new("the rate -omega_0", RateVariant(|omega| -omega)),
-            Control::new("the rate |omega_0|", RateVariant(num_traits::Signed::abs)),
-        ]
-    }
-
-    fn examine(&self, variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut cases = 0;
-        for particles in 2..=5usize {
-            run.checkpoint()?;
-            let together = phasors(&vec![rational(2, 3); particles])?;
-            let path = laplacian(&named(&format!("path:{particles}"))?)?;
-            for (omega, gain) in [(0, 1), (0, -1), (1, -1), (1, 1), (-2, -1), (-2, 3)] {
-                let (omega, gain) = (rational(omega, 1), rational(gain, 1));
-                let laws = [gradient_control(&gain, &together)?, laplacian_control(&gain, &path, &together)?];
-                for rates in laws.map(|control| control.into_iter().map(|u| u + &omega).collect::<Vec<_>>()) {
-                    cases += 1;
-                    let claimed = (variant.0)(&omega);
-                    if !all_equal(&rates) || rates[0] != claimed {
-                        return Ok(Outcome::fails(
-                            format!(
-                                "N = {particles}, equal phases, omega_0 = {omega}, K_1 = {gain}: the phases are locked and turn at the \
-                                 rate {}, not {claimed}",
-                                rates[0]
-                            ),
-                            Evidence::new(Grade::Exact, "synchronised phases", "the law (6) at equal phases"),
-                        ));
-                    }
-                }
-            }
-        }
-        holds([Evidence::new(
-            Grade::Exact,
-            "common direction and rate",
-            "(6) with (9), and with (14) on paths, at equal phases, N = 2 to 5; sines of differences vanish for all N",
-        )
-        .cases(cases)])
-    }
+pub struct RateVariant {
+    rate: fn(&Rational) -> Rational,
+    apart: bool,
 }
 
-/// paley.eq7.
-pub struct OrderParameter;
+pub fn synchronised() -> Record<RateVariant> {
+    let right = RateVariant { rate: Rational::clone, apart: false };
+    Record::new(
+        "paley.sync.par",
+        "The definition of a parallel formation asks for thetadot_k = 0. Phase locking gives equal rates only: under (6) with a control that \
+         vanishes at equal phases, such as (9) and (14), the common rate is omega_0, and for omega_0 != 0 all particles turn together on \
+         circles. Figure 1(c) of the paper shows just that and its caption says that it is no relative equilibrium of (1)-(2).",
+        RateVariant { rate: |_| rational(0, 1), apart: false },
+        examine_rates,
+    )
+    .repaired(
+        Fault::False,
+        "A synchronised arrangement implies that the particles have a common direction at all times, which turns at their \
+         common rate, omega_0 under (6) with (9) or (14); the formation is parallel if and only if that rate is zero.",
+        right,
+    )
+    .repaired_clauses(&[
+        "In a synchronised arrangement the particles have a common direction at all times, which turns at their common rate.",
+        "Under (6) with (9) or (14) that rate is omega_0.",
+        "The formation is parallel if and only if that rate is zero.",
+    ])
+    .control("the rate 2 omega_0", RateVariant { rate: |omega| omega * rational(2, 1), ..right })
+    .control("one phase apart from the others", RateVariant { apart: true, ..right })
+}
 
-/// `p = factor (1/N) sum e^{i theta}`, turned by so many quarters.
+fn examine_rates(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let laws = [(0, 1), (0, -1), (1, -1), (1, 1), (-2, -1), (-2, 3)];
+    let cases = (2..=5usize).flat_map(|particles| laws.map(|(omega, gain)| (particles, omega, gain)));
+    let detail = "(6) with (9), and with (14) on paths, at equal phases, N = 2 to 5";
+    let rates = run.instances("common direction and rate", detail, cases, |(particles, omega, gain)| {
+        let mut t = vec![rational(2, 3); particles];
+        t[0] += rational(i64::from(variant.apart), 1);
+        let z = phasors(&t)?;
+        let path = laplacian(&named(&format!("path:{particles}"))?)?;
+        let (omega, gain) = (rational(omega, 1), rational(gain, 1));
+        let claimed = (variant.rate)(&omega);
+        for control in [gradient_control(&gain, &z)?, laplacian_control(&gain, &path, &z)?] {
+            let rates: Vec<Rational> = control.into_iter().map(|u| u + &omega).collect();
+            let law = format!("N = {particles}, omega_0 = {omega}, K_1 = {gain}");
+            if !all_equal(&z) || !all_equal(&rates) {
+                return Ok(Some(format!("{law}: directions or rates differ")));
+            }
+            if rates[0] != claimed || all_zero(&rates) != (claimed == rational(0, 1)) {
+                return Ok(Some(format!(
+                    "{law}, equal phases: the phases are locked and turn at the rate {}, not {claimed}",
+                    rates[0]
+                )));
+            }
+        }
+        Ok(None)
+    })?;
+    Run::all([Ok(supports(rates, &[1, 2, 3])), argued(&[1, 2, 3], "every N and graph", "O10")])
+}
+
+// --- Equation (7) ---
+
+/// `p` turned by so many quarters, and the factor of the sum of squares.
 #[derive(Clone, Copy)]
 pub struct OrderVariant {
-    factor: (i64, i64),
     quarters: u64,
+    squares: i64,
 }
 
 /// `Rdot = p` and `1 - |p|^2 = (1/(2 N^2)) sum_{k,j} |z_k - z_j|^2`.
@@ -115,55 +100,45 @@ impl RationalIdentity for Velocity {
 
     fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
         let z = phasors(t)?;
-        let like = t[0].one();
+        let (like, v) = (t[0].one(), &self.variant);
         let i = Complex::new(like.zero(), like.clone());
-        let p =
-            mean(&z)?.scale(&like.ratio(self.variant.factor.0, self.variant.factor.1)) * i.power(self.variant.quarters);
+        let p = mean(&z)? * i.power(v.quarters);
         let still = State { positions: vec![Complex::real(like.zero()); z.len()], phasors: z.clone() };
         let velocity = mean(&still.moving(&vec![like.zero(); z.len()], &[]).positions)?;
-        let spread = squared_lengths(&complete(z.len()), &z, &like) * like.ratio(1, 2 * (z.len() * z.len()) as i64);
+        let share = like.ratio(v.squares, 2 * (z.len() * z.len()) as i64);
+        let spread = squared_lengths(&complete(z.len()), &z, &like) * share;
         let deficit = like - p.norm_squared();
         Ok((vec![velocity.re.derivative, velocity.im.derivative, deficit], vec![p.re, p.im, spread]))
     }
 }
 
-impl Claim for OrderParameter {
-    type Variant = OrderVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq7"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn order_parameter() -> Record<OrderVariant> {
+    let printed = OrderVariant { quarters: 0, squares: 1 };
+    Record::new(
+        "paley.eq7",
         "Rdot = (1/N) sum rdot_j = (1/N) sum e^{i theta_j} by (1). 1 - |p|^2 = (1/(2 N^2)) sum_{k,j} |z_k - z_j|^2 >= 0 with equality \
          exactly for equal phases. p = 0 at all times is Rdot = 0, that is, R is fixed; an arrangement that is balanced at one instant only has \
-         Rdot = 0 at that instant."
-    }
-
-    fn printed(&self) -> OrderVariant {
-        OrderVariant { factor: (1, 1), quarters: 0 }
-    }
-
-    fn controls(&self) -> Vec<Control<OrderVariant>> {
-        vec![
-            Control::new("twice the sum", OrderVariant { factor: (2, 1), quarters: 0 }),
-            Control::new("p turned by a quarter", OrderVariant { factor: (1, 1), quarters: 1 }),
-            Control::new("-p", OrderVariant { factor: (-1, 1), quarters: 0 }),
-        ]
-    }
-
-    fn examine(&self, variant: &OrderVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let parts = (1..=4).map(|particles| {
-            let part = format!("Rdot = p and 1 - |p|^2 as a sum of squares, N = {particles}");
-            identity_of_phases(run, &Velocity { particles, variant: *variant }, &names(particles, &[]), &part)
-        });
-        let identities = Run::all(parts)?;
-        Run::all([Ok(identities), holds([Evidence::new(Grade::Exact, "every N", "the two lines of the derivation")])])
-    }
+         Rdot = 0 at that instant.",
+        printed,
+        |variant, run| {
+            let parts = (1..=4).map(|particles| {
+                let part = format!("Rdot = p and 1 - |p|^2 as a sum of squares, N = {particles}");
+                Ok((Velocity { particles, variant: *variant }, part))
+            });
+            identities(run, &[1, 2, 3, 4], &[], parts)
+        },
+    )
+    .clauses(&[
+        "0 <= |p_theta| <= 1.",
+        "|p_theta| = 1 for synchronized phases.",
+        "p_theta equals the velocity Rdot of the center of mass.",
+        "Each balanced arrangement corresponds to a fixed center of mass.",
+    ])
+    .control("p turned by a quarter", OrderVariant { quarters: 1, ..printed })
+    .control("twice the squares", OrderVariant { squares: 2, ..printed })
 }
 
-/// paley.eq8.ext.
-pub struct Extremes;
+// --- Equation (8) ---
 
 /// Which arrangements maximise, from how many particles on, and how many particles a rotation leaves out.
 #[derive(Clone, Copy)]
@@ -173,7 +148,7 @@ pub struct ExtremesVariant {
     left_out: usize,
 }
 
-/// `U_1` does not change when all phases are turned by the same angle.
+/// `U_1` does not change when all phases are turned by the same angle, the last variable.
 struct Rotation {
     particles: usize,
     left_out: usize,
@@ -194,89 +169,64 @@ impl RationalIdentity for Rotation {
     }
 }
 
-impl Claim for Extremes {
-    type Variant = ExtremesVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq8.ext"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn extremes() -> Record<ExtremesVariant> {
+    let printed = ExtremesVariant { swapped: false, least_particles: 2, left_out: 0 };
+    Record::new(
+        "paley.eq8.ext",
         "|p| does not change when all phases turn together. 0 <= |p| <= 1 (eq. 7), with |p| = 1 exactly for equal phases and p = 0 exactly for \
-         balanced ones, and both occur for N >= 2 (the splay state is balanced). N >= 2 throughout, as the paper says of its goals: one particle \
-         has no balanced arrangement and U_1 = 1/2 is constant."
-    }
+         balanced ones, and both occur for N >= 2 (the splay state is balanced). One particle has no balanced arrangement and U_1 = 1/2 is constant.",
+        printed,
+        |variant, run| {
+            let rotation = Rotation { particles: 3, left_out: variant.left_out };
+            let rotation = identities(run, &[1], &["turn"], [Ok((rotation, "rotational invariance, N = 3".into()))]);
+            Run::all([rotation, balanced_exist(variant, run), extreme_values(variant, run)])
+        },
+    )
+    .reading(N_AT_LEAST_2)
+    .clauses(&[
+        "U_1 is rotationally invariant.",
+        "U_1 is maximized by synchronized phase arrangements.",
+        "U_1 is minimized by balanced phase arrangements.",
+    ])
+    .control("maximised by balanced arrangements", ExtremesVariant { swapped: true, ..printed })
+    .control("balanced arrangements for N = 1 too", ExtremesVariant { least_particles: 1, ..printed })
+    .control("one phase not turned", ExtremesVariant { left_out: 1, ..printed })
+}
 
-    fn printed(&self) -> ExtremesVariant {
-        ExtremesVariant { swapped: false, least_particles: 2, left_out: 0 }
-    }
-
-    fn controls(&self) -> Vec<Control<ExtremesVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("maximised by balanced arrangements", ExtremesVariant { swapped: true, ..printed }),
-            Control::new("balanced arrangements for N = 1 too", ExtremesVariant { least_particles: 1, ..printed }),
-            Control::new("one phase not turned", ExtremesVariant { left_out: 1, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &ExtremesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let rotation = Rotation { particles: 3, left_out: variant.left_out };
-        let rotation = run.identity(&rotation, &["t1", "t2", "t3", "turn"], "rotational invariance, N = 3")?;
-        Run::all([Ok(rotation), extreme_values(variant, run)])
-    }
+fn balanced_exist(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let evidence = Evidence::new(Grade::Exact, "balanced arrangements exist", "the splay state, N = 2 to 12").on([3]);
+    run.every(evidence, variant.least_particles..=12, |particles| {
+        let splay = symmetric_pattern(particles, particles).unwrap_or_default();
+        let balanced = moment_potential(&splay, 1)?.sign() == Some(Sign::Zero);
+        Ok((!balanced).then(|| format!("N = {particles}: the splay state is not balanced")))
+    })
 }
 
 fn extreme_values(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, CheckError> {
     const PARTS: usize = 6;
-    let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "extremes", "exact values of U_1")));
-    for particles in variant.least_particles..=12 {
-        let splay = symmetric_pattern(particles, particles).unwrap_or_default();
-        let value = moment_potential(&splay, 1)?;
-        if value.sign() != Some(Sign::Zero) {
-            return fails(format!("N = {particles}: the splay state is not balanced"));
-        }
-    }
     let field = CosineField::new(PARTS as u32);
-    let mut cases = 0;
-    for particles in 2..=4usize {
-        run.checkpoint()?;
-        for exponents in up_to_rotation(particles, PARTS) {
-            let z = at(&field, &exponents);
-            let (value, p) = (moment_potential(&z, 1)?, moment(&z, 1)?);
-            let largest = value.ratio(particles as i64, 2);
-            let (balanced, together) = (p == p.zero(), all_equal(&z));
-            let (low, high) = if variant.swapped { (together, balanced) } else { (balanced, together) };
-            let is_least = value.sign() == Some(Sign::Zero);
-            let above = (value.clone() - &largest).sign();
-            cases += 1;
-            if value.sign() == Some(Sign::Negative)
-                || above == Some(Sign::Positive)
-                || is_least != low
-                || (above == Some(Sign::Zero)) != high
-            {
-                return fails(format!("N = {particles}, {}: U_1 = {value:?}", turns(&exponents, PARTS)));
-            }
-        }
-    }
-    holds([
-        Evidence::new(Grade::Exact, "balanced arrangements exist", "the splay state, N = 2 to 12"),
-        Evidence::new(
-            Grade::Exhaustive,
-            "extremes",
-            "all arrangements of 2 to 4 phases at multiples of 1/6 turn; |p| between 0 and 1 for all N by eq. 7",
-        )
-        .cases(cases),
-    ])
+    let detail = "all arrangements of 2 to 4 phases at multiples of 1/6 turn";
+    let arrangements = (2..=4usize).flat_map(|particles| up_to_rotation(particles, PARTS));
+    run.every(Evidence::new(Grade::Exhaustive, "extremes", detail).on([2, 3]), arrangements, |exponents| {
+        let z = at(&field, &exponents);
+        let (value, p) = (moment_potential(&z, 1)?, moment(&z, 1)?);
+        let above = (value.clone() - value.ratio(z.len() as i64, 2)).sign();
+        let (balanced, together) = (p == p.zero(), all_equal(&z));
+        let (low, high) = if variant.swapped { (together, balanced) } else { (balanced, together) };
+        let in_range = value.sign() != Some(Sign::Negative) && above != Some(Sign::Positive);
+        let extremes = (value.sign() == Some(Sign::Zero), above == Some(Sign::Zero));
+        let wrong = !in_range || extremes != (low, high);
+        let value = value_of(&value)?;
+        Ok(wrong.then(|| format!("N = {}, {}: U_1 = {value}", z.len(), turns(&exponents, PARTS))))
+    })
 }
 
-/// paley.eq8_10.
-pub struct GradientLaw;
+// --- The displays between (8) and (10) ---
 
 /// Signs and factors of the gradient, the sum over pairs and the decrease.
 #[derive(Clone, Copy)]
 pub struct GradientVariant {
-    gradient: (i64, i64),
+    gradient: i64,
     sine: i64,
     decrease: (i64, i64),
 }
@@ -307,7 +257,7 @@ impl RationalIdentity for GradientIdentity {
         let left = slopes.into_iter().chain([sum]).chain(rates).chain([decrease]);
         let right = printed
             .iter()
-            .map(|slope| slope.clone() * gain.ratio(v.gradient.0, v.gradient.1))
+            .map(|slope| slope.clone() * gain.integer(v.gradient))
             .chain([gain.zero()])
             .chain(pairs.into_iter().map(|pair| pair * gain.integer(v.sine) + omega))
             .chain([squares * gain * gain.ratio(v.decrease.0, v.decrease.1)]);
@@ -315,39 +265,28 @@ impl RationalIdentity for GradientIdentity {
     }
 }
 
-impl Claim for GradientLaw {
-    type Variant = GradientVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq8_10"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn gradient_law() -> Record<GradientVariant> {
+    let printed = GradientVariant { gradient: 1, sine: 1, decrease: (-1, 1) };
+    Record::new(
+        "paley.eq8_10",
         "dp/dtheta_k = i e^{i theta_k}/N gives the gradient; the sum is N <i p, p> = 0. <i e^{i theta_k}, e^{i theta_j}> = -sin theta_kj gives \
-         (10). Along (6) the rate of U_1 is grad U_1 (omega_0 1 - K_1 grad U_1), and grad U_1 is orthogonal to 1."
-    }
-
-    fn printed(&self) -> GradientVariant {
-        GradientVariant { gradient: (1, 1), sine: 1, decrease: (-1, 1) }
-    }
-
-    fn controls(&self) -> Vec<Control<GradientVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("the opposite gradient", GradientVariant { gradient: (-1, 1), ..printed }),
-            Control::new("sin theta_jk in (10)", GradientVariant { sine: -1, ..printed }),
-            Control::new("Udot with the opposite sign", GradientVariant { decrease: (1, 1), ..printed }),
-            Control::new("half the decrease", GradientVariant { decrease: (-1, 2), ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &GradientVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let parts = (2..=3).map(|particles| {
-            let part = format!("gradient, its sum, (10) and the rate of U_1, N = {particles}");
-            let identity = GradientIdentity { particles, variant: *variant };
-            identity_of_phases(run, &identity, &names(particles, &["K1", "omega0"]), &part)
-        });
-        let identities = Run::all(parts)?;
-        Run::all([Ok(identities), holds([Evidence::new(Grade::Exact, "every N", "the lines of the derivation")])])
-    }
+         (10). Along (6) the rate of U_1 is grad U_1 (omega_0 1 - K_1 grad U_1), and grad U_1 is orthogonal to 1.",
+        printed,
+        |variant, run| {
+            let parts = (2..=3).map(|particles| {
+                let part = format!("gradient, its sum, (10) and the rate of U_1, N = {particles}");
+                Ok((GradientIdentity { particles, variant: *variant }, part))
+            });
+            identities(run, &[1, 2, 3, 4], &["K1", "omega0"], parts)
+        },
+    )
+    .clauses(&[
+        "dU_1/dtheta_k = <i e^{i theta_k}, p_theta>.",
+        "1^T dU_1/dtheta = 0.",
+        "With (9) the phase model (6) is equivalent to (10): thetadot_k = omega_0 + (K_1/N) sum_j sin theta_kj.",
+        "Along it Udot_1 = -K_1 sum_k <i e^{i theta_k}, p_theta>^2.",
+    ])
+    .control("the opposite gradient", GradientVariant { gradient: -1, ..printed })
+    .control("sin theta_jk in (10)", GradientVariant { sine: -1, ..printed })
+    .control("half the decrease", GradientVariant { decrease: (-1, 2), ..printed })
 }

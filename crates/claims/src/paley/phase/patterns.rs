@@ -1,9 +1,11 @@
 //! paley.patterns.two, paley.eq23, paley.thm3.min: symmetric patterns, their moments, and the potential they minimise.
 
-use super::common::{Exact, at, holds, turns, up_to_rotation};
-use arithmetic::{CosineField, Rational, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use super::common::{Exact, N_AT_LEAST_2, at, turns, up_to_rotation};
+use super::figure2::value_of;
+use arithmetic::{CosineField, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::{clusters_of_pattern, moment, pattern_potential, symmetric_pattern};
+use std::collections::BTreeSet;
 
 fn pattern(clusters: u32, particles: u32) -> Result<Exact, CheckError> {
     symmetric_pattern(clusters, particles)
@@ -14,8 +16,7 @@ fn divisors(n: u32) -> impl Iterator<Item = u32> {
     (1..=n).filter(move |m| n.is_multiple_of(*m))
 }
 
-/// paley.patterns.two.
-pub struct TwoPatterns;
+// --- Two patterns ---
 
 /// The least `N`, and how many symmetric patterns there are at least.
 #[derive(Clone, Copy)]
@@ -24,66 +25,33 @@ pub struct TwoVariant {
     count: usize,
 }
 
-impl Claim for TwoPatterns {
-    type Variant = TwoVariant;
-
-    fn id(&self) -> &str {
-        "paley.patterns.two"
-    }
-
-    fn derivation(&self) -> &str {
-        "1 and N divide N and differ for N >= 2. The sentence says \"for any N\": one particle has one pattern, both synchronised and splay. A prime N has no third \
-         pattern."
-    }
-
-    fn printed(&self) -> TwoVariant {
-        TwoVariant { least: 1, count: 2 }
-    }
-
-    fn repair(&self) -> Option<Repair<TwoVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement:
-                "For any N >= 2 there exist at least two symmetric patterns, the (1,N)-pattern and the (N,N)-pattern."
-                    .to_string(),
-            variant: TwoVariant { least: 2, count: 2 },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<TwoVariant>> {
-        vec![
-            Control::new("at least three", TwoVariant { least: 2, count: 3 }),
-            Control::new("at least three from N = 4 on", TwoVariant { least: 4, count: 3 }),
-        ]
-    }
-
-    fn examine(&self, variant: &TwoVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const MOST: u32 = 12;
-        for particles in variant.least..=MOST {
-            run.checkpoint()?;
-            let found = divisors(particles)
-                .map(|m| Ok(clusters_of_pattern(&pattern(m, particles)?)))
-                .collect::<Result<std::collections::BTreeSet<_>, CheckError>>()?;
-            let named = [1, particles].iter().all(|m| found.contains(&Some(*m)));
-            if !named || found.len() < variant.count {
-                return Ok(Outcome::fails(
-                    format!("N = {particles}: the numbers of clusters are {found:?}"),
-                    Evidence::new(Grade::Exact, "patterns", "exact phasors"),
-                ));
-            }
-        }
-        holds([Evidence::new(
-            Grade::Exact,
-            "two patterns",
-            "exact patterns for N = 2 to 12; for all N by the derivation",
-        )
-        .cases(MOST as usize - 1)])
-    }
+pub fn two_patterns() -> Record<TwoVariant> {
+    let printed = TwoVariant { least: 2, count: 2 };
+    Record::new(
+        "paley.patterns.two",
+        "1 and N divide N and differ for N >= 2. One particle has one pattern, both synchronised and splay. A prime N has no third pattern.",
+        printed,
+        |variant, run| {
+            let evidence = Evidence::new(Grade::Exact, "two patterns", "exact patterns for N = 2 to 12").on([1, 2]);
+            run.every(evidence, variant.least..=12, |particles| {
+                let clusters = |m| Ok(clusters_of_pattern(&pattern(m, particles)?));
+                let found = divisors(particles).map(clusters).collect::<Result<BTreeSet<_>, CheckError>>()?;
+                let named = [1, particles].iter().all(|m| found.contains(&Some(*m)));
+                let wrong = !named || found.len() < variant.count;
+                Ok(wrong.then(|| format!("N = {particles}: the numbers of clusters are {found:?}")))
+            })
+        },
+    )
+    .reading(N_AT_LEAST_2)
+    .clauses(&[
+        "For any N there exist the (1,N)-pattern (synchronized state) and the (N,N)-pattern (splay state).",
+        "These are two symmetric patterns.",
+    ])
+    .control("one particle too", TwoVariant { least: 1, ..printed })
+    .control("at least three", TwoVariant { count: 3, ..printed })
 }
 
-/// paley.eq23.
-pub struct MomentsOfPatterns;
+// --- Moments ---
 
 /// Up to which moment a pattern is balanced, whether the last one is multiplied by `M`, and whether all patterns are balanced.
 #[derive(Clone, Copy)]
@@ -93,149 +61,106 @@ pub struct MomentsVariant {
     synchronised_too: bool,
 }
 
-impl Claim for MomentsOfPatterns {
-    type Variant = MomentsVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq23"
-    }
-
-    fn derivation(&self) -> &str {
-        "The m-th powers of the M-th roots of unity sum to M if M divides m and to 0 otherwise; each root occurs N/M times. So p_m = 0 for 0 < m < M and |p_M| = 1/M. \
-         M >= 2 gives p_1 = 0."
-    }
-
-    fn printed(&self) -> MomentsVariant {
-        MomentsVariant { beyond: 0, multiplied: true, synchronised_too: false }
-    }
-
-    fn controls(&self) -> Vec<Control<MomentsVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("p_M = 0 too", MomentsVariant { beyond: 1, ..printed }),
-            Control::new("|p_M| = 1", MomentsVariant { multiplied: false, ..printed }),
-            Control::new("the synchronised state balanced", MomentsVariant { synchronised_too: true, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &MomentsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let most = run.cases(10, 16) as u32;
-        let mut cases = 0;
-        for particles in (1..=most).chain([12]) {
-            for clusters in divisors(particles) {
-                run.checkpoint()?;
-                let z = pattern(clusters, particles)?;
-                cases += 1;
-                let fails = |what: String| {
-                    let what = format!("M = {clusters}, N = {particles}: {what}");
-                    Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "moments of patterns", "exact sums")))
-                };
-                for m in 1..clusters + variant.beyond {
-                    if moment(&z, m)?.norm_squared().sign() != Some(Sign::Zero) {
-                        return fails(format!("p_{m} is not zero"));
-                    }
-                }
-                let last = moment(&z, clusters)?.norm_squared();
-                let factor = if variant.multiplied { i64::from(clusters) } else { 1 };
-                if last.clone() * last.integer(factor * factor) != last.one() {
-                    return fails(format!("|p_M|^2 = {:?}", last.rational_value()));
-                }
-                let balanced = moment(&z, 1)?.norm_squared().sign() == Some(Sign::Zero);
-                if !balanced && (clusters > 1 || variant.synchronised_too) {
-                    return fails("not balanced".to_string());
-                }
+impl MomentsVariant {
+    fn contradiction(&self, clusters: u32, z: &Exact) -> Result<Option<String>, CheckError> {
+        let vanishes = |m| Ok::<_, CheckError>(moment(z, m)?.norm_squared().sign() == Some(Sign::Zero));
+        for m in 1..clusters + self.beyond {
+            if !vanishes(m)? {
+                return Ok(Some(format!("p_{m} is not zero")));
             }
         }
-        let detail = format!(
-            "all patterns of up to {most} particles and of 12, exact roots of unity; for all by the derivation"
-        );
-        holds([Evidence::new(Grade::Exhaustive, "moments of patterns", detail).cases(cases)])
+        let last = moment(z, clusters)?.norm_squared();
+        let factor = if self.multiplied { i64::from(clusters) } else { 1 };
+        if last.clone() * last.integer(factor * factor) != last.one() {
+            return Ok(Some(format!("|p_M|^2 = {}", value_of(&last)?)));
+        }
+        let unbalanced = !vanishes(1)? && (clusters > 1 || self.synchronised_too);
+        Ok(unbalanced.then(|| "not balanced".to_string()))
     }
 }
 
-/// paley.thm3.min.
-pub struct Minimisers;
+pub fn moments_of_patterns() -> Record<MomentsVariant> {
+    let printed = MomentsVariant { beyond: 0, multiplied: true, synchronised_too: false };
+    Record::new(
+        "paley.eq23",
+        "The m-th powers of the M-th roots of unity sum to M if M divides m and to 0 otherwise; each root occurs N/M times. So p_m = 0 for 0 < m < M and |p_M| = 1/M. \
+         M >= 2 gives p_1 = 0.",
+        printed,
+        |variant, run| {
+            let most = run.cases(10, 16) as u32;
+            let sizes = (1..=most).chain([12]).flat_map(|particles| divisors(particles).map(move |m| (m, particles)));
+            let detail = format!("all patterns of up to {most} particles and of 12, exact roots of unity");
+            let evidence = Evidence::new(Grade::Exhaustive, "moments of patterns", detail).on([1, 2, 3]);
+            run.every(evidence, sizes, |(clusters, particles)| {
+                let found = variant.contradiction(clusters, &pattern(clusters, particles)?)?;
+                Ok(found.map(|what| format!("M = {clusters}, N = {particles}: {what}")))
+            })
+        },
+    )
+    .clauses(&[
+        "Symmetric (M,N)-patterns satisfy p_{m theta} = 0 for m = 1, ..., M-1.",
+        "They satisfy M |p_{M theta}| = 1.",
+        "All of the symmetric patterns other than the synchronized state are balanced.",
+    ])
+    .control("p_M = 0 too", MomentsVariant { beyond: 1, ..printed })
+    .control("|p_M| = 1", MomentsVariant { multiplied: false, ..printed })
+    .control("the synchronised state balanced", MomentsVariant { synchronised_too: true, ..printed })
+}
 
-/// The gains `K_1, ..., K_M`.
-#[derive(Clone, Copy)]
-pub struct MinimisersVariant(fn(m: u32, last: u32) -> Rational);
+// --- Minimisers ---
 
-impl Claim for Minimisers {
-    type Variant = MinimisersVariant;
+/// The gain `K_m` of `K_1, ..., K_M`, given `m` and `M`.
+type Gains = fn(m: u32, last: u32) -> Rational;
 
-    fn id(&self) -> &str {
-        "paley.thm3.min"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn minimisers() -> Record<Gains> {
+    let printed: Gains = |m, last| if m < last { rational(1, i64::from(m) + 1) } else { rational(-1, 1) };
+    Record::new(
+        "paley.thm3.min",
         "0 <= U_m <= N/(2m^2), so U^{M,N} >= K_M N/(2M^2) with equality exactly if p_1 = ... = p_{M-1} = 0 and M |p_M| = 1 (the gains before K_M are positive, K_M is \
          negative); patterns do that (eq. 23). Conversely M |p_M| = 1 makes all z_k^M equal: z_k = c w^{j_k} with w = e^{2 pi i/M}; if n_j particles sit at c w^j, then \
-         sum_j n_j w^{mj} = 0 for 0 < m < M, so n, whose Fourier coefficients vanish but for the mean, is constant: n_j = N/M."
-    }
+         sum_j n_j w^{mj} = 0 for 0 < m < M, so n, whose Fourier coefficients vanish but for the mean, is constant: n_j = N/M.",
+        printed,
+        examine_minimisers,
+    )
+    .control("K_M > 0", |_, _| rational(1, 1))
+    .control("K_{M-1} = 0", |m, last| rational(if m == last { -1 } else { i64::from(m + 1 != last) }, 1))
+}
 
-    fn printed(&self) -> MinimisersVariant {
-        MinimisersVariant(|m, last| if m < last { rational(1, i64::from(m) + 1) } else { rational(-1, 1) })
-    }
+/// A size, with the gains and the bound of the potential.
+struct Size {
+    parts: usize,
+    clusters: u32,
+    field: CosineField,
+    gains: Vec<RealCyclotomic>,
+    bound: RealCyclotomic,
+}
 
-    fn controls(&self) -> Vec<Control<MinimisersVariant>> {
-        vec![
-            Control::new("K_M > 0", MinimisersVariant(|_, _| rational(1, 1))),
-            Control::new(
-                "K_{M-1} = 0",
-                MinimisersVariant(|m, last| {
-                    rational(
-                        if m + 1 == last {
-                            0
-                        } else if m < last {
-                            1
-                        } else {
-                            -1
-                        },
-                        1,
-                    )
-                }),
-            ),
-            Control::new("K_1 < 0", MinimisersVariant(|m, last| rational(if m == 1 || m == last { -1 } else { 1 }, 1))),
-        ]
-    }
-
-    fn examine(&self, variant: &MinimisersVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let largest = run.cases(4, 6) as u32;
-        let mut cases = 0;
-        for (particles, parts) in [(1usize, 12usize), (2, 12), (3, 6), (4, 4), (6, 6)] {
-            let field = CosineField::new(parts as u32);
-            for clusters in divisors(particles as u32).filter(|&m| m <= largest) {
-                let gains: Vec<_> = (1..=clusters).map(|m| field.number(&(variant.0)(m, clusters))).collect();
-                let bound = field.number(
-                    &((variant.0)(clusters, clusters) * rational(particles as i64, 2 * i64::from(clusters * clusters))),
-                );
-                // The potential does not depend on the order of the particles.
-                let sorted = up_to_rotation(particles, parts).filter(|exponents| exponents.is_sorted());
-                for exponents in sorted {
-                    run.checkpoint()?;
-                    let z = at(&field, &exponents);
-                    let room = pattern_potential(&gains, &z)? - &bound;
-                    let is_pattern = clusters_of_pattern(&z) == Some(clusters);
-                    cases += 1;
-                    // The bound is reached at patterns, so it is the global minimum.
-                    if room.sign() == Some(Sign::Negative) || is_pattern != (room.sign() == Some(Sign::Zero)) {
-                        let which = if is_pattern { "the pattern is above" } else { "no pattern, but not above" };
-                        return Ok(Outcome::fails(
-                            format!("M = {clusters}, {}: {which} K_M N/(2M^2)", turns(&exponents, parts)),
-                            Evidence::new(Grade::Exact, "minimisers", "exact values of (25)"),
-                        ));
-                    }
-                }
-            }
-        }
-        holds([
-            Evidence::new(Grade::Exact, "every N, M and admissible gains", "the derivation"),
-            Evidence::new(
-                Grade::Exhaustive,
-                "minimum exactly at patterns",
-                "all arrangements at multiples of 1/12 turn (N = 1, 2), 1/6 (N = 3, 6) and 1/4 (N = 4), all divisors M (M = 6 with --full), one choice of gains",
-            )
-            .cases(cases),
-        ])
-    }
+fn examine_minimisers(variant: &Gains, run: &mut Run) -> Result<Outcome, CheckError> {
+    let largest = run.cases(4, 6) as u32;
+    let sizes = [(1u32, 12usize), (2, 12), (3, 6), (4, 4), (6, 6)].into_iter();
+    let sizes = sizes.flat_map(|(n, parts)| divisors(n).filter(|&m| m <= largest).map(move |m| (n, parts, m)));
+    let size = |(particles, parts, clusters): (u32, usize, u32)| {
+        let field = CosineField::new(parts as u32);
+        let gains = (1..=clusters).map(|m| field.number(&variant(m, clusters))).collect();
+        let share = rational(i64::from(particles), 2 * i64::from(clusters * clusters));
+        let bound = field.number(&(variant(clusters, clusters) * share));
+        (particles as usize, Size { parts, clusters, field, gains, bound })
+    };
+    let sizes: Vec<(usize, Size)> = sizes.map(size).collect();
+    // The potential does not depend on the order of the particles.
+    let cases = sizes.iter().flat_map(|(particles, size)| {
+        let sorted = up_to_rotation(*particles, size.parts).filter(|exponents| exponents.is_sorted());
+        sorted.map(move |exponents| (size, exponents))
+    });
+    let detail = "all arrangements at multiples of 1/12 turn (N = 1, 2), 1/6 (N = 3, 6) and 1/4 (N = 4), all divisors M (M = 6 with --full), one choice of gains";
+    run.every(Evidence::new(Grade::Exhaustive, "minimum exactly at patterns", detail), cases, |(size, exponents)| {
+        let z = at(&size.field, &exponents);
+        let room = (pattern_potential(&size.gains, &z)? - &size.bound).sign();
+        let is_pattern = clusters_of_pattern(&z) == Some(size.clusters);
+        // The bound is reached at patterns, so it is the global minimum.
+        let wrong = room == Some(Sign::Negative) || is_pattern != (room == Some(Sign::Zero));
+        let which = if is_pattern { "the pattern is above" } else { "no pattern, but not above" };
+        let place = || format!("M = {}, {}", size.clusters, turns(&exponents, size.parts));
+        Ok(wrong.then(|| format!("{}: {which} K_M N/(2M^2)", place())))
+    })
 }

@@ -1,18 +1,13 @@
 //! paley.ref: the potential with a reference phase.
 
 use super::common::up_to_rotation;
-use super::common::{
-    all_equal, arcs, at, holds, identity_of_phases, laplacian, named, names, phasors, squared_lengths, turns,
-};
+use super::common::{all_equal, arcs, at, identities, laplacian, named, phasors, squared_lengths, turns};
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, CosineField, Field, Sign, Signed};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{Evidence, Grade, Record, Run};
 use models::oscillator::phase_potential;
-
-/// paley.ref.
-pub struct ReferencePhase;
 
 /// The sign before the cosine, and the graphs for which there is no other minimiser.
 #[derive(Clone, Copy)]
@@ -29,7 +24,7 @@ fn potential<T: Field>(laplacian: &SparseMatrix, z: &[Complex<T>], sign: i64) ->
     Ok(phase_potential(laplacian, particles, 1)? + reference.re.one() + cosine)
 }
 
-/// The potential as a sum of squares.
+/// The potential as a sum of squares; the first variable is the reference.
 struct Squares {
     graph: WeightedGraph,
     laplacian: SparseMatrix,
@@ -50,71 +45,39 @@ impl RationalIdentity for Squares {
     }
 }
 
-impl Claim for ReferencePhase {
-    type Variant = ReferenceVariant;
-
-    fn id(&self) -> &str {
-        "paley.ref"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn reference_phase() -> Record<ReferenceVariant> {
+    let printed = ReferenceVariant { sign: -1, unique_on: Graph::is_connected };
+    Record::new(
+        "paley.ref",
         "W_1 >= 0 and 1 - cos >= 0, both zero at theta_k = theta_0. The sum is (1/(4N)) sum over arcs of |z_k - z_j|^2 + |z_0 - z_N|^2/2: on a connected graph, as the \
-         section assumes, there is no other global minimiser. (There may be other stationary points.)"
-    }
-
-    fn printed(&self) -> ReferenceVariant {
-        ReferenceVariant { sign: -1, unique_on: Graph::is_connected }
-    }
-
-    fn controls(&self) -> Vec<Control<ReferenceVariant>> {
-        vec![
-            Control::new("1 + cos", ReferenceVariant { sign: 1, ..self.printed() }),
-            Control::new("unique on every graph", ReferenceVariant { unique_on: |_| true, ..self.printed() }),
-        ]
-    }
-
-    fn examine(&self, variant: &ReferenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        const PARTS: usize = 4;
-        let field = CosineField::new(PARTS as u32);
-        let mut cases = 0;
-        for graph in (1..=3).flat_map(Graph::all) {
-            let weighted = WeightedGraph::from(&graph);
-            let laplacian = laplacian(&weighted)?;
-            for exponents in up_to_rotation(graph.order() + 1, PARTS) {
-                run.checkpoint()?;
-                let z = at(&field, &exponents);
-                let sign = potential(&laplacian, &z, variant.sign)?.sign();
-                let together = all_equal(&exponents);
-                cases += 1;
-                let zero = sign == Some(Sign::Zero);
-                if sign == Some(Sign::Negative) || together && !zero || zero && !together && (variant.unique_on)(&graph)
-                {
-                    let what = format!(
-                        "{}, the reference and the particles at {}: the potential is {}zero",
-                        arcs(&weighted),
-                        turns(&exponents, PARTS),
-                        if zero { "" } else { "not " }
-                    );
-                    return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "minimisers", "exact values")));
-                }
-            }
-        }
-        let mut parts = Vec::new();
-        for name in ["path:2", "path:3", "ring:3"] {
-            let graph = named(name)?;
-            let identity = Squares { laplacian: laplacian(&graph)?, graph, sign: variant.sign };
-            let names = names(identity.variables(), &[]);
-            parts.push(identity_of_phases(run, &identity, &names, &format!("the sum of squares, {name}")));
-        }
-        let identities = Run::all(parts)?;
-        Run::all([
-            Ok(identities),
-            holds([Evidence::new(
-                Grade::Exhaustive,
-                "global minimisers",
-                "all undirected graphs of up to 3 nodes, all arrangements of quarter turns; for all by the sum of squares",
-            )
-            .cases(cases)]),
-        ])
-    }
+         section assumes, there is no other global minimiser. (There may be other stationary points.)",
+        printed,
+        |variant, run| {
+            const PARTS: usize = 4;
+            let field = CosineField::new(PARTS as u32);
+            let detail = "all undirected graphs of up to 3 nodes, all arrangements of quarter turns";
+            let cases = (1..=3).flat_map(Graph::all).flat_map(|graph| {
+                up_to_rotation(graph.order() + 1, PARTS).map(move |exponents| (graph.clone(), exponents))
+            });
+            let minimisers = run.every(Evidence::new(Grade::Exhaustive, "global minimisers", detail), cases, |case| {
+                let (graph, exponents) = case;
+                let weighted = WeightedGraph::from(&graph);
+                let sign = potential(&laplacian(&weighted)?, &at(&field, &exponents), variant.sign)?.sign();
+                let (together, zero) = (all_equal(&exponents), sign == Some(Sign::Zero));
+                let unique = zero && !together && (variant.unique_on)(&graph);
+                let wrong = sign == Some(Sign::Negative) || together && !zero || unique;
+                let place = || format!("{}, the reference and the particles at {}", arcs(&weighted), turns(&exponents, PARTS));
+                Ok(wrong.then(|| format!("{}: the potential is {}zero", place(), if zero { "" } else { "not " })))
+            });
+            let squares = ["path:2", "path:3", "ring:3"].map(|name| {
+                let graph = named(name)?;
+                let identity = Squares { laplacian: laplacian(&graph)?, graph, sign: variant.sign };
+                Ok((identity, format!("the sum of squares, {name}")))
+            });
+            let squares = identities(run, &[1], &[], squares);
+            Run::all([minimisers, squares])
+        },
+    )
+    .control("1 + cos", ReferenceVariant { sign: 1, ..printed })
+    .control("unique on every graph", ReferenceVariant { unique_on: |_| true, ..printed })
 }

@@ -1,11 +1,12 @@
 //! Laws of the phase model against naive sums over angles, and gradients against duals.
 
 use algebra::graph::{LaplacianKind, NamedGraph, WeightedGraph};
-use arithmetic::{Complex, Dual, Rational, Ring, rational};
+use arithmetic::{Complex, CosineField, Dual, Rational, Ring, rational};
 use models::oscillator::{
-    clusters_of_pattern, gradient_control, laplacian_control, misalignment, moment, moment_gradient, moment_potential,
-    pairwise_control, pattern_control, pattern_gradient, pattern_potential, phase_gradient, phase_jacobian,
-    phase_potential, phase_potential_gradient, phasor, symmetric_pattern,
+    Interaction, Neighbours, circulant_eigenvalue, clusters_of_pattern, gradient_control, laplacian_control,
+    misalignment, moment, moment_gradient, moment_potential, pairwise_control, pattern_control, pattern_gradient,
+    pattern_potential, phase_gradient, phase_jacobian, phase_potential, phase_potential_gradient, phasor,
+    symmetric_pattern,
 };
 
 const ANGLES: [f64; 5] = [0.3, 1.7, -2.1, 2.9, -0.4];
@@ -18,7 +19,7 @@ fn exact() -> Vec<Complex<Rational>> {
     [(0, 1), (1, 2), (-3, 1), (5, 7), (-1, 1)].iter().map(|&(p, q)| phasor(&rational(p, q)).unwrap()).collect()
 }
 
-/// 1 takes account of 2 and 3, 2 of 3, 3 of 1 with weight 2, 4 and 5 of each other.
+/// 1 has the neighbours 2 and 3, 2 has 3, 3 has 1 with weight 2, 4 and 5 have each other.
 fn digraph() -> WeightedGraph {
     let arcs = [(0, 1, 1), (0, 2, 1), (1, 2, 1), (2, 0, 2), (3, 4, 1), (4, 3, 1)];
     WeightedGraph::from_arcs(5, arcs.map(|(i, j, weight)| (i, j, rational(weight, 1))))
@@ -123,4 +124,19 @@ fn patterns_are_recognised() {
     let ring = NamedGraph::Ring(4).build().unwrap().matrix(LaplacianKind::OutDegree).unwrap();
     let rhombus = [z[0].clone(), z[1].clone(), -z[0].clone(), -z[1].clone()];
     assert!(misalignment(&ring, &rhombus).iter().all(|x| *x == rational(0, 1)));
+}
+
+#[test]
+fn eigenvalues_of_circulants_belong_to_fourier_columns() {
+    for (order, offsets) in [(5usize, vec![1usize]), (6, vec![1, 3, 5]), (7, vec![2, 3])] {
+        let field = CosineField::new(order as u32);
+        let column = |q: usize| (0..order).map(|k| field.phasor((q * k) as i64)).collect::<Vec<_>>();
+        let network = Neighbours::from_fn(order, |k, j| offsets.contains(&((j + order - k) % order)));
+        for q in 0..order {
+            let value = circulant_eigenvalue(&column(1), offsets.iter().copied(), q);
+            for (image, x) in network.laplacian_of(&column(q)).into_iter().zip(column(q)) {
+                assert_eq!(image, x * &value);
+            }
+        }
+    }
 }

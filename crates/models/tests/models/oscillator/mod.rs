@@ -1,4 +1,5 @@
 //! Oscillators: potentials against their definitions, controls against gradients, exact patterns.
 
+mod all_to_all;
 mod fields;
 mod laws;

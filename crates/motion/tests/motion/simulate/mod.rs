@@ -1,5 +1,5 @@
 //! Mirrors `src/simulate`.
 
 mod integrators;
-mod phases;
+mod sines;
 mod statistics;

@@ -1,6 +1,7 @@
-//! Phases that are all coupled to one another, in O(N) a step.
+//! The phase law (10) in floats for many phases: on all processors, in O(N) a step. The law over any scalar is
+//! [`gradient_control`](super::gradient_control), its twin in the tests.
 
-use super::{CHUNK, VectorField, sin_cos_of};
+use motion::{CHUNK, VectorField, sin_cos_of};
 use rayon::prelude::*;
 
 /// `dθ_k/dt = frequency + (gain/N) sum_j sin(θ_k - θ_j)` (Paley, Leonard, Sepulchre, Grünbaum and Parrish 2007, the phase model

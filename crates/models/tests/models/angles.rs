@@ -1,0 +1,26 @@
+//! Angles modulo whole turns against adding and taking away turns one by one.
+
+use models::angles::{modulo_turns, within_a_turn};
+use std::f64::consts::{PI, TAU};
+
+/// The angle with as few turns added or taken away as bring it to `least` or above, and below one turn more.
+fn naive(mut angle: f64, least: f64) -> f64 {
+    while angle < least {
+        angle += TAU;
+    }
+    while angle >= least + TAU {
+        angle -= TAU;
+    }
+    angle
+}
+
+#[test]
+fn turns_are_taken_away() {
+    for k in -400..=400 {
+        let angle = f64::from(k) * 0.1;
+        assert!((modulo_turns(angle) - naive(angle, -PI)).abs() < 1e-12, "{angle}");
+        assert!((within_a_turn(angle) - naive(angle, 0.0)).abs() < 1e-12, "{angle}");
+    }
+    assert_eq!(modulo_turns(1e-20), 1e-20);
+    assert!(modulo_turns(PI).abs() == PI && modulo_turns(-PI).abs() == PI);
+}
