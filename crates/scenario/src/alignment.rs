@@ -14,7 +14,8 @@ use super::turns::Turns;
 use arithmetic::ArithmeticError;
 use models::double_integrator::{
     self, Coordinates, Flock, HeadingDifference, Pair, State, SwitchingFlock, Vector, disagreement, gyroscopic,
-    heading, heading_rate, heading_spread, kinetic_energy, potential_energy, potential_gradients, velocity_alignment,
+    heading, heading_rate, heading_spread, kinetic_energy, potential_energy, potential_gradients, saturated_potential,
+    velocity_alignment,
 };
 use motion::VectorField;
 
@@ -221,8 +222,8 @@ impl Law for Agents {
                     None => potential,
                     // All other pairs are beyond the radius.
                     Some(radius) => {
-                        let beyond = self.count * (self.count - 1) / 2 - self.network.pairs().len();
-                        potential + beyond as f64 * self.potential.value(&(radius * radius))?
+                        let beyond = self.potential.value(&(radius * radius))?;
+                        saturated_potential(&state.positions, self.network.pairs(), PLANE, value, &beyond)?
                     }
                 };
                 all.push(Observable::number("saturated_energy", saturated + kinetic));
