@@ -167,7 +167,7 @@ pub fn endless_switching() -> Record<(Potential, Rational)> {
     )
     .stated(
         "limits tanner2, end of the proof of Theorem 2",
-        "With V' = (s-1)(s-3)²(s+3/5)/s² (a potential of Definition 3, increasing beyond s = 1) and R² = 3, switching by distance goes on for ever from all starts of four agents that are near two equilateral triangles side by side, keep the two diagonals, and are not themselves at rest there.",
+        "With V' = (s-1)(s-3)²(s+3/5)/s² (a potential of Definition 3, increasing beyond s = 1) and R² = 3, switching by distance goes on for ever from all starts of four agents that are near two equilateral triangles side by side, mirror symmetric about both diagonals, and not at rest in that position.",
     )
     .control("V = s + 1/s - 2, whose slope at R is positive", (spring(), q(3)))
     .control("R² = 4", (Potential::with_inflection(&q(4)), q(4)))

@@ -66,7 +66,7 @@ fn swings(swing: Swing, run: &mut Run) -> Result<Result<Evidence, Outcome>, Chec
         return Ok(Err(Outcome::fails(what, evidence.on([2]))));
     }
     Ok(match swing.keeps_direction()? {
-        Some(true) => Ok(evidence.for_all()),
+        Some(true) => Ok(evidence),
         Some(false) => {
             let what = format!("{}: the front one comes to rest, where it has no heading", swing.describe());
             Err(Outcome::fails(what, evidence.on([2])))
@@ -96,7 +96,7 @@ fn examine_distances(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome
         );
         return Ok(Outcome::fails(what, swing));
     }
-    Run::all([Ok(energy_is_constant(run)?.on([1])), Ok(Outcome::Holds(vec![swing.on([2])]))])
+    Run::all([Ok(energy_is_constant(run)?.on([1])), Ok(Outcome::Holds(vec![swing.on([2]).for_all()]))])
 }
 
 pub fn distances() -> Record<DistanceVariant> {
@@ -216,7 +216,7 @@ fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckE
     Run::all([
         Ok(forces?.on([1])),
         argued(&[1], "forces at equal constant headings", "notes/tanner1.md, Heading dynamics, step 6"),
-        Ok(Outcome::Holds(vec![swing.on([2])])),
+        Ok(Outcome::Holds(vec![swing.on([2]).for_all()])),
     ])
 }
 

@@ -148,7 +148,7 @@ pub fn fig5() -> Record<FigureVariant> {
 pub fn fig6() -> Record<FigureVariant> {
     const PARTS: &[Part] = &[
         Part {
-            what: "links within 2 m, connected at the start: more than one component after 100 s",
+            what: "connected at the start: more than one component after 100 s",
             seen: |trial| trial.start.components == 1 && trial.end.components > 1,
             can: true,
         },

@@ -66,7 +66,6 @@ pub fn uniqueness() -> Record<UniqueVariant> {
         "Solutions of xdot = f(x) are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x - y|² for almost all x, y near each point.",
         UniqueVariant(|left, right| right <= left),
     )
-    .control("fields bounded by 1", UniqueVariant(|left, right| left.abs() <= 1 && right.abs() <= 1))
     .control("increasing fields", UniqueVariant(|left, right| right >= left))
 }
 
@@ -192,7 +191,6 @@ pub fn chain_rule() -> Record<ChainRuleVariant> {
     )
     .control("K[f] with 0 in place of 1", ChainRuleVariant { time: false, ..repaired })
     .control("for every t", ChainRuleVariant { everywhere: true, ..repaired })
-    .control("V of x alone", ChainRuleVariant { arguments: |n| n, ..repaired })
 }
 
 // --- Existence and uniqueness for (10) ---

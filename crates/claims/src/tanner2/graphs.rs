@@ -14,7 +14,8 @@ pub(crate) fn small_graphs() -> Vec<Graph> {
 
 /// A graph in words.
 pub(crate) fn shown(graph: &Graph) -> String {
-    format!("{} vertices, edges {:?}", graph.order(), graph.edges())
+    let vertices = if graph.order() == 1 { "vertex" } else { "vertices" };
+    format!("{} {vertices}, edges {:?}", graph.order(), graph.edges())
 }
 
 /// The sum of `w_e b_e c_e^T` over the edges, where `b_e` is the column of the incidence matrix of edge `e`, -1 where the edge

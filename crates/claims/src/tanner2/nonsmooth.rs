@@ -144,7 +144,6 @@ pub fn lem2() -> Record<GradientVariant> {
     ])
     .control("0 alone", GradientVariant::Between((0, 1), (0, 1)))
     .control("grad V alone", GradientVariant::Between((1, 1), (1, 1)))
-    .control("from -grad V to 0", GradientVariant::Between((-1, 1), (0, 1)))
 }
 
 // --- Equation (11) ---

@@ -100,7 +100,6 @@ pub fn figure_references() -> Record<FigureVariant> {
     )
     .repaired(Fault::Typo, "The fixed-topology run is shown in Figure 4, the distance-dependent run in Figure 5, the loss of connectivity in Figure 6.", [4, 5, 6])
     .control("Figures 5, 4, 6", [5, 4, 6])
-    .control("Figures 4, 5, 5", [4, 5, 5])
 }
 
 /// In the proof of which theorem (1 or 2) Theorem 5 is used.
@@ -153,5 +152,4 @@ pub fn theorem5_use() -> Record<u8> {
     )
     .repaired(Fault::Typo, "Theorem 5 is used in the proof of Theorem 2.", 2)
     .control("Theorem 3", 3)
-    .control("Theorem 4", 4)
 }

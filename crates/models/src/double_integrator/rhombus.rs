@@ -26,11 +26,20 @@ pub fn rhombus() -> State<Rational> {
 /// [`ArithmeticError`], which does not happen for a potential with a slope at 1 and at 3.
 pub fn symmetric_modes(edges: &[Pair], potential: &Potential) -> Result<Polynomial, ArithmeticError> {
     let rows = linearisation(&rhombus(), edges, LATTICE, potential)?;
-    restricted(&rows).map_err(|_| ArithmeticError::Domain("the matrix of four agents"))
+    let polynomial = restricted(&rows).and_then(|rows| RationalMatrix::from_rows(&rows)?.characteristic_polynomial());
+    let polynomial = polynomial.map_err(|_| ArithmeticError::Domain("the matrix of four agents"))?;
+    Ok(Polynomial::from_rationals(&polynomial.coefficients()))
 }
 
-/// The characteristic polynomial of the matrix of order 16 on the symmetric modes.
-fn restricted(rows: &[Vec<Rational>]) -> Result<Polynomial, MatrixError> {
+/// Whether the diagonals pull at each other, so that no mode leaves one of them at rest.
+fn are_coupled(edges: &[Pair], potential: &Potential) -> Result<bool, ArithmeticError> {
+    let rows = linearisation(&rhombus(), edges, LATTICE, potential)?;
+    let rows = restricted(&rows).map_err(|_| ArithmeticError::Domain("the matrix of four agents"))?;
+    Ok(rows[3][0] != rational(0, 1) && rows[2][1] != rational(0, 1))
+}
+
+/// The matrix of order 16 on the symmetric modes.
+fn restricted(rows: &[Vec<Rational>]) -> Result<Vec<Vec<Rational>>, MatrixError> {
     let matrix = RationalMatrix::from_rows(rows)?;
     let mut rows = vec![vec![rational(0, 1); 4]; 4];
     for column in 0..4 {
@@ -44,8 +53,7 @@ fn restricted(rows: &[Vec<Rational>]) -> Result<Polynomial, MatrixError> {
             rows[row][column] = image[place].clone();
         }
     }
-    let polynomial = RationalMatrix::from_rows(&rows)?.characteristic_polynomial()?;
-    Ok(Polynomial::from_rationals(&polynomial.coefficients()))
+    Ok(rows)
 }
 
 /// Whether all modes decay and turn: stable, with simple roots, none of them real.
@@ -56,7 +64,7 @@ fn only_decaying_oscillations(modes: &Polynomial) -> bool {
 }
 
 /// Whether the rhombus with its long diagonal at R, whose square this is, is an equilibrium with and without that link, on a connected
-/// graph, which symmetric motions nearby approach in decaying oscillations on both sides: they pass R for ever.
+/// graph, which symmetric motions nearby approach in decaying oscillations on both sides, of both diagonals: they pass R for ever.
 ///
 /// # Errors
 /// [`ArithmeticError`], which does not happen for a potential with a slope at 1 and at 3.
@@ -70,7 +78,10 @@ pub fn crosses_for_ever(potential: &Potential, square: &Rational) -> Result<bool
         let slope = |_: usize, _: usize, s: &Rational| potential.slope(s);
         let forces = potential_gradients(&state.positions, &edges, LATTICE, slope)?;
         let rests = forces.iter().flatten().all(|x| *x == x.zero());
-        if !rests || !only_decaying_oscillations(&symmetric_modes(&edges, potential)?) {
+        if !rests
+            || !are_coupled(&edges, potential)?
+            || !only_decaying_oscillations(&symmetric_modes(&edges, potential)?)
+        {
             return Ok(false);
         }
     }
