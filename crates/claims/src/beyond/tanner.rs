@@ -161,13 +161,13 @@ pub fn endless_switching() -> Record<(Potential, Rational)> {
     let q = |n: i64| rational(n, 1);
     Record::new(
         "beyond.tanner2.endless_switching",
-        "The rhombus is an equilibrium with |r_13| = R exactly. On motions that keep its diagonals the loop is stable on both sides of R and has no real rate there, so every other symmetric motion nearby tends to it in oscillations and passes R for ever, with a graph that is connected at all times.",
+        "The rhombus is an equilibrium with |r_13| = R exactly. On motions that keep its diagonals the loop is stable on both sides of R and has no real rate there, so every other symmetric motion nearby tends to it in oscillations and passes R for ever, with a graph that is connected at all times. There are such motions from every symmetric start, since the law is symmetric.",
         (Potential::with_inflection(&q(3)), q(3)),
         examine_endless,
     )
     .stated(
         "limits tanner2, end of the proof of Theorem 2",
-        "With V' = (s-1)(s-3)²(s+3/5)/s² (a potential of Definition 3, increasing beyond s = 1) and R² = 3, switching by distance goes on for ever from all starts of four agents that are near two equilateral triangles side by side, mirror symmetric about both diagonals, and not at rest in that position.",
+        "With V' = (s-1)(s-3)²(s+3/5)/s² (a potential of Definition 3, increasing beyond s = 1) and R² = 3, every motion of four agents that starts near two equilateral triangles side by side and stays mirror symmetric about both diagonals, and is not at rest in that position, passes |r_13| = R for ever.",
     )
     .control("V = s + 1/s - 2, whose slope at R is positive", (spring(), q(3)))
     .control("R² = 4", (Potential::with_inflection(&q(4)), q(4)))

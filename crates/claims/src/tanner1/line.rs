@@ -4,12 +4,11 @@
 //! the headings are equal, no alignment force acts, and the velocities are `c ± u` with `u² + V(s) = V(s_0)`: they swing for ever.
 
 use super::energy_rates::energy_is_constant;
+use super::sets::Plain;
 use crate::tanner2::fixtures::{argued, on_connected, printed as potential};
-use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Ring, Signed, rational};
+use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
-use models::double_integrator::{AnyHeadings, HeadingDifference, cross, turning_triangle};
+use models::double_integrator::{HeadingDifference, turning_triangle};
 
 /// A start at the squared distance `square` with the common speed `c`, of agents with headings or with velocities aligned.
 #[derive(Clone, Copy)]
@@ -177,29 +176,6 @@ pub struct CaseVariant {
     start: Swing,
 }
 
-/// With equal headings `v_i x vdot_i = -v_i x grad_{r_i} V_i`, so that constant headings mean forces along the velocities.
-struct Aligned(Graph, bool);
-
-impl RationalIdentity for Aligned {
-    fn variables(&self) -> usize {
-        AnyHeadings::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let mut at = at.to_vec();
-        if self.1 {
-            let first = at.len() - self.0.order();
-            let common = at[first].clone();
-            at[first..].fill(common);
-        }
-        let whole = AnyHeadings::read(&self.0, &at)?;
-        let turned = |list: &[[T; 2]]| {
-            whole.flock.state.velocities.iter().zip(list).map(|(v, a)| cross(v, a)).collect::<Vec<T>>()
-        };
-        Ok((turned(&whole.accelerations), turned(&whole.gradients).into_iter().map(|x| -x).collect()))
-    }
-}
-
 fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let swing = match swings(variant.start, run)? {
         Ok(swing) => swing,
@@ -212,10 +188,10 @@ fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckE
         );
         return Ok(Outcome::fails(what, swing.on([1, 2, 3])));
     }
-    let forces = on_connected(run, 3, "v_i x vdot_i at equal headings", |graph| Aligned(graph, variant.equal_headings));
+    let forces = on_connected(run, 3, "the accelerations", |graph| Plain(graph, variant.equal_headings));
     Run::all([
         Ok(forces?.on([1])),
-        argued(&[1], "forces at equal constant headings", "notes/tanner1.md, Heading dynamics, step 6"),
+        argued(&[1], "forces at equal constant headings", "notes/tanner1.md, Heading dynamics, steps 5 and 6"),
         Ok(Outcome::Holds(vec![swing.on([2]).for_all()])),
     ])
 }

@@ -222,6 +222,7 @@ pub fn collision() -> Record<CollisionVariant> {
         examine_collision,
     )
     .clauses(&["V_t tends to infinity where r_ij = 0 for some i, j.", "Collision avoidance is guaranteed."])
+    .reading("the potential of Figure 2, as for V_t and Omega")
     .repaired(
         Fault::Hypothesis,
         "V_t tends to infinity where linked agents meet, and collisions of linked agents are avoided (all collisions, if the graph is complete).",
@@ -261,7 +262,7 @@ impl RationalIdentity for Ratio {
 }
 
 /// At equal headings the accelerations are minus the gradients.
-struct Plain(Graph, bool);
+pub(super) struct Plain(pub Graph, pub bool);
 
 impl RationalIdentity for Plain {
     fn variables(&self) -> usize {

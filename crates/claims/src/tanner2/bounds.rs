@@ -213,7 +213,11 @@ pub fn eq7() -> Record<CompactVariant> {
         printed.clone(),
         examine_compact,
     )
-    .clauses(&["On Omega all r_ij are bounded.", "On Omega all v_i are bounded.", "Omega is closed."])
+    .clauses(&[
+        "For a connected graph all r_ij are bounded on Omega.",
+        "All v_i are bounded on Omega.",
+        "Omega is closed.",
+    ])
     .reading("in the relative positions r_ij and the velocities, as (7) is printed")
     .control("any graph", CompactVariant { connected: false, ..printed.clone() })
     .control("in the positions r_i", CompactVariant { relative: false, ..printed.clone() })

@@ -4,7 +4,7 @@
 //! velocities there and follow the motion back; a moment before, they were apart. Where the energy is infinite instead, it
 //! cannot.
 
-use super::fixtures::{PLANE, argued, connected, energy_decreases, pairs, soft, spring};
+use super::fixtures::{PLANE, SMOOTH, argued, connected, energy_decreases, pairs, soft, spring};
 use super::graphs::shown;
 use super::nonsmooth::{HullVariant, hulls};
 use algebra::graph::Graph;
@@ -121,6 +121,7 @@ pub fn thm1b() -> Record<CollisionVariant> {
         printed.clone(),
         examine,
     )
+    .reading(SMOOTH)
     .control("all agents", CollisionVariant { pairs: Pairs::All, ..printed.clone() })
     .control("V = (s - 1)², which stays bounded", CollisionVariant { potential: soft(), ..printed })
 }
@@ -134,6 +135,7 @@ pub fn cor3() -> Record<CollisionVariant> {
         printed.clone(),
         examine,
     )
+    .reading(SMOOTH)
     .control("complete but for one edge", CollisionVariant { networks: Networks::AllButOne, ..printed.clone() })
     .control("V = (s - 1)², which stays bounded", CollisionVariant { potential: soft(), ..printed })
 }
@@ -147,6 +149,7 @@ pub fn thm2_coll() -> Record<CollisionVariant> {
         printed.clone(),
         examine,
     )
+    .reading("every Filippov solution, K of the whole vector field; starts in which no two agents coincide")
     .control("links fixed, any connected graph", CollisionVariant { networks: Networks::Connected, ..printed.clone() })
     .control("V = (s - 1)², which stays bounded", CollisionVariant { potential: soft(), ..printed })
 }

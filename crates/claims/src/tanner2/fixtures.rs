@@ -11,6 +11,9 @@ use rand_chacha::rand_core::Rng;
 
 pub(crate) const PLANE: Coordinates = Coordinates::Cartesian;
 
+/// How the theorems of the second paper are read.
+pub(crate) const SMOOTH: &str = "potentials of Definition 3 with a continuous gradient (\"the control laws are smooth\", Section 4), starts in which no linked agents coincide";
+
 /// `s + 1/s - 2`.
 pub(crate) fn spring() -> Potential {
     Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1))

@@ -1,7 +1,7 @@
 //! tanner2.thm1a, thm1c, sec4.flocking, def3, cor1, thm2_vel, thm2_pot: where the motions go.
 
 use super::agentwise::swing;
-use super::fixtures::{PLANE, argued, connected, energy_decreases, printed as logarithmic, sloped, spring};
+use super::fixtures::{PLANE, SMOOTH, argued, connected, energy_decreases, printed as logarithmic, sloped, spring};
 use super::motions::{inflected_pair, motions, pair, paths, row_of_three, triangle};
 use super::nonsmooth::{HullVariant, hulls};
 use algebra::graph::Graph;
@@ -97,6 +97,7 @@ pub fn thm1a() -> Record<LimitVariant> {
         printed,
         examine_fixed,
     )
+    .reading(SMOOTH)
     .control("any graph", LimitVariant { connected: false, ..printed })
     .control("alignment with the other sign", LimitVariant { damping: -1, ..printed })
     .control("all velocities tend to zero", LimitVariant { conclusion: Conclusion::Stop, ..printed })
@@ -113,6 +114,7 @@ pub fn thm1c() -> Record<LimitVariant> {
         printed,
         examine_fixed,
     )
+    .reading(SMOOTH)
     .repaired(
         Fault::False,
         "Under the same hypotheses the system approaches the set of critical configurations: grad_{r_i} V_i tends to 0 for all i.",
@@ -173,11 +175,11 @@ pub fn flocking() -> Record<ManifoldVariant> {
     ])
     .repaired(
         Fault::False,
-        "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no other critical configurations, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j), in which no two agents are in one place.",
+        "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j), in which no two agents are in one place.",
         ManifoldVariant { complete: true, minima: true },
     )
     .repaired_clauses(&[
-        "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no other critical configurations, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
+        "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
         "In them no two agents are in one place.",
     ])
     .control("all equilibria of the complete graph", ManifoldVariant { complete: true, minima: false })
@@ -281,7 +283,7 @@ pub fn cor1() -> Record<SetpointVariant> {
         "B full rank gives grad_{r_ij} V_ij = 0.",
         "dV_ij/d||r_ij|| = 0 implies ||r_ij|| = r_d, where V_ij attains its unique minimum.",
     ])
-    .reading("distances of linked agents")
+    .reading("distances of linked agents; potentials with a continuous gradient")
     .repaired(
         Fault::Hypothesis,
         "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value: B has independent columns, so that every grad_{r_ij} V_ij tends to 0, and V_ij' = 0 at the desired distance only.",
