@@ -8,6 +8,9 @@ use algebra::matrix::RationalMatrix;
 use algebra::spectrum::Polynomial;
 use arithmetic::{ArithmeticError, Rational, rational};
 
+/// A vector with integer coordinates.
+type Whole = (i64, i64);
+
 /// A start from which all agents may keep their velocities for ever: the velocities of linked agents are equal and the forces vanish.
 #[derive(Debug, Clone)]
 pub struct SteadyMotion {
@@ -24,13 +27,13 @@ pub struct SteadyMotion {
 }
 
 impl SteadyMotion {
-    /// The start with these links, positions and velocities.
+    /// The start with these links, and a position and a velocity for each agent.
     pub fn new(
         name: &'static str,
         edges: &[Pair],
         coordinates: Coordinates,
         potential: Potential,
-        agents: &[((i64, i64), (i64, i64))],
+        agents: &[(Whole, Whole)],
     ) -> Self {
         let vector = |(x, y): (i64, i64)| [rational(x, 1), rational(y, 1)];
         let (positions, velocities) = agents.iter().map(|(r, v)| (vector(*r), vector(*v))).unzip();
