@@ -238,12 +238,12 @@ pub struct DissipationVariant {
     factor: i64,
 }
 
+/// A graph, its Laplacian, a rate and the velocities along one axis.
+type Dissipation = (Graph, RationalMatrix, Rational, Vec<Rational>);
+
 /// Connected graphs of 2 to 5 agents with rational spectra, the rate of a variant, and velocities along one axis: a common one, the
 /// eigenvectors of `lambda_2`, and random ones.
-fn dissipations(
-    variant: &DissipationVariant,
-    run: &Run,
-) -> Result<Vec<(Graph, RationalMatrix, Rational, Vec<Rational>)>, CheckError> {
+fn dissipations(variant: &DissipationVariant, run: &Run) -> Result<Vec<Dissipation>, CheckError> {
     let mut random = run.random(2);
     let mut found = Vec::new();
     for graph in connected(5).into_iter().filter(|graph| graph.order() > 1) {
