@@ -6,7 +6,8 @@
 //! all, has at most one minimum in a part. The first fall is then refined on states of full order, each by a step from the
 //! beginning of the step, not on the dense output.
 
-use super::{IntegrationError, Integrator, VectorField};
+use super::{IntegrationError, Integrator, VectorField, golden};
+use std::convert::Infallible;
 
 /// Parts of a step.
 const PARTS: usize = 8;
@@ -106,27 +107,8 @@ fn dip(a: f64, b: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
     if slope(a) >= 0.0 || slope(b) <= 0.0 {
         return None;
     }
-    let lowest = golden(a, b, &f);
+    let Ok((lowest, _)) = golden((a, b), SECTIONS, 0.0, |t| Ok::<f64, Infallible>(f(t)));
     (f(lowest) <= LOW * (f(a) + f(b))).then_some(lowest)
-}
-
-/// The place of the minimum of a function with one.
-fn golden(mut a: f64, mut b: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
-    let ratio = (5f64.sqrt() - 1.0) / 2.0;
-    let (mut c, mut d) = (b - ratio * (b - a), a + ratio * (b - a));
-    let (mut at_c, mut at_d) = (f(c), f(d));
-    for _ in 0..SECTIONS {
-        if at_c < at_d {
-            (b, d, at_d) = (d, c, at_c);
-            c = b - ratio * (b - a);
-            at_c = f(c);
-        } else {
-            (a, c, at_c) = (c, d, at_d);
-            d = a + ratio * (b - a);
-            at_d = f(d);
-        }
-    }
-    if at_c < at_d { c } else { d }
 }
 
 /// The place in `[a, b]` where a function gets the sign `positive`, by regula falsi with halved weights (Illinois): the later

@@ -9,7 +9,7 @@ use super::turns::Turns;
 use arithmetic::ArithmeticError;
 use models::double_integrator::{
     Coordinates, Pair, State, Vector, disagreement, gyroscopic, heading_rate, heading_spread, kinetic_energy,
-    potential_energy, potential_gradients, velocity_alignment,
+    potential_energy, potential_gradients, saturated_potential, velocity_alignment,
 };
 
 pub(super) const PLANE: Coordinates = Coordinates::Cartesian;
@@ -146,8 +146,8 @@ impl Law for Agents {
                     None => potential,
                     // All other pairs are beyond the radius.
                     Some(radius) => {
-                        let beyond = self.count * (self.count - 1) / 2 - self.network.pairs().len();
-                        potential + beyond as f64 * self.potential.value(&(radius * radius))?
+                        let beyond = self.potential.value(&(radius * radius))?;
+                        saturated_potential(&state.positions, self.network.pairs(), PLANE, value, &beyond)?
                     }
                 };
                 all.push(Observable::number("saturated_energy", saturated + kinetic));

@@ -42,6 +42,7 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(tanner::turning_triangle()),
         Box::new(tanner::alternating_trees()),
         Box::new(tanner::endless_switching()),
+        Box::new(tanner::switching_ends()),
         Box::new(certified_split::certified_split()),
         Box::new(table1_reading::table1_reading()),
     ]

@@ -1,13 +1,13 @@
 //! beyond.tanner1.two_agents, beyond.tanner1.turning_triangle, beyond.tanner2.alternating_trees, beyond.tanner2.endless_switching.
 
-use crate::tanner1::triangle::turns_for_ever;
-use crate::tanner2::switching::{dimension_of_regular_simplex, symmetric_motions_cross_for_ever};
-use algebra::graph::Graph;
+use crate::tanner2::fixtures::{PLANE, argued, printed as logarithmic, spring};
+use crate::tanner2::switching::{TREES_ARGUED, Trees, no_common_configuration};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
-use ledger::Record;
-use ledger::{CheckError, Evidence, Grade, Outcome, Run};
-use models::double_integrator::{Coordinates, Potential, State, gyroscopic, potential_gradients, scaled, sum};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use models::double_integrator::{
+    Potential, State, cross, crosses_for_ever, gyroscopic, kinetic_energy, potential_gradients, scaled, sum,
+};
 
 // --- Two agents align ---
 
@@ -35,19 +35,20 @@ impl RationalIdentity for Total {
             positions: vec![[at[0].clone(), at[1].clone()], [at[2].clone(), at[3].clone()]],
             velocities: vec![velocity(&at[4], &at[6])?, velocity(&at[5], &at[7])?],
         };
-        let plane = Coordinates::Cartesian;
-        let gradients = potential_gradients(&state.positions, &[(0, 1)], plane, |_, _, _| Ok(at[9].clone()))?;
+        let gradients = potential_gradients(&state.positions, &[(0, 1)], PLANE, |_, _, _| Ok(at[9].clone()))?;
         let signed = |i: usize| if i == 0 { at[8].clone() } else { -at[8].clone() };
         let moving = state.moving(&gyroscopic(&state, &gradients, &[(0, 1)], |i, _| signed(i))?);
         let total = sum(&moving.velocities[0], &moving.velocities[1]);
-        let square = plane.square(&total);
+        let square = PLANE.square(&total);
         let left = (square.clone() * square.ratio(1, 2)).derivative;
         let [v, w] = [&state.velocities[0], &state.velocities[1]];
-        // |v_1||v_2| sin(theta_1 - theta_2).
-        let cross = w[0].clone() * &v[1] - w[1].clone() * &v[0];
-        let s = plane.square(&state.separation(0, 1));
-        let right = at[8].clone() * cross * at[0].integer(self.0.factor);
-        Ok((vec![left], vec![right.over(&s.power(self.0.power))?]))
+        let s = PLANE.square(&state.separation(0, 1));
+        // w x v is |v_1||v_2| sin(theta_1 - theta_2).
+        let right = at[8].clone() * cross(w, v) * at[0].integer(self.0.factor);
+        // The mechanical energy: the potential g s, and the kinetic energy.
+        let square = PLANE.square(&moving.separation(0, 1));
+        let energy = arithmetic::Dual::constant(at[9].clone()) * square + kinetic_energy(&moving.velocities, PLANE)?;
+        Ok((vec![left, energy.derivative], vec![right.over(&s.power(self.0.power))?, at[0].zero()]))
     }
 }
 
@@ -60,15 +61,23 @@ pub fn two_agents() -> Record<TotalVariant> {
         printed,
         |variant, run| {
             let names = ["x1", "y1", "x2", "y2", "speed 1", "speed 2", "tan(theta_1/2)", "tan(theta_2/2)", "d", "V'"];
-            run.identity(&Total(*variant), &names, "the rate of ½|v_1 + v_2|², any potential")
+            let rates = run.identity(&Total(*variant), &names, "the rates of ½|v_1 + v_2|² and of the energy, any potential")?;
+            Run::all([
+                Ok(rates.on([1, 3]).for_all()),
+                argued(&[2], "d sin d >= 0", "notes/tanner1.md, Two agents, steps 1 and 2"),
+            ])
         },
     )
+    .clauses(&[
+        "Two agents under (4), (5): d/dt ½|v_1 + v_2|² = 2 |v_1||v_2| d sin(theta_1 - theta_2)/|r_12|², where d is what the law takes for theta_1 - theta_2.",
+        "With d wrapped to (-pi, pi], |v_1 + v_2| never decreases.",
+        "The mechanical energy is constant.",
+    ])
     .stated(
         "replaces tanner1, eq (9), for two agents",
         "Two agents under (4), (5) with heading differences wrapped to (-pi, pi]: |v_1 + v_2| never decreases, d/dt ½|v_1 + v_2|² = 2 |v_1||v_2| d sin d/|r_12|² with d = theta_1 - theta_2, while the mechanical energy is constant.",
     )
     .control("half of it", TotalVariant { factor: 1, ..printed })
-    .control("the other sign", TotalVariant { factor: -2, ..printed })
     .control("over the fourth power of the distance", TotalVariant { power: 2, ..printed })
 }
 
@@ -84,10 +93,10 @@ pub fn turning_triangle() -> Record<(i64, i64)> {
             let evidence = Evidence::new(
                 Grade::Exact,
                 "accelerations, headings, sides",
-                "in the field of the cosines of multiples of pi/12, which has sqrt 2 and sqrt 3",
+                "in the field of the cosines of multiples of pi/12, which has sqrt 2 and sqrt 3; at all times since the law is the same in turned coordinates",
             );
-            Ok(match turns_for_ever(&rational(rate.0, rate.1))? {
-                true => Outcome::Holds(vec![evidence]),
+            Ok(match models::double_integrator::turning_triangle(&logarithmic(), &rational(rate.0, rate.1))? {
+                true => Outcome::Holds(vec![evidence.for_all()]),
                 false => Outcome::fails(
                     format!("omega = {}/{} sqrt(3/2): the accelerations are not -omega² r_i", rate.0, rate.1),
                     evidence,
@@ -105,56 +114,24 @@ pub fn turning_triangle() -> Record<(i64, i64)> {
 
 // --- Alternating trees ---
 
-/// Agents, two spanning trees in turn, and the dimension of space.
-#[derive(Clone)]
-pub struct TreesVariant {
-    agents: usize,
-    trees: [Vec<(usize, usize)>; 2],
-    dimension: usize,
-}
-
-fn examine_trees(variant: &TreesVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let empty = Graph::empty(variant.agents);
-    let graphs = variant.trees.each_ref().map(|edges| empty.with_edges(edges));
-    let union = empty.with_edges(&variant.trees.concat());
-    let trees = graphs.iter().all(|graph| graph.is_connected() && graph.edges().len() + 1 == variant.agents);
-    let complete = union.edges().len() == variant.agents * (variant.agents - 1) / 2;
-    let needed = dimension_of_regular_simplex(variant.agents)?;
-    let evidence = Evidence::new(
-        Grade::Exact,
-        "common critical configurations",
-        "the Gram matrix of the regular simplex; the limit argument is in notes/tanner2.md",
-    );
-    if trees && complete && needed > variant.dimension {
-        return Ok(Outcome::Holds(vec![evidence]));
-    }
-    let what = if union == graphs[0] {
-        "the links do not change: velocities agree in the limit (tanner2.thm1a)".to_string()
-    } else {
-        format!(
-            "{} agents can have all distances 1 in dimension {}: at rest there they stay, with equal velocities",
-            variant.agents, variant.dimension
-        )
-    };
-    Ok(Outcome::fails(what, evidence))
-}
-
-pub fn alternating_trees() -> Record<TreesVariant> {
-    let printed =
-        TreesVariant { agents: 4, trees: [vec![(0, 1), (1, 2), (2, 3)], vec![(1, 3), (0, 3), (0, 2)]], dimension: 2 };
+pub fn alternating_trees() -> Record<Trees> {
+    let printed = Trees::two_paths();
     Record::new(
         "beyond.tanner2.alternating_trees",
         "If the velocities agreed in the limit, the force on each edge of the tree in use would vanish in the limit, so that all six distances would tend to the desired one: impossible in the plane. So switching between connected graphs can keep a flock from ever agreeing, from any start.",
         printed.clone(),
-        examine_trees,
+        |variant, _| Run::all([
+            no_common_configuration(variant),
+            argued(&[1], "the limit", TREES_ARGUED),
+        ]),
     )
     .stated(
         "sharpens tanner2, Abstract (arbitrary switching)",
         "Four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each: from no start without collision do the velocities agree in the limit.",
     )
-    .control("three agents", TreesVariant { agents: 3, trees: [vec![(0, 1), (1, 2)], vec![(0, 1), (0, 2)]], ..printed.clone() })
-    .control("in space", TreesVariant { dimension: 3, ..printed.clone() })
-    .control("one tree only", TreesVariant { trees: [printed.trees[0].clone(), printed.trees[0].clone()], ..printed })
+    .control("three agents", Trees { agents: 3, trees: [vec![(0, 1), (1, 2)], vec![(0, 1), (0, 2)]], ..printed.clone() })
+    .control("in space", Trees { dimension: 3, ..printed.clone() })
+    .control("one tree only", Trees { trees: [printed.trees[0].clone(), printed.trees[0].clone()], ..printed })
 }
 
 // --- Endless switching ---
@@ -167,8 +144,11 @@ fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Ou
         "characteristic polynomials of the symmetric modes with and without the link: stable, no real root (Sturm, Routh)",
     );
     let fulfilled = potential.check_definition3().is_ok();
-    if fulfilled && symmetric_motions_cross_for_ever(potential, square)? {
-        return Ok(Outcome::Holds(vec![evidence]));
+    if fulfilled && crosses_for_ever(potential, square)? {
+        return Run::all([
+            Ok(Outcome::Holds(vec![evidence])),
+            argued(&[1], "the motions near it", "notes/tanner2.md, Endless switching, steps 1 to 4"),
+        ]);
     }
     let slope = potential.slope(square)?;
     Ok(Outcome::fails(
@@ -181,14 +161,44 @@ pub fn endless_switching() -> Record<(Potential, Rational)> {
     let q = |n: i64| rational(n, 1);
     Record::new(
         "beyond.tanner2.endless_switching",
-        "The rhombus is an equilibrium with |r_13| = R exactly. On motions that keep its diagonals the loop is stable on both sides of R and has no real rate there, so every other symmetric motion nearby tends to it in oscillations and passes R for ever, with a graph that is connected at all times.",
+        "The rhombus is an equilibrium with |r_13| = R exactly. On motions that keep its diagonals the loop is stable on both sides of R and has no real rate there, so every other symmetric motion nearby tends to it in oscillations and passes R for ever, with a graph that is connected at all times. There are such motions from every symmetric start, since the law is symmetric.",
         (Potential::with_inflection(&q(3)), q(3)),
         examine_endless,
     )
     .stated(
         "limits tanner2, end of the proof of Theorem 2",
-        "With V' = (s-1)(s-3)²(s+3/5)/s² (a potential of Definition 3, increasing beyond s = 1) and R² = 3, switching by distance goes on for ever for open sets of symmetric starts of four agents near two equilateral triangles side by side.",
+        "With V' = (s-1)(s-3)²(s+3/5)/s² (a potential of Definition 3, increasing beyond s = 1) and R² = 3, every motion of four agents that starts near two equilateral triangles side by side and stays mirror symmetric about both diagonals, and is not at rest in that position, passes |r_13| = R for ever.",
     )
-    .control("V = s + 1/s - 2, whose slope at R is positive", (Potential::inverse_square_spring(&q(1), &q(1)), q(3)))
+    .control("V = s + 1/s - 2, whose slope at R is positive", (spring(), q(3)))
     .control("R² = 4", (Potential::with_inflection(&q(4)), q(4)))
+}
+
+// --- Switching that ends ---
+
+/// A pair at `R` with this weight of the jump: the second derivative of `|r_e|²` is `A` without the link and `A - jump` with it.
+fn examine_ends(settings: &Vec<(Potential, Rational)>, run: &mut Run) -> Result<Outcome, CheckError> {
+    let detail = "the jump 8 V'(R²) R² of the second derivative of |r_e|², exact";
+    let jumps = run.instances("the force of a link at R", detail, settings, |(potential, square)| {
+        let jump = potential.slope(square)? * square * rational(8, 1);
+        Ok((jump <= rational(0, 1)).then(|| {
+            format!("R² = {square}: the second derivative of |r_e|² changes by {jump} where a link opens, which does not drive the pair away from R")
+        }))
+    });
+    Run::all([jumps, argued(&[1], "late crossings", "notes/tanner2.md, When switching stops, steps 1 to 5")])
+}
+
+pub fn switching_ends() -> Record<Vec<(Potential, Rational)>> {
+    let q = |n: i64| rational(n, 1);
+    Record::new(
+        "beyond.tanner2.thm2_stop",
+        "With a positive slope the link pulls with a force that jumps at R, so after or before a late crossing the relative speed would change at a rate bounded away from 0 for a fixed time, but it tends to 0.",
+        vec![(spring(), q(4)), (logarithmic(), q(4))],
+        examine_ends,
+    )
+    .stated(
+        "a part of tanner2, end of the proof of Theorem 2",
+        "Under the hypotheses of Theorem 2, read as in tanner2.thm2_vel, with V'(R) > 0: if no limit configuration has more than one pair at distance R, then from some time on no pair passes from one side of R to the other without staying at R in between.",
+    )
+    .control("slope zero at R", vec![(Potential::with_inflection(&q(3)), q(3))])
+    .control("R below the desired distance", vec![(spring(), rational(1, 2))])
 }

@@ -1,14 +1,16 @@
 //! tanner1.eq8, eq9.chain, eq9, Vt_inv, decoupled: rates of energies along the closed loop (1), (4), (5).
 
-use super::closed_loop::{Loop, UPWARDS, at_upwards, on_connected, upwards};
-use super::turning::{PRINTED_HEADINGS, examine_separate};
-use crate::tanner2::arbitrary::{Arbitrary, dot, total};
+use super::closed_loop::{UPWARDS, at_upwards, upwards};
+use super::turning::{ForceVariant, does_no_work, examine_printed};
+use crate::tanner2::fixtures::{argued, on_connected, total};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
-use ledger::Record;
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
-use models::double_integrator::{Vector, scaled};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use models::double_integrator::{AnyHeadings, AnyPotentials, Vector, dot, scaled};
+
+/// Agents in the identities.
+const MOST: usize = 3;
 
 // --- Equation (8) ---
 
@@ -23,11 +25,11 @@ struct Symmetry(Graph, SymmetryVariant);
 
 impl RationalIdentity for Symmetry {
     fn variables(&self) -> usize {
-        Arbitrary::variables(&self.0)
+        AnyPotentials::variables(&self.0)
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = Arbitrary::read(&self.0, at)?;
+        let flock = AnyPotentials::read(&self.0, at)?;
         let (mut left, mut right) = (Vec::new(), Vec::new());
         for ((&(i, j), (at_i, at_j)), slope) in flock.edges.iter().zip(flock.pair_gradients()?).zip(&flock.slopes) {
             // dV/dr_ij of g |r_ij|².
@@ -48,8 +50,12 @@ pub fn eq8() -> Record<SymmetryVariant> {
         "tanner1.eq8",
         "V_ij depends on r_i - r_j. Half the sum of the V_i is the sum over the edges, whose rate is the sum of grad_{r_i} V_ij . v_i + grad_{r_j} V_ij . v_j.",
         printed,
-        |variant, run| on_connected(run, "equation (8)", |graph| Symmetry(graph, *variant)),
+        |variant, run| Ok(on_connected(run, MOST, "equation (8)", |graph| Symmetry(graph, *variant))?.on([1, 2])),
     )
+    .clauses(&[
+        "dV_ij/dr_ij = dV_ij/dr_i = -dV_ij/dr_j.",
+        "d/dt sum_i (1/2) V_i = sum_i grad_{r_i} V_i . v_i.",
+    ])
     .control("dV/dr_i = dV/dr_j", SymmetryVariant { sign: 1, ..printed })
     .control("without the half", SymmetryVariant { factor: (1, 1), ..printed })
 }
@@ -61,21 +67,19 @@ pub fn eq8() -> Record<SymmetryVariant> {
 pub enum RateVariant {
     /// The chain (9), the last term times a factor.
     Chain(i64),
-    /// `-theta^T L_w theta` plus a factor times the sum of `theta_i` times the potentials' part of its rate.
-    Form(i64),
-    /// The same with the other sign of `L_w`.
-    Opposite,
+    /// `form theta^T L_w theta` plus `potential` times the sum of `theta_i` times the potentials' part of its rate.
+    Form { form: i64, potential: i64 },
 }
 
 struct Rate(Graph, RateVariant);
 
 impl RationalIdentity for Rate {
     fn variables(&self) -> usize {
-        Loop::<Rational>::variables(&self.0)
+        AnyHeadings::variables(&self.0)
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let whole = Loop::read(&self.0, at)?;
+        let whole = AnyHeadings::read(&self.0, at)?;
         let like = &at[0];
         let rate = whole.rate_of((1, 2), (1, 2), (1, 2))?;
         let along = |list: Vec<T>| total(like, whole.headings.iter().zip(list).map(|(x, y)| x.clone() * y));
@@ -87,16 +91,32 @@ impl RationalIdentity for Rate {
                 let chain = work(&whole.gradients) + work(&whole.accelerations) + turning.clone();
                 (vec![rate.clone(), rate], vec![chain, turning])
             }
-            RateVariant::Form(factor) => {
-                let form = along(whole.laplacian()?);
-                (vec![rate], vec![along(whole.potential_rates()?) * like.integer(factor) - form])
-            }
-            RateVariant::Opposite => {
-                let form = along(whole.laplacian()?);
-                (vec![rate], vec![along(whole.potential_rates()?) + form])
+            RateVariant::Form { form, potential } => {
+                let quadratic = along(whole.laplacian()?) * like.integer(form);
+                (vec![rate], vec![along(whole.potential_rates()?) * like.integer(potential) + quadratic])
             }
         })
     }
+}
+
+pub fn eq9_chain() -> Record<i64> {
+    Record::new(
+        "tanner1.eq9.chain",
+        "The alignment force does no work and the potential forces take from the potential what they give to the speeds: half the sum of V_i + |v_i|² is constant, and the rate of V_t is that of half the sum of theta_i².",
+        1,
+        |factor, run| {
+            let identity = on_connected(run, MOST, "the rate of V_t", |graph| Rate(graph, RateVariant::Chain(*factor)));
+            let steps = "notes/tanner1.md, Energy, steps 1 and 2";
+            Run::all([identity.map(|outcome| outcome.on([1, 2])), argued(&[1], "the product rule, and (8)", steps)])
+        },
+    )
+    .clauses(&[
+        "Vdot_t = sum_i grad_{r_i} V_i . v_i + sum_i v_i^T a_i + sum_i theta_i thetadot_i.",
+        "Vdot_t = sum_i theta_i thetadot_i.",
+    ])
+    .reading("away from jumps of the headings (theta_i² does not jump at pi) and of agents at rest")
+    .control("twice the last sum", 2)
+    .control("without the last sum", 0)
 }
 
 fn examine_rate(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -104,127 +124,139 @@ fn examine_rate(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckEr
     if let Some(outcome) = at_upwards(&pair, "dV_t/dt in units of pi/2 (positive)")? {
         return Ok(outcome);
     }
-    on_connected(run, "the rate of V_t", |graph| Rate(graph, *variant))
-}
-
-pub fn eq9_chain() -> Record<RateVariant> {
-    Record::new(
-        "tanner1.eq9.chain",
-        "The alignment force does no work and the potential forces take from the potential what they give to the speeds: half the sum of V_i + |v_i|² is constant, and the rate of V_t is that of half the sum of theta_i². (Away from jumps of the headings; theta_i² does not jump at pi.)",
-        RateVariant::Chain(1),
-        examine_rate,
-    )
-    .control("twice the last sum", RateVariant::Chain(2))
-    .control("without the last sum", RateVariant::Chain(0))
+    let rate = AnyHeadings::read(&Graph::path(2), &upwards())?.rate_of((1, 2), (1, 2), (1, 2))?;
+    let positive = Evidence::new(Grade::Exact, "a positive rate", format!("{UPWARDS}: {rate} pi/2"));
+    Run::all([
+        Ok(on_connected(run, MOST, "the rate of V_t", |graph| Rate(graph, *variant))?.on([1])),
+        argued(&[1], "the rate of V_t", "notes/tanner1.md, Energy, steps 1 to 3"),
+        run.every(positive.on([2]).for_all(), [rate], |rate| {
+            Ok((rate <= rational(0, 1)).then(|| format!("{UPWARDS}: the rate is {rate} pi/2")))
+        }),
+    ])
 }
 
 pub fn eq9() -> Record<RateVariant> {
+    let repaired = RateVariant::Form { form: -1, potential: 1 };
     Record::new(
         "tanner1.eq9",
         "It puts (7), which is false, into (9). With the true heading rates the potentials add sum theta_i (-(v_i x grad_{r_i} V_i)/|v_i|²), of either sign: two agents with equal headings pi/2 and different speeds have theta^T L_w theta = 0 and a positive rate.",
-        RateVariant::Form(0),
+        RateVariant::Form { form: -1, potential: 0 },
         examine_rate,
     )
     .repaired(
         Fault::False,
-        "Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|², which may be positive.",
-        RateVariant::Form(1),
+        "While no agent is at rest, Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|². It is positive for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s.",
+        repaired,
     )
-    .control("the potentials' part with the other sign", RateVariant::Form(-1))
-    .control("plus theta^T L_w theta", RateVariant::Opposite)
+    .repaired_clauses(&[
+        "While no agent is at rest, Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|².",
+        "Vdot_t > 0 for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s.",
+    ])
+    .control("the potentials' part with the other sign", RateVariant::Form { form: -1, potential: -1 })
+    .control("plus theta^T L_w theta", RateVariant::Form { form: 1, potential: 1 })
 }
 
-/// What is said to be kept or not to increase.
+/// `potentials sum V_i + kinetic sum |v_i|²` is constant.
 #[derive(Clone, Copy)]
-pub enum InvariantVariant {
-    /// `V_t` does not increase.
-    Decreasing,
-    /// `a sum V_i + b sum |v_i|²` is constant.
-    Constant((i64, i64), (i64, i64)),
+pub struct InvariantVariant {
+    potentials: (i64, i64),
+    kinetic: (i64, i64),
+    /// Half the sum of `theta_i²` is part of it.
+    headings: bool,
 }
 
-struct Constant(Graph, (i64, i64), (i64, i64));
+struct Constant(Graph, InvariantVariant);
 
 impl RationalIdentity for Constant {
     fn variables(&self) -> usize {
-        Loop::<Rational>::variables(&self.0)
+        AnyHeadings::variables(&self.0)
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let whole = Loop::read(&self.0, at)?;
-        Ok((vec![whole.rate_of(self.1, self.2, (0, 1))?], vec![at[0].zero()]))
+        let whole = AnyHeadings::read(&self.0, at)?;
+        Ok((vec![whole.rate_of(self.1.potentials, self.1.kinetic, (0, 1))?], vec![at[0].zero()]))
     }
 }
 
-pub(super) fn examine_invariant(variant: &InvariantVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    match *variant {
-        InvariantVariant::Constant(potentials, kinetic) => {
-            let identity = |graph| Constant(graph, potentials, kinetic);
-            on_connected(run, "a constant of the closed loop", identity)
-        }
-        InvariantVariant::Decreasing => {
-            let whole = Loop::read(&Graph::path(2), &upwards())?;
-            let rate = whole.rate_of((1, 2), (1, 2), (1, 2))?;
-            let evidence = Evidence::new(Grade::Exact, "V_t at one state", "exact rate, in units of pi/2");
-            if rate > rational(0, 1) {
-                return Ok(Outcome::fails(
-                    format!(
-                        "{UPWARDS}: dV_t/dt = {rate} pi/2 > 0, so that {{V_t <= c}} is left for the c of this state"
-                    ),
-                    evidence,
-                ));
-            }
-            Ok(Outcome::Undecided("no increase at the state tried".to_string()))
-        }
-    }
+/// Half the sum of `V_i + |v_i|²`.
+const ENERGY: InvariantVariant = InvariantVariant { potentials: (1, 2), kinetic: (1, 2), headings: false };
+
+/// Tests that the mechanical energy is constant.
+pub(super) fn energy_is_constant(run: &Run) -> Result<Outcome, CheckError> {
+    is_constant(&ENERGY, run)
 }
 
-/// Half the sum of `V_i + |v_i|²` is constant.
-pub(super) const ENERGY: InvariantVariant = InvariantVariant::Constant((1, 2), (1, 2));
+fn is_constant(variant: &InvariantVariant, run: &Run) -> Result<Outcome, CheckError> {
+    on_connected(run, MOST, "a constant of the closed loop", |graph| Constant(graph, *variant))
+}
+
+fn examine_invariant(variant: &InvariantVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    if variant.headings {
+        let rate = AnyHeadings::read(&Graph::path(2), &upwards())?.rate_of((1, 2), (1, 2), (1, 2))?;
+        let evidence = Evidence::new(Grade::Exact, "V_t at one state", "exact rate, in units of pi/2").on([1, 2]);
+        return run.every(evidence, [rate], |rate: Rational| {
+            let what =
+                format!("{UPWARDS}: dV_t/dt = {rate} pi/2 > 0, so that {{V_t <= c}} is left for the c of this state");
+            Ok((rate > rational(0, 1)).then_some(what))
+        });
+    }
+    let steps = "a constant leaves its sublevel sets invariant; notes/tanner1.md, Energy, steps 1 and 2";
+    Run::all([Ok(is_constant(variant, run)?.on([1, 2])), argued(&[2], "sublevel sets", steps)])
+}
 
 pub fn vt_inv() -> Record<InvariantVariant> {
     Record::new(
         "tanner1.Vt_inv",
         "V_t is a constant, the mechanical energy, plus half the sum of theta_i², and potential forces may turn headings away from 0. Two agents with heading pi/2 and different speeds can increase V_t. What is invariant is every level set of the mechanical energy.",
-        InvariantVariant::Decreasing,
+        InvariantVariant { headings: true, ..ENERGY },
         examine_invariant,
     )
-    .repaired(Fault::False, "The mechanical energy (1/2) sum_i (V_i + v_i^T v_i) is constant along the closed loop: {(1/2) sum_i (V_i + v_i^T v_i) <= c} is invariant.", ENERGY)
-    .control("the kinetic energy is constant", InvariantVariant::Constant((0, 1), (1, 2)))
-    .control("the potential energy is constant", InvariantVariant::Constant((1, 2), (0, 1)))
-    .control("sum V_i + half the sum of |v_i|²", InvariantVariant::Constant((1, 1), (1, 2)))
+    .clauses(&["V_t is nonincreasing along the closed loop.", "Omega = {V_t <= c} is positively invariant."])
+    .repaired(
+        Fault::False,
+        "The mechanical energy (1/2) sum_i (V_i + v_i^T v_i) is constant along the closed loop: {(1/2) sum_i (V_i + v_i^T v_i) <= c} is invariant.",
+        ENERGY,
+    )
+    .repaired_clauses(&[
+        "The mechanical energy (1/2) sum_i (V_i + v_i^T v_i) is constant along the closed loop.",
+        "{(1/2) sum_i (V_i + v_i^T v_i) <= c} is invariant.",
+    ])
+    .control("the kinetic energy alone is constant", InvariantVariant { potentials: (0, 1), ..ENERGY })
+    .control("sum V_i + half the sum of |v_i|²", InvariantVariant { potentials: (1, 1), ..ENERGY })
 }
 
 // --- Decoupling ---
 
-/// Which influences are said to be absent.
+/// The alignment force of the law, and whether potentials are said not to turn headings.
 #[derive(Clone, Copy)]
 pub struct DecoupledVariant {
-    headings_from_potentials: bool,
-    energy: InvariantVariant,
+    alignment: ForceVariant,
+    headings: bool,
 }
 
 fn examine_decoupled(variant: &DecoupledVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let energy = examine_invariant(&variant.energy, run);
-    if !variant.headings_from_potentials {
-        return energy;
+    let work = does_no_work(&variant.alignment, run)?.on([1]);
+    let turning = examine_printed(run)?;
+    match (work, turning) {
+        (Outcome::Holds(mut evidence), Outcome::Fails { counterexample, evidence: more }) if !variant.headings => {
+            let turned = format!("the potential forces turn headings: {counterexample}");
+            evidence.extend(more.into_iter().map(|e| Evidence { part: turned.clone(), ..e.on([1]) }));
+            let why = "\"can be decoupled\" has no meaning that the paper fixes: (3) adds a term for each rule, and alignment does no work on the energy of cohesion and separation, but the potential forces turn headings";
+            Ok(Outcome::NotCheckable(why.to_string(), evidence))
+        }
+        (Outcome::Holds(_), turning) => Ok(turning),
+        (work, _) => Ok(work),
     }
-    Run::all([examine_separate(&PRINTED_HEADINGS, run), energy])
 }
 
 pub fn decoupled() -> Record<DecoupledVariant> {
-    let printed = DecoupledVariant { headings_from_potentials: true, energy: ENERGY };
+    let printed = DecoupledVariant { alignment: ForceVariant::TurnedVelocity, headings: false };
     Record::new(
         "tanner1.decoupled",
-        "Read as: neither rule influences what the other one governs. One half is true: alignment does no work on the energy of cohesion and separation. The other is not: the potential forces turn headings (tanner1.eq7). (That the law is a sum of one term for each is not in doubt.)",
+        "An aside of the introduction. What can be checked of it: the alignment force does no work, so that it does not change the mechanical energy; the potential forces do change the headings (tanner1.eq7).",
         printed,
         examine_decoupled,
     )
-    .repaired(
-        Fault::False,
-        "Alignment does not change the mechanical energy of the potentials and speeds; the potential forces do change the headings.",
-        DecoupledVariant { headings_from_potentials: false, ..printed },
-    )
-    .control("alignment and the kinetic energy", DecoupledVariant { headings_from_potentials: false, energy: InvariantVariant::Constant((0, 1), (1, 2)) })
-    .control("alignment and the potential energy", DecoupledVariant { headings_from_potentials: false, energy: InvariantVariant::Constant((1, 2), (0, 1)) })
+    .control("with an alignment force along v_i", DecoupledVariant { alignment: ForceVariant::Velocity, ..printed })
+    .control("the potentials do not turn headings", DecoupledVariant { headings: true, ..printed })
 }

@@ -3,29 +3,33 @@
 //! Two linked agents start from relative rest on a line with the common velocity `c > 0` along it. As long as both velocities point the same way
 //! the headings are equal, no alignment force acts, and the velocities are `c ± u` with `u² + V(s) = V(s_0)`: they swing for ever.
 
-use super::energy_rates::{ENERGY, InvariantVariant, examine_invariant};
-use super::triangle::turns_for_ever;
+use super::energy_rates::energy_is_constant;
+use super::sets::Plain;
+use crate::tanner2::fixtures::{argued, on_connected, printed as potential};
 use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
-use ledger::Record;
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run, interval_value};
-use models::double_integrator::Potential;
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+use models::double_integrator::{HeadingDifference, turning_triangle};
 
-/// `1/s + log s`, the printed choice.
-pub(super) fn potential() -> Potential {
-    Potential::inverse_square_log(&rational(1, 1))
-}
-
-/// A swing from `s_0` with the common velocity `c`.
+/// A start at the squared distance `square` with the common speed `c`, of agents with headings or with velocities aligned.
 #[derive(Clone, Copy)]
-struct Swing {
-    start: i64,
+pub struct Swing {
+    square: i64,
     speed: (i64, i64),
 }
+
+/// Both velocities point forwards for ever.
+const FAST: Swing = Swing { square: 4, speed: (2, 1) };
+/// The front agent comes to rest.
+const SLOW: Swing = Swing { square: 4, speed: (1, 2) };
+/// At the minimum of the potential.
+const AT_MINIMUM: Swing = Swing { square: 1, speed: (2, 1) };
+
+const PRECISION: u32 = 80;
 
 impl Swing {
     /// The largest `u²`: `V(s_0) - V(1)`.
     fn excess(self) -> Result<Interval, CheckError> {
-        let s = Interval::from_rational(&rational(self.start, 1), 80);
+        let s = Interval::from_rational(&rational(self.square, 1), PRECISION);
         let least = potential().value(&s.one())?;
         Ok(potential().value(&s)? - least)
     }
@@ -47,107 +51,173 @@ impl Swing {
     }
 }
 
-/// What is said of the limits.
-#[derive(Clone, Copy)]
-pub enum LimitVariant {
-    /// The distances come to rest at a minimum of the potential.
-    Stabilised,
-    /// Each `V_i` comes to rest at a minimum, or each velocity at rest, by the cases of the proof.
-    Cases,
-    /// The potential energy does not increase.
-    Falling,
-    /// The headings converge to a common value.
-    Headings,
-    /// All speeds become equal.
-    Speeds,
-    /// A quantity is constant.
-    Kept(InvariantVariant),
-}
-
-fn examine(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fast = Swing { start: 4, speed: (2, 1) };
-    let slow = Swing { start: 4, speed: (1, 2) };
-    let evidence =
-        || Evidence::new(Grade::Certified, "two agents on a line", "enclosure of V(4) - V(1), conservation of energy");
-    if let LimitVariant::Kept(quantity) = variant {
-        return examine_invariant(quantity, run);
-    }
-    let excess = fast.excess()?;
+/// Evidence of the swing, or what is wrong with it: it keeps its direction and is not at rest.
+fn swings(swing: Swing, run: &mut Run) -> Result<Result<Evidence, Outcome>, CheckError> {
+    let evidence = Evidence::new(
+        Grade::Certified,
+        "two agents on a line",
+        "enclosure of V(4) - V(1), conservation of energy; notes/tanner1.md, A pair on a line, steps 1 to 4",
+    );
+    let excess = swing.excess()?;
     run.value("largest_squared_swing", interval_value(&excess, 12));
-    let (ahead, stops) = (fast.keeps_direction()?, slow.keeps_direction()?);
-    if ahead != Some(true) || stops != Some(false) || !excess.is_certainly_positive() {
-        return Ok(Outcome::Undecided("the enclosure of the energy is too wide".to_string()));
+    if !excess.is_certainly_positive() {
+        let what = format!("two agents at the squared distance {}: the energy allows no swing", swing.square);
+        return Ok(Err(Outcome::fails(what, evidence.on([2]))));
     }
-    let how = match variant {
-        LimitVariant::Headings => {
-            let what = format!(
-                "{}: the velocity of the front one falls to zero before they are at distance 1, as u² reaches V(4) - V(1) > 1/4; there it has no heading and (5) no value",
-                slow.describe()
-            );
-            if !turns_for_ever(&rational(1, 1))? {
-                return Ok(Outcome::fails(what, evidence()));
-            }
-            let triangle = Evidence::new(
-                Grade::Exact,
-                "with wrapped differences: a triangle that turns for ever",
-                "three linked agents on an equilateral triangle of squared side 2, omega² = 6 V'(2) = 3/2, V = 1/s + log s: the accelerations of (4), (5) are -omega² r_i, exactly; headings stay a third of a turn apart (beyond.tanner1.turning_triangle)",
-            );
-            return Ok(Outcome::Fails { counterexample: what, evidence: vec![evidence(), triangle] });
+    Ok(match swing.keeps_direction()? {
+        Some(true) => Ok(evidence),
+        Some(false) => {
+            let what = format!("{}: the front one comes to rest, where it has no heading", swing.describe());
+            Err(Outcome::fails(what, evidence.on([2])))
         }
-        LimitVariant::Stabilised => {
-            "both headings stay 0 and the distance swings for ever about 1, as u² + V(s) is constant"
-        }
-        LimitVariant::Cases => {
-            "-grad V_1 . v_1 changes sign in every swing: neither case lasts, and nothing comes to rest"
-        }
-        LimitVariant::Falling => "the potential energy falls and rises again in every swing",
-        LimitVariant::Speeds => "the velocities swing about their mean for ever",
-        LimitVariant::Kept(_) => "",
-    };
-    Ok(Outcome::fails(format!("{}: {how}", fast.describe()), evidence()))
+        None => Err(Outcome::Undecided("the enclosure of the energy is too wide".to_string())),
+    })
 }
 
-pub fn distances() -> Record<LimitVariant> {
+// --- Distances ---
+
+/// Whether distances are said to come to rest at a minimum, or a start to swing for ever.
+#[derive(Clone, Copy)]
+pub struct DistanceVariant {
+    stabilised: bool,
+    start: Swing,
+}
+
+fn examine_distances(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let swing = match swings(variant.start, run)? {
+        Ok(swing) => swing,
+        Err(outcome) => return Ok(outcome),
+    };
+    if variant.stabilised {
+        let what = format!(
+            "{}: both headings stay 0 and the distance swings for ever about 1, as u² + V(s) is constant",
+            FAST.describe()
+        );
+        return Ok(Outcome::fails(what, swing));
+    }
+    Run::all([Ok(energy_is_constant(run)?.on([1])), Ok(Outcome::Holds(vec![swing.on([2]).for_all()]))])
+}
+
+pub fn distances() -> Record<DistanceVariant> {
+    let repaired = DistanceVariant { stabilised: false, start: FAST };
     Record::new(
         "tanner1.propIV3b",
         "The alignment forces do no work, so the mechanical energy is constant: the potential energy can settle only if the surplus goes into the common motion. Two agents that move along the line through both have equal headings for ever and no alignment force; their distance swings for ever.",
-        LimitVariant::Stabilised,
-        examine,
+        DistanceVariant { stabilised: true, start: FAST },
+        examine_distances,
     )
     .repaired(
         Fault::False,
-        "Along the closed loop (1/2) sum_i (V_i + v_i^T v_i) is constant; distances need not be stabilised.",
-        LimitVariant::Kept(ENERGY),
+        "Along the closed loop (1/2) sum_i (V_i + v_i^T v_i) is constant. Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, keep the heading 0 and their distance swings for ever: it does not tend to a limit.",
+        repaired,
     )
-    .control("the potential energy does not increase", LimitVariant::Falling)
-    .control("all speeds become equal", LimitVariant::Speeds)
+    .repaired_clauses(&[
+        "Along the closed loop (1/2) sum_i (V_i + v_i^T v_i) is constant.",
+        "Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, keep the heading 0 and their distance swings for ever: it does not tend to a limit.",
+    ])
+    .control("with velocity (1/2, 0)", DistanceVariant { start: SLOW, ..repaired })
+    .control("from the distance 1", DistanceVariant { start: AT_MINIMUM, ..repaired })
 }
 
-pub fn headings() -> Record<LimitVariant> {
+// --- Headings ---
+
+/// What `theta_i - theta_j` is, and whether the motion has to exist for all time.
+#[derive(Clone, Copy)]
+pub struct HeadingVariant {
+    difference: HeadingDifference,
+    stops: bool,
+}
+
+fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    if variant.difference == HeadingDifference::Wrapped && turning_triangle(&potential(), &rational(1, 1))? {
+        let what = "three linked agents on an equilateral triangle of squared side 2, omega² = 6 V'(2) = 3/2, V = 1/s + log s: the accelerations of (4), (5) are -omega² r_i; headings stay a third of a turn apart";
+        return Ok(Outcome::fails(
+            what,
+            Evidence::new(Grade::Exact, "a triangle that turns for ever", "exact field of numbers"),
+        ));
+    }
+    if variant.stops && SLOW.keeps_direction()? == Some(false) {
+        let what = format!(
+            "{}: the velocity of the front one reaches zero before they are at distance 1, as u² reaches V(4) - V(1) > 1/4; there it has no heading and (5) no value",
+            SLOW.describe()
+        );
+        let enclosed = "enclosure of V(4) - V(1), conservation of energy";
+        return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "two agents on a line", enclosed)));
+    }
+    run.value("squared_speed_at_which_the_front_agent_stops", interval_value(&SLOW.excess()?, 12));
+    Ok(Outcome::Undecided(
+        "with headings as in (2) every counterexample that is known is a motion with an instant of zero speed, where (2) says nothing; for motions without such an instant there is neither a proof (that of the paper rests on tanner1.eq9, which is false) nor a counterexample. With wrapped differences it is false: beyond.tanner1.turning_triangle".to_string(),
+    ))
+}
+
+pub fn headings() -> Record<HeadingVariant> {
+    let printed = HeadingVariant { difference: HeadingDifference::Raw, stops: false };
     Record::new(
         "tanner1.propIV3a",
-        "The proof rests on Vdot_t = -theta^T L_w theta, which is false (tanner1.eq9). With the law as printed a motion may even end: the front one of two agents on a line comes to rest, where it has no heading and the law no value, so that headings do not converge. \
-         With wrapped differences they need not align even in a motion that goes on for ever and fulfils every hypothesis (connected graph, V_t finite, nobody rests): three linked agents on an equilateral triangle of squared side 2 that turns at the rate omega² = 6 V'(2) = 3/2 have headings a third of a turn apart for ever, and their alignment forces cancel. \
-         With raw or followed differences those forces do not cancel (at -2/3 pi, 0, 2/3 pi the first agent's differences sum to -2 pi), and whether all motions without a stop align is not decided here; the mechanical energy is no obstacle, since it can go into the common motion.",
-        LimitVariant::Headings,
-        examine,
+        "The proof rests on Vdot_t = -theta^T L_w theta, which is false (tanner1.eq9). The mechanical energy is no obstacle to aligned headings, since it can go into the common motion; for two agents and wrapped differences it does (beyond.tanner1.two_agents). \
+         A motion may end: the front one of two agents on a line can come to rest, where it has no heading and the law no value. That is an instant of zero speed, about which (2) says nothing. \
+         With wrapped differences headings need not align even in a motion that goes on for ever: the alignment forces on a turning equilateral triangle cancel. \
+         With the differences of (2) those forces do not cancel (at -2/3 pi, 0, 2/3 pi the first agent's differences sum to -2 pi).",
+        printed,
+        examine_headings,
     )
-    .control("and all speeds become equal", LimitVariant::Speeds)
-    .control("and the potential energy does not increase", LimitVariant::Falling)
+    .reading("headings and their differences as numbers, as in (2); motions in which no agent is ever at rest")
+    .control("wrapped differences", HeadingVariant { difference: HeadingDifference::Wrapped, ..printed })
+    .control("motions that stop too", HeadingVariant { stops: true, ..printed })
 }
 
-pub fn cases() -> Record<LimitVariant> {
+// --- The cases of the proof ---
+
+/// The headings in the identity, and the start of the swing.
+#[derive(Clone, Copy)]
+pub struct CaseVariant {
+    lasts: bool,
+    equal_headings: bool,
+    start: Swing,
+}
+
+fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let swing = match swings(variant.start, run)? {
+        Ok(swing) => swing,
+        Err(outcome) => return Ok(outcome),
+    };
+    if variant.lasts {
+        let what = format!(
+            "{}: -grad V_1 . v_1 changes sign in every swing: neither case lasts, and nothing comes to rest",
+            FAST.describe()
+        );
+        return Ok(Outcome::fails(what, swing.on([1, 2, 3])));
+    }
+    let forces = on_connected(run, 3, "the accelerations", |graph| Plain(graph, variant.equal_headings));
+    Run::all([
+        Ok(forces?.on([1])),
+        argued(&[1], "forces at equal constant headings", "notes/tanner1.md, Heading dynamics, steps 5 and 6"),
+        Ok(Outcome::Holds(vec![swing.on([2]).for_all()])),
+    ])
+}
+
+pub fn cases() -> Record<CaseVariant> {
+    let repaired = CaseVariant { lasts: false, equal_headings: true, start: FAST };
     Record::new(
         "tanner1.proof_cases",
         "The cases need not last: -grad_{r_i} V_i . v_i changes sign in every swing of two agents on a line. Nor does a vanishing gradient make a minimum, and grad_{v_i} in case 2 should read grad_{r_i}.",
-        LimitVariant::Cases,
-        examine,
+        CaseVariant { lasts: true, ..repaired },
+        examine_cases,
     )
+    .clauses(&[
+        "Case 1: if -grad_{r_i} V_i . v_i <= 0, then v_i converges to the largest invariant set with grad_{r_i} V_i = 0.",
+        "Case 2: if -grad_{v_i} V_i . v_i > 0, then V_i is monotonically decreasing and eventually reaches one of its minima.",
+        "In any case the system converges to a minimum of sum_i V_i.",
+    ])
     .repaired(
         Fault::False,
-        "On the set of equal constant headings potential forces are along the velocities, and the mechanical energy is constant; the system need not converge to a minimum of sum V_i.",
-        LimitVariant::Kept(ENERGY),
+        "On the set of equal constant headings of agents that move, potential forces are along the velocities. Neither case need last, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each swing.",
+        repaired,
     )
-    .control("the potential energy does not increase", LimitVariant::Falling)
-    .control("all speeds become equal", LimitVariant::Speeds)
+    .repaired_clauses(&[
+        "On the set of equal constant headings of agents that move, potential forces are along the velocities.",
+        "Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each swing.",
+    ])
+    .control("at any headings", CaseVariant { equal_headings: false, ..repaired })
+    .control("from the distance 1", CaseVariant { start: AT_MINIMUM, ..repaired })
 }

@@ -10,7 +10,6 @@ mod fields;
 mod figures;
 mod line;
 mod sets;
-pub(super) mod triangle;
 mod turning;
 
 use ledger::AnyClaim;

@@ -1,12 +1,12 @@
 //! tanner1.smooth, eq2, Omega.closed, Omega.bounded, collision, proof_ratio: the law and the set Omega.
 
-use super::line::potential as printed_potential;
+use crate::tanner2::fixtures::{PLANE, argued, on_connected, printed as printed_potential, sloped, soft, spring};
 use crate::tanner2::wording::{HeadingVariant, examine_heading};
+use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Interval, Rational, Signed, rational};
-use ledger::Record;
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
-use models::double_integrator::{Coordinates, Pair, Potential, State, gyroscopic, heading};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use models::double_integrator::{AnyHeadings, Pair, Potential, State, gyroscopic, heading};
 
 const PRECISION: u32 = 80;
 
@@ -15,8 +15,10 @@ pub fn eq2() -> Record<HeadingVariant> {
         "tanner1.eq2",
         "The two-argument arctangent is the angle in (-pi, pi] from the x axis to the velocity. It has a value for every velocity but zero, and there it lies in [-pi, pi].",
         HeadingVariant::TwoArguments,
-        examine_heading,
+        |variant, run| Ok(examine_heading(variant, run)?.on([1, 2])),
     )
+    .clauses(&["arctan(ydot_i, xdot_i) is the angle of the velocity.", "It lies in [-pi, pi]."])
+    .reading("velocities other than zero, of which (2) says nothing")
     .control("one argument", HeadingVariant::Quotient)
     .control("values in [0, 2 pi)", HeadingVariant::Positive)
     .control("the arguments swapped", HeadingVariant::Swapped)
@@ -45,38 +47,27 @@ fn second_acceleration(first: [Rational; 2]) -> Result<Interval, ArithmeticError
     Ok(accelerations[1][0].clone())
 }
 
-fn examine_smooth(variant: &SmoothVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
+fn examine_smooth(variant: &SmoothVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let step = rational(1, 1_000_000_000);
-    let mut cases = 0;
-    for (x, y) in [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, -1), (0, -1), (1, -1), (-1, 0), (0, 0)] {
+    let through = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, -1), (0, -1), (1, -1), (-1, 0), (0, 0)];
+    let meant = through.into_iter().filter(|&(x, y)| {
         let (rest, cut) = ((x, y) == (0, 0), y == 0 && x < 0);
-        if cut && !variant.at_cut || rest && !variant.at_rest {
-            continue;
-        }
+        (variant.at_cut || !cut) && (variant.at_rest || !rest)
+    });
+    let evidence =
+        Evidence::new(Grade::Certified, "the law on both sides", "enclosures at velocities 10^-9 to either side");
+    let enclosures = run.every(evidence, meant, |(x, y)| {
         // Two velocities close by, one on each side.
-        let near =
-            |dx: i64, dy: i64| [rational(x, 1) + &step * rational(dx, 1), rational(y, 1) + &step * rational(dy, 1)];
-        let change = second_acceleration(near(1, 1))? - second_acceleration(near(-1, -1))?;
-        cases += 1;
-        if (change.clone() - change.ratio(1, 10)).is_certainly_positive()
-            || (change.clone() + change.ratio(1, 10)).is_certainly_negative()
-        {
-            let what = format!(
-                "agents at (0, 0) and (1, 0), V = 0, the second with velocity (0, 1): where the first one's velocity passes ({x}, {y}) the second one's acceleration jumps by {:.4}",
-                change.to_f64()
-            );
-            return Ok(Outcome::fails(
-                what,
-                Evidence::new(
-                    Grade::Certified,
-                    "the law on both sides",
-                    "enclosures at velocities 10^-9 to either side",
-                ),
-            ));
-        }
-    }
-    let detail = "arctan(y, x) is analytic off the negative x axis and 0, 1/|r_ij|² and the gradients are analytic off collisions of linked agents; enclosures on both sides of eight velocities";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, "the law on both sides", detail).cases(cases)]))
+        let near = |side: i64| [x, y].map(|k| rational(k, 1) + &step * rational(side, 1));
+        let change = second_acceleration(near(1))? - second_acceleration(near(-1))?;
+        let tenth = change.ratio(1, 10);
+        let jumps = (change.clone() - &tenth).is_certainly_positive() || (change.clone() + tenth).is_certainly_negative();
+        Ok(jumps.then(|| format!(
+            "agents at (0, 0) and (1, 0), V = 0, the second with velocity (0, 1): where the first one's velocity passes ({x}, {y}) the second one's acceleration jumps by {:.4}",
+            change.to_f64()
+        )))
+    });
+    Run::all([enclosures, argued(&[1], "the law is analytic there", "notes/tanner1.md, Headings, steps 1 to 3")])
 }
 
 pub fn smooth() -> Record<SmoothVariant> {
@@ -87,7 +78,7 @@ pub fn smooth() -> Record<SmoothVariant> {
         examine_smooth,
     )
     .repaired(
-        Fault::False,
+        Fault::Hypothesis,
         "The control laws are smooth at states where no velocity is zero or points along the negative x axis and no linked agents coincide.",
         SmoothVariant { at_cut: false, at_rest: false },
     )
@@ -105,40 +96,33 @@ pub struct ClosedVariant {
     from_velocities: bool,
 }
 
-fn examine_closed(variant: &ClosedVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence = |detail: &str| Evidence::new(Grade::Exact, "limits of points of Omega", detail.to_string());
+fn examine_closed(variant: &ClosedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     // Two agents at rest distance 1, where V = 1; V_t = 1 + |v|² for headings 0 and equal velocities (v, 0).
     let value = |v: &Rational| rational(1, 1) + v * v;
     let c = rational(2, 1);
     let belongs = |v: &Rational| if variant.strict { value(v) < c } else { value(v) <= c };
-    let sequences = [(0, "0"), (1, "1")];
-    for (limit, name) in sequences {
+    let sequences = run.instances("limits of points of Omega", "exact values along two sequences", [0, 1], |limit| {
         let limit = rational(limit, 1);
-        let members =
-            (2..50).map(|n| &limit + rational(if limit > rational(0, 1) { -1 } else { 1 }, n)).all(|v| belongs(&v));
+        let side = if limit > rational(0, 1) { -1 } else { 1 };
+        let members = (2..50).map(|n| &limit + rational(side, n)).all(|v| belongs(&v));
         let without_heading = variant.from_velocities && limit == rational(0, 1);
-        if members && (without_heading || !belongs(&limit)) {
-            let why = if without_heading { "has no headings" } else { "is not in the set" };
-            return Ok(Outcome::fails(
-                format!(
-                    "two agents at distance 1 with equal velocities (v, 0), c = 2: the limit v = {name} of points of the set {why}"
-                ),
-                evidence("exact values"),
-            ));
-        }
-    }
-    let detail = "V_t is continuous in (r_ij, v_i, theta_i) where linked agents are apart and tends to infinity where they meet; exact values along two sequences";
-    Ok(Outcome::Holds(vec![evidence(detail).cases(2)]))
+        let why = if without_heading { "has no headings" } else { "is not in the set" };
+        Ok((members && (without_heading || !belongs(&limit))).then(|| {
+            format!("two agents at distance 1 with equal velocities (v, 0), c = 2: the limit v = {limit} of points of the set {why}")
+        }))
+    });
+    Run::all([sequences, argued(&[1], "Omega is closed", "notes/tanner1.md, The set Omega, steps 1 and 2")])
 }
 
 pub fn closed() -> Record<ClosedVariant> {
     let printed = ClosedVariant { strict: false, from_velocities: false };
     Record::new(
         "tanner1.Omega.closed",
-        "As printed, a set of triples (r_ij, v_i, theta_i), for the printed potential: V_t is a continuous function of them where linked agents are apart, and infinite where they meet. (As a set of states with the headings of (2) it would not be closed: at zero velocity there is no heading.)",
+        "V_t is a continuous function of the triples where linked agents are apart, and infinite where they meet. (As a set of states with the headings of (2) Omega would not be closed: at zero velocity there is no heading.)",
         printed,
         examine_closed,
     )
+    .reading("as printed, a set of triples (r_ij, v_i, theta_i); the potential of Figure 2")
     .control("V_t < c", ClosedVariant { strict: true, ..printed })
     .control("in (r_ij, v_i), with the headings of (2)", ClosedVariant { from_velocities: true, ..printed })
 }
@@ -151,35 +135,46 @@ pub struct BoundedVariant {
 }
 
 fn examine_bounded(variant: &BoundedVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence = |grade, detail: &str| Evidence::new(grade, "boundedness of Omega", detail.to_string());
+    let evidence = Evidence::new(
+        Grade::Certified,
+        "boundedness of Omega",
+        "enclosures of V at the squared distances 1 and 10^40, leading terms of the slope",
+    );
+    let evidence = evidence.on([1, 2, 3]);
     let value = |s: &Rational| variant.potential.value(&Interval::from_rational(s, PRECISION));
-    let start = value(&rational(1, 1))?;
-    let far = value(&rational(10, 1).pow(40))?;
-    let grows = variant.connected && (far - start).to_f64() > 10.0;
-    if !grows {
+    let rise = value(&rational(10, 1).pow(40))? - value(&rational(1, 1))?;
+    if !variant.connected || rise.to_f64() <= 10.0 {
         let what =
             "two agents with velocities (1, 0), distance 10^20: V_t exceeds its value at distance 1 by less than 10";
-        return Ok(Outcome::fails(what, evidence(Grade::Certified, "enclosures of V at 1 and 10^20")));
+        return Ok(Outcome::fails(what, evidence));
     }
     if let Err(problem) = variant.potential.check_definition3() {
         return Ok(Outcome::Undecided(problem.to_string()));
     }
-    let detail = "V_t <= c gives V_ij <= c on links, |v_i|² <= 2c; V is unbounded, so linked distances are bounded, and along paths all are; leading terms of the slope and values at 1 and 10^20";
-    Ok(Outcome::Holds(vec![evidence(Grade::Certified, detail)]))
+    Run::all([
+        Ok(Outcome::Holds(vec![evidence])),
+        argued(&[1, 2, 3], "bounds", "notes/tanner1.md, The set Omega, steps 3 to 5"),
+    ])
 }
 
 pub fn bounded() -> Record<BoundedVariant> {
     let printed = BoundedVariant { connected: true, potential: printed_potential() };
     Record::new(
         "tanner1.Omega.bounded",
-        "For the printed potential: V_ij >= 1 > 0, so V_t <= c bounds every V_ij and every speed. V_ij is unbounded as the distance grows, so linked distances are bounded and, along paths, all of them (by N - 1 times the bound). Not because V increases: it does not near 0 (tanner1.Vmono).",
+        "V_ij >= 1 > 0, so V_t <= c bounds every V_ij and every speed. V_ij is unbounded as the distance grows, so linked distances are bounded and, along paths, all of them (by N - 1 times the bound). Not because V increases: it does not near 0 (tanner1.Vmono).",
         printed.clone(),
         examine_bounded,
     )
+    .clauses(&[
+        "For a connected graph boundedness of V_t implies boundedness of every r_ij.",
+        "It implies boundedness of v_i.",
+        "theta_i lies in [-pi, pi].",
+    ])
+    .reading("the potential of Figure 2")
     .control("agents that are not linked", BoundedVariant { connected: false, ..printed })
     .control("V = 1/(2s²) - 1/s + 1/2, bounded", BoundedVariant {
         connected: true,
-        potential: Potential::new(vec![(-2, rational(1, 1)), (-3, rational(-1, 1))], (rational(1, 1), rational(0, 1))),
+        potential: sloped(&[(-2, 1), (-3, -1)], 0),
     })
 }
 
@@ -192,37 +187,29 @@ pub struct CollisionVariant {
     potential: Potential,
 }
 
-fn examine_collision(variant: &CollisionVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-    // The path 1-2-3 with agents at (0, 0), (1, 0), (0, 0) or with 1 and 2 in one place.
+fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    // The path 1-2-3, with two agents in one place.
     let edges: [Pair; 2] = [(0, 1), (1, 2)];
-    let mut cases = 0;
-    for pair in [(0, 1), (1, 2), (0, 2)] {
-        let linked = edges.contains(&pair);
-        if variant.linked_only && !linked {
-            continue;
-        }
+    let meant = [(0, 1), (1, 2), (0, 2)].into_iter().filter(|pair| !variant.linked_only || edges.contains(pair));
+    let detail = "the slope where they meet, exact, the path of three agents";
+    let instances = run.instances("V_t where agents meet", detail, meant, |pair: Pair| {
         let mut places = [0, 1, 3].map(|x| [rational(x, 1), rational(0, 1)]);
         places[pair.1] = places[pair.0].clone();
         let finite = edges.iter().all(|&(i, j)| {
-            let s = Coordinates::Cartesian.square(&[&places[i][0] - &places[j][0], rational(0, 1)]);
+            let s = PLANE.square(&[&places[i][0] - &places[j][0], rational(0, 1)]);
             variant.potential.slope(&s).is_ok()
         });
-        cases += 1;
-        let evidence = Evidence::new(Grade::Exact, "V_t where agents meet", "exact, the path of three agents");
-        if finite {
-            let what = format!(
-                "the path 1-2-3, agents {} and {} in one place: V_t is finite, and the law smooth; followed back from different velocities there, they start apart",
-                pair.0 + 1,
-                pair.1 + 1
-            );
-            return Ok(Outcome::fails(what, evidence));
-        }
-    }
-    if variant.potential.check_definition3().is_err() {
+        Ok(finite.then(|| format!(
+            "the path 1-2-3, agents {} and {} in one place: V_t is finite, and the law smooth; followed back from different velocities there, they start apart",
+            pair.0 + 1,
+            pair.1 + 1
+        )))
+    })?;
+    if matches!(instances, Outcome::Holds(_)) && variant.potential.check_definition3().is_err() {
         return Ok(Outcome::Undecided("no barrier".to_string()));
     }
-    let detail = "V_ij tends to infinity where linked agents meet, and the mechanical energy, which contains it, is constant; the path of three agents";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "V_t where agents meet", detail).cases(cases)]))
+    let steps = "notes/tanner1.md, Energy, steps 4 and 5";
+    Run::all([Ok(instances.on([1, 2])), argued(&[1, 2], "linked agents", steps)])
 }
 
 pub fn collision() -> Record<CollisionVariant> {
@@ -230,28 +217,33 @@ pub fn collision() -> Record<CollisionVariant> {
     let repaired = CollisionVariant { linked_only: true, ..printed.clone() };
     Record::new(
         "tanner1.collision",
-        "V_t contains V_ij for linked pairs only. On the path 1-2-3 agents 1 and 3 may meet with V_t finite, and do so from suitable starts. For linked agents the conclusion holds, by the conserved mechanical energy rather than by V_t.",
+        "V_t contains V_ij for linked pairs only. On the path 1-2-3 agents 1 and 3 may meet with V_t finite, and do so from suitable starts. For linked agents the conclusion is true, by the conserved mechanical energy rather than by V_t.",
         printed.clone(),
         examine_collision,
     )
-    .repaired(Fault::False, "Collisions of linked agents are avoided, since the mechanical energy is constant and V_ij tends to infinity there (all collisions, if the graph is complete).", repaired.clone())
-    .control("V = (s - 1)², linked agents", CollisionVariant {
-        potential: Potential::new(vec![(1, rational(2, 1)), (0, rational(-2, 1))], (rational(1, 1), rational(0, 1))),
-        ..repaired
-    })
-    .control("V = s + 1/s - 2, all agents", CollisionVariant {
-        potential: Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1)),
-        ..printed
-    })
+    .clauses(&["V_t tends to infinity where r_ij = 0 for some i, j.", "Collision avoidance is guaranteed."])
+    .reading("the potential of Figure 2, as for V_t and Omega")
+    .repaired(
+        Fault::Hypothesis,
+        "V_t tends to infinity where linked agents meet, and collisions of linked agents are avoided (all collisions, if the graph is complete).",
+        repaired.clone(),
+    )
+    .repaired_clauses(&[
+        "V_t tends to infinity where linked agents meet.",
+        "Collisions of linked agents are avoided (all collisions, if the graph is complete).",
+    ])
+    .control("V = (s - 1)², linked agents", CollisionVariant { potential: soft(), ..repaired })
+    .control("V = s + 1/s - 2, all agents", CollisionVariant { potential: spring(), ..printed })
 }
 
 // --- The ratios in the proof ---
 
-/// The first quotient of the line: `numerator/denominator` among `xdot, ydot, xddot, yddot`.
+/// The first quotient of the line, `numerator/denominator` among `xdot, ydot, xddot, yddot`, and whether headings are equal.
 #[derive(Clone, Copy)]
 pub struct RatioVariant {
     numerator: usize,
     denominator: usize,
+    equal_headings: bool,
 }
 
 struct Ratio(RatioVariant);
@@ -269,15 +261,58 @@ impl RationalIdentity for Ratio {
     }
 }
 
+/// At equal headings the accelerations are minus the gradients.
+pub(super) struct Plain(pub Graph, pub bool);
+
+impl RationalIdentity for Plain {
+    fn variables(&self) -> usize {
+        AnyHeadings::variables(&self.0)
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let mut at = at.to_vec();
+        if self.1 {
+            let first = at.len() - self.0.order();
+            let common = at[first].clone();
+            at[first..].fill(common);
+        }
+        let whole = AnyHeadings::read(&self.0, &at)?;
+        let minus = |list: Vec<[T; 2]>| list.into_iter().flatten().map(|x| -x).collect();
+        Ok((whole.accelerations.into_iter().flatten().collect(), minus(whole.gradients)))
+    }
+}
+
+fn examine_ratio(variant: &RatioVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "the quotients, for ydot = k xdot at all times";
+    Run::all([
+        Ok(run.identity(&Ratio(*variant), &["k", "xdot", "xddot"], part)?.on([1]).for_all()),
+        Ok(on_connected(run, 3, "the accelerations", |graph| Plain(graph, variant.equal_headings))?.on([2])),
+        argued(&[2], "the accelerations at equal headings", "notes/tanner1.md, Heading dynamics, step 5"),
+    ])
+}
+
 pub fn ratio() -> Record<RatioVariant> {
-    let printed = RatioVariant { numerator: 3, denominator: 0 };
+    let printed = RatioVariant { numerator: 3, denominator: 0, equal_headings: true };
+    let repaired = RatioVariant { denominator: 2, ..printed };
     Record::new(
         "tanner1.proof_ratio",
         "d/dt (ydot/xdot) = 0 says yddot xdot = ydot xddot, so yddot/xddot = k where xddot != 0; the printed denominator xdot lacks a dot. On the set of equal headings the acceleration is -grad V_i, which gives the last quotient.",
         printed,
-        |variant, run| run.identity(&Ratio(*variant), &["k", "xdot", "xddot"], "the quotients, for ydot = k xdot at all times"),
+        examine_ratio,
     )
-    .repaired(Fault::Slip, "yddot_i/xddot_i = ydot_i/xdot_i = k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).", RatioVariant { numerator: 3, denominator: 2 })
-    .control("xddot/xdot", RatioVariant { numerator: 2, denominator: 0 })
-    .control("xddot/yddot", RatioVariant { numerator: 2, denominator: 3 })
+    .clauses(&[
+        "d/dt (ydot_i/xdot_i) = 0 implies yddot_i/xdot_i = ydot_i/xdot_i = k.",
+        "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x.",
+    ])
+    .repaired(
+        Fault::Typo,
+        "yddot_i/xddot_i = ydot_i/xdot_i = k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).",
+        repaired,
+    )
+    .repaired_clauses(&[
+        "d/dt (ydot_i/xdot_i) = 0 implies yddot_i/xddot_i = ydot_i/xdot_i = k (where the denominators are not zero).",
+        "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).",
+    ])
+    .control("xddot/xdot", RatioVariant { numerator: 2, denominator: 0, ..repaired })
+    .control("at any headings", RatioVariant { equal_headings: false, ..repaired })
 }

@@ -1,13 +1,15 @@
 //! tanner1.gyro, eq6, eq6b, eq7: what turns headings along the closed loop (1), (4), (5).
 
-use super::closed_loop::{Loop, at_upwards, cross, on_connected};
-use crate::tanner2::arbitrary::{dot, total};
+use super::closed_loop::at_upwards;
+use crate::tanner2::fixtures::{argued, on_connected, total};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational};
-use ledger::Record;
-use ledger::{CheckError, Fault, Outcome, Run};
-use models::double_integrator::{Vector, difference, rotated, scaled};
+use arithmetic::{ArithmeticError, Field};
+use ledger::{CheckError, Fault, Outcome, Record, Run};
+use models::double_integrator::{AnyHeadings, Vector, cross, difference, dot, rotated, scaled};
+
+/// Agents in the identities.
+const MOST: usize = 3;
 
 // --- The alignment force ---
 
@@ -26,27 +28,30 @@ struct Force(Graph, ForceVariant);
 
 impl RationalIdentity for Force {
     fn variables(&self) -> usize {
-        Loop::<Rational>::variables(&self.0)
+        AnyHeadings::variables(&self.0)
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let whole = Loop::read(&self.0, at)?;
-        let sums = whole.laplacian()?;
+        let whole = AnyHeadings::read(&self.0, at)?;
         let state = &whole.flock.state;
-        let forces: Vec<Vector<T>> = (0..whole.count())
-            .map(|i| match self.1 {
-                ForceVariant::TurnedVelocity => scaled(&-sums[i].clone(), &rotated(&state.velocities[i])),
-                ForceVariant::TurnedPosition => scaled(&-sums[i].clone(), &rotated(&state.positions[i])),
-                ForceVariant::Velocity => scaled(&-sums[i].clone(), &state.velocities[i]),
-            })
-            .collect();
+        let along = |i: usize| match self.1 {
+            ForceVariant::TurnedVelocity => rotated(&state.velocities[i]),
+            ForceVariant::TurnedPosition => rotated(&state.positions[i]),
+            ForceVariant::Velocity => state.velocities[i].clone(),
+        };
+        let sums = whole.laplacian()?;
+        let forces: Vec<Vector<T>> = sums.iter().enumerate().map(|(i, x)| scaled(&-x.clone(), &along(i))).collect();
         let work: Vec<T> = forces.iter().zip(&state.velocities).map(|(a, v)| dot(a, v)).collect();
         let zeros = work.iter().map(|w| w.zero());
         // The library's law has the same force, and none of them does work.
-        let law = whole.alignment().into_iter().flatten();
-        let right = zeros.chain(law).collect();
+        let right = zeros.chain(whole.alignment().into_iter().flatten()).collect();
         Ok((work.into_iter().chain(forces.into_iter().flatten()).collect(), right))
     }
+}
+
+/// Tests that the alignment force is the printed one and does no work.
+pub(super) fn does_no_work(force: &ForceVariant, run: &Run) -> Result<Outcome, CheckError> {
+    on_connected(run, MOST, "the alignment force does no work", |graph| Force(graph, *force))
 }
 
 pub fn gyro() -> Record<ForceVariant> {
@@ -54,8 +59,12 @@ pub fn gyro() -> Record<ForceVariant> {
         "tanner1.gyro",
         "v_i . (z x v_i) = 0: the force is normal to the velocity and does no work, whatever the heading differences are.",
         ForceVariant::TurnedVelocity,
-        |variant, run| on_connected(run, "the alignment force does no work", |graph| Force(graph, *variant)),
+        |variant, run| Ok(does_no_work(variant, run)?.on([1, 2])),
     )
+    .clauses(&[
+        "a_theta_i = -sum_{j~i} (theta_i - theta_j)/||r_ij||^2 (zhat x v_i) is normal to v_i.",
+        "a_theta_i does not contribute to the kinetic energy.",
+    ])
     .control("along v_i", ForceVariant::Velocity)
     .control("z x r_i", ForceVariant::TurnedPosition)
 }
@@ -73,11 +82,11 @@ struct AngularMomentum(Graph, MomentumVariant);
 
 impl RationalIdentity for AngularMomentum {
     fn variables(&self) -> usize {
-        Loop::<Rational>::variables(&self.0)
+        AnyHeadings::variables(&self.0)
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let whole = Loop::read(&self.0, at)?;
+        let whole = AnyHeadings::read(&self.0, at)?;
         let state = &whole.flock.state;
         let push = |g: &Vector<T>| if self.1.central { g.clone() } else { rotated(g) };
         let alignment = whole.alignment();
@@ -87,13 +96,13 @@ impl RationalIdentity for AngularMomentum {
         let turning = total(like, state.positions.iter().zip(&alignment).map(|(r, a)| cross(r, a)));
         // Both orders of every pair: r_ij x grad V_ij.
         let pairs = whole.flock.edges.iter().zip(whole.flock.pair_gradients()?);
-        let internal = total(
-            like,
-            pairs.map(|(&(i, j), (at_i, _))| cross(&state.separation(i, j), &push(&at_i)) * like.integer(2)),
-        );
+        let both = |(&(i, j), (at_i, _)): (&(usize, usize), (Vector<T>, _))| {
+            cross(&state.separation(i, j), &push(&at_i)) * like.integer(2)
+        };
+        let internal = total(like, pairs.map(both));
         // r x (z x v) = r . v.
-        let sums = whole.laplacian()?;
-        let last = total(like, (0..whole.count()).map(|i| dot(&state.positions[i], &state.velocities[i]) * &sums[i]));
+        let own = state.positions.iter().zip(&state.velocities).zip(whole.laplacian()?);
+        let last = total(like, own.map(|((r, v), sum)| dot(r, v) * sum));
         Ok((vec![left.clone(), left], vec![turning - internal, last * like.integer(-self.1.sign)]))
     }
 }
@@ -104,10 +113,17 @@ pub fn eq6() -> Record<MomentumVariant> {
         "tanner1.eq6",
         "grad V_ij is along r_ij, so every r_ij x grad V_ij vanishes (in both orders, however often a pair is counted), and the potential forces of a pair have opposite torques. What is left is the torque of the alignment forces.",
         printed,
-        |variant, run| on_connected(run, "equation (6)", |graph| AngularMomentum(graph, *variant)),
+        |variant, run| {
+            Ok(on_connected(run, MOST, "equation (6)", |graph| AngularMomentum(graph, *variant))?.on([1, 2, 3]))
+        },
     )
+    .clauses(&[
+        "sum_i r_i x vdot_i = sum_i r_i x a_theta_i - sum_i sum_{j~i} r_ij x grad V_ij.",
+        "This is -sum_i r_i x (sum_{j~i} (theta_i - theta_j)/||r_ij||^2 (zhat x v_i)).",
+        "The potential forces do not contribute to the angular momentum.",
+    ])
     .control("forces that are not central", MomentumVariant { central: false, ..printed })
-    .control("the other sign", MomentumVariant { sign: -1, ..printed })
+    .control("the other sign of the last sum", MomentumVariant { sign: -1, ..printed })
 }
 
 // --- The heading dynamics ---
@@ -119,73 +135,48 @@ pub struct HeadingVariant {
     alignment: i64,
 }
 
-/// The statement before (7): weighted by `r_i . v_i` and summed.
-struct Weighted(Graph, HeadingVariant);
-/// The statement (7).
-struct Separate(Graph, HeadingVariant);
+/// The statement (7), or the one before it, weighted by `r_i . v_i` and summed.
+struct Turning(Graph, HeadingVariant, bool);
 
-/// The loop, its heading rates, and the rates that are claimed.
-type HeadingSides<T> = (Loop<T>, Vec<T>, Vec<T>);
-
-fn heading_sides<T: Field>(
-    graph: &Graph,
-    at: &[T],
-    variant: HeadingVariant,
-) -> Result<HeadingSides<T>, ArithmeticError> {
-    let whole = Loop::read(graph, at)?;
-    let left = whole.heading_rates()?;
-    let own = whole.potential_rates()?;
-    let right = whole
-        .laplacian()?
-        .into_iter()
-        .zip(own)
-        .map(|(sum, own)| own * at[0].integer(variant.potential) - sum * at[0].integer(variant.alignment));
-    let right = right.collect();
-    Ok((whole, left, right))
-}
-
-impl RationalIdentity for Separate {
+impl RationalIdentity for Turning {
     fn variables(&self) -> usize {
-        Loop::<Rational>::variables(&self.0)
+        AnyHeadings::variables(&self.0)
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let (_, left, right) = heading_sides(&self.0, at, self.1)?;
-        Ok((left, right))
-    }
-}
-
-impl RationalIdentity for Weighted {
-    fn variables(&self) -> usize {
-        Loop::<Rational>::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let (whole, left, right) = heading_sides(&self.0, at, self.1)?;
+        let whole = AnyHeadings::read(&self.0, at)?;
+        let (potential, alignment) = (at[0].integer(self.1.potential), at[0].integer(self.1.alignment));
+        let left = whole.heading_rates()?;
+        let terms = whole.laplacian()?.into_iter().zip(whole.potential_rates()?);
+        let right: Vec<T> = terms.map(|(sum, own)| own * &potential - sum * &alignment).collect();
+        if !self.2 {
+            return Ok((left, right));
+        }
         let state = &whole.flock.state;
         let weight = |i: usize| dot(&state.positions[i], &state.velocities[i]);
-        let sum = |list: &[T]| total(&at[0], list.iter().enumerate().map(|(i, x)| x.clone() * weight(i)));
-        Ok((vec![sum(&left)], vec![sum(&right)]))
+        let sum = |list: Vec<T>| total(&at[0], list.into_iter().enumerate().map(|(i, x)| x * weight(i)));
+        Ok((vec![sum(left)], vec![sum(right)]))
     }
 }
 
-pub(super) fn examine_separate(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let pair = Separate(Graph::path(2), *variant);
-    if let Some(outcome) = at_upwards(&pair, "thetadot_1")? {
+fn examine_turning(variant: &HeadingVariant, weighted: bool, run: &Run) -> Result<Outcome, CheckError> {
+    let what = if weighted { "the sum of (r_i . v_i) thetadot_i" } else { "thetadot_1" };
+    if let Some(outcome) = at_upwards(&Turning(Graph::path(2), *variant, weighted), what)? {
         return Ok(outcome);
     }
-    on_connected(run, "the heading dynamics", |graph| Separate(graph, *variant))
+    let steps = if weighted { "steps 1 to 4" } else { "steps 1 to 3" };
+    Run::all([
+        on_connected(run, MOST, "the heading dynamics", |graph| Turning(graph, *variant, weighted)),
+        argued(&[1], "the heading dynamics", &format!("notes/tanner1.md, Heading dynamics, {steps}")),
+    ])
 }
 
-fn examine_weighted(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let pair = Weighted(Graph::path(2), *variant);
-    if let Some(outcome) = at_upwards(&pair, "the sum of (r_i . v_i) thetadot_i")? {
-        return Ok(outcome);
-    }
-    on_connected(run, "the weighted sum", |graph| Weighted(graph, *variant))
+/// Tests (7) as printed.
+pub(super) fn examine_printed(run: &Run) -> Result<Outcome, CheckError> {
+    examine_turning(&PRINTED_HEADINGS, false, run)
 }
 
-pub(super) const PRINTED_HEADINGS: HeadingVariant = HeadingVariant { potential: 0, alignment: 1 };
+const PRINTED_HEADINGS: HeadingVariant = HeadingVariant { potential: 0, alignment: 1 };
 const TRUE_HEADINGS: HeadingVariant = HeadingVariant { potential: 1, alignment: 1 };
 
 pub fn eq7() -> Record<HeadingVariant> {
@@ -194,11 +185,11 @@ pub fn eq7() -> Record<HeadingVariant> {
         "thetadot_i = (v_i x vdot_i)/|v_i|²: the alignment force gives the printed sum, but the potential force has a part normal to v_i too and turns the heading as well. The derivation drops it, and then concludes from one scalar equation \
          that each of N terms vanishes.",
         PRINTED_HEADINGS,
-        examine_separate,
+        |variant, run| examine_turning(variant, false, run),
     )
     .repaired(
         Fault::False,
-        "thetadot_i = - sum_{j~i} (theta_i - theta_j)/|r_ij|² - (v_i x grad_{r_i} V_i)/|v_i|², where v_i != 0.",
+        "Where v_i != 0: thetadot_i = - sum_{j~i} (theta_i - theta_j)/|r_ij|² - (v_i x grad_{r_i} V_i)/|v_i|².",
         TRUE_HEADINGS,
     )
     .control("the potentials' part with the other sign", HeadingVariant { potential: -1, ..TRUE_HEADINGS })
@@ -211,11 +202,11 @@ pub fn eq6b() -> Record<HeadingVariant> {
         "The step before it replaces vdot_i by omega_i x v_i, the part of vdot_i normal to v_i, but the potential forces have such a part too, and torque along v_i as well. With the true heading rates the sum is that of \
          -(r_i . v_i)(v_i x grad_{r_i} V_i)/|v_i|².",
         PRINTED_HEADINGS,
-        examine_weighted,
+        |variant, run| examine_turning(variant, true, run),
     )
     .repaired(
         Fault::False,
-        "sum_i (r_i . v_i)(thetadot_i + sum_{j~i} (theta_i - theta_j)/|r_ij|² + (v_i x grad_{r_i} V_i)/|v_i|²) = 0.",
+        "Where no agent is at rest: sum_i (r_i . v_i)(thetadot_i + sum_{j~i} (theta_i - theta_j)/|r_ij|² + (v_i x grad_{r_i} V_i)/|v_i|²) = 0.",
         TRUE_HEADINGS,
     )
     .control("the potentials' part with the other sign", HeadingVariant { potential: -1, ..TRUE_HEADINGS })

@@ -4,9 +4,10 @@
 //! at `(1/50) sin t` from the middle. Its acceleration is that of the law, with the links to both; so is that of the pair, if
 //! agent 1 has the tied link with weight `m` and agent 2 with weight `m'`, both between 0 and 1 at all times.
 
+use super::fixtures::{PLANE, spring};
 use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
 use ledger::CheckError;
-use models::double_integrator::{Coordinates, Potential, State, linked_within, velocity_alignment};
+use models::double_integrator::{State, linked_within, velocity_alignment};
 
 /// The weights `m` and `m'` where the sine and the cosine of the time are these; `None` where the links are not as described.
 fn weights<T: Field + Signed>(sine: &T, cosine: &T) -> Result<Option<[T; 2]>, CheckError> {
@@ -18,15 +19,14 @@ fn weights<T: Field + Signed>(sine: &T, cosine: &T) -> Result<Option<[T; 2]>, Ch
         positions: vec![on_line(-half.clone()), on_line(half), on_line(size.clone() * sine)],
         velocities: vec![on_line(zero.clone()), on_line(zero.clone()), on_line(size.clone() * cosine)],
     };
-    let (links, plane) = ([(0, 2), (1, 2)], Coordinates::Cartesian);
-    let near = linked_within(&state.positions, &radius.square(), plane);
+    let links = [(0, 2), (1, 2)];
+    let near = linked_within(&state.positions, &radius.square(), PLANE);
     if !links.iter().all(|&(i, j)| near.has_edge(i, j)) || near.has_edge(0, 1) {
         return Ok(None);
     }
-    let potential = Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1));
-    let slope = |_: usize, _: usize, s: &T| potential.slope(s);
-    let own = velocity_alignment(&state, &links, plane, slope)?;
-    let tied = velocity_alignment(&state, &[(0, 1)], plane, slope)?;
+    let slope = |_: usize, _: usize, s: &T| spring().slope(s);
+    let own = velocity_alignment(&state, &links, PLANE, slope)?;
+    let tied = velocity_alignment(&state, &[(0, 1)], PLANE, slope)?;
     // Agent 3 has the acceleration of the pair minus the swing (1/50) sin t.
     let pair = own[2][0].clone() + size * sine;
     let weight = |k: usize| (pair.clone() - &own[k][0]).over(&tied[k][0]);

@@ -4,14 +4,13 @@
 //! velocities there and follow the motion back; a moment before, they were apart. Where the energy is infinite instead, it
 //! cannot.
 
-use super::arbitrary::Arbitrary;
-use super::energy::{EdgeSum, on_connected};
-use super::nonsmooth::{HullVariant, examine_hull};
+use super::fixtures::{PLANE, SMOOTH, argued, connected, energy_decreases, pairs, soft, spring};
+use super::graphs::shown;
+use super::nonsmooth::{HullVariant, hulls};
 use algebra::graph::Graph;
 use arithmetic::{Rational, rational};
-use ledger::Record;
-use ledger::{CheckError, Evidence, Grade, Outcome, Run};
-use models::double_integrator::{Coordinates, Pair, Potential, State, linked_within, velocity_alignment};
+use ledger::{CheckError, Outcome, Record, Run};
+use models::double_integrator::{Pair, Potential, State, linked_within, velocity_alignment};
 
 /// The networks of a statement.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -46,16 +45,6 @@ pub struct CollisionVariant {
     potential: Potential,
 }
 
-/// `s + 1/s - 2`.
-fn repulsive() -> Potential {
-    Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1))
-}
-
-/// `(s - 1)²`, bounded where agents meet.
-fn soft() -> Potential {
-    Potential::new(vec![(1, rational(2, 1)), (0, rational(-2, 1))], (rational(1, 1), rational(0, 1)))
-}
-
 /// Agents apart from each other with different velocities, but for `pair`, which is in one place.
 fn meeting(count: usize, pair: Pair) -> State<Rational> {
     let q = |n: usize| rational(n as i64, 1);
@@ -68,113 +57,106 @@ fn meeting(count: usize, pair: Pair) -> State<Rational> {
 fn can_meet(graph: Option<&Graph>, count: usize, pair: Pair, potential: &Potential) -> bool {
     let state = meeting(count, pair);
     // By distance: whatever R, agents that meet are linked; all are within 100 here.
-    let near = linked_within(&state.positions, &rational(10_000, 1), Coordinates::Cartesian);
+    let near = linked_within(&state.positions, &rational(10_000, 1), PLANE);
     let edges = graph.unwrap_or(&near).edges();
-    velocity_alignment(&state, &edges, Coordinates::Cartesian, |_, _, s| potential.slope(s)).is_ok()
+    velocity_alignment(&state, &edges, PLANE, |_, _, s| potential.slope(s)).is_ok()
+}
+
+impl CollisionVariant {
+    fn graphs(&self) -> Vec<Graph> {
+        let complete = |count: usize| Graph::from_fn(count, |_, _| true);
+        match self.networks {
+            Networks::Connected => connected(5),
+            Networks::Complete | Networks::ByDistance => (1..=6).map(complete).collect(),
+            Networks::AllButOne => (3..=6).map(|count| Graph::from_fn(count, |i, j| (i, j) != (0, 1))).collect(),
+        }
+    }
+
+    fn means(&self, graph: &Graph, pair: Pair) -> bool {
+        match self.pairs {
+            Pairs::Linked => graph.has_edge(pair.0, pair.1),
+            Pairs::Unlinked => !graph.has_edge(pair.0, pair.1),
+            Pairs::All => true,
+        }
+    }
 }
 
 fn examine(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence = |detail: &str| Evidence::new(Grade::Exact, "collisions", detail.to_string());
-    let complete = |count: usize| Graph::from_fn(count, |_, _| true);
-    let graphs: Vec<Graph> = match variant.networks {
-        Networks::Connected => Arbitrary::connected(5),
-        Networks::Complete | Networks::ByDistance => (1..=6).map(complete).collect(),
-        Networks::AllButOne => (3..=6).map(|count| Graph::from_fn(count, |i, j| (i, j) != (0, 1))).collect(),
-    };
-    let mut cases = 0;
-    for graph in &graphs {
-        run.checkpoint()?;
-        let count = graph.order();
-        for pair in (0..count).flat_map(|j| (0..j).map(move |i| (i, j))) {
-            let linked = graph.has_edge(pair.0, pair.1);
-            if variant.pairs == Pairs::Linked && !linked || variant.pairs == Pairs::Unlinked && linked {
-                continue;
-            }
-            let fixed = (variant.networks != Networks::ByDistance).then_some(graph);
-            cases += 1;
-            if can_meet(fixed, count, pair, &variant.potential) == variant.avoided {
-                let what = if variant.avoided {
-                    format!(
-                        "{count} agents, edges {:?}: the law is smooth where agents {} and {} meet with different velocities; followed back from there they start apart",
-                        graph.edges(),
-                        pair.0 + 1,
-                        pair.1 + 1
-                    )
-                } else {
-                    format!(
-                        "{count} agents, edges {:?}: the energy is infinite where agents {} and {} meet",
-                        graph.edges(),
-                        pair.0 + 1,
-                        pair.1 + 1
-                    )
-                };
-                return Ok(Outcome::fails(what, evidence("the law at a state where they meet, exact")));
-            }
-        }
-    }
+    let graphs = variant.graphs();
+    let cases = graphs.iter().flat_map(|graph| pairs(graph.order()).map(move |pair| (graph, pair)));
+    let cases = cases.filter(|(graph, pair)| variant.means(graph, *pair));
+    let detail = "the law at a state where they meet, exact, graphs of up to 5 or 6 agents";
+    let meetings = run.instances("collisions", detail, cases, |(graph, pair)| {
+        let fixed = (variant.networks != Networks::ByDistance).then_some(graph);
+        let meet = can_meet(fixed, graph.order(), pair, &variant.potential);
+        let (i, j) = (pair.0 + 1, pair.1 + 1);
+        Ok((meet == variant.avoided).then(|| match variant.avoided {
+            true => format!("{}: the law is smooth where agents {i} and {j} meet with different velocities; followed back from there they start apart", shown(graph)),
+            false => format!("{}: the energy is infinite where agents {i} and {j} meet", shown(graph)),
+        }))
+    })?;
     if !variant.avoided {
-        let detail = "for every graph and every such pair a start apart leads to a collision (smooth law at a meeting, followed back); the law at a meeting, exact, all connected graphs of up to 5 agents";
-        return Ok(Outcome::Holds(vec![evidence(detail).cases(cases)]));
+        return Run::all([Ok(meetings), argued(&[1], "collisions", "notes/tanner2.md, Theorem 1, step 8")]);
+    }
+    if !matches!(meetings, Outcome::Holds(_)) {
+        return Ok(meetings);
     }
     if let Err(problem) = variant.potential.check_definition3() {
         return Ok(Outcome::Undecided(format!("no barrier: {problem}")));
     }
-    let detail = "for all: the energy does not increase (equation (9); for links by distance the notes) and is infinite where such a pair meets; the law is singular there, graphs of up to 5 or 6 agents";
-    let barrier = Outcome::Holds(vec![evidence(detail).cases(cases)]);
-    let decrease = if variant.networks == Networks::ByDistance {
-        examine_hull(&HullVariant::Subset, run)
+    let (decrease, steps) = if variant.networks == Networks::ByDistance {
+        (hulls(&HullVariant::Subset, run), "notes/tanner2.md, Section 5, steps 1 to 5")
     } else {
-        on_connected(run, "dW/dt is minus the sum of |v_i - v_j|² over the edges", EdgeSum)
+        (energy_decreases(run, 1), "notes/tanner2.md, Theorem 1, steps 1 and 2")
     };
-    Run::all([Ok(barrier), decrease])
+    Run::all([Ok(meetings), decrease, argued(&[1], "the barrier", steps)])
 }
 
 pub fn thm1b() -> Record<CollisionVariant> {
     let printed =
-        CollisionVariant { networks: Networks::Connected, pairs: Pairs::Linked, avoided: true, potential: repulsive() };
+        CollisionVariant { networks: Networks::Connected, pairs: Pairs::Linked, avoided: true, potential: spring() };
     Record::new(
         "tanner2.thm1b",
         "W does not increase and is at least V_ij, which tends to infinity where linked agents meet: |r_ij| stays above the smallest distance with V_ij <= W(0).",
         printed.clone(),
         examine,
     )
+    .reading(SMOOTH)
     .control("all agents", CollisionVariant { pairs: Pairs::All, ..printed.clone() })
     .control("V = (s - 1)², which stays bounded", CollisionVariant { potential: soft(), ..printed })
 }
 
 pub fn cor3() -> Record<CollisionVariant> {
     let printed =
-        CollisionVariant { networks: Networks::Complete, pairs: Pairs::All, avoided: true, potential: repulsive() };
+        CollisionVariant { networks: Networks::Complete, pairs: Pairs::All, avoided: true, potential: spring() };
     Record::new(
         "tanner2.cor3",
         "All pairs are linked: Theorem 1's bound for linked agents is one for all.",
         printed.clone(),
         examine,
     )
+    .reading(SMOOTH)
     .control("complete but for one edge", CollisionVariant { networks: Networks::AllButOne, ..printed.clone() })
     .control("V = (s - 1)², which stays bounded", CollisionVariant { potential: soft(), ..printed })
 }
 
 pub fn thm2_coll() -> Record<CollisionVariant> {
     let printed =
-        CollisionVariant { networks: Networks::ByDistance, pairs: Pairs::All, avoided: true, potential: repulsive() };
+        CollisionVariant { networks: Networks::ByDistance, pairs: Pairs::All, avoided: true, potential: spring() };
     Record::new(
         "tanner2.thm2_coll",
         "Q does not increase along any Filippov solution (tanner2.eq13) and is at least U_ij, which is V_ij near a collision, as close agents are linked, and tends to infinity. Connectivity is not needed.",
         printed.clone(),
         examine,
     )
+    .reading("every Filippov solution, K of the whole vector field; starts in which no two agents coincide")
     .control("links fixed, any connected graph", CollisionVariant { networks: Networks::Connected, ..printed.clone() })
     .control("V = (s - 1)², which stays bounded", CollisionVariant { potential: soft(), ..printed })
 }
 
 pub fn noninter() -> Record<CollisionVariant> {
-    let printed = CollisionVariant {
-        networks: Networks::Connected,
-        pairs: Pairs::Unlinked,
-        avoided: false,
-        potential: repulsive(),
-    };
+    let printed =
+        CollisionVariant { networks: Networks::Connected, pairs: Pairs::Unlinked, avoided: false, potential: spring() };
     Record::new(
         "tanner2.noninter",
         "At a state where two agents without link meet and no linked ones do, the law is smooth. Let the two have different velocities there and follow the motion back for a short time: it starts with all agents apart and ends in \
@@ -182,6 +164,6 @@ pub fn noninter() -> Record<CollisionVariant> {
         printed.clone(),
         examine,
     )
-    .control("linked pairs", CollisionVariant { pairs: Pairs::Linked, ..printed.clone() })
-    .control("all pairs", CollisionVariant { pairs: Pairs::All, ..printed })
+    .reading("\"cannot be ensured\": for every graph and every pair that is not linked some start leads to a collision")
+    .control("linked pairs", CollisionVariant { pairs: Pairs::Linked, ..printed })
 }

@@ -1,36 +1,19 @@
 //! tanner2.eq6, eq8, eq9, cor2_decomp, S_config, eq14, vdotB: the energy and its rate of change on a fixed graph.
 
-use super::arbitrary::{Arbitrary, dot, quadratic, total};
+use super::fixtures::{PLANE, argued, energy_decreases, on_connected, quadratic, spring, total};
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Dual, Field, Rational, Signed, gradient, rational};
-use ledger::Record;
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{
-    Coordinates, Potential, State, difference, kinetic_energy, potential_energy, scaled, sum, velocity_alignment,
+    AnyPotentials, Potential, State, difference, disagreements, dot, kinetic_energy, potential_energy, scaled, sum,
+    velocity_alignment,
 };
 
-/// Runs an identity on connected graphs of up to three agents, or four in a full run, one of each class.
-pub(super) fn on_connected<I: RationalIdentity>(
-    run: &Run,
-    what: &str,
-    identity: impl Fn(Graph) -> I,
-) -> Result<Outcome, CheckError> {
-    let graphs = Arbitrary::connected(run.cases(3, 4)).into_iter();
-    Run::all(graphs.map(|graph| {
-        let names = names(&graph);
-        let part = format!("{what}, {} agents, edges {:?}, any potentials", graph.order(), graph.edges());
-        run.identity(&identity(graph), &names.iter().map(String::as_str).collect::<Vec<_>>(), &part)
-    }))
-}
-
-fn names(graph: &Graph) -> Vec<String> {
-    let agents = |a: &'static str, b: &'static str| {
-        (1..=graph.order()).flat_map(move |i| [format!("{a}{i}"), format!("{b}{i}")])
-    };
-    let slopes = graph.edges().into_iter().map(|(i, j)| format!("V'_{}{}", i + 1, j + 1));
-    agents("x", "y").chain(agents("vx", "vy")).chain(slopes).collect()
+/// Agents in the identities.
+fn most(run: &Run) -> usize {
+    run.cases(3, 4)
 }
 
 // --- Equation (9) ---
@@ -61,7 +44,7 @@ fn laplacian(graph: &Graph, signless: bool) -> Result<RationalMatrix, Arithmetic
 
 impl RationalIdentity for Rate {
     fn variables(&self) -> usize {
-        Arbitrary::variables(&self.0)
+        AnyPotentials::variables(&self.0)
     }
 
     fn components(&self) -> Vec<String> {
@@ -69,7 +52,7 @@ impl RationalIdentity for Rate {
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = Arbitrary::read(&self.0, at)?;
+        let flock = AnyPotentials::read(&self.0, at)?;
         let matrix = laplacian(&self.0, self.1.signless)?;
         let plane = RationalMatrix::identity(2).map_err(|_| ArithmeticError::Domain("the plane"))?;
         let stack: Vec<T> = if self.1.by_axis {
@@ -93,9 +76,11 @@ pub fn eq9() -> Record<RateVariant> {
          |v_i - v_j|². With the stack vector (v_1, v_2, ...) the matrix L kron I_2 gives the same sum. Any graph, any potentials. \
          (The text calls the velocities three dimensional; the agents move in the plane, and I_2 in the formula is right. In three dimensions it would be I_3, with a third form in v_z.)",
         printed,
-        |variant, run| on_connected(run, "equation (9)", |graph| Rate(graph, *variant)),
+        |variant, run| {
+            Ok(on_connected(run, most(run), "equation (9)", |graph| Rate(graph, *variant))?.on([1, 2]))
+        },
     )
-    .control("the other sign", RateVariant { factor: 1, ..printed })
+    .clauses(&["Wdot = -v^T (L kron I_2) v.", "Wdot = -v_x^T L v_x - v_y^T L v_y."])
     .control("twice", RateVariant { factor: -2, ..printed })
     .control("D + A in place of L", RateVariant { signless: true, ..printed })
     .control("L kron I_2 with all x components first", RateVariant { by_axis: true, ..printed })
@@ -115,7 +100,7 @@ struct Chain(Graph, ChainVariant);
 
 impl RationalIdentity for Chain {
     fn variables(&self) -> usize {
-        Arbitrary::variables(&self.0)
+        AnyPotentials::variables(&self.0)
     }
 
     fn components(&self) -> Vec<String> {
@@ -125,11 +110,11 @@ impl RationalIdentity for Chain {
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = Arbitrary::read(&self.0, at)?;
+        let flock = AnyPotentials::read(&self.0, at)?;
         let (like, v) = (&at[0], &flock.state.velocities);
         let half = total(like, flock.agent_rates()?) * like.ratio(self.1.half.0, self.1.half.1);
         let gradients = flock.gradients()?;
-        let damping = models::double_integrator::disagreements(v, &flock.edges);
+        let damping = disagreements(v, &flock.edges);
         let work = total(like, (0..v.len()).map(|i| dot(&v[i], &sum(&damping[i], &gradients[i]))));
         let counted = like.integer(self.1.counted);
         let pairs = flock.pair_gradients()?;
@@ -153,11 +138,20 @@ pub fn eq8() -> Record<ChainVariant> {
     let printed = ChainVariant { half: (1, 2), counted: 1, sign: 1 };
     Record::new(
         "tanner2.eq8",
-        "Each V_ij occurs in V_i and in V_j, so half the sum of the V_i is the sum over the edges, each once: this is what the sums over j ~ i \
-         without i mean. V_ij depends on r_i - r_j, so grad_{r_j} = -grad_{r_i} = -grad_{r_ij}. Any graph, any potentials.",
+        "Each V_ij occurs in V_i and in V_j, so half the sum of the V_i is the sum over the edges, each once. V_ij depends on r_i - r_j, so grad_{r_j} = -grad_{r_i} = -grad_{r_ij}. Any graph, any potentials.",
         printed,
-        |variant, run| on_connected(run, "equation (8)", |graph| Chain(graph, *variant)),
+        |variant, run| Run::all([
+            Ok(on_connected(run, most(run), "equation (8)", |graph| Chain(graph, *variant))?.on([1, 2, 3, 4])),
+            argued(&[1, 2, 3, 4], "the chain of equations", "notes/tanner2.md, Identities, steps 1 and 2"),
+        ]),
     )
+    .clauses(&[
+        "Wdot = (1/2) sum_i Vdot_i - sum_i v_i^T (sum_{j~i} (v_i - v_j) + grad_{r_i} V_i).",
+        "(1/2) sum_i Vdot_i = sum_{j~i} rdot_ij^T grad_{r_ij} V_ij.",
+        "This is sum_{j~i} (rdot_i^T grad_{r_i} V_ij + rdot_j^T grad_{r_j} V_ij).",
+        "This is sum_i rdot_i^T grad_{r_i} V_i.",
+    ])
+    .reading("sums over j ~ i without i take every edge once")
     .control("without the half", ChainVariant { half: (1, 1), ..printed })
     .control("each edge twice", ChainVariant { counted: 2, ..printed })
     .control("minus grad_{r_j}", ChainVariant { sign: -1, ..printed })
@@ -176,11 +170,11 @@ struct Mechanical(Graph, MechanicalVariant);
 
 impl RationalIdentity for Mechanical {
     fn variables(&self) -> usize {
-        Arbitrary::variables(&self.0)
+        AnyPotentials::variables(&self.0)
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = Arbitrary::read(&self.0, at)?;
+        let flock = AnyPotentials::read(&self.0, at)?;
         let count = self.0.order();
         let derivatives = gradient(&at[..4 * count], |list: &[Dual<T>]| {
             let state = State::from_list(count, list).ok_or(ArithmeticError::Domain("a state"))?;
@@ -193,8 +187,11 @@ impl RationalIdentity for Mechanical {
 }
 
 fn examine_mechanical(variant: &MechanicalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let identity = on_connected(run, "the forces are -grad W", |graph| Mechanical(graph, *variant));
-    Run::all([identity, non_negative(variant)])
+    Run::all([
+        Ok(on_connected(run, most(run), "the forces are -grad W", |graph| Mechanical(graph, *variant))?.on([2])),
+        Ok(non_negative(variant)?.on([1])),
+        argued(&[1, 2], "energy and forces", "notes/tanner2.md, Identities, steps 1 and 5"),
+    ])
 }
 
 /// The least value of `W` is that at rest at the minimum of every potential, for two agents.
@@ -204,14 +201,10 @@ fn non_negative(variant: &MechanicalVariant) -> Result<Outcome, CheckError> {
     let zero = [rational(0, 1), rational(0, 1)];
     let positions = [zero.clone(), [one.clone(), rational(0, 1)]];
     let value = |_: usize, _: usize, s: &Rational| potential.rational_value(s);
-    let edges = potential_energy(&positions, &[(0, 1)], Coordinates::Cartesian, value)?;
-    let energy = edges * rational(2 * variant.factor.0, variant.factor.1)
-        + kinetic_energy(&[zero.clone(), zero], Coordinates::Cartesian)?;
-    let evidence = Evidence::new(
-        Grade::Exact,
-        "W >= 0",
-        "a sum of non-negative terms; its least value for two agents and s + 1/s - 2",
-    );
+    let edges = potential_energy(&positions, &[(0, 1)], PLANE, value)?;
+    let energy =
+        edges * rational(2 * variant.factor.0, variant.factor.1) + kinetic_energy(&[zero.clone(), zero], PLANE)?;
+    let evidence = Evidence::new(Grade::Exact, "W >= 0", "its least value for two agents and s + 1/s - 2");
     if energy.is_certainly_negative() {
         return Ok(Outcome::fails(format!("two agents at rest at the desired distance: W = {energy}"), evidence));
     }
@@ -227,6 +220,7 @@ pub fn eq6() -> Record<MechanicalVariant> {
         printed,
         examine_mechanical,
     )
+    .clauses(&["W is nonnegative.", "W is the (differentiable) mechanical energy of the group."])
     .control("without the half before V_i", MechanicalVariant { factor: (1, 1), ..printed })
     .control("a potential that is negative at its minimum", MechanicalVariant { least: -1, ..printed })
 }
@@ -245,11 +239,11 @@ struct Part(Graph, PartVariant);
 
 impl RationalIdentity for Part {
     fn variables(&self) -> usize {
-        Arbitrary::variables(&self.0)
+        AnyPotentials::variables(&self.0)
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = Arbitrary::read(&self.0, at)?;
+        let flock = AnyPotentials::read(&self.0, at)?;
         let mut matrix = laplacian(&self.0, false)?;
         if self.1.power == 2 {
             matrix = matrix.times(&matrix).map_err(|_| ArithmeticError::Domain("a square matrix"))?;
@@ -270,7 +264,12 @@ pub fn cor2_decomp() -> Record<PartVariant> {
         "tanner2.cor2_decomp",
         "L 1 = 0 and L is symmetric, so the part of v_x along 1 drops out of v_x^T L v_x; the same for v_y.",
         printed,
-        |variant, run| on_connected(run, "Wdot by the parts normal to 1", |graph| Part(graph, *variant)),
+        |variant, run| {
+            Run::all([
+                on_connected(run, most(run), "Wdot by the parts normal to 1", |graph| Part(graph, *variant)),
+                argued(&[1], "Wdot by the parts normal to 1", "notes/tanner2.md, Identities, step 6"),
+            ])
+        },
     )
     .control("the parts along 1", PartVariant { mean: true, ..printed })
     .control("without v_y", PartVariant { axes: 1, ..printed })
@@ -301,18 +300,14 @@ fn drifting_pair() -> State<Rational> {
     }
 }
 
-fn spring() -> Potential {
-    Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1))
-}
-
 fn examine_vanishing(variant: &Vanishing, run: &mut Run) -> Result<Outcome, CheckError> {
     let state = drifting_pair();
     let potential = spring();
-    let accelerations = velocity_alignment(&state, &[(0, 1)], Coordinates::Cartesian, |_, _, s| potential.slope(s))?;
+    let accelerations = velocity_alignment(&state, &[(0, 1)], PLANE, |_, _, s| potential.slope(s))?;
     let moving = state.moving(&accelerations);
     let value = |_: usize, _: usize, s: &Dual<Rational>| potential.rational_value(s);
-    let energy = potential_energy(&moving.positions, &[(0, 1)], Coordinates::Cartesian, value)?
-        + kinetic_energy(&moving.velocities, Coordinates::Cartesian)?;
+    let energy =
+        potential_energy(&moving.positions, &[(0, 1)], PLANE, value)? + kinetic_energy(&moving.velocities, PLANE)?;
     let is_zero = |v: &[Rational; 2]| v.iter().all(num_traits::Zero::is_zero);
     let (name, vanishes) = match variant {
         Vanishing::Separations => ("r_12", is_zero(&state.separation(0, 1))),
@@ -328,27 +323,8 @@ fn examine_vanishing(variant: &Vanishing, run: &mut Run) -> Result<Outcome, Chec
         );
         return Ok(Outcome::fails(what, evidence));
     }
-    // dW/dt is minus the sum of |v_i - v_j|² over the edges, so a zero makes all velocities of a connected graph equal.
-    let identity = on_connected(run, "dW/dt is minus the sum of |v_i - v_j|² over the edges", EdgeSum)?;
-    Run::all([Ok(identity), Ok(Outcome::Holds(vec![evidence]))])
-}
-
-/// `Wdot` is minus the sum of `|v_i - v_j|²` over the edges.
-pub(super) struct EdgeSum(pub Graph);
-
-impl RationalIdentity for EdgeSum {
-    fn variables(&self) -> usize {
-        Arbitrary::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = Arbitrary::read(&self.0, at)?;
-        let squares = flock.edges.iter().map(|&(i, j)| {
-            let relative = flock.state.relative_velocity(i, j);
-            -dot(&relative, &relative)
-        });
-        Ok((vec![flock.energy_rate()?], vec![total(&at[0], squares)]))
-    }
+    let steps = "notes/tanner2.md, Identities, step 7";
+    Run::all([Ok(Outcome::Holds(vec![evidence])), energy_decreases(run, 1), argued(&[1], "all of them", steps)])
 }
 
 pub fn s_config() -> Record<Vanishing> {
@@ -359,7 +335,11 @@ pub fn s_config() -> Record<Vanishing> {
         Vanishing::Separations,
         examine_vanishing,
     )
-    .repaired(Fault::Slip, "It follows that rdot_ij = v_i - v_j = 0 for all (i, j).", Vanishing::RelativeVelocities)
+    .repaired(
+        Fault::Typo,
+        "When Wdot = 0 on a connected graph, it follows that rdot_ij = v_i - v_j = 0 for all (i, j).",
+        Vanishing::RelativeVelocities,
+    )
     .control("v_i = 0", Vanishing::Velocities)
     .control("vdot_i = 0", Vanishing::Accelerations)
 }
@@ -380,14 +360,14 @@ struct Momentum(Graph, bool);
 
 impl RationalIdentity for Momentum {
     fn variables(&self) -> usize {
-        Arbitrary::variables(&self.0) + if self.1 { 0 } else { self.0.edges().len() }
+        AnyPotentials::variables(&self.0) + if self.1 { 0 } else { self.0.edges().len() }
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = Arbitrary::read(&self.0, at)?;
+        let flock = AnyPotentials::read(&self.0, at)?;
         let mut accelerations = flock.accelerations()?;
         if !self.1 {
-            let own = &at[Arbitrary::variables(&self.0)..];
+            let own = &at[AnyPotentials::variables(&self.0)..];
             for ((&(i, j), mutual), other) in flock.edges.iter().zip(&flock.slopes).zip(own) {
                 let extra = scaled(&((other.clone() - mutual) * at[0].integer(2)), &flock.state.separation(i, j));
                 accelerations[j] = sum(&accelerations[j], &extra);
@@ -399,14 +379,16 @@ impl RationalIdentity for Momentum {
 }
 
 fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let momentum = on_connected(run, "the accelerations sum to zero", |graph| Momentum(graph, variant.mutual));
+    let momentum =
+        on_connected(run, most(run), "the accelerations sum to zero", |graph| Momentum(graph, variant.mutual));
+    let momentum = momentum.map(|outcome| outcome.on([1, 3]));
     if variant.invariant {
-        // Equal accelerations that sum to zero are zero: N a = 0.
-        return momentum;
+        let steps = "notes/tanner2.md, Identities, step 4";
+        return Run::all([momentum, argued(&[1, 2, 3], "accelerations in the invariant set", steps)]);
     }
     let state = drifting_pair();
-    let accelerations = velocity_alignment(&state, &[(0, 1)], Coordinates::Cartesian, |_, _, s| spring().slope(s))?;
-    let evidence = Evidence::new(Grade::Exact, "equal velocities at one instant", "exact accelerations");
+    let accelerations = velocity_alignment(&state, &[(0, 1)], PLANE, |_, _, s| spring().slope(s))?;
+    let evidence = Evidence::new(Grade::Exact, "equal velocities at one instant", "exact accelerations").on([3]);
     if accelerations.iter().flatten().any(|a| !num_traits::Zero::is_zero(a)) {
         let what = format!(
             "two agents with a common velocity at distance 3/2: vdot_1 = ({}, {})",
@@ -426,6 +408,11 @@ pub fn eq14() -> Record<SteadyVariant> {
         printed,
         examine_steady,
     )
+    .clauses(&[
+        "vdot_x and vdot_y belong to span{1}^perp.",
+        "In the invariant set vdot_x and vdot_y belong to span{1}.",
+        "Hence vdot_x, vdot_y = 0: the agent velocities do not change in steady state.",
+    ])
     .control("forces that are not mutual", SteadyVariant { mutual: false, ..printed })
     .control("equal velocities at one instant only", SteadyVariant { invariant: false, ..printed })
 }
@@ -443,11 +430,11 @@ struct ByIncidence(Graph, IncidenceVariant);
 
 impl RationalIdentity for ByIncidence {
     fn variables(&self) -> usize {
-        Arbitrary::variables(&self.0)
+        AnyPotentials::variables(&self.0)
     }
 
     fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = Arbitrary::read(&self.0, at)?;
+        let flock = AnyPotentials::read(&self.0, at)?;
         // In S the velocities are equal: the accelerations are minus the gradients.
         let left = flock.gradients()?.into_iter().flatten().map(|x| -x).collect();
         let mut right: Vec<[T; 2]> = vec![[at[0].zero(), at[0].zero()]; self.0.order()];
@@ -469,7 +456,10 @@ pub fn vdot_b() -> Record<IncidenceVariant> {
          row i of (B kron I_2)[grad_{r_ij} V_ij] is -grad_{r_i} V_i: the minus sign before B is one too many. The range of B, which is all the \
          proof uses, does not depend on the sign.",
         printed,
-        |variant, run| on_connected(run, "vdot in S by the incidence matrix", |graph| ByIncidence(graph, *variant)),
+        |variant, run| Run::all([
+            on_connected(run, most(run), "vdot in S by the incidence matrix", |graph| ByIncidence(graph, *variant)),
+            argued(&[1], "vdot in S by the incidence matrix", "notes/tanner2.md, Identities, step 8"),
+        ]),
     )
     .repaired(
         Fault::Slip,

@@ -1,12 +1,10 @@
 //! tanner2.eq10_exist, appA.def4, appA_uniq, appA.thm4: solutions of equations with discontinuous right-hand sides.
 
 use super::figures::other;
+use super::fixtures::{PLANE, argued, spring};
 use arithmetic::{Rational, Signed, rational};
-use ledger::Record;
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
-use models::double_integrator::{Coordinates, Kink, Pair, Potential, Span, State, Way, fork, linked_within, tied};
-
-const PLANE: Coordinates = Coordinates::Cartesian;
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use models::double_integrator::{Kink, Pair, Span, State, Way, fork, linked_within, tied};
 
 /// A right-hand side on the line with one jump: `left` for `x < 0`, `right` for `x >= 0`.
 #[derive(Debug, Clone, Copy)]
@@ -43,24 +41,16 @@ impl Step {
 #[derive(Clone, Copy)]
 pub struct UniqueVariant(fn(i64, i64) -> bool);
 
-fn examine_unique(variant: &UniqueVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut cases = 0;
-    for field in Step::all().filter(|field| variant.0(field.left, field.right)) {
-        let rays = field.rays();
-        cases += 1;
-        if rays.len() != 1 {
-            let what = format!(
-                "f(x) = {} for x < 0 and {} for x >= 0 is measurable and bounded; from x(0) = 0 there are the solutions x = ct with c = {rays:?}",
-                field.left, field.right
-            );
-            return Ok(Outcome::fails(
-                what,
-                Evidence::new(Grade::Exact, "solutions from the jump", "the inclusion checked for x = ct"),
-            ));
-        }
-    }
-    let detail = "for all one-sided Lipschitz fields: |x - y|² grows at most like exp(2lt), so equal starts stay equal; checked on step fields with values -1, 0, 1";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "solutions from the jump", detail).cases(cases)]))
+fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let fields = Step::all().filter(|field| variant.0(field.left, field.right));
+    let detail = "the inclusion checked for x = ct, step fields with values -1, 0, 1";
+    let rays = run.instances("solutions from the jump", detail, fields, |field| {
+        let (left, right, rays) = (field.left, field.right, field.rays());
+        Ok((rays.len() != 1).then(|| format!(
+            "f(x) = {left} for x < 0 and {right} for x >= 0 is measurable and bounded; from x(0) = 0 there are the solutions x = ct with c = {rays:?}"
+        )))
+    });
+    Run::all([rays, argued(&[1], "one-sided bounds", "notes/tanner2.md, Appendix, step 1")])
 }
 
 pub fn uniqueness() -> Record<UniqueVariant> {
@@ -73,10 +63,9 @@ pub fn uniqueness() -> Record<UniqueVariant> {
     )
     .repaired(
         Fault::False,
-        "The definition gives existence; solutions are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x - y|² for almost all x, y near each point.",
+        "Solutions of xdot = f(x) are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x - y|² for almost all x, y near each point.",
         UniqueVariant(|left, right| right <= left),
     )
-    .control("fields bounded by 1", UniqueVariant(|left, right| left.abs() <= 1 && right.abs() <= 1))
     .control("increasing fields", UniqueVariant(|left, right| right >= left))
 }
 
@@ -95,9 +84,9 @@ pub enum SolutionVariant {
     Classical,
 }
 
-fn examine_solution(variant: &SolutionVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut cases = 0;
-    for field in Step::all() {
+fn examine_solution(variant: &SolutionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let detail = "every ray and the point 0, step fields with values -1, 0, 1";
+    let starts = run.instances("solutions from the jump", detail, Step::all(), |field| {
         let solves = |c: i64| {
             let (span, rate) = (field.inclusion(c), rational(c, 1));
             match variant {
@@ -107,24 +96,13 @@ fn examine_solution(variant: &SolutionVariant, _run: &mut Run) -> Result<Outcome
                 SolutionVariant::Classical => c == if c < 0 { field.left } else { field.right },
             }
         };
-        cases += 1;
-        if !(-1..=1).any(solves) {
-            let what = format!(
-                "f(x) = {} for x < 0 and {} for x >= 0: no solution starts from 0, not even x = 0, where K[f](0) = [{}, {}]",
-                field.left,
-                field.right,
-                field.inclusion(0).lo,
-                field.inclusion(0).hi
-            );
-            return Ok(Outcome::fails(
-                what,
-                Evidence::new(Grade::Exact, "solutions from the jump", "every ray and the point 0"),
-            ));
-        }
-    }
-    let detail =
-        "bounded measurable fields have solutions by the inclusion (Filippov); step fields with values -1, 0, 1";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "solutions from the jump", detail).cases(cases)]))
+        let at = field.inclusion(0);
+        Ok((!(-1..=1).any(solves)).then(|| format!(
+            "f(x) = {} for x < 0 and {} for x >= 0: no solution starts from 0, not even x = 0, where K[f](0) = [{}, {}]",
+            field.left, field.right, at.lo, at.hi
+        )))
+    });
+    Run::all([starts, argued(&[1], "that the definition has solutions", "notes/tanner2.md, Appendix, step 2")])
 }
 
 pub fn definition4() -> Record<SolutionVariant> {
@@ -135,7 +113,11 @@ pub fn definition4() -> Record<SolutionVariant> {
         SolutionVariant::Equal,
         examine_solution,
     )
-    .repaired(Fault::Slip, "... and for almost all t, xdot is an element of K[f](x).", SolutionVariant::Member)
+    .repaired(
+        Fault::Typo,
+        "x(.) is a Filippov solution of xdot = f(x) if it is absolutely continuous and for almost all t xdot is an element of K[f](x); so read, there is a solution from every start for every bounded measurable f.",
+        SolutionVariant::Member,
+    )
     .control("without the convex hull", SolutionVariant::Limit)
     .control("xdot = f(x)", SolutionVariant::Classical)
 }
@@ -150,52 +132,46 @@ pub struct ChainRuleVariant {
     everywhere: bool,
 }
 
-fn examine_chain_rule(variant: &ChainRuleVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-    for dimension in 1..=3 {
-        if (variant.arguments)(dimension) != dimension + 1 {
-            let what = format!(
-                "x in R^{dimension}: V has {} arguments, but (x(t), t) has {}",
-                (variant.arguments)(dimension),
-                dimension + 1
-            );
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Text, "the domain of V", "dimensions compared")));
-        }
-    }
-    // V = |x| + 3t is Lipschitz and regular; x = ct solves a step field. At x = 0 the generalised gradient is [-1, 1] x {3}.
+/// A ray of a step field along which `V = |x| + 3t` has a rate that is not in the set (A.2).
+fn outside_chain_rule(field: Step, c: i64, time: bool) -> Option<String> {
     let one = rational(1, 1);
     let absolute = Kink { left: -one.clone(), right: one.clone() };
-    let own = rational(if variant.time { 3 } else { 0 }, 1);
-    let mut cases = 0;
-    for field in Step::all() {
-        for c in field.rays() {
-            let rate = absolute.directional(&rational(c, 1)) + rational(3, 1);
-            let hull = field.inclusion(c);
-            let slopes = match c.signum() {
-                1 => vec![one.clone()],
-                -1 => vec![-one.clone()],
-                // The intersection over all z in [-1, 1]: -1, 0 and 1 give it for an interval K.
-                _ => vec![-one.clone(), rational(0, 1), one.clone()],
-            };
-            let spans = slopes.iter().map(|z| {
-                let ends = [&hull.lo * z + &own, &hull.hi * z + &own];
-                let [a, b] = ends;
-                Span { lo: a.clone().min(b.clone()), hi: a.max(b) }
-            });
-            let inside = spans.into_iter().all(|span| span.contains(&rate));
-            cases += 1;
-            if !inside {
-                let what = format!("V = |x| + 3t along x = {c}t: dV/dt = {rate} is not in the set");
-                return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the chain rule", "exact sets")));
-            }
-        }
-    }
+    let own = rational(if time { 3 } else { 0 }, 1);
+    let rate = absolute.directional(&rational(c, 1)) + rational(3, 1);
+    let hull = field.inclusion(c);
+    let slopes = match c.signum() {
+        1 => vec![one],
+        -1 => vec![-one],
+        // The intersection over all z in [-1, 1]: -1, 0 and 1 give it for an interval K.
+        _ => vec![-one.clone(), rational(0, 1), one],
+    };
+    let contains = |z: &Rational| {
+        let [a, b] = [&hull.lo * z + &own, &hull.hi * z + &own];
+        Span { lo: a.clone().min(b.clone()), hi: a.max(b) }.contains(&rate)
+    };
+    (!slopes.iter().all(contains)).then(|| format!("V = |x| + 3t along x = {c}t: dV/dt = {rate} is not in the set"))
+}
+
+fn examine_chain_rule(variant: &ChainRuleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "the domain of V";
+    let domains = run.instances(part, "dimensions compared", 1..=3usize, |dimension| {
+        let (has, needed) = ((variant.arguments)(dimension), dimension + 1);
+        Ok((has != needed).then(|| format!("x in R^{dimension}: V has {has} arguments, but (x(t), t) has {needed}")))
+    })?;
+    // V = |x| + 3t is Lipschitz and regular; x = ct solves a step field. At x = 0 the generalised gradient is [-1, 1] x {3}.
+    let rays = Step::all().flat_map(|field| field.rays().into_iter().map(move |c| (field, c)));
+    let detail = "exact sets, V = |x| + 3t along rays of step fields";
+    let chain =
+        run.instances("the chain rule", detail, rays, |(field, c)| Ok(outside_chain_rule(field, c, variant.time)))?;
     // x = t - 1 solves xdot = 1 and passes the kink of V at t = 1, where V has two one-sided rates.
+    let one = rational(1, 1);
+    let absolute = Kink { left: -one.clone(), right: one.clone() };
     if variant.everywhere && absolute.directional(&one) != -absolute.directional(&-one.clone()) {
-        let what = "V = |x| along x = t - 1: V has no derivative at t = 1".to_string();
+        let what = "V = |x| along x = t - 1: V has no derivative at t = 1";
         return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the chain rule", "one-sided rates")));
     }
-    let detail = "for all: where x(t) and V(x(t), t) are differentiable, regularity makes z.(xdot, 1) the same for every z of the gradient (notes/tanner2.md); V = |x| + 3t along rays of step fields";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "the chain rule", detail).cases(cases)]))
+    let steps = "notes/tanner2.md, Appendix, steps 3 to 5";
+    Run::all([Ok(domains), Ok(chain), argued(&[1], "the chain rule", steps)])
 }
 
 pub fn chain_rule() -> Record<ChainRuleVariant> {
@@ -208,10 +184,13 @@ pub fn chain_rule() -> Record<ChainRuleVariant> {
         printed,
         examine_chain_rule,
     )
-    .repaired(Fault::Slip, "... V: R^n x R -> R ...", repaired)
+    .repaired(
+        Fault::Typo,
+        "Let x(.) be a Filippov solution to xdot = f(x,t), x in R^n, and V : R^n x R -> R Lipschitz and regular; then V(x(t),t) is absolutely continuous and d/dt V lies almost everywhere in the intersection over xi in dV of xi^T (K[f]; 1).",
+        repaired,
+    )
     .control("K[f] with 0 in place of 1", ChainRuleVariant { time: false, ..repaired })
     .control("for every t", ChainRuleVariant { everywhere: true, ..repaired })
-    .control("V of x alone", ChainRuleVariant { arguments: |n| n, ..repaired })
 }
 
 // --- Existence and uniqueness for (10) ---
@@ -269,61 +248,64 @@ fn starts() -> Vec<Start> {
 
 /// In words, the ways in which the pairs at the threshold can go on.
 fn ways_on(start: &Start) -> Result<Vec<String>, CheckError> {
-    let one = rational(1, 1);
-    let potential = Potential::inverse_square_spring(&one, &one);
-    let fork = fork(&start.state, &start.square, PLANE, &potential).map_err(other)?;
+    let fork = fork(&start.state, &start.square, PLANE, &spring()).map_err(other)?;
     if fork.branches.iter().any(|branch| !branch.decided) {
         return Err(other(format!("{}: the ways on are not decided", start.name)));
     }
     let word = |(_, way): &(Pair, Way<Rational>)| match way {
         Way::Leaves => "not linked, with growing distance",
-        Way::Enters => "linked, with falling distance",
+        Way::Enters => "linked, with decreasing distance",
         Way::Stays(_) => "at distance R for a while",
     };
     Ok(fork.branches.iter().map(|branch| branch.ways.iter().map(word).collect::<Vec<_>>().join(", ")).collect())
 }
 
-fn examine_starts(variant: &StartVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut cases = 0;
-    for start in starts() {
-        let ties = tied(&start.state.positions, &start.square, PLANE);
-        let rate = |&(i, j): &Pair| PLANE.product(&start.state.separation(i, j), &start.state.relative_velocity(i, j));
-        let still = |&(i, j): &Pair| start.state.relative_velocity(i, j).iter().all(|x| *x == rational(0, 1));
-        let meant = match variant {
-            StartVariant::All => true,
-            StartVariant::Connected => linked_within(&start.state.positions, &start.square, PLANE).is_connected(),
-            StartVariant::Moving => !ties.iter().any(still),
-            StartVariant::Crossing => ties.iter().all(|pair| rate(pair).sign() != Some(arithmetic::Sign::Zero)),
-        };
-        if !meant {
-            continue;
-        }
-        cases += 1;
-        let ways = ways_on(&start)?;
-        if ways.len() > 1 {
-            let what = format!("V = s + 1/s - 2, {}: the pair can go on {}", start.name, ways.join("; or "));
-            let detail = "exact second derivatives of |r_ij|² on both sides";
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "solutions of (10) from ties", detail)));
-        }
+fn means(variant: &StartVariant, start: &Start) -> bool {
+    let ties = tied(&start.state.positions, &start.square, PLANE);
+    let rate = |&(i, j): &Pair| PLANE.product(&start.state.separation(i, j), &start.state.relative_velocity(i, j));
+    let still = |&(i, j): &Pair| start.state.relative_velocity(i, j).iter().all(|x| *x == rational(0, 1));
+    match variant {
+        StartVariant::All => true,
+        StartVariant::Connected => linked_within(&start.state.positions, &start.square, PLANE).is_connected(),
+        StartVariant::Moving => !ties.iter().any(still),
+        StartVariant::Crossing => ties.iter().all(|pair| rate(pair).sign() != Some(arithmetic::Sign::Zero)),
     }
-    let detail = "existence: K[u] is bounded near the start, closed and convex (Filippov). Uniqueness while every pair at |r_ij| = R has r_ij.v_ij != 0: the rate of |r_ij|² does not jump, so each pair passes \
-                  at once and the motion is smooth on both sides (notes/tanner2.md); starts of two and three agents";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "solutions of (10) from ties", detail).cases(cases)]))
+}
+
+fn examine_starts(variant: &StartVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let list = starts().into_iter().filter(|start| means(variant, start));
+    let detail = "exact second derivatives of |r_ij|² on both sides, starts of two and three agents";
+    let ways = run.instances("solutions of (10) from ties", detail, list, |start| {
+        let ways = ways_on(&start)?;
+        let all = ways.join("; or ");
+        Ok((ways.len() > 1).then(|| format!("V = s + 1/s - 2, {}: the pair can go on {all}", start.name)))
+    })?;
+    let steps = "notes/tanner2.md, Existence and uniqueness, steps 1 to 4";
+    Run::all([Ok(ways.on([2])), argued(&[1, 2], "solutions of (10)", steps)])
 }
 
 pub fn existence() -> Record<StartVariant> {
     Record::new(
         "tanner2.eq10_exist",
         "Boundedness of u gives existence, not uniqueness. At |r_ij| = R with r_ij.v_ij = 0 the second derivative of |r_ij|² jumps from a - 8 V'(R²) R² (linked) to a (not linked). Two agents at rest at distance R: staying \
-         at rest is a solution, and falling together is another one; they may also wait for any time first. With a > 0 > a - 8 V'(R²) R² there are three ways on, on connected graphs too.",
+         at rest is a solution, and moving towards each other is another one; they may also wait for any time first. With a > 0 > a - 8 V'(R²) R² there are three ways on, on connected graphs too.",
         StartVariant::All,
         examine_starts,
     )
     .repaired(
         Fault::False,
-        "Solutions of (10) exist for as long as no two agents collide; they are unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",
+        "From every start in which no two agents are in one place (10) has a solution for all time. It is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",
         StartVariant::Crossing,
     )
+    .repaired_clauses(&[
+        "From every start in which no two agents are in one place (10) has a solution for all time.",
+        "It is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",
+    ])
+    .clauses(&[
+        "Existence of the solutions of (10) is guaranteed by the boundedness of u_i.",
+        "Uniqueness of the solutions of (10) is guaranteed by the boundedness of u_i.",
+    ])
+    .reading("K of the whole vector field, potentials of Definition 3 with a locally Lipschitz gradient")
     .control("with a connected graph", StartVariant::Connected)
     .control("unless a tied pair is at relative rest", StartVariant::Moving)
 }

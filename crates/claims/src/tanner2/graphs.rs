@@ -1,16 +1,21 @@
 //! tanner2.L, rangeB, cor2_merris, and the same statements of tanner1: Laplacians and incidence matrices.
 
-use super::arbitrary::Arbitrary;
+use super::fixtures::{argued, connected, pairs};
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, rational};
-use ledger::Record;
-use ledger::{CheckError, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use rand_chacha::rand_core::Rng;
 
 /// Every labelled graph of up to four vertices, and the connected ones of five, one of each class.
 pub(crate) fn small_graphs() -> Vec<Graph> {
     (1..=4).flat_map(Graph::all).chain(Graph::connected_up_to_isomorphism(5)).collect()
+}
+
+/// A graph in words.
+pub(crate) fn shown(graph: &Graph) -> String {
+    let vertices = if graph.order() == 1 { "vertex" } else { "vertices" };
+    format!("{} {vertices}, edges {:?}", graph.order(), graph.edges())
 }
 
 /// The sum of `w_e b_e c_e^T` over the edges, where `b_e` is the column of the incidence matrix of edge `e`, -1 where the edge
@@ -41,32 +46,34 @@ impl LaplacianVariant {
     pub const PRINTED: Self = LaplacianVariant { sign: -1, offset: 0, weighted: false };
 }
 
+/// `D + sign A` of a variant, and the weights of the edges.
+fn claimed_laplacian(graph: &Graph, variant: &LaplacianVariant) -> (Vec<Vec<Rational>>, Vec<Rational>) {
+    let (order, edges) = (graph.order(), graph.edges());
+    let weight = |k: usize| if variant.weighted { rational(k as i64 + 1, 2) } else { rational(1, 1) };
+    let weights: Vec<Rational> = (0..edges.len()).map(weight).collect();
+    let mut rows = vec![vec![rational(0, 1); order]; order];
+    for (&(i, j), w) in edges.iter().zip(&weights) {
+        rows[i][i] += w;
+        rows[j][j] += w;
+        rows[i][j] += w * rational(variant.sign, 1);
+        rows[j][i] += w * rational(variant.sign, 1);
+    }
+    (rows, weights)
+}
+
 /// Tests the properties of a Laplacian of every small graph.
-pub(crate) fn examine_laplacian(variant: &LaplacianVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let graphs = small_graphs();
+pub(crate) fn examine_laplacian(variant: &LaplacianVariant, run: &Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
-    let exhaustive = |detail: &str| Evidence::new(Grade::Exhaustive, "properties of the Laplacian", detail.to_string());
-    for graph in &graphs {
-        run.checkpoint()?;
-        let order = graph.order();
-        let edges = graph.edges();
-        let weight = |k: usize| if variant.weighted { rational(k as i64 + 1, 2) } else { rational(1, 1) };
-        let weights: Vec<Rational> = (0..edges.len()).map(weight).collect();
-        // D + sign A.
-        let mut rows = vec![vec![rational(0, 1); order]; order];
-        for (&(i, j), w) in edges.iter().zip(&weights) {
-            rows[i][i] += w;
-            rows[j][j] += w;
-            rows[i][j] += w * rational(variant.sign, 1);
-            rows[j][i] += w * rational(variant.sign, 1);
-        }
-        let turned: Vec<bool> = edges.iter().map(|_| random.next_u32() & 1 == 1).collect();
+    let detail = "every labelled graph of up to 4 vertices and every connected one of 5 up to isomorphism, two orientations of each";
+    let evidence = Evidence::new(Grade::Exhaustive, "properties of the Laplacian", detail);
+    run.every(evidence, small_graphs(), |graph| {
+        let (rows, weights) = claimed_laplacian(&graph, variant);
+        let turned: Vec<bool> = weights.iter().map(|_| random.next_u32() & 1 == 1).collect();
         let matrix = RationalMatrix::from_rows(&rows)?;
         let characteristic = matrix.characteristic_polynomial()?;
-        let zero = rational(0, 1);
-        let components = graph.components().len();
-        let oriented = [vec![false; edges.len()], turned];
-        let problem = if oriented.iter().any(|turned| incidence_product(graph, &weights, turned) != rows) {
+        let (zero, components) = (rational(0, 1), graph.components().len());
+        let oriented = [vec![false; weights.len()], turned];
+        let problem = if oriented.iter().any(|turned| incidence_product(&graph, &weights, turned) != rows) {
             "it is not the product of the incidence matrices"
         } else if matrix.transpose() != matrix {
             "it is not symmetric"
@@ -74,19 +81,13 @@ pub(crate) fn examine_laplacian(variant: &LaplacianVariant, run: &mut Run) -> Re
             "it has a negative eigenvalue"
         } else if characteristic.multiplicity(&zero) != components + variant.offset {
             "0 is an eigenvalue of another multiplicity"
-        } else if components == 1 && !is_span_of_ones(&matrix.kernel(), order) {
+        } else if components == 1 && !is_span_of_ones(&matrix.kernel(), graph.order()) {
             "its kernel is not the span of 1"
         } else {
-            continue;
+            return Ok(None);
         };
-        return Ok(Outcome::fails(
-            format!("{order} vertices, edges {edges:?}: {problem}"),
-            exhaustive("exact matrices"),
-        ));
-    }
-    let detail = "every labelled graph of up to 4 vertices and every connected one of 5 up to isomorphism, two orientations of each; \
-                  for all graphs the proof is in notes/tanner2.md";
-    Ok(Outcome::Holds(vec![exhaustive(detail).cases(graphs.len())]))
+        Ok(Some(format!("{}: {problem}", shown(&graph))))
+    })
 }
 
 fn is_span_of_ones(kernel: &[Vec<Rational>], order: usize) -> bool {
@@ -98,10 +99,21 @@ pub fn laplacian() -> Record<LaplacianVariant> {
     Record::new(
         "tanner2.L",
         "Each edge adds b b^T with b = ±(e_i - e_j), whatever its direction, so B B^T = D - A is symmetric and x^T L x is the sum of \
-         (x_i - x_j)² over the edges: non-negative, and zero exactly where x is constant on every component. (lambda_2 needs two vertices.)",
+         (x_i - x_j)² over the edges: non-negative, and zero exactly where x is constant on every component.",
         printed,
-        examine_laplacian,
+        |variant, run| Run::all([
+            Ok(examine_laplacian(variant, run)?.on([1, 2, 3, 4, 5])),
+            argued(&[1, 2, 3, 4, 5], "properties of the Laplacian", "notes/tanner2.md, Laplacians, steps 1 to 4"),
+        ]),
     )
+    .clauses(&[
+        "L(G) = B B^T is independent of the orientation.",
+        "It is symmetric and positive semidefinite.",
+        "The multiplicity of its zero eigenvalue is the number of connected components.",
+        "For a connected graph the zero eigenvector is 1_n.",
+        "For a connected graph lambda_2 > 0.",
+    ])
+    .reading("lambda_2 for two vertices or more; one vertex has none")
     .control("D + A", LaplacianVariant { sign: 1, ..printed })
     .control("one more zero eigenvalue", LaplacianVariant { offset: 1, ..printed })
 }
@@ -118,28 +130,22 @@ fn is_tree(graph: &Graph) -> bool {
 }
 
 fn examine_range(variant: &RangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let graphs = small_graphs();
-    let evidence = Evidence::new(
-        Grade::Exhaustive,
-        "range and rank of B",
-        "every labelled graph of up to 4 vertices and every connected one of 5 up to isomorphism; for all graphs the proof is in notes/tanner2.md",
-    );
-    for graph in &graphs {
-        run.checkpoint()?;
+    let detail = "every labelled graph of up to 4 vertices and every connected one of 5 up to isomorphism";
+    let evidence = Evidence::new(Grade::Exhaustive, "range and rank of B", detail).on([1, 2, 3]);
+    let ranks = run.every(evidence, small_graphs(), |graph: Graph| {
         // No edges: no columns, the range is {0}.
-        let edges = graph.edges();
-        let rank = if edges.is_empty() { 0 } else { edges.len() - graph.incidence()?.kernel().len() };
+        let edges = graph.edges().len();
+        let rank = if edges == 0 { 0 } else { edges - graph.incidence()?.kernel().len() };
         // Every column sums to zero, so the range lies in the complement of 1, which has N - 1 dimensions.
-        if (variant.range)(graph) && rank + 1 != graph.order() {
-            let what = format!("{} vertices, edges {edges:?}: the rank of B is {rank}", graph.order());
-            return Ok(Outcome::fails(what, evidence));
-        }
-        if (variant.independent)(graph) && rank != edges.len() {
-            let what = format!("{} vertices, edges {edges:?}: {} columns of rank {rank}", graph.order(), edges.len());
-            return Ok(Outcome::fails(what, evidence));
-        }
-    }
-    Ok(Outcome::Holds(vec![evidence.cases(graphs.len())]))
+        Ok(if (variant.range)(&graph) && rank + 1 != graph.order() {
+            Some(format!("{}: the rank of B is {rank}", shown(&graph)))
+        } else if (variant.independent)(&graph) && rank != edges {
+            Some(format!("{}: {edges} columns of rank {rank}", shown(&graph)))
+        } else {
+            None
+        })
+    });
+    Run::all([ranks, argued(&[1, 2, 3], "range and rank of B", "notes/tanner2.md, Laplacians, step 5")])
 }
 
 pub fn range() -> Record<RangeVariant> {
@@ -151,6 +157,12 @@ pub fn range() -> Record<RangeVariant> {
         printed,
         examine_range,
     )
+    .clauses(&[
+        "For a connected graph range(B) = span{1}^perp.",
+        "A tree has N - 1 edges.",
+        "For a tree B is full rank.",
+    ])
+    .reading("full rank of the columns")
     .control("any graph", RangeVariant { range: |_| true, ..printed })
     .control("as many edges as vertices", RangeVariant {
         independent: |graph| graph.is_connected() && graph.edges().len() == graph.order(),
@@ -171,71 +183,60 @@ pub enum Growth {
     AtMostOne,
 }
 
-/// The eigenvalues from the smallest on, if all are rational.
-fn rational_spectrum(graph: &Graph) -> Result<Option<Vec<Rational>>, CheckError> {
+/// The eigenvalues of the Laplacian from the smallest on, if all are rational.
+pub(crate) fn rational_spectrum(graph: &Graph) -> Result<Option<Vec<Rational>>, CheckError> {
     let values = graph.laplacian()?.characteristic_polynomial()?.rational_eigenvalues();
     let mut list: Vec<Rational> = values.into_iter().flat_map(|(x, times)| vec![x; times]).collect();
     list.reverse();
     Ok((list.len() == graph.order()).then_some(list))
 }
 
-fn examine_growth(variant: &Growth, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut cases = 0;
-    let part = "a new edge and the eigenvalues of L";
-    for graph in Arbitrary::connected(5) {
-        run.checkpoint()?;
-        let order = graph.order();
-        let before = graph.laplacian()?.characteristic_polynomial()?;
-        for (i, j) in (0..order).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| !graph.has_edge(i, j)) {
-            let more = graph.with_edges(&[(i, j)]);
-            let after = more.laplacian()?.characteristic_polynomial()?;
-            cases += 1;
-            // Counts above a grid of rationals, and the eigenvalues themselves where all are rational.
-            let lost =
-                (0..=8 * order as i64).map(|k| rational(k, 4)).any(|x| after.count_above(&x) < before.count_above(&x));
-            let pair = (rational_spectrum(&graph)?, rational_spectrum(&more)?);
-            let against = |fails: &dyn Fn(usize, &Rational, &Rational) -> bool| match &pair {
-                (Some(a), Some(b)) => (0..order).find(|&k| fails(k, &a[k], &b[k])),
-                _ => None,
-            };
-            let found = match variant {
-                Growth::NoneDecreases => {
-                    if lost {
-                        Some(0)
-                    } else {
-                        against(&|_, a, b| b < a)
-                    }
-                }
-                Growth::AllIncrease => against(&|k, a, b| k > 0 && b <= a),
-                Growth::SecondIncreases => against(&|k, a, b| k == 1 && b <= a),
-                Growth::AtMostOne => against(&|_, a, b| b - a > rational(1, 1)),
-            };
-            if let Some(k) = found {
-                let what = format!(
-                    "{order} vertices, edges {:?} and then {:?}: eigenvalue {} from below goes {:?}",
-                    graph.edges(),
-                    (i, j),
-                    k + 1,
-                    pair.0.zip(pair.1).map(|(a, b)| format!("from {} to {}", a[k], b[k]))
-                );
-                return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, part, "rational eigenvalues")));
-            }
-        }
+/// Which eigenvalue from below goes against the statement, from 0; an eigenvalue whose numbers are not rational counts as the first.
+fn against(variant: Growth, graph: &Graph, more: &Graph) -> Result<Option<usize>, CheckError> {
+    let [before, after] = [graph, more].map(|graph| graph.laplacian().and_then(|l| l.characteristic_polynomial()));
+    let (before, after) = (before?, after?);
+    // Counts above a grid of rationals, and the eigenvalues themselves where all are rational.
+    let grid = (0..=8 * graph.order() as i64).map(|k| rational(k, 4));
+    if variant == Growth::NoneDecreases && grid.into_iter().any(|x| after.count_above(&x) < before.count_above(&x)) {
+        return Ok(Some(0));
     }
-    let detail = "every connected graph of up to 5 vertices and every new edge: numbers of eigenvalues above the multiples of 1/4, and rational eigenvalues; \
-                  for all graphs L grows by b b^T, notes/tanner2.md";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exhaustive, part, detail).cases(cases)]))
+    let (Some(a), Some(b)) = (rational_spectrum(graph)?, rational_spectrum(more)?) else { return Ok(None) };
+    Ok((0..a.len()).find(|&k| match variant {
+        Growth::NoneDecreases => b[k] < a[k],
+        Growth::AllIncrease => k > 0 && b[k] <= a[k],
+        Growth::SecondIncreases => k == 1 && b[k] <= a[k],
+        Growth::AtMostOne => &b[k] - &a[k] > rational(1, 1),
+    }))
+}
+
+fn examine_growth(variant: &Growth, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "a new edge and the eigenvalues of L";
+    let detail = "every connected graph of up to 5 vertices and every new edge: numbers of eigenvalues above the multiples of 1/4, and rational eigenvalues";
+    let additions = connected(5).into_iter().flat_map(|graph| {
+        let free: Vec<_> = pairs(graph.order()).filter(|&(i, j)| !graph.has_edge(i, j)).collect();
+        free.into_iter().map(move |pair| (graph.clone(), pair))
+    });
+    let evidence = Evidence::new(Grade::Exhaustive, part, detail);
+    let growth = run.every(evidence, additions, |(graph, pair): (Graph, (usize, usize))| {
+        let more = graph.with_edges(&[pair]);
+        let Some(k) = against(*variant, &graph, &more)? else { return Ok(None) };
+        let change = rational_spectrum(&graph)?.zip(rational_spectrum(&more)?);
+        let change = change.map(|(a, b)| format!("from {} to {}", a[k], b[k])).unwrap_or_default();
+        Ok(Some(format!("{} and then {pair:?}: eigenvalue {} from below goes {change}", shown(&graph), k + 1)))
+    });
+    Run::all([growth, argued(&[1], part, "notes/tanner2.md, Laplacians, step 6")])
 }
 
 pub fn merris() -> Record<Growth> {
     Record::new(
         "tanner2.cor2_merris",
         "A new edge adds b b^T, which is positive semidefinite of trace 2: no eigenvalue decreases (Courant and Fischer), and their sum increases by 2. \
-         \"Generally increases\" is read in this sense. Some may stay: 0 always, 3 from the path to the triangle, lambda_2 = 1 from the star of 4 to the star with \
+         Some may stay: 0 always, 3 from the path to the triangle, lambda_2 = 1 from the star of 4 to the star with \
          an edge.",
         Growth::NoneDecreases,
         examine_growth,
     )
+    .reading("\"generally increases\": no eigenvalue decreases, and their sum grows by 2")
     .control("every eigenvalue but 0 increases", Growth::AllIncrease)
     .control("lambda_2 increases", Growth::SecondIncreases)
     .control("none by more than 1", Growth::AtMostOne)

@@ -1,17 +1,13 @@
 //! tanner2.thm1a, thm1c, sec4.flocking, def3, cor1, thm2_vel, thm2_pot: where the motions go.
 
 use super::agentwise::swing;
-use super::arbitrary::Arbitrary;
-use super::energy::{EdgeSum, on_connected};
-use super::motions::{Motion, inflected_pair, motions, paths, row_of_three, triangle};
-use super::nonsmooth::{HullVariant, examine_hull};
+use super::fixtures::{PLANE, SMOOTH, argued, connected, energy_decreases, printed as logarithmic, sloped, spring};
+use super::motions::{inflected_pair, motions, pair, paths, row_of_three, triangle};
+use super::nonsmooth::{HullVariant, hulls};
 use algebra::graph::Graph;
-use algebra::matrix::RationalMatrix;
-use algebra::spectrum::Polynomial;
 use arithmetic::{Rational, rational};
-use ledger::Record;
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
-use models::double_integrator::{Coordinates, Potential, State, linearisation, linked_within, velocity_alignment};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use models::double_integrator::{Potential, State, SteadyMotion, linked_within, velocity_alignment};
 
 /// What is said of every motion.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -30,11 +26,13 @@ pub enum Conclusion {
 #[derive(Clone, Copy)]
 pub struct LimitVariant {
     connected: bool,
+    /// The alignment of (4) times this.
+    damping: i64,
     conclusion: Conclusion,
 }
 
 /// Whether an exact motion contradicts a conclusion about limits: its velocities and distances are those of its start for ever.
-fn contradicts(motion: &Motion, conclusion: Conclusion) -> Result<Option<String>, CheckError> {
+fn contradicts(motion: &SteadyMotion, conclusion: Conclusion) -> Result<Option<String>, CheckError> {
     let zero = rational(0, 1);
     Ok(match conclusion {
         Conclusion::Agree => (!motion.agrees()).then(|| "keep different velocities".to_string()),
@@ -44,7 +42,7 @@ fn contradicts(motion: &Motion, conclusion: Conclusion) -> Result<Option<String>
         }
         Conclusion::Minimised => motion.not_minimised()?.map(|agent| {
             format!(
-                "stay there, though the potential of agent {} is not least: it falls when that agent moves aside",
+                "stay there, though the potential of agent {} is not least: it decreases when that agent moves aside",
                 agent + 1
             )
         }),
@@ -52,68 +50,61 @@ fn contradicts(motion: &Motion, conclusion: Conclusion) -> Result<Option<String>
     })
 }
 
-/// A motion among `motions` that contradicts the conclusion.
-fn refuted_by(motions: &[Motion], connected: bool, conclusion: Conclusion) -> Result<Option<Outcome>, CheckError> {
-    for motion in motions.iter().filter(|motion| !connected || motion.graph.is_connected()) {
+/// That no motion among `motions` contradicts the conclusion, or the first one that does.
+fn uncontradicted(
+    run: &Run,
+    motions: Vec<SteadyMotion>,
+    connected: bool,
+    conclusion: Conclusion,
+) -> Result<Outcome, CheckError> {
+    let meant = motions.into_iter().filter(|motion| !connected || motion.graph.is_connected());
+    run.instances("exact motions", "accelerations and derivatives, exact", meant, |motion| {
         if !motion.is_steady()? {
             return Err(CheckError::Other(format!("{} is not steady", motion.name)));
         }
-        if let Some(how) = contradicts(motion, conclusion)? {
-            let what = format!("{}: the agents {how}", motion.name);
-            return Ok(Some(Outcome::fails(
-                what,
-                Evidence::new(Grade::Exact, "an exact motion", "accelerations and derivatives, exact"),
-            )));
-        }
-    }
-    Ok(None)
+        Ok(contradicts(&motion, conclusion)?.map(|how| format!("{}: the agents {how}", motion.name)))
+    })
 }
 
-/// `lambda_2 > 0` on connected graphs, and the exact motions.
-fn support(run: &Run, part: &str, notes: &str) -> Result<Outcome, CheckError> {
-    let graphs: Vec<Graph> = Arbitrary::connected(5).into_iter().filter(|graph| graph.order() > 1).collect();
-    for graph in &graphs {
-        run.checkpoint()?;
-        if graph.laplacian()?.characteristic_polynomial()?.count_above(&rational(0, 1)) + 1 != graph.order() {
-            return Ok(Outcome::Undecided("a connected graph without positive lambda_2".to_string()));
-        }
-    }
-    let detail = format!(
-        "proof in notes/tanner2.md: {notes}; lambda_2 > 0 exactly on all connected graphs of 2 to 5 agents, and no exact motion contradicts it"
-    );
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, part, detail).cases(graphs.len())]))
+/// `lambda_2 > 0` on connected graphs.
+fn positive_connectivity(run: &Run) -> Result<Outcome, CheckError> {
+    let graphs = connected(5).into_iter().filter(|graph| graph.order() > 1);
+    run.instances("lambda_2 > 0", "all connected graphs of 2 to 5 agents, exactly", graphs, |graph: Graph| {
+        let positive = graph.laplacian()?.characteristic_polynomial()?.count_above(&rational(0, 1));
+        Ok((positive + 1 != graph.order()).then(|| format!("edges {:?}: lambda_2 = 0", graph.edges())))
+    })
 }
 
 fn examine_fixed(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    if let Some(outcome) = refuted_by(&motions(), variant.connected, variant.conclusion)? {
-        return Ok(outcome);
-    }
-    let identity = on_connected(run, "dW/dt is minus the sum of |v_i - v_j|² over the edges", EdgeSum);
+    let steps = match variant.conclusion {
+        Conclusion::Agree => "notes/tanner2.md, Theorem 1, steps 1 to 4, the last one by Coq",
+        _ => "notes/tanner2.md, Theorem 1, steps 1 to 5",
+    };
     Run::all([
-        support(
-            run,
-            "the limits",
-            "W decreases, Omega is compact, and LaSalle's principle leaves equal velocities and vanishing gradients",
-        ),
-        identity,
+        uncontradicted(run, motions(), variant.connected, variant.conclusion),
+        energy_decreases(run, variant.damping),
+        positive_connectivity(run),
+        argued(&[1], "the limits", steps),
     ])
 }
 
 pub fn thm1a() -> Record<LimitVariant> {
-    let printed = LimitVariant { connected: true, conclusion: Conclusion::Agree };
+    let printed = LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Agree };
     Record::new(
         "tanner2.thm1a",
-        "dW/dt = -v^T (L kron I_2) v <= 0 and Omega is compact in (r_ij, v_i), so the motion exists for all time and tends to the largest invariant set with equal velocities. The sum of all velocities is kept, \
-         so each tends to the mean of the initial ones. A continuous V' is enough for this part: the squared disagreement is integrable along every solution and has a bounded rate (Barbalat), without LaSalle's principle and without uniqueness (notes/tanner2.md).",
+        "dW/dt = -v^T (L kron I_2) v <= 0 and Omega is compact in (r_ij, v_i), so the motion exists for all time. The sum of all velocities is kept, \
+         so each tends to the mean of the initial ones. A continuous V' is enough: the squared disagreement is integrable along every solution and has a bounded rate (Barbalat), without LaSalle's principle and without uniqueness (notes/tanner2.md).",
         printed,
         examine_fixed,
     )
+    .reading(SMOOTH)
     .control("any graph", LimitVariant { connected: false, ..printed })
+    .control("alignment with the other sign", LimitVariant { damping: -1, ..printed })
     .control("all velocities tend to zero", LimitVariant { conclusion: Conclusion::Stop, ..printed })
 }
 
 pub fn thm1c() -> Record<LimitVariant> {
-    let printed = LimitVariant { connected: true, conclusion: Conclusion::Minimised };
+    let printed = LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Minimised };
     let repaired = LimitVariant { conclusion: Conclusion::Critical, ..printed };
     Record::new(
         "tanner2.thm1c",
@@ -123,12 +114,13 @@ pub fn thm1c() -> Record<LimitVariant> {
         printed,
         examine_fixed,
     )
+    .reading(SMOOTH)
     .repaired(
         Fault::False,
-        "... and the system approaches the set of critical configurations, grad_{r_i} V_i = 0 for all i (which minimise every V_ij if the graph is a tree and V_ij' vanishes at the minimum only).",
+        "Under the same hypotheses the system approaches the set of critical configurations: grad_{r_i} V_i tends to 0 for all i.",
         repaired,
     )
-    .control("minimised, on any graph", LimitVariant { connected: false, ..printed })
+    .control("alignment with the other sign", LimitVariant { damping: -1, ..repaired })
     .control("critical and at rest", LimitVariant { conclusion: Conclusion::Stop, ..repaired })
 }
 
@@ -141,118 +133,98 @@ pub struct ManifoldVariant {
     minima: bool,
 }
 
-/// The characteristic polynomial of the linearised loop.
-fn characteristic(motion: &Motion) -> Result<Polynomial, CheckError> {
-    let rows = linearisation(&motion.state, &motion.graph.edges(), motion.coordinates, &motion.potential)?;
-    let polynomial = RationalMatrix::from_rows(&rows)?.characteristic_polynomial()?;
-    Ok(Polynomial::from_rationals(&polynomial.coefficients()))
-}
-
-/// Stable up to translations, rotations and a common velocity, which give the eigenvalue 0 five times.
-fn is_stable_up_to_motions(motion: &Motion) -> Result<bool, CheckError> {
-    let (zero, rest) = characteristic(motion)?.without_root(0);
-    Ok(zero == 5 && rest.is_hurwitz())
-}
-
 fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let is_complete = |graph: &Graph| graph.edges().len() == graph.order() * (graph.order() - 1) / 2;
-    let mut list: Vec<Motion> = paths().into_iter().rev().collect();
-    list.extend([row_of_three(), triangle(), super::motions::pair()]);
-    let mut cases = 0;
-    for motion in &list {
+    let mut list: Vec<SteadyMotion> = paths().into_iter().rev().collect();
+    list.extend([row_of_three(), triangle(), pair()]);
+    let detail = "exact forces; characteristic polynomials of the pair and the triangle: 0 five times, the rest stable";
+    let equilibria = run.instances("equilibria", detail, list, |motion| {
         if variant.complete && !is_complete(&motion.graph) || variant.minima && motion.not_minimised()?.is_some() {
-            continue;
+            return Ok(None);
         }
-        let evidence = Evidence::new(Grade::Exact, "equilibria", "exact forces and characteristic polynomials");
         if !motion.is_steady()? {
             return Err(CheckError::Other(format!("{} is not steady", motion.name)));
         }
         if let Some((i, j)) = motion.coincident() {
-            let what = format!(
-                "{}: an equilibrium in which agents {} and {} are in the same place",
-                motion.name,
-                i + 1,
-                j + 1
-            );
-            return Ok(Outcome::fails(what, evidence));
+            let (name, i, j) = (motion.name, i + 1, j + 1);
+            return Ok(Some(format!("{name}: an equilibrium in which agents {i} and {j} are in the same place")));
         }
-        if is_complete(&motion.graph) && !is_stable_up_to_motions(motion)? {
-            let what = format!(
-                "{}: an equilibrium whose linearisation has an eigenvalue with positive real part",
-                motion.name
-            );
-            return Ok(Outcome::fails(what, evidence));
-        }
-        cases += 1;
-    }
-    let detail = "for all: proof in notes/tanner2.md (W as Lyapunov function near a strict minimum of the potential); characteristic polynomials of the pair and the triangle: 0 five times, the rest stable";
-    let instances = Outcome::Holds(vec![Evidence::new(Grade::Exact, "equilibria", detail).cases(cases)]);
-    Run::all([Ok(instances), on_connected(run, "dW/dt is minus the sum of |v_i - v_j|² over the edges", EdgeSum)])
+        let unstable = is_complete(&motion.graph) && motion.is_stable_up_to_motions() != Some(true);
+        let how = "an equilibrium whose linearisation has an eigenvalue with positive real part";
+        Ok(unstable.then(|| format!("{}: {how}", motion.name)))
+    })?;
+    Run::all([
+        Ok(equilibria.on([1, 2])),
+        Ok(energy_decreases(run, 1)?.on([1])),
+        argued(&[1, 2], "isolated minima", "notes/tanner2.md, Theorem 1, steps 1 and 7"),
+    ])
 }
 
 pub fn flocking() -> Record<ManifoldVariant> {
-    let printed = ManifoldVariant { complete: false, minima: false };
-    let repaired = ManifoldVariant { complete: true, minima: true };
     Record::new(
         "tanner2.sec4.flocking",
         "Definition 1 forbids collisions of any two agents. On the path 1-2-3 agents 1 and 3 do not know each other, and the equilibrium with both in the same place belongs to the manifold. \
-         On the complete graph nobody collides, but the equilibria include saddles (three agents in a row), which are not stable.",
-        printed,
+         On the complete graph nobody collides, but the equilibria include saddles (three agents in a row), which are not stable. A minimum has to be isolated among the critical configurations: \
+         V' = (s - 1)³ sin²(1/(s - 1))/s² has a strict minimum at s = 1 with other equilibria as near as one likes.",
+        ManifoldVariant { complete: false, minima: false },
         examine_manifold,
     )
+    .clauses(&[
+        "On a time invariant connected graph (4) creates an asymptotically stable equilibrium manifold.",
+        "On it the group satisfies Definition 1: same velocity, distances stabilized, no collisions between agents.",
+    ])
     .repaired(
         Fault::False,
-        "On the complete graph the equilibria at strict minima of the potential (up to translation and rotation) with a common velocity form an asymptotically stable manifold without collisions; on any connected graph \
-         velocities agree in the limit and linked agents do not collide.",
-        repaired,
+        "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j), in which no two agents are in one place.",
+        ManifoldVariant { complete: true, minima: true },
     )
+    .repaired_clauses(&[
+        "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
+        "In them no two agents are in one place.",
+    ])
     .control("all equilibria of the complete graph", ManifoldVariant { complete: true, minima: false })
     .control("minima on any connected graph", ManifoldVariant { complete: false, minima: true })
 }
 
 // --- Definition 3 and Corollary 1 ---
 
-fn examine_definition(potentials: &Vec<Potential>, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence = Evidence::new(
-        Grade::Exact,
-        "the conditions of Definition 3",
-        "signs of the slope and of its leading terms, exact roots",
-    );
-    for potential in potentials {
-        if let Err(problem) = potential.check_definition3() {
+fn examine_definition(potentials: &Vec<Potential>, run: &mut Run) -> Result<Outcome, CheckError> {
+    let detail = "signs of the slope and of its leading terms, exact roots";
+    let fulfilled = run.instances("the conditions of Definition 3", detail, potentials, |potential| {
+        Ok(potential.check_definition3().err().map(|problem| {
             let (numerator, power) = potential.slope_numerator();
-            let what =
-                format!("slope with numerator coefficients {:?} over s^{power}: {problem}", numerator.coefficients());
-            return Ok(Outcome::fails(what, evidence));
-        }
-    }
-    Ok(Outcome::Holds(vec![evidence.cases(potentials.len())]))
+            format!("slope with numerator coefficients {:?} over s^{power}: {problem}", numerator.coefficients())
+        }))
+    })?;
+    Ok(match fulfilled {
+        Outcome::Holds(evidence) => Outcome::NotCheckable(
+            "a definition: it says what the theorems assume, and has no truth value".to_string(),
+            evidence.into_iter().map(|e| e.on([1])).collect(),
+        ),
+        other => other,
+    })
 }
 
 pub fn definition3() -> Record<Vec<Potential>> {
     let one = rational(1, 1);
-    let of = |slope: &[(i32, i64)], least: i64| {
-        vec![Potential::new(
-            slope.iter().map(|&(k, c)| (k, rational(c, 1))).collect(),
-            (one.clone(), rational(least, 1)),
-        )]
-    };
     Record::new(
         "tanner2.def3",
-        "A definition: it is what the theorems assume, and it can be fulfilled, by the companion's 1/s + log s and by s + 1/s - 2. The proofs use more: a continuous gradient (Section 4: smooth laws), a positive slope at R \
+        "It can be fulfilled, by the companion's 1/s + log s and by s + 1/s - 2. The proofs use more: a continuous gradient (Section 4: smooth laws), a positive slope at R \
          (Lemma 1), and for Corollary 1 no critical point but the minimum, which Definition 3 does not give: see tanner2.cor1.",
         vec![
-            Potential::inverse_square_log(&one),
-            Potential::inverse_square_spring(&one, &one),
+            logarithmic(),
+            spring(),
             Potential::inverse_square_spring(&rational(4, 1), &rational(1, 2)),
             inflected_pair().potential,
         ],
         examine_definition,
     )
-    .control("V = s, without repulsion", of(&[(0, 1)], 1))
-    .control("log s - 1/s, which tends to minus infinity at 0", of(&[(-1, 1), (-2, 1)], 0))
-    .control("1/(2s²) - 1/s + 1/2, bounded", of(&[(-2, 1), (-3, -1)], 0))
-    .control("s + 1/s - 3, negative at its minimum", of(&[(0, 1), (-2, -1)], -1))
+    .control("V = s, without repulsion", vec![sloped(&[(0, 1)], 1)])
+    .control("1/(2s²) - 1/s + 1/2, bounded", vec![sloped(&[(-2, 1), (-3, -1)], 0)])
+    .control("s + 1/s - 3, negative at its minimum", vec![Potential::new(
+        vec![(0, one.clone()), (-2, -one.clone())],
+        (one, rational(-1, 1)),
+    )])
 }
 
 /// Trees or any connected graph; potentials of Definition 3 or those without other critical points; distances of edges or of all pairs.
@@ -263,41 +235,36 @@ pub struct SetpointVariant {
     all_pairs: bool,
 }
 
+/// The desired squared distance, and whether a variant means this equilibrium.
+fn setpoint(variant: &SetpointVariant, motion: &SteadyMotion) -> (Rational, bool) {
+    let is_tree = motion.graph.edges().len() + 1 == motion.graph.order();
+    let critical = motion.potential.critical().unwrap_or_default();
+    let meant = (is_tree || !variant.trees) && (critical.len() == 1 || !variant.single);
+    (critical.into_iter().min().unwrap_or(rational(1, 1)), meant)
+}
+
 fn examine_setpoints(variant: &SetpointVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence = |detail: &str| Evidence::new(Grade::Exact, "distances in equilibrium", detail.to_string());
-    let one = rational(1, 1);
     // Equilibria of two and three agents.
-    for motion in [vec![inflected_pair(), triangle(), row_of_three()], paths().to_vec()].concat() {
-        let is_tree = motion.graph.edges().len() + 1 == motion.graph.order();
-        let critical = motion.potential.critical();
-        if variant.trees && !is_tree || variant.single && critical.as_ref().is_none_or(|list| list.len() != 1) {
-            continue;
-        }
-        motion.potential.check_definition3().map_err(|error| CheckError::Other(error.to_string()))?;
-        let desired = critical.and_then(|list| list.into_iter().min()).unwrap_or(one.clone());
-        let pairs: Vec<Rational> = if variant.all_pairs {
-            let all = Graph::from_fn(motion.graph.order(), |_, _| true);
-            Motion { graph: all, ..motion.clone() }.squares()
-        } else {
-            motion.squares()
-        };
-        if let Some(square) = pairs.iter().find(|square| **square != desired) {
-            let what = format!("{}: an equilibrium with a squared distance {square}, not {desired}", motion.name);
-            return Ok(Outcome::fails(what, evidence("exact forces")));
-        }
-    }
-    // On a tree B has no kernel, so every force vanishes.
-    let trees: Vec<Graph> =
-        Arbitrary::connected(6).into_iter().filter(|g| g.order() > 1 && g.edges().len() + 1 == g.order()).collect();
-    for tree in &trees {
-        if !tree.incidence()?.kernel().is_empty() {
-            return Ok(Outcome::Undecided("a tree with dependent columns".to_string()));
-        }
-    }
-    let detail = "for all trees: B has independent columns, each force vanishes in the limit, and V' vanishes at the minimum only; kernels of B for all trees of 2 to 6 agents, critical points by Sturm";
+    let list = [vec![inflected_pair(), triangle(), row_of_three()], paths().to_vec()].concat();
+    let equilibria = run.instances("distances in equilibrium", "exact forces", list, |motion| {
+        let (desired, meant) = setpoint(variant, &motion);
+        motion.potential.check_definition3()?;
+        let all = Graph::from_fn(motion.graph.order(), |_, _| true);
+        let graph = if variant.all_pairs { all } else { motion.graph.clone() };
+        let squares = SteadyMotion { graph, ..motion.clone() }.squares();
+        let off = squares.iter().find(|square| meant && **square != desired);
+        let name = motion.name;
+        Ok(off.map(|square| format!("{name}: an equilibrium with a squared distance {square}, not {desired}")))
+    })?;
+    let trees = connected(6).into_iter().filter(|graph| graph.order() > 1 && graph.edges().len() + 1 == graph.order());
+    let kernels = run.instances("kernels of B", "all trees of 2 to 6 agents", trees, |tree: Graph| {
+        let dependent = !tree.incidence()?.kernel().is_empty();
+        Ok(dependent.then(|| format!("edges {:?}: dependent columns", tree.edges())))
+    })?;
     Run::all([
-        Ok(Outcome::Holds(vec![evidence(detail).cases(trees.len())])),
-        on_connected(run, "dW/dt is minus the sum of |v_i - v_j|² over the edges", EdgeSum),
+        Ok(equilibria.on([3])),
+        Ok(kernels.on([2])),
+        argued(&[1, 2, 3], "setpoints", "notes/tanner2.md, Theorem 1, steps 1 to 6, and Laplacians, step 5"),
     ])
 }
 
@@ -311,11 +278,22 @@ pub fn cor1() -> Record<SetpointVariant> {
         printed,
         examine_setpoints,
     )
+    .clauses(&[
+        "If the neighboring graph is a tree, inter-agent distances can be stabilized to desired setpoints.",
+        "B full rank gives grad_{r_ij} V_ij = 0.",
+        "dV_ij/d||r_ij|| = 0 implies ||r_ij|| = r_d, where V_ij attains its unique minimum.",
+    ])
+    .reading("distances of linked agents; potentials with a continuous gradient")
     .repaired(
-        Fault::False,
-        "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value.",
+        Fault::Hypothesis,
+        "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value: B has independent columns, so that every grad_{r_ij} V_ij tends to 0, and V_ij' = 0 at the desired distance only.",
         repaired,
     )
+    .repaired_clauses(&[
+        "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value.",
+        "B has independent columns, so that every grad_{r_ij} V_ij tends to 0.",
+        "In an equilibrium of a tree whose V_ij' vanish at the minimum only every linked distance is the desired one.",
+    ])
     .control("any connected graph", SetpointVariant { trees: false, ..repaired })
     .control("the distances of all pairs", SetpointVariant { all_pairs: true, ..repaired })
 }
@@ -329,8 +307,6 @@ pub enum Connected {
     Always,
     /// At the start.
     AtFirst,
-    /// Not assumed.
-    Never,
 }
 
 /// Hypothesis and conclusion of Theorem 2.
@@ -342,20 +318,27 @@ pub struct SwitchingVariant {
     conclusion: Conclusion,
 }
 
-/// Whether two agents can part for good from a linked start: a state at the threshold on its way out from which the law of the linked
-/// side can be followed back, and without link the squared distance grows for ever.
-fn two_agents_part() -> Result<Option<String>, CheckError> {
-    let q = |n: i64| rational(n, 1);
-    let potential = Potential::inverse_square_spring(&q(1), &q(1));
-    let state = State { positions: vec![[q(0), q(0)], [q(2), q(0)]], velocities: vec![[q(0), q(0)], [q(1), q(0)]] };
-    let out = Coordinates::Cartesian.product(&state.separation(0, 1), &state.relative_velocity(0, 1));
-    let linked = velocity_alignment(&state, &[(0, 1)], Coordinates::Cartesian, |_, _, s| potential.slope(s));
-    // |r + vt|² has the rate 2 r.v + 2 |v|² t.
-    let parts = out > q(0) && linked.is_ok();
-    Ok(parts.then(|| "two agents at distance R = 2 with relative velocity (1, 0) outward: followed back they come from a linked start, followed on they keep different velocities for ever".to_string()))
+impl SwitchingVariant {
+    /// The same with K of the whole field, or agent by agent.
+    pub(super) fn agentwise(self, agentwise: bool) -> Self {
+        SwitchingVariant { agentwise, ..self }
+    }
 }
 
-fn examine_switching(variant: &SwitchingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+/// Whether two agents can part for good from a linked start: a state at the threshold on its way out from which the law of the linked
+/// side can be followed back, and without link the squared distance grows for ever.
+fn two_agents_part() -> Option<String> {
+    let q = |n: i64| rational(n, 1);
+    let state = State { positions: vec![[q(0), q(0)], [q(2), q(0)]], velocities: vec![[q(0), q(0)], [q(1), q(0)]] };
+    let out = PLANE.product(&state.separation(0, 1), &state.relative_velocity(0, 1));
+    let linked = velocity_alignment(&state, &[(0, 1)], PLANE, |_, _, s| spring().slope(s));
+    // |r + vt|² has the rate 2 r.v + 2 |v|² t.
+    let parts = out > q(0) && linked.is_ok();
+    parts.then(|| "two agents at distance R = 2 with relative velocity (1, 0) outward: followed back they come from a linked start, followed on they keep different velocities for ever".to_string())
+}
+
+/// The checks beside the proof of Theorem 2, without clauses.
+pub(super) fn switching_checks(variant: &SwitchingVariant, run: &Run) -> Result<Outcome, CheckError> {
     let far = rational(9, 1);
     let mut list = Vec::new();
     for motion in motions() {
@@ -365,58 +348,64 @@ fn examine_switching(variant: &SwitchingVariant, run: &mut Run) -> Result<Outcom
             list.push(motion);
         }
     }
-    if let Some(outcome) = refuted_by(&list, variant.connected != Connected::Never, variant.conclusion)? {
-        return Ok(outcome);
+    let steady = uncontradicted(run, list, true, variant.conclusion)?;
+    if !matches!(steady, Outcome::Holds(_)) || variant.conclusion != Conclusion::Agree {
+        return Run::all([Ok(steady), positive_connectivity(run), hulls(&HullVariant::Subset, run)]);
     }
-    if variant.connected != Connected::Always
-        && variant.conclusion == Conclusion::Agree
-        && let Some(what) = two_agents_part()?
-    {
+    if let Some(what) = two_agents_part().filter(|_| variant.connected == Connected::AtFirst) {
         return Ok(Outcome::fails(
             what,
             Evidence::new(Grade::Exact, "an exact motion", "rates at the threshold, exact"),
         ));
     }
-    if variant.conclusion == Conclusion::Agree
-        && let Some(what) = swing(variant.agentwise)?
-    {
+    if let Some(what) = swing(variant.agentwise)? {
         let detail = "weights of the tied link, enclosed for the whole period";
         return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "a motion for all time", detail)));
     }
-    let notes = "Q does not increase along any Filippov solution, the integral of |v - mean|² is finite, and velocities change at a bounded rate (Barbalat); the limits are invariant";
-    Run::all([support(run, "the limits", notes), examine_hull(&HullVariant::Subset, run)])
+    Run::all([Ok(steady), positive_connectivity(run), hulls(&HullVariant::Subset, run)])
 }
 
+/// Theorem 2's first conclusion, under the reading of `tanner2.thm2_vel`.
+pub(super) const VELOCITIES: SwitchingVariant =
+    SwitchingVariant { connected: Connected::Always, agentwise: false, conclusion: Conclusion::Agree };
+
 pub fn thm2_vel() -> Record<SwitchingVariant> {
-    let printed = SwitchingVariant { connected: Connected::Always, agentwise: false, conclusion: Conclusion::Agree };
+    let printed = VELOCITIES;
     Record::new(
         "tanner2.thm2_vel",
-        "Read with the graph connected at all times and with K of the whole vector field, as in Definition 4 (agent by agent, as (10b) is written, the two agents of a tied pair could weigh it differently; then momentum is not kept and velocities need not agree). The printed proof needs regularity (Lemma 1, false) and uniqueness (false), but the statement holds for every Filippov solution: almost everywhere dQ/dt = -v^T (L_m kron I_2) v, where L_m has \
-         weights in [0, 1] on tied pairs and 1 on links, so dQ/dt <= -l |v - mean|² with l the least lambda_2 of connected graphs. Hence |v - mean|² is integrable; its rate is bounded since distances of linked agents stay away from 0; it tends to 0.",
+        "The printed proof needs regularity (Lemma 1, false) and uniqueness (false), but the statement is true for every Filippov solution: almost everywhere dQ/dt = -v^T (L_m kron I_2) v, where L_m has \
+         weights in [0, 1] on tied pairs and 1 on links, so dQ/dt <= -l |v - mean|² with l the least lambda_2 of connected graphs. Hence |v - mean|² is integrable; its rate is bounded since distances of linked agents stay away from 0; it tends to 0. \
+         With K agent by agent, as (10b) is written, the two agents of a tied pair could weigh it differently; then momentum is not kept and velocities need not agree (a control).",
         printed,
-        examine_switching,
+        |variant, run| Run::all([
+            switching_checks(variant, run),
+            argued(&[1], "the limits", "notes/tanner2.md, Section 5, steps 1 to 7"),
+        ]),
     )
+    .reading("K of the whole vector field, as in Definition 4, every Filippov solution, and a graph of the links |r_ij| < R that is connected at all times")
     .control("with K agent by agent", SwitchingVariant { agentwise: true, ..printed })
     .control("connected at the start only", SwitchingVariant { connected: Connected::AtFirst, ..printed })
     .control("all velocities tend to zero", SwitchingVariant { conclusion: Conclusion::Stop, ..printed })
 }
 
 pub fn thm2_pot() -> Record<SwitchingVariant> {
-    let printed =
-        SwitchingVariant { connected: Connected::Always, agentwise: false, conclusion: Conclusion::Minimised };
-    let repaired = SwitchingVariant { conclusion: Conclusion::Critical, ..printed };
+    let printed = SwitchingVariant { conclusion: Conclusion::Minimised, ..VELOCITIES };
+    let repaired = SwitchingVariant { conclusion: Conclusion::Critical, ..VELOCITIES };
     Record::new(
         "tanner2.thm2_pot",
         "The same row of three agents: with R = 3 every pair is linked, V is increasing at R, and they stay at rest at a saddle. What survives: every limit point has equal velocities and is a Filippov equilibrium, 0 in K[grad_{r_i} V_i] for all i; without ties \
          that is grad_{r_i} V_i = 0.",
         printed,
-        examine_switching,
+        |variant, run| Run::all([
+            switching_checks(variant, run),
+            argued(&[1], "the limits", "notes/tanner2.md, Section 5, steps 1 to 9"),
+        ]),
     )
+    .reading("as tanner2.thm2_vel")
     .repaired(
         Fault::False,
-        "... and the system approaches the set of configurations with 0 in K[(grad_{r_i} V_i)_i] (critical configurations, where no pair is at distance R).",
+        "Under the hypotheses of Theorem 2 the system approaches the set of configurations with 0 in K[(grad_{r_i} V_i)_i] (critical configurations, where no pair is at distance R).",
         repaired,
     )
-    .control("minimised, connected or not", SwitchingVariant { connected: Connected::Never, ..printed })
     .control("critical and at rest", SwitchingVariant { conclusion: Conclusion::Stop, ..repaired })
 }

@@ -4,12 +4,12 @@
 //! Section 4); pairs are pairs of different agents; no linked agents coincide at the start.
 
 mod agentwise;
-pub(super) mod arbitrary;
 mod bounds;
 mod collisions;
 mod energy;
 pub(super) mod figures;
 mod filippov;
+pub(super) mod fixtures;
 pub(super) mod graphs;
 mod limits;
 mod motions;
@@ -18,19 +18,7 @@ mod rates;
 pub(super) mod switching;
 pub(super) mod wording;
 
-use arithmetic::{Rational, rational};
 use ledger::AnyClaim;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::Rng;
-
-/// Vectors with coordinates of absolute value at most 5 and denominators 1 to 4.
-fn random_vectors(count: usize, random: &mut ChaCha8Rng) -> Vec<[Rational; 2]> {
-    let mut coordinate = || {
-        let denominator = i64::from(random.next_u32() % 4) + 1;
-        rational(i64::from(random.next_u32() % (10 * denominator as u32 + 1)) - 5 * denominator, denominator)
-    };
-    (0..count).map(|_| [coordinate(), coordinate()]).collect()
-}
 
 /// All that are built.
 pub fn claims() -> Vec<Box<dyn AnyClaim>> {

@@ -1,22 +1,11 @@
 //! tanner2.lem1, lem2, Q, Qjump, Qdot, eq13, eq13.interval: the saturated potential and the energy Q.
 
-use super::arbitrary::dot;
-use super::random_vectors;
+use super::fixtures::{PLANE, argued, energy_decreases, printed as logarithmic, random_vectors, spring};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Dual, Field, Rational, Signed, rational};
-use ledger::Record;
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Run};
-use models::double_integrator::{
-    Coordinates, Kink, Pair, Potential, Span, State, kinetic_energy, linked_within, potential_energy, tied,
-    velocity_alignment,
-};
-
-const PLANE: Coordinates = Coordinates::Cartesian;
-
-fn spring() -> Potential {
-    Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1))
-}
+use arithmetic::{ArithmeticError, Field, Rational, rational};
+use ledger::{CheckError, Fault, Outcome, Record, Run};
+use models::double_integrator::{Kink, Potential, Span, State, TiedRate, dot, saturated_rate, tied};
 
 /// The saturated potential as a function of the distance `r`, at `r = R`.
 fn kink_at(potential: &Potential, threshold: &Rational) -> Result<Kink<Rational>, ArithmeticError> {
@@ -38,7 +27,7 @@ pub struct RegularVariant {
     directions: &'static [i64],
 }
 
-fn examine_regular(variant: &RegularVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
+fn examine_regular(variant: &RegularVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let (potential, threshold) = (spring(), rational(2, 1));
     let kink = kink_at(&potential, &threshold)?;
     let kink = if variant.sign < 0 { kink.negated() } else { kink };
@@ -48,32 +37,29 @@ fn examine_regular(variant: &RegularVariant, _run: &mut Run) -> Result<Outcome, 
         let r = r.min(&threshold);
         Ok(potential.rational_value(&(r * r))? * &sign)
     };
-    for &w in variant.directions {
+    let quotient = |w: &Rational, side: i64| -> Result<Rational, ArithmeticError> {
+        let y = &threshold + &step * rational(side, 1);
+        Ok((value(&(&y + &step * w))? - value(&y)?) / &step)
+    };
+    let (part, detail) =
+        ("one-sided and generalised derivatives at R", "V = s + 1/s - 2, R = 2; difference quotients agree");
+    let derivatives = run.instances(part, detail, variant.directions, |&w| {
         let w = rational(w, 1);
         let (one_sided, clarke) = (kink.directional(&w), kink.clarke(&w));
-        let mut best: Option<Rational> = None;
-        for side in [-2, 2] {
-            let y = &threshold + &step * rational(side, 1);
-            let quotient = (value(&(&y + &step * &w))? - value(&y)?) / &step;
-            best = Some(best.map_or(quotient.clone(), |b| b.max(quotient)));
-        }
-        let near = best.is_some_and(|b| num_traits::Signed::abs(&(b - &clarke)) < rational(1, 1000));
-        let evidence = Evidence::new(
-            Grade::Exact,
-            "one-sided and generalised derivatives at R",
-            "V = s + 1/s - 2, R = 2; difference quotients agree",
-        );
-        if !near || one_sided != clarke {
-            let what =
-                format!("V = s + 1/s - 2 with s = r², R = 2, w = {w}: U'(R; w) = {one_sided}, but U°(R; w) = {clarke}");
-            return Ok(Outcome::fails(what, evidence));
-        }
+        let best = quotient(&w, -2)?.max(quotient(&w, 2)?);
+        let near = num_traits::Signed::abs(&(best - &clarke)) < rational(1, 1000);
+        Ok((!near || one_sided != clarke).then(|| {
+            format!("V = s + 1/s - 2 with s = r², R = 2, w = {w}: U'(R; w) = {one_sided}, but U°(R; w) = {clarke}")
+        }))
+    })?;
+    // The printed statement is one clause, the corrected one three.
+    if variant.sign > 0 {
+        return Ok(derivatives.on([1]));
     }
-    Ok(Outcome::Holds(vec![Evidence::new(
-        Grade::Exact,
-        "one-sided and generalised derivatives at R",
-        "for all potentials with c = V_r(R) > 0: U'(R; w) = min(0, cw), U°(R; w) = max(0, cw), and for -U both are max(0, -cw); values for V = s + 1/s - 2, R = 2",
-    )]))
+    Run::all([
+        Ok(derivatives.on([2, 3])),
+        argued(&[1, 2, 3], "the derivatives", "notes/tanner2.md, Lemmas 1 and 2, steps 1 to 3"),
+    ])
 }
 
 pub fn lem1() -> Record<RegularVariant> {
@@ -87,9 +73,14 @@ pub fn lem1() -> Record<RegularVariant> {
     )
     .repaired(
         Fault::False,
-        "U_ij is regular everywhere but at R; there -U_ij is regular: U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw) with c = V_r(R) > 0.",
+        "With c = V_r(R) > 0 the saturated potential U_ij is regular at every distance but R; at R -U_ij is regular; U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
         RegularVariant { sign: -1, directions: &[1, -1] },
     )
+    .repaired_clauses(&[
+        "The saturated potential U_ij is regular at every distance but R.",
+        "With c = V_r(R) > 0, -U_ij is regular at R.",
+        "U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
+    ])
     .control("in the outward direction", RegularVariant { sign: 1, directions: &[1] })
     .control("in the inward direction", RegularVariant { sign: 1, directions: &[-1] })
 }
@@ -105,36 +96,33 @@ pub enum GradientVariant {
     Between((i64, i64), (i64, i64)),
 }
 
-fn examine_gradient(variant: &GradientVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence = Evidence::new(
-        Grade::Exact,
-        "the generalised gradient at R",
-        "for all potentials with c = V_r(R) > 0 it is [0, c]; values for two potentials and two thresholds. The set {z: U'(R; w) >= z w for all w}, which the printed proof finds, is empty",
-    );
-    let mut cases = 0;
-    for potential in [spring(), Potential::inverse_square_log(&rational(1, 1))] {
-        for threshold in [rational(2, 1), rational(3, 2)] {
-            let kink = kink_at(&potential, &threshold)?;
-            let found = kink.gradient();
-            let claimed = match *variant {
-                GradientVariant::Empty => None,
-                GradientVariant::Between(lo, hi) => {
-                    Some(Span { lo: &kink.left * rational(lo.0, lo.1), hi: &kink.left * rational(hi.0, hi.1) })
-                }
-            };
-            let agrees = claimed.as_ref().map_or(found.is_empty(), |claimed| *claimed == found);
-            if !agrees || !kink.subgradient().is_empty() {
-                let what = format!(
-                    "V_r(R) = {} at R = {threshold}: the generalised gradient of U(r) is {}, so that of r_i is the segment from 0 to grad_{{r_i}} V_ij",
-                    kink.left,
-                    show(&found)
-                );
-                return Ok(Outcome::fails(what, evidence));
-            }
-            cases += 1;
-        }
+fn examine_gradient(variant: &GradientVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let potentials = [spring(), logarithmic()];
+    let settings = potentials
+        .iter()
+        .flat_map(|potential| [rational(2, 1), rational(3, 2)].map(move |threshold| (potential, threshold)));
+    let detail = "values for two potentials and two thresholds; the set {z: U'(R; w) >= z w for all w}, which the printed proof finds, is empty";
+    let gradients = run.instances("the generalised gradient at R", detail, settings, |(potential, threshold)| {
+        let kink = kink_at(potential, &threshold)?;
+        let found = kink.gradient();
+        let part = |(n, d): (i64, i64)| &kink.left * rational(n, d);
+        let agrees = match *variant {
+            GradientVariant::Empty => found.is_empty(),
+            GradientVariant::Between(lo, hi) => found == Span { lo: part(lo), hi: part(hi) },
+        };
+        Ok((!agrees || !kink.subgradient().is_empty()).then(|| format!(
+            "V_r(R) = {} at R = {threshold}: the generalised gradient of U(r) is {}, so that of r_i is the segment from 0 to grad_{{r_i}} V_ij",
+            kink.left,
+            show(&found)
+        )))
+    })?;
+    match variant {
+        GradientVariant::Empty => Ok(gradients.on([1])),
+        GradientVariant::Between(..) => Run::all([
+            Ok(gradients.on([1])),
+            argued(&[1, 2], "the gradient", "notes/tanner2.md, Lemmas 1 and 2, steps 2 to 4"),
+        ]),
     }
-    Ok(Outcome::Holds(vec![evidence.cases(cases)]))
 }
 
 pub fn lem2() -> Record<GradientVariant> {
@@ -147,12 +135,15 @@ pub fn lem2() -> Record<GradientVariant> {
     )
     .repaired(
         Fault::False,
-        "The generalised gradient of U_ij with respect to r_i at |r_ij| = R is the segment co{0, grad_{r_i} V_ij}.",
+        "With c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R; with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
         GradientVariant::Between((0, 1), (1, 1)),
     )
+    .repaired_clauses(&[
+        "With c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R.",
+        "With respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
+    ])
     .control("0 alone", GradientVariant::Between((0, 1), (0, 1)))
     .control("grad V alone", GradientVariant::Between((1, 1), (1, 1)))
-    .control("from -grad V to 0", GradientVariant::Between((-1, 1), (0, 1)))
 }
 
 // --- Equation (11) ---
@@ -211,6 +202,7 @@ pub fn q_sums() -> Record<SumVariant> {
         printed,
         examine_sums,
     )
+    .reading("pairs are unordered pairs of different agents")
     .control("unlinked pairs counted in both orders", SumVariant { unlinked: 2, ..printed })
     .control("with the terms j = i", SumVariant { own: true, ..printed })
     .control("without the unlinked pairs", SumVariant { unlinked: 0, ..printed })
@@ -226,38 +218,32 @@ pub struct KinkVariant {
 }
 
 fn examine_kinks(variant: &KinkVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let jumps =
+        run.instances("the terms of a pair at R", "exact values", &variant.settings, |(potential, square)| {
+            let value = potential.rational_value(square)?;
+            let jump = if variant.saturated { rational(0, 1) } else { value };
+            Ok((jump != rational(0, 1)).then(|| format!("R² = {square}: the terms of a pair jump by {jump} at R")))
+        })?;
     let mut random = run.random(0);
-    let mut cases = 0;
-    let evidence = |detail: &str| Evidence::new(Grade::Exact, "Q at |r_ij| = R", detail.to_string());
+    let mut cases = Vec::new();
     for (potential, square) in &variant.settings {
-        let beyond = if variant.saturated { potential.rational_value(square)? } else { rational(0, 1) };
-        let jump = potential.rational_value(square)? - beyond;
-        if jump != rational(0, 1) {
-            return Ok(Outcome::fails(
-                format!("R² = {square}: the terms of a pair jump by {jump} at R"),
-                evidence("exact values"),
-            ));
-        }
-        // Moving with velocities w and with -w: the one-sided derivatives of Q sum to zero where Q is differentiable.
-        let slope = potential.slope(square)?;
         for ties in 1..=3 {
-            let directions = random_vectors(ties, &mut random);
-            let threshold_points = random_vectors(ties, &mut random);
+            let (directions, places) = (random_vectors(ties, &mut random), random_vectors(ties, &mut random));
             let rates: Vec<Rational> =
-                directions.iter().zip(&threshold_points).map(|(w, r)| dot(w, r) * rational(2, 1)).collect();
-            let kink = Kink::saturated(slope.clone());
-            let both: Rational = rates.iter().map(|rate| kink.directional(rate) + kink.directional(&-rate)).sum();
-            cases += 1;
-            if both == rational(0, 1) {
-                let what =
-                    format!("V'(R²) = {slope} at R² = {square}: the derivatives of Q in opposite directions cancel");
-                return Ok(Outcome::fails(what, evidence("exact one-sided derivatives")));
-            }
+                directions.iter().zip(&places).map(|(w, r)| dot(w, r) * rational(2, 1)).collect();
+            cases.push((square, potential.slope(square)?, rates));
         }
     }
-    let detail = "continuous because U is; with V'(R²) > 0 the one-sided derivatives in opposite directions w and -w sum to minus the sum of V'(R²) |ds_ij(w)| over the tied pairs, \
-                  which is negative for every w that changes one of them: the kinks are all concave and do not cancel; exact values";
-    Ok(Outcome::Holds(vec![evidence(detail).cases(cases)]))
+    // Moving with velocities w and with -w: the one-sided derivatives of Q sum to zero where Q is differentiable.
+    let detail = "exact one-sided derivatives in opposite directions, one to three tied pairs";
+    let kinks = run.instances("Q at |r_ij| = R", detail, cases, |(square, slope, rates)| {
+        let kink = Kink::saturated(slope.clone());
+        let both: Rational = rates.iter().map(|rate| kink.directional(rate) + kink.directional(&-rate)).sum();
+        Ok((both == rational(0, 1))
+            .then(|| format!("V'(R²) = {slope} at R² = {square}: the derivatives of Q in opposite directions cancel")))
+    })?;
+    let steps = "notes/tanner2.md, Lemmas 1 and 2, step 5";
+    Run::all([Ok(jumps.on([1])), Ok(kinks.on([2])), argued(&[1, 2], "Q at |r_ij| = R", steps)])
 }
 
 pub fn q_jump() -> Record<KinkVariant> {
@@ -265,11 +251,12 @@ pub fn q_jump() -> Record<KinkVariant> {
         KinkVariant { saturated: true, settings: vec![(spring(), rational(4, 1)), (spring(), rational(9, 4))] };
     Record::new(
         "tanner2.Qjump",
-        "Read where no two agents coincide, and with V_ij increasing at R with a positive slope, as Figure 3 and Lemma 1 have it (c < 0 there). U_ij is continuous and has a concave kink at R. \
-         A sum of concave kinks is never smooth where one of them is.",
+        "U_ij is continuous and has a concave kink at R. A sum of concave kinks is never smooth where one of them is.",
         printed.clone(),
         examine_kinks,
     )
+    .clauses(&["Q is continuous everywhere.", "Q is nonsmooth whenever ||r_ij|| = R for some (i, j)."])
+    .reading("where no two agents coincide, and with V_ij increasing at R with a positive slope, as Figure 3 and Lemma 1 have it (c < 0 there)")
     .control("0 in place of V(R) beyond R", KinkVariant { saturated: false, ..printed.clone() })
     .control("V increasing at R with slope zero", KinkVariant {
         settings: vec![(Potential::with_inflection(&rational(4, 1)), rational(4, 1))],
@@ -286,38 +273,6 @@ pub struct AwayVariant {
     ties: bool,
 }
 
-/// `U` of a point that moves: the potential within `R`, constant from `R` on.
-fn saturated_value(
-    potential: &Potential,
-    square: &Rational,
-    s: &Dual<Rational>,
-) -> Result<Dual<Rational>, ArithmeticError> {
-    let inward = s.value == *square && s.derivative.is_certainly_negative();
-    if s.value < *square || inward {
-        potential.rational_value(s)
-    } else {
-        Ok(Dual::constant(potential.rational_value(square)?))
-    }
-}
-
-fn all_pairs(count: usize) -> Vec<Pair> {
-    (0..count).flat_map(|j| (0..j).map(move |i| (i, j))).collect()
-}
-
-/// The forward derivative of Q, and `-v^T (L kron I_2) v`.
-fn rates_of_q(state: &State<Rational>, square: &Rational) -> Result<(Rational, Rational), ArithmeticError> {
-    let potential = spring();
-    let edges = linked_within(&state.positions, square, PLANE).edges();
-    let accelerations = velocity_alignment(state, &edges, PLANE, |_, _, s| potential.slope(s))?;
-    let moving = state.moving(&accelerations);
-    let pairs = all_pairs(state.count());
-    let value = |_: usize, _: usize, s: &Dual<Rational>| saturated_value(&potential, square, s);
-    let energy =
-        potential_energy(&moving.positions, &pairs, PLANE, value)? + kinetic_energy(&moving.velocities, PLANE)?;
-    let form: Rational = edges.iter().map(|&(i, j)| PLANE.square(&state.relative_velocity(i, j))).sum();
-    Ok((energy.derivative, -form))
-}
-
 fn examine_away(variant: &AwayVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
     let mut states = Vec::new();
@@ -325,40 +280,25 @@ fn examine_away(variant: &AwayVariant, run: &mut Run) -> Result<Outcome, CheckEr
         states.push((approaching_at_threshold(), rational(4, 1)));
     }
     for case in 0..run.cases(60, 600) {
-        let count = 1 + case % 5;
-        let state =
-            State { positions: random_vectors(count, &mut random), velocities: random_vectors(count, &mut random) };
+        let mut vectors = || random_vectors(1 + case % 5, &mut random);
+        let state = State { positions: vectors(), velocities: vectors() };
         states.push((state, rational(1 + case as i64 % 23, 2)));
     }
-    let mut cases = 0;
-    for (state, square) in &states {
-        run.checkpoint()?;
-        if !variant.ties && !tied(&state.positions, square, PLANE).is_empty() {
-            continue;
-        }
-        let Ok((rate, form)) = rates_of_q(state, square) else { continue };
+    states.retain(|(state, square)| variant.ties || tied(&state.positions, square, PLANE).is_empty());
+    let rates = states
+        .iter()
+        .filter_map(|(state, square)| Some((state, square, saturated_rate(state, square, &spring()).ok()?)));
+    let detail = "random rational states of up to 5 agents, distances compared with R exactly, connected or not";
+    let instances = run.instances("dQ/dt", detail, rates, |(state, square, (rate, form))| {
         let claimed = form * rational(-variant.factor, 1);
-        cases += 1;
-        if rate != claimed {
-            let places: Vec<String> = state
-                .positions
-                .iter()
-                .zip(&state.velocities)
-                .map(|(r, v)| format!("({}, {}) with velocity ({}, {})", r[0], r[1], v[0], v[1]))
-                .collect();
-            let what =
-                format!("R² = {square}, agents at {}: dQ/dt = {rate}, but {claimed} is claimed", places.join("; "));
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "dQ/dt", "exact rate of change")));
-        }
-    }
-    let detail = "random rational states of up to 5 agents, distances compared with R exactly, connected or not; for all potentials by equation (9) on the graph at hand, which is constant near the state";
-    let instances = Outcome::Holds(vec![Evidence::new(Grade::Exact, "dQ/dt", detail).cases(cases)]);
-    let identity = super::energy::on_connected(
-        run,
-        "on a fixed graph dW/dt is minus the sum of |v_i - v_j|² over the edges",
-        super::energy::EdgeSum,
-    );
-    Run::all([Ok(instances), identity])
+        let agents = state.positions.iter().zip(&state.velocities);
+        let places = agents.map(|(r, v)| format!("({}, {}) with velocity ({}, {})", r[0], r[1], v[0], v[1]));
+        Ok((rate != claimed).then(|| {
+            let places = places.collect::<Vec<_>>().join("; ");
+            format!("R² = {square}, agents at {places}: dQ/dt = {rate}, but {claimed} is claimed")
+        }))
+    });
+    Run::all([instances, energy_decreases(run, 1)])
 }
 
 /// Two agents at distance 2 that approach each other.
@@ -376,7 +316,6 @@ pub fn q_dot() -> Record<AwayVariant> {
         examine_away,
     )
     .control("twice", AwayVariant { factor: -2, ..printed })
-    .control("the other sign", AwayVariant { factor: 1, ..printed })
     .control("at ties too, with the graph at that instant", AwayVariant { ties: true, ..printed })
 }
 
@@ -395,52 +334,10 @@ pub enum HullVariant {
     Unlinked,
 }
 
-/// A state with tied pairs: what (13) needs of it.
-struct Tied {
-    name: String,
-    /// `-v^T (L kron I_2) v` of the links that are not tied.
-    base: Rational,
-    /// For each tied pair `V'(R²) ds/dt` and `|v_i - v_j|²`.
-    ties: Vec<(Rational, Rational)>,
-}
-
-impl Tied {
-    fn read(state: &State<Rational>, square: &Rational, name: String) -> Result<Self, ArithmeticError> {
-        let slope = spring().slope(square)?;
-        let linked = linked_within(&state.positions, square, PLANE).edges();
-        let speed = |&(i, j): &Pair| PLANE.square(&state.relative_velocity(i, j));
-        let base: Rational = linked.iter().map(speed).sum();
-        let ties = tied(&state.positions, square, PLANE);
-        let rate = |&(i, j): &Pair| dot(&state.separation(i, j), &state.relative_velocity(i, j)) * rational(2, 1);
-        Ok(Tied { name, base: -base, ties: ties.iter().map(|pair| (&slope * rate(pair), speed(pair))).collect() })
-    }
-
-    /// The intersection over all generalised gradients of their products with `K[f]`, by (A.2).
-    ///
-    /// A tied pair contributes `z p - m (p + q)`, `z` in [0, 1] from the gradient of Q and `m` in [0, 1] from the law. Both ends are
-    /// sums over the pairs and linear in each `z`, so `z = 0` and `z = 1` give the intersection.
-    fn derivative(&self) -> Span<Rational> {
-        let start = Span { lo: self.base.clone(), hi: self.base.clone() };
-        self.ties.iter().fold(start, |sum, (p, q)| {
-            let zero = rational(0, 1);
-            let law = Span { lo: (-(p + q)).min(zero.clone()), hi: (-(p + q)).max(zero) };
-            let with = Span { lo: &law.lo + p, hi: &law.hi + p };
-            sum.plus(&law.intersection(&with))
-        })
-    }
-
-    /// `-co{v_x^T L v_x + v_y^T L v_y}` over the graphs that meet at the state.
-    fn hull(&self) -> Span<Rational> {
-        let start = Span { lo: self.base.clone(), hi: self.base.clone() };
-        self.ties.iter().fold(start, |sum, (_, q)| sum.plus(&Span { lo: -q.clone(), hi: rational(0, 1) }))
-    }
-}
-
-/// Two and three agents, no pair, one pair, two pairs at the threshold.
-fn tied_states(run: &Run) -> Result<Vec<Tied>, ArithmeticError> {
+/// Two and three agents, no pair, one pair, two pairs at the threshold, with the rates at rest and at random velocities.
+fn tied_states(run: &Run) -> Result<Vec<(String, TiedRate)>, ArithmeticError> {
     let mut random = run.random(0);
     let q = |n| rational(n, 1);
-    let square = q(4);
     let places: [Vec<[Rational; 2]>; 5] = [
         vec![[q(0), q(0)], [q(1), q(0)]],
         vec![[q(0), q(0)], [q(2), q(0)]],
@@ -450,62 +347,61 @@ fn tied_states(run: &Run) -> Result<Vec<Tied>, ArithmeticError> {
         vec![[q(0), q(0)], [q(2), q(0)], [rational(6, 5), rational(8, 5)]],
     ];
     let mut found = Vec::new();
-    for (k, positions) in places.into_iter().enumerate() {
+    for positions in places {
         let count = positions.len();
         let rest = vec![[q(0), q(0)]; count];
         let sample = (0..run.cases(40, 400)).map(|_| random_vectors(count, &mut random));
         for velocities in std::iter::once(rest).chain(sample) {
-            let shown: Vec<String> = velocities.iter().map(|v| format!("({}, {})", v[0], v[1])).collect();
-            let name = format!(
-                "R = 2, configuration {}, agents at {:?}, velocities {}",
-                k + 1,
-                positions.iter().map(|r| format!("({}, {})", r[0], r[1])).collect::<Vec<_>>(),
-                shown.join(", ")
-            );
-            found.push(Tied::read(&State { positions: positions.clone(), velocities }, &square, name)?);
+            let list = |vectors: &[[Rational; 2]]| {
+                vectors.iter().map(|v| format!("({}, {})", v[0], v[1])).collect::<Vec<_>>().join(", ")
+            };
+            let name = format!("R = 2, agents at {}, velocities {}", list(&positions), list(&velocities));
+            let state = State { positions: positions.clone(), velocities };
+            found.push((name, TiedRate::of(&state, &q(4), &spring())?));
         }
     }
     Ok(found)
 }
 
-pub(super) fn examine_hull(variant: &HullVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let states = tied_states(run)?;
-    for state in &states {
+/// Compares the generalised derivative of Q with a hull at states with ties.
+pub(super) fn hulls(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let detail =
+        "with the true generalised gradient co{0, grad V} of the tied pairs; exact sets for no, one and two tied pairs";
+    run.instances("(13) at ties", detail, tied_states(run)?, |(name, state)| {
         let (derivative, hull) = (state.derivative(), state.hull());
-        let all_linked = state.ties.iter().fold(state.base.clone(), |sum, (_, q)| sum - q);
-        let point = |x: &Rational| Span { lo: x.clone(), hi: x.clone() };
+        let point = |x: Rational| Span { lo: x.clone(), hi: x };
         let agrees = match variant {
             HullVariant::Subset => {
                 derivative.is_within(&hull) && (derivative.is_empty() || derivative.hi <= rational(0, 1))
             }
             HullVariant::Equal => derivative == hull,
-            HullVariant::Linked => derivative.is_within(&point(&all_linked)),
-            HullVariant::Unlinked => derivative.is_within(&point(&state.base)),
+            HullVariant::Linked => derivative.is_within(&point(state.all_linked())),
+            HullVariant::Unlinked => derivative.is_within(&point(state.base.clone())),
         };
-        if !agrees {
-            let what = format!(
-                "{}: the generalised derivative of Q is {}, the hull {}",
-                state.name,
-                show(&derivative),
-                show(&hull)
-            );
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "(13) at ties", "exact sets")));
-        }
-    }
-    let detail = "with the true generalised gradient co{0, grad V} of the tied pairs; for all states and any number of ties, and for Q along every solution: proof in notes/tanner2.md; \
-                  exact sets for no, one and two tied pairs";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "(13) at ties", detail).cases(states.len())]))
+        let (derivative, hull) = (show(&derivative), show(&hull));
+        Ok((!agrees).then(|| format!("{name}: the generalised derivative of Q is {derivative}, the hull {hull}")))
+    })
 }
 
 pub fn eq13() -> Record<HullVariant> {
     Record::new(
         "tanner2.eq13",
-        "Take (A.2) with the true gradient of Lemma 2 (not empty) and K of the whole vector field (Definition 4), not agent by agent. The law and the gradient of Q switch together: the hull of the graphs that meet at the state acts on both, with weights m and z. \
+        "The law and the gradient of Q switch together: the hull of the graphs that meet at the state acts on both, with weights m and z. \
          x lies in the intersection over z only if for each z some m gives it; a fixed point m = z (Kakutani) leaves x = -v^T (L_m kron I_2) v, a point of the hull. So q <= 0. Q is not regular, so \
-         Theorem 4 does not give Q's monotony, but it holds: almost everywhere on |r_ij| = R the distance has derivative zero, and dQ/dt = -v^T (L_m kron I_2) v.",
+         Theorem 4 does not give Q's monotony, but it is true: almost everywhere on |r_ij| = R the distance has derivative zero, and dQ/dt = -v^T (L_m kron I_2) v.",
         HullVariant::Subset,
-        examine_hull,
+        |variant, run| Run::all([
+            Ok(hulls(variant, run)?.on([1, 2])),
+            argued(&[1, 2], "(13)", "notes/tanner2.md, Equation (13), steps 1 to 4"),
+            argued(&[3], "Q along solutions", "notes/tanner2.md, Section 5, steps 1 to 3"),
+        ]),
     )
+    .clauses(&[
+        "Qdot is a subset of -co{v_x^T L_t v_x + v_y^T L_t v_y}.",
+        "q <= 0 for all q in Qdot.",
+        "Q is nonincreasing.",
+    ])
+    .reading("(A.2) with the true gradient of Lemma 2, which is not empty, and K of the whole vector field (Definition 4), not agent by agent as in (10b)")
     .control("equality", HullVariant::Equal)
     .control("the value with tied pairs linked", HullVariant::Linked)
     .control("the value with tied pairs not linked", HullVariant::Unlinked)
@@ -518,41 +414,53 @@ pub enum IntervalVariant {
     ToZero,
     /// `[e, 0]` with `e <= 0`.
     ToZeroOrPoint,
-    /// `[e, f]` with `e <= f <= 0`, and 0 in it on a connected graph only where velocities are equal.
+    /// `[e, f]` with `e <= f <= 0`, the number `-v^T (L kron I_2) v` away from ties.
     NonPositive,
     /// `[e, f]` with `e <= f < 0`.
     Negative,
 }
 
 fn examine_interval(variant: &IntervalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let states = tied_states(run)?;
     let zero = rational(0, 1);
-    for state in &states {
+    let sides = run.instances("the right side of (13)", "exact sets", tied_states(run)?, |(name, state)| {
         let hull = state.hull();
         let agrees = match variant {
             IntervalVariant::ToZero => hull.hi == zero && hull.lo < zero,
             IntervalVariant::ToZeroOrPoint => hull.hi == zero,
-            IntervalVariant::NonPositive => hull.lo <= hull.hi && hull.hi <= zero,
+            IntervalVariant::NonPositive => {
+                let point = hull.lo == state.base && hull.hi == state.base;
+                hull.lo <= hull.hi && hull.hi <= zero && (point || !state.ties.is_empty())
+            }
             IntervalVariant::Negative => hull.hi < zero,
         };
-        if !agrees {
-            let what = format!("{}: the right side of (13) is {}", state.name, show(&hull));
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the right side of (13)", "exact sets")));
-        }
-    }
-    let detail = "a sum of squares over the links, each weight in [0, 1], with the sign reversed; the zero of a connected graph by equation (9)";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "the right side of (13)", detail).cases(states.len())]))
+        Ok((!agrees).then(|| format!("{name}: the right side of (13) is {}", show(&hull))))
+    })?;
+    Ok(match variant {
+        IntervalVariant::NonPositive => Run::all([
+            Ok(sides.on([1, 2])),
+            argued(&[1, 2], "a sum of squares", "notes/tanner2.md, Equation (13), step 5"),
+        ])?,
+        _ => sides.on([1]),
+    })
 }
 
 pub fn eq13_interval() -> Record<IntervalVariant> {
     Record::new(
         "tanner2.eq13.interval",
         "Away from ties the hull is the one number -v^T (L kron I_2) v, negative on a connected graph unless all velocities are equal: it is no interval [e, 0] with e < 0. (The next sentence of the \
-         text says that 0 belongs to it only for equal velocities.) Equal velocities give {0}.",
+         text says that 0 belongs to it only for equal velocities.) Equal velocities give {0}. The use that is made of it, q <= 0, is right.",
         IntervalVariant::ToZero,
         examine_interval,
     )
-    .repaired(Fault::False, "The right side of (13) is an interval [e, f] with e <= f <= 0; away from ties e = f = -v^T (L kron I_2) v.", IntervalVariant::NonPositive)
+    .repaired(
+        Fault::Slip,
+        "The right side of (13) is an interval [e, f] with e <= f <= 0; away from ties e = f = -v^T (L kron I_2) v.",
+        IntervalVariant::NonPositive,
+    )
+    .repaired_clauses(&[
+        "The right side of (13) is an interval [e, f] with e <= f <= 0.",
+        "Away from ties e = f = -v^T (L kron I_2) v.",
+    ])
     .control("[e, 0] with e <= 0", IntervalVariant::ToZeroOrPoint)
     .control("[e, f] with f < 0", IntervalVariant::Negative)
 }

@@ -37,6 +37,23 @@ pub fn potential_energy<T: Field>(
     })
 }
 
+/// The potential part of `Q`, equation (11) of the second paper: the sum of `V_ij` over the links, each once, and `beyond`, which is
+/// `V(R)`, for every other pair. With duals and the links of one side of a tie it has the rate on that side.
+///
+/// # Errors
+/// Whatever the value returns.
+pub fn saturated_potential<T: Field>(
+    positions: &[Vector<T>],
+    links: &[Pair],
+    coordinates: Coordinates,
+    value: impl Fn(usize, usize, &T) -> Result<T, ArithmeticError>,
+    beyond: &T,
+) -> Result<T, ArithmeticError> {
+    let others = (positions.len() * positions.len().saturating_sub(1) / 2).saturating_sub(links.len());
+    let others = beyond.integer(others as i64);
+    Ok(potential_energy(positions, links, coordinates, value)? + others * beyond)
+}
+
 /// Half the sum of the squared speeds.
 ///
 /// # Errors

@@ -6,7 +6,10 @@
 //! (`grad_{r_i} V_i`, `v_i`), which is at most `sqrt(n sum (g_k s_k)²)` (Cauchy and Schwarz). Rounding adds a few units in the last place
 //! of each term. The exact motion loses energy, so that a rise by more than this is no effect of the steps.
 
-use super::{Coordinates, Pair, Potential, Slope, State, Value, kinetic_energy, potential_energy, potential_gradients};
+use super::{
+    Coordinates, Pair, Potential, Slope, State, Value, kinetic_energy, potential_energy, potential_gradients,
+    saturated_potential,
+};
 use arithmetic::ArithmeticError;
 use motion::Tolerance;
 
@@ -87,13 +90,16 @@ impl Energy {
 
     /// The value, and the size of its rounding error.
     pub fn of(&self, state: &State<f64>, links: &[Pair]) -> Result<(f64, f64), ArithmeticError> {
+        let potential = |size: fn(f64) -> f64| {
+            let value = |_: usize, _: usize, s: &f64| self.value.at(s).map(size);
+            match self.beyond {
+                None => potential_energy(&state.positions, links, PLANE, value),
+                Some(beyond) => saturated_potential(&state.positions, links, PLANE, value, &size(beyond)),
+            }
+        };
         let kinetic = kinetic_energy(&state.velocities, PLANE)?;
-        let linked = potential_energy(&state.positions, links, PLANE, |_, _, s| self.value.at(s))?;
-        let sizes = potential_energy(&state.positions, links, PLANE, |_, _, s| self.value.at(s).map(f64::abs))?;
-        let pairs = state.count() * (state.count() - 1) / 2;
-        let other = self.beyond.map_or(0.0, |beyond| (pairs - links.len().min(pairs)) as f64 * beyond);
         let terms = (links.len() + state.count() + 16) as f64;
-        Ok((kinetic + linked + other, terms * f64::EPSILON * (kinetic + sizes + other.abs())))
+        Ok((kinetic + potential(|v| v)?, terms * f64::EPSILON * (kinetic + potential(f64::abs)?)))
     }
 
     /// What a step's error may add.

@@ -1,7 +1,7 @@
 //! Headings, and the first paper's alignment by a force normal to the velocity.
 
 use super::law::check_links;
-use super::{Coordinates, Pair, State, Vector, difference, rotated, scaled};
+use super::{Coordinates, Pair, State, Vector, cross, difference, rotated, scaled};
 use crate::angles::{modulo_turns, within_a_turn};
 use arithmetic::{ArithmeticError, Field, Real, Ring, Sign, Signed};
 use std::f64::consts::PI;
@@ -69,8 +69,7 @@ pub fn heading_spread(headings: &[f64]) -> f64 {
 /// # Errors
 /// [`ArithmeticError::DivisionByZero`] for an agent at rest.
 pub fn heading_rate<T: Field>(velocity: &Vector<T>, acceleration: &Vector<T>) -> Result<T, ArithmeticError> {
-    let cross = velocity[0].clone() * &acceleration[1] - velocity[1].clone() * &acceleration[0];
-    cross.over(&Coordinates::Cartesian.square(velocity))
+    cross(velocity, acceleration).over(&Coordinates::Cartesian.square(velocity))
 }
 
 /// The accelerations of the first paper, equations (4) and (5): minus the gradients, minus

@@ -5,6 +5,8 @@
 //! pair: an identity of first derivatives that holds for the potentials `g_ij s`, with variables `g_ij`, holds for all
 //! differentiable potentials.
 
+mod any_headings;
+mod any_potentials;
 mod arrival;
 mod closed_loop;
 mod enclosed;
@@ -22,15 +24,21 @@ mod observation;
 mod potential;
 mod random;
 pub mod relaxation;
+mod rhombus;
 mod saturated;
 mod setup;
 mod state;
+mod steady;
 mod switching;
 mod threshold;
+mod tied;
+mod triangle;
 
+pub use any_headings::AnyHeadings;
+pub use any_potentials::{AnyPotentials, PairGradient};
 pub use closed_loop::follow;
 pub use enclosed::{EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError};
-pub use energy::{agent_potential, kinetic_energy, potential_energy};
+pub use energy::{agent_potential, kinetic_energy, potential_energy, saturated_potential};
 pub use energy_log::{EnergyLog, Excess};
 pub use flock::{FlockError, SwitchingFlock};
 pub use fork::{Branch, Fork, ForkError, MOST_GRAZING, Way, fork};
@@ -42,9 +50,13 @@ pub use motion::{Choice, Event, EventKind, Motion, MotionError, Options, Prefer,
 pub use observation::{Observation, Trial};
 pub use potential::{Potential, PotentialError, Slope, Value};
 pub use random::random_flock;
+pub use rhombus::{crosses_for_ever, rhombus, symmetric_modes};
 pub use saturated::{Kink, Span};
 pub use setup::{HeadingReading, LinkRule, Setup, StartRule};
-pub use state::{Coordinates, State, Vector, difference, disagreement, rotated, scaled, sum};
+pub use state::{Coordinates, State, Vector, cross, difference, disagreement, dot, rotated, scaled, sum};
+pub use steady::SteadyMotion;
+pub use tied::{TiedRate, saturated_rate};
+pub use triangle::turning_triangle;
 
 /// A pair of agents, counted from 0.
 pub type Pair = (usize, usize);

@@ -28,6 +28,16 @@ pub fn rotated<T: Ring>(a: &Vector<T>) -> Vector<T> {
     [-a[1].clone(), a[0].clone()]
 }
 
+/// The inner product of two vectors, in Cartesian coordinates.
+pub fn dot<T: Ring>(a: &Vector<T>, b: &Vector<T>) -> T {
+    a[0].clone() * &b[0] + a[1].clone() * &b[1]
+}
+
+/// `a x b`, the component along `z`, in Cartesian coordinates.
+pub fn cross<T: Ring>(a: &Vector<T>, b: &Vector<T>) -> T {
+    a[0].clone() * &b[1] - a[1].clone() * &b[0]
+}
+
 /// The basis in which the coordinates are meant. The laws are the same in both; only lengths differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Coordinates {

@@ -4,6 +4,10 @@
 use super::Gains;
 use super::time_domain::Modes;
 use arithmetic::ArithmeticError;
+use motion::golden;
+
+/// More sections than the precision allows.
+const MOST_SECTIONS: usize = 100;
 
 /// A value with where it is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,25 +33,11 @@ pub fn largest<E>((low, high): (f64, f64), samples: usize, f: impl Fn(f64) -> Re
             best = Extreme { value, at };
         }
     }
-    let ratio = 0.5 * (5f64.sqrt() - 1.0);
-    let (mut a, mut b) = ((best.at - step).max(low), (best.at + step).min(high));
-    let (mut c, mut d) = (b - ratio * (b - a), a + ratio * (b - a));
-    let (mut at_c, mut at_d) = (f(c)?, f(d)?);
     // A maximum is flat: beyond the root of the precision nothing is gained.
-    while b - a > 1e-8 * (a.abs() + b.abs()) {
-        if at_c > at_d {
-            (b, d, at_d) = (d, c, at_c);
-            c = b - ratio * (b - a);
-            at_c = f(c)?;
-        } else {
-            (a, c, at_c) = (c, d, at_d);
-            d = a + ratio * (b - a);
-            at_d = f(d)?;
-        }
-        let (at, value) = if at_c > at_d { (c, at_c) } else { (d, at_d) };
-        if value > best.value {
-            best = Extreme { value, at };
-        }
+    let bracket = ((best.at - step).max(low), (best.at + step).min(high));
+    let (at, least) = golden(bracket, MOST_SECTIONS, 1e-8, |x| f(x).map(|value| -value))?;
+    if -least > best.value {
+        best = Extreme { value: -least, at };
     }
     Ok(best)
 }

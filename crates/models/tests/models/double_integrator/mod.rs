@@ -2,6 +2,7 @@
 
 mod enclosed;
 mod equilibria;
+mod exact;
 mod flock;
 mod forks;
 mod inputs;

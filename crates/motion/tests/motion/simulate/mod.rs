@@ -1,5 +1,6 @@
 //! Mirrors `src/simulate`.
 
+mod golden;
 mod integrators;
 mod sines;
 mod statistics;

@@ -1,26 +1,25 @@
 //! The equilateral triangle that turns for ever: three linked agents whose headings, with wrapped differences, never align.
 //!
-//! Squared side `s`, centre at rest, rate `omega`: the potential forces are `-6 V'(s) r_i` (the three positions sum to zero), so the motion needs
-//! `omega² = 6 V'(s)`; with the printed potential and `s = 2` that is 3/2. Each agent sees the two others with headings a third of a turn to either
-//! side: wrapped differences cancel, whatever the (equal) weights. The law is the same in turned coordinates, so what holds at
-//! one time holds for ever.
+//! Squared side `s`, centre at rest, rate `omega`: the potential forces are `-6 V'(s) r_i` (the three positions sum to zero), so the motion
+//! needs `omega² = 6 V'(s)`; with `V = 1/s + log s` and `s = 2` that is 3/2. Each agent sees the two others with headings a third of a turn
+//! to either side: wrapped differences cancel, whatever the (equal) weights. The law is the same in turned coordinates, so that what is
+//! true at one time is true for ever.
 
-use super::line::potential;
-use arithmetic::{ArithmeticError, CosineField, Field, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
-use models::double_integrator::{
-    Coordinates, State, Vector, difference, gyroscopic, potential_gradients, rotated, scaled,
+use super::{
+    Coordinates, Potential, State, Vector, cross, difference, gyroscopic, potential_gradients, rotated, scaled,
 };
+use arithmetic::{ArithmeticError, CosineField, Field, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
 
 const PLANE: Coordinates = Coordinates::Cartesian;
 const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 
-/// Whether the triangle of squared side 2 that turns with `omega = rate sqrt(3/2)` is a motion of (1), (4), (5) with the printed potential
-/// and wrapped heading differences: exactly, in the field of the cosines of multiples of a 24th of a turn, which has the
-/// square roots of 2 and 3.
+/// Whether the triangle of squared side 2 that turns with `omega = rate sqrt(3/2)` is a motion of (1), (4), (5) of the first paper with
+/// wrapped heading differences: exactly, in the field of the cosines of multiples of a 24th of a turn, which has the square roots of 2
+/// and 3.
 ///
 /// # Errors
-/// [`ArithmeticError`], which does not happen here.
-pub(crate) fn turns_for_ever(rate: &Rational) -> Result<bool, ArithmeticError> {
+/// [`ArithmeticError::DivisionByZero`] for a potential without slope at 2.
+pub fn turning_triangle(potential: &Potential, rate: &Rational) -> Result<bool, ArithmeticError> {
     let field = CosineField::new(24);
     // sqrt 2 = 2 cos(pi/4), sqrt 3 = 2 cos(pi/6).
     let root = field.cos(3) * field.cos(2) * field.number(&rational(4, 1));
@@ -30,7 +29,7 @@ pub(crate) fn turns_for_ever(rate: &Rational) -> Result<bool, ArithmeticError> {
         (0..3).map(|k| scaled(&radius, &[field.cos(8 * k), field.sin(8 * k)])).collect();
     let velocities = positions.iter().map(|r| scaled(&omega, &rotated(r))).collect();
     let state = State { positions, velocities };
-    let slope = potential().slope_over(&omega);
+    let slope = potential.slope_over(&omega);
     let gradients = potential_gradients(&state.positions, &PAIRS, PLANE, |_, _, s| slope.at(s))?;
     let mut thirds = Vec::with_capacity(3);
     for (i, j) in PAIRS {
@@ -53,8 +52,7 @@ pub(crate) fn turns_for_ever(rate: &Rational) -> Result<bool, ArithmeticError> {
 fn third_of_a_turn(v: &Vector<RealCyclotomic>, w: &Vector<RealCyclotomic>) -> Option<i64> {
     let (square, product) = (PLANE.square(v), PLANE.product(v, w));
     let equal = PLANE.square(w) == square && product.clone() + &product == -square;
-    let cross = v[0].clone() * &w[1] - v[1].clone() * &w[0];
-    match cross.sign()? {
+    match cross(v, w).sign()? {
         Sign::Positive if equal => Some(1),
         Sign::Negative if equal => Some(-1),
         _ => None,

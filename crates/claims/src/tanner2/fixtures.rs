@@ -1,0 +1,117 @@
+//! What the checks of both papers share: potentials, graphs, random states, sums, and the proofs on paper.
+
+use algebra::graph::Graph;
+use algebra::matrix::RationalMatrix;
+use arithmetic::identity::RationalIdentity;
+use arithmetic::{ArithmeticError, Field, Rational, Ring, rational};
+use ledger::{CheckError, Evidence, Grade, Outcome, Run};
+use models::double_integrator::{AnyPotentials, Coordinates, Pair, Potential, disagreements, dot, scaled, sum};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::Rng;
+
+pub(crate) const PLANE: Coordinates = Coordinates::Cartesian;
+
+/// How the theorems of the second paper are read.
+pub(crate) const SMOOTH: &str = "potentials of Definition 3 with a continuous gradient (\"the control laws are smooth\", Section 4), starts in which no linked agents coincide";
+
+/// `s + 1/s - 2`.
+pub(crate) fn spring() -> Potential {
+    Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1))
+}
+
+/// `1/s + log s`, the choice that the first paper prints.
+pub(crate) fn printed() -> Potential {
+    Potential::inverse_square_log(&rational(1, 1))
+}
+
+/// The potential with the slope `sum c s^k` and a value at `s = 1`.
+pub(crate) fn sloped(slope: &[(i32, i64)], value: i64) -> Potential {
+    Potential::new(slope.iter().map(|&(k, c)| (k, rational(c, 1))).collect(), (rational(1, 1), rational(value, 1)))
+}
+
+/// `(s - 1)²`, bounded where agents meet.
+pub(crate) fn soft() -> Potential {
+    sloped(&[(1, 2), (0, -2)], 0)
+}
+
+/// Connected graphs of up to `most` vertices, one of each isomorphism class.
+pub(crate) fn connected(most: usize) -> Vec<Graph> {
+    (1..=most).flat_map(Graph::connected_up_to_isomorphism).collect()
+}
+
+/// All pairs of so many agents.
+pub(crate) fn pairs(count: usize) -> impl Iterator<Item = Pair> {
+    (0..count).flat_map(|j| (0..j).map(move |i| (i, j)))
+}
+
+/// Vectors with coordinates of absolute value at most 5 and denominators 1 to 4.
+pub(crate) fn random_vectors(count: usize, random: &mut ChaCha8Rng) -> Vec<[Rational; 2]> {
+    let mut coordinate = || {
+        let denominator = i64::from(random.next_u32() % 4) + 1;
+        rational(i64::from(random.next_u32() % (10 * denominator as u32 + 1)) - 5 * denominator, denominator)
+    };
+    (0..count).map(|_| [coordinate(), coordinate()]).collect()
+}
+
+/// The list summed.
+pub(crate) fn total<T: Ring>(like: &T, list: impl IntoIterator<Item = T>) -> T {
+    list.into_iter().fold(like.zero(), |sum, x| sum + x)
+}
+
+/// `x^T M x`.
+pub(crate) fn quadratic<T: Field>(matrix: &RationalMatrix, x: &[T]) -> T {
+    let term = |(i, j): (usize, usize)| x[i].clone() * &x[j] * x[i].rational(&matrix.entry(i, j));
+    let entries = (0..x.len()).flat_map(|i| (0..x.len()).map(move |j| (i, j)));
+    total(&x[0], entries.filter(|&(i, j)| !num_traits::Zero::is_zero(&matrix.entry(i, j))).map(term))
+}
+
+/// What a proof on paper covers for all parameters: a section of the notes and its steps.
+pub(crate) fn argued(clauses: &[usize], part: &str, steps: &str) -> Result<Outcome, CheckError> {
+    Ok(Outcome::Holds(vec![Evidence::new(Grade::Argued, part, steps).on(clauses).for_all()]))
+}
+
+/// Runs an identity on connected graphs of up to `most` agents, one of each class.
+pub(crate) fn on_connected<I: RationalIdentity>(
+    run: &Run,
+    most: usize,
+    what: &str,
+    identity: impl Fn(Graph) -> I,
+) -> Result<Outcome, CheckError> {
+    Run::all(connected(most).into_iter().map(|graph| {
+        let mut names = AnyPotentials::names(&graph);
+        let part = format!("{what}, {} agents, edges {:?}, any potentials", graph.order(), graph.edges());
+        let identity = identity(graph);
+        let more = identity.variables().saturating_sub(names.len());
+        names.extend((1..=more).map(|k| format!("theta{k}")));
+        run.identity(&identity, &names.iter().map(String::as_str).collect::<Vec<_>>(), &part)
+    }))
+}
+
+/// With the alignment of (4) times a factor, `Wdot` is minus the sum of `|v_i - v_j|²` over the edges.
+struct EdgeSum(Graph, i64);
+
+impl RationalIdentity for EdgeSum {
+    fn variables(&self) -> usize {
+        AnyPotentials::variables(&self.0)
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let flock = AnyPotentials::read(&self.0, at)?;
+        let rest = at[0].integer(1 - self.1);
+        let aligned = disagreements(&flock.state.velocities, &flock.edges);
+        let accelerations: Vec<[T; 2]> =
+            flock.accelerations()?.iter().zip(&aligned).map(|(a, d)| sum(a, &scaled(&rest, d))).collect();
+        let rate = flock.energy(&flock.state.moving(&accelerations), (1, 2))?.derivative;
+        let squares = flock.edges.iter().map(|&(i, j)| {
+            let relative = flock.state.relative_velocity(i, j);
+            -dot(&relative, &relative)
+        });
+        Ok((vec![rate], vec![total(&at[0], squares)]))
+    }
+}
+
+/// Tests that the energy decreases by the sum of `|v_i - v_j|²` over the edges, where alignment is that of (4) times `damping`.
+pub(crate) fn energy_decreases(run: &Run, damping: i64) -> Result<Outcome, CheckError> {
+    let what = "dW/dt is minus the sum of |v_i - v_j|² over the edges";
+    on_connected(run, run.cases(3, 4), what, |graph| EdgeSum(graph, damping))
+}

@@ -1,0 +1,89 @@
+//! Four agents on two equilateral triangles side by side: an equilibrium, with the long diagonal linked or not where the potential has
+//! slope zero at its length, and the motions near it that keep both diagonals.
+
+use super::{Coordinates, Pair, Potential, State, linearisation, linked_within, potential_gradients, tied};
+use algebra::matrix::{MatrixError, RationalMatrix};
+use algebra::spectrum::Polynomial;
+use arithmetic::{ArithmeticError, Rational, Ring, rational};
+
+const LATTICE: Coordinates = Coordinates::Triangular;
+
+/// The displacements of agents 1, 2, 3, 4 that keep both diagonals, in triangular coordinates and halves: 2 and 4 part along the short
+/// diagonal, 1 and 3 along the long one.
+const SYMMETRIC_MODES: [[i64; 8]; 2] = [[0, 0, -2, 0, 0, 0, 2, 0], [-1, 2, 0, 0, 1, -2, 0, 0]];
+
+/// The rhombus at rest: agents 1 and 3 at squared distance 3, the other five distances 1, in triangular coordinates.
+pub fn rhombus() -> State<Rational> {
+    let q = |n: i64| rational(n, 1);
+    let positions = [(0, 1), (0, 0), (1, -1), (1, 0)].map(|(x, y)| [q(x), q(y)]).to_vec();
+    State { positions, velocities: vec![[q(0), q(0)]; 4] }
+}
+
+/// The characteristic polynomial of the linearised loop on the motions that keep both diagonals: displacements along both, and their
+/// rates.
+///
+/// # Errors
+/// [`ArithmeticError`], which does not happen for a potential with a slope at 1 and at 3.
+pub fn symmetric_modes(edges: &[Pair], potential: &Potential) -> Result<Polynomial, ArithmeticError> {
+    let rows = linearisation(&rhombus(), edges, LATTICE, potential)?;
+    let polynomial = restricted(&rows).and_then(|rows| RationalMatrix::from_rows(&rows)?.characteristic_polynomial());
+    let polynomial = polynomial.map_err(|_| ArithmeticError::Domain("the matrix of four agents"))?;
+    Ok(Polynomial::from_rationals(&polynomial.coefficients()))
+}
+
+/// Whether the diagonals pull at each other, so that no mode leaves one of them at rest.
+fn are_coupled(edges: &[Pair], potential: &Potential) -> Result<bool, ArithmeticError> {
+    let rows = linearisation(&rhombus(), edges, LATTICE, potential)?;
+    let rows = restricted(&rows).map_err(|_| ArithmeticError::Domain("the matrix of four agents"))?;
+    Ok(rows[3][0] != rational(0, 1) && rows[2][1] != rational(0, 1))
+}
+
+/// The matrix of order 16 on the symmetric modes.
+fn restricted(rows: &[Vec<Rational>]) -> Result<Vec<Vec<Rational>>, MatrixError> {
+    let matrix = RationalMatrix::from_rows(rows)?;
+    let mut rows = vec![vec![rational(0, 1); 4]; 4];
+    for column in 0..4 {
+        let mut vector = vec![rational(0, 1); 16];
+        for (k, half) in SYMMETRIC_MODES[column % 2].into_iter().enumerate() {
+            vector[8 * (column / 2) + k] = rational(half, 2);
+        }
+        let image = matrix.apply(&vector)?;
+        // Read off at agent 4 (first coordinate) and at agent 1 (second coordinate), positions and then velocities.
+        for (row, place) in [6, 1, 14, 9].into_iter().enumerate() {
+            rows[row][column] = image[place].clone();
+        }
+    }
+    Ok(rows)
+}
+
+/// Whether all modes decay and turn: stable, with simple roots, none of them real.
+fn only_decaying_oscillations(modes: &Polynomial) -> bool {
+    let size = modes.coefficients().iter().map(num_traits::Signed::abs).sum();
+    let bound = Rational::from_integer(size) + rational(1, 1);
+    modes.is_hurwitz() && modes.is_square_free() && modes.roots_in(&-bound.clone(), &bound).is_empty()
+}
+
+/// Whether the rhombus with its long diagonal at R, whose square this is, is an equilibrium with and without that link, on a connected
+/// graph, which symmetric motions nearby approach in decaying oscillations on both sides, of both diagonals: they pass R for ever.
+///
+/// # Errors
+/// [`ArithmeticError`], which does not happen for a potential with a slope at 1 and at 3.
+pub fn crosses_for_ever(potential: &Potential, square: &Rational) -> Result<bool, ArithmeticError> {
+    let state = rhombus();
+    let linked = linked_within(&state.positions, square, LATTICE);
+    if tied(&state.positions, square, LATTICE) != [(0, 2)] || !linked.is_connected() {
+        return Ok(false);
+    }
+    for edges in [linked.edges(), linked.with_edges(&[(0, 2)]).edges()] {
+        let slope = |_: usize, _: usize, s: &Rational| potential.slope(s);
+        let forces = potential_gradients(&state.positions, &edges, LATTICE, slope)?;
+        let rests = forces.iter().flatten().all(|x| *x == x.zero());
+        if !rests
+            || !are_coupled(&edges, potential)?
+            || !only_decaying_oscillations(&symmetric_modes(&edges, potential)?)
+        {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
