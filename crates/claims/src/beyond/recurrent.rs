@@ -3,12 +3,9 @@
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, RationalMatrix, StochasticMatrix};
 use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, Source};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
-
-/// beyond.chazelle.recurrent.
-pub struct Recurrent;
 
 /// What counts as a window, and the bound: one factor `1 - alpha^power` for every `windows` windows of `n` birds.
 #[derive(Clone, Copy)]
@@ -263,58 +260,39 @@ fn failure(what: String) -> Outcome {
     Outcome::fails(what, Evidence::new(Grade::Exact, "tau_1 against the bound", "exact product"))
 }
 
-impl Claim for Recurrent {
-    type Variant = RecurrentVariant;
-
-    fn id(&self) -> &str {
-        "beyond.chazelle.recurrent"
-    }
-
-    fn source(&self) -> Option<Source> {
-        Some(Source {
-            place: "extends chazelle, section 3, to networks that change".to_string(),
-            statement: "Let P(1), P(2), ... be stochastic with positive diagonals and positive entries at least alpha > 0, for n >= 2 birds, \
-                        and v(t+1) = P(t) v(t). Networks of model D: m consecutive windows of any lengths, in each of which the union of the \
-                        networks is connected, contract by tau_1 <= (1 - alpha^(n-1))^floor(m/(n-1)). Directed networks: if in the union over every \
-                        B consecutive times a path leads from every bird to one bird, t factors contract by tau_1 <= (1 - \
-                        alpha^((n-1)B))^floor(t/((n-1)B)). If such windows never end, all velocities converge to one limit, for bounded windows at that rate."
-                .to_string(),
-        })
-    }
-
-    fn derivation(&self) -> &str {
+pub fn recurrent() -> Record<RecurrentVariant> {
+    let printed = RecurrentVariant {
+        connected: true,
+        keeps_own: true,
+        windows: |n| n - 1,
+        network_power: |n| n - 1,
+        directed_power: |n, length| (n - 1) * length,
+    };
+    Record::new(
+        "beyond.chazelle.recurrent",
         "Follow backwards in time the birds that two birds have listened to. While the two sets are disjoint, in every window one of them grows: else both \
          would be closed and both would hold a root. After n - 1 windows they meet, and the two rows overlap by a positive entry of the product, which is at least \
          alpha^((n-1)B), and for networks at least alpha^(n-1) however long the windows are, because a closed set of birds keeps its smallest entry. \
          tau_1 <= 1 - overlap, and tau_1 of a product is at most the product of tau_1. Later velocities are averages of earlier ones, so the \
-         bounds give one Cauchy sequence (proofs_checks/coq/chazelle_recurrent.v, chazelle_agreement.v, chazelle_reals.v)."
-    }
-
-    fn printed(&self) -> RecurrentVariant {
-        RecurrentVariant {
-            connected: true,
-            keeps_own: true,
-            windows: |n| n - 1,
-            network_power: |n| n - 1,
-            directed_power: |n, length| (n - 1) * length,
-        }
-    }
-
-    fn controls(&self) -> Vec<Control<RecurrentVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("windows that are not connected", RecurrentVariant { connected: false, ..printed }),
-            Control::new("no weight for the bird itself", RecurrentVariant { keeps_own: false, ..printed }),
-            Control::new("a factor for every window", RecurrentVariant { windows: |_| 1, ..printed }),
-            Control::new("alpha^(n-2)", RecurrentVariant { network_power: |n| n - 2, ..printed }),
-            Control::new(
-                "alpha^(n-1) on directed networks, however long the windows",
-                RecurrentVariant { directed_power: |n, _| n - 1, ..printed },
-            ),
-        ]
-    }
-
-    fn examine(&self, variant: &RecurrentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        Run::all([variant.exhaustive(run), variant.sampled(run)])
-    }
+         bounds give one Cauchy sequence (proofs_checks/coq/chazelle_recurrent.v, chazelle_agreement.v, chazelle_reals.v).",
+        printed,
+        |variant,
+        run| { Run::all([variant.exhaustive(run), variant.sampled(run)]) },
+    )
+    .stated(
+        "extends chazelle, section 3, to networks that change",
+        "Let P(1), P(2), ... be stochastic with positive diagonals and positive entries at least alpha > 0, for n >= 2 birds, \
+         and v(t+1) = P(t) v(t). Networks of model D: m consecutive windows of any lengths, in each of which the union of the \
+         networks is connected, contract by tau_1 <= (1 - alpha^(n-1))^floor(m/(n-1)). Directed networks: if in the union over every \
+         B consecutive times a path leads from every bird to one bird, t factors contract by tau_1 <= (1 - \
+         alpha^((n-1)B))^floor(t/((n-1)B)). If such windows never end, all velocities converge to one limit, for bounded windows at that rate.",
+    )
+    .control("windows that are not connected", RecurrentVariant { connected: false, ..printed })
+    .control("no weight for the bird itself", RecurrentVariant { keeps_own: false, ..printed })
+    .control("a factor for every window", RecurrentVariant { windows: |_| 1, ..printed })
+    .control("alpha^(n-2)", RecurrentVariant { network_power: |n| n - 2, ..printed })
+    .control(
+        "alpha^(n-1) on directed networks, however long the windows",
+        RecurrentVariant { directed_power: |n, _| n - 1, ..printed },
+    )
 }

@@ -8,7 +8,7 @@
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Affine, Flock, HalfOpenRange, Hysteresis, Start, Weights, transition_matrix};
 
 /// The example with everything that the claims print about it.
@@ -219,109 +219,55 @@ fn examine_closed_form(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
     Run::all([Ok(own), Ok(alternation)])
 }
 
-/// chazelle.ex4birds.eig.
-pub struct Eigenvector;
-
-impl Claim for Eigenvector {
-    type Variant = FourBirds;
-
-    fn id(&self) -> &str {
-        "chazelle.ex4birds.eig"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn eigenvector() -> Record<FourBirds> {
+    let printed = FourBirds::printed;
+    Record::new(
+        "chazelle.ex4birds.eig",
         "Each bird has velocity +-1/8 and all its neighbours the opposite one: a third of the own minus two thirds, or for \
-         the inner birds of the path 1/3 - 1/3 - 1/3, is -1/3 of the own velocity."
-    }
-
-    fn printed(&self) -> FourBirds {
-        FourBirds::printed()
-    }
-
-    fn controls(&self) -> Vec<Control<FourBirds>> {
-        vec![
-            Control::new("eigenvalue 1/3", FourBirds { eigenvalue: (1, 3), ..self.printed() }),
-            Control::new("v(1) = (1,1,-1,-1)/8", FourBirds { velocities: [1, 1, -1, -1], ..self.printed() }),
-            Control::new(
-                "a matrix with two entries exchanged",
-                FourBirds { path: [[1, 2, 0, 0], [1, 1, 1, 0], [0, 1, 1, 1], [0, 0, 1, 2]], ..self.printed() },
-            ),
-        ]
-    }
-
-    fn examine(&self, variant: &FourBirds, _: &mut Run) -> Result<Outcome, CheckError> {
-        examine_eigenvector(variant)
-    }
+         the inner birds of the path 1/3 - 1/3 - 1/3, is -1/3 of the own velocity.",
+        printed(),
+        |variant,
+        _| { examine_eigenvector(variant) },
+    )
+    .control("eigenvalue 1/3", FourBirds { eigenvalue: (1, 3), ..printed() })
+    .control("v(1) = (1,1,-1,-1)/8", FourBirds { velocities: [1, 1, -1, -1], ..printed() })
+    .control(
+        "a matrix with two entries exchanged",
+        FourBirds { path: [[1, 2, 0, 0], [1, 1, 1, 0], [0, 1, 1, 1], [0, 0, 1, 2]], ..printed() },
+    )
 }
 
-/// chazelle.ex4birds.eq3.14.
-pub struct ClosedForm;
-
-impl Claim for ClosedForm {
-    type Variant = FourBirds;
-
-    fn id(&self) -> &str {
-        "chazelle.ex4birds.eq3.14"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn closed_form() -> Record<FourBirds> {
+    let printed = FourBirds::printed;
+    Record::new(
+        "chazelle.ex4birds.eq3.14",
         "v(s) = (-1/3)^(s-1) v(1) sums to (3/4)(1 - (-1/3)^t) v(1). The gaps follow; \"stays comfortably between 1/4 and 1/2\" is read with \
-         the ends included: the outer gaps are exactly 1/4 at t = 1 and never more than 1/3 for t >= 1."
-    }
-
-    fn printed(&self) -> FourBirds {
-        FourBirds::printed()
-    }
-
-    fn controls(&self) -> Vec<Control<FourBirds>> {
-        vec![
-            Control::new("factor 3/2", FourBirds { factor: (3, 2), ..self.printed() }),
-            Control::new("the sign in the outer gaps", FourBirds { outer_gap: (5, 1), ..self.printed() }),
-            Control::new("the sign in the middle gap", FourBirds { middle_gap: (16, -1), ..self.printed() }),
-            Control::new("a lower bound of 5/16", FourBirds { outer_bounds: (5, 8), ..self.printed() }),
-            Control::new("an upper bound of 5/16", FourBirds { outer_bounds: (4, 5), ..self.printed() }),
-            Control::new("x_3(0) = 20/16", FourBirds { positions: [0, 8, 20, 29], ..self.printed() }),
-        ]
-    }
-
-    fn examine(&self, variant: &FourBirds, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_closed_form(variant, run)
-    }
+         the ends included: the outer gaps are exactly 1/4 at t = 1 and never more than 1/3 for t >= 1.",
+        printed(),
+        |variant,
+        run| { examine_closed_form(variant, run) },
+    )
+    .control("factor 3/2", FourBirds { factor: (3, 2), ..printed() })
+    .control("the sign in the outer gaps", FourBirds { outer_gap: (5, 1), ..printed() })
+    .control("the sign in the middle gap", FourBirds { middle_gap: (16, -1), ..printed() })
+    .control("a lower bound of 5/16", FourBirds { outer_bounds: (5, 8), ..printed() })
+    .control("an upper bound of 5/16", FourBirds { outer_bounds: (4, 5), ..printed() })
+    .control("x_3(0) = 20/16", FourBirds { positions: [0, 8, 20, 29], ..printed() })
 }
 
-/// chazelle.ex4birds.alt.
-pub struct Alternation;
-
-impl Claim for Alternation {
-    type Variant = FourBirds;
-
-    fn id(&self) -> &str {
-        "chazelle.ex4birds.alt"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn alternation() -> Record<FourBirds> {
+    let printed = FourBirds::printed;
+    Record::new(
+        "chazelle.ex4birds.alt",
         "The middle gap is 1 - (3/16)(-1/3)^t: at most 1 for even t, more than 1 for odd t. The outer gaps stay below 1 and \
          birds 1, 3 and 2, 4 stay 21/16 apart, birds 1, 4 farther. So the network is the path at even and two pairs at odd times; both have \
-         the eigenvector v(1), which closes the induction."
-    }
-
-    fn printed(&self) -> FourBirds {
-        FourBirds::printed()
-    }
-
-    fn controls(&self) -> Vec<Control<FourBirds>> {
-        vec![
-            Control::new(
-                "a hysteresis threshold of 1/1024",
-                FourBirds { hysteresis: Some((1, 1024)), ..self.printed() },
-            ),
-            Control::new("birds 3 and 4 nearer by 1/16", FourBirds { positions: [0, 8, 20, 28], ..self.printed() }),
-            Control::new("all velocities zero", FourBirds { velocities: [0, 0, 0, 0], ..self.printed() }),
-            Control::new("opposite velocities", FourBirds { velocities: [-1, 1, -1, 1], ..self.printed() }),
-        ]
-    }
-
-    fn examine(&self, variant: &FourBirds, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_alternation(variant, run)
-    }
+         the eigenvector v(1), which closes the induction.",
+        printed(),
+        |variant,
+        run| { examine_alternation(variant, run) },
+    )
+    .control("a hysteresis threshold of 1/1024", FourBirds { hysteresis: Some((1, 1024)), ..printed() })
+    .control("birds 3 and 4 nearer by 1/16", FourBirds { positions: [0, 8, 20, 28], ..printed() })
+    .control("all velocities zero", FourBirds { velocities: [0, 0, 0, 0], ..printed() })
+    .control("opposite velocities", FourBirds { velocities: [-1, 1, -1, 1], ..printed() })
 }

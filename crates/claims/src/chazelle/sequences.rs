@@ -139,6 +139,15 @@ impl NetworkHistory {
     }
 }
 
+/// All sequences of so many networks on so many birds, with a constant end.
+pub(super) fn histories(sizes: impl IntoIterator<Item = (usize, u32)>) -> impl Iterator<Item = NetworkHistory> {
+    sizes.into_iter().flat_map(|(order, length)| {
+        let graphs: Vec<Graph> = Graph::all(order).collect();
+        words(graphs.len(), length)
+            .map(move |word| NetworkHistory::new(word.iter().map(|&k| graphs[k].clone()).collect()))
+    })
+}
+
 /// A random flock of 2 to 5 birds on the line with the hysteresis of the paper, near enough to meet.
 pub(super) fn random_line_flock(random: &mut ChaCha8Rng, steps: usize) -> Result<NetworkHistory, CheckError> {
     let mut below = |bound: i64| i64::from(random.next_u32()) % bound;

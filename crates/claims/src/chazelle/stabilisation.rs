@@ -5,7 +5,7 @@ use super::sequences::{NetworkHistory, random_graph, words};
 use algebra::graph::Graph;
 use algebra::matrix::{RationalMatrix, Stabiliser, tau_1, tau_2_squared};
 use arithmetic::{Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
@@ -52,8 +52,7 @@ fn outcome(part: &str, exhaustive: &str, found: Result<[usize; 2], String>) -> O
             Outcome::fails(counterexample, Evidence::new(Grade::Exact, part, "one sequence with a constant end"))
         }
         Ok([cases, sampled]) => Outcome::Holds(vec![
-            Evidence::new(Grade::Exhaustive, part, format!("proof in notes/chazelle_switches.md; {exhaustive}"))
-                .cases(cases),
+            Evidence::new(Grade::Exhaustive, part, exhaustive).cases(cases),
             Evidence::new(Grade::Fuzzed, part, "random sequences of 8 networks on 3 to 6 birds").cases(sampled),
         ]),
     }
@@ -73,9 +72,6 @@ impl Levels {
         Levels { members, times }
     }
 }
-
-/// chazelle.stab.
-pub struct Nested;
 
 /// What is altered.
 #[derive(Clone, Copy)]
@@ -143,39 +139,24 @@ fn birds(members: &[usize]) -> String {
     format!("{{{}}}", names.join(", "))
 }
 
-impl Claim for Nested {
-    type Variant = NestedVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.stab"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn nested() -> Record<NestedVariant> {
+    let printed = NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false };
+    Record::new(
+        "chazelle.stab",
         "V_k indexes rows of a matrix on V_{k-1}, so it is contained in it. An edge at t > T_k between i in V_k and j in V_{k-1} \\ V_k \
          would give the column a one in row j after T_k, when nothing changes any more. So P(t) on V_{k-1} is block diagonal for t > T_k, \
          and products of restrictions are restrictions of products. The first bird stays first: its diagonal entry is positive, so it belongs to every V_k, \
-         and the rows of V_k are by definition those with a positive entry in its column."
-    }
-
-    fn printed(&self) -> NestedVariant {
-        NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false }
-    }
-
-    fn controls(&self) -> Vec<Control<NestedVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("strictly nested", NestedVariant { strictly: true, ..printed }),
-            Control::new("separated at t = T_1 already", NestedVariant { at_t1: true, ..printed }),
-            Control::new("the second column", NestedVariant { column: 1, ..printed }),
-            Control::new("V_1 from the first row", NestedVariant { from_row: true, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &NestedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let found = over_histories(run, false, |history, _| Ok(variant.fails_at(history)))?;
-        let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
-        Ok(outcome("nested, block diagonal, positive first columns", cases, found))
-    }
+         and the rows of V_k are by definition those with a positive entry in its column.",
+        printed,
+        |variant,
+        run| { let found = over_histories(run, false, |history, _| Ok(variant.fails_at(history)))?;
+         let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
+         Ok(outcome("nested, block diagonal, positive first columns", cases, found)) },
+    )
+    .control("strictly nested", NestedVariant { strictly: true, ..printed })
+    .control("separated at t = T_1 already", NestedVariant { at_t1: true, ..printed })
+    .control("the second column", NestedVariant { column: 1, ..printed })
+    .control("V_1 from the first row", NestedVariant { from_row: true, ..printed })
 }
 
 /// `P(t)` for all `t` of a history, with exact products.
@@ -207,9 +188,6 @@ fn block(matrix: &RationalMatrix, rows: &[usize], cols: &[usize]) -> Result<Rati
     let picked: Vec<Vec<Rational>> = rows.iter().map(|&i| cols.iter().map(|&j| matrix.entry(i, j)).collect()).collect();
     Ok(RationalMatrix::from_rows(&picked)?)
 }
-
-/// chazelle.eq3.5.
-pub struct Blocks;
 
 /// The index sets of two factors, and where the products start.
 #[derive(Clone, Copy)]
@@ -272,54 +250,32 @@ impl BlocksVariant {
     }
 }
 
-impl Claim for Blocks {
-    type Variant = BlocksVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.eq3.5"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn blocks() -> Record<BlocksVariant> {
+    let printed = BlocksVariant { second_has_v1: false, first_has_v1: false, gap: 1 };
+    let corrected = BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 };
+    Record::new(
+        "chazelle.eq3.5",
         "After T_i the matrices on V_{i-1} are block diagonal with the block V_i, so the rows V_i of P(t, T_{i-1}+1) on V_{i-1} are \
          P_{|V_i x V_i}(t, T_i+1) P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1); the rows V_k of that are rows of the left factor only. Iterated, the factor of T_2 has the \
-         columns V_1 and the factor of T_1 the rows V_1. With V_k in both places the paths through V_1 \\ V_k are lost."
-    }
-
-    fn printed(&self) -> BlocksVariant {
-        BlocksVariant { second_has_v1: false, first_has_v1: false, gap: 1 }
-    }
-
-    fn repair(&self) -> Option<Repair<BlocksVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement: "P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
-                        P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1)"
-                .to_string(),
-            variant: BlocksVariant { second_has_v1: true, first_has_v1: true, ..self.printed() },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<BlocksVariant>> {
-        let corrected = BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 };
-        vec![
-            Control::new("V_2 x V_k, V_1 x V_0", BlocksVariant { second_has_v1: false, ..corrected }),
-            Control::new("V_2 x V_1, V_k x V_0", BlocksVariant { first_has_v1: false, ..corrected }),
-            Control::new("the factor at T_i taken twice", BlocksVariant { gap: 0, ..corrected }),
-            Control::new("the factor at T_i + 1 left out", BlocksVariant { gap: 2, ..corrected }),
-        ]
-    }
-
-    fn examine(&self, variant: &BlocksVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
-        let cases =
-            "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-        Ok(outcome("the factorisation, for all k", cases, found))
-    }
+         columns V_1 and the factor of T_1 the rows V_1. With V_k in both places the paths through V_1 \\ V_k are lost.",
+        printed,
+        |variant,
+        run| { let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
+         let cases =
+         "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+         Ok(outcome("the factorisation, for all k", cases, found)) },
+    )
+    .repaired(
+        Fault::Slip,
+        "P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
+         P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1)",
+        BlocksVariant { second_has_v1: true, first_has_v1: true, ..printed },
+    )
+    .control("V_2 x V_k, V_1 x V_0", BlocksVariant { second_has_v1: false, ..corrected })
+    .control("V_2 x V_1, V_k x V_0", BlocksVariant { first_has_v1: false, ..corrected })
+    .control("the factor at T_i taken twice", BlocksVariant { gap: 0, ..corrected })
+    .control("the factor at T_i + 1 left out", BlocksVariant { gap: 2, ..corrected })
 }
-
-/// chazelle.eq3.6.
-pub struct Contraction;
 
 /// The constants of the two inequalities.
 #[derive(Clone, Copy)]
@@ -370,36 +326,21 @@ impl ContractionVariant {
     }
 }
 
-impl Claim for Contraction {
-    type Variant = ContractionVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.eq3.6"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn contraction() -> Record<ContractionVariant> {
+    let printed = ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 };
+    Record::new(
+        "chazelle.eq3.6",
         "The blocks of (3.5) as corrected are row-stochastic. Lemma 2.4, once for each factor, and tau_2(I) <= sqrt(2) give the first inequality. The \
          first column of each P_{|V_i x V_{i-1}} is at least beta = nu^(-a(nu-1)), which is more than nu^(-a nu²) (lem2.2.entries): any two rows \
-         overlap by beta, tau_1 <= 1 - beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2."
-    }
-
-    fn printed(&self) -> ContractionVariant {
-        ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 }
-    }
-
-    fn controls(&self) -> Vec<Control<ContractionVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("1.41 for sqrt(2)", ContractionVariant { squared_constant: (19881, 10000), ..printed }),
-            Control::new("e^(-k)", ContractionVariant { exponent: |_| 0, ..printed }),
-            Control::new("the square of the product", ContractionVariant { power: 2, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &ContractionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
-        let cases =
-            "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-        Ok(outcome("both inequalities, for all k", cases, found))
-    }
+         overlap by beta, tau_1 <= 1 - beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2.",
+        printed,
+        |variant,
+        run| { let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
+         let cases =
+         "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+         Ok(outcome("both inequalities, for all k", cases, found)) },
+    )
+    .control("1.41 for sqrt(2)", ContractionVariant { squared_constant: (19881, 10000), ..printed })
+    .control("e^(-k)", ContractionVariant { exponent: |_| 0, ..printed })
+    .control("the square of the product", ContractionVariant { power: 2, ..printed })
 }

@@ -4,11 +4,8 @@ use super::filling::{Filling, GroupRule};
 use super::sequences::{NetworkHistory, line_networks, random_line_flock, words};
 use algebra::graph::Graph;
 use arithmetic::rational;
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::averaging::Weights;
-
-/// chazelle.Nts.
-pub struct Count;
 
 /// Which `u` are counted, and what is claimed of one step.
 #[derive(Clone, Copy)]
@@ -73,78 +70,61 @@ fn small_flocks() -> Result<Vec<NetworkHistory>, CheckError> {
         .collect()
 }
 
-impl Claim for Count {
-    type Variant = CountVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.Nts"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn count() -> Record<CountVariant> {
+    let printed = CountVariant { with_s: false, with_t: false, exactly_one: true, first_summand: 1 };
+    let corrected = CountVariant { with_t: true, exactly_one: false, ..printed };
+    Record::new(
+        "chazelle.Nts",
         "With s < u < t there is no u between t_k and t_k + 1, so N(t_{k+1}, t_k) = 0; and the changes at u = t_1, ..., t_{l-1} are in no \
          summand. With s < u <= t the intervals are disjoint and fill (s, t_l], so N is additive. One step contains one u, which \
          counts where G_u differs from G_{u-1}: a column can grow while the network rests (three birds at rest in a row), so N = 1 is \
-         N <= 1. t_1 = s, because P(s,s) has a first column. Neither slip matters for what follows."
-    }
+         N <= 1. t_1 = s, because P(s,s) has a first column. Neither slip matters for what follows.",
+        printed,
+        check_count,
+    )
+    .repaired(
+        Fault::Slip,
+        "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when \
+         t_{k+1} = t_k + 1, and N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
+        CountVariant { with_t: true, exactly_one: false, ..printed },
+    )
+    .control("strict at both ends, at most 1", CountVariant { with_t: false, ..corrected })
+    .control("both ends counted", CountVariant { with_s: true, ..corrected })
+    .control("s < u <= t, exactly 1", CountVariant { exactly_one: true, ..corrected })
+    .control("the sum from k = 3", CountVariant { first_summand: 3, ..corrected })
+}
 
-    fn printed(&self) -> CountVariant {
-        CountVariant { with_s: false, with_t: false, exactly_one: true, first_summand: 1 }
-    }
-
-    fn repair(&self) -> Option<Repair<CountVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement:
-                "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when \
-                        t_{k+1} = t_k + 1, and N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1})."
-                    .to_string(),
-            variant: CountVariant { with_t: true, exactly_one: false, ..self.printed() },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<CountVariant>> {
-        let corrected = CountVariant { with_t: true, exactly_one: false, ..self.printed() };
-        vec![
-            Control::new("strict at both ends, at most 1", CountVariant { with_t: false, ..corrected }),
-            Control::new("both ends counted", CountVariant { with_s: true, ..corrected }),
-            Control::new("s < u <= t, exactly 1", CountVariant { exactly_one: true, ..corrected }),
-            Control::new("the sum from k = 3", CountVariant { first_summand: 3, ..corrected }),
-        ]
-    }
-
-    fn examine(&self, variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut found: [Option<String>; 2] = [None, None];
-        let mut sequences = 0;
-        let look = |history: &NetworkHistory, found: &mut [Option<String>; 2]| {
-            for s in 1..=2 {
-                for column in 0..history.order() {
-                    let failures = variant.failures(history, column, s);
-                    found.iter_mut().zip(failures).for_each(|(found, failure)| *found = found.take().or(failure));
-                }
-            }
-        };
-        for history in small_flocks()? {
-            look(&history, &mut found);
-        }
-        for (order, length) in [(1, 3), (2, 6), (3, 4), (4, 2)] {
-            let graphs: Vec<Graph> = Graph::all(order).collect();
-            for word in words(graphs.len(), length) {
-                run.checkpoint()?;
-                if found.iter().any(Option::is_some) {
-                    break;
-                }
-                sequences += 1;
-                look(&NetworkHistory::new(word.iter().map(|&k| graphs[k].clone()).collect()), &mut found);
+fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut found: [Option<String>; 2] = [None, None];
+    let mut sequences = 0;
+    let look = |history: &NetworkHistory, found: &mut [Option<String>; 2]| {
+        for s in 1..=2 {
+            for column in 0..history.order() {
+                let failures = variant.failures(history, column, s);
+                found.iter_mut().zip(failures).for_each(|(found, failure)| *found = found.take().or(failure));
             }
         }
-        let failures: Vec<String> = found.into_iter().flatten().collect();
-        if !failures.is_empty() {
-            let evidence =
-                Evidence::new(Grade::Exact, "one step, and the sum", "networks of an exact flock or sequence");
-            return Ok(Outcome::fails(failures.join("; "), evidence));
+    };
+    for history in small_flocks()? {
+        look(&history, &mut found);
+    }
+    for (order, length) in [(1, 3), (2, 6), (3, 4), (4, 2)] {
+        let graphs: Vec<Graph> = Graph::all(order).collect();
+        for word in words(graphs.len(), length) {
+            run.checkpoint()?;
+            if found.iter().any(Option::is_some) {
+                break;
+            }
+            sequences += 1;
+            look(&NetworkHistory::new(word.iter().map(|&k| graphs[k].clone()).collect()), &mut found);
         }
-        Ok(Outcome::Holds(vec![
+    }
+    let failures: Vec<String> = found.into_iter().flatten().collect();
+    if !failures.is_empty() {
+        let evidence = Evidence::new(Grade::Exact, "one step, and the sum", "networks of an exact flock or sequence");
+        return Ok(Outcome::fails(failures.join("; "), evidence));
+    }
+    Ok(Outcome::Holds(vec![
             Evidence::new(
                 Grade::Exhaustive,
                 "one step, and the sum",
@@ -154,11 +134,7 @@ impl Claim for Count {
             .cases(sequences),
             Evidence::new(Grade::Exact, "the same", "exact flocks of three birds with the hysteresis of the paper"),
         ]))
-    }
 }
-
-/// chazelle.eq3.4.
-pub struct UntilStable;
 
 /// A bound of the switches until the footprint is stable.
 #[derive(Clone, Copy)]
@@ -169,78 +145,64 @@ pub struct UntilStableVariant {
     until_stable: bool,
 }
 
-impl Claim for UntilStable {
-    type Variant = UntilStableVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.eq3.4"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn until_stable() -> Record<UntilStableVariant> {
+    let printed = UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true };
+    Record::new(
+        "chazelle.eq3.4",
         "Reading: N(n) is the maximum over a class of motions that contains the continuation of a motion from any time and of any group \
          that meets no other bird (positions, old edges and weights arbitrary, speeds bounded); N(t,s) counts s < u <= t. T_1 is the \
          last growth time t_l of some column, and the count for that column is the count of the whole network, so no factor for n \
          columns is needed. Between t_k and t_{k+1} the column's birds and the others do not meet: N(n_k) + N(n - n_k) switches, one at t_{k+1}, \
          and one the paper forgets, at t_k + 1, when an edge between the two sides breaks. There are l - 1 <= n - 1 intervals (t_1 = s), which makes \
-         (n-1)(2N(n-1)+2) <= 2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times)."
-    }
+         (n-1)(2N(n-1)+2) <= 2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times).",
+        printed,
+        check_until_stable,
+    )
+    .control("one interval only", UntilStableVariant { bound: |_, before| 2 * before + 1, ..printed })
+    .control("N(n-1) + n", UntilStableVariant { bound: |n, before| before + n, ..printed })
+    .control("all switches", UntilStableVariant { until_stable: false, ..printed })
+}
 
-    fn printed(&self) -> UntilStableVariant {
-        UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true }
-    }
-
-    fn controls(&self) -> Vec<Control<UntilStableVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("one interval only", UntilStableVariant { bound: |_, before| 2 * before + 1, ..printed }),
-            Control::new("N(n-1) + n", UntilStableVariant { bound: |n, before| before + n, ..printed }),
-            Control::new("all switches", UntilStableVariant { until_stable: false, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &UntilStableVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut classes = 0;
-        let settings =
-            [(3, vec![0, 0, 1]), (3, vec![0, 0, 2]), (3, vec![0, 0, 3]), (4, vec![0, 0, 1, 1]), (4, vec![0, 0, 1, 2])];
-        for (order, most) in settings {
-            run.checkpoint()?;
-            let rule = GroupRule { order, most: most.clone() };
-            let bound = (variant.bound)(order as u64, most[order - 1]);
-            let found = Filling::new(rule, variant.until_stable).longest();
-            let name = format!("most_switches_{order}_birds_N_{}", most[order - 1]);
-            let place =
-                format!("sequences of networks on {order} birds with N(2), ..., N({}) = {:?}", order - 1, &most[2..]);
-            match found {
-                Some(count) if count <= bound => run.value(&name, count.to_string()),
-                Some(count) => {
-                    let evidence = Evidence::new(Grade::Exhaustive, "the bound", "longest sequence of the class");
-                    return Ok(Outcome::fails(format!("{place}: {count} switches, more than {bound}"), evidence));
-                }
-                None => {
-                    let evidence = Evidence::new(Grade::Exhaustive, "the bound", "a cycle of the class");
-                    return Ok(Outcome::fails(format!("{place}: there is no largest number of switches"), evidence));
-                }
+fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut classes = 0;
+    let settings =
+        [(3, vec![0, 0, 1]), (3, vec![0, 0, 2]), (3, vec![0, 0, 3]), (4, vec![0, 0, 1, 1]), (4, vec![0, 0, 1, 2])];
+    for (order, most) in settings {
+        run.checkpoint()?;
+        let rule = GroupRule { order, most: most.clone() };
+        let bound = (variant.bound)(order as u64, most[order - 1]);
+        let found = Filling::new(rule, variant.until_stable).longest();
+        let name = format!("most_switches_{order}_birds_N_{}", most[order - 1]);
+        let place =
+            format!("sequences of networks on {order} birds with N(2), ..., N({}) = {:?}", order - 1, &most[2..]);
+        match found {
+            Some(count) if count <= bound => run.value(&name, count.to_string()),
+            Some(count) => {
+                let evidence = Evidence::new(Grade::Exhaustive, "the bound", "longest sequence of the class");
+                return Ok(Outcome::fails(format!("{place}: {count} switches, more than {bound}"), evidence));
             }
-            classes += 1;
-        }
-        let mut random = run.random(0);
-        let flocks = run.cases(60, 1500);
-        for _ in 0..flocks {
-            run.checkpoint()?;
-            let history = random_line_flock(&mut random, 14)?;
-            let n = history.order();
-            let stable = (0..n).filter_map(|j| weight_times(&history, j, 1).last().copied()).max().unwrap_or(1);
-            let end = if variant.until_stable { stable } else { history.constant_from() };
-            let (count, bound) = (history.changes(2, end) as u64, (variant.bound)(n as u64, (n as u64 - 1) / 2));
-            if count > bound {
-                let evidence = Evidence::new(Grade::Exact, "the bound", "an exact flock");
-                return Ok(Outcome::fails(
-                    format!("{}: {count} switches, more than {bound}", history.show()),
-                    evidence,
-                ));
+            None => {
+                let evidence = Evidence::new(Grade::Exhaustive, "the bound", "a cycle of the class");
+                return Ok(Outcome::fails(format!("{place}: there is no largest number of switches"), evidence));
             }
         }
-        Ok(Outcome::Holds(vec![
+        classes += 1;
+    }
+    let mut random = run.random(0);
+    let flocks = run.cases(60, 1500);
+    for _ in 0..flocks {
+        run.checkpoint()?;
+        let history = random_line_flock(&mut random, 14)?;
+        let n = history.order();
+        let stable = (0..n).filter_map(|j| weight_times(&history, j, 1).last().copied()).max().unwrap_or(1);
+        let end = if variant.until_stable { stable } else { history.constant_from() };
+        let (count, bound) = (history.changes(2, end) as u64, (variant.bound)(n as u64, (n as u64 - 1) / 2));
+        if count > bound {
+            let evidence = Evidence::new(Grade::Exact, "the bound", "an exact flock");
+            return Ok(Outcome::fails(format!("{}: {count} switches, more than {bound}", history.show()), evidence));
+        }
+    }
+    Ok(Outcome::Holds(vec![
             Evidence::new(
                 Grade::Exhaustive,
                 "the bound, for every class of sequences closed under continuation and separation",
@@ -250,5 +212,4 @@ impl Claim for UntilStable {
             .cases(classes),
             Evidence::new(Grade::Fuzzed, "flocks", "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)").cases(flocks),
         ]))
-    }
 }

@@ -4,15 +4,12 @@ use super::limits::limit_of_lemma_3_3;
 use super::{FAMILY, Family, Kind, Network, every_row, exhaustively, power_of_order};
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, rational};
-use ledger::{CheckError, Claim, Control, Outcome, Run};
+use ledger::{CheckError, Record};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
-
-/// chazelle.lem3.5.
-pub struct ShortLimit;
 
 /// The common denominator `D = R^k T p` and the bound of its length.
 #[derive(Clone, Copy)]
@@ -77,41 +74,26 @@ impl ShortLimitVariant {
     }
 }
 
-impl Claim for ShortLimit {
-    type Variant = ShortLimitVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.lem3.5"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn short_limit() -> Record<ShortLimitVariant> {
+    let printed = ShortLimitVariant { of_pi: 2, trees: true, exponential: true };
+    Record::new(
+        "chazelle.lem3.5",
         "Read for fixed d, input and weights with numerators and denominators at most n^a. Gamma = (I - 1 pi^T) X (I - pi 1^T) C^-1 with X \
          the inverse of the Laplacian without its last row and column, bordered by zeros: its denominator is the number T \
          of spanning trees, at most n^(n-2), and its entries lie in [0, n-1]. With the common denominators R of pi and p of C^-1, \
          D = R² T p is a common denominator of Gamma. R <= n^(a+1) p, p <= n^(an), |Gamma_ij| <= 2(n-1) n^a: numerators and \
          denominators stay below n^((5a+2)n); for lazy weights and c_i = 1/(d_i+1), D <= 2 n^(n+2). x^r needs the \
-         denominators of x(0) and v(1) too, at most n^(2adn) (notes/chazelle_fixed_network.md). One bird: both are 0."
-    }
-
-    fn printed(&self) -> ShortLimitVariant {
-        ShortLimitVariant { of_pi: 2, trees: true, exponential: true }
-    }
-
-    fn controls(&self) -> Vec<Control<ShortLimitVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("the denominator of pi only once", ShortLimitVariant { of_pi: 1, ..printed }),
-            Control::new("without the spanning trees", ShortLimitVariant { trees: false, ..printed }),
-            Control::new("3 log n bits", ShortLimitVariant { exponential: false, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &ShortLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let part = "one denominator D = R² T p for Gamma, and with that of the input for x^r; all below n^(beta n)";
-        let networks = Family::PRINTED.networks(run.cases(5, 6))?;
-        let mut random = run.random(0);
-        let detail =
-            format!("{FAMILY} on up to 5 birds (6 with --full), three kinds of weights; for x^r one random input each");
-        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network, &mut random))
-    }
+         denominators of x(0) and v(1) too, at most n^(2adn) (notes/chazelle_fixed_network.md). One bird: both are 0.",
+        printed,
+        |variant,
+        run| { let part = "one denominator D = R² T p for Gamma, and with that of the input for x^r; all below n^(beta n)";
+         let networks = Family::PRINTED.networks(run.cases(5, 6))?;
+         let mut random = run.random(0);
+         let detail =
+         format!("{FAMILY} on up to 5 birds (6 with --full), three kinds of weights; for x^r one random input each");
+         exhaustively(&networks, run, part, detail, |network| variant.fails_at(network, &mut random)) },
+    )
+    .control("the denominator of pi only once", ShortLimitVariant { of_pi: 1, ..printed })
+    .control("without the spanning trees", ShortLimitVariant { trees: false, ..printed })
+    .control("3 log n bits", ShortLimitVariant { exponential: false, ..printed })
 }

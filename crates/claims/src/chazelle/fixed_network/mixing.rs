@@ -3,7 +3,7 @@
 use super::{FAMILY, Family, Kind, Network, exhaustively, fails, for_all, list, power_of_order};
 use algebra::matrix::{RationalMatrix, tau_1};
 use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, interval_value};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
 use models::averaging::contraction;
 use num_bigint::BigUint;
 use num_traits::Signed;
@@ -42,9 +42,6 @@ pub(super) fn some_powers(p: &RationalMatrix) -> Result<Vec<(u64, RationalMatrix
     }
     Ok(powers)
 }
-
-/// chazelle.lem3.2.
-pub struct SecondEigenvalue;
 
 /// Which networks, and a factor of the lower bound of `1 - mu`.
 #[derive(Clone, Copy)]
@@ -89,48 +86,30 @@ impl SecondEigenvalueVariant {
     }
 }
 
-impl Claim for SecondEigenvalue {
-    type Variant = SecondEigenvalueVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.lem3.2"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn second_eigenvalue() -> Record<SecondEigenvalueVariant> {
+    let printed = SecondEigenvalueVariant { family: Family::PRINTED, factor: (1, 1) };
+    Record::new(
+        "chazelle.lem3.2",
         "Read with weights that are rationals of O(log n) bits, denominators at most n^a (Remark 3, Lemma 2.2); without that mu can be as near to 1 \
          as one likes. Rayleigh quotient: the edges of a path between the largest and the least value of f give the \
          Dirichlet form at least (max f - min f)²/((n-1) tr C^-1), the variance is at most (max f - min f)²/4, so \
          1 - lambda_2 >= 4/((n-1) tr C^-1). P - (min p_ii) I is a multiple of a stochastic matrix, so 1 + lambda_n >= 2 min p_ii. Hence \
          1 - mu >= 4/((n-1) n^(a+1)) >= n^-(a+2); for lazy weights 1 - mu >= min(2/3, 8/(3n(n-1)²)), for c_i = 1/(d_i+1) \
-         1 - mu >= 4/(n²(n-1)). Two birds attain the bound of lambda_2. A single bird has no lambda_k, k > 1, and mu = 0 (notes/chazelle_fixed_network.md)."
-    }
-
-    fn printed(&self) -> SecondEigenvalueVariant {
-        SecondEigenvalueVariant { family: Family::PRINTED, factor: (1, 1) }
-    }
-
-    fn controls(&self) -> Vec<Control<SecondEigenvalueVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("bounds larger by 1/100", SecondEigenvalueVariant { factor: (101, 100), ..printed }),
-            Control::new("not connected", SecondEigenvalueVariant { family: Family::ANY_GRAPH, ..printed }),
-            Control::new("c_i d_i = 1", SecondEigenvalueVariant { family: Family::WHOLE, ..printed }),
-            Control::new("weights of 2n bits", SecondEigenvalueVariant { family: Family::TINY, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &SecondEigenvalueVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let part = "1 - mu >= n^-(a+2), for weights with denominators up to n^a";
-        let networks = variant.family.networks(run.cases(6, 7))?;
-        let detail = format!(
-            "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues beyond the proved bounds counted exactly"
-        );
-        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
-    }
+         1 - mu >= 4/(n²(n-1)). Two birds attain the bound of lambda_2. A single bird has no lambda_k, k > 1, and mu = 0 (notes/chazelle_fixed_network.md).",
+        printed,
+        |variant,
+        run| { let part = "1 - mu >= n^-(a+2), for weights with denominators up to n^a";
+         let networks = variant.family.networks(run.cases(6, 7))?;
+         let detail = format!(
+         "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues beyond the proved bounds counted exactly"
+         );
+         exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)) },
+    )
+    .control("bounds larger by 1/100", SecondEigenvalueVariant { factor: (101, 100), ..printed })
+    .control("not connected", SecondEigenvalueVariant { family: Family::ANY_GRAPH, ..printed })
+    .control("c_i d_i = 1", SecondEigenvalueVariant { family: Family::WHOLE, ..printed })
+    .control("weights of 2n bits", SecondEigenvalueVariant { family: Family::TINY, ..printed })
 }
-
-/// chazelle.eq3.9.
-pub struct EntrywiseRate;
 
 /// `|(P^s)_ij - pi_j| <= n^factor e^(-s n^-gap)`, exponents shifted from the proved ones.
 #[derive(Clone, Copy)]
@@ -161,46 +140,28 @@ impl EntrywiseVariant {
     }
 }
 
-impl Claim for EntrywiseRate {
-    type Variant = EntrywiseVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.eq3.9"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn entrywise_rate() -> Record<EntrywiseVariant> {
+    let printed = EntrywiseVariant { family: Family::PRINTED, factor_shift: 0, gap_shift: 0, by_column: true };
+    Record::new(
+        "chazelle.eq3.9",
         "By (3.8) and Cauchy-Schwarz, |(P^s)_ij - pi_j| <= sqrt(c_i/c_j) sqrt((1-pi_i)(1-pi_j)) mu^s for all s >= 0. With \
          Lemma 3.2 (same reading: weights with denominators up to n^a) the right side is at most n^(a/2) e^(-s n^-(a+2)); for lazy weights \
-         and for c_i = 1/(d_i+1) it is at most n e^(-s n^-3) (notes/chazelle_fixed_network.md)."
-    }
-
-    fn printed(&self) -> EntrywiseVariant {
-        EntrywiseVariant { family: Family::PRINTED, factor_shift: 0, gap_shift: 0, by_column: true }
-    }
-
-    fn controls(&self) -> Vec<Control<EntrywiseVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("1/n in place of n^O(1)", EntrywiseVariant { factor_shift: -2, ..printed }),
-            Control::new("about e^-s in place of e^(-s n^-O(1))", EntrywiseVariant { gap_shift: -3, ..printed }),
-            Control::new("pi_i in place of pi_j", EntrywiseVariant { by_column: false, ..printed }),
-            Control::new("not connected", EntrywiseVariant { family: Family::ANY_GRAPH, ..printed }),
-            Control::new("c_i d_i = 1", EntrywiseVariant { family: Family::WHOLE, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &EntrywiseVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let part = "|(P^s)_ij - pi_j| <= n^(a/2) e^(-s n^-(a+2))";
-        let networks = variant.family.networks(run.cases(5, 6))?;
-        let detail = format!(
-            "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, twelve s up to 64; powers exact, exponentials enclosed"
-        );
-        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
-    }
+         and for c_i = 1/(d_i+1) it is at most n e^(-s n^-3) (notes/chazelle_fixed_network.md).",
+        printed,
+        |variant,
+        run| { let part = "|(P^s)_ij - pi_j| <= n^(a/2) e^(-s n^-(a+2))";
+         let networks = variant.family.networks(run.cases(5, 6))?;
+         let detail = format!(
+         "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, twelve s up to 64; powers exact, exponentials enclosed"
+         );
+         exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)) },
+    )
+    .control("1/n in place of n^O(1)", EntrywiseVariant { factor_shift: -2, ..printed })
+    .control("about e^-s in place of e^(-s n^-O(1))", EntrywiseVariant { gap_shift: -3, ..printed })
+    .control("pi_i in place of pi_j", EntrywiseVariant { by_column: false, ..printed })
+    .control("not connected", EntrywiseVariant { family: Family::ANY_GRAPH, ..printed })
+    .control("c_i d_i = 1", EntrywiseVariant { family: Family::WHOLE, ..printed })
 }
-
-/// chazelle.eq3.10.
-pub struct HalvingTime;
 
 /// `tau(P^s) <= 1 - sum_k (pi_k + sign n^factor e^(-s n^-gap)) < most` for `s > n^(gap + margin)`.
 #[derive(Clone, Copy)]
@@ -254,46 +215,35 @@ impl HalvingVariant {
     }
 }
 
-impl Claim for HalvingTime {
-    type Variant = HalvingVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.eq3.10"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn halving_time() -> Record<HalvingVariant> {
+    let printed = HalvingVariant { family: Family::PRINTED, sign: -1, factor_shift: 0, margin: 2, most: (1, 2) };
+    Record::new(
+        "chazelle.eq3.10",
         "tau is tau_1. tau_1(P^s) = 1 - min_ij sum_k min((P^s)_ik, (P^s)_jk), and by (3.9) both entries are at least \
          pi_k - eps with eps = n^(a/2) e^(-s n^-(a+2)). The sum over k is 1 - n eps. For s > n^(2a+4) \
          n eps <= sqrt(x) e^-x with x = n^(a+2) >= 1, which is at most 1/e < 1/2. For lazy weights and for c_i = 1/(d_i+1), eps = n e^(-s n^-3) \
-         and c_0 = 5 will do (notes/chazelle_fixed_network.md)."
-    }
+         and c_0 = 5 will do (notes/chazelle_fixed_network.md).",
+        printed,
+        check_halving_time,
+    )
+    .control("pi_k + n^O(1) e^..", HalvingVariant { sign: 1, ..printed })
+    .control("1/n in place of n^O(1)", HalvingVariant { factor_shift: -2, ..printed })
+    .control("for s > n^3", HalvingVariant { margin: 0, ..printed })
+    .control("less than 1/8 at once", HalvingVariant { most: (1, 8), ..printed })
+    .control("not connected", HalvingVariant { family: Family::ANY_GRAPH, ..printed })
+}
 
-    fn printed(&self) -> HalvingVariant {
-        HalvingVariant { family: Family::PRINTED, sign: -1, factor_shift: 0, margin: 2, most: (1, 2) }
+fn check_halving_time(variant: &HalvingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let (first, second) = ("the first inequality, and tau(P^s) < 1/2", "the second inequality");
+    let networks = variant.family.networks(run.cases(5, 6))?;
+    let cases = match for_all(&networks, run, first, |network| variant.fails_at(network))? {
+        Err(outcome) => return Ok(outcome),
+        Ok(cases) => cases,
+    };
+    if let Some(what) = variant.second_fails()? {
+        return Ok(fails(what, second));
     }
-
-    fn controls(&self) -> Vec<Control<HalvingVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("pi_k + n^O(1) e^..", HalvingVariant { sign: 1, ..printed }),
-            Control::new("1/n in place of n^O(1)", HalvingVariant { factor_shift: -2, ..printed }),
-            Control::new("for s > n^3", HalvingVariant { margin: 0, ..printed }),
-            Control::new("less than 1/8 at once", HalvingVariant { most: (1, 8), ..printed }),
-            Control::new("not connected", HalvingVariant { family: Family::ANY_GRAPH, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &HalvingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let (first, second) = ("the first inequality, and tau(P^s) < 1/2", "the second inequality");
-        let networks = variant.family.networks(run.cases(5, 6))?;
-        let cases = match for_all(&networks, run, first, |network| variant.fails_at(network))? {
-            Err(outcome) => return Ok(outcome),
-            Ok(cases) => cases,
-        };
-        if let Some(what) = variant.second_fails()? {
-            return Ok(fails(what, second));
-        }
-        Ok(Outcome::Holds(vec![
+    Ok(Outcome::Holds(vec![
             Evidence::new(
                 Grade::Exhaustive,
                 first,
@@ -303,9 +253,8 @@ impl Claim for HalvingTime {
             Evidence::new(
                 Grade::Certified,
                 second,
-                "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on; all n by the proof in notes/chazelle_fixed_network.md",
+                "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on",
             )
             .cases(2 * MOST_BIRDS),
         ]))
-    }
 }

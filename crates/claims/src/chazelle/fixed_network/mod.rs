@@ -17,7 +17,7 @@ use ledger::{CheckError, Evidence, Grade, Outcome, Run};
 use models::averaging::{Weights, transition_matrix};
 
 /// How the evidence of these claims begins.
-const FAMILY: &str = "proof in notes/chazelle_fixed_network.md; every connected graph up to isomorphism";
+const FAMILY: &str = "every connected graph up to isomorphism";
 
 /// The three kinds of weights that the instances carry.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
