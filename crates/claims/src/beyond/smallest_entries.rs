@@ -20,6 +20,10 @@ pub fn smallest_entries() -> Record<EntriesVariant> {
          1/n! for c_i = 1/(d_i+1) and exactly 2^{n-2}/(3^{n-1} (n-1)!) for c_i = 2/(3 d_i), n >= 2: it is n^{-O(n)}, \
          not only n^{-O(n^2)}.",
     )
+    .clauses(&[
+        "Over all sequences of networks on n >= 2 birds and all t >= s, no nonzero entry of P(t,s) is less than 1/n! for c_i = 1/(d_i+1), or less than 2^{n-2}/(3^{n-1} (n-1)!) for c_i = 2/(3 d_i).",
+        "These values occur.",
+    ])
     .control("1/100 larger", scaled(101, 100))
     .control("1/100 smaller", scaled(99, 100))
     .control("edges seen from one side", EntriesVariant { one_sided: true, ..EntriesVariant::SHARP })

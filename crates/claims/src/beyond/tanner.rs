@@ -58,10 +58,7 @@ pub fn two_agents() -> Record<TotalVariant> {
         "Potential forces cancel in v_1 + v_2, and the alignment forces give d/dt ½|v_1 + v_2|² = 2 d |v_1||v_2| sin(theta_1 - theta_2)/s, for any number d in place of theta_1 - theta_2. With d in [-pi, pi] and equal to it modulo 2 pi, d sin d >= 0. The raw difference may lie \
          beyond pi, and then the sum of the velocities loses length.",
         printed,
-        |variant, run| {
-            let names = ["x1", "y1", "x2", "y2", "speed 1", "speed 2", "tan(theta_1/2)", "tan(theta_2/2)", "d", "V'"];
-            run.identity(&Total(*variant), &names, "the rate of ½|v_1 + v_2|², any potential")
-        },
+        check_two_agents,
     )
     .stated(
         "replaces tanner1, eq (9), for two agents",
@@ -70,6 +67,11 @@ pub fn two_agents() -> Record<TotalVariant> {
     .control("half of it", TotalVariant { factor: 1, ..printed })
     .control("the other sign", TotalVariant { factor: -2, ..printed })
     .control("over the fourth power of the distance", TotalVariant { power: 2, ..printed })
+}
+
+fn check_two_agents(variant: &TotalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let names = ["x1", "y1", "x2", "y2", "speed 1", "speed 2", "tan(theta_1/2)", "tan(theta_2/2)", "d", "V'"];
+    run.identity(&Total(*variant), &names, "the rate of ½|v_1 + v_2|², any potential")
 }
 
 // --- Three agents need not align ---

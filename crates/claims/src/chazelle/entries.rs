@@ -206,10 +206,11 @@ fn all_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Chec
     Ok(Outcome::Holds(vec![
         Evidence::new(
             Grade::Exhaustive,
-            "the bound, for all products of all lengths",
-            "proof in notes/chazelle_switches.md; all products of up to 6, 5, 3 factors (4 with --full) on 2, 3, 4 birds, lazy and \
+            "the bound",
+            "all products of up to 6, 5, 3 factors (4 with --full) on 2, 3, 4 birds, lazy and \
              vicsek",
         )
+        .on([1])
         .cases(cases),
     ]))
 }
@@ -239,7 +240,7 @@ fn long_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Che
         }
     }
     let detail = "products of up to 64 factors that alternate between any two networks on 3 birds";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "independence of t", detail).cases(cases)]))
+    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "independence of t", detail).on([1]).cases(cases)]))
 }
 
 fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -267,7 +268,15 @@ fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckErr
     }
     Ok(Outcome::Holds(vec![
         Evidence::new(Grade::Exact, "the bound is attained", "a product of n - 1 factors for n = 2, ..., 9")
+            .on([2])
             .cases(LARGEST - 1),
+        Evidence::new(
+            Grade::Argued,
+            "the smallest entries, for all n and all products",
+            "notes/chazelle_switches.md, Smallest entries, steps 1-5",
+        )
+        .on([1, 2])
+        .for_all(),
     ]))
 }
 
@@ -314,14 +323,16 @@ pub fn entries() -> Record<EntriesVariant> {
     let printed = EntriesVariant::PRINTED;
     Record::new(
         "chazelle.lem2.2.entries",
-        "Read as: at least n^(-b n²), for c_i(t) of O(log n) bits, so that positive entries of every P(t) are at least n^-a \
-         (a = 1 for vicsek, 2 for lazy); b = a will do. Follow one column of P(t,s) and its support S. While S does not grow, symmetry \
+        "Follow one column of P(t,s) and its support S. While S does not grow, symmetry \
          keeps all neighbours of S in S, and the rows of S average entries of S: the smallest does not drop. When S grows, it drops by a factor n^-a \
          at worst. S grows at most n - 1 times: every nonzero entry is at least n^(-a(n-1)), which is more than printed \
          (beyond.chazelle.entries, notes/chazelle_switches.md).",
         printed,
-        |variant,
-        run| { examine_entries(variant, run) },
+        examine_entries,
+    )
+    .reading(
+        "At least n^(-b n²), for c_i(t) of O(log n) bits, so that positive entries of every P(t) are at least n^-a (a = 1 for vicsek, 2 for lazy); b = a will \
+         do.",
     )
     .control("the bound of a single factor", EntriesVariant { floor: Floor::Power(|_| 1), ..printed })
     .control("exponent n - 2", EntriesVariant { floor: Floor::Power(|n| n.saturating_sub(2)), ..printed })

@@ -109,6 +109,10 @@ pub fn coefficient() -> Record<CoefficientVariant> {
         printed,
         check_coefficient,
     )
+    .clauses(&[
+        "For row-stochastic A, 0 <= tau_1(A) = 1 - min_{i,j} sum_k min{a_ik, a_jk} <= 1.",
+        "tau_1(A) is half the l_1-diameter of the rows.",
+    ])
     .control("the whole diameter", CoefficientVariant { share_of_diameter: (1, 1), ..printed })
     .control("the largest overlap", CoefficientVariant { least_overlap: false, ..printed })
     .control("the larger entries", CoefficientVariant { smaller_entries: false, ..printed })
@@ -152,7 +156,8 @@ fn check_coefficient(variant: &CoefficientVariant, run: &mut Run) -> Result<Outc
         )
         .cases(cases),
         Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
-    ]))
+    ])
+    .on([1, 2]))
 }
 
 /// The factor in front of `tau_2(B)`.
@@ -285,6 +290,10 @@ pub fn square_root_of_two() -> Record<SquareRootOfTwoVariant> {
         printed,
         check_square_root_of_two,
     )
+    .clauses(&[
+        "tau_2(A) <= tau_1(A) tau_2(I) for row-stochastic A.",
+        "tau_1(A) tau_2(I) <= sqrt(2) tau_1(A).",
+    ])
     .control("the constant 1.41", SquareRootOfTwoVariant { squared_constant: (19881, 10000), ..printed })
     .control("a smaller middle term", SquareRootOfTwoVariant { middle_factor: (99, 100), ..printed })
     .control("the constant 1", SquareRootOfTwoVariant { squared_constant: (1, 1), ..printed })
@@ -332,5 +341,6 @@ fn check_square_root_of_two(variant: &SquareRootOfTwoVariant, run: &mut Run) -> 
         )
         .cases(cases),
         Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
-    ]))
+    ])
+    .on([1, 2]))
 }

@@ -38,6 +38,11 @@ pub fn monotone() -> Record<MonotoneVariant> {
         printed,
         check_monotone,
     )
+    .clauses(&[
+        "The footprint of P(t,s) can never lose a 1 as t grows.",
+        "The footprint of P(t,s) is in general not symmetric.",
+        "The footprint of a single P(t) is symmetric with its diagonal full of ones.",
+    ])
     .control("a one is kept without a positive diagonal", MonotoneVariant { share: (1, 1), single: false, ..printed })
     .control("a full diagonal with c_i d_i = 1", MonotoneVariant { share: (1, 1), ..printed })
     .control("products always symmetric", MonotoneVariant { products_symmetric: true, ..printed })
@@ -109,14 +114,16 @@ fn check_monotone(variant: &MonotoneVariant, run: &mut Run) -> Result<Outcome, C
                 "all sequences of 4 graphs on up to 3 birds, of 2 graphs on 4 birds (3 with \
                      --full), against the footprints of the exact products",
             )
+            .on([1])
             .cases(sequences),
             Evidence::new(
                 Grade::Exhaustive,
                 "a single footprint",
                 "symmetric with a full diagonal, all graphs on up to 4 birds",
             )
+            .on([3])
             .cases(graphs),
-            Evidence::new(Grade::Exact, "in general not symmetric", example),
+            Evidence::new(Grade::Exact, "in general not symmetric", example).on([2]).for_all(),
         ])),
     }
 }

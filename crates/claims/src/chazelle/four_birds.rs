@@ -109,11 +109,12 @@ fn examine_eigenvector(birds: &FourBirds) -> Result<Outcome, CheckError> {
     Ok(Outcome::Holds(vec![exact(
         "both matrices and the eigenvector",
         "the printed matrices are I - CL with c_i = 2/(3 d_i) for two pairs and for the path; both map v(1) to its multiple",
-    )]))
+    )
+    .for_all()]))
 }
 
 /// The network alternates forever: first stepped, then proved for all t by the invariants at the head of this file.
-fn examine_alternation(birds: &FourBirds, run: &Run) -> Result<Outcome, CheckError> {
+fn examine_alternation(birds: &FourBirds, run: &mut Run) -> Result<Outcome, CheckError> {
     const STEPS: usize = 64;
     let expected = networks()?;
     let mut flock = birds.flock()?;
@@ -169,7 +170,8 @@ fn examine_alternation(birds: &FourBirds, run: &Run) -> Result<Outcome, CheckErr
         exact(
             "the alternation for all t",
             "induction: states affine in r = (-1/3)^t, all six distances settled on (0,1] and on [-1/3,0), a step maps r to -r/3",
-        ),
+        )
+        .for_all(),
         exact("t = 0, ..., 64", "stepped exactly").cases(STEPS + 1),
     ]))
 }
@@ -215,8 +217,9 @@ fn examine_closed_form(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
         "closed form and gaps for all t",
         "induction over the alternating networks; gaps compared as affine functions of (-1/3)^t; for t >= 1 the outer gap runs \
          between 1/4 (attained at t = 1) and 1/3 (at t = 2)",
-    )]);
-    Run::all([Ok(own), Ok(alternation)])
+    )
+    .for_all()]);
+    Ok(Run::all([Ok(own), Ok(alternation)])?.on([1, 2, 3, 4]))
 }
 
 pub fn eigenvector() -> Record<FourBirds> {
@@ -226,8 +229,7 @@ pub fn eigenvector() -> Record<FourBirds> {
         "Each bird has velocity +-1/8 and all its neighbours the opposite one: a third of the own minus two thirds, or for \
          the inner birds of the path 1/3 - 1/3 - 1/3, is -1/3 of the own velocity.",
         printed(),
-        |variant,
-        _| { examine_eigenvector(variant) },
+        check_eigenvector,
     )
     .control("eigenvalue 1/3", FourBirds { eigenvalue: (1, 3), ..printed() })
     .control("v(1) = (1,1,-1,-1)/8", FourBirds { velocities: [1, 1, -1, -1], ..printed() })
@@ -237,16 +239,25 @@ pub fn eigenvector() -> Record<FourBirds> {
     )
 }
 
+fn check_eigenvector(variant: &FourBirds, _: &mut Run) -> Result<Outcome, CheckError> {
+    examine_eigenvector(variant)
+}
+
 pub fn closed_form() -> Record<FourBirds> {
     let printed = FourBirds::printed;
     Record::new(
         "chazelle.ex4birds.eq3.14",
-        "v(s) = (-1/3)^(s-1) v(1) sums to (3/4)(1 - (-1/3)^t) v(1). The gaps follow; \"stays comfortably between 1/4 and 1/2\" is read with \
-         the ends included: the outer gaps are exactly 1/4 at t = 1 and never more than 1/3 for t >= 1.",
+        "v(s) = (-1/3)^(s-1) v(1) sums to (3/4)(1 - (-1/3)^t) v(1). The gaps follow; the outer gaps are exactly 1/4 at t = 1 and never more than 1/3 for t >= 1.",
         printed(),
-        |variant,
-        run| { examine_closed_form(variant, run) },
+        examine_closed_form,
     )
+    .reading("\"Stays between 1/4 and 1/2\" includes the ends: the outer gaps are exactly 1/4 at t = 1.")
+    .clauses(&[
+        "x(t) = x(0) + (3/4)(1-(-1/3)^t) v(1) for all t.",
+        "For t >= 1, x_{i+1}(t) - x_i(t) = (1/16)(5 - (-1/3)^{t-1}) for i = 1, 3.",
+        "For t >= 1 these two gaps stay between 1/4 and 1/2.",
+        "For t >= 1, x_3(t) - x_2(t) = 1 + (1/16)(-1/3)^{t-1}.",
+    ])
     .control("factor 3/2", FourBirds { factor: (3, 2), ..printed() })
     .control("the sign in the outer gaps", FourBirds { outer_gap: (5, 1), ..printed() })
     .control("the sign in the middle gap", FourBirds { middle_gap: (16, -1), ..printed() })
@@ -263,8 +274,7 @@ pub fn alternation() -> Record<FourBirds> {
          birds 1, 3 and 2, 4 stay 21/16 apart, birds 1, 4 farther. So the network is the path at even and two pairs at odd times; both have \
          the eigenvector v(1), which closes the induction.",
         printed(),
-        |variant,
-        run| { examine_alternation(variant, run) },
+        examine_alternation,
     )
     .control("a hysteresis threshold of 1/1024", FourBirds { hysteresis: Some((1, 1024)), ..printed() })
     .control("birds 3 and 4 nearer by 1/16", FourBirds { positions: [0, 8, 20, 28], ..printed() })

@@ -117,6 +117,14 @@ pub fn kronecker() -> Record<KroneckerVariant> {
         printed,
         check_kronecker,
     )
+    .reading(
+        "The indices of the footnote start at 0, the only start with which the rule fills the matrix. The paper, which counts birds from 1, does not say; \
+         with indices from 1 it reads c_{(i-1)p+j, (k-1)q+l}.",
+    )
+    .clauses(&[
+        "For A m-by-n and B p-by-q, A kron B has entries c_{ip+j, kq+l} = a_{i,k} b_{j,l}.",
+        "(A kron B)(C kron D) = AC kron BD.",
+    ])
     .control("indices from 1", KroneckerVariant { first_index: 1, ..printed })
     .control("c_{jm+i, ln+k}", KroneckerVariant { blocks_of_b: false, ..printed })
     .control("AD kron BC", KroneckerVariant { mixed: Mixed::AdBc, ..printed })
@@ -138,10 +146,11 @@ fn check_kronecker(variant: &KroneckerVariant, run: &mut Run) -> Result<Outcome,
             return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the index rule", "all indices")));
         }
         let rule = Footnote { shapes, variant: *variant, mixed: false };
-        parts.push(run.identity(&rule, &names, &format!("entries, A {m} x {n}, B {p} x {q}")));
+        parts.push(run.identity(&rule, &names, &format!("entries, A {m} x {n}, B {p} x {q}")).map(|o| o.on([1])));
         if fits {
             let mixed = Footnote { shapes, variant: *variant, mixed: true };
-            parts.push(run.identity(&mixed, &names, &format!("mixed product, C {n} x {r}, D {q} x {s} with them")));
+            let part = format!("mixed product, C {n} x {r}, D {q} x {s} with them");
+            parts.push(run.identity(&mixed, &names, &part).map(|outcome| outcome.on([2])));
         }
     }
     Run::all(parts)

@@ -20,11 +20,15 @@ pub struct StochasticVariant {
 pub fn stochastic() -> Record<StochasticVariant> {
     Record::new(
         "chazelle.modelD.stoch",
-        "Reading: the condition is on birds with neighbours; a bird without any has c_i d_i = 0 and the row of the identity, whatever c_i. \
-         Row i of I - CL has the diagonal entry 1 - c_i d_i > 0, entries c_i > 0 at the d_i neighbours and 0 elsewhere; it sums to 1.",
+        "Row i of I - CL has the diagonal entry 1 - c_i d_i > 0, entries c_i > 0 at the d_i neighbours and 0 elsewhere; it sums to 1.",
         StochasticVariant { shares: &[(1, 1_000_000), (1, 3), (1, 2), (2, 3), (999_999, 1_000_000)] },
         check_stochastic,
     )
+    .reading("The condition is on birds with neighbours; a bird without any has c_i d_i = 0 and the row of the identity, whatever c_i.")
+    .clauses(&[
+        "If 0 < c_i(t) d_i(t) < 1, P(t) = I_n - C_t L_t is row-stochastic.",
+        "If 0 < c_i(t) d_i(t) < 1, the diagonal of P(t) is strictly positive.",
+    ])
     .control("c_i d_i = 1 allowed", StochasticVariant { shares: &[(1, 2), (1, 1)] })
     .control("c_i d_i up to 1 + 10^-6", StochasticVariant { shares: &[(1, 2), (1_000_001, 1_000_000)] })
     .control("negative c_i", StochasticVariant { shares: &[(-1, 1_000_000)] })
@@ -52,9 +56,10 @@ fn check_stochastic(variant: &StochasticVariant, run: &mut Run) -> Result<Outcom
     Ok(Outcome::Holds(vec![
         Evidence::new(
             Grade::Exhaustive,
-            "row-stochastic with a positive diagonal, for all graphs and weights",
+            "row-stochastic with a positive diagonal",
             "all graphs on up to 5 birds, five shares c_i d_i from 10^-6 to 1 - 10^-6",
         )
+        .on([1, 2])
         .cases(cases),
     ]))
 }
@@ -96,6 +101,10 @@ pub fn headings() -> Record<HeadingsVariant> {
         printed,
         check_headings,
     )
+    .clauses(&[
+        "The heading update has the matrix P(t) = I_n - C_t L_t with c_i(t) = (d_i(t)+1)^{-1}.",
+        "p_ij = (d_i+1)^{-1} if i = j or (i,j) in G_t.",
+    ])
     .control("c_i = 1/d_i", HeadingsVariant { offset: 0, ..printed })
     .control("c_i = 1/(d_i + 2)", HeadingsVariant { offset: 2, ..printed })
     .control("I + CL", HeadingsVariant { sign: -1, ..printed })
@@ -129,9 +138,10 @@ fn check_headings(variant: &HeadingsVariant, run: &mut Run) -> Result<Outcome, C
     Ok(Outcome::Holds(vec![
         Evidence::new(
             Grade::Exhaustive,
-            "entries, I - CL and the heading rule, for all graphs",
+            "entries, I - CL and the heading rule",
             "all graphs on up to 5 birds, on a basis of headings",
         )
+        .on([1, 2])
         .cases(cases),
     ]))
 }

@@ -148,15 +148,23 @@ pub fn nested() -> Record<NestedVariant> {
          and products of restrictions are restrictions of products. The first bird stays first: its diagonal entry is positive, so it belongs to every V_k, \
          and the rows of V_k are by definition those with a positive entry in its column.",
         printed,
-        |variant,
-        run| { let found = over_histories(run, false, |history, _| Ok(variant.fails_at(history)))?;
-         let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
-         Ok(outcome("nested, block diagonal, positive first columns", cases, found)) },
+        check_nested,
     )
+    .clauses(&[
+        "The stabilizers are nested, V_1 contains V_2 contains ....",
+        "For t > T_1 no edge of G_t joins V_1 to its complement, so P(t) is block diagonal.",
+        "The first column of each P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1) consists entirely of positive entries.",
+    ])
     .control("strictly nested", NestedVariant { strictly: true, ..printed })
     .control("separated at t = T_1 already", NestedVariant { at_t1: true, ..printed })
     .control("the second column", NestedVariant { column: 1, ..printed })
     .control("V_1 from the first row", NestedVariant { from_row: true, ..printed })
+}
+
+fn check_nested(variant: &NestedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let found = over_histories(run, false, |history, _| Ok(variant.fails_at(history)))?;
+    let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
+    Ok(outcome("nested, block diagonal, positive first columns", cases, found).on([1, 2, 3]))
 }
 
 /// `P(t)` for all `t` of a history, with exact products.
@@ -259,14 +267,10 @@ pub fn blocks() -> Record<BlocksVariant> {
          P_{|V_i x V_i}(t, T_i+1) P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1); the rows V_k of that are rows of the left factor only. Iterated, the factor of T_2 has the \
          columns V_1 and the factor of T_1 the rows V_1. With V_k in both places the paths through V_1 \\ V_k are lost.",
         printed,
-        |variant,
-        run| { let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
-         let cases =
-         "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-         Ok(outcome("the factorisation, for all k", cases, found)) },
+        check_blocks,
     )
     .repaired(
-        Fault::Slip,
+        Fault::Typo,
         "P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
          P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1)",
         BlocksVariant { second_has_v1: true, first_has_v1: true, ..printed },
@@ -275,6 +279,12 @@ pub fn blocks() -> Record<BlocksVariant> {
     .control("V_2 x V_1, V_k x V_0", BlocksVariant { first_has_v1: false, ..corrected })
     .control("the factor at T_i taken twice", BlocksVariant { gap: 0, ..corrected })
     .control("the factor at T_i + 1 left out", BlocksVariant { gap: 2, ..corrected })
+}
+
+fn check_blocks(variant: &BlocksVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
+    let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+    Ok(outcome("the factorisation", cases, found))
 }
 
 /// The constants of the two inequalities.
@@ -334,13 +344,19 @@ pub fn contraction() -> Record<ContractionVariant> {
          first column of each P_{|V_i x V_{i-1}} is at least beta = nu^(-a(nu-1)), which is more than nu^(-a nu²) (lem2.2.entries): any two rows \
          overlap by beta, tau_1 <= 1 - beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2.",
         printed,
-        |variant,
-        run| { let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
-         let cases =
-         "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-         Ok(outcome("both inequalities, for all k", cases, found)) },
+        check_contraction,
     )
+    .clauses(&[
+        "tau_2(P_{|V_k x V_0}(t,s)) <= sqrt(2) tau_1(P_{|V_k x V_k}(t,T_k+1)) prod_{i=1}^k tau_1(P_{|V_i x V_{i-1}}(T_i,T_{i-1}+1)).",
+        "The right side is at most sqrt(2) e^{-k nu^{-O(nu^2)}}.",
+    ])
     .control("1.41 for sqrt(2)", ContractionVariant { squared_constant: (19881, 10000), ..printed })
     .control("e^(-k)", ContractionVariant { exponent: |_| 0, ..printed })
     .control("the square of the product", ContractionVariant { power: 2, ..printed })
+}
+
+fn check_contraction(variant: &ContractionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
+    let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+    Ok(outcome("both inequalities", cases, found).on([1, 2]))
 }

@@ -82,12 +82,20 @@ pub fn count() -> Record<CountVariant> {
         printed,
         check_count,
     )
+    .clauses(&[
+        "N(t_{k+1}, t_k) = 1 when t_{k+1} = t_k + 1.",
+        "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
+    ])
     .repaired(
         Fault::Slip,
         "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when \
          t_{k+1} = t_k + 1, and N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
-        CountVariant { with_t: true, exactly_one: false, ..printed },
+        corrected,
     )
+    .repaired_clauses(&[
+        "With N(t,s) the number of integers u, s < u <= t, such that the footprint of P(u) differs from that of P(u-1): N(t_{k+1}, t_k) <= 1 when t_{k+1} = t_k + 1.",
+        "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
+    ])
     .control("strict at both ends, at most 1", CountVariant { with_t: false, ..corrected })
     .control("both ends counted", CountVariant { with_s: true, ..corrected })
     .control("s < u <= t, exactly 1", CountVariant { exactly_one: true, ..corrected })
@@ -122,18 +130,20 @@ fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckEr
     let failures: Vec<String> = found.into_iter().flatten().collect();
     if !failures.is_empty() {
         let evidence = Evidence::new(Grade::Exact, "one step, and the sum", "networks of an exact flock or sequence");
-        return Ok(Outcome::fails(failures.join("; "), evidence));
+        return Ok(Outcome::fails(failures.join("; "), evidence.on([1, 2])));
     }
     Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "one step, and the sum",
-                "disjoint intervals (notes/chazelle_switches.md); all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 \
+        Evidence::new(
+            Grade::Exhaustive,
+            "one step, and the sum",
+            "all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 \
                  birds with a constant end",
-            )
-            .cases(sequences),
-            Evidence::new(Grade::Exact, "the same", "exact flocks of three birds with the hysteresis of the paper"),
-        ]))
+        )
+        .on([1, 2])
+        .cases(sequences),
+        Evidence::new(Grade::Exact, "the same", "exact flocks of three birds with the hysteresis of the paper")
+            .on([1, 2]),
+    ]))
 }
 
 /// A bound of the switches until the footprint is stable.
@@ -149,14 +159,17 @@ pub fn until_stable() -> Record<UntilStableVariant> {
     let printed = UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true };
     Record::new(
         "chazelle.eq3.4",
-        "Reading: N(n) is the maximum over a class of motions that contains the continuation of a motion from any time and of any group \
-         that meets no other bird (positions, old edges and weights arbitrary, speeds bounded); N(t,s) counts s < u <= t. T_1 is the \
+        "T_1 is the \
          last growth time t_l of some column, and the count for that column is the count of the whole network, so no factor for n \
          columns is needed. Between t_k and t_{k+1} the column's birds and the others do not meet: N(n_k) + N(n - n_k) switches, one at t_{k+1}, \
          and one the paper forgets, at t_k + 1, when an edge between the two sides breaks. There are l - 1 <= n - 1 intervals (t_1 = s), which makes \
          (n-1)(2N(n-1)+2) <= 2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times).",
         printed,
         check_until_stable,
+    )
+    .reading(
+        "N(n) is the maximum over a class of motions that contains the continuation of a motion from any time and of any group that meets no other bird \
+         (positions, old edges and weights arbitrary, speeds bounded); N(t,s) counts s < u <= t.",
     )
     .control("one interval only", UntilStableVariant { bound: |_, before| 2 * before + 1, ..printed })
     .control("N(n-1) + n", UntilStableVariant { bound: |n, before| before + n, ..printed })
@@ -203,13 +216,24 @@ fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Out
         }
     }
     Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "the bound, for every class of sequences closed under continuation and separation",
-                "proof in notes/chazelle_switches.md; the longest sequences in which each group of birds that meets no other has at most N \
+        Evidence::new(
+            Grade::Exhaustive,
+            "the bound",
+            "the longest sequences in which each group of birds that meets no other has at most N \
                  switches, on 3 and 4 birds",
-            )
-            .cases(classes),
-            Evidence::new(Grade::Fuzzed, "flocks", "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)").cases(flocks),
-        ]))
+        )
+        .cases(classes),
+        Evidence::new(
+            Grade::Fuzzed,
+            "flocks",
+            "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)",
+        )
+        .cases(flocks),
+        Evidence::new(
+            Grade::Argued,
+            "the bound, for every class of sequences closed under continuation and separation",
+            "notes/chazelle_switches.md, Until the footprint is stable, steps 1-4",
+        )
+        .for_all(),
+    ]))
 }

@@ -43,6 +43,13 @@ pub fn stretching() -> Record<StretchingVariant> {
         printed,
         check_stretching,
     )
+    .clauses(&[
+        "P = (1/15) [[12,3],[10,5]] is a matrix of model D.",
+        "Its eigenvalues are 1 and 0.133.",
+        "It stretches the unit vector (1,0) to one of length 1.041.",
+        "The right eigenspace for the subdominant eigenvalue is not orthogonal to 1.",
+        "1^perp is not invariant.",
+    ])
     .control("eigenvalue 0.134", StretchingVariant { second_eigenvalue: "0.134", ..printed })
     .control("length 1.042", StretchingVariant { stretched_length: "1.042", ..printed })
     .control("a row that sums to 16/15", StretchingVariant { numerators: [[12, 4], [10, 5]], ..printed })
@@ -90,10 +97,14 @@ fn check_stretching(variant: &StretchingVariant, run: &mut Run) -> Result<Outcom
     }
     run.value("second_eigenvalue", second.to_string());
     run.value("stretched_length_squared", squared.to_string());
-    Ok(Outcome::Holds(vec![exact(
-        "matrix of model D, both eigenvalues, the stretched length, the eigenvector and 1^perp",
-        format!("eigenvalues 1 and {second}; |P(1,0)|² = {squared}; P(1,-1) sums to {image_sum}"),
-    )]))
+    Ok(Outcome::Holds(vec![
+        exact(
+            "matrix of model D, both eigenvalues, the stretched length, the eigenvector and 1^perp",
+            format!("eigenvalues 1 and {second}; |P(1,0)|² = {squared}; P(1,-1) sums to {image_sum}"),
+        )
+        .on([1, 2, 3, 4, 5])
+        .for_all(),
+    ]))
 }
 
 /// The two matrices and the closed form: entries affine in `u = 2^(-t/2)`, given as `(constant, slope)`.
@@ -188,7 +199,7 @@ fn check_product_a_b(variant: &ProductABVariant, run: &mut Run) -> Result<Outcom
     }
     run.value("smallest_entry_at_t_64", u.to_string());
     Ok(Outcome::Holds(vec![
-        exact("P(t,1) for every even t", "base case and induction step, both sides affine in 2^(-t/2)"),
+        exact("P(t,1) for every even t", "base case and induction step, both sides affine in 2^(-t/2)").for_all(),
         exact("P(t,1) for t = 2, 4, ..., 64", "multiplied out").cases(LARGEST_EVEN / 2),
         exact("without c_i d_i < 1", "A is I - CL for the edge 1-2, B for the path 1-2-3, each with c_i d_i = 1"),
     ]))

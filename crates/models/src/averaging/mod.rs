@@ -16,6 +16,7 @@ pub mod read;
 mod rule;
 pub mod settle;
 mod stationary;
+mod transients;
 
 pub use affine::{Affine, HalfOpenRange};
 pub use contraction::{Contraction, contraction};
@@ -27,6 +28,7 @@ pub use modes::{Mode, rational_modes};
 pub use motion::{State, motion};
 pub use observe::{Decay, Observer};
 pub use stationary::{deviation_matrix, equal_rows, stationary_distribution};
+pub use transients::{Separation, Transients};
 
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};

@@ -200,10 +200,7 @@ pub fn geometric_sums() -> Record<ClosedFormVariant> {
          terms, times v(t_1+1). Put in (3.8) and sum the geometric series; lambda_k < 1 for k > 1, 0^0 = 1. P, pi, C, u_k belong to the flock of \
          bird i, of m birds; for m = 1 the sum is empty. G at time t_1 itself does not matter: v(t_1+1) has it already.",
         PRINTED,
-        |variant,
-        run| { variant.examine(run, "x_i(t) by geometric sums, against steps of (1.2)", |flight| {
-         any_bird(flight, |bird| variant.one_bird(flight, bird, false))
-         }) },
+        check_geometric_sums,
     )
     .control("the exponent t - t_1 + 1", ClosedFormVariant { exponent: 1, ..PRINTED })
     .control("v(t_1) in place of v(t_1+1)", ClosedFormVariant { earlier: 1, ..PRINTED })
@@ -213,6 +210,12 @@ pub fn geometric_sums() -> Record<ClosedFormVariant> {
     .control("another network at time t - 1", ClosedFormVariant { broken: 1, ..PRINTED })
 }
 
+fn check_geometric_sums(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    variant.examine(run, "x_i(t) by geometric sums, against steps of (1.2)", |flight| {
+        any_bird(flight, |bird| variant.one_bird(flight, bird, false))
+    })
+}
+
 pub fn with_gamma() -> Record<ClosedFormVariant> {
     Record::new(
         "chazelle.eq3.16",
@@ -220,13 +223,10 @@ pub fn with_gamma() -> Record<ClosedFormVariant> {
          Gamma_t = sum_{k>=2} (1 - lambda_k^t)/(1 - lambda_k) C^1/2 u_k u_k^T C^-1/2 tends to it. The sum that is left runs from \
          k = 2 as well. The printed sum starts at k = 0: there is no lambda_0, and k = 1 divides by 1 - lambda_1 = 0.",
         ClosedFormVariant { first: 0, ..PRINTED },
-        |variant,
-        run| { variant.examine(run, "x_i(t) with Gamma by the formula of Lemma 3.3, against steps of (1.2)", |flight| {
-         any_bird(flight, |bird| variant.one_bird(flight, bird, true))
-         }) },
+        check_with_gamma,
     )
     .repaired(
-        Fault::Slip,
+        Fault::Typo,
         "x_i(t) = x_i(t_1) + ((chi(i)^T Gamma) kron I_d) v(t_1+1) + (t-t_1) y - sum_{k=2}^m lambda_k^{t-t_1} \
          Phi_k/(1-lambda_k).",
         PRINTED,
@@ -236,6 +236,12 @@ pub fn with_gamma() -> Record<ClosedFormVariant> {
     .control("plus the sum", ClosedFormVariant { sign: -1, ..PRINTED })
     .control("the exponent t - t_1 + 1", ClosedFormVariant { exponent: 1, ..PRINTED })
     .control("v(t_1) in place of v(t_1+1)", ClosedFormVariant { earlier: 1, ..PRINTED })
+}
+
+fn check_with_gamma(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    variant.examine(run, "x_i(t) with Gamma by the formula of Lemma 3.3, against steps of (1.2)", |flight| {
+        any_bird(flight, |bird| variant.one_bird(flight, bird, true))
+    })
 }
 
 pub fn two_birds_apart() -> Record<ClosedFormVariant> {

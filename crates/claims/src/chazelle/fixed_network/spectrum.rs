@@ -1,9 +1,10 @@
 //! chazelle.pi and chazelle.eq3.7: eigenvalues and first eigenvectors of the transition matrix.
 
-use super::{FAMILY, Family, Kind, Network, exhaustively, for_all, list};
+use super::super::argued;
+use super::{FAMILY, Family, Kind, Network, exhaustively, list};
 use algebra::matrix::RationalMatrix;
 use arithmetic::{RadicalSum, Rational, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use ledger::{CheckError, Outcome, Record, Run};
 use num_traits::{One, Signed, Zero};
 
 /// Which networks, and the power of `C` in `pi = (tr C^k)^-1 C^k 1`.
@@ -45,17 +46,25 @@ pub fn stationary() -> Record<StationaryVariant> {
          Dominant: every other eigenvalue lies in (-1, 1), because P >= a I with a = min p_ii > 0 leaves a stochastic \
          rest (notes/chazelle_fixed_network.md).",
         printed,
-        |variant,
-        run| { let part = "1 is a simple dominant eigenvalue with these eigenvectors";
-         let networks = variant.family.networks(run.cases(6, 7))?;
-         let detail =
-         format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly");
-         exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)) },
+        check_stationary,
     )
+    .clauses(&[
+        "For fixed connected G, 1 is a simple eigenvalue of P = I_n - CL.",
+        "It is dominant: every other eigenvalue has a smaller modulus.",
+        "It has the right and left eigenvectors 1 and pi = (tr C^{-1})^{-1} C^{-1} 1.",
+    ])
     .control("C in place of its inverse", StationaryVariant { power: 1, ..printed })
     .control("left and right exchanged", StationaryVariant { right_is_one: false, ..printed })
     .control("graphs that are not connected", StationaryVariant { family: Family::ANY_GRAPH, ..printed })
     .control("c_i d_i = 1", StationaryVariant { family: Family::WHOLE, ..printed })
+}
+
+fn check_stationary(variant: &StationaryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "1 is a simple dominant eigenvalue with these eigenvectors";
+    let networks = variant.family.networks(run.cases(6, 7))?;
+    let detail =
+        format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly");
+    Ok(exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))?.on([1, 2, 3]))
 }
 
 /// The half powers in `M = C^(a/2) P C^(b/2) = I - C^(e/2) L C^(e/2)`, and what is said of its eigenvalues.
@@ -169,6 +178,12 @@ pub fn symmetrised() -> Record<SymmetrisedVariant> {
         printed,
         check_symmetrised,
     )
+    .clauses(&[
+        "M = C^{-1/2} P C^{1/2} = I_n - C^{1/2} L C^{1/2} is symmetric.",
+        "Its eigenvalues are 1 = lambda_1 > lambda_2 >= ... >= lambda_n >= -1.",
+        "u_1 = (sqrt(pi_1),...,sqrt(pi_n))^T is its unit eigenvector for 1.",
+        "P has the same eigenvalues.",
+    ])
     .control("M = C^1/2 P C^-1/2", SymmetrisedVariant { of_p: (1, -1), ..printed })
     .control("M = I - C^-1/2 L C^-1/2", SymmetrisedVariant { of_l: -1, ..printed })
     .control("u_1 = pi", SymmetrisedVariant { rooted: false, ..printed })
@@ -179,19 +194,17 @@ pub fn symmetrised() -> Record<SymmetrisedVariant> {
 fn check_symmetrised(variant: &SymmetrisedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "both forms, symmetry, u_1 and the order of the eigenvalues";
     let networks = variant.family.networks(run.cases(6, 7))?;
-    let cases = match for_all(&networks, run, part, |network| variant.fails_at(network))? {
-        Err(outcome) => return Ok(outcome),
-        Ok(cases) => cases,
-    };
-    let similar = "M and P have the same eigenvalues";
-    let lazy: Vec<Network> = networks.into_iter().filter(|n| n.kind == Kind::Lazy).collect();
-    Ok(match for_all(&lazy, run, similar, |network| variant.differs_on_squares(network))? {
-            Err(outcome) => outcome,
-            Ok(squares) => Outcome::Holds(vec![
-                Evidence::new(Grade::Exhaustive, part, format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; square roots exact, eigenvalues counted exactly"))
-                    .cases(cases),
-                Evidence::new(Grade::Exhaustive, similar, "similar by definition; characteristic polynomials compared on the same graphs with weights that are squares")
-                    .cases(squares),
-            ]),
+    let lazy: Vec<Network> = networks.iter().filter(|n| n.kind == Kind::Lazy).cloned().collect();
+    let detail = format!(
+        "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; square roots exact, eigenvalues counted exactly"
+    );
+    let squares = "characteristic polynomials compared on the same graphs with weights that are squares".to_string();
+    Run::all([
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).map(|o| o.on([1, 2, 3])),
+        exhaustively(&lazy, run, "M and P have the same eigenvalues", squares, |network| {
+            variant.differs_on_squares(network)
         })
+        .map(|o| o.on([4])),
+        Ok(argued("the order of the eigenvalues", "notes/chazelle_fixed_network.md, Spectrum, steps 1-3").on([2])),
+    ])
 }
