@@ -350,7 +350,7 @@ pub fn far_birds_are_not() -> Record<FarVariant> {
 fn check_far_birds_are_not(variant: &FarVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
     let starts: Vec<Start> =
-        (0..run.cases(100, 1000)).map(|_| random_start(&mut random, Hysteresis::Constant(rational(1, 40)))).collect();
+        (0..run.cases(60, 600)).map(|_| random_start(&mut random, Hysteresis::Constant(rational(1, 40)))).collect();
     let step_1 = Evidence::new(
         Grade::Fuzzed,
         "step 1: how fast a kept edge grows",

@@ -2,7 +2,6 @@
 
 pub(super) mod entries;
 mod ergodicity;
-mod filling;
 mod fixed_network;
 mod footprints;
 mod four_birds;

@@ -41,7 +41,7 @@ fn sides() -> Vec<(&'static str, Graph, Weights)> {
 }
 
 /// Steps that are followed: enough for two steps for each modulus.
-const STEPS: usize = 40;
+const STEPS: usize = 30;
 
 /// Pairs of birds of all pairs of flocks, and of one flock, with random amplitudes of the modes.
 fn tie_cases(run: &Run) -> Result<Vec<TieCase>, CheckError> {
@@ -131,7 +131,7 @@ pub fn distance_expansion() -> Record<ExpansionVariant> {
 }
 
 fn check_distance_expansion(variant: &ExpansionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let detail = "pairs of birds of 7 networks with rational spectra, 0 and equal moduli among them, dimension 1 and 2, 40 steps, against powers \
+    let detail = "pairs of birds of 7 networks with rational spectra, 0 and equal moduli among them, dimension 1 and 2, 30 steps, against powers \
                   of P";
     let evidence = Evidence::new(Grade::Exact, "the expansion for t > t_1, and fewer than n² terms", detail).on([1, 2]);
     Run::all([

@@ -1,8 +1,7 @@
 //! chazelle.stab, chazelle.eq3.5 and chazelle.eq3.6: the stabilisers and the product of their blocks.
 
 use super::entries::small_weights;
-use super::sequences::{NetworkHistory, random_graph, words};
-use algebra::graph::Graph;
+use super::sequences::{NetworkHistory, histories, random_graph};
 use algebra::matrix::{RationalMatrix, Stabiliser, tau_1, tau_2_squared};
 use arithmetic::{Interval, Rational, Real, Ring, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
@@ -14,48 +13,26 @@ use rand_chacha::rand_core::Rng;
 const LEVELS: usize = 3;
 
 /// Checks all sequences of 6, 4, 2 networks on 2, 3, 4 birds (`shorter`: 4, 3, 1) with a constant end, then random ones on
-/// up to 6; stops at the first failure.
+/// up to 6.
 fn over_histories(
     run: &Run,
     shorter: bool,
+    part: &str,
+    detail: &str,
     mut fails: impl FnMut(&NetworkHistory, &mut ChaCha8Rng) -> Result<Option<String>, CheckError>,
-) -> Result<Result<[usize; 2], String>, CheckError> {
+) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
-    let mut exhaustive = 0;
     let lengths = if shorter { [1, 4, 3, 1] } else { [3, 6, 4, 2] };
-    for (order, length) in (1..).zip(lengths) {
-        let graphs: Vec<Graph> = Graph::all(order).collect();
-        for word in words(graphs.len(), length) {
-            run.checkpoint()?;
-            exhaustive += 1;
-            let history = NetworkHistory::new(word.iter().map(|&k| graphs[k].clone()).collect());
-            if let Some(counterexample) = fails(&history, &mut random)? {
-                return Ok(Err(counterexample));
-            }
-        }
-    }
-    let sampled = run.cases(60, 2000);
-    for _ in 0..sampled {
-        run.checkpoint()?;
-        let order = 3 + random.next_u32() as usize % 4;
-        let history = NetworkHistory::new((0..8).map(|_| random_graph(order, 1, &mut random)).collect());
-        if let Some(counterexample) = fails(&history, &mut random)? {
-            return Ok(Err(counterexample));
-        }
-    }
-    Ok(Ok([exhaustive, sampled]))
-}
-
-fn outcome(part: &str, exhaustive: &str, found: Result<[usize; 2], String>) -> Outcome {
-    match found {
-        Err(counterexample) => {
-            Outcome::fails(counterexample, Evidence::new(Grade::Exact, part, "one sequence with a constant end"))
-        }
-        Ok([cases, sampled]) => Outcome::Holds(vec![
-            Evidence::new(Grade::Exhaustive, part, exhaustive).cases(cases),
-            Evidence::new(Grade::Fuzzed, part, "random sequences of 8 networks on 3 to 6 birds").cases(sampled),
-        ]),
-    }
+    let all = Evidence::new(Grade::Exhaustive, part, detail);
+    let sampled = Evidence::new(Grade::Fuzzed, part, "random sequences of 8 networks on 3 to 6 birds");
+    Run::all([
+        run.every(all, histories((1..).zip(lengths)), |history| fails(&history, &mut random)),
+        run.every(sampled, 0..run.cases(60, 2000), |_| {
+            let order = 3 + random.next_u32() as usize % 4;
+            let history = NetworkHistory::new((0..8).map(|_| random_graph(order, 1, &mut random)).collect());
+            fails(&history, &mut random)
+        }),
+    ])
 }
 
 /// `V_0 = [n]`, `V_1`, ... and `T_0 = 0`, `T_1`, ... for `s = 1`.
@@ -162,9 +139,11 @@ pub fn nested() -> Record<NestedVariant> {
 }
 
 fn check_nested(variant: &NestedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let found = over_histories(run, false, |history, _| Ok(variant.fails_at(history)))?;
     let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
-    Ok(outcome("nested, block diagonal, positive first columns", cases, found).on([1, 2, 3]))
+    Ok(over_histories(run, false, "nested, block diagonal, positive first columns", cases, |history, _| {
+        Ok(variant.fails_at(history))
+    })?
+    .on([1, 2, 3]))
 }
 
 /// `P(t)` for all `t` of a history, with exact products.
@@ -282,9 +261,8 @@ pub fn blocks() -> Record<BlocksVariant> {
 }
 
 fn check_blocks(variant: &BlocksVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
     let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-    Ok(outcome("the factorisation", cases, found))
+    over_histories(run, true, "the factorisation", cases, |history, random| variant.fails_at(history, random))
 }
 
 /// The constants of the two inequalities.
@@ -356,7 +334,7 @@ pub fn contraction() -> Record<ContractionVariant> {
 }
 
 fn check_contraction(variant: &ContractionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
     let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-    Ok(outcome("both inequalities", cases, found).on([1, 2]))
+    Ok(over_histories(run, true, "both inequalities", cases, |history, random| variant.fails_at(history, random))?
+        .on([1, 2]))
 }

@@ -1,11 +1,10 @@
 //! chazelle.Nts and chazelle.eq3.4: counting network switches while the columns of `P(t, s)` fill.
 
-use super::filling::{Filling, GroupRule};
-use super::sequences::{NetworkHistory, line_networks, random_line_flock, words};
-use algebra::graph::Graph;
+use super::argued;
+use super::sequences::{NetworkHistory, histories, line_networks, random_line_flock};
 use arithmetic::rational;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
-use models::averaging::Weights;
+use models::averaging::{Filling, GroupRule, Weights};
 
 /// Which `u` are counted, and what is claimed of one step.
 #[derive(Clone, Copy)]
@@ -103,47 +102,23 @@ pub fn count() -> Record<CountVariant> {
 }
 
 fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut found: [Option<String>; 2] = [None, None];
-    let mut sequences = 0;
-    let look = |history: &NetworkHistory, found: &mut [Option<String>; 2]| {
-        for s in 1..=2 {
-            for column in 0..history.order() {
-                let failures = variant.failures(history, column, s);
-                found.iter_mut().zip(failures).for_each(|(found, failure)| *found = found.take().or(failure));
-            }
+    let wrong = |history: NetworkHistory| {
+        let mut found: [Option<String>; 2] = [None, None];
+        for (s, column) in (1..=2).flat_map(|s| (0..history.order()).map(move |column| (s, column))) {
+            let failures = variant.failures(&history, column, s);
+            found.iter_mut().zip(failures).for_each(|(found, failure)| *found = found.take().or(failure));
         }
+        let failures: Vec<String> = found.into_iter().flatten().collect();
+        Ok((!failures.is_empty()).then(|| failures.join("; ")))
     };
-    for history in small_flocks()? {
-        look(&history, &mut found);
-    }
-    for (order, length) in [(1, 3), (2, 6), (3, 4), (4, 2)] {
-        let graphs: Vec<Graph> = Graph::all(order).collect();
-        for word in words(graphs.len(), length) {
-            run.checkpoint()?;
-            if found.iter().any(Option::is_some) {
-                break;
-            }
-            sequences += 1;
-            look(&NetworkHistory::new(word.iter().map(|&k| graphs[k].clone()).collect()), &mut found);
-        }
-    }
-    let failures: Vec<String> = found.into_iter().flatten().collect();
-    if !failures.is_empty() {
-        let evidence = Evidence::new(Grade::Exact, "one step, and the sum", "networks of an exact flock or sequence");
-        return Ok(Outcome::fails(failures.join("; "), evidence.on([1, 2])));
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "one step, and the sum",
-            "all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 \
-                 birds with a constant end",
-        )
-        .on([1, 2])
-        .cases(sequences),
-        Evidence::new(Grade::Exact, "the same", "exact flocks of three birds with the hysteresis of the paper")
-            .on([1, 2]),
-    ]))
+    let part = "one step, and the sum";
+    let flocks = Evidence::new(Grade::Exact, part, "exact flocks of three birds with the hysteresis of the paper");
+    let all = "all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end";
+    let sequences = histories([(1, 3), (2, 6), (3, 4), (4, 2)]);
+    Run::all([
+        run.every(flocks.on([1, 2]), small_flocks()?, wrong),
+        run.every(Evidence::new(Grade::Exhaustive, part, all).on([1, 2]), sequences, wrong),
+    ])
 }
 
 /// A bound of the switches until the footprint is stable.
@@ -177,63 +152,47 @@ pub fn until_stable() -> Record<UntilStableVariant> {
 }
 
 fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut classes = 0;
     let settings =
         [(3, vec![0, 0, 1]), (3, vec![0, 0, 2]), (3, vec![0, 0, 3]), (4, vec![0, 0, 1, 1]), (4, vec![0, 0, 1, 2])];
-    for (order, most) in settings {
-        run.checkpoint()?;
-        let rule = GroupRule { order, most: most.clone() };
-        let bound = (variant.bound)(order as u64, most[order - 1]);
-        let found = Filling::new(rule, variant.until_stable).longest();
-        let name = format!("most_switches_{order}_birds_N_{}", most[order - 1]);
-        let place =
-            format!("sequences of networks on {order} birds with N(2), ..., N({}) = {:?}", order - 1, &most[2..]);
-        match found {
-            Some(count) if count <= bound => run.value(&name, count.to_string()),
-            Some(count) => {
-                let evidence = Evidence::new(Grade::Exhaustive, "the bound", "longest sequence of the class");
-                return Ok(Outcome::fails(format!("{place}: {count} switches, more than {bound}"), evidence));
-            }
-            None => {
-                let evidence = Evidence::new(Grade::Exhaustive, "the bound", "a cycle of the class");
-                return Ok(Outcome::fails(format!("{place}: there is no largest number of switches"), evidence));
-            }
-        }
-        classes += 1;
-    }
-    let mut random = run.random(0);
-    let flocks = run.cases(60, 1500);
-    for _ in 0..flocks {
-        run.checkpoint()?;
-        let history = random_line_flock(&mut random, 14)?;
-        let n = history.order();
-        let stable = (0..n).filter_map(|j| weight_times(&history, j, 1).last().copied()).max().unwrap_or(1);
-        let end = if variant.until_stable { stable } else { history.constant_from() };
-        let (count, bound) = (history.changes(2, end) as u64, (variant.bound)(n as u64, (n as u64 - 1) / 2));
-        if count > bound {
-            let evidence = Evidence::new(Grade::Exact, "the bound", "an exact flock");
-            return Ok(Outcome::fails(format!("{}: {count} switches, more than {bound}", history.show()), evidence));
-        }
-    }
-    Ok(Outcome::Holds(vec![
+    let mut found = Vec::new();
+    let classes = run.every(
         Evidence::new(
             Grade::Exhaustive,
             "the bound",
-            "the longest sequences in which each group of birds that meets no other has at most N \
-                 switches, on 3 and 4 birds",
-        )
-        .cases(classes),
-        Evidence::new(
-            Grade::Fuzzed,
-            "flocks",
-            "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)",
-        )
-        .cases(flocks),
-        Evidence::new(
-            Grade::Argued,
+            "the longest sequences in which each group of birds that meets no other has at most N switches, on 3 and 4 birds",
+        ),
+        settings,
+        |(order, most): (usize, Vec<u64>)| {
+            let bound = (variant.bound)(order as u64, most[order - 1]);
+            let place =
+                format!("sequences of networks on {order} birds with N(2), ..., N({}) = {:?}", order - 1, &most[2..]);
+            let name = format!("most_switches_{order}_birds_N_{}", most[order - 1]);
+            let search = Filling::new(GroupRule { order, most }, variant.until_stable);
+            match search.and_then(|mut search| search.longest()) {
+                Some(count) if count <= bound => found.push((name, count)),
+                Some(count) => return Ok(Some(format!("{place}: {count} switches, more than {bound}"))),
+                None => return Ok(Some(format!("{place}: there is no largest number of switches"))),
+            }
+            Ok(None)
+        },
+    )?;
+    found.into_iter().for_each(|(name, count)| run.value(&name, count.to_string()));
+    let mut random = run.random(0);
+    let flocks = (0..run.cases(60, 1500)).map(|_| random_line_flock(&mut random, 14));
+    let detail = "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)";
+    Run::all([
+        Ok(classes),
+        run.every(Evidence::new(Grade::Fuzzed, "flocks", detail), flocks, |history| {
+            let history = history?;
+            let n = history.order();
+            let stable = (0..n).filter_map(|j| weight_times(&history, j, 1).last().copied()).max().unwrap_or(1);
+            let end = if variant.until_stable { stable } else { history.constant_from() };
+            let (count, bound) = (history.changes(2, end) as u64, (variant.bound)(n as u64, (n as u64 - 1) / 2));
+            Ok((count > bound).then(|| format!("{}: {count} switches, more than {bound}", history.show())))
+        }),
+        Ok(argued(
             "the bound, for every class of sequences closed under continuation and separation",
             "notes/chazelle_switches.md, Until the footprint is stable, steps 1-4",
-        )
-        .for_all(),
-    ]))
+        )),
+    ])
 }

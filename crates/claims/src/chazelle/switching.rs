@@ -2,7 +2,7 @@
 
 use super::argued;
 use super::sequences::{NetworkHistory, histories, line_networks, paper_threshold, random_graph, random_line_flock};
-use arithmetic::{Interval, Rational, Real, Ring, Signed, rational};
+use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::averaging::Weights;
 use num_bigint::BigInt;
@@ -211,16 +211,16 @@ pub fn examine_switches(variant: &SwitchesVariant, run: &mut Run) -> Result<Outc
 pub const MODEL_K: &str = "for model D it holds (see the evidence); for model K the paper adds an extra rule to the hysteresis that it does \
                            not state, so there is no definite statement to check";
 
-/// Step 1: `2 nu^c (1 - beta)^k < nu^(-nu^4)` with `beta = nu^(-a (nu-1))`. As `beta <= 1/2`, `-ln(1 - beta)` lies between `beta` and
-/// `2 beta`.
+/// Step 1: `2 nu^c (1 - beta)^k < nu^(-nu^4)` with `beta = nu^(-a (nu-1))`; `-ln(1 - beta)` lies between `beta` and
+/// `beta + beta²/(2 (1 - beta))`.
 fn edges_last(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
-    let cases = (2..=40).flat_map(|nu| CONSTANTS.map(|(_, c)| (nu, c)));
+    let cases = (2..=40).flat_map(|nu| CONSTANTS.map(|(a, c)| (nu, a, c)));
     let evidence = Evidence::new(
         Grade::Certified,
         "step 1: edges inside V_k last after T_k + 1",
         "2 nu^c (1 - beta)^k is below the threshold, by logarithms, for nu = 2, ..., 40 and four (a, c)",
     );
-    run.every(evidence, cases, |(nu, c): (u64, u64)| {
+    run.every(evidence, cases, |(nu, a, c): (u64, u64, u64)| {
         let base = Interval::from_rational(&Rational::from_integer(nu.into()), PRECISION);
         // k beta = nu^room, whatever a is.
         let gain = base.power((variant.room)(c));
@@ -228,10 +228,14 @@ fn edges_last(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckErro
         if (gain.clone() - &needed).is_certainly_positive() {
             return Ok(None);
         }
-        if (needed - gain.clone() - gain).is_certainly_positive() {
-            return Ok(Some(format!("step 1 with nu = {nu}, c = {c}: 2 nu^c (1 - beta)^k is more than nu^(-nu^4)")));
+        let inverse = base.power(a * (nu - 1));
+        let most = gain.clone() + gain.over(&((inverse - base.one()) * base.integer(2)))?;
+        if (needed - most).is_certainly_positive() {
+            return Ok(Some(format!(
+                "step 1 with nu = {nu}, a = {a}, c = {c}: 2 nu^c (1 - beta)^k is more than nu^(-nu^4)"
+            )));
         }
-        Err(CheckError::Other(format!("step 1 is not decided for nu = {nu}, c = {c}")))
+        Err(CheckError::Other(format!("step 1 is not decided for nu = {nu}, a = {a}, c = {c}")))
     })
 }
 

@@ -5,6 +5,7 @@
 mod affine;
 mod contraction;
 mod declaration;
+mod filling;
 mod flock;
 mod headings;
 mod hysteresis;
@@ -21,6 +22,7 @@ mod transients;
 pub use affine::{Affine, HalfOpenRange};
 pub use contraction::{Contraction, contraction};
 pub use declaration::{declaration, kinematic_declaration};
+pub use filling::{Filling, GroupRule};
 pub use flock::{Flock, Start, Switch, check_control};
 pub use hysteresis::Hysteresis;
 pub use kinematic::{KinematicFlock, KinematicStart, MOST_BITS, check_kappa};

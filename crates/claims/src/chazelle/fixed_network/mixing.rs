@@ -5,7 +5,7 @@ use algebra::matrix::{RationalMatrix, tau_1};
 use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
 use models::averaging::contraction;
-use num_bigint::BigUint;
+use num_bigint::{BigInt, BigUint};
 use num_traits::Signed;
 
 /// Precision of the exponentials.
@@ -20,8 +20,13 @@ pub(super) fn bound(n: usize, factor: i32, gap: i32, s: &Rational) -> Result<Int
 
 /// Whether `x <= bound`; where the enclosure is too wide to tell, that is an error.
 pub(super) fn at_most(x: &Rational, bound: &Interval) -> Result<bool, CheckError> {
+    quotient_at_most(x.numer(), x.denom(), bound)
+}
+
+/// Whether `p/q <= bound`, for long `p` and `q` that need not be in lowest terms.
+fn quotient_at_most(p: &BigInt, q: &BigInt, bound: &Interval) -> Result<bool, CheckError> {
     let (lo, hi) = bound.to_rationals();
-    match (*x <= lo, *x > hi) {
+    match (p * lo.denom() <= lo.numer() * q, p * hi.denom() > hi.numer() * q) {
         (true, _) => Ok(true),
         (_, true) => Ok(false),
         _ => Err(CheckError::Other("an exponential could not be told from a rational".into())),
@@ -133,12 +138,14 @@ impl EntrywiseVariant {
         for (s, power) in some_powers(&network.p)? {
             let (factor, gap) = (exponents.factor + self.factor_shift, exponents.gap + self.gap_shift);
             let bound = bound(n, factor, gap, &rational(s as i64, 1))?;
-            for i in 0..n {
-                for j in 0..n {
-                    let difference = (power.entry(i, j) - &pi[if self.by_column { j } else { i }]).abs();
-                    if !at_most(&difference, &bound)? {
-                        return Ok(Some(format!("s = {s}: entry ({}, {}) differs by {difference}", i + 1, j + 1)));
-                    }
+            let denominator = power.denominator();
+            for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+                let pi = &pi[if self.by_column { j } else { i }];
+                let difference = (&power.row(i)[j] * pi.denom() - pi.numer() * denominator).abs();
+                let scale = denominator * pi.denom();
+                if !quotient_at_most(&difference, &scale, &bound)? {
+                    let difference = Rational::new(difference, scale);
+                    return Ok(Some(format!("s = {s}: entry ({}, {}) differs by {difference}", i + 1, j + 1)));
                 }
             }
         }

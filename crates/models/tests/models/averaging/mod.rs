@@ -7,11 +7,13 @@ use models::averaging::{Affine, HalfOpenRange, Weights, transition_matrix};
 use proptest::prelude::*;
 
 mod control;
+mod filling;
 mod flock;
 mod kinematic;
 mod modes;
 mod settle;
 mod stationary;
+mod transients;
 
 proptest! {
     /// What is decided about an affine function on a range holds at every point of it.
