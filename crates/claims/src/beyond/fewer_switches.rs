@@ -7,16 +7,17 @@ pub fn fewer_switches() -> Record<SwitchesVariant> {
     let printed = SwitchesVariant::QUADRATIC;
     Record::new(
         "beyond.chazelle.switches",
-        "The proof of Lemma 3.1, completed, with the entries n^(-a(n-1)) of beyond.chazelle.entries in place of n^(-O(n²)): k = \
-         nu^(a(nu-1)+c+6) stabilisers are enough for edges to last, and N(n) + 2 <= 3 k nu (N(n-1) + 2). \
-         Proof in notes/chazelle_switches.md.",
+        "The proof of Lemma 3.1, completed, with the entries n^(-a(n-1)) of beyond.chazelle.entries in place of \
+         n^(-O(n²)): k = nu^(a(nu-1)+c+6) stabilisers are enough for edges to last, and N(n) + 2 <= 3 k nu (N(n-1) + \
+         2). Proof in notes/chazelle_switches.md.",
         printed,
         examine_switches,
     )
     .stated(
         "sharpens chazelle, Lemma 3.1 and Theorem 1.1",
-        "Let a and c be non-negative integers. In model D with the printed hysteresis rule, positive entries of every P(t) at least n^-a and \
-         speeds at most n^c, the network of n >= 2 birds switches at most n^{a(n-1)^2 + (c+9)(n-1) + 1} times: n^{O(n^2)}, not only n^{O(n^3)}.",
+        "Let a and c be non-negative integers. In model D with the printed hysteresis rule, positive entries of every \
+         P(t) at least n^-a and speeds at most n^c, the network of n >= 2 birds switches at most n^{a(n-1)^2 + \
+         (c+9)(n-1) + 1} times: n^{O(n^2)}, not only n^{O(n^3)}.",
     )
     .control("at most n - 1 switches", SwitchesVariant { count: Some(|n| n - 1), ..printed })
     .control(

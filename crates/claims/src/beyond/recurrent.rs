@@ -278,27 +278,32 @@ pub fn recurrent() -> Record<RecurrentVariant> {
     };
     Record::new(
         "beyond.chazelle.recurrent",
-        "Follow backwards in time the birds that two birds have listened to. While the two sets are disjoint, in every window one of them grows: else both \
-         would be closed and both would hold a root. After n - 1 windows they meet, and the two rows overlap by a positive entry of the product, which is at least \
-         alpha^((n-1)B), and for networks at least alpha^(n-1) however long the windows are, because a closed set of birds keeps its smallest entry. \
-         tau_1 <= 1 - overlap, and tau_1 of a product is at most the product of tau_1. Later velocities are averages of earlier ones, so the \
-         bounds give one Cauchy sequence (proofs_checks/coq/chazelle_recurrent.v, chazelle_agreement.v, chazelle_reals.v).",
+        "Follow backwards in time the birds that two birds have listened to. While the two sets are disjoint, in \
+         every window one of them grows: else both would be closed and both would hold a root. After n - 1 windows \
+         they meet, and the two rows overlap by a positive entry of the product, which is at least alpha^((n-1)B), \
+         and for networks at least alpha^(n-1) however long the windows are, because a closed set of birds keeps its \
+         smallest entry. tau_1 <= 1 - overlap, and tau_1 of a product is at most the product of tau_1. Later \
+         velocities are averages of earlier ones, so the bounds give one Cauchy sequence \
+         (proofs_checks/coq/chazelle_recurrent.v, chazelle_agreement.v, chazelle_reals.v).",
         printed,
         check_recurrent,
     )
     .stated(
         "extends chazelle, section 3, to networks that change",
-        "Let P(1), P(2), ... be stochastic with positive diagonals and positive entries at least alpha > 0, for n >= 2 birds, and v(t+1) = P(t) v(t). Networks of \
-         model D: after m consecutive windows of any lengths, in each of which the union of the networks is connected, the differences of velocities are at \
-         most (1 - alpha^(n-1))^floor(m/(n-1)) times the largest at their start. Directed networks: if in the union over every B consecutive times a path leads \
-         from every bird to one bird, t factors contract by tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)). If such windows never end, all velocities \
-         converge to one limit, on directed networks at that rate.",
+        "Let P(1), P(2), ... be stochastic with positive diagonals and positive entries at least alpha > 0, for n >= \
+         2 birds, and v(t+1) = P(t) v(t). Networks of model D: after m consecutive windows of any lengths, in each of \
+         which the union of the networks is connected, the differences of velocities are at most (1 - \
+         alpha^(n-1))^floor(m/(n-1)) times the largest at their start. Directed networks: if in the union over every \
+         B consecutive times a path leads from every bird to one bird, t factors contract by tau_1 <= (1 - \
+         alpha^((n-1)B))^floor(t/((n-1)B)). If such windows never end, all velocities converge to one limit, on \
+         directed networks at that rate.",
     )
     .clauses(&[
-        "Networks of model D: after m consecutive windows of any lengths, in each of which the union of the networks is connected, the differences of velocities \
-         are at most (1 - alpha^(n-1))^floor(m/(n-1)) times the largest at their start.",
-        "Directed networks: if in the union over every B consecutive times a path leads from every bird to one bird, t factors contract by \
-         tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)).",
+        "Networks of model D: after m consecutive windows of any lengths, in each of which the union of the networks \
+         is connected, the differences of velocities are at most (1 - alpha^(n-1))^floor(m/(n-1)) times the largest \
+         at their start.",
+        "Directed networks: if in the union over every B consecutive times a path leads from every bird to one bird, \
+         t factors contract by tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)).",
         "Networks of model D: if such windows never end, all velocities converge to one limit.",
         "Directed networks: the velocities converge to one limit, at the rate of the bound.",
     ])

@@ -7,10 +7,11 @@ pub fn smallest_entries() -> Record<EntriesVariant> {
     let scaled = |p, q| EntriesVariant { floor: Floor::Smallest(p, q), ..EntriesVariant::SHARP };
     Record::new(
         "beyond.chazelle.entries",
-        "When the support S of a column grows, a bird with m neighbours in S and at most n - |S| - 1 outside gets at least the \
-         share m/(m + n - |S|) >= 1/(n - |S| + 1) of the smallest entry (vicsek), and a bird of S keeps at least as much. For \
-         lazy the share is at least min(1/3, 2/(3(n - |S|))). The products over |S| = 1, ..., n - 1 are the two values. They are attained: at step k \
-         the new bird sees the bird with the smallest entry and all birds outside S (notes/chazelle_switches.md).",
+        "When the support S of a column grows, a bird with m neighbours in S and at most n - |S| - 1 outside gets at \
+         least the share m/(m + n - |S|) >= 1/(n - |S| + 1) of the smallest entry (vicsek), and a bird of S keeps at \
+         least as much. For lazy the share is at least min(1/3, 2/(3(n - |S|))). The products over |S| = 1, ..., n - \
+         1 are the two values. They are attained: at step k the new bird sees the bird with the smallest entry and \
+         all birds outside S (notes/chazelle_switches.md).",
         EntriesVariant::SHARP,
         examine_entries,
     )
@@ -21,7 +22,8 @@ pub fn smallest_entries() -> Record<EntriesVariant> {
          not only n^{-O(n^2)}.",
     )
     .clauses(&[
-        "Over all sequences of networks on n >= 2 birds and all t >= s, no nonzero entry of P(t,s) is less than 1/n! for c_i = 1/(d_i+1), or less than 2^{n-2}/(3^{n-1} (n-1)!) for c_i = 2/(3 d_i).",
+        "Over all sequences of networks on n >= 2 birds and all t >= s, no nonzero entry of P(t,s) is less than 1/n! \
+         for c_i = 1/(d_i+1), or less than 2^{n-2}/(3^{n-1} (n-1)!) for c_i = 2/(3 d_i).",
         "These values occur.",
     ])
     .control("1/100 larger", scaled(101, 100))

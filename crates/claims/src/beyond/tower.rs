@@ -25,22 +25,24 @@ pub fn tower() -> Record<TowerVariant> {
         TowerVariant { groups: [MIRRORED, TWISTED_MIRRORED, TWISTED, PRINTED], log2: ((2116, 1000), (2117, 1000)) };
     Record::new(
         "beyond.chazelle.tower",
-        "Four groups of four merge at t = 171 and drift at speeds of about 10^-84; neighbours meet after 10^84 steps. The drifts of the two that form \
-         a flock of eight cancel exactly, and what is left of their inner motion gives the eight a drift of about 3^-s, s the second time: its \
-         sign and size are those of the leading term of a linear recurrence in s, the coefficient of (2/3)^s being zero. Two mirrored flocks \
-         of eight approach at that speed. Exact jumps for two switches, enclosed logarithms for the third (notes/settling.md).",
+        "Four groups of four merge at t = 171 and drift at speeds of about 10^-84; neighbours meet after 10^84 steps. \
+         The drifts of the two that form a flock of eight cancel exactly, and what is left of their inner motion \
+         gives the eight a drift of about 3^-s, s the second time: its sign and size are those of the leading term of \
+         a linear recurrence in s, the coefficient of (2/3)^s being zero. Two mirrored flocks of eight approach at \
+         that speed. Exact jumps for two switches, enclosed logarithms for the third (notes/settling.md).",
         printed,
         check_tower,
     )
     .stated(
         "what the initial conditions at the end of Section 1 can be changed into",
-        "Sixteen birds on the line with lazy weights, x(0) = (0, 2/3, 2, 8/3, ..., 14, 44/3) and v(1) = (0, 8, 0, -8, 7, 1, -9, 1, -1, \
-         9, -1, -7, 8, 0, -8, 0)/4096: the network changes at t = 171, at a time of 85 digits, and next at a time between \
-         2^(2.116 10^84) and 2^(2.117 10^84), with the hysteresis of the paper or without.",
+        "Sixteen birds on the line with lazy weights, x(0) = (0, 2/3, 2, 8/3, ..., 14, 44/3) and v(1) = (0, 8, 0, -8, \
+         7, 1, -9, 1, -1, 9, -1, -7, 8, 0, -8, 0)/4096: the network changes at t = 171, at a time of 85 digits, and \
+         next at a time between 2^(2.116 10^84) and 2^(2.117 10^84), with the hysteresis of the paper or without.",
     )
     .clauses(&[
-        "Sixteen birds on the line with lazy weights, x(0) = (0, 2/3, 2, 8/3, ..., 14, 44/3) and v(1) = (0, 8, 0, -8, 7, 1, -9, 1, -1, 9, -1, -7, 8, 0, -8, 0)/4096: \
-         the network changes first at t = 171, with the hysteresis of the paper or without.",
+        "Sixteen birds on the line with lazy weights, x(0) = (0, 2/3, 2, 8/3, ..., 14, 44/3) and v(1) = (0, 8, 0, -8, \
+         7, 1, -9, 1, -1, 9, -1, -7, 8, 0, -8, 0)/4096: the network changes first at t = 171, with the hysteresis of \
+         the paper or without.",
         "It changes next at a time of 85 digits.",
         "It changes next at a time between 2^(2.116 10^84) and 2^(2.117 10^84).",
     ])
@@ -79,21 +81,21 @@ fn check_tower(variant: &TowerVariant, run: &mut Run) -> Result<Outcome, CheckEr
         run.value("log2_of_the_third", format!("[{lo}, {hi}]"));
     }
     Ok(Outcome::Holds(vec![
-        Evidence::new(Grade::Exact, "the first switch", "every step up to it taken by the rule")
-            .on([1])
-            .for_all(),
+        Evidence::new(Grade::Exact, "the first switch", "every step up to it taken by the rule").on([1]).for_all(),
         Evidence::new(
             Grade::Exact,
             "the second switch",
-            "the quadratic polynomial of the limit motion on the fixed network, exactly, before and at the contact; the transients that are left out are \
-             bounded far below its value (notes/settling.md, How flock settle decides, 4 and 5)",
+            "the quadratic polynomial of the limit motion on the fixed network, exactly, before and at the contact; \
+             the transients that are left out are bounded far below its value (notes/settling.md, How flock settle \
+             decides, 4 and 5)",
         )
         .on([2])
         .for_all(),
         Evidence::new(
             Grade::Certified,
             "the third",
-            "the relative drift as the leading term of its shortest recurrence, sign and logarithm enclosed (notes/settling.md, the same)",
+            "the relative drift as the leading term of its shortest recurrence, sign and logarithm enclosed \
+             (notes/settling.md, the same)",
         )
         .on([3])
         .for_all(),

@@ -6,28 +6,31 @@ use ledger::Record;
 pub fn angle() -> Record<OriginVariant> {
     about_origins(
         "beyond.chazelle.angle",
-        "See chazelle.lem3.7: E_i(t) = x_i(t) - t v_i(t) starts at x(0) and obeys E(t+1) = P(t) E(t) + (I - P(t)) x(t); on a fixed network the last \
-         term has stationary mean zero and is mixed away, so it adds at most 4 sum_r tau_1(P^r) in all.",
+        "See chazelle.lem3.7: E_i(t) = x_i(t) - t v_i(t) starts at x(0) and obeys E(t+1) = P(t) E(t) + (I - P(t)) \
+         x(t); on a fixed network the last term has stationary mean zero and is mixed away, so it adds at most 4 \
+         sum_r tau_1(P^r) in all.",
         OriginVariant::SHARPER,
     )
     .stated(
         "sharpens chazelle, Lemma 3.7",
-        "In model D, with a positive integer a, entries of P at least n^-a, and as long as no edge is longer than 2 (Lemma 3.6), for any bird at any \
-         time t >= 1, angle(x_i(t), v_i(t)) <= |v_i(t) - x_i(t)/t| = |E_i(t)|/t, where each coordinate of E_i(t) = x_i(t) - t v_i(t) is at most \
-         max|x(0)| + 4 (s(t) + 1) n^(2a+3), s(t) the number of switches before t: no waiting time and no log t.",
+        "In model D, with a positive integer a, entries of P at least n^-a, and as long as no edge is longer than 2 \
+         (Lemma 3.6), for any bird at any time t >= 1, angle(x_i(t), v_i(t)) <= |v_i(t) - x_i(t)/t| = |E_i(t)|/t, \
+         where each coordinate of E_i(t) = x_i(t) - t v_i(t) is at most max|x(0)| + 4 (s(t) + 1) n^(2a+3), s(t) the \
+         number of switches before t: no waiting time and no log t.",
     )
 }
 
 pub fn losses() -> Record<LossVariant> {
     about_losses(
         "beyond.chazelle.losses",
-        "See chazelle.lem3.8: an edge of G_{t-1} stays once (2 + 2|E|)/(t-1) < n^(-n^4), and |E| <= n^O(n²) by the sharper bound of the number of \
-         switches.",
+        "See chazelle.lem3.8: an edge of G_{t-1} stays once (2 + 2|E|)/(t-1) < n^(-n^4), and |E| <= n^O(n²) by the \
+         sharper bound of the number of switches.",
         LossVariant { time: |n| n.pow(4) + 2 * (n - 1).pow(2) + 10 * (n - 1) + 17, hysteresis: true, earlier: 1 },
     )
     .stated(
         "sharpens chazelle, Lemma 3.8",
-        "In model D with the hysteresis of the paper, n >= 4 birds in dimension at most n², entries of P at least n^-a with a = 1 or 2, and speeds and \
-         coordinates of x(0) up to n, no edge is lost after time n^(n^4 + 2(n-1)² + 10(n-1) + 17).",
+        "In model D with the hysteresis of the paper, n >= 4 birds in dimension at most n², entries of P at least \
+         n^-a with a = 1 or 2, and speeds and coordinates of x(0) up to n, no edge is lost after time n^(n^4 + \
+         2(n-1)² + 10(n-1) + 17).",
     )
 }

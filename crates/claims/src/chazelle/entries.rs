@@ -207,8 +207,7 @@ fn all_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Chec
         Evidence::new(
             Grade::Exhaustive,
             "the bound",
-            "all products of up to 6, 5, 3 factors (4 with --full) on 2, 3, 4 birds, lazy and \
-             vicsek",
+            "all products of up to 6, 5, 3 factors (4 with --full) on 2, 3, 4 birds, lazy and vicsek",
         )
         .on([1])
         .cases(cases),
@@ -323,16 +322,16 @@ pub fn entries() -> Record<EntriesVariant> {
     let printed = EntriesVariant::PRINTED;
     Record::new(
         "chazelle.lem2.2.entries",
-        "Follow one column of P(t,s) and its support S. While S does not grow, symmetry \
-         keeps all neighbours of S in S, and the rows of S average entries of S: the smallest does not drop. When S grows, it drops by a factor n^-a \
-         at worst. S grows at most n - 1 times: every nonzero entry is at least n^(-a(n-1)), which is more than printed \
-         (beyond.chazelle.entries, notes/chazelle_switches.md).",
+        "Follow one column of P(t,s) and its support S. While S does not grow, symmetry keeps all neighbours of S in \
+         S, and the rows of S average entries of S: the smallest does not drop. When S grows, it drops by a factor \
+         n^-a at worst. S grows at most n - 1 times: every nonzero entry is at least n^(-a(n-1)), which is more than \
+         printed (beyond.chazelle.entries, notes/chazelle_switches.md).",
         printed,
         examine_entries,
     )
     .reading(
-        "At least n^(-b n²), for c_i(t) of O(log n) bits, so that positive entries of every P(t) are at least n^-a (a = 1 for vicsek, 2 for lazy); b = a will \
-         do.",
+        "At least n^(-b n²), for c_i(t) of O(log n) bits, so that positive entries of every P(t) are at least n^-a (a \
+         = 1 for vicsek, 2 for lazy); b = a will do.",
     )
     .control("the bound of a single factor", EntriesVariant { floor: Floor::Power(|_| 1), ..printed })
     .control("exponent n - 2", EntriesVariant { floor: Floor::Power(|n| n.saturating_sub(2)), ..printed })

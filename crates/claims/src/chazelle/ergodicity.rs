@@ -104,8 +104,8 @@ pub fn coefficient() -> Record<CoefficientVariant> {
     Record::new(
         "chazelle.tau1",
         "|a - b| = a + b - 2 min(a, b). Summed over the entries of two rows that sum to one: half the l1-distance is \
-         1 - sum_k min(a_ik, a_jk). It is at least 0 and, the minima being non-negative, at most 1. The diameter of the \
-         convex hull is attained at two rows because a norm is convex (notes/chazelle.md).",
+         1 - sum_k min(a_ik, a_jk). It is at least 0 and, the minima being non-negative, at most 1. The diameter of \
+         the convex hull is attained at two rows because a norm is convex (notes/chazelle.md).",
         printed,
         check_coefficient,
     )
@@ -151,8 +151,8 @@ fn check_coefficient(variant: &CoefficientVariant, run: &mut Run) -> Result<Outc
         Evidence::new(
             Grade::Exhaustive,
             "equality and both bounds, for every row-stochastic matrix",
-            "every pair of rows with a common denominator up to 12 (2 columns), 6 (3), \
-                 4 (4), and every 3 x 3 matrix over 3",
+            "every pair of rows with a common denominator up to 12 (2 columns), 6 (3), 4 (4), and every 3 x 3 matrix \
+             over 3",
         )
         .cases(cases),
         Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
@@ -207,9 +207,9 @@ pub fn submultiplicative() -> Record<SubmultiplicativeVariant> {
     let printed = SubmultiplicativeVariant { left: LeftDiameter::One, squared_factor: (1, 1), stochastic: true };
     Record::new(
         "chazelle.lem2.4",
-        "Row i minus row j of AB is sum_k u_k b_k with u = a_i - a_j. The positive and the negative part of u both sum \
-         to t <= tau_1(A), so it is t times the difference of two convex combinations of rows of B, whose distance is at \
-         most tau_2(B). The argument uses no special norm (notes/chazelle.md).",
+        "Row i minus row j of AB is sum_k u_k b_k with u = a_i - a_j. The positive and the negative part of u both \
+         sum to t <= tau_1(A), so it is t times the difference of two convex combinations of rows of B, whose \
+         distance is at most tau_2(B). The argument uses no special norm (notes/chazelle.md).",
         printed,
         check_submultiplicative,
     )
@@ -285,15 +285,12 @@ pub fn square_root_of_two() -> Record<SquareRootOfTwoVariant> {
     let printed = SquareRootOfTwoVariant { squared_constant: (2, 1), middle_factor: (1, 1), stochastic: true };
     Record::new(
         "chazelle.tau2sqrt2",
-        "Lemma 2.4 with B = I. Two rows of the identity have distance sqrt(2); with one column there is only one row and \
-         tau_2(I) = 0 (notes/chazelle.md).",
+        "Lemma 2.4 with B = I. Two rows of the identity have distance sqrt(2); with one column there is only one row \
+         and tau_2(I) = 0 (notes/chazelle.md).",
         printed,
         check_square_root_of_two,
     )
-    .clauses(&[
-        "tau_2(A) <= tau_1(A) tau_2(I) for row-stochastic A.",
-        "tau_1(A) tau_2(I) <= sqrt(2) tau_1(A).",
-    ])
+    .clauses(&["tau_2(A) <= tau_1(A) tau_2(I) for row-stochastic A.", "tau_1(A) tau_2(I) <= sqrt(2) tau_1(A)."])
     .control("the constant 1.41", SquareRootOfTwoVariant { squared_constant: (19881, 10000), ..printed })
     .control("a smaller middle term", SquareRootOfTwoVariant { middle_factor: (99, 100), ..printed })
     .control("the constant 1", SquareRootOfTwoVariant { squared_constant: (1, 1), ..printed })

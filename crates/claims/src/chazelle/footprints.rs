@@ -32,9 +32,9 @@ pub fn monotone() -> Record<MonotoneVariant> {
     let printed = MonotoneVariant { share: (2, 3), single: true, products_symmetric: false, one_sided: false };
     Record::new(
         "chazelle.foot.mono",
-        "P(t+1,s)_ij >= p_ii(t+1) P(t,s)_ij > 0 wherever P(t,s)_ij > 0, because the diagonal is positive and nothing is \
-         negative. p_ij > 0 for i != j exactly when i and j are joined, which is symmetric. P(2) P(1) with edges 1-2 at \
-         time 1 and 2-3 at time 2 lets bird 1 influence bird 3 but not the converse (notes/chazelle.md).",
+        "P(t+1,s)_ij >= p_ii(t+1) P(t,s)_ij > 0 wherever P(t,s)_ij > 0, because the diagonal is positive and nothing \
+         is negative. p_ij > 0 for i != j exactly when i and j are joined, which is symmetric. P(2) P(1) with edges \
+         1-2 at time 1 and 2-3 at time 2 lets bird 1 influence bird 3 but not the converse (notes/chazelle.md).",
         printed,
         check_monotone,
     )
@@ -111,8 +111,8 @@ fn check_monotone(variant: &MonotoneVariant, run: &mut Run) -> Result<Outcome, C
             Evidence::new(
                 Grade::Exhaustive,
                 "no one is ever lost",
-                "all sequences of 4 graphs on up to 3 birds, of 2 graphs on 4 birds (3 with \
-                     --full), against the footprints of the exact products",
+                "all sequences of 4 graphs on up to 3 birds, of 2 graphs on 4 birds (3 with --full), against the \
+                 footprints of the exact products",
             )
             .on([1])
             .cases(sequences),

@@ -106,11 +106,14 @@ fn examine_eigenvector(birds: &FourBirds) -> Result<Outcome, CheckError> {
             ));
         }
     }
-    Ok(Outcome::Holds(vec![exact(
-        "both matrices and the eigenvector",
-        "the printed matrices are I - CL with c_i = 2/(3 d_i) for two pairs and for the path; both map v(1) to its multiple",
-    )
-    .for_all()]))
+    Ok(Outcome::Holds(vec![
+        exact(
+            "both matrices and the eigenvector",
+            "the printed matrices are I - CL with c_i = 2/(3 d_i) for two pairs and for the path; both map v(1) to its \
+         multiple",
+        )
+        .for_all(),
+    ]))
 }
 
 /// The network alternates forever: first stepped, then proved for all t by the invariants at the head of this file.
@@ -169,7 +172,8 @@ fn examine_alternation(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
     Ok(Outcome::Holds(vec![
         exact(
             "the alternation for all t",
-            "induction: states affine in r = (-1/3)^t, all six distances settled on (0,1] and on [-1/3,0), a step maps r to -r/3",
+            "induction: states affine in r = (-1/3)^t, all six distances settled on (0,1] and on [-1/3,0), a step \
+             maps r to -r/3",
         )
         .for_all(),
         exact("t = 0, ..., 64", "stepped exactly").cases(STEPS + 1),
@@ -215,8 +219,8 @@ fn examine_closed_form(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
     let alternation = examine_alternation(birds, run)?;
     let own = Outcome::Holds(vec![exact(
         "closed form and gaps for all t",
-        "induction over the alternating networks; gaps compared as affine functions of (-1/3)^t; for t >= 1 the outer gap runs \
-         between 1/4 (attained at t = 1) and 1/3 (at t = 2)",
+        "induction over the alternating networks; gaps compared as affine functions of (-1/3)^t; for t >= 1 the outer \
+         gap runs between 1/4 (attained at t = 1) and 1/3 (at t = 2)",
     )
     .for_all()]);
     Ok(Run::all([Ok(own), Ok(alternation)])?.on([1, 2, 3, 4]))
@@ -226,8 +230,8 @@ pub fn eigenvector() -> Record<FourBirds> {
     let printed = FourBirds::printed;
     Record::new(
         "chazelle.ex4birds.eig",
-        "Each bird has velocity +-1/8 and all its neighbours the opposite one: a third of the own minus two thirds, or for \
-         the inner birds of the path 1/3 - 1/3 - 1/3, is -1/3 of the own velocity.",
+        "Each bird has velocity +-1/8 and all its neighbours the opposite one: a third of the own minus two thirds, \
+         or for the inner birds of the path 1/3 - 1/3 - 1/3, is -1/3 of the own velocity.",
         printed(),
         check_eigenvector,
     )
@@ -247,7 +251,8 @@ pub fn closed_form() -> Record<FourBirds> {
     let printed = FourBirds::printed;
     Record::new(
         "chazelle.ex4birds.eq3.14",
-        "v(s) = (-1/3)^(s-1) v(1) sums to (3/4)(1 - (-1/3)^t) v(1). The gaps follow; the outer gaps are exactly 1/4 at t = 1 and never more than 1/3 for t >= 1.",
+        "v(s) = (-1/3)^(s-1) v(1) sums to (3/4)(1 - (-1/3)^t) v(1). The gaps follow; the outer gaps are exactly 1/4 \
+         at t = 1 and never more than 1/3 for t >= 1.",
         printed(),
         examine_closed_form,
     )
@@ -270,9 +275,9 @@ pub fn alternation() -> Record<FourBirds> {
     let printed = FourBirds::printed;
     Record::new(
         "chazelle.ex4birds.alt",
-        "The middle gap is 1 - (3/16)(-1/3)^t: at most 1 for even t, more than 1 for odd t. The outer gaps stay below 1 and \
-         birds 1, 3 and 2, 4 stay 21/16 apart, birds 1, 4 farther. So the network is the path at even and two pairs at odd times; both have \
-         the eigenvector v(1), which closes the induction.",
+        "The middle gap is 1 - (3/16)(-1/3)^t: at most 1 for even t, more than 1 for odd t. The outer gaps stay below \
+         1 and birds 1, 3 and 2, 4 stay 21/16 apart, birds 1, 4 farther. So the network is the path at even and two \
+         pairs at odd times; both have the eigenvector v(1), which closes the induction.",
         printed(),
         examine_alternation,
     )

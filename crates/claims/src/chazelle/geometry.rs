@@ -75,10 +75,11 @@ pub fn quotient_of_angle() -> Record<AngleVariant> {
     let printed = AngleVariant { lower: (1, 1), power: 2, upper: (1, 1) };
     Record::new(
         "chazelle.eq3.15",
-        "(v, 1) and (w, 1) lie in a plane that touches the unit sphere. Projection to the sphere maps the segment between them to an arc of \
-         the length of the angle, and shrinks lengths at distance r from the point of contact by a factor between 1/(1 + r²) and 1. So \
-         1/(1 + R²) <= angle/|v - w| <= 1, with R the larger of |v| and |w|, and R <= n^O(1) because w is the mean of velocities plus \
-         x_i(0)/t. Both constants are best (notes/settling.md).",
+        "(v, 1) and (w, 1) lie in a plane that touches the unit sphere. Projection to the sphere maps the segment \
+         between them to an arc of the length of the angle, and shrinks lengths at distance r from the point of \
+         contact by a factor between 1/(1 + r²) and 1. So 1/(1 + R²) <= angle/|v - w| <= 1, with R the larger of |v| \
+         and |w|, and R <= n^O(1) because w is the mean of velocities plus x_i(0)/t. Both constants are best \
+         (notes/settling.md).",
         printed,
         check_quotient,
     )
@@ -175,8 +176,8 @@ fn examine_origins(variant: &OriginVariant, run: &mut Run) -> Result<Outcome, Ch
     let evidence = Evidence::new(
         Grade::Fuzzed,
         "the recursion of the virtual origins, their bound, and the angle",
-        "exact flocks of 1 to 5 birds in dimension 1 to 3 for t = 2, ..., 20, the four birds of the paper with and without hysteresis; the \
-         angle enclosed at t = 20",
+        "exact flocks of 1 to 5 birds in dimension 1 to 3 for t = 2, ..., 20, the four birds of the paper with and \
+         without hysteresis; the angle enclosed at t = 20",
     );
     let place = "notes/settling.md, Virtual origins, steps 1-4, with (3.15) and Mixing on a fixed network";
     Run::all([
@@ -239,9 +240,10 @@ pub fn angle_decays() -> Record<OriginVariant> {
     about_origins(
         "chazelle.lem3.7",
         "With E_i(t) = x_i(t) - t v_i(t), the angle is at most |v_i - x_i/t| = |E_i|/t by (3.15). E(1) = x(0) and \
-         E(t+1) = P(t) E(t) + (I - P(t)) x(t); (I - P) x is bounded by 2 because neighbours are near, and its stationary mean is zero, so \
-         that on a fixed network E grows by at most 4 sum_r tau_1(P^r) <= 4 n^(2a+3) altogether. N(n) + 1 networks give \
-         |E(t)| <= n^O(n³), even n^O(n²), at all t >= 1: no waiting time is needed, nor the logarithm (beyond.chazelle.angle).",
+         E(t+1) = P(t) E(t) + (I - P(t)) x(t); (I - P) x is bounded by 2 because neighbours are near, and its \
+         stationary mean is zero, so that on a fixed network E grows by at most 4 sum_r tau_1(P^r) <= 4 n^(2a+3) \
+         altogether. N(n) + 1 networks give |E(t)| <= n^O(n³), even n^O(n²), at all t >= 1: no waiting time is \
+         needed, nor the logarithm (beyond.chazelle.angle).",
         OriginVariant::PRINTED,
     )
     .reading("\"=\" bounds from above; n is large enough for Lemma 3.6, by which no edge is longer than 2.")
@@ -288,7 +290,8 @@ fn examine_losses(variant: &LossVariant, run: &mut Run) -> Result<Outcome, Check
         run.instances("step 6: the threshold is reached in time", step_6, sizes, |(n, a)| Ok(variant.too_late(n, a))),
         Ok(argued(
             "no edge is lost after that time, for all flocks",
-            "notes/settling.md, Virtual origins, steps 1-6, with Lemma 3.6(ii) and the bound of beyond.chazelle.switches",
+            "notes/settling.md, Virtual origins, steps 1-6, with Lemma 3.6(ii) and the bound of \
+             beyond.chazelle.switches",
         )),
     ])
 }
@@ -348,9 +351,10 @@ impl LossVariant {
 pub fn no_losses() -> Record<LossVariant> {
     about_losses(
         "chazelle.lem3.8",
-        "For an edge of G_{t-1}, v_i(t) - v_j(t) = (x_i(t-1) - x_j(t-1) - E_i(t) + E_j(t))/(t-1), at most (2 + 2|E|)/(t-1). By Lemma 2.1 the edge \
-         stays once that is below eps = n^(-n^4): after n^(n^4 + K) with K = O(n²) from |E| <= n^O(n²) (lem3.7). K <= n^4 for n >= 4 with lazy or \
-         vicsek weights and inputs up to n, for other O(log n)-bit inputs from some n on (notes/settling.md). So n^(2n^4) is enough.",
+        "For an edge of G_{t-1}, v_i(t) - v_j(t) = (x_i(t-1) - x_j(t-1) - E_i(t) + E_j(t))/(t-1), at most (2 + \
+         2|E|)/(t-1). By Lemma 2.1 the edge stays once that is below eps = n^(-n^4): after n^(n^4 + K) with K = O(n²) \
+         from |E| <= n^O(n²) (lem3.7). K <= n^4 for n >= 4 with lazy or vicsek weights and inputs up to n, for other \
+         O(log n)-bit inputs from some n on (notes/settling.md). So n^(2n^4) is enough.",
         LossVariant { time: |n| 2 * n.pow(4), hysteresis: true, earlier: 1 },
     )
     .reading("n is large enough: n >= 4 for lazy or vicsek weights and inputs up to n.")

@@ -40,14 +40,15 @@ pub fn rule() -> Record<RuleVariant> {
     let printed = RuleVariant { power: 4, strict: true, old_only: true, holds: true };
     Record::new(
         "chazelle.hyst",
-        "A definition has no truth value. What can be checked is that it determines the network, and that the flocks of this project follow it \
-         to the letter.",
+        "A definition has no truth value. What can be checked is that it determines the network, and that the flocks \
+         of this project follow it to the letter.",
         printed,
         check_rule,
     )
     .reading(
-        "An existing edge is one of G_{t-1}, however it came about (printed is G_t, which the rule is to determine); it stays whatever its length is; \
-         \"less than\" is strict; n is the number of birds; G_0 is the network of the distance rule.",
+        "An existing edge is one of G_{t-1}, however it came about (printed is G_t, which the rule is to determine); \
+         it stays whatever its length is; \"less than\" is strict; n is the number of birds; G_0 is the network of \
+         the distance rule.",
     )
     .control("the threshold n^(-n^3)", RuleVariant { power: 3, ..printed })
     .control("changes up to the threshold", RuleVariant { strict: false, ..printed })
@@ -76,7 +77,8 @@ fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckErro
             let found = flock.network().has_edge(0, 1);
             if flock.network().edges().len() > 1 || found != variant.joins(n, was_edge, &before, &now) {
                 return fails(format!(
-                    "{n} birds, distance {} the threshold short of or beyond 1, then a change of {quarters}/4 of it: edge {found}",
+                    "{n} birds, distance {} the threshold short of or beyond 1, then a change of {quarters}/4 of it: \
+                     edge {found}",
                     rational(quarters, 8)
                 ));
             }
@@ -100,7 +102,8 @@ fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckErro
     let evidence = Evidence::new(
         Grade::Exact,
         "flocks follow the rule as read",
-        "two of 2, 3, 4 birds crossing distance 1 by 1/4 to 200 thresholds, joined before or not; the four birds for 340 steps",
+        "two of 2, 3, 4 birds crossing distance 1 by 1/4 to 200 thresholds, joined before or not; the four birds for \
+         340 steps",
     );
     let why = "a definition, which is neither true nor false; the flocks of this project follow it (see the evidence)";
     Ok(Outcome::NotCheckable(why.to_string(), vec![evidence.cases(cases)]))
@@ -121,9 +124,10 @@ pub fn smaller_threshold() -> Record<SmallerThresholdVariant> {
     let printed = SmallerThresholdVariant { without: false, lasting: |n| n * n, examples: false };
     Record::new(
         "chazelle.hyst.remark",
-        "The threshold enters the results in three places: e^(-n^(n²)) < eps (the edges of V_k last), the growth of long edges in Lemma 3.6(ii), \
-         which is less with a smaller threshold, and the time n^(2n^4) of Lemma 3.8, which n^O(n²)/eps must not exceed. All three hold with \
-         2^-100 n^(-n^4) for n >= 4 (notes/settling.md, The smaller threshold).",
+        "The threshold enters the results in three places: e^(-n^(n²)) < eps (the edges of V_k last), the growth of \
+         long edges in Lemma 3.6(ii), which is less with a smaller threshold, and the time n^(2n^4) of Lemma 3.8, \
+         which n^O(n²)/eps must not exceed. All three hold with 2^-100 n^(-n^4) for n >= 4 (notes/settling.md, The \
+         smaller threshold).",
         printed,
         check_smaller_threshold,
     )
@@ -194,7 +198,8 @@ pub fn near_birds_are_joined() -> Record<NearVariant> {
     let printed = NearVariant { radius: (1, 1), converse: false };
     Record::new(
         "chazelle.lem3.6.i",
-        "The hysteresis rule only keeps edges: G_t contains the network of the distance rule at all times t, by its definition.",
+        "The hysteresis rule only keeps edges: G_t contains the network of the distance rule at all times t, by its \
+         definition.",
         printed,
         check_near_birds_are_joined,
     )
@@ -305,8 +310,8 @@ impl FarVariant {
             let distance = &x[1][0] - &x[0][0];
             if flock.network().has_edge(0, 1) && distance > limit {
                 return Ok(Some(format!(
-                    "{n} birds, c_i = 1/{}: x(0) = (0, 1, ..), v(1) = (0, 7/8 eps, ..): at t = {t} birds 1 and 2 are joined at a \
-                     distance above 1 + n^(-n^{})",
+                    "{n} birds, c_i = 1/{}: x(0) = (0, 1, ..), v(1) = (0, 7/8 eps, ..): at t = {t} birds 1 and 2 are \
+                     joined at a distance above 1 + n^(-n^{})",
                     self.weight, self.power
                 )));
             }
@@ -331,16 +336,17 @@ pub fn far_birds_are_not() -> Record<FarVariant> {
     let printed = FarVariant { power: 3, weight: 8, growth: (1, 1) };
     Record::new(
         "chazelle.lem3.6.ii",
-        "An edge longer than 1 has been kept at every step since its length was at most 1. Each step adds less than eps, and on a fixed network \
-         also less than the difference of the velocities, which mixing brings below any limit: it grows by at most eps (mixing time + 2) between \
-         two switches. With N(n) <= n^(a(n-1)² + (c+9)(n-1) + 1) switches and entries >= n^-a the sum is below n^(-n^3) for all n >= 4 with \
-         lazy or vicsek weights and speeds up to n; for other O(log n)-bit weights from some n on (notes/settling.md).",
+        "An edge longer than 1 has been kept at every step since its length was at most 1. Each step adds less than \
+         eps, and on a fixed network also less than the difference of the velocities, which mixing brings below any \
+         limit: it grows by at most eps (mixing time + 2) between two switches. With N(n) <= n^(a(n-1)² + (c+9)(n-1) \
+         + 1) switches and entries >= n^-a the sum is below n^(-n^3) for all n >= 4 with lazy or vicsek weights and \
+         speeds up to n; for other O(log n)-bit weights from some n on (notes/settling.md).",
         printed,
         check_far_birds_are_not,
     )
     .reading(
-        "n is large enough against the weights and speeds: n >= 4 for lazy or vicsek weights and speeds up to n. Two birds with c_i = 1/1024 show \
-         that this is needed.",
+        "n is large enough against the weights and speeds: n >= 4 for lazy or vicsek weights and speeds up to n. Two \
+         birds with c_i = 1/1024 show that this is needed.",
     )
     .control("1 + n^(-n^4)", FarVariant { power: 4, ..printed })
     .control("two birds with c_i = 1/1024", FarVariant { weight: 1024, ..printed })

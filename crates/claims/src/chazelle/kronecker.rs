@@ -110,16 +110,16 @@ pub fn kronecker() -> Record<KroneckerVariant> {
     let printed = KroneckerVariant { first_index: 0, blocks_of_b: true, mixed: Mixed::AcBd };
     Record::new(
         "chazelle.kron",
-        "Read with indices that start at 0, the only start with which c_{ip+j, kq+l} fills an mp x nq matrix: row ip + j is row j of block row i. \
-         With indices from 1, as the paper counts birds, the rule leaves the matrix (row mp + p) and must read \
-         c_{(i-1)p+j, (k-1)q+l}; that is a control. Mixed product: entry (ip + j, kq + l) of the left side is \
-         sum_{u,w} a_iu b_jw c_uk d_wl = (AC)_ik (BD)_jl, for all shapes for which AC and BD exist.",
+        "Read with indices that start at 0, the only start with which c_{ip+j, kq+l} fills an mp x nq matrix: row ip \
+         + j is row j of block row i. With indices from 1, as the paper counts birds, the rule leaves the matrix (row \
+         mp + p) and must read c_{(i-1)p+j, (k-1)q+l}; that is a control. Mixed product: entry (ip + j, kq + l) of \
+         the left side is sum_{u,w} a_iu b_jw c_uk d_wl = (AC)_ik (BD)_jl, for all shapes for which AC and BD exist.",
         printed,
         check_kronecker,
     )
     .reading(
-        "The indices of the footnote start at 0, the only start with which the rule fills the matrix. The paper, which counts birds from 1, does not say; \
-         with indices from 1 it reads c_{(i-1)p+j, (k-1)q+l}.",
+        "The indices of the footnote start at 0, the only start with which the rule fills the matrix. The paper, \
+         which counts birds from 1, does not say; with indices from 1 it reads c_{(i-1)p+j, (k-1)q+l}.",
     )
     .clauses(&[
         "For A m-by-n and B p-by-q, A kron B has entries c_{ip+j, kq+l} = a_{i,k} b_{j,l}.",
@@ -179,14 +179,16 @@ pub fn difference() -> Record<DifferenceVariant> {
     let corrected = DifferenceVariant { assignments: vec![(false, 1), (true, -1)], shift: 0 };
     Record::new(
         "chazelle.chi",
-        "v(t) = (P(t-1,1) kron I_d) v(1), with the empty product I for t = 1. The row chi P(t-1,1) is row i minus row j of the product. \
-         The second printed index must be j: with i twice the vector would have one nonzero coordinate, of two values.",
+        "v(t) = (P(t-1,1) kron I_d) v(1), with the empty product I for t = 1. The row chi P(t-1,1) is row i minus row \
+         j of the product. The second printed index must be j: with i twice the vector would have one nonzero \
+         coordinate, of two values.",
         DifferenceVariant { assignments: vec![(false, 1), (false, -1)], shift: 0 },
         check_difference,
     )
     .repaired(
         Fault::Typo,
-        "With chi(i,j) the vector with all coordinates 0 except chi(i,j)_i = 1 and chi(i,j)_j = -1: v_i(t) - v_j(t) = ((chi(i,j) P(t-1,1)) kron I_d) v(1).",
+        "With chi(i,j) the vector with all coordinates 0 except chi(i,j)_i = 1 and chi(i,j)_j = -1: v_i(t) - v_j(t) = \
+         ((chi(i,j) P(t-1,1)) kron I_d) v(1).",
         corrected.clone(),
     )
     .control("chi_i = 1 alone", DifferenceVariant { assignments: vec![(false, 1)], shift: 0 })

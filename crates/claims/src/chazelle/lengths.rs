@@ -55,9 +55,10 @@ impl ProductLengthVariant {
 pub fn product_length() -> Record<ProductLengthVariant> {
     Record::new(
         "chazelle.lem2.2.bits",
-        "Reading: c_i(t) is a rational with a denominator q_i <= n^a (O(log n) bits; a = 1 for vicsek, 2 for lazy), n >= 2. Row i of P(t) has the \
-         denominator q_i, all of P(t) the product of the q_i, at most n^(a n). A product of t - s + 1 factors has the product of their \
-         denominators: at most n^(a n (t-s+1)), which is a n (t-s+1) log n bits; entries lie in [0,1], so numerators are no longer.",
+        "Reading: c_i(t) is a rational with a denominator q_i <= n^a (O(log n) bits; a = 1 for vicsek, 2 for lazy), n \
+         >= 2. Row i of P(t) has the denominator q_i, all of P(t) the product of the q_i, at most n^(a n). A product \
+         of t - s + 1 factors has the product of their denominators: at most n^(a n (t-s+1)), which is a n (t-s+1) \
+         log n bits; entries lie in [0,1], so numerators are no longer.",
         ProductLengthVariant { exponent: |n, length, a| a * n * length },
         check_product_length,
     )
@@ -198,10 +199,10 @@ fn pairs_on_the_line(halves: &[i64]) -> impl Iterator<Item = (Vectors, Vectors, 
 pub fn state_length() -> Record<StateLengthVariant> {
     Record::new(
         "chazelle.lem2.3",
-        "Reading: input coordinates have numerators and denominators up to n^b, c_i(t) denominators up to n^a, n >= 2, d fixed. The 2dn inputs \
-         have a common denominator Q <= n^(2bdn); v(t) = (P(t-1,1) kron I_d) v(1) and x(t) = x(0) + v(1) + ... + v(t) have the denominator \
-         Q n^(an(t-1)) at most, and coordinates up to n^b (t+1) <= n^(b+t). Both numerators and denominators are at most n^(Ktn), \
-         K = a + 2bd + b + 1: K t n log n bits.",
+        "Reading: input coordinates have numerators and denominators up to n^b, c_i(t) denominators up to n^a, n >= \
+         2, d fixed. The 2dn inputs have a common denominator Q <= n^(2bdn); v(t) = (P(t-1,1) kron I_d) v(1) and x(t) \
+         = x(0) + v(1) + ... + v(t) have the denominator Q n^(an(t-1)) at most, and coordinates up to n^b (t+1) <= \
+         n^(b+t). Both numerators and denominators are at most n^(Ktn), K = a + 2bd + b + 1: K t n log n bits.",
         StateLengthVariant { exponent: |n, t, constant| constant * t * n },
         check_state_length,
     )

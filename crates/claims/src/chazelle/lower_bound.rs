@@ -112,23 +112,25 @@ pub fn lower_bound() -> Record<LowerVariant> {
     let corrected = LowerVariant { patterns: [PRINTED; 2], steady: Steady::AtContact { shift: 0 } };
     Record::new(
         "chazelle.lower_bound",
-        "All groups of four birds start alike, 4 apart, and are 4/3 apart at first: as long as no two groups meet, they move alike, so their \
-         distances never change and they never meet. Inside a group the gap of the middle birds is 4/3 - t/n^c until it is at most 1, at \
-         t = ceil(n^c/3); after that the path keeps its edges and gains none (closed form in notes/settling.md, for n^c >= 8). So the network \
-         stands still after n^c/3 steps, which is polynomial. What the sentence needs is groups that approach each other: with every second \
-         group mirrored two groups of four merge after 10^84 steps (n = 8, c = 3), and beyond.chazelle.tower climbs one level more. The bound itself \
-         is not refuted, the printed initial conditions are.",
+        "All groups of four birds start alike, 4 apart, and are 4/3 apart at first: as long as no two groups meet, \
+         they move alike, so their distances never change and they never meet. Inside a group the gap of the middle \
+         birds is 4/3 - t/n^c until it is at most 1, at t = ceil(n^c/3); after that the path keeps its edges and \
+         gains none (closed form in notes/settling.md, for n^c >= 8). So the network stands still after n^c/3 steps, \
+         which is polynomial. What the sentence needs is groups that approach each other: with every second group \
+         mirrored two groups of four merge after 10^84 steps (n = 8, c = 3), and beyond.chazelle.tower climbs one \
+         level more. The bound itself is not refuted, the printed initial conditions are.",
         LowerVariant { patterns: [PRINTED; 2], steady: Steady::Late },
         check_lower_bound,
     )
     .repaired(
         Fault::False,
-        "From these initial conditions (n a multiple of 4, n^c >= 8) the network changes once, at t = ceil(n^c/3), and then never \
-         again, with or without hysteresis.",
+        "From these initial conditions (n a multiple of 4, n^c >= 8) the network changes once, at t = ceil(n^c/3), \
+         and then never again, with or without hysteresis.",
         corrected,
     )
     .repaired_clauses(&[
-        "From these initial conditions (n a multiple of 4, n^c >= 8) the network changes at t = ceil(n^c/3), with or without hysteresis.",
+        "From these initial conditions (n a multiple of 4, n^c >= 8) the network changes at t = ceil(n^c/3), with or \
+         without hysteresis.",
         "It changes at no other time.",
     ])
     .control("one step later", LowerVariant { steady: Steady::AtContact { shift: 1 }, ..corrected })
@@ -184,9 +186,9 @@ pub fn single_paths() -> Record<PathsVariant> {
     let printed = PathsVariant { least: 7, longest: 4, patterns: [PRINTED; 2] };
     Record::new(
         "chazelle.lower_paths",
-        "Pairs until ceil(n^c/3), then paths of four: the birds of a group stay more than 5/3 - 4.12/n^c > 1 from the next but one, and groups \
-         stay at least 4/3 apart (closed form in notes/settling.md). For n = 4, c = 1 the group \
-         contracts so much that two more birds join at t = 5: not a path.",
+        "Pairs until ceil(n^c/3), then paths of four: the birds of a group stay more than 5/3 - 4.12/n^c > 1 from the \
+         next but one, and groups stay at least 4/3 apart (closed form in notes/settling.md). For n = 4, c = 1 the \
+         group contracts so much that two more birds join at t = 5: not a path.",
         printed,
         check_single_paths,
     )

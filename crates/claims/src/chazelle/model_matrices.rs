@@ -20,11 +20,15 @@ pub struct StochasticVariant {
 pub fn stochastic() -> Record<StochasticVariant> {
     Record::new(
         "chazelle.modelD.stoch",
-        "Row i of I - CL has the diagonal entry 1 - c_i d_i > 0, entries c_i > 0 at the d_i neighbours and 0 elsewhere; it sums to 1.",
+        "Row i of I - CL has the diagonal entry 1 - c_i d_i > 0, entries c_i > 0 at the d_i neighbours and 0 \
+         elsewhere; it sums to 1.",
         StochasticVariant { shares: &[(1, 1_000_000), (1, 3), (1, 2), (2, 3), (999_999, 1_000_000)] },
         check_stochastic,
     )
-    .reading("The condition is on birds with neighbours; a bird without any has c_i d_i = 0 and the row of the identity, whatever c_i.")
+    .reading(
+        "The condition is on birds with neighbours; a bird without any has c_i d_i = 0 and the row of the \
+              identity, whatever c_i.",
+    )
     .clauses(&[
         "If 0 < c_i(t) d_i(t) < 1, P(t) = I_n - C_t L_t is row-stochastic.",
         "If 0 < c_i(t) d_i(t) < 1, the diagonal of P(t) is strictly positive.",
@@ -96,8 +100,8 @@ pub fn headings() -> Record<HeadingsVariant> {
     let printed = HeadingsVariant { offset: 1, sign: 1, own: 1 };
     Record::new(
         "chazelle.modelK.matrix",
-        "1 - c_i d_i = 1/(d_i + 1) = c_i: the bird's own heading and its neighbours' have the same weight. The rule is linear in the headings as \
-         real numbers, so it is its matrix.",
+        "1 - c_i d_i = 1/(d_i + 1) = c_i: the bird's own heading and its neighbours' have the same weight. The rule \
+         is linear in the headings as real numbers, so it is its matrix.",
         printed,
         check_headings,
     )

@@ -111,17 +111,20 @@ pub fn distance_expansion() -> Record<ExpansionVariant> {
     let printed = ExpansionVariant { alternating: true, products: true, from: 1, most: |n| n * n };
     Record::new(
         "chazelle.eq3.18",
-        "Square (3.17) with B = 0 and |A| = 1 and collect equal moduli; a negative mu gives (-1)^(t - t_1), whose constant sign (-1)^t_1 belongs to \
-         Upsilon^-. There are at most n - 1 values |mu_k| and n(n-1)/2 products, fewer than n² (notes/settling.md).",
+        "Square (3.17) with B = 0 and |A| = 1 and collect equal moduli; a negative mu gives (-1)^(t - t_1), whose \
+         constant sign (-1)^t_1 belongs to Upsilon^-. There are at most n - 1 values |mu_k| and n(n-1)/2 products, \
+         fewer than n² (notes/settling.md).",
         printed,
         check_distance_expansion,
     )
     .reading(
-        "t > t_1: at t = t_1 an eigenvalue 0 still contributes to the left side, but not to the right one, which has nonzero values only.",
+        "t > t_1: at t = t_1 an eigenvalue 0 still contributes to the left side, but not to the right one, which has \
+         nonzero values only.",
     )
     .clauses(&[
-        "If B = 0 and ||A||_2 = 1, then ||x_i(t) - x_j(t)||_2^2 - 1 = sum_{k=1}^N Upsilon_k rho_k^{t-t_1} with Upsilon_k = Upsilon_k^+ + (-1)^t Upsilon_k^- and \
-         1 > rho_1 > ... > rho_N > 0 the distinct nonzero values among |mu_k|, |mu_k mu_k'|.",
+        "If B = 0 and ||A||_2 = 1, then ||x_i(t) - x_j(t)||_2^2 - 1 = sum_{k=1}^N Upsilon_k rho_k^{t-t_1} with \
+         Upsilon_k = Upsilon_k^+ + (-1)^t Upsilon_k^- and 1 > rho_1 > ... > rho_N > 0 the distinct nonzero values \
+         among |mu_k|, |mu_k mu_k'|.",
         "N < n^2.",
     ])
     .control("without (-1)^t", ExpansionVariant { alternating: false, ..printed })
@@ -131,8 +134,8 @@ pub fn distance_expansion() -> Record<ExpansionVariant> {
 }
 
 fn check_distance_expansion(variant: &ExpansionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let detail = "pairs of birds of 7 networks with rational spectra, 0 and equal moduli among them, dimension 1 and 2, 30 steps, against powers \
-                  of P";
+    let detail = "pairs of birds of 7 networks with rational spectra, 0 and equal moduli among them, dimension 1 and \
+                  2, 30 steps, against powers of P";
     let evidence = Evidence::new(Grade::Exact, "the expansion for t > t_1, and fewer than n² terms", detail).on([1, 2]);
     Run::all([
         run.every(evidence, tie_cases(run)?, |case| Ok(variant.fails_at(&case))),
@@ -173,11 +176,12 @@ pub fn gaps() -> Record<GapsVariant> {
     let printed = GapsVariant { power: 4, first: 1, factor: 2 };
     Record::new(
         "chazelle.lem3.10",
-        "The squares of the rho are eigenvalues of (P (x) P)², which m^4 makes \
-         integral, m <= n^(an): distinct roots of an integer polynomial of degree n² differ by at least 2^(-(5+4a) n^6) after division (Mahler, Mignotte). A \
-         coefficient Upsilon_k lies in the field of its rho_k², of degree at most n²: a difference operator removes the other terms, the rest is a nonzero algebraic \
-         number whose denominators and conjugates have t_1 n^O(1) bits, so even 2^(-t_1 n^O(1)) < |Upsilon_k|. The upper bound sums at most 2n^2 \
-         products of n^O(1). The bounds are for large n and cannot fail on small flocks; what is computed are the steps of the proof \
+        "The squares of the rho are eigenvalues of (P (x) P)², which m^4 makes integral, m <= n^(an): distinct roots \
+         of an integer polynomial of degree n² differ by at least 2^(-(5+4a) n^6) after division (Mahler, Mignotte). \
+         A coefficient Upsilon_k lies in the field of its rho_k², of degree at most n²: a difference operator removes \
+         the other terms, the rest is a nonzero algebraic number whose denominators and conjugates have t_1 n^O(1) \
+         bits, so even 2^(-t_1 n^O(1)) < |Upsilon_k|. The upper bound sums at most 2n^2 products of n^O(1). The \
+         bounds are for large n and cannot fail on small flocks; what is computed are the steps of the proof \
          (notes/settling.md).",
         printed,
         check_gaps,
@@ -277,17 +281,19 @@ pub fn next_contact() -> Record<ContactVariant> {
     let printed = ContactVariant { distinct: |t, n| t.saturating_mul(16 * n * log2(n)), same: |n| n.pow(4) };
     Record::new(
         "chazelle.lem3.9",
-        "Distinct flocks with B != 0: B has the denominator of v(t_1+1) times that of pi, n^O(t_1 n), so |B| >= n^-O(t_1 n), and |A + B s| > 1 + \
-         transients once s > n^O(t_1 n). B = 0, |A| != 1: ||A| - 1| >= n^-O(t_1 n), and transients fall below that within t_1 n^O(1) steps. |A| = 1: the \
-         leading term of (3.18) decides after t_1 2^(n^O(1)) steps (lem3.10). With t_1 > n^(2n^4) no edge is lost later, and t_1 2^(n^O(1)) = n^O(t_1 n) for \
-         distinct flocks with B = 0 (notes/settling.md). `flock settle` decides by the same three cases.",
+        "Distinct flocks with B != 0: B has the denominator of v(t_1+1) times that of pi, n^O(t_1 n), so |B| >= \
+         n^-O(t_1 n), and |A + B s| > 1 + transients once s > n^O(t_1 n). B = 0, |A| != 1: ||A| - 1| >= n^-O(t_1 n), \
+         and transients fall below that within t_1 n^O(1) steps. |A| = 1: the leading term of (3.18) decides after \
+         t_1 2^(n^O(1)) steps (lem3.10). With t_1 > n^(2n^4) no edge is lost later, and t_1 2^(n^O(1)) = n^O(t_1 n) \
+         for distinct flocks with B = 0 (notes/settling.md). `flock settle` decides by the same three cases.",
         printed,
         check_next_contact,
     )
     .clauses(&[
-        "If G_t is invariant during [t_1, t-1], t_1 > n^{2n^4}, and two birds of distinct flocks at time t-1 are adjacent in G_t, then t = n^{O(t_1 n)}.",
-        "If G_t is invariant during [t_1, t-1], t_1 > n^{2n^4}, and two birds of the same flock are adjacent in G_t but not in G_{t-1}, then \
-         t = t_1 2^{n^{O(1)}}.",
+        "If G_t is invariant during [t_1, t-1], t_1 > n^{2n^4}, and two birds of distinct flocks at time t-1 are \
+         adjacent in G_t, then t = n^{O(t_1 n)}.",
+        "If G_t is invariant during [t_1, t-1], t_1 > n^{2n^4}, and two birds of the same flock are adjacent in G_t \
+         but not in G_{t-1}, then t = t_1 2^{n^{O(1)}}.",
     ])
     .control("distinct flocks within t_1 2^(n²)", ContactVariant { distinct: |t, n| log2(t) + n * n, ..printed })
     .control("the same flock within 2 t_1", ContactVariant { same: |_| 1, ..printed })
@@ -306,7 +312,8 @@ fn check_next_contact(variant: &ContactVariant, run: &mut Run) -> Result<Outcome
     let evidence = Evidence::new(
         Grade::Exact,
         "the times of contacts",
-        "flocks settled exactly, whatever t_1 is: every merger within n^(16 t_1 n), one of them after 10^84 steps, every other contact within t_1 2^(n^4)",
+        "flocks settled exactly, whatever t_1 is: every merger within n^(16 t_1 n), one of them after 10^84 steps, \
+         every other contact within t_1 2^(n^4)",
     );
     Run::all([
         run.every(evidence.on([1, 2]), &starts, |start| variant.fails_at(start, run)),
@@ -362,17 +369,20 @@ pub fn steady_state() -> Record<TimeVariant> {
     let printed = TimeVariant { height: |n| 2 * n + 5 };
     Record::new(
         "chazelle.thm1.1.time",
-        "Model D: after n^(2n^4) no edge is lost (lem3.8). Of the at most n(n-1)/2 edges that are gained later, at most n - 1 join distinct flocks, \
-         each within log2 t <= K t_1 n log2 n, and the others multiply the time by 2^(n^O(1)) (lem3.9). As K n log2 n <= t_1, a merger costs \
-         two levels: t <= 2^(t_1²) <= 2^(2^t_1), starting from 2^(n^O(1)), which covers the factors of the others. So the network stands still before \
-         2^^(2n + O(1)). Model K: its positions are not rational, so the separation bounds of the proof do not apply, and the paper adds \"an extra rule to \
-         simplify the proofs\" that it does not state.",
+        "Model D: after n^(2n^4) no edge is lost (lem3.8). Of the at most n(n-1)/2 edges that are gained later, at \
+         most n - 1 join distinct flocks, each within log2 t <= K t_1 n log2 n, and the others multiply the time by \
+         2^(n^O(1)) (lem3.9). As K n log2 n <= t_1, a merger costs two levels: t <= 2^(t_1²) <= 2^(2^t_1), starting \
+         from 2^(n^O(1)), which covers the factors of the others. So the network stands still before 2^^(2n + O(1)). \
+         Model K: its positions are not rational, so the separation bounds of the proof do not apply, and the paper \
+         adds \"an extra rule to simplify the proofs\" that it does not state.",
         printed,
         check_steady_state,
     )
     .clauses(&[
-        "In model D with K(t) = I, a group of n birds with O(log n)-bit inputs reaches steady state in at most 2^^O(n) steps.",
-        "In model K with kappa = 0, a group of n birds with O(log n)-bit inputs reaches steady state in at most 2^^O(n) steps.",
+        "In model D with K(t) = I, a group of n birds with O(log n)-bit inputs reaches steady state in at most \
+         2^^O(n) steps.",
+        "In model K with kappa = 0, a group of n birds with O(log n)-bit inputs reaches steady state in at most \
+         2^^O(n) steps.",
     ])
     .control("at most 65536 steps", TimeVariant { height: |_| 4 })
     .control("step 3 with one level for each merger", TimeVariant { height: |n| n + 5 })

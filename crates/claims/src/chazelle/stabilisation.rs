@@ -120,10 +120,11 @@ pub fn nested() -> Record<NestedVariant> {
     let printed = NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false };
     Record::new(
         "chazelle.stab",
-        "V_k indexes rows of a matrix on V_{k-1}, so it is contained in it. An edge at t > T_k between i in V_k and j in V_{k-1} \\ V_k \
-         would give the column a one in row j after T_k, when nothing changes any more. So P(t) on V_{k-1} is block diagonal for t > T_k, \
-         and products of restrictions are restrictions of products. The first bird stays first: its diagonal entry is positive, so it belongs to every V_k, \
-         and the rows of V_k are by definition those with a positive entry in its column.",
+        "V_k indexes rows of a matrix on V_{k-1}, so it is contained in it. An edge at t > T_k between i in V_k and j \
+         in V_{k-1} \\ V_k would give the column a one in row j after T_k, when nothing changes any more. So P(t) on \
+         V_{k-1} is block diagonal for t > T_k, and products of restrictions are restrictions of products. The first \
+         bird stays first: its diagonal entry is positive, so it belongs to every V_k, and the rows of V_k are by \
+         definition those with a positive entry in its column.",
         printed,
         check_nested,
     )
@@ -223,7 +224,8 @@ impl BlocksVariant {
                             .join("; ")
                     };
                     return Ok(Some(format!(
-                        "{}, lazy weights, s = 1, k = {k}, T = {:?}, V_{k} = {}, t = {t}: the block is [{}], the product is [{}]",
+                        "{}, lazy weights, s = 1, k = {k}, T = {:?}, V_{k} = {}, t = {t}: the block is [{}], the \
+                         product is [{}]",
                         history.show(),
                         &times[1..=k],
                         birds(&sets[k]),
@@ -242,16 +244,17 @@ pub fn blocks() -> Record<BlocksVariant> {
     let corrected = BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 };
     Record::new(
         "chazelle.eq3.5",
-        "After T_i the matrices on V_{i-1} are block diagonal with the block V_i, so the rows V_i of P(t, T_{i-1}+1) on V_{i-1} are \
-         P_{|V_i x V_i}(t, T_i+1) P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1); the rows V_k of that are rows of the left factor only. Iterated, the factor of T_2 has the \
-         columns V_1 and the factor of T_1 the rows V_1. With V_k in both places the paths through V_1 \\ V_k are lost.",
+        "After T_i the matrices on V_{i-1} are block diagonal with the block V_i, so the rows V_i of P(t, T_{i-1}+1) \
+         on V_{i-1} are P_{|V_i x V_i}(t, T_i+1) P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1); the rows V_k of that are rows of \
+         the left factor only. Iterated, the factor of T_2 has the columns V_1 and the factor of T_1 the rows V_1. \
+         With V_k in both places the paths through V_1 \\ V_k are lost.",
         printed,
         check_blocks,
     )
     .repaired(
         Fault::Typo,
-        "P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
-         P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1)",
+        "P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... P_{|V_2 x \
+         V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1)",
         BlocksVariant { second_has_v1: true, first_has_v1: true, ..printed },
     )
     .control("V_2 x V_k, V_1 x V_0", BlocksVariant { second_has_v1: false, ..corrected })
@@ -318,14 +321,16 @@ pub fn contraction() -> Record<ContractionVariant> {
     let printed = ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 };
     Record::new(
         "chazelle.eq3.6",
-        "The blocks of (3.5) as corrected are row-stochastic. Lemma 2.4, once for each factor, and tau_2(I) <= sqrt(2) give the first inequality. The \
-         first column of each P_{|V_i x V_{i-1}} is at least beta = nu^(-a(nu-1)), which is more than nu^(-a nu²) (lem2.2.entries): any two rows \
-         overlap by beta, tau_1 <= 1 - beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2.",
+        "The blocks of (3.5) as corrected are row-stochastic. Lemma 2.4, once for each factor, and tau_2(I) <= \
+         sqrt(2) give the first inequality. The first column of each P_{|V_i x V_{i-1}} is at least beta = \
+         nu^(-a(nu-1)), which is more than nu^(-a nu²) (lem2.2.entries): any two rows overlap by beta, tau_1 <= 1 - \
+         beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2.",
         printed,
         check_contraction,
     )
     .clauses(&[
-        "tau_2(P_{|V_k x V_0}(t,s)) <= sqrt(2) tau_1(P_{|V_k x V_k}(t,T_k+1)) prod_{i=1}^k tau_1(P_{|V_i x V_{i-1}}(T_i,T_{i-1}+1)).",
+        "tau_2(P_{|V_k x V_0}(t,s)) <= sqrt(2) tau_1(P_{|V_k x V_k}(t,T_k+1)) prod_{i=1}^k tau_1(P_{|V_i x \
+         V_{i-1}}(T_i,T_{i-1}+1)).",
         "The right side is at most sqrt(2) e^{-k nu^{-O(nu^2)}}.",
     ])
     .control("1.41 for sqrt(2)", ContractionVariant { squared_constant: (19881, 10000), ..printed })

@@ -74,25 +74,24 @@ pub fn count() -> Record<CountVariant> {
     let corrected = CountVariant { with_t: true, exactly_one: false, ..printed };
     Record::new(
         "chazelle.Nts",
-        "With s < u < t there is no u between t_k and t_k + 1, so N(t_{k+1}, t_k) = 0; and the changes at u = t_1, ..., t_{l-1} are in no \
-         summand. With s < u <= t the intervals are disjoint and fill (s, t_l], so N is additive. One step contains one u, which \
-         counts where G_u differs from G_{u-1}: a column can grow while the network rests (three birds at rest in a row), so N = 1 is \
-         N <= 1. t_1 = s, because P(s,s) has a first column. Neither slip matters for what follows.",
+        "With s < u < t there is no u between t_k and t_k + 1, so N(t_{k+1}, t_k) = 0; and the changes at u = t_1, \
+         ..., t_{l-1} are in no summand. With s < u <= t the intervals are disjoint and fill (s, t_l], so N is \
+         additive. One step contains one u, which counts where G_u differs from G_{u-1}: a column can grow while the \
+         network rests (three birds at rest in a row), so N = 1 is N <= 1. t_1 = s, because P(s,s) has a first \
+         column. Neither slip matters for what follows.",
         printed,
         check_count,
     )
-    .clauses(&[
-        "N(t_{k+1}, t_k) = 1 when t_{k+1} = t_k + 1.",
-        "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
-    ])
+    .clauses(&["N(t_{k+1}, t_k) = 1 when t_{k+1} = t_k + 1.", "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1})."])
     .repaired(
         Fault::Slip,
-        "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when \
-         t_{k+1} = t_k + 1, and N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
+        "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when t_{k+1} = \
+         t_k + 1, and N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
         corrected,
     )
     .repaired_clauses(&[
-        "With N(t,s) the number of integers u, s < u <= t, such that the footprint of P(u) differs from that of P(u-1): N(t_{k+1}, t_k) <= 1 when t_{k+1} = t_k + 1.",
+        "With N(t,s) the number of integers u, s < u <= t, such that the footprint of P(u) differs from that of \
+         P(u-1): N(t_{k+1}, t_k) <= 1 when t_{k+1} = t_k + 1.",
         "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
     ])
     .control("strict at both ends, at most 1", CountVariant { with_t: false, ..corrected })
@@ -134,17 +133,18 @@ pub fn until_stable() -> Record<UntilStableVariant> {
     let printed = UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true };
     Record::new(
         "chazelle.eq3.4",
-        "T_1 is the \
-         last growth time t_l of some column, and the count for that column is the count of the whole network, so no factor for n \
-         columns is needed. Between t_k and t_{k+1} the column's birds and the others do not meet: N(n_k) + N(n - n_k) switches, one at t_{k+1}, \
-         and one the paper forgets, at t_k + 1, when an edge between the two sides breaks. There are l - 1 <= n - 1 intervals (t_1 = s), which makes \
-         (n-1)(2N(n-1)+2) <= 2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times).",
+        "T_1 is the last growth time t_l of some column, and the count for that column is the count of the whole \
+         network, so no factor for n columns is needed. Between t_k and t_{k+1} the column's birds and the others do \
+         not meet: N(n_k) + N(n - n_k) switches, one at t_{k+1}, and one the paper forgets, at t_k + 1, when an edge \
+         between the two sides breaks. There are l - 1 <= n - 1 intervals (t_1 = s), which makes (n-1)(2N(n-1)+2) <= \
+         2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times).",
         printed,
         check_until_stable,
     )
     .reading(
-        "N(n) is the maximum over a class of motions that contains the continuation of a motion from any time and of any group that meets no other bird \
-         (positions, old edges and weights arbitrary, speeds bounded); N(t,s) counts s < u <= t.",
+        "N(n) is the maximum over a class of motions that contains the continuation of a motion from any time and of \
+         any group that meets no other bird (positions, old edges and weights arbitrary, speeds bounded); N(t,s) \
+         counts s < u <= t.",
     )
     .control("one interval only", UntilStableVariant { bound: |_, before| 2 * before + 1, ..printed })
     .control("N(n-1) + n", UntilStableVariant { bound: |n, before| before + n, ..printed })
@@ -159,7 +159,8 @@ fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Out
         Evidence::new(
             Grade::Exhaustive,
             "the bound",
-            "the longest sequences in which each group of birds that meets no other has at most N switches, on 3 and 4 birds",
+            "the longest sequences in which each group of birds that meets no other has at most N switches, on 3 and \
+             4 birds",
         ),
         settings,
         |(order, most): (usize, Vec<u64>)| {

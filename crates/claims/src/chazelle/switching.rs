@@ -27,7 +27,8 @@ pub fn threshold_inequality() -> Record<ThresholdVariant> {
     let printed = ThresholdVariant { p: |nu| nu * nu, q: 4, reversed: false };
     Record::new(
         "chazelle.epsineq",
-        "It says nu^(nu²) > nu^4 ln nu. nu = 1: 1 > 0. nu = 2: 16 > 16 ln 2. For nu >= 3: nu^(nu²) >= nu^9 > nu^5 > nu^4 ln nu.",
+        "It says nu^(nu²) > nu^4 ln nu. nu = 1: 1 > 0. nu = 2: 16 > 16 ln 2. For nu >= 3: nu^(nu²) >= nu^9 > nu^5 > \
+         nu^4 ln nu.",
         printed,
         check_threshold_inequality,
     )
@@ -88,7 +89,8 @@ impl FinalCountVariant {
         let (until, total) = (history.changes(2, time), history.changes(2, end));
         (total > until + extra).then(|| {
             format!(
-                "{}: T_{k} = {time}, |V_{k}| = {size}, {until} switches until T_{k} and at most {extra} more claimed, but {total} in all",
+                "{}: T_{k} = {time}, |V_{k}| = {size}, {until} switches until T_{k} and at most {extra} more claimed, \
+                 but {total} in all",
                 history.show()
             )
         })
@@ -113,25 +115,28 @@ pub fn final_count() -> Record<FinalCountVariant> {
     let corrected = FinalCountVariant { pairs: true, one_more: true, others: true };
     Record::new(
         "chazelle.lem3.1.count",
-        "Only pairs inside V_k are counted. Birds outside V_k can go on switching among themselves: bird 1 alone gives V_k = {1}, T_k = \
-         T_1 + k - 1, whatever the others do later. They meet no bird of V_k after T_k, so they are a group of their own. Edges inside V_k last from \
-         T_k + 1 on, so the network may also change once at T_k + 1. With both added the count is right, and the recursion for N(n) survives \
-         (notes/chazelle_switches.md, The final count). The counterexample for k takes speeds of about k bits, or of about log2 k bits with a \
-         longer flight: it is within the O(log n)-bit inputs of the paper for k up to n^O(1). The proof of Lemma 3.1 takes k = nu^(b nu²); whether \
-         the count can fail there with O(log n)-bit inputs is not known.",
+        "Only pairs inside V_k are counted. Birds outside V_k can go on switching among themselves: bird 1 alone \
+         gives V_k = {1}, T_k = T_1 + k - 1, whatever the others do later. They meet no bird of V_k after T_k, so \
+         they are a group of their own. Edges inside V_k last from T_k + 1 on, so the network may also change once at \
+         T_k + 1. With both added the count is right, and the recursion for N(n) survives \
+         (notes/chazelle_switches.md, The final count). The counterexample for k takes speeds of about k bits, or of \
+         about log2 k bits with a longer flight: it is within the O(log n)-bit inputs of the paper for k up to \
+         n^O(1). The proof of Lemma 3.1 takes k = nu^(b nu²); whether the count can fail there with O(log n)-bit \
+         inputs is not known.",
         printed,
         check_final_count,
     )
     .reading("For every k >= 1 and all flocks with rational inputs; N(t,s) counts the switches at u with s < u <= t.")
     .clauses(&[
-        "When birds of V_k joined after time T_k+1 always remain so, at most binom(|V_k|,2) network changes are left after T_k.",
+        "When birds of V_k joined after time T_k+1 always remain so, at most binom(|V_k|,2) network changes are left \
+         after T_k.",
         "Then the total number of network changes is at most N(T_k,T_{k-1}) + ... + N(T_1,1) + binom(|V_k|,2).",
     ])
     .repaired(
         Fault::False,
-        "When birds of V_k joined at time T_k+1 or later always remain so, the total number of network changes is at most N(T_k,T_{k-1}) + ... + \
-         N(T_1,1) + 1 + binom(|V_k|,2) + M, where N(t,s) counts the changes at u with s < u <= t, and M those after T_k+1 of the network on the \
-         birds outside V_k.",
+        "When birds of V_k joined at time T_k+1 or later always remain so, the total number of network changes is at \
+         most N(T_k,T_{k-1}) + ... + N(T_1,1) + 1 + binom(|V_k|,2) + M, where N(t,s) counts the changes at u with s < \
+         u <= t, and M those after T_k+1 of the network on the birds outside V_k.",
         corrected,
     )
     .control("without the birds outside V_k", FinalCountVariant { others: false, ..corrected })
@@ -208,8 +213,8 @@ pub fn examine_switches(variant: &SwitchesVariant, run: &mut Run) -> Result<Outc
 }
 
 /// Why the two halves of Theorem 1.1 are not decided for model K.
-pub const MODEL_K: &str = "for model D it holds (see the evidence); for model K the paper adds an extra rule to the hysteresis that it does \
-                           not state, so there is no definite statement to check";
+pub const MODEL_K: &str = "for model D it holds (see the evidence); for model K the paper adds an extra rule to the \
+                           hysteresis that it does not state, so there is no definite statement to check";
 
 /// Step 1: `2 nu^c (1 - beta)^k < nu^(-nu^4)` with `beta = nu^(-a (nu-1))`; `-ln(1 - beta)` lies between `beta` and
 /// `beta + beta²/(2 (1 - beta))`.
@@ -258,7 +263,10 @@ fn recursion(variant: &SwitchesVariant, run: &mut Run) -> Result<Outcome, CheckE
             }
             let exponent = (variant.exponent)(nu, a, c);
             Ok((variant.count.is_none() && bound > power(exponent)).then(|| {
-                format!("step 3 with n = {nu}, a = {a}, c = {c}: the recursion taken with equality reaches {bound}, more than n^{exponent}")
+                format!(
+                    "step 3 with n = {nu}, a = {a}, c = {c}: the recursion taken with equality reaches {bound}, \
+                         more than n^{exponent}"
+                )
             }))
         },
     )?;
@@ -306,23 +314,23 @@ fn cubic(id: &'static str, derivation: &'static str, printed: SwitchesVariant) -
 pub fn flocking_switches() -> Record<SwitchesVariant> {
     cubic(
         "chazelle.lem3.1",
-        "The printed proof forgets the birds outside V_k and the switches at T_i + 1 and t_k + 1 (lem3.1.count, eq3.4); completed, it gives \
-         N(n) <= k(2n-1) + 1 + n(n-1)/2 + (2k(n-1)+1) N(n-1) with k = nu^(a(nu-1)+c+6), and so \
-         N(n) <= n^(a(n-1)² + (c+9)(n-1) + 1), less than n^((a+c+9)n³) (notes/chazelle_switches.md).",
+        "The printed proof forgets the birds outside V_k and the switches at T_i + 1 and t_k + 1 (lem3.1.count, \
+         eq3.4); completed, it gives N(n) <= k(2n-1) + 1 + n(n-1)/2 + (2k(n-1)+1) N(n-1) with k = nu^(a(nu-1)+c+6), \
+         and so N(n) <= n^(a(n-1)² + (c+9)(n-1) + 1), less than n^((a+c+9)n³) (notes/chazelle_switches.md).",
         SwitchesVariant::CUBIC,
     )
     .reading(
-        "O(log n)-bit inputs are used only as positive entries of P(t) of at least n^-a and speeds of at most n^c, a and c non-negative integers; \
-         the hysteresis rule is the printed one.",
+        "O(log n)-bit inputs are used only as positive entries of P(t) of at least n^-a and speeds of at most n^c, a \
+         and c non-negative integers; the hysteresis rule is the printed one.",
     )
 }
 
 pub fn total_switches() -> Record<SwitchesVariant> {
     cubic(
         "chazelle.thm1.1.switches",
-        "Model D: lem3.1. Model K: the paper adds \"an extra rule to simplify the proofs\" to the hysteresis rule and does not state it, so the \
-         statement about model K is not definite, as in thm1.1.time. With the printed rule alone, and kappa = 0, model K obeys the same bound \
-         (notes/chazelle_switches.md).",
+        "Model D: lem3.1. Model K: the paper adds \"an extra rule to simplify the proofs\" to the hysteresis rule and \
+         does not state it, so the statement about model K is not definite, as in thm1.1.time. With the printed rule \
+         alone, and kappa = 0, model K obeys the same bound (notes/chazelle_switches.md).",
         SwitchesVariant { kinematic: true, ..SwitchesVariant::CUBIC },
     )
     .clauses(&[

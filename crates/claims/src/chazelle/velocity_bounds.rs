@@ -47,8 +47,9 @@ pub fn distance_change() -> Record<DistanceChangeVariant> {
     let printed = DistanceChangeVariant { squared_factor: (1, 1), euclidean: true, strict: false };
     Record::new(
         "chazelle.lem2.1",
-        "With r = x_i(t-1) - x_j(t-1) and w = v_i(t) - v_j(t): x_i(t) - x_j(t) = r + w, and | |r + w| - |r| | <= |w| is the triangle inequality, twice, in \
-         any dimension. Equality where w is a multiple m r with m >= -1, or r = 0 or r + w = 0.",
+        "With r = x_i(t-1) - x_j(t-1) and w = v_i(t) - v_j(t): x_i(t) - x_j(t) = r + w, and | |r + w| - |r| | <= |w| \
+         is the triangle inequality, twice, in any dimension. Equality where w is a multiple m r with m >= -1, or r = \
+         0 or r + w = 0.",
         printed,
         check_distance_change,
     )
@@ -76,13 +77,14 @@ fn check_distance_change(variant: &DistanceChangeVariant, run: &mut Run) -> Resu
         }
     }
     Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "the bound, in any dimension",
-                "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension 1, 2, 3",
-            )
-            .cases(cases),
-        ]))
+        Evidence::new(
+            Grade::Exhaustive,
+            "the bound, in any dimension",
+            "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension \
+                 1, 2, 3",
+        )
+        .cases(cases),
+    ]))
 }
 
 /// The bound that is claimed.
@@ -99,9 +101,10 @@ pub enum VelocityNormVariant {
 pub fn velocity_norm() -> Record<VelocityNormVariant> {
     Record::new(
         "chazelle.eq2.3",
-        "Reading: coordinates of v(1) are at most n^b in absolute value (O(log n) bits), d is fixed. Each v_i(t+1) is a convex combination of the \
-         v_j(t), so |v_i(t)| <= max_j |v_j(1)| <= sqrt(d) n^b and ||v(t)||_2 <= sqrt(n) max_j |v_j(1)| <= sqrt(d) n^(b + 1/2). \
-         The constant sqrt(n) is attained by equal velocities. ||v(t)||_2 <= ||v(1)||_2 would be false: P can stretch.",
+        "Reading: coordinates of v(1) are at most n^b in absolute value (O(log n) bits), d is fixed. Each v_i(t+1) is \
+         a convex combination of the v_j(t), so |v_i(t)| <= max_j |v_j(1)| <= sqrt(d) n^b and ||v(t)||_2 <= sqrt(n) \
+         max_j |v_j(1)| <= sqrt(d) n^(b + 1/2). The constant sqrt(n) is attained by equal velocities. ||v(t)||_2 <= \
+         ||v(1)||_2 would be false: P can stretch.",
         VelocityNormVariant::LargestSpeed(1, 1),
         check_velocity_norm,
     )

@@ -37,9 +37,9 @@ pub fn stretching() -> Record<StretchingVariant> {
     };
     Record::new(
         "chazelle.ex15",
-        "P = I - CL for one edge with c = (3/15, 10/15), so 0 < c_i d_i < 1. The eigenvalues of a stochastic 2 x 2 matrix \
-         are 1 and trace - 1 = 2/15. The length of P(1,0) is sqrt(244)/15. The right eigenvector for 2/15 is (3,-10), \
-         whose entries do not sum to zero, and P(1,-1) = (9,5)/15 leaves the orthogonal complement of (1,1).",
+        "P = I - CL for one edge with c = (3/15, 10/15), so 0 < c_i d_i < 1. The eigenvalues of a stochastic 2 x 2 \
+         matrix are 1 and trace - 1 = 2/15. The length of P(1,0) is sqrt(244)/15. The right eigenvector for 2/15 is \
+         (3,-10), whose entries do not sum to zero, and P(1,-1) = (9,5)/15 leaves the orthogonal complement of (1,1).",
         printed,
         check_stretching,
     )
@@ -56,11 +56,11 @@ pub fn stretching() -> Record<StretchingVariant> {
     .control(
         "the symmetric matrix [[12,3],[3,12]]/15, which keeps 1^perp",
         StretchingVariant {
-         numerators: [[12, 3], [3, 12]],
-         second_eigenvalue: "0.6",
-         stretched_length: "0.825",
-         ..printed
-         },
+            numerators: [[12, 3], [3, 12]],
+            second_eigenvalue: "0.6",
+            stretched_length: "0.825",
+            ..printed
+        },
     )
     .control("a diagonal entry 0", StretchingVariant { numerators: [[12, 3], [15, 0]], ..printed })
 }
@@ -136,9 +136,9 @@ pub fn product_a_b() -> Record<ProductABVariant> {
     };
     Record::new(
         "chazelle.exAB",
-        "With u = 2^(-t/2) the printed form is affine in u. It equals AB at u = 1/2, and AB times the form at u is the \
-         form at u/2: two affine functions of u that agree at two points. By induction it is (AB)^(t/2) for all even t. \
-         Both matrices are I - CL with c_i d_i = 1 for birds with neighbours.",
+        "With u = 2^(-t/2) the printed form is affine in u. It equals AB at u = 1/2, and AB times the form at u is \
+         the form at u/2: two affine functions of u that agree at two points. By induction it is (AB)^(t/2) for all \
+         even t. Both matrices are I - CL with c_i d_i = 1 for birds with neighbours.",
         printed,
         check_product_a_b,
     )
@@ -146,16 +146,16 @@ pub fn product_a_b() -> Record<ProductABVariant> {
     .control(
         "1 - 2^(-t/2) in the middle",
         ProductABVariant {
-         form: [[(0, 1), (1, -1), (0, 1)], [(0, 0), (1, 0), (0, 0)], [(0, 0), (1, 0), (0, 0)]],
-         ..printed
-         },
+            form: [[(0, 1), (1, -1), (0, 1)], [(0, 0), (1, 0), (0, 0)], [(0, 0), (1, 0), (0, 0)]],
+            ..printed
+        },
     )
     .control(
         "rows 1 and 3 exchanged",
         ProductABVariant {
-         form: [[(0, 0), (1, 0), (0, 0)], [(0, 0), (1, 0), (0, 0)], [(0, 1), (1, -2), (0, 1)]],
-         ..printed
-         },
+            form: [[(0, 0), (1, 0), (0, 0)], [(0, 0), (1, 0), (0, 0)], [(0, 1), (1, -2), (0, 1)]],
+            ..printed
+        },
     )
     .control("B with a positive diagonal", ProductABVariant { b: [[1, 1, 0], [1, 0, 1], [0, 1, 1]], ..printed })
 }

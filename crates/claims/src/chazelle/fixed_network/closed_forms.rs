@@ -63,8 +63,8 @@ impl ClosedFormVariant {
         for k in self.first..=flock.modes.len() {
             let Some(mode) = k.checked_sub(1).map(|k| &flock.modes[k]) else {
                 return Ok(Err(
-                    "the term k = 0 has no value (the eigenvalues are lambda_1, .., lambda_m), and k = 1 would \
-                               divide by 1 - lambda_1 = 0"
+                    "the term k = 0 has no value (the eigenvalues are lambda_1, .., lambda_m), and k = 1 would divide \
+                     by 1 - lambda_1 = 0"
                         .into(),
                 ));
             };
@@ -173,8 +173,9 @@ impl ClosedFormVariant {
             }
         }
         let detail = format!(
-            "{FAMILY} with rational eigenvalues and three kinds of weights, in pairs of flocks of 5 birds in all (7 with --full); \
-             d = 1 and t_1 = 1, d = 2 and t_1 = 3 after another network, t = t_1, .., t_1 + 5, random input"
+            "{FAMILY} with rational eigenvalues and three kinds of weights, in pairs of flocks of 5 birds in all (7 \
+             with --full); d = 1 and t_1 = 1, d = 2 and t_1 = 3 after another network, t = t_1, .., t_1 + 5, random \
+             input"
         );
         Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, part, detail).cases(cases)]))
     }
@@ -196,9 +197,10 @@ fn any_bird(
 pub fn geometric_sums() -> Record<ClosedFormVariant> {
     Record::new(
         "chazelle.xi.closed",
-        "v(s) = P^(s-t_1-1) v(t_1+1) for t_1 < s <= t, so x_i(t) - x_i(t_1) is row i of I + P + .. + P^(t-t_1-1), t - t_1 \
-         terms, times v(t_1+1). Put in (3.8) and sum the geometric series; lambda_k < 1 for k > 1, 0^0 = 1. P, pi, C, u_k belong to the flock of \
-         bird i, of m birds; for m = 1 the sum is empty. G at time t_1 itself does not matter: v(t_1+1) has it already.",
+        "v(s) = P^(s-t_1-1) v(t_1+1) for t_1 < s <= t, so x_i(t) - x_i(t_1) is row i of I + P + .. + P^(t-t_1-1), t - \
+         t_1 terms, times v(t_1+1). Put in (3.8) and sum the geometric series; lambda_k < 1 for k > 1, 0^0 = 1. P, \
+         pi, C, u_k belong to the flock of bird i, of m birds; for m = 1 the sum is empty. G at time t_1 itself does \
+         not matter: v(t_1+1) has it already.",
         PRINTED,
         check_geometric_sums,
     )
@@ -219,9 +221,10 @@ fn check_geometric_sums(variant: &ClosedFormVariant, run: &mut Run) -> Result<Ou
 pub fn with_gamma() -> Record<ClosedFormVariant> {
     Record::new(
         "chazelle.eq3.16",
-        "The constant parts of chazelle.xi.closed are sum_{k>=2} Phi_k/(1 - lambda_k), which is row i of Gamma times v(t_1+1), because \
-         Gamma_t = sum_{k>=2} (1 - lambda_k^t)/(1 - lambda_k) C^1/2 u_k u_k^T C^-1/2 tends to it. The sum that is left runs from \
-         k = 2 as well. The printed sum starts at k = 0: there is no lambda_0, and k = 1 divides by 1 - lambda_1 = 0.",
+        "The constant parts of chazelle.xi.closed are sum_{k>=2} Phi_k/(1 - lambda_k), which is row i of Gamma times \
+         v(t_1+1), because Gamma_t = sum_{k>=2} (1 - lambda_k^t)/(1 - lambda_k) C^1/2 u_k u_k^T C^-1/2 tends to it. \
+         The sum that is left runs from k = 2 as well. The printed sum starts at k = 0: there is no lambda_0, and k = \
+         1 divides by 1 - lambda_1 = 0.",
         ClosedFormVariant { first: 0, ..PRINTED },
         check_with_gamma,
     )
@@ -248,9 +251,9 @@ pub fn two_birds_apart() -> Record<ClosedFormVariant> {
     Record::new(
         "chazelle.eq3.17",
         "The difference of two copies of the corrected chazelle.eq3.16. A = x_i(t_1) - x_j(t_1) + (chi(i)^T Gamma - \
-         chi(j)^T Gamma') v(t_1+1), B = y - y'. The mu_k are the lambda_l and lambda'_l with l > 1, in decreasing order, k = 2, .., m_0 = m + m' - 1; \
-         all lie in (-1, 1), some may be 0 or repeated. Psi_k is Phi_l/(1 - lambda_l) or -Phi'_l/(1 - lambda'_l). Birds of \
-         the same flock have the same y and B = 0.",
+         chi(j)^T Gamma') v(t_1+1), B = y - y'. The mu_k are the lambda_l and lambda'_l with l > 1, in decreasing \
+         order, k = 2, .., m_0 = m + m' - 1; all lie in (-1, 1), some may be 0 or repeated. Psi_k is Phi_l/(1 - \
+         lambda_l) or -Phi'_l/(1 - lambda'_l). Birds of the same flock have the same y and B = 0.",
         PRINTED,
         check_two_birds_apart,
     )

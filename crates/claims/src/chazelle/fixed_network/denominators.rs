@@ -78,12 +78,12 @@ pub fn short_limit() -> Record<ShortLimitVariant> {
     let printed = ShortLimitVariant { of_pi: 2, trees: true, exponential: true };
     Record::new(
         "chazelle.lem3.5",
-        "Gamma = (I - 1 pi^T) X (I - pi 1^T) C^-1 with X \
-         the inverse of the Laplacian without its last row and column, bordered by zeros: its denominator is the number T \
-         of spanning trees, at most n^(n-2), and its entries lie in [0, n-1]. With the common denominators R of pi and p of C^-1, \
-         D = R² T p is a common denominator of Gamma. R <= n^(a+1) p, p <= n^(an), |Gamma_ij| <= 2(n-1) n^a: numerators and \
-         denominators stay below n^((5a+2)n); for lazy weights and c_i = 1/(d_i+1), D <= 2 n^(n+2). x^r needs the \
-         denominators of x(0) and v(1) too, at most n^(2adn) (notes/chazelle_fixed_network.md). One bird: both are 0.",
+        "Gamma = (I - 1 pi^T) X (I - pi 1^T) C^-1 with X the inverse of the Laplacian without its last row and \
+         column, bordered by zeros: its denominator is the number T of spanning trees, at most n^(n-2), and its \
+         entries lie in [0, n-1]. With the common denominators R of pi and p of C^-1, D = R² T p is a common \
+         denominator of Gamma. R <= n^(a+1) p, p <= n^(an), |Gamma_ij| <= 2(n-1) n^a: numerators and denominators \
+         stay below n^((5a+2)n); for lazy weights and c_i = 1/(d_i+1), D <= 2 n^(n+2). x^r needs the denominators of \
+         x(0) and v(1) too, at most n^(2adn) (notes/chazelle_fixed_network.md). One bird: both are 0.",
         printed,
         check_short_limit,
     )

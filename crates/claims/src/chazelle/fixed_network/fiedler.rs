@@ -67,31 +67,36 @@ pub fn fiedler_rate() -> Record<FiedlerVariant> {
     let corrected = FiedlerVariant { sign: -1, ..printed };
     Record::new(
         "chazelle.fiedler.rate",
-        "2^(t/n^c) grows with t: the minus sign is missing (if one reads \"by a factor of 2^(t/n^c)\" instead, the corrected statement is meant as well). \
-         The corrected statement: \
-         the Fiedler number is at least 4/(n(n-1)), by the argument of Lemma 3.2 with c_i = 1. The largest of the differences after t steps is \
-         tau_1(P^t) times the first one for the worst velocities, and tau_1(P^t) <= mu^t/sqrt(2 min pi) <= n 2^(-t/n^c) with c = 3 for \
-         lazy weights, c_i = 1/(d_i+1) and the symmetric P = I - L/n (notes/chazelle_fixed_network.md). Two cliques joined by a long path show that c = 2 \
-         is not enough. Where the network changes, even if it is connected at all times, no such rate is claimed.",
+        "2^(t/n^c) grows with t: the minus sign is missing (if one reads \"by a factor of 2^(t/n^c)\" instead, the \
+         corrected statement is meant as well). The corrected statement: the Fiedler number is at least 4/(n(n-1)), \
+         by the argument of Lemma 3.2 with c_i = 1. The largest of the differences after t steps is tau_1(P^t) times \
+         the first one for the worst velocities, and tau_1(P^t) <= mu^t/sqrt(2 min pi) <= n 2^(-t/n^c) with c = 3 for \
+         lazy weights, c_i = 1/(d_i+1) and the symmetric P = I - L/n (notes/chazelle_fixed_network.md). Two cliques \
+         joined by a long path show that c = 2 is not enough. Where the network changes, even if it is connected at \
+         all times, no such rate is claimed.",
         printed,
         check_fiedler_rate,
     )
-    .reading("A rate of decay to 0 is a bound, up to a factor n^O(1), that tends to 0. The graph is fixed and connected.")
+    .reading(
+        "A rate of decay to 0 is a bound, up to a factor n^O(1), that tends to 0. The graph is fixed and \
+              connected.",
+    )
     .clauses(&[
         "When the graph is connected the Fiedler number is bounded away from 0 by an inverse polynomial.",
         "Then differences between velocities decay to 0 at a rate of 2^{t/n^c} for some constant c > 0.",
     ])
     .repaired(
         Fault::Typo,
-        "When the graph is connected the Fiedler number is bounded away from 0 by an inverse polynomial (it is at least 4/(n(n-1))), and on a fixed connected \
-         graph differences between velocities decay to 0 at a rate of 2^{-t/n^c} for some constant c > 0: with weights of denominators up to n^a, and with \
-         c = 3 for lazy weights and for c_i = 1/(d_i+1).",
+        "When the graph is connected the Fiedler number is bounded away from 0 by an inverse polynomial (it is at \
+         least 4/(n(n-1))), and on a fixed connected graph differences between velocities decay to 0 at a rate of \
+         2^{-t/n^c} for some constant c > 0: with weights of denominators up to n^a, and with c = 3 for lazy weights \
+         and for c_i = 1/(d_i+1).",
         corrected,
     )
     .repaired_clauses(&[
         "When the graph is connected the Fiedler number is at least 4/(n(n-1)), for n >= 2 birds.",
-        "On a fixed connected graph, with weights of denominators up to n^a, differences between velocities are at most n^{O(1)} 2^{-t/n^c} times the \
-         largest of the first ones, for some constant c > 0.",
+        "On a fixed connected graph, with weights of denominators up to n^a, differences between velocities are at \
+         most n^{O(1)} 2^{-t/n^c} times the largest of the first ones, for some constant c > 0.",
         "For lazy weights and for c_i = 1/(d_i+1) they are at most n 2^{-t/n^3} times it.",
     ])
     .control("a Fiedler number of 4.04/(n(n-1))", FiedlerVariant { factor: (101, 100), ..corrected })
@@ -103,7 +108,8 @@ fn check_fiedler_rate(variant: &FiedlerVariant, run: &mut Run) -> Result<Outcome
     let networks = Family { kinds: &KINDS, connected: variant.connected }.networks(run.cases(5, 6))?;
     let number = format!("{FAMILY} on up to 5 birds (6 with --full); eigenvalues counted exactly");
     let decay = format!(
-        "{FAMILY} on up to 5 birds (6 with --full), four kinds of weights, t up to 8 n^3 and more; powers exact, bounds enclosed"
+        "{FAMILY} on up to 5 birds (6 with --full), four kinds of weights, t up to 8 n^3 and more; powers exact, \
+         bounds enclosed"
     );
     // The printed statement has no third clause.
     let of_rate: &[usize] = if variant.sign > 0 { &[2] } else { &[2, 3] };

@@ -102,10 +102,11 @@ pub fn limit_of_gamma() -> Record<LimitOfGammaVariant> {
     };
     Record::new(
         "chazelle.lem3.3",
-        "Gamma_t (I - P) = I - P^t and Gamma_t 1 = 0, so Gamma_t (I - P | 1) = (I - P^t | 0). The matrix on the left is \
-         invertible: its first n - 1 columns span the range of I - P, on which pi^T vanishes, and pi^T 1 = 1. P^t tends to \
-         1 pi^T. The limit is the group inverse of I - P. For one bird it is 0. On an instance the limit X is established by Gamma_1 = X - P X, \
-         which gives Gamma_t = X - P^t X, by pi^T X = 0, and by a power that contracts.",
+        "Gamma_t (I - P) = I - P^t and Gamma_t 1 = 0, so Gamma_t (I - P | 1) = (I - P^t | 0). The matrix on the left \
+         is invertible: its first n - 1 columns span the range of I - P, on which pi^T vanishes, and pi^T 1 = 1. P^t \
+         tends to 1 pi^T. The limit is the group inverse of I - P. For one bird it is 0. On an instance the limit X \
+         is established by Gamma_1 = X - P X, which gives Gamma_t = X - P^t X, by pi^T X = 0, and by a power that \
+         contracts.",
         printed,
         check_limit_of_gamma,
     )
@@ -199,8 +200,9 @@ pub fn positions() -> Record<PositionsVariant> {
     let printed = PositionsVariant { longer: 0, first: 0, sign: 1, birds_outside: true };
     Record::new(
         "chazelle.eq3.12-13",
-        "With a fixed network v(s+1) = (P^s (x) I_d) v(1), because (A (x) I)(B (x) I) = AB (x) I. x(t) = x(0) + v(1) + .. + v(t): t \
-         terms, s = 0, .., t - 1. (3.13) is (3.12) with the definition of Gamma_t; it needs no connectivity.",
+        "With a fixed network v(s+1) = (P^s (x) I_d) v(1), because (A (x) I)(B (x) I) = AB (x) I. x(t) = x(0) + v(1) \
+         + .. + v(t): t terms, s = 0, .., t - 1. (3.13) is (3.12) with the definition of Gamma_t; it needs no \
+         connectivity.",
         printed,
         check_positions,
     )
@@ -218,7 +220,8 @@ fn check_positions(variant: &PositionsVariant, run: &mut Run) -> Result<Outcome,
     let part = "both equations against steps of (1.2)";
     let networks = Family::PRINTED.networks(run.cases(4, 5))?;
     let detail = format!(
-        "{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector v(1), t = 1, .., {STEPS}"
+        "{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector v(1), t = \
+         1, .., {STEPS}"
     );
     Ok(exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))?.on([1, 2]))
 }
@@ -300,15 +303,19 @@ pub fn relative_limit() -> Record<RelativeLimitVariant> {
     let printed = RelativeLimitVariant { family: Family::PRINTED, sign: 1, projected: true, weights: -1 };
     Record::new(
         "chazelle.lem3.4",
-        "pi^T Gamma_t = 0 and (I - 1 pi^T) 1 pi^T = 0, so x^r(t) = ((I - 1 pi^T) (x) I) x(0) + (Gamma_t (x) I) v(1), and \
-         Lemma 3.3 gives the limit. pi^T P = pi^T: the mass center moves by m_pi[v(1)] in every step. On an \
+        "pi^T Gamma_t = 0 and (I - 1 pi^T) 1 pi^T = 0, so x^r(t) = ((I - 1 pi^T) (x) I) x(0) + (Gamma_t (x) I) v(1), \
+         and Lemma 3.3 gives the limit. pi^T P = pi^T: the mass center moves by m_pi[v(1)] in every step. On an \
          instance: x^r(t) minus the limit is multiplied by P in each step and has no mass, so it tends to 0.",
         printed,
         check_relative_limit,
     )
-    .reading("\"Constant speed in a fixed direction\" is constant velocity, which may be 0 (the four birds of the paper).")
+    .reading(
+        "\"Constant speed in a fixed direction\" is constant velocity, which may be 0 (the four birds of the \
+              paper).",
+    )
     .clauses(&[
-        "If G is connected, the relative configuration x^r(t) converges to ((I_n - 1 pi^T) kron I_d) x(0) + ((I_n - 1 pi^T | 0)(I_n - P | 1)^{-1} kron I_d) v(1).",
+        "If G is connected, the relative configuration x^r(t) converges to ((I_n - 1 pi^T) kron I_d) x(0) + ((I_n - 1 \
+         pi^T | 0)(I_n - P | 1)^{-1} kron I_d) v(1).",
         "The mass center moves at constant speed in a fixed direction.",
     ])
     .control("minus the second term", RelativeLimitVariant { sign: -1, ..printed })
@@ -321,7 +328,8 @@ fn check_relative_limit(variant: &RelativeLimitVariant, run: &mut Run) -> Result
     let part = "the limit and the steady mass center";
     let networks = variant.family.networks(run.cases(4, 5))?;
     let detail = format!(
-        "{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector (x(0), v(1))"
+        "{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector (x(0), \
+         v(1))"
     );
     Ok(exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))?.on([1, 2]))
 }

@@ -98,15 +98,19 @@ pub fn second_eigenvalue() -> Record<SecondEigenvalueVariant> {
     let printed = SecondEigenvalueVariant { family: Family::PRINTED, factor: (1, 1) };
     Record::new(
         "chazelle.lem3.2",
-        "Rayleigh quotient: the edges of a path between the largest and the least value of f give the \
-         Dirichlet form at least (max f - min f)²/((n-1) tr C^-1), the variance is at most (max f - min f)²/4, so \
-         1 - lambda_2 >= 4/((n-1) tr C^-1). P - (min p_ii) I is a multiple of a stochastic matrix, so 1 + lambda_n >= 2 min p_ii. Hence \
-         1 - mu >= 4/((n-1) n^(a+1)) >= n^-(a+2); for lazy weights 1 - mu >= min(2/3, 8/(3n(n-1)²)), for c_i = 1/(d_i+1) \
-         1 - mu >= 4/(n²(n-1)). Two birds attain the bound of lambda_2. A single bird has no lambda_k, k > 1, and mu = 0 (notes/chazelle_fixed_network.md).",
+        "Rayleigh quotient: the edges of a path between the largest and the least value of f give the Dirichlet form \
+         at least (max f - min f)²/((n-1) tr C^-1), the variance is at most (max f - min f)²/4, so 1 - lambda_2 >= \
+         4/((n-1) tr C^-1). P - (min p_ii) I is a multiple of a stochastic matrix, so 1 + lambda_n >= 2 min p_ii. \
+         Hence 1 - mu >= 4/((n-1) n^(a+1)) >= n^-(a+2); for lazy weights 1 - mu >= min(2/3, 8/(3n(n-1)²)), for c_i = \
+         1/(d_i+1) 1 - mu >= 4/(n²(n-1)). Two birds attain the bound of lambda_2. A single bird has no lambda_k, k > \
+         1, and mu = 0 (notes/chazelle_fixed_network.md).",
         printed,
         check_second_eigenvalue,
     )
-    .reading("Weights are rationals of O(log n) bits, denominators at most n^a (Remark 3, Lemma 2.2); without that mu can be as near to 1 as one likes.")
+    .reading(
+        "Weights are rationals of O(log n) bits, denominators at most n^a (Remark 3, Lemma 2.2); without that mu \
+              can be as near to 1 as one likes.",
+    )
     .control("bounds larger by 1/100", SecondEigenvalueVariant { factor: (101, 100), ..printed })
     .control("not connected", SecondEigenvalueVariant { family: Family::ANY_GRAPH, ..printed })
     .control("c_i d_i = 1", SecondEigenvalueVariant { family: Family::WHOLE, ..printed })
@@ -117,7 +121,8 @@ fn check_second_eigenvalue(variant: &SecondEigenvalueVariant, run: &mut Run) -> 
     let part = "1 - mu >= n^-(a+2), for weights with denominators up to n^a";
     let networks = variant.family.networks(run.cases(6, 7))?;
     let detail = format!(
-        "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues beyond the proved bounds counted exactly"
+        "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues beyond the proved bounds \
+         counted exactly"
     );
     exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
 }
@@ -157,9 +162,9 @@ pub fn entrywise_rate() -> Record<EntrywiseVariant> {
     let printed = EntrywiseVariant { family: Family::PRINTED, factor_shift: 0, gap_shift: 0, by_column: true };
     Record::new(
         "chazelle.eq3.9",
-        "By (3.8) and Cauchy-Schwarz, |(P^s)_ij - pi_j| <= sqrt(c_i/c_j) sqrt((1-pi_i)(1-pi_j)) mu^s for all s >= 0. With \
-         Lemma 3.2 (weights with denominators up to n^a) the right side is at most n^(a/2) e^(-s n^-(a+2)); for lazy weights \
-         and for c_i = 1/(d_i+1) it is at most n e^(-s n^-3) (notes/chazelle_fixed_network.md).",
+        "By (3.8) and Cauchy-Schwarz, |(P^s)_ij - pi_j| <= sqrt(c_i/c_j) sqrt((1-pi_i)(1-pi_j)) mu^s for all s >= 0. \
+         With Lemma 3.2 (weights with denominators up to n^a) the right side is at most n^(a/2) e^(-s n^-(a+2)); for \
+         lazy weights and for c_i = 1/(d_i+1) it is at most n e^(-s n^-3) (notes/chazelle_fixed_network.md).",
         printed,
         check_entrywise_rate,
     )
@@ -174,7 +179,8 @@ fn check_entrywise_rate(variant: &EntrywiseVariant, run: &mut Run) -> Result<Out
     let part = "|(P^s)_ij - pi_j| <= n^(a/2) e^(-s n^-(a+2))";
     let networks = variant.family.networks(run.cases(5, 6))?;
     let detail = format!(
-        "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s up to 8 n^3 and more; powers exact, exponentials enclosed"
+        "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s up to 8 n^3 and more; powers exact, \
+         exponentials enclosed"
     );
     let exponent = Evidence::new(
         Grade::Exact,
@@ -243,9 +249,9 @@ pub fn halving_time() -> Record<HalvingVariant> {
     let printed = HalvingVariant { family: Family::PRINTED, sign: -1, factor_shift: 0, margin: 2, most: (1, 2) };
     Record::new(
         "chazelle.eq3.10",
-        "tau_1(P^s) = 1 - min_ij sum_k min((P^s)_ik, (P^s)_jk), and by (3.9) both entries are at least \
-         pi_k - eps with eps = n^(a/2) e^(-s n^-(a+2)). The sum over k is 1 - n eps. For s > n^(2a+4) \
-         n eps <= sqrt(x) e^-x with x = n^(a+2) >= 1, which is at most 1/e < 1/2. For lazy weights and for c_i = 1/(d_i+1), eps = n e^(-s n^-3) \
+        "tau_1(P^s) = 1 - min_ij sum_k min((P^s)_ik, (P^s)_jk), and by (3.9) both entries are at least pi_k - eps \
+         with eps = n^(a/2) e^(-s n^-(a+2)). The sum over k is 1 - n eps. For s > n^(2a+4) n eps <= sqrt(x) e^-x with \
+         x = n^(a+2) >= 1, which is at most 1/e < 1/2. For lazy weights and for c_i = 1/(d_i+1), eps = n e^(-s n^-3) \
          and c_0 = 5 will do (notes/chazelle_fixed_network.md).",
         printed,
         check_halving_time,
@@ -273,19 +279,18 @@ fn check_halving_time(variant: &HalvingVariant, run: &mut Run) -> Result<Outcome
         return Ok(fails(what, second));
     }
     Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                first,
-                format!("{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s from 1 to 8 n^3 and more; and powers until tau <= 1/4"),
-            )
-            .on([1])
-            .cases(cases),
-            Evidence::new(
-                Grade::Certified,
-                second,
-                "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on",
-            )
+        Evidence::new(
+            Grade::Exhaustive,
+            first,
+            format!(
+                "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s from 1 to 8 n^3 and \
+                         more; and powers until tau <= 1/4"
+            ),
+        )
+        .on([1])
+        .cases(cases),
+        Evidence::new(Grade::Certified, second, "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on")
             .on([2])
             .cases(2 * MOST_BIRDS),
-        ]))
+    ]))
 }

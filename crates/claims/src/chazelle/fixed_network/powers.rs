@@ -127,8 +127,9 @@ pub fn powers() -> Record<PowersVariant> {
     Record::new(
         "chazelle.eq3.8",
         "P = C^1/2 M C^-1/2 and M = sum lambda_k u_k u_k^T with orthonormal u_k. The first term is 1 pi^T because \
-         C^1/2 u_1 = 1/sqrt(tr C^-1). For s = 0 the convention is 0^0 = 1. The sum does not depend on the basis that is chosen \
-         where an eigenvalue is repeated. The eigenvectors form inverse matrices because u_k^T u_l = [k = l].",
+         C^1/2 u_1 = 1/sqrt(tr C^-1). For s = 0 the convention is 0^0 = 1. The sum does not depend on the basis that \
+         is chosen where an eigenvalue is repeated. The eigenvectors form inverse matrices because u_k^T u_l = [k = \
+         l].",
         printed,
         check_powers,
     )
@@ -158,7 +159,8 @@ fn check_powers(variant: &PowersVariant, run: &mut Run) -> Result<Outcome, Check
         Grade::Exact,
         part,
         format!(
-            "{FAMILY} on up to 5 birds (6 with --full) and of three kinds of weights whose eigenvalues all are rational"
+            "{FAMILY} on up to 5 birds (6 with --full) and of three kinds of weights whose eigenvalues all are \
+             rational"
         ),
     );
     Run::all([

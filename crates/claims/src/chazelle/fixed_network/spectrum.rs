@@ -41,10 +41,10 @@ pub fn stationary() -> Record<StationaryVariant> {
     let printed = StationaryVariant { family: Family::PRINTED, power: -1, right_is_one: true };
     Record::new(
         "chazelle.pi",
-        "P is taken for a connected G with c_i > 0 and c_i d_i < 1 (a single bird: P = [1]). L 1 = 0 = 1^T L gives both eigenvectors, \
-         and pi^T C = const 1^T. CLf = 0 only for constant f, and P is similar to a symmetric matrix, so 1 is simple. \
-         Dominant: every other eigenvalue lies in (-1, 1), because P >= a I with a = min p_ii > 0 leaves a stochastic \
-         rest (notes/chazelle_fixed_network.md).",
+        "P is taken for a connected G with c_i > 0 and c_i d_i < 1 (a single bird: P = [1]). L 1 = 0 = 1^T L gives \
+         both eigenvectors, and pi^T C = const 1^T. CLf = 0 only for constant f, and P is similar to a symmetric \
+         matrix, so 1 is simple. Dominant: every other eigenvalue lies in (-1, 1), because P >= a I with a = min p_ii \
+         > 0 leaves a stochastic rest (notes/chazelle_fixed_network.md).",
         printed,
         check_stationary,
     )
@@ -171,10 +171,10 @@ pub fn symmetrised() -> Record<SymmetrisedVariant> {
     let printed = SymmetrisedVariant { family: Family::PRINTED, of_p: (-1, 1), of_l: 1, least: (-1, 1), rooted: true };
     Record::new(
         "chazelle.eq3.7",
-        "Off the diagonal c_i^-1/2 p_ij c_j^1/2 = sqrt(c_i c_j) on edges; the diagonal is that of P. M is similar to P. \
-         I - M = C^1/2 L C^1/2 is positive semidefinite with kernel C^-1/2 1, of dimension 1 for a connected graph: \
-         u_1. Gershgorin's discs of P lie to the right of 2 min p_ii - 1 > -1, so the printed lower bound is even strict \
-         (notes/chazelle_fixed_network.md).",
+        "Off the diagonal c_i^-1/2 p_ij c_j^1/2 = sqrt(c_i c_j) on edges; the diagonal is that of P. M is similar to \
+         P. I - M = C^1/2 L C^1/2 is positive semidefinite with kernel C^-1/2 1, of dimension 1 for a connected \
+         graph: u_1. Gershgorin's discs of P lie to the right of 2 min p_ii - 1 > -1, so the printed lower bound is \
+         even strict (notes/chazelle_fixed_network.md).",
         printed,
         check_symmetrised,
     )
@@ -196,7 +196,8 @@ fn check_symmetrised(variant: &SymmetrisedVariant, run: &mut Run) -> Result<Outc
     let networks = variant.family.networks(run.cases(6, 7))?;
     let lazy: Vec<Network> = networks.iter().filter(|n| n.kind == Kind::Lazy).cloned().collect();
     let detail = format!(
-        "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; square roots exact, eigenvalues counted exactly"
+        "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; square roots exact, eigenvalues counted \
+         exactly"
     );
     let squares = "characteristic polynomials compared on the same graphs with weights that are squares".to_string();
     Run::all([
