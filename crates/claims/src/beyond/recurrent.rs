@@ -201,7 +201,8 @@ impl RecurrentVariant {
         Ok(None)
     }
 
-    /// All sequences over all networks of 2 and 3 birds, and over the trees on 4; none of the bounds is 1 at their ends.
+    /// All sequences over all networks of 2 and 3 birds, and over the trees on 4; none of the bounds is 1 at their
+    /// ends.
     fn exhaustive(&self, run: &Run) -> Result<Outcome, CheckError> {
         let mut cases = [0; 2];
         for (n, length) in [(2, 5), (3, run.cases(3, 4)), (4, 3)] {

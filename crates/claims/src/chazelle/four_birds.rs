@@ -2,8 +2,8 @@
 //!
 //! The proof for all `t` is by invariants. With `r = (-1/3)^t` the state at time `t` is
 //! `x(t) = x(0) + (3/4)(1 - r) v(1)`, `v(t+1) = r v(1)`: affine in `r`. For `r` in `(0, 1]` the distance rule gives one
-//! network, for `r` in `[-1/3, 0)` the other; both multiply `v(1)` by -1/3, so a step maps `r` to `-r/3`, from one range
-//! into the other.
+//! network, for `r` in `[-1/3, 0)` the other; both multiply `v(1)` by -1/3, so a step maps `r` to `-r/3`, from one
+//! range into the other.
 
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;

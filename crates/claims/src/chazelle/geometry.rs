@@ -1,10 +1,10 @@
 //! chazelle.eq3.15, chazelle.lem3.7 and chazelle.lem3.8: the geometry of flocking, and when edges are lost.
 //!
-//! The key is the virtual origin `E_i(t) = x_i(t) - t v_i(t)`: `E(1) = x(0)` and `E(t+1) = P(t) E(t) + (I - P(t)) x(t)`, whose last term is
-//! bounded and has stationary mean zero on a fixed network (notes/settling.md).
+//! The key is the virtual origin `E_i(t) = x_i(t) - t v_i(t)`: `E(1) = x(0)` and `E(t+1) = P(t) E(t) + (I - P(t))
+//! x(t)`, whose last term is bounded and has stationary mean zero on a fixed network (notes/settling.md).
 
 use super::argued;
-use super::sequences::{four_birds, random_start, settled};
+use super::sequences::{four_birds, random_start, settled, show_start};
 use super::switching::SwitchesVariant;
 use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
@@ -208,7 +208,10 @@ fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, Chec
             let pulled = p.apply(&x)?;
             let expected = averaged.iter().zip(x.iter().zip(&pulled)).map(|(e, (x, px))| e + (x - px) * &q);
             if expected.ne(column(&next)) {
-                return Ok(Some(format!("{start:?}: the origins at t = {t} are not those of the recursion")));
+                return Ok(Some(format!(
+                    "{}: the origins at t = {t} are not those of the recursion",
+                    show_start(start)
+                )));
             }
         }
         now = next;
@@ -218,7 +221,7 @@ fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, Chec
         let logarithm = rational(i64::from(t.ilog2()), 1).pow(variant.logarithm as i32);
         let size = largest(&now).unwrap_or_else(|| rational(0, 1)) / &time;
         if size > bound * logarithm / time.pow(variant.power) {
-            return Ok(Some(format!("{start:?} at t = {t}: |v - x/t| reaches {size}")));
+            return Ok(Some(format!("{} at t = {t}: |v - x/t| reaches {size}", show_start(start))));
         }
     }
     let time = Rational::from_integer(flock.time().clone());
@@ -230,7 +233,7 @@ fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, Chec
         let (angle, distance) = angle_and_distance(&v, &w)?;
         let (p, q) = variant.share;
         if (angle.clone() - angle.ratio(p, q) * distance).is_certainly_positive() {
-            return Ok(Some(format!("{start:?} at t = {time}: the angle is {:.6}", angle.to_f64())));
+            return Ok(Some(format!("{} at t = {time}: the angle is {:.6}", show_start(start), angle.to_f64())));
         }
     }
     Ok(None)
@@ -325,7 +328,7 @@ impl LossVariant {
                 let left = minus(&minus(&now[i], &before[i]), &minus(&now[j], &before[j]));
                 let right = minus(&minus(&before[i], &before[j]), &minus(&origins[i], &origins[j]));
                 if right.iter().map(|x| x / rational(t - self.earlier, 1)).ne(left) {
-                    return Ok(Some(format!("{start:?} at t = {t}: birds {} and {}", i + 1, j + 1)));
+                    return Ok(Some(format!("{} at t = {t}: birds {} and {}", show_start(start), i + 1, j + 1)));
                 }
             }
         }

@@ -1,8 +1,9 @@
-//! chazelle.hyst, chazelle.hyst.remark, chazelle.lem3.6.i and chazelle.lem3.6.ii: the hysteresis rule and its soundness.
+//! chazelle.hyst, chazelle.hyst.remark, chazelle.lem3.6.i and chazelle.lem3.6.ii: the hysteresis rule and its
+//! soundness.
 
 use super::argued;
 use super::geometry::{loss_exponent, switch_exponent};
-use super::sequences::{four_birds, random_start, settled};
+use super::sequences::{four_birds, random_start, settled, show_start};
 use arithmetic::{Interval, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::settle::Ending;
@@ -152,7 +153,8 @@ fn check_smaller_threshold(variant: &SmallerThresholdVariant, run: &mut Run) -> 
 }
 
 impl SmallerThresholdVariant {
-    /// Steps 1 and 3: `n^(n²) > n^4 ln n + 100 ln 2`, and `2^100 n^(n^4)` times the factor of Lemma 3.8 is at most `n^(2n^4)`.
+    /// Steps 1 and 3: `n^(n²) > n^4 ln n + 100 ln 2`, and `2^100 n^(n^4)` times the factor of Lemma 3.8 is at most
+    /// `n^(2n^4)`.
     fn fails_for(&self, n: u64) -> Result<Option<String>, CheckError> {
         let base = Interval::from_rational(&rational(n as i64, 1), 128);
         let (ln, lost) = (base.ln()?, base.integer(2).ln()? * base.integer(100));
@@ -238,7 +240,12 @@ impl NearVariant {
             for (i, j) in (0..flock.birds()).flat_map(|j| (0..j).map(move |i| (i, j))) {
                 let (near, joined) = (squared_distance(&x, i, j) <= limit, flock.network().has_edge(i, j));
                 if near && !joined || self.converse && joined && !near {
-                    return Ok(Some(format!("{start:?} at t = {t}: birds {} and {}, joined: {joined}", i + 1, j + 1)));
+                    return Ok(Some(format!(
+                        "{} at t = {t}: birds {} and {}, joined: {joined}",
+                        show_start(start),
+                        i + 1,
+                        j + 1
+                    )));
                 }
             }
             flock.step()?;
@@ -247,8 +254,8 @@ impl NearVariant {
     }
 }
 
-/// Adjacent birds are within `1 + n^(-n^power)`, weights of at least `1/weight`; a kept edge grows by at most `growth` times
-/// the threshold in each step.
+/// Adjacent birds are within `1 + n^(-n^power)`, weights of at least `1/weight`; a kept edge grows by at most
+/// `growth` times the threshold in each step.
 #[derive(Clone, Copy)]
 pub struct FarVariant {
     power: u32,
@@ -283,7 +290,8 @@ impl FarVariant {
                 *steps = if squared <= rational(1, 1) { 0 } else { *steps + 1 };
                 if squared > (rational(1, 1) + &most * rational(*steps, 1)).square() {
                     return Ok(Some(format!(
-                        "{start:?} at t = {t}: birds {} and {} after {steps} steps",
+                        "{} at t = {t}: birds {} and {} after {steps} steps",
+                        show_start(start),
                         i + 1,
                         j + 1
                     )));

@@ -86,7 +86,8 @@ impl TieCase {
         Ok(TieCase { name, birds, denominator: of(&i.0.p).lcm(&of(&j.0.p)), separation, excess })
     }
 
-    /// `(rho_k, Upsilon_k)` on even (`parity` 0) or odd steps, where `Upsilon_k` is not zero, in increasing order of `rho_k`.
+    /// `(rho_k, Upsilon_k)` on even (`parity` 0) or odd steps, where `Upsilon_k` is not zero, in increasing order of
+    /// `rho_k`.
     fn coefficients(&self, parity: usize) -> Vec<(Rational, Rational)> {
         let sign = rational(if parity == 0 { 1 } else { -1 }, 1);
         let all = self.separation.expansion().into_iter().map(|(rho, (plus, minus))| (rho, plus + minus * &sign));
@@ -230,7 +231,8 @@ impl GapsVariant {
     }
 
     /// With `chi` the polynomial with the roots `rho_l²` and `chi/(x - rho_k²) = sum_l g_l x^l`, the sum of the
-    /// `g_l f(l + first)` is `Upsilon_k rho_k^(parity + 2 first) sum_l g_l rho_k^(2l)`, `f` the excess on every second step.
+    /// `g_l f(l + first)` is `Upsilon_k rho_k^(parity + 2 first) sum_l g_l rho_k^(2l)`, `f` the excess on every
+    /// second step.
     fn step_5(&self, case: &TieCase, parity: usize) -> Option<String> {
         let upsilons = case.coefficients(parity);
         let f: Vec<&Rational> = case.excess.iter().skip(parity).step_by(2).collect();
@@ -401,8 +403,8 @@ fn check_steady_state(variant: &TimeVariant, run: &mut Run) -> Result<Outcome, C
             let wrong = late || !matches!(end.ending, Ending::Steady);
             Ok(wrong.then(|| format!("{name}: steady from t = {} on", end.last_switch)))
         }),
-        // The start and two levels for each merger: from 2^(n^12) on, the factors 2^(n^O(1)) of the joins within flocks are
-        // covered by T² in place of T.
+        // The start and two levels for each merger: from 2^(n^12) on, the factors 2^(n^O(1)) of the joins within
+        // flocks are covered by T² in place of T.
         run.instances("step 3: heights of towers", "model D, n = 2, ..., 64", 2..=64, |n: u64| {
             let start_bits = u128::from(n).pow(12);
             let height = tower_height(start_bits) + 2 * (n - 1);

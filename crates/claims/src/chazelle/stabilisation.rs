@@ -12,8 +12,8 @@ use rand_chacha::rand_core::Rng;
 /// Levels that are followed.
 const LEVELS: usize = 3;
 
-/// Checks all sequences of 6, 4, 2 networks on 2, 3, 4 birds (`shorter`: 4, 3, 1) with a constant end, then random ones on
-/// up to 6.
+/// Checks all sequences of 6, 4, 2 networks on 2, 3, 4 birds (`shorter`: 4, 3, 1) with a constant end, then random
+/// ones on up to 6.
 fn over_histories(
     run: &Run,
     shorter: bool,

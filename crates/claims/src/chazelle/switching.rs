@@ -1,4 +1,5 @@
-//! chazelle.epsineq, chazelle.lem3.1.count, chazelle.lem3.1 and chazelle.thm1.1.switches: the number of network switches.
+//! chazelle.epsineq, chazelle.lem3.1.count, chazelle.lem3.1 and chazelle.thm1.1.switches: the number of network
+//! switches.
 
 use super::argued;
 use super::sequences::{NetworkHistory, histories, line_networks, paper_threshold, random_graph, random_line_flock};
@@ -97,9 +98,9 @@ impl FinalCountVariant {
     }
 }
 
-/// Bird 1 alone for ever, birds 2 and 3 (`c_i = 1/4`) joined until time `k` and not after, with the hysteresis of the paper.
-/// From then on the network is known for all time: there is no edge, velocities are constant, bird 1 rests behind, and
-/// bird 3 flies ahead of bird 2 and faster.
+/// Bird 1 alone for ever, birds 2 and 3 (`c_i = 1/4`) joined until time `k` and not after, with the hysteresis of the
+/// paper. From then on the network is known for all time: there is no edge, velocities are constant, bird 1 rests
+/// behind, and bird 3 flies ahead of bird 2 and faster.
 fn leaving_pair(k: usize) -> Result<NetworkHistory, CheckError> {
     // x_3 - x_2 at time t is -1 + w (2 - 2^(1-t)): 1 at t = k.
     let w = rational(1, 1) / (rational(1, 1) - rational(1, 2).pow(k as i32));

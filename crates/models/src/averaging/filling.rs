@@ -1,5 +1,5 @@
-//! The longest sequences of networks until the footprint of `P(t, s)` is stable, when isolated groups may switch only so
-//! often (Chazelle, (3.4)): an exact search over finitely many states.
+//! The longest sequences of networks until the footprint of `P(t, s)` is stable, when isolated groups may switch only
+//! so often (Chazelle, (3.4)): an exact search over finitely many states.
 
 use algebra::graph::Graph;
 use algebra::matrix::Footprint;
@@ -52,8 +52,8 @@ pub struct Filling {
 }
 
 impl Filling {
-    /// The search over all sequences of a class; with `until_stable` only switches until the last growth of the footprint count,
-    /// otherwise all of them. `None` for more than 5 birds.
+    /// The search over all sequences of a class; with `until_stable` only switches until the last growth of the
+    /// footprint count, otherwise all of them. `None` for more than 5 birds.
     pub fn new(rule: GroupRule, until_stable: bool) -> Option<Self> {
         let order = rule.order;
         if order > MOST_BIRDS {

@@ -1,5 +1,5 @@
-//! What is left of the motion on a fixed network once the drift is taken away, mode by mode, and how the distance of two birds
-//! approaches its limit (Chazelle, equations (3.17) and (3.18)).
+//! What is left of the motion on a fixed network once the drift is taken away, mode by mode, and how the distance of
+//! two birds approaches its limit (Chazelle, equations (3.17) and (3.18)).
 
 use super::{Mode, Weights, rational_modes, transition_matrix};
 use algebra::graph::Graph;
@@ -18,8 +18,8 @@ pub struct Transients {
 }
 
 impl Transients {
-    /// Those of a flock whose mode `k > 1` has in each coordinate the amplitude that `amplitudes` gives; `None` where some
-    /// eigenvalue is irrational.
+    /// Those of a flock whose mode `k > 1` has in each coordinate the amplitude that `amplitudes` gives; `None` where
+    /// some eigenvalue is irrational.
     ///
     /// # Errors
     /// As for [`transition_matrix`] and [`rational_modes`].
@@ -38,7 +38,8 @@ impl Transients {
         Ok(Some(Transients { modes: modes.collect(), p }))
     }
 
-    /// The displacements of all birds in one coordinate at `s = 0, .., steps`: powers of `P` times those at 0, without eigenvalues.
+    /// The displacements of all birds in one coordinate at `s = 0, .., steps`: powers of `P` times those at 0,
+    /// without eigenvalues.
     ///
     /// # Errors
     /// [`MatrixError`] where the lengths do not fit.
@@ -78,8 +79,8 @@ impl Separation {
         Separation { limit, terms: [of(p, i, 1), of(q, j, -1)].concat() }
     }
 
-    /// For `|A| = 1`: `rho -> (Upsilon^+, Upsilon^-)` of equation (3.18), by expanding `|A - sum_k Psi_k mu_k^s|²`; `rho` runs over the
-    /// nonzero `|mu_k|` and `|mu_k mu_l|`.
+    /// For `|A| = 1`: `rho -> (Upsilon^+, Upsilon^-)` of equation (3.18), by expanding `|A - sum_k Psi_k mu_k^s|²`;
+    /// `rho` runs over the nonzero `|mu_k|` and `|mu_k mu_l|`.
     pub fn expansion(&self) -> BTreeMap<Rational, (Rational, Rational)> {
         let mut all: BTreeMap<Rational, (Rational, Rational)> = BTreeMap::new();
         let mut add = |mu: Rational, value: Rational| {

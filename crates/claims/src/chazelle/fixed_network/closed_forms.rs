@@ -97,8 +97,8 @@ impl ClosedFormVariant {
         Ok(self.terms(flock, bird, &velocities)?.map(expansion))
     }
 
-    /// The position of one bird: with `gamma` as in the display before equation (3.17), otherwise by the geometric sums of the
-    /// first display of the proof of Lemma 3.9.
+    /// The position of one bird: with `gamma` as in the display before equation (3.17), otherwise by the geometric
+    /// sums of the first display of the proof of Lemma 3.9.
     fn one_bird(&self, flight: &Flight, bird: usize, gamma: bool) -> Result<Option<String>, CheckError> {
         let parts = match self.expansion(flight, 0, bird)? {
             Ok(parts) => parts,

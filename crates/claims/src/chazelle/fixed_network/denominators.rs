@@ -61,8 +61,8 @@ impl ShortLimitVariant {
                 "Gamma has the entry {x}; the common denominator is to be {denominator}, both at most {longest}"
             )));
         }
-        // Coordinates with numerators and denominators up to n, in one dimension: 2n numbers, so n^2n bounds their common
-        // denominator, and the limit is a sum of at most n^3 times as much.
+        // Coordinates with numerators and denominators up to n, in one dimension: 2n numbers, so n^2n bounds their
+        // common denominator, and the limit is a sum of at most n^3 times as much.
         let mut coordinate =
             || rational(i64::from(random.next_u32() % (n as u32 + 1)), 1 + i64::from(random.next_u32() % n as u32));
         let (x, v): (Vec<Rational>, Vec<Rational>) = (0..n).map(|_| (coordinate(), coordinate())).unzip();

@@ -33,8 +33,8 @@ fn quotient_at_most(p: &BigInt, q: &BigInt, bound: &Interval) -> Result<bool, Ch
     }
 }
 
-/// The powers of a matrix for the exponents 0, .., 8 and then for powers of two, the last of them at least `8 n³`: there the
-/// bounds that are tested have become small.
+/// The powers of a matrix for the exponents 0, .., 8 and then for powers of two, the last of them at least `8 n³`:
+/// there the bounds that are tested have become small.
 pub(super) fn some_powers(p: &RationalMatrix) -> Result<Vec<(u64, RationalMatrix)>, CheckError> {
     let last = 8 * (p.rows() as u64).pow(3);
     let mut powers = vec![(0, RationalMatrix::identity(p.rows())?)];

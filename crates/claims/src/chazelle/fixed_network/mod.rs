@@ -88,8 +88,8 @@ impl Network {
         Ok(RationalMatrix::identity(self.order())?)
     }
 
-    /// Exponents with `1 - mu >= n^-gap` and both `sqrt(c_i/c_j)` and `1/sqrt(2 pi_i)` at most `n^factor`. They are proved
-    /// for the admissible kinds; controls use them for the others too.
+    /// Exponents with `1 - mu >= n^-gap` and both `sqrt(c_i/c_j)` and `1/sqrt(2 pi_i)` at most `n^factor`. They are
+    /// proved for the admissible kinds; controls use them for the others too.
     fn exponents(&self) -> Exponents {
         Exponents { factor: 1, gap: if matches!(self.kind, Kind::Uneven | Kind::Tiny) { 4 } else { 3 } }
     }
@@ -109,7 +109,8 @@ struct Exponents {
     gap: i32,
 }
 
-/// Two cliques of `m` birds joined by a path through `m` more: the slowest to mix, `1 - lambda_2` is of the order `n^-3`.
+/// Two cliques of `m` birds joined by a path through `m` more: the slowest to mix, `1 - lambda_2` is of the order
+/// `n^-3`.
 fn barbell(m: usize) -> Graph {
     let clique = |i: usize| {
         if i < m {
@@ -123,9 +124,9 @@ fn barbell(m: usize) -> Graph {
     Graph::from_fn(3 * m, |i, j| i + 1 == j || (clique(i) != 1 && clique(i) == clique(j)))
 }
 
-/// An upper bound of `1 - lambda_2` on lazy barbells, exactly: the Rayleigh quotient of the function that is -1 on one clique, 1 on
-/// the other and linear between. Where it is below `n^-gap / 2`, no bound `n^O(1) e^(-s n^-gap)` or `n^O(1) 2^(-s n^-gap)` can hold
-/// for all `s`, because `1 - e^-x > 1 - 2^-x >= x/2` for `x <= 1`.
+/// An upper bound of `1 - lambda_2` on lazy barbells, exactly: the Rayleigh quotient of the function that is -1 on
+/// one clique, 1 on the other and linear between. Where it is below `n^-gap / 2`, no bound `n^O(1) e^(-s n^-gap)` or
+/// `n^O(1) 2^(-s n^-gap)` can hold for all `s`, because `1 - e^-x > 1 - 2^-x >= x/2` for `x <= 1`.
 fn too_slow_for(gap: i32) -> Result<Option<String>, CheckError> {
     for m in [2, 8, 26] {
         let network = Network::new(barbell(m), Kind::Lazy)?;

@@ -80,7 +80,8 @@ impl RationalIdentity for TwoBirds {
         let entries = [(0, 0), (0, 1), (1, 0), (1, 1)];
         let p = |(i, j): (usize, usize)| if i == j { one.clone() - c[i] } else { c[i].clone() };
         let total = c1.clone() + c2;
-        // The spectrum of P: 1 with u_1 = (sqrt c2, sqrt c1)/sqrt(c1+c2), 1 - c1 - c2 with u_2 = (sqrt c1, -sqrt c2)/sqrt(c1+c2).
+        // The spectrum of P: 1 with u_1 = (sqrt c2, sqrt c1)/sqrt(c1+c2), 1 - c1 - c2 with u_2 = (sqrt c1, -sqrt
+        // c2)/sqrt(c1+c2).
         let modes = [(one.clone(), [c2, c1], 1), (one.clone() - &total, [c1, c2], -1)];
         let half = |x: &T, power: i32| -> Result<T, ArithmeticError> {
             match power {
