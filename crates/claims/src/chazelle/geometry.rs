@@ -199,7 +199,7 @@ fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, Chec
     for t in 2..=UNTIL {
         before = flock.positions();
         let p = transition_matrix(flock.network(), flock.weights())?;
-        switches += i64::from(flock.step()?.is_some());
+        let switched = flock.step()?.is_some();
         let next = origins(&before, &flock);
         let q = rational(variant.coupling.0, variant.coupling.1);
         for k in 0..flock.dimension() {
@@ -223,6 +223,8 @@ fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, Chec
         if size > bound * logarithm / time.pow(variant.power) {
             return Ok(Some(format!("{} at t = {t}: |v - x/t| reaches {size}", show_start(start))));
         }
+        // Switches before t: the one at t does not count yet.
+        switches += i64::from(switched);
     }
     let time = Rational::from_integer(flock.time().clone());
     for (x, old) in flock.positions().iter().zip(&before) {

@@ -57,7 +57,7 @@ fn weight_times(history: &NetworkHistory, column: usize, s: usize) -> Vec<usize>
     times
 }
 
-/// Exact flocks that fail for an honest reason: three birds at rest in a row, and birds that meet one after the other.
+/// Exact flocks, counterexamples within the model: three birds at rest in a row, and birds that meet one after the other.
 fn small_flocks() -> Result<Vec<NetworkHistory>, CheckError> {
     let eighths = |x: &[i64]| x.iter().map(|&x| rational(x, 8)).collect::<Vec<_>>();
     let hysteresis = Some(rational(1, 3).pow(81));
@@ -82,7 +82,11 @@ pub fn count() -> Record<CountVariant> {
         printed,
         check_count,
     )
-    .clauses(&["N(t_{k+1}, t_k) = 1 when t_{k+1} = t_k + 1.", "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1})."])
+    .clauses(&[
+        "With N(t,s) the number of integers u, s < u < t, such that the footprint of P(u) differs from that of P(u-1): \
+         N(t_{k+1}, t_k) = 1 when t_{k+1} = t_k + 1.",
+        "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
+    ])
     .repaired(
         Fault::Slip,
         "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when t_{k+1} = \
