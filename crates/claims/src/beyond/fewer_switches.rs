@@ -1,50 +1,28 @@
 //! beyond.chazelle.switches: a flocking network switches at most n^O(n²) times.
 
 use crate::chazelle::switching::{SwitchesVariant, examine_switches};
-use ledger::{CheckError, Claim, Control, Outcome, Run, Source};
+use ledger::Record;
 
-/// beyond.chazelle.switches.
-pub struct FewerSwitches;
-
-impl Claim for FewerSwitches {
-    type Variant = SwitchesVariant;
-
-    fn id(&self) -> &str {
-        "beyond.chazelle.switches"
-    }
-
-    fn source(&self) -> Option<Source> {
-        Some(Source {
-            place: "sharpens chazelle, Lemma 3.1 and Theorem 1.1".to_string(),
-            statement: "With the hysteresis rule, positive entries of every P(t) at least n^-a and speeds at most n^c, the network of n >= 2 \
-                        birds switches at most n^{a(n-1)^2 + (c+9)(n-1) + 1} times: n^{O(n^2)}, not only n^{O(n^3)}."
-                .to_string(),
-        })
-    }
-
-    fn derivation(&self) -> &str {
-        "The proof of Lemma 3.1, completed, with the entries n^(-a(n-1)) of beyond.chazelle.entries in place of n^(-O(n²)): k = \
-         nu^(a(nu-1)+c+6) stabilisers are enough for edges to last, and N(n) + 2 <= 3 k nu (N(n-1) + 2). \
-         Proof in notes/chazelle_switches.md."
-    }
-
-    fn printed(&self) -> SwitchesVariant {
-        SwitchesVariant::QUADRATIC
-    }
-
-    fn controls(&self) -> Vec<Control<SwitchesVariant>> {
-        let printed = SwitchesVariant::QUADRATIC;
-        vec![
-            Control::new("at most n - 1 switches", SwitchesVariant { count: Some(|n| n - 1), ..printed }),
-            Control::new(
-                "c + 5 in place of c + 9",
-                SwitchesVariant { exponent: |n, a, c| a * (n - 1).pow(2) + (c + 5) * (n - 1) + 1, ..printed },
-            ),
-            Control::new("k smaller by a factor nu^3", SwitchesVariant { room: |c| c + 3, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &SwitchesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_switches(variant, run)
-    }
+pub fn fewer_switches() -> Record<SwitchesVariant> {
+    let printed = SwitchesVariant::QUADRATIC;
+    Record::new(
+        "beyond.chazelle.switches",
+        "The proof of Lemma 3.1, completed, with the entries n^(-a(n-1)) of beyond.chazelle.entries in place of \
+         n^(-O(n²)): k = nu^(a(nu-1)+c+6) stabilisers are enough for edges to last, and N(n) + 2 <= 3 k nu (N(n-1) + \
+         2). Proof in notes/chazelle_switches.md.",
+        printed,
+        examine_switches,
+    )
+    .stated(
+        "sharpens chazelle, Lemma 3.1 and Theorem 1.1",
+        "Let a and c be non-negative integers. In model D with the printed hysteresis rule, positive entries of every \
+         P(t) at least n^-a and speeds at most n^c, the network of n >= 2 birds switches at most n^{a(n-1)^2 + \
+         (c+9)(n-1) + 1} times: n^{O(n^2)}, not only n^{O(n^3)}.",
+    )
+    .control("at most n - 1 switches", SwitchesVariant { count: Some(|n| n - 1), ..printed })
+    .control(
+        "step 3 with c + 5 in place of c + 9",
+        SwitchesVariant { exponent: |n, a, c| a * (n - 1).pow(2) + (c + 5) * (n - 1) + 1, ..printed },
+    )
+    .control("step 1 with k smaller by a factor nu^3", SwitchesVariant { room: |c| c + 3, ..printed })
 }

@@ -23,12 +23,12 @@ use ledger::AnyClaim;
 pub fn claims() -> Vec<Box<dyn AnyClaim>> {
     vec![
         Box::new(one_sided_peak::one_sided_peak()),
-        Box::new(smallest_entries::SmallestEntries),
-        Box::new(fewer_switches::FewerSwitches),
-        Box::new(tower::Tower),
-        Box::new(recurrent::Recurrent),
-        Box::new(virtual_origins::Angle),
-        Box::new(virtual_origins::Losses),
+        Box::new(smallest_entries::smallest_entries()),
+        Box::new(fewer_switches::fewer_switches()),
+        Box::new(tower::tower()),
+        Box::new(recurrent::recurrent()),
+        Box::new(virtual_origins::angle()),
+        Box::new(virtual_origins::losses()),
         Box::new(next_order::frequency()),
         Box::new(next_order::amplitude()),
         Box::new(decay_rate::slowest_decay()),

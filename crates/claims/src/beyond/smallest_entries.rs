@@ -1,49 +1,32 @@
 //! beyond.chazelle.entries: the smallest nonzero entry of products of matrices of the flocking models.
 
 use crate::chazelle::entries::{EntriesVariant, Floor, examine_entries};
-use ledger::{CheckError, Claim, Control, Outcome, Run, Source};
+use ledger::Record;
 
-/// beyond.chazelle.entries.
-pub struct SmallestEntries;
-
-impl Claim for SmallestEntries {
-    type Variant = EntriesVariant;
-
-    fn id(&self) -> &str {
-        "beyond.chazelle.entries"
-    }
-
-    fn source(&self) -> Option<Source> {
-        Some(Source {
-            place: "sharpens chazelle, Lemma 2.2".to_string(),
-            statement: "Over all sequences of networks on n birds and all t >= s, the smallest nonzero entry of P(t,s) is exactly \
-                        1/n! for c_i = 1/(d_i+1) and exactly 2^{n-2}/(3^{n-1} (n-1)!) for c_i = 2/(3 d_i), n >= 2: it is n^{-O(n)}, \
-                        not only n^{-O(n^2)}."
-                .to_string(),
-        })
-    }
-
-    fn derivation(&self) -> &str {
-        "When the support S of a column grows, a bird with m neighbours in S and at most n - |S| - 1 outside gets at least the \
-         share m/(m + n - |S|) >= 1/(n - |S| + 1) of the smallest entry (vicsek), and a bird of S keeps at least as much. For \
-         lazy the share is at least min(1/3, 2/(3(n - |S|))). The products over |S| = 1, ..., n - 1 are the two values. They are attained: at step k \
-         the new bird sees the bird with the smallest entry and all birds outside S (notes/chazelle_switches.md)."
-    }
-
-    fn printed(&self) -> EntriesVariant {
-        EntriesVariant::SHARP
-    }
-
-    fn controls(&self) -> Vec<Control<EntriesVariant>> {
-        let scaled = |p, q| EntriesVariant { floor: Floor::Smallest(p, q), ..EntriesVariant::SHARP };
-        vec![
-            Control::new("1/100 larger", scaled(101, 100)),
-            Control::new("1/100 smaller", scaled(99, 100)),
-            Control::new("edges seen from one side", EntriesVariant { one_sided: true, ..EntriesVariant::SHARP }),
-        ]
-    }
-
-    fn examine(&self, variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_entries(variant, run)
-    }
+pub fn smallest_entries() -> Record<EntriesVariant> {
+    let scaled = |p, q| EntriesVariant { floor: Floor::Smallest(p, q), ..EntriesVariant::SHARP };
+    Record::new(
+        "beyond.chazelle.entries",
+        "When the support S of a column grows, a bird with m neighbours in S and at most n - |S| - 1 outside gets at \
+         least the share m/(m + n - |S|) >= 1/(n - |S| + 1) of the smallest entry (vicsek), and a bird of S keeps at \
+         least as much. For lazy the share is at least min(1/3, 2/(3(n - |S|))). The products over |S| = 1, ..., n - \
+         1 are the two values. They are attained: at step k the new bird sees the bird with the smallest entry and \
+         all birds outside S (notes/chazelle_switches.md).",
+        EntriesVariant::SHARP,
+        examine_entries,
+    )
+    .stated(
+        "sharpens chazelle, Lemma 2.2",
+        "Over all sequences of networks on n birds and all t >= s, the smallest nonzero entry of P(t,s) is exactly \
+         1/n! for c_i = 1/(d_i+1) and exactly 2^{n-2}/(3^{n-1} (n-1)!) for c_i = 2/(3 d_i), n >= 2: it is n^{-O(n)}, \
+         not only n^{-O(n^2)}.",
+    )
+    .clauses(&[
+        "Over all sequences of networks on n >= 2 birds and all t >= s, no nonzero entry of P(t,s) is less than 1/n! \
+         for c_i = 1/(d_i+1), or less than 2^{n-2}/(3^{n-1} (n-1)!) for c_i = 2/(3 d_i).",
+        "These values occur.",
+    ])
+    .control("1/100 larger", scaled(101, 100))
+    .control("1/100 smaller", scaled(99, 100))
+    .control("edges seen from one side", EntriesVariant { one_sided: true, ..EntriesVariant::SHARP })
 }

@@ -2,7 +2,7 @@
 
 use algebra::matrix::{Norm, RationalMatrix, diameter, tau_1, tau_2_squared, tau_infinity};
 use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use num_bigint::BigInt;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
@@ -62,9 +62,6 @@ fn size(random: &mut ChaCha8Rng, largest: usize) -> usize {
     1 + random.next_u32() as usize % largest
 }
 
-/// chazelle.tau1: `tau_1` is half the l1-diameter of the rows.
-pub struct Coefficient;
-
 /// Which combination of the overlaps is compared with which multiple of the diameter.
 #[derive(Clone, Copy)]
 pub struct CoefficientVariant {
@@ -97,76 +94,71 @@ impl CoefficientVariant {
     }
 }
 
-impl Claim for Coefficient {
-    type Variant = CoefficientVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.tau1"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn coefficient() -> Record<CoefficientVariant> {
+    let printed = CoefficientVariant {
+        share_of_diameter: (1, 2),
+        least_overlap: true,
+        smaller_entries: true,
+        row_sum_divisor: 1,
+    };
+    Record::new(
+        "chazelle.tau1",
         "|a - b| = a + b - 2 min(a, b). Summed over the entries of two rows that sum to one: half the l1-distance is \
-         1 - sum_k min(a_ik, a_jk). It is at least 0 and, the minima being non-negative, at most 1. The diameter of the \
-         convex hull is attained at two rows because a norm is convex (notes/chazelle.md)."
-    }
+         1 - sum_k min(a_ik, a_jk). It is at least 0 and, the minima being non-negative, at most 1. The diameter of \
+         the convex hull is attained at two rows because a norm is convex (notes/chazelle.md).",
+        printed,
+        check_coefficient,
+    )
+    .clauses(&[
+        "For row-stochastic A, 0 <= tau_1(A) = 1 - min_{i,j} sum_k min{a_ik, a_jk} <= 1.",
+        "tau_1(A) is half the l_1-diameter of the rows.",
+    ])
+    .control("the whole diameter", CoefficientVariant { share_of_diameter: (1, 1), ..printed })
+    .control("the largest overlap", CoefficientVariant { least_overlap: false, ..printed })
+    .control("the larger entries", CoefficientVariant { smaller_entries: false, ..printed })
+    .control("rows that sum to 1/2", CoefficientVariant { row_sum_divisor: 2, ..printed })
+}
 
-    fn printed(&self) -> CoefficientVariant {
-        CoefficientVariant { share_of_diameter: (1, 2), least_overlap: true, smaller_entries: true, row_sum_divisor: 1 }
-    }
-
-    fn controls(&self) -> Vec<Control<CoefficientVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("the whole diameter", CoefficientVariant { share_of_diameter: (1, 1), ..printed }),
-            Control::new("the largest overlap", CoefficientVariant { least_overlap: false, ..printed }),
-            Control::new("the larger entries", CoefficientVariant { smaller_entries: false, ..printed }),
-            Control::new("rows that sum to 1/2", CoefficientVariant { row_sum_divisor: 2, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &CoefficientVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let scale = |a: RationalMatrix| -> Result<RationalMatrix, CheckError> {
-            let divisor = rational(variant.row_sum_divisor, 1);
-            let rows: Vec<Vec<Rational>> =
-                a.to_rows().into_iter().map(|row| row.into_iter().map(|x| x / &divisor).collect()).collect();
-            Ok(RationalMatrix::from_rows(&rows)?)
-        };
-        let mut cases = 0;
-        let upto = |cols: usize, largest: i64| (1..=largest).map(move |denominator| (2, cols, denominator));
-        let families = [(1, 1, 1), (1, 3, 4), (2, 1, 3), (3, 3, 3)].into_iter();
-        for (rows, cols, denominator) in families.chain(upto(2, 12)).chain(upto(3, 6)).chain(upto(4, 4)) {
-            for a in all_matrices(rows, cols, denominator)? {
-                run.checkpoint()?;
-                cases += 1;
-                if let Some(counterexample) = variant.fails_at(&scale(a)?) {
-                    return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "equality", "one matrix")));
-                }
-            }
-        }
-        let mut random = run.random(0);
-        let random_cases = run.cases(300, 5000);
-        for _ in 0..random_cases {
-            let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
-            let a = scale(random_matrix(rows, cols, &mut random)?)?;
-            if let Some(counterexample) = variant.fails_at(&a) {
+fn check_coefficient(variant: &CoefficientVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let scale = |a: RationalMatrix| -> Result<RationalMatrix, CheckError> {
+        let divisor = rational(variant.row_sum_divisor, 1);
+        let rows: Vec<Vec<Rational>> =
+            a.to_rows().into_iter().map(|row| row.into_iter().map(|x| x / &divisor).collect()).collect();
+        Ok(RationalMatrix::from_rows(&rows)?)
+    };
+    let mut cases = 0;
+    let upto = |cols: usize, largest: i64| (1..=largest).map(move |denominator| (2, cols, denominator));
+    let families = [(1, 1, 1), (1, 3, 4), (2, 1, 3), (3, 3, 3)].into_iter();
+    for (rows, cols, denominator) in families.chain(upto(2, 12)).chain(upto(3, 6)).chain(upto(4, 4)) {
+        for a in all_matrices(rows, cols, denominator)? {
+            run.checkpoint()?;
+            cases += 1;
+            if let Some(counterexample) = variant.fails_at(&scale(a)?) {
                 return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "equality", "one matrix")));
             }
         }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "equality and both bounds, for every row-stochastic matrix",
-                "proof in notes/chazelle.md; every pair of rows with a common denominator up to 12 (2 columns), 6 (3), \
-                 4 (4), and every 3 x 3 matrix over 3",
-            )
-            .cases(cases),
-            Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
-        ]))
     }
+    let mut random = run.random(0);
+    let random_cases = run.cases(300, 5000);
+    for _ in 0..random_cases {
+        let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
+        let a = scale(random_matrix(rows, cols, &mut random)?)?;
+        if let Some(counterexample) = variant.fails_at(&a) {
+            return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "equality", "one matrix")));
+        }
+    }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exhaustive,
+            "equality and both bounds, for every row-stochastic matrix",
+            "every pair of rows with a common denominator up to 12 (2 columns), 6 (3), 4 (4), and every 3 x 3 matrix \
+             over 3",
+        )
+        .cases(cases),
+        Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
+    ])
+    .on([1, 2]))
 }
-
-/// chazelle.lem2.4: `tau_2(AB) <= tau_1(A) tau_2(B)`.
-pub struct Submultiplicative;
 
 /// The factor in front of `tau_2(B)`.
 #[derive(Clone, Copy)]
@@ -211,89 +203,75 @@ fn spoiled(a: &RationalMatrix) -> Result<RationalMatrix, CheckError> {
     Ok(RationalMatrix::from_rows(&rows)?)
 }
 
-impl Claim for Submultiplicative {
-    type Variant = SubmultiplicativeVariant;
+pub fn submultiplicative() -> Record<SubmultiplicativeVariant> {
+    let printed = SubmultiplicativeVariant { left: LeftDiameter::One, squared_factor: (1, 1), stochastic: true };
+    Record::new(
+        "chazelle.lem2.4",
+        "Row i minus row j of AB is sum_k u_k b_k with u = a_i - a_j. The positive and the negative part of u both \
+         sum to t <= tau_1(A), so it is t times the difference of two convex combinations of rows of B, whose \
+         distance is at most tau_2(B). The argument uses no special norm (notes/chazelle.md).",
+        printed,
+        check_submultiplicative,
+    )
+    .control("tau_2(A) instead of tau_1(A)", SubmultiplicativeVariant { left: LeftDiameter::Two, ..printed })
+    .control("tau_infinity(A)", SubmultiplicativeVariant { left: LeftDiameter::Infinity, ..printed })
+    .control("a bound smaller by 1/200", SubmultiplicativeVariant { squared_factor: (99, 100), ..printed })
+    .control("A not stochastic", SubmultiplicativeVariant { stochastic: false, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.lem2.4"
-    }
-
-    fn derivation(&self) -> &str {
-        "Row i minus row j of AB is sum_k u_k b_k with u = a_i - a_j. The positive and the negative part of u both sum \
-         to t <= tau_1(A), so it is t times the difference of two convex combinations of rows of B, whose distance is at \
-         most tau_2(B). The argument uses no special norm (notes/chazelle.md)."
-    }
-
-    fn printed(&self) -> SubmultiplicativeVariant {
-        SubmultiplicativeVariant { left: LeftDiameter::One, squared_factor: (1, 1), stochastic: true }
-    }
-
-    fn controls(&self) -> Vec<Control<SubmultiplicativeVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new(
-                "tau_2(A) instead of tau_1(A)",
-                SubmultiplicativeVariant { left: LeftDiameter::Two, ..printed },
-            ),
-            Control::new("tau_infinity(A)", SubmultiplicativeVariant { left: LeftDiameter::Infinity, ..printed }),
-            Control::new("a bound smaller by 1/200", SubmultiplicativeVariant { squared_factor: (99, 100), ..printed }),
-            Control::new("A not stochastic", SubmultiplicativeVariant { stochastic: false, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &SubmultiplicativeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let fails = |counterexample: String| {
-            Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "the bound", "one pair of matrices")))
-        };
-        let prepare = |a: RationalMatrix| if variant.stochastic { Ok(a) } else { spoiled(&a) };
-        let mut cases = 0;
-        // Both sides are attained at two rows of A, so two rows are enough.
-        for (inner, cols, of_a, of_b) in [(1, 2, 2, 3), (2, 2, 6, 4), (2, 3, 4, 3), (3, 2, 3, 2), (3, 3, 3, 2)] {
-            let lefts: Vec<RationalMatrix> =
-                all_matrices(2, inner, of_a)?.into_iter().map(prepare).collect::<Result<_, _>>()?;
-            for b in all_matrices(inner, cols, of_b)? {
-                run.checkpoint()?;
-                for a in &lefts {
-                    cases += 1;
-                    if let Some(counterexample) = variant.fails_at(a, &b)? {
-                        return fails(counterexample);
-                    }
+fn check_submultiplicative(variant: &SubmultiplicativeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let fails = |counterexample: String| {
+        Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "the bound", "one pair of matrices")))
+    };
+    let prepare = |a: RationalMatrix| if variant.stochastic { Ok(a) } else { spoiled(&a) };
+    let mut cases = 0;
+    // Both sides are attained at two rows of A, so two rows are enough.
+    for (inner, cols, of_a, of_b) in [(1, 2, 2, 3), (2, 2, 6, 4), (2, 3, 4, 3), (3, 2, 3, 2), (3, 3, 3, 2)] {
+        let lefts: Vec<RationalMatrix> =
+            all_matrices(2, inner, of_a)?.into_iter().map(prepare).collect::<Result<_, _>>()?;
+        for b in all_matrices(inner, cols, of_b)? {
+            run.checkpoint()?;
+            for a in &lefts {
+                cases += 1;
+                if let Some(counterexample) = variant.fails_at(a, &b)? {
+                    return fails(counterexample);
                 }
             }
         }
-        // Equality, and the reason why tau_1 cannot be replaced: rows spread over many entries.
-        let spread = RationalMatrix::from_integers(&[[1, 1, 1, 0, 0, 0], [0, 0, 0, 1, 1, 1]], 3)?;
-        let split = RationalMatrix::from_integers(&[[1, 0], [1, 0], [1, 0], [0, 1], [0, 1], [0, 1]], 1)?;
-        if let Some(counterexample) = variant.fails_at(&prepare(spread.clone())?, &split)? {
+    }
+    // Equality, and the reason why tau_1 cannot be replaced: rows spread over many entries.
+    let spread = RationalMatrix::from_integers(&[[1, 1, 1, 0, 0, 0], [0, 0, 0, 1, 1, 1]], 3)?;
+    let split = RationalMatrix::from_integers(&[[1, 0], [1, 0], [1, 0], [0, 1], [0, 1], [0, 1]], 1)?;
+    if let Some(counterexample) = variant.fails_at(&prepare(spread.clone())?, &split)? {
+        return fails(counterexample);
+    }
+    let mut random = run.random(0);
+    let random_cases = run.cases(200, 4000);
+    for _ in 0..random_cases {
+        run.checkpoint()?;
+        let (rows, inner, cols) = (size(&mut random, 7), size(&mut random, 7), size(&mut random, 7));
+        let a = prepare(random_matrix(rows, inner, &mut random)?)?;
+        let b = random_matrix(inner, cols, &mut random)?;
+        if let Some(counterexample) = variant.fails_at(&a, &b)? {
             return fails(counterexample);
         }
-        let mut random = run.random(0);
-        let random_cases = run.cases(200, 4000);
-        for _ in 0..random_cases {
-            run.checkpoint()?;
-            let (rows, inner, cols) = (size(&mut random, 7), size(&mut random, 7), size(&mut random, 7));
-            let a = prepare(random_matrix(rows, inner, &mut random)?)?;
-            let b = random_matrix(inner, cols, &mut random)?;
-            if let Some(counterexample) = variant.fails_at(&a, &b)? {
-                return fails(counterexample);
-            }
-        }
-        run.value("tau_2_squared_where_equal", tau_2_squared(&spread.times(&split)?).to_string());
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "the bound, for all row-stochastic A and B that can be multiplied",
-                "proof in notes/chazelle.md; all pairs with A of two rows and inner size up to 3 over small denominators",
-            )
-            .cases(cases),
-            Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 7 x 7").cases(random_cases),
-            Evidence::new(Grade::Exact, "the bound is attained", "A = [[1,1,1,0,0,0],[0,0,0,1,1,1]]/3 and B that merges the columns"),
-        ]))
     }
+    run.value("tau_2_squared_where_equal", tau_2_squared(&spread.times(&split)?).to_string());
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exhaustive,
+            "the bound, for all row-stochastic A and B that can be multiplied",
+            "all pairs with A of two rows and inner size up to 3 over small denominators",
+        )
+        .cases(cases),
+        Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 7 x 7").cases(random_cases),
+        Evidence::new(
+            Grade::Exact,
+            "the bound is attained",
+            "A = [[1,1,1,0,0,0],[0,0,0,1,1,1]]/3 and B that merges the columns",
+        ),
+    ]))
 }
-
-/// chazelle.tau2sqrt2: `tau_2(A) <= tau_1(A) tau_2(I) <= sqrt(2) tau_1(A)`.
-pub struct SquareRootOfTwo;
 
 /// The squared constant, and a squared factor of the middle term.
 #[derive(Clone, Copy)]
@@ -303,73 +281,63 @@ pub struct SquareRootOfTwoVariant {
     stochastic: bool,
 }
 
-impl Claim for SquareRootOfTwo {
-    type Variant = SquareRootOfTwoVariant;
+pub fn square_root_of_two() -> Record<SquareRootOfTwoVariant> {
+    let printed = SquareRootOfTwoVariant { squared_constant: (2, 1), middle_factor: (1, 1), stochastic: true };
+    Record::new(
+        "chazelle.tau2sqrt2",
+        "Lemma 2.4 with B = I. Two rows of the identity have distance sqrt(2); with one column there is only one row \
+         and tau_2(I) = 0 (notes/chazelle.md).",
+        printed,
+        check_square_root_of_two,
+    )
+    .clauses(&["tau_2(A) <= tau_1(A) tau_2(I) for row-stochastic A.", "tau_1(A) tau_2(I) <= sqrt(2) tau_1(A)."])
+    .control("the constant 1.41", SquareRootOfTwoVariant { squared_constant: (19881, 10000), ..printed })
+    .control("a smaller middle term", SquareRootOfTwoVariant { middle_factor: (99, 100), ..printed })
+    .control("the constant 1", SquareRootOfTwoVariant { squared_constant: (1, 1), ..printed })
+    .control("A not stochastic", SquareRootOfTwoVariant { stochastic: false, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.tau2sqrt2"
+fn check_square_root_of_two(variant: &SquareRootOfTwoVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let (p, q) = variant.squared_constant;
+    let fails_at = |a: &RationalMatrix| -> Result<Option<String>, CheckError> {
+        let identity = RationalMatrix::identity(a.cols())?;
+        let coefficient = tau_1(a).square();
+        let (part, whole) = variant.middle_factor;
+        let middle = coefficient.clone() * tau_2_squared(&identity) * rational(part, whole);
+        let chain = [tau_2_squared(a), middle, coefficient * rational(p, q)];
+        let ordered = chain.windows(2).all(|pair| pair[0] <= pair[1]);
+        Ok((!ordered).then(|| format!("A = {}: the squares are {}, {}, {}", show(a), chain[0], chain[1], chain[2])))
+    };
+    let mut cases = 0;
+    let mut random = run.random(0);
+    let random_cases = run.cases(300, 5000);
+    let mut matrices = Vec::new();
+    for (rows, cols, denominator) in [(1, 1, 1), (2, 1, 1), (2, 2, 12), (2, 3, 6), (2, 4, 4), (3, 3, 3)] {
+        matrices.extend(all_matrices(rows, cols, denominator)?);
     }
-
-    fn derivation(&self) -> &str {
-        "Lemma 2.4 with B = I. Two rows of the identity have distance sqrt(2); with one column there is only one row and \
-         tau_2(I) = 0 (notes/chazelle.md)."
-    }
-
-    fn printed(&self) -> SquareRootOfTwoVariant {
-        SquareRootOfTwoVariant { squared_constant: (2, 1), middle_factor: (1, 1), stochastic: true }
-    }
-
-    fn controls(&self) -> Vec<Control<SquareRootOfTwoVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("the constant 1.41", SquareRootOfTwoVariant { squared_constant: (19881, 10000), ..printed }),
-            Control::new("a smaller middle term", SquareRootOfTwoVariant { middle_factor: (99, 100), ..printed }),
-            Control::new("the constant 1", SquareRootOfTwoVariant { squared_constant: (1, 1), ..printed }),
-            Control::new("A not stochastic", SquareRootOfTwoVariant { stochastic: false, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &SquareRootOfTwoVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let (p, q) = variant.squared_constant;
-        let fails_at = |a: &RationalMatrix| -> Result<Option<String>, CheckError> {
-            let identity = RationalMatrix::identity(a.cols())?;
-            let coefficient = tau_1(a).square();
-            let (part, whole) = variant.middle_factor;
-            let middle = coefficient.clone() * tau_2_squared(&identity) * rational(part, whole);
-            let chain = [tau_2_squared(a), middle, coefficient * rational(p, q)];
-            let ordered = chain.windows(2).all(|pair| pair[0] <= pair[1]);
-            Ok((!ordered).then(|| format!("A = {}: the squares are {}, {}, {}", show(a), chain[0], chain[1], chain[2])))
-        };
-        let mut cases = 0;
-        let mut random = run.random(0);
-        let random_cases = run.cases(300, 5000);
-        let mut matrices = Vec::new();
-        for (rows, cols, denominator) in [(1, 1, 1), (2, 1, 1), (2, 2, 12), (2, 3, 6), (2, 4, 4), (3, 3, 3)] {
-            matrices.extend(all_matrices(rows, cols, denominator)?);
-        }
-        for k in 0..matrices.len() + random_cases {
-            run.checkpoint()?;
-            let a = match matrices.get(k) {
-                Some(a) => a.clone(),
-                None => {
-                    let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
-                    random_matrix(rows, cols, &mut random)?
-                }
-            };
-            let a = if variant.stochastic { a } else { spoiled(&a)? };
-            cases += usize::from(k < matrices.len());
-            if let Some(counterexample) = fails_at(&a)? {
-                return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "the chain", "one matrix")));
+    for k in 0..matrices.len() + random_cases {
+        run.checkpoint()?;
+        let a = match matrices.get(k) {
+            Some(a) => a.clone(),
+            None => {
+                let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
+                random_matrix(rows, cols, &mut random)?
             }
+        };
+        let a = if variant.stochastic { a } else { spoiled(&a)? };
+        cases += usize::from(k < matrices.len());
+        if let Some(counterexample) = fails_at(&a)? {
+            return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "the chain", "one matrix")));
         }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "both inequalities, for every row-stochastic matrix",
-                "proof in notes/chazelle.md; all pairs of rows over small denominators",
-            )
-            .cases(cases),
-            Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
-        ]))
     }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exhaustive,
+            "both inequalities, for every row-stochastic matrix",
+            "all pairs of rows over small denominators",
+        )
+        .cases(cases),
+        Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
+    ])
+    .on([1, 2]))
 }

@@ -3,11 +3,8 @@
 use super::sequences::{seen_from_one_side, share_weights, show};
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, StochasticMatrix};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::transition_matrix;
-
-/// chazelle.foot.mono.
-pub struct Monotone;
 
 /// What is altered in the statement.
 #[derive(Clone, Copy)]
@@ -31,108 +28,102 @@ impl MonotoneVariant {
     }
 }
 
-impl Claim for Monotone {
-    type Variant = MonotoneVariant;
+pub fn monotone() -> Record<MonotoneVariant> {
+    let printed = MonotoneVariant { share: (2, 3), single: true, products_symmetric: false, one_sided: false };
+    Record::new(
+        "chazelle.foot.mono",
+        "P(t+1,s)_ij >= p_ii(t+1) P(t,s)_ij > 0 wherever P(t,s)_ij > 0, because the diagonal is positive and nothing \
+         is negative. p_ij > 0 for i != j exactly when i and j are joined, which is symmetric. P(2) P(1) with edges \
+         1-2 at time 1 and 2-3 at time 2 lets bird 1 influence bird 3 but not the converse (notes/chazelle.md).",
+        printed,
+        check_monotone,
+    )
+    .clauses(&[
+        "The footprint of P(t,s) can never lose a 1 as t grows.",
+        "The footprint of P(t,s) is in general not symmetric.",
+        "The footprint of a single P(t) is symmetric with its diagonal full of ones.",
+    ])
+    .control("a one is kept without a positive diagonal", MonotoneVariant { share: (1, 1), single: false, ..printed })
+    .control("a full diagonal with c_i d_i = 1", MonotoneVariant { share: (1, 1), ..printed })
+    .control("products always symmetric", MonotoneVariant { products_symmetric: true, ..printed })
+    .control("edges seen from one side", MonotoneVariant { one_sided: true, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.foot.mono"
-    }
-
-    fn derivation(&self) -> &str {
-        "P(t+1,s)_ij >= p_ii(t+1) P(t,s)_ij > 0 wherever P(t,s)_ij > 0, because the diagonal is positive and nothing is \
-         negative. p_ij > 0 for i != j exactly when i and j are joined, which is symmetric. P(2) P(1) with edges 1-2 at \
-         time 1 and 2-3 at time 2 lets bird 1 influence bird 3 but not the converse (notes/chazelle.md)."
-    }
-
-    fn printed(&self) -> MonotoneVariant {
-        MonotoneVariant { share: (2, 3), single: true, products_symmetric: false, one_sided: false }
-    }
-
-    fn controls(&self) -> Vec<Control<MonotoneVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new(
-                "a one is kept without a positive diagonal",
-                MonotoneVariant { share: (1, 1), single: false, ..printed },
-            ),
-            Control::new("a full diagonal with c_i d_i = 1", MonotoneVariant { share: (1, 1), ..printed }),
-            Control::new("products always symmetric", MonotoneVariant { products_symmetric: true, ..printed }),
-            Control::new("edges seen from one side", MonotoneVariant { one_sided: true, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &MonotoneVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let exact = |what: &str| Evidence::new(Grade::Exact, what, "exact products");
-        let mut graphs = 0;
-        let mut sequences = 0;
-        let mut asymmetric = None;
-        for order in 1..=4usize {
-            let length = if order <= 3 { 4 } else { run.cases(2, 3) };
-            let all: Vec<Graph> = Graph::all(order).collect();
-            let matrices: Vec<StochasticMatrix> = all.iter().map(|g| variant.matrix(g)).collect::<Result<_, _>>()?;
-            let prints: Vec<Footprint> = matrices.iter().map(StochasticMatrix::footprint).collect();
-            for (graph, print) in all.iter().zip(&prints) {
-                graphs += 1;
-                if variant.single && !(print.is_symmetric() && print.has_full_diagonal()) {
-                    return Ok(Outcome::fails(
-                        format!("{order} birds, edges {}: the footprint of P(t) is {print}", show(graph)),
-                        exact("the footprint of a single P(t)"),
-                    ));
-                }
+fn check_monotone(variant: &MonotoneVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let exact = |what: &str| Evidence::new(Grade::Exact, what, "exact products");
+    let mut graphs = 0;
+    let mut sequences = 0;
+    let mut asymmetric = None;
+    for order in 1..=4usize {
+        let length = if order <= 3 { 4 } else { run.cases(2, 3) };
+        let all: Vec<Graph> = Graph::all(order).collect();
+        let matrices: Vec<StochasticMatrix> = all.iter().map(|g| variant.matrix(g)).collect::<Result<_, _>>()?;
+        let prints: Vec<Footprint> = matrices.iter().map(StochasticMatrix::footprint).collect();
+        for (graph, print) in all.iter().zip(&prints) {
+            graphs += 1;
+            if variant.single && !(print.is_symmetric() && print.has_full_diagonal()) {
+                return Ok(Outcome::fails(
+                    format!("{order} birds, edges {}: the footprint of P(t) is {print}", show(graph)),
+                    exact("the footprint of a single P(t)"),
+                ));
             }
-            // Every sequence of graphs; the footprint of the exact product and the product of footprints agree.
-            let mut open: Vec<(Vec<usize>, StochasticMatrix)> =
-                matrices.iter().cloned().enumerate().map(|(k, m)| (vec![k], m)).collect();
-            for step in 1..length {
-                let mut longer = Vec::new();
-                for (names, product) in &open {
-                    run.checkpoint()?;
-                    let before = product.footprint();
-                    for (k, matrix) in matrices.iter().enumerate() {
-                        let next = matrix.times(product)?;
-                        let after = next.footprint();
-                        sequences += 1;
-                        let history = || {
-                            let mut parts: Vec<String> = names.iter().map(|&n| show(&all[n])).collect();
-                            parts.push(show(&all[k]));
-                            parts.join(", then ")
-                        };
-                        if !after.contains(&before) || after != prints[k].times(&before) {
-                            return Ok(Outcome::fails(
-                                format!("{order} birds, {}: {before} becomes {after}", history()),
-                                exact("a one is lost"),
-                            ));
-                        }
-                        if !after.is_symmetric() {
-                            asymmetric.get_or_insert_with(|| format!("{order} birds, {}: {after}", history()));
-                        }
-                        if step + 1 < length {
-                            let mut names = names.clone();
-                            names.push(k);
-                            longer.push((names, next));
-                        }
+        }
+        // Every sequence of graphs; the footprint of the exact product and the product of footprints agree.
+        let mut open: Vec<(Vec<usize>, StochasticMatrix)> =
+            matrices.iter().cloned().enumerate().map(|(k, m)| (vec![k], m)).collect();
+        for step in 1..length {
+            let mut longer = Vec::new();
+            for (names, product) in &open {
+                run.checkpoint()?;
+                let before = product.footprint();
+                for (k, matrix) in matrices.iter().enumerate() {
+                    let next = matrix.times(product)?;
+                    let after = next.footprint();
+                    sequences += 1;
+                    let history = || {
+                        let mut parts: Vec<String> = names.iter().map(|&n| show(&all[n])).collect();
+                        parts.push(show(&all[k]));
+                        parts.join(", then ")
+                    };
+                    if !after.contains(&before) || after != prints[k].times(&before) {
+                        return Ok(Outcome::fails(
+                            format!("{order} birds, {}: {before} becomes {after}", history()),
+                            exact("a one is lost"),
+                        ));
+                    }
+                    if !after.is_symmetric() {
+                        asymmetric.get_or_insert_with(|| format!("{order} birds, {}: {after}", history()));
+                    }
+                    if step + 1 < length {
+                        let mut names = names.clone();
+                        names.push(k);
+                        longer.push((names, next));
                     }
                 }
-                open = longer;
             }
+            open = longer;
         }
-        match asymmetric {
-            Some(example) if variant.products_symmetric => {
-                Ok(Outcome::fails(example, exact("symmetry of products")))
-            }
-            None => Ok(Outcome::fails("every product is symmetric", exact("in general not symmetric"))),
-            Some(example) => Ok(Outcome::Holds(vec![
-                Evidence::new(
-                    Grade::Exhaustive,
-                    "no one is ever lost",
-                    "proof in notes/chazelle.md; all sequences of 4 graphs on up to 3 birds, of 2 graphs on 4 birds (3 with \
-                     --full), against the footprints of the exact products",
-                )
-                .cases(sequences),
-                Evidence::new(Grade::Exhaustive, "a single footprint", "symmetric with a full diagonal, all graphs on up to 4 birds")
-                    .cases(graphs),
-                Evidence::new(Grade::Exact, "in general not symmetric", example),
-            ])),
-        }
+    }
+    match asymmetric {
+        Some(example) if variant.products_symmetric => Ok(Outcome::fails(example, exact("symmetry of products"))),
+        None => Ok(Outcome::fails("every product is symmetric", exact("in general not symmetric"))),
+        Some(example) => Ok(Outcome::Holds(vec![
+            Evidence::new(
+                Grade::Exhaustive,
+                "no one is ever lost",
+                "all sequences of 4 graphs on up to 3 birds, of 2 graphs on 4 birds (3 with --full), against the \
+                 footprints of the exact products",
+            )
+            .on([1])
+            .cases(sequences),
+            Evidence::new(
+                Grade::Exhaustive,
+                "a single footprint",
+                "symmetric with a full diagonal, all graphs on up to 4 birds",
+            )
+            .on([3])
+            .cases(graphs),
+            Evidence::new(Grade::Exact, "in general not symmetric", example).on([2]).for_all(),
+        ])),
     }
 }

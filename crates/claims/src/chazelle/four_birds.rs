@@ -2,13 +2,13 @@
 //!
 //! The proof for all `t` is by invariants. With `r = (-1/3)^t` the state at time `t` is
 //! `x(t) = x(0) + (3/4)(1 - r) v(1)`, `v(t+1) = r v(1)`: affine in `r`. For `r` in `(0, 1]` the distance rule gives one
-//! network, for `r` in `[-1/3, 0)` the other; both multiply `v(1)` by -1/3, so a step maps `r` to `-r/3`, from one range
-//! into the other.
+//! network, for `r` in `[-1/3, 0)` the other; both multiply `v(1)` by -1/3, so a step maps `r` to `-r/3`, from one
+//! range into the other.
 
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Affine, Flock, HalfOpenRange, Hysteresis, Start, Weights, transition_matrix};
 
 /// The example with everything that the claims print about it.
@@ -106,14 +106,18 @@ fn examine_eigenvector(birds: &FourBirds) -> Result<Outcome, CheckError> {
             ));
         }
     }
-    Ok(Outcome::Holds(vec![exact(
-        "both matrices and the eigenvector",
-        "the printed matrices are I - CL with c_i = 2/(3 d_i) for two pairs and for the path; both map v(1) to its multiple",
-    )]))
+    Ok(Outcome::Holds(vec![
+        exact(
+            "both matrices and the eigenvector",
+            "the printed matrices are I - CL with c_i = 2/(3 d_i) for two pairs and for the path; both map v(1) to its \
+         multiple",
+        )
+        .for_all(),
+    ]))
 }
 
 /// The network alternates forever: first stepped, then proved for all t by the invariants at the head of this file.
-fn examine_alternation(birds: &FourBirds, run: &Run) -> Result<Outcome, CheckError> {
+fn examine_alternation(birds: &FourBirds, run: &mut Run) -> Result<Outcome, CheckError> {
     const STEPS: usize = 64;
     let expected = networks()?;
     let mut flock = birds.flock()?;
@@ -168,8 +172,10 @@ fn examine_alternation(birds: &FourBirds, run: &Run) -> Result<Outcome, CheckErr
     Ok(Outcome::Holds(vec![
         exact(
             "the alternation for all t",
-            "induction: states affine in r = (-1/3)^t, all six distances settled on (0,1] and on [-1/3,0), a step maps r to -r/3",
-        ),
+            "induction: states affine in r = (-1/3)^t, all six distances settled on (0,1] and on [-1/3,0), a step \
+             maps r to -r/3",
+        )
+        .for_all(),
         exact("t = 0, ..., 64", "stepped exactly").cases(STEPS + 1),
     ]))
 }
@@ -213,115 +219,70 @@ fn examine_closed_form(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
     let alternation = examine_alternation(birds, run)?;
     let own = Outcome::Holds(vec![exact(
         "closed form and gaps for all t",
-        "induction over the alternating networks; gaps compared as affine functions of (-1/3)^t; for t >= 1 the outer gap runs \
-         between 1/4 (attained at t = 1) and 1/3 (at t = 2)",
-    )]);
-    Run::all([Ok(own), Ok(alternation)])
+        "induction over the alternating networks; gaps compared as affine functions of (-1/3)^t; for t >= 1 the outer \
+         gap runs between 1/4 (attained at t = 1) and 1/3 (at t = 2)",
+    )
+    .for_all()]);
+    Ok(Run::all([Ok(own), Ok(alternation)])?.on([1, 2, 3, 4]))
 }
 
-/// chazelle.ex4birds.eig.
-pub struct Eigenvector;
-
-impl Claim for Eigenvector {
-    type Variant = FourBirds;
-
-    fn id(&self) -> &str {
-        "chazelle.ex4birds.eig"
-    }
-
-    fn derivation(&self) -> &str {
-        "Each bird has velocity +-1/8 and all its neighbours the opposite one: a third of the own minus two thirds, or for \
-         the inner birds of the path 1/3 - 1/3 - 1/3, is -1/3 of the own velocity."
-    }
-
-    fn printed(&self) -> FourBirds {
-        FourBirds::printed()
-    }
-
-    fn controls(&self) -> Vec<Control<FourBirds>> {
-        vec![
-            Control::new("eigenvalue 1/3", FourBirds { eigenvalue: (1, 3), ..self.printed() }),
-            Control::new("v(1) = (1,1,-1,-1)/8", FourBirds { velocities: [1, 1, -1, -1], ..self.printed() }),
-            Control::new(
-                "a matrix with two entries exchanged",
-                FourBirds { path: [[1, 2, 0, 0], [1, 1, 1, 0], [0, 1, 1, 1], [0, 0, 1, 2]], ..self.printed() },
-            ),
-        ]
-    }
-
-    fn examine(&self, variant: &FourBirds, _: &mut Run) -> Result<Outcome, CheckError> {
-        examine_eigenvector(variant)
-    }
+pub fn eigenvector() -> Record<FourBirds> {
+    let printed = FourBirds::printed;
+    Record::new(
+        "chazelle.ex4birds.eig",
+        "Each bird has velocity +-1/8 and all its neighbours the opposite one: a third of the own minus two thirds, \
+         or for the inner birds of the path 1/3 - 1/3 - 1/3, is -1/3 of the own velocity.",
+        printed(),
+        check_eigenvector,
+    )
+    .control("eigenvalue 1/3", FourBirds { eigenvalue: (1, 3), ..printed() })
+    .control("v(1) = (1,1,-1,-1)/8", FourBirds { velocities: [1, 1, -1, -1], ..printed() })
+    .control(
+        "a matrix with two entries exchanged",
+        FourBirds { path: [[1, 2, 0, 0], [1, 1, 1, 0], [0, 1, 1, 1], [0, 0, 1, 2]], ..printed() },
+    )
 }
 
-/// chazelle.ex4birds.eq3.14.
-pub struct ClosedForm;
-
-impl Claim for ClosedForm {
-    type Variant = FourBirds;
-
-    fn id(&self) -> &str {
-        "chazelle.ex4birds.eq3.14"
-    }
-
-    fn derivation(&self) -> &str {
-        "v(s) = (-1/3)^(s-1) v(1) sums to (3/4)(1 - (-1/3)^t) v(1). The gaps follow; \"stays comfortably between 1/4 and 1/2\" is read with \
-         the ends included: the outer gaps are exactly 1/4 at t = 1 and never more than 1/3 for t >= 1."
-    }
-
-    fn printed(&self) -> FourBirds {
-        FourBirds::printed()
-    }
-
-    fn controls(&self) -> Vec<Control<FourBirds>> {
-        vec![
-            Control::new("factor 3/2", FourBirds { factor: (3, 2), ..self.printed() }),
-            Control::new("the sign in the outer gaps", FourBirds { outer_gap: (5, 1), ..self.printed() }),
-            Control::new("the sign in the middle gap", FourBirds { middle_gap: (16, -1), ..self.printed() }),
-            Control::new("a lower bound of 5/16", FourBirds { outer_bounds: (5, 8), ..self.printed() }),
-            Control::new("an upper bound of 5/16", FourBirds { outer_bounds: (4, 5), ..self.printed() }),
-            Control::new("x_3(0) = 20/16", FourBirds { positions: [0, 8, 20, 29], ..self.printed() }),
-        ]
-    }
-
-    fn examine(&self, variant: &FourBirds, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_closed_form(variant, run)
-    }
+fn check_eigenvector(variant: &FourBirds, _: &mut Run) -> Result<Outcome, CheckError> {
+    examine_eigenvector(variant)
 }
 
-/// chazelle.ex4birds.alt.
-pub struct Alternation;
+pub fn closed_form() -> Record<FourBirds> {
+    let printed = FourBirds::printed;
+    Record::new(
+        "chazelle.ex4birds.eq3.14",
+        "v(s) = (-1/3)^(s-1) v(1) sums to (3/4)(1 - (-1/3)^t) v(1). The gaps follow; the outer gaps are exactly 1/4 \
+         at t = 1 and never more than 1/3 for t >= 1.",
+        printed(),
+        examine_closed_form,
+    )
+    .reading("\"Stays between 1/4 and 1/2\" includes the ends: the outer gaps are exactly 1/4 at t = 1.")
+    .clauses(&[
+        "x(t) = x(0) + (3/4)(1-(-1/3)^t) v(1) for all t.",
+        "For t >= 1, x_{i+1}(t) - x_i(t) = (1/16)(5 - (-1/3)^{t-1}) for i = 1, 3.",
+        "For t >= 1 these two gaps stay between 1/4 and 1/2.",
+        "For t >= 1, x_3(t) - x_2(t) = 1 + (1/16)(-1/3)^{t-1}.",
+    ])
+    .control("factor 3/2", FourBirds { factor: (3, 2), ..printed() })
+    .control("the sign in the outer gaps", FourBirds { outer_gap: (5, 1), ..printed() })
+    .control("the sign in the middle gap", FourBirds { middle_gap: (16, -1), ..printed() })
+    .control("a lower bound of 5/16", FourBirds { outer_bounds: (5, 8), ..printed() })
+    .control("an upper bound of 5/16", FourBirds { outer_bounds: (4, 5), ..printed() })
+    .control("x_3(0) = 20/16", FourBirds { positions: [0, 8, 20, 29], ..printed() })
+}
 
-impl Claim for Alternation {
-    type Variant = FourBirds;
-
-    fn id(&self) -> &str {
-        "chazelle.ex4birds.alt"
-    }
-
-    fn derivation(&self) -> &str {
-        "The middle gap is 1 - (3/16)(-1/3)^t: at most 1 for even t, more than 1 for odd t. The outer gaps stay below 1 and \
-         birds 1, 3 and 2, 4 stay 21/16 apart, birds 1, 4 farther. So the network is the path at even and two pairs at odd times; both have \
-         the eigenvector v(1), which closes the induction."
-    }
-
-    fn printed(&self) -> FourBirds {
-        FourBirds::printed()
-    }
-
-    fn controls(&self) -> Vec<Control<FourBirds>> {
-        vec![
-            Control::new(
-                "a hysteresis threshold of 1/1024",
-                FourBirds { hysteresis: Some((1, 1024)), ..self.printed() },
-            ),
-            Control::new("birds 3 and 4 nearer by 1/16", FourBirds { positions: [0, 8, 20, 28], ..self.printed() }),
-            Control::new("all velocities zero", FourBirds { velocities: [0, 0, 0, 0], ..self.printed() }),
-            Control::new("opposite velocities", FourBirds { velocities: [-1, 1, -1, 1], ..self.printed() }),
-        ]
-    }
-
-    fn examine(&self, variant: &FourBirds, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_alternation(variant, run)
-    }
+pub fn alternation() -> Record<FourBirds> {
+    let printed = FourBirds::printed;
+    Record::new(
+        "chazelle.ex4birds.alt",
+        "The middle gap is 1 - (3/16)(-1/3)^t: at most 1 for even t, more than 1 for odd t. The outer gaps stay below \
+         1 and birds 1, 3 and 2, 4 stay 21/16 apart, birds 1, 4 farther. So the network is the path at even and two \
+         pairs at odd times; both have the eigenvector v(1), which closes the induction.",
+        printed(),
+        examine_alternation,
+    )
+    .control("a hysteresis threshold of 1/1024", FourBirds { hysteresis: Some((1, 1024)), ..printed() })
+    .control("birds 3 and 4 nearer by 1/16", FourBirds { positions: [0, 8, 20, 28], ..printed() })
+    .control("all velocities zero", FourBirds { velocities: [0, 0, 0, 0], ..printed() })
+    .control("opposite velocities", FourBirds { velocities: [-1, 1, -1, 1], ..printed() })
 }

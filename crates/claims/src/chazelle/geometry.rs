@@ -1,12 +1,13 @@
 //! chazelle.eq3.15, chazelle.lem3.7 and chazelle.lem3.8: the geometry of flocking, and when edges are lost.
 //!
-//! The key is the virtual origin `E_i(t) = x_i(t) - t v_i(t)`: `E(1) = x(0)` and `E(t+1) = P(t) E(t) + (I - P(t)) x(t)`, whose last term is
-//! bounded and has stationary mean zero on a fixed network (notes/settling.md).
+//! The key is the virtual origin `E_i(t) = x_i(t) - t v_i(t)`: `E(1) = x(0)` and `E(t+1) = P(t) E(t) + (I - P(t))
+//! x(t)`, whose last term is bounded and has stationary mean zero on a fixed network (notes/settling.md).
 
-use super::sequences::{four_birds, random_start, settled};
+use super::argued;
+use super::sequences::{four_birds, random_start, settled, show_start};
 use super::switching::SwitchesVariant;
 use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::settle::Ending;
 use models::averaging::{Flock, Hysteresis, Start, Weights, transition_matrix};
 use num_bigint::BigInt;
@@ -19,14 +20,9 @@ pub fn switch_exponent(n: u64, a: u64, c: u64) -> u64 {
     (SwitchesVariant::QUADRATIC.exponent)(n, a, c)
 }
 
-/// `|E_i(t)| <= n^origin_exponent` for coordinates of `x(0)` up to `n^c` in dimension up to `n²`.
-pub fn origin_exponent(n: u64, a: u64, c: u64) -> u64 {
-    switch_exponent(n, a, c) + 2 * a + c + 8
-}
-
-/// No edge is lost after `n^(n^4 + loss_exponent)`.
+/// No edge is lost after `n^(n^4 + loss_exponent)`, for coordinates of `x(0)` up to `n^c` in dimension up to `n²`.
 pub fn loss_exponent(n: u64, a: u64, c: u64) -> u64 {
-    origin_exponent(n, a, c) + 3
+    switch_exponent(n, a, c) + 2 * a + c + 11
 }
 
 fn dot(a: &[Rational], b: &[Rational]) -> Rational {
@@ -54,9 +50,6 @@ fn angle_and_distance(a: &[Rational], b: &[Rational]) -> Result<(Interval, Inter
     Ok((angle, distance))
 }
 
-/// chazelle.eq3.15.
-pub struct AngleAndDistance;
-
 /// `lower/(1 + R^power) <= angle/distance <= upper`, where `R` bounds both vectors.
 #[derive(Clone, Copy)]
 pub struct AngleVariant {
@@ -78,70 +71,55 @@ impl AngleVariant {
     }
 }
 
-impl Claim for AngleAndDistance {
-    type Variant = AngleVariant;
+pub fn quotient_of_angle() -> Record<AngleVariant> {
+    let printed = AngleVariant { lower: (1, 1), power: 2, upper: (1, 1) };
+    Record::new(
+        "chazelle.eq3.15",
+        "(v, 1) and (w, 1) lie in a plane that touches the unit sphere. Projection to the sphere maps the segment \
+         between them to an arc of the length of the angle, and shrinks lengths at distance r from the point of \
+         contact by a factor between 1/(1 + r²) and 1. So 1/(1 + R²) <= angle/|v - w| <= 1, with R the larger of |v| \
+         and |w|, and R <= n^O(1) because w is the mean of velocities plus x_i(0)/t. Both constants are best \
+         (notes/settling.md).",
+        printed,
+        check_quotient,
+    )
+    .clauses(&[
+        "If v_i(t) != w = x_i(t)/t, then angle(x_i(t), v_i(t))/||v_i(t) - w||_2 = O(1).",
+        "If v_i(t) != w = x_i(t)/t, then angle(x_i(t), v_i(t))/||v_i(t) - w||_2 > n^{-O(1)}.",
+    ])
+    .control("an upper bound of 99/100", AngleVariant { upper: (99, 100), ..printed })
+    .control("a lower bound of 1/(1 + R)", AngleVariant { power: 1, ..printed })
+    .control("twice the lower bound", AngleVariant { lower: (2, 1), ..printed })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.eq3.15"
-    }
-
-    fn derivation(&self) -> &str {
-        "(v, 1) and (w, 1) lie in a plane that touches the unit sphere. Projection to the sphere maps the segment between them to an arc of \
-         the length of the angle, and shrinks lengths at distance r from the point of contact by a factor between 1/(1 + r²) and 1. So \
-         1/(1 + R²) <= angle/|v - w| <= 1, with R the larger of |v| and |w|, and R <= n^O(1) because w is the mean of velocities plus \
-         x_i(0)/t. Both constants are best (notes/settling.md)."
-    }
-
-    fn printed(&self) -> AngleVariant {
-        AngleVariant { lower: (1, 1), power: 2, upper: (1, 1) }
-    }
-
-    fn controls(&self) -> Vec<Control<AngleVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("an upper bound of 99/100", AngleVariant { upper: (99, 100), ..printed }),
-            Control::new("a lower bound of 1/(1 + R)", AngleVariant { power: 1, ..printed }),
-            Control::new("twice the lower bound", AngleVariant { lower: (2, 1), ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &AngleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut random = run.random(0);
-        let cases = run.cases(400, 5000);
-        // Near the point of contact, and far from it in its direction.
-        let line = |x: (i64, i64)| vec![rational(x.0, x.1)];
-        let mut pairs = vec![
-            (line((0, 1)), line((1, 1000))),
-            (line((100, 1)), line((10_001, 100))),
-            (line((-1, 1)), line((1, 1))),
-            (line((-50, 1)), line((50, 1))),
-            (vec![rational(3, 1), rational(0, 1)], vec![rational(0, 1), rational(3, 1)]),
-        ];
-        for _ in 0..cases {
-            let dimension = 1 + random.next_u32() as usize % 3;
-            let scale = [1, 16, 256][random.next_u32() as usize % 3];
-            let mut point =
-                || (0..dimension).map(|_| rational(i64::from(random.next_u32() % 2001) - 1000, scale)).collect();
-            let pair: (Vec<Rational>, Vec<Rational>) = (point(), point());
-            if pair.0 != pair.1 {
-                pairs.push(pair);
-            }
+fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut random = run.random(0);
+    // Near the point of contact, and far from it in its direction.
+    let line = |x: (i64, i64)| vec![rational(x.0, x.1)];
+    let mut pairs = vec![
+        (line((0, 1)), line((1, 1000))),
+        (line((100, 1)), line((10_001, 100))),
+        (line((-1, 1)), line((1, 1))),
+        (line((-50, 1)), line((50, 1))),
+        (vec![rational(3, 1), rational(0, 1)], vec![rational(0, 1), rational(3, 1)]),
+    ];
+    for _ in 0..run.cases(400, 5000) {
+        let dimension = 1 + random.next_u32() as usize % 3;
+        let scale = [1, 16, 256][random.next_u32() as usize % 3];
+        let mut point =
+            || (0..dimension).map(|_| rational(i64::from(random.next_u32() % 2001) - 1000, scale)).collect();
+        let pair: (Vec<Rational>, Vec<Rational>) = (point(), point());
+        if pair.0 != pair.1 {
+            pairs.push(pair);
         }
-        for (w, v) in &pairs {
-            run.checkpoint()?;
-            if let Some(what) = variant.fails_at(w, v)? {
-                return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "the quotient", "an enclosure")));
-            }
-        }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Certified,
-                "1/(1 + R²) <= angle/distance <= 1, for all v != w",
-                "proof in notes/settling.md; enclosures for vectors in dimension 1 to 3, obtuse angles among them",
-            )
-            .cases(pairs.len()),
-        ]))
     }
+    let detail = "enclosures for vectors in dimension 1 to 3, obtuse angles among them";
+    let evidence = Evidence::new(Grade::Certified, "1/(1 + R²) <= angle/distance <= 1", detail).on([1, 2]);
+    Run::all([
+        run.every(evidence, &pairs, |(w, v)| variant.fails_at(w, v)),
+        Ok(argued("1/(1 + R²) <= angle/distance <= 1, and R <= n^O(1)", "notes/settling.md, (3.15), steps 1-3")
+            .on([1, 2])),
+    ])
 }
 
 /// The virtual origins `x_i(t) - t v_i(t)` of a flock one step after `before`.
@@ -158,8 +136,9 @@ fn origins(before: &[Vec<Rational>], flock: &Flock) -> Vec<Vec<Rational>> {
 pub struct OriginVariant {
     /// The share of `(I - P) x` in the recursion of the origins.
     coupling: (i64, i64),
-    /// `|E(t)| <= start |x(0)| + steps (switches + 1) 4 H` with `H = n^h`.
-    start: i64,
+    /// The angle is at most this share of `|v - x/t|`.
+    share: (i64, i64),
+    /// `|E(t)| <= |x(0)| + steps (switches + 1) 4 H` with `H = n^h`.
     steps: i64,
     h: fn(u64) -> u32,
     /// `|v - x/t| <= |E| (log2 t)^logarithm / t^power`.
@@ -170,54 +149,44 @@ pub struct OriginVariant {
 impl OriginVariant {
     /// (log t/t) n^O(n³), as printed.
     pub const PRINTED: Self =
-        OriginVariant { coupling: (1, 1), start: 1, steps: 1, h: |a| 2 * a as u32 + 3, power: 1, logarithm: 1 };
+        OriginVariant { coupling: (1, 1), share: (1, 1), steps: 1, h: |a| 2 * a as u32 + 3, power: 1, logarithm: 1 };
     /// Without the logarithm.
     pub const SHARPER: Self = OriginVariant { logarithm: 0, ..Self::PRINTED };
 }
 
-/// Controls of the statements about the angle.
-pub fn origin_controls(printed: OriginVariant) -> Vec<Control<OriginVariant>> {
-    vec![
-        Control::new("half of (I - P) x in the recursion", OriginVariant { coupling: (1, 2), ..printed }),
-        Control::new("1/t² instead of 1/t", OriginVariant { power: 2, ..printed }),
-        Control::new("without the initial positions", OriginVariant { start: 0, steps: 0, ..printed }),
-        Control::new("a constant bound", OriginVariant { steps: 0, ..printed }),
-    ]
+/// A statement about the angle with its controls.
+pub fn about_origins(id: &'static str, derivation: &'static str, printed: OriginVariant) -> Record<OriginVariant> {
+    Record::new(id, derivation, printed, examine_origins)
+        .control("half of (I - P) x in the recursion", OriginVariant { coupling: (1, 2), ..printed })
+        .control("1/t² instead of 1/t", OriginVariant { power: 2, ..printed })
+        .control("the virtual origins stay within max|x(0)|", OriginVariant { steps: 0, ..printed })
+        .control("half of |v - x/t|", OriginVariant { share: (1, 2), ..printed })
 }
 
 /// Decides a bound of the angle: the recursion of the virtual origins and the bound that follows from it.
-pub fn examine_origins(variant: &OriginVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+fn examine_origins(variant: &OriginVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
-    let flocks = run.cases(60, 600);
-    let mut steps = 0;
     // One bird, the four birds of the paper without hysteresis (they switch forever), random flocks.
     let single = Start::on_the_line(vec![rational(5, 1)], vec![rational(0, 1)], Weights::Lazy, Hysteresis::Paper);
     let mut starts = vec![single, four_birds(Hysteresis::None), four_birds(Hysteresis::Paper)];
     starts.extend(
-        (0..flocks).map(|k| random_start(&mut random, if k % 2 == 0 { Hysteresis::Paper } else { Hysteresis::None })),
+        (0..run.cases(60, 600))
+            .map(|k| random_start(&mut random, if k % 2 == 0 { Hysteresis::Paper } else { Hysteresis::None })),
     );
-    for start in &starts {
-        run.checkpoint()?;
-        if let Some(what) = follow(variant, start, &mut steps)? {
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "virtual origins", "an exact flock")));
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exact,
-            "the angle at all times t >= 2, for all flocks of model D",
-            "proof in notes/settling.md: virtual origins E(t+1) = P E(t) + (I - P) x(t), bounded by mixing between switches",
-        ),
-        Evidence::new(
-            Grade::Fuzzed,
-            "the recursion and the bound",
-            "exact flocks of 1 to 5 birds in dimension 1 to 3, the four birds of the paper with and without hysteresis",
-        )
-        .cases(steps),
-    ]))
+    let evidence = Evidence::new(
+        Grade::Fuzzed,
+        "the recursion of the virtual origins, their bound, and the angle",
+        "exact flocks of 1 to 5 birds in dimension 1 to 3 for t = 2, ..., 20, the four birds of the paper with and \
+         without hysteresis; the angle enclosed at t = 20",
+    );
+    let place = "notes/settling.md, Virtual origins, steps 1-4, with (3.15) and Mixing on a fixed network";
+    Run::all([
+        run.every(evidence, &starts, |start| follow(variant, start)),
+        Ok(argued("the angle and the virtual origins at all times, for all flocks of model D", place)),
+    ])
 }
 
-fn follow(variant: &OriginVariant, start: &Start, steps: &mut usize) -> Result<Option<String>, CheckError> {
+fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, CheckError> {
     const UNTIL: u32 = 20;
     let mut flock = Flock::new(start)?;
     let n = flock.birds() as u64;
@@ -228,149 +197,170 @@ fn follow(variant: &OriginVariant, start: &Start, steps: &mut usize) -> Result<O
     let mut switches = i64::from(flock.step()?.is_some());
     let mut now = origins(&before, &flock);
     for t in 2..=UNTIL {
-        *steps += 1;
         before = flock.positions();
         let p = transition_matrix(flock.network(), flock.weights())?;
-        switches += i64::from(flock.step()?.is_some());
+        let switched = flock.step()?.is_some();
         let next = origins(&before, &flock);
-        let (p, q) = (p, rational(variant.coupling.0, variant.coupling.1));
+        let q = rational(variant.coupling.0, variant.coupling.1);
         for k in 0..flock.dimension() {
             let column = |rows: &[Vec<Rational>]| -> Vec<Rational> { rows.iter().map(|row| row[k].clone()).collect() };
             let (averaged, x) = (p.apply(&column(&now))?, column(&before));
             let pulled = p.apply(&x)?;
             let expected = averaged.iter().zip(x.iter().zip(&pulled)).map(|(e, (x, px))| e + (x - px) * &q);
             if expected.ne(column(&next)) {
-                return Ok(Some(format!("{start:?}: the origins at t = {t} are not those of the recursion")));
+                return Ok(Some(format!(
+                    "{}: the origins at t = {t} are not those of the recursion",
+                    show_start(start)
+                )));
             }
         }
         now = next;
         // The printed bound, on |v - x/t| = |E|/t per coordinate, which is at least the angle over sqrt(d).
         let time = rational(i64::from(t), 1);
-        let bound = &first * rational(variant.start, 1) + &h * rational(4 * variant.steps * (switches + 1), 1);
+        let bound = &first + &h * rational(4 * variant.steps * (switches + 1), 1);
         let logarithm = rational(i64::from(t.ilog2()), 1).pow(variant.logarithm as i32);
         let size = largest(&now).unwrap_or_else(|| rational(0, 1)) / &time;
         if size > bound * logarithm / time.pow(variant.power) {
-            return Ok(Some(format!("{start:?} at t = {t}: |v - x/t| reaches {size}")));
+            return Ok(Some(format!("{} at t = {t}: |v - x/t| reaches {size}", show_start(start))));
+        }
+        // Switches before t: the one at t does not count yet.
+        switches += i64::from(switched);
+    }
+    let time = Rational::from_integer(flock.time().clone());
+    for (x, old) in flock.positions().iter().zip(&before) {
+        let (v, w) = (minus(x, old), x.iter().map(|x| x / &time).collect::<Vec<_>>());
+        if v == w {
+            continue;
+        }
+        let (angle, distance) = angle_and_distance(&v, &w)?;
+        let (p, q) = variant.share;
+        if (angle.clone() - angle.ratio(p, q) * distance).is_certainly_positive() {
+            return Ok(Some(format!("{} at t = {time}: the angle is {:.6}", show_start(start), angle.to_f64())));
         }
     }
     Ok(None)
 }
 
-/// chazelle.lem3.7.
-pub struct AngleDecays;
-
-impl Claim for AngleDecays {
-    type Variant = OriginVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.lem3.7"
-    }
-
-    fn derivation(&self) -> &str {
-        "Readings: \"=\" bounds from above; no edge is longer than 2 (Lemma 3.6, n >= 4). With E_i(t) = x_i(t) - t v_i(t), the angle is at most |v_i - x_i/t| = |E_i|/t by (3.15). E(1) = x(0) and \
-         E(t+1) = P(t) E(t) + (I - P(t)) x(t); (I - P) x is bounded by 2 because neighbours are near, and its stationary mean is zero, so \
-         that on a fixed network E grows by at most 4 sum_r tau_1(P^r) <= 4 n^(2a+3) altogether. N(n) + 1 networks give \
-         |E(t)| <= n^O(n³), even n^O(n²), at all t >= 1: no waiting time is needed, nor the logarithm (beyond.chazelle.angle)."
-    }
-
-    fn printed(&self) -> OriginVariant {
-        OriginVariant::PRINTED
-    }
-
-    fn controls(&self) -> Vec<Control<OriginVariant>> {
-        origin_controls(self.printed())
-    }
-
-    fn examine(&self, variant: &OriginVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_origins(variant, run)
-    }
+pub fn angle_decays() -> Record<OriginVariant> {
+    about_origins(
+        "chazelle.lem3.7",
+        "With E_i(t) = x_i(t) - t v_i(t), the angle is at most |v_i - x_i/t| = |E_i|/t by (3.15). E(1) = x(0) and \
+         E(t+1) = P(t) E(t) + (I - P(t)) x(t); (I - P) x is bounded by 2 because neighbours are near, and its \
+         stationary mean is zero, so that on a fixed network E grows by at most 4 sum_r tau_1(P^r) <= 4 n^(2a+3) \
+         altogether. N(n) + 1 networks give |E(t)| <= n^O(n³), even n^O(n²), at all t >= 1: no waiting time is \
+         needed, nor the logarithm (beyond.chazelle.angle).",
+        OriginVariant::PRINTED,
+    )
+    .reading("\"=\" bounds from above; n is large enough for Lemma 3.6, by which no edge is longer than 2.")
 }
-
-/// chazelle.lem3.8.
-pub struct NoLosses;
 
 /// After `n^time(n)` no edge is lost.
 #[derive(Clone, Copy)]
 pub struct LossVariant {
     /// The exponent.
     pub time: fn(u64) -> u64,
-    /// From this number of birds on.
-    pub from: u64,
     /// The hysteresis rule, or none.
     pub hysteresis: bool,
+    /// `v_i(t) - v_j(t) = (x_i(t-1) - x_j(t-1) - E_i(t) + E_j(t))/(t - earlier)`.
+    pub earlier: i64,
 }
 
-/// Controls of the statements about lost edges.
-pub fn loss_controls(printed: LossVariant) -> Vec<Control<LossVariant>> {
-    vec![
-        Control::new("after n^n", LossVariant { time: |n| n, ..printed }),
-        Control::new("without hysteresis", LossVariant { hysteresis: false, ..printed }),
-        Control::new(
-            "what the argument gives, for n = 2 too (there it is too late)",
-            LossVariant { from: 2, ..printed },
-        ),
-    ]
+/// A statement about lost edges with its controls.
+pub fn about_losses(id: &'static str, derivation: &'static str, printed: LossVariant) -> Record<LossVariant> {
+    Record::new(id, derivation, printed, examine_losses)
+        .control("after n^n", LossVariant { time: |n| n, ..printed })
+        .control("without hysteresis", LossVariant { hysteresis: false, ..printed })
+        .control("step 5 with t in place of t - 1", LossVariant { earlier: 0, ..printed })
+        .control(
+            "step 6 with the exponent n^4 + 2(n-1)² + 10(n-1)",
+            LossVariant { time: |n| n.pow(4) + 2 * (n - 1).pow(2) + 10 * (n - 1), ..printed },
+        )
 }
 
-/// Decides from when on no edge is lost.
-pub fn examine_losses(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails = |what: String, how: &str| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "lost edges", how)));
+/// Decides from when on no edge is lost: the four birds, and the two computations of the proof.
+fn examine_losses(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut random = run.random(0);
+    let starts: Vec<Start> = (0..run.cases(30, 300)).map(|_| random_start(&mut random, Hysteresis::Paper)).collect();
+    let step_5 = Evidence::new(
+        Grade::Fuzzed,
+        "step 5: differences of velocities from virtual origins",
+        "all pairs of birds of exact flocks of 2 to 5 birds in dimension 1 to 3, t = 2, ..., 8",
+    );
+    let sizes = (4..=64).flat_map(|n| [(n, 1), (n, 2)]);
+    let step_6 =
+        "exact integers from the bounds of steps 1 to 5, n = 4, ..., 64 and entries >= 1/n, 1/n² (vicsek, lazy)";
+    Run::all([
+        last_loss(variant, run),
+        run.every(step_5, &starts, |start| variant.wrong_difference(start)),
+        run.instances("step 6: the threshold is reached in time", step_6, sizes, |(n, a)| Ok(variant.too_late(n, a))),
+        Ok(argued(
+            "no edge is lost after that time, for all flocks",
+            "notes/settling.md, Virtual origins, steps 1-6, with Lemma 3.6(ii) and the bound of \
+             beyond.chazelle.switches",
+        )),
+    ])
+}
+
+/// The four birds of the paper: when they lose an edge for the last time.
+fn last_loss(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let hysteresis = if variant.hysteresis { Hysteresis::Paper } else { Hysteresis::None };
     let (switches, end) = settled(&four_birds(hysteresis), run)?;
     let last = switches.iter().rev().find(|s| !s.lost.is_empty()).map_or(BigInt::ZERO, |s| s.time.clone());
     run.value("four_birds_last_loss", last.to_string());
+    let evidence = Evidence::new(Grade::Exact, "the four birds", format!("last loss at t = {last}, settled exactly"));
     if !matches!(end.ending, Ending::Steady) {
-        return fails(format!("the four birds: {}", end.why), "settled exactly");
+        return Ok(Outcome::fails(format!("the four birds: {}", end.why), evidence));
     }
     if last > BigInt::from(4).pow((variant.time)(4) as u32) {
-        return fails(format!("the four birds lose the edge 2-3 at t = {last}"), "settled exactly");
+        return Ok(Outcome::fails(format!("the four birds lose the edge 2-3 at t = {last}"), evidence));
     }
-    const LARGEST: u64 = 200;
-    for n in variant.from..=LARGEST {
-        for (a, c) in [(1, 1), (2, 1)] {
-            let needed = n.pow(4) + loss_exponent(n, a, c);
-            if (variant.time)(n) < needed {
-                let what = format!(
-                    "n = {n}, a = {a}, c = {c}: the argument gives n^{needed}, more than n^{}",
-                    (variant.time)(n)
-                );
-                return fails(what, "exact integers");
-            }
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exact,
-            "no edge is lost after that time, for all n large enough",
-            "proof in notes/settling.md; its exponents compared for n = 4, ..., 200 and entries >= 1/n, 1/n² (vicsek, lazy)",
-        )
-        .cases(2 * (LARGEST + 1 - variant.from) as usize),
-        Evidence::new(Grade::Exact, "the four birds", format!("last loss at t = {last}, settled exactly")),
-    ]))
+    Ok(Outcome::Holds(vec![evidence]))
 }
 
-impl Claim for NoLosses {
-    type Variant = LossVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.lem3.8"
+impl LossVariant {
+    /// Where the difference of two velocities is not that of step 5.
+    fn wrong_difference(&self, start: &Start) -> Result<Option<String>, CheckError> {
+        let mut flock = Flock::new(start)?;
+        flock.step()?;
+        for t in 2..=8 {
+            let before = flock.positions();
+            flock.step()?;
+            let (now, origins) = (flock.positions(), origins(&before, &flock));
+            for (i, j) in (0..flock.birds()).flat_map(|j| (0..j).map(move |i| (i, j))) {
+                let left = minus(&minus(&now[i], &before[i]), &minus(&now[j], &before[j]));
+                let right = minus(&minus(&before[i], &before[j]), &minus(&origins[i], &origins[j]));
+                if right.iter().map(|x| x / rational(t - self.earlier, 1)).ne(left) {
+                    return Ok(Some(format!("{} at t = {t}: birds {} and {}", show_start(start), i + 1, j + 1)));
+                }
+            }
+        }
+        Ok(None)
     }
 
-    fn derivation(&self) -> &str {
-        "For an edge of G_{t-1}, v_i(t) - v_j(t) = (x_i(t-1) - x_j(t-1) - E_i(t) + E_j(t))/(t-1), at most (2 + 2|E|)/(t-1). By Lemma 2.1 the edge \
-         stays once that is below eps = n^(-n^4): after n^(n^4 + K) with K = O(n²) from |E| <= n^O(n²) (lem3.7). K <= n^4 for n >= 4 with lazy or \
-         vicsek weights and inputs up to n, for other O(log n)-bit inputs from some n on (notes/settling.md). So n^(2n^4) is enough."
+    /// Step 6 for speeds and coordinates up to `n` in dimension up to `n²`, entries of at least `n^-a`: with
+    /// `|E| <= n (n + 4 (N + 1) n^(2a+3))`, `n^(n^4) (2 + 2|E|)` is to be at most `n^time - 1`.
+    fn too_late(&self, n: u64, a: u64) -> Option<String> {
+        let power = |exponent: u64| BigInt::from(n).pow(exponent as u32);
+        let origin = n * (n + 4 * (power(switch_exponent(n, a, 1)) + 1) * power(2 * a + 3));
+        // Longer exponents than these two digits more than the left side has are not needed.
+        let room = (self.time)(n).saturating_sub(n.pow(4)).min(loss_exponent(n, a, 1) + 2);
+        (2 + 2 * origin + 1 > power(room)).then(|| {
+            format!(
+                "step 6 with n = {n}, a = {a}: n^(n^4) (2 + 2|E|) is not below n^{}, by the bounds of |E|",
+                (self.time)(n)
+            )
+        })
     }
+}
 
-    fn printed(&self) -> LossVariant {
-        LossVariant { time: |n| 2 * n.pow(4), from: 4, hysteresis: true }
-    }
-
-    fn controls(&self) -> Vec<Control<LossVariant>> {
-        loss_controls(self.printed())
-    }
-
-    fn examine(&self, variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_losses(variant, run)
-    }
+pub fn no_losses() -> Record<LossVariant> {
+    about_losses(
+        "chazelle.lem3.8",
+        "For an edge of G_{t-1}, v_i(t) - v_j(t) = (x_i(t-1) - x_j(t-1) - E_i(t) + E_j(t))/(t-1), at most (2 + \
+         2|E|)/(t-1). By Lemma 2.1 the edge stays once that is below eps = n^(-n^4): after n^(n^4 + K) with K = O(n²) \
+         from |E| <= n^O(n²) (lem3.7). K <= n^4 for n >= 4 with lazy or vicsek weights and inputs up to n, for other \
+         O(log n)-bit inputs from some n on (notes/settling.md). So n^(2n^4) is enough.",
+        LossVariant { time: |n| 2 * n.pow(4), hysteresis: true, earlier: 1 },
+    )
+    .reading("n is large enough: n >= 4 for lazy or vicsek weights and inputs up to n.")
 }

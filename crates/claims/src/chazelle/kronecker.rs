@@ -4,7 +4,7 @@ use super::sequences::{random_graph, show_all};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
 
@@ -22,9 +22,6 @@ fn blocks<T: Ring>(a: &Dense<T>, b: &Dense<T>) -> Dense<T> {
     let row = |a: &Vec<T>, b: &Vec<T>| a.iter().flat_map(|x| b.iter().map(move |y| x.clone() * y)).collect();
     a.iter().flat_map(|x| b.iter().map(move |y| row(x, y))).collect()
 }
-
-/// chazelle.kron.
-pub struct Kronecker;
 
 /// How the index rule is read, and which product the mixed one is compared with.
 #[derive(Clone, Copy)]
@@ -109,63 +106,55 @@ impl RationalIdentity for Footnote {
     }
 }
 
-impl Claim for Kronecker {
-    type Variant = KroneckerVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.kron"
-    }
-
-    fn derivation(&self) -> &str {
-        "Read with indices that start at 0, the only start with which c_{ip+j, kq+l} fills an mp x nq matrix: row ip + j is row j of block row i. \
-         With indices from 1, as the paper counts birds, the rule leaves the matrix (row mp + p) and must read \
-         c_{(i-1)p+j, (k-1)q+l}; that is a control. Mixed product: entry (ip + j, kq + l) of the left side is \
-         sum_{u,w} a_iu b_jw c_uk d_wl = (AC)_ik (BD)_jl, for all shapes for which AC and BD exist."
-    }
-
-    fn printed(&self) -> KroneckerVariant {
-        KroneckerVariant { first_index: 0, blocks_of_b: true, mixed: Mixed::AcBd }
-    }
-
-    fn controls(&self) -> Vec<Control<KroneckerVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("indices from 1", KroneckerVariant { first_index: 1, ..printed }),
-            Control::new("c_{jm+i, ln+k}", KroneckerVariant { blocks_of_b: false, ..printed }),
-            Control::new("AD kron BC", KroneckerVariant { mixed: Mixed::AdBc, ..printed }),
-            Control::new("CA kron DB", KroneckerVariant { mixed: Mixed::CaDb, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &KroneckerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let shapes =
-            [[1, 1, 1, 1, 1, 1], [2, 2, 2, 2, 2, 2], [2, 3, 1, 3, 2, 2], [3, 1, 2, 1, 4, 1], [1, 4, 3, 2, 1, 3]];
-        let mut parts = Vec::new();
-        for [m, n, r, p, q, s] in shapes {
-            let shapes = Shapes { m, n, r, p, q, s };
-            // The altered products need square matrices.
-            let fits = matches!(variant.mixed, Mixed::AcBd) || (m, p, r, s) == (n, q, n, q);
-            let unknowns: Vec<String> = (1..=m * n + p * q + n * r + q * s).map(|k| format!("x{k}")).collect();
-            let names: Vec<&str> = unknowns.iter().map(String::as_str).collect();
-            let ones = |rows, cols| vec![vec![rational(1, 1); cols]; rows];
-            if variant.by_rule::<Rational>(&ones(m, n), &ones(p, q)).is_none() {
-                let what =
-                    format!("the index rule does not fill {} x {} from A {m} x {n} and B {p} x {q}", m * p, n * q);
-                return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the index rule", "all indices")));
-            }
-            let rule = Footnote { shapes, variant: *variant, mixed: false };
-            parts.push(run.identity(&rule, &names, &format!("entries, A {m} x {n}, B {p} x {q}")));
-            if fits {
-                let mixed = Footnote { shapes, variant: *variant, mixed: true };
-                parts.push(run.identity(&mixed, &names, &format!("mixed product, C {n} x {r}, D {q} x {s} with them")));
-            }
-        }
-        Run::all(parts)
-    }
+pub fn kronecker() -> Record<KroneckerVariant> {
+    let printed = KroneckerVariant { first_index: 0, blocks_of_b: true, mixed: Mixed::AcBd };
+    Record::new(
+        "chazelle.kron",
+        "Read with indices that start at 0, the only start with which c_{ip+j, kq+l} fills an mp x nq matrix: row ip \
+         + j is row j of block row i. With indices from 1, as the paper counts birds, the rule leaves the matrix (row \
+         mp + p) and must read c_{(i-1)p+j, (k-1)q+l}; that is a control. Mixed product: entry (ip + j, kq + l) of \
+         the left side is sum_{u,w} a_iu b_jw c_uk d_wl = (AC)_ik (BD)_jl, for all shapes for which AC and BD exist.",
+        printed,
+        check_kronecker,
+    )
+    .reading(
+        "The indices of the footnote start at 0, the only start with which the rule fills the matrix. The paper, \
+         which counts birds from 1, does not say; with indices from 1 it reads c_{(i-1)p+j, (k-1)q+l}.",
+    )
+    .clauses(&[
+        "For A m-by-n and B p-by-q, A kron B has entries c_{ip+j, kq+l} = a_{i,k} b_{j,l}.",
+        "(A kron B)(C kron D) = AC kron BD.",
+    ])
+    .control("indices from 1", KroneckerVariant { first_index: 1, ..printed })
+    .control("c_{jm+i, ln+k}", KroneckerVariant { blocks_of_b: false, ..printed })
+    .control("AD kron BC", KroneckerVariant { mixed: Mixed::AdBc, ..printed })
+    .control("CA kron DB", KroneckerVariant { mixed: Mixed::CaDb, ..printed })
 }
 
-/// chazelle.chi.
-pub struct Difference;
+fn check_kronecker(variant: &KroneckerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let shapes = [[1, 1, 1, 1, 1, 1], [2, 2, 2, 2, 2, 2], [2, 3, 1, 3, 2, 2], [3, 1, 2, 1, 4, 1], [1, 4, 3, 2, 1, 3]];
+    let mut parts = Vec::new();
+    for [m, n, r, p, q, s] in shapes {
+        let shapes = Shapes { m, n, r, p, q, s };
+        // The altered products need square matrices.
+        let fits = matches!(variant.mixed, Mixed::AcBd) || (m, p, r, s) == (n, q, n, q);
+        let unknowns: Vec<String> = (1..=m * n + p * q + n * r + q * s).map(|k| format!("x{k}")).collect();
+        let names: Vec<&str> = unknowns.iter().map(String::as_str).collect();
+        let ones = |rows, cols| vec![vec![rational(1, 1); cols]; rows];
+        if variant.by_rule::<Rational>(&ones(m, n), &ones(p, q)).is_none() {
+            let what = format!("the index rule does not fill {} x {} from A {m} x {n} and B {p} x {q}", m * p, n * q);
+            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the index rule", "all indices")));
+        }
+        let rule = Footnote { shapes, variant: *variant, mixed: false };
+        parts.push(run.identity(&rule, &names, &format!("entries, A {m} x {n}, B {p} x {q}")).map(|o| o.on([1])));
+        if fits {
+            let mixed = Footnote { shapes, variant: *variant, mixed: true };
+            let part = format!("mixed product, C {n} x {r}, D {q} x {s} with them");
+            parts.push(run.identity(&mixed, &names, &part).map(|outcome| outcome.on([2])));
+        }
+    }
+    Run::all(parts)
+}
 
 /// The assignments that define `chi(i, j)`, in order, and the product it meets.
 #[derive(Clone)]
@@ -186,101 +175,87 @@ impl DifferenceVariant {
     }
 }
 
-impl Claim for Difference {
-    type Variant = DifferenceVariant;
+pub fn difference() -> Record<DifferenceVariant> {
+    let corrected = DifferenceVariant { assignments: vec![(false, 1), (true, -1)], shift: 0 };
+    Record::new(
+        "chazelle.chi",
+        "v(t) = (P(t-1,1) kron I_d) v(1), with the empty product I for t = 1. The row chi P(t-1,1) is row i minus row \
+         j of the product. The second printed index must be j: with i twice the vector would have one nonzero \
+         coordinate, of two values.",
+        DifferenceVariant { assignments: vec![(false, 1), (false, -1)], shift: 0 },
+        check_difference,
+    )
+    .repaired(
+        Fault::Typo,
+        "With chi(i,j) the vector with all coordinates 0 except chi(i,j)_i = 1 and chi(i,j)_j = -1: v_i(t) - v_j(t) = \
+         ((chi(i,j) P(t-1,1)) kron I_d) v(1).",
+        corrected.clone(),
+    )
+    .control("chi_i = 1 alone", DifferenceVariant { assignments: vec![(false, 1)], shift: 0 })
+    .control("chi_j = 1", DifferenceVariant { assignments: vec![(false, 1), (true, 1)], shift: 0 })
+    .control("the product P(t,1)", DifferenceVariant { shift: 1, ..corrected.clone() })
+    .control("the product P(t-2,1)", DifferenceVariant { shift: -1, ..corrected })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.chi"
-    }
-
-    fn derivation(&self) -> &str {
-        "v(t) = (P(t-1,1) kron I_d) v(1), with the empty product I for t = 1. The row chi P(t-1,1) is row i minus row j of the product. \
-         The second printed index must be j: with i twice the vector would have one nonzero coordinate, of two values."
-    }
-
-    fn printed(&self) -> DifferenceVariant {
-        DifferenceVariant { assignments: vec![(false, 1), (false, -1)], shift: 0 }
-    }
-
-    fn repair(&self) -> Option<Repair<DifferenceVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement: "chi(i,j)_i = 1 and chi(i,j)_j = -1".to_string(),
-            variant: DifferenceVariant { assignments: vec![(false, 1), (true, -1)], shift: 0 },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<DifferenceVariant>> {
-        let corrected = vec![(false, 1), (true, -1)];
-        vec![
-            Control::new("chi_i = 1 alone", DifferenceVariant { assignments: vec![(false, 1)], shift: 0 }),
-            Control::new("chi_j = 1", DifferenceVariant { assignments: vec![(false, 1), (true, 1)], shift: 0 }),
-            Control::new("the product P(t,1)", DifferenceVariant { assignments: corrected.clone(), shift: 1 }),
-            Control::new("the product P(t-2,1)", DifferenceVariant { assignments: corrected, shift: -1 }),
-        ]
-    }
-
-    fn examine(&self, variant: &DifferenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut random = run.random(0);
-        let cases = run.cases(40, 800);
-        for case in 0..cases {
-            run.checkpoint()?;
-            // Small cases first: 2 birds on a line.
-            let n = 2 + (case / 4) % 4;
-            let d = 1 + case % 3;
-            let graphs: Vec<Graph> = (0..5).map(|_| random_graph(n, 2, &mut random)).collect();
-            let matrices: Vec<Dense<Rational>> = graphs
-                .iter()
-                .map(|g| Ok(transition_matrix(g, &Weights::Lazy)?.to_rows()))
-                .collect::<Result<_, CheckError>>()?;
-            let start: Dense<Rational> =
-                (0..n * d).map(|_| vec![rational(i64::from(random.next_u32() % 17) - 8, 4)]).collect();
-            let unit = |order: usize| -> Dense<Rational> {
-                (0..order).map(|i| (0..order).map(|j| rational(i64::from(i == j), 1)).collect()).collect()
-            };
-            let mut velocities = start.clone();
-            for t in 1..=graphs.len() {
-                let last = (t as isize - 1 + variant.shift).max(0) as usize;
-                let product = matrices[..last].iter().fold(unit(n), |product, p| times(p, &product));
-                for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|(i, j)| i != j) {
-                    let row = times(&vec![variant.chi(n, i, j)], &product);
-                    let right = times(&blocks(&row, &unit(d)), &start);
-                    let left: Vec<Rational> =
-                        (0..d).map(|k| velocities[i * d + k][0].clone() - &velocities[j * d + k][0]).collect();
-                    if left.iter().ne(right.iter().map(|x| &x[0])) {
-                        let list = |x: &mut dyn Iterator<Item = &Rational>| {
-                            x.map(ToString::to_string).collect::<Vec<_>>().join(", ")
-                        };
-                        return Ok(Outcome::fails(
-                            format!(
-                                "{n} birds, d = {d}, v(1) = ({}), {}: v_{}({t}) - v_{}({t}) = ({}), the right side is ({})",
-                                list(&mut start.iter().flatten()),
-                                show_all(&graphs[..t]),
-                                i + 1,
-                                j + 1,
-                                list(&mut left.iter()),
-                                list(&mut right.iter().flatten())
-                            ),
-                            Evidence::new(Grade::Exact, "the difference", "an exact run"),
-                        ));
-                    }
+fn check_difference(variant: &DifferenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut random = run.random(0);
+    let cases = run.cases(40, 800);
+    for case in 0..cases {
+        run.checkpoint()?;
+        // Small cases first: 2 birds on a line.
+        let n = 2 + (case / 4) % 4;
+        let d = 1 + case % 3;
+        let graphs: Vec<Graph> = (0..5).map(|_| random_graph(n, 2, &mut random)).collect();
+        let matrices: Vec<Dense<Rational>> = graphs
+            .iter()
+            .map(|g| Ok(transition_matrix(g, &Weights::Lazy)?.to_rows()))
+            .collect::<Result<_, CheckError>>()?;
+        let start: Dense<Rational> =
+            (0..n * d).map(|_| vec![rational(i64::from(random.next_u32() % 17) - 8, 4)]).collect();
+        let unit = |order: usize| -> Dense<Rational> {
+            (0..order).map(|i| (0..order).map(|j| rational(i64::from(i == j), 1)).collect()).collect()
+        };
+        let mut velocities = start.clone();
+        for t in 1..=graphs.len() {
+            let last = (t as isize - 1 + variant.shift).max(0) as usize;
+            let product = matrices[..last].iter().fold(unit(n), |product, p| times(p, &product));
+            for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|(i, j)| i != j) {
+                let row = times(&vec![variant.chi(n, i, j)], &product);
+                let right = times(&blocks(&row, &unit(d)), &start);
+                let left: Vec<Rational> =
+                    (0..d).map(|k| velocities[i * d + k][0].clone() - &velocities[j * d + k][0]).collect();
+                if left.iter().ne(right.iter().map(|x| &x[0])) {
+                    let list = |x: &mut dyn Iterator<Item = &Rational>| {
+                        x.map(ToString::to_string).collect::<Vec<_>>().join(", ")
+                    };
+                    return Ok(Outcome::fails(
+                        format!(
+                            "{n} birds, d = {d}, v(1) = ({}), {}: v_{}({t}) - v_{}({t}) = ({}), the right side is ({})",
+                            list(&mut start.iter().flatten()),
+                            show_all(&graphs[..t]),
+                            i + 1,
+                            j + 1,
+                            list(&mut left.iter()),
+                            list(&mut right.iter().flatten())
+                        ),
+                        Evidence::new(Grade::Exact, "the difference", "an exact run"),
+                    ));
                 }
-                velocities = times(&blocks(&matrices[t - 1], &unit(d)), &velocities);
             }
+            velocities = times(&blocks(&matrices[t - 1], &unit(d)), &velocities);
         }
-        let identity = run.identity(&Generic { variant }, &[], "two generic factors, three birds in the plane")?;
-        let Outcome::Holds(mut evidence) = identity else { return Ok(identity) };
-        evidence.push(
-            Evidence::new(
-                Grade::Fuzzed,
-                "exact runs",
-                "2 to 5 birds, d = 1, 2, 3, t = 1, ..., 5, lazy weights, all i and j",
-            )
-            .cases(cases),
-        );
-        Ok(Outcome::Holds(evidence))
     }
+    let identity = run.identity(&Generic { variant }, &[], "two generic factors, three birds in the plane")?;
+    let Outcome::Holds(mut evidence) = identity else { return Ok(identity) };
+    evidence.push(
+        Evidence::new(
+            Grade::Fuzzed,
+            "exact runs",
+            "2 to 5 birds, d = 1, 2, 3, t = 1, ..., 5, lazy weights, all i and j",
+        )
+        .cases(cases),
+    );
+    Ok(Outcome::Holds(evidence))
 }
 
 /// `v_1(3) - v_2(3)` for three birds in the plane and two matrices of variables.

@@ -5,7 +5,7 @@ use super::velocity_bounds::step_velocities;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -31,9 +31,6 @@ fn power(n: usize, exponent: u64) -> BigInt {
     BigInt::from(n).pow(exponent as u32)
 }
 
-/// chazelle.lem2.2.bits.
-pub struct ProductLength;
-
 /// The exponent of `n` in the bound of the common denominator.
 #[derive(Clone, Copy)]
 pub struct ProductLengthVariant {
@@ -55,91 +52,74 @@ impl ProductLengthVariant {
     }
 }
 
-impl Claim for ProductLength {
-    type Variant = ProductLengthVariant;
+pub fn product_length() -> Record<ProductLengthVariant> {
+    Record::new(
+        "chazelle.lem2.2.bits",
+        "Reading: c_i(t) is a rational with a denominator q_i <= n^a (O(log n) bits; a = 1 for vicsek, 2 for lazy), n \
+         >= 2. Row i of P(t) has the denominator q_i, all of P(t) the product of the q_i, at most n^(a n). A product \
+         of t - s + 1 factors has the product of their denominators: at most n^(a n (t-s+1)), which is a n (t-s+1) \
+         log n bits; entries lie in [0,1], so numerators are no longer.",
+        ProductLengthVariant { exponent: |n, length, a| a * n * length },
+        check_product_length,
+    )
+    .control("without n", ProductLengthVariant { exponent: |_, length, a| a * length })
+    .control("without t - s + 1", ProductLengthVariant { exponent: |n, _, a| a * n })
+    .control("two thirds of the length", ProductLengthVariant { exponent: |n, length, a| 2 * a * n * length / 3 })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.lem2.2.bits"
-    }
-
-    fn derivation(&self) -> &str {
-        "Reading: c_i(t) is a rational with a denominator q_i <= n^a (O(log n) bits; a = 1 for vicsek, 2 for lazy), n >= 2. Row i of P(t) has the \
-         denominator q_i, all of P(t) the product of the q_i, at most n^(a n). A product of t - s + 1 factors has the product of their \
-         denominators: at most n^(a n (t-s+1)), which is a n (t-s+1) log n bits; entries lie in [0,1], so numerators are no longer."
-    }
-
-    fn printed(&self) -> ProductLengthVariant {
-        ProductLengthVariant { exponent: |n, length, a| a * n * length }
-    }
-
-    fn controls(&self) -> Vec<Control<ProductLengthVariant>> {
-        vec![
-            Control::new("without n", ProductLengthVariant { exponent: |_, length, a| a * length }),
-            Control::new("without t - s + 1", ProductLengthVariant { exponent: |n, _, a| a * n }),
-            Control::new(
-                "two thirds of the length",
-                ProductLengthVariant { exponent: |n, length, a| 2 * a * n * length / 3 },
-            ),
-        ]
-    }
-
-    fn examine(&self, variant: &ProductLengthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let exact = || Evidence::new(Grade::Exact, "the common denominator", "one exact product");
-        let mut cases = 0;
-        for (order, length) in [(1, 3), (2, 5), (3, 3), (4, 1)] {
-            let graphs: Vec<Graph> = Graph::all(order).collect();
-            let matrices: Vec<Vec<(u32, RationalMatrix)>> = graphs.iter().map(models).collect::<Result<_, _>>()?;
-            for word in words(graphs.len(), length) {
-                run.checkpoint()?;
-                let sequence: Vec<Graph> = word.iter().map(|&k| graphs[k].clone()).collect();
-                for model in 0..matrices[0].len() {
-                    let Some(a) = matrices[0].get(model).map(|(a, _)| *a) else { continue };
-                    let mut product = RationalMatrix::identity(order)?;
-                    for &k in &word {
-                        // Where given weights are not admissible for a network, the lazy ones stand in.
-                        let (_, matrix) = matrices[k].get(model).unwrap_or(&matrices[k][0]);
-                        product = matrix.times(&product)?;
-                    }
-                    cases += 1;
-                    if let Some(what) = variant.fails_at(&sequence, a, &product) {
-                        return Ok(Outcome::fails(what, exact()));
-                    }
-                }
-            }
-        }
-        let mut random = run.random(0);
-        let sampled = run.cases(20, 400);
-        for _ in 0..sampled {
+fn check_product_length(variant: &ProductLengthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let exact = || Evidence::new(Grade::Exact, "the common denominator", "one exact product");
+    let mut cases = 0;
+    for (order, length) in [(1, 3), (2, 5), (3, 3), (4, 1)] {
+        let graphs: Vec<Graph> = Graph::all(order).collect();
+        let matrices: Vec<Vec<(u32, RationalMatrix)>> = graphs.iter().map(models).collect::<Result<_, _>>()?;
+        for word in words(graphs.len(), length) {
             run.checkpoint()?;
-            let order = 5 + random.next_u32() as usize % 3;
-            let graphs: Vec<Graph> = (0..6).map(|_| random_graph(order, 3, &mut random)).collect();
-            for model in 0..3 {
+            let sequence: Vec<Graph> = word.iter().map(|&k| graphs[k].clone()).collect();
+            for model in 0..matrices[0].len() {
+                let Some(a) = matrices[0].get(model).map(|(a, _)| *a) else { continue };
                 let mut product = RationalMatrix::identity(order)?;
-                let mut a = 2;
-                for graph in &graphs {
-                    let all = models(graph)?;
-                    let (given, matrix) = all.get(model).unwrap_or(&all[0]);
-                    (a, product) = (*given, matrix.times(&product)?);
+                for &k in &word {
+                    // Where given weights are not admissible for a network, the lazy ones stand in.
+                    let (_, matrix) = matrices[k].get(model).unwrap_or(&matrices[k][0]);
+                    product = matrix.times(&product)?;
                 }
-                if let Some(what) = variant.fails_at(&graphs, a, &product) {
+                cases += 1;
+                if let Some(what) = variant.fails_at(&sequence, a, &product) {
                     return Ok(Outcome::fails(what, exact()));
                 }
             }
         }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "at most a n (t-s+1) log n bits",
-                "proof in notes/chazelle_switches.md; all products of 5, 3, 1 factors on 2, 3, 4 birds: lazy, vicsek, prime denominators",
-            )
-            .cases(cases),
-            Evidence::new(Grade::Fuzzed, "the same", "six random networks on 5 to 7 birds").cases(sampled),
-        ]))
     }
+    let mut random = run.random(0);
+    let sampled = run.cases(20, 400);
+    for _ in 0..sampled {
+        run.checkpoint()?;
+        let order = 5 + random.next_u32() as usize % 3;
+        let graphs: Vec<Graph> = (0..6).map(|_| random_graph(order, 3, &mut random)).collect();
+        for model in 0..3 {
+            let mut product = RationalMatrix::identity(order)?;
+            let mut a = 2;
+            for graph in &graphs {
+                let all = models(graph)?;
+                let (given, matrix) = all.get(model).unwrap_or(&all[0]);
+                (a, product) = (*given, matrix.times(&product)?);
+            }
+            if let Some(what) = variant.fails_at(&graphs, a, &product) {
+                return Ok(Outcome::fails(what, exact()));
+            }
+        }
+    }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exhaustive,
+            "at most a n (t-s+1) log n bits",
+            "all products of 5, 3, 1 factors on 2, 3, 4 birds: lazy, vicsek, prime denominators",
+        )
+        .cases(cases),
+        Evidence::new(Grade::Fuzzed, "the same", "six random networks on 5 to 7 birds").cases(sampled),
+    ]))
 }
-
-/// chazelle.lem2.3.
-pub struct StateLength;
 
 /// The exponent of `n` in the bound of numerators and denominators.
 #[derive(Clone, Copy)]
@@ -216,68 +196,57 @@ fn pairs_on_the_line(halves: &[i64]) -> impl Iterator<Item = (Vectors, Vectors, 
     })
 }
 
-impl Claim for StateLength {
-    type Variant = StateLengthVariant;
+pub fn state_length() -> Record<StateLengthVariant> {
+    Record::new(
+        "chazelle.lem2.3",
+        "Reading: input coordinates have numerators and denominators up to n^b, c_i(t) denominators up to n^a, n >= \
+         2, d fixed. The 2dn inputs have a common denominator Q <= n^(2bdn); v(t) = (P(t-1,1) kron I_d) v(1) and x(t) \
+         = x(0) + v(1) + ... + v(t) have the denominator Q n^(an(t-1)) at most, and coordinates up to n^b (t+1) <= \
+         n^(b+t). Both numerators and denominators are at most n^(Ktn), K = a + 2bd + b + 1: K t n log n bits.",
+        StateLengthVariant { exponent: |n, t, constant| constant * t * n },
+        check_state_length,
+    )
+    .control("without t", StateLengthVariant { exponent: |n, _, constant| constant * n })
+    .control("without n", StateLengthVariant { exponent: |_, t, constant| constant * t })
+    .control("a quarter of the length", StateLengthVariant { exponent: |n, t, constant| constant * t * n / 4 })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.lem2.3"
-    }
-
-    fn derivation(&self) -> &str {
-        "Reading: input coordinates have numerators and denominators up to n^b, c_i(t) denominators up to n^a, n >= 2, d fixed. The 2dn inputs \
-         have a common denominator Q <= n^(2bdn); v(t) = (P(t-1,1) kron I_d) v(1) and x(t) = x(0) + v(1) + ... + v(t) have the denominator \
-         Q n^(an(t-1)) at most, and coordinates up to n^b (t+1) <= n^(b+t). Both numerators and denominators are at most n^(Ktn), \
-         K = a + 2bd + b + 1: K t n log n bits."
-    }
-
-    fn printed(&self) -> StateLengthVariant {
-        StateLengthVariant { exponent: |n, t, constant| constant * t * n }
-    }
-
-    fn controls(&self) -> Vec<Control<StateLengthVariant>> {
-        vec![
-            Control::new("without t", StateLengthVariant { exponent: |n, _, constant| constant * n }),
-            Control::new("without n", StateLengthVariant { exponent: |_, t, constant| constant * t }),
-            Control::new(
-                "a quarter of the length",
-                StateLengthVariant { exponent: |n, t, constant| constant * t * n / 4 },
-            ),
-        ]
-    }
-
-    fn examine(&self, variant: &StateLengthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let fails =
-            |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "numbers of a run", "an exact run")));
-        let halves: &[i64] = if run.cases(0, 1) == 0 { &[-4, -1, 1, 2] } else { &[-4, -2, -1, 0, 1, 2, 4] };
-        let mut exhaustive = 0;
-        for (positions, velocities, graphs) in pairs_on_the_line(halves) {
-            run.checkpoint()?;
-            exhaustive += 1;
-            if let Some(what) = variant.fails_at(positions, velocities, &Weights::Lazy, &graphs)? {
-                return fails(what);
-            }
+fn check_state_length(variant: &StateLengthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let fails =
+        |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "numbers of a run", "an exact run")));
+    let halves: &[i64] = if run.cases(0, 1) == 0 { &[-4, -1, 1, 2] } else { &[-4, -2, -1, 0, 1, 2, 4] };
+    let mut exhaustive = 0;
+    for (positions, velocities, graphs) in pairs_on_the_line(halves) {
+        run.checkpoint()?;
+        exhaustive += 1;
+        if let Some(what) = variant.fails_at(positions, velocities, &Weights::Lazy, &graphs)? {
+            return fails(what);
         }
-        let mut random = run.random(0);
-        let repeats = run.cases(2, 40);
-        for n in 2..=6 {
-            for d in 1..=3 {
-                for _ in 0..repeats {
-                    run.checkpoint()?;
-                    if let Some(what) = variant.fails_at_random(n, d, &mut random)? {
-                        return fails(what);
-                    }
+    }
+    let mut random = run.random(0);
+    let repeats = run.cases(2, 40);
+    for n in 2..=6 {
+        for d in 1..=3 {
+            for _ in 0..repeats {
+                run.checkpoint()?;
+                if let Some(what) = variant.fails_at_random(n, d, &mut random)? {
+                    return fails(what);
                 }
             }
         }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "numerators and denominators up to n^(Ktn), K = a + 2bd + b + 1",
-                "proof in notes/chazelle_switches.md; all lazy pairs on the line with inputs -2, -1/2, 1/2, 1 (--full: all up to 2) and all networks of 4 steps",
-            )
-            .cases(exhaustive),
-            Evidence::new(Grade::Fuzzed, "the same", "exact runs of 16 steps, 2 to 6 birds in dimension 1 to 3, a = 2, b = 1")
-                .cases(15 * repeats),
-        ]))
     }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exhaustive,
+            "numerators and denominators up to n^(Ktn), K = a + 2bd + b + 1",
+            "all lazy pairs on the line with inputs -2, -1/2, 1/2, 1 (--full: all up to 2) and all networks of 4 steps",
+        )
+        .cases(exhaustive),
+        Evidence::new(
+            Grade::Fuzzed,
+            "the same",
+            "exact runs of 16 steps, 2 to 6 birds in dimension 1 to 3, a = 2, b = 1",
+        )
+        .cases(15 * repeats),
+    ]))
 }

@@ -4,15 +4,12 @@ use super::sequences::{share_weights, show};
 use algebra::graph::Graph;
 use algebra::matrix::StochasticMatrix;
 use arithmetic::{Rational, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 
 fn graphs(most: usize) -> impl Iterator<Item = Graph> {
     (1..=most).flat_map(Graph::all)
 }
-
-/// chazelle.modelD.stoch.
-pub struct Stochastic;
 
 /// The shares `c_i d_i` that are tried.
 #[derive(Clone, Copy)]
@@ -20,67 +17,56 @@ pub struct StochasticVariant {
     shares: &'static [(i64, i64)],
 }
 
-impl Claim for Stochastic {
-    type Variant = StochasticVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.modelD.stoch"
-    }
-
-    fn derivation(&self) -> &str {
-        "Reading: the condition is on birds with neighbours; a bird without any has c_i d_i = 0 and the row of the identity, whatever c_i. \
-         Row i of I - CL has the diagonal entry 1 - c_i d_i > 0, entries c_i > 0 at the d_i neighbours and 0 elsewhere; it sums to 1."
-    }
-
-    fn printed(&self) -> StochasticVariant {
-        StochasticVariant { shares: &[(1, 1_000_000), (1, 3), (1, 2), (2, 3), (999_999, 1_000_000)] }
-    }
-
-    fn controls(&self) -> Vec<Control<StochasticVariant>> {
-        vec![
-            Control::new("c_i d_i = 1 allowed", StochasticVariant { shares: &[(1, 2), (1, 1)] }),
-            Control::new("c_i d_i up to 1 + 10^-6", StochasticVariant { shares: &[(1, 2), (1_000_001, 1_000_000)] }),
-            Control::new("negative c_i", StochasticVariant { shares: &[(-1, 1_000_000)] }),
-        ]
-    }
-
-    fn examine(&self, variant: &StochasticVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut cases = 0;
-        for graph in graphs(5) {
-            run.checkpoint()?;
-            for &share in variant.shares {
-                cases += 1;
-                let matrix = transition_matrix(&graph, &share_weights(&graph, share))?;
-                let problem = match StochasticMatrix::try_from(&matrix) {
-                    Err(error) => Some(error.to_string()),
-                    Ok(p) if !p.footprint().has_full_diagonal() => Some("a diagonal entry is 0".to_string()),
-                    Ok(_) => None,
-                };
-                if let Some(problem) = problem {
-                    let what = format!(
-                        "{} birds, {}, c_i d_i = {}/{}: {problem}",
-                        graph.order(),
-                        show(&graph),
-                        share.0,
-                        share.1
-                    );
-                    return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "P = I - CL", "one matrix")));
-                }
-            }
-        }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "row-stochastic with a positive diagonal, for all graphs and weights",
-                "proof in notes/chazelle_switches.md; all graphs on up to 5 birds, five shares c_i d_i from 10^-6 to 1 - 10^-6",
-            )
-            .cases(cases),
-        ]))
-    }
+pub fn stochastic() -> Record<StochasticVariant> {
+    Record::new(
+        "chazelle.modelD.stoch",
+        "Row i of I - CL has the diagonal entry 1 - c_i d_i > 0, entries c_i > 0 at the d_i neighbours and 0 \
+         elsewhere; it sums to 1.",
+        StochasticVariant { shares: &[(1, 1_000_000), (1, 3), (1, 2), (2, 3), (999_999, 1_000_000)] },
+        check_stochastic,
+    )
+    .reading(
+        "The condition is on birds with neighbours; a bird without any has c_i d_i = 0 and the row of the \
+              identity, whatever c_i.",
+    )
+    .clauses(&[
+        "If 0 < c_i(t) d_i(t) < 1, P(t) = I_n - C_t L_t is row-stochastic.",
+        "If 0 < c_i(t) d_i(t) < 1, the diagonal of P(t) is strictly positive.",
+    ])
+    .control("c_i d_i = 1 allowed", StochasticVariant { shares: &[(1, 2), (1, 1)] })
+    .control("c_i d_i up to 1 + 10^-6", StochasticVariant { shares: &[(1, 2), (1_000_001, 1_000_000)] })
+    .control("negative c_i", StochasticVariant { shares: &[(-1, 1_000_000)] })
 }
 
-/// chazelle.modelK.matrix.
-pub struct Headings;
+fn check_stochastic(variant: &StochasticVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut cases = 0;
+    for graph in graphs(5) {
+        run.checkpoint()?;
+        for &share in variant.shares {
+            cases += 1;
+            let matrix = transition_matrix(&graph, &share_weights(&graph, share))?;
+            let problem = match StochasticMatrix::try_from(&matrix) {
+                Err(error) => Some(error.to_string()),
+                Ok(p) if !p.footprint().has_full_diagonal() => Some("a diagonal entry is 0".to_string()),
+                Ok(_) => None,
+            };
+            if let Some(problem) = problem {
+                let what =
+                    format!("{} birds, {}, c_i d_i = {}/{}: {problem}", graph.order(), show(&graph), share.0, share.1);
+                return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "P = I - CL", "one matrix")));
+            }
+        }
+    }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exhaustive,
+            "row-stochastic with a positive diagonal",
+            "all graphs on up to 5 birds, five shares c_i d_i from 10^-6 to 1 - 10^-6",
+        )
+        .on([1, 2])
+        .cases(cases),
+    ]))
+}
 
 /// The weights and the rule they are compared with.
 #[derive(Clone, Copy)]
@@ -110,63 +96,56 @@ impl HeadingsVariant {
     }
 }
 
-impl Claim for Headings {
-    type Variant = HeadingsVariant;
+pub fn headings() -> Record<HeadingsVariant> {
+    let printed = HeadingsVariant { offset: 1, sign: 1, own: 1 };
+    Record::new(
+        "chazelle.modelK.matrix",
+        "1 - c_i d_i = 1/(d_i + 1) = c_i: the bird's own heading and its neighbours' have the same weight. The rule \
+         is linear in the headings as real numbers, so it is its matrix.",
+        printed,
+        check_headings,
+    )
+    .clauses(&[
+        "The heading update has the matrix P(t) = I_n - C_t L_t with c_i(t) = (d_i(t)+1)^{-1}.",
+        "p_ij = (d_i+1)^{-1} if i = j or (i,j) in G_t.",
+    ])
+    .control("c_i = 1/d_i", HeadingsVariant { offset: 0, ..printed })
+    .control("c_i = 1/(d_i + 2)", HeadingsVariant { offset: 2, ..printed })
+    .control("I + CL", HeadingsVariant { sign: -1, ..printed })
+    .control("without the bird's own heading", HeadingsVariant { own: 0, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.modelK.matrix"
-    }
-
-    fn derivation(&self) -> &str {
-        "1 - c_i d_i = 1/(d_i + 1) = c_i: the bird's own heading and its neighbours' have the same weight. The rule is linear in the headings as \
-         real numbers, so it is its matrix."
-    }
-
-    fn printed(&self) -> HeadingsVariant {
-        HeadingsVariant { offset: 1, sign: 1, own: 1 }
-    }
-
-    fn controls(&self) -> Vec<Control<HeadingsVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("c_i = 1/d_i", HeadingsVariant { offset: 0, ..printed }),
-            Control::new("c_i = 1/(d_i + 2)", HeadingsVariant { offset: 2, ..printed }),
-            Control::new("I + CL", HeadingsVariant { sign: -1, ..printed }),
-            Control::new("without the bird's own heading", HeadingsVariant { own: 0, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &HeadingsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut cases = 0;
-        for graph in graphs(5) {
-            run.checkpoint()?;
-            cases += 1;
-            let matrix = variant.matrix(&graph)?;
-            for (i, row) in matrix.iter().enumerate() {
-                for (j, entry) in row.iter().enumerate() {
-                    let joined = i == j || graph.has_edge(i, j);
-                    let printed = if joined { rational(1, graph.degree(i) as i64 + 1) } else { rational(0, 1) };
-                    let rule = variant.rule(&graph, i, j);
-                    if *entry != printed || *entry != rule {
-                        let what = format!(
-                            "{} birds, {}: entry ({}, {}) is {entry}, printed {printed}, by the rule {rule}",
-                            graph.order(),
-                            show(&graph),
-                            i + 1,
-                            j + 1
-                        );
-                        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "entries", "one matrix")));
-                    }
+fn check_headings(variant: &HeadingsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut cases = 0;
+    for graph in graphs(5) {
+        run.checkpoint()?;
+        cases += 1;
+        let matrix = variant.matrix(&graph)?;
+        for (i, row) in matrix.iter().enumerate() {
+            for (j, entry) in row.iter().enumerate() {
+                let joined = i == j || graph.has_edge(i, j);
+                let printed = if joined { rational(1, graph.degree(i) as i64 + 1) } else { rational(0, 1) };
+                let rule = variant.rule(&graph, i, j);
+                if *entry != printed || *entry != rule {
+                    let what = format!(
+                        "{} birds, {}: entry ({}, {}) is {entry}, printed {printed}, by the rule {rule}",
+                        graph.order(),
+                        show(&graph),
+                        i + 1,
+                        j + 1
+                    );
+                    return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "entries", "one matrix")));
                 }
             }
         }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "entries, I - CL and the heading rule, for all graphs",
-                "proof in notes/chazelle_switches.md; all graphs on up to 5 birds, on a basis of headings",
-            )
-            .cases(cases),
-        ]))
     }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exhaustive,
+            "entries, I - CL and the heading rule",
+            "all graphs on up to 5 birds, on a basis of headings",
+        )
+        .on([1, 2])
+        .cases(cases),
+    ]))
 }

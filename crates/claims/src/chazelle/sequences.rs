@@ -15,6 +15,26 @@ pub(super) fn show(graph: &Graph) -> String {
     if edges.is_empty() { "no edges".to_string() } else { edges.join(" ") }
 }
 
+/// The initial conditions of a flock.
+pub(super) fn show_start(start: &Start) -> String {
+    let list = |rows: &[Vec<Rational>]| {
+        let row = |row: &Vec<Rational>| row.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        rows.iter().map(|r| format!("({})", row(r))).collect::<Vec<_>>().join(", ")
+    };
+    let (x, v) = (list(&start.positions), list(&start.velocities));
+    let hysteresis = match &start.hysteresis {
+        Hysteresis::None => "none".to_string(),
+        Hysteresis::Paper => "that of the paper".to_string(),
+        Hysteresis::Constant(threshold) => format!("with the threshold {threshold}"),
+    };
+    let weights = match &start.weights {
+        Weights::Lazy => "lazy".to_string(),
+        Weights::Vicsek => "c_i = 1/(d_i+1)".to_string(),
+        Weights::Given(c) => format!("c = ({})", c.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
+    };
+    format!("x(0) = {x}, v(1) = {v}, weights {weights}, hysteresis {hysteresis}")
+}
+
 /// The networks one after the other.
 pub(super) fn show_all(graphs: &[Graph]) -> String {
     graphs.iter().map(show).collect::<Vec<_>>().join(", then ")
@@ -136,6 +156,15 @@ impl NetworkHistory {
     pub fn show(&self) -> String {
         format!("{} birds, {}, and so for ever", self.order(), show_all(&self.graphs))
     }
+}
+
+/// All sequences of so many networks on so many birds, with a constant end.
+pub(super) fn histories(sizes: impl IntoIterator<Item = (usize, u32)>) -> impl Iterator<Item = NetworkHistory> {
+    sizes.into_iter().flat_map(|(order, length)| {
+        let graphs: Vec<Graph> = Graph::all(order).collect();
+        words(graphs.len(), length)
+            .map(move |word| NetworkHistory::new(word.iter().map(|&k| graphs[k].clone()).collect()))
+    })
 }
 
 /// A random flock of 2 to 5 birds on the line with the hysteresis of the paper, near enough to meet.

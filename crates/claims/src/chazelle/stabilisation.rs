@@ -1,11 +1,10 @@
 //! chazelle.stab, chazelle.eq3.5 and chazelle.eq3.6: the stabilisers and the product of their blocks.
 
 use super::entries::small_weights;
-use super::sequences::{NetworkHistory, random_graph, words};
-use algebra::graph::Graph;
+use super::sequences::{NetworkHistory, histories, random_graph};
 use algebra::matrix::{RationalMatrix, Stabiliser, tau_1, tau_2_squared};
 use arithmetic::{Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
@@ -13,50 +12,27 @@ use rand_chacha::rand_core::Rng;
 /// Levels that are followed.
 const LEVELS: usize = 3;
 
-/// Checks all sequences of 6, 4, 2 networks on 2, 3, 4 birds (`shorter`: 4, 3, 1) with a constant end, then random ones on
-/// up to 6; stops at the first failure.
+/// Checks all sequences of 6, 4, 2 networks on 2, 3, 4 birds (`shorter`: 4, 3, 1) with a constant end, then random
+/// ones on up to 6.
 fn over_histories(
     run: &Run,
     shorter: bool,
+    part: &str,
+    detail: &str,
     mut fails: impl FnMut(&NetworkHistory, &mut ChaCha8Rng) -> Result<Option<String>, CheckError>,
-) -> Result<Result<[usize; 2], String>, CheckError> {
+) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
-    let mut exhaustive = 0;
     let lengths = if shorter { [1, 4, 3, 1] } else { [3, 6, 4, 2] };
-    for (order, length) in (1..).zip(lengths) {
-        let graphs: Vec<Graph> = Graph::all(order).collect();
-        for word in words(graphs.len(), length) {
-            run.checkpoint()?;
-            exhaustive += 1;
-            let history = NetworkHistory::new(word.iter().map(|&k| graphs[k].clone()).collect());
-            if let Some(counterexample) = fails(&history, &mut random)? {
-                return Ok(Err(counterexample));
-            }
-        }
-    }
-    let sampled = run.cases(60, 2000);
-    for _ in 0..sampled {
-        run.checkpoint()?;
-        let order = 3 + random.next_u32() as usize % 4;
-        let history = NetworkHistory::new((0..8).map(|_| random_graph(order, 1, &mut random)).collect());
-        if let Some(counterexample) = fails(&history, &mut random)? {
-            return Ok(Err(counterexample));
-        }
-    }
-    Ok(Ok([exhaustive, sampled]))
-}
-
-fn outcome(part: &str, exhaustive: &str, found: Result<[usize; 2], String>) -> Outcome {
-    match found {
-        Err(counterexample) => {
-            Outcome::fails(counterexample, Evidence::new(Grade::Exact, part, "one sequence with a constant end"))
-        }
-        Ok([cases, sampled]) => Outcome::Holds(vec![
-            Evidence::new(Grade::Exhaustive, part, format!("proof in notes/chazelle_switches.md; {exhaustive}"))
-                .cases(cases),
-            Evidence::new(Grade::Fuzzed, part, "random sequences of 8 networks on 3 to 6 birds").cases(sampled),
-        ]),
-    }
+    let all = Evidence::new(Grade::Exhaustive, part, detail);
+    let sampled = Evidence::new(Grade::Fuzzed, part, "random sequences of 8 networks on 3 to 6 birds");
+    Run::all([
+        run.every(all, histories((1..).zip(lengths)), |history| fails(&history, &mut random)),
+        run.every(sampled, 0..run.cases(60, 2000), |_| {
+            let order = 3 + random.next_u32() as usize % 4;
+            let history = NetworkHistory::new((0..8).map(|_| random_graph(order, 1, &mut random)).collect());
+            fails(&history, &mut random)
+        }),
+    ])
 }
 
 /// `V_0 = [n]`, `V_1`, ... and `T_0 = 0`, `T_1`, ... for `s = 1`.
@@ -73,9 +49,6 @@ impl Levels {
         Levels { members, times }
     }
 }
-
-/// chazelle.stab.
-pub struct Nested;
 
 /// What is altered.
 #[derive(Clone, Copy)]
@@ -143,39 +116,35 @@ fn birds(members: &[usize]) -> String {
     format!("{{{}}}", names.join(", "))
 }
 
-impl Claim for Nested {
-    type Variant = NestedVariant;
+pub fn nested() -> Record<NestedVariant> {
+    let printed = NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false };
+    Record::new(
+        "chazelle.stab",
+        "V_k indexes rows of a matrix on V_{k-1}, so it is contained in it. An edge at t > T_k between i in V_k and j \
+         in V_{k-1} \\ V_k would give the column a one in row j after T_k, when nothing changes any more. So P(t) on \
+         V_{k-1} is block diagonal for t > T_k, and products of restrictions are restrictions of products. The first \
+         bird stays first: its diagonal entry is positive, so it belongs to every V_k, and the rows of V_k are by \
+         definition those with a positive entry in its column.",
+        printed,
+        check_nested,
+    )
+    .clauses(&[
+        "The stabilizers are nested, V_1 contains V_2 contains ....",
+        "For t > T_1 no edge of G_t joins V_1 to its complement, so P(t) is block diagonal.",
+        "The first column of each P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1) consists entirely of positive entries.",
+    ])
+    .control("strictly nested", NestedVariant { strictly: true, ..printed })
+    .control("separated at t = T_1 already", NestedVariant { at_t1: true, ..printed })
+    .control("the second column", NestedVariant { column: 1, ..printed })
+    .control("V_1 from the first row", NestedVariant { from_row: true, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.stab"
-    }
-
-    fn derivation(&self) -> &str {
-        "V_k indexes rows of a matrix on V_{k-1}, so it is contained in it. An edge at t > T_k between i in V_k and j in V_{k-1} \\ V_k \
-         would give the column a one in row j after T_k, when nothing changes any more. So P(t) on V_{k-1} is block diagonal for t > T_k, \
-         and products of restrictions are restrictions of products. The first bird stays first: its diagonal entry is positive, so it belongs to every V_k, \
-         and the rows of V_k are by definition those with a positive entry in its column."
-    }
-
-    fn printed(&self) -> NestedVariant {
-        NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false }
-    }
-
-    fn controls(&self) -> Vec<Control<NestedVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("strictly nested", NestedVariant { strictly: true, ..printed }),
-            Control::new("separated at t = T_1 already", NestedVariant { at_t1: true, ..printed }),
-            Control::new("the second column", NestedVariant { column: 1, ..printed }),
-            Control::new("V_1 from the first row", NestedVariant { from_row: true, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &NestedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let found = over_histories(run, false, |history, _| Ok(variant.fails_at(history)))?;
-        let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
-        Ok(outcome("nested, block diagonal, positive first columns", cases, found))
-    }
+fn check_nested(variant: &NestedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
+    Ok(over_histories(run, false, "nested, block diagonal, positive first columns", cases, |history, _| {
+        Ok(variant.fails_at(history))
+    })?
+    .on([1, 2, 3]))
 }
 
 /// `P(t)` for all `t` of a history, with exact products.
@@ -207,9 +176,6 @@ fn block(matrix: &RationalMatrix, rows: &[usize], cols: &[usize]) -> Result<Rati
     let picked: Vec<Vec<Rational>> = rows.iter().map(|&i| cols.iter().map(|&j| matrix.entry(i, j)).collect()).collect();
     Ok(RationalMatrix::from_rows(&picked)?)
 }
-
-/// chazelle.eq3.5.
-pub struct Blocks;
 
 /// The index sets of two factors, and where the products start.
 #[derive(Clone, Copy)]
@@ -258,7 +224,8 @@ impl BlocksVariant {
                             .join("; ")
                     };
                     return Ok(Some(format!(
-                        "{}, lazy weights, s = 1, k = {k}, T = {:?}, V_{k} = {}, t = {t}: the block is [{}], the product is [{}]",
+                        "{}, lazy weights, s = 1, k = {k}, T = {:?}, V_{k} = {}, t = {t}: the block is [{}], the \
+                         product is [{}]",
                         history.show(),
                         &times[1..=k],
                         birds(&sets[k]),
@@ -272,54 +239,34 @@ impl BlocksVariant {
     }
 }
 
-impl Claim for Blocks {
-    type Variant = BlocksVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.eq3.5"
-    }
-
-    fn derivation(&self) -> &str {
-        "After T_i the matrices on V_{i-1} are block diagonal with the block V_i, so the rows V_i of P(t, T_{i-1}+1) on V_{i-1} are \
-         P_{|V_i x V_i}(t, T_i+1) P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1); the rows V_k of that are rows of the left factor only. Iterated, the factor of T_2 has the \
-         columns V_1 and the factor of T_1 the rows V_1. With V_k in both places the paths through V_1 \\ V_k are lost."
-    }
-
-    fn printed(&self) -> BlocksVariant {
-        BlocksVariant { second_has_v1: false, first_has_v1: false, gap: 1 }
-    }
-
-    fn repair(&self) -> Option<Repair<BlocksVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement: "P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
-                        P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1)"
-                .to_string(),
-            variant: BlocksVariant { second_has_v1: true, first_has_v1: true, ..self.printed() },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<BlocksVariant>> {
-        let corrected = BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 };
-        vec![
-            Control::new("V_2 x V_k, V_1 x V_0", BlocksVariant { second_has_v1: false, ..corrected }),
-            Control::new("V_2 x V_1, V_k x V_0", BlocksVariant { first_has_v1: false, ..corrected }),
-            Control::new("the factor at T_i taken twice", BlocksVariant { gap: 0, ..corrected }),
-            Control::new("the factor at T_i + 1 left out", BlocksVariant { gap: 2, ..corrected }),
-        ]
-    }
-
-    fn examine(&self, variant: &BlocksVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
-        let cases =
-            "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-        Ok(outcome("the factorisation, for all k", cases, found))
-    }
+pub fn blocks() -> Record<BlocksVariant> {
+    let printed = BlocksVariant { second_has_v1: false, first_has_v1: false, gap: 1 };
+    let corrected = BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 };
+    Record::new(
+        "chazelle.eq3.5",
+        "After T_i the matrices on V_{i-1} are block diagonal with the block V_i, so the rows V_i of P(t, T_{i-1}+1) \
+         on V_{i-1} are P_{|V_i x V_i}(t, T_i+1) P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1); the rows V_k of that are rows of \
+         the left factor only. Iterated, the factor of T_2 has the columns V_1 and the factor of T_1 the rows V_1. \
+         With V_k in both places the paths through V_1 \\ V_k are lost.",
+        printed,
+        check_blocks,
+    )
+    .repaired(
+        Fault::Typo,
+        "P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... P_{|V_2 x \
+         V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1)",
+        BlocksVariant { second_has_v1: true, first_has_v1: true, ..printed },
+    )
+    .control("V_2 x V_k, V_1 x V_0", BlocksVariant { second_has_v1: false, ..corrected })
+    .control("V_2 x V_1, V_k x V_0", BlocksVariant { first_has_v1: false, ..corrected })
+    .control("the factor at T_i taken twice", BlocksVariant { gap: 0, ..corrected })
+    .control("the factor at T_i + 1 left out", BlocksVariant { gap: 2, ..corrected })
 }
 
-/// chazelle.eq3.6.
-pub struct Contraction;
+fn check_blocks(variant: &BlocksVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+    over_histories(run, true, "the factorisation", cases, |history, random| variant.fails_at(history, random))
+}
 
 /// The constants of the two inequalities.
 #[derive(Clone, Copy)]
@@ -370,36 +317,29 @@ impl ContractionVariant {
     }
 }
 
-impl Claim for Contraction {
-    type Variant = ContractionVariant;
+pub fn contraction() -> Record<ContractionVariant> {
+    let printed = ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 };
+    Record::new(
+        "chazelle.eq3.6",
+        "The blocks of (3.5) as corrected are row-stochastic. Lemma 2.4, once for each factor, and tau_2(I) <= \
+         sqrt(2) give the first inequality. The first column of each P_{|V_i x V_{i-1}} is at least beta = \
+         nu^(-a(nu-1)), which is more than nu^(-a nu²) (lem2.2.entries): any two rows overlap by beta, tau_1 <= 1 - \
+         beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2.",
+        printed,
+        check_contraction,
+    )
+    .clauses(&[
+        "tau_2(P_{|V_k x V_0}(t,s)) <= sqrt(2) tau_1(P_{|V_k x V_k}(t,T_k+1)) prod_{i=1}^k tau_1(P_{|V_i x \
+         V_{i-1}}(T_i,T_{i-1}+1)).",
+        "The right side is at most sqrt(2) e^{-k nu^{-O(nu^2)}}.",
+    ])
+    .control("1.41 for sqrt(2)", ContractionVariant { squared_constant: (19881, 10000), ..printed })
+    .control("e^(-k)", ContractionVariant { exponent: |_| 0, ..printed })
+    .control("the square of the product", ContractionVariant { power: 2, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.eq3.6"
-    }
-
-    fn derivation(&self) -> &str {
-        "The blocks of (3.5) as corrected are row-stochastic. Lemma 2.4, once for each factor, and tau_2(I) <= sqrt(2) give the first inequality. The \
-         first column of each P_{|V_i x V_{i-1}} is at least beta = nu^(-a(nu-1)), which is more than nu^(-a nu²) (lem2.2.entries): any two rows \
-         overlap by beta, tau_1 <= 1 - beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2."
-    }
-
-    fn printed(&self) -> ContractionVariant {
-        ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 }
-    }
-
-    fn controls(&self) -> Vec<Control<ContractionVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("1.41 for sqrt(2)", ContractionVariant { squared_constant: (19881, 10000), ..printed }),
-            Control::new("e^(-k)", ContractionVariant { exponent: |_| 0, ..printed }),
-            Control::new("the square of the product", ContractionVariant { power: 2, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &ContractionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let found = over_histories(run, true, |history, random| variant.fails_at(history, random))?;
-        let cases =
-            "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-        Ok(outcome("both inequalities, for all k", cases, found))
-    }
+fn check_contraction(variant: &ContractionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+    Ok(over_histories(run, true, "both inequalities", cases, |history, random| variant.fails_at(history, random))?
+        .on([1, 2]))
 }

@@ -1,14 +1,10 @@
 //! chazelle.Nts and chazelle.eq3.4: counting network switches while the columns of `P(t, s)` fill.
 
-use super::filling::{Filling, GroupRule};
-use super::sequences::{NetworkHistory, line_networks, random_line_flock, words};
-use algebra::graph::Graph;
+use super::argued;
+use super::sequences::{NetworkHistory, histories, line_networks, random_line_flock};
 use arithmetic::rational;
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
-use models::averaging::Weights;
-
-/// chazelle.Nts.
-pub struct Count;
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use models::averaging::{Filling, GroupRule, Weights};
 
 /// Which `u` are counted, and what is claimed of one step.
 #[derive(Clone, Copy)]
@@ -61,7 +57,7 @@ fn weight_times(history: &NetworkHistory, column: usize, s: usize) -> Vec<usize>
     times
 }
 
-/// Exact flocks that fail for an honest reason: three birds at rest in a row, and birds that meet one after the other.
+/// Exact flocks, counterexamples within the model: three birds at rest in a row, and birds that meet one after the other.
 fn small_flocks() -> Result<Vec<NetworkHistory>, CheckError> {
     let eighths = |x: &[i64]| x.iter().map(|&x| rational(x, 8)).collect::<Vec<_>>();
     let hysteresis = Some(rational(1, 3).pow(81));
@@ -73,92 +69,75 @@ fn small_flocks() -> Result<Vec<NetworkHistory>, CheckError> {
         .collect()
 }
 
-impl Claim for Count {
-    type Variant = CountVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.Nts"
-    }
-
-    fn derivation(&self) -> &str {
-        "With s < u < t there is no u between t_k and t_k + 1, so N(t_{k+1}, t_k) = 0; and the changes at u = t_1, ..., t_{l-1} are in no \
-         summand. With s < u <= t the intervals are disjoint and fill (s, t_l], so N is additive. One step contains one u, which \
-         counts where G_u differs from G_{u-1}: a column can grow while the network rests (three birds at rest in a row), so N = 1 is \
-         N <= 1. t_1 = s, because P(s,s) has a first column. Neither slip matters for what follows."
-    }
-
-    fn printed(&self) -> CountVariant {
-        CountVariant { with_s: false, with_t: false, exactly_one: true, first_summand: 1 }
-    }
-
-    fn repair(&self) -> Option<Repair<CountVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement:
-                "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when \
-                        t_{k+1} = t_k + 1, and N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1})."
-                    .to_string(),
-            variant: CountVariant { with_t: true, exactly_one: false, ..self.printed() },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<CountVariant>> {
-        let corrected = CountVariant { with_t: true, exactly_one: false, ..self.printed() };
-        vec![
-            Control::new("strict at both ends, at most 1", CountVariant { with_t: false, ..corrected }),
-            Control::new("both ends counted", CountVariant { with_s: true, ..corrected }),
-            Control::new("s < u <= t, exactly 1", CountVariant { exactly_one: true, ..corrected }),
-            Control::new("the sum from k = 3", CountVariant { first_summand: 3, ..corrected }),
-        ]
-    }
-
-    fn examine(&self, variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut found: [Option<String>; 2] = [None, None];
-        let mut sequences = 0;
-        let look = |history: &NetworkHistory, found: &mut [Option<String>; 2]| {
-            for s in 1..=2 {
-                for column in 0..history.order() {
-                    let failures = variant.failures(history, column, s);
-                    found.iter_mut().zip(failures).for_each(|(found, failure)| *found = found.take().or(failure));
-                }
-            }
-        };
-        for history in small_flocks()? {
-            look(&history, &mut found);
-        }
-        for (order, length) in [(1, 3), (2, 6), (3, 4), (4, 2)] {
-            let graphs: Vec<Graph> = Graph::all(order).collect();
-            for word in words(graphs.len(), length) {
-                run.checkpoint()?;
-                if found.iter().any(Option::is_some) {
-                    break;
-                }
-                sequences += 1;
-                look(&NetworkHistory::new(word.iter().map(|&k| graphs[k].clone()).collect()), &mut found);
-            }
-        }
-        let failures: Vec<String> = found.into_iter().flatten().collect();
-        if !failures.is_empty() {
-            let evidence =
-                Evidence::new(Grade::Exact, "one step, and the sum", "networks of an exact flock or sequence");
-            return Ok(Outcome::fails(failures.join("; "), evidence));
-        }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "one step, and the sum",
-                "disjoint intervals (notes/chazelle_switches.md); all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 \
-                 birds with a constant end",
-            )
-            .cases(sequences),
-            Evidence::new(Grade::Exact, "the same", "exact flocks of three birds with the hysteresis of the paper"),
-        ]))
-    }
+pub fn count() -> Record<CountVariant> {
+    let printed = CountVariant { with_s: false, with_t: false, exactly_one: true, first_summand: 1 };
+    let corrected = CountVariant { with_t: true, exactly_one: false, ..printed };
+    Record::new(
+        "chazelle.Nts",
+        "With s < u < t there is no u between t_k and t_k + 1, so N(t_{k+1}, t_k) = 0; and the changes at u = t_1, \
+         ..., t_{l-1} are in no summand. With s < u <= t the intervals are disjoint and fill (s, t_l], so N is \
+         additive. One step contains one u, which counts where G_u differs from G_{u-1}: a column can grow while the \
+         network rests (three birds at rest in a row), so N = 1 is N <= 1. t_1 = s, because P(s,s) has a first \
+         column. Neither slip matters for what follows.",
+        printed,
+        check_count,
+    )
+    .clauses(&[
+        "With N(t,s) the number of integers u, s < u < t, such that the footprint of P(u) differs from that of P(u-1): \
+         N(t_{k+1}, t_k) = 1 when t_{k+1} = t_k + 1.",
+        "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
+    ])
+    .repaired(
+        Fault::Slip,
+        "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when t_{k+1} = \
+         t_k + 1, and N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
+        corrected,
+    )
+    .repaired_clauses(&[
+        "With N(t,s) the number of integers u, s < u <= t, such that the footprint of P(u) differs from that of \
+         P(u-1): N(t_{k+1}, t_k) <= 1 when t_{k+1} = t_k + 1.",
+        "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
+    ])
+    .control("strict at both ends, at most 1", CountVariant { with_t: false, ..corrected })
+    .control("both ends counted", CountVariant { with_s: true, ..corrected })
+    .control("s < u <= t, exactly 1", CountVariant { exactly_one: true, ..corrected })
+    .control("the sum from k = 3", CountVariant { first_summand: 3, ..corrected })
 }
 
-/// chazelle.eq3.4.
-pub struct UntilStable;
+fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "one step, and the sum";
+    let flocks = Evidence::new(Grade::Exact, part, "exact flocks of three birds with the hysteresis of the paper");
+    let all = Evidence::new(
+        Grade::Exhaustive,
+        part,
+        "all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end",
+    );
+    // Each clause has its own counterexample.
+    let mut examples = Vec::new();
+    let mut evidence = Vec::new();
+    for clause in [0, 1] {
+        let wrong = |history: NetworkHistory| {
+            let mut columns = (1..=2).flat_map(|s| (0..history.order()).map(move |column| (s, column)));
+            Ok(columns.find_map(|(s, column)| variant.failures(&history, column, s)[clause].take()))
+        };
+        let sequences = histories([(1, 3), (2, 6), (3, 4), (4, 2)]);
+        let outcome =
+            Run::all([run.every(flocks.clone(), small_flocks()?, wrong), run.every(all.clone(), sequences, wrong)])?;
+        match outcome.on([clause + 1]) {
+            Outcome::Fails { counterexample, evidence: more } => {
+                examples.push(counterexample);
+                evidence.extend(more);
+            }
+            Outcome::Holds(more) if examples.is_empty() => evidence.extend(more),
+            _ => {}
+        }
+    }
+    if examples.is_empty() {
+        return Ok(Outcome::Holds(evidence));
+    }
+    evidence.retain(|e: &Evidence| e.grade == Grade::Exact);
+    Ok(Outcome::Fails { counterexample: examples.join("; "), evidence })
+}
 
 /// A bound of the switches until the footprint is stable.
 #[derive(Clone, Copy)]
@@ -169,86 +148,71 @@ pub struct UntilStableVariant {
     until_stable: bool,
 }
 
-impl Claim for UntilStable {
-    type Variant = UntilStableVariant;
+pub fn until_stable() -> Record<UntilStableVariant> {
+    let printed = UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true };
+    Record::new(
+        "chazelle.eq3.4",
+        "T_1 is the last growth time t_l of some column, and the count for that column is the count of the whole \
+         network, so no factor for n columns is needed. Between t_k and t_{k+1} the column's birds and the others do \
+         not meet: N(n_k) + N(n - n_k) switches, one at t_{k+1}, and one the paper forgets, at t_k + 1, when an edge \
+         between the two sides breaks. There are l - 1 <= n - 1 intervals (t_1 = s), which makes (n-1)(2N(n-1)+2) <= \
+         2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times).",
+        printed,
+        check_until_stable,
+    )
+    .reading(
+        "N(n) is the maximum over a class of motions that contains the continuation of a motion from any time and of \
+         any group that meets no other bird (positions, old edges and weights arbitrary, speeds bounded); N(t,s) \
+         counts s < u <= t.",
+    )
+    .control("one interval only", UntilStableVariant { bound: |_, before| 2 * before + 1, ..printed })
+    .control("N(n-1) + n", UntilStableVariant { bound: |n, before| before + n, ..printed })
+    .control("all switches", UntilStableVariant { until_stable: false, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.eq3.4"
-    }
-
-    fn derivation(&self) -> &str {
-        "Reading: N(n) is the maximum over a class of motions that contains the continuation of a motion from any time and of any group \
-         that meets no other bird (positions, old edges and weights arbitrary, speeds bounded); N(t,s) counts s < u <= t. T_1 is the \
-         last growth time t_l of some column, and the count for that column is the count of the whole network, so no factor for n \
-         columns is needed. Between t_k and t_{k+1} the column's birds and the others do not meet: N(n_k) + N(n - n_k) switches, one at t_{k+1}, \
-         and one the paper forgets, at t_k + 1, when an edge between the two sides breaks. There are l - 1 <= n - 1 intervals (t_1 = s), which makes \
-         (n-1)(2N(n-1)+2) <= 2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times)."
-    }
-
-    fn printed(&self) -> UntilStableVariant {
-        UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true }
-    }
-
-    fn controls(&self) -> Vec<Control<UntilStableVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("one interval only", UntilStableVariant { bound: |_, before| 2 * before + 1, ..printed }),
-            Control::new("N(n-1) + n", UntilStableVariant { bound: |n, before| before + n, ..printed }),
-            Control::new("all switches", UntilStableVariant { until_stable: false, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &UntilStableVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut classes = 0;
-        let settings =
-            [(3, vec![0, 0, 1]), (3, vec![0, 0, 2]), (3, vec![0, 0, 3]), (4, vec![0, 0, 1, 1]), (4, vec![0, 0, 1, 2])];
-        for (order, most) in settings {
-            run.checkpoint()?;
-            let rule = GroupRule { order, most: most.clone() };
+fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let settings =
+        [(3, vec![0, 0, 1]), (3, vec![0, 0, 2]), (3, vec![0, 0, 3]), (4, vec![0, 0, 1, 1]), (4, vec![0, 0, 1, 2])];
+    let mut found = Vec::new();
+    let classes = run.every(
+        Evidence::new(
+            Grade::Exhaustive,
+            "the bound",
+            "the longest sequences in which each group of birds that meets no other has at most N switches, on 3 and \
+             4 birds",
+        ),
+        settings,
+        |(order, most): (usize, Vec<u64>)| {
             let bound = (variant.bound)(order as u64, most[order - 1]);
-            let found = Filling::new(rule, variant.until_stable).longest();
-            let name = format!("most_switches_{order}_birds_N_{}", most[order - 1]);
             let place =
                 format!("sequences of networks on {order} birds with N(2), ..., N({}) = {:?}", order - 1, &most[2..]);
-            match found {
-                Some(count) if count <= bound => run.value(&name, count.to_string()),
-                Some(count) => {
-                    let evidence = Evidence::new(Grade::Exhaustive, "the bound", "longest sequence of the class");
-                    return Ok(Outcome::fails(format!("{place}: {count} switches, more than {bound}"), evidence));
-                }
-                None => {
-                    let evidence = Evidence::new(Grade::Exhaustive, "the bound", "a cycle of the class");
-                    return Ok(Outcome::fails(format!("{place}: there is no largest number of switches"), evidence));
-                }
+            let name = format!("most_switches_{order}_birds_N_{}", most[order - 1]);
+            let search = Filling::new(GroupRule { order, most }, variant.until_stable);
+            match search.and_then(|mut search| search.longest()) {
+                Some(count) if count <= bound => found.push((name, count)),
+                Some(count) => return Ok(Some(format!("{place}: {count} switches, more than {bound}"))),
+                None => return Ok(Some(format!("{place}: there is no largest number of switches"))),
             }
-            classes += 1;
-        }
-        let mut random = run.random(0);
-        let flocks = run.cases(60, 1500);
-        for _ in 0..flocks {
-            run.checkpoint()?;
-            let history = random_line_flock(&mut random, 14)?;
+            Ok(None)
+        },
+    )?;
+    found.into_iter().for_each(|(name, count)| run.value(&name, count.to_string()));
+    let mut random = run.random(0);
+    let flocks = (0..run.cases(60, 1500)).map(|_| random_line_flock(&mut random, 14));
+    let detail = "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)";
+    Run::all([
+        Ok(classes),
+        run.every(Evidence::new(Grade::Fuzzed, "flocks", detail), flocks, |history| {
+            let history = history?;
             let n = history.order();
             let stable = (0..n).filter_map(|j| weight_times(&history, j, 1).last().copied()).max().unwrap_or(1);
             let end = if variant.until_stable { stable } else { history.constant_from() };
             let (count, bound) = (history.changes(2, end) as u64, (variant.bound)(n as u64, (n as u64 - 1) / 2));
-            if count > bound {
-                let evidence = Evidence::new(Grade::Exact, "the bound", "an exact flock");
-                return Ok(Outcome::fails(
-                    format!("{}: {count} switches, more than {bound}", history.show()),
-                    evidence,
-                ));
-            }
-        }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "the bound, for every class of sequences closed under continuation and separation",
-                "proof in notes/chazelle_switches.md; the longest sequences in which each group of birds that meets no other has at most N \
-                 switches, on 3 and 4 birds",
-            )
-            .cases(classes),
-            Evidence::new(Grade::Fuzzed, "flocks", "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)").cases(flocks),
-        ]))
-    }
+            Ok((count > bound).then(|| format!("{}: {count} switches, more than {bound}", history.show())))
+        }),
+        Ok(argued(
+            "the bound, for every class of sequences closed under continuation and separation",
+            "notes/chazelle_switches.md, Until the footprint is stable, steps 1-4",
+        )),
+    ])
 }

@@ -4,12 +4,9 @@ use super::sequences::{random_graph, words};
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, Ring, Sign, rational, sign_of_surd};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
-
-/// chazelle.lem2.1.
-pub struct DistanceChange;
 
 /// The right side.
 #[derive(Clone, Copy)]
@@ -46,62 +43,49 @@ impl DistanceChangeVariant {
     }
 }
 
-impl Claim for DistanceChange {
-    type Variant = DistanceChangeVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.lem2.1"
-    }
-
-    fn derivation(&self) -> &str {
-        "With r = x_i(t-1) - x_j(t-1) and w = v_i(t) - v_j(t): x_i(t) - x_j(t) = r + w, and | |r + w| - |r| | <= |w| is the triangle inequality, twice, in \
-         any dimension. Equality where w is a multiple m r with m >= -1, or r = 0 or r + w = 0."
-    }
-
-    fn printed(&self) -> DistanceChangeVariant {
-        DistanceChangeVariant { squared_factor: (1, 1), euclidean: true, strict: false }
-    }
-
-    fn controls(&self) -> Vec<Control<DistanceChangeVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("a factor 0.99", DistanceChangeVariant { squared_factor: (9801, 10000), ..printed }),
-            Control::new("the largest coordinate", DistanceChangeVariant { euclidean: false, ..printed }),
-            Control::new("strictly less", DistanceChangeVariant { strict: true, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &DistanceChangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut cases = 0;
-        for (d, size) in [(1usize, 6i64), (2, 3), (3, 1)] {
-            let side = (2 * size + 1) as usize;
-            for word in words(side, 2 * d as u32) {
-                run.checkpoint()?;
-                cases += 1;
-                let numbers: Vec<i64> = word.iter().map(|&k| k as i64 - size).collect();
-                let (r, w) = numbers.split_at(d);
-                if !variant.holds(r, w) {
-                    let what = format!("x_i(t-1) - x_j(t-1) = {r:?}, v_i(t) - v_j(t) = {w:?}");
-                    return Ok(Outcome::fails(
-                        what,
-                        Evidence::new(Grade::Exact, "the bound", "exact signs of square roots"),
-                    ));
-                }
-            }
-        }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "the bound, in any dimension",
-                "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension 1, 2, 3",
-            )
-            .cases(cases),
-        ]))
-    }
+pub fn distance_change() -> Record<DistanceChangeVariant> {
+    let printed = DistanceChangeVariant { squared_factor: (1, 1), euclidean: true, strict: false };
+    Record::new(
+        "chazelle.lem2.1",
+        "With r = x_i(t-1) - x_j(t-1) and w = v_i(t) - v_j(t): x_i(t) - x_j(t) = r + w, and | |r + w| - |r| | <= |w| \
+         is the triangle inequality, twice, in any dimension. Equality where w is a multiple m r with m >= -1, or r = \
+         0 or r + w = 0.",
+        printed,
+        check_distance_change,
+    )
+    .control("a factor 0.99", DistanceChangeVariant { squared_factor: (9801, 10000), ..printed })
+    .control("the largest coordinate", DistanceChangeVariant { euclidean: false, ..printed })
+    .control("strictly less", DistanceChangeVariant { strict: true, ..printed })
 }
 
-/// chazelle.eq2.3.
-pub struct VelocityNorm;
+fn check_distance_change(variant: &DistanceChangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut cases = 0;
+    for (d, size) in [(1usize, 6i64), (2, 3), (3, 1)] {
+        let side = (2 * size + 1) as usize;
+        for word in words(side, 2 * d as u32) {
+            run.checkpoint()?;
+            cases += 1;
+            let numbers: Vec<i64> = word.iter().map(|&k| k as i64 - size).collect();
+            let (r, w) = numbers.split_at(d);
+            if !variant.holds(r, w) {
+                let what = format!("x_i(t-1) - x_j(t-1) = {r:?}, v_i(t) - v_j(t) = {w:?}");
+                return Ok(Outcome::fails(
+                    what,
+                    Evidence::new(Grade::Exact, "the bound", "exact signs of square roots"),
+                ));
+            }
+        }
+    }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exhaustive,
+            "the bound, in any dimension",
+            "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension \
+                 1, 2, 3",
+        )
+        .cases(cases),
+    ]))
+}
 
 /// The bound that is claimed.
 #[derive(Clone, Copy)]
@@ -114,68 +98,57 @@ pub enum VelocityNormVariant {
     NormAtStart,
 }
 
-impl Claim for VelocityNorm {
-    type Variant = VelocityNormVariant;
+pub fn velocity_norm() -> Record<VelocityNormVariant> {
+    Record::new(
+        "chazelle.eq2.3",
+        "Reading: coordinates of v(1) are at most n^b in absolute value (O(log n) bits), d is fixed. Each v_i(t+1) is \
+         a convex combination of the v_j(t), so |v_i(t)| <= max_j |v_j(1)| <= sqrt(d) n^b and ||v(t)||_2 <= sqrt(n) \
+         max_j |v_j(1)| <= sqrt(d) n^(b + 1/2). The constant sqrt(n) is attained by equal velocities. ||v(t)||_2 <= \
+         ||v(1)||_2 would be false: P can stretch.",
+        VelocityNormVariant::LargestSpeed(1, 1),
+        check_velocity_norm,
+    )
+    .control("0.995 sqrt(n)", VelocityNormVariant::LargestSpeed(99, 100))
+    .control("without sqrt(n)", VelocityNormVariant::WithoutRoot)
+    .control("||v(t)|| <= ||v(1)||", VelocityNormVariant::NormAtStart)
+}
 
-    fn id(&self) -> &str {
-        "chazelle.eq2.3"
-    }
-
-    fn derivation(&self) -> &str {
-        "Reading: coordinates of v(1) are at most n^b in absolute value (O(log n) bits), d is fixed. Each v_i(t+1) is a convex combination of the \
-         v_j(t), so |v_i(t)| <= max_j |v_j(1)| <= sqrt(d) n^b and ||v(t)||_2 <= sqrt(n) max_j |v_j(1)| <= sqrt(d) n^(b + 1/2). \
-         The constant sqrt(n) is attained by equal velocities. ||v(t)||_2 <= ||v(1)||_2 would be false: P can stretch."
-    }
-
-    fn printed(&self) -> VelocityNormVariant {
-        VelocityNormVariant::LargestSpeed(1, 1)
-    }
-
-    fn controls(&self) -> Vec<Control<VelocityNormVariant>> {
-        vec![
-            Control::new("0.995 sqrt(n)", VelocityNormVariant::LargestSpeed(99, 100)),
-            Control::new("without sqrt(n)", VelocityNormVariant::WithoutRoot),
-            Control::new("||v(t)|| <= ||v(1)||", VelocityNormVariant::NormAtStart),
-        ]
-    }
-
-    fn examine(&self, variant: &VelocityNormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the bound", "an exact run")));
-        let mut exhaustive = 0;
-        for order in 1..=4usize {
-            for graph in Graph::all(order) {
-                run.checkpoint()?;
-                for word in words(3, order as u32) {
-                    exhaustive += 1;
-                    let velocities = word.iter().map(|&k| vec![rational(k as i64 - 1, 1)]).collect();
-                    if let Some(what) = variant.fails_at(velocities, std::slice::from_ref(&graph), &Weights::Lazy)? {
-                        return fails(what);
-                    }
+fn check_velocity_norm(variant: &VelocityNormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the bound", "an exact run")));
+    let mut exhaustive = 0;
+    for order in 1..=4usize {
+        for graph in Graph::all(order) {
+            run.checkpoint()?;
+            for word in words(3, order as u32) {
+                exhaustive += 1;
+                let velocities = word.iter().map(|&k| vec![rational(k as i64 - 1, 1)]).collect();
+                if let Some(what) = variant.fails_at(velocities, std::slice::from_ref(&graph), &Weights::Lazy)? {
+                    return fails(what);
                 }
             }
         }
-        let mut random = run.random(0);
-        let cases = run.cases(80, 2000);
-        for case in 0..cases {
-            run.checkpoint()?;
-            let (n, d) = (1 + case % 5, 1 + case / 5 % 3);
-            let mut number = || rational(i64::from(random.next_u32() % 17) - 8, 4);
-            let velocities = (0..n).map(|_| (0..d).map(|_| number()).collect()).collect();
-            let graphs: Vec<Graph> = (0..5).map(|_| random_graph(n, 2, &mut random)).collect();
-            if let Some(what) = variant.fails_at(velocities, &graphs, &Weights::Vicsek)? {
-                return fails(what);
-            }
-        }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "||v(t)||_2 <= sqrt(n) max |v_j(1)|, for all sequences of networks",
-                "proof in notes/chazelle_switches.md; one step of all networks on up to 4 birds, velocities -1, 0, 1 (equal ones attain it)",
-            )
-            .cases(exhaustive),
-            Evidence::new(Grade::Fuzzed, "the same", "exact runs of 1 to 5 birds in dimension 1 to 3").cases(cases),
-        ]))
     }
+    let mut random = run.random(0);
+    let cases = run.cases(80, 2000);
+    for case in 0..cases {
+        run.checkpoint()?;
+        let (n, d) = (1 + case % 5, 1 + case / 5 % 3);
+        let mut number = || rational(i64::from(random.next_u32() % 17) - 8, 4);
+        let velocities = (0..n).map(|_| (0..d).map(|_| number()).collect()).collect();
+        let graphs: Vec<Graph> = (0..5).map(|_| random_graph(n, 2, &mut random)).collect();
+        if let Some(what) = variant.fails_at(velocities, &graphs, &Weights::Vicsek)? {
+            return fails(what);
+        }
+    }
+    Ok(Outcome::Holds(vec![
+        Evidence::new(
+            Grade::Exhaustive,
+            "||v(t)||_2 <= sqrt(n) max |v_j(1)|, for all sequences of networks",
+            "one step of all networks on up to 4 birds, velocities -1, 0, 1 (equal ones attain it)",
+        )
+        .cases(exhaustive),
+        Evidence::new(Grade::Fuzzed, "the same", "exact runs of 1 to 5 birds in dimension 1 to 3").cases(cases),
+    ]))
 }
 
 impl VelocityNormVariant {

@@ -4,14 +4,12 @@ use crate::printed_decimal;
 use algebra::graph::Graph;
 use algebra::matrix::{RationalMatrix, StochasticMatrix, prefix_products};
 use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Affine, Weights, transition_matrix};
 use num_traits::Zero;
 
-/// chazelle.ex15: the 2 x 2 matrix that stretches although its spectrum lies in [0, 1].
-pub struct Stretching;
-
 /// What Remark 2 prints.
+#[derive(Clone, Copy)]
 pub struct StretchingVariant {
     numerators: [[i64; 2]; 2],
     denominator: i64,
@@ -30,93 +28,87 @@ fn exact(part: &str, detail: impl Into<String>) -> Evidence {
     Evidence::new(Grade::Exact, part, detail)
 }
 
-impl Claim for Stretching {
-    type Variant = StretchingVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.ex15"
-    }
-
-    fn derivation(&self) -> &str {
-        "P = I - CL for one edge with c = (3/15, 10/15), so 0 < c_i d_i < 1. The eigenvalues of a stochastic 2 x 2 matrix \
-         are 1 and trace - 1 = 2/15. The length of P(1,0) is sqrt(244)/15. The right eigenvector for 2/15 is (3,-10), \
-         whose entries do not sum to zero, and P(1,-1) = (9,5)/15 leaves the orthogonal complement of (1,1)."
-    }
-
-    fn printed(&self) -> StretchingVariant {
+pub fn stretching() -> Record<StretchingVariant> {
+    let printed = StretchingVariant {
+        numerators: [[12, 3], [10, 5]],
+        denominator: 15,
+        second_eigenvalue: "0.133",
+        stretched_length: "1.041",
+    };
+    Record::new(
+        "chazelle.ex15",
+        "P = I - CL for one edge with c = (3/15, 10/15), so 0 < c_i d_i < 1. The eigenvalues of a stochastic 2 x 2 \
+         matrix are 1 and trace - 1 = 2/15. The length of P(1,0) is sqrt(244)/15. The right eigenvector for 2/15 is \
+         (3,-10), whose entries do not sum to zero, and P(1,-1) = (9,5)/15 leaves the orthogonal complement of (1,1).",
+        printed,
+        check_stretching,
+    )
+    .clauses(&[
+        "P = (1/15) [[12,3],[10,5]] is a matrix of model D.",
+        "Its eigenvalues are 1 and 0.133.",
+        "It stretches the unit vector (1,0) to one of length 1.041.",
+        "The right eigenspace for the subdominant eigenvalue is not orthogonal to 1.",
+        "1^perp is not invariant.",
+    ])
+    .control("eigenvalue 0.134", StretchingVariant { second_eigenvalue: "0.134", ..printed })
+    .control("length 1.042", StretchingVariant { stretched_length: "1.042", ..printed })
+    .control("a row that sums to 16/15", StretchingVariant { numerators: [[12, 4], [10, 5]], ..printed })
+    .control(
+        "the symmetric matrix [[12,3],[3,12]]/15, which keeps 1^perp",
         StretchingVariant {
-            numerators: [[12, 3], [10, 5]],
-            denominator: 15,
-            second_eigenvalue: "0.133",
-            stretched_length: "1.041",
-        }
-    }
-
-    fn controls(&self) -> Vec<Control<StretchingVariant>> {
-        let printed = || self.printed();
-        vec![
-            Control::new("eigenvalue 0.134", StretchingVariant { second_eigenvalue: "0.134", ..printed() }),
-            Control::new("length 1.042", StretchingVariant { stretched_length: "1.042", ..printed() }),
-            Control::new("a row that sums to 16/15", StretchingVariant { numerators: [[12, 4], [10, 5]], ..printed() }),
-            Control::new(
-                "the symmetric matrix [[12,3],[3,12]]/15, which keeps 1^perp",
-                StretchingVariant {
-                    numerators: [[12, 3], [3, 12]],
-                    second_eigenvalue: "0.6",
-                    stretched_length: "0.825",
-                    ..printed()
-                },
-            ),
-            Control::new("a diagonal entry 0", StretchingVariant { numerators: [[12, 3], [15, 0]], ..printed() }),
-        ]
-    }
-
-    fn examine(&self, variant: &StretchingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let p = RationalMatrix::from_integers(&variant.numerators, variant.denominator)?;
-        let refuse =
-            |what: String| Ok(Outcome::fails(what, exact("Remark 2", "exact arithmetic on the printed matrix")));
-        if let Err(error) = StochasticMatrix::try_from(&p) {
-            return refuse(format!("P is not row-stochastic: {error}"));
-        }
-        let weights = Weights::Given(vec![p.entry(0, 1), p.entry(1, 0)]);
-        let edge = Graph::path(2);
-        if !weights.are_admissible(&edge) || transition_matrix(&edge, &weights)? != p {
-            return refuse("P is not a matrix of model D".to_string());
-        }
-        let second = p.entry(0, 0) + p.entry(1, 1) - rational(1, 1);
-        if !rounds_to(&second, variant.second_eigenvalue)? {
-            return refuse(format!("the second eigenvalue is {second}"));
-        }
-        let vector = [p.entry(0, 1), second.clone() - p.entry(0, 0)];
-        let scaled: Vec<Rational> = vector.iter().map(|x| x * &second).collect();
-        let eigenvector_sum = vector[0].clone() + &vector[1];
-        let image_sum: Rational = p.apply(&[rational(1, 1), rational(-1, 1)])?.into_iter().sum();
-        if p.apply(&vector)? != scaled || eigenvector_sum.is_zero() || image_sum.is_zero() {
-            return refuse(format!(
-                "the eigenvector for {second} sums to {eigenvector_sum} and P(1,-1) to {image_sum}"
-            ));
-        }
-        let image = p.apply(&[rational(1, 1), rational(0, 1)])?;
-        let squared: Rational = image.iter().map(Ring::square).sum();
-        let (length, unit) = printed_decimal(variant.stretched_length)?;
-        let half = unit / rational(2, 1);
-        let rounds = (length.clone() - &half).square() <= squared && squared <= (length + half).square();
-        if !rounds || squared <= rational(1, 1) {
-            return refuse(format!("|P(1,0)|² = {squared}"));
-        }
-        run.value("second_eigenvalue", second.to_string());
-        run.value("stretched_length_squared", squared.to_string());
-        Ok(Outcome::Holds(vec![exact(
-            "matrix of model D, both eigenvalues, the stretched length, the eigenvector and 1^perp",
-            format!("eigenvalues 1 and {second}; |P(1,0)|² = {squared}; P(1,-1) sums to {image_sum}"),
-        )]))
-    }
+            numerators: [[12, 3], [3, 12]],
+            second_eigenvalue: "0.6",
+            stretched_length: "0.825",
+            ..printed
+        },
+    )
+    .control("a diagonal entry 0", StretchingVariant { numerators: [[12, 3], [15, 0]], ..printed })
 }
 
-/// chazelle.exAB: without `c_i d_i < 1` entries of products tend to zero.
-pub struct ProductAB;
+fn check_stretching(variant: &StretchingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let p = RationalMatrix::from_integers(&variant.numerators, variant.denominator)?;
+    let refuse = |what: String| Ok(Outcome::fails(what, exact("Remark 2", "exact arithmetic on the printed matrix")));
+    if let Err(error) = StochasticMatrix::try_from(&p) {
+        return refuse(format!("P is not row-stochastic: {error}"));
+    }
+    let weights = Weights::Given(vec![p.entry(0, 1), p.entry(1, 0)]);
+    let edge = Graph::path(2);
+    if !weights.are_admissible(&edge) || transition_matrix(&edge, &weights)? != p {
+        return refuse("P is not a matrix of model D".to_string());
+    }
+    let second = p.entry(0, 0) + p.entry(1, 1) - rational(1, 1);
+    if !rounds_to(&second, variant.second_eigenvalue)? {
+        return refuse(format!("the second eigenvalue is {second}"));
+    }
+    let vector = [p.entry(0, 1), second.clone() - p.entry(0, 0)];
+    let scaled: Vec<Rational> = vector.iter().map(|x| x * &second).collect();
+    let eigenvector_sum = vector[0].clone() + &vector[1];
+    let image_sum: Rational = p.apply(&[rational(1, 1), rational(-1, 1)])?.into_iter().sum();
+    if p.apply(&vector)? != scaled || eigenvector_sum.is_zero() || image_sum.is_zero() {
+        return refuse(format!("the eigenvector for {second} sums to {eigenvector_sum} and P(1,-1) to {image_sum}"));
+    }
+    let image = p.apply(&[rational(1, 1), rational(0, 1)])?;
+    let squared: Rational = image.iter().map(Ring::square).sum();
+    let (length, unit) = printed_decimal(variant.stretched_length)?;
+    let half = unit / rational(2, 1);
+    let rounds = (length.clone() - &half).square() <= squared && squared <= (length + half).square();
+    if !rounds || squared <= rational(1, 1) {
+        return refuse(format!("|P(1,0)|² = {squared}"));
+    }
+    run.value("second_eigenvalue", second.to_string());
+    run.value("stretched_length_squared", squared.to_string());
+    Ok(Outcome::Holds(vec![
+        exact(
+            "matrix of model D, both eigenvalues, the stretched length, the eigenvector and 1^perp",
+            format!("eigenvalues 1 and {second}; |P(1,0)|² = {squared}; P(1,-1) sums to {image_sum}"),
+        )
+        .on([1, 2, 3, 4, 5])
+        .for_all(),
+    ]))
+}
 
 /// The two matrices and the closed form: entries affine in `u = 2^(-t/2)`, given as `(constant, slope)`.
+#[derive(Clone, Copy)]
 pub struct ProductABVariant {
     a: [[i64; 3]; 3],
     /// Over 2.
@@ -135,95 +127,80 @@ impl ProductABVariant {
     }
 }
 
-impl Claim for ProductAB {
-    type Variant = ProductABVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.exAB"
-    }
-
-    fn derivation(&self) -> &str {
-        "With u = 2^(-t/2) the printed form is affine in u. It equals AB at u = 1/2, and AB times the form at u is the \
-         form at u/2: two affine functions of u that agree at two points. By induction it is (AB)^(t/2) for all even t. \
-         Both matrices are I - CL with c_i d_i = 1 for birds with neighbours."
-    }
-
-    fn printed(&self) -> ProductABVariant {
+pub fn product_a_b() -> Record<ProductABVariant> {
+    let printed = ProductABVariant {
+        a: [[0, 1, 0], [1, 0, 0], [0, 0, 1]],
+        b: [[0, 2, 0], [1, 0, 1], [0, 2, 0]],
+        form: [[(0, 1), (1, -2), (0, 1)], [(0, 0), (1, 0), (0, 0)], [(0, 0), (1, 0), (0, 0)]],
+        a_first: true,
+    };
+    Record::new(
+        "chazelle.exAB",
+        "With u = 2^(-t/2) the printed form is affine in u. It equals AB at u = 1/2, and AB times the form at u is \
+         the form at u/2: two affine functions of u that agree at two points. By induction it is (AB)^(t/2) for all \
+         even t. Both matrices are I - CL with c_i d_i = 1 for birds with neighbours.",
+        printed,
+        check_product_a_b,
+    )
+    .control("the product BA", ProductABVariant { a_first: false, ..printed })
+    .control(
+        "1 - 2^(-t/2) in the middle",
         ProductABVariant {
-            a: [[0, 1, 0], [1, 0, 0], [0, 0, 1]],
-            b: [[0, 2, 0], [1, 0, 1], [0, 2, 0]],
-            form: [[(0, 1), (1, -2), (0, 1)], [(0, 0), (1, 0), (0, 0)], [(0, 0), (1, 0), (0, 0)]],
-            a_first: true,
-        }
-    }
+            form: [[(0, 1), (1, -1), (0, 1)], [(0, 0), (1, 0), (0, 0)], [(0, 0), (1, 0), (0, 0)]],
+            ..printed
+        },
+    )
+    .control(
+        "rows 1 and 3 exchanged",
+        ProductABVariant {
+            form: [[(0, 0), (1, 0), (0, 0)], [(0, 0), (1, 0), (0, 0)], [(0, 1), (1, -2), (0, 1)]],
+            ..printed
+        },
+    )
+    .control("B with a positive diagonal", ProductABVariant { b: [[1, 1, 0], [1, 0, 1], [0, 1, 1]], ..printed })
+}
 
-    fn controls(&self) -> Vec<Control<ProductABVariant>> {
-        let printed = || self.printed();
-        vec![
-            Control::new("the product BA", ProductABVariant { a_first: false, ..printed() }),
-            Control::new(
-                "1 - 2^(-t/2) in the middle",
-                ProductABVariant {
-                    form: [[(0, 1), (1, -1), (0, 1)], [(0, 0), (1, 0), (0, 0)], [(0, 0), (1, 0), (0, 0)]],
-                    ..printed()
-                },
-            ),
-            Control::new(
-                "rows 1 and 3 exchanged",
-                ProductABVariant {
-                    form: [[(0, 0), (1, 0), (0, 0)], [(0, 0), (1, 0), (0, 0)], [(0, 1), (1, -2), (0, 1)]],
-                    ..printed()
-                },
-            ),
-            Control::new(
-                "B with a positive diagonal",
-                ProductABVariant { b: [[1, 1, 0], [1, 0, 1], [0, 1, 1]], ..printed() },
-            ),
-        ]
+fn check_product_a_b(variant: &ProductABVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let (a, b) = (StochasticMatrix::from_integers(&variant.a, 1)?, StochasticMatrix::from_integers(&variant.b, 2)?);
+    let pair = if variant.a_first { a.times(&b)? } else { b.times(&a)? }.to_rational_matrix();
+    let refuse = |what: String| Ok(Outcome::fails(what, exact("P(t,1)", "exact products")));
+    // Both are I - CL with c_i d_i = 1 for birds with neighbours: an edge, and a path.
+    let edge = Graph::from_fn(3, |i, j| (i, j) == (0, 1));
+    let unit = |second: Rational| Weights::Given(vec![rational(1, 1), second, rational(1, 1)]);
+    for (name, matrix, graph, weights) in
+        [("A", &a, edge, unit(rational(1, 1))), ("B", &b, Graph::path(3), unit(rational(1, 2)))]
+    {
+        if matrix.to_rational_matrix() != transition_matrix(&graph, &weights)? || weights.are_admissible(&graph) {
+            return refuse(format!("{name} is not I - CL with c_i d_i = 1"));
+        }
     }
-
-    fn examine(&self, variant: &ProductABVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let (a, b) = (StochasticMatrix::from_integers(&variant.a, 1)?, StochasticMatrix::from_integers(&variant.b, 2)?);
-        let pair = if variant.a_first { a.times(&b)? } else { b.times(&a)? }.to_rational_matrix();
-        let refuse = |what: String| Ok(Outcome::fails(what, exact("P(t,1)", "exact products")));
-        // Both are I - CL with c_i d_i = 1 for birds with neighbours: an edge, and a path.
-        let edge = Graph::from_fn(3, |i, j| (i, j) == (0, 1));
-        let unit = |second: Rational| Weights::Given(vec![rational(1, 1), second, rational(1, 1)]);
-        for (name, matrix, graph, weights) in
-            [("A", &a, edge, unit(rational(1, 1))), ("B", &b, Graph::path(3), unit(rational(1, 2)))]
-        {
-            if matrix.to_rational_matrix() != transition_matrix(&graph, &weights)? || weights.are_admissible(&graph) {
-                return refuse(format!("{name} is not I - CL with c_i d_i = 1"));
-            }
-        }
-        let half = rational(1, 2);
-        if pair != variant.form_at(&half)? {
-            return refuse("t = 2: the product of the two matrices is not the printed form".to_string());
-        }
-        for u in [rational(0, 1), rational(1, 1)] {
-            if pair.times(&variant.form_at(&u)?)? != variant.form_at(&(u.clone() * &half))? {
-                return refuse(format!("two more factors do not halve 2^(-t/2): not at u = {u}"));
-            }
-        }
-        // The same by multiplication, and the smallest nonzero entry goes to zero.
-        const LARGEST_EVEN: usize = 64;
-        let factors: Vec<StochasticMatrix> =
-            (1..=LARGEST_EVEN).map(|t| if t % 2 == 0 { a.clone() } else { b.clone() }).collect();
-        let mut u = rational(1, 1);
-        for (k, product) in prefix_products(&factors).enumerate() {
-            let product = product?;
-            if k % 2 == 1 {
-                u *= &half;
-                if product.to_rational_matrix() != variant.form_at(&u)? {
-                    return refuse(format!("t = {}: the product is not the printed form", k + 1));
-                }
-            }
-        }
-        run.value("smallest_entry_at_t_64", u.to_string());
-        Ok(Outcome::Holds(vec![
-            exact("P(t,1) for every even t", "base case and induction step, both sides affine in 2^(-t/2)"),
-            exact("P(t,1) for t = 2, 4, ..., 64", "multiplied out").cases(LARGEST_EVEN / 2),
-            exact("without c_i d_i < 1", "A is I - CL for the edge 1-2, B for the path 1-2-3, each with c_i d_i = 1"),
-        ]))
+    let half = rational(1, 2);
+    if pair != variant.form_at(&half)? {
+        return refuse("t = 2: the product of the two matrices is not the printed form".to_string());
     }
+    for u in [rational(0, 1), rational(1, 1)] {
+        if pair.times(&variant.form_at(&u)?)? != variant.form_at(&(u.clone() * &half))? {
+            return refuse(format!("two more factors do not halve 2^(-t/2): not at u = {u}"));
+        }
+    }
+    // The same by multiplication, and the smallest nonzero entry goes to zero.
+    const LARGEST_EVEN: usize = 64;
+    let factors: Vec<StochasticMatrix> =
+        (1..=LARGEST_EVEN).map(|t| if t % 2 == 0 { a.clone() } else { b.clone() }).collect();
+    let mut u = rational(1, 1);
+    for (k, product) in prefix_products(&factors).enumerate() {
+        let product = product?;
+        if k % 2 == 1 {
+            u *= &half;
+            if product.to_rational_matrix() != variant.form_at(&u)? {
+                return refuse(format!("t = {}: the product is not the printed form", k + 1));
+            }
+        }
+    }
+    run.value("smallest_entry_at_t_64", u.to_string());
+    Ok(Outcome::Holds(vec![
+        exact("P(t,1) for every even t", "base case and induction step, both sides affine in 2^(-t/2)").for_all(),
+        exact("P(t,1) for t = 2, 4, ..., 64", "multiplied out").cases(LARGEST_EVEN / 2),
+        exact("without c_i d_i < 1", "A is I - CL for the edge 1-2, B for the path 1-2-3, each with c_i d_i = 1"),
+    ]))
 }

@@ -5,6 +5,7 @@
 mod affine;
 mod contraction;
 mod declaration;
+mod filling;
 mod flock;
 mod headings;
 mod hysteresis;
@@ -16,10 +17,12 @@ pub mod read;
 mod rule;
 pub mod settle;
 mod stationary;
+mod transients;
 
 pub use affine::{Affine, HalfOpenRange};
 pub use contraction::{Contraction, contraction, contraction_watched};
 pub use declaration::{declaration, kinematic_declaration};
+pub use filling::{Filling, GroupRule};
 pub use flock::{Flock, Start, Switch, check_control};
 pub use hysteresis::Hysteresis;
 pub use kinematic::{KinematicFlock, KinematicStart, MOST_BITS, check_kappa};
@@ -27,6 +30,7 @@ pub use modes::{Mode, rational_modes};
 pub use motion::{State, motion};
 pub use observe::{Decay, Observer};
 pub use stationary::{deviation_matrix, deviation_matrix_watched, equal_rows, stationary_distribution};
+pub use transients::{Separation, Transients};
 
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};

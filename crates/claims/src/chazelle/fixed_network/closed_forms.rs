@@ -3,7 +3,7 @@
 use super::flight::{Flight, Flock, Vector, add, combine, flights};
 use super::{FAMILY, fails};
 use arithmetic::{Rational, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use num_traits::{Signed, Zero};
 
 /// Changes of the three formulas.
@@ -63,8 +63,8 @@ impl ClosedFormVariant {
         for k in self.first..=flock.modes.len() {
             let Some(mode) = k.checked_sub(1).map(|k| &flock.modes[k]) else {
                 return Ok(Err(
-                    "the term k = 0 has no value (the eigenvalues are lambda_1, .., lambda_m), and k = 1 would \
-                               divide by 1 - lambda_1 = 0"
+                    "the term k = 0 has no value (the eigenvalues are lambda_1, .., lambda_m), and k = 1 would divide \
+                     by 1 - lambda_1 = 0"
                         .into(),
                 ));
             };
@@ -97,8 +97,8 @@ impl ClosedFormVariant {
         Ok(self.terms(flock, bird, &velocities)?.map(expansion))
     }
 
-    /// The position of one bird: with `gamma` as in the display before equation (3.17), otherwise by the geometric sums of the
-    /// first display of the proof of Lemma 3.9.
+    /// The position of one bird: with `gamma` as in the display before equation (3.17), otherwise by the geometric
+    /// sums of the first display of the proof of Lemma 3.9.
     fn one_bird(&self, flight: &Flight, bird: usize, gamma: bool) -> Result<Option<String>, CheckError> {
         let parts = match self.expansion(flight, 0, bird)? {
             Ok(parts) => parts,
@@ -173,8 +173,9 @@ impl ClosedFormVariant {
             }
         }
         let detail = format!(
-            "{FAMILY} with rational eigenvalues and three kinds of weights, in pairs of flocks of 5 birds in all (7 with --full); \
-             d = 1 and t_1 = 1, d = 2 and t_1 = 3 after another network, t = t_1, .., t_1 + 5, random input"
+            "{FAMILY} with rational eigenvalues and three kinds of weights, in pairs of flocks of 5 birds in all (7 \
+             with --full); d = 1 and t_1 = 1, d = 2 and t_1 = 3 after another network, t = t_1, .., t_1 + 5, random \
+             input"
         );
         Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, part, detail).cases(cases)]))
     }
@@ -193,136 +194,87 @@ fn any_bird(
     Ok(None)
 }
 
-/// chazelle.xi.closed.
-pub struct GeometricSums;
-
-impl Claim for GeometricSums {
-    type Variant = ClosedFormVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.xi.closed"
-    }
-
-    fn derivation(&self) -> &str {
-        "v(s) = P^(s-t_1-1) v(t_1+1) for t_1 < s <= t, so x_i(t) - x_i(t_1) is row i of I + P + .. + P^(t-t_1-1), t - t_1 \
-         terms, times v(t_1+1). Put in (3.8) and sum the geometric series; lambda_k < 1 for k > 1, 0^0 = 1. P, pi, C, u_k belong to the flock of \
-         bird i, of m birds; for m = 1 the sum is empty. G at time t_1 itself does not matter: v(t_1+1) has it already."
-    }
-
-    fn printed(&self) -> ClosedFormVariant {
-        PRINTED
-    }
-
-    fn controls(&self) -> Vec<Control<ClosedFormVariant>> {
-        vec![
-            Control::new("the exponent t - t_1 + 1", ClosedFormVariant { exponent: 1, ..PRINTED }),
-            Control::new("v(t_1) in place of v(t_1+1)", ClosedFormVariant { earlier: 1, ..PRINTED }),
-            Control::new("C^-1/2 and C^1/2 exchanged", ClosedFormVariant { halves: (-1, 1), ..PRINTED }),
-            Control::new("the sum from k = 3", ClosedFormVariant { first: 3, ..PRINTED }),
-            Control::new("minus the sum", ClosedFormVariant { sign: -1, ..PRINTED }),
-            Control::new("another network at time t - 1", ClosedFormVariant { broken: 1, ..PRINTED }),
-        ]
-    }
-
-    fn examine(&self, variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        variant.examine(run, "x_i(t) by geometric sums, against steps of (1.2)", |flight| {
-            any_bird(flight, |bird| variant.one_bird(flight, bird, false))
-        })
-    }
+pub fn geometric_sums() -> Record<ClosedFormVariant> {
+    Record::new(
+        "chazelle.xi.closed",
+        "v(s) = P^(s-t_1-1) v(t_1+1) for t_1 < s <= t, so x_i(t) - x_i(t_1) is row i of I + P + .. + P^(t-t_1-1), t - \
+         t_1 terms, times v(t_1+1). Put in (3.8) and sum the geometric series; lambda_k < 1 for k > 1, 0^0 = 1. P, \
+         pi, C, u_k belong to the flock of bird i, of m birds; for m = 1 the sum is empty. G at time t_1 itself does \
+         not matter: v(t_1+1) has it already.",
+        PRINTED,
+        check_geometric_sums,
+    )
+    .control("the exponent t - t_1 + 1", ClosedFormVariant { exponent: 1, ..PRINTED })
+    .control("v(t_1) in place of v(t_1+1)", ClosedFormVariant { earlier: 1, ..PRINTED })
+    .control("C^-1/2 and C^1/2 exchanged", ClosedFormVariant { halves: (-1, 1), ..PRINTED })
+    .control("the sum from k = 3", ClosedFormVariant { first: 3, ..PRINTED })
+    .control("minus the sum", ClosedFormVariant { sign: -1, ..PRINTED })
+    .control("another network at time t - 1", ClosedFormVariant { broken: 1, ..PRINTED })
 }
 
-/// chazelle.eq3.16.
-pub struct WithGamma;
-
-impl Claim for WithGamma {
-    type Variant = ClosedFormVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.eq3.16"
-    }
-
-    fn derivation(&self) -> &str {
-        "The constant parts of chazelle.xi.closed are sum_{k>=2} Phi_k/(1 - lambda_k), which is row i of Gamma times v(t_1+1), because \
-         Gamma_t = sum_{k>=2} (1 - lambda_k^t)/(1 - lambda_k) C^1/2 u_k u_k^T C^-1/2 tends to it. The sum that is left runs from \
-         k = 2 as well. The printed sum starts at k = 0: there is no lambda_0, and k = 1 divides by 1 - lambda_1 = 0."
-    }
-
-    fn printed(&self) -> ClosedFormVariant {
-        ClosedFormVariant { first: 0, ..PRINTED }
-    }
-
-    fn repair(&self) -> Option<Repair<ClosedFormVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement:
-                "x_i(t) = x_i(t_1) + ((chi(i)^T Gamma) kron I_d) v(t_1+1) + (t-t_1) y - sum_{k=2}^m lambda_k^{t-t_1} \
-                        Phi_k/(1-lambda_k)."
-                    .into(),
-            variant: PRINTED,
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<ClosedFormVariant>> {
-        vec![
-            Control::new("the sum from k = 1", ClosedFormVariant { first: 1, ..PRINTED }),
-            Control::new("the sum from k = 3", ClosedFormVariant { first: 3, ..PRINTED }),
-            Control::new("plus the sum", ClosedFormVariant { sign: -1, ..PRINTED }),
-            Control::new("the exponent t - t_1 + 1", ClosedFormVariant { exponent: 1, ..PRINTED }),
-            Control::new("v(t_1) in place of v(t_1+1)", ClosedFormVariant { earlier: 1, ..PRINTED }),
-        ]
-    }
-
-    fn examine(&self, variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        variant.examine(run, "x_i(t) with Gamma by the formula of Lemma 3.3, against steps of (1.2)", |flight| {
-            any_bird(flight, |bird| variant.one_bird(flight, bird, true))
-        })
-    }
+fn check_geometric_sums(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    variant.examine(run, "x_i(t) by geometric sums, against steps of (1.2)", |flight| {
+        any_bird(flight, |bird| variant.one_bird(flight, bird, false))
+    })
 }
 
-/// chazelle.eq3.17.
-pub struct TwoBirdsApart;
+pub fn with_gamma() -> Record<ClosedFormVariant> {
+    Record::new(
+        "chazelle.eq3.16",
+        "The constant parts of chazelle.xi.closed are sum_{k>=2} Phi_k/(1 - lambda_k), which is row i of Gamma times \
+         v(t_1+1), because Gamma_t = sum_{k>=2} (1 - lambda_k^t)/(1 - lambda_k) C^1/2 u_k u_k^T C^-1/2 tends to it. \
+         The sum that is left runs from k = 2 as well. The printed sum starts at k = 0: there is no lambda_0, and k = \
+         1 divides by 1 - lambda_1 = 0.",
+        ClosedFormVariant { first: 0, ..PRINTED },
+        check_with_gamma,
+    )
+    .repaired(
+        Fault::Typo,
+        "x_i(t) = x_i(t_1) + ((chi(i)^T Gamma) kron I_d) v(t_1+1) + (t-t_1) y - sum_{k=2}^m lambda_k^{t-t_1} \
+         Phi_k/(1-lambda_k).",
+        PRINTED,
+    )
+    .control("the sum from k = 1", ClosedFormVariant { first: 1, ..PRINTED })
+    .control("the sum from k = 3", ClosedFormVariant { first: 3, ..PRINTED })
+    .control("plus the sum", ClosedFormVariant { sign: -1, ..PRINTED })
+    .control("the exponent t - t_1 + 1", ClosedFormVariant { exponent: 1, ..PRINTED })
+    .control("v(t_1) in place of v(t_1+1)", ClosedFormVariant { earlier: 1, ..PRINTED })
+}
 
-impl Claim for TwoBirdsApart {
-    type Variant = ClosedFormVariant;
+fn check_with_gamma(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    variant.examine(run, "x_i(t) with Gamma by the formula of Lemma 3.3, against steps of (1.2)", |flight| {
+        any_bird(flight, |bird| variant.one_bird(flight, bird, true))
+    })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.eq3.17"
-    }
-
-    fn derivation(&self) -> &str {
+pub fn two_birds_apart() -> Record<ClosedFormVariant> {
+    Record::new(
+        "chazelle.eq3.17",
         "The difference of two copies of the corrected chazelle.eq3.16. A = x_i(t_1) - x_j(t_1) + (chi(i)^T Gamma - \
-         chi(j)^T Gamma') v(t_1+1), B = y - y'. The mu_k are the lambda_l and lambda'_l with l > 1, in decreasing order, k = 2, .., m_0 = m + m' - 1; \
-         all lie in (-1, 1), some may be 0 or repeated. Psi_k is Phi_l/(1 - lambda_l) or -Phi'_l/(1 - lambda'_l). Birds of \
-         the same flock have the same y and B = 0."
-    }
+         chi(j)^T Gamma') v(t_1+1), B = y - y'. The mu_k are the lambda_l and lambda'_l with l > 1, in decreasing \
+         order, k = 2, .., m_0 = m + m' - 1; all lie in (-1, 1), some may be 0 or repeated. Psi_k is Phi_l/(1 - \
+         lambda_l) or -Phi'_l/(1 - lambda'_l). Birds of the same flock have the same y and B = 0.",
+        PRINTED,
+        check_two_birds_apart,
+    )
+    .control("plus the sum", ClosedFormVariant { sign: -1, ..PRINTED })
+    .control("plus the primed parts", ClosedFormVariant { primed: -1, ..PRINTED })
+    .control("mu_k with l >= 1", ClosedFormVariant { first: 1, ..PRINTED })
+    .control("mu_k with l > 2", ClosedFormVariant { first: 3, ..PRINTED })
+    .control("the exponent t - t_1 + 1", ClosedFormVariant { exponent: 1, ..PRINTED })
+    .control("another network at time t - 1", ClosedFormVariant { broken: 1, ..PRINTED })
+}
 
-    fn printed(&self) -> ClosedFormVariant {
-        PRINTED
-    }
-
-    fn controls(&self) -> Vec<Control<ClosedFormVariant>> {
-        vec![
-            Control::new("plus the sum", ClosedFormVariant { sign: -1, ..PRINTED }),
-            Control::new("plus the primed parts", ClosedFormVariant { primed: -1, ..PRINTED }),
-            Control::new("mu_k with l >= 1", ClosedFormVariant { first: 1, ..PRINTED }),
-            Control::new("mu_k with l > 2", ClosedFormVariant { first: 3, ..PRINTED }),
-            Control::new("the exponent t - t_1 + 1", ClosedFormVariant { exponent: 1, ..PRINTED }),
-            Control::new("another network at time t - 1", ClosedFormVariant { broken: 1, ..PRINTED }),
-        ]
-    }
-
-    fn examine(&self, variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        variant.examine(run, "x_i(t) - x_j(t), B and the mu_k, against steps of (1.2)", |flight| {
-            let birds = |f: usize| (0..flight.flocks[f].order()).map(move |bird| (f, bird));
-            for i in birds(0) {
-                for j in birds(0).chain(birds(1)).filter(|j| *j != i) {
-                    if let Some(what) = variant.two_birds(flight, i, j)? {
-                        return Ok(Some(what));
-                    }
+fn check_two_birds_apart(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    variant.examine(run, "x_i(t) - x_j(t), B and the mu_k, against steps of (1.2)", |flight| {
+        let birds = |f: usize| (0..flight.flocks[f].order()).map(move |bird| (f, bird));
+        for i in birds(0) {
+            for j in birds(0).chain(birds(1)).filter(|j| *j != i) {
+                if let Some(what) = variant.two_birds(flight, i, j)? {
+                    return Ok(Some(what));
                 }
             }
-            Ok(None)
-        })
-    }
+        }
+        Ok(None)
+    })
 }

@@ -83,8 +83,8 @@ pub(super) struct Flight<'a> {
 }
 
 impl<'a> Flight<'a> {
-    /// A flight with random small input. Up to time `t_1 - 1`, and again at the last `broken` times before `t`, all birds
-    /// form one path.
+    /// A flight with random small input. Up to time `t_1 - 1`, and again at the last `broken` times before `t`, all
+    /// birds form one path.
     pub(super) fn new(
         flocks: &'a [std::rc::Rc<Flock>; 2],
         dimension: usize,

@@ -3,7 +3,7 @@
 use super::{FAMILY, Family, Network, every_row, exhaustively, list};
 use algebra::matrix::{MatrixError, RationalMatrix};
 use arithmetic::{Rational, rational};
-use ledger::{CheckError, Claim, Control, Outcome, Run};
+use ledger::{CheckError, Outcome, Record, Run};
 use models::averaging::{State, contraction, deviation_matrix, motion};
 use num_traits::Zero;
 
@@ -46,9 +46,6 @@ pub(super) fn limit_of_lemma_3_3(network: &Network) -> Result<Option<RationalMat
     let projection = network.identity()?.minus(&every_row(&network.pi())?)?;
     bracket(network, &projection, Some(&vec![Rational::zero(); n]), &vec![rational(1, 1); n])
 }
-
-/// chazelle.lem3.3.
-pub struct LimitOfGamma;
 
 /// Changes of the formula.
 #[derive(Clone, Copy)]
@@ -95,53 +92,38 @@ impl LimitOfGammaVariant {
     }
 }
 
-impl Claim for LimitOfGamma {
-    type Variant = LimitOfGammaVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.lem3.3"
-    }
-
-    fn derivation(&self) -> &str {
-        "Gamma_t (I - P) = I - P^t and Gamma_t 1 = 0, so Gamma_t (I - P | 1) = (I - P^t | 0). The matrix on the left is \
-         invertible: its first n - 1 columns span the range of I - P, on which pi^T vanishes, and pi^T 1 = 1. P^t tends to \
-         1 pi^T. The limit is the group inverse of I - P. For one bird it is 0. On an instance the limit X is established by Gamma_1 = X - P X, \
-         which gives Gamma_t = X - P^t X, by pi^T X = 0, and by a power that contracts."
-    }
-
-    fn printed(&self) -> LimitOfGammaVariant {
-        LimitOfGammaVariant {
-            family: Family::PRINTED,
-            drift: -1,
-            projected: true,
-            zero_column: true,
-            column_of_ones: true,
-        }
-    }
-
-    fn controls(&self) -> Vec<Control<LimitOfGammaVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("+ 1 pi^T t in Gamma_t", LimitOfGammaVariant { drift: 1, ..printed }),
-            Control::new("(I | 0) on the left", LimitOfGammaVariant { projected: false, ..printed }),
-            Control::new("the last column kept on the left", LimitOfGammaVariant { zero_column: false, ..printed }),
-            Control::new("(I - P | pi) on the right", LimitOfGammaVariant { column_of_ones: false, ..printed }),
-            Control::new("not connected", LimitOfGammaVariant { family: Family::ANY_GRAPH, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &LimitOfGammaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let part = "the limit, which also is (I - P + 1 pi^T)^-1 - 1 pi^T";
-        let networks = variant.family.labelled(4, run.cases(5, 6))?;
-        let detail = format!(
-            "{FAMILY} on 5 birds (and 6 with --full) and every labelled one on up to 4, three kinds of weights"
-        );
-        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
-    }
+pub fn limit_of_gamma() -> Record<LimitOfGammaVariant> {
+    let printed = LimitOfGammaVariant {
+        family: Family::PRINTED,
+        drift: -1,
+        projected: true,
+        zero_column: true,
+        column_of_ones: true,
+    };
+    Record::new(
+        "chazelle.lem3.3",
+        "Gamma_t (I - P) = I - P^t and Gamma_t 1 = 0, so Gamma_t (I - P | 1) = (I - P^t | 0). The matrix on the left \
+         is invertible: its first n - 1 columns span the range of I - P, on which pi^T vanishes, and pi^T 1 = 1. P^t \
+         tends to 1 pi^T. The limit is the group inverse of I - P. For one bird it is 0. On an instance the limit X \
+         is established by Gamma_1 = X - P X, which gives Gamma_t = X - P^t X, by pi^T X = 0, and by a power that \
+         contracts.",
+        printed,
+        check_limit_of_gamma,
+    )
+    .control("+ 1 pi^T t in Gamma_t", LimitOfGammaVariant { drift: 1, ..printed })
+    .control("(I | 0) on the left", LimitOfGammaVariant { projected: false, ..printed })
+    .control("the last column kept on the left", LimitOfGammaVariant { zero_column: false, ..printed })
+    .control("(I - P | pi) on the right", LimitOfGammaVariant { column_of_ones: false, ..printed })
+    .control("not connected", LimitOfGammaVariant { family: Family::ANY_GRAPH, ..printed })
 }
 
-/// chazelle.eq3.12-13.
-pub struct Positions;
+fn check_limit_of_gamma(variant: &LimitOfGammaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "the limit, which also is (I - P + 1 pi^T)^-1 - 1 pi^T";
+    let networks = variant.family.labelled(4, run.cases(5, 6))?;
+    let detail =
+        format!("{FAMILY} on 5 birds (and 6 with --full) and every labelled one on up to 4, three kinds of weights");
+    exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
+}
 
 /// Changes of the two formulas.
 #[derive(Clone, Copy)]
@@ -214,44 +196,35 @@ impl PositionsVariant {
     }
 }
 
-impl Claim for Positions {
-    type Variant = PositionsVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.eq3.12-13"
-    }
-
-    fn derivation(&self) -> &str {
-        "With a fixed network v(s+1) = (P^s (x) I_d) v(1), because (A (x) I)(B (x) I) = AB (x) I. x(t) = x(0) + v(1) + .. + v(t): t \
-         terms, s = 0, .., t - 1. (3.13) is (3.12) with the definition of Gamma_t; it needs no connectivity."
-    }
-
-    fn printed(&self) -> PositionsVariant {
-        PositionsVariant { longer: 0, first: 0, sign: 1, birds_outside: true }
-    }
-
-    fn controls(&self) -> Vec<Control<PositionsVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("the sum to s = t", PositionsVariant { longer: 1, ..printed }),
-            Control::new("the sum from s = 1 to t", PositionsVariant { first: 1, ..printed }),
-            Control::new("- Gamma_t in (3.13)", PositionsVariant { sign: -1, ..printed }),
-            Control::new("I_d (x) P", PositionsVariant { birds_outside: false, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &PositionsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let part = "both equations against steps of (1.2)";
-        let networks = Family::PRINTED.networks(run.cases(4, 5))?;
-        let detail = format!(
-            "{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector v(1), t = 1, .., {STEPS}"
-        );
-        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
-    }
+pub fn positions() -> Record<PositionsVariant> {
+    let printed = PositionsVariant { longer: 0, first: 0, sign: 1, birds_outside: true };
+    Record::new(
+        "chazelle.eq3.12-13",
+        "With a fixed network v(s+1) = (P^s (x) I_d) v(1), because (A (x) I)(B (x) I) = AB (x) I. x(t) = x(0) + v(1) \
+         + .. + v(t): t terms, s = 0, .., t - 1. (3.13) is (3.12) with the definition of Gamma_t; it needs no \
+         connectivity.",
+        printed,
+        check_positions,
+    )
+    .clauses(&[
+        "x(t) = x(0) + (sum_{s=0}^{t-1} P^s kron I_d) v(1).",
+        "x(t) = x(0) + t ((1 pi^T) kron I_d) v(1) + (Gamma_t kron I_d) v(1).",
+    ])
+    .control("the sum to s = t", PositionsVariant { longer: 1, ..printed })
+    .control("the sum from s = 1 to t", PositionsVariant { first: 1, ..printed })
+    .control("- Gamma_t in (3.13)", PositionsVariant { sign: -1, ..printed })
+    .control("I_d (x) P", PositionsVariant { birds_outside: false, ..printed })
 }
 
-/// chazelle.lem3.4.
-pub struct RelativeLimit;
+fn check_positions(variant: &PositionsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "both equations against steps of (1.2)";
+    let networks = Family::PRINTED.networks(run.cases(4, 5))?;
+    let detail = format!(
+        "{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector v(1), t = \
+         1, .., {STEPS}"
+    );
+    Ok(exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))?.on([1, 2]))
+}
 
 /// Changes of the limit.
 #[derive(Clone, Copy)]
@@ -326,40 +299,37 @@ fn difference(x: &[Rational], y: &[Rational]) -> Vec<Rational> {
     x.iter().zip(y).map(|(x, y)| x - y).collect()
 }
 
-impl Claim for RelativeLimit {
-    type Variant = RelativeLimitVariant;
+pub fn relative_limit() -> Record<RelativeLimitVariant> {
+    let printed = RelativeLimitVariant { family: Family::PRINTED, sign: 1, projected: true, weights: -1 };
+    Record::new(
+        "chazelle.lem3.4",
+        "pi^T Gamma_t = 0 and (I - 1 pi^T) 1 pi^T = 0, so x^r(t) = ((I - 1 pi^T) (x) I) x(0) + (Gamma_t (x) I) v(1), \
+         and Lemma 3.3 gives the limit. pi^T P = pi^T: the mass center moves by m_pi[v(1)] in every step. On an \
+         instance: x^r(t) minus the limit is multiplied by P in each step and has no mass, so it tends to 0.",
+        printed,
+        check_relative_limit,
+    )
+    .reading(
+        "\"Constant speed in a fixed direction\" is constant velocity, which may be 0 (the four birds of the \
+              paper).",
+    )
+    .clauses(&[
+        "If G is connected, the relative configuration x^r(t) converges to ((I_n - 1 pi^T) kron I_d) x(0) + ((I_n - 1 \
+         pi^T | 0)(I_n - P | 1)^{-1} kron I_d) v(1).",
+        "The mass center moves at constant speed in a fixed direction.",
+    ])
+    .control("minus the second term", RelativeLimitVariant { sign: -1, ..printed })
+    .control("x(0) without I - 1 pi^T", RelativeLimitVariant { projected: false, ..printed })
+    .control("the plain mean as mass center", RelativeLimitVariant { weights: 0, ..printed })
+    .control("not connected", RelativeLimitVariant { family: Family::ANY_GRAPH, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.lem3.4"
-    }
-
-    fn derivation(&self) -> &str {
-        "pi^T Gamma_t = 0 and (I - 1 pi^T) 1 pi^T = 0, so x^r(t) = ((I - 1 pi^T) (x) I) x(0) + (Gamma_t (x) I) v(1), and \
-         Lemma 3.3 gives the limit. pi^T P = pi^T: the mass center moves by m_pi[v(1)] in every step. \"Constant speed in a \
-         fixed direction\" is read as constant velocity; it may be 0 (the four birds of the paper), and then the center rests. On an \
-         instance: x^r(t) minus the limit is multiplied by P in each step and has no mass, so it tends to 0."
-    }
-
-    fn printed(&self) -> RelativeLimitVariant {
-        RelativeLimitVariant { family: Family::PRINTED, sign: 1, projected: true, weights: -1 }
-    }
-
-    fn controls(&self) -> Vec<Control<RelativeLimitVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("minus the second term", RelativeLimitVariant { sign: -1, ..printed }),
-            Control::new("x(0) without I - 1 pi^T", RelativeLimitVariant { projected: false, ..printed }),
-            Control::new("the plain mean as mass center", RelativeLimitVariant { weights: 0, ..printed }),
-            Control::new("not connected", RelativeLimitVariant { family: Family::ANY_GRAPH, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &RelativeLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let part = "the limit and the steady mass center";
-        let networks = variant.family.networks(run.cases(4, 5))?;
-        let detail = format!(
-            "{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector (x(0), v(1))"
-        );
-        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
-    }
+fn check_relative_limit(variant: &RelativeLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "the limit and the steady mass center";
+    let networks = variant.family.networks(run.cases(4, 5))?;
+    let detail = format!(
+        "{FAMILY} on up to 4 birds (5 with --full), three kinds of weights, d = 1 and 2, every unit vector (x(0), \
+         v(1))"
+    );
+    Ok(exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))?.on([1, 2]))
 }

@@ -1,13 +1,11 @@
 //! chazelle.pi and chazelle.eq3.7: eigenvalues and first eigenvectors of the transition matrix.
 
-use super::{FAMILY, Family, Kind, Network, exhaustively, for_all, list};
+use super::super::argued;
+use super::{FAMILY, Family, Kind, Network, exhaustively, list};
 use algebra::matrix::RationalMatrix;
 use arithmetic::{RadicalSum, Rational, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Outcome, Record, Run};
 use num_traits::{One, Signed, Zero};
-
-/// chazelle.pi.
-pub struct Stationary;
 
 /// Which networks, and the power of `C` in `pi = (tr C^k)^-1 C^k 1`.
 #[derive(Clone, Copy)]
@@ -39,45 +37,35 @@ impl StationaryVariant {
     }
 }
 
-impl Claim for Stationary {
-    type Variant = StationaryVariant;
-
-    fn id(&self) -> &str {
-        "chazelle.pi"
-    }
-
-    fn derivation(&self) -> &str {
-        "P is taken for a connected G with c_i > 0 and c_i d_i < 1 (a single bird: P = [1]). L 1 = 0 = 1^T L gives both eigenvectors, \
-         and pi^T C = const 1^T. CLf = 0 only for constant f, and P is similar to a symmetric matrix, so 1 is simple. \
-         Dominant: every other eigenvalue lies in (-1, 1), because P >= a I with a = min p_ii > 0 leaves a stochastic \
-         rest (notes/chazelle_fixed_network.md)."
-    }
-
-    fn printed(&self) -> StationaryVariant {
-        StationaryVariant { family: Family::PRINTED, power: -1, right_is_one: true }
-    }
-
-    fn controls(&self) -> Vec<Control<StationaryVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("C in place of its inverse", StationaryVariant { power: 1, ..printed }),
-            Control::new("left and right exchanged", StationaryVariant { right_is_one: false, ..printed }),
-            Control::new("graphs that are not connected", StationaryVariant { family: Family::ANY_GRAPH, ..printed }),
-            Control::new("c_i d_i = 1", StationaryVariant { family: Family::WHOLE, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &StationaryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let part = "1 is a simple dominant eigenvalue with these eigenvectors";
-        let networks = variant.family.networks(run.cases(6, 7))?;
-        let detail =
-            format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly");
-        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
-    }
+pub fn stationary() -> Record<StationaryVariant> {
+    let printed = StationaryVariant { family: Family::PRINTED, power: -1, right_is_one: true };
+    Record::new(
+        "chazelle.pi",
+        "P is taken for a connected G with c_i > 0 and c_i d_i < 1 (a single bird: P = [1]). L 1 = 0 = 1^T L gives \
+         both eigenvectors, and pi^T C = const 1^T. CLf = 0 only for constant f, and P is similar to a symmetric \
+         matrix, so 1 is simple. Dominant: every other eigenvalue lies in (-1, 1), because P >= a I with a = min p_ii \
+         > 0 leaves a stochastic rest (notes/chazelle_fixed_network.md).",
+        printed,
+        check_stationary,
+    )
+    .clauses(&[
+        "For fixed connected G, 1 is a simple eigenvalue of P = I_n - CL.",
+        "It is dominant: every other eigenvalue has a smaller modulus.",
+        "It has the right and left eigenvectors 1 and pi = (tr C^{-1})^{-1} C^{-1} 1.",
+    ])
+    .control("C in place of its inverse", StationaryVariant { power: 1, ..printed })
+    .control("left and right exchanged", StationaryVariant { right_is_one: false, ..printed })
+    .control("graphs that are not connected", StationaryVariant { family: Family::ANY_GRAPH, ..printed })
+    .control("c_i d_i = 1", StationaryVariant { family: Family::WHOLE, ..printed })
 }
 
-/// chazelle.eq3.7.
-pub struct Symmetrised;
+fn check_stationary(variant: &StationaryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "1 is a simple dominant eigenvalue with these eigenvectors";
+    let networks = variant.family.networks(run.cases(6, 7))?;
+    let detail =
+        format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly");
+    Ok(exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))?.on([1, 2, 3]))
+}
 
 /// The half powers in `M = C^(a/2) P C^(b/2) = I - C^(e/2) L C^(e/2)`, and what is said of its eigenvalues.
 #[derive(Clone, Copy)]
@@ -179,52 +167,45 @@ fn sum_of_roots(terms: impl IntoIterator<Item = SignedRoot>) -> RadicalSum {
     sum
 }
 
-impl Claim for Symmetrised {
-    type Variant = SymmetrisedVariant;
+pub fn symmetrised() -> Record<SymmetrisedVariant> {
+    let printed = SymmetrisedVariant { family: Family::PRINTED, of_p: (-1, 1), of_l: 1, least: (-1, 1), rooted: true };
+    Record::new(
+        "chazelle.eq3.7",
+        "Off the diagonal c_i^-1/2 p_ij c_j^1/2 = sqrt(c_i c_j) on edges; the diagonal is that of P. M is similar to \
+         P. I - M = C^1/2 L C^1/2 is positive semidefinite with kernel C^-1/2 1, of dimension 1 for a connected \
+         graph: u_1. Gershgorin's discs of P lie to the right of 2 min p_ii - 1 > -1, so the printed lower bound is \
+         even strict (notes/chazelle_fixed_network.md).",
+        printed,
+        check_symmetrised,
+    )
+    .clauses(&[
+        "M = C^{-1/2} P C^{1/2} = I_n - C^{1/2} L C^{1/2} is symmetric.",
+        "Its eigenvalues are 1 = lambda_1 > lambda_2 >= ... >= lambda_n >= -1.",
+        "u_1 = (sqrt(pi_1),...,sqrt(pi_n))^T is its unit eigenvector for 1.",
+        "P has the same eigenvalues.",
+    ])
+    .control("M = C^1/2 P C^-1/2", SymmetrisedVariant { of_p: (1, -1), ..printed })
+    .control("M = I - C^-1/2 L C^-1/2", SymmetrisedVariant { of_l: -1, ..printed })
+    .control("u_1 = pi", SymmetrisedVariant { rooted: false, ..printed })
+    .control("eigenvalues at least -1/4", SymmetrisedVariant { least: (-1, 4), ..printed })
+    .control("graphs that are not connected", SymmetrisedVariant { family: Family::ANY_GRAPH, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "chazelle.eq3.7"
-    }
-
-    fn derivation(&self) -> &str {
-        "Off the diagonal c_i^-1/2 p_ij c_j^1/2 = sqrt(c_i c_j) on edges; the diagonal is that of P. M is similar to P. \
-         I - M = C^1/2 L C^1/2 is positive semidefinite with kernel C^-1/2 1, of dimension 1 for a connected graph: \
-         u_1. Gershgorin's discs of P lie to the right of 2 min p_ii - 1 > -1, so the printed lower bound is even strict \
-         (notes/chazelle_fixed_network.md)."
-    }
-
-    fn printed(&self) -> SymmetrisedVariant {
-        SymmetrisedVariant { family: Family::PRINTED, of_p: (-1, 1), of_l: 1, least: (-1, 1), rooted: true }
-    }
-
-    fn controls(&self) -> Vec<Control<SymmetrisedVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("M = C^1/2 P C^-1/2", SymmetrisedVariant { of_p: (1, -1), ..printed }),
-            Control::new("M = I - C^-1/2 L C^-1/2", SymmetrisedVariant { of_l: -1, ..printed }),
-            Control::new("u_1 = pi", SymmetrisedVariant { rooted: false, ..printed }),
-            Control::new("eigenvalues at least -1/4", SymmetrisedVariant { least: (-1, 4), ..printed }),
-            Control::new("graphs that are not connected", SymmetrisedVariant { family: Family::ANY_GRAPH, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &SymmetrisedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let part = "both forms, symmetry, u_1 and the order of the eigenvalues";
-        let networks = variant.family.networks(run.cases(6, 7))?;
-        let cases = match for_all(&networks, run, part, |network| variant.fails_at(network))? {
-            Err(outcome) => return Ok(outcome),
-            Ok(cases) => cases,
-        };
-        let similar = "M and P have the same eigenvalues";
-        let lazy: Vec<Network> = networks.into_iter().filter(|n| n.kind == Kind::Lazy).collect();
-        Ok(match for_all(&lazy, run, similar, |network| variant.differs_on_squares(network))? {
-            Err(outcome) => outcome,
-            Ok(squares) => Outcome::Holds(vec![
-                Evidence::new(Grade::Exhaustive, part, format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; square roots exact, eigenvalues counted exactly"))
-                    .cases(cases),
-                Evidence::new(Grade::Exhaustive, similar, "similar by definition; characteristic polynomials compared on the same graphs with weights that are squares")
-                    .cases(squares),
-            ]),
+fn check_symmetrised(variant: &SymmetrisedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let part = "both forms, symmetry, u_1 and the order of the eigenvalues";
+    let networks = variant.family.networks(run.cases(6, 7))?;
+    let lazy: Vec<Network> = networks.iter().filter(|n| n.kind == Kind::Lazy).cloned().collect();
+    let detail = format!(
+        "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; square roots exact, eigenvalues counted \
+         exactly"
+    );
+    let squares = "characteristic polynomials compared on the same graphs with weights that are squares".to_string();
+    Run::all([
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).map(|o| o.on([1, 2, 3])),
+        exhaustively(&lazy, run, "M and P have the same eigenvalues", squares, |network| {
+            variant.differs_on_squares(network)
         })
-    }
+        .map(|o| o.on([4])),
+        Ok(argued("the order of the eigenvalues", "notes/chazelle_fixed_network.md, Spectrum, steps 1-3").on([2])),
+    ])
 }

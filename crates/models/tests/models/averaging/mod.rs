@@ -7,12 +7,14 @@ use models::averaging::{Affine, HalfOpenRange, Weights, transition_matrix};
 use proptest::prelude::*;
 
 mod control;
+mod filling;
 mod flock;
 mod interrupted;
 mod kinematic;
 mod modes;
 mod settle;
 mod stationary;
+mod transients;
 
 proptest! {
     /// What is decided about an affine function on a range holds at every point of it.

@@ -1,5 +1,5 @@
-//! The longest sequences of networks until the footprint of `P(t, s)` is stable, when isolated groups may switch only so
-//! often: an exact search over finitely many states.
+//! The longest sequences of networks until the footprint of `P(t, s)` is stable, when isolated groups may switch only
+//! so often (Chazelle, (3.4)): an exact search over finitely many states.
 
 use algebra::graph::Graph;
 use algebra::matrix::Footprint;
@@ -7,12 +7,16 @@ use std::collections::BTreeMap;
 
 /// A class of sequences of networks: while a group of `m < order` birds has no edge to another bird, the network on it
 /// switches at most `most[m]` times.
-pub(super) struct GroupRule {
+#[derive(Debug, Clone)]
+pub struct GroupRule {
     /// Number of birds, at most 5.
     pub order: usize,
-    /// By size of the group.
+    /// By size of the group; sizes that are not given have no limit.
     pub most: Vec<u64>,
 }
+
+/// Footprints are kept as bits of one word.
+const MOST_BIRDS: usize = 5;
 
 /// A group of birds, as bits.
 type Group = u32;
@@ -35,7 +39,7 @@ enum Known {
 }
 
 /// The search.
-pub(super) struct Filling {
+pub struct Filling {
     rule: GroupRule,
     /// Whether only switches until the last growth of the footprint count.
     until_stable: bool,
@@ -48,13 +52,18 @@ pub(super) struct Filling {
 }
 
 impl Filling {
-    pub fn new(rule: GroupRule, until_stable: bool) -> Self {
+    /// The search over all sequences of a class; with `until_stable` only switches until the last growth of the
+    /// footprint count, otherwise all of them. `None` for more than 5 birds.
+    pub fn new(rule: GroupRule, until_stable: bool) -> Option<Self> {
         let order = rule.order;
+        if order > MOST_BIRDS {
+            return None;
+        }
         let graphs: Vec<Graph> = Graph::all(order).collect();
         let groups: Vec<Group> = (1..(1 << order) - 1).filter(|g: &Group| g.count_ones() >= 2).collect();
         let inside = graphs.iter().map(|g| groups.iter().map(|&k| edges_inside(g, k)).collect()).collect();
         let prints = graphs.iter().map(Graph::closed_adjacency).collect();
-        Filling { rule, until_stable, graphs, prints, groups, inside, known: BTreeMap::new() }
+        Some(Filling { rule, until_stable, graphs, prints, groups, inside, known: BTreeMap::new() })
     }
 
     /// The largest number of counted switches over all sequences of the class, `None` where there is no largest.
@@ -107,7 +116,7 @@ impl Filling {
             used.push(match (before[k], after[k]) {
                 (Some(old), Some(new)) => {
                     let count = state.used[k] + u8::from(old != new);
-                    if u64::from(count) > self.rule.most[group.count_ones() as usize] {
+                    if self.rule.most.get(group.count_ones() as usize).is_some_and(|most| u64::from(count) > *most) {
                         return None;
                     }
                     count
