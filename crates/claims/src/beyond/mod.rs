@@ -33,7 +33,7 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(decay_rate::SlowestDecay),
         Box::new(paley_circulant::CirculantSpectrum),
         Box::new(paley_circulant::CyclicPatterns),
-        Box::new(paley_abscissa::PatternAbscissa),
+        Box::new(paley_abscissa::pattern_abscissa()),
         Box::new(phases::CriticalInertia),
         Box::new(phases::CyclicClassification),
         Box::new(tanner::two_agents()),

@@ -1,6 +1,7 @@
 //! Claims of Paley, Leonard, Sepulchre, Grünbaum and Parrish, Oscillator models and collective motion.
 
 mod phase;
+pub mod runs;
 mod space;
 
 pub use phase::{CyclicVariant, Kind, Polygon, critical_points, on_the_line, printed_column, rhombus, value_of};
