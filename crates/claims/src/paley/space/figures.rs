@@ -377,7 +377,11 @@ fn examine_beacon_figure(variant: &OrbitVariant, run: &mut Run) -> Result<Outcom
             run.checkpoint()?;
             let mut flight = random_start(run, seed);
             orbit.advance(&mut flight, (until / DriftingOrbit::STEP) as usize)?;
-            let centres = [orbit.turn(&mut flight)?, orbit.turn(&mut flight)?, orbit.turn(&mut flight)?];
+            let turns: Result<Vec<_>, _> = (0..3).map(|_| orbit.turn(&mut flight)).collect();
+            let Ok(centres) = turns else {
+                let what = format!("K = {name}, seed {seed}: after t = {until} a particle does not turn any more");
+                return Ok(Outcome::fails(what, simulated("the orbit", "a run", 1)));
+            };
             let moved = (centres[0].clone() - &centres[2]).norm_squared().sqrt();
             let together = flight.clusters(CLUSTER).len() == 1;
             // A turn contains a whole number of steps up to one: the mean is off by less than step/turn of the radius, 0.05.
