@@ -36,7 +36,7 @@ pub fn pattern_control<T: Field>(gains: &[T], phasors: &[Complex<T>]) -> Result<
 }
 
 /// `(K_1/N) sum_j a_kj sin(theta_k - theta_j)`, `N` of them: (15) without `omega_0`, and (10) on the complete graph. The
-/// arc from `k` to `j` means that `k` senses `j`.
+/// arc from `k` to `j` means that `j` is a neighbour of `k`.
 ///
 /// # Errors
 /// [`ArithmeticError::Domain`] for no particles.

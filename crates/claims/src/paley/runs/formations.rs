@@ -222,12 +222,12 @@ impl DriftingOrbit {
     /// [`ArithmeticError`] for no particles, or where the particle does not turn.
     pub fn turn(&self, flight: &mut Flight) -> Result<Complex<f64>, ArithmeticError> {
         let Some(until) = flight.phases.first().map(|theta| theta + TAU) else {
-            return Err(ArithmeticError::Domain("a turn of no particles"));
+            return Err(ArithmeticError::Domain("at least one particle"));
         };
         let (mut sum, mut steps) = (Complex::new(0.0, 0.0), 0.0);
         while flight.phases[0] < until {
             if steps > 10.0 * TAU / (OMEGA * Self::STEP) {
-                return Err(ArithmeticError::Domain("a particle that does not turn"));
+                return Err(ArithmeticError::Domain("particles that turn"));
             }
             sum = sum + mean(&flight.positions)?;
             steps += 1.0;
