@@ -56,10 +56,9 @@ impl Share {
         beside(self.interval(), number)
     }
 
-    /// The interval as a value of the ledger, `[lo, hi]`.
+    /// The interval as a value of the ledger, `[lo, hi]`, rounded outward.
     pub fn enclosure(self) -> String {
-        let (low, high) = self.interval();
-        format!("[{low:.3}, {high:.3}]")
+        outward(self.interval())
     }
 }
 
@@ -125,10 +124,9 @@ impl Sample {
         beside(self.interval(), number)
     }
 
-    /// The interval as a value of the ledger, `[lo, hi]`.
+    /// The interval as a value of the ledger, `[lo, hi]`, rounded outward.
     pub fn enclosure(self) -> String {
-        let (low, high) = self.interval();
-        format!("[{low:.3}, {high:.3}]")
+        outward(self.interval())
     }
 }
 
@@ -138,6 +136,12 @@ impl fmt::Display for Sample {
         let (low, high) = self.interval();
         write!(f, "{:.2} (95%: {low:.2} to {high:.2}, {} runs)", self.mean(), self.of)
     }
+}
+
+/// `[lo, hi]` with three decimals, rounded outward; a bound that has no more decimals stays.
+fn outward((low, high): (f64, f64)) -> String {
+    let (below, above) = ((low * 1e3).floor() / 1e3, (high * 1e3).ceil() / 1e3);
+    format!("[{below:.3}, {above:.3}]")
 }
 
 /// Whether an interval is above a number or not above it: `None` where the number lies inside.

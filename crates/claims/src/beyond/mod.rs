@@ -35,7 +35,7 @@ pub fn claims() -> Vec<Box<dyn AnyClaim>> {
         Box::new(growth::growth()),
         Box::new(paley_circulant::circulant_spectrum()),
         Box::new(paley_circulant::cyclic_patterns()),
-        Box::new(paley_abscissa::PatternAbscissa),
+        Box::new(paley_abscissa::pattern_abscissa()),
         Box::new(phases::inertia()),
         Box::new(phases::cyclic_eigenvectors()),
         Box::new(tanner::two_agents()),

@@ -4,7 +4,7 @@ use super::paley_modes::{Altered, Law, invariant_modes};
 use crate::paley::without_symmetries;
 use algebra::spectrum::Polynomial;
 use arithmetic::{Interval, Rational, Sign, Signed, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run, Source, interval_value};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
 use models::oscillator::{FourierFormation, TransverseSpectrum};
 use rand_chacha::rand_core::Rng;
 
@@ -12,9 +12,6 @@ use rand_chacha::rand_core::Rng;
 const BITS: u32 = 64;
 /// Numbers of particles whose divisors are all tried.
 const ORDERS: [usize; 6] = [12, 5, 8, 18, 24, 30];
-
-/// beyond.paley.abscissa.
-pub struct PatternAbscissa;
 
 /// What the statement says.
 #[derive(Clone, Copy)]
@@ -151,8 +148,8 @@ impl AbscissaVariant {
             if decays != (claimed == Some(Sign::Positive)) || claimed == Some(Sign::Negative) && !grows {
                 let gains: Vec<String> = gains.iter().map(ToString::to_string).collect();
                 let what = format!(
-                    "({clusters},{particles}), spacing network C_{particles}(1..{reach}), w0 = {omega}, K_0 = {spacing}, K_m = {}: abscissa {}, 0 \
-                     removed {} times",
+                    "({clusters},{particles}), spacing network C_{particles}(1..{reach}), w0 = {omega}, K_0 = \
+                     {spacing}, K_m = {}: abscissa {}, 0 removed {} times",
                     gains.join(", "),
                     interval_value(&found.abscissa, 6),
                     found.zeros
@@ -162,10 +159,15 @@ impl AbscissaVariant {
             stable += usize::from(decays);
         }
         let detail = format!(
-            "sign of the enclosed abscissa for random gains of both signs, on C_N and all-to-all, N up to 8: {stable} stable; for all N, M and \
-             connected networks by the inertia theorem of notes/paley_particles.md"
+            "sign of the enclosed abscissa for random gains of both signs, on C_N and all-to-all, N up to 8: \
+             {stable} stable; for all N, M and connected networks by the inertia theorem of \
+             notes/paley_particles.md"
         );
-        Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, "exactly when stable", detail).cases(cases)]))
+        let argued = "notes/paley_particles.md, Spectral abscissa at symmetric formations, Exactly when stable";
+        Ok(Outcome::Holds(vec![
+            Evidence::new(Grade::Argued, "every connected network and all gains", argued).on([1]).for_all(),
+            Evidence::new(Grade::Certified, "exactly when stable", detail).cases(cases).on([1]),
+        ]))
     }
 
     /// The abscissae of synchronised and balanced formations under (22).
@@ -187,7 +189,7 @@ impl AbscissaVariant {
             run.value(&format!("abscissa {name}"), interval_value(&found.abscissa, 15));
         }
         let detail = "cubics of beyond.paley.circulant_spectrum, zeros divided out exactly, relative width below 10^-9";
-        let evidence = Evidence::new(Grade::Certified, "synchronised and balanced", detail);
+        let evidence = Evidence::new(Grade::Certified, "synchronised and balanced", detail).on([4]).for_all();
         Ok(Outcome::Holds(vec![evidence.cases(self.aligned.len())]))
     }
 
@@ -231,9 +233,11 @@ impl AbscissaVariant {
                 }
             }
         }
-        let detail = "relative width below 10^-9, all M, N = 12, 5, 8, 18, 24, 30 for Figure 4, N = 12, 5, 8 (full runs: all) for two other sets of \
-                      gains: Routh's table of the shifted cubics";
-        Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, "abscissae", detail).cases(formations)]))
+        let detail = "relative width below 10^-9, all M, N = 12, 5, 8, 18, 24, 30 for Figure 4, N = 12, 5, 8 (full runs: \
+         all) for two other sets of gains: Routh's table of the shifted cubics";
+        Ok(Outcome::Holds(vec![
+            Evidence::new(Grade::Certified, "abscissae", detail).cases(formations).on([3]).for_all(),
+        ]))
     }
 }
 
@@ -279,83 +283,95 @@ fn whole_matrices(run: &Run) -> Result<Outcome, CheckError> {
             }
         }
     }
-    let detail = "the same abscissae from exact characteristic polynomials of the law's derivative by duals, M = 1, 2, 4, N up to 4 (12 in full runs)";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, "whole matrices", detail).cases(cases)]))
+    let detail = "the same abscissae from exact characteristic polynomials of the law's derivative by duals, M = 1, \
+     2, 4, N up to 4 (12 in full runs)";
+    Ok(Outcome::Holds(vec![Evidence::new(Grade::Certified, "whole matrices", detail).cases(cases).on([2, 3])]))
 }
 
-impl Claim for PatternAbscissa {
-    type Variant = AbscissaVariant;
+pub fn pattern_abscissa() -> Record<AbscissaVariant> {
+    let printed = AbscissaVariant {
+        altered: Altered::NOT,
+        rotation: true,
+        translations: true,
+        condition: least_curvature,
+        figure_4: [-312_191_180, -312_191_180, -47_433_127, -41_665_656],
+        aligned: Aligned::ALL,
+    };
+    let altered = |altered| AbscissaVariant { altered, ..printed };
+    Record::new(
+        "beyond.paley.abscissa",
+        "theta_k = 2 pi k/M is the Fourier column m = N/M. The Hessian of (25) there is circulant, with h_q \
+         = (K_r + K_(M-r))/2 - K_M at q = rm, 0 < r < M, h_0 = 0 and -K_M at the other q; by the inertia \
+         theorem the pattern is stable iff K_0 and all h_q but h_0 are positive. Each Fourier mode of (a, \
+         b, phi), c_k = (a_k + i b_k) e^{i theta_k}, is invariant, with C_q, D_q the half sum and half \
+         difference of the Laplacian eigenvalues m + q, m - q. 0 is a root at q = 0 (rotation), i w0 at q = \
+         m and -i w0 at q = -m (translations): divided out exactly. The others are enclosed by Routh's \
+         table of shifted cubics (notes/paley_particles.md).",
+        printed,
+        examine_pattern_abscissa,
+    )
+    .stated(
+        "sharpens paley, Theorem 3; text on synchronised and balanced formations; Figures 3, 4",
+        "N >= 2. Under (5) with (20) on a connected undirected graph and minus the gradient of (25), the \
+         circular (M,N)-pattern is exponentially stable up to rotation and translation iff K_0 > 0, K_r + \
+         K_(M-r) > 2 K_M for 0 < r < M, and K_M < 0 if M < N. All-to-all, its linearisation has the \
+         eigenvalues 0 and ± i w0 of the symmetries, each once, and otherwise the roots of the cubics s^3 + \
+         (k_0 C_q + h_q) s^2 + (w0^2 - i w0 k_0 D_q) s + h_q w0^2 without them. For N = 12, w0 = K_0 = 0.1, \
+         K_m = 0.2, K_M = -0.04 the largest real part is -0.0312191180 for M = 1, 2, -0.0047433127 for M = \
+         3, -0.0041665656 for M = 4, 6, 12; the same for N = 5, 8, 18, 24, 30, the last number for every M \
+         >= 4. Under (22), N = 12, w0 = 0.1: on C_12 with K_0 = 1.2 synchronised -0.0068228870 (K_1 = \
+         -0.3), splay m = 5 -0.0045001538 and m = 6 -0.0062033862 (K_1 = 0.3); all-to-all with K_0 = 0.1 \
+         synchronised -0.0053355402 (K_1 = -0.2), and transverse to the balanced set, along which 0 is an \
+         eigenvalue N - 2 times (N - 1 times at M = 2), splay -0.0153051399 and M = 2 -0.0500000000 (K_1 = \
+         0.2).",
+    )
+    .clauses(&[
+        "N >= 2. Under (5) with (20) on a connected undirected graph and minus the gradient of (25), the \
+         circular (M,N)-pattern is exponentially stable up to rotation and translation iff K_0 > 0, K_r + \
+         K_(M-r) > 2 K_M for 0 < r < M, and K_M < 0 if M < N.",
+        "All-to-all, its linearisation has the eigenvalues 0 and ± i w0 of the symmetries, each once, and \
+         otherwise the roots of the cubics s^3 + (k_0 C_q + h_q) s^2 + (w0^2 - i w0 k_0 D_q) s + h_q w0^2 \
+         without them.",
+        "For N = 12, w0 = K_0 = 0.1, K_m = 0.2, K_M = -0.04 the largest real part is -0.0312191180 for M = \
+         1, 2, -0.0047433127 for M = 3, -0.0041665656 for M = 4, 6, 12; the same for N = 5, 8, 18, 24, 30, \
+         the last number for every M >= 4.",
+        "Under (22), N = 12, w0 = 0.1: on C_12 with K_0 = 1.2 synchronised -0.0068228870 (K_1 = -0.3), \
+         splay m = 5 -0.0045001538 and m = 6 -0.0062033862 (K_1 = 0.3); all-to-all with K_0 = 0.1 \
+         synchronised -0.0053355402 (K_1 = -0.2), and transverse to the balanced set, along which 0 is an \
+         eigenvalue N - 2 times (N - 1 times at M = 2), splay -0.0153051399 and M = 2 -0.0500000000 (K_1 = \
+         0.2).",
+    ])
+    .control("without D_q", altered(Altered { twist: 0, ..Altered::NOT }))
+    .control("K_M with the other sign in h_q", altered(Altered { last: -1, ..Altered::NOT }))
+    .control("the cubic of the next mode", altered(Altered { wave: 1, ..Altered::NOT }))
+    .control("with the rotation", AbscissaVariant { rotation: false, ..printed })
+    .control("with the translations", AbscissaVariant { translations: false, ..printed })
+    .control("iff K_m > 0 > K_M", AbscissaVariant { condition: signs_of_theorem_3, ..printed })
+    .control("iff every K_m > K_M", AbscissaVariant { condition: each_gain_larger, ..printed })
+    .control(
+        "M = 3 as M = 4",
+        AbscissaVariant { figure_4: [-312_191_180, -312_191_180, -41_665_656, -41_665_656], ..printed },
+    )
+    .control(
+        "balanced phases as if isolated all-to-all",
+        AbscissaVariant { aligned: [Aligned { zeros: 1, ..Aligned::COMPLETE }; 6], ..printed },
+    )
+    .control(
+        "the splay state on the ring with K_1 < 0",
+        AbscissaVariant { aligned: [Aligned { gain: -3, ..Aligned::RING }; 6], ..printed },
+    )
+}
 
-    fn id(&self) -> &str {
-        "beyond.paley.abscissa"
-    }
-
-    fn source(&self) -> Option<Source> {
-        Some(Source {
-            place: "sharpens paley, Theorem 3; text on synchronised and balanced formations; Figures 3, 4".to_string(),
-            statement: "N >= 2. Under (5) with (20) on a connected undirected graph and minus the gradient of (25), the circular (M,N)-pattern is exponentially stable up to rotation and \
-                        translation iff K_0 > 0, K_r + K_(M-r) > 2 K_M for 0 < r < M, and K_M < 0 if M < N. All-to-all, its linearisation has the eigenvalues 0 and ± i w0 of the \
-                        symmetries, each once, and otherwise the roots of the cubics s^3 + (k_0 C_q + h_q) s^2 + (w0^2 - i w0 k_0 D_q) s + h_q w0^2 without them. For N = \
-                        12, w0 = K_0 = 0.1, K_m = 0.2, K_M = -0.04 the largest real part is -0.0312191180 for M = 1, 2, -0.0047433127 for M = 3, -0.0041665656 for M = 4, 6, 12; the \
-                        same for N = 5, 8, 18, 24, 30, the last number for every M >= 4. Under (22), N = 12, w0 = 0.1: on C_12 with K_0 = 1.2 synchronised -0.0068228870 (K_1 = -0.3), splay m = 5 -0.0045001538 and \
-                        m = 6 -0.0062033862 (K_1 = 0.3); all-to-all with K_0 = 0.1 synchronised -0.0053355402 (K_1 = -0.2), and transverse to the balanced set, along which 0 is \
-                        an eigenvalue N - 2 times (N - 1 times at M = 2), splay -0.0153051399 and M = 2 -0.0500000000 (K_1 = 0.2)."
-                .to_string(),
-        })
-    }
-
-    fn derivation(&self) -> &str {
-        "theta_k = 2 pi k/M is the Fourier column m = N/M. The Hessian of (25) there is circulant, with h_q = (K_r + K_(M-r))/2 - K_M at q = rm, 0 < r < M, h_0 = 0 and -K_M at the other q; \
-         by the inertia theorem the pattern is stable iff K_0 and all h_q but h_0 are positive. Each Fourier mode of (a, b, phi), c_k = (a_k + i b_k) e^{i theta_k}, is invariant, with \
-         C_q, D_q the half sum and half difference of the Laplacian eigenvalues m + q, m - q. 0 is a root at q = 0 (rotation), i w0 at q = m and -i w0 at q = -m \
-         (translations): divided out exactly. The others are enclosed by Routh's table of shifted cubics (notes/paley_particles.md)."
-    }
-
-    fn printed(&self) -> AbscissaVariant {
-        AbscissaVariant {
-            altered: Altered::NOT,
-            rotation: true,
-            translations: true,
-            condition: least_curvature,
-            figure_4: [-312_191_180, -312_191_180, -47_433_127, -41_665_656],
-            aligned: Aligned::ALL,
-        }
-    }
-
-    fn controls(&self) -> Vec<Control<AbscissaVariant>> {
-        let printed = self.printed();
-        let altered = |altered| AbscissaVariant { altered, ..printed };
-        vec![
-            Control::new("without D_q", altered(Altered { twist: 0, ..Altered::NOT })),
-            Control::new("K_M with the other sign in h_q", altered(Altered { last: -1, ..Altered::NOT })),
-            Control::new("the cubic of the next mode", altered(Altered { wave: 1, ..Altered::NOT })),
-            Control::new("with the rotation", AbscissaVariant { rotation: false, ..printed }),
-            Control::new("with the translations", AbscissaVariant { translations: false, ..printed }),
-            Control::new("iff K_m > 0 > K_M", AbscissaVariant { condition: signs_of_theorem_3, ..printed }),
-            Control::new("iff every K_m > K_M", AbscissaVariant { condition: each_gain_larger, ..printed }),
-            Control::new(
-                "M = 3 as M = 4",
-                AbscissaVariant { figure_4: [-312_191_180, -312_191_180, -41_665_656, -41_665_656], ..printed },
-            ),
-            Control::new(
-                "balanced phases as if isolated all-to-all",
-                AbscissaVariant { aligned: [Aligned { zeros: 1, ..Aligned::COMPLETE }; 6], ..printed },
-            ),
-            Control::new(
-                "the splay state on the ring with K_1 < 0",
-                AbscissaVariant { aligned: [Aligned { gain: -3, ..Aligned::RING }; 6], ..printed },
-            ),
-        ]
-    }
-
-    fn examine(&self, variant: &AbscissaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        // The parts that take long come last: most controls do not reach them.
-        Run::all((0..5).map(|part| match part {
-            0 => variant.signs(run),
-            1 => variant.synchronised_and_balanced(run),
-            2 => variant.enclosures(run),
-            3 => invariant_modes(&variant.altered, run),
-            _ => whole_matrices(run),
-        }))
-    }
+fn examine_pattern_abscissa(variant: &AbscissaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    // The parts that take long come last: most controls do not reach them.
+    let argued = "notes/paley_particles.md, Spectral abscissa at symmetric formations";
+    let argued = Evidence::new(Grade::Argued, "the spectrum, all M and N", argued).on([2]).for_all();
+    Run::all((0..6).map(|part| match part {
+        0 => variant.signs(run),
+        1 => variant.synchronised_and_balanced(run),
+        2 => variant.enclosures(run),
+        3 => Ok(invariant_modes(&variant.altered, run)?.on([2])),
+        4 => whole_matrices(run),
+        _ => Ok(Outcome::Holds(vec![argued.clone()])),
+    }))
 }

@@ -1,4 +1,5 @@
 //! Every claim as recorded.
 
+mod paley_runs;
 mod recorded;
 mod seeds;

@@ -34,6 +34,11 @@ impl<T: Field + Signed> Zones<T> {
     /// Whether a fish at the origin with this heading senses one at `offset` in the zone. Zones contain both their
     /// boundaries, as printed, and the edge of the blind spot is seen.
     pub fn senses(&self, zone: Zone, heading: &Complex<T>, offset: &Complex<T>) -> bool {
+        self.reaches(zone, offset) && !self.is_blind(heading, offset)
+    }
+
+    /// Whether the zone reaches a fish at `offset` from its own, by distance alone.
+    pub fn reaches(&self, zone: Zone, offset: &Complex<T>) -> bool {
         let distance = offset.norm_squared();
         let (inner, outer) = match zone {
             Zone::Repulsion => (None, &self.repulsion),
@@ -42,7 +47,7 @@ impl<T: Field + Signed> Zones<T> {
         };
         let beyond = |radius: &T| (distance.clone() - radius.square()).is_certainly_positive();
         let inside = |radius: &T| (distance.clone() - radius.square()).is_certainly_negative();
-        !beyond(outer) && !inner.is_some_and(inside) && !self.is_blind(heading, offset)
+        !beyond(outer) && !inner.is_some_and(inside)
     }
 
     /// Whether the offset lies in the open wedge around the direction opposite to the heading.

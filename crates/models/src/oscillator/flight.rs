@@ -2,8 +2,10 @@
 
 use super::state::State;
 use crate::angles::within_a_turn;
-use arithmetic::{ArithmeticError, Complex};
+use arithmetic::random::uniform;
+use arithmetic::{ArithmeticError, Complex, Field};
 use motion::Rk4;
+use rand_chacha::rand_core::Rng;
 use std::f64::consts::TAU;
 
 /// Positions and phases of `N` particles, in floating point.
@@ -36,25 +38,59 @@ impl Flight {
         drift: &Complex<f64>,
         steering: impl Fn(&State<f64>) -> Result<Vec<f64>, ArithmeticError>,
     ) -> Result<(), ArithmeticError> {
-        let mut list = self.to_list();
-        let mut method = Rk4::new(list.len());
-        let mut failure = None;
-        let mut field = |_: f64, list: &[f64], rate: &mut [f64]| {
+        let rate = |list: &[f64], rate: &mut [f64]| {
             let state = Flight::from_list(list).state();
-            match steering(&state) {
-                Ok(turning) => write_rate(&state, drift, &turning, rate),
-                Err(error) => {
-                    failure.get_or_insert(error);
-                    rate.fill(f64::NAN);
-                }
-            }
+            write_rate(&state, drift, &steering(&state)?, rate);
+            Ok(())
         };
-        (0..steps).for_each(|_| method.step(&mut field, 0.0, step, &mut list));
-        if let Some(error) = failure {
-            return Err(error);
-        }
-        *self = Flight::from_list(&list);
+        *self = Flight::from_list(&followed(self.to_list(), (step, steps), rate)?);
         Ok(())
+    }
+
+    /// The same without drift in the circle centres `c_k = r_k + i e^{i theta_k}/omega` and the phases, by (18):
+    /// `cdot_k = e^{i theta_k} (1 - steering_k/omega)`. Where all turn at the rate `omega` the centres rest and the method makes no error,
+    /// whatever the step; in positions it keeps the particles on circles too large by a share `(omega step)^4/2880`.
+    ///
+    /// # Errors
+    /// Whatever the steering returns; [`ArithmeticError::DivisionByZero`] for `omega = 0`.
+    pub fn advance_by_centres(
+        &mut self,
+        omega: f64,
+        (step, steps): (f64, usize),
+        steering: impl Fn(&State<f64>) -> Result<Vec<f64>, ArithmeticError>,
+    ) -> Result<(), ArithmeticError> {
+        let radius = Field::recip(&omega)?;
+        let rate = |list: &[f64], rate: &mut [f64]| {
+            let mut state = Flight::from_list(list).state();
+            for (place, z) in state.positions.iter_mut().zip(&state.phasors) {
+                *place = around(place, z, -radius);
+            }
+            let turning = steering(&state)?;
+            let speeds = state.phasors.iter().zip(&turning).flat_map(|(z, u)| {
+                let speed = 1.0 - u * radius;
+                [z.re * speed, z.im * speed]
+            });
+            rate.iter_mut().zip(speeds.chain(turning.iter().copied())).for_each(|(rate, value)| *rate = value);
+            Ok(())
+        };
+        let moved = Flight::from_list(&followed(self.shifted(radius).to_list(), (step, steps), rate)?);
+        *self = moved.shifted(-radius);
+        Ok(())
+    }
+
+    /// Every particle displaced by `radius` to the left of its heading.
+    fn shifted(&self, radius: f64) -> Self {
+        let state = self.state();
+        let positions = state.positions.iter().zip(&state.phasors).map(|(r, z)| around(r, z, radius)).collect();
+        Flight { positions, phases: self.phases.clone() }
+    }
+
+    /// Positions uniform in a square of this half-width around the origin, uniform phases.
+    pub fn random(random: &mut impl Rng, particles: usize, half: f64) -> Self {
+        let mut uniform = || uniform(random);
+        let place = |at: f64| 2.0 * half * at - half;
+        let positions = (0..particles).map(|_| Complex::new(place(uniform()), place(uniform()))).collect();
+        Flight { positions, phases: (0..particles).map(|_| TAU * uniform()).collect() }
     }
 
     /// `x_1, y_1, ..., x_N, y_N, theta_1, ..., theta_N`.
@@ -94,6 +130,29 @@ impl Flight {
         }
         clusters
     }
+}
+
+/// `r + i radius e^{i theta}`.
+fn around(r: &Complex<f64>, z: &Complex<f64>, radius: f64) -> Complex<f64> {
+    Complex::new(r.re - radius * z.im, r.im + radius * z.re)
+}
+
+/// The list after so many steps of the classical Runge-Kutta method.
+fn followed(
+    mut list: Vec<f64>,
+    (step, steps): (f64, usize),
+    mut rate: impl FnMut(&[f64], &mut [f64]) -> Result<(), ArithmeticError>,
+) -> Result<Vec<f64>, ArithmeticError> {
+    let mut method = Rk4::new(list.len());
+    let mut failure = None;
+    let mut field = |_: f64, list: &[f64], rates: &mut [f64]| {
+        if let Err(error) = rate(list, rates) {
+            failure.get_or_insert(error);
+            rates.fill(f64::NAN);
+        }
+    };
+    (0..steps).for_each(|_| method.step(&mut field, 0.0, step, &mut list));
+    failure.map_or(Ok(list), Err)
 }
 
 /// Writes the rates of (1)-(2) in the order of [`Flight::to_list`].

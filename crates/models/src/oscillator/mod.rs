@@ -15,7 +15,7 @@ mod moments;
 mod network;
 mod pattern;
 mod reached;
-mod runs;
+mod sensed;
 mod state;
 mod steering;
 mod variation;
@@ -41,10 +41,7 @@ pub use moments::{
 pub use network::{Everyone, Interaction, Neighbours, laplacian_rows};
 pub use pattern::{clusters_of_pattern, symmetric_pattern};
 pub use reached::{CLUSTER, cluster_gap, nearest_twist, order, pattern, ring_differences, shape_rate, winding};
-pub use runs::{
-    CyclicFormation, DECLARATION, DriftingOrbit, Experiment, FourMotions, OMEGA, PARTICLES, PatternFormation,
-    PatternPhases, ReferenceTracking, RingPhases, ZoneFormation, ZoneLaw, zones_of_figure_7,
-};
+pub use sensed::Sensed;
 pub use state::{State, phasor};
 pub use steering::{gradient_control, laplacian_control, pairwise_control, pattern_control, sine_of_difference};
 pub use variation::{phase_gradient, phase_jacobian, rate_of_change, turning};

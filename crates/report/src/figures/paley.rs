@@ -3,9 +3,10 @@
 use crate::plot::{Axis, Panel, Series};
 use arithmetic::random::generator;
 use arithmetic::{ArithmeticError, Complex};
+use claims::paley::runs::{Experiment, random_start};
 use ledger::{CheckError, Options};
 use models::angles::within_a_turn;
-use models::oscillator::{Experiment, Flight, PARTICLES, Zones, mean};
+use models::oscillator::{Flight, Zones, mean};
 use std::f64::consts::{PI, TAU};
 
 pub(super) const RED: &str = "#c22f2f";
@@ -24,7 +25,7 @@ pub(super) type Timed = (f64, Flight);
 
 /// The start that the claim of this id uses for the replicate.
 pub(super) fn start(claim: &str, replicate: u64) -> Flight {
-    Flight::random(&mut generator(&Options::default().seed, claim, replicate), PARTICLES)
+    random_start(&mut generator(&Options::default().seed, claim, replicate))
 }
 
 /// The first replicate of the claim whose run ends as wanted, with the run; at most `most` are tried.

@@ -3,8 +3,9 @@
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Corner, Panel, Picture, Series};
 use arithmetic::{Interval, Rational, decimals, parse_rational, rational};
+use claims::paley::runs::{CyclicFormation, OMEGA, PARTICLES, PatternFormation};
 use ledger::CheckError;
-use models::oscillator::{CyclicFormation, FourierFormation, OMEGA, PARTICLES, PatternFormation, TransverseSpectrum};
+use models::oscillator::{FourierFormation, TransverseSpectrum};
 use rayon::prelude::*;
 use std::fmt::Write;
 

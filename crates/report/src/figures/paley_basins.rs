@@ -3,11 +3,9 @@
 use super::paley::{START, start};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Colour, Corner, PALETTE, Panel, Picture, Series};
+use claims::paley::runs::{CyclicFormation, Experiment, OMEGA, PatternPhases, RingPhases};
 use ledger::CheckError;
-use models::oscillator::{
-    CLUSTER, CyclicFormation, Experiment, Flight, OMEGA, PatternPhases, RingPhases, centre_spread, nearest_twist,
-    ring_differences, winding,
-};
+use models::oscillator::{CLUSTER, Flight, centre_spread, nearest_twist, ring_differences, winding};
 use motion::Share;
 use rayon::prelude::*;
 use std::collections::BTreeMap;

@@ -4,8 +4,9 @@ use super::paley::{COLUMNS, START, end, rows, scene, start, turning_error};
 use super::{Reproduced, csv};
 use crate::plot::Picture;
 use arithmetic::Complex;
+use claims::paley::runs::{Experiment, FourMotions, OMEGA};
 use ledger::CheckError;
-use models::oscillator::{Experiment, FourMotions, OMEGA, mean, order, shape_rate};
+use models::oscillator::{mean, order, shape_rate};
 use std::fmt::Write;
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {

@@ -5,11 +5,9 @@ use super::paley_abscissa::{rate, twisted};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Corner, Panel, Picture, Series};
 use arithmetic::Complex;
+use claims::paley::runs::{CyclicFormation, Experiment, OMEGA, PARTICLES};
 use ledger::CheckError;
-use models::oscillator::{
-    CLUSTER, CyclicFormation, Experiment, Flight, OMEGA, PARTICLES, centre_spread, nearest_twist, order, pattern,
-    phase_potential,
-};
+use models::oscillator::{CLUSTER, Flight, centre_spread, nearest_twist, order, pattern, phase_potential};
 use std::fmt::Write;
 
 const CLAIM: &str = "paley.fig3";

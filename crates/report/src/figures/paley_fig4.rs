@@ -4,8 +4,9 @@ use super::paley::{COLUMNS, START, end, largest_lower_moment, rows, scene, start
 use super::{Reproduced, csv};
 use crate::plot::Picture;
 use arithmetic::Complex;
+use claims::paley::runs::{Experiment, OMEGA, PatternFormation};
 use ledger::CheckError;
-use models::oscillator::{CLUSTER, Experiment, OMEGA, PatternFormation, centre_spread, order};
+use models::oscillator::{CLUSTER, centre_spread, order};
 use rayon::prelude::*;
 use std::fmt::Write;
 

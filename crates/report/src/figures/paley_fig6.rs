@@ -4,10 +4,9 @@ use super::paley::{COLUMNS, ORANGE, START, Timed, circle, end, pair, rows, scene
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::Complex;
+use claims::paley::runs::{DriftingOrbit, Experiment, OMEGA};
 use ledger::CheckError;
-use models::oscillator::{
-    DriftingOrbit, Experiment, Flight, OMEGA, centre_spread, circle_centres, mean, order, quarter_turn,
-};
+use models::oscillator::{Flight, centre_spread, circle_centres, mean, order, quarter_turn};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
@@ -26,7 +25,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         "N = 12, f = {}, w0 = K_0 = {OMEGA}, all-to-all. The caption prints K_1 > 0, a sign\n\
          slip: K_1 < 0 synchronises (paley.fig6.gain, misprint; panel c). Chosen: K_1 =\n\
          -0.1; (a), (c): the control (22); (b): (14) and, in the place of (20), w0 K_0\n\
-         <e^(i th_k), c_k - c_0> of the beacon c_0 = {}; step {}, to t = {}, then\n\
+         <e^(i th_k), c_k - c_0> of the beacon c_0 = {} (with K_0/N, which (20) becomes, the\n\
+         centre settles near -14: paley.beacon); step {}, to t = {}, then\n\
          {TURNS} turns more, start 0 of {CLAIM}.\n{START}\n\
          \x20        |p_theta|  centres/radius  mean position of all over each turn\n",
         DriftingOrbit::FIELD.re,
@@ -42,11 +42,11 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         Axis::linear("from 10 (beacon)"),
     );
     let mut table = Vec::new();
-    let settled = DriftingOrbit::around_beacon(-0.1).settled_centre();
+    let settled = DriftingOrbit::around_beacon(-0.1, DriftingOrbit::GAINS[1]).settled_centre();
     let mut measured = Vec::new();
     for (panel, orbit, name) in [
         ("a", DriftingOrbit::free(-0.1), "(a) no beacon, K_1 = −0.1"),
-        ("b", DriftingOrbit::around_beacon(-0.1), "(b) beacon at 10, K_1 = −0.1"),
+        ("b", DriftingOrbit::around_beacon(-0.1, DriftingOrbit::GAINS[1]), "(b) beacon at 10, K_1 = −0.1"),
         ("c", DriftingOrbit::free(0.1), "(c) as (a), but K_1 = +0.1 as printed"),
     ] {
         let course = orbit.course(start(CLAIM, 0), 10)?;

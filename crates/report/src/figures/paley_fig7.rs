@@ -4,8 +4,9 @@ use super::paley::{BLACK, BLUE, GREEN, ORANGE, RED, zone_outline};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Corner, Panel, Picture, Series};
 use arithmetic::Complex;
+use claims::paley::runs::zones_of_figure_7;
 use ledger::CheckError;
-use models::oscillator::{Zone, zones_of_figure_7};
+use models::oscillator::Zone;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Write;
 
@@ -58,7 +59,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let _ = writeln!(
         text,
         "\nArea by the law: points of a grid of step {step:.4} at which Zones::senses says\n\
-         that the fish senses another. Definitions as printed (paley.fig7, holds); the\n\
+         that the fish senses another. Definitions as printed (paley.fig7); the\n\
          zones are annuli that share their boundaries, the blind spot an open wedge."
     );
     let picture = Picture::new("Figure 7: zones of a fish and its blind spot").grid(1, (640.0, 600.0)).panel(panel);

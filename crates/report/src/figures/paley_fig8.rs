@@ -4,8 +4,9 @@ use super::paley::{COLUMNS, START, end, rows, scene, start, zone_outline};
 use super::{Reproduced, csv};
 use crate::plot::{Picture, Series};
 use arithmetic::Complex;
+use claims::paley::runs::{Experiment, OMEGA, ZoneFormation, ZoneLaw};
 use ledger::CheckError;
-use models::oscillator::{CLUSTER, Experiment, Flight, OMEGA, ZoneFormation, ZoneLaw, centre_spread, shape_rate};
+use models::oscillator::{CLUSTER, Flight, centre_spread, shape_rate};
 use rayon::prelude::*;
 use std::fmt::Write;
 
@@ -36,9 +37,9 @@ fn ended(formation: &ZoneFormation, flight: &Flight) -> Result<Ended, CheckError
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let mut text = format!(
-        "N = 12, w0 = K_0 = {OMEGA}, blind spot 60 degrees. Chosen: radius of attraction 1e9,\n\
+        "N = 12, w0 = K_0 = {OMEGA}, blind spot 60 degrees. Chosen: attraction at any distance,\n\
          K_1 = -{GAIN} and {GAIN}, step {}, to t = {}, starts 0 to {} of {CLAIM}\n\
-         (pictures: start 0).\n{START}\
+         (pictures: start 0); the steps are of circle centres and phases.\n{START}\
          (29) as printed puts -K_0 on the wrong network (paley.eq29, false): (a), (b)\n\
          have the printed law, (c) the corrected one. Clusters and gaps: means.\n\n\
          \x20    K_1  (29)        M  clusters  gap   on one circle  shape at rest\n",
@@ -57,7 +58,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         .rev()
         .flat_map(|clusters| {
             columns.map(|(column, law, orientation, name)| {
-                (column, name, ZoneFormation { law, spacing: GAIN, orientation, clusters })
+                (column, name, ZoneFormation::new(law, (GAIN, orientation), clusters))
             })
         })
         .collect();

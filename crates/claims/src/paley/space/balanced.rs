@@ -4,15 +4,15 @@
 //! gradient of a phase potential `U`, the linearisation has on the unstable side as many eigenvalues as the Hessian of `U` has
 //! negative ones; it is exponentially stable up to the symmetries where that Hessian is positive definite up to rotation.
 
-use super::instances::scattered_phasors;
+use super::instances::{argued, scattered_phasors};
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, RationalMatrix, inertia};
 use arithmetic::{Complex, CosineField, Field, Rational, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Neighbours, mean, misalignment, phase_jacobian, phase_potential, quarter_turn};
 
 /// The inertia of the Hessian of `sign W_1`.
-fn hessian_inertia<T: Field + Signed>(
+pub(super) fn hessian_inertia<T: Field + Signed>(
     network: &Neighbours,
     phasors: &[Complex<T>],
     sign: i64,
@@ -23,9 +23,6 @@ fn hessian_inertia<T: Field + Signed>(
     })?;
     Ok(inertia(&hessian)?)
 }
-
-/// paley.bal.circ.
-pub struct BalancedStable;
 
 /// Which set of circular formations is asymptotically stable for `gain K_1 > 0`.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -78,90 +75,80 @@ fn refutation<T: Field + Signed>(
     Ok((growing > 0).then_some("W_1 has directions of growth, which are unstable"))
 }
 
-impl Claim for BalancedStable {
-    type Variant = BalancedVariant;
+pub fn balanced_stable() -> Record<BalancedVariant> {
+    let printed = BalancedVariant { set: BalancedSet::Balanced, gain: 1 };
+    Record::new(
+        "paley.bal.circ",
+        "A stable closed set is invariant. On C_4 the phases (0, a, a + pi, pi) are balanced, but tau = -+ \
+         sin a: with c = c_0 1, cdot_k = -e^{i theta_k} K_1 tau_k/(w0 N) differs between particles, so the \
+         solution leaves the set of balanced circular formations at once. Nor are the balanced equilibria \
+         in it stable: on C_N the pattern theta_k = 2 pi m k/N has unstable directions where cos(2 pi m/N) \
+         > 0. What is stable for K_1 > 0: by V = K_0 S - K_1 w0^-2 W_1 (paley.eq21) the circular formations \
+         that maximise W_1. On a circulant graph W_1 <= lambda_max/2 is attained by a Fourier column, and \
+         e^{i theta} is then an eigenvector of lambda_max > 0, so these formations are balanced. On \
+         complete graphs they are all the balanced ones.",
+        printed,
+        examine_balanced_stable,
+    )
+    .repaired(
+        Fault::False,
+        "If G is circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
+         formations whose phases maximise W_1 (all of them balanced: L e^{i theta} = lambda_max e^{i \
+         theta}) is asymptotically stable. It is the set of all balanced circular formations if G is \
+         complete.",
+        BalancedVariant { set: BalancedSet::Largest, gain: 1 },
+    )
+    .repaired_clauses(&[
+        "If G is circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
+         formations whose phases maximise W_1 is asymptotically stable.",
+        "All of them are balanced: L e^{i theta} = lambda_max e^{i theta}.",
+        "It is the set of all balanced circular formations if G is complete.",
+    ])
+    .control("the largest W_1 with K_1 < 0", BalancedVariant { set: BalancedSet::Largest, gain: -1 })
+    .control("all symmetric patterns", BalancedVariant { set: BalancedSet::Patterns, gain: 1 })
+}
 
-    fn id(&self) -> &str {
-        "paley.bal.circ"
-    }
-
-    fn derivation(&self) -> &str {
-        "A stable closed set is invariant. On C_4 the phases (0, a, a + pi, pi) are balanced, but tau = -+ sin a: with c = c_0 1, cdot_k = -e^{i theta_k} K_1 \
-         tau_k/(w0 N) differs between particles, so the solution leaves the set of balanced circular formations at once. Nor are the balanced equilibria \
-         in it stable: on C_N the pattern theta_k = 2 pi m k/N has unstable directions where cos(2 pi m/N) > 0. What is stable for K_1 > 0: by V = K_0 S \
-         - K_1 w0^-2 W_1 (paley.eq21) the circular formations that maximise W_1. On a circulant graph W_1 <= lambda_max/2 is attained by a Fourier \
-         column, and e^{i theta} is then an eigenvector of lambda_max > 0, so these formations are balanced. On complete graphs they are all \
-         the balanced ones."
-    }
-
-    fn printed(&self) -> BalancedVariant {
-        BalancedVariant { set: BalancedSet::Balanced, gain: 1 }
-    }
-
-    fn repair(&self) -> Option<Repair<BalancedVariant>> {
-        Some(Repair {
-            fault: Fault::False, clauses: Vec::new(),
-            statement: "If G is circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular formations whose phases maximise W_1 \
-                        (all of them balanced: L e^{i theta} = lambda_max e^{i theta}) is asymptotically stable. It is the set of all balanced \
-                        circular formations if G is complete."
-                .to_string(),
-            variant: BalancedVariant { set: BalancedSet::Largest, gain: 1 },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<BalancedVariant>> {
-        vec![
-            Control::new("the largest W_1 with K_1 < 0", BalancedVariant { set: BalancedSet::Largest, gain: -1 }),
-            Control::new("all symmetric patterns", BalancedVariant { set: BalancedSet::Patterns, gain: 1 }),
-        ]
-    }
-
-    fn examine(&self, variant: &BalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut cases = 0;
-        for (order, offsets) in circulants(run.cases(6, 12)) {
-            run.checkpoint()?;
-            let network = Neighbours::circulant(order, &offsets);
-            let fails = |phases: String, why: &str| {
-                let what = format!("N = {order}, circulant graph with offsets {offsets:?}, phases {phases}: {why}");
-                Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the set", "exact phasors")))
-            };
-            if variant.set == BalancedSet::Balanced && order % 2 == 0 {
-                // Two antipodal pairs next to each other, the other particles paired with their opposites.
-                let phasors = antipodal_pairs(order)?;
-                if let Some(why) = refutation(&network, &phasors, variant.gain)? {
-                    return fails("(0, a, a + pi, pi), cos a = 3/5, and further antipodal pairs".to_string(), why);
-                }
-            }
-            let field = CosineField::new(order as u32);
-            let column = |m: usize| (0..order).map(|k| field.phasor((m * k) as i64)).collect::<Vec<_>>();
-            let columns: Vec<_> = (1..order).map(|m| (m, column(m))).collect();
-            let values: Vec<_> =
-                columns.iter().map(|(_, z)| phase_potential(&network, z, 1)).collect::<Result<_, _>>()?;
-            for ((m, phasors), value) in columns.iter().zip(&values) {
-                let largest = !values.iter().any(|other| (other.clone() - value).is_certainly_positive());
-                if variant.set == BalancedSet::Largest && !largest {
-                    continue;
-                }
-                cases += 1;
-                if let Some(why) = refutation(&network, phasors, variant.gain)? {
-                    return fails(format!("2 pi {m} k/{order}"), why);
-                }
+fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut cases = 0;
+    for (order, offsets) in circulants(run.cases(6, 12)) {
+        run.checkpoint()?;
+        let network = Neighbours::circulant(order, &offsets);
+        let fails = |phases: String, why: &str| {
+            let what = format!("N = {order}, circulant graph with offsets {offsets:?}, phases {phases}: {why}");
+            Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the set", "exact phasors")))
+        };
+        if variant.set == BalancedSet::Balanced && order % 2 == 0 {
+            // Two antipodal pairs next to each other, the other particles paired with their opposites.
+            let phasors = antipodal_pairs(order)?;
+            if let Some(why) = refutation(&network, &phasors, variant.gain)? {
+                return fails("(0, a, a + pi, pi), cos a = 3/5, and further antipodal pairs".to_string(), why);
             }
         }
-        Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exact,
-                "asymptotic stability, all circulant graphs",
-                "Lyapunov function and proof in notes/paley_particles.md",
-            ),
-            Evidence::new(
-                Grade::Exhaustive,
-                "balanced, in equilibrium, no direction of growth",
-                "exact Fourier columns on circulant graphs",
-            )
-            .cases(cases),
-        ]))
+        let field = CosineField::new(order as u32);
+        let column = |m: usize| (0..order).map(|k| field.phasor((m * k) as i64)).collect::<Vec<_>>();
+        let columns: Vec<_> = (1..order).map(|m| (m, column(m))).collect();
+        let values: Vec<_> = columns.iter().map(|(_, z)| phase_potential(&network, z, 1)).collect::<Result<_, _>>()?;
+        for ((m, phasors), value) in columns.iter().zip(&values) {
+            let largest = !values.iter().any(|other| (other.clone() - value).is_certainly_positive());
+            if variant.set == BalancedSet::Largest && !largest {
+                continue;
+            }
+            cases += 1;
+            if let Some(why) = refutation(&network, phasors, variant.gain)? {
+                return fails(format!("2 pi {m} k/{order}"), why);
+            }
+        }
     }
+    Ok(Outcome::Holds(vec![
+        argued("all circulant graphs", "Balanced formations on circulant graphs, steps 1-5", &[1, 2, 3]),
+        Evidence::new(
+            Grade::Exhaustive,
+            "balanced, in equilibrium, no direction of growth",
+            "exact Fourier columns on circulant graphs",
+        )
+        .cases(cases)
+        .on([1, 2]),
+    ]))
 }
 
 /// Phases 0, a, a + pi, pi and further antipodal pairs, with rational phasors.
@@ -177,9 +164,6 @@ fn antipodal_pairs(order: usize) -> Result<Vec<Complex<Rational>>, CheckError> {
     Ok(phasors)
 }
 
-/// paley.fig3.gain.
-pub struct LargerGain;
-
 /// With `offset` steps between neighbours on `C_12` the pattern stops being stable for large `K_1`; its cluster number.
 #[derive(Clone, Copy)]
 pub struct GainVariant {
@@ -189,75 +173,68 @@ pub struct GainVariant {
     destroyed: bool,
 }
 
-impl Claim for LargerGain {
-    type Variant = GainVariant;
-
-    fn id(&self) -> &str {
-        "paley.fig3.gain"
-    }
-
-    fn derivation(&self) -> &str {
-        "The splay formations of C_12 that are stable for K_1 > 0 have neighbours 5 or 7 twelfths of a turn apart (with 1 or 11, W_1 grows). At \
-         theta_k = 2 pi m k/N the Hessian of W_1 is (1/N) cos(2 pi m/N) L: for m = 5 negative definite up to rotation. W_1 is an isolated strict maximum \
-         there, so by V = K_0 S - K_1 w0^-2 W_1 the formation is exponentially stable for every K_1 > 0: no gain turns Figure 3(c) into the \
-         (2,N)-pattern (m = 6), which is stable for every K_1 > 0 as well. Which of the two is reached depends on the \
-         initial state at every gain (shares: paley.fig3). Reading: the gain is raised on the formation of Figure 3(c). Started anew from one initial state, a larger gain can \
-         end in the other pattern."
-    }
-
-    fn printed(&self) -> GainVariant {
-        GainVariant { offset: 5, destroyed: true }
-    }
-
-    fn repair(&self) -> Option<Repair<GainVariant>> {
-        Some(Repair {
-            fault: Fault::False, clauses: Vec::new(),
-            statement: "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) and the balanced (2,N)-pattern are both \
-                        exponentially stable up to symmetry for every K_1 > 0; increasing the gain does not lead from one to the other."
-                .to_string(),
-            variant: GainVariant { offset: 5, destroyed: false },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<GainVariant>> {
-        vec![
-            Control::new("neighbours one twelfth apart are stable", GainVariant { offset: 1, destroyed: false }),
-            Control::new("a quarter turn apart", GainVariant { offset: 3, destroyed: false }),
-            Control::new("the (2,N)-pattern is destroyed", GainVariant { offset: 6, destroyed: true }),
-        ]
-    }
-
-    fn examine(&self, variant: &GainVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-        const N: usize = 12;
-        let network = Neighbours::circulant(N, &[1]);
-        let field = CosineField::new(N as u32);
-        let mut evidence = Vec::new();
-        for offset in [variant.offset, N / 2] {
-            let phasors: Vec<_> = (0..N).map(|k| field.phasor((offset * k) as i64)).collect();
-            let found = hessian_inertia(&network, &phasors, 1)?;
-            let stable = found == Inertia { positive: 0, negative: N - 1, zero: 1 };
-            let detail = format!(
-                "Hessian of W_1 on C_12: {} negative, {} zero, {} positive; proof in the notes",
-                found.negative, found.zero, found.positive
-            );
-            let exact =
-                Evidence::new(Grade::Exact, format!("neighbours {offset}/12 of a turn apart, every K_1 > 0"), detail);
-            let meant = offset == variant.offset;
-            if stable == (meant && variant.destroyed) {
-                let what = format!(
-                    "C_12, theta_k = 2 pi {offset} k/12: a circular formation that is {} for every K_1 > 0",
-                    if stable { "exponentially stable up to symmetry" } else { "not exponentially stable" }
-                );
-                return Ok(Outcome::fails(what, exact));
-            }
-            evidence.push(exact);
-        }
-        Ok(Outcome::Holds(evidence))
-    }
+pub fn larger_gain() -> Record<GainVariant> {
+    let printed = GainVariant { offset: 5, destroyed: true };
+    Record::new(
+        "paley.fig3.gain",
+        "The splay formations of C_12 that are stable for K_1 > 0 have neighbours 5 or 7 twelfths of a turn \
+         apart (with 1 or 11, W_1 grows). At theta_k = 2 pi m k/N the Hessian of W_1 is (1/N) cos(2 pi m/N) \
+         L: for m = 5 negative definite up to rotation. W_1 is an isolated strict maximum there, so by V = \
+         K_0 S - K_1 w0^-2 W_1 the formation is exponentially stable for every K_1 > 0: no gain turns \
+         Figure 3(c) into the (2,N)-pattern (m = 6), which is stable for every K_1 > 0 as well. Which of \
+         the two is reached depends on the initial state at every gain (shares: paley.fig3). Started anew \
+         from one initial state, a larger gain can end in the other pattern.",
+        printed,
+        examine_larger_gain,
+    )
+    .reading("The gain is raised on the formation of Figure 3(c).")
+    .repaired(
+        Fault::False,
+        "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) and the balanced \
+         (2,N)-pattern are both exponentially stable up to symmetry for every K_1 > 0; increasing the gain \
+         does not lead from one to the other.",
+        GainVariant { offset: 5, destroyed: false },
+    )
+    .repaired_clauses(&[
+        "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) is exponentially \
+         stable up to symmetry for every K_1 > 0.",
+        "The balanced (2,N)-pattern is too.",
+        "Increasing the gain does not lead from one to the other.",
+    ])
+    .control("neighbours one twelfth apart are stable", GainVariant { offset: 1, destroyed: false })
+    .control("a quarter turn apart", GainVariant { offset: 3, destroyed: false })
 }
 
-/// paley.fig3.max.
-pub struct UniqueMaximum;
+fn examine_larger_gain(variant: &GainVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
+    const N: usize = 12;
+    let network = Neighbours::circulant(N, &[1]);
+    let field = CosineField::new(N as u32);
+    let mut evidence = Vec::new();
+    for (clause, offset) in [(1, variant.offset), (2, N / 2)] {
+        let phasors: Vec<_> = (0..N).map(|k| field.phasor((offset * k) as i64)).collect();
+        let found = hessian_inertia(&network, &phasors, 1)?;
+        let stable = found == Inertia { positive: 0, negative: N - 1, zero: 1 };
+        let detail = format!(
+            "Hessian of W_1 on C_12: {} negative, {} zero, {} positive; proof in the notes",
+            found.negative, found.zero, found.positive
+        );
+        let exact =
+            Evidence::new(Grade::Exact, format!("neighbours {offset}/12 of a turn apart, every K_1 > 0"), detail);
+        let meant = offset == variant.offset;
+        if stable == (meant && variant.destroyed) {
+            let what = format!(
+                "C_12, theta_k = 2 pi {offset} k/12: a circular formation that is {} for every K_1 > 0",
+                if stable { "exponentially stable up to symmetry" } else { "not exponentially stable" }
+            );
+            return Ok(Outcome::fails(what, exact));
+        }
+        evidence.push(exact.on([clause]));
+    }
+    let argued = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (bal.circ, \
+     fig3.gain)";
+    evidence.push(Evidence::new(Grade::Argued, "every K_1 > 0", argued).on([1, 2, 3]).for_all());
+    Ok(Outcome::Holds(evidence))
+}
 
 /// On `C_order` the maximisers of `W_1` are one alternating pattern, up to rotation or not; or every (2,N)-pattern is one.
 #[derive(Clone, Copy)]
@@ -267,68 +244,62 @@ pub struct MaximumVariant {
     any_labels: bool,
 }
 
-impl Claim for UniqueMaximum {
-    type Variant = MaximumVariant;
+pub fn unique_maximum() -> Record<MaximumVariant> {
+    let printed = MaximumVariant { order: 12, up_to_rotation: true, any_labels: false };
+    Record::new(
+        "paley.fig3.max",
+        "W_1 = (1/(2N)) <x, L x> <= lambda_max/2 for |x|^2 = N, with equality iff L x = lambda_max x. On \
+         C_12 lambda_max = 4 is simple with eigenvector (-1)^k, so e^{i theta} = e^{i alpha} (-1)^k.",
+        printed,
+        examine_unique_maximum,
+    )
+    .clauses(&["The balanced (2,N)-pattern maximizes W_1.", "It is the unique configuration that does."])
+    .reading(
+        "Unique up to a rotation of all phases; the (2,N)-pattern in which neighbours on the cycle are \
+         opposite.",
+    )
+    .control("C_11", MaximumVariant { order: 11, ..printed })
+    .control("unique, rotations counted", MaximumVariant { up_to_rotation: false, ..printed })
+    .control("every (2,N)-pattern maximises", MaximumVariant { any_labels: true, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "paley.fig3.max"
+fn examine_unique_maximum(variant: &MaximumVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
+    let order = variant.order;
+    let fails = |what: &str| {
+        Ok(Outcome::fails(
+            format!("N = {order}: {what}"),
+            Evidence::new(Grade::Exact, "the maximum", "exact kernel of L - 4"),
+        ))
+    };
+    let graph = Graph::from_fn(order, |i, j| j == i + 1 || (i == 0 && j + 1 == order));
+    let laplacian = graph.laplacian()?;
+    let four = RationalMatrix::identity(order)?.scaled(&rational(4, 1));
+    // 4 is the largest eigenvalue if it is one: 4 - L is positive semidefinite (Gershgorin).
+    let maximisers = laplacian.minus(&four)?.kernel();
+    let [vector] = maximisers.as_slice() else {
+        return fails("4 is no eigenvalue of L, so the alternating pattern is none");
+    };
+    let alternating = vector.windows(2).all(|pair| pair[0] == -pair[1].clone());
+    if !alternating {
+        return fails("the eigenvector does not alternate");
     }
-
-    fn derivation(&self) -> &str {
-        "Reading: unique up to a rotation of all phases, as everywhere in the article; the configuration is the (2,N)-pattern in which neighbours on the \
-         cycle are opposite (other placements of two clusters of six have a smaller W_1). W_1 = (1/(2N)) <x, L x> <= lambda_max/2 for |x|^2 = N, with \
-         equality iff L x = lambda_max x. On C_12 lambda_max = 4 is simple with eigenvector (-1)^k, so e^{i theta} = e^{i alpha} (-1)^k."
+    let network = Neighbours::of(&graph);
+    let value = |phasors: &[Complex<Rational>]| phase_potential(&network, phasors, 1);
+    let one = |sign: i64| Complex::real(rational(sign, 1));
+    let alternate: Vec<_> = (0..order).map(|k| one(if k % 2 == 0 { 1 } else { -1 })).collect();
+    let halves: Vec<_> = (0..order).map(|k| one(if 2 * k < order { 1 } else { -1 })).collect();
+    let turned: Vec<_> = alternate.iter().map(quarter_turn).collect();
+    if value(&alternate)? != rational(2, 1) {
+        return fails("the alternating pattern does not reach lambda_max/2");
     }
-
-    fn printed(&self) -> MaximumVariant {
-        MaximumVariant { order: 12, up_to_rotation: true, any_labels: false }
+    if variant.any_labels && value(&halves)? != rational(2, 1) {
+        return fails("the (2,N)-pattern of two halves of the cycle has a smaller W_1");
     }
-
-    fn controls(&self) -> Vec<Control<MaximumVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("C_11", MaximumVariant { order: 11, ..printed }),
-            Control::new("unique, rotations counted", MaximumVariant { up_to_rotation: false, ..printed }),
-            Control::new("every (2,N)-pattern maximises", MaximumVariant { any_labels: true, ..printed }),
-        ]
+    if !variant.up_to_rotation && value(&turned)? == rational(2, 1) {
+        return fails("the pattern turned by a quarter maximises W_1 too");
     }
-
-    fn examine(&self, variant: &MaximumVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-        let order = variant.order;
-        let fails = |what: &str| {
-            Ok(Outcome::fails(
-                format!("N = {order}: {what}"),
-                Evidence::new(Grade::Exact, "the maximum", "exact kernel of L - 4"),
-            ))
-        };
-        let graph = Graph::from_fn(order, |i, j| j == i + 1 || (i == 0 && j + 1 == order));
-        let laplacian = graph.laplacian()?;
-        let four = RationalMatrix::identity(order)?.scaled(&rational(4, 1));
-        // 4 is the largest eigenvalue if it is one: 4 - L is positive semidefinite (Gershgorin).
-        let maximisers = laplacian.minus(&four)?.kernel();
-        let [vector] = maximisers.as_slice() else {
-            return fails("4 is no eigenvalue of L, so the alternating pattern is none");
-        };
-        let alternating = vector.windows(2).all(|pair| pair[0] == -pair[1].clone());
-        if !alternating {
-            return fails("the eigenvector does not alternate");
-        }
-        let network = Neighbours::of(&graph);
-        let value = |phasors: &[Complex<Rational>]| phase_potential(&network, phasors, 1);
-        let one = |sign: i64| Complex::real(rational(sign, 1));
-        let alternate: Vec<_> = (0..order).map(|k| one(if k % 2 == 0 { 1 } else { -1 })).collect();
-        let halves: Vec<_> = (0..order).map(|k| one(if 2 * k < order { 1 } else { -1 })).collect();
-        let turned: Vec<_> = alternate.iter().map(quarter_turn).collect();
-        if value(&alternate)? != rational(2, 1) {
-            return fails("the alternating pattern does not reach lambda_max/2");
-        }
-        if variant.any_labels && value(&halves)? != rational(2, 1) {
-            return fails("the (2,N)-pattern of two halves of the cycle has a smaller W_1");
-        }
-        if !variant.up_to_rotation && value(&turned)? == rational(2, 1) {
-            return fails("the pattern turned by a quarter maximises W_1 too");
-        }
-        let detail = "kernel of L - 4 on C_12 spanned by (-1)^k, and W_1 = 2 there; 4 bounds the spectrum (Gershgorin)";
-        Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "unique maximiser up to rotation", detail)]))
-    }
+    let detail = "kernel of L - 4 on C_12 spanned by (-1)^k, and W_1 = 2 there; 4 bounds the spectrum (Gershgorin)";
+    Ok(Outcome::Holds(vec![
+        Evidence::new(Grade::Exact, "unique maximiser up to rotation", detail).on([1, 2]).for_all(),
+    ]))
 }

@@ -3,7 +3,7 @@
 use super::instances::{StateIdentity, described, identity_graphs, one_way_ring, state_identity, sum_of_squares};
 use algebra::graph::Graph;
 use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{
     CircularGains, Neighbours, State, circle_centres, circular_control, composite_potential, heading_components,
     misalignment, pattern_control, pattern_potential, phasor, relative_position_control, spacing_control,
@@ -20,9 +20,6 @@ fn power<T: Field>(omega: &T, exponent: i64) -> Result<T, ArithmeticError> {
     let size = omega.power(exponent.unsigned_abs());
     if exponent < 0 { size.recip() } else { Ok(size) }
 }
-
-/// paley.eq21.
-pub struct CompositePotential;
 
 /// `V = K_0 S + sign K_1 omega^exponent W_1` and `Vdot = -(1/N^2) sum (K_0 sigma_k + cross K_1 tau_k/omega)^2`.
 #[derive(Clone, Copy)]
@@ -62,50 +59,37 @@ impl StateIdentity for CompositeIdentity {
     }
 }
 
-impl Claim for CompositePotential {
-    type Variant = CompositeVariant;
+pub fn composite_descent() -> Record<CompositeVariant> {
+    let printed = CompositeVariant { sign: 1, exponent: -1, cross: 1 };
+    Record::new(
+        "paley.eq21",
+        "With sigma_k = <e^{i theta_k}, L_k c>, tau_k = <i e^{i theta_k}, L_k e^{i theta}>: Sdot = (1/N) \
+         sum sigma_k (1 - u_k/w0), and W_1dot = (1/N) sum tau_k (u_k - w0) because sum tau_k = 0. So \
+         (d/dt)(K_0 S + a W_1) = (1/N) sum (a tau_k - K_0 sigma_k/w0)(u_k - w0), and (22) is u_k - w0 = \
+         (w0/N)(K_0 sigma_k + K_1 tau_k/w0): the printed negative sum of squares results exactly for a = \
+         -K_1/w0^2, and for every other a the rate is indefinite. With the printed a = K_1/w0 the W_1 part \
+         has the wrong sign for w0 > 0: at K_1 > 0 the control (14) increases W_1. V = K_0 S - K_1 w0^-2 \
+         W_1 is what (22) decreases, in agreement with synchronisation for K_1 < 0.",
+        printed,
+        examine_composite_descent,
+    )
+    .repaired(
+        Fault::Slip,
+        "V = K_0 S - K_1 w0^-2 W_1; along (1), (2) with (22), Vdot = -(1/N^2) sum_k (K_0 <e^{i th_k}, L_k \
+         c> + K_1 w0^-1 <i e^{i th_k}, L_k e^{i th}>)^2, for all w0 != 0 and every undirected graph.",
+        CompositeVariant { sign: -1, exponent: -2, cross: 1 },
+    )
+    .control("-K_1/w0 in V", CompositeVariant { sign: -1, exponent: -1, cross: 1 })
+    .control("+K_1/w0^2 in V", CompositeVariant { sign: 1, exponent: -2, cross: 1 })
+    .control("the difference squared", CompositeVariant { sign: -1, exponent: -2, cross: -1 })
+}
 
-    fn id(&self) -> &str {
-        "paley.eq21"
-    }
-
-    fn derivation(&self) -> &str {
-        "With sigma_k = <e^{i theta_k}, L_k c>, tau_k = <i e^{i theta_k}, L_k e^{i theta}>: Sdot = (1/N) sum sigma_k (1 - u_k/w0), and W_1dot = (1/N) sum \
-         tau_k (u_k - w0) because sum tau_k = 0. So (d/dt)(K_0 S + a W_1) = (1/N) sum (a tau_k - K_0 sigma_k/w0)(u_k - w0), and (22) is u_k - w0 = (w0/N)(K_0 \
-         sigma_k + K_1 tau_k/w0): the printed negative sum of squares results exactly for a = -K_1/w0^2, and for every other a the rate is indefinite. With \
-         the printed a = K_1/w0 the W_1 part has the wrong sign for w0 > 0: at K_1 > 0 the control (14) increases W_1. V = K_0 S - K_1 w0^-2 W_1 is what \
-         (22) decreases, in agreement with synchronisation for K_1 < 0."
-    }
-
-    fn printed(&self) -> CompositeVariant {
-        CompositeVariant { sign: 1, exponent: -1, cross: 1 }
-    }
-
-    fn repair(&self) -> Option<Repair<CompositeVariant>> {
-        Some(Repair {
-            fault: Fault::Slip, clauses: Vec::new(),
-            statement: "V = K_0 S - K_1 w0^-2 W_1; along (1), (2) with (22), Vdot = -(1/N^2) sum_k (K_0 <e^{i th_k}, L_k c> + K_1 w0^-1 <i \
-                        e^{i th_k}, L_k e^{i th}>)^2, for all w0 != 0 and every undirected graph."
-                .to_string(),
-            variant: CompositeVariant { sign: -1, exponent: -2, cross: 1 },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<CompositeVariant>> {
-        vec![
-            Control::new("-K_1/w0 in V", CompositeVariant { sign: -1, exponent: -1, cross: 1 }),
-            Control::new("+K_1/w0^2 in V", CompositeVariant { sign: 1, exponent: -2, cross: 1 }),
-            Control::new("the difference squared", CompositeVariant { sign: -1, exponent: -2, cross: -1 }),
-        ]
-    }
-
-    fn examine(&self, variant: &CompositeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        Run::all(identity_graphs(run).into_iter().map(|graph| {
-            let identity = CompositeIdentity { variant: *variant, network: Neighbours::of(&graph) };
-            let part = format!("Vdot under (22), {}", described(&graph));
-            state_identity(&identity, &["w0", "K_0", "K_1"], &part, run)
-        }))
-    }
+fn examine_composite_descent(variant: &CompositeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    Run::all(identity_graphs(run).into_iter().map(|graph| {
+        let identity = CompositeIdentity { variant: *variant, network: Neighbours::of(&graph) };
+        let part = format!("Vdot under (22), {}", described(&graph));
+        state_identity(&identity, &["w0", "K_0", "K_1"], &part, run)
+    }))
 }
 
 /// paley.eq22 and paley.eq29: (5) with (14) and (20) equals `omega + (alignment/N) tau^ori + (rest/N) tau^att + omega (spacing K_0/N)
@@ -148,99 +132,66 @@ impl StateIdentity for FormIdentity {
 
 const CONSTANTS: [&str; 3] = ["w0", "K_0", "K_1"];
 
-/// paley.eq22.
-pub struct CircularControl;
-
-impl Claim for CircularControl {
-    type Variant = FormVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq22"
-    }
-
-    fn derivation(&self) -> &str {
-        "c = r + w0^-1 i e^{i theta}, and <z, i y> = -<i z, y>: w0 (K_0/N) <e^{i theta_k}, L_k c> = w0 (K_0/N) <e^{i theta_k}, L_k r> - (K_0/N) <i e^{i \
-         theta_k}, L_k e^{i theta}>. It holds for directed networks too."
-    }
-
-    fn printed(&self) -> FormVariant {
-        FormVariant { alignment: (1, -1), rest: 0, spacing: 1 }
-    }
-
-    fn controls(&self) -> Vec<Control<FormVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("K_1 + K_0", FormVariant { alignment: (1, 1), ..printed }),
-            Control::new("K_1 alone", FormVariant { alignment: (1, 0), ..printed }),
-            Control::new("minus the spacing term", FormVariant { spacing: -1, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let undirected = identity_graphs(run).into_iter().map(|g| (Neighbours::of(&g), described(&g)));
-        let networks = undirected.chain([(one_way_ring(3), "one-way ring of 3".to_string())]);
-        Run::all(networks.map(|(network, name)| {
-            let identity = FormIdentity { variant: *variant, orientation: network.clone(), attraction: network };
-            state_identity(&identity, &CONSTANTS, &format!("(5) with (14) and (20), {name}"), run)
-        }))
-    }
+pub fn circular_form() -> Record<FormVariant> {
+    let printed = FormVariant { alignment: (1, -1), rest: 0, spacing: 1 };
+    Record::new(
+        "paley.eq22",
+        "c = r + w0^-1 i e^{i theta}, and <z, i y> = -<i z, y>: w0 (K_0/N) <e^{i theta_k}, L_k c> = w0 \
+         (K_0/N) <e^{i theta_k}, L_k r> - (K_0/N) <i e^{i theta_k}, L_k e^{i theta}>. It holds for directed \
+         networks too.",
+        printed,
+        examine_circular_form,
+    )
+    .control("K_1 + K_0", FormVariant { alignment: (1, 1), ..printed })
+    .control("K_1 alone", FormVariant { alignment: (1, 0), ..printed })
+    .control("minus the spacing term", FormVariant { spacing: -1, ..printed })
 }
 
-/// paley.eq29.
-pub struct TwoNetworks;
-
-impl Claim for TwoNetworks {
-    type Variant = FormVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq29"
-    }
-
-    fn derivation(&self) -> &str {
-        "(5) with (14) on the orientation network and (20) on the attraction network: in the coefficient K_1 - K_0 of (22), K_1 comes from (14) and -K_0 \
-         from the circle centres in (20), so it is -(K_0/N) <i e^{i theta_k}, L_k^att e^{i theta}>. (29) puts it on the orientation network. It is the \
-         same control only where K_0 = 0 or both terms agree. Under (29) as printed circular formations need not be equilibria when K_1 = 0 (two \
-         particles that see but do not align, at a quarter turn), and at K_1 = K_0 the orientation network has no effect at all."
-    }
-
-    fn printed(&self) -> FormVariant {
-        FormVariant { alignment: (1, -1), rest: 0, spacing: 1 }
-    }
-
-    fn repair(&self) -> Option<Repair<FormVariant>> {
-        Some(Repair {
-            fault: Fault::False, clauses: Vec::new(),
-            statement: "u_k = w0 + (K_1/N) <i e^{i th_k}, L_k^ori e^{i th}> - (K_0/N) <i e^{i th_k}, L_k^att e^{i th}> + w0 (K_0/N) <e^{i th_k}, L_k^att r>, \
-                        that is, (5) with (14) on L^ori and (20) on L^att."
-                .to_string(),
-            variant: FormVariant { alignment: (1, 0), rest: -1, spacing: 1 },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<FormVariant>> {
-        vec![
-            Control::new("-K_0 on both networks", FormVariant { alignment: (1, -1), rest: -1, spacing: 1 }),
-            Control::new("+K_0 on the attraction network", FormVariant { alignment: (1, 0), rest: 1, spacing: 1 }),
-            Control::new("no K_0 in the alignment", FormVariant { alignment: (1, 0), rest: 0, spacing: 1 }),
-        ]
-    }
-
-    fn examine(&self, variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let pairs = [
-            ("no orientation, two particles", Neighbours::of(&Graph::empty(2)), Neighbours::complete(2)),
-            ("path and triangle", Neighbours::of(&Graph::path(3)), Neighbours::complete(3)),
-            ("one-way ring and triangle", one_way_ring(3), Neighbours::complete(3)),
-            ("ring and all pairs, four particles", Neighbours::circulant(4, &[1]), Neighbours::complete(4)),
-        ];
-        Run::all(pairs.into_iter().map(|(name, orientation, attraction)| {
-            let identity = FormIdentity { variant: *variant, orientation, attraction };
-            state_identity(&identity, &CONSTANTS, &format!("(5) with (14) and (20), {name}"), run)
-        }))
-    }
+fn examine_circular_form(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let undirected = identity_graphs(run).into_iter().map(|g| (Neighbours::of(&g), described(&g)));
+    let networks = undirected.chain([(one_way_ring(3), "one-way ring of 3".to_string())]);
+    Run::all(networks.map(|(network, name)| {
+        let identity = FormIdentity { variant: *variant, orientation: network.clone(), attraction: network };
+        state_identity(&identity, &CONSTANTS, &format!("(5) with (14) and (20), {name}"), run)
+    }))
 }
 
-/// paley.VMN.
-pub struct PatternPotential;
+pub fn two_networks() -> Record<FormVariant> {
+    let printed = FormVariant { alignment: (1, -1), rest: 0, spacing: 1 };
+    Record::new(
+        "paley.eq29",
+        "(5) with (14) on the orientation network and (20) on the attraction network: in the coefficient \
+         K_1 - K_0 of (22), K_1 comes from (14) and -K_0 from the circle centres in (20), so it is -(K_0/N) \
+         <i e^{i theta_k}, L_k^att e^{i theta}>. (29) puts it on the orientation network. It is the same \
+         control only where K_0 = 0 or both terms agree. Under (29) as printed circular formations need not \
+         be equilibria when K_1 = 0 (two particles that see but do not align, at a quarter turn), and at \
+         K_1 = K_0 the orientation network has no effect at all.",
+        printed,
+        examine_two_networks,
+    )
+    .repaired(
+        Fault::False,
+        "u_k = w0 + (K_1/N) <i e^{i th_k}, L_k^ori e^{i th}> - (K_0/N) <i e^{i th_k}, L_k^att e^{i th}> + \
+         w0 (K_0/N) <e^{i th_k}, L_k^att r>, that is, (5) with (14) on L^ori and (20) on L^att.",
+        FormVariant { alignment: (1, 0), rest: -1, spacing: 1 },
+    )
+    .control("-K_0 on both networks", FormVariant { alignment: (1, -1), rest: -1, spacing: 1 })
+    .control("+K_0 on the attraction network", FormVariant { alignment: (1, 0), rest: 1, spacing: 1 })
+    .control("no K_0 in the alignment", FormVariant { alignment: (1, 0), rest: 0, spacing: 1 })
+}
+
+fn examine_two_networks(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let pairs = [
+        ("no orientation, two particles", Neighbours::of(&Graph::empty(2)), Neighbours::complete(2)),
+        ("path and triangle", Neighbours::of(&Graph::path(3)), Neighbours::complete(3)),
+        ("one-way ring and triangle", one_way_ring(3), Neighbours::complete(3)),
+        ("ring and all pairs, four particles", Neighbours::circulant(4, &[1]), Neighbours::complete(4)),
+    ];
+    Run::all(pairs.into_iter().map(|(name, orientation, attraction)| {
+        let identity = FormIdentity { variant: *variant, orientation, attraction };
+        state_identity(&identity, &CONSTANTS, &format!("(5) with (14) and (20), {name}"), run)
+    }))
+}
 
 /// `V = K_0 S + omega^exponent U^{M,N}` decreases.
 #[derive(Clone, Copy)]
@@ -284,73 +235,59 @@ impl StateIdentity for PatternDescent {
     }
 }
 
-impl Claim for PatternPotential {
-    type Variant = WeightVariant;
+pub fn pattern_composite() -> Record<WeightVariant> {
+    let printed = WeightVariant { exponent: 0 };
+    Record::new(
+        "paley.VMN",
+        "With x_k = (K_0/N) sigma_k and g_k = dU/dtheta_k, u_k - w0 = w0 x_k - g_k and (d/dt)(K_0 S + a U) \
+         = sum (-x_k/w0 + a g_k)(w0 x_k - g_k). For a = w0^-2 this is -w0^-2 sum (u_k - w0)^2. For the \
+         printed a = 1 it is sum (-x^2 + (w0 + 1/w0) x g - g^2), which is positive at some states, as near \
+         to the pattern as one likes, unless |w0| = 1 (the discriminant (w0 + 1/w0)^2 - 4 = (w0 - 1/w0)^2). \
+         The factor w0^-2 is missing; the argument theta too.",
+        printed,
+        examine_pattern_composite,
+    )
+    .reading("V proves Theorem 3 by Lyapunov's method only if it does not increase.")
+    .repaired(
+        Fault::Slip,
+        "V^{M,N}(r, theta) = K_0 S(r, theta) + w0^-2 U^{M,N}(theta), with Vdot = -w0^-2 sum_k (u_k - w0)^2.",
+        WeightVariant { exponent: -2 },
+    )
+    .control("U/w0", WeightVariant { exponent: -1 })
+    .control("w0^2 U", WeightVariant { exponent: 2 })
+}
 
-    fn id(&self) -> &str {
-        "paley.VMN"
-    }
-
-    fn derivation(&self) -> &str {
-        "Reading: V proves Theorem 3 by Lyapunov's method only if it does not increase. With x_k = (K_0/N) sigma_k and g_k = dU/dtheta_k, u_k - w0 = w0 x_k - \
-         g_k and (d/dt)(K_0 S + a U) = sum (-x_k/w0 + a g_k)(w0 x_k - g_k). For a = w0^-2 this is -w0^-2 sum (u_k - w0)^2. For the printed a = 1 it is \
-         sum (-x^2 + (w0 + 1/w0) x g - g^2), which is positive at some states, as near to the pattern as one likes, unless |w0| = 1 \
-         (the discriminant (w0 + 1/w0)^2 - 4 = (w0 - 1/w0)^2). The factor w0^-2 is missing; the argument theta too."
-    }
-
-    fn printed(&self) -> WeightVariant {
-        WeightVariant { exponent: 0 }
-    }
-
-    fn repair(&self) -> Option<Repair<WeightVariant>> {
-        Some(Repair {
-            fault: Fault::Slip,
-            clauses: Vec::new(),
-            statement:
-                "V^{M,N}(r, theta) = K_0 S(r, theta) + w0^-2 U^{M,N}(theta), with Vdot = -w0^-2 sum_k (u_k - w0)^2."
-                    .to_string(),
-            variant: WeightVariant { exponent: -2 },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<WeightVariant>> {
-        vec![
-            Control::new("U/w0", WeightVariant { exponent: -1 }),
-            Control::new("w0^2 U", WeightVariant { exponent: 2 }),
-        ]
-    }
-
-    fn examine(&self, variant: &WeightVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let evidence = |detail: &str| Evidence::new(Grade::Exact, "V does not increase", detail.to_string());
-        let identity = PatternDescent { variant: *variant, particles: 2, clusters: 2 };
-        let mut states = 0;
-        for (p, q) in [(1, 10), (2, 1), (-1, 10)] {
-            for (x, t) in [(0, 1), (1, 1), (-1, 1), (1, 2), (-3, 1), (5, -1), (30, 1), (-30, 1)] {
-                let state = State {
-                    positions: vec![Complex::real(rational(0, 1)), Complex::real(rational(x, 1))],
-                    phasors: vec![Complex::real(rational(1, 1)), phasor(&rational(t, 2))?],
-                };
-                let constants = [(p, q), (1, 10), (1, 1), (-1, 2)].map(|(a, b)| rational(a, b));
-                let (rate, _) = identity.rates(&constants, &state)?;
-                states += 1;
-                if rate > rational(0, 1) {
-                    let what = format!(
-                        "N = M = 2, w0 = {}, K_0 = 1/10, K_1 = 1, K_2 = -1/2, r = (0, {x}), theta = (0, 2 arctan({t}/2)): Vdot = {rate} > 0",
-                        constants[0]
-                    );
-                    return Ok(Outcome::fails(what, evidence("an exact state")));
-                }
+fn examine_pattern_composite(variant: &WeightVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let evidence = |detail: &str| Evidence::new(Grade::Exact, "V does not increase", detail.to_string());
+    let identity = PatternDescent { variant: *variant, particles: 2, clusters: 2 };
+    let mut states = 0;
+    for (p, q) in [(1, 10), (2, 1), (-1, 10)] {
+        for (x, t) in [(0, 1), (1, 1), (-1, 1), (1, 2), (-3, 1), (5, -1), (30, 1), (-30, 1)] {
+            let state = State {
+                positions: vec![Complex::real(rational(0, 1)), Complex::real(rational(x, 1))],
+                phasors: vec![Complex::real(rational(1, 1)), phasor(&rational(t, 2))?],
+            };
+            let constants = [(p, q), (1, 10), (1, 1), (-1, 2)].map(|(a, b)| rational(a, b));
+            let (rate, _) = identity.rates(&constants, &state)?;
+            states += 1;
+            if rate > rational(0, 1) {
+                let what = format!(
+                    "N = M = 2, w0 = {}, K_0 = 1/10, K_1 = 1, K_2 = -1/2, r = (0, {x}), theta = (0, 2 arctan({t}/2)): \
+                     Vdot = {rate} > 0",
+                    constants[0]
+                );
+                return Ok(Outcome::fails(what, evidence("an exact state")));
             }
         }
-        let cases = [(1, 1), (2, 1), (2, 2), (3, 3)];
-        let identities = cases.into_iter().take(run.cases(3, 4)).map(|(particles, clusters)| {
-            let identity = PatternDescent { variant: *variant, particles, clusters };
-            let gains: Vec<String> = (1..=identity.clusters).map(|m| format!("K_{m}")).collect();
-            let names: Vec<&str> = ["w0", "K_0"].into_iter().chain(gains.iter().map(String::as_str)).collect();
-            let part = format!("Vdot = -w0^-2 sum (u_k - w0)^2, M = {clusters}, N = {particles}");
-            state_identity(&identity, &names, &part, run)
-        });
-        let sampled = Ok(Outcome::Holds(vec![evidence("exact states of two particles").cases(states)]));
-        Run::all(identities.chain([sampled]))
     }
+    let cases = [(1, 1), (2, 1), (2, 2), (3, 3)];
+    let identities = cases.into_iter().take(run.cases(3, 4)).map(|(particles, clusters)| {
+        let identity = PatternDescent { variant: *variant, particles, clusters };
+        let gains: Vec<String> = (1..=identity.clusters).map(|m| format!("K_{m}")).collect();
+        let names: Vec<&str> = ["w0", "K_0"].into_iter().chain(gains.iter().map(String::as_str)).collect();
+        let part = format!("Vdot = -w0^-2 sum (u_k - w0)^2, M = {clusters}, N = {particles}");
+        state_identity(&identity, &names, &part, run)
+    });
+    let sampled = Ok(Outcome::Holds(vec![evidence("exact states of two particles").cases(states)]));
+    Run::all(identities.chain([sampled]))
 }

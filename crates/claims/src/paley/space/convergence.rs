@@ -1,10 +1,12 @@
 //! paley.thm2, paley.thm2.center: what solutions under the spacing control converge to.
 
-use super::instances::{StateIdentity, described, identity_graphs, scattered_phasors, stability, state_identity};
+use super::instances::{
+    StateIdentity, argued, described, identity_graphs, scattered_phasors, stability, state_identity,
+};
 use super::spacing::{DescentVariant, ProperVariant, examine_descent, examine_proper};
 use algebra::graph::Graph;
 use arithmetic::{ArithmeticError, Dual, Field, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::{
     Interaction, Neighbours, State, circle_centres, circular_formation, heading_components, linearisation, mean,
     quarter_turn, spacing_control,
@@ -90,75 +92,67 @@ fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcom
 /// Whether all that is no symmetry and no phase decays near circular formations.
 fn examine_return(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
     let graphs = if variant.connected { identity_graphs(run) } else { vec![Graph::empty(2)] };
-    let mut formations = 0;
-    for graph in &graphs {
-        for (p, q) in [(1, 10), (-3, 2)] {
-            run.checkpoint()?;
-            formations += 1;
-            let omega = rational(p, q);
-            let network = Neighbours::of(graph);
-            let state = circular_formation(&omega, &scattered_phasors(graph.order())?)?;
-            let rows = linearisation(&state, &omega, |state| {
-                let like = Dual::constant(omega.clone());
-                spacing_control(&like, &Dual::constant(rational(variant.gain, 1)), &network, state)
-            })?;
-            let found = stability(&rows, &omega, true)?;
-            if !found.stable || found.zeros != graph.order() {
-                let what = format!(
-                    "{}, K_0 = {}, w0 = {omega}: near a circular formation there are {} directions without change and the others do not all decay",
-                    described(graph),
-                    variant.gain,
-                    found.zeros
-                );
-                let evidence = Evidence::new(Grade::Exact, "the formation", "exact characteristic polynomial");
-                return Ok(Outcome::fails(what, evidence));
-            }
-        }
-    }
-    let detail = "turning-frame linearisation: N zeros for the phases, ± i w0 for the translations, all else decays; both signs of w0";
-    let formations = Evidence::new(Grade::Exact, "exponential approach near formations", detail).cases(formations);
-    Ok(Outcome::Holds(vec![formations]))
+    let cases = graphs.iter().flat_map(|graph| [(1, 10), (-3, 2)].map(|omega| (graph, omega)));
+    let detail = "turning-frame linearisation: N zeros for the phases, ± i w0 for the translations, all else decays; \
+     both signs of w0";
+    run.instances("exponential approach near formations", detail, cases, |(graph, (p, q))| {
+        let omega = rational(p, q);
+        let network = Neighbours::of(graph);
+        let state = circular_formation(&omega, &scattered_phasors(graph.order())?)?;
+        let rows = linearisation(&state, &omega, |state| {
+            let like = Dual::constant(omega.clone());
+            spacing_control(&like, &Dual::constant(rational(variant.gain, 1)), &network, state)
+        })?;
+        let found = stability(&rows, &omega, true)?;
+        Ok((!found.stable || found.zeros != graph.order()).then(|| {
+            format!(
+                "{}, K_0 = {}, w0 = {omega}: near a circular formation there are {} directions without change and \
+                 the others do not all decay",
+                described(graph),
+                variant.gain,
+                found.zeros
+            )
+        }))
+    })
 }
 
-/// paley.thm2.
-pub struct Theorem2;
+pub fn theorem2() -> Record<ConvergenceVariant> {
+    let printed = ConvergenceVariant::PRINTED;
+    Record::new(
+        "paley.thm2",
+        "S is proper in the relative centres (eq17) and does not increase (eq19_20), and the relative \
+         centres with the phases move on their own: LaSalle applies to every solution. Where Sdot = 0 for \
+         all time, sigma_k = <e^{i theta_k}, L_k c> = 0, so u = w0, and the rate of sigma_k is then w0 <i \
+         e^{i theta_k}, L_k c>, which vanishes too: L_k c = 0 for all k, c = c_0 1, a circle of radius \
+         1/|w0| turned at w0. States with sigma = 0 and unequal centres exist but are not invariant. K_0 > \
+         0 as under (20).",
+        printed,
+        examine_theorem2,
+    )
+    .clauses(&[
+        "All of the solutions converge to the set of circular formations with radius |w0|^{-1}.",
+        "Their direction of rotation is determined by the sign of w0.",
+    ])
+    .control("K_0 = -1", ConvergenceVariant { gain: -1, ..printed })
+    .control("K_0 = 0", ConvergenceVariant { gain: 0, ..printed })
+    .control("a graph that is not connected", ConvergenceVariant { connected: false, ..printed })
+    .control("rotation at 2 w0", ConvergenceVariant { rate: 2, ..printed })
+}
 
-impl Claim for Theorem2 {
-    type Variant = ConvergenceVariant;
-
-    fn id(&self) -> &str {
-        "paley.thm2"
+fn examine_theorem2(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let limit = examine_convergence(variant, run)?;
+    if !matches!(limit, Outcome::Holds(_)) {
+        return Ok(limit);
     }
-
-    fn derivation(&self) -> &str {
-        "S is proper in the relative centres (eq17) and does not increase (eq19_20), and the relative centres with the phases move on their own: LaSalle \
-         applies to every solution. Where Sdot = 0 for all time, sigma_k = <e^{i theta_k}, L_k c> = 0, so u = w0, and the rate of sigma_k is then \
-         w0 <i e^{i theta_k}, L_k c>, which vanishes too: L_k c = 0 for all k, c = c_0 1, a circle of radius 1/|w0| turned at w0. States with sigma = 0 \
-         and unequal centres exist but are not invariant. K_0 > 0 as under (20)."
-    }
-
-    fn printed(&self) -> ConvergenceVariant {
-        ConvergenceVariant::PRINTED
-    }
-
-    fn controls(&self) -> Vec<Control<ConvergenceVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("K_0 = -1", ConvergenceVariant { gain: -1, ..printed }),
-            Control::new("K_0 = 0", ConvergenceVariant { gain: 0, ..printed }),
-            Control::new("a graph that is not connected", ConvergenceVariant { connected: false, ..printed }),
-            Control::new("rotation at 2 w0", ConvergenceVariant { rate: 2, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let limit = examine_convergence(variant, run)?;
-        if !matches!(limit, Outcome::Holds(_)) {
-            return Ok(limit);
-        }
-        let proper = examine_proper(&ProperVariant::PRINTED, run);
-        Run::all([Ok(limit), proper, examine_descent(&DescentVariant::PRINTED, run)])
-    }
+    let proper = examine_proper(&ProperVariant::PRINTED, run);
+    let argued = argued("every solution", "Theorem 2, steps 1-4", &[1, 2]);
+    let on = |outcome: Result<Outcome, CheckError>| Ok(outcome?.on([1]));
+    Run::all([
+        Ok(Outcome::Holds(vec![argued])),
+        Ok(limit.on([1, 2])),
+        on(proper),
+        on(examine_descent(&DescentVariant::PRINTED, run)),
+    ])
 }
 
 /// The rate of the mean centre under (20) is zero.
@@ -178,52 +172,47 @@ impl StateIdentity for MeanCentre {
     }
 }
 
-/// paley.thm2.center.
-pub struct FixedCentre;
+pub fn fixed_centre() -> Record<ConvergenceVariant> {
+    let printed = ConvergenceVariant::PRINTED;
+    Record::new(
+        "paley.thm2.center",
+        "The limit set is that of Theorem 2. Near it S decays by a fixed factor per turn (notes: S is \
+         quadratic in c, so the ratio of S over one turn extends continuously to S = 0, where it is below \
+         1), so sqrt(S), |sigma| and |cdot_k| are integrable: each c_k converges to one c_0, which is \
+         fixed, and which the closed loop determines from the initial state alone (nothing in the law names \
+         a place). It is not the initial mean of the centres. The centre of mass is c_0 - (i/w0) p_theta \
+         and turns unless p_theta = 0.",
+        printed,
+        examine_fixed_centre,
+    )
+    .clauses(&[
+        "In the limit set thdot = w0 1 and c = c_0 1.",
+        "The steady-state center c_0 depends only on the initial state.",
+        "It is fixed.",
+        "The center of mass is not necessarily fixed.",
+    ])
+    .reading(
+        "c_0 depends on the initial state for the given law and gains; it is not the initial mean of the \
+         circle centres.",
+    )
+    .control("c_0 is the mean of the initial centres", ConvergenceVariant { mean_conserved: true, ..printed })
+    .control("the centre of mass is fixed", ConvergenceVariant { mass_fixed: true, ..printed })
+    .control("the limit turns at 2 w0", ConvergenceVariant { rate: 2, ..printed })
+}
 
-impl Claim for FixedCentre {
-    type Variant = ConvergenceVariant;
-
-    fn id(&self) -> &str {
-        "paley.thm2.center"
+fn examine_fixed_centre(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let velocity = mean(&circular_formation(&rational(1, 10), &scattered_phasors(2)?)?.phasors)?;
+    let speed = velocity.norm_squared();
+    let exact = |detail: String| Evidence::new(Grade::Exact, "centre of mass", detail);
+    if variant.mass_fixed && speed != rational(0, 1) {
+        let what = format!("two particles on a circle: the centre of mass has the squared speed {speed}");
+        return Ok(Outcome::fails(what, exact("an exact circular formation".to_string())));
     }
-
-    fn derivation(&self) -> &str {
-        "The limit set is that of Theorem 2. Near it S decays by a fixed factor per turn (notes: S is quadratic in c, so the ratio of S over one turn \
-         extends continuously to S = 0, where it is below 1), so sqrt(S), |sigma| and |cdot_k| are integrable: each c_k converges to one c_0, which \
-         is fixed, and which the closed loop determines from the initial state alone (nothing in the law names a place). It is not the initial \
-         mean of the centres. The centre of mass is c_0 - (i/w0) p_theta and turns unless p_theta = 0."
-    }
-
-    fn printed(&self) -> ConvergenceVariant {
-        ConvergenceVariant::PRINTED
-    }
-
-    fn controls(&self) -> Vec<Control<ConvergenceVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new(
-                "c_0 is the mean of the initial centres",
-                ConvergenceVariant { mean_conserved: true, ..printed },
-            ),
-            Control::new("the centre of mass is fixed", ConvergenceVariant { mass_fixed: true, ..printed }),
-            Control::new("the limit turns at 2 w0", ConvergenceVariant { rate: 2, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let velocity = mean(&circular_formation(&rational(1, 10), &scattered_phasors(2)?)?.phasors)?;
-        let speed = velocity.norm_squared();
-        let exact = |detail: String| Evidence::new(Grade::Exact, "centre of mass", detail);
-        if variant.mass_fixed && speed != rational(0, 1) {
-            let what = format!("two particles on a circle: the centre of mass has the squared speed {speed}");
-            return Ok(Outcome::fails(what, exact("an exact circular formation".to_string())));
-        }
-        let moving = Outcome::Holds(vec![exact(format!("squared speed {speed} in a formation of two"))]);
-        let conserved = match variant.mean_conserved {
-            true => state_identity(&MeanCentre, &["w0", "K_0"], "the mean centre is conserved", run),
-            false => Ok(moving),
-        };
-        Run::all([conserved, examine_convergence(variant, run)])
-    }
+    let moving = Outcome::Holds(vec![exact(format!("squared speed {speed} in a formation of two")).on([4]).for_all()]);
+    let conserved = match variant.mean_conserved {
+        true => state_identity(&MeanCentre, &["w0", "K_0"], "the mean centre is conserved", run),
+        false => Ok(moving),
+    };
+    let argued = Outcome::Holds(vec![argued("one fixed centre", "Theorem 2, steps 5-8", &[2, 3])]);
+    Run::all([Ok(argued), conserved, Ok(examine_convergence(variant, run)?.on([1, 3]))])
 }

@@ -1,13 +1,10 @@
 //! paley.eq26, paley.vrep, paley.vatt: the steps of the fish model and its behaviours.
 
-use super::instances::{StateIdentity, state_identity};
+use super::instances::{StateIdentity, argued, state_identity};
 use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use arithmetic::{ArithmeticError, Field, Rational, rational};
+use ledger::{CheckError, Fault, Outcome, Record, Run};
 use models::oscillator::{State, phasor, quarter_turn, repulsion, steering_towards};
-
-/// paley.eq26.
-pub struct EulerStep;
 
 /// Positions move by `T^position e^{i theta}` and phases by `T^phase u`.
 #[derive(Clone, Copy)]
@@ -40,57 +37,61 @@ impl StateIdentity for StepIdentity {
     }
 }
 
-impl Claim for EulerStep {
-    type Variant = StepVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq26"
-    }
-
-    fn derivation(&self) -> &str {
-        "The forward Euler method of step h for (1), (2) is r + h e^{i theta}, theta + h u: one step for both equations. (26) moves positions with the step 1 and \
-         phases with the step T << 1, which is Euler's method for no h (h = 1 from the first line, h = T from the second). It is so for the first line \
-         r + T e^{i theta}; or for a model of speed 1/T, not the unit speed of (1). Reading: u_k is one and the same steering in (26) and in (2). As (2) allows any control, (26) is also \
-         Euler's method with h = 1 for (1), (2) under the control T u_k (with T = 1 and all gains times T it is the printed model); but the article goes on to compare the gains of u_k in (28) with those of (22), \
-         K_1 - K_0 = -K_ori N (paley.fish28ori), which under that reading would be off by the factor T."
-    }
-
-    fn printed(&self) -> StepVariant {
-        StepVariant { position: 0, phase: 1 }
-    }
-
-    fn repair(&self) -> Option<Repair<StepVariant>> {
-        Some(Repair {
-            fault: Fault::Slip, clauses: Vec::new(),
-            statement: "r_k(q+1) = r_k(q) + T e^{i th_k(q)}, th_k(q+1) = th_k(q) + T u_k(q) is the forward Euler method with step T for (1), (2).".to_string(),
-            variant: StepVariant { position: 1, phase: 1 },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<StepVariant>> {
-        vec![
-            Control::new("T^2 u", StepVariant { position: 1, phase: 2 }),
-            Control::new("T^2 e^{i theta}", StepVariant { position: 2, phase: 1 }),
-            Control::new("u without T", StepVariant { position: 1, phase: 0 }),
-        ]
-    }
-
-    fn examine(&self, variant: &StepVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        state_identity(&StepIdentity(*variant), &["1/(10 T)", "u"], "increments of Euler's method with step T", run)
-    }
+pub fn euler_step() -> Record<StepVariant> {
+    let printed = StepVariant { position: 0, phase: 1 };
+    Record::new(
+        "paley.eq26",
+        "The forward Euler method of step h for (1), (2) is r + h e^{i theta}, theta + h u: one step for \
+         both equations. (26) moves positions with the step 1 and phases with the step T << 1, which is \
+         Euler's method for no h (h = 1 from the first line, h = T from the second). It is so for the first \
+         line r + T e^{i theta}; or for a model of speed 1/T, not the unit speed of (1). As (2) allows any \
+         control, (26) is also Euler's method with h = 1 for (1), (2) under the control T u_k (with T = 1 \
+         and all gains times T it is the printed model); but the article goes on to compare the gains of \
+         u_k in (28) with those of (22), K_1 - K_0 = -K_ori N (paley.fish28ori), which under that reading \
+         would be off by the factor T.",
+        printed,
+        examine_euler_step,
+    )
+    .reading("u_k is one and the same steering in (26) and in (2).")
+    .repaired(
+        Fault::Slip,
+        "r_k(q+1) = r_k(q) + T e^{i th_k(q)}, th_k(q+1) = th_k(q) + T u_k(q) is the forward Euler method \
+         with step T for (1), (2).",
+        StepVariant { position: 1, phase: 1 },
+    )
+    .control("T^2 u", StepVariant { position: 1, phase: 2 })
+    .control("T^2 e^{i theta}", StepVariant { position: 2, phase: 1 })
+    .control("u without T", StepVariant { position: 1, phase: 0 })
 }
 
-/// paley.vrep and paley.vatt: `v = sign sum rhat_kj` is to point away from the neighbours (`away = 1`) or towards them (-1).
+fn examine_euler_step(variant: &StepVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    // Each fish for itself: an identity in all that its step depends on.
+    Ok(state_identity(&StepIdentity(*variant), &["1/(10 T)", "u"], "increments of Euler's method with step T", run)?
+        .for_all())
+}
+
+/// paley.vrep and paley.vatt: the field is `sign i^turns sum rhat_kj`, which is to point away from the neighbours (`away = 1`) or towards
+/// them (-1), and enters (27) with the sign `gain`.
 #[derive(Clone, Copy)]
 pub struct BehaviourVariant {
     sign: i64,
+    turns: u32,
     away: i64,
-    /// The sign with which the behaviour enters (27).
     gain: i64,
 }
 
+impl BehaviourVariant {
+    const REPULSION: Self = BehaviourVariant { sign: 1, turns: 0, away: 1, gain: 1 };
+    const ATTRACTION: Self = BehaviourVariant { sign: -1, turns: 0, away: -1, gain: 1 };
+
+    /// With the other sign of the field, as printed.
+    fn reversed(self) -> Self {
+        BehaviourVariant { sign: -self.sign, ..self }
+    }
+}
+
 /// With neighbours at `r_k - d_j e^{i psi_j}`: moving along `v` changes the sum of the distances at the rate `away |v|^2`, and the
-/// heading turns towards `v`: `(d/dt) <e^{i theta}, v> = K <i e^{i theta}, v>^2` with `v` held.
+/// heading turns towards `v`: `(d/dt) <e^{i theta}, v> = K <i e^{i theta}, v>^2` at a fixed `v`.
 struct BehaviourIdentity(BehaviourVariant);
 
 impl RationalIdentity for BehaviourIdentity {
@@ -102,8 +103,8 @@ impl RationalIdentity for BehaviourIdentity {
         let [gain, theta, first, second, third] = at else { return Err(ArithmeticError::Domain("five variables")) };
         let heading = phasor(theta)?;
         let away = [phasor(first)?, phasor(second)?, phasor(third)?];
-        let sum = repulsion(&heading, &away);
-        let v = sum.scale(&gain.integer(self.0.sign));
+        let sum = repulsion(&heading, &away).scale(&gain.integer(self.0.sign));
+        let v = (0..self.0.turns).fold(sum, |v, _| quarter_turn(&v));
         // d/de |r_k + e v - r_j| = <v, rhat_kj>
         let distances = away.iter().fold(gain.zero(), |rate, unit| rate + v.dot(unit));
         let turning = steering_towards(&heading, &v) * gain * gain.integer(self.0.gain);
@@ -121,119 +122,86 @@ impl RationalIdentity for BehaviourIdentity {
     }
 }
 
-fn examine_behaviour(variant: &BehaviourVariant, run: &Run) -> Result<Outcome, CheckError> {
+fn examine_behaviour(variant: &BehaviourVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let names = ["K", "tan(theta/2)", "tan(psi_1/2)", "tan(psi_2/2)", "tan(psi_3/2)"];
-    let part = "v away from (or towards) the neighbours, rhat_kj = e^{i psi_j}, and steering towards v";
-    Run::all([run.identity(&BehaviourIdentity(*variant), &names, part), swim(variant)])
+    let part = "v away from (or towards) three neighbours, rhat_kj = e^{i psi_j}, and steering towards v";
+    let argued = argued("any number of neighbours", "Behaviours of fish, steps 1-2", &[1, 2]);
+    let identity = run.identity(&BehaviourIdentity(*variant), &names, part)?;
+    Run::all([Ok(identity.on([1, 2])), Ok(Outcome::Holds(vec![argued]))])
 }
 
-/// Two fish side by side, 2 apart, with equal headings, under (26) and (27) with this behaviour alone: they part, or come nearer.
-fn swim(variant: &BehaviourVariant) -> Result<Outcome, CheckError> {
-    const T: f64 = 0.05;
-    const STEPS: usize = 6;
-    let (mut places, mut headings) = ([Complex::new(0.0, 1.0), Complex::new(0.0, -1.0)], [0.0f64; 2]);
-    let between = |places: &[Complex<f64>; 2]| places[0].clone() - &places[1];
-    let mut distances = vec![2.0];
-    for _ in 0..STEPS {
-        let apart = between(&places);
-        let unit = apart.scale(&(1.0 / apart.norm_squared().sqrt()));
-        let directions = headings.map(|theta| Complex::new(theta.cos(), theta.sin()));
-        for (k, away) in [unit.clone(), -unit].into_iter().enumerate() {
-            let v = repulsion(&directions[k], &[away]).scale(&(variant.sign as f64));
-            headings[k] += T * variant.gain as f64 * steering_towards(&directions[k], &v);
-            places[k] = places[k].clone() + &directions[k];
-        }
-        distances.push(between(&places).norm_squared().sqrt());
-    }
-    let (least, most) = distances.iter().fold((f64::INFINITY, 0.0f64), |(a, b), d| (a.min(*d), b.max(*d)));
-    let last = distances[STEPS];
-    let detail = format!(
-        "(26) as printed and (27), K = {}, T = {T}, w = 0, from the distance 2 with equal headings: {last:.3} after {STEPS} steps, between {least:.3} and {most:.3}",
-        variant.gain
-    );
-    let evidence = Evidence::new(Grade::Simulated, "two fish side by side", detail.clone()).cases(1);
-    // Steadily farther apart, or nearer.
-    let steady = distances.windows(2).all(|pair| (pair[1] - pair[0]) * variant.away as f64 >= 0.0) && last != 2.0;
-    Ok(if steady { Outcome::Holds(vec![evidence]) } else { Outcome::fails(detail, evidence) })
+pub fn repulsion_field() -> Record<BehaviourVariant> {
+    let right = BehaviourVariant::REPULSION;
+    Record::new(
+        "paley.vrep",
+        "r_kj = r_k - r_j (defined in the text on shape controls) points from j to k, away from the \
+         neighbour. Moving along v changes the sum of distances to the neighbours at the rate <v, sum \
+         rhat_kj>: it is -|v|^2 for the printed v^rep = -sum rhat_kj, and (27) with K_rep > 0 steers \
+         towards v. So the printed field attracts. The sign belongs to the convention r_j - r_k (reference \
+         [19]). What the law of steering does to a pair of fish in the long run is another matter: at \
+         constant speed they overshoot and come back.",
+        right.reversed(),
+        examine_behaviour,
+    )
+    .clauses(&[
+        "v_k^rep = - sum_{j in N_k^rep} rhat_kj with rhat_kj = r_kj/|r_kj|, r_kj = r_k - r_j, points away \
+         from the neighbours.",
+        "With K_rep > 0 in (27) it produces repulsion.",
+    ])
+    .reading(
+        "A field produces repulsion where moving along it lengthens the distances to the neighbours, and \
+         (27) steers towards it.",
+    )
+    .repaired(
+        Fault::Slip,
+        "v_k^rep = sum_{j in N_k^rep} rhat_kj with rhat_kj = (r_k - r_j)/|r_k - r_j| (or - sum with \
+         rhat_jk): moving along it lengthens the sum of the distances to these neighbours at the rate \
+         |v_k^rep|^2, and with K_rep > 0 the steering (27) turns the heading towards it.",
+        right,
+    )
+    .repaired_clauses(&[
+        "Moving along v_k^rep = sum_{j in N_k^rep} rhat_kj, rhat_kj = (r_k - r_j)/|r_k - r_j|, lengthens \
+         the sum of the distances to these neighbours at the rate |v_k^rep|^2.",
+        "With K_rep > 0 the steering K_rep <i e^{i th_k}, v_k^rep> of (27) turns the heading towards it: \
+         <e^{i th_k}, v_k^rep> does not decrease at a fixed v_k^rep.",
+    ])
+    .control("the field turned by a quarter", BehaviourVariant { turns: 1, ..right })
+    .control("K_rep < 0", BehaviourVariant { gain: -1, ..right })
 }
 
-/// paley.vrep.
-pub struct RepulsionField;
-
-impl Claim for RepulsionField {
-    type Variant = BehaviourVariant;
-
-    fn id(&self) -> &str {
-        "paley.vrep"
-    }
-
-    fn derivation(&self) -> &str {
-        "r_kj = r_k - r_j (defined in the text on shape controls) points from j to k, away from the neighbour. Moving along v changes the sum of distances to \
-         the neighbours at the rate <v, sum rhat_kj>: it is -|v|^2 for the printed v^rep = -sum rhat_kj, and (27) with K_rep > 0 steers towards v. So the \
-         printed field attracts. The sign belongs to the convention r_j - r_k (reference [19]); here v^rep = +sum rhat_kj repels."
-    }
-
-    fn printed(&self) -> BehaviourVariant {
-        BehaviourVariant { sign: -1, away: 1, gain: 1 }
-    }
-
-    fn repair(&self) -> Option<Repair<BehaviourVariant>> {
-        Some(Repair {
-            fault: Fault::Slip, clauses: Vec::new(),
-            statement: "v_k^rep = sum_{j in N_k^rep} rhat_kj with rhat_kj = (r_k - r_j)/|r_k - r_j| (or - sum with rhat_jk); with K_rep > 0 it produces repulsion."
-                .to_string(),
-            variant: BehaviourVariant { sign: 1, away: 1, gain: 1 },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<BehaviourVariant>> {
-        vec![
-            Control::new("sum rhat_kj attracts", BehaviourVariant { sign: 1, away: -1, gain: 1 }),
-            Control::new("K_rep < 0", BehaviourVariant { sign: 1, away: 1, gain: -1 }),
-        ]
-    }
-
-    fn examine(&self, variant: &BehaviourVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_behaviour(variant, run)
-    }
-}
-
-/// paley.vatt.
-pub struct AttractionField;
-
-impl Claim for AttractionField {
-    type Variant = BehaviourVariant;
-
-    fn id(&self) -> &str {
-        "paley.vatt"
-    }
-
-    fn derivation(&self) -> &str {
-        "As for paley.vrep: rhat_kj points away from the neighbour, so the printed v^att = sum rhat_kj increases the sum of distances at the rate |v|^2. With \
-         r_kj = r_k - r_j attraction is v^att = -sum rhat_kj."
-    }
-
-    fn printed(&self) -> BehaviourVariant {
-        BehaviourVariant { sign: 1, away: -1, gain: 1 }
-    }
-
-    fn repair(&self) -> Option<Repair<BehaviourVariant>> {
-        Some(Repair {
-            fault: Fault::Slip, clauses: Vec::new(),
-            statement: "v_k^att = - sum_{j in N_k^att} rhat_kj with rhat_kj = (r_k - r_j)/|r_k - r_j| (or sum with rhat_jk); with K_att > 0 it produces attraction."
-                .to_string(),
-            variant: BehaviourVariant { sign: -1, away: -1, gain: 1 },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<BehaviourVariant>> {
-        vec![
-            Control::new("-sum rhat_kj repels", BehaviourVariant { sign: -1, away: 1, gain: 1 }),
-            Control::new("K_att < 0", BehaviourVariant { sign: -1, away: -1, gain: -1 }),
-        ]
-    }
-
-    fn examine(&self, variant: &BehaviourVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_behaviour(variant, run)
-    }
+pub fn attraction_field() -> Record<BehaviourVariant> {
+    let right = BehaviourVariant::ATTRACTION;
+    Record::new(
+        "paley.vatt",
+        "As for paley.vrep: rhat_kj points away from the neighbour, so the printed v^att = sum rhat_kj \
+         increases the sum of distances at the rate |v|^2. With r_kj = r_k - r_j attraction is v^att = -sum \
+         rhat_kj. That two fish with this steering stay near each other is not said: from the distance 2 \
+         with equal headings and T = 0.05 they pass each other and are as far apart again after 11 steps.",
+        right.reversed(),
+        examine_behaviour,
+    )
+    .clauses(&[
+        "v_k^att = sum_{j in N_k^att} rhat_kj with rhat_kj = r_kj/|r_kj|, r_kj = r_k - r_j, points towards \
+         the neighbours.",
+        "With K_att > 0 in (27) it produces attraction.",
+    ])
+    .reading(
+        "A field produces attraction where moving along it shortens the distances to the neighbours, and \
+         (27) steers towards it.",
+    )
+    .repaired(
+        Fault::Slip,
+        "v_k^att = - sum_{j in N_k^att} rhat_kj with rhat_kj = (r_k - r_j)/|r_k - r_j| (or sum with \
+         rhat_jk): moving along it shortens the sum of the distances to these neighbours at the rate \
+         |v_k^att|^2, and with K_att > 0 the steering (27) turns the heading towards it.",
+        right,
+    )
+    .repaired_clauses(&[
+        "Moving along v_k^att = - sum_{j in N_k^att} rhat_kj, rhat_kj = (r_k - r_j)/|r_k - r_j|, shortens \
+         the sum of the distances to these neighbours at the rate |v_k^att|^2.",
+        "With K_att > 0 the steering K_att <i e^{i th_k}, v_k^att> of (27) turns the heading towards it: \
+         <e^{i th_k}, v_k^att> does not decrease at a fixed v_k^att.",
+    ])
+    .control("the field turned by a quarter", BehaviourVariant { turns: 1, ..right })
+    .control("K_att < 0", BehaviourVariant { gain: -1, ..right })
 }

@@ -1,9 +1,10 @@
 //! paley.figS1_S3, paley.figS3.difference: the measured tracks and what is inferred from them.
 
+use super::instances::argued;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::random::uniform;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Neighbours, mean, phase_potential, phasor};
 use models::tracks::{Scale, nearest_neighbour, uniform_draw};
 use motion::Share;
@@ -27,9 +28,6 @@ fn two_pairs(t: &Rational) -> Result<(Points, Points), CheckError> {
     let positions = [0, 1, 10, 11].map(|x| Complex::real(rational(x, 1)));
     Ok((positions.to_vec(), vec![first.clone(), second.clone(), -first, -second]))
 }
-
-/// paley.figS3.difference.
-pub struct DifferenceInference;
 
 /// The potentials are scaled with `2/(n + 1)` as printed, or with another function of `n`, before they are compared.
 #[derive(Clone, Copy)]
@@ -55,8 +53,8 @@ impl ScaleVariant {
         let wrong = (difference > zero) != (school > near);
         Ok(wrong.then(|| {
             format!(
-                "four circling fish in two close pairs, angle 2 arctan({t}) in each pair: the difference is {difference}, but the mean of 1 - cos \
-                 is {near} for neighbours and {school} for the school"
+                "four circling fish in two close pairs, angle 2 arctan({t}) in each pair: the difference is \
+                 {difference}, but the mean of 1 - cos is {near} for neighbours and {school} for the school"
             )
         }))
     }
@@ -109,109 +107,101 @@ fn positive_draws(variant: &ScaleVariant, fish: usize, draws: usize, run: &Run) 
     (0..draws).filter(positive).count()
 }
 
-impl Claim for DifferenceInference {
-    type Variant = ScaleVariant;
-
-    fn id(&self) -> &str {
-        "paley.figS3.difference"
-    }
-
-    fn derivation(&self) -> &str {
-        "Let A_n be the mean of 1 - cos theta_kj over the arcs of the network of the nearest n. W_1 = n A_n/2, so the scaled potentials are (1 - 1/N) A_{N-1} and A_1/2: \
-         their difference is positive as soon as A_1 < 2 (1 - 1/N) A_{N-1}, that is, even where neighbours are up to 1.75 times less synchronised than \
-         the school (N = 8). For independent uniform headings, without any synchronisation, both A have mean 1, and the difference has the mean \
-         1/2 - 1/N > 0; it is positive in about 94.5% of the draws for four fish and 99.8% for eight. Where the fish are in pairs of mutual \
-         nearest neighbours it is (1/(2N)) sum |A_i - mean A|^2 with A_i = z_j + z_k over the pairs, never negative whatever the headings are (the rule for neighbours in the zone of repulsion changes who is a neighbour, not this). So \"nearly always \
-         positive\" does not imply local synchronisation. Whether the histogram is as described cannot be checked \
-         without the tracks. Compared per arc, with the factor 1/n, positive does mean A_1 < A_{N-1}, and independent headings give mean 0. \
-         `flockproof tracks` does this comparison, with null models, on anyone's trajectories."
-    }
-
-    fn printed(&self) -> ScaleVariant {
-        ScaleVariant { name: "2/(n+1)", scale: |n| Scale::Figure.ratio(n) }
-    }
-
-    fn repair(&self) -> Option<Repair<ScaleVariant>> {
-        Some(Repair {
-            fault: Fault::False, clauses: Vec::new(),
-            statement: "The difference of W_1/n for n = N-1 and n = 1 is positive if and only if nearest neighbours are on average more synchronised than all pairs \
-                        (mean of 1 - cos th_kj over arcs); for independent uniform headings it has mean zero."
-                .to_string(),
-            variant: ScaleVariant { name: "1/n", scale: |n| Scale::PerArc.ratio(n) },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<ScaleVariant>> {
-        vec![
-            Control::new("unscaled", ScaleVariant { name: "1", scale: |_| (1, 1) }),
-            Control::new("1/(n + 1)", ScaleVariant { name: "1/(n+1)", scale: |n| (1, n + 1) }),
-            Control::new("1/n^2", ScaleVariant { name: "1/n^2", scale: |n| (1, n * n) }),
-        ]
-    }
-
-    fn examine(&self, variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        // What speaks against the inference, and what speaks for it.
-        let (mut against, mut for_it) = (Vec::new(), Vec::new());
-        let exact = |part: &str, detail: &str| Evidence::new(Grade::Exact, part, detail);
-        let states = (-12..=12).map(|k| rational(k, 4));
-        let mut wrong = None;
-        for t in states.clone() {
-            wrong = wrong.or(variant.wrong_sign(&t)?);
-        }
-        let signs = exact("sign of the difference", "W_1/n = A_n/2 by definition of W_1; exact states of four fish");
-        match wrong {
-            Some(what) => against.push((what, signs)),
-            None => for_it.push(signs.cases(states.count())),
-        }
-        for fish in [4usize, 8] {
-            run.checkpoint()?;
-            // Mean 1 of 1 - cos for independent uniform headings: W_1 has the mean n/2.
-            let mean = |n: usize| variant.factor(n) * rational(n as i64, 2);
-            let difference = mean(fish - 1) - mean(1);
-            let part = format!("{fish} fish, independent uniform headings");
-            let evidence = exact(&part, "exact expectation");
-            if difference == rational(0, 1) {
-                for_it.push(evidence);
-            } else {
-                against.push((format!("{part}: the difference has the mean {difference}"), evidence));
-            }
-            let draws = run.cases(20_000, 400_000);
-            let positive = positive_draws(variant, fish, draws, run);
-            let interval = Share::new(positive, draws).enclosure();
-            run.value(&format!("share_positive_{}_N_{fish}", variant.name), interval.clone());
-            let detail = format!(
-                "the difference is positive in a share {interval} of the draws (95%); positions uniform in a square"
-            );
-            let evidence = Evidence::new(Grade::Simulated, &part, detail).cases(draws);
-            if Share::new(positive, draws).interval().0 > NEARLY_ALWAYS {
-                against
-                    .push((format!("{part}: the difference is positive in a share {interval} of the draws"), evidence));
-            } else {
-                for_it.push(evidence);
-            }
-        }
-        for pairs in [2usize, 4] {
-            let fish = 2 * pairs;
-            let identity = InPairs { pairs, complete: variant.factor(fish - 1), single: variant.factor(1) };
-            let names: Vec<String> = (1..=fish).map(|k| format!("t_{k}")).collect();
-            let names: Vec<&str> = names.iter().map(String::as_str).collect();
-            let part = format!("{fish} fish in mutual pairs: the difference is a sum of squares");
-            if let Outcome::Holds(evidence) = run.identity(&identity, &names, &part)? {
-                let what =
-                    format!("{fish} fish in mutual pairs: the difference is never negative, whatever the headings");
-                against.extend(evidence.into_iter().map(|evidence| (what.clone(), evidence)));
-            }
-        }
-        if against.is_empty() {
-            return Ok(Outcome::Holds(for_it));
-        }
-        let (what, evidence): (Vec<String>, Vec<Evidence>) = against.into_iter().unzip();
-        Ok(Outcome::Fails { counterexample: what.join("; "), evidence })
-    }
+pub fn difference_inference() -> Record<ScaleVariant> {
+    let printed = ScaleVariant { name: "2/(n+1)", scale: |n| Scale::Figure.ratio(n) };
+    Record::new(
+        "paley.figS3.difference",
+        "Let A_n be the mean of 1 - cos theta_kj over the arcs of the network of the nearest n. W_1 = n \
+         A_n/2, so the scaled potentials are (1 - 1/N) A_{N-1} and A_1/2: their difference is positive as \
+         soon as A_1 < 2 (1 - 1/N) A_{N-1}, that is, even where neighbours are up to 1.75 times less \
+         synchronised than the school (N = 8). For independent uniform headings, without any \
+         synchronisation, both A have mean 1, and the difference has the mean 1/2 - 1/N > 0; it is positive \
+         in about 94.5% of the draws for four fish and 99.8% for eight. Where the fish are in pairs of \
+         mutual nearest neighbours it is (1/(2N)) sum |A_i - mean A|^2 with A_i = z_j + z_k over the pairs, \
+         never negative whatever the headings are (the rule for neighbours in the zone of repulsion changes \
+         who is a neighbour, not this). So \"nearly always positive\" does not imply local synchronisation. \
+         Whether the histogram is as described cannot be checked without the tracks. Compared per arc, with \
+         the factor 1/n, positive does mean A_1 < A_{N-1}, and independent headings give mean 0. \
+         `flockproof tracks` does this comparison, with null models, on anyone's trajectories.",
+        printed,
+        examine_difference_inference,
+    )
+    .repaired(
+        Fault::False,
+        "The difference of W_1/n for n = N-1 and n = 1 is positive if and only if nearest neighbours are on \
+         average more synchronised than all pairs (mean of 1 - cos th_kj over arcs); for independent \
+         uniform headings it has mean zero.",
+        ScaleVariant { name: "1/n", scale: |n| Scale::PerArc.ratio(n) },
+    )
+    .repaired_clauses(&[
+        "The difference of W_1/n for n = N-1 and n = 1 is positive if and only if nearest neighbours are on \
+         average more synchronised than all pairs (mean of 1 - cos th_kj over arcs).",
+        "For independent uniform headings it has mean zero.",
+    ])
+    .control("unscaled", ScaleVariant { name: "1", scale: |_| (1, 1) })
+    .control("1/(n + 1)", ScaleVariant { name: "1/(n+1)", scale: |n| (1, n + 1) })
+    .control("1/n^2", ScaleVariant { name: "1/n^2", scale: |n| (1, n * n) })
 }
 
-/// paley.figS1_S3.
-pub struct MeasuredTracks;
+fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    // What speaks against the inference, and what speaks for it.
+    let (mut against, mut for_it) = (Vec::new(), Vec::new());
+    let exact = |part: &str, detail: &str| Evidence::new(Grade::Exact, part, detail);
+    let states = (-12..=12).map(|k| rational(k, 4));
+    let mut wrong = None;
+    for t in states.clone() {
+        wrong = wrong.or(variant.wrong_sign(&t)?);
+    }
+    let signs = exact("sign of the difference", "W_1/n = A_n/2 by definition of W_1; exact states of four fish");
+    match wrong {
+        Some(what) => against.push((what, signs)),
+        None => for_it.push(signs.cases(states.count()).on([1])),
+    }
+    for fish in [4usize, 8] {
+        run.checkpoint()?;
+        // Mean 1 of 1 - cos for independent uniform headings: W_1 has the mean n/2.
+        let mean = |n: usize| variant.factor(n) * rational(n as i64, 2);
+        let difference = mean(fish - 1) - mean(1);
+        let part = format!("{fish} fish, independent uniform headings");
+        let evidence = exact(&part, "exact expectation");
+        if difference == rational(0, 1) {
+            for_it.push(evidence.on([2]));
+        } else {
+            against.push((format!("{part}: the difference has the mean {difference}"), evidence));
+        }
+        let draws = run.cases(20_000, 400_000);
+        let positive = positive_draws(variant, fish, draws, run);
+        let interval = Share::new(positive, draws).enclosure();
+        run.value(&format!("share_positive_{}_N_{fish}", variant.name), interval.clone());
+        let detail = format!(
+            "the difference is positive in a share {interval} of the draws (95%); positions uniform in a square"
+        );
+        let evidence = Evidence::new(Grade::Simulated, &part, detail).cases(draws);
+        if Share::new(positive, draws).interval().0 > NEARLY_ALWAYS {
+            against.push((format!("{part}: the difference is positive in a share {interval} of the draws"), evidence));
+        } else {
+            for_it.push(evidence.on([2]));
+        }
+    }
+    for pairs in [2usize, 4] {
+        let fish = 2 * pairs;
+        let identity = InPairs { pairs, complete: variant.factor(fish - 1), single: variant.factor(1) };
+        let names: Vec<String> = (1..=fish).map(|k| format!("t_{k}")).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let part = format!("{fish} fish in mutual pairs: the difference is a sum of squares");
+        if let Outcome::Holds(evidence) = run.identity(&identity, &names, &part)? {
+            let what = format!("{fish} fish in mutual pairs: the difference is never negative, whatever the headings");
+            against.extend(evidence.into_iter().map(|evidence| (what.clone(), evidence)));
+        }
+    }
+    let argued = argued("any school", "Figure S3, steps 1-2", &[1, 2]);
+    for_it.push(argued);
+    if against.is_empty() {
+        return Ok(Outcome::Holds(for_it));
+    }
+    let (what, evidence): (Vec<String>, Vec<Evidence>) = against.into_iter().unzip();
+    Ok(Outcome::Fails { counterexample: what.join("; "), evidence })
+}
 
 /// The value of the scaled potential for three fish in parallel and one opposite.
 #[derive(Clone, Copy)]
@@ -220,46 +210,38 @@ pub struct PeakVariant {
     balanced: (i64, i64),
 }
 
-impl Claim for MeasuredTracks {
-    type Variant = PeakVariant;
+pub fn measured_tracks() -> Record<PeakVariant> {
+    let printed = PeakVariant { three_to_one: (3, 4), balanced: (1, 1) };
+    Record::new(
+        "paley.figS1_S3",
+        "The statement is about recorded tracks of giant danios, which are not published with the paper. \
+         Checked is what can be: the positions of the named peaks. For n = N - 1 the scaled potential is 1 \
+         - |p_theta|^2: 0 synchronised, 3/4 for three parallel fish and one opposite, 1 balanced; and the \
+         interval [0, 1] for n = 1. `flockproof tracks` makes these histograms from anyone's trajectories, \
+         and `reproduce paley.figS3` from synthetic schools.",
+        printed,
+        examine_measured_tracks,
+    )
+    .control("three to one at 1/2", PeakVariant { three_to_one: (1, 2), balanced: (1, 1) })
+    .control("balanced at 3/4", PeakVariant { three_to_one: (3, 4), balanced: (3, 4) })
+}
 
-    fn id(&self) -> &str {
-        "paley.figS1_S3"
-    }
-
-    fn derivation(&self) -> &str {
-        "The statement is about recorded tracks of giant danios, which are not published with the paper. Checked is what can be: the positions of the named peaks. For n = N - 1 the \
-         scaled potential is 1 - |p_theta|^2: 0 synchronised, 3/4 for three parallel fish and one opposite, 1 balanced; and the interval [0, 1] for n = 1. `flockproof tracks` makes these histograms from anyone's \
-         trajectories, and `reproduce paley.figS3` from synthetic schools."
-    }
-
-    fn printed(&self) -> PeakVariant {
-        PeakVariant { three_to_one: (3, 4), balanced: (1, 1) }
-    }
-
-    fn controls(&self) -> Vec<Control<PeakVariant>> {
-        vec![
-            Control::new("three to one at 1/2", PeakVariant { three_to_one: (1, 2), balanced: (1, 1) }),
-            Control::new("balanced at 3/4", PeakVariant { three_to_one: (3, 4), balanced: (3, 4) }),
-        ]
-    }
-
-    fn examine(&self, variant: &PeakVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-        let one = Complex::real(rational(1, 1));
-        let positions: Vec<_> = (0..4).map(|k| Complex::real(rational(k * k, 1))).collect();
-        let headings = |signs: [i64; 4]| signs.map(|s| one.scale(&rational(s, 1))).to_vec();
-        let (p, b) = (variant.three_to_one, variant.balanced);
-        let cases = [([1; 4], (0, 1)), ([1, 1, 1, -1], p), ([1, 1, -1, -1], b)];
-        for (signs, (p, q)) in cases {
-            let value = scaled(&positions, &headings(signs), 3, &rational(1, 2))?;
-            if value != rational(p, q) {
-                let what = format!("four fish with headings {signs:?}: the scaled potential is {value}, not {p}/{q}");
-                return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "peaks", "exact potentials")));
-            }
+fn examine_measured_tracks(variant: &PeakVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
+    let one = Complex::real(rational(1, 1));
+    let positions: Vec<_> = (0..4).map(|k| Complex::real(rational(k * k, 1))).collect();
+    let headings = |signs: [i64; 4]| signs.map(|s| one.scale(&rational(s, 1))).to_vec();
+    let (p, b) = (variant.three_to_one, variant.balanced);
+    let cases = [([1; 4], (0, 1)), ([1, 1, 1, -1], p), ([1, 1, -1, -1], b)];
+    for (signs, (p, q)) in cases {
+        let value = scaled(&positions, &headings(signs), 3, &rational(1, 2))?;
+        if value != rational(p, q) {
+            let what = format!("four fish with headings {signs:?}: the scaled potential is {value}, not {p}/{q}");
+            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "peaks", "exact potentials")));
         }
-        let detail = "scaled potential, n = 3: 0 synchronised, 3/4 for three against one, 1 balanced";
-        let evidence = Evidence::new(Grade::Exact, "where the named peaks lie", detail).cases(3);
-        let why = "the measured tracks of Figures S1-S3 are not available; only the values at which the peaks are said to lie can be checked";
-        Ok(Outcome::NotCheckable(why.to_string(), vec![evidence]))
     }
+    let detail = "scaled potential, n = 3: 0 synchronised, 3/4 for three against one, 1 balanced";
+    let evidence = Evidence::new(Grade::Exact, "where the named peaks lie", detail).cases(3);
+    let why = "the measured tracks of Figures S1-S3 are not available; only the values at which the peaks are \
+     said to lie can be checked";
+    Ok(Outcome::NotCheckable(why.to_string(), vec![evidence]))
 }

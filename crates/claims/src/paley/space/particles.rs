@@ -1,9 +1,9 @@
 //! paley.eq3, paley.energy, paley.releq, paley.Rball: what single particles, shapes and circular motion do.
 
-use super::instances::{StateIdentity, scattered_phasors, state_identity, sum_of_squares};
+use super::instances::{StateIdentity, argued, scattered_phasors, state_identity, sum_of_squares};
 use algebra::matrix::RationalMatrix;
 use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::{State, circle_centres, circular_formation, mean, quarter_turn};
 
 /// The rates of change of complex numbers, real parts and imaginary parts in turn.
@@ -14,9 +14,6 @@ fn rates<T: Ring>(numbers: &[Complex<Dual<T>>]) -> Vec<T> {
 fn parts<T: Ring>(z: &Complex<T>) -> [T; 2] {
     [z.re.clone(), z.im.clone()]
 }
-
-/// paley.eq3.
-pub struct CircleOfParticle;
 
 /// `c = r + centre i e^{i theta}/omega`, radius `|omega|^-radius`, counterclockwise for `turn omega > 0`.
 #[derive(Clone, Copy)]
@@ -49,38 +46,32 @@ impl StateIdentity for CircleVariant {
     }
 }
 
-impl Claim for CircleOfParticle {
-    type Variant = CircleVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq3"
-    }
-
-    fn derivation(&self) -> &str {
-        "u = 0: the velocity e^{i theta} is constant. u = w0: cdot = e^{i theta} + w0^-1 i (i w0 e^{i theta}) = 0, |r - c| = 1/|w0|, and the angular \
-         velocity about c is <i(r - c), rdot>/|r - c|^2 = w0: counterclockwise for w0 > 0, clockwise for w0 < 0."
-    }
-
-    fn printed(&self) -> CircleVariant {
-        CircleVariant { centre: 1, radius: 1, turn: 1 }
-    }
-
-    fn controls(&self) -> Vec<Control<CircleVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("c = r - i e^{i theta}/w0", CircleVariant { centre: -1, ..printed }),
-            Control::new("radius 1/w0^2", CircleVariant { radius: 2, ..printed }),
-            Control::new("clockwise for w0 > 0", CircleVariant { turn: -1, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &CircleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        state_identity(variant, &["w0"], "centre at rest, radius, sense of rotation; straight line for u = 0", run)
-    }
+pub fn circle_of_particle() -> Record<CircleVariant> {
+    let printed = CircleVariant { centre: 1, radius: 1, turn: 1 };
+    Record::new(
+        "paley.eq3",
+        "u = 0: the velocity e^{i theta} is constant. u = w0: cdot = e^{i theta} + w0^-1 i (i w0 e^{i \
+         theta}) = 0, |r - c| = 1/|w0|, and the angular velocity about c is <i(r - c), rdot>/|r - c|^2 = \
+         w0: counterclockwise for w0 > 0, clockwise for w0 < 0.",
+        printed,
+        examine_circle_of_particle,
+    )
+    .clauses(&[
+        "u_k = 0 gives straight-line motion in the initial direction.",
+        "u_k = w0, constant and not zero, gives motion around a circle of radius |w0|^{-1} with center c_k \
+         = r_k + w0^{-1} i e^{i th_k}.",
+        "The motion is counterclockwise if w0 > 0 and clockwise if w0 < 0.",
+    ])
+    .control("c = r - i e^{i theta}/w0", CircleVariant { centre: -1, ..printed })
+    .control("radius 1/w0^2", CircleVariant { radius: 2, ..printed })
+    .control("clockwise for w0 > 0", CircleVariant { turn: -1, ..printed })
 }
 
-/// paley.energy.
-pub struct KineticEnergy;
+fn examine_circle_of_particle(variant: &CircleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    Ok(state_identity(variant, &["w0"], "centre at rest, radius, sense of rotation; straight line for u = 0", run)?
+        .on([1, 2, 3])
+        .for_all())
+}
 
 /// The acceleration is `factor u i^turns rdot`.
 #[derive(Clone, Copy)]
@@ -112,36 +103,30 @@ impl StateIdentity for AccelerationVariant {
     }
 }
 
-impl Claim for KineticEnergy {
-    type Variant = AccelerationVariant;
-
-    fn id(&self) -> &str {
-        "paley.energy"
-    }
-
-    fn derivation(&self) -> &str {
-        "rddot = (d/dt) e^{i theta} = i u e^{i theta} = u i rdot, and <z, u i z> = u Re(i |z|^2) = 0. Each |rdot_k|^2 is constant, hence their sum."
-    }
-
-    fn printed(&self) -> AccelerationVariant {
-        AccelerationVariant { factor: 1, turns: 1 }
-    }
-
-    fn controls(&self) -> Vec<Control<AccelerationVariant>> {
-        vec![
-            Control::new("rddot = u rdot", AccelerationVariant { factor: 1, turns: 0 }),
-            Control::new("rddot = -u i rdot", AccelerationVariant { factor: -1, turns: 1 }),
-            Control::new("rddot = 2 u i rdot", AccelerationVariant { factor: 2, turns: 1 }),
-        ]
-    }
-
-    fn examine(&self, variant: &AccelerationVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        state_identity(variant, &["u_1", "u_2"], "acceleration, d/dt |rdot_k|^2/2 = <rdot_k, rddot_k> = 0", run)
-    }
+pub fn kinetic_energy() -> Record<AccelerationVariant> {
+    let printed = AccelerationVariant { factor: 1, turns: 1 };
+    Record::new(
+        "paley.energy",
+        "rddot = (d/dt) e^{i theta} = i u e^{i theta} = u i rdot, and <z, u i z> = u Re(i |z|^2) = 0. Each \
+         |rdot_k|^2 is constant, hence their sum.",
+        printed,
+        examine_kinetic_energy,
+    )
+    .clauses(&[
+        "For all k, rddot_k = u_k i rdot_k.",
+        "The total kinetic energy is conserved: (d/dt)(1/2)|rdot_k|^2 = <rdot_k, rddot_k> = 0.",
+    ])
+    .control("rddot = u rdot", AccelerationVariant { factor: 1, turns: 0 })
+    .control("rddot = -u i rdot", AccelerationVariant { factor: -1, turns: 1 })
+    .control("rddot = 2 u i rdot", AccelerationVariant { factor: 2, turns: 1 })
 }
 
-/// paley.releq.
-pub struct RelativeEquilibria;
+fn examine_kinetic_energy(variant: &AccelerationVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    // Each particle for itself, so that two stand for any number.
+    Ok(state_identity(variant, &["u_1", "u_2"], "acceleration, d/dt |rdot_k|^2/2 = <rdot_k, rddot_k> = 0", run)?
+        .on([1, 2])
+        .for_all())
+}
 
 /// `d/dt (r_kj e^{-i theta_k}) = -i u e^{-i theta_k} (c_k - c_j)`, centres for the rate `rate u`; the shape space has `fewer` dimensions
 /// fewer. Without `same_circle` circles with any centres count.
@@ -210,82 +195,57 @@ fn shape_dimension(state: &State<Rational>) -> Result<usize, CheckError> {
     Ok(3 * particles - RationalMatrix::from_rows(&rows)?.transpose().kernel().len())
 }
 
-impl Claim for RelativeEquilibria {
-    type Variant = EquilibriumVariant;
-
-    fn id(&self) -> &str {
-        "paley.releq"
-    }
-
-    fn derivation(&self) -> &str {
-        "The group of rotations and translations (dimension 3) acts freely, and the shape variables separate its orbits: the Jacobian of the shape \
-         variables has rank 3N - 3. With s_kj = r_kj e^{-i theta_k}: theta_kj is at rest iff u_k = u_j, and sdot_kj = 1 - e^{-i theta_kj} - i u_k s_kj \
-         depends on the shape and the shape controls only. In an equilibrium of shape all u_k are one constant u. For u = 0, sdot = \
-         e^{-i theta_k}(e^{i theta_k} - e^{i theta_j}) vanishes iff theta_k = theta_j: parallel. For u != 0, sdot = -i u e^{-i theta_k}(c_k - c_j) vanishes \
-         iff the centres for the rate u agree: circular. No third type. Reading: c_k is the centre of the circle that is travelled, (3) with the common \
-         rate in the place of w0 (they differ where the controls do not vanish in the equilibrium). Equal circles with different centres are no \
-         relative equilibrium."
-    }
-
-    fn printed(&self) -> EquilibriumVariant {
-        EquilibriumVariant { rate: (1, 1), fewer: 3, same_circle: true }
-    }
-
-    fn controls(&self) -> Vec<Control<EquilibriumVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new(
-                "equal rates suffice, whatever the centres",
-                EquilibriumVariant { same_circle: false, ..printed },
-            ),
-            Control::new(
-                "centres for another rate than the common one",
-                EquilibriumVariant { rate: (2, 1), ..printed },
-            ),
-            Control::new("two dimensions fewer", EquilibriumVariant { fewer: 2, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &EquilibriumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut states = 0;
-        for particles in 1..=run.cases(4, 6) {
-            let phasors = scattered_phasors(particles)?;
-            let positions = (0..particles as i64).map(|k| Complex::new(rational(k * k, 1), rational(3 * k, 2)));
-            let spread = State { positions: positions.collect(), phasors: phasors.clone() };
-            let circle = circular_formation(&rational(2, 1), &phasors)?;
-            let together = State { positions: vec![Complex::real(rational(0, 1)); particles], phasors };
-            for state in [spread, circle, together] {
-                states += 1;
-                let dimension = shape_dimension(&state)?;
-                if dimension != 3 * particles - variant.fewer {
-                    return Ok(Outcome::fails(
-                        format!("N = {particles}: the shape has {dimension} dimensions of {}", 3 * particles),
-                        Evidence::new(
-                            Grade::Exact,
-                            "dimension of the shape",
-                            "rank of the exact Jacobian of the shape variables",
-                        ),
-                    ));
-                }
-            }
-        }
-        let detail =
-            "rank 3N - 3 of the exact Jacobian of the shape variables; spread, circular and coinciding particles";
-        let dimension = Evidence::new(Grade::Exact, "three dimensions fewer", detail).cases(states);
-        Run::all([
-            state_identity(
-                variant,
-                &["u", "u_2"],
-                "rates of change of the shape; equilibria for u != 0 and u = 0",
-                run,
-            ),
-            Ok(Outcome::Holds(vec![dimension])),
-        ])
-    }
+pub fn relative_equilibria() -> Record<EquilibriumVariant> {
+    let printed = EquilibriumVariant { rate: (1, 1), fewer: 3, same_circle: true };
+    Record::new(
+        "paley.releq",
+        "The group of rotations and translations (dimension 3) acts freely, and the shape variables \
+         separate its orbits: the Jacobian of the shape variables has rank 3N - 3. With s_kj = r_kj e^{-i \
+         theta_k}: theta_kj is at rest iff u_k = u_j, and sdot_kj = 1 - e^{-i theta_kj} - i u_k s_kj \
+         depends on the shape and the shape controls only. In an equilibrium of shape all u_k are one \
+         constant u. For u = 0, sdot = e^{-i theta_k}(e^{i theta_k} - e^{i theta_j}) vanishes iff theta_k = \
+         theta_j: parallel. For u != 0, sdot = -i u e^{-i theta_k}(c_k - c_j) vanishes iff the centres for \
+         the rate u agree: circular. No third type. Equal circles with different centres are no relative \
+         equilibrium.",
+        printed,
+        examine_relative_equilibria,
+    )
+    .clauses(&[
+        "With shape controls the closed-loop dynamics evolve on shape space.",
+        "Shape space has three fewer dimensions than the full configuration space.",
+        "Parallel and circular formations are relative equilibria.",
+        "There are no other relative equilibria.",
+    ])
+    .reading(
+        "In circular formations c_k is the centre of the circle that is travelled: (3) with the common rate \
+         of turning in the place of w0.",
+    )
+    .control("equal rates suffice, whatever the centres", EquilibriumVariant { same_circle: false, ..printed })
+    .control("centres for another rate than the common one", EquilibriumVariant { rate: (2, 1), ..printed })
+    .control("two dimensions fewer", EquilibriumVariant { fewer: 2, ..printed })
 }
 
-/// paley.Rball.
-pub struct CentreOfMassBall;
+fn examine_relative_equilibria(variant: &EquilibriumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut states = Vec::new();
+    for particles in 1..=run.cases(4, 6) {
+        let phasors = scattered_phasors(particles)?;
+        let positions = (0..particles as i64).map(|k| Complex::new(rational(k * k, 1), rational(3 * k, 2)));
+        states.push(State { positions: positions.collect(), phasors: phasors.clone() });
+        states.push(circular_formation(&rational(2, 1), &phasors)?);
+        states.push(State { positions: vec![Complex::real(rational(0, 1)); particles], phasors });
+    }
+    let detail = "rank 3N - 3 of the exact Jacobian of the shape variables; spread, circular and coinciding \
+     particles";
+    let dimension = run.instances("three dimensions fewer", detail, states, |state| {
+        let (particles, dimension) = (state.phasors.len(), shape_dimension(&state)?);
+        let wrong = dimension != 3 * particles - variant.fewer;
+        Ok(wrong.then(|| format!("N = {particles}: the shape has {dimension} dimensions of {}", 3 * particles)))
+    })?;
+    let argued = argued("any number of particles", "Shape space, steps 1-5", &[1, 2, 3, 4]);
+    let part = "rates of change of the shape; equilibria for u != 0 and u = 0";
+    let rates = Ok(state_identity(variant, &["u", "u_2"], part, run)?.on([1, 3, 4]));
+    Run::all([Ok(dimension.on([2])), rates, Ok(Outcome::Holds(vec![argued]))])
+}
 
 /// With `u = rate omega` the centre of mass stays within `radius/|omega|` of the mean centre.
 #[derive(Clone, Copy)]
@@ -320,45 +280,39 @@ impl StateIdentity for BallIdentity {
     }
 }
 
-impl Claim for CentreOfMassBall {
-    type Variant = BallVariant;
+pub fn centre_of_mass_ball() -> Record<BallVariant> {
+    let printed = BallVariant { rate: 1, radius: (1, 1) };
+    Record::new(
+        "paley.Rball",
+        "In circular motionthe circle centres rest, R - mean(c) = -(i/w0) p_theta, and w0^2 |R - mean(c)|^2 \
+         = |p_theta|^2 = 1 - sum_{j<k} |e^{i theta_j} - e^{i theta_k}|^2/N^2 <= 1. The radius is attained \
+         by synchronised phases. It is no statement about the approach to the formation, in which mean(c) \
+         moves.",
+        printed,
+        examine_centre_of_mass_ball,
+    )
+    .reading(
+        "In circular motion, u_k = w0; not during the approach to it, in which the mean of the circle \
+         centres moves.",
+    )
+    .control("radius 99/100 of it", BallVariant { rate: 1, radius: (99, 100) })
+    .control("particles that turn at 2 w0", BallVariant { rate: 2, radius: (1, 1) })
+    .control("a point", BallVariant { rate: 1, radius: (0, 1) })
+}
 
-    fn id(&self) -> &str {
-        "paley.Rball"
+fn examine_centre_of_mass_ball(variant: &BallVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    // The bound 1 of |p| is attained by synchronised phases.
+    let omega = rational(1, 10);
+    let phasors = vec![scattered_phasors(2)?[1].clone(); 3];
+    let arm = mean(&circular_formation(&omega, &phasors)?.positions)?.norm_squared();
+    let radius = rational(variant.radius.0, variant.radius.1) / &omega;
+    let exact = |detail| Evidence::new(Grade::Exact, "the radius", detail);
+    if arm > &radius * &radius {
+        let what = format!("w0 = {omega}, synchronised: |R - c_0|^2 = {arm} is more than {}", &radius * &radius);
+        return Ok(Outcome::fails(what, exact("an exact circular formation")));
     }
-
-    fn derivation(&self) -> &str {
-        "Reading: in circular motion, u = w0 (for every initial state; in a circular formation the ball is centred at c_0). Then the circle centres rest, \
-         R - mean(c) = -(i/w0) p_theta, and w0^2 |R - mean(c)|^2 = |p_theta|^2 = 1 - sum_{j<k} |e^{i theta_j} - e^{i theta_k}|^2/N^2 <= 1. The radius is \
-         attained by synchronised phases. It is no statement about the approach to the formation, in which mean(c) moves."
-    }
-
-    fn printed(&self) -> BallVariant {
-        BallVariant { rate: 1, radius: (1, 1) }
-    }
-
-    fn controls(&self) -> Vec<Control<BallVariant>> {
-        vec![
-            Control::new("radius 99/100 of it", BallVariant { rate: 1, radius: (99, 100) }),
-            Control::new("particles that turn at 2 w0", BallVariant { rate: 2, radius: (1, 1) }),
-            Control::new("a point", BallVariant { rate: 1, radius: (0, 1) }),
-        ]
-    }
-
-    fn examine(&self, variant: &BallVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        // The bound 1 of |p| is attained by synchronised phases.
-        let omega = rational(1, 10);
-        let phasors = vec![scattered_phasors(2)?[1].clone(); 3];
-        let arm = mean(&circular_formation(&omega, &phasors)?.positions)?.norm_squared();
-        let radius = rational(variant.radius.0, variant.radius.1) / &omega;
-        let exact = |detail| Evidence::new(Grade::Exact, "the radius", detail);
-        if arm > &radius * &radius {
-            let what = format!("w0 = {omega}, synchronised: |R - c_0|^2 = {arm} is more than {}", &radius * &radius);
-            return Ok(Outcome::fails(what, exact("an exact circular formation")));
-        }
-        let part = |n: usize| format!("mean centre at rest, distance |p|/|w0| <= 1/|w0|, N = {n}");
-        let identities = (1..=4).map(|n| state_identity(&BallIdentity(*variant, n), &["w0"], &part(n), run));
-        let sharp = Ok(Outcome::Holds(vec![exact("attained by three synchronised particles")]));
-        Run::all(identities.chain([sharp]))
-    }
+    let part = |n: usize| format!("mean centre at rest, distance |p|/|w0| <= 1/|w0|, N = {n}");
+    let identities = (1..=4).map(|n| state_identity(&BallIdentity(*variant, n), &["w0"], &part(n), run));
+    let sharp = Ok(Outcome::Holds(vec![exact("attained by three synchronised particles")]));
+    Run::all(identities.chain([sharp]))
 }

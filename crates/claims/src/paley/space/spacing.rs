@@ -4,7 +4,7 @@ use super::instances::{StateIdentity, described, identity_graphs, one_way_ring, 
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{ArithmeticError, Dual, Field, Rational, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::{Neighbours, State, circle_centres, heading_components, spacing_control, spacing_potential};
 
 /// `S` is `share` times the sum of the squared lengths of the edges between centres.
@@ -50,9 +50,6 @@ fn largest_resistance(graph: &Graph) -> Result<Option<Rational>, CheckError> {
     Ok(Some(largest))
 }
 
-/// paley.eq17.
-pub struct SpacingPotential;
-
 /// On which graphs, with which bound `|c_kj|^2 <= (N - 1 + excess) 2 N S` and which share of the edge sum.
 #[derive(Clone, Copy)]
 pub struct ProperVariant {
@@ -68,66 +65,48 @@ impl ProperVariant {
 /// Whether `S` is positive and proper as the variant says.
 pub fn examine_proper(variant: &ProperVariant, run: &Run) -> Result<Outcome, CheckError> {
     let most = run.cases(4, 5);
-    let mut graphs = 0;
-    for graph in (1..=most).flat_map(Graph::all).filter(|g| variant.disconnected || g.is_connected()) {
-        run.checkpoint()?;
-        graphs += 1;
-        let fails = |what: String| {
-            let evidence = Evidence::new(Grade::Exact, "positive and proper", "exact kernel and effective resistances");
-            Ok(Outcome::fails(format!("{}: {what}", described(&graph)), evidence))
-        };
-        let Some(resistance) = largest_resistance(&graph)? else {
-            return fails("S = 0 though the centres differ".to_string());
-        };
-        if resistance > rational(graph.order() as i64 - 1 + variant.excess, 1) {
-            return fails(format!("|c_kj|^2 can be {resistance} times 2 N S"));
-        }
-    }
+    let graphs = (1..=most).flat_map(Graph::all).filter(|g| variant.disconnected || g.is_connected());
+    let part = format!("positive and proper, graphs of up to {most} vertices");
     let detail = "kernel of L spanned by 1, and |c_kj|^2 <= (N - 1) 2 N S by exact effective resistances";
-    let bound =
-        Evidence::new(Grade::Exhaustive, format!("positive and proper, graphs of up to {most} vertices"), detail);
+    let bound = run.every(Evidence::new(Grade::Exhaustive, part, detail), graphs, |graph| {
+        let most = rational(graph.order() as i64 - 1 + variant.excess, 1);
+        let wrong = match largest_resistance(&graph)? {
+            None => Some("S = 0 though the centres differ".to_string()),
+            Some(resistance) => (resistance > most).then(|| format!("|c_kj|^2 can be {resistance} times 2 N S")),
+        };
+        Ok(wrong.map(|what| format!("{}: {what}", described(&graph))))
+    })?;
     let identities = identity_graphs(run).into_iter().map(|graph| {
         let part = format!("S is the sum over edges, {}", described(&graph));
-        state_identity(&EdgeSum { graph: &graph, share: variant.share }, &["w0"], &part, run)
+        Ok(state_identity(&EdgeSum { graph: &graph, share: variant.share }, &["w0"], &part, run)?.on([1]))
     });
-    Run::all(identities.chain([Ok(Outcome::Holds(vec![bound.cases(graphs)]))]))
+    Run::all([Ok(bound.on([2, 3]))].into_iter().chain(identities))
 }
 
-impl Claim for SpacingPotential {
-    type Variant = ProperVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq17"
-    }
-
-    fn derivation(&self) -> &str {
-        "S = (1/(2N)) sum over edges |c_j - c_k|^2. It is zero iff c is constant along edges, that is, on a connected graph, c = c_0 1. Along a path of \
-         l <= N - 1 edges from j to k, |c_kj|^2 <= l sum |steps|^2 <= (N - 1) 2 N S, so that sublevel sets are bounded in the relative centres: \
-         S is positive definite and proper. On a path N - 1 is attained by its ends."
-    }
-
-    fn printed(&self) -> ProperVariant {
-        ProperVariant::PRINTED
-    }
-
-    fn controls(&self) -> Vec<Control<ProperVariant>> {
-        vec![
-            Control::new(
-                "graphs that are not connected",
-                ProperVariant { disconnected: true, ..ProperVariant::PRINTED },
-            ),
-            Control::new("(N - 2) 2 N S as the bound", ProperVariant { excess: -1, ..ProperVariant::PRINTED }),
-            Control::new("1/N times the sum over edges", ProperVariant { share: (1, 1), ..ProperVariant::PRINTED }),
-        ]
-    }
-
-    fn examine(&self, variant: &ProperVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_proper(variant, run)
-    }
+pub fn spacing_form() -> Record<ProperVariant> {
+    let printed = ProperVariant::PRINTED;
+    Record::new(
+        "paley.eq17",
+        "S = (1/(2N)) sum over edges |c_j - c_k|^2. It is zero iff c is constant along edges, that is, on a \
+         connected graph, c = c_0 1. Along a path of l <= N - 1 edges from j to k, |c_kj|^2 <= l sum \
+         |steps|^2 <= (N - 1) 2 N S, so that sublevel sets are bounded in the relative centres: S is \
+         positive definite and proper. On a path N - 1 is attained by its ends.",
+        printed,
+        examine_spacing_form,
+    )
+    .clauses(&[
+        "S is zero in the circular formation c = c_0 1 and positive otherwise.",
+        "S is positive definite in the space of relative circle centers.",
+        "S is proper in the space of relative circle centers.",
+    ])
+    .control("graphs that are not connected", ProperVariant { disconnected: true, ..ProperVariant::PRINTED })
+    .control("(N - 2) 2 N S as the bound", ProperVariant { excess: -1, ..ProperVariant::PRINTED })
+    .control("1/N times the sum over edges", ProperVariant { share: (1, 1), ..ProperVariant::PRINTED })
 }
 
-/// paley.eq18.
-pub struct CentreVelocity;
+fn examine_spacing_form(variant: &ProperVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    examine_proper(variant, run)
+}
 
 /// `cdot = e^{i theta} (1 + factor omega^power u)`.
 #[derive(Clone, Copy)]
@@ -152,35 +131,21 @@ impl StateIdentity for VelocityVariant {
     }
 }
 
-impl Claim for CentreVelocity {
-    type Variant = VelocityVariant;
-
-    fn id(&self) -> &str {
-        "paley.eq18"
-    }
-
-    fn derivation(&self) -> &str {
-        "cdot = rdot + w0^-1 i (i u e^{i theta}) = e^{i theta} - w0^-1 u e^{i theta}."
-    }
-
-    fn printed(&self) -> VelocityVariant {
-        VelocityVariant { factor: -1, inverse: true }
-    }
-
-    fn controls(&self) -> Vec<Control<VelocityVariant>> {
-        vec![
-            Control::new("1 + u/w0", VelocityVariant { factor: 1, inverse: true }),
-            Control::new("1 - w0 u", VelocityVariant { factor: -1, inverse: false }),
-        ]
-    }
-
-    fn examine(&self, variant: &VelocityVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        state_identity(variant, &["w0", "u"], "velocity of the centre", run)
-    }
+pub fn centre_velocity() -> Record<VelocityVariant> {
+    let printed = VelocityVariant { factor: -1, inverse: true };
+    Record::new(
+        "paley.eq18",
+        "cdot = rdot + w0^-1 i (i u e^{i theta}) = e^{i theta} - w0^-1 u e^{i theta}.",
+        printed,
+        examine_centre_velocity,
+    )
+    .control("1 + u/w0", VelocityVariant { factor: 1, inverse: true })
+    .control("1 - w0 u", VelocityVariant { factor: -1, inverse: false })
 }
 
-/// paley.eq19_20.
-pub struct SpacingDescent;
+fn examine_centre_velocity(variant: &VelocityVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    Ok(state_identity(variant, &["w0", "u"], "velocity of the centre", run)?.for_all())
+}
 
 /// `Sdot = (share/N) sum ...` and, under (20), `descent (K_0/N^2) sum ...^2`; on an undirected graph or not.
 #[derive(Clone, Copy)]
@@ -238,36 +203,32 @@ pub fn examine_descent(variant: &DescentVariant, run: &Run) -> Result<Outcome, C
         let steering: Vec<String> = (1..=network.particles()).map(|k| format!("u_{k}")).collect();
         let names: Vec<&str> = ["w0", "K_0"].into_iter().chain(steering.iter().map(String::as_str)).collect();
         let identity = DescentIdentity { variant: *variant, network };
-        state_identity(&identity, &names, &format!("rate of S for any u and under (20), {name}"), run)
+        Ok(state_identity(&identity, &names, &format!("rate of S for any u and under (20), {name}"), run)?
+            .on([1, 2, 3]))
     }))
 }
 
-impl Claim for SpacingDescent {
-    type Variant = DescentVariant;
+pub fn spacing_descent() -> Record<DescentVariant> {
+    let printed = DescentVariant::PRINTED;
+    Record::new(
+        "paley.eq19_20",
+        "L is symmetric: Sdot = (1/N) <cdot, L c> = (1/N) sum <e^{i theta_k}, L_k c> (1 - u_k/w0) by (18). \
+         Under (20), 1 - u_k/w0 = -(K_0/N) <e^{i theta_k}, L_k c>, for either sign of w0. Both sides are \
+         polynomial in the weights of the graph, so small graphs vertices are instances of an identity that \
+         holds for all undirected graphs. On a directed graph (19) fails.",
+        printed,
+        examine_spacing_descent,
+    )
+    .clauses(&[
+        "Sdot = (1/N) sum_k <e^{i th_k}, L_k c> (1 - w0^{-1} u_k).",
+        "Under (20), Sdot = -(K_0/N^2) sum_k <e^{i th_k}, L_k c>^2.",
+        "For K_0 > 0 this is not positive.",
+    ])
+    .control("1/(2N) in (19)", DescentVariant { share: (1, 2), ..DescentVariant::PRINTED })
+    .control("Sdot >= 0", DescentVariant { descent: 1, ..DescentVariant::PRINTED })
+    .control("directed graphs", DescentVariant { undirected: false, ..DescentVariant::PRINTED })
+}
 
-    fn id(&self) -> &str {
-        "paley.eq19_20"
-    }
-
-    fn derivation(&self) -> &str {
-        "L is symmetric: Sdot = (1/N) <cdot, L c> = (1/N) sum <e^{i theta_k}, L_k c> (1 - u_k/w0) by (18). Under (20), 1 - u_k/w0 = \
-         -(K_0/N) <e^{i theta_k}, L_k c>, for either sign of w0. Both sides are polynomial in the weights of the graph, so small graphs \
-         vertices are instances of an identity that holds for all undirected graphs. On a directed graph (19) fails."
-    }
-
-    fn printed(&self) -> DescentVariant {
-        DescentVariant::PRINTED
-    }
-
-    fn controls(&self) -> Vec<Control<DescentVariant>> {
-        vec![
-            Control::new("1/(2N) in (19)", DescentVariant { share: (1, 2), ..DescentVariant::PRINTED }),
-            Control::new("Sdot >= 0", DescentVariant { descent: 1, ..DescentVariant::PRINTED }),
-            Control::new("directed graphs", DescentVariant { undirected: false, ..DescentVariant::PRINTED }),
-        ]
-    }
-
-    fn examine(&self, variant: &DescentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        examine_descent(variant, run)
-    }
+fn examine_spacing_descent(variant: &DescentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    examine_descent(variant, run)
 }

@@ -1,15 +1,12 @@
 //! paley.beacon.form, paley.drift: the beacon, and a drift common to all particles.
 
-use super::instances::{StateIdentity, scattered_phasors, stability, state_identity, sum_of_squares};
+use super::instances::{StateIdentity, argued, scattered_phasors, stability, state_identity, sum_of_squares};
 use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, Ring, rational};
-use ledger::{CheckError, Claim, Control, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Outcome, Record, Run};
 use models::oscillator::{
     CircularGains, Neighbours, State, beacon_control, beacon_potential, circle_centres, circular_control,
     circular_formation, linearisation, quarter_turn,
 };
-
-/// paley.beacon.form.
-pub struct BeaconForm;
 
 /// The control with `sign gain`; the potential is `share/N` times the squared distances.
 #[derive(Clone, Copy)]
@@ -63,66 +60,54 @@ impl StateIdentity for BeaconIdentity {
     }
 }
 
-impl Claim for BeaconForm {
-    type Variant = BeaconVariant;
-
-    fn id(&self) -> &str {
-        "paley.beacon.form"
-    }
-
-    fn derivation(&self) -> &str {
-        "Reading: \"the spacing control\" is the one that (20) becomes for this potential, u_k^spac = w0 K <e^{i theta_k}, c_k - c_0> with K > 0 (K = K_0/N or any). \
-         A sum of squares is zero iff every term is. cdot_k = -K e^{i theta_k} sigma_k with sigma_k = <e^{i theta_k}, c_k - c_0>, so the potential has \
-         the rate -(K/N) sum sigma_k^2; where sigma_k = 0 its rate is w0 <i e^{i theta_k}, c_k - c_0>, not zero unless c_k = c_0: the potential \
-         decreases strictly until c = c_0 1, and LaSalle gives c_k -> c_0 for every initial state."
-    }
-
-    fn printed(&self) -> BeaconVariant {
-        BeaconVariant { sign: 1, share: (1, 2) }
-    }
-
-    fn controls(&self) -> Vec<Control<BeaconVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("the control with the other sign", BeaconVariant { sign: -1, ..printed }),
-            Control::new("no control", BeaconVariant { sign: 0, ..printed }),
-            Control::new("1/N instead of 1/(2N)", BeaconVariant { share: (1, 1), ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &BeaconVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let names = ["w0", "K", "Re c_0", "Im c_0"];
-        let part = |n: usize| format!("potential, its rate, no rest where it is stationary, N = {n}");
-        let identities = (1..=3).map(|particles| {
-            state_identity(&BeaconIdentity { variant: *variant, particles }, &names, &part(particles), run)
-        });
-        let mut formations = 0;
-        for (p, q) in [(1, 10), (-3, 1)] {
-            let omega = rational(p, q);
-            let state = circular_formation(&omega, &scattered_phasors(2)?)?;
-            let rows = linearisation(&state, &omega, |state| {
-                let like = Dual::constant(omega.clone());
-                let origin = Complex::real(like.zero());
-                beacon_control(&like, &like.ratio(variant.sign, 10), &origin, state)
-            })?;
-            let found = stability(&rows, &omega, false)?;
-            if !found.stable || found.zeros != 2 {
-                let what = format!("two particles around the beacon, w0 = {omega}: the centres do not return");
-                return Ok(Outcome::fails(
-                    what,
-                    Evidence::new(Grade::Exact, "return", "exact characteristic polynomial"),
-                ));
-            }
-            formations += 1;
-        }
-        let detail = "linearised around the beacon: zeros for the phases only, the centres return exponentially; both signs of w0";
-        let returns = Evidence::new(Grade::Exact, "fixes the centre to c_0", detail).cases(formations);
-        Run::all(identities.chain([Ok(Outcome::Holds(vec![returns]))]))
-    }
+pub fn beacon_form() -> Record<BeaconVariant> {
+    let printed = BeaconVariant { sign: 1, share: (1, 2) };
+    Record::new(
+        "paley.beacon.form",
+        "A sum of squares is zero iff every term is. cdot_k = -K e^{i theta_k} sigma_k with sigma_k = <e^{i \
+         theta_k}, c_k - c_0>, so the potential has the rate -(K/N) sum sigma_k^2; where sigma_k = 0 its \
+         rate is w0 <i e^{i theta_k}, c_k - c_0>, not zero unless c_k = c_0: the potential decreases \
+         strictly until c = c_0 1, and LaSalle gives c_k -> c_0 for every initial state.",
+        printed,
+        examine_beacon_form,
+    )
+    .clauses(&[
+        "(1/(2N)) ||c - c_0 1||^2 is zero if and only if c_k = c_0 for all k.",
+        "The spacing control forces this potential to decrease monotonically.",
+        "It fixes the center of the circular formation to c_0.",
+    ])
+    .reading(
+        "The spacing control is what (20) becomes for this potential: u_k^spac = w0 K <e^{i th_k}, c_k - \
+         c_0> with K = K_0/N; the statement holds for every K > 0.",
+    )
+    .control("the control with the other sign", BeaconVariant { sign: -1, ..printed })
+    .control("no control", BeaconVariant { sign: 0, ..printed })
+    .control("1/N instead of 1/(2N)", BeaconVariant { share: (1, 1), ..printed })
 }
 
-/// paley.drift.
-pub struct CommonDrift;
+fn examine_beacon_form(variant: &BeaconVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let names = ["w0", "K", "Re c_0", "Im c_0"];
+    let part = |n: usize| format!("potential, its rate, no rest where it is stationary, N = {n}");
+    let identities = (1..=3).map(|particles| {
+        Ok(state_identity(&BeaconIdentity { variant: *variant, particles }, &names, &part(particles), run)?.on([1, 2]))
+    });
+    let detail = "linearised around the beacon: zeros for the phases only, the centres return exponentially; both \
+     signs of w0";
+    let returns = run.instances("fixes the centre to c_0", detail, [(1, 10), (-3, 1)], |(p, q)| {
+        let omega = rational(p, q);
+        let state = circular_formation(&omega, &scattered_phasors(2)?)?;
+        let rows = linearisation(&state, &omega, |state| {
+            let like = Dual::constant(omega.clone());
+            let origin = Complex::real(like.zero());
+            beacon_control(&like, &like.ratio(variant.sign, 10), &origin, state)
+        })?;
+        let found = stability(&rows, &omega, false)?;
+        let stays = found.stable && found.zeros == 2;
+        Ok((!stays).then(|| format!("two particles around the beacon, w0 = {omega}: the centres do not return")))
+    })?;
+    let argued = argued("every start", "Beacon and drift, steps 1-4", &[1, 2, 3]);
+    Run::all([Ok(returns.on([3]))].into_iter().chain(identities).chain([Ok(Outcome::Holds(vec![argued]))]))
+}
 
 /// The centres gain `sign f`, where particle `k` drifts with `f` (or `k f`); with a beacon or without.
 #[derive(Clone, Copy)]
@@ -182,44 +167,40 @@ impl DriftIdentity {
     }
 }
 
-impl Claim for CommonDrift {
-    type Variant = DriftVariant;
+pub fn common_drift() -> Record<DriftVariant> {
+    let printed = DriftVariant { sign: 1, common: true, beacon: false };
+    Record::new(
+        "paley.drift",
+        "The shape controls depend on relative positions and phases only, which a drift f common to all \
+         does not change: r(t) - f t, theta(t) is a solution without drift, and conversely: for every gain \
+         and graph the motion is the one without drift, carried along with the velocity f. On a connected \
+         undirected graphV (paley.eq21) keeps the relative centres bounded and u_k - w0 tends to 0, so that \
+         the centres travel with the mean velocity f, all together; with K_0 <= 0 there need not be a \
+         collective that travels. Where a circular formation is reached, its centre moves as c_0 + f t, in \
+         the direction of the field (-0.1: 6.28 to the left in a turn of 62.8, the circle having radius \
+         10).",
+        printed,
+        examine_common_drift,
+    )
+    .reading("K_0 > 0, as under (20), on a connected undirected graph, and shape controls.")
+    .control("against the field", DriftVariant { sign: -1, ..printed })
+    .control("different drifts", DriftVariant { common: false, ..printed })
+    .control("with a beacon", DriftVariant { beacon: true, ..printed })
+}
 
-    fn id(&self) -> &str {
-        "paley.drift"
-    }
-
-    fn derivation(&self) -> &str {
-        "The shape controls depend on relative positions and phases only, which a drift f common to all does not change: r(t) - f t, theta(t) is a solution \
-         without drift, and conversely: for every gain and graph the motion is the one without drift, carried along with the velocity f. Reading: K_0 > 0, as under \
-         (20), on a connected undirected graph. There V (paley.eq21) keeps the relative centres bounded and u_k - w0 tends to 0, so that the centres travel with the mean velocity f, all \
-         together; with K_0 <= 0 there need not be a collective that travels. Where a circular formation is reached, its centre moves as c_0 + f t, in the direction of the field (-0.1: 6.28 to the left in a turn of \
-         62.8, the circle having radius 10)."
-    }
-
-    fn printed(&self) -> DriftVariant {
-        DriftVariant { sign: 1, common: true, beacon: false }
-    }
-
-    fn controls(&self) -> Vec<Control<DriftVariant>> {
-        let printed = self.printed();
-        vec![
-            Control::new("against the field", DriftVariant { sign: -1, ..printed }),
-            Control::new("different drifts", DriftVariant { common: false, ..printed }),
-            Control::new("with a beacon", DriftVariant { beacon: true, ..printed }),
-        ]
-    }
-
-    fn examine(&self, variant: &DriftVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let names = ["w0", "K_0", "K_1", "Re f", "Im f"];
-        let networks = [
-            ("two", Neighbours::complete(2)),
-            ("three in a row", Neighbours::from_fn(3, |k, j| k.abs_diff(j) == 1)),
-            ("ring of four", Neighbours::circulant(4, &[1])),
-        ];
-        Run::all(networks.into_iter().take(run.cases(2, 3)).map(|(name, network)| {
-            let identity = DriftIdentity { variant: *variant, network };
-            state_identity(&identity, &names, &format!("the drift carries the motion along, {name}"), run)
-        }))
-    }
+fn examine_common_drift(variant: &DriftVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let names = ["w0", "K_0", "K_1", "Re f", "Im f"];
+    let networks = [
+        ("two", Neighbours::complete(2)),
+        ("three in a row", Neighbours::from_fn(3, |k, j| k.abs_diff(j) == 1)),
+        ("ring of four", Neighbours::circulant(4, &[1])),
+    ];
+    let section = "Beacon and drift, steps 5-7";
+    let argued = argued("any number of particles, every connected graph", section, &[1]);
+    let argued = Ok(Outcome::Holds(vec![argued]));
+    let identities = networks.into_iter().take(run.cases(2, 3)).map(|(name, network)| {
+        let identity = DriftIdentity { variant: *variant, network };
+        state_identity(&identity, &names, &format!("the drift carries the motion along, {name}"), run)
+    });
+    Run::all(identities.chain([argued]))
 }

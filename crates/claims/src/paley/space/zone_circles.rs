@@ -1,24 +1,20 @@
 //! paley.fig8.circ: whether the particles of Figure 8 converge to one circle; and splay formations in zones with a blind spot.
 
 use super::runs::{SPACING, TYPICAL, random_start, simulated};
+use crate::paley::runs::{Experiment, OMEGA, PARTICLES, ZoneFormation, ZoneLaw};
 use crate::shares::judged;
 use arithmetic::{Complex, CosineField, RealCyclotomic, Ring, Signed};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Grade, Outcome, Repair, Run};
-use models::oscillator::{
-    Experiment, Flight, Neighbours, OMEGA, PARTICLES, ZoneFormation, ZoneLaw, centre_spread, misalignment, shape_rate,
-};
+use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use models::oscillator::{Flight, Neighbours, centre_spread, misalignment, shape_rate};
 use motion::Share;
-
-/// paley.fig8.circ.
-pub struct CircularInZones;
 
 /// The gains `K_1` for which runs converge, the spacing gain, and what counts as convergence.
 #[derive(Clone, Copy)]
 pub struct CircularVariant {
     orientation: &'static [f64],
     spacing: f64,
-    /// The spread of the centres that counts as one circle, as a share of its radius.
-    spread: f64,
+    /// The rate of turning over `omega_0` for which the centres are taken.
+    rate: f64,
     /// Hundreds of time units for which a run is followed unless it has converged, in ordinary and full runs.
     hundreds: (usize, usize),
     /// Runs for each zone, likewise.
@@ -61,108 +57,109 @@ fn splay_turns_slower(excess: i64) -> bool {
     ZoneFormation::CLUSTERS.into_iter().all(|zone| ties.into_iter().all(|tie| slower(zone, tie)))
 }
 
-impl Claim for CircularInZones {
-    type Variant = CircularVariant;
+/// The spread of the centres that counts as one circle, as a share of its radius.
+const ONE_CIRCLE: f64 = 0.02;
 
-    fn id(&self) -> &str {
-        "paley.fig8.circ"
-    }
+pub fn circular_in_zones() -> Record<CircularVariant> {
+    let printed =
+        CircularVariant { orientation: &[0.5], spacing: SPACING, rate: 1.0, hundreds: (12, 60), starts: (8, 40) };
+    let repaired = CircularVariant { orientation: &[-0.1, 0.1], hundreds: (24, 24), starts: (12, 200), ..printed };
+    let short = CircularVariant { orientation: &[-0.1], hundreds: (6, 6), starts: (8, 8), ..printed };
+    Record::new(
+        "paley.fig8.circ",
+        "The figure has K_1 of both signs, and the paper gives no size. Exact exceptions for every K_1 >= \
+         K_0 under (29) as printed: start in r_k = e^{2 pi i k/12} r, theta_k = 2 pi k/12 + theta. The law \
+         keeps the symmetry. Convergence to a circular formation of radius 1/|w0| would bring the centres \
+         to 0 and u_k near w0 + ((K_1 - K_0) tau^ori + K_0 tau^att)/N at the splay phases; a particle does \
+         not see the one 30 degrees behind, so tau^att <= -1/2 and tau^ori <= 0: u_k <= w0 - K_0/(2N) \
+         whichever way the ties at the boundaries are decided. But with c near 0 and 1 - u/w0 >= epsilon > \
+         0, (d/dt) <c, e^{i theta}> = 1 - u/w0 + small: contradiction (steps in notes/paley_particles.md, \
+         Figure 8). Nor is this a matter of special starts: with K_1 = 5 K_0 no run tried from random \
+         states comes to a circular formation of any radius in the time it is followed; the shape does not \
+         come to rest, so that the wider sense of paley.releq, in which the common rate takes the place of \
+         w0, does not help. (Runs alone would not refute that they converge later.) For K_1 = ±K_0 nearly \
+         every run converges, most by t = 600, some by 2400; at K_1 = K_0 the zone has no effect \
+         (paley.fig8.pos), so that its runs are counted once. Not all: a few in a thousand end in rigid \
+         circular motion at another common rate (for instance K_1 = -K_0, M = 8: u_k = 0.0988 for all k, \
+         one particle 40 degrees ahead of one that senses it). For K_1 = -5 K_0, -10 K_0 runs converge \
+         slowly.",
+        printed,
+        examine_circular_in_zones,
+    )
+    .reading(
+        "From every initial state, as in Theorem 2, or from most; for every size of K_1 of either sign (the \
+         paper gives none).",
+    )
+    .repaired(
+        Fault::False,
+        "Under (29) with w0 = K_0 = 0.1, N = 12 and the blind spot of 60 degrees most runs from random \
+         initial states come to one circle of radius 1/|w0| by t = 2400, the centres within 2% of it: with \
+         K_1 = -K_0 in each zone, and with K_1 = K_0, where the zone has no effect.",
+        repaired,
+    )
+    .repaired_clauses(&[
+        "Under (29) with w0 = K_0 = 0.1, N = 12, the blind spot of 60 degrees and K_1 = -K_0, in each zone \
+         most runs from random initial states come to one circle of radius 1/|w0| by t = 2400, the centres \
+         within 2% of it.",
+        "With K_1 = K_0, where the zone has no effect, most runs do.",
+    ])
+    .control("no spacing control", CircularVariant { spacing: 0.0, ..short })
+    .control("a circle of half the radius", CircularVariant { rate: 2.0, ..short })
+    .control("K_1 = 2 K_0", CircularVariant { orientation: &[0.2], hundreds: (12, 12), ..short })
+}
 
-    fn derivation(&self) -> &str {
-        "Read by the rule for reports of runs (notes/paley_particles.md): a sentence on what the particles do, for K_1 of either sign and any size (the figure has both \
-         signs, the paper gives no size), in most runs from random states. Under (29) as printed with K_1 = 5 K_0 no run tried comes to a circular formation of any radius: the shape is never \
-         at rest, so that the wider sense of paley.releq, in which the common rate takes the place of w0, does not help. For K_1 = ±K_0 nearly every run converges, most by t = 600, some \
-         by 2400; at K_1 = K_0 the zone has no effect (paley.fig8.pos), so that its runs are counted once. Not all: a few in a thousand end in rigid circular motion at another \
-         common rate (for instance K_1 = -K_0, M = 8: u_k = 0.0988 for all k, one particle 40 degrees ahead of one that senses it). For K_1 = -5 K_0, -10 K_0 runs converge slowly. There are exact exceptions from symmetric states: start in r_k = \
-         e^{2 pi i k/12} r, theta_k = 2 pi k/12 + theta. The law keeps the symmetry. Convergence to a circular formation of radius 1/|w0| would bring the centres to 0 \
-         and u_k near w0 + ((K_1 - K_0) tau^ori + K_0 tau^att)/N at the splay phases; a particle does not see the one 30 degrees behind, so tau^att <= -1/2 and tau^ori \
-         <= 0: u_k <= w0 - K_0/(2N) for K_1 >= K_0 whichever way the ties at the boundaries fall. But with c near 0 and 1 - u/w0 >= epsilon > 0, (d/dt) <c, e^{i \
-         theta}> = 1 - u/w0 + small: contradiction. (In the wider sense some of these symmetric states are circular formations of another radius.)"
-    }
-
-    fn printed(&self) -> CircularVariant {
-        CircularVariant { orientation: &[0.5], spacing: SPACING, spread: 0.02, hundreds: (12, 60), starts: (8, 40) }
-    }
-
-    fn repair(&self) -> Option<Repair<CircularVariant>> {
-        Some(Repair {
-            fault: Fault::False, clauses: Vec::new(),
-            statement: "Under (29) with w0 = K_0 = 0.1, N = 12, the blind spot of 60 degrees and K_1 = ±K_0, in each zone most runs from random \
-                        initial states come to one circle of radius 1/|w0| by t = 2400, the centres within 2% of it (values: the shares; nearly all of 2000); not all, since \
-                        there are other rigid motions (and for K_1 = 5 K_0 no run tried comes to a circular formation of any radius)."
-                .to_string(),
-            variant: CircularVariant {
-                orientation: &[-0.1, 0.1],
-                hundreds: (24, 24),
-                starts: (12, 200),
-                ..self.printed()
-            },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<CircularVariant>> {
-        let short = CircularVariant { hundreds: (6, 6), starts: (8, 8), ..self.printed() };
-        vec![
-            Control::new("no spacing control", CircularVariant { orientation: &[-0.1], spacing: 0.0, ..short }),
-            Control::new(
-                "exactly on one circle by t = 600",
-                CircularVariant { orientation: &[-0.1], spread: 1e-9, ..short },
-            ),
-            Control::new("K_1 = 2 K_0", CircularVariant { orientation: &[0.2], hundreds: (12, 12), ..short }),
-        ]
-    }
-
-    fn examine(&self, variant: &CircularVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        let mut evidence = Vec::new();
-        for &orientation in variant.orientation {
-            // At K_1 = K_0 the printed law does not contain the zone: the runs for all M are the same.
-            let zones = if orientation == SPACING { 1 } else { ZoneFormation::CLUSTERS.len() };
-            for &clusters in &ZoneFormation::CLUSTERS[..zones] {
-                let formation =
-                    ZoneFormation { law: ZoneLaw::Printed, spacing: variant.spacing, orientation, clusters };
-                match examine_zone(variant, &formation, run)? {
-                    Outcome::Holds(more) => evidence.extend(more),
-                    Outcome::Fails { counterexample, evidence: mut found } => {
-                        if orientation >= SPACING && [0, 1, 4].into_iter().all(splay_turns_slower) {
-                            let detail = "r_k = e^{2 pi i k/12} r, theta_k = 2 pi k/12 + theta, K_1 = K_0, 2 K_0, 5 K_0: near the circular formation of radius 1/w0 every u_k < w0; \
-                                          exact sines, every way to decide the ties";
-                            found.push(Evidence::new(Grade::Exact, "symmetric initial states", detail));
-                        }
-                        return Ok(Outcome::Fails { counterexample, evidence: found });
+fn examine_circular_in_zones(variant: &CircularVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let mut parts = Vec::new();
+    for (clause, &orientation) in (1..).zip(variant.orientation) {
+        // At K_1 = K_0 the printed law does not contain the zone: the runs for all M are the same.
+        let zones = if orientation == SPACING { 1 } else { ZoneFormation::CLUSTERS.len() };
+        for &clusters in &ZoneFormation::CLUSTERS[..zones] {
+            let formation = ZoneFormation::new(ZoneLaw::Printed, (variant.spacing, orientation), clusters);
+            match examine_zone(variant, &formation, run)?.on([clause]) {
+                Outcome::Holds(more) => parts.extend(more),
+                Outcome::Fails { counterexample, mut evidence } => {
+                    if orientation < SPACING || ![0, 1, 4].into_iter().all(splay_turns_slower) {
+                        return Ok(Outcome::Fails { counterexample, evidence });
                     }
-                    other => return Ok(other),
+                    let detail = "K_1 = K_0, 2 K_0, 5 K_0: near the circular formation of radius 1/w0 every u_k < w0 by exact sines, \
+                     for every way to decide the ties; notes/paley_particles.md, Figure 8, steps 1-4";
+                    evidence.insert(0, Evidence::new(Grade::Exact, "symmetric initial states", detail));
+                    let symmetric = "from r_k = e^{2 pi i k/12} r, theta_k = 2 pi k/12 + theta no solution with K_1 >= K_0 converges to \
+                     a circular formation of radius 1/w0";
+                    return Ok(Outcome::Fails { counterexample: format!("{symmetric}; {counterexample}"), evidence });
                 }
+                other => return Ok(other),
             }
         }
-        Ok(Outcome::Holds(evidence))
     }
+    Ok(Outcome::Holds(parts))
 }
 
 /// The share of runs that converge with this gain and zone, and how near the others come.
 fn examine_zone(variant: &CircularVariant, formation: &ZoneFormation, run: &mut Run) -> Result<Outcome, CheckError> {
-    let full = run.cases(0, 1) == 1;
-    let of = |(ordinary, many): (usize, usize)| if full { many } else { ordinary };
+    let of = |(ordinary, many): (usize, usize)| run.cases(ordinary, many);
     let (hundreds, starts) = (of(variant.hundreds), of(variant.starts));
     let (mut converged, mut astray) = (Share::default(), Astray::default());
     for seed in 0..starts as u64 {
         run.checkpoint()?;
-        let nearest = Astray::follow(formation, random_start(run, seed), (variant.spread, hundreds))?;
+        let nearest = Astray::follow(formation, random_start(run, seed), (variant.rate, hundreds))?;
         converged = converged.with(nearest.is_none());
         astray = nearest.map_or(astray, |nearest| astray.nearer(nearest));
     }
-    let zone =
-        if formation.orientation == SPACING { "any M".to_string() } else { format!("M = {}", formation.clusters) };
+    let any = formation.orientation == SPACING;
+    let zone = if any { "any M".to_string() } else { format!("M = {}", formation.clusters) };
     let name = zone.replace(" = ", "_").replace(' ', "_");
     run.value(&format!("share_converged_K1_{:.2}_{name}", formation.orientation), converged.enclosure());
     let mut what = format!(
-        "K_1 = {}, {zone}: the centres are within {} of the radius of their mean at a multiple of 100 up to t = {} in {converged}",
+        "K_1 = {}, {zone}: the centres are within {ONE_CIRCLE} of the radius of their mean at a multiple of \
+         100 up to t = {} in {converged}",
         formation.orientation,
-        variant.spread,
         100 * hundreds
     );
     if converged.found < converged.of {
         what += &format!(
-            "; in the others they come no nearer than {:.3}, and relative positions or phases change at a rate of at least {:.1e}",
+            "; in the others they come no nearer than {:.3}, and relative positions or phases change at a rate \
+             of at least {:.1e}",
             astray.spread, astray.rate
         );
     }
@@ -189,21 +186,21 @@ impl Astray {
         Astray { spread: self.spread.min(other.spread), rate: self.rate.min(other.rate) }
     }
 
-    /// Follows a run for so many hundreds of time units; `None` once the spread is as small as asked.
+    /// Follows a run for so many hundreds of time units; `None` once it is on one circle, turning at `rate omega`.
     fn follow(
         formation: &ZoneFormation,
         start: Flight,
-        (spread, hundreds): (f64, usize),
+        (rate, hundreds): (f64, usize),
     ) -> Result<Option<Self>, CheckError> {
         let mut least = Astray::default();
         let converged = formation.until(start, (100, 100 * hundreds), |flight| {
             let state = flight.state();
             let now = Astray {
-                spread: centre_spread(&OMEGA, &state)? * OMEGA,
+                spread: centre_spread(&(rate * OMEGA), &state)? * rate * OMEGA,
                 rate: shape_rate(&state, &formation.steering(&state)?),
             };
             least = least.nearer(now);
-            Ok((least.spread <= spread).then_some(()))
+            Ok((least.spread <= ONE_CIRCLE).then_some(()))
         })?;
         Ok(converged.is_none().then_some(least))
     }

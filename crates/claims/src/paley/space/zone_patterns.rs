@@ -2,106 +2,105 @@
 
 use super::instances::{StateIdentity, one_way_ring, state_identity};
 use super::runs::{SPACING, TYPICAL, fly, simulated};
+use crate::paley::runs::{ZoneFormation, ZoneLaw};
 use crate::shares::judged;
 use arithmetic::{ArithmeticError, Field};
-use ledger::{CheckError, Claim, Control, Evidence, Fault, Outcome, Repair, Run};
-use models::oscillator::{CLUSTER, Neighbours, State, ZoneFormation, ZoneLaw, relative_position_control};
+use ledger::{CheckError, Evidence, Fault, Outcome, Record, Run};
+use models::oscillator::{CLUSTER, Neighbours, State, relative_position_control};
 use motion::{Sample, Share};
 use std::f64::consts::TAU;
 
 /// The share of the angle `2 pi/M` of a zone that its clusters keep apart on average.
 const APART: f64 = 0.75;
 
-/// paley.fig8.pos.
-pub struct PatternsInZones;
-
-/// The law, and the share of the chord angle that clusters keep apart.
+/// The law, `K_1`, and the numbers `M` whose zones are in force where clusters are to suit those of [`ZoneFormation::CLUSTERS`].
 #[derive(Clone, Copy)]
 pub struct PatternsVariant {
     law: ZoneLaw,
     orientation: f64,
-    apart: f64,
+    zones: [usize; 3],
 }
 
-impl Claim for PatternsInZones {
-    type Variant = PatternsVariant;
-
-    fn id(&self) -> &str {
-        "paley.fig8.pos"
-    }
-
-    fn derivation(&self) -> &str {
-        "Under (29) as printed the orientation term has the gain K_1 - K_0. At K_1 = K_0 the law does not contain the orientation network at all (identity): one and the same \
-         run results for M = 2, 8 and 12, with two or three clusters, and nothing can suit the size of a zone that the law does not contain; for 0 < K_1 < K_0 the term \
-         even aligns. Read by the rule for reports of runs (notes/paley_particles.md): for every K_1 > 0, in most runs from random states. The clusters suit the zone where for M = 12 and 8 their number is within 25% of M and \
-         they are at least 75% of the zone's angle 2 pi/M apart on average, and the largest zone has at most four. (The text grants that clusters are \"not necessarily M \
-         in number\".) The identity refutes this at K_1 = K_0. Nor does it hold at any other size tried, from 1.5 K_0 to 10 K_0: up to 3 K_0 there are too few clusters for M = 12, from 5 K_0 on far more than four for M = 2 (evidence: mean \
-         numbers). With K_0 on the attraction network (paley.eq29) and K_1 = K_0 the runs show what the text describes: about 12, about 8 and two to four \
-         clusters in nearly all runs, nearly evenly spaced, though not at rest (`reproduce paley.fig8`)."
-    }
-
-    fn printed(&self) -> PatternsVariant {
-        PatternsVariant { law: ZoneLaw::Printed, orientation: 0.1, apart: APART }
-    }
-
-    fn repair(&self) -> Option<Repair<PatternsVariant>> {
-        Some(Repair {
-            fault: Fault::False, clauses: Vec::new(),
-            statement: "With (29) corrected (paley.eq29), K_1 = K_0 = w0 = 0.1, N = 12, in most runs from random states the particles form 9 to 12 clusters for M = 12 and 6 to 10 \
-                        for M = 8, on average at least three quarters of the angle 2 pi/M of the zone apart, and at most four for M = 2."
-                .to_string(),
-            variant: PatternsVariant { law: ZoneLaw::Corrected, orientation: 0.1, apart: APART },
-        })
-    }
-
-    fn controls(&self) -> Vec<Control<PatternsVariant>> {
-        vec![
-            Control::new("K_1 < 0", PatternsVariant { law: ZoneLaw::Corrected, orientation: -0.1, apart: APART }),
-            Control::new(
-                "farther apart than the zone reaches",
-                PatternsVariant { law: ZoneLaw::Corrected, orientation: 0.1, apart: 1.5 },
-            ),
-        ]
-    }
-
-    fn examine(&self, variant: &PatternsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-        if variant.law == ZoneLaw::Printed && variant.orientation == SPACING {
-            return no_effect_of_the_zone(run);
-        }
-        let mut parts = Vec::new();
-        for clusters in ZoneFormation::CLUSTERS {
-            let formation =
-                ZoneFormation { law: variant.law, spacing: SPACING, orientation: variant.orientation, clusters };
-            let (suiting, numbers) = suits(&formation, variant.apart, run.cases(12, 60), run)?;
-            run.value(&format!("share_suiting_M_{clusters}"), suiting.enclosure());
-            let what = format!(
-                "{} (29), K_1 = {}, M = {clusters}: the clusters suit the zone in {suiting}, {:.1} of them on average",
-                variant.law.word(),
-                variant.orientation,
-                numbers.mean()
-            );
-            let detail =
-                format!("{what}; w0 = K_0 = 0.1, blind spot 60 degrees, clusters at 10 degrees, step 1 to t = 600");
-            match judged(suiting, TYPICAL, what, simulated("clusters that suit the zone", &detail, suiting.of)) {
-                Outcome::Holds(more) => parts.extend(more),
-                other => return Ok(other),
-            }
-        }
-        Ok(Outcome::Holds(parts))
-    }
+pub fn patterns_in_zones() -> Record<PatternsVariant> {
+    let printed = PatternsVariant { law: ZoneLaw::Printed, orientation: 0.1, zones: ZoneFormation::CLUSTERS };
+    let repaired = PatternsVariant { law: ZoneLaw::Corrected, ..printed };
+    Record::new(
+        "paley.fig8.pos",
+        "Under (29) as printed the orientation term has the gain K_1 - K_0. At K_1 = K_0 the law does not \
+         contain the orientation network at all (identity): one and the same run results for M = 2, 8 and \
+         12, with two or three clusters, and nothing can suit the size of a zone that the law does not \
+         contain; for 0 < K_1 < K_0 the term even aligns. (The text grants that clusters are \"not \
+         necessarily M in number\".) The identity refutes the statement at K_1 = K_0. Nor does it hold at \
+         any other size tried, from 1.5 K_0 to 10 K_0: up to 3 K_0 there are too few clusters for M = 12, \
+         from 5 K_0 on far more than four for M = 2 (evidence: mean numbers). With K_0 on the attraction \
+         network (paley.eq29) and K_1 = K_0 the runs show what the text describes: about 12, about 8 and \
+         two to four clusters in nearly all runs, nearly evenly spaced; for M = 12 and 8 not on one circle \
+         at rest (`reproduce paley.fig8`).",
+        printed,
+        examine_patterns_in_zones,
+    )
+    .reading(
+        "In most runs from random states, for every K_1 > 0; clusters suit a zone where their number is \
+         within a quarter of M and they are on average 75% of the angle 2 pi/M apart (M = 12, 8), or where \
+         there are at most four (M = 2).",
+    )
+    .repaired(
+        Fault::False,
+        "With (29) corrected (paley.eq29), K_1 = K_0 = w0 = 0.1, N = 12, in most runs from random states \
+         the particles form 9 to 12 clusters for M = 12 and 6 to 10 for M = 8, on average at least three \
+         quarters of the angle 2 pi/M of the zone apart, and at most four for M = 2.",
+        repaired,
+    )
+    .repaired_clauses(&[
+        "With (29) corrected (paley.eq29), K_1 = K_0 = w0 = 0.1, N = 12, in most runs from random states \
+         the particles form 9 to 12 clusters for M = 12, on average at least three quarters of the angle 2 \
+         pi/M of the zone apart.",
+        "They form 6 to 10 for M = 8, so far apart.",
+        "They form at most four for M = 2.",
+    ])
+    .control("K_1 < 0", PatternsVariant { orientation: -0.1, ..repaired })
+    .control("the zone of M = 2 in the place of that of 12", PatternsVariant { zones: [2, 8, 2], ..repaired })
+    .control("the zone of M = 12 in the place of that of 2", PatternsVariant { zones: [12, 8, 12], ..repaired })
 }
 
-/// In how many runs the clusters suit the zone, kept apart by this share of its angle, and their numbers.
-fn suits(formation: &ZoneFormation, apart: f64, starts: usize, run: &Run) -> Result<(Share, Sample), CheckError> {
-    let wanted = formation.clusters as f64;
+fn examine_patterns_in_zones(variant: &PatternsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    if variant.law == ZoneLaw::Printed && variant.orientation == SPACING {
+        return no_effect_of_the_zone(run);
+    }
+    let mut parts = Vec::new();
+    for (clause, (clusters, zone)) in (1..).zip(ZoneFormation::CLUSTERS.into_iter().zip(variant.zones)) {
+        let formation = ZoneFormation::new(variant.law, (SPACING, variant.orientation), zone);
+        let (suiting, numbers) = suits(&formation, clusters, run.cases(12, 60), run)?;
+        run.value(&format!("share_suiting_M_{clusters}"), suiting.enclosure());
+        let what = format!(
+            "{} (29), K_1 = {}, zone of M = {zone}: the clusters suit M = {clusters} in {suiting}, {:.1} of \
+             them on average",
+            variant.law.word(),
+            variant.orientation,
+            numbers.mean()
+        );
+        let detail =
+            format!("{what}; w0 = K_0 = 0.1, blind spot 60 degrees, clusters at 10 degrees, step 1 to t = 600");
+        let part = simulated("clusters that suit the zone", &detail, suiting.of).on([clause]);
+        match judged(suiting, TYPICAL, what, part) {
+            Outcome::Holds(more) => parts.extend(more),
+            other => return Ok(other),
+        }
+    }
+    Ok(Outcome::Holds(parts))
+}
+
+/// In how many runs the clusters suit the zone of so many, and their numbers.
+fn suits(formation: &ZoneFormation, clusters: usize, starts: usize, run: &Run) -> Result<(Share, Sample), CheckError> {
+    let wanted = clusters as f64;
     let (mut suiting, mut numbers) = (Share::default(), Vec::new());
     for seed in 0..starts as u64 {
         let found = fly(formation, (seed, 1), run)?.clusters(CLUSTER);
         let count = found.len() as f64;
         let mean_gap = found.iter().map(|&(_, gap)| gap).sum::<f64>() / count;
-        suiting = suiting.with(match formation.clusters {
+        suiting = suiting.with(match clusters {
             2 => count <= 4.0,
-            _ => (0.75 * wanted..=1.25 * wanted).contains(&count) && mean_gap >= apart * TAU / wanted,
+            _ => (0.75 * wanted..=1.25 * wanted).contains(&count) && mean_gap >= APART * TAU / wanted,
         });
         numbers.push(count);
     }
@@ -135,13 +134,14 @@ fn no_effect_of_the_zone(run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "the printed law at K_1 = K_0 with one orientation network and with another";
     let same = state_identity(&identity, &["w0", "K_0"], part, run)?;
     let Outcome::Holds(mut evidence) = same else { return Ok(same) };
-    let formation = ZoneFormation { law: ZoneLaw::Printed, spacing: SPACING, orientation: SPACING, clusters: 12 };
+    let formation = ZoneFormation::new(ZoneLaw::Printed, (SPACING, SPACING), 12);
     let clusters = fly(&formation, (0, 1), run)?.clusters(CLUSTER).len();
     evidence.push(simulated("clusters at K_1 = K_0, any zone", "w0 = K_0 = 0.1, step 1 to t = 600", 1));
     evidence.push(other_gains(run)?);
     let counterexample = format!(
-        "K_1 = K_0: the factor (K_1 - K_0)/N of the orientation network is 0, so that the runs for M = 2, 8 and 12 are one and the same from every start \
-         ({clusters} clusters from start 0 with w0 = K_0 = 0.1)"
+        "K_1 = K_0: the factor (K_1 - K_0)/N of the orientation network is 0, so that the runs for M = 2, 8 \
+         and 12 are one and the same from every start ({clusters} clusters from start 0 with w0 = K_0 = \
+         0.1)"
     );
     Ok(Outcome::Fails { counterexample, evidence })
 }
@@ -154,9 +154,8 @@ fn other_gains(run: &Run) -> Result<Evidence, CheckError> {
     for size in SIZES {
         let (mut means, mut fewest) = (Vec::new(), (Share::new(starts, starts), 0));
         for clusters in ZoneFormation::CLUSTERS {
-            let formation =
-                ZoneFormation { law: ZoneLaw::Printed, spacing: SPACING, orientation: size * SPACING, clusters };
-            let (suiting, numbers) = suits(&formation, APART, starts, run)?;
+            let formation = ZoneFormation::new(ZoneLaw::Printed, (SPACING, size * SPACING), clusters);
+            let (suiting, numbers) = suits(&formation, clusters, starts, run)?;
             means.push(format!("{:.1}", numbers.mean()));
             if suiting.found < fewest.0.found {
                 fewest = (suiting, clusters);

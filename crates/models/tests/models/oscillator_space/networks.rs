@@ -3,7 +3,7 @@
 use algebra::graph::Graph;
 use arithmetic::{Complex, Rational, rational};
 use models::oscillator::{
-    BehaviourGains, CircularGains, Everyone, Flight, Interaction, Neighbours, State, Zone, ZoneNetworks, Zones,
+    BehaviourGains, CircularGains, Everyone, Flight, Interaction, Neighbours, Sensed, State, Zone, ZoneNetworks, Zones,
     behaviour_control, circular_control, laplacian_behaviour_control, phasor,
 };
 use std::f64::consts::TAU;
@@ -166,4 +166,48 @@ fn both_forms_of_the_fish_agree_at_unit_distance() {
     assert_eq!((turn(&zones(2.0)), turn(&zones(0.5))), (5.0, -2.0));
     let together = State { positions: vec![Complex::new(0.0, 0.0); 2], phasors: state.phasors.clone() };
     assert!(behaviour_control(&0.0, &gains, &zones(2.0).networks_among(&together, &pair), &together).is_err());
+}
+
+#[test]
+fn a_table_of_who_senses_whom_is_the_network_of_these_arcs() {
+    let senses = |k: usize, j: usize| (3 * k + j) % 4 != 1;
+    let (table, lists) = (Sensed::from_fn(5, senses), Neighbours::from_fn(5, senses));
+    assert!(table.arcs().eq(lists.arcs()));
+    assert_eq!(table.laplacian_of(&places()), lists.laplacian_of(&places()));
+    let fewer = |k: usize, j: usize| k < j;
+    assert!(table.among(fewer).arcs().eq(lists.arcs().filter(|&(k, j)| fewer(k, j))));
+}
+
+/// Stepping circle centres is the same motion as stepping places; but a circular formation is followed without error at any step, where
+/// Simpson's rule makes its circle too large by a share `(omega h)^4/2880`.
+#[test]
+fn circle_centres_follow_circles_without_error() {
+    let gains = CircularGains { omega: 0.1, spacing: 0.7, orientation: -0.4 };
+    let law = |state: &State<f64>| circular_control(&gains, &Everyone, &Everyone, state);
+    let phases = vec![0.3, 1.1, 2.0, 4.4, 5.9];
+    let spread = Flight { positions: phases.iter().map(|t| Complex::new(9.0 * t - 7.0, t * t)).collect(), phases };
+    let (mut by_places, mut by_centres) = (spread.clone(), spread);
+    by_places.advance((0.01, 500), &Complex::new(0.0, 0.0), law).unwrap();
+    by_centres.advance_by_centres(0.1, (0.01, 500), law).unwrap();
+    for (a, b) in by_places.to_list().iter().zip(by_centres.to_list()) {
+        assert!((a - b).abs() < 1e-8, "{a} and {b}");
+    }
+    let circle = |theta: &f64| Complex::new(10.0 * theta.sin(), -10.0 * theta.cos());
+    let phases = vec![0.2, 0.2 + TAU / 2.0];
+    let start = Flight { positions: phases.iter().map(circle).collect(), phases };
+    let turning = |state: &State<f64>| Ok(vec![0.1; state.phasors.len()]);
+    let apart = |flight: &Flight| (flight.positions[0].clone() - &flight.positions[1]).norm_squared().sqrt();
+    let (mut by_places, mut by_centres) = (start.clone(), start);
+    by_centres.advance_by_centres(0.1, (1.0, 600), turning).unwrap();
+    assert!((apart(&by_centres) - 20.0).abs() < 1e-12);
+    // The method keeps the centre, so that the places are off by the share of the radius at some times.
+    by_places.advance((1.0, 31), &Complex::new(0.0, 0.0), turning).unwrap();
+    let share = 0.1f64.powi(4) / 2880.0;
+    let largest = (0..63).map(|_| {
+        by_places.advance((1.0, 1), &Complex::new(0.0, 0.0), turning).unwrap();
+        apart(&by_places) / 20.0 - 1.0
+    });
+    let largest = largest.fold(0.0, f64::max);
+    assert!(largest > share && largest < 3.0 * share, "{largest}");
+    assert!(by_places.advance_by_centres(0.0, (1.0, 1), turning).is_err());
 }

@@ -2,10 +2,12 @@
 
 use arithmetic::Complex;
 use models::oscillator::{
-    CLUSTER, CyclicFormation, Experiment, Flight, FourMotions, OMEGA, RingPhases, centre_spread, circular_formation,
-    cluster_gap, nearest_twist, order, pattern, ring_differences, shape_rate, winding,
+    CLUSTER, Flight, centre_spread, circular_formation, cluster_gap, nearest_twist, order, pattern, ring_differences,
+    shape_rate, winding,
 };
 use std::f64::consts::{PI, TAU};
+
+const OMEGA: f64 = 0.1;
 
 /// Particles on one circle with these phases, turned by the same angle.
 fn on_circle(phases: impl Iterator<Item = f64>) -> Flight {
@@ -82,39 +84,4 @@ fn one_circle_is_at_rest_and_two_are_not() {
     assert!((centre_spread(&OMEGA, &apart.state()).unwrap() - 2.25).abs() < 1e-12);
     assert!((shape_rate(&apart.state(), &[OMEGA; 4]) - 0.3).abs() < 1e-12);
     assert!(centre_spread(&0.0, &state).is_err());
-}
-
-#[test]
-fn courses_end_where_runs_end() {
-    let start = on_circle((0..12).map(|k| f64::from(k * k)));
-    let motion = FourMotions { omega: OMEGA, gain: -1.0 };
-    let course = motion.course(start.clone(), 100).unwrap();
-    let end = motion.end(start.clone()).unwrap();
-    assert_eq!(course.len(), 6);
-    assert_eq!(course[5], (100.0, end.clone()));
-    assert!(order(&end, 1).unwrap() > 0.999_999);
-    let asked = motion.until(start.clone(), (100, 500), |flight| Ok((*flight == end).then_some(()))).unwrap();
-    assert_eq!(asked, Some(()));
-    assert_eq!(motion.until(start, (100, 500), |_| Ok(None::<()>)).unwrap(), None);
-}
-
-/// From a twisted state with small disturbances both models come back to it exactly where it is stable.
-#[test]
-fn stable_twists_attract() {
-    for m in [0i64, 1, 2, 4, 5, 6] {
-        let disturbed = |k: i64| TAU * (m * k) as f64 / 12.0 + 0.05 * ((7 * k % 12) as f64 / 12.0 - 0.5);
-        let start = on_circle((0..12).map(disturbed));
-        let sign = if m <= 2 { -1.0 } else { 1.0 };
-        let end = CyclicFormation::new(sign * CyclicFormation::GAIN).end(start.clone()).unwrap();
-        assert_eq!(nearest_twist(&end.phases).0, m);
-        assert!(nearest_twist(&end.phases).1 < 0.02, "m = {m}");
-        // The other sign drives it away.
-        let other = CyclicFormation::new(-sign * CyclicFormation::GAIN).end(start.clone()).unwrap();
-        assert!(nearest_twist(&other.phases).0 != m, "m = {m}");
-        if m <= 2 {
-            let mut phases = start;
-            RingPhases::default().advance(&mut phases, 1000).unwrap();
-            assert!(nearest_twist(&phases.phases).1 < 1e-3 && winding(&phases.phases) == m);
-        }
-    }
 }
