@@ -33,11 +33,13 @@ pub enum Zone {
 impl<T: Field + Signed> Zones<T> {
     /// Whether a fish at the origin with this heading senses one at `offset` in the zone. Zones contain both their
     /// boundaries, as printed, and the edge of the blind spot is seen.
+    #[inline]
     pub fn senses(&self, zone: Zone, heading: &Complex<T>, offset: &Complex<T>) -> bool {
         self.reaches(zone, offset) && !self.is_blind(heading, offset)
     }
 
     /// Whether the zone reaches a fish at `offset` from its own, by distance alone.
+    #[inline]
     pub fn reaches(&self, zone: Zone, offset: &Complex<T>) -> bool {
         let distance = offset.norm_squared();
         let (inner, outer) = match zone {
@@ -51,6 +53,7 @@ impl<T: Field + Signed> Zones<T> {
     }
 
     /// Whether the offset lies in the open wedge around the direction opposite to the heading.
+    #[inline]
     pub fn is_blind(&self, heading: &Complex<T>, offset: &Complex<T>) -> bool {
         // An empty wedge, which rounding must not fill.
         if !(self.blind_cosine_squared.one() - &self.blind_cosine_squared).is_certainly_positive() {

@@ -13,12 +13,19 @@ pub struct Sensed {
 
 impl Sensed {
     /// `k` senses `j` where `senses(k, j)`; never itself.
+    #[inline]
     pub fn from_fn(particles: usize, senses: impl Fn(usize, usize) -> bool) -> Self {
-        let pairs = (0..particles).flat_map(|k| (0..particles).map(move |j| (k, j)));
-        Sensed { particles, table: pairs.map(|(k, j)| k != j && senses(k, j)).collect() }
+        let mut table = vec![false; particles * particles];
+        for (k, row) in table.chunks_mut(particles.max(1)).enumerate() {
+            for (j, sensed) in row.iter_mut().enumerate() {
+                *sensed = k != j && senses(k, j);
+            }
+        }
+        Sensed { particles, table }
     }
 
     /// Those of these arcs for which `senses(k, j)`.
+    #[inline]
     pub fn among(&self, senses: impl Fn(usize, usize) -> bool) -> Self {
         Sensed::from_fn(self.particles, |k, j| self.table[k * self.particles + j] && senses(k, j))
     }
