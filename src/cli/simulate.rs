@@ -24,10 +24,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let refuse = |error: &dyn std::fmt::Display| CliError::file(&arguments.config, error);
     let scenario = Scenario::read(&output::read_text(&arguments.config)?).map_err(|error| refuse(&error))?;
     std::fs::create_dir_all(&arguments.out).map_err(|error| CliError::file(&arguments.out, error))?;
+    let watch = Watch::with(progress::styled("{bar:30} {percent} % of the time, {eta} left"));
     if !arguments.json {
         output::print(&declared(&scenario.declaration()))?;
     }
-    let watch = Watch::with(progress::styled("{bar:30} {percent} % of the time, {eta} left"));
     let outcome = scenario.run(&watch);
     watch.finish();
     interrupt::finishing();

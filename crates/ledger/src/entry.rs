@@ -133,6 +133,11 @@ impl Evidence {
         }
     }
 
+    /// A proof on paper for all parameters; `place` names the note and its steps.
+    pub fn argued(part: impl Into<String>, place: impl Into<String>) -> Self {
+        Evidence::new(Grade::Argued, part, place).for_all()
+    }
+
     /// The same for these clauses, counted from 1.
     pub fn on(mut self, clauses: impl Into<Vec<usize>>) -> Self {
         self.clauses = clauses.into();

@@ -38,8 +38,8 @@ pub fn explain(entry: &Entry, width: usize) -> String {
     if entry.clauses.len() > 1 {
         for (k, clause) in (1..).zip(&entry.clauses) {
             let how = match (all.contains(&k), some.contains(&k)) {
-                (true, _) => "for all parameters",
-                (_, true) => "on instances",
+                (true, _) => "evidence for all parameters",
+                (_, true) => "evidence on instances",
                 _ => "no evidence of its own",
             };
             section(&mut text, width, &format!("clause {k}"), &format!("{clause} [{how}]"));

@@ -28,7 +28,7 @@ pub fn verdict_table(entries: &[Entry]) -> String {
     let (whole, clauses) = held.iter().fold((0, 0), |(a, b), (c, d)| (a + c, b + d));
     let _ = writeln!(
         text,
-        "\nall: clauses covered for all their parameters ({whole} of {clauses} in what holds); ctrl: controls refuted"
+        "\nall: clauses covered for all parameters ({whole} of {clauses} in what holds)\nctrl: negative controls refuted"
     );
     text
 }

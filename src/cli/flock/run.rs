@@ -51,8 +51,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     let mut flock = Course::new(model).map_err(refuse)?;
     let mut log = Log::new(arguments.log.as_deref())?;
-    tell(arguments.json, &format!("{}\n", flock.declaration()))?;
     let watch = Watch::with(progress::styled("{bar:30} t = {pos} of {len}, {eta} left"));
+    tell(arguments.json, &format!("{}\n", flock.declaration()))?;
     let mut observer = Observer::new(flock.network().order(), arguments.from, arguments.products);
     let mut switches = Vec::new();
     let mut t = 0;

@@ -45,13 +45,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     let flock = Flock::new(&start).map_err(|error| CliError::file(&arguments.file, error))?;
     let mut log = Log::new(arguments.log.as_deref())?;
+    let watch = Watch::silent();
     tell(arguments.json, &format!("{}\n", declaration(&flock, None)))?;
     let mut network = flock.network().clone();
     let mut switches = Vec::new();
     let mut failure = None;
     let limits = Limits { steps: arguments.steps, switches: arguments.switches, ..Limits::default() };
     let declared = declaration(&flock, None);
-    let watch = Watch::silent();
     let mut found = |switch: &Switch| {
         let after = switch.applied_to(&network);
         let line = switch_line(switch, &network, &after);

@@ -19,11 +19,11 @@ pub(super) mod switching;
 mod velocity_bounds;
 mod worked_matrices;
 
-use ledger::{AnyClaim, Evidence, Grade, Outcome};
+use ledger::{AnyClaim, Evidence, Outcome};
 
 /// A proof on paper of a part of a claim, for all parameters of its clauses.
 pub(super) fn argued(part: &str, place: &str) -> Outcome {
-    Outcome::Holds(vec![Evidence::new(Grade::Argued, part, place).for_all()])
+    Outcome::Holds(vec![Evidence::argued(part, place)])
 }
 
 /// All that are built.

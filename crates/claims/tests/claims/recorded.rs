@@ -1,7 +1,7 @@
 //! The ledger of the project: tables in order, every claim as recorded.
 
 use claims::{LISTED, RECORDED};
-use ledger::{Ledger, LedgerError, Options, Verdict, correction_id, listed, recorded, to_json};
+use ledger::{Grade, Ledger, LedgerError, Options, Verdict, correction_id, listed, recorded, to_json};
 use std::collections::BTreeSet;
 
 /// Corrections of wording, and by long runs.
@@ -31,6 +31,12 @@ fn every_claim_is_as_recorded() {
     let document: serde_json::Value = serde_json::from_str(&to_json(&report, &options)).unwrap();
     assert_eq!(document["schema"], "flockproof.ledger/2");
     assert_eq!(document["claims"].as_array().map(Vec::len), Some(ids.len()));
+    // A proof on paper stands in a note.
+    for evidence in report.entries.iter().flat_map(|entry| &entry.evidence).filter(|e| e.grade == Grade::Argued) {
+        let note = evidence.detail.split("notes/").nth(1).and_then(|rest| rest.split(".md").next());
+        let note = note.map(|name| format!("{}/../../notes/{name}.md", env!("CARGO_MANIFEST_DIR")));
+        assert!(note.is_some_and(|path| std::path::Path::new(&path).is_file()), "{}", evidence.detail);
+    }
     // What is true instead of a printed statement is a claim that holds.
     for (printed, corrected) in report.entries.iter().filter_map(|entry| Some((&entry.id, entry.corrected.as_ref()?))) {
         match report.entries.iter().find(|entry| entry.id == correction_id(printed)) {

@@ -362,14 +362,6 @@ fn the_smallest_distance_is_that_of_all_pairs() {
 }
 
 #[test]
-fn the_example_of_the_readme_runs() {
-    let readme = include_str!("../../../../README.md");
-    let lines = readme.lines().skip_while(|line| !line.starts_with("    model = "));
-    let text: Vec<&str> = lines.map_while(|line| line.strip_prefix("    ")).collect();
-    assert_eq!(run(&text.join("\n")).samples().count(), 3);
-}
-
-#[test]
 fn fixed_steps_agree_with_located_switches() {
     let config = include_str!("../../../../assets/scenarios/switching_flock.toml");
     let located = run(config);

@@ -4,7 +4,7 @@ use algebra::graph::{LaplacianKind, NameError, NamedGraph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, CosineField, Field, Rational, RealCyclotomic, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Outcome, Run};
 use models::oscillator::phasor;
 
 /// Phasors of an arrangement, exact at multiples of parts of a turn.
@@ -128,7 +128,7 @@ pub fn supports(outcome: Outcome, clauses: &[usize]) -> Outcome {
 /// A proof on paper of these clauses for all their parameters: the steps of `notes/paley_phases.md` that it takes.
 pub fn argued(clauses: &[usize], part: &str, steps: &str) -> Result<Outcome, CheckError> {
     let detail = format!("notes/paley_phases.md, steps {steps}");
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Argued, part, detail).on(clauses).for_all()]))
+    Ok(Outcome::Holds(vec![Evidence::argued(part, detail).on(clauses)]))
 }
 
 /// Whether the numbers are all zero.

@@ -5,7 +5,7 @@ use algebra::matrix::RationalMatrix;
 use algebra::spectrum::Polynomial;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Evidence, Outcome, Run};
 use models::oscillator::{Neighbours, State, phasor};
 
 /// An identity between rational functions of a state and of some constants.
@@ -156,7 +156,7 @@ pub fn one_way_ring(particles: usize) -> Neighbours {
 
 /// A proof in the notes for all parameters of these clauses.
 pub fn argued(part: &str, section: &str, clauses: &[usize]) -> Evidence {
-    Evidence::new(Grade::Argued, part, format!("notes/paley_particles.md, {section}")).on(clauses).for_all()
+    Evidence::argued(part, format!("notes/paley_particles.md, {section}")).on(clauses)
 }
 
 /// The sum of squares.
