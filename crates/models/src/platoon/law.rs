@@ -30,7 +30,7 @@ impl Communication {
     }
 }
 
-/// The accelerations of the followers of systems (1) and (2): see [`accelerations_by`].
+/// The accelerations of the followers of systems (1) and (2): see `accelerations_by`.
 pub fn accelerations<T: Field>(
     communication: Communication,
     gains: &Gains<T>,
