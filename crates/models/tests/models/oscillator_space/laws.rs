@@ -18,7 +18,7 @@ fn state() -> State<f64> {
     }
 }
 
-/// 1 takes account of 2 and 3, the others of the one before.
+/// 1 senses 2 and 3, the others of the one before.
 fn network() -> Neighbours {
     Neighbours::from_fn(4, |k, j| if k == 0 { j == 1 || j == 2 } else { j + 1 == k })
 }
