@@ -3,50 +3,6 @@
 use super::{Evidence, Run, Verdict};
 use serde::Serialize;
 
-/// A statement with a check. `notes/own_claims.md` shows how to write and register one.
-pub trait Claim: Send + Sync + 'static {
-    /// The data in which variants of the statement differ: a sign, an index, a factor, a bound.
-    type Variant;
-
-    /// The id, such as `veerman.lem2`.
-    fn id(&self) -> &str;
-
-    /// Place and text of the statement; `None` for the ids of the papers, whose list the ledger has.
-    fn source(&self) -> Option<Source> {
-        None
-    }
-
-    /// The sentences of the statement that can be true or false alone, in order; none where the statement is one clause.
-    fn clauses(&self) -> Vec<String> {
-        Vec::new()
-    }
-
-    /// How the statement is read, where that is a choice.
-    fn reading(&self) -> Option<String> {
-        None
-    }
-
-    /// The argument in words, for `explain`.
-    fn derivation(&self) -> &str;
-
-    /// The statement as printed.
-    fn printed(&self) -> Self::Variant;
-
-    /// The corrected statement, for claims whose printed form fails.
-    fn repair(&self) -> Option<Repair<Self::Variant>> {
-        None
-    }
-
-    /// Altered variants that the check must refute.
-    fn controls(&self) -> Vec<Control<Self::Variant>>;
-
-    /// Decides a variant.
-    ///
-    /// # Errors
-    /// [`CheckError`] where the check itself could not be carried out.
-    fn examine(&self, variant: &Self::Variant, run: &mut Run) -> Result<Outcome, CheckError>;
-}
-
 /// Where a statement comes from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
@@ -141,32 +97,14 @@ impl Fault {
 }
 
 /// A corrected statement.
-#[derive(Debug, Clone)]
-pub struct Repair<V> {
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Correction {
     /// What kind of fault it corrects.
     pub fault: Fault,
     /// The corrected statement in words.
     pub statement: String,
     /// Its clauses; none where it is one.
     pub clauses: Vec<String>,
-    /// The corrected statement for the check.
-    pub variant: V,
-}
-
-/// A negative control.
-#[derive(Debug, Clone)]
-pub struct Control<V> {
-    /// What was altered.
-    pub what: &'static str,
-    /// The altered statement for the check.
-    pub variant: V,
-}
-
-impl<V> Control<V> {
-    /// A named control.
-    pub fn new(what: &'static str, variant: V) -> Self {
-        Control { what, variant }
-    }
 }
 
 /// Why a check could not be carried out. Every error of the libraries below converts into it.
@@ -208,20 +146,20 @@ pub enum Form {
     Control(usize),
 }
 
-/// A claim of any variant type, as the ledger holds it: the same for every claim, so that judging is compiled once.
-pub trait AnyClaim: Send + Sync {
-    /// The id.
+/// A statement with a check, as the ledger holds it. [`Record`](super::Record) is the way to write one; `notes/own_claims.md` shows how.
+pub trait Claim: Send + Sync {
+    /// The id, such as `veerman.lem2`.
     fn id(&self) -> &str;
     /// Place and text, for claims that are not in a list.
     fn source(&self) -> Option<Source>;
     /// The argument in words.
     fn derivation(&self) -> &str;
-    /// The sentences of the printed statement, where it has several.
+    /// The sentences of the printed statement that can be true or false alone; none where it is one clause.
     fn clauses(&self) -> Vec<String>;
-    /// How the statement is read.
+    /// How the statement is read, where that is a choice.
     fn reading(&self) -> Option<String>;
     /// The corrected statement, for claims whose printed form fails.
-    fn correction(&self) -> Option<Repair<()>>;
+    fn correction(&self) -> Option<Correction>;
     /// What each negative control alters.
     fn alterations(&self) -> Vec<&'static str>;
     /// Decides one form.
@@ -229,38 +167,4 @@ pub trait AnyClaim: Send + Sync {
     /// # Errors
     /// [`CheckError`] where the check could not be carried out, or has no such form.
     fn examine(&self, form: Form, run: &mut Run) -> Result<Outcome, CheckError>;
-}
-
-impl<C: Claim> AnyClaim for C {
-    fn id(&self) -> &str {
-        Claim::id(self)
-    }
-    fn source(&self) -> Option<Source> {
-        Claim::source(self)
-    }
-    fn derivation(&self) -> &str {
-        Claim::derivation(self)
-    }
-    fn clauses(&self) -> Vec<String> {
-        Claim::clauses(self)
-    }
-    fn reading(&self) -> Option<String> {
-        Claim::reading(self)
-    }
-    fn correction(&self) -> Option<Repair<()>> {
-        let Repair { fault, statement, clauses, .. } = self.repair()?;
-        Some(Repair { fault, statement, clauses, variant: () })
-    }
-    fn alterations(&self) -> Vec<&'static str> {
-        self.controls().into_iter().map(|control| control.what).collect()
-    }
-    fn examine(&self, form: Form, run: &mut Run) -> Result<Outcome, CheckError> {
-        let variant = match form {
-            Form::Printed => Some(self.printed()),
-            Form::Corrected => self.repair().map(|repair| repair.variant),
-            Form::Control(k) => self.controls().into_iter().nth(k).map(|control| control.variant),
-        };
-        let variant = variant.ok_or_else(|| CheckError::Other("the claim has no such form".to_string()))?;
-        Claim::examine(self, &variant, run)
-    }
 }

@@ -1,6 +1,6 @@
 //! From the outcomes of a check to a verdict.
 
-use super::{AnyClaim, CheckError, Controls, Entry, Evidence, Fault, Form, Outcome, Source, Verdict};
+use super::{CheckError, Claim, Controls, Entry, Evidence, Fault, Form, Outcome, Source, Verdict};
 use std::collections::BTreeMap;
 
 /// What the check said of one form, and the numbers that it recorded on the way.
@@ -37,7 +37,7 @@ impl Ruling {
 
 /// Judges the printed statement of a claim, or its correction as a statement of its own.
 pub(super) struct Judge<'a> {
-    pub claim: &'a dyn AnyClaim,
+    pub claim: &'a dyn Claim,
     pub source: &'a Source,
     /// Whether the correction is what is judged: the printed form then joins the controls.
     pub correction: bool,

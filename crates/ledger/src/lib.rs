@@ -1,7 +1,7 @@
 //! The ledger: claims with executable checks, verdicts, graded evidence and negative controls. It knows no model and no claim.
 //!
 //! A claim is data (the statement as printed, altered variants that must fail, a corrected variant where there is one)
-//! plus one check, [`Claim::examine`], that is run on every variant alike. The verdict is computed from what the check
+//! plus one check, that is run on every variant alike. The verdict is computed from what the check
 //! says, never written down: see [`Ledger::verify`].
 
 mod claim;
@@ -13,7 +13,7 @@ mod run;
 mod runner;
 mod tables;
 
-pub use claim::{AnyClaim, CheckError, Claim, Control, Fault, Form, Outcome, Repair, Source};
+pub use claim::{CheckError, Claim, Correction, Fault, Form, Outcome, Source};
 pub use entry::{Controls, Entry, Evidence, Grade, Scope, Verdict, interval_value};
 pub use judge::correction_id;
 pub use proofs::Proofs;

@@ -1,6 +1,6 @@
 //! Claims as records: data, and the function that decides a variant.
 
-use super::{CheckError, Claim, Control, Fault, Outcome, Repair, Run, Source};
+use super::{CheckError, Claim, Correction, Fault, Form, Outcome, Run, Source};
 
 /// A check of one variant.
 type Examine<V> = fn(&V, &mut Run) -> Result<Outcome, CheckError>;
@@ -83,9 +83,11 @@ impl<V> Record<V> {
     }
 }
 
-impl<V: Clone + Send + Sync + 'static> Claim for Record<V> {
-    type Variant = V;
+fn owned(texts: &[&str]) -> Vec<String> {
+    texts.iter().map(|text| text.to_string()).collect()
+}
 
+impl<V: Send + Sync + 'static> Claim for Record<V> {
     fn id(&self) -> &str {
         self.id
     }
@@ -94,33 +96,34 @@ impl<V: Clone + Send + Sync + 'static> Claim for Record<V> {
         self.source.map(|(place, statement)| Source { place: place.to_string(), statement: statement.to_string() })
     }
 
+    fn derivation(&self) -> &str {
+        self.derivation
+    }
+
     fn clauses(&self) -> Vec<String> {
-        self.clauses.iter().map(|clause| clause.to_string()).collect()
+        owned(self.clauses)
     }
 
     fn reading(&self) -> Option<String> {
         self.reading.map(str::to_string)
     }
 
-    fn derivation(&self) -> &str {
-        self.derivation
+    fn correction(&self) -> Option<Correction> {
+        let (fault, statement, _) = self.repair.as_ref()?;
+        Some(Correction { fault: *fault, statement: statement.to_string(), clauses: owned(self.repaired_clauses) })
     }
 
-    fn printed(&self) -> V {
-        self.printed.clone()
+    fn alterations(&self) -> Vec<&'static str> {
+        self.controls.iter().map(|(what, _)| *what).collect()
     }
 
-    fn repair(&self) -> Option<Repair<V>> {
-        let (fault, statement, variant) = self.repair.as_ref()?;
-        let clauses = self.repaired_clauses.iter().map(|clause| clause.to_string()).collect();
-        Some(Repair { fault: *fault, statement: statement.to_string(), clauses, variant: variant.clone() })
-    }
-
-    fn controls(&self) -> Vec<Control<V>> {
-        self.controls.iter().map(|(what, variant)| Control::new(what, variant.clone())).collect()
-    }
-
-    fn examine(&self, variant: &V, run: &mut Run) -> Result<Outcome, CheckError> {
+    fn examine(&self, form: Form, run: &mut Run) -> Result<Outcome, CheckError> {
+        let variant = match form {
+            Form::Printed => Some(&self.printed),
+            Form::Corrected => self.repair.as_ref().map(|(_, _, variant)| variant),
+            Form::Control(k) => self.controls.get(k).map(|(_, variant)| variant),
+        };
+        let variant = variant.ok_or_else(|| CheckError::Other("the claim has no such form".to_string()))?;
         (self.examine)(variant, run)
     }
 }

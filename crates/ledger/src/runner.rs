@@ -3,7 +3,7 @@
 use super::judge::{CORRECTED, Examined, Judge, correction_id};
 use super::proofs::{NoProofs, join};
 use super::{
-    AnyClaim, CheckError, Controls, Entry, Evidence, Fault, Form, Grade, Proofs, Repair, Run, Source, Verdict, listed,
+    CheckError, Claim, Controls, Correction, Entry, Evidence, Fault, Form, Grade, Proofs, Run, Source, Verdict, listed,
     recorded,
 };
 use arithmetic::{Progress, Unwatched};
@@ -66,7 +66,7 @@ pub enum LedgerError {
 /// A claim in the ledger: its printed statement, or its correction as a statement of its own.
 struct Registered {
     id: String,
-    claim: Arc<dyn AnyClaim>,
+    claim: Arc<dyn Claim>,
     source: Source,
     correction: bool,
 }
@@ -155,7 +155,7 @@ impl Ledger {
     ///
     /// # Errors
     /// [`LedgerError::Twice`] or [`LedgerError::NoSource`].
-    pub fn register(&mut self, claim: impl AnyClaim + 'static) -> Result<(), LedgerError> {
+    pub fn register(&mut self, claim: impl Claim + 'static) -> Result<(), LedgerError> {
         self.register_boxed(Box::new(claim))
     }
 
@@ -163,7 +163,7 @@ impl Ledger {
     ///
     /// # Errors
     /// As [`Ledger::register`].
-    pub fn register_boxed(&mut self, claim: Box<dyn AnyClaim>) -> Result<(), LedgerError> {
+    pub fn register_boxed(&mut self, claim: Box<dyn Claim>) -> Result<(), LedgerError> {
         let id = claim.id().to_string();
         let listed = || self.listed.get(&id).cloned();
         let source = claim.source().or_else(listed).ok_or_else(|| LedgerError::NoSource(id.clone()))?;
@@ -179,7 +179,7 @@ impl Ledger {
         let printed: Vec<Arc<Registered>> =
             self.claims.values().filter(|r| !r.correction && wanted(&r.id)).cloned().collect();
         for of in printed {
-            if let Some(Repair { statement, .. }) = of.claim.correction() {
+            if let Some(Correction { statement, .. }) = of.claim.correction() {
                 let paper = of.id.split('.').next().unwrap_or_default();
                 let source = Source { place: format!("corrects {paper}, {}", of.source.place), statement };
                 let id = correction_id(&of.id);
@@ -277,7 +277,7 @@ impl Ledger {
 
 /// The check of one claim on each of its forms, run once however many entries ask for it.
 struct Check {
-    claim: Arc<dyn AnyClaim>,
+    claim: Arc<dyn Claim>,
     seed: String,
     full: bool,
     most_work: u64,
@@ -289,7 +289,7 @@ struct Check {
 }
 
 impl Check {
-    fn new(claim: Arc<dyn AnyClaim>, options: &Options) -> Self {
+    fn new(claim: Arc<dyn Claim>, options: &Options) -> Self {
         let nothing = Err(CheckError::Other("the claim has no such form".to_string()));
         Check {
             controls: claim.alterations().iter().map(|_| OnceLock::new()).collect(),

@@ -17,10 +17,10 @@ mod tanner;
 mod tower;
 mod virtual_origins;
 
-use ledger::AnyClaim;
+use ledger::Claim;
 
 /// All that are built.
-pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+pub fn claims() -> Vec<Box<dyn Claim>> {
     vec![
         Box::new(one_sided_peak::one_sided_peak()),
         Box::new(smallest_entries::smallest_entries()),

@@ -19,7 +19,7 @@ pub(super) mod switching;
 mod velocity_bounds;
 mod worked_matrices;
 
-use ledger::{AnyClaim, Evidence, Outcome};
+use ledger::{Claim, Evidence, Outcome};
 
 /// A proof on paper of a part of a claim, for all parameters of its clauses.
 pub(super) fn argued(part: &str, place: &str) -> Outcome {
@@ -27,7 +27,7 @@ pub(super) fn argued(part: &str, place: &str) -> Outcome {
 }
 
 /// All that are built.
-pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+pub fn claims() -> Vec<Box<dyn Claim>> {
     vec![
         Box::new(worked_matrices::stretching()),
         Box::new(worked_matrices::product_a_b()),

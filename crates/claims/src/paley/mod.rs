@@ -10,9 +10,9 @@ pub(crate) use phase::{
 };
 pub use space::without_symmetries;
 
-use ledger::AnyClaim;
+use ledger::Claim;
 
 /// All that are built.
-pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+pub fn claims() -> Vec<Box<dyn Claim>> {
     phase::claims().into_iter().chain(space::claims()).collect()
 }

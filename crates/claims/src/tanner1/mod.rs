@@ -12,10 +12,10 @@ mod line;
 mod sets;
 mod turning;
 
-use ledger::AnyClaim;
+use ledger::Claim;
 
 /// All that are built.
-pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+pub fn claims() -> Vec<Box<dyn Claim>> {
     vec![
         Box::new(turning::gyro()),
         Box::new(turning::eq6()),

@@ -18,10 +18,10 @@ mod rates;
 pub(super) mod switching;
 pub(super) mod wording;
 
-use ledger::AnyClaim;
+use ledger::Claim;
 
 /// All that are built.
-pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+pub fn claims() -> Vec<Box<dyn Claim>> {
     vec![
         Box::new(energy::eq6()),
         Box::new(energy::eq8()),

@@ -18,11 +18,11 @@ mod theorem1;
 mod two_sided;
 
 use arithmetic::{Complex, Interval, Rational, Ring, Signed, rational};
-use ledger::{AnyClaim, Evidence, Grade};
+use ledger::{Claim, Evidence, Grade};
 use models::platoon::Gains;
 
 /// All that are built.
-pub(super) fn claims() -> Vec<Box<dyn AnyClaim>> {
+pub(super) fn claims() -> Vec<Box<dyn Claim>> {
     vec![
         Box::new(one_sided::response()),
         Box::new(one_sided::special_response()),

@@ -2,8 +2,7 @@
 
 use arithmetic::{Progress, rational};
 use ledger::{
-    CheckError, Claim, Control, Evidence, Fault, Grade, Ledger, LedgerError, Options, Outcome, Repair, Run, Source,
-    Verdict, to_json,
+    CheckError, Evidence, Fault, Grade, Ledger, LedgerError, Options, Outcome, Record, Run, Verdict, to_json,
 };
 use rand_chacha::rand_core::Rng;
 use std::sync::Arc;
@@ -40,47 +39,38 @@ struct Scripted {
     controls: Vec<Act>,
 }
 
-impl Claim for Scripted {
-    type Variant = Act;
-    fn id(&self) -> &str {
-        self.id
+impl Scripted {
+    fn record(self) -> Record<Act> {
+        let record = Record::new(self.id, "as the script says", self.printed, act).stated("test", "scripted");
+        let record = match self.repair {
+            Some((fault, variant)) => record.repaired(fault, "corrected", variant),
+            None => record,
+        };
+        let controls = ["control", "another"].into_iter().zip(self.controls);
+        controls.fold(record, |record, (what, act)| record.control(what, act))
     }
-    fn source(&self) -> Option<Source> {
-        Some(Source { place: "test".into(), statement: "scripted".into() })
-    }
-    fn derivation(&self) -> &str {
-        "as the script says"
-    }
-    fn printed(&self) -> Act {
-        self.printed
-    }
-    fn repair(&self) -> Option<Repair<Act>> {
-        self.repair.map(|(fault, variant)| Repair { fault, statement: "corrected".into(), clauses: vec![], variant })
-    }
-    fn controls(&self) -> Vec<Control<Act>> {
-        ["control", "another"].into_iter().zip(&self.controls).map(|(what, &act)| Control::new(what, act)).collect()
-    }
-    fn examine(&self, act: &Act, run: &mut Run) -> Result<Outcome, CheckError> {
-        let evidence = || Evidence::new(Grade::Exact, "part", "detail");
-        match act {
-            Act::Hold => Ok(Outcome::Holds(vec![evidence()])),
-            Act::HoldWithoutEvidence => Ok(Outcome::Holds(vec![])),
-            Act::Fail => Ok(Outcome::fails("here", evidence())),
-            Act::Undecided => Ok(Outcome::Undecided("tried".into())),
-            Act::NotCheckable => Ok(Outcome::NotCheckable("no data".into(), vec![])),
-            Act::Error => Err(CheckError::Other("broken".into())),
-            Act::Panic => panic!("a scripted panic"),
-            Act::LoopForever => loop {
-                run.checkpoint()?;
-            },
-            Act::SleepUncooperatively => {
-                std::thread::sleep(Duration::from_secs(600));
-                Ok(Outcome::Holds(vec![evidence()]))
-            }
-            Act::Random => {
-                run.value("drawn", rational(run.random(3).next_u32().into(), 1).to_string());
-                Ok(Outcome::Holds(vec![evidence()]))
-            }
+}
+
+fn act(act: &Act, run: &mut Run) -> Result<Outcome, CheckError> {
+    let evidence = || Evidence::new(Grade::Exact, "part", "detail");
+    match act {
+        Act::Hold => Ok(Outcome::Holds(vec![evidence()])),
+        Act::HoldWithoutEvidence => Ok(Outcome::Holds(vec![])),
+        Act::Fail => Ok(Outcome::fails("here", evidence())),
+        Act::Undecided => Ok(Outcome::Undecided("tried".into())),
+        Act::NotCheckable => Ok(Outcome::NotCheckable("no data".into(), vec![])),
+        Act::Error => Err(CheckError::Other("broken".into())),
+        Act::Panic => panic!("a scripted panic"),
+        Act::LoopForever => loop {
+            run.checkpoint()?;
+        },
+        Act::SleepUncooperatively => {
+            std::thread::sleep(Duration::from_secs(600));
+            Ok(Outcome::Holds(vec![evidence()]))
+        }
+        Act::Random => {
+            run.value("drawn", rational(run.random(3).next_u32().into(), 1).to_string());
+            Ok(Outcome::Holds(vec![evidence()]))
         }
     }
 }
@@ -93,7 +83,7 @@ fn run(claims: Vec<Scripted>, options: &Options) -> ledger::Report {
     let mut ledger = Ledger::new();
     for claim in claims {
         ledger.expect(claim.id, Verdict::Holds, &[Grade::Exact]);
-        ledger.register(claim).unwrap();
+        ledger.register(claim.record()).unwrap();
     }
     let ids = ledger.select(&[], &[]).unwrap();
     ledger.verify(&ids, options, |_| {})
@@ -124,7 +114,7 @@ fn verdicts_follow_from_outcomes() {
 fn a_correction_is_a_claim_that_refutes_the_printed_form() {
     let judged = |printed, repair| {
         let mut ledger = Ledger::new();
-        ledger.register(Scripted { repair, ..claim("test.a", printed) }).unwrap();
+        ledger.register(Scripted { repair, ..claim("test.a", printed) }.record()).unwrap();
         ledger.expect("beyond.test.a", Verdict::Holds, &[Grade::Exact]);
         ledger.register_corrections(|id| id == "test.a").unwrap();
         let ids = ledger.select(&["beyond".into()], &[]).unwrap_or_default();
@@ -147,7 +137,7 @@ fn a_correction_is_a_claim_that_refutes_the_printed_form() {
 fn a_correction_needs_an_id_of_its_own() {
     let mut ledger = Ledger::new();
     for id in ["test.a", "beyond.test.a"] {
-        ledger.register(Scripted { repair: Some((Fault::False, Act::Hold)), ..claim(id, Act::Fail) }).unwrap();
+        ledger.register(Scripted { repair: Some((Fault::False, Act::Hold)), ..claim(id, Act::Fail) }.record()).unwrap();
     }
     let twice = ledger.register_corrections(|id| id == "test.a");
     assert_eq!(twice, Err(LedgerError::Twice("beyond.test.a".into())));
@@ -185,7 +175,7 @@ fn every_deviation_is_reported() {
         assert!(report.differences[0].contains(expected));
     }
     let mut ledger = Ledger::new();
-    ledger.register(claim("test.unrecorded", Act::Hold)).unwrap();
+    ledger.register(claim("test.unrecorded", Act::Hold).record()).unwrap();
     let report = ledger.verify(&["test.unrecorded".into()], &Options::default(), |_| {});
     assert!(report.differences[0].contains("no verdict is recorded"));
 }

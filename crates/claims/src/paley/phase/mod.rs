@@ -24,10 +24,10 @@ pub use critical::{
 pub use eigenvectors::CyclicVariant;
 pub use figure2::{Polygon, printed_column, rhombus, value_of};
 
-use ledger::AnyClaim;
+use ledger::Claim;
 
 /// All that are built.
-pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+pub fn claims() -> Vec<Box<dyn Claim>> {
     vec![
         Box::new(order::synchronised()),
         Box::new(order::order_parameter()),

@@ -20,10 +20,10 @@ mod zones;
 
 pub use instances::without_symmetries;
 
-use ledger::AnyClaim;
+use ledger::Claim;
 
 /// All that are built.
-pub fn claims() -> Vec<Box<dyn AnyClaim>> {
+pub fn claims() -> Vec<Box<dyn Claim>> {
     vec![
         Box::new(particles::circle_of_particle()),
         Box::new(particles::kinetic_energy()),
