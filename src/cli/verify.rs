@@ -10,7 +10,7 @@ use std::time::Duration;
 
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Only the claims of this paper (may be repeated)
+    /// Only the claims of this paper (may be repeated; with --claim, the named ones of these papers)
     #[arg(long, value_name = "P")]
     paper: Vec<String>,
     /// Only this claim (may be repeated)
@@ -87,7 +87,7 @@ fn write_report(arguments: &Arguments, report: &Report, options: &Options) -> Re
     }
     let mut text = verdict_table(&report.entries);
     text.push('\n');
-    text.push_str(&summary(report, &arguments.paper));
+    text.push_str(&summary(report));
     for difference in &report.differences {
         text.push_str(&format!("DIFFERS {difference}\n"));
     }

@@ -207,7 +207,7 @@ impl Ledger {
         self.listed.keys().map(String::as_str)
     }
 
-    /// The ids of the named papers and claims, sorted; all ids where nothing is named.
+    /// The ids of the named papers, and of these the named claims, sorted; all where nothing is named.
     ///
     /// # Errors
     /// [`LedgerError`] for a name that is not there.
@@ -226,8 +226,8 @@ impl Ledger {
                 return Err(if is_listed { LedgerError::NotBuilt } else { LedgerError::Unknown }(id.clone()));
             }
         }
-        let all = papers.is_empty() && claims.is_empty();
-        let wanted = |id: &&str| all || papers.contains(&paper_of(id)) || claims.iter().any(|c| c == id);
+        let of_papers = |id: &str| papers.is_empty() || papers.contains(&paper_of(id));
+        let wanted = |id: &&str| of_papers(id) && (claims.is_empty() || claims.iter().any(|c| c == id));
         Ok(self.ids().filter(wanted).map(String::from).collect())
     }
 

@@ -1,8 +1,7 @@
 //! The table of verdicts and the summary per paper, within 80 columns.
 
-use claims::LISTED;
-use ledger::{Entry, Report, Verdict, listed};
-use std::collections::{BTreeMap, BTreeSet};
+use ledger::{Entry, Report, Verdict};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// One line per claim: id, verdict, clauses covered for all parameters, controls, time, the strongest grade of evidence and the number of other grades.
@@ -33,33 +32,14 @@ pub fn verdict_table(entries: &[Entry]) -> String {
     text
 }
 
-/// Counts per paper: claims built, verdicts, claims of the list that are missing.
-pub fn summary(report: &Report, papers: &[String]) -> String {
-    let paper_of = |id: &str| id.split('.').next().unwrap_or_default().to_string();
-    let mut listed_per_paper: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
-    for row in listed(LISTED) {
-        listed_per_paper.entry(paper_of(row.id)).or_default().insert(row.id);
-    }
-    let mut names: BTreeSet<String> = report.entries.iter().map(|e| e.paper.clone()).collect();
-    names.extend(listed_per_paper.keys().filter(|p| papers.is_empty() || papers.contains(p)).cloned());
-    let mut text = String::new();
-    for paper in names {
-        let entries: Vec<&Entry> = report.entries.iter().filter(|e| e.paper == paper).collect();
-        let counts: Vec<String> = Verdict::ALL
-            .into_iter()
-            .map(|v| (v.word(), entries.iter().filter(|e| e.verdict == v).count()))
-            .filter(|(_, n)| *n > 0)
-            .map(|(word, n)| format!("{n} {word}"))
-            .collect();
-        let missing = listed_per_paper
-            .get(&paper)
-            .map_or(0, |ids| ids.iter().filter(|&&id| !entries.iter().any(|e| e.id == id)).count());
-        let built = if entries.is_empty() { "none checked".to_string() } else { counts.join(", ") };
-        let _ = writeln!(
-            text,
-            "{paper:9} {built}{}",
-            if missing > 0 { format!("; {missing} missing") } else { String::new() }
-        );
-    }
-    text
+/// Verdicts per paper, of the claims that were asked for.
+pub fn summary(report: &Report) -> String {
+    let papers: BTreeSet<&str> = report.entries.iter().map(|e| e.paper.as_str()).collect();
+    let line = |paper: &str| {
+        let count = |v: Verdict| report.entries.iter().filter(|e| e.paper == paper && e.verdict == v).count();
+        let counts = Verdict::ALL.into_iter().map(|v| (count(v), v.word())).filter(|(n, _)| *n > 0);
+        let counts: Vec<String> = counts.map(|(n, word)| format!("{n} {word}")).collect();
+        format!("{paper:9} {}\n", counts.join(", "))
+    };
+    papers.into_iter().map(line).collect()
 }
