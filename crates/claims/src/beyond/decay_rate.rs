@@ -46,8 +46,8 @@ pub fn slowest_decay() -> Record<DecayRateVariant> {
     .clauses(&[
         "For f, g < 0 and M = N + 1 >= |g|/sqrt|f| the slowest rate of decay of system (2), -max Re spec(M_2), is exactly |g| (1 - cos(pi/(2M)))/2.",
         "This is less than pi^2 |g|/(16 M^2).",
-        "System (2) is stable for every N.",
-        "It is so at no common rate.",
+        "For f, g < 0 system (2) is stable for every N.",
+        "For f, g < 0 it is so at no rate common to all N.",
     ])
     .control("|g| lambda_1", DecayRateVariant { factor: (1, 1), ..printed })
     .control("the second mode", DecayRateVariant { mode: 2, ..printed })

@@ -15,7 +15,7 @@ pub fn growth() -> Record<GrowthVariant> {
     )
     .stated(
         "bears on veerman, Section 6, last part",
-        "The peak response of the last of M followers grows exponentially for system (1), and for every p >= 0 there are communication graphs of \
+        "The peak response of the last of M followers grows exponentially for system (1), and for every integer p >= 0 there are communication graphs of \
          agents on a line, with a directed path from the leader to every agent, for which it grows like M^p (p two-sided flocks in series; \
          for p = 0 every agent tracks the leader).",
     )

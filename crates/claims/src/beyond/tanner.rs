@@ -167,7 +167,7 @@ pub fn endless_switching() -> Record<(Potential, Rational)> {
     )
     .stated(
         "limits tanner2, end of the proof of Theorem 2",
-        "With V' = (s-1)(s-3)²(s+3/5)/s² (a potential of Definition 3, increasing beyond s = 1) and R² = 3, every motion of four agents that starts near two equilateral triangles side by side and stays mirror symmetric about both diagonals, and is not at rest in that position, passes |r_13| = R for ever.",
+        "With V' = (s-1)(s-3)²(s+3/5)/s² (a potential of Definition 3, increasing beyond s = 1) and R² = 3, every motion of four agents that starts near two equilateral triangles side by side and stays mirror symmetric about both diagonals, and is not that rhombus with a common velocity, passes |r_13| = R for ever (near and mirror symmetric up to a common motion).",
     )
     .control("V = s + 1/s - 2, whose slope at R is positive", (spring(), q(3)))
     .control("R² = 4", (Potential::with_inflection(&q(4)), q(4)))

@@ -135,7 +135,7 @@ pub fn final_count() -> Record<FinalCountVariant> {
     ])
     .repaired(
         Fault::False,
-        "When birds of V_k joined at time T_k+1 or later always remain so, the total number of network changes is at \
+        "When birds of V_k joined at time T_k+1 or later always remain so, the number of u >= 2 with G_u != G_{u-1} is at \
          most N(T_k,T_{k-1}) + ... + N(T_1,1) + 1 + binom(|V_k|,2) + M, where N(t,s) counts the changes at u with s < \
          u <= t, and M those after T_k+1 of the network on the birds outside V_k.",
         corrected,

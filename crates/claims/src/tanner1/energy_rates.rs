@@ -145,11 +145,11 @@ pub fn eq9() -> Record<RateVariant> {
     )
     .repaired(
         Fault::False,
-        "While no agent is at rest, Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|². It is positive for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s.",
+        "While no agent is at rest and no heading jumps, Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|². It is positive for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s.",
         repaired,
     )
     .repaired_clauses(&[
-        "While no agent is at rest, Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|².",
+        "While no agent is at rest and no heading jumps, Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|².",
         "Vdot_t > 0 for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s.",
     ])
     .control("the potentials' part with the other sign", RateVariant::Form { form: -1, potential: -1 })

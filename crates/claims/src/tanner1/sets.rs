@@ -79,7 +79,7 @@ pub fn smooth() -> Record<SmoothVariant> {
     )
     .repaired(
         Fault::Hypothesis,
-        "The control laws are smooth at states where no velocity is zero or points along the negative x axis and no linked agents coincide.",
+        "For smooth potentials the control laws are smooth at states where no velocity is zero or points along the negative x axis and no linked agents coincide.",
         SmoothVariant { at_cut: false, at_rest: false },
     )
     .control("wherever no velocity is zero", SmoothVariant { at_cut: true, at_rest: false })

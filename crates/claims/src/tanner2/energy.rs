@@ -463,7 +463,7 @@ pub fn vdot_b() -> Record<IncidenceVariant> {
     )
     .repaired(
         Fault::Slip,
-        "vdot = (B kron I_2) [..., grad_{r_ij} V_ij, ...]^T with B as in Section 2.1 (or the minus sign with 1 for outgoing edges).",
+        "Where all velocities are equal, vdot = (B kron I_2) [..., grad_{r_ij} V_ij, ...]^T with B as in Section 2.1 (or the minus sign with 1 for outgoing edges).",
         IncidenceVariant { sign: 1, outgoing: -1 },
     )
     .control("plus, with 1 for outgoing edges", IncidenceVariant { sign: 1, outgoing: 1 })

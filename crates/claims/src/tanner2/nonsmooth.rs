@@ -73,13 +73,13 @@ pub fn lem1() -> Record<RegularVariant> {
     )
     .repaired(
         Fault::False,
-        "With c = V_r(R) > 0 the saturated potential U_ij is regular at every distance but R; at R -U_ij is regular; U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
+        "For V with a continuous derivative and c = V_r(R) > 0 the saturated potential U_ij is regular at every distance but R; at R -U_ij is regular; U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
         RegularVariant { sign: -1, directions: &[1, -1] },
     )
     .repaired_clauses(&[
-        "The saturated potential U_ij is regular at every distance but R.",
+        "For V with a continuous derivative the saturated potential U_ij is regular at every distance but R.",
         "With c = V_r(R) > 0, -U_ij is regular at R.",
-        "U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
+        "For V with a continuous derivative U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
     ])
     .control("in the outward direction", RegularVariant { sign: 1, directions: &[1] })
     .control("in the inward direction", RegularVariant { sign: 1, directions: &[-1] })
@@ -135,12 +135,12 @@ pub fn lem2() -> Record<GradientVariant> {
     )
     .repaired(
         Fault::False,
-        "With c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R; with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
+        "For V with a continuous derivative and c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R; with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
         GradientVariant::Between((0, 1), (1, 1)),
     )
     .repaired_clauses(&[
-        "With c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R.",
-        "With respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
+        "For V with a continuous derivative and c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R.",
+        "For such V, with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
     ])
     .control("0 alone", GradientVariant::Between((0, 1), (0, 1)))
     .control("grad V alone", GradientVariant::Between((1, 1), (1, 1)))

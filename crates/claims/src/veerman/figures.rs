@@ -48,7 +48,7 @@ pub fn figure4() -> Record<Figure4Variant> {
         printed,
         examine_figure4,
     )
-    .reading("Excellent: the curves of the figure differ by at most 2.5 per cent at any size from 4 on and by at most 0.05 per cent from 32 on.")
+    .reading("Excellent: the curves of the figure differ by at most 2.5 per cent at every size of the figure from 4 on, up to 128, and by at most 0.05 per cent from 32 on.")
     .clauses(&[
         "The agreement between the numerical values of the resonance frequency and the second order approximation (as functions of flock size) is excellent.",
         "The agreement between the numerical values of the resonance amplitude and the second order approximation (as functions of flock size) is excellent.",

@@ -142,16 +142,16 @@ pub fn size_limit() -> Record<FrontLimitVariant> {
         printed,
         examine_limit,
     )
-    .reading("N <~ X is read as N <= X.")
+    .reading("N <~ X is read as N <= X; what stays within D is the equilibrium oscillation (the particular solution), as in the proof; a_0, D > 0 and f, g < 0.")
     .repaired(
         Fault::Typo,
-        "If the amplitude of the oscillation of the leader at frequency sqrt(|f|) is a_0, then the last car stays within the maximum \
+        "If the amplitude of the oscillation of the leader at frequency sqrt(|f|) is a_0, then the equilibrium oscillation of the last car stays within the maximum \
          oscillation allowed D if and only if N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2) (system (1)).",
         repaired,
     )
     .repaired_clauses(&[
-        "If the leader oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the last car stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2).",
-        "If N + 1 is at most that, the last car stays within D.",
+        "If the leader oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the equilibrium oscillation of the last car stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2).",
+        "If N + 1 is at most that, the equilibrium oscillation of the last car stays within D.",
     ])
     .control("without the factor 2", FrontLimitVariant { factor: (1, 1), ..repaired })
     .control("the factor 3", FrontLimitVariant { factor: (3, 1), ..repaired })

@@ -39,12 +39,13 @@ pub fn nth_neighbour() -> Record<NeighbourVariant> {
     .repaired(
         Fault::Hypothesis,
         "If each agent keeps track of only the n-th agent in front and behind it, with n >= 2, the communication graph \
-         is not connected and therefore some agents will stay behind.",
+         is not connected, and the followers that are not joined to the leader (agent 1 among them), if they start at rest in their places, stay there whatever the leader does: they \
+         stay behind one that leaves.",
         repaired,
     )
     .repaired_clauses(&[
         "If each agent keeps track of only the n-th agent in front and behind it, with n >= 2, the communication graph is not connected.",
-        "Some agents will stay behind.",
+        "The followers that are not joined to the leader (agent 1 among them), if they start at rest in their places, stay there whatever the leader does: they stay behind one that leaves.",
     ])
     .control("connected for n >= 2", NeighbourVariant { connected: true, ..repaired })
     .control("all agents stay behind", NeighbourVariant { all_stay: true, ..repaired })

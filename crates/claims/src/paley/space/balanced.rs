@@ -92,14 +92,14 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
     )
     .repaired(
         Fault::False,
-        "If G is circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
+        "If G is undirected, circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
          formations whose phases maximise W_1 (all of them balanced: L e^{i theta} = lambda_max e^{i \
          theta}) is asymptotically stable. It is the set of all balanced circular formations if G is \
          complete.",
         BalancedVariant { set: BalancedSet::Largest, gain: 1 },
     )
     .repaired_clauses(&[
-        "If G is circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
+        "If G is undirected, circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
          formations whose phases maximise W_1 is asymptotically stable.",
         "All of them are balanced: L e^{i theta} = lambda_max e^{i theta}.",
         "It is the set of all balanced circular formations if G is complete.",
@@ -190,16 +190,16 @@ pub fn larger_gain() -> Record<GainVariant> {
     .reading("The gain is raised on the formation of Figure 3(c).")
     .repaired(
         Fault::False,
-        "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) and the balanced \
-         (2,N)-pattern are both exponentially stable up to symmetry for every K_1 > 0; increasing the gain \
-         does not lead from one to the other.",
+        "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) and the \
+         (2,12)-pattern in which neighbours are opposite are both exponentially stable up to symmetry for every K_1 > 0; the formation of Figure 3(c) is an equilibrium at every K_1, so that a \
+         change of the gain leaves it where it is.",
         GainVariant { offset: 5, destroyed: false },
     )
     .repaired_clauses(&[
         "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) is exponentially \
          stable up to symmetry for every K_1 > 0.",
-        "The balanced (2,N)-pattern is too.",
-        "Increasing the gain does not lead from one to the other.",
+        "The (2,12)-pattern in which neighbours are opposite is too.",
+        "The formation of Figure 3(c) is an equilibrium at every K_1, so that a change of the gain leaves it where it is.",
     ])
     .control("neighbours one twelfth apart are stable", GainVariant { offset: 1, destroyed: false })
     .control("a quarter turn apart", GainVariant { offset: 3, destroyed: false })

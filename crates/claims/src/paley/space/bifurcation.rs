@@ -70,7 +70,7 @@ pub fn fewer_clusters() -> Record<FewerVariant> {
         "Increasing it from M = 8 to M = 2 does.",
     ])
     .reading(
-        "In most runs from random states, at the sizes of K_1 that are tried; particles are in overlapping zones where \
+        "In most runs from random states, for every K_1 < 0; particles are in overlapping zones where \
          one senses the other; fewer: the mean number of clusters over the same starts decreases.",
     )
     .control("K_1 > 0", FewerVariant { sign: 1.0, ..printed })

@@ -89,7 +89,7 @@ pub fn laplacian_form() -> Record<FormVariant> {
     .reading("\"Approximated\" means r_kj in the place of rhat_kj.")
     .repaired(
         Fault::Slip,
-        "With r_kj in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = w_k - K_ori <i e^{i \
+        "If the repulsion zone of fish k is empty, with r_kj in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = w_k - K_ori <i e^{i \
          th_k}, L_k^ori e^{i th}> - K_att <i e^{i th_k}, L_k^att r>; its K_att term steers towards the sum \
          of the r_j - r_k, its K_ori term towards the sum of the headings of the neighbours. It is (27) \
          itself where every neighbour in the zone of attraction is at the distance 1, and in general it is \
@@ -97,7 +97,7 @@ pub fn laplacian_form() -> Record<FormVariant> {
         right,
     )
     .repaired_clauses(&[
-        "With r_kj in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = w_k - K_ori <i e^{i \
+        "If the repulsion zone of fish k is empty, with r_kj in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = w_k - K_ori <i e^{i \
          th_k}, L_k^ori e^{i th}> - K_att <i e^{i th_k}, L_k^att r>.",
         "Its K_att term steers towards the sum of the r_j - r_k.",
         "Its K_ori term steers towards the sum of the headings of the neighbours.",

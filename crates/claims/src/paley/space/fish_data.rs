@@ -136,7 +136,7 @@ pub fn difference_inference() -> Record<ScaleVariant> {
     .repaired_clauses(&[
         "The difference of W_1/n for n = N-1 and n = 1 is positive if and only if nearest neighbours are on \
          average more synchronised than all pairs (mean of 1 - cos th_kj over arcs).",
-        "For independent uniform headings it has mean zero.",
+        "For independent uniform headings that do not depend on the positions it has mean zero.",
     ])
     .control("unscaled", ScaleVariant { name: "1", scale: |_| (1, 1) })
     .control("1/(n + 1)", ScaleVariant { name: "1/(n+1)", scale: |n| (1, n + 1) })

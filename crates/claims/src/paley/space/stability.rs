@@ -108,8 +108,8 @@ pub fn drift_gain() -> Record<SynchronyVariant> {
     )
     .repaired(
         Fault::Typo,
-        "Stabilizing the synchronized circular formation in a drift field: f_k = -0.1, N = 12, w0 = K_0 = \
-         0.1 and K_1 < 0.",
+        "Under (22) on a connected undirected graph and up to the common drift, the synchronized circular formation is stabilized in a drift field: f_k = -0.1, N = 12, \
+         w0 = K_0 = 0.1 and K_1 < 0.",
         SynchronyVariant::STABLE,
     )
     .control("K_1 = 0", SynchronyVariant { orientation: 0, ..SynchronyVariant::STABLE })

@@ -182,7 +182,7 @@ pub fn common_drift() -> Record<DriftVariant> {
         printed,
         examine_common_drift,
     )
-    .reading("K_0 > 0, as under (20), on a connected undirected graph, and shape controls.")
+    .reading("Under (22) with K_0 > 0, on a connected undirected graph.")
     .control("against the field", DriftVariant { sign: -1, ..printed })
     .control("different drifts", DriftVariant { common: false, ..printed })
     .control("with a beacon", DriftVariant { beacon: true, ..printed })
