@@ -75,7 +75,10 @@ impl Run {
         let replicate = IDENTITY_POINTS + self.identities.fetch_add(1, Ordering::Relaxed);
         Ok(match test_identity(identity, cases, &mut self.random(replicate))? {
             IdentityOutcome::Agreed { cases, degree, error_bits } => {
-                let detail = format!("equal at random integer points in {}; degree at most {degree}", names.join(", "));
+                let detail = format!(
+                    "equal at random points modulo random primes in {}; degree at most {degree}",
+                    names.join(", ")
+                );
                 Outcome::Holds(vec![Evidence::new(Grade::Identity, part, detail).cases(cases).error_bits(error_bits)])
             }
             IdentityOutcome::Differed { at, component, left, right } => {
@@ -139,7 +142,8 @@ impl Run {
             }
             count += 1;
         }
-        Ok(Outcome::Holds(vec![evidence.cases(count)]))
+        // No case is no evidence.
+        Ok(Outcome::Holds(if count == 0 { Vec::new() } else { vec![evidence.cases(count)] }))
     }
 
     /// Runs parts in order; the evidence of all, or the first one that does not hold.

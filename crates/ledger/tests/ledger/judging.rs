@@ -201,3 +201,15 @@ fn an_interrupted_run_keeps_what_was_finished() {
     assert_eq!((report.entries.len(), report.missing.as_slice()), (0, &["test.a".to_string()][..]));
     assert!(!report.is_as_recorded());
 }
+
+/// A family without members is no evidence.
+#[test]
+fn no_case_is_undecided() {
+    let empty = Record::new("test.empty", "nothing to look at", (), |(), run| {
+        run.exhaustive("the empty family", "looked at", std::iter::empty::<u64>(), |_| Ok(None))
+    });
+    let mut ledger = Ledger::new();
+    ledger.register(empty.stated("test", "every member of the empty family")).unwrap();
+    let report = ledger.verify(&["test.empty".into()], &Options::default(), |_| {});
+    assert_eq!(report.entries[0].verdict, Verdict::Undecided);
+}
