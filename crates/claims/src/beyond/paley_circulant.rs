@@ -159,12 +159,11 @@ pub fn cyclic_patterns() -> Record<CyclicVariant> {
     )
     .stated(
         "beyond Figure 3 and the text on balanced circular formations",
-        "On C_N, N >= 3, under (22) with K_0 > 0, the circular formation with theta_k = 2 pi m k/N is exponentially stable up to rotation and translation iff \
-         K_1 cos(2 pi m/N) < 0, whatever the size of the gains and the sign of w0; it is unstable if K_1 cos(2 pi m/N) > 0.",
+        "",
     )
     .clauses(&[
         "On C_N, N >= 3, under (22) with K_0 > 0, the circular formation with theta_k = 2 pi m k/N is exponentially stable up to rotation and translation iff \
-         K_1 cos(2 pi m/N) < 0.",
+         K_1 cos(2 pi m/N) < 0, whatever the size of the gains and the sign of w0.",
         "It is unstable if K_1 cos(2 pi m/N) > 0.",
     ])
     .control("the other sign", CyclicVariant { sign: -1, ..right })

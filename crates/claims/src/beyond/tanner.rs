@@ -77,7 +77,7 @@ pub fn two_agents() -> Record<TotalVariant> {
     ])
     .stated(
         "replaces tanner1, eq (9), for two agents",
-        "Two agents under (4), (5) with heading differences wrapped to (-pi, pi]: |v_1 + v_2| never decreases, d/dt ½|v_1 + v_2|² = 2 |v_1||v_2| d sin d/|r_12|² with d = theta_1 - theta_2, while the mechanical energy is constant.",
+        "",
     )
     .control("half of it", TotalVariant { factor: 1, ..printed })
     .control("over the fourth power of the distance", TotalVariant { power: 2, ..printed })

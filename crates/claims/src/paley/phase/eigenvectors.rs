@@ -40,8 +40,7 @@ pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
     )
     .repaired(
         Fault::False,
-        "If e^{i theta} is, up to a common rotation, a column of F (column m other than the first), then the phasors form a symmetric pattern, \
-         that of N/gcd(N, m - 1) clusters. Other eigenvectors of a repeated eigenvalue need not be symmetric.",
+        "",
         right,
     )
     .repaired_clauses(&[
@@ -236,8 +235,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
     ])
     .repaired(
         Fault::False,
-        "On C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of W_1, and up to rotation it is a column of F, which \
-         is a symmetric pattern, or, with eigenvalue 2, (u, v, -u, -v) three times over with any u, v of modulus one.",
+        "",
         right,
     )
     .repaired_clauses(&[

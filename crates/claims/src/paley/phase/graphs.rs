@@ -65,8 +65,7 @@ pub fn edge_length() -> Record<LengthVariant> {
     )
     .repaired(
         Fault::Slip,
-        "Q_L(x) = (1/(4N)) sum_{(j,k) in E} |x_j - x_k|^2 for undirected G with both directions of each edge in E, or (1/(2N)) with \
-         each edge counted once: proportional to the total squared length of the edges.",
+        "",
         right,
     )
     .repaired_clauses(&[
@@ -158,8 +157,7 @@ pub fn incidence() -> Record<IncidenceVariant> {
     )
     .repaired(
         Fault::Slip,
-        "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way; with one column for each \
-         directed edge in E, L = (1/2) B B^T.",
+        "",
         right,
     )
     .repaired_clauses(&[

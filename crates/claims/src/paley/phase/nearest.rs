@@ -91,8 +91,7 @@ pub fn scale() -> Record<ScaleVariant> {
     .reading("The factor is that of the labels of Figure S3, 2/(n+1); with that of the text, 2/n + 1, it fails for two fish already")
     .repaired(
         Fault::False,
-        "2/(n+1) W_1 lies in [0,1] for n = 1 and n = N - 1 (those of Figure S3), but not for every n: it is 4/3 for four fish on a square, \
-         n = 2, each opposite to both neighbours. For all n the scaled potential W_1/n lies in [0,1].",
+        "",
         ScaleVariant(vec![(|n, fish| n == 1 || n + 1 == fish, figure_scale), (|_, _| true, |n, _| rational(1, n))]),
     )
     .repaired_clauses(&[

@@ -32,8 +32,7 @@ pub fn synchronised() -> Record<RateVariant> {
     )
     .repaired(
         Fault::False,
-        "A synchronised arrangement implies that the particles have a common direction at all times, which turns at their \
-         common rate, omega_0 under (6) with (9) or (14); the formation is parallel if and only if that rate is zero.",
+        "",
         right,
     )
     .repaired_clauses(&[

@@ -187,8 +187,7 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
     ])
     .repaired(
         Fault::False,
-        "W_1(theta) is zero if and only if the phases within each weakly connected component of G are synchronised; otherwise W_1(theta) is \
-         positive.",
+        "",
         weak,
     )
     .repaired_clauses(&[

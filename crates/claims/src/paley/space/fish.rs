@@ -152,13 +152,7 @@ pub fn repulsion_field() -> Record<BehaviourVariant> {
         "A field produces repulsion where moving along it lengthens the distances to the neighbours, and \
          (27) steers towards it.",
     )
-    .repaired(
-        Fault::Slip,
-        "v_k^rep = sum_{j in N_k^rep} rhat_kj with rhat_kj = (r_k - r_j)/|r_k - r_j| (or - sum with \
-         rhat_jk): moving along it lengthens the sum of the distances to these neighbours at the rate \
-         |v_k^rep|^2, and with K_rep > 0 the steering (27) turns the heading towards it.",
-        right,
-    )
+    .repaired(Fault::Slip, "", right)
     .repaired_clauses(&[
         "Moving along v_k^rep = sum_{j in N_k^rep} rhat_kj, rhat_kj = (r_k - r_j)/|r_k - r_j|, lengthens \
          the sum of the distances to these neighbours at the rate |v_k^rep|^2.",
@@ -189,13 +183,7 @@ pub fn attraction_field() -> Record<BehaviourVariant> {
         "A field produces attraction where moving along it shortens the distances to the neighbours, and \
          (27) steers towards it.",
     )
-    .repaired(
-        Fault::Slip,
-        "v_k^att = - sum_{j in N_k^att} rhat_kj with rhat_kj = (r_k - r_j)/|r_k - r_j| (or sum with \
-         rhat_jk): moving along it shortens the sum of the distances to these neighbours at the rate \
-         |v_k^att|^2, and with K_att > 0 the steering (27) turns the heading towards it.",
-        right,
-    )
+    .repaired(Fault::Slip, "", right)
     .repaired_clauses(&[
         "Moving along v_k^att = - sum_{j in N_k^att} rhat_kj, rhat_kj = (r_k - r_j)/|r_k - r_j|, shortens \
          the sum of the distances to these neighbours at the rate |v_k^att|^2.",
