@@ -19,7 +19,7 @@ pub use judge::correction_id;
 pub use proofs::Proofs;
 pub use record::Record;
 pub use run::Run;
-pub use runner::{Ledger, LedgerError, Options, Report, recorded_row, to_json};
+pub use runner::{Ledger, LedgerError, Options, Report, recorded_row, to_json, to_json_with};
 pub use tables::{Listed, Recorded, listed, recorded};
 
 /// The generator of [`Run::random`] stands in its signature.

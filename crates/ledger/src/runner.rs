@@ -202,6 +202,11 @@ impl Ledger {
         self.claims.keys().map(String::as_str)
     }
 
+    /// Place and statement of a registered claim.
+    pub fn source(&self, id: &str) -> Option<&Source> {
+        self.claims.get(id).map(|registered| &registered.source)
+    }
+
     /// The ids of the list, sorted.
     pub fn listed_ids(&self) -> impl Iterator<Item = &str> {
         self.listed.keys().map(String::as_str)
@@ -441,15 +446,27 @@ struct Document<'a> {
     schema: &'a str,
     version: &'a str,
     seed: &'a str,
+    #[serde(flatten)]
+    more: &'a BTreeMap<String, serde_json::Value>,
+    interrupted: bool,
+    missing: &'a [String],
     claims: &'a [Entry],
 }
 
 /// The JSON document of a run.
 pub fn to_json(report: &Report, options: &Options) -> String {
+    to_json_with(report, options, &BTreeMap::new())
+}
+
+/// The same with further keys beside its own, such as the configuration that it came from.
+pub fn to_json_with(report: &Report, options: &Options, more: &BTreeMap<String, serde_json::Value>) -> String {
     let document = Document {
         schema: "flockproof.ledger/2",
         version: env!("CARGO_PKG_VERSION"),
         seed: &options.seed,
+        more,
+        interrupted: !report.missing.is_empty(),
+        missing: &report.missing,
         claims: &report.entries,
     };
     // Strings, numbers and lists only: this cannot fail.
