@@ -187,9 +187,9 @@ fn evidence(site: &Site, entry: &Entry, links: Links) -> Markup {
                 } }
                 tbody {
                     @for e in &entry.evidence { tr {
-                        td data-label="Grade" { abbr title=(promise(e.grade)) { (e.grade.word()) } }
+                        td.short data-label="Grade" { abbr title=(promise(e.grade)) { (e.grade.word()) } }
                         @if several { td data-label="Clauses" { (of(e)) } }
-                        td data-label="Reaches" { (reach(e.scope)) }
+                        td.short data-label="Reaches" { (reach(e.scope)) }
                         td {
                             @if !e.part.is_empty() { (site.names.rich(&e.part, links)) ": " }
                             (site.names.rich(&e.detail, links))

@@ -8,7 +8,6 @@ use super::related::Tie;
 use super::words::{mark, spoken};
 use ledger::{Entry, correction_id};
 use maud::{Markup, PreEscaped, html};
-use proofs::kernel::theorems;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
@@ -122,7 +121,7 @@ fn edges<'a>(site: &'a Site, paper: &str) -> BTreeSet<((usize, &'a str), (usize,
             }
         }
         let corrected = correction_id(&entry.id);
-        for theorem in theorems().iter().filter(|t| t.is_checked()) {
+        for theorem in &site.names.theorems {
             // What is proved of a correction is drawn from the correction, where it is a claim of its own.
             let of_correction = theorem.covers == proofs::kernel::Covers::Corrected && site.entry(&corrected).is_some();
             let direct = theorem.claim == entry.id && !of_correction;

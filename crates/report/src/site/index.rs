@@ -42,7 +42,7 @@ pub(super) fn body(site: &Site) -> Markup {
                 th scope="col" { "Claim" } th scope="col" { "Statement" } th scope="col" { "Verdict" }
                 th scope="col" { abbr title="clauses covered for all parameters" { "All" } } th scope="col" { "Evidence" }
             } }
-            tbody { @for entry in site.entries() { (row(site, entry)) } }
+            tbody { @for own in [false, true] { @for entry in site.entries().iter().filter(|e| (e.paper == "beyond") == own) { (row(site, entry)) } } }
         }
         p #nothing hidden { "No claim is like that. " button type="button" #reset-below { "Show all" } }
     }
@@ -97,14 +97,15 @@ fn filters() -> Markup {
 fn row(site: &Site, entry: &Entry) -> Markup {
     let grades = entry.grades().iter().map(|g| g.word()).collect::<Vec<_>>().join(" ");
     let (whole, clauses) = entry.reach();
+    let words = format!("{} {}", entry.statement, entry.corrected.as_deref().unwrap_or_default()).to_lowercase();
     html! {
         tr id=(entry.id) data-paper=(entry.paper) data-verdict=(entry.verdict.word()) data-fault=(entry.fault.map_or("", Fault::word))
-            data-grade=(grades) data-scope=(scope_key(entry)) {
+            data-grade=(grades) data-scope=(scope_key(entry)) data-words=(words) {
             th scope="row" { a href={ "claims/" (entry.id) ".html" } { (breakable(&entry.id)) } span.place { (entry.place) } }
-            td.statement { (site.names.linked(&entry.statement, Links::Alone)) }
-            td data-label="Verdict" { (chip(entry)) }
-            td data-label="All" { (whole) "/" (clauses) }
-            td data-label="Evidence" { (entry.grades().first().map_or("", |g| g.word())) }
+            td.statement { (site.names.rich(&entry.statement, Links::Alone)) }
+            td.short data-label="Verdict" { (chip(entry)) }
+            td.short data-label="All" { (whole) "/" (clauses) }
+            td.short data-label="Evidence" { (entry.grades().first().map_or("", |g| g.word())) }
         }
     }
 }

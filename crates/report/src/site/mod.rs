@@ -23,7 +23,7 @@ use frame::{Frame, Links, SCRIPT, STYLE};
 use ledger::{Document, Entry, Ledger};
 use maud::{Markup, html};
 use papers::papers;
-use proofs::kernel::files;
+use proofs::kernel::{files, theorems};
 use related::Ties;
 use std::collections::BTreeMap;
 use texts::Names;
@@ -58,6 +58,7 @@ impl<'a> Site<'a> {
         let entries: &'a [Entry] = &document.claims;
         let names = Names {
             claims: entries.iter().map(|entry| entry.id.clone()).collect(),
+            theorems: theorems().iter().filter(|theorem| theorem.is_checked()).collect(),
             figures: figures.iter().map(|made| made.figure).collect(),
         };
         let ties = related::ties(entries, &names, |id| ledger.derivation(id));

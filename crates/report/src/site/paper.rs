@@ -54,8 +54,8 @@ pub(super) fn body(site: &Site, paper: Paper) -> Markup {
                 tbody { @for e in site.entries().iter().filter(|e| e.paper == paper.key) {
                     tr id=(e.id) {
                         th scope="row" { a href={ "../claims/" (e.id) ".html" } { (breakable(&e.id)) } span.place { (e.place) } }
-                        td.statement { (site.names.linked(&e.statement, Links::Alone)) }
-                        td data-label="Verdict" { (chip(e)) }
+                        td.statement { (site.names.rich(&e.statement, Links::Alone)) }
+                        td.short data-label="Verdict" { (chip(e)) }
                     }
                 } }
             }

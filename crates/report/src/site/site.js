@@ -4,7 +4,7 @@
   const form = document.getElementById("filters");
   if (!form) return;
   const rows = Array.from(document.querySelectorAll("#claims tbody tr"), function (row) {
-    return { row: row, text: row.textContent.toLowerCase(), data: row.dataset };
+    return { row: row, text: (row.textContent + " " + row.dataset.words).toLowerCase(), data: row.dataset };
   });
   const count = document.getElementById("count"), nothing = document.getElementById("nothing");
   const names = ["words", "paper", "verdict", "fault", "grade", "scope"];

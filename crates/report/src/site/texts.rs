@@ -4,12 +4,15 @@ use super::frame::Links;
 use super::notation;
 use crate::figures::Figure;
 use maud::{Markup, PreEscaped, html};
+use proofs::kernel::Theorem;
 use std::collections::BTreeSet;
 
 /// What texts may name.
 pub(super) struct Names {
     /// Ids of claims.
     pub claims: BTreeSet<String>,
+    /// The Coq theorems that the transcript holds.
+    pub theorems: Vec<&'static Theorem>,
     /// Figures that are shown.
     pub figures: Vec<&'static Figure>,
 }
@@ -53,6 +56,11 @@ impl Names {
         }
         if let Some(figure) = self.figures.iter().find(|figure| figure.name == word) {
             return Some((format!("papers/{}.html#{word}", figure.paper()), word));
+        }
+        if let Some(theorem) =
+            self.theorems.iter().find(|theorem| word.split_once('.') == Some((theorem.file, theorem.name)))
+        {
+            return Some((format!("coq/{}.html#{}", theorem.file, theorem.name), word));
         }
         let note = word.strip_prefix("notes/")?.strip_suffix(".md")?;
         super::notes::NOTES.iter().any(|(name, _)| *name == note).then(|| (format!("notes/{note}.html"), word))
