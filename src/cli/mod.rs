@@ -13,6 +13,7 @@ mod man;
 mod output;
 mod progress;
 mod prove;
+mod report;
 mod reproduce;
 mod resonance;
 mod simulate;
@@ -37,6 +38,8 @@ enum Command {
     Verify(verify::Arguments),
     /// Explain one claim: statement, verdict, derivation, evidence, counterexample, correction
     Explain(explain::Arguments),
+    /// Write the site: a page for every claim, with figures, errata and results
+    Report(report::Arguments),
     /// Reproduce tables and figures of the papers as CSV, SVG and PNG
     Reproduce(reproduce::Arguments),
     /// Enclose the main resonance of the two-sided platoon rigorously
@@ -94,6 +97,7 @@ pub fn main() -> ExitCode {
     finish(match arguments.command {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Spectrum(arguments) => spectrum::run(&arguments),
