@@ -8,6 +8,7 @@ mod completions;
 mod ergodicity;
 mod explain;
 mod flock;
+mod fuzz;
 mod interrupt;
 mod man;
 mod output;
@@ -56,6 +57,8 @@ enum Command {
     Ergodicity(ergodicity::Arguments),
     /// Exact flocks: step them, or decide what becomes of them
     Flock(flock::Arguments),
+    /// Run campaigns of random cases over what must always be true
+    Fuzz(fuzz::Arguments),
     /// Simulate a flock from a TOML file: samples, events, trajectory, plots
     Simulate(simulate::Arguments),
     /// Print a script that completes commands and options in a shell
@@ -106,6 +109,7 @@ pub fn main() -> ExitCode {
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
+        Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),
         Command::Man(arguments) => man::run(&arguments),

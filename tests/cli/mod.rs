@@ -5,6 +5,7 @@ use std::process::{Command, Output, Stdio};
 
 mod certify;
 mod flock;
+mod fuzz;
 #[cfg(unix)]
 mod interrupt;
 mod shell;
