@@ -6,17 +6,19 @@ use flockproof::certificates::{Certificate, Product};
 use flockproof::matrix::{
     Footprint, Stabiliser, StochasticMatrix, prefix_products, read::read_sequence, stabilisers, tau_2_squared,
 };
+use flockproof::report::Provenance;
 use num_traits::ToPrimitive;
 use serde_json::json;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(after_help = "Example:\n  flockproof ergodicity assets/two_matrices.txt --json")]
 pub struct Arguments {
     /// Matrices, the first factor P(1) first: text (rows on lines, a blank line between matrices) or JSON
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Print one JSON document
+    /// Print one JSON document, flockproof.ergodicity/1
     #[arg(long)]
     json: bool,
     /// Write tau_1 of the whole product as a certificate, see proofs_checks/README.md
@@ -41,8 +43,9 @@ impl Prefix {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    let text = output::read_text(&arguments.file)?;
-    let factors = read_sequence(&text).map_err(|error| CliError::file(&arguments.file, error))?;
+    certify::check_asked(arguments.certificate.as_deref())?;
+    let input = output::read_input(&arguments.file)?;
+    let factors = read_sequence(&input.text).map_err(|error| CliError::file(&arguments.file, error))?;
     certify::write_asked(arguments.certificate.as_deref(), || Ok(Certificate::Product(Product::new(&factors)?)))?;
     let work = factors.clone();
     let made = interrupt::results(move |sender| {
@@ -73,7 +76,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     let Some(product) = product else { return Ok(interrupt::status(complete)) };
     if arguments.json {
-        output::print_json(&document(&product, &prefixes, &found))?;
+        let configuration = json!({"command": "ergodicity", "file": input.origin});
+        let provenance = Provenance::new("flockproof.ergodicity/1", None, configuration);
+        output::print_json(&provenance.stamp(document(&product, &prefixes, &found)))?;
     } else {
         output::print(&table(&product, &prefixes, &found))?;
     }

@@ -58,7 +58,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         return merged(folder, arguments.json);
     }
     if let Some(path) = &arguments.replay {
-        let text = output::read_text(path)?;
+        let text = output::read_input(path)?.text;
         let replay = Replay::read(&text).map_err(|error| CliError::file(path, error))?;
         return told(replay.invariant.id, &replay.decide(), arguments.json);
     }

@@ -9,7 +9,9 @@ mod ergodicity;
 mod explain;
 mod flock;
 mod fuzz;
+mod help;
 mod interrupt;
+mod list;
 mod man;
 mod output;
 mod progress;
@@ -22,12 +24,13 @@ mod spectrum;
 mod tracks;
 mod verify;
 
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{FromArgMatches, Parser, Subcommand};
 use std::process::ExitCode;
 
 /// Checks what is claimed about flocking: every statement with a verdict, graded evidence and negative controls.
 #[derive(Parser)]
-#[command(name = "flockproof", version, about, max_term_width = 100, arg_required_else_help = false)]
+#[command(name = "flockproof", version, about, subcommand_required = true, arg_required_else_help = true)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -37,6 +40,8 @@ struct Arguments {
 enum Command {
     /// Run the ledger: a table of claims, verdicts, evidence, controls and times
     Verify(verify::Arguments),
+    /// Search the claims: words, paper, verdict, fault, grade, scope
+    List(list::Arguments),
     /// Explain one claim: statement, verdict, derivation, evidence, counterexample, correction
     Explain(explain::Arguments),
     /// Write the site: a page for every claim, with figures, errata and results
@@ -87,10 +92,16 @@ impl CliError {
 
 /// Parses the arguments and runs the subcommand.
 pub fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let parsed = help::command().try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
+    let arguments = match parsed {
         Ok(arguments) => arguments,
+        // Nothing was asked for: all that can be asked for.
+        Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            eprint!("{}", error.render());
+            return ExitCode::from(2);
+        }
         Err(error) if error.use_stderr() => {
-            eprintln!("{}", one_sentence(&error.render().to_string()));
+            eprintln!("{}", help::one_sentence(&error.render().to_string()));
             return ExitCode::from(2);
         }
         // Help and version.
@@ -99,6 +110,7 @@ pub fn main() -> ExitCode {
     interrupt::listen();
     finish(match arguments.command {
         Command::Verify(arguments) => verify::run(&arguments),
+        Command::List(arguments) => list::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
@@ -125,10 +137,4 @@ fn finish(result: Result<ExitCode, CliError>) -> ExitCode {
             ExitCode::from(2)
         }
     }
-}
-
-/// The first paragraph of clap's message on one line.
-fn one_sentence(message: &str) -> String {
-    let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
-    paragraph.map(str::trim).collect::<Vec<_>>().join(" ")
 }

@@ -54,9 +54,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
 /// The ledger of a file, or a new one; none if the run was interrupted.
 fn document(arguments: &Arguments, ledger: &flockproof::ledger::Ledger) -> Result<Option<Document<'static>>, CliError> {
     let text = match &arguments.ledger {
-        Some(path) => output::read_text(path)?,
+        Some(path) => output::read_input(path)?.text,
         None => {
-            let ids = ledger.select(&[], &[]).map_err(verify::use_error)?;
+            let ids = ledger.select(&[], &[]).map_err(|error| verify::use_error(&ledger, error))?;
             let watch = Watch::with(progress::bar());
             let options = Options { progress: watch.shared(), ..Options::default() };
             let report = ledger.verify(&ids, &options, |_| {});

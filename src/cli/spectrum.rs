@@ -4,6 +4,7 @@ use super::{CliError, output};
 use flockproof::arithmetic::{Interval, decimals};
 use flockproof::graph::read::read_graph;
 use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
+use flockproof::report::Provenance;
 use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, matrix_spectrum, named_spectrum};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -11,6 +12,10 @@ use std::path::Path;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(
+    after_help = "An edge list has lines `i j [weight]`, vertices from 1, lines `directed` and `vertices N` before them, # for comments.\n\n\
+Examples:\n  flockproof spectrum --graph ring:12\n  flockproof spectrum --graph circulant:12:1,3 --kind walk --digits 40\n  flockproof spectrum --graph edges.txt --json"
+)]
 pub struct Arguments {
     /// A graph, such as ring:12, cycle:5, path:30, complete:5, star:7, circulant:12:1,3, platoon1:8, platoon2:8 (8 followers
     /// and the leader), geometric:50:1/4:7 (points, radius, seed), or a file: an edge list or Matrix Market
@@ -25,7 +30,7 @@ pub struct Arguments {
     /// Significant digits [default: 20 where they are exact, otherwise what floating point gives]
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
     digits: Option<u32>,
-    /// Print one JSON document
+    /// Print one JSON document, flockproof.spectrum/1
     #[arg(long)]
     json: bool,
 }
@@ -39,17 +44,27 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         return Err(CliError::Use(format!("--root is for `--kind reduced`, not for `{}`", kind.name())));
     }
     let root = arguments.root.unwrap_or(1);
-    let spectrum = find(&arguments.graph, kind, root, arguments.digits)?;
+    let (spectrum, file) = find(&arguments.graph, kind, root, arguments.digits)?;
     let digits = shown_digits(&spectrum, arguments.digits);
     if arguments.json {
-        output::print_json(&document(&arguments.graph, kind, root, &spectrum, digits))?;
+        let configuration = json!({
+            "command": "spectrum", "graph": arguments.graph, "file": file, "kind": kind.name(), "root": root, "digits": arguments.digits,
+        });
+        let provenance = Provenance::new("flockproof.spectrum/1", None, configuration);
+        output::print_json(&provenance.stamp(document(&arguments.graph, kind, root, &spectrum, digits)))?;
     } else {
         output::print(&table(&arguments.graph, kind, root, &spectrum, digits))?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn find(graph: &str, kind: LaplacianKind, root: usize, digits: Option<u32>) -> Result<Spectrum, CliError> {
+/// The spectrum, and the file that the graph comes from.
+fn find(
+    graph: &str,
+    kind: LaplacianKind,
+    root: usize,
+    digits: Option<u32>,
+) -> Result<(Spectrum, Option<Value>), CliError> {
     let path = Path::new(graph);
     let named = graph.parse::<NamedGraph>();
     // A file wins over a name only where the name means nothing.
@@ -61,13 +76,14 @@ fn find(graph: &str, kind: LaplacianKind, root: usize, digits: Option<u32>) -> R
                 in_range(root, named.order())?;
                 named.build().map_err(SpectrumError::from).and_then(|graph| rooted_spectrum(&graph, kind, root, digits))
             };
-            found.map_err(|error| CliError::Use(format!("{graph}: {error}")))
+            found.map(|found| (found, None)).map_err(|error| CliError::Use(format!("{graph}: {error}")))
         }
-        Err(_) if path.exists() => {
-            let text = output::read_text(path)?;
-            let graph = read_graph(&text).map_err(|error| CliError::file(path, error))?;
+        Err(_) if path.exists() || graph == "-" => {
+            let input = output::read_input(path)?;
+            let graph = read_graph(&input.text).map_err(|error| CliError::file(path, error))?;
             in_range(root, graph.order().max(1))?;
-            rooted_spectrum(&graph, kind, root, digits).map_err(|error| CliError::file(path, error))
+            let found = rooted_spectrum(&graph, kind, root, digits).map_err(|error| CliError::file(path, error))?;
+            Ok((found, Some(input.origin)))
         }
         Err(error) if graph.contains(':') => Err(CliError::Use(format!("--graph: {error}"))),
         Err(error) => Err(CliError::Use(format!("--graph: there is no file of that name, and {error}"))),

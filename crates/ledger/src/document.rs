@@ -3,6 +3,7 @@
 use super::{Entry, Options, Report};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 /// The form of the document.
 const SCHEMA: &str = "flockproof.ledger/2";
@@ -16,6 +17,15 @@ pub struct Document<'a> {
     pub version: Cow<'a, str>,
     /// The seed of everything random.
     pub seed: Cow<'a, str>,
+    /// Further keys, such as the configuration that it came from; not read back.
+    #[serde(flatten, skip_deserializing)]
+    pub more: BTreeMap<String, serde_json::Value>,
+    /// Whether the run was stopped before its end.
+    #[serde(default)]
+    pub interrupted: bool,
+    /// The claims that were asked for and are not there.
+    #[serde(default)]
+    pub missing: Cow<'a, [String]>,
     /// The entries.
     pub claims: Cow<'a, [Entry]>,
 }
@@ -44,6 +54,9 @@ impl<'a> Document<'a> {
             schema: SCHEMA.into(),
             version: env!("CARGO_PKG_VERSION").into(),
             seed: options.seed.as_str().into(),
+            more: BTreeMap::new(),
+            interrupted: !report.missing.is_empty(),
+            missing: report.missing.as_slice().into(),
             claims: report.entries.as_slice().into(),
         }
     }
@@ -84,4 +97,9 @@ fn is_id(id: &str) -> bool {
 /// The JSON document of a run.
 pub fn to_json(report: &Report, options: &Options) -> String {
     Document::new(report, options).json()
+}
+
+/// The same with further keys beside its own, such as the configuration that it came from.
+pub fn to_json_with(report: &Report, options: &Options, more: BTreeMap<String, serde_json::Value>) -> String {
+    Document { more, ..Document::new(report, options) }.json()
 }

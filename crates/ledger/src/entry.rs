@@ -72,6 +72,19 @@ pub enum Grade {
 }
 
 impl Grade {
+    /// All grades, strongest first.
+    pub const ALL: [Grade; 9] = [
+        Grade::Kernel,
+        Grade::Identity,
+        Grade::Exhaustive,
+        Grade::Certified,
+        Grade::Argued,
+        Grade::Exact,
+        Grade::Simulated,
+        Grade::Fuzzed,
+        Grade::Text,
+    ];
+
     /// The word used in the ledger.
     pub fn word(self) -> &'static str {
         match self {

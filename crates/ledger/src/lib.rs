@@ -15,7 +15,7 @@ mod runner;
 mod tables;
 
 pub use claim::{CheckError, Claim, Correction, Fault, Form, Outcome, Source};
-pub use document::{Document, DocumentError, to_json};
+pub use document::{Document, DocumentError, to_json, to_json_with};
 pub use entry::{Controls, Entry, Evidence, Grade, Scope, Verdict, interval_value};
 pub use judge::correction_id;
 pub use proofs::Proofs;

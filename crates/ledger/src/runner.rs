@@ -206,6 +206,11 @@ impl Ledger {
         self.claims.get(id).map(|registered| registered.claim.derivation())
     }
 
+    /// Place and statement of a registered claim.
+    pub fn source(&self, id: &str) -> Option<&Source> {
+        self.claims.get(id).map(|registered| &registered.source)
+    }
+
     /// The ids of the list, sorted.
     pub fn listed_ids(&self) -> impl Iterator<Item = &str> {
         self.listed.keys().map(String::as_str)
