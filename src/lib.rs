@@ -3,10 +3,11 @@
 //! The crates of the workspace under one name; each can be used without those above it. From the lowest: [`arithmetic`]; [`matrix`], [`graph`] and [`spectrum`];
 //! [`motion`]; the models [`averaging`] (Chazelle), [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`tracks`] (measured
 //! trajectories) and [`double_integrator`] (Tanner, Jadbabaie and Pappas); [`scenario`] (runs of all of them from a file); [`ledger`]; [`certificates`] and
-//! [`kernel`] (the Coq development); [`claims`]; [`report`].
+//! [`kernel`] (the Coq development); [`claims`]; [`report`]; [`campaign`] (invariants under random cases).
 
 pub use algebra::{graph, matrix, spectrum};
 pub use arithmetic;
+pub use campaign;
 pub use claims;
 pub use ledger;
 pub use models::{averaging, double_integrator, oscillator, platoon, tracks};

@@ -8,6 +8,7 @@ mod completions;
 mod ergodicity;
 mod explain;
 mod flock;
+mod fuzz;
 mod help;
 mod interrupt;
 mod list;
@@ -15,6 +16,7 @@ mod man;
 mod output;
 mod progress;
 mod prove;
+mod report;
 mod reproduce;
 mod resonance;
 mod simulate;
@@ -42,6 +44,8 @@ enum Command {
     List(list::Arguments),
     /// Explain one claim: statement, verdict, derivation, evidence, counterexample, correction
     Explain(explain::Arguments),
+    /// Write the site: a page for every claim, with figures, errata and results
+    Report(report::Arguments),
     /// Reproduce tables and figures of the papers as CSV, SVG and PNG
     Reproduce(reproduce::Arguments),
     /// Enclose the main resonance of the two-sided platoon rigorously
@@ -58,6 +62,8 @@ enum Command {
     Ergodicity(ergodicity::Arguments),
     /// Exact flocks: step them, or decide what becomes of them
     Flock(flock::Arguments),
+    /// Run campaigns of random cases over what must always be true
+    Fuzz(fuzz::Arguments),
     /// Simulate a flock from a TOML file: samples, events, trajectory, plots
     Simulate(simulate::Arguments),
     /// Print a script that completes commands and options in a shell
@@ -106,6 +112,7 @@ pub fn main() -> ExitCode {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::List(arguments) => list::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Spectrum(arguments) => spectrum::run(&arguments),
@@ -114,6 +121,7 @@ pub fn main() -> ExitCode {
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
+        Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),
         Command::Man(arguments) => man::run(&arguments),

@@ -122,7 +122,7 @@ fn json(arguments: &Arguments, report: &Report, options: &Options) -> String {
     let kernel = json!({"coq": kernel::recorded().coq, "checked": "transcript"});
     let own = provenance.keys().into_iter().filter(|(key, _)| key == "configuration" || key == "digest");
     let more: BTreeMap<_, _> = own.chain([("kernel".to_string(), kernel)]).collect();
-    to_json_with(report, options, &more)
+    to_json_with(report, options, more)
 }
 
 fn table(report: &Report) -> String {

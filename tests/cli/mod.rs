@@ -6,6 +6,7 @@ use std::process::{Command, Output, Stdio};
 mod certify;
 mod finding;
 mod flock;
+mod fuzz;
 #[cfg(unix)]
 mod interrupt;
 mod schemas;

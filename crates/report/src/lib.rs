@@ -7,6 +7,7 @@ mod figures;
 pub mod plot;
 mod provenance;
 mod simulation;
+mod site;
 mod table;
 mod tracks;
 
@@ -20,5 +21,6 @@ pub use provenance::{Provenance, digest, version};
 pub use simulation::{
     events_csv, observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv,
 };
+pub use site::{Made, Page, Site};
 pub use table::{summary, verdict_table};
 pub use tracks::TracksReport;

@@ -89,6 +89,14 @@ impl Graph {
         })
     }
 
+    /// Joins two different vertices, or parts them where they are joined. What is no pair of vertices stays as it is.
+    pub fn toggle(&mut self, i: usize, j: usize) {
+        if i != j && i.max(j) < self.order() {
+            self.adjacency.flip(i, j);
+            self.adjacency.flip(j, i);
+        }
+    }
+
     /// Number of vertices.
     pub fn order(&self) -> usize {
         self.adjacency.rows()

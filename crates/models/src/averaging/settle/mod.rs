@@ -28,7 +28,7 @@ use perturbation::{Functional, Jump, Stage, difference_functional, value_of};
 pub enum SettleError {
     /// The flock cannot go on.
     #[error(transparent)]
-    Flock(#[from] FlockError),
+    Flock(FlockError),
     /// A matrix without a limit.
     #[error(transparent)]
     Matrix(MatrixError),
@@ -50,6 +50,15 @@ pub enum SettleError {
     /// A jump that does not pass its own check: never to be seen.
     #[error("the switch predicted for t = {0} does not pass the rule")]
     Inconsistent(String),
+}
+
+impl From<FlockError> for SettleError {
+    fn from(error: FlockError) -> Self {
+        match error {
+            FlockError::Cancelled(stopped) => SettleError::Cancelled(stopped),
+            other => SettleError::Flock(other),
+        }
+    }
 }
 
 impl From<MatrixError> for SettleError {
