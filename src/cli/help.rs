@@ -2,6 +2,8 @@
 
 use super::output;
 use clap::{Command, CommandFactory};
+use flockproof::arithmetic::{parse_rational, shown};
+use num_traits::ToPrimitive;
 
 /// Widest help text.
 const WIDEST: usize = 100;
@@ -30,6 +32,12 @@ fn everywhere(command: Command, top: bool) -> Command {
     let command = command
         .mut_args(|argument| if takes_values(&argument) { argument.allow_negative_numbers(true) } else { argument });
     command.mut_subcommands(|subcommand| everywhere(subcommand, false))
+}
+
+/// An integer, a fraction or a decimal as a float.
+pub fn finite(text: &str) -> Result<f64, String> {
+    let exact = parse_rational(text).map_err(|error| error.to_string())?;
+    exact.to_f64().filter(|x| x.is_finite()).ok_or_else(|| format!("{} is too large for a float", shown(text)))
 }
 
 /// Words of libraries, and what they mean to people.

@@ -98,7 +98,7 @@ pub fn read_input(path: &Path) -> Result<Input, CliError> {
         return Err(CliError::file(path, "files of more than 64 MiB are not read"));
     }
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return Err(CliError::file(path, "it is written in UTF-16; save it as UTF-8"));
+        return Err(CliError::file(path, "it is not a text file in UTF-8 but in UTF-16"));
     }
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let origin = json!({"name": name, "sha256": digest(&bytes)});

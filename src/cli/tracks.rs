@@ -28,7 +28,7 @@ pub struct Arguments {
     #[arg(long)]
     smooth_positions: bool,
     /// Body length in the unit of x and y
-    #[arg(long, value_name = "B", default_value_t = 5.3, allow_negative_numbers = true)]
+    #[arg(long, value_name = "B", default_value_t = 5.3, value_parser = super::help::finite)]
     body_length: f64,
     /// Outer radii of repulsion, orientation and attraction in body lengths; the last may be left out
     #[arg(
@@ -36,14 +36,14 @@ pub struct Arguments {
         value_name = "R,O[,A]",
         default_value = "1.4,2.4",
         value_delimiter = ',',
-        allow_negative_numbers = true
+        value_parser = super::help::finite
     )]
     zones: Vec<f64>,
     /// Blind spot behind each fish in degrees
-    #[arg(long, value_name = "DEGREES", default_value_t = 60.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEGREES", default_value_t = 60.0, value_parser = super::help::finite)]
     blind: f64,
     /// A fish that is no faster than this has no heading
-    #[arg(long, value_name = "SPEED", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SPEED", default_value_t = 0.0, value_parser = super::help::finite)]
     still: f64,
     /// For n = 1 always the nearest neighbour, also in the zone of repulsion
     #[arg(long)]
@@ -58,7 +58,7 @@ pub struct Arguments {
     #[arg(long, value_name = "SHIFTS", default_value_t = 199)]
     null: usize,
     /// Time of the snapshot in seconds, within the recording [default: the middle]
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = super::help::finite)]
     at: Option<f64>,
     /// Seed of the null models and of a synthetic school
     #[arg(long, value_name = "SEED", default_value = "flockproof")]

@@ -42,8 +42,17 @@ pub struct Arguments {
     certificate: Option<PathBuf>,
 }
 
+/// Most steps: about a day for three birds.
+const MOST_STEPS: u64 = 100_000_000_000;
+
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let refuse = |error: flockproof::averaging::FlockError| CliError::file(&arguments.file, error);
+    if arguments.until > MOST_STEPS {
+        let until = arguments.until;
+        return Err(CliError::Use(format!(
+            "--until {until}: more than {MOST_STEPS} exact steps, one after the other, do not end; `flock settle` jumps"
+        )));
+    }
     if arguments.from == 0 || (arguments.from > arguments.until && arguments.until > 0) {
         let (from, until) = (arguments.from, arguments.until);
         return Err(CliError::Use(format!("--from {from}: products start at a time from 1 to --until {until}")));
