@@ -76,5 +76,6 @@ fn written(figure: &Figure, made: Made, folder: &Path) -> Result<String, CliErro
     }
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
     let (names, folder) = (names.join(", "), folder.display());
-    Ok(format!("{}: {}\n\n{text}written: {names} in {folder}\n\n", figure.name, figure.about))
+    let claims = textwrap::fill(&format!("claims: {}", figure.claims.join(", ")), 80);
+    Ok(format!("{}: {}\n\n{text}{claims}\nwritten: {names} in {folder}\n\n", figure.name, figure.about))
 }

@@ -5,6 +5,7 @@ mod coq;
 mod errata;
 mod figure;
 mod frame;
+mod glossary;
 mod graph;
 mod index;
 mod notation;
@@ -85,6 +86,7 @@ impl<'a> Site<'a> {
         pages.push(self.top("results.html", "Results", "note", &results::body(self)));
         pages.push(self.top("guarantees.html", "Guarantees", "note", &self.note("guarantees", Links::Top)));
         pages.push(self.top("graph.html", "Graph", "graphs", &graph::body(self)));
+        pages.push(self.top("glossary.html", "Symbols", "glossary", &glossary::body()));
         pages.push(self.inner("papers/index.html", "Papers", "papers", &paper::list(self)));
         pages.push(self.inner("errata/index.html", "Errata", "papers", &errata::list(self)));
         for paper in papers() {
