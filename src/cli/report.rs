@@ -31,7 +31,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let wanted = if arguments.no_figures { Vec::new() } else { FIGURES.iter().collect() };
     let Some(figures) = made(wanted)? else { return Ok(ExitCode::from(interrupt::STATUS)) };
     interrupt::finishing();
-    let pages = Site::new(&document, &ledger, &figures).pages();
+    let pages = Site::new(&document, &ledger, &figures).pages().map_err(|error| CliError::Use(error.to_string()))?;
     let folders: BTreeSet<PathBuf> =
         pages.iter().filter_map(|page| Some(arguments.out.join(Path::new(&page.path).parent()?))).collect();
     for folder in &folders {

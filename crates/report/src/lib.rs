@@ -15,6 +15,6 @@ pub use serde_json;
 pub use explain::explain;
 pub use figures::{FIGURES, Figure, FigureError, File};
 pub use simulation::{observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv};
-pub use site::{Made, Page, Site};
+pub use site::{Made, Page, Site, SiteError};
 pub use table::{summary, verdict_table};
 pub use tracks::TracksReport;
