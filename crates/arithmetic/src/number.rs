@@ -22,6 +22,21 @@ pub enum NumberError {
     TooLong,
 }
 
+/// The start of a text as part of a sentence: on one line, at most 60 characters.
+pub fn excerpt(text: &str) -> String {
+    const LONGEST_EXCERPT: usize = 60;
+    let mut short: String = text.chars().take(LONGEST_EXCERPT).flat_map(one_line).collect();
+    if text.chars().nth(LONGEST_EXCERPT).is_some() {
+        short.push_str("..");
+    }
+    short
+}
+
+/// Control characters and line separators as escapes.
+fn one_line(c: char) -> Vec<char> {
+    if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') { c.escape_default().collect() } else { vec![c] }
+}
+
 /// Reads an integer `-3`, a fraction `-1/2` or a decimal `-0.5`, `2.5e-3`, exactly.
 ///
 /// # Errors
@@ -34,7 +49,7 @@ pub fn parse_rational(text: &str) -> Result<Rational, NumberError> {
     if let Some((p, q)) = text.split_once('/') {
         let (p, q) = (parse_decimal(p, text)?, parse_decimal(q, text)?);
         if q.is_zero() {
-            return Err(NumberError::ZeroDenominator(text.to_string()));
+            return Err(NumberError::ZeroDenominator(excerpt(text)));
         }
         return Ok(p / q);
     }
@@ -42,7 +57,7 @@ pub fn parse_rational(text: &str) -> Result<Rational, NumberError> {
 }
 
 fn parse_decimal(part: &str, whole: &str) -> Result<Rational, NumberError> {
-    let refuse = || NumberError::NotANumber(whole.to_string());
+    let refuse = || NumberError::NotANumber(excerpt(whole));
     let (digits, exponent) = match part.split_once(['e', 'E']) {
         Some((digits, exponent)) => (digits, exponent.parse::<i64>().map_err(|_| refuse())?),
         None => (part, 0),
