@@ -13,6 +13,7 @@ pub use ledger;
 pub use models::{averaging, double_integrator, oscillator, platoon, tracks};
 pub use motion;
 pub use proofs::{certificates, kernel};
+pub use question;
 pub use report;
 pub use scenario;
 

@@ -1,9 +1,10 @@
 //! Dispatch, errors and output of the command line.
 //!
 //! Exit status: 0 when all is as it should be, 1 when `verify` differs from what is recorded, 2 on bad use, 130 when
-//! interrupted.
+//! interrupted; `check` has 1 for false, 3 for undecided and 4 where a control was not refuted.
 
 mod certify;
+mod check;
 mod completions;
 mod ergodicity;
 mod explain;
@@ -48,6 +49,8 @@ enum Command {
     Tracks(tracks::Arguments),
     /// Let Coq check the proofs that the ledger rests on
     Prove(prove::Arguments),
+    /// Decide statements of one's own: a file says what a property ranges over
+    Check(check::Arguments),
     /// Write exact results of the ledger as certificates that a separate program, or Coq, checks
     Certify(certify::Arguments),
     /// Products, footprints, stabilisers and ergodicity coefficients of a sequence of stochastic matrices
@@ -102,6 +105,7 @@ pub fn main() -> ExitCode {
         Command::Spectrum(arguments) => spectrum::run(&arguments),
         Command::Tracks(arguments) => tracks::run(&arguments),
         Command::Prove(arguments) => prove::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
