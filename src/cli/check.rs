@@ -1,6 +1,6 @@
 //! `check`: decides statements of one's own from files.
 
-use super::{CliError, interrupt, output};
+use super::{CliError, interrupt, output, progress};
 use flockproof::question::{Answer, Question, QuestionError, Verdict, decide, names};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -30,8 +30,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut worst = Verdict::Holds;
     for path in &arguments.files {
         let question = read(path)?;
-        let progress = interrupt::Watch::silent();
-        let answer = match decide(&question, &progress) {
+        let progress = interrupt::Watch::with(progress::spinner("deciding"));
+        let decided = decide(&question, &progress);
+        progress.finish();
+        let answer = match decided {
             Ok(answer) => answer,
             Err(QuestionError::Cancelled(_)) => return Ok(interrupt::status(false)),
             Err(error) => return Err(CliError::file(path, error)),
@@ -56,9 +58,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
 
 /// Reads a question; the files that it names lie beside it.
 fn read(path: &Path) -> Result<Question, CliError> {
-    let text = output::read_text(path)?;
+    let text = output::read_input(path)?.text;
     let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
-    let files = |name: &str| output::read_text(&folder.join(name)).map_err(|error| error.to_string());
+    let files =
+        |name: &str| output::read_input(&folder.join(name)).map(|input| input.text).map_err(|error| error.to_string());
     Question::read(&text, &files).map_err(|error| CliError::file(path, error))
 }
 
