@@ -79,9 +79,15 @@ impl CliError {
     }
 }
 
-/// Parses the arguments and runs the subcommand.
-pub fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+/// Parses the arguments, of which the first is the name of the program, and runs the subcommand; the exit status.
+pub fn main(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
+    let code = run(arguments);
+    // The number in an `ExitCode` cannot be asked for.
+    (0..=u8::MAX).find(|&status| ExitCode::from(status) == code).unwrap_or(u8::MAX)
+}
+
+fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
+    let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(error) if error.use_stderr() => {
             eprintln!("{}", one_sentence(&error.render().to_string()));

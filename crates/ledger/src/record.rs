@@ -113,7 +113,7 @@ impl<V: Send + Sync + 'static> Claim for Record<V> {
         Some(Correction { fault: *fault, statement: statement.to_string(), clauses: owned(self.repaired_clauses) })
     }
 
-    fn alterations(&self) -> Vec<&'static str> {
+    fn alterations(&self) -> Vec<&str> {
         self.controls.iter().map(|(what, _)| *what).collect()
     }
 

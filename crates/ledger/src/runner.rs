@@ -202,6 +202,11 @@ impl Ledger {
         self.claims.keys().map(String::as_str)
     }
 
+    /// Where the registered claim stands, and its statement.
+    pub fn source(&self, id: &str) -> Option<&Source> {
+        self.claims.get(id).map(|registered| &registered.source)
+    }
+
     /// The ids of the list, sorted.
     pub fn listed_ids(&self) -> impl Iterator<Item = &str> {
         self.listed.keys().map(String::as_str)
