@@ -93,9 +93,16 @@ impl CliError {
     }
 }
 
-/// Parses the arguments and runs the subcommand.
-pub fn main() -> ExitCode {
-    let parsed = help::command().try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
+/// Parses the arguments, of which the first is the name of the program, and runs the subcommand; the exit status.
+pub fn main(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
+    let code = run(arguments);
+    // The number in an `ExitCode` cannot be asked for.
+    (0..=u8::MAX).find(|&status| ExitCode::from(status) == code).unwrap_or(u8::MAX)
+}
+
+fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
+    let parsed =
+        help::command().try_get_matches_from(arguments).and_then(|matches| Arguments::from_arg_matches(&matches));
     let arguments = match parsed {
         Ok(arguments) => arguments,
         // Nothing was asked for: all that can be asked for.
