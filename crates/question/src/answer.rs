@@ -3,6 +3,7 @@
 use crate::bindings::Bindings;
 use crate::decide::Outcome;
 use crate::question::Question;
+use crate::scenario_file::is_place;
 use crate::truth::{Margin, Truth};
 use algebra::graph::LaplacianKind;
 use models::platoon::Communication;
@@ -208,9 +209,13 @@ impl Question {
         if self.communication() == Communication::Front {
             let _ = writeln!(text, "communication = \"front\"");
         }
+        if let Some(scenario) = self.scenario() {
+            let _ = writeln!(text, "scenario = {}", quoted(&scenario.name));
+        }
         let _ = writeln!(text, "\n[for]");
         for (name, value) in bindings.iter() {
-            let _ = writeln!(text, "{name} = {}", quoted(&value.text()));
+            let key = if is_place(name) { quoted(name) } else { name.to_string() };
+            let _ = writeln!(text, "{key} = {}", quoted(&value.text()));
         }
         let Some(property) = &self.property else { return text };
         let _ = writeln!(text, "\n[holds]\nproperty = {}", quoted(&property.node.to_string()));

@@ -285,8 +285,8 @@ impl Maker<'_> {
 
     /// An expression that must be a rational number.
     fn exact(&self, node: &Node) -> Made<Rational> {
-        let case = Case::new(self.question, self.bindings.clone(), false);
-        match (Evaluator { case: &case, precision: 64, moment: None }).number(node)? {
+        let case = Case::new(self.question, self.bindings.clone(), false, self.progress);
+        match (Evaluator { case: &case, precision: 64, moment: None, piece: None }).number(node)? {
             Number::Exact(q) => Ok(q),
             other => Err(Failure::Refused(node.at, Problem::expected("a rational number", other.text()))),
         }
