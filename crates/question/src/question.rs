@@ -48,6 +48,8 @@ pub struct Question {
     values: Vec<(String, Expression)>,
     subjects: Vec<Subject>,
     classes: Classes,
+    /// Members of the names that depend on no other.
+    alone: Vec<OnceLock<Arc<Members>>>,
     starts: OnceLock<Vec<u64>>,
 }
 
@@ -68,6 +70,7 @@ impl Question {
         if let Some(family) = family {
             question.read_family(family, files)?;
         }
+        question.alone = question.bounds.iter().map(|_| OnceLock::new()).collect();
         question.subjects = question.found_subjects();
         if let Some(holds) = holds {
             question.read_holds(holds)?;
@@ -137,6 +140,7 @@ impl Question {
             values: Vec::new(),
             subjects: Vec::new(),
             classes: Classes::default(),
+            alone: Vec::new(),
             starts: OnceLock::new(),
         })
     }
@@ -272,7 +276,7 @@ impl Question {
                 _ => None,
             };
             for argument in arguments {
-                if !matches!(sorts(argument), Some(Sort::Graph)) {
+                if !matches!(sorts(argument), Some(Sort::Graph | Sort::Matrices)) {
                     self.check_numbers(argument).map_err(at)?;
                 }
                 if sorts(argument) == Some(Sort::Box) {
@@ -544,11 +548,16 @@ impl Question {
         place: usize,
         bindings: &Bindings,
         progress: &dyn Progress,
-    ) -> Result<Members, QuestionError> {
+    ) -> Result<Arc<Members>, QuestionError> {
         progress.checkpoint()?;
         let bound = &self.bounds[place];
+        let cell = self.alone.get(place).filter(|_| is_alone(&bound.domain));
+        if let Some(known) = cell.and_then(OnceLock::get) {
+            return Ok(known.clone());
+        }
         let made = Maker { question: self, bindings, progress }.members(&bound.domain);
-        made.map_err(|failure| self.refused(failure, bound.base))
+        let made = Arc::new(made.map_err(|failure| self.refused(failure, bound.base))?);
+        Ok(cell.map_or(made.clone(), |cell| cell.get_or_init(|| made).clone()))
     }
 
     /// Whether what a later name ranges over may depend on this one.
@@ -635,6 +644,22 @@ fn domain_text(domain: &Domain) -> String {
         Domain::List(list) => {
             let items: Vec<String> = list.iter().map(|(_, domain)| domain_text(domain)).collect();
             format!("{{{}}}", items.join("; "))
+        }
+    }
+}
+
+/// Whether a domain uses no other name.
+fn is_alone(domain: &Domain) -> bool {
+    match domain {
+        Domain::Given(_) => true,
+        Domain::List(list) => list.iter().all(|(_, domain)| is_alone(domain)),
+        Domain::Written(node) => {
+            let mut alone = !domain.is_sample();
+            node.visit(&mut |inner| {
+                // The family itself has brackets.
+                alone &= !matches!(&inner.kind, Kind::Name { called: false, .. });
+            });
+            alone
         }
     }
 }

@@ -9,7 +9,10 @@ use crate::truth::Doubt;
 use arithmetic::{
     ArithmeticError, Complex, Dyadic, Field, FloatInterval, Interval, Progress, Rational, Real, Ring, rational,
 };
-use models::double_integrator::{Coordinates, EnclosedFlock, Pair, Potential, State, kinetic_energy, potential_energy};
+use models::double_integrator::{
+    Coordinates, EnclosedFlock, Pair, Potential, State, kinetic_energy, linked_within, potential_energy,
+    velocity_alignment,
+};
 use models::oscillator::{Neighbours, laplacian_control, moment, phase_potential};
 use models::platoon::{CommunicationGraph, Gains};
 use motion::validated::{Flow, IntervalVector, Parallelepiped, SmoothLaw, Step};
@@ -67,6 +70,23 @@ const MOST_AGENTS: usize = 16;
 
 /// Bits of what is measured.
 const BITS: u32 = 64;
+
+/// Velocity alignment on a fixed network: positions, then velocities.
+struct AlignmentLaw<'a> {
+    potential: &'a Potential,
+    pairs: &'a [Pair],
+}
+
+impl SmoothLaw for AlignmentLaw<'_> {
+    fn rate<T: Field>(&self, list: &[T]) -> Result<Vec<T>, ArithmeticError> {
+        let (Some(like), Some(state)) = (list.first(), State::from_list(list.len() / 4, list)) else {
+            return Ok(Vec::new());
+        };
+        let slope = self.potential.slope_over(like);
+        let forces = velocity_alignment(&state, self.pairs, Coordinates::Cartesian, |_, _, s| slope.at(s))?;
+        Ok(state.velocities.into_iter().chain(forces).flatten().collect())
+    }
+}
 
 /// The phase model as phasors: `z' = i (omega_0 + u) z`, real parts and imaginary parts by turns.
 struct PhaseLaw<'a> {
@@ -182,7 +202,13 @@ impl<'c> MotionSubject<'c> {
                     positions: self.vectors(Start::Positions, positions),
                     velocities: self.vectors(Start::Velocities, velocities),
                 };
-                Ok(self.aligned(&start, potential, pairs, radius.as_ref(), until))
+                if let Some(radius) = radius {
+                    return Ok(self.switching(&start, potential, radius, until));
+                }
+                let mut tube = self.followed(AlignmentLaw { potential, pairs }, &start.to_list(), until)?;
+                let pairs = Rc::new(pairs.clone());
+                tube.sections.iter_mut().for_each(|section| section.pairs = Some(pairs.clone()));
+                Ok(tube)
             }
             ExactMotion::Phases { phases, frequency, gain, network } => {
                 self.small(phases.len())?;
@@ -230,6 +256,9 @@ impl<'c> MotionSubject<'c> {
         let (mut set, mut time) = (Parallelepiped::of_box(start), 0.0);
         let mut tube = Tube { sections: Vec::new(), asked: until, failure: None };
         let none = Rc::new(Vec::new());
+        // Beyond this it only grows, in ever shorter steps.
+        let first = start.iter().map(FloatInterval::width).fold(0.0, f64::max);
+        let widest = (8.0 * first).max(0.25);
         while time < until {
             self.progress.checkpoint()?;
             if tube.sections.len() >= MOST_SECTIONS {
@@ -239,6 +268,11 @@ impl<'c> MotionSubject<'c> {
             match flow.step(&set, time, until) {
                 Ok(step) => {
                     set = step.end.clone();
+                    let width = set.hull().iter().map(FloatInterval::width).fold(0.0, f64::max);
+                    if width > widest {
+                        tube.failure = Some(format!("at t = {time:.6} the enclosure is {width:.2} wide"));
+                        break;
+                    }
                     let to = step.until;
                     tube.sections.push(Section {
                         from: time,
@@ -257,30 +291,19 @@ impl<'c> MotionSubject<'c> {
         Ok(tube)
     }
 
-    fn aligned(
-        &self,
-        start: &State<FloatInterval>,
-        potential: &Potential,
-        pairs: &[Pair],
-        radius: Option<&Rational>,
-        until: f64,
-    ) -> Tube {
-        let flock = EnclosedFlock { potential: potential.clone(), threshold: radius.map(|r| r * r) };
+    /// Velocity alignment with links that switch at a distance.
+    fn switching(&self, start: &State<FloatInterval>, potential: &Potential, radius: &Rational, until: f64) -> Tube {
+        let flock = EnclosedFlock { potential: potential.clone(), threshold: Some(radius * radius) };
         let mut steps: Vec<(f64, Step)> = Vec::new();
-        let run = flock.run(start, pairs, until, |from, step| steps.push((from, step.clone())));
+        let run = flock.run(start, &[], until, |from, step| steps.push((from, step.clone())));
         let failure = run.as_ref().err().map(ToString::to_string);
         let mut events: Vec<_> = run.as_ref().map(|run| run.events.clone()).unwrap_or_default();
         events.reverse();
-        let mut links = match radius {
-            None => pairs.to_vec(),
-            Some(radius) => {
-                let square = point(&(radius * radius));
-                models::double_integrator::linked_within(&start.positions, &square, Coordinates::Cartesian).edges()
-            }
-        };
+        let square = point(&(radius * radius));
+        let mut links = linked_within(&start.positions, &square, Coordinates::Cartesian).edges();
         let mut current = Rc::new(links.clone());
         // Without the events of a run that failed the links are only known where there are none to change.
-        let known = failure.is_none() || radius.is_none();
+        let known = failure.is_none();
         let mut sections: Vec<Section> = Vec::new();
         for (from, step) in steps {
             while let Some(event) = events.pop_if(|event| event.to <= from) {
