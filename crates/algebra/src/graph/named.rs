@@ -1,7 +1,7 @@
 //! Graphs that have a name: `ring:12`, `circulant:12:1,3`, `platoon2:8`.
 
 use super::WeightedGraph;
-use arithmetic::{excerpt, Rational, parse_rational, rational};
+use arithmetic::{Rational, excerpt, parse_rational, rational};
 use num_bigint::BigInt;
 use num_traits::Signed;
 use rand_chacha::ChaCha8Rng;
