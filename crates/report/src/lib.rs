@@ -3,6 +3,7 @@
 
 mod catalogue;
 mod explain;
+mod export;
 mod figures;
 pub mod plot;
 mod provenance;
@@ -16,6 +17,7 @@ pub use serde_json;
 
 pub use catalogue::{Listing, Query, SCOPES, catalogue, catalogue_text, nearest};
 pub use explain::{explain, explanation};
+pub use export::{NamedMatrix, matrix_files};
 pub use figures::{FIGURES, Figure, FigureError, File};
 pub use provenance::{Provenance, digest, version};
 pub use simulation::{
