@@ -1,6 +1,7 @@
 //! What people read: the table of the ledger, the list of claims, the explanation of one claim, tables and figures of the papers,
 //! files and pictures of simulated scenarios.
 
+mod animation;
 mod catalogue;
 mod explain;
 mod export;
@@ -15,6 +16,7 @@ mod tracks;
 /// Stands in signatures.
 pub use serde_json;
 
+pub use animation::animation;
 pub use catalogue::{Listing, Query, SCOPES, catalogue, catalogue_text, nearest};
 pub use explain::{explain, explanation};
 pub use export::{NamedMatrix, matrix_files};

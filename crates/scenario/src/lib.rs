@@ -11,6 +11,7 @@ mod error;
 mod fish;
 mod links;
 mod network;
+mod noisy;
 mod observables;
 mod oscillator;
 mod platoon;
