@@ -1,9 +1,10 @@
 //! `explain`: one claim in words.
 
-use super::{CliError, output, progress, verify};
-use flockproof::ledger::{Options, Report};
-use flockproof::report::{Provenance, explain, explanation, version};
+use super::{CliError, output, progress, report, verify};
+use flockproof::ledger::{Document, Ledger, Options, Report};
+use flockproof::report::{Figure, Provenance, Site, explain, explanation, version};
 use serde_json::json;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
@@ -18,6 +19,9 @@ pub struct Arguments {
     /// Print one JSON document, flockproof.explain/1
     #[arg(long)]
     json: bool,
+    /// Write the claim as a page that needs no other file, with its figures
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
@@ -28,6 +32,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let options = Options::default();
     let report = ledger.verify(&ids, &options, |_| {});
     bar.finish_and_clear();
+    if let Some(path) = &arguments.html {
+        write_page(path, &arguments.id, &report, &options, &ledger)?;
+        return Ok(ExitCode::SUCCESS);
+    }
     for entry in &report.entries {
         if arguments.json {
             let configuration = json!({"command": "explain", "claim": entry.id, "full": options.full});
@@ -48,4 +56,13 @@ fn checked(report: &Report, options: &Options) -> String {
         differences => format!("not as recorded: {}", differences.join("; ")),
     };
     format!("Checked anew by flockproof {}, seed {}: {recorded}.", version(), options.seed)
+}
+
+fn write_page(path: &Path, id: &str, report: &Report, options: &Options, ledger: &Ledger) -> Result<(), CliError> {
+    let Some(figures) = report::made(Figure::of_claim(id).collect())? else { return Ok(()) };
+    let document = Document::new(report, options);
+    let page = Site::new(&document, ledger, &figures).alone(id);
+    // The claim was found and checked, so there is a page.
+    output::write_file(path, page.unwrap_or_default().as_bytes())?;
+    output::print(&format!("written: {}\n", path.display()))
 }

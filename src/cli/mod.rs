@@ -1,9 +1,10 @@
 //! Dispatch, errors and output of the command line.
 //!
 //! Exit status: 0 when all is as it should be, 1 when `verify` differs from what is recorded, 2 on bad use, 130 when
-//! interrupted.
+//! interrupted; `check` has 1 for false, 3 for undecided and 4 where a control was not refuted.
 
 mod certify;
+mod check;
 mod completions;
 mod ergodicity;
 mod explain;
@@ -56,6 +57,8 @@ enum Command {
     Tracks(tracks::Arguments),
     /// Let Coq check the proofs that the ledger rests on
     Prove(prove::Arguments),
+    /// Decide statements of one's own: a file says what a property ranges over
+    Check(check::Arguments),
     /// Write exact results of the ledger as certificates that a separate program, or Coq, checks
     Certify(certify::Arguments),
     /// Products, footprints, stabilisers and ergodicity coefficients of a sequence of stochastic matrices
@@ -90,9 +93,16 @@ impl CliError {
     }
 }
 
-/// Parses the arguments and runs the subcommand.
-pub fn main() -> ExitCode {
-    let parsed = help::command().try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches));
+/// Parses the arguments, of which the first is the name of the program, and runs the subcommand; the exit status.
+pub fn main(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
+    let code = run(arguments);
+    // The number in an `ExitCode` cannot be asked for.
+    (0..=u8::MAX).find(|&status| ExitCode::from(status) == code).unwrap_or(u8::MAX)
+}
+
+fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
+    let parsed =
+        help::command().try_get_matches_from(arguments).and_then(|matches| Arguments::from_arg_matches(&matches));
     let arguments = match parsed {
         Ok(arguments) => arguments,
         // Nothing was asked for: all that can be asked for.
@@ -118,6 +128,7 @@ pub fn main() -> ExitCode {
         Command::Spectrum(arguments) => spectrum::run(&arguments),
         Command::Tracks(arguments) => tracks::run(&arguments),
         Command::Prove(arguments) => prove::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),

@@ -3,7 +3,7 @@
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress, verify};
 use flockproof::ledger::{Document, Options};
-use flockproof::report::{FIGURES, Made, Site};
+use flockproof::report::{FIGURES, Figure, Made, Site};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -28,12 +28,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let Some(document) = document(arguments, &ledger)? else {
         return Ok(ExitCode::from(interrupt::STATUS));
     };
-    let figures = if arguments.no_figures { Vec::new() } else { figures()? };
-    if interrupt::happened() {
-        return Ok(ExitCode::from(interrupt::STATUS));
-    }
+    let wanted = if arguments.no_figures { Vec::new() } else { FIGURES.iter().collect() };
+    let Some(figures) = made(wanted)? else { return Ok(ExitCode::from(interrupt::STATUS)) };
     interrupt::finishing();
-    let pages = Site::new(&document, &ledger, &figures).pages();
+    let pages = Site::new(&document, &ledger, &figures).pages().map_err(|error| CliError::Use(error.to_string()))?;
     let folders: BTreeSet<PathBuf> =
         pages.iter().filter_map(|page| Some(arguments.out.join(Path::new(&page.path).parent()?))).collect();
     for folder in &folders {
@@ -74,19 +72,21 @@ fn document(arguments: &Arguments, ledger: &flockproof::ledger::Ledger) -> Resul
     Document::read(&text).map(Some).map_err(|error| CliError::file(place, error))
 }
 
-/// All figures, in their order; those that were made when a signal came.
-fn figures() -> Result<Vec<Made>, CliError> {
-    let made = interrupt::results(|sender| {
-        FIGURES.par_iter().enumerate().for_each_with(sender, |sender, (place, figure)| {
+/// These figures, in their order; nothing if a signal came.
+pub fn made(figures: Vec<&'static Figure>) -> Result<Option<Vec<Made>>, CliError> {
+    let count = figures.len();
+    let results = interrupt::results(move |sender| {
+        figures.par_iter().enumerate().for_each_with(sender, |sender, (place, figure)| {
             // Nobody listens any more after a signal.
-            let _ = sender.send((place, figure, figure.reproduce()));
+            let _ = sender.send((place, *figure, figure.reproduce()));
         });
     });
     let mut figures = Vec::new();
-    for (place, figure, made) in made {
+    for (place, figure, made) in results {
         let (text, files) = made.map_err(|error| CliError::Use(format!("{}: {error}", figure.name)))?;
         figures.push((place, Made { figure, text, files }));
     }
     figures.sort_by_key(|(place, _)| *place);
-    Ok(figures.into_iter().map(|(_, made)| made).collect())
+    let made: Vec<Made> = figures.into_iter().map(|(_, made)| made).collect();
+    Ok((made.len() == count).then_some(made))
 }

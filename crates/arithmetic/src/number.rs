@@ -28,14 +28,18 @@ pub enum NumberError {
 /// At most so many characters of a text stand in a message.
 const LONGEST_SHOWN: usize = 60;
 
-/// A text as a message shows it: its beginning where it is long, without control characters.
+/// A text as a message shows it: its beginning where it is long, on one line.
 pub fn shown(text: &str) -> String {
-    let plain = |c: char| if c.is_control() { ' ' } else { c };
-    let mut start: String = text.chars().take(LONGEST_SHOWN).map(plain).collect();
+    let mut start: String = text.chars().take(LONGEST_SHOWN).flat_map(one_line).collect();
     if text.chars().nth(LONGEST_SHOWN).is_some() {
         start.push_str("...");
     }
     start
+}
+
+/// Control characters and line separators as escapes.
+fn one_line(c: char) -> Vec<char> {
+    if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') { c.escape_default().collect() } else { vec![c] }
 }
 
 /// Whether a text has digits or a minus of another script.

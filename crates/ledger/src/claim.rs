@@ -161,7 +161,7 @@ pub trait Claim: Send + Sync {
     /// The corrected statement, for claims whose printed form fails.
     fn correction(&self) -> Option<Correction>;
     /// What each negative control alters.
-    fn alterations(&self) -> Vec<&'static str>;
+    fn alterations(&self) -> Vec<&str>;
     /// Decides one form.
     ///
     /// # Errors

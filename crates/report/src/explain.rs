@@ -86,6 +86,10 @@ pub fn explain(entry: &Entry, width: usize) -> String {
     for survivor in &entry.surviving_controls {
         section(&mut text, width, "NOT REFUTED", survivor);
     }
+    let figures: Vec<&str> = Figure::of_claim(&entry.id).map(|figure| figure.name).collect();
+    if !figures.is_empty() {
+        section(&mut text, width, "figures", &format!("{} (reproduce NAME --out DIR)", figures.join(", ")));
+    }
     for (name, value) in &entry.values {
         section(&mut text, width, "value", &format!("{name} = {value}"));
     }

@@ -25,6 +25,6 @@ pub use provenance::{Provenance, digest, version};
 pub use simulation::{
     events_csv, observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv,
 };
-pub use site::{Made, Page, Site};
+pub use site::{Made, Page, Site, SiteError};
 pub use table::{summary, verdict_table};
 pub use tracks::TracksReport;

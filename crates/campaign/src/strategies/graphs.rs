@@ -1,10 +1,9 @@
 //! Graphs.
 
-use super::numbers::{fraction, positive};
+use super::numbers::positive;
 use crate::draws::Draws;
 use algebra::graph::{Graph, WeightedGraph};
-use arithmetic::Rational;
-use num_traits::Zero;
+use arithmetic::{Rational, rational};
 
 /// A graph: every pair is joined with probability 1/2.
 pub fn graph(draws: &mut Draws, order: usize) -> Graph {
@@ -38,23 +37,18 @@ pub fn permutation(draws: &mut Draws, order: usize) -> Vec<usize> {
     (0..order).map(|_| left.remove(draws.below(left.len() as u64) as usize)).collect()
 }
 
-/// Whom the followers of a platoon track, with weights that sum to one for each; some are negative.
+/// Whom the followers of a platoon track, one or two others each, with positive weights that sum to one.
 pub fn tracking(draws: &mut Draws, followers: usize) -> Vec<Vec<(usize, Rational)>> {
-    let row = |draws: &mut Draws, k: usize| {
+    let row = |k: usize, draws: &mut Draws| {
         let others: Vec<usize> = (0..=followers).filter(|&agent| agent != k).collect();
-        let first = *draws.choice(&others);
-        let second = *draws.choice(&others);
-        let share = fraction(draws, 3, 4);
-        if second == first || share.is_zero() {
-            return vec![(first, arithmetic::rational(1, 1))];
+        let (first, second) = (*draws.choice(&others), *draws.choice(&others));
+        let share = rational(1 + draws.below(3) as i64, 4);
+        let mut row = vec![(first, rational(1, 1))];
+        if second != first {
+            row = vec![(first, rational(1, 1) - &share), (second, share)];
+            row.sort_by_key(|(agent, _)| *agent);
         }
-        let rest = arithmetic::rational(1, 1) - &share;
-        let mut row = vec![(second, share)];
-        if !rest.is_zero() {
-            row.push((first, rest));
-        }
-        row.sort_by_key(|(agent, _)| *agent);
         row
     };
-    (1..=followers).map(|k| row(draws, k)).collect()
+    (1..=followers).map(|k| row(k, draws)).collect()
 }

@@ -14,11 +14,11 @@ pub(super) fn body(site: &Site, entry: &Entry, links: Links) -> Markup {
     html! {
         article.claim {
             p.crumbs {
-                (of_paper(entry, links))
+                span { (of_paper(entry, links)) }
                 @if links != Links::Alone { (neighbours(site, entry)) }
             }
             h1 { (entry.id) }
-            p.place { (rich(&entry.place)) }
+            p.place { (site.names.linked(&entry.place, links)) }
             div.two {
                 div {
                     (verdict(site, entry, links))
@@ -33,6 +33,7 @@ pub(super) fn body(site: &Site, entry: &Entry, links: Links) -> Markup {
                 (reliability(site, entry, links))
             }
             (super::figure::of_claim(site, entry, links))
+            @if links != Links::Alone { (motions(entry)) }
             @if entry.clauses.len() > 1 { (clauses(site, entry, links)) }
             @if let Some(text) = site.derivation(&entry.id).filter(|text| !text.is_empty()) {
                 (section("why", "Why", rich(text)))
@@ -90,6 +91,12 @@ fn verdict(site: &Site, entry: &Entry, links: Links) -> Markup {
             @if let Some(why) = &entry.why { " " span { (site.names.rich(why, links)) } }
         }
     }
+}
+
+/// The motions that show it.
+fn motions(entry: &Entry) -> Markup {
+    let shows = super::explore::SHOWS.iter().filter(|show| show.claims.contains(&entry.id.as_str()));
+    html! { @for show in shows { p { "See it move: " a href={ "../explore/" (show.name) ".html" } { (show.title) } "." } } }
 }
 
 fn correction(site: &Site, entry: &Entry, text: &str, links: Links) -> Markup {

@@ -1,9 +1,9 @@
 //! The errata of a paper: fit to print, and to send to its authors.
 
+use super::Site;
 use super::frame::Links;
 use super::papers::{Paper, papers};
 use super::words::spoken;
-use super::{Site, notation};
 use ledger::{Entry, Fault};
 use maud::{Markup, html};
 
@@ -59,7 +59,7 @@ fn erratum(site: &Site, e: &Entry, number: usize) -> Markup {
     let rich = |text: &str| site.names.rich(text, Links::Folder);
     html! {
         article.erratum id=(e.id) {
-            h3 { (number) ". " (notation::set(&e.place)) }
+            h3 { (number) ". " (e.place) }
             dl {
                 dt { "Printed" } dd { (rich(&e.statement)) }
                 @if let Some(text) = &e.corrected { dt { "Correct" } dd { (rich(text)) } }

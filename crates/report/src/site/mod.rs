@@ -3,8 +3,10 @@
 mod claim;
 mod coq;
 mod errata;
+mod explore;
 mod figure;
 mod frame;
+mod glossary;
 mod graph;
 mod index;
 mod notation;
@@ -41,6 +43,9 @@ pub struct Made {
     /// Its files.
     pub files: Vec<File>,
 }
+
+/// Why a page could not be made.
+pub type SiteError = explore::RunsError;
 
 /// What pages are made of.
 pub struct Site<'a> {
@@ -79,12 +84,16 @@ impl<'a> Site<'a> {
     }
 
     /// Every file of the site.
-    pub fn pages(&self) -> Vec<Page> {
+    ///
+    /// # Errors
+    /// [`SiteError`] where a motion cannot be computed.
+    pub fn pages(&self) -> Result<Vec<Page>, SiteError> {
         let mut pages = vec![Page::new("site.css", STYLE), Page::new("site.js", SCRIPT)];
         pages.push(self.top("index.html", "flockproof", "index", &index::body(self)));
         pages.push(self.top("results.html", "Results", "note", &results::body(self)));
         pages.push(self.top("guarantees.html", "Guarantees", "note", &self.note("guarantees", Links::Top)));
         pages.push(self.top("graph.html", "Graph", "graphs", &graph::body(self)));
+        pages.push(self.top("glossary.html", "Symbols", "glossary", &glossary::body()));
         pages.push(self.inner("papers/index.html", "Papers", "papers", &paper::list(self)));
         pages.push(self.inner("errata/index.html", "Errata", "papers", &errata::list(self)));
         for paper in papers() {
@@ -96,6 +105,12 @@ impl<'a> Site<'a> {
             ));
             let title = format!("Errata: {}", paper.title);
             pages.push(self.inner(&format!("errata/{}.html", paper.key), &title, "errata", &errata::body(self, paper)));
+        }
+        pages.push(Page::new("explore.js", explore::PLAYER));
+        pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list()));
+        for show in explore::SHOWS {
+            let body = explore::body(self, show)?;
+            pages.push(self.inner(&format!("explore/{}.html", show.name), show.title, "explore", &body));
         }
         for (name, text) in notes::NOTES.iter().filter(|(name, _)| !["guarantees", "results"].contains(name)) {
             pages.push(self.inner(
@@ -115,7 +130,7 @@ impl<'a> Site<'a> {
         pages.push(Page::new("data/ledger.json", self.data()));
         let files = self.figures.iter().flat_map(|made| &made.files);
         pages.extend(files.map(|file| Page::new(format!("figures/{}", file.name), file.contents.clone())));
-        pages
+        Ok(pages)
     }
 
     /// The page of one claim by itself, with all that it needs in one file.

@@ -41,6 +41,9 @@ pub(super) struct Balls<const L: usize> {
 /// Steps that fit between two losses of resolution, as a power of two; sums over all neighbours fit too.
 const ROOM_BITS: u64 = 32;
 
+/// Quiet stretches of more steps than this are jumped over, where that costs little precision.
+const LONG: u64 = 256;
+
 /// Differences of two birds after the move of the next step: `now` and the move itself, in units, and the bounds of the errors
 /// of their coordinates.
 pub(super) struct PairBall {
@@ -204,6 +207,10 @@ impl<const L: usize> Balls<L> {
     ) -> Result<(), FlockError> {
         while self.time < time {
             progress.checkpoint()?;
+            let quiet = changes.get(self.applied).map_or(time, |change| time.min(change.time - 1)) - self.time;
+            if quiet > LONG && self.time.is_multiple_of(LONG) && self.jump(quiet) {
+                continue;
+            }
             match changes.get(self.applied).filter(|change| change.time == self.time + 1) {
                 Some(change) => {
                     self.applied += 1;
@@ -239,6 +246,74 @@ impl<const L: usize> Balls<L> {
         let moved = self.velocities[a].minus(self.velocities[b]);
         let now = self.positions[a].minus(self.positions[b]).plus(moved);
         (now.to_f64(&self.scales), moved.to_f64(&self.scales))
+    }
+
+    pub fn dimension(&self) -> usize {
+        self.dimension
+    }
+
+    /// Coordinate `k` of `x_i - x_j`.
+    #[inline(always)]
+    pub fn position_difference(&self, i: usize, j: usize, k: usize) -> f64 {
+        let (a, b) = (i * self.dimension + k, j * self.dimension + k);
+        self.positions[a].minus(self.positions[b]).to_f64(&self.scales)
+    }
+
+    /// Coordinate `k` of `v_i - v_j`.
+    pub fn velocity_difference(&self, i: usize, j: usize, k: usize) -> f64 {
+        let (a, b) = (i * self.dimension + k, j * self.dimension + k);
+        self.velocities[a].minus(self.velocities[b]).to_f64(&self.scales)
+    }
+
+    /// Many steps at once on a network that stays, where velocities have settled so far that this costs little precision; whether
+    /// it was done.
+    pub fn jump(&mut self, steps: u64) -> bool {
+        let wholes = super::outlook::wholes(self, &self.weights);
+        let unit = self.scales[0];
+        let stray = wholes.iter().fold(0.0, |most: f64, w| most.max(2.0 * w.stray)) / unit;
+        let range = wholes.iter().fold(0.0, |most: f64, w| most.max(w.range)) / unit;
+        // Half the bits of a unit may be lost.
+        let lost = 2f64.powi((self.fraction / 2).min(100) as i32);
+        let drift_error = self.velocity_error.saturating_add(2);
+        let error = drift_error as f64 * steps as f64 + stray;
+        // Units below the range of floats have no bounds here.
+        if unit == 0.0 || error.is_nan() || error > lost || self.room < steps {
+            return false;
+        }
+        for whole in &wholes {
+            let Some(mean) = self.mean(&whole.members) else { return false };
+            for &i in &whole.members {
+                for (k, mean) in mean.iter().enumerate() {
+                    let place = i * self.dimension + k;
+                    let way = mean.to_integer() * steps;
+                    let Some(way) = Words::from_integer(&way) else { return false };
+                    self.positions[place] = self.positions[place].plus(way);
+                    self.velocities[place] = *mean;
+                }
+            }
+        }
+        self.room -= steps;
+        self.time += steps;
+        self.position_error = self.position_error.saturating_add(drift_error * u128::from(steps)) + stray as u128 + 1;
+        self.velocity_error = drift_error + range as u128 + 1;
+        true
+    }
+
+    /// The stationary mean of the velocities of a connected part, less than a unit too small.
+    fn mean(&self, members: &[usize]) -> Option<Vec<Words<L>>> {
+        let share = |&i: &usize| self.weights.of(self.links.degree(i), i).map(|c| c.recip());
+        let shares = if members.len() == 1 {
+            vec![Rational::from_integer(BigInt::from(1))]
+        } else {
+            members.iter().map(share).collect::<Option<Vec<Rational>>>()?
+        };
+        let total: Rational = shares.iter().sum();
+        let coordinate = |k: usize| {
+            let value = |i: usize| Rational::from_integer(self.velocities[i * self.dimension + k].to_integer());
+            let sum: Rational = members.iter().zip(&shares).map(|(&i, share)| value(i) * share).sum();
+            Words::from_integer(&(sum / &total).floor().to_integer())
+        };
+        (0..self.dimension).map(coordinate).collect()
     }
 
     pub fn pair(&self, i: usize, j: usize) -> PairBall {

@@ -4,6 +4,7 @@
 mod balls;
 mod classes;
 mod links;
+mod outlook;
 mod watch;
 mod words;
 
@@ -17,6 +18,7 @@ use classes::Classes;
 use links::{Change, Links};
 use num_bigint::BigInt;
 use num_traits::{One, Pow, Zero};
+pub(super) use outlook::Outlook;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use watch::Watch;
@@ -44,6 +46,8 @@ pub struct FilteredFlock {
     classes: Classes,
     /// Steps since the start.
     time: u64,
+    /// Whether the balls have jumped: exact numbers are out of reach then.
+    jumped: bool,
 }
 
 /// The balls that are stepped, or the exact flock alone where numbers are too large for balls.
@@ -93,6 +97,7 @@ impl FilteredFlock {
             watch: Watch::default(),
             classes: Classes::default(),
             time: 0,
+            jumped: false,
         })
     }
 
@@ -132,13 +137,48 @@ impl FilteredFlock {
         powers.into_iter().map(power).fold(self.first_unit.clone(), |product, p| product * p).bits()
     }
 
+    /// What is certain about the network from now on, if anything is.
+    pub(super) fn outlook(&self, progress: &dyn Progress) -> Result<Option<Outlook>, FlockError> {
+        let State::Balls(balls) = &self.state else { return Ok(None) };
+        outlook::outlook(balls, &self.weights, &self.threshold, progress).map(Some)
+    }
+
+    /// Many steps at once in which nothing changes; whether that was possible.
+    pub(super) fn jump(&mut self, steps: u64) -> bool {
+        let State::Balls(balls) = &mut self.state else { return false };
+        if !balls.jump(steps) {
+            return false;
+        }
+        self.time += steps;
+        self.jumped = true;
+        self.watch.renew();
+        true
+    }
+
+    /// Whether it has jumped.
+    pub(super) fn has_jumped(&self) -> bool {
+        self.jumped
+    }
+
     /// The exact flock at this time.
     ///
     /// # Errors
     /// [`FlockError::Cancelled`].
     pub fn exact(&mut self, progress: &dyn Progress) -> Result<&Flock, FlockError> {
+        self.follow_exactly(self.time, progress)?;
+        Ok(&self.exact)
+    }
+
+    /// The exact flock at an earlier time.
+    pub(super) fn into_exact(mut self, time: &BigInt, progress: &dyn Progress) -> Result<Flock, FlockError> {
+        let time = u64::try_from(time - &self.origin).unwrap_or(0).min(self.time);
+        self.follow_exactly(time, progress)?;
+        Ok(self.exact)
+    }
+
+    fn follow_exactly(&mut self, time: u64, progress: &dyn Progress) -> Result<(), FlockError> {
         let mut network = self.exact.network().clone();
-        while self.exact_time() < self.time {
+        while self.exact_time() < time {
             progress.checkpoint()?;
             let next = self.exact_time() + 1;
             if let Some(change) = self.changes.get(self.exact_applied).filter(|change| change.time == next) {
@@ -149,7 +189,7 @@ impl FilteredFlock {
             }
             self.exact.step_on(&network)?;
         }
-        Ok(&self.exact)
+        Ok(())
     }
 
     fn exact_time(&self) -> u64 {
@@ -300,8 +340,12 @@ impl FilteredFlock {
     }
 
     fn decide_exactly(&mut self, pair: (u32, u32), edge: bool, progress: &dyn Progress) -> Result<bool, FlockError> {
-        self.exact(progress)?;
         let (i, j) = (pair.0 as usize, pair.1 as usize);
+        if self.jumped {
+            let (pair, bits) = ((i + 1, j + 1), 64 * 32);
+            return Err(FlockError::Undecided { pair, time: self.time + 1, against: "distance 1", bits });
+        }
+        self.exact(progress)?;
         let (near, moved) = self.exact.next_comparison(i, j);
         if near == Ordering::Equal && moved.iter().all(Zero::is_zero) {
             let exact = &self.exact;
@@ -322,6 +366,10 @@ impl FilteredFlock {
     }
 
     fn long(&mut self, progress: &dyn Progress) -> Result<Option<&Balls<32>>, FlockError> {
+        if self.jumped {
+            // Its units are too small for bounds in double precision, without which there is no jump.
+            return Ok(None);
+        }
         if self.finer.long.is_none() {
             self.finer.long = self.from_the_exact_state()?.map(Box::new);
         }

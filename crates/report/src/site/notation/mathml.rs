@@ -81,7 +81,7 @@ fn infix<'a>(text: &'a str, node: &Node, before: &[Part]) -> Option<&'a str> {
     let sign = match (&node.kind, node.text(text)) {
         (Kind::Word, "kron") => "⊗",
         (Kind::Word, "in") => "∈",
-        (Kind::Word, "x") if is_times(text, node) => "×",
+        (Kind::Word, "x") if is_times(text, node) && before.last().is_some_and(|last| !last.infix) => "×",
         (Kind::Group(_) | Kind::Word | Kind::Number, _) => return None,
         (_, "-") => "−",
         (_, "*") => "·",
