@@ -3,17 +3,17 @@
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress};
 use flockproof::report::{
-    File, Provenance, events_csv, observables_csv, sample_table, simulation_pictures, simulation_summary,
+    File, Provenance, animation, events_csv, observables_csv, sample_table, simulation_pictures, simulation_summary,
     trajectory_csv,
 };
 use flockproof::scenario::{End, Outcome, Scenario};
 use serde_json::{Value, json};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
 #[command(after_help = "Files are written at the end, or when the run is stopped: what was reached is kept.\n\n\
-Example:\n  flockproof simulate assets/scenarios/three_agents.toml --out out")]
+Example:\n  flockproof simulate assets/scenarios/three_agents.toml --out out --animate")]
 pub struct Arguments {
     /// Model, graph, start, law and times as TOML, see notes/simulate.md
     #[arg(value_name = "CONFIG")]
@@ -21,6 +21,9 @@ pub struct Arguments {
     /// Folder for summary.json, the CSV files and the plots; it is made if it is missing
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    /// Write animation.html too, one page that plays the run in a browser
+    #[arg(long)]
+    animate: bool,
     /// Print summary.json, flockproof.simulate/1, instead of the table
     #[arg(long)]
     json: bool,
@@ -35,13 +38,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if !arguments.json {
         output::print(&declared(&scenario.declaration()))?;
     }
+    let seed = scenario.seed().map(str::to_string);
     let outcome = scenario.run(&watch);
     watch.finish();
     interrupt::finishing();
     let configuration = json!({"command": "simulate", "file": input.origin, "toml": input.text});
-    let provenance = Provenance::new("flockproof.simulate/1", None, configuration);
+    let provenance = Provenance::new("flockproof.simulate/1", seed.as_deref(), configuration);
     let summary = provenance.stamp(simulation_summary(&outcome));
-    let written = write(&outcome, &summary, &provenance, &arguments.out)?;
+    let written = write(&outcome, &summary, &provenance, arguments)?;
     if arguments.json {
         output::print_json(&summary)?;
     } else {
@@ -69,7 +73,13 @@ fn declared(lines: &[String]) -> String {
 }
 
 /// Writes all files and returns their names.
-fn write(outcome: &Outcome, summary: &Value, provenance: &Provenance, folder: &Path) -> Result<Vec<String>, CliError> {
+fn write(
+    outcome: &Outcome,
+    summary: &Value,
+    provenance: &Provenance,
+    arguments: &Arguments,
+) -> Result<Vec<String>, CliError> {
+    let folder = &arguments.out;
     let file = |name: &str, contents: Vec<u8>| File { name: name.to_string(), contents };
     let mut files = vec![
         file("summary.json", format!("{summary:#}\n").into_bytes()),
@@ -78,6 +88,11 @@ fn write(outcome: &Outcome, summary: &Value, provenance: &Provenance, folder: &P
         file("events.csv", events_csv(outcome).into_bytes()),
     ];
     files.push(file("about.txt", provenance.about(&files).into_bytes()));
+    if arguments.animate {
+        let page =
+            animation(outcome).ok_or_else(|| CliError::Use("--animate: this model has no positions".to_string()))?;
+        files.push(file("animation.html", page.into_bytes()));
+    }
     let mut names = Vec::new();
     let mut put = |file: File| {
         output::write_file(&folder.join(&file.name), &file.contents)?;

@@ -9,6 +9,7 @@ mod flock;
 mod fuzz;
 #[cfg(unix)]
 mod interrupt;
+mod resonance;
 mod schemas;
 mod shell;
 mod simulate;

@@ -110,6 +110,7 @@ fn documents_keep_to_their_schemas() {
     let asset = |name: &str| format!("{root}/assets/{name}");
     let (birds, matrices) = (asset("four_birds.json"), asset("two_matrices.txt"));
     let (scenario, tracks) = (asset("scenarios/switching_flock.toml"), asset("example_tracks.csv"));
+    let (names, floats) = (asset("graphs/path.graphml"), asset("float_matrices.json"));
     let single = file(&folder, "k.json", br#"{"model": "K", "speed": 1, "positions": [[0, 0]], "headings": [0]}"#);
     let free = std::fs::read_to_string(&birds).expect("text").replace("\"paper\"", "\"none\"");
     let free = file(&folder, "free.json", free.as_bytes());
@@ -119,7 +120,12 @@ fn documents_keep_to_their_schemas() {
         ("explain", vec!["explain", "veerman.gain_max", "--json"]),
         ("explain", vec!["explain", "chazelle.tau1", "--json"]),
         ("resonance", vec!["resonance", "--followers", "4", "--f", "-1", "--g=-1/2", "--json"]),
+        ("response", vec!["resonance", "--graph", "circulant:7:1,2", "--f", "-1", "--g=-1", "--json"]),
+        ("response", vec!["resonance", "--graph", "front", "--followers", "70", "--f", "-1", "--g=-1", "--json"]),
+        ("resonance-sweep", vec!["resonance", "--followers", "4", "--sweep", "f=-2..-1:3,g=-1", "--json"]),
         ("spectrum", vec!["spectrum", "--graph", "ring:12", "--json"]),
+        ("spectrum", vec!["spectrum", "--graph", &names, "--kind", "adjacency", "--json"]),
+        ("ergodicity", vec!["ergodicity", &floats, "--normalise", "--json"]),
         ("spectrum", vec!["spectrum", "--graph", "platoon1:8", "--kind", "reduced", "--root", "2", "--json"]),
         ("spectrum", vec!["spectrum", "--graph", "circulant:7:1,3", "--kind", "adjacency", "--json"]),
         ("ergodicity", vec!["ergodicity", &matrices, "--json"]),

@@ -1,8 +1,10 @@
 //! What people read: the table of the ledger, the list of claims, the explanation of one claim, tables and figures of the papers,
 //! files and pictures of simulated scenarios.
 
+mod animation;
 mod catalogue;
 mod explain;
+mod export;
 mod figures;
 pub mod plot;
 mod provenance;
@@ -14,8 +16,10 @@ mod tracks;
 /// Stands in signatures.
 pub use serde_json;
 
+pub use animation::animation;
 pub use catalogue::{Listing, Query, SCOPES, catalogue, catalogue_text, nearest};
 pub use explain::{explain, explanation};
+pub use export::{NamedMatrix, matrix_files};
 pub use figures::{FIGURES, Figure, FigureError, File};
 pub use provenance::{Provenance, digest, version};
 pub use simulation::{

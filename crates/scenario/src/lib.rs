@@ -12,6 +12,7 @@ mod exact;
 mod fish;
 mod links;
 mod network;
+mod noisy;
 mod observables;
 mod oscillator;
 mod platoon;

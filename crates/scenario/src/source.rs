@@ -149,6 +149,11 @@ impl<'a> Entry<'a> {
         }
     }
 
+    /// Whether the value is a list.
+    pub fn is_list(&self) -> bool {
+        self.value.get_ref().is_array()
+    }
+
     /// Whether the value is a table.
     pub fn is_table(&self) -> bool {
         self.value.get_ref().is_table()
@@ -195,6 +200,12 @@ impl<'a> Entry<'a> {
     pub fn positive(&self) -> Result<f64, ConfigError> {
         let number = self.number()?;
         if number > 0.0 { Ok(number) } else { Err(self.range("a number above 0")) }
+    }
+
+    /// A number that is zero or above.
+    pub fn not_negative(&self) -> Result<f64, ConfigError> {
+        let number = self.number()?;
+        if number >= 0.0 { Ok(number) } else { Err(self.range("a number that is not negative")) }
     }
 
     /// An integer from `least` to `most`.
