@@ -22,19 +22,19 @@ class Known(Fraction):
     Arithmetic with it gives ordinary fractions.
     """
 
-    __slots__ = ("from_float",)
-    from_float: bool
+    __slots__ = ("has_float",)
+    has_float: bool
 
-    def __new__(cls, numerator: int, denominator: int = 1, from_float: bool = False) -> Known:
+    def __new__(cls, numerator: int, denominator: int = 1, has_float: bool = False) -> Known:
         self = super().__new__(cls, numerator, denominator)
-        self.from_float = from_float
+        self.has_float = has_float
         return self
 
     def __repr__(self) -> str:
         return f"Fraction({self.numerator}, {self.denominator})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Known, (self.numerator, self.denominator, self.from_float))
+        return (Known, (self.numerator, self.denominator, self.has_float))
 
     def __copy__(self) -> Known:
         return self
@@ -77,7 +77,7 @@ def is_float(value: object) -> bool:
     """Whether a number is a float, Python's or NumPy's, or was computed from one here."""
     if isinstance(value, (float, np.floating)):
         return True
-    return bool(getattr(value, "from_float", False) or getattr(value, "from_floats", ()))
+    return bool(getattr(value, "has_float", False) or getattr(value, "from_floats", ()))
 
 
 def floats_among(**values: object) -> tuple[str, ...]:
@@ -93,14 +93,14 @@ def floats_among(**values: object) -> tuple[str, ...]:
     )
 
 
-def holds_floats(values: object) -> bool:
-    """Whether there is a float in nested lists or an array."""
+def holds_floats(values: object, depth: int = 0) -> bool:
+    """Whether there is a float in nested lists or an array; lists in lists in lists are read no further."""
     if isinstance(values, np.ndarray):
         if values.dtype.kind in "fc":
             return True
         return values.dtype.kind == "O" and any(is_float(x) for x in values.ravel().tolist())
     if isinstance(values, (list, tuple)):
-        return any(holds_floats(x) for x in values)
+        return depth < 3 and any(holds_floats(x, depth + 1) for x in values)
     return is_float(values)
 
 

@@ -214,13 +214,15 @@ def _table(table: Mapping[str, Any], name: str, lines: list[str]) -> None:
             _table(value, inner, lines)
 
 
-def _value(value: Any, key: str) -> str:
+def _value(value: Any, key: str, depth: int = 0) -> str:
+    if depth > 8:
+        raise TypeError(f"{key} is nested too deeply")
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
     if isinstance(value, str):
         return json.dumps(value).replace("\x7f", "\\u007f")
     if isinstance(value, np.ndarray):
-        return _value(value.tolist(), key)
+        return _value(value.tolist(), key, depth + 1)
     if isinstance(value, (float, np.floating)):
         if not np.isfinite(value):
             raise ValueError(f"{key}: `{value}` is not a number")
@@ -230,9 +232,9 @@ def _value(value: Any, key: str) -> str:
         number = int(value)
         return str(number) if -(2**63) <= number < 2**63 else _value(_exact_text(number, key), key)
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{json.dumps(str(k))} = {_value(v, key)}" for k, v in value.items()) + "}"
+        return "{" + ", ".join(f"{json.dumps(str(k))} = {_value(v, key, depth + 1)}" for k, v in value.items()) + "}"
     if isinstance(value, (Sequence, range)):
-        return "[" + ", ".join(_value(x, key) for x in value) + "]"
+        return "[" + ", ".join(_value(x, key, depth + 1) for x in value) + "]"
     return json.dumps(_exact_text(value, key))
 
 
