@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from . import _native
 from ._flock import _refused
-from ._numbers import number_text
+from ._numbers import float_seen, number_text
 from ._progress import Progress, callback
 
 if TYPE_CHECKING:
@@ -160,6 +160,7 @@ def simulate(scenario: Mapping[str, Any] | str | os.PathLike[str], progress: Pro
     >>> run.phases.shape == (len(run.t), 3), bool(run.observables["order"][-1, 0] > 0.9)
     (True, True)
     """
+    float_seen("a simulated run is in floating point")
     if isinstance(scenario, Mapping):
         text, told = toml(scenario), callback(progress)
         try:
@@ -337,6 +338,7 @@ def tracks(
     -----
     Paley, Leonard, Sepulchre, Grünbaum and Parrish (2007), sidebar "Analysis of Fish Data"; ``notes/tracks.md``.
     """
+    float_seen("measured trajectories are floats")
     text, source = _trajectories(data)
     chosen = {
         "window": window,

@@ -94,6 +94,17 @@ pub fn observables_csv(outcome: &Outcome) -> String {
     text
 }
 
+/// `events.csv`: one line for each link that came or went.
+pub fn events_csv(outcome: &Outcome) -> String {
+    let mut text = "t,kind,agent,other\n".to_string();
+    for event in &outcome.events {
+        let kind = if event.gained { "link" } else { "unlink" };
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{:?},{kind},{},{}", event.time, event.pair.0, event.pair.1);
+    }
+    text
+}
+
 /// A number of at most 11 characters.
 fn short(x: f64) -> String {
     match x.abs() {

@@ -3,7 +3,7 @@
 use super::course::Course;
 use super::error::{ConfigError, Problem};
 use super::run::{Outcome, Schedule, run};
-use super::source::{Entry, Source};
+use super::source::{Entry, Section, Source};
 use super::{alignment, fish, oscillator, platoon, vicsek};
 use arithmetic::{Progress, Rational, rational};
 use num_traits::{ToPrimitive, Zero};
@@ -51,6 +51,7 @@ fn read_schedule(
     let entry = section.need("until", "the last time, a number above 0")?;
     let last = entry.positive()?;
     let until = entry.exact()?;
+    bounded(&section, &entry, last, step)?;
     on_grid(&entry, &until, step)?;
     let mut times: BTreeMap<Rational, bool> = BTreeMap::new();
     let mut before: Option<f64> = None;
@@ -91,6 +92,25 @@ fn read_schedule(
     let rounded = |(time, sample): (Rational, bool)| (time.to_f64().unwrap_or(f64::NAN), sample);
     let ignored = step.is_some() && section.get("tolerance").is_some();
     Ok(Schedule { times: times.into_iter().map(rounded).collect(), rows, ignored })
+}
+
+/// Most steps of a run: hours for a few agents.
+const MOST_STEPS: f64 = 1e10;
+/// The latest time; a float tells it from the time 1e-7 later.
+const LATEST: f64 = 1e9;
+
+/// Refuses work that does not end.
+fn bounded(section: &Section, until: &Entry, last: f64, step: Option<&Rational>) -> Result<(), ConfigError> {
+    let own = section.get("step").map(|entry| entry.positive()).transpose()?;
+    match step.and_then(Rational::to_f64).or(own) {
+        Some(step) if last / step > MOST_STEPS => {
+            let steps = last / step;
+            let place = section.get("step").unwrap_or_else(|| until.clone());
+            Err(place.problem(Problem::Endless { time: last, step, steps, most: MOST_STEPS }))
+        }
+        None if last > LATEST => Err(until.problem(Problem::TooLate(last, LATEST))),
+        _ => Ok(()),
+    }
 }
 
 fn on_grid(entry: &Entry, time: &Rational, step: Option<&Rational>) -> Result<(), ConfigError> {

@@ -1,7 +1,7 @@
 //! TOML as sections, keys and numbers, each with its line, so that every error can say where it is.
 
 use super::error::{ConfigError, Problem};
-use arithmetic::{Rational, parse_rational};
+use arithmetic::{Rational, parse_rational, shown};
 use num_traits::ToPrimitive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -64,7 +64,7 @@ impl<'a> Section<'a> {
             None => Ok(()),
             Some((key, _)) => Err(ConfigError::UnknownKey {
                 line: line_of(self.text, key.span().start),
-                key: key.get_ref().to_string(),
+                key: shown(key.get_ref()),
                 section: format!("{}{among}", self.called()),
                 allowed: if keys.is_empty() { "none".to_string() } else { keys.join(", ") },
             }),
@@ -144,7 +144,7 @@ impl<'a> Entry<'a> {
         let known = names.iter().find(|(name, _)| *name == word);
         known.map(|(_, value)| *value).ok_or_else(|| {
             let allowed = names.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
-            self.problem(Problem::Name { found: word.to_string(), allowed })
+            self.problem(Problem::Name { found: shown(word), allowed })
         })
     }
 

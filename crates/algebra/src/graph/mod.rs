@@ -1,5 +1,6 @@
 //! Graphs: undirected simple ones, which the flocking networks are made of, and directed ones with rational weights.
 
+pub mod classes;
 mod components;
 mod isomorphism;
 mod laplacian;
@@ -87,6 +88,14 @@ impl Graph {
             next = counted_on(bits);
             Some(graph)
         })
+    }
+
+    /// Joins two different vertices, or parts them where they are joined. What is no pair of vertices stays as it is.
+    pub fn toggle(&mut self, i: usize, j: usize) {
+        if i != j && i.max(j) < self.order() {
+            self.adjacency.flip(i, j);
+            self.adjacency.flip(j, i);
+        }
     }
 
     /// Number of vertices.

@@ -22,6 +22,22 @@ impl Footprint {
         Footprint { rows, cols, words, bits }
     }
 
+    /// Makes an entry inside the matrix the other.
+    pub(crate) fn flip(&mut self, i: usize, j: usize) {
+        if i < self.rows && j < self.cols {
+            self.bits[i * self.words + j / 64] ^= 1 << (j % 64);
+        }
+    }
+
+    /// The columns with a one in row `i`, in order.
+    fn ones(&self, i: usize) -> impl Iterator<Item = usize> {
+        self.row(i).iter().enumerate().flat_map(|(word, &bits)| {
+            let left = |bits: &u64| (*bits != 0).then(|| bits & (bits - 1));
+            std::iter::successors((bits != 0).then_some(bits), move |bits| left(bits).filter(|&b| b != 0))
+                .map(move |bits| word * 64 + bits.trailing_zeros() as usize)
+        })
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows
@@ -47,7 +63,7 @@ impl Footprint {
         let mut bits = vec![0u64; self.rows * right.words];
         for i in 0..self.rows {
             let out = &mut bits[i * right.words..(i + 1) * right.words];
-            for k in (0..self.cols.min(right.rows)).filter(|&k| self.get(i, k)) {
+            for k in self.ones(i).take_while(|&k| k < right.rows) {
                 out.iter_mut().zip(right.row(k)).for_each(|(word, &other)| *word |= other);
             }
         }

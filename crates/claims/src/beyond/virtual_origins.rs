@@ -30,7 +30,7 @@ pub fn losses() -> Record<LossVariant> {
     .stated(
         "sharpens chazelle, Lemma 3.8",
         "In model D with the hysteresis of the paper, n >= 4 birds in dimension at most n², entries of P at least \
-         n^-a with a = 1 or 2, and speeds and coordinates of x(0) up to n, no edge is lost after time n^(n^4 + \
+         n^-a with a = 1 or 2, and Euclidean speeds and coordinates of x(0) up to n, no edge is lost after time n^(n^4 + \
          2(n-1)² + 10(n-1) + 17).",
     )
 }

@@ -129,7 +129,7 @@ pub struct HeadingVariant {
 }
 
 fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    if variant.difference == HeadingDifference::Wrapped && turning_triangle(&potential(), &rational(1, 1))? {
+    if variant.difference == HeadingDifference::Wrapped && turning_triangle(&potential(), &rational(1, 1), [0; 3])? {
         let what = "three linked agents on an equilateral triangle of squared side 2, omega² = 6 V'(2) = 3/2, V = 1/s + log s: the accelerations of (4), (5) are -omega² r_i; headings stay a third of a turn apart";
         return Ok(Outcome::fails(
             what,

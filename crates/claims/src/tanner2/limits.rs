@@ -131,6 +131,8 @@ pub fn thm1c() -> Record<LimitVariant> {
 pub struct ManifoldVariant {
     complete: bool,
     minima: bool,
+    /// The alignment of (4) times this.
+    damping: i64,
 }
 
 fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -155,18 +157,19 @@ fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome,
     })?;
     Run::all([
         Ok(equilibria.on([1, 2])),
-        Ok(energy_decreases(run, 1)?.on([1])),
+        Ok(energy_decreases(run, variant.damping)?.on([1])),
         argued(&[1, 2], "isolated minima", "notes/tanner2.md, Theorem 1, steps 1 and 7"),
     ])
 }
 
 pub fn flocking() -> Record<ManifoldVariant> {
+    let repaired = ManifoldVariant { complete: true, minima: true, damping: 1 };
     Record::new(
         "tanner2.sec4.flocking",
         "Definition 1 forbids collisions of any two agents. On the path 1-2-3 agents 1 and 3 do not know each other, and the equilibrium with both in the same place belongs to the manifold. \
          On the complete graph nobody collides, but the equilibria include saddles (three agents in a row), which are not stable. A minimum has to be isolated among the critical configurations: \
          V' = (s - 1)³ sin²(1/(s - 1))/s² has a strict minimum at s = 1 with other equilibria as near as one likes.",
-        ManifoldVariant { complete: false, minima: false },
+        ManifoldVariant { complete: false, minima: false, damping: 1 },
         examine_manifold,
     )
     .clauses(&[
@@ -176,14 +179,14 @@ pub fn flocking() -> Record<ManifoldVariant> {
     .repaired(
         Fault::False,
         "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j), in which no two agents are in one place.",
-        ManifoldVariant { complete: true, minima: true },
+        repaired,
     )
     .repaired_clauses(&[
         "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
         "In them no two agents are in one place.",
     ])
-    .control("all equilibria of the complete graph", ManifoldVariant { complete: true, minima: false })
-    .control("minima on any connected graph", ManifoldVariant { complete: false, minima: true })
+    .control("all equilibria of the complete graph", ManifoldVariant { minima: false, ..repaired })
+    .control("alignment with the other sign", ManifoldVariant { damping: -1, ..repaired })
 }
 
 // --- Definition 3 and Corollary 1 ---

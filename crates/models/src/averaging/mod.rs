@@ -6,6 +6,7 @@ mod affine;
 mod contraction;
 mod declaration;
 mod filling;
+mod filtered;
 mod flock;
 mod headings;
 mod hysteresis;
@@ -23,6 +24,7 @@ pub use affine::{Affine, HalfOpenRange};
 pub use contraction::{Contraction, contraction, contraction_watched};
 pub use declaration::{declaration, kinematic_declaration};
 pub use filling::{Filling, GroupRule};
+pub use filtered::FilteredFlock;
 pub use flock::{Flock, Start, Switch, check_control};
 pub use hysteresis::Hysteresis;
 pub use kinematic::{KinematicFlock, KinematicStart, MOST_BITS, check_kappa};
@@ -34,7 +36,7 @@ pub use transients::{Separation, Transients};
 
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};
-use arithmetic::{Rational, Ring, Signed, rational};
+use arithmetic::{Cancelled, Rational, Ring, Signed, rational};
 
 /// The weights `c_i` of the model: bird `i` moves its velocity towards each neighbour's by `c_i` times the difference.
 #[derive(Debug, Clone, PartialEq)]
@@ -199,6 +201,9 @@ pub enum FlockError {
         /// Number of controls.
         found: usize,
     },
+    /// Stopped by the caller.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// Too near to call.
     #[error("birds {} and {} at t = {time} are too near {against} to be decided with {bits} bits", pair.0, pair.1)]
     Undecided {

@@ -60,6 +60,7 @@ pub struct ProperVariant {
 
 impl ProperVariant {
     pub const PRINTED: Self = ProperVariant { disconnected: false, excess: 0, share: (1, 2) };
+    pub const ANY_GRAPH: Self = ProperVariant { disconnected: true, ..Self::PRINTED };
 }
 
 /// Whether `S` is positive and proper as the variant says.
@@ -99,7 +100,7 @@ pub fn spacing_form() -> Record<ProperVariant> {
         "S is positive definite in the space of relative circle centers.",
         "S is proper in the space of relative circle centers.",
     ])
-    .control("graphs that are not connected", ProperVariant { disconnected: true, ..ProperVariant::PRINTED })
+    .control("graphs that are not connected", ProperVariant::ANY_GRAPH)
     .control("(N - 2) 2 N S as the bound", ProperVariant { excess: -1, ..ProperVariant::PRINTED })
     .control("1/N times the sum over edges", ProperVariant { share: (1, 1), ..ProperVariant::PRINTED })
 }
@@ -157,6 +158,7 @@ pub struct DescentVariant {
 
 impl DescentVariant {
     pub const PRINTED: Self = DescentVariant { share: (1, 1), descent: -1, undirected: true };
+    pub const ONE_WAY: Self = DescentVariant { undirected: false, ..Self::PRINTED };
 }
 
 struct DescentIdentity {
@@ -226,7 +228,7 @@ pub fn spacing_descent() -> Record<DescentVariant> {
     ])
     .control("1/(2N) in (19)", DescentVariant { share: (1, 2), ..DescentVariant::PRINTED })
     .control("Sdot >= 0", DescentVariant { descent: 1, ..DescentVariant::PRINTED })
-    .control("directed graphs", DescentVariant { undirected: false, ..DescentVariant::PRINTED })
+    .control("directed graphs", DescentVariant::ONE_WAY)
 }
 
 fn examine_spacing_descent(variant: &DescentVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -8,6 +8,7 @@ use proptest::prelude::*;
 
 mod control;
 mod filling;
+mod filtered;
 mod flock;
 mod interrupted;
 mod kinematic;

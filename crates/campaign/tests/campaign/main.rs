@@ -1,0 +1,6 @@
+//! Campaigns: the table of invariants with few cases, the planted faults, shards, merging, shrinking.
+
+mod draws;
+mod fuzz;
+mod invariants;
+mod store;

@@ -1,0 +1,3 @@
+//! What quantities are measured on.
+
+pub(crate) mod graph;
