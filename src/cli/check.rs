@@ -57,7 +57,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
 }
 
 /// Reads a question; the files that it names lie beside it.
-fn read(path: &Path) -> Result<Question, CliError> {
+pub fn read(path: &Path) -> Result<Question, CliError> {
     let text = output::read_input(path)?.text;
     let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
     let files =

@@ -1,9 +1,9 @@
 //! `fuzz`: campaigns of random cases over what must always be true.
 
 use super::interrupt::{self, Watch};
-use super::{CliError, output, progress};
+use super::{CliError, check, output, progress};
 use flockproof::arithmetic::Progress;
-use flockproof::campaign::fuzz::{Failed, Fuzz, Replay, Summary, one_case};
+use flockproof::campaign::fuzz::{Attack, Failed, Fuzz, Replay, Summary, one_case};
 use flockproof::campaign::invariants::{Checked, Stop, Tested, find, table};
 use flockproof::campaign::job::Campaign;
 use flockproof::campaign::store::{Run, Shard, merge, run_in_memory, run_shard};
@@ -15,8 +15,8 @@ use std::time::Instant;
 
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// Names of invariants; none means all
-    #[arg(value_name = "INVARIANT")]
+    /// Names of invariants, none meaning all; or the file of one question
+    #[arg(value_name = "INVARIANT|QUESTION.toml")]
     names: Vec<String>,
     /// List the invariants
     #[arg(long)]
@@ -62,6 +62,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let replay = Replay::read(&text).map_err(|error| CliError::file(path, error))?;
         return told(replay.invariant.id, &replay.decide(), arguments.json);
     }
+    if let Some(file) = arguments.names.iter().find(|name| name.ends_with(".toml")) {
+        return attack(Path::new(file), arguments);
+    }
     let fuzz = Fuzz::new(&arguments.names, arguments.cases, &arguments.seed).map_err(refused)?;
     if let Some(case) = arguments.case {
         let [invariant] = fuzz.invariants() else {
@@ -70,7 +73,20 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let (checked, _) = one_case(invariant, fuzz.seed(), case, Tested::AsItIs);
         return told(invariant.id, &checked, arguments.json);
     }
-    campaign(&fuzz, arguments)
+    campaign(&fuzz, &fuzz.names(), fuzz.seed(), arguments)
+}
+
+/// Random members of the family of a question.
+fn attack(path: &Path, arguments: &Arguments) -> Result<ExitCode, CliError> {
+    if arguments.names.len() > 1 {
+        return Err(CliError::Use("a question is attacked alone, without invariants or other questions".to_string()));
+    }
+    if arguments.case.is_some() {
+        return Err(CliError::Use("--case is for invariants; a counterexample is a question for `check`".to_string()));
+    }
+    let question = check::read(path)?;
+    let attack = Attack::new(question, arguments.cases, &arguments.seed).map_err(|e| CliError::file(path, e))?;
+    campaign(&attack, &[attack.id()], attack.seed(), arguments)
 }
 
 fn refused(error: impl std::fmt::Display) -> CliError {
@@ -113,11 +129,11 @@ fn told(id: &str, checked: &Checked, json: bool) -> Result<ExitCode, CliError> {
     Ok(ExitCode::from(u8::from(verdict == "fails")))
 }
 
-fn campaign(fuzz: &Fuzz, arguments: &Arguments) -> Result<ExitCode, CliError> {
+fn campaign(fuzz: &dyn Campaign, names: &[&str], seed: &str, arguments: &Arguments) -> Result<ExitCode, CliError> {
     let started = Instant::now();
     let watch = Watch::with(progress::bar());
     let run = match &arguments.store {
-        None => run_in_memory(fuzz, &watch),
+        None => run_in_memory(fuzz, &watch).map_err(refused)?,
         Some(store) => {
             let shard = arguments.shard.unwrap_or(Shard::WHOLE);
             run_shard(fuzz, store, shard, arguments.resume, &watch).map_err(refused)?
@@ -125,7 +141,7 @@ fn campaign(fuzz: &Fuzz, arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     interrupt::finishing();
     watch.finish();
-    let summary = Summary::new(fuzz, run.cases, &run.rows).map_err(refused)?;
+    let summary = Summary::new(names, seed, run.cases, &run.rows).map_err(refused)?;
     if std::io::stderr().is_terminal() {
         let seconds = started.elapsed().as_secs_f64();
         eprintln!("{:.0} cases a second", summary.cases() as f64 / seconds.max(1e-9));
@@ -143,21 +159,23 @@ fn told_interrupted(run: &Run, watch: &dyn Progress) {
 
 fn merged(folder: &Path, json: bool) -> Result<ExitCode, CliError> {
     let merged = merge(folder).map_err(refused)?;
-    let fuzz = Fuzz::read(&merged.header.campaign).map_err(|error| CliError::file(folder, error))?;
-    if fuzz.canonical() != merged.header.campaign || fuzz.cases() != merged.header.cases {
-        return Err(CliError::file(folder, "its shards are of a campaign that this program does not have"));
-    }
-    let summary =
-        Summary::new(&fuzz, merged.header.cases, &merged.rows).map_err(|error| CliError::file(folder, error))?;
-    finished(&summary, Some(folder), json)
+    let (jobs, rows) = (merged.header.cases, &merged.rows);
+    let summary = if let Some((id, seed)) = Attack::named(&merged.header.campaign) {
+        Summary::new(&[&id], &seed, jobs, rows)
+    } else {
+        let fuzz = Fuzz::read(&merged.header.campaign).map_err(|error| CliError::file(folder, error))?;
+        Summary::new(&fuzz.names(), fuzz.seed(), jobs, rows)
+    };
+    finished(&summary.map_err(|error| CliError::file(folder, error))?, Some(folder), json)
 }
 
-/// Prints a summary and writes its failures to the store, one replay file each.
+/// Prints a summary and writes its failures, one file each: a question for `check`, or a replay of an invariant to the store.
 fn finished(summary: &Summary, store: Option<&Path>, json: bool) -> Result<ExitCode, CliError> {
     for own in &summary.invariants {
         for failed in &own.failures {
-            if let Some(store) = store {
-                output::write_file(&replay_path(store, &own.id, failed), Replay::text(&own.id, failed).as_bytes())?;
+            if let Some(path) = file_of(store, &own.id, failed) {
+                let text = failed.question.clone().unwrap_or_else(|| Replay::text(&own.id, failed));
+                output::write_file(&path, text.as_bytes())?;
             }
         }
     }
@@ -169,8 +187,13 @@ fn finished(summary: &Summary, store: Option<&Path>, json: bool) -> Result<ExitC
     Ok(ExitCode::from(u8::from(summary.failed() > 0)))
 }
 
-fn replay_path(store: &Path, id: &str, failed: &Failed) -> PathBuf {
-    store.join(format!("failure-{id}-{}.json", failed.case))
+/// Where a failure is written: to the store, and a question without a store where `check` writes it, too.
+fn file_of(store: Option<&Path>, id: &str, failed: &Failed) -> Option<PathBuf> {
+    let name = format!("failure-{id}-{}", failed.case);
+    match (&failed.question, store) {
+        (Some(_), store) => Some(store.unwrap_or(Path::new(".")).join(name + ".toml")),
+        (None, store) => Some(store?.join(name + ".json")),
+    }
 }
 
 fn text(summary: &Summary, store: Option<&Path>) -> String {
@@ -186,12 +209,14 @@ fn text(summary: &Summary, store: Option<&Path>) -> String {
     }
     for own in &summary.invariants {
         for failed in &own.failures {
-            let control = find(&own.id).map_or("", |invariant| invariant.statement);
+            let statement = find(&own.id).map_or("", |invariant| invariant.statement);
             text.push_str(&format!("\n{} fails in case {}: {}\n", own.id, failed.case, failed.why));
-            text.push_str(&format!("{control}\n{}\n", failed.instance));
-            text.push_str(&match store {
-                Some(store) => format!("flockproof fuzz --replay {}\n", replay_path(store, &own.id, failed).display()),
-                None => format!("flockproof fuzz {} --seed {} --case {}\n", own.id, summary.seed, failed.case),
+            let lines = [statement, &failed.instance];
+            lines.iter().filter(|line| !line.is_empty()).for_each(|line| text.push_str(&format!("{line}\n")));
+            text.push_str(&match (file_of(store, &own.id, failed), &failed.question) {
+                (Some(path), Some(_)) => format!("flockproof check {}\n", path.display()),
+                (Some(path), None) => format!("flockproof fuzz --replay {}\n", path.display()),
+                (None, _) => format!("flockproof fuzz {} --seed {} --case {}\n", own.id, summary.seed, failed.case),
             });
         }
     }

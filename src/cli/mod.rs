@@ -22,6 +22,7 @@ mod reproduce;
 mod resonance;
 mod simulate;
 mod spectrum;
+mod sweep;
 mod tracks;
 mod verify;
 
@@ -65,6 +66,8 @@ enum Command {
     Ergodicity(ergodicity::Arguments),
     /// Exact flocks: step them, or decide what becomes of them
     Flock(flock::Arguments),
+    /// Tabulate the quantities of a question over its family
+    Sweep(sweep::Arguments),
     /// Run campaigns of random cases over what must always be true
     Fuzz(fuzz::Arguments),
     /// Simulate a flock from a TOML file: samples, events, trajectory, plots
@@ -132,6 +135,7 @@ fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),

@@ -16,8 +16,19 @@ pub trait Campaign: Sync {
     /// The result of one case.
     ///
     /// # Errors
-    /// [`Cancelled`] where `progress` asks to stop.
-    fn run(&self, case: u64, progress: &dyn Progress) -> Result<Value, Cancelled>;
+    /// [`JobError`].
+    fn run(&self, case: u64, progress: &dyn Progress) -> Result<Value, JobError>;
+}
+
+/// Why a case has no result.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum JobError {
+    /// Told to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// What was asked makes no sense there; the campaign ends.
+    #[error("{0}")]
+    Refused(String),
 }
 
 /// A short name of a canonical text, for messages: the first 12 digits of its SHA-256.

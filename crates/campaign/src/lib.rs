@@ -7,7 +7,8 @@
 //! | [`draws`] | where random choices come from, and how a case is made simpler |
 //! | [`strategies`] | generators of matrices, graphs, flocks, states and numbers |
 //! | [`invariants`] | the table of what must always be true |
-//! | [`fuzz`] | campaigns over the invariants, and their summary |
+//! | [`fuzz`] | campaigns over the invariants and over questions of one's own, and their summary |
+//! | [`sweep`] | tables of quantities over the family of a question |
 
 pub mod draws;
 pub mod fuzz;
@@ -15,6 +16,7 @@ pub mod invariants;
 pub mod job;
 pub mod store;
 pub mod strategies;
+pub mod sweep;
 
 /// The version that results belong to.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

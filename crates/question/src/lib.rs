@@ -7,6 +7,7 @@ mod answer;
 mod bindings;
 mod case;
 mod decide;
+mod draw;
 mod error;
 mod evaluate;
 mod family;

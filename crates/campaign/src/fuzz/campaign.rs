@@ -3,7 +3,7 @@
 use crate::VERSION;
 use crate::draws::{Draws, shrunk};
 use crate::invariants::{Checked, Invariant, Stop, Tested, decide, find, table};
-use crate::job::Campaign;
+use crate::job::{Campaign, JobError};
 use arithmetic::{Cancelled, Progress};
 use serde_json::{Value, json};
 
@@ -25,6 +25,9 @@ pub enum FuzzError {
     /// No cases, or too many.
     #[error("the number of cases should be from 1 to 2^50, not {0}")]
     Cases(u64),
+    /// A question that only tabulates.
+    #[error("the question has no property to attack, only values")]
+    NoProperty,
     /// A text that is not the canonical text of such a campaign.
     #[error("it is not a campaign over built-in invariants")]
     NoFuzz,
@@ -72,6 +75,11 @@ impl Fuzz {
     /// Its invariants.
     pub fn invariants(&self) -> &[&'static Invariant] {
         &self.invariants
+    }
+
+    /// Their names.
+    pub fn names(&self) -> Vec<&'static str> {
+        self.invariants.iter().map(|invariant| invariant.id).collect()
     }
 
     /// Its seed.
@@ -122,8 +130,7 @@ pub fn one_case(invariant: &Invariant, seed: &str, case: u64, tested: Tested) ->
 
 impl Campaign for Fuzz {
     fn canonical(&self) -> String {
-        let names: Vec<&str> = self.invariants.iter().map(|invariant| invariant.id).collect();
-        json!({"fuzz": {"cases": self.cases, "invariants": names, "seed": self.seed}}).to_string()
+        json!({"fuzz": {"cases": self.cases, "invariants": self.names(), "seed": self.seed}}).to_string()
     }
 
     fn cases(&self) -> u64 {
@@ -131,7 +138,7 @@ impl Campaign for Fuzz {
     }
 
     /// `{"invariant", "first", "cases", "undecided", "why", "margin": {"value", "case"} | null, "failed", "failures": [..]}`.
-    fn run(&self, job: u64, progress: &dyn Progress) -> Result<Value, Cancelled> {
+    fn run(&self, job: u64, progress: &dyn Progress) -> Result<Value, JobError> {
         let Some((invariant, first)) = self.job(job) else { return Ok(Value::Null) };
         let cases = invariant.block.min(self.cases - first);
         let (mut undecided, mut why, mut failed, mut failures) = (0u64, None, 0u64, Vec::new());

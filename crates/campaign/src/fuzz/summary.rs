@@ -1,6 +1,5 @@
 //! What a campaign found, from the results of its jobs.
 
-use super::campaign::{Fuzz, FuzzError};
 use crate::VERSION;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -19,6 +18,8 @@ pub struct Failed {
     pub why: String,
     /// The simpler case.
     pub instance: String,
+    /// The simpler case as a question of its own, where it is one.
+    pub question: Option<String>,
 }
 
 /// The smallest margin of an inequality.
@@ -63,25 +64,21 @@ pub struct Summary {
 /// Results that no job gives.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SummaryError {
-    /// Of another kind.
-    #[error(transparent)]
-    Fuzz(#[from] FuzzError),
     /// A row of another form.
     #[error("the result of job {0} is not one of `fuzz`")]
     Row(u64),
 }
 
 impl Summary {
-    /// From the results by job.
+    /// From the results by job, of the invariants or the question with these names.
     ///
     /// # Errors
     /// [`SummaryError`].
-    pub fn new(fuzz: &Fuzz, jobs: u64, rows: &BTreeMap<u64, Value>) -> Result<Self, SummaryError> {
-        let mut invariants: Vec<InvariantSummary> = fuzz
-            .invariants()
+    pub fn new(names: &[&str], seed: &str, jobs: u64, rows: &BTreeMap<u64, Value>) -> Result<Self, SummaryError> {
+        let mut invariants: Vec<InvariantSummary> = names
             .iter()
-            .map(|invariant| InvariantSummary {
-                id: invariant.id.to_string(),
+            .map(|name| InvariantSummary {
+                id: name.to_string(),
                 cases: 0,
                 undecided: 0,
                 why: None,
@@ -94,7 +91,7 @@ impl Summary {
             let own = invariants.iter_mut().find(|own| row["invariant"] == own.id);
             own.and_then(|own| own.add(row)).ok_or(SummaryError::Row(*job))?;
         }
-        Ok(Summary { seed: fuzz.seed().to_string(), missing: jobs - rows.len() as u64, invariants })
+        Ok(Summary { seed: seed.to_string(), missing: jobs - rows.len() as u64, invariants })
     }
 
     /// Cases of all invariants.
@@ -148,6 +145,7 @@ impl InvariantSummary {
                     draws: failure["draws"].as_array()?.iter().map(Value::as_u64).collect::<Option<_>>()?,
                     why: failure["why"].as_str()?.to_string(),
                     instance: failure["instance"].as_str()?.to_string(),
+                    question: failure["question"].as_str().map(str::to_string),
                 });
             }
         }

@@ -13,6 +13,8 @@ mod readers;
 mod spectra;
 mod symmetries;
 
+pub use readers::{READERS, Reader};
+
 use crate::draws::Draws;
 use std::fmt::Display;
 

@@ -10,6 +10,7 @@ use algebra::matrix::read::read_sequence;
 use arithmetic::{Rational, decimal, parse_rational, rational};
 use models::averaging::read::{Model, read_flock};
 use models::averaging::{Hysteresis, Start, Weights};
+use question::Question;
 use models::tracks::{School, Setting, Tracks, synthetic_school};
 use scenario::Scenario;
 use serde_json::json;
@@ -265,19 +266,31 @@ fn scenarios(draws: &mut Draws, tested: Tested) -> Checked {
     Ok(None)
 }
 
-/// A name of a reader, a text that it reads, and the reader: what it says of a text that it refuses.
-type Reader = (&'static str, fn(&str) -> Result<(), String>);
+/// A name of a reader, and the reader: what it says of a text that it refuses.
+pub type Reader = (&'static str, fn(&str) -> Result<(), String>);
 
-/// Every reader of the program; with the fuzz targets of the folder `fuzz/` these are the same.
-pub const READERS: [Reader; 8] = [
+/// Every reader of the program; the targets of the folder `fuzz/` are the same.
+pub const READERS: [Reader; 9] = [
     ("numbers", |text| parse_rational(text).map(drop).map_err(|error| error.to_string())),
     ("matrices", |text| read_sequence(text).map(drop).map_err(|error| error.to_string())),
     ("graphs", |text| read_graph(text).map(drop).map_err(|error| error.to_string())),
-    ("graph names", |text| text.parse::<NamedGraph>().map(drop).map_err(|error| error.to_string())),
+    ("graph_names", |text| text.parse::<NamedGraph>().map(drop).map_err(|error| error.to_string())),
     ("flocks", |text| read_flock(text).map(drop).map_err(|error| error.to_string())),
     ("tracks", |text| Tracks::from_csv(text).map(drop).map_err(|error| error.to_string())),
     ("scenarios", |text| Scenario::read(text).map(drop).map_err(|error| error.to_string())),
+    ("questions", |text| {
+        let none = |name: &str| Err(format!("there is no file {name}"));
+        Question::read(text, &none).map(drop).map_err(|error| error.to_string())
+    }),
     ("certificates", |text| flockproof_checker::check(text.as_bytes()).map(drop).map_err(|refusal| refusal.reason)),
+];
+
+/// Questions to begin with.
+const QUESTIONS: [&str; 3] = [
+    "[question]\nid = \"a\"\n[for]\nn = \"2..5\"\ngraph = \"connected(n)\"\n[holds]\nproperty = \"lambda(2) >= 2*(1 - cos(pi/n))\"\n\
+     controls = [\"lambda(2) > 1/100 and not n = 3\"]\n",
+    "[question]\nid = \"b\"\n[for]\nf = \"[-4, -1/10]\"\nn = [\"1\", \"3\"]\nwhere = \"gcd(n, 2) = 1\"\n[values]\nx = \"abs(f)^n/(n + 1)\"\n",
+    "[question]\nid = \"c\"\n[for]\nfollowers = \"1..4\"\nf = \"-1\"\ng = \"-1/2\"\n[values]\np = \"peak / followers\"\n",
 ];
 
 /// Pieces that readers may stumble over.
@@ -332,12 +345,13 @@ fn valid(draws: &mut Draws, name: &str) -> Result<String, Stop> {
             let arcs = arcs(&digraph(draws, order));
             if draws.once_in(2) { matrix_market(order, &arcs) } else { edge_list(order, &arcs) }
         }
-        "graph names" => {
+        "graph_names" => {
             let names = ["ring:12", "path:5", "complete:4", "circulant:12:1,3", "platoon2:8", "geometric:9:1/2:1"];
             (*draws.choice(&names)).to_string()
         }
         "flocks" => flock_text(&start(draws)),
         "tracks" => school(draws).to_csv(),
+        "questions" => QUESTIONS[draws.below(QUESTIONS.len() as u64) as usize].to_string(),
         "scenarios" => sections(draws).iter().map(|lines| lines.join("\n") + "\n").collect(),
         _ => {
             let factors = stochastic_sequence(draws, 2, 2, 9).or_fails("a stochastic matrix is refused")?;

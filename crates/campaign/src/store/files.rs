@@ -60,6 +60,14 @@ pub enum StoreError {
         /// That of the others, or of this campaign.
         expected: String,
     },
+    /// A case that makes no sense.
+    #[error("case {case}: {why}")]
+    Refused {
+        /// The case.
+        case: u64,
+        /// Why.
+        why: String,
+    },
     /// Nothing to merge.
     #[error("{}: there is no finished shard in it", .0.display())]
     Nothing(PathBuf),

@@ -2,8 +2,8 @@
 
 use super::files::{Header, Row, Shard, StoreError, read, text, write_aside};
 use crate::VERSION;
-use crate::job::{Campaign, digest};
-use arithmetic::{Cancelled, Progress};
+use crate::job::{Campaign, JobError, digest};
+use arithmetic::Progress;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -29,15 +29,18 @@ impl Run {
 }
 
 /// Runs all cases without a store.
-pub fn run_in_memory(campaign: &dyn Campaign, progress: &dyn Progress) -> Run {
+///
+/// # Errors
+/// [`StoreError::Refused`].
+pub fn run_in_memory(campaign: &dyn Campaign, progress: &dyn Progress) -> Result<Run, StoreError> {
     let mut rows = BTreeMap::new();
     let pending: Vec<u64> = Shard::WHOLE.cases(campaign.cases()).collect();
     let keep = |row: Row| {
         rows.insert(row.case, row.result);
         Ok(())
     };
-    let Ok(()) = run_cases::<std::convert::Infallible>(campaign, &pending, 0, keep, progress);
-    Run { rows, cases: pending.len() as u64 }
+    run_cases(campaign, &pending, 0, keep, progress)?;
+    Ok(Run { rows, cases: pending.len() as u64 })
 }
 
 /// Runs one shard, or what is missing of it, with a line on the disk for every finished case.
@@ -128,23 +131,28 @@ fn open(part: &Path, header: &Header) -> Result<(File, BTreeMap<u64, Value>), St
     Ok((file, found.rows))
 }
 
-/// Runs cases on all threads; `keep` sees every result on this thread as it is finished. Ends early where it fails or `progress` stops.
-fn run_cases<E>(
+/// Runs cases on all threads; `keep` sees every result on this thread as it is finished. Ends early where it fails, a case is refused or
+/// `progress` stops.
+fn run_cases(
     campaign: &dyn Campaign,
     pending: &[u64],
     before: usize,
-    mut keep: impl FnMut(Row) -> Result<(), E>,
+    mut keep: impl FnMut(Row) -> Result<(), StoreError>,
     progress: &dyn Progress,
-) -> Result<(), E> {
+) -> Result<(), StoreError> {
     let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
     let (sender, receiver) = mpsc::channel();
-    let work = |sender: mpsc::Sender<Row>| {
+    let work = |sender: mpsc::Sender<Result<Row, StoreError>>| {
         while let Some(&case) = pending.get(next.fetch_add(1, Ordering::Relaxed)) {
             if stopped.load(Ordering::Relaxed) || progress.is_cancelled() {
                 return;
             }
-            let Ok::<_, Cancelled>(result) = campaign.run(case, progress) else { return };
-            if sender.send(Row { case, result }).is_err() {
+            let finished = match campaign.run(case, progress) {
+                Ok(result) => Ok(Row { case, result }),
+                Err(JobError::Cancelled(_)) => return,
+                Err(JobError::Refused(why)) => Err(StoreError::Refused { case, why }),
+            };
+            if sender.send(finished).is_err() {
                 return;
             }
         }
@@ -156,8 +164,8 @@ fn run_cases<E>(
         }
         drop(sender);
         let (mut done, total) = (before as u64, (before + pending.len()) as u64);
-        for row in receiver {
-            keep(row).inspect_err(|_| stopped.store(true, Ordering::Relaxed))?;
+        for finished in receiver {
+            finished.and_then(&mut keep).inspect_err(|_| stopped.store(true, Ordering::Relaxed))?;
             done += 1;
             progress.tell("", done, Some(total));
         }

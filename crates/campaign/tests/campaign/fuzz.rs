@@ -23,9 +23,9 @@ fn campaigns_are_read_from_their_canonical_text() {
 #[test]
 fn every_case_is_tried_once() {
     let fuzz = Fuzz::new(&names(&["matrix.tau_1_twin", "matrix.tau_1_of_products"]), 1201, "0").unwrap();
-    let run = run_in_memory(&fuzz, &Unwatched);
+    let run = run_in_memory(&fuzz, &Unwatched).unwrap();
     assert!(run.is_complete());
-    let summary = Summary::new(&fuzz, run.cases, &run.rows).unwrap();
+    let summary = Summary::new(&fuzz.names(), fuzz.seed(), run.cases, &run.rows).unwrap();
     assert_eq!((summary.cases(), summary.failed(), summary.missing), (2402, 0, 0));
     let margin = summary.invariants.iter().find_map(|own| own.margin).unwrap();
     let invariant = find("matrix.tau_1_of_products").unwrap();
@@ -36,7 +36,7 @@ fn every_case_is_tried_once() {
 fn a_replay_decides_the_same_case() {
     let invariant = find("matrix.tau_1_of_products").unwrap();
     let (checked, draws) = one_case(invariant, "0", 7, Tested::AsItIs);
-    let failed = Failed { case: 7, draws, why: "none".to_string(), instance: "none".to_string() };
+    let failed = Failed { case: 7, draws, why: "none".to_string(), instance: "none".to_string(), question: None };
     let replay = Replay::read(&Replay::text(invariant.id, &failed)).unwrap();
     assert_eq!(replay.decide(), checked);
     for (text, named) in [

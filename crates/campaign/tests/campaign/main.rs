@@ -3,4 +3,5 @@
 mod draws;
 mod fuzz;
 mod invariants;
+mod questions;
 mod store;

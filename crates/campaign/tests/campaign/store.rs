@@ -1,5 +1,5 @@
-use arithmetic::{Cancelled, Progress, Unwatched};
-use campaign::job::Campaign;
+use arithmetic::{Progress, Unwatched};
+use campaign::job::{Campaign, JobError};
 use campaign::store::{MERGED, Shard, StoreError, merge, run_in_memory, run_shard};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -22,7 +22,7 @@ impl Campaign for Squares {
         self.cases
     }
 
-    fn run(&self, case: u64, progress: &dyn Progress) -> Result<Value, Cancelled> {
+    fn run(&self, case: u64, progress: &dyn Progress) -> Result<Value, JobError> {
         progress.checkpoint()?;
         self.computed.fetch_add(1, Ordering::Relaxed);
         Ok(json!({"square": case * case}))
@@ -55,7 +55,7 @@ fn the_result_depends_on_no_number_and_order_of_shards() {
     // More shards than cases: some are empty.
     let all: Vec<u64> = (1..=30).rev().collect();
     assert_eq!(whole, merged("thirty", 23, &all, 30).unwrap());
-    assert_eq!(run_in_memory(&squares(23), &Unwatched).rows, merge(&folder_of("whole")).unwrap().rows);
+    assert_eq!(run_in_memory(&squares(23), &Unwatched).unwrap().rows, merge(&folder_of("whole")).unwrap().rows);
 }
 
 fn folder_of(name: &str) -> PathBuf {
