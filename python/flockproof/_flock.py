@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from . import _native
-from ._numbers import Enclosure, ExactMatrix, Known, Number, exact_matrix, fraction_text, holds_floats, number_text
+from ._numbers import Enclosure, ExactMatrix, Known, Number, exact_matrix, float_seen, fraction_text, holds_floats, number_text
 from ._progress import Progress, callback
 
 Pair = tuple[int, int]
@@ -245,6 +245,8 @@ class Flock:
 
     def _read(self, text: str, from_floats: tuple[str, ...]) -> None:
         declaration, birds = _native.flock_check(text)
+        for sentence in from_floats:
+            float_seen(sentence)
         for name, value in (("_text", text), ("declaration", declaration), ("birds", birds), ("from_floats", from_floats)):
             object.__setattr__(self, name, value)
 

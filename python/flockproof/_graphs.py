@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _native
-from ._numbers import ExactMatrix, exact_matrix, holds_floats, over_common_denominator
+from ._numbers import ExactMatrix, exact_matrix, float_seen, holds_floats, over_common_denominator
 
 #: What the native half takes: order, tails, heads, weights over a denominator; or "name"/"text" and a text.
 Native = tuple[int, list[int], list[int], list[int], int] | tuple[str, str]
@@ -24,6 +24,8 @@ class Given:
         self.name = name
         self.labels = labels
         self.from_floats = (FLOATS,) if floats else ()
+        if floats:
+            float_seen(FLOATS)
 
     def root(self, root: Any) -> int | None:
         """The number of a vertex, from 1."""

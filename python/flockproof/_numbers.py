@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from contextvars import ContextVar
 from fractions import Fraction
 from math import lcm
 from typing import Any, SupportsIndex, TypeAlias, overload
@@ -22,25 +23,36 @@ class Known(Fraction):
     Arithmetic with it gives ordinary fractions.
     """
 
-    __slots__ = ("from_float",)
-    from_float: bool
+    __slots__ = ("has_float",)
+    has_float: bool
 
-    def __new__(cls, numerator: int, denominator: int = 1, from_float: bool = False) -> Known:
+    def __new__(cls, numerator: int, denominator: int = 1, has_float: bool = False) -> Known:
         self = super().__new__(cls, numerator, denominator)
-        self.from_float = from_float
+        self.has_float = has_float
         return self
 
     def __repr__(self) -> str:
         return f"Fraction({self.numerator}, {self.denominator})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Known, (self.numerator, self.denominator, self.from_float))
+        return (Known, (self.numerator, self.denominator, self.has_float))
 
     def __copy__(self) -> Known:
         return self
 
     def __deepcopy__(self, memo: Any) -> Known:
         return self
+
+
+#: Where a check of :mod:`flockproof.claims` runs: why what it says is at most simulated.
+floats_seen: ContextVar[list[str] | None] = ContextVar("floats_seen", default=None)
+
+
+def float_seen(reason: str) -> None:
+    """Tells a check that is running, if there is one, that a float has a part in what follows."""
+    seen = floats_seen.get()
+    if seen is not None and reason not in seen:
+        seen.append(reason)
 
 
 def exact(value: Number, name: str = "value") -> Fraction:
@@ -70,6 +82,8 @@ def exact(value: Number, name: str = "value") -> Fraction:
     if kind is Fraction or kind is Known:
         result: Fraction = value
         return result
+    if is_float(value):
+        float_seen(f"{value!r} is a float")
     return Fraction(*_native.ratio(name, value))
 
 
@@ -77,12 +91,12 @@ def is_float(value: object) -> bool:
     """Whether a number is a float, Python's or NumPy's, or was computed from one here."""
     if isinstance(value, (float, np.floating)):
         return True
-    return bool(getattr(value, "from_float", False) or getattr(value, "from_floats", ()))
+    return bool(getattr(value, "has_float", False) or getattr(value, "from_floats", ()))
 
 
 def floats_among(**values: object) -> tuple[str, ...]:
     """A sentence for each argument that is a float."""
-    return tuple(
+    sentences = tuple(
         f"{name} = {value!r} is a float and stands for its exact value {exact(value)}"
         for name, value in values.items()
         if is_float(value) and not isinstance(value, (Fraction, Enclosure))
@@ -91,17 +105,36 @@ def floats_among(**values: object) -> tuple[str, ...]:
         for name, value in values.items()
         if isinstance(value, (Fraction, Enclosure)) and is_float(value)
     )
+    for sentence in sentences:
+        float_seen(sentence)
+    return sentences
 
 
-def holds_floats(values: object) -> bool:
-    """Whether there is a float in nested lists or an array."""
+def holds_floats(values: object, depth: int = 0) -> bool:
+    """Whether there is a float in nested lists or an array; lists in lists in lists are read no further."""
     if isinstance(values, np.ndarray):
         if values.dtype.kind in "fc":
             return True
         return values.dtype.kind == "O" and any(is_float(x) for x in values.ravel().tolist())
     if isinstance(values, (list, tuple)):
-        return any(holds_floats(x) for x in values)
+        return depth < 3 and any(holds_floats(x, depth + 1) for x in values)
     return is_float(values)
+
+
+def why_not_exact(value: object) -> str | None:
+    """Why a number does not count as exact in a claim; nothing where it does.
+
+    A Fraction or Decimal does not say where it comes from; integers and texts are taken as written, and what this package computed is known.
+    """
+    if isinstance(value, (int, np.integer, str)):
+        return None
+    if isinstance(value, Enclosure):
+        return "an enclosure of floats" if value._from_floats else value._doubt
+    if isinstance(value, Known):
+        return "it was computed from a float" if value.has_float else None
+    if is_float(value):
+        return f"{value!r} is a float"
+    return f"a {type(value).__name__} does not say where it comes from"
 
 
 def number_text(value: Number, name: str) -> str:
@@ -133,17 +166,20 @@ class Enclosure:
     (Fraction(283, 200), Fraction(1, 200), 1.415, True, True)
     """
 
-    __slots__ = ("_from_floats", "_hi", "_lo", "_text")
+    __slots__ = ("_doubt", "_from_floats", "_hi", "_lo", "_text")
     _lo: Fraction | None
     _hi: Fraction | None
     _text: tuple[str, str] | None
     _from_floats: bool
+    #: Why it does not count as certified in a claim.
+    _doubt: str | None
 
     def __init__(self, lo: Number, hi: Number | None = None) -> None:
         self._lo = exact(lo, "lo")
         self._hi = self._lo if hi is None else exact(hi, "hi")
         self._text = None
         self._from_floats = is_float(lo) or is_float(hi)
+        self._doubt = why_not_exact(lo) or (None if hi is None else why_not_exact(hi))
         if self._lo > self._hi:
             raise ValueError(f"the lower end {self._lo} lies above the upper end {self._hi}")
 
@@ -154,6 +190,7 @@ class Enclosure:
         self._lo = self._hi = None
         self._text = ends
         self._from_floats = from_floats
+        self._doubt = None
         return self
 
     @property
@@ -218,6 +255,7 @@ class Enclosure:
         all_ends = ends(lo, hi)
         result = Enclosure(min(all_ends), max(all_ends))
         result._from_floats = self._from_floats or floats
+        result._doubt = self._doubt or why_not_exact(other)
         return result
 
     def __neg__(self) -> Enclosure:
@@ -288,7 +326,7 @@ class Enclosure:
         return f"<span title='[{lo}, {hi}]'><b>{lo[:same]}</b><sub>{lo[same:]}</sub><sup>{hi[same:]}</sup></span>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (_enclosure, (*self._texts(), self._from_floats))
+        return (_enclosure, (*self._texts(), self._from_floats, self._doubt))
 
     def __copy__(self) -> Enclosure:
         return self
@@ -297,8 +335,10 @@ class Enclosure:
         return self
 
 
-def _enclosure(lo: str, hi: str, from_floats: bool) -> Enclosure:
-    return Enclosure._of((lo, hi), from_floats)
+def _enclosure(lo: str, hi: str, from_floats: bool, doubt: str | None) -> Enclosure:
+    self = Enclosure._of((lo, hi), from_floats)
+    self._doubt = doubt
+    return self
 
 
 def _quotients(top: tuple[Fraction, Fraction], bottom: tuple[Fraction, Fraction]) -> list[Fraction]:
@@ -388,6 +428,8 @@ class ExactMatrix(Sequence[tuple[Fraction, ...]]):
         self.numerators = tuple(numerators)
         self.denominator = denominator
         self.from_floats = from_floats
+        for sentence in from_floats:
+            float_seen(sentence)
         if len(self.numerators) != rows * columns:
             raise ValueError(f"{len(self.numerators)} entries do not fill a matrix of {rows} x {columns}")
         if denominator <= 0:

@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from . import _native
 from ._flock import _refused
-from ._numbers import number_text
+from ._numbers import float_seen, number_text
 from ._progress import Progress, callback
 
 if TYPE_CHECKING:
@@ -160,6 +160,7 @@ def simulate(scenario: Mapping[str, Any] | str | os.PathLike[str], progress: Pro
     >>> run.phases.shape == (len(run.t), 3), bool(run.observables["order"][-1, 0] > 0.9)
     (True, True)
     """
+    float_seen("a simulated run is in floating point")
     if isinstance(scenario, Mapping):
         text, told = toml(scenario), callback(progress)
         try:
@@ -214,13 +215,15 @@ def _table(table: Mapping[str, Any], name: str, lines: list[str]) -> None:
             _table(value, inner, lines)
 
 
-def _value(value: Any, key: str) -> str:
+def _value(value: Any, key: str, depth: int = 0) -> str:
+    if depth > 8:
+        raise TypeError(f"{key} is nested too deeply")
     if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
     if isinstance(value, str):
         return json.dumps(value).replace("\x7f", "\\u007f")
     if isinstance(value, np.ndarray):
-        return _value(value.tolist(), key)
+        return _value(value.tolist(), key, depth + 1)
     if isinstance(value, (float, np.floating)):
         if not np.isfinite(value):
             raise ValueError(f"{key}: `{value}` is not a number")
@@ -230,9 +233,9 @@ def _value(value: Any, key: str) -> str:
         number = int(value)
         return str(number) if -(2**63) <= number < 2**63 else _value(_exact_text(number, key), key)
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{json.dumps(str(k))} = {_value(v, key)}" for k, v in value.items()) + "}"
+        return "{" + ", ".join(f"{json.dumps(str(k))} = {_value(v, key, depth + 1)}" for k, v in value.items()) + "}"
     if isinstance(value, (Sequence, range)):
-        return "[" + ", ".join(_value(x, key) for x in value) + "]"
+        return "[" + ", ".join(_value(x, key, depth + 1) for x in value) + "]"
     return json.dumps(_exact_text(value, key))
 
 
@@ -335,6 +338,7 @@ def tracks(
     -----
     Paley, Leonard, Sepulchre, Grünbaum and Parrish (2007), sidebar "Analysis of Fish Data"; ``notes/tracks.md``.
     """
+    float_seen("measured trajectories are floats")
     text, source = _trajectories(data)
     chosen = {
         "window": window,
