@@ -61,7 +61,7 @@ impl Picture {
 
     /// Writes before the title of which paper it speaks.
     pub fn of(mut self, paper: &str) -> Self {
-        if self.title.starts_with("Figure") {
+        if self.title.starts_with("Figure") || self.title.starts_with("Table") {
             self.title = format!("{paper}, {}", self.title);
         }
         self

@@ -73,10 +73,10 @@ pub(super) struct Stroke {
 /// Ways in which lines are told apart without their colour, in the order of the palette; the first is a whole line.
 pub(super) const DASHES: [&[f64]; 8] = [
     &[],
-    &[8.0, 3.0],
+    &[6.0, 4.0],
     &[2.0, 2.5],
     &[9.0, 3.0, 2.0, 3.0],
-    &[4.0, 2.5],
+    &[4.0, 2.0],
     &[12.0, 4.0],
     &[9.0, 3.0, 2.0, 3.0, 2.0, 3.0],
     &[1.5, 4.0],
