@@ -32,6 +32,7 @@ mod veerman_sweep;
 mod veerman_table1;
 
 use super::plot::{Picture, PictureError};
+use super::site::paper_named;
 use ledger::CheckError;
 
 /// A figure or table that can be made again.
@@ -254,7 +255,10 @@ impl Figure {
         // What was chosen stands beside the numbers.
         let mut files = vec![file("", "txt", made.text.clone().into_bytes())];
         files.extend(made.tables.into_iter().map(|(part, csv)| file(part, "csv", csv.into_bytes())));
+        let paper = paper_named(self.paper()).map_or(String::new(), |paper| format!("{} {}", paper.short, paper.year));
+        let caption = format!("{}: {}. Claims: {}", self.name, self.about, self.claims.join(", "));
         for (part, picture) in made.pictures {
+            let picture = picture.of(&paper).caption(caption.as_str());
             files.push(file(part, "svg", picture.svg().into_bytes()));
             files.push(file(part, "png", picture.png()?));
         }

@@ -24,6 +24,7 @@ use crate::figures::{Figure, File};
 use frame::{Frame, Links, SCRIPT, STYLE};
 use ledger::{Document, Entry, Ledger};
 use maud::{Markup, html};
+pub(crate) use papers::paper as paper_named;
 use papers::papers;
 use proofs::kernel::{files, theorems};
 use related::Ties;

@@ -41,6 +41,11 @@ pub(super) fn note(name: &str) -> &'static str {
     NOTES.iter().find(|(known, _)| *known == name).map_or("", |(_, text)| text)
 }
 
+/// Where the page of a note is.
+pub(super) fn path(name: &str) -> String {
+    if ["guarantees", "results"].contains(&name) { format!("{name}.html") } else { format!("notes/{name}.html") }
+}
+
 /// The first heading of a note.
 pub(super) fn title(text: &str) -> &str {
     text.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or_default()
@@ -51,6 +56,8 @@ pub(super) fn markdown(text: &str, names: &Names, links: Links) -> Markup {
     let mut events: Vec<Event> = Vec::new();
     // Where the heading began that is being read, and its words.
     let mut heading: Option<(usize, String)> = None;
+    // How the links end that are open.
+    let mut open: Vec<Event> = Vec::new();
     for event in Parser::new_ext(text, Options::ENABLE_TABLES) {
         if let (Some((_, words)), Event::Text(text) | Event::Code(text)) = (&mut heading, &event) {
             words.push_str(text);
@@ -77,6 +84,12 @@ pub(super) fn markdown(text: &str, names: &Names, links: Links) -> Markup {
                 events.push(event);
                 events.push(Event::Html("</div>".into()));
             }
+            Event::Start(Tag::Link { dest_url, .. }) => {
+                let (before, after) = link(&dest_url, links);
+                open.push(after);
+                events.push(before);
+            }
+            Event::End(TagEnd::Link) => events.extend(open.pop()),
             Event::Start(Tag::CodeBlock(_)) => {
                 events.push(Event::Html("<div class=\"wide\" tabindex=\"0\">".into()));
                 events.push(event);
@@ -91,6 +104,17 @@ pub(super) fn markdown(text: &str, names: &Names, links: Links) -> Markup {
     let mut out = String::new();
     push_html(&mut out, events.into_iter());
     PreEscaped(out)
+}
+
+/// How a link begins and ends: to the page of a note; what else looks like one, `K[f](x)`, is text.
+fn link<'a>(address: &str, links: Links) -> (Event<'a>, Event<'a>) {
+    let note = address.trim_start_matches("../").trim_start_matches("notes/").strip_suffix(".md");
+    let page = note.filter(|note| NOTES.iter().any(|(name, _)| name == note)).and_then(|note| links.to(&path(note)));
+    match page {
+        Some(page) => (Event::InlineHtml(format!("<a href=\"{page}\">").into()), Event::InlineHtml("</a>".into())),
+        None if address.contains('/') => (Event::Text("".into()), Event::Text("".into())),
+        None => (Event::Text("[".into()), Event::Text(format!("]({address})").into())),
+    }
 }
 
 fn code_span<'a>(code: &str, names: &Names, links: Links) -> Event<'a> {

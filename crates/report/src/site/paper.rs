@@ -52,7 +52,7 @@ pub(super) fn body(site: &Site, paper: Paper) -> Markup {
             table.stack.claims {
                 thead { tr { th scope="col" { "Claim" } th scope="col" { "Statement" } th scope="col" { "Verdict" } } }
                 tbody { @for e in site.entries().iter().filter(|e| e.paper == paper.key) {
-                    tr id=(e.id) {
+                    tr {
                         th scope="row" { a href={ "../claims/" (e.id) ".html" } { (breakable(&e.id)) } span.place { (e.place) } }
                         td.statement { (site.names.rich(&e.statement, Links::Alone)) }
                         td.short data-label="Verdict" { (chip(e)) }

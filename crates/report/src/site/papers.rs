@@ -2,7 +2,7 @@
 
 /// A paper whose claims are checked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Paper {
+pub(crate) struct Paper {
     /// The first part of the ids of its claims.
     pub key: &'static str,
     /// Its authors in a word or two.
@@ -30,6 +30,6 @@ pub(super) fn papers() -> impl Iterator<Item = Paper> {
 }
 
 /// The paper of that key.
-pub(super) fn paper(key: &str) -> Option<Paper> {
+pub(crate) fn paper(key: &str) -> Option<Paper> {
     papers().find(|paper| paper.key == key)
 }

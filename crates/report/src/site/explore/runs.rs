@@ -233,7 +233,7 @@ pub(super) fn patterns() -> Result<Vec<Run>, RunsError> {
                  [law]\nomega0 = 0.1\nK0 = 0.1\nK = [{}]\n[run]\nuntil = 500\nrows = 250\n",
                 gains.join(", ")
             );
-            plane(&text, View { title: format!("M = {clusters}"), links: Vec::new(), follow: false, trail: 25 })
+            plane(&text, View { title: format!("{clusters} clusters"), links: Vec::new(), follow: false, trail: 25 })
         })
         .collect()
 }

@@ -29,7 +29,7 @@ struct Part {
 }
 
 /// Groups with more characters than this may be broken inside.
-const LONG: usize = 36;
+const LONG: usize = 20;
 
 fn joined(parts: Vec<Part>) -> String {
     parts.into_iter().map(|part| part.xml).collect()
@@ -58,14 +58,14 @@ fn row(text: &str, nodes: &[Node], top: bool) -> Vec<Part> {
             let fence = if sign == "/" { " lspace=\"0\" rspace=\"0\"" } else { " stretchy=\"false\"" };
             parts.push(Part {
                 xml: format!("<mo form=\"{form}\"{fence}>{}</mo>", escape(sign)),
-                breaks: !prefix,
+                breaks: !prefix && sign != "/",
                 infix: true,
             });
             (spaced, at) = (false, at + 1);
             continue;
         }
         if spaced && parts.last().is_some_and(|last| !last.infix) {
-            parts.push(Part { xml: "<mspace width=\"0.2em\"/>".to_string(), breaks: false, infix: false });
+            parts.push(Part { xml: "<mspace width=\"0.2em\"/>".to_string(), breaks: top, infix: false });
         }
         spaced = false;
         let long = top && node.group().is_some() && !node.is_matrix(text) && node.end - node.start > LONG;

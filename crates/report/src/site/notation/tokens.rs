@@ -211,7 +211,10 @@ fn piece(rest: &str, first: char) -> (Kind, usize) {
         let whole = while_true(&|c| c.is_ascii_digit());
         let after = rest[whole..].strip_prefix('.').map_or("", |after| after);
         let decimals = after.find(|c: char| !c.is_ascii_digit()).unwrap_or(after.len());
-        return (Kind::Number, if decimals > 0 { whole + 1 + decimals } else { whole });
+        let mantissa = if decimals > 0 { whole + 1 + decimals } else { whole };
+        let length = mantissa + exponent(&rest[mantissa..]);
+        // A number that fills a line is better left to break anywhere.
+        return (if length > 24 { Kind::Other } else { Kind::Number }, length);
     }
     if first.is_alphabetic() {
         return word(rest);
@@ -220,6 +223,13 @@ fn piece(rest: &str, first: char) -> (Kind, usize) {
         return (Kind::Sign, sign.len());
     }
     (if SIGNS.contains(first) { Kind::Sign } else { Kind::Other }, first.len_utf8())
+}
+
+/// The length of `e-12` behind a number.
+fn exponent(after: &str) -> usize {
+    let sign = after.strip_prefix('e').map(|digits| digits.strip_prefix(['-', '+']).unwrap_or(digits));
+    let digits = sign.map_or(0, |digits| digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len()));
+    sign.filter(|_| digits > 0).map_or(0, |rest| after.len() - rest.len() + digits)
 }
 
 /// A word with the digits behind it; words joined by hyphens, and with an apostrophe, are prose.
@@ -337,7 +347,7 @@ fn surely(text: &str, nodes: &[Node], k: usize) -> Option<Class> {
             let bare = word.trim_end_matches(|c: char| c.is_ascii_digit());
             let ordinal = word == "th" && k > 0 && nodes[k - 1].kind == Kind::Number;
             // These are no letters with hats.
-            let accented = ["that", "what", "chat"].contains(&word);
+            let accented = ["that", "what", "chat"].contains(&word.to_lowercase().as_str());
             let abbreviated = abbreviates(text, node);
             let differential = word.strip_prefix('d').is_some_and(|rest| !rest.is_empty() && letter(rest).is_some());
             let divides = |step| neighbour(nodes, k, step).is_some_and(|(_, n, adjacent)| adjacent && n.is(text, "/"));
