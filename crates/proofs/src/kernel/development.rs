@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 78] = sources![
+const SOURCES: [(&str, &str); 80] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -44,6 +44,7 @@ const SOURCES: [(&str, &str); 78] = sources![
     "paley_stability",
     "tanner_energy",
     "tanner_flock",
+    "tanner_paths",
     "tanner1_heading",
     "tanner1_examples",
     "tanner1_motion",
@@ -51,6 +52,7 @@ const SOURCES: [(&str, &str); 78] = sources![
     "tanner2_examples",
     "tanner2_path",
     "tanner2_facts",
+    "tanner2_motion",
     "tanner_graph",
     "veerman_complex",
     "veerman_front",
