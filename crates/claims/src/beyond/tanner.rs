@@ -1,6 +1,7 @@
 //! beyond.tanner1.two_agents, turning_triangle; beyond.tanner2.alternating_trees, endless_switching, thm2_stop.
 
-use crate::tanner2::fixtures::{PLANE, argued, printed as logarithmic, spring};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{PLANE, printed as logarithmic, spring};
 use crate::tanner2::switching::{TREES_ARGUED, Trees, no_common_configuration};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
@@ -77,7 +78,7 @@ pub fn two_agents() -> Record<TotalVariant> {
     ])
     .stated(
         "replaces tanner1, eq (9), for two agents",
-        "Two agents under (4), (5) with heading differences wrapped to (-pi, pi]: |v_1 + v_2| never decreases, d/dt ½|v_1 + v_2|² = 2 |v_1||v_2| d sin d/|r_12|² with d = theta_1 - theta_2, while the mechanical energy is constant.",
+        "",
     )
     .control("half of it", TotalVariant { factor: 1, ..printed })
     .control("over the fourth power of the distance", TotalVariant { power: 2, ..printed })

@@ -1,6 +1,7 @@
 //! tanner1.L, L.ones, Lw, anyV, fig2, Vmono, Vt: graph matrices and the potential.
 
-use crate::tanner2::fixtures::{PLANE, argued, printed as printed_potential, sloped, spring};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{PLANE, printed as printed_potential, sloped, spring};
 use crate::tanner2::graphs::{LaplacianVariant, examine_laplacian, shown, small_graphs};
 use algebra::graph::Graph;
 use arithmetic::{Interval, Rational, Sign, Signed, rational};
@@ -97,7 +98,7 @@ pub fn weighted() -> Record<WeightedVariant> {
     )
     .repaired(
         Fault::Typo,
-        "L_w(G) = D(G^sigma) W D(G^sigma)^T is a weighted Laplacian of G: Delta_w - A_w, independent of the orientation, symmetric and positive semidefinite, with as many zero eigenvalues as components.",
+        "",
         repaired,
     )
     .repaired_clauses(&[
@@ -244,7 +245,7 @@ pub fn any_potential() -> Record<UsableVariant> {
     .reading("any potential, as the sentence says; collisions of linked agents, cohesion of a connected graph")
     .repaired(
         Fault::False,
-        "Any differentiable, non-negative potential V_ij(|r_ij|) = V_ji(|r_ij|) that tends to infinity as |r_ij| tends to 0 and to infinity can be used: linked agents do not collide, and on a connected graph all distances stay bounded, as long as the motion lasts.",
+        "",
         UsableVariant { allowed: |potential| potential.repels() && potential.confines() },
     )
     .repaired_clauses(&[

@@ -1,6 +1,7 @@
 //! tanner1.smooth, eq2, Omega.closed, Omega.bounded, collision, proof_ratio: the law and the set Omega.
 
-use crate::tanner2::fixtures::{PLANE, argued, on_connected, printed as printed_potential, sloped, soft};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{PLANE, on_connected, printed as printed_potential, sloped, soft};
 use crate::tanner2::graphs::shown;
 use crate::tanner2::wording::{HeadingVariant, examine_heading, headings};
 use algebra::graph::Graph;
@@ -254,7 +255,7 @@ pub fn collision() -> Record<CollisionVariant> {
     .reading("the potential of Figure 2, as for V_t and Omega")
     .repaired(
         Fault::Hypothesis,
-        "V_t tends to infinity where linked agents meet, and collisions of linked agents are avoided (all collisions, if the graph is complete).",
+        "",
         repaired.clone(),
     )
     .repaired_clauses(&[
@@ -334,7 +335,7 @@ pub fn ratio() -> Record<RatioVariant> {
     ])
     .repaired(
         Fault::Typo,
-        "yddot_i/xddot_i = ydot_i/xdot_i = k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).",
+        "",
         repaired,
     )
     .repaired_clauses(&[

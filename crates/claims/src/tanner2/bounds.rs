@@ -1,7 +1,8 @@
 //! tanner2.bound_r, bound_v, eq7, cor2_sub: what an energy at most c bounds.
 
-use super::fixtures::{PLANE, argued, connected, pairs, quadratic, random_vectors, sloped, spring};
+use super::fixtures::{PLANE, connected, pairs, quadratic, random_vectors, sloped, spring};
 use super::graphs::{rational_spectrum, shown};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{ArithmeticError, Rational, rational};
@@ -108,11 +109,6 @@ fn distances(variant: &DistanceVariant, run: &Run) -> Result<Outcome, CheckError
     })
 }
 
-fn examine_distance(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let steps = "notes/tanner2.md, Bounds, steps 1 to 3";
-    Run::all([distances(variant, run), argued(&[1], "the bound of distances", steps)])
-}
-
 pub fn bound_r() -> Record<DistanceVariant> {
     Record::new(
         "tanner2.bound_r",
@@ -120,7 +116,7 @@ pub fn bound_r() -> Record<DistanceVariant> {
          and V^{-1} is that of the pair. Three agents in a row, 2 apart, with V = s + 1/s - 2 have W = 9/2, \
          and |r_13|² = 16, but V <= 9 only for s < 11. (At the distance 1 they have W = 0 and |r_13| = 2 > 1 = V^{-1}(0).) If V_12 and V_23 want the distance 10 and V_13 wants 1, then even (N - 1) V_13^{-1}(c) is too small.",
         DistanceVariant { inside: |n| rational(n - 1, 1), outside: |_| 1, own: true },
-        examine_distance,
+        |variant, run| { let steps = "notes/tanner2.md, Bounds, steps 1 to 3"; Run::all([distances(variant, run), argued(&[1], "the bound of distances", steps)]) },
     )
     .reading("V^{-1}(c) is the largest distance at which V <= c; N >= 2, as one agent has no edge")
     .repaired(

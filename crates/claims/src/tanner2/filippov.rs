@@ -1,7 +1,8 @@
 //! tanner2.eq10_exist, appA.def4, appA_uniq, appA.thm4: solutions of equations with discontinuous right-hand sides.
 
 use super::figures::other;
-use super::fixtures::{PLANE, argued, spring};
+use super::fixtures::{PLANE, spring};
+use crate::argued::argued;
 use arithmetic::{Rational, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Kink, Pair, Span, State, Way, fork, linked_within, tied};
@@ -301,7 +302,7 @@ pub fn existence() -> Record<StartVariant> {
     )
     .repaired(
         Fault::False,
-        "From every start in which no two agents are in one place (10) has a solution for all time. It is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",
+        "",
         StartVariant::Crossing,
     )
     .repaired_clauses(&[

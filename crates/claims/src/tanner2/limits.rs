@@ -1,9 +1,10 @@
 //! tanner2.thm1a, thm1c, sec4.flocking, def3, cor1, thm2_vel, thm2_pot: where the motions go.
 
 use super::agentwise::swing;
-use super::fixtures::{PLANE, SMOOTH, argued, connected, energy_decreases, printed as logarithmic, sloped, spring};
+use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, printed as logarithmic, sloped, spring};
 use super::motions::{inflected_pair, motions, pair, paths, row_of_three, triangle};
 use super::nonsmooth::{HullVariant, hulls};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use arithmetic::{Rational, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
@@ -178,7 +179,7 @@ pub fn flocking() -> Record<ManifoldVariant> {
     ])
     .repaired(
         Fault::False,
-        "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j), in which no two agents are in one place.",
+        "",
         repaired,
     )
     .repaired_clauses(&[
@@ -289,7 +290,7 @@ pub fn cor1() -> Record<SetpointVariant> {
     .reading("distances of linked agents; potentials with a continuous gradient")
     .repaired(
         Fault::Hypothesis,
-        "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value: B has independent columns, so that every grad_{r_ij} V_ij tends to 0, and V_ij' = 0 at the desired distance only.",
+        "",
         repaired,
     )
     .repaired_clauses(&[

@@ -1,6 +1,7 @@
 //! tanner2.lem1, lem2, Q, Qjump, Qdot, eq13, eq13.interval: the saturated potential and the energy Q.
 
-use super::fixtures::{PLANE, argued, energy_decreases, printed as logarithmic, random_vectors, spring};
+use super::fixtures::{PLANE, energy_decreases, printed as logarithmic, random_vectors, spring};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
@@ -84,13 +85,13 @@ pub fn lem1() -> Record<RegularVariant> {
     )
     .repaired(
         Fault::False,
-        "For V with a continuous derivative and c = V_r(R) > 0 the saturated potential U_ij is regular at every distance but R; at R -U_ij is regular; U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
+        "",
         repaired,
     )
     .repaired_clauses(&[
         "For V with a continuous derivative the saturated potential U_ij is regular at every distance but R.",
-        "With c = V_r(R) > 0, -U_ij is regular at R.",
-        "For V with a continuous derivative U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
+        "For such V with c = V_r(R) > 0 -U_ij is regular at R.",
+        "For V with a continuous derivative and c = V_r(R) > 0 U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
     ])
     .control("R below the desired distance, c < 0", RegularVariant { threshold: (1, 2), ..repaired })
     .control("U°(R; w) = cw", RegularVariant { generalised: |cw| cw, ..repaired })
@@ -142,7 +143,7 @@ pub fn lem2() -> Record<GradientVariant> {
     )
     .repaired(
         Fault::False,
-        "For V with a continuous derivative and c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R; with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
+        "",
         repaired,
     )
     .repaired_clauses(&[
@@ -459,7 +460,7 @@ pub fn eq13_interval() -> Record<IntervalVariant> {
     )
     .repaired(
         Fault::Slip,
-        "The right side of (13) is an interval [e, f] with e <= f <= 0; away from ties e = f = -v^T (L kron I_2) v.",
+        "",
         IntervalVariant::NonPositive(1),
     )
     .repaired_clauses(&[

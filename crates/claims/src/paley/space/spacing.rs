@@ -93,7 +93,7 @@ pub fn spacing_form() -> Record<ProperVariant> {
          |steps|^2 <= (N - 1) 2 N S, so that sublevel sets are bounded in the relative centres: S is \
          positive definite and proper. On a path N - 1 is attained by its ends.",
         printed,
-        examine_spacing_form,
+        |variant, run| examine_proper(variant, run),
     )
     .clauses(&[
         "S is zero in the circular formation c = c_0 1 and positive otherwise.",
@@ -103,10 +103,6 @@ pub fn spacing_form() -> Record<ProperVariant> {
     .control("graphs that are not connected", ProperVariant::ANY_GRAPH)
     .control("(N - 2) 2 N S as the bound", ProperVariant { excess: -1, ..ProperVariant::PRINTED })
     .control("1/N times the sum over edges", ProperVariant { share: (1, 1), ..ProperVariant::PRINTED })
-}
-
-fn examine_spacing_form(variant: &ProperVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    examine_proper(variant, run)
 }
 
 /// `cdot = e^{i theta} (1 + factor omega^power u)`.
@@ -138,14 +134,10 @@ pub fn centre_velocity() -> Record<VelocityVariant> {
         "paley.eq18",
         "cdot = rdot + w0^-1 i (i u e^{i theta}) = e^{i theta} - w0^-1 u e^{i theta}.",
         printed,
-        examine_centre_velocity,
+        |variant, run| Ok(state_identity(variant, &["w0", "u"], "velocity of the centre", run)?.for_all()),
     )
     .control("1 + u/w0", VelocityVariant { factor: 1, inverse: true })
     .control("1 - w0 u", VelocityVariant { factor: -1, inverse: false })
-}
-
-fn examine_centre_velocity(variant: &VelocityVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Ok(state_identity(variant, &["w0", "u"], "velocity of the centre", run)?.for_all())
 }
 
 /// `Sdot = (share/N) sum ...` and, under (20), `descent (K_0/N^2) sum ...^2`; on an undirected graph or not.
@@ -219,7 +211,7 @@ pub fn spacing_descent() -> Record<DescentVariant> {
          polynomial in the weights of the graph, so small graphs vertices are instances of an identity that \
          holds for all undirected graphs. On a directed graph (19) fails.",
         printed,
-        examine_spacing_descent,
+        |variant, run| examine_descent(variant, run),
     )
     .clauses(&[
         "Sdot = (1/N) sum_k <e^{i th_k}, L_k c> (1 - w0^{-1} u_k).",
@@ -229,8 +221,4 @@ pub fn spacing_descent() -> Record<DescentVariant> {
     .control("1/(2N) in (19)", DescentVariant { share: (1, 2), ..DescentVariant::PRINTED })
     .control("Sdot >= 0", DescentVariant { descent: 1, ..DescentVariant::PRINTED })
     .control("directed graphs", DescentVariant::ONE_WAY)
-}
-
-fn examine_spacing_descent(variant: &DescentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    examine_descent(variant, run)
 }

@@ -467,7 +467,7 @@ impl History {
     }
 }
 
-/// chazelle.stab, beyond.chazelle.Nts, eq3.5, lem3.1.count, chazelle.eq3.6: random networks over time.
+/// chazelle.stab, beyond.chazelle.eq3.5, lem3.1.count, chazelle.eq3.6: random networks over time.
 #[test]
 fn stabilisers() {
     let mut dice = Dice::new("stabilisers");
