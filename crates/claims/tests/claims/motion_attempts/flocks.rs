@@ -120,7 +120,7 @@ pub fn start(random: &mut Random, n: usize, size: f64, speed: f64) -> Vec<f64> {
     loop {
         let (r, v) = (vectors(random, n, size), vectors(random, n, speed));
         let near = (0..n).any(|i| (0..i).any(|j| norm(r[i] - r[j]) < 0.6));
-        if !near && v.iter().all(|v| norm(*v) > 0.05 * speed) {
+        if !near && v.iter().all(|v| norm(*v) > 0.2 * speed) {
             return join(&r, &v);
         }
     }
@@ -204,7 +204,10 @@ fn heading_alignment(random: &mut Random) -> Option<String> {
                 .or_else(|| unlike("eq2", norm(v[i] - turn(theta[i]) * norm(v[i])), 0.0))
         })
         .or_else(|| unlike("Vt_inv", along(|x| flock.energy(x), &x, &field), 0.0))
-        .or_else(|| unlike("eq6b", (0..n).map(|i| dot(r[i], v[i]) * (rate(i) + sum(i) - own(i))).sum(), 0.0))
+        .or_else(|| {
+            let weighted = |f: &dyn Fn(usize) -> f64| (0..n).map(|i| dot(r[i], v[i]) * f(i)).sum::<f64>();
+            unlike("eq6b", weighted(&rate), weighted(&|i| own(i) - sum(i)))
+        })
         .or_else(|| unlike("eq9.chain", along(v_t, &x, &field), (0..n).map(|i| theta[i] * rate(i)).sum()))
         .or_else(|| unlike("eq9", along(v_t, &x, &field), (0..n).map(|i| theta[i] * (own(i) - sum(i))).sum()))
         .or_else(|| {
@@ -295,7 +298,8 @@ fn bounds(random: &mut Random) -> Option<String> {
             r[k] = r[k - 1] + Z(flock.reach(k, k - 1, [0.0, 1.0, 5.0][below(random, 3)]), 0.0);
         }
     }
-    let v = vectors(random, n, [0.0, 1.0][below(random, 2)]);
+    let speed = [0.0, 1.0][below(random, 2)];
+    let v = vectors(random, n, speed);
     let c = flock.energy(&join(&r, &v));
     let most = flock.edges().iter().map(|(i, j)| flock.reach(*i, *j, c)).fold(0.0, f64::max);
     let far = (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| norm(r[i] - r[j])).fold(0.0, f64::max);

@@ -300,11 +300,11 @@ fn unbalanced(random: &mut Random) -> Option<String> {
 fn phases_survive() {
     survive(&[
         Attempt { name: "order parameters", tries: 300, seek: u1_u_m },
-        Attempt { name: "critical points of U_1", tries: 12, seek: critical_points },
+        Attempt { name: "critical points of U_1", tries: 6, seek: critical_points },
         Attempt { name: "gradient flow of U_1", tries: 12, seek: gradient_flow },
         Attempt { name: "Laplacian potentials", tries: 200, seek: laplacian_potential },
         Attempt { name: "scales", tries: 200, seek: scales },
-        Attempt { name: "patterns", tries: 25, seek: patterns },
+        Attempt { name: "patterns", tries: 8, seek: patterns },
         Attempt { name: "circulant graphs", tries: 200, seek: circulants },
         Attempt { name: "double eigenvalues of C_N", tries: 300, seek: double_eigenvalues },
         Attempt { name: "Laplacians", tries: 300, seek: laplacians },
