@@ -11,6 +11,7 @@ mod interrupt;
 mod shell;
 mod simulate;
 mod spectrum;
+mod sweep;
 mod tracks;
 
 fn flockproof(arguments: &[&str]) -> Output {
