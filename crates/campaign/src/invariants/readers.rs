@@ -10,8 +10,8 @@ use algebra::matrix::read::read_sequence;
 use arithmetic::{Rational, decimal, parse_rational, rational};
 use models::averaging::read::{Model, read_flock};
 use models::averaging::{Hysteresis, Start, Weights};
-use question::Question;
 use models::tracks::{School, Setting, Tracks, synthetic_school};
+use question::Question;
 use scenario::Scenario;
 use serde_json::json;
 
