@@ -44,7 +44,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             documents.push(answer.json(replay.as_deref()));
         } else {
             let text = answer.text(replay.as_deref());
-            let lines = text.lines().map(|line| textwrap::fill(line, output::width().clamp(40, 100)) + "\n");
+            let whole_words = textwrap::Options::new(output::width().clamp(40, 100))
+                .word_splitter(textwrap::WordSplitter::NoHyphenation)
+                .break_words(false);
+            let lines = text.lines().map(|line| textwrap::fill(line, &whole_words) + "\n");
             let gap = if documents.is_empty() && path == &arguments.files[0] { "" } else { "\n" };
             output::print(&(gap.to_string() + &lines.collect::<String>()))?;
         }

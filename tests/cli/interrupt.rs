@@ -177,6 +177,7 @@ fn silent_commands_end_too() {
     for arguments in [
         &["verify", "--threads", "1"][..],
         &["ergodicity", &factors],
+        &["fuzz", "matrix.product_tree", "--cases", "100000000"],
         &["spectrum", "--graph", "geometric:1500:1/4:7"],
         &["resonance", "--followers", "1000000000", "--f", "-1", "--g", "-1", "--digits", "9000"],
     ] {

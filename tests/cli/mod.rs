@@ -13,6 +13,7 @@ mod schemas;
 mod shell;
 mod simulate;
 mod spectrum;
+mod sweep;
 mod tracks;
 
 fn flockproof(arguments: &[&str]) -> Output {

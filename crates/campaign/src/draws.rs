@@ -70,6 +70,7 @@ pub fn shrunk(start: &[u64], most: usize, fails: impl Fn(&[u64]) -> bool) -> Vec
         shrinking.lower_each();
         shrinking.leave_out();
         shrinking.lower_and_leave_out();
+        shrinking.lower_and_replace();
         if shrinking.left == 0 || shrinking.best == before {
             while shrinking.best.last() == Some(&0) {
                 shrinking.best.pop();
@@ -149,6 +150,27 @@ impl<F: Fn(&[u64]) -> bool> Shrinking<F> {
                     if self.left == 0 {
                         return;
                     }
+                }
+            }
+        }
+    }
+
+    /// Lowers a count by one and looks for what may come after it: members of another family are numbered otherwise.
+    fn lower_and_replace(&mut self) {
+        const TRIED: u64 = 32;
+        for k in 0..self.best.len().saturating_sub(1).min(4) {
+            while self.best[k] > 0 {
+                let before = self.best[k];
+                for next in 0..TRIED {
+                    let mut trial = self.best.clone();
+                    trial[k] -= 1;
+                    trial[k + 1] = next;
+                    if self.is_taken(trial) {
+                        break;
+                    }
+                }
+                if self.best[k] == before {
+                    break;
                 }
             }
         }

@@ -2,7 +2,9 @@
 
 use crate::bindings::Bindings;
 use crate::decide::Outcome;
+use crate::names::Subject;
 use crate::question::Question;
+use crate::scenario_file::is_place;
 use crate::truth::{Margin, Truth};
 use algebra::graph::LaplacianKind;
 use models::platoon::Communication;
@@ -77,8 +79,10 @@ impl Answer {
         shrunk: Option<Bindings>,
         refuted: &[bool],
     ) -> Self {
+        let enclosed = question.subjects().contains(&Subject::Motion);
         let grades = match (verdict, outcome.boxed) {
             (Verdict::Holds, true) => vec!["certified"],
+            (Verdict::Holds, false) if enclosed => vec!["exhaustive", "certified"],
             (Verdict::Holds, false) => vec!["exhaustive"],
             (Verdict::False, _) => vec![if question.is_exact() { "exact" } else { "certified" }],
             (Verdict::Undecided, _) if question.is_sample() => vec!["fuzzed"],
@@ -138,7 +142,7 @@ impl Answer {
             let _ = write!(text, " ({})", self.grades.join(", "));
         }
         let _ = write!(text, "\n{}\n", self.why);
-        if let Some(bindings) = &self.counterexample {
+        if let Some(bindings) = self.counterexample.as_ref().filter(|bindings| bindings.iter().next().is_some()) {
             let _ = writeln!(text, "counterexample: {bindings}");
         }
         if let Some((lo, hi)) = self.margin.as_ref().and_then(Margin::decimals) {
@@ -175,7 +179,7 @@ fn reason(verdict: Verdict, outcome: &Outcome, refuted: &[bool]) -> String {
             )
         }
         Verdict::Holds if outcome.boxed => {
-            format!("The property is proved on each of {looked}, which cover the family.")
+            format!("The property is proved on {looked}, which cover the family.")
         }
         Verdict::Holds => format!("The property is proved for all members of the family: {looked}."),
         Verdict::False => format!(
@@ -208,9 +212,13 @@ impl Question {
         if self.communication() == Communication::Front {
             let _ = writeln!(text, "communication = \"front\"");
         }
+        if let Some(scenario) = self.scenario() {
+            let _ = writeln!(text, "scenario = {}", quoted(&scenario.name));
+        }
         let _ = writeln!(text, "\n[for]");
         for (name, value) in bindings.iter() {
-            let _ = writeln!(text, "{name} = {}", quoted(&value.text()));
+            let key = if is_place(name) { quoted(name) } else { name.to_string() };
+            let _ = writeln!(text, "{key} = {}", quoted(&value.text()));
         }
         let Some(property) = &self.property else { return text };
         let _ = writeln!(text, "\n[holds]\nproperty = {}", quoted(&property.node.to_string()));
@@ -244,7 +252,7 @@ impl Question {
             property.node.visit(&mut |node| {
                 if let crate::syntax::Kind::Name { name, .. } = &node.kind {
                     let own = name.rsplit('.').next().unwrap_or(name);
-                    exact &= !ENCLOSED.contains(&own) && !self.subjects().contains(&crate::names::Subject::Motion);
+                    exact &= !ENCLOSED.contains(&own) && !self.subjects().contains(&Subject::Motion);
                 }
             });
         }

@@ -85,11 +85,11 @@ impl Question {
     pub fn values(
         &self,
         bindings: &Bindings,
-        _progress: &dyn Progress,
+        progress: &dyn Progress,
     ) -> Result<Vec<(String, Tabulated)>, QuestionError> {
-        let case = Case::new(self, bindings.clone(), true);
+        let case = Case::new(self, bindings.clone(), true, progress);
         let value = |(name, expression): &(String, Expression)| {
-            let evaluator = Evaluator { case: &case, precision: 2 * FIRST_BITS, moment: None };
+            let evaluator = Evaluator { case: &case, precision: 2 * FIRST_BITS, moment: None, piece: None };
             let value = match evaluator.measured(&expression.node) {
                 Ok(Measured::Number(number)) => Tabulated::Number(number),
                 Ok(Measured::Truth(truth)) => Tabulated::Truth(truth),
@@ -145,7 +145,7 @@ impl Question {
         bindings: &Bindings,
         progress: &dyn Progress,
     ) -> Result<(Truth, Margin), QuestionError> {
-        let case = Case::new(self, bindings.clone(), false);
+        let case = Case::new(self, bindings.clone(), false, progress);
         let mut precision = FIRST_BITS;
         loop {
             progress.checkpoint()?;
@@ -160,7 +160,7 @@ impl Question {
     }
 
     fn judged(&self, case: &Case, expression: &Expression, precision: u32) -> Result<(Truth, Margin), QuestionError> {
-        let judged = Evaluator { case, precision, moment: None }.judge(&expression.node);
+        let judged = Evaluator { case, precision, moment: None, piece: None }.judge(&expression.node);
         match judged {
             Ok(judged) => Ok(judged),
             Err(Failure::Open(doubt)) => Ok((Truth::Unknown(doubt), Margin::ANY)),
@@ -275,7 +275,7 @@ impl Division<'_> {
 
     /// The truth on a box; `None` where `where` leaves all of it out.
     fn on_box(&self, bindings: &Bindings, is_first: bool) -> Result<(Option<Truth>, Margin), QuestionError> {
-        let case = Case::new(self.question, bindings.clone(), is_first);
+        let case = Case::new(self.question, bindings.clone(), is_first, self.progress);
         let mut kept = Truth::True;
         if let Some(restriction) = &self.question.restriction {
             kept = self.question.judged(&case, restriction, FIRST_BITS)?.0;

@@ -1,11 +1,11 @@
 //! Single members of a family, chosen by someone else: for campaigns, which need no count of all members.
 
-use crate::bindings::{Bindings, Value};
+use crate::bindings::{Bindings, Value, simplest_between};
 use crate::error::QuestionError;
 use crate::question::Question;
 use arithmetic::{Progress, rational};
 
-/// Denominators of the parts into which an interval is divided are powers of two up to this.
+/// An interval gives its simplest number, or an end of one of its `2^k` equal parts with `k` up to this.
 const FINEST: u64 = 20;
 
 impl Question {
@@ -29,9 +29,12 @@ impl Question {
             let value = match value {
                 None => return Ok(None),
                 Some(Value::Box(lo, hi)) => {
-                    let parts = 1u64 << choose(FINEST + 1).min(FINEST);
-                    let part = choose(parts + 1).min(parts);
-                    Value::Number((&hi - &lo) * rational(part as i64, parts as i64) + lo)
+                    let parts = choose(FINEST + 2).min(FINEST + 1).checked_sub(1).map(|power| 1u64 << power);
+                    let part = choose(parts.unwrap_or(0) + 1).min(parts.unwrap_or(0));
+                    Value::Number(match parts {
+                        None => simplest_between(&lo, &hi),
+                        Some(parts) => (&hi - &lo) * rational(part as i64, parts as i64) + lo,
+                    })
                 }
                 Some(value) => value,
             };

@@ -6,6 +6,7 @@ use crate::error::Problem;
 use crate::names::{FUNCTIONS, QUANTITIES, Quantity, Subject};
 use crate::number::{Number, Obstacle};
 use crate::syntax::{Kind, Node, Relation};
+use crate::time::Piece;
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Cancelled, Interval, Sign, rational};
 use num_integer::Integer;
@@ -47,15 +48,17 @@ pub(crate) trait Moment {
 }
 
 /// Evaluates the expressions of a case at a precision, at a moment if there is one.
-pub(crate) struct Evaluator<'c> {
-    pub case: &'c Case<'c>,
+pub(crate) struct Evaluator<'c, 'q> {
+    pub case: &'c Case<'q>,
     pub precision: u32,
     pub moment: Option<&'c dyn Moment>,
+    /// The times of the moment.
+    pub piece: Option<&'c Piece>,
 }
 
 type Judged = Result<(Truth, Margin), Failure>;
 
-impl<'c> Evaluator<'c> {
+impl Evaluator<'_, '_> {
     /// The truth of a property with its margin; what cannot be told is unknown.
     pub fn judge(&self, node: &Node) -> Judged {
         match &node.kind {

@@ -184,7 +184,7 @@ impl Domain {
                 Kind::Interval(..) => Some(Sort::Box),
                 Kind::Number(q) if q.is_integer() => Some(Sort::Integer),
                 Kind::Name { name, called: true, .. } => match name.as_str() {
-                    "stochastic" | "products" | "random_products" => Some(Sort::Matrices),
+                    "stochastic" | "products" | "joined" | "random_products" => Some(Sort::Matrices),
                     name if FAMILIES.iter().any(|family| family.name == name) => Some(Sort::Graph),
                     _ => Some(Sort::Number),
                 },
@@ -207,6 +207,7 @@ impl Domain {
 pub(crate) type Classes = Mutex<BTreeMap<(u8, usize), Arc<Vec<Arc<GraphValue>>>>>;
 
 /// Members without their values, as far as that helps to count them.
+#[derive(Debug)]
 pub(crate) enum Members {
     Integers(i64, i64),
     Graphs(Arc<Vec<Arc<GraphValue>>>),
@@ -285,8 +286,8 @@ impl Maker<'_> {
 
     /// An expression that must be a rational number.
     fn exact(&self, node: &Node) -> Made<Rational> {
-        let case = Case::new(self.question, self.bindings.clone(), false);
-        match (Evaluator { case: &case, precision: 64, moment: None }).number(node)? {
+        let case = Case::new(self.question, self.bindings.clone(), false, self.progress);
+        match (Evaluator { case: &case, precision: 64, moment: None, piece: None }).number(node)? {
             Number::Exact(q) => Ok(q),
             other => Err(Failure::Refused(node.at, Problem::expected("a rational number", other.text()))),
         }
@@ -358,6 +359,20 @@ impl Maker<'_> {
                 };
                 let changed = changed_by_one_link(graph, name == "with_link").into_iter();
                 Ok(Members::Listed(changed.map(|g| Value::Graph(Arc::new(GraphValue::Simple(g)))).collect()))
+            }
+            "joined" => {
+                let named = |node: &Node| match &node.kind {
+                    Kind::Name { name, called: false, .. } => self.bindings.get(name),
+                    _ => None,
+                };
+                let (Some(Value::Matrices(first)), Some(Value::Matrices(second))) =
+                    (named(&arguments[0]), named(&arguments[1]))
+                else {
+                    let needed = "`joined` takes the names of two sequences of matrices that are bound before";
+                    return Err(refuse(needed.to_string()));
+                };
+                let both = [first.as_slice(), second.as_slice()].concat();
+                Ok(Members::Listed(vec![Value::Matrices(Arc::new(both))]))
             }
             "stochastic" | "products" => {
                 let size = self.count(&arguments[0], "the order", 1, 8)?;

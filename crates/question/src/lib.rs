@@ -14,10 +14,12 @@ mod family;
 pub mod names;
 mod number;
 mod question;
+mod scenario_file;
 mod shrink;
 mod source;
 mod subject;
 mod syntax;
+mod time;
 mod truth;
 
 pub use answer::{Answer, Verdict};

@@ -256,6 +256,7 @@ pub const FAMILIES: &[Family] = &[
         "all row-stochastic matrices of order n with entries that are multiples of 1/d",
     ),
     family("products(n, d, k)", "products", 3, 3, "all sequences of k such matrices"),
+    family("joined(a, b)", "joined", 2, 2, "the matrices of a and then those of b, which were bound before"),
     family(
         "random_products(n, k)",
         "random_products",

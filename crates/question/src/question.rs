@@ -6,6 +6,7 @@ use crate::error::{Place, Problem, QuestionError, shortened};
 use crate::evaluate::{Failure, quantity_of};
 use crate::family::{Bound, Classes, Domain, Maker, Members, Sort, read_domain};
 use crate::names::{FAMILIES, FUNCTIONS, QUANTITIES, Subject};
+use crate::scenario_file::{ScenarioFile, is_place};
 use crate::source::{Entry, Section, Source};
 use crate::syntax::{KEYWORDS, Kind, Node, parse_property};
 use algebra::graph::LaplacianKind;
@@ -36,6 +37,7 @@ pub struct Question {
     text: String,
     id: String,
     statement: Option<String>,
+    scenario: Option<ScenarioFile>,
     kind: LaplacianKind,
     communication: Communication,
     budget: u64,
@@ -46,6 +48,8 @@ pub struct Question {
     values: Vec<(String, Expression)>,
     subjects: Vec<Subject>,
     classes: Classes,
+    /// Members of the names that depend on no other.
+    alone: Vec<OnceLock<Arc<Members>>>,
     starts: OnceLock<Vec<u64>>,
 }
 
@@ -62,10 +66,11 @@ impl Question {
         let [head, family, holds, values] = &sections[..] else {
             return Err(QuestionError::Whole(Problem::Other("the sections could not be read".to_string())));
         };
-        let mut question = Question::headed(text, head.as_ref())?;
+        let mut question = Question::headed(text, head.as_ref(), files)?;
         if let Some(family) = family {
             question.read_family(family, files)?;
         }
+        question.alone = question.bounds.iter().map(|_| OnceLock::new()).collect();
         question.subjects = question.found_subjects();
         if let Some(holds) = holds {
             question.read_holds(holds)?;
@@ -80,7 +85,7 @@ impl Question {
         Ok(question)
     }
 
-    fn headed(text: &str, head: Option<&Section>) -> Result<Self, QuestionError> {
+    fn headed(text: &str, head: Option<&Section>, files: Files) -> Result<Self, QuestionError> {
         let missing = || Problem::Other("the section [question] is missing; it needs an `id`".to_string());
         let head = head.ok_or_else(|| QuestionError::Whole(missing()))?;
         head.allow(&["id", "statement", "scenario", "kind", "communication", "budget"])?;
@@ -111,11 +116,20 @@ impl Question {
             },
         };
         let budget = head.get("budget").map_or(Ok(BUDGET), |entry| entry.count(LARGEST_BUDGET))?;
+        let scenario = match head.get("scenario") {
+            None => None,
+            Some(entry) => {
+                let name = entry.text()?.text;
+                let read = files(&name).and_then(|content| ScenarioFile::read(&name, &content));
+                Some(read.map_err(|message| entry.problem(Problem::Other(message)))?)
+            }
+        };
         let statement = head.get("statement").map(|entry| entry.text()).transpose()?.map(|located| located.text);
         Ok(Question {
             text: text.to_string(),
             id: id_text,
             statement,
+            scenario,
             kind,
             communication,
             budget,
@@ -126,6 +140,7 @@ impl Question {
             values: Vec::new(),
             subjects: Vec::new(),
             classes: Classes::default(),
+            alone: Vec::new(),
             starts: OnceLock::new(),
         })
     }
@@ -172,6 +187,17 @@ impl Question {
 
     fn check_new_name(&self, entry: &Entry) -> Result<(), QuestionError> {
         let name = entry.key.as_str();
+        if is_place(name)
+            && let Some(scenario) = &self.scenario
+        {
+            let known = scenario.check_place(name);
+            return known.map_err(|message| self.at(entry.key_at, Problem::Other(message)));
+        }
+        let undrawn = |scenario: &ScenarioFile| name == "seed" && !scenario.is_drawn();
+        if self.scenario.as_ref().is_some_and(undrawn) {
+            let message = "`seed` draws random starts, but [state] of the scenario has no `random`".to_string();
+            return Err(self.at(entry.key_at, Problem::Other(message)));
+        }
         let starts = name.starts_with(|c: char| c.is_ascii_alphabetic());
         let plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
         if !starts || !plain || name.len() > 64 {
@@ -250,7 +276,7 @@ impl Question {
                 _ => None,
             };
             for argument in arguments {
-                if !matches!(sorts(argument), Some(Sort::Graph)) {
+                if !matches!(sorts(argument), Some(Sort::Graph | Sort::Matrices)) {
                     self.check_numbers(argument).map_err(at)?;
                 }
                 if sorts(argument) == Some(Sort::Box) {
@@ -313,6 +339,11 @@ impl Question {
         if has(Sort::Matrices) {
             subjects.push(Subject::Matrices);
         }
+        match &self.scenario {
+            Some(scenario) if scenario.is_flock => subjects.push(Subject::Flock),
+            Some(_) => subjects.push(Subject::Motion),
+            None => {}
+        }
         let gains = self.sort("f").is_some() && self.sort("g").is_some();
         if gains && (self.sort("followers").is_some() || has(Sort::Graph)) {
             subjects.push(Subject::Platoon);
@@ -338,9 +369,12 @@ impl Question {
     }
 
     /// Which cars a follower tracks.
-    #[allow(dead_code)]
     pub(crate) fn communication(&self) -> Communication {
         self.communication
+    }
+
+    pub(crate) fn scenario(&self) -> Option<&ScenarioFile> {
+        self.scenario.as_ref()
     }
 
     pub(crate) fn classes(&self) -> &Classes {
@@ -383,7 +417,8 @@ impl Question {
 
     /// Whether the members are drawn at random, so that they never prove anything for all.
     pub fn is_sample(&self) -> bool {
-        self.bounds.iter().any(|bound| bound.domain.is_sample())
+        let drawn = self.scenario.as_ref().is_some_and(ScenarioFile::is_drawn);
+        drawn && self.sort("seed").is_some() || self.bounds.iter().any(|bound| bound.domain.is_sample())
     }
 
     /// The question in one form, whatever the spaces, comments and numbers of its file look like: equal questions have equal texts.
@@ -392,6 +427,9 @@ impl Question {
         let _ = writeln!(text, "kind = {}", self.kind.name());
         let front = matches!(self.communication, Communication::Front);
         let _ = writeln!(text, "communication = {}", if front { "front" } else { "front-and-back" });
+        if let Some(scenario) = &self.scenario {
+            let _ = writeln!(text, "scenario = {}", scenario.digest());
+        }
         let _ = writeln!(text, "budget = {}\n[for]", self.budget);
         for bound in &self.bounds {
             let _ = writeln!(text, "{} = {}", bound.name, domain_text(&bound.domain));
@@ -510,11 +548,16 @@ impl Question {
         place: usize,
         bindings: &Bindings,
         progress: &dyn Progress,
-    ) -> Result<Members, QuestionError> {
+    ) -> Result<Arc<Members>, QuestionError> {
         progress.checkpoint()?;
         let bound = &self.bounds[place];
+        let cell = self.alone.get(place).filter(|_| is_alone(&bound.domain));
+        if let Some(known) = cell.and_then(OnceLock::get) {
+            return Ok(known.clone());
+        }
         let made = Maker { question: self, bindings, progress }.members(&bound.domain);
-        made.map_err(|failure| self.refused(failure, bound.base))
+        let made = Arc::new(made.map_err(|failure| self.refused(failure, bound.base))?);
+        Ok(cell.map_or(made.clone(), |cell| cell.get_or_init(|| made).clone()))
     }
 
     /// Whether what a later name ranges over may depend on this one.
@@ -601,6 +644,22 @@ fn domain_text(domain: &Domain) -> String {
         Domain::List(list) => {
             let items: Vec<String> = list.iter().map(|(_, domain)| domain_text(domain)).collect();
             format!("{{{}}}", items.join("; "))
+        }
+    }
+}
+
+/// Whether a domain uses no other name.
+fn is_alone(domain: &Domain) -> bool {
+    match domain {
+        Domain::Given(_) => true,
+        Domain::List(list) => list.iter().all(|(_, domain)| is_alone(domain)),
+        Domain::Written(node) => {
+            let mut alone = !domain.is_sample();
+            node.visit(&mut |inner| {
+                // The family itself has brackets.
+                alone &= !matches!(&inner.kind, Kind::Name { called: false, .. });
+            });
+            alone
         }
     }
 }

@@ -62,7 +62,10 @@ fn smaller_member(
     for (bound, (_, value)) in question.bounds.iter().zip(found.iter()).take(place) {
         before.push(bound.name.clone(), value.clone());
     }
-    let Ok(members @ Members::Integers(..)) = question.members(place, &before, progress) else { return Ok(found) };
+    let Ok(members) = question.members(place, &before, progress) else { return Ok(found) };
+    if !matches!(members.as_ref(), Members::Integers(..)) {
+        return Ok(found);
+    }
     for k in 0..members.len().min(TRIED) {
         let Some(Value::Number(value)) = members.get(k).filter(|v| matches!(v, Value::Number(q) if q < current)) else {
             break;
@@ -72,12 +75,13 @@ fn smaller_member(
         for later in place + 1..question.bounds.len() {
             // Names that do not depend on this one keep their value.
             let kept = found.iter().nth(later).map(|(_, value)| value.clone());
-            let first = question.members(later, &tried, progress).ok().and_then(|members| match (&kept, &members) {
-                (Some(Value::Number(q)), Members::Integers(..)) => (0..members.len().min(1 << 16))
-                    .filter_map(|k| members.get(k))
-                    .find(|v| matches!(v, Value::Number(p) if p == q)),
-                _ => members.get(0),
-            });
+            let first =
+                question.members(later, &tried, progress).ok().and_then(|members| match (&kept, members.as_ref()) {
+                    (Some(Value::Number(q)), Members::Integers(..)) => (0..members.len().min(1 << 16))
+                        .filter_map(|k| members.get(k))
+                        .find(|v| matches!(v, Value::Number(p) if p == q)),
+                    _ => members.get(0),
+                });
             let Some(value) = first else { break };
             tried.push(question.bounds[later].name.clone(), value);
         }

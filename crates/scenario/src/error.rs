@@ -42,6 +42,9 @@ pub enum ConfigError {
         /// All keys that are allowed there.
         allowed: String,
     },
+    /// A place that another number was to be put in.
+    #[error("there is no number at `{0}`")]
+    NoPlace(String),
     /// A value that cannot be used.
     #[error("line {line}: `{key}`: {problem}")]
     Value {

@@ -27,6 +27,27 @@ impl<'a> Source<'a> {
         Ok(Source { text, table })
     }
 
+    /// Where the number `state.velocities[1][2]` stands in the text; indices from 1.
+    pub fn place(&self, path: &str) -> Option<std::ops::Range<usize>> {
+        let mut table = self.table.get_ref();
+        let mut found: Option<&Spanned<DeValue>> = None;
+        for part in path.split('.') {
+            let (key, indices) = part.split_once('[').map_or((part, ""), |(key, _)| (key, &part[key.len()..]));
+            let (_, mut value) = table.iter().find(|(known, _)| known.get_ref().as_ref() == key)?;
+            for index in indices.split('[').skip(1) {
+                let DeValue::Array(items) = value.get_ref() else { return None };
+                let index: usize = index.strip_suffix(']')?.parse().ok()?;
+                value = items.get(index.checked_sub(1)?)?;
+            }
+            found = Some(value);
+            if let DeValue::Table(inner) = value.get_ref() {
+                table = inner;
+            }
+        }
+        let value = found?;
+        matches!(value.get_ref(), DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)).then(|| value.span())
+    }
+
     /// The keys outside any section.
     pub fn top(&self) -> Section<'_> {
         Section { name: "", text: self.text, line: 1, table: self.table.get_ref() }

@@ -122,10 +122,14 @@ impl Shard {
         case % self.of == self.index - 1
     }
 
-    /// Its cases.
-    pub fn cases(self, all: u64) -> impl Iterator<Item = u64> {
-        let steps = all.saturating_sub(self.index - 1).div_ceil(self.of);
-        (0..steps).map(move |k| self.index - 1 + k * self.of)
+    /// How many of so many cases it has.
+    pub fn count(self, all: u64) -> u64 {
+        all.saturating_sub(self.index - 1).div_ceil(self.of)
+    }
+
+    /// Its `k`-th case, from 0.
+    pub fn case(self, k: u64) -> u64 {
+        self.index - 1 + k * self.of
     }
 
     /// The finished file.

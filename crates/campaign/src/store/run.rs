@@ -5,11 +5,11 @@ use crate::VERSION;
 use crate::job::{Campaign, JobError, digest};
 use arithmetic::Progress;
 use serde_json::Value;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc;
 
 /// What a run reached.
@@ -34,13 +34,13 @@ impl Run {
 /// [`StoreError::Refused`].
 pub fn run_in_memory(campaign: &dyn Campaign, progress: &dyn Progress) -> Result<Run, StoreError> {
     let mut rows = BTreeMap::new();
-    let pending: Vec<u64> = Shard::WHOLE.cases(campaign.cases()).collect();
+    let pending = Pending::new(Shard::WHOLE, campaign.cases(), BTreeSet::new());
     let keep = |row: Row| {
         rows.insert(row.case, row.result);
         Ok(())
     };
-    run_cases(campaign, &pending, 0, keep, progress)?;
-    Ok(Run { rows, cases: pending.len() as u64 })
+    run_cases(campaign, &pending, keep, progress)?;
+    Ok(Run { rows, cases: pending.all })
 }
 
 /// Runs one shard, or what is missing of it, with a line on the disk for every finished case.
@@ -68,11 +68,11 @@ pub fn run_shard(
     if !resume && let Some(there) = [&path, &part].into_iter().find(|path| path.exists()) {
         return Err(StoreError::Exists(there.clone()));
     }
-    let all: Vec<u64> = shard.cases(header.cases).collect();
+    let cases = shard.count(header.cases);
     if path.exists() {
         let found = read(&path)?;
         belongs(&path, found.header.as_ref(), &header)?;
-        let run = Run { rows: found.rows, cases: all.len() as u64 };
+        let run = Run { rows: found.rows, cases };
         if run.is_complete() {
             // A process killed between the two leaves it behind.
             let _ = std::fs::remove_file(&part);
@@ -80,14 +80,14 @@ pub fn run_shard(
         }
     }
     let (mut file, mut rows) = open(&part, &header)?;
-    let pending: Vec<u64> = all.iter().copied().filter(|case| !rows.contains_key(case)).collect();
+    let pending = Pending::new(shard, header.cases, rows.keys().copied().collect());
     let keep = |row: Row| {
         file.write_all((row.line() + "\n").as_bytes()).map_err(StoreError::at(&part))?;
         rows.insert(row.case, row.result);
         Ok(())
     };
-    run_cases(campaign, &pending, all.len() - pending.len(), keep, progress)?;
-    let run = Run { rows, cases: all.len() as u64 };
+    run_cases(campaign, &pending, keep, progress)?;
+    let run = Run { rows, cases };
     if run.is_complete() {
         write_aside(&path, &text(&header, &run.rows))?;
         std::fs::remove_file(&part).map_err(StoreError::at(&part))?;
@@ -131,19 +131,43 @@ fn open(part: &Path, header: &Header) -> Result<(File, BTreeMap<u64, Value>), St
     Ok((file, found.rows))
 }
 
+/// The cases of a shard that are not finished; they may be too many to be listed.
+struct Pending {
+    shard: Shard,
+    all: u64,
+    done: BTreeSet<u64>,
+    next: AtomicU64,
+}
+
+impl Pending {
+    fn new(shard: Shard, cases: u64, done: BTreeSet<u64>) -> Self {
+        Pending { shard, all: shard.count(cases), done, next: AtomicU64::new(0) }
+    }
+
+    /// The next case that nobody has.
+    fn next(&self) -> Option<u64> {
+        loop {
+            let k = self.next.fetch_add(1, Ordering::Relaxed);
+            let case = (k < self.all).then(|| self.shard.case(k))?;
+            if !self.done.contains(&case) {
+                return Some(case);
+            }
+        }
+    }
+}
+
 /// Runs cases on all threads; `keep` sees every result on this thread as it is finished. Ends early where it fails, a case is refused or
 /// `progress` stops.
 fn run_cases(
     campaign: &dyn Campaign,
-    pending: &[u64],
-    before: usize,
+    pending: &Pending,
     mut keep: impl FnMut(Row) -> Result<(), StoreError>,
     progress: &dyn Progress,
 ) -> Result<(), StoreError> {
-    let (next, stopped) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let stopped = AtomicBool::new(false);
     let (sender, receiver) = mpsc::channel();
     let work = |sender: mpsc::Sender<Result<Row, StoreError>>| {
-        while let Some(&case) = pending.get(next.fetch_add(1, Ordering::Relaxed)) {
+        while let Some(case) = pending.next() {
             if stopped.load(Ordering::Relaxed) || progress.is_cancelled() {
                 return;
             }
@@ -158,16 +182,16 @@ fn run_cases(
         }
     };
     std::thread::scope(|scope| {
-        for _ in 0..rayon::current_num_threads().min(pending.len()) {
+        for _ in 0..rayon::current_num_threads() {
             let sender = sender.clone();
             scope.spawn(|| work(sender));
         }
         drop(sender);
-        let (mut done, total) = (before as u64, (before + pending.len()) as u64);
+        let mut done = pending.done.len() as u64;
         for finished in receiver {
             finished.and_then(&mut keep).inspect_err(|_| stopped.store(true, Ordering::Relaxed))?;
             done += 1;
-            progress.tell("", done, Some(total));
+            progress.tell("", done, Some(pending.all));
         }
         Ok(())
     })

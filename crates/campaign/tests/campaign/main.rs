@@ -4,4 +4,5 @@ mod draws;
 mod fuzz;
 mod invariants;
 mod questions;
+mod readers;
 mod store;
