@@ -1,7 +1,8 @@
 """Exact, certified and simulated checks of what is claimed about flocking, and the machinery behind them.
 
-Numbers in: int, Fraction, Decimal and str are exact; a float is the exact value of that double, and results say so. Numbers out: Fraction, or
-:class:`Enclosure`. Wrong arguments are ValueError or TypeError with the sentence of the command line; long work stops on Ctrl-C.
+Numbers in: int, Fraction, Decimal and str are exact; a float is the exact value of that double, and results say so.
+Numbers out: Fraction, or :class:`Enclosure`. Wrong arguments are ValueError or TypeError with the sentence of the
+command line; long work stops on Ctrl-C.
 """
 
 from ._flock import Flock, Run, Settlement, Switch
@@ -20,9 +21,12 @@ from ._queries import (
     resonance,
     spectrum,
 )
+from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
 from ._runs import Event, Simulation, Tracks, simulate, tracks
 
 __all__ = [
+    "Answer",
+    "Campaign",
     "Claim",
     "Claims",
     "Controls",
@@ -33,7 +37,9 @@ __all__ = [
     "Event",
     "Evidence",
     "ExactMatrix",
+    "Failure",
     "Flock",
+    "Invariant",
     "Ledger",
     "Prefix",
     "Resonance",
@@ -43,18 +49,23 @@ __all__ = [
     "Spectrum",
     "Stabiliser",
     "Switch",
+    "Table",
     "Text",
     "Theorem1",
     "Tracks",
     "Undecided",
     "__version__",
+    "check",
     "ergodicity",
     "exact",
     "explain",
+    "fuzz",
+    "invariants",
     "ledger",
     "resonance",
     "simulate",
     "spectrum",
+    "sweep",
     "tracks",
     "verify",
 ]

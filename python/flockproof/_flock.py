@@ -13,7 +13,17 @@ from typing import Any
 import numpy as np
 
 from . import _native
-from ._numbers import Enclosure, ExactMatrix, Known, Number, exact_matrix, float_seen, fraction_text, holds_floats, number_text
+from ._numbers import (
+    Enclosure,
+    ExactMatrix,
+    Known,
+    Number,
+    exact_matrix,
+    float_seen,
+    fraction_text,
+    holds_floats,
+    number_text,
+)
 from ._progress import Progress, callback
 
 Pair = tuple[int, int]
@@ -55,8 +65,8 @@ class Settlement:
     steady_from : int or None
         The time from which the network never changes again, where that is proved.
     ending : str
-        ``steady``, ``alternating`` (with ``period``), ``beyond`` (with ``next_pairs`` and ``log2_steps``: the next contact comes at a time
-        whose digits cannot be written down) or ``undecided``.
+        ``steady``, ``alternating`` (with ``period``), ``beyond`` (with ``next_pairs`` and ``log2_steps``: the next
+        contact comes at a time whose digits cannot be written down) or ``undecided``.
     why, declaration : str
         The reason in words; what was run.
     """
@@ -182,8 +192,9 @@ class Flock:
 
     Notes
     -----
-    Numbers are exact; a float is the exact value of that double, and results say so. Objects do not change: ``run`` and ``settle`` start
-    from the beginning each time. Chazelle, *Natural algorithms* (2009), sections 1 to 3; ``notes/settling.md``.
+    Numbers are exact; a float is the exact value of that double, and results say so. Objects do not change: ``run``
+    and ``settle`` start from the beginning each time. Chazelle, *Natural algorithms* (2009), sections 1 to 3;
+    ``notes/settling.md``.
 
     Examples
     --------
@@ -241,19 +252,28 @@ class Flock:
             "headings": headings,
             "kappa": kappa,
         }
-        self._read(_json(fields), tuple(f"{n} holds floats, which stand for their exact values" for n, v in given.items() if _floats(v)))
+        self._read(
+            _json(fields),
+            tuple(f"{n} holds floats, which stand for their exact values" for n, v in given.items() if _floats(v)),
+        )
 
     def _read(self, text: str, from_floats: tuple[str, ...]) -> None:
         declaration, birds = _native.flock_check(text)
         for sentence in from_floats:
             float_seen(sentence)
-        for name, value in (("_text", text), ("declaration", declaration), ("birds", birds), ("from_floats", from_floats)):
+        for name, value in (
+            ("_text", text),
+            ("declaration", declaration),
+            ("birds", birds),
+            ("from_floats", from_floats),
+        ):
             object.__setattr__(self, name, value)
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Flock:
         """The flock of a JSON file of the command line."""
-        return _refused(path, lambda: cls.from_json(Path(path).read_text(encoding="utf-8")))
+        flock: Flock = _refused(path, lambda: cls.from_json(Path(path).read_text(encoding="utf-8")))
+        return flock
 
     @classmethod
     def from_json(cls, text: str) -> Flock:
@@ -267,7 +287,8 @@ class Flock:
         return self._text
 
     def settle(self, steps: int | None = None, switches: int | None = None, progress: Progress = None) -> Settlement:
-        """Find every switch by exact jumps and decide whether the network can ever change again (model D without control).
+        """Find every switch by exact jumps and decide whether the network can ever change again (model D without
+        control).
 
         Parameters
         ----------
@@ -302,7 +323,8 @@ class Flock:
         until
             The last time.
         from_, products
-            Footprints and stabilisers are of the products from this time on; with ``products`` their ergodicity coefficients too.
+            Footprints and stabilisers are of the products from this time on; with ``products`` their ergodicity
+            coefficients too.
         state
             Whether the exact positions and velocities are wanted; their numbers grow with the time.
         progress
@@ -379,7 +401,11 @@ def _json(fields: dict[str, Any]) -> str:
 
 
 def _floats(value: object) -> bool:
-    return value is not None and not isinstance(value, str) and (isinstance(value, ExactMatrix) and bool(value.from_floats) or holds_floats(value))
+    return (
+        value is not None
+        and not isinstance(value, str)
+        and ((isinstance(value, ExactMatrix) and bool(value.from_floats)) or holds_floats(value))
+    )
 
 
 def _list(values: Any, name: str) -> list[str]:
@@ -396,7 +422,9 @@ def _rows(values: Any, name: str) -> list[list[str]]:
             raise ValueError(f"{name} should have 1 or 2 dimensions, not {values.ndim}")
         values = values.tolist()
     if isinstance(values, (str, bytes, dict)) or not hasattr(values, "__iter__"):
-        raise TypeError(f"{name} should be a list with one list of coordinates for each bird, but it is `{str(values)[:60]}`")
+        raise TypeError(
+            f"{name} should be a list with one list of coordinates for each bird, but it is `{str(values)[:60]}`"
+        )
     rows = []
     for i, row in enumerate(values, 1):
         one = isinstance(row, (str, bytes)) or not hasattr(row, "__iter__")

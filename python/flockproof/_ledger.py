@@ -58,7 +58,8 @@ class Claim:
 
     def verify(self, seed: str = "flockproof", full: bool = False) -> Entry:
         """Runs the check of the claim."""
-        return verify(claims=[self.id], seed=seed, full=full)[0]
+        entry: Entry = verify(claims=[self.id], seed=seed, full=full)[0]
+        return entry
 
     def explain(self) -> Text:
         """The claim in words."""
@@ -68,7 +69,7 @@ class Claim:
         return f"{self.id} ({self.place}): {self.verdict}\n  {self.statement}"
 
     def _repr_html_(self) -> str:
-        return f"<b>{escape(self.id)}</b> ({escape(self.place)}): <i>{escape(self.verdict)}</i><br>{escape(self.statement)}"
+        return _heading(self)
 
 
 class Claims(Sequence[Claim]):
@@ -133,6 +134,11 @@ class Claims(Sequence[Claim]):
         return _table(("claim", "place", "recorded verdict", "evidence", "statement"), cells)
 
 
+def _heading(of: Claim | Entry) -> str:
+    name = f"<b>{escape(of.id)}</b> ({escape(of.place)}): <i>{escape(of.verdict)}</i>"
+    return f"{name}<br>{escape(of.statement)}"
+
+
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     body = "".join("<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows)
     return f"<table><tr>{''.join(f'<th>{escape(name)}</th>' for name in head)}</tr>{body}</table>"
@@ -158,7 +164,7 @@ def ledger() -> Claims:
 
 @dataclass(frozen=True)
 class Evidence:
-    """One piece of evidence: its grade, the clauses (from 1) that it bears on, how far it reaches, and what was done."""
+    """One piece of evidence: its grade, the clauses (from 1) that it bears on, how far it reaches, and was done."""
 
     grade: str
     clauses: tuple[int, ...]
@@ -215,7 +221,7 @@ class Entry:
 
     def _repr_html_(self) -> str:
         rows = [(e.grade, ", ".join(map(str, e.clauses)), e.part, e.detail) for e in self.evidence]
-        head = f"<b>{escape(self.id)}</b> ({escape(self.place)}): <i>{escape(self.verdict)}</i><br>{escape(self.statement)}"
+        head = _heading(self)
         told = "".join(f"<br>{escape(text)}" for text in (self.counterexample, self.corrected, self.why) if text)
         controls = f"<p>controls {self.controls.refuted}/{self.controls.total}</p>"
         return head + told + _table(("grade", "clauses", "part", "what was done"), rows) + controls
@@ -286,7 +292,18 @@ class Ledger(Sequence[Entry]):
         """A row for each claim."""
         import pandas
 
-        names = ["id", "paper", "place", "statement", "verdict", "fault", "corrected", "counterexample", "why", "seconds"]
+        names = [
+            "id",
+            "paper",
+            "place",
+            "statement",
+            "verdict",
+            "fault",
+            "corrected",
+            "counterexample",
+            "why",
+            "seconds",
+        ]
         more = ["grades", "controls"]
         rows = [
             [*(getattr(e, name) for name in names), ",".join(e.grades), f"{e.controls.refuted}/{e.controls.total}"]
@@ -333,8 +350,8 @@ def verify(
     Parameters
     ----------
     papers, claims
-        ``chazelle``, ``veerman``, ``paley``, ``tanner1``, ``tanner2``, ``beyond``; ids such as ``veerman.lem2``. With both, the named claims of
-        these papers.
+        ``chazelle``, ``veerman``, ``paley``, ``tanner1``, ``tanner2``, ``beyond``; ids such as ``veerman.lem2``. With
+        both, the named claims of these papers.
     seed
         Of everything random.
     full

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextvars import ContextVar
 from fractions import Fraction
 from math import lcm
-from typing import Any, SupportsIndex, TypeAlias, overload
+from typing import Any, SupportsIndex, TypeAlias, cast, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -61,8 +61,8 @@ def exact(value: Number, name: str = "value") -> Fraction:
     Parameters
     ----------
     value
-        int, Fraction, Decimal, str (``"-1/2"``, ``"-0.5"``, ``"2.5e-3"``) or a NumPy number. A float is taken as the exact
-        value of that double.
+        int, Fraction, Decimal, str (``"-1/2"``, ``"-0.5"``, ``"2.5e-3"``) or a NumPy number. A float is taken as the
+        exact value of that double.
     name
         What the message of an error calls it.
 
@@ -124,7 +124,8 @@ def holds_floats(values: object, depth: int = 0) -> bool:
 def why_not_exact(value: object) -> str | None:
     """Why a number does not count as exact in a claim; nothing where it does.
 
-    A Fraction or Decimal does not say where it comes from; integers and texts are taken as written, and what this package computed is known.
+    A Fraction or Decimal does not say where it comes from; integers and texts are taken as written, and what this
+    package computed is known.
     """
     if isinstance(value, (int, np.integer, str)):
         return None
@@ -156,8 +157,9 @@ class Enclosure:
 
     Notes
     -----
-    ``float(x)`` is the double nearest to the middle. ``y in x`` asks whether the number ``y`` lies in it. ``+ - * /`` enclose exactly.
-    A comparison is answered where it is certain, and raises :class:`Undecided` where it is not. ``==`` compares the ends.
+    ``float(x)`` is the double nearest to the middle. ``y in x`` asks whether the number ``y`` lies in it. ``+ - * /``
+    enclose exactly. A comparison is answered where it is certain, and raises :class:`Undecided` where it is not.
+    ``==`` compares the ends.
 
     Examples
     --------
@@ -250,7 +252,7 @@ class Enclosure:
     def _joined(self, other: Any, ends: Callable[[Fraction, Fraction], list[Fraction]]) -> Enclosure:
         known = self._ends(other)
         if known is None:
-            return NotImplemented
+            return cast("Enclosure", NotImplemented)
         lo, hi, floats = known
         all_ends = ends(lo, hi)
         result = Enclosure(min(all_ends), max(all_ends))
@@ -286,7 +288,7 @@ class Enclosure:
     def _compared(self, other: Any, certain: Callable[[Fraction, Fraction], bool | None]) -> bool:
         known = self._ends(other)
         if known is None:
-            return NotImplemented
+            return cast(bool, NotImplemented)
         answer = certain(known[0], known[1])
         if answer is None:
             raise Undecided(f"{self} is too wide to compare with {other}: ask for more digits")
@@ -401,7 +403,8 @@ def _text(x: Fraction) -> str:
 class ExactMatrix(Sequence[tuple[Fraction, ...]]):
     """A matrix of rationals: integers over one common denominator.
 
-    ``matrix[i, j]`` is an entry and ``matrix[i]`` a row, counted from 0; ``numpy.asarray(matrix)`` rounds each entry to the nearest double.
+    ``matrix[i, j]`` is an entry and ``matrix[i]`` a row, counted from 0; ``numpy.asarray(matrix)`` rounds each entry
+    to the nearest double.
 
     Attributes
     ----------
@@ -422,7 +425,12 @@ class ExactMatrix(Sequence[tuple[Fraction, ...]]):
     __slots__ = ("denominator", "from_floats", "numerators", "shape")
 
     def __init__(
-        self, rows: int, columns: int, numerators: Sequence[int], denominator: int = 1, from_floats: tuple[str, ...] = ()
+        self,
+        rows: int,
+        columns: int,
+        numerators: Sequence[int],
+        denominator: int = 1,
+        from_floats: tuple[str, ...] = (),
     ) -> None:
         self.shape = (rows, columns)
         self.numerators = tuple(numerators)
@@ -533,7 +541,9 @@ def exact_matrix(values: Any, name: str) -> ExactMatrix:
         if values.ndim != 2:
             raise ValueError(f"{name}: a matrix has 2 dimensions, not {values.ndim}")
         rows, columns = values.shape
-        floats = floats or ((f"{name} holds floats, which stand for their exact values",) if holds_floats(values) else ())
+        floats = floats or (
+            (f"{name} holds floats, which stand for their exact values",) if holds_floats(values) else ()
+        )
         integers, denominator = over_common_denominator(values, name)
     else:
         lists = rows_of(values, name)

@@ -20,7 +20,9 @@ from ._progress import Progress, callback
 
 @dataclass(frozen=True)
 class Theorem1:
-    """The two formulas of Theorem 1 of Veerman, Stosic and Olvera, for large M: decimals, rounded down, of what they say."""
+    """The two formulas of Theorem 1 of Veerman, Stosic and Olvera, for large M: decimals, rounded down, of what they
+    say.
+    """
 
     _texts: tuple[str, str]
 
@@ -100,8 +102,8 @@ def resonance(followers: int, f: Number, g: Number, digits: int = 15) -> Resonan
 
     Notes
     -----
-    Veerman, Stosic and Olvera, *Spatial instabilities and size limitations of flocks* (2009), Theorem 1; that the maximum is the
-    global one is proved in ``notes/resonance.md``.
+    Veerman, Stosic and Olvera, *Spatial instabilities and size limitations of flocks* (2009), Theorem 1; that the
+    maximum is the global one is proved in ``notes/resonance.md``.
 
     Examples
     --------
@@ -201,10 +203,11 @@ def spectrum(graph: Any, kind: str = "laplacian", digits: int | None = None, roo
     Parameters
     ----------
     graph
-        A name such as ``"ring:12"``, ``"path:30"``, ``"circulant:12:1,3"`` or ``"platoon2:8"``; a file (edge list or Matrix Market); a graph of
-        networkx (edge attribute ``weight``) or rustworkx; a SciPy sparse matrix, a NumPy array or a list of row *lists* with the weight
-        of the arc from i to j in row i, column j; or a list of edge *tuples* ``(i, j)`` or ``(i, j, weight)``, undirected, between the
-        vertices that are named in it. Weights are exact.
+        A name such as ``"ring:12"``, ``"path:30"``, ``"circulant:12:1,3"`` or ``"platoon2:8"``; a file (edge list or
+        Matrix Market); a graph of networkx (edge attribute ``weight``) or rustworkx; a SciPy sparse matrix, a NumPy
+        array or a list of row *lists* with the weight of the arc from i to j in row i, column j; or a list of edge
+        *tuples* ``(i, j)`` or ``(i, j, weight)``, undirected, between the vertices that are named in it. Weights are
+        exact.
     kind
         ``laplacian``, ``out-degree``, ``in-degree``, ``normalised``, ``walk``, ``reduced`` or ``adjacency``.
     digits
@@ -341,8 +344,9 @@ def ergodicity(matrices: Iterable[Any] | str | os.PathLike[str], progress: Progr
     Parameters
     ----------
     matrices
-        P(1), P(2), ..: lists of rows, arrays or :class:`ExactMatrix`, with exact rows that sum to 1; or the path of a file in one of the
-        formats of the command line. A row of floats such as ``[0.1, 0.9]`` does not sum to 1 exactly: use texts or fractions.
+        P(1), P(2), ..: lists of rows, arrays or :class:`ExactMatrix`, with exact rows that sum to 1; or the path of a
+        file in one of the formats of the command line. A row of floats such as ``[0.1, 0.9]`` does not sum to 1
+        exactly: use texts or fractions.
     progress
         Called with (stage, done, total), or True.
 
@@ -357,7 +361,8 @@ def ergodicity(matrices: Iterable[Any] | str | os.PathLike[str], progress: Progr
 
     Examples
     --------
-    >>> e = ergodicity([[["1/2", "1/2", 0], ["1/2", "1/2", 0], [0, 0, 1]], [[1, 0, 0], [0, "1/3", "2/3"], [0, "1/3", "2/3"]]])
+    >>> first = [["1/2", "1/2", 0], ["1/2", "1/2", 0], [0, 0, 1]]
+    >>> e = ergodicity([first, [[1, 0, 0], [0, "1/3", "2/3"], [0, "1/3", "2/3"]]])
     >>> e.tau_1, e.product[1, 0], len(e.stabilisers)
     (Fraction(2, 3), Fraction(1, 6), 1)
     """
@@ -401,5 +406,3 @@ def _sequence_file(path: Path) -> list[ExactMatrix]:
         return [ExactMatrix(*matrix) for matrix in _native.read_sequence(text)]
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from None
-
-

@@ -43,8 +43,8 @@ class Simulation:
     t : array, shape (times,)
         All times that were written; ``sampled`` says which were asked for in ``run.samples``.
     states : dict of arrays
-        What the model has of ``positions``, ``velocities``, ``centres``, shape (times, agents, coordinates), and ``phases`` in radians,
-        shape (times, agents).
+        What the model has of ``positions``, ``velocities``, ``centres``, shape (times, agents, coordinates), and
+        ``phases`` in radians, shape (times, agents).
     observables : dict of arrays
         Shape (times,), or (times, count) for lists such as ``order``. NaN where there is no value.
     events : tuple of Event
@@ -90,7 +90,9 @@ class Simulation:
         mine = [self.t, self.sampled, *self.states.values(), *self.observables.values()]
         theirs = [other.t, other.sampled, *other.states.values(), *other.observables.values()]
         names = (list(self.states), list(self.observables)) == (list(other.states), list(other.observables))
-        same = names and all(np.array_equal(a, b, equal_nan=a.dtype.kind == "f") for a, b in zip(mine, theirs, strict=True))
+        same = names and all(
+            np.array_equal(a, b, equal_nan=a.dtype.kind == "f") for a, b in zip(mine, theirs, strict=True)
+        )
         return same and (self.events, self.declaration) == (other.events, other.declaration)
 
     __hash__ = None  # type: ignore[assignment]
@@ -123,8 +125,9 @@ class Simulation:
 
     def __repr__(self) -> str:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in self.states.items())
+        last = self.t[-1] if len(self.t) else 0
         lines = [
-            f"Simulation of {self.model}: {len(self.t)} times up to {self.t[-1] if len(self.t) else 0:g}, {len(self.events)} events",
+            f"Simulation of {self.model}: {len(self.t)} times up to {last:g}, {len(self.events)} events",
             f"  {shapes}",
             f"  observables {', '.join(self.observables)}",
             *(f"  {remark}" for remark in self.remarks),
@@ -138,8 +141,8 @@ def simulate(scenario: Mapping[str, Any] | str | os.PathLike[str], progress: Pro
     Parameters
     ----------
     scenario
-        The path of a TOML file of ``flockproof simulate``, or the same as a dictionary; ``notes/simulate.md`` lists the keys. Fractions and
-        arrays are taken too.
+        The path of a TOML file of ``flockproof simulate``, or the same as a dictionary; ``notes/simulate.md`` lists
+        the keys. Fractions and arrays are taken too.
     progress
         Called with (stage, done, total), or True.
 
@@ -167,7 +170,7 @@ def simulate(scenario: Mapping[str, Any] | str | os.PathLike[str], progress: Pro
             found = _native.simulate(text, told)
         except ValueError as error:
             # The lines are of a text that nobody sees.
-            raise ValueError(re.sub(r"^line \d+: ", "", str(error))) from None
+            raise ValueError(re.sub(r"^line \d+(, column \d+)?: ", "", str(error))) from None
     elif isinstance(scenario, (str, os.PathLike)):
         path: str | os.PathLike[str] = scenario
         watched = callback(progress)
@@ -312,7 +315,8 @@ def tracks(
     Parameters
     ----------
     data
-        A DataFrame (pandas, polars) or dictionary with the columns ``t`` (s), ``id``, ``x``, ``y``, or the path of such a CSV file.
+        A DataFrame (pandas, polars) or dictionary with the columns ``t`` (s), ``id``, ``x``, ``y``, or the path of
+        such a CSV file.
     window
         Frames of the moving average for velocities, odd; left out: closest to 5 s.
     smooth_positions

@@ -1,15 +1,17 @@
 """Statements of one's own, judged by the rules of the ledger.
 
-A claim is a statement, variants of it that must fail (negative controls) and a check that decides any variant. The check computes with
-:class:`Exact` numbers and hands comparisons, which are :class:`Truth` objects, to its :class:`Run`; the grade of the evidence follows from what went
-into them. What passed through a float is at most ``simulated``: a float in an expression marks the result, a plain ``bool`` counts as one of unknown
-origin, a float that enters a function of this package marks the whole check, and so does turning an :class:`Exact` into a float. An ``int`` carries
-no history: do not make integers from floats.
+A claim is a statement, variants of it that must fail (negative controls) and a check that decides any variant. The
+check computes with :class:`Exact` numbers and hands comparisons, which are :class:`Truth` objects, to its
+:class:`Run`; the grade of the evidence follows from what went into them. What passed through a float is at most
+``simulated``: a float in an expression marks the result, a plain ``bool`` counts as one of unknown origin, a float
+that enters a function of this package marks the whole check, and so does turning an :class:`Exact` into a float. An
+``int`` carries no history: do not make integers from floats.
 
 Examples
 --------
 >>> from flockproof.claims import Exact, claim, verify
->>> @claim("school.odd", "1 + 3 + .. + (2n - 1) = n^2 for every n up to 50.", printed=2, controls={"the cube": 3, "n itself": 1})
+>>> statement = "1 + 3 + .. + (2n - 1) = n^2 for every n up to 50."
+>>> @claim("school.odd", statement, printed=2, controls={"the cube": 3, "n itself": 1})
 ... def odd_numbers(exponent, run):
 ...     "(n + 1)^2 - n^2 = 2n + 1."
 ...     total = Exact(0)
@@ -27,14 +29,14 @@ from __future__ import annotations
 
 import hashlib
 import json
-import random
 import re
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isqrt
-from typing import Any, Generic, TypeVar
+from random import Random
+from typing import Any, Generic, TypeVar, cast
 
 import numpy as np
 
@@ -65,7 +67,8 @@ class Truth:
 
     Notes
     -----
-    ``&``, ``|``, ``~``, :func:`every` and :func:`some` join comparisons. ``not``, ``all`` and ``any`` of Python give a plain bool, which counts as simulated.
+    ``&``, ``|``, ``~``, :func:`every` and :func:`some` join comparisons. ``not``, ``all`` and ``any`` of Python give
+    a plain bool, which counts as simulated.
     """
 
     __slots__ = ("doubt", "grade", "text", "value")
@@ -139,8 +142,8 @@ class Exact:
     Parameters
     ----------
     value
-        int, str (``"1/3"``, ``"0.1"``), another Exact, or a number that this package computed. A float, Fraction or Decimal is taken at its exact value
-        and marks the number: write ``Exact(1, 3)`` or ``Exact("1/3")``.
+        int, str (``"1/3"``, ``"0.1"``), another Exact, or a number that this package computed. A float, Fraction or
+        Decimal is taken at its exact value and marks the number: write ``Exact(1, 3)`` or ``Exact("1/3")``.
     denominator
         For ``Exact(1, 3)``.
 
@@ -203,7 +206,7 @@ class Exact:
             try:
                 other = Exact(other)
             except TypeError:
-                return NotImplemented
+                return cast("Exact", NotImplemented)
         return Exact._between(ends(other), self.doubt or other.doubt)
 
     def __add__(self, other: Number) -> Exact:
@@ -252,7 +255,7 @@ class Exact:
             try:
                 other = Exact(other)
             except TypeError:
-                return NotImplemented
+                return cast("Truth", NotImplemented)
         doubt = self.doubt or other.doubt
         wide = self.lo != self.hi or other.lo != other.hi
         grade = "simulated" if doubt else "certified" if wide else "exact"
@@ -358,10 +361,10 @@ class Run:
         self._issued: list[Outcome] = []
         self._floats: list[str] = []
 
-    def random(self, replicate: int = 0) -> random.Random:
+    def random(self, replicate: int = 0) -> Random:
         """A generator whose seed depends on the seed of the run, the id of the claim and the replicate only."""
         digest = hashlib.sha256(f"{self._name}\0{replicate}".encode()).digest()
-        return random.Random(int.from_bytes(digest, "big"))
+        return Random(int.from_bytes(digest, "big"))
 
     def cases(self, few: int, many: int) -> int:
         """``few`` cases in an ordinary run, ``many`` in a full one."""
@@ -389,7 +392,7 @@ class Run:
         part: str,
         detail: str,
         count: int,
-        draw: Callable[[random.Random], Any],
+        draw: Callable[[Random], Any],
         holds: Callable[[Any], object],
         clauses: Sequence[int] = (),
     ) -> Outcome:
@@ -537,7 +540,8 @@ def claim(
     controls
         What each negative control alters, and its variant. The check must refute all of them.
     repaired
-        For a printed statement that fails: its fault (``hypothesis``, ``typo``, ``slip`` or ``false``), the corrected statement, and its variant.
+        For a printed statement that fails: its fault (``hypothesis``, ``typo``, ``slip`` or ``false``), the corrected
+        statement, and its variant.
     expected, expected_grades
         The verdict and grades that are recorded; another one is a difference.
 
@@ -548,12 +552,14 @@ def claim(
     """
     if not isinstance(id, str) or not re.fullmatch(r"[a-z][A-Za-z0-9_]*(\.[A-Za-z0-9_]+)+", id):
         raise ValueError(f"`{id}` is no id: it should be like mine.no_collision")
-    if id.split(".")[0] in _PAPERS:
+    if id.split(".", maxsplit=1)[0] in _PAPERS:
         raise ValueError(f"`{id}` begins with the name of a paper")
     if not isinstance(statement, str) or not statement:
         raise TypeError("the statement should be a text")
     if repaired is not None and (len(repaired) != 3 or repaired[0] not in ("hypothesis", "typo", "slip", "false")):
-        raise ValueError("repaired should be (fault, statement, variant) with the fault hypothesis, typo, slip or false")
+        raise ValueError(
+            "repaired should be (fault, statement, variant) with the fault hypothesis, typo, slip or false"
+        )
 
     def decorate(check: Check[Any]) -> Claimed[Any]:
         return Claimed(
@@ -581,8 +587,8 @@ def verify(*claims: Claimed[Any], seed: str = "flockproof", full: bool = False) 
     Returns
     -------
     Ledger
-        With the same JSON as that of the papers. ``differences`` lists controls that were not refuted, missing controls, clauses without
-        evidence and verdicts that are not the expected ones.
+        With the same JSON as that of the papers. ``differences`` lists controls that were not refuted, missing
+        controls, clauses without evidence and verdicts that are not the expected ones.
     """
     documents, seconds = [], {}
     for one in claims:

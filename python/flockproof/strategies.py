@@ -1,6 +1,8 @@
-"""Hypothesis strategies for flocks, stochastic matrices, graphs, gains and states on the circle: exact, and near where laws break.
+"""Hypothesis strategies for flocks, stochastic matrices, graphs, gains and states on the circle: exact, and near
+where laws break.
 
-Everything is drawn from small integers, so that a failing case shrinks to few birds, small denominators and the simple side of a tie.
+Everything is drawn from small integers, so that a failing case shrinks to few birds, small denominators and the
+simple side of a tie.
 
 Examples
 --------
@@ -23,7 +25,16 @@ from hypothesis import strategies as st
 
 from ._flock import Flock
 
-__all__ = ["CirclePoint", "circle_points", "fractions", "flocks", "gains", "graphs", "stochastic_matrices", "stochastic_sequences"]
+__all__ = [
+    "CirclePoint",
+    "circle_points",
+    "flocks",
+    "fractions",
+    "gains",
+    "graphs",
+    "stochastic_matrices",
+    "stochastic_sequences",
+]
 
 
 def fractions(lowest: int = -4, highest: int = 4, max_denominator: int = 8) -> st.SearchStrategy[Fraction]:
@@ -187,7 +198,9 @@ def gains(draw: st.DrawFn, extreme: bool = False) -> tuple[Fraction, Fraction]:
 
 @dataclass(frozen=True)
 class CirclePoint:
-    """A point of the unit circle with rational coordinates: ((1 - t^2) + 2 t i)/(1 + t^2); no t gives -1, t = None stands for it."""
+    """A point of the unit circle with rational coordinates: ((1 - t^2) + 2 t i)/(1 + t^2); no t gives -1, t = None
+    stands for it.
+    """
 
     t: Fraction | None
 

@@ -6,6 +6,7 @@ mod convert;
 mod flock;
 mod ledger;
 mod queries;
+mod questions;
 mod runs;
 mod watch;
 
@@ -26,6 +27,10 @@ mod _native {
     use super::ledger::{claims, explain, judge, verify};
     #[pymodule_export]
     use super::queries::{ergodicity, graph_name_problem, read_sequence, resonance, spectrum};
+    #[pymodule_export]
+    use super::questions::{
+        campaign_merge, campaign_shard, campaign_size, check, fuzz_summary, invariants, question_needs, sweep_table,
+    };
     #[pymodule_export]
     use super::runs::{simulate, tracks};
 

@@ -3,12 +3,13 @@
 use super::convert::count;
 use super::refuse;
 use super::watch::{Watch, watched};
-use flockproof::report::TracksReport;
+use flockproof::report::{Provenance, TracksReport, digest};
 use flockproof::scenario::{End, Frame, Outcome, Row, Scenario};
 use flockproof::tracks::{Choices, NearestRule, PositionsUsed, Tracks, analyse, null_models};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
+use serde_json::json;
 use std::sync::Arc;
 
 /// Runs a scenario that is given as TOML; arrays over all times that are written.
@@ -130,12 +131,18 @@ pub fn tracks<'py>(
     }
     let choices = choices(&chosen, &tracks)?;
     choices.check(tracks.fish()).map_err(refuse)?;
+    let configuration = json!({
+        "command": "tracks", "file": {"name": source, "sha256": digest(text.as_bytes())}, "ids": chosen.ids,
+        "window": chosen.window, "smooth_positions": chosen.smooth_positions, "body_length": chosen.body_length,
+        "zones": chosen.zones, "blind": chosen.blind, "still": chosen.still, "plain_nearest": chosen.plain_nearest,
+        "nearest": chosen.nearest, "null": shifts, "at": at,
+    });
     let work = move |watch: &Arc<Watch>| {
         let analysis = analyse(&tracks, &choices).map_err(|error| error.to_string())?;
         let null = null_models(&analysis.sample(), shifts as usize, &chosen.seed, &**watch);
         let null = null.map_err(|stopped| stopped.to_string())?;
         let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: &null };
-        let mut files = report.tables();
+        let mut files = report.tables(&Provenance::new("flockproof.tracks/1", Some(&chosen.seed), configuration));
         if chosen.pictures {
             files.extend(report.pictures(at).map_err(|error| error.to_string())?);
         }

@@ -41,29 +41,36 @@ WRONG: list[Any] = [
     None, True, False, 0, 1, -1, 2**63, -(2**63), 2**64, 10**30, -(10**30), 10**5000, 3, 7,
     0.0, -0.0, 0.5, 1.5, -1e300, 5e-324, math.nan, math.inf, -math.inf, 1j, complex("nan"),
     Decimal(1), Decimal("nan"), Decimal("-inf"), Decimal("1e-4000"), Fraction(1, 3), Fraction(-1, 10**400),
-    "", " ", "x", "1/0", "0/1", "-1/2", "1e400", "1e99999", "nan", "inf", "\0", "a\0b", "é", "\ud800", Text("3"), "ring:",
+    "", " ", "x", "1/0", "0/1", "-1/2", "1e400", "1e99999", "nan", "inf", "\0", "a\0b", "é", "\ud800", Text("3"),
+    "ring:",
     "ring:3", "ring:-1", "ring:99999999999999999999", "complete:99999999", "circulant:5:9", "/", ".", "no/such/file",
     "lazy", "vicsek", "paper", "D", "K", "x" * 20_000, "9" * 20_000,
     b"", b"x", bytearray(b"1"), memoryview(b"1"), (), [], {}, set(), frozenset(), [[]], [()], ((),), [None], [[None]],
     [[math.nan]], [[1, 2], [3]], [[1, 2, 3]], [["x"]], [[[1]]], [True], [[True]], [(1,)], [(1, 1)], [(1, 2, "x")],
     [(1, 2), (2, 1)], [(1, 2, math.inf)], [(1, 2, 3, 4)], [({}, 1)], [1, "x"], ["1/0"], recursive, [recursive],
-    {"a": 1}, {1: 2}, {"model": 3}, {"model": "D"}, {"model": "nothing", "run": {}}, {"run": {"until": -1}}, {"t": [1], "id": [1]},
+    {"a": 1}, {1: 2}, {"model": 3}, {"model": "D"}, {"model": "nothing", "run": {}}, {"run": {"until": -1}},
+    {"t": [1], "id": [1]},
     {"t": [1, 2], "id": [1], "x": [0], "y": [0]}, {"a": {"b": {"c": [object()]}}},
-    object(), Odd(), int, len, lambda: 1, range(3), range(0), iter([]), iter([[1]]), NotImplemented, Ellipsis, Path("x"),
+    object(), Odd(), int, len, lambda: 1, range(3), range(0), iter([]), iter([[1]]), NotImplemented, Ellipsis,
+    Path("x"),
     slice(1), ValueError("x"), Path("/"),
     np.array([]), np.array(1.0), np.array([1.0, math.nan]), np.array([[math.inf]]), np.zeros((0, 0)), np.zeros((2, 3)),
-    np.zeros((2, 2, 2)), np.array([[1, "a"]], dtype=object), np.array([["a"]]), np.array([[1j]]), np.eye(2, dtype=np.float16),
-    np.array(["2020-01-01"], dtype="datetime64[D]"), np.zeros(2, dtype=[("a", int)]), np.array([[True, False]]), np.float32(0.1),
-    np.int8(-3), np.bool_(True), np.datetime64("NaT"), np.ma.masked_array([[1.0]], [[True]]), np.array([[-1.0, 2.0], [0.5, 0.5]]),
+    np.zeros((2, 2, 2)), np.array([[1, "a"]], dtype=object), np.array([["a"]]), np.array([[1j]]), np.eye(2,
+    dtype=np.float16),
+    np.array(["2020-01-01"], dtype="datetime64[D]"), np.zeros(2, dtype=[("a", int)]), np.array([[True, False]]),
+    np.float32(0.1),
+    np.int8(-3), np.bool_(True), np.datetime64("NaT"), np.ma.masked_array([[1.0]], [[True]]), np.array([[-1.0, 2.0],
+    [0.5, 0.5]]),
     np.asfortranarray([[0.0, 1.0], [1.0, 0.0]]), np.array([[1e-300, 1e300], [1.0, 0.0]]),
     nx.Graph(), nx.path_graph(3), nx.DiGraph([(0, 1)]), nx.MultiGraph([(0, 1), (0, 1)]), nx.Graph([(0, 0)]),
     nx.Graph([(0, 1, {"weight": "x"})]), nx.Graph([(0, 1, {"weight": math.nan})]), nx.Graph([(0, 1, {"weight": None})]),
-    rx.PyGraph(), rx.PyDiGraph(), rx.generators.path_graph(3), sp.eye_array(3), sp.csr_array((2, 3)), sp.coo_array((0, 0)),
-    sp.csr_array(np.array([[1j, 0], [0, 1]])), sp.coo_array((np.array([math.nan]), (np.array([0]), np.array([1]))), shape=(2, 2)),
+    rx.PyGraph(), rx.PyDiGraph(), rx.generators.path_graph(3), sp.eye_array(3), sp.csr_array((2, 3)),
+    sp.coo_array((0, 0)),
+    sp.csr_array(np.array([[1j, 0], [0, 1]])), sp.coo_array((np.array([math.nan]), (np.array([0]), np.array([1]))),
+    shape=(2, 2)),
     Enclosure(1, 2), ExactMatrix(1, 1, [1]), ExactMatrix(2, 2, [0, 1, -1, 0], 3),
     pandas.DataFrame(), pandas.DataFrame({"t": [0.0], "id": ["a"], "x": [math.nan], "y": [0.0]}), pandas.Series([1]),
 ]  # fmt: skip
-
 
 
 POSITIONS, VELOCITIES = [[0], [1]], [[1], [0]]
@@ -89,7 +96,7 @@ def scenario_with(section: str, key: str) -> Callable[[Any], Any]:
 
 CALLS: dict[str, Callable[[Any], Any]] = {
     "exact": flockproof.exact,
-    "Enclosure.lo": lambda x: Enclosure(x),
+    "Enclosure.lo": Enclosure,
     "Enclosure.hi": lambda x: Enclosure(-1, x),
     "Enclosure.in": lambda x: x in Enclosure(0, 1),
     "Enclosure +": lambda x: Enclosure(0, 1) + x,
@@ -169,7 +176,7 @@ def is_large(x: Any) -> bool:
 
 def is_empty(x: Any) -> bool:
     """All claims are meant."""
-    return hasattr(x, "__len__") and len(x) == 0 or type(x).__name__ == "list_iterator"
+    return (hasattr(x, "__len__") and len(x) == 0) or type(x).__name__ == "list_iterator"
 
 
 def test_there_are_a_hundred() -> None:

@@ -120,7 +120,16 @@ def test_the_command_line_is_in_the_wheel() -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent as on Unix")
 def test_ctrl_c_stops_the_command_line(assets: Path) -> None:
-    command = [sys.executable, "-m", "flockproof", "flock", "run", str(assets / "four_birds.json"), "--until", "1000000000"]
+    command = [
+        sys.executable,
+        "-m",
+        "flockproof",
+        "flock",
+        "run",
+        str(assets / "four_birds.json"),
+        "--until",
+        "1000000000",
+    ]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         process.stdout.readline()

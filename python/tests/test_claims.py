@@ -22,7 +22,13 @@ fractions = st.fractions(max_denominator=1000)
 
 def simple(check: Any, printed: Any = True, controls: dict[str, Any] | None = None, **more: Any) -> Claimed[Any]:
     """A claim whose controls are refuted whatever the check is."""
-    return claim("mine.one", "A statement.", printed=printed, controls={"altered": False} if controls is None else controls, **more)(check)
+    return claim(
+        "mine.one",
+        "A statement.",
+        printed=printed,
+        controls={"altered": False} if controls is None else controls,
+        **more,
+    )(check)
 
 
 def graded(holds: Any) -> tuple[str, ...]:
@@ -59,9 +65,14 @@ def test_a_false_statement_with_its_correction() -> None:
     def check(least: int, run: Run) -> Any:
         return run.instances("n from the least on", "compared", range(least, 9), lambda n: Exact(n) ** 2 > n)
 
-    one = claim("mine.squares", "n^2 > n.", printed=0, controls={"from 1": 1}, repaired=("hypothesis", "n^2 > n for n > 1.", 2))(check)
+    one = claim(
+        "mine.squares", "n^2 > n.", printed=0, controls={"from 1": 1}, repaired=("hypothesis", "n^2 > n for n > 1.", 2)
+    )(check)
     report = verify(one)
-    assert report["mine.squares"].verdict == "needs_hypothesis" and report["mine.squares"].corrected == "n^2 > n for n > 1."
+    assert (
+        report["mine.squares"].verdict == "needs_hypothesis"
+        and report["mine.squares"].corrected == "n^2 > n for n > 1."
+    )
     assert report["mine.squares"].counterexample == "n from the least on: 0: 0 > 0 does not hold"
     assert report["beyond.mine.squares"].verdict == "holds" and report.as_recorded
 
@@ -109,10 +120,14 @@ LEAKS: dict[str, Any] = {
     "an integer of a marked number": lambda n: Exact(int(Exact(3.5))) == 3,
     "a resonance of floats": lambda n: Exact(flockproof.resonance(4, -1.0, -1).amplitude) > 1,
     "a spectrum of floats": lambda n: Exact(flockproof.spectrum(np.array([[0, 0.5], [0.5, 0]]))[0].exact) == 0,
-    "the length of a spectrum of floats": lambda n: Exact(len(flockproof.spectrum(np.array([[0, 0.5], [0.5, 0]])))) == 2,
+    "the length of a spectrum of floats": lambda n: (
+        Exact(len(flockproof.spectrum(np.array([[0, 0.5], [0.5, 0]])))) == 2
+    ),
     "a product of floats": lambda n: Exact(flockproof.ergodicity([np.full((2, 2), 0.5)]).product[0, 0]) > 0,
     "a flock of floats": lambda n: Exact(len(flockproof.Flock([0.0, 3.0], [0.0, 0.0]).settle().flocks)) == 2,
-    "a simulation": lambda n: Exact(int(flockproof.simulate(ASSETS / "scenarios" / "three_agents.toml").t[-1] * 0)) == 0,
+    "a simulation": lambda n: (
+        Exact(int(flockproof.simulate(ASSETS / "scenarios" / "three_agents.toml").t[-1] * 0)) == 0
+    ),
     "arithmetic with results": lambda n: Exact(flockproof.ergodicity([[["1/2", "1/2"]] * 2]).tau_1 + Fraction(0.5)) > 0,
 }
 
@@ -128,7 +143,11 @@ def test_a_float_anywhere_before_marks_what_follows() -> None:
         return run.exhaustive("part", "detail", [count], lambda n: Exact(n) == (2 if variant else 3))
 
     entry = simple(check).verify()
-    assert entry.grades == ("simulated",) and entry.evidence[0].scope == "instances" and "float" in entry.evidence[0].detail
+    assert (
+        entry.grades == ("simulated",)
+        and entry.evidence[0].scope == "instances"
+        and "float" in entry.evidence[0].detail
+    )
 
 
 def test_floats_do_not_condemn_a_statement() -> None:
@@ -183,7 +202,9 @@ def test_ctrl_c_is_not_swallowed() -> None:
 def test_random_cases_depend_on_seed_and_id_only() -> None:
     def check(variant: bool, run: Run) -> Any:
         run.value("drawn", run.random().randrange(10**9))
-        return run.fuzzed("part", "detail", 20, lambda r: r.randrange(100), lambda n: Exact(n) < (100 if variant else 50))
+        return run.fuzzed(
+            "part", "detail", 20, lambda r: r.randrange(100), lambda n: Exact(n) < (100 if variant else 50)
+        )
 
     one, two = simple(check).verify(), simple(check).verify()
     assert one.values == two.values and one.grades == ("fuzzed",) and one == two
@@ -216,11 +237,26 @@ def test_export(tmp_path: Path) -> None:
 @given(fractions, fractions)
 def test_exact_numbers_compute_as_fractions(a: Fraction, b: Fraction) -> None:
     x, y = Exact(str(a)), Exact(str(b))
-    for mine, theirs in [(x + y, a + b), (x - y, a - b), (x * y, a * b), (-x, -a), (abs(x), abs(a)), (x**2, a**2), (1 - x, 1 - a)]:
+    for mine, theirs in [
+        (x + y, a + b),
+        (x - y, a - b),
+        (x * y, a * b),
+        (-x, -a),
+        (abs(x), abs(a)),
+        (x**2, a**2),
+        (1 - x, 1 - a),
+    ]:
         assert mine.lo == mine.hi == theirs and mine.is_exact
     if b:
         assert (x / y).lo == a / b and (x**2 / y**2 == (y / x) ** -2 if a else True)
-    for mine, expected in [(x < y, a < b), (x <= y, a <= b), (x > y, a > b), (x >= y, a >= b), (x == y, a == b), (x != y, a != b)]:
+    for mine, expected in [
+        (x < y, a < b),
+        (x <= y, a <= b),
+        (x > y, a > b),
+        (x >= y, a >= b),
+        (x == y, a == b),
+        (x != y, a != b),
+    ]:
         assert isinstance(mine, Truth) and mine.value == expected and mine.grade == "exact"
     if a >= 0:
         root = x.sqrt(10)
@@ -231,5 +267,12 @@ def test_exact_numbers_compute_as_fractions(a: Fraction, b: Fraction) -> None:
 def test_enclosed_numbers_enclose(a: Fraction, width: Fraction) -> None:
     x = Exact(flockproof.Enclosure(str(a), str(a + width)))
     for t in (a, a + width / 3, a + width):
-        for mine, theirs in [(x * x, t * t), (x**2, t**2), (abs(x), abs(t)), (x - 3, t - 3), (2 * x, 2 * t), (x**3, t**3)]:
+        for mine, theirs in [
+            (x * x, t * t),
+            (x**2, t**2),
+            (abs(x), abs(t)),
+            (x - 3, t - 3),
+            (2 * x, 2 * t),
+            (x**3, t**3),
+        ]:
             assert mine.lo <= theirs <= mine.hi

@@ -39,11 +39,19 @@ def test_all_ways_to_give_a_graph_agree(graph: Any) -> None:
         twin.add_edge(i, j, w)
     expected = flockproof.spectrum(graph)
     assert expected == flockproof.spectrum(twin) == flockproof.spectrum(rows)
-    assert expected == flockproof.spectrum(np.array(rows, dtype=object)) == flockproof.spectrum(nx.relabel_nodes(graph, "abcdef".__getitem__))
+    assert (
+        expected
+        == flockproof.spectrum(np.array(rows, dtype=object))
+        == flockproof.spectrum(nx.relabel_nodes(graph, "abcdef".__getitem__))
+    )
     floats = np.array(rows, dtype=float)
     doubles = flockproof.spectrum(floats)
     assert doubles.from_floats and not expected.from_floats
-    assert list(doubles) == list(flockproof.spectrum(sp.csr_array(floats))) == list(flockproof.spectrum(np.asfortranarray(floats)))
+    assert (
+        list(doubles)
+        == list(flockproof.spectrum(sp.csr_array(floats)))
+        == list(flockproof.spectrum(np.asfortranarray(floats)))
+    )
     assert np.allclose(np.asarray(doubles), np.linalg.eigvalsh(np.diag(floats.sum(axis=1)) - floats), atol=1e-9)
 
 

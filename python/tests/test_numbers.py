@@ -44,7 +44,9 @@ def test_integers_of_any_length(x: int) -> None:
 
 
 @pytest.mark.parametrize(
-    "wrong", ["", "1/0", "x", "1e99999", float("nan"), float("inf"), Decimal("nan"), Decimal("inf"), 10**10001, np.nan], ids=range(10)
+    "wrong",
+    ["", "1/0", "x", "1e99999", float("nan"), float("inf"), Decimal("nan"), Decimal("inf"), 10**10001, np.nan],
+    ids=range(10),
 )
 def test_what_is_no_number_is_a_value_error(wrong: Any) -> None:
     with pytest.raises(ValueError, match="f: "):

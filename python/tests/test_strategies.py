@@ -1,4 +1,6 @@
-"""The strategies: what they draw is right, and near where laws break; and a made-up law whose planted fault they find."""
+"""The strategies: what they draw is right, and near where laws break; and a made-up law whose planted fault they
+find.
+"""
 
 from __future__ import annotations
 
@@ -93,4 +95,8 @@ def test_the_planted_fault_is_found_and_shrunk() -> None:
     simplest = places(find(own.flocks(dimension=1), differs, settings=settings(max_examples=2000)))
     assert len(simplest) == 2 and abs(simplest[0] - simplest[1]) == 1
     with pytest.raises(Exception):  # noqa: B017
-        find(own.flocks(dimension=1, near_ties=False), lambda flock: len(places(flock)) > 9, settings=settings(max_examples=50))
+        find(
+            own.flocks(dimension=1, near_ties=False),
+            lambda flock: len(places(flock)) > 9,
+            settings=settings(max_examples=50),
+        )
