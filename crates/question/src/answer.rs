@@ -93,7 +93,7 @@ impl Answer {
             _ => (shrunk, outcome.margin),
         };
         let why = reason(verdict, &outcome, refuted);
-        let alone = outcome.cases == 1 && !outcome.boxed;
+        let alone = outcome.total == 1 && !outcome.boxed;
         let replay = counterexample.as_ref().filter(|_| !alone).map(|bindings| question.replay(bindings));
         Answer {
             id: question.id().to_string(),

@@ -5,6 +5,7 @@ use crate::bindings::{Bindings, Value};
 use crate::case::Case;
 use crate::error::{Problem, QuestionError};
 use crate::evaluate::{Evaluator, Failure, Measured};
+use crate::names::Subject;
 use crate::number::Number;
 use crate::question::{Expression, Question};
 use crate::shrink::shrunk;
@@ -25,6 +26,9 @@ const MOST_HOPEFUL_BITS: u64 = 1 << 11;
 
 /// Boxes that a continuum is divided into at most, for all members of the family together.
 const MOST_BOXES: u64 = 200_000;
+
+/// The same where each box is a motion to be enclosed.
+const MOST_MOTIONS: u64 = 500;
 
 /// Least number of boxes for each member.
 const LEAST_BOXES: u64 = 64;
@@ -57,6 +61,8 @@ pub struct Outcome {
     pub truth: Truth,
     /// Encloses the smallest margin of all that were looked at.
     pub margin: Option<Margin>,
+    /// Members of the family, a continuum counting as one.
+    pub total: u64,
     /// Members, or boxes of members, that were looked at.
     pub cases: u64,
     /// Those that stayed undecided.
@@ -361,9 +367,11 @@ fn over_family(
     const FIRST_CHUNK: u64 = 16;
     const LARGEST_CHUNK: u64 = 2048;
     let total = question.cases(progress)?;
-    let most = (MOST_BOXES / total.max(1)).max(LEAST_BOXES);
+    let all = if question.subjects().contains(&Subject::Motion) { MOST_MOTIONS } else { MOST_BOXES };
+    let budget = question.budget();
+    let most = (all.min(budget) / total.max(1)).max(LEAST_BOXES.min(budget));
     let mut outcome =
-        Outcome { truth: Truth::True, margin: None, cases: 0, open: 0, boxed: false, counterexample: None };
+        Outcome { truth: Truth::True, margin: None, total, cases: 0, open: 0, boxed: false, counterexample: None };
     let (mut next, mut chunk) = (0, FIRST_CHUNK);
     while next < total {
         let end = (next + chunk).min(total);

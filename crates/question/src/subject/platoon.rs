@@ -25,6 +25,9 @@ pub(crate) struct PlatoonSubject {
     g: (Rational, Rational),
 }
 
+/// Bits of an abscissa on a graph: each of them costs a test of all roots.
+const MOST_BITS: u32 = 64;
+
 /// Most followers whose response is solved on a graph.
 const MOST_ON_GRAPH: usize = 64;
 
@@ -206,7 +209,7 @@ impl PlatoonSubject {
             if self.is_box() {
                 return Err(Failure::open("on a graph the abscissa is enclosed for single gains only", None));
             }
-            let found = characteristic(graph, &self.f.0, &self.g.0)?.abscissa(precision);
+            let found = characteristic(graph, &self.f.0, &self.g.0)?.abscissa(precision.min(MOST_BITS));
             return found.ok_or_else(|| Failure::open("the abscissa could not be enclosed", None));
         }
         if self.both_negative() != Some(true) {
