@@ -1,6 +1,6 @@
 //! `check`: decides statements of one's own from files.
 
-use super::{CliError, interrupt, output};
+use super::{CliError, interrupt, output, progress};
 use flockproof::question::{Answer, Question, QuestionError, Verdict, decide, names};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -30,8 +30,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut worst = Verdict::Holds;
     for path in &arguments.files {
         let question = read(path)?;
-        let progress = interrupt::Watch::silent();
-        let answer = match decide(&question, &progress) {
+        let watch = interrupt::Watch::with(progress::bar());
+        let decided = decide(&question, &watch);
+        watch.finish();
+        let answer = match decided {
             Ok(answer) => answer,
             Err(QuestionError::Cancelled(_)) => return Ok(interrupt::status(false)),
             Err(error) => return Err(CliError::file(path, error)),

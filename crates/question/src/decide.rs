@@ -79,7 +79,12 @@ impl Question {
     /// # Errors
     /// [`QuestionError`] where the question is wrong there.
     pub fn decide(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<Decided, QuestionError> {
-        let none = || QuestionError::Whole(Problem::Other("there is no property to decide".to_string()));
+        let none = || {
+            QuestionError::Whole(Problem::Other(
+                "the question has no section [holds], so that there is nothing to decide; `sweep` tabulates [values]"
+                    .to_string(),
+            ))
+        };
         let property = self.property.as_ref().ok_or_else(none)?;
         self.decide_expression(property, bindings, MOST_BOXES, progress)
     }
@@ -171,6 +176,17 @@ impl Question {
             Ok(judged) => Ok(judged),
             Err(Failure::Open(doubt)) => Ok((Truth::Unknown(doubt), Margin::ANY)),
             Err(failure) => Err(self.refused(failure, expression.base)),
+        }
+    }
+}
+
+impl Tabulated {
+    /// The value as tables show it: exact, enclosed, `true` or `false`; empty where it is not known.
+    pub fn text(&self) -> String {
+        match self {
+            Tabulated::Number(number) => number.text(),
+            Tabulated::Truth(truth) => truth.to_string(),
+            Tabulated::Unknown(_) => String::new(),
         }
     }
 }
@@ -344,7 +360,12 @@ fn halved(bindings: &Bindings, original: &[(usize, Rational, Rational)]) -> Opti
 /// # Errors
 /// [`QuestionError`] where the question is wrong, its family empty or too large.
 pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, QuestionError> {
-    let none = || QuestionError::Whole(Problem::Other("there is no property to decide".to_string()));
+    let none = || {
+        QuestionError::Whole(Problem::Other(
+            "the question has no section [holds], so that there is nothing to decide; `sweep` tabulates [values]"
+                .to_string(),
+        ))
+    };
     let property = question.property.as_ref().ok_or_else(none)?;
     let outcome = over_family(question, property, progress)?;
     let mut refuted = Vec::new();
@@ -355,7 +376,14 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
         Some(found) => Some(shrunk(question, property, found, progress)?),
         None => None,
     };
-    Ok(Answer::new(question, outcome, shrunk, refuted))
+    let mut answer = Answer::new(question, outcome, shrunk, refuted);
+    if answer.verdict == Verdict::Undecided
+        && let Some(first) = question.case(0, progress)?
+        && let Some(opinion) = question.float_opinion(&first, progress)
+    {
+        answer.why = format!("{} {opinion}", answer.why);
+    }
+    Ok(answer)
 }
 
 /// A property over the whole family, up to its first counterexample. The result does not depend on the number of threads.

@@ -10,6 +10,7 @@ mod decide;
 mod error;
 mod evaluate;
 mod family;
+mod floats;
 pub mod names;
 mod number;
 mod question;
