@@ -249,13 +249,17 @@ impl Division<'_> {
         };
         let mut heap = BinaryHeap::new();
         let mut queue = vec![whole.clone()];
-        let (mut number, mut probes) = (0, 0u64);
+        let (mut number, mut probes, mut kept) = (0, 0u64, false);
         loop {
             for bindings in queue.drain(..) {
                 self.progress.checkpoint()?;
                 found.boxes += 1;
                 number += 1;
                 let (truth, margin) = self.on_box(&bindings, number == 1)?;
+                kept |= truth.is_some();
+                if number == 1 && self.fails_at_a_corner(&bindings, &mut found)? {
+                    return Ok(found);
+                }
                 match truth {
                     None => {}
                     Some(Truth::True) => found.margin = found.margin.least(margin),
@@ -272,7 +276,10 @@ impl Division<'_> {
                     }
                 }
             }
-            let Some(worst) = heap.pop() else { return Ok(found) };
+            let Some(worst) = heap.pop() else {
+                found.excluded = !kept;
+                return Ok(found);
+            };
             probes += 1;
             if (probes <= PROBED || probes.is_multiple_of(PROBED_LATER))
                 && self.fails_at(worst.bindings.middle(), &mut found)?
@@ -311,6 +318,26 @@ impl Division<'_> {
             (truth, _) => truth,
         };
         Ok((Some(truth), margin))
+    }
+
+    /// Whether the property fails at a corner of the box, where extremes often are.
+    fn fails_at_a_corner(&self, bindings: &Bindings, found: &mut Decided) -> Result<bool, QuestionError> {
+        const MOST_SIDES: usize = 4;
+        let boxes = bindings.boxes();
+        // A motion takes too long for that.
+        if boxes.len() > MOST_SIDES || self.question.subjects().contains(&Subject::Motion) {
+            return Ok(false);
+        }
+        for choice in 0..1usize << boxes.len() {
+            let mut corner = bindings.clone();
+            for (side, (place, lo, hi)) in boxes.iter().enumerate() {
+                corner.set(*place, Value::Number(if choice >> side & 1 == 1 { hi.clone() } else { lo.clone() }));
+            }
+            if self.fails_at(corner, found)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Whether the property fails at a point, exactly or by enclosure; its margin bounds the smallest one from above.
