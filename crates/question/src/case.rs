@@ -33,7 +33,7 @@ pub(crate) struct Case<'q> {
 
 /// What moves in a case.
 enum Moving<'q> {
-    Flock(FlockSubject<'q>),
+    Flock(Box<FlockSubject<'q>>),
     Motion(MotionSubject<'q>),
     Floats(FloatRun),
 }
@@ -108,7 +108,7 @@ impl<'q> Case<'q> {
             let refused = |message: String| Failure::Refused(0, Problem::Other(message));
             if scenario.is_flock {
                 let start = scenario.flock(&self.bindings).map_err(refused)?;
-                return Ok(Moving::Flock(FlockSubject::new(start, self.progress)));
+                return Ok(Moving::Flock(Box::new(FlockSubject::new(start, self.progress))));
             }
             let (motion, wide) = scenario.motion(&self.bindings).map_err(refused)?;
             Ok(Moving::Motion(MotionSubject::new(motion, wide, self.progress)))
@@ -118,7 +118,7 @@ impl<'q> Case<'q> {
 
     fn timeline(&self) -> Result<&dyn Timeline, Failure> {
         Ok(match self.moving()? {
-            Moving::Flock(flock) => flock,
+            Moving::Flock(flock) => flock.as_ref(),
             Moving::Motion(motion) => motion,
             Moving::Floats(run) => run,
         })

@@ -220,7 +220,7 @@ pub const FAMILIES: &[Family] = &[
     family("[.., ..] (a TOML list)", "", 0, 0, "the members of all that are listed"),
     family("connected(n)", "connected", 1, 1, "all connected graphs on n vertices up to isomorphism, n <= 9"),
     family("all(n)", "all", 1, 1, "all graphs on n vertices up to isomorphism, n <= 9"),
-    family("trees(n)", "trees", 1, 1, "all trees on n vertices up to isomorphism, n <= 18"),
+    family("trees(n)", "trees", 1, 1, "all trees on n vertices up to isomorphism, n <= 16"),
     family("digraphs(n)", "digraphs", 1, 1, "all directed graphs on n vertices up to isomorphism, n <= 5"),
     family(
         "random(n, p)",
