@@ -30,15 +30,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut worst = Verdict::Holds;
     for path in &arguments.files {
         let question = read(path)?;
-        let progress = interrupt::Watch::with(progress::spinner("deciding"));
-        let decided = decide(&question, &progress);
-        progress.finish();
+        let watch = interrupt::Watch::with(progress::bar());
+        let decided = decide(&question, &watch);
+        watch.finish();
         let answer = match decided {
             Ok(answer) => answer,
             Err(QuestionError::Cancelled(_)) => return Ok(interrupt::status(false)),
             Err(error) => return Err(CliError::file(path, error)),
         };
-        let replay = write_replay(&answer, path, &arguments.replay)?;
+        let replay = write_replay(&question, &answer, path, &arguments.replay)?;
         worst = worse(worst, answer.verdict);
         if arguments.json {
             documents.push(answer.json(replay.as_deref()));
@@ -69,10 +69,18 @@ pub fn read(path: &Path) -> Result<Question, CliError> {
 }
 
 /// Writes the question of the counterexample; a question that is its own is not written again.
-fn write_replay(answer: &Answer, path: &Path, folder: &Path) -> Result<Option<String>, CliError> {
+fn write_replay(question: &Question, answer: &Answer, path: &Path, folder: &Path) -> Result<Option<String>, CliError> {
     let Some(text) = &answer.replay else {
         return Ok(answer.counterexample.as_ref().map(|_| path.display().to_string()));
     };
+    let mut text = text.clone();
+    // The replay may lie elsewhere than the scenario.
+    if let Some(name) = question.scenario_name() {
+        let beside = path.parent().unwrap_or_else(|| Path::new("")).join(name);
+        let whole = std::fs::canonicalize(&beside).unwrap_or(beside).display().to_string();
+        let line = |name: &str| format!("scenario = {}", serde_json::Value::from(name));
+        text = text.replacen(&line(name), &line(&whole), 1);
+    }
     let file = folder.join(format!("{}.counterexample.toml", answer.id));
     output::write_file(&file, text.as_bytes())?;
     Ok(Some(file.display().to_string()))

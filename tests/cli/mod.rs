@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 mod certify;
+mod check;
 mod finding;
 mod flock;
 mod fuzz;

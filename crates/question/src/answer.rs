@@ -179,7 +179,7 @@ fn reason(verdict: Verdict, outcome: &Outcome, refuted: &[bool]) -> String {
             )
         }
         Verdict::Holds if outcome.boxed => {
-            format!("The property is proved on {looked}, which cover the family.")
+            format!("The property is proved for the whole family: {looked}.")
         }
         Verdict::Holds => format!("The property is proved for all members of the family: {looked}."),
         Verdict::False => format!(

@@ -3,6 +3,7 @@
 use crate::bindings::{Bindings, Value};
 use crate::error::Problem;
 use crate::evaluate::{Evaluator, Failure, Measured, quantity_of};
+use crate::floats::FloatRun;
 use crate::names::{QUANTITIES, Quantity, Subject};
 use crate::number::Number;
 use crate::question::Question;
@@ -32,13 +33,20 @@ pub(crate) struct Case<'q> {
 
 /// What moves in a case.
 enum Moving<'q> {
-    Flock(FlockSubject<'q>),
+    Flock(Box<FlockSubject<'q>>),
     Motion(MotionSubject<'q>),
+    Floats(FloatRun),
 }
 
 impl<'q> Case<'q> {
     pub fn new(question: &'q Question, bindings: Bindings, is_first: bool, progress: &'q dyn Progress) -> Self {
         Case { question, bindings, is_first, progress, graphs: RefCell::default(), moving: OnceCell::new() }
+    }
+
+    /// A case whose motion is a run in floating point.
+    pub fn of_floats(question: &'q Question, bindings: Bindings, run: FloatRun, progress: &'q dyn Progress) -> Self {
+        let case = Case::new(question, bindings, false, progress);
+        Case { moving: OnceCell::from(Ok(Moving::Floats(run))), ..case }
     }
 
     /// The quantity of that name, of the subjects of the question.
@@ -100,7 +108,7 @@ impl<'q> Case<'q> {
             let refused = |message: String| Failure::Refused(0, Problem::Other(message));
             if scenario.is_flock {
                 let start = scenario.flock(&self.bindings).map_err(refused)?;
-                return Ok(Moving::Flock(FlockSubject::new(start, self.progress)));
+                return Ok(Moving::Flock(Box::new(FlockSubject::new(start, self.progress))));
             }
             let (motion, wide) = scenario.motion(&self.bindings).map_err(refused)?;
             Ok(Moving::Motion(MotionSubject::new(motion, wide, self.progress)))
@@ -110,8 +118,9 @@ impl<'q> Case<'q> {
 
     fn timeline(&self) -> Result<&dyn Timeline, Failure> {
         Ok(match self.moving()? {
-            Moving::Flock(flock) => flock,
+            Moving::Flock(flock) => flock.as_ref(),
             Moving::Motion(motion) => motion,
+            Moving::Floats(run) => run,
         })
     }
 
@@ -139,7 +148,7 @@ impl<'q> Case<'q> {
 }
 
 /// The last time that a property looks at, bounded times only.
-fn horizon(evaluator: &Evaluator, node: &Node) -> Result<Rational, Failure> {
+pub(crate) fn horizon(evaluator: &Evaluator, node: &Node) -> Result<Rational, Failure> {
     let zero = rational(0, 1);
     let end = |to: &Node| match to.kind {
         Kind::Infinity => Ok(zero.clone()),

@@ -79,7 +79,12 @@ impl Question {
     /// # Errors
     /// [`QuestionError`] where the question is wrong there.
     pub fn decide(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<Decided, QuestionError> {
-        let none = || QuestionError::Whole(Problem::Other("there is no property to decide".to_string()));
+        let none = || {
+            QuestionError::Whole(Problem::Other(
+                "the question has no section [holds], so that there is nothing to decide; `sweep` tabulates [values]"
+                    .to_string(),
+            ))
+        };
         let property = self.property.as_ref().ok_or_else(none)?;
         self.decide_expression(property, bindings, MOST_BOXES, progress)
     }
@@ -175,6 +180,17 @@ impl Question {
     }
 }
 
+impl Tabulated {
+    /// The value as tables show it: exact, enclosed, `true` or `false`; empty where it is not known.
+    pub fn text(&self) -> String {
+        match self {
+            Tabulated::Number(number) => number.text(),
+            Tabulated::Truth(truth) => truth.to_string(),
+            Tabulated::Unknown(_) => String::new(),
+        }
+    }
+}
+
 /// A value of `[values]`.
 #[derive(Debug, Clone)]
 pub enum Tabulated {
@@ -233,13 +249,17 @@ impl Division<'_> {
         };
         let mut heap = BinaryHeap::new();
         let mut queue = vec![whole.clone()];
-        let (mut number, mut probes) = (0, 0u64);
+        let (mut number, mut probes, mut kept) = (0, 0u64, false);
         loop {
             for bindings in queue.drain(..) {
                 self.progress.checkpoint()?;
                 found.boxes += 1;
                 number += 1;
                 let (truth, margin) = self.on_box(&bindings, number == 1)?;
+                kept |= truth.is_some();
+                if number == 1 && self.fails_at_a_corner(&bindings, &mut found)? {
+                    return Ok(found);
+                }
                 match truth {
                     None => {}
                     Some(Truth::True) => found.margin = found.margin.least(margin),
@@ -256,7 +276,10 @@ impl Division<'_> {
                     }
                 }
             }
-            let Some(worst) = heap.pop() else { return Ok(found) };
+            let Some(worst) = heap.pop() else {
+                found.excluded = !kept;
+                return Ok(found);
+            };
             probes += 1;
             if (probes <= PROBED || probes.is_multiple_of(PROBED_LATER))
                 && self.fails_at(worst.bindings.middle(), &mut found)?
@@ -295,6 +318,26 @@ impl Division<'_> {
             (truth, _) => truth,
         };
         Ok((Some(truth), margin))
+    }
+
+    /// Whether the property fails at a corner of the box, where extremes often are.
+    fn fails_at_a_corner(&self, bindings: &Bindings, found: &mut Decided) -> Result<bool, QuestionError> {
+        const MOST_SIDES: usize = 4;
+        let boxes = bindings.boxes();
+        // A motion takes too long for that.
+        if boxes.len() > MOST_SIDES || self.question.subjects().contains(&Subject::Motion) {
+            return Ok(false);
+        }
+        for choice in 0..1usize << boxes.len() {
+            let mut corner = bindings.clone();
+            for (side, (place, lo, hi)) in boxes.iter().enumerate() {
+                corner.set(*place, Value::Number(if choice >> side & 1 == 1 { hi.clone() } else { lo.clone() }));
+            }
+            if self.fails_at(corner, found)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Whether the property fails at a point, exactly or by enclosure; its margin bounds the smallest one from above.
@@ -344,7 +387,12 @@ fn halved(bindings: &Bindings, original: &[(usize, Rational, Rational)]) -> Opti
 /// # Errors
 /// [`QuestionError`] where the question is wrong, its family empty or too large.
 pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, QuestionError> {
-    let none = || QuestionError::Whole(Problem::Other("there is no property to decide".to_string()));
+    let none = || {
+        QuestionError::Whole(Problem::Other(
+            "the question has no section [holds], so that there is nothing to decide; `sweep` tabulates [values]"
+                .to_string(),
+        ))
+    };
     let property = question.property.as_ref().ok_or_else(none)?;
     let outcome = over_family(question, property, progress)?;
     let mut refuted = Vec::new();
@@ -355,7 +403,14 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
         Some(found) => Some(shrunk(question, property, found, progress)?),
         None => None,
     };
-    Ok(Answer::new(question, outcome, shrunk, refuted))
+    let mut answer = Answer::new(question, outcome, shrunk, refuted);
+    if answer.verdict == Verdict::Undecided
+        && let Some(first) = question.case(0, progress)?
+        && let Some(opinion) = question.float_opinion(&first, progress)
+    {
+        answer.why = format!("{} {opinion}", answer.why);
+    }
+    Ok(answer)
 }
 
 /// A property over the whole family, up to its first counterexample. The result does not depend on the number of threads.

@@ -9,9 +9,7 @@ use crate::number::Number;
 use crate::question::Question;
 use crate::subject::graph::changed_by_one_link;
 use crate::syntax::{Kind, Located, Node, parse_domain};
-use algebra::graph::classes::{
-    LARGEST_CLASSES, LARGEST_DIGRAPH_CLASSES, LARGEST_TREE_CLASSES, connected_graphs, digraphs, graphs, trees,
-};
+use algebra::graph::classes::{LARGEST_CLASSES, LARGEST_DIGRAPH_CLASSES, connected_graphs, digraphs, graphs, trees};
 use algebra::graph::{Graph, NamedGraph, WeightedGraph, read::read_graph};
 use algebra::matrix::{StochasticMatrix, read::read_sequence};
 use arithmetic::{Progress, Rational, parse_rational, random, rational};
@@ -58,10 +56,13 @@ enum Class {
     Digraphs,
 }
 
+/// Trees of larger orders take longer than a question should.
+const LARGEST_TREES: usize = 16;
+
 const CLASSES: [(&str, Class, usize); 4] = [
     ("connected", Class::Connected, LARGEST_CLASSES),
     ("all", Class::All, LARGEST_CLASSES),
-    ("trees", Class::Trees, LARGEST_TREE_CLASSES),
+    ("trees", Class::Trees, LARGEST_TREES),
     ("digraphs", Class::Digraphs, LARGEST_DIGRAPH_CLASSES),
 ];
 

@@ -11,6 +11,7 @@ mod draw;
 mod error;
 mod evaluate;
 mod family;
+mod floats;
 pub mod names;
 mod number;
 mod question;

@@ -129,7 +129,7 @@ pub const QUANTITIES: &[Quantity] = &[
         Subject::Matrices,
         "tau_2",
         &[],
-        "norm of the product on vectors of sum zero, or Frobenius bound of it, as `ergodicity` prints it",
+        "largest distance of two rows of the product in the 2-norm, as `ergodicity` prints it",
     ),
     fixed(Subject::Flock, "last_switch", &[], "last time at which the network changes; 0 where it never does"),
     fixed(Subject::Flock, "switches", &[], "number of times at which the network changes"),
@@ -137,21 +137,26 @@ pub const QUANTITIES: &[Quantity] = &[
     truth(Subject::Flock, "steady", "the network changes finitely often and then never again"),
     moving(Subject::Flock, "components", &[], "number of connected parts of the network at the time"),
     moving(Subject::Flock, "links", &[], "number of edges of the network at the time"),
-    moving(Subject::Flock, "disagreement", &[], "sqrt of the sum of |v_i - mean|^2 at the time"),
+    moving(Subject::Flock, "disagreement", &[], "sqrt of the sum of the squares of v_i - mean at the time"),
     moving(Subject::Flock, "min_distance", &[], "smallest distance of two birds at the time"),
     moving(Subject::Motion, "potential", &[], "sum of the potentials over the links"),
-    moving(Subject::Motion, "kinetic", &[], "half the sum of |v_i|^2"),
+    moving(Subject::Motion, "kinetic", &[], "half the sum of the squared speeds"),
     moving(Subject::Motion, "energy", &[], "potential + kinetic"),
-    moving(Subject::Motion, "disagreement", &[], "sqrt of the sum of |v_i - mean|^2"),
+    moving(Subject::Motion, "disagreement", &[], "sqrt of the sum of the squares of v_i - mean"),
     moving(Subject::Motion, "min_distance", &[], "smallest distance of two agents"),
     moving(
         Subject::Motion,
         "order",
         &["m"],
-        "|p_m|: modulus of the mean of e^(i m theta)/m over the agents; `order` is `order(1)`",
+        "modulus of p_m, the mean of e^(i m theta)/m over the agents; `order` is `order(1)`",
     ),
     moving(Subject::Motion, "phase_potential", &[], "W_1 of the phases"),
-    moving(Subject::Motion, "largest_deviation", &[], "largest deviation |y_k - y_1| of a follower from the leader"),
+    moving(
+        Subject::Motion,
+        "largest_deviation",
+        &[],
+        "largest size of the deviation y_k - y_1 of a follower from the leader",
+    ),
     moving(Subject::Motion, "last_deviation", &[], "deviation y_k - y_1 of the last follower from the leader"),
     moving(Subject::Motion, "min_gap", &[], "smallest gap of two successive cars"),
     moving(Subject::Motion, "max_gap", &[], "largest gap of two successive cars"),
@@ -215,7 +220,7 @@ pub const FAMILIES: &[Family] = &[
     family("[.., ..] (a TOML list)", "", 0, 0, "the members of all that are listed"),
     family("connected(n)", "connected", 1, 1, "all connected graphs on n vertices up to isomorphism, n <= 9"),
     family("all(n)", "all", 1, 1, "all graphs on n vertices up to isomorphism, n <= 9"),
-    family("trees(n)", "trees", 1, 1, "all trees on n vertices up to isomorphism, n <= 18"),
+    family("trees(n)", "trees", 1, 1, "all trees on n vertices up to isomorphism, n <= 16"),
     family("digraphs(n)", "digraphs", 1, 1, "all directed graphs on n vertices up to isomorphism, n <= 5"),
     family(
         "random(n, p)",
@@ -271,8 +276,9 @@ pub fn as_text() -> String {
     let mut text = String::new();
     let mut section = |title: &str, rows: Vec<(String, &str)>| {
         let _ = writeln!(text, "{title}");
+        let width = rows.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
         for (name, meaning) in rows {
-            let _ = writeln!(text, "  {name:<24} {meaning}");
+            let _ = writeln!(text, "  {name:<width$}  {meaning}");
         }
         let _ = writeln!(text);
     };

@@ -373,6 +373,11 @@ impl Question {
         self.communication
     }
 
+    /// The file of the scenario as the question names it, where there is one.
+    pub fn scenario_name(&self) -> Option<&str> {
+        self.scenario.as_ref().map(|scenario| scenario.name.as_str())
+    }
+
     pub(crate) fn scenario(&self) -> Option<&ScenarioFile> {
         self.scenario.as_ref()
     }

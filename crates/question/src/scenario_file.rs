@@ -82,8 +82,26 @@ impl ScenarioFile {
         }
     }
 
+    /// The scenario of a run until a time, with the numbers that are bound.
+    pub fn run_text(&self, bindings: &Bindings, until: &Rational) -> Result<String, String> {
+        if self.is_flock {
+            return Err("an averaging flock is exact".to_string());
+        }
+        let mut numbers = self.numbers(bindings)?.0;
+        numbers.push(("run.until".to_string(), until.clone()));
+        with_numbers(&self.text, &numbers).map_err(|error| self.problem(&error))
+    }
+
     /// The motion with the numbers that are bound, and those that are intervals.
     pub fn motion(&self, bindings: &Bindings) -> Result<(ExactMotion, Wide), String> {
+        let (numbers, wide) = self.numbers(bindings)?;
+        let text = with_numbers(&self.text, &numbers).map_err(|error| self.problem(&error))?;
+        let motion = ExactMotion::read(&text).map_err(|error| self.problem(&error))?;
+        Ok((motion, wide))
+    }
+
+    /// Places with their numbers, and the intervals among them.
+    fn numbers(&self, bindings: &Bindings) -> Result<(Vec<(String, Rational)>, Wide), String> {
         let (mut numbers, mut wide) = (Vec::new(), Vec::new());
         for (name, bound) in bindings.iter() {
             match bound {
@@ -101,9 +119,7 @@ impl ScenarioFile {
                 _ => {}
             }
         }
-        let text = with_numbers(&self.text, &numbers).map_err(|error| self.problem(&error))?;
-        let motion = ExactMotion::read(&text).map_err(|error| self.problem(&error))?;
-        Ok((motion, wide))
+        Ok((numbers, wide))
     }
 }
 

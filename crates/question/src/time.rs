@@ -235,7 +235,10 @@ fn until(
             // From here on it is too late.
             (Truth::False, Truth::False) if doubt.is_none() => return Ok((Truth::False, Margin::ANY)),
             (Truth::True, Truth::False) => {}
-            (Truth::True, truth) | (truth, _) => {
+            (Truth::True, truth) => {
+                doubt.get_or_insert_with(|| at_time(truth, &piece));
+            }
+            (truth, _) => {
                 kept = false;
                 doubt.get_or_insert_with(|| at_time(truth, &piece));
             }

@@ -42,7 +42,7 @@ struct State {
 }
 
 /// Most steps that are taken one by one.
-const MOST_STEPS: i64 = 2000;
+const MOST_STEPS: i64 = 1000;
 
 /// Quantities of the network alone.
 const OF_NETWORK: [&str; 2] = ["components", "links"];

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod decisions;
+mod examples;
 mod families;
 mod language;
 
