@@ -22,7 +22,7 @@ pub struct Arguments {
     #[arg(long)]
     list: bool,
     /// Random cases of each invariant
-    #[arg(long, value_name = "N", default_value_t = 1000)]
+    #[arg(long, value_name = "N", default_value_t = 1000, allow_negative_numbers = true)]
     cases: u64,
     /// Seed of the random cases, any text
     #[arg(long, value_name = "S", default_value = "0")]
@@ -40,7 +40,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["names", "list", "cases", "seed", "shard", "store", "resume", "case", "replay"])]
     merge: Option<PathBuf>,
     /// Only this case of one invariant
-    #[arg(long, value_name = "K", conflicts_with_all = ["list", "cases", "shard", "store", "replay"])]
+    #[arg(long, value_name = "K", allow_negative_numbers = true, conflicts_with_all = ["list", "cases", "shard", "store", "replay"])]
     case: Option<u64>,
     /// Decide the case of a replay file
     #[arg(long, value_name = "FILE", conflicts_with_all = ["names", "list", "cases", "seed", "shard", "store"])]
