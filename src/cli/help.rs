@@ -13,6 +13,23 @@ terminal, and 80 columns wide where it goes elsewhere.";
 
 const STATUS: &str = "Exit status: 0; 1 if `verify` or `prove` find something else than what is recorded; 2 on bad use or input; 130 after Ctrl-C.";
 
+/// Commands whose exit status says more.
+const STATUSES: [(&str, &str); 2] = [
+    (
+        "check",
+        "Exit status: 0 where all hold; 1 if one is false; 3 if one is undecided; 4 where a control was not refuted; 2 on bad use or input; \
+         130 after Ctrl-C.",
+    ),
+    ("fuzz", "Exit status: 0; 1 if a case fails; 2 on bad use or input; 130 after Ctrl-C."),
+];
+
+/// Examples of commands that do not bring their own.
+const EXAMPLES: [(&str, &str); 3] = [
+    ("check", "Examples:\n  flockproof check question.toml\n  flockproof check --names"),
+    ("fuzz", "Examples:\n  flockproof fuzz --list\n  flockproof fuzz --cases 10000 --store out --shard 1/4 --resume"),
+    ("report", "Examples:\n  flockproof report --out site\n  flockproof report --ledger ledger.json --out site"),
+];
+
 /// The command line with everything that all of it has in common: width, exit status, numbers below zero.
 pub fn command() -> Command {
     let command = super::Arguments::command().term_width(output::width().min(WIDEST));
@@ -22,9 +39,11 @@ pub fn command() -> Command {
 
 /// The exit status at the end of every help text; a value such as `-3` is a value of its option everywhere, so that it is refused as such.
 fn everywhere(command: Command, top: bool) -> Command {
-    let command = match command.get_after_help().map(ToString::to_string) {
-        Some(text) if !top => command.after_help(format!("{text}\n\n{STATUS}")),
-        None => command.after_help(STATUS),
+    let status = STATUSES.iter().find(|(name, _)| *name == command.get_name()).map_or(STATUS, |(_, status)| status);
+    let example = EXAMPLES.iter().find(|(name, _)| *name == command.get_name()).map(|(_, example)| example.to_string());
+    let command = match command.get_after_help().map(ToString::to_string).or(example) {
+        Some(text) if !top => command.after_help(format!("{text}\n\n{status}")),
+        None => command.after_help(status),
         Some(_) => command,
     };
     let takes_values =

@@ -7,8 +7,10 @@ mod certify;
 mod finding;
 mod flock;
 mod fuzz;
+mod inputs;
 #[cfg(unix)]
 mod interrupt;
+mod refused;
 mod resonance;
 mod schemas;
 mod shell;

@@ -44,7 +44,8 @@ fn sweeps_are_tables_of_certified_rows() {
     assert_eq!((gains, &swept["grade"]), (vec!["-2", "-3/2", "-1"], &"certified".into()));
     let single = json(&["--followers", "8", "--f=-3/2", "--g", "-1", "--digits", "10"]);
     assert_eq!((&rows[1]["omega"], &rows[1]["amplitude"]), (&single["omega"], &single["amplitude"]));
-    let text = stdout(&flockproof(&["resonance", "--graph", "front", "--followers", "5", "--f=-1", "--sweep", "g=-2..-1:2"]));
+    let text =
+        stdout(&flockproof(&["resonance", "--graph", "front", "--followers", "5", "--f=-1", "--sweep", "g=-2..-1:2"]));
     assert!(text.starts_with("simulated") && text.lines().count() == 4, "{text}");
     for (sweep, named) in [
         ("f=-2..-1", "the number of values is missing"),
@@ -96,5 +97,8 @@ fn wrong_graphs_and_gains_are_refused() {
     ask(&["--graph", "ring:5", "--f", "-1", "--g", "-1", "--to", "1"], "vertex 1 leads");
     ask(&["--graph", "ring:5", "--f", "-1", "--g", "-1", "--from", "x"], "no vertex x");
     ask(&["--graph", "no.txt", "--f", "-1", "--g", "-1"], "neither front, front-and-back nor a file");
-    ask(&["--graph", "front", "--followers", "3", "--f=-1", "--g=-1", "--certificate", "c"], "--certificate: only the two-sided");
+    ask(
+        &["--graph", "front", "--followers", "3", "--f=-1", "--g=-1", "--certificate", "c"],
+        "--certificate: only the two-sided",
+    );
 }

@@ -49,14 +49,8 @@ fn neighbours_and_steps_are_those_of_all_pairs() {
 #[test]
 fn noise_stays_in_its_range() {
     let mut random = generator("noisy", "noise", 0);
-    let mut flock = NoisyFlock {
-        positions: vec![[0.5, 0.5]],
-        headings: vec![0.0],
-        side: 2.0,
-        radius: 1.0,
-        speed: 0.1,
-        noise: 0.5,
-    };
+    let mut flock =
+        NoisyFlock { positions: vec![[0.5, 0.5]], headings: vec![0.0], side: 2.0, radius: 1.0, speed: 0.1, noise: 0.5 };
     let mut largest = 0.0f64;
     for _ in 0..1000 {
         let before = flock.headings[0];
