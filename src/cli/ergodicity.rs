@@ -109,7 +109,11 @@ fn factors(arguments: &Arguments, text: &str) -> Result<(Vec<StochasticMatrix>, 
     };
     found.map_err(|error| {
         let sentence = error.to_string();
-        let advice = if sentence.contains("sums to") { "; --normalise divides each row by its sum" } else { "" };
+        let advice = if sentence.contains("sums to") && !arguments.normalise {
+            "; --normalise divides each row by its sum"
+        } else {
+            ""
+        };
         CliError::file(&arguments.file, sentence + advice)
     })
 }

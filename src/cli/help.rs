@@ -71,6 +71,20 @@ const WORDS: [(&str, &str); 8] = [
     ("unrecognized subcommand", "there is no command"),
 ];
 
+/// Words of the JSON reader, and what they mean to people.
+const JSON_WORDS: [(&str, &str); 5] = [
+    ("EOF while parsing a value", "the text ends where a value should stand,"),
+    ("EOF while parsing an object", "the text ends within an object,"),
+    ("EOF while parsing a list", "the text ends within a list,"),
+    ("EOF while parsing a string", "the text ends within quotes,"),
+    ("trailing characters", "something follows after the end,"),
+];
+
+/// A message about a file in plain words.
+pub fn plain(message: &str) -> String {
+    JSON_WORDS.iter().fold(message.to_string(), |text, (theirs, ours)| text.replace(theirs, ours))
+}
+
 /// The first paragraph of clap's message on one line, with its advice where it has one.
 pub fn one_sentence(message: &str) -> String {
     let paragraphs: Vec<String> = message
@@ -82,8 +96,9 @@ pub fn one_sentence(message: &str) -> String {
     for (theirs, ours) in WORDS {
         sentence = sentence.replace(theirs, ours);
     }
-    if let Some(tip) = tip {
-        sentence = format!("{sentence}; {}", tip.trim_start_matches("tip: "));
+    let sentence = sentence.strip_suffix(" found").unwrap_or(&sentence);
+    match tip {
+        Some(tip) => format!("{sentence}; {}", tip.trim_start_matches("tip: ")),
+        None => sentence.to_string(),
     }
-    sentence.strip_suffix(" found").map(str::to_string).unwrap_or(sentence)
 }
