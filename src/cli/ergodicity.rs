@@ -1,6 +1,6 @@
 //! `ergodicity`: products of a sequence of stochastic matrices.
 
-use super::{CliError, certify, interrupt, output};
+use super::{CliError, certify, interrupt, output, progress};
 use flockproof::arithmetic::Rational;
 use flockproof::certificates::{Certificate, Product};
 use flockproof::matrix::{
@@ -64,11 +64,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     });
     let mut prefixes = Vec::with_capacity(factors.len());
     let mut product = None;
+    let bar = progress::bar();
+    bar.set_length(factors.len() as u64);
+    bar.set_message("products");
     for prefix in made {
+        bar.inc(1);
         let (measured, prefix) = prefix.map_err(|error| CliError::file(&arguments.file, error))?;
         prefixes.push(measured);
         product = Some(prefix);
     }
+    bar.finish_and_clear();
     let complete = prefixes.len() == factors.len();
     if !complete {
         eprintln!("interrupted: {} of {} products are finished", prefixes.len(), factors.len());
@@ -104,7 +109,11 @@ fn factors(arguments: &Arguments, text: &str) -> Result<(Vec<StochasticMatrix>, 
     };
     found.map_err(|error| {
         let sentence = error.to_string();
-        let advice = if sentence.contains("sums to") { "; --normalise divides each row by its sum" } else { "" };
+        let advice = if sentence.contains("sums to") && !arguments.normalise {
+            "; --normalise divides each row by its sum"
+        } else {
+            ""
+        };
         CliError::file(&arguments.file, sentence + advice)
     })
 }

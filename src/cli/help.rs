@@ -13,6 +13,23 @@ terminal, and 80 columns wide where it goes elsewhere.";
 
 const STATUS: &str = "Exit status: 0; 1 if `verify` or `prove` find something else than what is recorded; 2 on bad use or input; 130 after Ctrl-C.";
 
+/// Commands whose exit status says more.
+const STATUSES: [(&str, &str); 2] = [
+    (
+        "check",
+        "Exit status: 0 where all hold; 1 if one is false; 3 if one is undecided; 4 where a control was not refuted; 2 on bad use or input; \
+         130 after Ctrl-C.",
+    ),
+    ("fuzz", "Exit status: 0; 1 if a case fails; 2 on bad use or input; 130 after Ctrl-C."),
+];
+
+/// Examples of commands that do not bring their own.
+const EXAMPLES: [(&str, &str); 3] = [
+    ("check", "Examples:\n  flockproof check question.toml\n  flockproof check --names"),
+    ("fuzz", "Examples:\n  flockproof fuzz --list\n  flockproof fuzz --cases 10000 --store out --shard 1/4 --resume"),
+    ("report", "Examples:\n  flockproof report --out site\n  flockproof report --ledger ledger.json --out site"),
+];
+
 /// The command line with everything that all of it has in common: width, exit status, numbers below zero.
 pub fn command() -> Command {
     let command = super::Arguments::command().term_width(output::width().min(WIDEST));
@@ -22,9 +39,11 @@ pub fn command() -> Command {
 
 /// The exit status at the end of every help text; a value such as `-3` is a value of its option everywhere, so that it is refused as such.
 fn everywhere(command: Command, top: bool) -> Command {
-    let command = match command.get_after_help().map(ToString::to_string) {
-        Some(text) if !top => command.after_help(format!("{text}\n\n{STATUS}")),
-        None => command.after_help(STATUS),
+    let status = STATUSES.iter().find(|(name, _)| *name == command.get_name()).map_or(STATUS, |(_, status)| status);
+    let example = EXAMPLES.iter().find(|(name, _)| *name == command.get_name()).map(|(_, example)| example.to_string());
+    let command = match command.get_after_help().map(ToString::to_string).or(example) {
+        Some(text) if !top => command.after_help(format!("{text}\n\n{status}")),
+        None => command.after_help(status),
         Some(_) => command,
     };
     let takes_values =
@@ -52,6 +71,20 @@ const WORDS: [(&str, &str); 8] = [
     ("unrecognized subcommand", "there is no command"),
 ];
 
+/// Words of the JSON reader, and what they mean to people.
+const JSON_WORDS: [(&str, &str); 5] = [
+    ("EOF while parsing a value", "the text ends where a value should stand,"),
+    ("EOF while parsing an object", "the text ends within an object,"),
+    ("EOF while parsing a list", "the text ends within a list,"),
+    ("EOF while parsing a string", "the text ends within quotes,"),
+    ("trailing characters", "something follows after the end,"),
+];
+
+/// A message about a file in plain words.
+pub fn plain(message: &str) -> String {
+    JSON_WORDS.iter().fold(message.to_string(), |text, (theirs, ours)| text.replace(theirs, ours))
+}
+
 /// The first paragraph of clap's message on one line, with its advice where it has one.
 pub fn one_sentence(message: &str) -> String {
     let paragraphs: Vec<String> = message
@@ -63,8 +96,9 @@ pub fn one_sentence(message: &str) -> String {
     for (theirs, ours) in WORDS {
         sentence = sentence.replace(theirs, ours);
     }
-    if let Some(tip) = tip {
-        sentence = format!("{sentence}; {}", tip.trim_start_matches("tip: "));
+    let sentence = sentence.strip_suffix(" found").unwrap_or(&sentence);
+    match tip {
+        Some(tip) => format!("{sentence}; {}", tip.trim_start_matches("tip: ")),
+        None => sentence.to_string(),
     }
-    sentence.strip_suffix(" found").map(str::to_string).unwrap_or(sentence)
 }

@@ -50,7 +50,7 @@ enum Command {
     Report(report::Arguments),
     /// Reproduce tables and figures of the papers as CSV, SVG and PNG
     Reproduce(reproduce::Arguments),
-    /// Enclose the main resonance of the two-sided platoon rigorously
+    /// Enclose the main resonance of the two-sided platoon rigorously; search it on any communication graph
     Resonance(resonance::Arguments),
     /// Enclose the eigenvalues of a Laplacian or adjacency matrix of a graph
     Spectrum(spectrum::Arguments),
@@ -92,7 +92,7 @@ pub enum CliError {
 impl CliError {
     /// A failure about a file.
     fn file(path: &std::path::Path, error: impl std::fmt::Display) -> Self {
-        CliError::Use(format!("{}: {error}", path.display()))
+        CliError::Use(help::plain(&format!("{}: {error}", path.display())))
     }
 }
 

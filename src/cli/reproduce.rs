@@ -1,6 +1,6 @@
 //! `reproduce`: tables and figures of the papers.
 
-use super::{CliError, interrupt, output};
+use super::{CliError, interrupt, output, progress};
 use flockproof::report::{FIGURES, Figure, FigureError, File, Provenance, digest, version};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -67,13 +67,18 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     // Files are written as soon as their figure is made; texts are printed in the order of the figures.
     let mut texts: BTreeMap<usize, String> = BTreeMap::new();
     let mut printed = 0;
+    let bar = progress::bar();
+    bar.set_length(figures.len() as u64);
+    bar.set_message("figures");
     for (place, made) in made {
         texts.insert(place, written(figures[place], made, &mut manifest)?);
         while let Some(text) = texts.remove(&printed) {
-            output::print(&text)?;
+            bar.suspend(|| output::print(&text))?;
             printed += 1;
         }
+        bar.inc(1);
     }
+    bar.finish_and_clear();
     interrupt::finishing();
     let count = printed + texts.len();
     for text in texts.values() {

@@ -33,6 +33,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let refuse = |error: &dyn std::fmt::Display| CliError::file(&arguments.config, error);
     let input = output::read_input(&arguments.config)?;
     let scenario = Scenario::read(&input.text).map_err(|error| refuse(&error))?;
+    if arguments.animate && !scenario.has_positions() {
+        return Err(CliError::Use("--animate: this model has phases only, without places".to_string()));
+    }
     output::make_folder(&arguments.out)?;
     let watch = Watch::with(progress::styled("{bar:30} {percent} % of the time, {eta} left"));
     if !arguments.json {
@@ -52,7 +55,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let (table, events) = (sample_table(&outcome), outcome.events.len());
         let (remarks, folder) = (declared(&outcome.remarks), arguments.out.display());
         let events = format!("{events} event{}", if events == 1 { "" } else { "s" });
-        let files = declared(&[format!("{}written: {}", provenance.line(), written.join(", "))]);
+        let files = declared(&[provenance.line(), format!("written: {}", written.join(", "))]);
         output::print(&format!("\n{table}{remarks}{events}\n{files}in {folder}\n"))?;
     }
     let kept = format!("what was reached up to t = {} is kept", outcome.reached());
@@ -89,9 +92,7 @@ fn write(
     ];
     files.push(file("about.txt", provenance.about(&files).into_bytes()));
     if arguments.animate {
-        let page =
-            animation(outcome).ok_or_else(|| CliError::Use("--animate: this model has no positions".to_string()))?;
-        files.push(file("animation.html", page.into_bytes()));
+        files.extend(animation(outcome).map(|page| file("animation.html", page.into_bytes())));
     }
     let mut names = Vec::new();
     let mut put = |file: File| {

@@ -1,6 +1,6 @@
 //! `spectrum`: the eigenvalues of a matrix of a graph, enclosed.
 
-use super::{CliError, output};
+use super::{CliError, output, progress};
 use flockproof::arithmetic::{Interval, decimals, shown};
 use flockproof::graph::read::{GraphFile, read_graph_file};
 use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
@@ -48,7 +48,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.root.is_some() && kind != LaplacianKind::Reduced {
         return Err(CliError::Use(format!("--root is for `--kind reduced`, not for `{}`", kind.name())));
     }
-    let found = find(arguments, kind)?;
+    let bar = progress::spinner("enclosing the eigenvalues");
+    let found = find(arguments, kind);
+    bar.finish_and_clear();
+    let found = found?;
     let digits = shown_digits(&found.spectrum, arguments.digits);
     if arguments.json {
         let configuration = json!({

@@ -187,7 +187,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         output::print_json(&provenance.stamp(report.summary()))?;
     } else {
         let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-        let written = format!("{}written to {}: {}", provenance.line(), arguments.out.display(), names.join(", "));
+        let written = format!("{}\nwritten to {}: {}", provenance.line(), arguments.out.display(), names.join(", "));
         output::print(&format!("{}\n{}\n", report.text(), textwrap::fill(&written, 80)))?;
     }
     Ok(interrupt::status(complete))

@@ -161,6 +161,30 @@ fn proofs_end_with_the_coqc_that_runs() {
     assert!(!alive.success() || contains(&output, "in the middle"), "coqc {coqc} still runs");
 }
 
+/// GNU timeout sends two signals at once: what was finished is written all the same, and it is told what is missing.
+#[test]
+fn an_interrupted_ledger_says_what_is_missing() {
+    let folder = folder("interrupt_verify");
+    let path = folder.join("ledger.json");
+    let mut child = flockproof(&["verify", "--threads", "1", "--json", path.to_str().expect("UTF-8")]);
+    // It catches signals once it works, and the first claims take less than this.
+    std::thread::sleep(Duration::from_millis(1500));
+    assert!(child.try_wait().expect("a child").is_none(), "the whole ledger was checked before");
+    terminate(&child);
+    terminate(&child);
+    let output = child.wait_with_output().expect("it ends");
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(130), "{error}");
+    if error.contains("stopping; again to quit at once") && !error.contains("in the middle") {
+        let text = std::fs::read_to_string(&path).expect("written");
+        let ledger: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(ledger["interrupted"], true);
+        assert!(ledger["missing"].as_array().is_some_and(|list| !list.is_empty()));
+        let table = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(table.contains("interrupted: the claims above were finished; missing:"), "{table}");
+    }
+}
+
 /// Commands that say nothing before their end: the signal is sent once they catch it.
 #[cfg(target_os = "linux")]
 #[test]

@@ -8,8 +8,10 @@ mod check;
 mod finding;
 mod flock;
 mod fuzz;
+mod inputs;
 #[cfg(unix)]
 mod interrupt;
+mod refused;
 mod resonance;
 mod schemas;
 mod shell;

@@ -140,6 +140,9 @@ fn documents_keep_to_their_schemas() {
         assert_keeps(name, &document);
         assert_eq!(document["version"], env!("CARGO_PKG_VERSION"), "{name}");
     }
+    let question = b"[question]\nid = \"mine.path\"\nstatement = \"...\"\n[for]\nn = \"2..4\"\ngraph = \"connected(n)\"\n[holds]\n\
+        property = \"lambda(2) >= 2*(1 - cos(pi/n))\"\ncontrols = [\"lambda(2) >= 2*(1 - cos(pi/n)) + 1/100\"]\n";
+    assert_keeps("check", &printed(&["check", &file(&folder, "question.toml", question), "--json"]));
     assert!(flockproof(&["reproduce", "veerman.table1", "--out", &out]).status.success());
     let text = std::fs::read_to_string(folder.join("out/reproduce.json")).expect("written");
     assert_keeps("reproduce", &serde_json::from_str(&text).expect("JSON"));

@@ -158,6 +158,11 @@ pub fn nearest<'a>(ids: impl Iterator<Item = &'a str>, wrong: &str, most: usize)
     let mut close: Vec<(f64, &str)> = ids.map(|id| (likeness(id), id)).filter(|(like, _)| *like >= ALIKE).collect();
     close.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
     let best = close.first().map_or(0.0, |(like, _)| *like);
-    // Where some begin with it, those that are only spelled alike say nothing.
-    close.into_iter().filter(|(like, _)| best < 2.0 || *like >= 2.0).map(|(_, id)| id).take(most).collect()
+    // Beside those that begin with it, or are far closer, the others say nothing.
+    close
+        .into_iter()
+        .filter(|(like, _)| if best < 2.0 { *like >= best - 0.1 } else { *like >= 2.0 })
+        .map(|(_, id)| id)
+        .take(most)
+        .collect()
 }

@@ -53,7 +53,7 @@ impl Provenance {
     /// One line for a text that people read.
     pub fn line(&self) -> String {
         let seed = self.seed.as_ref().map_or(String::new(), |seed| format!(", seed {seed}"));
-        format!("flockproof {}{seed}, configuration {}\n", version(), &self.digest()[..16])
+        format!("flockproof {}{seed}, configuration {}", version(), &self.digest()[..16])
     }
 }
 

@@ -223,6 +223,11 @@ impl Scenario {
         self.seed.as_deref()
     }
 
+    /// Whether the agents have places, and not only phases.
+    pub fn has_positions(&self) -> bool {
+        !self.course.frame().positions.is_empty()
+    }
+
     /// The last time.
     pub fn until(&self) -> f64 {
         self.schedule.times.last().map_or(0.0, |(time, _)| *time)

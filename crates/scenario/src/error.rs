@@ -67,7 +67,7 @@ pub enum Problem {
     #[error("the number is too large for a float")]
     TooLarge,
     /// Work without an end.
-    #[error("{time} in steps of {step} are {steps:.3e} steps; at most {most:.0e} are taken")]
+    #[error("{time:?} in steps of {step:?} are {steps:.3e} steps; at most {most:.0e} are taken")]
     Endless {
         /// Until when.
         time: f64,

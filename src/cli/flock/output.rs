@@ -53,14 +53,14 @@ pub struct Log {
 
 impl Log {
     pub fn new(path: Option<&Path>) -> Result<Self, CliError> {
-        let open = |path: &Path| File::create(path).map_err(|error| CliError::file(path, error));
+        let open = |path: &Path| File::create(path).map_err(|error| CliError::file(path, output::sentence(&error)));
         let file = path.map(|path| open(path).map(|file| (path.to_path_buf(), file))).transpose()?;
         Ok(Log { file })
     }
 
     pub fn write(&mut self, event: &Value) -> Result<(), CliError> {
         let Some((path, file)) = &mut self.file else { return Ok(()) };
-        writeln!(file, "{event}").map_err(|error| CliError::file(path, error))
+        writeln!(file, "{event}").map_err(|error| CliError::file(path, output::sentence(&error)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The two-sided platoon with equal gains: enclosures to any number of digits.
 
-use super::super::{CliError, certify, output};
+use super::super::{CliError, certify, output, progress};
 use super::{Arguments, followers};
 use flockproof::arithmetic::{Interval, Rational, decimal, decimals};
 use flockproof::certificates::{Certificate, Peak};
@@ -19,7 +19,10 @@ pub fn run(arguments: &Arguments, gains: &Gains<Rational>) -> Result<ExitCode, C
     let (m, digits) = (followers(arguments)?, arguments.digits);
     let refuse = |error: &dyn std::fmt::Display| CliError::Use(error.to_string());
     certify::check_asked(arguments.certificate.as_deref())?;
-    let found = resonance(gains, m, digits).map_err(|error| refuse(&error))?;
+    let bar = progress::spinner("enclosing the peak");
+    let found = resonance(gains, m, digits);
+    bar.finish_and_clear();
+    let found = found.map_err(|error| refuse(&error))?;
     certify::write_asked(arguments.certificate.as_deref(), || Ok(Certificate::Peak(Peak::new(gains, m)?)))?;
     let intervals = gains.map(|q| Interval::from_rational(q, 4 * digits + 64));
     let first_frequency = theorem1::frequency(&intervals, m).map_err(|error| refuse(&error))?;

@@ -13,7 +13,7 @@ use std::process::ExitCode;
 #[derive(clap::Args)]
 #[command(
     after_help = "Frequencies are in radians per unit of time, amplitudes are those of a car for a leader that swings with amplitude 1. Without --graph, or with \
-front-and-back, equal gains and the last car, the resonance is certified, for up to 10^9 followers and more. For other graphs the peak is searched \
+front-and-back, equal gains and the last car, the resonance is certified, for up to 10^12 followers. For other graphs the peak is searched \
 in floating point; up to 64 followers the amplitude at the frequency found is enclosed, up to 20 stability is decided exactly.\n\n\
 An edge i j of a graph says that car i keeps track of car j; what it tracks is weighted to a sum of one. The leader is the vertex `leader` or the \
 first one, or that of --from.\n\n\
@@ -22,7 +22,7 @@ flockproof resonance --graph front --followers 20 --f -1 --g -1 --to 10\n  flock
 flockproof resonance --followers 16 --sweep f=-4..-1:4,g=-2..-1:3"
 )]
 pub struct Arguments {
-    /// Number of followers, from 1 to 10^9 and more; up to 2000 with --graph front
+    /// Number of followers, from 1 to 10^12; up to 2000 with --graph front
     #[arg(long, value_name = "M")]
     followers: Option<u64>,
     /// Gain of the positions: an integer, a fraction or a decimal below 0; or one for each follower, -1,-2,-1

@@ -1,6 +1,6 @@
 //! A platoon on any communication graph, with gains for each car: its peak, stability, margins and state matrices.
 
-use super::super::{CliError, output, spectrum};
+use super::super::{CliError, output, progress, spectrum};
 use super::{Arguments, followers};
 use flockproof::arithmetic::{ArithmeticError, Complex, Interval, Rational, decimals};
 use flockproof::graph::{NamedGraph, WeightedGraph};
@@ -214,7 +214,10 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
     let platoon = platoon(arguments)?;
     let gains = of_cars(given, platoon.graph.followers())?;
     arguments.export.as_deref().map_or(Ok(()), output::make_folder)?;
-    let found = response(&platoon, &gains, arguments.digits)?;
+    let bar = progress::spinner("searching the peak");
+    let found = response(&platoon, &gains, arguments.digits);
+    bar.finish_and_clear();
+    let found = found?;
     let reduced = platoon.graph.reduced_laplacian().map_err(|error| CliError::Use(error.to_string()))?;
     let (stable, margins) = (is_stable(&reduced, &gains), margins_of(&reduced, &gains));
     let list =
