@@ -2,7 +2,7 @@
 
 use super::super::interrupt::{self, Watch};
 use super::super::{CliError, output};
-use super::output::{Log, flocks, switch_json, switch_line, tell};
+use super::output::{Log, SwitchLine, flocks, switch_json, tell};
 use flockproof::arithmetic::decimals;
 use flockproof::averaging::read::Model;
 use flockproof::averaging::settle::{Ending, Limits, Settlement, settle};
@@ -48,16 +48,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let watch = Watch::silent();
     tell(arguments.json, &format!("{}\n", declaration(&flock, None)))?;
     let mut network = flock.network().clone();
+    let mut line = SwitchLine::new(&network);
     let mut switches = Vec::new();
     let mut failure = None;
     let limits = Limits { steps: arguments.steps, switches: arguments.switches, ..Limits::default() };
     let declared = declaration(&flock, None);
     let mut found = |switch: &Switch| {
-        let after = switch.applied_to(&network);
-        let line = switch_line(switch, &network, &after);
-        network = after;
+        switch.apply_to(&mut network);
         let event = switch_json(switch);
-        let written = tell(arguments.json, &line).and_then(|()| log.write(&event));
+        let written = tell(arguments.json, &line.of(switch, &network)).and_then(|()| log.write(&event));
         switches.push(event);
         if let Err(error) = written {
             failure = Some(error);
