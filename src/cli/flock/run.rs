@@ -4,10 +4,10 @@ use super::super::interrupt::{self, Watch};
 use super::super::{CliError, certify, output, progress};
 use super::course::Course;
 use super::observed::{Lengths, observed_json, observed_text};
-use super::output::{Log, flocks, switch_json, switch_line, tell};
+use super::output::{Log, SwitchLine, flocks, switch_json, tell};
 use flockproof::arithmetic::Progress;
-use flockproof::averaging::Observer;
 use flockproof::averaging::read::Model;
+use flockproof::averaging::{FlockError, Observer};
 use flockproof::certificates::{Certificate, Switches};
 use flockproof::matrix::MatrixError;
 use flockproof::report::Provenance;
@@ -73,16 +73,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     tell(arguments.json, &format!("{}\n", flock.declaration()))?;
     let mut observer = Observer::new(flock.network().order(), arguments.from, arguments.products);
     let mut switches = Vec::new();
+    let mut line = SwitchLine::new(flock.network());
     let mut t = 0;
     while t < arguments.until && !watch.is_cancelled() {
-        let before = flock.network().clone();
-        let switch = flock.step().map_err(refuse)?;
+        let switch = match flock.step(&watch) {
+            Err(FlockError::Cancelled(_)) => break,
+            step => step.map_err(refuse)?,
+        };
         t += 1;
         let observed = observer.push(t, flock.network(), flock.weights(), &watch);
         if let Some(switch) = switch {
             let event = switch_json(&switch);
             log.write(&event)?;
-            watch.bar().suspend(|| tell(arguments.json, &switch_line(&switch, &before, flock.network())))?;
+            watch.bar().suspend(|| tell(arguments.json, &line.of(&switch, flock.network())))?;
             switches.push(event);
         }
         match observed {

@@ -2,7 +2,7 @@
 
 use super::super::interrupt::{self, Watch};
 use super::super::{CliError, output, progress};
-use super::output::{Log, flocks, shortened, switch_json, switch_line, tell};
+use super::output::{Log, SwitchLine, flocks, shortened, switch_json, tell};
 use flockproof::arithmetic::decimals;
 use flockproof::averaging::read::Model;
 use flockproof::averaging::settle::{Ending, Limits, Settlement, settle};
@@ -58,17 +58,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     watch.bar().set_message("following the flock from switch to switch");
     tell(arguments.json, &format!("{}\n", declaration(&flock, None)))?;
     let mut network = flock.network().clone();
+    let mut line = SwitchLine::new(&network);
     let mut switches = Vec::new();
     let mut failure = None;
     let limits = Limits { steps: arguments.steps, switches: arguments.switches, ..Limits::default() };
     let declared = declaration(&flock, None);
     let mut found = |switch: &Switch| {
-        let after = switch.applied_to(&network);
-        let line = switch_line(switch, &network, &after);
-        network = after;
+        switch.apply_to(&mut network);
         let event = switch_json(switch);
         if !arguments.json && !arguments.quiet {
-            interrupt::keep(&line);
+            interrupt::keep(&line.of(switch, &network));
         }
         let written = log.write(&event);
         switches.push(event);

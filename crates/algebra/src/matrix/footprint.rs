@@ -30,7 +30,7 @@ impl Footprint {
     }
 
     /// The columns with a one in row `i`, in order.
-    fn ones(&self, i: usize) -> impl Iterator<Item = usize> {
+    pub(crate) fn ones(&self, i: usize) -> impl Iterator<Item = usize> {
         self.row(i).iter().enumerate().flat_map(|(word, &bits)| {
             let left = |bits: &u64| (*bits != 0).then(|| bits & (bits - 1));
             std::iter::successors((bits != 0).then_some(bits), move |bits| left(bits).filter(|&b| b != 0))
@@ -86,8 +86,18 @@ impl Footprint {
         (0..self.rows.min(self.cols)).all(|i| self.get(i, i))
     }
 
+    /// With ones on the diagonal too.
+    pub(crate) fn closed(&self) -> Self {
+        let mut closed = self.clone();
+        (0..self.rows.min(self.cols)).filter(|&i| !self.get(i, i)).for_each(|i| closed.flip(i, i));
+        closed
+    }
+
     /// The square submatrix with these rows and columns, counted from 0.
     pub fn restricted(&self, to: &[usize]) -> Self {
+        if to.len() == self.rows && self.rows == self.cols && to.iter().enumerate().all(|(place, &i)| place == i) {
+            return self.clone();
+        }
         Footprint::from_fn(to.len(), to.len(), |i, j| self.get(to[i], to[j]))
     }
 

@@ -60,10 +60,22 @@ impl Switch {
         Switch { time, gained: only(new, old), lost: only(old, new) }
     }
 
-    /// The network after it.
+    /// The network after it, from the one before.
     pub fn applied_to(&self, before: &Graph) -> Graph {
-        let gained = before.with_edges(&self.gained);
-        Graph::from_fn(gained.order(), |i, j| gained.has_edge(i, j) && !self.lost.contains(&(i, j)))
+        let mut network = before.clone();
+        self.apply_to(&mut network);
+        network
+    }
+
+    /// Makes the network before it the one after it.
+    pub fn apply_to(&self, network: &mut Graph) {
+        for (list, joined) in [(&self.gained, true), (&self.lost, false)] {
+            for &(i, j) in list {
+                if network.has_edge(i, j) != joined {
+                    network.toggle(i, j);
+                }
+            }
+        }
     }
 }
 

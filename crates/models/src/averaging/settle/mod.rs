@@ -6,6 +6,7 @@
 //! leading terms decide), and pairs with drift follow a quadratic polynomial in `s` whose roots are found exactly, however
 //! far away they are. `notes/settling.md` has the argument.
 
+mod cycle;
 mod limits;
 mod pairs;
 mod perturbation;
@@ -653,8 +654,18 @@ impl<'a> Course<'a> {
         self.next_attempt = 2 * self.switches;
         let cycle: Vec<Graph> = recent[recent.len() - period..].iter().map(|network| (**network).clone()).collect();
         let Some(flock) = self.exact()? else { return Ok(Cycle::None) };
-        let horizon = match ties::cycle_horizon(&flock, &cycle, self.progress) {
-            Ok(Some(horizon)) => horizon,
+        let horizon = match cycle::future(&flock, &cycle, limits.steps, self.progress) {
+            Ok(cycle::Future::Keeps(horizon)) => horizon,
+            Ok(cycle::Future::Until((i, j))) => {
+                let why = format!(
+                    "the networks repeat a cycle of {period}, and birds {} and {} approach, but come within distance 1 only after more \
+                     steps than the limit of {}",
+                    i + 1,
+                    j + 1,
+                    limits.steps
+                );
+                return Ok(Cycle::TooFar(why));
+            }
             Err(SettleError::Cancelled(stopped)) => return Err(stopped.into()),
             _ => return Ok(Cycle::None),
         };
