@@ -44,6 +44,9 @@ class Known(Fraction):
         return self
 
 
+#: Integers of fewer bits need no look at their length.
+SHORT = 1000
+
 #: Where a check of :mod:`flockproof.claims` runs: why what it says is at most simulated.
 floats_seen: ContextVar[list[str] | None] = ContextVar("floats_seen", default=None)
 
@@ -82,6 +85,8 @@ def exact(value: Number, name: str = "value") -> Fraction:
     if kind is Fraction or kind is Known:
         result: Fraction = value
         return result
+    if kind is int and value.bit_length() < SHORT:
+        return Fraction(value)
     if is_float(value):
         float_seen(f"{value!r} is a float")
     return Fraction(*_native.ratio(name, value))
@@ -96,6 +101,8 @@ def is_float(value: object) -> bool:
 
 def floats_among(**values: object) -> tuple[str, ...]:
     """A sentence for each argument that is a float."""
+    if all(type(value) is int or type(value) is str for value in values.values()):
+        return ()
     sentences = tuple(
         f"{name} = {value!r} is a float and stands for its exact value {exact(value)}"
         for name, value in values.items()

@@ -5,11 +5,12 @@ use super::refuse;
 use super::watch::watched;
 use flockproof::ledger::{
     CheckError, Claim, Correction, Evidence, Fault, Form, Grade, Ledger, LedgerError, Options, Outcome, Report, Run,
-    Scope, Source, Verdict, recorded, to_json,
+    Scope, Source, Verdict, recorded, to_json, to_json_with,
 };
-use flockproof::report::{explain as explained, summary, verdict_table};
+use flockproof::report::{Provenance, explain as explained, nearest, summary, verdict_table};
 use pyo3::prelude::*;
-use serde_json::Value;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
 
 type Row = (String, String, String, String, String, String, String);
 
@@ -21,8 +22,7 @@ fn ledger() -> PyResult<Ledger> {
 #[pyfunction]
 pub fn claims() -> PyResult<Vec<Row>> {
     let ledger = ledger()?;
-    let known: std::collections::BTreeMap<_, _> =
-        recorded(flockproof::claims::RECORDED).map(|row| (row.id, row)).collect();
+    let known: BTreeMap<_, _> = recorded(flockproof::claims::RECORDED).map(|row| (row.id, row)).collect();
     let row = |id: &str| {
         let source = ledger.source(id);
         let (place, statement) = source.map_or_else(Default::default, |s| (s.place.clone(), s.statement.clone()));
@@ -56,7 +56,7 @@ pub fn verify(
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Found> {
     let ledger = ledger()?;
-    let ids = ledger.select(&papers, &claims).map_err(refuse)?;
+    let ids = ledger.select(&papers, &claims).map_err(|error| unknown(&ledger, error))?;
     let mut options = Options { seed, full, ..Options::default() };
     if let Some(threads) = optional_count("threads", threads)? {
         if !(1..=1024).contains(&threads) {
@@ -64,17 +64,40 @@ pub fn verify(
         }
         options.threads = threads as usize;
     }
+    // As the command line stamps its documents.
+    let configuration =
+        json!({"command": "verify", "paper": papers, "claim": claims, "full": options.full, "seed": options.seed});
+    let provenance = Provenance::new("flockproof.ledger/2", Some(&options.seed), configuration);
+    let kernel = json!({"coq": flockproof::kernel::recorded().coq, "checked": "transcript"});
+    let own = provenance.keys().into_iter().filter(|(key, _)| key == "configuration" || key == "digest");
+    let more: BTreeMap<_, _> = own.chain([("kernel".to_string(), kernel)]).collect();
     watched(py, progress, move |watch| {
         options.progress = watch.clone();
-        found(&ledger.verify(&ids, &options, |_| {}), &options)
+        let report = ledger.verify(&ids, &options, |_| {});
+        let mut found = found(&report, &options);
+        found.0 = to_json_with(&report, &options, more);
+        found
     })
+}
+
+/// A wrong id or paper, with the ids that may be meant.
+fn unknown(ledger: &Ledger, error: LedgerError) -> PyErr {
+    const MOST: usize = 8;
+    let close = match &error {
+        LedgerError::Unknown(id) => nearest(ledger.ids(), id, MOST),
+        _ => Vec::new(),
+    };
+    match close.as_slice() {
+        [] => refuse(error),
+        ids => refuse(format!("{error}; the nearest are {}", ids.join(", "))),
+    }
 }
 
 /// One claim in words.
 #[pyfunction]
 pub fn explain(py: Python<'_>, id: String, width: usize) -> PyResult<String> {
     let ledger = ledger()?;
-    let ids = ledger.select(&[], std::slice::from_ref(&id)).map_err(refuse)?;
+    let ids = ledger.select(&[], std::slice::from_ref(&id)).map_err(|error| unknown(&ledger, error))?;
     watched(py, None, move |watch| {
         let options = Options { progress: watch.clone(), ..Options::default() };
         let report = ledger.verify(&ids, &options, |_| {});

@@ -3,11 +3,11 @@
 use super::convert::{Ends, Matrix, Ratio, count, digits as digits_of, ends, exact, matrix, optional_count, pair};
 use super::refuse;
 use super::watch::{briefly, watched};
-use flockproof::arithmetic::{Interval, Rational, Real, decimal};
+use flockproof::arithmetic::{ArithmeticError, Interval, Rational, Real, decimal};
 use flockproof::graph::read::read_graph;
 use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
 use flockproof::matrix::{MatrixError, StochasticMatrix, prefix_products, stabilisers, tau_2_squared};
-use flockproof::platoon::{Gains, resonance as main_resonance, theorem1};
+use flockproof::platoon::{Gains, ResonanceError, resonance as main_resonance, theorem1};
 use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, matrix_spectrum, named_spectrum};
 use num_bigint::BigInt;
 use pyo3::prelude::*;
@@ -15,9 +15,7 @@ use pyo3::prelude::*;
 /// Digits up to which a resonance takes well under a second.
 const QUICK: u32 = 200;
 
-type FoundResonance = (Ends, Ends, (String, String));
-
-/// Frequency, amplitude, and both by Theorem 1.
+/// Frequency and amplitude.
 #[pyfunction]
 pub fn resonance(
     py: Python<'_>,
@@ -25,23 +23,33 @@ pub fn resonance(
     f: &Bound<'_, PyAny>,
     g: &Bound<'_, PyAny>,
     digits: &Bound<'_, PyAny>,
-) -> PyResult<FoundResonance> {
+) -> PyResult<(Ends, Ends)> {
     let gains = Gains { f: exact("f", f)?, g: exact("g", g)? };
     let (followers, digits) = (count("followers", followers)?, digits_of(digits)?);
-    let work = move || found_resonance(&gains, followers, digits);
+    let work = move || {
+        let found = main_resonance(&gains, followers, digits)?;
+        Ok::<_, ResonanceError>((ends(&found.omega, digits + 3), ends(&found.amplitude, digits + 3)))
+    };
     if digits <= QUICK { briefly(py, work)? } else { watched(py, None, move |_| work())? }.map_err(refuse)
 }
 
-fn found_resonance(gains: &Gains<Rational>, followers: u64, digits: u32) -> Result<FoundResonance, String> {
-    let found = main_resonance(gains, followers, digits).map_err(|error| error.to_string())?;
-    let intervals = gains.map(|q| Interval::from_rational(q, 4 * digits + 64));
-    let first = |x: Result<Interval, _>| {
-        x.map(|x: Interval| decimal(&x.to_rationals().0, digits, false))
-            .map_err(|error: flockproof::arithmetic::ArithmeticError| error.to_string())
+/// Frequency and amplitude by Theorem 1, rounded down.
+#[pyfunction]
+pub fn theorem_1(
+    py: Python<'_>,
+    followers: u64,
+    f: &Bound<'_, PyAny>,
+    g: &Bound<'_, PyAny>,
+    digits: u32,
+) -> PyResult<(String, String)> {
+    let gains = Gains { f: exact("f", f)?, g: exact("g", g)? };
+    let work = move || {
+        let intervals = gains.map(|q| Interval::from_rational(q, 4 * digits + 64));
+        let leading = |x: Interval| decimal(&x.to_rationals().0, digits, false);
+        let frequency = theorem1::frequency(&intervals, followers)?;
+        Ok::<_, ArithmeticError>((leading(frequency), leading(theorem1::amplitude(&intervals, followers)?)))
     };
-    let theorem1 =
-        (first(theorem1::frequency(&intervals, followers))?, first(theorem1::amplitude(&intervals, followers))?);
-    Ok((ends(&found.omega, digits + 3), ends(&found.amplitude, digits + 3), theorem1))
+    if digits <= QUICK { briefly(py, work)? } else { watched(py, None, move |_| work())? }.map_err(refuse)
 }
 
 /// A graph as Python gives it.
