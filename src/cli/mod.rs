@@ -16,6 +16,7 @@ mod prove;
 mod report;
 mod reproduce;
 mod resonance;
+mod serve;
 mod simulate;
 mod spectrum;
 mod tracks;
@@ -40,6 +41,8 @@ enum Command {
     Explain(explain::Arguments),
     /// Write the site: a page for every claim, with figures, errata and results
     Report(report::Arguments),
+    /// Show the site with live pages, on 127.0.0.1 only
+    Serve(serve::Arguments),
     /// Reproduce tables and figures of the papers as CSV, SVG and PNG
     Reproduce(reproduce::Arguments),
     /// Enclose the main resonance of the two-sided platoon rigorously
@@ -98,6 +101,7 @@ pub fn main() -> ExitCode {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Serve(arguments) => serve::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Spectrum(arguments) => spectrum::run(&arguments),
