@@ -7,6 +7,7 @@ mod certify;
 mod flock;
 #[cfg(unix)]
 mod interrupt;
+mod serve;
 mod shell;
 mod simulate;
 mod spectrum;
