@@ -20,6 +20,7 @@ mod prove;
 mod report;
 mod reproduce;
 mod resonance;
+mod serve;
 mod simulate;
 mod spectrum;
 mod sweep;
@@ -48,6 +49,8 @@ enum Command {
     Explain(explain::Arguments),
     /// Write the site: a page for every claim, with figures, errata and results
     Report(report::Arguments),
+    /// Show the site with live pages, on 127.0.0.1 only
+    Serve(serve::Arguments),
     /// Reproduce tables and figures of the papers as CSV, SVG and PNG
     Reproduce(reproduce::Arguments),
     /// Enclose the main resonance of the two-sided platoon rigorously; search it on any communication graph
@@ -126,6 +129,7 @@ fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
         Command::List(arguments) => list::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Serve(arguments) => serve::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Spectrum(arguments) => spectrum::run(&arguments),

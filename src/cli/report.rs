@@ -3,7 +3,7 @@
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress, verify};
 use flockproof::ledger::{Document, Options};
-use flockproof::report::{FIGURES, Figure, Made, Site};
+use flockproof::report::{FIGURES, Figure, Made, Page, Site};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -23,15 +23,11 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    let ledger = verify::ledger()?;
     std::fs::create_dir_all(&arguments.out).map_err(|error| CliError::file(&arguments.out, error))?;
-    let Some(document) = document(arguments, &ledger)? else {
+    let Some(pages) = pages(arguments.ledger.as_deref(), !arguments.no_figures)? else {
         return Ok(ExitCode::from(interrupt::STATUS));
     };
-    let wanted = if arguments.no_figures { Vec::new() } else { FIGURES.iter().collect() };
-    let Some(figures) = made(wanted)? else { return Ok(ExitCode::from(interrupt::STATUS)) };
     interrupt::finishing();
-    let pages = Site::new(&document, &ledger, &figures).pages().map_err(|error| CliError::Use(error.to_string()))?;
     let folders: BTreeSet<PathBuf> =
         pages.iter().filter_map(|page| Some(arguments.out.join(Path::new(&page.path).parent()?))).collect();
     for folder in &folders {
@@ -41,17 +37,22 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         output::write_file(&arguments.out.join(&page.path), &page.contents)?;
     }
     let (count, index) = (pages.len(), arguments.out.join("index.html"));
-    output::print(&format!(
-        "{} claims on {count} pages and files; begin with {}\n",
-        document.claims.len(),
-        index.display()
-    ))?;
+    output::print(&format!("{count} pages and files; begin with {}\n", index.display()))?;
     Ok(ExitCode::SUCCESS)
 }
 
+/// Every page of the site; none if the run was interrupted.
+pub fn pages(path: Option<&Path>, figures: bool) -> Result<Option<Vec<Page>>, CliError> {
+    let ledger = verify::ledger()?;
+    let Some(document) = document(path, &ledger)? else { return Ok(None) };
+    let Some(figures) = made(if figures { FIGURES.iter().collect() } else { Vec::new() })? else { return Ok(None) };
+    let pages = Site::new(&document, &ledger, &figures).pages();
+    pages.map(Some).map_err(|error| CliError::Use(error.to_string()))
+}
+
 /// The ledger of a file, or a new one; none if the run was interrupted.
-fn document(arguments: &Arguments, ledger: &flockproof::ledger::Ledger) -> Result<Option<Document<'static>>, CliError> {
-    let text = match &arguments.ledger {
+fn document(path: Option<&Path>, ledger: &flockproof::ledger::Ledger) -> Result<Option<Document<'static>>, CliError> {
+    let text = match path {
         Some(path) => output::read_input(path)?.text,
         None => {
             let ids = ledger.select(&[], &[]).map_err(|error| verify::use_error(&ledger, error))?;
@@ -68,7 +69,7 @@ fn document(arguments: &Arguments, ledger: &flockproof::ledger::Ledger) -> Resul
             Document::new(&report, &options).json()
         }
     };
-    let place = arguments.ledger.as_deref().unwrap_or(Path::new("ledger"));
+    let place = path.unwrap_or(Path::new("ledger"));
     Document::read(&text).map(Some).map_err(|error| CliError::file(place, error))
 }
 

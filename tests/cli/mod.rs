@@ -14,6 +14,7 @@ mod interrupt;
 mod refused;
 mod resonance;
 mod schemas;
+mod serve;
 mod shell;
 mod simulate;
 mod spectrum;

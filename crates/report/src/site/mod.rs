@@ -109,6 +109,10 @@ impl<'a> Site<'a> {
         }
         pages.push(Page::new("explore.js", explore::PLAYER));
         pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list()));
+        pages.push(Page::new("live.js", explore::ASKER));
+        for live in explore::LIVE {
+            pages.push(self.inner(&format!("explore/{}.html", live.name), live.title, "live", &explore::live(live)));
+        }
         for show in explore::SHOWS {
             let body = explore::body(self, show)?;
             pages.push(self.inner(&format!("explore/{}.html", show.name), show.title, "explore", &body));

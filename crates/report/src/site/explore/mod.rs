@@ -1,15 +1,19 @@
 //! Motions that can be watched: counterexamples and examples of the papers, computed by the engine and drawn in the page.
 
+mod live;
 mod runs;
 
 use super::Site;
 use super::frame::Links;
+pub(super) use live::LIVE;
 use maud::{Markup, PreEscaped, html};
 use runs::Run;
 pub use runs::RunsError;
 
 /// The program that plays the motions.
 pub(super) const PLAYER: &str = include_str!("player.js");
+/// The program that asks the program which serves the page.
+pub(super) const ASKER: &str = include_str!("live.js");
 
 /// A page with motions.
 pub(super) struct Show {
@@ -89,7 +93,15 @@ pub(super) fn list() -> Markup {
         h1 { "Explore" }
         p.lead { "Examples and counterexamples that move. Each was computed by the program; play, step, or drag the slider." }
         ul { @for show in SHOWS { li { a href={ (show.name) ".html" } { (show.title) } } } }
+        h2 { "Live" }
+        p { "These ask the program, under " code { "flockproof serve" } "." }
+        ul { @for live in LIVE { li { a href={ (live.name) ".html" } { (live.title) } } } }
     }
+}
+
+/// The page of a live one.
+pub(super) fn live(live: &live::Live) -> Markup {
+    live::body(live)
 }
 
 /// The page of one show.
