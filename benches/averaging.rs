@@ -3,7 +3,8 @@
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use flockproof::arithmetic::{Rational, Unwatched, rational};
 use flockproof::averaging::settle::{Limits, settle};
-use flockproof::averaging::{Flock, Hysteresis, Start, Weights};
+use flockproof::averaging::{FilteredFlock, Flock, Hysteresis, Start, Weights};
+use flockproof_benches::crowd;
 use std::hint::black_box;
 
 /// Two groups of four birds at speed `1/speed`, the first mirrored: they merge after about `3^(speed/3)` steps.
@@ -55,5 +56,27 @@ fn settling(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, stepping, settling);
+/// Birds of the plane: 1000 steps, and the settling decision, for three sizes each.
+fn crowds(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("crowds");
+    group.sample_size(10);
+    for birds in [125usize, 250, 500] {
+        let start = crowd(birds);
+        group.bench_function(BenchmarkId::new("1000 steps, birds", birds), |bencher| {
+            bencher.iter(|| {
+                let mut flock = FilteredFlock::new(&start).expect("a flock");
+                (0..1000).for_each(|_| drop(black_box(flock.step().expect("lazy weights suit every network"))));
+            });
+        });
+        group.bench_function(BenchmarkId::new("settle, birds", birds), |bencher| {
+            bencher.iter(|| {
+                settle(Flock::new(&start).expect("a flock"), &Limits::default(), &mut |_| {}, &Unwatched)
+                    .expect("settles")
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, stepping, settling, crowds);
 criterion_main!(benches);

@@ -3,7 +3,7 @@
 //! usage: cargo bench --bench peer_workloads -- [FILTER]   (FILTER keeps the configurations whose name contains it)
 
 use flockproof::arithmetic::{Interval, decimal, rational};
-use flockproof::averaging::{Flock, Hysteresis, Start, Weights};
+use flockproof::averaging::{FilteredFlock, Flock, Hysteresis, Start, Weights};
 use flockproof::double_integrator::{Potential, State, SwitchingFlock};
 use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::matrix::{StochasticMatrix, prefix_products, product_sequential, product_tree};
@@ -12,7 +12,9 @@ use flockproof::oscillator::AllToAll;
 use flockproof::platoon::time_domain::Modes;
 use flockproof::platoon::{Gains, resonance, theorem1};
 use flockproof::spectrum::{Eigenvalue, closed_form, matrix_spectrum, symmetric_enclosures, tridiagonal_eigenvalues};
-use flockproof_benches::{circulant, geometric, lattice_flock, phases, ring, stochastic_matrices, weighted_path};
+use flockproof_benches::{
+    circulant, crowd, geometric, lattice_flock, phases, ring, stochastic_matrices, weighted_path,
+};
 use num_bigint::BigUint;
 use num_traits::ToPrimitive;
 use sha2::{Digest, Sha256};
@@ -245,6 +247,29 @@ fn stepping(wanted: &dyn Fn(&str) -> bool) {
     }
 }
 
+/// The exact network log of 1000 birds of the plane over 10 000 steps.
+fn network_log(wanted: &dyn Fn(&str) -> bool) {
+    const BIRDS: usize = 1000;
+    const STEPS: usize = 10_000;
+    let size = format!("n={BIRDS},steps={STEPS}");
+    if wanted(&format!("W9 flockproof {size}")) {
+        let start = crowd(BIRDS);
+        let (seconds, log) = best_of(|| {
+            let mut flock = FilteredFlock::new(&start).expect("a flock");
+            let step = |_| flock.step().expect("lazy weights suit every network");
+            (0..STEPS).filter_map(step).collect::<Vec<_>>()
+        });
+        let mut entries = Vec::new();
+        for switch in &log {
+            let mut pairs: Vec<(usize, usize)> =
+                switch.gained.iter().chain(&switch.lost).map(|&(i, j)| (j, i)).collect();
+            pairs.sort_unstable();
+            entries.extend(pairs.into_iter().map(|(j, i)| format!("{}:{j}-{i}", switch.time)));
+        }
+        emit("W9", "flockproof", &size, seconds, &sha(&entries.join(",")));
+    }
+}
+
 /// The start of 128 cars behind a leader at the leading resonance: all positions and velocities at time 2000.
 fn platoon(wanted: &dyn Fn(&str) -> bool) {
     const FOLLOWERS: u64 = 128;
@@ -271,5 +296,6 @@ fn main() {
     phase_model(&wanted);
     switching_flock(&wanted);
     stepping(&wanted);
+    network_log(&wanted);
     platoon(&wanted);
 }

@@ -37,6 +37,7 @@ PAIRS = [
     ("W7", "n=8,steps=1000", "flockproof", ["w7_exact_flock.py", "flint", "1000"], 0.33),
     ("W7", "n=8,steps=10923", "flockproof", ["w7_exact_flock.py", "flint"], 0.33),
     ("W7", "n=8,steps=10923", "flockproof", ["w7_exact_flock.py", "gmpy2"], 1.0),
+    ("W9", "n=1000,steps=10000", "flockproof", ["w9_flock_log.py", "numba", "1000", "10000"], 3.0),
     ("W8", "M=128,t=2000", "flockproof", ["w8_platoon.py", "scipy"], 0.1),
     ("W8", "M=128,t=2000", "flockproof", ["w8_platoon.py", "expm"], 1.0),
 ]

@@ -1,6 +1,7 @@
 //! Inputs shared by the benches: the generator that the peer scripts use too (`benches/peers/common.py`).
 
 use flockproof::arithmetic::rational;
+use flockproof::averaging::{Hysteresis, Start, Weights};
 use flockproof::double_integrator::State;
 use flockproof::matrix::{SparseMatrix, StochasticMatrix};
 use flockproof::spectrum::Circulant;
@@ -87,6 +88,18 @@ pub fn lattice_flock(columns: usize, rows: usize) -> State<f64> {
         }
     }
     State { positions, velocities }
+}
+
+/// Birds of the plane at two or three in a unit square, with lazy weights.
+pub fn crowd(birds: usize) -> Start {
+    let mut random = Lcg(birds as u64);
+    let side = ((birds as f64 / 2.5).sqrt() * 1024.0) as u32;
+    let (mut positions, mut velocities) = (Vec::new(), Vec::new());
+    for _ in 0..birds {
+        positions.push((0..2).map(|_| rational(i64::from(random.u32() % side), 1024)).collect());
+        velocities.push((0..2).map(|_| rational(i64::from(random.u32() % 1024) - 512, 8192)).collect());
+    }
+    Start { positions, velocities, weights: Weights::Lazy, hysteresis: Hysteresis::None }
 }
 
 /// Row-stochastic matrices over the denominator 2520, every entry positive.

@@ -82,8 +82,14 @@ fn birds(count: u64) -> String {
 
 #[test]
 fn settling_many_birds_ends_with_the_switches_found() {
-    let path = file(&folder("interrupt_settle"), "birds.json", birds(150).as_bytes());
-    let output = terminated_after(flockproof(&["flock", "settle", &path]), "t = ");
+    let folder = folder("interrupt_settle");
+    let path = file(&folder, "birds.json", birds(150).as_bytes());
+    let log = folder.join("log.jsonl");
+    let found = || std::fs::metadata(&log).is_ok_and(|file| file.len() > 0);
+    let mut child = flockproof(&["flock", "settle", &path, "--log", log.to_str().expect("UTF-8")]);
+    wait_for(&mut child, found);
+    terminate(&child);
+    let output = child.wait_with_output().expect("it ends");
     let text = assert_interrupted(&output, contains(&output, "interrupted\nflocks: "));
     assert!(text.contains("150 birds") && text.lines().any(|line| line.starts_with("t = ")), "{text}");
 }
@@ -155,6 +161,30 @@ fn proofs_end_with_the_coqc_that_runs() {
     assert!(!alive.success() || contains(&output, "in the middle"), "coqc {coqc} still runs");
 }
 
+/// GNU timeout sends two signals at once: what was finished is written all the same, and it is told what is missing.
+#[test]
+fn an_interrupted_ledger_says_what_is_missing() {
+    let folder = folder("interrupt_verify");
+    let path = folder.join("ledger.json");
+    let mut child = flockproof(&["verify", "--threads", "1", "--json", path.to_str().expect("UTF-8")]);
+    // It catches signals once it works, and the first claims take less than this.
+    std::thread::sleep(Duration::from_millis(1500));
+    assert!(child.try_wait().expect("a child").is_none(), "the whole ledger was checked before");
+    terminate(&child);
+    terminate(&child);
+    let output = child.wait_with_output().expect("it ends");
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(130), "{error}");
+    if error.contains("stopping; again to quit at once") && !error.contains("in the middle") {
+        let text = std::fs::read_to_string(&path).expect("written");
+        let ledger: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(ledger["interrupted"], true);
+        assert!(ledger["missing"].as_array().is_some_and(|list| !list.is_empty()));
+        let table = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(table.contains("interrupted: the claims above were finished; missing:"), "{table}");
+    }
+}
+
 /// Commands that say nothing before their end: the signal is sent once they catch it.
 #[cfg(target_os = "linux")]
 #[test]
@@ -171,6 +201,7 @@ fn silent_commands_end_too() {
     for arguments in [
         &["verify", "--threads", "1"][..],
         &["ergodicity", &factors],
+        &["fuzz", "matrix.product_tree", "--cases", "100000000"],
         &["spectrum", "--graph", "geometric:1500:1/4:7"],
         &["resonance", "--followers", "1000000000", "--f", "-1", "--g", "-1", "--digits", "9000"],
     ] {

@@ -2,14 +2,18 @@
 
 use super::{assert_refused, file, flockproof, folder, stdout};
 
-const COMMANDS: [&str; 13] = [
+const COMMANDS: [&str; 17] = [
     "verify",
+    "list",
     "explain",
+    "report",
     "reproduce",
     "resonance",
     "spectrum",
     "tracks",
     "prove",
+    "check",
+    "fuzz",
     "certify",
     "ergodicity",
     "flock",

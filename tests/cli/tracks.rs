@@ -75,7 +75,7 @@ fn bad_tracks_are_refused() {
     refuse("good.csv", &good, &["--window", "1", "--ids", "a"], "only one fish");
     refuse("good.csv", &good, &["--window", "1", "--nearest", "3"], "between 1 and 2");
     refuse("good.csv", &good, &["--window", "1", "--body-length", "0"], "body length 0");
-    refuse("good.csv", &good, &["--window", "1", "--body-length", "nan"], "body length NaN");
+    refuse("good.csv", &good, &["--window", "1", "--body-length", "nan"], "`nan` is not an integer");
     refuse("good.csv", &good, &["--window", "1", "--blind", "400"], "blind spot of 400");
     refuse("good.csv", &good, &["--window", "1", "--null", "99999999"], "--null 99999999");
     refuse("good.csv", &good, &["--synthetic", "milling"], "--synthetic");

@@ -1,11 +1,12 @@
 //! README and notes against the program: every command and every file that they show.
 //!
 //! A `console` block shows commands after `$ ` with what they print; a line `...` stands for any lines. They are run. A `sh` block
-//! shows commands without output: those of flockproof are parsed, those of others are in a list. Blocks of `toml` and `json` are read by
-//! the program, those of `rust` are documentation tests of the library.
+//! shows commands without output: those of flockproof are parsed, those of others are in a list. A comment `# exit status 1` says how a
+//! command ends that does not end with 0. Blocks of `toml` and `json` are read by the program, those of `rust` are documentation tests of the library.
 
 mod page;
 
+use flockproof::question::Question;
 use flockproof::report::Figure;
 use flockproof::scenario::Scenario;
 use page::{Page, pages, root, spans};
@@ -17,7 +18,8 @@ use std::process::{Command, Output};
 const OF_OTHERS: [&str; 4] = ["cargo ", "git ", "python3 ", "source <("];
 
 /// Folders of the repository whose files the pages name.
-const FOLDERS: [&str; 8] = [".ci/", "assets/", "benches/", "crates/", "notes/", "proofs_checks/", "src/", "tests/"];
+const FOLDERS: [&str; 9] =
+    [".ci/", "assets/", "benches/", "crates/", "fuzz/", "notes/", "proofs_checks/", "src/", "tests/"];
 
 /// A folder of its own with the examples that come with the program.
 fn workplace(name: &str) -> PathBuf {
@@ -82,7 +84,8 @@ fn console_blocks_show_what_is_printed() {
             let output = run(&folder, &words);
             let printed = String::from_utf8_lossy(&output.stdout).into_owned();
             let error = String::from_utf8_lossy(&output.stderr).into_owned();
-            assert!(output.status.success(), "{}: `{}`: {error}", page.path.display(), shown.command);
+            let expected = shown.command.split_once("# exit status ").map_or(Ok(0), |(_, code)| code.trim().parse());
+            assert_eq!(output.status.code(), expected.ok(), "{}: `{}`: {error}", page.path.display(), shown.command);
             let lines: Vec<&str> = printed.trim_end().lines().map(str::trim_end).collect();
             assert!(
                 is_as_shown(&shown.output, &lines),
@@ -145,6 +148,11 @@ fn shown_files_can_be_read() {
             let contents = block.lines.join("\n") + "\n";
             let place = format!("{}, after `{}`", page.path.display(), block.before);
             match block.language {
+                "toml" if contents.contains("[question]") => {
+                    let none = |name: &str| Err(format!("there is no file {name}"));
+                    let read = Question::read(&contents, &none);
+                    assert!(read.is_ok(), "{place}: {:?}", read.err());
+                }
                 "toml" => assert!(Scenario::read(&contents).is_ok(), "{place}: {:?}", Scenario::read(&contents).err()),
                 "json" => {
                     std::fs::write(folder.join("shown.json"), &contents).expect("a file");

@@ -121,7 +121,7 @@ impl<V: Send + Sync + 'static> Claim for Record<V> {
         Some(Correction { fault: *fault, statement: whole(statement, clauses), clauses: owned(clauses) })
     }
 
-    fn alterations(&self) -> Vec<&'static str> {
+    fn alterations(&self) -> Vec<&str> {
         self.controls.iter().map(|(what, _)| *what).collect()
     }
 

@@ -34,6 +34,7 @@ struct Platoon {
     tracking: String,
     gains: Gains<f64>,
     spacing: f64,
+    drawn: Option<String>,
 }
 
 const COMMUNICATIONS: [(&str, Communication); 2] =
@@ -64,12 +65,16 @@ pub(super) fn read(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, C
     let (graph, tracking) = tracked(source, &law, positions.len())?;
     let deviations = positions.iter().zip(0..).skip(1).map(|(x, k)| x + spacing * f64::from(k));
     let state: Vec<f64> = deviations.chain(velocities.iter().skip(1).copied()).collect();
-    let platoon = Platoon { leader, graph, tracking, gains, spacing };
+    let platoon = Platoon { leader, graph, tracking, gains, spacing, drawn: start.drawn };
     Ok(Box::new(Continuous::new(platoon, &state, tolerance)))
 }
 
 /// Who keeps track of whom.
-fn tracked(source: &Source, law: &Section, cars: usize) -> Result<(CommunicationGraph, String), ConfigError> {
+pub(super) fn tracked(
+    source: &Source,
+    law: &Section,
+    cars: usize,
+) -> Result<(CommunicationGraph, String), ConfigError> {
     let communication = law.get("communication");
     let Some(section) = source.section("graph")? else {
         let chosen = communication.as_ref().map_or(Ok(Communication::FrontAndBack), |e| e.choice(&COMMUNICATIONS))?;
@@ -147,7 +152,7 @@ impl Law for Platoon {
 
     fn declaration(&self) -> Vec<String> {
         let Leader { place, speed, amplitude, frequency } = &self.leader;
-        vec![
+        let mut lines = vec![
             format!(
                 "platoon of Veerman and others: y_k'' = f e_k + g e_k' with f = {}, g = {}, e_k the deviation of follower k from the mean of the cars it tracks, y_k = x_k - h_k, h_k = -{} (k - 1)",
                 self.gains.f, self.gains.g, self.spacing
@@ -155,7 +160,9 @@ impl Law for Platoon {
             self.tracking.clone(),
             format!("agent 1 is the leader: x_1(t) = {place} + {speed} t + {amplitude} cos({frequency} t); at t = 0 it is at {}", place + amplitude),
             "observables: gaps x_k - x_(k+1) of successive cars (min_gap, max_gap); deviations y_k - y_1 from the leader (largest in size; of the last car); disagreement sqrt(sum |v_k - mean|²) with the leader; min_distance over all pairs; components of the communication graph".to_string(),
-        ]
+        ];
+        lines.extend(self.drawn.clone());
+        lines
     }
 }
 

@@ -1,34 +1,52 @@
 //! A flock of either model, stepped with its constant control.
 
+use flockproof::arithmetic::Progress;
 use flockproof::arithmetic::Rational;
 use flockproof::averaging::read::Model;
-use flockproof::averaging::{Flock, FlockError, KinematicFlock, Switch, Weights, declaration, kinematic_declaration};
+use flockproof::averaging::{
+    FilteredFlock, Flock, FlockError, KinematicFlock, Switch, Weights, declaration, kinematic_declaration,
+};
 use flockproof::graph::Graph;
 use flockproof::matrix::RationalMatrix;
 
 pub enum Course {
-    D(Box<Flock>, Option<RationalMatrix>),
+    /// Stepped by balls, with the declaration.
+    D(Box<FilteredFlock>, String),
+    /// Under control: stepped exactly.
+    Controlled(Box<Flock>, RationalMatrix),
     K(Box<KinematicFlock>, Option<Vec<Rational>>),
 }
 
 impl Course {
     pub fn new(model: Model) -> Result<Self, FlockError> {
         Ok(match model {
-            Model::D { start, control } => Course::D(Box::new(Flock::new(&start)?), control),
+            Model::D { start, control } => {
+                let flock = Flock::new(&start)?;
+                match control {
+                    Some(control) => Course::Controlled(Box::new(flock), control),
+                    None => {
+                        let declaration = declaration(&flock, None);
+                        Course::D(Box::new(FilteredFlock::from_exact(flock)?), declaration)
+                    }
+                }
+            }
             Model::K { start, control } => Course::K(Box::new(KinematicFlock::new(&start)?), control),
         })
     }
 
     pub fn declaration(&self) -> String {
         match self {
-            Course::D(flock, control) => declaration(flock, control.as_ref()),
+            Course::D(_, declaration) => declaration.clone(),
+            Course::Controlled(flock, control) => declaration(flock, Some(control)),
             Course::K(flock, kappa) => kinematic_declaration(flock, kappa.as_deref()),
         }
     }
 
-    pub fn step(&mut self) -> Result<Option<Switch>, FlockError> {
+    /// One step; `progress` may stop a long one.
+    pub fn step(&mut self, progress: &dyn Progress) -> Result<Option<Switch>, FlockError> {
         match self {
-            Course::D(flock, control) => flock.step_controlled(|_| control.clone()),
+            Course::D(flock, _) => flock.step_watched(progress),
+            Course::Controlled(flock, control) => flock.step_controlled(|_| Some(control.clone())),
             Course::K(flock, kappa) => flock.step_controlled(|_| kappa.clone()),
         }
     }
@@ -36,6 +54,7 @@ impl Course {
     pub fn network(&self) -> &Graph {
         match self {
             Course::D(flock, _) => flock.network(),
+            Course::Controlled(flock, _) => flock.network(),
             Course::K(flock, _) => flock.network(),
         }
     }
@@ -44,19 +63,21 @@ impl Course {
     pub fn weights(&self) -> &Weights {
         match self {
             Course::D(flock, _) => flock.weights(),
+            Course::Controlled(flock, _) => flock.weights(),
             Course::K(..) => &Weights::Vicsek,
         }
     }
 
     /// Whether `flock settle` takes it.
     pub fn can_be_settled(&self) -> bool {
-        matches!(self, Course::D(_, None))
+        matches!(self, Course::D(..))
     }
 
     /// Bits of the common denominator of what is exact.
     pub fn denominator_bits(&self) -> u64 {
         match self {
             Course::D(flock, _) => flock.denominator_bits(),
+            Course::Controlled(flock, _) => flock.denominator_bits(),
             Course::K(flock, _) => flock.denominator_bits(),
         }
     }
@@ -64,7 +85,7 @@ impl Course {
     /// Bits of what is not exact.
     pub fn precision(&self) -> Option<u32> {
         match self {
-            Course::D(..) => None,
+            Course::D(..) | Course::Controlled(..) => None,
             Course::K(flock, _) => Some(flock.precision()),
         }
     }

@@ -32,18 +32,31 @@ pub fn shortened(t: &BigInt) -> String {
     format!("{}...{} ({} digits)", &digits[..12], &digits[digits.len() - 12..], digits.len())
 }
 
-/// One switch as a line of text, with what it does to the flocks.
-pub fn switch_line(switch: &Switch, before: &Graph, after: &Graph) -> String {
-    let edges = |sign: &str, pairs: &[(usize, usize)]| -> String {
-        pairs.iter().map(|(i, j)| format!(" {sign}{}-{}", i + 1, j + 1)).collect()
-    };
-    let (old, new) = (before.components().len(), after.components().len());
-    let what = match old.cmp(&new) {
-        std::cmp::Ordering::Greater => format!("  flocks merge: {old} -> {new}"),
-        std::cmp::Ordering::Less => format!("  flocks split: {old} -> {new}"),
-        std::cmp::Ordering::Equal => String::new(),
-    };
-    format!("t = {}{}{}{what}\n", shortened(&switch.time), edges("+", &switch.gained), edges("-", &switch.lost))
+/// Switches as lines of text, with what they do to the flocks.
+pub struct SwitchLine {
+    /// Flocks of the network before.
+    flocks: usize,
+}
+
+impl SwitchLine {
+    pub fn new(network: &Graph) -> Self {
+        SwitchLine { flocks: network.components().len() }
+    }
+
+    /// The next switch, with the network after it.
+    pub fn of(&mut self, switch: &Switch, after: &Graph) -> String {
+        let edges = |sign: &str, pairs: &[(usize, usize)]| -> String {
+            pairs.iter().map(|(i, j)| format!(" {sign}{}-{}", i + 1, j + 1)).collect()
+        };
+        let (old, new) = (self.flocks, after.components().len());
+        self.flocks = new;
+        let what = match old.cmp(&new) {
+            std::cmp::Ordering::Greater => format!("  flocks merge: {old} -> {new}"),
+            std::cmp::Ordering::Less => format!("  flocks split: {old} -> {new}"),
+            std::cmp::Ordering::Equal => String::new(),
+        };
+        format!("t = {}{}{}{what}\n", shortened(&switch.time), edges("+", &switch.gained), edges("-", &switch.lost))
+    }
 }
 
 /// Where events go as they happen: one JSON object per line in a file, so that an interrupted run leaves all of them.
@@ -53,14 +66,14 @@ pub struct Log {
 
 impl Log {
     pub fn new(path: Option<&Path>) -> Result<Self, CliError> {
-        let open = |path: &Path| File::create(path).map_err(|error| CliError::file(path, error));
+        let open = |path: &Path| File::create(path).map_err(|error| CliError::file(path, output::sentence(&error)));
         let file = path.map(|path| open(path).map(|file| (path.to_path_buf(), file))).transpose()?;
         Ok(Log { file })
     }
 
     pub fn write(&mut self, event: &Value) -> Result<(), CliError> {
         let Some((path, file)) = &mut self.file else { return Ok(()) };
-        writeln!(file, "{event}").map_err(|error| CliError::file(path, error))
+        writeln!(file, "{event}").map_err(|error| CliError::file(path, output::sentence(&error)))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Graphs: undirected simple ones, which the flocking networks are made of, and directed ones with rational weights.
 
+pub mod classes;
 mod components;
 mod isomorphism;
 mod laplacian;
@@ -89,6 +90,14 @@ impl Graph {
         })
     }
 
+    /// Joins two different vertices, or parts them where they are joined. What is no pair of vertices stays as it is.
+    pub fn toggle(&mut self, i: usize, j: usize) {
+        if i != j && i.max(j) < self.order() {
+            self.adjacency.flip(i, j);
+            self.adjacency.flip(j, i);
+        }
+    }
+
     /// Number of vertices.
     pub fn order(&self) -> usize {
         self.adjacency.rows()
@@ -101,12 +110,12 @@ impl Graph {
 
     /// The adjacency with ones on the diagonal: the footprint of every matrix `I - CL` with `0 < c_i d_i < 1`.
     pub fn closed_adjacency(&self) -> Footprint {
-        Footprint::from_fn(self.order(), self.order(), |i, j| i == j || self.has_edge(i, j))
+        self.adjacency.closed()
     }
 
     /// Number of neighbours of `i`.
     pub fn degree(&self, i: usize) -> usize {
-        (0..self.order()).filter(|&j| self.has_edge(i, j)).count()
+        if i < self.order() { self.adjacency.ones(i).count() } else { 0 }
     }
 
     /// The graph on these vertices, which become `0, 1, ...` in the order given, with all edges among them.
@@ -121,7 +130,8 @@ impl Graph {
 
     /// The neighbours of `i` in order.
     pub fn neighbours(&self, i: usize) -> Vec<usize> {
-        self.adjacency.column(i)
+        // Symmetric: the row is the column.
+        if i < self.order() { self.adjacency.ones(i).collect() } else { Vec::new() }
     }
 
     /// The edges `(i, j)` with `i < j`.
@@ -160,9 +170,8 @@ impl Graph {
             let mut next = 0;
             while let Some(&i) = members.get(next) {
                 next += 1;
-                for (j, seen) in seen.iter_mut().enumerate().filter(|(j, _)| self.has_edge(i, *j)) {
-                    if !*seen {
-                        *seen = true;
+                for j in self.adjacency.ones(i) {
+                    if !std::mem::replace(&mut seen[j], true) {
                         members.push(j);
                     }
                 }

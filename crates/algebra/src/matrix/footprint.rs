@@ -22,6 +22,22 @@ impl Footprint {
         Footprint { rows, cols, words, bits }
     }
 
+    /// Makes an entry inside the matrix the other.
+    pub(crate) fn flip(&mut self, i: usize, j: usize) {
+        if i < self.rows && j < self.cols {
+            self.bits[i * self.words + j / 64] ^= 1 << (j % 64);
+        }
+    }
+
+    /// The columns with a one in row `i`, in order.
+    pub(crate) fn ones(&self, i: usize) -> impl Iterator<Item = usize> {
+        self.row(i).iter().enumerate().flat_map(|(word, &bits)| {
+            let left = |bits: &u64| (*bits != 0).then(|| bits & (bits - 1));
+            std::iter::successors((bits != 0).then_some(bits), move |bits| left(bits).filter(|&b| b != 0))
+                .map(move |bits| word * 64 + bits.trailing_zeros() as usize)
+        })
+    }
+
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows
@@ -47,7 +63,7 @@ impl Footprint {
         let mut bits = vec![0u64; self.rows * right.words];
         for i in 0..self.rows {
             let out = &mut bits[i * right.words..(i + 1) * right.words];
-            for k in (0..self.cols.min(right.rows)).filter(|&k| self.get(i, k)) {
+            for k in self.ones(i).take_while(|&k| k < right.rows) {
                 out.iter_mut().zip(right.row(k)).for_each(|(word, &other)| *word |= other);
             }
         }
@@ -70,8 +86,18 @@ impl Footprint {
         (0..self.rows.min(self.cols)).all(|i| self.get(i, i))
     }
 
+    /// With ones on the diagonal too.
+    pub(crate) fn closed(&self) -> Self {
+        let mut closed = self.clone();
+        (0..self.rows.min(self.cols)).filter(|&i| !self.get(i, i)).for_each(|i| closed.flip(i, i));
+        closed
+    }
+
     /// The square submatrix with these rows and columns, counted from 0.
     pub fn restricted(&self, to: &[usize]) -> Self {
+        if to.len() == self.rows && self.rows == self.cols && to.iter().enumerate().all(|(place, &i)| place == i) {
+            return self.clone();
+        }
         Footprint::from_fn(to.len(), to.len(), |i, j| self.get(to[i], to[j]))
     }
 

@@ -23,6 +23,8 @@ pub struct StabiliserStream {
     most_levels: usize,
     factors: usize,
     levels: Vec<Level>,
+    /// The last factor, where it changed nothing: pushed again, it changes nothing.
+    idle: Option<Footprint>,
 }
 
 /// The product since `T_{k-1}` on `V_{k-1}`, and the stabiliser that it shows.
@@ -59,12 +61,16 @@ fn first_column(domain: &[usize], product: &Footprint) -> Vec<usize> {
 impl StabiliserStream {
     /// An empty sequence of square footprints of this order, of which the first `most_levels` stabilisers are kept.
     pub fn new(order: usize, most_levels: usize) -> Self {
-        StabiliserStream { order, most_levels, factors: 0, levels: Vec::new() }
+        StabiliserStream { order, most_levels, factors: 0, levels: Vec::new(), idle: None }
     }
 
     /// The next factor of the sequence, a square footprint of the order of the stream; outside of it there are only zeros.
     pub fn push(&mut self, factor: &Footprint) {
         self.factors += 1;
+        if self.idle.as_ref() == Some(factor) {
+            return;
+        }
+        self.idle = None;
         for k in 0..self.levels.len() {
             if self.levels[k].push(factor, self.factors) {
                 // What follows T_k starts again, with the next factor.
@@ -73,10 +79,13 @@ impl StabiliserStream {
             }
         }
         if self.levels.len() == self.most_levels {
+            self.idle = Some(factor.clone());
             return;
         }
         let domain = self.levels.last().map_or_else(|| (0..self.order).collect(), |last| last.found.members.clone());
-        if !domain.is_empty() {
+        if domain.is_empty() {
+            self.idle = Some(factor.clone());
+        } else {
             self.levels.push(Level::started(domain, factor, self.factors));
         }
     }

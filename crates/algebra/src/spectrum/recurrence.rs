@@ -253,16 +253,19 @@ impl ExponentialSum {
                 _ => None,
             });
         };
-        // Beyond Cauchy's bound of the roots of p and of p', |p| does not decrease; the exponentials do.
+        // |p| does not decrease where all coefficients have one sign, nor beyond Cauchy's bound of the roots of p and of p'; the
+        // exponentials do.
+        let one_sign = self.polynomial.iter().all(|c| c.is_zero() || Signed::sign(c) == Signed::sign(lead));
         let bound: Rational = self.polynomial.iter().map(|c| (c / lead).abs()).sum();
         let r = rational(i64::try_from(from).unwrap_or(i64::MAX), 1);
-        if r < bound {
+        if r < bound && !one_sign {
             return Ok(None);
         }
         let value = self.polynomial.iter().rev().fold(r.zero(), |sum, c| sum * &r + c).abs();
         let Some((first, _)) = self.terms.first() else { return Ok(Signed::sign(lead)) };
         let mut margin = first.rational(&value);
-        for (root, coefficient) in &self.terms {
+        // Terms of the same sign do no harm.
+        for (root, coefficient) in self.terms.iter().filter(|(_, c)| c.sign() != Signed::sign(lead)) {
             margin = margin - absolute(&(root.power(from) * coefficient));
         }
         Ok(if margin.is_certainly_positive() { Signed::sign(lead) } else { None })

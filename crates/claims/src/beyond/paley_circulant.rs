@@ -1,6 +1,6 @@
 //! beyond.paley.circulant_spectrum, beyond.paley.cyclic_patterns: circular formations on circulant graphs.
 
-use crate::paley::argued;
+use crate::argued::argued;
 use algebra::matrix::{Inertia, determinant_over_field, inertia};
 use arithmetic::{ArithmeticError, Complex, CosineField, Field, RealCyclotomic, Ring, Sign, Signed, rational};
 use ledger::{CheckError, Evidence, Grade, Record, Run};
@@ -100,7 +100,7 @@ pub fn circulant_spectrum() -> Record<SpectrumVariant> {
                 let place = || format!("N = {order}, offsets {offsets:?}, m = {m}");
                 Ok(wrong.then(|| format!("{}: the determinant is not the product of the cubics", place())))
             });
-            Run::all([found, argued(&[1], "every undirected circulant graph", "F1-F5")])
+            Run::all([found, argued(&[1], "every undirected circulant graph", "notes/paley_phases.md, steps F1-F5")])
         },
     )
     .stated(
@@ -154,7 +154,7 @@ pub fn cyclic_patterns() -> Record<CyclicVariant> {
             let detail = format!("N = 3 to {most} and 12, all m: exact inertia of the Hessian over cosines");
             let evidence = Evidence::new(Grade::Exhaustive, "signs of the Hessian", detail).on([1, 2]);
             let found = run.every(evidence, patterns, |(order, m)| variant.contradiction(order, m));
-            Run::all([found, argued(&[1, 2], "every N, m and gains", "F6-F8")])
+            Run::all([found, argued(&[1, 2], "every N, m and gains", "notes/paley_phases.md, steps F6-F8")])
         },
     )
     .stated(

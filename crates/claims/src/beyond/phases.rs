@@ -1,6 +1,7 @@
 //! beyond.paley.inertia and beyond.paley.cyclic_eigenvectors.
 
-use crate::paley::{CyclicVariant, Kind, argued, arrangements, critical_points, hessian, is_critical, is_on_a_line};
+use crate::argued::argued;
+use crate::paley::{CyclicVariant, Kind, arrangements, critical_points, hessian, is_critical, is_on_a_line};
 use crate::paley::{linearisation, two_clusters};
 use algebra::matrix::Inertia;
 use arithmetic::{Complex, Field, Signed};
@@ -87,7 +88,7 @@ fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, C
             };
             Ok((is_critical(&z)? && !known).then(|| format!("{place}: another critical point")))
         });
-    Run::all([line, balanced, others, argued(&[1, 2, 3, 4, 5], "every N", "C1-C6")])
+    Run::all([line, balanced, others, argued(&[1, 2, 3, 4, 5], "every N", "notes/paley_phases.md, steps C1-C6")])
 }
 
 // --- Eigenvectors of cyclic graphs ---
@@ -108,7 +109,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
             let found = run.every(evidence, 3..=most, |nodes| {
                 Ok(variant.fails_on(nodes)?.map(|what| format!("C_{nodes}: {what}")))
             });
-            Run::all([found, argued(&[1, 2, 3, 4], "every N", "E1-E5")])
+            Run::all([found, argued(&[1, 2, 3, 4], "every N", "notes/paley_phases.md, steps E1-E5")])
         },
     )
     .stated(

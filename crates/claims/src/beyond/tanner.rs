@@ -1,6 +1,7 @@
 //! beyond.tanner1.two_agents, turning_triangle; beyond.tanner2.alternating_trees, endless_switching, thm2_stop.
 
-use crate::tanner2::fixtures::{PLANE, argued, printed as logarithmic, spring};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{PLANE, printed as logarithmic, spring};
 use crate::tanner2::switching::{TREES_ARGUED, Trees, no_common_configuration};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;

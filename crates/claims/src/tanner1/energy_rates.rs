@@ -2,7 +2,8 @@
 
 use super::closed_loop::{UPWARDS, at_upwards, upwards};
 use super::turning::{ForceVariant, does_no_work, examine_printed};
-use crate::tanner2::fixtures::{argued, on_connected, total};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{on_connected, total};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};

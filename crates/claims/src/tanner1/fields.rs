@@ -1,6 +1,7 @@
 //! tanner1.L, L.ones, Lw, anyV, fig2, Vmono, Vt: graph matrices and the potential.
 
-use crate::tanner2::fixtures::{PLANE, argued, printed as printed_potential, sloped, spring};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{PLANE, printed as printed_potential, sloped, spring};
 use crate::tanner2::graphs::{LaplacianVariant, examine_laplacian, shown, small_graphs};
 use algebra::graph::Graph;
 use arithmetic::{Interval, Rational, Sign, Signed, rational};

@@ -5,7 +5,8 @@
 
 use super::energy_rates::energy_is_constant;
 use super::sets::Plain;
-use crate::tanner2::fixtures::{argued, on_connected, printed as potential};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{on_connected, printed as potential};
 use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
 use models::double_integrator::{HeadingDifference, turning_triangle};

@@ -1,6 +1,7 @@
 //! tanner1.smooth, eq2, Omega.closed, Omega.bounded, collision, proof_ratio: the law and the set Omega.
 
-use crate::tanner2::fixtures::{PLANE, argued, on_connected, printed as printed_potential, sloped, soft};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{PLANE, on_connected, printed as printed_potential, sloped, soft};
 use crate::tanner2::graphs::shown;
 use crate::tanner2::wording::{HeadingVariant, examine_heading, headings};
 use algebra::graph::Graph;

@@ -1,7 +1,8 @@
 //! tanner2.bound_r, bound_v, eq7, cor2_sub: what an energy at most c bounds.
 
-use super::fixtures::{PLANE, argued, connected, pairs, quadratic, random_vectors, sloped, spring};
+use super::fixtures::{PLANE, connected, pairs, quadratic, random_vectors, sloped, spring};
 use super::graphs::{rational_spectrum, shown};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{ArithmeticError, Rational, rational};

@@ -1,6 +1,7 @@
 //! tanner2.eq6, eq8, eq9, cor2_decomp, S_config, eq14, vdotB: the energy and its rate of change on a fixed graph.
 
-use super::fixtures::{PLANE, argued, energy_decreases, on_connected, quadratic, spring, total};
+use super::fixtures::{PLANE, energy_decreases, on_connected, quadratic, spring, total};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::identity::RationalIdentity;

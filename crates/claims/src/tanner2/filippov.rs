@@ -1,7 +1,8 @@
 //! tanner2.eq10_exist, appA.def4, appA_uniq, appA.thm4: solutions of equations with discontinuous right-hand sides.
 
 use super::figures::other;
-use super::fixtures::{PLANE, argued, spring};
+use super::fixtures::{PLANE, spring};
+use crate::argued::argued;
 use arithmetic::{Rational, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Kink, Pair, Span, State, Way, fork, linked_within, tied};

@@ -1,6 +1,7 @@
 //! tanner2.lem1, lem2, Q, Qjump, Qdot, eq13, eq13.interval: the saturated potential and the energy Q.
 
-use super::fixtures::{PLANE, argued, energy_decreases, printed as logarithmic, random_vectors, spring};
+use super::fixtures::{PLANE, energy_decreases, printed as logarithmic, random_vectors, spring};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};

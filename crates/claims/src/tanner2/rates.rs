@@ -1,7 +1,8 @@
 //! tanner2.cor2_rate: how fast velocities agree, by exact linearisations.
 
-use super::fixtures::{PLANE, argued, connected, sloped};
+use super::fixtures::{PLANE, connected, sloped};
 use super::graphs::{rational_spectrum, shown};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use algebra::spectrum::Polynomial;

@@ -1,7 +1,8 @@
 //! tanner2.arbswitch, thm2_stop: switching by any signal, and switching by distance that ends or does not.
 
-use super::fixtures::{argued, spring};
+use super::fixtures::spring;
 use super::limits::{VELOCITIES, switching_checks};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, rational};

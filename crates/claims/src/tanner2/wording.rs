@@ -1,6 +1,7 @@
 //! tanner2.eq2, sec6.figures, appA.thm5: a formula and two references.
 
-use super::fixtures::{PLANE, argued, spring};
+use super::fixtures::{PLANE, spring};
+use crate::argued::argued;
 use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Pair, State, heading, linked_within, velocity_alignment};

@@ -60,10 +60,22 @@ impl Switch {
         Switch { time, gained: only(new, old), lost: only(old, new) }
     }
 
-    /// The network after it.
+    /// The network after it, from the one before.
     pub fn applied_to(&self, before: &Graph) -> Graph {
-        let gained = before.with_edges(&self.gained);
-        Graph::from_fn(gained.order(), |i, j| gained.has_edge(i, j) && !self.lost.contains(&(i, j)))
+        let mut network = before.clone();
+        self.apply_to(&mut network);
+        network
+    }
+
+    /// Makes the network before it the one after it.
+    pub fn apply_to(&self, network: &mut Graph) {
+        for (list, joined) in [(&self.gained, true), (&self.lost, false)] {
+            for &(i, j) in list {
+                if network.has_edge(i, j) != joined {
+                    network.toggle(i, j);
+                }
+            }
+        }
     }
 }
 
@@ -405,6 +417,27 @@ impl Flock {
         }
         self.scratch.joined = scratch;
         Ok(changed)
+    }
+
+    /// The distance of two birds after the next move against 1, and their difference of velocities in that move, over any unit.
+    pub(super) fn next_comparison(&self, i: usize, j: usize) -> (Ordering, Vec<BigInt>) {
+        let (now, moved, unit) = self.next_difference(i, j);
+        let squared: BigInt = now.iter().map(Ring::square).sum();
+        (squared.cmp(&unit.square()), moved)
+    }
+
+    /// Whether hysteresis would hold an edge after the next move.
+    pub(super) fn next_is_held(&self, i: usize, j: usize) -> Result<bool, FlockError> {
+        let (now, moved, unit) = self.next_difference(i, j);
+        self.threshold.holds(&now, &moved, &unit)
+    }
+
+    /// `x_i - x_j` after the next move, `v_i - v_j` in that move, and the unit of both.
+    fn next_difference(&self, i: usize, j: usize) -> (Vec<BigInt>, Vec<BigInt>, BigInt) {
+        let moved = self.differences(&self.velocities, i, j);
+        let before = self.position_difference(i, j);
+        let now = before.into_iter().zip(&moved).map(|(x, v)| x * &self.pending + v).collect();
+        (now, moved, self.denominator() * &self.pending)
     }
 
     /// The network that the distance rule alone gives now.

@@ -54,7 +54,12 @@ struct Pair {
     at_start: Ordering,
     /// Whether `x_i(t) - x_j(t)` is `x_i(0) - x_j(0)` times one `e^(i phi)`; `None` where nobody asked.
     turned_start: Option<bool>,
+    /// Before this time its status cannot change.
+    quiet_until: u64,
 }
+
+/// Rounding in double precision, generously.
+const SLACK: f64 = 1e-9;
 
 /// Bits of the positions at first.
 const FIRST_BITS: u32 = 128;
@@ -72,7 +77,7 @@ impl KinematicFlock {
         check(start)?;
         let pair = |i: usize, j: usize| {
             let squared = (start.positions[i].clone() - &start.positions[j]).norm_squared();
-            Pair { at_start: squared.cmp(&squared.one()), turned_start: Some(true) }
+            Pair { at_start: squared.cmp(&squared.one()), turned_start: Some(true), quiet_until: 0 }
         };
         let pairs: Vec<Pair> = (0..birds).flat_map(|j| (0..j).map(move |i| pair(i, j))).collect();
         let network = Graph::from_fn(birds, |i, j| pairs[index(i, j)].at_start != Ordering::Greater);
@@ -174,6 +179,8 @@ impl KinematicFlock {
         let kappa = control(self);
         if let Some(kappa) = &kappa {
             check_kappa(kappa, self.birds())?;
+            // Headings leave the range that was counted on.
+            self.pairs.iter_mut().for_each(|pair| pair.quiet_until = 0);
         }
         self.course.note_control(self.time, kappa);
         self.course.turn(&mut self.headings, &self.rule);
@@ -187,15 +194,41 @@ impl KinematicFlock {
     /// Called between moving and averaging, when the headings are those of the move.
     fn decide_network(&mut self) -> Result<Graph, FlockError> {
         let mut joined = Vec::with_capacity(self.pairs.len());
+        let most = self.most_change();
         for j in 0..self.birds() {
             for i in 0..j {
+                if self.time < self.pairs[index(i, j)].quiet_until {
+                    self.pairs[index(i, j)].turned_start = None;
+                    joined.push(self.network().has_edge(i, j));
+                    continue;
+                }
                 if !self.headings.are_equal(i, j) {
                     self.pairs[index(i, j)].turned_start = None;
                 }
-                joined.push(self.are_joined(i, j)?);
+                let near = self.are_joined(i, j)?;
+                joined.push(near);
+                self.pairs[index(i, j)].quiet_until =
+                    (self.time + 1).saturating_add(self.quiet_steps(i, j, near, most));
             }
         }
         Ok(Graph::from_fn(self.birds(), |i, j| joined[index(i, j)]))
+    }
+
+    /// How much any distance changes in a step at most, from now on without control: averaging keeps all headings in their range, and
+    /// `|e^(i a) - e^(i b)| <= min(2, |a - b|)` (Lemma 2.1).
+    fn most_change(&self) -> f64 {
+        let headings = || (0..self.birds()).map(|i| self.headings.enclosure(i, FIRST_BITS).to_f64());
+        let range = headings().fold(f64::NEG_INFINITY, f64::max) - headings().fold(f64::INFINITY, f64::min);
+        self.speed_enclosure().to_f64() * (range + SLACK).min(2.0) * (1.0 + SLACK)
+    }
+
+    /// Steps in which a pair that is joined or not keeps its side of distance 1.
+    fn quiet_steps(&self, i: usize, j: usize, near: bool, most: f64) -> u64 {
+        let squared = self.difference(i, j).norm_squared();
+        let (lo, hi) = (squared.lo().to_f64().max(0.0).sqrt(), squared.hi().to_f64().sqrt());
+        let gap = if near { 1.0 - hi } else { lo - 1.0 };
+        // Zero where the gap is negative or nothing is known.
+        ((gap - SLACK * (1.0 + hi)) / most * (1.0 - SLACK)) as u64
     }
 
     /// An edge that hysteresis holds needs no decision about its length, which can be hard when changes are small.

@@ -6,12 +6,14 @@ mod affine;
 mod contraction;
 mod declaration;
 mod filling;
+mod filtered;
 mod flock;
 mod headings;
 mod hysteresis;
 mod kinematic;
 mod modes;
 mod motion;
+mod noisy;
 mod observe;
 pub mod read;
 mod rule;
@@ -23,18 +25,20 @@ pub use affine::{Affine, HalfOpenRange};
 pub use contraction::{Contraction, contraction, contraction_watched};
 pub use declaration::{declaration, kinematic_declaration};
 pub use filling::{Filling, GroupRule};
+pub use filtered::FilteredFlock;
 pub use flock::{Flock, Start, Switch, check_control};
 pub use hysteresis::Hysteresis;
 pub use kinematic::{KinematicFlock, KinematicStart, MOST_BITS, check_kappa};
 pub use modes::{Mode, rational_modes};
 pub use motion::{State, motion};
+pub use noisy::NoisyFlock;
 pub use observe::{Decay, Observer};
 pub use stationary::{deviation_matrix, deviation_matrix_watched, equal_rows, stationary_distribution};
 pub use transients::{Separation, Transients};
 
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};
-use arithmetic::{Rational, Ring, Signed, rational};
+use arithmetic::{Cancelled, Rational, Ring, Signed, rational};
 
 /// The weights `c_i` of the model: bird `i` moves its velocity towards each neighbour's by `c_i` times the difference.
 #[derive(Debug, Clone, PartialEq)]
@@ -199,6 +203,9 @@ pub enum FlockError {
         /// Number of controls.
         found: usize,
     },
+    /// Stopped by the caller.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
     /// Too near to call.
     #[error("birds {} and {} at t = {time} are too near {against} to be decided with {bits} bits", pair.0, pair.1)]
     Undecided {

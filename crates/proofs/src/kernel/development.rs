@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 78] = sources![
+const SOURCES: [(&str, &str); 80] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -29,6 +29,8 @@ const SOURCES: [(&str, &str); 78] = sources![
     "chazelle_stabilisers",
     "chazelle_contraction",
     "chazelle_count",
+    "chazelle_entries",
+    "chazelle_estimates",
     "chazelle_worked",
     "paley_model",
     "paley_phase",

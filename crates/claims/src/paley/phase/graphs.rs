@@ -1,6 +1,7 @@
 //! paley.length, paley.eq11.kernel, paley.incid: the Laplacian as a sum over edges.
 
-use super::common::{arcs, argued, digraph, digraphs, laplacian, named, squared_lengths, supports};
+use super::common::{arcs, digraph, digraphs, laplacian, named, squared_lengths, supports};
+use crate::argued::argued;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
 use arithmetic::identity::RationalIdentity;
@@ -190,7 +191,7 @@ fn examine_incidence(variant: &IncidenceVariant, run: &mut Run) -> Result<Outcom
         }
         Ok(None)
     })?;
-    let proof = argued(&[1, 2], "every undirected graph", "L3");
+    let proof = argued(&[1, 2], "every undirected graph", "notes/paley_phases.md, steps L3");
     Run::all([Ok(supports(graphs, &[1, 2])), proof])
 }
 

@@ -4,7 +4,7 @@
 //! gradient of a phase potential `U`, the linearisation has on the unstable side as many eigenvalues as the Hessian of `U` has
 //! negative ones; it is exponentially stable up to the symmetries where that Hessian is positive definite up to rotation.
 
-use super::instances::{argued, scattered_phasors};
+use super::instances::scattered_phasors;
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, RationalMatrix, inertia};
 use arithmetic::{Complex, CosineField, Field, Rational, Ring, Sign, Signed, rational};
@@ -133,7 +133,11 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
         }
     }
     Ok(Outcome::Holds(vec![
-        argued("all circulant graphs", "Balanced formations on circulant graphs, steps 1-5", &[1, 2, 3]),
+        Evidence::argued(
+            "all circulant graphs",
+            "notes/paley_particles.md, Balanced formations on circulant graphs, steps 1-5",
+        )
+        .on([1, 2, 3]),
         Evidence::new(
             Grade::Exhaustive,
             "balanced, in equilibrium, no direction of growth",

@@ -1,8 +1,6 @@
 //! paley.thm2, paley.thm2.center: what solutions under the spacing control converge to.
 
-use super::instances::{
-    StateIdentity, argued, described, identity_graphs, scattered_phasors, stability, state_identity,
-};
+use super::instances::{StateIdentity, described, identity_graphs, scattered_phasors, stability, state_identity};
 use super::spacing::{DescentVariant, ProperVariant, examine_descent, examine_proper};
 use arithmetic::{ArithmeticError, Dual, Field, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
@@ -152,7 +150,7 @@ fn examine_theorem2(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outco
         return Ok(limit);
     }
     let proper = examine_proper(&variant.proper, run);
-    let argued = argued("every solution", "Theorem 2, steps 1-4", &[1, 2]);
+    let argued = Evidence::argued("every solution", "notes/paley_particles.md, Theorem 2, steps 1-4").on([1, 2]);
     let on = |outcome: Result<Outcome, CheckError>| Ok(outcome?.on([1]));
     Run::all([
         Ok(Outcome::Holds(vec![argued])),
@@ -220,6 +218,8 @@ fn examine_fixed_centre(variant: &ConvergenceVariant, run: &mut Run) -> Result<O
         true => state_identity(&MeanCentre, &["w0", "K_0"], "the mean centre is conserved", run),
         false => Ok(moving),
     };
-    let argued = Outcome::Holds(vec![argued("one fixed centre", "Theorem 2, steps 5-8", &[2, 3])]);
+    let argued = Outcome::Holds(vec![
+        Evidence::argued("one fixed centre", "notes/paley_particles.md, Theorem 2, steps 5-8").on([2, 3]),
+    ]);
     Run::all([Ok(argued), conserved, Ok(examine_convergence(variant, run)?.on([1, 3]))])
 }

@@ -1,9 +1,9 @@
 //! paley.eq26, paley.vrep, paley.vatt: the steps of the fish model and its behaviours.
 
-use super::instances::{StateIdentity, argued, state_identity};
+use super::instances::{StateIdentity, state_identity};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
-use ledger::{CheckError, Fault, Outcome, Record, Run};
+use ledger::{CheckError, Evidence, Fault, Outcome, Record, Run};
 use models::oscillator::{State, phasor, quarter_turn, repulsion, steering_towards};
 
 /// Positions move by `T^position e^{i theta}` and phases by `T^phase u`.
@@ -125,7 +125,9 @@ impl RationalIdentity for BehaviourIdentity {
 fn examine_behaviour(variant: &BehaviourVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let names = ["K", "tan(theta/2)", "tan(psi_1/2)", "tan(psi_2/2)", "tan(psi_3/2)"];
     let part = "v away from (or towards) three neighbours, rhat_kj = e^{i psi_j}, and steering towards v";
-    let argued = argued("any number of neighbours", "Behaviours of fish, steps 1-2", &[1, 2]);
+    let argued =
+        Evidence::argued("any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 1-2")
+            .on([1, 2]);
     let identity = run.identity(&BehaviourIdentity(*variant), &names, part)?;
     Run::all([Ok(identity.on([1, 2])), Ok(Outcome::Holds(vec![argued]))])
 }

@@ -1,6 +1,6 @@
 //! paley.eq28, paley.fish28ori: the steering of a fish beside the circular control.
 
-use super::instances::{StateIdentity, argued, described, identity_graphs, state_identity};
+use super::instances::{StateIdentity, described, identity_graphs, state_identity};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
@@ -118,7 +118,9 @@ fn examine_laplacian_form(variant: &FormVariant, run: &mut Run) -> Result<Outcom
          {approximate}"
     );
     let differs = Evidence::new(Grade::Exact, "not (27) at other distances", detail);
-    let argued = argued("any number of neighbours", "Behaviours of fish, steps 3-6", &[1, 2, 3, 4]);
+    let argued =
+        Evidence::argued("any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 3-6")
+            .on([1, 2, 3, 4]);
     let support = Outcome::Holds(vec![differs.on([4]), argued]);
     Run::all([Ok(identity.on([1, 2, 3])), Ok(support)])
 }
@@ -231,6 +233,8 @@ fn examine_comparison(variant: &ComparisonVariant, run: &mut Run) -> Result<Outc
         "perpendicular motion in the limit",
         "exact circular formations with K_1 > 0 and K_1 < 0",
     );
-    let argued = argued("every graph and every start", "Perpendicular motion, steps 1-4", &[2, 3]);
+    let argued =
+        Evidence::argued("every graph and every start", "notes/paley_particles.md, Perpendicular motion, steps 1-4")
+            .on([2, 3]);
     Run::all(identities.chain([Ok(Outcome::Holds(vec![argued, perpendicular.on([3]).cases(count)]))]))
 }

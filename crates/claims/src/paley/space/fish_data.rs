@@ -1,6 +1,5 @@
 //! paley.figS1_S3, paley.figS3.difference: the measured tracks and what is inferred from them.
 
-use super::instances::argued;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::random::uniform;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
@@ -190,7 +189,7 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
             against.extend(evidence.into_iter().map(|evidence| (what.clone(), evidence)));
         }
     }
-    let argued = argued("any school", "Figure S3, steps 1-2", &[1, 2]);
+    let argued = Evidence::argued("any school", "notes/paley_particles.md, Figure S3, steps 1-2").on([1, 2]);
     for_it.push(argued);
     if against.is_empty() {
         return Ok(Outcome::Holds(for_it));

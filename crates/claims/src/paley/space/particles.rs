@@ -1,6 +1,6 @@
 //! paley.eq3, paley.energy, paley.releq, paley.Rball: what single particles, shapes and circular motion do.
 
-use super::instances::{StateIdentity, argued, scattered_phasors, state_identity, sum_of_squares};
+use super::instances::{StateIdentity, scattered_phasors, state_identity, sum_of_squares};
 use algebra::matrix::RationalMatrix;
 use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
@@ -241,7 +241,8 @@ fn examine_relative_equilibria(variant: &EquilibriumVariant, run: &mut Run) -> R
         let wrong = dimension != 3 * particles - variant.fewer;
         Ok(wrong.then(|| format!("N = {particles}: the shape has {dimension} dimensions of {}", 3 * particles)))
     })?;
-    let argued = argued("any number of particles", "Shape space, steps 1-5", &[1, 2, 3, 4]);
+    let argued = Evidence::argued("any number of particles", "notes/paley_particles.md, Shape space, steps 1-5")
+        .on([1, 2, 3, 4]);
     let part = "rates of change of the shape; equilibria for u != 0 and u = 0";
     let rates = Ok(state_identity(variant, &["u", "u_2"], part, run)?.on([1, 3, 4]));
     Run::all([Ok(dimension.on([2])), rates, Ok(Outcome::Holds(vec![argued]))])

@@ -4,7 +4,7 @@
 //! gradient of a phase potential `U`, the linearisation has on the unstable side as many eigenvalues as the Hessian of `U` has
 //! negative ones; it is exponentially stable up to the symmetries where that Hessian is positive definite up to rotation.
 
-use super::instances::{argued, connected_graphs, described, scattered_phasors, stability};
+use super::instances::{connected_graphs, described, scattered_phasors, stability};
 use crate::paley::runs::PARTICLES;
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, inertia};
@@ -29,7 +29,7 @@ impl SynchronyVariant {
     const STABLE: Self = SynchronyVariant { orientation: -1, spacing: 1, connected: true };
 }
 
-const SECTION: &str = "Linearisation at a circular formation, the theorem and (sync.exp)";
+const SECTION: &str = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (sync.exp)";
 
 /// Numerators and denominators of `w0` and `|K_1|`.
 type Sizes = ((i64, i64), (i64, i64));
@@ -65,7 +65,7 @@ fn examine_synchrony(
             )
         }))
     });
-    let argued = argued("every connected graph and all gains of these signs", section, &[1]);
+    let argued = Evidence::argued("every connected graph and all gains of these signs", section).on([1]);
     Run::all([Ok(Outcome::Holds(vec![argued])), decays])
 }
 
@@ -246,9 +246,9 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
         Err(what) => return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "linearisation", "enclosures"))),
     };
     let enclosed = format!("N = 12, all M: spectral abscissae in {range} for w0 = 1/10 and -2 (beyond.paley.abscissa)");
-    let section = "Linearisation at a circular formation, the theorem and (thm3.stab)";
+    let section = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (thm3.stab)";
     let support = vec![
-        argued("all M and N", section, &[1, 2, 3]),
+        Evidence::argued("all M and N", section).on([1, 2, 3]),
         Evidence::new(Grade::Certified, "linearisation", enclosed).cases(12).on([3]),
     ];
     Run::all([Ok(Outcome::Holds(support)), Ok(linearised.on([1, 2, 3])), Ok(hessians.on([2, 3]))])

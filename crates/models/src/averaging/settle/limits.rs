@@ -133,6 +133,11 @@ impl Motion {
         })
     }
 
+    /// Whether every velocity has its limit already.
+    pub fn is_straight(&self) -> bool {
+        self.velocity_rest.iter().chain(&self.rest).flatten().all(Zero::is_zero)
+    }
+
     /// `(A, B)` with `x_i - x_j = A + B s - (transients)`.
     pub fn difference(&self, i: usize, j: usize) -> (Vec<BigInt>, Vec<BigInt>) {
         let minus = |a: &[BigInt], b: &[BigInt]| a.iter().zip(b).map(|(p, q)| p - q).collect();

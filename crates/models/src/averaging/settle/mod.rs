@@ -6,12 +6,13 @@
 //! leading terms decide), and pairs with drift follow a quadratic polynomial in `s` whose roots are found exactly, however
 //! far away they are. `notes/settling.md` has the argument.
 
+mod cycle;
 mod limits;
 mod pairs;
 mod perturbation;
 mod ties;
 
-use super::{Flock, FlockError, Switch, transition_matrix};
+use super::{FilteredFlock, Flock, FlockError, Switch, transition_matrix};
 use algebra::graph::Graph;
 use algebra::matrix::MatrixError;
 use algebra::spectrum::RecurrenceError;
@@ -22,13 +23,14 @@ use num_integer::Integer;
 use num_traits::ToPrimitive;
 use pairs::{Approach, Prospects, prospects};
 use perturbation::{Functional, Jump, Stage, difference_functional, value_of};
+use std::sync::Arc;
 
 /// Why a flock could not be followed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SettleError {
     /// The flock cannot go on.
     #[error(transparent)]
-    Flock(#[from] FlockError),
+    Flock(FlockError),
     /// A matrix without a limit.
     #[error(transparent)]
     Matrix(MatrixError),
@@ -50,6 +52,15 @@ pub enum SettleError {
     /// A jump that does not pass its own check: never to be seen.
     #[error("the switch predicted for t = {0} does not pass the rule")]
     Inconsistent(String),
+}
+
+impl From<FlockError> for SettleError {
+    fn from(error: FlockError) -> Self {
+        match error {
+            FlockError::Cancelled(stopped) => SettleError::Cancelled(stopped),
+            other => SettleError::Flock(other),
+        }
+    }
 }
 
 impl From<MatrixError> for SettleError {
@@ -126,6 +137,18 @@ pub struct Settlement {
 /// Steps that are taken one by one after a switch before anything is analysed.
 const PATIENCE: u64 = 48;
 
+/// Certified bounds for all pairs at once are given up for exact limits after so many steps on one network: what these cost
+/// grows with the cube of the number of birds, and a step by balls costs next to nothing.
+fn patience_for_bounds(birds: usize) -> u64 {
+    PATIENCE + (birds as u64).saturating_pow(3) / 4
+}
+
+/// Steps on one network until velocities should have settled so far that the balls can jump.
+const PATIENCE_FOR_JUMPS: u64 = 8192;
+
+/// Balls do not jump over more steps than this; beyond, exact limits are quicker.
+const LONGEST_JUMP: u64 = 1 << 40;
+
 /// The longest cycle of networks that is looked for.
 const LONGEST_CYCLE: usize = 6;
 
@@ -143,8 +166,7 @@ pub fn settle(
     found: &mut dyn FnMut(&Switch),
     progress: &dyn Progress,
 ) -> Result<Settlement, SettleError> {
-    let (stages, recent, last_switch) = (Vec::new(), Vec::new(), BigInt::ZERO);
-    let mut course = Course { flock, stages, recent, last_switch, switches: 0, progress };
+    let mut course = Course::new(flock, progress);
     let (ending, why) = loop {
         match course.next(limits) {
             Err(SettleError::Cancelled(stopped)) => break (Ending::Interrupted, stopped.to_string()),
@@ -153,6 +175,8 @@ pub fn settle(
                 break (Ending::Undecided(why.clone()), why);
             }
             Err(error) => return Err(error),
+            // Found once more, after starting again.
+            Ok(Next::Switch(switch)) if switch.time <= course.last_switch => {}
             Ok(Next::Switch(switch)) => {
                 course.last_switch.clone_from(&switch.time);
                 course.switches += 1;
@@ -161,35 +185,55 @@ pub fn settle(
                     let why = format!("stopped after {} switches", limits.switches);
                     break (Ending::Undecided(why.clone()), why);
                 }
-                let cycle = match course.proved_cycle() {
+                let cycle = match course.proved_cycle(limits) {
                     Err(SettleError::Cancelled(stopped)) => break (Ending::Interrupted, stopped.to_string()),
                     found => found?,
                 };
-                if let Some(period) = cycle {
-                    let why = format!(
-                        "the networks repeat a cycle of {period}: if they do, every distance keeps its side of 1 at each \
-                         phase, by the leading term of its recurrence"
-                    );
-                    break (Ending::Alternating { period }, why);
+                match cycle {
+                    Cycle::None => {}
+                    Cycle::Proved(period) => {
+                        let why = format!(
+                            "the networks repeat a cycle of {period}: if they do, every distance keeps its side of 1 at each \
+                             phase, by the leading term of its recurrence"
+                        );
+                        break (Ending::Alternating { period }, why);
+                    }
+                    Cycle::TooFar(why) => break (Ending::Undecided(why.clone()), why),
                 }
             }
             Ok(Next::Moved) => {}
             Ok(Next::End(ending, why)) => break (ending, why),
         }
     };
-    Ok(Settlement { network: course.flock.network().clone(), last_switch: course.last_switch, ending, why })
+    let network = course.network().clone();
+    Ok(Settlement { network, last_switch: course.last_switch, ending, why })
 }
 
 /// A flock on its way.
 struct Course<'a> {
+    /// The exact flock; behind the balls where there are some.
     flock: Flock,
+    /// The flock stepped by balls, as long as nothing was left out.
+    balls: Option<FilteredFlock>,
+    /// Where to start again with exact numbers, should balls that have jumped not be enough.
+    before_jumps: Option<FilteredFlock>,
+    may_jump: bool,
     /// What happened since the last exact state; empty while the state is exact.
     stages: Vec<Stage>,
     /// The networks of the last steps, as long as switches follow one another closely.
-    recent: Vec<Graph>,
+    recent: Vec<Arc<Graph>>,
     last_switch: BigInt,
     switches: usize,
+    /// A cycle is not looked for before so many switches.
+    next_attempt: usize,
     progress: &'a dyn Progress,
+}
+
+/// Whether the networks go round for ever.
+enum Cycle {
+    None,
+    Proved(usize),
+    TooFar(String),
 }
 
 enum Next {
@@ -199,12 +243,91 @@ enum Next {
     End(Ending, String),
 }
 
-impl Course<'_> {
+impl<'a> Course<'a> {
+    fn new(flock: Flock, progress: &'a dyn Progress) -> Self {
+        Course {
+            flock,
+            balls: None,
+            before_jumps: None,
+            may_jump: true,
+            stages: Vec::new(),
+            recent: Vec::new(),
+            last_switch: BigInt::ZERO,
+            switches: 0,
+            next_attempt: 0,
+            progress,
+        }
+    }
+
+    /// The network of now.
+    fn network(&self) -> &Graph {
+        self.balls.as_ref().map_or_else(|| self.flock.network(), FilteredFlock::network)
+    }
+
     fn next(&mut self, limits: &Limits) -> Result<Next, SettleError> {
+        match self.next_by_balls(limits) {
+            Err(SettleError::Flock(FlockError::Undecided { .. })) => {}
+            Ok(Some(next)) => return Ok(next),
+            Ok(None) => {}
+            Err(error) => return Err(error),
+        }
+        if let Some(start) = self.before_jumps.take() {
+            // Exact numbers are needed that the jumps have left behind: the whole way again, without them.
+            self.balls = Some(start);
+            self.may_jump = false;
+            self.recent.clear();
+            return Ok(Next::Moved);
+        }
+        self.next_exactly(limits)
+    }
+
+    /// The next switch or the end, where the balls show it; otherwise the exact flock is brought to some steps after the last switch.
+    fn next_by_balls(&mut self, limits: &Limits) -> Result<Option<Next>, SettleError> {
         if let Some(switch) = self.walk(PATIENCE)? {
-            return Ok(Next::Switch(switch));
+            return Ok(Some(Next::Switch(switch)));
         }
         self.recent.clear();
+        let Some(balls) = &self.balls else { return Ok(None) };
+        let start = balls.time();
+        let most = patience_for_bounds(balls.birds());
+        let mut walked = PATIENCE;
+        loop {
+            let Some(balls) = &mut self.balls else { return Ok(None) };
+            let Some(outlook) = balls.outlook(self.progress)? else { break };
+            if outlook.is_steady() {
+                let why = self.why_steady(outlook.drifting);
+                return Ok(Some(Next::End(Ending::Steady, why)));
+            }
+            let far = self.may_jump && outlook.quiet > 2 * walked;
+            if far {
+                let before = self.before_jumps.is_none().then(|| balls.clone());
+                if outlook.quiet <= LONGEST_JUMP && balls.jump(outlook.quiet) {
+                    self.before_jumps = self.before_jumps.take().or(before);
+                    walked = PATIENCE;
+                    continue;
+                }
+            }
+            // A jump needs velocities that have settled.
+            let most = if far && outlook.quiet <= LONGEST_JUMP { 16 * most + PATIENCE_FOR_JUMPS } else { most };
+            if walked >= most.min(limits.steps) {
+                break;
+            }
+            let steps = walked.min(limits.steps);
+            if let Some(switch) = self.walk(steps)? {
+                return Ok(Some(Next::Switch(switch)));
+            }
+            self.recent.clear();
+            walked += steps;
+        }
+        if self.before_jumps.is_none()
+            && let Some(balls) = self.balls.take()
+        {
+            self.flock = balls.into_exact(&start, self.progress)?;
+        }
+        Ok(None)
+    }
+
+    fn next_exactly(&mut self, limits: &Limits) -> Result<Next, SettleError> {
         let fixed = FixedNetwork::new(self.flock.network(), self.flock.weights(), self.progress)?;
         let motion = Motion::new(&fixed, &self.flock.integers(), self.progress)?;
         let start = self.flock.time().clone();
@@ -253,23 +376,37 @@ impl Course<'_> {
         }
     }
 
+    /// Why the network never changes again, with the number of pairs that have a relative drift.
+    fn why_steady(&self, drifting: usize) -> String {
+        let (birds, now) = match &self.balls {
+            Some(balls) => (balls.birds(), balls.time()),
+            None => (self.flock.birds(), self.flock.time().clone()),
+        };
+        if birds == 1 {
+            return "one bird has no edges".to_string();
+        }
+        let drifting = match drifting {
+            0 => "there is no pair with relative drift".to_string(),
+            pairs => format!("the {pairs} pairs with relative drift never come within distance 1"),
+        };
+        format!(
+            "checked step by step for {} steps after the last switch; from then on every pair without relative drift stays joined or \
+             apart, because what is left of its motion is too small to change that, and {drifting}",
+            now - &self.last_switch
+        )
+    }
+
     /// No switch comes at a time that can be written.
     fn end(&self, all: &Prospects) -> Next {
         let log2 = |interval: &Interval| interval.to_rationals();
         let Some(first) = all.creeps.iter().min_by(|a, b| log2(&a.log2_steps).0.cmp(&log2(&b.log2_steps).0)) else {
-            let why = match self.flock.birds() {
-                1 => "one bird has no edges".to_string(),
-                _ => format!(
-                    "checked step by step for {} steps after the last switch; from then on every pair without relative drift stays \
-                     joined or apart, because what is left of its motion is too small to change that (it is halved every so many \
-                     steps), and {}",
-                    self.flock.time() - &self.last_switch,
-                    match all.approaches.len() {
-                        0 => "there is no pair with relative drift".to_string(),
-                        pairs => format!("the {pairs} pairs with relative drift never come within distance 1"),
-                    }
-                ),
-            };
+            let mut why = self.why_steady(all.approaches.len());
+            if all.parting > 0 {
+                why.push_str(&format!(
+                    "; {} pairs of which the relative drift is too small to be written as a number move apart",
+                    all.parting
+                ));
+            }
             return Next::End(Ending::Steady, why);
         };
         // All whose time may be as early.
@@ -285,15 +422,24 @@ impl Course<'_> {
         Next::End(Ending::Beyond { pairs, log2_steps }, why)
     }
 
-    /// Exact steps, up to a number or the next switch.
+    /// Steps, up to a number or the next switch.
     fn walk(&mut self, steps: u64) -> Result<Option<Switch>, SettleError> {
         for _ in 0..steps {
             self.progress.checkpoint()?;
-            let switch = if self.stages.is_empty() { self.flock.step()? } else { self.careful_step()? };
+            let switch = if self.stages.is_empty() {
+                let balls = match &mut self.balls {
+                    Some(balls) => balls,
+                    none => none.insert(FilteredFlock::from_exact(self.flock.clone())?),
+                };
+                balls.step_watched(self.progress)?
+            } else {
+                self.careful_step()?
+            };
             if self.recent.len() == 4 * LONGEST_CYCLE * REPETITIONS {
                 self.recent.clear();
             }
-            self.recent.push(self.flock.network().clone());
+            let same = self.recent.last().filter(|_| switch.is_none()).cloned();
+            self.recent.push(same.unwrap_or_else(|| Arc::new(self.network().clone())));
             if switch.is_some() {
                 return Ok(switch);
             }
@@ -380,10 +526,12 @@ impl Course<'_> {
             return Err(SettleError::Unresolved);
         }
         let time = start + &steps;
-        if let Some(few) = self.exact_jump(fixed, &steps, limits) {
+        let straight = self.stages.is_empty() && motion.is_straight();
+        if let Some(few) = self.exact_jump(fixed, &steps, limits).filter(|_| !straight) {
             // The state one step before, then a step by the rule itself.
             let state = motion.state_after(fixed, few - 1, self.progress)?;
             self.flock = self.flock.moved_to(&state, fixed.network.clone(), &time - 1)?;
+            self.balls = None;
             return match self.flock.step()? {
                 Some(switch) => Ok(Next::Switch(switch)),
                 None if all.approaches.iter().any(|a| a.sign_at(&steps) == Sign::Zero) => Ok(Next::Moved),
@@ -435,7 +583,13 @@ impl Course<'_> {
             row.iter_mut().zip(drift).for_each(|(x, d)| *x += d * &steps);
         }
         state.reduce(self.progress)?;
-        self.stages.push(Stage::Jump(Box::new(jump)));
+        // Where all velocities have their limits nothing is left out, and the state stays exact.
+        let exact = self.stages.is_empty() && motion.is_straight();
+        if exact {
+            joined.append(&mut ties);
+        } else {
+            self.stages.push(Stage::Jump(Box::new(jump)));
+        }
         if !ties.is_empty() && self.flock.dimension() > 1 {
             // The second order of what was left out can outweigh the first.
             return Err(SettleError::Unresolved);
@@ -460,18 +614,30 @@ impl Course<'_> {
         let mut averaged = self.flock.moved_to(&state, network.clone(), time.clone())?;
         averaged.average_again();
         self.flock = averaged;
-        self.stages.push(Stage::Average(transition));
+        self.balls = None;
+        if !exact {
+            self.stages.push(Stage::Average(transition));
+        }
         if joined.is_empty() {
             return Ok(Next::Moved);
         }
         Ok(Next::Switch(Switch::between(&fixed.network, &network, time)))
     }
 
+    /// The exact flock of now, as long as it is within reach.
+    fn exact(&mut self) -> Result<Option<Flock>, SettleError> {
+        match &mut self.balls {
+            Some(balls) if balls.has_jumped() => Ok(None),
+            Some(balls) => Ok(Some(balls.exact(self.progress)?.clone())),
+            None => Ok(Some(self.flock.clone())),
+        }
+    }
+
     /// Looks for a cycle in the recent networks and proves that it goes on forever.
-    fn proved_cycle(&self) -> Result<Option<usize>, SettleError> {
+    fn proved_cycle(&mut self, limits: &Limits) -> Result<Cycle, SettleError> {
         // Under hysteresis an edge that is lost again and again would need changes of distance that do not die out.
         if !self.stages.is_empty() || self.flock.threshold().log2_below().is_some() {
-            return Ok(None);
+            return Ok(Cycle::None);
         }
         let recent = &self.recent;
         let repeats = |period: usize| {
@@ -480,22 +646,46 @@ impl Course<'_> {
                 && recent.len() >= 2 * seen
                 && (recent.len() - seen..recent.len()).all(|k| recent[k] == recent[k - period])
         };
-        let Some(period) = (2..=LONGEST_CYCLE).find(|&p| repeats(p)) else { return Ok(None) };
-        let cycle = recent[recent.len() - period..].to_vec();
-        let horizon = match ties::cycle_horizon(&self.flock, &cycle, self.progress) {
-            Ok(Some(horizon)) => horizon,
+        let Some(period) = (2..=LONGEST_CYCLE).find(|&p| repeats(p)) else { return Ok(Cycle::None) };
+        // Each attempt costs more than the one before.
+        if self.switches < self.next_attempt {
+            return Ok(Cycle::None);
+        }
+        self.next_attempt = 2 * self.switches;
+        let cycle: Vec<Graph> = recent[recent.len() - period..].iter().map(|network| (**network).clone()).collect();
+        let Some(flock) = self.exact()? else { return Ok(Cycle::None) };
+        let horizon = match cycle::future(&flock, &cycle, limits.steps, self.progress) {
+            Ok(cycle::Future::Keeps(horizon)) => horizon,
+            Ok(cycle::Future::Until((i, j))) => {
+                let why = format!(
+                    "the networks repeat a cycle of {period}, and birds {} and {} approach, but come within distance 1 only after more \
+                     steps than the limit of {}",
+                    i + 1,
+                    j + 1,
+                    limits.steps
+                );
+                return Ok(Cycle::TooFar(why));
+            }
             Err(SettleError::Cancelled(stopped)) => return Err(stopped.into()),
-            _ => return Ok(None),
+            _ => return Ok(Cycle::None),
         };
+        if horizon > limits.steps {
+            let why = format!(
+                "the networks repeat a cycle of {period}, which would have to be followed for {horizon} steps to be proved, more than \
+                 the limit of {}",
+                limits.steps
+            );
+            return Ok(Cycle::TooFar(why));
+        }
         // Until the horizon the networks have to keep to the cycle too.
-        let mut follower = self.flock.clone();
+        let mut follower = FilteredFlock::from_exact(flock)?;
         for step in 0..horizon {
             self.progress.checkpoint()?;
-            follower.step()?;
+            follower.step_watched(self.progress)?;
             if *follower.network() != cycle[(step as usize).mod_floor(&period)] {
-                return Ok(None);
+                return Ok(Cycle::None);
             }
         }
-        Ok(Some(period))
+        Ok(Cycle::Proved(period))
     }
 }

@@ -36,6 +36,8 @@ pub(super) struct Prospects {
     pub horizon: u64,
     pub approaches: Vec<Approach>,
     pub creeps: Vec<Creep>,
+    /// Pairs of different flocks that part at a speed too small to be written as a number.
+    pub parting: usize,
     /// Why something stays open.
     pub open: Option<String>,
 }
@@ -166,7 +168,7 @@ impl Pair<'_> {
             return Err(SettleError::Unresolved);
         }
         if Signed::sign(place) == Some(drift.sign) {
-            // They move apart.
+            all.parting += 1;
             return Ok(true);
         }
         let gap = Rational::new(place.abs() - &self.motion.unit, self.motion.unit.clone());

@@ -60,33 +60,8 @@ fn difference(flock: &Flock, (i, j): (usize, usize)) -> Vec<Rational> {
     flock.position_difference(i, j).into_iter().map(|x| Rational::new(x, unit.clone())).collect()
 }
 
-/// Whether the networks follow the cycle forever; the number of steps after which signs are those of the long run, or `None`
-/// where some pair does not keep to the cycle.
-pub(super) fn cycle_horizon(
-    flock: &Flock,
-    cycle: &[Graph],
-    progress: &dyn Progress,
-) -> Result<Option<u64>, SettleError> {
-    let mut horizon = 0;
-    for j in 0..flock.birds() {
-        for i in 0..j {
-            let long_run = pair_in_cycle(flock, cycle, (i, j), progress)?;
-            let keeps = long_run.signs.iter().enumerate().all(|(residue, &sign)| {
-                // After `residue` steps (modulo the count) the network is that of step `residue - 1`.
-                let network = &cycle[(residue + cycle.len() - 1) % cycle.len()];
-                (sign != Sign::Positive) == network.has_edge(i, j)
-            });
-            if !keeps {
-                return Ok(None);
-            }
-            horizon = horizon.max(long_run.from);
-        }
-    }
-    Ok(Some(horizon))
-}
-
 /// On the line the status is that of two linear sequences, `x_i - x_j` against 1 and against -1.
-fn pair_in_cycle(
+pub(super) fn pair_in_cycle(
     flock: &Flock,
     cycle: &[Graph],
     pair: (usize, usize),

@@ -8,10 +8,12 @@ use proptest::prelude::*;
 
 mod control;
 mod filling;
+mod filtered;
 mod flock;
 mod interrupted;
 mod kinematic;
 mod modes;
+mod noisy;
 mod settle;
 mod stationary;
 mod transients;

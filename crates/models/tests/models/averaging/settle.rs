@@ -208,3 +208,111 @@ fn ties_of_second_order_are_not_guessed() {
         assert!(matches!(settled.ending, Ending::Undecided(_)), "{:?}", settled.why);
     }
 }
+
+/// Four birds of the plane that alternate, and others.
+fn alternating_in_the_plane(others: &[[(i64, i64); 4]]) -> Start {
+    let mut positions: Vec<Vec<Rational>> =
+        [(0, 1), (1, 2), (21, 16), (29, 16)].map(|(p, q)| vec![rational(p, q), rational(0, 1)]).to_vec();
+    let mut velocities: Vec<Vec<Rational>> = [1, -1, 1, -1].map(|p| vec![rational(p, 8), rational(0, 1)]).to_vec();
+    for [x, y, u, v] in others {
+        positions.push([x, y].map(|&(p, q)| rational(p, q)).to_vec());
+        velocities.push([u, v].map(|&(p, q)| rational(p, q)).to_vec());
+    }
+    Start { positions, velocities, weights: Weights::Lazy, hysteresis: Hysteresis::None }
+}
+
+#[test]
+fn alternating_birds_and_others_far_away() {
+    let plane = [
+        alternating_in_the_plane(&[[(10, 1), (3, 1), (1, 7), (0, 1)]]),
+        alternating_in_the_plane(&[
+            [(10, 1), (3, 1), (1, 7), (0, 1)],
+            [(20, 1), (5, 1), (1, 5), (0, 1)],
+            [(41, 2), (5, 1), (1, 5), (1, 16)],
+        ]),
+    ];
+    let fifth = |speed: i64| {
+        let x = [(0, 16), (8, 16), (21, 16), (29, 16), (160, 16)].map(|(p, q)| rational(p, q)).to_vec();
+        let mut v = [1, -1, 1, -1].map(|p| rational(p, 8)).to_vec();
+        v.push(rational(speed, 1_000_000_000_000));
+        Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None)
+    };
+    for start in plane.iter().chain([&fifth(1)]) {
+        let (switches, settled) = all_switches(start, &Limits::default());
+        assert!(matches!(settled.ending, Ending::Alternating { period: 2 }), "{}", settled.why);
+        assert!(switches.iter().enumerate().all(|(k, s)| s.time == (k as u32 + 1).into()));
+    }
+    // Coming back at that speed it will meet the others, at a time that is not waited for.
+    let (_, settled) = all_switches(&fifth(-1), &Limits::default());
+    assert!(matches!(settled.ending, Ending::Undecided(_)));
+    assert!(settled.why.contains("birds 4 and 5 approach") && settled.why.contains("400000"), "{}", settled.why);
+}
+
+#[test]
+fn lone_birds_leave_nothing_out() {
+    // The first two meet after so many steps, in passing; nothing has a transient before.
+    let far = Rational::from_integer(num_traits::Pow::pow(BigInt::from(10), 60u32));
+    let row = |x: Rational, y: i64| vec![x, rational(y, 1)];
+    let start = Start {
+        positions: vec![row(rational(0, 1), 0), row(far.clone(), 0), row(rational(-5, 1), 7)],
+        velocities: vec![row(rational(0, 1), 0), row(rational(-1, 1), 0), row(rational(-1, 1), 0)],
+        weights: Weights::Lazy,
+        hysteresis: Hysteresis::None,
+    };
+    let (switches, settled) = all_switches(&start, &Limits::default());
+    assert!(matches!(settled.ending, Ending::Steady), "{}", settled.why);
+    assert_eq!(switches[0].time, (far - rational(1, 1)).to_integer());
+    assert_eq!(switches[0].gained, [(0, 1)]);
+}
+
+/// Pairs whose members swing, which come together after more than a million steps: by balls in milliseconds, and the same by exact jumps.
+#[test]
+fn a_jump_over_a_million_steps() {
+    let x = [(0, 1), (1, 2), (1_400_000, 1), (2_800_001, 2)].map(|(p, q)| rational(p, q)).to_vec();
+    let v = [(1, 8), (-1, 8), (-15, 16), (-17, 16)].map(|(p, q)| rational(p, q)).to_vec();
+    let start = Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None);
+    let (switches, settled) = all_switches(&start, &Limits::default());
+    assert!(matches!(settled.ending, Ending::Steady), "{}", settled.why);
+    let (limit, _) = all_switches(&start, &Limits { jump_bits: 0, steps: 100, ..Limits::default() });
+    assert_eq!(switches, limit);
+    assert!(switches[0].time > 1_399_990.into() && switches[0].time < 1_400_010.into());
+}
+
+/// Mirror images of two groups whose drifts cancel but for what is left of their inner motion, in the order in which they part: the
+/// drift, of the order of 3^-s with s of 85 digits, is said.
+#[test]
+fn a_hidden_drift_is_named() {
+    let patterns: [[(i64, i64); 4]; 4] = [
+        [(-1, 8), (9, 8), (-1, 8), (-7, 8)],
+        [(1, 1), (0, 1), (-1, 1), (0, 1)],
+        [(0, 1), (1, 1), (0, 1), (-1, 1)],
+        [(7, 8), (1, 8), (-9, 8), (1, 8)],
+    ];
+    let x: Vec<Rational> = (0..8).flat_map(|l| [rational(2 * l, 1), rational(6 * l + 2, 3)]).collect();
+    let v = patterns.concat().into_iter().map(|(p, q)| rational(p, 512 * q)).collect();
+    let (_, settled) = all_switches(&Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None), &Limits::default());
+    assert!(matches!(settled.ending, Ending::Steady), "{}", settled.why);
+    assert!(settled.why.contains("too small to be written as a number move apart"), "{}", settled.why);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Crowds of the plane: the switches are those of stepping, and what is called steady does not change.
+    #[test]
+    fn crowds_settle_as_they_step(
+        rows in prop::collection::vec(prop::collection::vec(0i64..4096, 2), 20..40),
+        speeds in prop::collection::vec(prop::collection::vec(-64i64..64, 2), 40),
+    ) {
+        let numbers = |rows: &[Vec<i64>]| rows.iter().map(|r| r.iter().map(|&p| rational(p, 1024)).collect()).collect();
+        let (weights, hysteresis) = (Weights::Vicsek, Hysteresis::Paper);
+        let velocities = numbers(&speeds[..rows.len()]);
+        let start = Start { positions: numbers(&rows), velocities, weights, hysteresis };
+        let (jumped, settled) = all_switches(&start, &Limits::default());
+        prop_assert!(matches!(settled.ending, Ending::Steady), "{}", settled.why);
+        let mut flock = models::averaging::FilteredFlock::new(&start).unwrap();
+        let stepped: Vec<Switch> = (0..4000).filter_map(|_| flock.step().unwrap()).collect();
+        let jumped: Vec<Switch> = jumped.into_iter().filter(|s| s.time <= 4000.into()).collect();
+        prop_assert_eq!(jumped, stepped);
+    }
+}

@@ -1,0 +1,95 @@
+//! Who is joined to whom, as lists that change a pair at a time.
+
+use crate::averaging::{FlockError, Weights};
+use algebra::graph::Graph;
+use arithmetic::{Rational, Ring};
+use num_bigint::BigInt;
+use num_integer::Integer;
+
+/// The neighbours of each bird.
+#[derive(Debug, Clone)]
+pub(super) struct Links(Vec<Vec<u32>>);
+
+/// Pairs whose status changes at a time.
+#[derive(Debug, Clone)]
+pub(super) struct Change {
+    pub time: u64,
+    pub pairs: Vec<(u32, u32)>,
+}
+
+impl Links {
+    pub fn new(graph: &Graph) -> Self {
+        let row = |i| graph.neighbours(i).into_iter().map(|j| j as u32).collect();
+        Links((0..graph.order()).map(row).collect())
+    }
+
+    pub fn near(&self, i: usize) -> &[u32] {
+        &self.0[i]
+    }
+
+    pub fn degree(&self, i: usize) -> usize {
+        self.0[i].len()
+    }
+
+    pub fn order(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Joins a pair, or parts it where it is joined.
+    pub fn toggle(&mut self, (i, j): (u32, u32)) {
+        for (a, b) in [(i, j), (j, i)] {
+            let row = &mut self.0[a as usize];
+            match row.iter().position(|&k| k == b) {
+                Some(place) => drop(row.swap_remove(place)),
+                None => row.push(b),
+            }
+        }
+    }
+
+    /// The number of the connected component of each bird, and how many there are.
+    pub fn components(&self) -> (Vec<u32>, usize) {
+        let mut label = vec![u32::MAX; self.order()];
+        let mut count = 0;
+        let mut open = Vec::new();
+        for start in 0..self.order() {
+            if label[start] != u32::MAX {
+                continue;
+            }
+            label[start] = count;
+            open.push(start);
+            while let Some(i) = open.pop() {
+                for &j in &self.0[i] {
+                    if label[j as usize] == u32::MAX {
+                        label[j as usize] = count;
+                        open.push(j as usize);
+                    }
+                }
+            }
+            count += 1;
+        }
+        (label, count as usize)
+    }
+
+    /// The least common denominator of the weights of all birds with neighbours: what a step multiplies the common denominator by.
+    pub fn multiplier(&self, weights: &Weights) -> BigInt {
+        let mut degrees: Vec<(usize, usize)> = (0..self.order()).map(|i| (self.degree(i), i)).collect();
+        if !matches!(weights, Weights::Given(_)) {
+            degrees.sort_unstable();
+            degrees.dedup_by_key(|(degree, _)| *degree);
+        }
+        let joined = degrees.into_iter().filter(|(degree, _)| *degree > 0);
+        let denominators = joined.filter_map(|(degree, i)| weights.of(degree, i)).map(|c| c.denom().clone());
+        denominators.fold(BigInt::from(1), |m, d| if m.is_multiple_of(&d) { m } else { m.lcm(&d) })
+    }
+
+    /// `c_i`, where it suits the number of neighbours.
+    pub fn weight(&self, weights: &Weights, i: usize, time: &BigInt) -> Result<Rational, FlockError> {
+        let degree = self.degree(i);
+        let c = weights.of(degree, i).ok_or(FlockError::Weights { birds: self.order(), bird: i + 1 })?;
+        if degree > 0 && (&c * BigInt::from(degree) >= c.one() || c <= c.zero()) {
+            let (c, time) = (c.to_string(), time.to_string());
+            return Err(FlockError::Inadmissible { bird: i + 1, degree, c, time });
+        }
+        Ok(c)
+    }
+}

@@ -1,0 +1,162 @@
+//! Integers of a fixed number of limbs, in two's complement, least limb first: the numbers of the balls.
+
+use num_bigint::{BigInt, Sign};
+
+/// An integer below `2^(64 L - 1)` in absolute value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Words<const L: usize>([u64; L]);
+
+impl<const L: usize> Words<L> {
+    pub const ZERO: Self = Words([0; L]);
+
+    /// The integer, or `None` where it does not fit.
+    pub fn from_integer(x: &BigInt) -> Option<Self> {
+        let words = Self::modulo(x);
+        (words.to_integer() == *x).then_some(words)
+    }
+
+    /// `floor(x 2^(64 L))` for `0 <= x < 1` given as `numerator/denominator`: an unsigned share for [`Words::share`].
+    pub fn fraction(numerator: &BigInt, denominator: &BigInt) -> Self {
+        Self::modulo(&((numerator << (64 * L)) / denominator))
+    }
+
+    fn modulo(x: &BigInt) -> Self {
+        let mut limbs = [0; L];
+        for (limb, digit) in limbs.iter_mut().zip(x.magnitude().iter_u64_digits()) {
+            *limb = digit;
+        }
+        let words = Words(limbs);
+        if x.sign() == Sign::Minus { Self::ZERO.minus(words) } else { words }
+    }
+
+    #[inline(always)]
+    pub fn is_negative(self) -> bool {
+        self.0[L - 1] >> 63 == 1
+    }
+
+    #[inline(always)]
+    pub fn plus(self, other: Self) -> Self {
+        let (mut out, mut carry) = ([0; L], false);
+        for k in 0..L {
+            let (sum, over) = self.0[k].overflowing_add(other.0[k]);
+            let (sum, more) = sum.overflowing_add(u64::from(carry));
+            out[k] = sum;
+            carry = over | more;
+        }
+        Words(out)
+    }
+
+    #[inline(always)]
+    pub fn minus(self, other: Self) -> Self {
+        let (mut out, mut borrow) = ([0; L], false);
+        for k in 0..L {
+            let (difference, under) = self.0[k].overflowing_sub(other.0[k]);
+            let (difference, more) = difference.overflowing_sub(u64::from(borrow));
+            out[k] = difference;
+            borrow = under | more;
+        }
+        Words(out)
+    }
+
+    /// A multiple that fits.
+    #[inline(always)]
+    pub fn times(self, factor: u32) -> Self {
+        let (mut out, mut carry) = ([0; L], 0u128);
+        for k in 0..L {
+            carry += u128::from(self.0[k]) * u128::from(factor);
+            out[k] = carry as u64;
+            carry >>= 64;
+        }
+        Words(out)
+    }
+
+    /// `self share / 2^(64 L)` for an unsigned share, at most `L` too small and never too large.
+    #[inline(always)]
+    pub fn share(self, share: &Self) -> Self {
+        // Only the columns from 2^(64 (L-1)) on: each product left out is below one unit of the result.
+        let (mut out, mut below) = ([0u64; L], 0u64);
+        for i in 0..L {
+            let mut carry = 0u128;
+            for j in L - 1 - i..L {
+                let column = i + j - (L - 1);
+                let cell = if column == 0 { below } else { out[column - 1] };
+                carry += u128::from(self.0[i]) * u128::from(share.0[j]) + u128::from(cell);
+                if column == 0 {
+                    below = carry as u64;
+                } else {
+                    out[column - 1] = carry as u64;
+                }
+                carry >>= 64;
+            }
+            out[i] = carry as u64;
+        }
+        let product = Words(out);
+        // What was multiplied is larger by 2^(64 L) than a negative number.
+        if self.is_negative() { product.minus(*share) } else { product }
+    }
+
+    /// `floor(self/2^shift)`.
+    pub fn shifted(self, shift: u32) -> Self {
+        Self::modulo(&(self.to_integer() >> shift))
+    }
+
+    /// The number times the scale, with a relative error below `2^-51`: `scales[k]` is the value of limb `k`.
+    #[inline(always)]
+    pub fn to_f64(self, scales: &[f64; L]) -> f64 {
+        let size = if self.is_negative() { Self::ZERO.minus(self) } else { self };
+        let mut value = 0.0;
+        for k in 0..L {
+            value += size.0[k] as f64 * scales[k];
+        }
+        if self.is_negative() { -value } else { value }
+    }
+
+    pub fn to_integer(self) -> BigInt {
+        let size = if self.is_negative() { Self::ZERO.minus(self) } else { self };
+        let digits: Vec<u32> = size.0.iter().flat_map(|&limb| [limb as u32, (limb >> 32) as u32]).collect();
+        BigInt::from_slice(if self.is_negative() { Sign::Minus } else { Sign::Plus }, &digits)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn check<const L: usize>(a: &[u64], b: &[u64], share: &[u64]) {
+        let number = |x: &[u64]| {
+            let mut limbs = [0; L];
+            limbs.copy_from_slice(&x[..L]);
+            // Room for sums.
+            limbs[L - 1] = ((limbs[L - 1] as i64) >> 34) as u64;
+            Words::<L>(limbs)
+        };
+        let (x, y) = (number(a), number(b));
+        let (p, q) = (x.to_integer(), y.to_integer());
+        assert_eq!(x.plus(y).to_integer(), &p + &q);
+        assert_eq!(x.minus(y).to_integer(), &p - &q);
+        assert_eq!(x.times(77_777_777).to_integer(), &p * 77_777_777);
+        assert_eq!(Words::<L>::from_integer(&p), Some(x));
+        assert_eq!(Words::<L>::from_integer(&(BigInt::from(1) << (64 * L - 1))), None);
+        let mut part = [0; L];
+        part.copy_from_slice(&share[..L]);
+        let unit = BigInt::from(1) << (64 * L);
+        let exact = &p
+            * BigInt::from_slice(
+                Sign::Plus,
+                &part.iter().flat_map(|&l| [l as u32, (l >> 32) as u32]).collect::<Vec<_>>(),
+            );
+        let missing = exact - x.share(&Words(part)).to_integer() * &unit;
+        assert!(missing >= BigInt::ZERO && missing < unit * L as u32);
+    }
+
+    proptest! {
+        #[test]
+        fn words_are_integers(a in prop::collection::vec(any::<u64>(), 8), b in prop::collection::vec(any::<u64>(), 8),
+                              c in prop::collection::vec(any::<u64>(), 8)) {
+            check::<2>(&a, &b, &c);
+            check::<3>(&a, &b, &c);
+            check::<8>(&a, &b, &c);
+        }
+    }
+}

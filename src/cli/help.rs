@@ -1,0 +1,104 @@
+//! What clap is told for all commands alike, and its messages as sentences.
+
+use super::output;
+use clap::{Command, CommandFactory};
+use flockproof::arithmetic::{parse_rational, shown};
+use num_traits::ToPrimitive;
+
+/// Widest help text.
+const WIDEST: usize = 100;
+
+const NUMBERS: &str = "Numbers are integers, fractions -1/2 or decimals -0.5, read exactly; a file `-` is standard input. All output is at most as wide as the \
+terminal, and 80 columns wide where it goes elsewhere.";
+
+const STATUS: &str = "Exit status: 0; 1 if `verify` or `prove` find something else than what is recorded; 2 on bad use or input; 130 after Ctrl-C.";
+
+/// Commands whose exit status says more.
+const STATUSES: [(&str, &str); 2] = [
+    (
+        "check",
+        "Exit status: 0 where all hold; 1 if one is false; 3 if one is undecided; 4 where a control was not refuted; 2 on bad use or input; \
+         130 after Ctrl-C.",
+    ),
+    ("fuzz", "Exit status: 0; 1 if a case fails; 2 on bad use or input; 130 after Ctrl-C."),
+];
+
+/// Examples of commands that do not bring their own.
+const EXAMPLES: [(&str, &str); 3] = [
+    ("check", "Examples:\n  flockproof check question.toml\n  flockproof check --names"),
+    ("fuzz", "Examples:\n  flockproof fuzz --list\n  flockproof fuzz --cases 10000 --store out --shard 1/4 --resume"),
+    ("report", "Examples:\n  flockproof report --out site\n  flockproof report --ledger ledger.json --out site"),
+];
+
+/// The command line with everything that all of it has in common: width, exit status, numbers below zero.
+pub fn command() -> Command {
+    let command = super::Arguments::command().term_width(output::width().min(WIDEST));
+    let command = command.after_help(format!("{NUMBERS}\n\n{STATUS}\n\nExamples:\n  flockproof verify --paper veerman\n  flockproof list resonance\n  flockproof explain veerman.gain_max\n  flockproof COMMAND --help"));
+    everywhere(command, true)
+}
+
+/// The exit status at the end of every help text; a value such as `-3` is a value of its option everywhere, so that it is refused as such.
+fn everywhere(command: Command, top: bool) -> Command {
+    let status = STATUSES.iter().find(|(name, _)| *name == command.get_name()).map_or(STATUS, |(_, status)| status);
+    let example = EXAMPLES.iter().find(|(name, _)| *name == command.get_name()).map(|(_, example)| example.to_string());
+    let command = match command.get_after_help().map(ToString::to_string).or(example) {
+        Some(text) if !top => command.after_help(format!("{text}\n\n{status}")),
+        None => command.after_help(status),
+        Some(_) => command,
+    };
+    let takes_values =
+        |argument: &clap::Arg| argument.get_action().takes_values() && !argument.is_allow_hyphen_values_set();
+    let command = command
+        .mut_args(|argument| if takes_values(&argument) { argument.allow_negative_numbers(true) } else { argument });
+    command.mut_subcommands(|subcommand| everywhere(subcommand, false))
+}
+
+/// An integer, a fraction or a decimal as a float.
+pub fn finite(text: &str) -> Result<f64, String> {
+    let exact = parse_rational(text).map_err(|error| error.to_string())?;
+    exact.to_f64().filter(|x| x.is_finite()).ok_or_else(|| format!("{} is too large for a float", shown(text)))
+}
+
+/// Words of libraries, and what they mean to people.
+const WORDS: [(&str, &str); 8] = [
+    ("invalid digit found in string", "a whole number that is not negative is expected"),
+    ("number too large to fit in target type", "the number is too large"),
+    ("number too small to fit in target type", "the number is too small"),
+    ("cannot parse integer from empty string", "a whole number is expected, but there is nothing"),
+    ("cannot parse float from empty string", "a number is expected, but there is nothing"),
+    ("invalid float literal", "a number such as 0.5 is expected"),
+    ("unexpected argument", "there is no argument"),
+    ("unrecognized subcommand", "there is no command"),
+];
+
+/// Words of the JSON reader, and what they mean to people.
+const JSON_WORDS: [(&str, &str); 5] = [
+    ("EOF while parsing a value", "the text ends where a value should stand,"),
+    ("EOF while parsing an object", "the text ends within an object,"),
+    ("EOF while parsing a list", "the text ends within a list,"),
+    ("EOF while parsing a string", "the text ends within quotes,"),
+    ("trailing characters", "something follows after the end,"),
+];
+
+/// A message about a file in plain words.
+pub fn plain(message: &str) -> String {
+    JSON_WORDS.iter().fold(message.to_string(), |text, (theirs, ours)| text.replace(theirs, ours))
+}
+
+/// The first paragraph of clap's message on one line, with its advice where it has one.
+pub fn one_sentence(message: &str) -> String {
+    let paragraphs: Vec<String> = message
+        .split("\n\n")
+        .map(|paragraph| paragraph.lines().map(str::trim).collect::<Vec<_>>().join(" ").trim().to_string())
+        .collect();
+    let tip = paragraphs.iter().find(|paragraph| paragraph.starts_with("tip: a similar"));
+    let mut sentence = paragraphs.first().cloned().unwrap_or_default();
+    for (theirs, ours) in WORDS {
+        sentence = sentence.replace(theirs, ours);
+    }
+    let sentence = sentence.strip_suffix(" found").unwrap_or(&sentence);
+    match tip {
+        Some(tip) => format!("{sentence}; {}", tip.trim_start_matches("tip: ")),
+        None => sentence.to_string(),
+    }
+}

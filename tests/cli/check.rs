@@ -1,0 +1,85 @@
+//! `check`: exit status, JSON, replay, wrong input.
+
+use super::{assert_refused, file, flockproof, folder, stdout};
+use serde_json::Value;
+
+const QUESTION: &str = "[question]\nid = \"mine\"\n[for]\nn = \"2..5\"\ngraph = \"connected(n)\"\n[holds]\n";
+
+fn question(property: &str, control: &str) -> String {
+    format!("{QUESTION}property = \"{property}\"\ncontrols = [\"{control}\"]\n")
+}
+
+/// Exit status and document.
+fn checked(path: &str, replay: &str) -> (i32, Value) {
+    let output = flockproof(&["check", path, "--json", "--replay", replay]);
+    let document = serde_json::from_str(&stdout(&output)).expect("one JSON document");
+    (output.status.code().expect("a status"), document)
+}
+
+#[test]
+fn verdicts_and_exit_statuses() {
+    let folder = folder("check-verdicts");
+    let replay = folder.to_string_lossy().into_owned();
+    let bound = "lambda(2) >= 2*(1 - cos(pi/n))";
+    for (property, control, status, verdict) in [
+        (bound, "lambda(2) >= 1", 0, "holds"),
+        ("edges < 6", "edges < 0", 1, "false"),
+        ("exp(log(2)) = 2", "edges < 0", 3, "undecided"),
+        (bound, "edges >= 0", 4, "withheld"),
+    ] {
+        let path = file(&folder, "question.toml", question(property, control).as_bytes());
+        let (found, document) = checked(&path, &replay);
+        assert_eq!((found, document["verdict"].as_str()), (status, Some(verdict)), "{document}");
+        assert_eq!((&document["schema"], &document["id"]), (&"flockproof.check/1".into(), &"mine".into()));
+        let total = document["controls"]["total"].as_u64();
+        assert_eq!(total, Some(1));
+        assert!(document["why"].as_str().is_some_and(|why| !why.is_empty()));
+    }
+}
+
+#[test]
+fn a_counterexample_is_decided_again() {
+    let folder = folder("check-replay");
+    let replay = folder.to_string_lossy().into_owned();
+    let path = file(&folder, "question.toml", question("edges < 6", "edges < 0").as_bytes());
+    let (_, document) = checked(&path, &replay);
+    assert_eq!(document["counterexample"]["n"], "4");
+    let written = document["replay"].as_str().expect("a file");
+    let (status, again) = checked(written, &replay);
+    assert_eq!((status, &again["verdict"], &again["cases"]), (1, &"false".into(), &1.into()));
+    assert_eq!((&again["counterexample"], &again["replay"]), (&document["counterexample"], &written.into()));
+    assert_eq!((&again["margin"]["lo"], &again["margin"]["hi"]), (&"0".into(), &"0".into()));
+}
+
+#[test]
+fn names_are_listed() {
+    let output = flockproof(&["check", "--names"]);
+    let text = stdout(&output);
+    assert!(output.status.success());
+    for name in ["connected(n)", "lambda(k)", "peak_frequency", "tau_1", "last_switch", "min_distance", "sqrt"] {
+        assert!(text.contains(name), "{name}");
+    }
+}
+
+#[test]
+fn wrong_input() {
+    let folder = folder("check-wrong");
+    assert_refused(&["check"], "QUESTION.toml");
+    assert_refused(&["check", "nowhere.toml"], "nowhere.toml");
+    for (property, control, named) in [
+        (
+            "lamda(2) > 0",
+            "edges < 0",
+            "line 7, column 13: there is no name `lamda`; the nearest known name is `lambda`",
+        ),
+        ("always[0, 1](edges > 0)", "edges < 0", "line 7, column 13"),
+        ("edges > 0", "edges >", "line 8, column 21"),
+    ] {
+        let path = file(&folder, "question.toml", question(property, control).as_bytes());
+        assert_refused(&["check", &path], named);
+    }
+    let missing = format!("{QUESTION}property = \"edges > 0\"\n");
+    assert_refused(&["check", &file(&folder, "question.toml", missing.as_bytes())], "controls");
+    let unread = question("edges > 0", "edges < 0").replace("[for]", "scenario = \"flock.toml\"\n[for]");
+    assert_refused(&["check", &file(&folder, "question.toml", unread.as_bytes())], "line 3, column 12");
+}
