@@ -2,6 +2,9 @@
 //! alone: the formulas are written here once more, from the papers, in floating point. `notes/attempts-oscillators-and-particles.md`
 //! lists what was tried.
 
+// Matrices are read by their indices here.
+#![allow(clippy::needless_range_loop)]
+
 mod flocks;
 mod particles;
 mod phases;

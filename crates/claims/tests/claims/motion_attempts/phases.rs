@@ -84,7 +84,7 @@ fn critical_points(random: &mut Random) -> Option<String> {
     let (p, z) = (norm(order(&end, 1)), circle(&end));
     let sines =
         (0..n).flat_map(|k| (0..k).map(move |j| (k, j))).map(|(k, j)| cross(z[k], z[j]).abs()).fold(0.0, f64::max);
-    if p < 0.02 || p > 0.999 || sines > 0.05 {
+    if !(0.02..=0.999).contains(&p) || sines > 0.05 {
         return (p > 0.05 && sines > 0.2).then(|| format!("a critical point off the list: {end:?}"));
     }
     // b of N opposite: (b, N-b-1, 1) positive, negative, zero.
