@@ -8,6 +8,35 @@ _Progress = Callable[[str, int, int | None], object] | None
 _Matrix = tuple[int, int, list[int], int]
 _Found = tuple[str, list[str], list[str], str, list[tuple[str, str]]]
 
+__all__ = [
+    "command_line",
+    "ratio",
+    "flock_check",
+    "flock_run",
+    "flock_settle",
+    "claims",
+    "explain",
+    "judge",
+    "verify",
+    "ergodicity",
+    "graph_name_problem",
+    "read_sequence",
+    "resonance",
+    "spectrum",
+    "theorem_1",
+    "campaign_merge",
+    "campaign_shard",
+    "campaign_size",
+    "check",
+    "fuzz_summary",
+    "invariants",
+    "question_needs",
+    "sweep_table",
+    "simulate",
+    "tracks",
+    "__version__",
+]
+
 __version__: str
 
 def ratio(name: str, value: Any) -> _Ratio: ...
