@@ -345,7 +345,7 @@ class Flock:
             _fractions(velocities, known),
             None if found["footprint"] is None else _footprint(found["footprint"]),
             tuple((time, tuple(members)) for time, members in found["stabilisers"]),
-            tuple((t, Known(*tau_1, known), Known(*square, known)) for t, tau_1, square in found["decay"]),
+            tuple((t, _known(tau_1, known), _known(square, known)) for t, tau_1, square in found["decay"]),
             self.from_floats,
         )
 
@@ -445,8 +445,12 @@ def _tuples(found: Any) -> tuple[tuple[int, ...], ...]:
     return tuple(tuple(members) for members in found)
 
 
+def _known(ratio: tuple[int, int], has_float: bool) -> Known:
+    return Known(ratio[0], ratio[1], has_float)
+
+
 def _fractions(rows: Any, known: bool) -> tuple[tuple[Fraction, ...], ...] | None:
-    return None if rows is None else tuple(tuple(Known(*x, known) for x in row) for row in rows)
+    return None if rows is None else tuple(tuple(_known(x, known) for x in row) for row in rows)
 
 
 def _footprint(text: str) -> Any:

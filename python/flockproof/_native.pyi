@@ -8,6 +8,35 @@ _Progress = Callable[[str, int, int | None], object] | None
 _Matrix = tuple[int, int, list[int], int]
 _Found = tuple[str, list[str], list[str], str, list[tuple[str, str]]]
 
+__all__ = [
+    "__version__",
+    "campaign_merge",
+    "campaign_shard",
+    "campaign_size",
+    "check",
+    "claims",
+    "command_line",
+    "ergodicity",
+    "explain",
+    "flock_check",
+    "flock_run",
+    "flock_settle",
+    "fuzz_summary",
+    "graph_name_problem",
+    "invariants",
+    "judge",
+    "question_needs",
+    "ratio",
+    "read_sequence",
+    "resonance",
+    "simulate",
+    "spectrum",
+    "sweep_table",
+    "theorem_1",
+    "tracks",
+    "verify",
+]
+
 __version__: str
 
 def ratio(name: str, value: Any) -> _Ratio: ...
