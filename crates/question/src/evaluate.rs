@@ -232,7 +232,7 @@ impl Evaluator<'_, '_> {
             }
             Obstacle::TooLarge => Failure::Refused(
                 argument.at,
-                Problem::Other("the power has too many digits to be computed".to_string()),
+                Problem::Other("the number has too many digits to be computed".to_string()),
             ),
         }
     }

@@ -44,6 +44,9 @@ pub(crate) enum Obstacle {
     TooLarge,
 }
 
+/// Exponentials of numbers of more bits before the point are not computed.
+const LARGEST_EXPONENT: i64 = 24;
+
 /// Most bits of an exact power.
 const MOST_BITS: u64 = 1 << 22;
 
@@ -203,12 +206,7 @@ impl Number {
             Some(_) => {}
         }
         let inverse = divisor.enclosure(precision).recip().map_err(|_| Obstacle::Perhaps("/"))?;
-        self.times(&Number::Enclosed(inverse, divisor.algebraic().map(Algebraic::reciprocal)), precision).checked()
-    }
-
-    /// A bound on what is worth going on with.
-    fn checked(self) -> Result<Self, Obstacle> {
-        Ok(self)
+        Ok(self.times(&Number::Enclosed(inverse, divisor.algebraic().map(Algebraic::reciprocal)), precision))
     }
 
     /// `self^exponent` for an integer exponent, or a positive base.
@@ -325,6 +323,7 @@ impl Number {
     pub(crate) fn exp(&self, precision: u32) -> Result<Self, Obstacle> {
         match self {
             Number::Exact(q) if q.is_zero() => Ok(Number::integer(1)),
+            _ if self.enclosure(precision).magnitude().top() > LARGEST_EXPONENT => Err(Obstacle::TooLarge),
             _ => {
                 let x = self.enclosure(precision).exp().map_err(|_: ArithmeticError| Obstacle::TooLarge)?;
                 Ok(Number::Enclosed(x, None))

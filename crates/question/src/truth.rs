@@ -1,6 +1,6 @@
 //! Three truth values, and how far an inequality is from failing.
 
-use arithmetic::{Dyadic, Rational, decimal};
+use arithmetic::{Dyadic, decimal};
 
 /// True, false, or not known yet.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -95,8 +95,6 @@ impl Margin {
     /// Both ends as decimals rounded outward; `None` where there is no finite one.
     pub fn decimals(&self) -> Option<(String, String)> {
         let end = |x: f64, up: bool| Dyadic::from_f64(x).map(|q: Dyadic| decimal(&q.to_rational(), 12, up));
-        let zero = Rational::from_integer(0.into());
-        let _ = zero;
         end(self.lo, false).zip(end(self.hi, true))
     }
 }

@@ -79,6 +79,7 @@ fn what_would_exhaust_the_program() {
     refused(&asked(&format!("n = \"{}\"", "7".repeat(1_000_000)), "n > 0", "1 < 0"), "line 4", "digits");
     refused(&asked("n = 1", "10^10^10 > 0", "1 < 0"), "line 6", "digits");
     refused(&asked("n = 1", "1e999999999 > 0", "1 < 0"), "line 6", "digits");
+    refused(&asked("n = 1", "exp(-10^30) < exp(10^30)", "1 < 0"), "line 6", "digits");
 }
 
 #[test]
