@@ -123,6 +123,13 @@ fn any_text_gives_tags_that_match() {
 }
 
 #[test]
+fn brackets_within_brackets_end_somewhere() {
+    for text in ["(".repeat(20_000), "(a_1 ".repeat(5_000), format!("{}x{}", "[".repeat(5_000), "]".repeat(5_000))] {
+        assert!(statement(&text).starts_with(&text[..1]));
+    }
+}
+
+#[test]
 fn the_same_ledger_gives_the_same_bytes_without_times() {
     let text = ledger("veerman.own", "x = 1");
     let pages = [pages(&text), pages(&text.replace("1.5", "2.5"))];
