@@ -28,7 +28,7 @@ const pages = pagesIn("");
 const kinds = ["index.html", "results.html", "guarantees.html", "graph.html", "glossary.html", "papers/index.html", "papers/veerman.html",
   "papers/paley.html", "errata/index.html", "errata/paley.html", "claims/paley.eq21.html", "claims/chazelle.ex15.html",
   "claims/veerman.table1_numeric.html", "claims/tanner2.thm2_stop.html", "claims/beyond.chazelle.tower.html", "notes/settling.html",
-  "coq/veerman_theorem1.html", "explore/index.html", "explore/four-birds.html", "explore/patterns.html"];
+  "coq/veerman_theorem1.html", "explore/index.html", "explore/four-birds.html", "explore/patterns.html", "explore/live-flock.html"];
 
 /** Links and anchors, by reading the files. */
 function checkLinks() {
@@ -146,7 +146,7 @@ async function checkList(browser) {
 
 async function checkMotions(browser) {
   const context = await browser.newContext({ viewport: { width: 900, height: 900 } });
-  for (const page of pages.filter((page) => page.startsWith("explore/") && page !== "explore/index.html")) {
+  for (const page of pages.filter((page) => page.startsWith("explore/") && !/index|live-/.test(page))) {
     const tab = await open(context, page);
     const picture = () => tab.evaluate(() => document.querySelector("canvas").toDataURL());
     const time = () => tab.locator(".live output").first().textContent();

@@ -145,6 +145,9 @@ impl Node {
     }
 }
 
+/// Brackets within so many others are characters like others: no text exhausts the stack.
+const DEEPEST: usize = 40;
+
 /// The pieces of a text, with brackets matched where they can be.
 pub(super) fn tree(text: &str) -> Vec<Node> {
     let mut open: Vec<(char, usize, Vec<Node>)> = Vec::new();
@@ -153,7 +156,7 @@ pub(super) fn tree(text: &str) -> Vec<Node> {
     while at < text.len() {
         let rest = &text[at..];
         let first = rest.chars().next().unwrap_or(' ');
-        if let Some(bracket) = opening(text, at) {
+        if let Some(bracket) = opening(text, at).filter(|_| open.len() < DEEPEST) {
             open.push((bracket, at, std::mem::take(&mut nodes)));
             at += 1;
             continue;
