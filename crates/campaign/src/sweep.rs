@@ -12,6 +12,9 @@ const DIGITS: u32 = 20;
 /// Bits of a rational multiple of pi.
 const BITS: u32 = 128;
 
+/// What the names of a member stand for, and its values.
+type Member = (Map<String, Value>, Vec<Value>);
+
 /// The table of one question.
 pub struct Sweep {
     question: Question,
@@ -34,11 +37,7 @@ impl Sweep {
         if values.is_empty() { vec!["holds".to_string(), "margin".to_string()] } else { values }
     }
 
-    fn values(
-        &self,
-        case: u64,
-        progress: &dyn Progress,
-    ) -> Result<Option<(Map<String, Value>, Vec<Value>)>, QuestionError> {
+    fn values(&self, case: u64, progress: &dyn Progress) -> Result<Option<Member>, QuestionError> {
         let Some(bindings) = self.question.case(case, progress)? else { return Ok(None) };
         if !self.question.is_kept(&bindings, progress)? {
             return Ok(None);

@@ -4,6 +4,7 @@ use super::list;
 use super::numbers::fraction;
 use crate::draws::Draws;
 use algebra::matrix::{MatrixError, RationalMatrix, StochasticMatrix};
+use arithmetic::rational;
 
 /// A row-stochastic matrix whose entries have a common denominator of at most `most`; zeros are frequent.
 ///
@@ -53,15 +54,9 @@ pub fn rational_matrix(draws: &mut Draws, rows: usize, cols: usize) -> Result<Ra
 /// # Errors
 /// Does not fail for at least one row.
 pub fn symmetric(draws: &mut Draws, order: usize) -> Result<RationalMatrix, MatrixError> {
-    let mut rows = vec![vec![arithmetic::rational(0, 1); order]; order];
-    for i in 0..order {
-        for j in 0..=i {
-            if !draws.once_in(3) {
-                let entry = fraction(draws, 4, 2);
-                rows[i][j] = entry.clone();
-                rows[j][i] = entry;
-            }
-        }
-    }
+    let entry = |draws: &mut Draws| if draws.once_in(3) { rational(0, 1) } else { fraction(draws, 4, 2) };
+    let lower: Vec<Vec<_>> = (0..order).map(|i| list(draws, i + 1, entry)).collect();
+    let rows: Vec<Vec<_>> =
+        (0..order).map(|i| (0..order).map(|j| lower[i.max(j)][i.min(j)].clone()).collect()).collect();
     RationalMatrix::from_rows(&rows)
 }

@@ -11,10 +11,9 @@ use models::platoon::Gains;
 /// A point of the unit circle with rational coordinates.
 pub fn unit_phasor(draws: &mut Draws) -> Complex<Rational> {
     let t = fraction(draws, 6, 4);
-    let one = rational(1, 1);
+    // Does not fail for a rational parameter.
+    let z = phasor(&t).unwrap_or_else(|_| Complex::new(rational(1, 1), rational(0, 1)));
     // The opposite has no parameter of its own.
-    let (one, zero) = (one.clone(), &one - &one);
-    let z = phasor(&t).unwrap_or_else(|_| Complex::new(one, zero));
     if draws.once_in(2) { -z } else { z }
 }
 
