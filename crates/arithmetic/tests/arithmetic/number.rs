@@ -24,8 +24,11 @@ fn reads_integers_fractions_and_decimals() {
 
 #[test]
 fn refuses_everything_else() {
-    for text in ["", "-", ".", "1/2/3", "one", "1e", "0x10", "--1", "1 2", "½", "NaN", "inf", "1e2.5", "1,5"] {
+    for text in ["", "-", ".", "1/2/3", "one", "1e", "0x10", "--1", "1 2", "NaN", "inf", "1e2.5", "1,5"] {
         assert!(matches!(parse_rational(text), Err(NumberError::NotANumber(_))), "{text:?}");
+    }
+    for text in ["½", "٣", "\u{2212}1"] {
+        assert!(matches!(parse_rational(text), Err(NumberError::OtherDigits(_))), "{text:?}");
     }
     assert_eq!(parse_rational("1/0"), Err(NumberError::ZeroDenominator("1/0".into())));
     assert_eq!(parse_rational("1e999999999"), Err(NumberError::TooLong));

@@ -129,7 +129,7 @@ fn bad_files_are_refused_with_the_line() {
     assert_eq!(read_graph(""), Err(GraphReadError::Nothing));
     assert_eq!(read_graph("# nothing\n"), Err(GraphReadError::Nothing));
     refused("1 2\n1 x\n", "line 2: `x`");
-    refused("1 2\n0 1\n", "line 2: `0`");
+    refused("1 2\n0 1\n", "line 2: vertices are counted from 1");
     refused("1 2\n1 2 3 4\n", "line 2: an edge");
     refused("1\n", "line 1: an edge");
     refused("1 2 a\n", "line 1: `a`");
