@@ -3,15 +3,28 @@
 //! The crates of the workspace under one name; each can be used without those above it. From the lowest: [`arithmetic`]; [`matrix`], [`graph`] and [`spectrum`];
 //! [`motion`]; the models [`averaging`] (Chazelle), [`platoon`] (Veerman, Stosic and Olvera), [`oscillator`] (Paley, Leonard and others), [`tracks`] (measured
 //! trajectories) and [`double_integrator`] (Tanner, Jadbabaie and Pappas); [`scenario`] (runs of all of them from a file); [`ledger`]; [`certificates`] and
-//! [`kernel`] (the Coq development); [`claims`]; [`report`].
+//! [`kernel`] (the Coq development); [`claims`]; [`report`]; [`campaign`] (invariants under random cases).
+
+// The command line uses the library by the name that users know.
+extern crate self as flockproof;
+
+mod cli;
+
+/// Runs the command line with these arguments, the first of which is the name of the program, and returns its exit status. It takes
+/// over the signals of the process and prints: for programs that are nothing else, such as the script of the Python package.
+pub fn command_line(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
+    cli::main(arguments)
+}
 
 pub use algebra::{graph, matrix, spectrum};
 pub use arithmetic;
+pub use campaign;
 pub use claims;
 pub use ledger;
 pub use models::{averaging, double_integrator, oscillator, platoon, tracks};
 pub use motion;
 pub use proofs::{certificates, kernel};
+pub use question;
 pub use report;
 pub use scenario;
 

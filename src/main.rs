@@ -1,7 +1,5 @@
-//! The command line: each subcommand is one file in `cli/`.
-
-mod cli;
+//! The program: the command line of the library.
 
 fn main() -> std::process::ExitCode {
-    cli::main()
+    flockproof::command_line(std::env::args_os()).into()
 }

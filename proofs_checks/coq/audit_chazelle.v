@@ -5,7 +5,8 @@ From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
 From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network
   chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked
-  chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals.
+  chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals
+  chazelle_entries chazelle_estimates.
 
 Module NumbersAndBirds.
 Import Coq.QArith.QArith Coq.QArith.Qabs Coq.Reals.Reals Coquelicot.Coquelicot.
@@ -447,6 +448,41 @@ Check (@chazelle_network.fiedler_rate :
    (forall i0 : 'I_n, n%:R ^- a <= transition G c i0 i0) ->
    (forall t0 : nat, (0 < t0)%N -> v t0.+1 = transition G c *m v t0) ->
    norm2 (row i (v t.+1) - row j (v t.+1)) <= n%:R ^+ a.+1 * 2^-1 ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N))).
+(* beyond.chazelle.entries (part) *)
+Check (@chazelle_entries.smallest_entries :
+  forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (s t : nat) (i j : 'I_n),
+  (forall u, network (G u)) ->
+  (s <= t)%N ->
+  (let P u := transition (G u) (fun k => (degree (G u) k).+1%:R^-1 : R) in
+   pprod P t s i j != 0 -> (n`!)%:R^-1 <= pprod P t s i j) /\
+  ((1 < n)%N ->
+   let P u := transition (G u) (fun k => 2%:R / (3%:R * (degree (G u) k)%:R) : R) in
+   pprod P t s i j != 0 -> 2%:R ^+ (n - 2) / (3%:R ^+ n.-1 * (n.-1)`!%:R) <= pprod P t s i j)).
+(* beyond.chazelle.entries (part) *)
+Check (@chazelle_entries.smallest_entries_occur :
+  forall (R : realFieldType) (n : nat),
+  (1 < n)%N ->
+  exists G : nat -> rel 'I_n,
+  (forall u, network (G u)) /\
+  (exists i j : 'I_n, pprod (fun u => transition (G u) (fun k => (degree (G u) k).+1%:R^-1 : R)) (n - 2) 0 i j = (n`!)%:R^-1) /\
+  (exists i j : 'I_n, pprod (fun u => transition (G u) (fun k => 2%:R / (3%:R * (degree (G u) k)%:R) : R)) (n - 2) 0 i j =
+     2%:R ^+ (n - 2) / (3%:R ^+ n.-1 * (n.-1)`!%:R))).
+(* beyond.chazelle.switches (part) *)
+Check (@chazelle_estimates.below_threshold :
+  forall (R : realFieldType) (nu a c : nat),
+  (1 < nu)%N ->
+  let beta : R := (nu%:R ^+ (a * (nu - 1)))^-1 in
+  let k := (nu ^ (a * (nu - 1) + c + 6))%N in
+  2%:R * nu%:R ^+ c * (1 - beta) ^+ k < (nu%:R ^+ (nu ^ 4))^-1).
+(* beyond.chazelle.switches (part) *)
+Check (@chazelle_estimates.switches_recursion :
+  forall (nu a c : nat) (N : nat -> nat),
+  (2 <= nu)%N ->
+  N 1%N = 0%N ->
+  let k := (nu ^ (a * (nu - 1) + c + 6))%N in
+  (forall m, (2 <= m <= nu)%N ->
+     (N m <= k * (2 * m - 1) + 1 + (m * (m - 1)) %/ 2 + (2 * k * (m - 1) + 1) * N (m - 1))%N) ->
+  (N nu <= nu ^ (a * (nu - 1) ^ 2 + (c + 9) * (nu - 1) + 1))%N).
 (* beyond.chazelle.recurrent (part) *)
 Check (@chazelle_recurrent.tau1_repeatedly :
   forall (R : realFieldType) (n : nat) (P : nat -> 'M_n) (gamma : R) (B : nat),

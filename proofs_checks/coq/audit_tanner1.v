@@ -300,6 +300,17 @@ Check (tanner1_motion.mechanical_constant :
        mechanical n adj V (fun i => r i t) (fun i => v i t) = mechanical n adj V (fun i => r i 0) (fun i => v i 0)).
 
 (* tanner1.collision *)
+Check (tanner1_motion.cohesion :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R),
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       strongly_connected n adj ->
+       (forall (i j : nat) (s : R), (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
+       (forall (i j : nat) (M : R), (i < n)%nat -> (j < n)%nat -> exists D, forall s : R, D < s -> M < V i j s) ->
+       exists B : R, forall T : R, (forall t : R, 0 <= t < T -> steered n adj V V' r v th t) ->
+         forall (t : R) (i j : nat), 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> norm (r i t - r j t)%C <= B).
+
+(* tanner1.anyV, tanner1.collision *)
 Check (tanner1_motion.linked_apart :
   forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R),
        undirected adj ->

@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_path tanner2_facts tanner_graph paley_stability.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_path tanner2_facts tanner2_motion tanner_paths tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -217,23 +217,21 @@ Check (tanner2_facts.cor2_corrected :
        (Sum n (fun i : nat => (fst (v i) - mean n (fun j : nat => fst (v j))) ^ 2) +
         Sum n (fun i : nat => (snd (v i) - mean n (fun j : nat => snd (v j))) ^ 2))).
 
-(* tanner2.cor3, tanner2.thm1b *)
-Check (tanner_flock.no_collision :
+(* tanner2.cor3, tanner2.thm1b: a motion of (1) with (4) from a start without coincident linked agents; (4) is demanded where it has a value *)
+Check (eq_refl : distinct = fun n adj r => forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j).
+Check (eq_refl : moves = fun n adj V' r v t =>
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) /\
+  (distinct n adj (fun i => r i t) ->
+   forall i, (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i => r i t) (fun i => v i t) i))).
+Check (tanner2_motion.linked_apart :
   forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
-       undirected adj ->
-       no_loops adj ->
-       (forall i j : nat, V i j = V j i) ->
-       (forall i j : nat, V' i j = V' j i) ->
-       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
-       (forall (t : R) (i j : nat), 0 <= t -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
-       (forall (t : R) (i : nat), 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t)) ->
-       (forall (t : R) (i : nat),
-        0 <= t ->
-        (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i)) ->
-       exists d : R,
-         0 < d /\
-         (forall (t : R) (i j : nat),
-          0 <= t -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> d <= norm (r i t - r j t)%C)).
+       undirected adj -> no_loops adj ->
+       (forall i j, V i j = V j i) -> (forall i j, V' i j = V' j i) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       distinct n adj (fun i => r i 0) ->
+       exists d, 0 < d /\
+         forall T, (forall t, 0 <= t < T -> moves n adj V' r v t) ->
+         forall t i j, 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> d <= norm (r i t - r j t)%C).
 
 (* tanner2.eq13.interval *)
 Check (tanner2_facts.eq13_interval_fails :
@@ -354,47 +352,30 @@ Check (tanner_graph.range_B :
        (exists y : nat * nat -> R, forall k : nat, (k < n)%nat -> applyB O0 y k = x k) <-> Sum n x = 0).
 
 (* tanner2.thm1a *)
-Check (tanner_flock.velocities_agree :
+Check (tanner2_motion.motions_agree :
   forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
-       (1 <= n)%nat ->
-       undirected adj ->
-       no_loops adj ->
-       strongly_connected n adj ->
-       (forall i j : nat, V i j = V j i) ->
-       (forall i j : nat, V' i j = V' j i) ->
-       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
-       (forall (i j : nat) (s : R), (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
-       (forall (t : R) (i j : nat), 0 <= t -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
-       (forall (t : R) (i : nat), 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t)) ->
-       (forall (t : R) (i : nat),
-        0 <= t ->
-        (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i)) ->
-       forall i j : nat,
-       (i < n)%nat ->
-       (j < n)%nat ->
-       forall e : R, 0 < e -> exists T : R, 0 <= T /\ (forall t : R, T <= t -> norm (v i t - v j t)%C < e)).
+       undirected adj -> no_loops adj ->
+       (forall i j, V i j = V j i) -> (forall i j, V' i j = V' j i) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       distinct n adj (fun i => r i 0) ->
+       (1 <= n)%nat -> strongly_connected n adj ->
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
+       (forall t, 0 <= t -> moves n adj V' r v t) ->
+       forall i j, (i < n)%nat -> (j < n)%nat ->
+       forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> norm (v i t - v j t)%C < e).
 
 (* tanner2.thm1a *)
-Check (tanner_flock.velocities_to_mean :
+Check (tanner2_motion.motions_to_mean :
   forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
-       (1 <= n)%nat ->
-       undirected adj ->
-       no_loops adj ->
-       strongly_connected n adj ->
-       (forall i j : nat, V i j = V j i) ->
-       (forall i j : nat, V' i j = V' j i) ->
-       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
-       (forall (i j : nat) (s : R), (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
-       (forall (t : R) (i j : nat), 0 <= t -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
-       (forall (t : R) (i : nat), 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t)) ->
-       (forall (t : R) (i : nat),
-        0 <= t ->
-        (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i0 : nat => r i0 t) (fun i0 : nat => v i0 t) i)) ->
-       forall i : nat,
-       (i < n)%nat ->
-       forall e : R,
-       0 < e ->
-       exists T : R, 0 <= T /\ (forall t : R, T <= t -> norm (v i t - centre n (fun j : nat => v j 0))%C < e)).
+       undirected adj -> no_loops adj ->
+       (forall i j, V i j = V j i) -> (forall i j, V' i j = V' j i) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       distinct n adj (fun i => r i 0) ->
+       (1 <= n)%nat -> strongly_connected n adj ->
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
+       (forall t, 0 <= t -> moves n adj V' r v t) ->
+       forall i, (i < n)%nat ->
+       forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> norm (v i t - centre n (fun j => v j 0))%C < e).
 
 (* tanner2.thm1c *)
 Check (tanner2_examples.thm1c_fails :
@@ -432,6 +413,21 @@ Check (tanner_graph.B_gradients :
        - fst (grad_i n adj V' r k) /\
        applyB O (fun f : nat * nat => snd (grad (V' (fst f) (snd f)) (r (fst f)) (r (snd f)))) k =
        - snd (grad_i n adj V' r k)).
+
+(* tanner2.bound_r, corrected: D is at least V_e^{-1}(c) for every edge e *)
+Check (tanner_paths.bound_r_corrected :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> C) (c D : R),
+       (1 <= n)%nat -> undirected adj -> no_loops adj -> strongly_connected n adj ->
+       (forall i j, V i j = V j i) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j) ->
+       Wenergy n adj V r v <= c -> 0 <= D ->
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> V i j s <= c -> s <= D) ->
+       forall i j, (i < n)%nat -> (j < n)%nat -> norm (r i - r j)%C <= (INR n - 1) * D).
+
+(* beyond.tanner2.alternating_trees, tanner2.arbswitch: the last step *)
+Check (tanner_paths.no_four_points :
+  forall x : nat -> C, ~ (forall i j, (i < 4)%nat -> (j < 4)%nat -> i <> j -> norm (x i - x j)%C = 1)).
 
 (* the path 0 - 1 - 2 *)
 Check (eq_refl : path3 = fun k j => (Nat.eqb k 1 && negb (Nat.eqb j 1) || Nat.eqb j 1 && negb (Nat.eqb k 1))%bool).

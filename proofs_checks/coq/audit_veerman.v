@@ -70,7 +70,69 @@ Check (fun y nf na tf ta N => eq_refl : veerman_resonances.no_cell_is_true (y, n
   ((exists w, veerman_amplitude.main_resonance (-1) (-1) N w) /\ forall w, veerman_amplitude.main_resonance (-1) (-1) N w ->
    ~ veerman_numbers.agrees nf w /\ ~ veerman_numbers.agrees na (veerman_amplitude.amplitude (-1) (-1) N w) /\
    ~ veerman_numbers.agrees tf w /\ ~ veerman_numbers.agrees ta (veerman_amplitude.amplitude (-1) (-1) N w))).
-
+(* powers, phases, the waves and positions of corollary 1, the strongest frequency *)
+Check (fun z n => conj eq_refl eq_refl : Cpw z 0 = RtoC 1 /\ Cpw z (S n) = (z * Cpw z n)%C).
+Check (fun t : R => eq_refl : cis t = (cos t, sin t)).
+Check (fun a w k t => eq_refl : wave_u a w k t = ((0, w) * (a k * cis (w * t)))%C).
+Check (fun f g => eq_refl : strongest f g = f ^ 2 / g ^ 2 * (sqrt (1 + 2 * g ^ 2 / Rabs f) - 1)).
+Check (fun (a0 : R) h gam w k t => eq_refl : position a0 h gam w k t = h k + fst (RtoC a0 * (Cpw (/ gam)%C k * cis (w * t)))%C).
+(* the matrices L of the two systems, and the components of a row of the vector form *)
+Check (fun i j => eq_refl : L1 i j =
+  if Nat.eqb i 0 then 0 else if Nat.eqb i j then 1 else if Nat.eqb i (S j) then -1 else 0).
+Check (fun N i j => eq_refl : L2 N i j = if Nat.eqb i 0 then 0 else if Nat.eqb i j then 1
+  else if Nat.eqb i (S N) then (if Nat.eqb i (S j) then -1 else 0)
+  else if Nat.eqb i (S j) then - / 2 else if Nat.eqb j (S i) then - / 2 else 0).
+Check (fun F n => conj eq_refl eq_refl : veerman_matrices.sum F 0 = 0 /\
+  veerman_matrices.sum F (S n) = veerman_matrices.sum F n + F (S n)).
+Check (fun (u : nat -> R) k => eq_refl : form_x u k = 1 * u k).
+Check (fun f g L N x h u k => eq_refl : form_u f g L N x h u k =
+  veerman_matrices.sum (fun j => L k j * (f * (x j - h j) + g * u j)) (S N) + L k 0%nat * (f * (x 0%nat - h 0%nat) + g * u 0%nat)).
+(* spectra: P leaves out the leader's column, that is x_0 = 0 *)
+Check (fun row x k => eq_refl : reduced row x k = row (fun j => match j with O => RtoC 0 | _ => x j end) k).
+Check (fun N => conj eq_refl eq_refl : P1 = reduced row1 /\ P2 N = reduced (row2 N)).
+Check (fun N x => eq_refl : nonzero N x = exists k, (1 <= k <= S N)%nat /\ x k <> RtoC 0).
+Check (fun N P lam x => eq_refl : eigenvector N P lam x =
+  (nonzero N x /\ forall k, (1 <= k <= S N)%nat -> P x k = (lam * x k)%C)).
+Check (fun (f g : R) lam nu => eq_refl : eigenvalue_AK f g lam nu = exists a b : C, (a <> RtoC 0 \/ b <> RtoC 0) /\
+  b = (nu * a)%C /\ (lam * f * a + lam * g * b)%C = (nu * b)%C).
+Check (fun N row lam => eq_refl : L_eigenvalue N row lam = exists x : nat -> C,
+  (exists k, (k <= S N)%nat /\ x k <> RtoC 0) /\ RtoC 0 = (lam * x 0%nat)%C /\
+  forall k, (1 <= k <= S N)%nat -> row x k = (lam * x k)%C).
+Check (fun N k => eq_refl : angle N k = (2 * INR k - 1) * PI / (2 * (INR N + 1))).
+(* lemma 2: the matrix C as a map of pairs, its powers and trace, the recurrence of the amplitudes *)
+Check (fun gam (p : C * C) => eq_refl : Cmap gam p = (snd p, (2 * gam * snd p - fst p)%C)).
+Check (fun a11 a12 a21 a22 b11 b12 b21 b22 => eq_refl : mat2_mul (Mat2 a11 a12 a21 a22) (Mat2 b11 b12 b21 b22) =
+  Mat2 (a11 * b11 + a12 * b21)%C (a11 * b12 + a12 * b22)%C (a21 * b11 + a22 * b21)%C (a21 * b12 + a22 * b22)%C).
+Check (fun M n => conj eq_refl eq_refl : mat2_pow M 0 = Mat2 (RtoC 1) (RtoC 0) (RtoC 0) (RtoC 1) /\
+  mat2_pow M (S n) = mat2_mul M (mat2_pow M n)).
+Check (fun a b c d => eq_refl : trace2 (Mat2 a b c d) = (a + d)%C).
+Check (fun gam N a => eq_refl : chain gam N a =
+  ((forall k, (1 <= k <= N)%nat -> (a k, a (k + 1)%nat) = Cmap gam (a (k - 1)%nat, a k)) /\ a N = (gam * a (S N))%C)).
+(* theorem 1's numbers, the printed cells with one unit of the last digit, and what a cell agrees with *)
+Check (fun f M => eq_refl : veerman_numbers.frequency f M = sqrt (Rabs f) * PI / (M * 2 * sqrt 2)).
+Check (fun f g M => eq_refl : veerman_numbers.amplitude f g M = 8 * sqrt (2 * Rabs f) / (PI ^ 2 * Rabs g) * M).
+Check (eq_refl : veerman_numbers.cell = (R * R)%type).
+Check (fun c x => eq_refl : veerman_numbers.agrees c x = (Rabs (fst c - x) <= snd c)).
+Check (eq_refl : veerman_numbers.table =
+  (4, (0.2776801836, 1e-10), (4.58527335, 1e-8), (0.2727291, 1e-7), (4.49064609, 1e-8)) ::
+  (8, (0.1388400918, 1e-10), (9.17054669, 1e-8), (0.1382221, 1e-7), (9.11739657, 1e-8)) ::
+  (16, (0.0694200459, 1e-10), (18.34109338, 1e-8), (0.06934994, 1e-8), (18.3135253, 1e-7)) ::
+  (32, (0.0347100229, 1e-10), (36.68218677, 1e-8), (0.03470038, 1e-8), (36.6683866, 1e-7)) ::
+  (64, (0.0173550115, 1e-10), (73.36437354, 1e-8), (0.017353935, 1e-9), (73.3562112, 1e-7)) ::
+  (128, (0.0086775057, 1e-10), (146.72874707, 1e-8), (0.008677381, 1e-9), (146.7227220, 1e-7)) :: nil).
+(* a resonance is a weak local maximum of the amplitude *)
+Check (fun F w => eq_refl : veerman_lesser.local_maximum F w =
+  exists r, 0 < r /\ forall v, Rabs (v - w) < r -> F v <= F w).
+(* other graphs: everyone tracks the leader; the n-th agent in front and behind, and paths of tracking *)
+Check (fun f g w a => eq_refl : veerman_numbers.equation_star f g w a =
+  (a 0%nat = RtoC 1 /\ forall k, ((- w ^ 2)%R * a (S k))%C = (den f g w * (a (S k) - a 0%nat))%C)).
+Check (fun n N i j => eq_refl : veerman_numbers.tracks n N i j =
+  ((i <= S N)%nat /\ (j <= S N)%nat /\ (j = i + n \/ i = j + n)%nat)).
+Check (veerman_numbers.there : forall n N i j k,
+  veerman_numbers.tracks n N i j -> veerman_numbers.joined n N j k -> veerman_numbers.joined n N i k).
+Check (veerman_numbers.joined_ind : forall (n N : nat) (Q : nat -> nat -> Prop), (forall i, Q i i) ->
+  (forall i j k, veerman_numbers.tracks n N i j -> veerman_numbers.joined n N j k -> Q j k -> Q i k) ->
+  forall i j, veerman_numbers.joined n N i j -> Q i j).
 (* beyond.veerman.decay_rate (claim) *)
 Check (@veerman_unsettled.decay_rate :
   forall f g : R,
@@ -237,7 +299,7 @@ Check (@veerman_chain.lemma_3 :
   0 < w ->
   a 0%nat = 1 ->
   equation_2 f g w N a -> Cmod (a (S N)) * (INR (S N) * (- g * w ^ 3 / (f ^ 2 + (w * g) ^ 2))) <= 1).
-(* veerman.nth_neighbour (part) *)
+(* veerman.nth_neighbour (corrected) *)
 Check (@veerman_numbers.nth_neighbour :
   forall n N : nat, (2 <= n)%nat -> ~ veerman_numbers.joined n N 0 1).
 (* veerman.nth_neighbour (negation) *)

@@ -1,9 +1,9 @@
 (* Tanner, Jadbabaie, Pappas, Part I: the mechanical energy, which the alignment does not change, and what it decides.
-     tanner1.Vt_inv, tanner1.propIV3b, tanner1.collision (corrected), tanner1.decoupled (part).
+     tanner1.Vt_inv, tanner1.propIV3b, tanner1.collision, tanner1.anyV (corrected), tanner1.decoupled (part).
    At the end a motion that stops: Proposition IV.3 read as including that the motion exists for all t >= 0. *)
 From Coq Require Import Reals Lra Lia Psatz.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles tanner_energy tanner_flock tanner1_heading tanner1_examples.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles tanner_energy tanner_flock tanner_paths tanner1_heading tanner1_examples.
 Open Scope R_scope.
 
 Definition mechanical (n : nat) (adj : graph) (V : nat -> nat -> R -> R) (r v : nat -> C) : R :=
@@ -44,6 +44,23 @@ Proof.
   apply (eq_is_derive E 0 t); [|lra]. intros x Hx. apply mechanical_rate, H. lra.
 Qed.
 
+(* V_ij of a linked pair is at most twice the energy, where no potential is negative *)
+Lemma pair_energy t : steered n adj V V' r v th t ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> V i j (norm (r i t - r j t)%C) <= 2 * E t.
+Proof.
+  intros (_ & HN & _ & _) P i j Hi Hj A. unfold mechanical.
+  assert (G : forall a b, (a < n)%nat -> (b < n)%nat -> 0 <= w adj a b * V a b (norm (r a t - r b t)%C)).
+  { intros a b Ha Hb. unfold w. destruct (adj a b) eqn:F; [|lra]. rewrite Rmult_1_l. apply P; try assumption. now apply norm_neq, HN. }
+  assert (K : V i j (norm (r i t - r j t)%C) <= V_i n adj V (fun i => r i t) i).
+  { replace (V i j (norm (r i t - r j t)%C)) with (w adj i j * V i j (norm (r i t - r j t)%C)) by (unfold w; rewrite A; ring).
+    unfold V_i. apply (Sum_term_le n (fun b => w adj i b * V i b (norm (r i t - r b t)%C)) j); [|exact Hj]. intros b Hb. now apply G. }
+  assert (L2 : V_i n adj V (fun i => r i t) i + inner (v i t) (v i t) <= Sum n (fun i => V_i n adj V (fun i => r i t) i + inner (v i t) (v i t))).
+  { apply (Sum_term_le n (fun i => V_i n adj V (fun i => r i t) i + inner (v i t) (v i t)) i); [|exact Hi]. intros b Hb.
+    pose proof (inner_self_ge0 (v b t)). assert (0 <= V_i n adj V (fun i => r i t) b); [|lra]. apply Sum_ge0. intros; now apply G. }
+  pose proof (inner_self_ge0 (v i t)). lra.
+Qed.
+
 (* linked agents keep a distance, one for all T: V_ij >= 0 is unbounded at 0 *)
 Theorem linked_apart :
   (forall i j s, (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
@@ -54,17 +71,27 @@ Theorem linked_apart :
 Proof.
   intros P U i j Hi Hj A. destruct (U i j (2 * E 0) Hi Hj) as (d & Hd & B). exists d. split; [exact Hd|]. intros T H t Ht.
   destruct (Rle_lt_dec d (norm (r i t - r j t)%C)) as [|L]; [assumption|]. exfalso.
-  destruct (H t Ht) as (_ & HN & _ & _). pose proof (norm_neq _ _ (HN i j Hi Hj A)) as N0.
-  specialize (B _ (conj N0 L)). rewrite <- (mechanical_constant T H t Ht) in B. unfold mechanical in B.
-  assert (G : forall a b, (a < n)%nat -> (b < n)%nat -> 0 <= w adj a b * V a b (norm (r a t - r b t)%C)).
-  { intros a b Ha Hb. unfold w. destruct (adj a b) eqn:F; [|lra]. rewrite Rmult_1_l. apply P; try assumption. now apply norm_neq, HN. }
-  assert (K : V i j (norm (r i t - r j t)%C) <= V_i n adj V (fun i => r i t) i).
-  { replace (V i j (norm (r i t - r j t)%C)) with (w adj i j * V i j (norm (r i t - r j t)%C)) by (unfold w; rewrite A; ring).
-    unfold V_i. apply (Sum_term_le n (fun b => w adj i b * V i b (norm (r i t - r b t)%C)) j); [|exact Hj]. intros b Hb. now apply G. }
-  assert (L2 : V_i n adj V (fun i => r i t) i + inner (v i t) (v i t) <= Sum n (fun i => V_i n adj V (fun i => r i t) i + inner (v i t) (v i t))).
-  { apply (Sum_term_le n (fun i => V_i n adj V (fun i => r i t) i + inner (v i t) (v i t)) i); [|exact Hi]. intros b Hb.
-    pose proof (inner_self_ge0 (v b t)). assert (0 <= V_i n adj V (fun i => r i t) b); [|lra]. apply Sum_ge0. intros; now apply G. }
-  pose proof (inner_self_ge0 (v i t)). lra.
+  pose proof (pair_energy t (H t Ht) P i j Hi Hj A) as Q. pose proof (mechanical_constant T H t Ht) as M.
+  destruct (H t Ht) as (_ & HN & _ & _). specialize (B _ (conj (norm_neq _ _ (HN i j Hi Hj A)) L)). cbv beta in *. lra.
+Qed.
+
+(* all distances of a connected graph stay bounded, one bound for all T: V_ij >= 0 is unbounded at infinity *)
+Theorem cohesion : strongly_connected n adj ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
+  (forall i j M, (i < n)%nat -> (j < n)%nat -> exists D, forall s, D < s -> M < V i j s) ->
+  exists B, forall T, (forall t, 0 <= t < T -> steered n adj V V' r v th t) ->
+    forall t i j, 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> norm (r i t - r j t)%C <= B.
+Proof.
+  intros SC P U.
+  destruct (uniform_pairs n (fun i j b => forall s, b < s -> 2 * E 0 < V i j s)) as [D [HD B]].
+  { intros i j b b' Q Le s Hs. apply Q. lra. }
+  { intros i j Hi Hj. now apply U. }
+  exists (INR n * D). intros T H t i j Ht Hi Hj. destruct (joined n adj i j SC Hi Hj) as [l [W L]].
+  apply Rle_trans with (INR (length l) * D).
+  - apply (walk_length n adj (fun i => r i t) D j l); [|exact W]. intros a b (Ha & Hb & A).
+    assert (A' : adj a b = true) by (now rewrite S). apply Rnot_lt_le. intros F. specialize (B a b Ha Hb _ F).
+    pose proof (pair_energy t (H t Ht) P a b Ha Hb A') as Q. pose proof (mechanical_constant T H t Ht) as M. cbv beta in *. lra.
+  - apply Rmult_le_compat_r; [lra|]. apply le_INR. lia.
 Qed.
 End Energy.
 

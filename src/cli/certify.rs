@@ -7,11 +7,14 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(
+    after_help = "Examples:\n  flockproof certify --out out\n  flockproof certify --claim chazelle.exAB --out out"
+)]
 pub struct Arguments {
     /// Folder for the certificates, one file CLAIM.RESULT.cert for each
     #[arg(long, value_name = "DIR", required_unless_present = "coq")]
     out: Option<PathBuf>,
-    /// Only those of this claim
+    /// Only those of this claim (may be repeated) [default: all]
     #[arg(long, value_name = "ID", conflicts_with = "coq")]
     claim: Vec<String>,
     /// Folder for the same results as theorems: gen_products.v, gen_limits.v, gen_switches.v, gen_inertia.v, gen_peaks.v
@@ -75,6 +78,11 @@ pub fn write(path: &Path, certificate: &Certificate) -> Result<(), CliError> {
     output::write_file(path, certificate.text().as_bytes())
 }
 
+/// Refuses a file for a certificate that cannot be written.
+pub fn check_asked(path: Option<&Path>) -> Result<(), CliError> {
+    path.map_or(Ok(()), output::check_writable)
+}
+
 /// Writes the certificate of a run to the file that `--certificate` names.
 pub fn write_asked(
     path: Option<&Path>,
@@ -86,6 +94,6 @@ pub fn write_asked(
 
 /// The folder, made where it is not there.
 fn made(folder: &Path) -> Result<&Path, CliError> {
-    std::fs::create_dir_all(folder).map_err(|error| CliError::file(folder, error))?;
+    output::make_folder(folder)?;
     Ok(folder)
 }

@@ -4,21 +4,28 @@ use super::{CliError, certify, interrupt, output};
 use flockproof::arithmetic::Rational;
 use flockproof::certificates::{Certificate, Product};
 use flockproof::matrix::{
-    Footprint, Stabiliser, StochasticMatrix, prefix_products, read::read_sequence, stabilisers, tau_2_squared,
+    Footprint, Stabiliser, StochasticMatrix, prefix_products,
+    read::{Normalised, read_normalised, read_sequence},
+    stabilisers, tau_2_squared,
 };
+use flockproof::report::Provenance;
 use num_traits::ToPrimitive;
 use serde_json::json;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(after_help = "Example:\n  flockproof ergodicity assets/two_matrices.txt --json")]
 pub struct Arguments {
     /// Matrices, the first factor P(1) first: text (rows on lines, a blank line between matrices) or JSON
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Print one JSON document
+    /// Print one JSON document, flockproof.ergodicity/1
     #[arg(long)]
     json: bool,
+    /// Divide each row by its sum, for matrices of floats; what was changed is told
+    #[arg(long)]
+    normalise: bool,
     /// Write tau_1 of the whole product as a certificate, see proofs_checks/README.md
     #[arg(long, value_name = "OUT")]
     certificate: Option<PathBuf>,
@@ -41,8 +48,10 @@ impl Prefix {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    let text = output::read_text(&arguments.file)?;
-    let factors = read_sequence(&text).map_err(|error| CliError::file(&arguments.file, error))?;
+    certify::check_asked(arguments.certificate.as_deref())?;
+    let input = output::read_input(&arguments.file)?;
+    let (factors, changed) = factors(arguments, &input.text)?;
+    let changed = changes(&changed);
     certify::write_asked(arguments.certificate.as_deref(), || Ok(Certificate::Product(Product::new(&factors)?)))?;
     let work = factors.clone();
     let made = interrupt::results(move |sender| {
@@ -73,11 +82,45 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     let Some(product) = product else { return Ok(interrupt::status(complete)) };
     if arguments.json {
-        output::print_json(&document(&product, &prefixes, &found))?;
+        let configuration = json!({"command": "ergodicity", "file": input.origin, "normalise": arguments.normalise});
+        let provenance = Provenance::new("flockproof.ergodicity/1", None, configuration);
+        let mut document = document(&product, &prefixes, &found);
+        if arguments.normalise {
+            document["changed"] = json!(changed);
+        }
+        output::print_json(&provenance.stamp(document))?;
     } else {
-        output::print(&table(&product, &prefixes, &found))?;
+        let changed: String = changed.iter().map(|line| format!("{line}\n")).collect();
+        output::print(&(changed + &table(&product, &prefixes, &found)))?;
     }
     Ok(interrupt::status(complete))
+}
+
+/// The matrices of a file, and the rows that were changed.
+fn factors(arguments: &Arguments, text: &str) -> Result<(Vec<StochasticMatrix>, Vec<Normalised>), CliError> {
+    let found = match arguments.normalise {
+        true => read_normalised(text),
+        false => read_sequence(text).map(|factors| (factors, Vec::new())),
+    };
+    found.map_err(|error| {
+        let sentence = error.to_string();
+        let advice = if sentence.contains("sums to") { "; --normalise divides each row by its sum" } else { "" };
+        CliError::file(&arguments.file, sentence + advice)
+    })
+}
+
+/// What was changed, a line for each of the first rows.
+fn changes(changed: &[Normalised]) -> Vec<String> {
+    const MOST: usize = 20;
+    let line = |row: &Normalised| {
+        let excess = (&row.sum - Rational::from_integer(1.into())).to_f64().unwrap_or(f64::NAN);
+        format!("matrix {}, row {}: divided by its sum, 1 {excess:+.3e}", row.matrix, row.row)
+    };
+    let mut lines: Vec<String> = changed.iter().take(MOST).map(line).collect();
+    if changed.len() > MOST {
+        lines.push(format!("and {} more rows", changed.len() - MOST));
+    }
+    lines
 }
 
 fn members(stabiliser: &Stabiliser) -> Vec<usize> {

@@ -4,7 +4,7 @@ use flockproof::arithmetic::Progress;
 use indicatif::ProgressBar;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, OnceLock, mpsc};
+use std::sync::{Arc, Mutex, OnceLock, mpsc};
 use std::time::{Duration, Instant};
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
@@ -38,10 +38,28 @@ pub fn listen() {
             std::thread::sleep(PATIENCE);
             if !FINISHING.load(Ordering::Relaxed) {
                 eprintln!("stopped in the middle of a computation");
+                if let Ok(kept) = KEPT.lock() {
+                    let _ = super::output::print(&kept);
+                }
                 std::process::exit(i32::from(STATUS));
             }
         });
     });
+}
+
+/// What was found and is printed only at the end.
+static KEPT: Mutex<String> = Mutex::new(String::new());
+
+/// Keeps a text that is printed at the end, so that it is printed even where work is given up in the middle.
+pub fn keep(text: &str) {
+    if let Ok(mut kept) = KEPT.lock() {
+        kept.push_str(text);
+    }
+}
+
+/// All that was kept, which is then no longer kept.
+pub fn kept() -> String {
+    KEPT.lock().map(|mut kept| std::mem::take(&mut *kept)).unwrap_or_default()
 }
 
 /// Whether a signal has come.
@@ -66,11 +84,6 @@ impl Watch {
     pub fn with(bar: ProgressBar) -> Self {
         WATCHED.store(true, Ordering::Relaxed);
         Watch { bar, stopped: Arc::default() }
-    }
-
-    /// Without a bar.
-    pub fn silent() -> Self {
-        Watch::with(ProgressBar::hidden())
     }
 
     /// The bar.

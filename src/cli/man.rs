@@ -1,11 +1,12 @@
 //! `man`: manual pages, made from the same descriptions as `--help`.
 
 use super::{CliError, output};
-use clap::{Command, CommandFactory};
+use clap::Command;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(after_help = "Example:\n  flockproof man --out ~/.local/share/man/man1")]
 pub struct Arguments {
     /// Folder for the pages flockproof.1, flockproof-verify.1 and so on; it is made if it is missing
     #[arg(long, value_name = "DIR")]
@@ -13,8 +14,8 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    std::fs::create_dir_all(&arguments.out).map_err(|error| CliError::file(&arguments.out, error))?;
-    let mut command = super::Arguments::command().disable_help_subcommand(true);
+    output::make_folder(&arguments.out)?;
+    let mut command = super::help::command().disable_help_subcommand(true);
     // Gives the subcommands their full names.
     command.build();
     write(&command, &arguments.out)?;

@@ -1,31 +1,38 @@
 //! Dispatch, errors and output of the command line.
 //!
 //! Exit status: 0 when all is as it should be, 1 when `verify` differs from what is recorded, 2 on bad use, 130 when
-//! interrupted.
+//! interrupted; `check` has 1 for false, 3 for undecided and 4 where a control was not refuted.
 
 mod certify;
+mod check;
 mod completions;
 mod ergodicity;
 mod explain;
 mod flock;
+mod fuzz;
+mod help;
 mod interrupt;
+mod list;
 mod man;
 mod output;
 mod progress;
 mod prove;
+mod report;
 mod reproduce;
 mod resonance;
 mod simulate;
 mod spectrum;
+mod sweep;
 mod tracks;
 mod verify;
 
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{FromArgMatches, Parser, Subcommand};
 use std::process::ExitCode;
 
 /// Checks what is claimed about flocking: every statement with a verdict, graded evidence and negative controls.
 #[derive(Parser)]
-#[command(name = "flockproof", version, about, max_term_width = 100, arg_required_else_help = false)]
+#[command(name = "flockproof", version, about, subcommand_required = true, arg_required_else_help = true)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -35,8 +42,12 @@ struct Arguments {
 enum Command {
     /// Run the ledger: a table of claims, verdicts, evidence, controls and times
     Verify(verify::Arguments),
+    /// Search the claims: words, paper, verdict, fault, grade, scope
+    List(list::Arguments),
     /// Explain one claim: statement, verdict, derivation, evidence, counterexample, correction
     Explain(explain::Arguments),
+    /// Write the site: a page for every claim, with figures, errata and results
+    Report(report::Arguments),
     /// Reproduce tables and figures of the papers as CSV, SVG and PNG
     Reproduce(reproduce::Arguments),
     /// Enclose the main resonance of the two-sided platoon rigorously
@@ -47,12 +58,18 @@ enum Command {
     Tracks(tracks::Arguments),
     /// Let Coq check the proofs that the ledger rests on
     Prove(prove::Arguments),
+    /// Decide statements of one's own: a file says what a property ranges over
+    Check(check::Arguments),
     /// Write exact results of the ledger as certificates that a separate program, or Coq, checks
     Certify(certify::Arguments),
     /// Products, footprints, stabilisers and ergodicity coefficients of a sequence of stochastic matrices
     Ergodicity(ergodicity::Arguments),
     /// Exact flocks: step them, or decide what becomes of them
     Flock(flock::Arguments),
+    /// Tabulate the quantities of a question over its family
+    Sweep(sweep::Arguments),
+    /// Run campaigns of random cases over what must always be true
+    Fuzz(fuzz::Arguments),
     /// Simulate a flock from a TOML file: samples, events, trajectory, plots
     Simulate(simulate::Arguments),
     /// Print a script that completes commands and options in a shell
@@ -79,12 +96,25 @@ impl CliError {
     }
 }
 
-/// Parses the arguments and runs the subcommand.
-pub fn main() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+/// Parses the arguments, of which the first is the name of the program, and runs the subcommand; the exit status.
+pub fn main(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> u8 {
+    let code = run(arguments);
+    // The number in an `ExitCode` cannot be asked for.
+    (0..=u8::MAX).find(|&status| ExitCode::from(status) == code).unwrap_or(u8::MAX)
+}
+
+fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
+    let parsed =
+        help::command().try_get_matches_from(arguments).and_then(|matches| Arguments::from_arg_matches(&matches));
+    let arguments = match parsed {
         Ok(arguments) => arguments,
+        // Nothing was asked for: all that can be asked for.
+        Err(error) if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
+            eprint!("{}", error.render());
+            return ExitCode::from(2);
+        }
         Err(error) if error.use_stderr() => {
-            eprintln!("{}", one_sentence(&error.render().to_string()));
+            eprintln!("{}", help::one_sentence(&error.render().to_string()));
             return ExitCode::from(2);
         }
         // Help and version.
@@ -93,15 +123,20 @@ pub fn main() -> ExitCode {
     interrupt::listen();
     finish(match arguments.command {
         Command::Verify(arguments) => verify::run(&arguments),
+        Command::List(arguments) => list::run(&arguments),
         Command::Explain(arguments) => explain::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Spectrum(arguments) => spectrum::run(&arguments),
         Command::Tracks(arguments) => tracks::run(&arguments),
         Command::Prove(arguments) => prove::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
         Command::Certify(arguments) => certify::run(&arguments),
         Command::Ergodicity(arguments) => ergodicity::run(&arguments),
         Command::Flock(arguments) => flock::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Fuzz(arguments) => fuzz::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Completions(arguments) => completions::run(&arguments),
         Command::Man(arguments) => man::run(&arguments),
@@ -117,10 +152,4 @@ fn finish(result: Result<ExitCode, CliError>) -> ExitCode {
             ExitCode::from(2)
         }
     }
-}
-
-/// The first paragraph of clap's message on one line.
-fn one_sentence(message: &str) -> String {
-    let paragraph = message.lines().take_while(|line| !line.trim().is_empty());
-    paragraph.map(str::trim).collect::<Vec<_>>().join(" ")
 }

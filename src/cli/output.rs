@@ -1,15 +1,17 @@
-//! Writing to standard output and to files without ever panicking.
+//! Standard output, and files in and out, without ever panicking.
 
 use super::CliError;
-use std::io::{ErrorKind, Read, Write};
-use std::path::Path;
+use flockproof::report::digest;
+use serde_json::{Value, json};
+use std::io::{self, ErrorKind, IsTerminal, Read, Write};
+use std::path::{Path, PathBuf};
 
 /// Prints a text; a closed pipe ends the program quietly.
 pub fn print(text: &str) -> Result<(), CliError> {
-    let mut out = std::io::stdout().lock();
+    let mut out = io::stdout().lock();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
         ErrorKind::BrokenPipe => CliError::ClosedOutput,
-        _ => CliError::Use(format!("standard output: {error}")),
+        _ => CliError::Use(format!("standard output: {}", sentence(&error))),
     })
 }
 
@@ -18,34 +20,107 @@ pub fn print_json(document: &serde_json::Value) -> Result<(), CliError> {
     print(&format!("{document:#}\n"))
 }
 
-/// Writes a whole file: first beside it, then in its place, so that an interrupted run leaves no half file.
-pub fn write_file(path: &Path, contents: &[u8]) -> Result<(), CliError> {
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(".part");
-    // Devices and pipes cannot be replaced.
-    if path.exists() && !path.is_file() {
-        return std::fs::write(path, contents).map_err(|error| CliError::file(path, error));
+/// What went wrong with a file, without the words and numbers of the operating system where there are better ones.
+pub fn sentence(error: &io::Error) -> String {
+    match error.kind() {
+        ErrorKind::NotFound => "there is no such file or folder".to_string(),
+        ErrorKind::PermissionDenied => "access is denied".to_string(),
+        ErrorKind::AlreadyExists => "a file of that name is in the way".to_string(),
+        ErrorKind::IsADirectory => "it is a folder, not a file".to_string(),
+        ErrorKind::NotADirectory => "a part of the path is a file, not a folder".to_string(),
+        ErrorKind::StorageFull => "there is no space left".to_string(),
+        ErrorKind::ReadOnlyFilesystem => "nothing can be written there: it is read-only".to_string(),
+        ErrorKind::InvalidFilename => {
+            "the name is not possible: too long, or with letters that are not allowed".to_string()
+        }
+        _ => error.to_string().split(" (os error").next().unwrap_or_default().to_lowercase(),
     }
-    std::fs::write(&beside, contents)
-        .and_then(|()| std::fs::rename(&beside, path))
-        .map_err(|error| CliError::file(path, error))
 }
 
-/// Reads a whole text file of at most 64 MiB.
-pub fn read_text(path: &Path) -> Result<String, CliError> {
-    const LARGEST: u64 = 64 << 20;
-    // Not the size that the file system tells: a device has none and no end.
-    let mut bytes = Vec::new();
-    std::fs::File::open(path)
-        .and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes))
-        .map_err(|error| CliError::file(path, error))?;
+/// Refuses a file about which the operating system complains.
+fn refused(path: &Path) -> impl Fn(io::Error) -> CliError + '_ {
+    move |error| CliError::file(path, sentence(&error))
+}
+
+/// The name beside a file under which it is written first.
+fn beside(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".part");
+    name.into()
+}
+
+/// Refuses a file that cannot be written, before any work is done for it; nothing is left there.
+pub fn check_writable(path: &Path) -> Result<(), CliError> {
+    if path.is_dir() {
+        return Err(CliError::file(path, "it is a folder, not a file"));
+    }
+    // Devices and pipes are written in place.
+    if path.exists() && !path.is_file() {
+        return Ok(());
+    }
+    if path.is_file() {
+        std::fs::OpenOptions::new().append(true).open(path).map_err(refused(path))?;
+    }
+    let beside = beside(path);
+    std::fs::write(&beside, b"").and_then(|()| std::fs::remove_file(&beside)).map_err(refused(path))
+}
+
+/// Makes a folder for files, where it is missing, and refuses one in which none can be written.
+pub fn make_folder(path: &Path) -> Result<(), CliError> {
+    std::fs::create_dir_all(path).map_err(refused(path))?;
+    let probe = path.join(".flockproof.part");
+    std::fs::write(&probe, b"").and_then(|()| std::fs::remove_file(&probe)).map_err(refused(path))
+}
+
+/// Writes a whole file: first beside it, then in its place, so that an interrupted run leaves no half file.
+pub fn write_file(path: &Path, contents: &[u8]) -> Result<(), CliError> {
+    // Devices and pipes cannot be replaced.
+    if path.exists() && !path.is_file() {
+        return std::fs::write(path, contents).map_err(refused(path));
+    }
+    let beside = beside(path);
+    std::fs::write(&beside, contents).and_then(|()| std::fs::rename(&beside, path)).map_err(refused(path))
+}
+
+/// A file that was read.
+pub struct Input {
+    /// What stands in it, without a byte-order mark.
+    pub text: String,
+    /// The name without the folder, so that the same file gives the same output wherever it is, and SHA-256 of its bytes.
+    pub origin: Value,
+}
+
+/// Reads a whole text file of at most 64 MiB, `-` from standard input.
+pub fn read_input(path: &Path) -> Result<Input, CliError> {
+    let bytes = if path == Path::new("-") { limited(io::stdin()) } else { std::fs::File::open(path).and_then(limited) };
+    let bytes = bytes.map_err(refused(path))?;
     if bytes.len() as u64 > LARGEST {
         return Err(CliError::file(path, "files of more than 64 MiB are not read"));
     }
-    String::from_utf8(bytes).map_err(|_| CliError::file(path, "it is not a text file (UTF-8)"))
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return Err(CliError::file(path, "it is not a text file in UTF-8 but in UTF-16"));
+    }
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+    let origin = json!({"name": name, "sha256": digest(&bytes)});
+    let text = String::from_utf8(bytes).map_err(|_| CliError::file(path, "it is not a text file (UTF-8)"))?;
+    let text = text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text);
+    Ok(Input { text, origin })
 }
 
-/// Width of the terminal, 80 where there is none.
+const LARGEST: u64 = 64 << 20;
+
+/// At most one byte more than the limit. Not the size that the file system tells: a device has none and no end.
+fn limited(input: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    input.take(LARGEST + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Width of the terminal; 80 where standard output is none.
 pub fn width() -> usize {
-    terminal_size::terminal_size().map_or(80, |(width, _)| usize::from(width.0))
+    /// Where it is narrower, no table can be read.
+    const LEAST: usize = 40;
+    let stdout = io::stdout();
+    let terminal = if stdout.is_terminal() { terminal_size::terminal_size_of(stdout) } else { None };
+    terminal.map_or(80, |(width, _)| usize::from(width.0).max(LEAST))
 }

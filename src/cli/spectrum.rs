@@ -1,9 +1,10 @@
 //! `spectrum`: the eigenvalues of a matrix of a graph, enclosed.
 
 use super::{CliError, output};
-use flockproof::arithmetic::{Interval, decimals};
-use flockproof::graph::read::read_graph;
+use flockproof::arithmetic::{Interval, decimals, shown};
+use flockproof::graph::read::{GraphFile, read_graph_file};
 use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
+use flockproof::report::Provenance;
 use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, matrix_spectrum, named_spectrum};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -11,21 +12,30 @@ use std::path::Path;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(
+    after_help = "An edge list has lines `i j [weight]`, vertices from 1 or by name, lines `directed` and `vertices N` before them, # for comments; that of networkx \
+is read too.\n\n\
+Examples:\n  flockproof spectrum --graph ring:12\n  flockproof spectrum --graph circulant:12:1,3 --kind walk --digits 40\n  flockproof spectrum --graph edges.txt --json"
+)]
 pub struct Arguments {
     /// A graph, such as ring:12, cycle:5, path:30, complete:5, star:7, circulant:12:1,3, platoon1:8, platoon2:8 (8 followers
-    /// and the leader), geometric:50:1/4:7 (points, radius, seed), or a file: an edge list or Matrix Market
+    /// and the leader), geometric:50:1/4:7 (points, radius, seed), or a file: an edge
+    /// list, Matrix Market or GraphML; `-` is standard input
     #[arg(long, value_name = "SPEC|FILE")]
     graph: String,
     /// laplacian, out-degree, in-degree, normalised, walk, reduced (without one vertex, see --root) or adjacency
     #[arg(long, value_name = "KIND", default_value = "laplacian")]
     kind: String,
-    /// The vertex that `reduced` leaves out, counted from 1 [default: 1]
-    #[arg(long, value_name = "K", allow_negative_numbers = true)]
-    root: Option<usize>,
+    /// The vertex that `reduced` leaves out, its number from 1 or its name in the file [default: 1]
+    #[arg(long, value_name = "K")]
+    root: Option<String>,
+    /// The vertices of the edge list are numbered from 0
+    #[arg(long)]
+    zero_based: bool,
     /// Significant digits [default: 20 where they are exact, otherwise what floating point gives]
     #[arg(long, value_name = "D", allow_negative_numbers = true)]
     digits: Option<u32>,
-    /// Print one JSON document
+    /// Print one JSON document, flockproof.spectrum/1
     #[arg(long)]
     json: bool,
 }
@@ -38,47 +48,72 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.root.is_some() && kind != LaplacianKind::Reduced {
         return Err(CliError::Use(format!("--root is for `--kind reduced`, not for `{}`", kind.name())));
     }
-    let root = arguments.root.unwrap_or(1);
-    let spectrum = find(&arguments.graph, kind, root, arguments.digits)?;
-    let digits = shown_digits(&spectrum, arguments.digits);
+    let found = find(arguments, kind)?;
+    let digits = shown_digits(&found.spectrum, arguments.digits);
     if arguments.json {
-        output::print_json(&document(&arguments.graph, kind, root, &spectrum, digits))?;
+        let configuration = json!({
+            "command": "spectrum", "graph": arguments.graph, "file": found.file, "zero_based": arguments.zero_based,
+            "kind": kind.name(), "root": found.root, "digits": arguments.digits,
+        });
+        let provenance = Provenance::new("flockproof.spectrum/1", None, configuration);
+        output::print_json(&provenance.stamp(document(&arguments.graph, kind, &found, digits)))?;
     } else {
-        output::print(&table(&arguments.graph, kind, root, &spectrum, digits))?;
+        output::print(&table(&arguments.graph, kind, &found, digits))?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn find(graph: &str, kind: LaplacianKind, root: usize, digits: Option<u32>) -> Result<Spectrum, CliError> {
+/// A spectrum and what it is of.
+struct Found {
+    spectrum: Spectrum,
+    /// The vertex that `reduced` leaves out, from 1.
+    root: usize,
+    /// The file that the graph comes from, and the names of its vertices.
+    file: Option<Value>,
+    labels: Option<Vec<String>>,
+}
+
+/// A graph of a file, or of standard input for `-`.
+pub fn read_file(path: &Path, zero_based: bool) -> Result<(GraphFile, Value), CliError> {
+    let input = output::read_input(path)?;
+    let file = read_graph_file(&input.text, zero_based).map_err(|error| CliError::file(path, error))?;
+    Ok((file, input.origin))
+}
+
+fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
+    let (graph, digits) = (&arguments.graph, arguments.digits);
     let path = Path::new(graph);
-    let named = graph.parse::<NamedGraph>();
     // A file wins over a name only where the name means nothing.
-    match named {
+    match graph.parse::<NamedGraph>() {
         Ok(named) => {
+            let root = root_of(arguments, named.order(), |word| word.parse().ok())?;
             let found = if root == 1 {
                 named_spectrum(&named, kind, digits)
             } else {
-                in_range(root, named.order())?;
                 named.build().map_err(SpectrumError::from).and_then(|graph| rooted_spectrum(&graph, kind, root, digits))
             };
-            found.map_err(|error| CliError::Use(format!("{graph}: {error}")))
+            let spectrum = found.map_err(|error| CliError::Use(format!("{graph}: {error}")))?;
+            Ok(Found { spectrum, root, file: None, labels: None })
         }
-        Err(_) if path.exists() => {
-            let text = output::read_text(path)?;
-            let graph = read_graph(&text).map_err(|error| CliError::file(path, error))?;
-            in_range(root, graph.order().max(1))?;
-            rooted_spectrum(&graph, kind, root, digits).map_err(|error| CliError::file(path, error))
+        Err(_) if path.exists() || graph == "-" => {
+            let (file, origin) = read_file(path, arguments.zero_based)?;
+            let root = root_of(arguments, file.graph.order(), |word| file.vertex(word).map(|k| k + 1))?;
+            let spectrum =
+                rooted_spectrum(&file.graph, kind, root, digits).map_err(|error| CliError::file(path, error))?;
+            Ok(Found { spectrum, root, file: Some(origin), labels: file.labels })
         }
         Err(error) if graph.contains(':') => Err(CliError::Use(format!("--graph: {error}"))),
         Err(error) => Err(CliError::Use(format!("--graph: there is no file of that name, and {error}"))),
     }
 }
 
-fn in_range(root: usize, order: usize) -> Result<(), CliError> {
-    if (1..=order).contains(&root) {
-        return Ok(());
-    }
-    Err(CliError::Use(format!("--root: vertex {root} is not one of the {order} vertices, which are counted from 1")))
+/// The vertex of `--root`, from 1.
+fn root_of(arguments: &Arguments, order: usize, number: impl Fn(&str) -> Option<usize>) -> Result<usize, CliError> {
+    let Some(word) = &arguments.root else { return Ok(1) };
+    number(word).filter(|root| (1..=order).contains(root)).ok_or_else(|| {
+        let word = shown(word);
+        CliError::Use(format!("--root: vertex {word} is not one of the {order} vertices, which are counted from 1"))
+    })
 }
 
 /// The spectrum of a matrix of a stored graph; `reduced` leaves out the vertex `root`, counted from 1.
@@ -109,7 +144,8 @@ fn shown_digits(spectrum: &Spectrum, digits: Option<u32>) -> u32 {
     }
 }
 
-fn document(graph: &str, kind: LaplacianKind, root: usize, spectrum: &Spectrum, digits: u32) -> Value {
+fn document(graph: &str, kind: LaplacianKind, found: &Found, digits: u32) -> Value {
+    let spectrum = &found.spectrum;
     let ends = |x: &Interval| {
         let (lo, hi) = decimals(x, digits);
         json!({"lo": lo, "hi": hi})
@@ -135,12 +171,16 @@ fn document(graph: &str, kind: LaplacianKind, root: usize, spectrum: &Spectrum, 
         "eigenvalues": spectrum.eigenvalues.par_iter().map(part).collect::<Vec<Value>>(),
     });
     if kind == LaplacianKind::Reduced {
-        document["root"] = json!(root);
+        document["root"] = json!(found.root);
+    }
+    if let Some(labels) = &found.labels {
+        document["vertices"] = json!(labels);
     }
     document
 }
 
-fn table(graph: &str, kind: LaplacianKind, root: usize, spectrum: &Spectrum, digits: u32) -> String {
+fn table(graph: &str, kind: LaplacianKind, found: &Found, digits: u32) -> String {
+    let (spectrum, root) = (&found.spectrum, found.root);
     let head = format!("{graph}: {} eigenvalues of `{}` ({})", spectrum.order, kind.name(), meaning(kind, root));
     let how = format!("{}: {}", spectrum.method.name(), spectrum.reason);
     let what = match spectrum.method {

@@ -3,14 +3,17 @@
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress};
 use flockproof::arithmetic::{Cancelled, Unwatched};
-use flockproof::report::TracksReport;
+use flockproof::report::{Provenance, TracksReport};
 use flockproof::tracks::{
     Choices, NearestRule, PositionsUsed, School, Setting, Tracks, analyse, null_models, synthetic_school,
 };
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(after_help = "Times are in seconds, lengths in the unit of x and y, radii of zones in body lengths.\n\n\
+Examples:\n  flockproof tracks assets/example_tracks.csv --out out\n  flockproof tracks --synthetic milling --fish 20 --seed mine --out out")]
 pub struct Arguments {
     /// Table with the columns t, id, x, y: seconds, a name for each fish, horizontal positions
     #[arg(value_name = "FILE.csv", required_unless_present = "synthetic", conflicts_with = "synthetic")]
@@ -25,7 +28,7 @@ pub struct Arguments {
     #[arg(long)]
     smooth_positions: bool,
     /// Body length in the unit of x and y
-    #[arg(long, value_name = "B", default_value_t = 5.3, allow_negative_numbers = true)]
+    #[arg(long, value_name = "B", default_value_t = 5.3, value_parser = super::help::finite)]
     body_length: f64,
     /// Outer radii of repulsion, orientation and attraction in body lengths; the last may be left out
     #[arg(
@@ -33,14 +36,14 @@ pub struct Arguments {
         value_name = "R,O[,A]",
         default_value = "1.4,2.4",
         value_delimiter = ',',
-        allow_negative_numbers = true
+        value_parser = super::help::finite
     )]
     zones: Vec<f64>,
     /// Blind spot behind each fish in degrees
-    #[arg(long, value_name = "DEGREES", default_value_t = 60.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEGREES", default_value_t = 60.0, value_parser = super::help::finite)]
     blind: f64,
     /// A fish that is no faster than this has no heading
-    #[arg(long, value_name = "SPEED", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "SPEED", default_value_t = 0.0, value_parser = super::help::finite)]
     still: f64,
     /// For n = 1 always the nearest neighbour, also in the zone of repulsion
     #[arg(long)]
@@ -54,8 +57,8 @@ pub struct Arguments {
     /// Circular time shifts for each of the two null models; the time grows with frames x fish^2 x shifts
     #[arg(long, value_name = "SHIFTS", default_value_t = 199)]
     null: usize,
-    /// Time of the snapshot [default: the middle]
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    /// Time of the snapshot in seconds, within the recording [default: the middle]
+    #[arg(long, value_name = "T", value_parser = super::help::finite)]
     at: Option<f64>,
     /// Seed of the null models and of a synthetic school
     #[arg(long, value_name = "SEED", default_value = "flockproof")]
@@ -64,12 +67,12 @@ pub struct Arguments {
     #[arg(long, value_name = "KIND", value_parser = school)]
     synthetic: Option<(&'static str, School)>,
     /// Fish of a synthetic school
-    #[arg(long, value_name = "N", default_value_t = 8, requires = "synthetic", value_parser = clap::value_parser!(u16).range(2..=500))]
+    #[arg(long, value_name = "N", default_value_t = 8, requires = "synthetic", conflicts_with = "file", value_parser = clap::value_parser!(u16).range(2..=500))]
     fish: u16,
     /// Frames of a synthetic school
-    #[arg(long, value_name = "F", default_value_t = 3000, requires = "synthetic", value_parser = clap::value_parser!(u32).range(3..=1_000_000))]
+    #[arg(long, value_name = "F", default_value_t = 3000, requires = "synthetic", conflicts_with = "file", value_parser = clap::value_parser!(u32).range(3..=1_000_000))]
     frames: u32,
-    /// Print the summary as one JSON document
+    /// Print the summary as one JSON document, flockproof.tracks/1
     #[arg(long)]
     json: bool,
 }
@@ -88,7 +91,7 @@ fn school(name: &str) -> Result<(&'static str, School), String> {
 }
 
 /// The trajectories, where they come from, and whether they were made here.
-fn tracks(arguments: &Arguments) -> Result<(Tracks, String), CliError> {
+fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
     if let Some((name, school)) = arguments.synthetic {
         let (fish, frames) = (usize::from(arguments.fish), arguments.frames as usize);
         if fish * frames > LARGEST_SCHOOL {
@@ -98,14 +101,16 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String), CliError> {
         }
         let setting =
             Setting { fish, frames, step: STEP, body_length: arguments.body_length, seed: arguments.seed.clone() };
-        return Ok((synthetic_school(school, &setting), format!("synthetic school: {name}, seed {}", arguments.seed)));
+        let origin = json!({"synthetic": name, "fish": fish, "frames": frames, "step": STEP});
+        let source = format!("synthetic school: {name}, seed {}", arguments.seed);
+        return Ok((synthetic_school(school, &setting), source, origin));
     }
     let path = arguments.file.as_deref().unwrap_or(Path::new(""));
-    let text = output::read_text(path)?;
-    let tracks = Tracks::from_csv(&text).map_err(|error| CliError::file(path, error))?;
+    let input = output::read_input(path)?;
+    let tracks = Tracks::from_csv(&input.text).map_err(|error| CliError::file(path, error))?;
     // The name only, so that the same file gives the same output wherever it is.
     let name = path.file_name().unwrap_or(path.as_os_str());
-    Ok((tracks, name.to_string_lossy().into_owned()))
+    Ok((tracks, name.to_string_lossy().into_owned(), input.origin))
 }
 
 fn choices(arguments: &Arguments, tracks: &Tracks) -> Result<Choices, CliError> {
@@ -131,7 +136,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.null > MOST_SHIFTS {
         return Err(CliError::Use(format!("--null {} is more than {MOST_SHIFTS} shifts", arguments.null)));
     }
-    let (tracks, source) = tracks(arguments)?;
+    let (tracks, source, origin) = tracks(arguments)?;
     let refuse = |error: &dyn std::fmt::Display| CliError::Use(format!("{source}: {error}"));
     let tracks = if arguments.ids.is_empty() {
         tracks
@@ -139,8 +144,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         tracks.only(&arguments.ids).map_err(|error| CliError::Use(format!("--ids: {error}")))?
     };
     let choices = choices(arguments, &tracks)?;
+    if let (Some(at), [first, .., last]) = (arguments.at, tracks.frames.as_slice())
+        && !(first.time..=last.time).contains(&at)
+    {
+        let (from, to) = (first.time, last.time);
+        return Err(CliError::Use(format!("--at {at}: the recording goes from t = {from} to {to}")));
+    }
     choices.check(tracks.fish()).map_err(|error| CliError::Use(error.to_string()))?;
-    std::fs::create_dir_all(&arguments.out).map_err(|error| CliError::file(&arguments.out, error))?;
+    output::make_folder(&arguments.out)?;
     if arguments.synthetic.is_some() {
         output::write_file(&arguments.out.join("tracks.csv"), tracks.to_csv().as_bytes())?;
     }
@@ -157,7 +168,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let null = null.map_err(|error| refuse(&error))?;
     interrupt::finishing();
     let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: &null };
-    let mut files = report.tables();
+    let configuration = json!({
+        "command": "tracks", "file": origin, "ids": arguments.ids, "window": arguments.window,
+        "smooth_positions": arguments.smooth_positions, "body_length": arguments.body_length, "zones": arguments.zones,
+        "blind": arguments.blind, "still": arguments.still, "plain_nearest": arguments.plain_nearest,
+        "nearest": arguments.nearest, "null": arguments.null, "at": arguments.at,
+    });
+    let provenance = Provenance::new("flockproof.tracks/1", Some(seed), configuration);
+    let mut files = report.tables(&provenance);
     // Who stops the work does not wait for pictures.
     if complete {
         files.extend(report.pictures(arguments.at).map_err(|error| refuse(&error))?);
@@ -166,10 +184,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         output::write_file(&arguments.out.join(&file.name), &file.contents)?;
     }
     if arguments.json {
-        output::print_json(&report.summary())?;
+        output::print_json(&provenance.stamp(report.summary()))?;
     } else {
         let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-        let written = format!("written to {}: {}", arguments.out.display(), names.join(", "));
+        let written = format!("{}written to {}: {}", provenance.line(), arguments.out.display(), names.join(", "));
         output::print(&format!("{}\n{}\n", report.text(), textwrap::fill(&written, 80)))?;
     }
     Ok(interrupt::status(complete))

@@ -73,7 +73,7 @@ fn wrong_use_is_named() {
     let out = folder("certify_refused").to_string_lossy().into_owned();
     assert_refused(&["certify"], "--out");
     assert_refused(&["certify", "--out", &out, "--claim", "chazelle.nothing"], "chazelle.nothing");
-    let many = ["resonance", "--followers", "97", "--f=-1", "--g=-1", "--certificate", &out];
+    let many = ["resonance", "--followers", "97", "--f=-1", "--g=-1", "--certificate", &format!("{out}/c.cert")];
     assert_refused(&many, "at most 96 followers");
 }
 

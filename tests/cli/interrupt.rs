@@ -82,8 +82,14 @@ fn birds(count: u64) -> String {
 
 #[test]
 fn settling_many_birds_ends_with_the_switches_found() {
-    let path = file(&folder("interrupt_settle"), "birds.json", birds(150).as_bytes());
-    let output = terminated_after(flockproof(&["flock", "settle", &path]), "t = ");
+    let folder = folder("interrupt_settle");
+    let path = file(&folder, "birds.json", birds(150).as_bytes());
+    let log = folder.join("log.jsonl");
+    let found = || std::fs::metadata(&log).is_ok_and(|file| file.len() > 0);
+    let mut child = flockproof(&["flock", "settle", &path, "--log", log.to_str().expect("UTF-8")]);
+    wait_for(&mut child, found);
+    terminate(&child);
+    let output = child.wait_with_output().expect("it ends");
     let text = assert_interrupted(&output, contains(&output, "interrupted\nflocks: "));
     assert!(text.contains("150 birds") && text.lines().any(|line| line.starts_with("t = ")), "{text}");
 }
@@ -171,6 +177,7 @@ fn silent_commands_end_too() {
     for arguments in [
         &["verify", "--threads", "1"][..],
         &["ergodicity", &factors],
+        &["fuzz", "matrix.product_tree", "--cases", "100000000"],
         &["spectrum", "--graph", "geometric:1500:1/4:7"],
         &["resonance", "--followers", "1000000000", "--f", "-1", "--g", "-1", "--digits", "9000"],
     ] {

@@ -4,12 +4,17 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
 mod certify;
+mod finding;
 mod flock;
+mod fuzz;
 #[cfg(unix)]
 mod interrupt;
+mod resonance;
+mod schemas;
 mod shell;
 mod simulate;
 mod spectrum;
+mod sweep;
 mod tracks;
 
 fn flockproof(arguments: &[&str]) -> Output {
@@ -113,7 +118,15 @@ fn bad_uses_of_verify_and_explain_are_refused() {
     assert_refused(&["explain", "nonsense"], "nonsense");
     assert_refused(&["explain"], "ID");
     assert_refused(&["fly"], "fly");
-    assert_refused(&[], "subcommand");
+    assert_refused(
+        &["explain", "veerman.lem"],
+        "the nearest are veerman.lem1, veerman.lem2, veerman.lem3, veerman.lem2_eigvec",
+    );
+    assert_refused(&["explain", "gain_mx"], "veerman.gain_max");
+    assert_refused(
+        &["verify", "--paper", "chazelle", "--claim", "veerman.lem2"],
+        "veerman.lem2 is not a claim of chazelle",
+    );
 }
 
 #[test]

@@ -2,8 +2,9 @@
 
 use super::{assert_refused, file, flockproof, folder, stdout};
 
-const COMMANDS: [&str; 13] = [
+const COMMANDS: [&str; 14] = [
     "verify",
+    "list",
     "explain",
     "reproduce",
     "resonance",

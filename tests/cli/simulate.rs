@@ -315,7 +315,7 @@ fn random_starts_are_repeated_by_their_seed() {
     };
     let ends: Vec<Value> =
         [("a", 1), ("b", 1), ("c", 2)].map(|(name, seed)| simulate(&folder, name, &config(seed))).into();
-    assert_eq!(ends[0], ends[1]);
+    assert!(ends[0]["samples"] == ends[1]["samples"]);
     assert!(ends[0]["samples"] != ends[2]["samples"]);
     assert_altered_is_refused("random", &config(1), ("[law]", "phases = [0]\n[law]"), &["`random` and `phases`"]);
     assert_altered_is_refused("random", &config(1), ("5000", "0"), &["state.random.agents", "from 1 to"]);

@@ -66,7 +66,7 @@ fn files_are_read() {
     assert_refused(&["spectrum", "--graph", &bad], "line 2: `two`");
     let binary = file(&folder, "binary", &[0xff, 0xfe, 0]);
     assert_refused(&["spectrum", "--graph", &binary], "text file");
-    assert_refused(&["spectrum", "--graph", &folder.to_string_lossy()], "directory");
+    assert_refused(&["spectrum", "--graph", &folder.to_string_lossy()], "it is a folder");
 }
 
 #[test]

@@ -17,7 +17,8 @@ use std::process::{Command, Output};
 const OF_OTHERS: [&str; 4] = ["cargo ", "git ", "python3 ", "source <("];
 
 /// Folders of the repository whose files the pages name.
-const FOLDERS: [&str; 8] = [".ci/", "assets/", "benches/", "crates/", "notes/", "proofs_checks/", "src/", "tests/"];
+const FOLDERS: [&str; 9] =
+    [".ci/", "assets/", "benches/", "crates/", "fuzz/", "notes/", "proofs_checks/", "src/", "tests/"];
 
 /// A folder of its own with the examples that come with the program.
 fn workplace(name: &str) -> PathBuf {

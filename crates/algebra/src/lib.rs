@@ -4,5 +4,6 @@
 pub use {nalgebra, num_bigint, num_rational};
 
 pub mod graph;
+pub mod json;
 pub mod matrix;
 pub mod spectrum;

@@ -53,7 +53,7 @@ pub use dyadic::Dyadic;
 pub use float_interval::FloatInterval;
 pub use flow::{along_flow, gradient};
 pub use interval::Interval;
-pub use number::{NumberError, decimal, decimals, parse_rational, significant_digits};
+pub use number::{NumberError, decimal, decimals, parse_rational, shown, significant_digits};
 pub use probe::Probe;
 pub use progress::{Cancelled, Progress, Unwatched};
 pub use radical::RadicalSum;

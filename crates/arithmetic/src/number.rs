@@ -14,12 +14,37 @@ pub enum NumberError {
     /// Not an integer, a fraction or a decimal.
     #[error("`{0}` is not an integer, a fraction p/q or a decimal")]
     NotANumber(String),
+    /// Digits of another script, which look like a number and are none here.
+    #[error("`{0}` has digits other than 0 to 9, or a sign other than - and +")]
+    OtherDigits(String),
     /// A fraction with denominator zero.
     #[error("`{0}` has a zero denominator")]
     ZeroDenominator(String),
     /// Too many digits or too large an exponent.
     #[error("a number of more than {LONGEST} digits is not read")]
     TooLong,
+}
+
+/// At most so many characters of a text stand in a message.
+const LONGEST_SHOWN: usize = 60;
+
+/// A text as a message shows it: its beginning where it is long, on one line.
+pub fn shown(text: &str) -> String {
+    let mut start: String = text.chars().take(LONGEST_SHOWN).flat_map(one_line).collect();
+    if text.chars().nth(LONGEST_SHOWN).is_some() {
+        start.push_str("...");
+    }
+    start
+}
+
+/// Control characters and line separators as escapes.
+fn one_line(c: char) -> Vec<char> {
+    if c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') { c.escape_default().collect() } else { vec![c] }
+}
+
+/// Whether a text has digits or a minus of another script.
+fn has_other_digits(text: &str) -> bool {
+    text.chars().any(|c| c.is_numeric() && !c.is_ascii_digit() || ['\u{2212}', '\u{2013}', '\u{ff0d}'].contains(&c))
 }
 
 /// Reads an integer `-3`, a fraction `-1/2` or a decimal `-0.5`, `2.5e-3`, exactly.
@@ -34,7 +59,7 @@ pub fn parse_rational(text: &str) -> Result<Rational, NumberError> {
     if let Some((p, q)) = text.split_once('/') {
         let (p, q) = (parse_decimal(p, text)?, parse_decimal(q, text)?);
         if q.is_zero() {
-            return Err(NumberError::ZeroDenominator(text.to_string()));
+            return Err(NumberError::ZeroDenominator(shown(text)));
         }
         return Ok(p / q);
     }
@@ -42,7 +67,10 @@ pub fn parse_rational(text: &str) -> Result<Rational, NumberError> {
 }
 
 fn parse_decimal(part: &str, whole: &str) -> Result<Rational, NumberError> {
-    let refuse = || NumberError::NotANumber(whole.to_string());
+    let refuse = || match has_other_digits(whole) {
+        true => NumberError::OtherDigits(shown(whole)),
+        false => NumberError::NotANumber(shown(whole)),
+    };
     let (digits, exponent) = match part.split_once(['e', 'E']) {
         Some((digits, exponent)) => (digits, exponent.parse::<i64>().map_err(|_| refuse())?),
         None => (part, 0),

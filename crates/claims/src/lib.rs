@@ -1,6 +1,7 @@
 //! The claims of the papers and of this project with their checks, one file per group; a claim is found by searching for
 //! its id.
 
+mod argued;
 mod beyond;
 pub mod certificates;
 mod chazelle;

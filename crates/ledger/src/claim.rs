@@ -1,7 +1,7 @@
 //! The trait that a claim implements.
 
 use super::{Evidence, Run, Verdict};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Where a statement comes from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -62,7 +62,7 @@ impl Outcome {
 }
 
 /// What is wrong with a printed claim that fails.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Fault {
     /// A hypothesis is missing that the paper does not state (a degenerate size, connectedness); true with it.
@@ -161,7 +161,7 @@ pub trait Claim: Send + Sync {
     /// The corrected statement, for claims whose printed form fails.
     fn correction(&self) -> Option<Correction>;
     /// What each negative control alters.
-    fn alterations(&self) -> Vec<&'static str>;
+    fn alterations(&self) -> Vec<&str>;
     /// Decides one form.
     ///
     /// # Errors

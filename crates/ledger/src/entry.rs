@@ -2,11 +2,11 @@
 
 use super::Fault;
 use arithmetic::{Interval, decimals};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The verdict on a claim as printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// The printed claim holds.
@@ -48,7 +48,7 @@ impl Verdict {
 }
 
 /// Grades of evidence, strongest first; `notes/guarantees.md` says what each promises.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Grade {
     /// Stated and proved in Coq for all parameters.
@@ -72,6 +72,19 @@ pub enum Grade {
 }
 
 impl Grade {
+    /// All grades, strongest first.
+    pub const ALL: [Grade; 9] = [
+        Grade::Kernel,
+        Grade::Identity,
+        Grade::Exhaustive,
+        Grade::Certified,
+        Grade::Argued,
+        Grade::Exact,
+        Grade::Simulated,
+        Grade::Fuzzed,
+        Grade::Text,
+    ];
+
     /// The word used in the ledger.
     pub fn word(self) -> &'static str {
         match self {
@@ -89,7 +102,7 @@ impl Grade {
 }
 
 /// How far a piece of evidence reaches.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Scope {
     /// All parameters of its clauses.
@@ -99,7 +112,7 @@ pub enum Scope {
 }
 
 /// One piece of evidence for a stated part of a claim.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Evidence {
     /// Its grade.
     pub grade: Grade,
@@ -164,7 +177,7 @@ impl Evidence {
 }
 
 /// What became of the negative controls.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Controls {
     /// How many the check refuted.
     pub refuted: usize,
@@ -177,7 +190,7 @@ pub struct Controls {
 }
 
 /// The entry of one claim.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Entry {
     /// The id.
     pub id: String,
@@ -207,7 +220,8 @@ pub struct Entry {
     pub values: BTreeMap<String, String>,
     /// The reason of `undecided` and `not_checkable`.
     pub why: Option<String>,
-    /// Wall time of the check.
+    /// Wall time of the check; 0 where a document does not say.
+    #[serde(default)]
     pub seconds: f64,
     /// Controls that the check did not refute, with what happened.
     #[serde(skip)]

@@ -5,6 +5,7 @@
 //! says, never written down: see [`Ledger::verify`].
 
 mod claim;
+mod document;
 mod entry;
 mod judge;
 mod proofs;
@@ -14,12 +15,13 @@ mod runner;
 mod tables;
 
 pub use claim::{CheckError, Claim, Correction, Fault, Form, Outcome, Source};
+pub use document::{Document, DocumentError, to_json, to_json_with};
 pub use entry::{Controls, Entry, Evidence, Grade, Scope, Verdict, interval_value};
 pub use judge::correction_id;
 pub use proofs::Proofs;
 pub use record::Record;
 pub use run::Run;
-pub use runner::{Ledger, LedgerError, Options, Report, recorded_row, to_json};
+pub use runner::{Ledger, LedgerError, Options, Report, recorded_row};
 pub use tables::{Listed, Recorded, listed, recorded};
 
 /// The generator of [`Run::random`] stands in its signature.

@@ -46,7 +46,8 @@ impl<V> Record<V> {
         }
     }
 
-    /// Place and statement, for claims beyond the papers.
+    /// Place and statement, for claims beyond the papers. An empty statement is that of its clauses, one after the other; the same for
+    /// [`Record::repaired`].
     pub fn stated(mut self, place: &'static str, statement: &'static str) -> Self {
         self.source = Some((place, statement));
         self
@@ -83,6 +84,11 @@ impl<V> Record<V> {
     }
 }
 
+/// A statement, or its clauses where it is empty.
+fn whole(statement: &str, clauses: &[&str]) -> String {
+    if statement.is_empty() { clauses.join(" ") } else { statement.to_string() }
+}
+
 fn owned(texts: &[&str]) -> Vec<String> {
     texts.iter().map(|text| text.to_string()).collect()
 }
@@ -93,7 +99,8 @@ impl<V: Send + Sync + 'static> Claim for Record<V> {
     }
 
     fn source(&self) -> Option<Source> {
-        self.source.map(|(place, statement)| Source { place: place.to_string(), statement: statement.to_string() })
+        let (place, statement) = self.source?;
+        Some(Source { place: place.to_string(), statement: whole(statement, self.clauses) })
     }
 
     fn derivation(&self) -> &str {
@@ -110,10 +117,11 @@ impl<V: Send + Sync + 'static> Claim for Record<V> {
 
     fn correction(&self) -> Option<Correction> {
         let (fault, statement, _) = self.repair.as_ref()?;
-        Some(Correction { fault: *fault, statement: statement.to_string(), clauses: owned(self.repaired_clauses) })
+        let clauses = self.repaired_clauses;
+        Some(Correction { fault: *fault, statement: whole(statement, clauses), clauses: owned(clauses) })
     }
 
-    fn alterations(&self) -> Vec<&'static str> {
+    fn alterations(&self) -> Vec<&str> {
         self.controls.iter().map(|(what, _)| *what).collect()
     }
 

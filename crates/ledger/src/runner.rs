@@ -7,7 +7,6 @@ use super::{
     recorded,
 };
 use arithmetic::{Progress, Unwatched};
-use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, mpsc};
@@ -200,6 +199,16 @@ impl Ledger {
     /// The registered ids, sorted.
     pub fn ids(&self) -> impl Iterator<Item = &str> {
         self.claims.keys().map(String::as_str)
+    }
+
+    /// The argument in words behind a registered claim.
+    pub fn derivation(&self, id: &str) -> Option<&str> {
+        self.claims.get(id).map(|registered| registered.claim.derivation())
+    }
+
+    /// Place and statement of a registered claim.
+    pub fn source(&self, id: &str) -> Option<&Source> {
+        self.claims.get(id).map(|registered| &registered.source)
     }
 
     /// The ids of the list, sorted.
@@ -434,24 +443,4 @@ fn overstated(entry: &Entry) -> Vec<String> {
         }
     }
     sentences
-}
-
-#[derive(Serialize)]
-struct Document<'a> {
-    schema: &'a str,
-    version: &'a str,
-    seed: &'a str,
-    claims: &'a [Entry],
-}
-
-/// The JSON document of a run.
-pub fn to_json(report: &Report, options: &Options) -> String {
-    let document = Document {
-        schema: "flockproof.ledger/2",
-        version: env!("CARGO_PKG_VERSION"),
-        seed: &options.seed,
-        claims: &report.entries,
-    };
-    // Strings, numbers and lists only: this cannot fail.
-    serde_json::to_string_pretty(&document).unwrap_or_default() + "\n"
 }

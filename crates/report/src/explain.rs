@@ -1,8 +1,10 @@
 //! One claim in words.
 
+use super::Figure;
 use claims::RECORDED;
 use ledger::{Entry, Scope, correction_id, recorded};
 use proofs::kernel::proofs_of;
+use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// The printed claim, verdict, derivation, counterexample, correction, evidence, controls and numbers, wrapped to
@@ -84,8 +86,17 @@ pub fn explain(entry: &Entry, width: usize) -> String {
     for survivor in &entry.surviving_controls {
         section(&mut text, width, "NOT REFUTED", survivor);
     }
+    let figures: Vec<&str> = Figure::of_claim(&entry.id).map(|figure| figure.name).collect();
+    if !figures.is_empty() {
+        section(&mut text, width, "figures", &format!("{} (reproduce NAME --out DIR)", figures.join(", ")));
+    }
     for (name, value) in &entry.values {
         section(&mut text, width, "value", &format!("{name} = {value}"));
+    }
+    let figures: Vec<&str> = Figure::of_claim(&entry.id).map(|figure| figure.name).collect();
+    if !figures.is_empty() {
+        let command = format!("{} (flockproof reproduce {} --out DIR)", figures.join(", "), figures[0]);
+        section(&mut text, width, "figures", &command);
     }
     text
 }
@@ -98,3 +109,27 @@ fn section(text: &mut String, width: usize, name: &str, body: &str) {
         text.push('\n');
     }
 }
+
+/// The same as JSON: the entry of the ledger, and beside it the derivation, controls that were not refuted, the theorems of Coq, the
+/// claim that checks the correction, the recorded verdict, and the figures.
+pub fn explanation(entry: &Entry) -> Value {
+    let theorem = |theorem: &proofs::kernel::Theorem| {
+        let statement = theorem.audited().map(|(_, text)| text.split_whitespace().collect::<Vec<_>>().join(" "));
+        json!({"theorem": theorem.path(), "states": statement, "axioms": theorem.axioms.words(), "covers": theorem.covers.word()})
+    };
+    let own = correction_id(&entry.id);
+    let recorded_as = |id: &str| recorded(RECORDED).find(|row| row.id == id);
+    // Strings, numbers and lists only: this cannot fail.
+    let mut document = serde_json::to_value(entry).unwrap_or_default();
+    document["derivation"] = json!(entry.derivation);
+    document["surviving_controls"] = json!(entry.surviving_controls);
+    document["theorems"] = proofs_of(&entry.id).map(|(t, _)| theorem(t)).collect();
+    document["checked_as"] = json!(recorded_as(&own).map(|row| row.id));
+    document["recorded_verdict"] = json!(recorded_as(&entry.id).map(|row| row.verdict));
+    document["figures"] = Figure::of_claim(&entry.id).map(|figure| figure.name).collect();
+    json!({"claim": document, "coq": {"version": proofs::kernel::recorded().coq, "checked": CHECKED}})
+}
+
+/// When Coq checked the proofs of the ledger.
+const CHECKED: &str =
+    "when the transcript was written that comes with the program; `flockproof prove` checks anew and needs coqc";

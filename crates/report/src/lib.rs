@@ -1,18 +1,30 @@
-//! What people read: the table of the ledger, the explanation of one claim, tables and figures of the papers,
+//! What people read: the table of the ledger, the list of claims, the explanation of one claim, tables and figures of the papers,
 //! files and pictures of simulated scenarios.
 
+mod animation;
+mod catalogue;
 mod explain;
+mod export;
 mod figures;
 pub mod plot;
+mod provenance;
 mod simulation;
+mod site;
 mod table;
 mod tracks;
 
 /// Stands in signatures.
 pub use serde_json;
 
-pub use explain::explain;
+pub use animation::animation;
+pub use catalogue::{Listing, Query, SCOPES, catalogue, catalogue_text, nearest};
+pub use explain::{explain, explanation};
+pub use export::{NamedMatrix, matrix_files};
 pub use figures::{FIGURES, Figure, FigureError, File};
-pub use simulation::{observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv};
+pub use provenance::{Provenance, digest, version};
+pub use simulation::{
+    events_csv, observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv,
+};
+pub use site::{Made, Page, Site, SiteError};
 pub use table::{summary, verdict_table};
 pub use tracks::TracksReport;

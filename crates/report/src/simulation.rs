@@ -94,6 +94,17 @@ pub fn observables_csv(outcome: &Outcome) -> String {
     text
 }
 
+/// `events.csv`: one line for each link that came or went.
+pub fn events_csv(outcome: &Outcome) -> String {
+    let mut text = "t,kind,agent,other\n".to_string();
+    for event in &outcome.events {
+        let kind = if event.gained { "link" } else { "unlink" };
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{:?},{kind},{},{}", event.time, event.pair.0, event.pair.1);
+    }
+    text
+}
+
 /// A number of at most 11 characters.
 fn short(x: f64) -> String {
     match x.abs() {
@@ -191,7 +202,34 @@ fn paths(outcome: &Outcome) -> Picture {
     let ends = |row: Option<&Row>| (0..drawn).filter_map(|k| place(row?, k)).collect::<Vec<_>>();
     panel = panel.series(Series::crosses("start", ends(outcome.rows.first())).colour("#6b6b6b"));
     panel = panel.series(Series::points("end", ends(outcome.rows.last())).colour("#222222").size(2.6));
+    let moving = headings(outcome, drawn);
+    if !moving.is_empty() {
+        panel = panel.series(Series::arrows("direction of motion at the end", moving).colour("#222222"));
+    }
     Picture::new(title(outcome, "paths")).grid(1, (760.0, 620.0)).panel(panel)
+}
+
+/// Arrows in the directions of motion at the end, a thirtieth of what the paths span; none for agents at rest.
+fn headings(outcome: &Outcome, drawn: usize) -> Vec<((f64, f64), (f64, f64))> {
+    let Some(frame) = outcome.rows.last().map(|row| &row.frame) else { return Vec::new() };
+    let span = |k: usize| {
+        let places = || outcome.rows.iter().flat_map(|row| &row.frame.positions).filter_map(move |r| r.get(k).copied());
+        places().fold(f64::MIN, f64::max) - places().fold(f64::MAX, f64::min)
+    };
+    let length = span(0).max(span(1)).max(1e-9) / 30.0;
+    let direction = |k: usize| match (frame.phases.get(k), frame.velocities.get(k)) {
+        (Some(phase), _) => Some((phase.cos(), phase.sin())),
+        (None, Some(v)) if v.len() == 2 && v[0].hypot(v[1]) > 0.0 => {
+            let speed = v[0].hypot(v[1]);
+            Some((v[0] / speed, v[1] / speed))
+        }
+        _ => None,
+    };
+    let arrow = |k: usize| {
+        let (place, (x, y)) = (frame.positions.get(k)?, direction(k)?);
+        Some(((place[0], place[1]), (place[0] + length * x, place[1] + length * y)))
+    };
+    (0..drawn).filter_map(arrow).collect()
 }
 
 /// One number of each agent over time.
@@ -212,7 +250,7 @@ fn over_time(outcome: &Outcome, label: &str, value: impl Fn(&Row, usize) -> Opti
     Picture::new(title(outcome, label)).grid(1, (760.0, 460.0)).panel(panel)
 }
 
-/// One panel for each observable; logarithmic where positive values differ much.
+/// One panel for each observable that changes; logarithmic where positive values differ much.
 fn observables(outcome: &Outcome) -> Picture {
     let mut picture = Picture::new(title(outcome, "observables")).grid(2, (480.0, 280.0));
     let Some(first) = outcome.rows.first() else { return picture };
@@ -225,6 +263,10 @@ fn observables(outcome: &Outcome) -> Picture {
             observable.columns().into_iter().zip(0..).map(|((name, _), k)| (name, curve(k))).collect();
         let numbers = || curves.iter().flat_map(|(_, curve)| curve).map(|(_, x)| *x).filter(|x| x.is_finite());
         let (least, most) = numbers().fold((f64::INFINITY, 0.0f64), |(a, b), x| (a.min(x), b.max(x)));
+        // A constant is a number, and stands in the summary.
+        if numbers().all(|x| x == least) && first.observables.len() > 1 {
+            continue;
+        }
         let axis = if least > 0.0 && most > 1e3 * least { Axis::log("") } else { Axis::linear("") };
         let mut panel = Panel::new(observable.name, Axis::linear("t"), axis);
         let several = curves.len() > 1;

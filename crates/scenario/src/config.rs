@@ -3,8 +3,8 @@
 use super::course::Course;
 use super::error::{ConfigError, Problem};
 use super::run::{Outcome, Schedule, run};
-use super::source::{Entry, Source};
-use super::{alignment, fish, oscillator, platoon, vicsek};
+use super::source::{Entry, Section, Source};
+use super::{alignment, fish, noisy, oscillator, platoon, vicsek};
 use arithmetic::{Progress, Rational, rational};
 use num_traits::{ToPrimitive, Zero};
 use std::collections::BTreeMap;
@@ -19,9 +19,10 @@ enum Model {
     Velocities,
     Platoon,
     Vicsek,
+    Noisy,
 }
 
-const MODELS: [(&str, Model); 7] = [
+const MODELS: [(&str, Model); 8] = [
     ("phase", Model::Phase),
     ("particles", Model::Particles),
     ("fish", Model::Fish),
@@ -29,6 +30,7 @@ const MODELS: [(&str, Model); 7] = [
     ("velocity-alignment", Model::Velocities),
     ("platoon", Model::Platoon),
     ("vicsek", Model::Vicsek),
+    ("vicsek-noise", Model::Noisy),
 ];
 
 /// Rows of a trajectory, unless the configuration says how many.
@@ -45,12 +47,13 @@ fn read_schedule(
     agents: usize,
 ) -> Result<Schedule, ConfigError> {
     let section = source.needed("run")?;
-    let keys = ["until", "samples", "tolerance", "rows", "step"];
+    let keys = ["until", "samples", "tolerance", "rows", "observables", "step"];
     let stepped = matches!(model, Model::Particles | Model::Headings | Model::Velocities);
     section.allow(&keys[..keys.len() - usize::from(!stepped)], " of this model")?;
     let entry = section.need("until", "the last time, a number above 0")?;
     let last = entry.positive()?;
     let until = entry.exact()?;
+    bounded(&section, &entry, last, step)?;
     on_grid(&entry, &until, step)?;
     let mut times: BTreeMap<Rational, bool> = BTreeMap::new();
     let mut before: Option<f64> = None;
@@ -90,7 +93,38 @@ fn read_schedule(
     }
     let rounded = |(time, sample): (Rational, bool)| (time.to_f64().unwrap_or(f64::NAN), sample);
     let ignored = step.is_some() && section.get("tolerance").is_some();
-    Ok(Schedule { times: times.into_iter().map(rounded).collect(), rows, ignored })
+    Ok(Schedule { times: times.into_iter().map(rounded).collect(), rows, ignored, observables: None })
+}
+
+/// The observables that are asked for by name; nothing where all are.
+fn wanted(source: &Source, course: &dyn Course) -> Result<Option<Vec<String>>, ConfigError> {
+    let section = source.needed("run")?;
+    let Some(entry) = section.get("observables") else { return Ok(None) };
+    // A law that has no value at the start is refused when it is run.
+    let known: Vec<(&'static str, ())> =
+        course.observe().unwrap_or_default().iter().map(|observable| (observable.name, ())).collect();
+    let names = entry.items("a list of names of observables")?;
+    let name = |entry: &Entry| entry.choice(&known).and(entry.word()).map(str::to_string);
+    names.iter().map(name).collect::<Result<_, _>>().map(Some)
+}
+
+/// Most steps of a run: hours for a few agents.
+const MOST_STEPS: f64 = 1e10;
+/// The latest time; a float tells it from the time 1e-7 later.
+const LATEST: f64 = 1e9;
+
+/// Refuses work that does not end.
+fn bounded(section: &Section, until: &Entry, last: f64, step: Option<&Rational>) -> Result<(), ConfigError> {
+    let own = section.get("step").map(|entry| entry.positive()).transpose()?;
+    match step.and_then(Rational::to_f64).or(own) {
+        Some(step) if last / step > MOST_STEPS => {
+            let steps = last / step;
+            let place = section.get("step").unwrap_or_else(|| until.clone());
+            Err(place.problem(Problem::Endless { time: last, step, steps, most: MOST_STEPS }))
+        }
+        None if last > LATEST => Err(until.problem(Problem::TooLate(last, LATEST))),
+        _ => Ok(()),
+    }
 }
 
 fn on_grid(entry: &Entry, time: &Rational, step: Option<&Rational>) -> Result<(), ConfigError> {
@@ -100,6 +134,19 @@ fn on_grid(entry: &Entry, time: &Rational, step: Option<&Rational>) -> Result<()
         }
         _ => Ok(()),
     }
+}
+
+/// The seeds that a configuration has, of its start and of its law.
+fn seed(source: &Source) -> Result<Option<String>, ConfigError> {
+    let drawn = source.needed("state")?.get("random").map(|entry| entry.table("state.random")).transpose()?;
+    let noisy = source.section("law")?.filter(|law| law.get("noise").is_some());
+    let seeds: Result<Vec<String>, ConfigError> = drawn
+        .into_iter()
+        .chain(noisy)
+        .map(|section| Ok(section.get("seed").map_or(Ok(1), |entry| entry.count(0, usize::MAX))?.to_string()))
+        .collect();
+    let seeds = seeds?;
+    Ok(if seeds.is_empty() { None } else { Some(seeds.join(", ")) })
 }
 
 fn tolerance(source: &Source) -> Result<f64, ConfigError> {
@@ -121,6 +168,7 @@ pub struct Scenario {
     model: &'static str,
     schedule: Schedule,
     course: Box<dyn Course>,
+    seed: Option<String>,
 }
 
 impl std::fmt::Debug for Scenario {
@@ -158,11 +206,21 @@ impl Scenario {
                 step = Some(rational(1, 1));
                 vicsek::read(&source)?
             }
+            Model::Noisy => {
+                step = Some(rational(1, 1));
+                noisy::read(&source)?
+            }
         };
         let frame = course.frame();
         let agents = frame.positions.len().max(frame.phases.len());
-        let schedule = read_schedule(&source, model, step.as_ref(), agents)?;
-        Ok(Scenario { model: name, schedule, course })
+        let mut schedule = read_schedule(&source, model, step.as_ref(), agents)?;
+        schedule.observables = wanted(&source, course.as_ref())?;
+        Ok(Scenario { model: name, schedule, course, seed: seed(&source)? })
+    }
+
+    /// The seeds of what is drawn, where anything is.
+    pub fn seed(&self) -> Option<&str> {
+        self.seed.as_deref()
     }
 
     /// The last time.

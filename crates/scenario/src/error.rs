@@ -42,6 +42,9 @@ pub enum ConfigError {
         /// All keys that are allowed there.
         allowed: String,
     },
+    /// A place that another number was to be put in.
+    #[error("there is no number at `{0}`")]
+    NoPlace(String),
     /// A value that cannot be used.
     #[error("line {line}: `{key}`: {problem}")]
     Value {
@@ -63,6 +66,21 @@ pub enum Problem {
     /// A number that no float holds.
     #[error("the number is too large for a float")]
     TooLarge,
+    /// Work without an end.
+    #[error("{time} in steps of {step} are {steps:.3e} steps; at most {most:.0e} are taken")]
+    Endless {
+        /// Until when.
+        time: f64,
+        /// The step.
+        step: f64,
+        /// How many there would be.
+        steps: f64,
+        /// How many there may be.
+        most: f64,
+    },
+    /// A time that no float tells from the next step.
+    #[error("{0:e} is more than {1:.0e}, the last time to which motions are followed")]
+    TooLate(f64, f64),
     /// A value of another kind.
     #[error("it should be {0}")]
     Shape(String),

@@ -69,7 +69,11 @@ pub(super) fn read(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, C
 }
 
 /// Who keeps track of whom.
-fn tracked(source: &Source, law: &Section, cars: usize) -> Result<(CommunicationGraph, String), ConfigError> {
+pub(super) fn tracked(
+    source: &Source,
+    law: &Section,
+    cars: usize,
+) -> Result<(CommunicationGraph, String), ConfigError> {
     let communication = law.get("communication");
     let Some(section) = source.section("graph")? else {
         let chosen = communication.as_ref().map_or(Ok(Communication::FrontAndBack), |e| e.choice(&COMMUNICATIONS))?;

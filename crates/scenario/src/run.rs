@@ -13,6 +13,8 @@ pub(super) struct Schedule {
     pub rows: usize,
     /// Whether a tolerance was given that has no effect.
     pub ignored: bool,
+    /// The observables that are asked for by name; all of them where nothing is.
+    pub observables: Option<Vec<String>>,
 }
 
 impl Schedule {
@@ -105,7 +107,12 @@ pub(super) fn run(
             }
         }
         match course.observe() {
-            Ok(observables) => outcome.rows.push(Row { time, sample, frame: course.frame(), observables }),
+            Ok(mut observables) => {
+                if let Some(wanted) = &schedule.observables {
+                    observables.retain(|observable| wanted.iter().any(|name| name == observable.name));
+                }
+                outcome.rows.push(Row { time, sample, frame: course.frame(), observables });
+            }
             Err(error) => {
                 outcome.end = End::Failed(RunError::Law { time, error });
                 break;

@@ -1,7 +1,7 @@
 //! TOML as sections, keys and numbers, each with its line, so that every error can say where it is.
 
 use super::error::{ConfigError, Problem};
-use arithmetic::{Rational, parse_rational};
+use arithmetic::{Rational, parse_rational, shown};
 use num_traits::ToPrimitive;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -25,6 +25,27 @@ impl<'a> Source<'a> {
             message: error.message().lines().next().unwrap_or_default().to_string(),
         })?;
         Ok(Source { text, table })
+    }
+
+    /// Where the number `state.velocities[1][2]` stands in the text; indices from 1.
+    pub fn place(&self, path: &str) -> Option<std::ops::Range<usize>> {
+        let mut table = self.table.get_ref();
+        let mut found: Option<&Spanned<DeValue>> = None;
+        for part in path.split('.') {
+            let (key, indices) = part.split_once('[').map_or((part, ""), |(key, _)| (key, &part[key.len()..]));
+            let (_, mut value) = table.iter().find(|(known, _)| known.get_ref().as_ref() == key)?;
+            for index in indices.split('[').skip(1) {
+                let DeValue::Array(items) = value.get_ref() else { return None };
+                let index: usize = index.strip_suffix(']')?.parse().ok()?;
+                value = items.get(index.checked_sub(1)?)?;
+            }
+            found = Some(value);
+            if let DeValue::Table(inner) = value.get_ref() {
+                table = inner;
+            }
+        }
+        let value = found?;
+        matches!(value.get_ref(), DeValue::String(_) | DeValue::Integer(_) | DeValue::Float(_)).then(|| value.span())
     }
 
     /// The keys outside any section.
@@ -64,7 +85,7 @@ impl<'a> Section<'a> {
             None => Ok(()),
             Some((key, _)) => Err(ConfigError::UnknownKey {
                 line: line_of(self.text, key.span().start),
-                key: key.get_ref().to_string(),
+                key: shown(key.get_ref()),
                 section: format!("{}{among}", self.called()),
                 allowed: if keys.is_empty() { "none".to_string() } else { keys.join(", ") },
             }),
@@ -128,6 +149,11 @@ impl<'a> Entry<'a> {
         }
     }
 
+    /// Whether the value is a list.
+    pub fn is_list(&self) -> bool {
+        self.value.get_ref().is_array()
+    }
+
     /// Whether the value is a table.
     pub fn is_table(&self) -> bool {
         self.value.get_ref().is_table()
@@ -144,7 +170,7 @@ impl<'a> Entry<'a> {
         let known = names.iter().find(|(name, _)| *name == word);
         known.map(|(_, value)| *value).ok_or_else(|| {
             let allowed = names.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
-            self.problem(Problem::Name { found: word.to_string(), allowed })
+            self.problem(Problem::Name { found: shown(word), allowed })
         })
     }
 
@@ -174,6 +200,12 @@ impl<'a> Entry<'a> {
     pub fn positive(&self) -> Result<f64, ConfigError> {
         let number = self.number()?;
         if number > 0.0 { Ok(number) } else { Err(self.range("a number above 0")) }
+    }
+
+    /// A number that is zero or above.
+    pub fn not_negative(&self) -> Result<f64, ConfigError> {
+        let number = self.number()?;
+        if number >= 0.0 { Ok(number) } else { Err(self.range("a number that is not negative")) }
     }
 
     /// An integer from `least` to `most`.

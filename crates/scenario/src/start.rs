@@ -24,6 +24,45 @@ pub(super) struct Needs {
     pub phases: bool,
 }
 
+/// Where drawn agents are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Place {
+    /// Anywhere in a square.
+    Square,
+    /// One behind the other, the first at the origin, to the left.
+    Line,
+    /// On a circle around the origin.
+    Ring,
+    /// In rows of a square, around the origin.
+    Grid,
+}
+
+const PLACES: [(&str, Place); 4] =
+    [("square", Place::Square), ("line", Place::Line), ("ring", Place::Ring), ("grid", Place::Grid)];
+
+impl Place {
+    fn word(self) -> &'static str {
+        PLACES.iter().find(|(_, place)| *place == self).map_or("", |(word, _)| word)
+    }
+
+    /// The place of agent `k` from 0.
+    fn of(self, k: usize, agents: usize, spacing: f64) -> [f64; 2] {
+        match self {
+            Place::Square => [0.0, 0.0],
+            Place::Line => [-spacing * k as f64, 0.0],
+            Place::Ring => {
+                let (radius, angle) = (spacing * agents as f64 / TAU, TAU * k as f64 / agents as f64);
+                [radius * angle.cos(), radius * angle.sin()]
+            }
+            Place::Grid => {
+                let side = (agents as f64).sqrt().ceil() as usize;
+                let middle = (side - 1) as f64 / 2.0;
+                [spacing * ((k % side) as f64 - middle), spacing * ((k / side) as f64 - middle)]
+            }
+        }
+    }
+}
+
 /// Exact initial conditions; lists that the model does not need are empty.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Start {
@@ -44,9 +83,7 @@ impl Start {
         let section = source.needed("state")?;
         let lists = [("positions", needs.dimension > 0), ("velocities", needs.velocities), ("phases", needs.phases)];
         let mut allowed: Vec<&str> = lists.iter().filter(|(_, needed)| *needed).map(|(name, _)| *name).collect();
-        if needs.dimension != 1 {
-            allowed.push("random");
-        }
+        allowed.push("random");
         section.allow(&allowed, " of this model")?;
         if let Some(entry) = section.get("random") {
             for list in ["positions", "velocities", "phases"] {
@@ -76,25 +113,55 @@ impl Start {
 
     fn random(section: &Section, needs: Needs) -> Result<Self, ConfigError> {
         let mut allowed = vec!["agents", "seed"];
-        allowed.extend((needs.dimension > 0).then_some("half"));
+        if needs.dimension > 0 {
+            allowed.extend(["place", "half", "spacing"]);
+        }
         allowed.extend(needs.velocities.then_some("speed"));
         section.allow(&allowed, "")?;
         let agents = section.need("agents", "the number of agents")?.count(1, MOST_AGENTS)?;
         let seed = section.get("seed").map_or(Ok(1), |entry| entry.count(0, usize::MAX))?;
-        let half = section.get("half").map_or(Ok(10.0), |entry| entry.positive())?;
-        let speed = section.get("speed").map_or(Ok(1.0), |entry| entry.positive())?;
+        let usual = if needs.dimension == 1 { Place::Line } else { Place::Square };
+        let place = section.get("place").map_or(Ok(usual), |entry| entry.choice(&PLACES))?;
+        if let Some(entry) = section.get("place").filter(|_| needs.dimension == 1 && place != Place::Line) {
+            return Err(entry.range("\"line\": these agents are on a line"));
+        }
+        if let Some(entry) = section.get("spacing").filter(|_| place == Place::Square) {
+            return Err(entry.range("left out: in the square places are drawn, with `half`"));
+        }
+        let spacing = section.get("spacing").map_or(Ok(1.0), |entry| entry.positive())?;
+        let usual = if place == Place::Square { 10.0 } else { 0.0 };
+        let half = section.get("half").map_or(Ok(usual), |entry| entry.not_negative())?;
+        if let Some(entry) = section.get("half").filter(|_| place == Place::Square && half == 0.0) {
+            return Err(entry.range("a number above 0"));
+        }
+        let usual = if needs.dimension == 1 { 0.0 } else { 1.0 };
+        let speed = section.get("speed").map_or(Ok(usual), |entry| entry.not_negative())?;
         let mut random = ChaCha8Rng::seed_from_u64(seed as u64);
         let flock = random_flock(agents, half, speed, &mut random);
         let exact = |x: f64| Rational::from_float(x).unwrap_or_default();
-        let list = |list: &[[f64; 2]]| list.iter().map(|r| r.map(exact).to_vec()).collect();
+        let coordinates = |r: [f64; 2]| r.map(exact)[..needs.dimension.min(2)].to_vec();
         let mut drawn = format!("{agents} agents drawn by ChaCha8 with seed {seed}");
         let mut start = Start::default();
         if needs.dimension > 0 {
-            start.positions = list(&flock.positions);
-            drawn += &format!(", positions uniform in |x|, |y| < {half}");
+            let place_of = |k: usize, r: [f64; 2]| {
+                let [x, y] = place.of(k, agents, spacing);
+                coordinates([x + r[0], y + r[1]])
+            };
+            start.positions = flock.positions.iter().enumerate().map(|(k, r)| place_of(k, *r)).collect();
+            drawn += &match place {
+                Place::Square => format!(", positions uniform in |x|, |y| < {half}"),
+                _ => format!(
+                    ", places on a {} with spacing {spacing}, shifted by uniform numbers in (-{half}, {half})",
+                    place.word()
+                ),
+            };
         }
-        if needs.velocities {
-            start.velocities = list(&flock.velocities);
+        if needs.velocities && needs.dimension == 1 {
+            // Of either sign; drawn as the first coordinates are.
+            start.velocities = (0..agents).map(|_| vec![exact(speed * (2.0 * uniform(&mut random) - 1.0))]).collect();
+            drawn += &format!(", velocities uniform in (-{speed}, {speed})");
+        } else if needs.velocities {
+            start.velocities = flock.velocities.iter().map(|v| coordinates(*v)).collect();
             drawn += &format!(", speeds uniform in (0, {speed}), directions uniform");
         }
         if needs.phases {
@@ -153,6 +220,10 @@ fn finite(entry: &Entry) -> Result<Rational, ConfigError> {
 fn rows(entry: &Entry, dimension: usize, agents: &mut Option<usize>) -> Result<Vec<Vec<Rational>>, ConfigError> {
     const EXPECTED: &str = "a list with one list of coordinates for each agent";
     let row = |row: &Entry| {
+        // On a line a number is a place.
+        if dimension == 1 && !row.is_list() {
+            return Ok(vec![finite(row)?]);
+        }
         let numbers: Vec<Rational> = row.items(EXPECTED)?.iter().map(finite).collect::<Result<_, _>>()?;
         if numbers.len() != dimension {
             return Err(row.problem(Problem::Coordinates { expected: dimension, found: numbers.len() }));

@@ -35,7 +35,10 @@ fn float(x: &Rational) -> f64 {
 
 /// Reads the model.
 pub(super) fn read(source: &Source) -> Result<Box<dyn Course>, ConfigError> {
-    let headings = source.needed("state")?.get("phases").is_some();
+    // Of a drawn start the speed tells that headings are meant.
+    let has_speed = source.section("law")?.is_some_and(|law| law.get("speed").is_some());
+    let state = source.needed("state")?;
+    let headings = state.get("phases").is_some() || state.get("random").is_some() && has_speed;
     let start = Start::read(source, Needs { dimension: 2, velocities: !headings, phases: headings })?;
     let radius = radius(source)?;
     let law = source.section("law")?;

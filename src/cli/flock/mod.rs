@@ -8,10 +8,12 @@ mod settle;
 
 use super::CliError;
 use flockproof::averaging::read::{FlockFile, read_flock};
+use serde_json::Value;
 use std::path::Path;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(subcommand_required = true, arg_required_else_help = true)]
 pub struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -32,6 +34,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
 }
 
-fn read(path: &Path) -> Result<FlockFile, CliError> {
-    read_flock(&super::output::read_text(path)?).map_err(|error| CliError::file(path, error))
+/// A flock with the name and the digest of its file.
+fn read(path: &Path) -> Result<(FlockFile, Value), CliError> {
+    let input = super::output::read_input(path)?;
+    let flock = read_flock(&input.text).map_err(|error| CliError::file(path, error))?;
+    Ok((flock, input.origin))
 }

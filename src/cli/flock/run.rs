@@ -10,19 +10,22 @@ use flockproof::averaging::read::Model;
 use flockproof::averaging::{FlockError, Observer};
 use flockproof::certificates::{Certificate, Switches};
 use flockproof::matrix::MatrixError;
+use flockproof::report::Provenance;
 use serde_json::json;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(after_help = "Times are whole numbers of steps; birds are counted from 1.\n\n\
+Examples:\n  flockproof flock run assets/four_birds.json --until 64 --products\n  flockproof flock run birds.json --until 1000 --json --log log.jsonl")]
 pub struct Arguments {
     /// The flock as JSON
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Last time
+    /// Last time, a whole number of steps
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     until: u64,
-    /// Print one JSON document
+    /// Print one JSON document, flockproof.flock-run/1
     #[arg(long)]
     json: bool,
     /// Footprints, stabilisers and ergodicity coefficients of P(t, S) = P(t) ... P(S)
@@ -39,9 +42,24 @@ pub struct Arguments {
     certificate: Option<PathBuf>,
 }
 
+/// Most steps: about a day for three birds.
+const MOST_STEPS: u64 = 100_000_000_000;
+
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let refuse = |error: flockproof::averaging::FlockError| CliError::file(&arguments.file, error);
-    let model = super::read(&arguments.file)?.model;
+    if arguments.until > MOST_STEPS {
+        let until = arguments.until;
+        return Err(CliError::Use(format!(
+            "--until {until}: more than {MOST_STEPS} exact steps, one after the other, do not end; `flock settle` jumps"
+        )));
+    }
+    if arguments.from == 0 || (arguments.from > arguments.until && arguments.until > 0) {
+        let (from, until) = (arguments.from, arguments.until);
+        return Err(CliError::Use(format!("--from {from}: products start at a time from 1 to --until {until}")));
+    }
+    certify::check_asked(arguments.certificate.as_deref())?;
+    let (flock, origin) = super::read(&arguments.file)?;
+    let model = flock.model;
     if arguments.certificate.is_some() {
         let Model::D { start, control: None } = &model else {
             return Err(CliError::Use("--certificate: only flocks of model D without control have one".to_string()));
@@ -104,7 +122,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             document["precision_bits"] = json!(bits);
         }
         observed_json(&observer, &lengths, &mut document);
-        output::print_json(&document)?;
+        let configuration = json!({
+            "command": "flock run", "file": origin, "until": arguments.until, "from": arguments.from,
+            "products": arguments.products,
+        });
+        let provenance = Provenance::new("flockproof.flock-run/1", None, configuration);
+        output::print_json(&provenance.stamp(document))?;
     } else {
         let list: Vec<String> = flocks(flock.network()).iter().map(|flock| format!("{flock:?}")).collect();
         let denominator = flock.denominator_bits();

@@ -1,24 +1,32 @@
 //! `flock settle`: every switch, and whether the network can ever change again.
 
 use super::super::interrupt::{self, Watch};
-use super::super::{CliError, output};
-use super::output::{Log, SwitchLine, flocks, switch_json, tell};
+use super::super::{CliError, output, progress};
+use super::output::{Log, SwitchLine, flocks, shortened, switch_json, tell};
 use flockproof::arithmetic::decimals;
 use flockproof::averaging::read::Model;
 use flockproof::averaging::settle::{Ending, Limits, Settlement, settle};
 use flockproof::averaging::{Flock, Switch, declaration};
+use flockproof::report::Provenance;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(
+    after_help = "The answer comes first and the list of all switches after it, except where the run is stopped; --log writes each switch as it is found.\n\n\
+Examples:\n  flockproof flock settle assets/four_birds.json\n  flockproof flock settle birds.json --quiet --log log.jsonl"
+)]
 pub struct Arguments {
     /// The flock as JSON
     #[arg(value_name = "FILE")]
     file: PathBuf,
-    /// Print one JSON document
+    /// Print one JSON document, flockproof.flock-settle/1
     #[arg(long)]
     json: bool,
+    /// Print the answer only, without the list of switches
+    #[arg(long, short)]
+    quiet: bool,
     /// Write every switch as it is found to this file, one JSON object per line
     #[arg(long, value_name = "LOG")]
     log: Option<PathBuf>,
@@ -31,7 +39,8 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    let start = match super::read(&arguments.file)?.model {
+    let (flock, origin) = super::read(&arguments.file)?;
+    let start = match flock.model {
         Model::D { start, control: None } => start,
         Model::D { control: Some(_), .. } => {
             let why = "`flock settle` follows flocks without `control`; `flock run` steps this one";
@@ -45,7 +54,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     };
     let flock = Flock::new(&start).map_err(|error| CliError::file(&arguments.file, error))?;
     let mut log = Log::new(arguments.log.as_deref())?;
-    let watch = Watch::silent();
+    let watch = Watch::with(progress::styled("{spinner} {msg}, {elapsed}"));
+    watch.bar().set_message("following the flock from switch to switch");
     tell(arguments.json, &format!("{}\n", declaration(&flock, None)))?;
     let mut network = flock.network().clone();
     let mut line = SwitchLine::new(&network);
@@ -56,8 +66,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let mut found = |switch: &Switch| {
         switch.apply_to(&mut network);
         let event = switch_json(switch);
-        let written = tell(arguments.json, &line.of(switch, &network)).and_then(|()| log.write(&event));
+        let text = line.of(switch, &network);
+        if !arguments.json && !arguments.quiet {
+            interrupt::keep(&text);
+        }
+        let written = log.write(&event);
         switches.push(event);
+        watch.bar().set_message(format!("{} switches, the last at t = {}", switches.len(), shortened(&switch.time)));
         if let Err(error) = written {
             failure = Some(error);
             watch.stop();
@@ -68,11 +83,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         return Err(error);
     }
     let settled = settled.map_err(|error| CliError::file(&arguments.file, error))?;
+    watch.finish();
     interrupt::finishing();
     if arguments.json {
-        output::print_json(&document(&settled, switches, &declared))?;
+        let limits = json!({"steps": arguments.steps, "switches": arguments.switches});
+        let configuration = json!({"command": "flock settle", "file": origin, "limits": limits});
+        let provenance = Provenance::new("flockproof.flock-settle/1", None, configuration);
+        output::print_json(&provenance.stamp(document(&settled, switches, &declared)))?;
     } else {
-        output::print(&closing(&settled))?;
+        let count = switches.len();
+        let head = format!("{count} switch{}", if count == 1 { "" } else { "es" });
+        let list = interrupt::kept();
+        let tail = if list.is_empty() { format!("{head}\n") } else { format!("{head}:\n{list}") };
+        output::print(&(closing(&settled) + &tail))?;
     }
     Ok(match settled.ending {
         Ending::Interrupted => ExitCode::from(interrupt::STATUS),

@@ -23,7 +23,7 @@ pub enum ProveError {
     #[error("coqc was not found; on Debian or Ubuntu: {INSTALL}")]
     NoCoq,
     /// A file that could not be written or read, or a program that could not be run.
-    #[error("{}: {error}", path.display())]
+    #[error("{}: {}", path.display(), crate::cli::output::sentence(error))]
     File {
         /// The file.
         path: PathBuf,

@@ -10,6 +10,10 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(
+    after_help = "Needs coqc, and without it says how to install it; takes minutes. What is compiled is kept: stopped, the next run goes on.\n\n\
+Example:\n  flockproof prove --out proofs"
+)]
 pub struct Arguments {
     /// Folder in which the development is compiled [default: flockproof-proofs in the folder for temporary files]
     #[arg(long, value_name = "DIR")]
@@ -20,6 +24,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    arguments.transcript.as_deref().map_or(Ok(()), output::check_writable)?;
     let folder = arguments.out.clone().unwrap_or_else(|| std::env::temp_dir().join("flockproof-proofs"));
     let workshop = Workshop::open(&folder).map_err(use_error)?;
     let watch = Watch::with(progress::bar());

@@ -1,5 +1,6 @@
 //! Graphs: undirected simple ones, which the flocking networks are made of, and directed ones with rational weights.
 
+pub mod classes;
 mod components;
 mod isomorphism;
 mod laplacian;

@@ -1,7 +1,7 @@
 //! Graphs that have a name: `ring:12`, `circulant:12:1,3`, `platoon2:8`.
 
 use super::WeightedGraph;
-use arithmetic::{Rational, parse_rational, rational};
+use arithmetic::{Rational, parse_rational, rational, shown};
 use num_bigint::BigInt;
 use num_traits::Signed;
 use rand_chacha::ChaCha8Rng;
@@ -94,11 +94,11 @@ impl FromStr for NamedGraph {
         let integer = |part: &str, what: &'static str, least: usize, most: usize| {
             let digits = !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
             let number = part.parse::<usize>().ok().filter(|n| digits && (least..=most).contains(n));
-            number.ok_or_else(|| NameError::Range { text: text.to_string(), what, least, most })
+            number.ok_or_else(|| NameError::Range { text: shown(text), what, least, most })
         };
         let only = |form: &'static str, what: &'static str, least: usize, most: usize| match parts[..] {
             [_, n] => integer(n, what, least, most),
-            _ => Err(NameError::Form { text: text.to_string(), form }),
+            _ => Err(NameError::Form { text: shown(text), form }),
         };
         let vertices = "the number of vertices";
         match parts[0] {
@@ -115,7 +115,7 @@ impl FromStr for NamedGraph {
             }
             "circulant" => {
                 let [_, n, offsets] = parts[..] else {
-                    return Err(NameError::Form { text: text.to_string(), form: "circulant:N:a,b,.." });
+                    return Err(NameError::Form { text: shown(text), form: "circulant:N:a,b,.." });
                 };
                 let order = integer(n, vertices, 2, LARGEST_ORDER)?;
                 let offset = |part: &str| integer(part, "an offset", 1, order - 1).map(|a| a.min(order - a));
@@ -123,15 +123,15 @@ impl FromStr for NamedGraph {
             }
             "geometric" => {
                 let [_, n, radius, seed] = parts[..] else {
-                    return Err(NameError::Form { text: text.to_string(), form: "geometric:N:R:SEED" });
+                    return Err(NameError::Form { text: shown(text), form: "geometric:N:R:SEED" });
                 };
                 let order = integer(n, vertices, 1, 1 << 14)?;
                 let seed = integer(seed, "the seed", 0, usize::MAX)? as u64;
                 let radius = parse_rational(radius).ok().filter(Signed::is_positive);
-                let radius = radius.ok_or_else(|| NameError::Radius(text.to_string()))?;
+                let radius = radius.ok_or_else(|| NameError::Radius(shown(text)))?;
                 Ok(NamedGraph::Geometric { order, radius, seed })
             }
-            _ => Err(NameError::Unknown(text.to_string())),
+            _ => Err(NameError::Unknown(shown(text))),
         }
     }
 }

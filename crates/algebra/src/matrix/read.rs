@@ -4,7 +4,8 @@
 //! JSON: a list of matrices, each a list of rows, entries as strings or numbers.
 
 use super::{MatrixError, StochasticMatrix};
-use arithmetic::{NumberError, Rational, parse_rational};
+use arithmetic::{NumberError, Rational, parse_rational, rational};
+use num_traits::Signed;
 use serde_json::Value;
 
 /// Why a file does not hold a sequence of stochastic matrices. Matrices and lines are counted from 1.
@@ -57,7 +58,53 @@ pub enum ReadError {
 /// # Errors
 /// [`ReadError`] with the place at fault.
 pub fn read_sequence(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
-    let matrices = if text.trim_start().starts_with('[') { read_json(text)? } else { read_text(text)? };
+    read(text, &mut Rows { normalise: false, changed: Vec::new() })
+}
+
+/// A row that was divided by its sum. Matrices and rows are counted from 1.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Normalised {
+    /// Which matrix.
+    pub matrix: usize,
+    /// Which row.
+    pub row: usize,
+    /// The sum of the row as it was given.
+    pub sum: Rational,
+}
+
+/// The same for rows that sum to about 1, as those of floats do: each is divided by its sum, exactly, and what was changed is told.
+///
+/// # Errors
+/// As [`read_sequence`]; a row without a positive sum is refused as it is.
+pub fn read_normalised(text: &str) -> Result<(Vec<StochasticMatrix>, Vec<Normalised>), ReadError> {
+    let mut rows = Rows { normalise: true, changed: Vec::new() };
+    let matrices = read(text, &mut rows)?;
+    Ok((matrices, rows.changed))
+}
+
+/// What becomes of the rows that are read.
+struct Rows {
+    normalise: bool,
+    changed: Vec<Normalised>,
+}
+
+impl Rows {
+    /// The matrix of some rows.
+    fn matrix(&mut self, mut rows: Vec<Vec<Rational>>, matrix: usize) -> Result<StochasticMatrix, MatrixError> {
+        let one = rational(1, 1);
+        for (i, row) in rows.iter_mut().enumerate().filter(|_| self.normalise) {
+            let sum: Rational = row.iter().sum();
+            if sum.is_positive() && sum != one {
+                row.iter_mut().for_each(|entry| *entry /= &sum);
+                self.changed.push(Normalised { matrix, row: i + 1, sum });
+            }
+        }
+        StochasticMatrix::from_rows(&rows)
+    }
+}
+
+fn read(text: &str, rows: &mut Rows) -> Result<Vec<StochasticMatrix>, ReadError> {
+    let matrices = if text.trim_start().starts_with('[') { read_json(text, rows)? } else { read_text(text, rows)? };
     if matrices.is_empty() {
         return Err(ReadError::Nothing);
     }
@@ -70,7 +117,7 @@ pub fn read_sequence(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
     Ok(matrices)
 }
 
-fn read_text(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
+fn read_text(text: &str, all: &mut Rows) -> Result<Vec<StochasticMatrix>, ReadError> {
     let mut matrices = Vec::new();
     let mut rows: Vec<Vec<Rational>> = Vec::new();
     let mut first_line = 0;
@@ -78,11 +125,9 @@ fn read_text(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
         if rows.is_empty() {
             return Ok(());
         }
-        let matrix = StochasticMatrix::from_rows(&std::mem::take(rows)).map_err(|error| ReadError::Matrix {
-            matrix: matrices.len() + 1,
-            line,
-            error,
-        })?;
+        let number = matrices.len() + 1;
+        let matrix = all.matrix(std::mem::take(rows), number);
+        let matrix = matrix.map_err(|error| ReadError::Matrix { matrix: number, line, error })?;
         matrices.push(matrix);
         Ok(())
     };
@@ -108,16 +153,16 @@ fn read_text(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
     Ok(matrices)
 }
 
-fn read_json(text: &str) -> Result<Vec<StochasticMatrix>, ReadError> {
-    let document: Value = serde_json::from_str(text).map_err(|error| ReadError::Json(error.to_string()))?;
+fn read_json(text: &str, all: &mut Rows) -> Result<Vec<StochasticMatrix>, ReadError> {
+    let document: Value = crate::json::parse(text).map_err(ReadError::Json)?;
     let Some(list) = document.as_array() else {
         return Err(ReadError::Json("a list of matrices is expected".to_string()));
     };
     let matrix = |(k, value): (usize, &Value)| {
         let refuse = |error: String| ReadError::JsonMatrix { matrix: k + 1, error };
         let rows = json_rows(value).map_err(refuse)?;
-        StochasticMatrix::from_rows(&rows)
-            .map_err(|error| ReadError::JsonMatrix { matrix: k + 1, error: error.to_string() })
+        let matrix = all.matrix(rows, k + 1);
+        matrix.map_err(|error| ReadError::JsonMatrix { matrix: k + 1, error: error.to_string() })
     };
     list.iter().enumerate().map(matrix).collect()
 }

@@ -16,8 +16,8 @@ pub fn fewer_switches() -> Record<SwitchesVariant> {
     .stated(
         "sharpens chazelle, Lemma 3.1 and Theorem 1.1",
         "Let a and c be non-negative integers. In model D with the printed hysteresis rule, positive entries of every \
-         P(t) at least n^-a and speeds at most n^c, the network of n >= 2 birds switches at most n^{a(n-1)^2 + \
-         (c+9)(n-1) + 1} times: n^{O(n^2)}, not only n^{O(n^3)}.",
+         P(t) at least n^-a and Euclidean speeds at most n^c, the network of n >= 2 birds has at most n^{a(n-1)^2 + \
+         (c+9)(n-1) + 1} times u >= 2 with G_u != G_{u-1}: n^{O(n^2)}, not only n^{O(n^3)}.",
     )
     .control("at most n - 1 switches", SwitchesVariant { count: Some(|n| n - 1), ..printed })
     .control(

@@ -5,7 +5,6 @@ mod decay_rate;
 mod fewer_switches;
 mod growth;
 mod next_order;
-mod one_sided_peak;
 mod paley_abscissa;
 mod paley_circulant;
 mod paley_modes;
@@ -22,7 +21,6 @@ use ledger::Claim;
 /// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
     vec![
-        Box::new(one_sided_peak::one_sided_peak()),
         Box::new(smallest_entries::smallest_entries()),
         Box::new(fewer_switches::fewer_switches()),
         Box::new(tower::tower()),

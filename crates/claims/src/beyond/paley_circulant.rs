@@ -1,6 +1,6 @@
 //! beyond.paley.circulant_spectrum, beyond.paley.cyclic_patterns: circular formations on circulant graphs.
 
-use crate::paley::argued;
+use crate::argued::argued;
 use algebra::matrix::{Inertia, determinant_over_field, inertia};
 use arithmetic::{ArithmeticError, Complex, CosineField, Field, RealCyclotomic, Ring, Sign, Signed, rational};
 use ledger::{CheckError, Evidence, Grade, Record, Run};
@@ -100,7 +100,7 @@ pub fn circulant_spectrum() -> Record<SpectrumVariant> {
                 let place = || format!("N = {order}, offsets {offsets:?}, m = {m}");
                 Ok(wrong.then(|| format!("{}: the determinant is not the product of the cubics", place())))
             });
-            Run::all([found, argued(&[1], "every undirected circulant graph", "F1-F5")])
+            Run::all([found, argued(&[1], "every undirected circulant graph", "notes/paley_phases.md, steps F1-F5")])
         },
     )
     .stated(
@@ -154,17 +154,16 @@ pub fn cyclic_patterns() -> Record<CyclicVariant> {
             let detail = format!("N = 3 to {most} and 12, all m: exact inertia of the Hessian over cosines");
             let evidence = Evidence::new(Grade::Exhaustive, "signs of the Hessian", detail).on([1, 2]);
             let found = run.every(evidence, patterns, |(order, m)| variant.contradiction(order, m));
-            Run::all([found, argued(&[1, 2], "every N, m and gains", "F6-F8")])
+            Run::all([found, argued(&[1, 2], "every N, m and gains", "notes/paley_phases.md, steps F6-F8")])
         },
     )
     .stated(
         "beyond Figure 3 and the text on balanced circular formations",
-        "On C_N, N >= 3, under (22) with K_0 > 0, the circular formation with theta_k = 2 pi m k/N is exponentially stable up to rotation and translation iff \
-         K_1 cos(2 pi m/N) < 0, whatever the size of the gains and the sign of w0; it is unstable if K_1 cos(2 pi m/N) > 0.",
+        "",
     )
     .clauses(&[
         "On C_N, N >= 3, under (22) with K_0 > 0, the circular formation with theta_k = 2 pi m k/N is exponentially stable up to rotation and translation iff \
-         K_1 cos(2 pi m/N) < 0.",
+         K_1 cos(2 pi m/N) < 0, whatever the size of the gains and the sign of w0.",
         "It is unstable if K_1 cos(2 pi m/N) > 0.",
     ])
     .control("the other sign", CyclicVariant { sign: -1, ..right })

@@ -24,12 +24,10 @@ pub struct Altered {
     pub twist: i64,
     /// Factor of `K_M` in the Hessian.
     pub last: i64,
-    /// Added to the wave number.
-    pub wave: usize,
 }
 
 impl Altered {
-    pub const NOT: Self = Altered { twist: 1, last: 1, wave: 0 };
+    pub const NOT: Self = Altered { twist: 1, last: 1 };
 }
 
 type Number = Complex<RealCyclotomic>;
@@ -82,7 +80,7 @@ impl Law {
         let radius = formation.root(0).re.rational(&self.omega).recip()?;
         for q in 0..=self.particles / 2 {
             let columns = mode_columns(&formation, &radius, q);
-            let mut mode = formation.mode(q + altered.wave);
+            let mut mode = formation.mode(q);
             mode.twist = mode.twist.clone() * mode.twist.integer(altered.twist);
             let block = mode.block()?;
             for (row, own) in rows.iter().zip(&columns) {

@@ -1,6 +1,7 @@
 //! beyond.paley.inertia and beyond.paley.cyclic_eigenvectors.
 
-use crate::paley::{CyclicVariant, Kind, argued, arrangements, critical_points, hessian, is_critical, is_on_a_line};
+use crate::argued::argued;
+use crate::paley::{CyclicVariant, Kind, arrangements, critical_points, hessian, is_critical, is_on_a_line};
 use crate::paley::{linearisation, two_clusters};
 use algebra::matrix::Inertia;
 use arithmetic::{Complex, Field, Signed};
@@ -48,12 +49,10 @@ pub fn inertia() -> Record<InertiaVariant> {
     )
     .stated(
         "sharpens paley, Theorem 1",
-        "N >= 2. The Hessian of U_1 at a critical point has (positive, negative, zero) eigenvalues: (b, N-b-1, 1) with two opposite clusters of N-b > b \
-         phases (b = 0: synchronised), (2, 0, N-2) at a balanced arrangement not on a line, (1, 0, N-1) at a balanced one on a line. So the unstable \
-         manifold of an unbalanced arrangement has dimension N-b-1 for K_1 > 0 and b for K_1 < 0, and there are no other critical points.",
+        "",
     )
     .clauses(&[
-        "With two opposite clusters of N-b > b phases (b = 0: synchronised) the Hessian of U_1 has the inertia (b, N-b-1, 1).",
+        "N >= 2. With two opposite clusters of N-b > b phases (b = 0: synchronised) the Hessian of U_1 has the inertia (b, N-b-1, 1).",
         "At a balanced arrangement not on a line it has the inertia (2, 0, N-2).",
         "At a balanced arrangement on a line it has the inertia (1, 0, N-1).",
         "The unstable manifold of an unbalanced arrangement under (6) with (9) has dimension N-b-1 for K_1 > 0 and b for K_1 < 0.",
@@ -89,7 +88,7 @@ fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, C
             };
             Ok((is_critical(&z)? && !known).then(|| format!("{place}: another critical point")))
         });
-    Run::all([line, balanced, others, argued(&[1, 2, 3, 4, 5], "every N", "C1-C6")])
+    Run::all([line, balanced, others, argued(&[1, 2, 3, 4, 5], "every N", "notes/paley_phases.md, steps C1-C6")])
 }
 
 // --- Eigenvectors of cyclic graphs ---
@@ -110,14 +109,12 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
             let found = run.every(evidence, 3..=most, |nodes| {
                 Ok(variant.fails_on(nodes)?.map(|what| format!("C_{nodes}: {what}")))
             });
-            Run::all([found, argued(&[1, 2, 3, 4], "every N", "E1-E5")])
+            Run::all([found, argued(&[1, 2, 3, 4], "every N", "notes/paley_phases.md, steps E1-E5")])
         },
     )
     .stated(
         "corrects paley, text after eq (16) and Figure 2",
-        "N >= 3. The eigenvectors of the Laplacian of the cyclic graph C_N whose entries have modulus one are, up to rotation, the columns of the Fourier matrix, \
-         which are the symmetric patterns of N/gcd(N, m - 1) clusters, and, if and only if 4 divides N, (u, v, -u, -v, ...) with any u, v of modulus one, with \
-         eigenvalue 2. So every such eigenvector is a symmetric pattern if and only if 4 does not divide N.",
+        "",
     )
     .clauses(&[
         "Up to rotation the eigenvectors of the Laplacian of C_N, N >= 3, with entries of modulus one are columns of the Fourier matrix or, only if 4 divides N, (u, v, -u, -v, ...).",

@@ -1,12 +1,15 @@
-//! beyond.tanner1.two_agents, beyond.tanner1.turning_triangle, beyond.tanner2.alternating_trees, beyond.tanner2.endless_switching.
+//! beyond.tanner1.two_agents, turning_triangle; beyond.tanner2.alternating_trees, endless_switching, thm2_stop.
 
-use crate::tanner2::fixtures::{PLANE, argued, printed as logarithmic, spring};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{PLANE, printed as logarithmic, spring};
 use crate::tanner2::switching::{TREES_ARGUED, Trees, no_common_configuration};
+use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::double_integrator::{
-    Potential, State, cross, crosses_for_ever, gyroscopic, kinetic_energy, potential_gradients, scaled, sum,
+    AnyPotentials, Potential, State, cross, crosses_for_ever, difference, dot, gyroscopic, kinetic_energy,
+    potential_gradients, scaled, sum,
 };
 
 // --- Two agents align ---
@@ -75,7 +78,7 @@ pub fn two_agents() -> Record<TotalVariant> {
     ])
     .stated(
         "replaces tanner1, eq (9), for two agents",
-        "Two agents under (4), (5) with heading differences wrapped to (-pi, pi]: |v_1 + v_2| never decreases, d/dt ½|v_1 + v_2|² = 2 |v_1||v_2| d sin d/|r_12|² with d = theta_1 - theta_2, while the mechanical energy is constant.",
+        "",
     )
     .control("half of it", TotalVariant { factor: 1, ..printed })
     .control("over the fourth power of the distance", TotalVariant { power: 2, ..printed })
@@ -83,22 +86,32 @@ pub fn two_agents() -> Record<TotalVariant> {
 
 // --- Three agents need not align ---
 
-pub fn turning_triangle() -> Record<(i64, i64)> {
+/// `omega` over `sqrt(3/2)`, and the whole turns by which heading differences are off the wrapped ones.
+#[derive(Clone, Copy)]
+pub struct TriangleVariant {
+    rate: i64,
+    whole_turns: [i64; 3],
+}
+
+pub fn turning_triangle() -> Record<TriangleVariant> {
+    let printed = TriangleVariant { rate: 1, whole_turns: [0; 3] };
     Record::new(
         "beyond.tanner1.turning_triangle",
         "The potential forces on an equilateral triangle with its centre at the origin are -6 V'(s) r_i, as the positions sum to zero: they keep it turning with omega² = 6 V'(s). Each agent has the two others' headings a third of a turn to its left and to its right, at equal distances: wrapped differences cancel. \
-         The law is the same in turned coordinates, so this holds at all times. The motion fulfils the hypotheses of Proposition IV.3 (connected graph, finite V_t). The variant is omega over sqrt(3/2).",
-        (1, 1),
-        |rate, _| {
+         The law is the same in turned coordinates, so this holds at all times. The motion fulfils the hypotheses of Proposition IV.3 (connected graph, finite V_t).",
+        printed,
+        |variant, _| {
             let evidence = Evidence::new(
                 Grade::Exact,
                 "accelerations, headings, sides",
                 "in the field of the cosines of multiples of pi/12, which has sqrt 2 and sqrt 3; at all times since the law is the same in turned coordinates",
             );
-            Ok(match models::double_integrator::turning_triangle(&logarithmic(), &rational(rate.0, rate.1))? {
+            let TriangleVariant { rate, whole_turns } = *variant;
+            let potential = logarithmic();
+            Ok(match models::double_integrator::turning_triangle(&potential, &rational(rate, 1), whole_turns)? {
                 true => Outcome::Holds(vec![evidence.for_all()]),
                 false => Outcome::fails(
-                    format!("omega = {}/{} sqrt(3/2): the accelerations are not -omega² r_i", rate.0, rate.1),
+                    format!("omega = {rate} sqrt(3/2), heading differences off the wrapped ones by {whole_turns:?} turns: the accelerations are not -omega² r_i"),
                     evidence,
                 ),
             })
@@ -108,8 +121,8 @@ pub fn turning_triangle() -> Record<(i64, i64)> {
         "beside tanner1, Proposition IV.3",
         "Three linked agents on an equilateral triangle of squared side 2 that turns about its centre with omega² = 6 V'(2) = 3/2, V = 1/s + log s, move so for ever under (4), (5) with heading differences wrapped to (-pi, pi]: the headings stay a third of a turn apart.",
     )
-    .control("omega² = 6", (2, 1))
-    .control("omega² = 3/2 (99/100)²", (99, 100))
+    .control("omega² = 6", TriangleVariant { rate: 2, ..printed })
+    .control("heading differences as in (2)", TriangleVariant { whole_turns: [1, 0, 0], ..printed })
 }
 
 // --- Alternating trees ---
@@ -129,7 +142,6 @@ pub fn alternating_trees() -> Record<Trees> {
         "sharpens tanner2, Abstract (arbitrary switching)",
         "Four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each: from no start without collision do the velocities agree in the limit.",
     )
-    .control("three agents", Trees { agents: 3, trees: [vec![(0, 1), (1, 2)], vec![(0, 1), (0, 2)]], ..printed.clone() })
     .control("in space", Trees { dimension: 3, ..printed.clone() })
     .control("one tree only", Trees { trees: [printed.trees[0].clone(), printed.trees[0].clone()], ..printed })
 }
@@ -143,6 +155,13 @@ fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Ou
         "motions near two equilateral triangles side by side",
         "characteristic polynomials of the symmetric modes with and without the link: stable, no real root (Sturm, Routh)",
     );
+    let slope = potential.slope(square)?;
+    if slope != rational(0, 1) {
+        return Ok(Outcome::fails(
+            format!("R² = {square}, V'(R²) = {slope}: the pull of the link jumps at R"),
+            evidence,
+        ));
+    }
     let fulfilled = potential.check_definition3().is_ok();
     if fulfilled && crosses_for_ever(potential, square)? {
         return Run::all([
@@ -150,11 +169,7 @@ fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Ou
             argued(&[1], "the motions near it", "notes/tanner2.md, Endless switching, steps 1 to 4"),
         ]);
     }
-    let slope = potential.slope(square)?;
-    Ok(Outcome::fails(
-        format!("R² = {square}, V'(R²) = {slope}: the long diagonal is not at R, or the pull jumps there"),
-        evidence,
-    ))
+    Ok(Outcome::fails(format!("R² = {square}: the long diagonal of the rhombus is not at R"), evidence))
 }
 
 pub fn endless_switching() -> Record<(Potential, Rational)> {
@@ -175,30 +190,69 @@ pub fn endless_switching() -> Record<(Potential, Rational)> {
 
 // --- Switching that ends ---
 
-/// A pair at `R` with this weight of the jump: the second derivative of `|r_e|²` is `A` without the link and `A - jump` with it.
-fn examine_ends(settings: &Vec<(Potential, Rational)>, run: &mut Run) -> Result<Outcome, CheckError> {
-    let detail = "the jump 8 V'(R²) R² of the second derivative of |r_e|², exact";
-    let jumps = run.instances("the force of a link at R", detail, settings, |(potential, square)| {
-        let jump = potential.slope(square)? * square * rational(8, 1);
-        Ok((jump <= rational(0, 1)).then(|| {
-            format!("R² = {square}: the second derivative of |r_e|² changes by {jump} where a link opens, which does not drive the pair away from R")
-        }))
-    });
-    Run::all([jumps, argued(&[1], "late crossings", "notes/tanner2.md, When switching stops, steps 1 to 5")])
+/// The share of the jump `8 V'(R²) R²` that is claimed, and whether the slope at R may be zero.
+#[derive(Clone, Copy)]
+pub struct EndsVariant {
+    share: (i64, i64),
+    flat: bool,
 }
 
-pub fn switching_ends() -> Record<Vec<(Potential, Rational)>> {
-    let q = |n: i64| rational(n, 1);
+/// The second derivative of `|r_e|²` under (4) changes by `-8 g s - 4 r.v` where the link e = (1, 2) is added, whatever the other links
+/// and potentials are.
+struct Jump(Graph, (i64, i64));
+
+impl RationalIdentity for Jump {
+    fn variables(&self) -> usize {
+        AnyPotentials::variables(&self.0)
+    }
+
+    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+        let with = AnyPotentials::read(&self.0, at)?;
+        let Some(link) = with.edges.iter().position(|pair| *pair == (0, 1)) else {
+            return Err(ArithmeticError::Domain("the link 1-2"));
+        };
+        let mut without = AnyPotentials::read(&self.0, at)?;
+        without.edges.remove(link);
+        without.slopes.remove(link);
+        let (r, v) = (with.state.separation(0, 1), with.state.relative_velocity(0, 1));
+        let second = |flock: &AnyPotentials<T>| -> Result<T, ArithmeticError> {
+            let a = flock.accelerations()?;
+            Ok(dot(&r, &difference(&a[0], &a[1])) * v[0].integer(2) + PLANE.square(&v) * v[0].integer(2))
+        };
+        let pull = with.slopes[link].clone() * PLANE.square(&r) * r[0].integer(8) * r[0].ratio(self.1.0, self.1.1);
+        let right = -pull - dot(&r, &v) * r[0].integer(4);
+        Ok((vec![second(&with)? - second(&without)?], vec![right]))
+    }
+}
+
+fn examine_ends(variant: &EndsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let three = rational(3, 1);
+    if variant.flat && crosses_for_ever(&Potential::with_inflection(&three), &three)? {
+        let what = "V' = (s-1)(s-3)²(s+3/5)/s², R² = 3: motions near the rhombus tend to it, where one pair is at R, and that pair passes R for ever";
+        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "switching near the rhombus", "exact modes")));
+    }
+    let graphs = [Graph::path(2), Graph::path(3), Graph::from_fn(3, |_, _| true), Graph::path(4)];
+    let jumps = graphs.into_iter().map(|graph| {
+        let names = AnyPotentials::names(&graph);
+        let part = format!("the pull of the link 1-2 on |r_12|², edges {:?}, any potentials", graph.edges());
+        run.identity(&Jump(graph, variant.share), &names.iter().map(String::as_str).collect::<Vec<_>>(), &part)
+    });
+    let proof = argued(&[1], "late crossings", "notes/tanner2.md, When switching stops, steps 1 to 5");
+    Run::all(jumps.chain([proof]))
+}
+
+pub fn switching_ends() -> Record<EndsVariant> {
+    let printed = EndsVariant { share: (1, 1), flat: false };
     Record::new(
         "beyond.tanner2.thm2_stop",
         "With a positive slope the link pulls with a force that jumps at R, so after or before a late crossing the relative speed would change at a rate bounded away from 0 for a fixed time, but it tends to 0.",
-        vec![(spring(), q(4)), (logarithmic(), q(4))],
+        printed,
         examine_ends,
     )
     .stated(
         "a part of tanner2, end of the proof of Theorem 2",
         "Under the hypotheses of Theorem 2, read as in tanner2.thm2_vel, with V'(R) > 0: if no limit configuration has more than one pair at distance R, then from some time on no pair passes from one side of R to the other without staying at R in between.",
     )
-    .control("slope zero at R", vec![(Potential::with_inflection(&q(3)), q(3))])
-    .control("R below the desired distance", vec![(spring(), rational(1, 2))])
+    .control("slope zero at R too", EndsVariant { flat: true, ..printed })
+    .control("half the pull", EndsVariant { share: (1, 2), ..printed })
 }

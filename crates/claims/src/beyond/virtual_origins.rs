@@ -13,7 +13,7 @@ pub fn angle() -> Record<OriginVariant> {
     )
     .stated(
         "sharpens chazelle, Lemma 3.7",
-        "In model D, with a positive integer a, entries of P at least n^-a, and as long as no edge is longer than 2 \
+        "In model D, with a positive integer a, positive entries of every P(t) at least n^-a, and as long as no edge is longer than 2 \
          (Lemma 3.6), for any bird at any time t >= 1, angle(x_i(t), v_i(t)) <= |v_i(t) - x_i(t)/t| = |E_i(t)|/t, \
          where each coordinate of E_i(t) = x_i(t) - t v_i(t) is at most max|x(0)| + 4 (s(t) + 1) n^(2a+3), s(t) the \
          number of switches before t: no waiting time and no log t.",
@@ -29,8 +29,8 @@ pub fn losses() -> Record<LossVariant> {
     )
     .stated(
         "sharpens chazelle, Lemma 3.8",
-        "In model D with the hysteresis of the paper, n >= 4 birds in dimension at most n², entries of P at least \
-         n^-a with a = 1 or 2, and speeds and coordinates of x(0) up to n, no edge is lost after time n^(n^4 + \
+        "In model D with the hysteresis of the paper, n >= 4 birds in dimension at most n², positive entries of every P(t) at least \
+         n^-a with a = 1 or 2, and Euclidean speeds and coordinates of x(0) up to n, no edge is lost after time n^(n^4 + \
          2(n-1)² + 10(n-1) + 17).",
     )
 }

@@ -30,6 +30,7 @@ pub struct FourBirds {
     /// The bounds of the outer gaps, over 16.
     outer_bounds: (i64, i64),
     hysteresis: Option<(i64, i64)>,
+    weights: Weights,
 }
 
 impl FourBirds {
@@ -45,6 +46,7 @@ impl FourBirds {
             middle_gap: (16, 1),
             outer_bounds: (4, 8),
             hysteresis: None,
+            weights: Weights::Lazy,
         }
     }
 
@@ -62,7 +64,7 @@ impl FourBirds {
 
     fn flock(&self) -> Result<Flock, CheckError> {
         let hysteresis = self.hysteresis.map_or(Hysteresis::None, |(p, q)| Hysteresis::Constant(rational(p, q)));
-        Ok(Flock::new(&Start::on_the_line(self.start(), self.velocity(), Weights::Lazy, hysteresis))?)
+        Ok(Flock::new(&Start::on_the_line(self.start(), self.velocity(), self.weights.clone(), hysteresis))?)
     }
 
     /// `x(t)` as affine functions of `r = ratio^t`.
@@ -282,7 +284,7 @@ pub fn alternation() -> Record<FourBirds> {
         examine_alternation,
     )
     .control("a hysteresis threshold of 1/1024", FourBirds { hysteresis: Some((1, 1024)), ..printed() })
-    .control("birds 3 and 4 nearer by 1/16", FourBirds { positions: [0, 8, 20, 28], ..printed() })
-    .control("all velocities zero", FourBirds { velocities: [0, 0, 0, 0], ..printed() })
+    .control("birds 3 and 4 farther by 1/4", FourBirds { positions: [0, 8, 25, 33], ..printed() })
     .control("opposite velocities", FourBirds { velocities: [-1, 1, -1, 1], ..printed() })
+    .control("c_i = 1/(d_i + 1)", FourBirds { weights: Weights::Vicsek, ..printed() })
 }

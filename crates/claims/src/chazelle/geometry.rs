@@ -3,9 +3,9 @@
 //! The key is the virtual origin `E_i(t) = x_i(t) - t v_i(t)`: `E(1) = x(0)` and `E(t+1) = P(t) E(t) + (I - P(t))
 //! x(t)`, whose last term is bounded and has stationary mean zero on a fixed network (notes/settling.md).
 
-use super::argued;
 use super::sequences::{four_birds, random_start, settled, show_start};
 use super::switching::SwitchesVariant;
+use crate::argued::{argued, argued_with};
 use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::settle::Ending;
@@ -20,7 +20,7 @@ pub fn switch_exponent(n: u64, a: u64, c: u64) -> u64 {
     (SwitchesVariant::QUADRATIC.exponent)(n, a, c)
 }
 
-/// No edge is lost after `n^(n^4 + loss_exponent)`, for coordinates of `x(0)` up to `n^c` in dimension up to `n²`.
+/// No edge is lost after `n^(n^4 + loss_exponent)`, for Euclidean speeds and coordinates of `x(0)` up to `n^c` in dimension up to `n²`.
 pub fn loss_exponent(n: u64, a: u64, c: u64) -> u64 {
     switch_exponent(n, a, c) + 2 * a + c + 11
 }
@@ -33,10 +33,10 @@ fn minus(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
     a.iter().zip(b).map(|(x, y)| x - y).collect()
 }
 
-/// The angle between `(a, 1)` and `(b, 1)`, and the distance of `a` and `b`.
-fn angle_and_distance(a: &[Rational], b: &[Rational]) -> Result<(Interval, Interval), CheckError> {
+/// The angle between `(a, 1)` and `(b, 1)`, or between `a` and `b`, and the distance of `a` and `b`.
+fn angle_and_distance(a: &[Rational], b: &[Rational], lifted: bool) -> Result<(Interval, Interval), CheckError> {
     let enclose = |q: &Rational| Interval::from_rational(q, PRECISION);
-    let one = rational(1, 1);
+    let one = rational(i64::from(lifted), 1);
     let cosine = &one + dot(a, b);
     let squared_sine = (&one + dot(a, a)) * (&one + dot(b, b)) - cosine.square();
     let difference = minus(a, b);
@@ -50,29 +50,33 @@ fn angle_and_distance(a: &[Rational], b: &[Rational]) -> Result<(Interval, Inter
     Ok((angle, distance))
 }
 
-/// `lower/(1 + R^power) <= angle/distance <= upper`, where `R` bounds both vectors.
+/// `1/(1 + R^power) <= angle/distance^of <= 1`, where `R` bounds both vectors.
 #[derive(Clone, Copy)]
 pub struct AngleVariant {
-    lower: (i64, i64),
     power: u64,
-    upper: (i64, i64),
+    of: u64,
+    /// The angle is that of the lifted vectors.
+    lifted: bool,
 }
 
 impl AngleVariant {
     fn fails_at(&self, a: &[Rational], b: &[Rational]) -> Result<Option<String>, CheckError> {
-        let (angle, distance) = angle_and_distance(a, b)?;
+        let (angle, distance) = angle_and_distance(a, b, self.lifted)?;
         let reach = Interval::from_rational(&dot(a, a).max(dot(b, b)), PRECISION).sqrt()?;
-        let ratio = angle.over(&distance)?;
-        let upper = ratio.ratio(self.upper.0, self.upper.1);
-        let lower = ratio.ratio(self.lower.0, self.lower.1).over(&(reach.one() + reach.power(self.power)))?;
+        let ratio = angle.over(&distance.power(self.of))?;
+        let lower = (reach.one() + reach.power(self.power)).recip()?;
         // Certainly outside; both bounds are approached, so that enclosures alone do not decide the limit cases.
-        let outside = (ratio.clone() - upper).is_certainly_positive() || (lower - &ratio).is_certainly_positive();
-        Ok(outside.then(|| format!("w = {a:?}, v = {b:?}: the quotient is {:.6}", ratio.to_f64())))
+        let above = (ratio.clone() - ratio.one()).is_certainly_positive();
+        let below = (lower - &ratio).is_certainly_positive();
+        let side = if above { "above 1" } else { "below the lower bound" };
+        let list = |x: &[Rational]| x.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        let what = || format!("w = ({}), v = ({}): the quotient {:.6} is {side}", list(a), list(b), ratio.to_f64());
+        Ok((above || below).then(what))
     }
 }
 
 pub fn quotient_of_angle() -> Record<AngleVariant> {
-    let printed = AngleVariant { lower: (1, 1), power: 2, upper: (1, 1) };
+    let printed = AngleVariant { power: 2, of: 1, lifted: true };
     Record::new(
         "chazelle.eq3.15",
         "(v, 1) and (w, 1) lie in a plane that touches the unit sphere. Projection to the sphere maps the segment \
@@ -87,9 +91,9 @@ pub fn quotient_of_angle() -> Record<AngleVariant> {
         "If v_i(t) != w = x_i(t)/t, then angle(x_i(t), v_i(t))/||v_i(t) - w||_2 = O(1).",
         "If v_i(t) != w = x_i(t)/t, then angle(x_i(t), v_i(t))/||v_i(t) - w||_2 > n^{-O(1)}.",
     ])
-    .control("an upper bound of 99/100", AngleVariant { upper: (99, 100), ..printed })
+    .control("the square of the distance", AngleVariant { of: 2, ..printed })
     .control("a lower bound of 1/(1 + R)", AngleVariant { power: 1, ..printed })
-    .control("twice the lower bound", AngleVariant { lower: (2, 1), ..printed })
+    .control("birds that are not lifted", AngleVariant { lifted: false, ..printed })
 }
 
 fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -97,7 +101,8 @@ fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, Chec
     // Near the point of contact, and far from it in its direction.
     let line = |x: (i64, i64)| vec![rational(x.0, x.1)];
     let mut pairs = vec![
-        (line((0, 1)), line((1, 1000))),
+        (line((3, 1)), line((4, 1))),
+        (line((1, 1000)), line((1, 500))),
         (line((100, 1)), line((10_001, 100))),
         (line((-1, 1)), line((1, 1))),
         (line((-50, 1)), line((50, 1))),
@@ -117,8 +122,7 @@ fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, Chec
     let evidence = Evidence::new(Grade::Certified, "1/(1 + R²) <= angle/distance <= 1", detail).on([1, 2]);
     Run::all([
         run.every(evidence, &pairs, |(w, v)| variant.fails_at(w, v)),
-        Ok(argued("1/(1 + R²) <= angle/distance <= 1, and R <= n^O(1)", "notes/settling.md, (3.15), steps 1-3")
-            .on([1, 2])),
+        argued(&[1, 2], "1/(1 + R²) <= angle/distance <= 1, and R <= n^O(1)", "notes/settling.md, (3.15), steps 1-3"),
     ])
 }
 
@@ -156,15 +160,26 @@ impl OriginVariant {
 
 /// A statement about the angle with its controls.
 pub fn about_origins(id: &'static str, derivation: &'static str, printed: OriginVariant) -> Record<OriginVariant> {
-    Record::new(id, derivation, printed, examine_origins)
+    // The printed bound names no constants.
+    let examine = |variant: &OriginVariant, run: &mut Run| {
+        let (part, steps) = (IN_GENERAL, [origins_of_flocks(variant, run)]);
+        if variant.logarithm == 0 {
+            return Run::all(steps.into_iter().chain([argued(&[], part, ORIGINS)]));
+        }
+        argued_with(&[], part, ORIGINS, steps)
+    };
+    Record::new(id, derivation, printed, examine)
         .control("half of (I - P) x in the recursion", OriginVariant { coupling: (1, 2), ..printed })
         .control("1/t² instead of 1/t", OriginVariant { power: 2, ..printed })
         .control("the virtual origins stay within max|x(0)|", OriginVariant { steps: 0, ..printed })
         .control("half of |v - x/t|", OriginVariant { share: (1, 2), ..printed })
 }
 
-/// Decides a bound of the angle: the recursion of the virtual origins and the bound that follows from it.
-fn examine_origins(variant: &OriginVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+const IN_GENERAL: &str = "the angle and the virtual origins at all times, for all flocks of model D";
+const ORIGINS: &str = "notes/settling.md, Virtual origins, steps 1-4, with (3.15) and Mixing on a fixed network";
+
+/// The recursion of the virtual origins and the bound of the angle that follows from it.
+fn origins_of_flocks(variant: &OriginVariant, run: &Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
     // One bird, the four birds of the paper without hysteresis (they switch forever), random flocks.
     let single = Start::on_the_line(vec![rational(5, 1)], vec![rational(0, 1)], Weights::Lazy, Hysteresis::Paper);
@@ -179,11 +194,7 @@ fn examine_origins(variant: &OriginVariant, run: &mut Run) -> Result<Outcome, Ch
         "exact flocks of 1 to 5 birds in dimension 1 to 3 for t = 2, ..., 20, the four birds of the paper with and \
          without hysteresis; the angle enclosed at t = 20",
     );
-    let place = "notes/settling.md, Virtual origins, steps 1-4, with (3.15) and Mixing on a fixed network";
-    Run::all([
-        run.every(evidence, &starts, |start| follow(variant, start)),
-        Ok(argued("the angle and the virtual origins at all times, for all flocks of model D", place)),
-    ])
+    run.every(evidence, &starts, |start| follow(variant, start))
 }
 
 fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, CheckError> {
@@ -232,7 +243,7 @@ fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, Chec
         if v == w {
             continue;
         }
-        let (angle, distance) = angle_and_distance(&v, &w)?;
+        let (angle, distance) = angle_and_distance(&v, &w, true)?;
         let (p, q) = variant.share;
         if (angle.clone() - angle.ratio(p, q) * distance).is_certainly_positive() {
             return Ok(Some(format!("{} at t = {time}: the angle is {:.6}", show_start(start), angle.to_f64())));
@@ -293,11 +304,12 @@ fn examine_losses(variant: &LossVariant, run: &mut Run) -> Result<Outcome, Check
         last_loss(variant, run),
         run.every(step_5, &starts, |start| variant.wrong_difference(start)),
         run.instances("step 6: the threshold is reached in time", step_6, sizes, |(n, a)| Ok(variant.too_late(n, a))),
-        Ok(argued(
+        argued(
+            &[],
             "no edge is lost after that time, for all flocks",
             "notes/settling.md, Virtual origins, steps 1-6, with Lemma 3.6(ii) and the bound of \
              beyond.chazelle.switches",
-        )),
+        ),
     ])
 }
 
@@ -337,7 +349,7 @@ impl LossVariant {
         Ok(None)
     }
 
-    /// Step 6 for speeds and coordinates up to `n` in dimension up to `n²`, entries of at least `n^-a`: with
+    /// Step 6 for Euclidean speeds and coordinates of `x(0)` up to `n` in dimension up to `n²`, entries of at least `n^-a`: with
     /// `|E| <= n (n + 4 (N + 1) n^(2a+3))`, `n^(n^4) (2 + 2|E|)` is to be at most `n^time - 1`.
     fn too_late(&self, n: u64, a: u64) -> Option<String> {
         let power = |exponent: u64| BigInt::from(n).pow(exponent as u32);
@@ -358,9 +370,12 @@ pub fn no_losses() -> Record<LossVariant> {
         "chazelle.lem3.8",
         "For an edge of G_{t-1}, v_i(t) - v_j(t) = (x_i(t-1) - x_j(t-1) - E_i(t) + E_j(t))/(t-1), at most (2 + \
          2|E|)/(t-1). By Lemma 2.1 the edge stays once that is below eps = n^(-n^4): after n^(n^4 + K) with K = O(n²) \
-         from |E| <= n^O(n²) (lem3.7). K <= n^4 for n >= 4 with lazy or vicsek weights and inputs up to n, for other \
+         from |E| <= n^O(n²) (lem3.7). K <= n^4 for n >= 4 with lazy or vicsek weights, speeds and coordinates of x(0) up to n and d <= n², for other \
          O(log n)-bit inputs from some n on (notes/settling.md). So n^(2n^4) is enough.",
         LossVariant { time: |n| 2 * n.pow(4), hysteresis: true, earlier: 1 },
     )
-    .reading("n is large enough: n >= 4 for lazy or vicsek weights and inputs up to n.")
+    .reading(
+        "n is large enough: n >= 4 for lazy or vicsek weights, Euclidean speeds and coordinates of x(0) up to n, in \
+         dimension d <= n^2.",
+    )
 }

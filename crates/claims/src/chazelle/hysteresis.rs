@@ -1,9 +1,9 @@
 //! chazelle.hyst, chazelle.hyst.remark, chazelle.lem3.6.i and chazelle.lem3.6.ii: the hysteresis rule and its
 //! soundness.
 
-use super::argued;
 use super::geometry::{loss_exponent, switch_exponent};
 use super::sequences::{four_birds, random_start, settled, show_start};
+use crate::argued::argued;
 use arithmetic::{Interval, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::settle::Ending;
@@ -145,10 +145,11 @@ fn check_smaller_threshold(variant: &SmallerThresholdVariant, run: &mut Run) -> 
     Run::all([
         run.every(inequalities, 4..=24, |n| variant.fails_for(n)),
         variant.four_birds(run),
-        Ok(argued(
+        argued(
+            &[],
             "the three places where the threshold enters, n >= 4",
             "notes/settling.md, The smaller threshold, steps 1-3",
-        )),
+        ),
     ])
 }
 
@@ -224,10 +225,11 @@ fn check_near_birds_are_joined(variant: &NearVariant, run: &mut Run) -> Result<O
     let detail = "exact flocks of 2 to 5 birds in dimension 1 to 3, 12 steps";
     Run::all([
         run.every(Evidence::new(Grade::Fuzzed, "pairs within unit distance", detail), &starts, |s| variant.fails_at(s)),
-        Ok(argued(
+        argued(
+            &[],
             "every pair within unit distance, at all times",
             "by the definition of the rule (notes/settling.md, Lemma 3.6(i))",
-        )),
+        ),
     ])
 }
 
@@ -377,9 +379,10 @@ fn check_far_birds_are_not(variant: &FarVariant, run: &mut Run) -> Result<Outcom
         variant.four_birds(run),
         run.every(step_1, &starts, |start| variant.grows_too_fast(start)),
         run.instances("steps 3 and 4", steps_3_4, sizes, |(n, a)| Ok(variant.exponents_fail(n, a))),
-        Ok(argued(
+        argued(
+            &[],
             "adjacent birds, for all n large enough",
             "notes/settling.md, Lemma 3.6(ii), steps 1-4, with the bound of beyond.chazelle.switches",
-        )),
+        ),
     ])
 }

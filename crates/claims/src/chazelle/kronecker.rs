@@ -187,8 +187,8 @@ pub fn difference() -> Record<DifferenceVariant> {
     )
     .repaired(
         Fault::Typo,
-        "With chi(i,j) the vector with all coordinates 0 except chi(i,j)_i = 1 and chi(i,j)_j = -1: v_i(t) - v_j(t) = \
-         ((chi(i,j) P(t-1,1)) kron I_d) v(1).",
+        "For i != j, with chi(i,j) the vector with all coordinates 0 except chi(i,j)_i = 1 and chi(i,j)_j = -1: v_i(t) - \
+         v_j(t) = ((chi(i,j) P(t-1,1)) kron I_d) v(1).",
         corrected.clone(),
     )
     .control("chi_i = 1 alone", DifferenceVariant { assignments: vec![(false, 1)], shift: 0 })
@@ -251,7 +251,7 @@ fn check_difference(variant: &DifferenceVariant, run: &mut Run) -> Result<Outcom
         Evidence::new(
             Grade::Fuzzed,
             "exact runs",
-            "2 to 5 birds, d = 1, 2, 3, t = 1, ..., 5, lazy weights, all i and j",
+            "2 to 5 birds, d = 1, 2, 3, t = 1, ..., 5, lazy weights, all i != j",
         )
         .cases(cases),
     );

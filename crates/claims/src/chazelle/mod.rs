@@ -19,12 +19,7 @@ pub(super) mod switching;
 mod velocity_bounds;
 mod worked_matrices;
 
-use ledger::{Claim, Evidence, Outcome};
-
-/// A proof on paper of a part of a claim, for all parameters of its clauses.
-pub(super) fn argued(part: &str, place: &str) -> Outcome {
-    Outcome::Holds(vec![Evidence::argued(part, place)])
-}
+use ledger::Claim;
 
 /// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {

@@ -2,7 +2,8 @@
 
 use super::lower_bound::{MIRRORED, PRINTED, groups};
 use super::sequences::{four_birds, random_start, settled};
-use super::{argued, switching};
+use super::switching;
+use crate::argued::{argued, argued_with};
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, Ring, rational};
@@ -140,7 +141,7 @@ fn check_distance_expansion(variant: &ExpansionVariant, run: &mut Run) -> Result
     let evidence = Evidence::new(Grade::Exact, "the expansion for t > t_1, and fewer than n² terms", detail).on([1, 2]);
     Run::all([
         run.every(evidence, tie_cases(run)?, |case| Ok(variant.fails_at(&case))),
-        Ok(argued("both, for all flocks", "notes/settling.md, (3.18) and Lemma 3.10, steps 1-2").on([1, 2])),
+        argued(&[1, 2], "both, for all flocks", "notes/settling.md, (3.18) and Lemma 3.10, steps 1-2"),
     ])
 }
 
@@ -210,16 +211,15 @@ fn check_gaps(variant: &GapsVariant, run: &mut Run) -> Result<Outcome, CheckErro
     run.value("largest_ratio_seen", closest.to_string());
     run.value("smallest_coefficient_seen", smallest.to_string());
     let detail = "pairs of birds of 7 networks with rational spectra, even and odd steps";
-    let exact = |part: &str, clause: usize| Evidence::new(Grade::Exact, part, detail).on([clause]);
-    let place = "notes/settling.md, (3.18) and Lemma 3.10, steps 3-7";
-    Run::all([
-        run.every(exact("step 3: m^4 rho_k² is an algebraic integer", 1), &cases, |case| Ok(variant.step_3(case))),
-        run.every(exact("step 5: a difference operator leaves one coefficient", 2), &cases, |case| {
+    let steps = [
+        run.instances("step 3: m^4 rho_k² is an algebraic integer", detail, &cases, |case| Ok(variant.step_3(case))),
+        run.instances("step 5: a difference operator leaves one coefficient", detail, &cases, |case| {
             Ok([0, 1].into_iter().find_map(|parity| variant.step_5(case, parity)))
         }),
-        run.every(exact("step 7: sums of products", 3), &cases, |case| Ok(variant.step_7(case))),
-        Ok(argued("the three bounds, for all n", place).on([1, 2, 3])),
-    ])
+        run.instances("step 7: sums of products", detail, &cases, |case| Ok(variant.step_7(case))),
+    ];
+    let place = "notes/settling.md, (3.18) and Lemma 3.10, steps 3-7";
+    argued_with(&[1, 2, 3], "the three bounds, for all n", place, steps)
 }
 
 impl GapsVariant {
@@ -311,16 +311,10 @@ fn check_next_contact(variant: &ContactVariant, run: &mut Run) -> Result<Outcome
     ];
     let mut random = run.random(0);
     starts.extend((0..run.cases(40, 600)).map(|_| random_start(&mut random, Hysteresis::None)));
-    let evidence = Evidence::new(
-        Grade::Exact,
-        "the times of contacts",
-        "flocks settled exactly, whatever t_1 is: every merger within n^(16 t_1 n), one of them after 10^84 steps, \
-         every other contact within t_1 2^(n^4)",
-    );
-    Run::all([
-        run.every(evidence.on([1, 2]), &starts, |start| variant.fails_at(start, run)),
-        Ok(argued("both bounds, for all flocks", "notes/settling.md, Lemma 3.9, steps 1-5").on([1, 2])),
-    ])
+    let detail = "flocks settled exactly, whatever t_1 is: every merger within n^(16 t_1 n), one of them after 10^84 \
+                  steps, every other contact within t_1 2^(n^4)";
+    let times = run.instances("the times of contacts", detail, &starts, |start| variant.fails_at(start, run));
+    argued_with(&[1, 2], "both bounds, for all flocks", "notes/settling.md, Lemma 3.9, steps 1-5", [times])
 }
 
 impl ContactVariant {
@@ -396,7 +390,7 @@ fn check_steady_state(variant: &TimeVariant, run: &mut Run) -> Result<Outcome, C
         ("eight birds, one group mirrored", groups(&[MIRRORED, PRINTED], &rational(1, 512), Hysteresis::Paper)),
     ];
     let flocks = "four birds steady from t = 322 on, eight from 10^84 on, settled exactly";
-    let outcome = Run::all([
+    let steps = [
         run.instances("flocks of model D", flocks, &starts, |(name, start)| {
             let (_, end) = settled(start, run)?;
             let late = tower_height(end.last_switch.bits().into()) > (variant.height)(start.positions.len() as u64);
@@ -411,10 +405,10 @@ fn check_steady_state(variant: &TimeVariant, run: &mut Run) -> Result<Outcome, C
             let wrong = height > (variant.height)(n) || start_bits < u128::from(2 * n.pow(4) * log2(n));
             Ok(wrong.then(|| format!("step 3 with n = {n}: two levels for each merger make {height}")))
         }),
-        Ok(argued("model D, all n", "notes/settling.md, Theorem 1.1, the time, steps 1-3, from lem3.8 and lem3.9")),
-    ])?;
-    Ok(match outcome {
-        Outcome::Holds(evidence) => Outcome::NotCheckable(switching::MODEL_K.to_string(), evidence).on([1]),
+    ];
+    let place = "notes/settling.md, Theorem 1.1, the time, steps 1-3, from lem3.8 and lem3.9";
+    Ok(match argued_with(&[1], "model D, all n", place, steps)? {
+        Outcome::Holds(evidence) => Outcome::NotCheckable(switching::MODEL_K.to_string(), evidence),
         other => other,
     })
 }

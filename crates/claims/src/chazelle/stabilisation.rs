@@ -253,9 +253,9 @@ pub fn blocks() -> Record<BlocksVariant> {
     )
     .repaired(
         Fault::Typo,
-        "P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... P_{|V_2 x \
-         V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1)",
-        BlocksVariant { second_has_v1: true, first_has_v1: true, ..printed },
+        "For t > T_k and T_0 = s-1: P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
+         P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1).",
+        corrected,
     )
     .control("V_2 x V_k, V_1 x V_0", BlocksVariant { second_has_v1: false, ..corrected })
     .control("V_2 x V_1, V_k x V_0", BlocksVariant { first_has_v1: false, ..corrected })

@@ -1,7 +1,7 @@
 //! chazelle.Nts and chazelle.eq3.4: counting network switches while the columns of `P(t, s)` fill.
 
-use super::argued;
 use super::sequences::{NetworkHistory, histories, line_networks, random_line_flock};
+use crate::argued::argued;
 use arithmetic::rational;
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::averaging::{Filling, GroupRule, Weights};
@@ -90,13 +90,13 @@ pub fn count() -> Record<CountVariant> {
     .repaired(
         Fault::Slip,
         "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when t_{k+1} = \
-         t_k + 1, and N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
+         t_k + 1, and with t_0 = s, N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
         corrected,
     )
     .repaired_clauses(&[
         "With N(t,s) the number of integers u, s < u <= t, such that the footprint of P(u) differs from that of \
          P(u-1): N(t_{k+1}, t_k) <= 1 when t_{k+1} = t_k + 1.",
-        "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
+        "With the same N and t_0 = s, N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
     ])
     .control("strict at both ends, at most 1", CountVariant { with_t: false, ..corrected })
     .control("both ends counted", CountVariant { with_s: true, ..corrected })
@@ -210,9 +210,10 @@ fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Out
             let (count, bound) = (history.changes(2, end) as u64, (variant.bound)(n as u64, (n as u64 - 1) / 2));
             Ok((count > bound).then(|| format!("{}: {count} switches, more than {bound}", history.show())))
         }),
-        Ok(argued(
+        argued(
+            &[],
             "the bound, for every class of sequences closed under continuation and separation",
             "notes/chazelle_switches.md, Until the footprint is stable, steps 1-4",
-        )),
+        ),
     ])
 }

@@ -6,7 +6,7 @@ mod space;
 
 pub use phase::{CyclicVariant, Kind, Polygon, printed_column, rhombus, value_of};
 pub(crate) use phase::{
-    argued, arrangements, critical_points, hessian, is_critical, is_on_a_line, linearisation, two_clusters,
+    arrangements, critical_points, hessian, is_critical, is_on_a_line, linearisation, two_clusters,
 };
 pub use space::without_symmetries;
 

@@ -2,7 +2,8 @@
 
 use super::closed_loop::{UPWARDS, at_upwards, upwards};
 use super::turning::{ForceVariant, does_no_work, examine_printed};
-use crate::tanner2::fixtures::{argued, on_connected, total};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{on_connected, total};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
@@ -145,7 +146,7 @@ pub fn eq9() -> Record<RateVariant> {
     )
     .repaired(
         Fault::False,
-        "While no agent is at rest and no heading jumps, Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|². It is positive for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s.",
+        "",
         repaired,
     )
     .repaired_clauses(&[
@@ -214,7 +215,7 @@ pub fn vt_inv() -> Record<InvariantVariant> {
     .clauses(&["V_t is nonincreasing along the closed loop.", "Omega = {V_t <= c} is positively invariant."])
     .repaired(
         Fault::False,
-        "The mechanical energy (1/2) sum_i (V_i + v_i^T v_i) is constant along the closed loop: {(1/2) sum_i (V_i + v_i^T v_i) <= c} is invariant.",
+        "",
         ENERGY,
     )
     .repaired_clauses(&[

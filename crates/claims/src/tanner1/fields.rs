@@ -1,11 +1,12 @@
 //! tanner1.L, L.ones, Lw, anyV, fig2, Vmono, Vt: graph matrices and the potential.
 
-use crate::tanner2::fixtures::{PLANE, argued, printed as printed_potential, sloped, spring};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{PLANE, printed as printed_potential, sloped, spring};
 use crate::tanner2::graphs::{LaplacianVariant, examine_laplacian, shown, small_graphs};
 use algebra::graph::Graph;
 use arithmetic::{Interval, Rational, Sign, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
-use models::double_integrator::{Potential, PotentialError, heading};
+use models::double_integrator::{Potential, heading};
 
 pub fn laplacian() -> Record<LaplacianVariant> {
     let printed = LaplacianVariant::PRINTED;
@@ -97,7 +98,7 @@ pub fn weighted() -> Record<WeightedVariant> {
     )
     .repaired(
         Fault::Typo,
-        "L_w(G) = D(G^sigma) W D(G^sigma)^T is a weighted Laplacian of G: Delta_w - A_w, independent of the orientation, symmetric and positive semidefinite, with as many zero eigenvalues as components.",
+        "",
         repaired,
     )
     .repaired_clauses(&[
@@ -216,14 +217,14 @@ fn examine_usable(variant: &UsableVariant, run: &mut Run) -> Result<Outcome, Che
     let listed = run.instances("collisions and cohesion", detail, list, |(name, potential)| {
         // Two agents on one line with equal headings feel no alignment force: half the squared relative speed plus 2 V(s) is constant, so
         // that with enough relative speed a finite barrier is passed, inwards or outwards.
-        Ok(match potential.check_definition3() {
-            Err(PotentialError::NoRepulsion) => Some(format!(
+        Ok(if !potential.repels() {
+            Some(format!(
                 "{name}: two agents that follow each other on a line with equal headings, the rear one fast enough, collide: V is bounded near 0"
-            )),
-            Err(PotentialError::Bounded) => Some(format!(
-                "{name}: two agents on a line with equal headings, the front one fast enough, part for ever: V is bounded"
-            )),
-            _ => None,
+            ))
+        } else {
+            (!potential.confines()).then(|| format!(
+                "{name}: two agents on a line with equal headings, the front one fast enough, part for ever: V is bounded far away"
+            ))
         })
     })?;
     let steps = "notes/tanner1.md, Energy, steps 4 to 6";
@@ -244,17 +245,17 @@ pub fn any_potential() -> Record<UsableVariant> {
     .reading("any potential, as the sentence says; collisions of linked agents, cohesion of a connected graph")
     .repaired(
         Fault::False,
-        "Any differentiable, non-negative potential V_ij(|r_ij|) = V_ji(|r_ij|) that tends to infinity as |r_ij| tends to 0 and to infinity can be used: linked agents do not collide, and on a connected graph all distances stay bounded, as long as the motion lasts.",
-        UsableVariant {
-            allowed: |potential| !matches!(potential.check_definition3(), Err(PotentialError::NoRepulsion | PotentialError::Bounded)),
-        },
+        "",
+        UsableVariant { allowed: |potential| potential.repels() && potential.confines() },
     )
     .repaired_clauses(&[
         "With any differentiable, non-negative potential V_ij(|r_ij|) = V_ji(|r_ij|) that tends to infinity as |r_ij| tends to 0 linked agents do not collide as long as the motion lasts.",
         "If it tends to infinity with |r_ij| too, all distances of a connected graph stay bounded as long as the motion lasts.",
     ])
-    .control("any with a critical distance", UsableVariant { allowed: |potential| potential.critical().is_some_and(|list| !list.is_empty()) })
-    .control("any that is unbounded at infinity", UsableVariant { allowed: |potential| potential.check_definition3() != Err(PotentialError::Bounded) })
+    .control("any that is unbounded near 0", UsableVariant { allowed: Potential::repels })
+    .control("any with a critical distance that is unbounded at infinity", UsableVariant {
+        allowed: |potential| potential.confines() && potential.critical().is_some_and(|list| !list.is_empty()),
+    })
 }
 
 // --- V_t ---

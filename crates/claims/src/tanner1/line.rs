@@ -5,7 +5,8 @@
 
 use super::energy_rates::energy_is_constant;
 use super::sets::Plain;
-use crate::tanner2::fixtures::{argued, on_connected, printed as potential};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{on_connected, printed as potential};
 use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
 use models::double_integrator::{HeadingDifference, turning_triangle};
@@ -108,7 +109,7 @@ pub fn distances() -> Record<DistanceVariant> {
     )
     .repaired(
         Fault::False,
-        "Along the closed loop (1/2) sum_i (V_i + v_i^T v_i) is constant. Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, keep the heading 0 and their distance swings for ever: it does not tend to a limit.",
+        "",
         repaired,
     )
     .repaired_clauses(&[
@@ -129,7 +130,7 @@ pub struct HeadingVariant {
 }
 
 fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    if variant.difference == HeadingDifference::Wrapped && turning_triangle(&potential(), &rational(1, 1))? {
+    if variant.difference == HeadingDifference::Wrapped && turning_triangle(&potential(), &rational(1, 1), [0; 3])? {
         let what = "three linked agents on an equilateral triangle of squared side 2, omega² = 6 V'(2) = 3/2, V = 1/s + log s: the accelerations of (4), (5) are -omega² r_i; headings stay a third of a turn apart";
         return Ok(Outcome::fails(
             what,
@@ -211,12 +212,12 @@ pub fn cases() -> Record<CaseVariant> {
     ])
     .repaired(
         Fault::False,
-        "On the set of equal constant headings of agents that move, potential forces are along the velocities. Neither case need last, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each swing.",
+        "",
         repaired,
     )
     .repaired_clauses(&[
         "On the set of equal constant headings of agents that move, potential forces are along the velocities.",
-        "Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each swing.",
+        "Neither case need last, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each swing.",
     ])
     .control("at any headings", CaseVariant { equal_headings: false, ..repaired })
     .control("from the distance 1", CaseVariant { start: AT_MINIMUM, ..repaired })

@@ -1,10 +1,12 @@
 //! tanner1.smooth, eq2, Omega.closed, Omega.bounded, collision, proof_ratio: the law and the set Omega.
 
-use crate::tanner2::fixtures::{PLANE, argued, on_connected, printed as printed_potential, sloped, soft, spring};
-use crate::tanner2::wording::{HeadingVariant, examine_heading};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{PLANE, on_connected, printed as printed_potential, sloped, soft};
+use crate::tanner2::graphs::shown;
+use crate::tanner2::wording::{HeadingVariant, examine_heading, headings};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Signed, rational};
+use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{AnyHeadings, Pair, Potential, State, gyroscopic, heading};
 
@@ -33,17 +35,28 @@ pub struct SmoothVariant {
     at_cut: bool,
     /// Where a velocity is zero.
     at_rest: bool,
+    /// Heading differences wrapped to `(-pi, pi]`.
+    wrapped: bool,
 }
 
 /// The acceleration of agent 2 at (1, 0) with velocity (0, 1), for agent 1 at (0, 0) with this velocity; `V = 0`.
-fn second_acceleration(first: [Rational; 2]) -> Result<Interval, ArithmeticError> {
+fn second_acceleration(first: [Rational; 2], wrapped: bool) -> Result<Interval, ArithmeticError> {
     let enclose = |q: &Rational| Interval::from_rational(q, PRECISION);
     let q = |n: i64| rational(n, 1);
     let exact = State { positions: vec![[q(0), q(0)], [q(1), q(0)]], velocities: vec![first, [q(0), q(1)]] };
     let state = exact.map(enclose);
     let angles = [heading(&state.velocities[0])?, heading(&state.velocities[1])?];
     let none = vec![[enclose(&q(0)), enclose(&q(0))]; 2];
-    let accelerations = gyroscopic(&state, &none, &[(0, 1)], |i, j| angles[i].clone() - &angles[j])?;
+    let turn = angles[0].pi() * angles[0].integer(2);
+    let differ = |i: usize, j: usize| {
+        let raw = angles[i].clone() - &angles[j];
+        match raw.to_f64() {
+            x if wrapped && x > std::f64::consts::PI => raw - &turn,
+            x if wrapped && x < -std::f64::consts::PI => raw + &turn,
+            _ => raw,
+        }
+    };
+    let accelerations = gyroscopic(&state, &none, &[(0, 1)], differ)?;
     Ok(accelerations[1][0].clone())
 }
 
@@ -59,7 +72,7 @@ fn examine_smooth(variant: &SmoothVariant, run: &mut Run) -> Result<Outcome, Che
     let enclosures = run.every(evidence, meant, |(x, y)| {
         // Two velocities close by, one on each side.
         let near = |side: i64| [x, y].map(|k| rational(k, 1) + &step * rational(side, 1));
-        let change = second_acceleration(near(1))? - second_acceleration(near(-1))?;
+        let change = second_acceleration(near(1), variant.wrapped)? - second_acceleration(near(-1), variant.wrapped)?;
         let tenth = change.ratio(1, 10);
         let jumps = (change.clone() - &tenth).is_certainly_positive() || (change.clone() + tenth).is_certainly_negative();
         Ok(jumps.then(|| format!(
@@ -71,19 +84,20 @@ fn examine_smooth(variant: &SmoothVariant, run: &mut Run) -> Result<Outcome, Che
 }
 
 pub fn smooth() -> Record<SmoothVariant> {
+    let repaired = SmoothVariant { at_cut: false, at_rest: false, wrapped: false };
     Record::new(
         "tanner1.smooth",
         "The heading (2) jumps by 2 pi where a velocity passes the negative x axis, and theta_i - theta_j with it, so that the neighbours' accelerations jump; at zero velocity there is no heading. (Wrapped differences jump at opposite headings instead; only headings followed continuously leave the zero velocity alone as an exception.)",
-        SmoothVariant { at_cut: true, at_rest: true },
+        SmoothVariant { at_cut: true, at_rest: true, wrapped: false },
         examine_smooth,
     )
     .repaired(
         Fault::Hypothesis,
         "For smooth potentials the control laws are smooth at states where no velocity is zero or points along the negative x axis and no linked agents coincide.",
-        SmoothVariant { at_cut: false, at_rest: false },
+        repaired,
     )
-    .control("wherever no velocity is zero", SmoothVariant { at_cut: true, at_rest: false })
-    .control("wherever no velocity points along the negative x axis", SmoothVariant { at_cut: false, at_rest: true })
+    .control("with wrapped differences", SmoothVariant { wrapped: true, ..repaired })
+    .control("wherever no velocity points along the negative x axis", SmoothVariant { at_rest: true, ..repaired })
 }
 
 // --- Omega ---
@@ -127,38 +141,49 @@ pub fn closed() -> Record<ClosedVariant> {
     .control("in (r_ij, v_i), with the headings of (2)", ClosedVariant { from_velocities: true, ..printed })
 }
 
-/// Two agents with these potentials, linked or not.
+/// Graphs, a potential, and the range of the headings.
 #[derive(Clone)]
 pub struct BoundedVariant {
-    connected: bool,
+    graphs: fn(&Graph) -> bool,
     potential: Potential,
+    headings: HeadingVariant,
 }
 
-fn examine_bounded(variant: &BoundedVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence = Evidence::new(
-        Grade::Certified,
-        "boundedness of Omega",
-        "enclosures of V at the squared distances 1 and 10^40, leading terms of the slope",
-    );
-    let evidence = evidence.on([1, 2, 3]);
-    let value = |s: &Rational| variant.potential.value(&Interval::from_rational(s, PRECISION));
-    let rise = value(&rational(10, 1).pow(40))? - value(&rational(1, 1))?;
-    if !variant.connected || rise.to_f64() <= 10.0 {
-        let what =
-            "two agents with velocities (1, 0), distance 10^20: V_t exceeds its value at distance 1 by less than 10";
-        return Ok(Outcome::fails(what, evidence));
-    }
-    if let Err(problem) = variant.potential.check_definition3() {
-        return Ok(Outcome::Undecided(problem.to_string()));
-    }
+fn examine_bounded(variant: &BoundedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    let far = Interval::from_rational(&rational(10, 1).pow(40), PRECISION);
+    let rise = (variant.potential.value(&far)? - variant.potential.value(&far.one())?).to_f64();
+    let detail = "graphs of up to 4 agents, enclosures of V at the squared distances 1 and 10^40";
+    let evidence = Evidence::new(Grade::Certified, "distances", detail);
+    let graphs = (1..=4).flat_map(Graph::all).filter(|graph| (variant.graphs)(graph));
+    let distances = run.every(evidence, graphs, |graph| {
+        // One of the components 10^20 away from the others, or the ends of one edge.
+        Ok(if !graph.is_connected() {
+            Some(format!("{}: V_t does not see how far the components are apart", shown(&graph)))
+        } else {
+            (!graph.edges().is_empty() && rise <= 10.0)
+                .then(|| format!("{}: from distance 1 to 10^20 V_ij grows by {rise:.1} only", shown(&graph)))
+        })
+    })?;
+    // V_t >= |v_i|²/2, as no V_ij is negative.
+    let least = variant.potential.critical().and_then(|list| list.first().cloned());
+    let speeds = run.every(Evidence::new(Grade::Certified, "speeds", "the least value of V"), least, |s| {
+        let value = variant.potential.value(&Interval::from_rational(&s, PRECISION))?;
+        Ok((!value.is_certainly_positive()).then(|| "V_ij may be negative".to_string()))
+    })?;
     Run::all([
-        Ok(Outcome::Holds(vec![evidence])),
+        Ok(distances.on([1])),
+        Ok(speeds.on([2])),
+        Ok(headings(&variant.headings, run)?.on([3])),
         argued(&[1, 2, 3], "bounds", "notes/tanner1.md, The set Omega, steps 3 to 5"),
     ])
 }
 
 pub fn bounded() -> Record<BoundedVariant> {
-    let printed = BoundedVariant { connected: true, potential: printed_potential() };
+    let printed = BoundedVariant {
+        graphs: Graph::is_connected,
+        potential: printed_potential(),
+        headings: HeadingVariant::TwoArguments,
+    };
     Record::new(
         "tanner1.Omega.bounded",
         "V_ij >= 1 > 0, so V_t <= c bounds every V_ij and every speed. V_ij is unbounded as the distance grows, so linked distances are bounded and, along paths, all of them (by N - 1 times the bound). Not because V increases: it does not near 0 (tanner1.Vmono).",
@@ -171,11 +196,12 @@ pub fn bounded() -> Record<BoundedVariant> {
         "theta_i lies in [-pi, pi].",
     ])
     .reading("the potential of Figure 2")
-    .control("agents that are not linked", BoundedVariant { connected: false, ..printed })
+    .control("graphs with an edge", BoundedVariant { graphs: |graph| !graph.edges().is_empty(), ..printed.clone() })
     .control("V = 1/(2s²) - 1/s + 1/2, bounded", BoundedVariant {
-        connected: true,
         potential: sloped(&[(-2, 1), (-3, -1)], 0),
+        ..printed.clone()
     })
+    .control("headings in [0, 2 pi)", BoundedVariant { headings: HeadingVariant::Positive, ..printed })
 }
 
 // --- Collisions ---
@@ -192,6 +218,13 @@ fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcom
     let edges: [Pair; 2] = [(0, 1), (1, 2)];
     let meant = [(0, 1), (1, 2), (0, 2)].into_iter().filter(|pair| !variant.linked_only || edges.contains(pair));
     let detail = "the slope where they meet, exact, the path of three agents";
+    if !variant.potential.repels() {
+        let what = "V_ij does not tend to infinity as agents i and j approach each other";
+        return Ok(Outcome::fails(
+            what,
+            Evidence::new(Grade::Exact, "V_t where agents meet", "leading terms of the slope"),
+        ));
+    }
     let instances = run.instances("V_t where agents meet", detail, meant, |pair: Pair| {
         let mut places = [0, 1, 3].map(|x| [rational(x, 1), rational(0, 1)]);
         places[pair.1] = places[pair.0].clone();
@@ -205,9 +238,6 @@ fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcom
             pair.1 + 1
         )))
     })?;
-    if matches!(instances, Outcome::Holds(_)) && variant.potential.check_definition3().is_err() {
-        return Ok(Outcome::Undecided("no barrier".to_string()));
-    }
     let steps = "notes/tanner1.md, Energy, steps 4 and 5";
     Run::all([Ok(instances.on([1, 2])), argued(&[1, 2], "linked agents", steps)])
 }
@@ -225,15 +255,14 @@ pub fn collision() -> Record<CollisionVariant> {
     .reading("the potential of Figure 2, as for V_t and Omega")
     .repaired(
         Fault::Hypothesis,
-        "V_t tends to infinity where linked agents meet, and collisions of linked agents are avoided (all collisions, if the graph is complete).",
+        "",
         repaired.clone(),
     )
     .repaired_clauses(&[
         "V_t tends to infinity where linked agents meet.",
         "Collisions of linked agents are avoided (all collisions, if the graph is complete).",
     ])
-    .control("V = (s - 1)², linked agents", CollisionVariant { potential: soft(), ..repaired })
-    .control("V = s + 1/s - 2, all agents", CollisionVariant { potential: spring(), ..printed })
+    .control("V = (s - 1)²", CollisionVariant { potential: soft(), ..repaired })
 }
 
 // --- The ratios in the proof ---
@@ -306,13 +335,13 @@ pub fn ratio() -> Record<RatioVariant> {
     ])
     .repaired(
         Fault::Typo,
-        "yddot_i/xddot_i = ydot_i/xdot_i = k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).",
+        "",
         repaired,
     )
     .repaired_clauses(&[
         "d/dt (ydot_i/xdot_i) = 0 implies yddot_i/xddot_i = ydot_i/xdot_i = k (where the denominators are not zero).",
         "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).",
     ])
-    .control("xddot/xdot", RatioVariant { numerator: 2, denominator: 0, ..repaired })
+    .control("xddot/yddot", RatioVariant { numerator: 2, denominator: 3, ..repaired })
     .control("at any headings", RatioVariant { equal_headings: false, ..repaired })
 }

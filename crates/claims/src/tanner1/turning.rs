@@ -1,7 +1,8 @@
 //! tanner1.gyro, eq6, eq6b, eq7: what turns headings along the closed loop (1), (4), (5).
 
 use super::closed_loop::at_upwards;
-use crate::tanner2::fixtures::{argued, on_connected, total};
+use crate::argued::argued;
+use crate::tanner2::fixtures::{on_connected, total};
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field};

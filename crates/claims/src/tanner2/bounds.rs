@@ -1,7 +1,8 @@
 //! tanner2.bound_r, bound_v, eq7, cor2_sub: what an energy at most c bounds.
 
-use super::fixtures::{PLANE, argued, connected, pairs, quadratic, random_vectors, sloped, spring};
+use super::fixtures::{PLANE, connected, pairs, quadratic, random_vectors, sloped, spring};
 use super::graphs::{rational_spectrum, shown};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{ArithmeticError, Rational, rational};
@@ -108,11 +109,6 @@ fn distances(variant: &DistanceVariant, run: &Run) -> Result<Outcome, CheckError
     })
 }
 
-fn examine_distance(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let steps = "notes/tanner2.md, Bounds, steps 1 to 3";
-    Run::all([distances(variant, run), argued(&[1], "the bound of distances", steps)])
-}
-
 pub fn bound_r() -> Record<DistanceVariant> {
     Record::new(
         "tanner2.bound_r",
@@ -120,42 +116,58 @@ pub fn bound_r() -> Record<DistanceVariant> {
          and V^{-1} is that of the pair. Three agents in a row, 2 apart, with V = s + 1/s - 2 have W = 9/2, \
          and |r_13|² = 16, but V <= 9 only for s < 11. (At the distance 1 they have W = 0 and |r_13| = 2 > 1 = V^{-1}(0).) If V_12 and V_23 want the distance 10 and V_13 wants 1, then even (N - 1) V_13^{-1}(c) is too small.",
         DistanceVariant { inside: |n| rational(n - 1, 1), outside: |_| 1, own: true },
-        examine_distance,
+        |variant, run| { let steps = "notes/tanner2.md, Bounds, steps 1 to 3"; Run::all([distances(variant, run), argued(&[1], "the bound of distances", steps)]) },
     )
-    .reading("V^{-1}(c) is the largest distance at which V <= c")
+    .reading("V^{-1}(c) is the largest distance at which V <= c; N >= 2, as one agent has no edge")
     .repaired(
         Fault::Slip,
         "For a connected graph W <= c implies |r_ij| <= (N - 1) max_e V_e^{-1}(c) for all i, j, with the largest value over the edges e and V_e^{-1}(c) the largest distance at which V_e <= c.",
         DISTANCE,
     )
-    .control("(N - 2) max_e V_e^{-1}(c)", DistanceVariant { outside: |n| n - 2, ..DISTANCE })
+    .control("max_e V_e^{-1}(c)", DistanceVariant { outside: |_| 1, ..DISTANCE })
     .control("(N - 1) max_e V_e^{-1}(c/2)", DistanceVariant { inside: |_| rational(1, 2), ..DISTANCE })
     .control("(N - 1) V_ij^{-1}(c), of the pair itself", DistanceVariant { own: true, ..DISTANCE })
 }
 
 // --- |v_i|² <= factor c ---
 
-fn speeds(factor: &(i64, i64), run: &Run) -> Result<Outcome, CheckError> {
+/// `|v_i|² <= factor c`, or `|v_i - v_j|² <= factor c`.
+#[derive(Clone, Copy)]
+pub struct SpeedVariant {
+    factor: i64,
+    relative: bool,
+}
+
+/// The bound that holds.
+const SPEED: SpeedVariant = SpeedVariant { factor: 2, relative: false };
+
+fn speeds(variant: &SpeedVariant, run: &Run) -> Result<Outcome, CheckError> {
     let detail = "exact values for rows of up to 5 agents and random states";
     run.instances("the bound of speeds", detail, with_energy(run), |(graph, state, _, _, c)| {
-        let bound = &c * rational(factor.0, factor.1);
-        let fast = state.velocities.iter().find(|v| PLANE.square(v) > bound);
-        Ok(fast.map(|v| format!("{}, c = W = {c}: a speed squared is {}", shown(&graph), PLANE.square(v))))
+        let bound = &c * rational(variant.factor, 1);
+        let fast = if variant.relative {
+            let squares = pairs(graph.order()).map(|(i, j)| PLANE.square(&state.relative_velocity(i, j)));
+            squares.max().map(|square| (square, "a relative speed squared"))
+        } else {
+            state.velocities.iter().map(|v| PLANE.square(v)).max().map(|square| (square, "a speed squared"))
+        };
+        let fast = fast.filter(|(square, _)| *square > bound);
+        Ok(fast.map(|(square, what)| format!("{}, c = W = {c}: {what} is {square}", shown(&graph))))
     })
 }
 
-pub fn bound_v() -> Record<(i64, i64)> {
+pub fn bound_v() -> Record<SpeedVariant> {
     Record::new(
         "tanner2.bound_v",
         "W contains half of |v_i|²: W <= c gives |v_i|² <= 2c, and equality is reached (the others at rest, distances as desired, V >= 0 with minimum 0). \
          The factor 2 is missing in print; one agent is enough to see it.",
-        (1, 1),
-        |factor, run| {
-            Run::all([speeds(factor, run), argued(&[1], "the bound of speeds", "notes/tanner2.md, Bounds, step 4")])
+        SpeedVariant { factor: 1, ..SPEED },
+        |variant, run| {
+            Run::all([speeds(variant, run), argued(&[1], "the bound of speeds", "notes/tanner2.md, Bounds, step 4")])
         },
     )
-    .repaired(Fault::Slip, "W <= c implies v_i^T v_i <= 2c, yielding |v_i| <= sqrt(2c).", (2, 1))
-    .control("|v_i|² <= 19c/10", (19, 10))
+    .repaired(Fault::Slip, "W <= c implies v_i^T v_i <= 2c, yielding |v_i| <= sqrt(2c).", SPEED)
+    .control("|v_i - v_j|² <= 2c", SpeedVariant { relative: true, ..SPEED })
 }
 
 // --- Compactness ---
@@ -199,7 +211,7 @@ fn examine_compact(variant: &CompactVariant, run: &mut Run) -> Result<Outcome, C
     Run::all([
         Ok(far.on([1])),
         Ok(distances(&DISTANCE, run)?.on([1])),
-        Ok(speeds(&(2, 1), run)?.on([2])),
+        Ok(speeds(&SPEED, run)?.on([2])),
         argued(&[1, 2, 3], "Omega is bounded and closed", "notes/tanner2.md, Bounds, steps 1 to 5"),
     ])
 }
@@ -290,6 +302,7 @@ pub fn cor2_sub() -> Record<DissipationVariant> {
         printed,
         examine_dissipation,
     )
+    .reading("N >= 2: one agent has no lambda_2")
     .repaired(
         Fault::Typo,
         "For a connected graph Wdot <= -lambda_2 (|v_{x_n}|² + |v_{y_n}|²), with v_{x_n}, v_{y_n} normal to 1.",

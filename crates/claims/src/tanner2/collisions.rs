@@ -4,9 +4,10 @@
 //! velocities there and follow the motion back; a moment before, they were apart. Where the energy is infinite instead, it
 //! cannot.
 
-use super::fixtures::{PLANE, SMOOTH, argued, connected, energy_decreases, pairs, soft, spring};
+use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, pairs, soft, spring};
 use super::graphs::shown;
 use super::nonsmooth::{HullVariant, hulls};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use arithmetic::{Rational, rational};
 use ledger::{CheckError, Outcome, Record, Run};

@@ -1,6 +1,7 @@
 //! tanner2.eq6, eq8, eq9, cor2_decomp, S_config, eq14, vdotB: the energy and its rate of change on a fixed graph.
 
-use super::fixtures::{PLANE, argued, energy_decreases, on_connected, quadratic, spring, total};
+use super::fixtures::{PLANE, energy_decreases, on_connected, quadratic, spring, total};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::identity::RationalIdentity;
@@ -231,7 +232,6 @@ pub fn eq6() -> Record<MechanicalVariant> {
 #[derive(Clone, Copy)]
 pub struct PartVariant {
     mean: bool,
-    axes: usize,
     power: usize,
 }
 
@@ -248,7 +248,7 @@ impl RationalIdentity for Part {
         if self.1.power == 2 {
             matrix = matrix.times(&matrix).map_err(|_| ArithmeticError::Domain("a square matrix"))?;
         }
-        let form = (0..self.1.axes).map(|k| {
+        let form = (0..2).map(|k| {
             let v = flock.axis(k);
             let mean = total(&at[0], v.iter().cloned()) * at[0].ratio(1, v.len() as i64);
             let part: Vec<T> = v.iter().map(|x| if self.1.mean { mean.clone() } else { x.clone() - &mean }).collect();
@@ -259,7 +259,7 @@ impl RationalIdentity for Part {
 }
 
 pub fn cor2_decomp() -> Record<PartVariant> {
-    let printed = PartVariant { mean: false, axes: 2, power: 1 };
+    let printed = PartVariant { mean: false, power: 1 };
     Record::new(
         "tanner2.cor2_decomp",
         "L 1 = 0 and L is symmetric, so the part of v_x along 1 drops out of v_x^T L v_x; the same for v_y.",
@@ -272,7 +272,6 @@ pub fn cor2_decomp() -> Record<PartVariant> {
         },
     )
     .control("the parts along 1", PartVariant { mean: true, ..printed })
-    .control("without v_y", PartVariant { axes: 1, ..printed })
     .control("L² in place of L", PartVariant { power: 2, ..printed })
 }
 
@@ -381,7 +380,7 @@ impl RationalIdentity for Momentum {
 fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let momentum =
         on_connected(run, most(run), "the accelerations sum to zero", |graph| Momentum(graph, variant.mutual));
-    let momentum = momentum.map(|outcome| outcome.on([1, 3]));
+    let momentum = momentum.map(|outcome| outcome.on([1]));
     if variant.invariant {
         let steps = "notes/tanner2.md, Identities, step 4";
         return Run::all([momentum, argued(&[1, 2, 3], "accelerations in the invariant set", steps)]);
@@ -419,11 +418,11 @@ pub fn eq14() -> Record<SteadyVariant> {
 
 // --- vdot = -(B kron I_2) grad V ---
 
-/// `vdot = sign (B kron I_2) [grad_{r_ij} V_ij]`; in `B` the entry of the vertex an edge leaves is `outgoing`.
+/// `vdot = factor (B kron I_2) [grad_{r_ij} V_ij]`; in `B` the entry of the vertex an edge leaves is -1, that of the one it enters `incoming`.
 #[derive(Clone, Copy)]
 pub struct IncidenceVariant {
-    sign: i64,
-    outgoing: i64,
+    factor: i64,
+    incoming: i64,
 }
 
 struct ByIncidence(Graph, IncidenceVariant);
@@ -440,16 +439,16 @@ impl RationalIdentity for ByIncidence {
         let mut right: Vec<[T; 2]> = vec![[at[0].zero(), at[0].zero()]; self.0.order()];
         for (&(i, j), (gradient, _)) in flock.edges.iter().zip(&flock.pair_gradients()?) {
             // The arc from i to j.
-            let entry = scaled(&at[0].integer(self.1.sign * self.1.outgoing), gradient);
-            right[i] = sum(&right[i], &entry);
-            right[j] = difference(&right[j], &entry);
+            let entry = |weight: i64| scaled(&at[0].integer(self.1.factor * weight), gradient);
+            right[i] = sum(&right[i], &entry(-1));
+            right[j] = sum(&right[j], &entry(self.1.incoming));
         }
         Ok((left, right.into_iter().flatten().collect()))
     }
 }
 
 pub fn vdot_b() -> Record<IncidenceVariant> {
-    let printed = IncidenceVariant { sign: -1, outgoing: -1 };
+    let printed = IncidenceVariant { factor: -1, incoming: 1 };
     Record::new(
         "tanner2.vdotB",
         "The edge (i, j) is an arc from i to j, so in its column of B the entry of i is -1 and that of j is 1 (Section 2.1). As grad_{r_ij} V_ij = grad_{r_i} V_ij, \
@@ -464,8 +463,8 @@ pub fn vdot_b() -> Record<IncidenceVariant> {
     .repaired(
         Fault::Slip,
         "Where all velocities are equal, vdot = (B kron I_2) [..., grad_{r_ij} V_ij, ...]^T with B as in Section 2.1 (or the minus sign with 1 for outgoing edges).",
-        IncidenceVariant { sign: 1, outgoing: -1 },
+        IncidenceVariant { factor: 1, ..printed },
     )
-    .control("plus, with 1 for outgoing edges", IncidenceVariant { sign: 1, outgoing: 1 })
-    .control("twice", IncidenceVariant { sign: 2, outgoing: -1 })
+    .control("-1 for incoming edges too", IncidenceVariant { factor: 1, incoming: -1 })
+    .control("twice", IncidenceVariant { factor: 2, ..printed })
 }

@@ -8,7 +8,7 @@
 use super::fixtures::sloped;
 use arithmetic::rational;
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
-use models::double_integrator::{LinkRule, Potential, Setup, Trial};
+use models::double_integrator::{LinkRule, Setup, Trial};
 use motion::Share;
 
 /// Fixed random graphs.
@@ -80,6 +80,9 @@ pub struct FigureVariant {
     parts: &'static [Part],
 }
 
+/// No links, whatever the distances.
+const NONE: Reading = plain(LinkRule::Within { radius: 1e-6, connected: false });
+
 pub(crate) fn other(error: impl std::fmt::Display) -> CheckError {
     CheckError::Other(error.to_string())
 }
@@ -107,11 +110,9 @@ fn examine(variant: &FigureVariant, run: &mut Run) -> Result<Outcome, CheckError
 /// The runs under one reading.
 fn trials(reading: &Reading, repulsive: bool, run: &Run) -> Result<Vec<Trial>, CheckError> {
     let mut setup = Setup::velocity_alignment(reading.links);
+    setup.potential = setup.potential.times(&rational(1, reading.weaker));
     if repulsive {
         setup.potential = sloped(&[(-2, -1)], 1);
-    } else if reading.weaker != 1 {
-        let share = |c: i64| rational(c, reading.weaker);
-        setup.potential = Potential::new(vec![(-2, share(-1)), (-1, share(1))], (rational(1, 1), share(1)));
     }
     (0..run.cases(40, 200) as u64)
         .map(|seed| {
@@ -135,10 +136,11 @@ pub fn fig4() -> Record<FigureVariant> {
         examine,
     )
     .reading("a report of a run: typical, more than half of all runs whatever the potential, which is not given (notes/guarantees.md)")
-    .control(
-        "without links",
-        FigureVariant { readings: const { &[plain(LinkRule::Within { radius: 1e-6, connected: false })] }, ..printed },
-    )
+    .control("without links", FigureVariant { readings: &[NONE], ..printed })
+    .control("links within 1 m", FigureVariant {
+        readings: const { &[plain(LinkRule::Within { radius: 1.0, connected: false })] },
+        ..printed
+    })
 }
 
 pub fn fig4_close() -> Record<FigureVariant> {
@@ -155,7 +157,8 @@ pub fn fig4_close() -> Record<FigureVariant> {
         examine,
     )
     .reading("\"may\": a positive share of the runs (notes/guarantees.md)")
-    .control("on the complete graph", FigureVariant { readings: const { &[plain(LinkRule::Complete)] }, ..printed })
+    .control("without links", FigureVariant { readings: &[NONE], ..printed })
+    .control("links within 2 m", FigureVariant { readings: &[FROM_ANY], ..printed })
 }
 
 pub fn fig5() -> Record<FigureVariant> {
@@ -183,6 +186,10 @@ pub fn fig5() -> Record<FigureVariant> {
     ])
     .reading("a report of a run: typical, more than half of all runs, from connected starts and from any, since the text says neither (notes/guarantees.md)")
     .control("with V = 1/s, which only repels", FigureVariant { repulsive: true, ..printed })
+    .control("links within half a metre", FigureVariant {
+        readings: const { &[plain(LinkRule::Within { radius: 0.5, connected: false })] },
+        ..printed
+    })
 }
 
 pub fn fig6() -> Record<FigureVariant> {
@@ -211,4 +218,5 @@ pub fn fig6() -> Record<FigureVariant> {
     ])
     .reading("\"may\" and \"can\": a positive share of the runs from connected starts, since only what is connected can be lost (notes/guarantees.md)")
     .control("links within 20 m", FigureVariant { readings: const { &[plain(LinkRule::Within { radius: 20.0, connected: true })] }, ..printed })
+    .control("on fixed connected graphs", FigureVariant { readings: const { &[plain(FIXED)] }, ..printed })
 }

@@ -1,7 +1,8 @@
 //! tanner2.eq10_exist, appA.def4, appA_uniq, appA.thm4: solutions of equations with discontinuous right-hand sides.
 
 use super::figures::other;
-use super::fixtures::{PLANE, argued, spring};
+use super::fixtures::{PLANE, spring};
+use crate::argued::argued;
 use arithmetic::{Rational, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Kink, Pair, Span, State, Way, fork, linked_within, tied};
@@ -37,36 +38,47 @@ impl Step {
 
 // --- Uniqueness for measurable fields ---
 
-/// The class of fields for which solutions are said to be unique.
+/// The class of fields for which solutions are said to be unique, and whether backwards in time too.
 #[derive(Clone, Copy)]
-pub struct UniqueVariant(fn(i64, i64) -> bool);
+pub struct UniqueVariant {
+    fields: fn(i64, i64) -> bool,
+    backwards: bool,
+}
 
 fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fields = Step::all().filter(|field| variant.0(field.left, field.right));
+    let fields = Step::all().filter(|field| (variant.fields)(field.left, field.right));
     let detail = "the inclusion checked for x = ct, step fields with values -1, 0, 1";
     let rays = run.instances("solutions from the jump", detail, fields, |field| {
-        let (left, right, rays) = (field.left, field.right, field.rays());
-        Ok((rays.len() != 1).then(|| format!(
-            "f(x) = {left} for x < 0 and {right} for x >= 0 is measurable and bounded; from x(0) = 0 there are the solutions x = ct with c = {rays:?}"
-        )))
+        let Step { left, right } = field;
+        let into: Vec<i64> = Step { left: -left, right: -right }.rays();
+        Ok(if field.rays().len() != 1 {
+            Some(format!(
+                "f(x) = {left} for x < 0 and {right} for x >= 0 is measurable and bounded; from x(0) = 0 there are the solutions x = ct with c = {:?}",
+                field.rays()
+            ))
+        } else {
+            let several = variant.backwards && into.len() != 1;
+            several.then(|| format!("f(x) = {left} for x < 0 and {right} for x >= 0: x = -ct with c = {into:?} all end in x(0) = 0"))
+        })
     });
     Run::all([rays, argued(&[1], "one-sided bounds", "notes/tanner2.md, Appendix, step 1")])
 }
 
 pub fn uniqueness() -> Record<UniqueVariant> {
+    let repaired = UniqueVariant { fields: |left, right| right <= left, backwards: false };
     Record::new(
         "tanner2.appA_uniq",
         "Measurability (with local boundedness) gives existence only. f = sign(x) has the Filippov solutions t, -t and 0 from 0. Uniqueness needs a one-sided bound, (f(x) - f(y)).(x - y) <= l |x - y|² for almost \
          all x, y (Filippov): then the distance of two solutions grows at most like exp(lt).",
-        UniqueVariant(|_, _| true),
+        UniqueVariant { fields: |_, _| true, backwards: false },
         examine_unique,
     )
     .repaired(
         Fault::False,
         "Solutions of xdot = f(x) are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x - y|² for almost all x, y near each point.",
-        UniqueVariant(|left, right| right <= left),
+        repaired,
     )
-    .control("increasing fields", UniqueVariant(|left, right| right >= left))
+    .control("backwards in time too", UniqueVariant { backwards: true, ..repaired })
 }
 
 // --- Definition 4 ---
@@ -80,8 +92,6 @@ pub enum SolutionVariant {
     Member,
     /// `xdot` is one of the limits of `f`, without the hull.
     Limit,
-    /// `xdot = f(x)`.
-    Classical,
 }
 
 fn examine_solution(variant: &SolutionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -93,7 +103,6 @@ fn examine_solution(variant: &SolutionVariant, run: &mut Run) -> Result<Outcome,
                 SolutionVariant::Equal => span.lo == rate && span.hi == rate,
                 SolutionVariant::Member => span.contains(&rate),
                 SolutionVariant::Limit => span.lo == rate || span.hi == rate,
-                SolutionVariant::Classical => c == if c < 0 { field.left } else { field.right },
             }
         };
         let at = field.inclusion(0);
@@ -119,7 +128,6 @@ pub fn definition4() -> Record<SolutionVariant> {
         SolutionVariant::Member,
     )
     .control("without the convex hull", SolutionVariant::Limit)
-    .control("xdot = f(x)", SolutionVariant::Classical)
 }
 
 // --- Theorem 4 ---
@@ -294,7 +302,7 @@ pub fn existence() -> Record<StartVariant> {
     )
     .repaired(
         Fault::False,
-        "From every start in which no two agents are in one place (10) has a solution for all time. It is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",
+        "",
         StartVariant::Crossing,
     )
     .repaired_clauses(&[

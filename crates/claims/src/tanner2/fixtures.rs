@@ -4,7 +4,7 @@ use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Outcome, Run};
+use ledger::{CheckError, Outcome, Run};
 use models::double_integrator::{AnyPotentials, Coordinates, Pair, Potential, disagreements, dot, scaled, sum};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
@@ -63,11 +63,6 @@ pub(crate) fn quadratic<T: Field>(matrix: &RationalMatrix, x: &[T]) -> T {
     let term = |(i, j): (usize, usize)| x[i].clone() * &x[j] * x[i].rational(&matrix.entry(i, j));
     let entries = (0..x.len()).flat_map(|i| (0..x.len()).map(move |j| (i, j)));
     total(&x[0], entries.filter(|&(i, j)| !num_traits::Zero::is_zero(&matrix.entry(i, j))).map(term))
-}
-
-/// What a proof on paper covers for all parameters: a section of the notes and its steps.
-pub(crate) fn argued(clauses: &[usize], part: &str, steps: &str) -> Result<Outcome, CheckError> {
-    Ok(Outcome::Holds(vec![Evidence::argued(part, steps).on(clauses)]))
 }
 
 /// Runs an identity on connected graphs of up to `most` agents, one of each class.

@@ -1,6 +1,7 @@
 //! tanner2.L, rangeB, cor2_merris, and the same statements of tanner1: Laplacians and incidence matrices.
 
-use super::fixtures::{argued, connected, pairs};
+use super::fixtures::{connected, pairs};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, rational};

@@ -1,9 +1,10 @@
 //! tanner2.thm1a, thm1c, sec4.flocking, def3, cor1, thm2_vel, thm2_pot: where the motions go.
 
 use super::agentwise::swing;
-use super::fixtures::{PLANE, SMOOTH, argued, connected, energy_decreases, printed as logarithmic, sloped, spring};
+use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, printed as logarithmic, sloped, spring};
 use super::motions::{inflected_pair, motions, pair, paths, row_of_three, triangle};
 use super::nonsmooth::{HullVariant, hulls};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use arithmetic::{Rational, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
@@ -131,6 +132,8 @@ pub fn thm1c() -> Record<LimitVariant> {
 pub struct ManifoldVariant {
     complete: bool,
     minima: bool,
+    /// The alignment of (4) times this.
+    damping: i64,
 }
 
 fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -155,18 +158,19 @@ fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome,
     })?;
     Run::all([
         Ok(equilibria.on([1, 2])),
-        Ok(energy_decreases(run, 1)?.on([1])),
+        Ok(energy_decreases(run, variant.damping)?.on([1])),
         argued(&[1, 2], "isolated minima", "notes/tanner2.md, Theorem 1, steps 1 and 7"),
     ])
 }
 
 pub fn flocking() -> Record<ManifoldVariant> {
+    let repaired = ManifoldVariant { complete: true, minima: true, damping: 1 };
     Record::new(
         "tanner2.sec4.flocking",
         "Definition 1 forbids collisions of any two agents. On the path 1-2-3 agents 1 and 3 do not know each other, and the equilibrium with both in the same place belongs to the manifold. \
          On the complete graph nobody collides, but the equilibria include saddles (three agents in a row), which are not stable. A minimum has to be isolated among the critical configurations: \
          V' = (s - 1)³ sin²(1/(s - 1))/s² has a strict minimum at s = 1 with other equilibria as near as one likes.",
-        ManifoldVariant { complete: false, minima: false },
+        ManifoldVariant { complete: false, minima: false, damping: 1 },
         examine_manifold,
     )
     .clauses(&[
@@ -175,15 +179,15 @@ pub fn flocking() -> Record<ManifoldVariant> {
     ])
     .repaired(
         Fault::False,
-        "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j), in which no two agents are in one place.",
-        ManifoldVariant { complete: true, minima: true },
+        "",
+        repaired,
     )
     .repaired_clauses(&[
         "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
         "In them no two agents are in one place.",
     ])
-    .control("all equilibria of the complete graph", ManifoldVariant { complete: true, minima: false })
-    .control("minima on any connected graph", ManifoldVariant { complete: false, minima: true })
+    .control("all equilibria of the complete graph", ManifoldVariant { minima: false, ..repaired })
+    .control("alignment with the other sign", ManifoldVariant { damping: -1, ..repaired })
 }
 
 // --- Definition 3 and Corollary 1 ---
@@ -286,7 +290,7 @@ pub fn cor1() -> Record<SetpointVariant> {
     .reading("distances of linked agents; potentials with a continuous gradient")
     .repaired(
         Fault::Hypothesis,
-        "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value: B has independent columns, so that every grad_{r_ij} V_ij tends to 0, and V_ij' = 0 at the desired distance only.",
+        "",
         repaired,
     )
     .repaired_clauses(&[

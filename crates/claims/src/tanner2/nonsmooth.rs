@@ -1,6 +1,7 @@
 //! tanner2.lem1, lem2, Q, Qjump, Qdot, eq13, eq13.interval: the saturated potential and the energy Q.
 
-use super::fixtures::{PLANE, argued, energy_decreases, printed as logarithmic, random_vectors, spring};
+use super::fixtures::{PLANE, energy_decreases, printed as logarithmic, random_vectors, spring};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
@@ -20,40 +21,50 @@ fn show(span: &Span<Rational>) -> String {
 
 // --- Lemma 1 ---
 
-/// Regularity of `sign U` in these directions.
+/// Regularity of `U` at R, or its two derivatives and the regularity of `-U`.
 #[derive(Clone, Copy)]
 pub struct RegularVariant {
-    sign: i64,
-    directions: &'static [i64],
+    regular: bool,
+    threshold: (i64, i64),
+    /// `U°(R; w)` as a function of `cw`.
+    generalised: fn(Rational) -> Rational,
 }
 
 fn examine_regular(variant: &RegularVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let (potential, threshold) = (spring(), rational(2, 1));
+    let (potential, threshold) = (spring(), rational(variant.threshold.0, variant.threshold.1));
     let kink = kink_at(&potential, &threshold)?;
-    let kink = if variant.sign < 0 { kink.negated() } else { kink };
-    // The upper limit is approached by difference quotients on one side: |quotient - clarke| = O(t).
-    let (sign, step) = (rational(variant.sign, 1), rational(1, 1 << 20));
+    let (zero, step) = (rational(0, 1), rational(1, 1 << 20));
     let value = |r: &Rational| -> Result<Rational, ArithmeticError> {
         let r = r.min(&threshold);
-        Ok(potential.rational_value(&(r * r))? * &sign)
+        potential.rational_value(&(r * r))
     };
+    // The upper limit is approached by difference quotients on one side: |quotient - clarke| = O(t).
     let quotient = |w: &Rational, side: i64| -> Result<Rational, ArithmeticError> {
         let y = &threshold + &step * rational(side, 1);
         Ok((value(&(&y + &step * w))? - value(&y)?) / &step)
     };
-    let (part, detail) =
-        ("one-sided and generalised derivatives at R", "V = s + 1/s - 2, R = 2; difference quotients agree");
-    let derivatives = run.instances(part, detail, variant.directions, |&w| {
+    let near = |a: &Rational, b: &Rational| num_traits::Signed::abs(&(a - b)) < rational(1, 100);
+    let (part, detail) = ("one-sided and generalised derivatives at R", "V = s + 1/s - 2; difference quotients agree");
+    let derivatives = run.instances(part, detail, [1, -1], |w| {
         let w = rational(w, 1);
-        let (one_sided, clarke) = (kink.directional(&w), kink.clarke(&w));
-        let best = quotient(&w, -2)?.max(quotient(&w, 2)?);
-        let near = num_traits::Signed::abs(&(best - &clarke)) < rational(1, 1000);
-        Ok((!near || one_sided != clarke).then(|| {
-            format!("V = s + 1/s - 2 with s = r², R = 2, w = {w}: U'(R; w) = {one_sided}, but U°(R; w) = {clarke}")
+        let (one_sided, clarke, negated) = (kink.directional(&w), kink.clarke(&w), kink.negated());
+        let quotients = near(&quotient(&w, 0)?, &one_sided) && near(&quotient(&w, -2)?.max(quotient(&w, 2)?), &clarke);
+        let cw = &kink.left * &w;
+        let agrees = if variant.regular {
+            one_sided == clarke
+        } else {
+            one_sided == cw.clone().min(zero.clone())
+                && clarke == (variant.generalised)(cw)
+                && negated.directional(&w) == negated.clarke(&w)
+        };
+        Ok((!quotients || !agrees).then(|| {
+            format!(
+                "V = s + 1/s - 2 with s = r², R = {threshold}, w = {w}: U'(R; w) = {one_sided}, but U°(R; w) = {clarke}"
+            )
         }))
     })?;
     // The printed statement is one clause, the corrected one three.
-    if variant.sign > 0 {
+    if variant.regular {
         return Ok(derivatives.on([1]));
     }
     Run::all([
@@ -63,52 +74,50 @@ fn examine_regular(variant: &RegularVariant, run: &mut Run) -> Result<Outcome, C
 }
 
 pub fn lem1() -> Record<RegularVariant> {
+    let repaired = RegularVariant { regular: false, threshold: (2, 1), generalised: |cw| cw.max(rational(0, 1)) };
     Record::new(
         "tanner2.lem1",
         "Let c = V_r(R) > 0. One-sided: U'(R; w) = 0 for w > 0 and cw for w < 0. Generalised: base points y < R give quotients that tend to cw, base points y > R give 0, so \
          U°(R; w) = max(0, cw): it differs in both directions. The printed proof bounds U(y') by V_R but keeps y' >= R for w > 0, and for w < 0 overlooks y > R. \
          A kink where an increasing function becomes flat is concave; regular is its negative. (U is regular where it is smooth, and at a convex kink, R below the desired distance.)",
-        RegularVariant { sign: 1, directions: &[1, -1] },
+        RegularVariant { regular: true, ..repaired },
         examine_regular,
     )
     .repaired(
         Fault::False,
-        "For V with a continuous derivative and c = V_r(R) > 0 the saturated potential U_ij is regular at every distance but R; at R -U_ij is regular; U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
-        RegularVariant { sign: -1, directions: &[1, -1] },
+        "",
+        repaired,
     )
     .repaired_clauses(&[
         "For V with a continuous derivative the saturated potential U_ij is regular at every distance but R.",
-        "With c = V_r(R) > 0, -U_ij is regular at R.",
-        "For V with a continuous derivative U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
+        "For such V with c = V_r(R) > 0 -U_ij is regular at R.",
+        "For V with a continuous derivative and c = V_r(R) > 0 U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
     ])
-    .control("in the outward direction", RegularVariant { sign: 1, directions: &[1] })
-    .control("in the inward direction", RegularVariant { sign: 1, directions: &[-1] })
+    .control("R below the desired distance, c < 0", RegularVariant { threshold: (1, 2), ..repaired })
+    .control("U°(R; w) = cw", RegularVariant { generalised: |cw| cw, ..repaired })
 }
 
 // --- Lemma 2 ---
 
-/// What the generalised gradient at R is said to be.
+/// What the generalised gradient at R is said to be: empty, or all `z` from some number to another, times the slope.
 #[derive(Clone, Copy)]
-pub enum GradientVariant {
-    /// Empty.
-    Empty,
-    /// All `z` from `lo` to `hi` times the slope.
-    Between((i64, i64), (i64, i64)),
+pub struct GradientVariant {
+    between: Option<(i64, i64)>,
+    thresholds: [(i64, i64); 2],
 }
 
 fn examine_gradient(variant: &GradientVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let potentials = [spring(), logarithmic()];
-    let settings = potentials
-        .iter()
-        .flat_map(|potential| [rational(2, 1), rational(3, 2)].map(move |threshold| (potential, threshold)));
+    let settings =
+        potentials.iter().flat_map(|potential| variant.thresholds.map(move |(p, q)| (potential, rational(p, q))));
     let detail = "values for two potentials and two thresholds; the set {z: U'(R; w) >= z w for all w}, which the printed proof finds, is empty";
     let gradients = run.instances("the generalised gradient at R", detail, settings, |(potential, threshold)| {
         let kink = kink_at(potential, &threshold)?;
         let found = kink.gradient();
-        let part = |(n, d): (i64, i64)| &kink.left * rational(n, d);
-        let agrees = match *variant {
-            GradientVariant::Empty => found.is_empty(),
-            GradientVariant::Between(lo, hi) => found == Span { lo: part(lo), hi: part(hi) },
+        let part = |n: i64| &kink.left * rational(n, 1);
+        let agrees = match variant.between {
+            None => found.is_empty(),
+            Some((lo, hi)) => found == Span { lo: part(lo), hi: part(hi) },
         };
         Ok((!agrees || !kink.subgradient().is_empty()).then(|| format!(
             "V_r(R) = {} at R = {threshold}: the generalised gradient of U(r) is {}, so that of r_i is the segment from 0 to grad_{{r_i}} V_ij",
@@ -116,34 +125,33 @@ fn examine_gradient(variant: &GradientVariant, run: &mut Run) -> Result<Outcome,
             show(&found)
         )))
     })?;
-    match variant {
-        GradientVariant::Empty => Ok(gradients.on([1])),
-        GradientVariant::Between(..) => Run::all([
-            Ok(gradients.on([1])),
-            argued(&[1, 2], "the gradient", "notes/tanner2.md, Lemmas 1 and 2, steps 2 to 4"),
-        ]),
+    if variant.between.is_none() {
+        return Ok(gradients.on([1]));
     }
+    let steps = "notes/tanner2.md, Lemmas 1 and 2, steps 2 to 4";
+    Run::all([Ok(gradients.on([1])), argued(&[1, 2], "the gradient", steps)])
 }
 
 pub fn lem2() -> Record<GradientVariant> {
+    let repaired = GradientVariant { between: Some((0, 1)), thresholds: [(2, 1), (3, 2)] };
     Record::new(
         "tanner2.lem2",
         "The generalised gradient of a locally Lipschitz function is never empty (Clarke): it is the hull of the limits of gradients, here of 0 and grad_{r_i} V_ij. The printed proof puts \
          U'(R; w) in place of U°(R; w), which Lemma 1 wrongly says is the same.",
-        GradientVariant::Empty,
+        GradientVariant { between: None, ..repaired },
         examine_gradient,
     )
     .repaired(
         Fault::False,
-        "For V with a continuous derivative and c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R; with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
-        GradientVariant::Between((0, 1), (1, 1)),
+        "",
+        repaired,
     )
     .repaired_clauses(&[
         "For V with a continuous derivative and c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R.",
         "For such V, with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
     ])
-    .control("0 alone", GradientVariant::Between((0, 1), (0, 1)))
-    .control("grad V alone", GradientVariant::Between((1, 1), (1, 1)))
+    .control("R below the desired distance, c < 0", GradientVariant { thresholds: [(1, 2), (2, 3)], ..repaired })
+    .control("grad V alone", GradientVariant { between: Some((1, 1)), ..repaired })
 }
 
 // --- Equation (11) ---
@@ -330,8 +338,8 @@ pub enum HullVariant {
     Equal,
     /// The value of the graph with every tied pair linked.
     Linked,
-    /// The value of the graph with no tied pair linked.
-    Unlinked,
+    /// Below zero.
+    Negative,
 }
 
 /// Two and three agents, no pair, one pair, two pairs at the threshold, with the rates at rest and at random velocities.
@@ -376,7 +384,7 @@ pub(super) fn hulls(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckEr
             }
             HullVariant::Equal => derivative == hull,
             HullVariant::Linked => derivative.is_within(&point(state.all_linked())),
-            HullVariant::Unlinked => derivative.is_within(&point(state.base.clone())),
+            HullVariant::Negative => derivative.is_empty() || derivative.hi < rational(0, 1),
         };
         let (derivative, hull) = (show(&derivative), show(&hull));
         Ok((!agrees).then(|| format!("{name}: the generalised derivative of Q is {derivative}, the hull {hull}")))
@@ -404,7 +412,7 @@ pub fn eq13() -> Record<HullVariant> {
     .reading("(A.2) with the true gradient of Lemma 2, which is not empty, and K of the whole vector field (Definition 4), not agent by agent as in (10b)")
     .control("equality", HullVariant::Equal)
     .control("the value with tied pairs linked", HullVariant::Linked)
-    .control("the value with tied pairs not linked", HullVariant::Unlinked)
+    .control("q < 0", HullVariant::Negative)
 }
 
 /// What the right side of (13) is said to be.
@@ -414,10 +422,8 @@ pub enum IntervalVariant {
     ToZero,
     /// `[e, 0]` with `e <= 0`.
     ToZeroOrPoint,
-    /// `[e, f]` with `e <= f <= 0`, the number `-v^T (L kron I_2) v` away from ties.
-    NonPositive,
-    /// `[e, f]` with `e <= f < 0`.
-    Negative,
+    /// `[e, f]` with `e <= f <= 0`, this multiple of `-v^T (L kron I_2) v` away from ties.
+    NonPositive(i64),
 }
 
 fn examine_interval(variant: &IntervalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -427,16 +433,16 @@ fn examine_interval(variant: &IntervalVariant, run: &mut Run) -> Result<Outcome,
         let agrees = match variant {
             IntervalVariant::ToZero => hull.hi == zero && hull.lo < zero,
             IntervalVariant::ToZeroOrPoint => hull.hi == zero,
-            IntervalVariant::NonPositive => {
-                let point = hull.lo == state.base && hull.hi == state.base;
+            IntervalVariant::NonPositive(factor) => {
+                let base = &state.base * rational(*factor, 1);
+                let point = hull.lo == base && hull.hi == base;
                 hull.lo <= hull.hi && hull.hi <= zero && (point || !state.ties.is_empty())
             }
-            IntervalVariant::Negative => hull.hi < zero,
         };
         Ok((!agrees).then(|| format!("{name}: the right side of (13) is {}", show(&hull))))
     })?;
     Ok(match variant {
-        IntervalVariant::NonPositive => Run::all([
+        IntervalVariant::NonPositive(_) => Run::all([
             Ok(sides.on([1, 2])),
             argued(&[1, 2], "a sum of squares", "notes/tanner2.md, Equation (13), step 5"),
         ])?,
@@ -454,13 +460,13 @@ pub fn eq13_interval() -> Record<IntervalVariant> {
     )
     .repaired(
         Fault::Slip,
-        "The right side of (13) is an interval [e, f] with e <= f <= 0; away from ties e = f = -v^T (L kron I_2) v.",
-        IntervalVariant::NonPositive,
+        "",
+        IntervalVariant::NonPositive(1),
     )
     .repaired_clauses(&[
         "The right side of (13) is an interval [e, f] with e <= f <= 0.",
         "Away from ties e = f = -v^T (L kron I_2) v.",
     ])
     .control("[e, 0] with e <= 0", IntervalVariant::ToZeroOrPoint)
-    .control("[e, f] with f < 0", IntervalVariant::Negative)
+    .control("twice the form away from ties", IntervalVariant::NonPositive(2))
 }

@@ -1,7 +1,8 @@
 //! tanner2.cor2_rate: how fast velocities agree, by exact linearisations.
 
-use super::fixtures::{PLANE, argued, connected, sloped};
+use super::fixtures::{PLANE, connected, sloped};
 use super::graphs::{rational_spectrum, shown};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use algebra::spectrum::Polynomial;
@@ -153,16 +154,16 @@ pub fn rate() -> Record<RateVariant> {
         "The algebraic connectivity lambda_2 determines the convergence rate.",
         "Increasing the connectivity of the neighboring graph results in faster convergence.",
     ])
-    .reading("the rate at which the flock approaches its limit")
+    .reading("the rate at which the flock approaches its limit; N >= 2, as one agent has no lambda_2")
     .repaired(
         Fault::False,
-        "On a connected graph without potentials |v - mean| <= exp(-lambda_2 t) |v(0) - mean|, with equality for eigenvectors of lambda_2, and a new edge never lowers lambda_2. With potentials lambda_2 does not determine the rate, and a new edge may lower it: of the linearised loop with V = k(s + 1/s - 2) at the desired distances all modes of two agents but those of rate 0 decay faster than exp(-t/2) for k = 1 and not for k = 1/32, and for k = 1/32 all such modes of the path of three in a row decay faster than exp(-t/5) and those of the triangle do not.",
+        "",
         repaired,
     )
     .repaired_clauses(&[
         "On a connected graph without potentials |v - mean| <= exp(-lambda_2 t) |v(0) - mean|, with equality for eigenvectors of lambda_2.",
         "A new edge never lowers lambda_2.",
-        "Of the linearised loop with V = k(s + 1/s - 2) at the desired distances all modes of two agents but those of rate 0 decay faster than exp(-t/2) for k = 1 and not for k = 1/32, and for k = 1/32 all such modes of the path of three in a row decay faster than exp(-t/5) and those of the triangle do not.",
+        "With potentials lambda_2 does not determine the rate, and a new edge may lower it: of the linearised loop with V = k(s + 1/s - 2) at the desired distances all modes of two agents but those of rate 0 decay faster than exp(-t/2) for k = 1 and not for k = 1/32, and for k = 1/32 all such modes of the path of three in a row decay faster than exp(-t/5) and those of the triangle do not.",
     ])
     .control("with potentials, more edges make it faster", RateVariant::MoreEdges)
     .control("without potentials, 2 lambda_2", RateVariant::Alignment { factor: (2, 1), index: 2, every_start: false })

@@ -1,7 +1,8 @@
 //! tanner2.arbswitch, thm2_stop: switching by any signal, and switching by distance that ends or does not.
 
-use super::fixtures::{argued, spring};
+use super::fixtures::spring;
 use super::limits::{VELOCITIES, switching_checks};
+use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, rational};
@@ -100,12 +101,12 @@ pub fn arbitrary() -> Record<SignalVariant> {
     .reading("arbitrary switching: by any signal among connected graphs")
     .repaired(
         Fault::False,
-        "Velocities agree in the limit if links switch by distance, as in (10), read as in tanner2.thm2_vel, and the graph stays connected. They do not for all switching signals among connected graphs: four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each, agree in the limit from no start without collision.",
+        "",
         repaired.clone(),
     )
     .repaired_clauses(&[
         "Velocities agree in the limit if links switch by distance, as in (10), read as in tanner2.thm2_vel, and the graph stays connected.",
-        "Four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each, agree in the limit from no start without collision.",
+        "They do not for all switching signals among connected graphs: four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each, agree in the limit from no start without collision.",
     ])
     .control("by distance, with K agent by agent", SignalVariant { agentwise: true, ..repaired.clone() })
     .control("the two paths in space", SignalVariant {

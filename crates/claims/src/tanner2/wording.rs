@@ -1,6 +1,7 @@
 //! tanner2.eq2, sec6.figures, appA.thm5: a formula and two references.
 
-use super::fixtures::{PLANE, argued, spring};
+use super::fixtures::{PLANE, spring};
+use crate::argued::argued;
 use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Pair, State, heading, linked_within, velocity_alignment};
@@ -32,17 +33,23 @@ impl HeadingVariant {
     }
 }
 
-/// Whether the angle is the heading of every vector with small integer coordinates, and lies in `[-pi, pi]`.
+const ANGLE: &str = "the angle of every velocity that is not zero";
+
+/// Whether the angle is the heading of every vector with small integer coordinates, and lies in `[-pi, pi]`; with the proof.
 pub(crate) fn examine_heading(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+    Run::all([headings(variant, run), argued(&[1], ANGLE, "notes/tanner1.md, Headings, step 1, by quadrants")])
+}
+
+/// The same without the proof.
+pub(crate) fn headings(variant: &HeadingVariant, run: &Run) -> Result<Outcome, CheckError> {
     const PRECISION: u32 = 80;
     let enclose = |n: i64| Interval::from_rational(&rational(n, 1), PRECISION);
     // Smaller vectors first.
     let mut vectors: Vec<(i64, i64)> =
         (-4..=4).flat_map(|x| (-4..=4).map(move |y| (x, y))).filter(|v| *v != (0, 0)).collect();
     vectors.sort_by_key(|(x, y)| (x * x + y * y, -x, -y));
-    let part = "the angle of every velocity that is not zero";
-    let evidence = Evidence::new(Grade::Certified, part, "enclosures for all integer vectors up to 4 in size");
-    let enclosures = run.every(evidence, vectors, |(x, y)| {
+    let evidence = Evidence::new(Grade::Certified, ANGLE, "enclosures for all integer vectors up to 4 in size");
+    run.every(evidence, vectors, |(x, y)| {
         let v = [enclose(x), enclose(y)];
         let Ok(angle) = variant.angle(&v) else {
             return Ok(Some(format!("velocity ({x}, {y}): the formula has no value")));
@@ -53,8 +60,7 @@ pub(crate) fn examine_heading(variant: &HeadingVariant, run: &mut Run) -> Result
             || (angle.clone() + angle.pi()).is_certainly_negative();
         let wrong = outside || !(length.clone() * cos).overlaps(&v[0]) || !(length * sin).overlaps(&v[1]);
         Ok(wrong.then(|| format!("velocity ({x}, {y}): the formula gives {:.4}", angle.to_f64())))
-    });
-    Run::all([enclosures, argued(&[1], part, "notes/tanner1.md, Headings, step 1, by quadrants")])
+    })
 }
 
 pub fn eq2() -> Record<HeadingVariant> {

@@ -33,11 +33,14 @@ impl RationalIdentity for Difference {
         let phase = half_turn.over(&half_turn.conj())?;
         let front = Complex::new(z_re.clone(), z_im.clone()) * phase;
         let own = front.clone() * amplitude_one_sided(&gains, w, 1)?;
-        let position = |place: T, z: &Complex<T>| place + a.clone() * &z.re;
-        let separation = position(h.clone() + h.one(), &own) - position(h.clone(), &front);
+        let separation = |a: &T| {
+            let position = |place: T, z: &Complex<T>| place + a.clone() * &z.re;
+            position(h.clone() + h.one(), &own) - position(h.clone(), &front)
+        };
         let inside = front.re.clone() + a.integer(self.0.inside);
-        let claimed = a.clone() * &own.re - a.integer(self.0.back) * a * inside + a.integer(self.0.outside);
-        Ok((vec![separation], vec![claimed]))
+        let oscillation = a.clone() * &own.re - a.integer(self.0.back) * a * inside;
+        let still = separation(&a.zero());
+        Ok((vec![separation(a) - &still, still], vec![oscillation, a.integer(self.0.outside)]))
     }
 
     fn in_domain(&self, at: &[Rational]) -> bool {
@@ -45,7 +48,7 @@ impl RationalIdentity for Difference {
     }
 
     fn components(&self) -> Vec<String> {
-        vec!["the separation x_{k+1} - x_k".to_string()]
+        ["what a_0 adds to the separation", "the separation x_{k+1} - x_k for a_0 = 0"].map(String::from).to_vec()
     }
 }
 
@@ -69,7 +72,6 @@ pub fn separation() -> Record<SeparationVariant> {
          a_0 Re(gamma^{-k} e^{i w t}) + 1.",
         repaired,
     )
-    .control("- 1 at the end", SeparationVariant { outside: -1, ..repaired })
     .control("+ a_0 Re(gamma^{-k} e^{iwt})", SeparationVariant { back: -1, ..repaired })
     .control("without the 1", SeparationVariant { outside: 0, ..repaired })
 }

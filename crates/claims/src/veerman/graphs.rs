@@ -1,6 +1,7 @@
 //! veerman.nth_neighbour, veerman.onlytwo: other communication graphs on the line.
 
-use super::{argued, certified, gains, negative_gains, parts, unit, within};
+use super::{certified, gains, negative_gains, parts, unit, within};
+use crate::argued::argued;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
@@ -67,8 +68,8 @@ fn examine_neighbour(variant: &NeighbourVariant, run: &mut Run) -> Result<Outcom
         };
         Ok((connected != variant.connected || !as_claimed).then(what))
     })?;
-    let proof = argued("all n >= 2 and N", "notes/veerman_platoons.md, other graphs, steps 1 to 3");
-    Ok(Run::all([Ok(graphs), Ok(Outcome::Holds(vec![proof]))])?.on([1, 2]))
+    let proof = argued(&[1, 2], "all n >= 2 and N", "notes/veerman_platoons.md, other graphs, steps 1 to 3");
+    Run::all([Ok(graphs.on([1, 2])), proof])
 }
 
 /// The followers outside the leader's reach, if the law indeed leaves them at rest while all others move.
@@ -93,8 +94,8 @@ pub struct GrowthVariant {
 }
 
 impl GrowthVariant {
-    /// The quadratic case first: it needs the nearest cars only.
-    pub(crate) const TRUE: Self = GrowthVariant { degrees: &[2, 1, 3, 0], shift: 0, power: 1 };
+    /// The quadratic case first: it needs the nearest cars only. Degree 0 is the star.
+    pub(crate) const TRUE: Self = GrowthVariant { degrees: &[2, 1, 3], shift: 0, power: 1 };
 }
 
 /// Everyone tracks the leader: all amplitudes are 1/gamma.
@@ -169,29 +170,26 @@ pub(crate) fn examine_growth(variant: &GrowthVariant, run: &mut Run) -> Result<O
         results.push(growth(degree, variant, run).map(|outcome| outcome.on([2])));
     }
     let names = ["f", "g", "w"];
-    let part = "everyone tracks the leader: all amplitudes are 1/gamma, 3 followers";
-    results.push(run.identity(&Star(3), &names, part).map(|outcome| outcome.on([2])));
+    for followers in 1..=4 {
+        let part = format!("p = 0, everyone tracks the leader: all amplitudes are 1/gamma, {followers} followers");
+        results.push(run.identity(&Star(followers), &names, &part).map(|outcome| outcome.on([2])));
+    }
     for (length, platoons) in [(2, 1), (1, 2), (2, 2), (1, 3)] {
         let part = format!("{platoons} platoons of {length} in series: the power of a_{length}");
         results.push(run.identity(&Series { length, platoons }, &names, &part).map(|outcome| outcome.on([2])));
     }
-    results.push(Ok(Outcome::Holds(vec![
-        argued("system (1)", "notes/veerman_platoons.md, other graphs, step 4").on([1]),
-        argued("platoons in series", "notes/veerman_platoons.md, other graphs, steps 5 to 8").on([2]),
-    ])));
+    results.push(argued(&[1], "system (1)", "notes/veerman_platoons.md, other graphs, step 4"));
+    results.push(argued(&[2], "platoons in series", "notes/veerman_platoons.md, other graphs, steps 5 to 8"));
     Run::all(results)
 }
 
 /// Certifies how the peak of the family of degree p grows from m cars per platoon to 8m and 64m: by `8^degree` up to 1 per cent.
 fn growth(p: u32, variant: &GrowthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let degree = p + variant.shift;
-    let peak = |m: u64| -> Result<Interval, CheckError> {
-        // For p = 0 the peak is that of one follower, whatever M.
-        let single = resonance(&unit(), if p == 0 { 1 } else { m }, 20)?.amplitude;
-        Ok(single.power(u64::from(p.max(1))))
-    };
+    let peak =
+        |m: u64| -> Result<Interval, CheckError> { Ok(resonance(&unit(), m, 20)?.amplitude.power(u64::from(p))) };
     let peaks = [32, 256, 2048].map(peak).into_iter().collect::<Result<Vec<_>, _>>()?;
-    let name = if p == 0 { "everyone tracks the leader".to_string() } else { format!("{p} platoons in series") };
+    let name = format!("{p} platoons in series");
     let numbers: Vec<String> = peaks.iter().map(|peak| interval_value(peak, 8)).collect();
     run.value(&format!("peak_degree_{p}_platoons_of_256"), numbers[1].clone());
     let numbers = numbers.join(", ");

@@ -1,6 +1,6 @@
 //! veerman.eq1_matrix, veerman.eq2_matrix, veerman.dimL: the equations of motion in vector form.
 
-use super::argued;
+use crate::argued::argued;
 use algebra::matrix::RationalMatrix;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
@@ -144,8 +144,7 @@ fn examine_matrices(variant: &MatrixVariant, run: &mut Run) -> Result<Outcome, C
     results.push(from_the_graph(variant, run).map(|outcome| outcome.on([1])));
     if let Some(eigenvalue) = variant.eigenvalue {
         results.push(only_eigenvalue(variant.communication, eigenvalue, run).map(|outcome| outcome.on([2, 3])));
-        let proof = argued("the multiplicity", "notes/veerman_platoons.md, spectra, steps 1 and 2").on([3]);
-        results.push(Ok(Outcome::Holds(vec![proof])));
+        results.push(argued(&[3], "the multiplicity", "notes/veerman_platoons.md, spectra, steps 1 and 2"));
     }
     Run::all(results)
 }

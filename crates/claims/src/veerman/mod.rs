@@ -7,7 +7,7 @@ mod figures;
 mod front_limits;
 pub(super) mod graphs;
 mod matrices;
-pub(super) mod one_sided;
+mod one_sided;
 mod peaks;
 pub mod printed_table;
 mod small_frequencies;
@@ -20,6 +20,8 @@ mod two_sided;
 use arithmetic::{Complex, Interval, Rational, Ring, Signed, rational};
 use ledger::{Claim, Evidence, Grade};
 use models::platoon::Gains;
+
+pub(super) use theorem1::scaled_error_is_bounded;
 
 /// All that are built.
 pub(super) fn claims() -> Vec<Box<dyn Claim>> {
@@ -107,9 +109,4 @@ fn within(x: &Interval, middle: &Rational, slack: &Rational) -> bool {
 /// Evidence by enclosures on instances.
 fn certified(part: impl Into<String>, detail: impl Into<String>) -> Evidence {
     Evidence::new(Grade::Certified, part, detail)
-}
-
-/// A proof on paper for all parameters.
-pub(super) fn argued(part: &str, steps: &str) -> Evidence {
-    Evidence::argued(part, steps)
 }

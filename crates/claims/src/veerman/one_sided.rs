@@ -3,7 +3,7 @@
 
 use super::{complex_gains, enclosed, imaginary, negative_gains, parts, unit};
 use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, Real, Ring, rational};
+use arithmetic::{ArithmeticError, Complex, Field, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
 use models::platoon::{
     Communication, Gains, accelerations, amplitude_one_sided, gain_fraction_one_sided, gain_squared_one_sided,
@@ -160,13 +160,13 @@ pub fn special_response() -> Record<SpecialVariant> {
 
 // --- What is substituted ---
 
-/// What is substituted: `u_k = factor i w`, times `a_k` or not; `a_k` for `x_k - h_k` or for `x_k`. The common factor
-/// `e^{iwt}` is left out (it is 1 at t = 0).
+/// What is substituted: `u_k = i w`, times `a_k` or not; `a_k` for `x_k - h_k` or for `x_k`. The common factor `e^{iwt}` is left
+/// out (it is 1 at t = 0). What comes out on the left is `-w^power a_k`.
 #[derive(Clone, Copy)]
 pub struct SubstitutionVariant {
-    factor: i64,
     with_amplitude: bool,
     of_deviation: bool,
+    power: u64,
 }
 
 struct GivesPrintedEquation(SubstitutionVariant);
@@ -178,7 +178,7 @@ impl RationalIdentity for GivesPrintedEquation {
 
     fn components(&self) -> Vec<String> {
         let named = |what: &str| [format!("the real part of {what}"), format!("the imaginary part of {what}")];
-        ["the left side of (1)", "the right side of (1)", "the derivative of x_k"].into_iter().flat_map(named).collect()
+        ["the derivative of x_k", "the left side of (1)", "the right side of (1)"].into_iter().flat_map(named).collect()
     }
 
     /// Variables f, g, w, the complex amplitudes `a_{k-1}`, `a_k` and the desired positions. The substitution must turn
@@ -193,10 +193,7 @@ impl RationalIdentity for GivesPrintedEquation {
             if self.0.of_deviation { a.clone() } else { a.clone() - Complex::real(place.clone()) }
         };
         let iw = imaginary(w);
-        let rate = |a: &Complex<T>| {
-            let base = iw.clone() * iw.integer(self.0.factor);
-            if self.0.with_amplitude { base * a } else { base }
-        };
+        let rate = |a: &Complex<T>| if self.0.with_amplitude { iw.clone() * a } else { iw.clone() };
         let own_rate = rate(&own);
         let leader = (&deviation(&front, front_place), &rate(&front));
         let force = accelerations(
@@ -208,8 +205,8 @@ impl RationalIdentity for GivesPrintedEquation {
         );
         let difference = own.clone() - &front;
         let printed_force = difference.scale(f) + iw.clone() * difference.scale(g);
-        let left = [own_rate.clone() * &iw].into_iter().chain(force).chain([own.clone() * &iw]);
-        let right = [-own.scale(&w.square()), printed_force, own_rate];
+        let left = [own.clone() * &iw, own_rate.clone() * &iw].into_iter().chain(force);
+        let right = [own_rate, -own.scale(&w.power(self.0.power)), printed_force];
         Ok((parts(left), parts(right)))
     }
 
@@ -219,13 +216,13 @@ impl RationalIdentity for GivesPrintedEquation {
 }
 
 pub fn substitution() -> Record<SubstitutionVariant> {
-    let repaired = SubstitutionVariant { factor: 1, with_amplitude: true, of_deviation: true };
+    let repaired = SubstitutionVariant { with_amplitude: true, of_deviation: true, power: 2 };
     Record::new(
         "veerman.cor1.proof",
         "u_k is the derivative of x_k = a_k e^{iwt}, that is i w a_k e^{iwt}. The printed u_k = i w e^{iwt} lacks a_k; with \
          it u_k - u_{k-1} would be zero and the left side -w². And a_k e^{iwt} stands for the deviation x_k - h_k (the paper's \
          z = x - h), since equation (1) contains the desired positions. The resulting equation is the right one.",
-        SubstitutionVariant { factor: 1, with_amplitude: false, of_deviation: false },
+        SubstitutionVariant { with_amplitude: false, of_deviation: false, ..repaired },
         |variant, run| {
             let names = ["f", "g", "w", "Re a_{k-1}", "Im a_{k-1}", "Re a_k", "Im a_k", "h_{k-1}", "h_k"];
             let part = "both sides of equation (1), and u_k = x_k'";
@@ -238,10 +235,9 @@ pub fn substitution() -> Record<SubstitutionVariant> {
          - w^2 a_k = f (a_k - a_{k-1}) + i w g (a_k - a_{k-1}).",
         repaired,
     )
-    .control("u_k = - i w a_k e^{iwt}", SubstitutionVariant { factor: -1, ..repaired })
-    .control("u_k = 2 i w a_k e^{iwt}", SubstitutionVariant { factor: 2, ..repaired })
     .control("u_k = i w e^{iwt}", SubstitutionVariant { with_amplitude: false, ..repaired })
     .control("x_k = a_k e^{iwt}, not x_k - h_k", SubstitutionVariant { of_deviation: false, ..repaired })
+    .control("- w a_k on the left", SubstitutionVariant { power: 1, ..repaired })
 }
 
 // --- Where the gain exceeds one ---
@@ -328,16 +324,14 @@ pub fn gain_above_one() -> Record<GainVariant> {
 
 // --- Where the gain is largest ---
 
-/// Where `|1/gamma|` is claimed to be largest, as a multiple of `|f|` and of the true location `v`.
+/// Where `|1/gamma|` is claimed to be largest: at `w² = |f|`, or at a multiple of `v = (f²/g²)(sqrt(1 + under_root g²/|f|) - 1)`, which is less
+/// than a multiple of `|f|`.
 #[derive(Clone, Copy)]
 pub struct StrongestVariant {
-    pub(crate) of_f: (i64, i64),
-    pub(crate) of_location: (i64, i64),
-}
-
-impl StrongestVariant {
-    pub(crate) const PRINTED: Self = StrongestVariant { of_f: (1, 1), of_location: (0, 1) };
-    pub(crate) const TRUE_LOCATION: Self = StrongestVariant { of_f: (0, 1), of_location: (1, 1) };
+    at_f: bool,
+    of_location: (i64, i64),
+    under_root: i64,
+    below: (i64, i64),
 }
 
 /// With `|f| = v + 2u²` and `g = -2|f|u/v`, `v` is `(f²/g²)(r - 1)` for the positive root `r` of `1 + 2g²/|f|`; every `f, g < 0`
@@ -354,8 +348,8 @@ impl RationalIdentity for PerfectSquare {
         let [v, u, y] = at else { return Err(ArithmeticError::Domain("three variables")) };
         let size = v.clone() + v.integer(2) * u.square();
         let gains = Gains { f: -size.clone(), g: -(v.integer(2) * &size * u).over(v)? };
-        let multiple = |(p, q): (i64, i64), x: &T| x.ratio(p, q) * x;
-        let place = multiple(self.0.of_f, &size) + multiple(self.0.of_location, v);
+        let (p, q) = self.0.of_location;
+        let place = if self.0.at_f { size.clone() } else { v.ratio(p, q) * v };
         let largest = gain_squared_one_sided(&gains, &place)?;
         let (_, denominator) = gain_fraction_one_sided(&gains, y);
         let square = (largest.clone() - gain_squared_one_sided(&gains, y)?) * denominator;
@@ -363,53 +357,61 @@ impl RationalIdentity for PerfectSquare {
         let root = (v.clone() + v.integer(4) * u.square()).over(v)?;
         let ratio = gains.g.square().over(&size)?;
         let location = (root.clone() - v.one()) * size.over(&ratio)?;
-        let right = vec![largest * (y.clone() - place).square(), ratio.clone() + ratio + v.one(), v.clone()];
+        let under_root = v.integer(self.0.under_root) * ratio + v.one();
+        let right = vec![largest * (y.clone() - place).square(), under_root, v.clone()];
         Ok((vec![square, root.square(), location], right))
+    }
+
+    fn components(&self) -> Vec<String> {
+        ["the difference to the claimed maximum", "the square of r", "the location"].map(String::from).to_vec()
     }
 }
 
-/// The check of veerman.gain_max, shared with beyond.veerman.one_sided_peak: the clauses are place, uniqueness, and `< |f|`.
-pub(crate) fn examine_strongest(variant: &StrongestVariant, run: &mut Run) -> Result<Outcome, CheckError> {
+/// The clauses of the correction are place, uniqueness, and `< |f|`.
+fn examine_strongest(variant: &StrongestVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "largest at the claimed w² and nowhere else, for all f, g < 0 (|f| = v + 2u², g = -2|f|u/v)";
     let square = run.identity(&PerfectSquare(*variant), &["v", "u", "y"], part)?;
-    if let Outcome::Fails { .. } = square {
-        let (at_f, beside) =
-            (gain_squared_one_sided(&unit(), &rational(1, 1))?, gain_squared_one_sided(&unit(), &rational(3, 4))?);
-        let printed = variant.of_f == (1, 1) && variant.of_location == (0, 1) && beside > at_f;
-        let counterexample = if printed {
-            format!("f = g = -1: |1/gamma|² is {at_f} at w² = |f| = 1 and {beside} at w² = 3/4")
-        } else {
-            "the difference to the claimed maximum is not a perfect square".to_string()
-        };
-        return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "the place", "compared exactly")).on([1]));
+    if let Outcome::Fails { counterexample, .. } = square {
+        let at = |y| gain_squared_one_sided(&unit(), &y);
+        let (at_f, beside) = (at(rational(1, 1))?, at(rational(3, 4))?);
+        let printed = format!("f = g = -1: |1/gamma|² is {at_f} at w² = |f| = 1 and {beside} at w² = 3/4");
+        let what = if variant.at_f && beside > at_f { printed } else { counterexample };
+        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the place", "compared exactly")).on([1]));
     }
     let gains = enclosed(&unit(), 120);
     let peak = strongest_one_sided_square(&gains)?;
     run.value("w_squared_for_f_g_minus_1", interval_value(&peak, 20));
     run.value("gain_for_f_g_minus_1", interval_value(&gain_squared_one_sided(&gains, &peak)?.sqrt()?, 20));
+    let below = peak.ratio(variant.below.0, variant.below.1);
+    if !(below - &peak).is_certainly_positive() {
+        let (p, q) = variant.below;
+        let what = format!("f = g = -1: the place {} is not below {p}/{q} |f|", interval_value(&peak, 6));
+        return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "below |f|", "enclosed")).on([3]));
+    }
     Ok(square.on([1, 2, 3]).for_all())
 }
 
 pub fn strongest_gain() -> Record<StrongestVariant> {
+    let repaired = StrongestVariant { at_f: false, of_location: (1, 1), under_root: 2, below: (1, 1) };
     Record::new(
         "veerman.gain_max",
         "With y = w², |1/gamma|² = (f² + g² y)/((y - |f|)² + g² y). Its derivative vanishes where g² y² + 2 f² y = 2|f|³. At \
          y = |f| the left side exceeds the right one by g² f² > 0, so the maximum always lies below |f|. \
          That the root v is the only place of the maximum: max - value = max (y - v)²/((y - |f|)² + g² y). For f = g = -1 it is sqrt(3) - 1.",
-        StrongestVariant::PRINTED,
+        StrongestVariant { at_f: true, ..repaired },
         examine_strongest,
     )
     .repaired(
         Fault::False,
         "|gamma^{-1}| is strongest when w^2 = (f^2/g^2) (sqrt(1 + 2 g^2/|f|) - 1) (f, g < 0) and only then; this is always less than |f|.",
-        StrongestVariant::TRUE_LOCATION,
+        repaired,
     )
     .repaired_clauses(&[
         "|gamma^{-1}| is strongest when w^2 = (f^2/g^2) (sqrt(1 + 2 g^2/|f|) - 1) (f, g < 0).",
         "It is strongest only then.",
         "This w^2 is always less than |f|.",
     ])
-    .control("half the root", StrongestVariant { of_f: (0, 1), of_location: (1, 2) })
-    .control("the mean of |f| and the root", StrongestVariant { of_f: (1, 2), of_location: (1, 2) })
-    .control("w² = 2|f|", StrongestVariant { of_f: (2, 1), of_location: (0, 1) })
+    .control("half the root", StrongestVariant { of_location: (1, 2), ..repaired })
+    .control("sqrt(1 + g²/|f|)", StrongestVariant { under_root: 1, ..repaired })
+    .control("less than |f|/2", StrongestVariant { below: (1, 2), ..repaired })
 }

@@ -1,7 +1,8 @@
 //! veerman.fig1, veerman.cor3, veerman.prop2: where the peaks of system (2) are and what they allow.
 
 use super::theorem1::{DIGITS, ExponentVariant, enclosed, scaled_error_is_bounded};
-use super::{argued, certified, gains, unit, within};
+use super::{certified, gains, unit, within};
+use crate::argued::argued;
 use crate::printed_decimal;
 use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
 use ledger::{CheckError, Outcome, Record, Run, interval_value};
@@ -116,11 +117,9 @@ fn examine_lesser(variant: &LesserVariant, run: &mut Run) -> Result<Outcome, Che
         results.push(Ok(scaled_error_is_bounded(SMALLEST, run, &name, variant.order, place)?.on([1])));
         results.push(Ok(heights(variant, k, run)?.on([2])));
     }
-    let proof = |part, k: usize, steps| argued(part, steps).on([k]);
-    results.push(Ok(Outcome::Holds(vec![
-        proof("places, with the order of the error", 1, "notes/veerman_platoons.md, lesser resonances, steps 1 to 4"),
-        proof("heights", 2, "notes/veerman_platoons.md, lesser resonances, steps 5 and 6"),
-    ])));
+    let note = "notes/veerman_platoons.md, lesser resonances, steps";
+    results.push(argued(&[1], "places, with the order of the error", &format!("{note} 1 to 4")));
+    results.push(argued(&[2], "heights", &format!("{note} 5 and 6")));
     Run::all(results)
 }
 
@@ -163,7 +162,10 @@ pub fn size_limit() -> Record<ExponentVariant> {
             Run::all([Ok(tie), small_flocks(variant, run)])
         },
     )
-    .reading("N <~ X D/a_0, as usual, up to terms that are small against X D/a_0.")
+    .reading(
+        "N <~ X D/a_0, as usual, up to terms that are small against X D/a_0; what stays within D is the equilibrium oscillation of the last car (the particular solution), \
+         as in Proposition 1; a_0, D > 0 and f, g < 0.",
+    )
     .control("4 sqrt2 instead of 8 sqrt2", ExponentVariant { divisor: 4, ..printed })
     .control("|f| instead of sqrt|f|", ExponentVariant { power: 2, ..printed })
     .control("an error of the next order", ExponentVariant { order: 2, ..printed })

@@ -1,6 +1,7 @@
 //! veerman.specM, veerman.specP2, veerman.eigAK, veerman.lem1: spectra and stability.
 
-use super::{argued, certified, enclosed, unit};
+use super::{certified, enclosed, unit};
+use crate::argued::argued;
 use algebra::matrix::{RationalMatrix, characteristic_coefficients};
 use algebra::spectrum::Polynomial;
 use arithmetic::identity::RationalIdentity;
@@ -113,10 +114,8 @@ fn examine_spectrum(variant: &SpectrumVariant, run: &mut Run) -> Result<Outcome,
         .map(|outcome| outcome.on([3])),
     );
     results.push(zero_on_both_sides(variant, MOST, run));
-    results.push(Ok(Outcome::Holds(vec![
-        argued("spec(M) for f != 0", "notes/veerman_platoons.md, spectra, steps 3 to 6").on([2]),
-        argued("spec(L) and spec(P)", "notes/veerman_platoons.md, spectra, steps 1 to 4").on([3]),
-    ])));
+    results.push(argued(&[2], "spec(M) for f != 0", "notes/veerman_platoons.md, spectra, steps 3 to 6"));
+    results.push(argued(&[3], "spec(L) and spec(P)", "notes/veerman_platoons.md, spectra, steps 1 to 4"));
     Run::all(results)
 }
 

@@ -275,11 +275,11 @@ fn near_the_resonance(offset: i64, run: &Run) -> Result<Outcome, CheckError> {
 
 // --- The first guess ---
 
-/// `omega_0 = pi sqrt2/(divisor (N + offset))`.
+/// `omega_0 = pi sqrt2/(4 (N + offset))` for this `f`.
 #[derive(Clone, Copy)]
 pub struct FirstGuessVariant {
-    divisor: i64,
     offset: i64,
+    f: i64,
 }
 
 pub fn first_guess() -> Record<FirstGuessVariant> {
@@ -287,22 +287,26 @@ pub fn first_guess() -> Record<FirstGuessVariant> {
         "veerman.sec7.omega0",
         "sqrt|f| pi/((N+1) 2 sqrt2) for f = -1 and pi sqrt2/(4(N+1)) are positive and have the squares pi²/(8 (N+1)²) and \
          2 pi²/(16 (N+1)²), which are equal.",
-        FirstGuessVariant { divisor: 4, offset: 1 },
+        FirstGuessVariant { offset: 1, f: -1 },
         |variant, run| {
-            let gains = enclosed(&table_gains(-1), PRECISION);
+            let gains = enclosed(&table_gains(variant.f), PRECISION);
             let detail = "the squares over pi² are equal rationals, and the square root meets Theorem 1; N = 1, 4, 128";
             run.instances("the squares", detail, [1i64, 4, 128], |n| {
                 let theorem = rational(1, 8 * (n + 1) * (n + 1));
-                let guess = rational(2, 1) / rational(variant.divisor * (n + variant.offset), 1).square();
+                let guess = rational(2, 1) / rational(4 * (n + variant.offset), 1).square();
                 let root = Interval::from_rational(&guess, PRECISION).sqrt()?;
                 let enclosed = root.pi() * root;
-                let wrong = theorem != guess || !enclosed.overlaps(&theorem1::frequency(&gains, n as u64 + 1)?);
-                Ok(wrong.then(|| format!("N = {n}: the squares over pi² are {theorem} and {guess}")))
+                if theorem != guess {
+                    return Ok(Some(format!("N = {n}: the squares over pi² are {theorem} and {guess}")));
+                }
+                let frequency = theorem1::frequency(&gains, n as u64 + 1)?;
+                let (found, is) = (interval_value(&enclosed, 8), interval_value(&frequency, 8));
+                Ok((!enclosed.overlaps(&frequency)).then(|| format!("N = {n}: {found}, Theorem 1 has {is}")))
             })
         },
     )
-    .control("pi sqrt2/(2(N+1))", FirstGuessVariant { divisor: 2, offset: 1 })
-    .control("pi sqrt2/(4N)", FirstGuessVariant { divisor: 4, offset: 0 })
+    .control("pi sqrt2/(4N)", FirstGuessVariant { offset: 0, f: -1 })
+    .control("Theorem 1 for f = -2", FirstGuessVariant { offset: 1, f: -2 })
 }
 
 // --- Which system ---

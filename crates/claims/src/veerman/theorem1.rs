@@ -20,7 +20,7 @@ fn sizes(run: &Run, first: u64) -> Vec<u64> {
 
 /// Certifies on three pairs of gains that `error(gains, M) M^order` does not grow from the smallest to the largest size to
 /// more than twice its size. An error of a lower order grows by a factor of 8 at least at every step.
-pub(super) fn scaled_error_is_bounded(
+pub(crate) fn scaled_error_is_bounded(
     smallest: u64,
     run: &mut Run,
     name: &str,
@@ -192,9 +192,11 @@ pub fn epsilon() -> Record<EpsilonVariant> {
             run.identity(&Bracket(*variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
         },
     )
+    .reading("eps = sqrt(gamma^2 - 1), the principal root, for w > 0.")
     .repaired(
         Fault::Slip,
-        "eps = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- (3/4) g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
+        "For w > 0 and f, g < 0, eps = sqrt(gamma^2 - 1) = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- (3/4) \
+         g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
         repaired,
     )
     .control("+ 3/4 g²/f²", EpsilonVariant { damping: (3, 4), ..repaired })

@@ -142,7 +142,7 @@ const NOT_IN_K: [(&str, &str); 3] = [
 /// # Errors
 /// [`ReadFlockError`] with the field at fault.
 pub fn read_flock(text: &str) -> Result<FlockFile, ReadFlockError> {
-    let value: Value = serde_json::from_str(text).map_err(|error| ReadFlockError::Json(error.to_string()))?;
+    let value: Value = algebra::json::parse(text).map_err(ReadFlockError::Json)?;
     let Value::Object(fields) = value else { return Err(ReadFlockError::NoObject) };
     if let Some(unknown) = fields.keys().find(|key| !FIELDS.contains(&key.as_str())) {
         return Err(ReadFlockError::Unknown(unknown.clone()));

@@ -32,11 +32,24 @@ pub struct EnclosedEvent {
     pub to: f64,
 }
 
+/// A short time in which links change.
+#[derive(Debug, Clone)]
+pub struct Crossing {
+    /// Its beginning.
+    pub from: f64,
+    /// Its end.
+    pub to: f64,
+    /// A box that contains the states in all of it: positions, then velocities.
+    pub states: IntervalVector,
+}
+
 /// What was proved of a motion.
 #[derive(Debug, Clone)]
 pub struct EnclosedRun {
     /// All changes of the network, in order; those with the same times may come in any order.
     pub events: Vec<EnclosedEvent>,
+    /// The short times in which links change, in order; between them are the steps that are observed.
+    pub crossings: Vec<Crossing>,
     /// The links at the end.
     pub edges: Vec<Pair>,
     /// The states at the end.
@@ -122,6 +135,7 @@ impl EnclosedFlock {
             return Err(EnclosureError::Threshold { time: 0.0, pair });
         }
         let (mut set, mut time, mut events) = (Parallelepiped::of_box(&flat), 0.0, Vec::new());
+        let mut crossings = Vec::new();
         while time < until {
             let links = graph.edges();
             let mut flow = Flow::new(Fixed { potential: &self.potential, edges: &links }, FIRST_STEP);
@@ -140,12 +154,13 @@ impl EnclosedFlock {
                 (set, time) = (step.end, step.until);
             }
             if time < until {
-                let crossed = self.cross(&set, &mut graph, time)?;
-                (set, time) = (crossed.0, crossed.1);
-                events.extend(crossed.2);
+                let (end, crossing, changes) = self.cross(&set, &mut graph, time)?;
+                (set, time) = (end, crossing.to);
+                events.extend(changes);
+                crossings.push(crossing);
             }
         }
-        Ok(EnclosedRun { events, edges: graph.edges(), end: State::from_halves(&set.hull()) })
+        Ok(EnclosedRun { events, crossings, edges: graph.edges(), end: State::from_halves(&set.hull()) })
     }
 
     /// The pairs that are not certainly on the side of the threshold on which the network has them.
@@ -185,13 +200,13 @@ impl EnclosedFlock {
         certain
     }
 
-    /// Carries the set over the threshold: the set after it, the time then and the events.
+    /// Carries the set over the threshold: the set after it, the time that takes and the events.
     fn cross(
         &self,
         set: &Parallelepiped,
         graph: &mut Graph,
         time: f64,
-    ) -> Result<(Parallelepiped, f64, Vec<EnclosedEvent>), EnclosureError> {
+    ) -> Result<(Parallelepiped, Crossing, Vec<EnclosedEvent>), EnclosureError> {
         let start = set.hull();
         let mut pair = (0, 0);
         for power in -40..-3 {
@@ -215,7 +230,7 @@ impl EnclosedFlock {
                     |&(i, j): &Pair| EnclosedEvent { pair: (i, j), linked: next.has_edge(i, j), from: time, to };
                 let events = crossing.iter().map(event).collect();
                 *graph = next;
-                return Ok((end, to, events));
+                return Ok((end, Crossing { from: time, to, states: around }, events));
             }
         }
         Err(EnclosureError::Threshold { time, pair })

@@ -161,6 +161,21 @@ impl Potential {
         Some(found)
     }
 
+    /// Whether it tends to infinity as `s` tends to 0: `V ~ -∫ c s^k` with the lowest power of the slope does so where `k <= -1` and `c < 0`.
+    pub fn repels(&self) -> bool {
+        let lowest = self.terms().min_by_key(|(k, _)| *k);
+        lowest.is_some_and(|(k, c)| *k <= -1 && c.is_certainly_negative())
+    }
+
+    /// Whether it tends to infinity with `s`: with the highest power, where `k >= -1` and `c > 0`.
+    pub fn confines(&self) -> bool {
+        self.terms().max_by_key(|(k, _)| *k).is_some_and(|(k, c)| *k >= -1 && c.is_certainly_positive())
+    }
+
+    fn terms(&self) -> impl Iterator<Item = &(i32, Rational)> {
+        self.slope.iter().filter(|(_, c)| c.sign() != Some(Sign::Zero))
+    }
+
     /// Whether this is a potential of Definition 3 of the second paper: differentiable and non-negative for `s > 0`,
     /// unbounded towards `s = 0` and towards infinity, with one minimum. Decided exactly from the signs of the slope; the
     /// critical squared distances must be rational.
@@ -168,13 +183,10 @@ impl Potential {
     /// # Errors
     /// [`PotentialError`].
     pub fn check_definition3(&self) -> Result<(), PotentialError> {
-        let terms = || self.slope.iter().filter(|(_, c)| c.sign() != Some(Sign::Zero));
-        let lowest = terms().min_by_key(|(k, _)| *k);
-        // V ~ -∫ c s^k is unbounded at 0 exactly where k <= -1, and at infinity exactly where k >= -1.
-        if !lowest.is_some_and(|(k, c)| *k <= -1 && c.is_certainly_negative()) {
+        if !self.repels() {
             return Err(PotentialError::NoRepulsion);
         }
-        if !terms().max_by_key(|(k, _)| *k).is_some_and(|(k, c)| *k >= -1 && c.is_certainly_positive()) {
+        if !self.confines() {
             return Err(PotentialError::Bounded);
         }
         let critical = self.critical().ok_or(PotentialError::Minimum)?;

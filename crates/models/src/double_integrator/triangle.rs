@@ -13,13 +13,18 @@ use arithmetic::{ArithmeticError, CosineField, Field, Rational, RealCyclotomic, 
 const PLANE: Coordinates = Coordinates::Cartesian;
 const PAIRS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 
-/// Whether the triangle of squared side 2 that turns with `omega = rate sqrt(3/2)` is a motion of (1), (4), (5) of the first paper with
-/// wrapped heading differences: exactly, in the field of the cosines of multiples of a 24th of a turn, which has the square roots of 2
+/// Whether the triangle of squared side 2 that turns with `omega = rate sqrt(3/2)` is a motion of (1), (4), (5) of the first paper, where
+/// the differences of the headings of agents 1 and 2, 1 and 3, 2 and 3 are the wrapped ones plus so many whole turns (for those of (2)
+/// one of the three is off by a turn at each time): exactly, in the field of the cosines of multiples of a 24th of a turn, which has the square roots of 2
 /// and 3.
 ///
 /// # Errors
 /// [`ArithmeticError::DivisionByZero`] for a potential without slope at 2.
-pub fn turning_triangle(potential: &Potential, rate: &Rational) -> Result<bool, ArithmeticError> {
+pub fn turning_triangle(
+    potential: &Potential,
+    rate: &Rational,
+    whole_turns: [i64; 3],
+) -> Result<bool, ArithmeticError> {
     let field = CosineField::new(24);
     // sqrt 2 = 2 cos(pi/4), sqrt 3 = 2 cos(pi/6).
     let root = field.cos(3) * field.cos(2) * field.number(&rational(4, 1));
@@ -32,9 +37,9 @@ pub fn turning_triangle(potential: &Potential, rate: &Rational) -> Result<bool, 
     let slope = potential.slope_over(&omega);
     let gradients = potential_gradients(&state.positions, &PAIRS, PLANE, |_, _, s| slope.at(s))?;
     let mut thirds = Vec::with_capacity(3);
-    for (i, j) in PAIRS {
+    for ((i, j), whole) in PAIRS.into_iter().zip(whole_turns) {
         let Some(third) = third_of_a_turn(&state.velocities[j], &state.velocities[i]) else { return Ok(false) };
-        thirds.push(((i, j), third));
+        thirds.push(((i, j), third + 3 * whole));
     }
     // Differences in units of a third of a turn. The forces are linear in them: zero in one unit is zero in all.
     let differ = |i: usize, j: usize| {

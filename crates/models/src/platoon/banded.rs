@@ -1,7 +1,7 @@
 //! The harmonic response of platoons whose cars track near cars only, in floating point: `O(M)` per frequency.
 
 use super::{CommunicationGraph, Gains, gamma_minus_one};
-use arithmetic::{ArithmeticError, Complex, Field, Ring};
+use arithmetic::{ArithmeticError, Complex, Field};
 use num_traits::ToPrimitive;
 
 /// The reduced Laplacian `P` of a communication graph, by bands.
@@ -49,11 +49,11 @@ impl BandedPlatoon {
         BandedPlatoon { rows, leader, lower, upper }
     }
 
-    /// `P + shift` factored with partial pivoting.
-    fn factored(&self, shift: &Complex<f64>) -> Result<Factors, ArithmeticError> {
+    /// `P + diag(shifts)` factored with partial pivoting.
+    fn factored(&self, shift: impl Fn(usize) -> Complex<f64>) -> Result<Factors, ArithmeticError> {
         let size = self.rows.len();
         let width = self.lower + self.upper + 1;
-        let zero = shift.zero();
+        let zero = Complex::real(0.0);
         // Row i holds the columns from `start` on: i - lower at first, the pivot column while it is eliminated.
         let mut rows: Vec<Vec<Complex<f64>>> = self
             .rows
@@ -65,7 +65,7 @@ impl BandedPlatoon {
                 for &(j, value) in entries {
                     row[j - start].re += value;
                 }
-                row[i - start] = row[i - start].clone() + shift;
+                row[i - start] = row[i - start].clone() + shift(i);
                 row
             })
             .collect();
@@ -99,8 +99,24 @@ impl BandedPlatoon {
     /// [`ArithmeticError::DivisionByZero`] where `P + gamma - 1` is singular.
     pub fn response(&self, gains: &Gains<f64>, w: f64) -> Result<Vec<Complex<f64>>, ArithmeticError> {
         let shift = gamma_minus_one(gains, &w)?;
-        let right: Vec<Complex<f64>> = self.leader.iter().map(|&x| Complex::real(x)).collect();
-        self.factored(&shift)?.solve(right)
+        self.factored(|_| shift.clone())?.solve(self.from_leader())
+    }
+
+    /// The same where follower `k` has the gains `gains[k - 1]`, of which there are as many as followers.
+    ///
+    /// # Errors
+    /// As [`BandedPlatoon::response`].
+    pub fn response_of_cars(&self, gains: &[Gains<f64>], w: f64) -> Result<Vec<Complex<f64>>, ArithmeticError> {
+        if gains.len() != self.rows.len() {
+            return Err(ArithmeticError::Domain("gains for each follower"));
+        }
+        let shifts: Vec<Complex<f64>> =
+            gains.iter().map(|gains| gamma_minus_one(gains, &w)).collect::<Result<_, _>>()?;
+        self.factored(|i| shifts[i].clone())?.solve(self.from_leader())
+    }
+
+    fn from_leader(&self) -> Vec<Complex<f64>> {
+        self.leader.iter().map(|&x| Complex::real(x)).collect()
     }
 
     /// The largest amplitude of all followers.
@@ -118,8 +134,7 @@ impl BandedPlatoon {
     /// # Errors
     /// [`ArithmeticError::DivisionByZero`] where `P` is singular.
     pub fn smallest_eigenvalue(&self) -> Result<(f64, f64), ArithmeticError> {
-        let zero = Complex::real(0.0);
-        let factors = self.factored(&zero)?;
+        let factors = self.factored(|_| Complex::real(0.0))?;
         let mut vector = vec![Complex::real(1.0); self.rows.len()];
         let (mut value, mut change) = (f64::INFINITY, f64::INFINITY);
         for _ in 0..60 {

@@ -202,10 +202,29 @@ impl CommunicationGraph {
     /// [`ArithmeticError`] where the response does not exist or cannot be separated from a pole.
     pub fn response<T: Field>(&self, gains: &Gains<T>, w: &T) -> Result<Vec<Complex<T>>, ArithmeticError> {
         let shift = super::gamma_minus_one(gains, w)?;
+        self.shifted_response(&vec![shift; self.followers()])
+    }
+
+    /// The same where follower `k` has the gains `gains[k - 1]`; each row has its own `gamma - 1`.
+    ///
+    /// # Errors
+    /// As [`CommunicationGraph::response`]; [`ArithmeticError::Domain`] where there are not as many gains as followers.
+    pub fn response_of_cars<T: Field>(&self, gains: &[Gains<T>], w: &T) -> Result<Vec<Complex<T>>, ArithmeticError> {
+        if gains.len() != self.followers() {
+            return Err(ArithmeticError::Domain("gains for each follower"));
+        }
+        let shifts: Result<Vec<_>, _> = gains.iter().map(|gains| super::gamma_minus_one(gains, w)).collect();
+        self.shifted_response(&shifts?)
+    }
+
+    /// The solution of `(P + diag(shifts)) a = -L_l` on the followers that the leader reaches.
+    fn shifted_response<T: Field>(&self, shifts: &[Complex<T>]) -> Result<Vec<Complex<T>>, ArithmeticError> {
+        let Some(first) = shifts.first() else { return Ok(Vec::new()) };
         let reached = self.reached_by_leader();
         let index: Vec<usize> = (1..=self.followers()).filter(|&k| reached[k]).collect();
         let mut rows: Vec<Vec<Complex<T>>> = Vec::with_capacity(index.len());
         for &k in &index {
+            let shift = &shifts[k - 1];
             let mut row = vec![shift.zero(); index.len() + 1];
             let own = row.len() - 2;
             let place = |agent: usize| index.binary_search(&agent).unwrap_or(own);
@@ -222,7 +241,7 @@ impl CommunicationGraph {
             rows.push(row);
         }
         let solution = solve_over_field(rows)?;
-        let mut amplitudes = vec![shift.zero(); self.followers()];
+        let mut amplitudes = vec![first.zero(); self.followers()];
         for (k, value) in index.into_iter().zip(solution) {
             amplitudes[k - 1] = value;
         }

@@ -58,7 +58,39 @@ impl Growth {
 /// [`ArithmeticError`] where the response does not exist.
 pub fn peak(graph: &CommunicationGraph, gains: &Gains<f64>) -> Result<Option<Extreme>, ArithmeticError> {
     let platoon = BandedPlatoon::new(graph);
-    let response = |w: f64| platoon.largest_amplitude(gains, w);
+    peak_by(&platoon, graph.followers(), (gains, gains), |w| platoon.largest_amplitude(gains, w))
+}
+
+/// The peak of the amplitude `|a_car(w)|` of one follower, `1 <= car <= M`, where follower `k` has the gains `gains[k - 1]`; found as
+/// [`peak`] finds it, for gains that do not differ by many orders of magnitude.
+///
+/// # Errors
+/// As [`peak`]; [`ArithmeticError::Domain`] where there are not as many gains as followers, or no such car.
+pub fn peak_of_car(
+    graph: &CommunicationGraph,
+    gains: &[Gains<f64>],
+    car: usize,
+) -> Result<Option<Extreme>, ArithmeticError> {
+    let missing = || ArithmeticError::Domain("a car of the platoon, with gains");
+    let platoon = BandedPlatoon::new(graph);
+    let amplitude = |w: f64| {
+        let all = platoon.response_of_cars(gains, w)?;
+        all.get(car.wrapping_sub(1)).map(|z| z.norm_squared().sqrt()).ok_or_else(missing)
+    };
+    let by_strength = |a: &&Gains<f64>, b: &&Gains<f64>| b.f.total_cmp(&a.f);
+    let weakest = gains.iter().min_by(by_strength).ok_or_else(missing)?;
+    let strongest = gains.iter().max_by(by_strength).ok_or_else(missing)?;
+    peak_by(&platoon, graph.followers(), (weakest, strongest), amplitude)
+}
+
+/// The peak of a response, whose slow mode has about the weakest gains, and whose frequencies reach up to those of the strongest.
+fn peak_by(
+    platoon: &BandedPlatoon,
+    followers: usize,
+    (gains, strongest): (&Gains<f64>, &Gains<f64>),
+    response: impl Fn(f64) -> Result<f64, ArithmeticError>,
+) -> Result<Option<Extreme>, ArithmeticError> {
+    let top = 4.0 * (strongest.f / gains.f).sqrt();
     let (root, damping) = (gains.f.abs().sqrt(), gains.g.abs() / gains.f.abs().sqrt());
     const SMALLEST_EIGENVALUE: f64 = 1e-9;
     let Some((eigenvalue, change)) = platoon.smallest_eigenvalue().ok().filter(|(l, _)| *l >= SMALLEST_EIGENVALUE)
@@ -70,16 +102,16 @@ pub fn peak(graph: &CommunicationGraph, gains: &Gains<f64>) -> Result<Option<Ext
     let width = 0.5 * damping * eigenvalue.sqrt();
     let steps = if change < 1e-9 { 24 } else { 200 };
     let reach = (0.125 * width * f64::from(steps)).min(0.7);
-    let mut best = largest((slow * (1.0 - reach), slow * (1.0 + reach)), steps as usize, response)?;
-    let low = (0.2 / graph.followers() as f64).min(0.01);
-    let count = (48.0 * (4.0 / low).log10()) as i32;
-    let at = |k: i32| root * low * (4.0 / low).powf(f64::from(k) / f64::from(count));
+    let mut best = largest((slow * (1.0 - reach), slow * (1.0 + reach)), steps as usize, &response)?;
+    let low = (0.2 / followers as f64).min(0.01);
+    let count = (48.0 * (top / low).log10()) as i32;
+    let at = |k: i32| root * low * (top / low).powf(f64::from(k) / f64::from(count));
     let grid = (0..=count).map(|k| response(at(k))).collect::<Result<Vec<f64>, _>>()?;
     let mut tops: Vec<usize> =
         (1..grid.len().saturating_sub(1)).filter(|&k| grid[k] >= grid[k - 1] && grid[k] >= grid[k + 1]).collect();
     tops.sort_by(|&a, &b| grid[b].total_cmp(&grid[a]));
     for k in tops.into_iter().take(3) {
-        let found = largest((at(k as i32 - 1), at(k as i32 + 1)), 8, response)?;
+        let found = largest((at(k as i32 - 1), at(k as i32 + 1)), 8, &response)?;
         if found.value > best.value {
             best = found;
         }

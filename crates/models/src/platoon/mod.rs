@@ -8,6 +8,7 @@ pub mod banded;
 mod communication_graph;
 pub mod growth;
 mod law;
+pub mod margins;
 pub mod modes;
 mod neighbourhood;
 pub mod next_order;

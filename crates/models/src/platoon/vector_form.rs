@@ -34,8 +34,17 @@ pub fn kronecker_apply<T: Field>(outer: &[Vec<Rational>], inner: &Block<T>, vect
 
 /// The matrix `M = I ⊗ A + P ⊗ K` of equation (3) for a reduced Laplacian `P` of order m, as the rows of a matrix of order 2m.
 pub fn motion_rows<T: Field>(reduced: &RationalMatrix, gains: &Gains<T>) -> Vec<Vec<T>> {
-    let (a, k) = (geodesic_block(&gains.f), control_block(gains));
+    motion_rows_of_cars(reduced, |_| gains)
+}
+
+/// The same where each car has its own gains: `gains(k)` are those of row `k` of `P`.
+pub fn motion_rows_of_cars<'a, T: Field + 'a>(
+    reduced: &RationalMatrix,
+    gains: impl Fn(usize) -> &'a Gains<T>,
+) -> Vec<Vec<T>> {
     let entry = |i: usize, j: usize| {
+        let gains = gains(i / 2);
+        let (a, k) = (geodesic_block(&gains.f), control_block(gains));
         let own = if i / 2 == j / 2 { a[i % 2][j % 2].clone() } else { gains.f.zero() };
         own + gains.f.rational(&reduced.entry(i / 2, j / 2)) * &k[i % 2][j % 2]
     };

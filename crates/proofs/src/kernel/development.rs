@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 76] = sources![
+const SOURCES: [(&str, &str); 80] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -29,6 +29,8 @@ const SOURCES: [(&str, &str); 76] = sources![
     "chazelle_stabilisers",
     "chazelle_contraction",
     "chazelle_count",
+    "chazelle_entries",
+    "chazelle_estimates",
     "chazelle_worked",
     "paley_model",
     "paley_phase",
@@ -42,6 +44,7 @@ const SOURCES: [(&str, &str); 76] = sources![
     "paley_stability",
     "tanner_energy",
     "tanner_flock",
+    "tanner_paths",
     "tanner1_heading",
     "tanner1_examples",
     "tanner1_motion",
@@ -49,6 +52,7 @@ const SOURCES: [(&str, &str); 76] = sources![
     "tanner2_examples",
     "tanner2_path",
     "tanner2_facts",
+    "tanner2_motion",
     "tanner_graph",
     "veerman_complex",
     "veerman_front",

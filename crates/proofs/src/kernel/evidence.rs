@@ -1,6 +1,6 @@
 //! Checked Coq theorems as evidence.
 
-use super::{Covers, Theorem, theorems};
+use super::{Covers, Theorem, recorded, theorems};
 use ledger::{Evidence, Grade, Proofs, Verdict, correction_id};
 
 /// The checked theorems about a claim and how much of it each proves. What is proved of the corrected statement of a
@@ -33,7 +33,8 @@ impl Proofs for Development {
                 Covers::Corrected => format!("corrected: {said}"),
                 Covers::Negation => format!("negation: {said}"),
             };
-            let detail = format!("Coq theorem {}; axioms: {}", theorem.path(), theorem.axioms.words());
+            let (path, axioms, coq) = (theorem.path(), theorem.axioms.words(), &recorded().coq);
+            let detail = format!("Coq theorem {path}; axioms: {axioms}; by the transcript of Coq {coq}");
             let grade = if covers == Covers::Instance { Grade::Exact } else { Grade::Kernel };
             // In the entry of the printed statement the clauses of its correction come last.
             let skipped = if covers == Covers::Corrected { printed } else { 0 };

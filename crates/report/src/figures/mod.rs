@@ -32,6 +32,7 @@ mod veerman_sweep;
 mod veerman_table1;
 
 use super::plot::{Picture, PictureError};
+use super::site::paper_named;
 use ledger::CheckError;
 
 /// A figure or table that can be made again.
@@ -41,52 +42,181 @@ pub struct Figure {
     pub name: &'static str,
     /// What it shows, one line.
     pub about: &'static str,
+    /// The claims that it bears on.
+    pub claims: &'static [&'static str],
     make: fn() -> Result<Reproduced, CheckError>,
 }
 
-/// All figures and tables, in the order in which `reproduce all` makes them.
+/// All figures and tables with the claims they bear on, in the order in which `reproduce all` makes them.
 pub const FIGURES: &[Figure] = &[
-    figure("veerman.table1", "the printed resonances beside certified ones", veerman_table1::reproduce),
+    figure(
+        "veerman.table1",
+        "the printed resonances beside certified ones",
+        &["veerman.table1_numeric", "veerman.table1_theory", "veerman.table1.size", "veerman.sec7.system"],
+        veerman_table1::reproduce,
+    ),
     figure(
         "veerman.table1_readings",
         "by which procedure its simulated columns come out",
+        &["veerman.table1_theory", "beyond.veerman.table1_reading"],
         veerman_procedures::reproduce,
     ),
-    figure("veerman.fig1", "the response of the last car over the frequency", veerman_fig1::reproduce),
-    figure("veerman.fig2", "a flock behind a periodic leader, with collision check", veerman_fig2::reproduce),
-    figure("veerman.fig3", "a flock behind an abrupt leader, with collision check", veerman_fig3::reproduce),
-    figure("veerman.fig4", "resonance against the number of cars", veerman_fig4::reproduce),
-    figure("veerman.fig5", "differences from Theorem 1 and their regression lines", veerman_fig5::reproduce),
+    figure(
+        "veerman.fig1",
+        "the response of the last car over the frequency",
+        &["veerman.fig1", "beyond.veerman.growth"],
+        veerman_fig1::reproduce,
+    ),
+    figure(
+        "veerman.fig2",
+        "a flock behind a periodic leader, with collision check",
+        &["veerman.sec6_fig2"],
+        veerman_fig2::reproduce,
+    ),
+    figure(
+        "veerman.fig3",
+        "a flock behind an abrupt leader, with collision check",
+        &["veerman.fig3"],
+        veerman_fig3::reproduce,
+    ),
+    figure(
+        "veerman.fig4",
+        "resonance against the number of cars",
+        &["veerman.fig4", "veerman.thm1_omega", "veerman.thm1_amp"],
+        veerman_fig4::reproduce,
+    ),
+    figure(
+        "veerman.fig5",
+        "differences from Theorem 1 and their regression lines",
+        &["veerman.fig5", "beyond.veerman.resonance_frequency", "beyond.veerman.resonance_amplitude"],
+        veerman_fig5::reproduce,
+    ),
     figure(
         "veerman.observation_time",
         "how the measured peak converges to the certified one",
+        &["veerman.table1_numeric", "beyond.veerman.decay_rate"],
         veerman_observation::reproduce,
     ),
-    figure("veerman.communication_sweep", "exploration: linear or exponential growth", veerman_sweep::reproduce),
-    figure("paley.fig1", "four types of motion under the all-to-all control", paley_fig1::reproduce),
-    figure("paley.fig2", "the eigenvectors of the cyclic graph as polygons", paley_fig2::reproduce),
-    figure("paley.fig3", "circular formations on the cyclic graph", paley_fig3::reproduce),
-    figure("paley.fig4", "the six symmetric circular formations", paley_fig4::reproduce),
-    figure("paley.fig5", "a group that tracks a reference direction", paley_fig5::reproduce),
-    figure("paley.fig6", "a circular formation in a drift field, with a beacon", paley_fig6::reproduce),
-    figure("paley.fig7", "the perceptual zones of a fish", paley_fig7::reproduce),
-    figure("paley.fig8", "circular formations for growing zones of orientation", paley_fig8::reproduce),
-    figure("paley.abscissa", "enclosed rates of decay to symmetric circular formations", paley_abscissa::reproduce),
-    figure("paley.basins", "exploration: which share of starts ends where", paley_basins::reproduce),
-    figure("paley.figS2", "fish, headings and zones of orientation, on synthetic schools", paley_fish_data::snapshots),
-    figure("paley.figS3", "scaled phase potentials and null models, on synthetic schools", paley_fish_data::potentials),
-    figure("tanner1.fig2", "the potential of two agents", tanner1_fig2::reproduce),
-    figure("tanner1.figs3_6", "heading alignment on the complete graph, with shares", tanner1_flocking::complete),
-    figure("tanner1.figs7_10", "heading alignment on incomplete graphs, with shares", tanner1_flocking::incomplete),
-    figure("tanner2.fig4", "velocity alignment on a fixed network, and collisions", tanner2_fig4::reproduce),
-    figure("tanner2.fig5", "links within 2 m, a flock that stays connected", tanner2_switching::connected),
-    figure("tanner2.fig6", "links within 2 m, a flock that is torn apart", tanner2_switching::torn),
-    figure("tanner.rates", "exploration: rate of approach against connectivity", tanner_rates::reproduce),
-    figure("tanner.equilibria", "exploration: equilibria, minima and saddles", tanner_equilibria::reproduce),
+    figure(
+        "veerman.communication_sweep",
+        "exploration: linear or exponential growth",
+        &["veerman.onlytwo", "veerman.nth_neighbour"],
+        veerman_sweep::reproduce,
+    ),
+    figure(
+        "paley.fig1",
+        "four types of motion under the all-to-all control",
+        &["paley.fig1", "paley.releq", "paley.eq3"],
+        paley_fig1::reproduce,
+    ),
+    figure(
+        "paley.fig2",
+        "the eigenvectors of the cyclic graph as polygons",
+        &["paley.fig2", "paley.fig2.caption", "paley.eig.sym", "beyond.paley.cyclic_eigenvectors"],
+        paley_fig2::reproduce,
+    ),
+    figure(
+        "paley.fig3",
+        "circular formations on the cyclic graph",
+        &["paley.fig3", "paley.fig3.gain", "paley.fig3.max", "beyond.paley.cyclic_patterns"],
+        paley_fig3::reproduce,
+    ),
+    figure(
+        "paley.fig4",
+        "the six symmetric circular formations",
+        &["paley.fig4", "paley.thm3.stab"],
+        paley_fig4::reproduce,
+    ),
+    figure(
+        "paley.fig5",
+        "a group that tracks a reference direction",
+        &["paley.fig5", "paley.ref"],
+        paley_fig5::reproduce,
+    ),
+    figure(
+        "paley.fig6",
+        "a circular formation in a drift field, with a beacon",
+        &["paley.drift", "paley.fig6.gain", "paley.beacon", "paley.beacon.form"],
+        paley_fig6::reproduce,
+    ),
+    figure("paley.fig7", "the perceptual zones of a fish", &["paley.fig7"], paley_fig7::reproduce),
+    figure(
+        "paley.fig8",
+        "circular formations for growing zones of orientation",
+        &["paley.fig8.circ", "paley.fig8.neg", "paley.fig8.pos", "paley.chord", "paley.eq29"],
+        paley_fig8::reproduce,
+    ),
+    figure(
+        "paley.abscissa",
+        "enclosed rates of decay to symmetric circular formations",
+        &["beyond.paley.abscissa", "paley.thm3.stab"],
+        paley_abscissa::reproduce,
+    ),
+    figure(
+        "paley.basins",
+        "exploration: which share of starts ends where",
+        &["paley.fig3.gain", "beyond.paley.cyclic_patterns"],
+        paley_basins::reproduce,
+    ),
+    figure(
+        "paley.figS2",
+        "fish, headings and zones of orientation, on synthetic schools",
+        &["paley.figS1_S3"],
+        paley_fish_data::snapshots,
+    ),
+    figure(
+        "paley.figS3",
+        "scaled phase potentials and null models, on synthetic schools",
+        &["paley.figS1_S3", "paley.figS3.difference", "paley.scale"],
+        paley_fish_data::potentials,
+    ),
+    figure("tanner1.fig2", "the potential of two agents", &["tanner1.fig2", "tanner1.anyV"], tanner1_fig2::reproduce),
+    figure(
+        "tanner1.figs3_6",
+        "heading alignment on the complete graph, with shares",
+        &["tanner1.figs3_6"],
+        tanner1_flocking::complete,
+    ),
+    figure(
+        "tanner1.figs7_10",
+        "heading alignment on incomplete graphs, with shares",
+        &["tanner1.figs7_10"],
+        tanner1_flocking::incomplete,
+    ),
+    figure(
+        "tanner2.fig4",
+        "velocity alignment on a fixed network, and collisions",
+        &["tanner2.fig4", "tanner2.fig4.close"],
+        tanner2_fig4::reproduce,
+    ),
+    figure(
+        "tanner2.fig5",
+        "links within 2 m, a flock that stays connected",
+        &["tanner2.fig5"],
+        tanner2_switching::connected,
+    ),
+    figure("tanner2.fig6", "links within 2 m, a flock that is torn apart", &["tanner2.fig6"], tanner2_switching::torn),
+    figure(
+        "tanner.rates",
+        "exploration: rate of approach against connectivity",
+        &["tanner2.cor2_rate"],
+        tanner_rates::reproduce,
+    ),
+    figure(
+        "tanner.equilibria",
+        "exploration: equilibria, minima and saddles",
+        &["tanner2.thm1c", "beyond.tanner2.thm1c", "tanner2.sec4.flocking"],
+        tanner_equilibria::reproduce,
+    ),
 ];
 
-const fn figure(name: &'static str, about: &'static str, make: fn() -> Result<Reproduced, CheckError>) -> Figure {
-    Figure { name, about, make }
+const fn figure(
+    name: &'static str,
+    about: &'static str,
+    claims: &'static [&'static str],
+    make: fn() -> Result<Reproduced, CheckError>,
+) -> Figure {
+    Figure { name, about, claims, make }
 }
 
 impl Figure {
@@ -96,6 +226,19 @@ impl Figure {
         match FIGURES.iter().find(|figure| figure.name == name) {
             Some(figure) => vec![figure],
             None => FIGURES.iter().filter(short).collect(),
+        }
+    }
+
+    /// All figures that bear on a claim.
+    pub fn of_claim(id: &str) -> impl Iterator<Item = &'static Figure> {
+        FIGURES.iter().filter(move |figure| figure.claims.contains(&id))
+    }
+
+    /// The paper it belongs to; what is about both papers of Tanner and others stands with the second.
+    pub fn paper(&self) -> &'static str {
+        match self.name.split('.').next() {
+            Some("tanner") | None => "tanner2",
+            Some(paper) => paper,
         }
     }
 
@@ -112,7 +255,10 @@ impl Figure {
         // What was chosen stands beside the numbers.
         let mut files = vec![file("", "txt", made.text.clone().into_bytes())];
         files.extend(made.tables.into_iter().map(|(part, csv)| file(part, "csv", csv.into_bytes())));
+        let paper = paper_named(self.paper()).map_or(String::new(), |paper| format!("{} {}", paper.short, paper.year));
+        let caption = format!("{}: {}. Claims: {}", self.name, self.about, self.claims.join(", "));
         for (part, picture) in made.pictures {
+            let picture = picture.of(&paper).caption(caption.as_str());
             files.push(file(part, "svg", picture.svg().into_bytes()));
             files.push(file(part, "png", picture.png()?));
         }

@@ -1,7 +1,7 @@
 //! How fast symmetric circular formations are reached: enclosed spectral abscissae of their linearisations.
 
 use super::{Reproduced, csv};
-use crate::plot::{Axis, Corner, Panel, Picture, Series};
+use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::{Interval, Rational, decimals, parse_rational, rational};
 use claims::paley::runs::{CyclicFormation, OMEGA, PARTICLES, PatternFormation};
 use ledger::CheckError;
@@ -86,12 +86,14 @@ fn curve(
 /// The patterns of all numbers of particles, as rows of the table, lines of the text, and points.
 fn patterns(text: &mut String, table: &mut Vec<Vec<String>>) -> Result<Panel, CheckError> {
     let last = printed(PatternFormation::GAINS.1)?;
-    let mut panel =
+    let panel =
         Panel::new("a) gains of Figure 4, all M and N", Axis::linear("M"), Axis::log("rate").between(2e-3, 0.1));
+    // The rate depends on N through M < N or M = N only.
+    let (mut fewer, mut single) = (Vec::new(), Vec::new());
     for particles in ORDERS {
-        let mut points = Vec::new();
         for clusters in (1..=particles).filter(|m| particles.is_multiple_of(*m)) {
             let found = pattern(clusters, particles, &last)?;
+            let points = if clusters < particles { &mut fewer } else { &mut single };
             points.push((clusters as f64, -found.abscissa.to_f64()));
             table.push(row("(25)", particles, clusters, &format!("-{}", PatternFormation::GAINS.1), &found));
             if particles == PARTICLES {
@@ -101,9 +103,8 @@ fn patterns(text: &mut String, table: &mut Vec<Vec<String>>) -> Result<Panel, Ch
                     writeln!(text, "{clusters:4} {:8}   {:37} {:6}", found.zeros, format!("[{lo}, {hi}]"), found.wave);
             }
         }
-        panel = panel.series(Series::points(format!("N = {particles}"), points).size(7.0 - particles as f64 / 6.0));
     }
-    Ok(panel)
+    Ok(panel.series(Series::points("M < N", fewer).size(4.0)).series(Series::points("M = N", single).size(4.0)))
 }
 
 /// The twisted states of Figure 3 for its gains.
@@ -141,9 +142,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     text += "\nMore gain is not faster: beyond some gain the rate falls again (panels b, c).\n\
              Centres move only while u_k differs from w0, and phases that are held firmly\n\
              keep u_k at w0.\n";
-    let axes = |title: &str, gain: &str| {
-        Panel::new(title, Axis::log(gain), Axis::log("rate").between(1e-5, 1.0)).legend(Corner::UpperLeft)
-    };
+    let axes = |title: &str, gain: &str| Panel::new(title, Axis::log(gain), Axis::log("rate").between(1e-6, 1.0));
     let mut raised = axes("b) N = 12, K_m = 0.2, over |K_M|", "|K_M|");
     for (clusters, dashed) in [(1, false), (2, true), (3, false), (4, false), (12, true)] {
         raised =

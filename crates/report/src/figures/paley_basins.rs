@@ -2,7 +2,7 @@
 
 use super::paley::{START, start};
 use super::{Reproduced, csv};
-use crate::plot::{Axis, Colour, Corner, PALETTE, Panel, Picture, Series};
+use crate::plot::{Axis, Colour, PALETTE, Panel, Picture, Series};
 use claims::paley::runs::{CyclicFormation, Experiment, OMEGA, PatternPhases, RingPhases};
 use ledger::CheckError;
 use models::oscillator::{CLUSTER, Flight, centre_spread, nearest_twist, ring_differences, winding};
@@ -135,8 +135,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     panels.push(with_bars(windings("(i) phases on C_12, K_1 < 0"), "", PALETTE[0], &points));
 
     let mut panel =
-        Panel::new("(ii) the (M,N)-pattern under (25)", Axis::linear("M").ticks([2.0, 3.0, 4.0, 6.0, 12.0]), axis())
-            .legend(Corner::LowerLeft);
+        Panel::new("(ii) the (M,N)-pattern under (25)", Axis::linear("M").ticks([2.0, 3.0, 4.0, 6.0, 12.0]), axis());
     for (k, last) in LAST_GAINS.into_iter().enumerate() {
         let _ = writeln!(text, "(ii) phase model under (25), K_m = 0.2, K_M = -{last}, {PATTERN_STARTS} starts each");
         let mut points = Vec::new();
@@ -159,7 +158,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     }
     panels.push(panel);
 
-    let mut panel = windings("(iii) circular formations on C_12").legend(Corner::UpperRight);
+    let mut panel = windings("(iii) circular formations on C_12");
     for (k, orientation) in [-CyclicFormation::GAIN, CyclicFormation::GAIN].into_iter().enumerate() {
         let _ = writeln!(
             text,

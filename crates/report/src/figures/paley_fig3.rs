@@ -3,7 +3,7 @@
 use super::paley::{COLUMNS, START, Timed, end, first_run, rows, scene, turning_error};
 use super::paley_abscissa::{rate, twisted};
 use super::{Reproduced, csv};
-use crate::plot::{Axis, Corner, Panel, Picture, Series};
+use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::Complex;
 use claims::paley::runs::{CyclicFormation, Experiment, OMEGA, PARTICLES};
 use ledger::CheckError;
@@ -51,9 +51,11 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let mut picture =
         Picture::new("Figure 3: circular formations under (22) on the cyclic graph, N = 12, ω0 = 0.1, K_0 = Nω0")
             .grid(3, (400.0, 390.0));
-    let mut potentials =
-        Panel::new("(f) the phase potential", Axis::linear("t"), Axis::linear("W_1").between(-0.1, 2.1))
-            .legend(Corner::LowerRight);
+    let mut potentials = Panel::new(
+        "(f) the phase potential",
+        Axis::linear("time (speed 1, lengths as in the panel)"),
+        Axis::linear("W_1").between(-0.1, 2.1),
+    );
     let (mut table, mut curves) = (Vec::new(), Vec::new());
     for (panel, gain, name, replicate, course) in &panels {
         let formation = CyclicFormation::new(*gain);

@@ -58,7 +58,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         -3.0 * PI / 8.0
     );
     let scale = Axis::log("largest |θ_k − θ_0| (radians)").between(1e-4, 10.0);
-    let error = Panel::new("tracking error", Axis::linear("t"), scale)
+    let error = Panel::new("tracking error", Axis::linear("time (speed 1, lengths as in the panel)"), scale)
         .series(Series::line("", errors.iter().copied()).size(1.4))
         .series(Series::dashed("0.01", [(0.0, TOLERANCE), (4.0 * length, TOLERANCE)]).size(1.0));
     let picture = Picture::new("Figure 5: a group tracks a reference direction, N = 12, ω0 = 0, K_1 = −1")

@@ -38,7 +38,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         Picture::new("Figure 6: the synchronised circular formation in a drift field").grid(2, (520.0, 430.0));
     let mut distance = Panel::new(
         "(d) distance of the mean of the circle centres",
-        Axis::linear("t"),
+        Axis::linear("time (speed 1, lengths as in the panel)"),
         Axis::linear("from 10 (beacon)"),
     );
     let mut table = Vec::new();

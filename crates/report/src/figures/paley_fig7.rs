@@ -2,7 +2,7 @@
 
 use super::paley::{BLACK, BLUE, GREEN, ORANGE, RED, zone_outline};
 use super::{Reproduced, csv};
-use crate::plot::{Axis, Corner, Panel, Picture, Series};
+use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::Complex;
 use claims::paley::runs::zones_of_figure_7;
 use ledger::CheckError;
@@ -28,7 +28,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         zones.attraction,
         2.0 * half_blind.to_degrees()
     );
-    let mut panel = Panel::new("", Axis::linear("x"), Axis::linear("y")).equal_scales().legend(Corner::UpperRight);
+    let mut panel = Panel::new("", Axis::linear("x"), Axis::linear("y")).equal_scales();
     let mut table = Vec::new();
     let reach = 1.05 * zones.attraction;
     let step = reach / f64::from(HALF);

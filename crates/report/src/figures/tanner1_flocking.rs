@@ -104,7 +104,10 @@ fn draw(
 ) -> Result<(Picture, Vec<Vec<String>>), CheckError> {
     let kind = if complete { "complete" } else { "incomplete" };
     let mut picture =
-        Picture::new(format!("Figures {figures}: headings align, {kind} graph, ten agents")).grid(5, (330.0, 310.0));
+        Picture::new(format!(
+            "Figures {figures}: headings align, {kind} graph, ten agents. Run {replicate}; snapshots with V = s + 1/s − 2, up to 20 m/s"
+        ))
+        .grid(2, (430.0, 330.0));
     let mut courses = Vec::new();
     // Equal ratios from 1/10 s on.
     let times = merged((0..400).map(|k| 0.1 * (UNTIL / 0.1).powf(f64::from(k) / 400.0)), &TIMES);
@@ -119,20 +122,19 @@ fn draw(
         }
         courses.push((reading, seen));
     }
-    let over_time = |title: &str, axis: Axis, legend: bool, quantity: fn(&Observation) -> f64| {
+    let over_time = |title: &str, axis: Axis, quantity: fn(&Observation) -> f64| {
         let time = Axis::log("time (s)").between(0.1, UNTIL);
         courses.iter().fold(Panel::new(title, time, axis), |panel, (reading, course)| {
-            let name = if legend { reading.name() } else { "" };
-            panel.series(line(name, colour(*reading), course, quantity))
+            panel.series(line(reading.name(), colour(*reading), course, quantity))
         })
     };
     picture = picture
-        .panel(over_time("heading spread", Axis::linear("largest difference (rad)"), false, |o| o.heading_spread))
-        .panel(over_time("velocities", Axis::log("disagreement (m/s)"), false, |o| o.disagreement))
-        .panel(over_time("distances", Axis::log("least distance of all pairs (m)"), false, |o| o.least_distance))
-        .panel(over_time("size", Axis::log("radius of the flock (m)"), true, |o| o.radius))
-        .panel(over_time("potential", Axis::log("sum of all V_ij"), false, |o| o.potential))
-        .panel(over_time("forces", Axis::log("largest |grad V_i|"), false, |o| o.gradient));
+        .panel(over_time("heading spread", Axis::linear("largest difference (rad)"), |o| o.heading_spread))
+        .panel(over_time("velocities", Axis::log("disagreement (m/s)"), |o| o.disagreement))
+        .panel(over_time("distances", Axis::log("least distance of all pairs (m)"), |o| o.least_distance))
+        .panel(over_time("size", Axis::log("radius of the flock (m)"), |o| o.radius))
+        .panel(over_time("potential", Axis::log("sum of all V_ij"), |o| o.potential))
+        .panel(over_time("forces", Axis::log("largest |grad V_i|"), |o| o.gradient));
     let rows = courses.iter().flat_map(|(reading, course)| {
         course_rows(
             match reading {

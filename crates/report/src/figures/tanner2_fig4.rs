@@ -71,9 +71,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
                 .series(line("pairs without link", PALETTE[1], &course, |o| o.least_unlinked)),
         )
         .panel(
-            Panel::new("energy", time(), Axis::linear("sum of potentials, W"))
-                .series(line("potential", PALETTE[2], &course, |o| o.potential))
-                .series(line("W", PALETTE[3], &course, |o| o.energy)),
+            Panel::new("energy", time(), Axis::log("energy"))
+                .series(line("sum of potentials", PALETTE[2], &course, |o| o.potential))
+                .series(line("kinetic, W less that sum", PALETTE[3], &course, |o| o.energy - o.potential)),
         );
     let end = course.last().map_or(String::new(), |o| {
         format!(

@@ -97,10 +97,9 @@ fn draw(
                 .series(line("of all", PALETTE[0], &course, |o| o.disagreement)),
         )
         .panel(
-            Panel::new("network", time(), Axis::linear("number, distance (m)"))
-                .series(line("links / 10", PALETTE[2], &course, |o| o.links as f64 / 10.0))
-                .series(line("components", PALETTE[3], &course, |o| o.components as f64))
-                .series(line("least distance", PALETTE[0], &course, |o| o.least_distance)),
+            Panel::new("network", time(), Axis::log("number").between(0.8, 60.0))
+                .series(line("links", PALETTE[2], &course, |o| o.links as f64))
+                .series(line("components", PALETTE[3], &course, |o| o.components as f64)),
         )
         .panel(
             Panel::new("energy", time(), Axis::linear("Q, sum of potentials"))

@@ -2,7 +2,7 @@
 
 use super::veerman::{UNIT, certified, steps};
 use super::{Reproduced, csv};
-use crate::plot::{Axis, Corner, Panel, Picture, Series};
+use crate::plot::{Axis, Panel, Picture, Series};
 use ledger::CheckError;
 use models::platoon::observe::{largest, smallest_gap};
 use models::platoon::time_domain::Modes;
@@ -53,13 +53,14 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let shown = [0usize, 4, 9, 14, 19];
     let mut places = Panel::new(
         "a) deviation from the place behind the leader",
-        Axis::linear("time").between(0.0, 1.18 * END),
+        Axis::linear("time (f = −1 sets the unit)").between(0.0, END),
         Axis::linear("deviation"),
     );
-    let mut velocities =
-        Panel::new("b) velocities", Axis::linear("time").between(0.0, 1.18 * END), Axis::linear("velocity"));
-    // The axis is longer than the run, which leaves room for the legend.
-    (places, velocities) = (places.legend(Corner::UpperRight), velocities.legend(Corner::UpperRight));
+    let mut velocities = Panel::new(
+        "b) velocities",
+        Axis::linear("time (f = −1 sets the unit)").between(0.0, END),
+        Axis::linear("velocity"),
+    );
     for car in shown {
         places = places.series(Series::line(format!("car {}", car + 1), lines[car].0.clone()));
         velocities = velocities.series(Series::line(format!("car {}", car + 1), lines[car].1.clone()));
@@ -73,7 +74,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     .panel(
         Panel::new(
             "c) collision check",
-            Axis::linear("time").between(0.0, 1.18 * END),
+            Axis::linear("time (f = −1 sets the unit)").between(0.0, END),
             Axis::linear("gap minus spacing, smallest"),
         )
         .series(Series::line("", gaps)),

@@ -2,7 +2,7 @@
 
 use super::veerman::{certified, leading};
 use super::{Reproduced, csv};
-use crate::plot::{Axis, Corner, Panel, Picture, Series};
+use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::regression_line;
 use claims::veerman::printed_table::ROWS;
 use ledger::CheckError;
@@ -53,8 +53,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             title,
             Axis::log("N (followers)").ticks(ticks),
             Axis::log(format!("|difference of the {quantity}|")),
-        )
-        .legend(Corner::LowerLeft);
+        );
         for set in [Differences::new("certified", true_set)?, Differences::new("printed columns", printed_set)?] {
             // Writing to a string cannot fail.
             let _ = writeln!(text, "  {quantity}, {:16} slope {:+.4}", set.name, set.slope);

@@ -137,7 +137,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let [mut left, mut right] =
         [("a) TAMP", "|TAMP/amplitude − 1|"), ("b) TFREQ", "|TFREQ/frequency − 1|")].map(|(title, label)| {
             let ticks: Vec<f64> = ROWS.iter().map(|row| row.n as f64).collect();
-            Panel::new(title, Axis::log("N (followers)").ticks(ticks), Axis::log(label).between(1e-7, 1e3))
+            Panel::new(title, Axis::log("N (followers)").ticks(ticks), Axis::log(label).between(1e-7, 1.0))
         });
     for (name, procedure) in &PROCEDURES {
         let mut worst = [0f64; 3];

@@ -1,7 +1,7 @@
 //! The outlines of texts in the font that is built in: no font of the machine is used.
 
 use super::png::PictureError;
-use super::shape::{RAISED, Span};
+use super::shape::Span;
 use tiny_skia::{Path, PathBuilder};
 use ttf_parser::{Face, OutlineBuilder};
 
@@ -19,8 +19,9 @@ impl Font {
     pub fn outline(&self, spans: &[Span], size: f32) -> (Option<Path>, f32) {
         let mut pen = Pen { path: PathBuilder::new(), x: 0.0, y: 0.0, unit: 0.0 };
         for span in spans {
-            let (up, size) = if span.raised { (RAISED.0 as f32, RAISED.1 as f32) } else { (0.0, size) };
-            (pen.y, pen.unit) = (-up, size / f32::from(self.0.units_per_em()));
+            let (up, own) = span.level.shift();
+            let size = own.map_or(size, |own| own as f32);
+            (pen.y, pen.unit) = (-up as f32, size / f32::from(self.0.units_per_em()));
             for letter in span.text.chars() {
                 // What the font lacks is shown as a box.
                 let glyph = self.0.glyph_index(letter).unwrap_or_default();

@@ -26,12 +26,19 @@ pub struct Picture {
     columns: usize,
     panel_size: (f64, f64),
     panels: Vec<Panel>,
+    caption: String,
 }
 
 impl Picture {
     /// A picture without panels, one panel in a row.
     pub fn new(title: impl Into<String>) -> Self {
-        Picture { title: title.into(), columns: 1, panel_size: (700.0, 420.0), panels: Vec::new() }
+        Picture {
+            title: title.into(),
+            columns: 1,
+            panel_size: (700.0, 420.0),
+            panels: Vec::new(),
+            caption: String::new(),
+        }
     }
 
     /// So many panels in a row, each of this width and height in pixels, with its axis labels.
@@ -43,6 +50,20 @@ impl Picture {
     /// Adds a panel.
     pub fn panel(mut self, panel: Panel) -> Self {
         self.panels.push(panel);
+        self
+    }
+
+    /// Writes below the panels where the picture belongs.
+    pub fn caption(mut self, caption: impl Into<String>) -> Self {
+        self.caption = caption.into();
+        self
+    }
+
+    /// Writes before the title of which paper it speaks.
+    pub fn of(mut self, paper: &str) -> Self {
+        if self.title.starts_with("Figure") || self.title.starts_with("Table") {
+            self.title = format!("{paper}, {}", self.title);
+        }
         self
     }
 
@@ -67,25 +88,18 @@ pub struct Panel {
     x: Axis,
     y: Axis,
     equal_scales: bool,
-    legend: Option<Corner>,
     series: Vec<Series>,
 }
 
 impl Panel {
-    /// A panel with nothing in it; an empty title takes no room. The legend goes where it covers least.
+    /// A panel with nothing in it; an empty title takes no room. The legend stands above the axes, where it covers nothing.
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
-        Panel { title: title.into(), x, y, equal_scales: false, legend: None, series: Vec::new() }
+        Panel { title: title.into(), x, y, equal_scales: false, series: Vec::new() }
     }
 
     /// One unit is equally long on both axes: for pictures of a plane.
     pub fn equal_scales(mut self) -> Self {
         self.equal_scales = true;
-        self
-    }
-
-    /// Puts the legend in a corner.
-    pub fn legend(mut self, corner: Corner) -> Self {
-        self.legend = Some(corner);
         self
     }
 
@@ -100,16 +114,6 @@ impl Panel {
         self.series.insert(0, series);
         self
     }
-}
-
-/// A corner of a panel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum Corner {
-    UpperLeft,
-    UpperRight,
-    LowerLeft,
-    LowerRight,
 }
 
 /// An axis: its label with the unit, its kind, and its range and ticks where the data should not choose them.

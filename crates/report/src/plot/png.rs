@@ -2,7 +2,7 @@
 
 use super::Colour;
 use super::font::Font;
-use super::shape::{Anchor, DASHES, Fill, Outline, Rectangle, Shape, Sheet, Step, Stroke, Text};
+use super::shape::{Anchor, Fill, Outline, Rectangle, Shape, Sheet, Step, Stroke, Text};
 use tiny_skia::{Color, FillRule, LineJoin, Mask, Paint, Path, PathBuilder, Pixmap, Rect, StrokeDash, Transform};
 
 /// Why a picture could not be made.
@@ -77,11 +77,12 @@ impl Painter {
         if let Some(Fill { colour, opacity }) = fill {
             self.canvas.fill_path(&path, &paint(colour, opacity)?, FillRule::Winding, self.scale, mask);
         }
-        if let Some(Stroke { colour, width, dashed }) = stroke {
+        if let Some(Stroke { colour, width, dashes }) = stroke {
             let pen = tiny_skia::Stroke {
                 width: width as f32,
                 line_join: if matches!(outline, Outline::Path(_)) { LineJoin::Round } else { LineJoin::Miter },
-                dash: dashed.then(|| StrokeDash::new(vec![DASHES.0 as f32, DASHES.1 as f32], 0.0)).flatten(),
+                // No dashes are no pattern.
+                dash: StrokeDash::new(dashes.iter().map(|length| *length as f32).collect(), 0.0),
                 ..tiny_skia::Stroke::default()
             };
             self.canvas.stroke_path(&path, &paint(colour, 1.0)?, &pen, self.scale, mask);
@@ -99,9 +100,9 @@ impl Painter {
         };
         let place = self.scale.pre_translate(text.at.0 as f32, text.at.1 as f32);
         let place = place.pre_rotate(if text.turned { -90.0 } else { 0.0 }).pre_translate(-before, 0.0);
-        let mut black = Paint::default();
-        black.set_color(Color::BLACK);
-        self.canvas.fill_path(&letters, &black, FillRule::Winding, place, mask);
+        let mut ink = Paint::default();
+        ink.set_color(if text.faint { Color::from_rgba8(85, 85, 85, 255) } else { Color::BLACK });
+        self.canvas.fill_path(&letters, &ink, FillRule::Winding, place, mask);
     }
 
     /// Lets through what lies in the window.

@@ -66,13 +66,23 @@ pub(super) struct Fill {
 pub(super) struct Stroke {
     pub colour: Colour,
     pub width: f64,
-    pub dashed: bool,
+    /// Lengths of dashes and of the gaps between them in turn; none for a whole line.
+    pub dashes: &'static [f64],
 }
 
-/// Lengths of the dashes and of the gaps between them.
-pub(super) const DASHES: (f64, f64) = (6.0, 4.0);
+/// Ways in which lines are told apart without their colour, in the order of the palette; the first is a whole line.
+pub(super) const DASHES: [&[f64]; 8] = [
+    &[],
+    &[6.0, 4.0],
+    &[2.0, 2.5],
+    &[9.0, 3.0, 2.0, 3.0],
+    &[4.0, 2.0],
+    &[12.0, 4.0],
+    &[9.0, 3.0, 2.0, 3.0, 2.0, 3.0],
+    &[1.5, 4.0],
+];
 
-/// Black writing.
+/// Writing.
 #[derive(Debug, Clone)]
 pub(super) struct Text {
     /// Of the base line, at the start, middle or end of the text.
@@ -81,6 +91,8 @@ pub(super) struct Text {
     pub size: f64,
     /// Upwards, by a quarter turn about the place.
     pub turned: bool,
+    /// Grey, not black.
+    pub faint: bool,
     pub spans: Vec<Span>,
 }
 
@@ -95,12 +107,27 @@ pub(super) enum Anchor {
 #[derive(Debug, Clone)]
 pub(super) struct Span {
     pub text: String,
-    /// An exponent.
-    pub raised: bool,
+    pub level: Level,
 }
 
-/// How far exponents are raised, and their size.
-pub(super) const RAISED: (f64, f64) = (4.5, 9.0);
+/// Where a part of a text stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Level {
+    Line,
+    Exponent,
+    Index,
+}
+
+impl Level {
+    /// How far it is raised, and its size where it has one of its own.
+    pub fn shift(self) -> (f64, Option<f64>) {
+        match self {
+            Level::Line => (0.0, None),
+            Level::Exponent => (4.5, Some(9.0)),
+            Level::Index => (-3.0, Some(9.0)),
+        }
+    }
+}
 
 impl Shape {
     /// A line through places.

@@ -1,8 +1,21 @@
 //! From shapes to an SVG document.
 
 use super::draw::FONT_SIZE;
-use super::shape::{Anchor, DASHES, Fill, Outline, RAISED, Rectangle, Shape, Sheet, Step, Stroke, Text};
+use super::shape::{Anchor, Fill, Level, Outline, Rectangle, Shape, Sheet, Step, Stroke, Text};
 use std::fmt::Write;
+
+/// What changes where the reader prefers a dark page: paper, writing, lines and the darker colours of the palette.
+const DARK: &str = "<style>@media (prefers-color-scheme: dark) {\n\
+    [fill='#ffffff'] { fill: #16181b } text { fill: #e4e4df } text[fill='#555555'] { fill: #a4a9b0 }\n\
+    [stroke='#333333'] { stroke: #a4a9b0 } [stroke='#e4e4e4'] { stroke: #303439 } [stroke='#555555'] { stroke: #a4a9b0 }\n\
+    [stroke='#0b5fa5'] { stroke: #6db3f2 } [fill='#0b5fa5'] { fill: #6db3f2 }\n\
+    [stroke='#d1580b'] { stroke: #f39a5a } [fill='#d1580b'] { fill: #f39a5a }\n\
+    [stroke='#138a5e'] { stroke: #55c79b } [fill='#138a5e'] { fill: #55c79b }\n\
+    [stroke='#a3247a'] { stroke: #e27fc4 } [fill='#a3247a'] { fill: #e27fc4 }\n\
+    [stroke='#8a4a20'] { stroke: #cf9468 } [fill='#8a4a20'] { fill: #cf9468 }\n\
+    [stroke='#6b6b6b'] { stroke: #b5b5b5 } [fill='#6b6b6b'] { fill: #b5b5b5 }\n\
+    [stroke='#1d2b36'] { stroke: #dfe6ec } [fill='#1d2b36'] { fill: #dfe6ec }\n\
+    [stroke='#000000'] { stroke: #e4e4df } [fill='#000000'] { fill: #e4e4df } }</style>\n";
 
 /// Writes the document.
 pub(super) fn svg(sheet: &Sheet) -> String {
@@ -10,7 +23,7 @@ pub(super) fn svg(sheet: &Sheet) -> String {
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {width} {height}\" font-family=\"DejaVu Sans, sans-serif\" font-size=\"{FONT_SIZE}\">\n\
-         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
+         {DARK}<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n"
     );
     write_all(shapes, &mut 0, &mut out);
     out.push_str("</svg>\n");
@@ -91,7 +104,7 @@ fn filled(outline: &Outline, fill: Option<Fill>) -> String {
 }
 
 fn stroked(outline: &Outline, stroke: Option<Stroke>) -> String {
-    let Some(Stroke { colour, width, dashed }) = stroke else { return String::new() };
+    let Some(Stroke { colour, width, dashes }) = stroke else { return String::new() };
     let mut out = format!(" stroke=\"{colour}\"");
     if width != 1.0 {
         let _ = write!(out, " stroke-width=\"{width}\"");
@@ -99,8 +112,9 @@ fn stroked(outline: &Outline, stroke: Option<Stroke>) -> String {
     if matches!(outline, Outline::Path(steps) if has_corners(steps)) {
         out.push_str(" stroke-linejoin=\"round\"");
     }
-    if dashed {
-        let _ = write!(out, " stroke-dasharray=\"{} {}\"", DASHES.0, DASHES.1);
+    if !dashes.is_empty() {
+        let lengths: Vec<String> = dashes.iter().map(f64::to_string).collect();
+        let _ = write!(out, " stroke-dasharray=\"{}\"", lengths.join(" "));
     }
     out
 }
@@ -116,21 +130,24 @@ fn written(text: &Text) -> String {
     if text.size != FONT_SIZE {
         let _ = write!(out, " font-size=\"{}\"", text.size);
     }
+    if text.faint {
+        out.push_str(" fill=\"#555555\"");
+    }
     if text.turned {
         let _ = write!(out, " transform=\"rotate(-90 {x} {y})\"");
     }
     out.push('>');
-    let (by, small) = RAISED;
-    let mut raised = false;
+    let mut up = 0.0;
     for span in &text.spans {
+        let (raised, size) = span.level.shift();
         let text = escaped(&span.text);
-        let _ = match (raised, span.raised) {
-            (false, true) => write!(out, "<tspan dy=\"-{by}\" font-size=\"{small}\">{text}</tspan>"),
-            (true, true) => write!(out, "<tspan font-size=\"{small}\">{text}</tspan>"),
-            (true, false) => write!(out, "<tspan dy=\"{by}\">{text}</tspan>"),
-            (false, false) => write!(out, "{text}"),
+        let (by, size) = (up - raised, size.map_or(String::new(), |size| format!(" font-size=\"{size}\"")));
+        let _ = match span.level {
+            Level::Line if by == 0.0 => write!(out, "{text}"),
+            _ if by == 0.0 => write!(out, "<tspan{size}>{text}</tspan>"),
+            _ => write!(out, "<tspan dy=\"{by}\"{size}>{text}</tspan>"),
         };
-        raised = span.raised;
+        up = raised;
     }
     out + "</text>"
 }

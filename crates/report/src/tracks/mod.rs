@@ -7,8 +7,8 @@ mod text;
 
 pub(super) use pictures::{difference_panel, potential_panel, scaled_panel, snapshot_panel};
 
-use super::File;
 use super::plot::PictureError;
+use super::{File, Provenance};
 use models::tracks::{Analysis, NullModels, Tracks};
 
 /// A recording, its analysis and the null models.
@@ -35,16 +35,19 @@ impl TracksReport<'_> {
         summary::summary(self)
     }
 
-    /// The summary and the tables.
-    pub fn tables(&self) -> Vec<File> {
+    /// The summary and the tables, with where they come from.
+    pub fn tables(&self, provenance: &Provenance) -> Vec<File> {
         let text = |name: &str, contents: String| File { name: name.to_string(), contents: contents.into_bytes() };
-        vec![
-            text("summary.json", format!("{:#}\n", self.summary())),
+        let summary = provenance.stamp(self.summary());
+        let mut files = vec![
+            text("summary.json", format!("{summary:#}\n")),
             text("frames.csv", tables::frames(self)),
             text("fish.csv", tables::fish(self)),
             text("gaps.csv", tables::gaps(self)),
             text("histograms.csv", tables::histograms(self)),
-        ]
+        ];
+        files.push(text("about.txt", provenance.about(&files)));
+        files
     }
 
     /// The pictures; the snapshot shows the frame with all headings that is closest to `snapshot_at`.

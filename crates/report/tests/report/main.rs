@@ -1,3 +1,4 @@
 //! What the report prints and draws.
 
 mod plot;
+mod site;

@@ -1,6 +1,6 @@
 //! Pictures: their ticks, their SVG and their pixels.
 
-use report::plot::{Axis, Corner, Panel, Picture, PictureError, Series};
+use report::plot::{Axis, Panel, Picture, PictureError, Series};
 use tiny_skia::{Pixmap, PremultipliedColorU8};
 
 fn drawn(picture: &Picture) -> Pixmap {
@@ -88,11 +88,11 @@ fn a_point_that_is_not_finite_breaks_a_line() {
 }
 
 #[test]
-fn texts_are_escaped_and_exponents_raised() {
+fn texts_are_escaped_exponents_raised_and_indices_lowered() {
     let labelled = Panel::new("a < b & c > d", Axis::linear("10^−3 m"), Axis::linear(""));
-    let svg = picture("x^2 <y>", labelled.series(Series::line("R&D", [(0.0, 1.0)])).legend(Corner::UpperLeft)).svg();
+    let svg = picture("K_M <y>", labelled.series(Series::line("R&D", [(0.0, 1.0)]))).svg();
     for part in [
-        ">x^2 &lt;y&gt;</text>",
+        ">K<tspan dy=\"3\" font-size=\"9\">M</tspan><tspan dy=\"-3\"> &lt;y&gt;</tspan></text>",
         ">a &lt; b &amp; c &gt; d</text>",
         ">10<tspan dy=\"-4.5\" font-size=\"9\">−3</tspan><tspan dy=\"4.5\"> m</tspan></text>",
         ">R&amp;D</text>",
@@ -136,4 +136,16 @@ fn empty_and_constant_data_have_ticks() {
             assert!(labels(axis.clone(), numbers).len() > 1, "{axis:?} {numbers:?}");
         }
     }
+}
+
+#[test]
+fn legends_stand_above_the_axes_and_lines_differ_in_more_than_colour() {
+    let curve = |name: &str, y: f64| Series::line(name, [(0.0, y), (1.0, y)]);
+    let named = panel().series(curve("one", 0.2)).series(curve("two", 0.4)).series(curve("three", 0.6));
+    let svg = picture("", named).svg();
+    let frame = svg.lines().find(|line| line.starts_with("<rect") && line.contains("#333333")).expect("the axes");
+    // Room for one row of the legend.
+    assert!(frame.contains(" y=\"40\""), "{frame}");
+    assert_eq!(svg.matches("stroke-dasharray=\"6 4\"").count(), 2, "a line and its place in the legend");
+    assert_eq!(svg.matches("stroke-dasharray=\"2 2.5\"").count(), 2);
 }

@@ -1,8 +1,8 @@
 //! chazelle.fiedler.rate: the Fiedler number and the decay of differences between velocities.
 
-use super::super::argued;
 use super::mixing::{at_most, some_powers};
 use super::{FAMILY, Family, Kind, Network, exhaustively, power_of_order, too_slow_for};
+use crate::argued::argued;
 use algebra::matrix::tau_1;
 use arithmetic::{Interval, Rational, Real, Ring, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
@@ -127,6 +127,6 @@ fn check_fiedler_rate(variant: &FiedlerVariant, run: &mut Run) -> Result<Outcome
         })
         .map(|outcome| outcome.on(of_rate)),
         run.every(exponent.on(of_rate), [3 + variant.gap_shift], too_slow_for),
-        Ok(argued("the Fiedler number, and the rates", place).on([1, 2, 3])),
+        argued(&[1, 2, 3], "the Fiedler number, and the rates", place),
     ])
 }

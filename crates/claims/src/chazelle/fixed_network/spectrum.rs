@@ -1,7 +1,7 @@
 //! chazelle.pi and chazelle.eq3.7: eigenvalues and first eigenvectors of the transition matrix.
 
-use super::super::argued;
 use super::{FAMILY, Family, Kind, Network, exhaustively, list};
+use crate::argued::argued;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{RadicalSum, Rational, rational};
 use ledger::{CheckError, Outcome, Record, Run};
@@ -206,6 +206,6 @@ fn check_symmetrised(variant: &SymmetrisedVariant, run: &mut Run) -> Result<Outc
             variant.differs_on_squares(network)
         })
         .map(|o| o.on([4])),
-        Ok(argued("the order of the eigenvalues", "notes/chazelle_fixed_network.md, Spectrum, steps 1-3").on([2])),
+        argued(&[2], "the order of the eigenvalues", "notes/chazelle_fixed_network.md, Spectrum, steps 1-3"),
     ])
 }

@@ -4,7 +4,7 @@ use algebra::graph::{LaplacianKind, NameError, NamedGraph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, CosineField, Field, Rational, RealCyclotomic, Ring, rational};
-use ledger::{CheckError, Evidence, Outcome, Run};
+use ledger::{CheckError, Outcome, Run};
 use models::oscillator::phasor;
 
 /// Phasors of an arrangement, exact at multiples of parts of a turn.
@@ -123,12 +123,6 @@ pub const N_AT_LEAST_2: &str = "N >= 2, the sizes for which the paper states its
 /// The outcome with evidence on these clauses where it holds; a counterexample is one to the only clause of the printed statement.
 pub fn supports(outcome: Outcome, clauses: &[usize]) -> Outcome {
     if matches!(outcome, Outcome::Holds(_)) { outcome.on(clauses) } else { outcome }
-}
-
-/// A proof on paper of these clauses for all their parameters: the steps of `notes/paley_phases.md` that it takes.
-pub fn argued(clauses: &[usize], part: &str, steps: &str) -> Result<Outcome, CheckError> {
-    let detail = format!("notes/paley_phases.md, steps {steps}");
-    Ok(Outcome::Holds(vec![Evidence::argued(part, detail).on(clauses)]))
 }
 
 /// Whether the numbers are all zero.

@@ -1,7 +1,8 @@
 //! paley.eig.sym, paley.fig2.caption: which eigenvectors with entries of modulus one a circulant Laplacian has.
 
-use super::common::{Exact, all_zero, argued, at, circulants, digraph, laplacian, turns, up_to_rotation};
+use super::common::{Exact, all_zero, at, circulants, digraph, laplacian, turns, up_to_rotation};
 use super::stationary::is_eigenvector;
+use crate::argued::argued;
 use algebra::matrix::{SparseMatrix, inertia};
 use arithmetic::{Complex, CosineField, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
@@ -40,8 +41,7 @@ pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
     )
     .repaired(
         Fault::False,
-        "If e^{i theta} is, up to a common rotation, a column of F (column m other than the first), then the phasors form a symmetric pattern, \
-         that of N/gcd(N, m - 1) clusters. Other eigenvectors of a repeated eigenvalue need not be symmetric.",
+        "",
         right,
     )
     .repaired_clauses(&[
@@ -227,7 +227,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
                           span all of them";
             let part = "all eigenvectors of C_12 with entries of modulus one";
             let found = Evidence::new(Grade::Exact, part, detail).on([1, 2, 3, 4]).cases(12);
-            Run::all([Ok(Outcome::Holds(vec![found])), argued(&[2, 3, 4], part, "E1-E5")])
+            Run::all([Ok(Outcome::Holds(vec![found])), argued(&[2, 3, 4], part, "notes/paley_phases.md, steps E1-E5")])
         },
     )
     .clauses(&[
@@ -236,8 +236,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
     ])
     .repaired(
         Fault::False,
-        "On C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of W_1, and up to rotation it is a column of F, which \
-         is a symmetric pattern, or, with eigenvalue 2, (u, v, -u, -v) three times over with any u, v of modulus one.",
+        "",
         right,
     )
     .repaired_clauses(&[

@@ -1,6 +1,7 @@
 //! paley.length, paley.eq11.kernel, paley.incid: the Laplacian as a sum over edges.
 
-use super::common::{arcs, argued, digraph, digraphs, laplacian, named, squared_lengths, supports};
+use super::common::{arcs, digraph, digraphs, laplacian, named, squared_lengths, supports};
+use crate::argued::argued;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
 use arithmetic::identity::RationalIdentity;
@@ -65,8 +66,7 @@ pub fn edge_length() -> Record<LengthVariant> {
     )
     .repaired(
         Fault::Slip,
-        "Q_L(x) = (1/(4N)) sum_{(j,k) in E} |x_j - x_k|^2 for undirected G with both directions of each edge in E, or (1/(2N)) with \
-         each edge counted once: proportional to the total squared length of the edges.",
+        "",
         right,
     )
     .repaired_clauses(&[
@@ -158,8 +158,7 @@ pub fn incidence() -> Record<IncidenceVariant> {
     )
     .repaired(
         Fault::Slip,
-        "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way; with one column for each \
-         directed edge in E, L = (1/2) B B^T.",
+        "",
         right,
     )
     .repaired_clauses(&[
@@ -192,7 +191,7 @@ fn examine_incidence(variant: &IncidenceVariant, run: &mut Run) -> Result<Outcom
         }
         Ok(None)
     })?;
-    let proof = argued(&[1, 2], "every undirected graph", "L3");
+    let proof = argued(&[1, 2], "every undirected graph", "notes/paley_phases.md, steps L3");
     Run::all([Ok(supports(graphs, &[1, 2])), proof])
 }
 

@@ -17,7 +17,6 @@ mod theorem1;
 mod tutorial;
 mod zero_set;
 
-pub use common::argued;
 pub use critical::{
     Kind, arrangements, critical_points, hessian, is_critical, is_on_a_line, linearisation, two_clusters,
 };

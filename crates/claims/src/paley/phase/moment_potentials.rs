@@ -1,8 +1,9 @@
 //! paley.Wm, paley.Um: the potentials of the moments.
 
-use super::common::{Exact, all_equal, all_zero, argued, at, complete, identities, laplacian, phasors};
+use super::common::{Exact, all_equal, all_zero, at, complete, identities, laplacian, phasors};
 use super::common::{squared_lengths, turns, up_to_rotation};
 use super::figure2::value_of;
+use crate::argued::argued;
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, CosineField, Field, Rational, Sign, Signed, rational};
@@ -106,7 +107,7 @@ pub fn moment_potentials() -> Record<MomentVariant> {
                 Ok((Deficit { particles, m }, part))
             });
             let squares = identities(run, &[1, 2], &[], squares);
-            Run::all([few_phases(variant, run), two_clusters(variant, run), squares, argued(&[3], "every N >= 2 and m", "P4")])
+            Run::all([few_phases(variant, run), two_clusters(variant, run), squares, argued(&[3], "every N >= 2 and m", "notes/paley_phases.md, steps P4")])
         },
     )
     .reading(

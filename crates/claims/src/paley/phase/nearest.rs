@@ -1,8 +1,7 @@
 //! paley.scale, paley.scale.complete, paley.fishpeak: the potential of the fish on the graph of nearest neighbours.
 
-use super::common::{
-    argued, complete, digraphs, identities, laplacian, on_the_line, phasors, supports, up_to_rotation,
-};
+use super::common::{complete, digraphs, identities, laplacian, on_the_line, phasors, supports, up_to_rotation};
+use crate::argued::argued;
 use algebra::matrix::SparseMatrix;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
@@ -91,8 +90,7 @@ pub fn scale() -> Record<ScaleVariant> {
     .reading("The factor is that of the labels of Figure S3, 2/(n+1); with that of the text, 2/n + 1, it fails for two fish already")
     .repaired(
         Fault::False,
-        "2/(n+1) W_1 lies in [0,1] for n = 1 and n = N - 1 (those of Figure S3), but not for every n: it is 4/3 for four fish on a square, \
-         n = 2, each opposite to both neighbours. For all n the scaled potential W_1/n lies in [0,1].",
+        "",
         ScaleVariant(vec![(|n, fish| n == 1 || n + 1 == fish, figure_scale), (|_, _| true, |n, _| rational(1, n))]),
     )
     .repaired_clauses(&[
@@ -140,7 +138,12 @@ fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, Check
         Ok(None)
     })?;
     let bounds = [nearest, same].map(|outcome| Ok(supports(outcome, &[1, 2, 4])));
-    Run::all(bounds.into_iter().chain([reached_on_the_square(), argued(&[1, 2, 4], "every N and n", "N1-N2")]))
+    Run::all(
+        bounds.into_iter().chain([
+            reached_on_the_square(),
+            argued(&[1, 2, 4], "every N and n", "notes/paley_phases.md, steps N1-N2"),
+        ]),
+    )
 }
 
 /// `2/(n+1) W_1` of alternating directions around a square.

@@ -1,8 +1,9 @@
 //! paley.sync.par, paley.eq7, paley.eq8.ext, paley.eq8_10: synchrony, the order parameter and the potential U_1.
 
 use super::common::{N_AT_LEAST_2, at, supports, turns, up_to_rotation};
-use super::common::{all_equal, all_zero, argued, complete, identities, laplacian, named, phasors, squared_lengths};
+use super::common::{all_equal, all_zero, complete, identities, laplacian, named, phasors, squared_lengths};
 use super::figure2::value_of;
+use crate::argued::argued;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, CosineField, Dual, Field, Rational, Ring, Sign, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
@@ -32,8 +33,7 @@ pub fn synchronised() -> Record<RateVariant> {
     )
     .repaired(
         Fault::False,
-        "A synchronised arrangement implies that the particles have a common direction at all times, which turns at their \
-         common rate, omega_0 under (6) with (9) or (14); the formation is parallel if and only if that rate is zero.",
+        "",
         right,
     )
     .repaired_clauses(&[
@@ -71,7 +71,10 @@ fn examine_rates(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckE
         }
         Ok(None)
     })?;
-    Run::all([Ok(supports(rates, &[1, 2, 3])), argued(&[1, 2, 3], "every N and graph", "O10")])
+    Run::all([
+        Ok(supports(rates, &[1, 2, 3])),
+        argued(&[1, 2, 3], "every N and graph", "notes/paley_phases.md, steps O10"),
+    ])
 }
 
 // --- Equation (7) ---

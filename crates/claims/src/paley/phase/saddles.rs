@@ -1,7 +1,8 @@
 //! paley.thm1.saddle, paley.unbal: the other critical points of U_1.
 
-use super::common::{all_equal, all_zero, argued, on_the_line};
+use super::common::{all_equal, all_zero, on_the_line};
 use super::critical::{Kind, arrangements, hessian, is_critical, linearisation, rates, two_clusters};
+use crate::argued::argued;
 use algebra::matrix::Inertia;
 use arithmetic::{Complex, Field, Signed, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
@@ -61,7 +62,7 @@ pub fn saddles() -> Record<SaddleVariant> {
                 }
                 Ok(variant.contradiction(&z)?.map(|what| format!("{place}: {what}")))
             });
-            Run::all([line, others, argued(&[1, 2, 3], "every N", "C1-C3")])
+            Run::all([line, others, argued(&[1, 2, 3], "every N", "notes/paley_phases.md, steps C1-C3")])
         },
     )
     .reading("Equilibria of (6) are taken modulo rotation: all phases turn at one rate")
@@ -127,5 +128,5 @@ fn examine_unbalanced(variant: &UnbalancedVariant, run: &mut Run) -> Result<Outc
         };
         Ok(Some(format!("N = {n}, M = {m}: {what}")))
     });
-    Run::all([instances, argued(&[1, 2, 3], "every M and N", "C1-C3 and T6")])
+    Run::all([instances, argued(&[1, 2, 3], "every M and N", "notes/paley_phases.md, steps C1-C3 and T6")])
 }

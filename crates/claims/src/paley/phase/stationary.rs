@@ -1,9 +1,9 @@
 //! paley.eq16, paley.eq16.eigvec, paley.balexist: stationary points of the Laplacian phase potential.
 
 use super::common::{
-    Exact, N_AT_LEAST_2, all_equal, all_zero, arcs, argued, at, circulants, digraphs, laplacian, named, turns,
-    up_to_rotation,
+    Exact, N_AT_LEAST_2, all_equal, all_zero, arcs, at, circulants, digraphs, laplacian, named, turns, up_to_rotation,
 };
+use crate::argued::argued;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
 use arithmetic::{Complex, CosineField, RealCyclotomic, Ring};
@@ -181,7 +181,7 @@ pub fn balanced_point_exists() -> Record<BalancedVariant> {
                 let none = balanced_point(&laplacian(&graph)?)?.is_none();
                 Ok(none.then(|| format!("N = {}, {}: no balanced stationary point", graph.order(), arcs(&graph))))
             });
-            Run::all([found, argued(&[1], "every circulant graph, directed ones too", "S3")])
+            Run::all([found, argued(&[1], "every circulant graph, directed ones too", "notes/paley_phases.md, steps S3")])
         },
     )
     .reading(N_AT_LEAST_2)

@@ -1,7 +1,8 @@
 //! paley.thm1.conv, paley.thm1.sync, paley.thm1.bal: convergence and stability.
 
-use super::common::{all_equal, all_zero, argued, identities, phasors};
+use super::common::{all_equal, all_zero, identities, phasors};
 use super::critical::{Critical, Kind, critical_points, is_critical, linearisation, rates};
+use crate::argued::argued;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Dual, Field, Ring, Sign, Signed};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
@@ -72,7 +73,7 @@ pub fn convergence() -> Record<Limit> {
             let parts =
                 (1..=3).map(|particles| Ok((Decrease { particles }, format!("Udot_1 = -K_1 |grad U_1|^2, N = {particles}"))));
             let decrease = identities(run, &[1], &["K1", "omega0"], parts);
-            Run::all([turning, decrease, argued(&[1], "convergence of all solutions", "T1-T3")])
+            Run::all([turning, decrease, argued(&[1], "convergence of all solutions", "notes/paley_phases.md, steps T1-T3")])
         },
     )
     .control("all converge to balanced arrangements", Limit::Balanced)
@@ -100,7 +101,10 @@ fn examine_stability(variant: &StabilityVariant, run: &Run) -> Result<Outcome, C
         let place = format!("N = {}, K_1 = {}, {}", point.phasors.len(), variant.gain, point.name);
         Ok(variant.contradiction(point, points)?.map(|what| format!("{place}: {what}")))
     });
-    Run::all([instances, argued(&[1, 2], "stable set and unstable rest, every N", "T4-T6")])
+    Run::all([
+        instances,
+        argued(&[1, 2], "stable set and unstable rest, every N", "notes/paley_phases.md, steps T4-T6"),
+    ])
 }
 
 impl StabilityVariant {

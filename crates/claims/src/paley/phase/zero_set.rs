@@ -1,7 +1,8 @@
 //! paley.eq12.pos, paley.zero.dir, paley.fish.zero: where the Laplacian phase potential vanishes.
 
-use super::common::{all_equal, arcs, argued, digraphs, identities, laplacian, phasors, squared_lengths};
+use super::common::{all_equal, arcs, digraphs, identities, laplacian, phasors, squared_lengths};
 use super::common::{turns, up_to_rotation};
+use crate::argued::argued;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
 use arithmetic::identity::RationalIdentity;
@@ -128,7 +129,7 @@ pub fn connected() -> Record<ConnectedVariant> {
                 (variant.applies)(graph) && wrong
             });
             let zeros = zeros.map(|outcome| outcome.on([2, 3, 4]));
-            Run::all([formula, zeros, argued(&[4], "positive elsewhere, every graph", "Z1-Z2")])
+            Run::all([formula, zeros, argued(&[4], "positive elsewhere, every graph", "notes/paley_phases.md, steps Z1-Z2")])
         },
     )
     .clauses(&[
@@ -178,7 +179,7 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
         printed,
         |variant, run| {
             let zeros = variant.examine(run).map(|outcome| outcome.on([1, 2]));
-            Run::all([zeros, argued(&[2], "positive elsewhere, every graph", "Z1-Z2")])
+            Run::all([zeros, argued(&[2], "positive elsewhere, every graph", "notes/paley_phases.md, steps Z1-Z2")])
         },
     )
     .clauses(&[
@@ -187,8 +188,7 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
     ])
     .repaired(
         Fault::False,
-        "W_1(theta) is zero if and only if the phases within each weakly connected component of G are synchronised; otherwise W_1(theta) is \
-         positive.",
+        "",
         weak,
     )
     .repaired_clauses(&[

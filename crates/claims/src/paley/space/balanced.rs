@@ -4,7 +4,7 @@
 //! gradient of a phase potential `U`, the linearisation has on the unstable side as many eigenvalues as the Hessian of `U` has
 //! negative ones; it is exponentially stable up to the symmetries where that Hessian is positive definite up to rotation.
 
-use super::instances::{argued, scattered_phasors};
+use super::instances::scattered_phasors;
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, RationalMatrix, inertia};
 use arithmetic::{Complex, CosineField, Field, Rational, Ring, Sign, Signed, rational};
@@ -90,14 +90,7 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
         printed,
         examine_balanced_stable,
     )
-    .repaired(
-        Fault::False,
-        "If G is undirected, circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
-         formations whose phases maximise W_1 (all of them balanced: L e^{i theta} = lambda_max e^{i \
-         theta}) is asymptotically stable. It is the set of all balanced circular formations if G is \
-         complete.",
-        BalancedVariant { set: BalancedSet::Largest, gain: 1 },
-    )
+    .repaired(Fault::False, "", BalancedVariant { set: BalancedSet::Largest, gain: 1 })
     .repaired_clauses(&[
         "If G is undirected, circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
          formations whose phases maximise W_1 is asymptotically stable.",
@@ -140,7 +133,11 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
         }
     }
     Ok(Outcome::Holds(vec![
-        argued("all circulant graphs", "Balanced formations on circulant graphs, steps 1-5", &[1, 2, 3]),
+        Evidence::argued(
+            "all circulant graphs",
+            "notes/paley_particles.md, Balanced formations on circulant graphs, steps 1-5",
+        )
+        .on([1, 2, 3]),
         Evidence::new(
             Grade::Exhaustive,
             "balanced, in equilibrium, no direction of growth",
@@ -190,9 +187,7 @@ pub fn larger_gain() -> Record<GainVariant> {
     .reading("The gain is raised on the formation of Figure 3(c).")
     .repaired(
         Fault::False,
-        "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) and the \
-         (2,12)-pattern in which neighbours are opposite are both exponentially stable up to symmetry for every K_1 > 0; the formation of Figure 3(c) is an equilibrium at every K_1, so that a \
-         change of the gain leaves it where it is.",
+        "",
         GainVariant { offset: 5, destroyed: false },
     )
     .repaired_clauses(&[

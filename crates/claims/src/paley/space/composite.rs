@@ -193,13 +193,14 @@ fn examine_two_networks(variant: &FormVariant, run: &mut Run) -> Result<Outcome,
     }))
 }
 
-/// `V = K_0 S + omega^exponent U^{M,N}` decreases.
+/// `V = K_0 S + omega^exponent U^{M,N}` decreases, at the rate `-omega^rate sum (u_k - omega)^2`.
 #[derive(Clone, Copy)]
 pub struct WeightVariant {
     exponent: i64,
+    rate: i64,
 }
 
-/// `Vdot = -omega^-2 sum (u_k - omega)^2`, all-to-all.
+/// The rate of `V`, all-to-all.
 struct PatternDescent {
     variant: WeightVariant,
     particles: usize,
@@ -207,7 +208,7 @@ struct PatternDescent {
 }
 
 impl PatternDescent {
-    /// `Vdot` and `-omega^-2 sum (u_k - omega)^2`.
+    /// `Vdot` and what it is said to be.
     fn rates<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(T, T), ArithmeticError> {
         let [omega, spacing, gains @ ..] = constants else { return Err(ArithmeticError::Domain("constants")) };
         let network = Neighbours::complete(self.particles);
@@ -220,7 +221,7 @@ impl PatternDescent {
         let gains: Vec<Dual<T>> = gains.iter().map(constant).collect();
         let u = pattern_potential(&gains, &moving.phasors)? * constant(&power(omega, self.variant.exponent)?);
         let v = spacing_potential(&constant(omega), &network, &moving)? * constant(spacing) + u;
-        Ok((v.derivative, -(sum_of_squares(&excess, omega) * power(omega, -2)?)))
+        Ok((v.derivative, -(sum_of_squares(&excess, omega) * power(omega, self.variant.rate)?)))
     }
 }
 
@@ -236,7 +237,8 @@ impl StateIdentity for PatternDescent {
 }
 
 pub fn pattern_composite() -> Record<WeightVariant> {
-    let printed = WeightVariant { exponent: 0 };
+    let printed = WeightVariant { exponent: 0, rate: -2 };
+    let right = WeightVariant { exponent: -2, ..printed };
     Record::new(
         "paley.VMN",
         "With x_k = (K_0/N) sigma_k and g_k = dU/dtheta_k, u_k - w0 = w0 x_k - g_k and (d/dt)(K_0 S + a U) \
@@ -251,10 +253,10 @@ pub fn pattern_composite() -> Record<WeightVariant> {
     .repaired(
         Fault::Slip,
         "V^{M,N}(r, theta) = K_0 S(r, theta) + w0^-2 U^{M,N}(theta), with Vdot = -w0^-2 sum_k (u_k - w0)^2 along (5) with (20) and minus the gradient of (25), on any undirected graph.",
-        WeightVariant { exponent: -2 },
+        right,
     )
-    .control("U/w0", WeightVariant { exponent: -1 })
-    .control("w0^2 U", WeightVariant { exponent: 2 })
+    .control("U/w0", WeightVariant { exponent: -1, ..printed })
+    .control("Vdot = -sum (u_k - w0)^2", WeightVariant { rate: 0, ..right })
 }
 
 fn examine_pattern_composite(variant: &WeightVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -285,7 +287,7 @@ fn examine_pattern_composite(variant: &WeightVariant, run: &mut Run) -> Result<O
         let identity = PatternDescent { variant: *variant, particles, clusters };
         let gains: Vec<String> = (1..=identity.clusters).map(|m| format!("K_{m}")).collect();
         let names: Vec<&str> = ["w0", "K_0"].into_iter().chain(gains.iter().map(String::as_str)).collect();
-        let part = format!("Vdot = -w0^-2 sum (u_k - w0)^2, M = {clusters}, N = {particles}");
+        let part = format!("the rate of V, M = {clusters}, N = {particles}");
         state_identity(&identity, &names, &part, run)
     });
     let sampled = Ok(Outcome::Holds(vec![evidence("exact states of two particles").cases(states)]));

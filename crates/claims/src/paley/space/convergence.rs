@@ -1,10 +1,7 @@
 //! paley.thm2, paley.thm2.center: what solutions under the spacing control converge to.
 
-use super::instances::{
-    StateIdentity, argued, described, identity_graphs, scattered_phasors, stability, state_identity,
-};
+use super::instances::{StateIdentity, described, identity_graphs, scattered_phasors, stability, state_identity};
 use super::spacing::{DescentVariant, ProperVariant, examine_descent, examine_proper};
-use algebra::graph::Graph;
 use arithmetic::{ArithmeticError, Dual, Field, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::{
@@ -58,8 +55,10 @@ impl StateIdentity for LimitIdentity {
 pub struct ConvergenceVariant {
     /// `K_0`.
     gain: i64,
-    /// Connected graphs, or the graph without edges on two vertices.
-    connected: bool,
+    /// What makes `S` proper.
+    proper: ProperVariant,
+    /// The rate of `S`.
+    descent: DescentVariant,
     /// The limit turns at this multiple of `omega`.
     rate: i64,
     /// The mean of the centres is conserved.
@@ -69,8 +68,14 @@ pub struct ConvergenceVariant {
 }
 
 impl ConvergenceVariant {
-    const PRINTED: Self =
-        ConvergenceVariant { gain: 1, connected: true, rate: 1, mean_conserved: false, mass_fixed: false };
+    const PRINTED: Self = ConvergenceVariant {
+        gain: 1,
+        proper: ProperVariant::PRINTED,
+        descent: DescentVariant::PRINTED,
+        rate: 1,
+        mean_conserved: false,
+        mass_fixed: false,
+    };
 }
 
 fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
@@ -91,7 +96,7 @@ fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcom
 
 /// Whether all that is no symmetry and no phase decays near circular formations.
 fn examine_return(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
-    let graphs = if variant.connected { identity_graphs(run) } else { vec![Graph::empty(2)] };
+    let graphs = identity_graphs(run);
     let cases = graphs.iter().flat_map(|graph| [(1, 10), (-3, 2)].map(|omega| (graph, omega)));
     let detail = "turning-frame linearisation: N zeros for the phases, ± i w0 for the translations, all else decays; \
      both signs of w0";
@@ -134,8 +139,8 @@ pub fn theorem2() -> Record<ConvergenceVariant> {
         "Their direction of rotation is determined by the sign of w0.",
     ])
     .control("K_0 = -1", ConvergenceVariant { gain: -1, ..printed })
-    .control("K_0 = 0", ConvergenceVariant { gain: 0, ..printed })
-    .control("a graph that is not connected", ConvergenceVariant { connected: false, ..printed })
+    .control("graphs that are not connected", ConvergenceVariant { proper: ProperVariant::ANY_GRAPH, ..printed })
+    .control("directed graphs", ConvergenceVariant { descent: DescentVariant::ONE_WAY, ..printed })
     .control("rotation at 2 w0", ConvergenceVariant { rate: 2, ..printed })
 }
 
@@ -144,14 +149,14 @@ fn examine_theorem2(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outco
     if !matches!(limit, Outcome::Holds(_)) {
         return Ok(limit);
     }
-    let proper = examine_proper(&ProperVariant::PRINTED, run);
-    let argued = argued("every solution", "Theorem 2, steps 1-4", &[1, 2]);
+    let proper = examine_proper(&variant.proper, run);
+    let argued = Evidence::argued("every solution", "notes/paley_particles.md, Theorem 2, steps 1-4").on([1, 2]);
     let on = |outcome: Result<Outcome, CheckError>| Ok(outcome?.on([1]));
     Run::all([
         Ok(Outcome::Holds(vec![argued])),
         Ok(limit.on([1, 2])),
         on(proper),
-        on(examine_descent(&DescentVariant::PRINTED, run)),
+        on(examine_descent(&variant.descent, run)),
     ])
 }
 
@@ -213,6 +218,8 @@ fn examine_fixed_centre(variant: &ConvergenceVariant, run: &mut Run) -> Result<O
         true => state_identity(&MeanCentre, &["w0", "K_0"], "the mean centre is conserved", run),
         false => Ok(moving),
     };
-    let argued = Outcome::Holds(vec![argued("one fixed centre", "Theorem 2, steps 5-8", &[2, 3])]);
+    let argued = Outcome::Holds(vec![
+        Evidence::argued("one fixed centre", "notes/paley_particles.md, Theorem 2, steps 5-8").on([2, 3]),
+    ]);
     Run::all([Ok(argued), conserved, Ok(examine_convergence(variant, run)?.on([1, 3]))])
 }

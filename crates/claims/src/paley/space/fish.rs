@@ -1,9 +1,9 @@
 //! paley.eq26, paley.vrep, paley.vatt: the steps of the fish model and its behaviours.
 
-use super::instances::{StateIdentity, argued, state_identity};
+use super::instances::{StateIdentity, state_identity};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Field, Rational, rational};
-use ledger::{CheckError, Fault, Outcome, Record, Run};
+use ledger::{CheckError, Evidence, Fault, Outcome, Record, Run};
 use models::oscillator::{State, phasor, quarter_turn, repulsion, steering_towards};
 
 /// Positions move by `T^position e^{i theta}` and phases by `T^phase u`.
@@ -125,7 +125,9 @@ impl RationalIdentity for BehaviourIdentity {
 fn examine_behaviour(variant: &BehaviourVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let names = ["K", "tan(theta/2)", "tan(psi_1/2)", "tan(psi_2/2)", "tan(psi_3/2)"];
     let part = "v away from (or towards) three neighbours, rhat_kj = e^{i psi_j}, and steering towards v";
-    let argued = argued("any number of neighbours", "Behaviours of fish, steps 1-2", &[1, 2]);
+    let argued =
+        Evidence::argued("any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 1-2")
+            .on([1, 2]);
     let identity = run.identity(&BehaviourIdentity(*variant), &names, part)?;
     Run::all([Ok(identity.on([1, 2])), Ok(Outcome::Holds(vec![argued]))])
 }
@@ -152,13 +154,7 @@ pub fn repulsion_field() -> Record<BehaviourVariant> {
         "A field produces repulsion where moving along it lengthens the distances to the neighbours, and \
          (27) steers towards it.",
     )
-    .repaired(
-        Fault::Slip,
-        "v_k^rep = sum_{j in N_k^rep} rhat_kj with rhat_kj = (r_k - r_j)/|r_k - r_j| (or - sum with \
-         rhat_jk): moving along it lengthens the sum of the distances to these neighbours at the rate \
-         |v_k^rep|^2, and with K_rep > 0 the steering (27) turns the heading towards it.",
-        right,
-    )
+    .repaired(Fault::Slip, "", right)
     .repaired_clauses(&[
         "Moving along v_k^rep = sum_{j in N_k^rep} rhat_kj, rhat_kj = (r_k - r_j)/|r_k - r_j|, lengthens \
          the sum of the distances to these neighbours at the rate |v_k^rep|^2.",
@@ -189,13 +185,7 @@ pub fn attraction_field() -> Record<BehaviourVariant> {
         "A field produces attraction where moving along it shortens the distances to the neighbours, and \
          (27) steers towards it.",
     )
-    .repaired(
-        Fault::Slip,
-        "v_k^att = - sum_{j in N_k^att} rhat_kj with rhat_kj = (r_k - r_j)/|r_k - r_j| (or sum with \
-         rhat_jk): moving along it shortens the sum of the distances to these neighbours at the rate \
-         |v_k^att|^2, and with K_att > 0 the steering (27) turns the heading towards it.",
-        right,
-    )
+    .repaired(Fault::Slip, "", right)
     .repaired_clauses(&[
         "Moving along v_k^att = - sum_{j in N_k^att} rhat_kj, rhat_kj = (r_k - r_j)/|r_k - r_j|, shortens \
          the sum of the distances to these neighbours at the rate |v_k^att|^2.",

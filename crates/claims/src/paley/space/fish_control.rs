@@ -1,6 +1,6 @@
 //! paley.eq28, paley.fish28ori: the steering of a fish beside the circular control.
 
-use super::instances::{StateIdentity, argued, described, identity_graphs, state_identity};
+use super::instances::{StateIdentity, described, identity_graphs, state_identity};
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
@@ -89,20 +89,16 @@ pub fn laplacian_form() -> Record<FormVariant> {
     .reading("\"Approximated\" means r_kj in the place of rhat_kj.")
     .repaired(
         Fault::Slip,
-        "If the repulsion zone of fish k is empty, with r_kj in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = w_k - K_ori <i e^{i \
-         th_k}, L_k^ori e^{i th}> - K_att <i e^{i th_k}, L_k^att r>; its K_att term steers towards the sum \
-         of the r_j - r_k, its K_ori term towards the sum of the headings of the neighbours. It is (27) \
-         itself where every neighbour in the zone of attraction is at the distance 1, and in general it is \
-         not.",
+        "",
         right,
     )
     .repaired_clauses(&[
         "If the repulsion zone of fish k is empty, with r_kj in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = w_k - K_ori <i e^{i \
          th_k}, L_k^ori e^{i th}> - K_att <i e^{i th_k}, L_k^att r>.",
-        "Its K_att term steers towards the sum of the r_j - r_k.",
-        "Its K_ori term steers towards the sum of the headings of the neighbours.",
-        "It is (27) itself where every neighbour in the zone of attraction is at the distance 1, and in \
-         general it is not.",
+        "For K_att > 0 its K_att term steers towards the sum of the r_j - r_k over the neighbours in the zone of attraction.",
+        "For K_ori > 0 its K_ori term steers towards the sum of the headings of the neighbours in the zone of orientation.",
+        "With an empty zone of repulsion and v_k^att = - sum rhat_kj in (27) it is (27) itself where every neighbour in the zone of \
+         attraction is at the distance 1, and in general it is not.",
     ])
     .control("(28) with -K_att from the printed (27)", FormVariant { field: 1, ..right })
     .control("+K_ori", FormVariant { orientation: 1, ..right })
@@ -122,7 +118,9 @@ fn examine_laplacian_form(variant: &FormVariant, run: &mut Run) -> Result<Outcom
          {approximate}"
     );
     let differs = Evidence::new(Grade::Exact, "not (27) at other distances", detail);
-    let argued = argued("any number of neighbours", "Behaviours of fish, steps 3-6", &[1, 2, 3, 4]);
+    let argued =
+        Evidence::argued("any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 3-6")
+            .on([1, 2, 3, 4]);
     let support = Outcome::Holds(vec![differs.on([4]), argued]);
     Run::all([Ok(identity.on([1, 2, 3])), Ok(support)])
 }
@@ -191,7 +189,7 @@ pub fn comparison() -> Record<ComparisonVariant> {
     .reading(
         "The gains of the spacing terms are matched, K_att = w0 K_0/N with w0 > 0, and the factor i turns \
          the heading; the circular control is (22) with K_1 != 0, as under (21), on an undirected connected \
-         graph.",
+         graph of N >= 2 (for N = 1 rtilde_1 has no value).",
     )
     .control("K_1 - K_0 = -K_ori", ComparisonVariant { factor: (1, 4), ..printed })
     .control("the factor i left in the spacing term", ComparisonVariant { turns: 1, ..printed })
@@ -235,6 +233,8 @@ fn examine_comparison(variant: &ComparisonVariant, run: &mut Run) -> Result<Outc
         "perpendicular motion in the limit",
         "exact circular formations with K_1 > 0 and K_1 < 0",
     );
-    let argued = argued("every graph and every start", "Perpendicular motion, steps 1-4", &[2, 3]);
+    let argued =
+        Evidence::argued("every graph and every start", "notes/paley_particles.md, Perpendicular motion, steps 1-4")
+            .on([2, 3]);
     Run::all(identities.chain([Ok(Outcome::Holds(vec![argued, perpendicular.on([3]).cases(count)]))]))
 }

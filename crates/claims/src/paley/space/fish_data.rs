@@ -1,13 +1,12 @@
 //! paley.figS1_S3, paley.figS3.difference: the measured tracks and what is inferred from them.
 
-use super::instances::argued;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::random::uniform;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Neighbours, mean, phase_potential, phasor};
 use models::tracks::{Scale, nearest_neighbour, uniform_draw};
-use motion::Share;
+use motion::{Sample, Share};
 
 /// Positions or headings in the plane.
 type Points = Vec<Complex<Rational>>;
@@ -89,22 +88,21 @@ impl RationalIdentity for InPairs {
 /// Shares of draws with independent uniform headings above this are "nearly always".
 const NEARLY_ALWAYS: f64 = 0.9;
 
-/// How many draws of independent headings, on positions uniform in a square, give a positive difference.
-fn positive_draws(variant: &ScaleVariant, fish: usize, draws: usize, run: &Run) -> usize {
+/// The differences for independent headings, on positions uniform in a square.
+fn drawn_differences(variant: &ScaleVariant, fish: usize, draws: usize, run: &Run) -> Vec<f64> {
     let mut random = run.random(fish as u64);
     let factor = |n: usize| {
         let (p, q) = (variant.scale)(n as i64);
         p as f64 / q as f64
     };
-    let positive = |_: &usize| {
+    let difference = |_: usize| {
         let place = |random: &mut _| Complex::new(uniform(random), uniform(random));
         let positions: Vec<_> = (0..fish).map(|_| place(&mut random)).collect();
         let partners: Vec<usize> = (0..fish).map(|k| nearest_neighbour(&positions, k, None)).collect();
         let (complete, single) = uniform_draw(&partners, &mut random);
-        // Zero up to rounding is not positive.
-        factor(fish - 1) * complete - factor(1) * single > 1e-12
+        factor(fish - 1) * complete - factor(1) * single
     };
-    (0..draws).filter(positive).count()
+    (0..draws).map(difference).collect()
 }
 
 pub fn difference_inference() -> Record<ScaleVariant> {
@@ -126,13 +124,7 @@ pub fn difference_inference() -> Record<ScaleVariant> {
         printed,
         examine_difference_inference,
     )
-    .repaired(
-        Fault::False,
-        "The difference of W_1/n for n = N-1 and n = 1 is positive if and only if nearest neighbours are on \
-         average more synchronised than all pairs (mean of 1 - cos th_kj over arcs); for independent \
-         uniform headings it has mean zero.",
-        ScaleVariant { name: "1/n", scale: |n| Scale::PerArc.ratio(n) },
-    )
+    .repaired(Fault::False, "", ScaleVariant { name: "1/n", scale: |n| Scale::PerArc.ratio(n) })
     .repaired_clauses(&[
         "The difference of W_1/n for n = N-1 and n = 1 is positive if and only if nearest neighbours are on \
          average more synchronised than all pairs (mean of 1 - cos th_kj over arcs).",
@@ -170,14 +162,17 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
             against.push((format!("{part}: the difference has the mean {difference}"), evidence));
         }
         let draws = run.cases(20_000, 400_000);
-        let positive = positive_draws(variant, fish, draws, run);
-        let interval = Share::new(positive, draws).enclosure();
+        let differences = drawn_differences(variant, fish, draws, run);
+        // Zero up to rounding is not positive.
+        let positive = Share::count(&differences, |x| *x > 1e-12);
+        let interval = positive.enclosure();
         run.value(&format!("share_positive_{}_N_{fish}", variant.name), interval.clone());
+        let mean = Sample::new(differences).enclosure();
         let detail = format!(
-            "the difference is positive in a share {interval} of the draws (95%); positions uniform in a square"
+            "the difference has a mean in {mean} and is positive in a share {interval} of the draws (95%); positions uniform in a square"
         );
         let evidence = Evidence::new(Grade::Simulated, &part, detail).cases(draws);
-        if Share::new(positive, draws).interval().0 > NEARLY_ALWAYS {
+        if positive.interval().0 > NEARLY_ALWAYS {
             against.push((format!("{part}: the difference is positive in a share {interval} of the draws"), evidence));
         } else {
             for_it.push(evidence.on([2]));
@@ -194,7 +189,7 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
             against.extend(evidence.into_iter().map(|evidence| (what.clone(), evidence)));
         }
     }
-    let argued = argued("any school", "Figure S3, steps 1-2", &[1, 2]);
+    let argued = Evidence::argued("any school", "notes/paley_particles.md, Figure S3, steps 1-2").on([1, 2]);
     for_it.push(argued);
     if against.is_empty() {
         return Ok(Outcome::Holds(for_it));

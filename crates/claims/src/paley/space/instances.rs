@@ -5,7 +5,7 @@ use algebra::matrix::RationalMatrix;
 use algebra::spectrum::Polynomial;
 use arithmetic::identity::RationalIdentity;
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Outcome, Run};
+use ledger::{CheckError, Outcome, Run};
 use models::oscillator::{Neighbours, State, phasor};
 
 /// An identity between rational functions of a state and of some constants.
@@ -152,11 +152,6 @@ pub fn stability(rows: &[Vec<Rational>], omega: &Rational, translations: bool) -
 /// The neighbours along a one-way ring: each senses the next.
 pub fn one_way_ring(particles: usize) -> Neighbours {
     Neighbours::from_fn(particles, |k, j| j == (k + 1) % particles)
-}
-
-/// A proof in the notes for all parameters of these clauses.
-pub fn argued(part: &str, section: &str, clauses: &[usize]) -> Evidence {
-    Evidence::argued(part, format!("notes/paley_particles.md, {section}")).on(clauses)
 }
 
 /// The sum of squares.

@@ -1,6 +1,6 @@
 //! paley.eq3, paley.energy, paley.releq, paley.Rball: what single particles, shapes and circular motion do.
 
-use super::instances::{StateIdentity, argued, scattered_phasors, state_identity, sum_of_squares};
+use super::instances::{StateIdentity, scattered_phasors, state_identity, sum_of_squares};
 use algebra::matrix::RationalMatrix;
 use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
@@ -241,17 +241,19 @@ fn examine_relative_equilibria(variant: &EquilibriumVariant, run: &mut Run) -> R
         let wrong = dimension != 3 * particles - variant.fewer;
         Ok(wrong.then(|| format!("N = {particles}: the shape has {dimension} dimensions of {}", 3 * particles)))
     })?;
-    let argued = argued("any number of particles", "Shape space, steps 1-5", &[1, 2, 3, 4]);
+    let argued = Evidence::argued("any number of particles", "notes/paley_particles.md, Shape space, steps 1-5")
+        .on([1, 2, 3, 4]);
     let part = "rates of change of the shape; equilibria for u != 0 and u = 0";
     let rates = Ok(state_identity(variant, &["u", "u_2"], part, run)?.on([1, 3, 4]));
     Run::all([Ok(dimension.on([2])), rates, Ok(Outcome::Holds(vec![argued]))])
 }
 
-/// With `u = rate omega` the centre of mass stays within `radius/|omega|` of the mean centre.
+/// With `u = rate omega` the centre of mass stays within `radius/|omega|` of the mean centre, or of its own place at the start.
 #[derive(Clone, Copy)]
 pub struct BallVariant {
     rate: i64,
     radius: (i64, i64),
+    from_start: bool,
 }
 
 /// On `N` particles.
@@ -281,10 +283,10 @@ impl StateIdentity for BallIdentity {
 }
 
 pub fn centre_of_mass_ball() -> Record<BallVariant> {
-    let printed = BallVariant { rate: 1, radius: (1, 1) };
+    let printed = BallVariant { rate: 1, radius: (1, 1), from_start: false };
     Record::new(
         "paley.Rball",
-        "In circular motionthe circle centres rest, R - mean(c) = -(i/w0) p_theta, and w0^2 |R - mean(c)|^2 \
+        "In circular motion the circle centres rest, R - mean(c) = -(i/w0) p_theta, and w0^2 |R - mean(c)|^2 \
          = |p_theta|^2 = 1 - sum_{j<k} |e^{i theta_j} - e^{i theta_k}|^2/N^2 <= 1. The radius is attained \
          by synchronised phases. It is no statement about the approach to the formation, in which mean(c) \
          moves.",
@@ -295,17 +297,29 @@ pub fn centre_of_mass_ball() -> Record<BallVariant> {
         "In circular motion, u_k = w0; not during the approach to it, in which the mean of the circle \
          centres moves.",
     )
-    .control("radius 99/100 of it", BallVariant { rate: 1, radius: (99, 100) })
-    .control("particles that turn at 2 w0", BallVariant { rate: 2, radius: (1, 1) })
-    .control("a point", BallVariant { rate: 1, radius: (0, 1) })
+    .control("radius 99/100 of it", BallVariant { radius: (99, 100), ..printed })
+    .control("particles that turn at 2 w0", BallVariant { rate: 2, ..printed })
+    .control("a ball around the centre of mass at the start", BallVariant { from_start: true, ..printed })
 }
 
 fn examine_centre_of_mass_ball(variant: &BallVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     // The bound 1 of |p| is attained by synchronised phases.
     let omega = rational(1, 10);
     let phasors = vec![scattered_phasors(2)?[1].clone(); 3];
-    let arm = mean(&circular_formation(&omega, &phasors)?.positions)?.norm_squared();
+    let start = mean(&circular_formation(&omega, &phasors)?.positions)?;
     let radius = rational(variant.radius.0, variant.radius.1) / &omega;
+    if variant.from_start {
+        let half_turn: Vec<_> = phasors.iter().map(|z| -z.clone()).collect();
+        let away = (mean(&circular_formation(&omega, &half_turn)?.positions)? - &start).norm_squared();
+        if away > &radius * &radius {
+            let what = format!("w0 = {omega}, synchronised: half a turn later |R - R(0)|^2 = {away}");
+            return Ok(Outcome::fails(
+                what,
+                Evidence::new(Grade::Exact, "a fixed ball", "an exact circular formation"),
+            ));
+        }
+    }
+    let arm = start.norm_squared();
     let exact = |detail| Evidence::new(Grade::Exact, "the radius", detail);
     if arm > &radius * &radius {
         let what = format!("w0 = {omega}, synchronised: |R - c_0|^2 = {arm} is more than {}", &radius * &radius);

@@ -60,6 +60,7 @@ pub struct ProperVariant {
 
 impl ProperVariant {
     pub const PRINTED: Self = ProperVariant { disconnected: false, excess: 0, share: (1, 2) };
+    pub const ANY_GRAPH: Self = ProperVariant { disconnected: true, ..Self::PRINTED };
 }
 
 /// Whether `S` is positive and proper as the variant says.
@@ -92,20 +93,16 @@ pub fn spacing_form() -> Record<ProperVariant> {
          |steps|^2 <= (N - 1) 2 N S, so that sublevel sets are bounded in the relative centres: S is \
          positive definite and proper. On a path N - 1 is attained by its ends.",
         printed,
-        examine_spacing_form,
+        |variant, run| examine_proper(variant, run),
     )
     .clauses(&[
         "S is zero in the circular formation c = c_0 1 and positive otherwise.",
         "S is positive definite in the space of relative circle centers.",
         "S is proper in the space of relative circle centers.",
     ])
-    .control("graphs that are not connected", ProperVariant { disconnected: true, ..ProperVariant::PRINTED })
+    .control("graphs that are not connected", ProperVariant::ANY_GRAPH)
     .control("(N - 2) 2 N S as the bound", ProperVariant { excess: -1, ..ProperVariant::PRINTED })
     .control("1/N times the sum over edges", ProperVariant { share: (1, 1), ..ProperVariant::PRINTED })
-}
-
-fn examine_spacing_form(variant: &ProperVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    examine_proper(variant, run)
 }
 
 /// `cdot = e^{i theta} (1 + factor omega^power u)`.
@@ -137,14 +134,10 @@ pub fn centre_velocity() -> Record<VelocityVariant> {
         "paley.eq18",
         "cdot = rdot + w0^-1 i (i u e^{i theta}) = e^{i theta} - w0^-1 u e^{i theta}.",
         printed,
-        examine_centre_velocity,
+        |variant, run| Ok(state_identity(variant, &["w0", "u"], "velocity of the centre", run)?.for_all()),
     )
     .control("1 + u/w0", VelocityVariant { factor: 1, inverse: true })
     .control("1 - w0 u", VelocityVariant { factor: -1, inverse: false })
-}
-
-fn examine_centre_velocity(variant: &VelocityVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Ok(state_identity(variant, &["w0", "u"], "velocity of the centre", run)?.for_all())
 }
 
 /// `Sdot = (share/N) sum ...` and, under (20), `descent (K_0/N^2) sum ...^2`; on an undirected graph or not.
@@ -157,6 +150,7 @@ pub struct DescentVariant {
 
 impl DescentVariant {
     pub const PRINTED: Self = DescentVariant { share: (1, 1), descent: -1, undirected: true };
+    pub const ONE_WAY: Self = DescentVariant { undirected: false, ..Self::PRINTED };
 }
 
 struct DescentIdentity {
@@ -217,7 +211,7 @@ pub fn spacing_descent() -> Record<DescentVariant> {
          polynomial in the weights of the graph, so small graphs vertices are instances of an identity that \
          holds for all undirected graphs. On a directed graph (19) fails.",
         printed,
-        examine_spacing_descent,
+        |variant, run| examine_descent(variant, run),
     )
     .clauses(&[
         "Sdot = (1/N) sum_k <e^{i th_k}, L_k c> (1 - w0^{-1} u_k).",
@@ -226,9 +220,5 @@ pub fn spacing_descent() -> Record<DescentVariant> {
     ])
     .control("1/(2N) in (19)", DescentVariant { share: (1, 2), ..DescentVariant::PRINTED })
     .control("Sdot >= 0", DescentVariant { descent: 1, ..DescentVariant::PRINTED })
-    .control("directed graphs", DescentVariant { undirected: false, ..DescentVariant::PRINTED })
-}
-
-fn examine_spacing_descent(variant: &DescentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    examine_descent(variant, run)
+    .control("directed graphs", DescentVariant::ONE_WAY)
 }

@@ -4,7 +4,7 @@
 //! gradient of a phase potential `U`, the linearisation has on the unstable side as many eigenvalues as the Hessian of `U` has
 //! negative ones; it is exponentially stable up to the symmetries where that Hessian is positive definite up to rotation.
 
-use super::instances::{argued, connected_graphs, described, scattered_phasors, stability};
+use super::instances::{connected_graphs, described, scattered_phasors, stability};
 use crate::paley::runs::PARTICLES;
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, inertia};
@@ -29,6 +29,8 @@ impl SynchronyVariant {
     const STABLE: Self = SynchronyVariant { orientation: -1, spacing: 1, connected: true };
 }
 
+const SECTION: &str = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (sync.exp)";
+
 /// Numerators and denominators of `w0` and `|K_1|`.
 type Sizes = ((i64, i64), (i64, i64));
 
@@ -36,7 +38,7 @@ fn examine_synchrony(
     variant: &SynchronyVariant,
     graphs: &[Graph],
     sizes: &[Sizes],
-    run: &Run,
+    (section, run): (&str, &Run),
 ) -> Result<Outcome, CheckError> {
     let cases = graphs.iter().filter(|g| g.order() > 1).flat_map(|graph| sizes.iter().map(move |size| (graph, size)));
     let detail = "exact characteristic polynomials: 0 once, ± i w0 once, the others decay";
@@ -63,8 +65,7 @@ fn examine_synchrony(
             )
         }))
     });
-    let section = "Linearisation at a circular formation, the theorem and (sync.exp)";
-    let argued = argued("every connected graph and all gains of these signs", section, &[1]);
+    let argued = Evidence::argued("every connected graph and all gains of these signs", section).on([1]);
     Run::all([Ok(Outcome::Holds(vec![argued])), decays])
 }
 
@@ -90,7 +91,8 @@ pub fn synchrony_stable() -> Record<SynchronyVariant> {
 
 fn examine_synchrony_stable(variant: &SynchronyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let graphs = if variant.connected { connected_graphs(run.cases(0, 1) == 1) } else { vec![Graph::empty(2)] };
-    examine_synchrony(variant, &graphs, &[((1, 10), (1, 10)), ((-1, 10), (1, 10)), ((2, 1), (5, 1))], run)
+    let sizes = [((1, 10), (1, 10)), ((-1, 10), (1, 10)), ((2, 1), (5, 1))];
+    examine_synchrony(variant, &graphs, &sizes, (SECTION, run))
 }
 
 pub fn drift_gain() -> Record<SynchronyVariant> {
@@ -120,7 +122,8 @@ fn examine_drift_gain(variant: &SynchronyVariant, run: &mut Run) -> Result<Outco
     // The printed values. The caption names no network: the sparsest and the densest of the article.
     let on_ring = |i: usize, j: usize| matches!(i.abs_diff(j), 1 | 11);
     let graphs = [Graph::from_fn(PARTICLES, on_ring), Graph::from_fn(PARTICLES, |_, _| true)];
-    examine_synchrony(variant, &graphs, &[((1, 10), (1, 10)), ((1, 10), (1, 1))], run)
+    let section = format!("{SECTION}, and Beacon and drift, step 5");
+    examine_synchrony(variant, &graphs, &[((1, 10), (1, 10)), ((1, 10), (1, 1))], (&section, run))
 }
 
 /// Signs of the gains of (25) below `M` and at `M`, sign of `K_0`, and whether the spacing network is connected.
@@ -243,9 +246,9 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
         Err(what) => return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "linearisation", "enclosures"))),
     };
     let enclosed = format!("N = 12, all M: spectral abscissae in {range} for w0 = 1/10 and -2 (beyond.paley.abscissa)");
-    let section = "Linearisation at a circular formation, the theorem and (thm3.stab)";
+    let section = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (thm3.stab)";
     let support = vec![
-        argued("all M and N", section, &[1, 2, 3]),
+        Evidence::argued("all M and N", section).on([1, 2, 3]),
         Evidence::new(Grade::Certified, "linearisation", enclosed).cases(12).on([3]),
     ];
     Run::all([Ok(Outcome::Holds(support)), Ok(linearised.on([1, 2, 3])), Ok(hessians.on([2, 3]))])

@@ -1,8 +1,8 @@
 //! paley.beacon.form, paley.drift: the beacon, and a drift common to all particles.
 
-use super::instances::{StateIdentity, argued, scattered_phasors, stability, state_identity, sum_of_squares};
+use super::instances::{StateIdentity, scattered_phasors, stability, state_identity, sum_of_squares};
 use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, Ring, rational};
-use ledger::{CheckError, Outcome, Record, Run};
+use ledger::{CheckError, Evidence, Outcome, Record, Run};
 use models::oscillator::{
     CircularGains, Neighbours, State, beacon_control, beacon_potential, circle_centres, circular_control,
     circular_formation, linearisation, quarter_turn,
@@ -105,7 +105,7 @@ fn examine_beacon_form(variant: &BeaconVariant, run: &mut Run) -> Result<Outcome
         let stays = found.stable && found.zeros == 2;
         Ok((!stays).then(|| format!("two particles around the beacon, w0 = {omega}: the centres do not return")))
     })?;
-    let argued = argued("every start", "Beacon and drift, steps 1-4", &[1, 2, 3]);
+    let argued = Evidence::argued("every start", "notes/paley_particles.md, Beacon and drift, steps 1-4").on([1, 2, 3]);
     Run::all([Ok(returns.on([3]))].into_iter().chain(identities).chain([Ok(Outcome::Holds(vec![argued]))]))
 }
 
@@ -195,8 +195,8 @@ fn examine_common_drift(variant: &DriftVariant, run: &mut Run) -> Result<Outcome
         ("three in a row", Neighbours::from_fn(3, |k, j| k.abs_diff(j) == 1)),
         ("ring of four", Neighbours::circulant(4, &[1])),
     ];
-    let section = "Beacon and drift, steps 5-7";
-    let argued = argued("any number of particles, every connected graph", section, &[1]);
+    let section = "notes/paley_particles.md, Beacon and drift, steps 5-7";
+    let argued = Evidence::argued("any number of particles, every connected graph", section).on([1]);
     let argued = Ok(Outcome::Holds(vec![argued]));
     let identities = networks.into_iter().take(run.cases(2, 3)).map(|(name, network)| {
         let identity = DriftIdentity { variant: *variant, network };

@@ -90,13 +90,7 @@ pub fn circular_in_zones() -> Record<CircularVariant> {
         "From every initial state, as in Theorem 2, or from most; for every size of K_1 of either sign (the \
          paper gives none).",
     )
-    .repaired(
-        Fault::False,
-        "Under (29) with w0 = K_0 = 0.1, N = 12 and the blind spot of 60 degrees most runs from random \
-         initial states come to one circle of radius 1/|w0| by t = 2400, the centres within 2% of it: with \
-         K_1 = -K_0 in each zone, and under (29) as printed with K_1 = K_0, where the zone has no effect.",
-        repaired,
-    )
+    .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
         "Under (29) with w0 = K_0 = 0.1, N = 12, the blind spot of 60 degrees and K_1 = -K_0, in each zone \
          most runs from random initial states come to one circle of radius 1/|w0| by t = 2400, the centres \

@@ -44,13 +44,7 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
          within a quarter of M and they are on average 75% of the angle 2 pi/M apart (M = 12, 8), or where \
          there are at most four (M = 2).",
     )
-    .repaired(
-        Fault::False,
-        "With (29) corrected (paley.eq29), K_1 = K_0 = w0 = 0.1, N = 12, in most runs from random states \
-         the particles form 9 to 12 clusters for M = 12 and 6 to 10 for M = 8, on average at least three \
-         quarters of the angle 2 pi/M of the zone apart, and at most four for M = 2.",
-        repaired,
-    )
+    .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
         "With (29) corrected (paley.eq29), K_1 = K_0 = w0 = 0.1, N = 12, in most runs from random states \
          the particles form 9 to 12 clusters for M = 12, on average at least three quarters of the angle 2 \

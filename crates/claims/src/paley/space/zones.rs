@@ -36,14 +36,10 @@ pub fn chord() -> Record<ChordVariant> {
         "Neighbouring clusters at 1 and e^{2 pi i/M}: |1 - e^{2 i a}|^2 = 4 sin^2 a with a = pi/M, and sin \
          a > 0 for M >= 2. An identity in a, hence for M = 2, 8, 12 and every other M.",
         printed,
-        examine_chord,
+        |variant, run| Ok(run.identity(variant, &["tan(a/2)"], "|1 - e^{2 i a}|^2 = 4 sin^2 a, a = pi/M")?.for_all()),
     )
     .control("sin(pi/M)", ChordVariant { factor: 1, doubled: 1 })
     .control("2 sin(2 pi/M)", ChordVariant { factor: 2, doubled: 2 })
-}
-
-fn examine_chord(variant: &ChordVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Ok(run.identity(variant, &["tan(a/2)"], "|1 - e^{2 i a}|^2 = 4 sin^2 a, a = pi/M")?.for_all())
 }
 
 /// The order of the outer radii, the side of the blind spot, and `cos^2` of half its angle.

@@ -167,9 +167,9 @@ fn the_rhombus_turns_about_its_shape() {
 #[test]
 fn the_triangle_turns_in_floats_too() {
     let potential = Potential::inverse_square_log(&rational(1, 1));
-    assert_eq!(turning_triangle(&potential, &rational(1, 1)), Ok(true));
-    assert_eq!(turning_triangle(&potential, &rational(2, 1)), Ok(false));
-    assert_eq!(turning_triangle(&spring(), &rational(1, 1)), Ok(false));
+    assert_eq!(turning_triangle(&potential, &rational(1, 1), [0; 3]), Ok(true));
+    assert_eq!(turning_triangle(&potential, &rational(2, 1), [0; 3]), Ok(false));
+    assert_eq!(turning_triangle(&spring(), &rational(1, 1), [0; 3]), Ok(false));
     let (radius, omega) = ((2.0f64 / 3.0).sqrt(), 1.5f64.sqrt());
     let corner = |k: usize, time: f64| {
         let angle = std::f64::consts::TAU * k as f64 / 3.0 + 0.4 + omega * time;

@@ -2,6 +2,7 @@
 
 mod graphs_and_time;
 mod growth;
+mod own_gains;
 
 use arithmetic::{
     Complex, Dual, Field, Interval, Rational, Real, Ring, Signed, parse_rational, rational, significant_digits,

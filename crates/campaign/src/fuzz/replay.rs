@@ -1,0 +1,67 @@
+//! A failure as a file that decides exactly this case again.
+
+use super::summary::Failed;
+use crate::VERSION;
+use crate::draws::Draws;
+use crate::invariants::{Checked, Invariant, Tested, decide, find};
+use serde_json::{Value, json};
+
+const SCHEMA: &str = "flockproof.replay/1";
+
+/// One case of an invariant as its draws.
+pub struct Replay {
+    /// The invariant.
+    pub invariant: &'static Invariant,
+    /// The draws.
+    pub draws: Vec<u64>,
+}
+
+/// Why a file is no replay.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ReplayError {
+    /// Another file.
+    #[error("it is not a replay of `fuzz`: {0}")]
+    Form(&'static str),
+    /// Of another version, whose draws may mean something else.
+    #[error("it was written by version {0}; this is {VERSION}")]
+    Version(String),
+    /// No such invariant.
+    #[error("there is no invariant `{0}`")]
+    Unknown(String),
+}
+
+impl Replay {
+    /// The file of a failure.
+    pub fn text(invariant: &str, failed: &Failed) -> String {
+        let value = json!({
+            "schema": SCHEMA, "version": VERSION, "invariant": invariant, "case": failed.case, "draws": failed.draws,
+            "why": failed.why, "instance": failed.instance
+        });
+        format!("{value:#}\n")
+    }
+
+    /// Reads such a file; only the invariant and the draws count.
+    ///
+    /// # Errors
+    /// [`ReplayError`].
+    pub fn read(text: &str) -> Result<Self, ReplayError> {
+        let value: Value = serde_json::from_str(text).map_err(|_| ReplayError::Form("it is not JSON"))?;
+        if value["schema"] != SCHEMA {
+            return Err(ReplayError::Form("its schema is not flockproof.replay/1"));
+        }
+        let version = value["version"].as_str().ok_or(ReplayError::Form("there is no version"))?;
+        if version != VERSION {
+            return Err(ReplayError::Version(version.to_string()));
+        }
+        let name = value["invariant"].as_str().ok_or(ReplayError::Form("there is no invariant"))?;
+        let invariant = find(name).ok_or_else(|| ReplayError::Unknown(name.to_string()))?;
+        let list = value["draws"].as_array().ok_or(ReplayError::Form("there are no draws"))?;
+        let draws: Option<Vec<u64>> = list.iter().map(Value::as_u64).collect();
+        Ok(Replay { invariant, draws: draws.ok_or(ReplayError::Form("a draw is not a natural number"))? })
+    }
+
+    /// Decides the case.
+    pub fn decide(&self) -> Checked {
+        decide(self.invariant, &mut Draws::given(&self.draws), Tested::AsItIs)
+    }
+}

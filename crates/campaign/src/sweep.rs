@@ -1,0 +1,230 @@
+//! Tables: the quantities of a question for every member of its family.
+
+use crate::job::{Campaign, JobError};
+use arithmetic::{Interval, Progress, Real, decimals};
+use question::{Margin, Number, Question, QuestionError, Tabulated, Truth};
+use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
+
+/// Digits of enclosures.
+const DIGITS: u32 = 20;
+
+/// Bits of a rational multiple of pi.
+const BITS: u32 = 128;
+
+/// The table of one question.
+pub struct Sweep {
+    question: Question,
+    cases: u64,
+}
+
+impl Sweep {
+    /// Counts the members of the family.
+    ///
+    /// # Errors
+    /// [`QuestionError`] where the family is wrong, empty or larger than the budget.
+    pub fn new(question: Question, progress: &dyn Progress) -> Result<Self, QuestionError> {
+        let cases = question.cases(progress)?;
+        Ok(Sweep { question, cases })
+    }
+
+    /// What stands in the columns: the values of the question, or whether its property holds.
+    fn columns(&self) -> Vec<String> {
+        let values: Vec<String> = self.question.value_names().map(str::to_string).collect();
+        if values.is_empty() { vec!["holds".to_string(), "margin".to_string()] } else { values }
+    }
+
+    fn values(
+        &self,
+        case: u64,
+        progress: &dyn Progress,
+    ) -> Result<Option<(Map<String, Value>, Vec<Value>)>, QuestionError> {
+        let Some(bindings) = self.question.case(case, progress)? else { return Ok(None) };
+        if !self.question.is_kept(&bindings, progress)? {
+            return Ok(None);
+        }
+        let names = bindings.iter().map(|(name, value)| (name.to_string(), value.text().into())).collect();
+        let values = if self.question.value_names().next().is_some() {
+            self.question.values(&bindings, progress)?.iter().map(|(_, value)| tabulated(value)).collect()
+        } else {
+            let decided = self.question.decide(&bindings, progress)?;
+            let truth = match decided.truth {
+                Truth::True => json!(true),
+                Truth::False => json!(false),
+                Truth::Unknown(doubt) => json!({"unknown": doubt.why}),
+            };
+            let margin = Margin::decimals(&decided.margin);
+            vec![truth, margin.map_or(Value::Null, |(lo, hi)| json!({"lo": lo, "hi": hi}))]
+        };
+        Ok(Some((names, values)))
+    }
+}
+
+/// An exact number as `"p/q"`, an enclosed one as `{"lo", "hi"}`, truths as they are, what is not known as `{"unknown": why}`.
+fn tabulated(value: &Tabulated) -> Value {
+    let enclosed = |x: &Interval| {
+        let (lo, hi) = decimals(x, DIGITS);
+        json!({"lo": lo, "hi": hi})
+    };
+    match value {
+        Tabulated::Number(Number::Exact(q)) => q.to_string().into(),
+        Tabulated::Number(Number::Turns(q)) => {
+            let like = Interval::from_rational(q, BITS);
+            enclosed(&(like.pi() * &like))
+        }
+        Tabulated::Number(Number::Enclosed(x, ..)) => enclosed(x),
+        Tabulated::Truth(truth) => (*truth).into(),
+        Tabulated::Unknown(why) => json!({"unknown": why}),
+    }
+}
+
+impl Campaign for Sweep {
+    fn canonical(&self) -> String {
+        let names: Vec<&str> = self.question.bound_names().collect();
+        let (question, columns) = (self.question.canonical(), self.columns());
+        json!({"sweep": {"id": self.question.id(), "names": names, "columns": columns, "question": question}})
+            .to_string()
+    }
+
+    fn cases(&self) -> u64 {
+        self.cases
+    }
+
+    /// `{"names": {..}, "values": [..]}`, or null for a member that `where` leaves out.
+    fn run(&self, case: u64, progress: &dyn Progress) -> Result<Value, JobError> {
+        match self.values(case, progress) {
+            Ok(None) => Ok(Value::Null),
+            Ok(Some((names, values))) => Ok(json!({"names": names, "values": values})),
+            Err(QuestionError::Cancelled(cancelled)) => Err(JobError::Cancelled(cancelled)),
+            Err(error) => Err(JobError::Refused(error.to_string())),
+        }
+    }
+}
+
+/// A finished table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// The id of the question.
+    pub id: String,
+    /// The names of the family.
+    pub names: Vec<String>,
+    /// The quantities.
+    pub columns: Vec<String>,
+    /// A row for each member: what the names stand for, then the values.
+    pub rows: Vec<(Vec<String>, Vec<Value>)>,
+}
+
+/// A store that is not one of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("it holds no table of `sweep`")]
+pub struct NoTable;
+
+impl Table {
+    /// From the canonical text of the sweep and its results.
+    ///
+    /// # Errors
+    /// [`NoTable`].
+    pub fn new(canonical: &str, results: &BTreeMap<u64, Value>) -> Result<Self, NoTable> {
+        let value: Value = serde_json::from_str(canonical).map_err(|_| NoTable)?;
+        let sweep = &value["sweep"];
+        let list = |name: &str| -> Option<Vec<String>> {
+            sweep[name].as_array()?.iter().map(|text| text.as_str().map(str::to_string)).collect()
+        };
+        let (Some(id), Some(names), Some(columns)) = (sweep["id"].as_str(), list("names"), list("columns")) else {
+            return Err(NoTable);
+        };
+        let mut rows = Vec::new();
+        for row in results.values().filter(|row| !row.is_null()) {
+            let named = names.iter().map(|name| row["names"][name].as_str().map(str::to_string));
+            let named: Vec<String> = named.collect::<Option<_>>().ok_or(NoTable)?;
+            let values = row["values"].as_array().filter(|values| values.len() == columns.len()).ok_or(NoTable)?;
+            rows.push((named, values.clone()));
+        }
+        Ok(Table { id: id.to_string(), names, columns, rows })
+    }
+
+    /// One JSON object on a line for each member, names and values side by side.
+    pub fn json_lines(&self) -> String {
+        let row = |(names, values): &(Vec<String>, Vec<Value>)| {
+            let names = self.names.iter().cloned().zip(names.iter().map(|text| text.as_str().into()));
+            let all: Map<String, Value> = names.chain(self.columns.iter().cloned().zip(values.clone())).collect();
+            Value::from(all).to_string() + "\n"
+        };
+        self.rows.iter().map(row).collect()
+    }
+
+    /// CSV: a column for each name and each value, and two, the ends, for a value that is enclosed somewhere. What is not known is empty.
+    ///
+    /// # Errors
+    /// Does not fail in memory.
+    pub fn csv(&self) -> Result<String, csv::Error> {
+        let enclosed = |k: usize| self.rows.iter().any(|(_, values)| values[k]["lo"].is_string());
+        let enclosed: Vec<bool> = (0..self.columns.len()).map(enclosed).collect();
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let column = |(name, enclosed): (&String, &bool)| match enclosed {
+            true => vec![format!("{name}.lo"), format!("{name}.hi")],
+            false => vec![name.clone()],
+        };
+        let columns = self.columns.iter().zip(&enclosed).flat_map(column);
+        writer.write_record(self.names.iter().cloned().chain(columns))?;
+        for (names, values) in &self.rows {
+            let cells = values.iter().zip(&enclosed).flat_map(|(value, enclosed)| cells(value, *enclosed));
+            writer.write_record(names.iter().cloned().chain(cells))?;
+        }
+        let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+
+    /// An aligned text of at most so many rows.
+    pub fn text(&self, most: usize) -> String {
+        let shown = |value: &Value| match value {
+            Value::String(text) => text.clone(),
+            Value::Bool(truth) => truth.to_string(),
+            Value::Null => String::new(),
+            other => match (other["lo"].as_str(), other["hi"].as_str()) {
+                (Some(lo), Some(hi)) if lo == hi => lo.to_string(),
+                (Some(lo), Some(hi)) => common_digits(lo, hi),
+                _ => "?".to_string(),
+            },
+        };
+        let mut lines: Vec<Vec<String>> = vec![self.names.iter().chain(&self.columns).cloned().collect()];
+        for (names, values) in self.rows.iter().take(most) {
+            lines.push(names.iter().cloned().chain(values.iter().map(shown)).collect());
+        }
+        let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..lines[0].len()).map(width).collect();
+        let mut text = String::new();
+        for line in &lines {
+            let cells: Vec<String> = line.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}")).collect();
+            text.push_str(cells.join("  ").trim_end());
+            text.push('\n');
+        }
+        if self.rows.len() > most {
+            text.push_str(&format!("and {} more rows\n", self.rows.len() - most));
+        }
+        text
+    }
+}
+
+fn cells(value: &Value, enclosed: bool) -> Vec<String> {
+    let both = |text: &str| vec![text.to_string(); if enclosed { 2 } else { 1 }];
+    match value {
+        Value::String(text) => both(text),
+        Value::Bool(truth) => both(&truth.to_string()),
+        other => match (other["lo"].as_str(), other["hi"].as_str()) {
+            (Some(lo), Some(hi)) => vec![lo.to_string(), hi.to_string()],
+            _ => both(""),
+        },
+    }
+}
+
+/// The digits that both ends of an enclosure have, and `..`; both ends where these are few.
+fn common_digits(lo: &str, hi: &str) -> String {
+    let common: String = lo.chars().zip(hi.chars()).take_while(|(a, b)| a == b).map(|(a, _)| a).take(14).collect();
+    let digits = common.chars().filter(char::is_ascii_digit).count();
+    if digits >= 6 && common.contains('.') && !lo.contains('e') {
+        format!("{common}..")
+    } else {
+        format!("[{lo}, {hi}]")
+    }
+}

@@ -1,0 +1,109 @@
+//! Tables and attacks of questions of one's own.
+
+use arithmetic::Unwatched;
+use campaign::fuzz::{Attack, FuzzError, Summary};
+use campaign::job::Campaign;
+use campaign::store::run_in_memory;
+use campaign::sweep::{Sweep, Table};
+use question::Question;
+
+fn read(text: &str) -> Question {
+    Question::read(text, &|name| Err(format!("there is no file {name}"))).expect("a question")
+}
+
+fn stated(family: &str, property: &str, control: &str) -> Question {
+    read(&format!(
+        "[question]\nid = \"test\"\n[for]\n{family}\n[holds]\nproperty = \"{property}\"\ncontrols = [\"{control}\"]\n"
+    ))
+}
+
+fn summary(attack: &Attack) -> Summary {
+    let run = run_in_memory(attack, &Unwatched).expect("it runs");
+    Summary::new(&[attack.id()], attack.seed(), run.cases, &run.rows).expect("rows of an attack")
+}
+
+#[test]
+fn a_true_statement_survives() {
+    let question = stated("n = \"2..6\"\ngraph = \"connected(n)\"", "lambda(2) > 0", "lambda(2) > 1");
+    let attack = Attack::new(question, 100, "0").unwrap();
+    let summary = summary(&attack);
+    assert_eq!((summary.cases(), summary.failed()), (100, 0));
+    let margin = summary.invariants[0].margin.expect("an inequality").value;
+    // The least of them all is the path of six: 2 - 2 cos(pi/6).
+    assert!((0.26..1.0).contains(&margin), "{margin}");
+}
+
+/// True for almost all: chance alone does not hit the one counterexample, steps along the margin do.
+#[test]
+fn the_worst_case_is_made_worse() {
+    let question = stated("x = \"0..1000000\"", "abs(x - 123456) > 0", "x > 5");
+    let attack = Attack::new(question, 64, "0").unwrap();
+    let before = summary(&attack).invariants[0].margin.expect("an inequality").value;
+    assert!(before < 15_000.0, "{before}");
+    let near = stated("x = \"0..3000\"", "abs(x - 1234) > 0", "x > 5");
+    let found = summary(&Attack::new(near, 64, "0").unwrap());
+    assert_eq!(found.failed(), 1);
+    assert_eq!(found.invariants[0].failures[0].instance, "x = 1234");
+}
+
+#[test]
+fn a_counterexample_is_a_question_of_its_own() {
+    let question = stated("n = \"2..6\"\ngraph = \"connected(n)\"\nx = \"[0, 3]\"", "lambda(2) > x", "lambda(2) > 5");
+    let found = summary(&Attack::new(question, 50, "0").unwrap());
+    assert!(found.failed() > 0);
+    let failed = &found.invariants[0].failures[0];
+    // Simplest: the fewest vertices with which it fails, and the only connected graph on two has the eigenvalue 2.
+    assert_eq!(failed.instance, "n = 2, graph = edges:2:1-2, x = 3");
+    let again = read(failed.question.as_deref().expect("a question"));
+    let answer = question::decide(&again, &Unwatched).expect("decided");
+    assert_eq!(answer.verdict, question::Verdict::False);
+}
+
+#[test]
+fn members_without_values_are_passed_over() {
+    let question = stated("n = \"2..4\"\nm = \"n..3\"\nwhere = \"gcd(n, m) = 1\"", "n < m", "n > m");
+    let found = summary(&Attack::new(question, 40, "0").unwrap());
+    assert_eq!((found.cases(), found.failed()), (40, 0));
+}
+
+#[test]
+fn what_cannot_be_attacked_is_refused() {
+    let values = || read("[question]\nid = \"a\"\n[for]\nn = \"1..3\"\n[values]\nsquare = \"n^2\"\n");
+    assert!(matches!(Attack::new(values(), 10, "0"), Err(FuzzError::NoProperty)));
+    let question = stated("n = \"1..3\"", "n > 0", "n > 1");
+    assert!(matches!(Attack::new(question, 0, "0"), Err(FuzzError::Cases(0))));
+}
+
+fn table(question: Question) -> Table {
+    let sweep = Sweep::new(question, &Unwatched).expect("a family");
+    let run = run_in_memory(&sweep, &Unwatched).expect("it runs");
+    Table::new(&sweep.canonical(), &run.rows).expect("a table")
+}
+
+#[test]
+fn tables_have_a_row_for_each_member() {
+    let table = table(read(
+        "[question]\nid = \"a\"\n[for]\nn = \"1..4\"\nwhere = \"not n = 3\"\n[values]\nsquare = \"n^2/2\"\nroot = \"sqrt(n)\"\n",
+    ));
+    assert_eq!(table.names, ["n"]);
+    assert_eq!(table.rows.len(), 3);
+    let csv = table.csv().expect("CSV");
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines[0], "n,square,root.lo,root.hi");
+    assert_eq!(lines[1], "1,1/2,1,1");
+    assert!(lines[2].starts_with("2,2,1.41421356237309504"), "{}", lines[2]);
+    let first = table.json_lines();
+    let first: serde_json::Value = serde_json::from_str(first.lines().nth(1).expect("a line")).expect("JSON");
+    assert_eq!((&first["n"], &first["square"]), (&"2".into(), &"2".into()));
+    assert!(first["root"]["lo"].as_str().is_some_and(|lo| lo.starts_with("1.4142135623730950488")));
+    let text = table.text(2);
+    assert!(text.contains("1.4142135623..") || text.contains("1.414213562373.."), "{text}");
+    assert!(text.ends_with("and 1 more rows\n"));
+}
+
+#[test]
+fn a_property_is_tabulated_with_its_margin() {
+    let table = table(stated("n = \"1..3\"", "n > 3/2", "n > 2"));
+    let csv = table.csv().expect("CSV");
+    assert_eq!(csv, "n,holds,margin.lo,margin.hi\n1,false,-0.5,-0.5\n2,true,0.5,0.5\n3,true,1.5,1.5\n");
+}

@@ -1,0 +1,261 @@
+//! What is said about a question: verdict, evidence, counterexample, in words and as JSON.
+
+use crate::bindings::Bindings;
+use crate::decide::Outcome;
+use crate::names::Subject;
+use crate::question::Question;
+use crate::scenario_file::is_place;
+use crate::truth::{Margin, Truth};
+use algebra::graph::LaplacianKind;
+use models::platoon::Communication;
+use serde_json::{Map, json};
+use std::fmt::Write;
+
+/// The verdict on a question.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// True for every member of the family.
+    Holds,
+    /// False for some member.
+    False,
+    /// Neither could be established.
+    Undecided,
+    /// A control was not refuted, so that nothing is said.
+    Withheld,
+}
+
+impl Verdict {
+    /// One word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Holds => "holds",
+            Verdict::False => "false",
+            Verdict::Undecided => "undecided",
+            Verdict::Withheld => "withheld",
+        }
+    }
+
+    /// The exit status of `check`.
+    pub fn status(self) -> u8 {
+        match self {
+            Verdict::Holds => 0,
+            Verdict::False => 1,
+            Verdict::Undecided => 3,
+            Verdict::Withheld => 4,
+        }
+    }
+}
+
+/// A question with its verdict.
+#[derive(Debug, Clone)]
+pub struct Answer {
+    /// The id of the question.
+    pub id: String,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Grades of the evidence.
+    pub grades: Vec<&'static str>,
+    /// The counterexample, simplified.
+    pub counterexample: Option<Bindings>,
+    /// A question of this one instance, as the text of a file; `None` where there is no counterexample, or the question is that already.
+    pub replay: Option<String>,
+    /// Encloses the smallest margin of all cases that were looked at.
+    pub margin: Option<Margin>,
+    /// Members, or boxes of them, that were looked at.
+    pub cases: u64,
+    /// Those that stayed undecided.
+    pub undecided: u64,
+    /// For each control whether it was refuted.
+    pub controls: Vec<bool>,
+    /// The reason of the verdict, one sentence or two.
+    pub why: String,
+}
+
+impl Answer {
+    pub(crate) fn judged(
+        question: &Question,
+        verdict: Verdict,
+        outcome: Outcome,
+        shrunk: Option<Bindings>,
+        refuted: &[bool],
+    ) -> Self {
+        let enclosed = question.subjects().contains(&Subject::Motion);
+        let grades = match (verdict, outcome.boxed) {
+            (Verdict::Holds, true) => vec!["certified"],
+            (Verdict::Holds, false) if enclosed => vec!["exhaustive", "certified"],
+            (Verdict::Holds, false) => vec!["exhaustive"],
+            (Verdict::False, _) => vec![if question.is_exact() { "exact" } else { "certified" }],
+            (Verdict::Undecided, _) if question.is_sample() => vec!["fuzzed"],
+            _ => vec![],
+        };
+        let (counterexample, margin) = match verdict {
+            Verdict::Withheld => (None, None),
+            _ => (shrunk, outcome.margin),
+        };
+        let why = reason(verdict, &outcome, refuted);
+        let alone = outcome.total == 1 && !outcome.boxed;
+        let replay = counterexample.as_ref().filter(|_| !alone).map(|bindings| question.replay(bindings));
+        Answer {
+            id: question.id().to_string(),
+            verdict,
+            grades,
+            counterexample,
+            replay,
+            margin,
+            cases: outcome.cases,
+            undecided: outcome.open,
+            controls: refuted.to_vec(),
+            why,
+        }
+    }
+
+    /// The document `flockproof.check/1`; `replay` is the file where the counterexample was written.
+    pub fn json(&self, replay: Option<&str>) -> serde_json::Value {
+        let named = |bindings: &Bindings| {
+            let pairs = bindings.iter().map(|(name, value)| (name.to_string(), json!(value.text())));
+            serde_json::Value::Object(pairs.collect::<Map<_, _>>())
+        };
+        let margin = self.margin.as_ref().and_then(Margin::decimals);
+        json!({
+            "schema": "flockproof.check/1",
+            "id": self.id,
+            "verdict": self.verdict.word(),
+            "grades": self.grades,
+            "counterexample": self.counterexample.as_ref().map(named),
+            "replay": replay,
+            "margin": margin.map(|(lo, hi)| json!({"lo": lo, "hi": hi})),
+            "cases": self.cases,
+            "undecided": self.undecided,
+            "controls": {"refuted": self.refuted(), "total": self.controls.len()},
+            "why": self.why,
+        })
+    }
+
+    fn refuted(&self) -> usize {
+        self.controls.iter().filter(|refuted| **refuted).count()
+    }
+
+    /// A few plain sentences.
+    pub fn text(&self, replay: Option<&str>) -> String {
+        let mut text = format!("{}: {}", self.id, self.verdict.word());
+        if !self.grades.is_empty() {
+            let _ = write!(text, " ({})", self.grades.join(", "));
+        }
+        let _ = write!(text, "\n{}\n", self.why);
+        if let Some(bindings) = self.counterexample.as_ref().filter(|bindings| bindings.iter().next().is_some()) {
+            let _ = writeln!(text, "counterexample: {bindings}");
+        }
+        if let Some((lo, hi)) = self.margin.as_ref().and_then(Margin::decimals) {
+            let between = if lo == hi { format!("= {lo}") } else { format!("in [{lo}, {hi}]") };
+            let _ = writeln!(text, "smallest margin {between}");
+        }
+        let _ = writeln!(text, "controls refuted: {} of {}", self.refuted(), self.controls.len());
+        if let Some(file) = replay {
+            let _ = writeln!(text, "replay: flockproof check {file}");
+        }
+        text
+    }
+}
+
+fn counted(count: u64, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+fn reason(verdict: Verdict, outcome: &Outcome, refuted: &[bool]) -> String {
+    let unit = if outcome.boxed { "box" } else { "case" };
+    let looked = if outcome.boxed && outcome.cases != 1 {
+        format!("{} boxes", outcome.cases)
+    } else {
+        counted(outcome.cases, unit)
+    };
+    match verdict {
+        Verdict::Withheld => {
+            let kept: Vec<String> =
+                refuted.iter().zip(1..).filter(|(refuted, _)| !**refuted).map(|(_, k)| k.to_string()).collect();
+            let plural = if kept.len() == 1 { "control" } else { "controls" };
+            format!(
+                "{plural} {} could not be refuted, so that the check is not seen to bite and no verdict is given.",
+                kept.join(", ")
+            )
+        }
+        Verdict::Holds if outcome.boxed => {
+            format!("The property is proved on {looked}, which cover the family.")
+        }
+        Verdict::Holds => format!("The property is proved for all members of the family: {looked}."),
+        Verdict::False => format!(
+            "The property fails for a member of the family, found after {looked} and confirmed on exact or enclosed numbers."
+        ),
+        Verdict::Undecided => {
+            let doubt = match &outcome.truth {
+                Truth::Unknown(doubt) => Some(&doubt.why),
+                _ => None,
+            };
+            match doubt {
+                Some(why) => format!("{} of {looked} stayed undecided: {why}.", outcome.open),
+                None => format!("No counterexample among {}; a sample proves nothing for all.", outcome.cases),
+            }
+        }
+    }
+}
+
+impl Question {
+    /// A question of one instance, as the text of a file. Its controls are altered properties that fail there, too.
+    pub(crate) fn replay(&self, bindings: &Bindings) -> String {
+        let quoted = |text: &str| serde_json::Value::from(text).to_string();
+        let mut text = format!("[question]\nid = {}\n", quoted(&format!("{}.counterexample", self.id())));
+        if let Some(statement) = self.statement() {
+            let _ = writeln!(text, "statement = {}", quoted(statement));
+        }
+        if self.kind() != LaplacianKind::Combinatorial {
+            let _ = writeln!(text, "kind = {}", quoted(self.kind().name()));
+        }
+        if self.communication() == Communication::Front {
+            let _ = writeln!(text, "communication = \"front\"");
+        }
+        if let Some(scenario) = self.scenario() {
+            let _ = writeln!(text, "scenario = {}", quoted(&scenario.name));
+        }
+        let _ = writeln!(text, "\n[for]");
+        for (name, value) in bindings.iter() {
+            let key = if is_place(name) { quoted(name) } else { name.to_string() };
+            let _ = writeln!(text, "{key} = {}", quoted(&value.text()));
+        }
+        let Some(property) = &self.property else { return text };
+        let _ = writeln!(text, "\n[holds]\nproperty = {}", quoted(&property.node.to_string()));
+        // False wherever the property is, so that the replay has a control that bites.
+        let altered = format!("({}) and 1 < 0", property.node);
+        let _ = writeln!(text, "controls = [{}]", quoted(&altered));
+        text
+    }
+
+    /// Whether the property is decided without enclosures: only rational quantities and operations.
+    pub(crate) fn is_exact(&self) -> bool {
+        const ENCLOSED: [&str; 15] = [
+            "sqrt",
+            "sin",
+            "cos",
+            "exp",
+            "log",
+            "pi",
+            "lambda",
+            "peak",
+            "peak_frequency",
+            "gain",
+            "abscissa",
+            "tau_2",
+            "disagreement",
+            "min_distance",
+            "order",
+        ];
+        let mut exact = true;
+        if let Some(property) = &self.property {
+            property.node.visit(&mut |node| {
+                if let crate::syntax::Kind::Name { name, .. } = &node.kind {
+                    let own = name.rsplit('.').next().unwrap_or(name);
+                    exact &= !ENCLOSED.contains(&own) && !self.subjects().contains(&Subject::Motion);
+                }
+            });
+        }
+        exact
+    }
+}

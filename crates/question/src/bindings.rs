@@ -1,0 +1,191 @@
+//! What the names of a question stand for in one case.
+
+use algebra::graph::{Graph, NamedGraph, WeightedGraph};
+use algebra::matrix::StochasticMatrix;
+use arithmetic::{Rational, rational};
+use num_traits::One;
+use std::fmt;
+use std::sync::Arc;
+
+/// What a name stands for.
+#[derive(Debug, Clone)]
+pub enum Value {
+    /// A number.
+    Number(Rational),
+    /// Every number between two.
+    Box(Rational, Rational),
+    /// A graph.
+    Graph(Arc<GraphValue>),
+    /// A sequence of stochastic matrices, the first factor first.
+    Matrices(Arc<Vec<StochasticMatrix>>),
+}
+
+/// A graph as a family gives it.
+#[derive(Debug, Clone)]
+pub enum GraphValue {
+    /// Undirected, all weights 1.
+    Simple(Graph),
+    /// Any other.
+    Weighted(WeightedGraph),
+    /// One with a name.
+    Named(NamedGraph, WeightedGraph),
+}
+
+impl GraphValue {
+    /// The graph with its weights.
+    pub fn weighted(&self) -> WeightedGraph {
+        match self {
+            GraphValue::Simple(graph) => WeightedGraph::from(graph),
+            GraphValue::Weighted(graph) | GraphValue::Named(_, graph) => graph.clone(),
+        }
+    }
+
+    /// Number of vertices.
+    pub fn order(&self) -> usize {
+        match self {
+            GraphValue::Simple(graph) => graph.order(),
+            GraphValue::Weighted(graph) | GraphValue::Named(_, graph) => graph.order(),
+        }
+    }
+
+    /// Whether arcs have directions.
+    pub fn is_directed(&self) -> bool {
+        match self {
+            GraphValue::Simple(_) => false,
+            GraphValue::Weighted(graph) | GraphValue::Named(_, graph) => !graph.is_undirected(),
+        }
+    }
+
+    /// The arcs without weights, from 0.
+    pub fn arcs(&self) -> Vec<(usize, usize)> {
+        match self {
+            GraphValue::Simple(graph) => graph.edges().into_iter().flat_map(|(i, j)| [(i, j), (j, i)]).collect(),
+            GraphValue::Weighted(graph) | GraphValue::Named(_, graph) => {
+                graph.adjacency().entries().map(|(i, j, _)| (i, j)).collect()
+            }
+        }
+    }
+}
+
+impl fmt::Display for GraphValue {
+    /// A text that a question reads again: `edges:N:..`, `arcs:N:..` with weights `*w` other than 1, or the name.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let graph = match self {
+            GraphValue::Named(name, _) => return write!(f, "{name}"),
+            GraphValue::Simple(graph) => &WeightedGraph::from(graph),
+            GraphValue::Weighted(graph) => graph,
+        };
+        let directed = self.is_directed();
+        write!(f, "{}:{}:", if directed { "arcs" } else { "edges" }, graph.order())?;
+        let listed = graph.adjacency().entries().filter(|(i, j, _)| directed || i <= j);
+        for (k, (i, j, weight)) in listed.enumerate() {
+            write!(f, "{}{}-{}", if k > 0 { "," } else { "" }, i + 1, j + 1)?;
+            if !weight.is_one() {
+                write!(f, "*{weight}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Value {
+    /// A text that stands for it in a question, without quotes.
+    pub fn text(&self) -> String {
+        match self {
+            Value::Number(q) => q.to_string(),
+            Value::Box(lo, hi) => format!("[{lo}, {hi}]"),
+            Value::Graph(graph) => graph.to_string(),
+            Value::Matrices(list) => {
+                let row = |row: &Vec<Rational>| row.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+                let matrix = |m: &StochasticMatrix| {
+                    m.to_rational_matrix().to_rows().iter().map(row).collect::<Vec<_>>().join("; ")
+                };
+                format!("matrices:{}", list.iter().map(matrix).collect::<Vec<_>>().join(" | "))
+            }
+        }
+    }
+}
+
+/// The names of a case with what they stand for, in the order of the question.
+#[derive(Debug, Clone, Default)]
+pub struct Bindings {
+    entries: Vec<(Arc<str>, Value)>,
+}
+
+impl Bindings {
+    /// What a name stands for.
+    pub fn get(&self, name: &str) -> Option<&Value> {
+        self.entries.iter().find(|(known, _)| known.as_ref() == name).map(|(_, value)| value)
+    }
+
+    /// All names with their values.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &Value)> {
+        self.entries.iter().map(|(name, value)| (name.as_ref(), value))
+    }
+
+    pub(crate) fn push(&mut self, name: Arc<str>, value: Value) {
+        self.entries.push((name, value));
+    }
+
+    pub(crate) fn pop(&mut self) {
+        self.entries.pop();
+    }
+
+    pub(crate) fn set(&mut self, place: usize, value: Value) {
+        if let Some(entry) = self.entries.get_mut(place) {
+            entry.1 = value;
+        }
+    }
+
+    /// The names that stand for boxes, with their places.
+    pub(crate) fn boxes(&self) -> Vec<(usize, Rational, Rational)> {
+        let interval = |(k, (_, value)): (usize, &(Arc<str>, Value))| match value {
+            Value::Box(lo, hi) => Some((k, lo.clone(), hi.clone())),
+            _ => None,
+        };
+        self.entries.iter().enumerate().filter_map(interval).collect()
+    }
+
+    /// Every box replaced by its simplest number near the middle.
+    pub(crate) fn middle(&self) -> Self {
+        let mut point = self.clone();
+        for (k, lo, hi) in self.boxes() {
+            let middle = (&lo + &hi) * rational(1, 2);
+            let quarter = (&hi - &lo) * rational(1, 4);
+            point.set(k, Value::Number(simplest_between(&(&middle - &quarter), &(&middle + &quarter))));
+        }
+        point
+    }
+}
+
+impl fmt::Display for Bindings {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, (name, value)) in self.iter().enumerate() {
+            write!(f, "{}{name} = {}", if k > 0 { ", " } else { "" }, value.text())?;
+        }
+        Ok(())
+    }
+}
+
+/// The rational of the smallest denominator in `[lo, hi]`, and among these of the smallest size (Stern and Brocot).
+pub(crate) fn simplest_between(lo: &Rational, hi: &Rational) -> Rational {
+    let zero = rational(0, 1);
+    if *lo <= zero && zero <= *hi {
+        return zero;
+    }
+    if *hi < zero {
+        return -simplest_between(&-hi.clone(), &-lo.clone());
+    }
+    // A continued fraction: the common beginning of both ends, then the smallest integer that fits.
+    let mut whole = Vec::new();
+    let (mut a, mut b) = (lo.clone(), hi.clone());
+    let last = loop {
+        let floor = a.floor();
+        if a == floor || floor.clone() + Rational::one() <= b {
+            break a.ceil();
+        }
+        whole.push(floor.clone());
+        (a, b) = ((b - &floor).recip(), (a - floor).recip());
+    };
+    whole.into_iter().rev().fold(last, |below, term| term + below.recip())
+}

@@ -1,0 +1,184 @@
+//! One case of a question: bound names, and the subjects that they make.
+
+use crate::bindings::{Bindings, Value};
+use crate::error::Problem;
+use crate::evaluate::{Evaluator, Failure, Measured, quantity_of};
+use crate::names::{QUANTITIES, Quantity, Subject};
+use crate::number::Number;
+use crate::question::Question;
+use crate::subject::flock::FlockSubject;
+use crate::subject::graph::GraphSubject;
+use crate::subject::matrices;
+use crate::subject::motion::MotionSubject;
+use crate::subject::platoon::PlatoonSubject;
+use crate::syntax::{Kind, Node};
+use crate::time::{Piece, Timeline, over_time};
+use crate::truth::{Margin, Truth};
+use arithmetic::{Progress, Rational, rational};
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// A case with what has been computed of it.
+pub(crate) struct Case<'q> {
+    pub question: &'q Question,
+    pub bindings: Bindings,
+    /// Whether this is a box as the question gives it, before it is divided.
+    pub is_first: bool,
+    progress: &'q dyn Progress,
+    graphs: RefCell<BTreeMap<String, Rc<GraphSubject>>>,
+    moving: OnceCell<Result<Moving<'q>, Failure>>,
+}
+
+/// What moves in a case.
+enum Moving<'q> {
+    Flock(FlockSubject<'q>),
+    Motion(MotionSubject<'q>),
+}
+
+impl<'q> Case<'q> {
+    pub fn new(question: &'q Question, bindings: Bindings, is_first: bool, progress: &'q dyn Progress) -> Self {
+        Case { question, bindings, is_first, progress, graphs: RefCell::default(), moving: OnceCell::new() }
+    }
+
+    /// The quantity of that name, of the subjects of the question.
+    pub fn quantity(&self, owner: Option<&str>, name: &str) -> Result<&'static Quantity, Problem> {
+        let subjects = self.question.subjects();
+        quantity_of(name, subjects).ok_or_else(|| unknown_quantity(owner, name, &self.question.known_names()))
+    }
+
+    /// A quantity that does not move, of its subject.
+    pub fn measure(
+        &self,
+        quantity: &'static Quantity,
+        owner: Option<&str>,
+        arguments: &[Number],
+        precision: u32,
+    ) -> Result<Measured, Failure> {
+        match quantity.subject {
+            Subject::Graph => self.graph(quantity, owner)?.measure(quantity.name, arguments, precision),
+            Subject::Platoon => PlatoonSubject::new(&self.bindings, self.question.communication())?.measure(
+                quantity.name,
+                arguments,
+                precision,
+            ),
+            Subject::Matrices => {
+                let found = self.bindings.iter().find_map(|(name, value)| match value {
+                    Value::Matrices(list) if owner.is_none_or(|owner| owner == name) => Some(list),
+                    _ => None,
+                });
+                let list = found.ok_or_else(|| missing(quantity))?;
+                matrices::measure(quantity.name, list, precision)
+            }
+            Subject::Flock | Subject::Motion => match self.moving()? {
+                Moving::Flock(flock) if !quantity.moves => flock.measure(quantity.name),
+                _ => Err(Failure::open("a moving quantity has no value without a time", None)),
+            },
+        }
+    }
+
+    fn graph(&self, quantity: &'static Quantity, owner: Option<&str>) -> Result<Rc<GraphSubject>, Failure> {
+        let mut graphs = self.bindings.iter().filter_map(|(name, value)| match value {
+            Value::Graph(graph) if owner.is_none_or(|owner| owner == name) => Some((name, graph)),
+            _ => None,
+        });
+        let (name, graph) = graphs.next().ok_or_else(|| missing(quantity))?;
+        if let Some(known) = self.graphs.borrow().get(name) {
+            return Ok(known.clone());
+        }
+        let subject = Rc::new(GraphSubject::new(graph.clone(), self.question.kind()));
+        self.graphs.borrow_mut().insert(name.to_string(), subject.clone());
+        Ok(subject)
+    }
+
+    fn moving(&self) -> Result<&Moving<'q>, Failure> {
+        let made = self.moving.get_or_init(|| {
+            let scenario = self
+                .question
+                .scenario()
+                .ok_or_else(|| Failure::Refused(0, Problem::Other("the question has no `scenario`".to_string())))?;
+            let refused = |message: String| Failure::Refused(0, Problem::Other(message));
+            if scenario.is_flock {
+                let start = scenario.flock(&self.bindings).map_err(refused)?;
+                return Ok(Moving::Flock(FlockSubject::new(start, self.progress)));
+            }
+            let (motion, wide) = scenario.motion(&self.bindings).map_err(refused)?;
+            Ok(Moving::Motion(MotionSubject::new(motion, wide, self.progress)))
+        });
+        made.as_ref().map_err(Clone::clone)
+    }
+
+    fn timeline(&self) -> Result<&dyn Timeline, Failure> {
+        Ok(match self.moving()? {
+            Moving::Flock(flock) => flock,
+            Moving::Motion(motion) => motion,
+        })
+    }
+
+    /// A property with a time operator, at time 0 or at the time of the evaluator.
+    pub fn over_time(&self, evaluator: &Evaluator, node: &Node) -> Result<(Truth, Margin), Failure> {
+        let timeline = self.timeline()?;
+        let now = Piece { from: rational(0, 1), to: Some(rational(0, 1)) };
+        if evaluator.piece.is_none() {
+            timeline.prepare(&horizon(evaluator, node)?)?;
+        }
+        over_time(timeline, evaluator, node, evaluator.piece.unwrap_or(&now))
+    }
+
+    /// A quantity at time 0.
+    pub fn initially(&self, evaluator: &Evaluator, node: &Node) -> Result<Measured, Failure> {
+        let timeline = self.timeline()?;
+        let now = Piece { from: rational(0, 1), to: Some(rational(0, 1)) };
+        if evaluator.piece.is_none() {
+            timeline.prepare(&now.from)?;
+        }
+        let moment = timeline.moment(&now)?;
+        let precision = evaluator.precision;
+        Evaluator { case: self, precision, moment: Some(moment.as_ref()), piece: Some(&now) }.measured(node)
+    }
+}
+
+/// The last time that a property looks at, bounded times only.
+fn horizon(evaluator: &Evaluator, node: &Node) -> Result<Rational, Failure> {
+    let zero = rational(0, 1);
+    let end = |to: &Node| match to.kind {
+        Kind::Infinity => Ok(zero.clone()),
+        _ => match evaluator.number(to)? {
+            Number::Exact(q) => Ok(q),
+            other => Err(Failure::Refused(to.at, Problem::expected("a rational number", other.text()))),
+        },
+    };
+    let most = |list: Vec<&Node>| {
+        list.into_iter().try_fold(zero.clone(), |most, node| Ok::<_, Failure>(most.max(horizon(evaluator, node)?)))
+    };
+    match &node.kind {
+        Kind::Always(_, parts) => Ok(end(&parts[1])? + horizon(evaluator, &parts[2])?),
+        Kind::Until(parts) => Ok(end(&parts[1])? + most(vec![&parts[2], &parts[3]])?),
+        Kind::Not(body) => horizon(evaluator, body),
+        Kind::And(list) | Kind::Or(list) => most(list.iter().collect()),
+        Kind::Implies(a, b) => most(vec![a, b]),
+        _ => Ok(zero.clone()),
+    }
+}
+
+fn missing(quantity: &Quantity) -> Failure {
+    let problem = Problem::NoSubject {
+        name: quantity.name.to_string(),
+        subject: quantity.subject.words(),
+        missing: quantity.subject.needs().to_string(),
+    };
+    Failure::Refused(0, problem)
+}
+
+/// What is wrong with a name that is no quantity of the subjects: another subject's, or none.
+pub(crate) fn unknown_quantity(owner: Option<&str>, name: &str, known: &[String]) -> Problem {
+    if let Some(quantity) = QUANTITIES.iter().find(|quantity| quantity.name == name) {
+        return Problem::NoSubject {
+            name: name.to_string(),
+            subject: quantity.subject.words(),
+            missing: quantity.subject.needs().to_string(),
+        };
+    }
+    let full = owner.map_or(name.to_string(), |owner| format!("{owner}.{name}"));
+    Problem::unknown("name", &full, known.iter().map(String::as_str))
+}

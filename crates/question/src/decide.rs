@@ -1,0 +1,423 @@
+//! From a question to its verdict: every member is decided, a continuum is divided, controls must be refuted.
+
+use crate::answer::{Answer, Verdict};
+use crate::bindings::{Bindings, Value};
+use crate::case::Case;
+use crate::error::{Problem, QuestionError};
+use crate::evaluate::{Evaluator, Failure, Measured};
+use crate::names::Subject;
+use crate::number::Number;
+use crate::question::{Expression, Question};
+use crate::shrink::shrunk;
+use crate::truth::{Doubt, Margin, Truth};
+use arithmetic::{Progress, Rational, rational};
+use num_traits::{Signed, ToPrimitive};
+use rayon::prelude::*;
+use std::collections::BinaryHeap;
+
+/// Bits that every comparison is tried with first.
+pub(crate) const FIRST_BITS: u32 = 64;
+
+/// Most bits where it is known that they decide.
+const MOST_BITS: u64 = 1 << 16;
+
+/// Most bits where it is not known whether any number of them decides.
+const MOST_HOPEFUL_BITS: u64 = 1 << 11;
+
+/// Boxes that a continuum is divided into at most, for all members of the family together.
+const MOST_BOXES: u64 = 200_000;
+
+/// The same where each box is a motion to be enclosed.
+const MOST_MOTIONS: u64 = 500;
+
+/// Least number of boxes for each member.
+const LEAST_BOXES: u64 = 64;
+
+/// Boxes whose middle is looked at for a counterexample; later only every so many.
+const PROBED: u64 = 64;
+const PROBED_LATER: u64 = 16;
+
+/// What was found for one case.
+#[derive(Debug, Clone)]
+pub struct Decided {
+    /// Whether the property holds for all that the names stand for.
+    pub truth: Truth,
+    /// Encloses the smallest margin.
+    pub margin: Margin,
+    /// Whether `where` leaves the case out.
+    pub excluded: bool,
+    /// Members or boxes that were looked at.
+    pub boxes: u64,
+    /// Boxes that stayed undecided.
+    pub open: u64,
+    /// Names for which the property fails, confirmed.
+    pub counterexample: Option<Bindings>,
+}
+
+/// The outcome of a property over a whole family.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// True for all, false for some, or not known.
+    pub truth: Truth,
+    /// Encloses the smallest margin of all that were looked at.
+    pub margin: Option<Margin>,
+    /// Members of the family, a continuum counting as one.
+    pub total: u64,
+    /// Members, or boxes of members, that were looked at.
+    pub cases: u64,
+    /// Those that stayed undecided.
+    pub open: u64,
+    /// Whether a continuum was among them.
+    pub boxed: bool,
+    /// The first counterexample.
+    pub counterexample: Option<Bindings>,
+}
+
+impl Question {
+    /// Decides the property for one case.
+    ///
+    /// # Errors
+    /// [`QuestionError`] where the question is wrong there.
+    pub fn decide(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<Decided, QuestionError> {
+        let none = || QuestionError::Whole(Problem::Other("there is no property to decide".to_string()));
+        let property = self.property.as_ref().ok_or_else(none)?;
+        self.decide_expression(property, bindings, MOST_BOXES, progress)
+    }
+
+    /// The quantities of `[values]` for one case, exact or enclosed.
+    ///
+    /// # Errors
+    /// [`QuestionError`] where the question is wrong there.
+    pub fn values(
+        &self,
+        bindings: &Bindings,
+        progress: &dyn Progress,
+    ) -> Result<Vec<(String, Tabulated)>, QuestionError> {
+        let case = Case::new(self, bindings.clone(), true, progress);
+        let value = |(name, expression): &(String, Expression)| {
+            let evaluator = Evaluator { case: &case, precision: 2 * FIRST_BITS, moment: None, piece: None };
+            let value = match evaluator.measured(&expression.node) {
+                Ok(Measured::Number(number)) => Tabulated::Number(number),
+                Ok(Measured::Truth(truth)) => Tabulated::Truth(truth),
+                Err(Failure::Open(doubt)) => Tabulated::Unknown(doubt.why),
+                Err(failure) => return Err(self.refused(failure, expression.base)),
+            };
+            Ok((name.clone(), value))
+        };
+        self.value_expressions().iter().map(value).collect()
+    }
+
+    /// Whether `where` keeps the case.
+    ///
+    /// # Errors
+    /// [`QuestionError`] also where that cannot be told.
+    pub fn is_kept(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<bool, QuestionError> {
+        let Some(restriction) = &self.restriction else { return Ok(true) };
+        match self.decide_point(restriction, bindings, progress)?.0 {
+            Truth::True => Ok(true),
+            Truth::False => Ok(false),
+            Truth::Unknown(_) if !bindings.boxes().is_empty() => Ok(true),
+            Truth::Unknown(doubt) => {
+                let why = format!("`where` could not be decided for {bindings}: {}", doubt.why);
+                Err(self.at(restriction.base, Problem::Other(why)))
+            }
+        }
+    }
+
+    pub(crate) fn decide_expression(
+        &self,
+        expression: &Expression,
+        bindings: &Bindings,
+        most: u64,
+        progress: &dyn Progress,
+    ) -> Result<Decided, QuestionError> {
+        if !bindings.boxes().is_empty() {
+            return Division { question: self, expression, progress, most }.decide(bindings);
+        }
+        if !self.is_kept(bindings, progress)? {
+            let margin = Margin::of_truth(true);
+            return Ok(Decided { truth: Truth::True, margin, excluded: true, boxes: 0, open: 0, counterexample: None });
+        }
+        let (truth, margin) = self.decide_point(expression, bindings, progress)?;
+        let counterexample = (truth == Truth::False).then(|| bindings.clone());
+        let open = u64::from(matches!(truth, Truth::Unknown(_)));
+        Ok(Decided { truth, margin, excluded: false, boxes: 1, open, counterexample })
+    }
+
+    /// Raises the precision until the property is decided, or that is known to be in vain.
+    pub(crate) fn decide_point(
+        &self,
+        expression: &Expression,
+        bindings: &Bindings,
+        progress: &dyn Progress,
+    ) -> Result<(Truth, Margin), QuestionError> {
+        let case = Case::new(self, bindings.clone(), false, progress);
+        let mut precision = FIRST_BITS;
+        loop {
+            progress.checkpoint()?;
+            let (truth, margin) = self.judged(&case, expression, precision)?;
+            let Truth::Unknown(Doubt { bits: Some(needed), .. }) = &truth else { return Ok((truth, margin)) };
+            let most = if *needed <= MOST_BITS { needed.next_power_of_two() * 2 } else { MOST_HOPEFUL_BITS };
+            if u64::from(precision) * 2 > most {
+                return Ok((truth, margin));
+            }
+            precision *= 2;
+        }
+    }
+
+    fn judged(&self, case: &Case, expression: &Expression, precision: u32) -> Result<(Truth, Margin), QuestionError> {
+        let judged = Evaluator { case, precision, moment: None, piece: None }.judge(&expression.node);
+        match judged {
+            Ok(judged) => Ok(judged),
+            Err(Failure::Open(doubt)) => Ok((Truth::Unknown(doubt), Margin::ANY)),
+            Err(failure) => Err(self.refused(failure, expression.base)),
+        }
+    }
+}
+
+/// A value of `[values]`.
+#[derive(Debug, Clone)]
+pub enum Tabulated {
+    /// A number, exact or enclosed.
+    Number(Number),
+    /// True or false.
+    Truth(bool),
+    /// Not known, with the reason.
+    Unknown(String),
+}
+
+/// A continuum that is divided until every box is decided.
+struct Division<'a> {
+    question: &'a Question,
+    expression: &'a Expression,
+    progress: &'a dyn Progress,
+    most: u64,
+}
+
+/// A box that is not decided, the one with the smallest margin first.
+struct Open {
+    bindings: Bindings,
+    margin: f64,
+    number: u64,
+    doubt: Doubt,
+    bounds: Margin,
+}
+
+impl PartialEq for Open {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+impl Eq for Open {}
+impl PartialOrd for Open {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Open {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        other.margin.total_cmp(&self.margin).then_with(|| other.number.cmp(&self.number))
+    }
+}
+
+impl Division<'_> {
+    fn decide(&self, whole: &Bindings) -> Result<Decided, QuestionError> {
+        let original = whole.boxes();
+        let mut found = Decided {
+            truth: Truth::True,
+            margin: Margin::of_truth(true),
+            excluded: false,
+            boxes: 0,
+            open: 0,
+            counterexample: None,
+        };
+        let mut heap = BinaryHeap::new();
+        let mut queue = vec![whole.clone()];
+        let (mut number, mut probes) = (0, 0u64);
+        loop {
+            for bindings in queue.drain(..) {
+                self.progress.checkpoint()?;
+                found.boxes += 1;
+                number += 1;
+                let (truth, margin) = self.on_box(&bindings, number == 1)?;
+                match truth {
+                    None => {}
+                    Some(Truth::True) => found.margin = found.margin.least(margin),
+                    Some(Truth::False) => {
+                        if self.fails_at(bindings.middle(), &mut found)? {
+                            return Ok(found);
+                        }
+                        let doubt =
+                            Doubt { why: "a box fails, but its middle is left out by `where`".to_string(), bits: None };
+                        heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin });
+                    }
+                    Some(Truth::Unknown(doubt)) => {
+                        heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin });
+                    }
+                }
+            }
+            let Some(worst) = heap.pop() else { return Ok(found) };
+            probes += 1;
+            if (probes <= PROBED || probes.is_multiple_of(PROBED_LATER))
+                && self.fails_at(worst.bindings.middle(), &mut found)?
+            {
+                return Ok(found);
+            }
+            let halves = if found.boxes < self.most { halved(&worst.bindings, &original) } else { None };
+            match halves {
+                Some(halves) => queue.extend(halves),
+                None => {
+                    let open = heap.iter().fold(worst.bounds, |least, open| least.least(open.bounds));
+                    found.open = 1 + heap.len() as u64;
+                    found.margin = found.margin.least(open);
+                    let at = worst.bindings.to_string();
+                    let why = format!("{} (on the box {at})", worst.doubt.why);
+                    found.truth = Truth::Unknown(Doubt { why, bits: None });
+                    return Ok(found);
+                }
+            }
+        }
+    }
+
+    /// The truth on a box; `None` where `where` leaves all of it out.
+    fn on_box(&self, bindings: &Bindings, is_first: bool) -> Result<(Option<Truth>, Margin), QuestionError> {
+        let case = Case::new(self.question, bindings.clone(), is_first, self.progress);
+        let mut kept = Truth::True;
+        if let Some(restriction) = &self.question.restriction {
+            kept = self.question.judged(&case, restriction, FIRST_BITS)?.0;
+            if kept == Truth::False {
+                return Ok((None, Margin::of_truth(true)));
+            }
+        }
+        let (truth, margin) = self.question.judged(&case, self.expression, FIRST_BITS)?;
+        let truth = match (truth, kept) {
+            (Truth::False, Truth::Unknown(doubt)) => Truth::Unknown(doubt),
+            (truth, _) => truth,
+        };
+        Ok((Some(truth), margin))
+    }
+
+    /// Whether the property fails at a point, exactly or by enclosure; its margin bounds the smallest one from above.
+    fn fails_at(&self, point: Bindings, found: &mut Decided) -> Result<bool, QuestionError> {
+        if !matches!(self.question.is_kept(&point, self.progress), Ok(true)) {
+            return Ok(false);
+        }
+        let (truth, margin) = self.question.decide_point(self.expression, &point, self.progress)?;
+        found.margin.hi = found.margin.hi.min(margin.hi);
+        found.margin.lo = found.margin.lo.min(found.margin.hi);
+        if truth != Truth::False {
+            return Ok(false);
+        }
+        found.margin = found.margin.least(margin);
+        found.truth = Truth::False;
+        found.counterexample = Some(point);
+        Ok(true)
+    }
+}
+
+/// Two halves of a box, across the side that is widest compared with its numbers; `None` where it has become too thin.
+fn halved(bindings: &Bindings, original: &[(usize, Rational, Rational)]) -> Option<[Bindings; 2]> {
+    const THINNEST: f64 = 1e-12;
+    let relative = |(place, lo, hi): &(usize, Rational, Rational)| {
+        let width = (hi - lo).to_f64().unwrap_or(0.0);
+        let size = lo.abs().max(hi.abs()).to_f64().unwrap_or(1.0);
+        let whole =
+            original.iter().find(|(other, ..)| other == place).map_or(1.0, |(_, a, b)| (b - a).to_f64().unwrap_or(1.0));
+        if lo.is_positive() || hi.is_negative() { width / size } else { width / whole }
+    };
+    let boxes = bindings.boxes();
+    let (place, lo, hi) = boxes.iter().max_by(|a, b| relative(a).total_cmp(&relative(b)))?;
+    if relative(&(*place, lo.clone(), hi.clone())) < THINNEST {
+        return None;
+    }
+    let middle = (lo + hi) * rational(1, 2);
+    let half = |lo: &Rational, hi: &Rational| {
+        let mut half = bindings.clone();
+        half.set(*place, Value::Box(lo.clone(), hi.clone()));
+        half
+    };
+    Some([half(lo, &middle), half(&middle, hi)])
+}
+
+/// Decides a question: its property over the whole family, then that its controls are refuted.
+///
+/// # Errors
+/// [`QuestionError`] where the question is wrong, its family empty or too large.
+pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, QuestionError> {
+    let none = || QuestionError::Whole(Problem::Other("there is no property to decide".to_string()));
+    let property = question.property.as_ref().ok_or_else(none)?;
+    let outcome = over_family(question, property, progress)?;
+    let mut refuted = Vec::new();
+    for control in &question.controls {
+        refuted.push(over_family(question, control, progress)?.truth == Truth::False);
+    }
+    let shrunk = match &outcome.counterexample {
+        Some(found) => Some(shrunk(question, property, found, progress)?),
+        None => None,
+    };
+    Ok(Answer::new(question, outcome, shrunk, refuted))
+}
+
+/// A property over the whole family, up to its first counterexample. The result does not depend on the number of threads.
+fn over_family(
+    question: &Question,
+    expression: &Expression,
+    progress: &dyn Progress,
+) -> Result<Outcome, QuestionError> {
+    const FIRST_CHUNK: u64 = 16;
+    const LARGEST_CHUNK: u64 = 2048;
+    let total = question.cases(progress)?;
+    let all = if question.subjects().contains(&Subject::Motion) { MOST_MOTIONS } else { MOST_BOXES };
+    let budget = question.budget();
+    let most = (all.min(budget) / total.max(1)).max(LEAST_BOXES.min(budget));
+    let mut outcome =
+        Outcome { truth: Truth::True, margin: None, total, cases: 0, open: 0, boxed: false, counterexample: None };
+    let (mut next, mut chunk) = (0, FIRST_CHUNK);
+    while next < total {
+        let end = (next + chunk).min(total);
+        let decided: Vec<Result<Option<(Decided, bool)>, QuestionError>> = (next..end)
+            .into_par_iter()
+            .map(|number| {
+                let Some(bindings) = question.case(number, progress)? else { return Ok(None) };
+                let boxed = !bindings.boxes().is_empty();
+                Ok(Some((question.decide_expression(expression, &bindings, most, progress)?, boxed)))
+            })
+            .collect();
+        for found in decided {
+            let Some((found, boxed)) = found? else { continue };
+            if found.excluded {
+                continue;
+            }
+            outcome.cases += found.boxes;
+            outcome.open += found.open;
+            outcome.boxed |= boxed;
+            outcome.margin = Some(outcome.margin.map_or(found.margin, |least| least.least(found.margin)));
+            if found.counterexample.is_some() {
+                outcome.truth = Truth::False;
+                outcome.counterexample = found.counterexample;
+                return Ok(outcome);
+            }
+            outcome.truth = outcome.truth.and(found.truth);
+        }
+        progress.tell("cases", end, Some(total));
+        next = end;
+        chunk = (2 * chunk).min(LARGEST_CHUNK);
+    }
+    if outcome.cases == 0 {
+        let base = question.bounds.first().map_or(0, |bound| bound.base);
+        return Err(question.at(base, Problem::Empty("`where` leaves out every member".to_string())));
+    }
+    Ok(outcome)
+}
+
+impl Answer {
+    fn new(question: &Question, outcome: Outcome, shrunk: Option<Bindings>, refuted: Vec<bool>) -> Self {
+        let verdict = match (&outcome.truth, refuted.iter().all(|refuted| *refuted)) {
+            (_, false) => Verdict::Withheld,
+            (Truth::False, true) => Verdict::False,
+            (Truth::True, true) if !question.is_sample() => Verdict::Holds,
+            _ => Verdict::Undecided,
+        };
+        Answer::judged(question, verdict, outcome, shrunk, &refuted)
+    }
+}

@@ -1,0 +1,50 @@
+//! Single members of a family, chosen by someone else: for campaigns, which need no count of all members.
+
+use crate::bindings::{Bindings, Value, simplest_between};
+use crate::error::QuestionError;
+use crate::question::Question;
+use arithmetic::{Progress, rational};
+
+/// An interval gives its simplest number, or an end of one of its `2^k` equal parts with `k` up to this.
+const FINEST: u64 = 20;
+
+impl Question {
+    /// The member that `choose` picks: it is asked for a number below its argument, once for each name and twice for an interval, of which a
+    /// point is taken; 0 is the simplest. `None` where a name has no values, given the earlier ones.
+    ///
+    /// # Errors
+    /// [`QuestionError`] where a family is wrong.
+    pub fn member(
+        &self,
+        choose: &mut dyn FnMut(u64) -> u64,
+        progress: &dyn Progress,
+    ) -> Result<Option<Bindings>, QuestionError> {
+        let mut bindings = Bindings::default();
+        for (place, bound) in self.bounds.iter().enumerate() {
+            let members = self.members(place, &bindings, progress)?;
+            let value = match members.len() {
+                0 => None,
+                count => members.get(choose(count).min(count - 1)),
+            };
+            let value = match value {
+                None => return Ok(None),
+                Some(Value::Box(lo, hi)) => {
+                    let parts = choose(FINEST + 2).min(FINEST + 1).checked_sub(1).map(|power| 1u64 << power);
+                    let part = choose(parts.unwrap_or(0) + 1).min(parts.unwrap_or(0));
+                    Value::Number(match parts {
+                        None => simplest_between(&lo, &hi),
+                        Some(parts) => (&hi - &lo) * rational(part as i64, parts as i64) + lo,
+                    })
+                }
+                Some(value) => value,
+            };
+            bindings.push(bound.name.clone(), value);
+        }
+        Ok(Some(bindings))
+    }
+
+    /// A question of one member, as the text of a file that decides it alone.
+    pub fn instance(&self, bindings: &Bindings) -> String {
+        self.replay(bindings)
+    }
+}

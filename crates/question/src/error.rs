@@ -1,0 +1,229 @@
+//! Why a question is refused: one sentence with line and column.
+
+use arithmetic::{Cancelled, NumberError};
+use std::fmt;
+
+/// A place in a question file, counted from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    /// The line.
+    pub line: usize,
+    /// The column, in characters.
+    pub column: usize,
+}
+
+impl Place {
+    /// The place of a byte of a text.
+    pub fn of(text: &str, byte: usize) -> Self {
+        let mut end = byte.min(text.len());
+        while !text.is_char_boundary(end) {
+            end -= 1;
+        }
+        let before = &text[..end];
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        Place { line: 1 + before.matches('\n').count(), column: 1 + before[line_start..].chars().count() }
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}, column {}", self.line, self.column)
+    }
+}
+
+/// Why a question cannot be read or decided at all.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum QuestionError {
+    /// Something at a place of the file.
+    #[error("{place}: {problem}")]
+    At {
+        /// Where.
+        place: Place,
+        /// What.
+        problem: Problem,
+    },
+    /// Something about the file as a whole.
+    #[error("{0}")]
+    Whole(Problem),
+    /// It was told to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+/// What is wrong.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Problem {
+    /// Not TOML.
+    #[error("not valid TOML: {0}")]
+    Toml(String),
+    /// Something else was expected.
+    #[error("{expected} is expected here, but it is {found}")]
+    Expected {
+        /// What should be there.
+        expected: String,
+        /// What is there.
+        found: String,
+    },
+    /// A name that is not known.
+    #[error("there is no {what} `{name}`{}", nearest.as_ref().map_or(String::new(), |near| format!("; the nearest known name is `{near}`")))]
+    Unknown {
+        /// What sort of name.
+        what: &'static str,
+        /// The name.
+        name: String,
+        /// The nearest known one.
+        nearest: Option<String>,
+    },
+    /// A number that cannot be read.
+    #[error(transparent)]
+    Number(#[from] NumberError),
+    /// Brackets, or operators, inside each other.
+    #[error("the expression is nested more than {0} levels deep")]
+    TooDeep(usize),
+    /// An expression of too many parts.
+    #[error("the expression has more than {0} parts")]
+    TooLong(usize),
+    /// A key that must be there.
+    #[error("`{key}` is missing in [{section}]: {expected}")]
+    Missing {
+        /// The section.
+        section: &'static str,
+        /// The key.
+        key: &'static str,
+        /// What it should be.
+        expected: &'static str,
+    },
+    /// No control.
+    #[error(
+        "`controls` is missing in [holds]: at least one altered property that must turn out false, so that the check is seen to bite"
+    )]
+    NoControls,
+    /// A number of arguments.
+    #[error("`{name}` takes {expected}, not {found}")]
+    Arguments {
+        /// The function.
+        name: String,
+        /// What it takes.
+        expected: String,
+        /// How many there are.
+        found: usize,
+    },
+    /// A quantity of something that the question does not have.
+    #[error("`{name}` is a quantity of {subject}, and {missing}")]
+    NoSubject {
+        /// The quantity.
+        name: String,
+        /// Of what.
+        subject: &'static str,
+        /// What would have to be there.
+        missing: String,
+    },
+    /// Time where nothing moves.
+    #[error("`{0}` needs something that moves in time: a `scenario`; the quantities of this question have no time")]
+    Static(&'static str),
+    /// Unbounded time where the future is not decided.
+    #[error("`inf` is for averaging flocks only, whose whole future is decided; a continuous motion needs a last time")]
+    Unbounded,
+    /// A number that is not an integer.
+    #[error("{what} must be an integer, but it is {found}")]
+    NotInteger {
+        /// Which.
+        what: String,
+        /// What it is.
+        found: String,
+    },
+    /// A number out of range.
+    #[error("{what} must be {expected}, but it is {found}")]
+    Range {
+        /// Which.
+        what: String,
+        /// What it should be.
+        expected: String,
+        /// What it is.
+        found: String,
+    },
+    /// The divisor is zero.
+    #[error("division by zero{0}")]
+    DivisionByZero(String),
+    /// A divisor that is zero somewhere in a box.
+    #[error("division by a quantity that is zero somewhere in the box {0}")]
+    DivisionInBox(String),
+    /// An argument outside the domain of a function.
+    #[error("the argument of `{function}` lies outside its domain{at}")]
+    Domain {
+        /// The function.
+        function: &'static str,
+        /// Where.
+        at: String,
+    },
+    /// Nothing to range over.
+    #[error("the family is empty: {0}")]
+    Empty(String),
+    /// More members than can be gone through.
+    #[error(
+        "the family has {size} members, which are more than the budget of {budget}; `budget` in [question] raises it, up to a thousand million"
+    )]
+    TooMany {
+        /// How many.
+        size: String,
+        /// The budget.
+        budget: u64,
+    },
+    /// Classes of graphs that are not made.
+    #[error("{what} has {size} members; orders up to {most} are gone through")]
+    TooLarge {
+        /// The family.
+        what: String,
+        /// Its size.
+        size: String,
+        /// Largest order.
+        most: usize,
+    },
+    /// A file, a scenario, a graph.
+    #[error("{0}")]
+    Other(String),
+}
+
+impl Problem {
+    pub(crate) fn expected(expected: impl Into<String>, found: impl Into<String>) -> Self {
+        Problem::Expected { expected: expected.into(), found: found.into() }
+    }
+
+    /// An unknown name, with the nearest of the known ones if one is near.
+    pub(crate) fn unknown<'a>(what: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
+        Problem::Unknown { what, name: shortened(name), nearest: nearest(name, known) }
+    }
+}
+
+/// At most forty characters of a text.
+pub(crate) fn shortened(text: &str) -> String {
+    const LONGEST: usize = 40;
+    if text.chars().count() <= LONGEST {
+        return text.to_string();
+    }
+    format!("{}..", text.chars().take(LONGEST).collect::<String>())
+}
+
+/// The known name with the least number of changed letters, the first of several.
+fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    if name.len() > 64 {
+        return None;
+    }
+    known.into_iter().min_by_key(|other| distance(name, other)).map(str::to_string)
+}
+
+/// Letters that have to be inserted, left out or changed (Levenshtein), with exchanged capitals for nothing.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b) = (a.to_lowercase(), b.to_lowercase());
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
+        for (j, y) in b.iter().enumerate() {
+            let changed = diagonal + usize::from(x != *y);
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}

@@ -1,0 +1,507 @@
+//! What the names of `[for]` range over, and the members one after the other.
+
+use crate::bindings::{Bindings, GraphValue, Value};
+use crate::case::Case;
+use crate::error::{Problem, shortened};
+use crate::evaluate::{Evaluator, Failure};
+use crate::names::FAMILIES;
+use crate::number::Number;
+use crate::question::Question;
+use crate::subject::graph::changed_by_one_link;
+use crate::syntax::{Kind, Located, Node, parse_domain};
+use algebra::graph::classes::{
+    LARGEST_CLASSES, LARGEST_DIGRAPH_CLASSES, LARGEST_TREE_CLASSES, connected_graphs, digraphs, graphs, trees,
+};
+use algebra::graph::{Graph, NamedGraph, WeightedGraph, read::read_graph};
+use algebra::matrix::{StochasticMatrix, read::read_sequence};
+use arithmetic::{Progress, Rational, parse_rational, random, rational};
+use num_traits::{One, Signed, ToPrimitive};
+use rand_chacha::rand_core::Rng;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+
+/// What a name ranges over, as it is written.
+#[derive(Debug, Clone)]
+pub(crate) enum Domain {
+    /// Something made of earlier names: integers, intervals, classes of graphs, one number.
+    Written(Node),
+    /// A graph or matrices that are given.
+    Given(Value),
+    /// The members of several.
+    List(Vec<(usize, Domain)>),
+}
+
+/// A name with what it ranges over and the byte of the file where that is written.
+#[derive(Debug, Clone)]
+pub(crate) struct Bound {
+    pub name: Arc<str>,
+    pub domain: Domain,
+    pub base: usize,
+}
+
+/// What sort of thing a name stands for, as far as that is known without looking at members.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Sort {
+    Integer,
+    Number,
+    Box,
+    Graph,
+    Matrices,
+}
+
+/// Which classes of graphs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Class {
+    Connected,
+    All,
+    Trees,
+    Digraphs,
+}
+
+const CLASSES: [(&str, Class, usize); 4] = [
+    ("connected", Class::Connected, LARGEST_CLASSES),
+    ("all", Class::All, LARGEST_CLASSES),
+    ("trees", Class::Trees, LARGEST_TREE_CLASSES),
+    ("digraphs", Class::Digraphs, LARGEST_DIGRAPH_CLASSES),
+];
+
+impl Class {
+    /// Known numbers of classes, for orders from 1 (OEIS A001349, A000088, A000055, A000273).
+    fn counts(self) -> &'static [u64] {
+        match self {
+            Class::Connected => &[1, 1, 2, 6, 21, 112, 853, 11117, 261_080, 11_716_571, 1_006_700_565, 164_059_830_476],
+            Class::All => &[1, 2, 4, 11, 34, 156, 1044, 12346, 274_668, 12_005_168, 1_018_997_864, 165_091_172_592],
+            Class::Trees => &[
+                1, 1, 1, 2, 3, 6, 11, 23, 47, 106, 235, 551, 1301, 3159, 7741, 19320, 48629, 123_867, 317_955, 823_065,
+                2_144_505, 5_623_756,
+            ],
+            Class::Digraphs => &[1, 3, 16, 218, 9608, 1_540_944, 882_033_440, 1_793_359_192_848],
+        }
+    }
+
+    fn size(self, order: usize) -> String {
+        match self.counts().get(order - 1) {
+            Some(count) => count.to_string(),
+            None => format!("more than {}", self.counts().last().copied().unwrap_or(0)),
+        }
+    }
+}
+
+/// Reads what a text ranges over; `files` gives the text of a file by its name.
+pub(crate) fn read_domain(text: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Domain, Located> {
+    let trimmed = text.trim();
+    let other = |message: String| (0, Problem::Other(message));
+    if let Some(name) = trimmed.strip_prefix("file:") {
+        let content = files(name).map_err(other)?;
+        return read_file(name, &content).map(Domain::Given).map_err(other);
+    }
+    if let Some(rest) = trimmed.strip_prefix("matrices:") {
+        return read_matrices(rest).map(|list| Domain::Given(Value::Matrices(Arc::new(list)))).map_err(other);
+    }
+    for (prefix, directed) in [("edges:", false), ("arcs:", true)] {
+        if let Some(rest) = trimmed.strip_prefix(prefix) {
+            let graph = read_arcs(rest, directed).map_err(other)?;
+            return Ok(Domain::Given(Value::Graph(Arc::new(graph))));
+        }
+    }
+    if trimmed.contains(':') {
+        let name: NamedGraph = trimmed.parse().map_err(|error| other(format!("{error}")))?;
+        return named(name).map(Domain::Given).map_err(other);
+    }
+    parse_domain(text).map(Domain::Written)
+}
+
+fn named(name: NamedGraph) -> Result<Value, String> {
+    let graph = name.build().map_err(|error| error.to_string())?;
+    Ok(Value::Graph(Arc::new(GraphValue::Named(name, graph))))
+}
+
+/// A graph, or a sequence of matrices where it is none.
+fn read_file(name: &str, text: &str) -> Result<Value, String> {
+    let graph = match read_graph(text) {
+        Ok(graph) => return Ok(Value::Graph(Arc::new(GraphValue::Weighted(graph)))),
+        Err(error) => error,
+    };
+    match read_sequence(text) {
+        Ok(list) => Ok(Value::Matrices(Arc::new(list))),
+        Err(error) => Err(format!("{name}: neither a graph ({graph}) nor stochastic matrices ({error})")),
+    }
+}
+
+fn read_matrices(text: &str) -> Result<Vec<StochasticMatrix>, String> {
+    let number = |word: &str| parse_rational(word).map_err(|error| error.to_string());
+    let row = |row: &str| row.split_whitespace().map(number).collect::<Result<Vec<Rational>, String>>();
+    let matrix = |text: &str| {
+        let rows = text.split(';').map(row).collect::<Result<Vec<_>, String>>()?;
+        StochasticMatrix::from_rows(&rows).map_err(|error| error.to_string())
+    };
+    text.split('|').map(matrix).collect()
+}
+
+/// `4:1-2,2-3`, with `*w` after an arc of another weight than 1.
+fn read_arcs(text: &str, directed: bool) -> Result<GraphValue, String> {
+    let form = || format!("`{}` is not of the form 4:1-2,2-3: vertices, edges", shortened(text));
+    let (order, list) = text.split_once(':').ok_or_else(form)?;
+    let most = if directed { 1000 } else { 10_000 };
+    let order: usize = order.trim().parse().ok().filter(|n| (1..=most).contains(n)).ok_or_else(form)?;
+    let vertex = |word: &str| word.trim().parse().ok().filter(|v| (1..=order).contains(v)).map(|v: usize| v - 1);
+    let mut arcs = Vec::new();
+    for item in list.split(',').filter(|item| !item.trim().is_empty()) {
+        let (pair, weight) = item.split_once('*').unwrap_or((item, "1"));
+        let (i, j) = pair.split_once('-').ok_or_else(form)?;
+        let (i, j) = vertex(i).zip(vertex(j)).ok_or_else(form)?;
+        arcs.push((i, j, parse_rational(weight).map_err(|error| error.to_string())?));
+    }
+    let simple = !directed && arcs.iter().all(|(i, j, w)| i != j && w.is_one());
+    if simple {
+        let edges: Vec<(usize, usize)> = arcs.iter().map(|(i, j, _)| (*i, *j)).collect();
+        return Graph::from_edges(order, &edges).map(GraphValue::Simple).map_err(|error| error.to_string());
+    }
+    let mirrored = arcs.iter().filter(|(i, j, _)| !directed && i != j).map(|(i, j, w)| (*j, *i, w.clone()));
+    let all: Vec<_> = arcs.iter().cloned().chain(mirrored.collect::<Vec<_>>()).collect();
+    Ok(GraphValue::Weighted(WeightedGraph::from_arcs(order, all)))
+}
+
+impl Domain {
+    /// What sort its members are; `None` for a list of different sorts, or an unknown form.
+    pub fn sort(&self) -> Option<Sort> {
+        match self {
+            Domain::Given(Value::Graph(_)) => Some(Sort::Graph),
+            Domain::Given(Value::Matrices(_)) => Some(Sort::Matrices),
+            Domain::Given(Value::Number(_)) => Some(Sort::Number),
+            Domain::Given(Value::Box(..)) => Some(Sort::Box),
+            Domain::List(list) => {
+                let mut sorts = list.iter().map(|(_, domain)| domain.sort());
+                let first = sorts.next()??;
+                sorts.try_fold(first, |sort, next| match (sort, next?) {
+                    (a, b) if a == b => Some(a),
+                    (Sort::Integer, Sort::Number) | (Sort::Number, Sort::Integer) => Some(Sort::Number),
+                    _ => None,
+                })
+            }
+            Domain::Written(node) => match &node.kind {
+                Kind::Range(..) => Some(Sort::Integer),
+                Kind::Interval(..) => Some(Sort::Box),
+                Kind::Number(q) if q.is_integer() => Some(Sort::Integer),
+                Kind::Name { name, called: true, .. } => match name.as_str() {
+                    "stochastic" | "products" | "joined" | "random_products" => Some(Sort::Matrices),
+                    name if FAMILIES.iter().any(|family| family.name == name) => Some(Sort::Graph),
+                    _ => Some(Sort::Number),
+                },
+                _ => Some(Sort::Number),
+            },
+        }
+    }
+
+    /// Whether it is drawn at random.
+    pub fn is_sample(&self) -> bool {
+        match self {
+            Domain::Written(Node { kind: Kind::Name { name, .. }, .. }) => name.starts_with("random"),
+            Domain::Written(_) | Domain::Given(_) => false,
+            Domain::List(list) => list.iter().any(|(_, domain)| domain.is_sample()),
+        }
+    }
+}
+
+/// Classes of graphs that were made, by kind and order.
+pub(crate) type Classes = Mutex<BTreeMap<(u8, usize), Arc<Vec<Arc<GraphValue>>>>>;
+
+/// Members without their values, as far as that helps to count them.
+#[derive(Debug)]
+pub(crate) enum Members {
+    Integers(i64, i64),
+    Graphs(Arc<Vec<Arc<GraphValue>>>),
+    Listed(Vec<Value>),
+}
+
+impl Members {
+    pub fn len(&self) -> u64 {
+        match self {
+            Members::Integers(from, to) => (to - from + 1).max(0) as u64,
+            Members::Graphs(list) => list.len() as u64,
+            Members::Listed(list) => list.len() as u64,
+        }
+    }
+
+    pub fn get(&self, k: u64) -> Option<Value> {
+        match self {
+            Members::Integers(from, _) => (k < self.len()).then(|| Value::Number(rational(from + k as i64, 1))),
+            Members::Graphs(list) => list.get(k as usize).cloned().map(Value::Graph),
+            Members::Listed(list) => list.get(k as usize).cloned(),
+        }
+    }
+}
+
+/// Makes members from the names bound so far.
+pub(crate) struct Maker<'a> {
+    pub question: &'a Question,
+    pub bindings: &'a Bindings,
+    pub progress: &'a dyn Progress,
+}
+
+type Made<T> = Result<T, Failure>;
+
+impl Maker<'_> {
+    /// The members of a domain.
+    pub fn members(&self, domain: &Domain) -> Made<Members> {
+        match domain {
+            Domain::Given(value) => Ok(Members::Listed(vec![value.clone()])),
+            Domain::List(list) => {
+                let mut all = Vec::new();
+                for (_, domain) in list {
+                    let members = self.members(domain)?;
+                    all.extend((0..members.len()).filter_map(|k| members.get(k)));
+                }
+                Ok(Members::Listed(all))
+            }
+            Domain::Written(node) => self.written(node),
+        }
+    }
+
+    fn written(&self, node: &Node) -> Made<Members> {
+        match &node.kind {
+            Kind::Range(from, to) => {
+                let (from, to) = (self.integer(from, "the first integer")?, self.integer(to, "the last integer")?);
+                Ok(Members::Integers(from, to))
+            }
+            Kind::Interval(from, to) => {
+                let (lo, hi) = (self.exact(from)?, self.exact(to)?);
+                if lo > hi {
+                    let why = format!("the interval [{lo}, {hi}] ends before it begins");
+                    return Err(Failure::Refused(node.at, Problem::Empty(why)));
+                }
+                Ok(Members::Listed(vec![if lo == hi { Value::Number(lo) } else { Value::Box(lo, hi) }]))
+            }
+            Kind::Name { name, arguments, called: true } if FAMILIES.iter().any(|family| family.name == name) => {
+                self.family(name, arguments, node)
+            }
+            Kind::Name { name, called: false, .. }
+                if matches!(self.bindings.get(name), Some(Value::Graph(_) | Value::Matrices(_))) =>
+            {
+                Ok(Members::Listed(self.bindings.get(name).cloned().into_iter().collect()))
+            }
+            _ => Ok(Members::Listed(vec![Value::Number(self.exact(node)?)])),
+        }
+    }
+
+    /// An expression that must be a rational number.
+    fn exact(&self, node: &Node) -> Made<Rational> {
+        let case = Case::new(self.question, self.bindings.clone(), false, self.progress);
+        match (Evaluator { case: &case, precision: 64, moment: None, piece: None }).number(node)? {
+            Number::Exact(q) => Ok(q),
+            other => Err(Failure::Refused(node.at, Problem::expected("a rational number", other.text()))),
+        }
+    }
+
+    fn integer(&self, node: &Node, what: &str) -> Made<i64> {
+        let q = self.exact(node)?;
+        let refuse = |problem| Failure::Refused(node.at, problem);
+        if !q.is_integer() {
+            return Err(refuse(Problem::NotInteger { what: what.to_string(), found: shortened(&q.to_string()) }));
+        }
+        const LARGEST: i64 = 1 << 60;
+        let range = || Problem::Range {
+            what: what.to_string(),
+            expected: "at most 2^60 in size".to_string(),
+            found: shortened(&q.to_string()),
+        };
+        q.to_i64().filter(|n| n.abs() <= LARGEST).ok_or_else(|| refuse(range()))
+    }
+
+    /// An integer between two.
+    fn count(&self, node: &Node, what: &str, least: usize, most: usize) -> Made<usize> {
+        let n = self.integer(node, what)?;
+        let range = || Problem::Range {
+            what: what.to_string(),
+            expected: format!("between {least} and {most}"),
+            found: n.to_string(),
+        };
+        let found = usize::try_from(n).ok().filter(|n| (least..=most).contains(n));
+        found.ok_or_else(|| Failure::Refused(node.at, range()))
+    }
+
+    fn family(&self, name: &str, arguments: &[Node], node: &Node) -> Made<Members> {
+        let vertices = "the number of vertices";
+        let refuse = |message: String| Failure::Refused(node.at, Problem::Other(message));
+        if let Some((_, class, most)) = CLASSES.into_iter().find(|(known, ..)| *known == name) {
+            let order = self.count(&arguments[0], vertices, 1, 1000)?;
+            if order > most {
+                let problem = Problem::TooLarge { what: format!("{name}({order})"), size: class.size(order), most };
+                return Err(Failure::Refused(node.at, problem));
+            }
+            return Ok(Members::Graphs(self.class(class, order)?));
+        }
+        match name {
+            "random" => {
+                let order = self.count(&arguments[0], vertices, 1, 1000)?;
+                let p = self.exact(&arguments[1])?;
+                if p.is_negative() || p > rational(1, 1) {
+                    let found = shortened(&p.to_string());
+                    let problem = Problem::Range {
+                        what: "a probability".to_string(),
+                        expected: "between 0 and 1".to_string(),
+                        found,
+                    };
+                    return Err(Failure::Refused(arguments[1].at, problem));
+                }
+                Ok(Members::Listed(vec![Value::Graph(Arc::new(GraphValue::Simple(self.random(order, &p, node)?)))]))
+            }
+            "with_link" | "without_link" => {
+                let given = match &arguments[0].kind {
+                    Kind::Name { name, called: false, .. } => self.bindings.get(name),
+                    _ => None,
+                };
+                let Some(Value::Graph(graph)) = given else {
+                    return Err(refuse(format!("`{name}` takes the name of a graph that is bound before")));
+                };
+                let GraphValue::Simple(graph) = graph.as_ref() else {
+                    return Err(refuse(format!("`{name}` takes an undirected graph whose links all have weight 1")));
+                };
+                let changed = changed_by_one_link(graph, name == "with_link").into_iter();
+                Ok(Members::Listed(changed.map(|g| Value::Graph(Arc::new(GraphValue::Simple(g)))).collect()))
+            }
+            "joined" => {
+                let named = |node: &Node| match &node.kind {
+                    Kind::Name { name, called: false, .. } => self.bindings.get(name),
+                    _ => None,
+                };
+                let (Some(Value::Matrices(first)), Some(Value::Matrices(second))) =
+                    (named(&arguments[0]), named(&arguments[1]))
+                else {
+                    let needed = "`joined` takes the names of two sequences of matrices that are bound before";
+                    return Err(refuse(needed.to_string()));
+                };
+                let both = [first.as_slice(), second.as_slice()].concat();
+                Ok(Members::Listed(vec![Value::Matrices(Arc::new(both))]))
+            }
+            "stochastic" | "products" => {
+                let size = self.count(&arguments[0], "the order", 1, 8)?;
+                let denominator = self.count(&arguments[1], "the denominator", 1, 1000)?;
+                let length = match arguments.get(2) {
+                    Some(node) => self.count(node, "the number of matrices", 1, 64)?,
+                    None => 1,
+                };
+                all_products(size, denominator, length, self.question.budget(), self.progress)
+                    .map_err(|problem| problem.map_or(Failure::Cancelled, |p| Failure::Refused(node.at, p)))
+            }
+            "random_products" => {
+                let size = self.count(&arguments[0], "the order", 1, 64)?;
+                let length = self.count(&arguments[1], "the number of matrices", 1, 4096)?;
+                let seed = self.seed(node)?;
+                let mut stream = random::generator("question", &format!("random products {size} {length}"), seed);
+                let list = (0..length).map(|_| random_stochastic(size, &mut stream)).collect::<Option<Vec<_>>>();
+                let list = list.ok_or_else(|| refuse("no stochastic matrix could be drawn".to_string()))?;
+                Ok(Members::Listed(vec![Value::Matrices(Arc::new(list))]))
+            }
+            // The graphs that have names.
+            _ => {
+                let order = self.count(&arguments[0], vertices, 1, 1 << 20)?;
+                let found: NamedGraph = format!("{name}:{order}").parse().map_err(|e| refuse(format!("{e}")))?;
+                Ok(Members::Listed(vec![named(found).map_err(refuse)?]))
+            }
+        }
+    }
+
+    /// The seed that was bound before.
+    fn seed(&self, node: &Node) -> Made<u64> {
+        let missing = "a random family needs `seed` in [for] before it, such as seed = \"1..1000\"";
+        match self.bindings.get("seed") {
+            Some(Value::Number(q)) if q.is_integer() => q
+                .to_u64()
+                .ok_or_else(|| Failure::Refused(node.at, Problem::Other("`seed` must not be negative".to_string()))),
+            _ => Err(Failure::Refused(node.at, Problem::Other(missing.to_string()))),
+        }
+    }
+
+    fn random(&self, order: usize, p: &Rational, node: &Node) -> Made<Graph> {
+        let seed = self.seed(node)?;
+        // The stream depends on the seed and the order, not on the property, so that a replay draws the same.
+        let mut stream = random::generator("question", &format!("random graph {order} {p}"), seed);
+        let threshold = (p * Rational::from_integer(num_bigint::BigInt::one() << 64)).to_integer();
+        let threshold = threshold.to_u128().unwrap_or(0);
+        let mut joined = vec![false; order * order.saturating_sub(1) / 2];
+        joined.iter_mut().for_each(|bit| *bit = u128::from(stream.next_u64()) < threshold);
+        Ok(Graph::from_fn(order, |i, j| joined[j * (j - 1) / 2 + i]))
+    }
+
+    fn class(&self, class: Class, order: usize) -> Made<Arc<Vec<Arc<GraphValue>>>> {
+        let key = (class as u8, order);
+        let mut made = self.question.classes().lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        if let Some(known) = made.get(&key) {
+            return Ok(known.clone());
+        }
+        let simple = |list: Vec<Graph>| list.into_iter().map(|g| Arc::new(GraphValue::Simple(g))).collect::<Vec<_>>();
+        let list = match class {
+            Class::Connected => simple(connected_graphs(order, self.progress)?),
+            Class::All => simple(graphs(order, self.progress)?),
+            Class::Trees => simple(trees(order, self.progress)?),
+            Class::Digraphs => {
+                digraphs(order, self.progress)?.into_iter().map(|g| Arc::new(GraphValue::Weighted(g))).collect()
+            }
+        };
+        let list = Arc::new(list);
+        made.insert(key, list.clone());
+        Ok(list)
+    }
+}
+
+/// All sequences of stochastic matrices of an order with entries that are multiples of `1/denominator`; `Err(None)` where it was stopped.
+fn all_products(
+    size: usize,
+    denominator: usize,
+    length: usize,
+    budget: u64,
+    progress: &dyn Progress,
+) -> Result<Members, Option<Problem>> {
+    let mut rows = vec![vec![denominator as i64]];
+    for _ in 1..size {
+        // The last entry is split in two.
+        let split = |row: Vec<i64>| {
+            let (last, others) = row.split_last().map_or((0, Vec::new()), |(last, others)| (*last, others.to_vec()));
+            (0..=last).rev().map(move |first| [others.clone(), vec![first, last - first]].concat())
+        };
+        rows = rows.into_iter().flat_map(split).collect();
+        if rows.len() as u64 > budget {
+            break;
+        }
+    }
+    let power = u32::try_from(size * length).unwrap_or(u32::MAX);
+    let count = num_bigint::BigInt::from(rows.len()).pow(power);
+    if count > num_bigint::BigInt::from(budget) {
+        return Err(Some(Problem::TooMany { size: shortened(&count.to_string()), budget }));
+    }
+    let total = count.to_u64().unwrap_or(0);
+    let sequence = |k: u64| -> Result<Value, Option<Problem>> {
+        progress.checkpoint().map_err(|_| None)?;
+        let mut rest = k;
+        let mut matrices = Vec::with_capacity(length);
+        for _ in 0..length {
+            let mut chosen = Vec::with_capacity(size);
+            for _ in 0..size {
+                chosen.push(rows[(rest % rows.len() as u64) as usize].clone());
+                rest /= rows.len() as u64;
+            }
+            let matrix = StochasticMatrix::from_integers(&chosen, denominator as i64);
+            matrices.push(matrix.map_err(|error| Some(Problem::Other(error.to_string())))?);
+        }
+        Ok(Value::Matrices(Arc::new(matrices)))
+    };
+    Ok(Members::Listed((0..total).map(sequence).collect::<Result<_, _>>()?))
+}
+
+/// A matrix whose rows are random shares in 64ths, about half of them zero.
+fn random_stochastic(size: usize, stream: &mut impl Rng) -> Option<StochasticMatrix> {
+    const WHOLE: i64 = 64;
+    let mut row = || {
+        let mut shares = vec![0i64; size];
+        let places = 1 + stream.next_u64() % size as u64;
+        for _ in 0..WHOLE {
+            shares[(stream.next_u64() % places) as usize] += 1;
+        }
+        let turn = (stream.next_u64() % size as u64) as usize;
+        shares.rotate_right(turn);
+        shares
+    };
+    let rows: Vec<Vec<i64>> = (0..size).map(|_| row()).collect();
+    StochasticMatrix::from_integers(&rows, WHOLE).ok()
+}

@@ -1,0 +1,31 @@
+//! Statements of one's own: a file says what a property ranges over, and the property is decided with graded evidence.
+//!
+//! [`Question::read`] reads a question; [`decide`] decides it; [`Question::case`] and [`values`] serve tables and campaigns. The crate opens no
+//! files: those that a question names are given to it. `notes/questions.md` has the language with examples.
+
+mod answer;
+mod bindings;
+mod case;
+mod decide;
+mod draw;
+mod error;
+mod evaluate;
+mod family;
+pub mod names;
+mod number;
+mod question;
+mod scenario_file;
+mod shrink;
+mod source;
+mod subject;
+mod syntax;
+mod time;
+mod truth;
+
+pub use answer::{Answer, Verdict};
+pub use bindings::{Bindings, GraphValue, Value};
+pub use decide::{Decided, Outcome, Tabulated, decide};
+pub use error::{Place, Problem, QuestionError};
+pub use number::Number;
+pub use question::{Files, Question};
+pub use truth::{Doubt, Margin, Truth};

@@ -1,0 +1,320 @@
+//! All names that an expression may use, with what they mean: the source of `check --names` and of the page in the notes.
+
+use std::fmt::Write;
+
+/// What a quantity is measured on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Subject {
+    /// A graph that is bound in `[for]`.
+    Graph,
+    /// A platoon with the gains `f` and `g`.
+    Platoon,
+    /// A sequence of stochastic matrices.
+    Matrices,
+    /// An averaging flock (a scenario in JSON).
+    Flock,
+    /// A continuous motion (a scenario in TOML).
+    Motion,
+}
+
+impl Subject {
+    /// In a sentence.
+    pub fn words(self) -> &'static str {
+        match self {
+            Subject::Graph => "a graph",
+            Subject::Platoon => "a platoon",
+            Subject::Matrices => "a sequence of stochastic matrices",
+            Subject::Flock => "an averaging flock",
+            Subject::Motion => "a continuous motion",
+        }
+    }
+
+    /// What a question must have for it.
+    pub fn needs(self) -> &'static str {
+        match self {
+            Subject::Graph => "no name in [for] ranges over graphs",
+            Subject::Platoon => "that needs the gains `f` and `g` in [for], and `followers` or a graph",
+            Subject::Matrices => "no name in [for] ranges over stochastic matrices",
+            Subject::Flock => "`scenario` names no flock in JSON",
+            Subject::Motion => "`scenario` names no motion in TOML",
+        }
+    }
+}
+
+/// A quantity of a subject.
+#[derive(Debug)]
+pub struct Quantity {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is measured on.
+    pub subject: Subject,
+    /// Names of its arguments.
+    pub arguments: &'static [&'static str],
+    /// Whether it is true or false rather than a number.
+    pub is_truth: bool,
+    /// Whether it changes in time.
+    pub moves: bool,
+    /// What it means.
+    pub meaning: &'static str,
+}
+
+const fn fixed(
+    subject: Subject,
+    name: &'static str,
+    arguments: &'static [&'static str],
+    meaning: &'static str,
+) -> Quantity {
+    Quantity { name, subject, arguments, is_truth: false, moves: false, meaning }
+}
+
+const fn truth(subject: Subject, name: &'static str, meaning: &'static str) -> Quantity {
+    Quantity { name, subject, arguments: &[], is_truth: true, moves: false, meaning }
+}
+
+const fn moving(
+    subject: Subject,
+    name: &'static str,
+    arguments: &'static [&'static str],
+    meaning: &'static str,
+) -> Quantity {
+    Quantity { name, subject, arguments, is_truth: false, moves: true, meaning }
+}
+
+/// All quantities.
+pub const QUANTITIES: &[Quantity] = &[
+    fixed(Subject::Graph, "n", &[], "number of vertices"),
+    fixed(Subject::Graph, "edges", &[], "number of edges; of a directed graph, of arcs"),
+    fixed(
+        Subject::Graph,
+        "min_degree",
+        &[],
+        "smallest number of neighbours; of a directed graph, of arcs from a vertex",
+    ),
+    fixed(
+        Subject::Graph,
+        "max_degree",
+        &[],
+        "largest number of neighbours; of a directed graph, of arcs from a vertex",
+    ),
+    fixed(
+        Subject::Graph,
+        "diameter",
+        &[],
+        "largest distance of two vertices along edges; only where every vertex can be reached from every other",
+    ),
+    truth(Subject::Graph, "connected", "every vertex can be reached from every other, along arcs in a directed graph"),
+    fixed(
+        Subject::Graph,
+        "lambda",
+        &["k"],
+        "k-th smallest eigenvalue (of a directed graph: real part), counted with multiplicity, of the matrix that `kind` in [question] names",
+    ),
+    fixed(
+        Subject::Platoon,
+        "peak",
+        &[],
+        "largest amplitude of the last car over all frequencies, per unit amplitude of the leader",
+    ),
+    fixed(Subject::Platoon, "peak_frequency", &[], "angular frequency of the peak, rad/s"),
+    fixed(Subject::Platoon, "gain", &["k", "w"], "amplitude of follower k at the angular frequency w"),
+    truth(Subject::Platoon, "stable", "the followers come to rest behind a leader at rest"),
+    fixed(Subject::Platoon, "abscissa", &[], "largest real part of the modes of the platoon, 1/s"),
+    fixed(
+        Subject::Matrices,
+        "tau_1",
+        &[],
+        "coefficient of ergodicity of the product: half the largest distance of two rows in the 1-norm",
+    ),
+    fixed(
+        Subject::Matrices,
+        "tau_2",
+        &[],
+        "norm of the product on vectors of sum zero, or Frobenius bound of it, as `ergodicity` prints it",
+    ),
+    fixed(Subject::Flock, "last_switch", &[], "last time at which the network changes; 0 where it never does"),
+    fixed(Subject::Flock, "switches", &[], "number of times at which the network changes"),
+    fixed(Subject::Flock, "flocks", &[], "number of connected parts of the network at the end"),
+    truth(Subject::Flock, "steady", "the network changes finitely often and then never again"),
+    moving(Subject::Flock, "components", &[], "number of connected parts of the network at the time"),
+    moving(Subject::Flock, "links", &[], "number of edges of the network at the time"),
+    moving(Subject::Flock, "disagreement", &[], "sqrt of the sum of |v_i - mean|^2 at the time"),
+    moving(Subject::Flock, "min_distance", &[], "smallest distance of two birds at the time"),
+    moving(Subject::Motion, "potential", &[], "sum of the potentials over the links"),
+    moving(Subject::Motion, "kinetic", &[], "half the sum of |v_i|^2"),
+    moving(Subject::Motion, "energy", &[], "potential + kinetic"),
+    moving(Subject::Motion, "disagreement", &[], "sqrt of the sum of |v_i - mean|^2"),
+    moving(Subject::Motion, "min_distance", &[], "smallest distance of two agents"),
+    moving(
+        Subject::Motion,
+        "order",
+        &["m"],
+        "|p_m|: modulus of the mean of e^(i m theta)/m over the agents; `order` is `order(1)`",
+    ),
+    moving(Subject::Motion, "phase_potential", &[], "W_1 of the phases"),
+    moving(Subject::Motion, "largest_deviation", &[], "largest deviation |y_k - y_1| of a follower from the leader"),
+    moving(Subject::Motion, "last_deviation", &[], "deviation y_k - y_1 of the last follower from the leader"),
+    moving(Subject::Motion, "min_gap", &[], "smallest gap of two successive cars"),
+    moving(Subject::Motion, "max_gap", &[], "largest gap of two successive cars"),
+];
+
+/// A function of numbers, or a constant.
+#[derive(Debug)]
+pub struct Function {
+    /// Its name.
+    pub name: &'static str,
+    /// Least and largest number of arguments.
+    pub arguments: (usize, usize),
+    /// What it means.
+    pub meaning: &'static str,
+}
+
+const fn function(name: &'static str, least: usize, most: usize, meaning: &'static str) -> Function {
+    Function { name, arguments: (least, most), meaning }
+}
+
+/// Most arguments of `min`, `max` and `gcd`.
+const MANY: usize = 1000;
+
+/// All functions.
+pub const FUNCTIONS: &[Function] = &[
+    function("sqrt", 1, 1, "square root"),
+    function("abs", 1, 1, "absolute value"),
+    function("min", 1, MANY, "smallest of its arguments"),
+    function("max", 1, MANY, "largest of its arguments"),
+    function("sin", 1, 1, "sine of an angle in radians; exact at rational multiples of pi"),
+    function("cos", 1, 1, "cosine of an angle in radians; exact at rational multiples of pi"),
+    function("exp", 1, 1, "exponential"),
+    function("log", 1, 1, "natural logarithm"),
+    function("gcd", 2, MANY, "greatest common divisor of integers"),
+    function("pi", 0, 0, "the circle constant"),
+    function("initial", 1, 1, "a moving quantity at time 0"),
+];
+
+/// A family in `[for]`.
+#[derive(Debug)]
+pub struct Family {
+    /// How it is written.
+    pub form: &'static str,
+    /// Its name, up to the bracket; empty where it is no function.
+    pub name: &'static str,
+    /// Number of arguments.
+    pub arguments: (usize, usize),
+    /// What it ranges over.
+    pub meaning: &'static str,
+}
+
+const fn family(form: &'static str, name: &'static str, least: usize, most: usize, meaning: &'static str) -> Family {
+    Family { form, name, arguments: (least, most), meaning }
+}
+
+/// All families.
+pub const FAMILIES: &[Family] = &[
+    family("a..b", "", 0, 0, "the integers from a to b"),
+    family("[a, b]", "", 0, 0, "all real numbers from a to b: a continuum, covered by boxes"),
+    family("x", "", 0, 0, "one number, which may use earlier names"),
+    family("[.., ..] (a TOML list)", "", 0, 0, "the members of all that are listed"),
+    family("connected(n)", "connected", 1, 1, "all connected graphs on n vertices up to isomorphism, n <= 9"),
+    family("all(n)", "all", 1, 1, "all graphs on n vertices up to isomorphism, n <= 9"),
+    family("trees(n)", "trees", 1, 1, "all trees on n vertices up to isomorphism, n <= 18"),
+    family("digraphs(n)", "digraphs", 1, 1, "all directed graphs on n vertices up to isomorphism, n <= 5"),
+    family(
+        "random(n, p)",
+        "random",
+        2,
+        2,
+        "a graph on n vertices, each edge there with probability p; needs `seed` before it: a sample",
+    ),
+    family("with_link(g)", "with_link", 1, 1, "all graphs with one link more than the graph g that was bound before"),
+    family(
+        "without_link(g)",
+        "without_link",
+        1,
+        1,
+        "all graphs with one link less than the graph g that was bound before",
+    ),
+    family("ring(n)", "ring", 1, 1, "the graph ring:n of `spectrum --graph`, n >= 3"),
+    family("cycle(n)", "cycle", 1, 1, "the directed graph cycle:n"),
+    family("path(n)", "path", 1, 1, "the graph path:n"),
+    family("complete(n)", "complete", 1, 1, "the graph complete:n"),
+    family("star(n)", "star", 1, 1, "the graph star:n"),
+    family("platoon1(m)", "platoon1", 1, 1, "the communication graph platoon1:m"),
+    family("platoon2(m)", "platoon2", 1, 1, "the communication graph platoon2:m"),
+    family("ring:12, circulant:12:1,3, ..", "", 0, 0, "a graph by its name, as for `spectrum --graph`"),
+    family("edges:4:1-2,2-3 and arcs:4:1-2,2-3", "", 0, 0, "the graph on 4 vertices with these edges, or arcs"),
+    family(
+        "file:NAME",
+        "",
+        0,
+        0,
+        "the graph, or the sequence of stochastic matrices, in a file, as for `spectrum` and `ergodicity`",
+    ),
+    family(
+        "stochastic(n, d)",
+        "stochastic",
+        2,
+        2,
+        "all row-stochastic matrices of order n with entries that are multiples of 1/d",
+    ),
+    family("products(n, d, k)", "products", 3, 3, "all sequences of k such matrices"),
+    family("joined(a, b)", "joined", 2, 2, "the matrices of a and then those of b, which were bound before"),
+    family(
+        "random_products(n, k)",
+        "random_products",
+        2,
+        2,
+        "k stochastic matrices of order n at random; needs `seed` before it: a sample",
+    ),
+];
+
+/// The table as text: for `check --names`.
+pub fn as_text() -> String {
+    let mut text = String::new();
+    let mut section = |title: &str, rows: Vec<(String, &str)>| {
+        let _ = writeln!(text, "{title}");
+        for (name, meaning) in rows {
+            let _ = writeln!(text, "  {name:<24} {meaning}");
+        }
+        let _ = writeln!(text);
+    };
+    for (title, rows) in sections() {
+        section(&title, rows);
+    }
+    text.truncate(text.trim_end().len());
+    text.push('\n');
+    text
+}
+
+/// The table as Markdown: for the notes.
+pub fn as_markdown() -> String {
+    let mut text = String::new();
+    for (title, rows) in sections() {
+        let _ = writeln!(text, "**{title}**\n\n| name | meaning |\n|---|---|");
+        for (name, meaning) in rows {
+            let _ = writeln!(text, "| `{}` | {} |", name, meaning.replace('|', "\\|"));
+        }
+        let _ = writeln!(text);
+    }
+    text.truncate(text.trim_end().len());
+    text.push('\n');
+    text
+}
+
+/// Titles and rows of the table.
+fn sections() -> Vec<(String, Vec<(String, &'static str)>)> {
+    let with_arguments = |name: &str, arguments: &[&str]| {
+        if arguments.is_empty() { name.to_string() } else { format!("{name}({})", arguments.join(", ")) }
+    };
+    let mut sections = vec![
+        ("Families".to_string(), FAMILIES.iter().map(|family| (family.form.to_string(), family.meaning)).collect()),
+        (
+            "Functions".to_string(),
+            FUNCTIONS.iter().map(|function| (function.name.to_string(), function.meaning)).collect(),
+        ),
+    ];
+    for subject in [Subject::Graph, Subject::Platoon, Subject::Matrices, Subject::Flock, Subject::Motion] {
+        let own = QUANTITIES.iter().filter(|quantity| quantity.subject == subject);
+        let rows = own.map(|quantity| (with_arguments(quantity.name, quantity.arguments), quantity.meaning));
+        sections.push((format!("Quantities of {}", subject.words()), rows.collect()));
+    }
+    sections
+}

@@ -1,0 +1,165 @@
+//! TOML with the byte where each text stands, so that every error has its line and column.
+
+use crate::error::{Place, Problem, QuestionError};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A file that was parsed but not yet understood.
+pub(crate) struct Source<'a> {
+    text: &'a str,
+    table: Spanned<DeTable<'a>>,
+}
+
+/// A text in the file with the byte where its first letter stands.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Located {
+    pub text: String,
+    pub base: usize,
+}
+
+/// A table of the file.
+#[derive(Clone, Copy)]
+pub(crate) struct Section<'a> {
+    name: &'static str,
+    source: &'a str,
+    table: &'a DeTable<'a>,
+}
+
+/// A key with its value.
+#[derive(Clone)]
+pub(crate) struct Entry<'a> {
+    pub key: String,
+    pub key_at: usize,
+    source: &'a str,
+    value: &'a Spanned<DeValue<'a>>,
+}
+
+impl<'a> Source<'a> {
+    pub fn parse(text: &'a str) -> Result<Self, QuestionError> {
+        let table = DeTable::parse(text).map_err(|error| QuestionError::At {
+            place: Place::of(text, error.span().map_or(0, |span| span.start)),
+            problem: Problem::Toml(error.message().lines().next().unwrap_or_default().to_string()),
+        })?;
+        Ok(Source { text, table })
+    }
+
+    /// A section, where there is one; other keys at the top are refused.
+    pub fn sections(&self, names: &[&'static str]) -> Result<Vec<Option<Section<'_>>>, QuestionError> {
+        let top = Section { name: "", source: self.text, table: self.table.get_ref() };
+        top.allow(names)?;
+        let section = |name: &&'static str| match top.get(name) {
+            None => Ok(None),
+            Some(entry) => match entry.value.get_ref() {
+                DeValue::Table(table) => Ok(Some(Section { name, source: self.text, table })),
+                other => Err(entry.problem(Problem::expected("a section", kind(other)))),
+            },
+        };
+        names.iter().map(section).collect()
+    }
+}
+
+impl<'a> Section<'a> {
+    /// Refuses other keys.
+    pub fn allow(&self, keys: &[&'static str]) -> Result<(), QuestionError> {
+        let what = if self.name.is_empty() { "section" } else { "key" };
+        match self.entries().into_iter().find(|entry| !keys.contains(&entry.key.as_str())) {
+            None => Ok(()),
+            Some(entry) => Err(QuestionError::At {
+                place: Place::of(self.source, entry.key_at),
+                problem: Problem::unknown(what, &entry.key, keys.iter().copied()),
+            }),
+        }
+    }
+
+    /// All entries, in the order of the file.
+    pub fn entries(&self) -> Vec<Entry<'a>> {
+        let entry = |(key, value): (&Spanned<std::borrow::Cow<'a, str>>, &'a Spanned<DeValue<'a>>)| Entry {
+            key: key.get_ref().to_string(),
+            key_at: key.span().start,
+            source: self.source,
+            value,
+        };
+        let mut entries: Vec<Entry> = self.table.iter().map(entry).collect();
+        entries.sort_by_key(|entry| entry.key_at);
+        entries
+    }
+
+    pub fn get(&self, key: &str) -> Option<Entry<'a>> {
+        self.entries().into_iter().find(|entry| entry.key == key)
+    }
+
+    pub fn need(&self, key: &'static str, expected: &'static str) -> Result<Entry<'a>, QuestionError> {
+        let missing = Problem::Missing { section: self.name, key, expected };
+        self.get(key).ok_or(QuestionError::Whole(missing))
+    }
+}
+
+impl<'a> Entry<'a> {
+    fn at(&self) -> usize {
+        self.value.span().start
+    }
+
+    /// A problem at the value.
+    pub fn problem(&self, problem: Problem) -> QuestionError {
+        QuestionError::At { place: Place::of(self.source, self.at()), problem }
+    }
+
+    /// A text, or a number as its text.
+    pub fn text(&self) -> Result<Located, QuestionError> {
+        match self.value.get_ref() {
+            DeValue::String(text) => {
+                let span = self.value.span();
+                let raw = self.source.get(span.clone()).unwrap_or_default();
+                let quotes = if raw.starts_with("\"\"\"") || raw.starts_with("'''") { 3 } else { 1 };
+                let newline = usize::from(quotes == 3 && raw[3..].starts_with('\n'));
+                Ok(Located { text: text.to_string(), base: span.start + quotes + newline })
+            }
+            DeValue::Integer(_) | DeValue::Float(_) => {
+                let span = self.value.span();
+                let text = self.source.get(span.clone()).unwrap_or_default().replace('_', "");
+                Ok(Located { text, base: span.start })
+            }
+            other => Err(self.problem(Problem::expected("a text or a number", kind(other)))),
+        }
+    }
+
+    /// The items of a list; a single value is a list of one.
+    pub fn items(&self) -> Vec<Entry<'a>> {
+        match self.value.get_ref() {
+            DeValue::Array(items) => items
+                .iter()
+                .map(|value| Entry { key: self.key.clone(), key_at: self.key_at, source: self.source, value })
+                .collect(),
+            _ => vec![self.clone()],
+        }
+    }
+
+    pub fn is_list(&self) -> bool {
+        matches!(self.value.get_ref(), DeValue::Array(_))
+    }
+
+    /// A whole number from 1 to a most.
+    pub fn count(&self, most: u64) -> Result<u64, QuestionError> {
+        let text = self.text()?.text;
+        let number = text.parse().ok().filter(|n| (1..=most).contains(n));
+        number.ok_or_else(|| {
+            self.problem(Problem::Range {
+                what: format!("`{}`", self.key),
+                expected: format!("an integer from 1 to {most}"),
+                found: crate::error::shortened(&text),
+            })
+        })
+    }
+}
+
+/// What a value is, in words.
+fn kind(value: &DeValue) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a section",
+    }
+}

@@ -1,0 +1,244 @@
+//! Averaging flocks (Chazelle's model D): exact, with the whole future of the network decided where that is possible.
+
+use crate::error::Problem;
+use crate::evaluate::{Failure, Measured, Moment};
+use crate::names::Quantity;
+use crate::number::Number;
+use crate::time::{Covered, Piece, Timeline};
+use crate::truth::Doubt;
+use algebra::graph::Graph;
+use arithmetic::{Progress, Rational, rational};
+use models::averaging::settle::{Ending, Limits, Settlement, settle};
+use models::averaging::{Flock, Start};
+use num_bigint::BigInt;
+use num_traits::ToPrimitive;
+use std::cell::{OnceCell, RefCell};
+
+/// A flock of a case.
+pub(crate) struct FlockSubject<'c> {
+    start: Start,
+    progress: &'c dyn Progress,
+    future: OnceCell<Result<Future, Failure>>,
+    stepped: RefCell<Option<Stepped>>,
+}
+
+/// The networks with the times from which they are in force, and what becomes of the last.
+struct Future {
+    networks: Vec<(BigInt, Graph)>,
+    settlement: Settlement,
+}
+
+/// States at the times 0, 1, .., as far as they were needed.
+struct Stepped {
+    flock: Flock,
+    states: Vec<State>,
+}
+
+#[derive(Clone)]
+struct State {
+    positions: Vec<Vec<Rational>>,
+    velocities: Vec<Vec<Rational>>,
+    network: Graph,
+}
+
+/// Most steps that are taken one by one.
+const MOST_STEPS: i64 = 2000;
+
+/// Quantities of the network alone.
+const OF_NETWORK: [&str; 2] = ["components", "links"];
+
+impl<'c> FlockSubject<'c> {
+    pub fn new(start: Start, progress: &'c dyn Progress) -> Self {
+        FlockSubject { start, progress, future: OnceCell::new(), stepped: RefCell::new(None) }
+    }
+
+    fn flock(&self) -> Result<Flock, Failure> {
+        Flock::new(&self.start).map_err(|error| Failure::Refused(0, Problem::Other(error.to_string())))
+    }
+
+    fn future(&self) -> Result<&Future, Failure> {
+        let found = self.future.get_or_init(|| {
+            let flock = self.flock()?;
+            let mut networks = vec![(BigInt::ZERO, flock.network().clone())];
+            let mut seen = |switch: &models::averaging::Switch| {
+                if let Some((_, last)) = networks.last() {
+                    let next = switch.applied_to(last);
+                    networks.push((switch.time.clone(), next));
+                }
+            };
+            let settled = settle(flock, &Limits::default(), &mut seen, self.progress);
+            let settlement = settled.map_err(|error| Failure::open(error.to_string(), None))?;
+            if matches!(settlement.ending, Ending::Interrupted) {
+                return Err(Failure::Cancelled);
+            }
+            Ok(Future { networks, settlement })
+        });
+        found.as_ref().map_err(Clone::clone)
+    }
+
+    /// A quantity of the whole future.
+    pub fn measure(&self, name: &str) -> Result<Measured, Failure> {
+        let future = self.future()?;
+        let number = |n: BigInt| Ok(Measured::Number(Number::Exact(Rational::from_integer(n))));
+        match (&future.settlement.ending, name) {
+            (Ending::Steady, "steady") => Ok(Measured::Truth(true)),
+            (Ending::Alternating { .. }, "steady") => Ok(Measured::Truth(false)),
+            (Ending::Steady, "last_switch") => number(future.settlement.last_switch.clone()),
+            (Ending::Steady, "switches") => number(BigInt::from(future.networks.len() - 1)),
+            (Ending::Steady, _) => number(BigInt::from(future.settlement.network.components().len())),
+            (Ending::Alternating { .. }, _) => {
+                let why = format!("`{name}` does not exist: the network changes for ever");
+                Err(Failure::Refused(0, Problem::Other(why)))
+            }
+            _ => Err(Failure::open(future.settlement.why.clone(), None)),
+        }
+    }
+
+    /// What lies beyond the last known network.
+    fn beyond(&self, future: &Future) -> Option<Doubt> {
+        match future.settlement.ending {
+            Ending::Steady => None,
+            _ => Some(Doubt {
+                why: format!("after t = {}: {}", future.settlement.last_switch, future.settlement.why),
+                bits: None,
+            }),
+        }
+    }
+
+    fn state(&self, time: usize) -> Result<State, Failure> {
+        let mut stepped = self.stepped.borrow_mut();
+        if stepped.is_none() {
+            *stepped = Some(Stepped { flock: self.flock()?, states: Vec::new() });
+        }
+        let Some(Stepped { flock, states }) = stepped.as_mut() else {
+            return Err(Failure::open("the flock could not be stepped", None));
+        };
+        while states.len() <= time {
+            self.progress.checkpoint()?;
+            if !states.is_empty() {
+                flock.step().map_err(|error| Failure::open(error.to_string(), None))?;
+            }
+            let (positions, velocities) = (flock.positions(), flock.velocities());
+            states.push(State { positions, velocities, network: flock.network().clone() });
+        }
+        Ok(states[time].clone())
+    }
+}
+
+impl Timeline for FlockSubject<'_> {
+    fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure> {
+        let integer = |q: &BigInt| Rational::from_integer(q.clone());
+        if moving.iter().all(|name| OF_NETWORK.contains(name)) {
+            let future = self.future()?;
+            let mut pieces = Vec::new();
+            for (k, (time, _)) in future.networks.iter().enumerate() {
+                let next = future.networks.get(k + 1).map(|(next, _)| integer(next) - rational(1, 1));
+                let last = next.is_none();
+                let begin = integer(time).max(from.clone());
+                let end = match (next, to) {
+                    (Some(next), Some(to)) => Some(next.min(to.clone())),
+                    (None, Some(to)) => Some(to.clone()),
+                    (next, None) => next,
+                };
+                // Of a network that is not known to stay only its first moment is known.
+                let open = last && self.beyond(future).is_some();
+                let end = if open { Some(end.map_or(integer(time), |end| end.min(integer(time)))) } else { end };
+                if end.as_ref().is_none_or(|end| begin <= *end) {
+                    pieces.push(Piece { from: begin, to: end });
+                }
+            }
+            let known = pieces.last().and_then(|piece| piece.to.clone());
+            let reaches = to.is_some_and(|to| known.is_some_and(|known| known >= *to));
+            return Ok(Covered { pieces, rest: if reaches { None } else { self.beyond(future) } });
+        }
+        let most = rational(MOST_STEPS, 1);
+        let end = to.filter(|to| **to <= most).unwrap_or(&most);
+        let first = from.to_integer().to_i64().unwrap_or(i64::MAX);
+        let last = end.to_integer().to_i64().unwrap_or(MOST_STEPS);
+        let at = |t: i64| Piece { from: rational(t, 1), to: Some(rational(t, 1)) };
+        let pieces = if first <= last { (first..=last).map(at).collect() } else { Vec::new() };
+        let rest = (to != Some(end)).then(|| Doubt {
+            why: format!("the state is followed step by step up to t = {MOST_STEPS}; only the network is known beyond"),
+            bits: None,
+        });
+        Ok(Covered { pieces, rest })
+    }
+
+    fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {
+        Ok(Box::new(At { flock: self, time: piece.from.to_integer() }))
+    }
+
+    fn halves(&self, piece: &Piece) -> Option<[Piece; 2]> {
+        let to = piece.to.as_ref()?;
+        if *to <= piece.from {
+            return None;
+        }
+        let middle = ((&piece.from + to) * rational(1, 2)).floor();
+        Some([
+            Piece { from: piece.from.clone(), to: Some(middle.clone()) },
+            Piece { from: middle + rational(1, 1), to: Some(to.clone()) },
+        ])
+    }
+
+    fn prepare(&self, _: &Rational) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>) {
+        (from.ceil(), to.map(|to| to.floor()))
+    }
+}
+
+/// A time of a flock, or all times with the same network.
+struct At<'f, 'c> {
+    flock: &'f FlockSubject<'c>,
+    time: BigInt,
+}
+
+impl At<'_, '_> {
+    fn network(&self) -> Result<Graph, Failure> {
+        let future = self.flock.future()?;
+        let in_force = future.networks.iter().rev().find(|(time, _)| *time <= self.time);
+        Ok(in_force.map_or_else(|| future.settlement.network.clone(), |(_, network)| network.clone()))
+    }
+
+    fn state(&self) -> Result<State, Failure> {
+        let time = self.time.to_usize().filter(|t| *t <= MOST_STEPS as usize);
+        self.flock.state(time.ok_or_else(|| Failure::open("the time is too far away to be stepped to", None))?)
+    }
+}
+
+impl Moment for At<'_, '_> {
+    fn measure(&self, quantity: &Quantity, _: &[Number], precision: u32) -> Result<Measured, Failure> {
+        let number = |n: usize| Ok(Measured::Number(Number::integer(n as i64)));
+        let root = |q: Rational| {
+            Number::Exact(q)
+                .sqrt(precision)
+                .map(Measured::Number)
+                .map_err(|_| Failure::open("a root of a negative number", None))
+        };
+        // Early networks need no look at the whole future.
+        let early = self.time < BigInt::from(64);
+        let network = || if early { self.state().map(|state| state.network) } else { self.network() };
+        match quantity.name {
+            "components" => number(network()?.components().len()),
+            "links" => number(network()?.edges().len()),
+            "disagreement" => {
+                let velocities = self.state()?.velocities;
+                let count = rational(velocities.len().max(1) as i64, 1);
+                let dimension = velocities.first().map_or(0, Vec::len);
+                let mean = |k: usize| velocities.iter().map(|v| &v[k]).sum::<Rational>() / &count;
+                let means: Vec<Rational> = (0..dimension).map(mean).collect();
+                let squares = velocities.iter().flat_map(|v| v.iter().zip(&means).map(|(x, m)| (x - m) * (x - m)));
+                root(squares.sum())
+            }
+            _ => {
+                let places = self.state()?.positions;
+                let square = |a: &[Rational], b: &[Rational]| a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
+                let pairs = (0..places.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+                let least: Option<Rational> = pairs.map(|(i, j)| square(&places[i], &places[j])).min();
+                root(least.ok_or_else(|| Failure::open("one bird has no distance to others", None))?)
+            }
+        }
+    }
+}

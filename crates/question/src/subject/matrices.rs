@@ -1,0 +1,19 @@
+//! Products of stochastic matrices.
+
+use crate::error::Problem;
+use crate::evaluate::{Failure, Measured};
+use crate::number::Number;
+use algebra::matrix::{StochasticMatrix, product_sequential, tau_2_squared};
+
+/// A coefficient of ergodicity of the product of all factors, the first one rightmost.
+pub(crate) fn measure(name: &str, factors: &[StochasticMatrix], precision: u32) -> Result<Measured, Failure> {
+    let product = product_sequential(factors)
+        .map_err(|error| Failure::Refused(0, Problem::Other(format!("the matrices have no product: {error}"))))?;
+    let number = match name {
+        "tau_1" => Number::Exact(product.tau_1()),
+        _ => Number::Exact(tau_2_squared(&product.to_rational_matrix()))
+            .sqrt(precision)
+            .map_err(|_| Failure::open("tau_2 could not be enclosed", None))?,
+    };
+    Ok(Measured::Number(number))
+}

@@ -1,0 +1,7 @@
+//! What quantities are measured on.
+
+pub(crate) mod flock;
+pub(crate) mod graph;
+pub(crate) mod matrices;
+pub(crate) mod motion;
+pub(crate) mod platoon;

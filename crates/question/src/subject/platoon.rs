@@ -1,0 +1,256 @@
+//! Platoons: the peak over a whole box of gains, amplitudes at a frequency, stability.
+//!
+//! The peak of the two-sided platoon depends on the gains through `b = g²/|f|` alone and decreases in `b`; so does that of the one-sided
+//! one (`notes/questions.md`). Its range over a box of gains is therefore that between two corners.
+
+use crate::bindings::{Bindings, GraphValue, Value};
+use crate::error::{Problem, shortened};
+use crate::evaluate::{Failure, Measured};
+use crate::number::Number;
+use algebra::spectrum::Polynomial;
+use arithmetic::{ArithmeticError, Complex, Interval, Rational, Real, Ring, Sign, Signed, rational};
+use models::platoon::{
+    Communication, CommunicationGraph, Gains, Resonance, ResonanceError, chebyshev, gain_squared_one_sided,
+    gamma_minus_one, growth, resonance, slowest_rate, strongest_one_sided_square,
+};
+use num_traits::ToPrimitive;
+
+/// A platoon of a case.
+pub(crate) struct PlatoonSubject {
+    followers: u64,
+    communication: Communication,
+    /// Another communication graph; vertex 1 is the leader.
+    graph: Option<CommunicationGraph>,
+    f: (Rational, Rational),
+    g: (Rational, Rational),
+}
+
+/// Bits of an abscissa on a graph: each of them costs a test of all roots.
+const MOST_BITS: u32 = 64;
+
+/// Most followers whose response is solved on a graph.
+const MOST_ON_GRAPH: usize = 64;
+
+fn refused(message: impl Into<String>) -> Failure {
+    Failure::Refused(0, Problem::Other(message.into()))
+}
+
+fn open(error: &ArithmeticError) -> Failure {
+    Failure::open(format!("the platoon could not be enclosed: {error}"), Some(u64::MAX))
+}
+
+impl PlatoonSubject {
+    /// The platoon with the names `f`, `g` and `followers`, or the first graph.
+    pub fn new(bindings: &Bindings, communication: Communication) -> Result<Self, Failure> {
+        let interval = |name: &str| match bindings.get(name) {
+            Some(Value::Number(q)) => Ok((q.clone(), q.clone())),
+            Some(Value::Box(lo, hi)) => Ok((lo.clone(), hi.clone())),
+            _ => Err(refused(format!("`{name}` must be a number or an interval"))),
+        };
+        let (f, g) = (interval("f")?, interval("g")?);
+        if let Some(value) = bindings.get("followers") {
+            let not_integer =
+                |found: String| Failure::Refused(0, Problem::NotInteger { what: "`followers`".to_string(), found });
+            let Value::Number(q) = value else { return Err(not_integer(shortened(&value.text()))) };
+            if !q.is_integer() {
+                return Err(not_integer(shortened(&q.to_string())));
+            }
+            let followers = q.to_u64().filter(|m| (1..=models::platoon::LARGEST_FOLLOWERS).contains(m));
+            let followers = followers.ok_or_else(|| refused(ResonanceError::Followers(0).to_string()))?;
+            return Ok(PlatoonSubject { followers, communication, graph: None, f, g });
+        }
+        let graphs = bindings.iter().find_map(|(_, value)| match value {
+            Value::Graph(graph) => Some(graph.clone()),
+            _ => None,
+        });
+        let graph = graphs.ok_or_else(|| refused("a platoon needs `followers` or a graph"))?;
+        let graph = tracked(&graph)?;
+        Ok(PlatoonSubject { followers: graph.followers() as u64, communication, graph: Some(graph), f, g })
+    }
+
+    /// Whether gains are intervals.
+    fn is_box(&self) -> bool {
+        self.f.0 != self.f.1 || self.g.0 != self.g.1
+    }
+
+    fn gains(&self, precision: u32) -> Gains<Interval> {
+        let hull = |(lo, hi): &(Rational, Rational)| Interval::hull_of_rationals(lo, hi, precision);
+        Gains { f: hull(&self.f), g: hull(&self.g) }
+    }
+
+    /// A quantity by its name.
+    pub fn measure(&self, name: &str, arguments: &[Number], precision: u32) -> Result<Measured, Failure> {
+        match name {
+            "stable" => self.stable(),
+            "peak" => self.peak(precision).map(|(_, peak)| Measured::Number(Number::interval(peak))),
+            "peak_frequency" if self.is_box() => {
+                Err(Failure::open("the frequency of the peak is enclosed for single gains only", None))
+            }
+            "peak_frequency" => self.peak(precision).map(|(w, _)| Measured::Number(Number::interval(w))),
+            "gain" => self.gain(arguments, precision).map(|gain| Measured::Number(Number::interval(gain))),
+            _ => self.abscissa(precision).map(|x| Measured::Number(Number::interval(x))),
+        }
+    }
+
+    /// Where both gains are negative; `None` where that differs within the box.
+    fn both_negative(&self) -> Option<bool> {
+        let sign = |(lo, hi): &(Rational, Rational)| match (lo.sign(), hi.sign()) {
+            (_, Some(Sign::Negative)) => Some(true),
+            (Some(Sign::Zero | Sign::Positive), _) => Some(false),
+            _ => None,
+        };
+        match (sign(&self.f), sign(&self.g)) {
+            (Some(true), Some(true)) => Some(true),
+            (Some(false), _) | (_, Some(false)) => Some(false),
+            _ => None,
+        }
+    }
+
+    /// The modes obey `z² = lambda (f + g z)` with `lambda > 0`: stable if and only if both gains are negative (Lemma 1).
+    fn stable(&self) -> Result<Measured, Failure> {
+        let Some(graph) = &self.graph else {
+            let unknown = || Failure::open("both signs of a gain lie in the box", None);
+            return self.both_negative().map(Measured::Truth).ok_or_else(unknown);
+        };
+        if self.is_box() {
+            return Err(Failure::open("on a graph stability is decided for single gains only", None));
+        }
+        Ok(Measured::Truth(characteristic(graph, &self.f.0, &self.g.0)?.is_hurwitz()))
+    }
+
+    /// Frequency and height of the peak; over a box the frequency is that of the higher end.
+    fn peak(&self, precision: u32) -> Result<(Interval, Interval), Failure> {
+        if let Some(graph) = &self.graph {
+            let float = |q: &Rational| q.to_f64().unwrap_or(f64::NAN);
+            let gains = Gains { f: float(&self.f.0), g: float(&self.g.0) };
+            let found = growth::peak(graph, &gains).ok().flatten();
+            let seen = found.map_or(String::new(), |peak| format!("; floats find {:.6} there", peak.value));
+            let why =
+                format!("the peak over all frequencies is enclosed for platoons on a line, not for other graphs{seen}");
+            return Err(Failure::open(why, None));
+        }
+        if self.both_negative() != Some(true) {
+            let range = |name: &str| Problem::Range {
+                what: format!("`{name}`"),
+                expected: "negative: only then is the platoon stable and has a peak".to_string(),
+                found: shortened(&if name == "f" { &self.f.1 } else { &self.g.1 }.to_string()),
+            };
+            let name = if self.f.1.is_certainly_negative() { "g" } else { "f" };
+            return Err(Failure::Refused(0, range(name)));
+        }
+        let high = Gains { f: self.f.0.clone(), g: self.g.1.clone() };
+        if !self.is_box() {
+            return self.peak_at(&high, precision);
+        }
+        let low = Gains { f: self.f.1.clone(), g: self.g.0.clone() };
+        let (w, most) = self.peak_at(&high, precision)?;
+        let (_, least) = self.peak_at(&low, precision)?;
+        Ok((w, most.hull(&least)))
+    }
+
+    fn peak_at(&self, gains: &Gains<Rational>, precision: u32) -> Result<(Interval, Interval), Failure> {
+        let unproved = |error: ResonanceError| refused(error.to_string());
+        match self.communication {
+            Communication::FrontAndBack => {
+                let digits = (f64::from(precision) * std::f64::consts::LOG10_2) as u32;
+                let Resonance { omega, amplitude } =
+                    resonance(gains, self.followers, digits.max(5)).map_err(unproved)?;
+                Ok((omega, amplitude))
+            }
+            Communication::Front => {
+                let bits = precision + 2 * (u64::BITS - self.followers.leading_zeros());
+                let gains = gains.map(|q| Interval::from_rational(q, bits));
+                let found = || -> Result<_, ArithmeticError> {
+                    let square = strongest_one_sided_square(&gains)?;
+                    let gain = gain_squared_one_sided(&gains, &square)?.sqrt()?;
+                    Ok((square.sqrt()?, gain.power(self.followers)))
+                };
+                found().map_err(|error| open(&error))
+            }
+        }
+    }
+
+    fn gain(&self, arguments: &[Number], precision: u32) -> Result<Interval, Failure> {
+        let Some(k) = arguments.first().and_then(Number::as_integer) else {
+            let found = arguments.first().map_or("nothing".to_string(), Number::text);
+            return Err(Failure::Refused(0, Problem::NotInteger { what: "the follower of `gain`".to_string(), found }));
+        };
+        let range = || Problem::Range {
+            what: "the follower of `gain`".to_string(),
+            expected: format!("between 1 and {}", self.followers),
+            found: k.to_string(),
+        };
+        let k = k.to_u64().filter(|k| (1..=self.followers).contains(k));
+        let k = k.ok_or_else(|| Failure::Refused(0, range()))?;
+        let bits = precision + 2 * (u64::BITS - self.followers.leading_zeros()) + 16;
+        let w = arguments.get(1).map_or_else(|| Interval::from_rational(&rational(0, 1), bits), |w| w.enclosure(bits));
+        let w = w.with_precision(bits);
+        let gains = self.gains(bits);
+        let amplitude = || -> Result<Complex<Interval>, ArithmeticError> {
+            if let Some(graph) = &self.graph {
+                let all = graph.response(&gains, &w)?;
+                return Ok(all.into_iter().nth(k as usize - 1).unwrap_or_else(|| Complex::real(w.zero())));
+            }
+            let distance = gamma_minus_one(&gains, &w)?;
+            match self.communication {
+                Communication::Front => (distance.one() + &distance).recip().map(|z| z.power(k)),
+                Communication::FrontAndBack => {
+                    chebyshev(self.followers - k, &distance).0.over(&chebyshev(self.followers, &distance).0)
+                }
+            }
+        };
+        use arithmetic::Field;
+        let found = amplitude().and_then(|z| z.norm_squared().sqrt());
+        found.map_err(|error| open(&error))
+    }
+
+    fn abscissa(&self, precision: u32) -> Result<Interval, Failure> {
+        if let Some(graph) = &self.graph {
+            if self.is_box() {
+                return Err(Failure::open("on a graph the abscissa is enclosed for single gains only", None));
+            }
+            let found = characteristic(graph, &self.f.0, &self.g.0)?.abscissa(precision.min(MOST_BITS));
+            return found.ok_or_else(|| Failure::open("the abscissa could not be enclosed", None));
+        }
+        if self.both_negative() != Some(true) {
+            return Err(Failure::open("the abscissa is enclosed for negative gains only", None));
+        }
+        let gains = self.gains(precision + 16);
+        let rate = match self.communication {
+            Communication::FrontAndBack => slowest_rate(&gains, self.followers),
+            // All modes have the eigenvalue 1, as for one follower.
+            Communication::Front => slowest_rate(&gains, 1),
+        };
+        rate.map(|rate| -rate).map_err(|error| open(&error))
+    }
+}
+
+/// Who tracks whom: the arcs of the graph with their shares, vertex 1 the leader.
+fn tracked(graph: &GraphValue) -> Result<CommunicationGraph, Failure> {
+    let weighted = graph.weighted();
+    if weighted.order() > MOST_ON_GRAPH + 1 {
+        return Err(refused(format!("platoons on a graph have at most {MOST_ON_GRAPH} followers")));
+    }
+    let sums = weighted.out_degrees();
+    let row = |k: usize| {
+        weighted.adjacency().row(k).iter().map(|(agent, weight)| (*agent, weight / &sums[k])).collect::<Vec<_>>()
+    };
+    CommunicationGraph::new((1..weighted.order()).map(row).collect()).map_err(|error| refused(error.to_string()))
+}
+
+/// The polynomial of the modes of `y'' = P (f y + g y')`, with the reduced Laplacian `P`: `det(z² - P (f + g z))`.
+fn characteristic(graph: &CommunicationGraph, f: &Rational, g: &Rational) -> Result<Polynomial, Failure> {
+    let unmade = |error: algebra::matrix::MatrixError| refused(error.to_string());
+    let rows = graph.reduced_laplacian().map_err(unmade)?.to_rows();
+    let (size, zero) = (rows.len(), rational(0, 1));
+    let entry = |i: usize, j: usize| match (i < size, j < size) {
+        (true, true) => zero.clone(),
+        (true, false) => rational(i64::from(i + size == j), 1),
+        (false, true) => &rows[i - size][j] * f,
+        (false, false) => &rows[i - size][j - size] * g,
+    };
+    let all: Vec<Vec<Rational>> = (0..2 * size).map(|i| (0..2 * size).map(|j| entry(i, j)).collect()).collect();
+    let matrix = algebra::matrix::RationalMatrix::from_rows(&all).map_err(unmade)?;
+    let coefficients = matrix.characteristic_polynomial().map_err(unmade)?.coefficients();
+    Ok(Polynomial::from_rationals(&coefficients))
+}

@@ -1,0 +1,248 @@
+//! Time operators: `always[a, b]`, `eventually[a, b]`, `p until[a, b] q`, decided on pieces of time on which everything is enclosed.
+
+use crate::error::Problem;
+use crate::evaluate::{Evaluator, Failure, Moment};
+use crate::number::Number;
+use crate::syntax::{Kind, Node};
+use crate::truth::{Doubt, Margin, Truth};
+use arithmetic::{Rational, rational};
+
+/// All times from one to another, or on for ever.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Piece {
+    pub from: Rational,
+    pub to: Option<Rational>,
+}
+
+/// The pieces of a stretch of time as far as it is known, and what stands in the way of knowing the rest.
+pub(crate) struct Covered {
+    pub pieces: Vec<Piece>,
+    pub rest: Option<Doubt>,
+}
+
+/// Something that moves, with its time cut into pieces.
+pub(crate) trait Timeline {
+    /// The pieces that a stretch begins with; `moving` are the names of the moving quantities that are asked for.
+    fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure>;
+
+    /// Everything that is measured in a piece, enclosed for all its times at once.
+    fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure>;
+
+    /// Two halves of a piece; `None` where it need not or cannot be divided.
+    fn halves(&self, piece: &Piece) -> Option<[Piece; 2]>;
+
+    /// Follows the motion at least up to a time, before pieces of it are asked for.
+    fn prepare(&self, until: &Rational) -> Result<(), Failure>;
+
+    /// The times that count in a stretch: of discrete time, the integers.
+    fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>);
+}
+
+/// Judgements of one operator before it gives up dividing.
+const MOST_JUDGED: usize = 20_000;
+
+/// How often a piece is halved.
+const DEPTH: u32 = 14;
+
+type Judged = Result<(Truth, Margin), Failure>;
+
+/// The truth of a property with a time operator at a piece of time: for all its times at once.
+pub(crate) fn over_time(timeline: &dyn Timeline, evaluator: &Evaluator, node: &Node, at: &Piece) -> Judged {
+    match &node.kind {
+        Kind::Always(always, parts) => {
+            let [from, to, body] = parts.as_ref();
+            let span = Span::read(evaluator, from, to)?;
+            Operator { timeline, evaluator, body, negated: !always }.always(&span, at).map(|(truth, margin)| {
+                // Eventually is not always not.
+                if *always { (truth, margin) } else { (truth.negated(), margin.negated()) }
+            })
+        }
+        Kind::Until(parts) => {
+            let [from, to, first, second] = parts.as_ref();
+            let span = Span::read(evaluator, from, to)?;
+            until(timeline, evaluator, &span, first, second, at)
+        }
+        _ => evaluator.judge(node),
+    }
+}
+
+/// The times of an operator, from its own time on.
+struct Span {
+    from: Rational,
+    to: Option<Rational>,
+}
+
+impl Span {
+    fn read(evaluator: &Evaluator, from: &Node, to: &Node) -> Result<Self, Failure> {
+        let exact = |node: &Node| match evaluator.number(node)? {
+            Number::Exact(q) if q >= rational(0, 1) => Ok(q),
+            other => Err(Failure::Refused(
+                node.at,
+                Problem::Range {
+                    what: "a time".to_string(),
+                    expected: "a rational number that is not negative".to_string(),
+                    found: other.text(),
+                },
+            )),
+        };
+        let start = exact(from)?;
+        let end = if matches!(to.kind, Kind::Infinity) { None } else { Some(exact(to)?) };
+        if let Some(end) = &end
+            && *end < start
+        {
+            let why = format!("the time [{start}, {end}] ends before it begins");
+            return Err(Failure::Refused(to.at, Problem::Empty(why)));
+        }
+        Ok(Span { from: start, to: end })
+    }
+
+    /// All times that may be meant at a piece.
+    fn possible(&self, at: &Piece) -> (Rational, Option<Rational>) {
+        (&at.from + &self.from, at.to.as_ref().zip(self.to.as_ref()).map(|(end, to)| end + to))
+    }
+
+    /// The times that are meant at every time of the piece.
+    fn sure(&self, at: &Piece) -> Option<(Rational, Option<Rational>)> {
+        let from = at.to.as_ref()? + &self.from;
+        let to = self.to.as_ref().map(|to| &at.from + to);
+        to.as_ref().is_none_or(|to| from <= *to).then_some((from, to))
+    }
+}
+
+struct Operator<'a, 'c, 'q> {
+    timeline: &'a dyn Timeline,
+    evaluator: &'a Evaluator<'c, 'q>,
+    body: &'a Node,
+    negated: bool,
+}
+
+/// The moving quantities in an expression.
+fn moving_names<'n>(evaluator: &Evaluator, node: &'n Node) -> Vec<&'n str> {
+    let mut names = Vec::new();
+    node.visit(&mut |node| {
+        if let Kind::Name { name, .. } = &node.kind
+            && evaluator.case.bindings.get(name).is_none()
+            && evaluator.case.quantity(None, name).is_ok_and(|quantity| quantity.moves)
+        {
+            names.push(name.as_str());
+        }
+    });
+    names
+}
+
+impl Operator<'_, '_, '_> {
+    fn judge(&self, piece: &Piece) -> Judged {
+        let moment = self.timeline.moment(piece)?;
+        let inner = Evaluator {
+            case: self.evaluator.case,
+            precision: self.evaluator.precision,
+            moment: Some(moment.as_ref()),
+            piece: Some(piece),
+        };
+        let (truth, margin) = inner.judge(self.body)?;
+        Ok(if self.negated { (truth.negated(), margin.negated()) } else { (truth, margin) })
+    }
+
+    /// Whether the body holds at all times of the span, for every time of `at`.
+    fn always(&self, span: &Span, at: &Piece) -> Judged {
+        let (from, to) = span.possible(at);
+        let (from, to) = self.timeline.inside(from, to);
+        if to.as_ref().is_some_and(|to| *to < from) {
+            let why = "no time at which the flock moves lies between the bounds".to_string();
+            return Err(Failure::Refused(self.body.at, Problem::Empty(why)));
+        }
+        let sure = span.sure(at).map(|(from, to)| self.timeline.inside(from, to));
+        let covered = self.timeline.pieces(&from, to.as_ref(), &moving_names(self.evaluator, self.body))?;
+        let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
+        let (mut margin, mut doubt, mut judged) = (Margin::of_truth(true), None, 0);
+        while let Some((piece, depth)) = queue.pop() {
+            let (truth, own) = self.judge(&piece)?;
+            judged += 1;
+            match truth {
+                Truth::True => margin = margin.least(own),
+                Truth::False if sure.as_ref().is_some_and(|sure| meets(&piece, sure)) => {
+                    return Ok((Truth::False, Margin { lo: f64::NEG_INFINITY, ..margin.least(own) }));
+                }
+                truth => {
+                    let wanted = judged < MOST_JUDGED && depth > 0 && (doubt.is_none() || depth > DEPTH - 4);
+                    match self.timeline.halves(&piece).filter(|_| wanted) {
+                        Some([first, second]) => queue.extend([(second, depth - 1), (first, depth - 1)]),
+                        None => {
+                            margin = margin.least(own);
+                            doubt.get_or_insert_with(|| at_time(truth, &piece));
+                        }
+                    }
+                }
+            }
+        }
+        match doubt.or(covered.rest) {
+            None => Ok((Truth::True, margin)),
+            Some(doubt) => Ok((Truth::Unknown(doubt), Margin { lo: f64::NEG_INFINITY, ..margin })),
+        }
+    }
+}
+
+fn meets(piece: &Piece, (from, to): &(Rational, Option<Rational>)) -> bool {
+    let first = (&piece.from).max(from);
+    [&piece.to, to].into_iter().flatten().all(|end| first <= end)
+}
+
+/// A doubt with the time where it arose.
+fn at_time(truth: Truth, piece: &Piece) -> Doubt {
+    use num_traits::ToPrimitive;
+    let time = format!("at t = {:.6}", piece.from.to_f64().unwrap_or(f64::NAN));
+    match truth {
+        Truth::Unknown(doubt) => Doubt { why: format!("{time} {}", doubt.why), bits: doubt.bits },
+        _ => Doubt { why: format!("{time} it depends on the exact time"), bits: None },
+    }
+}
+
+/// Whether there is a time in the span at which `second` holds, and `first` does from now until then.
+fn until(
+    timeline: &dyn Timeline,
+    evaluator: &Evaluator,
+    span: &Span,
+    first: &Node,
+    second: &Node,
+    at: &Piece,
+) -> Judged {
+    let (begin, end) = (at.from.clone(), span.possible(at).1);
+    let (begin, end) = timeline.inside(begin, end);
+    let (from, to) = span.possible(at);
+    let possible = timeline.inside(from, to);
+    let sure = span.sure(at).map(|(from, to)| timeline.inside(from, to));
+    let mut names = moving_names(evaluator, first);
+    names.extend(moving_names(evaluator, second));
+    let covered = timeline.pieces(&begin, end.as_ref(), &names)?;
+    let [keeps, comes] = [first, second].map(|body| Operator { timeline, evaluator, body, negated: false });
+    let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
+    let (mut kept, mut doubt, mut judged) = (true, None, 0);
+    while let Some((piece, depth)) = queue.pop() {
+        let keeping = keeps.judge(&piece)?.0;
+        let coming = if meets(&piece, &possible) { comes.judge(&piece)?.0 } else { Truth::False };
+        judged += 1;
+        let inside = sure.as_ref().is_some_and(|sure| meets(&piece, sure) && piece.from >= sure.0);
+        if coming == Truth::True && kept && inside && keeping == Truth::True {
+            return Ok((Truth::True, Margin::ANY));
+        }
+        let settled = coming == Truth::False && !matches!(keeping, Truth::Unknown(_));
+        let wanted = !settled && judged < MOST_JUDGED && depth > 0 && doubt.is_none();
+        if let Some([one, two]) = timeline.halves(&piece).filter(|_| wanted) {
+            queue.extend([(two, depth - 1), (one, depth - 1)]);
+            continue;
+        }
+        match (keeping, coming) {
+            // From here on it is too late.
+            (Truth::False, Truth::False) if doubt.is_none() => return Ok((Truth::False, Margin::ANY)),
+            (Truth::True, Truth::False) => {}
+            (Truth::True, truth) | (truth, _) => {
+                kept = false;
+                doubt.get_or_insert_with(|| at_time(truth, &piece));
+            }
+        }
+    }
+    match doubt.or(covered.rest) {
+        None => Ok((Truth::False, Margin::ANY)),
+        Some(doubt) => Ok((Truth::Unknown(doubt), Margin::ANY)),
+    }
+}

@@ -1,0 +1,115 @@
+use super::{answer, asked, read, verdict};
+use arithmetic::{Unwatched, rational};
+use question::{Value, Verdict, decide};
+
+#[test]
+fn a_bound_that_is_attained_holds() {
+    let answer = answer(&asked(
+        "n = \"2..6\"\ngraph = \"connected(n)\"",
+        "lambda(2) >= 2*(1 - cos(pi/n))",
+        "lambda(2) >= 2*(1 - cos(pi/n)) + 1/100",
+    ));
+    assert_eq!((answer.verdict, answer.cases, &answer.grades[..]), (Verdict::Holds, 142, &["exhaustive"][..]));
+    let margin = answer.margin.expect("a margin");
+    assert_eq!((margin.lo, margin.hi), (0.0, 0.0));
+}
+
+#[test]
+fn the_first_counterexample_is_the_smallest() {
+    let answer = answer(&asked("n = \"2..6\"\ngraph = \"connected(n)\"", "lambda(2) <= min_degree", "lambda(n) < 0"));
+    assert_eq!(answer.verdict, Verdict::False);
+    let found = answer.counterexample.expect("a counterexample");
+    assert_eq!(found.to_string(), "n = 2, graph = edges:2:1-2");
+    // The replay is decided again, with its own control refuted.
+    let replay = read(&answer.replay.expect("a replay")).expect("a question");
+    let again = decide(&replay, &Unwatched).expect("an answer");
+    assert_eq!((again.verdict, again.cases, again.controls), (Verdict::False, 1, vec![true]));
+}
+
+#[test]
+fn a_continuum_is_covered_by_boxes() {
+    assert_eq!(verdict("x = \"[0, 1]\"", "x*(1 - x) <= 1/4 + 1/1000"), Verdict::Holds);
+    let answer = answer(&asked("x = \"[0, 1]\"\ny = \"[0, 1]\"", "x^2 + y^2 < 19/10", "x < 0"));
+    assert_eq!(answer.verdict, Verdict::False);
+    let found = answer.counterexample.expect("a counterexample");
+    let number = |name: &str| match found.get(name) {
+        Some(Value::Number(q)) => q.clone(),
+        other => panic!("{other:?}"),
+    };
+    assert!(number("x").pow(2) + number("y").pow(2) >= rational(19, 10));
+    // The largest value is attained inside: no finite number of boxes decides it.
+    assert_eq!(verdict("x = \"[0, 1]\"", "x*(1 - x) <= 1/4"), Verdict::Undecided);
+}
+
+#[test]
+fn a_control_that_is_not_refuted_withholds_the_verdict() {
+    let answer = answer(&asked("n = \"2..4\"", "n > 1", "n > 0"));
+    assert_eq!((answer.verdict, answer.verdict.status(), answer.controls), (Verdict::Withheld, 4, vec![false]));
+}
+
+#[test]
+fn the_peak_over_a_box_of_gains_is_that_of_its_corners() {
+    // The weakest corner of the box decides, and it is a point of the box.
+    let corner = answer(&asked("followers = \"64\"\nf = \"-4\"\ng = \"-1\"", "peak < 200", "peak < 1"));
+    let all = answer(&asked("followers = \"64\"\nf = \"[-4, -1/10]\"\ng = \"[-4, -1]\"", "peak < 200", "peak < 1"));
+    assert_eq!((corner.verdict, all.verdict), (Verdict::Holds, Verdict::Holds));
+    let (corner, all) = (corner.margin.expect("a margin"), all.margin.expect("a margin"));
+    assert!((corner.lo - all.lo).abs() < 1e-3 * corner.lo.abs(), "{corner:?} {all:?}");
+    // Inside the box nothing is higher.
+    for (f, g) in [("-1", "-1"), ("-4", "-2"), ("-1/10", "-1"), ("-2", "-3/2")] {
+        let inside = answer(&asked(&format!("followers = \"64\"\nf = \"{f}\"\ng = \"{g}\""), "peak < 200", "peak < 1"));
+        assert!(inside.margin.expect("a margin").lo > all.lo);
+    }
+}
+
+#[test]
+fn the_peak_decreases_in_the_damping_over_the_square_root_of_the_stiffness() {
+    // b = g²/|f| grows along the list; so does the margin below 10^6.
+    for followers in ["1", "2", "3", "10"] {
+        let gains = [
+            ("-4", "-1/10"),
+            ("-4", "-1/2"),
+            ("-1", "-1/2"),
+            ("-1", "-1"),
+            ("-1", "-3"),
+            ("-1/4", "-4"),
+            ("-1/100", "-5"),
+        ];
+        let margins: Vec<f64> = gains
+            .iter()
+            .map(|(f, g)| {
+                let family = format!("followers = \"{followers}\"\nf = \"{f}\"\ng = \"{g}\"");
+                answer(&asked(&family, "peak < 10^6", "peak < 1/2")).margin.expect("a margin").lo
+            })
+            .collect();
+        assert!(margins.windows(2).all(|pair| pair[0] < pair[1]), "{followers}: {margins:?}");
+    }
+}
+
+#[test]
+fn other_quantities_of_platoons() {
+    let family = "followers = \"3\"\nf = \"-1\"\ng = \"-1\"";
+    for property in [
+        "stable",
+        "abscissa < 0",
+        "gain(3, 0) = 1",
+        "gain(3, 1/2) > gain(1, 10)",
+        "peak >= gain(3, 1/2)",
+        "peak_frequency < 1",
+    ] {
+        assert_eq!(verdict(family, property), Verdict::Holds, "{property}");
+    }
+    assert_eq!(verdict("followers = \"3\"\nf = \"1\"\ng = \"-1\"", "stable"), Verdict::False);
+    let graph = "graph = \"platoon2(3)\"\nf = \"-1\"\ng = \"-1\"";
+    assert_eq!(verdict(graph, "stable and abscissa < 0 and gain(3, 0) = 1"), Verdict::Undecided);
+    assert_eq!(verdict(graph, "stable and abscissa < 0 and abs(gain(3, 1/2)) > 0"), Verdict::Holds);
+    assert_eq!(verdict(graph, "peak < 10"), Verdict::Undecided);
+}
+
+#[test]
+fn products_of_matrices() {
+    let family = "matrices = \"matrices:1/2 1/2; 0 1 | 1 0; 1/2 1/2\"";
+    assert_eq!(verdict(family, "tau_1 = 1/4 and tau_2^2 = 1/8"), Verdict::Holds);
+    assert_eq!(verdict("matrices = \"products(2, 2, 2)\"", "tau_1 <= 1"), Verdict::Holds);
+    assert_eq!(verdict("seed = \"1..5\"\nmatrices = \"random_products(4, 3)\"", "tau_1 <= 1"), Verdict::Undecided);
+}

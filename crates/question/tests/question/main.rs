@@ -1,0 +1,42 @@
+//! Questions: language, families, decisions, bad input.
+
+mod bad_input;
+mod decisions;
+mod families;
+mod language;
+
+use arithmetic::Unwatched;
+use question::{Answer, Question, QuestionError, Verdict, decide};
+
+/// No question of these tests names a file.
+fn no_files(name: &str) -> Result<String, String> {
+    Err(format!("there is no file {name}"))
+}
+
+fn read(text: &str) -> Result<Question, QuestionError> {
+    Question::read(text, &no_files)
+}
+
+/// A question about a property, with one control.
+fn asked(family: &str, property: &str, control: &str) -> String {
+    format!(
+        "[question]\nid = \"test\"\n[for]\n{family}\n[holds]\nproperty = \"{property}\"\ncontrols = [\"{control}\"]\n"
+    )
+}
+
+fn answer(text: &str) -> Answer {
+    decide(&read(text).expect("a question"), &Unwatched).expect("an answer")
+}
+
+/// The verdict on a property with a control that is false whatever happens.
+fn verdict(family: &str, property: &str) -> Verdict {
+    answer(&asked(family, property, "1 < 0")).verdict
+}
+
+/// Why a question is refused, when it is read or when it is decided.
+fn refusal(text: &str) -> String {
+    match read(text).and_then(|question| decide(&question, &Unwatched)) {
+        Err(error) => error.to_string(),
+        Ok(answer) => panic!("answered {:?}", answer.verdict),
+    }
+}

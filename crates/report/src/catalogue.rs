@@ -1,0 +1,163 @@
+//! All claims with their recorded verdicts: searched, filtered, and the ids nearest to a wrong one.
+
+use super::Figure;
+use claims::RECORDED;
+use ledger::{Ledger, Recorded, recorded};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// What is known of a claim without checking it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Listing {
+    /// The id.
+    pub id: String,
+    /// Where the claim stands.
+    pub place: String,
+    /// The statement as printed, or for claims of our own as stated.
+    pub statement: String,
+    /// The recorded verdict, fault, reach and grades.
+    pub recorded: Recorded<'static>,
+}
+
+/// How far the evidence of a claim reaches, in one word: all clauses for all parameters, some of them, none, or there are no clauses.
+pub const SCOPES: [&str; 4] = ["all", "part", "instances", "none"];
+
+impl Listing {
+    /// The first part of the id.
+    pub fn paper(&self) -> &str {
+        self.id.split('.').next().unwrap_or_default()
+    }
+
+    /// Clauses that are covered for all parameters, of how many.
+    fn reach(&self) -> (u64, u64) {
+        let (whole, total) = self.recorded.reach.split_once('/').unwrap_or(("0", "0"));
+        (whole.parse().unwrap_or(0), total.parse().unwrap_or(0))
+    }
+
+    /// One of [`SCOPES`].
+    pub fn scope(&self) -> &'static str {
+        match self.reach() {
+            (_, 0) => "none",
+            (0, _) => "instances",
+            (whole, total) if whole == total => "all",
+            _ => "part",
+        }
+    }
+
+    /// The grades of the evidence, strongest first.
+    pub fn grades(&self) -> impl Iterator<Item = &'static str> {
+        self.recorded.grades.split(',').filter(|grade| !grade.is_empty())
+    }
+
+    /// What is wrong with a statement that fails.
+    pub fn fault(&self) -> Option<&'static str> {
+        Some(self.recorded.fault).filter(|fault| *fault != "-")
+    }
+
+    /// As JSON.
+    pub fn json(&self) -> Value {
+        let (whole, total) = self.reach();
+        json!({
+            "id": self.id,
+            "paper": self.paper(),
+            "place": self.place,
+            "statement": self.statement,
+            "verdict": self.recorded.verdict,
+            "fault": self.fault(),
+            "clauses": {"for_all_parameters": whole, "total": total},
+            "scope": self.scope(),
+            "grades": self.grades().collect::<Vec<_>>(),
+            "figures": Figure::of_claim(&self.id).map(|figure| figure.name).collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// All claims of the ledger, sorted by id.
+pub fn catalogue(ledger: &Ledger) -> Vec<Listing> {
+    let listing = |row: Recorded<'static>| {
+        let source = ledger.source(row.id)?;
+        let (place, statement) = (source.place.clone(), source.statement.clone());
+        Some(Listing { id: row.id.to_string(), place, statement, recorded: row })
+    };
+    let mut all: Vec<Listing> = recorded(RECORDED).filter_map(listing).collect();
+    all.sort_by(|a, b| a.id.cmp(&b.id));
+    all
+}
+
+/// What is looked for; an empty list asks for nothing, and the others must all be met.
+#[derive(Debug, Clone, Default)]
+pub struct Query {
+    /// Words that all stand in the id, the place or the statement, capital letters or not.
+    pub words: Vec<String>,
+    /// Papers.
+    pub papers: Vec<String>,
+    /// Words of verdicts.
+    pub verdicts: Vec<String>,
+    /// Words of faults.
+    pub faults: Vec<String>,
+    /// Words of grades, any of which the evidence has.
+    pub grades: Vec<String>,
+    /// Some of [`SCOPES`].
+    pub scopes: Vec<String>,
+}
+
+impl Query {
+    /// Whether a claim is looked for.
+    pub fn matches(&self, claim: &Listing) -> bool {
+        let one_of = |asked: &[String], word: &str| asked.is_empty() || asked.iter().any(|a| a == word);
+        let text = format!("{} {} {}", claim.id, claim.place, claim.statement).to_lowercase();
+        self.words.iter().all(|word| text.contains(&word.to_lowercase()))
+            && one_of(&self.papers, claim.paper())
+            && one_of(&self.verdicts, claim.recorded.verdict)
+            && one_of(&self.faults, claim.fault().unwrap_or("none"))
+            && one_of(&self.scopes, claim.scope())
+            && (self.grades.is_empty() || claim.grades().any(|grade| self.grades.iter().any(|g| g == grade)))
+    }
+}
+
+/// Two lines for each claim, of at most `width` columns: id, verdict, reach and grades; the beginning of the statement.
+pub fn catalogue_text(claims: &[&Listing], width: usize) -> String {
+    let mut text = String::new();
+    for claim in claims {
+        let (whole, total) = claim.reach();
+        let fault = claim.fault().filter(|fault| *fault != claim.recorded.verdict);
+        let fault = fault.map_or(String::new(), |fault| format!(" ({fault})"));
+        let grades = claim.grades().collect::<Vec<_>>().join(", ");
+        let head = format!("{}  {}{fault}  {whole}/{total}  {grades}", claim.id, claim.recorded.verdict);
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{}\n    {}", cut(&head, width), cut(&claim.statement, width.saturating_sub(4)));
+    }
+    text
+}
+
+/// A text of at most so many characters.
+fn cut(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        return text.to_string();
+    }
+    let short: String = text.chars().take(width.saturating_sub(3)).collect();
+    format!("{}...", short.trim_end())
+}
+
+/// The ids closest to one that is not there, the closest first, at most `most`: those that begin with it, those that hold it, those
+/// that are spelled alike.
+pub fn nearest<'a>(ids: impl Iterator<Item = &'a str>, wrong: &str, most: usize) -> Vec<&'a str> {
+    /// Spelled less alike than this they are others.
+    const ALIKE: f64 = 0.75;
+    let wrong = wrong.to_lowercase();
+    let likeness = |id: &str| {
+        let id = id.to_lowercase();
+        let whole = strsim::jaro_winkler(&id, &wrong);
+        let short = id.split_once('.').map_or(0.0, |(_, rest)| strsim::jaro_winkler(rest, &wrong));
+        match (id.starts_with(&wrong), id.contains(&wrong)) {
+            (true, _) => 3.0 + whole,
+            (_, true) => 2.0 + whole,
+            _ => whole.max(short),
+        }
+    };
+    let mut close: Vec<(f64, &str)> = ids.map(|id| (likeness(id), id)).filter(|(like, _)| *like >= ALIKE).collect();
+    close.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
+    let best = close.first().map_or(0.0, |(like, _)| *like);
+    // Where some begin with it, those that are only spelled alike say nothing.
+    close.into_iter().filter(|(like, _)| best < 2.0 || *like >= 2.0).map(|(_, id)| id).take(most).collect()
+}

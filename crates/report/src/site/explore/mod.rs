@@ -1,0 +1,123 @@
+//! Motions that can be watched: counterexamples and examples of the papers, computed by the engine and drawn in the page.
+
+mod runs;
+
+use super::Site;
+use super::frame::Links;
+use maud::{Markup, PreEscaped, html};
+use runs::Run;
+pub use runs::RunsError;
+
+/// The program that plays the motions.
+pub(super) const PLAYER: &str = include_str!("player.js");
+
+/// A page with motions.
+pub(super) struct Show {
+    /// The name of the page.
+    pub name: &'static str,
+    pub title: &'static str,
+    /// What is to be seen.
+    pub about: &'static str,
+    /// What is drawn, and how it was computed.
+    pub drawn: &'static str,
+    /// The claims it belongs to.
+    pub claims: &'static [&'static str],
+    runs: fn() -> Result<Vec<Run>, runs::RunsError>,
+}
+
+/// All of them.
+pub(super) const SHOWS: &[Show] = &[
+    Show {
+        name: "four-birds",
+        title: "Four birds that change their network for ever",
+        about: "Without hysteresis the two birds in the middle meet and part in every step, for ever. With the hysteresis of the paper, \
+                a threshold of 4^(-256), they do the same until their distance changes by less than that: from then on the link stays.",
+        drawn: "The birds fly on a line; each row is one flock. Positions are exact rational numbers, rounded for drawing.",
+        claims: &["chazelle.ex4birds.alt", "chazelle.ex4birds.eq3.14", "chazelle.hyst"],
+        runs: runs::four_birds,
+    },
+    Show {
+        name: "two-agents",
+        title: "Two agents that swing for ever",
+        about: "Heading alignment with two linked agents that have the same heading: nothing takes energy out, and their distance swings for \
+                ever. The distances are not stabilised, as the paper says they are.",
+        drawn: "Seen from the middle between them; V = 1/s + log s, s the squared distance; classical integration in floating point.",
+        claims: &["tanner1.propIV3b", "tanner1.eq7", "beyond.tanner1.two_agents"],
+        runs: runs::two_agents,
+    },
+    Show {
+        name: "turning-triangle",
+        title: "Three agents that turn for ever",
+        about: "Three linked agents on an equilateral triangle that turns about its centre: with heading differences between -pi and pi their \
+                headings stay a third of a turn apart and never agree.",
+        drawn: "V = 1/s + log s, squared side 2, angular velocity squared 3/2; floating point from the exact start.",
+        claims: &["beyond.tanner1.turning_triangle", "tanner1.propIV3a"],
+        runs: runs::turning_triangle,
+    },
+    Show {
+        name: "certified-split",
+        title: "A flock that breaks up for ever, certified",
+        about: "Three agents with links within distance 2. The third leaves; its link ends before t = 17/100, and the network never \
+                changes again. That is proved for an open set of starts, by enclosures of all their solutions.",
+        drawn: "One start of the set, V = s + 1/s - 2, in floating point; the proof is by intervals.",
+        claims: &["beyond.tanner2.certified_split", "tanner2.fig6"],
+        runs: runs::split,
+    },
+    Show {
+        name: "patterns",
+        title: "Patterns of twelve particles",
+        about: "Steered particles with all-to-all coupling gather on one circle in M clusters, evenly spaced, for each M that divides 12: \
+                the gains K_m are positive below M, and K_M is negative.",
+        drawn: "omega0 = K_0 = 0.1; random starts within 10 of the origin; floating point. Arrows show the direction of motion.",
+        claims: &["paley.fig4", "paley.thm3.stab", "beyond.paley.abscissa"],
+        runs: runs::patterns,
+    },
+    Show {
+        name: "platoon-wave",
+        title: "The platoon's wave",
+        about: "The leader moves to and fro by 1 at the main resonance; the movement grows along the flock until the last car moves \
+                many times as far. It takes many periods to build up.",
+        drawn: "Deviation of each car from its place, the leader on the left; system (2), f = g = -1, 20 followers from rest; floating point.",
+        claims: &["veerman.sec6_fig2", "veerman.thm1_amp", "veerman.thm1_omega"],
+        runs: runs::platoon,
+    },
+];
+
+/// The list of motions.
+pub(super) fn list() -> Markup {
+    html! {
+        h1 { "Explore" }
+        p.lead { "Examples and counterexamples that move. Each was computed by the program; play, step, or drag the slider." }
+        ul { @for show in SHOWS { li { a href={ (show.name) ".html" } { (show.title) } } } }
+    }
+}
+
+/// The page of one show.
+///
+/// # Errors
+/// The sentence of what could not be computed.
+pub(super) fn body(site: &Site, show: &Show) -> Result<Markup, runs::RunsError> {
+    let runs = (show.runs)()?;
+    Ok(html! {
+        h1 { (show.title) }
+        p.lead { (site.names.rich(show.about, Links::Folder)) }
+        @for run in &runs {
+            section.live aria-label=(run.title) {
+                @if runs.len() > 1 { h2 { (site.names.rich(&run.title, Links::Folder)) } }
+                canvas width="736" height="414" role="img" aria-label={ (show.title) ": " (run.title) } {}
+                div.controls hidden {
+                    button.play type="button" { "Play" }
+                    button.back type="button" aria-label="One step back" { "‹" }
+                    button.on type="button" aria-label="One step on" { "›" }
+                    input.time type="range" min="0" max=(run.times.len().saturating_sub(1)) value="0" aria-label="Time";
+                    output { }
+                }
+                script type="application/json" { (PreEscaped(run.json())) }
+                noscript { p { "The motion is drawn by a small script. Its numbers stand in the source of this page." } }
+            }
+        }
+        p.small { (site.names.rich(show.drawn, Links::Folder)) }
+        p { "Claims: " @for (k, id) in show.claims.iter().enumerate() { @if k > 0 { ", " } (site.names.linked(id, Links::Folder)) } "." }
+        script src="../explore.js" defer {}
+    })
+}

@@ -1,0 +1,183 @@
+//! The site: a page for each claim, paper and note, as bytes. It writes no files; the command `report` does.
+
+mod claim;
+mod coq;
+mod errata;
+mod explore;
+mod figure;
+mod frame;
+mod glossary;
+mod graph;
+mod index;
+mod notation;
+mod notes;
+mod paper;
+mod papers;
+mod related;
+mod results;
+mod texts;
+mod words;
+
+pub use frame::Page;
+
+use crate::figures::{Figure, File};
+use frame::{Frame, Links, SCRIPT, STYLE};
+use ledger::{Document, Entry, Ledger};
+use maud::{Markup, html};
+pub(crate) use papers::paper as paper_named;
+use papers::papers;
+use proofs::kernel::{files, theorems};
+use related::Ties;
+use std::collections::BTreeMap;
+use texts::Names;
+
+/// The command that makes the whole site again.
+const COMMAND: &str = "flockproof report --out DIR";
+
+/// A figure with what came of it.
+#[derive(Debug, Clone)]
+pub struct Made {
+    /// Which it is.
+    pub figure: &'static Figure,
+    /// What it says.
+    pub text: String,
+    /// Its files.
+    pub files: Vec<File>,
+}
+
+/// Why a page could not be made.
+pub type SiteError = explore::RunsError;
+
+/// What pages are made of.
+pub struct Site<'a> {
+    document: &'a Document<'a>,
+    ledger: &'a Ledger,
+    figures: &'a [Made],
+    names: Names,
+    ties: Ties,
+    places: BTreeMap<&'a str, usize>,
+}
+
+impl<'a> Site<'a> {
+    /// A site of this ledger, with the figures that were made; `ledger` holds the arguments behind the claims.
+    pub fn new(document: &'a Document<'a>, ledger: &'a Ledger, figures: &'a [Made]) -> Self {
+        let entries: &'a [Entry] = &document.claims;
+        let names = Names {
+            claims: entries.iter().map(|entry| entry.id.clone()).collect(),
+            theorems: theorems().iter().filter(|theorem| theorem.is_checked()).collect(),
+            figures: figures.iter().map(|made| made.figure).collect(),
+        };
+        let ties = related::ties(entries, &names, |id| ledger.derivation(id));
+        let places = entries.iter().enumerate().map(|(k, entry)| (entry.id.as_str(), k)).collect();
+        Site { document, ledger, figures, names, ties, places }
+    }
+
+    fn entries(&self) -> &[Entry] {
+        &self.document.claims
+    }
+
+    fn entry(&self, id: &str) -> Option<&Entry> {
+        self.places.get(id).and_then(|k| self.entries().get(*k))
+    }
+
+    fn derivation(&self, id: &str) -> Option<&str> {
+        self.ledger.derivation(id)
+    }
+
+    /// Every file of the site.
+    ///
+    /// # Errors
+    /// [`SiteError`] where a motion cannot be computed.
+    pub fn pages(&self) -> Result<Vec<Page>, SiteError> {
+        let mut pages = vec![Page::new("site.css", STYLE), Page::new("site.js", SCRIPT)];
+        pages.push(self.top("index.html", "flockproof", "index", &index::body(self)));
+        pages.push(self.top("results.html", "Results", "note", &results::body(self)));
+        pages.push(self.top("guarantees.html", "Guarantees", "note", &self.note("guarantees", Links::Top)));
+        pages.push(self.top("graph.html", "Graph", "graphs", &graph::body(self)));
+        pages.push(self.top("glossary.html", "Symbols", "glossary", &glossary::body()));
+        pages.push(self.inner("papers/index.html", "Papers", "papers", &paper::list(self)));
+        pages.push(self.inner("errata/index.html", "Errata", "papers", &errata::list(self)));
+        for paper in papers() {
+            pages.push(self.inner(
+                &format!("papers/{}.html", paper.key),
+                paper.title,
+                "paper",
+                &paper::body(self, paper),
+            ));
+            let title = format!("Errata: {}", paper.title);
+            pages.push(self.inner(&format!("errata/{}.html", paper.key), &title, "errata", &errata::body(self, paper)));
+        }
+        pages.push(Page::new("explore.js", explore::PLAYER));
+        pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list()));
+        for show in explore::SHOWS {
+            let body = explore::body(self, show)?;
+            pages.push(self.inner(&format!("explore/{}.html", show.name), show.title, "explore", &body));
+        }
+        for (name, text) in notes::NOTES.iter().filter(|(name, _)| !["guarantees", "results"].contains(name)) {
+            pages.push(self.inner(
+                &format!("notes/{name}.html"),
+                notes::title(text),
+                "note",
+                &self.note(name, Links::Folder),
+            ));
+        }
+        for file in files() {
+            pages.push(self.inner(&format!("coq/{}.html", file.name), file.name, "coq", &coq::body(file)));
+        }
+        for entry in self.entries() {
+            pages.push(Page::new(format!("claims/{}.html", entry.id), self.claim(entry, Links::Folder)));
+            pages.push(Page::new(format!("data/claims/{}.json", entry.id), json(entry)));
+        }
+        pages.push(Page::new("data/ledger.json", self.data()));
+        let files = self.figures.iter().flat_map(|made| &made.files);
+        pages.extend(files.map(|file| Page::new(format!("figures/{}", file.name), file.contents.clone())));
+        Ok(pages)
+    }
+
+    /// The page of one claim by itself, with all that it needs in one file.
+    pub fn alone(&self, id: &str) -> Option<String> {
+        self.entry(id).map(|entry| self.claim(entry, Links::Alone))
+    }
+
+    fn claim(&self, entry: &Entry, links: Links) -> String {
+        let command = match links {
+            Links::Alone => format!("flockproof explain {0} --html {0}.html", entry.id),
+            _ => COMMAND.to_string(),
+        };
+        let (title, version) = (entry.id.as_str(), self.document.version.as_ref());
+        Frame { links, title, version, command: &command, class: "claim" }.around(&claim::body(self, entry, links))
+    }
+
+    fn note(&self, name: &str, links: Links) -> Markup {
+        html! { article.note { (notes::markdown(notes::note(name), &self.names, links)) } }
+    }
+
+    fn top(&self, path: &str, title: &str, class: &str, body: &Markup) -> Page {
+        self.page(Links::Top, path, title, class, body)
+    }
+
+    fn inner(&self, path: &str, title: &str, class: &str, body: &Markup) -> Page {
+        self.page(Links::Folder, path, title, class, body)
+    }
+
+    fn page(&self, links: Links, path: &str, title: &str, class: &str, body: &Markup) -> Page {
+        let version = self.document.version.as_ref();
+        Page::new(path, Frame { links, title, version, command: COMMAND, class }.around(body))
+    }
+
+    /// The ledger without its times, so that two runs give the same bytes.
+    fn data(&self) -> String {
+        let mut document = self.document.clone();
+        for entry in document.claims.to_mut() {
+            entry.seconds = 0.0;
+        }
+        document.json()
+    }
+}
+
+/// One entry as JSON, without its time.
+fn json(entry: &Entry) -> String {
+    let entry = Entry { seconds: 0.0, ..entry.clone() };
+    // Strings, numbers and lists only: this cannot fail.
+    serde_json::to_string_pretty(&entry).unwrap_or_default() + "\n"
+}

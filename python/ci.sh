@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Builds the wheel, installs it into a fresh virtual environment, and runs tests, stubtest, doctests and notebooks there.
+set -euo pipefail
+cd "$(dirname "$0")"
+target=$(cargo metadata --format-version 1 --no-deps | python3 -c 'import json, sys; print(json.load(sys.stdin)["target_directory"])')
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+step() { printf '\n== python: %s (%ss)\n' "$*" "$SECONDS"; }
+
+step "the wheel"
+python3 -m venv "$work/venv"
+bin=$work/venv/bin
+"$bin/pip" install --quiet --disable-pip-version-check 'maturin>=1.9,<2'
+CARGO_TARGET_DIR=$target "$bin/maturin" build --release --locked --out "$work/wheels" --interpreter "$bin/python"
+"$bin/pip" install --quiet --disable-pip-version-check "$(ls "$work"/wheels/*.whl)[test]"
+
+# Away from the sources, so that what is tested is the wheel.
+cp -r tests examples pyproject.toml "$work/"
+mkdir -p "$work/assets"
+cp -r ../assets/. "$work/assets/"
+cd "$work"
+export FLOCKPROOF_ASSETS=$work/assets
+
+step "tests"
+"$bin/python" -m pytest --quiet tests
+
+step "doctests"
+"$bin/python" -m pytest --quiet --doctest-modules --pyargs flockproof
+
+step "types"
+"$bin/python" -m mypy --strict --package flockproof
+"$bin/python" -m mypy.stubtest flockproof --ignore-missing-stub
+
+step "notebooks"
+"$bin/python" -m pytest --quiet --nbmake --nbmake-timeout=300 examples
+
+step "done"

@@ -1,0 +1,71 @@
+"""Exact, certified and simulated checks of what is claimed about flocking, and the machinery behind them.
+
+Numbers in: int, Fraction, Decimal and str are exact; a float is the exact value of that double, and results say so.
+Numbers out: Fraction, or :class:`Enclosure`. Wrong arguments are ValueError or TypeError with the sentence of the
+command line; long work stops on Ctrl-C.
+"""
+
+from ._flock import Flock, Run, Settlement, Switch
+from ._ledger import Claim, Claims, Controls, Entry, Evidence, Ledger, Text, explain, ledger, verify
+from ._native import __version__
+from ._numbers import Enclosure, ExactMatrix, Undecided, exact
+from ._queries import (
+    Eigenvalue,
+    Ergodicity,
+    Prefix,
+    Resonance,
+    Spectrum,
+    Stabiliser,
+    Theorem1,
+    ergodicity,
+    resonance,
+    spectrum,
+)
+from ._questions import Answer, Campaign, Failure, Invariant, Table, check, fuzz, invariants, sweep
+from ._runs import Event, Simulation, Tracks, simulate, tracks
+
+__all__ = [
+    "Answer",
+    "Campaign",
+    "Claim",
+    "Claims",
+    "Controls",
+    "Eigenvalue",
+    "Enclosure",
+    "Entry",
+    "Ergodicity",
+    "Event",
+    "Evidence",
+    "ExactMatrix",
+    "Failure",
+    "Flock",
+    "Invariant",
+    "Ledger",
+    "Prefix",
+    "Resonance",
+    "Run",
+    "Settlement",
+    "Simulation",
+    "Spectrum",
+    "Stabiliser",
+    "Switch",
+    "Table",
+    "Text",
+    "Theorem1",
+    "Tracks",
+    "Undecided",
+    "__version__",
+    "check",
+    "ergodicity",
+    "exact",
+    "explain",
+    "fuzz",
+    "invariants",
+    "ledger",
+    "resonance",
+    "simulate",
+    "spectrum",
+    "sweep",
+    "tracks",
+    "verify",
+]

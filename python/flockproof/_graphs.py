@@ -1,0 +1,147 @@
+"""Graphs as people have them: names, files, networkx, rustworkx, SciPy, arrays, lists of edges."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Hashable
+from pathlib import Path
+from typing import Any
+
+from . import _native
+from ._numbers import ExactMatrix, exact_matrix, float_seen, holds_floats, over_common_denominator
+
+#: What the native half takes: order, tails, heads, weights over a denominator; or "name"/"text" and a text.
+Native = tuple[int, list[int], list[int], list[int], int] | tuple[str, str]
+
+FLOATS = "the weights are floats, which stand for their exact values"
+
+
+class Given:
+    """A graph for the native half, with what it is called and the names of its vertices."""
+
+    def __init__(self, native: Native, name: str, labels: list[Hashable] | None = None, floats: bool = False) -> None:
+        self.native = native
+        self.name = name
+        self.labels = labels
+        self.from_floats = (FLOATS,) if floats else ()
+        if floats:
+            float_seen(FLOATS)
+
+    def root(self, root: Any) -> int | None:
+        """The number of a vertex, from 1."""
+        if root is None or self.labels is None:
+            return root  # type: ignore[no-any-return]
+        try:
+            return self.labels.index(root) + 1
+        except ValueError:
+            raise ValueError(f"root: {root!r} is not a vertex of the graph") from None
+
+
+def given(graph: Any) -> Given:
+    """Reads a graph.
+
+    Raises
+    ------
+    ValueError, TypeError
+        What is no graph, with what is wrong.
+    """
+    if isinstance(graph, (str, os.PathLike)):
+        return _named_or_file(os.fspath(graph))
+    module = type(graph).__module__.partition(".")[0]
+    if module == "rustworkx":
+        return _rustworkx(graph)
+    if hasattr(graph, "is_directed") and hasattr(graph, "adjacency"):
+        return _networkx(graph)
+    if hasattr(graph, "tocoo"):
+        return _sparse(graph)
+    if isinstance(graph, (list, tuple, set, frozenset)) and all(isinstance(edge, tuple) for edge in graph):
+        return _edges(list(graph))
+    if isinstance(graph, (list, tuple, ExactMatrix)) or hasattr(graph, "__array__"):
+        return _dense(graph)
+    kinds = "a name such as 'ring:12', a file, a graph of networkx or rustworkx, a matrix, or a list of edges (i, j)"
+    raise TypeError(f"graph: `{str(graph)[:60]}` is none of {kinds}")
+
+
+def _named_or_file(graph: str | bytes) -> Given:
+    name = os.fsdecode(graph)
+    problem = _native.graph_name_problem(name)
+    if problem is None:
+        return Given(("name", name), name)
+    path = Path(name)
+    if "\0" not in name and path.is_file():
+        return Given(("text", path.read_text(encoding="utf-8")), name)
+    if ":" in name:
+        raise ValueError(f"graph: {problem}")
+    raise ValueError(f"graph: there is no file of that name, and {problem}")
+
+
+def _arcs(
+    order: int, edges: list[tuple[int, int, Any]], both: bool, name: str, labels: list[Hashable] | None = None
+) -> Given:
+    if order == 0:
+        raise ValueError("graph: there is no graph in it")
+    weights, denominator = over_common_denominator([w for _, _, w in edges], "weight")
+    tails = [i for i, _, _ in edges]
+    heads = [j for _, j, _ in edges]
+    if both:
+        mirrored = [k for k, (i, j, _) in enumerate(edges) if i != j]
+        # Tuples on the right: each list is extended by a part of the others as they were.
+        tails, heads = tails + [heads[k] for k in mirrored], heads + [tails[k] for k in mirrored]
+        weights = weights + [weights[k] for k in mirrored]
+    return Given((order, tails, heads, weights, denominator), name, labels, holds_floats([w for _, _, w in edges]))
+
+
+def _networkx(graph: Any) -> Given:
+    labels: list[Hashable] = list(graph.nodes)
+    place = {label: k for k, label in enumerate(labels)}
+    edges = [(place[u], place[v], w) for u, v, w in graph.edges(data="weight", default=1)]
+    return _arcs(len(labels), edges, not graph.is_directed(), f"graph of {len(labels)} vertices", labels)
+
+
+def _rustworkx(graph: Any) -> Given:
+    labels: list[Hashable] = list(graph.node_indices())
+    place = {label: k for k, label in enumerate(labels)}
+    directed = type(graph).__name__ == "PyDiGraph"
+    # Edges of rustworkx carry any object; nothing and the empty data of its generators mean 1.
+    edges = [(place[u], place[v], 1 if w is None or w == {} else w) for u, v, w in graph.weighted_edge_list()]
+    return _arcs(len(labels), edges, not directed, f"graph of {len(labels)} vertices", labels)
+
+
+def _sparse(graph: Any) -> Given:
+    if len(graph.shape) != 2 or graph.shape[0] != graph.shape[1]:
+        raise ValueError(f"graph: a matrix of {' x '.join(map(str, graph.shape))} is not square")
+    entries = graph.tocoo()
+    order = int(graph.shape[0])
+    if order == 0:
+        raise ValueError("graph: there is no graph in it")
+    weights, denominator = over_common_denominator(entries.data, "weight")
+    native = (order, entries.row.tolist(), entries.col.tolist(), weights, denominator)
+    return Given(native, f"matrix of {order} x {order}", None, holds_floats(entries.data))
+
+
+def _dense(graph: Any) -> Given:
+    matrix = exact_matrix(graph, "graph")
+    rows, columns = matrix.shape
+    if rows != columns:
+        raise ValueError(f"graph: a matrix of {rows} x {columns} is not square")
+    places = [k for k, weight in enumerate(matrix.numerators) if weight]
+    weights = [matrix.numerators[k] for k in places]
+    native = (rows, [k // rows for k in places], [k % rows for k in places], weights, matrix.denominator)
+    return Given(native, f"matrix of {rows} x {rows}", None, bool(matrix.from_floats))
+
+
+def _edges(edges: list[tuple[Any, ...]]) -> Given:
+    place: dict[Hashable, int] = {}
+    seen: set[tuple[int, int]] = set()
+    read = []
+    for edge in edges:
+        if len(edge) not in (2, 3):
+            raise ValueError(f"graph: an edge (i, j) or (i, j, weight) is expected, but it is `{str(edge)[:60]}`")
+        i, j = (place.setdefault(label, len(place)) for label in edge[:2])
+        if i == j:
+            raise ValueError(f"graph: the edge from vertex {edge[0]} to itself is not allowed")
+        if (min(i, j), max(i, j)) in seen:
+            raise ValueError(f"graph: the edge ({edge[0]}, {edge[1]}) was given already")
+        seen.add((min(i, j), max(i, j)))
+        read.append((i, j, edge[2] if len(edge) == 3 else 1))
+    return _arcs(len(place), read, True, f"graph of {len(place)} vertices", list(place))

@@ -1,0 +1,408 @@
+"""Resonances, spectra, products of stochastic matrices."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _native
+from ._graphs import given
+from ._numbers import Enclosure, ExactMatrix, Known, Number, exact, exact_matrix, floats_among, read_decimal
+from ._progress import Progress, callback
+
+
+@dataclass(frozen=True)
+class Theorem1:
+    """The two formulas of Theorem 1 of Veerman, Stosic and Olvera, for large M: decimals, rounded down, of what they
+    say.
+    """
+
+    _texts: tuple[str, str]
+
+    @property
+    def frequency(self) -> Fraction:
+        """Angular frequency (rad/s)."""
+        return read_decimal(self._texts[0])
+
+    @property
+    def amplitude(self) -> Fraction:
+        """Amplitude of the last car for an amplitude 1 of the leader."""
+        return read_decimal(self._texts[1])
+
+    def __repr__(self) -> str:
+        return f"Theorem1(frequency={self._texts[0]}, amplitude={self._texts[1]})"
+
+
+@dataclass(frozen=True)
+class Resonance:
+    """The main resonance of a two-sided platoon.
+
+    Attributes
+    ----------
+    frequency : Enclosure
+        The angular frequency (rad/s) at which the amplitude of the last car is largest.
+    amplitude : Enclosure
+        That amplitude, for an amplitude 1 of the leader.
+    theorem1 : Theorem1
+        What Theorem 1 of the paper says of both.
+    followers : int
+    f, g : Fraction
+        The question.
+    from_floats : tuple of str
+        A sentence for each gain that was given as a float.
+    """
+
+    frequency: Enclosure
+    amplitude: Enclosure
+    theorem1: Theorem1
+    followers: int
+    f: Fraction
+    g: Fraction
+    from_floats: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        lines = [
+            f"Resonance of {self.followers} followers, f = {self.f}, g = {self.g}",
+            f"  frequency  {self.frequency}",
+            f"  amplitude  {self.amplitude}",
+            f"  Theorem 1  {float(self.theorem1.frequency):.6g}, {float(self.theorem1.amplitude):.6g}",
+            *(f"  {sentence}" for sentence in self.from_floats),
+        ]
+        return "\n".join(lines)
+
+
+def resonance(followers: int, f: Number, g: Number, digits: int = 15) -> Resonance:
+    """Enclose the main resonance of the two-sided platoon: the global maximum of the amplitude of the last car.
+
+    Parameters
+    ----------
+    followers
+        Number of cars behind the leader, from 1 to 10^12. The cost grows like its logarithm.
+    f, g
+        Gains of the positions (1/s^2) and of the velocities (1/s), both below 0.
+    digits
+        Significant digits, up to 10 000.
+
+    Returns
+    -------
+    Resonance
+        Rigorous enclosures of frequency and amplitude.
+
+    Raises
+    ------
+    ValueError, TypeError
+        Gains that are not negative, numbers out of range or of the wrong kind.
+
+    Notes
+    -----
+    Veerman, Stosic and Olvera, *Spatial instabilities and size limitations of flocks* (2009), Theorem 1; that the
+    maximum is the global one is proved in ``notes/resonance.md``.
+
+    Examples
+    --------
+    >>> r = resonance(128, -1, -1, digits=6)
+    >>> print(r.amplitude)
+    [146.730833, 146.730834]
+    >>> r.amplitude > 146, 0.02 in r.frequency
+    (True, False)
+    """
+    omega, amplitude, first = _native.resonance(followers, f, g, digits)
+    floats = floats_among(f=f, g=g)
+    return Resonance(
+        Enclosure._of(omega, bool(floats)),
+        Enclosure._of(amplitude, bool(floats)),
+        Theorem1(first),
+        int(followers),
+        exact(f, "f"),
+        exact(g, "g"),
+        floats,
+    )
+
+
+@dataclass(frozen=True)
+class Eigenvalue:
+    """Part of a spectrum.
+
+    Attributes
+    ----------
+    value : Enclosure
+        The eigenvalue; of one that is not known to be real, the real part.
+    multiplicity : int
+        How many eigenvalues lie in the enclosure.
+    exact : Fraction or None
+        The eigenvalue itself where it is known to be this rational.
+    imaginary : Enclosure or None
+        The imaginary part of one that is not known to be real.
+    """
+
+    value: Enclosure
+    multiplicity: int
+    exact: Fraction | None = None
+    imaginary: Enclosure | None = None
+
+    def __float__(self) -> float:
+        if self.imaginary is not None:
+            raise TypeError("the eigenvalue is not known to be real: complex() has both parts")
+        return float(self.value)
+
+    def __complex__(self) -> complex:
+        return complex(float(self.value), float(self.imaginary) if self.imaginary is not None else 0.0)
+
+    def __repr__(self) -> str:
+        value = str(self.exact) if self.exact is not None else str(self.value)
+        imaginary = f" + i {self.imaginary}" if self.imaginary is not None else ""
+        return f"Eigenvalue({value}{imaginary}, multiplicity={self.multiplicity})"
+
+
+class Spectrum(list[Eigenvalue]):
+    """The eigenvalues by increasing real part, as a list.
+
+    Attributes
+    ----------
+    graph, kind, method, reason : str
+        What the matrix is, how the eigenvalues were found, and on what ground.
+    order : int
+        The sum of the multiplicities.
+    from_floats : tuple of str
+    """
+
+    graph: str
+    kind: str
+    order: int
+    method: str
+    reason: str
+    from_floats: tuple[str, ...]
+
+    def __repr__(self) -> str:
+        head = f"Spectrum of {self.graph}, {self.kind}: {self.order} eigenvalues, {self.method}"
+        shown = [f"  {part.multiplicity:>6}  {_shown(part)}" for part in self[:20]]
+        more = [f"  .. {len(self) - 20} more"] if len(self) > 20 else []
+        return "\n".join([head, *shown, *more, *(f"  {sentence}" for sentence in self.from_floats)])
+
+    def __array__(self, dtype: npt.DTypeLike | None = None, copy: bool | None = None) -> npt.NDArray[Any]:
+        real = all(part.imaginary is None for part in self)
+        values: list[Any] = [float(part) if real else complex(part) for part in self for _ in range(part.multiplicity)]
+        return np.array(values, dtype=dtype)
+
+
+def _shown(part: Eigenvalue) -> str:
+    value = str(part.exact) if part.exact is not None else str(part.value)
+    return value if part.imaginary is None else f"{value} + i {part.imaginary}"
+
+
+def spectrum(graph: Any, kind: str = "laplacian", digits: int | None = None, root: Any = None) -> Spectrum:
+    """Enclose the eigenvalues of a matrix of a graph, with multiplicities.
+
+    Parameters
+    ----------
+    graph
+        A name such as ``"ring:12"``, ``"path:30"``, ``"circulant:12:1,3"`` or ``"platoon2:8"``; a file (edge list or
+        Matrix Market); a graph of networkx (edge attribute ``weight``) or rustworkx; a SciPy sparse matrix, a NumPy
+        array or a list of row *lists* with the weight of the arc from i to j in row i, column j; or a list of edge
+        *tuples* ``(i, j)`` or ``(i, j, weight)``, undirected, between the vertices that are named in it. Weights are
+        exact.
+    kind
+        ``laplacian``, ``out-degree``, ``in-degree``, ``normalised``, ``walk``, ``reduced`` or ``adjacency``.
+    digits
+        Significant digits; left out: 20 where they are exact, otherwise what floating point with proved bounds gives.
+    root
+        The vertex that ``reduced`` leaves out, as the graph names it; for names, files and matrices its number from 1.
+
+    Returns
+    -------
+    Spectrum
+        A list of :class:`Eigenvalue`.
+
+    Raises
+    ------
+    ValueError, TypeError
+        What is no graph; directed where undirected is needed; digits that the size does not allow.
+
+    Examples
+    --------
+    >>> [(str(e.exact), e.multiplicity) for e in spectrum("complete:5")]
+    [('0', 1), ('5', 4)]
+    >>> print(spectrum([("a", "b"), ("b", "c"), ("c", "d")], digits=6)[1].value)
+    [0.585786402, 0.585786462]
+    """
+    read = given(graph)
+    if not isinstance(kind, str):
+        raise TypeError(f"kind should be a text, but it is `{str(kind)[:60]}`")
+    try:
+        order, method, reason, parts = _native.spectrum(read.native, kind, read.root(root), digits)
+    except ValueError as error:
+        if read.native[0] in ("name", "text") and not str(error).startswith(("kind", "root", "the number of digits")):
+            raise ValueError(f"{read.name}: {error}") from None
+        raise
+    floats = read.from_floats
+    found = Spectrum(
+        Eigenvalue(
+            Enclosure._of(re, bool(floats)),
+            multiplicity,
+            None if rational is None else Known(*rational, bool(floats)),
+            None if im is None else Enclosure._of(im, bool(floats)),
+        )
+        for re, im, multiplicity, rational in parts
+    )
+    found.graph, found.kind, found.order, found.method, found.reason = read.name, kind, order, method, reason
+    found.from_floats = floats
+    return found
+
+
+@dataclass(frozen=True)
+class Prefix:
+    """A product P(t) ... P(1): ergodicity coefficients and footprint."""
+
+    t: int
+    tau_1: Fraction
+    tau_2: Enclosure
+    tau_2_squared: Fraction
+    footprint: npt.NDArray[np.bool_]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Prefix):
+            return NotImplemented
+        mine, theirs = (self.t, self.tau_1, self.tau_2_squared), (other.t, other.tau_1, other.tau_2_squared)
+        return mine == theirs and np.array_equal(self.footprint, other.footprint)
+
+    def __hash__(self) -> int:
+        return hash((self.t, self.tau_1, self.tau_2_squared, self.footprint.tobytes()))
+
+
+@dataclass(frozen=True)
+class Stabiliser:
+    """A stabiliser V_k of the sequence: its members (from 1) and the time T_k from which it is seen."""
+
+    time: int
+    members: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Ergodicity:
+    """Products of a sequence of row-stochastic matrices.
+
+    Attributes
+    ----------
+    product : ExactMatrix
+        P(t) ... P(1), exact.
+    tau_1 : Fraction
+        Half the largest 1-norm distance of two rows of the product.
+    tau_2 : Enclosure
+        The largest Euclidean distance of two rows; its square ``tau_2_squared`` is a Fraction.
+    footprints : list of arrays of bool
+        Where the products of the first 1, 2, .. factors are positive.
+    stabilisers : tuple of Stabiliser
+        Empty where the factors are not square.
+    prefixes : tuple of Prefix
+        All of this for each number of factors.
+    from_floats : tuple of str
+    """
+
+    product: ExactMatrix
+    prefixes: tuple[Prefix, ...]
+    stabilisers: tuple[Stabiliser, ...]
+    from_floats: tuple[str, ...] = ()
+
+    @property
+    def tau_1(self) -> Fraction:
+        return self.prefixes[-1].tau_1
+
+    @property
+    def tau_2(self) -> Enclosure:
+        return self.prefixes[-1].tau_2
+
+    @property
+    def tau_2_squared(self) -> Fraction:
+        return self.prefixes[-1].tau_2_squared
+
+    @property
+    def footprints(self) -> list[npt.NDArray[np.bool_]]:
+        return [prefix.footprint for prefix in self.prefixes]
+
+    def __repr__(self) -> str:
+        rows, columns = self.product.shape
+        lines = [
+            f"Ergodicity of {len(self.prefixes)} factors, product {rows} x {columns}",
+            f"  tau_1  {float(self.tau_1):.10g}",
+            f"  tau_2  {float(self.tau_2):.10g}",
+            *(f"  V_{k} = {set(s.members)} from T_{k} = {s.time}" for k, s in enumerate(self.stabilisers, 1)),
+            *(f"  {sentence}" for sentence in self.from_floats),
+        ]
+        return "\n".join(lines)
+
+
+def ergodicity(matrices: Iterable[Any] | str | os.PathLike[str], progress: Progress = None) -> Ergodicity:
+    """Multiply a sequence of row-stochastic matrices exactly; ergodicity coefficients, footprints and stabilisers.
+
+    Parameters
+    ----------
+    matrices
+        P(1), P(2), ..: lists of rows, arrays or :class:`ExactMatrix`, with exact rows that sum to 1; or the path of a
+        file in one of the formats of the command line. A row of floats such as ``[0.1, 0.9]`` does not sum to 1
+        exactly: use texts or fractions.
+    progress
+        Called with (stage, done, total), or True.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A matrix that is not row-stochastic, or cannot multiply the one before it.
+
+    Notes
+    -----
+    Chazelle, *Natural algorithms* (2009), sections 2 and 3: tau_1, tau_2, stabilisers (proof of Lemma 3.1).
+
+    Examples
+    --------
+    >>> first = [["1/2", "1/2", 0], ["1/2", "1/2", 0], [0, 0, 1]]
+    >>> e = ergodicity([first, [[1, 0, 0], [0, "1/3", "2/3"], [0, "1/3", "2/3"]]])
+    >>> e.tau_1, e.product[1, 0], len(e.stabilisers)
+    (Fraction(2, 3), Fraction(1, 6), 1)
+    """
+    if isinstance(matrices, (str, os.PathLike)):
+        matrices = _sequence_file(Path(matrices))
+    elif not hasattr(matrices, "__iter__"):
+        raise TypeError(f"matrices should be a list of matrices, but it is `{str(matrices)[:60]}`")
+    read = [exact_matrix(matrix, f"matrix {k}") for k, matrix in enumerate(matrices, 1)]
+    floats = tuple(sentence for matrix in read for sentence in matrix.from_floats)
+    native = [_Matrix(m.shape[0], m.shape[1], list(m.numerators), m.denominator) for m in read]
+    product, prefixes, stabilisers = _native.ergodicity(native, callback(progress))
+    known = bool(floats)
+    return Ergodicity(
+        ExactMatrix(*product, floats),
+        tuple(
+            Prefix(t, Known(*tau_1, known), Enclosure._of(tau_2, known), Known(*square, known), _footprint(footprint))
+            for t, (tau_1, square, tau_2, footprint) in enumerate(prefixes, 1)
+        ),
+        tuple(Stabiliser(time, tuple(members)) for time, members in stabilisers),
+        floats,
+    )
+
+
+@dataclass(frozen=True)
+class _Matrix:
+    rows: int
+    columns: int
+    numerators: list[int]
+    denominator: int
+
+
+def _footprint(text: str) -> npt.NDArray[np.bool_]:
+    found = np.array([[c == "1" for c in row] for row in text.split()], dtype=bool)
+    found.flags.writeable = False
+    return found
+
+
+def _sequence_file(path: Path) -> list[ExactMatrix]:
+    text = path.read_text(encoding="utf-8")
+    try:
+        return [ExactMatrix(*matrix) for matrix in _native.read_sequence(text)]
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None

@@ -1,0 +1,536 @@
+"""Statements of one's own: decide them, tabulate them, attack them; on this machine or on a Dask cluster."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import re
+import shutil
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from fractions import Fraction
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+from . import _native
+from ._flock import _refused
+from ._ledger import _table
+from ._numbers import Enclosure, Known, exact, read_decimal
+from ._progress import Progress, callback
+from ._runs import toml
+
+if TYPE_CHECKING:
+    import pandas
+
+Question = Mapping[str, Any] | str | os.PathLike[str]
+Plan = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What is known about a statement.
+
+    Attributes
+    ----------
+    id, verdict, why : str
+        The verdict is ``holds``, ``false``, ``undecided``, or ``withheld`` where a control was not refuted.
+    grades : tuple of str
+        ``exhaustive``, ``certified`` or ``exact``: a sample never gives ``holds``.
+    counterexample : dict or None
+        What the names stand for where the property fails, as texts.
+    replay : str or None
+        The question of that one instance; :func:`check` decides it again.
+    margin : Enclosure or None
+        The smallest margin of all cases that were looked at.
+    cases, undecided, controls_refuted, controls_total : int
+    """
+
+    id: str
+    verdict: str
+    why: str
+    grades: tuple[str, ...]
+    counterexample: Mapping[str, str] | None = field(hash=False)
+    replay: str | None
+    margin: Enclosure | None
+    cases: int
+    undecided: int
+    controls_refuted: int
+    controls_total: int
+    text: str = field(compare=False, default="")
+
+    def __repr__(self) -> str:
+        return self.text.rstrip("\n")
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        return f"<pre>{escape(self.text)}</pre>"
+
+
+def check(question: Question, progress: Progress = None) -> Answer:
+    """Decide a statement of one's own.
+
+    Parameters
+    ----------
+    question
+        The path of a question file, or the same as a dictionary; ``notes/questions.md`` has the language.
+    progress
+        Called with (stage, done, total), or True.
+
+    Raises
+    ------
+    ValueError, TypeError
+        What is no question, with the place at fault; no control.
+
+    Examples
+    --------
+    >>> answer = check({
+    ...     "question": {"id": "mine.edges", "statement": "A tree on n vertices has n edges."},
+    ...     "for": {"n": "1..5", "graph": "trees(n)"},
+    ...     "holds": {"property": "edges = n", "controls": ["edges > n"]},
+    ... })
+    >>> answer.verdict, answer.counterexample["n"]
+    ('false', '1')
+    """
+    text, files, name = _read(question)
+    with _named(name):
+        document, words, replay = _native.check(text, files, callback(progress))
+    found = json.loads(document)
+    margin = found["margin"]
+    return Answer(
+        found["id"],
+        found["verdict"],
+        found["why"],
+        tuple(found["grades"]),
+        found["counterexample"],
+        replay,
+        None if margin is None else Enclosure._of((margin["lo"], margin["hi"])),
+        found["cases"],
+        found["undecided"],
+        found["controls"]["refuted"],
+        found["controls"]["total"],
+        words,
+    )
+
+
+def _read(question: Question) -> tuple[str, dict[str, str], str | None]:
+    """The text of a question, the files that it names, and the path that errors begin with."""
+    if isinstance(question, Mapping):
+        text, folder, name = toml(question), Path(), None
+    elif isinstance(question, (str, os.PathLike)):
+        path = Path(question)
+        text = _refused(path, lambda: path.read_text(encoding="utf-8"))
+        folder, name = path.parent, os.fspath(question)
+    else:
+        raise TypeError(f"question should be a dictionary or a path, but it is `{str(question)[:60]}`")
+    files: dict[str, str] = {}
+    while (missing := _native.question_needs(text, files)) is not None:
+        inner = folder / missing
+        files[missing] = _refused(inner, lambda inner=inner: inner.read_text(encoding="utf-8"))
+    return text, files, name
+
+
+@contextmanager
+def _named(name: str | None) -> Iterator[None]:
+    """Errors begin with the file; where there is none, they speak of no lines."""
+    try:
+        yield
+    except ValueError as error:
+        told = re.sub(r"^line \d+(, column \d+)?: ", "", str(error)) if name is None else f"{name}: {error}"
+        raise ValueError(told) from None
+
+
+class Table(Sequence[Mapping[str, Any]]):
+    """The values of a question for every member of its family, a dictionary for each.
+
+    Names of the family are int, Fraction or str; values are Fraction, :class:`Enclosure`, bool, or None where they
+    are not known.
+
+    Attributes
+    ----------
+    names, columns : tuple of str
+        The names of the family, and the quantities.
+    merged : str
+        The file ``merged.jsonl`` of the store: the same bytes for any number of shards, workers and interruptions.
+    """
+
+    def __init__(
+        self, lines: str, csv: str, text: str, names: Sequence[str], columns: Sequence[str], merged: str
+    ) -> None:
+        self._rows = tuple(_row(json.loads(line), names) for line in lines.splitlines())
+        self._lines, self._csv, self._shown = lines, csv, text
+        self.names, self.columns, self.merged = tuple(names), tuple(columns), merged
+
+    def __getitem__(self, index: Any) -> Any:
+        return self._rows[index]
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Table) and self.merged == other.merged
+
+    def __hash__(self) -> int:
+        return hash(self.merged)
+
+    def to_json_lines(self) -> str:
+        """One JSON object on a line for each member."""
+        return self._lines
+
+    def to_csv(self) -> str:
+        """The table as the command line writes it."""
+        return self._csv
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """Values as floats, the nearest to the middle, and as exact texts in ``.lo`` and ``.hi`` where they are
+        enclosed somewhere.
+        """
+        import pandas
+
+        exactly = pandas.read_csv(io.StringIO(self._csv), dtype=str, keep_default_na=False)
+        frame = pandas.DataFrame(index=exactly.index)
+        for name in self.names:
+            frame[name] = [row[name] if isinstance(row[name], (int, str)) else str(row[name]) for row in self._rows]
+        for name in self.columns:
+            values = [row[name] for row in self._rows]
+            truths = all(isinstance(value, bool) or value is None for value in values)
+            frame[name] = values if truths else [None if v is None else float(v) for v in values]
+            for end in (f"{name}.lo", f"{name}.hi"):
+                if end in exactly.columns:
+                    frame[end] = exactly[end]
+        return frame
+
+    def to_parquet(self, path: str | os.PathLike[str]) -> None:
+        """Writes the table of :meth:`to_pandas` as Parquet (needs pyarrow)."""
+        frame = self.to_pandas()
+        # A column of one kind each: names that are numbers for some members only become texts.
+        for name in self.names:
+            if frame[name].map(type).nunique() > 1:
+                frame[name] = frame[name].astype(str)
+        frame.to_parquet(path, engine="pyarrow", index=False)
+
+    def __repr__(self) -> str:
+        return self._shown.rstrip("\n")
+
+    def _repr_html_(self) -> str:
+        names = [*self.names, *self.columns]
+        more = f"<p>and {len(self) - 40} more rows</p>" if len(self) > 40 else ""
+        return _table(names, ([str(row[name]) for name in names] for row in self._rows[:40])) + more
+
+
+def _row(found: dict[str, Any], names: Sequence[str]) -> dict[str, Any]:
+    return {key: _name(value) if key in names else _value(value) for key, value in found.items()}
+
+
+def _name(text: str) -> int | Fraction | str:
+    if not re.fullmatch(r"-?\d{1,4000}(/\d{1,4000})?", text):
+        return text
+    number = Fraction(text)
+    return int(number) if number.denominator == 1 else number
+
+
+def _value(value: Any) -> Any:
+    if isinstance(value, str):
+        number = exact(value) if "/" in value else read_decimal(value)
+        return Known(number.numerator, number.denominator)
+    if isinstance(value, dict):
+        return Enclosure._of((value["lo"], value["hi"])) if "lo" in value else None
+    return value
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A counterexample that was made simpler: ``question`` is a question file that :func:`check` decides alone."""
+
+    invariant: str
+    case: int
+    why: str
+    instance: str
+    question: str | None
+
+
+@dataclass(frozen=True)
+class Invariant:
+    """What a campaign found about one invariant."""
+
+    id: str
+    cases: int
+    undecided: int
+    failed: int
+    margin: float | None
+
+
+@dataclass(frozen=True)
+class Campaign:
+    """What a campaign found; of a property that did not fail it says that no counterexample is among so many cases,
+    and no more.
+
+    Attributes
+    ----------
+    cases, failed, undecided : int
+    invariants : tuple of Invariant
+    failures : tuple of Failure
+    merged : str
+        The file ``merged.jsonl`` of the store: the same bytes for any number of shards, workers and interruptions.
+    """
+
+    seed: str
+    cases: int
+    failed: int
+    undecided: int
+    invariants: tuple[Invariant, ...]
+    failures: tuple[Failure, ...]
+    merged: str = field(repr=False)
+
+    def __repr__(self) -> str:
+        lines = [f"{self.cases} cases, seed {self.seed}: {self.failed} failed, {self.undecided} undecided"]
+        for own in self.invariants:
+            margin = "" if own.margin is None else f", margin {own.margin:.4e}"
+            lines.append(f"  {own.id}: {own.cases} cases, {own.failed} failed, {own.undecided} undecided{margin}")
+        lines += [f"  {f.invariant} fails in case {f.case}: {f.instance or f.why}" for f in self.failures]
+        return "\n".join(lines)
+
+
+def invariants() -> dict[str, str]:
+    """The built-in invariants of :func:`fuzz` with their statements.
+
+    Examples
+    --------
+    >>> len(invariants()) > 10
+    True
+    """
+    return dict(_native.invariants())
+
+
+def sweep(
+    question: Question,
+    client: Any = None,
+    *,
+    store: str | os.PathLike[str] | None = None,
+    shards: int | None = None,
+    resume: bool = False,
+    threads: int | None = None,
+    progress: Progress = None,
+) -> Table:
+    """Tabulate the ``[values]`` of a question for every member of its family, or whether its property holds.
+
+    Parameters
+    ----------
+    question
+        The path of a question file, or the same as a dictionary.
+    client
+        A ``distributed.Client``: the shards are sent to its workers, which need no common file system. A worker that
+        is killed costs the shard that it had; the result is byte for byte that of one process.
+    store
+        A folder for the finished shards; left out, they are kept while the table is made.
+    shards
+        How many; left out, 1 here, and 8 for each thread of a cluster.
+    resume
+        Go on with what the store has.
+    threads
+        For each shard; left out, all cores here, 1 on a cluster.
+    progress
+        Called with (stage, done, total), or True.
+
+    Examples
+    --------
+    >>> table = sweep({
+    ...     "question": {"id": "mine.trees"},
+    ...     "for": {"n": "2..4", "graph": "trees(n)"},
+    ...     "values": {"connectivity": "lambda(2)"},
+    ... })
+    >>> len(table), table[1]["connectivity"]
+    (4, Fraction(1, 1))
+    """
+    text, files, name = _read(question)
+    plan: Plan = {"kind": "sweep", "question": text, "files": files, "invariants": [], "cases": 0, "seed": ""}
+    with _named(name), _stored(store) as folder:
+        _run(plan, folder, client, shards, resume, threads, progress)
+        merged = _native.campaign_merge(folder)
+        return Table(*_native.sweep_table(folder), merged)
+
+
+def fuzz(
+    question: Question | None = None,
+    client: Any = None,
+    *,
+    invariants: str | Iterable[str] = (),
+    cases: int = 1000,
+    seed: str = "0",
+    store: str | os.PathLike[str] | None = None,
+    shards: int | None = None,
+    resume: bool = False,
+    threads: int | None = None,
+    progress: Progress = None,
+) -> Campaign:
+    """Attack a question with random members of its family, or the built-in invariants with random cases;
+    counterexamples are made simpler.
+
+    Parameters
+    ----------
+    question
+        The path of a question file, or the same as a dictionary; left out, the built-in ``invariants`` are attacked,
+        all where none is named.
+    cases
+        Random cases, of each invariant.
+    seed
+        Any text.
+    client, store, shards, resume, threads, progress
+        As for :func:`sweep`.
+
+    Examples
+    --------
+    >>> found = fuzz(cases=5, invariants=list(invariants())[0])
+    >>> found.cases, found.failed
+    (5, 0)
+    """
+    names = [invariants] if isinstance(invariants, str) else [*_texts(invariants)]
+    if not isinstance(cases, int) or isinstance(cases, bool):
+        raise TypeError(f"cases must be an integer, but it is `{str(cases)[:60]}`")
+    if not 1 <= cases <= 2**50:
+        raise ValueError(f"the number of cases should be from 1 to 2^50, not {cases}")
+    if not isinstance(seed, str):
+        raise TypeError(f"seed should be a text, but it is `{str(seed)[:60]}`")
+    plan: Plan = {"kind": "fuzz", "question": "", "files": {}, "invariants": names, "cases": cases, "seed": seed}
+    name: str | None = ""
+    if question is not None:
+        text, files, name = _read(question)
+        plan.update(kind="attack", question=text, files=files)
+    with _named(name) if question is not None else _named(None), _stored(store) as folder:
+        _run(plan, folder, client, shards, resume, threads, progress)
+        merged = _native.campaign_merge(folder)
+        document, questions = _native.fuzz_summary(folder)
+    found = json.loads(document)
+    texts = {(id, case): text for id, case, text in questions}
+    own = tuple(
+        Invariant(i["id"], i["cases"], i["undecided"], i["failed"], _float(i["margin"])) for i in found["invariants"]
+    )
+    failures = tuple(
+        Failure(i["id"], f["case"], f["why"], f["instance"], texts.get((i["id"], f["case"])))
+        for i in found["invariants"]
+        for f in i["failures"]
+    )
+    return Campaign(found["seed"], found["cases"], found["failed"], found["undecided"], own, failures, merged)
+
+
+def _float(margin: Any) -> float | None:
+    return None if margin is None else float(margin["value"].removeprefix("~"))
+
+
+def _texts(names: Any) -> list[str]:
+    if not hasattr(names, "__iter__"):
+        raise TypeError(f"invariants should be a list of names, but it is `{str(names)[:60]}`")
+    listed = list(names)
+    if not all(isinstance(name, str) for name in listed):
+        raise TypeError(f"invariants should be a list of names, but it is `{str(names)[:60]}`")
+    return listed
+
+
+@contextmanager
+def _stored(store: str | os.PathLike[str] | None) -> Iterator[Path]:
+    if store is not None:
+        yield Path(store)
+        return
+    folder = Path(tempfile.mkdtemp(prefix="flockproof-"))
+    try:
+        yield folder
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _positive(name: str, value: Any, default: int) -> int:
+    if value is None:
+        return default
+    if not isinstance(value, int) or isinstance(value, bool):
+        raise TypeError(f"{name} must be an integer, but it is `{str(value)[:60]}`")
+    if not 1 <= value <= 10**6:
+        raise ValueError(f"{name} must lie between 1 and 1000000, but it is {value}")
+    return value
+
+
+def _run(
+    plan: Plan,
+    store: Path,
+    client: Any,
+    shards: int | None,
+    resume: bool,
+    threads: int | None,
+    progress: Progress,
+) -> None:
+    told = callback(progress)
+    if client is not None:
+        return _on_cluster(plan, store, client, shards, resume, _positive("threads", threads, 1), told)
+    threads = _positive("threads", threads, os.cpu_count() or 1)
+    of = _positive("shards", shards, 1)
+    for index in range(1, of + 1):
+        _native.campaign_shard(plan, store, index, of, bool(resume), threads, told)
+    return None
+
+
+#: How often a shard is sent again after its worker died.
+_TRIALS = 20
+
+
+def _on_cluster(
+    plan: Plan,
+    store: Path,
+    client: Any,
+    shards: int | None,
+    resume: bool,
+    threads: int,
+    told: Callable[[str, int, int | None], object] | None,
+) -> None:
+    import distributed
+
+    # Its functions have no types.
+    as_completed: Any = distributed.as_completed
+
+    jobs = _native.campaign_size(plan)[1]
+    workers = max(1, sum(client.nthreads().values()))
+    of = _positive("shards", shards, max(1, min(jobs, 8 * workers)))
+    store.mkdir(parents=True, exist_ok=True)
+    files = {index: store / f"shard-{index}-of-{of}.jsonl" for index in range(1, of + 1)}
+    there = [path for path in files.values() if path.exists()]
+    if there and not resume:
+        raise ValueError(f"{there[0]}: it is there already; resume=True goes on with it")
+    trials = dict.fromkeys(files, 0)
+    pending = {_submitted(client, plan, k, of, threads, 0): k for k, path in files.items() if not path.exists()}
+    done = of - len(pending)
+    waiting = as_completed(list(pending))
+    try:
+        for future in waiting:
+            index = pending.pop(future)
+            try:
+                contents = future.result()
+            except distributed.KilledWorker:
+                trials[index] += 1
+                if trials[index] >= _TRIALS:
+                    raise
+                again = _submitted(client, plan, index, of, threads, trials[index])
+                pending[again] = index
+                waiting.add(again)
+                continue
+            # Aside first, so that an interrupted run leaves no half shard.
+            aside = files[index].with_suffix(".new")
+            aside.write_bytes(cast(bytes, contents))
+            aside.replace(files[index])
+            done += 1
+            if told is not None:
+                told("shards", done, of)
+    finally:
+        for future in pending:
+            future.cancel()
+
+
+def _submitted(client: Any, plan: Plan, index: int, of: int, threads: int, trial: int) -> Any:
+    return client.submit(run_shard, plan, index, of, threads, pure=False, retries=3, key=None, priority=-trial)
+
+
+def run_shard(plan: Plan, index: int, of: int, threads: int) -> bytes:
+    """Runs one shard on a worker; the bytes of its finished file."""
+    with _stored(None) as folder:
+        _native.campaign_shard(plan, folder, index, of, False, threads, None)
+        return (folder / f"shard-{index}-of-{of}.jsonl").read_bytes()

@@ -1,0 +1,96 @@
+"""Pictures of results, with matplotlib (``pip install flockproof[plot]``).
+
+Each function draws into ``axes``, or into a new figure, and returns the axes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from ._flock import Run, Settlement
+    from ._queries import Resonance, Spectrum
+    from ._runs import Simulation
+
+__all__ = ["network", "observables", "paths", "resonances", "spectrum"]
+
+
+def _axes(axes: Any) -> Any:
+    if axes is not None:
+        return axes
+    import matplotlib.pyplot as plt
+
+    return plt.subplots(layout="constrained")[1]
+
+
+def paths(simulation: Simulation, axes: Any = None) -> Any:
+    """The paths of the agents in the plane, or their one coordinate or phase over time."""
+    axes = _axes(axes)
+    positions = simulation.states.get("positions")
+    if positions is None:
+        axes.plot(simulation.t, np.unwrap(simulation.phases, axis=0), lw=1)
+        axes.set(xlabel="t", ylabel="phase (radians)")
+    elif positions.shape[2] == 1:
+        axes.plot(simulation.t, positions[:, :, 0], lw=1)
+        axes.set(xlabel="t", ylabel="x")
+    else:
+        axes.plot(positions[:, :, 0], positions[:, :, 1], lw=1)
+        axes.plot(positions[-1, :, 0], positions[-1, :, 1], "o", color="0.2", ms=3)
+        axes.set(xlabel="x", ylabel="y", aspect="equal")
+    axes.set_title(f"{simulation.model}, t = 0 to {simulation.t[-1]:g}")
+    return axes
+
+
+def observables(simulation: Simulation, names: Iterable[str] | None = None, axes: Any = None) -> Any:
+    """Observables over time; all of them where none is named."""
+    axes = _axes(axes)
+    for name in simulation.observables if names is None else names:
+        values = simulation.observables[name]
+        label = name if values.ndim == 1 else [f"{name}_{k + 1}" for k in range(values.shape[1])]
+        axes.plot(simulation.t, values, label=label)
+    axes.set(xlabel="t")
+    axes.legend()
+    return axes
+
+
+def resonances(found: Iterable[Resonance], axes: Any = None) -> Any:
+    """Amplitudes of main resonances over the number of followers, with what Theorem 1 says."""
+    axes = _axes(axes)
+    ordered = sorted(found, key=lambda r: r.followers)
+    followers = [r.followers for r in ordered]
+    # Enclosures of 15 digits are thinner than any line.
+    axes.loglog(followers, [float(r.amplitude) for r in ordered], "o-", ms=3, label="enclosed")
+    axes.loglog(followers, [float(r.theorem1.amplitude) for r in ordered], "--", label="Theorem 1")
+    axes.set(xlabel="followers", ylabel="largest amplitude of the last car")
+    axes.legend()
+    return axes
+
+
+def spectrum(found: Spectrum, axes: Any = None) -> Any:
+    """Eigenvalues in the complex plane, larger where the multiplicity is."""
+    axes = _axes(axes)
+    values = np.array([complex(part) for part in found])
+    sizes = [12 * part.multiplicity for part in found]
+    axes.scatter(values.real, values.imag, s=sizes, alpha=0.7)
+    axes.set(xlabel="real part", ylabel="imaginary part", title=f"{found.graph}, {found.kind}")
+    return axes
+
+
+def network(found: Run | Settlement, axes: Any = None) -> Any:
+    """The network of a flock on a circle, birds from 1."""
+    axes = _axes(axes)
+    birds = sorted(bird for flock in found.flocks for bird in flock)
+    turn = {bird: 2 * np.pi * k / len(birds) for k, bird in enumerate(birds)}
+    place = {bird: (np.cos(angle), np.sin(angle)) for bird, angle in turn.items()}
+    for i, j in found.edges:
+        axes.plot(*zip(place[i], place[j], strict=True), color="0.6", lw=1)
+    for flock in found.flocks:
+        axes.plot(*zip(*(place[bird] for bird in flock), strict=True), "o", ms=8)
+    for bird, (x, y) in place.items():
+        axes.annotate(str(bird), (x, y), textcoords="offset points", xytext=(6, 6))
+    axes.set(aspect="equal")
+    axes.axis("off")
+    return axes

@@ -1,0 +1,171 @@
+//! Simulated scenarios and measured trajectories.
+
+use super::convert::count;
+use super::refuse;
+use super::watch::{Watch, watched};
+use flockproof::report::{Provenance, TracksReport, digest};
+use flockproof::scenario::{End, Frame, Outcome, Row, Scenario};
+use flockproof::tracks::{Choices, NearestRule, PositionsUsed, Tracks, analyse, null_models};
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyDict};
+use serde_json::json;
+use std::sync::Arc;
+
+/// Runs a scenario that is given as TOML; arrays over all times that are written.
+#[pyfunction]
+pub fn simulate<'py>(
+    py: Python<'py>,
+    text: &str,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let text = text.to_string();
+    let run = move |watch: &Arc<Watch>| Scenario::read(&text).map(|scenario| scenario.run(&**watch));
+    let outcome = watched(py, progress, run)?.map_err(refuse)?;
+    if let End::Failed(error) = &outcome.end {
+        return Err(refuse(format!("{error}; t = {} was reached", outcome.reached())));
+    }
+    let found = PyDict::new(py);
+    found.set_item("model", outcome.model)?;
+    found.set_item("declaration", outcome.declaration.join("\n"))?;
+    found.set_item("remarks", &outcome.remarks)?;
+    found.set_item("t", numbers(py, &outcome, |row| vec![row.time])?.call_method0("ravel")?)?;
+    let sampled: Vec<bool> = outcome.rows.iter().map(|row| row.sample).collect();
+    found.set_item("sampled", PyArray1::from_vec(py, sampled))?;
+    found.set_item("states", states(py, &outcome)?)?;
+    found.set_item("observables", observables(py, &outcome)?)?;
+    let events: Vec<_> = outcome.events.iter().map(|e| (e.time, e.gained, e.pair)).collect();
+    found.set_item("events", events)?;
+    Ok(found)
+}
+
+/// An array with a row for each time.
+fn numbers<'py>(py: Python<'py>, outcome: &Outcome, row: impl Fn(&Row) -> Vec<f64>) -> PyResult<Bound<'py, PyAny>> {
+    let rows: Vec<Vec<f64>> = outcome.rows.iter().map(row).collect();
+    let (height, width) = (rows.len(), rows.iter().map(Vec::len).max().unwrap_or(0));
+    let mut all = Vec::with_capacity(height * width);
+    for mut row in rows {
+        // Lists differ in length only where a number does not exist.
+        row.resize(width, f64::NAN);
+        all.extend(row);
+    }
+    Ok(PyArray1::from_vec(py, all).reshape([height, width])?.into_any())
+}
+
+/// What the model has of positions, velocities, phases and centres; vectors as times x agents x coordinates.
+fn states<'py>(py: Python<'py>, outcome: &Outcome) -> PyResult<Bound<'py, PyDict>> {
+    type Vectors = fn(&Frame) -> &Vec<Vec<f64>>;
+    let vectors: [(&str, Vectors); 3] =
+        [("positions", |f| &f.positions), ("velocities", |f| &f.velocities), ("centres", |f| &f.centres)];
+    let states = PyDict::new(py);
+    let Some(first) = outcome.rows.first() else { return Ok(states) };
+    for (name, of) in vectors {
+        let list = of(&first.frame);
+        if let Some(vector) = list.first() {
+            let flat = numbers(py, outcome, |row| of(&row.frame).concat())?;
+            states.set_item(name, flat.call_method1("reshape", ((outcome.rows.len(), list.len(), vector.len()),))?)?;
+        }
+    }
+    if !first.frame.phases.is_empty() {
+        states.set_item("phases", numbers(py, outcome, |row| row.frame.phases.clone())?)?;
+    }
+    Ok(states)
+}
+
+fn observables<'py>(py: Python<'py>, outcome: &Outcome) -> PyResult<Bound<'py, PyDict>> {
+    use flockproof::scenario::Value;
+    let observables = PyDict::new(py);
+    let Some(first) = outcome.rows.first() else { return Ok(observables) };
+    for (place, observable) in first.observables.iter().enumerate() {
+        let values = |row: &Row| -> Vec<f64> {
+            row.observables.get(place).map_or_else(Vec::new, |o| o.columns().into_iter().map(|(_, x)| x).collect())
+        };
+        let table = numbers(py, outcome, values)?;
+        let list = matches!(observable.value, Value::List(_));
+        let table = if list { table } else { table.call_method0("ravel")? };
+        observables.set_item(observable.name, table)?;
+    }
+    Ok(observables)
+}
+
+/// The choices of the command line.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Chosen {
+    window: Option<usize>,
+    smooth_positions: bool,
+    body_length: f64,
+    zones: Vec<f64>,
+    blind: f64,
+    still: f64,
+    plain_nearest: bool,
+    nearest: Vec<usize>,
+    ids: Option<Vec<String>>,
+    seed: String,
+    pictures: bool,
+}
+
+/// More shifts than this say nothing more.
+const MOST_SHIFTS: u64 = 100_000;
+
+type Files<'py> = Vec<(String, Bound<'py, PyBytes>)>;
+
+/// The text for the terminal, and the files of `tracks`.
+#[pyfunction]
+pub fn tracks<'py>(
+    py: Python<'py>,
+    text: &str,
+    source: String,
+    chosen: Chosen,
+    null: &Bound<'py, PyAny>,
+    at: Option<f64>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(String, Files<'py>)> {
+    let shifts = count("null", null)?;
+    if shifts > MOST_SHIFTS {
+        return Err(refuse(format!("null = {shifts} is more than {MOST_SHIFTS} shifts")));
+    }
+    let mut tracks = Tracks::from_csv(text).map_err(refuse)?;
+    if let Some(ids) = &chosen.ids {
+        tracks = tracks.only(ids).map_err(refuse)?;
+    }
+    let choices = choices(&chosen, &tracks)?;
+    choices.check(tracks.fish()).map_err(refuse)?;
+    let configuration = json!({
+        "command": "tracks", "file": {"name": source, "sha256": digest(text.as_bytes())}, "ids": chosen.ids,
+        "window": chosen.window, "smooth_positions": chosen.smooth_positions, "body_length": chosen.body_length,
+        "zones": chosen.zones, "blind": chosen.blind, "still": chosen.still, "plain_nearest": chosen.plain_nearest,
+        "nearest": chosen.nearest, "null": shifts, "at": at,
+    });
+    let work = move |watch: &Arc<Watch>| {
+        let analysis = analyse(&tracks, &choices).map_err(|error| error.to_string())?;
+        let null = null_models(&analysis.sample(), shifts as usize, &chosen.seed, &**watch);
+        let null = null.map_err(|stopped| stopped.to_string())?;
+        let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: &null };
+        let mut files = report.tables(&Provenance::new("flockproof.tracks/1", Some(&chosen.seed), configuration));
+        if chosen.pictures {
+            files.extend(report.pictures(at).map_err(|error| error.to_string())?);
+        }
+        Ok::<_, String>((report.text(), files))
+    };
+    let (text, files) = watched(py, progress, work)?.map_err(refuse)?;
+    Ok((text, files.into_iter().map(|file| (file.name, PyBytes::new(py, &file.contents))).collect()))
+}
+
+fn choices(chosen: &Chosen, tracks: &Tracks) -> PyResult<Choices> {
+    let zones = match *chosen.zones.as_slice() {
+        [repulsion, orientation] => [repulsion, orientation, f64::INFINITY],
+        [repulsion, orientation, attraction] => [repulsion, orientation, attraction],
+        _ => return Err(refuse("zones needs two or three radii, such as 1.4, 2.4")),
+    };
+    Ok(Choices {
+        window: chosen.window.unwrap_or(Choices::of_sidebar(tracks.step).window),
+        positions: if chosen.smooth_positions { PositionsUsed::Smoothed } else { PositionsUsed::File },
+        body_length: chosen.body_length,
+        zones,
+        blind: chosen.blind,
+        still: chosen.still,
+        rule: if chosen.plain_nearest { NearestRule::Nearest } else { NearestRule::SecondInRepulsion },
+        nearest: chosen.nearest.clone(),
+    })
+}

@@ -1,0 +1,90 @@
+//! `check`: decides statements of one's own from files.
+
+use super::{CliError, interrupt, output, progress};
+use flockproof::question::{Answer, Question, QuestionError, Verdict, decide, names};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Questions: TOML files as notes/questions.md describes them
+    #[arg(value_name = "QUESTION.toml", required_unless_present = "names")]
+    files: Vec<PathBuf>,
+    /// Print one JSON document for each question, a list where there are several
+    #[arg(long)]
+    json: bool,
+    /// Print all names that a question may use, with what they mean
+    #[arg(long)]
+    names: bool,
+    /// Write a counterexample as a question of its own into this folder
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    replay: PathBuf,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    if arguments.names {
+        output::print(&names::as_text())?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let mut documents = Vec::new();
+    let mut worst = Verdict::Holds;
+    for path in &arguments.files {
+        let question = read(path)?;
+        let progress = interrupt::Watch::with(progress::spinner("deciding"));
+        let decided = decide(&question, &progress);
+        progress.finish();
+        let answer = match decided {
+            Ok(answer) => answer,
+            Err(QuestionError::Cancelled(_)) => return Ok(interrupt::status(false)),
+            Err(error) => return Err(CliError::file(path, error)),
+        };
+        let replay = write_replay(&answer, path, &arguments.replay)?;
+        worst = worse(worst, answer.verdict);
+        if arguments.json {
+            documents.push(answer.json(replay.as_deref()));
+        } else {
+            let text = answer.text(replay.as_deref());
+            let whole_words = textwrap::Options::new(output::width().clamp(40, 100))
+                .word_splitter(textwrap::WordSplitter::NoHyphenation)
+                .break_words(false);
+            let lines = text.lines().map(|line| textwrap::fill(line, &whole_words) + "\n");
+            let gap = if documents.is_empty() && path == &arguments.files[0] { "" } else { "\n" };
+            output::print(&(gap.to_string() + &lines.collect::<String>()))?;
+        }
+    }
+    if arguments.json {
+        let document = if documents.len() == 1 { documents.remove(0) } else { documents.into() };
+        output::print_json(&document)?;
+    }
+    Ok(ExitCode::from(worst.status()))
+}
+
+/// Reads a question; the files that it names lie beside it.
+pub fn read(path: &Path) -> Result<Question, CliError> {
+    let text = output::read_input(path)?.text;
+    let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
+    let files =
+        |name: &str| output::read_input(&folder.join(name)).map(|input| input.text).map_err(|error| error.to_string());
+    Question::read(&text, &files).map_err(|error| CliError::file(path, error))
+}
+
+/// Writes the question of the counterexample; a question that is its own is not written again.
+fn write_replay(answer: &Answer, path: &Path, folder: &Path) -> Result<Option<String>, CliError> {
+    let Some(text) = &answer.replay else {
+        return Ok(answer.counterexample.as_ref().map(|_| path.display().to_string()));
+    };
+    let file = folder.join(format!("{}.counterexample.toml", answer.id));
+    output::write_file(&file, text.as_bytes())?;
+    Ok(Some(file.display().to_string()))
+}
+
+/// The verdict that says more against the questions: a control that was not refuted, then false, then undecided.
+fn worse(a: Verdict, b: Verdict) -> Verdict {
+    let rank = |verdict: Verdict| match verdict {
+        Verdict::Holds => 0,
+        Verdict::Undecided => 1,
+        Verdict::False => 2,
+        Verdict::Withheld => 3,
+    };
+    if rank(b) > rank(a) { b } else { a }
+}

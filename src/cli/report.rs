@@ -1,0 +1,92 @@
+//! `report`: the site, a page for every claim.
+
+use super::interrupt::{self, Watch};
+use super::{CliError, output, progress, verify};
+use flockproof::ledger::{Document, Options};
+use flockproof::report::{FIGURES, Figure, Made, Site};
+use rayon::prelude::*;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Folder for the site; it is made if it is missing
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    /// A ledger that `verify --json` wrote; without it all claims are checked first
+    #[arg(long, value_name = "LEDGER.json")]
+    ledger: Option<PathBuf>,
+    /// Leave out the tables and figures
+    #[arg(long)]
+    no_figures: bool,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    let ledger = verify::ledger()?;
+    std::fs::create_dir_all(&arguments.out).map_err(|error| CliError::file(&arguments.out, error))?;
+    let Some(document) = document(arguments, &ledger)? else {
+        return Ok(ExitCode::from(interrupt::STATUS));
+    };
+    let wanted = if arguments.no_figures { Vec::new() } else { FIGURES.iter().collect() };
+    let Some(figures) = made(wanted)? else { return Ok(ExitCode::from(interrupt::STATUS)) };
+    interrupt::finishing();
+    let pages = Site::new(&document, &ledger, &figures).pages().map_err(|error| CliError::Use(error.to_string()))?;
+    let folders: BTreeSet<PathBuf> =
+        pages.iter().filter_map(|page| Some(arguments.out.join(Path::new(&page.path).parent()?))).collect();
+    for folder in &folders {
+        std::fs::create_dir_all(folder).map_err(|error| CliError::file(folder, error))?;
+    }
+    for page in &pages {
+        output::write_file(&arguments.out.join(&page.path), &page.contents)?;
+    }
+    let (count, index) = (pages.len(), arguments.out.join("index.html"));
+    output::print(&format!(
+        "{} claims on {count} pages and files; begin with {}\n",
+        document.claims.len(),
+        index.display()
+    ))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The ledger of a file, or a new one; none if the run was interrupted.
+fn document(arguments: &Arguments, ledger: &flockproof::ledger::Ledger) -> Result<Option<Document<'static>>, CliError> {
+    let text = match &arguments.ledger {
+        Some(path) => output::read_input(path)?.text,
+        None => {
+            let ids = ledger.select(&[], &[]).map_err(|error| verify::use_error(&ledger, error))?;
+            let watch = Watch::with(progress::bar());
+            let options = Options { progress: watch.shared(), ..Options::default() };
+            let report = ledger.verify(&ids, &options, |_| {});
+            watch.finish();
+            if !report.missing.is_empty() {
+                return Ok(None);
+            }
+            for difference in &report.differences {
+                eprintln!("differs: {difference}");
+            }
+            Document::new(&report, &options).json()
+        }
+    };
+    let place = arguments.ledger.as_deref().unwrap_or(Path::new("ledger"));
+    Document::read(&text).map(Some).map_err(|error| CliError::file(place, error))
+}
+
+/// These figures, in their order; nothing if a signal came.
+pub fn made(figures: Vec<&'static Figure>) -> Result<Option<Vec<Made>>, CliError> {
+    let count = figures.len();
+    let results = interrupt::results(move |sender| {
+        figures.par_iter().enumerate().for_each_with(sender, |sender, (place, figure)| {
+            // Nobody listens any more after a signal.
+            let _ = sender.send((place, *figure, figure.reproduce()));
+        });
+    });
+    let mut figures = Vec::new();
+    for (place, figure, made) in results {
+        let (text, files) = made.map_err(|error| CliError::Use(format!("{}: {error}", figure.name)))?;
+        figures.push((place, Made { figure, text, files }));
+    }
+    figures.sort_by_key(|(place, _)| *place);
+    let made: Vec<Made> = figures.into_iter().map(|(_, made)| made).collect();
+    Ok((made.len() == count).then_some(made))
+}

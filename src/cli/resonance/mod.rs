@@ -1,0 +1,111 @@
+//! `resonance`: the main resonance of a platoon: certified for the two-sided one, computed for any communication graph.
+
+mod certified;
+mod network;
+mod sweep;
+
+use super::CliError;
+use flockproof::arithmetic::{Rational, parse_rational};
+use flockproof::platoon::Gains;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+#[command(
+    after_help = "Frequencies are in radians per unit of time, amplitudes are those of a car for a leader that swings with amplitude 1. Without --graph, or with \
+front-and-back, equal gains and the last car, the resonance is certified, for up to 10^9 followers and more. For other graphs the peak is searched \
+in floating point; up to 64 followers the amplitude at the frequency found is enclosed, up to 20 stability is decided exactly.\n\n\
+An edge i j of a graph says that car i keeps track of car j; what it tracks is weighted to a sum of one. The leader is the vertex `leader` or the \
+first one, or that of --from.\n\n\
+Examples:\n  flockproof resonance --followers 128 --f -1 --g -1\n  flockproof resonance --followers 1000000000 --f=-1/2 --g=-3 --digits 12 --json\n  \
+flockproof resonance --graph front --followers 20 --f -1 --g -1 --to 10\n  flockproof resonance --graph circulant:9:1,2 --f -1 --g -2\n  \
+flockproof resonance --followers 16 --sweep f=-4..-1:4,g=-2..-1:3"
+)]
+pub struct Arguments {
+    /// Number of followers, from 1 to 10^9 and more; up to 2000 with --graph front
+    #[arg(long, value_name = "M")]
+    followers: Option<u64>,
+    /// Gain of the positions: an integer, a fraction or a decimal below 0; or one for each follower, -1,-2,-1
+    #[arg(long, value_name = "F", allow_hyphen_values = true, required_unless_present = "sweep")]
+    f: Option<String>,
+    /// Gain of the velocities, likewise
+    #[arg(long, value_name = "G", allow_hyphen_values = true, required_unless_present = "sweep")]
+    g: Option<String>,
+    /// Who keeps track of whom: front, front-and-back, a graph such as circulant:9:1,2, or a file as `spectrum` reads it
+    #[arg(long, value_name = "GRAPH", default_value = "front-and-back")]
+    graph: String,
+    /// The vertex that leads: its number from 1, or its name [default: leader, or the first]
+    #[arg(long, value_name = "VERTEX")]
+    from: Option<String>,
+    /// The car that is looked at: a follower from 1, or of a graph the number or name of a vertex [default: the last]
+    #[arg(long, value_name = "CAR")]
+    to: Option<String>,
+    /// The vertices of the edge list are numbered from 0
+    #[arg(long)]
+    zero_based: bool,
+    /// A table over values of the gains, evenly spaced: NAME=FROM..TO:COUNT or NAME=VALUE, joined by commas
+    #[arg(long, value_name = "f=..,g=..", allow_hyphen_values = true)]
+    sweep: Option<String>,
+    /// Significant digits, from 1
+    #[arg(long, value_name = "D", default_value_t = 25)]
+    digits: u32,
+    /// Print one JSON document: flockproof.resonance/1, for other graphs flockproof.response/1, of --sweep flockproof.resonance-sweep/1
+    #[arg(long)]
+    json: bool,
+    /// Write the matrices of x' = A x + B u, y = C x as CSV, NumPy, Matrix Market and MATLAB files to this folder
+    #[arg(long, value_name = "DIR")]
+    export: Option<PathBuf>,
+    /// Write the peak as a certificate, for at most 96 followers, see proofs_checks/README.md
+    #[arg(long, value_name = "OUT")]
+    certificate: Option<PathBuf>,
+}
+
+/// The gains of one option: one, or one for each follower.
+fn numbers(name: &str, text: &str) -> Result<Vec<Rational>, CliError> {
+    let one = |part: &str| parse_rational(part).map_err(|error| CliError::Use(format!("--{name}: {error}")));
+    text.split(',').map(one).collect()
+}
+
+/// The gains that are given, as many as the longer list says.
+fn gains(arguments: &Arguments) -> Result<Vec<Gains<Rational>>, CliError> {
+    let list = |name: &str, text: &Option<String>| text.as_deref().map_or(Ok(Vec::new()), |text| numbers(name, text));
+    let (f, g) = (list("f", &arguments.f)?, list("g", &arguments.g)?);
+    let count = f.len().max(g.len());
+    if ![1, count].contains(&f.len()) || ![1, count].contains(&g.len()) {
+        let (f, g) = (f.len(), g.len());
+        return Err(CliError::Use(format!("--f has {f} gains and --g has {g}: one, or one for each follower")));
+    }
+    let at = |list: &[Rational], k: usize| list[k.min(list.len() - 1)].clone();
+    Ok((0..count).map(|k| Gains { f: at(&f, k), g: at(&g, k) }).collect())
+}
+
+/// Whether the resonance of these arguments can be certified.
+fn is_certified(arguments: &Arguments) -> bool {
+    let last = match (&arguments.to, arguments.followers) {
+        (None, _) => true,
+        (Some(to), Some(followers)) => *to == followers.to_string(),
+        _ => false,
+    };
+    arguments.graph == "front-and-back" && arguments.from.is_none() && last && arguments.export.is_none()
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    if arguments.sweep.is_some() {
+        return sweep::run(arguments);
+    }
+    let gains = gains(arguments)?;
+    match gains.as_slice() {
+        [gains] if is_certified(arguments) => certified::run(arguments, gains),
+        _ if arguments.certificate.is_some() => {
+            let why = "--certificate: only the two-sided platoon with equal gains has one, for its last car";
+            Err(CliError::Use(why.to_string()))
+        }
+        _ => network::run(arguments, &gains),
+    }
+}
+
+/// The number of followers, which has to be told where no graph tells it.
+fn followers(arguments: &Arguments) -> Result<u64, CliError> {
+    let missing = || CliError::Use("--followers M is needed: how many cars are behind the leader".to_string());
+    arguments.followers.ok_or_else(missing)
+}

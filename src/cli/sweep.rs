@@ -1,0 +1,75 @@
+//! `sweep`: the quantities of a question for every member of its family.
+
+use super::interrupt::{self, Watch};
+use super::{CliError, check, output, progress};
+use flockproof::campaign::store::{Shard, merge, run_shard};
+use flockproof::campaign::sweep::{Sweep, Table};
+use flockproof::question::QuestionError;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The question, a TOML file as notes/questions.md describes it
+    #[arg(value_name = "QUESTION.toml", required_unless_present = "merge", requires = "store")]
+    file: Option<PathBuf>,
+    /// Folder for the finished members and the table
+    #[arg(long, value_name = "DIR")]
+    store: Option<PathBuf>,
+    /// Only this part of the members, i/n with i from 1 to n
+    #[arg(long, value_name = "i/n", requires = "store")]
+    shard: Option<Shard>,
+    /// Go on with what the folder has
+    #[arg(long, requires = "store")]
+    resume: bool,
+    /// Put the shards of a folder together
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["file", "store", "shard", "resume"])]
+    merge: Option<PathBuf>,
+    /// Print one JSON object on a line for each member
+    #[arg(long)]
+    json: bool,
+}
+
+/// Rows of the table that is printed; the files have all.
+const MOST_ROWS: usize = 40;
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    if let Some(folder) = &arguments.merge {
+        return merged(folder, arguments.json);
+    }
+    let (Some(path), Some(store)) = (&arguments.file, &arguments.store) else {
+        return Err(CliError::Use("a question and a folder for its table are needed".to_string()));
+    };
+    let watch = Watch::with(progress::bar());
+    let sweep = match Sweep::new(check::read(path)?, &watch) {
+        Ok(sweep) => sweep,
+        Err(QuestionError::Cancelled(_)) => return Ok(interrupt::status(false)),
+        Err(error) => return Err(CliError::file(path, error)),
+    };
+    let shard = arguments.shard.unwrap_or(Shard::WHOLE);
+    let run =
+        run_shard(&sweep, store, shard, arguments.resume, &watch).map_err(|error| CliError::Use(error.to_string()))?;
+    interrupt::finishing();
+    watch.finish();
+    if !run.is_complete() {
+        eprintln!("interrupted: {} of {} members are finished; --resume goes on", run.rows.len(), run.cases);
+        return Ok(interrupt::status(false));
+    }
+    if shard == Shard::WHOLE {
+        return merged(store, arguments.json);
+    }
+    output::print(&format!("shard {shard} is finished: {} members\n", run.cases))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Writes the table as CSV and JSON lines, and prints its beginning.
+fn merged(folder: &Path, json: bool) -> Result<ExitCode, CliError> {
+    let merged = merge(folder).map_err(|error| CliError::Use(error.to_string()))?;
+    let table = Table::new(&merged.header.campaign, &merged.rows).map_err(|error| CliError::file(folder, error))?;
+    let csv = table.csv().map_err(|error| CliError::file(folder, error))?;
+    output::write_file(&folder.join("table.csv"), csv.as_bytes())?;
+    let lines = table.json_lines();
+    output::write_file(&folder.join("table.jsonl"), lines.as_bytes())?;
+    output::print(&if json { lines } else { table.text(MOST_ROWS) })?;
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,100 @@
+//! `resonance` on graphs of one's own, sweeps and state matrices.
+
+use super::{assert_refused, file, flockproof, folder, stdout};
+use serde_json::Value;
+
+fn json(arguments: &[&str]) -> Value {
+    let output = flockproof(&[&["resonance"], arguments, &["--json"]].concat());
+    assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_str(&stdout(&output)).expect("one JSON document")
+}
+
+fn float(value: &Value) -> f64 {
+    value.as_str().expect("a text").trim_start_matches('~').parse().expect("a float")
+}
+
+#[test]
+fn a_file_that_says_the_same_has_the_same_peak() {
+    let folder = folder("resonance_graph");
+    // Two-sided with a leader: every car tracks both neighbours, the last one the car in front.
+    let edges = "directed\nb, a\nb, c\nc, b\nc, d\nd, c\n";
+    let path = file(&folder, "cars.txt", edges.as_bytes());
+    let own = json(&["--graph", &path, "--from", "a", "--f", "-1", "--g", "-2"]);
+    let certified = json(&["--followers", "3", "--f", "-1", "--g", "-2"]);
+    let lo = float(&certified["amplitude"]["lo"]);
+    assert!((float(&own["peak"]["amplitude"]) / lo - 1.0).abs() < 1e-9);
+    assert_eq!((&own["followers"], &own["from"], &own["to"]), (&3.into(), &"a".into(), &"d".into()));
+    assert_eq!(own["stable"], true);
+    let inner = json(&["--graph", &path, "--from", "a", "--to", "b", "--f", "-1", "--g", "-2"]);
+    assert!(float(&inner["peak"]["amplitude"]) < lo);
+    let other = json(&["--graph", "front-and-back", "--followers", "3", "--f=-1,-2,-3", "--g", "-2"]);
+    assert!((float(&other["peak"]["amplitude"]) / lo - 1.0).abs() > 1e-3);
+    assert!(other["margins"].is_null());
+    assert!(json(&["--graph", "circulant:9:1,2", "--f", "-1", "--g", "-1"])["margins"]["phase"].is_string());
+    // A car that nobody leads stays at rest.
+    let cut = file(&folder, "cut.txt", b"directed\n2 1\n3 4\n4 3\n");
+    assert_refused(&["resonance", "--graph", &cut, "--f", "-1", "--g", "-1"], "does not reach car 4");
+}
+
+#[test]
+fn sweeps_are_tables_of_certified_rows() {
+    let swept = json(&["--followers", "8", "--sweep", "f=-2..-1:3,g=-1", "--digits", "10"]);
+    let rows = swept["rows"].as_array().expect("a list");
+    let gains: Vec<&str> = rows.iter().filter_map(|row| row["f"].as_str()).collect();
+    assert_eq!((gains, &swept["grade"]), (vec!["-2", "-3/2", "-1"], &"certified".into()));
+    let single = json(&["--followers", "8", "--f=-3/2", "--g", "-1", "--digits", "10"]);
+    assert_eq!((&rows[1]["omega"], &rows[1]["amplitude"]), (&single["omega"], &single["amplitude"]));
+    let text = stdout(&flockproof(&["resonance", "--graph", "front", "--followers", "5", "--f=-1", "--sweep", "g=-2..-1:2"]));
+    assert!(text.starts_with("simulated") && text.lines().count() == 4, "{text}");
+    for (sweep, named) in [
+        ("f=-2..-1", "the number of values is missing"),
+        ("h=-1", "only f and g"),
+        ("f", "it should be f=FROM..TO:COUNT"),
+        ("f=-2..-1:1", "from 2 to 100000"),
+        ("f=-1,f=-2", "f is there twice"),
+        ("f=-1..-2:300,g=-1..-2:400", "120000 rows are more than 100000"),
+        ("f=x", "`x` is not an integer"),
+        ("f=-1", "--g is needed"),
+    ] {
+        assert_refused(&["resonance", "--followers", "4", "--sweep", sweep], named);
+    }
+}
+
+#[test]
+fn state_matrices_are_those_of_the_equations() {
+    let folder = folder("resonance_export");
+    let out = folder.join("matrices");
+    let arguments = ["--followers", "2", "--f=-1,-3", "--g=-2", "--export", out.to_str().expect("UTF-8")];
+    json(&arguments);
+    let read = |name: &str| std::fs::read(out.join(name)).expect(name);
+    let text = |name: &str| String::from_utf8(read(name)).expect("text");
+    // y_1'' = -1 (y_1 - (y_0 + y_2)/2) - 2 (u_1 - ..), y_2'' = -3 (y_2 - y_1) - 2 (u_2 - u_1).
+    let expected = "0.0,1.0,0.0,0.0\n-1.0,-2.0,0.5,1.0\n0.0,0.0,0.0,1.0\n3.0,2.0,-3.0,-2.0\n";
+    assert_eq!(text("A.csv").replace("-0.0", "0.0"), expected);
+    assert_eq!(text("B.csv").replace("-0.0", "0.0"), "0.0,0.0\n0.5,1.0\n0.0,0.0\n0.0,0.0\n");
+    assert_eq!(text("C.csv"), "0.0,0.0,1.0,0.0\n");
+    assert!(text("A.mtx").starts_with("%%MatrixMarket matrix coordinate real general\n4 4 "));
+    let npy = read("A.npy");
+    assert!(npy.starts_with(b"\x93NUMPY\x01\x00") && npy.len() % 64 == 0 && npy.len() == 128 + 16 * 8);
+    let last: [u8; 8] = npy[npy.len() - 8..].try_into().expect("8 bytes");
+    assert_eq!(f64::from_le_bytes(last), -2.0);
+    // Four matrices: 20 bytes of head, the name with a zero byte, the entries.
+    assert_eq!(read("all.mat").len(), 4 * 22 + 8 * (16 + 8 + 4 + 2));
+    assert!(text("about.txt").contains("flockproof.response/1"));
+}
+
+#[test]
+fn wrong_graphs_and_gains_are_refused() {
+    let ask = |arguments: &[&str], named: &str| assert_refused(&[&["resonance"], arguments].concat(), named);
+    ask(&["--f", "-1", "--g", "-1"], "--followers M is needed");
+    ask(&["--f", "-1,-2", "--g", "-1", "--followers", "3"], "2 gains for 3 followers");
+    ask(&["--f", "-1,-2", "--g", "-1,-2,-3", "--followers", "3"], "--f has 2 gains and --g has 3");
+    ask(&["--graph", "front", "--followers", "3", "--f", "1", "--g", "-1"], "f must be negative");
+    ask(&["--graph", "front", "--followers", "3000", "--f", "-1", "--g", "-1"], "at most 2000");
+    ask(&["--graph", "front", "--followers", "3", "--f", "-1", "--g", "-1", "--to", "4"], "the followers 1 to 3");
+    ask(&["--graph", "ring:5", "--followers", "3", "--f", "-1", "--g", "-1"], "this one tells how many");
+    ask(&["--graph", "ring:5", "--f", "-1", "--g", "-1", "--to", "1"], "vertex 1 leads");
+    ask(&["--graph", "ring:5", "--f", "-1", "--g", "-1", "--from", "x"], "no vertex x");
+    ask(&["--graph", "no.txt", "--f", "-1", "--g", "-1"], "neither front, front-and-back nor a file");
+    ask(&["--graph", "front", "--followers", "3", "--f=-1", "--g=-1", "--certificate", "c"], "--certificate: only the two-sided");
+}

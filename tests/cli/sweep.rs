@@ -1,0 +1,87 @@
+//! `sweep`, and `fuzz` of a question: tables, shards, counterexamples, wrong input.
+
+use super::{assert_refused, file, flockproof, folder, stdout};
+
+const SQUARES: &[u8] =
+    b"[question]\nid = \"test.squares\"\n[for]\nn = \"1..9\"\n[values]\nsquare = \"n^2\"\nroot = \"sqrt(n)\"\n";
+
+fn false_one(family: &str) -> String {
+    format!(
+        "[question]\nid = \"test.false\"\n[for]\n{family}\n[holds]\nproperty = \"n^2 < 40\"\ncontrols = [\"n^2 < 10\"]\n"
+    )
+}
+
+#[test]
+fn tables_do_not_depend_on_shards() {
+    let folder = folder("sweep");
+    let question = file(&folder, "squares.toml", SQUARES);
+    let store = |name: &str| folder.join(name).to_str().expect("UTF-8").to_string();
+    let whole = flockproof(&["sweep", &question, "--store", &store("whole")]);
+    assert_eq!(whole.status.code(), Some(0), "{}", String::from_utf8_lossy(&whole.stderr));
+    assert!(stdout(&whole).lines().next().is_some_and(|line| line.contains("square")));
+    for shard in ["2/2", "1/2"] {
+        let output = flockproof(&["sweep", &question, "--store", &store("parts"), "--shard", shard]);
+        assert!(output.status.success() && stdout(&output).contains(&format!("shard {shard} is finished")));
+    }
+    let merged = flockproof(&["sweep", "--merge", &store("parts")]);
+    assert_eq!(stdout(&merged), stdout(&whole));
+    for name in ["table.csv", "table.jsonl", "merged.jsonl"] {
+        let read = |store: &str| std::fs::read(folder.join(store).join(name)).expect("written");
+        assert_eq!(read("whole"), read("parts"), "{name}");
+    }
+    let lines = stdout(&flockproof(&["sweep", "--merge", &store("parts"), "--json"]));
+    assert_eq!(lines.lines().count(), 9);
+    assert!(lines.starts_with("{\"n\":\"1\",\"root\":\"1\",\"square\":\"1\"}"), "{lines}");
+    // A table is no campaign, and a campaign no table.
+    assert_refused(&["fuzz", "--merge", &store("parts")], "not a campaign");
+    let fuzzed = flockproof(&["fuzz", "matrix.inverse", "--cases", "5", "--store", &store("fuzz")]);
+    assert!(fuzzed.status.success());
+    assert_refused(&["sweep", "--merge", &store("fuzz")], "no table");
+}
+
+#[test]
+fn a_counterexample_is_decided_alone() {
+    let folder = folder("fuzz_question");
+    let question = file(&folder, "false.toml", false_one("n = \"1..9\"").as_bytes());
+    let store = folder.join("store");
+    let output = flockproof(&["fuzz", &question, "--cases", "50", "--store", store.to_str().expect("UTF-8")]);
+    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = stdout(&output);
+    assert!(text.contains("n = 7\n"), "{text}");
+    let command = text.lines().find(|line| line.starts_with("flockproof check ")).expect("a command");
+    let replay = command.strip_prefix("flockproof check ").expect("a file");
+    let checked = flockproof(&["check", replay, "--replay", folder.to_str().expect("UTF-8")]);
+    assert_eq!(checked.status.code(), Some(1), "{}", stdout(&checked));
+    // What survives ends with 0.
+    let good = file(&folder, "good.toml", false_one("n = \"1..6\"").as_bytes());
+    assert_eq!(flockproof(&["fuzz", &good, "--cases", "50"]).status.code(), Some(0));
+}
+
+#[test]
+fn bad_sweeps_are_refused() {
+    let folder = folder("sweep_bad");
+    let path = |name: &str| folder.join(name).to_str().expect("UTF-8").to_string();
+    let question = file(&folder, "squares.toml", SQUARES);
+    assert_refused(&["sweep"], "QUESTION.toml");
+    assert_refused(&["sweep", &question], "--store");
+    assert_refused(&["sweep", &path("nowhere.toml"), "--store", &path("s")], "nowhere.toml");
+    assert_refused(&["sweep", &question, "--store", &path("s"), "--shard", "0/2"], "--shard");
+    assert_refused(&["sweep", "--merge", &path("nowhere")], "nowhere");
+    assert_refused(&["sweep", "--merge", &path("nowhere"), "--resume"], "--resume");
+    let large = file(
+        &folder,
+        "large.toml",
+        b"[question]\nid = \"a\"\n[for]\nn = \"1..2000000\"\nm = \"1..1000000\"\n[values]\nx = \"n\"\n",
+    );
+    assert_refused(&["sweep", &large, "--store", &path("s")], "large.toml");
+    assert!(flockproof(&["sweep", &question, "--store", &path("s")]).status.success());
+    assert_refused(&["sweep", &question, "--store", &path("s")], "--resume goes on with it");
+    let text = String::from_utf8_lossy(SQUARES).replace("1..9", "1..8");
+    let other = file(&folder, "other.toml", text.as_bytes());
+    assert_refused(&["sweep", &other, "--store", &path("s"), "--resume"], "another question");
+    // Only values: nothing to attack.
+    assert_refused(&["fuzz", &question], "no property");
+    assert_refused(&["fuzz", &question, "matrix.inverse"], "alone");
+    assert_refused(&["fuzz", &question, "--case", "3"], "--case");
+    assert_refused(&["fuzz", &path("nowhere.toml")], "nowhere.toml");
+}
