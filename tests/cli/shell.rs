@@ -2,7 +2,7 @@
 
 use super::{assert_refused, file, flockproof, folder, stdout};
 
-const COMMANDS: [&str; 17] = [
+const COMMANDS: [&str; 19] = [
     "verify",
     "list",
     "explain",
@@ -13,7 +13,9 @@ const COMMANDS: [&str; 17] = [
     "tracks",
     "prove",
     "check",
+    "sweep",
     "fuzz",
+    "serve",
     "certify",
     "ergodicity",
     "flock",

@@ -188,6 +188,11 @@ impl<const L: usize> Balls<L> {
     /// Gives up resolution for room.
     fn coarsen(&mut self) {
         let shift = (ROOM_BITS as u32).min(self.fraction);
+        if shift == 0 {
+            // Nothing is left to give: from here on these balls hold everything.
+            (self.position_error, self.velocity_error, self.room) = (u128::MAX, u128::MAX, u64::MAX);
+            return;
+        }
         for x in self.positions.iter_mut().chain(&mut self.velocities) {
             *x = x.shifted(shift);
         }
@@ -195,7 +200,7 @@ impl<const L: usize> Balls<L> {
         self.velocity_error = (self.velocity_error >> shift) + 2;
         self.fraction -= shift;
         self.scales = scales(self.fraction);
-        self.room = (1 << shift) - 1;
+        self.room = 1 << shift;
     }
 
     /// Follows the changes to a time.

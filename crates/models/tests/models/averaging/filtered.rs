@@ -117,7 +117,7 @@ fn four_birds_under_the_threshold_of_the_paper() {
     let x = [(0, 16), (8, 16), (21, 16), (29, 16)].map(|(p, q)| rational(p, q)).to_vec();
     let v = [(1, 8), (-1, 8), (1, 8), (-1, 8)].map(|(p, q)| rational(p, q)).to_vec();
     for hysteresis in [Hysteresis::Paper, Hysteresis::None] {
-        agree(&Start::on_the_line(x.clone(), v.clone(), Weights::Lazy, hysteresis), 700);
+        agree(&Start::on_the_line(x.clone(), v.clone(), Weights::Lazy, hysteresis), 1300);
     }
 }
 
