@@ -40,7 +40,7 @@ pub fn exact(name: &str, value: &Bound<'_, PyAny>) -> PyResult<Rational> {
         return Rational::from_float(float).ok_or_else(|| named(&format!("`{float}` is not a number")));
     }
     if let Ok(text) = value.cast::<PyString>() {
-        return parse_rational(&text.to_str()?.to_string()).map_err(|error| named(&error));
+        return parse_rational(text.to_str()?).map_err(|error| named(&error));
     }
     // Fraction, the integers of NumPy and whatever else calls itself rational; then Decimal and the floats of NumPy.
     if let (Ok(p), Ok(q)) = (value.getattr("numerator"), value.getattr("denominator")) {

@@ -34,7 +34,7 @@ pub(crate) struct Case<'q> {
 /// What moves in a case.
 enum Moving<'q> {
     Flock(Box<FlockSubject<'q>>),
-    Motion(MotionSubject<'q>),
+    Motion(Box<MotionSubject<'q>>),
     Floats(FloatRun),
 }
 
@@ -111,7 +111,7 @@ impl<'q> Case<'q> {
                 return Ok(Moving::Flock(Box::new(FlockSubject::new(start, self.progress))));
             }
             let (motion, wide) = scenario.motion(&self.bindings).map_err(refused)?;
-            Ok(Moving::Motion(MotionSubject::new(motion, wide, self.progress)))
+            Ok(Moving::Motion(Box::new(MotionSubject::new(motion, wide, self.progress))))
         });
         made.as_ref().map_err(Clone::clone)
     }
@@ -119,7 +119,7 @@ impl<'q> Case<'q> {
     fn timeline(&self) -> Result<&dyn Timeline, Failure> {
         Ok(match self.moving()? {
             Moving::Flock(flock) => flock.as_ref(),
-            Moving::Motion(motion) => motion,
+            Moving::Motion(motion) => motion.as_ref(),
             Moving::Floats(run) => run,
         })
     }

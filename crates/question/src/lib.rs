@@ -1,6 +1,6 @@
 //! Statements of one's own: a file says what a property ranges over, and the property is decided with graded evidence.
 //!
-//! [`Question::read`] reads a question; [`decide`] decides it; [`Question::case`] and [`values`] serve tables and campaigns. The crate opens no
+//! [`Question::read`] reads a question; [`decide`] decides it; [`Question::case`] and [`Question::values`] serve tables and campaigns. The crate opens no
 //! files: those that a question names are given to it. `notes/questions.md` has the language with examples.
 
 mod answer;

@@ -1,6 +1,6 @@
 //! Generators: functions of [`Draws`] that give matrices, graphs, flocks, states and numbers. With all draws 0 they give the simplest.
 //!
-//! With the feature `proptest`, [`proptest::strategy`] makes a strategy of any of them.
+//! With the feature `proptest`, `strategy` of its module `proptest` makes a strategy of any of them.
 
 mod flocks;
 mod graphs;

@@ -76,9 +76,8 @@ impl NoisyFlock {
         };
         let sums = CellList::new(&points, self.radius)?.fold_neighbours([0.0, 0.0], add);
         for (k, own) in units.iter().enumerate() {
-            for axis in 0..2 {
-                self.positions[k][axis] = self.wrapped(self.positions[k][axis] + self.speed * own[axis]);
-            }
+            let [x, y] = self.positions[k];
+            self.positions[k] = [self.wrapped(x + self.speed * own[0]), self.wrapped(y + self.speed * own[1])];
             let mean = (sums[k][1] + own[1]).atan2(sums[k][0] + own[0]);
             self.headings[k] = mean + self.noise * (arithmetic::random::uniform(random) - 0.5);
         }

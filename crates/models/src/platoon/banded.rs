@@ -99,7 +99,7 @@ impl BandedPlatoon {
     /// [`ArithmeticError::DivisionByZero`] where `P + gamma - 1` is singular.
     pub fn response(&self, gains: &Gains<f64>, w: f64) -> Result<Vec<Complex<f64>>, ArithmeticError> {
         let shift = gamma_minus_one(gains, &w)?;
-        self.factored(|_| shift.clone())?.solve(self.from_leader())
+        self.factored(|_| shift.clone())?.solve(self.leaders_part())
     }
 
     /// The same where follower `k` has the gains `gains[k - 1]`, of which there are as many as followers.
@@ -112,10 +112,10 @@ impl BandedPlatoon {
         }
         let shifts: Vec<Complex<f64>> =
             gains.iter().map(|gains| gamma_minus_one(gains, &w)).collect::<Result<_, _>>()?;
-        self.factored(|i| shifts[i].clone())?.solve(self.from_leader())
+        self.factored(|i| shifts[i].clone())?.solve(self.leaders_part())
     }
 
-    fn from_leader(&self) -> Vec<Complex<f64>> {
+    fn leaders_part(&self) -> Vec<Complex<f64>> {
         self.leader.iter().map(|&x| Complex::real(x)).collect()
     }
 

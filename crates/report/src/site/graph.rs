@@ -107,8 +107,11 @@ fn short(text: &str) -> String {
     if cut.len() < text.len() { format!("{cut} …") } else { cut }
 }
 
+/// A column and a name in it.
+type Named<'a> = (usize, &'a str);
+
 /// Lines from a name in one column to a name in a later one.
-fn edges<'a>(site: &'a Site, paper: &str) -> BTreeSet<((usize, &'a str), (usize, &'a str))> {
+fn edges<'a>(site: &'a Site, paper: &str) -> BTreeSet<(Named<'a>, Named<'a>)> {
     let mut edges = BTreeSet::new();
     let about = |e: &Entry| e.paper == paper || e.id.starts_with(&format!("beyond.{paper}."));
     let column = |e: &Entry| usize::from(e.paper == "beyond");

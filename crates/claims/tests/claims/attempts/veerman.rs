@@ -395,7 +395,7 @@ fn other_graphs() {
 #[test]
 fn in_time() {
     /// Deviations and velocities after a step of `h`, behind a leader at `lead(t)`, position and velocity.
-    fn step(y: &mut Vec<[f64; 2]>, t: f64, h: f64, lead: &dyn Fn(f64) -> [f64; 2]) {
+    fn step(y: &mut [[f64; 2]], t: f64, h: f64, lead: &dyn Fn(f64) -> [f64; 2]) {
         let m = y.len();
         let rates = |y: &[[f64; 2]], t: f64| -> Vec<[f64; 2]> {
             let at = |k: usize| if k == 0 { lead(t) } else { y[k - 1] };

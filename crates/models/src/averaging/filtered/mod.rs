@@ -357,7 +357,7 @@ impl FilteredFlock {
 
     fn middle(&mut self, progress: &dyn Progress) -> Result<Option<&Balls<8>>, FlockError> {
         if self.finer.middle.is_none() {
-            self.finer.middle = self.from_the_exact_state()?.map(Box::new);
+            self.finer.middle = self.balls_of_the_exact_state()?.map(Box::new);
         }
         if let Some(balls) = &mut self.finer.middle {
             balls.follow(&self.changes, self.time, progress)?;
@@ -371,7 +371,7 @@ impl FilteredFlock {
             return Ok(None);
         }
         if self.finer.long.is_none() {
-            self.finer.long = self.from_the_exact_state()?.map(Box::new);
+            self.finer.long = self.balls_of_the_exact_state()?.map(Box::new);
         }
         if let Some(balls) = &mut self.finer.long {
             balls.follow(&self.changes, self.time, progress)?;
@@ -380,7 +380,7 @@ impl FilteredFlock {
     }
 
     /// Balls of any length at the time of the exact flock.
-    fn from_the_exact_state<const L: usize>(&self) -> Result<Option<Balls<L>>, FlockError> {
+    fn balls_of_the_exact_state<const L: usize>(&self) -> Result<Option<Balls<L>>, FlockError> {
         let place = (self.exact_time(), self.exact_applied);
         Balls::new(&self.exact.integers(), Links::new(self.exact.network()), &self.weights, place)
     }

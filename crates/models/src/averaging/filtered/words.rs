@@ -1,5 +1,7 @@
 //! Integers of a fixed number of limbs, in two's complement, least limb first: the numbers of the balls.
 
+#![expect(clippy::needless_range_loop, reason = "a carry runs through several arrays at once")]
+
 use num_bigint::{BigInt, Sign};
 
 /// An integer below `2^(64 L - 1)` in absolute value.

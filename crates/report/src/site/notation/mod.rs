@@ -38,7 +38,7 @@ fn prose(text: &str, out: &mut String) {
     let classes = classes(text, &nodes);
     let mut at = 0;
     while at < nodes.len() {
-        let end = run(&nodes, &classes, at);
+        let end = run(&classes, at);
         let part = &nodes[at..end.max(at + 1)];
         if end > at && is_worth_setting(text, part) {
             out.push_str(&mathml::formula(text, part));
@@ -68,10 +68,10 @@ fn keep_together(out: &mut String) {
 }
 
 /// Where the formula ends that begins at a node; the same place if none does.
-fn run(nodes: &[Node], classes: &[Class], at: usize) -> usize {
+fn run(classes: &[Class], at: usize) -> usize {
     let mut end = at;
-    for k in at..nodes.len() {
-        match classes[k] {
+    for (k, class) in classes.iter().enumerate().skip(at) {
+        match class {
             Class::Operand => end = k + 1,
             Class::Sign if end > at || k == at => {}
             Class::Space if end > at => {}

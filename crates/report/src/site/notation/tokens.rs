@@ -282,7 +282,7 @@ pub(super) fn classes(text: &str, nodes: &[Node]) -> Vec<Class> {
     (0..nodes.len()).map(|k| sure[k].unwrap_or_else(|| by_neighbours(text, nodes, &sure, k))).collect()
 }
 
-fn neighbour<'a>(nodes: &'a [Node], k: usize, step: isize) -> Option<(usize, &'a Node, bool)> {
+fn neighbour(nodes: &[Node], k: usize, step: isize) -> Option<(usize, &Node, bool)> {
     let adjacent = k.checked_add_signed(step)?;
     let node = nodes.get(adjacent)?;
     if node.kind != Kind::Space {
