@@ -8,7 +8,7 @@ use flockproof::graph::read::read_graph;
 use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
 use flockproof::matrix::{MatrixError, StochasticMatrix, prefix_products, stabilisers, tau_2_squared};
 use flockproof::platoon::{Gains, ResonanceError, resonance as main_resonance, theorem1};
-use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, matrix_spectrum, named_spectrum};
+use flockproof::spectrum::{Eigenvalue, Method, graph_spectrum, named_spectrum};
 use num_bigint::BigInt;
 use pyo3::prelude::*;
 
@@ -111,7 +111,7 @@ fn found_spectrum(
                     "root: vertex {root} is not one of the {order} vertices, which are counted from 1"
                 ));
             }
-            rooted_spectrum(&graph, kind, root, digits)
+            graph_spectrum(&graph, kind, root - 1, digits)
         }
     };
     let spectrum = spectrum.map_err(|error| error.to_string())?;
@@ -145,16 +145,6 @@ fn stored(graph: GraphInput) -> Result<WeightedGraph, String> {
             named.build().map_err(|error| error.to_string())
         }
     }
-}
-
-fn rooted_spectrum(
-    graph: &WeightedGraph,
-    kind: LaplacianKind,
-    root: usize,
-    digits: Option<u32>,
-) -> Result<Spectrum, SpectrumError> {
-    let matrix = if kind == LaplacianKind::Reduced { graph.grounded(root - 1)? } else { graph.matrix(kind)? };
-    matrix_spectrum(&matrix, digits)
 }
 
 /// The matrices of a file of `ergodicity`.

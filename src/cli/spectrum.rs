@@ -3,9 +3,9 @@
 use super::{CliError, output, progress};
 use flockproof::arithmetic::{Interval, decimals, shown};
 use flockproof::graph::read::{GraphFile, read_graph_file};
-use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
+use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::report::Provenance;
-use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, matrix_spectrum, named_spectrum};
+use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, graph_spectrum, named_spectrum};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -93,7 +93,10 @@ fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
             let found = if root == 1 {
                 named_spectrum(&named, kind, digits)
             } else {
-                named.build().map_err(SpectrumError::from).and_then(|graph| rooted_spectrum(&graph, kind, root, digits))
+                named
+                    .build()
+                    .map_err(SpectrumError::from)
+                    .and_then(|graph| graph_spectrum(&graph, kind, root - 1, digits))
             };
             let spectrum = found.map_err(|error| CliError::Use(format!("{graph}: {error}")))?;
             Ok(Found { spectrum, root, file: None, labels: None })
@@ -102,7 +105,7 @@ fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
             let (file, origin) = read_file(path, arguments.zero_based)?;
             let root = root_of(arguments, file.graph.order(), |word| file.vertex(word).map(|k| k + 1))?;
             let spectrum =
-                rooted_spectrum(&file.graph, kind, root, digits).map_err(|error| CliError::file(path, error))?;
+                graph_spectrum(&file.graph, kind, root - 1, digits).map_err(|error| CliError::file(path, error))?;
             Ok(Found { spectrum, root, file: Some(origin), labels: file.labels })
         }
         Err(error) if graph.contains(':') => Err(CliError::Use(format!("--graph: {error}"))),
@@ -117,17 +120,6 @@ fn root_of(arguments: &Arguments, order: usize, number: impl Fn(&str) -> Option<
         let word = shown(word);
         CliError::Use(format!("--root: vertex {word} is not one of the {order} vertices, which are counted from 1"))
     })
-}
-
-/// The spectrum of a matrix of a stored graph; `reduced` leaves out the vertex `root`, counted from 1.
-fn rooted_spectrum(
-    graph: &WeightedGraph,
-    kind: LaplacianKind,
-    root: usize,
-    digits: Option<u32>,
-) -> Result<Spectrum, SpectrumError> {
-    let matrix = if kind == LaplacianKind::Reduced { graph.grounded(root - 1)? } else { graph.matrix(kind)? };
-    matrix_spectrum(&matrix, digits)
 }
 
 /// What the kind means, with the vertex that is left out.

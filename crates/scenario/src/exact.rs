@@ -3,6 +3,7 @@
 use super::config::Scenario;
 use super::error::ConfigError;
 use super::network::{Abilities, Network};
+use super::oscillator::PHASES;
 use super::platoon;
 use super::potential::PairPotential;
 use super::source::{Section, Source};
@@ -114,16 +115,7 @@ fn phases(source: &Source) -> Result<ExactMotion, ConfigError> {
         return Ok(ExactMotion::Other("of the phase model only the control K1 is enclosed"));
     }
     let agents = start.agents();
-    let can = Abilities {
-        model: "phase",
-        positions: false,
-        directed: true,
-        edges: false,
-        timed: true,
-        most_switching: 0,
-        default: Some(super::network::Kind::AllToAll),
-    };
-    let network = Network::read(source, agents, can)?;
+    let network = Network::read(source, agents, PHASES)?;
     if network.next_time().is_some() {
         return Ok(ExactMotion::Other(TIMED));
     }

@@ -115,19 +115,21 @@ struct Phases {
     drawn: Option<String>,
 }
 
+/// Networks of the phase model.
+pub(super) const PHASES: Abilities = Abilities {
+    model: "phase",
+    positions: false,
+    directed: true,
+    edges: false,
+    timed: true,
+    most_switching: 0,
+    default: Some(Kind::AllToAll),
+};
+
 /// Reads the phase model.
 pub(super) fn read_phases(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 0, velocities: false, phases: true })?;
-    let can = Abilities {
-        model: "phase",
-        positions: false,
-        directed: true,
-        edges: false,
-        timed: true,
-        most_switching: 0,
-        default: Some(Kind::AllToAll),
-    };
-    let network = Network::read(source, start.agents(), can)?;
+    let network = Network::read(source, start.agents(), PHASES)?;
     let law = source.needed("law")?;
     law.allow(&["omega0", "K1", "K", "reference"], " of the phase model")?;
     let frequency = law.number_or("omega0", 0.0)?;

@@ -12,7 +12,7 @@ use super::general::general_spectrum;
 use super::symmetric::symmetric_spectrum;
 use super::tridiagonal::tridiagonal_spectrum;
 use super::{Circulant, Eigenvalue, Method, Spectrum};
-use crate::graph::{LaplacianKind, NamedGraph};
+use crate::graph::{LaplacianKind, NamedGraph, WeightedGraph};
 use crate::matrix::{MatrixError, SparseMatrix};
 use arithmetic::{Rational, rational};
 use std::collections::{BTreeMap, BTreeSet};
@@ -71,6 +71,21 @@ pub fn circulant_spectrum(matrix: &Circulant, digits: Option<u32>) -> Result<Spe
     }
     let reason = "sums over the offsets or a fast Fourier transform, with an error bound known beforehand".to_string();
     Ok(Spectrum { order, method: Method::Certified, reason, eigenvalues })
+}
+
+/// The spectrum of a matrix of a stored graph; the kind `Reduced` leaves out the row and column of the vertex `left_out`, counted
+/// from 0. Other kinds do not look at it.
+///
+/// # Errors
+/// [`SpectrumError`].
+pub fn graph_spectrum(
+    graph: &WeightedGraph,
+    kind: LaplacianKind,
+    left_out: usize,
+    digits: Option<u32>,
+) -> Result<Spectrum, SpectrumError> {
+    let matrix = if kind == LaplacianKind::Reduced { graph.grounded(left_out)? } else { graph.matrix(kind)? };
+    matrix_spectrum(&matrix, digits)
 }
 
 /// The spectrum of a matrix, block by irreducible block: exact for small blocks, otherwise in floating point with proved

@@ -28,7 +28,7 @@ mod tridiagonal;
 mod turn;
 
 pub use abscissa::complex_abscissa;
-pub use choose::{circulant_spectrum, matrix_spectrum, named_spectrum, symmetric_enclosures};
+pub use choose::{circulant_spectrum, graph_spectrum, matrix_spectrum, named_spectrum, symmetric_enclosures};
 pub use circulant::{Circulant, CirculantSpectrum};
 pub use closed_form::{ClosedForm, ClosedValue, closed_form};
 pub use cyclotomic::{CyclotomicSum, RootTable};

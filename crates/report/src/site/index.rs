@@ -6,17 +6,6 @@ use super::{Site, claim::chip, frame::Links};
 use ledger::{Entry, Fault, Grade, Verdict};
 use maud::{Markup, html};
 
-const GRADES: [Grade; 9] = [
-    Grade::Kernel,
-    Grade::Identity,
-    Grade::Exhaustive,
-    Grade::Certified,
-    Grade::Argued,
-    Grade::Exact,
-    Grade::Simulated,
-    Grade::Fuzzed,
-    Grade::Text,
-];
 const FAULTS: [Fault; 4] = [Fault::False, Fault::Slip, Fault::Typo, Fault::Hypothesis];
 const REACHES: [(&str, &str); 4] = [
     ("all", "every clause for all parameters"),
@@ -87,7 +76,7 @@ fn filters() -> Markup {
             (choice("paper", "Paper", named.chain([of("beyond", "beyond the papers")]).collect()))
             (choice("verdict", "Verdict", Verdict::ALL.iter().map(|v| (v.word().to_string(), format!("{} {}", mark(*v), spoken(*v)))).collect()))
             (choice("fault", "Fault", FAULTS.iter().map(|f| of(f.word(), f.word())).collect()))
-            (choice("grade", "Evidence", GRADES.iter().map(|g| (g.word().to_string(), format!("{}: {}", g.word(), promise(*g)))).collect()))
+            (choice("grade", "Evidence", Grade::ALL.iter().map(|g| (g.word().to_string(), format!("{}: {}", g.word(), promise(*g)))).collect()))
             (choice("scope", "Reach", REACHES.iter().map(|(value, text)| of(value, text)).collect()))
             button type="reset" { "Show all" }
         }
