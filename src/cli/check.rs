@@ -2,6 +2,8 @@
 
 use super::{CliError, interrupt, output, progress};
 use flockproof::question::{Answer, Question, QuestionError, Verdict, decide, names};
+use flockproof::report::Provenance;
+use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -28,6 +30,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
     let mut documents = Vec::new();
     let mut worst = Verdict::Holds;
+    let mut interrupted = false;
     for path in &arguments.files {
         let question = read(path)?;
         let watch = interrupt::Watch::with(progress::bar());
@@ -35,13 +38,17 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         watch.finish();
         let answer = match decided {
             Ok(answer) => answer,
-            Err(QuestionError::Cancelled(_)) => return Ok(interrupt::status(false)),
+            // What was decided before stays.
+            Err(QuestionError::Cancelled(_)) => {
+                interrupted = true;
+                break;
+            }
             Err(error) => return Err(CliError::file(path, error)),
         };
         let replay = write_replay(&question, &answer, path, &arguments.replay)?;
         worst = worse(worst, answer.verdict);
         if arguments.json {
-            documents.push(answer.json(replay.as_deref()));
+            documents.push(provenance(path, &question).stamp(answer.json(replay.as_deref())));
         } else {
             let text = answer.text(replay.as_deref());
             let whole_words = textwrap::Options::new(output::width().clamp(40, 100))
@@ -52,11 +59,21 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             output::print(&(gap.to_string() + &lines.collect::<String>()))?;
         }
     }
-    if arguments.json {
+    if arguments.json && !documents.is_empty() {
         let document = if documents.len() == 1 { documents.remove(0) } else { documents.into() };
         output::print_json(&document)?;
     }
-    Ok(ExitCode::from(worst.status()))
+    Ok(if interrupted { interrupt::status(false) } else { ExitCode::from(worst.status()) })
+}
+
+/// The question in its canonical form is all that an answer depends on.
+fn provenance(path: &Path, question: &Question) -> Provenance {
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+    Provenance::new(
+        "flockproof.check/1",
+        None,
+        json!({"command": "check", "file": name, "question": question.canonical()}),
+    )
 }
 
 /// Reads a question; the files that it names lie beside it.
