@@ -46,7 +46,12 @@
   form.hidden = false;
   form.addEventListener("input", remember);
   form.addEventListener("submit", function (event) { event.preventDefault(); });
-  form.addEventListener("reset", function () { setTimeout(remember, 0); });
+  // At once, not after the fields have been emptied.
+  form.addEventListener("reset", function (event) {
+    event.preventDefault();
+    names.forEach(function (name) { form.elements[name].value = ""; });
+    remember();
+  });
   document.getElementById("reset-below").addEventListener("click", function () { form.reset(); form.elements.words.focus(); });
   window.addEventListener("hashchange", fromAddress);
   document.addEventListener("keydown", function (event) {
