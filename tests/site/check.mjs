@@ -133,7 +133,7 @@ async function checkList(browser) {
   expect(await shown() === 1, "search by id");
   for (let k = 0; k < 9 && !(await tab.evaluate(() => document.activeElement.closest("#claims") !== null)); k++) await tab.keyboard.press("Tab");
   await tab.keyboard.press("Enter");
-  await tab.waitForURL(/claims\/veerman\.thm1_omega\.html$/, { timeout: 5000 }).catch(() => expect(false, "the keyboard leads to a claim"));
+  await tab.waitForURL(/claims\/veerman\.thm1_omega\.html$/, { timeout: 60000 }).catch(() => expect(false, "the keyboard leads to a claim"));
   await tab.close();
   // Without JavaScript the list is whole.
   const plain = await browser.newContext({ javaScriptEnabled: false });
@@ -161,7 +161,7 @@ async function checkMotions(browser) {
     if (shots) await tab.screenshot({ path: path.join(shots, page.replaceAll("/", "-") + ".end.png") });
     await tab.keyboard.press("Home");
     await tab.locator(".play").first().click();
-    await tab.waitForFunction(() => !/^t = 0$/.test(document.querySelector(".live output").textContent), null, { timeout: 20000 })
+    await tab.waitForFunction(() => !/^t = 0$/.test(document.querySelector(".live output").textContent), null, { timeout: 60000 })
       .catch(() => expect(false, `${page}: it plays`));
     await tab.close();
   }
