@@ -7,9 +7,9 @@ use flockproof::ledger::{
     CheckError, Claim, Correction, Evidence, Fault, Form, Grade, Ledger, LedgerError, Options, Outcome, Report, Run,
     Scope, Source, Verdict, recorded, to_json, to_json_with,
 };
-use flockproof::report::{Provenance, explain as explained, nearest, summary, verdict_table};
+use flockproof::report::{explain as explained, ledger_origin, not_found, summary, verdict_table};
 use pyo3::prelude::*;
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::collections::BTreeMap;
 
 type Row = (String, String, String, String, String, String, String);
@@ -38,10 +38,10 @@ pub fn claims() -> PyResult<Vec<Row>> {
 /// The JSON document, what differs from the record, what is missing, the table, and the derivations by id.
 type Found = (String, Vec<String>, Vec<String>, String, Vec<(String, String)>);
 
-fn found(report: &Report, options: &Options) -> Found {
+fn found(report: &Report, json: String) -> Found {
     let table = format!("{}\n{}", verdict_table(&report.entries), summary(report));
     let derivations = report.entries.iter().map(|e| (e.id.clone(), e.derivation.clone())).collect();
-    (to_json(report, options), report.differences.clone(), report.missing.clone(), table, derivations)
+    (json, report.differences.clone(), report.missing.clone(), table, derivations)
 }
 
 /// Checks claims of the papers.
@@ -64,33 +64,17 @@ pub fn verify(
         }
         options.threads = threads as usize;
     }
-    // As the command line stamps its documents.
-    let configuration =
-        json!({"command": "verify", "paper": papers, "claim": claims, "full": options.full, "seed": options.seed});
-    let provenance = Provenance::new("flockproof.ledger/2", Some(&options.seed), configuration);
-    let kernel = json!({"coq": flockproof::kernel::recorded().coq, "checked": "transcript"});
-    let own = provenance.keys().into_iter().filter(|(key, _)| key == "configuration" || key == "digest");
-    let more: BTreeMap<_, _> = own.chain([("kernel".to_string(), kernel)]).collect();
+    let more = ledger_origin(&papers, &claims, &options);
     watched(py, progress, move |watch| {
         options.progress = watch.clone();
         let report = ledger.verify(&ids, &options, |_| {});
-        let mut found = found(&report, &options);
-        found.0 = to_json_with(&report, &options, more);
-        found
+        found(&report, to_json_with(&report, &options, more))
     })
 }
 
 /// A wrong id or paper, with the ids that may be meant.
 fn unknown(ledger: &Ledger, error: LedgerError) -> PyErr {
-    const MOST: usize = 8;
-    let close = match &error {
-        LedgerError::Unknown(id) => nearest(ledger.ids(), id, MOST),
-        _ => Vec::new(),
-    };
-    match close.as_slice() {
-        [] => refuse(error),
-        ids => refuse(format!("{error}; the nearest are {}", ids.join(", "))),
-    }
+    refuse(not_found(ledger, &error))
 }
 
 /// One claim in words.
@@ -137,7 +121,7 @@ fn judged(claims: Vec<Examined>, options: &Options) -> Result<Found, LedgerError
     }
     let report = ledger.verify(&ids, options, |_| {});
     let explanations = report.entries.iter().map(|e| (e.id.clone(), explained(e, 80))).collect();
-    let (json, differences, missing, table, _) = found(&report, options);
+    let (json, differences, missing, table, _) = found(&report, to_json(&report, options));
     Ok((json, differences, missing, table, explanations))
 }
 

@@ -4,9 +4,7 @@ use super::interrupt::{self, Watch};
 use super::{CliError, output, progress};
 use flockproof::kernel;
 use flockproof::ledger::{Grade, Ledger, LedgerError, Options, Report, recorded_row, to_json_with};
-use flockproof::report::{Provenance, nearest, summary, verdict_table};
-use serde_json::json;
-use std::collections::BTreeMap;
+use flockproof::report::{ledger_origin, not_found, summary, verdict_table};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -52,15 +50,7 @@ pub fn ledger() -> Result<Ledger, CliError> {
 
 /// A wrong id or paper, with the ids that may be meant.
 pub fn use_error(ledger: &Ledger, error: LedgerError) -> CliError {
-    const MOST: usize = 8;
-    let close = match &error {
-        LedgerError::Unknown(id) => nearest(ledger.ids(), id, MOST),
-        _ => Vec::new(),
-    };
-    match close.as_slice() {
-        [] => CliError::Use(error.to_string()),
-        ids => CliError::Use(format!("{error}; the nearest are {}", ids.join(", "))),
-    }
+    CliError::Use(not_found(ledger, &error))
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
@@ -93,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
 }
 
 fn write_report(arguments: &Arguments, report: &Report, options: &Options) -> Result<(), CliError> {
-    let json = json(arguments, report, options);
+    let json = to_json_with(report, options, ledger_origin(&arguments.paper, &arguments.claim, options));
     let printed_json = arguments.json.as_deref().is_some_and(|path| path.as_os_str() == "-");
     // What was reached is shown even where a file cannot be written any more.
     if printed_json {
@@ -112,17 +102,6 @@ fn write_report(arguments: &Arguments, report: &Report, options: &Options) -> Re
         output::write_file(path, format!("id\tverdict\tfault\treach\tgrades\n{rows}").as_bytes())?;
     }
     Ok(())
-}
-
-fn json(arguments: &Arguments, report: &Report, options: &Options) -> String {
-    let configuration = json!({
-        "command": "verify", "paper": arguments.paper, "claim": arguments.claim, "full": options.full, "seed": options.seed,
-    });
-    let provenance = Provenance::new("flockproof.ledger/2", Some(&options.seed), configuration);
-    let kernel = json!({"coq": kernel::recorded().coq, "checked": "transcript"});
-    let own = provenance.keys().into_iter().filter(|(key, _)| key == "configuration" || key == "digest");
-    let more: BTreeMap<_, _> = own.chain([("kernel".to_string(), kernel)]).collect();
-    to_json_with(report, options, more)
 }
 
 fn table(report: &Report) -> String {

@@ -123,6 +123,11 @@ impl Bindings {
         self.entries.iter().map(|(name, value)| (name.as_ref(), value))
     }
 
+    /// The first names with their values.
+    pub(crate) fn first(&self, count: usize) -> Self {
+        Bindings { entries: self.entries.iter().take(count).cloned().collect() }
+    }
+
     pub(crate) fn push(&mut self, name: Arc<str>, value: Value) {
         self.entries.push((name, value));
     }

@@ -1,6 +1,6 @@
 //! Why a question is refused: one sentence with line and column.
 
-use arithmetic::{Cancelled, NumberError};
+use arithmetic::{Cancelled, NumberError, shown};
 use std::fmt;
 
 /// A place in a question file, counted from 1.
@@ -191,39 +191,15 @@ impl Problem {
 
     /// An unknown name, with the nearest of the known ones if one is near.
     pub(crate) fn unknown<'a>(what: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
-        Problem::Unknown { what, name: shortened(name), nearest: nearest(name, known) }
+        Problem::Unknown { what, name: shown(name), nearest: nearest(name, known) }
     }
 }
 
-/// At most forty characters of a text.
-pub(crate) fn shortened(text: &str) -> String {
-    const LONGEST: usize = 40;
-    if text.chars().count() <= LONGEST {
-        return text.to_string();
-    }
-    format!("{}..", text.chars().take(LONGEST).collect::<String>())
-}
-
-/// The known name with the least number of changed letters, the first of several.
+/// The known name with the least number of letters inserted, left out or changed, the first of several; capitals count for nothing.
 fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
     if name.len() > 64 {
         return None;
     }
-    known.into_iter().min_by_key(|other| distance(name, other)).map(str::to_string)
-}
-
-/// Letters that have to be inserted, left out or changed (Levenshtein), with exchanged capitals for nothing.
-fn distance(a: &str, b: &str) -> usize {
-    let (a, b) = (a.to_lowercase(), b.to_lowercase());
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
-        for (j, y) in b.iter().enumerate() {
-            let changed = diagonal + usize::from(x != *y);
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
+    let name = name.to_lowercase();
+    known.into_iter().min_by_key(|other| strsim::levenshtein(&name, &other.to_lowercase())).map(str::to_string)
 }

@@ -215,7 +215,7 @@ impl Evaluator<'_, '_> {
 
     /// What an obstacle means here: an error of the question, or a doubt.
     fn obstacle(&self, obstacle: Obstacle, argument: &Node) -> Failure {
-        let at = || format!(" where {}", crate::error::shortened(&self.case.bindings.to_string()));
+        let at = || format!(" where {}", arithmetic::shown(&self.case.bindings.to_string()));
         let whole_box = || {
             let boxed = self.case.bindings.boxes();
             !boxed.is_empty() && self.case.is_first && self.uses_each_box_once(argument)

@@ -2,7 +2,7 @@
 
 use crate::bindings::{Bindings, GraphValue, Value};
 use crate::case::Case;
-use crate::error::{Problem, shortened};
+use crate::error::Problem;
 use crate::evaluate::{Evaluator, Failure};
 use crate::names::FAMILIES;
 use crate::number::Number;
@@ -12,7 +12,7 @@ use crate::syntax::{Kind, Located, Node, parse_domain};
 use algebra::graph::classes::{LARGEST_CLASSES, LARGEST_DIGRAPH_CLASSES, connected_graphs, digraphs, graphs, trees};
 use algebra::graph::{Graph, NamedGraph, WeightedGraph, read::read_graph};
 use algebra::matrix::{StochasticMatrix, read::read_sequence};
-use arithmetic::{Progress, Rational, parse_rational, random, rational};
+use arithmetic::{Progress, Rational, parse_rational, random, rational, shown};
 use num_traits::{One, Signed, ToPrimitive};
 use rand_chacha::rand_core::Rng;
 use std::collections::BTreeMap;
@@ -141,7 +141,7 @@ fn read_matrices(text: &str) -> Result<Vec<StochasticMatrix>, String> {
 
 /// `4:1-2,2-3`, with `*w` after an arc of another weight than 1.
 fn read_arcs(text: &str, directed: bool) -> Result<GraphValue, String> {
-    let form = || format!("`{}` is not of the form 4:1-2,2-3: vertices, edges", shortened(text));
+    let form = || format!("`{}` is not of the form 4:1-2,2-3: vertices, edges", shown(text));
     let (order, list) = text.split_once(':').ok_or_else(form)?;
     let most = if directed { 1000 } else { 10_000 };
     let order: usize = order.trim().parse().ok().filter(|n| (1..=most).contains(n)).ok_or_else(form)?;
@@ -298,13 +298,13 @@ impl Maker<'_> {
         let q = self.exact(node)?;
         let refuse = |problem| Failure::Refused(node.at, problem);
         if !q.is_integer() {
-            return Err(refuse(Problem::NotInteger { what: what.to_string(), found: shortened(&q.to_string()) }));
+            return Err(refuse(Problem::NotInteger { what: what.to_string(), found: shown(&q.to_string()) }));
         }
         const LARGEST: i64 = 1 << 60;
         let range = || Problem::Range {
             what: what.to_string(),
             expected: "at most 2^60 in size".to_string(),
-            found: shortened(&q.to_string()),
+            found: shown(&q.to_string()),
         };
         q.to_i64().filter(|n| n.abs() <= LARGEST).ok_or_else(|| refuse(range()))
     }
@@ -337,7 +337,7 @@ impl Maker<'_> {
                 let order = self.count(&arguments[0], vertices, 1, 1000)?;
                 let p = self.exact(&arguments[1])?;
                 if p.is_negative() || p > rational(1, 1) {
-                    let found = shortened(&p.to_string());
+                    let found = shown(&p.to_string());
                     let problem = Problem::Range {
                         what: "a probability".to_string(),
                         expected: "between 0 and 1".to_string(),
@@ -469,7 +469,7 @@ fn all_products(
     let power = u32::try_from(size * length).unwrap_or(u32::MAX);
     let count = num_bigint::BigInt::from(rows.len()).pow(power);
     if count > num_bigint::BigInt::from(budget) {
-        return Err(Some(Problem::TooMany { size: shortened(&count.to_string()), budget }));
+        return Err(Some(Problem::TooMany { size: shown(&count.to_string()), budget }));
     }
     let total = count.to_u64().unwrap_or(0);
     let sequence = |k: u64| -> Result<Value, Option<Problem>> {

@@ -2,7 +2,7 @@
 
 use crate::bindings::{Bindings, Value};
 use crate::case::unknown_quantity;
-use crate::error::{Place, Problem, QuestionError, shortened};
+use crate::error::{Place, Problem, QuestionError};
 use crate::evaluate::{Failure, quantity_of};
 use crate::family::{Bound, Classes, Domain, Maker, Members, Sort, read_domain};
 use crate::names::{FAMILIES, FUNCTIONS, QUANTITIES, Subject};
@@ -10,7 +10,7 @@ use crate::scenario_file::{ScenarioFile, is_place};
 use crate::source::{Entry, Section, Source};
 use crate::syntax::{KEYWORDS, Kind, Node, parse_property};
 use algebra::graph::LaplacianKind;
-use arithmetic::Progress;
+use arithmetic::{Progress, shown};
 use models::platoon::Communication;
 use std::fmt::Write;
 use std::sync::{Arc, OnceLock};
@@ -94,7 +94,7 @@ impl Question {
         let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-');
         if id_text.is_empty() || id_text.len() > 100 || !id_text.chars().all(plain) || id_text.starts_with(['.', '-']) {
             let expected = "an id of letters, digits, `.`, `_` and `-`, at most 100";
-            return Err(id.problem(Problem::expected(expected, format!("`{}`", shortened(&id_text)))));
+            return Err(id.problem(Problem::expected(expected, format!("`{}`", shown(&id_text)))));
         }
         let chosen = |entry: &Entry, what: &'static str, known: Vec<&'static str>| {
             let text = entry.text()?.text;
@@ -202,7 +202,7 @@ impl Question {
         let plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
         if !starts || !plain || name.len() > 64 {
             let expected = "a name of letters, digits and `_` that begins with a letter";
-            return Err(self.at(entry.key_at, Problem::expected(expected, format!("`{}`", shortened(name)))));
+            return Err(self.at(entry.key_at, Problem::expected(expected, format!("`{}`", shown(name)))));
         }
         if KEYWORDS.contains(&name) || FUNCTIONS.iter().any(|function| function.name == name) {
             return Err(self
@@ -852,7 +852,7 @@ impl Check<'_> {
     /// An argument that must be an integer, as far as that is seen without computing.
     fn integer(&self, node: &Node, name: &str) -> Checked {
         let found = match &node.kind {
-            Kind::Number(q) if !q.is_integer() => shortened(&q.to_string()),
+            Kind::Number(q) if !q.is_integer() => shown(&q.to_string()),
             Kind::Name { name, called: false, .. } if self.question.sort(name) == Some(Sort::Box) => {
                 format!("`{name}`, which ranges over an interval")
             }

@@ -58,10 +58,7 @@ fn smaller_member(
     progress: &dyn Progress,
 ) -> Result<Bindings, QuestionError> {
     let Some((_, Value::Number(current))) = found.iter().nth(place) else { return Ok(found) };
-    let mut before = Bindings::default();
-    for (bound, (_, value)) in question.bounds.iter().zip(found.iter()).take(place) {
-        before.push(bound.name.clone(), value.clone());
-    }
+    let before = found.first(place);
     let Ok(members) = question.members(place, &before, progress) else { return Ok(found) };
     if !matches!(members.as_ref(), Members::Integers(..)) {
         return Ok(found);
@@ -100,10 +97,7 @@ fn simpler_number(
     place: usize,
     progress: &dyn Progress,
 ) -> Result<Bindings, QuestionError> {
-    let mut before = Bindings::default();
-    for (bound, (_, value)) in question.bounds.iter().zip(found.iter()).take(place) {
-        before.push(bound.name.clone(), value.clone());
-    }
+    let before = found.first(place);
     let Some((_, Value::Number(current))) = found.iter().nth(place) else { return Ok(found) };
     let Ok(Some(Value::Box(lo, hi))) = question.members(place, &before, progress).map(|members| members.get(0)) else {
         return Ok(found);

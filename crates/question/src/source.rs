@@ -146,7 +146,7 @@ impl<'a> Entry<'a> {
             self.problem(Problem::Range {
                 what: format!("`{}`", self.key),
                 expected: format!("an integer from 1 to {most}"),
-                found: crate::error::shortened(&text),
+                found: arithmetic::shown(&text),
             })
         })
     }

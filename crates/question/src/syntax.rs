@@ -17,8 +17,8 @@
 //! domain    := sum [ ".." sum ]
 //! ```
 
-use crate::error::{Problem, shortened};
-use arithmetic::{Rational, parse_rational};
+use crate::error::Problem;
+use arithmetic::{Rational, parse_rational, shown};
 use std::fmt;
 
 /// Deepest nesting.
@@ -140,7 +140,7 @@ impl<'a> Parser<'a> {
         let word: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
         let found = match rest.chars().next() {
             None => "the end".to_string(),
-            Some(_) if !word.is_empty() => format!("`{}`", shortened(&word)),
+            Some(_) if !word.is_empty() => format!("`{}`", shown(&word)),
             Some(sign) => format!("`{sign}`"),
         };
         (self.at, Problem::expected(expected, found))
@@ -380,7 +380,7 @@ impl<'a> Parser<'a> {
                 let end = rest.find(']').ok_or_else(|| (self.at, Problem::expected("`]`", "the end")))?;
                 let index = rest[1..end].trim();
                 if index.is_empty() || !index.bytes().all(|b| b.is_ascii_digit()) || index.len() > 9 {
-                    return Err((self.at + 1, Problem::expected("an index from 1", format!("`{}`", shortened(index)))));
+                    return Err((self.at + 1, Problem::expected("an index from 1", format!("`{}`", shown(index)))));
                 }
                 name = format!("{name}[{index}]");
                 self.at += end + 1;

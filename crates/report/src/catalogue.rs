@@ -2,7 +2,7 @@
 
 use super::Figure;
 use claims::RECORDED;
-use ledger::{Ledger, Recorded, recorded};
+use ledger::{Ledger, LedgerError, Recorded, recorded};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -139,9 +139,19 @@ fn cut(text: &str, width: usize) -> String {
     format!("{}...", short.trim_end())
 }
 
+/// A wrong id or paper in one sentence, with the ids that may be meant.
+pub fn not_found(ledger: &Ledger, error: &LedgerError) -> String {
+    const MOST: usize = 8;
+    let close = match error {
+        LedgerError::Unknown(id) => nearest(ledger.ids(), id, MOST),
+        _ => Vec::new(),
+    };
+    if close.is_empty() { error.to_string() } else { format!("{error}; the nearest are {}", close.join(", ")) }
+}
+
 /// The ids closest to one that is not there, the closest first, at most `most`: those that begin with it, those that hold it, those
 /// that are spelled alike.
-pub fn nearest<'a>(ids: impl Iterator<Item = &'a str>, wrong: &str, most: usize) -> Vec<&'a str> {
+fn nearest<'a>(ids: impl Iterator<Item = &'a str>, wrong: &str, most: usize) -> Vec<&'a str> {
     /// Spelled less alike than this they are others.
     const ALIKE: f64 = 0.75;
     let wrong = wrong.to_lowercase();

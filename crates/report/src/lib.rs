@@ -17,11 +17,11 @@ mod tracks;
 pub use serde_json;
 
 pub use animation::animation;
-pub use catalogue::{Listing, Query, SCOPES, catalogue, catalogue_text, nearest};
+pub use catalogue::{Listing, Query, SCOPES, catalogue, catalogue_text, not_found};
 pub use explain::{explain, explanation};
 pub use export::{NamedMatrix, matrix_files};
 pub use figures::{FIGURES, Figure, FigureError, File};
-pub use provenance::{Provenance, digest, version};
+pub use provenance::{Provenance, digest, ledger_origin, version};
 pub use simulation::{
     events_csv, observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv,
 };

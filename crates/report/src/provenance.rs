@@ -1,8 +1,11 @@
 //! Where a document comes from: its schema, the version of the program, the seed, the configuration and its digest.
 
 use super::File;
-use serde_json::{Map, Value};
+use ledger::Options;
+use proofs::kernel;
+use serde_json::{Map, Value, json};
 use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
 
 /// The origin of a document. The same configuration gives the same bytes with the same version.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,6 +58,18 @@ impl Provenance {
         let seed = self.seed.as_ref().map_or(String::new(), |seed| format!(", seed {seed}"));
         format!("flockproof {}{seed}, configuration {}", version(), &self.digest()[..16])
     }
+}
+
+/// What a ledger of these papers and claims says beside its entries: the configuration, its digest, and what evidence of grade
+/// kernel rests on.
+pub fn ledger_origin(papers: &[String], claims: &[String], options: &Options) -> BTreeMap<String, Value> {
+    let seed = &options.seed;
+    let configuration =
+        json!({"command": "verify", "paper": papers, "claim": claims, "full": options.full, "seed": seed});
+    let provenance = Provenance::new("flockproof.ledger/2", Some(seed), configuration);
+    let kernel = json!({"coq": kernel::recorded().coq, "checked": "transcript"});
+    let own = provenance.keys().into_iter().filter(|(key, _)| key == "configuration" || key == "digest");
+    own.chain([("kernel".to_string(), kernel)]).collect()
 }
 
 /// The version of the program.

@@ -82,10 +82,13 @@ const DEPTH: u32 = 30;
 /// Length of the first step tried.
 const FIRST_STEP: f64 = 0.01;
 
-/// A flock on a fixed network: `(r, v)` flat, positions first.
-struct Fixed<'a> {
-    potential: &'a Potential,
-    edges: &'a [Pair],
+/// The law of a flock on a fixed network, of states as [`State::to_list`] writes them.
+#[derive(Debug, Clone, Copy)]
+pub struct FixedNetwork<'a> {
+    /// The potential of every link.
+    pub potential: &'a Potential,
+    /// The links.
+    pub edges: &'a [Pair],
 }
 
 /// The network with the links of some pairs `i < j` switched.
@@ -101,7 +104,7 @@ fn moved(set: &Parallelepiped, hull: &[FloatInterval], shift: &[FloatInterval]) 
     Some(if widest(&shaped) < widest(&as_box) { shaped } else { as_box })
 }
 
-impl SmoothLaw for Fixed<'_> {
+impl SmoothLaw for FixedNetwork<'_> {
     fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
         let Some(like) = state.first() else { return Ok(Vec::new()) };
         let slope = self.potential.slope_over(like);
@@ -138,7 +141,7 @@ impl EnclosedFlock {
         let mut crossings = Vec::new();
         while time < until {
             let links = graph.edges();
-            let mut flow = Flow::new(Fixed { potential: &self.potential, edges: &links }, FIRST_STEP);
+            let mut flow = Flow::new(FixedNetwork { potential: &self.potential, edges: &links }, FIRST_STEP);
             while time < until {
                 let mut step = flow.step(&set, time, until)?;
                 let certain = self.certain_until(&step, &graph);
@@ -246,7 +249,7 @@ impl EnclosedFlock {
         for choice in 0..1usize << doubtful.len() {
             let chosen = |pair| doubtful.iter().position(|&p| p == pair).is_some_and(|k| choice >> k & 1 == 1);
             let edges = switched(graph, chosen).edges();
-            let rate = Fixed { potential: &self.potential, edges: &edges }.rate(over)?;
+            let rate = FixedNetwork { potential: &self.potential, edges: &edges }.rate(over)?;
             hull = Some(match hull {
                 None => rate,
                 Some(hull) => hull.iter().zip(&rate).map(|(a, b)| a.hull(b)).collect(),

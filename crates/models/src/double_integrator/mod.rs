@@ -37,7 +37,7 @@ mod triangle;
 pub use any_headings::AnyHeadings;
 pub use any_potentials::{AnyPotentials, PairGradient};
 pub use closed_loop::follow;
-pub use enclosed::{Crossing, EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError};
+pub use enclosed::{Crossing, EnclosedEvent, EnclosedFlock, EnclosedRun, EnclosureError, FixedNetwork};
 pub use energy::{agent_potential, kinetic_energy, potential_energy, saturated_potential};
 pub use energy_log::{EnergyLog, Excess};
 pub use flock::{FlockError, SwitchingFlock};

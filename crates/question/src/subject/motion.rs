@@ -10,8 +10,7 @@ use arithmetic::{
     ArithmeticError, Complex, Dyadic, Field, FloatInterval, Interval, Progress, Rational, Real, Ring, rational,
 };
 use models::double_integrator::{
-    Coordinates, EnclosedFlock, Pair, Potential, State, kinetic_energy, linked_within, potential_energy,
-    velocity_alignment,
+    Coordinates, EnclosedFlock, FixedNetwork, Pair, Potential, State, kinetic_energy, linked_within, potential_energy,
 };
 use models::oscillator::{Neighbours, laplacian_control, moment, phase_potential};
 use models::platoon::{CommunicationGraph, Gains};
@@ -70,23 +69,6 @@ const MOST_AGENTS: usize = 16;
 
 /// Bits of what is measured.
 const BITS: u32 = 64;
-
-/// Velocity alignment on a fixed network: positions, then velocities.
-struct AlignmentLaw<'a> {
-    potential: &'a Potential,
-    pairs: &'a [Pair],
-}
-
-impl SmoothLaw for AlignmentLaw<'_> {
-    fn rate<T: Field>(&self, list: &[T]) -> Result<Vec<T>, ArithmeticError> {
-        let (Some(like), Some(state)) = (list.first(), State::from_list(list.len() / 4, list)) else {
-            return Ok(Vec::new());
-        };
-        let slope = self.potential.slope_over(like);
-        let forces = velocity_alignment(&state, self.pairs, Coordinates::Cartesian, |_, _, s| slope.at(s))?;
-        Ok(state.velocities.into_iter().chain(forces).flatten().collect())
-    }
-}
 
 /// The phase model as phasors: `z' = i (omega_0 + u) z`, real parts and imaginary parts by turns.
 struct PhaseLaw<'a> {
@@ -205,7 +187,7 @@ impl<'c> MotionSubject<'c> {
                 if let Some(radius) = radius {
                     return Ok(self.switching(&start, potential, radius, until));
                 }
-                let mut tube = self.followed(AlignmentLaw { potential, pairs }, &start.to_list(), until)?;
+                let mut tube = self.followed(FixedNetwork { potential, edges: pairs }, &start.to_list(), until)?;
                 let pairs = Rc::new(pairs.clone());
                 tube.sections.iter_mut().for_each(|section| section.pairs = Some(pairs.clone()));
                 Ok(tube)
@@ -455,11 +437,7 @@ impl At<'_> {
     fn min_distance(&self) -> Result<Interval, Failure> {
         let (agents, dimension) = self.agent_count();
         let squares = match self.motion {
-            ExactMotion::Platoon { .. } => {
-                let places = self.places();
-                let pairs = (0..agents).flat_map(|j| (0..j).map(move |i| (i, j)));
-                pairs.map(|(i, j)| (places[i].clone() - &places[j]).square()).collect()
-            }
+            ExactMotion::Platoon { .. } => squared_differences(&self.places()),
             _ => self.squares(agents, dimension, 0).iter().map(widened).collect::<Vec<_>>(),
         };
         let least =
@@ -471,11 +449,7 @@ impl At<'_> {
     fn disagreement(&self) -> Result<Interval, Failure> {
         let (agents, dimension) = self.agent_count();
         let squares = match self.motion {
-            ExactMotion::Platoon { .. } => {
-                let speeds = self.speeds();
-                let pairs = (0..agents).flat_map(|j| (0..j).map(move |i| (i, j)));
-                pairs.map(|(i, j)| (speeds[i].clone() - &speeds[j]).square()).collect()
-            }
+            ExactMotion::Platoon { .. } => squared_differences(&self.speeds()),
             _ => self.squares(agents, dimension, agents * dimension).iter().map(widened).collect::<Vec<_>>(),
         };
         let zero = Interval::from_rational(&rational(0, 1), BITS);
@@ -578,6 +552,12 @@ impl At<'_> {
 
 fn unmeasured(error: ArithmeticError) -> Failure {
     Failure::open(format!("it cannot be measured on the enclosure: {error}"), None)
+}
+
+/// `(x_i - x_j)²` of all pairs.
+fn squared_differences(list: &[Interval]) -> Vec<Interval> {
+    let pairs = (0..list.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+    pairs.map(|(i, j)| (list[i].clone() - &list[j]).square()).collect()
 }
 
 /// Encloses the largest, or the smallest, of some numbers.

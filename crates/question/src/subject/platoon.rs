@@ -4,11 +4,11 @@
 //! one (`notes/questions.md`). Its range over a box of gains is therefore that between two corners.
 
 use crate::bindings::{Bindings, GraphValue, Value};
-use crate::error::{Problem, shortened};
+use crate::error::Problem;
 use crate::evaluate::{Failure, Measured};
 use crate::number::Number;
 use algebra::spectrum::Polynomial;
-use arithmetic::{ArithmeticError, Complex, Interval, Rational, Real, Ring, Sign, Signed, rational};
+use arithmetic::{ArithmeticError, Complex, Interval, Rational, Real, Ring, Sign, Signed, rational, shown};
 use models::platoon::{
     Communication, CommunicationGraph, Gains, Resonance, ResonanceError, chebyshev, gain_squared_one_sided,
     gamma_minus_one, growth, resonance, slowest_rate, strongest_one_sided_square,
@@ -51,9 +51,9 @@ impl PlatoonSubject {
         if let Some(value) = bindings.get("followers") {
             let not_integer =
                 |found: String| Failure::Refused(0, Problem::NotInteger { what: "`followers`".to_string(), found });
-            let Value::Number(q) = value else { return Err(not_integer(shortened(&value.text()))) };
+            let Value::Number(q) = value else { return Err(not_integer(shown(&value.text()))) };
             if !q.is_integer() {
-                return Err(not_integer(shortened(&q.to_string())));
+                return Err(not_integer(shown(&q.to_string())));
             }
             let followers = q.to_u64().filter(|m| (1..=models::platoon::LARGEST_FOLLOWERS).contains(m));
             let followers = followers.ok_or_else(|| refused(ResonanceError::Followers(0).to_string()))?;
@@ -133,7 +133,7 @@ impl PlatoonSubject {
             let range = |name: &str| Problem::Range {
                 what: format!("`{name}`"),
                 expected: "negative: only then is the platoon stable and has a peak".to_string(),
-                found: shortened(&if name == "f" { &self.f.1 } else { &self.g.1 }.to_string()),
+                found: shown(&if name == "f" { &self.f.1 } else { &self.g.1 }.to_string()),
             };
             let name = if self.f.1.is_certainly_negative() { "g" } else { "f" };
             return Err(Failure::Refused(0, range(name)));
