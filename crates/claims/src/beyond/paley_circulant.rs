@@ -157,10 +157,7 @@ pub fn cyclic_patterns() -> Record<CyclicVariant> {
             Run::all([found, argued(&[1, 2], "every N, m and gains", "notes/paley_phases.md, steps F6-F8")])
         },
     )
-    .stated(
-        "beyond Figure 3 and the text on balanced circular formations",
-        "",
-    )
+    .stated("beyond Figure 3 and the text on balanced circular formations", "")
     .clauses(&[
         "On C_N, N >= 3, under (22) with K_0 > 0, the circular formation with theta_k = 2 pi m k/N is exponentially stable up to rotation and translation iff \
          K_1 cos(2 pi m/N) < 0, whatever the size of the gains and the sign of w0.",

@@ -47,10 +47,7 @@ pub fn inertia() -> Record<InertiaVariant> {
         right,
         examine_inertia,
     )
-    .stated(
-        "sharpens paley, Theorem 1",
-        "",
-    )
+    .stated("sharpens paley, Theorem 1", "")
     .clauses(&[
         "N >= 2. With two opposite clusters of N-b > b phases (b = 0: synchronised) the Hessian of U_1 has the inertia (b, N-b-1, 1).",
         "At a balanced arrangement not on a line it has the inertia (2, 0, N-2).",
@@ -58,10 +55,7 @@ pub fn inertia() -> Record<InertiaVariant> {
         "The unstable manifold of an unbalanced arrangement under (6) with (9) has dimension N-b-1 for K_1 > 0 and b for K_1 < 0.",
         "There are no other critical points.",
     ])
-    .control(
-        "(b + 1, N-b-2, 1)",
-        InertiaVariant { unbalanced: |n, b| [b + 1, (n - b).saturating_sub(2), 1], ..right },
-    )
+    .control("(b + 1, N-b-2, 1)", InertiaVariant { unbalanced: |n, b| [b + 1, (n - b).saturating_sub(2), 1], ..right })
     .control("rank 2 on a line too", InertiaVariant { balanced: |n, _| [2, 0, n - 2], ..right })
     .control("no balanced critical points", InertiaVariant { with_balanced: false, ..right })
 }
@@ -112,10 +106,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
             Run::all([found, argued(&[1, 2, 3, 4], "every N", "notes/paley_phases.md, steps E1-E5")])
         },
     )
-    .stated(
-        "corrects paley, text after eq (16) and Figure 2",
-        "",
-    )
+    .stated("corrects paley, text after eq (16) and Figure 2", "")
     .clauses(&[
         "Up to rotation the eigenvectors of the Laplacian of C_N, N >= 3, with entries of modulus one are columns of the Fourier matrix or, only if 4 divides N, (u, v, -u, -v, ...).",
         "Column m of the Fourier matrix is an eigenvector and the symmetric pattern of N/gcd(N, m - 1) clusters.",

@@ -76,10 +76,7 @@ pub fn two_agents() -> Record<TotalVariant> {
         "With d wrapped to (-pi, pi], |v_1 + v_2| never decreases.",
         "The mechanical energy is constant.",
     ])
-    .stated(
-        "replaces tanner1, eq (9), for two agents",
-        "",
-    )
+    .stated("replaces tanner1, eq (9), for two agents", "")
     .control("half of it", TotalVariant { factor: 1, ..printed })
     .control("over the fourth power of the distance", TotalVariant { power: 2, ..printed })
 }
@@ -133,10 +130,7 @@ pub fn alternating_trees() -> Record<Trees> {
         "beyond.tanner2.alternating_trees",
         "If the velocities agreed in the limit, the force on each edge of the tree in use would vanish in the limit, so that all six distances would tend to the desired one: impossible in the plane. So switching between connected graphs can keep a flock from ever agreeing, from any start.",
         printed.clone(),
-        |variant, _| Run::all([
-            no_common_configuration(variant),
-            argued(&[1], "the limit", TREES_ARGUED),
-        ]),
+        |variant, _| Run::all([no_common_configuration(variant), argued(&[1], "the limit", TREES_ARGUED)]),
     )
     .stated(
         "sharpens tanner2, Abstract (arbitrary switching)",

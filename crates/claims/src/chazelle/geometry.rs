@@ -374,8 +374,6 @@ pub fn no_losses() -> Record<LossVariant> {
          O(log n)-bit inputs from some n on (notes/settling.md). So n^(2n^4) is enough.",
         LossVariant { time: |n| 2 * n.pow(4), hysteresis: true, earlier: 1 },
     )
-    .reading(
-        "n is large enough: n >= 4 for lazy or vicsek weights, Euclidean speeds and coordinates of x(0) up to n, in \
-         dimension d <= n^2.",
-    )
+    .reading("n is large enough: n >= 4 for lazy or vicsek weights, Euclidean speeds and coordinates of x(0) up to n, in \
+         dimension d <= n^2.")
 }

@@ -53,10 +53,7 @@ pub fn eq8() -> Record<SymmetryVariant> {
         printed,
         |variant, run| Ok(on_connected(run, MOST, "equation (8)", |graph| Symmetry(graph, *variant))?.on([1, 2])),
     )
-    .clauses(&[
-        "dV_ij/dr_ij = dV_ij/dr_i = -dV_ij/dr_j.",
-        "d/dt sum_i (1/2) V_i = sum_i grad_{r_i} V_i . v_i.",
-    ])
+    .clauses(&["dV_ij/dr_ij = dV_ij/dr_i = -dV_ij/dr_j.", "d/dt sum_i (1/2) V_i = sum_i grad_{r_i} V_i . v_i."])
     .control("dV/dr_i = dV/dr_j", SymmetryVariant { sign: 1, ..printed })
     .control("without the half", SymmetryVariant { factor: (1, 1), ..printed })
 }
@@ -144,11 +141,7 @@ pub fn eq9() -> Record<RateVariant> {
         RateVariant::Form { form: -1, potential: 0 },
         examine_rate,
     )
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
         "While no agent is at rest and no heading jumps, Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|².",
         "Vdot_t > 0 for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s.",
@@ -213,11 +206,7 @@ pub fn vt_inv() -> Record<InvariantVariant> {
         examine_invariant,
     )
     .clauses(&["V_t is nonincreasing along the closed loop.", "Omega = {V_t <= c} is positively invariant."])
-    .repaired(
-        Fault::False,
-        "",
-        ENERGY,
-    )
+    .repaired(Fault::False, "", ENERGY)
     .repaired_clauses(&[
         "The mechanical energy (1/2) sum_i (V_i + v_i^T v_i) is constant along the closed loop.",
         "{(1/2) sum_i (V_i + v_i^T v_i) <= c} is invariant.",

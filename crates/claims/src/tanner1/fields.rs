@@ -96,11 +96,7 @@ pub fn weighted() -> Record<WeightedVariant> {
         printed,
         examine_weighted,
     )
-    .repaired(
-        Fault::Typo,
-        "",
-        repaired,
-    )
+    .repaired(Fault::Typo, "", repaired)
     .repaired_clauses(&[
         "L_w(G) = D(G^sigma) W D(G^sigma)^T is Delta_w - A_w.",
         "It is independent of the orientation.",
@@ -243,11 +239,7 @@ pub fn any_potential() -> Record<UsableVariant> {
         "Any symmetric potential can be used for group cohesion.",
     ])
     .reading("any potential, as the sentence says; collisions of linked agents, cohesion of a connected graph")
-    .repaired(
-        Fault::False,
-        "",
-        UsableVariant { allowed: |potential| potential.repels() && potential.confines() },
-    )
+    .repaired(Fault::False, "", UsableVariant { allowed: |potential| potential.repels() && potential.confines() })
     .repaired_clauses(&[
         "With any differentiable, non-negative potential V_ij(|r_ij|) = V_ji(|r_ij|) that tends to infinity as |r_ij| tends to 0 linked agents do not collide as long as the motion lasts.",
         "If it tends to infinity with |r_ij| too, all distances of a connected graph stay bounded as long as the motion lasts.",

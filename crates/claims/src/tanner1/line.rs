@@ -107,11 +107,7 @@ pub fn distances() -> Record<DistanceVariant> {
         DistanceVariant { stabilised: true, start: FAST },
         examine_distances,
     )
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
         "Along the closed loop (1/2) sum_i (V_i + v_i^T v_i) is constant.",
         "Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, keep the heading 0 and their distance swings for ever: it does not tend to a limit.",
@@ -210,11 +206,7 @@ pub fn cases() -> Record<CaseVariant> {
         "Case 2: if -grad_{v_i} V_i . v_i > 0, then V_i is monotonically decreasing and eventually reaches one of its minima.",
         "In any case the system converges to a minimum of sum_i V_i.",
     ])
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
         "On the set of equal constant headings of agents that move, potential forces are along the velocities.",
         "Neither case need last, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each swing.",

@@ -253,11 +253,7 @@ pub fn collision() -> Record<CollisionVariant> {
     )
     .clauses(&["V_t tends to infinity where r_ij = 0 for some i, j.", "Collision avoidance is guaranteed."])
     .reading("the potential of Figure 2, as for V_t and Omega")
-    .repaired(
-        Fault::Hypothesis,
-        "",
-        repaired.clone(),
-    )
+    .repaired(Fault::Hypothesis, "", repaired.clone())
     .repaired_clauses(&[
         "V_t tends to infinity where linked agents meet.",
         "Collisions of linked agents are avoided (all collisions, if the graph is complete).",
@@ -333,11 +329,7 @@ pub fn ratio() -> Record<RatioVariant> {
         "d/dt (ydot_i/xdot_i) = 0 implies yddot_i/xdot_i = ydot_i/xdot_i = k.",
         "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x.",
     ])
-    .repaired(
-        Fault::Typo,
-        "",
-        repaired,
-    )
+    .repaired(Fault::Typo, "", repaired)
     .repaired_clauses(&[
         "d/dt (ydot_i/xdot_i) = 0 implies yddot_i/xddot_i = ydot_i/xdot_i = k (where the denominators are not zero).",
         "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).",

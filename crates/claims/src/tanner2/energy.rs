@@ -77,9 +77,7 @@ pub fn eq9() -> Record<RateVariant> {
          |v_i - v_j|². With the stack vector (v_1, v_2, ...) the matrix L kron I_2 gives the same sum. Any graph, any potentials. \
          (The text calls the velocities three dimensional; the agents move in the plane, and I_2 in the formula is right. In three dimensions it would be I_3, with a third form in v_z.)",
         printed,
-        |variant, run| {
-            Ok(on_connected(run, most(run), "equation (9)", |graph| Rate(graph, *variant))?.on([1, 2]))
-        },
+        |variant, run| Ok(on_connected(run, most(run), "equation (9)", |graph| Rate(graph, *variant))?.on([1, 2])),
     )
     .clauses(&["Wdot = -v^T (L kron I_2) v.", "Wdot = -v_x^T L v_x - v_y^T L v_y."])
     .control("twice", RateVariant { factor: -2, ..printed })

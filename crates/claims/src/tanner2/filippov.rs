@@ -300,11 +300,7 @@ pub fn existence() -> Record<StartVariant> {
         StartVariant::All,
         examine_starts,
     )
-    .repaired(
-        Fault::False,
-        "",
-        StartVariant::Crossing,
-    )
+    .repaired(Fault::False, "", StartVariant::Crossing)
     .repaired_clauses(&[
         "From every start in which no two agents are in one place (10) has a solution for all time.",
         "It is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",

@@ -177,11 +177,7 @@ pub fn flocking() -> Record<ManifoldVariant> {
         "On a time invariant connected graph (4) creates an asymptotically stable equilibrium manifold.",
         "On it the group satisfies Definition 1: same velocity, distances stabilized, no collisions between agents.",
     ])
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
         "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
         "In them no two agents are in one place.",
@@ -288,11 +284,7 @@ pub fn cor1() -> Record<SetpointVariant> {
         "dV_ij/d||r_ij|| = 0 implies ||r_ij|| = r_d, where V_ij attains its unique minimum.",
     ])
     .reading("distances of linked agents; potentials with a continuous gradient")
-    .repaired(
-        Fault::Hypothesis,
-        "",
-        repaired,
-    )
+    .repaired(Fault::Hypothesis, "", repaired)
     .repaired_clauses(&[
         "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value.",
         "B has independent columns, so that every grad_{r_ij} V_ij tends to 0.",

@@ -83,11 +83,7 @@ pub fn lem1() -> Record<RegularVariant> {
         RegularVariant { regular: true, ..repaired },
         examine_regular,
     )
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
         "For V with a continuous derivative the saturated potential U_ij is regular at every distance but R.",
         "For such V with c = V_r(R) > 0 -U_ij is regular at R.",
@@ -141,11 +137,7 @@ pub fn lem2() -> Record<GradientVariant> {
         GradientVariant { between: None, ..repaired },
         examine_gradient,
     )
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
         "For V with a continuous derivative and c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R.",
         "For such V, with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
@@ -458,11 +450,7 @@ pub fn eq13_interval() -> Record<IntervalVariant> {
         IntervalVariant::ToZero,
         examine_interval,
     )
-    .repaired(
-        Fault::Slip,
-        "",
-        IntervalVariant::NonPositive(1),
-    )
+    .repaired(Fault::Slip, "", IntervalVariant::NonPositive(1))
     .repaired_clauses(&[
         "The right side of (13) is an interval [e, f] with e <= f <= 0.",
         "Away from ties e = f = -v^T (L kron I_2) v.",

@@ -89,9 +89,8 @@ fn slowed_start() -> Option<&'static str> {
     let twice = apply(&ring, &once);
     let four = field.number(&rational(4, 1));
     let slow = twice.iter().zip(&once).any(|(a, b)| *a != four.clone() * b);
-    (is_mode && slow).then_some(
-        "no potentials, the path 1-2-3-4 with velocities along one axis in the eigenvector of 2 + sqrt 2: they decay at that rate, and with the edge 1-4 at the rate 2",
-    )
+    (is_mode && slow)
+        .then_some("no potentials, the path 1-2-3-4 with velocities along one axis in the eigenvector of 2 + sqrt 2: they decay at that rate, and with the edge 1-4 at the rate 2")
 }
 
 /// Whether the slowest rates without potentials are this eigenvalue, on connected graphs of up to 4 agents with rational spectra.
@@ -155,11 +154,7 @@ pub fn rate() -> Record<RateVariant> {
         "Increasing the connectivity of the neighboring graph results in faster convergence.",
     ])
     .reading("the rate at which the flock approaches its limit; N >= 2, as one agent has no lambda_2")
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
         "On a connected graph without potentials |v - mean| <= exp(-lambda_2 t) |v(0) - mean|, with equality for eigenvectors of lambda_2.",
         "A new edge never lowers lambda_2.",
@@ -167,9 +162,8 @@ pub fn rate() -> Record<RateVariant> {
     ])
     .control("with potentials, more edges make it faster", RateVariant::MoreEdges)
     .control("without potentials, 2 lambda_2", RateVariant::Alignment { factor: (2, 1), index: 2, every_start: false })
-    .control("without potentials, a new edge slows no start", RateVariant::Alignment {
-        factor: (1, 1),
-        index: 2,
-        every_start: true,
-    })
+    .control(
+        "without potentials, a new edge slows no start",
+        RateVariant::Alignment { factor: (1, 1), index: 2, every_start: true },
+    )
 }

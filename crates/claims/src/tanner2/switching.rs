@@ -99,11 +99,7 @@ pub fn arbitrary() -> Record<SignalVariant> {
         examine_signal,
     )
     .reading("arbitrary switching: by any signal among connected graphs")
-    .repaired(
-        Fault::False,
-        "",
-        repaired.clone(),
-    )
+    .repaired(Fault::False, "", repaired.clone())
     .repaired_clauses(&[
         "Velocities agree in the limit if links switch by distance, as in (10), read as in tanner2.thm2_vel, and the graph stays connected.",
         "They do not for all switching signals among connected graphs: four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each, agree in the limit from no start without collision.",

@@ -26,9 +26,7 @@ pub fn figure1() -> Record<Figure1Variant> {
         printed,
         examine_figure1,
     )
-    .reading(
-        "About: to the printed digits. A flock of 100 individuals may have 99 (with the leader), 100 or 101 (N = 100) followers, likewise 1000: all readings agree with the text.",
-    )
+    .reading("About: to the printed digits. A flock of 100 individuals may have 99 (with the leader), 100 or 101 (N = 100) followers, likewise 1000: all readings agree with the text.")
     .clauses(&[
         "For f = g = -1 the response of a flock of 100 individuals peaks at about w = 0.011.",
         "That of 1000 individuals peaks at a frequency 10 times less.",
@@ -162,10 +160,8 @@ pub fn size_limit() -> Record<ExponentVariant> {
             Run::all([Ok(tie), small_flocks(variant, run)])
         },
     )
-    .reading(
-        "N <~ X D/a_0, as usual, up to terms that are small against X D/a_0; what stays within D is the equilibrium oscillation of the last car (the particular solution), \
-         as in Proposition 1; a_0, D > 0 and f, g < 0.",
-    )
+    .reading("N <~ X D/a_0, as usual, up to terms that are small against X D/a_0; what stays within D is the equilibrium oscillation of the last car (the particular solution), \
+         as in Proposition 1; a_0, D > 0 and f, g < 0.")
     .control("4 sqrt2 instead of 8 sqrt2", ExponentVariant { divisor: 4, ..printed })
     .control("|f| instead of sqrt|f|", ExponentVariant { power: 2, ..printed })
     .control("an error of the next order", ExponentVariant { order: 2, ..printed })

@@ -330,9 +330,7 @@ pub fn stabilised() -> Record<Condition> {
     ])
     .control("f <= 0", |f, g| *f <= rational(0, 1) && *g < rational(0, 1))
     .control("g <= 0", |f, g| *f < rational(0, 1) && *g <= rational(0, 1))
-    .control("g² > 4|f| too", |f, g| {
-        *f < rational(0, 1) && *g < rational(0, 1) && g * g > rational(-4, 1) * f
-    })
+    .control("g² > 4|f| too", |f, g| *f < rational(0, 1) && *g < rational(0, 1) && g * g > rational(-4, 1) * f)
 }
 
 fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, CheckError> {

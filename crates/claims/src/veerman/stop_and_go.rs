@@ -86,9 +86,7 @@ pub fn figure2() -> Record<Figure2Variant> {
         printed,
         examine_figure2,
     )
-    .reading(
-        "The figure does not give its sizes. Early stage: in the first period of the leader the last car stays below a quarter of its equilibrium amplitude, and after four it lacks more than half of it. Close: from 55 periods on it lacks at most a hundredth. Checked for f = g = -1 (Section 7), 32 followers, and leaders cos wt and sin wt alike.",
-    )
+    .reading("The figure does not give its sizes. Early stage: in the first period of the leader the last car stays below a quarter of its equilibrium amplitude, and after four it lacks more than half of it. Close: from 55 periods on it lacks at most a hundredth. Checked for f = g = -1 (Section 7), 32 followers, and leaders cos wt and sin wt alike.")
     .clauses(&[
         "For periodic leader movement at resonance frequency starting from equidistant positions and zero velocities, there is an early stage in which the last member is far from its equilibrium resonance.",
         "It gets close to its equilibrium resonance.",

@@ -39,11 +39,7 @@ pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
         SymmetryVariant { columns_only: false, ..right },
         examine_symmetry,
     )
-    .repaired(
-        Fault::False,
-        "",
-        right,
-    )
+    .repaired(Fault::False, "", right)
     .repaired_clauses(&[
         "If e^{i theta} is, up to a common rotation, a column m of F other than the first, then the phasors form the symmetric pattern of N/gcd(N, m - 1) clusters.",
         "Other eigenvectors of a repeated eigenvalue need not be symmetric.",
@@ -234,11 +230,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
         "For C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of the Laplacian phase potential (12).",
         "Then theta forms a symmetric pattern on the unit circle.",
     ])
-    .repaired(
-        Fault::False,
-        "",
-        right,
-    )
+    .repaired(Fault::False, "", right)
     .repaired_clauses(&[
         "On C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of W_1.",
         "Up to rotation e^{i theta} is then a column of F or (u, v, -u, -v) three times over with u, v of modulus one.",

@@ -64,11 +64,7 @@ pub fn edge_length() -> Record<LengthVariant> {
             Ok(supports(Run::all(tests)?, &[1]))
         },
     )
-    .repaired(
-        Fault::Slip,
-        "",
-        right,
-    )
+    .repaired(Fault::Slip, "", right)
     .repaired_clauses(&[
         "For undirected G, Q_L(x) = (1/(4N)) sum_{(j,k) in E} |x_j - x_k|^2 with both directions of each edge in E.",
         "With each edge counted once it is (1/(2N)) sum |x_j - x_k|^2.",
@@ -156,11 +152,7 @@ pub fn incidence() -> Record<IncidenceVariant> {
         IncidenceVariant { tail: -1, once: None, twice: Some((1, 1)) },
         examine_incidence,
     )
-    .repaired(
-        Fault::Slip,
-        "",
-        right,
-    )
+    .repaired(Fault::Slip, "", right)
     .repaired_clauses(&[
         "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way.",
         "With one column for each directed edge in E, L = (1/2) B B^T.",

@@ -31,11 +31,7 @@ pub fn synchronised() -> Record<RateVariant> {
         RateVariant { rate: |_| rational(0, 1), apart: false },
         examine_rates,
     )
-    .repaired(
-        Fault::False,
-        "",
-        right,
-    )
+    .repaired(Fault::False, "", right)
     .repaired_clauses(&[
         "In a synchronised arrangement the particles have a common direction at all times, which turns at their common rate.",
         "Under (6) with (9) or (14) that rate is omega_0.",

@@ -92,10 +92,8 @@ pub fn unbalanced() -> Record<UnbalancedVariant> {
         printed,
         examine_unbalanced,
     )
-    .reading(
-        "The sentence gives an example of the critical points other than the synchronized and balanced: 1 <= M < N and M != N/2; equilibria \
-         modulo rotation",
-    )
+    .reading("The sentence gives an example of the critical points other than the synchronized and balanced: 1 <= M < N and M != N/2; equilibria \
+         modulo rotation")
     .clauses(&[
         "The phase arrangements with M < N phases equal to theta_0 and N - M equal to theta_0 + pi, M != N/2, are equilibria.",
         "They are unstable.",

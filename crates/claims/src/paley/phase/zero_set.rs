@@ -186,11 +186,7 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
         "If G is not strongly connected, then W_1(theta) is zero if and only if the phases within each strongly connected subgraph are synchronized.",
         "Otherwise W_1(theta) is positive.",
     ])
-    .repaired(
-        Fault::False,
-        "",
-        weak,
-    )
+    .repaired(Fault::False, "", weak)
     .repaired_clauses(&[
         "W_1(theta) is zero if and only if the phases within each weakly connected component of G are synchronised.",
         "Otherwise W_1(theta) is positive.",

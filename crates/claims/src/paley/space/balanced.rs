@@ -185,11 +185,7 @@ pub fn larger_gain() -> Record<GainVariant> {
         examine_larger_gain,
     )
     .reading("The gain is raised on the formation of Figure 3(c).")
-    .repaired(
-        Fault::False,
-        "",
-        GainVariant { offset: 5, destroyed: false },
-    )
+    .repaired(Fault::False, "", GainVariant { offset: 5, destroyed: false })
     .repaired_clauses(&[
         "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) is exponentially \
          stable up to symmetry for every K_1 > 0.",

@@ -69,11 +69,9 @@ pub fn fewer_clusters() -> Record<FewerVariant> {
         "Increasing the size of the orientation zone from M = 12 to M = 8 stabilizes fewer, larger clusters.",
         "Increasing it from M = 8 to M = 2 does.",
     ])
-    .reading(
-        "In most runs from random states, at the sizes of K_1 that are tried, since the paper gives none: K_1 = -3 K_0, and with --full \
+    .reading("In most runs from random states, at the sizes of K_1 that are tried, since the paper gives none: K_1 = -3 K_0, and with --full \
          -K_0/2, -K_0, -5 K_0 and -10 K_0 too; particles are in overlapping zones where \
-         one senses the other; fewer: the mean number of clusters over the same starts decreases.",
-    )
+         one senses the other; fewer: the mean number of clusters over the same starts decreases.")
     .control("K_1 > 0", FewerVariant { sign: 1.0, ..printed })
     .control("from M = 8 to 12", FewerVariant { zones: [8, 12, 2], ..printed })
     .control("from M = 2 to 8", FewerVariant { zones: [12, 2, 8], ..printed })

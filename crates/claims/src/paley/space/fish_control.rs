@@ -87,11 +87,7 @@ pub fn laplacian_form() -> Record<FormVariant> {
         "The K_ori term is the alignment behavior.",
     ])
     .reading("\"Approximated\" means r_kj in the place of rhat_kj.")
-    .repaired(
-        Fault::Slip,
-        "",
-        right,
-    )
+    .repaired(Fault::Slip, "", right)
     .repaired_clauses(&[
         "If the repulsion zone of fish k is empty, with r_kj in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = w_k - K_ori <i e^{i \
          th_k}, L_k^ori e^{i th}> - K_att <i e^{i th_k}, L_k^att r>.",
