@@ -1,6 +1,13 @@
 //! The claims of the papers and of this project with their checks, one file per group; a claim is found by searching for
 //! its id.
 
+/// The claims of these modules, boxed: `claims! { module: claim, claim; module: claim; }`.
+macro_rules! claims {
+    ($($module:ident: $($claim:ident),+;)+) => {
+        vec![$($(Box::new($module::$claim()) as Box<dyn ledger::Claim>),+),+]
+    };
+}
+
 mod argued;
 mod beyond;
 pub mod certificates;

@@ -1,20 +1,33 @@
 //! Claims about flocks with a network that does not change (section 3, and the closed forms in the proof of Lemma 3.9).
 //! Proofs for all networks are in notes/chazelle_fixed_network.md.
 
-pub mod closed_forms;
-pub mod denominators;
-pub mod fiedler;
+mod closed_forms;
+mod denominators;
+mod fiedler;
 mod flight;
-pub mod limits;
-pub mod mixing;
-pub mod powers;
-pub mod spectrum;
+mod limits;
+mod mixing;
+mod powers;
+mod spectrum;
 
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Run};
+use ledger::{CheckError, Claim, Evidence, Grade, Outcome, Run};
 use models::averaging::{Weights, transition_matrix};
+
+/// All that are built.
+pub fn claims() -> Vec<Box<dyn Claim>> {
+    claims! {
+        spectrum: stationary, symmetrised;
+        powers: powers;
+        mixing: second_eigenvalue, entrywise_rate, halving_time;
+        fiedler: fiedler_rate;
+        limits: limit_of_gamma, positions, relative_limit;
+        denominators: short_limit;
+        closed_forms: geometric_sums, with_gamma, two_birds_apart;
+    }
+}
 
 /// How the evidence of these claims begins.
 const FAMILY: &str = "every connected graph up to isomorphism";
