@@ -11,8 +11,6 @@ use models::oscillator::{
 
 type Number = Complex<RealCyclotomic>;
 
-// --- The spectrum ---
-
 /// `p_q = s^3 + (k_0 C - k_1 t) s^2 + (omega^2 - turn i omega k_0 D) s - k_1 t omega^2`, `t = C - shift lambda_m`; on directed circulants too.
 #[derive(Clone, Copy)]
 pub struct SpectrumVariant {
@@ -113,8 +111,6 @@ pub fn circulant_spectrum() -> Record<SpectrumVariant> {
     .control("t_q = C_q", SpectrumVariant { shift: 0, ..right })
     .control("directed circulants too", SpectrumVariant { directed: true, ..right })
 }
-
-// --- Stable patterns on cyclic graphs ---
 
 /// On `C_N` the pattern `m` is stable iff `sign K_1 cos(2 pi m/N) < 0`; with `strict`, a zero cosine counts as unstable.
 #[derive(Clone, Copy)]

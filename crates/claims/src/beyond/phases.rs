@@ -7,8 +7,6 @@ use algebra::matrix::Inertia;
 use arithmetic::{Complex, Field, Signed};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 
-// --- Inertia ---
-
 /// The inertia (positive, negative, zero) at critical points on a line, given `N` and the size of the minority, and at balanced ones; and whether
 /// balanced arrangements count as critical points.
 #[derive(Clone, Copy)]
@@ -84,8 +82,6 @@ fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, C
         });
     Run::all([line, balanced, others, argued(&[1, 2, 3, 4, 5], "every N", "notes/paley_phases.md, steps C1-C6")])
 }
-
-// --- Eigenvectors of cyclic graphs ---
 
 pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
     let right = CyclicVariant::CLASSIFICATION;

@@ -12,8 +12,6 @@ use models::double_integrator::{
     potential_gradients, scaled, sum,
 };
 
-// --- Two agents align ---
-
 /// `d/dt ½|v_1 + v_2|² = factor d (v_2 x v_1)/s`, where `d` is the heading difference of the law.
 #[derive(Clone, Copy)]
 pub struct TotalVariant {
@@ -81,8 +79,6 @@ pub fn two_agents() -> Record<TotalVariant> {
     .control("over the fourth power of the distance", TotalVariant { power: 2, ..printed })
 }
 
-// --- Three agents need not align ---
-
 /// `omega` over `sqrt(3/2)`, and the whole turns by which heading differences are off the wrapped ones.
 #[derive(Clone, Copy)]
 pub struct TriangleVariant {
@@ -122,8 +118,6 @@ pub fn turning_triangle() -> Record<TriangleVariant> {
     .control("heading differences as in (2)", TriangleVariant { whole_turns: [1, 0, 0], ..printed })
 }
 
-// --- Alternating trees ---
-
 pub fn alternating_trees() -> Record<Trees> {
     let printed = Trees::two_paths();
     Record::new(
@@ -139,8 +133,6 @@ pub fn alternating_trees() -> Record<Trees> {
     .control("in space", Trees { dimension: 3, ..printed.clone() })
     .control("one tree only", Trees { trees: [printed.trees[0].clone(), printed.trees[0].clone()], ..printed })
 }
-
-// --- Endless switching ---
 
 fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Outcome, CheckError> {
     let (potential, square) = setting;
@@ -181,8 +173,6 @@ pub fn endless_switching() -> Record<(Potential, Rational)> {
     .control("V = s + 1/s - 2, whose slope at R is positive", (spring(), q(3)))
     .control("R² = 4", (Potential::with_inflection(&q(4)), q(4)))
 }
-
-// --- Switching that ends ---
 
 /// The share of the jump `8 V'(R²) R²` that is claimed, and whether the slope at R may be zero.
 #[derive(Clone, Copy)]

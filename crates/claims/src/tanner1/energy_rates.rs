@@ -13,8 +13,6 @@ use models::double_integrator::{AnyHeadings, AnyPotentials, Vector, dot, scaled}
 /// Agents in the identities.
 const MOST: usize = 3;
 
-// --- Equation (8) ---
-
 /// `dV/dr_i = sign dV/dr_j` and `d/dt factor sum V_i = sum grad V_i . v_i`.
 #[derive(Clone, Copy)]
 pub struct SymmetryVariant {
@@ -57,8 +55,6 @@ pub fn eq8() -> Record<SymmetryVariant> {
     .control("dV/dr_i = dV/dr_j", SymmetryVariant { sign: 1, ..printed })
     .control("without the half", SymmetryVariant { factor: (1, 1), ..printed })
 }
-
-// --- Equation (9) and after ---
 
 /// What `Vdot_t` is said to be.
 #[derive(Clone, Copy)]
@@ -214,8 +210,6 @@ pub fn vt_inv() -> Record<InvariantVariant> {
     .control("the kinetic energy alone is constant", InvariantVariant { potentials: (0, 1), ..ENERGY })
     .control("sum V_i + half the sum of |v_i|²", InvariantVariant { potentials: (1, 1), ..ENERGY })
 }
-
-// --- Decoupling ---
 
 /// The alignment force of the law, and whether potentials are said not to turn headings.
 #[derive(Clone, Copy)]

@@ -107,8 +107,6 @@ pub fn weighted() -> Record<WeightedVariant> {
     .control("one more zero eigenvalue", WeightedVariant { properties: LaplacianVariant { offset: 1, ..properties }, ..repaired })
 }
 
-// --- The potential ---
-
 fn examine_shape(potential: &Potential, _run: &mut Run) -> Result<Outcome, CheckError> {
     let evidence =
         Evidence::new(Grade::Exact, "one minimum, growing on both sides", "signs of the slope between its exact roots");
@@ -249,8 +247,6 @@ pub fn any_potential() -> Record<UsableVariant> {
         allowed: |potential| potential.confines() && potential.critical().is_some_and(|list| !list.is_empty()),
     })
 }
-
-// --- V_t ---
 
 fn examine_sign(potential: &Potential, run: &mut Run) -> Result<Outcome, CheckError> {
     const PRECISION: u32 = 80;

@@ -75,8 +75,6 @@ fn swings(swing: Swing, run: &mut Run) -> Result<Result<Evidence, Outcome>, Chec
     })
 }
 
-// --- Distances ---
-
 /// Whether distances are said to come to rest at a minimum, or a start to swing for ever.
 #[derive(Clone, Copy)]
 pub struct DistanceVariant {
@@ -115,8 +113,6 @@ pub fn distances() -> Record<DistanceVariant> {
     .control("with velocity (1/2, 0)", DistanceVariant { start: SLOW, ..repaired })
     .control("from the distance 1", DistanceVariant { start: AT_MINIMUM, ..repaired })
 }
-
-// --- Headings ---
 
 /// What `theta_i - theta_j` is, and whether the motion has to exist for all time.
 #[derive(Clone, Copy)]
@@ -162,8 +158,6 @@ pub fn headings() -> Record<HeadingVariant> {
     .control("wrapped differences", HeadingVariant { difference: HeadingDifference::Wrapped, ..printed })
     .control("motions that stop too", HeadingVariant { stops: true, ..printed })
 }
-
-// --- The cases of the proof ---
 
 /// The headings in the identity, and the start of the swing.
 #[derive(Clone, Copy)]

@@ -26,8 +26,6 @@ pub fn eq2() -> Record<HeadingVariant> {
     .control("the arguments swapped", HeadingVariant::Swapped)
 }
 
-// --- Smoothness ---
-
 /// Where the law is said to be smooth.
 #[derive(Clone, Copy)]
 pub struct SmoothVariant {
@@ -99,8 +97,6 @@ pub fn smooth() -> Record<SmoothVariant> {
     .control("with wrapped differences", SmoothVariant { wrapped: true, ..repaired })
     .control("wherever no velocity points along the negative x axis", SmoothVariant { at_rest: true, ..repaired })
 }
-
-// --- Omega ---
 
 /// The set `V_t <= c` or `V_t < c`, in which variables.
 #[derive(Clone, Copy)]
@@ -204,8 +200,6 @@ pub fn bounded() -> Record<BoundedVariant> {
     .control("headings in [0, 2 pi)", BoundedVariant { headings: HeadingVariant::Positive, ..printed })
 }
 
-// --- Collisions ---
-
 /// For which pairs `V_t` is said to be infinite where they meet.
 #[derive(Clone)]
 pub struct CollisionVariant {
@@ -260,8 +254,6 @@ pub fn collision() -> Record<CollisionVariant> {
     ])
     .control("V = (s - 1)²", CollisionVariant { potential: soft(), ..repaired })
 }
-
-// --- The ratios in the proof ---
 
 /// The first quotient of the line, `numerator/denominator` among `xdot, ydot, xddot, yddot`, and whether headings are equal.
 #[derive(Clone, Copy)]

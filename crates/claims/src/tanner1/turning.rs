@@ -12,8 +12,6 @@ use models::double_integrator::{AnyHeadings, Vector, cross, difference, dot, rot
 /// Agents in the identities.
 const MOST: usize = 3;
 
-// --- The alignment force ---
-
 /// The vector that the sum of heading differences multiplies.
 #[derive(Clone, Copy)]
 pub enum ForceVariant {
@@ -70,8 +68,6 @@ pub fn gyro() -> Record<ForceVariant> {
     .control("z x r_i", ForceVariant::TurnedPosition)
 }
 
-// --- Equation (6) ---
-
 /// The gradients of the potentials, turned or not, and the sign of the last sum.
 #[derive(Clone, Copy)]
 pub struct MomentumVariant {
@@ -126,8 +122,6 @@ pub fn eq6() -> Record<MomentumVariant> {
     .control("forces that are not central", MomentumVariant { central: false, ..printed })
     .control("the other sign of the last sum", MomentumVariant { sign: -1, ..printed })
 }
-
-// --- The heading dynamics ---
 
 /// Headings turn by minus the weighted sum times `alignment`, plus the potentials' part times `potential`.
 #[derive(Clone, Copy)]

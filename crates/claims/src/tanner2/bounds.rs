@@ -62,8 +62,6 @@ fn with_energy(run: &Run) -> impl Iterator<Item = (Graph, State<Rational>, &'sta
     })
 }
 
-// --- |r_ij| <= outside V^{-1}(inside c) ---
-
 /// The factors as functions of `N`, and whether `V^{-1}` is that of the pair or the largest of those of the edges.
 #[derive(Clone, Copy)]
 pub struct DistanceVariant {
@@ -129,8 +127,6 @@ pub fn bound_r() -> Record<DistanceVariant> {
     .control("(N - 1) V_ij^{-1}(c), of the pair itself", DistanceVariant { own: true, ..DISTANCE })
 }
 
-// --- |v_i|² <= factor c ---
-
 /// `|v_i|² <= factor c`, or `|v_i - v_j|² <= factor c`.
 #[derive(Clone, Copy)]
 pub struct SpeedVariant {
@@ -169,8 +165,6 @@ pub fn bound_v() -> Record<SpeedVariant> {
     .repaired(Fault::Slip, "W <= c implies v_i^T v_i <= 2c, yielding |v_i| <= sqrt(2c).", SPEED)
     .control("|v_i - v_j|² <= 2c", SpeedVariant { relative: true, ..SPEED })
 }
-
-// --- Compactness ---
 
 /// Which sets `W <= c` are said to be compact.
 #[derive(Clone)]
@@ -238,8 +232,6 @@ pub fn eq7() -> Record<CompactVariant> {
         ..printed
     })
 }
-
-// --- Corollary 2: the bound by lambda_2 ---
 
 /// `Wdot <= -factor lambda_index |part|²`, with the part along 1 or the one normal to it.
 #[derive(Clone, Copy)]

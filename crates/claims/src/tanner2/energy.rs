@@ -17,8 +17,6 @@ fn most(run: &Run) -> usize {
     run.cases(3, 4)
 }
 
-// --- Equation (9) ---
-
 /// `Wdot = factor v^T (M kron I_2) v = factor (v_x^T M v_x + v_y^T M v_y)`.
 #[derive(Clone, Copy)]
 pub struct RateVariant {
@@ -84,8 +82,6 @@ pub fn eq9() -> Record<RateVariant> {
     .control("D + A in place of L", RateVariant { signless: true, ..printed })
     .control("L kron I_2 with all x components first", RateVariant { by_axis: true, ..printed })
 }
-
-// --- Equation (8) and the display after it ---
 
 /// The chain of equations, with a factor before the first sum, the number of times an edge is counted, and the sign of the second term.
 #[derive(Clone, Copy)]
@@ -156,8 +152,6 @@ pub fn eq8() -> Record<ChainVariant> {
     .control("minus grad_{r_j}", ChainVariant { sign: -1, ..printed })
 }
 
-// --- Equation (6) ---
-
 /// `W = factor sum V_i + 1/2 sum |v_i|²` with potentials whose least value is `least`.
 #[derive(Clone, Copy)]
 pub struct MechanicalVariant {
@@ -224,8 +218,6 @@ pub fn eq6() -> Record<MechanicalVariant> {
     .control("a potential that is negative at its minimum", MechanicalVariant { least: -1, ..printed })
 }
 
-// --- Corollary 2: the decomposition ---
-
 /// `Wdot = -(x_p or x_n part) - (the same of y)`, where p is the mean, n the rest.
 #[derive(Clone, Copy)]
 pub struct PartVariant {
@@ -272,8 +264,6 @@ pub fn cor2_decomp() -> Record<PartVariant> {
     .control("the parts along 1", PartVariant { mean: true, ..printed })
     .control("L² in place of L", PartVariant { power: 2, ..printed })
 }
-
-// --- Where Wdot = 0 ---
 
 /// What is said to vanish where `Wdot = 0`.
 #[derive(Clone, Copy)]
@@ -340,8 +330,6 @@ pub fn s_config() -> Record<Vanishing> {
     .control("v_i = 0", Vanishing::Velocities)
     .control("vdot_i = 0", Vanishing::Accelerations)
 }
-
-// --- Equation (14) ---
 
 /// In the invariant set the accelerations lie along 1 and are normal to 1.
 #[derive(Clone, Copy)]
@@ -413,8 +401,6 @@ pub fn eq14() -> Record<SteadyVariant> {
     .control("forces that are not mutual", SteadyVariant { mutual: false, ..printed })
     .control("equal velocities at one instant only", SteadyVariant { invariant: false, ..printed })
 }
-
-// --- vdot = -(B kron I_2) grad V ---
 
 /// `vdot = factor (B kron I_2) [grad_{r_ij} V_ij]`; in `B` the entry of the vertex an edge leaves is -1, that of the one it enters `incoming`.
 #[derive(Clone, Copy)]

@@ -36,8 +36,6 @@ impl Step {
     }
 }
 
-// --- Uniqueness for measurable fields ---
-
 /// The class of fields for which solutions are said to be unique, and whether backwards in time too.
 #[derive(Clone, Copy)]
 pub struct UniqueVariant {
@@ -80,8 +78,6 @@ pub fn uniqueness() -> Record<UniqueVariant> {
     )
     .control("backwards in time too", UniqueVariant { backwards: true, ..repaired })
 }
-
-// --- Definition 4 ---
 
 /// What a solution has to fulfil almost everywhere.
 #[derive(Clone, Copy)]
@@ -129,8 +125,6 @@ pub fn definition4() -> Record<SolutionVariant> {
     )
     .control("without the convex hull", SolutionVariant::Limit)
 }
-
-// --- Theorem 4 ---
 
 /// The chain rule with `V` of `arguments(n)` variables, with or without the 1 for the time, almost everywhere or everywhere.
 #[derive(Clone, Copy)]
@@ -200,8 +194,6 @@ pub fn chain_rule() -> Record<ChainRuleVariant> {
     .control("K[f] with 0 in place of 1", ChainRuleVariant { time: false, ..repaired })
     .control("for every t", ChainRuleVariant { everywhere: true, ..repaired })
 }
-
-// --- Existence and uniqueness for (10) ---
 
 /// The starts from which solutions are said to be unique.
 #[derive(Clone, Copy)]

@@ -125,8 +125,6 @@ pub fn thm1c() -> Record<LimitVariant> {
     .control("critical and at rest", LimitVariant { conclusion: Conclusion::Stop, ..repaired })
 }
 
-// --- Section 4, first paragraph ---
-
 /// Which equilibria are said to be asymptotically stable and free of collisions.
 #[derive(Clone, Copy)]
 pub struct ManifoldVariant {
@@ -185,8 +183,6 @@ pub fn flocking() -> Record<ManifoldVariant> {
     .control("all equilibria of the complete graph", ManifoldVariant { minima: false, ..repaired })
     .control("alignment with the other sign", ManifoldVariant { damping: -1, ..repaired })
 }
-
-// --- Definition 3 and Corollary 1 ---
 
 fn examine_definition(potentials: &Vec<Potential>, run: &mut Run) -> Result<Outcome, CheckError> {
     let detail = "signs of the slope and of its leading terms, exact roots";
@@ -293,8 +289,6 @@ pub fn cor1() -> Record<SetpointVariant> {
     .control("any connected graph", SetpointVariant { trees: false, ..repaired })
     .control("the distances of all pairs", SetpointVariant { all_pairs: true, ..repaired })
 }
-
-// --- Theorem 2 ---
 
 /// Theorem 2 with the graph connected always, or at the start only, or never.
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -19,8 +19,6 @@ fn show(span: &Span<Rational>) -> String {
     if span.is_empty() { "empty".to_string() } else { format!("[{}, {}]", span.lo, span.hi) }
 }
 
-// --- Lemma 1 ---
-
 /// Regularity of `U` at R, or its two derivatives and the regularity of `-U`.
 #[derive(Clone, Copy)]
 pub struct RegularVariant {
@@ -93,8 +91,6 @@ pub fn lem1() -> Record<RegularVariant> {
     .control("U°(R; w) = cw", RegularVariant { generalised: |cw| cw, ..repaired })
 }
 
-// --- Lemma 2 ---
-
 /// What the generalised gradient at R is said to be: empty, or all `z` from some number to another, times the slope.
 #[derive(Clone, Copy)]
 pub struct GradientVariant {
@@ -145,8 +141,6 @@ pub fn lem2() -> Record<GradientVariant> {
     .control("R below the desired distance, c < 0", GradientVariant { thresholds: [(1, 2), (2, 3)], ..repaired })
     .control("grad V alone", GradientVariant { between: Some((1, 1)), ..repaired })
 }
-
-// --- Equation (11) ---
 
 /// How the two sums of (11) count.
 #[derive(Clone, Copy)]
@@ -208,8 +202,6 @@ pub fn q_sums() -> Record<SumVariant> {
     .control("without the unlinked pairs", SumVariant { unlinked: 0, ..printed })
 }
 
-// --- Q is continuous and has kinks ---
-
 /// Whether the potential stays at `V(R)` beyond `R` (or falls to 0), and the potential with `R²`.
 #[derive(Clone)]
 pub struct KinkVariant {
@@ -264,8 +256,6 @@ pub fn q_jump() -> Record<KinkVariant> {
     })
 }
 
-// --- Qdot away from the threshold ---
-
 /// `Qdot = factor v^T (L kron I_2) v`, away from ties or at ties too.
 #[derive(Clone, Copy)]
 pub struct AwayVariant {
@@ -318,8 +308,6 @@ pub fn q_dot() -> Record<AwayVariant> {
     .control("twice", AwayVariant { factor: -2, ..printed })
     .control("at ties too, with the graph at that instant", AwayVariant { ties: true, ..printed })
 }
-
-// --- Equation (13) ---
 
 /// What the generalised time derivative of Q is compared with.
 #[derive(Clone, Copy, PartialEq, Eq)]

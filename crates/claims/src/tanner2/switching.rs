@@ -9,8 +9,6 @@ use arithmetic::{Rational, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Pair, Potential, crosses_for_ever};
 
-// --- Arbitrary switching ---
-
 /// Two trees in turn, and the dimension of space.
 #[derive(Clone)]
 pub(crate) struct Trees {
@@ -110,8 +108,6 @@ pub fn arbitrary() -> Record<SignalVariant> {
         ..repaired
     })
 }
-
-// --- Switching by distance eventually stops ---
 
 fn examine_stop((potential, square): &(Potential, Rational), _run: &mut Run) -> Result<Outcome, CheckError> {
     if potential.slope(square)? > rational(0, 1) {

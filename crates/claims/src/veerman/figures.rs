@@ -23,8 +23,6 @@ fn pairs(m: u64, gains: &Gains<Rational>, offset: i64) -> Result<Pairs, CheckErr
     Ok([(found.omega, theorem1::frequency(&gains, size)?), (found.amplitude, theorem1::amplitude(&gains, size)?)])
 }
 
-// --- Figure 4 ---
-
 /// Theorem 1 for these gains and `M + offset` followers.
 #[derive(Clone, Copy)]
 pub struct Figure4Variant {
@@ -94,8 +92,6 @@ fn printed_cells(run: &Run) -> Result<Outcome, CheckError> {
         Ok(far.then(|| format!("Table 1, N = {}: {first} and {second}", row.n)))
     })
 }
-
-// --- Figure 5 ---
 
 /// The slope of the regression line of `ln |difference|` over `ln N` lies within 1/10 of `slope`; the differences are those of the frequency or of
 /// the amplitude, for `N + offset` followers.

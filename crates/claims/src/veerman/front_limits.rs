@@ -6,8 +6,6 @@ use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring
 use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
 use models::platoon::{Gains, amplitude_one_sided, gain_squared_one_sided};
 
-// --- The separation ---
-
 /// `a_0 Re(gamma^{-k-1} e) - back a_0 Re(gamma^{-k} e + inside) + outside`.
 #[derive(Clone, Copy)]
 pub struct SeparationVariant {
@@ -75,8 +73,6 @@ pub fn separation() -> Record<SeparationVariant> {
     .control("+ a_0 Re(gamma^{-k} e^{iwt})", SeparationVariant { back: -1, ..repaired })
     .control("without the 1", SeparationVariant { outside: 0, ..repaired })
 }
-
-// --- The size limit ---
 
 const PRECISION: u32 = 100;
 

@@ -10,8 +10,6 @@ use models::platoon::{
     resonance,
 };
 
-// --- The n-th neighbour ---
-
 /// For every `n >= smallest`: the graph is connected or not, and some followers, or all, stay behind.
 #[derive(Clone, Copy)]
 pub struct NeighbourVariant {
@@ -81,8 +79,6 @@ fn staying_behind(graph: &CommunicationGraph) -> Vec<usize> {
     let forces = graph.accelerations(&gains(((-2, 1), (-1, 3))), (&leader, &leader), &state, &state);
     (1..=graph.followers()).filter(|&k| !reached[k] && forces[k - 1] == rational(0, 1)).collect()
 }
-
-// --- Which growth occurs ---
 
 /// The degrees `p` of the families of graphs that are looked at; that of degree p is claimed to have the degree `p + shift`.
 #[derive(Clone, Copy)]

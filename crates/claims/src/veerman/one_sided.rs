@@ -10,8 +10,6 @@ use models::platoon::{
     strongest_one_sided_square,
 };
 
-// --- The response ---
-
 /// `gamma = (f + damping_sign i w g + square_sign w²)/(f + damping_sign i w g)`, `a_k = gamma^(-k + offset)` or its
 /// inverse.
 #[derive(Clone, Copy)]
@@ -106,8 +104,6 @@ pub fn response() -> Record<ResponseVariant> {
     .control("a_k = gamma^-(k+1)", ResponseVariant { offset: 1, ..printed })
 }
 
-// --- The response at w² = |f| ---
-
 /// `a_k = (1 + sign i sqrt|f|/g)^k` at `w² = |f|`, or with the power of the root and the gains exchanged.
 #[derive(Clone, Copy)]
 pub struct SpecialVariant {
@@ -157,8 +153,6 @@ pub fn special_response() -> Record<SpecialVariant> {
     .control("1 + i g/sqrt|f|", SpecialVariant { sign: 1, exchanged: true })
     .control("1 + 2 i sqrt|f|/g", SpecialVariant { sign: 2, exchanged: false })
 }
-
-// --- What is substituted ---
 
 /// What is substituted: `u_k = i w`, times `a_k` or not; `a_k` for `x_k - h_k` or for `x_k`. The common factor `e^{iwt}` is left
 /// out (it is 1 at t = 0). What comes out on the left is `-w^power a_k`.
@@ -240,8 +234,6 @@ pub fn substitution() -> Record<SubstitutionVariant> {
     .control("- w a_k on the left", SubstitutionVariant { power: 1, ..repaired })
 }
 
-// --- Where the gain exceeds one ---
-
 /// `|1/gamma| > 1` iff `w² < bound |f|` (or `<=`), for all `w >= 0` or for `w > 0`.
 #[derive(Clone, Copy)]
 pub struct GainVariant {
@@ -317,8 +309,6 @@ pub fn gain_above_one() -> Record<GainVariant> {
     .control("0 < w² < 4|f|", GainVariant { bound: 4, ..repaired })
     .control("0 < w² <= 2|f|", GainVariant { bound_included: true, ..repaired })
 }
-
-// --- Where the gain is largest ---
 
 /// Where `|1/gamma|` is claimed to be largest: at `w² = |f|`, or at a multiple of `v = (f²/g²)(sqrt(1 + under_root g²/|f|) - 1)`, which is less
 /// than a multiple of `|f|`.

@@ -8,8 +8,6 @@ use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
 use ledger::{CheckError, Outcome, Record, Run, interval_value};
 use models::platoon::{Gains, lesser_resonance, resonance};
 
-// --- Figure 1 ---
-
 /// "peaks at about `peak`" for 100 individuals, and "at a frequency `ratio` times less" for 1000, with this `f`.
 #[derive(Clone, Copy)]
 pub struct Figure1Variant {
@@ -62,8 +60,6 @@ fn examine_figure1(variant: &Figure1Variant, run: &mut Run) -> Result<Outcome, C
     }
     Ok(Outcome::Holds(evidence.to_vec()))
 }
-
-// --- Corollary 3 ---
 
 /// The k-th resonance lies at `2k + offset` times the main one up to a relative error `O(M^-order)`; it is higher than `least_height` times the
 /// main one.
@@ -139,8 +135,6 @@ fn heights(variant: &LesserVariant, k: u64, run: &mut Run) -> Result<Outcome, Ch
         Ok((!lower).then(|| format!("f = g = -1, {m} followers: resonance {k} is {size} of the main one")))
     })
 }
-
-// --- Proposition 2 ---
 
 pub fn size_limit() -> Record<ExponentVariant> {
     let printed = ExponentVariant { divisor: 8, power: 1, order: 1 };

@@ -19,8 +19,6 @@ fn points(sizes: &[u64]) -> Vec<(Gains<Rational>, Rational, u64)> {
     points
 }
 
-// --- Corollary 2 ---
-
 /// `|mu_+| != |mu_-|` for `w != 0` (or for all w), and `|a_M| <= 2/(rho^{cM} - rho^{-cM})`, `rho = max |mu_+-|`.
 #[derive(Clone, Copy)]
 pub struct DecayVariant {
@@ -113,8 +111,6 @@ fn decay_bounds(variant: &DecayVariant, run: &Run) -> Result<Outcome, CheckError
         }))
     })
 }
-
-// --- Lemma 3 ---
 
 /// `|a_M(w)| Im(gamma(w)) M^power <= bound`.
 #[derive(Clone, Copy)]

@@ -22,8 +22,6 @@ fn polynomial(matrix: &RationalMatrix) -> Result<Polynomial, CheckError> {
     Ok(Polynomial::from_rationals(&matrix.characteristic_polynomial()?.coefficients()))
 }
 
-// --- The spectrum of M ---
-
 /// `spec(M)`, without 0 or with it, is the union of the spectra of `A + factor lambda K`, where `lambda` runs through the spectrum of
 /// `P`.
 #[derive(Clone, Copy)]
@@ -147,8 +145,6 @@ fn zero_on_both_sides(variant: &SpectrumVariant, most: usize, run: &Run) -> Resu
     })
 }
 
-// --- The spectrum of P_2 ---
-
 /// `1 + sign cos((2k + offset) pi/(2 (N + 1 + shift)))` for k = 1 to N + 1.
 #[derive(Clone, Copy)]
 pub struct ReducedSpectrumVariant {
@@ -242,8 +238,6 @@ fn shifted_chebyshev(order: usize) -> Polynomial {
     Polynomial::from_rationals(&current.iter().map(|c| c * &sign).collect::<Vec<_>>())
 }
 
-// --- The modes ---
-
 /// `x² - lambda g x + sign lambda f = 0` and `x = half (lambda g ± sqrt((lambda g)² + four lambda f))`.
 #[derive(Clone, Copy)]
 pub struct ModeVariant {
@@ -307,8 +301,6 @@ pub fn mode_eigenvalues() -> Record<ModeVariant> {
     .control("- 4 lambda f under the root", ModeVariant { four: -4, ..MODE })
     .control("1 instead of 1/2", ModeVariant { half: (1, 1), ..MODE })
 }
-
-// --- Lemma 1 ---
 
 /// When a platoon of any size is claimed to be stable.
 type Condition = fn(f: &Rational, g: &Rational) -> bool;

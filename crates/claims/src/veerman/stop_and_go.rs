@@ -19,8 +19,6 @@ fn share((p, q): (i64, i64)) -> Interval {
     interval(&rational(p, q))
 }
 
-// --- Figure 2 ---
-
 /// The flock that is followed, with `f = -1` and this `g`, behind a leader at this multiple of the resonance frequency.
 #[derive(Clone, Copy)]
 pub struct Figure2Variant {
@@ -146,8 +144,6 @@ fn examine_figure2(variant: &Figure2Variant, run: &mut Run) -> Result<Outcome, C
     }
     Ok(Outcome::Holds(vec![early, late]))
 }
-
-// --- Figure 3 ---
 
 /// The frequency at which the flock oscillates is `multiple` times the resonance frequency up to `O(M^-order)`; in the run the half periods
 /// agree with those of the resonance of `more` cars more up to a hundredth.

@@ -96,8 +96,6 @@ fn examine_theorem(variant: &ColumnsVariant) -> Result<Outcome, CheckError> {
     examine_columns(variant, numbers, "enclosures of the values of Theorem 1 against the printed digits")
 }
 
-// --- The columns of theory ---
-
 pub fn theory_columns() -> Record<ColumnsVariant> {
     let repaired = ColumnsVariant { columns: [NFREQ, NAMP], offsets: [0, 0], f: -1 };
     Record::new(
@@ -126,8 +124,6 @@ pub fn theory_columns() -> Record<ColumnsVariant> {
     .control("NFREQ with TAMP", ColumnsVariant { columns: [NFREQ, TAMP], ..repaired })
     .control("f = -2", ColumnsVariant { f: -2, ..repaired })
 }
-
-// --- The columns of simulation ---
 
 /// Either the printed claim (the columns are the true resonance to their digits) or what can be said instead.
 #[derive(Clone, Copy)]
@@ -235,8 +231,6 @@ pub fn numeric_columns() -> Record<NumericVariant> {
     .control("NFREQ in the place of TFREQ", NumericVariant::Deviations([NFREQ, TAMP], 0))
 }
 
-// --- The size of the flocks ---
-
 pub fn size() -> Record<i64> {
     Record::new(
         "veerman.table1.size",
@@ -273,8 +267,6 @@ fn near_the_resonance(offset: i64, run: &Run) -> Result<Outcome, CheckError> {
     })
 }
 
-// --- The first guess ---
-
 /// `omega_0 = pi sqrt2/(4 (N + offset))` for this `f`.
 #[derive(Clone, Copy)]
 pub struct FirstGuessVariant {
@@ -308,8 +300,6 @@ pub fn first_guess() -> Record<FirstGuessVariant> {
     .control("pi sqrt2/(4N)", FirstGuessVariant { offset: 0, f: -1 })
     .control("Theorem 1 for f = -2", FirstGuessVariant { offset: 1, f: -2 })
 }
-
-// --- Which system ---
 
 /// Which equation the experiments are claimed to concern, for N + `more` followers or a multiple.
 #[derive(Clone, Copy)]

@@ -66,8 +66,6 @@ pub(super) fn enclosed(gains: &Gains<Rational>, m: u64) -> Result<(Resonance, Ga
     Ok((found, super::enclosed(gains, precision)))
 }
 
-// --- The leading terms ---
-
 /// A printed leading term times a factor, for `M + offset` followers, with the order of its error.
 #[derive(Clone, Copy)]
 pub struct LeadingVariant {
@@ -126,8 +124,6 @@ pub fn amplitude() -> Record<LeadingVariant> {
         |variant, run| examine_leading("amplitude", variant, run, |found| found.amplitude, theorem1::amplitude),
     )
 }
-
-// --- The expansion of epsilon ---
 
 /// The second-order bracket `(w²/2)(damping g²/f² + stiffness/|f|)`, and how many coefficients of the bracket are
 /// compared.
@@ -204,8 +200,6 @@ pub fn epsilon() -> Record<EpsilonVariant> {
     .control("an error O(w^5)", EpsilonVariant { coefficients: 4, ..repaired })
 }
 
-// --- The moduli ---
-
 /// `|mu_+-|² = 1 +- coefficient sqrt2 w² |g|/|f|^(power/2) + O(w^order)`.
 #[derive(Clone, Copy)]
 pub struct ModulusVariant {
@@ -267,8 +261,6 @@ pub fn modulus() -> Record<ModulusVariant> {
     .control("|f| instead of |f|^(3/2)", ModulusVariant { power: 2, ..printed })
     .control("an error O(w^5)", ModulusVariant { order: 5, ..printed })
 }
-
-// --- The exponent x ---
 
 /// `x = pi² |g|/(divisor sqrt2 |f|^(power/2))`.
 #[derive(Clone, Copy)]

@@ -19,8 +19,6 @@ pub fn clusters_of_column(nodes: usize, m: usize) -> usize {
     nodes / nodes.gcd(&m)
 }
 
-// --- The columns of F ---
-
 /// All eigenvectors with entries of modulus one, or the columns of `F` only, and how many clusters column `m` has.
 #[derive(Clone, Copy)]
 pub struct SymmetryVariant {
@@ -97,8 +95,6 @@ fn asymmetric_eigenvector(run: &Run) -> Result<Option<String>, CheckError> {
     }
     Ok(None)
 }
-
-// --- Cyclic graphs ---
 
 /// The rank of the conditions on `c = a conj(b)` and `r` under which `a w^(mk) + b w^(-mk)` has the same modulus for all `k`:
 /// `2 Re(c w^(2mk)) = r`. Exact; the rank of the Gram matrix.

@@ -9,8 +9,6 @@ use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::quadratic_form;
 
-// --- The total length of the edges ---
-
 /// `Q_L = (factor/N) sum |x_j - x_k|^2` over directed edges, on undirected graphs or any.
 #[derive(Clone, Copy)]
 pub struct LengthVariant {
@@ -73,8 +71,6 @@ pub fn edge_length() -> Record<LengthVariant> {
     .control("1/(4N) on directed graphs too", LengthVariant { directed: true, ..right })
 }
 
-// --- The kernel ---
-
 /// The inertia of the form `<x, L x>` over real vectors.
 pub fn form_inertia(laplacian: &SparseMatrix) -> Result<Inertia, CheckError> {
     let transpose = laplacian.transpose();
@@ -131,8 +127,6 @@ pub fn kernel() -> Record<KernelVariant> {
     .control("every undirected graph", KernelVariant::Undirected)
     .control("strongly connected digraphs", KernelVariant::StronglyConnected)
 }
-
-// --- The incidence matrix ---
 
 /// The lower sign in the columns of `B`, and the factors in `L = factor B B^T` with a column for each undirected edge and with one for each
 /// directed edge, as far as they are claimed.

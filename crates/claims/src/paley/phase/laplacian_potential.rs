@@ -11,8 +11,6 @@ use models::oscillator::{
     phase_potential, phase_potential_gradient, rate_of_change,
 };
 
-// --- Complete graphs ---
-
 /// `W_1 = constant + sign U_1` on a graph.
 #[derive(Clone, Copy)]
 pub struct CompleteVariant {
@@ -63,8 +61,6 @@ pub fn complete_potential() -> Record<CompleteVariant> {
     .control("+ U_1", CompleteVariant { sign: 1, ..printed })
     .control("the path", CompleteVariant { graph: |n| digraph(n, |k, j| k.abs_diff(j) == 1), ..printed })
 }
-
-// --- The gradient ---
 
 /// Graphs of the identities; a directed one first where the statement is to be tried on it.
 fn graphs(directed: bool) -> impl Iterator<Item = Result<WeightedGraph, CheckError>> {
@@ -128,8 +124,6 @@ pub fn gradient() -> Record<GradientVariant> {
     .control("1/(2N) with L alone", GradientVariant { own: (1, 2), ..printed })
     .control("1/N with L + L^T", GradientVariant { both: 2, ..printed })
 }
-
-// --- The control (14) ---
 
 /// Powers and signs of the rate and of the sum over pairs.
 #[derive(Clone, Copy)]

@@ -10,8 +10,6 @@ use arithmetic::{ArithmeticError, CosineField, Field, Rational, Sign, Signed, ra
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{moment, moment_gradient, moment_potential, phase_jacobian, phase_potential, powers};
 
-// --- Potentials on the complete graph ---
-
 /// The constant in `W_m = constant - U_m`, given `N` and `m`.
 type ConstantOf = fn(particles: i64, m: i64) -> Rational;
 
@@ -58,8 +56,6 @@ pub fn laplacian_moments() -> Record<ConstantOf> {
     .control("N/(2m)", |particles, m| rational(particles, 2 * m))
     .control("N/m^2", |particles, m| rational(particles, m * m))
 }
-
-// --- Extremes and saddles ---
 
 /// Where the extremes are claimed to be, and what the other stationary points are.
 #[derive(Clone, Copy)]

@@ -40,8 +40,6 @@ fn text_scale(n: i64, _: i64) -> Rational {
     rational(n + 2, n)
 }
 
-// --- The scaled potential ---
-
 /// For which `n` of `N` which scale is claimed to bring the potential into [0, 1].
 #[derive(Clone)]
 pub struct ScaleVariant(Vec<(Applies, ScaleOf)>);
@@ -158,8 +156,6 @@ fn reached_on_the_square() -> Result<Outcome, CheckError> {
     Ok(Outcome::Holds(vec![evidence.on([3]).for_all()]))
 }
 
-// --- Complete graphs ---
-
 struct CompleteIdentity {
     laplacian: SparseMatrix,
     scale: Rational,
@@ -199,8 +195,6 @@ pub fn complete_scale() -> Record<ScaleOf> {
     )
     .control("2/n", |n, _| rational(2, n))
 }
-
-// --- Three and one ---
 
 /// The scale, and whether equal clusters count as unbalanced.
 #[derive(Clone, Copy)]

@@ -12,8 +12,6 @@ use models::oscillator::{
     phase_gradient, rate_of_change, symmetric_pattern,
 };
 
-// --- Synchronised phases ---
-
 /// The common rate given `omega_0`, and whether one phase is apart from the others.
 #[derive(Clone, Copy)]
 pub struct RateVariant {
@@ -72,8 +70,6 @@ fn examine_rates(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckE
         argued(&[1, 2, 3], "every N and graph", "notes/paley_phases.md, steps O10"),
     ])
 }
-
-// --- Equation (7) ---
 
 /// `p` turned by so many quarters, and the factor of the sum of squares.
 #[derive(Clone, Copy)]
@@ -136,8 +132,6 @@ pub fn order_parameter() -> Record<OrderVariant> {
     .control("p turned by a quarter", OrderVariant { quarters: 1, ..printed })
     .control("twice the squares", OrderVariant { squares: 2, ..printed })
 }
-
-// --- Equation (8) ---
 
 /// Which arrangements maximise, from how many particles on, and how many particles a rotation leaves out.
 #[derive(Clone, Copy)]
@@ -219,8 +213,6 @@ fn extreme_values(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, Check
         Ok(wrong.then(|| format!("N = {}, {}: U_1 = {value}", z.len(), turns(&exponents, PARTS))))
     })
 }
-
-// --- The displays between (8) and (10) ---
 
 /// Signs and factors of the gradient, the sum over pairs and the decrease.
 #[derive(Clone, Copy)]

@@ -16,8 +16,6 @@ fn divisors(n: u32) -> impl Iterator<Item = u32> {
     (1..=n).filter(move |m| n.is_multiple_of(*m))
 }
 
-// --- Two patterns ---
-
 /// The least `N`, and how many symmetric patterns there are at least.
 #[derive(Clone, Copy)]
 pub struct TwoVariant {
@@ -50,8 +48,6 @@ pub fn two_patterns() -> Record<TwoVariant> {
     .control("one particle too", TwoVariant { least: 1, ..printed })
     .control("at least three", TwoVariant { count: 3, ..printed })
 }
-
-// --- Moments ---
 
 /// Up to which moment a pattern is balanced, whether the last one is multiplied by `M`, and whether all patterns are balanced.
 #[derive(Clone, Copy)]
@@ -106,8 +102,6 @@ pub fn moments_of_patterns() -> Record<MomentsVariant> {
     .control("|p_M| = 1", MomentsVariant { multiplied: false, ..printed })
     .control("the synchronised state balanced", MomentsVariant { synchronised_too: true, ..printed })
 }
-
-// --- Minimisers ---
 
 /// The gain `K_m` of `K_1, ..., K_M`, given `m` and `M`.
 type Gains = fn(m: u32, last: u32) -> Rational;

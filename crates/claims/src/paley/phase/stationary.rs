@@ -27,8 +27,6 @@ pub fn is_eigenvector(laplacian: &SparseMatrix, z: &[Complex<RealCyclotomic>]) -
     all_equal(&factors)
 }
 
-// --- Equation (16) ---
-
 /// Whether directed graphs count, and which product with `L_k e^{i theta}` is to vanish.
 #[derive(Clone, Copy)]
 pub struct StationaryVariant {
@@ -68,8 +66,6 @@ pub fn stationary_points() -> Record<StationaryVariant> {
     .control("directed graphs too", StationaryVariant { directed: true, ..printed })
     .control("<e^{i theta_k}, L_k e^{i theta}>", StationaryVariant { unturned: true, ..printed })
 }
-
-// --- Eigenvectors ---
 
 /// Graphs, direction of the implication, and what an equilibrium is.
 #[derive(Clone, Copy)]
@@ -130,8 +126,6 @@ fn examine_eigenvectors(variant: &EigenvectorVariant, run: &mut Run) -> Result<O
         Ok(wrong.then(|| format!("{}, {}: {found}", arcs(&graph), turns(&exponents, PARTS))))
     })
 }
-
-// --- Balanced stationary points ---
 
 /// The graphs that are claimed to have a balanced stationary point.
 #[derive(Clone, Copy)]

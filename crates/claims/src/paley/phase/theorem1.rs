@@ -11,8 +11,6 @@ use models::oscillator::{gradient_control, moment_gradient, moment_potential, ra
 /// Most particles of the arrangements at multiples of 1/12 turn.
 const MOST: usize = 6;
 
-// --- Convergence ---
-
 /// Where all solutions are claimed to converge to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Limit {
@@ -79,8 +77,6 @@ pub fn convergence() -> Record<Limit> {
     .control("all converge to balanced arrangements", Limit::Balanced)
     .control("all converge to rest, for any omega_0", Limit::Rest)
 }
-
-// --- Stability ---
 
 /// Which kind is claimed to be asymptotically stable, for which sign of the gain, and in what sense.
 #[derive(Clone, Copy)]

@@ -8,8 +8,6 @@ use arithmetic::{CosineField, Rational, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::{circulant_eigenvalue, laplacian_rows};
 
-// --- Laplacians ---
-
 /// Hypotheses and conventions of the facts about Laplacians.
 #[derive(Clone, Copy)]
 pub struct LaplacianVariant {
@@ -105,8 +103,6 @@ fn examine_laplacians(variant: &LaplacianVariant, run: &mut Run) -> Result<Outco
     });
     Run::all([facts, columns])
 }
-
-// --- Complete and cyclic graphs ---
 
 /// First rows, and the least `N` for `C_N`.
 #[derive(Clone, Copy)]
