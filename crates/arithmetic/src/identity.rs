@@ -78,8 +78,8 @@ impl<'a> Identity<'a> {
 
     /// An identity in `N` variables, which are the argument.
     pub fn of<const N: usize>(sides: impl Fn(&[Probe; N]) -> Probed + 'a) -> Self {
-        let number = ArithmeticError::Domain("the number of variables");
-        Self::new(N, move |at| sides(at.try_into().map_err(|_| number.clone())?))
+        let number = |_| ArithmeticError::Domain("the number of variables");
+        Self::new(N, move |at| sides(at.try_into().map_err(number)?))
     }
 
     /// The same with names of the components, for messages.
@@ -97,7 +97,7 @@ impl<'a> Identity<'a> {
     /// # Errors
     /// [`ArithmeticError`] where the point is a pole.
     pub fn at(&self, point: &[Rational]) -> Result<Sides<Rational>, ArithmeticError> {
-        let exact = |list: Vec<Probe>| list.iter().filter_map(Probe::exact).collect();
+        let exact = |list: Vec<Probe>| list.iter().filter_map(Probe::exact).cloned().collect();
         let (left, right) = (self.sides)(&point.iter().cloned().map(Probe::Exact).collect::<Vec<_>>())?;
         Ok((exact(left), exact(right)))
     }

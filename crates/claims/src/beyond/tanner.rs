@@ -4,8 +4,8 @@ use crate::argued::argued;
 use crate::tanner2::fixtures::{PLANE, printed as logarithmic, spring};
 use crate::tanner2::switching::{TREES_ARGUED, Trees, no_common_configuration};
 use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Field, Probe, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::double_integrator::{
     AnyPotentials, Potential, State, cross, crosses_for_ever, difference, dot, gyroscopic, kinetic_energy,
@@ -20,15 +20,9 @@ pub struct TotalVariant {
 }
 
 /// Positions, speeds, half-angle tangents of the headings, the heading difference and the slope of the potential.
-struct Total(TotalVariant);
-
-impl RationalIdentity for Total {
-    fn variables(&self) -> usize {
-        10
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let velocity = |speed: &T, tangent: &T| -> Result<[T; 2], ArithmeticError> {
+fn total_velocity(variant: &TotalVariant) -> Identity<'_> {
+    Identity::new(10, move |at| {
+        let velocity = |speed: &Probe, tangent: &Probe| -> Result<[Probe; 2], ArithmeticError> {
             let phasor = models::oscillator::phasor(tangent)?;
             Ok(scaled(speed, &[phasor.re, phasor.im]))
         };
@@ -45,12 +39,12 @@ impl RationalIdentity for Total {
         let [v, w] = [&state.velocities[0], &state.velocities[1]];
         let s = PLANE.square(&state.separation(0, 1));
         // w x v is |v_1||v_2| sin(theta_1 - theta_2).
-        let right = at[8].clone() * cross(w, v) * at[0].integer(self.0.factor);
+        let right = at[8].clone() * cross(w, v) * at[0].integer(variant.factor);
         // The mechanical energy: the potential g s, and the kinetic energy.
         let square = PLANE.square(&moving.separation(0, 1));
         let energy = arithmetic::Dual::constant(at[9].clone()) * square + kinetic_energy(&moving.velocities, PLANE)?;
-        Ok((vec![left, energy.derivative], vec![right.over(&s.power(self.0.power))?, at[0].zero()]))
-    }
+        Ok((vec![left, energy.derivative], vec![right.over(&s.power(variant.power))?, at[0].zero()]))
+    })
 }
 
 pub fn two_agents() -> Record<TotalVariant> {
@@ -62,7 +56,7 @@ pub fn two_agents() -> Record<TotalVariant> {
         printed,
         |variant, run| {
             let names = ["x1", "y1", "x2", "y2", "speed 1", "speed 2", "tan(theta_1/2)", "tan(theta_2/2)", "d", "V'"];
-            let rates = run.identity(&Total(*variant), &names, "the rates of ½|v_1 + v_2|² and of the energy, any potential")?;
+            let rates = run.identity(&total_velocity(variant), &names, "the rates of ½|v_1 + v_2|² and of the energy, any potential")?;
             Run::all([
                 Ok(rates.on([1, 3]).for_all()),
                 argued(&[2], "d sin d >= 0", "notes/tanner1.md, Two agents, steps 1 and 2"),
@@ -183,30 +177,24 @@ pub struct EndsVariant {
 
 /// The second derivative of `|r_e|²` under (4) changes by `-8 g s - 4 r.v` where the link e = (1, 2) is added, whatever the other links
 /// and potentials are.
-struct Jump(Graph, (i64, i64));
-
-impl RationalIdentity for Jump {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let with = AnyPotentials::read(&self.0, at)?;
+fn jump(graph: Graph, share: (i64, i64)) -> Identity<'static> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let with = AnyPotentials::read(&graph, at)?;
         let Some(link) = with.edges.iter().position(|pair| *pair == (0, 1)) else {
             return Err(ArithmeticError::Domain("the link 1-2"));
         };
-        let mut without = AnyPotentials::read(&self.0, at)?;
+        let mut without = AnyPotentials::read(&graph, at)?;
         without.edges.remove(link);
         without.slopes.remove(link);
         let (r, v) = (with.state.separation(0, 1), with.state.relative_velocity(0, 1));
-        let second = |flock: &AnyPotentials<T>| -> Result<T, ArithmeticError> {
+        let second = |flock: &AnyPotentials<Probe>| -> Result<Probe, ArithmeticError> {
             let a = flock.accelerations()?;
             Ok(dot(&r, &difference(&a[0], &a[1])) * v[0].integer(2) + PLANE.square(&v) * v[0].integer(2))
         };
-        let pull = with.slopes[link].clone() * PLANE.square(&r) * r[0].integer(8) * r[0].ratio(self.1.0, self.1.1);
+        let pull = with.slopes[link].clone() * PLANE.square(&r) * r[0].integer(8) * r[0].ratio(share.0, share.1);
         let right = -pull - dot(&r, &v) * r[0].integer(4);
         Ok((vec![second(&with)? - second(&without)?], vec![right]))
-    }
+    })
 }
 
 fn examine_ends(variant: &EndsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -219,7 +207,7 @@ fn examine_ends(variant: &EndsVariant, run: &mut Run) -> Result<Outcome, CheckEr
     let jumps = graphs.into_iter().map(|graph| {
         let names = AnyPotentials::names(&graph);
         let part = format!("the pull of the link 1-2 on |r_12|², edges {:?}, any potentials", graph.edges());
-        run.identity(&Jump(graph, variant.share), &names.iter().map(String::as_str).collect::<Vec<_>>(), &part)
+        run.identity(&jump(graph, variant.share), &names, &part)
     });
     let proof = argued(&[1], "late crossings", "notes/tanner2.md, When switching stops, steps 1 to 5");
     Run::all(jumps.chain([proof]))

@@ -2,8 +2,8 @@
 
 use super::sequences::{random_graph, show_all};
 use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, Ring, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Field, Probe, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
@@ -72,38 +72,27 @@ struct Shapes {
 }
 
 /// One of the two halves of the footnote for matrices of variables.
-struct Footnote {
-    shapes: Shapes,
-    variant: KroneckerVariant,
-    mixed: bool,
-}
-
-impl RationalIdentity for Footnote {
-    fn variables(&self) -> usize {
-        let Shapes { m, n, r, p, q, s } = self.shapes;
-        m * n + p * q + n * r + q * s
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let Shapes { m, n, r, p, q, s } = self.shapes;
+fn footnote(shapes: Shapes, variant: &KroneckerVariant, mixed: bool) -> Identity<'_> {
+    let Shapes { m, n, r, p, q, s } = shapes;
+    Identity::new(m * n + p * q + n * r + q * s, move |at| {
         let mut entries = at.iter().cloned();
-        let mut matrix = |rows: usize, cols: usize| -> Dense<T> {
+        let mut matrix = |rows: usize, cols: usize| -> Dense<Probe> {
             (0..rows).map(|_| entries.by_ref().take(cols).collect()).collect()
         };
         let (a, b, c, d) = (matrix(m, n), matrix(p, q), matrix(n, r), matrix(q, s));
-        let (left, right) = if self.mixed {
-            let right = match self.variant.mixed {
+        let (left, right) = if mixed {
+            let right = match variant.mixed {
                 Mixed::AcBd => blocks(&times(&a, &c), &times(&b, &d)),
                 Mixed::AdBc => blocks(&times(&a, &d), &times(&b, &c)),
                 Mixed::CaDb => blocks(&times(&c, &a), &times(&d, &b)),
             };
             (times(&blocks(&a, &b), &blocks(&c, &d)), right)
         } else {
-            let ruled = self.variant.by_rule(&a, &b).ok_or(ArithmeticError::Domain("indices inside the product"))?;
+            let ruled = variant.by_rule(&a, &b).ok_or(ArithmeticError::Domain("indices inside the product"))?;
             (ruled, blocks(&a, &b))
         };
         Ok((left.into_iter().flatten().collect(), right.into_iter().flatten().collect()))
-    }
+    })
 }
 
 pub fn kronecker() -> Record<KroneckerVariant> {
@@ -138,19 +127,17 @@ fn check_kronecker(variant: &KroneckerVariant, run: &mut Run) -> Result<Outcome,
         let shapes = Shapes { m, n, r, p, q, s };
         // The altered products need square matrices.
         let fits = matches!(variant.mixed, Mixed::AcBd) || (m, p, r, s) == (n, q, n, q);
-        let unknowns: Vec<String> = (1..=m * n + p * q + n * r + q * s).map(|k| format!("x{k}")).collect();
-        let names: Vec<&str> = unknowns.iter().map(String::as_str).collect();
+        let names: Vec<String> = (1..=m * n + p * q + n * r + q * s).map(|k| format!("x{k}")).collect();
         let ones = |rows, cols| vec![vec![rational(1, 1); cols]; rows];
         if variant.by_rule::<Rational>(&ones(m, n), &ones(p, q)).is_none() {
             let what = format!("the index rule does not fill {} x {} from A {m} x {n} and B {p} x {q}", m * p, n * q);
             return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the index rule", "all indices")));
         }
-        let rule = Footnote { shapes, variant: *variant, mixed: false };
-        parts.push(run.identity(&rule, &names, &format!("entries, A {m} x {n}, B {p} x {q}")).map(|o| o.on([1])));
+        let part = format!("entries, A {m} x {n}, B {p} x {q}");
+        parts.push(run.identity(&footnote(shapes, variant, false), &names, &part).map(|o| o.on([1])));
         if fits {
-            let mixed = Footnote { shapes, variant: *variant, mixed: true };
             let part = format!("mixed product, C {n} x {r}, D {q} x {s} with them");
-            parts.push(run.identity(&mixed, &names, &part).map(|outcome| outcome.on([2])));
+            parts.push(run.identity(&footnote(shapes, variant, true), &names, &part).map(|o| o.on([2])));
         }
     }
     Run::all(parts)
@@ -245,7 +232,7 @@ fn check_difference(variant: &DifferenceVariant, run: &mut Run) -> Result<Outcom
             velocities = times(&blocks(&matrices[t - 1], &unit(d)), &velocities);
         }
     }
-    let identity = run.identity(&Generic { variant }, &[], "two generic factors, three birds in the plane")?;
+    let identity = run.identity(&generic(variant), &[""; 0], "two generic factors, three birds in the plane")?;
     let Outcome::Holds(mut evidence) = identity else { return Ok(identity) };
     evidence.push(
         Evidence::new(
@@ -259,27 +246,19 @@ fn check_difference(variant: &DifferenceVariant, run: &mut Run) -> Result<Outcom
 }
 
 /// `v_1(3) - v_2(3)` for three birds in the plane and two matrices of variables.
-struct Generic<'a> {
-    variant: &'a DifferenceVariant,
-}
-
-impl RationalIdentity for Generic<'_> {
-    fn variables(&self) -> usize {
-        2 * 9 + 6
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn generic(variant: &DifferenceVariant) -> Identity<'_> {
+    Identity::new(2 * 9 + 6, move |at| {
         let matrix =
-            |from: usize| -> Dense<T> { (0..3).map(|i| at[from + 3 * i..from + 3 * i + 3].to_vec()).collect() };
+            |from: usize| -> Dense<Probe> { (0..3).map(|i| at[from + 3 * i..from + 3 * i + 3].to_vec()).collect() };
         let one = at[0].one();
-        let unit: Dense<T> = vec![vec![one.clone(), one.zero()], vec![one.zero(), one.clone()]];
+        let unit: Dense<Probe> = vec![vec![one.clone(), one.zero()], vec![one.zero(), one.clone()]];
         let (first, second) = (matrix(0), matrix(9));
-        let start: Dense<T> = at[18..].iter().map(|x| vec![x.clone()]).collect();
+        let start: Dense<Probe> = at[18..].iter().map(|x| vec![x.clone()]).collect();
         let velocities = times(&blocks(&second, &unit), &times(&blocks(&first, &unit), &start));
         let left = (0..2).map(|k| velocities[k][0].clone() - &velocities[2 + k][0]).collect();
-        let chi = self.variant.chi(3, 0, 1).iter().map(|x| one.rational(x)).collect();
+        let chi = variant.chi(3, 0, 1).iter().map(|x| one.rational(x)).collect();
         let row = times(&vec![chi], &times(&second, &first));
         let right = times(&blocks(&row, &unit), &start).into_iter().flatten().collect();
         Ok((left, right))
-    }
+    })
 }

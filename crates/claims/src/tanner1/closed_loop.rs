@@ -1,7 +1,7 @@
 //! A state of the closed loop (1), (4), (5) at which printed rates fail: equal headings, for which all readings of `theta_i - theta_j`
 //! agree.
 
-use arithmetic::identity::RationalIdentity;
+use arithmetic::identity::Identity;
 use arithmetic::{ArithmeticError, Rational, rational};
 use ledger::{Evidence, Grade, Outcome};
 
@@ -15,8 +15,8 @@ pub(super) fn upwards() -> Vec<Rational> {
 pub(super) const UPWARDS: &str = "two agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1), V = 1/s + log s";
 
 /// Whether the sides agree at the state above; the counterexample if not.
-pub(super) fn at_upwards(identity: &impl RationalIdentity, what: &str) -> Result<Option<Outcome>, ArithmeticError> {
-    let (left, right) = identity.sides(&upwards())?;
+pub(super) fn at_upwards(identity: &Identity, what: &str) -> Result<Option<Outcome>, ArithmeticError> {
+    let (left, right) = identity.at(&upwards())?;
     let place = left.iter().zip(&right).position(|(l, r)| l != r);
     Ok(place.map(|k| {
         Outcome::fails(

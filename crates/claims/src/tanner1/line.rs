@@ -4,7 +4,7 @@
 //! the headings are equal, no alignment force acts, and the velocities are `c ± u` with `u² + V(s) = V(s_0)`: they swing for ever.
 
 use super::energy_rates::energy_is_constant;
-use super::sets::Plain;
+use super::sets::plain_accelerations;
 use crate::argued::argued;
 use crate::tanner2::fixtures::{on_connected, printed as potential};
 use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
@@ -179,7 +179,7 @@ fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckE
         );
         return Ok(Outcome::fails(what, swing.on([1, 2, 3])));
     }
-    let forces = on_connected(run, 3, "the accelerations", |graph| Plain(graph, variant.equal_headings));
+    let forces = on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings));
     Run::all([
         Ok(forces?.on([1])),
         argued(&[1], "forces at equal constant headings", "notes/tanner1.md, Heading dynamics, steps 5 and 6"),

@@ -5,8 +5,8 @@ use crate::tanner2::fixtures::{PLANE, on_connected, printed as printed_potential
 use crate::tanner2::graphs::shown;
 use crate::tanner2::wording::{HeadingVariant, examine_heading, headings};
 use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, Signed, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Field, Interval, Probe, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{AnyHeadings, Pair, Potential, State, gyroscopic, heading};
 
@@ -263,47 +263,35 @@ pub struct RatioVariant {
     equal_headings: bool,
 }
 
-struct Ratio(RatioVariant);
-
-impl RationalIdentity for Ratio {
-    fn variables(&self) -> usize {
-        3
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [k, x, xx] = at else { return Err(ArithmeticError::Domain("three variables")) };
+fn quotients(variant: &RatioVariant) -> Identity<'_> {
+    Identity::of(move |[k, x, xx]| {
         // ydot/xdot = k for all time: yddot = k xddot.
         let all = [x.clone(), k.clone() * x, xx.clone(), k.clone() * xx];
-        Ok((vec![all[self.0.numerator].over(&all[self.0.denominator])?, all[1].over(x)?], vec![k.clone(), k.clone()]))
-    }
+        Ok((vec![all[variant.numerator].over(&all[variant.denominator])?, all[1].over(x)?], vec![k.clone(), k.clone()]))
+    })
 }
 
 /// At equal headings the accelerations are minus the gradients.
-pub(super) struct Plain(pub Graph, pub bool);
-
-impl RationalIdentity for Plain {
-    fn variables(&self) -> usize {
-        AnyHeadings::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+pub(super) fn plain_accelerations(graph: Graph, equal_headings: bool) -> Identity<'static> {
+    Identity::new(AnyHeadings::variables(&graph), move |at| {
         let mut at = at.to_vec();
-        if self.1 {
-            let first = at.len() - self.0.order();
+        if equal_headings {
+            let first = at.len() - graph.order();
             let common = at[first].clone();
             at[first..].fill(common);
         }
-        let whole = AnyHeadings::read(&self.0, &at)?;
-        let minus = |list: Vec<[T; 2]>| list.into_iter().flatten().map(|x| -x).collect();
+        let whole = AnyHeadings::read(&graph, &at)?;
+        let minus = |list: Vec<[Probe; 2]>| list.into_iter().flatten().map(|x| -x).collect();
         Ok((whole.accelerations.into_iter().flatten().collect(), minus(whole.gradients)))
-    }
+    })
 }
 
 fn examine_ratio(variant: &RatioVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "the quotients, for ydot = k xdot at all times";
     Run::all([
-        Ok(run.identity(&Ratio(*variant), &["k", "xdot", "xddot"], part)?.on([1]).for_all()),
-        Ok(on_connected(run, 3, "the accelerations", |graph| Plain(graph, variant.equal_headings))?.on([2])),
+        Ok(run.identity(&quotients(variant), &["k", "xdot", "xddot"], part)?.on([1]).for_all()),
+        Ok(on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings))?
+            .on([2])),
         argued(&[2], "the accelerations at equal headings", "notes/tanner1.md, Heading dynamics, step 5"),
     ])
 }

@@ -4,8 +4,8 @@ use super::closed_loop::at_upwards;
 use crate::argued::argued;
 use crate::tanner2::fixtures::{on_connected, total};
 use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field};
+use arithmetic::identity::Identity;
+use arithmetic::{Probe, Ring};
 use ledger::{CheckError, Fault, Outcome, Record, Run};
 use models::double_integrator::{AnyHeadings, Vector, cross, difference, dot, rotated, scaled};
 
@@ -23,34 +23,28 @@ pub enum ForceVariant {
     Velocity,
 }
 
-struct Force(Graph, ForceVariant);
-
-impl RationalIdentity for Force {
-    fn variables(&self) -> usize {
-        AnyHeadings::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let whole = AnyHeadings::read(&self.0, at)?;
+fn work_and_force(graph: Graph, variant: &ForceVariant) -> Identity<'_> {
+    Identity::new(AnyHeadings::variables(&graph), move |at| {
+        let whole = AnyHeadings::read(&graph, at)?;
         let state = &whole.flock.state;
-        let along = |i: usize| match self.1 {
+        let along = |i: usize| match variant {
             ForceVariant::TurnedVelocity => rotated(&state.velocities[i]),
             ForceVariant::TurnedPosition => rotated(&state.positions[i]),
             ForceVariant::Velocity => state.velocities[i].clone(),
         };
         let sums = whole.laplacian()?;
-        let forces: Vec<Vector<T>> = sums.iter().enumerate().map(|(i, x)| scaled(&-x.clone(), &along(i))).collect();
-        let work: Vec<T> = forces.iter().zip(&state.velocities).map(|(a, v)| dot(a, v)).collect();
+        let forces: Vec<Vector<Probe>> = sums.iter().enumerate().map(|(i, x)| scaled(&-x.clone(), &along(i))).collect();
+        let work: Vec<Probe> = forces.iter().zip(&state.velocities).map(|(a, v)| dot(a, v)).collect();
         let zeros = work.iter().map(|w| w.zero());
         // The library's law has the same force, and none of them does work.
         let right = zeros.chain(whole.alignment().into_iter().flatten()).collect();
         Ok((work.into_iter().chain(forces.into_iter().flatten()).collect(), right))
-    }
+    })
 }
 
 /// Tests that the alignment force is the printed one and does no work.
 pub(super) fn does_no_work(force: &ForceVariant, run: &Run) -> Result<Outcome, CheckError> {
-    on_connected(run, MOST, "the alignment force does no work", |graph| Force(graph, *force))
+    on_connected(run, MOST, "the alignment force does no work", |graph| work_and_force(graph, force))
 }
 
 pub fn gyro() -> Record<ForceVariant> {
@@ -75,17 +69,11 @@ pub struct MomentumVariant {
     sign: i64,
 }
 
-struct AngularMomentum(Graph, MomentumVariant);
-
-impl RationalIdentity for AngularMomentum {
-    fn variables(&self) -> usize {
-        AnyHeadings::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let whole = AnyHeadings::read(&self.0, at)?;
+fn angular_momentum(graph: Graph, variant: &MomentumVariant) -> Identity<'_> {
+    Identity::new(AnyHeadings::variables(&graph), move |at| {
+        let whole = AnyHeadings::read(&graph, at)?;
         let state = &whole.flock.state;
-        let push = |g: &Vector<T>| if self.1.central { g.clone() } else { rotated(g) };
+        let push = |g: &Vector<Probe>| if variant.central { g.clone() } else { rotated(g) };
         let alignment = whole.alignment();
         let accelerations = alignment.iter().zip(&whole.gradients).map(|(a, g)| difference(a, &push(g)));
         let like = &at[0];
@@ -93,15 +81,15 @@ impl RationalIdentity for AngularMomentum {
         let turning = total(like, state.positions.iter().zip(&alignment).map(|(r, a)| cross(r, a)));
         // Both orders of every pair: r_ij x grad V_ij.
         let pairs = whole.flock.edges.iter().zip(whole.flock.pair_gradients()?);
-        let both = |(&(i, j), (at_i, _)): (&(usize, usize), (Vector<T>, _))| {
+        let both = |(&(i, j), (at_i, _)): (&(usize, usize), (Vector<Probe>, _))| {
             cross(&state.separation(i, j), &push(&at_i)) * like.integer(2)
         };
         let internal = total(like, pairs.map(both));
         // r x (z x v) = r . v.
         let own = state.positions.iter().zip(&state.velocities).zip(whole.laplacian()?);
         let last = total(like, own.map(|((r, v), sum)| dot(r, v) * sum));
-        Ok((vec![left.clone(), left], vec![turning - internal, last * like.integer(-self.1.sign)]))
-    }
+        Ok((vec![left.clone(), left], vec![turning - internal, last * like.integer(-variant.sign)]))
+    })
 }
 
 pub fn eq6() -> Record<MomentumVariant> {
@@ -111,7 +99,7 @@ pub fn eq6() -> Record<MomentumVariant> {
         "grad V_ij is along r_ij, so every r_ij x grad V_ij vanishes (in both orders, however often a pair is counted), and the potential forces of a pair have opposite torques. What is left is the torque of the alignment forces.",
         printed,
         |variant, run| {
-            Ok(on_connected(run, MOST, "equation (6)", |graph| AngularMomentum(graph, *variant))?.on([1, 2, 3]))
+            Ok(on_connected(run, MOST, "equation (6)", |graph| angular_momentum(graph, variant))?.on([1, 2, 3]))
         },
     )
     .clauses(&[
@@ -131,37 +119,31 @@ pub struct HeadingVariant {
 }
 
 /// The statement (7), or the one before it, weighted by `r_i . v_i` and summed.
-struct Turning(Graph, HeadingVariant, bool);
-
-impl RationalIdentity for Turning {
-    fn variables(&self) -> usize {
-        AnyHeadings::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let whole = AnyHeadings::read(&self.0, at)?;
-        let (potential, alignment) = (at[0].integer(self.1.potential), at[0].integer(self.1.alignment));
+fn turning(graph: Graph, variant: &HeadingVariant, weighted: bool) -> Identity<'_> {
+    Identity::new(AnyHeadings::variables(&graph), move |at| {
+        let whole = AnyHeadings::read(&graph, at)?;
+        let (potential, alignment) = (at[0].integer(variant.potential), at[0].integer(variant.alignment));
         let left = whole.heading_rates()?;
         let terms = whole.laplacian()?.into_iter().zip(whole.potential_rates()?);
-        let right: Vec<T> = terms.map(|(sum, own)| own * &potential - sum * &alignment).collect();
-        if !self.2 {
+        let right: Vec<Probe> = terms.map(|(sum, own)| own * &potential - sum * &alignment).collect();
+        if !weighted {
             return Ok((left, right));
         }
         let state = &whole.flock.state;
         let weight = |i: usize| dot(&state.positions[i], &state.velocities[i]);
-        let sum = |list: Vec<T>| total(&at[0], list.into_iter().enumerate().map(|(i, x)| x * weight(i)));
+        let sum = |list: Vec<Probe>| total(&at[0], list.into_iter().enumerate().map(|(i, x)| x * weight(i)));
         Ok((vec![sum(left)], vec![sum(right)]))
-    }
+    })
 }
 
 fn examine_turning(variant: &HeadingVariant, weighted: bool, run: &Run) -> Result<Outcome, CheckError> {
     let what = if weighted { "the sum of (r_i . v_i) thetadot_i" } else { "thetadot_1" };
-    if let Some(outcome) = at_upwards(&Turning(Graph::path(2), *variant, weighted), what)? {
+    if let Some(outcome) = at_upwards(&turning(Graph::path(2), variant, weighted), what)? {
         return Ok(outcome);
     }
     let steps = if weighted { "steps 1 to 4" } else { "steps 1 to 3" };
     Run::all([
-        on_connected(run, MOST, "the heading dynamics", |graph| Turning(graph, *variant, weighted)),
+        on_connected(run, MOST, "the heading dynamics", |graph| turning(graph, variant, weighted)),
         argued(&[1], "the heading dynamics", &format!("notes/tanner1.md, Heading dynamics, {steps}")),
     ])
 }

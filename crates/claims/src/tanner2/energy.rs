@@ -4,8 +4,8 @@ use super::fixtures::{PLANE, energy_decreases, on_connected, quadratic, spring, 
 use crate::argued::argued;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Dual, Field, Rational, Signed, gradient, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Dual, Field, Probe, Rational, Ring, Signed, gradient, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{
     AnyPotentials, Potential, State, difference, disagreements, dot, kinetic_energy, potential_energy, scaled, sum,
@@ -27,8 +27,6 @@ pub struct RateVariant {
     by_axis: bool,
 }
 
-struct Rate(Graph, RateVariant);
-
 /// `D - A`, or `D + A`.
 fn laplacian(graph: &Graph, signless: bool) -> Result<RationalMatrix, ArithmeticError> {
     let square = |_| ArithmeticError::Domain("a graph with vertices");
@@ -41,30 +39,23 @@ fn laplacian(graph: &Graph, signless: bool) -> Result<RationalMatrix, Arithmetic
     RationalMatrix::from_rows(&rows).map_err(square)
 }
 
-impl RationalIdentity for Rate {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["dW/dt, stacked", "dW/dt, by axes"].map(str::to_string).to_vec()
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
-        let matrix = laplacian(&self.0, self.1.signless)?;
+fn energy_rate(graph: Graph, variant: &RateVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
+        let matrix = laplacian(&graph, variant.signless)?;
         let plane = RationalMatrix::identity(2).map_err(|_| ArithmeticError::Domain("the plane"))?;
-        let stack: Vec<T> = if self.1.by_axis {
+        let stack: Vec<Probe> = if variant.by_axis {
             [flock.axis(0), flock.axis(1)].concat()
         } else {
             flock.state.velocities.iter().flatten().cloned().collect()
         };
-        let factor = at[0].integer(self.1.factor);
+        let factor = at[0].integer(variant.factor);
         let stacked = quadratic(&matrix.kronecker(&plane), &stack) * &factor;
         let axes = (quadratic(&matrix, &flock.axis(0)) + quadratic(&matrix, &flock.axis(1))) * factor;
         let rate = flock.energy_rate()?;
         Ok((vec![rate.clone(), rate], vec![stacked, axes]))
-    }
+    })
+    .named(["dW/dt, stacked", "dW/dt, by axes"])
 }
 
 pub fn eq9() -> Record<RateVariant> {
@@ -75,7 +66,7 @@ pub fn eq9() -> Record<RateVariant> {
          |v_i - v_j|². With the stack vector (v_1, v_2, ...) the matrix L kron I_2 gives the same sum. Any graph, any potentials. \
          (The text calls the velocities three dimensional; the agents move in the plane, and I_2 in the formula is right. In three dimensions it would be I_3, with a third form in v_z.)",
         printed,
-        |variant, run| Ok(on_connected(run, most(run), "equation (9)", |graph| Rate(graph, *variant))?.on([1, 2])),
+        |variant, run| Ok(on_connected(run, most(run), "equation (9)", |graph| energy_rate(graph, variant))?.on([1, 2])),
     )
     .clauses(&["Wdot = -v^T (L kron I_2) v.", "Wdot = -v_x^T L v_x - v_y^T L v_y."])
     .control("twice", RateVariant { factor: -2, ..printed })
@@ -91,27 +82,15 @@ pub struct ChainVariant {
     sign: i64,
 }
 
-struct Chain(Graph, ChainVariant);
-
-impl RationalIdentity for Chain {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["dW/dt", "the sum of rdot_ij . grad V_ij", "the sum over i and j", "the sum of rdot_i . grad V_i"]
-            .map(str::to_string)
-            .to_vec()
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
+fn chain(graph: Graph, variant: &ChainVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
         let (like, v) = (&at[0], &flock.state.velocities);
-        let half = total(like, flock.agent_rates()?) * like.ratio(self.1.half.0, self.1.half.1);
+        let half = total(like, flock.agent_rates()?) * like.ratio(variant.half.0, variant.half.1);
         let gradients = flock.gradients()?;
         let damping = disagreements(v, &flock.edges);
         let work = total(like, (0..v.len()).map(|i| dot(&v[i], &sum(&damping[i], &gradients[i]))));
-        let counted = like.integer(self.1.counted);
+        let counted = like.integer(variant.counted);
         let pairs = flock.pair_gradients()?;
         let relative = flock.edges.iter().zip(&pairs).map(|(&(i, j), (at_i, _))| dot(&difference(&v[i], &v[j]), at_i));
         let relative = total(like, relative) * &counted;
@@ -119,14 +98,15 @@ impl RationalIdentity for Chain {
             .edges
             .iter()
             .zip(&pairs)
-            .map(|(&(i, j), (at_i, at_j))| dot(&v[i], at_i) + dot(&v[j], at_j) * like.integer(self.1.sign));
+            .map(|(&(i, j), (at_i, at_j))| dot(&v[i], at_i) + dot(&v[j], at_j) * like.integer(variant.sign));
         let both = total(like, both) * counted;
         let single = total(like, (0..v.len()).map(|i| dot(&v[i], &gradients[i])));
         Ok((
             vec![flock.energy_rate()?, half.clone(), half.clone(), half.clone()],
             vec![half - work, relative, both, single],
         ))
-    }
+    })
+    .named(["dW/dt", "the sum of rdot_ij . grad V_ij", "the sum over i and j", "the sum of rdot_i . grad V_i"])
 }
 
 pub fn eq8() -> Record<ChainVariant> {
@@ -136,7 +116,7 @@ pub fn eq8() -> Record<ChainVariant> {
         "Each V_ij occurs in V_i and in V_j, so half the sum of the V_i is the sum over the edges, each once. V_ij depends on r_i - r_j, so grad_{r_j} = -grad_{r_i} = -grad_{r_ij}. Any graph, any potentials.",
         printed,
         |variant, run| Run::all([
-            Ok(on_connected(run, most(run), "equation (8)", |graph| Chain(graph, *variant))?.on([1, 2, 3, 4])),
+            Ok(on_connected(run, most(run), "equation (8)", |graph| chain(graph, variant))?.on([1, 2, 3, 4])),
             argued(&[1, 2, 3, 4], "the chain of equations", "notes/tanner2.md, Identities, steps 1 and 2"),
         ]),
     )
@@ -159,29 +139,23 @@ pub struct MechanicalVariant {
     least: i64,
 }
 
-struct Mechanical(Graph, MechanicalVariant);
-
-impl RationalIdentity for Mechanical {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
-        let count = self.0.order();
-        let derivatives = gradient(&at[..4 * count], |list: &[Dual<T>]| {
+fn gradient_of_energy(graph: Graph, variant: &MechanicalVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
+        let count = graph.order();
+        let derivatives = gradient(&at[..4 * count], |list: &[Dual<Probe>]| {
             let state = State::from_list(count, list).ok_or(ArithmeticError::Domain("a state"))?;
-            flock.energy(&state, self.1.factor)
+            flock.energy(&state, variant.factor)
         })?;
         // grad_{r_i} W against minus the force, grad_{v_i} W against the momentum.
         let forces = flock.gradients()?.into_iter().flatten();
         Ok((derivatives, forces.chain(flock.state.velocities.iter().flatten().cloned()).collect()))
-    }
+    })
 }
 
 fn examine_mechanical(variant: &MechanicalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     Run::all([
-        Ok(on_connected(run, most(run), "the forces are -grad W", |graph| Mechanical(graph, *variant))?.on([2])),
+        Ok(on_connected(run, most(run), "the forces are -grad W", |graph| gradient_of_energy(graph, variant))?.on([2])),
         Ok(non_negative(variant)?.on([1])),
         argued(&[1, 2], "energy and forces", "notes/tanner2.md, Identities, steps 1 and 5"),
     ])
@@ -225,27 +199,22 @@ pub struct PartVariant {
     power: usize,
 }
 
-struct Part(Graph, PartVariant);
-
-impl RationalIdentity for Part {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
-        let mut matrix = laplacian(&self.0, false)?;
-        if self.1.power == 2 {
+fn part_of_rate(graph: Graph, variant: &PartVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
+        let mut matrix = laplacian(&graph, false)?;
+        if variant.power == 2 {
             matrix = matrix.times(&matrix).map_err(|_| ArithmeticError::Domain("a square matrix"))?;
         }
         let form = (0..2).map(|k| {
             let v = flock.axis(k);
             let mean = total(&at[0], v.iter().cloned()) * at[0].ratio(1, v.len() as i64);
-            let part: Vec<T> = v.iter().map(|x| if self.1.mean { mean.clone() } else { x.clone() - &mean }).collect();
+            let part: Vec<Probe> =
+                v.iter().map(|x| if variant.mean { mean.clone() } else { x.clone() - &mean }).collect();
             -quadratic(&matrix, &part)
         });
         Ok((vec![flock.energy_rate()?], vec![total(&at[0], form)]))
-    }
+    })
 }
 
 pub fn cor2_decomp() -> Record<PartVariant> {
@@ -256,7 +225,7 @@ pub fn cor2_decomp() -> Record<PartVariant> {
         printed,
         |variant, run| {
             Run::all([
-                on_connected(run, most(run), "Wdot by the parts normal to 1", |graph| Part(graph, *variant)),
+                on_connected(run, most(run), "Wdot by the parts normal to 1", |graph| part_of_rate(graph, variant)),
                 argued(&[1], "Wdot by the parts normal to 1", "notes/tanner2.md, Identities, step 6"),
             ])
         },
@@ -341,18 +310,12 @@ pub struct SteadyVariant {
 }
 
 /// The sum of all accelerations is zero; the slope at the second agent of each edge is a variable of its own where forces are not mutual.
-struct Momentum(Graph, bool);
-
-impl RationalIdentity for Momentum {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0) + if self.1 { 0 } else { self.0.edges().len() }
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
+fn sum_of_accelerations(graph: Graph, mutual: bool) -> Identity<'static> {
+    Identity::new(AnyPotentials::variables(&graph) + if mutual { 0 } else { graph.edges().len() }, move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
         let mut accelerations = flock.accelerations()?;
-        if !self.1 {
-            let own = &at[AnyPotentials::variables(&self.0)..];
+        if !mutual {
+            let own = &at[AnyPotentials::variables(&graph)..];
             for ((&(i, j), mutual), other) in flock.edges.iter().zip(&flock.slopes).zip(own) {
                 let extra = scaled(&((other.clone() - mutual) * at[0].integer(2)), &flock.state.separation(i, j));
                 accelerations[j] = sum(&accelerations[j], &extra);
@@ -360,12 +323,13 @@ impl RationalIdentity for Momentum {
         }
         let sums = [0, 1].map(|k| total(&at[0], accelerations.iter().map(|a| a[k].clone())));
         Ok((sums.to_vec(), vec![at[0].zero(), at[0].zero()]))
-    }
+    })
 }
 
 fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let momentum =
-        on_connected(run, most(run), "the accelerations sum to zero", |graph| Momentum(graph, variant.mutual));
+    let momentum = on_connected(run, most(run), "the accelerations sum to zero", |graph| {
+        sum_of_accelerations(graph, variant.mutual)
+    });
     let momentum = momentum.map(|outcome| outcome.on([1]));
     if variant.invariant {
         let steps = "notes/tanner2.md, Identities, step 4";
@@ -409,26 +373,20 @@ pub struct IncidenceVariant {
     incoming: i64,
 }
 
-struct ByIncidence(Graph, IncidenceVariant);
-
-impl RationalIdentity for ByIncidence {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
+fn by_incidence(graph: Graph, variant: &IncidenceVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
         // In S the velocities are equal: the accelerations are minus the gradients.
         let left = flock.gradients()?.into_iter().flatten().map(|x| -x).collect();
-        let mut right: Vec<[T; 2]> = vec![[at[0].zero(), at[0].zero()]; self.0.order()];
+        let mut right: Vec<[Probe; 2]> = vec![[at[0].zero(), at[0].zero()]; graph.order()];
         for (&(i, j), (gradient, _)) in flock.edges.iter().zip(&flock.pair_gradients()?) {
             // The arc from i to j.
-            let entry = |weight: i64| scaled(&at[0].integer(self.1.factor * weight), gradient);
+            let entry = |weight: i64| scaled(&at[0].integer(variant.factor * weight), gradient);
             right[i] = sum(&right[i], &entry(-1));
-            right[j] = sum(&right[j], &entry(self.1.incoming));
+            right[j] = sum(&right[j], &entry(variant.incoming));
         }
         Ok((left, right.into_iter().flatten().collect()))
-    }
+    })
 }
 
 pub fn vdot_b() -> Record<IncidenceVariant> {
@@ -440,7 +398,7 @@ pub fn vdot_b() -> Record<IncidenceVariant> {
          proof uses, does not depend on the sign.",
         printed,
         |variant, run| Run::all([
-            on_connected(run, most(run), "vdot in S by the incidence matrix", |graph| ByIncidence(graph, *variant)),
+            on_connected(run, most(run), "vdot in S by the incidence matrix", |graph| by_incidence(graph, variant)),
             argued(&[1], "vdot in S by the incidence matrix", "notes/tanner2.md, Identities, step 8"),
         ]),
     )

@@ -3,8 +3,8 @@
 use super::fixtures::{PLANE, energy_decreases, printed as logarithmic, random_vectors, spring};
 use crate::argued::argued;
 use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Field, Rational, Ring, rational};
 use ledger::{CheckError, Fault, Outcome, Record, Run};
 use models::double_integrator::{Kink, Potential, Span, State, TiedRate, dot, saturated_rate, tied};
 
@@ -152,38 +152,32 @@ pub struct SumVariant {
 }
 
 /// Values of the potentials as variables: `V_ij` of linked pairs, `V_ij(R)` of the others, `U_ii`, and the squared speeds.
-struct TwoSums(Graph, SumVariant);
-
-impl RationalIdentity for TwoSums {
-    fn variables(&self) -> usize {
-        self.0.order() * (self.0.order() + 3) / 2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let count = self.0.order();
+fn two_sums(graph: Graph, variant: &SumVariant) -> Identity<'_> {
+    Identity::new(graph.order() * (graph.order() + 3) / 2, move |at| {
+        let count = graph.order();
         let (pairs, rest) = at.split_at(count * (count - 1) / 2);
         let (own, squares) = rest.split_at(count);
         let pair = |i: usize, j: usize| pairs[i.max(j) * (i.max(j) - 1) / 2 + i.min(j)].clone();
         let like = &at[0];
         let (mut left, mut right) = (like.zero(), like.zero());
         for i in 0..count {
-            let linked = self.0.neighbours(i).into_iter().fold(like.zero(), |sum, j| sum + pair(i, j));
+            let linked = graph.neighbours(i).into_iter().fold(like.zero(), |sum, j| sum + pair(i, j));
             left = left + (linked + &squares[i]) * like.ratio(1, 2);
             let all = (0..count).filter(|&j| j != i).fold(squares[i].clone(), |sum, j| sum + pair(i, j));
-            let all = if self.1.own { all + &own[i] } else { all };
+            let all = if variant.own { all + &own[i] } else { all };
             right = right + all * like.ratio(1, 2);
         }
-        for (i, j) in (0..count).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| !self.0.has_edge(i, j)) {
-            left = left + pair(i, j) * like.integer(self.1.unlinked);
+        for (i, j) in (0..count).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| !graph.has_edge(i, j)) {
+            left = left + pair(i, j) * like.integer(variant.unlinked);
         }
         Ok((vec![left], vec![right]))
-    }
+    })
 }
 
 fn examine_sums(variant: &SumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     Run::all((1..=3).flat_map(Graph::all).map(|graph| {
         let part = format!("equation (11), {} agents, edges {:?}, any values", graph.order(), graph.edges());
-        run.identity(&TwoSums(graph, *variant), &["V_ij", "U_ii", "|v_i|²"], &part)
+        run.identity(&two_sums(graph, variant), &["V_ij", "U_ii", "|v_i|²"], &part)
     }))
 }
 

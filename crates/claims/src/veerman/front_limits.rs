@@ -1,8 +1,8 @@
 //! veerman.sep_remark, veerman.prop1: separation and size limit where every car tracks only the one in front.
 
 use super::{certified, negative_gains};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Complex, Field, Interval, Probe, Rational, Real, Ring, rational};
 use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
 use models::platoon::{Gains, amplitude_one_sided, gain_squared_one_sided};
 
@@ -16,38 +16,25 @@ pub struct SeparationVariant {
 
 /// Car `k` at `h + a_0 Re(z e)`, car `k + 1` at `h + 1 + a_0 Re(z e/gamma)`, where `z` is any number in the place of
 /// `gamma^-k` and `e = e^{iwt}` any phase.
-struct Difference(SeparationVariant);
-
-impl RationalIdentity for Difference {
-    fn variables(&self) -> usize {
-        8
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w, a, u, z_re, z_im, h] = at else { return Err(ArithmeticError::Domain("eight variables")) };
+fn difference(variant: &SeparationVariant) -> Identity<'_> {
+    Identity::of(move |[f, g, w, a, u, z_re, z_im, h]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
         // e = (1 + iu)/(1 - iu) runs through all phases but one.
         let half_turn = Complex::new(u.one(), u.clone());
         let phase = half_turn.over(&half_turn.conj())?;
         let front = Complex::new(z_re.clone(), z_im.clone()) * phase;
         let own = front.clone() * amplitude_one_sided(&gains, w, 1)?;
-        let separation = |a: &T| {
-            let position = |place: T, z: &Complex<T>| place + a.clone() * &z.re;
+        let separation = |a: &Probe| {
+            let position = |place: Probe, z: &Complex<Probe>| place + a.clone() * &z.re;
             position(h.clone() + h.one(), &own) - position(h.clone(), &front)
         };
-        let inside = front.re.clone() + a.integer(self.0.inside);
-        let oscillation = a.clone() * &own.re - a.integer(self.0.back) * a * inside;
+        let inside = front.re.clone() + a.integer(variant.inside);
+        let oscillation = a.clone() * &own.re - a.integer(variant.back) * a * inside;
         let still = separation(&a.zero());
-        Ok((vec![separation(a) - &still, still], vec![oscillation, a.integer(self.0.outside)]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at) && at[3] > rational(0, 1)
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["what a_0 adds to the separation", "the separation x_{k+1} - x_k for a_0 = 0"].map(String::from).to_vec()
-    }
+        Ok((vec![separation(a) - &still, still], vec![oscillation, a.integer(variant.outside)]))
+    })
+    .within(|at| negative_gains(at) && at[3] > rational(0, 1))
+    .named(["what a_0 adds to the separation", "the separation x_{k+1} - x_k for a_0 = 0"])
 }
 
 pub fn separation() -> Record<SeparationVariant> {
@@ -61,7 +48,7 @@ pub fn separation() -> Record<SeparationVariant> {
         |variant, run| {
             let names = ["f", "g", "w", "a_0", "tan(wt/2)", "Re gamma^-k", "Im gamma^-k", "h_k"];
             let part = "the difference of the positions, any k and t";
-            run.identity(&Difference(*variant), &names, part).map(Outcome::for_all)
+            run.identity(&difference(variant), &names, part).map(Outcome::for_all)
         },
     )
     .repaired(
@@ -93,27 +80,14 @@ impl FrontLimitVariant {
 }
 
 /// The squared gain per car at the leader's frequency, with `f = -r²`.
-struct GrowthPerCar(FrontLimitVariant);
-
-impl RationalIdentity for GrowthPerCar {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
+fn growth_per_car(variant: &FrontLimitVariant) -> Identity<'_> {
+    Identity::of(move |[r, g]| {
         let gains = Gains { f: -r.square(), g: g.clone() };
-        let gain = gain_squared_one_sided(&gains, &r.power(2 * self.0.half_powers))?;
-        Ok((vec![gain], vec![self.0.growth(r, g)?]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at[0] > rational(0, 1) && at[1] < rational(0, 1)
-    }
-
-    fn components(&self) -> Vec<String> {
-        vec!["|1/gamma|² at the leader's frequency".to_string()]
-    }
+        let gain = gain_squared_one_sided(&gains, &r.power(2 * variant.half_powers))?;
+        Ok((vec![gain], vec![variant.growth(r, g)?]))
+    })
+    .within(|at| at[0] > rational(0, 1) && at[1] < rational(0, 1))
+    .named(vec!["|1/gamma|² at the leader's frequency".to_string()])
 }
 
 /// The largest N for which the last car, number N + 1, stays within `ratio = D/a_0`; -1 if even one follower does not.
@@ -159,7 +133,7 @@ pub fn size_limit() -> Record<FrontLimitVariant> {
 
 fn examine_limit(variant: &FrontLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "the gain per car at the leader's frequency, |f| = r²";
-    let growth = run.identity(&GrowthPerCar(*variant), &["r", "g"], part)?;
+    let growth = run.identity(&growth_per_car(variant), &["r", "g"], part)?;
     if let Outcome::Fails { counterexample, evidence } = growth {
         let counterexample = no_limit(variant)?.unwrap_or(counterexample);
         return Ok(Outcome::Fails { counterexample, evidence }.on([1]));

@@ -2,8 +2,8 @@
 
 use super::{certified, gains, negative_gains, parts, unit, within};
 use crate::argued::argued;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Ring, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Complex, Field, Interval, Probe, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
 use models::platoon::{
     Communication, CommunicationGraph, Gains, amplitude_one_sided, amplitudes_two_sided, gain_squared_one_sided,
@@ -95,51 +95,29 @@ impl GrowthVariant {
 }
 
 /// Everyone tracks the leader: all amplitudes are 1/gamma.
-struct Star(usize);
-
-impl RationalIdentity for Star {
-    fn variables(&self) -> usize {
-        3
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w] = at else { return Err(ArithmeticError::Domain("three variables")) };
+fn star(followers: usize) -> Identity<'static> {
+    Identity::of(move |[f, g, w]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
-        let graph = CommunicationGraph::star(self.0).map_err(|_| ArithmeticError::Domain("followers"))?;
+        let graph = CommunicationGraph::star(followers).map_err(|_| ArithmeticError::Domain("followers"))?;
         let one = amplitude_one_sided(&gains, w, 1)?;
-        Ok((parts(graph.response(&gains, w)?), parts(vec![one; self.0])))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at)
-    }
+        Ok((parts(graph.response(&gains, w)?), parts(vec![one; followers])))
+    })
+    .within(negative_gains)
 }
 
 /// `platoons` two-sided platoons of `length` cars in series: the last car has the power of the single platoon's last amplitude.
-struct Series {
-    length: usize,
-    platoons: usize,
-}
-
-impl RationalIdentity for Series {
-    fn variables(&self) -> usize {
-        3
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w] = at else { return Err(ArithmeticError::Domain("three variables")) };
+fn series(length: usize, platoons: usize) -> Identity<'static> {
+    Identity::of(move |[f, g, w]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
-        let graph = CommunicationGraph::in_series(&vec![self.length; self.platoons])
-            .map_err(|_| ArithmeticError::Domain("followers"))?;
-        let last = |amplitudes: Vec<Complex<T>>| amplitudes.last().cloned().ok_or(ArithmeticError::Domain("followers"));
+        let graph =
+            CommunicationGraph::in_series(&vec![length; platoons]).map_err(|_| ArithmeticError::Domain("followers"))?;
+        let last =
+            |amplitudes: Vec<Complex<Probe>>| amplitudes.last().cloned().ok_or(ArithmeticError::Domain("followers"));
         let whole = last(graph.response(&gains, w)?)?;
-        let single = last(amplitudes_two_sided(&gains, w, self.length)?)?;
-        Ok((parts([whole]), parts([single.power(self.platoons as u64)])))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at)
-    }
+        let single = last(amplitudes_two_sided(&gains, w, length)?)?;
+        Ok((parts([whole]), parts([single.power(platoons as u64)])))
+    })
+    .within(negative_gains)
 }
 
 /// The experiments of the paper are not described, and what they indicate depends on the graphs that are meant.
@@ -168,11 +146,11 @@ pub(crate) fn examine_growth(variant: &GrowthVariant, run: &mut Run) -> Result<O
     let names = ["f", "g", "w"];
     for followers in 1..=4 {
         let part = format!("p = 0, everyone tracks the leader: all amplitudes are 1/gamma, {followers} followers");
-        results.push(run.identity(&Star(followers), &names, &part).map(|outcome| outcome.on([2])));
+        results.push(run.identity(&star(followers), &names, &part).map(|outcome| outcome.on([2])));
     }
     for (length, platoons) in [(2, 1), (1, 2), (2, 2), (1, 3)] {
         let part = format!("{platoons} platoons of {length} in series: the power of a_{length}");
-        results.push(run.identity(&Series { length, platoons }, &names, &part).map(|outcome| outcome.on([2])));
+        results.push(run.identity(&series(length, platoons), &names, &part).map(|outcome| outcome.on([2])));
     }
     results.push(argued(&[1], "system (1)", "notes/veerman_platoons.md, other graphs, step 4"));
     results.push(argued(&[2], "platoons in series", "notes/veerman_platoons.md, other graphs, steps 5 to 8"));

@@ -2,8 +2,8 @@
 
 use crate::argued::argued;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Probe, Rational, Ring, rational};
 use ledger::{CheckError, Outcome, Record, Run};
 use models::platoon::vector_form::{control_block, geodesic_block, kronecker_apply};
 use models::platoon::{Communication, CommunicationGraph, Gains, accelerations};
@@ -74,61 +74,46 @@ impl MatrixVariant {
     }
 }
 
-/// The vector form gives the velocities and the accelerations of the printed equations, for any state.
-struct VectorForm {
-    variant: MatrixVariant,
-    followers: usize,
-}
-
-impl RationalIdentity for VectorForm {
-    /// f, g; position, velocity and desired position of every agent.
-    fn variables(&self) -> usize {
-        2 + 3 * (self.followers + 1)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+/// The vector form gives the velocities and the accelerations of the printed equations, for any state; variables are f, g,
+/// position, velocity and desired position of every agent.
+fn vector_form(variant: &MatrixVariant, followers: usize) -> Identity<'_> {
+    Identity::new(2 + 3 * (followers + 1), move |at| {
         let [f, g, agents @ ..] = at else { return Err(ArithmeticError::Domain("two gains")) };
         let gains = Gains { f: f.clone(), g: g.clone() };
         let state = |k: usize| [agents[3 * k].clone(), agents[3 * k + 1].clone()];
         let desired = |k: usize| [agents[3 * k + 2].clone(), f.zero()];
         let deviation = |k: usize| agents[3 * k].clone() - &agents[3 * k + 2];
-        let followers = 1..=self.followers;
-        let rates: Vec<T> = followers.clone().map(|k| state(k)[1].clone()).collect();
+        let each = 1..=followers;
+        let rates: Vec<Probe> = each.clone().map(|k| state(k)[1].clone()).collect();
         let forces = accelerations(
-            self.variant.communication,
+            variant.communication,
             &gains,
             (&deviation(0), &state(0)[1]),
-            &followers.clone().map(deviation).collect::<Vec<T>>(),
+            &each.clone().map(deviation).collect::<Vec<Probe>>(),
             &rates,
         );
-        let sign = f.integer(self.variant.zeta_sign);
+        let sign = f.integer(variant.zeta_sign);
         let relative = |k: usize| {
             let ([x, u], [zeta, rest]) = (state(k), desired(k));
             [x + sign.clone() * zeta, u + sign.clone() * rest]
         };
         let [[a00, a01], [a10, a11]] = geodesic_block(f);
-        let geodesic = if self.variant.transposed { [[a00, a10], [a01, a11]] } else { [[a00, a01], [a10, a11]] };
+        let geodesic = if variant.transposed { [[a00, a10], [a01, a11]] } else { [[a00, a01], [a10, a11]] };
         let control = control_block(&gains);
         let identity =
-            RationalMatrix::identity(self.followers).map_err(|_| ArithmeticError::Domain("at least one follower"))?;
-        let free = kronecker_apply(&identity.to_rows(), &geodesic, &followers.clone().map(state).collect::<Vec<_>>());
-        let own = kronecker_apply(
-            &self.variant.reduced(self.followers),
-            &control,
-            &followers.clone().map(relative).collect::<Vec<_>>(),
-        );
-        let leader = kronecker_apply(&self.variant.leader_column(self.followers), &control, &[relative(0)]);
+            RationalMatrix::identity(followers).map_err(|_| ArithmeticError::Domain("at least one follower"))?;
+        let free = kronecker_apply(&identity.to_rows(), &geodesic, &each.clone().map(state).collect::<Vec<_>>());
+        let own =
+            kronecker_apply(&variant.reduced(followers), &control, &each.clone().map(relative).collect::<Vec<_>>());
+        let leader = kronecker_apply(&variant.leader_column(followers), &control, &[relative(0)]);
         let vector_form = free.into_iter().zip(own).zip(leader).flat_map(|((a, b), c)| {
             let ([a0, a1], [b0, b1], [c0, c1]) = (a, b, c);
             [a0 + b0 + c0, a1 + b1 + c1]
         });
         let equations = rates.into_iter().zip(forces).flat_map(|(u, a)| [u, a]);
         Ok((vector_form.collect(), equations.collect()))
-    }
-
-    fn components(&self) -> Vec<String> {
-        (1..=self.followers).flat_map(|k| [format!("the rate of x_{k}"), format!("the rate of u_{k}")]).collect()
-    }
+    })
+    .named((1..=followers).flat_map(|k| [format!("the rate of x_{k}"), format!("the rate of u_{k}")]))
 }
 
 /// The vector form and the matrices bear on clause 1, the spectrum of P_1 on the others.
@@ -136,10 +121,9 @@ fn examine_matrices(variant: &MatrixVariant, run: &mut Run) -> Result<Outcome, C
     let mut results = Vec::new();
     for followers in 1..=LARGEST {
         let names: Vec<String> = (0..=followers).flat_map(|k| ["x", "u", "h"].map(|v| format!("{v}_{k}"))).collect();
-        let names: Vec<&str> = ["f", "g"].into_iter().chain(names.iter().map(String::as_str)).collect();
+        let names: Vec<String> = ["f", "g"].map(String::from).into_iter().chain(names).collect();
         let part = format!("the vector form is the printed equations, {followers} followers, any state and leader");
-        let form = VectorForm { variant: *variant, followers };
-        results.push(run.identity(&form, &names, &part).map(|outcome| outcome.on([1])));
+        results.push(run.identity(&vector_form(variant, followers), &names, &part).map(|outcome| outcome.on([1])));
     }
     results.push(from_the_graph(variant, run).map(|outcome| outcome.on([1])));
     if let Some(eigenvalue) = variant.eigenvalue {

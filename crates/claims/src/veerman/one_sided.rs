@@ -2,8 +2,8 @@
 //! front.
 
 use super::{complex_gains, enclosed, imaginary, negative_gains, parts, unit};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, Real, Ring, Signed, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Complex, Field, Probe, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
 use models::platoon::{
     Communication, Gains, accelerations, amplitude_one_sided, gain_fraction_one_sided, gain_squared_one_sided,
@@ -29,55 +29,35 @@ impl ResponseVariant {
     }
 }
 
-/// The amplitudes of the first cars satisfy equation (1).
-struct SatisfiesEquation1(ResponseVariant);
-
 const CARS: u64 = 4;
 
-impl RationalIdentity for SatisfiesEquation1 {
-    fn variables(&self) -> usize {
-        3
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w] = at else { return Err(ArithmeticError::Domain("three variables")) };
-        let ratio = self.0.ratio(f, g, w)?;
-        let amplitudes: Vec<Complex<T>> = (1..=CARS).map(|k| ratio.power(k + self.0.offset)).collect();
+/// The amplitudes of the first cars satisfy equation (1).
+fn satisfies_equation_1(variant: &ResponseVariant) -> Identity<'_> {
+    Identity::of(move |[f, g, w]| {
+        let ratio = variant.ratio(f, g, w)?;
+        let amplitudes: Vec<Complex<Probe>> = (1..=CARS).map(|k| ratio.power(k + variant.offset)).collect();
         let iw = imaginary(w);
-        let rates: Vec<Complex<T>> = amplitudes.iter().map(|a| a.clone() * &iw).collect();
+        let rates: Vec<Complex<Probe>> = amplitudes.iter().map(|a| a.clone() * &iw).collect();
         let forces = accelerations(Communication::Front, &complex_gains(f, g), (&iw.one(), &iw), &amplitudes, &rates);
         let second_rates = rates.iter().map(|u| u.clone() * &iw);
         Ok((parts(second_rates), parts(forces)))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at)
-    }
+    })
+    .within(negative_gains)
 }
 
 /// One step of the recurrence, from any amplitude in front: with the first cars it proves all.
-struct StepOfEquation1(ResponseVariant);
-
-impl RationalIdentity for StepOfEquation1 {
-    fn variables(&self) -> usize {
-        5
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w, re, im] = at else { return Err(ArithmeticError::Domain("five variables")) };
+fn step_of_equation_1(variant: &ResponseVariant) -> Identity<'_> {
+    Identity::of(move |[f, g, w, re, im]| {
         let front = Complex::new(re.clone(), im.clone());
         let iw = imaginary(w);
-        let own = front.clone() * self.0.ratio(f, g, w)?;
+        let own = front.clone() * variant.ratio(f, g, w)?;
         let rate = own.clone() * &iw;
         let leader = (&front, &(front.clone() * &iw));
         let car = std::slice::from_ref;
         let force = accelerations(Communication::Front, &complex_gains(f, g), leader, car(&own), car(&rate));
         Ok((parts([rate * iw]), parts(force)))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at)
-    }
+    })
+    .within(negative_gains)
 }
 
 pub fn response() -> Record<ResponseVariant> {
@@ -92,8 +72,8 @@ pub fn response() -> Record<ResponseVariant> {
             let first = "equation (1) for the first four cars, a_0 = 1";
             let step = "equation (1) for a_k = a_{k-1}/gamma, any k and a_{k-1}";
             Run::all([
-                run.identity(&SatisfiesEquation1(*variant), &names[..3], first),
-                run.identity(&StepOfEquation1(*variant), &names, step).map(Outcome::for_all),
+                run.identity(&satisfies_equation_1(variant), &names[..3], first),
+                run.identity(&step_of_equation_1(variant), &names, step).map(Outcome::for_all),
             ])
         },
     )
@@ -112,29 +92,19 @@ pub struct SpecialVariant {
 }
 
 /// The special amplitudes against those of Corollary 1, with `f = -r²` and `w = r`; and their conjugates at `w = -r`.
-struct AtSpecialFrequency(SpecialVariant);
-
-impl RationalIdentity for AtSpecialFrequency {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at[0] > rational(0, 1) && at[1] < rational(0, 1)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
+fn at_special_frequency(variant: &SpecialVariant) -> Identity<'_> {
+    Identity::of(move |[r, g]| {
         let gains = Gains { f: -r.square(), g: g.clone() };
-        let quotient = if self.0.exchanged { g.over(r)? } else { r.over(g)? };
-        let base = Complex::new(r.one(), r.integer(self.0.sign) * quotient);
+        let quotient = if variant.exchanged { g.over(r)? } else { r.over(g)? };
+        let base = Complex::new(r.one(), r.integer(variant.sign) * quotient);
         let (mut found, mut printed) = (Vec::new(), Vec::new());
         for k in 1..=CARS {
             found.extend([amplitude_one_sided(&gains, r, k)?, amplitude_one_sided(&gains, &-r.clone(), k)?.conj()]);
             printed.extend([base.power(k), base.power(k)]);
         }
         Ok((parts(found), parts(printed)))
-    }
+    })
+    .within(|at| at[0] > rational(0, 1) && at[1] < rational(0, 1))
 }
 
 pub fn special_response() -> Record<SpecialVariant> {
@@ -145,7 +115,7 @@ pub fn special_response() -> Record<SpecialVariant> {
         SpecialVariant { sign: 1, exchanged: false },
         |variant, run| {
             let part = "a_1, ..., a_4 at w = +sqrt|f|, and their conjugates at w = -sqrt|f|";
-            run.identity(&AtSpecialFrequency(*variant), &["sqrt|f|", "g"], part)
+            run.identity(&at_special_frequency(variant), &["sqrt|f|", "g"], part)
         },
     )
     .reading("A frequency is w >= 0, because the leader moves as cos w t: w² = |f| means w = +sqrt|f|.")
@@ -163,31 +133,17 @@ pub struct SubstitutionVariant {
     power: u64,
 }
 
-struct GivesPrintedEquation(SubstitutionVariant);
-
-impl RationalIdentity for GivesPrintedEquation {
-    fn variables(&self) -> usize {
-        9
-    }
-
-    fn components(&self) -> Vec<String> {
-        let named = |what: &str| [format!("the real part of {what}"), format!("the imaginary part of {what}")];
-        ["the derivative of x_k", "the left side of (1)", "the right side of (1)"].into_iter().flat_map(named).collect()
-    }
-
-    /// Variables f, g, w, the complex amplitudes `a_{k-1}`, `a_k` and the desired positions. The substitution must turn
-    /// both sides of equation (1) into the printed ones and agree with `x' = u`.
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w, front_re, front_im, own_re, own_im, front_place, own_place] = at else {
-            return Err(ArithmeticError::Domain("nine variables"));
-        };
+/// Variables f, g, w, the complex amplitudes `a_{k-1}`, `a_k` and the desired positions. The substitution must turn
+/// both sides of equation (1) into the printed ones and agree with `x' = u`.
+fn gives_printed_equation(variant: &SubstitutionVariant) -> Identity<'_> {
+    Identity::of(move |[f, g, w, front_re, front_im, own_re, own_im, front_place, own_place]| {
         let front = Complex::new(front_re.clone(), front_im.clone());
         let own = Complex::new(own_re.clone(), own_im.clone());
-        let deviation = |a: &Complex<T>, place: &T| {
-            if self.0.of_deviation { a.clone() } else { a.clone() - Complex::real(place.clone()) }
+        let deviation = |a: &Complex<Probe>, place: &Probe| {
+            if variant.of_deviation { a.clone() } else { a.clone() - Complex::real(place.clone()) }
         };
         let iw = imaginary(w);
-        let rate = |a: &Complex<T>| if self.0.with_amplitude { iw.clone() * a } else { iw.clone() };
+        let rate = |a: &Complex<Probe>| if variant.with_amplitude { iw.clone() * a } else { iw.clone() };
         let own_rate = rate(&own);
         let leader = (&deviation(&front, front_place), &rate(&front));
         let force = accelerations(
@@ -200,13 +156,15 @@ impl RationalIdentity for GivesPrintedEquation {
         let difference = own.clone() - &front;
         let printed_force = difference.scale(f) + iw.clone() * difference.scale(g);
         let left = [own.clone() * &iw, own_rate.clone() * &iw].into_iter().chain(force);
-        let right = [own_rate, -own.scale(&w.power(self.0.power)), printed_force];
+        let right = [own_rate, -own.scale(&w.power(variant.power)), printed_force];
         Ok((parts(left), parts(right)))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at)
-    }
+    })
+    .within(negative_gains)
+    .named(
+        ["the derivative of x_k", "the left side of (1)", "the right side of (1)"]
+            .into_iter()
+            .flat_map(|what| [format!("the real part of {what}"), format!("the imaginary part of {what}")]),
+    )
 }
 
 pub fn substitution() -> Record<SubstitutionVariant> {
@@ -220,7 +178,7 @@ pub fn substitution() -> Record<SubstitutionVariant> {
         |variant, run| {
             let names = ["f", "g", "w", "Re a_{k-1}", "Im a_{k-1}", "Re a_k", "Im a_k", "h_{k-1}", "h_k"];
             let part = "both sides of equation (1), and u_k = x_k'";
-            run.identity(&GivesPrintedEquation(*variant), &names, part).map(Outcome::for_all)
+            run.identity(&gives_printed_equation(variant), &names, part).map(Outcome::for_all)
         },
     )
     .repaired(
@@ -243,31 +201,21 @@ pub struct GainVariant {
 }
 
 /// `(|1/gamma|² - 1) |gamma denominator|² = w² (bound |f| - w²)`.
-struct GainFactors(i64);
-
-impl RationalIdentity for GainFactors {
-    fn variables(&self) -> usize {
-        3
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w] = at else { return Err(ArithmeticError::Domain("three variables")) };
+fn gain_factors(bound: i64) -> Identity<'static> {
+    Identity::of(move |[f, g, w]| {
         let y = w.square();
         let gains = Gains { f: f.clone(), g: g.clone() };
         let (_, denominator) = gain_fraction_one_sided(&gains, &y);
         let left = (gain_squared_one_sided(&gains, &y)? - f.one()) * denominator;
-        let right = (-(f.integer(self.0) * f) - &y) * &y;
+        let right = (-(f.integer(bound) * f) - &y) * &y;
         Ok((vec![left], vec![right]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at)
-    }
+    })
+    .within(negative_gains)
 }
 
 fn examine_gain(variant: &GainVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "the sign of |1/gamma| - 1 is that of w² (2|f| - w²), for all f, g < 0";
-    let factors = run.identity(&GainFactors(variant.bound), &["f", "g", "w"], part)?.on([1, 2]).for_all();
+    let factors = run.identity(&gain_factors(variant.bound), &["f", "g", "w"], part)?.on([1, 2]).for_all();
     let gain = |y| gain_squared_one_sided(&unit(), &rational(y, 1));
     if variant.zero_included && gain(0)? <= rational(1, 1) {
         let evidence = Evidence::new(Grade::Exact, "w = 0", "gamma = 1 + w²/(f + i w g) = 1");
@@ -323,19 +271,12 @@ pub struct StrongestVariant {
 /// With `|f| = v + 2u²` and `g = -2|f|u/v`, `v` is `(f²/g²)(r - 1)` for the positive root `r` of `1 + 2g²/|f|`; every `f, g < 0`
 /// arises so with `0 < v < |f|`. The identity says that `|1/gamma|²` at the claimed place exceeds it at `y` by a
 /// non-negative multiple of the squared distance, and that `v` is that number.
-struct PerfectSquare(StrongestVariant);
-
-impl RationalIdentity for PerfectSquare {
-    fn variables(&self) -> usize {
-        3
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [v, u, y] = at else { return Err(ArithmeticError::Domain("three variables")) };
+fn perfect_square(variant: &StrongestVariant) -> Identity<'_> {
+    Identity::of(move |[v, u, y]| {
         let size = v.clone() + v.integer(2) * u.square();
         let gains = Gains { f: -size.clone(), g: -(v.integer(2) * &size * u).over(v)? };
-        let (p, q) = self.0.of_location;
-        let place = if self.0.at_f { size.clone() } else { v.ratio(p, q) * v };
+        let (p, q) = variant.of_location;
+        let place = if variant.at_f { size.clone() } else { v.ratio(p, q) * v };
         let largest = gain_squared_one_sided(&gains, &place)?;
         let (_, denominator) = gain_fraction_one_sided(&gains, y);
         let square = (largest.clone() - gain_squared_one_sided(&gains, y)?) * denominator;
@@ -343,20 +284,17 @@ impl RationalIdentity for PerfectSquare {
         let root = (v.clone() + v.integer(4) * u.square()).over(v)?;
         let ratio = gains.g.square().over(&size)?;
         let location = (root.clone() - v.one()) * size.over(&ratio)?;
-        let under_root = v.integer(self.0.under_root) * ratio + v.one();
+        let under_root = v.integer(variant.under_root) * ratio + v.one();
         let right = vec![largest * (y.clone() - place).square(), under_root, v.clone()];
         Ok((vec![square, root.square(), location], right))
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["the difference to the claimed maximum", "the square of r", "the location"].map(String::from).to_vec()
-    }
+    })
+    .named(["the difference to the claimed maximum", "the square of r", "the location"])
 }
 
 /// The clauses of the correction are place, uniqueness, and `< |f|`.
 fn examine_strongest(variant: &StrongestVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "largest at the claimed w² and nowhere else, for all f, g < 0 (|f| = v + 2u², g = -2|f|u/v)";
-    let square = run.identity(&PerfectSquare(*variant), &["v", "u", "y"], part)?;
+    let square = run.identity(&perfect_square(variant), &["v", "u", "y"], part)?;
     if let Outcome::Fails { counterexample, .. } = square {
         let at = |y| gain_squared_one_sided(&unit(), &y);
         let (at_f, beside) = (at(rational(1, 1))?, at(rational(3, 4))?);

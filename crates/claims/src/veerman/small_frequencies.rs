@@ -1,8 +1,8 @@
 //! veerman.cor2, veerman.lem3: without small frequencies there is no resonance in system (2).
 
 use super::{certified, enclosed, gains, negative_gains, unit};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Dual, Field, Interval, Rational, Real, Ring, Signed, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{Complex, Dual, Field, Interval, Probe, Rational, Real, Ring, Signed, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
 use models::platoon::{Gains, chebyshev, gamma, larger_root_modulus};
 
@@ -29,25 +29,15 @@ pub struct DecayVariant {
 }
 
 /// `gamma` is not real: its imaginary part is `-g w³/(f² + w² g²)`; and `Im gamma` vanishes where `|mu| = 1`.
-struct ImaginaryPart(DecayVariant);
-
-impl RationalIdentity for ImaginaryPart {
-    fn variables(&self) -> usize {
-        5
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w, mu_re, mu_im] = at else { return Err(ArithmeticError::Domain("five variables")) };
+fn imaginary_part(variant: &DecayVariant) -> Identity<'_> {
+    Identity::of(move |[f, g, w, mu_re, mu_im]| {
         let by_gains = gamma(&Gains { f: f.clone(), g: g.clone() }, w)?.im * (f.square() + (w.clone() * g).square());
         let mu = Complex::new(mu_re.clone(), mu_im.clone());
         let by_root = (mu.clone() + mu.recip()?).im * mu.norm_squared();
-        let odd = g.integer(self.0.sign) * g * w.power(3);
+        let odd = g.integer(variant.sign) * g * w.power(3);
         Ok((vec![by_gains, by_root], vec![odd, mu_im.clone() * (mu.norm_squared() - f.one())]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at)
-    }
+    })
+    .within(negative_gains)
 }
 
 pub fn exponential_decay() -> Record<DecayVariant> {
@@ -61,7 +51,7 @@ pub fn exponential_decay() -> Record<DecayVariant> {
         |variant, run| {
             let names = ["f", "g", "w", "Re mu", "Im mu"];
             let part = "Im gamma by the gains and by mu: |mu| = 1 only at w = 0";
-            let moduli = run.identity(&ImaginaryPart(*variant), &names, part)?.on([1]).for_all();
+            let moduli = run.identity(&imaginary_part(variant), &names, part)?.on([1]).for_all();
             Run::all([Ok(moduli), at_zero(variant), decay_bounds(variant, run).map(|outcome| outcome.on([2]))])
         },
     )
@@ -120,22 +110,15 @@ pub struct SmallVariant {
 }
 
 /// The derivative of `Im gamma = b a³/(1 + b² a²)` is `b a² (3 + b² a²)/(1 + b² a²)²`, positive for `a, b > 0`.
-struct Increasing;
-
-impl RationalIdentity for Increasing {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [a, b] = at else { return Err(ArithmeticError::Domain("two variables")) };
-        let dual = |x: &T, slope: i64| Dual::new(x.clone(), x.integer(slope));
+fn increasing() -> Identity<'static> {
+    Identity::of(move |[a, b]| {
+        let dual = |x: &Probe, slope: i64| Dual::new(x.clone(), x.integer(slope));
         let gains = Gains { f: dual(&-a.one(), 0), g: dual(&-b.clone(), 0) };
         let imaginary = gamma(&gains, &dual(a, 1))?.im;
         let c2 = (a.clone() * b).square();
         let claimed = (b.clone() * a.square() * (a.integer(3) + &c2)).over(&(c2.clone() + a.one()).square())?;
         Ok((vec![imaginary.derivative], vec![claimed]))
-    }
+    })
 }
 
 pub fn only_small_frequencies() -> Record<SmallVariant> {
@@ -172,7 +155,7 @@ fn examine_small(variant: &SmallVariant, run: &mut Run) -> Result<Outcome, Check
     for m in [100, 10_000, 1_000_000] {
         run.value(&format!("w_above_which_nothing_is_amplified_f_g_-1_M_{m}"), interval_value(&threshold(m)?, 6));
     }
-    let increasing = run.identity(&Increasing, &["w/sqrt|f|", "|g|/sqrt|f|"], "Im gamma increases with w");
+    let increasing = run.identity(&increasing(), &["w/sqrt|f|", "|g|/sqrt|f|"], "Im gamma increases with w");
     Run::all([instances, increasing])
 }
 

@@ -4,8 +4,8 @@ use super::{certified, enclosed, unit};
 use crate::argued::argued;
 use algebra::matrix::{RationalMatrix, characteristic_coefficients};
 use algebra::spectrum::Polynomial;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Field, Interval, Probe, Rational, Real, Ring, rational};
 use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
 use models::platoon::vector_form::{characteristic_by_modes, mode_block, motion_matrix, motion_rows};
 use models::platoon::{Communication, CommunicationGraph, Gains, slowest_rate};
@@ -33,28 +33,16 @@ pub struct SpectrumVariant {
 }
 
 /// The coefficients of `det(xI - M)`, and those of the product over the spectrum of `P`.
-struct Characteristic {
-    reduced: RationalMatrix,
-    factor: i64,
-}
-
-impl Characteristic {
-    fn product<T: Field>(&self, gains: &Gains<T>) -> Result<Vec<T>, ArithmeticError> {
-        let of_p = self.reduced.characteristic_polynomial().map_err(|_| ArithmeticError::Domain("square matrices"))?;
-        Ok(characteristic_by_modes(&of_p.coefficients(), &gains.map(|x| x.integer(self.factor) * x)))
-    }
-}
-
-impl RationalIdentity for Characteristic {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
+fn characteristic(reduced: &RationalMatrix, factor: i64) -> Identity<'_> {
+    Identity::of(move |[f, g]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
-        Ok((characteristic_coefficients(&motion_rows(&self.reduced, &gains), f), self.product(&gains)?))
-    }
+        Ok((characteristic_coefficients(&motion_rows(reduced, &gains), f), over_modes(reduced, factor, &gains)?))
+    })
+}
+
+fn over_modes<T: Field>(reduced: &RationalMatrix, factor: i64, gains: &Gains<T>) -> Result<Vec<T>, ArithmeticError> {
+    let of_p = reduced.characteristic_polynomial().map_err(|_| ArithmeticError::Domain("square matrices"))?;
+    Ok(characteristic_by_modes(&of_p.coefficients(), &gains.map(|x| x.integer(factor) * x)))
 }
 
 pub fn motion_spectrum() -> Record<SpectrumVariant> {
@@ -96,8 +84,9 @@ fn examine_spectrum(variant: &SpectrumVariant, run: &mut Run) -> Result<Outcome,
     for (communication, followers) in systems(IDENTITIES) {
         let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
         let part = format!("det(xI - M) is the product over spec(P), {communication:?}, {followers} followers");
-        let identity = Characteristic { reduced, factor: variant.factor };
-        results.push(run.identity(&identity, &["f", "g"], &part).map(|outcome| outcome.on([1])));
+        results.push(
+            run.identity(&characteristic(&reduced, variant.factor), &["f", "g"], &part).map(|outcome| outcome.on([1])),
+        );
     }
     let detail = format!("exact characteristic polynomials, both systems, up to {MOST} followers");
     results.push(
@@ -128,8 +117,7 @@ fn zero_on_both_sides(variant: &SpectrumVariant, most: usize, run: &Run) -> Resu
         let gains = Gains { f: rational(f, 1), g: rational(g, 1) };
         let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
         let left = polynomial(&motion_matrix(&reduced, &gains)?)?;
-        let modes = Characteristic { reduced, factor: variant.factor };
-        let right = Polynomial::from_rationals(&modes.product(&gains)?);
+        let right = Polynomial::from_rationals(&over_modes(&reduced, variant.factor, &gains)?);
         let zero_left = left.without_root(0).0 > 0;
         let what = match () {
             () if left != right => "the spectra differ",
@@ -247,27 +235,15 @@ pub struct ModeVariant {
 }
 
 /// Characteristic equation and roots; `r` is the square root, so `f = (r² - lambda² g²)/(four lambda)`.
-struct ModeIdentity(ModeVariant);
-
-impl RationalIdentity for ModeIdentity {
-    fn variables(&self) -> usize {
-        4
-    }
-
-    fn components(&self) -> Vec<String> {
-        let names =
-            ["det(xI - A - lambda K)", "the polynomial at x_+", "the polynomial at x_-", "x_+ + x_-", "x_+ x_-"];
-        names.map(String::from).to_vec()
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [lambda, g, r, x] = at else { return Err(ArithmeticError::Domain("four variables")) };
+fn mode_sides(variant: &ModeVariant) -> Identity<'_> {
+    Identity::of(move |[lambda, g, r, x]| {
         let damping = lambda.clone() * g;
-        let f = (r.square() - damping.square()).over(&(lambda.integer(self.0.four) * lambda))?;
-        let polynomial = |x: &T| x.square() - damping.clone() * x + lambda.integer(self.0.sign) * (lambda.clone() * &f);
+        let f = (r.square() - damping.square()).over(&(lambda.integer(variant.four) * lambda))?;
+        let polynomial =
+            |x: &Probe| x.square() - damping.clone() * x + lambda.integer(variant.sign) * (lambda.clone() * &f);
         let [[a, b], [c, d]] = mode_block(&Gains { f: f.clone(), g: g.clone() }, lambda);
         let determinant = (x.clone() - a) * (x.clone() - d) - b * c;
-        let half = lambda.ratio(self.0.half.0, self.0.half.1);
+        let half = lambda.ratio(variant.half.0, variant.half.1);
         let (plus, minus) = (half.clone() * (damping.clone() + r), half * (damping.clone() - r));
         // Both are roots of the claimed polynomial, and their sum and product say that they are all its roots.
         let values = [polynomial(&plus), polynomial(&minus)];
@@ -275,14 +251,15 @@ impl RationalIdentity for ModeIdentity {
         let constant = polynomial(&x.zero());
         let left = [determinant].into_iter().chain(values).chain(symmetric);
         Ok((left.collect(), vec![polynomial(x), x.zero(), x.zero(), damping, constant]))
-    }
+    })
+    .named(["det(xI - A - lambda K)", "the polynomial at x_+", "the polynomial at x_-", "x_+ + x_-", "x_+ x_-"])
 }
 
 const MODE: ModeVariant = ModeVariant { sign: -1, half: (1, 2), four: 4 };
 
 fn examine_modes(variant: &ModeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "characteristic equation and its roots, (lambda g)² + 4 lambda f = r², lambda != 0";
-    run.identity(&ModeIdentity(*variant), &["lambda", "g", "r", "x"], part).map(|outcome| outcome.on([1, 2]))
+    run.identity(&mode_sides(variant), &["lambda", "g", "r", "x"], part).map(|outcome| outcome.on([1, 2]))
 }
 
 pub fn mode_eigenvalues() -> Record<ModeVariant> {
@@ -347,6 +324,6 @@ fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, Ch
         run.value(&name, interval_value(&slowest_rate(&minus_one, followers)?, 8));
     }
     let part = "the quadratic of every mode, whose coefficients decide";
-    let quadratic = run.identity(&ModeIdentity(MODE), &["lambda", "g", "r", "x"], part);
+    let quadratic = run.identity(&mode_sides(&MODE), &["lambda", "g", "r", "x"], part);
     Ok(Run::all([quadratic, Ok(instances)])?.on([1, 2]))
 }

@@ -1,8 +1,8 @@
 //! veerman.thm1_*: the main resonance of large platoons and the expansions in its proof.
 
 use super::{certified, gains};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Series, Signed, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Complex, Field, Interval, Probe, Rational, Real, Ring, Series, Signed, rational};
 use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
 use models::platoon::{Gains, Resonance, larger_root_power, resonance, theorem1};
 
@@ -134,43 +134,28 @@ pub struct EpsilonVariant {
     coefficients: usize,
 }
 
-struct Bracket(EpsilonVariant);
-
-impl RationalIdentity for Bracket {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
-        let [_, bracket] = theorem1::expansion(r, g, self.0.coefficients)?;
+fn bracket_of_epsilon(variant: &EpsilonVariant) -> Identity<'_> {
+    Identity::of(move |[r, g]| {
+        let [_, bracket] = theorem1::expansion(r, g, variant.coefficients)?;
         let size = r.square();
-        let second = (g.ratio(self.0.damping.0, 2 * self.0.damping.1) * g.square()).over(&size.square())?
-            + g.ratio(self.0.stiffness.0, 2 * self.0.stiffness.1).over(&size)?;
+        let second = (g.ratio(variant.damping.0, 2 * variant.damping.1) * g.square()).over(&size.square())?
+            + g.ratio(variant.stiffness.0, 2 * variant.stiffness.1).over(&size)?;
         let printed = [
             Complex::real(r.one()),
             Complex::new(r.zero(), (-g.clone()).over(&(size.clone() + &size))?),
             Complex::real(second),
             Complex::real(r.zero()),
         ];
-        let split = |z: &Complex<T>| [z.re.clone(), z.im.clone()];
+        let split = |z: &Complex<Probe>| [z.re.clone(), z.im.clone()];
         Ok((
             bracket.coefficients().iter().flat_map(split).collect(),
-            printed[..self.0.coefficients].iter().flat_map(split).collect(),
+            printed[..variant.coefficients].iter().flat_map(split).collect(),
         ))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at.iter().all(Signed::is_certainly_positive)
-    }
-
-    fn components(&self) -> Vec<String> {
-        (0..self.0.coefficients)
-            .flat_map(|n| {
-                ["real", "imaginary"].map(|part| format!("the {part} part of the coefficient of w^{n} in the bracket"))
-            })
-            .collect()
-    }
+    })
+    .within(|at| at.iter().all(Signed::is_certainly_positive))
+    .named((0..variant.coefficients).flat_map(|n| {
+        ["real", "imaginary"].map(|part| format!("the {part} part of the coefficient of w^{n} in the bracket"))
+    }))
 }
 
 pub fn epsilon() -> Record<EpsilonVariant> {
@@ -185,7 +170,7 @@ pub fn epsilon() -> Record<EpsilonVariant> {
         printed,
         |variant, run| {
             let part = "coefficients of the expansion, exact power series";
-            run.identity(&Bracket(*variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
+            run.identity(&bracket_of_epsilon(variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
         },
     )
     .reading("eps = sqrt(gamma^2 - 1), the principal root, for w > 0.")
@@ -208,17 +193,10 @@ pub struct ModulusVariant {
     order: usize,
 }
 
-struct SquaredModulus(ModulusVariant);
-
-impl RationalIdentity for SquaredModulus {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    /// `|mu_+-|² = A +- sqrt2 B` with `A = |gamma|² + |epsilon|²` and `sqrt2 B = 2 Re(conj(gamma) epsilon)`.
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
-        let order = self.0.order;
+/// `|mu_+-|² = A +- sqrt2 B` with `A = |gamma|² + |epsilon|²` and `sqrt2 B = 2 Re(conj(gamma) epsilon)`.
+fn squared_modulus(variant: &ModulusVariant) -> Identity<'_> {
+    Identity::of(move |[r, g]| {
+        let order = variant.order;
         let [gamma, bracket] = theorem1::expansion(r, g, order)?;
         let w = Series::variable(Complex::real(r.one()), order);
         let inverse = r.recip()?;
@@ -232,15 +210,13 @@ impl RationalIdentity for SquaredModulus {
         let mut expected = vec![zero.clone(); 2 * order];
         expected[0] = r.one();
         if let Some(slot) = expected.get_mut(order + 2) {
-            *slot = (r.integer(self.0.coefficient) * g).over(&r.power(self.0.power))?;
+            *slot = (r.integer(variant.coefficient) * g).over(&r.power(variant.power))?;
         }
-        let real = |series: &Series<Complex<T>>| series.coefficients().iter().map(|c| c.re.clone()).collect::<Vec<_>>();
+        let real =
+            |series: &Series<Complex<Probe>>| series.coefficients().iter().map(|c| c.re.clone()).collect::<Vec<_>>();
         Ok(([real(&even), real(&odd)].concat(), expected))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at.iter().all(Signed::is_certainly_positive)
-    }
+    })
+    .within(|at| at.iter().all(Signed::is_certainly_positive))
 }
 
 pub fn modulus() -> Record<ModulusVariant> {
@@ -253,7 +229,7 @@ pub fn modulus() -> Record<ModulusVariant> {
         printed,
         |variant, run| {
             let part = "coefficients of |mu|², exact power series";
-            run.identity(&SquaredModulus(*variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
+            run.identity(&squared_modulus(variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
         },
     )
     .control("2 sqrt2", ModulusVariant { coefficient: 2, ..printed })
@@ -282,26 +258,16 @@ impl ExponentVariant {
 
 /// In units of pi² and squared: `2x/M²` is `sqrt2 w² |g|/|f|^(3/2)` at the frequency of Theorem 1, and `(N+1)/x` its
 /// amplitude.
-struct ExponentDefinition(ExponentVariant);
-
-impl RationalIdentity for ExponentDefinition {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
+fn exponent_definition(variant: &ExponentVariant) -> Identity<'_> {
+    Identity::of(move |[r, g]| {
         let x_squared =
-            g.square().over(&(r.integer(2 * self.0.divisor * self.0.divisor) * r.power(2 * self.0.power)))?;
+            g.square().over(&(r.integer(2 * variant.divisor * variant.divisor) * r.power(2 * variant.power)))?;
         // w² = |f| pi²/(8 M²); |f| = r².
         let from_modulus = (g.integer(2) * g.square() * r.power(4)).over(&(r.integer(64) * r.power(6)))?;
         let from_theorem = (r.integer(128) * r.square()).over(&g.square())?;
         Ok((vec![x_squared.clone() * x_squared.integer(4), x_squared.recip()?], vec![from_modulus, from_theorem]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at.iter().all(Signed::is_certainly_positive)
-    }
+    })
+    .within(|at| at.iter().all(Signed::is_certainly_positive))
 }
 
 pub fn exponent() -> Record<ExponentVariant> {
@@ -354,6 +320,6 @@ fn examine_exponent(variant: &ExponentVariant, run: &mut Run) -> Result<Outcome,
         Ok(found.amplitude - x_over_m(&gains, m)?.recip()?)
     })?;
     let part = "2x/M² is the term of |mu|² at the frequency of Theorem 1, and (N+1)/x its amplitude";
-    let definition = run.identity(&ExponentDefinition(*variant), &["sqrt|f|", "|g|"], part)?;
+    let definition = run.identity(&exponent_definition(variant), &["sqrt|f|", "|g|"], part)?;
     Run::all([Ok(amplitude.on([2])), Ok(plus.on([1])), Ok(minus.on([1])), Ok(definition.on([1, 2]))])
 }

@@ -2,8 +2,8 @@
 
 use super::{FAMILY, Family, Network, every_row, fails, list};
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Field, Probe, Rational, Ring};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Mode, rational_modes};
 use num_traits::{One, Signed};
@@ -64,15 +64,8 @@ impl PowersVariant {
 }
 
 /// Equation (3.8) for two birds with any weights.
-struct TwoBirds(PowersVariant);
-
-impl RationalIdentity for TwoBirds {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [c1, c2] = at else { return Err(ArithmeticError::Domain("two variables")) };
+fn two_birds(variant: &PowersVariant) -> Identity<'_> {
+    Identity::of(move |[c1, c2]| {
         let (one, c) = (c1.one(), [c1, c2]);
         let entries = [(0, 0), (0, 1), (1, 0), (1, 1)];
         let p = |(i, j): (usize, usize)| if i == j { one.clone() - c[i] } else { c[i].clone() };
@@ -80,7 +73,7 @@ impl RationalIdentity for TwoBirds {
         // The spectrum of P: 1 with u_1 = (sqrt c2, sqrt c1)/sqrt(c1+c2), 1 - c1 - c2 with u_2 = (sqrt c1, -sqrt
         // c2)/sqrt(c1+c2).
         let modes = [(one.clone(), [c2, c1], 1), (one.clone() - &total, [c1, c2], -1)];
-        let half = |x: &T, power: i32| -> Result<T, ArithmeticError> {
+        let half = |x: &Probe, power: i32| -> Result<Probe, ArithmeticError> {
             match power {
                 0 => Ok(x.one()),
                 1 => Ok(x.clone()),
@@ -88,15 +81,15 @@ impl RationalIdentity for TwoBirds {
                 _ => Err(ArithmeticError::Domain("a half power")),
             }
         };
-        let (a, b) = self.0.halves;
+        let (a, b) = variant.halves;
         let (mut left, mut right) = (Vec::new(), Vec::new());
-        let mut power: Vec<T> = entries.iter().map(|&(i, j)| one.integer(i64::from(i == j))).collect();
+        let mut power: Vec<Probe> = entries.iter().map(|&(i, j)| one.integer(i64::from(i == j))).collect();
         for s in 0..4u64 {
             left.extend(power.iter().cloned());
             for &(i, j) in &entries {
-                // 1 pi^T, then C^(a/2) u u^T C^(b/2): sqrt(c_i^a w_i) sqrt(c_j^b w_j) is rational for odd a and b.
+                // 1 pi^Probe, then C^(a/2) u u^Probe C^(b/2): sqrt(c_i^a w_i) sqrt(c_j^b w_j) is rational for odd a and b.
                 let mut sum = c[1 - j].over(&total)?;
-                for (k, (eigenvalue, w, sign)) in modes.iter().enumerate().skip(usize::from(self.0.skip_first)) {
+                for (k, (eigenvalue, w, sign)) in modes.iter().enumerate().skip(usize::from(variant.skip_first)) {
                     let sign = if i == j { 1 } else { *sign };
                     // w_i = c_i for the second mode; for the first c_1 c_2/c_i, whose root leaves sqrt(c_1 c_2) twice.
                     let product = if k == 1 {
@@ -104,7 +97,7 @@ impl RationalIdentity for TwoBirds {
                     } else {
                         half(c[i], (a - 1) / 2)? * half(c[j], (b - 1) / 2)? * w[0] * w[1]
                     };
-                    let term = product.over(&total)? * eigenvalue.power(s * self.0.multiple);
+                    let term = product.over(&total)? * eigenvalue.power(s * variant.multiple);
                     sum = sum + one.integer(sign) * term;
                 }
                 right.push(sum);
@@ -113,11 +106,8 @@ impl RationalIdentity for TwoBirds {
             power = entries.iter().map(|&entry| next(entry)).collect();
         }
         Ok((left, right))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at.iter().all(|c| c.is_positive() && *c < Rational::one())
-    }
+    })
+    .within(|at| at.iter().all(|c| c.is_positive() && (c - c.one()).is_negative()))
 }
 
 pub fn powers() -> Record<PowersVariant> {
@@ -161,7 +151,7 @@ fn check_powers(variant: &PowersVariant, run: &mut Run) -> Result<Outcome, Check
         ),
     );
     Run::all([
-        run.identity(&TwoBirds(*variant), &["c_1", "c_2"], "two birds with any weights, s = 0, .., 3")
+        run.identity(&two_birds(variant), &["c_1", "c_2"], "two birds with any weights, s = 0, .., 3")
             .map(|outcome| outcome.on([1])),
         Ok(Outcome::Holds(vec![exact.on([1, 2]).cases(cases)])),
     ])

@@ -4,8 +4,8 @@ use super::common::{arcs, digraph, digraphs, laplacian, named, squared_lengths, 
 use crate::argued::argued;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{Complex, Field, Probe, Rational, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::quadratic_form;
 
@@ -17,23 +17,13 @@ pub struct LengthVariant {
 }
 
 /// Variables are the real and imaginary parts of `x`.
-struct LengthIdentity {
-    graph: WeightedGraph,
-    laplacian: SparseMatrix,
-    factor: (i64, i64),
-}
-
-impl RationalIdentity for LengthIdentity {
-    fn variables(&self) -> usize {
-        2 * self.graph.order()
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let x: Vec<Complex<T>> = at.chunks(2).map(|pair| Complex::new(pair[0].clone(), pair[1].clone())).collect();
-        let share = at[0].ratio(self.factor.0, self.factor.1 * x.len() as i64);
-        let lengths = squared_lengths(&self.graph, &x, &at[0]);
-        Ok((vec![quadratic_form(&self.laplacian, &x)?], vec![lengths * share]))
-    }
+fn lengths(laplacian: SparseMatrix, graph: WeightedGraph, factor: (i64, i64)) -> Identity<'static> {
+    Identity::new(2 * graph.order(), move |at| {
+        let x: Vec<Complex<Probe>> = at.chunks(2).map(|pair| Complex::new(pair[0].clone(), pair[1].clone())).collect();
+        let share = at[0].ratio(factor.0, factor.1 * x.len() as i64);
+        let lengths = squared_lengths(&graph, &x, &at[0]);
+        Ok((vec![quadratic_form(&laplacian, &x)?], vec![lengths * share]))
+    })
 }
 
 pub fn edge_length() -> Record<LengthVariant> {
@@ -48,16 +38,11 @@ pub fn edge_length() -> Record<LengthVariant> {
             if variant.directed {
                 graphs.insert(0, Ok(digraph(2, |k, _| k == 0)));
             }
+            let names: Vec<String> = (1..=5).flat_map(|k| [format!("Re x{k}"), format!("Im x{k}")]).collect();
             let tests = graphs.into_iter().map(|graph| {
                 let graph = graph?;
-                let part = format!("Q_L on the graph {}", arcs(&graph));
-                Ok((LengthIdentity { laplacian: laplacian(&graph)?, graph, factor: variant.factor }, part))
-            });
-            let names: Vec<String> = (1..=5).flat_map(|k| [format!("Re x{k}"), format!("Im x{k}")]).collect();
-            let tests = tests.map(|item: Result<(LengthIdentity, String), CheckError>| {
-                let (identity, part) = item?;
-                let names: Vec<&str> = names[..identity.variables()].iter().map(String::as_str).collect();
-                run.identity(&identity, &names, &part)
+                let (order, part) = (graph.order(), format!("Q_L on the graph {}", arcs(&graph)));
+                run.identity(&lengths(laplacian(&graph)?, graph, variant.factor), &names[..2 * order], &part)
             });
             Ok(supports(Run::all(tests)?, &[1]))
         },

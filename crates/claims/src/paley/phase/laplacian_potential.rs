@@ -3,8 +3,8 @@
 use super::common::{arcs, complete, digraph, identities, laplacian, named, phasors};
 use algebra::graph::WeightedGraph;
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Dual, Field, Rational, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Dual, Field, Probe, Rational, Ring, rational};
 use ledger::{CheckError, Record};
 use models::oscillator::{
     laplacian_control, misalignment, moment_gradient, moment_potential, pairwise_control, phase_gradient,
@@ -19,26 +19,16 @@ pub struct CompleteVariant {
     graph: fn(usize) -> WeightedGraph,
 }
 
-struct CompleteIdentity {
-    laplacian: SparseMatrix,
-    constant: Rational,
-    sign: i64,
-}
-
-impl RationalIdentity for CompleteIdentity {
-    fn variables(&self) -> usize {
-        self.laplacian.order()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn complete_sides(laplacian: SparseMatrix, constant: Rational, sign: i64) -> Identity<'static> {
+    Identity::new(laplacian.order(), move |t| {
         let z = phasors(t)?;
-        let sign = t[0].integer(self.sign);
-        let right = t[0].rational(&self.constant) + moment_potential(&z, 1)? * &sign;
+        let sign = t[0].integer(sign);
+        let right = t[0].rational(&constant) + moment_potential(&z, 1)? * &sign;
         let slopes = moment_gradient(&z, 1)?.into_iter().map(|slope| slope * &sign);
-        let left = [phase_potential(&self.laplacian, &z, 1)?].into_iter();
-        let gradient = phase_gradient(&z, |z| phase_potential(&self.laplacian, z, 1))?;
+        let left = [phase_potential(&laplacian, &z, 1)?].into_iter();
+        let gradient = phase_gradient(&z, |z| phase_potential(&laplacian, z, 1))?;
         Ok((left.chain(gradient).collect(), [right].into_iter().chain(slopes).collect()))
-    }
+    })
 }
 
 pub fn complete_potential() -> Record<CompleteVariant> {
@@ -50,7 +40,7 @@ pub fn complete_potential() -> Record<CompleteVariant> {
         |variant, run| {
             let parts = (1..=3usize).map(|n| {
                 let laplacian = laplacian(&(variant.graph)(n))?;
-                let identity = CompleteIdentity { laplacian, constant: (variant.constant)(n as i64), sign: variant.sign };
+                let identity = complete_sides(laplacian, (variant.constant)(n as i64), variant.sign);
                 Ok((identity, format!("W_1 and its gradient, N = {n}")))
             });
             identities(run, &[1, 2], &[], parts)
@@ -79,25 +69,16 @@ pub struct GradientVariant {
     directed: bool,
 }
 
-struct GradientIdentity {
-    laplacian: SparseMatrix,
-    variant: GradientVariant,
-}
-
-impl RationalIdentity for GradientIdentity {
-    fn variables(&self) -> usize {
-        self.laplacian.order()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn gradient_sides(laplacian: SparseMatrix, variant: &GradientVariant) -> Identity<'_> {
+    Identity::new(laplacian.order(), move |t| {
         let z = phasors(t)?;
-        let gradient = phase_gradient(&z, |z| phase_potential(&self.laplacian, z, 1))?;
-        let (both, own) = (t[0].integer(self.variant.both), self.variant.own);
+        let gradient = phase_gradient(&z, |z| phase_potential(&laplacian, z, 1))?;
+        let (both, own) = (t[0].integer(variant.both), variant.own);
         let own = t[0].ratio(own.0, own.1 * z.len() as i64);
-        let first = phase_potential_gradient(&self.laplacian, &z)?.into_iter().map(|slope| slope * &both);
-        let second = misalignment(&self.laplacian, &z).into_iter().map(|term| term * &own);
+        let first = phase_potential_gradient(&laplacian, &z)?.into_iter().map(|slope| slope * &both);
+        let second = misalignment(&laplacian, &z).into_iter().map(|term| term * &own);
         Ok((gradient.iter().chain(&gradient).cloned().collect(), first.chain(second).collect()))
-    }
+    })
 }
 
 pub fn gradient() -> Record<GradientVariant> {
@@ -111,7 +92,7 @@ pub fn gradient() -> Record<GradientVariant> {
             let parts = graphs(variant.directed).map(|graph| {
                 let graph = graph?;
                 let part = format!("gradient of W_1, {}", arcs(&graph));
-                Ok((GradientIdentity { laplacian: laplacian(&graph)?, variant: *variant }, part))
+                Ok((gradient_sides(laplacian(&graph)?, variant), part))
             });
             identities(run, &[1, 2], &[], parts)
         },
@@ -134,29 +115,19 @@ pub struct LawVariant {
 }
 
 /// Variables are the phases, `K_1` and `omega_0`.
-struct LawIdentity {
-    graph: WeightedGraph,
-    laplacian: SparseMatrix,
-    variant: LawVariant,
-}
-
-impl RationalIdentity for LawIdentity {
-    fn variables(&self) -> usize {
-        self.graph.order() + 2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn law_sides(laplacian: SparseMatrix, graph: WeightedGraph, variant: &LawVariant) -> Identity<'_> {
+    Identity::new(graph.order() + 2, move |at| {
         let [t @ .., gain, omega] = at else { return Err(ArithmeticError::Domain("phases, K_1, omega_0")) };
         let z = phasors(t)?;
-        let rates: Vec<T> = laplacian_control(gain, &self.laplacian, &z)?.into_iter().map(|u| u + omega).collect();
-        let rate = rate_of_change(&z, &rates, |z: &[_]| phase_potential::<Dual<T>>(&self.laplacian, z, 1))?;
-        let squares = misalignment(&self.laplacian, &z).iter().fold(gain.zero(), |sum, term| sum + term.square());
-        let share = gain.ratio(1, (z.len() as i64).pow(self.variant.power_of_n));
-        let sine = gain.integer(self.variant.sine);
-        let pairs = pairwise_control(gain, &self.graph, &z)?.into_iter().map(|pair| pair * &sine + omega);
+        let rates: Vec<Probe> = laplacian_control(gain, &laplacian, &z)?.into_iter().map(|u| u + omega).collect();
+        let rate = rate_of_change(&z, &rates, |z: &[_]| phase_potential::<Dual<Probe>>(&laplacian, z, 1))?;
+        let squares = misalignment(&laplacian, &z).iter().fold(gain.zero(), |sum, term| sum + term.square());
+        let share = gain.ratio(1, (z.len() as i64).pow(variant.power_of_n));
+        let sine = gain.integer(variant.sine);
+        let pairs = pairwise_control(gain, &graph, &z)?.into_iter().map(|pair| pair * &sine + omega);
         let left = [rate].into_iter().chain(rates).collect();
         Ok((left, [squares * gain * share].into_iter().chain(pairs).collect()))
-    }
+    })
 }
 
 pub fn law() -> Record<LawVariant> {
@@ -170,7 +141,7 @@ pub fn law() -> Record<LawVariant> {
             let parts = graphs(variant.directed).map(|graph| {
                 let graph = graph?;
                 let part = format!("rate of W_1 and (15), {}", arcs(&graph));
-                Ok((LawIdentity { laplacian: laplacian(&graph)?, graph, variant: *variant }, part))
+                Ok((law_sides(laplacian(&graph)?, graph, variant), part))
             });
             identities(run, &[1, 2], &["K1", "omega0"], parts)
         },

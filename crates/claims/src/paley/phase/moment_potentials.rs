@@ -5,30 +5,20 @@ use super::common::{squared_lengths, turns, up_to_rotation};
 use super::figure2::value_of;
 use crate::argued::argued;
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, CosineField, Field, Rational, Sign, Signed, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{CosineField, Field, Rational, Sign, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{moment, moment_gradient, moment_potential, phase_jacobian, phase_potential, powers};
 
 /// The constant in `W_m = constant - U_m`, given `N` and `m`.
 type ConstantOf = fn(particles: i64, m: i64) -> Rational;
 
-struct LaplacianMomentIdentity {
-    laplacian: SparseMatrix,
-    constant: ConstantOf,
-    m: u32,
-}
-
-impl RationalIdentity for LaplacianMomentIdentity {
-    fn variables(&self) -> usize {
-        self.laplacian.order()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn moment_of_laplacian(laplacian: SparseMatrix, constant: ConstantOf, m: u32) -> Identity<'static> {
+    Identity::new(laplacian.order(), move |t| {
         let z = phasors(t)?;
-        let constant = t[0].rational(&(self.constant)(z.len() as i64, i64::from(self.m)));
-        Ok((vec![phase_potential(&self.laplacian, &z, self.m)?], vec![constant - moment_potential(&z, self.m)?]))
-    }
+        let constant = t[0].rational(&(constant)(z.len() as i64, i64::from(m)));
+        Ok((vec![phase_potential(&laplacian, &z, m)?], vec![constant - moment_potential(&z, m)?]))
+    })
 }
 
 pub fn laplacian_moments() -> Record<ConstantOf> {
@@ -42,8 +32,7 @@ pub fn laplacian_moments() -> Record<ConstantOf> {
             let sizes = (2..=3usize).flat_map(|particles| (1..=3).map(move |m| (particles, m)));
             let parts = sizes.map(|(particles, m)| {
                 let laplacian = laplacian(&complete(particles))?;
-                let identity = LaplacianMomentIdentity { laplacian, constant: *variant, m };
-                Ok((identity, format!("W_{m} on the complete graph, N = {particles}")))
+                Ok((moment_of_laplacian(laplacian, *variant, m), format!("W_{m} on the complete graph, N = {particles}")))
             });
             identities(run, &[1], &[], parts)
         },
@@ -69,23 +58,14 @@ pub struct MomentVariant {
 }
 
 /// `N/(2m^2) - U_m = (1/(2N m^2)) sum of |z_k^m - z_j^m|^2` over pairs.
-struct Deficit {
-    particles: usize,
-    m: u32,
-}
-
-impl RationalIdentity for Deficit {
-    fn variables(&self) -> usize {
-        self.particles
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn deficit(particles: usize, m: u32) -> Identity<'static> {
+    Identity::new(particles, move |t| {
         let z = phasors(t)?;
-        let (n, square) = (self.particles as i64, i64::from(self.m * self.m));
-        let squares = squared_lengths(&complete(self.particles), &powers(&z, self.m), &t[0]);
+        let (n, square) = (particles as i64, i64::from(m * m));
+        let squares = squared_lengths(&complete(particles), &powers(&z, m), &t[0]);
         let largest = t[0].ratio(n, 2 * square);
-        Ok((vec![largest - moment_potential(&z, self.m)?], vec![squares * t[0].ratio(1, 4 * n * square)]))
-    }
+        Ok((vec![largest - moment_potential(&z, m)?], vec![squares * t[0].ratio(1, 4 * n * square)]))
+    })
 }
 
 pub fn moment_potentials() -> Record<MomentVariant> {
@@ -100,7 +80,7 @@ pub fn moment_potentials() -> Record<MomentVariant> {
         |variant, run| {
             let squares = [(2, 2), (2, 3), (3, 1)].map(|(particles, m)| {
                 let part = format!("N/(2m^2) - U_m as a sum of squares, N = {particles}, m = {m}");
-                Ok((Deficit { particles, m }, part))
+                Ok((deficit(particles, m), part))
             });
             let squares = identities(run, &[1, 2], &[], squares);
             Run::all([few_phases(variant, run), two_clusters(variant, run), squares, argued(&[3], "every N >= 2 and m", "notes/paley_phases.md, steps P4")])

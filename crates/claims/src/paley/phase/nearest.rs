@@ -3,8 +3,8 @@
 use super::common::{complete, digraphs, identities, laplacian, on_the_line, phasors, supports, up_to_rotation};
 use crate::argued::argued;
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{Complex, Field, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Interaction, Neighbours, mean, phase_potential};
 use rand_chacha::rand_core::Rng;
@@ -156,21 +156,12 @@ fn reached_on_the_square() -> Result<Outcome, CheckError> {
     Ok(Outcome::Holds(vec![evidence.on([3]).for_all()]))
 }
 
-struct CompleteIdentity {
-    laplacian: SparseMatrix,
-    scale: Rational,
-}
-
-impl RationalIdentity for CompleteIdentity {
-    fn variables(&self) -> usize {
-        self.laplacian.order()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn complete_sides(laplacian: SparseMatrix, scale: Rational) -> Identity<'static> {
+    Identity::new(laplacian.order(), move |t| {
         let z = phasors(t)?;
-        let scaled = phase_potential(&self.laplacian, &z, 1)? * t[0].rational(&self.scale);
+        let scaled = phase_potential(&laplacian, &z, 1)? * t[0].rational(&scale);
         Ok((vec![scaled], vec![t[0].one() - mean(&z)?.norm_squared()]))
-    }
+    })
 }
 
 pub fn complete_scale() -> Record<ScaleOf> {
@@ -182,7 +173,7 @@ pub fn complete_scale() -> Record<ScaleOf> {
         |variant, run| {
             let parts = (2..=4usize).map(|fish| {
                 let scale = variant(fish as i64 - 1, fish as i64);
-                let identity = CompleteIdentity { laplacian: laplacian(&complete(fish))?, scale };
+                let identity = complete_sides(laplacian(&complete(fish))?, scale);
                 Ok((identity, format!("N = {fish}, n = {}", fish - 1)))
             });
             identities(run, &[1], &[], parts)

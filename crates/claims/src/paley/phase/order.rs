@@ -4,8 +4,8 @@ use super::common::{N_AT_LEAST_2, at, supports, turns, up_to_rotation};
 use super::common::{all_equal, all_zero, complete, identities, laplacian, named, phasors, squared_lengths};
 use super::figure2::value_of;
 use crate::argued::argued;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, CosineField, Dual, Field, Rational, Ring, Sign, Signed, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Complex, CosineField, Dual, Field, Probe, Rational, Ring, Sign, Signed, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{
     State, gradient_control, laplacian_control, mean, moment, moment_gradient, moment_potential, pairwise_control,
@@ -79,23 +79,10 @@ pub struct OrderVariant {
 }
 
 /// `Rdot = p` and `1 - |p|^2 = (1/(2 N^2)) sum_{k,j} |z_k - z_j|^2`.
-struct Velocity {
-    particles: usize,
-    variant: OrderVariant,
-}
-
-impl RationalIdentity for Velocity {
-    fn variables(&self) -> usize {
-        self.particles
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["Re Rdot", "Im Rdot", "1 - |p|^2"].map(String::from).to_vec()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn velocity_of_centre(particles: usize, variant: &OrderVariant) -> Identity<'_> {
+    Identity::new(particles, move |t| {
         let z = phasors(t)?;
-        let (like, v) = (t[0].one(), &self.variant);
+        let (like, v) = (t[0].one(), &variant);
         let i = Complex::new(like.zero(), like.clone());
         let p = mean(&z)? * i.power(v.quarters);
         let still = State { positions: vec![Complex::real(like.zero()); z.len()], phasors: z.clone() };
@@ -104,7 +91,8 @@ impl RationalIdentity for Velocity {
         let spread = squared_lengths(&complete(z.len()), &z, &like) * share;
         let deficit = like - p.norm_squared();
         Ok((vec![velocity.re.derivative, velocity.im.derivative, deficit], vec![p.re, p.im, spread]))
-    }
+    })
+    .named(["Re Rdot", "Im Rdot", "1 - |p|^2"])
 }
 
 pub fn order_parameter() -> Record<OrderVariant> {
@@ -118,7 +106,7 @@ pub fn order_parameter() -> Record<OrderVariant> {
         |variant, run| {
             let parts = (1..=4).map(|particles| {
                 let part = format!("Rdot = p and 1 - |p|^2 as a sum of squares, N = {particles}");
-                Ok((Velocity { particles, variant: *variant }, part))
+                Ok((velocity_of_centre(particles, variant), part))
             });
             identities(run, &[1, 2, 3, 4], &[], parts)
         },
@@ -142,24 +130,15 @@ pub struct ExtremesVariant {
 }
 
 /// `U_1` does not change when all phases are turned by the same angle, the last variable.
-struct Rotation {
-    particles: usize,
-    left_out: usize,
-}
-
-impl RationalIdentity for Rotation {
-    fn variables(&self) -> usize {
-        self.particles + 1
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn rotation(particles: usize, left_out: usize) -> Identity<'static> {
+    Identity::new(particles + 1, move |at| {
         let all = phasors(at)?;
         let (turn, z) = all.split_last().ok_or(ArithmeticError::Domain("an angle"))?;
-        let turned = self.particles - self.left_out;
-        let rotated: Vec<Complex<T>> =
+        let turned = particles - left_out;
+        let rotated: Vec<Complex<Probe>> =
             z.iter().enumerate().map(|(k, z)| if k < turned { z.clone() * turn } else { z.clone() }).collect();
         Ok((vec![moment_potential(&rotated, 1)?], vec![moment_potential(z, 1)?]))
-    }
+    })
 }
 
 pub fn extremes() -> Record<ExtremesVariant> {
@@ -170,7 +149,7 @@ pub fn extremes() -> Record<ExtremesVariant> {
          balanced ones, and both occur for N >= 2 (the splay state is balanced). One particle has no balanced arrangement and U_1 = 1/2 is constant.",
         printed,
         |variant, run| {
-            let rotation = Rotation { particles: 3, left_out: variant.left_out };
+            let rotation = rotation(3, variant.left_out);
             let rotation = identities(run, &[1], &["turn"], [Ok((rotation, "rotational invariance, N = 3".into()))]);
             Run::all([rotation, balanced_exist(variant, run), extreme_values(variant, run)])
         },
@@ -223,25 +202,16 @@ pub struct GradientVariant {
 }
 
 /// The displays between (8) and (10); variables are the phases, `K_1` and `omega_0`.
-struct GradientIdentity {
-    particles: usize,
-    variant: GradientVariant,
-}
-
-impl RationalIdentity for GradientIdentity {
-    fn variables(&self) -> usize {
-        self.particles + 2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn gradient_sides(particles: usize, variant: &GradientVariant) -> Identity<'_> {
+    Identity::new(particles + 2, move |at| {
         let [t @ .., gain, omega] = at else { return Err(ArithmeticError::Domain("phases, K_1, omega_0")) };
         let z = phasors(t)?;
         let slopes = phase_gradient(&z, |z| moment_potential(z, 1))?;
         let sum = slopes.iter().fold(gain.zero(), |sum, slope| sum + slope);
-        let rates: Vec<T> = gradient_control(gain, &z)?.into_iter().map(|u| u + omega).collect();
-        let decrease = rate_of_change(&z, &rates, |z: &[Complex<Dual<T>>]| moment_potential(z, 1))?;
+        let rates: Vec<Probe> = gradient_control(gain, &z)?.into_iter().map(|u| u + omega).collect();
+        let decrease = rate_of_change(&z, &rates, |z: &[Complex<Dual<Probe>>]| moment_potential(z, 1))?;
 
-        let v = &self.variant;
+        let v = &variant;
         let printed = moment_gradient(&z, 1)?;
         let pairs = pairwise_control(gain, &complete(z.len()), &z)?;
         let squares = printed.iter().fold(gain.zero(), |sum, slope| sum + slope.square());
@@ -253,7 +223,7 @@ impl RationalIdentity for GradientIdentity {
             .chain(pairs.into_iter().map(|pair| pair * gain.integer(v.sine) + omega))
             .chain([squares * gain * gain.ratio(v.decrease.0, v.decrease.1)]);
         Ok((left.collect(), right.collect()))
-    }
+    })
 }
 
 pub fn gradient_law() -> Record<GradientVariant> {
@@ -266,7 +236,7 @@ pub fn gradient_law() -> Record<GradientVariant> {
         |variant, run| {
             let parts = (2..=3).map(|particles| {
                 let part = format!("gradient, its sum, (10) and the rate of U_1, N = {particles}");
-                Ok((GradientIdentity { particles, variant: *variant }, part))
+                Ok((gradient_sides(particles, variant), part))
             });
             identities(run, &[1, 2, 3, 4], &["K1", "omega0"], parts)
         },

@@ -4,7 +4,7 @@ use super::common::up_to_rotation;
 use super::common::{all_equal, arcs, at, identities, laplacian, named, phasors, squared_lengths, turns};
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::RationalIdentity;
+use arithmetic::identity::Identity;
 use arithmetic::{ArithmeticError, Complex, CosineField, Field, Sign, Signed};
 use ledger::{Evidence, Grade, Record, Run};
 use models::oscillator::phase_potential;
@@ -25,24 +25,14 @@ fn potential<T: Field>(laplacian: &SparseMatrix, z: &[Complex<T>], sign: i64) ->
 }
 
 /// The potential as a sum of squares; the first variable is the reference.
-struct Squares {
-    graph: WeightedGraph,
-    laplacian: SparseMatrix,
-    sign: i64,
-}
-
-impl RationalIdentity for Squares {
-    fn variables(&self) -> usize {
-        self.graph.order() + 1
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn squares(laplacian: SparseMatrix, graph: WeightedGraph, sign: i64) -> Identity<'static> {
+    Identity::new(graph.order() + 1, move |t| {
         let z = phasors(t)?;
-        let n = self.graph.order();
-        let lengths = squared_lengths(&self.graph, &z[1..], &t[0]) * t[0].ratio(1, 4 * n as i64);
+        let n = graph.order();
+        let lengths = squared_lengths(&graph, &z[1..], &t[0]) * t[0].ratio(1, 4 * n as i64);
         let pulled = (z[0].clone() - &z[n]).norm_squared() * t[0].ratio(1, 2);
-        Ok((vec![potential(&self.laplacian, &z, self.sign)?], vec![lengths + pulled]))
-    }
+        Ok((vec![potential(&laplacian, &z, sign)?], vec![lengths + pulled]))
+    })
 }
 
 pub fn reference_phase() -> Record<ReferenceVariant> {
@@ -71,7 +61,7 @@ pub fn reference_phase() -> Record<ReferenceVariant> {
             });
             let squares = ["path:2", "path:3", "ring:3"].map(|name| {
                 let graph = named(name)?;
-                let identity = Squares { laplacian: laplacian(&graph)?, graph, sign: variant.sign };
+                let identity = squares(laplacian(&graph)?, graph, variant.sign);
                 Ok((identity, format!("the sum of squares, {name}")))
             });
             let squares = identities(run, &[1], &[], squares);

@@ -3,8 +3,8 @@
 use super::common::{all_equal, all_zero, identities, phasors};
 use super::critical::{Critical, Kind, critical_points, is_critical, linearisation, rates};
 use crate::argued::argued;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Dual, Field, Ring, Sign, Signed};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Complex, Dual, Probe, Ring, Sign, Signed};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::{gradient_control, moment_gradient, moment_potential, rate_of_change};
 
@@ -23,23 +23,15 @@ pub enum Limit {
 }
 
 /// Along (6) with (9) `Udot_1 = -K_1 |grad U_1|^2`; variables are the phases, `K_1` and `omega_0`.
-struct Decrease {
-    particles: usize,
-}
-
-impl RationalIdentity for Decrease {
-    fn variables(&self) -> usize {
-        self.particles + 2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn decrease(particles: usize) -> Identity<'static> {
+    Identity::new(particles + 2, move |at| {
         let [t @ .., gain, omega] = at else { return Err(ArithmeticError::Domain("phases, K_1, omega_0")) };
         let z = phasors(t)?;
-        let rates: Vec<T> = gradient_control(gain, &z)?.into_iter().map(|u| u + omega).collect();
-        let decrease = rate_of_change(&z, &rates, |z: &[Complex<Dual<T>>]| moment_potential(z, 1))?;
+        let rates: Vec<Probe> = gradient_control(gain, &z)?.into_iter().map(|u| u + omega).collect();
+        let decrease = rate_of_change(&z, &rates, |z: &[Complex<Dual<Probe>>]| moment_potential(z, 1))?;
         let squares = moment_gradient(&z, 1)?.iter().fold(gain.zero(), |sum, slope| sum + slope.square());
         Ok((vec![decrease], vec![-(squares * gain)]))
-    }
+    })
 }
 
 pub fn convergence() -> Record<Limit> {
@@ -69,7 +61,7 @@ pub fn convergence() -> Record<Limit> {
                 },
             );
             let parts =
-                (1..=3).map(|particles| Ok((Decrease { particles }, format!("Udot_1 = -K_1 |grad U_1|^2, N = {particles}"))));
+                (1..=3).map(|particles| Ok((decrease(particles), format!("Udot_1 = -K_1 |grad U_1|^2, N = {particles}"))));
             let decrease = identities(run, &[1], &["K1", "omega0"], parts);
             Run::all([turning, decrease, argued(&[1], "convergence of all solutions", "notes/paley_phases.md, steps T1-T3")])
         },

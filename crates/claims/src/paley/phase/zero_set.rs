@@ -4,9 +4,8 @@ use super::common::{all_equal, arcs, digraphs, identities, laplacian, phasors, s
 use super::common::{turns, up_to_rotation};
 use crate::argued::argued;
 use algebra::graph::{Graph, WeightedGraph};
-use algebra::matrix::SparseMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{Complex, Field, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Neighbours, phase_potential};
 use num_traits::{Signed as _, Zero};
@@ -65,44 +64,28 @@ fn every_digraph(
 }
 
 /// `W_1 = (1/(4N)) sum over arcs of |z_k - z_j|^2`, on a complete digraph with different weights.
-struct SumOfSquares {
-    graph: WeightedGraph,
-    laplacian: SparseMatrix,
-    factor: (i64, i64),
-}
-
-impl SumOfSquares {
-    fn new(order: usize, factor: (i64, i64)) -> Result<Self, CheckError> {
-        let pairs = (0..order * order).map(|place| (place / order, place % order)).filter(|(k, j)| k != j);
-        let arcs = pairs.enumerate().map(|(place, (k, j))| (k, j, rational((place * place) as i64 + 1, 3)));
-        let graph = WeightedGraph::from_arcs(order, arcs);
-        Ok(SumOfSquares { laplacian: laplacian(&graph)?, graph, factor })
-    }
-}
-
-impl RationalIdentity for SumOfSquares {
-    fn variables(&self) -> usize {
-        self.graph.order()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn arc_sums(order: usize, factor: (i64, i64)) -> Result<Identity<'static>, CheckError> {
+    let pairs = (0..order * order).map(|place| (place / order, place % order)).filter(|(k, j)| k != j);
+    let arcs = pairs.enumerate().map(|(place, (k, j))| (k, j, rational((place * place) as i64 + 1, 3)));
+    let graph = WeightedGraph::from_arcs(order, arcs);
+    let laplacian = laplacian(&graph)?;
+    Ok(Identity::new(order, move |t| {
         let z = phasors(t)?;
-        let share = t[0].ratio(self.factor.0, self.factor.1 * z.len() as i64);
+        let share = t[0].ratio(factor.0, factor.1 * z.len() as i64);
         // d_k - sum <z_k, z_j>, with the weights of the arcs.
-        let cosines = self
-            .graph
+        let cosines = graph
             .adjacency()
             .entries()
             .fold(t[0].zero(), |sum, (k, j, weight)| sum + (t[0].one() - z[k].dot(&z[j])) * t[0].rational(weight));
-        let squares = squared_lengths(&self.graph, &z, &t[0]) * &share * t[0].ratio(1, 2);
-        let potential = phase_potential(&self.laplacian, &z, 1)?;
+        let squares = squared_lengths(&graph, &z, &t[0]) * &share * t[0].ratio(1, 2);
+        let potential = phase_potential(&laplacian, &z, 1)?;
         Ok((vec![potential.clone(), potential], vec![cosines * share, squares]))
-    }
+    }))
 }
 
 fn sum_of_squares(run: &Run, factor: (i64, i64)) -> Result<Outcome, CheckError> {
     let part = "W_1 as a sum over arcs of 1 - cos theta_kj = |z_k - z_j|^2/2";
-    let parts = (2..=3).map(|order| Ok((SumOfSquares::new(order, factor)?, format!("{part}, N = {order}"))));
+    let parts = (2..=3).map(|order| Ok((arc_sums(order, factor)?, format!("{part}, N = {order}"))));
     identities(run, &[], &[], parts)
 }
 

@@ -1,8 +1,8 @@
 //! paley.eq26, paley.vrep, paley.vatt: the steps of the fish model and its behaviours.
 
 use super::instances::{StateIdentity, state_identity};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Field, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Fault, Outcome, Record, Run};
 use models::oscillator::{State, phasor, quarter_turn, repulsion, steering_towards};
 
@@ -92,34 +92,21 @@ impl BehaviourVariant {
 
 /// With neighbours at `r_k - d_j e^{i psi_j}`: moving along `v` changes the sum of the distances at the rate `away |v|^2`, and the
 /// heading turns towards `v`: `(d/dt) <e^{i theta}, v> = K <i e^{i theta}, v>^2` at a fixed `v`.
-struct BehaviourIdentity(BehaviourVariant);
-
-impl RationalIdentity for BehaviourIdentity {
-    fn variables(&self) -> usize {
-        5
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [gain, theta, first, second, third] = at else { return Err(ArithmeticError::Domain("five variables")) };
+fn behaviour(variant: &BehaviourVariant) -> Identity<'_> {
+    Identity::of(move |[gain, theta, first, second, third]| {
         let heading = phasor(theta)?;
         let away = [phasor(first)?, phasor(second)?, phasor(third)?];
-        let sum = repulsion(&heading, &away).scale(&gain.integer(self.0.sign));
-        let v = (0..self.0.turns).fold(sum, |v, _| quarter_turn(&v));
+        let sum = repulsion(&heading, &away).scale(&gain.integer(variant.sign));
+        let v = (0..variant.turns).fold(sum, |v, _| quarter_turn(&v));
         // d/de |r_k + e v - r_j| = <v, rhat_kj>
         let distances = away.iter().fold(gain.zero(), |rate, unit| rate + v.dot(unit));
-        let turning = steering_towards(&heading, &v) * gain * gain.integer(self.0.gain);
+        let turning = steering_towards(&heading, &v) * gain * gain.integer(variant.gain);
         let rate = quarter_turn(&heading).scale(&turning).dot(&v);
         let square = steering_towards(&heading, &v).square();
-        Ok((vec![distances, rate], vec![v.norm_squared() * gain.integer(self.0.away), square * gain]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at[0] > rational(0, 1)
-    }
-
-    fn components(&self) -> Vec<String> {
-        vec!["the rate of the sum of distances along v".to_string(), "the rate of <e^{i theta}, v>".to_string()]
-    }
+        Ok((vec![distances, rate], vec![v.norm_squared() * gain.integer(variant.away), square * gain]))
+    })
+    .within(|at| at[0] > rational(0, 1))
+    .named(vec!["the rate of the sum of distances along v".to_string(), "the rate of <e^{i theta}, v>".to_string()])
 }
 
 fn examine_behaviour(variant: &BehaviourVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -128,7 +115,7 @@ fn examine_behaviour(variant: &BehaviourVariant, run: &mut Run) -> Result<Outcom
     let argued =
         Evidence::argued("any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 1-2")
             .on([1, 2]);
-    let identity = run.identity(&BehaviourIdentity(*variant), &names, part)?;
+    let identity = run.identity(&behaviour(variant), &names, part)?;
     Run::all([Ok(identity.on([1, 2])), Ok(Outcome::Holds(vec![argued]))])
 }
 

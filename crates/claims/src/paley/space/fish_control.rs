@@ -1,8 +1,8 @@
 //! paley.eq28, paley.fish28ori: the steering of a fish beside the circular control.
 
 use super::instances::{StateIdentity, described, identity_graphs, state_identity};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{ArithmeticError, Complex, Field, Probe, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{
     CircularGains, Neighbours, State, alignment, attraction, circle_centres, circular_control, circular_formation,
@@ -20,51 +20,39 @@ pub struct FormVariant {
 }
 
 /// The first fish with two neighbours: (27), (28), and what the terms do. The neighbours are at `r_1 - d_j e^{i psi_j}`.
-struct FormIdentity(FormVariant);
-
-impl RationalIdentity for FormIdentity {
-    fn variables(&self) -> usize {
-        10
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn printed_forms(variant: &FormVariant) -> Identity<'_> {
+    Identity::new(10, move |at| {
         let [k_ori, k_att, distance, other, own, tangents @ ..] = at else {
             return Err(ArithmeticError::Domain("ten variables"));
         };
-        let phasors: Vec<Complex<T>> = tangents[..3].iter().map(phasor).collect::<Result<_, _>>()?;
-        let units: Vec<Complex<T>> = tangents[3..].iter().map(phasor).collect::<Result<_, _>>()?;
+        let phasors: Vec<Complex<Probe>> = tangents[..3].iter().map(phasor).collect::<Result<_, _>>()?;
+        let units: Vec<Complex<Probe>> = tangents[3..].iter().map(phasor).collect::<Result<_, _>>()?;
         let apart = [units[0].scale(distance), units[1].scale(other)];
         let origin = Complex::real(own.zero());
-        let positions: Vec<Complex<T>> = [origin].into_iter().chain(apart.iter().map(|r| -r.clone())).collect();
+        let positions: Vec<Complex<Probe>> = [origin].into_iter().chain(apart.iter().map(|r| -r.clone())).collect();
         let z = &phasors[0];
         let network = Neighbours::complete(3);
         let integer = |n: i64| own.integer(n);
         // (27) with the printed or the corrected field of attraction, and r_kj for rhat_kj.
-        let away: &[Complex<T>] = if self.0.units { &units } else { &apart };
-        let desired = |away: &[Complex<T>]| {
-            alignment(z, &phasors[1..]).scale(k_ori) + repulsion(z, away).scale(&integer(self.0.field)).scale(k_att)
+        let away: &[Complex<Probe>] = if variant.units { &units } else { &apart };
+        let desired = |away: &[Complex<Probe>]| {
+            alignment(z, &phasors[1..]).scale(k_ori) + repulsion(z, away).scale(&integer(variant.field)).scale(k_att)
         };
         let steering = own.clone() + steering_towards(z, &desired(away));
         // (28)
-        let aligning = misalignment(&network, &phasors)[0].clone() * k_ori * integer(self.0.orientation);
-        let turned: Vec<Complex<T>> = phasors.iter().map(quarter_turn).collect();
+        let aligning = misalignment(&network, &phasors)[0].clone() * k_ori * integer(variant.orientation);
+        let turned: Vec<Complex<Probe>> = phasors.iter().map(quarter_turn).collect();
         let attracting =
-            heading_components(&network, &turned, &positions)[0].clone() * k_att * integer(self.0.attraction);
+            heading_components(&network, &turned, &positions)[0].clone() * k_att * integer(variant.attraction);
         let form = own.clone() + &aligning + &attracting;
         // The terms steer towards sum (r_j - r_k) and sum e^{i theta_j}.
         let towards = -(apart[0].clone() + &apart[1]);
         let mates = phasors[1].clone() + &phasors[2];
         let left = vec![steering, steering_towards(z, &towards) * k_att, steering_towards(z, &mates) * k_ori];
         Ok((left, vec![form, attracting, aligning]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at[..4].iter().all(|x| *x > rational(0, 1))
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["(27) and (28)", "steering towards the neighbours", "steering to their headings"].map(String::from).to_vec()
-    }
+    })
+    .within(|at| at[..4].iter().all(|x| *x > rational(0, 1)))
+    .named(["(27) and (28)", "steering towards the neighbours", "steering to their headings"])
 }
 
 pub fn laplacian_form() -> Record<FormVariant> {
@@ -104,7 +92,7 @@ pub fn laplacian_form() -> Record<FormVariant> {
 fn examine_laplacian_form(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let names = ["K_ori", "K_att", "d_2", "d_3", "w", "t_1", "t_2", "t_3", "tan(psi_2/2)", "tan(psi_3/2)"];
     let part = "one fish with two neighbours at r_1 - d_j e^{i psi_j}, t = tan(theta/2)";
-    let identity = run.identity(&FormIdentity(*variant), &names, part)?;
+    let identity = run.identity(&printed_forms(variant), &names, part)?;
     // w = K_ori = 0, K_att = 1, r_1 = 0, heading 1, one neighbour at 2i: (27) and its approximation.
     let (heading, unit) = (Complex::real(rational(1, 1)), -quarter_turn(&Complex::real(rational(1, 1))));
     let steering = |away: Complex<Rational>| steering_towards(&heading, &attraction(&heading, &[away]));

@@ -1,8 +1,8 @@
 //! paley.figS1_S3, paley.figS3.difference: the measured tracks and what is inferred from them.
 
-use arithmetic::identity::RationalIdentity;
+use arithmetic::identity::Identity;
 use arithmetic::random::uniform;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
+use arithmetic::{ArithmeticError, Complex, Field, Probe, Rational, Ring, rational};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Neighbours, mean, phase_potential, phasor};
 use models::tracks::{Scale, nearest_neighbour, uniform_draw};
@@ -60,29 +60,19 @@ impl ScaleVariant {
 }
 
 /// Fish `2i` and `2i + 1` are each other's nearest: the difference against `(1/(2N)) sum |A_i - mean A|^2`, `A_i` the sum of a pair's phasors.
-struct InPairs {
-    pairs: usize,
-    complete: Rational,
-    single: Rational,
-}
-
-impl RationalIdentity for InPairs {
-    fn variables(&self) -> usize {
-        2 * self.pairs
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn in_pairs(pairs: usize, complete: Rational, single: Rational) -> Identity<'static> {
+    Identity::new(2 * pairs, move |t| {
         let (one, z) = (t[0].one(), t.iter().map(phasor).collect::<Result<Vec<_>, _>>()?);
         let potential = |network: &Neighbours, scale: &Rational| {
-            Ok::<T, ArithmeticError>(phase_potential(network, &z, 1)? * one.rational(scale))
+            Ok::<Probe, ArithmeticError>(phase_potential(network, &z, 1)? * one.rational(scale))
         };
         let near = Neighbours::from_fn(z.len(), |k, j| k / 2 == j / 2);
-        let difference = potential(&Neighbours::complete(z.len()), &self.complete)? - potential(&near, &self.single)?;
-        let sums: Vec<Complex<T>> = z.chunks(2).map(|pair| pair[0].clone() + &pair[1]).collect();
+        let difference = potential(&Neighbours::complete(z.len()), &complete)? - potential(&near, &single)?;
+        let sums: Vec<Complex<Probe>> = z.chunks(2).map(|pair| pair[0].clone() + &pair[1]).collect();
         let middle = mean(&sums)?;
         let spread = sums.into_iter().fold(one.zero(), |total, sum| total + (sum - &middle).norm_squared());
         Ok((vec![difference], vec![spread * one.ratio(1, 2 * z.len() as i64)]))
-    }
+    })
 }
 
 /// Shares of draws with independent uniform headings above this are "nearly always".
@@ -180,9 +170,8 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
     }
     for pairs in [2usize, 4] {
         let fish = 2 * pairs;
-        let identity = InPairs { pairs, complete: variant.factor(fish - 1), single: variant.factor(1) };
+        let identity = in_pairs(pairs, variant.factor(fish - 1), variant.factor(1));
         let names: Vec<String> = (1..=fish).map(|k| format!("t_{k}")).collect();
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let part = format!("{fish} fish in mutual pairs: the difference is a sum of squares");
         if let Outcome::Holds(evidence) = run.identity(&identity, &names, &part)? {
             let what = format!("{fish} fish in mutual pairs: the difference is never negative, whatever the headings");

@@ -2,8 +2,8 @@
 
 use super::instances::scattered_phasors;
 use crate::paley::runs::zones_of_figure_7;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Ring, rational};
+use arithmetic::identity::Identity;
+use arithmetic::{Complex, Ring, rational};
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::{Zone, phasor};
 
@@ -15,18 +15,14 @@ pub struct ChordVariant {
     doubled: u64,
 }
 
-impl RationalIdentity for ChordVariant {
-    fn variables(&self) -> usize {
-        1
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn chords(variant: &ChordVariant) -> Identity<'_> {
+    Identity::of(|[tangent]| {
         // e^{i a} with a = pi/M or any angle; the clusters are at 1 and e^{2 i a}.
-        let half = phasor(&at[0])?;
-        let distance = (half.square() - Complex::real(at[0].one())).norm_squared();
-        let sine = half.power(self.doubled).im;
-        Ok((vec![distance], vec![sine.square() * at[0].integer(self.factor * self.factor)]))
-    }
+        let half = phasor(tangent)?;
+        let distance = (half.square() - Complex::real(tangent.one())).norm_squared();
+        let sine = half.power(variant.doubled).im;
+        Ok((vec![distance], vec![sine.square() * tangent.integer(variant.factor * variant.factor)]))
+    })
 }
 
 pub fn chord() -> Record<ChordVariant> {
@@ -36,7 +32,9 @@ pub fn chord() -> Record<ChordVariant> {
         "Neighbouring clusters at 1 and e^{2 pi i/M}: |1 - e^{2 i a}|^2 = 4 sin^2 a with a = pi/M, and sin \
          a > 0 for M >= 2. An identity in a, hence for M = 2, 8, 12 and every other M.",
         printed,
-        |variant, run| Ok(run.identity(variant, &["tan(a/2)"], "|1 - e^{2 i a}|^2 = 4 sin^2 a, a = pi/M")?.for_all()),
+        |variant, run| {
+            Ok(run.identity(&chords(variant), &["tan(a/2)"], "|1 - e^{2 i a}|^2 = 4 sin^2 a, a = pi/M")?.for_all())
+        },
     )
     .control("sin(pi/M)", ChordVariant { factor: 1, doubled: 1 })
     .control("2 sin(2 pi/M)", ChordVariant { factor: 2, doubled: 2 })
