@@ -8,11 +8,12 @@ macro_rules! claims {
     };
 }
 
-mod argued;
 mod beyond;
 pub mod certificates;
 mod chazelle;
+mod evidence;
 pub mod paley;
+mod prelude;
 mod shares;
 mod tanner1;
 mod tanner2;

@@ -1,11 +1,9 @@
 //! beyond.veerman.resonance_frequency, beyond.veerman.resonance_amplitude: the resonance to the next order, with explicit bounds
 //! of the error.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::veerman::{enclosed, gains, scaled_error_is_bounded};
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Probe, Rational, Real, Ring, Series, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::{Series, Signed};
 use models::platoon::{Gains, Resonance, next_order, resonance, theorem1};
 
 const DIGITS: u32 = 40;
@@ -88,7 +86,7 @@ fn examine(part: &Quantity, variant: &NextOrderVariant, run: &mut Run) -> Result
     let limit = rational(part.bound.0, part.bound.1);
     let detail =
         "enclosures for five pairs (f, g), b from 1/1000 to 20, and sizes from the smallest to 10^4 times that";
-    let enclosures = run.every(Evidence::new(Grade::Certified, part.name, detail), cases, |(exact, m)| {
+    let enclosures = run.every(certified(part.name, detail), cases, |(exact, m)| {
         let scaled = scaled_error(part, variant, &exact, m)?;
         let (lo, hi) = scaled.to_rationals();
         if lo < -limit.clone() || hi > limit {

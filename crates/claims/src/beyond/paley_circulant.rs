@@ -1,9 +1,8 @@
 //! beyond.paley.circulant_spectrum, beyond.paley.cyclic_patterns: circular formations on circulant graphs.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::{Inertia, determinant_over_field, inertia};
-use arithmetic::{ArithmeticError, Complex, CosineField, Field, RealCyclotomic, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Record, Run};
+use arithmetic::{CosineField, RealCyclotomic, Sign, Signed};
 use models::oscillator::{
     CircularGains, Neighbours, circulant_eigenvalue, circular_control, circular_formation, linearisation, misalignment,
     phase_jacobian, quarter_turn,
@@ -148,7 +147,7 @@ pub fn cyclic_patterns() -> Record<CyclicVariant> {
             let most = run.cases(10, 16);
             let patterns = (3..=most).chain([12]).flat_map(|order| (0..order).map(move |m| (order, m)));
             let detail = format!("N = 3 to {most} and 12, all m: exact inertia of the Hessian over cosines");
-            let evidence = Evidence::new(Grade::Exhaustive, "signs of the Hessian", detail).on([1, 2]);
+            let evidence = exhaustive("signs of the Hessian", detail).on([1, 2]);
             let found = run.every(evidence, patterns, |(order, m)| variant.contradiction(order, m));
             Run::all([found, argued(&[1, 2], "every N, m and gains", "notes/paley_phases.md, steps F6-F8")])
         },

@@ -1,11 +1,10 @@
 //! beyond.paley.inertia and beyond.paley.cyclic_eigenvectors.
 
-use crate::argued::argued;
 use crate::paley::{CyclicVariant, Kind, arrangements, critical_points, hessian, is_critical, is_on_a_line};
 use crate::paley::{linearisation, two_clusters};
+use crate::prelude::*;
 use algebra::matrix::Inertia;
-use arithmetic::{Complex, Field, Signed};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use arithmetic::Signed;
 
 /// The inertia (positive, negative, zero) at critical points on a line, given `N` and the size of the minority, and at balanced ones; and whether
 /// balanced arrangements count as critical points.
@@ -60,26 +59,24 @@ pub fn inertia() -> Record<InertiaVariant> {
 
 fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let most = run.cases(9, 14);
-    let line =
-        Evidence::new(Grade::Exact, "two clusters", format!("all of N = 2 to {most}, both signs of K_1")).on([1, 4]);
+    let line = exact("two clusters", format!("all of N = 2 to {most}, both signs of K_1")).on([1, 4]);
     let line = run.every(line, two_clusters(most), |(n, minority, z)| variant.at_two_clusters((n, minority), &z));
     let balanced = (2..=6).flat_map(critical_points).filter(|point| point.kind == Kind::Balanced);
     let detail = "triangles and antipodal pairs of 2 to 6 particles, exact elimination";
-    let balanced = run.every(Evidence::new(Grade::Exact, "balanced", detail).on([2, 3]), balanced, |point| {
+    let balanced = run.every(exact("balanced", detail).on([2, 3]), balanced, |point| {
         let (n, found) = (point.phasors.len(), hessian(&point.phasors)?);
         let [positive, negative, zero] = (variant.balanced)(n, is_on_a_line(&point.phasors));
         let wrong = found != Inertia { positive, negative, zero };
         Ok(wrong.then(|| format!("N = {n}, {}: {found:?}", point.name)))
     });
     let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn and of 4 at multiples of 1/6";
-    let others =
-        run.every(Evidence::new(Grade::Exhaustive, "no others", detail).on([5]), arrangements(), |(place, z)| {
-            let known = match Kind::of(&z)? {
-                Kind::Balanced => variant.with_balanced,
-                _ => is_on_a_line(&z),
-            };
-            Ok((is_critical(&z)? && !known).then(|| format!("{place}: another critical point")))
-        });
+    let others = run.every(exhaustive("no others", detail).on([5]), arrangements(), |(place, z)| {
+        let known = match Kind::of(&z)? {
+            Kind::Balanced => variant.with_balanced,
+            _ => is_on_a_line(&z),
+        };
+        Ok((is_critical(&z)? && !known).then(|| format!("{place}: another critical point")))
+    });
     Run::all([line, balanced, others, argued(&[1, 2, 3, 4, 5], "every N", "notes/paley_phases.md, steps C1-C6")])
 }
 
@@ -95,7 +92,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
             let detail = format!(
                 "exact rank of the conditions of equal modulus in every double eigenspace, all columns, two rhombi that span all of them, N = 3 to {most}"
             );
-            let evidence = Evidence::new(Grade::Exact, "all eigenvectors of modulus one", detail).on([1, 2, 3, 4]);
+            let evidence = exact("all eigenvectors of modulus one", detail).on([1, 2, 3, 4]);
             let found = run.every(evidence, 3..=most, |nodes| {
                 Ok(variant.fails_on(nodes)?.map(|what| format!("C_{nodes}: {what}")))
             });

@@ -1,9 +1,8 @@
 //! beyond.chazelle.recurrent: flocks whose networks are connected only over windows of time.
 
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, RationalMatrix, StochasticMatrix};
-use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
 
@@ -222,7 +221,7 @@ impl RecurrentVariant {
         }
         let networks = "all sequences of networks on 2 and 3 birds and of three trees on 4, lazy and equal weights";
         let directed = "all sequences of directed networks on 2 and 3 birds, equal weights";
-        let evidence = |detail: &str| Evidence::new(Grade::Exhaustive, "tau_1 against the bound", detail);
+        let evidence = |detail: &str| exhaustive("tau_1 against the bound", detail);
         Ok(Outcome::Holds(vec![evidence(networks).on([1]).cases(cases[0]), evidence(directed).on([2]).cases(cases[1])]))
     }
 
@@ -259,14 +258,12 @@ impl RecurrentVariant {
             }
         }
         let detail = "random sequences of networks on 3 to 5 birds";
-        Ok(Outcome::Holds(vec![
-            Evidence::new(Grade::Fuzzed, "tau_1 against the bound", detail).on([1, 2]).cases(samples),
-        ]))
+        Ok(Outcome::Holds(vec![fuzzed("tau_1 against the bound", detail).on([1, 2]).cases(samples)]))
     }
 }
 
 fn failure(what: String) -> Outcome {
-    Outcome::fails(what, Evidence::new(Grade::Exact, "tau_1 against the bound", "exact product"))
+    Outcome::fails(what, exact("tau_1 against the bound", "exact product"))
 }
 
 pub fn recurrent() -> Record<RecurrentVariant> {

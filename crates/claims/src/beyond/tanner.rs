@@ -1,12 +1,9 @@
 //! beyond.tanner1.two_agents, turning_triangle; beyond.tanner2.alternating_trees, endless_switching, thm2_stop.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{PLANE, printed as logarithmic, spring};
 use crate::tanner2::switching::{TREES_ARGUED, Trees, no_common_configuration};
 use algebra::graph::Graph;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Field, Probe, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::double_integrator::{
     AnyPotentials, Potential, State, cross, crosses_for_ever, difference, dot, gyroscopic, kinetic_energy,
     potential_gradients, scaled, sum,
@@ -88,9 +85,7 @@ pub fn turning_triangle() -> Record<TriangleVariant> {
          The law is the same in turned coordinates, so this holds at all times. The motion fulfils the hypotheses of Proposition IV.3 (connected graph, finite V_t).",
         printed,
         |variant, _| {
-            let evidence = Evidence::new(
-                Grade::Exact,
-                "accelerations, headings, sides",
+            let evidence = exact("accelerations, headings, sides",
                 "in the field of the cosines of multiples of pi/12, which has sqrt 2 and sqrt 3; at all times since the law is the same in turned coordinates",
             );
             let TriangleVariant { rate, whole_turns } = *variant;
@@ -130,8 +125,7 @@ pub fn alternating_trees() -> Record<Trees> {
 
 fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Outcome, CheckError> {
     let (potential, square) = setting;
-    let evidence = Evidence::new(
-        Grade::Exact,
+    let evidence = exact(
         "motions near two equilateral triangles side by side",
         "characteristic polynomials of the symmetric modes with and without the link: stable, no real root (Sturm, Routh)",
     );
@@ -201,7 +195,7 @@ fn examine_ends(variant: &EndsVariant, run: &mut Run) -> Result<Outcome, CheckEr
     let three = rational(3, 1);
     if variant.flat && crosses_for_ever(&Potential::with_inflection(&three), &three)? {
         let what = "V' = (s-1)(s-3)²(s+3/5)/s², R² = 3: motions near the rhombus tend to it, where one pair is at R, and that pair passes R for ever";
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "switching near the rhombus", "exact modes")));
+        return Ok(Outcome::fails(what, exact("switching near the rhombus", "exact modes")));
     }
     let graphs = [Graph::path(2), Graph::path(3), Graph::from_fn(3, |_, _| true), Graph::path(4)];
     let jumps = graphs.into_iter().map(|graph| {

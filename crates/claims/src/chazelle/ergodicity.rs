@@ -1,8 +1,7 @@
 //! chazelle.tau1, chazelle.lem2.4 and chazelle.tau2sqrt2: the diameters of the rows.
 
+use crate::prelude::*;
 use algebra::matrix::{Norm, RationalMatrix, diameter, tau_1, tau_2_squared, tau_infinity};
-use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use num_bigint::BigInt;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
@@ -126,38 +125,22 @@ fn check_coefficient(variant: &CoefficientVariant, run: &mut Run) -> Result<Outc
             a.to_rows().into_iter().map(|row| row.into_iter().map(|x| x / &divisor).collect()).collect();
         Ok(RationalMatrix::from_rows(&rows)?)
     };
-    let mut cases = 0;
     let upto = |cols: usize, largest: i64| (1..=largest).map(move |denominator| (2, cols, denominator));
     let families = [(1, 1, 1), (1, 3, 4), (2, 1, 3), (3, 3, 3)].into_iter();
-    for (rows, cols, denominator) in families.chain(upto(2, 12)).chain(upto(3, 6)).chain(upto(4, 4)) {
-        for a in all_matrices(rows, cols, denominator)? {
-            run.checkpoint()?;
-            cases += 1;
-            if let Some(counterexample) = variant.fails_at(&scale(a)?) {
-                return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "equality", "one matrix")));
-            }
-        }
-    }
+    let families = families.chain(upto(2, 12)).chain(upto(3, 6)).chain(upto(4, 4));
+    let all = families.map(|(rows, cols, denominator)| all_matrices(rows, cols, denominator));
+    let all = all.collect::<Result<Vec<_>, _>>()?.into_iter().flatten();
     let mut random = run.random(0);
-    let random_cases = run.cases(300, 5000);
-    for _ in 0..random_cases {
-        let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
-        let a = scale(random_matrix(rows, cols, &mut random)?)?;
-        if let Some(counterexample) = variant.fails_at(&a) {
-            return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "equality", "one matrix")));
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "equality and both bounds, for every row-stochastic matrix",
-            "every pair of rows with a common denominator up to 12 (2 columns), 6 (3), 4 (4), and every 3 x 3 matrix \
-             over 3",
-        )
-        .cases(cases),
-        Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
+    let part = "equality and both bounds, for every row-stochastic matrix";
+    let detail = "every pair of rows with a common denominator up to 12 (2 columns), 6 (3), 4 (4), and every 3 x 3 matrix over 3";
+    Run::all([
+        run.every(exhaustive(part, detail), all, |a| Ok(variant.fails_at(&scale(a)?))),
+        run.every(fuzzed("the same", "random rectangular matrices up to 9 x 9"), 0..run.cases(300, 5000), |_| {
+            let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
+            Ok(variant.fails_at(&scale(random_matrix(rows, cols, &mut random)?)?))
+        }),
     ])
-    .on([1, 2]))
+    .on([1, 2])
 }
 
 /// The factor in front of `tau_2(B)`.
@@ -220,57 +203,32 @@ pub fn submultiplicative() -> Record<SubmultiplicativeVariant> {
 }
 
 fn check_submultiplicative(variant: &SubmultiplicativeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails = |counterexample: String| {
-        Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "the bound", "one pair of matrices")))
-    };
     let prepare = |a: RationalMatrix| if variant.stochastic { Ok(a) } else { spoiled(&a) };
-    let mut cases = 0;
+    let mut pairs = Vec::new();
     // Both sides are attained at two rows of A, so two rows are enough.
     for (inner, cols, of_a, of_b) in [(1, 2, 2, 3), (2, 2, 6, 4), (2, 3, 4, 3), (3, 2, 3, 2), (3, 3, 3, 2)] {
-        let lefts: Vec<RationalMatrix> =
-            all_matrices(2, inner, of_a)?.into_iter().map(prepare).collect::<Result<_, _>>()?;
-        for b in all_matrices(inner, cols, of_b)? {
-            run.checkpoint()?;
-            for a in &lefts {
-                cases += 1;
-                if let Some(counterexample) = variant.fails_at(a, &b)? {
-                    return fails(counterexample);
-                }
-            }
-        }
+        let lefts = all_matrices(2, inner, of_a)?.into_iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
+        let rights = all_matrices(inner, cols, of_b)?;
+        pairs.extend(rights.iter().flat_map(|b| lefts.iter().map(move |a| (a.clone(), b.clone()))));
     }
     // Equality, and the reason why tau_1 cannot be replaced: rows spread over many entries.
     let spread = RationalMatrix::from_integers(&[[1, 1, 1, 0, 0, 0], [0, 0, 0, 1, 1, 1]], 3)?;
     let split = RationalMatrix::from_integers(&[[1, 0], [1, 0], [1, 0], [0, 1], [0, 1], [0, 1]], 1)?;
-    if let Some(counterexample) = variant.fails_at(&prepare(spread.clone())?, &split)? {
-        return fails(counterexample);
-    }
-    let mut random = run.random(0);
-    let random_cases = run.cases(200, 4000);
-    for _ in 0..random_cases {
-        run.checkpoint()?;
-        let (rows, inner, cols) = (size(&mut random, 7), size(&mut random, 7), size(&mut random, 7));
-        let a = prepare(random_matrix(rows, inner, &mut random)?)?;
-        let b = random_matrix(inner, cols, &mut random)?;
-        if let Some(counterexample) = variant.fails_at(&a, &b)? {
-            return fails(counterexample);
-        }
-    }
     run.value("tau_2_squared_where_equal", tau_2_squared(&spread.times(&split)?).to_string());
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "the bound, for all row-stochastic A and B that can be multiplied",
-            "all pairs with A of two rows and inner size up to 3 over small denominators",
-        )
-        .cases(cases),
-        Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 7 x 7").cases(random_cases),
-        Evidence::new(
-            Grade::Exact,
-            "the bound is attained",
-            "A = [[1,1,1,0,0,0],[0,0,0,1,1,1]]/3 and B that merges the columns",
-        ),
-    ]))
+    let attained = exact("the bound is attained", "A = [[1,1,1,0,0,0],[0,0,0,1,1,1]]/3 and B that merges the columns");
+    let attained = unless(variant.fails_at(&prepare(spread)?, &split)?, attained);
+    let mut random = run.random(0);
+    let part = "the bound, for all row-stochastic A and B that can be multiplied";
+    let detail = "all pairs with A of two rows and inner size up to 3 over small denominators";
+    Run::all([
+        run.every(exhaustive(part, detail), &pairs, |(a, b)| variant.fails_at(a, b)),
+        run.every(fuzzed("the same", "random rectangular matrices up to 7 x 7"), 0..run.cases(200, 4000), |_| {
+            let (rows, inner, cols) = (size(&mut random, 7), size(&mut random, 7), size(&mut random, 7));
+            let a = prepare(random_matrix(rows, inner, &mut random)?)?;
+            variant.fails_at(&a, &random_matrix(inner, cols, &mut random)?)
+        }),
+        attained,
+    ])
 }
 
 /// The squared constant, and a squared factor of the middle term.
@@ -308,36 +266,18 @@ fn check_square_root_of_two(variant: &SquareRootOfTwoVariant, run: &mut Run) -> 
         let ordered = chain.windows(2).all(|pair| pair[0] <= pair[1]);
         Ok((!ordered).then(|| format!("A = {}: the squares are {}, {}, {}", show(a), chain[0], chain[1], chain[2])))
     };
-    let mut cases = 0;
+    let fails = |a: RationalMatrix| fails_at(&if variant.stochastic { a } else { spoiled(&a)? });
+    let families = [(1, 1, 1), (2, 1, 1), (2, 2, 12), (2, 3, 6), (2, 4, 4), (3, 3, 3)];
+    let all = families.map(|(rows, cols, denominator)| all_matrices(rows, cols, denominator));
+    let all = all.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten();
+    let part = "both inequalities, for every row-stochastic matrix";
     let mut random = run.random(0);
-    let random_cases = run.cases(300, 5000);
-    let mut matrices = Vec::new();
-    for (rows, cols, denominator) in [(1, 1, 1), (2, 1, 1), (2, 2, 12), (2, 3, 6), (2, 4, 4), (3, 3, 3)] {
-        matrices.extend(all_matrices(rows, cols, denominator)?);
-    }
-    for k in 0..matrices.len() + random_cases {
-        run.checkpoint()?;
-        let a = match matrices.get(k) {
-            Some(a) => a.clone(),
-            None => {
-                let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
-                random_matrix(rows, cols, &mut random)?
-            }
-        };
-        let a = if variant.stochastic { a } else { spoiled(&a)? };
-        cases += usize::from(k < matrices.len());
-        if let Some(counterexample) = fails_at(&a)? {
-            return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "the chain", "one matrix")));
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "both inequalities, for every row-stochastic matrix",
-            "all pairs of rows over small denominators",
-        )
-        .cases(cases),
-        Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
+    Run::all([
+        run.every(exhaustive(part, "all pairs of rows over small denominators"), all, fails),
+        run.every(fuzzed("the same", "random rectangular matrices up to 9 x 9"), 0..run.cases(300, 5000), |_| {
+            let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
+            fails(random_matrix(rows, cols, &mut random)?)
+        }),
     ])
-    .on([1, 2]))
+    .on([1, 2])
 }

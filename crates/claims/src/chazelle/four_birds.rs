@@ -5,10 +5,9 @@
 //! network, for `r` in `[-1/3, 0)` the other; both multiply `v(1)` by -1/3, so a step maps `r` to `-r/3`, from one
 //! range into the other.
 
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Affine, Flock, HalfOpenRange, Hysteresis, Start, Weights, transition_matrix};
 
 /// The example with everything that the claims print about it.
@@ -82,10 +81,6 @@ const PAIRS: [(usize, usize); 2] = [(0, 1), (2, 3)];
 fn networks() -> Result<[Graph; 2], CheckError> {
     let pairs = Graph::from_edges(4, &PAIRS).map_err(|error| CheckError::Other(error.to_string()))?;
     Ok([Graph::path(4), pairs])
-}
-
-fn exact(part: &str, detail: &str) -> Evidence {
-    Evidence::new(Grade::Exact, part, detail)
 }
 
 /// Both printed matrices are those of model D with lazy weights, and `v(1)` is an eigenvector of both.
@@ -225,7 +220,7 @@ fn examine_closed_form(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
          gap runs between 1/4 (attained at t = 1) and 1/3 (at t = 2)",
     )
     .for_all()]);
-    Ok(Run::all([Ok(own), Ok(alternation)])?.on([1, 2, 3, 4]))
+    Run::all([Ok(own), Ok(alternation)]).on([1, 2, 3, 4])
 }
 
 pub fn eigenvector() -> Record<FourBirds> {

@@ -5,9 +5,8 @@
 
 use super::sequences::{four_birds, random_start, settled, show_start};
 use super::switching::SwitchesVariant;
-use crate::argued::{argued, argued_with};
-use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::averaging::settle::Ending;
 use models::averaging::{Flock, Hysteresis, Start, Weights, transition_matrix};
 use num_bigint::BigInt;
@@ -119,7 +118,7 @@ fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, Chec
         }
     }
     let detail = "enclosures for vectors in dimension 1 to 3, obtuse angles among them";
-    let evidence = Evidence::new(Grade::Certified, "1/(1 + R²) <= angle/distance <= 1", detail).on([1, 2]);
+    let evidence = certified("1/(1 + R²) <= angle/distance <= 1", detail).on([1, 2]);
     Run::all([
         run.every(evidence, &pairs, |(w, v)| variant.fails_at(w, v)),
         argued(&[1, 2], "1/(1 + R²) <= angle/distance <= 1, and R <= n^O(1)", "notes/settling.md, (3.15), steps 1-3"),
@@ -188,8 +187,7 @@ fn origins_of_flocks(variant: &OriginVariant, run: &Run) -> Result<Outcome, Chec
         (0..run.cases(60, 600))
             .map(|k| random_start(&mut random, if k % 2 == 0 { Hysteresis::Paper } else { Hysteresis::None })),
     );
-    let evidence = Evidence::new(
-        Grade::Fuzzed,
+    let evidence = fuzzed(
         "the recursion of the virtual origins, their bound, and the angle",
         "exact flocks of 1 to 5 birds in dimension 1 to 3 for t = 2, ..., 20, the four birds of the paper with and \
          without hysteresis; the angle enclosed at t = 20",
@@ -292,8 +290,7 @@ pub fn about_losses(id: &'static str, derivation: &'static str, printed: LossVar
 fn examine_losses(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
     let starts: Vec<Start> = (0..run.cases(30, 300)).map(|_| random_start(&mut random, Hysteresis::Paper)).collect();
-    let step_5 = Evidence::new(
-        Grade::Fuzzed,
+    let step_5 = fuzzed(
         "step 5: differences of velocities from virtual origins",
         "all pairs of birds of exact flocks of 2 to 5 birds in dimension 1 to 3, t = 2, ..., 8",
     );
@@ -319,7 +316,7 @@ fn last_loss(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError
     let (switches, end) = settled(&four_birds(hysteresis), run)?;
     let last = switches.iter().rev().find(|s| !s.lost.is_empty()).map_or(BigInt::ZERO, |s| s.time.clone());
     run.value("four_birds_last_loss", last.to_string());
-    let evidence = Evidence::new(Grade::Exact, "the four birds", format!("last loss at t = {last}, settled exactly"));
+    let evidence = exact("the four birds", format!("last loss at t = {last}, settled exactly"));
     if !matches!(end.ending, Ending::Steady) {
         return Ok(Outcome::fails(format!("the four birds: {}", end.why), evidence));
     }

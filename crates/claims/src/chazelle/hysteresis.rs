@@ -3,9 +3,8 @@
 
 use super::geometry::{loss_exponent, switch_exponent};
 use super::sequences::{four_birds, random_start, settled, show_start};
-use crate::argued::argued;
-use arithmetic::{Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::averaging::settle::Ending;
 use models::averaging::{Flock, Hysteresis, Start, Weights};
 use num_bigint::BigInt;
@@ -58,7 +57,7 @@ pub fn rule() -> Record<RuleVariant> {
 }
 
 fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the rule", "an exact flock")));
+    let fails = |what: String| Ok(Outcome::fails(what, exact("the rule", "an exact flock")));
     let mut cases = 0;
     for n in 2..=4i64 {
         let epsilon = threshold(n, 4);
@@ -100,8 +99,7 @@ fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckErro
         }
         before = now;
     }
-    let evidence = Evidence::new(
-        Grade::Exact,
+    let evidence = exact(
         "flocks follow the rule as read",
         "two of 2, 3, 4 birds crossing distance 1 by 1/4 to 200 thresholds, joined before or not; the four birds for \
          340 steps",
@@ -141,7 +139,7 @@ pub fn smaller_threshold() -> Record<SmallerThresholdVariant> {
 }
 
 fn check_smaller_threshold(variant: &SmallerThresholdVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let inequalities = Evidence::new(Grade::Certified, "steps 1 and 3", "enclosures for n = 4, ..., 24");
+    let inequalities = certified("steps 1 and 3", "enclosures for n = 4, ..., 24");
     Run::all([
         run.every(inequalities, 4..=24, |n| variant.fails_for(n)),
         variant.four_birds(run),
@@ -174,7 +172,7 @@ impl SmallerThresholdVariant {
         let (_, found) = settled(&four_birds(if self.without { Hysteresis::None } else { smaller }), run)?;
         run.value("four_birds_last_switch", found.last_switch.to_string());
         let detail = "the four birds end in the same network, at another time; settled exactly";
-        let evidence = Evidence::new(Grade::Exact, "the example", detail);
+        let evidence = exact("the example", detail);
         if !matches!(found.ending, Ending::Steady) {
             return Ok(Outcome::fails(format!("the four birds: {}", found.why), evidence));
         }
@@ -224,7 +222,7 @@ fn check_near_birds_are_joined(variant: &NearVariant, run: &mut Run) -> Result<O
         .collect();
     let detail = "exact flocks of 2 to 5 birds in dimension 1 to 3, 12 steps";
     Run::all([
-        run.every(Evidence::new(Grade::Fuzzed, "pairs within unit distance", detail), &starts, |s| variant.fails_at(s)),
+        run.every(fuzzed("pairs within unit distance", detail), &starts, |s| variant.fails_at(s)),
         argued(
             &[],
             "every pair within unit distance, at all times",
@@ -367,8 +365,7 @@ fn check_far_birds_are_not(variant: &FarVariant, run: &mut Run) -> Result<Outcom
     let mut random = run.random(0);
     let starts: Vec<Start> =
         (0..run.cases(60, 600)).map(|_| random_start(&mut random, Hysteresis::Constant(rational(1, 40)))).collect();
-    let step_1 = Evidence::new(
-        Grade::Fuzzed,
+    let step_1 = fuzzed(
         "step 1: how fast a kept edge grows",
         "exact flocks of 2 to 5 birds in dimension 1 to 3 with the threshold 1/40, 16 steps",
     );

@@ -1,10 +1,8 @@
 //! chazelle.kron and chazelle.chi: the Kronecker product, and differences of velocities as rows of a product.
 
 use super::sequences::{random_graph, show_all};
+use crate::prelude::*;
 use algebra::graph::Graph;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Field, Probe, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
 
@@ -131,13 +129,13 @@ fn check_kronecker(variant: &KroneckerVariant, run: &mut Run) -> Result<Outcome,
         let ones = |rows, cols| vec![vec![rational(1, 1); cols]; rows];
         if variant.by_rule::<Rational>(&ones(m, n), &ones(p, q)).is_none() {
             let what = format!("the index rule does not fill {} x {} from A {m} x {n} and B {p} x {q}", m * p, n * q);
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the index rule", "all indices")));
+            return Ok(Outcome::fails(what, exact("the index rule", "all indices")));
         }
         let part = format!("entries, A {m} x {n}, B {p} x {q}");
-        parts.push(run.identity(&footnote(shapes, variant, false), &names, &part).map(|o| o.on([1])));
+        parts.push(run.identity(&footnote(shapes, variant, false), &names, &part).on([1]));
         if fits {
             let part = format!("mixed product, C {n} x {r}, D {q} x {s} with them");
-            parts.push(run.identity(&footnote(shapes, variant, true), &names, &part).map(|o| o.on([2])));
+            parts.push(run.identity(&footnote(shapes, variant, true), &names, &part).on([2]));
         }
     }
     Run::all(parts)
@@ -225,7 +223,7 @@ fn check_difference(variant: &DifferenceVariant, run: &mut Run) -> Result<Outcom
                             list(&mut left.iter()),
                             list(&mut right.iter().flatten())
                         ),
-                        Evidence::new(Grade::Exact, "the difference", "an exact run"),
+                        exact("the difference", "an exact run"),
                     ));
                 }
             }
@@ -234,14 +232,8 @@ fn check_difference(variant: &DifferenceVariant, run: &mut Run) -> Result<Outcom
     }
     let identity = run.identity(&generic(variant), &[""; 0], "two generic factors, three birds in the plane")?;
     let Outcome::Holds(mut evidence) = identity else { return Ok(identity) };
-    evidence.push(
-        Evidence::new(
-            Grade::Fuzzed,
-            "exact runs",
-            "2 to 5 birds, d = 1, 2, 3, t = 1, ..., 5, lazy weights, all i != j",
-        )
-        .cases(cases),
-    );
+    evidence
+        .push(fuzzed("exact runs", "2 to 5 birds, d = 1, 2, 3, t = 1, ..., 5, lazy weights, all i != j").cases(cases));
     Ok(Outcome::Holds(evidence))
 }
 

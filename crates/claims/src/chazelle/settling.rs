@@ -3,11 +3,9 @@
 use super::lower_bound::{MIRRORED, PRINTED, groups};
 use super::sequences::{four_birds, random_start, settled};
 use super::switching;
-use crate::argued::{argued, argued_with};
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::settle::Ending;
 use models::averaging::{Flock, Hysteresis, Separation, Start, Transients, Weights};
 use num_bigint::BigInt;
@@ -138,7 +136,7 @@ pub fn distance_expansion() -> Record<ExpansionVariant> {
 fn check_distance_expansion(variant: &ExpansionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let detail = "pairs of birds of 7 networks with rational spectra, 0 and equal moduli among them, dimension 1 and \
                   2, 30 steps, against powers of P";
-    let evidence = Evidence::new(Grade::Exact, "the expansion for t > t_1, and fewer than n² terms", detail).on([1, 2]);
+    let evidence = exact("the expansion for t > t_1, and fewer than n² terms", detail).on([1, 2]);
     Run::all([
         run.every(evidence, tie_cases(run)?, |case| Ok(variant.fails_at(&case))),
         argued(&[1, 2], "both, for all flocks", "notes/settling.md, (3.18) and Lemma 3.10, steps 1-2"),

@@ -1,9 +1,7 @@
 //! chazelle.Nts and chazelle.eq3.4: counting network switches while the columns of `P(t, s)` fill.
 
 use super::sequences::{NetworkHistory, histories, line_networks, random_line_flock};
-use crate::argued::argued;
-use arithmetic::rational;
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
 use models::averaging::{Filling, GroupRule, Weights};
 
 /// Which `u` are counted, and what is claimed of one step.
@@ -106,9 +104,8 @@ pub fn count() -> Record<CountVariant> {
 
 fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "one step, and the sum";
-    let flocks = Evidence::new(Grade::Exact, part, "exact flocks of three birds with the hysteresis of the paper");
-    let all = Evidence::new(
-        Grade::Exhaustive,
+    let flocks = exact(part, "exact flocks of three birds with the hysteresis of the paper");
+    let all = exhaustive(
         part,
         "all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end",
     );
@@ -175,8 +172,7 @@ fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Out
         [(3, vec![0, 0, 1]), (3, vec![0, 0, 2]), (3, vec![0, 0, 3]), (4, vec![0, 0, 1, 1]), (4, vec![0, 0, 1, 2])];
     let mut found = Vec::new();
     let classes = run.every(
-        Evidence::new(
-            Grade::Exhaustive,
+        exhaustive(
             "the bound",
             "the longest sequences in which each group of birds that meets no other has at most N switches, on 3 and \
              4 birds",
@@ -202,7 +198,7 @@ fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Out
     let detail = "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)";
     Run::all([
         Ok(classes),
-        run.every(Evidence::new(Grade::Fuzzed, "flocks", detail), flocks, |history| {
+        run.every(fuzzed("flocks", detail), flocks, |history| {
             let history = history?;
             let n = history.order();
             let stable = (0..n).filter_map(|j| weight_times(&history, j, 1).last().copied()).max().unwrap_or(1);

@@ -2,9 +2,8 @@
 //! switches.
 
 use super::sequences::{NetworkHistory, histories, line_networks, paper_threshold, random_graph, random_line_flock};
-use crate::argued::{argued, argued_with};
-use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::averaging::Weights;
 use num_bigint::BigInt;
 use rand_chacha::rand_core::Rng;
@@ -48,12 +47,11 @@ fn check_threshold_inequality(variant: &ThresholdVariant, run: &mut Run) -> Resu
         let excess = if variant.reversed { -excess } else { excess };
         if !excess.is_certainly_positive() {
             let what = format!("nu = {nu}: nu^{} - nu^{} ln nu is not positive", (variant.p)(nu), variant.q);
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "the inequality", "an enclosure")));
+            return Ok(Outcome::fails(what, certified("the inequality", "an enclosure")));
         }
     }
     Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Certified,
+        certified(
             "the inequality, for all integers nu >= 1",
             "enclosures of the logarithms of both sides for nu = 1, ..., 24",
         )
@@ -171,12 +169,8 @@ fn check_final_count(variant: &FinalCountVariant, run: &mut Run) -> Result<Outco
             1..=40,
             leaves,
         ),
-        run.every(
-            Evidence::new(Grade::Exhaustive, "the count", all),
-            histories([(1, 1), (2, 6), (3, 4), (4, 2)]),
-            wrong,
-        ),
-        run.every(Evidence::new(Grade::Fuzzed, "the count", random_detail), sampled, wrong),
+        run.every(exhaustive("the count", all), histories([(1, 1), (2, 6), (3, 4), (4, 2)]), wrong),
+        run.every(fuzzed("the count", random_detail), sampled, wrong),
         argued(&[], "the count, for all flocks and all k", "notes/chazelle_switches.md, The final count, steps 1-4"),
     ])?;
     Ok(if matches!(outcome, Outcome::Fails { .. }) { outcome.on([1, 2]) } else { outcome })
@@ -234,8 +228,7 @@ pub const MODEL_K: &str = "for model D it holds (see the evidence); for model K 
 /// `beta + beta²/(2 (1 - beta))`.
 fn edges_last(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
     let cases = (2..=40).flat_map(|nu| CONSTANTS.map(|(a, c)| (nu, a, c)));
-    let evidence = Evidence::new(
-        Grade::Certified,
+    let evidence = certified(
         "step 1: edges inside V_k last after T_k + 1",
         "2 nu^c (1 - beta)^k is below the threshold, by logarithms, for nu = 2, ..., 40 and four (a, c)",
     );
@@ -301,7 +294,7 @@ fn flocks(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
     )?;
     let mut random = run.random(0);
     let sampled = (0..run.cases(80, 2000)).map(|_| random_line_flock(&mut random, 16));
-    let evidence = Evidence::new(Grade::Fuzzed, "flocks", "exact flocks of 2 to 5 birds on the line, 16 steps");
+    let evidence = fuzzed("flocks", "exact flocks of 2 to 5 birds on the line, 16 steps");
     run.every(evidence, std::iter::once(Ok(NetworkHistory::new(bounce))).chain(sampled), |history| {
         let history = history?;
         let n = history.order() as u64;

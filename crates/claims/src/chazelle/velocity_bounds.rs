@@ -59,32 +59,17 @@ pub fn distance_change() -> Record<DistanceChangeVariant> {
 }
 
 fn check_distance_change(variant: &DistanceChangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut cases = 0;
-    for (d, size) in [(1usize, 6i64), (2, 3), (3, 1)] {
-        let side = (2 * size + 1) as usize;
-        for word in words(side, 2 * d as u32) {
-            run.checkpoint()?;
-            cases += 1;
-            let numbers: Vec<i64> = word.iter().map(|&k| k as i64 - size).collect();
-            let (r, w) = numbers.split_at(d);
-            if !variant.holds(r, w) {
-                let what = format!("x_i(t-1) - x_j(t-1) = {r:?}, v_i(t) - v_j(t) = {w:?}");
-                return Ok(Outcome::fails(
-                    what,
-                    Evidence::new(Grade::Exact, "the bound", "exact signs of square roots"),
-                ));
-            }
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "the bound, in any dimension",
-            "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension \
-                 1, 2, 3",
-        )
-        .cases(cases),
-    ]))
+    let cases = [(1usize, 6i64), (2, 3), (3, 1)].into_iter().flat_map(|(d, size)| {
+        words((2 * size + 1) as usize, 2 * d as u32)
+            .map(move |word| (d, word.iter().map(|&k| k as i64 - size).collect::<Vec<_>>()))
+    });
+    let detail =
+        "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension 1, 2, 3";
+    run.every(Evidence::new(Grade::Exhaustive, "the bound, in any dimension", detail), cases, |(d, numbers)| {
+        let (r, w) = numbers.split_at(d);
+        let what = || format!("x_i(t-1) - x_j(t-1) = {r:?}, v_i(t) - v_j(t) = {w:?}");
+        Ok((!variant.holds(r, w)).then(what))
+    })
 }
 
 /// The bound that is claimed.
@@ -114,41 +99,25 @@ pub fn velocity_norm() -> Record<VelocityNormVariant> {
 }
 
 fn check_velocity_norm(variant: &VelocityNormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the bound", "an exact run")));
-    let mut exhaustive = 0;
-    for order in 1..=4usize {
-        for graph in Graph::all(order) {
-            run.checkpoint()?;
-            for word in words(3, order as u32) {
-                exhaustive += 1;
-                let velocities = word.iter().map(|&k| vec![rational(k as i64 - 1, 1)]).collect();
-                if let Some(what) = variant.fails_at(velocities, std::slice::from_ref(&graph), &Weights::Lazy)? {
-                    return fails(what);
-                }
-            }
-        }
-    }
+    let start = |word: Vec<usize>| word.iter().map(|&k| vec![rational(k as i64 - 1, 1)]).collect();
+    let all = (1..=4usize).flat_map(Graph::all);
+    let steps = all.flat_map(|graph| words(3, graph.order() as u32).map(move |word| (graph.clone(), word)));
     let mut random = run.random(0);
-    let cases = run.cases(80, 2000);
-    for case in 0..cases {
-        run.checkpoint()?;
+    let flocks = (0..run.cases(80, 2000)).map(|case| {
         let (n, d) = (1 + case % 5, 1 + case / 5 % 3);
         let mut number = || rational(i64::from(random.next_u32() % 17) - 8, 4);
         let velocities = (0..n).map(|_| (0..d).map(|_| number()).collect()).collect();
-        let graphs: Vec<Graph> = (0..5).map(|_| random_graph(n, 2, &mut random)).collect();
-        if let Some(what) = variant.fails_at(velocities, &graphs, &Weights::Vicsek)? {
-            return fails(what);
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "||v(t)||_2 <= sqrt(n) max |v_j(1)|, for all sequences of networks",
-            "one step of all networks on up to 4 birds, velocities -1, 0, 1 (equal ones attain it)",
-        )
-        .cases(exhaustive),
-        Evidence::new(Grade::Fuzzed, "the same", "exact runs of 1 to 5 birds in dimension 1 to 3").cases(cases),
-    ]))
+        (velocities, (0..5).map(|_| random_graph(n, 2, &mut random)).collect::<Vec<Graph>>())
+    });
+    let part = "||v(t)||_2 <= sqrt(n) max |v_j(1)|, for all sequences of networks";
+    let detail = "one step of all networks on up to 4 birds, velocities -1, 0, 1 (equal ones attain it)";
+    let sampled = Evidence::new(Grade::Fuzzed, "the same", "exact runs of 1 to 5 birds in dimension 1 to 3");
+    Run::all([
+        run.every(Evidence::new(Grade::Exhaustive, part, detail), steps, |(graph, word)| {
+            variant.fails_at(start(word), &[graph], &Weights::Lazy)
+        }),
+        run.every(sampled, flocks, |(velocities, graphs)| variant.fails_at(velocities, &graphs, &Weights::Vicsek)),
+    ])
 }
 
 impl VelocityNormVariant {

@@ -1,10 +1,9 @@
 //! chazelle.ex15 and chazelle.exAB: the two worked examples with small matrices.
 
+use crate::prelude::*;
 use crate::printed_decimal;
 use algebra::graph::Graph;
 use algebra::matrix::{RationalMatrix, StochasticMatrix, prefix_products};
-use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Affine, Weights, transition_matrix};
 use num_traits::Zero;
 
@@ -22,10 +21,6 @@ fn rounds_to(x: &Rational, printed: &str) -> Result<bool, CheckError> {
     let (value, unit) = printed_decimal(printed)?;
     let half_unit = unit / rational(2, 1);
     Ok(value.clone() - &half_unit <= *x && *x <= value + half_unit)
-}
-
-fn exact(part: &str, detail: impl Into<String>) -> Evidence {
-    Evidence::new(Grade::Exact, part, detail)
 }
 
 pub fn stretching() -> Record<StretchingVariant> {

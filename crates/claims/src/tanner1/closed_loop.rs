@@ -1,9 +1,7 @@
 //! A state of the closed loop (1), (4), (5) at which printed rates fail: equal headings, for which all readings of `theta_i - theta_j`
 //! agree.
 
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Rational, rational};
-use ledger::{Evidence, Grade, Outcome};
+use crate::prelude::*;
 
 /// Two linked agents at (0, 0) and (1, 1) that move upwards with the speeds 2 and 1, `V = 1/s + log s`, so that `V'(2) = 1/4`. The
 /// headings, both `pi/2`, are given in units of `pi/2`.
@@ -21,7 +19,7 @@ pub(super) fn at_upwards(identity: &Identity, what: &str) -> Result<Option<Outco
     Ok(place.map(|k| {
         Outcome::fails(
             format!("{UPWARDS}: {what} is {}, but {} is claimed", left[k], right[k]),
-            Evidence::new(Grade::Exact, what, "exact rates of change; equal headings, so that alignment forces vanish"),
+            exact(what, "exact rates of change; equal headings, so that alignment forces vanish"),
         )
     }))
 }

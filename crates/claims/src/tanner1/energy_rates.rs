@@ -2,12 +2,9 @@
 
 use super::closed_loop::{UPWARDS, at_upwards, upwards};
 use super::turning::{ForceVariant, does_no_work, examine_printed};
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{on_connected, total};
 use algebra::graph::Graph;
-use arithmetic::identity::Identity;
-use arithmetic::{Field, Probe, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{AnyHeadings, AnyPotentials, Vector, dot, scaled};
 
 /// Agents in the identities.
@@ -43,7 +40,7 @@ pub fn eq8() -> Record<SymmetryVariant> {
         "tanner1.eq8",
         "V_ij depends on r_i - r_j. Half the sum of the V_i is the sum over the edges, whose rate is the sum of grad_{r_i} V_ij . v_i + grad_{r_j} V_ij . v_j.",
         printed,
-        |variant, run| Ok(on_connected(run, MOST, "equation (8)", |graph| symmetry(graph, variant))?.on([1, 2])),
+        |variant, run| on_connected(run, MOST, "equation (8)", |graph| symmetry(graph, variant)).on([1, 2]),
     )
     .clauses(&["dV_ij/dr_ij = dV_ij/dr_i = -dV_ij/dr_j.", "d/dt sum_i (1/2) V_i = sum_i grad_{r_i} V_i . v_i."])
     .control("dV/dr_i = dV/dr_j", SymmetryVariant { sign: 1, ..printed })
@@ -90,7 +87,7 @@ pub fn eq9_chain() -> Record<i64> {
             let chain = RateVariant::Chain(*factor);
             let identity = on_connected(run, MOST, "the rate of V_t", |graph| energy_rate(graph, &chain));
             let steps = "notes/tanner1.md, Energy, steps 1 and 2";
-            Run::all([identity.map(|outcome| outcome.on([1, 2])), argued(&[1], "the product rule, and (8)", steps)])
+            Run::all([identity.on([1, 2]), argued(&[1], "the product rule, and (8)", steps)])
         },
     )
     .clauses(&[
@@ -108,9 +105,9 @@ fn examine_rate(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckEr
         return Ok(outcome);
     }
     let rate = AnyHeadings::read(&Graph::path(2), &upwards())?.rate_of((1, 2), (1, 2), (1, 2))?;
-    let positive = Evidence::new(Grade::Exact, "a positive rate", format!("{UPWARDS}: {rate} pi/2"));
+    let positive = exact("a positive rate", format!("{UPWARDS}: {rate} pi/2"));
     Run::all([
-        Ok(on_connected(run, MOST, "the rate of V_t", |graph| energy_rate(graph, variant))?.on([1])),
+        on_connected(run, MOST, "the rate of V_t", |graph| energy_rate(graph, variant)).on([1]),
         argued(&[1], "the rate of V_t", "notes/tanner1.md, Energy, steps 1 to 3"),
         run.every(positive.on([2]).for_all(), [rate], |rate| {
             Ok((rate <= rational(0, 1)).then(|| format!("{UPWARDS}: the rate is {rate} pi/2")))
@@ -166,7 +163,7 @@ fn is_constant(variant: &InvariantVariant, run: &Run) -> Result<Outcome, CheckEr
 fn examine_invariant(variant: &InvariantVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     if variant.headings {
         let rate = AnyHeadings::read(&Graph::path(2), &upwards())?.rate_of((1, 2), (1, 2), (1, 2))?;
-        let evidence = Evidence::new(Grade::Exact, "V_t at one state", "exact rate, in units of pi/2").on([1, 2]);
+        let evidence = exact("V_t at one state", "exact rate, in units of pi/2").on([1, 2]);
         return run.every(evidence, [rate], |rate: Rational| {
             let what =
                 format!("{UPWARDS}: dV_t/dt = {rate} pi/2 > 0, so that {{V_t <= c}} is left for the c of this state");
@@ -174,7 +171,7 @@ fn examine_invariant(variant: &InvariantVariant, run: &mut Run) -> Result<Outcom
         });
     }
     let steps = "a constant leaves its sublevel sets invariant; notes/tanner1.md, Energy, steps 1 and 2";
-    Run::all([Ok(is_constant(variant, run)?.on([1, 2])), argued(&[2], "sublevel sets", steps)])
+    Run::all([is_constant(variant, run).on([1, 2]), argued(&[2], "sublevel sets", steps)])
 }
 
 pub fn vt_inv() -> Record<InvariantVariant> {

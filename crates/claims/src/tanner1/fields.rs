@@ -1,11 +1,10 @@
 //! tanner1.L, L.ones, Lw, anyV, fig2, Vmono, Vt: graph matrices and the potential.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{PLANE, printed as printed_potential, sloped, spring};
 use crate::tanner2::graphs::{LaplacianVariant, examine_laplacian, shown, small_graphs};
 use algebra::graph::Graph;
-use arithmetic::{Interval, Rational, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::{Sign, Signed};
 use models::double_integrator::{Potential, heading};
 
 pub fn laplacian() -> Record<LaplacianVariant> {
@@ -15,7 +14,7 @@ pub fn laplacian() -> Record<LaplacianVariant> {
         "Each edge adds b b^T with b = ±(e_i - e_j), whatever its direction: D D^T = Delta - A, and x^T L x is the sum of (x_i - x_j)² over the edges, zero exactly where x is constant on every component.",
         printed,
         |variant, run| Run::all([
-            Ok(examine_laplacian(variant, run)?.on([1, 2, 3, 4])),
+            examine_laplacian(variant, run).on([1, 2, 3, 4]),
             argued(&[1, 2, 3, 4], "properties of the Laplacian", "notes/tanner2.md, Laplacians, steps 1 to 3"),
         ]),
     )
@@ -34,7 +33,7 @@ type OnesVariant = fn(&Graph) -> bool;
 
 fn examine_ones(meant: &OnesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let detail = "every labelled graph of up to 4 vertices, the connected ones of 5 up to isomorphism";
-    let evidence = Evidence::new(Grade::Exhaustive, "the kernel of L", detail);
+    let evidence = exhaustive("the kernel of L", detail);
     let kernels = run.every(evidence, small_graphs().into_iter().filter(meant), |graph: Graph| {
         let kernel = graph.laplacian()?.kernel();
         let other = kernel.iter().find(|x| x.iter().any(|value| *value != x[0]));
@@ -67,7 +66,7 @@ fn examine_weighted(variant: &WeightedVariant, run: &mut Run) -> Result<Outcome,
     if !variant.transposed {
         let graphs = small_graphs().into_iter().filter(|graph| !graph.edges().is_empty());
         // D W D, where W is the identity here: D is N by |E|.
-        return Ok(run
+        return run
             .instances("D W D", "shapes of the matrices", graphs, |graph: Graph| {
                 let incidence = graph.incidence()?;
                 let (rows, cols) = (incidence.rows(), incidence.cols());
@@ -77,11 +76,11 @@ fn examine_weighted(variant: &WeightedVariant, run: &mut Run) -> Result<Outcome,
                         shown(&graph)
                     )
                 }))
-            })?
-            .on([1]));
+            })
+            .on([1]);
     }
     Run::all([
-        Ok(examine_laplacian(&variant.properties, run)?.on([1, 2, 3, 4])),
+        examine_laplacian(&variant.properties, run).on([1, 2, 3, 4]),
         argued(&[1, 2, 3, 4], "properties of the weighted Laplacian", "notes/tanner2.md, Laplacians, steps 1 to 3"),
     ])
 }
@@ -108,8 +107,7 @@ pub fn weighted() -> Record<WeightedVariant> {
 }
 
 fn examine_shape(potential: &Potential, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence =
-        Evidence::new(Grade::Exact, "one minimum, growing on both sides", "signs of the slope between its exact roots");
+    let evidence = exact("one minimum, growing on both sides", "signs of the slope between its exact roots");
     let problem = match (potential.check_definition3(), potential.critical()) {
         (Err(problem), _) => problem.to_string(),
         (Ok(()), Some(list)) if list == [rational(1, 1)] => return Ok(Outcome::Holds(vec![evidence.for_all()])),
@@ -139,7 +137,7 @@ pub struct MonotoneVariant {
 
 fn examine_monotone(variant: &MonotoneVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
     let potential = printed_potential();
-    let evidence = Evidence::new(Grade::Exact, "where V increases", "signs of the slope between its exact roots");
+    let evidence = exact("where V increases", "signs of the slope between its exact roots");
     let roots = potential.critical().unwrap_or_default();
     // The slope has one sign between two neighbours of this list.
     let mut ends: Vec<Rational> = [&[rational(0, 1)], roots.as_slice()].concat();
@@ -251,8 +249,7 @@ pub fn any_potential() -> Record<UsableVariant> {
 fn examine_sign(potential: &Potential, run: &mut Run) -> Result<Outcome, CheckError> {
     const PRECISION: u32 = 80;
     let enclose = |q: Rational| Interval::from_rational(&q, PRECISION);
-    let evidence =
-        Evidence::new(Grade::Certified, "V_t >= 0", "enclosures for two agents at distances from 1/100 to 100");
+    let evidence = certified("V_t >= 0", "enclosures for two agents at distances from 1/100 to 100");
     let velocities = [(1, 0), (0, 1), (-1, 1)];
     let states = (-4..=4).flat_map(|k| velocities.map(|v| (k, v)));
     let enclosures = run.every(evidence, states, |(k, (x, y))| {

@@ -5,10 +5,9 @@
 
 use super::energy_rates::energy_is_constant;
 use super::sets::plain_accelerations;
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{on_connected, printed as potential};
-use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::Signed;
 use models::double_integrator::{HeadingDifference, turning_triangle};
 
 /// A start at the squared distance `square` with the common speed `c`, of agents with headings or with velocities aligned.
@@ -54,8 +53,7 @@ impl Swing {
 
 /// Evidence of the swing, or what is wrong with it: it keeps its direction and is not at rest.
 fn swings(swing: Swing, run: &mut Run) -> Result<Result<Evidence, Outcome>, CheckError> {
-    let evidence = Evidence::new(
-        Grade::Certified,
+    let evidence = certified(
         "two agents on a line",
         "enclosure of V(4) - V(1), conservation of energy; notes/tanner1.md, A pair on a line, steps 1 to 4",
     );
@@ -94,7 +92,7 @@ fn examine_distances(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome
         );
         return Ok(Outcome::fails(what, swing));
     }
-    Run::all([Ok(energy_is_constant(run)?.on([1])), Ok(Outcome::Holds(vec![swing.on([2]).for_all()]))])
+    Run::all([energy_is_constant(run).on([1]), Ok(Outcome::Holds(vec![swing.on([2]).for_all()]))])
 }
 
 pub fn distances() -> Record<DistanceVariant> {
@@ -124,10 +122,7 @@ pub struct HeadingVariant {
 fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     if variant.difference == HeadingDifference::Wrapped && turning_triangle(&potential(), &rational(1, 1), [0; 3])? {
         let what = "three linked agents on an equilateral triangle of squared side 2, omega² = 6 V'(2) = 3/2, V = 1/s + log s: the accelerations of (4), (5) are -omega² r_i; headings stay a third of a turn apart";
-        return Ok(Outcome::fails(
-            what,
-            Evidence::new(Grade::Exact, "a triangle that turns for ever", "exact field of numbers"),
-        ));
+        return Ok(Outcome::fails(what, exact("a triangle that turns for ever", "exact field of numbers")));
     }
     if variant.stops && SLOW.keeps_direction()? == Some(false) {
         let what = format!(
@@ -135,7 +130,7 @@ fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, 
             SLOW.describe()
         );
         let enclosed = "enclosure of V(4) - V(1), conservation of energy";
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "two agents on a line", enclosed)));
+        return Ok(Outcome::fails(what, certified("two agents on a line", enclosed)));
     }
     run.value("squared_speed_at_which_the_front_agent_stops", interval_value(&SLOW.excess()?, 12));
     Ok(Outcome::Undecided(
@@ -181,7 +176,7 @@ fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckE
     }
     let forces = on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings));
     Run::all([
-        Ok(forces?.on([1])),
+        forces.on([1]),
         argued(&[1], "forces at equal constant headings", "notes/tanner1.md, Heading dynamics, steps 5 and 6"),
         Ok(Outcome::Holds(vec![swing.on([2]).for_all()])),
     ])

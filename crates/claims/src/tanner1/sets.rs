@@ -1,13 +1,11 @@
 //! tanner1.smooth, eq2, Omega.closed, Omega.bounded, collision, proof_ratio: the law and the set Omega.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{PLANE, on_connected, printed as printed_potential, sloped, soft};
 use crate::tanner2::graphs::shown;
 use crate::tanner2::wording::{HeadingVariant, examine_heading, headings};
 use algebra::graph::Graph;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Field, Interval, Probe, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::Signed;
 use models::double_integrator::{AnyHeadings, Pair, Potential, State, gyroscopic, heading};
 
 const PRECISION: u32 = 80;
@@ -17,7 +15,7 @@ pub fn eq2() -> Record<HeadingVariant> {
         "tanner1.eq2",
         "The two-argument arctangent is the angle in (-pi, pi] from the x axis to the velocity. It has a value for every velocity but zero, and there it lies in [-pi, pi].",
         HeadingVariant::TwoArguments,
-        |variant, run| Ok(examine_heading(variant, run)?.on([1, 2])),
+        |variant, run| examine_heading(variant, run).on([1, 2]),
     )
     .clauses(&["arctan(ydot_i, xdot_i) is the angle of the velocity.", "It lies in [-pi, pi]."])
     .reading("velocities other than zero, of which (2) says nothing")
@@ -65,8 +63,7 @@ fn examine_smooth(variant: &SmoothVariant, run: &mut Run) -> Result<Outcome, Che
         let (rest, cut) = ((x, y) == (0, 0), y == 0 && x < 0);
         (variant.at_cut || !cut) && (variant.at_rest || !rest)
     });
-    let evidence =
-        Evidence::new(Grade::Certified, "the law on both sides", "enclosures at velocities 10^-9 to either side");
+    let evidence = certified("the law on both sides", "enclosures at velocities 10^-9 to either side");
     let enclosures = run.every(evidence, meant, |(x, y)| {
         // Two velocities close by, one on each side.
         let near = |side: i64| [x, y].map(|k| rational(k, 1) + &step * rational(side, 1));
@@ -149,7 +146,7 @@ fn examine_bounded(variant: &BoundedVariant, run: &mut Run) -> Result<Outcome, C
     let far = Interval::from_rational(&rational(10, 1).pow(40), PRECISION);
     let rise = (variant.potential.value(&far)? - variant.potential.value(&far.one())?).to_f64();
     let detail = "graphs of up to 4 agents, enclosures of V at the squared distances 1 and 10^40";
-    let evidence = Evidence::new(Grade::Certified, "distances", detail);
+    let evidence = certified("distances", detail);
     let graphs = (1..=4).flat_map(Graph::all).filter(|graph| (variant.graphs)(graph));
     let distances = run.every(evidence, graphs, |graph| {
         // One of the components 10^20 away from the others, or the ends of one edge.
@@ -162,14 +159,14 @@ fn examine_bounded(variant: &BoundedVariant, run: &mut Run) -> Result<Outcome, C
     })?;
     // V_t >= |v_i|²/2, as no V_ij is negative.
     let least = variant.potential.critical().and_then(|list| list.first().cloned());
-    let speeds = run.every(Evidence::new(Grade::Certified, "speeds", "the least value of V"), least, |s| {
+    let speeds = run.every(certified("speeds", "the least value of V"), least, |s| {
         let value = variant.potential.value(&Interval::from_rational(&s, PRECISION))?;
         Ok((!value.is_certainly_positive()).then(|| "V_ij may be negative".to_string()))
     })?;
     Run::all([
         Ok(distances.on([1])),
         Ok(speeds.on([2])),
-        Ok(headings(&variant.headings, run)?.on([3])),
+        headings(&variant.headings, run).on([3]),
         argued(&[1, 2, 3], "bounds", "notes/tanner1.md, The set Omega, steps 3 to 5"),
     ])
 }
@@ -214,10 +211,7 @@ fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcom
     let detail = "the slope where they meet, exact, the path of three agents";
     if !variant.potential.repels() {
         let what = "V_ij does not tend to infinity as agents i and j approach each other";
-        return Ok(Outcome::fails(
-            what,
-            Evidence::new(Grade::Exact, "V_t where agents meet", "leading terms of the slope"),
-        ));
+        return Ok(Outcome::fails(what, exact("V_t where agents meet", "leading terms of the slope")));
     }
     let instances = run.instances("V_t where agents meet", detail, meant, |pair: Pair| {
         let mut places = [0, 1, 3].map(|x| [rational(x, 1), rational(0, 1)]);
@@ -289,9 +283,8 @@ pub(super) fn plain_accelerations(graph: Graph, equal_headings: bool) -> Identit
 fn examine_ratio(variant: &RatioVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "the quotients, for ydot = k xdot at all times";
     Run::all([
-        Ok(run.identity(&quotients(variant), &["k", "xdot", "xddot"], part)?.on([1]).for_all()),
-        Ok(on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings))?
-            .on([2])),
+        run.identity(&quotients(variant), &["k", "xdot", "xddot"], part).on([1]).for_all(),
+        on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings)).on([2]),
         argued(&[2], "the accelerations at equal headings", "notes/tanner1.md, Heading dynamics, step 5"),
     ])
 }

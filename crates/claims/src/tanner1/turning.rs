@@ -1,12 +1,9 @@
 //! tanner1.gyro, eq6, eq6b, eq7: what turns headings along the closed loop (1), (4), (5).
 
 use super::closed_loop::at_upwards;
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{on_connected, total};
 use algebra::graph::Graph;
-use arithmetic::identity::Identity;
-use arithmetic::{Probe, Ring};
-use ledger::{CheckError, Fault, Outcome, Record, Run};
 use models::double_integrator::{AnyHeadings, Vector, cross, difference, dot, rotated, scaled};
 
 /// Agents in the identities.
@@ -52,7 +49,7 @@ pub fn gyro() -> Record<ForceVariant> {
         "tanner1.gyro",
         "v_i . (z x v_i) = 0: the force is normal to the velocity and does no work, whatever the heading differences are.",
         ForceVariant::TurnedVelocity,
-        |variant, run| Ok(does_no_work(variant, run)?.on([1, 2])),
+        |variant, run| does_no_work(variant, run).on([1, 2]),
     )
     .clauses(&[
         "a_theta_i = -sum_{j~i} (theta_i - theta_j)/||r_ij||^2 (zhat x v_i) is normal to v_i.",
@@ -98,9 +95,7 @@ pub fn eq6() -> Record<MomentumVariant> {
         "tanner1.eq6",
         "grad V_ij is along r_ij, so every r_ij x grad V_ij vanishes (in both orders, however often a pair is counted), and the potential forces of a pair have opposite torques. What is left is the torque of the alignment forces.",
         printed,
-        |variant, run| {
-            Ok(on_connected(run, MOST, "equation (6)", |graph| angular_momentum(graph, variant))?.on([1, 2, 3]))
-        },
+        |variant, run| on_connected(run, MOST, "equation (6)", |graph| angular_momentum(graph, variant)).on([1, 2, 3]),
     )
     .clauses(&[
         "sum_i r_i x vdot_i = sum_i r_i x a_theta_i - sum_i sum_{j~i} r_ij x grad V_ij.",

@@ -2,11 +2,9 @@
 
 use super::fixtures::{PLANE, connected, pairs, quadratic, random_vectors, sloped, spring};
 use super::graphs::{rational_spectrum, shown};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{ArithmeticError, Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Potential, State, kinetic_energy, potential_energy};
 
 /// For each pair a potential of Definition 3 with the least value 0, increasing beyond its minimum, and the squared distance of that.
@@ -75,7 +73,7 @@ const DISTANCE: DistanceVariant = DistanceVariant { inside: |_| rational(1, 1), 
 
 fn distances(variant: &DistanceVariant, run: &Run) -> Result<Outcome, CheckError> {
     let detail = "exact values for rows of up to 5 agents and random states on every connected graph of up to 4, potentials that are the same for all pairs and that are not";
-    let evidence = Evidence::new(Grade::Exact, "the bound of distances", detail);
+    let evidence = exact("the bound of distances", detail);
     run.every(evidence, with_energy(run), |(graph, state, name, potentials, c)| {
         let count = graph.order() as i64;
         let (bound, outside) = (&c * (variant.inside)(count), rational((variant.outside)(count), 1));
@@ -204,8 +202,8 @@ fn examine_compact(variant: &CompactVariant, run: &mut Run) -> Result<Outcome, C
     })?;
     Run::all([
         Ok(far.on([1])),
-        Ok(distances(&DISTANCE, run)?.on([1])),
-        Ok(speeds(&SPEED, run)?.on([2])),
+        distances(&DISTANCE, run).on([1]),
+        speeds(&SPEED, run).on([2]),
         argued(&[1, 2, 3], "Omega is bounded and closed", "notes/tanner2.md, Bounds, steps 1 to 5"),
     ])
 }

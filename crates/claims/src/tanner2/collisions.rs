@@ -7,10 +7,8 @@
 use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, pairs, soft, spring};
 use super::graphs::shown;
 use super::nonsmooth::{HullVariant, hulls};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Outcome, Record, Run};
 use models::double_integrator::{Pair, Potential, State, linked_within, velocity_alignment};
 
 /// The networks of a statement.

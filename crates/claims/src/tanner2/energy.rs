@@ -1,12 +1,10 @@
 //! tanner2.eq6, eq8, eq9, cor2_decomp, S_config, eq14, vdotB: the energy and its rate of change on a fixed graph.
 
 use super::fixtures::{PLANE, energy_decreases, on_connected, quadratic, spring, total};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Dual, Field, Probe, Rational, Ring, Signed, gradient, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::{Signed, gradient};
 use models::double_integrator::{
     AnyPotentials, Potential, State, difference, disagreements, dot, kinetic_energy, potential_energy, scaled, sum,
     velocity_alignment,
@@ -66,7 +64,7 @@ pub fn eq9() -> Record<RateVariant> {
          |v_i - v_j|². With the stack vector (v_1, v_2, ...) the matrix L kron I_2 gives the same sum. Any graph, any potentials. \
          (The text calls the velocities three dimensional; the agents move in the plane, and I_2 in the formula is right. In three dimensions it would be I_3, with a third form in v_z.)",
         printed,
-        |variant, run| Ok(on_connected(run, most(run), "equation (9)", |graph| energy_rate(graph, variant))?.on([1, 2])),
+        |variant, run| on_connected(run, most(run), "equation (9)", |graph| energy_rate(graph, variant)).on([1, 2]),
     )
     .clauses(&["Wdot = -v^T (L kron I_2) v.", "Wdot = -v_x^T L v_x - v_y^T L v_y."])
     .control("twice", RateVariant { factor: -2, ..printed })
@@ -116,7 +114,7 @@ pub fn eq8() -> Record<ChainVariant> {
         "Each V_ij occurs in V_i and in V_j, so half the sum of the V_i is the sum over the edges, each once. V_ij depends on r_i - r_j, so grad_{r_j} = -grad_{r_i} = -grad_{r_ij}. Any graph, any potentials.",
         printed,
         |variant, run| Run::all([
-            Ok(on_connected(run, most(run), "equation (8)", |graph| chain(graph, variant))?.on([1, 2, 3, 4])),
+            on_connected(run, most(run), "equation (8)", |graph| chain(graph, variant)).on([1, 2, 3, 4]),
             argued(&[1, 2, 3, 4], "the chain of equations", "notes/tanner2.md, Identities, steps 1 and 2"),
         ]),
     )
@@ -155,8 +153,8 @@ fn gradient_of_energy(graph: Graph, variant: &MechanicalVariant) -> Identity<'_>
 
 fn examine_mechanical(variant: &MechanicalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     Run::all([
-        Ok(on_connected(run, most(run), "the forces are -grad W", |graph| gradient_of_energy(graph, variant))?.on([2])),
-        Ok(non_negative(variant)?.on([1])),
+        on_connected(run, most(run), "the forces are -grad W", |graph| gradient_of_energy(graph, variant)).on([2]),
+        non_negative(variant).on([1]),
         argued(&[1, 2], "energy and forces", "notes/tanner2.md, Identities, steps 1 and 5"),
     ])
 }
@@ -171,7 +169,7 @@ fn non_negative(variant: &MechanicalVariant) -> Result<Outcome, CheckError> {
     let edges = potential_energy(&positions, &[(0, 1)], PLANE, value)?;
     let energy =
         edges * rational(2 * variant.factor.0, variant.factor.1) + kinetic_energy(&[zero.clone(), zero], PLANE)?;
-    let evidence = Evidence::new(Grade::Exact, "W >= 0", "its least value for two agents and s + 1/s - 2");
+    let evidence = exact("W >= 0", "its least value for two agents and s + 1/s - 2");
     if energy.is_certainly_negative() {
         return Ok(Outcome::fails(format!("two agents at rest at the desired distance: W = {energy}"), evidence));
     }
@@ -271,7 +269,7 @@ fn examine_vanishing(variant: &Vanishing, run: &mut Run) -> Result<Outcome, Chec
         Vanishing::Velocities => ("v_1", is_zero(&state.velocities[0])),
         Vanishing::Accelerations => ("vdot_1", is_zero(&accelerations[0])),
     };
-    let evidence = Evidence::new(Grade::Exact, "two agents with a common velocity", "exact rates of change");
+    let evidence = exact("two agents with a common velocity", "exact rates of change");
     if !num_traits::Zero::is_zero(&energy.derivative) || !vanishes {
         let what = format!(
             "two linked agents at (0, 0) and (3/2, 0), both with velocity (1, 0): dW/dt = {}, {name} is not 0",
@@ -330,14 +328,14 @@ fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, Che
     let momentum = on_connected(run, most(run), "the accelerations sum to zero", |graph| {
         sum_of_accelerations(graph, variant.mutual)
     });
-    let momentum = momentum.map(|outcome| outcome.on([1]));
+    let momentum = momentum.on([1]);
     if variant.invariant {
         let steps = "notes/tanner2.md, Identities, step 4";
         return Run::all([momentum, argued(&[1, 2, 3], "accelerations in the invariant set", steps)]);
     }
     let state = drifting_pair();
     let accelerations = velocity_alignment(&state, &[(0, 1)], PLANE, |_, _, s| spring().slope(s))?;
-    let evidence = Evidence::new(Grade::Exact, "equal velocities at one instant", "exact accelerations").on([3]);
+    let evidence = exact("equal velocities at one instant", "exact accelerations").on([3]);
     if accelerations.iter().flatten().any(|a| !num_traits::Zero::is_zero(a)) {
         let what = format!(
             "two agents with a common velocity at distance 3/2: vdot_1 = ({}, {})",

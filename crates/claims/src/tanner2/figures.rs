@@ -6,8 +6,7 @@
 //! are those that the figures of `reproduce` draw. How reports of runs are read is said in `notes/guarantees.md`.
 
 use super::fixtures::sloped;
-use arithmetic::rational;
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
 use models::double_integrator::{LinkRule, Setup, Trial};
 use motion::Share;
 

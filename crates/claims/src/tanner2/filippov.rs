@@ -2,9 +2,8 @@
 
 use super::figures::other;
 use super::fixtures::{PLANE, spring};
-use crate::argued::argued;
-use arithmetic::{Rational, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::double_integrator::{Kink, Pair, Span, State, Way, fork, linked_within, tied};
 
 /// A right-hand side on the line with one jump: `left` for `x < 0`, `right` for `x >= 0`.
@@ -170,7 +169,7 @@ fn examine_chain_rule(variant: &ChainRuleVariant, run: &mut Run) -> Result<Outco
     let absolute = Kink { left: -one.clone(), right: one.clone() };
     if variant.everywhere && absolute.directional(&one) != -absolute.directional(&-one.clone()) {
         let what = "V = |x| along x = t - 1: V has no derivative at t = 1";
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the chain rule", "one-sided rates")));
+        return Ok(Outcome::fails(what, exact("the chain rule", "one-sided rates")));
     }
     let steps = "notes/tanner2.md, Appendix, steps 3 to 5";
     Run::all([Ok(domains), Ok(chain), argued(&[1], "the chain rule", steps)])

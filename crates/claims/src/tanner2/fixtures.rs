@@ -1,10 +1,9 @@
 //! What the checks of both papers share: potentials, graphs, random states, sums, and the proofs on paper.
 
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::{AnyIdentity, Identity};
-use arithmetic::{Field, Probe, Rational, Ring, rational};
-use ledger::{CheckError, Outcome, Run};
+use arithmetic::identity::AnyIdentity;
 use models::double_integrator::{AnyPotentials, Coordinates, Pair, Potential, disagreements, dot, scaled, sum};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;

@@ -4,10 +4,8 @@ use super::agentwise::swing;
 use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, printed as logarithmic, sloped, spring};
 use super::motions::{inflected_pair, motions, pair, paths, row_of_three, triangle};
 use super::nonsmooth::{HullVariant, hulls};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Potential, State, SteadyMotion, linked_within, velocity_alignment};
 
 /// What is said of every motion.
@@ -156,7 +154,7 @@ fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome,
     })?;
     Run::all([
         Ok(equilibria.on([1, 2])),
-        Ok(energy_decreases(run, variant.damping)?.on([1])),
+        energy_decreases(run, variant.damping).on([1]),
         argued(&[1, 2], "isolated minima", "notes/tanner2.md, Theorem 1, steps 1 and 7"),
     ])
 }
@@ -343,14 +341,11 @@ pub(super) fn switching_checks(variant: &SwitchingVariant, run: &Run) -> Result<
         return Run::all([Ok(steady), positive_connectivity(run), hulls(&HullVariant::Subset, run)]);
     }
     if let Some(what) = two_agents_part().filter(|_| variant.connected == Connected::AtFirst) {
-        return Ok(Outcome::fails(
-            what,
-            Evidence::new(Grade::Exact, "an exact motion", "rates at the threshold, exact"),
-        ));
+        return Ok(Outcome::fails(what, exact("an exact motion", "rates at the threshold, exact")));
     }
     if let Some(what) = swing(variant.agentwise)? {
         let detail = "weights of the tied link, enclosed for the whole period";
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "a motion for all time", detail)));
+        return Ok(Outcome::fails(what, certified("a motion for all time", detail)));
     }
     Run::all([Ok(steady), positive_connectivity(run), hulls(&HullVariant::Subset, run)])
 }

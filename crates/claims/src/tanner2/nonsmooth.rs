@@ -1,11 +1,8 @@
 //! tanner2.lem1, lem2, Q, Qjump, Qdot, eq13, eq13.interval: the saturated potential and the energy Q.
 
 use super::fixtures::{PLANE, energy_decreases, printed as logarithmic, random_vectors, spring};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Field, Rational, Ring, rational};
-use ledger::{CheckError, Fault, Outcome, Record, Run};
 use models::double_integrator::{Kink, Potential, Span, State, TiedRate, dot, saturated_rate, tied};
 
 /// The saturated potential as a function of the distance `r`, at `r = R`.
@@ -373,7 +370,7 @@ pub fn eq13() -> Record<HullVariant> {
          Theorem 4 does not give Q's monotony, but it is true: almost everywhere on |r_ij| = R the distance has derivative zero, and dQ/dt = -v^T (L_m kron I_2) v.",
         HullVariant::Subset,
         |variant, run| Run::all([
-            Ok(hulls(variant, run)?.on([1, 2])),
+            hulls(variant, run).on([1, 2]),
             argued(&[1, 2], "(13)", "notes/tanner2.md, Equation (13), steps 1 to 4"),
             argued(&[3], "Q along solutions", "notes/tanner2.md, Section 5, steps 1 to 3"),
         ]),

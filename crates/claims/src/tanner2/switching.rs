@@ -2,11 +2,9 @@
 
 use super::fixtures::spring;
 use super::limits::{VELOCITIES, switching_checks};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Pair, Potential, crosses_for_ever};
 
 /// Two trees in turn, and the dimension of space.
@@ -41,8 +39,7 @@ pub(crate) fn no_common_configuration(variant: &Trees) -> Result<Outcome, CheckE
     let trees = graphs.iter().all(|graph| graph.is_connected() && graph.edges().len() + 1 == variant.agents);
     let complete = union.edges().len() == variant.agents * (variant.agents - 1) / 2;
     let needed = dimension_of_regular_simplex(variant.agents)?;
-    let evidence =
-        Evidence::new(Grade::Exact, "common critical configurations", "the Gram matrix of the regular simplex");
+    let evidence = exact("common critical configurations", "the Gram matrix of the regular simplex");
     if trees && complete && needed > variant.dimension {
         return Ok(Outcome::Holds(vec![evidence]));
     }
@@ -72,7 +69,7 @@ fn examine_signal(variant: &SignalVariant, run: &mut Run) -> Result<Outcome, Che
     let apart = no_common_configuration(&variant.trees)?;
     if !variant.any_signal {
         return Run::all([
-            Ok(switching_checks(&VELOCITIES.agentwise(variant.agentwise), run)?.on([1])),
+            switching_checks(&VELOCITIES.agentwise(variant.agentwise), run).on([1]),
             argued(&[1], "switching by distance", "notes/tanner2.md, Section 5, steps 1 to 7"),
             Ok(apart.on([2])),
             argued(&[2], "the two paths in turn", TREES_ARGUED),
@@ -122,7 +119,7 @@ fn examine_stop((potential, square): &(Potential, Rational), _run: &mut Run) -> 
         "four agents near two equilateral triangles side by side, R² = {square}, V'(R²) = 0: symmetric motions tend to this rhombus in decaying oscillations on both sides, so agents 1 and 3 pass |r_13| = R for ever"
     );
     let detail = "characteristic polynomials of the symmetric modes with and without the link: stable, no real root (Sturm, Routh)";
-    Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "switching near the rhombus", detail)))
+    Ok(Outcome::fails(what, exact("switching near the rhombus", detail)))
 }
 
 pub fn stops() -> Record<(Potential, Rational)> {

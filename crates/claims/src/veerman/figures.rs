@@ -1,10 +1,10 @@
 //! veerman.fig4, veerman.fig5: how well Theorem 1 agrees with the resonance.
 
 use super::printed_table::{ROWS, Row};
-use super::{certified, enclosed, gains, unit, within};
+use super::{enclosed, gains, unit, within};
+use crate::prelude::*;
 use crate::printed_decimal;
-use arithmetic::{Field, Interval, Rational, Real, Ring, rational, regression_line};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::regression_line;
 use models::platoon::{Gains, resonance, theorem1};
 
 const PRECISION: u32 = 120;
@@ -77,7 +77,7 @@ fn examine_figure4(variant: &Figure4Variant, run: &mut Run) -> Result<Outcome, C
         Ok(None)
     })?;
     values.into_iter().for_each(|(name, value)| run.value(&name, value));
-    Ok(Run::all([Ok(curves), printed_cells(run)])?.on([1, 2]))
+    Run::all([Ok(curves), printed_cells(run)]).on([1, 2])
 }
 
 /// The numbers of Table 1, which the figure shows.

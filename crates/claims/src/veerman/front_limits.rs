@@ -1,9 +1,7 @@
 //! veerman.sep_remark, veerman.prop1: separation and size limit where every car tracks only the one in front.
 
-use super::{certified, negative_gains};
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Probe, Rational, Real, Ring, rational};
-use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
+use super::negative_gains;
+use crate::prelude::*;
 use models::platoon::{Gains, amplitude_one_sided, gain_squared_one_sided};
 
 /// `a_0 Re(gamma^{-k-1} e) - back a_0 Re(gamma^{-k} e + inside) + outside`.
@@ -48,7 +46,7 @@ pub fn separation() -> Record<SeparationVariant> {
         |variant, run| {
             let names = ["f", "g", "w", "a_0", "tan(wt/2)", "Re gamma^-k", "Im gamma^-k", "h_k"];
             let part = "the difference of the positions, any k and t";
-            run.identity(&difference(variant), &names, part).map(Outcome::for_all)
+            run.identity(&difference(variant), &names, part).for_all()
         },
     )
     .repaired(
@@ -138,7 +136,7 @@ fn examine_limit(variant: &FrontLimitVariant, run: &mut Run) -> Result<Outcome, 
         let counterexample = no_limit(variant)?.unwrap_or(counterexample);
         return Ok(Outcome::Fails { counterexample, evidence }.on([1]));
     }
-    Ok(Run::all([Ok(growth), limit_instances(variant, run)])?.on([1, 2]))
+    Run::all([Ok(growth), limit_instances(variant, run)]).on([1, 2])
 }
 
 /// Where the response at the claimed frequency decays although a limit is claimed: f = -4, g = -1.

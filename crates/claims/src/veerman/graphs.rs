@@ -1,10 +1,7 @@
 //! veerman.nth_neighbour, veerman.onlytwo: other communication graphs on the line.
 
-use super::{certified, gains, negative_gains, parts, unit, within};
-use crate::argued::argued;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Probe, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+use super::{gains, negative_gains, parts, unit, within};
+use crate::prelude::*;
 use models::platoon::{
     Communication, CommunicationGraph, Gains, amplitude_one_sided, amplitudes_two_sided, gain_squared_one_sided,
     resonance,
@@ -139,18 +136,18 @@ pub fn only_two() -> Record<()> {
 
 /// The check of beyond.veerman.growth; clause 1 is exponential growth, clause 2 that of every degree.
 pub(crate) fn examine_growth(variant: &GrowthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut results = vec![exponential(variant, run).map(|outcome| outcome.on([1]))];
+    let mut results = vec![exponential(variant, run).on([1])];
     for &degree in variant.degrees {
-        results.push(growth(degree, variant, run).map(|outcome| outcome.on([2])));
+        results.push(growth(degree, variant, run).on([2]));
     }
     let names = ["f", "g", "w"];
     for followers in 1..=4 {
         let part = format!("p = 0, everyone tracks the leader: all amplitudes are 1/gamma, {followers} followers");
-        results.push(run.identity(&star(followers), &names, &part).map(|outcome| outcome.on([2])));
+        results.push(run.identity(&star(followers), &names, &part).on([2]));
     }
     for (length, platoons) in [(2, 1), (1, 2), (2, 2), (1, 3)] {
         let part = format!("{platoons} platoons of {length} in series: the power of a_{length}");
-        results.push(run.identity(&series(length, platoons), &names, &part).map(|outcome| outcome.on([2])));
+        results.push(run.identity(&series(length, platoons), &names, &part).on([2]));
     }
     results.push(argued(&[1], "system (1)", "notes/veerman_platoons.md, other graphs, step 4"));
     results.push(argued(&[2], "platoons in series", "notes/veerman_platoons.md, other graphs, steps 5 to 8"));
@@ -180,7 +177,7 @@ fn exponential(variant: &GrowthVariant, run: &Run) -> Result<Outcome, CheckError
     let w = rational(1, 1);
     let gain = gain_squared_one_sided(&unit(), &w.square())?.power(variant.power);
     let detail = "system (1), f = g = -1, w = 1: |a_M|² = 2^M exactly, 1 to 8 followers";
-    run.every(Evidence::new(Grade::Exact, "exponential growth", detail), 1..=8, |followers| {
+    run.every(exact("exponential growth", detail), 1..=8, |followers| {
         let last = CommunicationGraph::of(Communication::Front, followers)?.response(&unit(), &w)?.pop();
         let size = last.map(|a| a.norm_squared());
         let wrong = size != Some(gain.power(followers as u64)) || gain <= rational(1, 1);

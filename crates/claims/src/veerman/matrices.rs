@@ -1,10 +1,7 @@
 //! veerman.eq1_matrix, veerman.eq2_matrix, veerman.dimL: the equations of motion in vector form.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Probe, Rational, Ring, rational};
-use ledger::{CheckError, Outcome, Record, Run};
 use models::platoon::vector_form::{control_block, geodesic_block, kronecker_apply};
 use models::platoon::{Communication, CommunicationGraph, Gains, accelerations};
 
@@ -123,11 +120,11 @@ fn examine_matrices(variant: &MatrixVariant, run: &mut Run) -> Result<Outcome, C
         let names: Vec<String> = (0..=followers).flat_map(|k| ["x", "u", "h"].map(|v| format!("{v}_{k}"))).collect();
         let names: Vec<String> = ["f", "g"].map(String::from).into_iter().chain(names).collect();
         let part = format!("the vector form is the printed equations, {followers} followers, any state and leader");
-        results.push(run.identity(&vector_form(variant, followers), &names, &part).map(|outcome| outcome.on([1])));
+        results.push(run.identity(&vector_form(variant, followers), &names, &part).on([1]));
     }
-    results.push(from_the_graph(variant, run).map(|outcome| outcome.on([1])));
+    results.push(from_the_graph(variant, run).on([1]));
     if let Some(eigenvalue) = variant.eigenvalue {
-        results.push(only_eigenvalue(variant.communication, eigenvalue, run).map(|outcome| outcome.on([2, 3])));
+        results.push(only_eigenvalue(variant.communication, eigenvalue, run).on([2, 3]));
         results.push(argued(&[3], "the multiplicity", "notes/veerman_platoons.md, spectra, steps 1 and 2"));
     }
     Run::all(results)

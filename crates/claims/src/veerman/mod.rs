@@ -18,7 +18,7 @@ mod theorem1;
 mod two_sided;
 
 use arithmetic::{Complex, Interval, Rational, Ring, Signed, rational};
-use ledger::{Claim, Evidence, Grade};
+use ledger::Claim;
 use models::platoon::Gains;
 
 pub(super) use theorem1::scaled_error_is_bounded;
@@ -79,9 +79,4 @@ fn negative_gains(at: &[Rational]) -> bool {
 fn within(x: &Interval, middle: &Rational, slack: &Rational) -> bool {
     let (lo, hi) = x.to_rationals();
     middle - slack <= lo && hi <= middle + slack
-}
-
-/// Evidence by enclosures on instances.
-fn certified(part: impl Into<String>, detail: impl Into<String>) -> Evidence {
-    Evidence::new(Grade::Certified, part, detail)
 }

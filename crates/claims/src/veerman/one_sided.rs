@@ -2,9 +2,8 @@
 //! front.
 
 use super::{complex_gains, enclosed, imaginary, negative_gains, parts, unit};
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Complex, Field, Probe, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::platoon::{
     Communication, Gains, accelerations, amplitude_one_sided, gain_fraction_one_sided, gain_squared_one_sided,
     strongest_one_sided_square,
@@ -73,7 +72,7 @@ pub fn response() -> Record<ResponseVariant> {
             let step = "equation (1) for a_k = a_{k-1}/gamma, any k and a_{k-1}";
             Run::all([
                 run.identity(&satisfies_equation_1(variant), &names[..3], first),
-                run.identity(&step_of_equation_1(variant), &names, step).map(Outcome::for_all),
+                run.identity(&step_of_equation_1(variant), &names, step).for_all(),
             ])
         },
     )
@@ -178,7 +177,7 @@ pub fn substitution() -> Record<SubstitutionVariant> {
         |variant, run| {
             let names = ["f", "g", "w", "Re a_{k-1}", "Im a_{k-1}", "Re a_k", "Im a_k", "h_{k-1}", "h_k"];
             let part = "both sides of equation (1), and u_k = x_k'";
-            run.identity(&gives_printed_equation(variant), &names, part).map(Outcome::for_all)
+            run.identity(&gives_printed_equation(variant), &names, part).for_all()
         },
     )
     .repaired(
@@ -218,11 +217,11 @@ fn examine_gain(variant: &GainVariant, run: &mut Run) -> Result<Outcome, CheckEr
     let factors = run.identity(&gain_factors(variant.bound), &["f", "g", "w"], part)?.on([1, 2]).for_all();
     let gain = |y| gain_squared_one_sided(&unit(), &rational(y, 1));
     if variant.zero_included && gain(0)? <= rational(1, 1) {
-        let evidence = Evidence::new(Grade::Exact, "w = 0", "gamma = 1 + w²/(f + i w g) = 1");
+        let evidence = exact("w = 0", "gamma = 1 + w²/(f + i w g) = 1");
         let what = "w = 0, any f, g < 0: w² = 0 < 2|f|, but gamma = 1 and |1/gamma| = 1 is not greater than one";
         return Ok(Outcome::fails(what, evidence.on([1])));
     }
-    let tie = Evidence::new(Grade::Exact, "w² = 2|f|", "f = g = -1: |1/gamma| = 1 exactly, not greater").on([2]);
+    let tie = exact("w² = 2|f|", "f = g = -1: |1/gamma| = 1 exactly, not greater").on([2]);
     let exceeds = gain(2)? > rational(1, 1);
     let tie = if exceeds == variant.bound_included {
         Outcome::Holds(vec![tie])
@@ -300,7 +299,7 @@ fn examine_strongest(variant: &StrongestVariant, run: &mut Run) -> Result<Outcom
         let (at_f, beside) = (at(rational(1, 1))?, at(rational(3, 4))?);
         let printed = format!("f = g = -1: |1/gamma|² is {at_f} at w² = |f| = 1 and {beside} at w² = 3/4");
         let what = if variant.at_f && beside > at_f { printed } else { counterexample };
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the place", "compared exactly")).on([1]));
+        return Ok(Outcome::fails(what, exact("the place", "compared exactly")).on([1]));
     }
     let gains = enclosed(&unit(), 120);
     let peak = strongest_one_sided_square(&gains)?;
@@ -310,7 +309,7 @@ fn examine_strongest(variant: &StrongestVariant, run: &mut Run) -> Result<Outcom
     if !(below - &peak).is_certainly_positive() {
         let (p, q) = variant.below;
         let what = format!("f = g = -1: the place {} is not below {p}/{q} |f|", interval_value(&peak, 6));
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "below |f|", "enclosed")).on([3]));
+        return Ok(Outcome::fails(what, certified("below |f|", "enclosed")).on([3]));
     }
     Ok(square.on([1, 2, 3]).for_all())
 }

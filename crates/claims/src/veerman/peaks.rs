@@ -1,11 +1,10 @@
 //! veerman.fig1, veerman.cor3, veerman.prop2: where the peaks of system (2) are and what they allow.
 
 use super::theorem1::{DIGITS, ExponentVariant, enclosed, scaled_error_is_bounded};
-use super::{certified, gains, unit, within};
-use crate::argued::argued;
+use super::{gains, unit, within};
+use crate::prelude::*;
 use crate::printed_decimal;
-use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
-use ledger::{CheckError, Outcome, Record, Run, interval_value};
+use arithmetic::Signed;
 use models::platoon::{Gains, lesser_resonance, resonance};
 
 /// "peaks at about `peak`" for 100 individuals, and "at a frequency `ratio` times less" for 1000, with this `f`.
@@ -108,8 +107,8 @@ fn examine_lesser(variant: &LesserVariant, run: &mut Run) -> Result<Outcome, Che
             Ok(ratio.clone() * ratio.ratio(1, multiple) - ratio.one())
         };
         let name = format!("omega_{k}_over_omega_1");
-        results.push(Ok(scaled_error_is_bounded(SMALLEST, run, &name, variant.order, place)?.on([1])));
-        results.push(Ok(heights(variant, k, run)?.on([2])));
+        results.push(scaled_error_is_bounded(SMALLEST, run, &name, variant.order, place).on([1]));
+        results.push(heights(variant, k, run).on([2]));
     }
     let note = "notes/veerman_platoons.md, lesser resonances, steps";
     results.push(argued(&[1], "places, with the order of the error", &format!("{note} 1 to 4")));

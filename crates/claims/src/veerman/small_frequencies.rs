@@ -1,9 +1,8 @@
 //! veerman.cor2, veerman.lem3: without small frequencies there is no resonance in system (2).
 
-use super::{certified, enclosed, gains, negative_gains, unit};
-use arithmetic::identity::Identity;
-use arithmetic::{Complex, Dual, Field, Interval, Probe, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
+use super::{enclosed, gains, negative_gains, unit};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::platoon::{Gains, chebyshev, gamma, larger_root_modulus};
 
 /// Gains and frequencies at which the bounds are checked, with the sizes.
@@ -52,7 +51,7 @@ pub fn exponential_decay() -> Record<DecayVariant> {
             let names = ["f", "g", "w", "Re mu", "Im mu"];
             let part = "Im gamma by the gains and by mu: |mu| = 1 only at w = 0";
             let moduli = run.identity(&imaginary_part(variant), &names, part)?.on([1]).for_all();
-            Run::all([Ok(moduli), at_zero(variant), decay_bounds(variant, run).map(|outcome| outcome.on([2]))])
+            Run::all([Ok(moduli), at_zero(variant), decay_bounds(variant, run).on([2])])
         },
     )
     .reading("a_N is the amplitude of the last car; that of its predecessor is gamma times it.")
@@ -69,7 +68,7 @@ pub fn exponential_decay() -> Record<DecayVariant> {
 fn at_zero(variant: &DecayVariant) -> Result<Outcome, CheckError> {
     let gamma = gamma(&unit(), &rational(0, 1))?;
     let detail = "gamma = 1 and mu_+ = mu_- = 1, which the statement excludes";
-    let evidence = Evidence::new(Grade::Exact, "w = 0", detail).on([1]);
+    let evidence = exact("w = 0", detail).on([1]);
     if variant.zero_included && gamma == gamma.one() {
         return Ok(Outcome::fails("w = 0: |mu_+| = |mu_-| = 1", evidence));
     }

@@ -1,10 +1,9 @@
 //! veerman.sec6_fig2, veerman.fig3: system (2) in time, by its exact modes.
 
 use super::theorem1::scaled_error_is_bounded;
-use super::{certified, enclosed, gains, theorem1, unit, within};
-use crate::argued::argued;
-use arithmetic::{Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Outcome, Record, Run, interval_value};
+use super::{enclosed, gains, theorem1, unit, within};
+use crate::prelude::*;
+use arithmetic::{Dyadic, Sign, Signed};
 use models::platoon::modes::{Mode, mode_eigenvalue};
 use models::platoon::time_domain::{HarmonicStart, Modes, StopAndGo};
 use models::platoon::{Gains, amplitudes_two_sided, resonance};

@@ -2,10 +2,10 @@
 //! the columns of Table 1 are.
 
 use super::printed_table::{ROWS, Row};
-use super::{certified, enclosed, gains, within};
+use super::{enclosed, gains, within};
+use crate::prelude::*;
 use crate::printed_decimal;
-use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::Signed;
 use models::platoon::{Communication, Gains, gain_squared_one_sided, resonance, strongest_one_sided_square, theorem1};
 
 const PRECISION: u32 = 120;
@@ -240,7 +240,7 @@ pub fn size() -> Record<i64> {
         1,
         |offset, run| {
             let columns = ColumnsVariant { columns: [NFREQ, NAMP], offsets: [*offset; 2], f: -1 };
-            let leading = examine_theorem(&columns).map(|outcome| outcome.on([1]));
+            let leading = examine_theorem(&columns).on([1]);
             Run::all([near_the_resonance(*offset, run), leading])
         },
     )

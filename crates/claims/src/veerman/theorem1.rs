@@ -1,9 +1,8 @@
 //! veerman.thm1_*: the main resonance of large platoons and the expansions in its proof.
 
-use super::{certified, gains};
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Probe, Rational, Real, Ring, Series, Signed, rational};
-use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
+use super::gains;
+use crate::prelude::*;
+use arithmetic::{Series, Signed};
 use models::platoon::{Gains, Resonance, larger_root_power, resonance, theorem1};
 
 pub(super) const DIGITS: u32 = 36;
@@ -170,7 +169,7 @@ pub fn epsilon() -> Record<EpsilonVariant> {
         printed,
         |variant, run| {
             let part = "coefficients of the expansion, exact power series";
-            run.identity(&bracket_of_epsilon(variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
+            run.identity(&bracket_of_epsilon(variant), &["sqrt|f|", "|g|"], part).for_all()
         },
     )
     .reading("eps = sqrt(gamma^2 - 1), the principal root, for w > 0.")
@@ -229,7 +228,7 @@ pub fn modulus() -> Record<ModulusVariant> {
         printed,
         |variant, run| {
             let part = "coefficients of |mu|², exact power series";
-            run.identity(&squared_modulus(variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
+            run.identity(&squared_modulus(variant), &["sqrt|f|", "|g|"], part).for_all()
         },
     )
     .control("2 sqrt2", ModulusVariant { coefficient: 2, ..printed })

@@ -2,8 +2,7 @@
 
 use super::flight::{Flight, Flock, Vector, add, combine, flights};
 use super::{FAMILY, fails, list};
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
 use num_traits::{Signed, Zero};
 
 /// Changes of the three formulas.
@@ -128,7 +127,7 @@ impl ClosedFormVariant {
             (Err(what), _) | (_, Err(what)) => return Ok(Some(what)),
         };
         let (minus, primed) = (rational(-1, 1), rational(-self.primed, 1));
-        let zero = vec![Rational::zero(); flight.dimension];
+        let zero = vec![rational(0, 1); flight.dimension];
         let a =
             add(&add(&first.start, &minus, &second.start), &rational(1, 1), &add(&first.ahead, &primed, &second.ahead));
         let b = add(&first.y, &primed, &second.y);
@@ -177,7 +176,7 @@ impl ClosedFormVariant {
              with --full); d = 1 and t_1 = 1, d = 2 and t_1 = 3 after another network, t = t_1, .., t_1 + 5, random \
              input"
         );
-        Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, part, detail).cases(cases)]))
+        Ok(Outcome::Holds(vec![exact(part, detail).cases(cases)]))
     }
 }
 

@@ -2,10 +2,8 @@
 
 use super::mixing::{at_most, some_powers};
 use super::{FAMILY, Family, Kind, Network, exhaustively, power_of_order, too_slow_for};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::tau_1;
-use arithmetic::{Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
 
 /// `lambda_2(L) >= factor 4/(n(n-1))`, and differences of at most `n 2^(sign t/n^c)` times the first ones.
 #[derive(Clone, Copy)]
@@ -113,19 +111,15 @@ fn check_fiedler_rate(variant: &FiedlerVariant, run: &mut Run) -> Result<Outcome
     );
     // The printed statement has no third clause.
     let of_rate: &[usize] = if variant.sign > 0 { &[2] } else { &[2, 3] };
-    let exponent = Evidence::new(
-        Grade::Exact,
-        "the constant c",
-        "lazy barbells of 6, 24 and 78 birds are not slower, by Rayleigh quotients",
-    );
+    let exponent = exact("the constant c", "lazy barbells of 6, 24 and 78 birds are not slower, by Rayleigh quotients");
     let place = "notes/chazelle_fixed_network.md, (3.9), (3.10) and the rate of decay, steps 4-6";
     Run::all([
         exhaustively(&networks, run, "the Fiedler number", number, |network| variant.small_fiedler_number(network))
-            .map(|outcome| outcome.on([1])),
+            .on([1]),
         exhaustively(&networks, run, "differences after t steps, and the rate tends to 0", decay, |network| {
             variant.slow_decay(network)
         })
-        .map(|outcome| outcome.on(of_rate)),
+        .on(of_rate),
         run.every(exponent.on(of_rate), [3 + variant.gap_shift], too_slow_for),
         argued(&[1, 2, 3], "the Fiedler number, and the rates", place),
     ])

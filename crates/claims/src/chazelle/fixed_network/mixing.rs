@@ -1,9 +1,8 @@
 //! chazelle.lem3.2, chazelle.eq3.9, chazelle.eq3.10: how fast the powers of the transition matrix converge.
 
 use super::{FAMILY, Family, Kind, Network, exhaustively, fails, for_all, list, power_of_order, too_slow_for};
+use crate::prelude::*;
 use algebra::matrix::{RationalMatrix, tau_1};
-use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
 use models::averaging::contraction;
 use num_bigint::{BigInt, BigUint};
 use num_traits::Signed;
@@ -182,11 +181,8 @@ fn check_entrywise_rate(variant: &EntrywiseVariant, run: &mut Run) -> Result<Out
         "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s up to 8 n^3 and more; powers exact, \
          exponentials enclosed"
     );
-    let exponent = Evidence::new(
-        Grade::Exact,
-        "the exponent of n",
-        "lazy barbells of 6, 24 and 78 birds are not slower, by Rayleigh quotients",
-    );
+    let exponent =
+        exact("the exponent of n", "lazy barbells of 6, 24 and 78 birds are not slower, by Rayleigh quotients");
     Run::all([
         exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)),
         run.every(exponent, [3 + variant.gap_shift], too_slow_for),
@@ -279,8 +275,7 @@ fn check_halving_time(variant: &HalvingVariant, run: &mut Run) -> Result<Outcome
         return Ok(fails(what, second));
     }
     Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
+        exhaustive(
             first,
             format!(
                 "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s from 1 to 8 n^3 and \
@@ -289,7 +284,7 @@ fn check_halving_time(variant: &HalvingVariant, run: &mut Run) -> Result<Outcome
         )
         .on([1])
         .cases(cases),
-        Evidence::new(Grade::Certified, second, "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on")
+        certified(second, "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on")
             .on([2])
             .cases(2 * MOST_BIRDS),
     ]))

@@ -1,12 +1,10 @@
 //! chazelle.eq3.8: the powers of the transition matrix.
 
 use super::{FAMILY, Family, Network, every_row, fails, list};
+use crate::prelude::*;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Field, Probe, Rational, Ring};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Mode, rational_modes};
-use num_traits::{One, Signed};
+use num_traits::Signed;
 
 /// `P^s = 1 pi^T + sum_{k > first} lambda_k^(multiple s) C^(a/2) u_k u_k^T C^(b/2)`.
 #[derive(Clone, Copy)]
@@ -142,8 +140,7 @@ fn check_powers(variant: &PowersVariant, run: &mut Run) -> Result<Outcome, Check
             return Ok(fails(format!("{}: {what}", network.show()), part));
         }
     }
-    let exact = Evidence::new(
-        Grade::Exact,
+    let exact = exact(
         part,
         format!(
             "{FAMILY} on up to 5 birds (6 with --full) and of three kinds of weights whose eigenvalues all are \
@@ -151,8 +148,7 @@ fn check_powers(variant: &PowersVariant, run: &mut Run) -> Result<Outcome, Check
         ),
     );
     Run::all([
-        run.identity(&two_birds(variant), &["c_1", "c_2"], "two birds with any weights, s = 0, .., 3")
-            .map(|outcome| outcome.on([1])),
+        run.identity(&two_birds(variant), &["c_1", "c_2"], "two birds with any weights, s = 0, .., 3").on([1]),
         Ok(Outcome::Holds(vec![exact.on([1, 2]).cases(cases)])),
     ])
 }

@@ -1,10 +1,10 @@
 //! Phases and graphs that several claims are tried on.
 
+use crate::prelude::*;
 use algebra::graph::{LaplacianKind, NameError, NamedGraph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::{AnyIdentity, Identity};
-use arithmetic::{ArithmeticError, Complex, CosineField, Field, Rational, RealCyclotomic, Ring, rational};
-use ledger::{CheckError, Outcome, Run};
+use arithmetic::identity::AnyIdentity;
+use arithmetic::{CosineField, RealCyclotomic};
 use models::oscillator::phasor;
 
 /// Phasors of an arrangement, exact at multiples of parts of a turn.
@@ -114,7 +114,7 @@ pub fn identities<'a>(
         let names: Vec<&str> = names.iter().map(String::as_str).chain(more.iter().copied()).collect();
         run.identity(&identity, &names, &part)
     };
-    Ok(Run::all(each.into_iter().map(test))?.on(clauses))
+    Run::all(each.into_iter().map(test)).on(clauses)
 }
 
 /// How sizes are read: the one rule for all claims of this paper.

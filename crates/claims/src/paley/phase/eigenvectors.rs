@@ -2,10 +2,9 @@
 
 use super::common::{Exact, all_zero, at, circulants, digraph, laplacian, turns, up_to_rotation};
 use super::stationary::is_eigenvector;
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::{SparseMatrix, inertia};
-use arithmetic::{Complex, CosineField, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::{CosineField, RealCyclotomic, Sign, Signed};
 use models::oscillator::{clusters_of_pattern, laplacian_rows, misalignment, phasor};
 use num_integer::Integer;
 
@@ -49,7 +48,7 @@ pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
 fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let asymmetric = asymmetric_eigenvector(run)?;
     if !variant.columns_only {
-        let evidence = Evidence::new(Grade::Exact, "eigenvectors", "exact products");
+        let evidence = exact("eigenvectors", "exact products");
         return Ok(match asymmetric {
             Some(place) => Outcome::fails(format!("{place}: an eigenvector, but no symmetric pattern"), evidence),
             None => Outcome::Undecided("no eigenvector among few phases decides".to_string()),
@@ -60,7 +59,7 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
         .flat_map(|order| circulants(order, true))
         .flat_map(|(offsets, graph)| (1..graph.order()).map(move |m| (offsets.clone(), graph.clone(), m)));
     let detail = format!("all columns on all undirected circulants of 2 to {most} nodes");
-    let evidence = Evidence::new(Grade::Exhaustive, "columns of F are symmetric patterns", detail).on([1]);
+    let evidence = exhaustive("columns of F are symmetric patterns", detail).on([1]);
     let columns = run.every(evidence, cases, |(offsets, graph, m)| {
         let z = column(&CosineField::new(graph.order() as u32), graph.order(), m);
         let (found, expected) = (clusters_of_pattern(&z), Some((variant.clusters)(graph.order(), m) as u32));
@@ -71,7 +70,7 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
     let Some(place) = asymmetric else {
         return Ok(Outcome::Undecided("no asymmetric eigenvector was found".to_string()));
     };
-    let asymmetric = Evidence::new(Grade::Exact, "an eigenvector that is not symmetric", place).on([2]).for_all();
+    let asymmetric = exact("an eigenvector that is not symmetric", place).on([2]).for_all();
     Run::all([columns, Ok(Outcome::Holds(vec![asymmetric]))])
 }
 
@@ -212,13 +211,13 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
         |variant, run| {
             run.checkpoint()?;
             if let Some(what) = variant.fails_on(12)? {
-                let evidence = Evidence::new(Grade::Exact, "eigenvectors", "exact products").on([2]);
+                let evidence = exact("eigenvectors", "exact products").on([2]);
                 return Ok(Outcome::fails(format!("C_12: {what}"), evidence));
             }
             let detail = "exact rank of the conditions of equal modulus in each of the five double eigenspaces; all twelve columns; two rhombi that \
                           span all of them";
             let part = "all eigenvectors of C_12 with entries of modulus one";
-            let found = Evidence::new(Grade::Exact, part, detail).on([1, 2, 3, 4]).cases(12);
+            let found = exact(part, detail).on([1, 2, 3, 4]).cases(12);
             Run::all([Ok(Outcome::Holds(vec![found])), argued(&[2, 3, 4], part, "notes/paley_phases.md, steps E1-E5")])
         },
     )

@@ -1,12 +1,9 @@
 //! paley.length, paley.eq11.kernel, paley.incid: the Laplacian as a sum over edges.
 
 use super::common::{arcs, digraph, digraphs, laplacian, named, squared_lengths, supports};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
-use arithmetic::identity::Identity;
-use arithmetic::{Complex, Field, Probe, Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::quadratic_form;
 
 /// `Q_L = (factor/N) sum |x_j - x_k|^2` over directed edges, on undirected graphs or any.
@@ -97,7 +94,7 @@ pub fn kernel() -> Record<KernelVariant> {
         |variant, run| {
             let most = if *variant == KernelVariant::StronglyConnected { 3 } else { run.cases(4, 5) };
             let detail = format!("exact inertia (N - 1, 0, 1) for all labelled graphs of up to {most} nodes");
-            let evidence = Evidence::new(Grade::Exhaustive, "positive but on span{1}", detail).on([1, 2]);
+            let evidence = exhaustive("positive but on span{1}", detail).on([1, 2]);
             run.every(evidence, (1..=most).flat_map(|order| variant.graphs(order)), |graph| {
                 let (order, found) = (graph.order(), form_inertia(&laplacian(&graph)?)?);
                 let right = found == Inertia { positive: order - 1, negative: 0, zero: 1 };
@@ -144,7 +141,7 @@ pub fn incidence() -> Record<IncidenceVariant> {
 fn examine_incidence(variant: &IncidenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let most = run.cases(4, 5);
     let detail = format!("all labelled graphs of up to {most} nodes");
-    let evidence = Evidence::new(Grade::Exhaustive, "L and B B^T", detail);
+    let evidence = exhaustive("L and B B^T", detail);
     let graphs = run.every(evidence, (1..=most).flat_map(Graph::all), |graph| {
         let turned = |(place, &(j, k)): (usize, &(usize, usize))| if place % 2 == 0 { (j, k) } else { (k, j) };
         let once: Vec<(usize, usize)> = graph.edges().iter().enumerate().map(turned).collect();

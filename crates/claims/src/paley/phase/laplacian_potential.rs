@@ -1,11 +1,9 @@
 //! paley.eq13, paley.gradW, paley.eq14_15: the Laplacian phase potential, its gradient and its control.
 
 use super::common::{arcs, complete, digraph, identities, laplacian, named, phasors};
+use crate::prelude::*;
 use algebra::graph::WeightedGraph;
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Dual, Field, Probe, Rational, Ring, rational};
-use ledger::{CheckError, Record};
 use models::oscillator::{
     laplacian_control, misalignment, moment_gradient, moment_potential, pairwise_control, phase_gradient,
     phase_potential, phase_potential_gradient, rate_of_change,

@@ -3,11 +3,9 @@
 use super::common::{Exact, all_equal, all_zero, at, complete, identities, laplacian, phasors};
 use super::common::{squared_lengths, turns, up_to_rotation};
 use super::figure2::value_of;
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
-use arithmetic::identity::Identity;
-use arithmetic::{CosineField, Field, Rational, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::{CosineField, Sign, Signed};
 use models::oscillator::{moment, moment_gradient, moment_potential, phase_jacobian, phase_potential, powers};
 
 /// The constant in `W_m = constant - U_m`, given `N` and `m`.
@@ -107,7 +105,7 @@ fn few_phases(variant: &MomentVariant, run: &Run) -> Result<Outcome, CheckError>
     let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn, m = 1 to 3";
     let sizes = [2usize, 3].into_iter().flat_map(|particles| (1u32..=3).map(move |m| (particles, m)));
     let cases = sizes.flat_map(|(particles, m)| up_to_rotation(particles, PARTS).map(move |exponents| (m, exponents)));
-    let evidence = Evidence::new(Grade::Exhaustive, "extremes and saddles", detail).on([1, 2, 3]);
+    let evidence = exhaustive("extremes and saddles", detail).on([1, 2, 3]);
     run.every(evidence, cases, |(m, exponents)| {
         let found = stationary_contradiction(variant, m, &at(&field, &exponents))?;
         Ok(found.map(|what| format!("m = {m}, {}: {what}", turns(&exponents, PARTS))))
@@ -119,8 +117,7 @@ fn two_clusters(variant: &MomentVariant, run: &Run) -> Result<Outcome, CheckErro
     let sizes = [(4usize, 1u32), (5, 2), (6, 3), (7, 1)].into_iter();
     let cases =
         sizes.flat_map(|(particles, m)| (0..particles.div_ceil(2)).map(move |minority| (particles, m, minority)));
-    let evidence =
-        Evidence::new(Grade::Exact, "saddles of larger groups", "two clusters modulo 2 pi/m for N up to 7").on([3]);
+    let evidence = exact("saddles of larger groups", "two clusters modulo 2 pi/m for N up to 7").on([3]);
     run.every(evidence, cases, |(particles, m, minority)| {
         let exponents: Vec<usize> = (0..particles).map(|k| 2 * (k % m as usize) + usize::from(k < minority)).collect();
         let found = stationary_contradiction(variant, m, &at(&CosineField::new(2 * m), &exponents))?;

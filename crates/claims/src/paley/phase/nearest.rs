@@ -1,11 +1,8 @@
 //! paley.scale, paley.scale.complete, paley.fishpeak: the potential of the fish on the graph of nearest neighbours.
 
 use super::common::{complete, digraphs, identities, laplacian, on_the_line, phasors, supports, up_to_rotation};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::Identity;
-use arithmetic::{Complex, Field, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Interaction, Neighbours, mean, phase_potential};
 use rand_chacha::rand_core::Rng;
 
@@ -112,13 +109,12 @@ fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, Check
     let networks = networks.filter_map(|(school, n)| Some((school, n, nearest_network(school, n)?)));
     let cases =
         networks.flat_map(|(school, n, network)| signs(school.len()).map(move |z| (school, n, network.clone(), z)));
-    let evidence =
-        Evidence::new(Grade::Fuzzed, "nearest neighbours", "schools of 2 to 6 fish at random, all phases 0 and pi");
+    let evidence = fuzzed("nearest neighbours", "schools of 2 to 6 fish at random, all phases 0 and pi");
     let nearest = run.every(evidence, cases, |(school, n, network, z)| {
         Ok(variant.fails_at(&network, n, &z)?.map(|what| format!("fish at {school:?}, {what}")))
     })?;
     if let Outcome::Fails { counterexample, .. } = nearest {
-        return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "scaled potential", "exact values")));
+        return Ok(Outcome::fails(counterexample, exact("scaled potential", "exact values")));
     }
     let detail = "all digraphs of up to 4 fish with the same number of neighbours, where the bounds are reached";
     let graphs = (2..=4).flat_map(digraphs).filter_map(|graph| {
@@ -126,7 +122,7 @@ fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, Check
         let n = (1..graph.order()).find(|&n| degrees.iter().all(|d| *d == rational(n as i64, 1)))?;
         Some((graph, n))
     });
-    let same = run.every(Evidence::new(Grade::Exhaustive, "all phases 0 and pi", detail), graphs, |(graph, n)| {
+    let same = run.every(exhaustive("all phases 0 and pi", detail), graphs, |(graph, n)| {
         let laplacian = laplacian(&graph)?;
         for z in signs(graph.order()) {
             if let Some(what) = variant.fails_at(&laplacian, n, &z)? {
@@ -149,7 +145,7 @@ fn reached_on_the_square() -> Result<Outcome, CheckError> {
     let network = nearest_network(&SQUARE, 2).ok_or_else(|| CheckError::Other("a tie on the square".to_string()))?;
     let z: Vec<_> = [1, -1, 1, -1].map(|sign| Complex::real(rational(sign, 1))).into();
     let scaled = phase_potential(&network, &z, 1)? * figure_scale(2, 4);
-    let evidence = Evidence::new(Grade::Exact, "the square", "exact value");
+    let evidence = exact("the square", "exact value");
     if scaled != rational(4, 3) {
         return Ok(Outcome::fails(format!("the scaled potential on the square is {scaled}"), evidence));
     }

@@ -3,10 +3,8 @@
 use super::common::{N_AT_LEAST_2, at, supports, turns, up_to_rotation};
 use super::common::{all_equal, all_zero, complete, identities, laplacian, named, phasors, squared_lengths};
 use super::figure2::value_of;
-use crate::argued::argued;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Complex, CosineField, Dual, Field, Probe, Rational, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::{CosineField, Sign, Signed};
 use models::oscillator::{
     State, gradient_control, laplacian_control, mean, moment, moment_gradient, moment_potential, pairwise_control,
     phase_gradient, rate_of_change, symmetric_pattern,
@@ -166,7 +164,7 @@ pub fn extremes() -> Record<ExtremesVariant> {
 }
 
 fn balanced_exist(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, CheckError> {
-    let evidence = Evidence::new(Grade::Exact, "balanced arrangements exist", "the splay state, N = 2 to 12").on([3]);
+    let evidence = exact("balanced arrangements exist", "the splay state, N = 2 to 12").on([3]);
     run.every(evidence, variant.least_particles..=12, |particles| {
         let splay = symmetric_pattern(particles, particles).unwrap_or_default();
         let balanced = moment_potential(&splay, 1)?.sign() == Some(Sign::Zero);
@@ -179,7 +177,7 @@ fn extreme_values(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, Check
     let field = CosineField::new(PARTS as u32);
     let detail = "all arrangements of 2 to 4 phases at multiples of 1/6 turn";
     let arrangements = (2..=4usize).flat_map(|particles| up_to_rotation(particles, PARTS));
-    run.every(Evidence::new(Grade::Exhaustive, "extremes", detail).on([2, 3]), arrangements, |exponents| {
+    run.every(exhaustive("extremes", detail).on([2, 3]), arrangements, |exponents| {
         let z = at(&field, &exponents);
         let (value, p) = (moment_potential(&z, 1)?, moment(&z, 1)?);
         let above = (value.clone() - value.ratio(z.len() as i64, 2)).sign();

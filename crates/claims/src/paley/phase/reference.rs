@@ -2,11 +2,10 @@
 
 use super::common::up_to_rotation;
 use super::common::{all_equal, arcs, at, identities, laplacian, named, phasors, squared_lengths, turns};
+use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Complex, CosineField, Field, Sign, Signed};
-use ledger::{Evidence, Grade, Record, Run};
+use arithmetic::{CosineField, Sign, Signed};
 use models::oscillator::phase_potential;
 
 /// The sign before the cosine, and the graphs for which there is no other minimiser.
@@ -49,7 +48,7 @@ pub fn reference_phase() -> Record<ReferenceVariant> {
             let cases = (1..=3).flat_map(Graph::all).flat_map(|graph| {
                 up_to_rotation(graph.order() + 1, PARTS).map(move |exponents| (graph.clone(), exponents))
             });
-            let minimisers = run.every(Evidence::new(Grade::Exhaustive, "global minimisers", detail), cases, |case| {
+            let minimisers = run.every(exhaustive("global minimisers", detail), cases, |case| {
                 let (graph, exponents) = case;
                 let weighted = WeightedGraph::from(&graph);
                 let sign = potential(&laplacian(&weighted)?, &at(&field, &exponents), variant.sign)?.sign();

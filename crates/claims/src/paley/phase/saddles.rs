@@ -2,10 +2,9 @@
 
 use super::common::{all_equal, all_zero, on_the_line};
 use super::critical::{Kind, arrangements, hessian, is_critical, linearisation, rates, two_clusters};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::Inertia;
-use arithmetic::{Complex, Field, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use arithmetic::Signed;
 use models::oscillator::sine_of_difference;
 
 /// Which critical points are claimed to be what.
@@ -49,13 +48,13 @@ pub fn saddles() -> Record<SaddleVariant> {
          such points.",
         printed,
         |variant, run| {
-            let line = Evidence::new(Grade::Exact, "indefinite Hessians, relative equilibria", "all of 2 to 10 particles");
+            let line = exact("indefinite Hessians, relative equilibria", "all of 2 to 10 particles");
             let line = run.every(line.on([1, 2, 3]), two_clusters(10), |(n, minority, z)| {
                 let place = format!("N = {n}, {minority} phases opposite to the others");
                 Ok(variant.contradiction(&z)?.map(|what| format!("{place}: {what}")))
             });
             let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn and of 4 at multiples of 1/6";
-            let others = Evidence::new(Grade::Exhaustive, "all critical points among few phases", detail);
+            let others = exhaustive("all critical points among few phases", detail);
             let others = run.every(others.on([1, 2, 3]), arrangements(), |(place, z)| {
                 if !is_critical(&z)? {
                     return Ok(None);
@@ -107,7 +106,7 @@ pub fn unbalanced() -> Record<UnbalancedVariant> {
 fn examine_unbalanced(variant: &UnbalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let sizes = (2..=9usize).flat_map(|n| (0..n).map(move |m| (m, n)).filter(|&(m, n)| (variant.applies)(m, n)));
     let detail = "the exact linearisation for both signs of K_1, all M for N up to 9";
-    let evidence = Evidence::new(Grade::Exact, "unstable equilibria of two unequal clusters", detail).on([1, 2, 3]);
+    let evidence = exact("unstable equilibria of two unequal clusters", detail).on([1, 2, 3]);
     let instances = run.every(evidence, sizes, |(m, n)| {
         let mut z = on_the_line(n, n - m);
         if variant.distorted {

@@ -3,11 +3,10 @@
 use super::common::{
     Exact, N_AT_LEAST_2, all_equal, all_zero, arcs, at, circulants, digraphs, laplacian, named, turns, up_to_rotation,
 };
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
-use arithmetic::{Complex, CosineField, RealCyclotomic, Ring};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use arithmetic::{CosineField, RealCyclotomic};
 use models::oscillator::{laplacian_control, laplacian_rows, mean, misalignment, phase_gradient, phase_potential};
 
 /// Graphs of up to so many nodes, all undirected ones or all digraphs.
@@ -46,7 +45,7 @@ pub fn stationary_points() -> Record<StationaryVariant> {
             let field = CosineField::new(PARTS as u32);
             let most = if variant.directed { 3 } else { run.cases(3, 4) };
             let detail = format!("all undirected graphs of up to {most} nodes, all arrangements of quarter turns");
-            let evidence = Evidence::new(Grade::Exhaustive, "(16) and the gradient by duals", detail);
+            let evidence = exhaustive("(16) and the gradient by duals", detail);
             let cases = graphs(most, variant.directed).into_iter().flat_map(|graph| {
                 up_to_rotation(graph.order(), PARTS).map(move |exponents| (graph.clone(), exponents))
             });
@@ -110,7 +109,7 @@ fn examine_eigenvectors(variant: &EigenvectorVariant, run: &mut Run) -> Result<O
         .flat_map(|graph| arrangements(graph.order()).into_iter().map(move |exponents| (graph.clone(), exponents)));
     let detail =
         "all undirected graphs of up to 3 nodes with phases at multiples of 1/6 turn, columns of F for C_6 and K_6";
-    let evidence = Evidence::new(Grade::Exhaustive, "eigenvectors of modulus one", detail).on([1, 2]);
+    let evidence = exhaustive("eigenvectors of modulus one", detail).on([1, 2]);
     run.every(evidence, cases, |(graph, exponents)| {
         let (laplacian, z) = (laplacian(&graph)?, at(&field, &exponents));
         let eigenvector = is_eigenvector(&laplacian, &z);
@@ -170,7 +169,7 @@ pub fn balanced_point_exists() -> Record<BalancedVariant> {
         BalancedVariant::Circulants(2),
         |variant, run| {
             let detail = "all undirected circulants of 2 to 6 nodes (9 with --full), all directed ones of 2 to 5";
-            let evidence = Evidence::new(Grade::Exhaustive, "a balanced point with zero gradient", detail);
+            let evidence = exhaustive("a balanced point with zero gradient", detail);
             let found = run.every(evidence, variant.graphs(run), |graph| {
                 let none = balanced_point(&laplacian(&graph)?)?.is_none();
                 Ok(none.then(|| format!("N = {}, {}: no balanced stationary point", graph.order(), arcs(&graph))))

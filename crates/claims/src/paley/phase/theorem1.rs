@@ -2,10 +2,8 @@
 
 use super::common::{all_equal, all_zero, identities, phasors};
 use super::critical::{Critical, Kind, critical_points, is_critical, linearisation, rates};
-use crate::argued::argued;
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Complex, Dual, Probe, Ring, Sign, Signed};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::{Sign, Signed};
 use models::oscillator::{gradient_control, moment_gradient, moment_potential, rate_of_change};
 
 /// Most particles of the arrangements at multiples of 1/12 turn.
@@ -84,7 +82,7 @@ fn examine_stability(variant: &StabilityVariant, run: &Run) -> Result<Outcome, C
     let points: Vec<Vec<Critical>> = (variant.least_particles..=MOST).map(critical_points).collect();
     let cases = points.iter().flat_map(|points| points.iter().map(move |point| (point, points)));
     let detail = "the synchronised, all unbalanced and many balanced arrangements of 2 to 6 particles";
-    let evidence = Evidence::new(Grade::Exact, "levels and linearisations", detail).on([1, 2]);
+    let evidence = exact("levels and linearisations", detail).on([1, 2]);
     let instances = run.every(evidence, cases, |(point, points)| {
         let place = format!("N = {}, K_1 = {}, {}", point.phasors.len(), variant.gain, point.name);
         Ok(variant.contradiction(point, points)?.map(|what| format!("{place}: {what}")))

@@ -2,11 +2,8 @@
 
 use super::common::{all_equal, arcs, digraphs, identities, laplacian, phasors, squared_lengths};
 use super::common::{turns, up_to_rotation};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
-use arithmetic::identity::Identity;
-use arithmetic::{Complex, Field, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Neighbours, phase_potential};
 use num_traits::{Signed as _, Zero};
 use std::rc::Rc;
@@ -53,7 +50,7 @@ fn every_digraph(
         arrangements.map(move |exponents| (both.clone(), exponents))
     });
     let detail = format!("all digraphs of up to {most} nodes with all arrangements of quarter turns");
-    run.every(Evidence::new(Grade::Exhaustive, part, detail), cases, |(both, exponents)| {
+    run.every(exhaustive(part, detail), cases, |(both, exponents)| {
         let (graph, network) = both.as_ref();
         let z: Vec<Complex<Rational>> = exponents.iter().map(|&k| quarter.power(k as u64)).collect();
         let value = phase_potential(network, &z, 1)?;
@@ -106,12 +103,12 @@ pub fn connected() -> Record<ConnectedVariant> {
         printed,
         |variant, run| {
             let above = rational(variant.above.0, variant.above.1);
-            let formula = sum_of_squares(run, variant.factor).map(|outcome| outcome.on([1, 2]));
+            let formula = sum_of_squares(run, variant.factor).on([1, 2]);
             let zeros = every_digraph(run, "W_1 >= 0, and 0 exactly at synchronised phases", |graph, exponents, value| {
                 let wrong = value.is_negative() || (*value > above) == all_equal(exponents);
                 (variant.applies)(graph) && wrong
             });
-            let zeros = zeros.map(|outcome| outcome.on([2, 3, 4]));
+            let zeros = zeros.on([2, 3, 4]);
             Run::all([formula, zeros, argued(&[4], "positive elsewhere, every graph", "notes/paley_phases.md, steps Z1-Z2")])
         },
     )
@@ -161,7 +158,7 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
          necessary for W_1 = 0.",
         printed,
         |variant, run| {
-            let zeros = variant.examine(run).map(|outcome| outcome.on([1, 2]));
+            let zeros = variant.examine(run).on([1, 2]);
             Run::all([zeros, argued(&[2], "positive elsewhere, every graph", "notes/paley_phases.md, steps Z1-Z2")])
         },
     )
@@ -186,7 +183,7 @@ pub fn fish_subgraphs() -> Record<ZeroVariant> {
          connected subgraph, in the strong sense and in the weak one (checked: the weak one, which is more). The sentence says \"only if\"; the converse is \
          true for weakly connected components and false for strongly connected ones (paley.zero.dir).",
         printed,
-        |variant, run| Ok(variant.examine(run)?.on([1, 2, 3])),
+        |variant, run| variant.examine(run).on([1, 2, 3]),
     )
     .clauses(&[
         "W_1(theta) is nonnegative for directed or undirected graphs.",

@@ -1,10 +1,8 @@
 //! paley.eq26, paley.vrep, paley.vatt: the steps of the fish model and its behaviours.
 
 use super::instances::{StateIdentity, state_identity};
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Field, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Outcome, Record, Run};
-use models::oscillator::{State, phasor, quarter_turn, repulsion, steering_towards};
+use crate::prelude::*;
+use models::oscillator::{phasor, quarter_turn, repulsion, steering_towards};
 
 /// Positions move by `T^position e^{i theta}` and phases by `T^phase u`.
 #[derive(Clone, Copy)]
@@ -14,27 +12,17 @@ pub struct StepVariant {
 }
 
 /// The increments of a step against those of Euler's method for (1), (2).
-struct StepIdentity(StepVariant);
-
-impl StateIdentity for StepIdentity {
-    fn particles(&self) -> usize {
-        1
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [fineness, u] = constants else { return Err(ArithmeticError::Domain("two constants")) };
-        // A counterexample is looked for at small integers, and T is to be small.
+fn euler_increments(variant: &StepVariant) -> StateIdentity<'_> {
+    StateIdentity::of(1, move |[fineness, u], state| {
+        // A counterexample is looked for at small integers, and Probe is to be small.
         let step = &(fineness.recip()? * fineness.ratio(1, 10));
         let z = &state.phasors[0];
-        let moved = z.scale(&step.power(self.0.position));
+        let moved = z.scale(&step.power(variant.position));
         let euler = z.scale(step);
-        let turned = step.power(self.0.phase) * u;
+        let turned = step.power(variant.phase) * u;
         Ok((vec![moved.re, moved.im, turned], vec![euler.re, euler.im, step.clone() * u]))
-    }
-
-    fn allows(&self, constants: &[Rational]) -> bool {
-        constants[0] > rational(0, 1)
-    }
+    })
+    .allowing(|constants| constants[0] > rational(0, 1))
 }
 
 pub fn euler_step() -> Record<StepVariant> {
@@ -66,8 +54,8 @@ pub fn euler_step() -> Record<StepVariant> {
 
 fn examine_euler_step(variant: &StepVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     // Each fish for itself: an identity in all that its step depends on.
-    Ok(state_identity(&StepIdentity(*variant), &["1/(10 T)", "u"], "increments of Euler's method with step T", run)?
-        .for_all())
+    state_identity(euler_increments(variant), &["1/(10 T)", "u"], "increments of Euler's method with step T", run)
+        .for_all()
 }
 
 /// paley.vrep and paley.vatt: the field is `sign i^turns sum rhat_kj`, which is to point away from the neighbours (`away = 1`) or towards

@@ -1,11 +1,9 @@
 //! paley.eq28, paley.fish28ori: the steering of a fish beside the circular control.
 
 use super::instances::{StateIdentity, described, identity_graphs, state_identity};
-use arithmetic::identity::Identity;
-use arithmetic::{ArithmeticError, Complex, Field, Probe, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
 use models::oscillator::{
-    CircularGains, Neighbours, State, alignment, attraction, circle_centres, circular_control, circular_formation,
+    CircularGains, Neighbours, alignment, attraction, circle_centres, circular_control, circular_formation,
     heading_components, misalignment, phasor, quarter_turn, repulsion, steering_towards,
 };
 
@@ -96,12 +94,12 @@ fn examine_laplacian_form(variant: &FormVariant, run: &mut Run) -> Result<Outcom
     // w = K_ori = 0, K_att = 1, r_1 = 0, heading 1, one neighbour at 2i: (27) and its approximation.
     let (heading, unit) = (Complex::real(rational(1, 1)), -quarter_turn(&Complex::real(rational(1, 1))));
     let steering = |away: Complex<Rational>| steering_towards(&heading, &attraction(&heading, &[away]));
-    let [exact, approximate] = [steering(unit.clone()), steering(unit.scale(&rational(2, 1)))];
+    let [true_rate, approximate] = [steering(unit.clone()), steering(unit.scale(&rational(2, 1)))];
     let detail = format!(
-        "K_att = 1, one neighbour at 2i: (27) steers at {exact}, with r_kj in the place of rhat_kj at \
+        "K_att = 1, one neighbour at 2i: (27) steers at {true_rate}, with r_kj in the place of rhat_kj at \
          {approximate}"
     );
-    let differs = Evidence::new(Grade::Exact, "not (27) at other distances", detail);
+    let differs = exact("not (27) at other distances", detail);
     let argued =
         Evidence::argued("any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 3-6")
             .on([1, 2, 3, 4]);
@@ -117,31 +115,21 @@ pub struct ComparisonVariant {
     without_orientation: bool,
 }
 
-struct ComparisonIdentity {
-    variant: ComparisonVariant,
-    network: Neighbours,
-}
-
-impl StateIdentity for ComparisonIdentity {
-    fn particles(&self) -> usize {
-        self.network.particles()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, spacing, k_ori] = constants else { return Err(ArithmeticError::Domain("three constants")) };
-        let (network, particles) = (&self.network, self.particles() as i64);
-        let (p, q) = self.variant.factor;
+fn comparison_sides(variant: &ComparisonVariant, network: Neighbours) -> StateIdentity<'_> {
+    StateIdentity::of(network.particles(), move |[omega, spacing, k_ori], state| {
+        let (network, particles) = (&network, network.particles() as i64);
+        let (p, q) = variant.factor;
         let orientation = spacing.clone() - omega.ratio(p * particles, q) * k_ori;
         let gains = CircularGains { omega: omega.clone(), spacing: spacing.clone(), orientation };
         // (22), and the fish terms with K_att = omega K_0/N, the factor i put back by turning the heading.
         let left = circular_control(&gains, network, network, state)?;
         let share = omega.ratio(1, particles) * omega * spacing;
         let turned: Vec<_> =
-            state.phasors.iter().map(|z| (0..self.variant.turns).fold(z.clone(), |z, _| quarter_turn(&z))).collect();
+            state.phasors.iter().map(|z| (0..variant.turns).fold(z.clone(), |z, _| quarter_turn(&z))).collect();
         let attracting = heading_components(network, &turned, &state.positions);
         let aligning = misalignment(network, &state.phasors);
         let fish = attracting.into_iter().zip(aligning).map(|(a, o)| omega.clone() + a * &share - o * k_ori);
-        let mut right: Vec<T> = fish.collect();
+        let mut right: Vec<Probe> = fish.collect();
         // <e^{i theta_k}, L_k r> = sigma_k + tau_k/omega
         let mut left = left;
         left.extend(heading_components(network, &state.phasors, &state.positions));
@@ -149,7 +137,7 @@ impl StateIdentity for ComparisonIdentity {
         let inverse = omega.recip()?;
         right.extend(sigma.into_iter().zip(misalignment(network, &state.phasors)).map(|(s, t)| s + t * &inverse));
         Ok((left, right))
-    }
+    })
 }
 
 pub fn comparison() -> Record<ComparisonVariant> {
@@ -201,22 +189,16 @@ fn examine_comparison(variant: &ComparisonVariant, run: &mut Run) -> Result<Outc
                 "K_1 = {}, two particles a quarter turn apart on a circle: <e^(i th_1), L_1 r> = {}",
                 gains.orientation, forward[0]
             );
-            return Ok(Outcome::fails(
-                what,
-                Evidence::new(Grade::Exact, "perpendicular", "an exact circular formation"),
-            ));
+            return Ok(Outcome::fails(what, exact("perpendicular", "an exact circular formation")));
         }
     }
     let identities = identity_graphs(run).into_iter().filter(|g| g.order() > 1).map(|graph| {
-        let identity = ComparisonIdentity { variant: *variant, network: Neighbours::of(&graph) };
         let part = format!("terms of (22) and (28), {}", described(&graph));
-        Ok(state_identity(&identity, &["w0", "K_0", "K_ori"], &part, run)?.on([1, 2]))
+        state_identity(comparison_sides(variant, Neighbours::of(&graph)), &["w0", "K_0", "K_ori"], &part, run)
+            .on([1, 2])
     });
-    let perpendicular = Evidence::new(
-        Grade::Exact,
-        "perpendicular motion in the limit",
-        "exact circular formations with K_1 > 0 and K_1 < 0",
-    );
+    let perpendicular =
+        exact("perpendicular motion in the limit", "exact circular formations with K_1 > 0 and K_1 < 0");
     let argued =
         Evidence::argued("every graph and every start", "notes/paley_particles.md, Perpendicular motion, steps 1-4")
             .on([2, 3]);

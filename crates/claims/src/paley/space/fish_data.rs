@@ -1,9 +1,7 @@
 //! paley.figS1_S3, paley.figS3.difference: the measured tracks and what is inferred from them.
 
-use arithmetic::identity::Identity;
+use crate::prelude::*;
 use arithmetic::random::uniform;
-use arithmetic::{ArithmeticError, Complex, Field, Probe, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Neighbours, mean, phase_potential, phasor};
 use models::tracks::{Scale, nearest_neighbour, uniform_draw};
 use motion::{Sample, Share};
@@ -128,7 +126,7 @@ pub fn difference_inference() -> Record<ScaleVariant> {
 fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     // What speaks against the inference, and what speaks for it.
     let (mut against, mut for_it) = (Vec::new(), Vec::new());
-    let exact = |part: &str, detail: &str| Evidence::new(Grade::Exact, part, detail);
+    let exact = |part: &str, detail: &str| exact(part, detail);
     let states = (-12..=12).map(|k| rational(k, 4));
     let mut wrong = None;
     for t in states.clone() {
@@ -220,11 +218,11 @@ fn examine_measured_tracks(variant: &PeakVariant, _run: &mut Run) -> Result<Outc
         let value = scaled(&positions, &headings(signs), 3, &rational(1, 2))?;
         if value != rational(p, q) {
             let what = format!("four fish with headings {signs:?}: the scaled potential is {value}, not {p}/{q}");
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "peaks", "exact potentials")));
+            return Ok(Outcome::fails(what, exact("peaks", "exact potentials")));
         }
     }
     let detail = "scaled potential, n = 3: 0 synchronised, 3/4 for three against one, 1 balanced";
-    let evidence = Evidence::new(Grade::Exact, "where the named peaks lie", detail).cases(3);
+    let evidence = exact("where the named peaks lie", detail).cases(3);
     let why = "the measured tracks of Figures S1-S3 are not available; only the values at which the peaks are \
      said to lie can be checked";
     Ok(Outcome::NotCheckable(why.to_string(), vec![evidence]))

@@ -1,8 +1,7 @@
 //! paley.beacon.form, paley.drift: the beacon, and a drift common to all particles.
 
 use super::instances::{StateIdentity, scattered_phasors, stability, state_identity, sum_of_squares};
-use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Outcome, Record, Run};
+use crate::prelude::*;
 use models::oscillator::{
     CircularGains, Neighbours, State, beacon_control, beacon_potential, circle_centres, circular_control,
     circular_formation, linearisation, quarter_turn,
@@ -15,30 +14,20 @@ pub struct BeaconVariant {
     share: (i64, i64),
 }
 
-struct BeaconIdentity {
-    variant: BeaconVariant,
-    particles: usize,
-}
-
-impl StateIdentity for BeaconIdentity {
-    fn particles(&self) -> usize {
-        self.particles
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, gain, x, y] = constants else { return Err(ArithmeticError::Domain("four constants")) };
-        let (particles, beacon) = (self.particles as i64, Complex::new(x.clone(), y.clone()));
-        let signed = gain.clone() * gain.integer(self.variant.sign);
+fn beacon(variant: &BeaconVariant, particles: usize) -> StateIdentity<'_> {
+    StateIdentity::of(particles, move |[omega, gain, x, y], state| {
+        let (particles, beacon) = (particles as i64, Complex::new(x.clone(), y.clone()));
+        let signed = gain.clone() * gain.integer(variant.sign);
         let control = beacon_control(omega, &signed, &beacon, state)?;
-        let total: Vec<T> = control.iter().map(|u| u.clone() + omega).collect();
+        let total: Vec<Probe> = control.iter().map(|u| u.clone() + omega).collect();
         let moving = state.moving(&total, &[]);
         let like = Dual::constant(omega.clone());
         let fixed = Complex::new(Dual::constant(x.clone()), Dual::constant(y.clone()));
         let rate = beacon_potential(&like, &fixed, &moving)?.derivative;
         let arms: Vec<_> = circle_centres(omega, state)?.into_iter().map(|c| c - &beacon).collect();
-        let forward: Vec<T> = state.phasors.iter().zip(&arms).map(|(z, e)| z.dot(e)).collect();
+        let forward: Vec<Probe> = state.phasors.iter().zip(&arms).map(|(z, e)| z.dot(e)).collect();
         let squares = arms.iter().fold(omega.zero(), |sum, e| sum + e.norm_squared());
-        let (p, q) = self.variant.share;
+        let (p, q) = variant.share;
         let mut left = vec![beacon_potential(omega, &beacon, state)?, rate];
         let mut right = vec![
             squares * omega.ratio(p, q * particles),
@@ -53,11 +42,8 @@ impl StateIdentity for BeaconIdentity {
             right.push(forward[k].square() + quarter_turn(z).dot(e).square());
         }
         Ok((left, right))
-    }
-
-    fn allows(&self, constants: &[Rational]) -> bool {
-        constants[1] > rational(0, 1)
-    }
+    })
+    .allowing(|constants| constants[1] > rational(0, 1))
 }
 
 pub fn beacon_form() -> Record<BeaconVariant> {
@@ -88,9 +74,8 @@ pub fn beacon_form() -> Record<BeaconVariant> {
 fn examine_beacon_form(variant: &BeaconVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let names = ["w0", "K", "Re c_0", "Im c_0"];
     let part = |n: usize| format!("potential, its rate, no rest where it is stationary, N = {n}");
-    let identities = (1..=3).map(|particles| {
-        Ok(state_identity(&BeaconIdentity { variant: *variant, particles }, &names, &part(particles), run)?.on([1, 2]))
-    });
+    let identities =
+        (1..=3).map(|particles| state_identity(beacon(variant, particles), &names, &part(particles), run).on([1, 2]));
     let detail = "linearised around the beacon: zeros for the phases only, the centres return exponentially; both \
      signs of w0";
     let returns = run.instances("fixes the centre to c_0", detail, [(1, 10), (-3, 1)], |(p, q)| {
@@ -117,54 +102,44 @@ pub struct DriftVariant {
     beacon: bool,
 }
 
-struct DriftIdentity {
-    variant: DriftVariant,
-    network: Neighbours,
-}
-
-impl StateIdentity for DriftIdentity {
-    fn particles(&self) -> usize {
-        self.network.particles()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, spacing, orientation, x, y] = constants else { return Err(ArithmeticError::Domain("constants")) };
+fn carried_along(variant: &DriftVariant, network: Neighbours) -> StateIdentity<'_> {
+    StateIdentity::of(network.particles(), move |[omega, spacing, orientation, x, y], state| {
         let field = Complex::new(x.clone(), y.clone());
-        let of_particle = |k: usize| field.scale(&x.integer(if self.variant.common { 1 } else { k as i64 + 1 }));
-        let drift: Vec<Complex<T>> = (0..self.particles()).map(of_particle).collect();
-        let steering = self.law([omega, spacing, orientation], state)?;
+        let of_particle = |k: usize| field.scale(&x.integer(if variant.common { 1 } else { k as i64 + 1 }));
+        let drift: Vec<Complex<Probe>> = (0..network.particles()).map(of_particle).collect();
+        let steering = law(variant, &network, [omega, spacing, orientation], state)?;
         let (with, without) = (state.moving(&steering, &drift), state.moving(&steering, &[]));
-        let constant = |x: &T| Dual::constant(x.clone());
+        let constant = |x: &Probe| Dual::constant(x.clone());
         let lifted = [constant(omega), constant(spacing), constant(orientation)];
         let lifted = [&lifted[0], &lifted[1], &lifted[2]];
         // The controls do not feel the drift,
-        let mut left: Vec<T> = self.law(lifted, &with)?.into_iter().map(|u| u.derivative).collect();
-        let mut right: Vec<T> = self.law(lifted, &without)?.into_iter().map(|u| u.derivative).collect();
+        let mut left: Vec<Probe> = law(variant, &network, lifted, &with)?.into_iter().map(|u| u.derivative).collect();
+        let mut right: Vec<Probe> =
+            law(variant, &network, lifted, &without)?.into_iter().map(|u| u.derivative).collect();
         // and every circle centre is carried along by it.
-        let carried = field.scale(&x.integer(self.variant.sign));
+        let carried = field.scale(&x.integer(variant.sign));
         let centres = circle_centres(lifted[0], &with)?.into_iter().zip(circle_centres(lifted[0], &without)?);
         for (with, without) in centres {
             left.extend([with.re.derivative, with.im.derivative]);
             right.extend([without.re.derivative + &carried.re, without.im.derivative + &carried.im]);
         }
         Ok((left, right))
-    }
+    })
 }
 
-impl DriftIdentity {
-    fn law<T: Field>(
-        &self,
-        [omega, spacing, orientation]: [&T; 3],
-        state: &State<T>,
-    ) -> Result<Vec<T>, ArithmeticError> {
-        let gains = CircularGains { omega: omega.clone(), spacing: spacing.clone(), orientation: orientation.clone() };
-        let control = circular_control(&gains, &self.network, &self.network, state)?;
-        if !self.variant.beacon {
-            return Ok(control);
-        }
-        let pulled = beacon_control(omega, spacing, &Complex::real(omega.integer(10)), state)?;
-        Ok(control.into_iter().zip(pulled).map(|(u, pull)| u + pull).collect())
+fn law<T: Field>(
+    variant: &DriftVariant,
+    network: &Neighbours,
+    [omega, spacing, orientation]: [&T; 3],
+    state: &State<T>,
+) -> Result<Vec<T>, ArithmeticError> {
+    let gains = CircularGains { omega: omega.clone(), spacing: spacing.clone(), orientation: orientation.clone() };
+    let control = circular_control(&gains, network, network, state)?;
+    if !variant.beacon {
+        return Ok(control);
     }
+    let pulled = beacon_control(omega, spacing, &Complex::real(omega.integer(10)), state)?;
+    Ok(control.into_iter().zip(pulled).map(|(u, pull)| u + pull).collect())
 }
 
 pub fn common_drift() -> Record<DriftVariant> {
@@ -199,8 +174,12 @@ fn examine_common_drift(variant: &DriftVariant, run: &mut Run) -> Result<Outcome
     let argued = Evidence::argued("any number of particles, every connected graph", section).on([1]);
     let argued = Ok(Outcome::Holds(vec![argued]));
     let identities = networks.into_iter().take(run.cases(2, 3)).map(|(name, network)| {
-        let identity = DriftIdentity { variant: *variant, network };
-        state_identity(&identity, &names, &format!("the drift carries the motion along, {name}"), run)
+        state_identity(
+            carried_along(variant, network),
+            &names,
+            &format!("the drift carries the motion along, {name}"),
+            run,
+        )
     });
     Run::all(identities.chain([argued]))
 }

@@ -3,10 +3,9 @@
 use super::instances::{StateIdentity, one_way_ring, state_identity};
 use super::runs::{SPACING, TYPICAL, fly, simulated};
 use crate::paley::runs::{ZoneFormation, ZoneLaw};
+use crate::prelude::*;
 use crate::shares::judged;
-use arithmetic::{ArithmeticError, Field};
-use ledger::{CheckError, Evidence, Fault, Outcome, Record, Run};
-use models::oscillator::{CLUSTER, Neighbours, State, relative_position_control};
+use models::oscillator::{CLUSTER, Neighbours, relative_position_control};
 use motion::{Sample, Share};
 use std::f64::consts::TAU;
 
@@ -102,31 +101,19 @@ fn suits(formation: &ZoneFormation, clusters: usize, starts: usize, run: &Run) -
 }
 
 /// (29) as printed with two orientation networks on one attraction network, at `K_1 = K_0`.
-struct TwoZones {
-    networks: [Neighbours; 2],
-    attraction: Neighbours,
-}
-
-impl StateIdentity for TwoZones {
-    fn particles(&self) -> usize {
-        self.attraction.particles()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, spacing] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+fn two_zones(networks: [Neighbours; 2], attraction: Neighbours) -> StateIdentity<'static> {
+    StateIdentity::of(attraction.particles(), move |[omega, spacing], state| {
         let alignment = spacing.clone() - spacing;
-        let control =
-            |network| relative_position_control(omega, (&alignment, network), (spacing, &self.attraction), state);
-        Ok((control(&self.networks[0])?, control(&self.networks[1])?))
-    }
+        let control = |network| relative_position_control(omega, (&alignment, network), (spacing, &attraction), state);
+        Ok((control(&networks[0])?, control(&networks[1])?))
+    })
 }
 
 /// At `K_1 = K_0` the printed law is the same for all zones; how many clusters it makes then, and with other gains.
 fn no_effect_of_the_zone(run: &mut Run) -> Result<Outcome, CheckError> {
-    let identity =
-        TwoZones { networks: [one_way_ring(3), Neighbours::complete(3)], attraction: Neighbours::complete(3) };
+    let identity = two_zones([one_way_ring(3), Neighbours::complete(3)], Neighbours::complete(3));
     let part = "the printed law at K_1 = K_0 with one orientation network and with another";
-    let same = state_identity(&identity, &["w0", "K_0"], part, run)?;
+    let same = state_identity(identity, &["w0", "K_0"], part, run)?;
     let Outcome::Holds(mut evidence) = same else { return Ok(same) };
     let formation = ZoneFormation::new(ZoneLaw::Printed, (SPACING, SPACING), 12);
     let clusters = fly(&formation, (0, 1), run)?.clusters(CLUSTER).len();

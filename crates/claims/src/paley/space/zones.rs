@@ -2,9 +2,7 @@
 
 use super::instances::scattered_phasors;
 use crate::paley::runs::zones_of_figure_7;
-use arithmetic::identity::Identity;
-use arithmetic::{Complex, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
 use models::oscillator::{Zone, phasor};
 
 /// The distance of clusters `steps` places apart is `factor sin(pi steps'/M)`.
@@ -33,7 +31,7 @@ pub fn chord() -> Record<ChordVariant> {
          a > 0 for M >= 2. An identity in a, hence for M = 2, 8, 12 and every other M.",
         printed,
         |variant, run| {
-            Ok(run.identity(&chords(variant), &["tan(a/2)"], "|1 - e^{2 i a}|^2 = 4 sin^2 a, a = pi/M")?.for_all())
+            run.identity(&chords(variant), &["tan(a/2)"], "|1 - e^{2 i a}|^2 = 4 sin^2 a, a = pi/M").for_all()
         },
     )
     .control("sin(pi/M)", ChordVariant { factor: 1, doubled: 1 })
@@ -74,7 +72,7 @@ fn examine_perceptual_zones(variant: &ZonesVariant, run: &mut Run) -> Result<Out
         grid.map(move |place| (heading.clone(), place))
     });
     let detail = "annuli by distance and a wedge behind, six rational headings, a grid of 17 x 17 points each";
-    let evidence = Evidence::new(Grade::Exact, "the zones of the library are those of the figure", detail);
+    let evidence = exact("the zones of the library are those of the figure", detail);
     let found = run.every(evidence, cases, |(heading, (x, y))| {
         // In the frame of the fish: x ahead, y to the left.
         let offset = heading.clone() * Complex::new(rational(x, 1), rational(y, 1));
