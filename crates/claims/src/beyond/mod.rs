@@ -18,7 +18,6 @@ mod virtual_origins;
 
 use ledger::Claim;
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
     claims! {
         smallest_entries: smallest_entries;

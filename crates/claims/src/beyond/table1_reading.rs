@@ -1,10 +1,10 @@
 //! beyond.veerman.table1_reading: a reading under which the simulated columns of Table 1 come out.
 
+use crate::prelude::*;
 use crate::printed_decimal;
 use crate::veerman::printed_table::{ROWS, Row};
 use crate::veerman::{enclosed, unit};
-use arithmetic::{Complex, Dual, Field, Interval, Rational, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::{Sign, Signed};
 use models::platoon::{Communication, accelerations, amplitude_with_first_car, chebyshev, gamma_minus_one};
 
 const PRECISION: u32 = 120;
@@ -89,8 +89,7 @@ fn amplitudes(variant: &ReadingVariant, run: &mut Run) -> Result<Outcome, CheckE
     for (n, ratio) in &ratios {
         run.value(&format!("square_of_TAMP_over_amplitude_N_{n}"), interval_value(ratio, 12));
     }
-    let evidence =
-        Evidence::new(Grade::Certified, "the amplitudes at TFREQ", "enclosed response, all rows").on([1]).for_all();
+    let evidence = certified("the amplitudes at TFREQ", "enclosed response, all rows").on([1]).for_all();
     run.every(evidence, ratios, |(n, ratio)| {
         let (low, high) = ratio.to_rationals();
         let wrong = low < near(-18).square() || high > near(18).square();
@@ -102,7 +101,7 @@ fn amplitudes(variant: &ReadingVariant, run: &mut Run) -> Result<Outcome, CheckE
 /// The amplitude rises below TFREQ and decreases above.
 fn local_maxima(variant: &ReadingVariant, run: &Run) -> Result<Outcome, CheckError> {
     let dual = enclosed(&unit(), PRECISION).map(|x| Dual::constant(x.clone()));
-    let evidence = Evidence::new(Grade::Certified, "the local maxima", "enclosed slopes, all rows").on([2]).for_all();
+    let evidence = certified("the local maxima", "enclosed slopes, all rows").on([2]).for_all();
     run.every(evidence, &ROWS, |row| {
         let followers = row.n.saturating_add_signed(variant.offset);
         let slope = |w: Rational| -> Result<Option<Sign>, CheckError> {

@@ -2,8 +2,8 @@
 
 use crate::chazelle::lower_bound::{Group, MIRRORED, PRINTED, groups};
 use crate::chazelle::sequences::settled;
-use arithmetic::{Interval, Ring, Signed, decimals, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::{Signed, decimals};
 use models::averaging::settle::Ending;
 use models::averaging::{Hysteresis, Switch};
 use num_bigint::BigInt;
@@ -61,8 +61,7 @@ pub fn tower() -> Record<TowerVariant> {
 fn check_tower(variant: &TowerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     for hysteresis in [Hysteresis::None, Hysteresis::Paper] {
         let (switches, end) = settled(&groups(&variant.groups, &rational(1, 512), hysteresis), run)?;
-        let fails =
-            |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "the switches", "settled exactly")));
+        let fails = |what: String| Ok(Outcome::fails(what, certified("the switches", "settled exactly")));
         let times: Vec<String> = switches.iter().map(|s: &Switch| s.time.to_string()).collect();
         let Ending::Beyond { log2_steps, .. } = &end.ending else {
             return fails(format!("switches at t = {}, then: {}", times.join(", "), end.why));
@@ -82,9 +81,8 @@ fn check_tower(variant: &TowerVariant, run: &mut Run) -> Result<Outcome, CheckEr
         run.value("log2_of_the_third", format!("[{lo}, {hi}]"));
     }
     Ok(Outcome::Holds(vec![
-        Evidence::new(Grade::Exact, "the first switch", "every step up to it taken by the rule").on([1]).for_all(),
-        Evidence::new(
-            Grade::Certified,
+        exact("the first switch", "every step up to it taken by the rule").on([1]).for_all(),
+        certified(
             "the second switch",
             "the quadratic polynomial of the limit motion on the fixed network, exactly, before and at the contact; \
              the transients that are left out are bounded far below its value (notes/settling.md, How flock settle \
@@ -92,8 +90,7 @@ fn check_tower(variant: &TowerVariant, run: &mut Run) -> Result<Outcome, CheckEr
         )
         .on([2])
         .for_all(),
-        Evidence::new(
-            Grade::Certified,
+        certified(
             "the third",
             "the relative drift as the leading term of its shortest recurrence, sign and logarithm enclosed \
              (notes/settling.md, the same)",

@@ -1,12 +1,11 @@
 //! chazelle.foot.mono: footprints of products never lose a one.
 
 use super::sequences::{seen_from_one_side, share_weights, show};
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, StochasticMatrix};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::transition_matrix;
 
-/// What is altered in the statement.
 #[derive(Clone, Copy)]
 pub struct MonotoneVariant {
     /// `c_i d_i` is this share of one: below 1 the diagonal is positive.
@@ -50,7 +49,7 @@ pub fn monotone() -> Record<MonotoneVariant> {
 }
 
 fn check_monotone(variant: &MonotoneVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let exact = |what: &str| Evidence::new(Grade::Exact, what, "exact products");
+    let exact = |what: &str| exact(what, "exact products");
     let mut graphs = 0;
     let mut sequences = 0;
     let mut asymmetric = None;
@@ -108,21 +107,16 @@ fn check_monotone(variant: &MonotoneVariant, run: &mut Run) -> Result<Outcome, C
         Some(example) if variant.products_symmetric => Ok(Outcome::fails(example, exact("symmetry of products"))),
         None => Ok(Outcome::fails("every product is symmetric", exact("in general not symmetric"))),
         Some(example) => Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
+            exhaustive(
                 "no one is ever lost",
                 "all sequences of 4 graphs on up to 3 birds, of 2 graphs on 4 birds (3 with --full), against the \
                  footprints of the exact products",
             )
             .on([1])
             .cases(sequences),
-            Evidence::new(
-                Grade::Exhaustive,
-                "a single footprint",
-                "symmetric with a full diagonal, all graphs on up to 4 birds",
-            )
-            .on([3])
-            .cases(graphs),
+            exhaustive("a single footprint", "symmetric with a full diagonal, all graphs on up to 4 birds")
+                .on([3])
+                .cases(graphs),
             Evidence::new(Grade::Exact, "in general not symmetric", example).on([2]).for_all(),
         ])),
     }

@@ -316,14 +316,13 @@ fn last_loss(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError
     let (switches, end) = settled(&four_birds(hysteresis), run)?;
     let last = switches.iter().rev().find(|s| !s.lost.is_empty()).map_or(BigInt::ZERO, |s| s.time.clone());
     run.value("four_birds_last_loss", last.to_string());
-    let evidence = exact("the four birds", format!("last loss at t = {last}, settled exactly"));
-    if !matches!(end.ending, Ending::Steady) {
-        return Ok(Outcome::fails(format!("the four birds: {}", end.why), evidence));
-    }
-    if last > BigInt::from(4).pow((variant.time)(4) as u32) {
-        return Ok(Outcome::fails(format!("the four birds lose the edge 2-3 at t = {last}"), evidence));
-    }
-    Ok(Outcome::Holds(vec![evidence]))
+    let steady = matches!(end.ending, Ending::Steady);
+    let late = last > BigInt::from(4).pow((variant.time)(4) as u32);
+    let what = || match steady {
+        true => format!("the four birds lose the edge 2-3 at t = {last}"),
+        false => format!("the four birds: {}", end.why),
+    };
+    unless((!steady || late).then(what), exact("the four birds", format!("last loss at t = {last}, settled exactly")))
 }
 
 impl LossVariant {

@@ -21,7 +21,6 @@ mod worked_matrices;
 
 use ledger::Claim;
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
     let others: Vec<Box<dyn Claim>> = claims! {
         worked_matrices: stretching, product_a_b;

@@ -108,7 +108,6 @@ impl NetworkHistory {
         NetworkHistory { graphs, footprints }
     }
 
-    /// Number of birds.
     pub fn order(&self) -> usize {
         self.graphs[0].order()
     }

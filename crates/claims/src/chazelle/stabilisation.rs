@@ -8,7 +8,6 @@ use models::averaging::{Weights, transition_matrix};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
-/// Levels that are followed.
 const LEVELS: usize = 3;
 
 /// Checks all sequences of 6, 4, 2 networks on 2, 3, 4 birds (`shorter`: 4, 3, 1) with a constant end, then random
@@ -49,7 +48,6 @@ impl Levels {
     }
 }
 
-/// What is altered.
 #[derive(Clone, Copy)]
 pub struct NestedVariant {
     strictly: bool,

@@ -38,25 +38,16 @@ pub fn threshold_inequality() -> Record<ThresholdVariant> {
 }
 
 fn check_threshold_inequality(variant: &ThresholdVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    const LARGEST: u32 = 24;
-    for nu in 1..=LARGEST {
-        run.checkpoint()?;
+    let part = "the inequality, for all integers nu >= 1";
+    let evidence = certified(part, "enclosures of the logarithms of both sides for nu = 1, ..., 24");
+    run.every(evidence, 1..=24u32, |nu| {
+        let (p, q) = ((variant.p)(nu), variant.q);
         let base = Interval::from_rational(&rational(i64::from(nu), 1), PRECISION);
-        let excess =
-            base.power(u64::from((variant.p)(nu))) - base.power(u64::from(variant.q)) * natural_logarithm(nu.into())?;
+        let excess = base.power(u64::from(p)) - base.power(u64::from(q)) * natural_logarithm(nu.into())?;
         let excess = if variant.reversed { -excess } else { excess };
-        if !excess.is_certainly_positive() {
-            let what = format!("nu = {nu}: nu^{} - nu^{} ln nu is not positive", (variant.p)(nu), variant.q);
-            return Ok(Outcome::fails(what, certified("the inequality", "an enclosure")));
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        certified(
-            "the inequality, for all integers nu >= 1",
-            "enclosures of the logarithms of both sides for nu = 1, ..., 24",
-        )
-        .cases(LARGEST as usize),
-    ]))
+        let what = || format!("nu = {nu}: nu^{p} - nu^{q} ln nu is not positive");
+        Ok((!excess.is_certainly_positive()).then(what))
+    })
 }
 
 /// What is added to the switches until `T_k`.
@@ -307,7 +298,6 @@ fn flocks(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
     })
 }
 
-/// The claim with the controls of the printed bound.
 fn cubic(id: &'static str, derivation: &'static str, printed: SwitchesVariant) -> Record<SwitchesVariant> {
     Record::new(id, derivation, printed, examine_cubic)
         .control("at most n - 1 switches", SwitchesVariant { count: Some(|n| n - 1), ..printed })

@@ -1,14 +1,13 @@
 //! chazelle.lem2.1 and chazelle.eq2.3: changes of distances, and lengths of velocities.
 
 use super::sequences::{random_graph, words};
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, Ring, Sign, rational, sign_of_surd};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use arithmetic::{Sign, sign_of_surd};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
 
-/// The right side.
 #[derive(Clone, Copy)]
 pub struct DistanceChangeVariant {
     /// A factor of the right side, squared.
@@ -65,14 +64,13 @@ fn check_distance_change(variant: &DistanceChangeVariant, run: &mut Run) -> Resu
     });
     let detail =
         "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension 1, 2, 3";
-    run.every(Evidence::new(Grade::Exhaustive, "the bound, in any dimension", detail), cases, |(d, numbers)| {
+    run.every(exhaustive("the bound, in any dimension", detail), cases, |(d, numbers)| {
         let (r, w) = numbers.split_at(d);
         let what = || format!("x_i(t-1) - x_j(t-1) = {r:?}, v_i(t) - v_j(t) = {w:?}");
         Ok((!variant.holds(r, w)).then(what))
     })
 }
 
-/// The bound that is claimed.
 #[derive(Clone, Copy)]
 pub enum VelocityNormVariant {
     /// A multiple of `sqrt(n)` times the largest speed at the start, squared.
@@ -111,9 +109,9 @@ fn check_velocity_norm(variant: &VelocityNormVariant, run: &mut Run) -> Result<O
     });
     let part = "||v(t)||_2 <= sqrt(n) max |v_j(1)|, for all sequences of networks";
     let detail = "one step of all networks on up to 4 birds, velocities -1, 0, 1 (equal ones attain it)";
-    let sampled = Evidence::new(Grade::Fuzzed, "the same", "exact runs of 1 to 5 birds in dimension 1 to 3");
+    let sampled = fuzzed("the same", "exact runs of 1 to 5 birds in dimension 1 to 3");
     Run::all([
-        run.every(Evidence::new(Grade::Exhaustive, part, detail), steps, |(graph, word)| {
+        run.every(exhaustive(part, detail), steps, |(graph, word)| {
             variant.fails_at(start(word), &[graph], &Weights::Lazy)
         }),
         run.every(sampled, flocks, |(velocities, graphs)| variant.fails_at(velocities, &graphs, &Weights::Vicsek)),

@@ -7,7 +7,6 @@ use crate::tanner2::fixtures::{on_connected, total};
 use algebra::graph::Graph;
 use models::double_integrator::{AnyHeadings, AnyPotentials, Vector, dot, scaled};
 
-/// Agents in the identities.
 const MOST: usize = 3;
 
 /// `dV/dr_i = sign dV/dr_j` and `d/dt factor sum V_i = sum grad V_i . v_i`.

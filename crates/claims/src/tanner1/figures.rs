@@ -28,7 +28,6 @@ enum Law {
     Own,
     /// `V = 1/s`, which only repels.
     Repulsive,
-    /// None.
     Free,
 }
 

@@ -14,7 +14,6 @@ mod turning;
 
 use ledger::Claim;
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
     claims! {
         turning: gyro, eq6, eq6b, eq7;

@@ -6,7 +6,6 @@ use crate::tanner2::fixtures::{on_connected, total};
 use algebra::graph::Graph;
 use models::double_integrator::{AnyHeadings, Vector, cross, difference, dot, rotated, scaled};
 
-/// Agents in the identities.
 const MOST: usize = 3;
 
 /// The vector that the sum of heading differences multiplies.

@@ -68,7 +68,6 @@ pub struct DistanceVariant {
     own: bool,
 }
 
-/// The bound that holds.
 const DISTANCE: DistanceVariant = DistanceVariant { inside: |_| rational(1, 1), outside: |n| n - 1, own: false };
 
 fn distances(variant: &DistanceVariant, run: &Run) -> Result<Outcome, CheckError> {
@@ -132,7 +131,6 @@ pub struct SpeedVariant {
     relative: bool,
 }
 
-/// The bound that holds.
 const SPEED: SpeedVariant = SpeedVariant { factor: 2, relative: false };
 
 fn speeds(variant: &SpeedVariant, run: &Run) -> Result<Outcome, CheckError> {

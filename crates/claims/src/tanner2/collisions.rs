@@ -31,7 +31,6 @@ pub enum Pairs {
     Linked,
     /// Those not linked.
     Unlinked,
-    /// All.
     All,
 }
 

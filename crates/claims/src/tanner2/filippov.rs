@@ -197,7 +197,6 @@ pub fn chain_rule() -> Record<ChainRuleVariant> {
 /// The starts from which solutions are said to be unique.
 #[derive(Clone, Copy)]
 pub enum StartVariant {
-    /// All.
     All,
     /// Those with a connected neighbouring graph.
     Connected,

@@ -52,7 +52,6 @@ pub(crate) fn random_vectors(count: usize, random: &mut ChaCha8Rng) -> Vec<[Rati
     (0..count).map(|_| [coordinate(), coordinate()]).collect()
 }
 
-/// The list summed.
 pub(crate) fn total<T: Ring>(like: &T, list: impl IntoIterator<Item = T>) -> T {
     list.into_iter().fold(like.zero(), |sum, x| sum + x)
 }

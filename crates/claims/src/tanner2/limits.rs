@@ -8,7 +8,6 @@ use crate::prelude::*;
 use algebra::graph::Graph;
 use models::double_integrator::{Potential, State, SteadyMotion, linked_within, velocity_alignment};
 
-/// What is said of every motion.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Conclusion {
     /// All velocities become equal.
@@ -21,7 +20,6 @@ pub enum Conclusion {
     Critical,
 }
 
-/// Under which hypotheses.
 #[derive(Clone, Copy)]
 pub struct LimitVariant {
     connected: bool,

@@ -20,7 +20,6 @@ pub(super) mod wording;
 
 use ledger::Claim;
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
     claims! {
         energy: eq6, eq8, eq9, cor2_decomp, s_config, eq14, vdot_b;

@@ -23,7 +23,6 @@ use models::platoon::Gains;
 
 pub(super) use theorem1::scaled_error_is_bounded;
 
-/// All that are built.
 pub(super) fn claims() -> Vec<Box<dyn Claim>> {
     claims! {
         one_sided: response, special_response, substitution, gain_above_one, strongest_gain;

@@ -67,12 +67,9 @@ pub fn exponential_decay() -> Record<DecayVariant> {
 /// At w = 0, gamma = 1 exactly and both roots are 1.
 fn at_zero(variant: &DecayVariant) -> Result<Outcome, CheckError> {
     let gamma = gamma(&unit(), &rational(0, 1))?;
-    let detail = "gamma = 1 and mu_+ = mu_- = 1, which the statement excludes";
-    let evidence = exact("w = 0", detail).on([1]);
-    if variant.zero_included && gamma == gamma.one() {
-        return Ok(Outcome::fails("w = 0: |mu_+| = |mu_-| = 1", evidence));
-    }
-    Ok(Outcome::Holds(vec![evidence]))
+    let evidence = exact("w = 0", "gamma = 1 and mu_+ = mu_- = 1, which the statement excludes").on([1]);
+    let wrong = variant.zero_included && gamma == gamma.one();
+    unless(wrong.then(|| "w = 0: |mu_+| = |mu_-| = 1".to_string()), evidence)
 }
 
 fn decay_bounds(variant: &DecayVariant, run: &Run) -> Result<Outcome, CheckError> {

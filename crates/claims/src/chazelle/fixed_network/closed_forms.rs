@@ -1,11 +1,10 @@
 //! chazelle.xi.closed, chazelle.eq3.16, chazelle.eq3.17: where a bird is while the network does not change.
 
 use super::flight::{Flight, Flock, Vector, add, combine, flights};
-use super::{FAMILY, fails, list};
+use super::{FAMILY, list};
 use crate::prelude::*;
 use num_traits::{Signed, Zero};
 
-/// Changes of the three formulas.
 #[derive(Clone, Copy)]
 pub struct ClosedFormVariant {
     /// The first index of the sum.
@@ -34,7 +33,6 @@ struct Term {
     factor: Vector,
 }
 
-/// What the formulas are made of.
 struct Expansion {
     /// `x_i(t_1)`.
     start: Vector,
@@ -160,23 +158,17 @@ impl ClosedFormVariant {
         check: impl Fn(&Flight) -> Result<Option<String>, CheckError>,
     ) -> Result<Outcome, CheckError> {
         let mut random = run.random(0);
-        let mut cases = 0;
-        for pair in flights(run.cases(5, 7))? {
-            run.checkpoint()?;
-            for (dimension, first) in DIMENSIONS_AND_STARTS {
-                let flight = Flight::new(&pair, dimension, first, self.broken, &mut random)?;
-                cases += 1;
-                if let Some(what) = check(&flight)? {
-                    return Ok(fails(format!("{}: {what}", flight.show()), part));
-                }
-            }
-        }
+        let pairs = flights(run.cases(5, 7))?;
+        let cases = pairs.iter().flat_map(|pair| DIMENSIONS_AND_STARTS.map(|start| (pair, start)));
         let detail = format!(
             "{FAMILY} with rational eigenvalues and three kinds of weights, in pairs of flocks of 5 birds in all (7 \
              with --full); d = 1 and t_1 = 1, d = 2 and t_1 = 3 after another network, t = t_1, .., t_1 + 5, random \
              input"
         );
-        Ok(Outcome::Holds(vec![exact(part, detail).cases(cases)]))
+        run.instances(part, &detail, cases, |(pair, (dimension, first))| {
+            let flight = Flight::new(pair, dimension, first, self.broken, &mut random)?;
+            Ok(check(&flight)?.map(|what| format!("{}: {what}", flight.show())))
+        })
     }
 }
 

@@ -6,7 +6,6 @@ use algebra::matrix::{MatrixError, RationalMatrix};
 use models::averaging::{State, contraction, deviation_matrix, motion};
 use num_traits::Zero;
 
-/// Steps that are followed one by one.
 const STEPS: usize = 6;
 
 /// `(Y | y)`: the last column of `Y` replaced by `y`.
@@ -46,7 +45,6 @@ pub(super) fn limit_of_lemma_3_3(network: &Network) -> Result<Option<RationalMat
     bracket(network, &projection, Some(&vec![rational(0, 1); n]), &vec![rational(1, 1); n])
 }
 
-/// Changes of the formula.
 #[derive(Clone, Copy)]
 pub struct LimitOfGammaVariant {
     family: Family<'static>,
@@ -124,7 +122,6 @@ fn check_limit_of_gamma(variant: &LimitOfGammaVariant, run: &mut Run) -> Result<
     exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
 }
 
-/// Changes of the two formulas.
 #[derive(Clone, Copy)]
 pub struct PositionsVariant {
     /// The sum has `t + longer` terms.
@@ -225,7 +222,6 @@ fn check_positions(variant: &PositionsVariant, run: &mut Run) -> Result<Outcome,
     exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).on([1, 2])
 }
 
-/// Changes of the limit.
 #[derive(Clone, Copy)]
 pub struct RelativeLimitVariant {
     family: Family<'static>,

@@ -1,6 +1,6 @@
 //! chazelle.lem3.2, chazelle.eq3.9, chazelle.eq3.10: how fast the powers of the transition matrix converge.
 
-use super::{FAMILY, Family, Kind, Network, exhaustively, fails, for_all, list, power_of_order, too_slow_for};
+use super::{FAMILY, Family, Kind, Network, exhaustively, list, power_of_order, too_slow_for};
 use crate::prelude::*;
 use algebra::matrix::{RationalMatrix, tau_1};
 use models::averaging::contraction;
@@ -226,18 +226,11 @@ impl HalvingVariant {
     }
 
     /// The second inequality at the first `s`, for the exponents of all kinds: `sum pi_k = 1` is all it needs.
-    fn second_fails(&self) -> Result<Option<String>, CheckError> {
-        let most = rational(self.most.0, self.most.1);
-        for n in 1..=MOST_BIRDS {
-            for gap in [3, 4] {
-                let first = power_of_order(n, gap + self.margin) + rational(1, 1);
-                let middle = self.middle(&[rational(1, 1)], n, &bound(n, 1 + self.factor_shift, gap, &first)?);
-                if middle.to_rationals().1 >= most {
-                    return Ok(Some(format!("n = {n}, s = {first}: the sum is {}", interval_value(&middle, 6))));
-                }
-            }
-        }
-        Ok(None)
+    fn second_fails(&self, n: usize, gap: i32) -> Result<Option<String>, CheckError> {
+        let first = power_of_order(n, gap + self.margin) + rational(1, 1);
+        let middle = self.middle(&[rational(1, 1)], n, &bound(n, 1 + self.factor_shift, gap, &first)?);
+        let exceeds = middle.to_rationals().1 >= rational(self.most.0, self.most.1);
+        Ok(exceeds.then(|| format!("n = {n}, s = {first}: the sum is {}", interval_value(&middle, 6))))
     }
 }
 
@@ -265,27 +258,17 @@ pub fn halving_time() -> Record<HalvingVariant> {
 }
 
 fn check_halving_time(variant: &HalvingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let (first, second) = ("the first inequality, and tau(P^s) < 1/2", "the second inequality");
     let networks = variant.family.networks(run.cases(5, 6))?;
-    let cases = match for_all(&networks, run, first, |network| variant.fails_at(network))? {
-        Err(outcome) => return Ok(outcome),
-        Ok(cases) => cases,
-    };
-    if let Some(what) = variant.second_fails()? {
-        return Ok(fails(what, second));
-    }
-    Ok(Outcome::Holds(vec![
-        exhaustive(
-            first,
-            format!(
-                "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s from 1 to 8 n^3 and \
-                         more; and powers until tau <= 1/4"
-            ),
-        )
-        .on([1])
-        .cases(cases),
-        certified(second, "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on")
-            .on([2])
-            .cases(2 * MOST_BIRDS),
-    ]))
+    let detail = format!(
+        "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s from 1 to 8 n^3 and more; and powers \
+         until tau <= 1/4"
+    );
+    let part = "the first inequality, and tau(P^s) < 1/2";
+    let second =
+        certified("the second inequality", "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on");
+    let cases = (1..=MOST_BIRDS).flat_map(|n| [3, 4].map(|gap| (n, gap)));
+    Run::all([
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).on([1]),
+        run.every(second.on([2]), cases, |(n, gap)| variant.second_fails(n, gap)),
+    ])
 }

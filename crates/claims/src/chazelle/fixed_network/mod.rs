@@ -10,13 +10,12 @@ mod mixing;
 mod powers;
 mod spectrum;
 
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Claim, Evidence, Grade, Outcome, Run};
+use ledger::Claim;
 use models::averaging::{Weights, transition_matrix};
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
     claims! {
         spectrum: stationary, symmetrised;
@@ -168,7 +167,6 @@ fn list(numbers: &[Rational]) -> String {
     numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// Which networks are looked at.
 #[derive(Clone, Copy)]
 struct Family<'a> {
     kinds: &'a [Kind],
@@ -213,38 +211,17 @@ impl Family<'_> {
     }
 }
 
-/// The number of networks at which `check` found nothing wrong, or the first failure.
-fn for_all(
-    networks: &[Network],
-    run: &Run,
-    part: &str,
-    mut check: impl FnMut(&Network) -> Result<Option<String>, CheckError>,
-) -> Result<Result<usize, Outcome>, CheckError> {
-    for network in networks {
-        run.checkpoint()?;
-        if let Some(what) = check(network)? {
-            return Ok(Err(fails(format!("{}: {what}", network.show()), part)));
-        }
-    }
-    Ok(Ok(networks.len()))
-}
-
 /// A check of all networks as the whole evidence of a part.
 fn exhaustively(
     networks: &[Network],
     run: &Run,
     part: &str,
-    detail: String,
-    check: impl FnMut(&Network) -> Result<Option<String>, CheckError>,
+    detail: impl Into<String>,
+    mut check: impl FnMut(&Network) -> Result<Option<String>, CheckError>,
 ) -> Result<Outcome, CheckError> {
-    Ok(match for_all(networks, run, part, check)? {
-        Err(outcome) => outcome,
-        Ok(cases) => Outcome::Holds(vec![Evidence::new(Grade::Exhaustive, part, detail).cases(cases)]),
+    run.every(exhaustive(part, detail), networks, |network| {
+        Ok(check(network)?.map(|what| format!("{}: {what}", network.show())))
     })
-}
-
-fn fails(counterexample: impl Into<String>, part: &str) -> Outcome {
-    Outcome::fails(counterexample, Evidence::new(Grade::Exact, part, "exact arithmetic on one network"))
 }
 
 /// The matrix `1 pi^T` for any list `pi`.

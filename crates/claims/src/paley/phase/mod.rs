@@ -25,7 +25,6 @@ pub use figure2::{Polygon, printed_column, rhombus, value_of};
 
 use ledger::Claim;
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
     claims! {
         order: synchronised, order_parameter, extremes, gradient_law;

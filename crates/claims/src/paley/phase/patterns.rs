@@ -2,8 +2,8 @@
 
 use super::common::{Exact, N_AT_LEAST_2, at, turns, up_to_rotation};
 use super::figure2::value_of;
-use arithmetic::{CosineField, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::{CosineField, RealCyclotomic, Sign, Signed};
 use models::oscillator::{clusters_of_pattern, moment, pattern_potential, symmetric_pattern};
 use std::collections::BTreeSet;
 
@@ -30,7 +30,7 @@ pub fn two_patterns() -> Record<TwoVariant> {
         "1 and N divide N and differ for N >= 2. One particle has one pattern, both synchronised and splay. A prime N has no third pattern.",
         printed,
         |variant, run| {
-            let evidence = Evidence::new(Grade::Exact, "two patterns", "exact patterns for N = 2 to 12").on([1, 2]);
+            let evidence = exact("two patterns", "exact patterns for N = 2 to 12").on([1, 2]);
             run.every(evidence, variant.least..=12, |particles| {
                 let clusters = |m| Ok(clusters_of_pattern(&pattern(m, particles)?));
                 let found = divisors(particles).map(clusters).collect::<Result<BTreeSet<_>, CheckError>>()?;
@@ -86,7 +86,7 @@ pub fn moments_of_patterns() -> Record<MomentsVariant> {
             let most = run.cases(10, 16) as u32;
             let sizes = (1..=most).chain([12]).flat_map(|particles| divisors(particles).map(move |m| (m, particles)));
             let detail = format!("all patterns of up to {most} particles and of 12, exact roots of unity");
-            let evidence = Evidence::new(Grade::Exhaustive, "moments of patterns", detail).on([1, 2, 3]);
+            let evidence = exhaustive("moments of patterns", detail).on([1, 2, 3]);
             run.every(evidence, sizes, |(clusters, particles)| {
                 let found = variant.contradiction(clusters, &pattern(clusters, particles)?)?;
                 Ok(found.map(|what| format!("M = {clusters}, N = {particles}: {what}")))
@@ -147,7 +147,7 @@ fn examine_minimisers(variant: &Gains, run: &mut Run) -> Result<Outcome, CheckEr
         sorted.map(move |exponents| (size, exponents))
     });
     let detail = "all arrangements at multiples of 1/12 turn (N = 1, 2), 1/6 (N = 3, 6) and 1/4 (N = 4), all divisors M (M = 6 with --full), one choice of gains";
-    run.every(Evidence::new(Grade::Exhaustive, "minimum exactly at patterns", detail), cases, |(size, exponents)| {
+    run.every(exhaustive("minimum exactly at patterns", detail), cases, |(size, exponents)| {
         let z = at(&size.field, &exponents);
         let room = (pattern_potential(&size.gains, &z)? - &size.bound).sign();
         let is_pattern = clusters_of_pattern(&z) == Some(size.clusters);

@@ -5,10 +5,10 @@
 //! negative ones; it is exponentially stable up to the symmetries where that Hessian is positive definite up to rotation.
 
 use super::instances::scattered_phasors;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, RationalMatrix, inertia};
-use arithmetic::{Complex, CosineField, Field, Rational, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::{CosineField, Sign, Signed};
 use models::oscillator::{Neighbours, mean, misalignment, phase_jacobian, phase_potential, quarter_turn};
 
 /// The inertia of the Hessian of `sign W_1`.
@@ -108,20 +108,19 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
         let network = Neighbours::circulant(order, &offsets);
         let fails = |phases: String, why: &str| {
             let what = format!("N = {order}, circulant graph with offsets {offsets:?}, phases {phases}: {why}");
-            Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the set", "exact phasors")))
+            Ok(Outcome::fails(what, exact("the set", "exact phasors")))
         };
         if variant.set == BalancedSet::Balanced && order % 2 == 0 {
             // Two antipodal pairs next to each other, the other particles paired with their opposites.
-            let phasors = antipodal_pairs(order)?;
-            if let Some(why) = refutation(&network, &phasors, variant.gain)? {
+            if let Some(why) = refutation(&network, &antipodal_pairs(order)?, variant.gain)? {
                 return fails("(0, a, a + pi, pi), cos a = 3/5, and further antipodal pairs".to_string(), why);
             }
         }
         let field = CosineField::new(order as u32);
         let column = |m: usize| (0..order).map(|k| field.phasor((m * k) as i64)).collect::<Vec<_>>();
-        let columns: Vec<_> = (1..order).map(|m| (m, column(m))).collect();
-        let values: Vec<_> = columns.iter().map(|(_, z)| phase_potential(&network, z, 1)).collect::<Result<_, _>>()?;
-        for ((m, phasors), value) in columns.iter().zip(&values) {
+        let columns: Vec<_> = (1..order).map(column).collect();
+        let values: Vec<_> = columns.iter().map(|z| phase_potential(&network, z, 1)).collect::<Result<_, _>>()?;
+        for (m, (phasors, value)) in (1..).zip(columns.iter().zip(&values)) {
             let largest = !values.iter().any(|other| (other.clone() - value).is_certainly_positive());
             if variant.set == BalancedSet::Largest && !largest {
                 continue;
@@ -132,20 +131,13 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
             }
         }
     }
-    Ok(Outcome::Holds(vec![
-        Evidence::argued(
-            "all circulant graphs",
-            "notes/paley_particles.md, Balanced formations on circulant graphs, steps 1-5",
-        )
-        .on([1, 2, 3]),
-        Evidence::new(
-            Grade::Exhaustive,
-            "balanced, in equilibrium, no direction of growth",
-            "exact Fourier columns on circulant graphs",
-        )
-        .cases(cases)
-        .on([1, 2]),
-    ]))
+    let section = "notes/paley_particles.md, Balanced formations on circulant graphs, steps 1-5";
+    let (part, detail) =
+        ("balanced, in equilibrium, no direction of growth", "exact Fourier columns on circulant graphs");
+    Run::all([
+        argued(&[1, 2, 3], "all circulant graphs", section),
+        Ok(Outcome::Holds(vec![exhaustive(part, detail).cases(cases).on([1, 2])])),
+    ])
 }
 
 /// Phases 0, a, a + pi, pi and further antipodal pairs, with rational phasors.
@@ -209,8 +201,7 @@ fn examine_larger_gain(variant: &GainVariant, _run: &mut Run) -> Result<Outcome,
             "Hessian of W_1 on C_12: {} negative, {} zero, {} positive; proof in the notes",
             found.negative, found.zero, found.positive
         );
-        let exact =
-            Evidence::new(Grade::Exact, format!("neighbours {offset}/12 of a turn apart, every K_1 > 0"), detail);
+        let exact = exact(format!("neighbours {offset}/12 of a turn apart, every K_1 > 0"), detail);
         let meant = offset == variant.offset;
         if stable == (meant && variant.destroyed) {
             let what = format!(
@@ -256,12 +247,8 @@ pub fn unique_maximum() -> Record<MaximumVariant> {
 
 fn examine_unique_maximum(variant: &MaximumVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
     let order = variant.order;
-    let fails = |what: &str| {
-        Ok(Outcome::fails(
-            format!("N = {order}: {what}"),
-            Evidence::new(Grade::Exact, "the maximum", "exact kernel of L - 4"),
-        ))
-    };
+    let fails =
+        |what: &str| Ok(Outcome::fails(format!("N = {order}: {what}"), exact("the maximum", "exact kernel of L - 4")));
     let graph = Graph::from_fn(order, |i, j| j == i + 1 || (i == 0 && j + 1 == order));
     let laplacian = graph.laplacian()?;
     let four = RationalMatrix::identity(order)?.scaled(&rational(4, 1));
@@ -290,7 +277,5 @@ fn examine_unique_maximum(variant: &MaximumVariant, _run: &mut Run) -> Result<Ou
         return fails("the pattern turned by a quarter maximises W_1 too");
     }
     let detail = "kernel of L - 4 on C_12 spanned by (-1)^k, and W_1 = 2 there; 4 bounds the spectrum (Gershgorin)";
-    Ok(Outcome::Holds(vec![
-        Evidence::new(Grade::Exact, "unique maximiser up to rotation", detail).on([1, 2]).for_all(),
-    ]))
+    Ok(Outcome::Holds(vec![exact("unique maximiser up to rotation", detail).on([1, 2]).for_all()]))
 }

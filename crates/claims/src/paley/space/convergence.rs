@@ -72,14 +72,7 @@ fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcom
         let part = format!("on the limit set L_k c = 0, {}", described(&graph));
         state_identity(on_limit_set(Neighbours::of(&graph), variant.rate), &["w0", "K_0"], &part, run)
     }))?;
-    if !matches!(limits, Outcome::Holds(_)) {
-        return Ok(limits);
-    }
-    let returns = examine_return(variant, run)?;
-    if !matches!(returns, Outcome::Holds(_)) {
-        return Ok(returns);
-    }
-    Run::all([Ok(limits), Ok(returns)])
+    Run::all([Ok(limits), examine_return(variant, run)])
 }
 
 /// Whether all that is no symmetry and no phase decays near circular formations.
@@ -137,14 +130,11 @@ fn examine_theorem2(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outco
     if !matches!(limit, Outcome::Holds(_)) {
         return Ok(limit);
     }
-    let proper = examine_proper(&variant.proper, run);
-    let argued = Evidence::argued("every solution", "notes/paley_particles.md, Theorem 2, steps 1-4").on([1, 2]);
-    let on = |outcome: Result<Outcome, CheckError>| outcome.on([1]);
     Run::all([
-        Ok(Outcome::Holds(vec![argued])),
+        argued(&[1, 2], "every solution", "notes/paley_particles.md, Theorem 2, steps 1-4"),
         Ok(limit.on([1, 2])),
-        on(proper),
-        on(examine_descent(&variant.descent, run)),
+        examine_proper(&variant.proper, run).on([1]),
+        examine_descent(&variant.descent, run).on([1]),
     ])
 }
 
@@ -199,8 +189,6 @@ fn examine_fixed_centre(variant: &ConvergenceVariant, run: &mut Run) -> Result<O
         true => state_identity(mean_centre(), &["w0", "K_0"], "the mean centre is conserved", run),
         false => Ok(moving),
     };
-    let argued = Outcome::Holds(vec![
-        Evidence::argued("one fixed centre", "notes/paley_particles.md, Theorem 2, steps 5-8").on([2, 3]),
-    ]);
-    Run::all([Ok(argued), conserved, examine_convergence(variant, run).on([1, 3])])
+    let section = "notes/paley_particles.md, Theorem 2, steps 5-8";
+    Run::all([argued(&[2, 3], "one fixed centre", section), conserved, examine_convergence(variant, run).on([1, 3])])
 }

@@ -14,7 +14,7 @@ pub struct StepVariant {
 /// The increments of a step against those of Euler's method for (1), (2).
 fn euler_increments(variant: &StepVariant) -> StateIdentity<'_> {
     StateIdentity::of(1, move |[fineness, u], state| {
-        // A counterexample is looked for at small integers, and Probe is to be small.
+        // A counterexample is looked for at small integers, and T is to be small.
         let step = &(fineness.recip()? * fineness.ratio(1, 10));
         let z = &state.phasors[0];
         let moved = z.scale(&step.power(variant.position));
@@ -100,11 +100,9 @@ fn behaviour(variant: &BehaviourVariant) -> Identity<'_> {
 fn examine_behaviour(variant: &BehaviourVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let names = ["K", "tan(theta/2)", "tan(psi_1/2)", "tan(psi_2/2)", "tan(psi_3/2)"];
     let part = "v away from (or towards) three neighbours, rhat_kj = e^{i psi_j}, and steering towards v";
-    let argued =
-        Evidence::argued("any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 1-2")
-            .on([1, 2]);
+    let section = "notes/paley_particles.md, Behaviours of fish, steps 1-2";
     let identity = run.identity(&behaviour(variant), &names, part)?;
-    Run::all([Ok(identity.on([1, 2])), Ok(Outcome::Holds(vec![argued]))])
+    Run::all([Ok(identity.on([1, 2])), argued(&[1, 2], "any number of neighbours", section)])
 }
 
 pub fn repulsion_field() -> Record<BehaviourVariant> {

@@ -100,11 +100,11 @@ fn examine_laplacian_form(variant: &FormVariant, run: &mut Run) -> Result<Outcom
          {approximate}"
     );
     let differs = exact("not (27) at other distances", detail);
-    let argued =
-        Evidence::argued("any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 3-6")
-            .on([1, 2, 3, 4]);
-    let support = Outcome::Holds(vec![differs.on([4]), argued]);
-    Run::all([Ok(identity.on([1, 2, 3])), Ok(support)])
+    Run::all([
+        Ok(identity.on([1, 2, 3])),
+        Ok(Outcome::Holds(vec![differs.on([4])])),
+        argued(&[1, 2, 3, 4], "any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 3-6"),
+    ])
 }
 
 /// `K_1 - K_0 = -factor N K_ori`; the spacing terms differ by `i^turns`; perpendicular where `K_1 != 0`, or also for `K_1 = 0`.
@@ -199,8 +199,7 @@ fn examine_comparison(variant: &ComparisonVariant, run: &mut Run) -> Result<Outc
     });
     let perpendicular =
         exact("perpendicular motion in the limit", "exact circular formations with K_1 > 0 and K_1 < 0");
-    let argued =
-        Evidence::argued("every graph and every start", "notes/paley_particles.md, Perpendicular motion, steps 1-4")
-            .on([2, 3]);
-    Run::all(identities.chain([Ok(Outcome::Holds(vec![argued, perpendicular.on([3]).cases(count)]))]))
+    let section = "notes/paley_particles.md, Perpendicular motion, steps 1-4";
+    let last = Ok(Outcome::Holds(vec![perpendicular.on([3]).cases(count)]));
+    Run::all(identities.chain([argued(&[2, 3], "every graph and every start", section), last]))
 }

@@ -22,7 +22,6 @@ pub use instances::without_symmetries;
 
 use ledger::Claim;
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
     claims! {
         particles: circle_of_particle, kinetic_energy, relative_equilibria, centre_of_mass_ball;

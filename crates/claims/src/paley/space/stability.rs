@@ -6,10 +6,10 @@
 
 use super::instances::{connected_graphs, described, scattered_phasors, stability};
 use crate::paley::runs::PARTICLES;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, inertia};
-use arithmetic::{Complex, Dual, Field, Interval, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::Signed;
 use models::oscillator::{
     CircularGains, FourierFormation, Neighbours, circular_control, circular_formation, linearisation, pattern_control,
     pattern_gradient, phase_jacobian, spacing_control, symmetric_pattern,
@@ -65,8 +65,7 @@ fn examine_synchrony(
             )
         }))
     });
-    let argued = Evidence::argued("every connected graph and all gains of these signs", section).on([1]);
-    Run::all([Ok(Outcome::Holds(vec![argued])), decays])
+    Run::all([argued(&[1], "every connected graph and all gains of these signs", section), decays])
 }
 
 pub fn synchrony_stable() -> Record<SynchronyVariant> {
@@ -228,7 +227,7 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
     let orders = (1..=run.cases(4, 11)).chain([12]);
     let patterns = orders.flat_map(|order| (1..=order).filter(move |m| order % m == 0).map(move |m| (m, order)));
     let detail = "inertia (N - 1, 0, 1) over exact cosines, N up to 4 (11 in full runs) and 12, all M";
-    let hessians = Evidence::new(Grade::Exhaustive, "Hessian of (25)", detail);
+    let hessians = exhaustive("Hessian of (25)", detail);
     let hessians = run.every(hessians, patterns, |(clusters, order)| {
         let phasors = symmetric_pattern(clusters as u32, order as u32).unwrap_or_default();
         let hessian = phase_jacobian(&phasors, |z| pattern_gradient(&variant.gains(clusters, &z[0].re), z))?;
@@ -243,13 +242,14 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
     let Outcome::Holds(_) = hessians else { return Ok(hessians) };
     let range = match variant.abscissae(run)? {
         Ok(range) => interval_value(&range, 4),
-        Err(what) => return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "linearisation", "enclosures"))),
+        Err(what) => return Ok(Outcome::fails(what, certified("linearisation", "enclosures"))),
     };
     let enclosed = format!("N = 12, all M: spectral abscissae in {range} for w0 = 1/10 and -2 (beyond.paley.abscissa)");
     let section = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (thm3.stab)";
-    let support = vec![
-        Evidence::argued("all M and N", section).on([1, 2, 3]),
-        Evidence::new(Grade::Certified, "linearisation", enclosed).cases(12).on([3]),
-    ];
-    Run::all([Ok(Outcome::Holds(support)), Ok(linearised.on([1, 2, 3])), Ok(hessians.on([2, 3]))])
+    Run::all([
+        argued(&[1, 2, 3], "all M and N", section),
+        Ok(Outcome::Holds(vec![certified("linearisation", enclosed).cases(12).on([3])])),
+        Ok(linearised.on([1, 2, 3])),
+        Ok(hessians.on([2, 3])),
+    ])
 }

@@ -90,8 +90,8 @@ fn examine_beacon_form(variant: &BeaconVariant, run: &mut Run) -> Result<Outcome
         let stays = found.stable && found.zeros == 2;
         Ok((!stays).then(|| format!("two particles around the beacon, w0 = {omega}: the centres do not return")))
     })?;
-    let argued = Evidence::argued("every start", "notes/paley_particles.md, Beacon and drift, steps 1-4").on([1, 2, 3]);
-    Run::all([Ok(returns.on([3]))].into_iter().chain(identities).chain([Ok(Outcome::Holds(vec![argued]))]))
+    let argued = argued(&[1, 2, 3], "every start", "notes/paley_particles.md, Beacon and drift, steps 1-4");
+    Run::all([Ok(returns.on([3]))].into_iter().chain(identities).chain([argued]))
 }
 
 /// The centres gain `sign f`, where particle `k` drifts with `f` (or `k f`); with a beacon or without.
@@ -171,8 +171,7 @@ fn examine_common_drift(variant: &DriftVariant, run: &mut Run) -> Result<Outcome
         ("ring of four", Neighbours::circulant(4, &[1])),
     ];
     let section = "notes/paley_particles.md, Beacon and drift, steps 5-7";
-    let argued = Evidence::argued("any number of particles, every connected graph", section).on([1]);
-    let argued = Ok(Outcome::Holds(vec![argued]));
+    let argued = argued(&[1], "any number of particles, every connected graph", section);
     let identities = networks.into_iter().take(run.cases(2, 3)).map(|(name, network)| {
         state_identity(
             carried_along(variant, network),
