@@ -52,9 +52,9 @@ pub fn inertia() -> Record<InertiaVariant> {
         "The unstable manifold of an unbalanced arrangement under (6) with (9) has dimension N-b-1 for K_1 > 0 and b for K_1 < 0.",
         "There are no other critical points.",
     ])
-    .control("(b + 1, N-b-2, 1)", InertiaVariant { unbalanced: |n, b| [b + 1, (n - b).saturating_sub(2), 1], ..right })
-    .control("rank 2 on a line too", InertiaVariant { balanced: |n, _| [2, 0, n - 2], ..right })
-    .control("no balanced critical points", InertiaVariant { with_balanced: false, ..right })
+    .altered("(b + 1, N-b-2, 1)", |v| v.unbalanced = |n, b| [b + 1, (n - b).saturating_sub(2), 1])
+    .altered("rank 2 on a line too", |v| v.balanced = |n, _| [2, 0, n - 2])
+    .altered("no balanced critical points", |v| v.with_balanced = false)
 }
 
 fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -81,12 +81,11 @@ fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, C
 }
 
 pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
-    let right = CyclicVariant::CLASSIFICATION;
     Record::new(
         "beyond.paley.cyclic_eigenvectors",
         "The double eigenvalue of m has the eigenvectors a w^(mk) + b w^(-mk), with squared moduli |a|^2 + |b|^2 + 2 Re(a conj(b) w^(2mk)). They are equal only if a conj(b) = 0, or w^(2m) = -1 and \
          a conj(b) is imaginary; u = a + b and v = i(a - b) are then any two numbers of modulus one.",
-        right,
+        CyclicVariant::CLASSIFICATION,
         |variant, run| {
             let most = run.cases(12, 20);
             let detail = format!(
@@ -106,7 +105,7 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
         "If 4 divides N, (u, v, -u, -v, ...) with any u, v of modulus one is an eigenvector with eigenvalue 2.",
         "Every such eigenvector is a symmetric pattern if and only if 4 does not divide N.",
     ])
-    .control("columns only", CyclicVariant { rhombi: |_, _| false, ..right })
-    .control("for even N", CyclicVariant { rhombi: |n, m| n % 2 == 0 && (4 * m == n || 4 * m == n + 2), ..right })
-    .control("N clusters in each column", CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right })
+    .altered("columns only", |v| v.rhombi = |_, _| false)
+    .altered("for even N", |v| v.rhombi = |n, m| n % 2 == 0 && (4 * m == n || 4 * m == n + 2))
+    .altered("N clusters in each column", |v| v.clusters = |n, m| if m == 0 { 1 } else { n })
 }

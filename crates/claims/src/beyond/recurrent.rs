@@ -305,14 +305,11 @@ pub fn recurrent() -> Record<RecurrentVariant> {
         "Networks of model D: if such windows never end, all velocities converge to one limit.",
         "Directed networks: the velocities converge to one limit, at the rate of the bound.",
     ])
-    .control("windows that are not connected", RecurrentVariant { connected: false, ..printed })
-    .control("no weight for the bird itself", RecurrentVariant { keeps_own: false, ..printed })
-    .control("a factor for every window", RecurrentVariant { windows: |_| 1, ..printed })
-    .control("alpha^(n-2)", RecurrentVariant { network_power: |n| n - 2, ..printed })
-    .control(
-        "alpha^(n-1) on directed networks, however long the windows",
-        RecurrentVariant { directed_power: |n, _| n - 1, ..printed },
-    )
+    .altered("windows that are not connected", |v| v.connected = false)
+    .altered("no weight for the bird itself", |v| v.keeps_own = false)
+    .altered("a factor for every window", |v| v.windows = |_| 1)
+    .altered("alpha^(n-2)", |v| v.network_power = |n| n - 2)
+    .altered("alpha^(n-1) on directed networks, however long the windows", |v| v.directed_power = |n, _| n - 1)
 }
 
 fn check_recurrent(variant: &RecurrentVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -45,12 +45,11 @@ fn total_velocity(variant: &TotalVariant) -> Identity<'_> {
 }
 
 pub fn two_agents() -> Record<TotalVariant> {
-    let printed = TotalVariant { factor: 2, power: 1 };
     Record::new(
         "beyond.tanner1.two_agents",
         "Potential forces cancel in v_1 + v_2, and the alignment forces give d/dt ½|v_1 + v_2|² = 2 d |v_1||v_2| sin(theta_1 - theta_2)/s, for any number d in place of theta_1 - theta_2. With d in [-pi, pi] and equal to it modulo 2 pi, d sin d >= 0. The raw difference may lie \
          beyond pi, and then the sum of the velocities loses length.",
-        printed,
+        TotalVariant { factor: 2, power: 1 },
         |variant, run| {
             let names = ["x1", "y1", "x2", "y2", "speed 1", "speed 2", "tan(theta_1/2)", "tan(theta_2/2)", "d", "V'"];
             let rates = run.identity(&total_velocity(variant), &names, "the rates of ½|v_1 + v_2|² and of the energy, any potential")?;
@@ -66,8 +65,8 @@ pub fn two_agents() -> Record<TotalVariant> {
         "The mechanical energy is constant.",
     ])
     .stated("replaces tanner1, eq (9), for two agents", "")
-    .control("half of it", TotalVariant { factor: 1, ..printed })
-    .control("over the fourth power of the distance", TotalVariant { power: 2, ..printed })
+    .altered("half of it", |v| v.factor = 1)
+    .altered("over the fourth power of the distance", |v| v.power = 2)
 }
 
 /// `omega` over `sqrt(3/2)`, and the whole turns by which heading differences are off the wrapped ones.
@@ -78,12 +77,11 @@ pub struct TriangleVariant {
 }
 
 pub fn turning_triangle() -> Record<TriangleVariant> {
-    let printed = TriangleVariant { rate: 1, whole_turns: [0; 3] };
     Record::new(
         "beyond.tanner1.turning_triangle",
         "The potential forces on an equilateral triangle with its centre at the origin are -6 V'(s) r_i, as the positions sum to zero: they keep it turning with omega² = 6 V'(s). Each agent has the two others' headings a third of a turn to its left and to its right, at equal distances: wrapped differences cancel. \
          The law is the same in turned coordinates, so this holds at all times. The motion fulfils the hypotheses of Proposition IV.3 (connected graph, finite V_t).",
-        printed,
+        TriangleVariant { rate: 1, whole_turns: [0; 3] },
         |variant, _| {
             let evidence = exact("accelerations, headings, sides",
                 "in the field of the cosines of multiples of pi/12, which has sqrt 2 and sqrt 3; at all times since the law is the same in turned coordinates",
@@ -103,8 +101,8 @@ pub fn turning_triangle() -> Record<TriangleVariant> {
         "beside tanner1, Proposition IV.3",
         "Three linked agents on an equilateral triangle of squared side 2 that turns about its centre with omega² = 6 V'(2) = 3/2, V = 1/s + log s, move so for ever under (4), (5) with heading differences wrapped to (-pi, pi]: the headings stay a third of a turn apart.",
     )
-    .control("omega² = 6", TriangleVariant { rate: 2, ..printed })
-    .control("heading differences as in (2)", TriangleVariant { whole_turns: [1, 0, 0], ..printed })
+    .altered("omega² = 6", |v| v.rate = 2)
+    .altered("heading differences as in (2)", |v| v.whole_turns = [1, 0, 0])
 }
 
 pub fn alternating_trees() -> Record<Trees> {
@@ -119,8 +117,8 @@ pub fn alternating_trees() -> Record<Trees> {
         "sharpens tanner2, Abstract (arbitrary switching)",
         "Four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each: from no start without collision do the velocities agree in the limit.",
     )
-    .control("in space", Trees { dimension: 3, ..printed.clone() })
-    .control("one tree only", Trees { trees: [printed.trees[0].clone(), printed.trees[0].clone()], ..printed })
+    .altered("in space", |v| v.dimension = 3)
+    .altered("one tree only", |v| v.trees = [printed.trees[0].clone(), printed.trees[0].clone()])
 }
 
 fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Outcome, CheckError> {
@@ -208,17 +206,16 @@ fn examine_ends(variant: &EndsVariant, run: &mut Run) -> Result<Outcome, CheckEr
 }
 
 pub fn switching_ends() -> Record<EndsVariant> {
-    let printed = EndsVariant { share: (1, 1), flat: false };
     Record::new(
         "beyond.tanner2.thm2_stop",
         "With a positive slope the link pulls with a force that jumps at R, so after or before a late crossing the relative speed would change at a rate bounded away from 0 for a fixed time, but it tends to 0.",
-        printed,
+        EndsVariant { share: (1, 1), flat: false },
         examine_ends,
     )
     .stated(
         "a part of tanner2, end of the proof of Theorem 2",
         "Under the hypotheses of Theorem 2, read as in tanner2.thm2_vel, with V'(R) > 0: if no limit configuration has more than one pair at distance R, then from some time on no pair passes from one side of R to the other without staying at R in between.",
     )
-    .control("slope zero at R too", EndsVariant { flat: true, ..printed })
-    .control("half the pull", EndsVariant { share: (1, 2), ..printed })
+    .altered("slope zero at R too", |v| v.flat = true)
+    .altered("half the pull", |v| v.share = (1, 2))
 }

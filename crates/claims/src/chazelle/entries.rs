@@ -298,22 +298,21 @@ pub(super) fn small_weights(graph: &Graph, a: u32, random: &mut ChaCha8Rng) -> W
 }
 
 pub fn entries() -> Record<EntriesVariant> {
-    let printed = EntriesVariant::PRINTED;
     Record::new(
         "chazelle.lem2.2.entries",
         "Follow one column of P(t,s) and its support S. While S does not grow, symmetry keeps all neighbours of S in \
          S, and the rows of S average entries of S: the smallest does not drop. When S grows, it drops by a factor \
          n^-a at worst. S grows at most n - 1 times: every nonzero entry is at least n^(-a(n-1)), which is more than \
          printed (beyond.chazelle.entries, notes/chazelle_switches.md).",
-        printed,
+        EntriesVariant::PRINTED,
         examine_entries,
     )
     .reading(
         "At least n^(-b n²), for c_i(t) of O(log n) bits, so that positive entries of every P(t) are at least n^-a (a \
          = 1 for vicsek, 2 for lazy); b = a will do.",
     )
-    .control("the bound of a single factor", EntriesVariant { floor: Floor::Power(|_| 1), ..printed })
-    .control("exponent n - 2", EntriesVariant { floor: Floor::Power(|n| n.saturating_sub(2)), ..printed })
-    .control("c_i d_i = 1", EntriesVariant { share: Some((1, 1)), ..printed })
-    .control("edges seen from one side", EntriesVariant { one_sided: true, ..printed })
+    .altered("the bound of a single factor", |v| v.floor = Floor::Power(|_| 1))
+    .altered("exponent n - 2", |v| v.floor = Floor::Power(|n| n.saturating_sub(2)))
+    .altered("c_i d_i = 1", |v| v.share = Some((1, 1)))
+    .altered("edges seen from one side", |v| v.one_sided = true)
 }

@@ -112,10 +112,10 @@ pub fn coefficient() -> Record<CoefficientVariant> {
         "For row-stochastic A, 0 <= tau_1(A) = 1 - min_{i,j} sum_k min{a_ik, a_jk} <= 1.",
         "tau_1(A) is half the l_1-diameter of the rows.",
     ])
-    .control("the whole diameter", CoefficientVariant { share_of_diameter: (1, 1), ..printed })
-    .control("the largest overlap", CoefficientVariant { least_overlap: false, ..printed })
-    .control("the larger entries", CoefficientVariant { smaller_entries: false, ..printed })
-    .control("rows that sum to 1/2", CoefficientVariant { row_sum_divisor: 2, ..printed })
+    .altered("the whole diameter", |v| v.share_of_diameter = (1, 1))
+    .altered("the largest overlap", |v| v.least_overlap = false)
+    .altered("the larger entries", |v| v.smaller_entries = false)
+    .altered("rows that sum to 1/2", |v| v.row_sum_divisor = 2)
 }
 
 fn check_coefficient(variant: &CoefficientVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -187,19 +187,18 @@ fn spoiled(a: &RationalMatrix) -> Result<RationalMatrix, CheckError> {
 }
 
 pub fn submultiplicative() -> Record<SubmultiplicativeVariant> {
-    let printed = SubmultiplicativeVariant { left: LeftDiameter::One, squared_factor: (1, 1), stochastic: true };
     Record::new(
         "chazelle.lem2.4",
         "Row i minus row j of AB is sum_k u_k b_k with u = a_i - a_j. The positive and the negative part of u both \
          sum to t <= tau_1(A), so it is t times the difference of two convex combinations of rows of B, whose \
          distance is at most tau_2(B). The argument uses no special norm (notes/chazelle.md).",
-        printed,
+        SubmultiplicativeVariant { left: LeftDiameter::One, squared_factor: (1, 1), stochastic: true },
         check_submultiplicative,
     )
-    .control("tau_2(A) instead of tau_1(A)", SubmultiplicativeVariant { left: LeftDiameter::Two, ..printed })
-    .control("tau_infinity(A)", SubmultiplicativeVariant { left: LeftDiameter::Infinity, ..printed })
-    .control("a bound smaller by 1/200", SubmultiplicativeVariant { squared_factor: (99, 100), ..printed })
-    .control("A not stochastic", SubmultiplicativeVariant { stochastic: false, ..printed })
+    .altered("tau_2(A) instead of tau_1(A)", |v| v.left = LeftDiameter::Two)
+    .altered("tau_infinity(A)", |v| v.left = LeftDiameter::Infinity)
+    .altered("a bound smaller by 1/200", |v| v.squared_factor = (99, 100))
+    .altered("A not stochastic", |v| v.stochastic = false)
 }
 
 fn check_submultiplicative(variant: &SubmultiplicativeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -222,12 +221,12 @@ fn check_submultiplicative(variant: &SubmultiplicativeVariant, run: &mut Run) ->
     let detail = "all pairs with A of two rows and inner size up to 3 over small denominators";
     Run::all([
         run.every(exhaustive(part, detail), &pairs, |(a, b)| variant.fails_at(a, b)),
+        attained,
         run.every(fuzzed("the same", "random rectangular matrices up to 7 x 7"), 0..run.cases(200, 4000), |_| {
             let (rows, inner, cols) = (size(&mut random, 7), size(&mut random, 7), size(&mut random, 7));
             let a = prepare(random_matrix(rows, inner, &mut random)?)?;
             variant.fails_at(&a, &random_matrix(inner, cols, &mut random)?)
         }),
-        attained,
     ])
 }
 
@@ -240,19 +239,18 @@ pub struct SquareRootOfTwoVariant {
 }
 
 pub fn square_root_of_two() -> Record<SquareRootOfTwoVariant> {
-    let printed = SquareRootOfTwoVariant { squared_constant: (2, 1), middle_factor: (1, 1), stochastic: true };
     Record::new(
         "chazelle.tau2sqrt2",
         "Lemma 2.4 with B = I. Two rows of the identity have distance sqrt(2); with one column there is only one row \
          and tau_2(I) = 0 (notes/chazelle.md).",
-        printed,
+        SquareRootOfTwoVariant { squared_constant: (2, 1), middle_factor: (1, 1), stochastic: true },
         check_square_root_of_two,
     )
     .clauses(&["tau_2(A) <= tau_1(A) tau_2(I) for row-stochastic A.", "tau_1(A) tau_2(I) <= sqrt(2) tau_1(A)."])
-    .control("the constant 1.41", SquareRootOfTwoVariant { squared_constant: (19881, 10000), ..printed })
-    .control("a smaller middle term", SquareRootOfTwoVariant { middle_factor: (99, 100), ..printed })
-    .control("the constant 1", SquareRootOfTwoVariant { squared_constant: (1, 1), ..printed })
-    .control("A not stochastic", SquareRootOfTwoVariant { stochastic: false, ..printed })
+    .altered("the constant 1.41", |v| v.squared_constant = (19881, 10000))
+    .altered("a smaller middle term", |v| v.middle_factor = (99, 100))
+    .altered("the constant 1", |v| v.squared_constant = (1, 1))
+    .altered("A not stochastic", |v| v.stochastic = false)
 }
 
 fn check_square_root_of_two(variant: &SquareRootOfTwoVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -222,12 +222,11 @@ pub fn eigenvector() -> Record<FourBirds> {
         printed(),
         |birds, _| examine_eigenvector(birds),
     )
-    .control("eigenvalue 1/3", FourBirds { eigenvalue: (1, 3), ..printed() })
-    .control("v(1) = (1,1,-1,-1)/8", FourBirds { velocities: [1, 1, -1, -1], ..printed() })
-    .control(
-        "a matrix with two entries exchanged",
-        FourBirds { path: [[1, 2, 0, 0], [1, 1, 1, 0], [0, 1, 1, 1], [0, 0, 1, 2]], ..printed() },
-    )
+    .altered("eigenvalue 1/3", |v| v.eigenvalue = (1, 3))
+    .altered("v(1) = (1,1,-1,-1)/8", |v| v.velocities = [1, 1, -1, -1])
+    .altered("a matrix with two entries exchanged", |v| {
+        v.path = [[1, 2, 0, 0], [1, 1, 1, 0], [0, 1, 1, 1], [0, 0, 1, 2]]
+    })
 }
 
 pub fn closed_form() -> Record<FourBirds> {
@@ -246,12 +245,12 @@ pub fn closed_form() -> Record<FourBirds> {
         "For t >= 1 these two gaps stay between 1/4 and 1/2.",
         "For t >= 1, x_3(t) - x_2(t) = 1 + (1/16)(-1/3)^{t-1}.",
     ])
-    .control("factor 3/2", FourBirds { factor: (3, 2), ..printed() })
-    .control("the sign in the outer gaps", FourBirds { outer_gap: (5, 1), ..printed() })
-    .control("the sign in the middle gap", FourBirds { middle_gap: (16, -1), ..printed() })
-    .control("a lower bound of 5/16", FourBirds { outer_bounds: (5, 8), ..printed() })
-    .control("an upper bound of 5/16", FourBirds { outer_bounds: (4, 5), ..printed() })
-    .control("x_3(0) = 20/16", FourBirds { positions: [0, 8, 20, 29], ..printed() })
+    .altered("factor 3/2", |v| v.factor = (3, 2))
+    .altered("the sign in the outer gaps", |v| v.outer_gap = (5, 1))
+    .altered("the sign in the middle gap", |v| v.middle_gap = (16, -1))
+    .altered("a lower bound of 5/16", |v| v.outer_bounds = (5, 8))
+    .altered("an upper bound of 5/16", |v| v.outer_bounds = (4, 5))
+    .altered("x_3(0) = 20/16", |v| v.positions = [0, 8, 20, 29])
 }
 
 pub fn alternation() -> Record<FourBirds> {
@@ -264,8 +263,8 @@ pub fn alternation() -> Record<FourBirds> {
         printed(),
         examine_alternation,
     )
-    .control("a hysteresis threshold of 1/1024", FourBirds { hysteresis: Some((1, 1024)), ..printed() })
-    .control("birds 3 and 4 farther by 1/4", FourBirds { positions: [0, 8, 25, 33], ..printed() })
-    .control("opposite velocities", FourBirds { velocities: [-1, 1, -1, 1], ..printed() })
-    .control("c_i = 1/(d_i + 1)", FourBirds { weights: Weights::Vicsek, ..printed() })
+    .altered("a hysteresis threshold of 1/1024", |v| v.hysteresis = Some((1, 1024)))
+    .altered("birds 3 and 4 farther by 1/4", |v| v.positions = [0, 8, 25, 33])
+    .altered("opposite velocities", |v| v.velocities = [-1, 1, -1, 1])
+    .altered("c_i = 1/(d_i + 1)", |v| v.weights = Weights::Vicsek)
 }

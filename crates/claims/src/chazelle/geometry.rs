@@ -75,7 +75,6 @@ impl AngleVariant {
 }
 
 pub fn quotient_of_angle() -> Record<AngleVariant> {
-    let printed = AngleVariant { power: 2, of: 1, lifted: true };
     Record::new(
         "chazelle.eq3.15",
         "(v, 1) and (w, 1) lie in a plane that touches the unit sphere. Projection to the sphere maps the segment \
@@ -83,16 +82,16 @@ pub fn quotient_of_angle() -> Record<AngleVariant> {
          contact by a factor between 1/(1 + r²) and 1. So 1/(1 + R²) <= angle/|v - w| <= 1, with R the larger of |v| \
          and |w|, and R <= n^O(1) because w is the mean of velocities plus x_i(0)/t. Both constants are best \
          (notes/settling.md).",
-        printed,
+        AngleVariant { power: 2, of: 1, lifted: true },
         check_quotient,
     )
     .clauses(&[
         "If v_i(t) != w = x_i(t)/t, then angle(x_i(t), v_i(t))/||v_i(t) - w||_2 = O(1).",
         "If v_i(t) != w = x_i(t)/t, then angle(x_i(t), v_i(t))/||v_i(t) - w||_2 > n^{-O(1)}.",
     ])
-    .control("the square of the distance", AngleVariant { of: 2, ..printed })
-    .control("a lower bound of 1/(1 + R)", AngleVariant { power: 1, ..printed })
-    .control("birds that are not lifted", AngleVariant { lifted: false, ..printed })
+    .altered("the square of the distance", |v| v.of = 2)
+    .altered("a lower bound of 1/(1 + R)", |v| v.power = 1)
+    .altered("birds that are not lifted", |v| v.lifted = false)
 }
 
 fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -168,10 +167,10 @@ pub fn about_origins(id: &'static str, derivation: &'static str, printed: Origin
         argued_with(&[], part, ORIGINS, steps)
     };
     Record::new(id, derivation, printed, examine)
-        .control("half of (I - P) x in the recursion", OriginVariant { coupling: (1, 2), ..printed })
-        .control("1/t² instead of 1/t", OriginVariant { power: 2, ..printed })
-        .control("the virtual origins stay within max|x(0)|", OriginVariant { steps: 0, ..printed })
-        .control("half of |v - x/t|", OriginVariant { share: (1, 2), ..printed })
+        .altered("half of (I - P) x in the recursion", |v| v.coupling = (1, 2))
+        .altered("1/t² instead of 1/t", |v| v.power = 2)
+        .altered("the virtual origins stay within max|x(0)|", |v| v.steps = 0)
+        .altered("half of |v - x/t|", |v| v.share = (1, 2))
 }
 
 const IN_GENERAL: &str = "the angle and the virtual origins at all times, for all flocks of model D";
@@ -277,13 +276,12 @@ pub struct LossVariant {
 /// A statement about lost edges with its controls.
 pub fn about_losses(id: &'static str, derivation: &'static str, printed: LossVariant) -> Record<LossVariant> {
     Record::new(id, derivation, printed, examine_losses)
-        .control("after n^n", LossVariant { time: |n| n, ..printed })
-        .control("without hysteresis", LossVariant { hysteresis: false, ..printed })
-        .control("step 5 with t in place of t - 1", LossVariant { earlier: 0, ..printed })
-        .control(
-            "step 6 with the exponent n^4 + 2(n-1)² + 10(n-1)",
-            LossVariant { time: |n| n.pow(4) + 2 * (n - 1).pow(2) + 10 * (n - 1), ..printed },
-        )
+        .altered("after n^n", |v| v.time = |n| n)
+        .altered("without hysteresis", |v| v.hysteresis = false)
+        .altered("step 5 with t in place of t - 1", |v| v.earlier = 0)
+        .altered("step 6 with the exponent n^4 + 2(n-1)² + 10(n-1)", |v| {
+            v.time = |n| n.pow(4) + 2 * (n - 1).pow(2) + 10 * (n - 1)
+        })
 }
 
 /// Decides from when on no edge is lost: the four birds, and the two computations of the proof.

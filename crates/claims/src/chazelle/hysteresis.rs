@@ -37,12 +37,11 @@ impl RuleVariant {
 }
 
 pub fn rule() -> Record<RuleVariant> {
-    let printed = RuleVariant { power: 4, strict: true, old_only: true, holds: true };
     Record::new(
         "chazelle.hyst",
         "A definition has no truth value. What can be checked is that it determines the network, and that the flocks \
          of this project follow it to the letter.",
-        printed,
+        RuleVariant { power: 4, strict: true, old_only: true, holds: true },
         check_rule,
     )
     .reading(
@@ -50,10 +49,10 @@ pub fn rule() -> Record<RuleVariant> {
          it stays whatever its length is; \"less than\" is strict; n is the number of birds; G_0 is the network of \
          the distance rule.",
     )
-    .control("the threshold n^(-n^3)", RuleVariant { power: 3, ..printed })
-    .control("changes up to the threshold", RuleVariant { strict: false, ..printed })
-    .control("pairs that were not joined", RuleVariant { old_only: false, ..printed })
-    .control("no hysteresis", RuleVariant { holds: false, ..printed })
+    .altered("the threshold n^(-n^3)", |v| v.power = 3)
+    .altered("changes up to the threshold", |v| v.strict = false)
+    .altered("pairs that were not joined", |v| v.old_only = false)
+    .altered("no hysteresis", |v| v.holds = false)
 }
 
 fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -120,22 +119,21 @@ pub struct SmallerThresholdVariant {
 }
 
 pub fn smaller_threshold() -> Record<SmallerThresholdVariant> {
-    let printed = SmallerThresholdVariant { without: false, lasting: |n| n * n, examples: false };
     Record::new(
         "chazelle.hyst.remark",
         "The threshold enters the results in three places: e^(-n^(n²)) < eps (the edges of V_k last), the growth of \
          long edges in Lemma 3.6(ii), which is less with a smaller threshold, and the time n^(2n^4) of Lemma 3.8, \
          which n^O(n²)/eps must not exceed. All three hold with 2^-100 n^(-n^4) for n >= 4 (notes/settling.md, The \
          smaller threshold).",
-        printed,
+        SmallerThresholdVariant { without: false, lasting: |n| n * n, examples: false },
         check_smaller_threshold,
     )
     .reading(
         "The results are the theorem and the lemmas, for n large enough (here n >= 4), not the times of the example.",
     )
-    .control("no threshold at all", SmallerThresholdVariant { without: true, ..printed })
-    .control("step 1 with n^n in place of n^(n²)", SmallerThresholdVariant { lasting: |n| n, ..printed })
-    .control("even the times of the example", SmallerThresholdVariant { examples: true, ..printed })
+    .altered("no threshold at all", |v| v.without = true)
+    .altered("step 1 with n^n in place of n^(n²)", |v| v.lasting = |n| n)
+    .altered("even the times of the example", |v| v.examples = true)
 }
 
 fn check_smaller_threshold(variant: &SmallerThresholdVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -194,16 +192,15 @@ fn squared_distance(x: &[Vec<Rational>], i: usize, j: usize) -> Rational {
 }
 
 pub fn near_birds_are_joined() -> Record<NearVariant> {
-    let printed = NearVariant { radius: (1, 1), converse: false };
     Record::new(
         "chazelle.lem3.6.i",
         "The hysteresis rule only keeps edges: G_t contains the network of the distance rule at all times t, by its \
          definition.",
-        printed,
+        NearVariant { radius: (1, 1), converse: false },
         check_near_birds_are_joined,
     )
-    .control("within distance 101/100", NearVariant { radius: (101, 100), ..printed })
-    .control("only birds within unit distance", NearVariant { converse: true, ..printed })
+    .altered("within distance 101/100", |v| v.radius = (101, 100))
+    .altered("only birds within unit distance", |v| v.converse = true)
 }
 
 fn check_near_birds_are_joined(variant: &NearVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -339,7 +336,6 @@ impl FarVariant {
 }
 
 pub fn far_birds_are_not() -> Record<FarVariant> {
-    let printed = FarVariant { power: 3, weight: 8, growth: (1, 1) };
     Record::new(
         "chazelle.lem3.6.ii",
         "An edge longer than 1 has been kept at every step since its length was at most 1. Each step adds less than \
@@ -347,16 +343,16 @@ pub fn far_birds_are_not() -> Record<FarVariant> {
          limit: it grows by at most eps (mixing time + 2) between two switches. With N(n) <= n^(a(n-1)² + (c+9)(n-1) \
          + 1) switches and entries >= n^-a the sum is below n^(-n^3) for all n >= 4 with lazy or vicsek weights and \
          speeds up to n; for other O(log n)-bit weights from some n on (notes/settling.md).",
-        printed,
+        FarVariant { power: 3, weight: 8, growth: (1, 1) },
         check_far_birds_are_not,
     )
     .reading(
         "n is large enough against the weights and speeds: n >= 4 for lazy or vicsek weights and speeds up to n. Two \
          birds with c_i = 1/1024 show that this is needed.",
     )
-    .control("1 + n^(-n^4)", FarVariant { power: 4, ..printed })
-    .control("two birds with c_i = 1/1024", FarVariant { weight: 1024, ..printed })
-    .control("step 1 with half of the threshold", FarVariant { growth: (1, 2), ..printed })
+    .altered("1 + n^(-n^4)", |v| v.power = 4)
+    .altered("two birds with c_i = 1/1024", |v| v.weight = 1024)
+    .altered("step 1 with half of the threshold", |v| v.growth = (1, 2))
 }
 
 fn check_far_birds_are_not(variant: &FarVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -94,14 +94,13 @@ fn footnote(shapes: Shapes, variant: &KroneckerVariant, mixed: bool) -> Identity
 }
 
 pub fn kronecker() -> Record<KroneckerVariant> {
-    let printed = KroneckerVariant { first_index: 0, blocks_of_b: true, mixed: Mixed::AcBd };
     Record::new(
         "chazelle.kron",
         "Read with indices that start at 0, the only start with which c_{ip+j, kq+l} fills an mp x nq matrix: row ip \
          + j is row j of block row i. With indices from 1, as the paper counts birds, the rule leaves the matrix (row \
          mp + p) and must read c_{(i-1)p+j, (k-1)q+l}; that is a control. Mixed product: entry (ip + j, kq + l) of \
          the left side is sum_{u,w} a_iu b_jw c_uk d_wl = (AC)_ik (BD)_jl, for all shapes for which AC and BD exist.",
-        printed,
+        KroneckerVariant { first_index: 0, blocks_of_b: true, mixed: Mixed::AcBd },
         check_kronecker,
     )
     .reading(
@@ -112,10 +111,10 @@ pub fn kronecker() -> Record<KroneckerVariant> {
         "For A m-by-n and B p-by-q, A kron B has entries c_{ip+j, kq+l} = a_{i,k} b_{j,l}.",
         "(A kron B)(C kron D) = AC kron BD.",
     ])
-    .control("indices from 1", KroneckerVariant { first_index: 1, ..printed })
-    .control("c_{jm+i, ln+k}", KroneckerVariant { blocks_of_b: false, ..printed })
-    .control("AD kron BC", KroneckerVariant { mixed: Mixed::AdBc, ..printed })
-    .control("CA kron DB", KroneckerVariant { mixed: Mixed::CaDb, ..printed })
+    .altered("indices from 1", |v| v.first_index = 1)
+    .altered("c_{jm+i, ln+k}", |v| v.blocks_of_b = false)
+    .altered("AD kron BC", |v| v.mixed = Mixed::AdBc)
+    .altered("CA kron DB", |v| v.mixed = Mixed::CaDb)
 }
 
 fn check_kronecker(variant: &KroneckerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -197,7 +196,6 @@ impl DifferenceVariant {
 }
 
 pub fn difference() -> Record<DifferenceVariant> {
-    let corrected = DifferenceVariant { assignments: vec![(false, 1), (true, -1)], shift: 0 };
     Record::new(
         "chazelle.chi",
         "v(t) = (P(t-1,1) kron I_d) v(1), with the empty product I for t = 1. The row chi P(t-1,1) is row i minus row \
@@ -210,12 +208,12 @@ pub fn difference() -> Record<DifferenceVariant> {
         Fault::Typo,
         "For i != j, with chi(i,j) the vector with all coordinates 0 except chi(i,j)_i = 1 and chi(i,j)_j = -1: v_i(t) - \
          v_j(t) = ((chi(i,j) P(t-1,1)) kron I_d) v(1).",
-        corrected.clone(),
+        DifferenceVariant { assignments: vec![(false, 1), (true, -1)], shift: 0 },
     )
     .control("chi_i = 1 alone", DifferenceVariant { assignments: vec![(false, 1)], shift: 0 })
     .control("chi_j = 1", DifferenceVariant { assignments: vec![(false, 1), (true, 1)], shift: 0 })
-    .control("the product P(t,1)", DifferenceVariant { shift: 1, ..corrected.clone() })
-    .control("the product P(t-2,1)", DifferenceVariant { shift: -1, ..corrected })
+    .altered("the product P(t,1)", |v| v.shift = 1)
+    .altered("the product P(t-2,1)", |v| v.shift = -1)
 }
 
 fn check_difference(variant: &DifferenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -80,22 +80,21 @@ impl HeadingsVariant {
 }
 
 pub fn headings() -> Record<HeadingsVariant> {
-    let printed = HeadingsVariant { offset: 1, sign: 1, own: 1 };
     Record::new(
         "chazelle.modelK.matrix",
         "1 - c_i d_i = 1/(d_i + 1) = c_i: the bird's own heading and its neighbours' have the same weight. The rule \
          is linear in the headings as real numbers, so it is its matrix.",
-        printed,
+        HeadingsVariant { offset: 1, sign: 1, own: 1 },
         check_headings,
     )
     .clauses(&[
         "The heading update has the matrix P(t) = I_n - C_t L_t with c_i(t) = (d_i(t)+1)^{-1}.",
         "p_ij = (d_i+1)^{-1} if i = j or (i,j) in G_t.",
     ])
-    .control("c_i = 1/d_i", HeadingsVariant { offset: 0, ..printed })
-    .control("c_i = 1/(d_i + 2)", HeadingsVariant { offset: 2, ..printed })
-    .control("I + CL", HeadingsVariant { sign: -1, ..printed })
-    .control("without the bird's own heading", HeadingsVariant { own: 0, ..printed })
+    .altered("c_i = 1/d_i", |v| v.offset = 0)
+    .altered("c_i = 1/(d_i + 2)", |v| v.offset = 2)
+    .altered("I + CL", |v| v.sign = -1)
+    .altered("without the bird's own heading", |v| v.own = 0)
 }
 
 fn check_headings(variant: &HeadingsVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -114,7 +114,6 @@ fn birds(members: &[usize]) -> String {
 }
 
 pub fn nested() -> Record<NestedVariant> {
-    let printed = NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false };
     Record::new(
         "chazelle.stab",
         "V_k indexes rows of a matrix on V_{k-1}, so it is contained in it. An edge at t > T_k between i in V_k and j \
@@ -122,7 +121,7 @@ pub fn nested() -> Record<NestedVariant> {
          V_{k-1} is block diagonal for t > T_k, and products of restrictions are restrictions of products. The first \
          bird stays first: its diagonal entry is positive, so it belongs to every V_k, and the rows of V_k are by \
          definition those with a positive entry in its column.",
-        printed,
+        NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false },
         check_nested,
     )
     .clauses(&[
@@ -130,10 +129,10 @@ pub fn nested() -> Record<NestedVariant> {
         "For t > T_1 no edge of G_t joins V_1 to its complement, so P(t) is block diagonal.",
         "The first column of each P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1) consists entirely of positive entries.",
     ])
-    .control("strictly nested", NestedVariant { strictly: true, ..printed })
-    .control("separated at t = T_1 already", NestedVariant { at_t1: true, ..printed })
-    .control("the second column", NestedVariant { column: 1, ..printed })
-    .control("V_1 from the first row", NestedVariant { from_row: true, ..printed })
+    .altered("strictly nested", |v| v.strictly = true)
+    .altered("separated at t = T_1 already", |v| v.at_t1 = true)
+    .altered("the second column", |v| v.column = 1)
+    .altered("V_1 from the first row", |v| v.from_row = true)
 }
 
 fn check_nested(variant: &NestedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -237,7 +236,6 @@ impl BlocksVariant {
 }
 
 pub fn blocks() -> Record<BlocksVariant> {
-    let printed = BlocksVariant { second_has_v1: false, first_has_v1: false, gap: 1 };
     let corrected = BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 };
     Record::new(
         "chazelle.eq3.5",
@@ -245,7 +243,7 @@ pub fn blocks() -> Record<BlocksVariant> {
          on V_{i-1} are P_{|V_i x V_i}(t, T_i+1) P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1); the rows V_k of that are rows of \
          the left factor only. Iterated, the factor of T_2 has the columns V_1 and the factor of T_1 the rows V_1. \
          With V_k in both places the paths through V_1 \\ V_k are lost.",
-        printed,
+        BlocksVariant { second_has_v1: false, first_has_v1: false, gap: 1 },
         check_blocks,
     )
     .repaired(

@@ -96,10 +96,10 @@ pub fn count() -> Record<CountVariant> {
          P(u-1): N(t_{k+1}, t_k) <= 1 when t_{k+1} = t_k + 1.",
         "With the same N and t_0 = s, N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
     ])
-    .control("strict at both ends, at most 1", CountVariant { with_t: false, ..corrected })
-    .control("both ends counted", CountVariant { with_s: true, ..corrected })
-    .control("s < u <= t, exactly 1", CountVariant { exactly_one: true, ..corrected })
-    .control("the sum from k = 3", CountVariant { first_summand: 3, ..corrected })
+    .altered("strict at both ends, at most 1", |v| v.with_t = false)
+    .altered("both ends counted", |v| v.with_s = true)
+    .altered("s < u <= t, exactly 1", |v| v.exactly_one = true)
+    .altered("the sum from k = 3", |v| v.first_summand = 3)
 }
 
 fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -146,7 +146,6 @@ pub struct UntilStableVariant {
 }
 
 pub fn until_stable() -> Record<UntilStableVariant> {
-    let printed = UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true };
     Record::new(
         "chazelle.eq3.4",
         "T_1 is the last growth time t_l of some column, and the count for that column is the count of the whole \
@@ -154,7 +153,7 @@ pub fn until_stable() -> Record<UntilStableVariant> {
          not meet: N(n_k) + N(n - n_k) switches, one at t_{k+1}, and one the paper forgets, at t_k + 1, when an edge \
          between the two sides breaks. There are l - 1 <= n - 1 intervals (t_1 = s), which makes (n-1)(2N(n-1)+2) <= \
          2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times).",
-        printed,
+        UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true },
         check_until_stable,
     )
     .reading(
@@ -162,9 +161,9 @@ pub fn until_stable() -> Record<UntilStableVariant> {
          any group that meets no other bird (positions, old edges and weights arbitrary, speeds bounded); N(t,s) \
          counts s < u <= t.",
     )
-    .control("one interval only", UntilStableVariant { bound: |_, before| 2 * before + 1, ..printed })
-    .control("N(n-1) + n", UntilStableVariant { bound: |n, before| before + n, ..printed })
-    .control("all switches", UntilStableVariant { until_stable: false, ..printed })
+    .altered("one interval only", |v| v.bound = |_, before| 2 * before + 1)
+    .altered("N(n-1) + n", |v| v.bound = |n, before| before + n)
+    .altered("all switches", |v| v.until_stable = false)
 }
 
 fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -24,17 +24,16 @@ pub struct ThresholdVariant {
 }
 
 pub fn threshold_inequality() -> Record<ThresholdVariant> {
-    let printed = ThresholdVariant { p: |nu| nu * nu, q: 4, reversed: false };
     Record::new(
         "chazelle.epsineq",
         "It says nu^(nu²) > nu^4 ln nu. nu = 1: 1 > 0. nu = 2: 16 > 16 ln 2. For nu >= 3: nu^(nu²) >= nu^9 > nu^5 > \
          nu^4 ln nu.",
-        printed,
+        ThresholdVariant { p: |nu| nu * nu, q: 4, reversed: false },
         check_threshold_inequality,
     )
-    .control("e^(-nu^nu)", ThresholdVariant { p: |nu| nu, ..printed })
-    .control("nu^(-nu^5)", ThresholdVariant { q: 5, ..printed })
-    .control("the other way round", ThresholdVariant { reversed: true, ..printed })
+    .altered("e^(-nu^nu)", |v| v.p = |nu| nu)
+    .altered("nu^(-nu^5)", |v| v.q = 5)
+    .altered("the other way round", |v| v.reversed = true)
 }
 
 fn check_threshold_inequality(variant: &ThresholdVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -134,10 +133,10 @@ pub fn final_count() -> Record<FinalCountVariant> {
          u <= t, and M those after T_k+1 of the network on the birds outside V_k.",
         corrected,
     )
-    .control("without the birds outside V_k", FinalCountVariant { others: false, ..corrected })
-    .control("without the switch at T_k + 1", FinalCountVariant { one_more: false, ..corrected })
-    .control("birds of V_k that part later", FinalCountVariant { lasting: false, ..corrected })
-    .control("N(t,s) counts s < u < t", FinalCountVariant { until_t: false, ..corrected })
+    .altered("without the birds outside V_k", |v| v.others = false)
+    .altered("without the switch at T_k + 1", |v| v.one_more = false)
+    .altered("birds of V_k that part later", |v| v.lasting = false)
+    .altered("N(t,s) counts s < u < t", |v| v.until_t = false)
 }
 
 fn check_final_count(variant: &FinalCountVariant, run: &mut Run) -> Result<Outcome, CheckError> {

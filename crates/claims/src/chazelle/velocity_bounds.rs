@@ -43,18 +43,17 @@ impl DistanceChangeVariant {
 }
 
 pub fn distance_change() -> Record<DistanceChangeVariant> {
-    let printed = DistanceChangeVariant { squared_factor: (1, 1), euclidean: true, strict: false };
     Record::new(
         "chazelle.lem2.1",
         "With r = x_i(t-1) - x_j(t-1) and w = v_i(t) - v_j(t): x_i(t) - x_j(t) = r + w, and | |r + w| - |r| | <= |w| \
          is the triangle inequality, twice, in any dimension. Equality where w is a multiple m r with m >= -1, or r = \
          0 or r + w = 0.",
-        printed,
+        DistanceChangeVariant { squared_factor: (1, 1), euclidean: true, strict: false },
         check_distance_change,
     )
-    .control("a factor 0.99", DistanceChangeVariant { squared_factor: (9801, 10000), ..printed })
-    .control("the largest coordinate", DistanceChangeVariant { euclidean: false, ..printed })
-    .control("strictly less", DistanceChangeVariant { strict: true, ..printed })
+    .altered("a factor 0.99", |v| v.squared_factor = (9801, 10000))
+    .altered("the largest coordinate", |v| v.euclidean = false)
+    .altered("strictly less", |v| v.strict = true)
 }
 
 fn check_distance_change(variant: &DistanceChangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -34,16 +34,15 @@ fn symmetry(graph: Graph, variant: &SymmetryVariant) -> Identity<'_> {
 }
 
 pub fn eq8() -> Record<SymmetryVariant> {
-    let printed = SymmetryVariant { sign: -1, factor: (1, 2) };
     Record::new(
         "tanner1.eq8",
         "V_ij depends on r_i - r_j. Half the sum of the V_i is the sum over the edges, whose rate is the sum of grad_{r_i} V_ij . v_i + grad_{r_j} V_ij . v_j.",
-        printed,
+        SymmetryVariant { sign: -1, factor: (1, 2) },
         |variant, run| on_connected(run, MOST, "equation (8)", |graph| symmetry(graph, variant)).on([1, 2]),
     )
     .clauses(&["dV_ij/dr_ij = dV_ij/dr_i = -dV_ij/dr_j.", "d/dt sum_i (1/2) V_i = sum_i grad_{r_i} V_i . v_i."])
-    .control("dV/dr_i = dV/dr_j", SymmetryVariant { sign: 1, ..printed })
-    .control("without the half", SymmetryVariant { factor: (1, 1), ..printed })
+    .altered("dV/dr_i = dV/dr_j", |v| v.sign = 1)
+    .altered("without the half", |v| v.factor = (1, 1))
 }
 
 /// What `Vdot_t` is said to be.
@@ -186,8 +185,8 @@ pub fn vt_inv() -> Record<InvariantVariant> {
         "The mechanical energy (1/2) sum_i (V_i + v_i^T v_i) is constant along the closed loop.",
         "{(1/2) sum_i (V_i + v_i^T v_i) <= c} is invariant.",
     ])
-    .control("the kinetic energy alone is constant", InvariantVariant { potentials: (0, 1), ..ENERGY })
-    .control("sum V_i + half the sum of |v_i|²", InvariantVariant { potentials: (1, 1), ..ENERGY })
+    .altered("the kinetic energy alone is constant", |v| v.potentials = (0, 1))
+    .altered("sum V_i + half the sum of |v_i|²", |v| v.potentials = (1, 1))
 }
 
 /// The alignment force of the law, and whether potentials are said not to turn headings.
@@ -213,13 +212,12 @@ fn examine_decoupled(variant: &DecoupledVariant, run: &mut Run) -> Result<Outcom
 }
 
 pub fn decoupled() -> Record<DecoupledVariant> {
-    let printed = DecoupledVariant { alignment: ForceVariant::TurnedVelocity, headings: false };
     Record::new(
         "tanner1.decoupled",
         "An aside of the introduction. What can be checked of it: the alignment force does no work, so that it does not change the mechanical energy; the potential forces do change the headings (tanner1.eq7).",
-        printed,
+        DecoupledVariant { alignment: ForceVariant::TurnedVelocity, headings: false },
         examine_decoupled,
     )
-    .control("with an alignment force along v_i", DecoupledVariant { alignment: ForceVariant::Velocity, ..printed })
-    .control("the potentials do not turn headings", DecoupledVariant { headings: true, ..printed })
+    .altered("with an alignment force along v_i", |v| v.alignment = ForceVariant::Velocity)
+    .altered("the potentials do not turn headings", |v| v.headings = true)
 }

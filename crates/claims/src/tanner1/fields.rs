@@ -8,11 +8,10 @@ use arithmetic::{Sign, Signed};
 use models::double_integrator::{Potential, heading};
 
 pub fn laplacian() -> Record<LaplacianVariant> {
-    let printed = LaplacianVariant::PRINTED;
     Record::new(
         "tanner1.L",
         "Each edge adds b b^T with b = ±(e_i - e_j), whatever its direction: D D^T = Delta - A, and x^T L x is the sum of (x_i - x_j)² over the edges, zero exactly where x is constant on every component.",
-        printed,
+        LaplacianVariant::PRINTED,
         |variant, run| Run::all([
             examine_laplacian(variant, run).on([1, 2, 3, 4]),
             argued(&[1, 2, 3, 4], "properties of the Laplacian", "notes/tanner2.md, Laplacians, steps 1 to 3"),
@@ -24,8 +23,8 @@ pub fn laplacian() -> Record<LaplacianVariant> {
         "It is positive semidefinite.",
         "The algebraic multiplicity of its zero eigenvalue is the number of connected components.",
     ])
-    .control("Delta + A", LaplacianVariant { sign: 1, ..printed })
-    .control("one more zero eigenvalue", LaplacianVariant { offset: 1, ..printed })
+    .altered("Delta + A", |v| v.sign = 1)
+    .altered("one more zero eigenvalue", |v| v.offset = 1)
 }
 
 /// For which graphs the kernel is the span of 1.
@@ -102,8 +101,8 @@ pub fn weighted() -> Record<WeightedVariant> {
         "It is symmetric and positive semidefinite.",
         "The multiplicity of its zero eigenvalue is the number of components.",
     ])
-    .control("D W D^T = Delta_w + A_w", WeightedVariant { properties: LaplacianVariant { sign: 1, ..properties }, ..repaired })
-    .control("one more zero eigenvalue", WeightedVariant { properties: LaplacianVariant { offset: 1, ..properties }, ..repaired })
+    .altered("D W D^T = Delta_w + A_w", |v| v.properties = LaplacianVariant { sign: 1, ..properties })
+    .altered("one more zero eigenvalue", |v| v.properties = LaplacianVariant { offset: 1, ..properties })
 }
 
 fn examine_shape(potential: &Potential, _run: &mut Run) -> Result<Outcome, CheckError> {

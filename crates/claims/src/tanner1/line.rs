@@ -108,8 +108,8 @@ pub fn distances() -> Record<DistanceVariant> {
         "Along the closed loop (1/2) sum_i (V_i + v_i^T v_i) is constant.",
         "Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, keep the heading 0 and their distance swings for ever: it does not tend to a limit.",
     ])
-    .control("with velocity (1/2, 0)", DistanceVariant { start: SLOW, ..repaired })
-    .control("from the distance 1", DistanceVariant { start: AT_MINIMUM, ..repaired })
+    .altered("with velocity (1/2, 0)", |v| v.start = SLOW)
+    .altered("from the distance 1", |v| v.start = AT_MINIMUM)
 }
 
 /// What `theta_i - theta_j` is, and whether the motion has to exist for all time.
@@ -139,19 +139,18 @@ fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, 
 }
 
 pub fn headings() -> Record<HeadingVariant> {
-    let printed = HeadingVariant { difference: HeadingDifference::Raw, stops: false };
     Record::new(
         "tanner1.propIV3a",
         "The proof rests on Vdot_t = -theta^T L_w theta, which is false (tanner1.eq9). The mechanical energy is no obstacle to aligned headings, since it can go into the common motion; for two agents and wrapped differences it does (beyond.tanner1.two_agents). \
          A motion may end: the front one of two agents on a line can come to rest, where it has no heading and the law no value. That is an instant of zero speed, about which (2) says nothing. \
          With wrapped differences headings need not align even in a motion that goes on for ever: the alignment forces on a turning equilateral triangle cancel. \
          With the differences of (2) those forces do not cancel (at -2/3 pi, 0, 2/3 pi the first agent's differences sum to -2 pi).",
-        printed,
+        HeadingVariant { difference: HeadingDifference::Raw, stops: false },
         examine_headings,
     )
     .reading("headings and their differences as numbers, as in (2); motions in which no agent is ever at rest")
-    .control("wrapped differences", HeadingVariant { difference: HeadingDifference::Wrapped, ..printed })
-    .control("motions that stop too", HeadingVariant { stops: true, ..printed })
+    .altered("wrapped differences", |v| v.difference = HeadingDifference::Wrapped)
+    .altered("motions that stop too", |v| v.stops = true)
 }
 
 /// The headings in the identity, and the start of the swing.
@@ -200,6 +199,6 @@ pub fn cases() -> Record<CaseVariant> {
         "On the set of equal constant headings of agents that move, potential forces are along the velocities.",
         "Neither case need last, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each swing.",
     ])
-    .control("at any headings", CaseVariant { equal_headings: false, ..repaired })
-    .control("from the distance 1", CaseVariant { start: AT_MINIMUM, ..repaired })
+    .altered("at any headings", |v| v.equal_headings = false)
+    .altered("from the distance 1", |v| v.start = AT_MINIMUM)
 }

@@ -91,8 +91,8 @@ pub fn smooth() -> Record<SmoothVariant> {
         "For smooth potentials the control laws are smooth at states where no velocity is zero or points along the negative x axis and no linked agents coincide.",
         repaired,
     )
-    .control("with wrapped differences", SmoothVariant { wrapped: true, ..repaired })
-    .control("wherever no velocity points along the negative x axis", SmoothVariant { at_rest: true, ..repaired })
+    .altered("with wrapped differences", |v| v.wrapped = true)
+    .altered("wherever no velocity points along the negative x axis", |v| v.at_rest = true)
 }
 
 /// The set `V_t <= c` or `V_t < c`, in which variables.
@@ -122,16 +122,15 @@ fn examine_closed(variant: &ClosedVariant, run: &mut Run) -> Result<Outcome, Che
 }
 
 pub fn closed() -> Record<ClosedVariant> {
-    let printed = ClosedVariant { strict: false, from_velocities: false };
     Record::new(
         "tanner1.Omega.closed",
         "V_t is a continuous function of the triples where linked agents are apart, and infinite where they meet. (As a set of states with the headings of (2) Omega would not be closed: at zero velocity there is no heading.)",
-        printed,
+        ClosedVariant { strict: false, from_velocities: false },
         examine_closed,
     )
     .reading("as printed, a set of triples (r_ij, v_i, theta_i); the potential of Figure 2")
-    .control("V_t < c", ClosedVariant { strict: true, ..printed })
-    .control("in (r_ij, v_i), with the headings of (2)", ClosedVariant { from_velocities: true, ..printed })
+    .altered("V_t < c", |v| v.strict = true)
+    .altered("in (r_ij, v_i), with the headings of (2)", |v| v.from_velocities = true)
 }
 
 /// Graphs, a potential, and the range of the headings.
@@ -189,12 +188,9 @@ pub fn bounded() -> Record<BoundedVariant> {
         "theta_i lies in [-pi, pi].",
     ])
     .reading("the potential of Figure 2")
-    .control("graphs with an edge", BoundedVariant { graphs: |graph| !graph.edges().is_empty(), ..printed.clone() })
-    .control("V = 1/(2s²) - 1/s + 1/2, bounded", BoundedVariant {
-        potential: sloped(&[(-2, 1), (-3, -1)], 0),
-        ..printed.clone()
-    })
-    .control("headings in [0, 2 pi)", BoundedVariant { headings: HeadingVariant::Positive, ..printed })
+    .altered("graphs with an edge", |v| v.graphs = |graph| !graph.edges().is_empty())
+    .altered("V = 1/(2s²) - 1/s + 1/2, bounded", |v| v.potential = sloped(&[(-2, 1), (-3, -1)], 0))
+    .altered("headings in [0, 2 pi)", |v| v.headings = HeadingVariant::Positive)
 }
 
 /// For which pairs `V_t` is said to be infinite where they meet.
@@ -246,7 +242,7 @@ pub fn collision() -> Record<CollisionVariant> {
         "V_t tends to infinity where linked agents meet.",
         "Collisions of linked agents are avoided (all collisions, if the graph is complete).",
     ])
-    .control("V = (s - 1)²", CollisionVariant { potential: soft(), ..repaired })
+    .altered("V = (s - 1)²", |v| v.potential = soft())
 }
 
 /// The first quotient of the line, `numerator/denominator` among `xdot, ydot, xddot, yddot`, and whether headings are equal.
@@ -308,5 +304,5 @@ pub fn ratio() -> Record<RatioVariant> {
         "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).",
     ])
     .control("xddot/yddot", RatioVariant { numerator: 2, denominator: 3, ..repaired })
-    .control("at any headings", RatioVariant { equal_headings: false, ..repaired })
+    .altered("at any headings", |v| v.equal_headings = false)
 }

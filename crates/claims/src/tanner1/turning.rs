@@ -89,11 +89,10 @@ fn angular_momentum(graph: Graph, variant: &MomentumVariant) -> Identity<'_> {
 }
 
 pub fn eq6() -> Record<MomentumVariant> {
-    let printed = MomentumVariant { central: true, sign: 1 };
     Record::new(
         "tanner1.eq6",
         "grad V_ij is along r_ij, so every r_ij x grad V_ij vanishes (in both orders, however often a pair is counted), and the potential forces of a pair have opposite torques. What is left is the torque of the alignment forces.",
-        printed,
+        MomentumVariant { central: true, sign: 1 },
         |variant, run| on_connected(run, MOST, "equation (6)", |graph| angular_momentum(graph, variant)).on([1, 2, 3]),
     )
     .clauses(&[
@@ -101,8 +100,8 @@ pub fn eq6() -> Record<MomentumVariant> {
         "This is -sum_i r_i x (sum_{j~i} (theta_i - theta_j)/||r_ij||^2 (zhat x v_i)).",
         "The potential forces do not contribute to the angular momentum.",
     ])
-    .control("forces that are not central", MomentumVariant { central: false, ..printed })
-    .control("the other sign of the last sum", MomentumVariant { sign: -1, ..printed })
+    .altered("forces that are not central", |v| v.central = false)
+    .altered("the other sign of the last sum", |v| v.sign = -1)
 }
 
 /// Headings turn by minus the weighted sum times `alignment`, plus the potentials' part times `potential`.
@@ -163,8 +162,8 @@ pub fn eq7() -> Record<HeadingVariant> {
         "Where v_i != 0 and theta_i does not jump: thetadot_i = - sum_{j~i} (theta_i - theta_j)/|r_ij|² - (v_i x grad_{r_i} V_i)/|v_i|².",
         TRUE_HEADINGS,
     )
-    .control("the potentials' part with the other sign", HeadingVariant { potential: -1, ..TRUE_HEADINGS })
-    .control("twice the alignment", HeadingVariant { alignment: 2, ..TRUE_HEADINGS })
+    .altered("the potentials' part with the other sign", |v| v.potential = -1)
+    .altered("twice the alignment", |v| v.alignment = 2)
 }
 
 pub fn eq6b() -> Record<HeadingVariant> {
@@ -180,6 +179,6 @@ pub fn eq6b() -> Record<HeadingVariant> {
         "Where no agent is at rest and no heading jumps: sum_i (r_i . v_i)(thetadot_i + sum_{j~i} (theta_i - theta_j)/|r_ij|² + (v_i x grad_{r_i} V_i)/|v_i|²) = 0.",
         TRUE_HEADINGS,
     )
-    .control("the potentials' part with the other sign", HeadingVariant { potential: -1, ..TRUE_HEADINGS })
-    .control("twice the alignment", HeadingVariant { alignment: 2, ..TRUE_HEADINGS })
+    .altered("the potentials' part with the other sign", |v| v.potential = -1)
+    .altered("twice the alignment", |v| v.alignment = 2)
 }

@@ -119,9 +119,9 @@ pub fn bound_r() -> Record<DistanceVariant> {
         "For a connected graph W <= c implies |r_ij| <= (N - 1) max_e V_e^{-1}(c) for all i, j, with the largest value over the edges e and V_e^{-1}(c) the largest distance at which V_e <= c.",
         DISTANCE,
     )
-    .control("max_e V_e^{-1}(c)", DistanceVariant { outside: |_| 1, ..DISTANCE })
-    .control("(N - 1) max_e V_e^{-1}(c/2)", DistanceVariant { inside: |_| rational(1, 2), ..DISTANCE })
-    .control("(N - 1) V_ij^{-1}(c), of the pair itself", DistanceVariant { own: true, ..DISTANCE })
+    .altered("max_e V_e^{-1}(c)", |v| v.outside = |_| 1)
+    .altered("(N - 1) max_e V_e^{-1}(c/2)", |v| v.inside = |_| rational(1, 2))
+    .altered("(N - 1) V_ij^{-1}(c), of the pair itself", |v| v.own = true)
 }
 
 /// `|v_i|² <= factor c`, or `|v_i - v_j|² <= factor c`.
@@ -159,7 +159,7 @@ pub fn bound_v() -> Record<SpeedVariant> {
         },
     )
     .repaired(Fault::Slip, "W <= c implies v_i^T v_i <= 2c, yielding |v_i| <= sqrt(2c).", SPEED)
-    .control("|v_i - v_j|² <= 2c", SpeedVariant { relative: true, ..SPEED })
+    .altered("|v_i - v_j|² <= 2c", |v| v.relative = true)
 }
 
 /// Which sets `W <= c` are said to be compact.
@@ -207,12 +207,11 @@ fn examine_compact(variant: &CompactVariant, run: &mut Run) -> Result<Outcome, C
 }
 
 pub fn eq7() -> Record<CompactVariant> {
-    let printed = CompactVariant { connected: true, relative: true, potential: spring() };
     Record::new(
         "tanner2.eq7",
         "Bounded: |v_i|² <= 2c and |r_ij| <= (N - 1) max_e V_e^{-1}(c) (the printed bounds corrected), finite because V is radially unbounded. Closed: W is continuous \
          where linked agents are apart and tends to infinity where they meet, so limits of points with W <= c are such points.",
-        printed.clone(),
+        CompactVariant { connected: true, relative: true, potential: spring() },
         examine_compact,
     )
     .clauses(&[
@@ -221,12 +220,9 @@ pub fn eq7() -> Record<CompactVariant> {
         "Omega is closed.",
     ])
     .reading("in the relative positions r_ij and the velocities, as (7) is printed")
-    .control("any graph", CompactVariant { connected: false, ..printed.clone() })
-    .control("in the positions r_i", CompactVariant { relative: false, ..printed.clone() })
-    .control("a bounded potential, 1/(2s²) - 1/s + 1/2", CompactVariant {
-        potential: sloped(&[(-2, 1), (-3, -1)], 0),
-        ..printed
-    })
+    .altered("any graph", |v| v.connected = false)
+    .altered("in the positions r_i", |v| v.relative = false)
+    .altered("a bounded potential, 1/(2s²) - 1/s + 1/2", |v| v.potential = sloped(&[(-2, 1), (-3, -1)], 0))
 }
 
 /// `Wdot <= -factor lambda_index |part|²`, with the part along 1 or the one normal to it.
@@ -296,6 +292,6 @@ pub fn cor2_sub() -> Record<DissipationVariant> {
         "For a connected graph Wdot <= -lambda_2 (|v_{x_n}|² + |v_{y_n}|²), with v_{x_n}, v_{y_n} normal to 1.",
         repaired,
     )
-    .control("lambda_3 in place of lambda_2", DissipationVariant { index: 3, ..repaired })
-    .control("2 lambda_2", DissipationVariant { factor: 2, ..repaired })
+    .altered("lambda_3 in place of lambda_2", |v| v.index = 3)
+    .altered("2 lambda_2", |v| v.factor = 2)
 }

@@ -56,19 +56,18 @@ fn energy_rate(graph: Graph, variant: &RateVariant) -> Identity<'_> {
 }
 
 pub fn eq9() -> Record<RateVariant> {
-    let printed = RateVariant { factor: -1, signless: false, by_axis: false };
     Record::new(
         "tanner2.eq9",
         "dW/dt = sum v_i . (grad V_i + u_i) = -sum over i of v_i . sum over j ~ i of (v_i - v_j), which is minus the sum over the edges of \
          |v_i - v_j|². With the stack vector (v_1, v_2, ...) the matrix L kron I_2 gives the same sum. Any graph, any potentials. \
          (The text calls the velocities three dimensional; the agents move in the plane, and I_2 in the formula is right. In three dimensions it would be I_3, with a third form in v_z.)",
-        printed,
+        RateVariant { factor: -1, signless: false, by_axis: false },
         |variant, run| on_connected(run, most(run), "equation (9)", |graph| energy_rate(graph, variant)).on([1, 2]),
     )
     .clauses(&["Wdot = -v^T (L kron I_2) v.", "Wdot = -v_x^T L v_x - v_y^T L v_y."])
-    .control("twice", RateVariant { factor: -2, ..printed })
-    .control("D + A in place of L", RateVariant { signless: true, ..printed })
-    .control("L kron I_2 with all x components first", RateVariant { by_axis: true, ..printed })
+    .altered("twice", |v| v.factor = -2)
+    .altered("D + A in place of L", |v| v.signless = true)
+    .altered("L kron I_2 with all x components first", |v| v.by_axis = true)
 }
 
 /// The chain of equations, with a factor before the first sum, the number of times an edge is counted, and the sign of the second term.
@@ -107,11 +106,10 @@ fn chain(graph: Graph, variant: &ChainVariant) -> Identity<'_> {
 }
 
 pub fn eq8() -> Record<ChainVariant> {
-    let printed = ChainVariant { half: (1, 2), counted: 1, sign: 1 };
     Record::new(
         "tanner2.eq8",
         "Each V_ij occurs in V_i and in V_j, so half the sum of the V_i is the sum over the edges, each once. V_ij depends on r_i - r_j, so grad_{r_j} = -grad_{r_i} = -grad_{r_ij}. Any graph, any potentials.",
-        printed,
+        ChainVariant { half: (1, 2), counted: 1, sign: 1 },
         |variant, run| Run::all([
             on_connected(run, most(run), "equation (8)", |graph| chain(graph, variant)).on([1, 2, 3, 4]),
             argued(&[1, 2, 3, 4], "the chain of equations", "notes/tanner2.md, Identities, steps 1 and 2"),
@@ -124,9 +122,9 @@ pub fn eq8() -> Record<ChainVariant> {
         "This is sum_i rdot_i^T grad_{r_i} V_i.",
     ])
     .reading("sums over j ~ i without i take every edge once")
-    .control("without the half", ChainVariant { half: (1, 1), ..printed })
-    .control("each edge twice", ChainVariant { counted: 2, ..printed })
-    .control("minus grad_{r_j}", ChainVariant { sign: -1, ..printed })
+    .altered("without the half", |v| v.half = (1, 1))
+    .altered("each edge twice", |v| v.counted = 2)
+    .altered("minus grad_{r_j}", |v| v.sign = -1)
 }
 
 /// `W = factor sum V_i + 1/2 sum |v_i|²` with potentials whose least value is `least`.
@@ -174,17 +172,16 @@ fn non_negative(variant: &MechanicalVariant) -> Result<Outcome, CheckError> {
 }
 
 pub fn eq6() -> Record<MechanicalVariant> {
-    let printed = MechanicalVariant { factor: (1, 2), least: 0 };
     Record::new(
         "tanner2.eq6",
         "V_ij >= 0 by Definition 3, so W is a sum of non-negative terms, differentiable where no linked agents coincide. Half the sum of \
          the V_i counts each edge once, so -grad_{r_i} W = -grad_{r_i} V_i is the force of (4): W is potential plus kinetic energy (unit masses).",
-        printed,
+        MechanicalVariant { factor: (1, 2), least: 0 },
         examine_mechanical,
     )
     .clauses(&["W is nonnegative.", "W is the (differentiable) mechanical energy of the group."])
-    .control("without the half before V_i", MechanicalVariant { factor: (1, 1), ..printed })
-    .control("a potential that is negative at its minimum", MechanicalVariant { least: -1, ..printed })
+    .altered("without the half before V_i", |v| v.factor = (1, 1))
+    .altered("a potential that is negative at its minimum", |v| v.least = -1)
 }
 
 /// `Wdot = -(x_p or x_n part) - (the same of y)`, where p is the mean, n the rest.
@@ -213,11 +210,10 @@ fn part_of_rate(graph: Graph, variant: &PartVariant) -> Identity<'_> {
 }
 
 pub fn cor2_decomp() -> Record<PartVariant> {
-    let printed = PartVariant { mean: false, power: 1 };
     Record::new(
         "tanner2.cor2_decomp",
         "L 1 = 0 and L is symmetric, so the part of v_x along 1 drops out of v_x^T L v_x; the same for v_y.",
-        printed,
+        PartVariant { mean: false, power: 1 },
         |variant, run| {
             Run::all([
                 on_connected(run, most(run), "Wdot by the parts normal to 1", |graph| part_of_rate(graph, variant)),
@@ -225,8 +221,8 @@ pub fn cor2_decomp() -> Record<PartVariant> {
             ])
         },
     )
-    .control("the parts along 1", PartVariant { mean: true, ..printed })
-    .control("L² in place of L", PartVariant { power: 2, ..printed })
+    .altered("the parts along 1", |v| v.mean = true)
+    .altered("L² in place of L", |v| v.power = 2)
 }
 
 /// What is said to vanish where `Wdot = 0`.
@@ -340,12 +336,11 @@ fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, Che
 }
 
 pub fn eq14() -> Record<SteadyVariant> {
-    let printed = SteadyVariant { mutual: true, invariant: true };
     Record::new(
         "tanner2.eq14",
         "All forces are mutual, so the accelerations sum to zero in every state (they are normal to 1), and so does every convex \
          combination of them over graphs. In an invariant set of equal velocities all accelerations are equal. Equal vectors that sum to zero are zero.",
-        printed,
+        SteadyVariant { mutual: true, invariant: true },
         examine_steady,
     )
     .clauses(&[
@@ -353,8 +348,8 @@ pub fn eq14() -> Record<SteadyVariant> {
         "In the invariant set vdot_x and vdot_y belong to span{1}.",
         "Hence vdot_x, vdot_y = 0: the agent velocities do not change in steady state.",
     ])
-    .control("forces that are not mutual", SteadyVariant { mutual: false, ..printed })
-    .control("equal velocities at one instant only", SteadyVariant { invariant: false, ..printed })
+    .altered("forces that are not mutual", |v| v.mutual = false)
+    .altered("equal velocities at one instant only", |v| v.invariant = false)
 }
 
 /// `vdot = factor (B kron I_2) [grad_{r_ij} V_ij]`; in `B` the entry of the vertex an edge leaves is -1, that of the one it enters `incoming`.

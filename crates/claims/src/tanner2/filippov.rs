@@ -75,7 +75,7 @@ pub fn uniqueness() -> Record<UniqueVariant> {
         "Solutions of xdot = f(x) are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x - y|² for almost all x, y near each point.",
         repaired,
     )
-    .control("backwards in time too", UniqueVariant { backwards: true, ..repaired })
+    .altered("backwards in time too", |v| v.backwards = true)
 }
 
 /// What a solution has to fulfil almost everywhere.
@@ -190,8 +190,8 @@ pub fn chain_rule() -> Record<ChainRuleVariant> {
         "Let x(.) be a Filippov solution to xdot = f(x,t), x in R^n, and V : R^n x R -> R Lipschitz and regular; then V(x(t),t) is absolutely continuous and d/dt V lies almost everywhere in the intersection over xi in dV of xi^T (K[f]; 1).",
         repaired,
     )
-    .control("K[f] with 0 in place of 1", ChainRuleVariant { time: false, ..repaired })
-    .control("for every t", ChainRuleVariant { everywhere: true, ..repaired })
+    .altered("K[f] with 0 in place of 1", |v| v.time = false)
+    .altered("for every t", |v| v.everywhere = true)
 }
 
 /// The starts from which solutions are said to be unique.

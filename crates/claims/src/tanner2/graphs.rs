@@ -94,12 +94,11 @@ fn is_span_of_ones(kernel: &[Vec<Rational>], order: usize) -> bool {
 }
 
 pub fn laplacian() -> Record<LaplacianVariant> {
-    let printed = LaplacianVariant::PRINTED;
     Record::new(
         "tanner2.L",
         "Each edge adds b b^T with b = ±(e_i - e_j), whatever its direction, so B B^T = D - A is symmetric and x^T L x is the sum of \
          (x_i - x_j)² over the edges: non-negative, and zero exactly where x is constant on every component.",
-        printed,
+        LaplacianVariant::PRINTED,
         |variant, run| Run::all([
             examine_laplacian(variant, run).on([1, 2, 3, 4, 5]),
             argued(&[1, 2, 3, 4, 5], "properties of the Laplacian", "notes/tanner2.md, Laplacians, steps 1 to 4"),
@@ -113,8 +112,8 @@ pub fn laplacian() -> Record<LaplacianVariant> {
         "For a connected graph lambda_2 > 0.",
     ])
     .reading("lambda_2 for two vertices or more; one vertex has none")
-    .control("D + A", LaplacianVariant { sign: 1, ..printed })
-    .control("one more zero eigenvalue", LaplacianVariant { offset: 1, ..printed })
+    .altered("D + A", |v| v.sign = 1)
+    .altered("one more zero eigenvalue", |v| v.offset = 1)
 }
 
 /// For which graphs the range of `B` is said to be the complement of 1, and for which the columns to be independent.
@@ -148,12 +147,11 @@ fn examine_range(variant: &RangeVariant, run: &mut Run) -> Result<Outcome, Check
 }
 
 pub fn range() -> Record<RangeVariant> {
-    let printed = RangeVariant { range: Graph::is_connected, independent: is_tree };
     Record::new(
         "tanner2.rangeB",
         "Every column sums to zero. y^T B = 0 says that y is equal at both ends of every edge, so for a connected graph the range is the whole \
          complement of 1, of dimension N - 1. A tree has N - 1 edges: its columns are independent. (Full rank means full column rank.)",
-        printed,
+        RangeVariant { range: Graph::is_connected, independent: is_tree },
         examine_range,
     )
     .clauses(&[
@@ -162,11 +160,8 @@ pub fn range() -> Record<RangeVariant> {
         "For a tree B is full rank.",
     ])
     .reading("full rank of the columns")
-    .control("any graph", RangeVariant { range: |_| true, ..printed })
-    .control("as many edges as vertices", RangeVariant {
-        independent: |graph| graph.is_connected() && graph.edges().len() == graph.order(),
-        ..printed
-    })
+    .altered("any graph", |v| v.range = |_| true)
+    .altered("as many edges as vertices", |v| v.independent = |graph| graph.is_connected() && graph.edges().len() == graph.order())
 }
 
 /// What a new edge does to the eigenvalues.

@@ -86,18 +86,17 @@ fn examine_fixed(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, Check
 }
 
 pub fn thm1a() -> Record<LimitVariant> {
-    let printed = LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Agree };
     Record::new(
         "tanner2.thm1a",
         "dW/dt = -v^T (L kron I_2) v <= 0 and Omega is compact in (r_ij, v_i), so the motion exists for all time. The sum of all velocities is kept, \
          so each tends to the mean of the initial ones. A continuous V' is enough: the squared disagreement is integrable along every solution and has a bounded rate (Barbalat), without LaSalle's principle and without uniqueness (notes/tanner2.md).",
-        printed,
+        LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Agree },
         examine_fixed,
     )
     .reading(SMOOTH)
-    .control("any graph", LimitVariant { connected: false, ..printed })
-    .control("alignment with the other sign", LimitVariant { damping: -1, ..printed })
-    .control("all velocities tend to zero", LimitVariant { conclusion: Conclusion::Stop, ..printed })
+    .altered("any graph", |v| v.connected = false)
+    .altered("alignment with the other sign", |v| v.damping = -1)
+    .altered("all velocities tend to zero", |v| v.conclusion = Conclusion::Stop)
 }
 
 pub fn thm1c() -> Record<LimitVariant> {
@@ -117,8 +116,8 @@ pub fn thm1c() -> Record<LimitVariant> {
         "Under the same hypotheses the system approaches the set of critical configurations: grad_{r_i} V_i tends to 0 for all i.",
         repaired,
     )
-    .control("alignment with the other sign", LimitVariant { damping: -1, ..repaired })
-    .control("critical and at rest", LimitVariant { conclusion: Conclusion::Stop, ..repaired })
+    .altered("alignment with the other sign", |v| v.damping = -1)
+    .altered("critical and at rest", |v| v.conclusion = Conclusion::Stop)
 }
 
 /// Which equilibria are said to be asymptotically stable and free of collisions.
@@ -176,8 +175,8 @@ pub fn flocking() -> Record<ManifoldVariant> {
         "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
         "In them no two agents are in one place.",
     ])
-    .control("all equilibria of the complete graph", ManifoldVariant { minima: false, ..repaired })
-    .control("alignment with the other sign", ManifoldVariant { damping: -1, ..repaired })
+    .altered("all equilibria of the complete graph", |v| v.minima = false)
+    .altered("alignment with the other sign", |v| v.damping = -1)
 }
 
 fn examine_definition(potentials: &Vec<Potential>, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -282,8 +281,8 @@ pub fn cor1() -> Record<SetpointVariant> {
         "B has independent columns, so that every grad_{r_ij} V_ij tends to 0.",
         "In an equilibrium of a tree whose V_ij' vanish at the minimum only every linked distance is the desired one.",
     ])
-    .control("any connected graph", SetpointVariant { trees: false, ..repaired })
-    .control("the distances of all pairs", SetpointVariant { all_pairs: true, ..repaired })
+    .altered("any connected graph", |v| v.trees = false)
+    .altered("the distances of all pairs", |v| v.all_pairs = true)
 }
 
 /// Theorem 2 with the graph connected always, or at the start only, or never.
@@ -353,32 +352,30 @@ pub(super) const VELOCITIES: SwitchingVariant =
     SwitchingVariant { connected: Connected::Always, agentwise: false, conclusion: Conclusion::Agree };
 
 pub fn thm2_vel() -> Record<SwitchingVariant> {
-    let printed = VELOCITIES;
     Record::new(
         "tanner2.thm2_vel",
         "The printed proof needs regularity (Lemma 1, false) and uniqueness (false), but the statement is true for every Filippov solution: almost everywhere dQ/dt = -v^T (L_m kron I_2) v, where L_m has \
          weights in [0, 1] on tied pairs and 1 on links, so dQ/dt <= -l |v - mean|² with l the least lambda_2 of connected graphs. Hence |v - mean|² is integrable; its rate is bounded since distances of linked agents stay away from 0; it tends to 0. \
          With K agent by agent, as (10b) is written, the two agents of a tied pair could weigh it differently; then momentum is not kept and velocities need not agree (a control).",
-        printed,
+        VELOCITIES,
         |variant, run| Run::all([
             switching_checks(variant, run),
             argued(&[1], "the limits", "notes/tanner2.md, Section 5, steps 1 to 7"),
         ]),
     )
     .reading("K of the whole vector field, as in Definition 4, every Filippov solution, and a graph of the links |r_ij| < R that is connected at all times")
-    .control("with K agent by agent", SwitchingVariant { agentwise: true, ..printed })
-    .control("connected at the start only", SwitchingVariant { connected: Connected::AtFirst, ..printed })
-    .control("all velocities tend to zero", SwitchingVariant { conclusion: Conclusion::Stop, ..printed })
+    .altered("with K agent by agent", |v| v.agentwise = true)
+    .altered("connected at the start only", |v| v.connected = Connected::AtFirst)
+    .altered("all velocities tend to zero", |v| v.conclusion = Conclusion::Stop)
 }
 
 pub fn thm2_pot() -> Record<SwitchingVariant> {
-    let printed = SwitchingVariant { conclusion: Conclusion::Minimised, ..VELOCITIES };
     let repaired = SwitchingVariant { conclusion: Conclusion::Critical, ..VELOCITIES };
     Record::new(
         "tanner2.thm2_pot",
         "The same row of three agents: with R = 3 every pair is linked, V is increasing at R, and they stay at rest at a saddle. What survives: every limit point has equal velocities and is a Filippov equilibrium, 0 in K[grad_{r_i} V_i] for all i; without ties \
          that is grad_{r_i} V_i = 0.",
-        printed,
+        SwitchingVariant { conclusion: Conclusion::Minimised, ..VELOCITIES },
         |variant, run| Run::all([
             switching_checks(variant, run),
             argued(&[1], "the limits", "notes/tanner2.md, Section 5, steps 1 to 9"),
@@ -390,5 +387,5 @@ pub fn thm2_pot() -> Record<SwitchingVariant> {
         "Under the hypotheses of Theorem 2 the system approaches the set of configurations with 0 in K[(grad_{r_i} V_i)_i] (critical configurations, where no pair is at distance R).",
         repaired,
     )
-    .control("critical and at rest", SwitchingVariant { conclusion: Conclusion::Stop, ..repaired })
+    .altered("critical and at rest", |v| v.conclusion = Conclusion::Stop)
 }

@@ -84,8 +84,8 @@ pub fn lem1() -> Record<RegularVariant> {
         "For such V with c = V_r(R) > 0 -U_ij is regular at R.",
         "For V with a continuous derivative and c = V_r(R) > 0 U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
     ])
-    .control("R below the desired distance, c < 0", RegularVariant { threshold: (1, 2), ..repaired })
-    .control("U°(R; w) = cw", RegularVariant { generalised: |cw| cw, ..repaired })
+    .altered("R below the desired distance, c < 0", |v| v.threshold = (1, 2))
+    .altered("U°(R; w) = cw", |v| v.generalised = |cw| cw)
 }
 
 /// What the generalised gradient at R is said to be: empty, or all `z` from some number to another, times the slope.
@@ -135,8 +135,8 @@ pub fn lem2() -> Record<GradientVariant> {
         "For V with a continuous derivative and c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R.",
         "For such V, with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
     ])
-    .control("R below the desired distance, c < 0", GradientVariant { thresholds: [(1, 2), (2, 3)], ..repaired })
-    .control("grad V alone", GradientVariant { between: Some((1, 1)), ..repaired })
+    .altered("R below the desired distance, c < 0", |v| v.thresholds = [(1, 2), (2, 3)])
+    .altered("grad V alone", |v| v.between = Some((1, 1)))
 }
 
 /// How the two sums of (11) count.
@@ -179,18 +179,17 @@ fn examine_sums(variant: &SumVariant, run: &mut Run) -> Result<Outcome, CheckErr
 }
 
 pub fn q_sums() -> Record<SumVariant> {
-    let printed = SumVariant { unlinked: 1, own: false };
     Record::new(
         "tanner2.Q",
         "U_ij is V_ij on linked pairs and V_ij(R) on the others, and half the double sum counts each pair of different agents once. Pairs are pairs of different agents: the terms j = i, which \
          V_ij does not define (V_ii(0) would be infinite), are left out, and each pair that is not linked is meant once.",
-        printed,
+        SumVariant { unlinked: 1, own: false },
         examine_sums,
     )
     .reading("pairs are unordered pairs of different agents")
-    .control("unlinked pairs counted in both orders", SumVariant { unlinked: 2, ..printed })
-    .control("with the terms j = i", SumVariant { own: true, ..printed })
-    .control("without the unlinked pairs", SumVariant { unlinked: 0, ..printed })
+    .altered("unlinked pairs counted in both orders", |v| v.unlinked = 2)
+    .altered("with the terms j = i", |v| v.own = true)
+    .altered("without the unlinked pairs", |v| v.unlinked = 0)
 }
 
 /// Whether the potential stays at `V(R)` beyond `R` (or falls to 0), and the potential with `R²`.
@@ -230,21 +229,16 @@ fn examine_kinks(variant: &KinkVariant, run: &mut Run) -> Result<Outcome, CheckE
 }
 
 pub fn q_jump() -> Record<KinkVariant> {
-    let printed =
-        KinkVariant { saturated: true, settings: vec![(spring(), rational(4, 1)), (spring(), rational(9, 4))] };
     Record::new(
         "tanner2.Qjump",
         "U_ij is continuous and has a concave kink at R. A sum of concave kinks is never smooth where one of them is.",
-        printed.clone(),
+        KinkVariant { saturated: true, settings: vec![(spring(), rational(4, 1)), (spring(), rational(9, 4))] },
         examine_kinks,
     )
     .clauses(&["Q is continuous everywhere.", "Q is nonsmooth whenever ||r_ij|| = R for some (i, j)."])
     .reading("where no two agents coincide, and with V_ij increasing at R with a positive slope, as Figure 3 and Lemma 1 have it (c < 0 there)")
-    .control("0 in place of V(R) beyond R", KinkVariant { saturated: false, ..printed.clone() })
-    .control("V increasing at R with slope zero", KinkVariant {
-        settings: vec![(Potential::with_inflection(&rational(4, 1)), rational(4, 1))],
-        ..printed
-    })
+    .altered("0 in place of V(R) beyond R", |v| v.saturated = false)
+    .altered("V increasing at R with slope zero", |v| v.settings = vec![(Potential::with_inflection(&rational(4, 1)), rational(4, 1))])
 }
 
 /// `Qdot = factor v^T (L kron I_2) v`, away from ties or at ties too.
@@ -289,15 +283,14 @@ fn approaching_at_threshold() -> State<Rational> {
 }
 
 pub fn q_dot() -> Record<AwayVariant> {
-    let printed = AwayVariant { factor: -1, ties: false };
     Record::new(
         "tanner2.Qdot",
         "Near such a point no link changes and Q is W of the graph at hand plus a constant: equation (9).",
-        printed,
+        AwayVariant { factor: -1, ties: false },
         examine_away,
     )
-    .control("twice", AwayVariant { factor: -2, ..printed })
-    .control("at ties too, with the graph at that instant", AwayVariant { ties: true, ..printed })
+    .altered("twice", |v| v.factor = -2)
+    .altered("at ties too, with the graph at that instant", |v| v.ties = true)
 }
 
 /// What the generalised time derivative of Q is compared with.

@@ -99,11 +99,8 @@ pub fn arbitrary() -> Record<SignalVariant> {
         "Velocities agree in the limit if links switch by distance, as in (10), read as in tanner2.thm2_vel, and the graph stays connected.",
         "They do not for all switching signals among connected graphs: four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each, agree in the limit from no start without collision.",
     ])
-    .control("by distance, with K agent by agent", SignalVariant { agentwise: true, ..repaired.clone() })
-    .control("the two paths in space", SignalVariant {
-        trees: Trees { dimension: 3, ..Trees::two_paths() },
-        ..repaired
-    })
+    .altered("by distance, with K agent by agent", |v| v.agentwise = true)
+    .altered("the two paths in space", |v| v.trees = Trees { dimension: 3, ..Trees::two_paths() })
 }
 
 fn examine_stop((potential, square): &(Potential, Rational), _run: &mut Run) -> Result<Outcome, CheckError> {

@@ -55,8 +55,8 @@ pub fn separation() -> Record<SeparationVariant> {
          a_0 Re(gamma^{-k} e^{i w t}) + 1.",
         repaired,
     )
-    .control("+ a_0 Re(gamma^{-k} e^{iwt})", SeparationVariant { back: -1, ..repaired })
-    .control("without the 1", SeparationVariant { outside: 0, ..repaired })
+    .altered("+ a_0 Re(gamma^{-k} e^{iwt})", |v| v.back = -1)
+    .altered("without the 1", |v| v.outside = 0)
 }
 
 const PRECISION: u32 = 100;
@@ -123,10 +123,10 @@ pub fn size_limit() -> Record<FrontLimitVariant> {
         "If the leader oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the equilibrium oscillation of the last car stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2).",
         "If N + 1 is at most that, the equilibrium oscillation of the last car stays within D.",
     ])
-    .control("without the factor 2", FrontLimitVariant { factor: (1, 1), ..repaired })
-    .control("the factor 3", FrontLimitVariant { factor: (3, 1), ..repaired })
-    .control("|f|/|g|", FrontLimitVariant { powers: (1, 1), ..repaired })
-    .control("f²/g²", FrontLimitVariant { powers: (2, 2), ..repaired })
+    .altered("without the factor 2", |v| v.factor = (1, 1))
+    .altered("the factor 3", |v| v.factor = (3, 1))
+    .altered("|f|/|g|", |v| v.powers = (1, 1))
+    .altered("f²/g²", |v| v.powers = (2, 2))
 }
 
 fn examine_limit(variant: &FrontLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {

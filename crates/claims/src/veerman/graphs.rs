@@ -43,8 +43,8 @@ pub fn nth_neighbour() -> Record<NeighbourVariant> {
         "If each agent keeps track of only the n-th agent in front and behind it, with n >= 2, the communication graph is not connected.",
         "The followers that are not joined to the leader (agent 1 among them), if they start at rest in their places, stay there whatever the leader does: they stay behind one that leaves.",
     ])
-    .control("connected for n >= 2", NeighbourVariant { connected: true, ..repaired })
-    .control("all agents stay behind", NeighbourVariant { all_stay: true, ..repaired })
+    .altered("connected for n >= 2", |v| v.connected = true)
+    .altered("all agents stay behind", |v| v.all_stay = true)
 }
 
 fn examine_neighbour(variant: &NeighbourVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -169,11 +169,11 @@ pub fn front() -> Record<MatrixVariant> {
         "The only eigenvalue of P_1 is 1.",
         "Its multiplicity is N+1.",
     ])
-    .control("+1 below the diagonal", MatrixVariant { below: (1, 1), ..FRONT })
-    .control("-1/2 above the diagonal", MatrixVariant { above: (-1, 2), ..FRONT })
-    .control("x + zeta", MatrixVariant { zeta_sign: 1, ..FRONT })
-    .control("the transpose of A", MatrixVariant { transposed: true, ..FRONT })
-    .control("the eigenvalue 2", MatrixVariant { eigenvalue: Some(2), ..FRONT })
+    .altered("+1 below the diagonal", |v| v.below = (1, 1))
+    .altered("-1/2 above the diagonal", |v| v.above = (-1, 2))
+    .altered("x + zeta", |v| v.zeta_sign = 1)
+    .altered("the transpose of A", |v| v.transposed = true)
+    .altered("the eigenvalue 2", |v| v.eigenvalue = Some(2))
 }
 
 pub fn front_and_back() -> Record<MatrixVariant> {
@@ -185,10 +185,10 @@ pub fn front_and_back() -> Record<MatrixVariant> {
         FRONT_AND_BACK,
         examine_matrices,
     )
-    .control("-1/2 in the last row", MatrixVariant { last: (-1, 2), ..FRONT_AND_BACK })
-    .control("2 on the diagonal", MatrixVariant { diagonal: (2, 1), ..FRONT_AND_BACK })
-    .control("nothing above the diagonal", MatrixVariant { above: (0, 1), ..FRONT_AND_BACK })
-    .control("x + zeta", MatrixVariant { zeta_sign: 1, ..FRONT_AND_BACK })
+    .altered("-1/2 in the last row", |v| v.last = (-1, 2))
+    .altered("2 on the diagonal", |v| v.diagonal = (2, 1))
+    .altered("nothing above the diagonal", |v| v.above = (0, 1))
+    .altered("x + zeta", |v| v.zeta_sign = 1)
 }
 
 /// Orders minus the number `N + 1` of followers, the agent whose row and column `P` lacks (the leader or the last one), and whether the Laplacian
@@ -201,13 +201,12 @@ pub struct DimensionsVariant {
 }
 
 pub fn dimensions() -> Record<DimensionsVariant> {
-    let printed = DimensionsVariant { identity: 0, without_last: false, star: false };
     Record::new(
         "veerman.dimL",
         "The agents are 0 to N + 1, so the directed Laplacian with the printed zero first row (the leader's) has N + 2 rows. That \
          L_l consists of the entries 1 through N + 1 of its first column, numbered from 0, and is an (N+1)-vector says the same. \
          Without the leader's row and column it is the printed P_i, of dimension N + 1 like the identity.",
-        printed,
+        DimensionsVariant { identity: 0, without_last: false, star: false },
         examine_dimensions,
     )
     .reading("\"(N+1)-dimensional\" belongs to the identity; read with L_i too it would be wrong, since L_i has N+2 rows.")
@@ -216,9 +215,9 @@ pub fn dimensions() -> Record<DimensionsVariant> {
         "L_i is the Directed Laplacian of the communication graph.",
         "P_i is the Reduced Directed Laplacian: L_i without the row and the column of the leader.",
     ])
-    .control("the identity of dimension N + 2", DimensionsVariant { identity: 1, ..printed })
-    .control("L of the graph in which everyone tracks the leader", DimensionsVariant { star: true, ..printed })
-    .control("P is L without the last agent", DimensionsVariant { without_last: true, ..printed })
+    .altered("the identity of dimension N + 2", |v| v.identity = 1)
+    .altered("L of the graph in which everyone tracks the leader", |v| v.star = true)
+    .altered("P is L without the last agent", |v| v.without_last = true)
 }
 
 fn examine_dimensions(variant: &DimensionsVariant, run: &mut Run) -> Result<Outcome, CheckError> {

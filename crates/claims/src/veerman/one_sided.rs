@@ -60,12 +60,11 @@ fn step_of_equation_1(variant: &ResponseVariant) -> Identity<'_> {
 }
 
 pub fn response() -> Record<ResponseVariant> {
-    let printed = ResponseVariant { damping_sign: 1, square_sign: 1, inverse: true, offset: 0 };
     Record::new(
         "veerman.cor1",
         "Put a_k e^{iwt} and its derivative i w a_k e^{iwt} into equation (1): -w² a_k = (f + i w g)(a_k - a_{k-1}), so \
          a_k (f + i w g + w²) = (f + i w g) a_{k-1}. For f, g < 0 neither factor vanishes. The step from a_{k-1} to a_k is the same for every k and is tested for any a_{k-1}.",
-        printed,
+        ResponseVariant { damping_sign: 1, square_sign: 1, inverse: true, offset: 0 },
         |variant, run| {
             let names = ["f", "g", "w", "Re a_{k-1}", "Im a_{k-1}"];
             let first = "equation (1) for the first four cars, a_0 = 1";
@@ -77,10 +76,10 @@ pub fn response() -> Record<ResponseVariant> {
         },
     )
     .reading("x_k stands for the deviation x_k - h_k, as in equation (3), and a frequency is w >= 0.")
-    .control("- w² in gamma", ResponseVariant { square_sign: -1, ..printed })
-    .control("- i w g in gamma", ResponseVariant { damping_sign: -1, ..printed })
-    .control("a_k = gamma^k", ResponseVariant { inverse: false, ..printed })
-    .control("a_k = gamma^-(k+1)", ResponseVariant { offset: 1, ..printed })
+    .altered("- w² in gamma", |v| v.square_sign = -1)
+    .altered("- i w g in gamma", |v| v.damping_sign = -1)
+    .altered("a_k = gamma^k", |v| v.inverse = false)
+    .altered("a_k = gamma^-(k+1)", |v| v.offset = 1)
 }
 
 /// `a_k = (1 + sign i sqrt|f|/g)^k` at `w² = |f|`, or with the power of the root and the gains exchanged.
@@ -186,9 +185,9 @@ pub fn substitution() -> Record<SubstitutionVariant> {
          - w^2 a_k = f (a_k - a_{k-1}) + i w g (a_k - a_{k-1}).",
         repaired,
     )
-    .control("u_k = i w e^{iwt}", SubstitutionVariant { with_amplitude: false, ..repaired })
-    .control("x_k = a_k e^{iwt}, not x_k - h_k", SubstitutionVariant { of_deviation: false, ..repaired })
-    .control("- w a_k on the left", SubstitutionVariant { power: 1, ..repaired })
+    .altered("u_k = i w e^{iwt}", |v| v.with_amplitude = false)
+    .altered("x_k = a_k e^{iwt}, not x_k - h_k", |v| v.of_deviation = false)
+    .altered("- w a_k on the left", |v| v.power = 1)
 }
 
 /// `|1/gamma| > 1` iff `w² < bound |f|` (or `<=`), for all `w >= 0` or for `w > 0`.
@@ -247,9 +246,9 @@ pub fn gain_above_one() -> Record<GainVariant> {
         "If 0 < w^2 < 2|f| (f, g < 0), |gamma^{-1}| is greater than one.",
         "If |gamma^{-1}| is greater than one (f, g < 0), 0 < w^2 < 2|f|.",
     ])
-    .control("0 < w² < |f|", GainVariant { bound: 1, ..repaired })
-    .control("0 < w² < 4|f|", GainVariant { bound: 4, ..repaired })
-    .control("0 < w² <= 2|f|", GainVariant { bound_included: true, ..repaired })
+    .altered("0 < w² < |f|", |v| v.bound = 1)
+    .altered("0 < w² < 4|f|", |v| v.bound = 4)
+    .altered("0 < w² <= 2|f|", |v| v.bound_included = true)
 }
 
 /// Where `|1/gamma|` is claimed to be largest: at `w² = |f|`, or at a multiple of `v = (f²/g²)(sqrt(1 + under_root g²/|f|) - 1)`, which is less
@@ -329,7 +328,7 @@ pub fn strongest_gain() -> Record<StrongestVariant> {
         "It is strongest only then.",
         "This w^2 is always less than |f|.",
     ])
-    .control("half the root", StrongestVariant { of_location: (1, 2), ..repaired })
-    .control("sqrt(1 + g²/|f|)", StrongestVariant { under_root: 1, ..repaired })
-    .control("less than |f|/2", StrongestVariant { below: (1, 2), ..repaired })
+    .altered("half the root", |v| v.of_location = (1, 2))
+    .altered("sqrt(1 + g²/|f|)", |v| v.under_root = 1)
+    .altered("less than |f|/2", |v| v.below = (1, 2))
 }

@@ -70,8 +70,8 @@ pub fn motion_spectrum() -> Record<SpectrumVariant> {
         "For f != 0, 0 is not in spec(M), so that the union is spec(M) \\ {0} too.",
         "spec(L_i) \\ {0} equals spec(P_i).",
     ])
-    .control("A - lambda K", SpectrumVariant { factor: -1, ..repaired })
-    .control("spec(L) without 1", SpectrumVariant { lost: 1, ..repaired })
+    .altered("A - lambda K", |v| v.factor = -1)
+    .altered("spec(L) without 1", |v| v.lost = 1)
 }
 
 fn examine_spectrum(variant: &SpectrumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -137,22 +137,21 @@ pub struct ReducedSpectrumVariant {
 }
 
 pub fn reduced_spectrum() -> Record<ReducedSpectrumVariant> {
-    let printed = ReducedSpectrumVariant { sign: -1, offset: -1, shift: 0 };
     Record::new(
         "veerman.specP2",
         "P_2 v = lambda v with v_0 = 0 is v_{k-1} = 2(1 - lambda) v_k - v_{k+1}, and v_{M-1} = (1 - lambda) v_M in the last row. So \
          v_{M-j} = T_j(1 - lambda) v_M with v_M != 0, and v_0 = 0 says T_M(1 - lambda) = 0: 1 - lambda = cos((2k-1) pi/(2M)) for \
          k = 1, ..., M. These are M different real numbers because the angles differ and lie in (0, pi).",
-        printed,
+        ReducedSpectrumVariant { sign: -1, offset: -1, shift: 0 },
         examine_reduced_spectrum,
     )
     .clauses(&[
         "The spectrum of P_2 is {1 - cos((2k-1) pi/(2(N+1))) : k = 1,...,N+1}.",
         "All these eigenvalues are simple and real.",
     ])
-    .control("2k + 1", ReducedSpectrumVariant { offset: 1, ..printed })
-    .control("2k", ReducedSpectrumVariant { offset: 0, ..printed })
-    .control("N + 2 in the denominator", ReducedSpectrumVariant { shift: 1, ..printed })
+    .altered("2k + 1", |v| v.offset = 1)
+    .altered("2k", |v| v.offset = 0)
+    .altered("N + 2 in the denominator", |v| v.shift = 1)
 }
 
 fn examine_reduced_spectrum(variant: &ReducedSpectrumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -269,9 +268,9 @@ pub fn mode_eigenvalues() -> Record<ModeVariant> {
         "The eigenvalues of A + lambda K are the solutions of x^2 - lambda g x - lambda f = 0.",
         "They are x_+- = (1/2)(lambda g +- sqrt((lambda g)^2 + 4 lambda f)).",
     ])
-    .control("+ lambda f", ModeVariant { sign: 1, ..MODE })
-    .control("- 4 lambda f under the root", ModeVariant { four: -4, ..MODE })
-    .control("1 instead of 1/2", ModeVariant { half: (1, 1), ..MODE })
+    .altered("+ lambda f", |v| v.sign = 1)
+    .altered("- 4 lambda f under the root", |v| v.four = -4)
+    .altered("1 instead of 1/2", |v| v.half = (1, 1))
 }
 
 /// When a platoon of any size is claimed to be stable.

@@ -120,9 +120,9 @@ pub fn theory_columns() -> Record<ColumnsVariant> {
         "Column NFREQ is the second order approximation of the frequency (Theorem 1, f = g = -1, with N in the place of N + 1), to within one unit of the last printed digit.",
         "Column NAMP is that of the amplitude.",
     ])
-    .control("NFREQ, NAMP for N + 1 followers", ColumnsVariant { offsets: [1, 1], ..repaired })
-    .control("NFREQ with TAMP", ColumnsVariant { columns: [NFREQ, TAMP], ..repaired })
-    .control("f = -2", ColumnsVariant { f: -2, ..repaired })
+    .altered("NFREQ, NAMP for N + 1 followers", |v| v.offsets = [1, 1])
+    .altered("NFREQ with TAMP", |v| v.columns = [NFREQ, TAMP])
+    .altered("f = -2", |v| v.f = -2)
 }
 
 /// Either the printed claim (the columns are the true resonance to their digits) or what can be said instead.
@@ -344,8 +344,8 @@ pub fn which_system() -> Record<SystemVariant> {
          behavior of the system given by Equation (1) is relatively simple and is discussed in Section 3.",
         repaired,
     )
-    .control("system (2) with 2N followers", SystemVariant { factor: 2, ..repaired })
-    .control("system (2) with N + 1 followers", SystemVariant { more: 1, ..repaired })
+    .altered("system (2) with 2N followers", |v| v.factor = 2)
+    .altered("system (2) with N + 1 followers", |v| v.more = 1)
 }
 
 /// All 24 cells are near the resonance of the claimed system.

@@ -179,9 +179,9 @@ pub fn epsilon() -> Record<EpsilonVariant> {
          g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
         repaired,
     )
-    .control("+ 3/4 g²/f²", EpsilonVariant { damping: (3, 4), ..repaired })
-    .control("- 1/|f|", EpsilonVariant { stiffness: (-1, 1), ..repaired })
-    .control("an error O(w^5)", EpsilonVariant { coefficients: 4, ..repaired })
+    .altered("+ 3/4 g²/f²", |v| v.damping = (3, 4))
+    .altered("- 1/|f|", |v| v.stiffness = (-1, 1))
+    .altered("an error O(w^5)", |v| v.coefficients = 4)
 }
 
 /// `|mu_+-|² = 1 +- coefficient sqrt2 w² |g|/|f|^(power/2) + O(w^order)`.
@@ -219,22 +219,21 @@ fn squared_modulus(variant: &ModulusVariant) -> Identity<'_> {
 }
 
 pub fn modulus() -> Record<ModulusVariant> {
-    let printed = ModulusVariant { coefficient: 1, power: 3, order: 4 };
     Record::new(
         "veerman.thm1_mod",
         "|gamma +- epsilon|² = |gamma|² + |epsilon|² +- 2 Re(conj(gamma) epsilon). The first two terms sum to 1 + O(w⁴); the \
          last is sqrt2 w² |g|/|f|^(3/2) + O(w⁴). Exact power series in w; the faulty term of eps enters at w⁴ only. mu_+ is the root with the principal \
          square root, for w > 0 the one with +i (see veerman.thm1_eps).",
-        printed,
+        ModulusVariant { coefficient: 1, power: 3, order: 4 },
         |variant, run| {
             let part = "coefficients of |mu|², exact power series";
             run.identity(&squared_modulus(variant), &["sqrt|f|", "|g|"], part).for_all()
         },
     )
-    .control("2 sqrt2", ModulusVariant { coefficient: 2, ..printed })
-    .control("the signs exchanged", ModulusVariant { coefficient: -1, ..printed })
-    .control("|f| instead of |f|^(3/2)", ModulusVariant { power: 2, ..printed })
-    .control("an error O(w^5)", ModulusVariant { order: 5, ..printed })
+    .altered("2 sqrt2", |v| v.coefficient = 2)
+    .altered("the signs exchanged", |v| v.coefficient = -1)
+    .altered("|f| instead of |f|^(3/2)", |v| v.power = 2)
+    .altered("an error O(w^5)", |v| v.order = 5)
 }
 
 /// `x = pi² |g|/(divisor sqrt2 |f|^(power/2))`.
@@ -294,9 +293,9 @@ pub fn exponent() -> Record<ExponentVariant> {
         "With x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal resonance.",
         "A = |a_{N+1}| = (N+1)/x + O(N^{-1}).",
     ])
-    .control("4 sqrt2 instead of 8 sqrt2", ExponentVariant { divisor: 4, ..repaired })
-    .control("|f|^(3/2)", ExponentVariant { power: 3, ..repaired })
-    .control("an error O(N^-4)", ExponentVariant { order: 4, ..repaired })
+    .altered("4 sqrt2 instead of 8 sqrt2", |v| v.divisor = 4)
+    .altered("|f|^(3/2)", |v| v.power = 3)
+    .altered("an error O(N^-4)", |v| v.order = 4)
 }
 
 fn examine_exponent(variant: &ExponentVariant, run: &mut Run) -> Result<Outcome, CheckError> {

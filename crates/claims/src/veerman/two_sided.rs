@@ -90,23 +90,22 @@ fn roots<T: Field>(at: &[T]) -> Result<Roots<T>, ArithmeticError> {
 }
 
 pub fn last_amplitude() -> Record<LastAmplitudeVariant> {
-    let printed = LastAmplitudeVariant { numerator: 2, shift: 0, corner: -1 };
     Record::new(
         "veerman.lem2",
         "The middle cars give a_{k-1} = 2 gamma a_k - a_{k+1} and the last one a_{M-1} = gamma a_M. So a_{M-j} = T_j(gamma) a_M \
          with the Chebyshev polynomials, and a_0 = 1 gives a_M = 1/T_M(gamma) = 2/Tr C^M, for every M by induction. For \
          f, g < 0 and w != 0 gamma is not real while the zeros of T_M are; at w = 0 T_M(1) = 1 (notes/veerman.md).",
-        printed,
+        LastAmplitudeVariant { numerator: 2, shift: 0, corner: -1 },
         examine_last_amplitude,
     )
     .clauses(&[
         "If only the agents immediately preceding and trailing are tracked, a_{N+1} = 2/Tr C^{N+1}.",
         "Tr C^{N+1} = mu_-^{N+1} + mu_+^{N+1}.",
     ])
-    .control("numerator 1", LastAmplitudeVariant { numerator: 1, ..printed })
-    .control("the exponent N", LastAmplitudeVariant { shift: -1, ..printed })
-    .control("the exponent N + 2", LastAmplitudeVariant { shift: 1, ..printed })
-    .control("determinant -1", LastAmplitudeVariant { corner: 1, ..printed })
+    .altered("numerator 1", |v| v.numerator = 1)
+    .altered("the exponent N", |v| v.shift = -1)
+    .altered("the exponent N + 2", |v| v.shift = 1)
+    .altered("determinant -1", |v| v.corner = 1)
 }
 
 fn examine_last_amplitude(variant: &LastAmplitudeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -202,14 +201,13 @@ fn roots_of_c(variant: &DerivationVariant) -> Identity<'_> {
 }
 
 pub fn derivation() -> Record<DerivationVariant> {
-    let printed = DerivationVariant { corner: -1, sign: 1, shift: 1 };
     Record::new(
         "veerman.lem2_eigvec",
         "mu_+ mu_- = 1 and mu_+ + mu_- = 2 gamma, so C (1, mu) = (mu, -1 + 2 gamma mu) = mu (1, mu). With s² = gamma² - 1, \
          1 - gamma mu_+ = -s² - gamma s = -s mu_+. The last car's condition a_N = gamma a_{N+1} then gives \
          c_+ mu_+^{N+1} = (1 - c_+) mu_-^{N+1} for s != 0, that is w != 0. At w = 0 the two roots are 1, C has one eigenvector \
          only, every c_+ gives a_k = 1, and the printed formula gives 1/2.",
-        printed,
+        DerivationVariant { corner: -1, sign: 1, shift: 1 },
         |variant, run| {
             let names = ["f", "g", "w", "Re a_{k-1}", "Im a_{k-1}", "Re a_k", "Im a_k"];
             let part = "the recurrence with C and a_{N+1} = a_N/gamma satisfy equation (2)";
@@ -228,7 +226,7 @@ pub fn derivation() -> Record<DerivationVariant> {
         "(1 - gamma mu_+-) = -+ sqrt(gamma^2 - 1) mu_+-.",
         "c_+ = mu_-^{N+1}/(mu_-^{N+1} + mu_+^{N+1}).",
     ])
-    .control("the corner +1 in C", DerivationVariant { corner: 1, ..printed })
-    .control("the opposite sign of the square root", DerivationVariant { sign: -1, ..printed })
-    .control("mu_-^N in c_+", DerivationVariant { shift: 0, ..printed })
+    .altered("the corner +1 in C", |v| v.corner = 1)
+    .altered("the opposite sign of the square root", |v| v.sign = -1)
+    .altered("mu_-^N in c_+", |v| v.shift = 0)
 }

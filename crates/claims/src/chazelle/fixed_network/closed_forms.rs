@@ -195,11 +195,11 @@ pub fn geometric_sums() -> Record<ClosedFormVariant> {
         PRINTED,
         check_geometric_sums,
     )
-    .control("the exponent t - t_1 + 1", ClosedFormVariant { exponent: (1, 1), ..PRINTED })
-    .control("the sum from k = 1", ClosedFormVariant { first: 1, ..PRINTED })
-    .control("C^-1/2 and C^1/2 exchanged", ClosedFormVariant { halves: (-1, 1), ..PRINTED })
-    .control("v(t_1) in place of v(t_1+1)", ClosedFormVariant { earlier: 1, ..PRINTED })
-    .control("another network at time t - 1", ClosedFormVariant { broken: 1, ..PRINTED })
+    .altered("the exponent t - t_1 + 1", |v| v.exponent = (1, 1))
+    .altered("the sum from k = 1", |v| v.first = 1)
+    .altered("C^-1/2 and C^1/2 exchanged", |v| v.halves = (-1, 1))
+    .altered("v(t_1) in place of v(t_1+1)", |v| v.earlier = 1)
+    .altered("another network at time t - 1", |v| v.broken = 1)
 }
 
 fn check_geometric_sums(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -225,10 +225,10 @@ pub fn with_gamma() -> Record<ClosedFormVariant> {
          lambda_k^{t-t_1} Phi_k/(1-lambda_k).",
         PRINTED,
     )
-    .control("the sum from k = 1", ClosedFormVariant { first: 1, ..PRINTED })
-    .control("the sum from k = 3", ClosedFormVariant { first: 3, ..PRINTED })
-    .control("the exponent 2(t - t_1)", ClosedFormVariant { exponent: (2, 0), ..PRINTED })
-    .control("v(t_1) in place of v(t_1+1)", ClosedFormVariant { earlier: 1, ..PRINTED })
+    .altered("the sum from k = 1", |v| v.first = 1)
+    .altered("the sum from k = 3", |v| v.first = 3)
+    .altered("the exponent 2(t - t_1)", |v| v.exponent = (2, 0))
+    .altered("v(t_1) in place of v(t_1+1)", |v| v.earlier = 1)
 }
 
 fn check_with_gamma(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -247,11 +247,11 @@ pub fn two_birds_apart() -> Record<ClosedFormVariant> {
         PRINTED,
         check_two_birds_apart,
     )
-    .control("plus the primed parts", ClosedFormVariant { primed: -1, ..PRINTED })
-    .control("mu_k with l >= 1", ClosedFormVariant { first: 1, ..PRINTED })
-    .control("mu_k with l > 2", ClosedFormVariant { first: 3, ..PRINTED })
-    .control("the exponent 2(t - t_1)", ClosedFormVariant { exponent: (2, 0), ..PRINTED })
-    .control("another network at time t - 1", ClosedFormVariant { broken: 1, ..PRINTED })
+    .altered("plus the primed parts", |v| v.primed = -1)
+    .altered("mu_k with l >= 1", |v| v.first = 1)
+    .altered("mu_k with l > 2", |v| v.first = 3)
+    .altered("the exponent 2(t - t_1)", |v| v.exponent = (2, 0))
+    .altered("another network at time t - 1", |v| v.broken = 1)
 }
 
 fn check_two_birds_apart(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {

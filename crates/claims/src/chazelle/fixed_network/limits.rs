@@ -107,11 +107,11 @@ pub fn limit_of_gamma() -> Record<LimitOfGammaVariant> {
         printed,
         check_limit_of_gamma,
     )
-    .control("+ 1 pi^T t in Gamma_t", LimitOfGammaVariant { drift: 1, ..printed })
-    .control("(I | 0) on the left", LimitOfGammaVariant { projected: false, ..printed })
-    .control("the last column kept on the left", LimitOfGammaVariant { zero_column: false, ..printed })
-    .control("(I - P | pi) on the right", LimitOfGammaVariant { column_of_ones: false, ..printed })
-    .control("not connected", LimitOfGammaVariant { family: Family::ANY_GRAPH, ..printed })
+    .altered("+ 1 pi^T t in Gamma_t", |v| v.drift = 1)
+    .altered("(I | 0) on the left", |v| v.projected = false)
+    .altered("the last column kept on the left", |v| v.zero_column = false)
+    .altered("(I - P | pi) on the right", |v| v.column_of_ones = false)
+    .altered("not connected", |v| v.family = Family::ANY_GRAPH)
 }
 
 fn check_limit_of_gamma(variant: &LimitOfGammaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -193,23 +193,22 @@ impl PositionsVariant {
 }
 
 pub fn positions() -> Record<PositionsVariant> {
-    let printed = PositionsVariant { longer: 0, first: 0, sign: 1, birds_outside: true };
     Record::new(
         "chazelle.eq3.12-13",
         "With a fixed network v(s+1) = (P^s (x) I_d) v(1), because (A (x) I)(B (x) I) = AB (x) I. x(t) = x(0) + v(1) \
          + .. + v(t): t terms, s = 0, .., t - 1. (3.13) is (3.12) with the definition of Gamma_t; it needs no \
          connectivity.",
-        printed,
+        PositionsVariant { longer: 0, first: 0, sign: 1, birds_outside: true },
         check_positions,
     )
     .clauses(&[
         "x(t) = x(0) + (sum_{s=0}^{t-1} P^s kron I_d) v(1).",
         "x(t) = x(0) + t ((1 pi^T) kron I_d) v(1) + (Gamma_t kron I_d) v(1).",
     ])
-    .control("the sum to s = t", PositionsVariant { longer: 1, ..printed })
-    .control("the sum from s = 1 to t", PositionsVariant { first: 1, ..printed })
-    .control("- Gamma_t in (3.13)", PositionsVariant { sign: -1, ..printed })
-    .control("I_d (x) P", PositionsVariant { birds_outside: false, ..printed })
+    .altered("the sum to s = t", |v| v.longer = 1)
+    .altered("the sum from s = 1 to t", |v| v.first = 1)
+    .altered("- Gamma_t in (3.13)", |v| v.sign = -1)
+    .altered("I_d (x) P", |v| v.birds_outside = false)
 }
 
 fn check_positions(variant: &PositionsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -295,13 +294,12 @@ fn difference(x: &[Rational], y: &[Rational]) -> Vec<Rational> {
 }
 
 pub fn relative_limit() -> Record<RelativeLimitVariant> {
-    let printed = RelativeLimitVariant { family: Family::PRINTED, sign: 1, projected: true, weights: -1 };
     Record::new(
         "chazelle.lem3.4",
         "pi^T Gamma_t = 0 and (I - 1 pi^T) 1 pi^T = 0, so x^r(t) = ((I - 1 pi^T) (x) I) x(0) + (Gamma_t (x) I) v(1), \
          and Lemma 3.3 gives the limit. pi^T P = pi^T: the mass center moves by m_pi[v(1)] in every step. On an \
          instance: x^r(t) minus the limit is multiplied by P in each step and has no mass, so it tends to 0.",
-        printed,
+        RelativeLimitVariant { family: Family::PRINTED, sign: 1, projected: true, weights: -1 },
         check_relative_limit,
     )
     .reading(
@@ -313,10 +311,10 @@ pub fn relative_limit() -> Record<RelativeLimitVariant> {
          pi^T | 0)(I_n - P | 1)^{-1} kron I_d) v(1).",
         "The mass center moves at constant speed in a fixed direction.",
     ])
-    .control("minus the second term", RelativeLimitVariant { sign: -1, ..printed })
-    .control("x(0) without I - 1 pi^T", RelativeLimitVariant { projected: false, ..printed })
-    .control("the plain mean as mass center", RelativeLimitVariant { weights: 0, ..printed })
-    .control("not connected", RelativeLimitVariant { family: Family::ANY_GRAPH, ..printed })
+    .altered("minus the second term", |v| v.sign = -1)
+    .altered("x(0) without I - 1 pi^T", |v| v.projected = false)
+    .altered("the plain mean as mass center", |v| v.weights = 0)
+    .altered("not connected", |v| v.family = Family::ANY_GRAPH)
 }
 
 fn check_relative_limit(variant: &RelativeLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {

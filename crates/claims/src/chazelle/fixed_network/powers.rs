@@ -109,24 +109,23 @@ fn two_birds(variant: &PowersVariant) -> Identity<'_> {
 }
 
 pub fn powers() -> Record<PowersVariant> {
-    let printed = PowersVariant { halves: (1, -1), multiple: 1, skip_first: true, eigenvectors: (-1, 1) };
     Record::new(
         "chazelle.eq3.8",
         "P = C^1/2 M C^-1/2 and M = sum lambda_k u_k u_k^T with orthonormal u_k. The first term is 1 pi^T because \
          C^1/2 u_1 = 1/sqrt(tr C^-1). For s = 0 the convention is 0^0 = 1. The sum does not depend on the basis that \
          is chosen where an eigenvalue is repeated.",
-        printed,
+        PowersVariant { halves: (1, -1), multiple: 1, skip_first: true, eigenvectors: (-1, 1) },
         check_powers,
     )
     .clauses(&[
         "For all s >= 0: P^s = 1 pi^T + sum_{k>1} lambda_k^s C^{1/2} u_k u_k^T C^{-1/2}.",
         "Left and right eigenvectors for lambda_k are C^{-1/2} u_k and C^{1/2} u_k.",
     ])
-    .control("C^-1/2 u_k u_k^T C^1/2", PowersVariant { halves: (-1, 1), ..printed })
-    .control("lambda_k^(2s)", PowersVariant { multiple: 2, ..printed })
-    .control("the sum from k = 1", PowersVariant { skip_first: false, ..printed })
-    .control("left eigenvectors C^1/2 u_k", PowersVariant { eigenvectors: (1, 1), ..printed })
-    .control("right eigenvectors C^-1/2 u_k", PowersVariant { eigenvectors: (-1, -1), ..printed })
+    .altered("C^-1/2 u_k u_k^T C^1/2", |v| v.halves = (-1, 1))
+    .altered("lambda_k^(2s)", |v| v.multiple = 2)
+    .altered("the sum from k = 1", |v| v.skip_first = false)
+    .altered("left eigenvectors C^1/2 u_k", |v| v.eigenvectors = (1, 1))
+    .altered("right eigenvectors C^-1/2 u_k", |v| v.eigenvectors = (-1, -1))
 }
 
 fn check_powers(variant: &PowersVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -37,14 +37,13 @@ impl StationaryVariant {
 }
 
 pub fn stationary() -> Record<StationaryVariant> {
-    let printed = StationaryVariant { family: Family::PRINTED, power: -1, right_is_one: true };
     Record::new(
         "chazelle.pi",
         "P is taken for a connected G with c_i > 0 and c_i d_i < 1 (a single bird: P = [1]). L 1 = 0 = 1^T L gives \
          both eigenvectors, and pi^T C = const 1^T. CLf = 0 only for constant f, and P is similar to a symmetric \
          matrix, so 1 is simple. Dominant: every other eigenvalue lies in (-1, 1), because P >= a I with a = min p_ii \
          > 0 leaves a stochastic rest (notes/chazelle_fixed_network.md).",
-        printed,
+        StationaryVariant { family: Family::PRINTED, power: -1, right_is_one: true },
         check_stationary,
     )
     .clauses(&[
@@ -52,10 +51,10 @@ pub fn stationary() -> Record<StationaryVariant> {
         "It is dominant: every other eigenvalue has a smaller modulus.",
         "It has the right and left eigenvectors 1 and pi = (tr C^{-1})^{-1} C^{-1} 1.",
     ])
-    .control("C in place of its inverse", StationaryVariant { power: 1, ..printed })
-    .control("left and right exchanged", StationaryVariant { right_is_one: false, ..printed })
-    .control("graphs that are not connected", StationaryVariant { family: Family::ANY_GRAPH, ..printed })
-    .control("c_i d_i = 1", StationaryVariant { family: Family::WHOLE, ..printed })
+    .altered("C in place of its inverse", |v| v.power = 1)
+    .altered("left and right exchanged", |v| v.right_is_one = false)
+    .altered("graphs that are not connected", |v| v.family = Family::ANY_GRAPH)
+    .altered("c_i d_i = 1", |v| v.family = Family::WHOLE)
 }
 
 fn check_stationary(variant: &StationaryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -167,14 +166,13 @@ fn sum_of_roots(terms: impl IntoIterator<Item = SignedRoot>) -> RadicalSum {
 }
 
 pub fn symmetrised() -> Record<SymmetrisedVariant> {
-    let printed = SymmetrisedVariant { family: Family::PRINTED, of_p: (-1, 1), of_l: 1, least: (-1, 1), rooted: true };
     Record::new(
         "chazelle.eq3.7",
         "Off the diagonal c_i^-1/2 p_ij c_j^1/2 = sqrt(c_i c_j) on edges; the diagonal is that of P. M is similar to \
          P. I - M = C^1/2 L C^1/2 is positive semidefinite with kernel C^-1/2 1, of dimension 1 for a connected \
          graph: u_1. Gershgorin's discs of P lie to the right of 2 min p_ii - 1 > -1, so the printed lower bound is \
          even strict (notes/chazelle_fixed_network.md).",
-        printed,
+        SymmetrisedVariant { family: Family::PRINTED, of_p: (-1, 1), of_l: 1, least: (-1, 1), rooted: true },
         check_symmetrised,
     )
     .clauses(&[
@@ -183,11 +181,11 @@ pub fn symmetrised() -> Record<SymmetrisedVariant> {
         "u_1 = (sqrt(pi_1),...,sqrt(pi_n))^T is its unit eigenvector for 1.",
         "P has the same eigenvalues.",
     ])
-    .control("M = C^1/2 P C^-1/2", SymmetrisedVariant { of_p: (1, -1), ..printed })
-    .control("M = I - C^-1/2 L C^-1/2", SymmetrisedVariant { of_l: -1, ..printed })
-    .control("u_1 = pi", SymmetrisedVariant { rooted: false, ..printed })
-    .control("eigenvalues at least -1/4", SymmetrisedVariant { least: (-1, 4), ..printed })
-    .control("graphs that are not connected", SymmetrisedVariant { family: Family::ANY_GRAPH, ..printed })
+    .altered("M = C^1/2 P C^-1/2", |v| v.of_p = (1, -1))
+    .altered("M = I - C^-1/2 L C^-1/2", |v| v.of_l = -1)
+    .altered("u_1 = pi", |v| v.rooted = false)
+    .altered("eigenvalues at least -1/4", |v| v.least = (-1, 4))
+    .altered("graphs that are not connected", |v| v.family = Family::ANY_GRAPH)
 }
 
 fn check_symmetrised(variant: &SymmetrisedVariant, run: &mut Run) -> Result<Outcome, CheckError> {

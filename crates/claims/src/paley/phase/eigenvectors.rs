@@ -41,8 +41,8 @@ pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
         "If e^{i theta} is, up to a common rotation, a column m of F other than the first, then the phasors form the symmetric pattern of N/gcd(N, m - 1) clusters.",
         "Other eigenvectors of a repeated eigenvalue need not be symmetric.",
     ])
-    .control("N clusters in every column", SymmetryVariant { clusters: |nodes, _| nodes, ..right })
-    .control("gcd(N, m - 1) clusters", SymmetryVariant { clusters: |nodes, m| nodes.gcd(&m), ..right })
+    .altered("N clusters in every column", |v| v.clusters = |nodes, _| nodes)
+    .altered("gcd(N, m - 1) clusters", |v| v.clusters = |nodes, m| nodes.gcd(&m))
 }
 
 fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -232,9 +232,6 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
         "Each column of F is a symmetric pattern.",
         "Each (u, v, -u, -v, ...) with any u, v of modulus one is an eigenvector with eigenvalue 2.",
     ])
-    .control(
-        "more eigenvectors at eigenvalue 1 too",
-        CyclicVariant { rhombi: |n, m| 4 * m == n || 6 * m == n, ..right },
-    )
-    .control("twelve clusters in every column", CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right })
+    .altered("more eigenvectors at eigenvalue 1 too", |v| v.rhombi = |n, m| 4 * m == n || 6 * m == n)
+    .altered("twelve clusters in every column", |v| v.clusters = |n, m| if m == 0 { 1 } else { n })
 }

@@ -49,8 +49,8 @@ pub fn edge_length() -> Record<LengthVariant> {
         "For undirected G, Q_L(x) = (1/(4N)) sum_{(j,k) in E} |x_j - x_k|^2 with both directions of each edge in E.",
         "With each edge counted once it is (1/(2N)) sum |x_j - x_k|^2.",
     ])
-    .control("1/N", LengthVariant { factor: (1, 1), ..right })
-    .control("1/(4N) on directed graphs too", LengthVariant { directed: true, ..right })
+    .altered("1/N", |v| v.factor = (1, 1))
+    .altered("1/(4N) on directed graphs too", |v| v.directed = true)
 }
 
 /// The inertia of the form `<x, L x>` over real vectors.
@@ -133,9 +133,9 @@ pub fn incidence() -> Record<IncidenceVariant> {
         "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way.",
         "With one column for each directed edge in E, L = (1/2) B B^T.",
     ])
-    .control("half of B B^T with a column for each undirected edge", IncidenceVariant { once: Some((1, 2)), ..right })
-    .control("both entries 1", IncidenceVariant { tail: 1, ..right })
-    .control("a third with a column for each directed edge", IncidenceVariant { twice: Some((1, 3)), ..right })
+    .altered("half of B B^T with a column for each undirected edge", |v| v.once = Some((1, 2)))
+    .altered("both entries 1", |v| v.tail = 1)
+    .altered("a third with a column for each directed edge", |v| v.twice = Some((1, 3)))
 }
 
 fn examine_incidence(variant: &IncidenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -30,11 +30,10 @@ fn complete_sides(laplacian: SparseMatrix, constant: Rational, sign: i64) -> Ide
 }
 
 pub fn complete_potential() -> Record<CompleteVariant> {
-    let printed = CompleteVariant { constant: |n| rational(n, 2), sign: -1, graph: complete };
     Record::new(
         "paley.eq13",
         "L = N I - 1 1^T: <z, L z> = N * N - |sum z|^2 = N^2 (1 - |p|^2), divided by 2N. The gradients are opposite, so the stationary points are the same.",
-        printed,
+        CompleteVariant { constant: |n| rational(n, 2), sign: -1, graph: complete },
         |variant, run| {
             let parts = (1..=3usize).map(|n| {
                 let laplacian = laplacian(&(variant.graph)(n))?;
@@ -45,9 +44,9 @@ pub fn complete_potential() -> Record<CompleteVariant> {
         },
     )
     .clauses(&["If G is complete, then W_1(theta) = N/2 - U_1(theta).", "W_1 has the same stationary points as U_1."])
-    .control("N instead of N/2", CompleteVariant { constant: |n| rational(n, 1), ..printed })
-    .control("+ U_1", CompleteVariant { sign: 1, ..printed })
-    .control("the path", CompleteVariant { graph: |n| digraph(n, |k, j| k.abs_diff(j) == 1), ..printed })
+    .altered("N instead of N/2", |v| v.constant = |n| rational(n, 1))
+    .altered("+ U_1", |v| v.sign = 1)
+    .altered("the path", |v| v.graph = |n| digraph(n, |k, j| k.abs_diff(j) == 1))
 }
 
 /// Graphs of the identities; a directed one first where the statement is to be tried on it.
@@ -80,12 +79,11 @@ fn gradient_sides(laplacian: SparseMatrix, variant: &GradientVariant) -> Identit
 }
 
 pub fn gradient() -> Record<GradientVariant> {
-    let printed = GradientVariant { both: 1, own: (1, 1), directed: false };
     Record::new(
         "paley.gradW",
         "The derivative of (1/(2N)) <z, L z> along i z_k e_k is (1/(2N)) (<i z_k, L_k z> + <z, L e_k i z_k>), and the second term is <i z_k, (L^T)_k z>. \
          For undirected G, L = L^T. (The first form holds for directed graphs too, the second does not.)",
-        printed,
+        GradientVariant { both: 1, own: (1, 1), directed: false },
         |variant, run| {
             let parts = graphs(variant.directed).map(|graph| {
                 let graph = graph?;
@@ -99,9 +97,9 @@ pub fn gradient() -> Record<GradientVariant> {
         "For undirected G, dW_1/dtheta_k = (1/(2N)) <i e^{i theta_k}, (L + L^T)_k e^{i theta}>.",
         "This is (1/N) <i e^{i theta_k}, L_k e^{i theta}>.",
     ])
-    .control("directed graphs too", GradientVariant { directed: true, ..printed })
-    .control("1/(2N) with L alone", GradientVariant { own: (1, 2), ..printed })
-    .control("1/N with L + L^T", GradientVariant { both: 2, ..printed })
+    .altered("directed graphs too", |v| v.directed = true)
+    .altered("1/(2N) with L alone", |v| v.own = (1, 2))
+    .altered("1/N with L + L^T", |v| v.both = 2)
 }
 
 /// Powers and signs of the rate and of the sum over pairs.
@@ -129,12 +127,11 @@ fn law_sides(laplacian: SparseMatrix, graph: WeightedGraph, variant: &LawVariant
 }
 
 pub fn law() -> Record<LawVariant> {
-    let printed = LawVariant { power_of_n: 2, sine: 1, directed: false };
     Record::new(
         "paley.eq14_15",
         "dW_1/dtheta_k = (1/N) <i z_k, L_k z> (paley.gradW) times thetadot_k; omega_0 adds omega_0 1^T grad W_1 = 0, because W_1 does not change when all \
          phases turn. <i z_k, L_k z> = -sum_j <i z_k, z_j> = sum_j sin theta_kj.",
-        printed,
+        LawVariant { power_of_n: 2, sine: 1, directed: false },
         |variant, run| {
             let parts = graphs(variant.directed).map(|graph| {
                 let graph = graph?;
@@ -148,7 +145,7 @@ pub fn law() -> Record<LawVariant> {
         "For undirected G, the phase model (6) with (14) satisfies Wdot_1 = (K_1/N^2) sum_k <i e^{i theta_k}, L_k e^{i theta}>^2.",
         "It is equivalent to thetadot_k = omega_0 + (K_1/N) sum_{j in N_k} sin theta_kj.",
     ])
-    .control("K_1/N in the rate", LawVariant { power_of_n: 1, ..printed })
-    .control("sin theta_jk", LawVariant { sine: -1, ..printed })
-    .control("directed graphs too", LawVariant { directed: true, ..printed })
+    .altered("K_1/N in the rate", |v| v.power_of_n = 1)
+    .altered("sin theta_jk", |v| v.sine = -1)
+    .altered("directed graphs too", |v| v.directed = true)
 }

@@ -93,9 +93,9 @@ pub fn moment_potentials() -> Record<MomentVariant> {
         "U_m reaches its maximum when the difference between any two phases is an integer multiple of 2 pi/m.",
         "All of the remaining stationary points are isolated saddle points.",
     ])
-    .control("isolated in T^N", MomentVariant { others: |i| i.zero == 0, ..printed })
-    .control("maximum at multiples of pi/m", MomentVariant { divisor: 2, ..printed })
-    .control("minimum and maximum exchanged", MomentVariant { exchanged: true, ..printed })
+    .altered("isolated in T^N", |v| v.others = |i| i.zero == 0)
+    .altered("maximum at multiples of pi/m", |v| v.divisor = 2)
+    .altered("minimum and maximum exchanged", |v| v.exchanged = true)
 }
 
 /// All arrangements of few phases.

@@ -33,8 +33,8 @@ pub fn synchronised() -> Record<RateVariant> {
         "Under (6) with (9) or (14) that rate is omega_0.",
         "The formation is parallel if and only if that rate is zero.",
     ])
-    .control("the rate 2 omega_0", RateVariant { rate: |omega| omega * rational(2, 1), ..right })
-    .control("one phase apart from the others", RateVariant { apart: true, ..right })
+    .altered("the rate 2 omega_0", |v| v.rate = |omega| omega * rational(2, 1))
+    .altered("one phase apart from the others", |v| v.apart = true)
 }
 
 fn examine_rates(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -94,13 +94,12 @@ fn velocity_of_centre(particles: usize, variant: &OrderVariant) -> Identity<'_> 
 }
 
 pub fn order_parameter() -> Record<OrderVariant> {
-    let printed = OrderVariant { quarters: 0, squares: 1 };
     Record::new(
         "paley.eq7",
         "Rdot = (1/N) sum rdot_j = (1/N) sum e^{i theta_j} by (1). 1 - |p|^2 = (1/(2 N^2)) sum_{k,j} |z_k - z_j|^2 >= 0 with equality \
          exactly for equal phases. p = 0 at all times is Rdot = 0, that is, R is fixed; an arrangement that is balanced at one instant only has \
          Rdot = 0 at that instant.",
-        printed,
+        OrderVariant { quarters: 0, squares: 1 },
         |variant, run| {
             let parts = (1..=4).map(|particles| {
                 let part = format!("Rdot = p and 1 - |p|^2 as a sum of squares, N = {particles}");
@@ -115,8 +114,8 @@ pub fn order_parameter() -> Record<OrderVariant> {
         "p_theta equals the velocity Rdot of the center of mass.",
         "Each balanced arrangement corresponds to a fixed center of mass.",
     ])
-    .control("p turned by a quarter", OrderVariant { quarters: 1, ..printed })
-    .control("twice the squares", OrderVariant { squares: 2, ..printed })
+    .altered("p turned by a quarter", |v| v.quarters = 1)
+    .altered("twice the squares", |v| v.squares = 2)
 }
 
 /// Which arrangements maximise, from how many particles on, and how many particles a rotation leaves out.
@@ -140,12 +139,11 @@ fn rotation(particles: usize, left_out: usize) -> Identity<'static> {
 }
 
 pub fn extremes() -> Record<ExtremesVariant> {
-    let printed = ExtremesVariant { swapped: false, least_particles: 2, left_out: 0 };
     Record::new(
         "paley.eq8.ext",
         "|p| does not change when all phases turn together. 0 <= |p| <= 1 (eq. 7), with |p| = 1 exactly for equal phases and p = 0 exactly for \
          balanced ones, and both occur for N >= 2 (the splay state is balanced). One particle has no balanced arrangement and U_1 = 1/2 is constant.",
-        printed,
+        ExtremesVariant { swapped: false, least_particles: 2, left_out: 0 },
         |variant, run| {
             let rotation = rotation(3, variant.left_out);
             let rotation = identities(run, &[1], &["turn"], [Ok((rotation, "rotational invariance, N = 3".into()))]);
@@ -158,9 +156,9 @@ pub fn extremes() -> Record<ExtremesVariant> {
         "U_1 is maximized by synchronized phase arrangements.",
         "U_1 is minimized by balanced phase arrangements.",
     ])
-    .control("maximised by balanced arrangements", ExtremesVariant { swapped: true, ..printed })
-    .control("balanced arrangements for N = 1 too", ExtremesVariant { least_particles: 1, ..printed })
-    .control("one phase not turned", ExtremesVariant { left_out: 1, ..printed })
+    .altered("maximised by balanced arrangements", |v| v.swapped = true)
+    .altered("balanced arrangements for N = 1 too", |v| v.least_particles = 1)
+    .altered("one phase not turned", |v| v.left_out = 1)
 }
 
 fn balanced_exist(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, CheckError> {
@@ -225,12 +223,11 @@ fn gradient_sides(particles: usize, variant: &GradientVariant) -> Identity<'_> {
 }
 
 pub fn gradient_law() -> Record<GradientVariant> {
-    let printed = GradientVariant { gradient: 1, sine: 1, decrease: (-1, 1) };
     Record::new(
         "paley.eq8_10",
         "dp/dtheta_k = i e^{i theta_k}/N gives the gradient; the sum is N <i p, p> = 0. <i e^{i theta_k}, e^{i theta_j}> = -sin theta_kj gives \
          (10). Along (6) the rate of U_1 is grad U_1 (omega_0 1 - K_1 grad U_1), and grad U_1 is orthogonal to 1.",
-        printed,
+        GradientVariant { gradient: 1, sine: 1, decrease: (-1, 1) },
         |variant, run| {
             let parts = (2..=3).map(|particles| {
                 let part = format!("gradient, its sum, (10) and the rate of U_1, N = {particles}");
@@ -245,7 +242,7 @@ pub fn gradient_law() -> Record<GradientVariant> {
         "With (9) the phase model (6) is equivalent to (10): thetadot_k = omega_0 + (K_1/N) sum_j sin theta_kj.",
         "Along it Udot_1 = -K_1 sum_k <i e^{i theta_k}, p_theta>^2.",
     ])
-    .control("the opposite gradient", GradientVariant { gradient: -1, ..printed })
-    .control("sin theta_jk in (10)", GradientVariant { sine: -1, ..printed })
-    .control("half the decrease", GradientVariant { decrease: (-1, 2), ..printed })
+    .altered("the opposite gradient", |v| v.gradient = -1)
+    .altered("sin theta_jk in (10)", |v| v.sine = -1)
+    .altered("half the decrease", |v| v.decrease = (-1, 2))
 }

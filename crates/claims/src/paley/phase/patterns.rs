@@ -24,11 +24,10 @@ pub struct TwoVariant {
 }
 
 pub fn two_patterns() -> Record<TwoVariant> {
-    let printed = TwoVariant { least: 2, count: 2 };
     Record::new(
         "paley.patterns.two",
         "1 and N divide N and differ for N >= 2. One particle has one pattern, both synchronised and splay. A prime N has no third pattern.",
-        printed,
+        TwoVariant { least: 2, count: 2 },
         |variant, run| {
             let evidence = exact("two patterns", "exact patterns for N = 2 to 12").on([1, 2]);
             run.every(evidence, variant.least..=12, |particles| {
@@ -45,8 +44,8 @@ pub fn two_patterns() -> Record<TwoVariant> {
         "For any N there exist the (1,N)-pattern (synchronized state) and the (N,N)-pattern (splay state).",
         "These are two symmetric patterns.",
     ])
-    .control("one particle too", TwoVariant { least: 1, ..printed })
-    .control("at least three", TwoVariant { count: 3, ..printed })
+    .altered("one particle too", |v| v.least = 1)
+    .altered("at least three", |v| v.count = 3)
 }
 
 /// Up to which moment a pattern is balanced, whether the last one is multiplied by `M`, and whether all patterns are balanced.
@@ -76,12 +75,11 @@ impl MomentsVariant {
 }
 
 pub fn moments_of_patterns() -> Record<MomentsVariant> {
-    let printed = MomentsVariant { beyond: 0, multiplied: true, synchronised_too: false };
     Record::new(
         "paley.eq23",
         "The m-th powers of the M-th roots of unity sum to M if M divides m and to 0 otherwise; each root occurs N/M times. So p_m = 0 for 0 < m < M and |p_M| = 1/M. \
          M >= 2 gives p_1 = 0.",
-        printed,
+        MomentsVariant { beyond: 0, multiplied: true, synchronised_too: false },
         |variant, run| {
             let most = run.cases(10, 16) as u32;
             let sizes = (1..=most).chain([12]).flat_map(|particles| divisors(particles).map(move |m| (m, particles)));
@@ -98,9 +96,9 @@ pub fn moments_of_patterns() -> Record<MomentsVariant> {
         "They satisfy M |p_{M theta}| = 1.",
         "All of the symmetric patterns other than the synchronized state are balanced.",
     ])
-    .control("p_M = 0 too", MomentsVariant { beyond: 1, ..printed })
-    .control("|p_M| = 1", MomentsVariant { multiplied: false, ..printed })
-    .control("the synchronised state balanced", MomentsVariant { synchronised_too: true, ..printed })
+    .altered("p_M = 0 too", |v| v.beyond = 1)
+    .altered("|p_M| = 1", |v| v.multiplied = false)
+    .altered("the synchronised state balanced", |v| v.synchronised_too = true)
 }
 
 /// The gain `K_m` of `K_1, ..., K_M`, given `m` and `M`.

@@ -35,12 +35,11 @@ fn squares(laplacian: SparseMatrix, graph: WeightedGraph, sign: i64) -> Identity
 }
 
 pub fn reference_phase() -> Record<ReferenceVariant> {
-    let printed = ReferenceVariant { sign: -1, unique_on: Graph::is_connected };
     Record::new(
         "paley.ref",
         "W_1 >= 0 and 1 - cos >= 0, both zero at theta_k = theta_0. The sum is (1/(4N)) sum over arcs of |z_k - z_j|^2 + |z_0 - z_N|^2/2: on a connected graph, as the \
          section assumes, there is no other global minimiser. (There may be other stationary points.)",
-        printed,
+        ReferenceVariant { sign: -1, unique_on: Graph::is_connected },
         |variant, run| {
             const PARTS: usize = 4;
             let field = CosineField::new(PARTS as u32);
@@ -67,6 +66,6 @@ pub fn reference_phase() -> Record<ReferenceVariant> {
             Run::all([minimisers, squares])
         },
     )
-    .control("1 + cos", ReferenceVariant { sign: 1, ..printed })
-    .control("unique on every graph", ReferenceVariant { unique_on: |_| true, ..printed })
+    .altered("1 + cos", |v| v.sign = 1)
+    .altered("unique on every graph", |v| v.unique_on = |_| true)
 }

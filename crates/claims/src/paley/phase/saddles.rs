@@ -70,9 +70,9 @@ pub fn saddles() -> Record<SaddleVariant> {
         "They satisfy sin theta_kj = 0 for all j, k.",
         "They are equilibria of (6) with the control (9).",
     ])
-    .control("balanced ones too", SaddleVariant { applies: |kind| kind != Kind::Synchronised, ..printed })
-    .control("synchronised ones too", SaddleVariant { applies: |kind| kind != Kind::Balanced, ..printed })
-    .control("at rest for any omega_0", SaddleVariant { at_rest: true, ..printed })
+    .altered("balanced ones too", |v| v.applies = |kind| kind != Kind::Synchronised)
+    .altered("synchronised ones too", |v| v.applies = |kind| kind != Kind::Balanced)
+    .altered("at rest for any omega_0", |v| v.at_rest = true)
 }
 
 /// The `M` of `N` for which the statement is made, and whether the last phase is a quarter turn off.
@@ -83,12 +83,11 @@ pub struct UnbalancedVariant {
 }
 
 pub fn unbalanced() -> Record<UnbalancedVariant> {
-    let printed = UnbalancedVariant { applies: |m, n| m >= 1 && 2 * m != n, distorted: false };
     Record::new(
         "paley.unbal",
         "M = N/2 is balanced, two equal clusters, stable for K_1 > 0, and M = 0 is synchronised, stable for K_1 < 0. The Hessian of U_1 is indefinite \
          at the others (paley.thm1.saddle), so the linearisation has an unstable direction for either sign of K_1.",
-        printed,
+        UnbalancedVariant { applies: |m, n| m >= 1 && 2 * m != n, distorted: false },
         examine_unbalanced,
     )
     .reading("The sentence gives an example of the critical points other than the synchronized and balanced: 1 <= M < N and M != N/2; equilibria \
@@ -98,9 +97,9 @@ pub fn unbalanced() -> Record<UnbalancedVariant> {
         "They are unstable.",
         "They look like two unequally sized clusters on opposite sides of the unit circle.",
     ])
-    .control("M = N/2 too", UnbalancedVariant { applies: |m, _| m >= 1, ..printed })
-    .control("M = 0 too", UnbalancedVariant { applies: |m, n| 2 * m != n, ..printed })
-    .control("the last phase a quarter turn off", UnbalancedVariant { distorted: true, ..printed })
+    .altered("M = N/2 too", |v| v.applies = |m, _| m >= 1)
+    .altered("M = 0 too", |v| v.applies = |m, n| 2 * m != n)
+    .altered("the last phase a quarter turn off", |v| v.distorted = true)
 }
 
 fn examine_unbalanced(variant: &UnbalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {

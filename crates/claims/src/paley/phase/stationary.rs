@@ -34,12 +34,11 @@ pub struct StationaryVariant {
 }
 
 pub fn stationary_points() -> Record<StationaryVariant> {
-    let printed = StationaryVariant { directed: false, unturned: false };
     Record::new(
         "paley.eq16",
         "By paley.gradW the left sides of (16) are N times the derivatives of W_1. (On directed graphs they are not, and (16) may hold at a point that is not \
          stationary.)",
-        printed,
+        StationaryVariant { directed: false, unturned: false },
         |variant, run| {
             const PARTS: usize = 4;
             let field = CosineField::new(PARTS as u32);
@@ -62,8 +61,8 @@ pub fn stationary_points() -> Record<StationaryVariant> {
             })
         },
     )
-    .control("directed graphs too", StationaryVariant { directed: true, ..printed })
-    .control("<e^{i theta_k}, L_k e^{i theta}>", StationaryVariant { unturned: true, ..printed })
+    .altered("directed graphs too", |v| v.directed = true)
+    .altered("<e^{i theta_k}, L_k e^{i theta}>", |v| v.unturned = true)
 }
 
 /// Graphs, direction of the implication, and what an equilibrium is.
@@ -75,12 +74,11 @@ pub struct EigenvectorVariant {
 }
 
 pub fn eigenvectors_are_stationary() -> Record<EigenvectorVariant> {
-    let printed = EigenvectorVariant { directed: false, converse: false, at_rest: false };
     Record::new(
         "paley.eq16.eigvec",
         "L is real and symmetric, so the eigenvalue is real and <i z_k, lambda z_k> = 0: (16) holds, the control vanishes, and all phases turn at omega_0. \
          On directed graphs eigenvalues may be complex and it fails; the converse fails too.",
-        printed,
+        EigenvectorVariant { directed: false, converse: false, at_rest: false },
         examine_eigenvectors,
     )
     .reading("Equilibria of (6) with (14) are taken modulo rotation, as throughout the paper: all phases turn at one rate; at rest for omega_0 = 0")
@@ -88,9 +86,9 @@ pub fn eigenvectors_are_stationary() -> Record<EigenvectorVariant> {
         "If e^{i theta} is an eigenvector of L (G undirected), then theta is a stationary point of W_1.",
         "It is then an equilibrium of (6).",
     ])
-    .control("directed graphs too", EigenvectorVariant { directed: true, ..printed })
-    .control("and conversely", EigenvectorVariant { converse: true, ..printed })
-    .control("at rest for any omega_0", EigenvectorVariant { at_rest: true, ..printed })
+    .altered("directed graphs too", |v| v.directed = true)
+    .altered("and conversely", |v| v.converse = true)
+    .altered("at rest for any omega_0", |v| v.at_rest = true)
 }
 
 fn examine_eigenvectors(variant: &EigenvectorVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -143,8 +143,8 @@ pub fn synchronised_stable() -> Record<StabilityVariant> {
         "For (9) with K_1 < 0 all of the synchronized phase arrangements are asymptotically stable.",
         "All of the remaining equilibria of (6) are unstable.",
     ])
-    .control("K_1 > 0", StabilityVariant { gain: 1, ..SYNCHRONISED })
-    .control("balanced arrangements for K_1 < 0", StabilityVariant { stable: Kind::Balanced, ..SYNCHRONISED })
+    .altered("K_1 > 0", |v| v.gain = 1)
+    .altered("balanced arrangements for K_1 < 0", |v| v.stable = Kind::Balanced)
 }
 
 pub fn balanced_stable() -> Record<StabilityVariant> {
@@ -163,8 +163,8 @@ pub fn balanced_stable() -> Record<StabilityVariant> {
         "For (9) with K_1 > 0 the balanced equilibria are asymptotically stable.",
         "All of the remaining equilibria of (6) are unstable.",
     ])
-    .control("K_1 < 0", StabilityVariant { gain: -1, ..BALANCED })
-    .control("each of them on its own, modulo rotation", StabilityVariant { each: true, ..BALANCED })
-    .control("one particle too", StabilityVariant { least_particles: 1, ..BALANCED })
-    .control("unbalanced ones", StabilityVariant { stable: Kind::Unbalanced, ..BALANCED })
+    .altered("K_1 < 0", |v| v.gain = -1)
+    .altered("each of them on its own, modulo rotation", |v| v.each = true)
+    .altered("one particle too", |v| v.least_particles = 1)
+    .altered("unbalanced ones", |v| v.stable = Kind::Unbalanced)
 }

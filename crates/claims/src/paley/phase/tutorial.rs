@@ -78,9 +78,9 @@ pub fn laplacians() -> Record<LaplacianVariant> {
         "If G is undirected, L is symmetric positive semidefinite.",
         "If G is circulant, L is diagonalized by the discrete Fourier transform matrix.",
     ])
-    .control("zero simple for every digraph", LaplacianVariant { simple_for_all: true, ..printed })
-    .control("D with the column sums of A", LaplacianVariant { kind: LaplacianKind::InDegree, ..printed })
-    .control("F with (m - 1)(k - 1)^2", LaplacianVariant { exponent: |m, k| (m - 1) * (k - 1) * (k - 1), ..printed })
+    .altered("zero simple for every digraph", |v| v.simple_for_all = true)
+    .altered("D with the column sums of A", |v| v.kind = LaplacianKind::InDegree)
+    .altered("F with (m - 1)(k - 1)^2", |v| v.exponent = |m, k| (m - 1) * (k - 1) * (k - 1))
 }
 
 fn examine_laplacians(variant: &LaplacianVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -125,15 +125,13 @@ pub fn named_laplacians() -> Record<NamedVariant> {
             "Each of its nodes has degree 2.",
             "Its first Laplacian row is (2, -1, 0, ..., 0, -1).",
         ])
-        .control("C_2 too", NamedVariant { least_cycle: 2, ..printed })
-        .control(
-            "(2, -1, 0, ..., 0)",
-            NamedVariant { cyclic_row: |n| (0..n).map(|k| [2, -1].get(k).copied().unwrap_or(0)).collect(), ..printed },
-        )
-        .control(
-            "(N, -1, ..., -1)",
-            NamedVariant { complete_row: |n| (0..n).map(|k| if k == 0 { n as i64 } else { -1 }).collect(), ..printed },
-        )
+        .altered("C_2 too", |v| v.least_cycle = 2)
+        .altered("(2, -1, 0, ..., 0)", |v| {
+            v.cyclic_row = |n| (0..n).map(|k| [2, -1].get(k).copied().unwrap_or(0)).collect()
+        })
+        .altered("(N, -1, ..., -1)", |v| {
+            v.complete_row = |n| (0..n).map(|k| if k == 0 { n as i64 } else { -1 }).collect()
+        })
 }
 
 fn examine_named(variant: &NamedVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -95,12 +95,11 @@ pub struct ConnectedVariant {
 }
 
 pub fn connected() -> Record<ConnectedVariant> {
-    let printed = ConnectedVariant { applies: WeightedGraph::is_strongly_connected, factor: (1, 2), above: (0, 1) };
     Record::new(
         "paley.eq12.pos",
         "Row k of L z is d_k z_k - sum z_j, which gives the display. Each term is 1 - cos theta_kj >= 0, zero exactly at equal phases. So W_1 = 0 exactly if \
          phases are equal across every arc; if the graph is strongly connected (weakly is enough), they are all equal.",
-        printed,
+        ConnectedVariant { applies: WeightedGraph::is_strongly_connected, factor: (1, 2), above: (0, 1) },
         |variant, run| {
             let above = rational(variant.above.0, variant.above.1);
             let formula = sum_of_squares(run, variant.factor).on([1, 2]);
@@ -118,9 +117,9 @@ pub fn connected() -> Record<ConnectedVariant> {
         "If G is strongly connected, W_1(theta) = 0 if and only if theta is synchronized.",
         "Otherwise W_1(theta) > 0.",
     ])
-    .control("every digraph", ConnectedVariant { applies: |_| true, ..printed })
-    .control("1/N instead of 1/(2N)", ConnectedVariant { factor: (1, 1), ..printed })
-    .control("above 1/2 where positive", ConnectedVariant { above: (1, 2), ..printed })
+    .altered("every digraph", |v| v.applies = |_| true)
+    .altered("1/N instead of 1/(2N)", |v| v.factor = (1, 1))
+    .altered("above 1/2 where positive", |v| v.above = (1, 2))
 }
 
 /// Zero exactly, or only, where the phases within each part of the graph are synchronised.
@@ -171,8 +170,8 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
         "W_1(theta) is zero if and only if the phases within each weakly connected component of G are synchronised.",
         "Otherwise W_1(theta) is positive.",
     ])
-    .control("all phases equal", ZeroVariant { parts: Parts::Whole, ..weak })
-    .control("otherwise above 1/4", ZeroVariant { above: (1, 4), ..weak })
+    .altered("all phases equal", |v| v.parts = Parts::Whole)
+    .altered("otherwise above 1/4", |v| v.above = (1, 4))
 }
 
 pub fn fish_subgraphs() -> Record<ZeroVariant> {
@@ -190,10 +189,10 @@ pub fn fish_subgraphs() -> Record<ZeroVariant> {
         "It is zero if theta is synchronized.",
         "Even if the network is not connected, W_1(theta) = 0 only if the phases within each connected subgraph are synchronized.",
     ])
-    .control("only if all phases are equal", ZeroVariant { parts: Parts::Whole, ..printed })
+    .altered("only if all phases are equal", |v| v.parts = Parts::Whole)
     .control(
         "if the phases within each strongly connected subgraph are",
         ZeroVariant { parts: Parts::Strong, sufficient: true, ..printed },
     )
-    .control("above 1/4 otherwise", ZeroVariant { above: (1, 4), ..printed })
+    .altered("above 1/4 otherwise", |v| v.above = (1, 4))
 }

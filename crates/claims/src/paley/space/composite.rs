@@ -48,7 +48,6 @@ fn composite(variant: &CompositeVariant, network: Neighbours) -> StateIdentity<'
 }
 
 pub fn composite_descent() -> Record<CompositeVariant> {
-    let printed = CompositeVariant { sign: 1, exponent: -1, cross: 1 };
     Record::new(
         "paley.eq21",
         "With sigma_k = <e^{i theta_k}, L_k c>, tau_k = <i e^{i theta_k}, L_k e^{i theta}>: Sdot = (1/N) \
@@ -58,7 +57,7 @@ pub fn composite_descent() -> Record<CompositeVariant> {
          -K_1/w0^2, and for every other a the rate is indefinite. With the printed a = K_1/w0 the W_1 part \
          has the wrong sign for w0 > 0: at K_1 > 0 the control (14) increases W_1. V = K_0 S - K_1 w0^-2 \
          W_1 is what (22) decreases, in agreement with synchronisation for K_1 < 0.",
-        printed,
+        CompositeVariant { sign: 1, exponent: -1, cross: 1 },
         examine_composite_descent,
     )
     .repaired(
@@ -107,18 +106,17 @@ fn form(variant: &FormVariant, orientation: Neighbours, attraction: Neighbours) 
 const CONSTANTS: [&str; 3] = ["w0", "K_0", "K_1"];
 
 pub fn circular_form() -> Record<FormVariant> {
-    let printed = FormVariant { alignment: (1, -1), rest: 0, spacing: 1 };
     Record::new(
         "paley.eq22",
         "c = r + w0^-1 i e^{i theta}, and <z, i y> = -<i z, y>: w0 (K_0/N) <e^{i theta_k}, L_k c> = w0 \
          (K_0/N) <e^{i theta_k}, L_k r> - (K_0/N) <i e^{i theta_k}, L_k e^{i theta}>. It holds for directed \
          networks too.",
-        printed,
+        FormVariant { alignment: (1, -1), rest: 0, spacing: 1 },
         examine_circular_form,
     )
-    .control("K_1 + K_0", FormVariant { alignment: (1, 1), ..printed })
-    .control("K_1 alone", FormVariant { alignment: (1, 0), ..printed })
-    .control("minus the spacing term", FormVariant { spacing: -1, ..printed })
+    .altered("K_1 + K_0", |v| v.alignment = (1, 1))
+    .altered("K_1 alone", |v| v.alignment = (1, 0))
+    .altered("minus the spacing term", |v| v.spacing = -1)
 }
 
 fn examine_circular_form(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -131,7 +129,6 @@ fn examine_circular_form(variant: &FormVariant, run: &mut Run) -> Result<Outcome
 }
 
 pub fn two_networks() -> Record<FormVariant> {
-    let printed = FormVariant { alignment: (1, -1), rest: 0, spacing: 1 };
     Record::new(
         "paley.eq29",
         "(5) with (14) on the orientation network and (20) on the attraction network: in the coefficient \
@@ -140,7 +137,7 @@ pub fn two_networks() -> Record<FormVariant> {
          control only where K_0 = 0 or both terms agree. Under (29) as printed circular formations need not \
          be equilibria when K_1 = 0 (two particles that see but do not align, at a quarter turn), and at \
          K_1 = K_0 the orientation network has no effect at all.",
-        printed,
+        FormVariant { alignment: (1, -1), rest: 0, spacing: 1 },
         examine_two_networks,
     )
     .repaired(
@@ -217,7 +214,7 @@ pub fn pattern_composite() -> Record<WeightVariant> {
         right,
     )
     .control("U/w0", WeightVariant { exponent: -1, ..printed })
-    .control("Vdot = -sum (u_k - w0)^2", WeightVariant { rate: 0, ..right })
+    .altered("Vdot = -sum (u_k - w0)^2", |v| v.rate = 0)
 }
 
 fn examine_pattern_composite(variant: &WeightVariant, run: &mut Run) -> Result<Outcome, CheckError> {

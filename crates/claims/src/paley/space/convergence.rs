@@ -103,7 +103,6 @@ fn examine_return(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, Ch
 }
 
 pub fn theorem2() -> Record<ConvergenceVariant> {
-    let printed = ConvergenceVariant::PRINTED;
     Record::new(
         "paley.thm2",
         "S is proper in the relative centres (eq17) and does not increase (eq19_20), and the relative \
@@ -112,17 +111,17 @@ pub fn theorem2() -> Record<ConvergenceVariant> {
          e^{i theta_k}, L_k c>, which vanishes too: L_k c = 0 for all k, c = c_0 1, a circle of radius \
          1/|w0| turned at w0. States with sigma = 0 and unequal centres exist but are not invariant. K_0 > \
          0 as under (20).",
-        printed,
+        ConvergenceVariant::PRINTED,
         examine_theorem2,
     )
     .clauses(&[
         "All of the solutions converge to the set of circular formations with radius |w0|^{-1}.",
         "Their direction of rotation is determined by the sign of w0.",
     ])
-    .control("K_0 = -1", ConvergenceVariant { gain: -1, ..printed })
-    .control("graphs that are not connected", ConvergenceVariant { proper: ProperVariant::ANY_GRAPH, ..printed })
-    .control("directed graphs", ConvergenceVariant { descent: DescentVariant::ONE_WAY, ..printed })
-    .control("rotation at 2 w0", ConvergenceVariant { rate: 2, ..printed })
+    .altered("K_0 = -1", |v| v.gain = -1)
+    .altered("graphs that are not connected", |v| v.proper = ProperVariant::ANY_GRAPH)
+    .altered("directed graphs", |v| v.descent = DescentVariant::ONE_WAY)
+    .altered("rotation at 2 w0", |v| v.rate = 2)
 }
 
 fn examine_theorem2(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -149,7 +148,6 @@ fn mean_centre() -> StateIdentity<'static> {
 }
 
 pub fn fixed_centre() -> Record<ConvergenceVariant> {
-    let printed = ConvergenceVariant::PRINTED;
     Record::new(
         "paley.thm2.center",
         "The limit set is that of Theorem 2. Near it S decays by a fixed factor per turn (notes: S is \
@@ -158,7 +156,7 @@ pub fn fixed_centre() -> Record<ConvergenceVariant> {
          fixed, and which the closed loop determines from the initial state alone (nothing in the law names \
          a place). It is not the initial mean of the centres. The centre of mass is c_0 - (i/w0) p_theta \
          and turns unless p_theta = 0.",
-        printed,
+        ConvergenceVariant::PRINTED,
         examine_fixed_centre,
     )
     .clauses(&[
@@ -171,9 +169,9 @@ pub fn fixed_centre() -> Record<ConvergenceVariant> {
         "c_0 depends on the initial state for the given law and gains; it is not the initial mean of the \
          circle centres.",
     )
-    .control("c_0 is the mean of the initial centres", ConvergenceVariant { mean_conserved: true, ..printed })
-    .control("the centre of mass is fixed", ConvergenceVariant { mass_fixed: true, ..printed })
-    .control("the limit turns at 2 w0", ConvergenceVariant { rate: 2, ..printed })
+    .altered("c_0 is the mean of the initial centres", |v| v.mean_conserved = true)
+    .altered("the centre of mass is fixed", |v| v.mass_fixed = true)
+    .altered("the limit turns at 2 w0", |v| v.rate = 2)
 }
 
 fn examine_fixed_centre(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {

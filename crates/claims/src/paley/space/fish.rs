@@ -26,7 +26,6 @@ fn euler_increments(variant: &StepVariant) -> StateIdentity<'_> {
 }
 
 pub fn euler_step() -> Record<StepVariant> {
-    let printed = StepVariant { position: 0, phase: 1 };
     Record::new(
         "paley.eq26",
         "The forward Euler method of step h for (1), (2) is r + h e^{i theta}, theta + h u: one step for \
@@ -37,7 +36,7 @@ pub fn euler_step() -> Record<StepVariant> {
          and all gains times T it is the printed model); but the article goes on to compare the gains of \
          u_k in (28) with those of (22), K_1 - K_0 = -K_ori N (paley.fish28ori), which under that reading \
          would be off by the factor T.",
-        printed,
+        StepVariant { position: 0, phase: 1 },
         examine_euler_step,
     )
     .reading("u_k is one and the same steering in (26) and in (2).")
@@ -134,8 +133,8 @@ pub fn repulsion_field() -> Record<BehaviourVariant> {
         "With K_rep > 0 the steering K_rep <i e^{i th_k}, v_k^rep> of (27) turns the heading towards it: \
          <e^{i th_k}, v_k^rep> does not decrease at a fixed v_k^rep.",
     ])
-    .control("the field turned by a quarter", BehaviourVariant { turns: 1, ..right })
-    .control("K_rep < 0", BehaviourVariant { gain: -1, ..right })
+    .altered("the field turned by a quarter", |v| v.turns = 1)
+    .altered("K_rep < 0", |v| v.gain = -1)
 }
 
 pub fn attraction_field() -> Record<BehaviourVariant> {
@@ -165,6 +164,6 @@ pub fn attraction_field() -> Record<BehaviourVariant> {
         "With K_att > 0 the steering K_att <i e^{i th_k}, v_k^att> of (27) turns the heading towards it: \
          <e^{i th_k}, v_k^att> does not decrease at a fixed v_k^att.",
     ])
-    .control("the field turned by a quarter", BehaviourVariant { turns: 1, ..right })
-    .control("K_att < 0", BehaviourVariant { gain: -1, ..right })
+    .altered("the field turned by a quarter", |v| v.turns = 1)
+    .altered("K_att < 0", |v| v.gain = -1)
 }

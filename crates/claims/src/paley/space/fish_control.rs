@@ -54,7 +54,6 @@ fn printed_forms(variant: &FormVariant) -> Identity<'_> {
 }
 
 pub fn laplacian_form() -> Record<FormVariant> {
-    let printed = FormVariant { orientation: -1, attraction: 1, field: 1, units: false };
     let right = FormVariant { orientation: -1, attraction: -1, field: -1, units: false };
     Record::new(
         "paley.eq28",
@@ -64,7 +63,7 @@ pub fn laplacian_form() -> Record<FormVariant> {
          behaviour is -K_att <i z, L_k^att r>. How far the approximation is from (27): by K_att <i z, sum \
          (1 - 1/|r_kj|) r_kj> up to sign, nothing where the neighbours are at the distance 1, a half of \
          (28) for one neighbour at the distance 2.",
-        printed,
+        FormVariant { orientation: -1, attraction: 1, field: 1, units: false },
         examine_laplacian_form,
     )
     .clauses(&[
@@ -82,9 +81,9 @@ pub fn laplacian_form() -> Record<FormVariant> {
         "With an empty zone of repulsion and v_k^att = - sum rhat_kj in (27) it is (27) itself where every neighbour in the zone of \
          attraction is at the distance 1, and in general it is not.",
     ])
-    .control("(28) with -K_att from the printed (27)", FormVariant { field: 1, ..right })
-    .control("+K_ori", FormVariant { orientation: 1, ..right })
-    .control("unit vectors at any distance", FormVariant { units: true, ..right })
+    .altered("(28) with -K_att from the printed (27)", |v| v.field = 1)
+    .altered("+K_ori", |v| v.orientation = 1)
+    .altered("unit vectors at any distance", |v| v.units = true)
 }
 
 fn examine_laplacian_form(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -141,7 +140,6 @@ fn comparison_sides(variant: &ComparisonVariant, network: Neighbours) -> StateId
 }
 
 pub fn comparison() -> Record<ComparisonVariant> {
-    let printed = ComparisonVariant { factor: (1, 1), turns: 0, without_orientation: false };
     Record::new(
         "paley.fish28ori",
         "(K_1 - K_0)/N = -K_ori gives equal alignment terms. <e^{i theta_k}, L_k r> = sigma_k + tau_k/w0. \
@@ -149,7 +147,7 @@ pub fn comparison() -> Record<ComparisonVariant> {
          tau_k/w0 = 0 turning at w0; tau_k is constant there and sigma_k has mean zero, so both vanish: the \
          motion of each particle is perpendicular to rtilde_k (or rtilde_k = 0). With K_1 = 0 it need not \
          be: two particles a quarter turn apart.",
-        printed,
+        ComparisonVariant { factor: (1, 1), turns: 0, without_orientation: false },
         examine_comparison,
     )
     .clauses(&[
@@ -163,9 +161,9 @@ pub fn comparison() -> Record<ComparisonVariant> {
          the heading; the circular control is (22) with K_1 != 0, as under (21), on an undirected connected \
          graph of N >= 2 (for N = 1 rtilde_1 has no value).",
     )
-    .control("K_1 - K_0 = -K_ori", ComparisonVariant { factor: (1, 4), ..printed })
-    .control("the factor i left in the spacing term", ComparisonVariant { turns: 1, ..printed })
-    .control("perpendicular for K_1 = 0 too", ComparisonVariant { without_orientation: true, ..printed })
+    .altered("K_1 - K_0 = -K_ori", |v| v.factor = (1, 4))
+    .altered("the factor i left in the spacing term", |v| v.turns = 1)
+    .altered("perpendicular for K_1 = 0 too", |v| v.without_orientation = true)
 }
 
 fn examine_comparison(variant: &ComparisonVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -94,7 +94,6 @@ fn drawn_differences(variant: &ScaleVariant, fish: usize, draws: usize, run: &Ru
 }
 
 pub fn difference_inference() -> Record<ScaleVariant> {
-    let printed = ScaleVariant { name: "2/(n+1)", scale: |n| Scale::Figure.ratio(n) };
     Record::new(
         "paley.figS3.difference",
         "Let A_n be the mean of 1 - cos theta_kj over the arcs of the network of the nearest n. W_1 = n \
@@ -109,7 +108,7 @@ pub fn difference_inference() -> Record<ScaleVariant> {
          Whether the histogram is as described cannot be checked without the tracks. Compared per arc, with \
          the factor 1/n, positive does mean A_1 < A_{N-1}, and independent headings give mean 0. \
          `flockproof tracks` does this comparison, with null models, on anyone's trajectories.",
-        printed,
+        ScaleVariant { name: "2/(n+1)", scale: |n| Scale::Figure.ratio(n) },
         examine_difference_inference,
     )
     .repaired(Fault::False, "", ScaleVariant { name: "1/n", scale: |n| Scale::PerArc.ratio(n) })
@@ -193,7 +192,6 @@ pub struct PeakVariant {
 }
 
 pub fn measured_tracks() -> Record<PeakVariant> {
-    let printed = PeakVariant { three_to_one: (3, 4), balanced: (1, 1) };
     Record::new(
         "paley.figS1_S3",
         "The statement is about recorded tracks of giant danios, which are not published with the paper. \
@@ -201,7 +199,7 @@ pub fn measured_tracks() -> Record<PeakVariant> {
          - |p_theta|^2: 0 synchronised, 3/4 for three parallel fish and one opposite, 1 balanced; and the \
          interval [0, 1] for n = 1. `flockproof tracks` makes these histograms from anyone's trajectories, \
          and `reproduce paley.figS3` from synthetic schools.",
-        printed,
+        PeakVariant { three_to_one: (3, 4), balanced: (1, 1) },
         examine_measured_tracks,
     )
     .control("three to one at 1/2", PeakVariant { three_to_one: (1, 2), balanced: (1, 1) })

@@ -41,13 +41,12 @@ fn circle(variant: &CircleVariant) -> StateIdentity<'_> {
 }
 
 pub fn circle_of_particle() -> Record<CircleVariant> {
-    let printed = CircleVariant { centre: 1, radius: 1, turn: 1 };
     Record::new(
         "paley.eq3",
         "u = 0: the velocity e^{i theta} is constant. u = w0: cdot = e^{i theta} + w0^-1 i (i w0 e^{i \
          theta}) = 0, |r - c| = 1/|w0|, and the angular velocity about c is <i(r - c), rdot>/|r - c|^2 = \
          w0: counterclockwise for w0 > 0, clockwise for w0 < 0.",
-        printed,
+        CircleVariant { centre: 1, radius: 1, turn: 1 },
         examine_circle_of_particle,
     )
     .clauses(&[
@@ -56,9 +55,9 @@ pub fn circle_of_particle() -> Record<CircleVariant> {
          = r_k + w0^{-1} i e^{i th_k}.",
         "The motion is counterclockwise if w0 > 0 and clockwise if w0 < 0.",
     ])
-    .control("c = r - i e^{i theta}/w0", CircleVariant { centre: -1, ..printed })
-    .control("radius 1/w0^2", CircleVariant { radius: 2, ..printed })
-    .control("clockwise for w0 > 0", CircleVariant { turn: -1, ..printed })
+    .altered("c = r - i e^{i theta}/w0", |v| v.centre = -1)
+    .altered("radius 1/w0^2", |v| v.radius = 2)
+    .altered("clockwise for w0 > 0", |v| v.turn = -1)
 }
 
 fn examine_circle_of_particle(variant: &CircleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -99,12 +98,11 @@ fn acceleration(variant: &AccelerationVariant) -> StateIdentity<'_> {
 }
 
 pub fn kinetic_energy() -> Record<AccelerationVariant> {
-    let printed = AccelerationVariant { factor: 1, turns: 1 };
     Record::new(
         "paley.energy",
         "rddot = (d/dt) e^{i theta} = i u e^{i theta} = u i rdot, and <z, u i z> = u Re(i |z|^2) = 0. Each \
          |rdot_k|^2 is constant, hence their sum.",
-        printed,
+        AccelerationVariant { factor: 1, turns: 1 },
         examine_kinetic_energy,
     )
     .clauses(&[
@@ -191,7 +189,6 @@ fn shape_dimension(state: &State<Rational>) -> Result<usize, CheckError> {
 }
 
 pub fn relative_equilibria() -> Record<EquilibriumVariant> {
-    let printed = EquilibriumVariant { rate: (1, 1), fewer: 3, same_circle: true };
     Record::new(
         "paley.releq",
         "The group of rotations and translations (dimension 3) acts freely, and the shape variables \
@@ -202,7 +199,7 @@ pub fn relative_equilibria() -> Record<EquilibriumVariant> {
          theta_j: parallel. For u != 0, sdot = -i u e^{-i theta_k}(c_k - c_j) vanishes iff the centres for \
          the rate u agree: circular. No third type. Equal circles with different centres are no relative \
          equilibrium.",
-        printed,
+        EquilibriumVariant { rate: (1, 1), fewer: 3, same_circle: true },
         examine_relative_equilibria,
     )
     .clauses(&[
@@ -215,9 +212,9 @@ pub fn relative_equilibria() -> Record<EquilibriumVariant> {
         "In circular formations c_k is the centre of the circle that is travelled: (3) with the common rate \
          of turning in the place of w0.",
     )
-    .control("equal rates suffice, whatever the centres", EquilibriumVariant { same_circle: false, ..printed })
-    .control("centres for another rate than the common one", EquilibriumVariant { rate: (2, 1), ..printed })
-    .control("two dimensions fewer", EquilibriumVariant { fewer: 2, ..printed })
+    .altered("equal rates suffice, whatever the centres", |v| v.same_circle = false)
+    .altered("centres for another rate than the common one", |v| v.rate = (2, 1))
+    .altered("two dimensions fewer", |v| v.fewer = 2)
 }
 
 fn examine_relative_equilibria(variant: &EquilibriumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -270,23 +267,22 @@ fn ball(variant: &BallVariant, particles: usize) -> StateIdentity<'_> {
 }
 
 pub fn centre_of_mass_ball() -> Record<BallVariant> {
-    let printed = BallVariant { rate: 1, radius: (1, 1), from_start: false };
     Record::new(
         "paley.Rball",
         "In circular motion the circle centres rest, R - mean(c) = -(i/w0) p_theta, and w0^2 |R - mean(c)|^2 \
          = |p_theta|^2 = 1 - sum_{j<k} |e^{i theta_j} - e^{i theta_k}|^2/N^2 <= 1. The radius is attained \
          by synchronised phases. It is no statement about the approach to the formation, in which mean(c) \
          moves.",
-        printed,
+        BallVariant { rate: 1, radius: (1, 1), from_start: false },
         examine_centre_of_mass_ball,
     )
     .reading(
         "In circular motion, u_k = w0; not during the approach to it, in which the mean of the circle \
          centres moves.",
     )
-    .control("radius 99/100 of it", BallVariant { radius: (99, 100), ..printed })
-    .control("particles that turn at 2 w0", BallVariant { rate: 2, ..printed })
-    .control("a ball around the centre of mass at the start", BallVariant { from_start: true, ..printed })
+    .altered("radius 99/100 of it", |v| v.radius = (99, 100))
+    .altered("particles that turn at 2 w0", |v| v.rate = 2)
+    .altered("a ball around the centre of mass at the start", |v| v.from_start = true)
 }
 
 fn examine_centre_of_mass_ball(variant: &BallVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -74,14 +74,13 @@ pub fn examine_proper(variant: &ProperVariant, run: &Run) -> Result<Outcome, Che
 }
 
 pub fn spacing_form() -> Record<ProperVariant> {
-    let printed = ProperVariant::PRINTED;
     Record::new(
         "paley.eq17",
         "S = (1/(2N)) sum over edges |c_j - c_k|^2. It is zero iff c is constant along edges, that is, on a \
          connected graph, c = c_0 1. Along a path of l <= N - 1 edges from j to k, |c_kj|^2 <= l sum \
          |steps|^2 <= (N - 1) 2 N S, so that sublevel sets are bounded in the relative centres: S is \
          positive definite and proper. On a path N - 1 is attained by its ends.",
-        printed,
+        ProperVariant::PRINTED,
         |variant, run| examine_proper(variant, run),
     )
     .clauses(&[
@@ -113,11 +112,10 @@ fn velocity_of_centre(variant: &VelocityVariant) -> StateIdentity<'_> {
 }
 
 pub fn centre_velocity() -> Record<VelocityVariant> {
-    let printed = VelocityVariant { factor: -1, inverse: true };
     Record::new(
         "paley.eq18",
         "cdot = rdot + w0^-1 i (i u e^{i theta}) = e^{i theta} - w0^-1 u e^{i theta}.",
-        printed,
+        VelocityVariant { factor: -1, inverse: true },
         |variant, run| {
             state_identity(velocity_of_centre(variant), &["w0", "u"], "velocity of the centre", run).for_all()
         },
@@ -176,14 +174,13 @@ pub fn examine_descent(variant: &DescentVariant, run: &Run) -> Result<Outcome, C
 }
 
 pub fn spacing_descent() -> Record<DescentVariant> {
-    let printed = DescentVariant::PRINTED;
     Record::new(
         "paley.eq19_20",
         "L is symmetric: Sdot = (1/N) <cdot, L c> = (1/N) sum <e^{i theta_k}, L_k c> (1 - u_k/w0) by (18). \
          Under (20), 1 - u_k/w0 = -(K_0/N) <e^{i theta_k}, L_k c>, for either sign of w0. Both sides are \
          polynomial in the weights of the graph, so small graphs vertices are instances of an identity that \
          holds for all undirected graphs. On a directed graph (19) fails.",
-        printed,
+        DescentVariant::PRINTED,
         |variant, run| examine_descent(variant, run),
     )
     .clauses(&[

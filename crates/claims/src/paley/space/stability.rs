@@ -69,7 +69,6 @@ fn examine_synchrony(
 }
 
 pub fn synchrony_stable() -> Record<SynchronyVariant> {
-    let printed = SynchronyVariant::STABLE;
     Record::new(
         "paley.sync.exp",
         "In the turning frame with c_k = (a_k + i b_k) e^{i theta}: v = w0 (K_0/N) L a + (K_1/N) L phi, \
@@ -78,7 +77,7 @@ pub fn synchrony_stable() -> Record<SynchronyVariant> {
          it is stable iff k_1 < 0 and (k_0 - k_1) w0^2 > -k_1 w0^2, that is k_0 > 0 (then k_0 - k_1 > 0). \
          So for K_0 > 0 and K_1 < 0, for either sign of w0, all but the symmetries decay exponentially \
          (lambda > 0 for all but the constant vector on a connected graph).",
-        printed,
+        SynchronyVariant::STABLE,
         examine_synchrony_stable,
     )
     .reading("Up to rotation and translation; K_0 > 0, as under (20).")
@@ -95,7 +94,6 @@ fn examine_synchrony_stable(variant: &SynchronyVariant, run: &mut Run) -> Result
 }
 
 pub fn drift_gain() -> Record<SynchronyVariant> {
-    let printed = SynchronyVariant { orientation: 1, ..SynchronyVariant::STABLE };
     Record::new(
         "paley.fig6.gain",
         "In a drift common to all the relative motion is that without drift (paley.drift). By the cubic of \
@@ -104,7 +102,7 @@ pub fn drift_gain() -> Record<SynchronyVariant> {
          formation is not stabilised. (Checked at the printed values, N = 12, w0 = K_0 = 0.1, on C_12 and \
          all-to-all.) The caption contradicts the convention of the article (K_1 < 0 synchronises): a sign \
          slip.",
-        printed,
+        SynchronyVariant { orientation: 1, ..SynchronyVariant::STABLE },
         examine_drift_gain,
     )
     .repaired(
@@ -113,8 +111,8 @@ pub fn drift_gain() -> Record<SynchronyVariant> {
          w0 = K_0 = 0.1 and K_1 < 0.",
         SynchronyVariant::STABLE,
     )
-    .control("K_1 = 0", SynchronyVariant { orientation: 0, ..SynchronyVariant::STABLE })
-    .control("K_0 < 0", SynchronyVariant { spacing: -1, ..SynchronyVariant::STABLE })
+    .altered("K_1 = 0", |v| v.orientation = 0)
+    .altered("K_0 < 0", |v| v.spacing = -1)
 }
 
 fn examine_drift_gain(variant: &SynchronyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -165,7 +163,6 @@ impl PatternVariant {
 }
 
 pub fn pattern_stable() -> Record<PatternVariant> {
-    let printed = PatternVariant { below: 1, last: -1, spacing: 1, connected: true };
     Record::new(
         "paley.thm3.stab",
         "At an (M,N)-pattern the Hessian of U_m, m < M, is (1/N)(cos m theta_kj), positive semidefinite, \
@@ -174,7 +171,7 @@ pub fn pattern_stable() -> Record<PatternVariant> {
          w0)^2 (paley.VMN) the quadratic parts give a linearisation whose only eigenvalues off the left \
          half plane are the three of the symmetries: exponentially stable and isolated, for either sign of \
          w0.",
-        printed,
+        PatternVariant { below: 1, last: -1, spacing: 1, connected: true },
         examine_pattern_stable,
     )
     .clauses(&[
@@ -187,10 +184,10 @@ pub fn pattern_stable() -> Record<PatternVariant> {
         "In shape space, that is, up to rotation and translation; (20) with K_0 > 0 on a connected \
          undirected graph, w0 != 0.",
     )
-    .control("K_M > 0", PatternVariant { last: 1, ..printed })
-    .control("K_m < 0 below M", PatternVariant { below: -1, ..printed })
-    .control("K_0 < 0", PatternVariant { spacing: -1, ..printed })
-    .control("spacing network not connected", PatternVariant { connected: false, ..printed })
+    .altered("K_M > 0", |v| v.last = 1)
+    .altered("K_m < 0 below M", |v| v.below = -1)
+    .altered("K_0 < 0", |v| v.spacing = -1)
+    .altered("spacing network not connected", |v| v.connected = false)
 }
 
 fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Outcome, CheckError> {

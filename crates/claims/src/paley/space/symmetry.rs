@@ -47,14 +47,13 @@ fn beacon(variant: &BeaconVariant, particles: usize) -> StateIdentity<'_> {
 }
 
 pub fn beacon_form() -> Record<BeaconVariant> {
-    let printed = BeaconVariant { sign: 1, share: (1, 2) };
     Record::new(
         "paley.beacon.form",
         "A sum of squares is zero iff every term is. cdot_k = -K e^{i theta_k} sigma_k with sigma_k = <e^{i \
          theta_k}, c_k - c_0>, so the potential has the rate -(K/N) sum sigma_k^2; where sigma_k = 0 its \
          rate is w0 <i e^{i theta_k}, c_k - c_0>, not zero unless c_k = c_0: the potential decreases \
          strictly until c = c_0 1, and LaSalle gives c_k -> c_0 for every initial state.",
-        printed,
+        BeaconVariant { sign: 1, share: (1, 2) },
         examine_beacon_form,
     )
     .clauses(&[
@@ -66,9 +65,9 @@ pub fn beacon_form() -> Record<BeaconVariant> {
         "The spacing control is what (20) becomes for this potential: u_k^spac = w0 K <e^{i th_k}, c_k - \
          c_0> with K = K_0/N; the statement holds for every K > 0.",
     )
-    .control("the control with the other sign", BeaconVariant { sign: -1, ..printed })
-    .control("no control", BeaconVariant { sign: 0, ..printed })
-    .control("1/N instead of 1/(2N)", BeaconVariant { share: (1, 1), ..printed })
+    .altered("the control with the other sign", |v| v.sign = -1)
+    .altered("no control", |v| v.sign = 0)
+    .altered("1/N instead of 1/(2N)", |v| v.share = (1, 1))
 }
 
 fn examine_beacon_form(variant: &BeaconVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -143,7 +142,6 @@ fn law<T: Field>(
 }
 
 pub fn common_drift() -> Record<DriftVariant> {
-    let printed = DriftVariant { sign: 1, common: true, beacon: false };
     Record::new(
         "paley.drift",
         "The shape controls depend on relative positions and phases only, which a drift f common to all \
@@ -154,13 +152,13 @@ pub fn common_drift() -> Record<DriftVariant> {
          collective that travels. Where a circular formation is reached, its centre moves as c_0 + f t, in \
          the direction of the field (-0.1: 6.28 to the left in a turn of 62.8, the circle having radius \
          10).",
-        printed,
+        DriftVariant { sign: 1, common: true, beacon: false },
         examine_common_drift,
     )
     .reading("Under (22) with K_0 > 0, on a connected undirected graph.")
-    .control("against the field", DriftVariant { sign: -1, ..printed })
-    .control("different drifts", DriftVariant { common: false, ..printed })
-    .control("with a beacon", DriftVariant { beacon: true, ..printed })
+    .altered("against the field", |v| v.sign = -1)
+    .altered("different drifts", |v| v.common = false)
+    .altered("with a beacon", |v| v.beacon = true)
 }
 
 fn examine_common_drift(variant: &DriftVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -51,9 +51,9 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
         "They form 6 to 10 for M = 8, so far apart.",
         "They form at most four for M = 2.",
     ])
-    .control("K_1 < 0", PatternsVariant { orientation: -0.1, ..repaired })
-    .control("the zone of M = 2 in the place of that of 12", PatternsVariant { zones: [2, 8, 2], ..repaired })
-    .control("the zone of M = 12 in the place of that of 2", PatternsVariant { zones: [12, 8, 12], ..repaired })
+    .altered("K_1 < 0", |v| v.orientation = -0.1)
+    .altered("the zone of M = 2 in the place of that of 12", |v| v.zones = [2, 8, 2])
+    .altered("the zone of M = 12 in the place of that of 2", |v| v.zones = [12, 8, 12])
 }
 
 fn examine_patterns_in_zones(variant: &PatternsVariant, run: &mut Run) -> Result<Outcome, CheckError> {

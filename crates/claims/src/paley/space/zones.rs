@@ -24,12 +24,11 @@ fn chords(variant: &ChordVariant) -> Identity<'_> {
 }
 
 pub fn chord() -> Record<ChordVariant> {
-    let printed = ChordVariant { factor: 2, doubled: 1 };
     Record::new(
         "paley.chord",
         "Neighbouring clusters at 1 and e^{2 pi i/M}: |1 - e^{2 i a}|^2 = 4 sin^2 a with a = pi/M, and sin \
          a > 0 for M >= 2. An identity in a, hence for M = 2, 8, 12 and every other M.",
-        printed,
+        ChordVariant { factor: 2, doubled: 1 },
         |variant, run| {
             run.identity(&chords(variant), &["tan(a/2)"], "|1 - e^{2 i a}|^2 = 4 sin^2 a, a = pi/M").for_all()
         },
@@ -47,7 +46,6 @@ pub struct ZonesVariant {
 }
 
 pub fn perceptual_zones() -> Record<ZonesVariant> {
-    let printed = ZonesVariant { swapped: false, ahead: false, cosine: (3, 4) };
     Record::new(
         "paley.fig7",
         "A schematic figure that shows definitions: a point is in the zone of repulsion, orientation or \
@@ -55,12 +53,12 @@ pub fn perceptual_zones() -> Record<ZonesVariant> {
          boundary belongs to two), unless it lies in the open wedge of angular width alpha_k around the \
          direction opposite to the heading. That the zones of the library are these is decided on a grid \
          for alpha = 60 degrees and rational headings; it says nothing about the paper.",
-        printed,
+        ZonesVariant { swapped: false, ahead: false, cosine: (3, 4) },
         examine_perceptual_zones,
     )
-    .control("attraction inside orientation", ZonesVariant { swapped: true, ..printed })
-    .control("blind spot in front", ZonesVariant { ahead: true, ..printed })
-    .control("a blind spot of 90 degrees", ZonesVariant { cosine: (1, 2), ..printed })
+    .altered("attraction inside orientation", |v| v.swapped = true)
+    .altered("blind spot in front", |v| v.ahead = true)
+    .altered("a blind spot of 90 degrees", |v| v.cosine = (1, 2))
 }
 
 fn examine_perceptual_zones(variant: &ZonesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
