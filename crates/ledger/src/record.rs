@@ -78,6 +78,16 @@ impl<V> Record<V> {
         self
     }
 
+    /// The corrected statement, as a change of the printed one.
+    pub fn repaired_by(self, fault: Fault, statement: &'static str, change: impl FnOnce(&mut V)) -> Self
+    where
+        V: Clone,
+    {
+        let mut variant = self.printed.clone();
+        change(&mut variant);
+        self.repaired(fault, statement, variant)
+    }
+
     /// One more negative control: what is true, with this change. That is the corrected statement where there is one, and so comes after
     /// [`Record::repaired`].
     pub fn altered(self, what: &'static str, alter: impl FnOnce(&mut V)) -> Self

@@ -236,7 +236,6 @@ impl BlocksVariant {
 }
 
 pub fn blocks() -> Record<BlocksVariant> {
-    let corrected = BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 };
     Record::new(
         "chazelle.eq3.5",
         "After T_i the matrices on V_{i-1} are block diagonal with the block V_i, so the rows V_i of P(t, T_{i-1}+1) \
@@ -250,12 +249,12 @@ pub fn blocks() -> Record<BlocksVariant> {
         Fault::Typo,
         "For t > T_k and T_0 = s-1: P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
          P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1).",
-        corrected,
+        BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 },
     )
-    .control("V_2 x V_k, V_1 x V_0", BlocksVariant { second_has_v1: false, ..corrected })
-    .control("V_2 x V_1, V_k x V_0", BlocksVariant { first_has_v1: false, ..corrected })
-    .control("the factor at T_i taken twice", BlocksVariant { gap: 0, ..corrected })
-    .control("the factor at T_i + 1 left out", BlocksVariant { gap: 2, ..corrected })
+    .altered("V_2 x V_k, V_1 x V_0", |v| v.second_has_v1 = false)
+    .altered("V_2 x V_1, V_k x V_0", |v| v.first_has_v1 = false)
+    .altered("the factor at T_i taken twice", |v| v.gap = 0)
+    .altered("the factor at T_i + 1 left out", |v| v.gap = 2)
 }
 
 fn check_blocks(variant: &BlocksVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -313,14 +312,13 @@ impl ContractionVariant {
 }
 
 pub fn contraction() -> Record<ContractionVariant> {
-    let printed = ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 };
     Record::new(
         "chazelle.eq3.6",
         "The blocks of (3.5) as corrected are row-stochastic. Lemma 2.4, once for each factor, and tau_2(I) <= \
          sqrt(2) give the first inequality. The first column of each P_{|V_i x V_{i-1}} is at least beta = \
          nu^(-a(nu-1)), which is more than nu^(-a nu²) (lem2.2.entries): any two rows overlap by beta, tau_1 <= 1 - \
          beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2.",
-        printed,
+        ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 },
         check_contraction,
     )
     .clauses(&[
@@ -328,9 +326,9 @@ pub fn contraction() -> Record<ContractionVariant> {
          V_{i-1}}(T_i,T_{i-1}+1)).",
         "The right side is at most sqrt(2) e^{-k nu^{-O(nu^2)}}.",
     ])
-    .control("1.41 for sqrt(2)", ContractionVariant { squared_constant: (19881, 10000), ..printed })
-    .control("e^(-k)", ContractionVariant { exponent: |_| 0, ..printed })
-    .control("the square of the product", ContractionVariant { power: 2, ..printed })
+    .altered("1.41 for sqrt(2)", |v| v.squared_constant = (19881, 10000))
+    .altered("e^(-k)", |v| v.exponent = |_| 0)
+    .altered("the square of the product", |v| v.power = 2)
 }
 
 fn check_contraction(variant: &ContractionVariant, run: &mut Run) -> Result<Outcome, CheckError> {

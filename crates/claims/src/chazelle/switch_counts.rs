@@ -68,8 +68,6 @@ fn small_flocks() -> Result<Vec<NetworkHistory>, CheckError> {
 }
 
 pub fn count() -> Record<CountVariant> {
-    let printed = CountVariant { with_s: false, with_t: false, exactly_one: true, first_summand: 1 };
-    let corrected = CountVariant { with_t: true, exactly_one: false, ..printed };
     Record::new(
         "chazelle.Nts",
         "With s < u < t there is no u between t_k and t_k + 1, so N(t_{k+1}, t_k) = 0; and the changes at u = t_1, \
@@ -77,7 +75,7 @@ pub fn count() -> Record<CountVariant> {
          additive. One step contains one u, which counts where G_u differs from G_{u-1}: a column can grow while the \
          network rests (three birds at rest in a row), so N = 1 is N <= 1. t_1 = s, because P(s,s) has a first \
          column. Neither slip matters for what follows.",
-        printed,
+        CountVariant { with_s: false, with_t: false, exactly_one: true, first_summand: 1 },
         check_count,
     )
     .clauses(&[
@@ -85,12 +83,7 @@ pub fn count() -> Record<CountVariant> {
          N(t_{k+1}, t_k) = 1 when t_{k+1} = t_k + 1.",
         "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
     ])
-    .repaired(
-        Fault::Slip,
-        "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when t_{k+1} = \
-         t_k + 1, and with t_0 = s, N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
-        corrected,
-    )
+    .repaired_by(Fault::Slip, "", |v| (v.with_t, v.exactly_one) = (true, false))
     .repaired_clauses(&[
         "With N(t,s) the number of integers u, s < u <= t, such that the footprint of P(u) differs from that of \
          P(u-1): N(t_{k+1}, t_k) <= 1 when t_{k+1} = t_k + 1.",

@@ -105,8 +105,6 @@ fn leaving_pair(k: usize) -> Result<NetworkHistory, CheckError> {
 }
 
 pub fn final_count() -> Record<FinalCountVariant> {
-    let printed = FinalCountVariant { one_more: false, others: false, lasting: true, until_t: true };
-    let corrected = FinalCountVariant { one_more: true, others: true, ..printed };
     Record::new(
         "chazelle.lem3.1.count",
         "Only pairs inside V_k are counted. Birds outside V_k can go on switching among themselves: bird 1 alone \
@@ -117,7 +115,7 @@ pub fn final_count() -> Record<FinalCountVariant> {
          about log2 k bits with a longer flight: it is within the O(log n)-bit inputs of the paper for k up to \
          n^O(1). The proof of Lemma 3.1 takes k = nu^(b nu²); whether the count can fail there with O(log n)-bit \
          inputs is not known.",
-        printed,
+        FinalCountVariant { one_more: false, others: false, lasting: true, until_t: true },
         check_final_count,
     )
     .reading("For every k >= 1 and all flocks with rational inputs; N(t,s) counts the switches at u with s < u <= t.")
@@ -126,12 +124,12 @@ pub fn final_count() -> Record<FinalCountVariant> {
          after T_k.",
         "Then the total number of network changes is at most N(T_k,T_{k-1}) + ... + N(T_1,1) + binom(|V_k|,2).",
     ])
-    .repaired(
+    .repaired_by(
         Fault::False,
         "When birds of V_k joined at time T_k+1 or later always remain so, the number of u >= 2 with G_u != G_{u-1} is at \
          most N(T_k,T_{k-1}) + ... + N(T_1,1) + 1 + binom(|V_k|,2) + M, where N(t,s) counts the changes at u with s < \
          u <= t, and M those after T_k+1 of the network on the birds outside V_k.",
-        corrected,
+        |v| (v.one_more, v.others) = (true, true),
     )
     .altered("without the birds outside V_k", |v| v.others = false)
     .altered("without the switch at T_k + 1", |v| v.one_more = false)

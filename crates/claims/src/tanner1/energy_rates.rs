@@ -114,14 +114,13 @@ fn examine_rate(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckEr
 }
 
 pub fn eq9() -> Record<RateVariant> {
-    let repaired = RateVariant::Form { form: -1, potential: 1 };
     Record::new(
         "tanner1.eq9",
         "It puts (7), which is false, into (9). With the true heading rates the potentials add sum theta_i (-(v_i x grad_{r_i} V_i)/|v_i|²), of either sign: two agents with equal headings pi/2 and different speeds have theta^T L_w theta = 0 and a positive rate.",
         RateVariant::Form { form: -1, potential: 0 },
         examine_rate,
     )
-    .repaired(Fault::False, "", repaired)
+    .repaired(Fault::False, "", RateVariant::Form { form: -1, potential: 1 })
     .repaired_clauses(&[
         "While no agent is at rest and no heading jumps, Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|².",
         "Vdot_t > 0 for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s.",

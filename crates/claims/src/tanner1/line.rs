@@ -96,14 +96,13 @@ fn examine_distances(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome
 }
 
 pub fn distances() -> Record<DistanceVariant> {
-    let repaired = DistanceVariant { stabilised: false, start: FAST };
     Record::new(
         "tanner1.propIV3b",
         "The alignment forces do no work, so the mechanical energy is constant: the potential energy can settle only if the surplus goes into the common motion. Two agents that move along the line through both have equal headings for ever and no alignment force; their distance swings for ever.",
         DistanceVariant { stabilised: true, start: FAST },
         examine_distances,
     )
-    .repaired(Fault::False, "", repaired)
+    .repaired(Fault::False, "", DistanceVariant { stabilised: false, start: FAST })
     .repaired_clauses(&[
         "Along the closed loop (1/2) sum_i (V_i + v_i^T v_i) is constant.",
         "Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, keep the heading 0 and their distance swings for ever: it does not tend to a limit.",
@@ -182,11 +181,10 @@ fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckE
 }
 
 pub fn cases() -> Record<CaseVariant> {
-    let repaired = CaseVariant { lasts: false, equal_headings: true, start: FAST };
     Record::new(
         "tanner1.proof_cases",
         "The cases need not last: -grad_{r_i} V_i . v_i changes sign in every swing of two agents on a line. Nor does a vanishing gradient make a minimum, and grad_{v_i} in case 2 should read grad_{r_i}.",
-        CaseVariant { lasts: true, ..repaired },
+        CaseVariant { lasts: true, equal_headings: true, start: FAST },
         examine_cases,
     )
     .clauses(&[
@@ -194,7 +192,7 @@ pub fn cases() -> Record<CaseVariant> {
         "Case 2: if -grad_{v_i} V_i . v_i > 0, then V_i is monotonically decreasing and eventually reaches one of its minima.",
         "In any case the system converges to a minimum of sum_i V_i.",
     ])
-    .repaired(Fault::False, "", repaired)
+    .repaired_by(Fault::False, "", |v| v.lasts = false)
     .repaired_clauses(&[
         "On the set of equal constant headings of agents that move, potential forces are along the velocities.",
         "Neither case need last, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each swing.",

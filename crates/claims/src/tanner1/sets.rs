@@ -79,7 +79,6 @@ fn examine_smooth(variant: &SmoothVariant, run: &mut Run) -> Result<Outcome, Che
 }
 
 pub fn smooth() -> Record<SmoothVariant> {
-    let repaired = SmoothVariant { at_cut: false, at_rest: false, wrapped: false };
     Record::new(
         "tanner1.smooth",
         "The heading (2) jumps by 2 pi where a velocity passes the negative x axis, and theta_i - theta_j with it, so that the neighbours' accelerations jump; at zero velocity there is no heading. (Wrapped differences jump at opposite headings instead; only headings followed continuously leave the zero velocity alone as an exception.)",
@@ -89,7 +88,7 @@ pub fn smooth() -> Record<SmoothVariant> {
     .repaired(
         Fault::Hypothesis,
         "For smooth potentials the control laws are smooth at states where no velocity is zero or points along the negative x axis and no linked agents coincide.",
-        repaired,
+        SmoothVariant { at_cut: false, at_rest: false, wrapped: false },
     )
     .altered("with wrapped differences", |v| v.wrapped = true)
     .altered("wherever no velocity points along the negative x axis", |v| v.at_rest = true)
@@ -227,17 +226,15 @@ fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcom
 }
 
 pub fn collision() -> Record<CollisionVariant> {
-    let printed = CollisionVariant { linked_only: false, potential: printed_potential() };
-    let repaired = CollisionVariant { linked_only: true, ..printed.clone() };
     Record::new(
         "tanner1.collision",
         "V_t contains V_ij for linked pairs only. On the path 1-2-3 agents 1 and 3 may meet with V_t finite, and do so from suitable starts. For linked agents the conclusion is true, by the conserved mechanical energy rather than by V_t.",
-        printed.clone(),
+        CollisionVariant { linked_only: false, potential: printed_potential() },
         examine_collision,
     )
     .clauses(&["V_t tends to infinity where r_ij = 0 for some i, j.", "Collision avoidance is guaranteed."])
     .reading("the potential of Figure 2, as for V_t and Omega")
-    .repaired(Fault::Hypothesis, "", repaired.clone())
+    .repaired_by(Fault::Hypothesis, "", |v| v.linked_only = true)
     .repaired_clauses(&[
         "V_t tends to infinity where linked agents meet.",
         "Collisions of linked agents are avoided (all collisions, if the graph is complete).",
@@ -286,23 +283,21 @@ fn examine_ratio(variant: &RatioVariant, run: &mut Run) -> Result<Outcome, Check
 }
 
 pub fn ratio() -> Record<RatioVariant> {
-    let printed = RatioVariant { numerator: 3, denominator: 0, equal_headings: true };
-    let repaired = RatioVariant { denominator: 2, ..printed };
     Record::new(
         "tanner1.proof_ratio",
         "d/dt (ydot/xdot) = 0 says yddot xdot = ydot xddot, so yddot/xddot = k where xddot != 0; the printed denominator xdot lacks a dot. On the set of equal headings the acceleration is -grad V_i, which gives the last quotient.",
-        printed,
+        RatioVariant { numerator: 3, denominator: 0, equal_headings: true },
         examine_ratio,
     )
     .clauses(&[
         "d/dt (ydot_i/xdot_i) = 0 implies yddot_i/xdot_i = ydot_i/xdot_i = k.",
         "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x.",
     ])
-    .repaired(Fault::Typo, "", repaired)
+    .repaired_by(Fault::Typo, "", |v| v.denominator = 2)
     .repaired_clauses(&[
         "d/dt (ydot_i/xdot_i) = 0 implies yddot_i/xddot_i = ydot_i/xdot_i = k (where the denominators are not zero).",
         "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).",
     ])
-    .control("xddot/yddot", RatioVariant { numerator: 2, denominator: 3, ..repaired })
+    .altered("xddot/yddot", |v| (v.numerator, v.denominator) = (2, 3))
     .altered("at any headings", |v| v.equal_headings = false)
 }

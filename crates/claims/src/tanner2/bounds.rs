@@ -277,20 +277,18 @@ fn examine_dissipation(variant: &DissipationVariant, run: &mut Run) -> Result<Ou
 }
 
 pub fn cor2_sub() -> Record<DissipationVariant> {
-    let printed = DissipationVariant { along: true, index: 2, factor: 1 };
-    let repaired = DissipationVariant { along: false, ..printed };
     Record::new(
         "tanner2.cor2_sub",
         "x^T L x >= lambda_2 |x|² for x normal to 1 (Courant and Fischer): the bound holds with the parts v_n normal to 1. The printed subscripts p name the parts along 1, \
          and with them a flock that moves with a common velocity has dW/dt = 0 but a negative bound.",
-        printed,
+        DissipationVariant { along: true, index: 2, factor: 1 },
         examine_dissipation,
     )
     .reading("N >= 2: one agent has no lambda_2")
-    .repaired(
+    .repaired_by(
         Fault::Typo,
         "For a connected graph Wdot <= -lambda_2 (|v_{x_n}|² + |v_{y_n}|²), with v_{x_n}, v_{y_n} normal to 1.",
-        repaired,
+        |v| v.along = false,
     )
     .altered("lambda_3 in place of lambda_2", |v| v.index = 3)
     .altered("2 lambda_2", |v| v.factor = 2)

@@ -62,7 +62,6 @@ fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, Che
 }
 
 pub fn uniqueness() -> Record<UniqueVariant> {
-    let repaired = UniqueVariant { fields: |left, right| right <= left, backwards: false };
     Record::new(
         "tanner2.appA_uniq",
         "Measurability (with local boundedness) gives existence only. f = sign(x) has the Filippov solutions t, -t and 0 from 0. Uniqueness needs a one-sided bound, (f(x) - f(y)).(x - y) <= l |x - y|² for almost \
@@ -73,7 +72,7 @@ pub fn uniqueness() -> Record<UniqueVariant> {
     .repaired(
         Fault::False,
         "Solutions of xdot = f(x) are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x - y|² for almost all x, y near each point.",
-        repaired,
+        UniqueVariant { fields: |left, right| right <= left, backwards: false },
     )
     .altered("backwards in time too", |v| v.backwards = true)
 }
@@ -176,19 +175,17 @@ fn examine_chain_rule(variant: &ChainRuleVariant, run: &mut Run) -> Result<Outco
 }
 
 pub fn chain_rule() -> Record<ChainRuleVariant> {
-    let printed = ChainRuleVariant { arguments: |_| 2, time: true, everywhere: false };
-    let repaired = ChainRuleVariant { arguments: |n| n + 1, ..printed };
     Record::new(
         "tanner2.appA.thm4",
         "x(t) lies in R^n, so V(x(t), t) needs V on R^n x R; as printed, V: R x R -> R, it makes sense for n = 1 only. With that the theorem is Shevitz and Paden's: for almost all t, x and V(x(t), t) are \
          differentiable, and regularity gives d/dt V = z.(xdot, 1) for every z of the gradient.",
-        printed,
+        ChainRuleVariant { arguments: |_| 2, time: true, everywhere: false },
         examine_chain_rule,
     )
-    .repaired(
+    .repaired_by(
         Fault::Typo,
         "Let x(.) be a Filippov solution to xdot = f(x,t), x in R^n, and V : R^n x R -> R Lipschitz and regular; then V(x(t),t) is absolutely continuous and d/dt V lies almost everywhere in the intersection over xi in dV of xi^T (K[f]; 1).",
-        repaired,
+        |v| v.arguments = |n| n + 1,
     )
     .altered("K[f] with 0 in place of 1", |v| v.time = false)
     .altered("for every t", |v| v.everywhere = true)

@@ -100,21 +100,19 @@ pub fn thm1a() -> Record<LimitVariant> {
 }
 
 pub fn thm1c() -> Record<LimitVariant> {
-    let printed = LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Minimised };
-    let repaired = LimitVariant { conclusion: Conclusion::Critical, ..printed };
     Record::new(
         "tanner2.thm1c",
         "The proof shows grad V_i = 0 only. Three agents at rest in a row with all pairs linked are in equilibrium where 2 V'(a²) a + 4 V'(4a²) a = 0; with V = m/s + log(s/m) this is a² = 3m/4. The middle one sits at \
          a saddle of its own potential. By symmetry every start in a row with velocities along it stays in a row, so a whole set of starts tends to such points. (Also: with four or more agents no configuration in the plane makes all \
          V_ij least at once.)",
-        printed,
+        LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Minimised },
         examine_fixed,
     )
     .reading(SMOOTH)
-    .repaired(
+    .repaired_by(
         Fault::False,
         "Under the same hypotheses the system approaches the set of critical configurations: grad_{r_i} V_i tends to 0 for all i.",
-        repaired,
+        |v| v.conclusion = Conclusion::Critical,
     )
     .altered("alignment with the other sign", |v| v.damping = -1)
     .altered("critical and at rest", |v| v.conclusion = Conclusion::Stop)
@@ -157,7 +155,6 @@ fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome,
 }
 
 pub fn flocking() -> Record<ManifoldVariant> {
-    let repaired = ManifoldVariant { complete: true, minima: true, damping: 1 };
     Record::new(
         "tanner2.sec4.flocking",
         "Definition 1 forbids collisions of any two agents. On the path 1-2-3 agents 1 and 3 do not know each other, and the equilibrium with both in the same place belongs to the manifold. \
@@ -170,7 +167,7 @@ pub fn flocking() -> Record<ManifoldVariant> {
         "On a time invariant connected graph (4) creates an asymptotically stable equilibrium manifold.",
         "On it the group satisfies Definition 1: same velocity, distances stabilized, no collisions between agents.",
     ])
-    .repaired(Fault::False, "", repaired)
+    .repaired(Fault::False, "", ManifoldVariant { complete: true, minima: true, damping: 1 })
     .repaired_clauses(&[
         "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
         "In them no two agents are in one place.",
@@ -260,13 +257,11 @@ fn examine_setpoints(variant: &SetpointVariant, run: &mut Run) -> Result<Outcome
 }
 
 pub fn cor1() -> Record<SetpointVariant> {
-    let printed = SetpointVariant { trees: true, single: false, all_pairs: false };
-    let repaired = SetpointVariant { single: true, ..printed };
     Record::new(
         "tanner2.cor1",
         "B has full column rank, so every grad_{r_ij} V_ij vanishes in the limit. But V' = 0 does not say that V is least: V' = (s - 1)(s - 4)²(s + 2/3)/s² gives a potential of Definition 3, rational, with its unique minimum at s = 1 and \
          increasing beyond, and two agents at rest at s = 4 stay there.",
-        printed,
+        SetpointVariant { trees: true, single: false, all_pairs: false },
         examine_setpoints,
     )
     .clauses(&[
@@ -275,7 +270,7 @@ pub fn cor1() -> Record<SetpointVariant> {
         "dV_ij/d||r_ij|| = 0 implies ||r_ij|| = r_d, where V_ij attains its unique minimum.",
     ])
     .reading("distances of linked agents; potentials with a continuous gradient")
-    .repaired(Fault::Hypothesis, "", repaired)
+    .repaired_by(Fault::Hypothesis, "", |v| v.single = true)
     .repaired_clauses(&[
         "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value.",
         "B has independent columns, so that every grad_{r_ij} V_ij tends to 0.",
@@ -370,7 +365,6 @@ pub fn thm2_vel() -> Record<SwitchingVariant> {
 }
 
 pub fn thm2_pot() -> Record<SwitchingVariant> {
-    let repaired = SwitchingVariant { conclusion: Conclusion::Critical, ..VELOCITIES };
     Record::new(
         "tanner2.thm2_pot",
         "The same row of three agents: with R = 3 every pair is linked, V is increasing at R, and they stay at rest at a saddle. What survives: every limit point has equal velocities and is a Filippov equilibrium, 0 in K[grad_{r_i} V_i] for all i; without ties \
@@ -385,7 +379,7 @@ pub fn thm2_pot() -> Record<SwitchingVariant> {
     .repaired(
         Fault::False,
         "Under the hypotheses of Theorem 2 the system approaches the set of configurations with 0 in K[(grad_{r_i} V_i)_i] (critical configurations, where no pair is at distance R).",
-        repaired,
+        SwitchingVariant { conclusion: Conclusion::Critical, ..VELOCITIES },
     )
     .altered("critical and at rest", |v| v.conclusion = Conclusion::Stop)
 }

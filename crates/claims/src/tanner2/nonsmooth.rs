@@ -69,16 +69,15 @@ fn examine_regular(variant: &RegularVariant, run: &mut Run) -> Result<Outcome, C
 }
 
 pub fn lem1() -> Record<RegularVariant> {
-    let repaired = RegularVariant { regular: false, threshold: (2, 1), generalised: |cw| cw.max(rational(0, 1)) };
     Record::new(
         "tanner2.lem1",
         "Let c = V_r(R) > 0. One-sided: U'(R; w) = 0 for w > 0 and cw for w < 0. Generalised: base points y < R give quotients that tend to cw, base points y > R give 0, so \
          U°(R; w) = max(0, cw): it differs in both directions. The printed proof bounds U(y') by V_R but keeps y' >= R for w > 0, and for w < 0 overlooks y > R. \
          A kink where an increasing function becomes flat is concave; regular is its negative. (U is regular where it is smooth, and at a convex kink, R below the desired distance.)",
-        RegularVariant { regular: true, ..repaired },
+        RegularVariant { regular: true, threshold: (2, 1), generalised: |cw| cw.max(rational(0, 1)) },
         examine_regular,
     )
-    .repaired(Fault::False, "", repaired)
+    .repaired_by(Fault::False, "", |v| v.regular = false)
     .repaired_clauses(&[
         "For V with a continuous derivative the saturated potential U_ij is regular at every distance but R.",
         "For such V with c = V_r(R) > 0 -U_ij is regular at R.",
@@ -122,15 +121,14 @@ fn examine_gradient(variant: &GradientVariant, run: &mut Run) -> Result<Outcome,
 }
 
 pub fn lem2() -> Record<GradientVariant> {
-    let repaired = GradientVariant { between: Some((0, 1)), thresholds: [(2, 1), (3, 2)] };
     Record::new(
         "tanner2.lem2",
         "The generalised gradient of a locally Lipschitz function is never empty (Clarke): it is the hull of the limits of gradients, here of 0 and grad_{r_i} V_ij. The printed proof puts \
          U'(R; w) in place of U°(R; w), which Lemma 1 wrongly says is the same.",
-        GradientVariant { between: None, ..repaired },
+        GradientVariant { between: None, thresholds: [(2, 1), (3, 2)] },
         examine_gradient,
     )
-    .repaired(Fault::False, "", repaired)
+    .repaired_by(Fault::False, "", |v| v.between = Some((0, 1)))
     .repaired_clauses(&[
         "For V with a continuous derivative and c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R.",
         "For such V, with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",

@@ -139,7 +139,6 @@ fn examine(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> 
 }
 
 pub fn rate() -> Record<RateVariant> {
-    let repaired = RateVariant::Alignment { factor: (1, 1), index: 2, every_start: false };
     Record::new(
         "tanner2.cor2_rate",
         "dW/dt <= -lambda_2 |v_n|² bounds how fast energy is lost at a given disagreement, not how fast W or the velocities tend to their limits: that depends on the potentials too. Near an equilibrium a mode obeys \
@@ -153,7 +152,7 @@ pub fn rate() -> Record<RateVariant> {
         "Increasing the connectivity of the neighboring graph results in faster convergence.",
     ])
     .reading("the rate at which the flock approaches its limit; N >= 2, as one agent has no lambda_2")
-    .repaired(Fault::False, "", repaired)
+    .repaired(Fault::False, "", RateVariant::Alignment { factor: (1, 1), index: 2, every_start: false })
     .repaired_clauses(&[
         "On a connected graph without potentials |v - mean| <= exp(-lambda_2 t) |v(0) - mean|, with equality for eigenvectors of lambda_2.",
         "A new edge never lowers lambda_2.",

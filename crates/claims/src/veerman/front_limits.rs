@@ -36,7 +36,6 @@ fn difference(variant: &SeparationVariant) -> Identity<'_> {
 }
 
 pub fn separation() -> Record<SeparationVariant> {
-    let repaired = SeparationVariant { back: 1, inside: 0, outside: 1 };
     Record::new(
         "veerman.sep_remark",
         "x_{k+1} - x_k = h_{k+1} - h_k + a_0 Re(gamma^{-k-1} e^{iwt}) - a_0 Re(gamma^{-k} e^{iwt}). With h_{k+1} - h_k = 1 the 1 is \
@@ -53,7 +52,7 @@ pub fn separation() -> Record<SeparationVariant> {
         Fault::Typo,
         "If h_{k+1} - h_k = 1, the separation between two successive agents is a_0 Re(gamma^{-k-1} e^{i w t}) - \
          a_0 Re(gamma^{-k} e^{i w t}) + 1.",
-        repaired,
+        SeparationVariant { back: 1, inside: 0, outside: 1 },
     )
     .altered("+ a_0 Re(gamma^{-k} e^{iwt})", |v| v.back = -1)
     .altered("without the 1", |v| v.outside = 0)
@@ -101,24 +100,17 @@ fn largest_size(growth: &Rational, ratio: &Rational) -> i64 {
 }
 
 pub fn size_limit() -> Record<FrontLimitVariant> {
-    let printed = FrontLimitVariant { half_powers: 2, factor: (2, 1), powers: (1, 2) };
-    let repaired = FrontLimitVariant { half_powers: 1, ..printed };
     Record::new(
         "veerman.prop1",
         "At w² = |f|, Corollary 1 gives |a_k| = a_0 (1 + |f|/g²)^{k/2}, which grows with k, so the last car stays within D \
          exactly if N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g²) =: X, that is for N <= floor(X) - 1: within the printed N <~ X, \
          sharp up to less than 2. But the frequency is sqrt|f|, not |f|: at w = |f| the squared gain is (1 + g²)/((|f| - 1)² + g²), which is \
          even below 1 for |f| > 2, so that there is no limit at all.",
-        printed,
+        FrontLimitVariant { half_powers: 2, factor: (2, 1), powers: (1, 2) },
         examine_limit,
     )
     .reading("N <~ X is read as N <= X; what stays within D is the equilibrium oscillation (the particular solution), as in the proof; a_0, D > 0 and f, g < 0.")
-    .repaired(
-        Fault::Typo,
-        "If the amplitude of the oscillation of the leader at frequency sqrt(|f|) is a_0, then the equilibrium oscillation of the last car stays within the maximum \
-         oscillation allowed D if and only if N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2) (system (1)).",
-        repaired,
-    )
+    .repaired_by(Fault::Typo, "", |v| v.half_powers = 1)
     .repaired_clauses(&[
         "If the leader oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the equilibrium oscillation of the last car stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2).",
         "If N + 1 is at most that, the equilibrium oscillation of the last car stays within D.",

@@ -16,15 +16,13 @@ pub struct NeighbourVariant {
 }
 
 pub fn nth_neighbour() -> Record<NeighbourVariant> {
-    let printed = NeighbourVariant { smallest: 1, connected: false, all_stay: false };
-    let repaired = NeighbourVariant { smallest: 2, ..printed };
     Record::new(
         "veerman.nth_neighbour",
         "Tracking joins agents whose numbers differ by n, so it stays within the residue classes modulo n; the leader is in the class of \
          0. For n >= 2 agent 1 is in another one: the graph of the agents 0 to N + 1 is not connected, and agents of the other classes, \
          at rest in formation, stay at rest whatever the leader does. For n = 1 the \
          graph is the path of system (2): connected, and everyone follows. The statement needs n >= 2, which it does not say.",
-        printed,
+        NeighbourVariant { smallest: 1, connected: false, all_stay: false },
         examine_neighbour,
     )
     .reading("Agents without an n-th one in front or behind track the other only, like the last car of (2), or nobody.")
@@ -32,13 +30,7 @@ pub fn nth_neighbour() -> Record<NeighbourVariant> {
         "If each agent keeps track of only the n-th agent in front and behind it, the communication graph is not connected.",
         "Some agents will stay behind.",
     ])
-    .repaired(
-        Fault::Hypothesis,
-        "If each agent keeps track of only the n-th agent in front and behind it, with n >= 2, the communication graph \
-         is not connected, and the followers that are not joined to the leader (agent 1 among them), if they start at rest in their places, stay there whatever the leader does: they \
-         stay behind one that leaves.",
-        repaired,
-    )
+    .repaired_by(Fault::Hypothesis, "", |v| v.smallest = 2)
     .repaired_clauses(&[
         "If each agent keeps track of only the n-th agent in front and behind it, with n >= 2, the communication graph is not connected.",
         "The followers that are not joined to the leader (agent 1 among them), if they start at rest in their places, stay there whatever the leader does: they stay behind one that leaves.",

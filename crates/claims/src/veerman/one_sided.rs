@@ -166,24 +166,23 @@ fn gives_printed_equation(variant: &SubstitutionVariant) -> Identity<'_> {
 }
 
 pub fn substitution() -> Record<SubstitutionVariant> {
-    let repaired = SubstitutionVariant { with_amplitude: true, of_deviation: true, power: 2 };
     Record::new(
         "veerman.cor1.proof",
         "u_k is the derivative of x_k = a_k e^{iwt}, that is i w a_k e^{iwt}. The printed u_k = i w e^{iwt} lacks a_k; with \
          it u_k - u_{k-1} would be zero and the left side -w². And a_k e^{iwt} stands for the deviation x_k - h_k (the paper's \
          z = x - h), since equation (1) contains the desired positions. The resulting equation is the right one.",
-        SubstitutionVariant { with_amplitude: false, of_deviation: false, ..repaired },
+        SubstitutionVariant { with_amplitude: false, of_deviation: false, power: 2 },
         |variant, run| {
             let names = ["f", "g", "w", "Re a_{k-1}", "Im a_{k-1}", "Re a_k", "Im a_k", "h_{k-1}", "h_k"];
             let part = "both sides of equation (1), and u_k = x_k'";
             run.identity(&gives_printed_equation(variant), &names, part).for_all()
         },
     )
-    .repaired(
+    .repaired_by(
         Fault::Typo,
         "Substituting x_k - h_{x,k} = a_k e^{i w t} and u_k = i w a_k e^{i w t} in Equation (1) gives \
          - w^2 a_k = f (a_k - a_{k-1}) + i w g (a_k - a_{k-1}).",
-        repaired,
+        |v| (v.with_amplitude, v.of_deviation) = (true, true),
     )
     .altered("u_k = i w e^{iwt}", |v| v.with_amplitude = false)
     .altered("x_k = a_k e^{iwt}, not x_k - h_k", |v| v.of_deviation = false)
@@ -226,14 +225,12 @@ fn examine_gain(variant: &GainVariant, run: &mut Run) -> Result<Outcome, CheckEr
 }
 
 pub fn gain_above_one() -> Record<GainVariant> {
-    let printed = GainVariant { bound: 2, zero_included: true, bound_included: false };
-    let repaired = GainVariant { zero_included: false, ..printed };
     Record::new(
         "veerman.gain_iff",
         "(|1/gamma|² - 1) ((f + w²)² + g² w²) = w² (2|f| - w²), and the factor on the left is positive for f, g < 0. So \
          |1/gamma| > 1 exactly for 0 < w² < 2|f|. At w = 0 the car follows without amplification: |1/gamma| = 1, although \
          0 < 2|f|.",
-        printed,
+        GainVariant { bound: 2, zero_included: true, bound_included: false },
         examine_gain,
     )
     .reading("A frequency is w >= 0, with 0 allowed: the text itself treats w = 0 apart in Corollary 2.")
@@ -241,7 +238,7 @@ pub fn gain_above_one() -> Record<GainVariant> {
         "If w^2 < 2|f| (f, g < 0), |gamma^{-1}| is greater than one.",
         "If |gamma^{-1}| is greater than one (f, g < 0), w^2 < 2|f|.",
     ])
-    .repaired(Fault::Hypothesis, "|gamma^{-1}| is greater than one if and only if 0 < w^2 < 2|f| (f, g < 0).", repaired)
+    .repaired_by(Fault::Hypothesis, "", |v| v.zero_included = false)
     .repaired_clauses(&[
         "If 0 < w^2 < 2|f| (f, g < 0), |gamma^{-1}| is greater than one.",
         "If |gamma^{-1}| is greater than one (f, g < 0), 0 < w^2 < 2|f|.",
@@ -309,19 +306,18 @@ fn examine_strongest(variant: &StrongestVariant, run: &mut Run) -> Result<Outcom
 }
 
 pub fn strongest_gain() -> Record<StrongestVariant> {
-    let repaired = StrongestVariant { at_f: false, of_location: (1, 1), under_root: 2, below: (1, 1) };
     Record::new(
         "veerman.gain_max",
         "With y = w², |1/gamma|² = (f² + g² y)/((y - |f|)² + g² y). Its derivative vanishes where g² y² + 2 f² y = 2|f|³. At \
          y = |f| the left side exceeds the right one by g² f² > 0, so the maximum always lies below |f|. \
          That the root v is the only place of the maximum: max - value = max (y - v)²/((y - |f|)² + g² y). For f = g = -1 it is sqrt(3) - 1.",
-        StrongestVariant { at_f: true, ..repaired },
+        StrongestVariant { at_f: true, of_location: (1, 1), under_root: 2, below: (1, 1) },
         examine_strongest,
     )
-    .repaired(
+    .repaired_by(
         Fault::False,
         "|gamma^{-1}| is strongest when w^2 = (f^2/g^2) (sqrt(1 + 2 g^2/|f|) - 1) (f, g < 0) and only then; this is always less than |f|.",
-        repaired,
+        |v| v.at_f = false,
     )
     .repaired_clauses(&[
         "|gamma^{-1}| is strongest when w^2 = (f^2/g^2) (sqrt(1 + 2 g^2/|f|) - 1) (f, g < 0).",

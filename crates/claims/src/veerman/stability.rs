@@ -43,8 +43,6 @@ fn over_modes<T: Field>(reduced: &RationalMatrix, factor: i64, gains: &Gains<T>)
 }
 
 pub fn motion_spectrum() -> Record<SpectrumVariant> {
-    let printed = SpectrumVariant { zero_removed: true, factor: 1, lost: 0 };
-    let repaired = SpectrumVariant { zero_removed: false, ..printed };
     Record::new(
         "veerman.specM",
         "M = I ⊗ A + P ⊗ K. With P = S T S^-1, T triangular, M is similar to I ⊗ A + T ⊗ K, block triangular with the blocks \
@@ -52,19 +50,14 @@ pub fn motion_spectrum() -> Record<SpectrumVariant> {
          spec(L) = {0} and spec(P), and 0 is not in spec(P) (det P_1 = 1, det P_2 = 2^-N). As printed the left side loses the \
          eigenvalue 0 but the right side does not: at f = 0 (f and g are any real constants in Section 2) A + lambda K has the eigenvalue 0. For f != 0 neither side \
          contains 0 and the printed equation holds. (The cited papers remove 0 because their M contains the leader.)",
-        printed,
+        SpectrumVariant { zero_removed: true, factor: 1, lost: 0 },
         examine_spectrum,
     )
     .clauses(&[
         "spec(M) \\ {0} = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K) = union of spec [[0,1],[lambda f, lambda g]].",
         "spec(L_i) \\ {0} equals spec(P_i).",
     ])
-    .repaired(
-        Fault::Hypothesis,
-        "For f != 0, spec(M) \\ {0} = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K); for all real f and g the union is spec(M). \
-         spec(L_i) \\ {0} equals spec(P_i).",
-        repaired,
-    )
+    .repaired_by(Fault::Hypothesis, "", |v| v.zero_removed = false)
     .repaired_clauses(&[
         "spec(M) = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K), for all real f and g.",
         "For f != 0, 0 is not in spec(M), so that the union is spec(M) \\ {0} too.",

@@ -158,26 +158,24 @@ fn bracket_of_epsilon(variant: &EpsilonVariant) -> Identity<'_> {
 }
 
 pub fn epsilon() -> Record<EpsilonVariant> {
-    let printed = EpsilonVariant { damping: (-1, 1), stiffness: (-1, 2), coefficients: 3 };
-    let repaired = EpsilonVariant { damping: (-3, 4), ..printed };
     Record::new(
         "veerman.thm1_eps",
         "epsilon² = gamma² - 1 = -(2w²/|f|) S with S = (1 + i w|g|/|f|)^-1 (1 - q/2). The square root of S = 1 + s_1 w + s_2 w² \
          is 1 + s_1 w/2 + (s_2/2 - s_1²/8) w²; the paper drops the term -s_1²/8 = g²/(8 f²). The coefficient is -3/4 g²/f², \
          not -g²/f². The error is O(w³) and does not change the theorem. For w > 0 the imaginary part of gamma² - 1 is positive and its \
          angle near pi, so the root with angle in (-pi/2, pi/2] is the one with +i.",
-        printed,
+        EpsilonVariant { damping: (-1, 1), stiffness: (-1, 2), coefficients: 3 },
         |variant, run| {
             let part = "coefficients of the expansion, exact power series";
             run.identity(&bracket_of_epsilon(variant), &["sqrt|f|", "|g|"], part).for_all()
         },
     )
     .reading("eps = sqrt(gamma^2 - 1), the principal root, for w > 0.")
-    .repaired(
+    .repaired_by(
         Fault::Slip,
         "For w > 0 and f, g < 0, eps = sqrt(gamma^2 - 1) = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- (3/4) \
          g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
-        repaired,
+        |v| v.damping = (-3, 4),
     )
     .altered("+ 3/4 g²/f²", |v| v.damping = (3, 4))
     .altered("- 1/|f|", |v| v.stiffness = (-1, 1))
@@ -269,26 +267,19 @@ fn exponent_definition(variant: &ExponentVariant) -> Identity<'_> {
 }
 
 pub fn exponent() -> Record<ExponentVariant> {
-    let printed = ExponentVariant { divisor: 8, power: 2, order: 3 };
-    let repaired = ExponentVariant { power: 1, ..printed };
     Record::new(
         "veerman.thm1_x",
         "|mu_+-|² = 1 +- sqrt2 w² |g|/|f|^(3/2) at w = sqrt|f| pi/(2 sqrt2 M) is 1 +- pi² |g|/(4 sqrt2 sqrt|f| M²), which is \
          1 +- 2x/M² for x = pi² |g|/(8 sqrt2 sqrt|f|). The printed |f| instead of sqrt|f| would also contradict the amplitude \
          of the theorem, M/x; for f = -1 the two agree.",
-        printed,
+        ExponentVariant { divisor: 8, power: 2, order: 3 },
         examine_exponent,
     )
     .clauses(&[
         "With x := pi^2 |g|/(8 sqrt(2) |f|), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal resonance.",
         "A = |a_{N+1}| = (N+1)/x + O(N^{-1}).",
     ])
-    .repaired(
-        Fault::Typo,
-        "With x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal \
-         resonance and A = |a_{N+1}| = (N+1)/x + O(N^{-1}).",
-        repaired,
-    )
+    .repaired_by(Fault::Typo, "", |v| v.power = 1)
     .repaired_clauses(&[
         "With x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal resonance.",
         "A = |a_{N+1}| = (N+1)/x + O(N^{-1}).",

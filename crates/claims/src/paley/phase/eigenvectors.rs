@@ -26,17 +26,16 @@ pub struct SymmetryVariant {
 }
 
 pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
-    let right = SymmetryVariant { columns_only: true, clusters: clusters_of_column };
     Record::new(
         "paley.eig.sym",
         "The columns of F are eigenvectors, but not the only ones: an eigenvalue of an undirected circulant is repeated unless it belongs to column 1 or \
          N/2 + 1. On C_4 every rhombus (u, v, -u, -v) with |u| = |v| = 1 is an eigenvector with eigenvalue 2; on K_N every balanced arrangement is one with eigenvalue N; on a \
          graph without edges every arrangement is one (there already for N = 2). Connected circulants of 2 and 3 nodes have no counterexample: balanced \
          arrangements of 2 or 3 phases are symmetric.",
-        SymmetryVariant { columns_only: false, ..right },
+        SymmetryVariant { columns_only: false, clusters: clusters_of_column },
         examine_symmetry,
     )
-    .repaired(Fault::False, "", right)
+    .repaired_by(Fault::False, "", |v| v.columns_only = true)
     .repaired_clauses(&[
         "If e^{i theta} is, up to a common rotation, a column m of F other than the first, then the phasors form the symmetric pattern of N/gcd(N, m - 1) clusters.",
         "Other eigenvectors of a repeated eigenvalue need not be symmetric.",

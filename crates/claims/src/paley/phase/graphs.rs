@@ -24,7 +24,6 @@ fn lengths(laplacian: SparseMatrix, graph: WeightedGraph, factor: (i64, i64)) ->
 }
 
 pub fn edge_length() -> Record<LengthVariant> {
-    let right = LengthVariant { factor: (1, 4), directed: false };
     Record::new(
         "paley.length",
         "In <x, L x> = sum_k d_k |x_k|^2 - sum_k sum_{j in N_k} <x_k, x_j> each pair of neighbours gives |x_j - x_k|^2 once. The set E of the tutorial has \
@@ -44,7 +43,7 @@ pub fn edge_length() -> Record<LengthVariant> {
             Ok(supports(Run::all(tests)?, &[1]))
         },
     )
-    .repaired(Fault::Slip, "", right)
+    .repaired(Fault::Slip, "", LengthVariant { factor: (1, 4), directed: false })
     .repaired_clauses(&[
         "For undirected G, Q_L(x) = (1/(4N)) sum_{(j,k) in E} |x_j - x_k|^2 with both directions of each edge in E.",
         "With each edge counted once it is (1/(2N)) sum |x_j - x_k|^2.",
@@ -120,7 +119,6 @@ pub struct IncidenceVariant {
 }
 
 pub fn incidence() -> Record<IncidenceVariant> {
-    let right = IncidenceVariant { tail: -1, once: Some((1, 1)), twice: Some((1, 2)) };
     Record::new(
         "paley.incid",
         "A column with 1 and -1 adds to B B^T the Laplacian of its edge, whatever its direction. For undirected G the set E of directed edges holds each edge \
@@ -128,7 +126,7 @@ pub fn incidence() -> Record<IncidenceVariant> {
         IncidenceVariant { tail: -1, once: None, twice: Some((1, 1)) },
         examine_incidence,
     )
-    .repaired(Fault::Slip, "", right)
+    .repaired(Fault::Slip, "", IncidenceVariant { tail: -1, once: Some((1, 1)), twice: Some((1, 2)) })
     .repaired_clauses(&[
         "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way.",
         "With one column for each directed edge in E, L = (1/2) B B^T.",

@@ -18,7 +18,6 @@ pub struct RateVariant {
 }
 
 pub fn synchronised() -> Record<RateVariant> {
-    let right = RateVariant { rate: Rational::clone, apart: false };
     Record::new(
         "paley.sync.par",
         "The definition of a parallel formation asks for thetadot_k = 0. Phase locking gives equal rates only: under (6) with a control that \
@@ -27,7 +26,7 @@ pub fn synchronised() -> Record<RateVariant> {
         RateVariant { rate: |_| rational(0, 1), apart: false },
         examine_rates,
     )
-    .repaired(Fault::False, "", right)
+    .repaired(Fault::False, "", RateVariant { rate: Rational::clone, apart: false })
     .repaired_clauses(&[
         "In a synchronised arrangement the particles have a common direction at all times, which turns at their common rate.",
         "Under (6) with (9) or (14) that rate is omega_0.",

@@ -147,15 +147,13 @@ impl ZeroVariant {
 }
 
 pub fn strong_subgraphs() -> Record<ZeroVariant> {
-    let printed = ZeroVariant { parts: Parts::Strong, sufficient: true, above: (0, 1) };
-    let weak = ZeroVariant { parts: Parts::Weak, ..printed };
     Record::new(
         "paley.zero.dir",
         "W_1 = (1/(4N)) sum over arcs of |z_k - z_j|^2, so an arc between two strong components counts: each may be synchronised at another phase, \
          and W_1 > 0. Two nodes and one arc are enough (single nodes are strongly connected); so are two 2-cycles joined by an arc. W_1 = 0 exactly if phases are \
          equal across every arc, that is, within each weakly connected component. For undirected graphs the two are the same. Synchronised strong components are \
          necessary for W_1 = 0.",
-        printed,
+        ZeroVariant { parts: Parts::Strong, sufficient: true, above: (0, 1) },
         |variant, run| {
             let zeros = variant.examine(run).on([1, 2]);
             Run::all([zeros, argued(&[2], "positive elsewhere, every graph", "notes/paley_phases.md, steps Z1-Z2")])
@@ -165,7 +163,7 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
         "If G is not strongly connected, then W_1(theta) is zero if and only if the phases within each strongly connected subgraph are synchronized.",
         "Otherwise W_1(theta) is positive.",
     ])
-    .repaired(Fault::False, "", weak)
+    .repaired_by(Fault::False, "", |v| v.parts = Parts::Weak)
     .repaired_clauses(&[
         "W_1(theta) is zero if and only if the phases within each weakly connected component of G are synchronised.",
         "Otherwise W_1(theta) is positive.",

@@ -54,7 +54,6 @@ fn printed_forms(variant: &FormVariant) -> Identity<'_> {
 }
 
 pub fn laplacian_form() -> Record<FormVariant> {
-    let right = FormVariant { orientation: -1, attraction: -1, field: -1, units: false };
     Record::new(
         "paley.eq28",
         "<i z, z + sum z_j> = -<i z, L_k^ori z>: the alignment term is exact. sum r_kj = L_k^att r, so (28) \
@@ -72,7 +71,7 @@ pub fn laplacian_form() -> Record<FormVariant> {
         "The K_ori term is the alignment behavior.",
     ])
     .reading("\"Approximated\" means r_kj in the place of rhat_kj.")
-    .repaired(Fault::Slip, "", right)
+    .repaired(Fault::Slip, "", FormVariant { orientation: -1, attraction: -1, field: -1, units: false })
     .repaired_clauses(&[
         "If the repulsion zone of fish k is empty, with r_kj in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = w_k - K_ori <i e^{i \
          th_k}, L_k^ori e^{i th}> - K_att <i e^{i th_k}, L_k^att r>.",

@@ -89,8 +89,8 @@ pub fn spacing_form() -> Record<ProperVariant> {
         "S is proper in the space of relative circle centers.",
     ])
     .control("graphs that are not connected", ProperVariant::ANY_GRAPH)
-    .control("(N - 2) 2 N S as the bound", ProperVariant { excess: -1, ..ProperVariant::PRINTED })
-    .control("1/N times the sum over edges", ProperVariant { share: (1, 1), ..ProperVariant::PRINTED })
+    .altered("(N - 2) 2 N S as the bound", |v| v.excess = -1)
+    .altered("1/N times the sum over edges", |v| v.share = (1, 1))
 }
 
 /// `cdot = e^{i theta} (1 + factor omega^power u)`.
@@ -188,7 +188,7 @@ pub fn spacing_descent() -> Record<DescentVariant> {
         "Under (20), Sdot = -(K_0/N^2) sum_k <e^{i th_k}, L_k c>^2.",
         "For K_0 > 0 this is not positive.",
     ])
-    .control("1/(2N) in (19)", DescentVariant { share: (1, 2), ..DescentVariant::PRINTED })
-    .control("Sdot >= 0", DescentVariant { descent: 1, ..DescentVariant::PRINTED })
+    .altered("1/(2N) in (19)", |v| v.share = (1, 2))
+    .altered("Sdot >= 0", |v| v.descent = 1)
     .control("directed graphs", DescentVariant::ONE_WAY)
 }

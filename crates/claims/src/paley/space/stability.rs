@@ -81,10 +81,10 @@ pub fn synchrony_stable() -> Record<SynchronyVariant> {
         examine_synchrony_stable,
     )
     .reading("Up to rotation and translation; K_0 > 0, as under (20).")
-    .control("K_1 > 0", SynchronyVariant { orientation: 1, ..SynchronyVariant::STABLE })
-    .control("K_1 = 0", SynchronyVariant { orientation: 0, ..SynchronyVariant::STABLE })
-    .control("K_0 < 0", SynchronyVariant { spacing: -1, ..SynchronyVariant::STABLE })
-    .control("a graph that is not connected", SynchronyVariant { connected: false, ..SynchronyVariant::STABLE })
+    .altered("K_1 > 0", |v| v.orientation = 1)
+    .altered("K_1 = 0", |v| v.orientation = 0)
+    .altered("K_0 < 0", |v| v.spacing = -1)
+    .altered("a graph that is not connected", |v| v.connected = false)
 }
 
 fn examine_synchrony_stable(variant: &SynchronyVariant, run: &mut Run) -> Result<Outcome, CheckError> {

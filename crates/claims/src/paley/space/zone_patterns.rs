@@ -21,8 +21,6 @@ pub struct PatternsVariant {
 }
 
 pub fn patterns_in_zones() -> Record<PatternsVariant> {
-    let printed = PatternsVariant { law: ZoneLaw::Printed, orientation: 0.1, zones: ZoneFormation::CLUSTERS };
-    let repaired = PatternsVariant { law: ZoneLaw::Corrected, ..printed };
     Record::new(
         "paley.fig8.pos",
         "Under (29) as printed the orientation term has the gain K_1 - K_0. At K_1 = K_0 the law does not \
@@ -35,7 +33,7 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
          network (paley.eq29) and K_1 = K_0 the runs show what the text describes: about 12, about 8 and \
          two to four clusters in nearly all runs, nearly evenly spaced; for M = 12 and 8 not on one circle \
          at rest (`reproduce paley.fig8`).",
-        printed,
+        PatternsVariant { law: ZoneLaw::Printed, orientation: 0.1, zones: ZoneFormation::CLUSTERS },
         examine_patterns_in_zones,
     )
     .reading(
@@ -43,7 +41,7 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
          within a quarter of M and they are on average 75% of the angle 2 pi/M apart (M = 12, 8), or where \
          there are at most four (M = 2).",
     )
-    .repaired(Fault::False, "", repaired)
+    .repaired_by(Fault::False, "", |v| v.law = ZoneLaw::Corrected)
     .repaired_clauses(&[
         "With (29) corrected (paley.eq29), K_1 = K_0 = w0 = 0.1, N = 12, in most runs from random states \
          the particles form 9 to 12 clusters for M = 12, on average at least three quarters of the angle 2 \
