@@ -284,7 +284,7 @@ pub fn recurrent() -> Record<RecurrentVariant> {
          velocities are averages of earlier ones, so the bounds give one Cauchy sequence \
          (proofs_checks/coq/chazelle_recurrent.v, chazelle_agreement.v, chazelle_reals.v).",
         printed,
-        check_recurrent,
+        |variant, run| Run::all([variant.exhaustive(run), variant.sampled(run)]),
     )
     .stated(
         "extends chazelle, section 3, to networks that change",
@@ -310,8 +310,4 @@ pub fn recurrent() -> Record<RecurrentVariant> {
     .altered("a factor for every window", |v| v.windows = |_| 1)
     .altered("alpha^(n-2)", |v| v.network_power = |n| n - 2)
     .altered("alpha^(n-1) on directed networks, however long the windows", |v| v.directed_power = |n, _| n - 1)
-}
-
-fn check_recurrent(variant: &RecurrentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Run::all([variant.exhaustive(run), variant.sampled(run)])
 }

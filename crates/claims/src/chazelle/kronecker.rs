@@ -227,7 +227,7 @@ fn check_difference(variant: &DifferenceVariant, run: &mut Run) -> Result<Outcom
             (0..n * d).map(|_| vec![rational(i64::from(random.next_u32() % 17) - 8, 4)]).collect();
         variant.fails_at(n, d, &graphs, &start)
     });
-    Run::all([run.identity(&generic(variant), &[""; 0], "two generic factors, three birds in the plane"), runs])
+    Run::all([runs, run.identity(&generic(variant), &[""; 0], "two generic factors, three birds in the plane")])
 }
 
 /// `v_1(3) - v_2(3)` for three birds in the plane and two matrices of variables.

@@ -122,7 +122,13 @@ pub fn nested() -> Record<NestedVariant> {
          bird stays first: its diagonal entry is positive, so it belongs to every V_k, and the rows of V_k are by \
          definition those with a positive entry in its column.",
         NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false },
-        check_nested,
+        |variant, run| {
+            let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
+            over_histories(run, false, "nested, block diagonal, positive first columns", cases, |history, _| {
+                Ok(variant.fails_at(history))
+            })
+            .on([1, 2, 3])
+        },
     )
     .clauses(&[
         "The stabilizers are nested, V_1 contains V_2 contains ....",
@@ -133,14 +139,6 @@ pub fn nested() -> Record<NestedVariant> {
     .altered("separated at t = T_1 already", |v| v.at_t1 = true)
     .altered("the second column", |v| v.column = 1)
     .altered("V_1 from the first row", |v| v.from_row = true)
-}
-
-fn check_nested(variant: &NestedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
-    over_histories(run, false, "nested, block diagonal, positive first columns", cases, |history, _| {
-        Ok(variant.fails_at(history))
-    })
-    .on([1, 2, 3])
 }
 
 /// `P(t)` for all `t` of a history, with exact products.
@@ -243,7 +241,10 @@ pub fn blocks() -> Record<BlocksVariant> {
          the left factor only. Iterated, the factor of T_2 has the columns V_1 and the factor of T_1 the rows V_1. \
          With V_k in both places the paths through V_1 \\ V_k are lost.",
         BlocksVariant { second_has_v1: false, first_has_v1: false, gap: 1 },
-        check_blocks,
+        |variant, run| {
+            let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+            over_histories(run, true, "the factorisation", cases, |history, random| variant.fails_at(history, random))
+        },
     )
     .repaired(
         Fault::Typo,
@@ -255,11 +256,6 @@ pub fn blocks() -> Record<BlocksVariant> {
     .altered("V_2 x V_1, V_k x V_0", |v| v.first_has_v1 = false)
     .altered("the factor at T_i taken twice", |v| v.gap = 0)
     .altered("the factor at T_i + 1 left out", |v| v.gap = 2)
-}
-
-fn check_blocks(variant: &BlocksVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-    over_histories(run, true, "the factorisation", cases, |history, random| variant.fails_at(history, random))
 }
 
 /// The constants of the two inequalities.
@@ -319,7 +315,12 @@ pub fn contraction() -> Record<ContractionVariant> {
          nu^(-a(nu-1)), which is more than nu^(-a nu²) (lem2.2.entries): any two rows overlap by beta, tau_1 <= 1 - \
          beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2.",
         ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 },
-        check_contraction,
+        |variant, run| {
+            let cases =
+                "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+            over_histories(run, true, "both inequalities", cases, |history, random| variant.fails_at(history, random))
+                .on([1, 2])
+        },
     )
     .clauses(&[
         "tau_2(P_{|V_k x V_0}(t,s)) <= sqrt(2) tau_1(P_{|V_k x V_k}(t,T_k+1)) prod_{i=1}^k tau_1(P_{|V_i x \
@@ -329,10 +330,4 @@ pub fn contraction() -> Record<ContractionVariant> {
     .altered("1.41 for sqrt(2)", |v| v.squared_constant = (19881, 10000))
     .altered("e^(-k)", |v| v.exponent = |_| 0)
     .altered("the square of the product", |v| v.power = 2)
-}
-
-fn check_contraction(variant: &ContractionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-    over_histories(run, true, "both inequalities", cases, |history, random| variant.fails_at(history, random))
-        .on([1, 2])
 }

@@ -148,14 +148,6 @@ fn gradient_of_energy(graph: Graph, variant: &MechanicalVariant) -> Identity<'_>
     })
 }
 
-fn examine_mechanical(variant: &MechanicalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Run::all([
-        on_connected(run, most(run), "the forces are -grad W", |graph| gradient_of_energy(graph, variant)).on([2]),
-        non_negative(variant).on([1]),
-        argued(&[1, 2], "energy and forces", "notes/tanner2.md, Identities, steps 1 and 5"),
-    ])
-}
-
 /// The least value of `W` is that at rest at the minimum of every potential, for two agents.
 fn non_negative(variant: &MechanicalVariant) -> Result<Outcome, CheckError> {
     let (one, least) = (rational(1, 1), rational(variant.least, 1));
@@ -177,7 +169,13 @@ pub fn eq6() -> Record<MechanicalVariant> {
         "V_ij >= 0 by Definition 3, so W is a sum of non-negative terms, differentiable where no linked agents coincide. Half the sum of \
          the V_i counts each edge once, so -grad_{r_i} W = -grad_{r_i} V_i is the force of (4): W is potential plus kinetic energy (unit masses).",
         MechanicalVariant { factor: (1, 2), least: 0 },
-        examine_mechanical,
+        |variant, run| {
+            Run::all([
+                on_connected(run, most(run), "the forces are -grad W", |graph| gradient_of_energy(graph, variant)).on([2]),
+                non_negative(variant).on([1]),
+                argued(&[1, 2], "energy and forces", "notes/tanner2.md, Identities, steps 1 and 5"),
+            ])
+        },
     )
     .clauses(&["W is nonnegative.", "W is the (differentiable) mechanical energy of the group."])
     .altered("without the half before V_i", |v| v.factor = (1, 1))

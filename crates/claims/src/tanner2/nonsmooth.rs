@@ -169,20 +169,18 @@ fn two_sums(graph: Graph, variant: &SumVariant) -> Identity<'_> {
     })
 }
 
-fn examine_sums(variant: &SumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Run::all((1..=3).flat_map(Graph::all).map(|graph| {
-        let part = format!("equation (11), {} agents, edges {:?}, any values", graph.order(), graph.edges());
-        run.identity(&two_sums(graph, variant), &["V_ij", "U_ii", "|v_i|²"], &part)
-    }))
-}
-
 pub fn q_sums() -> Record<SumVariant> {
     Record::new(
         "tanner2.Q",
         "U_ij is V_ij on linked pairs and V_ij(R) on the others, and half the double sum counts each pair of different agents once. Pairs are pairs of different agents: the terms j = i, which \
          V_ij does not define (V_ii(0) would be infinite), are left out, and each pair that is not linked is meant once.",
         SumVariant { unlinked: 1, own: false },
-        examine_sums,
+        |variant, run| {
+            Run::all((1..=3).flat_map(Graph::all).map(|graph| {
+                let part = format!("equation (11), {} agents, edges {:?}, any values", graph.order(), graph.edges());
+                run.identity(&two_sums(graph, variant), &["V_ij", "U_ii", "|v_i|²"], &part)
+            }))
+        },
     )
     .reading("pairs are unordered pairs of different agents")
     .altered("unlinked pairs counted in both orders", |v| v.unlinked = 2)
@@ -236,7 +234,9 @@ pub fn q_jump() -> Record<KinkVariant> {
     .clauses(&["Q is continuous everywhere.", "Q is nonsmooth whenever ||r_ij|| = R for some (i, j)."])
     .reading("where no two agents coincide, and with V_ij increasing at R with a positive slope, as Figure 3 and Lemma 1 have it (c < 0 there)")
     .altered("0 in place of V(R) beyond R", |v| v.saturated = false)
-    .altered("V increasing at R with slope zero", |v| v.settings = vec![(Potential::with_inflection(&rational(4, 1)), rational(4, 1))])
+    .altered("V increasing at R with slope zero", |v| {
+        v.settings = vec![(Potential::with_inflection(&rational(4, 1)), rational(4, 1))]
+    })
 }
 
 /// `Qdot = factor v^T (L kron I_2) v`, away from ties or at ties too.

@@ -244,18 +244,16 @@ fn mode_sides(variant: &ModeVariant) -> Identity<'_> {
 
 const MODE: ModeVariant = ModeVariant { sign: -1, half: (1, 2), four: 4 };
 
-fn examine_modes(variant: &ModeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let part = "characteristic equation and its roots, (lambda g)² + 4 lambda f = r², lambda != 0";
-    run.identity(&mode_sides(variant), &["lambda", "g", "r", "x"], part).on([1, 2])
-}
-
 pub fn mode_eigenvalues() -> Record<ModeVariant> {
     Record::new(
         "veerman.eigAK",
         "det(xI - A - lambda K) = x (x - lambda g) - lambda f. The quadratic formula, with multiplicity: sum lambda g, product \
          -lambda f. For lambda = 0 both are 0. The square root may be imaginary; either branch gives the same pair.",
         MODE,
-        examine_modes,
+        |variant, run| {
+            let part = "characteristic equation and its roots, (lambda g)² + 4 lambda f = r², lambda != 0";
+            run.identity(&mode_sides(variant), &["lambda", "g", "r", "x"], part).on([1, 2])
+        },
     )
     .clauses(&[
         "The eigenvalues of A + lambda K are the solutions of x^2 - lambda g x - lambda f = 0.",

@@ -193,19 +193,17 @@ pub fn geometric_sums() -> Record<ClosedFormVariant> {
          pi, C, u_k belong to the flock of bird i, of m birds; for m = 1 the sum is empty. G at time t_1 itself does \
          not matter: v(t_1+1) has it already.",
         PRINTED,
-        check_geometric_sums,
+        |variant, run| {
+            variant.examine(run, "x_i(t) by geometric sums, against steps of (1.2)", |flight| {
+                any_bird(flight, |bird| variant.one_bird(flight, bird, false))
+            })
+        },
     )
     .altered("the exponent t - t_1 + 1", |v| v.exponent = (1, 1))
     .altered("the sum from k = 1", |v| v.first = 1)
     .altered("C^-1/2 and C^1/2 exchanged", |v| v.halves = (-1, 1))
     .altered("v(t_1) in place of v(t_1+1)", |v| v.earlier = 1)
     .altered("another network at time t - 1", |v| v.broken = 1)
-}
-
-fn check_geometric_sums(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    variant.examine(run, "x_i(t) by geometric sums, against steps of (1.2)", |flight| {
-        any_bird(flight, |bird| variant.one_bird(flight, bird, false))
-    })
 }
 
 pub fn with_gamma() -> Record<ClosedFormVariant> {
@@ -216,7 +214,11 @@ pub fn with_gamma() -> Record<ClosedFormVariant> {
          The sum that is left runs from k = 2 as well. The printed sum starts at k = 0: there is no lambda_0, and k = \
          1 divides by 1 - lambda_1 = 0.",
         ClosedFormVariant { first: 0, ..PRINTED },
-        check_with_gamma,
+        |variant, run| {
+            variant.examine(run, "x_i(t) with Gamma by the formula of Lemma 3.3, against steps of (1.2)", |flight| {
+                any_bird(flight, |bird| variant.one_bird(flight, bird, true))
+            })
+        },
     )
     .repaired(
         Fault::Typo,
@@ -229,12 +231,6 @@ pub fn with_gamma() -> Record<ClosedFormVariant> {
     .altered("the sum from k = 3", |v| v.first = 3)
     .altered("the exponent 2(t - t_1)", |v| v.exponent = (2, 0))
     .altered("v(t_1) in place of v(t_1+1)", |v| v.earlier = 1)
-}
-
-fn check_with_gamma(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    variant.examine(run, "x_i(t) with Gamma by the formula of Lemma 3.3, against steps of (1.2)", |flight| {
-        any_bird(flight, |bird| variant.one_bird(flight, bird, true))
-    })
 }
 
 pub fn two_birds_apart() -> Record<ClosedFormVariant> {

@@ -105,21 +105,20 @@ pub fn limit_of_gamma() -> Record<LimitOfGammaVariant> {
          is established by Gamma_1 = X - P X, which gives Gamma_t = X - P^t X, by pi^T X = 0, and by a power that \
          contracts.",
         printed,
-        check_limit_of_gamma,
+        |variant, run| {
+            let part = "the limit, which also is (I - P + 1 pi^T)^-1 - 1 pi^T";
+            let networks = variant.family.labelled(4, run.cases(5, 6))?;
+            let detail = format!(
+                "{FAMILY} on 5 birds (and 6 with --full) and every labelled one on up to 4, three kinds of weights"
+            );
+            exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
+        },
     )
     .altered("+ 1 pi^T t in Gamma_t", |v| v.drift = 1)
     .altered("(I | 0) on the left", |v| v.projected = false)
     .altered("the last column kept on the left", |v| v.zero_column = false)
     .altered("(I - P | pi) on the right", |v| v.column_of_ones = false)
     .altered("not connected", |v| v.family = Family::ANY_GRAPH)
-}
-
-fn check_limit_of_gamma(variant: &LimitOfGammaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let part = "the limit, which also is (I - P + 1 pi^T)^-1 - 1 pi^T";
-    let networks = variant.family.labelled(4, run.cases(5, 6))?;
-    let detail =
-        format!("{FAMILY} on 5 birds (and 6 with --full) and every labelled one on up to 4, three kinds of weights");
-    exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))
 }
 
 #[derive(Clone, Copy)]

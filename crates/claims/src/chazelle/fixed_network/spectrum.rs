@@ -44,7 +44,14 @@ pub fn stationary() -> Record<StationaryVariant> {
          matrix, so 1 is simple. Dominant: every other eigenvalue lies in (-1, 1), because P >= a I with a = min p_ii \
          > 0 leaves a stochastic rest (notes/chazelle_fixed_network.md).",
         StationaryVariant { family: Family::PRINTED, power: -1, right_is_one: true },
-        check_stationary,
+        |variant, run| {
+            let part = "1 is a simple dominant eigenvalue with these eigenvectors";
+            let networks = variant.family.networks(run.cases(6, 7))?;
+            let detail = format!(
+                "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly"
+            );
+            exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).on([1, 2, 3])
+        },
     )
     .clauses(&[
         "For fixed connected G, 1 is a simple eigenvalue of P = I_n - CL.",
@@ -55,14 +62,6 @@ pub fn stationary() -> Record<StationaryVariant> {
     .altered("left and right exchanged", |v| v.right_is_one = false)
     .altered("graphs that are not connected", |v| v.family = Family::ANY_GRAPH)
     .altered("c_i d_i = 1", |v| v.family = Family::WHOLE)
-}
-
-fn check_stationary(variant: &StationaryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let part = "1 is a simple dominant eigenvalue with these eigenvectors";
-    let networks = variant.family.networks(run.cases(6, 7))?;
-    let detail =
-        format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly");
-    exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).on([1, 2, 3])
 }
 
 /// The half powers in `M = C^(a/2) P C^(b/2) = I - C^(e/2) L C^(e/2)`, and what is said of its eigenvalues.

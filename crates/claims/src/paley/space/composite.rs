@@ -58,7 +58,12 @@ pub fn composite_descent() -> Record<CompositeVariant> {
          has the wrong sign for w0 > 0: at K_1 > 0 the control (14) increases W_1. V = K_0 S - K_1 w0^-2 \
          W_1 is what (22) decreases, in agreement with synchronisation for K_1 < 0.",
         CompositeVariant { sign: 1, exponent: -1, cross: 1 },
-        examine_composite_descent,
+        |variant, run| {
+            Run::all(identity_graphs(run).into_iter().map(|graph| {
+                let part = format!("Vdot under (22), {}", described(&graph));
+                state_identity(composite(variant, Neighbours::of(&graph)), &["w0", "K_0", "K_1"], &part, run)
+            }))
+        },
     )
     .repaired(
         Fault::Slip,
@@ -69,13 +74,6 @@ pub fn composite_descent() -> Record<CompositeVariant> {
     .control("-K_1/w0 in V", CompositeVariant { sign: -1, exponent: -1, cross: 1 })
     .control("+K_1/w0^2 in V", CompositeVariant { sign: 1, exponent: -2, cross: 1 })
     .control("the difference squared", CompositeVariant { sign: -1, exponent: -2, cross: -1 })
-}
-
-fn examine_composite_descent(variant: &CompositeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Run::all(identity_graphs(run).into_iter().map(|graph| {
-        let part = format!("Vdot under (22), {}", described(&graph));
-        state_identity(composite(variant, Neighbours::of(&graph)), &["w0", "K_0", "K_1"], &part, run)
-    }))
 }
 
 /// paley.eq22 and paley.eq29: (5) with (14) and (20) equals `omega + (alignment/N) tau^ori + (rest/N) tau^att + omega (spacing K_0/N)

@@ -37,7 +37,16 @@ pub fn euler_step() -> Record<StepVariant> {
          u_k in (28) with those of (22), K_1 - K_0 = -K_ori N (paley.fish28ori), which under that reading \
          would be off by the factor T.",
         StepVariant { position: 0, phase: 1 },
-        examine_euler_step,
+        |variant, run| {
+            // Each fish for itself: an identity in all that its step depends on.
+            state_identity(
+                euler_increments(variant),
+                &["1/(10 T)", "u"],
+                "increments of Euler's method with step T",
+                run,
+            )
+            .for_all()
+        },
     )
     .reading("u_k is one and the same steering in (26) and in (2).")
     .repaired(
@@ -49,12 +58,6 @@ pub fn euler_step() -> Record<StepVariant> {
     .control("T^2 u", StepVariant { position: 1, phase: 2 })
     .control("T^2 e^{i theta}", StepVariant { position: 2, phase: 1 })
     .control("u without T", StepVariant { position: 1, phase: 0 })
-}
-
-fn examine_euler_step(variant: &StepVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    // Each fish for itself: an identity in all that its step depends on.
-    state_identity(euler_increments(variant), &["1/(10 T)", "u"], "increments of Euler's method with step T", run)
-        .for_all()
 }
 
 /// paley.vrep and paley.vatt: the field is `sign i^turns sum rhat_kj`, which is to point away from the neighbours (`away = 1`) or towards

@@ -78,19 +78,17 @@ pub fn synchrony_stable() -> Record<SynchronyVariant> {
          So for K_0 > 0 and K_1 < 0, for either sign of w0, all but the symmetries decay exponentially \
          (lambda > 0 for all but the constant vector on a connected graph).",
         SynchronyVariant::STABLE,
-        examine_synchrony_stable,
+        |variant, run| {
+            let graphs = if variant.connected { connected_graphs(run.cases(0, 1) == 1) } else { vec![Graph::empty(2)] };
+            let sizes = [((1, 10), (1, 10)), ((-1, 10), (1, 10)), ((2, 1), (5, 1))];
+            examine_synchrony(variant, &graphs, &sizes, (SECTION, run))
+        },
     )
     .reading("Up to rotation and translation; K_0 > 0, as under (20).")
     .altered("K_1 > 0", |v| v.orientation = 1)
     .altered("K_1 = 0", |v| v.orientation = 0)
     .altered("K_0 < 0", |v| v.spacing = -1)
     .altered("a graph that is not connected", |v| v.connected = false)
-}
-
-fn examine_synchrony_stable(variant: &SynchronyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let graphs = if variant.connected { connected_graphs(run.cases(0, 1) == 1) } else { vec![Graph::empty(2)] };
-    let sizes = [((1, 10), (1, 10)), ((-1, 10), (1, 10)), ((2, 1), (5, 1))];
-    examine_synchrony(variant, &graphs, &sizes, (SECTION, run))
 }
 
 pub fn drift_gain() -> Record<SynchronyVariant> {
@@ -103,7 +101,13 @@ pub fn drift_gain() -> Record<SynchronyVariant> {
          all-to-all.) The caption contradicts the convention of the article (K_1 < 0 synchronises): a sign \
          slip.",
         SynchronyVariant { orientation: 1, ..SynchronyVariant::STABLE },
-        examine_drift_gain,
+        |variant, run| {
+            // The printed values. The caption names no network: the sparsest and the densest of the article.
+            let on_ring = |i: usize, j: usize| matches!(i.abs_diff(j), 1 | 11);
+            let graphs = [Graph::from_fn(PARTICLES, on_ring), Graph::from_fn(PARTICLES, |_, _| true)];
+            let section = format!("{SECTION}, and Beacon and drift, step 5");
+            examine_synchrony(variant, &graphs, &[((1, 10), (1, 10)), ((1, 10), (1, 1))], (&section, run))
+        },
     )
     .repaired(
         Fault::Typo,
@@ -113,14 +117,6 @@ pub fn drift_gain() -> Record<SynchronyVariant> {
     )
     .altered("K_1 = 0", |v| v.orientation = 0)
     .altered("K_0 < 0", |v| v.spacing = -1)
-}
-
-fn examine_drift_gain(variant: &SynchronyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    // The printed values. The caption names no network: the sparsest and the densest of the article.
-    let on_ring = |i: usize, j: usize| matches!(i.abs_diff(j), 1 | 11);
-    let graphs = [Graph::from_fn(PARTICLES, on_ring), Graph::from_fn(PARTICLES, |_, _| true)];
-    let section = format!("{SECTION}, and Beacon and drift, step 5");
-    examine_synchrony(variant, &graphs, &[((1, 10), (1, 10)), ((1, 10), (1, 1))], (&section, run))
 }
 
 /// Signs of the gains of (25) below `M` and at `M`, sign of `K_0`, and whether the spacing network is connected.
