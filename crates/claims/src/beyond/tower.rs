@@ -72,22 +72,14 @@ fn check_tower(variant: &TowerVariant, run: &mut Run) -> Result<Outcome, CheckEr
         run.value("second_switch", times[1].clone());
         run.value("log2_of_the_third", format!("[{lo}, {hi}]"));
     }
+    let second = "the quadratic polynomial of the limit motion on the fixed network, exactly, before and at the contact; \
+                  the transients that are left out are bounded far below its value (notes/settling.md, How flock settle \
+                  decides, 4 and 5)";
+    let third = "the relative drift as the leading term of its shortest recurrence, sign and logarithm enclosed \
+                 (notes/settling.md, the same)";
     Ok(Outcome::Holds(vec![
         exact("the first switch", "every step up to it taken by the rule").on([1]).for_all(),
-        certified(
-            "the second switch",
-            "the quadratic polynomial of the limit motion on the fixed network, exactly, before and at the contact; \
-             the transients that are left out are bounded far below its value (notes/settling.md, How flock settle \
-             decides, 4 and 5)",
-        )
-        .on([2])
-        .for_all(),
-        certified(
-            "the third",
-            "the relative drift as the leading term of its shortest recurrence, sign and logarithm enclosed \
-             (notes/settling.md, the same)",
-        )
-        .on([3])
-        .for_all(),
+        certified("the second switch", second).on([2]).for_all(),
+        certified("the third", third).on([3]).for_all(),
     ]))
 }

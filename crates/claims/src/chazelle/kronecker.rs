@@ -210,8 +210,8 @@ pub fn difference() -> Record<DifferenceVariant> {
          v_j(t) = ((chi(i,j) P(t-1,1)) kron I_d) v(1).",
         DifferenceVariant { assignments: vec![(false, 1), (true, -1)], shift: 0 },
     )
-    .control("chi_i = 1 alone", DifferenceVariant { assignments: vec![(false, 1)], shift: 0 })
-    .control("chi_j = 1", DifferenceVariant { assignments: vec![(false, 1), (true, 1)], shift: 0 })
+    .altered("chi_i = 1 alone", |v| v.assignments = vec![(false, 1)])
+    .altered("chi_j = 1", |v| v.assignments = vec![(false, 1), (true, 1)])
     .altered("the product P(t,1)", |v| v.shift = 1)
     .altered("the product P(t-2,1)", |v| v.shift = -1)
 }
