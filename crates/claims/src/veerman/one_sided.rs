@@ -238,7 +238,11 @@ pub fn gain_above_one() -> Record<GainVariant> {
         "If w^2 < 2|f| (f, g < 0), |gamma^{-1}| is greater than one.",
         "If |gamma^{-1}| is greater than one (f, g < 0), w^2 < 2|f|.",
     ])
-    .repaired_by(Fault::Hypothesis, "", |v| v.zero_included = false)
+    .repaired_by(
+        Fault::Hypothesis,
+        "|gamma^{-1}| is greater than one if and only if 0 < w^2 < 2|f| (f, g < 0).",
+        |v| v.zero_included = false,
+    )
     .repaired_clauses(&[
         "If 0 < w^2 < 2|f| (f, g < 0), |gamma^{-1}| is greater than one.",
         "If |gamma^{-1}| is greater than one (f, g < 0), 0 < w^2 < 2|f|.",
