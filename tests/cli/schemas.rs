@@ -134,6 +134,7 @@ fn documents_keep_to_their_schemas() {
         ("flock-settle", vec!["flock", "settle", &birds, "--json"]),
         ("flock-settle", vec!["flock", "settle", &free, "--json"]),
         ("simulate", vec!["simulate", &scenario, "--out", &out, "--json"]),
+        ("pattern", vec!["pattern", "--particles", "6", "--gains", "1/5,1/5,-1/25", "--json"]),
         ("tracks", vec!["tracks", &tracks, "--null", "3", "--out", &out, "--json"]),
     ] {
         let document = printed(&arguments);

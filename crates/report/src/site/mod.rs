@@ -9,6 +9,7 @@ mod frame;
 mod glossary;
 mod graph;
 mod index;
+pub(crate) mod motion;
 mod notation;
 mod notes;
 mod paper;
@@ -21,7 +22,8 @@ mod words;
 pub use frame::Page;
 
 use crate::figures::{Figure, File};
-use frame::{Frame, Links, SCRIPT, STYLE};
+pub(crate) use frame::{Frame, Links};
+use frame::{SCRIPT, STYLE};
 use ledger::{Document, Entry, Ledger};
 use maud::{Markup, html};
 pub(crate) use papers::paper as paper_named;
@@ -107,7 +109,7 @@ impl<'a> Site<'a> {
             let title = format!("Errata: {}", paper.title);
             pages.push(self.inner(&format!("errata/{}.html", paper.key), &title, "errata", &errata::body(self, paper)));
         }
-        pages.push(Page::new("explore.js", explore::PLAYER));
+        pages.push(Page::new("explore.js", motion::PLAYER));
         pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list()));
         pages.push(Page::new("live.js", explore::ASKER));
         for live in explore::LIVE {
