@@ -23,6 +23,6 @@ pub fn growth() -> Record<GrowthVariant> {
         "For f, g < 0 the peak response of the last of M followers of system (1) grows exponentially with M.",
         "For f, g < 0 and every p >= 0 there are communication graphs of M agents on a line, with a directed path from the leader to every agent, for which the peak response of the last one grows like M^p.",
     ])
-    .control("p platoons grow like M^(p+1)", GrowthVariant { shift: 1, ..GrowthVariant::TRUE })
-    .control("system (1) grows like the square of that", GrowthVariant { power: 2, ..GrowthVariant::TRUE })
+    .altered("p platoons grow like M^(p+1)", |v| v.shift = 1)
+    .altered("system (1) grows like the square of that", |v| v.power = 2)
 }

@@ -28,5 +28,5 @@ pub fn smallest_entries() -> Record<EntriesVariant> {
     ])
     .control("1/100 larger", scaled(101, 100))
     .control("1/100 smaller", scaled(99, 100))
-    .control("edges seen from one side", EntriesVariant { one_sided: true, ..EntriesVariant::SHARP })
+    .altered("edges seen from one side", |v| v.one_sided = true)
 }

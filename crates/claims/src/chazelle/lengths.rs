@@ -2,14 +2,13 @@
 
 use super::sequences::{random_graph, show_all, words};
 use super::velocity_bounds::step_velocities;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed};
+use num_traits::Signed;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -68,7 +67,7 @@ pub fn product_length() -> Record<ProductLengthVariant> {
 }
 
 fn check_product_length(variant: &ProductLengthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let exact = || Evidence::new(Grade::Exact, "the common denominator", "one exact product");
+    let exact = || exact("the common denominator", "one exact product");
     let mut cases = 0;
     for (order, length) in [(1, 3), (2, 5), (3, 3), (4, 1)] {
         let graphs: Vec<Graph> = Graph::all(order).collect();
@@ -111,13 +110,12 @@ fn check_product_length(variant: &ProductLengthVariant, run: &mut Run) -> Result
         }
     }
     Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
+        exhaustive(
             "at most a n (t-s+1) log n bits",
             "all products of 5, 3, 1 factors on 2, 3, 4 birds: lazy, vicsek, prime denominators",
         )
         .cases(cases),
-        Evidence::new(Grade::Fuzzed, "the same", "six random networks on 5 to 7 birds").cases(sampled),
+        fuzzed("the same", "six random networks on 5 to 7 birds").cases(sampled),
     ]))
 }
 
@@ -130,7 +128,7 @@ pub struct StateLengthVariant {
 
 /// The common denominator of all coordinates, or the largest numerator over it, whichever is longer.
 fn longest<'a>(coordinates: impl Iterator<Item = &'a Rational> + Clone) -> BigInt {
-    let denominator = coordinates.clone().fold(BigInt::one(), |d, x| d.lcm(x.denom()));
+    let denominator = coordinates.clone().fold(BigInt::from(1), |d, x| d.lcm(x.denom()));
     let numerator = coordinates.map(|x| (x.numer() * (&denominator / x.denom())).abs()).max().unwrap_or_default();
     denominator.max(numerator)
 }
@@ -212,41 +210,18 @@ pub fn state_length() -> Record<StateLengthVariant> {
 }
 
 fn check_state_length(variant: &StateLengthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails =
-        |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "numbers of a run", "an exact run")));
     let halves: &[i64] = if run.cases(0, 1) == 0 { &[-4, -1, 1, 2] } else { &[-4, -2, -1, 0, 1, 2, 4] };
-    let mut exhaustive = 0;
-    for (positions, velocities, graphs) in pairs_on_the_line(halves) {
-        run.checkpoint()?;
-        exhaustive += 1;
-        if let Some(what) = variant.fails_at(positions, velocities, &Weights::Lazy, &graphs)? {
-            return fails(what);
-        }
-    }
     let mut random = run.random(0);
     let repeats = run.cases(2, 40);
-    for n in 2..=6 {
-        for d in 1..=3 {
-            for _ in 0..repeats {
-                run.checkpoint()?;
-                if let Some(what) = variant.fails_at_random(n, d, &mut random)? {
-                    return fails(what);
-                }
-            }
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "numerators and denominators up to n^(Ktn), K = a + 2bd + b + 1",
-            "all lazy pairs on the line with inputs -2, -1/2, 1/2, 1 (--full: all up to 2) and all networks of 4 steps",
-        )
-        .cases(exhaustive),
-        Evidence::new(
-            Grade::Fuzzed,
-            "the same",
-            "exact runs of 16 steps, 2 to 6 birds in dimension 1 to 3, a = 2, b = 1",
-        )
-        .cases(15 * repeats),
-    ]))
+    let sizes = (2..=6).flat_map(|n| (1..=3).flat_map(move |d| (0..repeats).map(move |_| (n, d))));
+    let part = "numerators and denominators up to n^(Ktn), K = a + 2bd + b + 1";
+    let detail =
+        "all lazy pairs on the line with inputs -2, -1/2, 1/2, 1 (--full: all up to 2) and all networks of 4 steps";
+    let sampled = fuzzed("the same", "exact runs of 16 steps, 2 to 6 birds in dimension 1 to 3, a = 2, b = 1");
+    Run::all([
+        run.every(exhaustive(part, detail), pairs_on_the_line(halves), |(positions, velocities, graphs)| {
+            variant.fails_at(positions, velocities, &Weights::Lazy, &graphs)
+        }),
+        run.every(sampled, sizes, |(n, d)| variant.fails_at_random(n, d, &mut random)),
+    ])
 }

@@ -28,7 +28,6 @@ enum Law {
     Own,
     /// `V = 1/s`, which only repels.
     Repulsive,
-    /// None.
     Free,
 }
 
@@ -90,15 +89,14 @@ pub fn complete() -> Record<FigureVariant> {
 }
 
 pub fn incomplete() -> Record<FigureVariant> {
-    let printed = FigureVariant { complete: false, readings: &[HeadingReading::Spring], law: Law::Own, can: true };
     Record::new(
         "tanner1.figs7_10",
         "With the printed numbers and V = s + 1/s - 2 nearly all runs end so. With the printed potential no run does within 200 s at these speeds (tanner1.figs3_6), \
          but at speeds up to 1 m/s about seven in ten do.",
-        printed,
+        FigureVariant { complete: false, readings: &[HeadingReading::Spring], law: Law::Own, can: true },
         examine,
     )
     .reading("flocking \"can\" be established: a positive share of the runs with the printed numbers and some potential that the paper allows (notes/guarantees.md); a potential energy minimum is read as forces that nearly vanish")
-    .control("with V = 1/s, which only repels", FigureVariant { law: Law::Repulsive, ..printed })
-    .control("without potential", FigureVariant { law: Law::Free, ..printed })
+    .altered("with V = 1/s, which only repels", |v| v.law = Law::Repulsive)
+    .altered("without potential", |v| v.law = Law::Free)
 }
