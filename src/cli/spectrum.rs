@@ -4,9 +4,9 @@ use super::{CliError, output, progress};
 use flockproof::arithmetic::{Interval, decimals, shown};
 use flockproof::graph::read::{GraphFile, read_graph_file};
 use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
+use flockproof::motion::side_by_side;
 use flockproof::report::Provenance;
 use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, graph_spectrum, named_spectrum};
-use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
 use std::process::ExitCode;
@@ -212,7 +212,7 @@ fn document(graph: &str, kind: LaplacianKind, found: &Found, digits: u32) -> Val
         "order": spectrum.order,
         "method": spectrum.method.name(),
         "reason": spectrum.reason,
-        "eigenvalues": spectrum.eigenvalues.par_iter().map(part).collect::<Vec<Value>>(),
+        "eigenvalues": side_by_side(&spectrum.eigenvalues, part),
     });
     if kind == LaplacianKind::Reduced {
         document["root"] = json!(found.root);
@@ -236,7 +236,7 @@ fn table(graph: &str, kind: LaplacianKind, found: &Found, digits: u32) -> String
         text.push_str(&textwrap::fill(paragraph, 80));
         text.push('\n');
     }
-    let lines: Vec<String> = spectrum.eigenvalues.par_iter().map(|part| line(part, digits)).collect();
+    let lines: Vec<String> = side_by_side(&spectrum.eigenvalues, |part| line(part, digits));
     text.extend(lines);
     text
 }

@@ -1,27 +1,26 @@
-//! The floating side: nearest `f64` matrices (nalgebra), their diameters, and eigenvalues (faer) with residual bounds.
+//! The floating side: nearest `f64` matrices, their diameters, and eigenvalues with residual bounds.
 //!
 //! Nothing here can support an exact claim; it is for looking, plotting and comparing.
 
 use super::RationalMatrix;
 use faer::Mat;
-use nalgebra::DMatrix;
 use num_traits::ToPrimitive;
 
 /// The matrix with each entry rounded to the nearest float.
-pub fn to_floats(matrix: &RationalMatrix) -> DMatrix<f64> {
-    DMatrix::from_fn(matrix.rows(), matrix.cols(), |i, j| matrix.entry(i, j).to_f64().unwrap_or(f64::NAN))
+pub fn to_floats(matrix: &RationalMatrix) -> Mat<f64> {
+    Mat::from_fn(matrix.rows(), matrix.cols(), |i, j| matrix.entry(i, j).to_f64().unwrap_or(f64::NAN))
 }
 
 /// `max_{i,j} |a_i* - a_j*|_p` over the rows, for `p` = 1, 2 or infinity; tau_1 is half of it for `p` = 1.
-pub fn row_diameter(matrix: &DMatrix<f64>, p: f64) -> f64 {
+pub fn row_diameter(matrix: &Mat<f64>, p: f64) -> f64 {
     let distance = |i: usize, j: usize| {
-        let difference = matrix.row(i) - matrix.row(j);
+        let differences = (0..matrix.ncols()).map(|k| (matrix[(i, k)] - matrix[(j, k)]).abs());
         if p == 1.0 {
-            difference.iter().map(|x| x.abs()).sum()
+            differences.sum()
         } else if p == 2.0 {
-            difference.norm()
+            differences.map(|x| x * x).sum::<f64>().sqrt()
         } else {
-            difference.amax()
+            differences.fold(0.0, f64::max)
         }
     };
     (0..matrix.nrows()).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| distance(i, j)).fold(0.0, f64::max)
@@ -59,13 +58,12 @@ pub enum EigenError {
 ///
 /// # Errors
 /// [`EigenError`].
-pub fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<FloatEigenvalue>, EigenError> {
-    let (rows, cols) = matrix.shape();
+pub fn eigenvalues(matrix: &Mat<f64>) -> Result<Vec<FloatEigenvalue>, EigenError> {
+    let (rows, cols) = (matrix.nrows(), matrix.ncols());
     if rows != cols {
         return Err(EigenError::NotSquare { rows, cols });
     }
-    let a = Mat::from_fn(rows, cols, |i, j| matrix[(i, j)]);
-    let eigen = a.eigen().map_err(|_| EigenError::NoConvergence)?;
+    let eigen = matrix.eigen().map_err(|_| EigenError::NoConvergence)?;
     let (values, vectors) = (eigen.S(), eigen.U());
     let mut found: Vec<FloatEigenvalue> = (0..rows)
         .map(|k| {
@@ -82,4 +80,77 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<FloatEigenvalue>, EigenE
         .collect();
     found.sort_by(|a, b| b.re.hypot(b.im).total_cmp(&a.re.hypot(a.im)));
     Ok(found)
+}
+
+/// A symmetric matrix turned to its axes.
+#[derive(Debug, Clone)]
+pub struct SymmetricEigen {
+    /// The eigenvalues, in no order.
+    pub values: Vec<f64>,
+    /// Orthonormal eigenvectors in columns, in the same order.
+    pub vectors: Mat<f64>,
+}
+
+/// Rounds of rotations; some ten are enough.
+const MOST_ROUNDS: usize = 60;
+
+/// Eigenvalues and eigenvectors of a symmetric matrix by Jacobi's rotations, for orders below a hundred or so. Entries that are not finite give
+/// eigenvalues that are not. A matrix that is not square is taken as its largest square part.
+pub fn symmetric_eigen(matrix: &Mat<f64>) -> SymmetricEigen {
+    let order = matrix.nrows().min(matrix.ncols());
+    let mut a = Mat::from_fn(order, order, |i, j| matrix[(i, j)]);
+    let mut vectors = Mat::from_fn(order, order, |i, j| f64::from(u8::from(i == j)));
+    for _ in 0..MOST_ROUNDS {
+        let mut turned = false;
+        for (p, q) in (0..order).flat_map(|q| (0..q).map(move |p| (p, q))) {
+            let beside = a[(p, q)];
+            // What is below this no longer moves the diagonal.
+            if beside.abs() <= f64::EPSILON * 1e-3 * (a[(p, p)].abs() * a[(q, q)].abs()).sqrt() || beside == 0.0 {
+                continue;
+            }
+            turned = true;
+            let theta = (a[(q, q)] - a[(p, p)]) / (2.0 * beside);
+            let tangent = theta.signum() / (theta.abs() + theta.hypot(1.0));
+            let cosine = 1.0 / tangent.hypot(1.0);
+            let sine = tangent * cosine;
+            let turn = |x: &mut f64, y: &mut f64| (*x, *y) = (cosine * *x - sine * *y, sine * *x + cosine * *y);
+            for k in 0..order {
+                let (mut x, mut y) = (a[(k, p)], a[(k, q)]);
+                turn(&mut x, &mut y);
+                (a[(k, p)], a[(k, q)]) = (x, y);
+                let (mut x, mut y) = (vectors[(k, p)], vectors[(k, q)]);
+                turn(&mut x, &mut y);
+                (vectors[(k, p)], vectors[(k, q)]) = (x, y);
+            }
+            for k in 0..order {
+                let (mut x, mut y) = (a[(p, k)], a[(q, k)]);
+                turn(&mut x, &mut y);
+                (a[(p, k)], a[(q, k)]) = (x, y);
+            }
+            (a[(p, q)], a[(q, p)]) = (0.0, 0.0);
+        }
+        if !turned {
+            break;
+        }
+    }
+    SymmetricEigen { values: (0..order).map(|k| a[(k, k)]).collect(), vectors }
+}
+
+/// The product, `NaN` in each entry where the shapes do not fit.
+pub fn product(left: &Mat<f64>, right: &Mat<f64>) -> Mat<f64> {
+    if left.ncols() != right.nrows() {
+        return Mat::from_fn(left.nrows(), right.ncols(), |_, _| f64::NAN);
+    }
+    left * right
+}
+
+/// The least singular value: the least modulus of an eigenvalue of `(0, A; A', 0)`.
+pub fn least_singular_value(matrix: &Mat<f64>) -> f64 {
+    let (rows, order) = (matrix.nrows(), matrix.nrows() + matrix.ncols());
+    let doubled = Mat::from_fn(order, order, |i, j| match (i < rows, j < rows) {
+        (true, false) => matrix[(i, j - rows)],
+        (false, true) => matrix[(j, i - rows)],
+        _ => 0.0,
+    });
+    symmetric_eigen(&doubled).values.iter().map(|x| x.abs()).fold(f64::INFINITY, f64::min)
 }
