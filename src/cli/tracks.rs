@@ -115,7 +115,8 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
 
 fn choices(arguments: &Arguments, tracks: &Tracks) -> Result<Choices, CliError> {
     let sidebar = Choices::of_sidebar(tracks.step);
-    let zones = Choices::radii_of_zones(&arguments.zones).map_err(|error| CliError::Use(format!("--zones: {error}")))?;
+    let zones =
+        Choices::radii_of_zones(&arguments.zones).map_err(|error| CliError::Use(format!("--zones: {error}")))?;
     Ok(Choices {
         window: arguments.window.unwrap_or(sidebar.window),
         positions: if arguments.smooth_positions { PositionsUsed::Smoothed } else { PositionsUsed::File },

@@ -117,7 +117,7 @@ impl<V> Record<V> {
     where
         V: Clone,
     {
-        let mut variant = self.repair.as_ref().map_or(&self.printed, |(_, _, repaired)| repaired).clone();
+        let mut variant = self.repaired.as_ref().unwrap_or(&self.printed).clone();
         alter(&mut variant);
         self.control(what, variant)
     }
