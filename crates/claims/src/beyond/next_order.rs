@@ -214,12 +214,7 @@ pub fn amplitude() -> Record<NextOrderVariant> {
             Run::all([Ok(formula), Ok(limit.on([2])), proof])
         },
     ))
-    .stated(
-        "sharpens veerman, Theorem 1",
-        "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2) is \
-         A = A_0 (1 - a0^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 sqrt(2) M/(pi^2 b), a0 = pi/(2 sqrt(2) M), with \
-         |e| <= 11 (a0 max(1, b))^4. So M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b)).",
-    )
+    .stated("sharpens veerman, Theorem 1", "")
     .clauses(&[
         "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2) is A = A_0 (1 - a0^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 sqrt(2) M/(pi^2 b), a0 = pi/(2 sqrt(2) M), with |e| <= 11 (a0 max(1, b))^4.",
         "M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b)) for fixed f, g < 0.",

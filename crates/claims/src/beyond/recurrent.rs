@@ -286,20 +286,12 @@ pub fn recurrent() -> Record<RecurrentVariant> {
         printed,
         |variant, run| Run::all([variant.exhaustive(run), variant.sampled(run)]),
     )
-    .stated(
-        "extends chazelle, section 3, to networks that change",
+    .stated("extends chazelle, section 3, to networks that change", "")
+    .clauses(&[
         "Let P(1), P(2), ... be stochastic with positive diagonals and positive entries at least alpha > 0, for n >= \
          2 birds, and v(t+1) = P(t) v(t). Networks of model D: after m consecutive windows of any lengths, in each of \
          which the union of the networks is connected, the differences of velocities are at most (1 - \
-         alpha^(n-1))^floor(m/(n-1)) times the largest at their start. Directed networks: if in the union over every \
-         B consecutive times a path leads from every bird to one bird, t factors contract by tau_1 <= (1 - \
-         alpha^((n-1)B))^floor(t/((n-1)B)). If such windows never end, all velocities converge to one limit, on \
-         directed networks at that rate.",
-    )
-    .clauses(&[
-        "Networks of model D: after m consecutive windows of any lengths, in each of which the union of the networks \
-         is connected, the differences of velocities are at most (1 - alpha^(n-1))^floor(m/(n-1)) times the largest \
-         at their start.",
+         alpha^(n-1))^floor(m/(n-1)) times the largest at their start.",
         "Directed networks: if in the union over every B consecutive times a path leads from every bird to one bird, \
          t factors contract by tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)).",
         "Networks of model D: if such windows never end, all velocities converge to one limit.",

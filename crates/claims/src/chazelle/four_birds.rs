@@ -156,13 +156,10 @@ fn examine_alternation(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
     if ratio.square() > rational(1, 1) || ratio >= rational(0, 1) {
         return not_proved("a step leaves the ranges".to_string());
     }
+    let induction = "induction: states affine in r = (-1/3)^t, all six distances settled on (0,1] and on [-1/3,0), a step \
+                     maps r to -r/3";
     Ok(Outcome::Holds(vec![
-        exact(
-            "the alternation for all t",
-            "induction: states affine in r = (-1/3)^t, all six distances settled on (0,1] and on [-1/3,0), a step \
-             maps r to -r/3",
-        )
-        .for_all(),
+        exact("the alternation for all t", induction).for_all(),
         exact("t = 0, ..., 64", "stepped exactly").cases(STEPS + 1),
     ]))
 }
@@ -204,12 +201,9 @@ fn examine_closed_form(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
         return fails(format!("an outer gap is {end}"));
     }
     let alternation = examine_alternation(birds, run)?;
-    let own = Outcome::Holds(vec![exact(
-        "closed form and gaps for all t",
-        "induction over the alternating networks; gaps compared as affine functions of (-1/3)^t; for t >= 1 the outer \
-         gap runs between 1/4 (attained at t = 1) and 1/3 (at t = 2)",
-    )
-    .for_all()]);
+    let induction = "induction over the alternating networks; gaps compared as affine functions of (-1/3)^t; for t >= 1 the \
+                     outer gap runs between 1/4 (attained at t = 1) and 1/3 (at t = 2)";
+    let own = Outcome::Holds(vec![exact("closed form and gaps for all t", induction).for_all()]);
     Run::all([Ok(own), Ok(alternation)]).on([1, 2, 3, 4])
 }
 

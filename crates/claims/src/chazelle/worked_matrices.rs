@@ -92,14 +92,9 @@ fn check_stretching(variant: &StretchingVariant, run: &mut Run) -> Result<Outcom
     }
     run.value("second_eigenvalue", second.to_string());
     run.value("stretched_length_squared", squared.to_string());
-    Ok(Outcome::Holds(vec![
-        exact(
-            "matrix of model D, both eigenvalues, the stretched length, the eigenvector and 1^perp",
-            format!("eigenvalues 1 and {second}; |P(1,0)|² = {squared}; P(1,-1) sums to {image_sum}"),
-        )
-        .on([1, 2, 3, 4, 5])
-        .for_all(),
-    ]))
+    let part = "matrix of model D, both eigenvalues, the stretched length, the eigenvector and 1^perp";
+    let detail = format!("eigenvalues 1 and {second}; |P(1,0)|² = {squared}; P(1,-1) sums to {image_sum}");
+    Ok(Outcome::Holds(vec![exact(part, detail).on([1, 2, 3, 4, 5]).for_all()]))
 }
 
 /// The two matrices and the closed form: entries affine in `u = 2^(-t/2)`, given as `(constant, slope)`.

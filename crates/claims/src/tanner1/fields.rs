@@ -239,10 +239,8 @@ pub fn any_potential() -> Record<UsableVariant> {
         "With any differentiable, non-negative potential V_ij(|r_ij|) = V_ji(|r_ij|) that tends to infinity as |r_ij| tends to 0 linked agents do not collide as long as the motion lasts.",
         "If it tends to infinity with |r_ij| too, all distances of a connected graph stay bounded as long as the motion lasts.",
     ])
-    .control("any that is unbounded near 0", UsableVariant { allowed: Potential::repels })
-    .control("any with a critical distance that is unbounded at infinity", UsableVariant {
-        allowed: |potential| potential.confines() && potential.critical().is_some_and(|list| !list.is_empty()),
-    })
+    .altered("any that is unbounded near 0", |v| v.allowed = Potential::repels)
+    .altered("any with a critical distance that is unbounded at infinity", |v| v.allowed = |potential| potential.confines() && potential.critical().is_some_and(|list| !list.is_empty()))
 }
 
 fn examine_sign(potential: &Potential, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -112,7 +112,7 @@ pub fn size_limit() -> Record<FrontLimitVariant> {
     .reading("N <~ X is read as N <= X; what stays within D is the equilibrium oscillation (the particular solution), as in the proof; a_0, D > 0 and f, g < 0.")
     .repaired_by(Fault::Typo, "", |v| v.half_powers = 1)
     .repaired_clauses(&[
-        "If the leader oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the equilibrium oscillation of the last car stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2).",
+        "If the leader oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the equilibrium oscillation of the last car of system (1) stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2).",
         "If N + 1 is at most that, the equilibrium oscillation of the last car stays within D.",
     ])
     .altered("without the factor 2", |v| v.factor = (1, 1))

@@ -117,9 +117,9 @@ pub fn special_response() -> Record<SpecialVariant> {
         },
     )
     .reading("A frequency is w >= 0, because the leader moves as cos w t: w² = |f| means w = +sqrt|f|.")
-    .control("1 - i sqrt|f|/g", SpecialVariant { sign: -1, exchanged: false })
-    .control("1 + i g/sqrt|f|", SpecialVariant { sign: 1, exchanged: true })
-    .control("1 + 2 i sqrt|f|/g", SpecialVariant { sign: 2, exchanged: false })
+    .altered("1 - i sqrt|f|/g", |v| v.sign = -1)
+    .altered("1 + i g/sqrt|f|", |v| v.exchanged = true)
+    .altered("1 + 2 i sqrt|f|/g", |v| v.sign = 2)
 }
 
 /// What is substituted: `u_k = i w`, times `a_k` or not; `a_k` for `x_k - h_k` or for `x_k`. The common factor `e^{iwt}` is left
@@ -238,7 +238,11 @@ pub fn gain_above_one() -> Record<GainVariant> {
         "If w^2 < 2|f| (f, g < 0), |gamma^{-1}| is greater than one.",
         "If |gamma^{-1}| is greater than one (f, g < 0), w^2 < 2|f|.",
     ])
-    .repaired_by(Fault::Hypothesis, "", |v| v.zero_included = false)
+    .repaired_by(
+        Fault::Hypothesis,
+        "|gamma^{-1}| is greater than one if and only if 0 < w^2 < 2|f| (f, g < 0).",
+        |v| v.zero_included = false,
+    )
     .repaired_clauses(&[
         "If 0 < w^2 < 2|f| (f, g < 0), |gamma^{-1}| is greater than one.",
         "If |gamma^{-1}| is greater than one (f, g < 0), 0 < w^2 < 2|f|.",

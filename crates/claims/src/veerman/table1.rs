@@ -284,8 +284,8 @@ pub fn first_guess() -> Record<FirstGuessVariant> {
             })
         },
     )
-    .control("pi sqrt2/(4N)", FirstGuessVariant { offset: 0, f: -1 })
-    .control("Theorem 1 for f = -2", FirstGuessVariant { offset: 1, f: -2 })
+    .altered("pi sqrt2/(4N)", |v| v.offset = 0)
+    .altered("Theorem 1 for f = -2", |v| v.f = -2)
 }
 
 /// Which equation the experiments are claimed to concern, for N + `more` followers or a multiple.

@@ -173,13 +173,12 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
 }
 
 pub fn fish_subgraphs() -> Record<ZeroVariant> {
-    let printed = ZeroVariant { parts: Parts::Weak, sufficient: false, above: (0, 1) };
     Record::new(
         "paley.fish.zero",
         "W_1 = (1/(4N)) sum over arcs of |z_k - z_j|^2 >= 0 for any digraph, 0 at equal phases. W_1 = 0 makes phases equal across every arc, hence within each \
          connected subgraph, in the strong sense and in the weak one (checked: the weak one, which is more). The sentence says \"only if\"; the converse is \
          true for weakly connected components and false for strongly connected ones (paley.zero.dir).",
-        printed,
+        ZeroVariant { parts: Parts::Weak, sufficient: false, above: (0, 1) },
         |variant, run| variant.examine(run).on([1, 2, 3]),
     )
     .clauses(&[
@@ -188,9 +187,6 @@ pub fn fish_subgraphs() -> Record<ZeroVariant> {
         "Even if the network is not connected, W_1(theta) = 0 only if the phases within each connected subgraph are synchronized.",
     ])
     .altered("only if all phases are equal", |v| v.parts = Parts::Whole)
-    .control(
-        "if the phases within each strongly connected subgraph are",
-        ZeroVariant { parts: Parts::Strong, sufficient: true, ..printed },
-    )
+    .altered("if the phases within each strongly connected subgraph are", |v| (v.parts, v.sufficient) = (Parts::Strong, true))
     .altered("above 1/4 otherwise", |v| v.above = (1, 4))
 }

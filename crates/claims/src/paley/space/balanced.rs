@@ -96,8 +96,8 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
         "All of them are balanced: L e^{i theta} = lambda_max e^{i theta}.",
         "It is the set of all balanced circular formations if G is complete.",
     ])
-    .control("the largest W_1 with K_1 < 0", BalancedVariant { set: BalancedSet::Largest, gain: -1 })
-    .control("all symmetric patterns", BalancedVariant { set: BalancedSet::Patterns, gain: 1 })
+    .altered("the largest W_1 with K_1 < 0", |v| v.gain = -1)
+    .altered("all symmetric patterns", |v| v.set = BalancedSet::Patterns)
 }
 
 fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -182,8 +182,8 @@ pub fn larger_gain() -> Record<GainVariant> {
         "The (2,12)-pattern in which neighbours are opposite is too.",
         "The formation of Figure 3(c) is an equilibrium at every K_1, so that a change of the gain leaves it where it is.",
     ])
-    .control("neighbours one twelfth apart are stable", GainVariant { offset: 1, destroyed: false })
-    .control("a quarter turn apart", GainVariant { offset: 3, destroyed: false })
+    .altered("neighbours one twelfth apart are stable", |v| v.offset = 1)
+    .altered("a quarter turn apart", |v| v.offset = 3)
 }
 
 fn examine_larger_gain(variant: &GainVariant, _run: &mut Run) -> Result<Outcome, CheckError> {

@@ -71,9 +71,9 @@ pub fn composite_descent() -> Record<CompositeVariant> {
          c> + K_1 w0^-1 <i e^{i th_k}, L_k e^{i th}>)^2, for all w0 != 0 and every undirected graph.",
         CompositeVariant { sign: -1, exponent: -2, cross: 1 },
     )
-    .control("-K_1/w0 in V", CompositeVariant { sign: -1, exponent: -1, cross: 1 })
-    .control("+K_1/w0^2 in V", CompositeVariant { sign: 1, exponent: -2, cross: 1 })
-    .control("the difference squared", CompositeVariant { sign: -1, exponent: -2, cross: -1 })
+    .altered("-K_1/w0 in V", |v| v.exponent = -1)
+    .altered("+K_1/w0^2 in V", |v| v.sign = 1)
+    .altered("the difference squared", |v| v.cross = -1)
 }
 
 /// paley.eq22 and paley.eq29: (5) with (14) and (20) equals `omega + (alignment/N) tau^ori + (rest/N) tau^att + omega (spacing K_0/N)
@@ -144,9 +144,9 @@ pub fn two_networks() -> Record<FormVariant> {
          w0 (K_0/N) <e^{i th_k}, L_k^att r>, that is, (5) with (14) on L^ori and (20) on L^att.",
         FormVariant { alignment: (1, 0), rest: -1, spacing: 1 },
     )
-    .control("-K_0 on both networks", FormVariant { alignment: (1, -1), rest: -1, spacing: 1 })
-    .control("+K_0 on the attraction network", FormVariant { alignment: (1, 0), rest: 1, spacing: 1 })
-    .control("no K_0 in the alignment", FormVariant { alignment: (1, 0), rest: 0, spacing: 1 })
+    .altered("-K_0 on both networks", |v| v.alignment = (1, -1))
+    .altered("+K_0 on the attraction network", |v| v.rest = 1)
+    .altered("no K_0 in the alignment", |v| v.rest = 0)
 }
 
 fn examine_two_networks(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {

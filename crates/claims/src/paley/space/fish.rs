@@ -55,9 +55,9 @@ pub fn euler_step() -> Record<StepVariant> {
          with step T for (1), (2).",
         StepVariant { position: 1, phase: 1 },
     )
-    .control("T^2 u", StepVariant { position: 1, phase: 2 })
-    .control("T^2 e^{i theta}", StepVariant { position: 2, phase: 1 })
-    .control("u without T", StepVariant { position: 1, phase: 0 })
+    .altered("T^2 u", |v| v.phase = 2)
+    .altered("T^2 e^{i theta}", |v| v.position = 2)
+    .altered("u without T", |v| v.phase = 0)
 }
 
 /// paley.vrep and paley.vatt: the field is `sign i^turns sum rhat_kj`, which is to point away from the neighbours (`away = 1`) or towards

@@ -117,9 +117,9 @@ pub fn difference_inference() -> Record<ScaleVariant> {
          average more synchronised than all pairs (mean of 1 - cos th_kj over arcs).",
         "For independent uniform headings that do not depend on the positions it has mean zero.",
     ])
-    .control("unscaled", ScaleVariant { name: "1", scale: |_| (1, 1) })
-    .control("1/(n + 1)", ScaleVariant { name: "1/(n+1)", scale: |n| (1, n + 1) })
-    .control("1/n^2", ScaleVariant { name: "1/n^2", scale: |n| (1, n * n) })
+    .altered("unscaled", |v| (v.name, v.scale) = ("1", |_| (1, 1)))
+    .altered("1/(n + 1)", |v| (v.name, v.scale) = ("1/(n+1)", |n| (1, n + 1)))
+    .altered("1/n^2", |v| (v.name, v.scale) = ("1/n^2", |n| (1, n * n)))
 }
 
 fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -202,8 +202,8 @@ pub fn measured_tracks() -> Record<PeakVariant> {
         PeakVariant { three_to_one: (3, 4), balanced: (1, 1) },
         examine_measured_tracks,
     )
-    .control("three to one at 1/2", PeakVariant { three_to_one: (1, 2), balanced: (1, 1) })
-    .control("balanced at 3/4", PeakVariant { three_to_one: (3, 4), balanced: (3, 4) })
+    .altered("three to one at 1/2", |v| v.three_to_one = (1, 2))
+    .altered("balanced at 3/4", |v| v.balanced = (3, 4))
 }
 
 fn examine_measured_tracks(variant: &PeakVariant, _run: &mut Run) -> Result<Outcome, CheckError> {

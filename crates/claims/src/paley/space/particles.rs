@@ -109,9 +109,9 @@ pub fn kinetic_energy() -> Record<AccelerationVariant> {
         "For all k, rddot_k = u_k i rdot_k.",
         "The total kinetic energy is conserved: (d/dt)(1/2)|rdot_k|^2 = <rdot_k, rddot_k> = 0.",
     ])
-    .control("rddot = u rdot", AccelerationVariant { factor: 1, turns: 0 })
-    .control("rddot = -u i rdot", AccelerationVariant { factor: -1, turns: 1 })
-    .control("rddot = 2 u i rdot", AccelerationVariant { factor: 2, turns: 1 })
+    .altered("rddot = u rdot", |v| v.turns = 0)
+    .altered("rddot = -u i rdot", |v| v.factor = -1)
+    .altered("rddot = 2 u i rdot", |v| v.factor = 2)
 }
 
 fn examine_kinetic_energy(variant: &AccelerationVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -120,8 +120,8 @@ pub fn centre_velocity() -> Record<VelocityVariant> {
             state_identity(velocity_of_centre(variant), &["w0", "u"], "velocity of the centre", run).for_all()
         },
     )
-    .control("1 + u/w0", VelocityVariant { factor: 1, inverse: true })
-    .control("1 - w0 u", VelocityVariant { factor: -1, inverse: false })
+    .altered("1 + u/w0", |v| v.factor = 1)
+    .altered("1 - w0 u", |v| v.inverse = false)
 }
 
 /// `Sdot = (share/N) sum ...` and, under (20), `descent (K_0/N^2) sum ...^2`; on an undirected graph or not.

@@ -33,8 +33,8 @@ pub fn chord() -> Record<ChordVariant> {
             run.identity(&chords(variant), &["tan(a/2)"], "|1 - e^{2 i a}|^2 = 4 sin^2 a, a = pi/M").for_all()
         },
     )
-    .control("sin(pi/M)", ChordVariant { factor: 1, doubled: 1 })
-    .control("2 sin(2 pi/M)", ChordVariant { factor: 2, doubled: 2 })
+    .altered("sin(pi/M)", |v| v.factor = 1)
+    .altered("2 sin(2 pi/M)", |v| v.doubled = 2)
 }
 
 /// The order of the outer radii, the side of the blind spot, and `cos^2` of half its angle.
