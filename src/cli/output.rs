@@ -1,13 +1,18 @@
 //! Standard output, and files in and out, without ever panicking.
 
 use super::CliError;
-use flockproof::report::digest;
+use flockproof::report::{digest, folded};
 use serde_json::{Value, json};
 use std::io::{self, ErrorKind, IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// Prints a text; a closed pipe ends the program quietly.
+/// Prints a text for people, at most as wide as the terminal; a closed pipe ends the program quietly.
 pub fn print(text: &str) -> Result<(), CliError> {
+    if io::stdout().is_terminal() { print_raw(&folded(text, width())) } else { print_raw(text) }
+}
+
+/// Prints a text that programs read, as it is.
+pub fn print_raw(text: &str) -> Result<(), CliError> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
         ErrorKind::BrokenPipe => CliError::ClosedOutput,
@@ -17,7 +22,7 @@ pub fn print(text: &str) -> Result<(), CliError> {
 
 /// Prints a JSON document.
 pub fn print_json(document: &serde_json::Value) -> Result<(), CliError> {
-    print(&format!("{document:#}\n"))
+    print_raw(&format!("{document:#}\n"))
 }
 
 /// What went wrong with a file, without the words and numbers of the operating system where there are better ones.

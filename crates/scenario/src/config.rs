@@ -45,6 +45,7 @@ fn read_schedule(
     model: Model,
     step: Option<&Rational>,
     agents: usize,
+    with_rows: bool,
 ) -> Result<Schedule, ConfigError> {
     let section = source.needed("run")?;
     let keys = ["until", "samples", "tolerance", "rows", "observables", "step"];
@@ -81,7 +82,8 @@ fn read_schedule(
     if let Some(steps) = steps {
         rows = rows.min(steps.to_usize().unwrap_or(usize::MAX));
     }
-    for k in 0..=rows {
+    rows = if with_rows { rows } else { 0 };
+    for k in (0..=rows).filter(|_| with_rows) {
         let time = match (steps, step) {
             (Some(steps), Some(step)) => {
                 let whole = u128::from(steps) * k as u128 / rows as u128;
@@ -184,38 +186,51 @@ impl Scenario {
     /// [`ConfigError`] with the line and key at fault.
     pub fn read(text: &str) -> Result<Self, ConfigError> {
         let source = Source::parse(text)?;
+        let several = source.section("ensemble")?.or(source.section("sweep")?);
+        several.map_or(Ok(()), |section| Err(ConfigError::Several(section.line())))?;
+        Self::of(&source, true)
+    }
+
+    /// One run of a file for several: replicas, from 0, differ in what is drawn; with all rows, or samples only.
+    pub(super) fn of_member(text: &str, replica: u64, with_rows: bool) -> Result<Self, ConfigError> {
+        let mut source = Source::parse(text)?;
+        source.replica = replica;
+        Self::of(&source, with_rows)
+    }
+
+    fn of(source: &Source, with_rows: bool) -> Result<Self, ConfigError> {
         let top = source.top();
-        top.allow(&["model", "graph", "state", "law", "run"], "")?;
+        top.allow(&["model", "graph", "state", "law", "run", "ensemble", "sweep"], "")?;
         let entry = top.need("model", &MODELS.map(|(name, _)| name).join(", "))?;
         let model = entry.choice(&MODELS)?;
         let name = MODELS.iter().find(|(_, known)| *known == model).map_or("", |(name, _)| name);
-        let tolerance = tolerance(&source)?;
+        let tolerance = tolerance(source)?;
         let mut step = None;
         let course: Box<dyn Course> = match model {
-            Model::Phase => oscillator::read_phases(&source, tolerance)?,
-            Model::Particles => oscillator::read_particles(&source, tolerance)?,
-            Model::Headings => alignment::read(&source, true, tolerance)?,
-            Model::Velocities => alignment::read(&source, false, tolerance)?,
-            Model::Platoon => platoon::read(&source, tolerance)?,
+            Model::Phase => oscillator::read_phases(source, tolerance)?,
+            Model::Particles => oscillator::read_particles(source, tolerance)?,
+            Model::Headings => alignment::read(source, true, tolerance)?,
+            Model::Velocities => alignment::read(source, false, tolerance)?,
+            Model::Platoon => platoon::read(source, tolerance)?,
             Model::Fish => {
-                let (school, length) = fish::read(&source)?;
+                let (school, length) = fish::read(source)?;
                 step = Some(length);
                 Box::new(school)
             }
             Model::Vicsek => {
                 step = Some(rational(1, 1));
-                vicsek::read(&source)?
+                vicsek::read(source)?
             }
             Model::Noisy => {
                 step = Some(rational(1, 1));
-                noisy::read(&source)?
+                noisy::read(source)?
             }
         };
         let frame = course.frame();
         let agents = frame.positions.len().max(frame.phases.len());
-        let mut schedule = read_schedule(&source, model, step.as_ref(), agents)?;
-        schedule.observables = wanted(&source, course.as_ref())?;
-        Ok(Scenario { model: name, schedule, course, seed: seed(&source)? })
+        let mut schedule = read_schedule(source, model, step.as_ref(), agents, with_rows)?;
+        schedule.observables = wanted(source, course.as_ref())?;
+        Ok(Scenario { model: name, schedule, course, seed: seed(source)? })
     }
 
     /// The seeds of what is drawn, where anything is.
