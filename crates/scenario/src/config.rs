@@ -243,6 +243,12 @@ impl Scenario {
         !self.course.frame().positions.is_empty()
     }
 
+    /// The number of agents.
+    pub fn agents(&self) -> usize {
+        let frame = self.course.frame();
+        frame.positions.len().max(frame.phases.len())
+    }
+
     /// The last time.
     pub fn until(&self) -> f64 {
         self.schedule.times.last().map_or(0.0, |(time, _)| *time)

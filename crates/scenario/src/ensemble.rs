@@ -8,6 +8,8 @@ use arithmetic::Rational;
 
 /// Most runs of one file.
 const MOST_MEMBERS: u64 = 1_000_000;
+/// Agents of all starts that are read beforehand.
+const MOST_READ: usize = 1 << 18;
 /// Most values of one number.
 const MOST_VALUES: usize = 100_000;
 /// The sections whose numbers can be swept.
@@ -46,6 +48,10 @@ impl Ensemble {
         }
         let all = Ensemble { text: text.to_string(), axes, replicas };
         let first = all.member(0)?;
+        // Numbers that make no scenario are refused before the work, as far as that takes no time.
+        let points = all.members() / replicas;
+        let checked = points.min((MOST_READ / first.agents().max(1)) as u64);
+        (1..checked).chain(points.checked_sub(1)).try_for_each(|point| all.sampled(point * replicas).map(|_| ()))?;
         match ensemble.and_then(|section| section.get("replicas")) {
             Some(entry) if first.seed().is_none() && replicas > 1 => {
                 Err(entry.range("1: nothing is drawn in this scenario, so that all replicas would be the same"))
@@ -92,7 +98,7 @@ impl Ensemble {
     /// # Errors
     /// [`ConfigError`] where the numbers that are put in make no scenario.
     pub fn member(&self, member: u64) -> Result<Scenario, ConfigError> {
-        Scenario::of_member(&self.with_numbers(member)?, member % self.replicas, true)
+        self.built(member, true)
     }
 
     /// One run with its samples only.
@@ -100,13 +106,19 @@ impl Ensemble {
     /// # Errors
     /// As [`Self::member`].
     pub fn sampled(&self, member: u64) -> Result<Scenario, ConfigError> {
-        Scenario::of_member(&self.with_numbers(member)?, member % self.replicas, false)
+        self.built(member, false)
     }
 
-    fn with_numbers(&self, member: u64) -> Result<String, ConfigError> {
+    fn built(&self, member: u64, with_rows: bool) -> Result<Scenario, ConfigError> {
         let names = self.axes.iter().map(|(name, _)| name.clone());
         let numbers: Vec<(String, Rational)> = names.zip(self.point(member / self.replicas)).collect();
-        with_numbers(&self.text, &numbers)
+        let built = with_numbers(&self.text, &numbers)
+            .and_then(|text| Scenario::of_member(&text, member % self.replicas, with_rows));
+        let put_in = || numbers.iter().map(|(name, value)| format!("{name} = {value}")).collect::<Vec<_>>().join(", ");
+        built.map_err(|error| match numbers.len() {
+            0 => error,
+            _ => ConfigError::PutIn { numbers: put_in(), error: Box::new(error) },
+        })
     }
 }
 
@@ -119,7 +131,7 @@ fn replicas(section: &Section) -> Result<u64, ConfigError> {
 /// A place that can be swept.
 fn swept(source: &Source, path: String, entry: &Entry) -> Result<String, ConfigError> {
     if !path.split('.').next().is_some_and(|section| SWEPT.contains(&section)) {
-        return Err(entry.range(format!("for a number of the sections {}, such as \"law.K1\"", SWEPT.join(", "))));
+        return Err(entry.range(format!("a place in the sections {}, such as \"law.K1\"", SWEPT.join(", "))));
     }
     match source.place(&path) {
         Some(_) => Ok(path),

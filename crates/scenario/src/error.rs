@@ -42,6 +42,14 @@ pub enum ConfigError {
         /// All keys that are allowed there.
         allowed: String,
     },
+    /// Numbers of a sweep that make no scenario.
+    #[error("with {numbers}: {error}")]
+    PutIn {
+        /// The places with their numbers.
+        numbers: String,
+        /// What is wrong then.
+        error: Box<ConfigError>,
+    },
     /// Several runs where there can be one.
     #[error("line {0}: [ensemble] and [sweep] make several runs, and here there can be one only")]
     Several(usize),

@@ -51,8 +51,8 @@ pub struct Arguments {
     /// position and velocity
     #[arg(long, value_name = "DIR", conflicts_with_all = ["followers", "f", "g", "graph", "from", "to", "zero_based", "sweep", "export", "certificate"])]
     state: Option<PathBuf>,
-    /// Significant digits, from 1
-    #[arg(long, value_name = "D", default_value_t = 25)]
+    /// Significant digits, from 1 to 10000
+    #[arg(long, value_name = "D", default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..=10000))]
     digits: u32,
     /// Print one JSON document: flockproof.resonance/1, for other graphs flockproof.response/1, of --sweep flockproof.resonance-sweep/1, of --state flockproof.state-response/1
     #[arg(long)]
@@ -91,7 +91,11 @@ fn is_certified(arguments: &Arguments) -> bool {
         (Some(to), Some(followers)) => *to == followers.to_string(),
         _ => false,
     };
-    arguments.graph == "front-and-back" && arguments.from.is_none() && last && arguments.export.is_none()
+    arguments.graph == "front-and-back"
+        && arguments.from.is_none()
+        && last
+        && arguments.export.is_none()
+        && !arguments.zero_based
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {

@@ -47,6 +47,9 @@ pub(super) fn platoon(arguments: &Arguments) -> Result<Platoon, CliError> {
         "front-and-back" => Communication::FrontAndBack,
         _ => return on_a_graph(arguments),
     };
+    if arguments.zero_based {
+        return Err(spectrum::zero_based_name(&arguments.graph));
+    }
     let count = followers(arguments)?;
     if count > MOST {
         return Err(CliError::Use(format!(
@@ -74,6 +77,7 @@ fn on_a_graph(arguments: &Arguments) -> Result<Platoon, CliError> {
     }
     let path = Path::new(&arguments.graph);
     let (weighted, labels, file) = match arguments.graph.parse::<NamedGraph>() {
+        Ok(_) if arguments.zero_based => return Err(spectrum::zero_based_name(&arguments.graph)),
         Ok(named) => {
             let built = named.build().map_err(|error| CliError::Use(format!("--graph: {error}")))?;
             (built, None, None)
