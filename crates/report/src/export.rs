@@ -46,8 +46,10 @@ fn csv(matrix: &NamedMatrix) -> String {
 
 /// NumPy's format 1.0: `numpy.load`.
 fn npy(shape: &[usize], data: impl Iterator<Item = f64>) -> Vec<u8> {
-    let lengths: String = shape.iter().map(|length| format!("{length}, ")).collect();
-    let mut header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}), }}", lengths.trim_end());
+    let mut lengths = shape.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    // One length alone is a tuple only with a comma.
+    lengths.extend((shape.len() == 1).then_some(','));
+    let mut header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({lengths}), }}");
     // The data begin at a multiple of 64 bytes, the 10 bytes before the header and its last newline included.
     while (10 + header.len() + 1) % 64 != 0 {
         header.push(' ');
