@@ -11,8 +11,8 @@ use crate::question::{Expression, Question};
 use crate::shrink::shrunk;
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Progress, Rational, rational};
+use motion::side_by_side;
 use num_traits::{Signed, ToPrimitive};
-use rayon::prelude::*;
 use std::collections::BinaryHeap;
 
 /// Bits that every comparison is tried with first.
@@ -430,14 +430,13 @@ fn over_family(
     let (mut next, mut chunk) = (0, FIRST_CHUNK);
     while next < total {
         let end = (next + chunk).min(total);
-        let decided: Vec<Result<Option<(Decided, bool)>, QuestionError>> = (next..end)
-            .into_par_iter()
-            .map(|number| {
-                let Some(bindings) = question.case(number, progress)? else { return Ok(None) };
-                let boxed = !bindings.boxes().is_empty();
-                Ok(Some((question.decide_expression(expression, &bindings, most, progress)?, boxed)))
-            })
-            .collect();
+        let numbers: Vec<_> = (next..end).collect();
+        let decide = |&number: &_| -> Result<Option<(Decided, bool)>, QuestionError> {
+            let Some(bindings) = question.case(number, progress)? else { return Ok(None) };
+            let boxed = !bindings.boxes().is_empty();
+            Ok(Some((question.decide_expression(expression, &bindings, most, progress)?, boxed)))
+        };
+        let decided = side_by_side(&numbers, decide);
         for found in decided {
             let Some((found, boxed)) = found? else { continue };
             if found.excluded {

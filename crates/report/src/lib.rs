@@ -9,6 +9,7 @@ mod figures;
 mod fold;
 pub mod plot;
 mod provenance;
+pub mod shown;
 mod simulation;
 mod site;
 mod table;
@@ -24,6 +25,7 @@ pub use export::{NamedArray, NamedMatrix, matrix_files, npz};
 pub use figures::{FIGURES, Figure, FigureError, File};
 pub use fold::folded;
 pub use provenance::{Provenance, digest, ledger_origin, version};
+pub use shown::PatternRow;
 pub use simulation::{
     events_csv, observables_csv, sample_table, simulation_arrays, simulation_pictures, simulation_summary,
     trajectory_csv,

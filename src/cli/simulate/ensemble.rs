@@ -12,30 +12,35 @@ use flockproof::scenario::Ensemble;
 use num_traits::ToPrimitive;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Runs that failed are named up to so many.
 const MOST_NAMED: usize = 20;
 
-pub fn run(arguments: &Arguments, ensemble: &Ensemble, origin: &Value) -> Result<ExitCode, CliError> {
+pub fn run(arguments: &Arguments, ensemble: &Ensemble, input: &output::Input) -> Result<ExitCode, CliError> {
     let refuse = |error: &dyn std::fmt::Display| CliError::Use(error.to_string());
     if arguments.animate {
         return Err(refuse(&"--animate plays one run: choose it with --member"));
     }
-    output::make_folder(&arguments.out)?;
+    if arguments.html.is_some() {
+        return Err(refuse(&"--html shows one run: choose it with --member"));
+    }
+    let folder = arguments.out.as_deref().ok_or_else(|| refuse(&"many runs are written to a folder: --out DIR"))?;
+    output::make_folder(folder)?;
     if arguments.merge {
-        let merged = merge(&arguments.out).map_err(|error| refuse(&error))?;
+        let merged = merge(folder).map_err(|error| refuse(&error))?;
         let (found, expected) = (&merged.header.campaign, ensemble.canonical());
         if *found != expected {
             let (found, expected) = (digest(found), digest(&expected));
             let why = format!("its shards belong to another file ({found}, not {expected})");
-            return Err(CliError::file(&arguments.out, why));
+            return Err(CliError::file(folder, why));
         }
-        return finished(arguments, ensemble, origin, &merged.rows);
+        return finished((arguments, folder), ensemble, input, &merged.rows);
     }
     let watch = Watch::with(progress::bar());
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
-    let run = run_shard(ensemble, &arguments.out, shard, arguments.resume, &watch).map_err(|error| refuse(&error))?;
+    let run = run_shard(ensemble, folder, shard, arguments.resume, &watch).map_err(|error| refuse(&error))?;
     watch.finish();
     interrupt::finishing();
     if !run.is_complete() {
@@ -46,19 +51,19 @@ pub fn run(arguments: &Arguments, ensemble: &Ensemble, origin: &Value) -> Result
         output::print(&format!("shard {shard} is finished: {} runs; --merge puts all shards together\n", run.cases))?;
         return Ok(ExitCode::SUCCESS);
     }
-    finished(arguments, ensemble, origin, &run.rows)
+    finished((arguments, folder), ensemble, input, &run.rows)
 }
 
 /// Writes the tables of all runs and prints the statistics.
 fn finished(
-    arguments: &Arguments,
+    (arguments, folder): (&Arguments, &Path),
     ensemble: &Ensemble,
-    origin: &Value,
+    input: &output::Input,
     rows: &BTreeMap<u64, Value>,
 ) -> Result<ExitCode, CliError> {
-    let runs = tables(ensemble, rows).map_err(|error| CliError::file(&arguments.out, error))?;
+    let runs = tables(ensemble, rows).map_err(|error| CliError::file(folder, error))?;
     let first = ensemble.sampled(0).map_err(|error| CliError::file(&arguments.config, error))?;
-    let configuration = json!({"command": "simulate", "file": origin, "toml": ensemble.text()});
+    let configuration = json!({"command": "simulate", "file": input.origin, "toml": ensemble.text()});
     let provenance = Provenance::new("flockproof.ensemble/1", first.seed(), configuration);
     let axes = ensemble.axes().iter().map(|(name, values)| {
         (name.clone(), values.iter().map(|value| value.to_string().into()).collect::<Vec<Value>>().into())
@@ -84,14 +89,14 @@ fn finished(
     let contents = picture.png().map_err(|error| CliError::Use(format!("statistics.png: {error}")))?;
     files.push(File { name: "statistics.png".to_string(), contents });
     for file in &files {
-        output::write_file(&arguments.out.join(&file.name), &file.contents)?;
+        output::write_file(&folder.join(&file.name), &file.contents)?;
     }
     if arguments.json {
         output::print_json(&summary)?;
     } else {
         let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
         let lines = [provenance.line(), format!("written: {}", names.join(", "))];
-        let (table, folder) = (table(ensemble, &runs), arguments.out.display());
+        let (table, folder) = (table(ensemble, &runs), folder.display());
         output::print(&format!("{table}{}in {folder}\n", super::declared(&lines)))?;
     }
     Ok(ExitCode::SUCCESS)
