@@ -41,7 +41,7 @@ pub fn resonance(gains: &Gains<Rational>, followers: u64, found: &Resonance) -> 
         .map(|((name, x), (first, next))| vec![name.to_string(), enclosed(x, DIGITS), number(first), number(next)])
         .collect();
     let shown = html! {
-        (table("Resonance", &["", "certified", "Theorem 1", "its next order"], &rows))
+        (table("Resonance", &["quantity", "certified", "Theorem 1", "its next order"], &rows))
         p { "The last of " (followers) " followers swings most at this frequency, so many times as far as the leader: no other frequency above 0 gives more." }
         (picture(&curve(gains, followers, found), "curve", "Amplitude of the last car over the frequency of the leader; the disc is the certified peak."))
         (picture(&region(gains, followers, found)?, "region",
