@@ -120,7 +120,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         name: "live-question",
         title: "A question of your own, decided",
         about: "What a property ranges over, the property, and controls that must turn out false. The program decides it, and draws a counterexample. \
-                The language has a page of its own among the notes.",
+                flockproof check --names lists all names that a question may use.",
         ask: "question",
         command: "flockproof check QUESTION.toml --json",
         fields: &[
@@ -194,7 +194,7 @@ pub(super) fn body(live: &Live) -> Markup {
                 } }
             }
             @if let Some((what, field)) = live.draws {
-                canvas #drawing data-draws=(what) data-field=(field) width="640" height="360" role="img" aria-label="What is written below, drawn" {}
+                div.words { canvas #drawing data-draws=(what) data-field=(field) width="640" height="360" role="img" aria-label="What is written below, drawn" {} }
             }
             @for field in live.fields { (input(field)) }
             span.buttons {
