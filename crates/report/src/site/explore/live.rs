@@ -17,10 +17,13 @@ pub(in super::super) struct Live {
     /// What is drawn with the mouse, into which field.
     draws: Option<(&'static str, &'static str)>,
     /// What the static site shows: what it is, and the answer.
-    case: Option<(&'static str, fn() -> Case)>,
+    case: Option<(&'static str, Answered)>,
     /// Starts to choose from: a name, and what stands in the fields then.
     examples: &'static [(&'static str, &'static [(&'static str, &'static str)])],
 }
+
+/// Computes an answer.
+type Answered = fn() -> Case;
 
 /// What is asked for.
 struct Field {
