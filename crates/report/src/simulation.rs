@@ -237,7 +237,7 @@ fn paths(outcome: &Outcome) -> Picture {
     }
     let linked = links(outcome, drawn);
     if !linked.is_empty() {
-        panel = panel.below(Series::line("links at the end", linked).colour("#6b6b6b").size(0.9));
+        panel = panel.below(Series::line("links at the end", linked).colour("#9a9a9a").size(0.9));
     }
     let ends = |row: Option<&Row>| (0..drawn).filter_map(|k| place(row?, k)).collect::<Vec<_>>();
     panel = panel.series(Series::crosses("start", ends(outcome.rows.first())).colour("#6b6b6b"));
@@ -316,7 +316,7 @@ fn observables(outcome: &Outcome) -> Picture {
             continue;
         }
         let axis = if least > 0.0 && most > 1e3 * least { Axis::log("") } else { Axis::linear("") };
-        let mut panel = Panel::new(observable.name, Axis::linear("t"), axis);
+        let mut panel = Panel::new(observable.name.replace('_', " "), Axis::linear("t"), axis);
         let several = curves.len() > 1;
         for (name, curve) in curves {
             panel = panel.series(Series::line(if several { name } else { String::new() }, curve));
