@@ -20,7 +20,7 @@ fn sorted(mut values: Vec<f64>) -> Vec<f64> {
 
 #[test]
 fn axes_of_symmetric_matrices() {
-    for order in 1..12 {
+    for order in 1..12usize {
         for rank in [order, order.div_ceil(3)] {
             let (a, _) = random(order, rank as u64);
             let low = |i: usize, j: usize| (0..rank).map(|k| a[(i, k)] * a[(j, k)] * (k as f64 - 1.5)).sum();
