@@ -2,13 +2,14 @@
 
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress};
+use flockproof::arithmetic::Progress;
 use flockproof::report::{
-    File, Provenance, animation, events_csv, observables_csv, sample_table, simulation_pictures, simulation_summary,
-    trajectory_csv,
+    File, Provenance, animation, events_csv, observables_csv, sample_table, shown, simulation_pictures,
+    simulation_summary, trajectory_csv,
 };
 use flockproof::scenario::{End, Outcome, Scenario};
 use serde_json::{Value, json};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
@@ -19,11 +20,14 @@ pub struct Arguments {
     #[arg(value_name = "CONFIG")]
     config: PathBuf,
     /// Folder for summary.json, the CSV files and the plots; it is made if it is missing
-    #[arg(long, value_name = "DIR")]
-    out: PathBuf,
+    #[arg(long, value_name = "DIR", required_unless_present_any = ["html", "json"])]
+    out: Option<PathBuf>,
     /// Write animation.html too, one page that plays the run in a browser
-    #[arg(long)]
+    #[arg(long, requires = "out")]
     animate: bool,
+    /// Write the run as a page that needs no other file: the motion, samples, events and plots
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// Print summary.json, flockproof.simulate/1, instead of the table
     #[arg(long)]
     json: bool,
@@ -36,27 +40,39 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.animate && !scenario.has_positions() {
         return Err(CliError::Use("--animate: this model has phases only, without places".to_string()));
     }
-    output::make_folder(&arguments.out)?;
+    arguments.out.as_deref().map_or(Ok(()), output::make_folder)?;
+    arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
     let watch = Watch::with(progress::styled("{bar:30} {percent} % of the time, {eta} left"));
     if !arguments.json {
         output::print(&declared(&scenario.declaration()))?;
     }
-    let seed = scenario.seed().map(str::to_string);
+    let provenance = provenance(&scenario, &input);
     let outcome = scenario.run(&watch);
     watch.finish();
     interrupt::finishing();
-    let configuration = json!({"command": "simulate", "file": input.origin, "toml": input.text});
-    let provenance = Provenance::new("flockproof.simulate/1", seed.as_deref(), configuration);
     let summary = provenance.stamp(simulation_summary(&outcome));
-    let written = write(&outcome, &summary, &provenance, arguments)?;
+    let written = match &arguments.out {
+        Some(folder) => Some((write(&outcome, &summary, &provenance, folder, arguments.animate)?, folder)),
+        None => None,
+    };
+    if let Some(path) = &arguments.html {
+        let name = arguments.config.file_name().unwrap_or(arguments.config.as_os_str()).to_string_lossy();
+        let command = format!("flockproof simulate {name} --html FILE");
+        let page = shown::page(&format!("{name}: a run of {}", outcome.model), &command, &shown::simulation(&outcome));
+        output::write_file(path, page.as_bytes())?;
+    }
     if arguments.json {
         output::print_json(&summary)?;
     } else {
         let (table, events) = (sample_table(&outcome), outcome.events.len());
-        let (remarks, folder) = (declared(&outcome.remarks), arguments.out.display());
+        let remarks = declared(&outcome.remarks);
         let events = format!("{events} event{}", if events == 1 { "" } else { "s" });
-        let files = declared(&[provenance.line(), format!("written: {}", written.join(", "))]);
-        output::print(&format!("\n{table}{remarks}{events}\n{files}in {folder}\n"))?;
+        let files = written.map_or(String::new(), |(names, folder)| {
+            format!("{}in {}\n", declared(&[format!("written: {}", names.join(", "))]), folder.display())
+        });
+        let page = arguments.html.as_ref().map_or(String::new(), |path| format!("written: {}\n", path.display()));
+        let origin = declared(&[provenance.line()]);
+        output::print(&format!("\n{table}{remarks}{events}\n{origin}{files}{page}"))?;
     }
     let kept = format!("what was reached up to t = {} is kept", outcome.reached());
     match outcome.end {
@@ -67,6 +83,24 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         }
         End::Failed(error) => Err(refuse(&format!("{error}; {kept}"))),
     }
+}
+
+/// Where a run comes from: all of its scenario.
+fn provenance(scenario: &Scenario, input: &output::Input) -> Provenance {
+    let configuration = json!({"command": "simulate", "file": input.origin, "toml": input.text});
+    Provenance::new("flockproof.simulate/1", scenario.seed(), configuration)
+}
+
+/// Runs a scenario as it would come from standard input; what it leaves behind, and the summary of it.
+pub fn ran(input: &output::Input, progress: &dyn Progress) -> Result<(Outcome, Value), CliError> {
+    let scenario = Scenario::read(&input.text).map_err(|error| CliError::Use(error.to_string()))?;
+    let provenance = provenance(&scenario, input);
+    let outcome = scenario.run(progress);
+    if let End::Failed(error) = &outcome.end {
+        return Err(CliError::Use(format!("{error}; t = {} was reached", outcome.reached())));
+    }
+    let summary = provenance.stamp(simulation_summary(&outcome));
+    Ok((outcome, summary))
 }
 
 /// The declaration within 80 columns.
@@ -80,9 +114,9 @@ fn write(
     outcome: &Outcome,
     summary: &Value,
     provenance: &Provenance,
-    arguments: &Arguments,
+    folder: &Path,
+    animate: bool,
 ) -> Result<Vec<String>, CliError> {
-    let folder = &arguments.out;
     let file = |name: &str, contents: Vec<u8>| File { name: name.to_string(), contents };
     let mut files = vec![
         file("summary.json", format!("{summary:#}\n").into_bytes()),
@@ -91,7 +125,7 @@ fn write(
         file("events.csv", events_csv(outcome).into_bytes()),
     ];
     files.push(file("about.txt", provenance.about(&files).into_bytes()));
-    if arguments.animate {
+    if animate {
         files.extend(animation(outcome).map(|page| file("animation.html", page.into_bytes())));
     }
     let mut names = Vec::new();

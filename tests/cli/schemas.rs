@@ -134,11 +134,22 @@ fn documents_keep_to_their_schemas() {
         ("flock-settle", vec!["flock", "settle", &birds, "--json"]),
         ("flock-settle", vec!["flock", "settle", &free, "--json"]),
         ("simulate", vec!["simulate", &scenario, "--out", &out, "--json"]),
+        ("pattern", vec!["pattern", "--particles", "6", "--gains", "1/5,1/5,-1/25", "--json"]),
         ("tracks", vec!["tracks", &tracks, "--null", "3", "--out", &out, "--json"]),
     ] {
         let document = printed(&arguments);
         assert_keeps(name, &document);
         assert_eq!(document["version"], env!("CARGO_PKG_VERSION"), "{name}");
+    }
+    let ledger =
+        file(&folder, "ledger.json", &flockproof(&["verify", "--claim", "veerman.lem2", "--json", "-"]).stdout);
+    let site = folder.join("site");
+    assert!(
+        flockproof(&["report", "--no-figures", "--ledger", &ledger, "--out", &site.to_string_lossy()]).status.success()
+    );
+    for (name, page) in [("ledger", "data/ledger.json"), ("claim", "data/claims/veerman.lem2.json")] {
+        let text = std::fs::read_to_string(site.join(page)).expect("written");
+        assert_keeps(name, &serde_json::from_str(&text).expect("JSON"));
     }
     let question = b"[question]\nid = \"mine.path\"\nstatement = \"...\"\n[for]\nn = \"2..4\"\ngraph = \"connected(n)\"\n[holds]\n\
         property = \"lambda(2) >= 2*(1 - cos(pi/n))\"\ncontrols = [\"lambda(2) >= 2*(1 - cos(pi/n)) + 1/100\"]\n";

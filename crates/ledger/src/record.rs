@@ -14,7 +14,8 @@ type Examine<V> = fn(&V, &mut Run) -> Result<Outcome, CheckError>;
 ///     run.exhaustive("n from 2 to 9", "compared", 2..=9u64, |n| Ok(larger(&n)))
 /// })
 /// .stated("school", "n^2 < n^3 for every integer n from 2 to 9.")
-/// .control("the square itself", 2);
+/// .control("the square itself", 2)
+/// .altered("a smaller power", |k| *k -= 2);
 /// ```
 pub struct Record<V> {
     texts: Box<Texts>,
@@ -98,6 +99,27 @@ impl<V> Record<V> {
         self.texts.repair = Some((fault, statement));
         self.repaired = Some(variant);
         self
+    }
+
+    /// The corrected statement, as a change of the printed one.
+    pub fn repaired_by(self, fault: Fault, statement: &'static str, change: impl FnOnce(&mut V)) -> Self
+    where
+        V: Clone,
+    {
+        let mut variant = self.printed.clone();
+        change(&mut variant);
+        self.repaired(fault, statement, variant)
+    }
+
+    /// One more negative control: what is true, with this change. That is the corrected statement where there is one, and so comes after
+    /// [`Record::repaired`].
+    pub fn altered(self, what: &'static str, alter: impl FnOnce(&mut V)) -> Self
+    where
+        V: Clone,
+    {
+        let mut variant = self.repaired.as_ref().unwrap_or(&self.printed).clone();
+        alter(&mut variant);
+        self.control(what, variant)
     }
 
     /// One more negative control.

@@ -68,7 +68,13 @@ impl Run {
     ///
     /// # Errors
     /// An identity that cannot be tested; [`CheckError::Limit`].
-    pub fn identity(&self, identity: &dyn AnyIdentity, names: &[&str], part: &str) -> Result<Outcome, CheckError> {
+    pub fn identity<S: AsRef<str>>(
+        &self,
+        identity: &dyn AnyIdentity,
+        names: &[S],
+        part: &str,
+    ) -> Result<Outcome, CheckError> {
+        let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
         self.checkpoint()?;
         let cases = self.cases(IDENTITY_CASES, 4 * IDENTITY_CASES);
         // Each identity of a check has points of its own.

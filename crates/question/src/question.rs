@@ -368,8 +368,13 @@ impl Question {
         self.kind
     }
 
+    /// The text that was read.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Which cars a follower tracks.
-    pub(crate) fn communication(&self) -> Communication {
+    pub fn communication(&self) -> Communication {
         self.communication
     }
 

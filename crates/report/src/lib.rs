@@ -8,6 +8,7 @@ mod export;
 mod figures;
 pub mod plot;
 mod provenance;
+pub mod shown;
 mod simulation;
 mod site;
 mod table;
@@ -22,6 +23,7 @@ pub use explain::{explain, explanation};
 pub use export::{NamedMatrix, matrix_files};
 pub use figures::{FIGURES, Figure, FigureError, File};
 pub use provenance::{Provenance, digest, ledger_origin, version};
+pub use shown::PatternRow;
 pub use simulation::{
     events_csv, observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv,
 };

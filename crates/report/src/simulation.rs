@@ -199,6 +199,10 @@ fn paths(outcome: &Outcome) -> Picture {
         let line = outcome.rows.iter().filter_map(|row| place(row, k));
         panel = panel.series(Series::line("", line).colour(colour(k)).size(size));
     }
+    let linked = links(outcome, drawn);
+    if !linked.is_empty() {
+        panel = panel.below(Series::line("links at the end", linked).colour("#6b6b6b").size(0.9));
+    }
     let ends = |row: Option<&Row>| (0..drawn).filter_map(|k| place(row?, k)).collect::<Vec<_>>();
     panel = panel.series(Series::crosses("start", ends(outcome.rows.first())).colour("#6b6b6b"));
     panel = panel.series(Series::points("end", ends(outcome.rows.last())).colour("#222222").size(2.6));
@@ -207,6 +211,14 @@ fn paths(outcome: &Outcome) -> Picture {
         panel = panel.series(Series::arrows("direction of motion at the end", moving).colour("#222222"));
     }
     Picture::new(title(outcome, "paths")).grid(1, (760.0, 620.0)).panel(panel)
+}
+
+/// The links at the end as one broken line.
+fn links(outcome: &Outcome, drawn: usize) -> Vec<(f64, f64)> {
+    let Some(row) = outcome.rows.last() else { return Vec::new() };
+    let place = |k: usize| row.frame.positions.get(k).map(|r| (r[0], r[1]));
+    let ends = row.links.iter().filter(|(i, j)| i.max(j) < &drawn).filter_map(|(i, j)| place(*i).zip(place(*j)));
+    ends.flat_map(|(a, b)| [a, b, (f64::NAN, f64::NAN)]).collect()
 }
 
 /// Arrows in the directions of motion at the end, a thirtieth of what the paths span; none for agents at rest.

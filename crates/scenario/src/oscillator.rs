@@ -172,6 +172,10 @@ impl Law for Phases {
         Frame { phases: state.to_vec(), ..Frame::default() }
     }
 
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.network.links()
+    }
+
     fn observe(&self, time: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
         let flight = Phases::flight(state);
         let phasors = flight.state().phasors;
@@ -331,6 +335,10 @@ impl Law for Particles {
         let centres = circle_centres(&self.frequency, &state).unwrap_or_default();
         let centres = centres.iter().map(|c| vec![c.re, c.im]).collect();
         Frame { positions: places(&state), phases: flight.phases, centres, ..Frame::default() }
+    }
+
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.network.links()
     }
 
     fn observe(&self, time: f64, list: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {

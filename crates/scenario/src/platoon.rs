@@ -130,6 +130,11 @@ impl Law for Platoon {
         }
     }
 
+    fn links(&self) -> Vec<(usize, usize)> {
+        let followers = 1..=self.graph.followers();
+        followers.flat_map(|k| self.graph.tracked_by(k).iter().map(move |(agent, _)| (k, *agent))).collect()
+    }
+
     fn observe(&self, time: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
         let (positions, _) = state.split_at(state.len() / 2);
         let frame = self.frame(time, state);
@@ -168,8 +173,6 @@ impl Law for Platoon {
 
 impl Platoon {
     fn components(&self) -> usize {
-        let followers = 1..=self.graph.followers();
-        let arcs = followers.flat_map(|k| self.graph.tracked_by(k).iter().map(move |(agent, _)| (k, *agent)));
-        algebra::graph::components(self.graph.followers() + 1, &arcs.collect::<Vec<_>>()).len()
+        algebra::graph::components(self.graph.followers() + 1, &self.links()).len()
     }
 }

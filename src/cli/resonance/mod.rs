@@ -4,6 +4,8 @@ mod certified;
 mod network;
 mod sweep;
 
+pub use certified::Certified;
+
 use super::CliError;
 use flockproof::arithmetic::{Rational, parse_rational};
 use flockproof::platoon::Gains;
@@ -77,6 +79,12 @@ fn gains(arguments: &Arguments) -> Result<Vec<Gains<Rational>>, CliError> {
     }
     let at = |list: &[Rational], k: usize| list[k.min(list.len() - 1)].clone();
     Ok((0..count).map(|k| Gains { f: at(&f, k), g: at(&g, k) }).collect())
+}
+
+/// One pair of gains for all followers.
+pub fn equal_gains(f: &str, g: &str) -> Result<Gains<Rational>, CliError> {
+    let one = |name: &str, text: &str| parse_rational(text).map_err(|error| CliError::Use(format!("{name}: {error}")));
+    Ok(Gains { f: one("f", f)?, g: one("g", g)? })
 }
 
 /// Whether the resonance of these arguments can be certified.

@@ -3,7 +3,7 @@
 //! Nothing here can support an exact claim; it is for looking, plotting and comparing.
 
 use super::RationalMatrix;
-use faer::Mat;
+use faer::{Mat, Side};
 use num_traits::ToPrimitive;
 
 /// The matrix with each entry rounded to the nearest float.
@@ -59,10 +59,7 @@ pub enum EigenError {
 /// # Errors
 /// [`EigenError`].
 pub fn eigenvalues(matrix: &Mat<f64>) -> Result<Vec<FloatEigenvalue>, EigenError> {
-    let (rows, cols) = (matrix.nrows(), matrix.ncols());
-    if rows != cols {
-        return Err(EigenError::NotSquare { rows, cols });
-    }
+    let rows = square(matrix)?;
     let eigen = matrix.eigen().map_err(|_| EigenError::NoConvergence)?;
     let (values, vectors) = (eigen.S(), eigen.U());
     let mut found: Vec<FloatEigenvalue> = (0..rows)
@@ -71,7 +68,7 @@ pub fn eigenvalues(matrix: &Mat<f64>) -> Result<Vec<FloatEigenvalue>, EigenError
             let (mut error, mut size) = (0.0, 0.0);
             for i in 0..rows {
                 let image: faer::c64 =
-                    (0..cols).fold(faer::c64::new(0.0, 0.0), |sum, j| sum + vectors[(j, k)] * matrix[(i, j)]);
+                    (0..rows).fold(faer::c64::new(0.0, 0.0), |sum, j| sum + vectors[(j, k)] * matrix[(i, j)]);
                 error += (image - value * vectors[(i, k)]).norm_sqr();
                 size += vectors[(i, k)].norm_sqr();
             }
@@ -82,58 +79,28 @@ pub fn eigenvalues(matrix: &Mat<f64>) -> Result<Vec<FloatEigenvalue>, EigenError
     Ok(found)
 }
 
+fn square(matrix: &Mat<f64>) -> Result<usize, EigenError> {
+    let (rows, cols) = (matrix.nrows(), matrix.ncols());
+    if rows == cols { Ok(rows) } else { Err(EigenError::NotSquare { rows, cols }) }
+}
+
 /// A symmetric matrix turned to its axes.
 #[derive(Debug, Clone)]
 pub struct SymmetricEigen {
-    /// The eigenvalues, in no order.
+    /// The eigenvalues, ascending.
     pub values: Vec<f64>,
     /// Orthonormal eigenvectors in columns, in the same order.
     pub vectors: Mat<f64>,
 }
 
-/// Rounds of rotations; some ten are enough.
-const MOST_ROUNDS: usize = 60;
-
-/// Eigenvalues and eigenvectors of a symmetric matrix by Jacobi's rotations, for orders below a hundred or so. Entries that are not finite give
-/// eigenvalues that are not. A matrix that is not square is taken as its largest square part.
-pub fn symmetric_eigen(matrix: &Mat<f64>) -> SymmetricEigen {
-    let order = matrix.nrows().min(matrix.ncols());
-    let mut a = Mat::from_fn(order, order, |i, j| matrix[(i, j)]);
-    let mut vectors = Mat::from_fn(order, order, |i, j| f64::from(u8::from(i == j)));
-    for _ in 0..MOST_ROUNDS {
-        let mut turned = false;
-        for (p, q) in (0..order).flat_map(|q| (0..q).map(move |p| (p, q))) {
-            let beside = a[(p, q)];
-            // What is below this no longer moves the diagonal.
-            if beside.abs() <= f64::EPSILON * 1e-3 * (a[(p, p)].abs() * a[(q, q)].abs()).sqrt() || beside == 0.0 {
-                continue;
-            }
-            turned = true;
-            let theta = (a[(q, q)] - a[(p, p)]) / (2.0 * beside);
-            let tangent = theta.signum() / (theta.abs() + theta.hypot(1.0));
-            let cosine = 1.0 / tangent.hypot(1.0);
-            let sine = tangent * cosine;
-            let turn = |x: &mut f64, y: &mut f64| (*x, *y) = (cosine * *x - sine * *y, sine * *x + cosine * *y);
-            for k in 0..order {
-                let (mut x, mut y) = (a[(k, p)], a[(k, q)]);
-                turn(&mut x, &mut y);
-                (a[(k, p)], a[(k, q)]) = (x, y);
-                let (mut x, mut y) = (vectors[(k, p)], vectors[(k, q)]);
-                turn(&mut x, &mut y);
-                (vectors[(k, p)], vectors[(k, q)]) = (x, y);
-            }
-            for k in 0..order {
-                let (mut x, mut y) = (a[(p, k)], a[(q, k)]);
-                turn(&mut x, &mut y);
-                (a[(p, k)], a[(q, k)]) = (x, y);
-            }
-            (a[(p, q)], a[(q, p)]) = (0.0, 0.0);
-        }
-        if !turned {
-            break;
-        }
-    }
-    SymmetricEigen { values: (0..order).map(|k| a[(k, k)]).collect(), vectors }
+/// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower half is read.
+///
+/// # Errors
+/// [`EigenError`].
+pub fn symmetric_eigen(matrix: &Mat<f64>) -> Result<SymmetricEigen, EigenError> {
+    square(matrix)?;
+    let eigen = matrix.self_adjoint_eigen(Side::Lower).map_err(|_| EigenError::NoConvergence)?;
+    Ok(SymmetricEigen { values: eigen.S().column_vector().iter().copied().collect(), vectors: eigen.U().to_owned() })
 }
 
 /// The product, `NaN` in each entry where the shapes do not fit.
@@ -144,13 +111,11 @@ pub fn product(left: &Mat<f64>, right: &Mat<f64>) -> Mat<f64> {
     left * right
 }
 
-/// The least singular value: the least modulus of an eigenvalue of `(0, A; A', 0)`.
-pub fn least_singular_value(matrix: &Mat<f64>) -> f64 {
-    let (rows, order) = (matrix.nrows(), matrix.nrows() + matrix.ncols());
-    let doubled = Mat::from_fn(order, order, |i, j| match (i < rows, j < rows) {
-        (true, false) => matrix[(i, j - rows)],
-        (false, true) => matrix[(j, i - rows)],
-        _ => 0.0,
-    });
-    symmetric_eigen(&doubled).values.iter().map(|x| x.abs()).fold(f64::INFINITY, f64::min)
+/// The least singular value.
+///
+/// # Errors
+/// [`EigenError::NoConvergence`].
+pub fn least_singular_value(matrix: &Mat<f64>) -> Result<f64, EigenError> {
+    let values = matrix.singular_values().map_err(|_| EigenError::NoConvergence)?;
+    Ok(values.into_iter().fold(f64::INFINITY, f64::min))
 }

@@ -2,11 +2,9 @@
 
 use super::fixtures::{PLANE, connected, pairs, quadratic, random_vectors, sloped, spring};
 use super::graphs::{rational_spectrum, shown};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{ArithmeticError, Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Potential, State, kinetic_energy, potential_energy};
 
 /// For each pair a potential of Definition 3 with the least value 0, increasing beyond its minimum, and the squared distance of that.
@@ -62,8 +60,6 @@ fn with_energy(run: &Run) -> impl Iterator<Item = (Graph, State<Rational>, &'sta
     })
 }
 
-// --- |r_ij| <= outside V^{-1}(inside c) ---
-
 /// The factors as functions of `N`, and whether `V^{-1}` is that of the pair or the largest of those of the edges.
 #[derive(Clone, Copy)]
 pub struct DistanceVariant {
@@ -72,12 +68,11 @@ pub struct DistanceVariant {
     own: bool,
 }
 
-/// The bound that holds.
 const DISTANCE: DistanceVariant = DistanceVariant { inside: |_| rational(1, 1), outside: |n| n - 1, own: false };
 
 fn distances(variant: &DistanceVariant, run: &Run) -> Result<Outcome, CheckError> {
     let detail = "exact values for rows of up to 5 agents and random states on every connected graph of up to 4, potentials that are the same for all pairs and that are not";
-    let evidence = Evidence::new(Grade::Exact, "the bound of distances", detail);
+    let evidence = exact("the bound of distances", detail);
     run.every(evidence, with_energy(run), |(graph, state, name, potentials, c)| {
         let count = graph.order() as i64;
         let (bound, outside) = (&c * (variant.inside)(count), rational((variant.outside)(count), 1));
@@ -124,12 +119,10 @@ pub fn bound_r() -> Record<DistanceVariant> {
         "For a connected graph W <= c implies |r_ij| <= (N - 1) max_e V_e^{-1}(c) for all i, j, with the largest value over the edges e and V_e^{-1}(c) the largest distance at which V_e <= c.",
         DISTANCE,
     )
-    .control("max_e V_e^{-1}(c)", DistanceVariant { outside: |_| 1, ..DISTANCE })
-    .control("(N - 1) max_e V_e^{-1}(c/2)", DistanceVariant { inside: |_| rational(1, 2), ..DISTANCE })
-    .control("(N - 1) V_ij^{-1}(c), of the pair itself", DistanceVariant { own: true, ..DISTANCE })
+    .altered("max_e V_e^{-1}(c)", |v| v.outside = |_| 1)
+    .altered("(N - 1) max_e V_e^{-1}(c/2)", |v| v.inside = |_| rational(1, 2))
+    .altered("(N - 1) V_ij^{-1}(c), of the pair itself", |v| v.own = true)
 }
-
-// --- |v_i|² <= factor c ---
 
 /// `|v_i|² <= factor c`, or `|v_i - v_j|² <= factor c`.
 #[derive(Clone, Copy)]
@@ -138,7 +131,6 @@ pub struct SpeedVariant {
     relative: bool,
 }
 
-/// The bound that holds.
 const SPEED: SpeedVariant = SpeedVariant { factor: 2, relative: false };
 
 fn speeds(variant: &SpeedVariant, run: &Run) -> Result<Outcome, CheckError> {
@@ -167,10 +159,8 @@ pub fn bound_v() -> Record<SpeedVariant> {
         },
     )
     .repaired(Fault::Slip, "W <= c implies v_i^T v_i <= 2c, yielding |v_i| <= sqrt(2c).", SPEED)
-    .control("|v_i - v_j|² <= 2c", SpeedVariant { relative: true, ..SPEED })
+    .altered("|v_i - v_j|² <= 2c", |v| v.relative = true)
 }
-
-// --- Compactness ---
 
 /// Which sets `W <= c` are said to be compact.
 #[derive(Clone)]
@@ -210,19 +200,18 @@ fn examine_compact(variant: &CompactVariant, run: &mut Run) -> Result<Outcome, C
     })?;
     Run::all([
         Ok(far.on([1])),
-        Ok(distances(&DISTANCE, run)?.on([1])),
-        Ok(speeds(&SPEED, run)?.on([2])),
+        distances(&DISTANCE, run).on([1]),
+        speeds(&SPEED, run).on([2]),
         argued(&[1, 2, 3], "Omega is bounded and closed", "notes/tanner2.md, Bounds, steps 1 to 5"),
     ])
 }
 
 pub fn eq7() -> Record<CompactVariant> {
-    let printed = CompactVariant { connected: true, relative: true, potential: spring() };
     Record::new(
         "tanner2.eq7",
         "Bounded: |v_i|² <= 2c and |r_ij| <= (N - 1) max_e V_e^{-1}(c) (the printed bounds corrected), finite because V is radially unbounded. Closed: W is continuous \
          where linked agents are apart and tends to infinity where they meet, so limits of points with W <= c are such points.",
-        printed.clone(),
+        CompactVariant { connected: true, relative: true, potential: spring() },
         examine_compact,
     )
     .clauses(&[
@@ -231,15 +220,10 @@ pub fn eq7() -> Record<CompactVariant> {
         "Omega is closed.",
     ])
     .reading("in the relative positions r_ij and the velocities, as (7) is printed")
-    .control("any graph", CompactVariant { connected: false, ..printed.clone() })
-    .control("in the positions r_i", CompactVariant { relative: false, ..printed.clone() })
-    .control("a bounded potential, 1/(2s²) - 1/s + 1/2", CompactVariant {
-        potential: sloped(&[(-2, 1), (-3, -1)], 0),
-        ..printed
-    })
+    .altered("any graph", |v| v.connected = false)
+    .altered("in the positions r_i", |v| v.relative = false)
+    .altered("a bounded potential, 1/(2s²) - 1/s + 1/2", |v| v.potential = sloped(&[(-2, 1), (-3, -1)], 0))
 }
-
-// --- Corollary 2: the bound by lambda_2 ---
 
 /// `Wdot <= -factor lambda_index |part|²`, with the part along 1 or the one normal to it.
 #[derive(Clone, Copy)]
@@ -293,21 +277,19 @@ fn examine_dissipation(variant: &DissipationVariant, run: &mut Run) -> Result<Ou
 }
 
 pub fn cor2_sub() -> Record<DissipationVariant> {
-    let printed = DissipationVariant { along: true, index: 2, factor: 1 };
-    let repaired = DissipationVariant { along: false, ..printed };
     Record::new(
         "tanner2.cor2_sub",
         "x^T L x >= lambda_2 |x|² for x normal to 1 (Courant and Fischer): the bound holds with the parts v_n normal to 1. The printed subscripts p name the parts along 1, \
          and with them a flock that moves with a common velocity has dW/dt = 0 but a negative bound.",
-        printed,
+        DissipationVariant { along: true, index: 2, factor: 1 },
         examine_dissipation,
     )
     .reading("N >= 2: one agent has no lambda_2")
-    .repaired(
+    .repaired_by(
         Fault::Typo,
         "For a connected graph Wdot <= -lambda_2 (|v_{x_n}|² + |v_{y_n}|²), with v_{x_n}, v_{y_n} normal to 1.",
-        repaired,
+        |v| v.along = false,
     )
-    .control("lambda_3 in place of lambda_2", DissipationVariant { index: 3, ..repaired })
-    .control("2 lambda_2", DissipationVariant { factor: 2, ..repaired })
+    .altered("lambda_3 in place of lambda_2", |v| v.index = 3)
+    .altered("2 lambda_2", |v| v.factor = 2)
 }

@@ -2,9 +2,8 @@
 
 use super::figures::other;
 use super::fixtures::{PLANE, spring};
-use crate::argued::argued;
-use arithmetic::{Rational, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::double_integrator::{Kink, Pair, Span, State, Way, fork, linked_within, tied};
 
 /// A right-hand side on the line with one jump: `left` for `x < 0`, `right` for `x >= 0`.
@@ -36,8 +35,6 @@ impl Step {
     }
 }
 
-// --- Uniqueness for measurable fields ---
-
 /// The class of fields for which solutions are said to be unique, and whether backwards in time too.
 #[derive(Clone, Copy)]
 pub struct UniqueVariant {
@@ -65,7 +62,6 @@ fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, Che
 }
 
 pub fn uniqueness() -> Record<UniqueVariant> {
-    let repaired = UniqueVariant { fields: |left, right| right <= left, backwards: false };
     Record::new(
         "tanner2.appA_uniq",
         "Measurability (with local boundedness) gives existence only. f = sign(x) has the Filippov solutions t, -t and 0 from 0. Uniqueness needs a one-sided bound, (f(x) - f(y)).(x - y) <= l |x - y|² for almost \
@@ -76,12 +72,10 @@ pub fn uniqueness() -> Record<UniqueVariant> {
     .repaired(
         Fault::False,
         "Solutions of xdot = f(x) are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x - y|² for almost all x, y near each point.",
-        repaired,
+        UniqueVariant { fields: |left, right| right <= left, backwards: false },
     )
-    .control("backwards in time too", UniqueVariant { backwards: true, ..repaired })
+    .altered("backwards in time too", |v| v.backwards = true)
 }
-
-// --- Definition 4 ---
 
 /// What a solution has to fulfil almost everywhere.
 #[derive(Clone, Copy)]
@@ -130,8 +124,6 @@ pub fn definition4() -> Record<SolutionVariant> {
     .control("without the convex hull", SolutionVariant::Limit)
 }
 
-// --- Theorem 4 ---
-
 /// The chain rule with `V` of `arguments(n)` variables, with or without the 1 for the time, almost everywhere or everywhere.
 #[derive(Clone, Copy)]
 pub struct ChainRuleVariant {
@@ -176,37 +168,32 @@ fn examine_chain_rule(variant: &ChainRuleVariant, run: &mut Run) -> Result<Outco
     let absolute = Kink { left: -one.clone(), right: one.clone() };
     if variant.everywhere && absolute.directional(&one) != -absolute.directional(&-one.clone()) {
         let what = "V = |x| along x = t - 1: V has no derivative at t = 1";
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the chain rule", "one-sided rates")));
+        return Ok(Outcome::fails(what, exact("the chain rule", "one-sided rates")));
     }
     let steps = "notes/tanner2.md, Appendix, steps 3 to 5";
     Run::all([Ok(domains), Ok(chain), argued(&[1], "the chain rule", steps)])
 }
 
 pub fn chain_rule() -> Record<ChainRuleVariant> {
-    let printed = ChainRuleVariant { arguments: |_| 2, time: true, everywhere: false };
-    let repaired = ChainRuleVariant { arguments: |n| n + 1, ..printed };
     Record::new(
         "tanner2.appA.thm4",
         "x(t) lies in R^n, so V(x(t), t) needs V on R^n x R; as printed, V: R x R -> R, it makes sense for n = 1 only. With that the theorem is Shevitz and Paden's: for almost all t, x and V(x(t), t) are \
          differentiable, and regularity gives d/dt V = z.(xdot, 1) for every z of the gradient.",
-        printed,
+        ChainRuleVariant { arguments: |_| 2, time: true, everywhere: false },
         examine_chain_rule,
     )
-    .repaired(
+    .repaired_by(
         Fault::Typo,
         "Let x(.) be a Filippov solution to xdot = f(x,t), x in R^n, and V : R^n x R -> R Lipschitz and regular; then V(x(t),t) is absolutely continuous and d/dt V lies almost everywhere in the intersection over xi in dV of xi^T (K[f]; 1).",
-        repaired,
+        |v| v.arguments = |n| n + 1,
     )
-    .control("K[f] with 0 in place of 1", ChainRuleVariant { time: false, ..repaired })
-    .control("for every t", ChainRuleVariant { everywhere: true, ..repaired })
+    .altered("K[f] with 0 in place of 1", |v| v.time = false)
+    .altered("for every t", |v| v.everywhere = true)
 }
-
-// --- Existence and uniqueness for (10) ---
 
 /// The starts from which solutions are said to be unique.
 #[derive(Clone, Copy)]
 pub enum StartVariant {
-    /// All.
     All,
     /// Those with a connected neighbouring graph.
     Connected,
@@ -300,11 +287,7 @@ pub fn existence() -> Record<StartVariant> {
         StartVariant::All,
         examine_starts,
     )
-    .repaired(
-        Fault::False,
-        "",
-        StartVariant::Crossing,
-    )
+    .repaired(Fault::False, "", StartVariant::Crossing)
     .repaired_clauses(&[
         "From every start in which no two agents are in one place (10) has a solution for all time.",
         "It is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",

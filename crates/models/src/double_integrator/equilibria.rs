@@ -81,7 +81,7 @@ impl Framework {
                 break;
             }
             let size = norm(&gradient);
-            let eigen = symmetric_eigen(&self.float_hessian(&positions).ok()?);
+            let eigen = symmetric_eigen(&self.float_hessian(&positions).ok()?).ok()?;
             let step = along_axes(&eigen, &gradient, |g, curvature| -g / (curvature.abs() + 1e-3 * size));
             let mut length = (LONGEST / largest(&step)).min(1.0);
             // Halve until the energy does not rise, up to the rounding of the energy itself.
@@ -109,7 +109,7 @@ impl Framework {
             if norm(&gradient) < AT_REST {
                 break;
             }
-            let eigen = symmetric_eigen(&self.float_hessian(&positions).ok()?);
+            let eigen = symmetric_eigen(&self.float_hessian(&positions).ok()?).ok()?;
             // Not along the rigid motions, whose curvatures are zero.
             let step = along_axes(&eigen, &gradient, |g, curvature| {
                 if curvature.abs() < 1e-9 { 0.0 } else { -g * curvature / (curvature * curvature + damping) }
@@ -132,7 +132,7 @@ impl Framework {
         if norm(&self.float_gradient(&positions)?) > 100.0 * AT_REST || widest > 10.0 * positions.len() as f64 {
             return None;
         }
-        let eigenvalues = symmetric_eigen(&self.float_hessian(&positions).ok()?).values;
+        let eigenvalues = symmetric_eigen(&self.float_hessian(&positions).ok()?).ok()?.values;
         let count = |passes: fn(f64) -> bool| eigenvalues.iter().filter(|x| passes(**x)).count();
         let inertia =
             Inertia { positive: count(|x| x > FLAT), negative: count(|x| x < -FLAT), zero: count(|x| x.abs() <= FLAT) };
@@ -154,13 +154,13 @@ impl Framework {
         for _ in 0..3 {
             let gradient = self.float_gradient(&positions)?;
             let gradient: Vec<f64> = free.iter().map(|&i| gradient[i]).collect();
-            let eigen = symmetric_eigen(&float(&positions)?);
+            let eigen = symmetric_eigen(&float(&positions)?).ok()?;
             let step = along_axes(&eigen, &gradient, |g, curvature| g / curvature);
             for (&index, s) in free.iter().zip(step) {
                 positions[index / 2][index % 2] -= s;
             }
         }
-        let eigen = symmetric_eigen(&float(&positions)?);
+        let eigen = symmetric_eigen(&float(&positions)?).ok()?;
         let inverse = inverse(&eigen);
         let point = |x: f64| Some(Interval::between(Dyadic::from_f64(x)?, Dyadic::from_f64(x)?, PRECISION));
         let whole = Interval::between(Dyadic::from_f64(-BOX)?, Dyadic::from_f64(BOX)?, PRECISION);

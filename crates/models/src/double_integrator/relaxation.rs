@@ -71,7 +71,7 @@ pub fn relaxation(framework: &Framework, equilibrium: &Equilibrium) -> Result<Re
             if row < kept { -imaginary } else { imaginary }
         }
     });
-    let residual = least_singular_value(&pencil);
+    let residual = least_singular_value(&pencil)?;
     Ok(Relaxation { rate: -slowest.re, swings: slowest.im.abs() > 1e-6, neutral, residual })
 }
 

@@ -36,8 +36,7 @@ fn explore(graph: Graph, replicate: u64) -> Result<Found, CheckError> {
         .filter(|found| found.inertia.negative == 0)
         .min_by(|a, b| a.energy.total_cmp(&b.energy))
         .ok_or_else(|| CheckError::Other("no minimum was found".to_string()))?;
-    let mut spectrum = symmetric_eigen(&to_floats(&graph.laplacian()?)).values;
-    spectrum.sort_by(f64::total_cmp);
+    let spectrum = symmetric_eigen(&to_floats(&graph.laplacian()?)).map_err(|e| other(&e))?.values;
     let soft = Framework { potential: firm.potential.times(&rational(1, SOFT)), ..firm.clone() };
     Ok(Found {
         connectivity: spectrum[1],

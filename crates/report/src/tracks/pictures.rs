@@ -20,10 +20,10 @@ fn titled(report: &TracksReport, what: &str) -> String {
     format!("{}: {what}", cut(report.source, 40))
 }
 
-/// The upper end of an axis of shares, with room for the legend.
+/// The upper end of an axis of shares, a little above all of them.
 fn with_room<'a>(histograms: impl IntoIterator<Item = &'a Histogram>) -> f64 {
     let largest = histograms.into_iter().flat_map(Histogram::bins).map(|bin| bin.3).fold(0.0, f64::max);
-    if largest > 0.0 { 1.35 * largest } else { 1.0 }
+    if largest > 0.0 { 1.08 * largest } else { 1.0 }
 }
 
 /// A histogram as an outline beside those of the null models.
@@ -79,8 +79,8 @@ pub(crate) fn potential_panel(report: &TracksReport, title: &str) -> Panel {
         let frames = analysis.frames.iter().filter(|frame| shown(frame.time));
         frames.map(|frame| (frame.time, frame.group.as_ref().map_or(f64::NAN, value))).collect()
     };
-    let potential = Axis::linear("2/(n+1) W_1").between(0.0, 1.4).ticks([0.0, 0.25, 0.5, 0.75, 1.0]);
-    Panel::new(title, Axis::linear("t (s)"), potential)
+    let potential = Axis::linear("2/(n+1) W_1").between(0.0, 1.05).ticks([0.0, 0.25, 0.5, 0.75, 1.0]);
+    Panel::new(title, Axis::linear("time (s)"), potential)
         .series(Series::line("n = N−1", line(&|g| scale(fish - 1) * g.complete)).colour(BLUE))
         .series(Series::line("n = 1", line(&|g| scale(1) * g.single)).colour(RED))
 }

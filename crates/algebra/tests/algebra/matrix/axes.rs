@@ -20,15 +20,14 @@ fn sorted(mut values: Vec<f64>) -> Vec<f64> {
 
 #[test]
 fn axes_of_symmetric_matrices() {
-    for order in 1..12usize {
+    for order in 1_usize..12 {
         for rank in [order, order.div_ceil(3)] {
             let (a, _) = random(order, rank as u64);
             let low = |i: usize, j: usize| (0..rank).map(|k| a[(i, k)] * a[(j, k)] * (k as f64 - 1.5)).sum();
             let symmetric = Mat::from_fn(order, order, low);
-            let eigen = symmetric_eigen(&symmetric);
+            let eigen = symmetric_eigen(&symmetric).unwrap();
             let other = DMatrix::from_fn(order, order, low).symmetric_eigenvalues();
-            let values = sorted(eigen.values.clone());
-            for (a, b) in values.iter().zip(sorted(other.iter().copied().collect())) {
+            for (a, b) in eigen.values.iter().zip(sorted(other.iter().copied().collect())) {
                 assert!((a - b).abs() < 1e-12 * (1.0 + order as f64), "{order} {rank}: {a} {b}");
             }
             let image = product(&symmetric, &eigen.vectors);
@@ -39,7 +38,7 @@ fn axes_of_symmetric_matrices() {
             }
         }
     }
-    assert!(symmetric_eigen(&Mat::from_fn(2, 2, |_, _| f64::NAN)).values[0].is_nan());
+    assert!(symmetric_eigen(&Mat::from_fn(2, 3, |_, _| 1.0)).is_err());
 }
 
 #[test]
@@ -47,7 +46,7 @@ fn singular_values_and_eigenvalues() {
     for (order, case) in (1..10).flat_map(|order| [(order, 1), (order, 2)]) {
         let (here, other) = random(order, case);
         let least = other.singular_values().min();
-        assert!((least_singular_value(&here) - least).abs() < 1e-13 * order as f64, "{order}");
+        assert!((least_singular_value(&here).unwrap() - least).abs() < 1e-13 * order as f64, "{order}");
         let (found, expected) = (eigenvalues(&here).unwrap(), other.complex_eigenvalues());
         for value in found {
             let nearest =

@@ -1,0 +1,89 @@
+//! Which symmetric patterns are stable.
+
+use super::{enclosed, table};
+use arithmetic::{Interval, Rational, Signed};
+use maud::html;
+use models::oscillator::TransverseSpectrum;
+
+/// The linearisation at the pattern of so many clusters, without what rotation and translation force.
+#[derive(Debug, Clone)]
+pub struct PatternRow {
+    /// Clusters.
+    pub clusters: usize,
+    /// Eigenvalues 0, of which rotation forces one.
+    pub zeros: usize,
+    /// Encloses the largest real part of the others; nothing where there are none.
+    pub abscissa: Option<Interval>,
+    /// A wave number that attains it.
+    pub wave: Option<usize>,
+}
+
+impl PatternRow {
+    /// Digits that are shown.
+    pub const DIGITS: u32 = 18;
+
+    /// From its spectrum.
+    pub fn of(clusters: usize, spectrum: Option<TransverseSpectrum>) -> Self {
+        match spectrum {
+            None => PatternRow { clusters, zeros: 1, abscissa: None, wave: None },
+            Some(found) => {
+                PatternRow { clusters, zeros: found.zeros, abscissa: Some(found.abscissa), wave: Some(found.wave) }
+            }
+        }
+    }
+
+    /// `stable` exponentially up to rotation and translation, `unstable`, or `undecided` by the linearisation.
+    pub fn verdict(&self) -> &'static str {
+        match &self.abscissa {
+            Some(x) if x.is_certainly_positive() => "unstable",
+            Some(x) if !x.is_certainly_negative() => "undecided",
+            _ if self.zeros > 1 => "undecided",
+            _ => "stable",
+        }
+    }
+
+    /// The enclosure as text.
+    pub fn abscissa_text(&self) -> String {
+        self.abscissa.as_ref().map_or("none".to_string(), |x| enclosed(x, Self::DIGITS))
+    }
+}
+
+/// Every pattern with its verdict and a picture.
+pub fn patterns(rows: &[PatternRow], gains: &[Rational]) -> String {
+    let class = |row: &PatternRow| match row.verdict() {
+        "stable" => "holds",
+        "unstable" => "false",
+        _ => "undecided",
+    };
+    let cells: Vec<Vec<String>> = rows
+        .iter()
+        .map(|row| {
+            vec![row.clusters.to_string(), row.verdict().to_string(), row.abscissa_text(), row.zeros.to_string()]
+        })
+        .collect();
+    let list: Vec<String> = gains.iter().map(Rational::to_string).collect();
+    let shown = html! {
+        p { "Under the gains K = (" (list.join(", ")) "), up to rotation and translation:" }
+        ul.patterns { @for row in rows {
+            li { (picture(row.clusters)) span.chip.(class(row)) { (row.clusters) " cluster" @if row.clusters != 1 { "s" } ": " (row.verdict()) } }
+        } }
+        (table("Patterns", &["clusters", "verdict", "largest real part, enclosed", "eigenvalues 0"], &cells))
+        p.small { "Stable: every eigenvalue of the linearisation but those of the symmetries lies in the left half plane. One eigenvalue 0 belongs to rotation; where there are more, or the largest real part \
+                   cannot be told from 0, the linearisation does not decide." }
+    };
+    shown.into_string()
+}
+
+/// The phases of a pattern on a circle.
+fn picture(clusters: usize) -> maud::Markup {
+    let place = |k: usize| {
+        let angle = std::f64::consts::TAU * k as f64 / clusters as f64;
+        (format!("{:.1}", 32.0 + 24.0 * angle.cos()), format!("{:.1}", 32.0 - 24.0 * angle.sin()))
+    };
+    html! {
+        svg.network width="64" height="64" viewBox="0 0 64 64" aria-hidden="true" {
+            circle.ring cx="32" cy="32" r="24" {}
+            @for k in 0..clusters { @let (x, y) = place(k); circle cx=(x) cy=(y) r="4" {} }
+        }
+    }
+}
