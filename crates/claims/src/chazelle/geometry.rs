@@ -197,7 +197,7 @@ fn origins_of_flocks(variant: &OriginVariant, run: &Run) -> Result<Outcome, Chec
         velocities: vec![vec![rational(0, 1), rational(1, 100)]],
         ..single.clone()
     };
-    let mut starts = vec![single, passing, four_birds(Hysteresis::None), four_birds(Hysteresis::Paper)];
+    let mut starts = vec![passing, single, four_birds(Hysteresis::None), four_birds(Hysteresis::Paper)];
     starts.extend(
         (0..run.cases(60, 600))
             .map(|k| random_start(&mut random, if k % 2 == 0 { Hysteresis::Paper } else { Hysteresis::None })),
