@@ -19,13 +19,15 @@ use table::{Equivalents, Table, path_of};
 
 const USE: &str =
     "use: flockproof-alterations [--file FILE|FOLDER].. [--shard K/N] [--again missed|all] [--noticers N] [--jobs N]
-       [--tests PACKAGE].. [--scratch FOLDER] [--no-claims] | --summary | --missed
+       [--tests PACKAGE].. [--longest SECONDS] [--only FILE].. [--scratch FOLDER] [--no-claims] | --summary | --missed
 
 --file      a source file or a folder of sources of a crate, from the root of the repository
 --shard     every N-th alteration, from the K-th on
 --again     try again what is recorded as missed, or all; otherwise what is recorded for the same source stays
 --noticers  how many claims and tests are recorded for each alteration (1)
 --tests     tests of further packages
+--longest   leave out claims and tests that take longer than so many seconds
+--only      alter all the files, but try only those of this one
 --scratch   where the altered copy is built (the folder of temporary files)
 --summary   the recorded results in a table, with those that are out of date; --missed: those that are missed";
 
@@ -36,6 +38,8 @@ struct Arguments {
     noticers: usize,
     jobs: usize,
     packages: BTreeSet<String>,
+    longest: f64,
+    only: Vec<String>,
     scratch: PathBuf,
     claims: bool,
     show: Option<String>,
@@ -49,6 +53,8 @@ fn arguments(root: &Path) -> Result<Arguments, String> {
         noticers: 1,
         jobs: 1,
         packages: BTreeSet::new(),
+        longest: f64::INFINITY,
+        only: Vec::new(),
         scratch: std::env::temp_dir().join("flockproof-alterations"),
         claims: true,
         show: None,
@@ -76,6 +82,8 @@ fn arguments(root: &Path) -> Result<Arguments, String> {
             "--tests" => {
                 parsed.packages.insert(value);
             }
+            "--longest" => parsed.longest = value.parse().map_err(|_| USE)?,
+            "--only" => parsed.only.extend(sources(root, &value)?),
             "--scratch" => parsed.scratch = PathBuf::from(value),
             _ => return Err(USE.to_string()),
         }
@@ -293,6 +301,9 @@ impl Campaign<'_> {
             return Err(why);
         }
         for table in tables.into_inner().unwrap_or_else(|e| e.into_inner()) {
+            if table.rows.is_empty() {
+                continue;
+            }
             table.write(self.results)?;
             println!(
                 "{}: {} alterations, {} caught, {} equivalent, {} missed",
@@ -313,6 +324,10 @@ impl Campaign<'_> {
         let again = self.arguments.again.as_deref();
         let is_wanted = |number: &u32| {
             let alteration = &self.built.alterations[*number as usize - 1];
+            let only = &self.arguments.only;
+            if !only.is_empty() && !only.contains(&self.arguments.files[alteration.file]) {
+                return false;
+            }
             match tables[alteration.file].rows.get(&table::key(alteration)) {
                 None => true,
                 Some(row) => again == Some("all") || again == Some("missed") && row.verdict != "caught",
@@ -323,7 +338,9 @@ impl Campaign<'_> {
 
     /// Which claims and tests notice, quick ones first, until enough are known.
     fn noticed(&self, number: u32, out: &Path) -> Result<Vec<String>, String> {
-        let reaching: Vec<&Probe> = self.probes.iter().filter(|probe| probe.reach.contains(&number)).collect();
+        let longest = self.arguments.longest;
+        let is_asked = |probe: &&Probe| probe.reach.contains(&number) && probe.seconds <= longest;
+        let reaching: Vec<&Probe> = self.probes.iter().filter(is_asked).collect();
         let mut noticed = Vec::new();
         let mut batches: Vec<(usize, Vec<&str>, f64)> = Vec::new();
         let mut open: BTreeMap<usize, (Vec<&str>, f64)> = BTreeMap::new();

@@ -101,7 +101,7 @@ fn processor_seconds(times: &str) -> f64 {
 
 /// Runs parts of one program with one alteration.
 pub fn run(program: &Program, names: &[&str], k: u32, seconds: f64, out: &Path) -> Result<Outcome, String> {
-    let limit = (6.0 + 8.0 * seconds).ceil() as u64;
+    let limit = (4.0 + 8.0 * seconds).ceil() as u64;
     let file = File::create(out).map_err(|error| format!("{}: {error}", out.display()))?;
     let status = command(program, names, limit)
         .env("ALTERED", k.to_string())
