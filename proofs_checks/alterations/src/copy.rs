@@ -29,7 +29,7 @@ pub fn build(
 ) -> Result<Built, String> {
     let copy = scratch.join("workspace");
     synchronise(root, &copy, files)?;
-    add_runtime(&copy, files)?;
+    write_manifests(root, &copy, files)?;
     let mut alterations = Vec::new();
     let mut found: Vec<(String, Found)> = Vec::new();
     for (index, file) in files.iter().enumerate() {
@@ -116,28 +116,8 @@ fn put(path: &Path, text: &str) -> Result<(), String> {
     std::fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))
 }
 
-/// Makes the copy equal to the workspace but for the altered files; files that are equal keep their times.
+/// Makes the copy equal to the workspace but for the altered files and the manifests; files that are equal keep their times.
 fn synchronise(root: &Path, copy: &Path, files: &[String]) -> Result<(), String> {
-    let list = |folder: &Path| -> Result<BTreeMap<PathBuf, PathBuf>, String> {
-        let mut all = BTreeMap::new();
-        let mut open = vec![folder.to_path_buf()];
-        while let Some(next) = open.pop() {
-            let Ok(entries) = std::fs::read_dir(&next) else { continue };
-            for entry in entries.filter_map(Result::ok) {
-                let path = entry.path();
-                let name = entry.file_name();
-                if ["target", ".git", "node_modules", "altered"].iter().any(|skipped| name == *skipped) {
-                    continue;
-                }
-                if path.is_dir() {
-                    open.push(path);
-                } else if let Ok(relative) = path.strip_prefix(folder) {
-                    all.insert(relative.to_path_buf(), path.clone());
-                }
-            }
-        }
-        Ok(all)
-    };
     let (wanted, there) = (list(root)?, list(copy)?);
     for (relative, path) in &there {
         if !wanted.contains_key(relative) {
@@ -157,42 +137,65 @@ fn synchronise(root: &Path, copy: &Path, files: &[String]) -> Result<(), String>
             std::fs::copy(path, &target).map_err(|error| format!("{}: {error}", target.display()))?;
         }
     }
-    for relative in wanted.keys().filter(|relative| relative.ends_with("Cargo.toml")) {
-        put_if_new(&copy.join(relative), &read(&root.join(relative))?)?;
-    }
     Ok(())
+}
+
+/// All files of a workspace, by their paths within it.
+fn list(folder: &Path) -> Result<BTreeMap<PathBuf, PathBuf>, String> {
+    let mut all = BTreeMap::new();
+    let mut open = vec![folder.to_path_buf()];
+    while let Some(next) = open.pop() {
+        let Ok(entries) = std::fs::read_dir(&next) else { continue };
+        for entry in entries.filter_map(Result::ok) {
+            let path = entry.path();
+            let name = entry.file_name();
+            if ["target", ".git", "node_modules", "altered"].iter().any(|skipped| name == *skipped) {
+                continue;
+            }
+            if path.is_dir() {
+                open.push(path);
+            } else if let Ok(relative) = path.strip_prefix(folder) {
+                all.insert(relative.to_path_buf(), path.clone());
+            }
+        }
+    }
+    Ok(all)
 }
 
 fn put_if_new(path: &Path, text: &str) -> Result<(), String> {
     if std::fs::read_to_string(path).is_ok_and(|old| old == text) { Ok(()) } else { put(path, text) }
 }
 
-/// Adds the crate of the switches, on which every crate with an altered file depends.
-fn add_runtime(copy: &Path, files: &[String]) -> Result<(), String> {
+/// The manifests, with the crate of the switches, on which every crate with an altered file depends.
+fn write_manifests(root: &Path, copy: &Path, files: &[String]) -> Result<(), String> {
     put_if_new(&copy.join("altered/src/lib.rs"), include_str!("altered.rs"))?;
     let manifest = "[package]\nname = \"altered\"\nversion = \"0.0.0\"\nedition = \"2024\"\n";
     put_if_new(&copy.join("altered/Cargo.toml"), manifest)?;
-    let folders: BTreeSet<&str> = files.iter().filter_map(|file| file.split_once("/src/").map(|(f, _)| f)).collect();
-    let path = copy.join("altered");
-    for folder in folders {
-        let manifest = copy.join(folder).join("Cargo.toml");
-        let text = read(&manifest)?;
-        let line = format!("[dependencies]\naltered = {{ path = {:?} }}", path.display().to_string());
-        let text = if text.contains("\n[dependencies]") {
-            text.replacen("[dependencies]", &line, 1)
-        } else {
-            format!("{text}\n{line}\n")
-        };
-        put_if_new(&manifest, &text)?;
+    let altered: BTreeSet<&str> = files.iter().filter_map(|file| file.split_once("/src/").map(|(f, _)| f)).collect();
+    let line = format!("[dependencies]\naltered = {{ path = {:?} }}", copy.join("altered").display().to_string());
+    for relative in list(root)?.keys().filter(|relative| relative.ends_with("Cargo.toml")) {
+        let mut text = read(&root.join(relative))?;
+        let folder = relative.parent().and_then(Path::to_str).unwrap_or_default();
+        if altered.contains(folder) && text.contains("\n[dependencies]") {
+            text = text.replacen("[dependencies]", &line, 1);
+        } else if altered.contains(folder) {
+            text = format!("{text}\n{line}\n");
+        }
+        if folder.is_empty() {
+            text = without_lints(&text)?;
+        }
+        put_if_new(&copy.join(relative), &text)?;
     }
-    // What is altered need not be tidy, nor make sense on its own.
-    let manifest = copy.join("Cargo.toml");
+    Ok(())
+}
+
+/// What is altered need not be tidy, nor make sense on its own.
+fn without_lints(manifest: &str) -> Result<String, String> {
     let lax = "[workspace.lints.rust]\nwarnings = { level = \"allow\", priority = -1 }\narithmetic_overflow = \"allow\"\n\
                unconditional_panic = \"allow\"\noverflowing_literals = \"allow\"\n";
-    let text = read(&manifest)?;
-    let start = text.find("[workspace.lints.rust]").ok_or("no lints in the workspace")?;
-    let end = start + text[start..].find("\n[").map_or(text.len() - start, |at| at + 1);
-    put_if_new(&manifest, &format!("{}{lax}\n{}", &text[..start], &text[end..]))
+    let start = manifest.find("[workspace.lints.rust]").ok_or("no lints in the workspace")?;
+    let end = start + manifest[start..].find("\n[").map_or(manifest.len() - start, |at| at + 1);
+    Ok(format!("{}{lax}\n{}", &manifest[..start], &manifest[end..]))
 }
 
 struct Messages {

@@ -19,7 +19,7 @@ use table::{Equivalents, Table, path_of};
 
 const USE: &str =
     "use: flockproof-alterations [--file FILE|FOLDER].. [--shard K/N] [--again missed|all] [--noticers N] [--jobs N]
-       [--tests PACKAGE].. [--longest SECONDS] [--only FILE].. [--scratch FOLDER] [--no-claims] | --summary | --missed
+       [--tests PACKAGE].. [--longest SECONDS] [--ledger JSON] [--only FILE].. [--scratch FOLDER] [--no-claims] | --summary | --missed | --judge
 
 --file      a source file or a folder of sources of a crate, from the root of the repository
 --shard     every N-th alteration, from the K-th on
@@ -27,9 +27,11 @@ const USE: &str =
 --noticers  how many claims and tests are recorded for each alteration (1)
 --tests     tests of further packages
 --longest   leave out claims and tests that take longer than so many seconds
+--ledger    a ledger of `verify --json`: claims that took longer there are not even run once
 --only      alter all the files, but try only those of this one
 --scratch   where the altered copy is built (the folder of temporary files)
---summary   the recorded results in a table, with those that are out of date; --missed: those that are missed";
+--summary   the recorded results in a table, with those that are out of date; --missed: those that are missed
+--judge     compares what was missed with equivalent.tsv again";
 
 struct Arguments {
     files: Vec<String>,
@@ -39,6 +41,7 @@ struct Arguments {
     jobs: usize,
     packages: BTreeSet<String>,
     longest: f64,
+    ledger: Option<PathBuf>,
     only: Vec<String>,
     scratch: PathBuf,
     claims: bool,
@@ -54,6 +57,7 @@ fn arguments(root: &Path) -> Result<Arguments, String> {
         jobs: 1,
         packages: BTreeSet::new(),
         longest: f64::INFINITY,
+        ledger: None,
         only: Vec::new(),
         scratch: std::env::temp_dir().join("flockproof-alterations"),
         claims: true,
@@ -65,7 +69,7 @@ fn arguments(root: &Path) -> Result<Arguments, String> {
             parsed.claims = false;
             continue;
         }
-        if word == "--summary" || word == "--missed" {
+        if ["--summary", "--missed", "--judge"].contains(&word.as_str()) {
             parsed.show = Some(word);
             continue;
         }
@@ -83,6 +87,7 @@ fn arguments(root: &Path) -> Result<Arguments, String> {
                 parsed.packages.insert(value);
             }
             "--longest" => parsed.longest = value.parse().map_err(|_| USE)?,
+            "--ledger" => parsed.ledger = Some(PathBuf::from(value)),
             "--only" => parsed.only.extend(sources(root, &value)?),
             "--scratch" => parsed.scratch = PathBuf::from(value),
             _ => return Err(USE.to_string()),
@@ -142,7 +147,11 @@ fn run() -> Result<(), String> {
     let arguments = arguments(&root)?;
     let equivalents = Equivalents::read(&here.join("equivalent.tsv"));
     if let Some(what) = &arguments.show {
-        return show(&root, &results, what == "--missed");
+        return if what == "--judge" {
+            judge(&root, &results, &equivalents)
+        } else {
+            show(&root, &results, what == "--missed")
+        };
     }
     std::fs::create_dir_all(&results).map_err(|error| error.to_string())?;
     std::fs::create_dir_all(&arguments.scratch).map_err(|error| error.to_string())?;
@@ -169,6 +178,10 @@ fn recorded_probes(arguments: &Arguments, programs: &[Program], root: &Path) -> 
     let mut wanted = Vec::new();
     for (k, program) in programs.iter().enumerate() {
         wanted.extend(probes::names(program, root)?.into_iter().map(|name| (k, name)));
+    }
+    if let Some(path) = &arguments.ledger {
+        let slow = slow_claims(path, arguments.longest)?;
+        wanted.retain(|(_, name)| !slow.contains(name));
     }
     // What a program reached is kept with its digest.
     let cache = arguments.scratch.join("reach.tsv");
@@ -228,6 +241,15 @@ fn recorded_probes(arguments: &Arguments, programs: &[Program], root: &Path) -> 
     std::fs::write(&cache, found.iter().map(row).collect::<String>()).map_err(|error| error.to_string())?;
     eprintln!("{} claims and tests, {:.0} s", found.len(), found.iter().map(|probe| probe.seconds).sum::<f64>());
     Ok(found)
+}
+
+/// The claims that took longer in a ledger.
+fn slow_claims(path: &Path, longest: f64) -> Result<BTreeSet<String>, String> {
+    let text = std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let ledger: serde_json::Value = serde_json::from_str(&text).map_err(|error| error.to_string())?;
+    let claims = ledger["claims"].as_array().ok_or_else(|| format!("{} is no ledger", path.display()))?;
+    let slow = claims.iter().filter(|claim| claim["seconds"].as_f64().is_some_and(|seconds| seconds > longest));
+    Ok(slow.filter_map(|claim| claim["id"].as_str()).map(String::from).collect())
 }
 
 struct Campaign<'a> {
@@ -372,6 +394,20 @@ impl Campaign<'_> {
         }
         Ok(noticed)
     }
+}
+
+/// Applies the list of equivalent alterations to the recorded results.
+fn judge(root: &Path, results: &Path, equivalents: &Equivalents) -> Result<(), String> {
+    let entries = std::fs::read_dir(results).map_err(|error| format!("{}: {error}", results.display()))?;
+    for path in entries.filter_map(Result::ok).map(|entry| entry.path()) {
+        let Some(mut table) = Table::recorded(&path) else { return Err(format!("{} is no table", path.display())) };
+        let source = std::fs::read_to_string(root.join(&table.file)).unwrap_or_default();
+        if table::digest(&source) == table.digest {
+            table.judge(&source, equivalents);
+            table.write(results)?;
+        }
+    }
+    Ok(())
 }
 
 /// The recorded results: a row for each file.

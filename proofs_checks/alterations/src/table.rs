@@ -106,12 +106,26 @@ impl Table {
         std::fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))
     }
 
+    /// Tells apart again what was missed: equivalent where a reason is known.
+    pub fn judge(&mut self, source: &str, equivalents: &Equivalents) {
+        let lines: Vec<&str> = source.lines().collect();
+        for row in self.rows.values_mut().filter(|row| row.verdict != "caught") {
+            let line = lines.get(row.line - 1).copied().unwrap_or_default();
+            match equivalents.why(&self.file, line, &row.original, &row.altered) {
+                Some(why) => (row.verdict, row.by) = ("equivalent".to_string(), why.to_string()),
+                None if row.verdict == "equivalent" => (row.verdict, row.by) = ("missed".to_string(), String::new()),
+                None => {}
+            }
+        }
+    }
+
     pub fn count(&self, verdict: &str) -> usize {
         self.rows.values().filter(|row| row.verdict == verdict).count()
     }
 }
 
-/// Alterations that change nothing that is promised, with the reason: file, the line of the source, what is altered, into what.
+/// Alterations that change nothing that is promised, with the reason: file, the line of the source, what is altered, into what. `*`
+/// stands for whatever is altered in the line, but for leaving out a statement.
 pub struct Equivalents(Vec<[String; 5]>);
 
 impl Equivalents {
@@ -126,7 +140,9 @@ impl Equivalents {
 
     pub fn why(&self, file: &str, line: &str, original: &str, altered: &str) -> Option<&str> {
         let is_this = |row: &&[String; 5]| {
-            row[0] == file && row[1] == line.trim() && row[2] == original && (row[3] == altered || row[3] == "*")
+            let anything = row[2] == "*" && altered != "(left out)";
+            let is_alteration = anything || row[2] == original && (row[3] == altered || row[3] == "*");
+            row[0] == file && row[1] == line.trim() && is_alteration
         };
         self.0.iter().find(is_this).map(|row| row[4].as_str())
     }
