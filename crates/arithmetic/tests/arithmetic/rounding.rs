@@ -101,8 +101,13 @@ proptest! {
                 prop_assert!(!has_zero);
                 let (lo, hi) = span(a.iter().flat_map(|p| b.iter().map(move |q| p / q)));
                 prop_assert!(is_rounded_once(&result, &lo, &hi), "{:?} is not [{}, {}]", result, lo, hi);
+                prop_assert_eq!(result.precision(), x.precision().min(y.precision()));
+                prop_assert!(is_rounded_once(&y.recip().unwrap(), &b[1].recip(), &b[0].recip()));
             }
         }
+        // Roots and logarithms of what is not positive are refused, wherever the upper end lies.
+        prop_assert_eq!(x.sqrt().is_err(), a[0].is_negative());
+        prop_assert!(a[0].is_positive() || x.ln().is_err());
     }
 
     #[test]
