@@ -215,8 +215,10 @@ fn recorded_probes(arguments: &Arguments, programs: &[Program], root: &Path) -> 
             let (wanted, next, found, wrong) = (&wanted, &next, &found, &wrong);
             scope.spawn(move || {
                 let log = arguments.scratch.join(format!("reach-{job}"));
+                // Recording takes a little longer than a run.
+                let limit = if arguments.longest.is_finite() { 2 + (3.0 * arguments.longest) as u64 } else { 600 };
                 while let Some((program, name)) = wanted.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    match probes::record(&programs[*program], name, &log) {
+                    match probes::record(&programs[*program], name, limit, &log) {
                         Ok(Some((seconds, reach))) => {
                             let probe = Probe { program: *program, name: name.clone(), seconds, reach };
                             found.lock().unwrap_or_else(|e| e.into_inner()).push(probe);
@@ -230,7 +232,7 @@ fn recorded_probes(arguments: &Arguments, programs: &[Program], root: &Path) -> 
     });
     let wrong = wrong.into_inner().unwrap_or_else(|e| e.into_inner());
     if !wrong.is_empty() {
-        eprintln!("left out, because they fail unaltered: {}", wrong.join(", "));
+        eprintln!("left out, because they fail unaltered or take too long: {}", wrong.join(", "));
     }
     let mut found = found.into_inner().unwrap_or_else(|e| e.into_inner());
     found.sort_by(|a, b| a.seconds.total_cmp(&b.seconds).then_with(|| a.name.cmp(&b.name)));

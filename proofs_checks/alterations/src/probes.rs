@@ -74,10 +74,10 @@ fn command(program: &Program, names: &[&str], limit: u64) -> Command {
 }
 
 /// Runs one part unaltered: whether it passes, how long it takes, and what it reaches.
-pub fn record(program: &Program, name: &str, log: &Path) -> Result<Option<(f64, BTreeSet<u32>)>, String> {
+pub fn record(program: &Program, name: &str, limit: u64, log: &Path) -> Result<Option<(f64, BTreeSet<u32>)>, String> {
     let _ = std::fs::remove_file(log);
     let times = log.with_extension("times");
-    let status = command(program, &[name], 600)
+    let status = command(program, &[name], limit)
         .env("ALTERED", "record")
         .env("ALTERED_LOG", log)
         .env("ALTERED_TIMES", &times)

@@ -72,6 +72,12 @@ fn fractions_are_exact_or_a_step_wide() {
         assert!(exact(found.lo()) <= q && q <= exact(found.hi()), "{q}");
         assert!(found.lo().next_up().next_up().next_up() >= found.hi(), "{q}: {found}");
     }
+    // A denominator that is no float moves the quotient by more than a step.
+    for p in 1..400 {
+        let (p, q) = (p, (3 << 52) + 1);
+        let (found, exactly) = (x.ratio(p, q), rational(p, q));
+        assert!(exact(found.lo()) <= exactly && exactly <= exact(found.hi()), "{p}/{q}");
+    }
     assert_eq!(FloatInterval::from_rational(&rational(3, 4)), FloatInterval::point(0.75));
     for (p, q) in [(1, 3), (-22, 7), (1, 1_000_000_007), (limit + 1, 1)] {
         let found = FloatInterval::from_rational(&rational(p, q));

@@ -226,6 +226,7 @@ fn carries_and_exact_numbers() {
     let exact = Interval::from_rational(&rational(3 << 40, 1), 8);
     assert_eq!(exact.lo(), exact.hi());
     assert_eq!(Dyadic::zero().top(), i64::MIN / 4);
+    assert!(Dyadic::new(BigInt::ZERO, -5).to_rational().is_integer());
     assert_eq!(Dyadic::new(BigInt::from_slice(Sign::Minus, &[1]), -1).floor(), BigInt::from(-1));
     assert_eq!(Interval::from_rational(&rational(1, 3), 3).precision(), 8);
     assert_eq!(Interval::between(Dyadic::zero(), Dyadic::zero(), 0).precision(), 8);
