@@ -255,3 +255,17 @@ fn what_differs_is_noticed() {
         assert!(!is_as_shown(shown, &printed), "{shown:?}");
     }
 }
+
+#[test]
+fn recorded_alterations_are_of_sources_that_exist() {
+    let folder = root().join("proofs_checks/alterations/results");
+    let tables: Vec<PathBuf> =
+        std::fs::read_dir(&folder).expect("results").map(|entry| entry.expect("an entry").path()).collect();
+    assert!(!tables.is_empty());
+    for table in tables {
+        let text = std::fs::read_to_string(&table).expect("a table");
+        let source = text.split('\t').next().unwrap_or_default();
+        assert!(root().join(source).is_file(), "{} is about {source}, which is not there", table.display());
+        assert!(text.lines().skip(1).all(|line| line.split('\t').count() == 6), "{}", table.display());
+    }
+}

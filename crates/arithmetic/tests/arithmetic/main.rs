@@ -3,7 +3,9 @@
 mod arb;
 mod ball;
 mod complex_dual_series;
+mod float_interval;
 mod identity;
 mod interval;
 mod number;
+mod rounding;
 mod surd;
