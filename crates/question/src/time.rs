@@ -233,8 +233,16 @@ fn until(
     names.extend(moving_names(evaluator, second));
     let covered = timeline.pieces(&begin, end.as_ref(), &names)?;
     let [keeps, comes] = [first, second].map(|body| Operator { timeline, evaluator, body, negated: false });
-    let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
-    let (mut kept, mut doubt, mut judged) = (true, None, 0);
+    // Cut where now may be at the latest.
+    let cut = |piece: Piece| match &at.to {
+        Some(now) if piece.from < *now && piece.to.as_ref().is_none_or(|end| now < end) => {
+            vec![Piece { to: Some(now.clone()), ..piece.clone() }, Piece { from: now.clone(), ..piece }]
+        }
+        _ => vec![piece],
+    };
+    let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().flat_map(cut).map(|piece| (piece, DEPTH)).collect();
+    queue.reverse();
+    let (mut kept, mut may_have_come, mut doubt, mut judged) = (true, false, None, 0);
     let mut margin = LargestUntil::new(covered.rest.is_some());
     while let Some((piece, depth)) = queue.pop() {
         let (keeping, keeps_by) = keeps.judge(&piece)?;
@@ -250,8 +258,8 @@ fn until(
             margin.include(keeps_by, comes_by, inside);
             return Ok((Truth::True, margin.so_far()));
         }
-        let settled = coming == Truth::False && (keeping == Truth::True || keeping == Truth::False && after);
-        let wanted = !settled && judged < MOST_JUDGED && depth > 0 && doubt.is_none();
+        let settled = coming == Truth::False && !matches!(keeping, Truth::Unknown(_));
+        let wanted = !settled && judged < MOST_JUDGED && depth > 0 && !may_have_come;
         if let Some([one, two]) = timeline.halves(&piece).filter(|_| wanted) {
             queue.extend([(two, depth - 1), (one, depth - 1)]);
             continue;
@@ -259,13 +267,17 @@ fn until(
         margin.include(keeps_by, comes_by, inside);
         match (keeping, coming) {
             // From here on it is too late.
-            (Truth::False, Truth::False) if after && doubt.is_none() => return Ok((Truth::False, margin.so_far())),
+            (Truth::False, Truth::False) if after && !may_have_come => {
+                return Ok((Truth::False, margin.so_far()));
+            }
             (Truth::True, Truth::False) => {}
             (Truth::True, truth) => {
+                may_have_come = true;
                 doubt.get_or_insert_with(|| at_time(truth, &piece));
             }
-            (truth, _) => {
+            (truth, coming) => {
                 kept = false;
+                may_have_come |= coming != Truth::False;
                 doubt.get_or_insert_with(|| at_time(truth, &piece));
             }
         }
