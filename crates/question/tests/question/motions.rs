@@ -93,9 +93,9 @@ fn twelve_steered_particles_are_enclosed() {
 #[test]
 fn platoons_on_a_line_are_decided_on_the_sum_over_modes() {
     // Far more cars and far longer than steps could follow.
-    let (text, long) = (platoon(20), "always[0, 60](abs(last_deviation) < 3 and min_gap > 1)");
+    let (text, long) = (platoon(12), "always[0, 40](abs(last_deviation) < 3 and min_gap > 1)");
     assert_eq!(verdict(&text, long), Verdict::Holds);
-    assert_eq!(verdict(&text, "always[0, 60](abs(last_deviation) < 1/4)"), Verdict::False);
+    assert_eq!(verdict(&text, "always[0, 40](abs(last_deviation) < 1/4)"), Verdict::False);
     // The same platoon by steps: with the graph written as arcs that say the same, but in a network of its own.
     let short = platoon(3);
     let stepped = short.replace("communication = \"front-and-back\"\n", "").replace(
