@@ -1,4 +1,4 @@
-"""How a sweep scales with the workers of a Dask cluster on this machine: W10's 100 000 peaks.
+"""How a sweep scales with the workers of a Dask cluster on this machine: W11's 100 000 peaks.
 
 usage: python scaling.py [WORKERS ..]      (default: 1 2)
 
@@ -14,7 +14,7 @@ from pathlib import Path
 
 import flockproof
 from distributed import Client, LocalCluster
-from w10_sweep import QUESTION
+from w11_sweep import QUESTION
 
 
 def swept(client, threads):

@@ -197,8 +197,14 @@ fn finished(summary: &Summary, canonical: &str, store: Option<&Path>, json: bool
     } else {
         output::print(&text(summary, store))?;
     }
-    Ok(ExitCode::from(u8::from(summary.failed() > 0)))
+    Ok(match (summary.failed() > 0, summary.controls_bite()) {
+        (_, false) => ExitCode::from(WITHHELD),
+        (failed, true) => ExitCode::from(u8::from(failed)),
+    })
 }
+
+/// As `check` ends where a control is not refuted.
+const WITHHELD: u8 = 4;
 
 /// Where a failure is written: to the store, and a question without a store where `check` writes it, too.
 fn file_of(store: Option<&Path>, id: &str, failed: &Failed) -> Option<PathBuf> {
@@ -219,6 +225,13 @@ fn text(summary: &Summary, store: Option<&Path>) -> String {
             "{:<widest$} {:>10} {:>7} {:>10} {margin:>12}\n",
             own.id, own.cases, own.failed, own.undecided
         ));
+    }
+    for own in summary.invariants.iter().filter(|own| !own.controls.is_empty()) {
+        let (refuted, total) = (own.refuted(), own.controls.len());
+        text.push_str(&format!("controls refuted: {refuted} of {total}\n"));
+        if refuted < total {
+            text.push_str("A control that no case refutes shows no bite: nothing follows from these cases.\n");
+        }
     }
     for own in &summary.invariants {
         for failed in &own.failures {

@@ -223,19 +223,21 @@ struct Particles {
     drawn: Option<String>,
 }
 
+/// Networks of the particle model.
+pub(super) const PARTICLES: Abilities = Abilities {
+    model: "particle",
+    positions: true,
+    directed: true,
+    edges: false,
+    timed: true,
+    most_switching: usize::MAX,
+    default: Some(Kind::AllToAll),
+};
+
 /// Reads the particle model.
 pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
-    let can = Abilities {
-        model: "particle",
-        positions: true,
-        directed: true,
-        edges: false,
-        timed: true,
-        most_switching: usize::MAX,
-        default: Some(Kind::AllToAll),
-    };
-    let network = Network::read(source, start.agents(), can)?;
+    let network = Network::read(source, start.agents(), PARTICLES)?;
     let step = read_step(source, &network)?;
     let law = source.needed("law")?;
     law.allow(&["omega0", "K0", "K1", "K", "drift", "beacon", "reference"], " of the particle model")?;

@@ -1,6 +1,6 @@
-"""W10: a sweep of 100 000 main resonances, followers 2..41, f and g in -0.5, -0.6, .., -5.4, by the Python package, against python-control.
+"""W11: a sweep of 100 000 main resonances, followers 2..41, f and g in -0.5, -0.6, .., -5.4, by the Python package, against python-control.
 
-usage: python w10_sweep.py [MEMBERS]
+usage: python w11_sweep.py [MEMBERS]
 
 Needs the package (`python3 -m pip install ./python`) and `control` with NumPy and SciPy. Ours: `flockproof.sweep` on one thread, peak and its
 frequency enclosed to 15 digits, all of the table written and read. Theirs, for MEMBERS of the grid (40) spread evenly over it: the frequency response
@@ -15,7 +15,7 @@ from common import emit
 
 GAINS = ["-%d/10" % k for k in range(5, 55)]
 QUESTION = {
-    "question": {"id": "w10.peaks"},
+    "question": {"id": "w11.peaks"},
     "for": {"followers": "2..41", "f": GAINS, "g": GAINS},
     "values": {"peak": "peak", "frequency": "peak_frequency"},
 }
@@ -47,7 +47,7 @@ def main():
     theirs = (time.perf_counter() - start) * len(table) / len(found)
     differ = int(sum(abs(a / float(table[i]["peak"]) - 1) > 1e-6 for a, i in zip(found, members)))
     version = "flockproof %s, control %s" % (flockproof.__version__, control.__version__)
-    emit("W10", "control_freq", version, "%d peaks" % len(table), ours, "", peer_seconds=float("%.4g" % theirs),
+    emit("W11", "control_freq", version, "%d peaks" % len(table), ours, "", peer_seconds=float("%.4g" % theirs),
          ratio=float("%.3g" % (ours / theirs)), looked_at=len(found), differ=differ)
 
 
