@@ -89,7 +89,7 @@ fn coefficients(wanted: &dyn Fn(&str) -> bool) {
                 .collect::<Vec<_>>()
         });
         let (numerator, denominator) = result.last().expect("not empty").clone();
-        let tau = num_rational::BigRational::new(numerator.into(), denominator.into());
+        let tau = flockproof::arithmetic::Rational::new(numerator.into(), denominator.into());
         emit("W2", "flockproof", &size, seconds, &sha(&format!("{}/{}", tau.numer(), tau.denom())));
     }
 }
@@ -97,7 +97,7 @@ fn coefficients(wanted: &dyn Fn(&str) -> bool) {
 /// The enclosures rounded to 25 significant digits, which both ends must agree on, as the Arb script prints them.
 fn rounded(x: &Interval) -> String {
     let (lo, hi) = x.to_rationals();
-    let round = |q: &num_rational::BigRational| {
+    let round = |q: &flockproof::arithmetic::Rational| {
         // Half a unit of the 25th digit up, then down.
         let leading = q.to_f64().expect("finite").log10().floor() as i32;
         let half = rational(5, 1) * rational(10, 1).pow(leading - 25);

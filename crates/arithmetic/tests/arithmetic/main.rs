@@ -6,4 +6,5 @@ mod complex_dual_series;
 mod identity;
 mod interval;
 mod number;
+mod rational;
 mod surd;
