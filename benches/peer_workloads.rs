@@ -43,9 +43,14 @@ fn sha(text: &str) -> String {
 }
 
 fn emit(workload: &str, peer: &str, size: &str, seconds: f64, checksum: &str) {
+    emit_log((workload, peer, size), seconds, checksum, "");
+}
+
+/// With the text of which the checksum is, so that texts that differ can be compared.
+fn emit_log((workload, peer, size): (&str, &str, &str), seconds: f64, checksum: &str, log: &str) {
     println!(
         "{{\"workload\": \"{workload}\", \"peer\": \"{peer}\", \"size\": \"{size}\", \"seconds\": {seconds:.4e}, \
-         \"checksum\": \"{checksum}\"}}"
+         \"checksum\": \"{checksum}\", \"log\": \"{log}\"}}"
     );
 }
 
@@ -266,7 +271,8 @@ fn network_log(wanted: &dyn Fn(&str) -> bool) {
             pairs.sort_unstable();
             entries.extend(pairs.into_iter().map(|(j, i)| format!("{}:{j}-{i}", switch.time)));
         }
-        emit("W9", "flockproof", &size, seconds, &sha(&entries.join(",")));
+        let log = entries.join(",");
+        emit_log(("W9", "flockproof", &size), seconds, &sha(&log), &log);
     }
 }
 

@@ -109,6 +109,15 @@ impl Rational {
         }
     }
 
+    /// Numerator and denominator, where both are words.
+    #[inline]
+    pub(crate) fn words(&self) -> Option<(i64, i64)> {
+        match self.0 {
+            Parts::Small(p, q) => Some((p, q)),
+            Parts::Big(_) => None,
+        }
+    }
+
     /// Numerator and denominator.
     pub fn into_raw(self) -> (BigInt, BigInt) {
         match self.0 {

@@ -1,6 +1,6 @@
 //! paley.fig8.neg: synchronised clusters in Figure 8(a), fewer in larger zones of orientation.
 
-use super::runs::{SPACING, TYPICAL, fly, simulated};
+use super::runs::{Flights, SPACING, TYPICAL, simulated};
 use super::zone_circles::splay_pulls_back;
 use crate::paley::runs::{ZoneFormation, ZoneLaw};
 use crate::shares::judged;
@@ -9,10 +9,11 @@ use models::oscillator::CLUSTER;
 use motion::{Sample, Share};
 
 /// The sign of `K_1`, and the numbers `M` whose zones are compared.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct FewerVariant {
     sign: f64,
     zones: [usize; 3],
+    flights: Flights,
 }
 
 /// A size of `K_1` that is tried.
@@ -40,7 +41,9 @@ fn trials(run: &Run) -> &'static [Trial] {
 }
 
 pub fn fewer_clusters() -> Record<FewerVariant> {
-    let printed = FewerVariant { sign: -1.0, zones: ZoneFormation::CLUSTERS };
+    let flights = Flights::default();
+    let altered = |sign: f64, zones: [usize; 3]| FewerVariant { sign, zones, flights: flights.clone() };
+    let printed = altered(-1.0, ZoneFormation::CLUSTERS);
     Record::new(
         "paley.fig8.neg",
         "Particles \"in overlapping orientation zones\" are those of which one senses the other in its zone \
@@ -74,9 +77,9 @@ pub fn fewer_clusters() -> Record<FewerVariant> {
          -K_0/2, -K_0, -5 K_0 and -10 K_0 too; particles are in overlapping zones where \
          one senses the other; fewer: the mean number of clusters over the same starts decreases.",
     )
-    .control("K_1 > 0", FewerVariant { sign: 1.0, ..printed })
-    .control("from M = 8 to 12", FewerVariant { zones: [8, 12, 2], ..printed })
-    .control("from M = 2 to 8", FewerVariant { zones: [12, 2, 8], ..printed })
+    .control("K_1 > 0", altered(1.0, ZoneFormation::CLUSTERS))
+    .control("from M = 8 to 12", altered(-1.0, [8, 12, 2]))
+    .control("from M = 2 to 8", altered(-1.0, [12, 2, 8]))
 }
 
 fn examine_fewer_clusters(variant: &FewerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -111,12 +114,12 @@ impl Ends {
     /// Goes on to so many starts.
     fn reach(
         &mut self,
-        formation: &ZoneFormation,
+        (formation, flights): (&ZoneFormation, &Flights),
         (starts, lengths): (usize, usize),
         run: &Run,
     ) -> Result<(), CheckError> {
         for seed in self.numbers.len()..starts {
-            let flight = fly(formation, (seed as u64, lengths), run)?;
+            let flight = flights.fly(formation, (seed as u64, lengths), run)?;
             self.numbers.push(flight.clusters(CLUSTER).len() as f64);
             self.together = self.together.with(formation.sensed_apart(&flight) < CLUSTER);
         }
@@ -134,7 +137,7 @@ fn examine_gain(variant: &FewerVariant, (law, trial): (ZoneLaw, Trial), run: &mu
     let pairs = if law == ZoneLaw::Printed { trial.pairs } else { few };
     let (mut parts, mut ends): (Vec<Evidence>, [Ends; 3]) = (Vec::new(), Default::default());
     for (formation, own) in formations.iter().zip(&mut ends) {
-        own.reach(formation, (few, trial.lengths), run)?;
+        own.reach((formation, &variant.flights), (few, trial.lengths), run)?;
         let what = format!(
             "{setting}, M = {}: all that sense each other are within 10 degrees in {}",
             formation.clusters, own.together
@@ -148,8 +151,8 @@ fn examine_gain(variant: &FewerVariant, (law, trial): (ZoneLaw, Trial), run: &mu
     // What few runs decide comes before the many.
     for (clause, larger, smaller, starts) in [(3, 1, 2, few), (2, 0, 1, pairs)] {
         let [from, to] = [larger, smaller].map(|zone| variant.zones[zone]);
-        ends[larger].reach(&formations[larger], (starts, trial.lengths), run)?;
-        ends[smaller].reach(&formations[smaller], (starts, trial.lengths), run)?;
+        ends[larger].reach((&formations[larger], &variant.flights), (starts, trial.lengths), run)?;
+        ends[smaller].reach((&formations[smaller], &variant.flights), (starts, trial.lengths), run)?;
         let both = ends[larger].numbers.iter().zip(&ends[smaller].numbers);
         let decrease = Sample::new(both.map(|(before, after)| before - after));
         run.value(&format!("decrease_of_clusters_{label}_M_{from}_to_{to}"), decrease.enclosure());
