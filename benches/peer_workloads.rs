@@ -44,9 +44,14 @@ fn sha(text: &str) -> String {
 }
 
 fn emit(workload: &str, peer: &str, size: &str, seconds: f64, checksum: &str) {
+    emit_log((workload, peer, size), seconds, checksum, "");
+}
+
+/// With the text of which the checksum is, so that texts that differ can be compared.
+fn emit_log((workload, peer, size): (&str, &str, &str), seconds: f64, checksum: &str, log: &str) {
     println!(
         "{{\"workload\": \"{workload}\", \"peer\": \"{peer}\", \"size\": \"{size}\", \"seconds\": {seconds:.4e}, \
-         \"checksum\": \"{checksum}\"}}"
+         \"checksum\": \"{checksum}\", \"log\": \"{log}\"}}"
     );
 }
 
@@ -90,7 +95,7 @@ fn coefficients(wanted: &dyn Fn(&str) -> bool) {
                 .collect::<Vec<_>>()
         });
         let (numerator, denominator) = result.last().expect("not empty").clone();
-        let tau = num_rational::BigRational::new(numerator.into(), denominator.into());
+        let tau = flockproof::arithmetic::Rational::new(numerator.into(), denominator.into());
         emit("W2", "flockproof", &size, seconds, &sha(&format!("{}/{}", tau.numer(), tau.denom())));
     }
 }
@@ -98,7 +103,7 @@ fn coefficients(wanted: &dyn Fn(&str) -> bool) {
 /// The enclosures rounded to 25 significant digits, which both ends must agree on, as the Arb script prints them.
 fn rounded(x: &Interval) -> String {
     let (lo, hi) = x.to_rationals();
-    let round = |q: &num_rational::BigRational| {
+    let round = |q: &flockproof::arithmetic::Rational| {
         // Half a unit of the 25th digit up, then down.
         let leading = q.to_f64().expect("finite").log10().floor() as i32;
         let half = rational(5, 1) * rational(10, 1).pow(leading - 25);
@@ -267,7 +272,8 @@ fn network_log(wanted: &dyn Fn(&str) -> bool) {
             pairs.sort_unstable();
             entries.extend(pairs.into_iter().map(|(j, i)| format!("{}:{j}-{i}", switch.time)));
         }
-        emit("W9", "flockproof", &size, seconds, &sha(&entries.join(",")));
+        let log = entries.join(",");
+        emit_log(("W9", "flockproof", &size), seconds, &sha(&log), &log);
     }
 }
 

@@ -46,7 +46,7 @@ PAIRS = [
 
 
 def ours(workload, size, peer):
-    command = ["cargo", "bench", "--quiet", "--bench", "peer_workloads", "--", workload, peer, size]
+    command = ["cargo", "bench", "--quiet", "-p", "flockproof-benches", "--bench", "peer_workloads", "--", workload, peer, size]
     out = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
     lines = [json.loads(line) for line in out.splitlines() if line.startswith("{")]
     return next(line for line in lines if (line["peer"], line["size"]) == (peer, size))
@@ -68,6 +68,14 @@ def same_result(workload, ours, theirs):
     return all(near(key, float(a[key]), float(b[key])) for key in b)
 
 
+def ties(ours, theirs):
+    """Where the peer decides in double precision: its near ties, and how many entries of the two logs differ."""
+    if "ties" not in theirs:
+        return ""
+    a, b = (set(text.split(",")) for text in (ours["log"], theirs["log"]))
+    return "  near ties of the peer: %d; entries that differ: %d of %d" % (theirs["ties"], len(a ^ b), len(a))
+
+
 def main():
     arguments = sys.argv[1:]
     out = arguments.pop(arguments.index("--json") + 1) if "--json" in arguments else None
@@ -83,14 +91,14 @@ def main():
             same = same_result(workload, a["checksum"], b["checksum"])
             key = (workload, size, peer, script[1])
             old = best.get(key, (float("inf"), float("inf"), True))
-            best[key] = (min(old[0], a["seconds"]), min(old[1], b["seconds"]), old[2] and same)
+            best[key] = (min(old[0], a["seconds"]), min(old[1], b["seconds"]), old[2] and same, ties(a, b))
     failed = False
     rows = []
     print("%-4s %-20s %-16s %-12s %10s %10s %6s  %s" % ("", "size", "ours", "theirs", "ours [s]", "theirs", "ratio", "aim"))
     for workload, size, peer, script, bound in pairs:
-        a, b, same = best[(workload, size, peer, script[1])]
+        a, b, same, more = best[(workload, size, peer, script[1])]
         failed |= not same
-        note = "" if same else "  CHECKSUMS DIFFER"
+        note = more + ("" if same else "  CHECKSUMS DIFFER")
         print("%-4s %-20s %-16s %-12s %10.3g %10.3g %6.2f  < %g%s" % (workload, size, peer, script[1], a, b, a / b, bound, note))
         rows.append({"workload": workload, "size": size, "ours": peer, "theirs": script[1], "ratio": round(a / b, 3), "aim": bound})
     if out:

@@ -74,7 +74,7 @@ impl Dyadic {
         } else {
             // Twos are all that can be cancelled.
             let twos = self.mantissa.trailing_zeros().unwrap_or(u64::MAX).min(self.exponent.unsigned_abs());
-            Rational::new_raw(&self.mantissa >> twos, BigInt::one() << (self.exponent.unsigned_abs() - twos))
+            Rational::of_lowest_terms(&self.mantissa >> twos, BigInt::one() << (self.exponent.unsigned_abs() - twos))
         }
     }
 
@@ -185,11 +185,11 @@ impl Dyadic {
 
     /// The nearest dyadic of `bits` significant bits on one side of a rational.
     pub(super) fn from_rational(q: &Rational, bits: u32, round: Round) -> Self {
-        let numerator = Dyadic::new(q.numer().clone(), 0);
+        let numerator = Dyadic::new(q.numer(), 0);
         if q.is_integer() {
             return numerator.rounded(bits, round);
         }
-        numerator.div_rounded(&Dyadic::new(q.denom().clone(), 0), bits, round)
+        numerator.div_rounded(&Dyadic::new(q.denom(), 0), bits, round)
     }
 
     /// The largest integer that is not above the number.

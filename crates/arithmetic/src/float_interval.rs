@@ -36,6 +36,12 @@ impl FloatInterval {
     /// An enclosure of a rational.
     #[inline]
     pub fn from_rational(q: &Rational) -> Self {
+        // Words that floats hold: their quotient is rounded once, and exact where the denominator is a power of two.
+        const EXACT: u64 = 1 << f64::MANTISSA_DIGITS;
+        if let Some((p, q)) = q.words().filter(|(p, q)| p.unsigned_abs() <= EXACT && q.unsigned_abs() <= EXACT) {
+            let x = p as f64 / q as f64;
+            return if (q as u64).is_power_of_two() { FloatInterval::point(x) } else { FloatInterval::outward(x, x) };
+        }
         let enclosure = Interval::from_rational(q, BITS);
         let (lo, hi) = (enclosure.lo().to_f64(), enclosure.hi().to_f64());
         // Floats that are themselves the ends of the enclosure need no step.
@@ -43,6 +49,14 @@ impl FloatInterval {
             FloatInterval::point(lo)
         } else {
             FloatInterval::outward(lo, hi)
+        }
+    }
+
+    /// An enclosure of an interval between dyadics.
+    pub fn from_interval(x: &Interval) -> Self {
+        match (x.lo().is_zero(), x.hi().is_zero()) {
+            (true, true) => FloatInterval::point(0.0),
+            _ => FloatInterval::outward(x.lo().to_f64(), x.hi().to_f64()),
         }
     }
 

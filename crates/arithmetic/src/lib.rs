@@ -17,7 +17,7 @@
 //! | [`Probe`] | one of the three that an identity test needs |
 
 /// Crates that stand in signatures.
-pub use {num_bigint, num_rational, rand_chacha};
+pub use {num_bigint, rand_chacha};
 
 mod ball;
 mod complex;
@@ -57,7 +57,7 @@ pub use number::{NumberError, decimal, decimals, parse_rational, shown, signific
 pub use probe::Probe;
 pub use progress::{Cancelled, Progress, Unwatched};
 pub use radical::RadicalSum;
-pub use rational::{Rational, quotient, rational};
+pub use rational::{NoRational, Rational, gcd, quotient, rational};
 pub use real_cyclotomic::{CosineField, RealCyclotomic};
 pub use regression::regression_line;
 pub use residue::{Residue, is_prime, random_prime};

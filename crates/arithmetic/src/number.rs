@@ -163,7 +163,7 @@ pub fn significant_digits(x: &Interval) -> u32 {
 fn round_scaled(q: &Rational, shift: i64, up: bool) -> BigInt {
     let power = BigInt::from(10).pow(shift.unsigned_abs());
     let (numerator, denominator) =
-        if shift >= 0 { (q.numer() * power, q.denom().clone()) } else { (q.numer().clone(), q.denom() * power) };
+        if shift >= 0 { (q.numer() * power, q.denom()) } else { (q.numer(), q.denom() * power) };
     if up { numerator.div_ceil(&denominator) } else { numerator.div_floor(&denominator) }
 }
 

@@ -26,7 +26,7 @@ impl RadicalSum {
         }
         let (root, square_free) = split_square(radicand.numer() * radicand.denom());
         let term = self.terms.entry(square_free.clone()).or_insert_with(Rational::zero);
-        *term += coefficient * Rational::new(root, radicand.denom().clone());
+        *term += coefficient * Rational::new(root, radicand.denom());
         if term.is_zero() {
             self.terms.remove(&square_free);
         }

@@ -88,8 +88,8 @@ impl Field for Residue {
     fn rational(&self, q: &Rational) -> Self {
         // A constant whose denominator the prime divides has no residue; such primes are as rare as those that a wrong identity survives, and
         // are counted with them.
-        let below = self.of_big(q.denom());
-        Residue::product(&self.of_big(q.numer()), &below.power(self.prime - 2))
+        let below = self.of_big(&q.denom());
+        Residue::product(&self.of_big(&q.numer()), &below.power(self.prime - 2))
     }
 
     fn recip(&self) -> Result<Self, ArithmeticError> {

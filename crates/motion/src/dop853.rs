@@ -110,15 +110,15 @@ impl Integrator {
             }
             self.stages(field, h, STAGES);
             let end = self.before.0 + h;
-            let next = self.partial(STAGES, h);
-            field.rate(end, &next, &mut self.slopes[STAGES]);
-            let error = self.error(&next, h);
+            self.partial(STAGES, h);
+            field.rate(end, &self.stage, &mut self.slopes[STAGES]);
+            let error = self.error(&self.stage, h);
             if error <= 1.0 {
                 let factor = if error == 0.0 { growth } else { (0.9 * error.powf(-0.125)).clamp(0.2, growth) };
                 // A step that was cut short to end at `until` says little about the next one.
                 self.trial = Some(if h < length { length.max(h * factor) } else { h * factor });
                 self.time = if h == left { until } else { end };
-                self.state = next;
+                std::mem::swap(&mut self.state, &mut self.stage);
                 self.steps += 1;
                 return Ok(());
             }
@@ -153,7 +153,8 @@ impl Integrator {
             return self.before.1.clone();
         }
         self.stages(field, h, STAGES);
-        self.partial(STAGES, h)
+        self.partial(STAGES, h);
+        self.stage.clone()
     }
 
     /// The slopes before stage `last`, from the first one on.
@@ -164,18 +165,17 @@ impl Integrator {
     }
 
     fn slope(&mut self, field: &mut impl VectorField, h: f64, i: usize) {
-        self.stage = self.partial(i, h);
+        self.partial(i, h);
         field.rate(self.before.0 + TIMES[i] * h, &self.stage, &mut self.slopes[i]);
     }
 
-    /// The state that the weights of stage `i` give.
-    fn partial(&self, i: usize, h: f64) -> Vec<f64> {
-        let mut state = self.before.1.clone();
+    /// Makes `self.stage` the state that the weights of stage `i` give.
+    fn partial(&mut self, i: usize, h: f64) {
+        self.stage.clone_from(&self.before.1);
         for (weight, slope) in WEIGHTS[i].iter().zip(&self.slopes).filter(|(weight, _)| **weight != 0.0) {
             let factor = weight * h;
-            state.iter_mut().zip(slope).for_each(|(y, k)| *y += factor * k);
+            self.stage.iter_mut().zip(slope).for_each(|(y, k)| *y += factor * k);
         }
-        state
     }
 
     /// The error of a step against the tolerance, by the two estimates.

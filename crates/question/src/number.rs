@@ -252,7 +252,7 @@ impl Number {
                 return Err(Obstacle::Never("sqrt"));
             }
             let (p, r) = (q.numer().sqrt(), q.denom().sqrt());
-            if &p * &p == *q.numer() && &r * &r == *q.denom() {
+            if &p * &p == q.numer() && &r * &r == q.denom() {
                 return Ok(Number::Exact(Rational::new(p, r)));
             }
         }
@@ -364,7 +364,7 @@ impl Number {
 /// `e^(i q pi)`.
 fn cosine_of_turns(q: &Rational, precision: u32) -> Number {
     let two = BigInt::from(2);
-    let turn = Rational::new(q.numer().mod_floor(&(&two * q.denom())), q.denom().clone());
+    let turn = Rational::new(q.numer().mod_floor(&(&two * q.denom())), q.denom());
     // cos(q pi) = cos((2 - q) pi); the angle is then between 0 and pi.
     let angle = if turn > rational(1, 1) { rational(2, 1) - turn } else { turn };
     let exact = [(0, 1, 1, 1), (1, 3, 1, 2), (1, 2, 0, 1), (2, 3, -1, 2), (1, 1, -1, 1)];
@@ -374,7 +374,7 @@ fn cosine_of_turns(q: &Rational, precision: u32) -> Number {
         }
     }
     // e^(i q pi) is a primitive root of unity of order 2 r/gcd(p, 2).
-    let order = if angle.numer().is_even() { angle.denom().clone() } else { angle.denom() * two };
+    let order = if angle.numer().is_even() { angle.denom() } else { angle.denom() * two };
     let degree = order.to_u64().map_or(u64::MAX, |order| totient(order) / 2);
     let x = Number::Turns(angle).enclosure(precision + 8).cos();
     match x {

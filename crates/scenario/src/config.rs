@@ -101,7 +101,7 @@ fn times_of(unit: &Rational, units: u64, rows: usize, sampled: &[Rational]) -> V
     let rounded = |time: &Rational| time.to_f64().unwrap_or(f64::NAN);
     // Two integers that are floats have a quotient that is rounded once.
     let small = |n: &BigInt| n.to_u64().filter(|n| *n < 1 << 53);
-    let parts = small(unit.numer()).zip(small(unit.denom()));
+    let parts = small(&unit.numer()).zip(small(&unit.denom()));
     let time_of = |j: u64| match parts.and_then(|(n, d)| n.checked_mul(j).filter(|n| *n < 1 << 53).map(|n| (n, d))) {
         Some((n, d)) => n as f64 / d as f64,
         None => rounded(&(unit * Rational::from_integer(j.into()))),

@@ -9,6 +9,15 @@ use num_bigint::BigUint;
 /// Entries at least this long are split. Measured, see `benches/product.rs`.
 const KARATSUBA_LIMBS: usize = 16;
 
+/// The same where shorter ones are multiplied by pairs.
+const KARATSUBA_OVER_PAIRS_LIMBS: usize = 26;
+
+/// Entries at least this long are multiplied by pairs.
+const PAIRS_LIMBS: usize = 6;
+
+/// Orders from which pairs are worth their sums.
+const PAIRS_ORDER: usize = 8;
+
 /// Entry `(i, j)` is the little-endian number `limbs[(i cols + j) len ..][..len]`.
 #[derive(Debug, Clone)]
 pub(super) struct LimbMatrix {
@@ -105,8 +114,12 @@ impl LimbMatrix {
 
     fn times_long(&self, right: &Self, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let (shorter, longer) = (self.len.min(right.len), self.len.max(right.len));
-        if shorter >= KARATSUBA_LIMBS && 3 * shorter >= 2 * longer {
+        let pairs = self.cols.is_multiple_of(2) && self.rows.min(self.cols).min(right.cols) >= PAIRS_ORDER;
+        let split_from = if pairs { KARATSUBA_OVER_PAIRS_LIMBS } else { KARATSUBA_LIMBS };
+        if shorter >= split_from && 3 * shorter >= 2 * longer {
             self.times_karatsuba(right, longer.div_ceil(2), progress)
+        } else if pairs && shorter >= PAIRS_LIMBS && 5 * shorter >= 4 * longer {
+            self.times_by_pairs(right, progress)
         } else {
             self.times_schoolbook(right, progress)
         }
@@ -129,6 +142,34 @@ impl LimbMatrix {
             progress.checkpoint()?;
             for (column, slot) in reversed.chunks_exact(right.rows * lb).zip(out_row.chunks_exact_mut(len)) {
                 scan_products(row, la, column, lb, slot);
+            }
+        }
+        Ok(out)
+    }
+
+    /// With half of the products of long numbers, for an even number of columns, by Winograd's identity (1968):
+    /// `sum_k a_2k b_2k + a_2k+1 b_2k+1 = sum_k (a_2k + b_2k+1)(a_2k+1 + b_2k) - x_i - y_j`, where `x_i = sum_k a_2k a_2k+1` depends on the
+    /// row alone and `y_j` on the column.
+    fn times_by_pairs(&self, right: &Self, progress: &dyn Progress) -> Result<Self, Cancelled> {
+        let width = self.len.max(right.len);
+        let top = |limbs: &[u64], len: usize| if len == width { limbs[len - 1] } else { 0 };
+        let full = |m: &Self| m.limbs.chunks_exact(m.len).any(|entry| top(entry, m.len) >> 63 == 1);
+        // A sum of two entries may need a limb more.
+        let width = width + usize::from(full(self) || full(right));
+        let (pairs, length) = (self.cols / 2, 2 * width + 1);
+        let mut work = Pairs::new(pairs, width);
+        let column = |j: usize| move |k: usize| right.entry(k, j);
+        let columns: Vec<Vec<u64>> = (0..right.cols).map(|j| work.own(column(j))).collect();
+        let mut out = LimbMatrix::zeros(self.rows, right.cols, length);
+        let mut slots = out.limbs.chunks_exact_mut(length);
+        for i in 0..self.rows {
+            progress.checkpoint()?;
+            let row = |k: usize| self.entry(i, k);
+            let own = work.own(row);
+            for ((j, others), slot) in columns.iter().enumerate().zip(slots.by_ref()) {
+                work.mixed(row, column(j), slot);
+                add_signed(slot, &own, true);
+                add_signed(slot, others, true);
             }
         }
         Ok(out)
@@ -207,6 +248,58 @@ impl LimbMatrix {
             }
         }
         Ok(to_biguint(&best))
+    }
+}
+
+/// Working space of [`LimbMatrix::times_by_pairs`]: numbers of `width` limbs, those on the right reversed.
+struct Pairs {
+    width: usize,
+    left: Vec<u64>,
+    right: Vec<u64>,
+}
+
+impl Pairs {
+    fn new(pairs: usize, width: usize) -> Self {
+        let numbers = || vec![0; pairs * width];
+        Pairs { width, left: numbers(), right: numbers() }
+    }
+
+    /// `sum_k x_2k x_2k+1`.
+    fn own<'a>(&mut self, x: impl Fn(usize) -> &'a [u64]) -> Vec<u64> {
+        let mut product = vec![0; 2 * self.width + 1];
+        self.sums(|k| (x(2 * k), &[]), |k| (x(2 * k + 1), &[]));
+        scan_products(&self.left, self.width, &self.right, self.width, &mut product);
+        product
+    }
+
+    /// `sum_k (a_2k + b_2k+1)(a_2k+1 + b_2k)`.
+    fn mixed<'a>(&mut self, a: impl Fn(usize) -> &'a [u64], b: impl Fn(usize) -> &'a [u64], slot: &mut [u64]) {
+        self.sums(|k| (a(2 * k), b(2 * k + 1)), |k| (a(2 * k + 1), b(2 * k)));
+        scan_products(&self.left, self.width, &self.right, self.width, slot);
+    }
+
+    fn sums<'a>(
+        &mut self,
+        left: impl Fn(usize) -> (&'a [u64], &'a [u64]),
+        right: impl Fn(usize) -> (&'a [u64], &'a [u64]),
+    ) {
+        let slots = self.left.chunks_exact_mut(self.width).zip(self.right.chunks_exact_mut(self.width));
+        for (k, (to_left, to_right)) in slots.enumerate() {
+            let ((a, b), (c, d)) = (left(k), right(k));
+            sum_into(a, b, to_left.iter_mut());
+            sum_into(c, d, to_right.iter_mut().rev());
+        }
+    }
+}
+
+/// Writes `x + y`, lowest limb first, and zeros.
+fn sum_into<'a>(x: &[u64], y: &[u64], slots: impl Iterator<Item = &'a mut u64>) {
+    let mut carry = false;
+    for (k, slot) in slots.enumerate() {
+        let (a, b) = (x.get(k).copied().unwrap_or(0), y.get(k).copied().unwrap_or(0));
+        let (sum, first) = a.overflowing_add(b);
+        let (sum, second) = sum.overflowing_add(u64::from(carry));
+        (*slot, carry) = (sum, first | second);
     }
 }
 

@@ -77,7 +77,7 @@ impl RationalMatrix {
         let mut denominator = BigInt::one();
         for x in rows.iter().flatten() {
             progress.checkpoint()?;
-            denominator = denominator.lcm(x.denom());
+            denominator = denominator.lcm(&x.denom());
         }
         let numerators = rows.iter().flatten().map(|x| x.numer() * (&denominator / x.denom())).collect();
         RationalMatrix::new(rows.len(), cols, numerators, denominator)
@@ -158,7 +158,7 @@ impl RationalMatrix {
             return Err(MatrixError::Shapes { left_cols: self.cols, right_rows: vector.len() });
         }
         // Over one denominator, so that only the results are reduced.
-        let common = vector.iter().fold(BigInt::from(1), |lcm, x| lcm.lcm(x.denom()));
+        let common = vector.iter().fold(BigInt::from(1), |lcm, x| lcm.lcm(&x.denom()));
         let numerators: Vec<BigInt> = vector.iter().map(|x| x.numer() * (&common / x.denom())).collect();
         let below = common * &self.denominator;
         let sum = |i: usize| -> BigInt { self.row(i).iter().zip(&numerators).map(|(a, x)| a * x).sum() };

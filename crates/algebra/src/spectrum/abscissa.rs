@@ -6,7 +6,7 @@
 
 use super::Polynomial;
 use super::stability::{roots_moved, routh};
-use arithmetic::{Complex, Field, Interval, Rational, Ring, Sign, Signed};
+use arithmetic::{Complex, Field, FloatInterval, Interval, Rational, Ring, Sign, Signed};
 use num_bigint::BigInt;
 
 /// Sixteenths of the interval at which the question is asked, until it has an answer.
@@ -27,18 +27,53 @@ impl Polynomial {
 pub fn complex_abscissa(coefficients: &[Complex<Interval>], bits: u32) -> Option<Interval> {
     let size = |c: &Complex<Interval>| c.re.magnitude().to_rational() + c.im.magnitude().to_rational();
     let bound = power_above(coefficients.iter().map(size))?;
-    let real = coefficients.iter().all(|c| c.im.sign() == Some(Sign::Zero));
-    let left = |x: &Rational| {
-        let shift = coefficients.first()?.rational(&-x.clone());
-        let moved = roots_moved(coefficients, &shift);
-        let squared = if real { moved.into_iter().map(|c| c.re).collect() } else { times_conjugate(&moved)? };
-        routh(squared.into_iter().rev().collect(), |row| row)
-    };
-    (coefficients.len() > 1).then(|| halved(&bound, bits, left))
+    (coefficients.len() > 1).then(|| {
+        let roots = Roots::of(coefficients);
+        halved(&bound, bits, |x| roots.are_left_of(x))
+    })
+}
+
+/// Whether all roots of the polynomial, given as for [`complex_abscissa`], certainly have real parts below `x`. One table of Routh's.
+pub fn roots_are_left_of(coefficients: &[Complex<Interval>], x: &Rational) -> bool {
+    Roots::of(coefficients).are_left_of(x) == Some(true)
+}
+
+/// A polynomial with complex coefficients whose roots are asked for their side.
+struct Roots<'a> {
+    coefficients: &'a [Complex<Interval>],
+    /// The same between floats: most questions are decided so.
+    coarse: Vec<Complex<FloatInterval>>,
+    real: bool,
+}
+
+impl<'a> Roots<'a> {
+    fn of(coefficients: &'a [Complex<Interval>]) -> Self {
+        let coarse = |c: &Complex<Interval>| {
+            Complex::new(FloatInterval::from_interval(&c.re), FloatInterval::from_interval(&c.im))
+        };
+        Roots {
+            coefficients,
+            coarse: coefficients.iter().map(coarse).collect(),
+            real: coefficients.iter().all(|c| c.im.sign() == Some(Sign::Zero)),
+        }
+    }
+
+    /// Whether all roots lie to the left of `x`; `None` where that is not decided.
+    fn are_left_of(&self, x: &Rational) -> Option<bool> {
+        is_stable_moved(&self.coarse, self.real, x).or_else(|| is_stable_moved(self.coefficients, self.real, x))
+    }
+}
+
+/// Whether all roots, moved by `-x`, have negative real parts.
+fn is_stable_moved<T: Field + Signed>(coefficients: &[Complex<T>], real: bool, x: &Rational) -> Option<bool> {
+    let shift = coefficients.first()?.rational(&-x);
+    let moved = roots_moved(coefficients, &shift);
+    let squared = if real { moved.into_iter().map(|c| c.re).collect() } else { times_conjugate(&moved)? };
+    routh(squared.into_iter().rev().collect(), |row| row)
 }
 
 /// The real polynomial `p p̄`.
-fn times_conjugate(p: &[Complex<Interval>]) -> Option<Vec<Interval>> {
+fn times_conjugate<T: Ring>(p: &[Complex<T>]) -> Option<Vec<T>> {
     let mut product = vec![p.first()?.re.zero(); 2 * p.len() - 1];
     for (i, a) in p.iter().enumerate() {
         for (j, b) in p.iter().enumerate() {

@@ -28,7 +28,7 @@ mod symmetric;
 mod tridiagonal;
 mod turn;
 
-pub use abscissa::complex_abscissa;
+pub use abscissa::{complex_abscissa, roots_are_left_of};
 pub use choose::{circulant_spectrum, graph_spectrum, matrix_spectrum, named_spectrum, symmetric_enclosures};
 pub use circulant::{Circulant, CirculantSpectrum};
 pub use closed_form::{ClosedForm, ClosedValue, closed_form};

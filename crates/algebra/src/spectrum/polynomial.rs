@@ -34,7 +34,7 @@ impl Polynomial {
 
     /// The primitive multiple of a polynomial with rational coefficients.
     pub fn from_rationals(coefficients: &[Rational]) -> Self {
-        let denominator = coefficients.iter().fold(BigInt::from(1), |d, c| d.lcm(c.denom()));
+        let denominator = coefficients.iter().fold(BigInt::from(1), |d, c| d.lcm(&c.denom()));
         Polynomial::new(coefficients.iter().map(|c| c.numer() * (&denominator / c.denom())).collect())
     }
 
@@ -71,7 +71,7 @@ impl Polynomial {
 
     /// -1, 0 or 1: the sign at a rational.
     fn sign_at(&self, x: &Rational) -> i8 {
-        let (p, q) = (x.numer(), x.denom());
+        let (p, q) = (&x.numer(), &x.denom());
         // q^degree f(p/q) by Horner's rule.
         let mut power = BigInt::from(1);
         let mut sum = BigInt::ZERO;
@@ -299,7 +299,7 @@ impl Polynomial {
     /// choice of the part to try depends on it.
     fn leading_value(&self, x: &Rational, bits: u32) -> Option<(BigInt, i64)> {
         let scale = x.denom().trailing_zeros()?;
-        if x.denom() != &(BigInt::from(1) << scale) {
+        if x.denom() != (BigInt::from(1) << scale) {
             return None;
         }
         // 2^(scale degree) f(x).

@@ -7,5 +7,6 @@ mod float_interval;
 mod identity;
 mod interval;
 mod number;
+mod rational;
 mod rounding;
 mod surd;

@@ -104,7 +104,7 @@ pub struct StateLengthVariant {
 
 /// The common denominator of all coordinates, or the largest numerator over it, whichever is longer.
 fn longest<'a>(coordinates: impl Iterator<Item = &'a Rational> + Clone) -> BigInt {
-    let denominator = coordinates.clone().fold(BigInt::from(1), |d, x| d.lcm(x.denom()));
+    let denominator = coordinates.clone().fold(BigInt::from(1), |d, x| d.lcm(&x.denom()));
     let numerator = coordinates.map(|x| (x.numer() * (&denominator / x.denom())).abs()).max().unwrap_or_default();
     denominator.max(numerator)
 }

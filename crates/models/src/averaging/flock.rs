@@ -163,7 +163,7 @@ impl Flock {
             }
         }
         let all = || start.positions.iter().chain(&start.velocities).flatten();
-        let unit = all().fold(BigInt::from(1), |d, x| d.lcm(x.denom()));
+        let unit = all().fold(BigInt::from(1), |d, x| d.lcm(&x.denom()));
         let numerators = |list: &[Vec<Rational>]| -> Vec<Vec<BigInt>> {
             list.iter().map(|row| row.iter().map(|x| x.numer() * (&unit / x.denom())).collect()).collect()
         };

@@ -21,7 +21,7 @@ pub(super) struct Headings {
 
 impl Headings {
     pub fn new(headings: &[Rational]) -> Self {
-        let denominator = headings.iter().fold(BigInt::from(1), |d, x| d.lcm(x.denom()));
+        let denominator = headings.iter().fold(BigInt::from(1), |d, x| d.lcm(&x.denom()));
         let over = |x: &Rational| x.numer() * (&denominator / x.denom());
         let numerators = IntegerRows::new(&headings.iter().map(over).collect::<Vec<_>>());
         Headings { scratch: numerators.clone(), numerators, denominator }
@@ -71,7 +71,7 @@ impl Headings {
 
     /// `theta = theta + kappa`.
     fn add(&mut self, kappa: &[Rational]) {
-        let denominator = kappa.iter().fold(self.denominator.clone(), |d, x| d.lcm(x.denom()));
+        let denominator = kappa.iter().fold(self.denominator.clone(), |d, x| d.lcm(&x.denom()));
         let factor = &denominator / &self.denominator;
         let sum =
             |(i, k): (usize, &Rational)| self.numerators.value(i) * &factor + k.numer() * (&denominator / k.denom());

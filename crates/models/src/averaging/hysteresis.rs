@@ -65,7 +65,7 @@ impl Threshold {
             Hysteresis::Constant(threshold) if threshold.is_zero() => f64::NEG_INFINITY,
             Hysteresis::Constant(threshold) => {
                 let bits = |x: &BigInt| x.bits() as f64;
-                bits(threshold.numer()) - bits(threshold.denom())
+                bits(&threshold.numer()) - bits(&threshold.denom())
             }
             Hysteresis::Paper => -paper_bits(birds),
         };

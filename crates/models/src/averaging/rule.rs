@@ -33,7 +33,7 @@ impl Rule {
         let multiplier = factors
             .iter()
             .zip(0..)
-            .fold(BigInt::from(1), |m, ((c, _), i)| if network.degree(i) > 0 { m.lcm(c.denom()) } else { m });
+            .fold(BigInt::from(1), |m, ((c, _), i)| if network.degree(i) > 0 { m.lcm(&c.denom()) } else { m });
         let times = |q: &Rational| (q * &multiplier).to_integer();
         let mut rows = Vec::with_capacity(birds * dimension);
         for (i, (c, share)) in factors.iter().enumerate() {

@@ -6,20 +6,21 @@ use motion::{IntegrationError, Tolerance, VectorField, integrate};
 
 /// `rdot = v`, `vdot = law(state)`. Where the law has no value, the rate is not a number, and integrators stop.
 pub(super) struct ClosedLoop<L> {
-    count: usize,
     law: L,
+    /// Working space.
+    state: State<f64>,
 }
 
 impl<L: FnMut(&State<f64>) -> Result<Vec<Vector<f64>>, ArithmeticError>> ClosedLoop<L> {
     pub fn new(count: usize, law: L) -> Self {
-        ClosedLoop { count, law }
+        ClosedLoop { law, state: State { positions: vec![[0.0; 2]; count], velocities: vec![[0.0; 2]; count] } }
     }
 }
 
 impl<L: FnMut(&State<f64>) -> Result<Vec<Vector<f64>>, ArithmeticError>> VectorField for ClosedLoop<L> {
     fn rate(&mut self, _time: f64, list: &[f64], rate: &mut [f64]) {
-        let half = 2 * self.count;
-        let accelerations = State::from_list(self.count, list).and_then(|state| (self.law)(&state).ok());
+        let half = 2 * self.state.count();
+        let accelerations = self.state.read(list).and_then(|()| (self.law)(&self.state).ok());
         let Some(accelerations) = accelerations.filter(|a| 2 * a.len() == half && rate.len() == 2 * half) else {
             rate.fill(f64::NAN);
             return;

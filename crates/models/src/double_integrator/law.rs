@@ -63,8 +63,7 @@ pub fn velocity_alignment<T: Field>(
     slope: impl Fn(usize, usize, &T) -> Result<T, ArithmeticError>,
 ) -> Result<Vec<Vector<T>>, ArithmeticError> {
     let gradients = potential_gradients(&state.positions, edges, coordinates, slope)?;
-    let disagreements = disagreements(&state.velocities, edges);
-    let total = disagreements.iter().zip(&gradients).map(|(a, b)| sum(a, b));
+    let total = disagreements(&state.velocities, edges).into_iter().zip(&gradients).map(|(a, b)| sum(&a, b));
     Ok(total.map(|[x, y]| [-x, -y]).collect())
 }
 

@@ -88,6 +88,16 @@ impl<T: Ring> State<T> {
         State { positions: vectors(positions), velocities: vectors(velocities) }
     }
 
+    /// Makes this the state of a list of its length; `None` for another length.
+    pub(super) fn read(&mut self, list: &[T]) -> Option<()> {
+        (list.len() == 4 * self.count()).then_some(())?;
+        let places = self.positions.iter_mut().chain(&mut self.velocities);
+        for (to, from) in places.zip(list.chunks_exact(2)) {
+            to.clone_from_slice(from);
+        }
+        Some(())
+    }
+
     /// The list that [`Self::from_list`] reads.
     pub fn to_list(&self) -> Vec<T> {
         self.positions.iter().chain(&self.velocities).flatten().cloned().collect()

@@ -5,7 +5,7 @@
 //! `notes/paley_particles.md`.
 
 use super::laplacian::circulant_eigenvalue;
-use algebra::spectrum::complex_abscissa;
+use algebra::spectrum::{complex_abscissa, roots_are_left_of};
 use arithmetic::{ArithmeticError, Complex, CosineField, Field, Interval, Rational, RealCyclotomic, Ring};
 use arithmetic::{Sign, Signed};
 use std::collections::BTreeSet;
@@ -232,6 +232,10 @@ impl FourierFormation {
                 continue;
             }
             let enclosed = rest.iter().map(enclosed).collect::<Result<Vec<_>, _>>()?;
+            // One table of Routh's shows that this mode decays faster than one before.
+            if found.as_ref().is_some_and(|known| roots_are_left_of(&enclosed, &known.abscissa.lo().to_rational())) {
+                continue;
+            }
             let Some(own) = complex_abscissa(&enclosed, BITS) else { continue };
             found = Some(match found {
                 None => TransverseSpectrum { zeros, abscissa: own, wave },

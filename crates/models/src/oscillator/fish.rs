@@ -61,7 +61,7 @@ impl<T: Field + Signed> Zones<T> {
         }
         let behind = -heading.dot(offset);
         let edge = offset.norm_squared() * &self.blind_cosine_squared;
-        behind.is_certainly_positive() && (behind.square() - edge).is_certainly_positive()
+        behind.is_certainly_positive() & (behind.square() - edge).is_certainly_positive()
     }
 
     /// The network of a zone.

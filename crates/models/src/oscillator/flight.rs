@@ -23,10 +23,6 @@ type Steering<'a> = &'a dyn Fn(&State<f64>) -> Result<Vec<f64>, ArithmeticError>
 impl Flight {
     /// The state with phasors, on which the laws are written.
     pub fn state(&self) -> State<f64> {
-        let phasor = |theta: &f64| {
-            let (sin, cos) = theta.sin_cos();
-            Complex::new(cos, sin)
-        };
         State { positions: self.positions.clone(), phasors: self.phases.iter().map(phasor).collect() }
     }
 
@@ -51,8 +47,9 @@ impl Flight {
         drift: &Complex<f64>,
         steering: Steering<'_>,
     ) -> Result<(), ArithmeticError> {
+        let mut state = self.state();
         let rate = |list: &[f64], rate: &mut [f64]| {
-            let state = Flight::from_list(list).state();
+            read(list, &mut state);
             write_rate(&state, drift, &steering(&state)?, rate);
             Ok(())
         };
@@ -83,17 +80,18 @@ impl Flight {
         steering: Steering<'_>,
     ) -> Result<(), ArithmeticError> {
         let radius = Field::recip(&omega)?;
+        let mut state = self.state();
         let rate = |list: &[f64], rate: &mut [f64]| {
-            let mut state = Flight::from_list(list).state();
+            read(list, &mut state);
             for (place, z) in state.positions.iter_mut().zip(&state.phasors) {
                 *place = around(place, z, -radius);
             }
             let turning = steering(&state)?;
-            let speeds = state.phasors.iter().zip(&turning).flat_map(|(z, u)| {
+            let velocity = |(z, u): (&Complex<f64>, &f64)| {
                 let speed = 1.0 - u * radius;
                 [z.re * speed, z.im * speed]
-            });
-            rate.iter_mut().zip(speeds.chain(turning.iter().copied())).for_each(|(rate, value)| *rate = value);
+            };
+            write(state.phasors.iter().zip(&turning).map(velocity), &turning, rate);
             Ok(())
         };
         let moved = Flight::from_list(&followed(self.shifted(radius).to_list(), (step, steps), rate)?);
@@ -155,6 +153,27 @@ impl Flight {
     }
 }
 
+fn phasor(theta: &f64) -> Complex<f64> {
+    let (sin, cos) = theta.sin_cos();
+    Complex::new(cos, sin)
+}
+
+/// Makes the state that of a list in the order of [`Flight::to_list`], with as many particles.
+fn read(list: &[f64], state: &mut State<f64>) {
+    let (places, phases) = list.split_at(list.len() / 3 * 2);
+    for (to, from) in state.positions.iter_mut().zip(places.chunks_exact(2)) {
+        *to = Complex::new(from[0], from[1]);
+    }
+    state.phasors.iter_mut().zip(phases).for_each(|(to, theta)| *to = phasor(theta));
+}
+
+/// Writes velocities and then rates of turning.
+fn write(velocities: impl ExactSizeIterator<Item = [f64; 2]>, turning: &[f64], rate: &mut [f64]) {
+    let (places, turns) = rate.split_at_mut((2 * velocities.len()).min(rate.len()));
+    places.chunks_exact_mut(2).zip(velocities).for_each(|(to, velocity)| to.copy_from_slice(&velocity));
+    turns.iter_mut().zip(turning).for_each(|(to, u)| *to = *u);
+}
+
 /// `r + i radius e^{i theta}`.
 fn around(r: &Complex<f64>, z: &Complex<f64>, radius: f64) -> Complex<f64> {
     Complex::new(r.re - radius * z.im, r.im + radius * z.re)
@@ -180,6 +199,5 @@ fn followed(
 
 /// Writes the rates of (1)-(2) in the order of [`Flight::to_list`].
 pub fn write_rate(state: &State<f64>, drift: &Complex<f64>, turning: &[f64], rate: &mut [f64]) {
-    let velocities = state.phasors.iter().flat_map(|z| [z.re + drift.re, z.im + drift.im]);
-    rate.iter_mut().zip(velocities.chain(turning.iter().copied())).for_each(|(rate, value)| *rate = value);
+    write(state.phasors.iter().map(|z| [z.re + drift.re, z.im + drift.im]), turning, rate);
 }

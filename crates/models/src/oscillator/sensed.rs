@@ -18,7 +18,8 @@ impl Sensed {
         let mut table = vec![false; particles * particles];
         for (k, row) in table.chunks_mut(particles.max(1)).enumerate() {
             for (j, sensed) in row.iter_mut().enumerate() {
-                *sensed = k != j && senses(k, j);
+                // Without a branch, which would be guessed wrongly too often.
+                *sensed = (k != j) & senses(k, j);
             }
         }
         Sensed { particles, table }
@@ -27,7 +28,11 @@ impl Sensed {
     /// Those of these arcs for which `senses(k, j)`.
     #[inline]
     pub fn among(&self, senses: impl Fn(usize, usize) -> bool) -> Self {
-        Sensed::from_fn(self.particles, |k, j| self.table[k * self.particles + j] && senses(k, j))
+        let mut among = self.clone();
+        for (k, row) in among.table.chunks_mut(self.particles.max(1)).enumerate() {
+            row.iter_mut().enumerate().for_each(|(j, sensed)| *sensed &= senses(k, j));
+        }
+        among
     }
 
     /// The arcs `(k, j)`, in order.
@@ -39,9 +44,12 @@ impl Sensed {
 
 impl Interaction for Sensed {
     fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>> {
+        // Every difference is formed and half of them are chosen: that has no branch over floats.
         let row = |(own, sensed): (&Complex<T>, &[bool])| {
-            let others = x.iter().zip(sensed).filter(|(_, sensed)| **sensed);
-            others.fold(Complex::real(own.re.zero()), |sum, (other, _)| sum + own - other)
+            x.iter().zip(sensed).fold(Complex::real(own.re.zero()), |sum, (other, sensed)| {
+                let further = sum.clone() + own - other;
+                if *sensed { further } else { sum }
+            })
         };
         x.iter().zip(self.table.chunks(self.particles.max(1))).map(row).collect()
     }

@@ -64,7 +64,7 @@ fn integers(list: &[BigInt]) -> String {
 }
 
 fn fraction(q: &Rational) -> String {
-    format!("({} # {})", integer(q.numer()), q.denom())
+    format!("({} # {})", integer(&q.numer()), q.denom())
 }
 
 /// Of type `zmat`.
@@ -135,7 +135,7 @@ fn peak_theorem(name: &str, peak: &Peak) -> Option<String> {
     let peak = peak.for_coq().ok()?;
     let (low, high) = &peak.frequency;
     // Both ends over one denominator.
-    let unit = low.denom().lcm(high.denom());
+    let unit = low.denom().lcm(&high.denom());
     let end = |q: &Rational| format!("({} # {unit})", q.numer() * (&unit / q.denom()));
     let reals = |numbers: &[String]| numbers.iter().map(|q| format!("(Q2R {q})")).collect::<Vec<_>>().join(" ");
     Some(format!(
@@ -160,7 +160,7 @@ fn switches_theorem(name: &str, switches: &Switches) -> Option<String> {
     }
     // c times the multiple for every number of neighbours.
     let all: Vec<Rational> = (0..birds).map(|d| weights.of(d, 0)).collect::<Option<_>>()?;
-    let multiple = all.iter().fold(BigInt::from(1), |m, c| m.lcm(c.denom()));
+    let multiple = all.iter().fold(BigInt::from(1), |m, c| m.lcm(&c.denom()));
     let factors: Vec<BigInt> = all.iter().map(|c| c.numer() * (&multiple / c.denom())).collect();
     // Positions and velocities over one denominator.
     let unit = switches.positions.denominator().lcm(switches.velocities.denominator());

@@ -236,7 +236,7 @@ fn in_order(parts: &[Eigenvalue]) -> Vec<Place> {
 /// Bounds of an eigenvalue, or of its real part: with the common denominator `q` of the entries, `q lambda` is an algebraic integer, and
 /// all its conjugates are eigenvalues of `q A`, at most `q` times the largest sum of a row.
 fn bounds(matrix: &SparseMatrix) -> Algebraic {
-    let denominator = matrix.entries().fold(num_bigint::BigInt::one(), |lcm, (_, _, x)| lcm.lcm(x.denom()));
+    let denominator = matrix.entries().fold(num_bigint::BigInt::one(), |lcm, (_, _, x)| lcm.lcm(&x.denom()));
     let mut sums = vec![Rational::from_integer(0.into()); matrix.order()];
     matrix.entries().for_each(|(i, _, x)| sums[i] += x.abs());
     let largest = sums.into_iter().max().unwrap_or_else(Rational::one).ceil().to_integer() * &denominator;

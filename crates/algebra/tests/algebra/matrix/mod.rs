@@ -71,6 +71,15 @@ proptest! {
     }
 
     #[test]
+    fn products_by_pairs_agree_with_the_naive_product(
+        (a, b) in (8usize..10, 8usize..11, 8usize..10, 300u32..2600, 0u32..200)
+            .prop_flat_map(|(m, n, p, x, more)| (stochastic(m, n, x), stochastic(n, p, x + more)))
+    ) {
+        let naive = a.to_rational_matrix().times(&b.to_rational_matrix()).unwrap();
+        prop_assert_eq!(a.times(&b).unwrap().to_rational_matrix(), naive);
+    }
+
+    #[test]
     fn the_fast_coefficient_agrees_with_the_definition(a in (1usize..6, 1usize..6, 1u32..400).prop_flat_map(|(m, n, x)| stochastic(m, n, x))) {
         prop_assert_eq!(a.tau_1(), tau_1(&a.to_rational_matrix()));
     }

@@ -22,7 +22,7 @@ pub struct ShortLimitVariant {
 }
 
 fn common_denominator<'a>(numbers: impl IntoIterator<Item = &'a Rational>) -> BigInt {
-    numbers.into_iter().fold(BigInt::from(1), |d, x| d.lcm(x.denom()))
+    numbers.into_iter().fold(BigInt::from(1), |d, x| d.lcm(&x.denom()))
 }
 
 impl ShortLimitVariant {

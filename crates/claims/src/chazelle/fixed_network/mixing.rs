@@ -19,7 +19,7 @@ pub(super) fn bound(n: usize, factor: i32, gap: i32, s: &Rational) -> Result<Int
 
 /// Whether `x <= bound`; where the enclosure is too wide to tell, that is an error.
 pub(super) fn at_most(x: &Rational, bound: &Interval) -> Result<bool, CheckError> {
-    quotient_at_most(x.numer(), x.denom(), bound)
+    quotient_at_most(&x.numer(), &x.denom(), bound)
 }
 
 /// Whether `p/q <= bound`, for long `p` and `q` that need not be in lowest terms.

@@ -1,6 +1,6 @@
 //! paley.fig8.neg: synchronised clusters in Figure 8(a), fewer in larger zones of orientation.
 
-use super::runs::{SPACING, TYPICAL, fly, simulated};
+use super::runs::{Flights, SPACING, TYPICAL, simulated};
 use super::zone_circles::splay_pulls_back;
 use crate::paley::runs::{ZoneFormation, ZoneLaw};
 use crate::shares::judged;
@@ -9,10 +9,11 @@ use models::oscillator::CLUSTER;
 use motion::{Sample, Share};
 
 /// The sign of `K_1`, and the numbers `M` whose zones are compared.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct FewerVariant {
     sign: f64,
     zones: [usize; 3],
+    flights: Flights,
 }
 
 /// A size of `K_1` that is tried.
@@ -60,7 +61,7 @@ pub fn fewer_clusters() -> Record<FewerVariant> {
          on the rim of each other's zone, at t = 1200. And not in every pair: at K_1 = -K_0 with the \
          printed law the larger of the zones M = 12, 8 has more clusters in about one start of eleven, \
          fewer in one of five.",
-        FewerVariant { sign: -1.0, zones: ZoneFormation::CLUSTERS },
+        FewerVariant { sign: -1.0, zones: ZoneFormation::CLUSTERS, flights: Flights::default() },
         examine_fewer_clusters,
     )
     .clauses(&[
@@ -108,12 +109,12 @@ impl Ends {
     /// Goes on to so many starts.
     fn reach(
         &mut self,
-        formation: &ZoneFormation,
+        (formation, flights): (&ZoneFormation, &Flights),
         (starts, lengths): (usize, usize),
         run: &Run,
     ) -> Result<(), CheckError> {
         for seed in self.numbers.len()..starts {
-            let flight = fly(formation, (seed as u64, lengths), run)?;
+            let flight = flights.fly(formation, (seed as u64, lengths), run)?;
             self.numbers.push(flight.clusters(CLUSTER).len() as f64);
             self.together = self.together.with(formation.sensed_apart(&flight) < CLUSTER);
         }
@@ -131,7 +132,7 @@ fn examine_gain(variant: &FewerVariant, (law, trial): (ZoneLaw, Trial), run: &mu
     let pairs = if law == ZoneLaw::Printed { trial.pairs } else { few };
     let (mut parts, mut ends): (Vec<Evidence>, [Ends; 3]) = (Vec::new(), Default::default());
     for (formation, own) in formations.iter().zip(&mut ends) {
-        own.reach(formation, (few, trial.lengths), run)?;
+        own.reach((formation, &variant.flights), (few, trial.lengths), run)?;
         let what = format!(
             "{setting}, M = {}: all that sense each other are within 10 degrees in {}",
             formation.clusters, own.together
@@ -145,8 +146,8 @@ fn examine_gain(variant: &FewerVariant, (law, trial): (ZoneLaw, Trial), run: &mu
     // What few runs decide comes before the many.
     for (clause, larger, smaller, starts) in [(3, 1, 2, few), (2, 0, 1, pairs)] {
         let [from, to] = [larger, smaller].map(|zone| variant.zones[zone]);
-        ends[larger].reach(&formations[larger], (starts, trial.lengths), run)?;
-        ends[smaller].reach(&formations[smaller], (starts, trial.lengths), run)?;
+        ends[larger].reach((&formations[larger], &variant.flights), (starts, trial.lengths), run)?;
+        ends[smaller].reach((&formations[smaller], &variant.flights), (starts, trial.lengths), run)?;
         let both = ends[larger].numbers.iter().zip(&ends[smaller].numbers);
         let decrease = Sample::new(both.map(|(before, after)| before - after));
         run.value(&format!("decrease_of_clusters_{label}_M_{from}_to_{to}"), decrease.enclosure());

@@ -1,7 +1,7 @@
 //! paley.fig8.pos: whether the clusters of Figure 8(b) suit the zone.
 
 use super::instances::{StateIdentity, one_way_ring, state_identity};
-use super::runs::{SPACING, TYPICAL, fly, simulated};
+use super::runs::{Flights, SPACING, TYPICAL, simulated};
 use crate::paley::runs::{ZoneFormation, ZoneLaw};
 use crate::prelude::*;
 use crate::shares::judged;
@@ -13,11 +13,12 @@ use std::f64::consts::TAU;
 const APART: f64 = 0.75;
 
 /// The law, `K_1`, and the numbers `M` whose zones are in force where clusters are to suit those of [`ZoneFormation::CLUSTERS`].
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct PatternsVariant {
     law: ZoneLaw,
     orientation: f64,
     zones: [usize; 3],
+    flights: Flights,
 }
 
 pub fn patterns_in_zones() -> Record<PatternsVariant> {
@@ -33,7 +34,12 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
          network (paley.eq29) and K_1 = K_0 the runs show what the text describes: about 12, about 8 and \
          two to four clusters in nearly all runs, nearly evenly spaced; for M = 12 and 8 not on one circle \
          at rest (`reproduce paley.fig8`).",
-        PatternsVariant { law: ZoneLaw::Printed, orientation: 0.1, zones: ZoneFormation::CLUSTERS },
+        PatternsVariant {
+            law: ZoneLaw::Printed,
+            orientation: 0.1,
+            zones: ZoneFormation::CLUSTERS,
+            flights: Flights::default(),
+        },
         examine_patterns_in_zones,
     )
     .reading(
@@ -56,12 +62,12 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
 
 fn examine_patterns_in_zones(variant: &PatternsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     if variant.law == ZoneLaw::Printed && variant.orientation == SPACING {
-        return no_effect_of_the_zone(run);
+        return no_effect_of_the_zone(&variant.flights, run);
     }
     let mut parts = Vec::new();
     for (clause, (clusters, zone)) in (1..).zip(ZoneFormation::CLUSTERS.into_iter().zip(variant.zones)) {
         let formation = ZoneFormation::new(variant.law, (SPACING, variant.orientation), zone);
-        let (suiting, numbers) = suits(&formation, clusters, run.cases(12, 60), run)?;
+        let (suiting, numbers) = suits((&formation, &variant.flights), clusters, run.cases(12, 60), run)?;
         run.value(&format!("share_suiting_M_{clusters}"), suiting.enclosure());
         let what = format!(
             "{} (29), K_1 = {}, zone of M = {zone}: the clusters suit M = {clusters} in {suiting}, {:.1} of \
@@ -82,11 +88,16 @@ fn examine_patterns_in_zones(variant: &PatternsVariant, run: &mut Run) -> Result
 }
 
 /// In how many runs the clusters suit the zone of so many, and their numbers.
-fn suits(formation: &ZoneFormation, clusters: usize, starts: usize, run: &Run) -> Result<(Share, Sample), CheckError> {
+fn suits(
+    (formation, flights): (&ZoneFormation, &Flights),
+    clusters: usize,
+    starts: usize,
+    run: &Run,
+) -> Result<(Share, Sample), CheckError> {
     let wanted = clusters as f64;
     let (mut suiting, mut numbers) = (Share::default(), Vec::new());
     for seed in 0..starts as u64 {
-        let found = fly(formation, (seed, 1), run)?.clusters(CLUSTER);
+        let found = flights.fly(formation, (seed, 1), run)?.clusters(CLUSTER);
         let count = found.len() as f64;
         let mean_gap = found.iter().map(|&(_, gap)| gap).sum::<f64>() / count;
         suiting = suiting.with(match clusters {
@@ -108,15 +119,15 @@ fn two_zones(networks: [Neighbours; 2], attraction: Neighbours) -> StateIdentity
 }
 
 /// At `K_1 = K_0` the printed law is the same for all zones; how many clusters it makes then, and with other gains.
-fn no_effect_of_the_zone(run: &mut Run) -> Result<Outcome, CheckError> {
+fn no_effect_of_the_zone(flights: &Flights, run: &mut Run) -> Result<Outcome, CheckError> {
     let identity = two_zones([one_way_ring(3), Neighbours::complete(3)], Neighbours::complete(3));
     let part = "the printed law at K_1 = K_0 with one orientation network and with another";
     let same = state_identity(identity, &["w0", "K_0"], part, run)?;
     let Outcome::Holds(mut evidence) = same else { return Ok(same) };
     let formation = ZoneFormation::new(ZoneLaw::Printed, (SPACING, SPACING), 12);
-    let clusters = fly(&formation, (0, 1), run)?.clusters(CLUSTER).len();
+    let clusters = flights.fly(&formation, (0, 1), run)?.clusters(CLUSTER).len();
     evidence.push(simulated("clusters at K_1 = K_0, any zone", "w0 = K_0 = 0.1, step 1 to t = 600", 1));
-    evidence.push(other_gains(run)?);
+    evidence.push(other_gains(flights, run)?);
     let counterexample = format!(
         "K_1 = K_0: the factor (K_1 - K_0)/N of the orientation network is 0, so that the runs for M = 2, 8 \
          and 12 are one and the same from every start ({clusters} clusters from start 0 with w0 = K_0 = \
@@ -126,7 +137,7 @@ fn no_effect_of_the_zone(run: &mut Run) -> Result<Outcome, CheckError> {
 }
 
 /// The printed law with other `K_1 > 0`: the mean numbers of clusters, and the zone that its clusters suit in the fewest runs.
-fn other_gains(run: &Run) -> Result<Evidence, CheckError> {
+fn other_gains(flights: &Flights, run: &Run) -> Result<Evidence, CheckError> {
     const SIZES: [f64; 4] = [1.5, 3.0, 5.0, 10.0];
     let starts = run.cases(8, 40);
     let (mut lines, mut open) = (Vec::new(), 0);
@@ -134,7 +145,7 @@ fn other_gains(run: &Run) -> Result<Evidence, CheckError> {
         let (mut means, mut fewest) = (Vec::new(), (Share::new(starts, starts), 0));
         for clusters in ZoneFormation::CLUSTERS {
             let formation = ZoneFormation::new(ZoneLaw::Printed, (SPACING, size * SPACING), clusters);
-            let (suiting, numbers) = suits(&formation, clusters, starts, run)?;
+            let (suiting, numbers) = suits((&formation, flights), clusters, starts, run)?;
             means.push(format!("{:.1}", numbers.mean()));
             if suiting.found < fewest.0.found {
                 fewest = (suiting, clusters);

@@ -1,9 +1,9 @@
 //! Chazelle's statements about flocks that move, stepped exactly on the line, and about numbers.
 
 use super::Dice;
-use num_rational::BigRational;
+use arithmetic::Rational;
 
-type Q = BigRational;
+type Q = Rational;
 
 fn q(p: i64, r: i64) -> Q {
     Q::new(p.into(), r.into())

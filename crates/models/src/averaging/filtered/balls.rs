@@ -108,7 +108,7 @@ impl<const L: usize> Balls<L> {
             return Ok(());
         }
         let c = self.links.weight(&self.weights, i, &BigInt::from(time))?;
-        self.shares[i] = Words::fraction(c.numer(), c.denom());
+        self.shares[i] = Words::fraction(&c.numer(), &c.denom());
         self.known_shares.insert(key, self.shares[i]);
         Ok(())
     }

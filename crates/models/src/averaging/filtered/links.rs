@@ -78,7 +78,7 @@ impl Links {
             degrees.dedup_by_key(|(degree, _)| *degree);
         }
         let joined = degrees.into_iter().filter(|(degree, _)| *degree > 0);
-        let denominators = joined.filter_map(|(degree, i)| weights.of(degree, i)).map(|c| c.denom().clone());
+        let denominators = joined.filter_map(|(degree, i)| weights.of(degree, i)).map(|c| c.denom());
         denominators.fold(BigInt::from(1), |m, d| if m.is_multiple_of(&d) { m } else { m.lcm(&d) })
     }
 

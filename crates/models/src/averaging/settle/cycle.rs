@@ -184,7 +184,7 @@ impl Rounds {
             if size.is_zero() {
                 return 0;
             }
-            let halvings = log2_above(size.numer(), size.denom()) - log2_below(limit.numer(), limit.denom());
+            let halvings = log2_above(&size.numer(), &size.denom()) - log2_below(&limit.numer(), &limit.denom());
             u64::try_from(halvings).unwrap_or(0).saturating_mul(halving)
         };
         let (a, b) = (minus(&self.place), minus(&self.drift));
