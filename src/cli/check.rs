@@ -19,8 +19,8 @@ pub struct Arguments {
     /// Print all names that a question may use, with what they mean
     #[arg(long)]
     names: bool,
-    /// Write a counterexample as a question of its own into this folder
-    #[arg(long, value_name = "DIR", default_value = ".")]
+    /// Write a counterexample as a question of its own into this folder [default: the current one]
+    #[arg(long, value_name = "DIR", default_value = ".", hide_default_value = true)]
     replay: PathBuf,
     /// Write the answers as a page that needs no other file, with counterexamples drawn
     #[arg(long, value_name = "FILE")]
@@ -31,6 +31,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.names {
         output::print(&names::as_text())?;
         return Ok(ExitCode::SUCCESS);
+    }
+    if arguments.replay != Path::new(".") {
+        output::make_folder(&arguments.replay)?;
     }
     arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
     let (mut documents, mut pages) = (Vec::new(), Vec::new());

@@ -120,7 +120,7 @@ fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
             return ExitCode::from(2);
         }
         Err(error) if error.use_stderr() => {
-            eprintln!("{}", help::one_sentence(&error.render().to_string()));
+            output::complain(&help::one_sentence(&error.render().to_string()));
             return ExitCode::from(2);
         }
         // Help and version.
@@ -156,7 +156,7 @@ fn finish(result: Result<ExitCode, CliError>) -> ExitCode {
         Ok(code) => code,
         Err(CliError::ClosedOutput) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            output::complain(&format!("error: {}", output::without_system_words(&error.to_string())));
             ExitCode::from(2)
         }
     }

@@ -2,7 +2,6 @@
 
 use super::{CliError, interrupt, output, progress};
 use flockproof::arithmetic::{Progress, Rational, decimals, parse_rational};
-use flockproof::oscillator::FourierFormation;
 use flockproof::report::{PatternRow, Provenance};
 use num_traits::Zero;
 use serde_json::{Value, json};
@@ -90,17 +89,8 @@ pub fn find(asked: &Asked, progress: &dyn Progress) -> Result<Found, CliError> {
     if gains.len() > asked.particles {
         return Err(CliError::Use(format!("gains: at most {}, one for each particle", asked.particles)));
     }
-    let mut rows = Vec::new();
-    let divisors: Vec<usize> = (1..=asked.particles).filter(|m| asked.particles.is_multiple_of(*m)).collect();
-    for (k, clusters) in divisors.iter().enumerate() {
-        progress.checkpoint().map_err(|stopped| CliError::Use(stopped.to_string()))?;
-        progress.tell("patterns", k as u64, Some(divisors.len() as u64));
-        let Some(formation) = FourierFormation::pattern(*clusters, asked.particles, (&omega0, &spacing), &gains) else {
-            continue;
-        };
-        let transverse = formation.transverse().map_err(|error| CliError::Use(error.to_string()))?;
-        rows.push(PatternRow::of(*clusters, transverse));
-    }
+    let rows = PatternRow::all(asked.particles, (&omega0, &spacing), &gains, progress);
+    let rows = rows.map_err(|error| CliError::Use(error.to_string()))?;
     Ok(Found { particles: asked.particles, omega0, spacing, gains, rows })
 }
 

@@ -33,7 +33,7 @@ pub struct Arguments {
     #[arg(long)]
     zero_based: bool,
     /// Significant digits [default: 20 where they are exact, otherwise what floating point gives]
-    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(1..=10000))]
     digits: Option<u32>,
     /// Print one JSON document, flockproof.spectrum/1
     #[arg(long)]
@@ -128,11 +128,17 @@ pub fn read_file(path: &Path, zero_based: bool) -> Result<(GraphFile, Value), Cl
     Ok((file, input.origin))
 }
 
+/// Refuses `--zero-based` beside a name, which it would not change.
+pub fn zero_based_name(graph: &str) -> CliError {
+    CliError::Use(format!("--zero-based is for the numbers of a file, and {graph} names a graph"))
+}
+
 fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
     let graph = &arguments.graph;
     let path = Path::new(graph);
     // A file wins over a name only where the name means nothing.
     match graph.parse::<NamedGraph>() {
+        Ok(_) if arguments.zero_based => Err(zero_based_name(graph)),
         Ok(named) => of_name(arguments, kind, &named),
         Err(_) if path.exists() || graph == "-" => {
             let (file, origin) = read_file(path, arguments.zero_based)?;

@@ -70,6 +70,6 @@ fn merged(folder: &Path, json: bool) -> Result<ExitCode, CliError> {
     output::write_file(&folder.join("table.csv"), csv.as_bytes())?;
     let lines = table.json_lines();
     output::write_file(&folder.join("table.jsonl"), lines.as_bytes())?;
-    output::print(&if json { lines } else { table.text(MOST_ROWS) })?;
+    if json { output::print_raw(&lines) } else { output::print(&table.text(MOST_ROWS)) }?;
     Ok(ExitCode::SUCCESS)
 }

@@ -224,7 +224,7 @@ async function checkLive(browser) {
         expect((await tab.evaluate(() => document.activeElement.id)) === "go", `${page}: the keyboard leads to the button`);
         await tab.keyboard.press("Enter");
         await answered(tab, page);
-        const shown = JSON.parse((await tab.locator("#document code").textContent()) || "{}");
+        const shown = JSON.parse((await tab.locator("#document pre code").textContent()) || "{}");
         if (asked[name]) {
           const fields = await tab.evaluate(() => Object.fromEntries([...document.getElementById("ask").elements].filter((e) => e.name).map((e) => [e.name, e.value])));
           const [list, input] = asked[name]((field) => fields[field]);
@@ -267,6 +267,7 @@ async function checkLive(browser) {
     expect(await tab.locator("#stop").isDisabled(), "nothing more can be stopped");
     // What is wrong is said in a sentence, and a page opens no file. The status of a refusal is an error on the console of the browser.
     tab.removeAllListeners("console");
+    await tab.fill("textarea[name=beside]", "");
     await tab.fill("textarea[name=question]", endless.replace('budget = 1000000000', 'scenario = "/etc/passwd"'));
     await tab.click("#go");
     await tab.waitForFunction(() => /opens no files/.test(document.getElementById("state").textContent), null, long).catch(() => expect(false, "it opens no files"));
@@ -291,7 +292,7 @@ async function checkDrawing(context, home, answered) {
   if (shots) await tab.screenshot({ path: path.join(shots, "live-spectra.drawn.png") });
   await tab.click("#go");
   await answered(tab, "a drawn graph");
-  const shown = JSON.parse(await tab.locator("#document code").textContent());
+  const shown = JSON.parse(await tab.locator("#document pre code").textContent());
   expect(JSON.stringify(shown) === JSON.stringify(printed(["spectrum", "--graph", "-", "--json"], edges)), "the spectrum of a drawn graph");
   await tab.goto(home + "explore/live-flock.html");
   await tab.click("#clear");

@@ -51,6 +51,9 @@ pub type Sides<T> = (Vec<T>, Vec<T>);
 /// Both sides over the scalars of the test, or why the point is a pole.
 pub type Probed = Result<Sides<Probe>, ArithmeticError>;
 
+/// Both sides as a function of the variables.
+type SidesAt<'a> = Box<dyn Fn(&[Probe]) -> Probed + 'a>;
+
 /// An identity that is written where it is tested, as a closure.
 ///
 /// ```
@@ -65,7 +68,7 @@ pub type Probed = Result<Sides<Probe>, ArithmeticError>;
 /// ```
 pub struct Identity<'a> {
     variables: usize,
-    sides: Box<dyn Fn(&[Probe]) -> Probed + 'a>,
+    sides: SidesAt<'a>,
     components: Vec<String>,
     domain: fn(&[Rational]) -> bool,
 }

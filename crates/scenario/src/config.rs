@@ -45,6 +45,7 @@ fn read_schedule(
     model: Model,
     step: Option<&Rational>,
     agents: usize,
+    with_rows: bool,
 ) -> Result<Schedule, ConfigError> {
     let section = source.needed("run")?;
     let keys = ["until", "samples", "tolerance", "rows", "observables", "step"];
@@ -86,7 +87,12 @@ fn read_schedule(
         _ => (&until / Rational::from_integer(rows.into()), rows as u64),
     };
     let ignored = step.is_some() && section.get("tolerance").is_some();
-    Ok(Schedule { times: times_of(&unit, units, rows, &sampled), rows, ignored, observables: None })
+    let (rows, times) = if with_rows {
+        (rows, times_of(&unit, units, rows, &sampled))
+    } else {
+        (0, sampled.iter().map(|time| (time.to_f64().unwrap_or(f64::NAN), true)).collect())
+    };
+    Ok(Schedule { times, rows, ignored, observables: None })
 }
 
 /// The times 0 to `units * unit` in `rows` intervals as equal as multiples of the unit can be, and the sampled ones (ascending) among them:
@@ -201,38 +207,51 @@ impl Scenario {
     /// [`ConfigError`] with the line and key at fault.
     pub fn read(text: &str) -> Result<Self, ConfigError> {
         let source = Source::parse(text)?;
+        let several = source.section("ensemble")?.or(source.section("sweep")?);
+        several.map_or(Ok(()), |section| Err(ConfigError::Several(section.line())))?;
+        Self::of(&source, true)
+    }
+
+    /// One run of a file for several: replicas, from 0, differ in what is drawn; with all rows, or samples only.
+    pub(super) fn of_member(text: &str, replica: u64, with_rows: bool) -> Result<Self, ConfigError> {
+        let mut source = Source::parse(text)?;
+        source.replica = replica;
+        Self::of(&source, with_rows)
+    }
+
+    fn of(source: &Source, with_rows: bool) -> Result<Self, ConfigError> {
         let top = source.top();
-        top.allow(&["model", "graph", "state", "law", "run"], "")?;
+        top.allow(&["model", "graph", "state", "law", "run", "ensemble", "sweep"], "")?;
         let entry = top.need("model", &MODELS.map(|(name, _)| name).join(", "))?;
         let model = entry.choice(&MODELS)?;
         let name = MODELS.iter().find(|(_, known)| *known == model).map_or("", |(name, _)| name);
-        let tolerance = tolerance(&source)?;
+        let tolerance = tolerance(source)?;
         let mut step = None;
         let course: Box<dyn Course> = match model {
-            Model::Phase => oscillator::read_phases(&source, tolerance)?,
-            Model::Particles => oscillator::read_particles(&source, tolerance)?,
-            Model::Headings => alignment::read(&source, true, tolerance)?,
-            Model::Velocities => alignment::read(&source, false, tolerance)?,
-            Model::Platoon => platoon::read(&source, tolerance)?,
+            Model::Phase => oscillator::read_phases(source, tolerance)?,
+            Model::Particles => oscillator::read_particles(source, tolerance)?,
+            Model::Headings => alignment::read(source, true, tolerance)?,
+            Model::Velocities => alignment::read(source, false, tolerance)?,
+            Model::Platoon => platoon::read(source, tolerance)?,
             Model::Fish => {
-                let (school, length) = fish::read(&source)?;
+                let (school, length) = fish::read(source)?;
                 step = Some(length);
                 Box::new(school)
             }
             Model::Vicsek => {
                 step = Some(rational(1, 1));
-                vicsek::read(&source)?
+                vicsek::read(source)?
             }
             Model::Noisy => {
                 step = Some(rational(1, 1));
-                noisy::read(&source)?
+                noisy::read(source)?
             }
         };
         let frame = course.frame();
         let agents = frame.positions.len().max(frame.phases.len());
-        let mut schedule = read_schedule(&source, model, step.as_ref(), agents)?;
-        schedule.observables = wanted(&source, course.as_ref())?;
-        Ok(Scenario { model: name, schedule, course, seed: seed(&source)? })
+        let mut schedule = read_schedule(source, model, step.as_ref(), agents, with_rows)?;
+        schedule.observables = wanted(source, course.as_ref())?;
+        Ok(Scenario { model: name, schedule, course, seed: seed(source)? })
     }
 
     /// The seeds of what is drawn, where anything is.
@@ -243,6 +262,12 @@ impl Scenario {
     /// Whether the agents have places, and not only phases.
     pub fn has_positions(&self) -> bool {
         !self.course.frame().positions.is_empty()
+    }
+
+    /// The number of agents.
+    pub fn agents(&self) -> usize {
+        let frame = self.course.frame();
+        frame.positions.len().max(frame.phases.len())
     }
 
     /// The last time.

@@ -137,10 +137,16 @@ fn exact_platoon(source: &Source) -> Result<ExactMotion, ConfigError> {
         None => (rational(0, 1), rational(0, 1)),
         Some(entry) => {
             let leader = entry.table("law.leader")?;
-            (number(&leader, "amplitude", 1)?, number(&leader, "frequency", 0)?)
+            // Without a frequency the leader only drives.
+            let usual = i64::from(leader.get("frequency").is_some());
+            (number(&leader, "amplitude", usual)?, number(&leader, "frequency", 0)?)
         }
     };
-    let (graph, _) = platoon::tracked(source, &law, start.positions.len())?;
+    if platoon::leader_of(source, &law, start.positions.len())? > 0 {
+        return Ok(ExactMotion::Other("another leader than the first car is not enclosed"));
+    }
+    let order: Vec<usize> = (0..start.positions.len()).collect();
+    let (graph, _) = platoon::tracked(source, &law, &order)?;
     let places = start.positions.iter().flatten().zip(0..);
     let deviations = places.map(|(x, k)| x + &spacing * rational(k, 1)).collect();
     let rates = start.velocities.iter().flatten().cloned().collect();

@@ -25,7 +25,8 @@ impl Schedule {
     pub fn declaration(&self) -> Vec<String> {
         let rows = format!("trajectory: {} equal intervals from 0 to the end, and the samples", self.rows);
         let ignored = "tolerance: no effect, time is discrete".to_string();
-        if self.ignored { vec![rows, ignored] } else { vec![rows] }
+        let written = (self.rows > 0).then_some(rows);
+        written.into_iter().chain(self.ignored.then_some(ignored)).collect()
     }
 }
 

@@ -8,7 +8,7 @@ pub fn fewer_switches() -> Record<SwitchesVariant> {
         "beyond.chazelle.switches",
         "The proof of Lemma 3.1, completed, with the entries n^(-a(n-1)) of beyond.chazelle.entries in place of \
          n^(-O(n²)): k = nu^(a(nu-1)+c+6) stabilisers are enough for edges to last, and N(n) + 2 <= 3 k nu (N(n-1) + \
-         2). Proof in notes/chazelle_switches.md.",
+         2). Proof in notes/chazelle_switches.md; the Coq proof takes windows with connected unions in place of stabilisers.",
         SwitchesVariant::QUADRATIC,
         examine_switches,
     )

@@ -140,6 +140,8 @@ pub struct OriginVariant {
     coupling: (i64, i64),
     /// The angle is at most this share of `|v - x/t|`.
     share: (i64, i64),
+    /// It is the angle of the lifted vectors, `(x, t)` and `(v, 1)`.
+    lifted: bool,
     /// `|E(t)| <= |x(0)| + steps (switches + 1) 4 H` with `H = n^h`.
     steps: i64,
     h: fn(u64) -> u32,
@@ -150,8 +152,15 @@ pub struct OriginVariant {
 
 impl OriginVariant {
     /// (log t/t) n^O(n³), as printed.
-    pub const PRINTED: Self =
-        OriginVariant { coupling: (1, 1), share: (1, 1), steps: 1, h: |a| 2 * a as u32 + 3, power: 1, logarithm: 1 };
+    pub const PRINTED: Self = OriginVariant {
+        coupling: (1, 1),
+        share: (1, 1),
+        lifted: true,
+        steps: 1,
+        h: |a| 2 * a as u32 + 3,
+        power: 1,
+        logarithm: 1,
+    };
     /// Without the logarithm.
     pub const SHARPER: Self = OriginVariant { logarithm: 0, ..Self::PRINTED };
 }
@@ -171,6 +180,7 @@ pub fn about_origins(id: &'static str, derivation: &'static str, printed: Origin
         .altered("1/t² instead of 1/t", |v| v.power = 2)
         .altered("the virtual origins stay within max|x(0)|", |v| v.steps = 0)
         .altered("half of |v - x/t|", |v| v.share = (1, 2))
+        .altered("the angle in R^d, without the lifting", |v| v.lifted = false)
 }
 
 const IN_GENERAL: &str = "the angle and the virtual origins at all times, for all flocks of model D";
@@ -181,7 +191,13 @@ fn origins_of_flocks(variant: &OriginVariant, run: &Run) -> Result<Outcome, Chec
     let mut random = run.random(0);
     // One bird, the four birds of the paper without hysteresis (they switch forever), random flocks.
     let single = Start::on_the_line(vec![rational(5, 1)], vec![rational(0, 1)], Weights::Lazy, Hysteresis::Paper);
-    let mut starts = vec![single, four_birds(Hysteresis::None), four_birds(Hysteresis::Paper)];
+    // In the plane, passing the origin at a distance.
+    let passing = Start {
+        positions: vec![vec![rational(1, 1), rational(0, 1)]],
+        velocities: vec![vec![rational(0, 1), rational(1, 100)]],
+        ..single.clone()
+    };
+    let mut starts = vec![passing, single, four_birds(Hysteresis::None), four_birds(Hysteresis::Paper)];
     starts.extend(
         (0..run.cases(60, 600))
             .map(|k| random_start(&mut random, if k % 2 == 0 { Hysteresis::Paper } else { Hysteresis::None })),
@@ -240,7 +256,7 @@ fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, Chec
         if v == w {
             continue;
         }
-        let (angle, distance) = angle_and_distance(&v, &w, true)?;
+        let (angle, distance) = angle_and_distance(&v, &w, variant.lifted)?;
         let (p, q) = variant.share;
         if (angle.clone() - angle.ratio(p, q) * distance).is_certainly_positive() {
             return Ok(Some(format!("{} at t = {time}: the angle is {:.6}", show_start(start), angle.to_f64())));
@@ -259,7 +275,10 @@ pub fn angle_decays() -> Record<OriginVariant> {
          needed, nor the logarithm (beyond.chazelle.angle).",
         OriginVariant::PRINTED,
     )
-    .reading("\"=\" bounds from above; n is large enough for Lemma 3.6, by which no edge is longer than 2.")
+    .reading(
+        "\"=\" bounds from above; the birds are lifted into R^{d+1}, as for (3.15); n is large enough for Lemma 3.6, by which no edge \
+         is longer than 2.",
+    )
 }
 
 /// After `n^time(n)` no edge is lost.

@@ -204,11 +204,22 @@ fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcom
     let edges: [Pair; 2] = [(0, 1), (1, 2)];
     let meant = [(0, 1), (1, 2), (0, 2)].into_iter().filter(|pair| !variant.linked_only || edges.contains(pair));
     let detail = "the slope where they meet, exact, the path of three agents";
-    if !variant.potential.repels() {
-        let what = "V_ij does not tend to infinity as agents i and j approach each other";
-        return Ok(Outcome::fails(what, exact("V_t where agents meet", "leading terms of the slope")));
-    }
+    // V rises without bound towards 0 where s V' is negative and does not tend to 0 there.
+    let towards = |k: u32| {
+        let s = rational(1, 4_i64.pow(k));
+        variant.potential.slope(&s).map(|slope| slope * s)
+    };
+    let rise = [towards(8)?, towards(12)?];
     let instances = run.instances("V_t where agents meet", detail, meant, |pair: Pair| {
+        if !variant.potential.repels() {
+            return Ok(Some(format!(
+                "agents {} and {}: V_ij does not tend to infinity as they approach each other: s dV/ds is {} at s = 4^-8, {} at 4^-12",
+                pair.0 + 1,
+                pair.1 + 1,
+                rise[0],
+                rise[1]
+            )));
+        }
         let mut places = [0, 1, 3].map(|x| [rational(x, 1), rational(0, 1)]);
         places[pair.1] = places[pair.0].clone();
         let finite = edges.iter().all(|&(i, j)| {
@@ -240,6 +251,7 @@ pub fn collision() -> Record<CollisionVariant> {
         "Collisions of linked agents are avoided (all collisions, if the graph is complete).",
     ])
     .altered("V = (s - 1)²", |v| v.potential = soft())
+    .altered("V = s + log s, which attracts at all distances", |v| v.potential = sloped(&[(0, 1), (-1, 1)], 0))
 }
 
 /// The first quotient of the line, `numerator/denominator` among `xdot, ydot, xddot, yddot`, and whether headings are equal.

@@ -41,6 +41,11 @@ fn states(run: &Run) -> Vec<(Graph, State<Rational>)> {
         found.extend([(2, 1), (3, 2), (1, 1), (10, 1)].map(|spacing| in_a_row(count, spacing, 0)));
         found.push(in_a_row(count, (1, 1), 1));
     }
+    // Agent 1 at the distance 10 from agent 2 and 1 from agent 3.
+    let places = [(0, 0), (10, 0), (0, 1)].map(|(x, y)| [rational(x, 1), rational(y, 1)]);
+    let still = places.iter().map(|_| [rational(0, 1), rational(0, 1)]).collect();
+    let corner = connected(3).into_iter().find(|graph| graph.order() == 3 && graph.edges() == [(0, 1), (0, 2)]);
+    found.extend(corner.map(|graph| (graph, State { positions: places.to_vec(), velocities: still })));
     for graph in connected(4) {
         for _ in 0..run.cases(4, 40) {
             let mut vectors = || random_vectors(graph.order(), &mut random);
@@ -60,15 +65,24 @@ fn with_energy(run: &Run) -> impl Iterator<Item = (Graph, State<Rational>, &'sta
     })
 }
 
-/// The factors as functions of `N`, and whether `V^{-1}` is that of the pair or the largest of those of the edges.
+/// Whose `V^{-1}` it is: of the pair itself, the largest or the least of those of the edges.
+#[derive(Clone, Copy)]
+enum Whose {
+    Own,
+    Largest,
+    Least,
+}
+
+/// The factors as functions of `N`, and whose `V^{-1}`.
 #[derive(Clone, Copy)]
 pub struct DistanceVariant {
     inside: fn(i64) -> Rational,
     outside: fn(i64) -> i64,
-    own: bool,
+    whose: Whose,
 }
 
-const DISTANCE: DistanceVariant = DistanceVariant { inside: |_| rational(1, 1), outside: |n| n - 1, own: false };
+const DISTANCE: DistanceVariant =
+    DistanceVariant { inside: |_| rational(1, 1), outside: |n| n - 1, whose: Whose::Largest };
 
 fn distances(variant: &DistanceVariant, run: &Run) -> Result<Outcome, CheckError> {
     let detail = "exact values for rows of up to 5 agents and random states on every connected graph of up to 4, potentials that are the same for all pairs and that are not";
@@ -84,11 +98,10 @@ fn distances(variant: &DistanceVariant, run: &Run) -> Result<Outcome, CheckError
         };
         for (i, j) in pairs(graph.order()) {
             let s = PLANE.square(&state.separation(i, j));
-            let whose = if variant.own { vec![(i, j)] } else { graph.edges() };
-            let mut holds = false;
-            for pair in whose {
-                holds |= outside > rational(0, 1) && within(&s, pair)?;
-            }
+            let pairs = if matches!(variant.whose, Whose::Own) { vec![(i, j)] } else { graph.edges() };
+            let near = pairs.into_iter().map(|pair| within(&s, pair)).collect::<Result<Vec<_>, _>>()?;
+            let all = matches!(variant.whose, Whose::Least);
+            let holds = if all { near.iter().all(|near| *near) } else { near.contains(&true) };
             if !holds {
                 let places: Vec<String> = state.positions.iter().map(|r| format!("({}, {})", r[0], r[1])).collect();
                 return Ok(Some(format!(
@@ -110,7 +123,7 @@ pub fn bound_r() -> Record<DistanceVariant> {
         "W <= c gives V_e <= c for each edge, so |r_e| <= V_e^{-1}(c), and a path of at most N - 1 edges gives (N - 1) times the largest of these. In print the factor stands inside, \
          and V^{-1} is that of the pair. Three agents in a row, 2 apart, with V = s + 1/s - 2 have W = 9/2, \
          and |r_13|² = 16, but V <= 9 only for s < 11. (At the distance 1 they have W = 0 and |r_13| = 2 > 1 = V^{-1}(0).) If V_12 and V_23 want the distance 10 and V_13 wants 1, then even (N - 1) V_13^{-1}(c) is too small.",
-        DistanceVariant { inside: |n| rational(n - 1, 1), outside: |_| 1, own: true },
+        DistanceVariant { inside: |n| rational(n - 1, 1), outside: |_| 1, whose: Whose::Own },
         |variant, run| { let steps = "notes/tanner2.md, Bounds, steps 1 to 3"; Run::all([distances(variant, run), argued(&[1], "the bound of distances", steps)]) },
     )
     .reading("V^{-1}(c) is the largest distance at which V <= c; N >= 2, as one agent has no edge")
@@ -119,9 +132,9 @@ pub fn bound_r() -> Record<DistanceVariant> {
         "For a connected graph W <= c implies |r_ij| <= (N - 1) max_e V_e^{-1}(c) for all i, j, with the largest value over the edges e and V_e^{-1}(c) the largest distance at which V_e <= c.",
         DISTANCE,
     )
-    .altered("max_e V_e^{-1}(c)", |v| v.outside = |_| 1)
+    .altered("(N - 1) min_e V_e^{-1}(c)", |v| v.whose = Whose::Least)
     .altered("(N - 1) max_e V_e^{-1}(c/2)", |v| v.inside = |_| rational(1, 2))
-    .altered("(N - 1) V_ij^{-1}(c), of the pair itself", |v| v.own = true)
+    .altered("(N - 1) V_ij^{-1}(c), of the pair itself", |v| v.whose = Whose::Own)
 }
 
 /// `|v_i|² <= factor c`, or `|v_i - v_j|² <= factor c`.

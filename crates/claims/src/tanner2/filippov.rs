@@ -35,15 +35,60 @@ impl Step {
     }
 }
 
-/// The class of fields for which solutions are said to be unique, and whether backwards in time too.
+/// The class of fields for which solutions are said to be unique.
+#[derive(Clone, Copy)]
+enum Class {
+    Measurable,
+    Continuous,
+    /// `(f(x) - f(y)) (x - y) <= l (x - y)²`.
+    OneSided,
+}
+
+/// A field on the line by its values.
+type Field = dyn Fn(i64, u32) -> Rational;
+
+impl Class {
+    /// Whether a field, given at `sign/4^k`, is of the class near 0: at `k = 6` to 8, with `l = 16`.
+    fn holds(self, field: &Field) -> bool {
+        let near = |k: u32| {
+            let half = rational(1, 4_i64.pow(k));
+            let pairs = [(1, -1), (1, 0), (0, -1)];
+            let apart = |(a, b): (i64, i64)| (field(a, k) - field(b, k), rational(a - b, 1) * &half);
+            pairs.into_iter().map(apart).all(|(change, way)| match self {
+                Class::Measurable => true,
+                Class::Continuous => &change * &change <= rational(1, 256),
+                Class::OneSided => change * &way <= rational(16, 1) * &way * &way,
+            })
+        };
+        (6..=8).all(near)
+    }
+}
+
+/// The class, and whether solutions are said to be unique backwards in time too.
 #[derive(Clone, Copy)]
 pub struct UniqueVariant {
-    fields: fn(i64, i64) -> bool,
+    class: Class,
     backwards: bool,
 }
 
+/// `f(x) = 2 sqrt|x|` at `sign/4^k`, and whether `x = 0` and `x = t²` solve `xdot = f(x)` at `t = 1/2^k` from the same start.
+fn root_branches(class: Class) -> Option<String> {
+    let root = |sign: i64, k: u32| rational(2 * sign.abs(), 2_i64.pow(k));
+    let branches = (6..=8).all(|k| {
+        let rate = rational(2, 2_i64.pow(k));
+        root(1, k) == rate && root(0, k) == rational(0, 1)
+    });
+    (class.holds(&root) && branches)
+        .then(|| "f(x) = 2 sqrt|x|: from x(0) = 0 there are the solutions x = 0 and x = t²".to_string())
+}
+
 fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fields = Step::all().filter(|field| (variant.fields)(field.left, field.right));
+    // Where a step jumps its value does not matter for almost all x, y: the sides are compared.
+    let member = |step: &Step| {
+        let (left, right) = (step.left, step.right);
+        variant.class.holds(&move |sign, _| rational(if sign < 0 { left } else { right }, 1))
+    };
+    let fields = Step::all().filter(member);
     let detail = "the inclusion checked for x = ct, step fields with values -1, 0, 1";
     let rays = run.instances("solutions from the jump", detail, fields, |field| {
         let Step { left, right } = field;
@@ -58,7 +103,10 @@ fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, Che
             several.then(|| format!("f(x) = {left} for x < 0 and {right} for x >= 0: x = -ct with c = {into:?} all end in x(0) = 0"))
         })
     });
-    Run::all([rays, argued(&[1], "one-sided bounds", "notes/tanner2.md, Appendix, step 1")])
+    let detail = "2 sqrt|x|, which x = 0 and x = t² solve, is not of the class";
+    let root =
+        run.instances("a continuous field with a root", detail, [variant.class], |class| Ok(root_branches(class)));
+    Run::all([rays, root, argued(&[1], "one-sided bounds", "notes/tanner2.md, Appendix, step 1")])
 }
 
 pub fn uniqueness() -> Record<UniqueVariant> {
@@ -66,15 +114,16 @@ pub fn uniqueness() -> Record<UniqueVariant> {
         "tanner2.appA_uniq",
         "Measurability (with local boundedness) gives existence only. f = sign(x) has the Filippov solutions t, -t and 0 from 0. Uniqueness needs a one-sided bound, (f(x) - f(y)).(x - y) <= l |x - y|² for almost \
          all x, y (Filippov): then the distance of two solutions grows at most like exp(lt).",
-        UniqueVariant { fields: |_, _| true, backwards: false },
+        UniqueVariant { class: Class::Measurable, backwards: false },
         examine_unique,
     )
     .repaired(
         Fault::False,
         "Solutions of xdot = f(x) are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x - y|² for almost all x, y near each point.",
-        UniqueVariant { fields: |left, right| right <= left, backwards: false },
+        UniqueVariant { class: Class::OneSided, backwards: false },
     )
     .altered("backwards in time too", |v| v.backwards = true)
+    .altered("if f is continuous", |v| v.class = Class::Continuous)
 }
 
 /// What a solution has to fulfil almost everywhere.
@@ -86,6 +135,8 @@ pub enum SolutionVariant {
     Member,
     /// `xdot` is one of the limits of `f`, without the hull.
     Limit,
+    /// `xdot` exists and is one of `K[f](x)` at all times.
+    Everywhere,
 }
 
 fn examine_solution(variant: &SolutionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -95,15 +146,22 @@ fn examine_solution(variant: &SolutionVariant, run: &mut Run) -> Result<Outcome,
             let (span, rate) = (field.inclusion(c), rational(c, 1));
             match variant {
                 SolutionVariant::Equal => span.lo == rate && span.hi == rate,
-                SolutionVariant::Member => span.contains(&rate),
+                SolutionVariant::Member | SolutionVariant::Everywhere => span.contains(&rate),
                 SolutionVariant::Limit => span.lo == rate || span.hi == rate,
             }
         };
-        let at = field.inclusion(0);
-        Ok((!(-1..=1).any(solves)).then(|| format!(
-            "f(x) = {} for x < 0 and {} for x >= 0: no solution starts from 0, not even x = 0, where K[f](0) = [{}, {}]",
-            field.left, field.right, at.lo, at.hi
-        )))
+        let (at, Step { left, right }) = (field.inclusion(0), field);
+        if !(-1..=1).any(solves) {
+            return Ok(Some(format!(
+                "f(x) = {left} for x < 0 and {right} for x >= 0: no solution starts from 0, not even x = 0, where K[f](0) = [{}, {}]",
+                at.lo, at.hi
+            )));
+        }
+        // From 1 a field with right = -1 leads to the jump at t = 1; what goes on with another rate has a corner there.
+        let corner = matches!(variant, SolutionVariant::Everywhere) && right == -1 && !solves(-1);
+        Ok(corner.then(|| {
+            format!("f(x) = {left} for x < 0 and {right} for x >= 0: the solution from 1 reaches 0 at t = 1 with the rate -1 and cannot go on with it")
+        }))
     });
     Run::all([starts, argued(&[1], "that the definition has solutions", "notes/tanner2.md, Appendix, step 2")])
 }
@@ -122,6 +180,7 @@ pub fn definition4() -> Record<SolutionVariant> {
         SolutionVariant::Member,
     )
     .control("without the convex hull", SolutionVariant::Limit)
+    .control("for all t, not almost all", SolutionVariant::Everywhere)
 }
 
 /// The chain rule with `V` of `arguments(n)` variables, with or without the 1 for the time, almost everywhere or everywhere.

@@ -17,6 +17,7 @@ mod phase;
 mod resonance;
 mod response;
 mod shape;
+pub mod state_space;
 pub mod theorem1;
 pub mod time_domain;
 pub mod vector_form;

@@ -11,7 +11,8 @@ mod simulation;
 
 pub use flock::flock;
 pub use graph::spectrum;
-pub use pattern::{PatternRow, patterns};
+pub use pattern::{PatternError, PatternRow, patterns};
+pub use platoon::PlatoonError;
 pub use platoon::resonance;
 pub use question::question;
 pub use simulation::simulation;

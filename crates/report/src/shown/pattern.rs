@@ -1,9 +1,9 @@
 //! Which symmetric patterns are stable.
 
 use super::{enclosed, table};
-use arithmetic::{Interval, Rational, Signed};
+use arithmetic::{ArithmeticError, Cancelled, Interval, Progress, Rational, Signed};
 use maud::html;
-use models::oscillator::TransverseSpectrum;
+use models::oscillator::{FourierFormation, TransverseSpectrum};
 
 /// The linearisation at the pattern of so many clusters, without what rotation and translation force.
 #[derive(Debug, Clone)]
@@ -18,12 +18,45 @@ pub struct PatternRow {
     pub wave: Option<usize>,
 }
 
+/// Why there are no rows.
+#[derive(Debug, thiserror::Error)]
+pub enum PatternError {
+    /// Modes without their eigenvalues.
+    #[error(transparent)]
+    Arithmetic(#[from] ArithmeticError),
+    /// The work was stopped.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
 impl PatternRow {
     /// Digits that are shown.
     pub const DIGITS: u32 = 18;
 
+    /// A row for each number of clusters that divides the number of particles; `circular` is `omega_0`, not 0, and `K_0`.
+    ///
+    /// # Errors
+    /// [`PatternError`].
+    pub fn all(
+        particles: usize,
+        circular: (&Rational, &Rational),
+        gains: &[Rational],
+        progress: &dyn Progress,
+    ) -> Result<Vec<Self>, PatternError> {
+        let divisors: Vec<usize> = (1..=particles).filter(|m| particles.is_multiple_of(*m)).collect();
+        let mut rows = Vec::new();
+        for (done, &clusters) in divisors.iter().enumerate() {
+            progress.checkpoint()?;
+            progress.tell("patterns", done as u64, Some(divisors.len() as u64));
+            if let Some(formation) = FourierFormation::pattern(clusters, particles, circular, gains) {
+                rows.push(PatternRow::of(clusters, formation.transverse()?));
+            }
+        }
+        Ok(rows)
+    }
+
     /// From its spectrum.
-    pub fn of(clusters: usize, spectrum: Option<TransverseSpectrum>) -> Self {
+    fn of(clusters: usize, spectrum: Option<TransverseSpectrum>) -> Self {
         match spectrum {
             None => PatternRow { clusters, zeros: 1, abscissa: None, wave: None },
             Some(found) => {

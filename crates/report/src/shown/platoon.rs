@@ -41,9 +41,9 @@ pub fn resonance(gains: &Gains<Rational>, followers: u64, found: &Resonance) -> 
         .map(|((name, x), (first, next))| vec![name.to_string(), enclosed(x, DIGITS), number(first), number(next)])
         .collect();
     let shown = html! {
-        (table("Resonance", &["", "certified", "Theorem 1", "its next order"], &rows))
+        (table("Resonance", &["quantity", "certified", "Theorem 1", "its next order"], &rows))
         p { "The last of " (followers) " followers swings most at this frequency, so many times as far as the leader: no other frequency above 0 gives more." }
-        (picture(&curve(gains, followers, found), "curve", "Amplitude of the last car over the frequency of the leader; the disc is the certified peak."))
+        (picture(&curve(gains, followers, found), "curve", "Amplitude of the last car over the frequency of the leader; the mark is the certified peak."))
         (picture(&region(gains, followers, found)?, "region",
             "The peak depends on the gains through g²/|f| alone and decreases in it. In the shaded region it is smaller than for the asked gains, the disc."))
     };

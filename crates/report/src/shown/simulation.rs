@@ -43,7 +43,7 @@ pub fn simulation(outcome: &Outcome) -> String {
         @for remark in &outcome.remarks { p { (remark) } }
         @if !events.is_empty() {
             h2 { "Events" }
-            (table("Events", &["t", "", "pair"], &events))
+            (table("Events", &["t", "event", "pair"], &events))
             @if outcome.events.len() > EVENTS { p.small { "The first " (EVENTS) " of " (outcome.events.len()) "." } }
         }
         h2 { "Plots" }

@@ -115,7 +115,8 @@ impl<'a> Site<'a> {
         pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list()));
         pages.push(Page::new("live.js", explore::ASKER));
         for live in explore::LIVE {
-            pages.push(self.inner(&format!("explore/{}.html", live.name), live.title, "live", &explore::live(live)));
+            let body = explore::live(live)?;
+            pages.push(self.inner(&format!("explore/{}.html", live.name), live.title, "live", &body));
         }
         for show in explore::SHOWS {
             let body = explore::body(self, show)?;

@@ -7,10 +7,13 @@ use algebra::spectrum::Polynomial;
 use arithmetic::identity::Probed;
 use models::oscillator::{Neighbours, State, phasor};
 
+/// Both sides as a function of the constants and the state.
+type SidesAt<'a> = Box<dyn Fn(&[Probe], &State<Probe>) -> Probed + 'a>;
+
 /// An identity between rational functions of some constants and of the state of some particles.
 pub struct StateIdentity<'a> {
     particles: usize,
-    sides: Box<dyn Fn(&[Probe], &State<Probe>) -> Probed + 'a>,
+    sides: SidesAt<'a>,
     allowed: fn(&[Rational]) -> bool,
 }
 

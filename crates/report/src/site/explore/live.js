@@ -28,7 +28,7 @@
     if (said.refused) state.textContent = said.refused;
     if (!said.answer) return;
     answer.innerHTML = said.shown;
-    answer.querySelectorAll(".live").forEach(window.flockproofPlayer);
+    answer.querySelectorAll("section.live").forEach(window.flockproofPlayer);
     json.querySelector("code").textContent = JSON.stringify(said.answer, null, 2);
     json.hidden = false;
     state.textContent = "answered";

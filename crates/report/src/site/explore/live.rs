@@ -1,6 +1,8 @@
 //! Pages that ask the program while they are looked at: under `flockproof serve`.
 
-use maud::{Markup, html};
+use super::cases::{self, Case};
+use super::runs::RunsError;
+use maud::{Markup, PreEscaped, html};
 
 /// A live page.
 pub(in super::super) struct Live {
@@ -14,9 +16,14 @@ pub(in super::super) struct Live {
     fields: &'static [Field],
     /// What is drawn with the mouse, into which field.
     draws: Option<(&'static str, &'static str)>,
+    /// What the static site shows: what it is, and the answer.
+    case: Option<(&'static str, Answered)>,
     /// Starts to choose from: a name, and what stands in the fields then.
     examples: &'static [(&'static str, &'static [(&'static str, &'static str)])],
 }
+
+/// Computes an answer.
+type Answered = fn() -> Case;
 
 /// What is asked for.
 struct Field {
@@ -54,6 +61,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         command: "flockproof resonance --followers 128 --f -1 --g -1 --digits 15 --json",
         fields: &[line("followers", "Followers", "128"), line("f", "f", "-1"), line("g", "g", "-1")],
         draws: None,
+        case: Some(("128 followers, f = g = -1", cases::resonance)),
         examples: &[],
     },
     Live {
@@ -87,6 +95,7 @@ pub(in super::super) const LIVE: &[Live] = &[
             ),
         ],
         draws: Some(("graph", "edges")),
+        case: Some(("the Laplacian of ring:12", cases::spectrum)),
         examples: &[],
     },
     Live {
@@ -98,6 +107,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         command: "flockproof flock settle FILE --json",
         fields: &[text("flock", "The flock", 6, BIRDS)],
         draws: Some(("flock", "flock")),
+        case: Some(("three birds", cases::flock)),
         examples: &[],
     },
     Live {
@@ -114,13 +124,14 @@ pub(in super::super) const LIVE: &[Live] = &[
             line("K0", "K0, spacing", "1/10"),
         ],
         draws: None,
+        case: Some(("twelve particles, K = (1/5, 1/5, -1/25)", cases::patterns)),
         examples: &[],
     },
     Live {
         name: "live-question",
         title: "A question of your own, decided",
         about: "What a property ranges over, the property, and controls that must turn out false. The program decides it, and draws a counterexample. \
-                The language has a page of its own among the notes.",
+                flockproof check --names lists all names that a question may use.",
         ask: "question",
         command: "flockproof check QUESTION.toml --json",
         fields: &[
@@ -128,6 +139,7 @@ pub(in super::super) const LIVE: &[Live] = &[
             text("beside", "The scenario or graph that the question names, if it names one", 6, ""),
         ],
         draws: None,
+        case: Some(("the question gap_and_diameter", cases::question)),
         examples: &[
             ("A gap and a diameter", &[("question", GAP), ("beside", "")]),
             ("Gains of platoons", &[("question", GAINS), ("beside", "")]),
@@ -143,6 +155,7 @@ pub(in super::super) const LIVE: &[Live] = &[
         command: "flockproof simulate CONFIG.toml --json",
         fields: &[text("scenario", "The scenario", 18, SWITCHING)],
         draws: None,
+        case: Some(("six agents, links within 5/2", cases::scenario)),
         examples: &[
             ("Six agents, links within 5/2", &[("scenario", SWITCHING)]),
             ("Twelve particles form a pattern", &[("scenario", PATTERN)]),
@@ -159,21 +172,22 @@ pub(in super::super) const LIVE: &[Live] = &[
         command: "flockproof-checker FILE",
         fields: &[Field { name: "certificate", label: "The certificate", at_first: "", kind: Kind::File(10) }],
         draws: None,
+        case: None,
         examples: &[("The limit of one pair of birds", &[("certificate", CERTIFICATE)])],
     },
 ];
 
 /// What a flock is at first.
-const BIRDS: &str = "{\"model\": \"D\", \"dimension\": 2, \"weights\": \"lazy\", \"hysteresis\": \"paper\",\n \
+pub(super) const BIRDS: &str = "{\"model\": \"D\", \"dimension\": 2, \"weights\": \"lazy\", \"hysteresis\": \"paper\",\n \
                      \"positions\": [[\"0\", \"0\"], [\"1/2\", \"1/4\"], [\"2\", \"0\"]],\n \"velocities\": [[\"1/8\", \"0\"], [\"0\", \"1/8\"], [\"-1/8\", \"0\"]]}";
 
-const GAP: &str = include_str!("../../../../../assets/questions/gap_and_diameter.toml");
+pub(super) const GAP: &str = include_str!("../../../../../assets/questions/gap_and_diameter.toml");
 const GAINS: &str = include_str!("../../../../../assets/questions/gains_for_256.toml");
 const PAIRS: &str = include_str!("../../../../../assets/questions/never_meets.toml");
 const PAIRS_FLOCK: &str = include_str!("../../../../../assets/questions/two_pairs.json");
 const PHASES: &str = include_str!("../../../../../assets/questions/altered_sign.toml");
 const PHASES_SCENARIO: &str = include_str!("../../../../../assets/questions/five_repelling_phases.toml");
-const SWITCHING: &str = include_str!("../../../../../assets/scenarios/switching_flock.toml");
+pub(super) const SWITCHING: &str = include_str!("../../../../../assets/scenarios/switching_flock.toml");
 const PATTERN: &str = include_str!("../../../../../assets/scenarios/pattern.toml");
 const THREE: &str = include_str!("../../../../../assets/scenarios/three_agents.toml");
 const PLATOON: &str = include_str!("../../../../../assets/scenarios/platoon.toml");
@@ -181,8 +195,12 @@ const CERTIFICATE: &str =
     include_str!("../../../../../proofs_checks/checker/corpus/pass/chazelle.lem3.3.one_edge.cert");
 
 /// The page.
-pub(super) fn body(live: &Live) -> Markup {
-    html! {
+///
+/// # Errors
+/// The sentence of what could not be computed.
+pub(super) fn body(live: &Live) -> Result<Markup, RunsError> {
+    let case = live.case.map(|(what, case)| Ok::<_, RunsError>((what, case()?))).transpose()?;
+    Ok(html! {
         h1 { (live.title) }
         p.lead { (live.about) }
         p #away { "This page asks the program. Start it with " code { "flockproof serve" } " and open the address that it prints; or ask on the command line: "
@@ -194,7 +212,7 @@ pub(super) fn body(live: &Live) -> Markup {
                 } }
             }
             @if let Some((what, field)) = live.draws {
-                canvas #drawing data-draws=(what) data-field=(field) width="640" height="360" role="img" aria-label="What is written below, drawn" {}
+                div.words { canvas #drawing data-draws=(what) data-field=(field) width="640" height="360" role="img" aria-label="What is written below, drawn" {} }
             }
             @for field in live.fields { (input(field)) }
             span.buttons {
@@ -208,11 +226,13 @@ pub(super) fn body(live: &Live) -> Markup {
         }
         div #work hidden { progress #bar aria-label="Progress" {} " " span #stage {} }
         p #state role="status" {}
-        section #answer aria-label="Answer" {}
+        section #answer aria-label="Answer" {
+            @if let Some((what, shown)) = &case { h2 { "An answer: " (what) } (PreEscaped(shown)) }
+        }
         details #document hidden { summary { "The same as JSON" } pre tabindex="0" { code {} } p.small { "As " code { (live.command) } " prints it." } }
         script src="../explore.js" defer {}
         script src="../live.js" defer {}
-    }
+    })
 }
 
 fn input(field: &Field) -> Markup {

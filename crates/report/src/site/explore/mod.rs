@@ -1,5 +1,6 @@
 //! Motions that can be watched: counterexamples and examples of the papers, computed by the engine and drawn in the page.
 
+mod cases;
 mod live;
 mod runs;
 
@@ -111,13 +112,16 @@ pub(super) fn list() -> Markup {
         p.lead { "Examples and counterexamples that move. Each was computed by the program; play, step, or drag the slider." }
         ul { @for show in SHOWS { li { a href={ (show.name) ".html" } { (show.title) } } } }
         h2 { "Live" }
-        p { "These ask the program, under " code { "flockproof serve" } "." }
+        p { "Each shows one answer here; under " code { "flockproof serve" } " they ask the program." }
         ul { @for live in LIVE { li { a href={ (live.name) ".html" } { (live.title) } } } }
     }
 }
 
 /// The page of a live one.
-pub(super) fn live(live: &live::Live) -> Markup {
+///
+/// # Errors
+/// The sentence of what could not be computed.
+pub(super) fn live(live: &live::Live) -> Result<Markup, RunsError> {
     live::body(live)
 }
 

@@ -145,5 +145,5 @@
 
   // For motions that come later.
   window.flockproofPlayer = player;
-  document.querySelectorAll(".live").forEach(player);
+  document.querySelectorAll("section.live").forEach(player);
 })();

@@ -20,6 +20,9 @@ pub enum RunsError {
     /// The mean velocity of a flock.
     #[error(transparent)]
     Matrix(#[from] MatrixError),
+    /// The case that a live page shows.
+    #[error("{0}")]
+    Case(String),
     /// The scenario.
     #[error(transparent)]
     Scenario(#[from] ConfigError),

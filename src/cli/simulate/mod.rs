@@ -1,25 +1,31 @@
 //! `simulate`: a flock of one's own from a TOML file.
 
+mod ensemble;
+
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress};
 use flockproof::arithmetic::Progress;
+use flockproof::campaign::store::Shard;
 use flockproof::report::{
-    File, Provenance, animation, events_csv, observables_csv, sample_table, shown, simulation_pictures,
-    simulation_summary, trajectory_csv,
+    File, Provenance, animation, events_csv, npz, observables_csv, sample_table, shown, simulation_arrays,
+    simulation_pictures, simulation_summary, trajectory_csv,
 };
-use flockproof::scenario::{End, Outcome, Scenario};
+use flockproof::scenario::{End, Ensemble, Outcome, Scenario};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
 #[command(after_help = "Files are written at the end, or when the run is stopped: what was reached is kept.\n\n\
-Example:\n  flockproof simulate assets/scenarios/three_agents.toml --out out --animate")]
+A file with [ensemble] replicas = 100, or with numbers in [sweep], makes many runs, on all cores: members.csv has the observables of each at the \
+samples, statistics.csv means and standard deviations. Finished runs are kept as they are finished.\n\n\
+Examples:\n  flockproof simulate assets/scenarios/three_agents.toml --out out --animate\n  \
+flockproof simulate assets/scenarios/noise_sweep.toml --out out --resume")]
 pub struct Arguments {
     /// Model, graph, start, law and times as TOML, see notes/simulate.md
     #[arg(value_name = "CONFIG")]
     config: PathBuf,
-    /// Folder for summary.json, the CSV files and the plots; it is made if it is missing
+    /// Folder for summary.json, the CSV files, run.npz and the plots; it is made if it is missing
     #[arg(long, value_name = "DIR", required_unless_present_any = ["html", "json"])]
     out: Option<PathBuf>,
     /// Write animation.html too, one page that plays the run in a browser
@@ -28,7 +34,19 @@ pub struct Arguments {
     /// Write the run as a page that needs no other file: the motion, samples, events and plots
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
-    /// Print summary.json, flockproof.simulate/1, instead of the table
+    /// Of many runs only this one, with all files of a single run; from 1
+    #[arg(long, value_name = "K", allow_negative_numbers = true, conflicts_with_all = ["shard", "resume", "merge"])]
+    member: Option<u64>,
+    /// Of many runs only this part, i/n with i from 1 to n
+    #[arg(long, value_name = "i/n")]
+    shard: Option<Shard>,
+    /// Go on with the runs that the folder has
+    #[arg(long)]
+    resume: bool,
+    /// Put the parts in the folder together
+    #[arg(long, conflicts_with_all = ["shard", "resume"])]
+    merge: bool,
+    /// Print summary.json, flockproof.simulate/1 or flockproof.ensemble/1, instead of the table
     #[arg(long)]
     json: bool,
 }
@@ -36,17 +54,36 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let refuse = |error: &dyn std::fmt::Display| CliError::file(&arguments.config, error);
     let input = output::read_input(&arguments.config)?;
-    let scenario = Scenario::read(&input.text).map_err(|error| refuse(&error))?;
+    let ensemble = Ensemble::read(&input.text).map_err(|error| refuse(&error))?;
+    let scenario = match (&ensemble, arguments.member) {
+        (Some(ensemble), None) => return ensemble::run(arguments, ensemble, &input),
+        (Some(ensemble), Some(member)) => {
+            let count = ensemble.members();
+            let place = member.checked_sub(1).filter(|place| *place < count);
+            let place = place.ok_or_else(|| CliError::Use(format!("--member: there are the runs 1 to {count}")))?;
+            ensemble.member(place)
+        }
+        (None, _) => {
+            let options = [("member", arguments.member.is_some()), ("shard", arguments.shard.is_some())];
+            let more = [("resume", arguments.resume), ("merge", arguments.merge)];
+            if let Some((name, _)) = options.into_iter().chain(more).find(|(_, given)| *given) {
+                let why = "is for many runs, and the file has neither [ensemble] nor [sweep]";
+                return Err(CliError::Use(format!("--{name} {why}")));
+            }
+            Scenario::read(&input.text)
+        }
+    };
+    let scenario = scenario.map_err(|error| refuse(&error))?;
     if arguments.animate && !scenario.has_positions() {
         return Err(CliError::Use("--animate: this model has phases only, without places".to_string()));
     }
     arguments.out.as_deref().map_or(Ok(()), output::make_folder)?;
     arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
-    let watch = Watch::with(progress::styled("{bar:30} {percent} % of the time, {eta} left"));
+    let watch = Watch::with(progress::styled("{wide_bar} {percent} % of the time, {eta} left"));
     if !arguments.json {
         output::print(&declared(&scenario.declaration()))?;
     }
-    let provenance = provenance(&scenario, &input);
+    let provenance = provenance(&scenario, &input, arguments.member);
     let outcome = scenario.run(&watch);
     watch.finish();
     interrupt::finishing();
@@ -85,16 +122,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     }
 }
 
-/// Where a run comes from: all of its scenario.
-fn provenance(scenario: &Scenario, input: &output::Input) -> Provenance {
-    let configuration = json!({"command": "simulate", "file": input.origin, "toml": input.text});
+/// Where a run comes from: all of its scenario, and which of many runs it is.
+fn provenance(scenario: &Scenario, input: &output::Input, member: Option<u64>) -> Provenance {
+    let mut configuration = json!({"command": "simulate", "file": input.origin, "toml": input.text});
+    if let Some(member) = member {
+        configuration["member"] = member.into();
+    }
     Provenance::new("flockproof.simulate/1", scenario.seed(), configuration)
 }
 
 /// Runs a scenario as it would come from standard input; what it leaves behind, and the summary of it.
 pub fn ran(input: &output::Input, progress: &dyn Progress) -> Result<(Outcome, Value), CliError> {
     let scenario = Scenario::read(&input.text).map_err(|error| CliError::Use(error.to_string()))?;
-    let provenance = provenance(&scenario, input);
+    let provenance = provenance(&scenario, input, None);
     let outcome = scenario.run(progress);
     if let End::Failed(error) = &outcome.end {
         return Err(CliError::Use(format!("{error}; t = {} was reached", outcome.reached())));
@@ -124,6 +164,7 @@ fn write(
         file("observables.csv", observables_csv(outcome).into_bytes()),
         file("events.csv", events_csv(outcome).into_bytes()),
     ];
+    files.push(file("run.npz", npz(&simulation_arrays(outcome))));
     files.push(file("about.txt", provenance.about(&files).into_bytes()));
     if animate {
         files.extend(animation(outcome).map(|page| file("animation.html", page.into_bytes())));
