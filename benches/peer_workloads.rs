@@ -2,7 +2,7 @@
 //!
 //! usage: cargo bench --bench peer_workloads -- [FILTER]   (FILTER keeps the configurations whose name contains it)
 
-use flockproof::arithmetic::{Interval, decimal, rational};
+use flockproof::arithmetic::{Interval, Unwatched, decimal, rational};
 use flockproof::averaging::{FilteredFlock, Flock, Hysteresis, Start, Weights};
 use flockproof::double_integrator::{Potential, State, SwitchingFlock};
 use flockproof::graph::{LaplacianKind, NamedGraph};
@@ -11,6 +11,7 @@ use flockproof::motion::Rk4;
 use flockproof::oscillator::AllToAll;
 use flockproof::platoon::time_domain::Modes;
 use flockproof::platoon::{Gains, resonance, theorem1};
+use flockproof::question::{Question, Verdict, decide};
 use flockproof::spectrum::{Eigenvalue, closed_form, matrix_spectrum, symmetric_enclosures, tridiagonal_eigenvalues};
 use flockproof_benches::{
     circulant, crowd, geometric, lattice_flock, phases, ring, stochastic_matrices, weighted_path,
@@ -291,6 +292,22 @@ fn platoon(wanted: &dyn Fn(&str) -> bool) {
     }
 }
 
+/// One spectral inequality, proved for all graphs on 8 vertices; making the graphs is timed, too.
+fn small_graphs(wanted: &dyn Fn(&str) -> bool) {
+    let size = "n=8,graphs=12346";
+    if wanted(&format!("W10 flockproof {size}")) {
+        let text = "[question]\nid = \"fiedler\"\n[for]\ngraph = \"all(8)\"\n[holds]\nproperty = \"lambda(2) <= n*min_degree/(n - 1)\"\n\
+                    controls = [\"lambda(2) <= min_degree - 1\"]\n";
+        let none = |_: &str| Err("there are no files".to_string());
+        let (seconds, answer) = best_of(|| {
+            let question = Question::read(text, &none).expect("a question");
+            decide(&question, &Unwatched).expect("an answer")
+        });
+        assert!((answer.verdict, answer.cases) == (Verdict::Holds, 12_346), "{}", answer.why);
+        emit("W10", "flockproof", size, seconds, "violations=0");
+    }
+}
+
 fn main() {
     // Cargo passes `--bench`; everything else is the filter.
     let filter: Vec<String> = std::env::args().skip(1).filter(|a| !a.starts_with("--")).collect();
@@ -304,4 +321,5 @@ fn main() {
     stepping(&wanted);
     network_log(&wanted);
     platoon(&wanted);
+    small_graphs(&wanted);
 }

@@ -40,6 +40,8 @@ PAIRS = [
     ("W9", "n=1000,steps=10000", "flockproof", ["w9_flock_log.py", "numba", "1000", "10000"], 3.0),
     ("W8", "M=128,t=2000", "flockproof", ["w8_platoon.py", "scipy"], 0.1),
     ("W8", "M=128,t=2000", "flockproof", ["w8_platoon.py", "expm"], 1.0),
+    # All graphs on 8 vertices against those on up to 7: a tenth as many.
+    ("W10", "n=8,graphs=12346", "flockproof", ["w10_graphs.py", "atlas"], 3.0),
 ]
 
 

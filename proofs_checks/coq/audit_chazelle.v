@@ -6,7 +6,7 @@ From Coquelicot Require Coquelicot.
 From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network
   chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked
   chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals
-  chazelle_entries chazelle_estimates.
+  chazelle_entries chazelle_switches.
 
 Module NumbersAndBirds.
 Import Coq.QArith.QArith Coq.QArith.Qabs Coq.Reals.Reals Coquelicot.Coquelicot.
@@ -467,22 +467,53 @@ Check (@chazelle_entries.smallest_entries_occur :
   (exists i j : 'I_n, pprod (fun u => transition (G u) (fun k => (degree (G u) k).+1%:R^-1 : R)) (n - 2) 0 i j = (n`!)%:R^-1) /\
   (exists i j : 'I_n, pprod (fun u => transition (G u) (fun k => 2%:R / (3%:R * (degree (G u) k)%:R) : R)) (n - 2) 0 i j =
      2%:R ^+ (n - 2) / (3%:R ^+ n.-1 * (n.-1)`!%:R))).
-(* beyond.chazelle.switches (part) *)
-Check (@chazelle_estimates.below_threshold :
-  forall (R : realFieldType) (nu a c : nat),
-  (1 < nu)%N ->
-  let beta : R := (nu%:R ^+ (a * (nu - 1)))^-1 in
-  let k := (nu ^ (a * (nu - 1) + c + 6))%N in
-  2%:R * nu%:R ^+ c * (1 - beta) ^+ k < (nu%:R ^+ (nu ^ 4))^-1).
-(* beyond.chazelle.switches (part) *)
-Check (@chazelle_estimates.switches_recursion :
-  forall (nu a c : nat) (N : nat -> nat),
-  (2 <= nu)%N ->
-  N 1%N = 0%N ->
-  let k := (nu ^ (a * (nu - 1) + c + 6))%N in
-  (forall m, (2 <= m <= nu)%N ->
-     (N m <= k * (2 * m - 1) + 1 + (m * (m - 1)) %/ 2 + (2 * k * (m - 1) + 1) * N (m - 1))%N) ->
-  (N nu <= nu ^ (a * (nu - 1) ^ 2 + (c + 9) * (nu - 1) + 1))%N).
+(* beyond.chazelle.switches, chazelle.lem3.1, chazelle.thm1.1.switches: birds are rows of x(t) and v(t); the networks are determined by the
+   rule; `N (changes G) t 1` is the number of u with 1 < u <= t and G_u other than G_(u-1) *)
+Section Switches.
+Variables (R : rcfType) (n d : nat).
+Check (fun (eps : R) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R) => erefl :
+  chazelle_switches.flock eps x v G w =
+  [/\ forall i j, G 0%N i j = (i != j) && (norm2 (row i (x 0%N) - row j (x 0%N)) <= 1),
+      forall t i j, G t.+1 i j = (i != j) && ((norm2 (row i (x t.+1) - row j (x t.+1)) <= 1) ||
+        (G t i j && (`|norm2 (row i (x t.+1) - row j (x t.+1)) - norm2 (row i (x t) - row j (x t))| < eps))),
+      forall t, model_D (G t) (w t),
+      forall t, x t.+1 = x t + v t.+1 &
+      forall t, (0 < t)%N -> v t.+1 = transition (G t) (w t) *m v t]).
+Check (fun (G : nat -> rel 'I_n) u => erefl : changes G u = [exists i, exists j, G u i j != G u.-1 i j]).
+Check (fun (G : nat -> rel 'I_n) (S : {set 'I_n}) u => erefl :
+  chazelle_switches.changes_in G S u = [exists i in S, exists j in S, G u i j != G u.-1 i j]).
+End Switches.
+Check (fun c t s => erefl : chazelle_stabilisers.N c t s = count c (iota s.+1 (t - s))).
+Check (@chazelle_switches.switches :
+  forall (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  (2 <= n)%N ->
+  chazelle_switches.flock (n%:R ^- (n ^ 4)) x v G w ->
+  (forall t i j, transition (G t) (w t) i j != 0 -> n%:R ^- a <= transition (G t) (w t) i j) ->
+  (forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c) ->
+  forall t, (chazelle_stabilisers.N (changes G) t 1 <= n ^ (a * (n - 1) ^ 2 + (c + 9) * (n - 1) + 1))%N).
+Check (@chazelle_switches.lemma_3_1 :
+  forall (R : rcfType) (n d a c : nat) (x v : nat -> 'M[R]_(n, d)) (G : nat -> rel 'I_n) (w : nat -> 'I_n -> R),
+  (2 <= n)%N ->
+  chazelle_switches.flock (n%:R ^- (n ^ 4)) x v G w ->
+  (forall t i j, transition (G t) (w t) i j != 0 -> n%:R ^- a <= transition (G t) (w t) i j) ->
+  (forall i, norm2 (row i (v 1%N)) <= n%:R ^+ c) ->
+  forall t, (chazelle_stabilisers.N (changes G) t 1 <= n ^ ((a + c + 9) * n ^ 3))%N).
+(* chazelle.lem3.1.count (corrected) *)
+Check (@chazelle_switches.count_corrected :
+  forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (b : 'I_n) (T : nat -> nat)
+    (V : nat -> {set 'I_n}),
+  (forall t, network (G t)) ->
+  (forall t, model_D (G t) (c t)) ->
+  T 0%N = 0%N -> V 0%N = [set: 'I_n] -> (forall k, (T k < T k.+1)%N) ->
+  let P := fun t => transition (G t) (c t) in
+  (forall k i, (i \in V k.+1) = (i \in V k) && (block P (V k) (T k).+1 (T k.+1 - T k) i b != 0)) ->
+  (forall k t i, (T k.+1 <= t)%N -> i \in V k -> block P (V k) (T k).+1 (t - T k) i b != 0 -> i \in V k.+1) ->
+  forall k t, (0 < k)%N ->
+  (forall u i j, (T k < u)%N -> i \in V k -> j \in V k -> G u i j -> G u.+1 i j) ->
+  (chazelle_stabilisers.N (changes G) t 1 <=
+     chazelle_stabilisers.N (changes G) (T 1%N) 1
+     + \sum_(2 <= l < k.+1) chazelle_stabilisers.N (changes G) (T l) (T l.-1)
+     + 1 + 'C(#|V k|, 2) + chazelle_stabilisers.N (chazelle_switches.changes_in G (~: V k)) t (T k).+1)%N).
 (* beyond.chazelle.recurrent (part) *)
 Check (@chazelle_recurrent.tau1_repeatedly :
   forall (R : realFieldType) (n : nat) (P : nat -> 'M_n) (gamma : R) (B : nat),

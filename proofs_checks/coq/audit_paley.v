@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_composite paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_composite paley_fish paley_behaviours tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -742,6 +742,30 @@ Check (paley_patterns.thm3_minimizers :
        n = (q * M)%nat ->
        (forall m : nat, (1 <= m < M)%nat -> 0 < K m) ->
        K M < 0 -> pattern M n th <-> (forall th' : nat -> R, UMN n M K th <= UMN n M K th')).
+
+(* paley.vatt, corrected: v = - sum rhat_kj shortens the sum of the distances to the neighbours at the rate |v|^2, and with K > 0 a heading
+   that turns at the rate K <i e^{i th}, v> does not turn away from v *)
+Check (paley_behaviours.attraction :
+  forall (n : nat) (nbr : nat -> bool) (r : nat -> C) (k : nat),
+       (forall j : nat, (j < n)%nat -> nbr j = true -> r j <> r k) ->
+       let v := (- Csum n (fun j : nat => RtoC (if nbr j then 1 else 0) * paley_fish.unit_from (r k) (r j)))%C in
+       is_derive (fun s : R => Sum n (fun j : nat => (if nbr j then 1 else 0) * Cmod (r k + RtoC s * v - r j)%C)) 0
+         (- Cmod v ^ 2) /\
+       (forall (K : R) (th : R -> R) (a b : R), 0 < K -> a <= b ->
+          (forall t : R, a <= t <= b -> is_derive th t (K * inner (Ci * expi (th t))%C v)) ->
+          inner (expi (th a)) v <= inner (expi (th b)) v)).
+
+(* paley.vrep, corrected: the same with v = sum rhat_kj, which lengthens them *)
+Check (paley_behaviours.repulsion :
+  forall (n : nat) (nbr : nat -> bool) (r : nat -> C) (k : nat),
+       (forall j : nat, (j < n)%nat -> nbr j = true -> r j <> r k) ->
+       let v := Csum n (fun j : nat => RtoC (if nbr j then 1 else 0) * paley_fish.unit_from (r k) (r j))%C in
+       is_derive (fun s : R => Sum n (fun j : nat => (if nbr j then 1 else 0) * Cmod (r k + RtoC s * v - r j)%C)) 0
+         (Cmod v ^ 2) /\
+       (forall (K : R) (th : R -> R) (a b : R), 0 < K -> a <= b ->
+          (forall t : R, a <= t <= b -> is_derive th t (K * inner (Ci * expi (th t))%C v)) ->
+          inner (expi (th a)) v <= inner (expi (th b)) v)).
+Check (fun rk rj : C => eq_refl : paley_fish.unit_from rk rj = (RtoC (/ Cmod (rk - rj)) * (rk - rj))%C).
 
 (* paley.vatt *)
 Check (paley_fish.vatt_printed_repels :

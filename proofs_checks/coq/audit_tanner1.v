@@ -321,6 +321,16 @@ Check (tanner1_motion.linked_apart :
        exists d : R, 0 < d /\ forall T : R, (forall t : R, 0 <= t < T -> steered n adj V V' r v th t) ->
          forall t : R, 0 <= t < T -> d <= norm (r i t - r j t)%C).
 
+(* tanner1.collision, corrected, first clause *)
+Check (tanner1_motion.Vt_linked :
+  forall (n : nat) (adj : graph) (V : nat -> nat -> R -> R) (v : nat -> C) (th : nat -> R) (i j : nat) (M : R),
+       (forall (i j : nat) (s : R), (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
+       (forall (i j : nat) (M : R), (i < n)%nat -> (j < n)%nat -> exists d, 0 < d /\ forall s : R, 0 < s < d -> M < V i j s) ->
+       (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+       exists d : R, 0 < d /\ forall r : nat -> C,
+         (forall a b : nat, (a < n)%nat -> (b < n)%nat -> adj a b = true -> r a <> r b) ->
+         norm (r i - r j)%C < d -> M < Vt n adj V r v th).
+
 (* no row of theorems.tsv: refutes tanner1.propIV3a only if it is read as including that the motion, with its headings (2), exists
    for all t >= 0; uniqueness of the motion is not proved *)
 Check (tanner1_motion.propIV3a_ends :

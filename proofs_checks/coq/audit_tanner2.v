@@ -182,9 +182,23 @@ Check (tanner2_examples.cor1_stuck :
        (forall s : R, 0 < s -> s <> 1 -> VB 1 < VB s) /\ norm (pair2 0 - pair2 1)%C = 2).
 
 (* tanner2.cor2_decomp *)
-Check (tanner2_facts.cor2_decomposition :
-  forall (n : nat) (adj : graph) (x : nat -> R) (c : R),
-       undirected adj -> qform n (lap n adj) x = qform n (lap n adj) (fun i : nat => x i - c)).
+Check (tanner2_facts.cor2_decomp :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R)
+         (vxp vxn vyp vyn : nat -> R),
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       (forall i : nat, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+          is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
+       (forall i : nat, (i < n)%nat ->
+          is_velocity (v i) t (control4 n adj V' (fun k : nat => r k t) (fun k : nat => v k t) i)) ->
+       (forall i : nat, (i < n)%nat -> fst (v i t) = vxp i + vxn i /\ snd (v i t) = vyp i + vyn i) ->
+       (exists c : R, forall i : nat, (i < n)%nat -> vxp i = c) ->
+       (exists c : R, forall i : nat, (i < n)%nat -> vyp i = c) ->
+       Sum n vxn = 0 -> Sum n vyn = 0 ->
+       is_derive (fun s : R => Wenergy n adj V (fun i : nat => r i s) (fun i : nat => v i s)) t
+         (- qform n (lap n adj) vxn - qform n (lap n adj) vyn)).
 
 (* tanner2.cor2_merris *)
 Check (tanner2_facts.more_edges :

@@ -141,3 +141,24 @@ Proof.
   pose proof (sin2_cos2 (th 0%nat (PI / 12))) as T. unfold Rsqr in T.
   destruct (Rmult_integral _ _ E1) as [Z|Z]; [lra|]. destruct (Rmult_integral _ _ E2) as [Y|Y]; [lra|]. rewrite Z, Y in T. lra.
 Qed.
+
+(* V_t passes every bound as two linked agents approach each other *)
+Theorem Vt_linked n adj (V : nat -> nat -> R -> R) (v : nat -> C) (th : nat -> R) i j c :
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
+  (forall i j M, (i < n)%nat -> (j < n)%nat -> exists d, 0 < d /\ forall s, 0 < s < d -> M < V i j s) ->
+  (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+  exists d, 0 < d /\ forall r, (forall a b, (a < n)%nat -> (b < n)%nat -> adj a b = true -> r a <> r b) ->
+    norm (r i - r j)%C < d -> c < Vt n adj V r v th.
+Proof.
+  intros P U Hi Hj A. destruct (U i j (2 * c) Hi Hj) as [d [Hd B]]. exists d. split; [exact Hd|]. intros r HN L.
+  specialize (B _ (conj (norm_neq _ _ (HN i j Hi Hj A)) L)).
+  assert (G : forall a b, (a < n)%nat -> (b < n)%nat -> 0 <= w adj a b * V a b (norm (r a - r b)%C)).
+  { intros a b Ha Hb. unfold w. destruct (adj a b) eqn:F; [|lra]. rewrite Rmult_1_l. apply P; try assumption. now apply norm_neq, HN. }
+  assert (K : V i j (norm (r i - r j)%C) <= V_i n adj V r i).
+  { replace (V i j (norm (r i - r j)%C)) with (w adj i j * V i j (norm (r i - r j)%C)) by (unfold w; rewrite A; ring).
+    unfold V_i. apply (Sum_term_le n (fun b => w adj i b * V i b (norm (r i - r b)%C)) j); [|exact Hj]. intros b Hb. now apply G. }
+  assert (L2 : V_i n adj V r i + inner (v i) (v i) + th i ^ 2 <= Sum n (fun i => V_i n adj V r i + inner (v i) (v i) + th i ^ 2)).
+  { apply (Sum_term_le n (fun i => V_i n adj V r i + inner (v i) (v i) + th i ^ 2) i); [|exact Hi]. intros b Hb.
+    pose proof (inner_self_ge0 (v b)). pose proof (pow2_ge_0 (th b)). assert (0 <= V_i n adj V r b); [|lra]. apply Sum_ge0. intros; now apply G. }
+  pose proof (inner_self_ge0 (v i)). pose proof (pow2_ge_0 (th i)). unfold Vt. lra.
+Qed.

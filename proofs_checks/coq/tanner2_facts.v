@@ -99,6 +99,29 @@ Proof.
 Qed.
 Theorem cor2_decomposition n adj x c : undirected adj -> qform n (lap n adj) x = qform n (lap n adj) (fun i => x i - c).
 Proof. intros S. rewrite !qform_edges by assumption. f_equal. apply Sum_ext; intros k _; apply Sum_ext; intros j _. ring. Qed.
+(* tanner2.cor2_decomp: any splitting of the velocities of each axis into a multiple of 1 and a part normal to 1 *)
+Theorem cor2_decomp n adj V V' r v t (xp xn yp yn : nat -> R) : undirected adj -> (forall i j, V' i j = V' j i) ->
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+     is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
+  (forall i, (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
+  (forall i, (i < n)%nat -> fst (v i t) = xp i + xn i /\ snd (v i t) = yp i + yn i) ->
+  (exists c, forall i, (i < n)%nat -> xp i = c) -> (exists c, forall i, (i < n)%nat -> yp i = c) ->
+  Sum n xn = 0 -> Sum n yn = 0 ->
+  is_derive (fun s => Wenergy n adj V (fun i => r i s) (fun i => v i s)) t
+    (- qform n (lap n adj) xn - qform n (lap n adj) yn).
+Proof.
+  intros S VS HR HN HV HU Split [c Cx] [e Cy] _ _.
+  destruct (eq9 n adj V V' r v t S VS HR HN HV HU) as [D [K _]].
+  replace (- qform n (lap n adj) xn - qform n (lap n adj) yn) with (- qform (2 * n) (kron2 (lap n adj)) (stack (fun i => v i t))); [exact D|].
+  rewrite K, (cor2_decomposition n adj (fun i => fst (v i t)) c S), (cor2_decomposition n adj (fun i => snd (v i t)) e S).
+  assert (E : forall x y, (forall i, (i < n)%nat -> x i = y i) -> qform n (lap n adj) x = qform n (lap n adj) y).
+  { intros x y H. unfold qform. apply Sum_ext; intros i Hi. rewrite (H i Hi). f_equal. apply Sum_ext; intros j Hj. now rewrite (H j Hj). }
+  rewrite (E _ xn), (E (fun i => snd (v i t) - e) yn); [ring|..]; intros i Hi; destruct (Split i Hi) as [X Y].
+  - rewrite Y, (Cy i Hi). ring.
+  - rewrite X, (Cx i Hi). ring.
+Qed.
 (* lam is a lower bound of the form on the vectors orthogonal to 1: by Courant and Fischer, lam <= lambda_2 *)
 Definition below_second (n : nat) (adj : graph) (lam : R) := forall x, Sum n x = 0 -> lam * Sum n (fun i => x i ^ 2) <= qform n (lap n adj) x.
 Lemma centred_sum n x : (1 <= n)%nat -> Sum n (fun i => x i - mean n x) = 0.

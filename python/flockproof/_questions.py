@@ -485,6 +485,8 @@ def _on_cluster(
 ) -> None:
     import distributed
 
+    if not isinstance(client, distributed.Client):
+        raise TypeError(f"client must be a distributed.Client, but it is `{str(client)[:60]}`")
     # Its functions have no types.
     as_completed: Any = distributed.as_completed
 

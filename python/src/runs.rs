@@ -153,11 +153,7 @@ pub fn tracks<'py>(
 }
 
 fn choices(chosen: &Chosen, tracks: &Tracks) -> PyResult<Choices> {
-    let zones = match *chosen.zones.as_slice() {
-        [repulsion, orientation] => [repulsion, orientation, f64::INFINITY],
-        [repulsion, orientation, attraction] => [repulsion, orientation, attraction],
-        _ => return Err(refuse("zones needs two or three radii, such as 1.4, 2.4")),
-    };
+    let zones = Choices::radii_of_zones(&chosen.zones).map_err(|error| refuse(format!("zones: {error}")))?;
     Ok(Choices {
         window: chosen.window.unwrap_or(Choices::of_sidebar(tracks.step).window),
         positions: if chosen.smooth_positions { PositionsUsed::Smoothed } else { PositionsUsed::File },

@@ -82,6 +82,16 @@ SCENARIO: dict[str, Any] = {
     "run": {"until": 1, "samples": [1]},
 }
 FLOCK = flockproof.Flock(POSITIONS, VELOCITIES)
+QUESTION: dict[str, Any] = {
+    "question": {"id": "wrong.value", "statement": "Two."},
+    "for": {"n": "2..3", "graph": "trees(n)"},
+    "holds": {"property": "lambda(2) >= 1/2", "controls": ["lambda(2) >= 2"]},
+}
+VALUES: dict[str, Any] = {"question": {"id": "wrong.value"}, "for": {"n": "2..3"}, "values": {"n": "n"}}
+
+
+def question_with(section: str, key: str) -> Callable[[Any], Any]:
+    return lambda wrong: flockproof.check({**QUESTION, section: {**QUESTION[section], key: wrong}})
 
 
 def scenario_with(section: str, key: str) -> Callable[[Any], Any]:
@@ -149,6 +159,25 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "tracks.ids": lambda x: flockproof.tracks(TRACKS, null=0, ids=x),
     "tracks.seed": lambda x: flockproof.tracks(TRACKS, null=0, seed=x),
     "tracks.null": lambda x: flockproof.tracks(TRACKS, null=x) if not is_large(x) else None,
+    "check": flockproof.check,
+    "check.question": lambda x: flockproof.check({**QUESTION, "question": x}),
+    "check.id": question_with("question", "id"),
+    "check.kind": question_with("question", "kind"),
+    "check.family": question_with("for", "n"),
+    "check.graph": question_with("for", "graph"),
+    "check.property": question_with("holds", "property"),
+    "check.controls": question_with("holds", "controls"),
+    "check.progress": lambda x: flockproof.check(QUESTION, progress=x),
+    "sweep": flockproof.sweep,
+    "sweep.values": lambda x: flockproof.sweep({**VALUES, "values": x}),
+    "sweep.client": lambda x: flockproof.sweep(VALUES, x),
+    "sweep.shards": lambda x: flockproof.sweep(VALUES, shards=x),
+    "sweep.threads": lambda x: flockproof.sweep(VALUES, threads=x),
+    "fuzz": lambda x: flockproof.fuzz(x, cases=1) if x is not None else None,
+    "fuzz.invariants": lambda x: flockproof.fuzz(invariants=x, cases=1) if not is_empty(x) else None,
+    "fuzz.cases": lambda x: flockproof.fuzz(QUESTION, cases=x) if not is_large(x) else None,
+    "fuzz.seed": lambda x: flockproof.fuzz(QUESTION, cases=1, seed=x),
+    "fuzz.shards": lambda x: flockproof.fuzz(QUESTION, cases=1, shards=x),
     "verify.papers": lambda x: flockproof.verify(papers=x, claims=NOTHING) if not is_empty(x) else None,
     "verify.claims": lambda x: flockproof.verify(claims=x) if not is_empty(x) else None,
     "verify.seed": lambda x: flockproof.verify(claims=NOTHING, seed=x),

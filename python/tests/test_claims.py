@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import ASSETS
+from conftest import ASSETS, command_line
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -232,6 +232,9 @@ def test_export(tmp_path: Path) -> None:
     report.save(tmp_path / "ledger.json")
     assert json.loads((tmp_path / "ledger.json").read_text())["claims"][0]["why"] == "nobody knows"
     assert "mine.one" in report._repr_html_()
+    command_line("report", "--ledger", str(tmp_path / "ledger.json"), "--no-figures", "--out", str(tmp_path / "site"))
+    page = (tmp_path / "site/claims/mine.one.html").read_text()
+    assert "A statement." in page and "nobody knows" in page and "mine.one" in (tmp_path / "site/index.html").read_text()
 
 
 @given(fractions, fractions)

@@ -15,7 +15,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", required_unless_present = "coq")]
     out: Option<PathBuf>,
     /// Only those of this claim (may be repeated) [default: all]
-    #[arg(long, value_name = "ID", conflicts_with = "coq")]
+    #[arg(long, value_name = "ID", value_parser = clap::builder::NonEmptyStringValueParser::new(), conflicts_with = "coq")]
     claim: Vec<String>,
     /// Folder for the same results as theorems: gen_products.v, gen_limits.v, gen_switches.v, gen_inertia.v, gen_peaks.v
     #[arg(long, value_name = "DIR")]

@@ -1,9 +1,10 @@
 //! `check`: decides statements of one's own from files.
 
 use super::{CliError, interrupt, output, progress};
+use flockproof::arithmetic::Progress;
 use flockproof::question::{Answer, Question, QuestionError, Verdict, decide, names};
-use flockproof::report::Provenance;
-use serde_json::json;
+use flockproof::report::{Provenance, shown};
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -18,9 +19,12 @@ pub struct Arguments {
     /// Print all names that a question may use, with what they mean
     #[arg(long)]
     names: bool,
-    /// Write a counterexample as a question of its own into this folder
-    #[arg(long, value_name = "DIR", default_value = ".")]
+    /// Write a counterexample as a question of its own into this folder [default: the current one]
+    #[arg(long, value_name = "DIR", default_value = ".", hide_default_value = true)]
     replay: PathBuf,
+    /// Write the answers as a page that needs no other file, with counterexamples drawn
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
@@ -28,7 +32,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         output::print(&names::as_text())?;
         return Ok(ExitCode::SUCCESS);
     }
-    let mut documents = Vec::new();
+    if arguments.replay != Path::new(".") {
+        output::make_folder(&arguments.replay)?;
+    }
+    arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
+    let (mut documents, mut pages) = (Vec::new(), Vec::new());
     let mut worst = Verdict::Holds;
     let mut interrupted = false;
     for path in &arguments.files {
@@ -47,6 +55,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         };
         let replay = write_replay(&question, &answer, path, &arguments.replay)?;
         worst = worse(worst, answer.verdict);
+        if arguments.html.is_some() {
+            pages.push((answer.id.clone(), shown::question(&question, &answer, &watch)));
+        }
         if arguments.json {
             documents.push(provenance(path, &question).stamp(answer.json(replay.as_deref())));
         } else {
@@ -63,17 +74,46 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let document = if documents.len() == 1 { documents.remove(0) } else { documents.into() };
         output::print_json(&document)?;
     }
+    if let Some(path) = arguments.html.as_deref().filter(|_| !pages.is_empty()) {
+        output::write_file(path, page(arguments, &pages).as_bytes())?;
+        if !arguments.json {
+            output::print(&format!("written: {}\n", path.display()))?;
+        }
+    }
     Ok(if interrupted { interrupt::status(false) } else { ExitCode::from(worst.status()) })
+}
+
+/// All answers on one page.
+fn page(arguments: &Arguments, pages: &[(String, String)]) -> String {
+    let names: Vec<String> = arguments.files.iter().map(|path| file_name(path)).collect();
+    let command = format!("flockproof check {} --html FILE", names.join(" "));
+    match pages {
+        [(id, shown)] => shown::page(id, &command, shown),
+        several => {
+            let parts: Vec<String> = several.iter().map(|(id, shown)| shown::part(id, shown)).collect();
+            shown::page("Questions", &command, &parts.concat())
+        }
+    }
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
 /// The question in its canonical form is all that an answer depends on.
 fn provenance(path: &Path, question: &Question) -> Provenance {
-    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+    let name = file_name(path);
     Provenance::new(
         "flockproof.check/1",
         None,
         json!({"command": "check", "file": name, "question": question.canonical()}),
     )
+}
+
+/// Decides a question that is no file; its document, and what it says.
+pub fn decided(question: &Question, name: &str, progress: &dyn Progress) -> Result<(Value, Answer), CliError> {
+    let answer = decide(question, progress).map_err(|error| CliError::Use(error.to_string()))?;
+    Ok((provenance(Path::new(name), question).stamp(answer.json(None)), answer))
 }
 
 /// Reads a question; the files that it names lie beside it.

@@ -14,17 +14,18 @@ Examples:\n  flockproof explain veerman.gain_max\n  flockproof explain chazelle.
 )]
 pub struct Arguments {
     /// Id of the claim, such as veerman.lem2
-    #[arg(value_name = "ID")]
+    #[arg(value_name = "ID", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     id: String,
     /// Print one JSON document, flockproof.explain/1
     #[arg(long)]
     json: bool,
     /// Write the claim as a page that needs no other file, with its figures
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with = "json")]
     html: Option<PathBuf>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
     let ledger = verify::ledger()?;
     let ids =
         ledger.select(&[], std::slice::from_ref(&arguments.id)).map_err(|error| verify::use_error(&ledger, error))?;

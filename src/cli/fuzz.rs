@@ -7,7 +7,8 @@ use flockproof::campaign::fuzz::{Attack, Failed, Fuzz, Replay, Summary, one_case
 use flockproof::campaign::invariants::{Checked, Stop, Tested, find, table};
 use flockproof::campaign::job::Campaign;
 use flockproof::campaign::store::{Run, Shard, merge, run_in_memory, run_shard};
-use serde_json::json;
+use flockproof::report::Provenance;
+use serde_json::{Value, json};
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -60,7 +61,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if let Some(path) = &arguments.replay {
         let text = output::read_input(path)?.text;
         let replay = Replay::read(&text).map_err(|error| CliError::file(path, error))?;
-        return told(replay.invariant.id, &replay.decide(), arguments.json);
+        let configuration = json!({"command": "fuzz", "replay": text});
+        return told(replay.invariant.id, &replay.decide(), (arguments.json, None, configuration));
     }
     if let Some(file) = arguments.names.iter().find(|name| name.ends_with(".toml")) {
         return attack(Path::new(file), arguments);
@@ -71,7 +73,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             return Err(CliError::Use("--case is for one invariant, which has to be named".to_string()));
         };
         let (checked, _) = one_case(invariant, fuzz.seed(), case, Tested::AsItIs);
-        return told(invariant.id, &checked, arguments.json);
+        let configuration = json!({"command": "fuzz", "invariant": invariant.id, "seed": fuzz.seed(), "case": case});
+        return told(invariant.id, &checked, (arguments.json, Some(fuzz.seed()), configuration));
     }
     campaign(&fuzz, &fuzz.names(), fuzz.seed(), arguments)
 }
@@ -96,7 +99,8 @@ fn refused(error: impl std::fmt::Display) -> CliError {
 fn list(json: bool) -> Result<ExitCode, CliError> {
     if json {
         let row = |i: &flockproof::campaign::invariants::Invariant| json!({"id": i.id, "statement": i.statement, "control": i.control});
-        output::print_json(&json!({"invariants": table().map(row).collect::<Vec<_>>()}))?;
+        let provenance = Provenance::new("flockproof.invariants/1", None, json!({"command": "fuzz", "list": true}));
+        output::print_json(&provenance.stamp(json!({"invariants": table().map(row).collect::<Vec<_>>()})))?;
     } else {
         let width = output::width().min(100);
         let indent = textwrap::Options::new(width).initial_indent("    ").subsequent_indent("    ");
@@ -108,8 +112,12 @@ fn list(json: bool) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// One case in words; exit status 1 where it fails.
-fn told(id: &str, checked: &Checked, json: bool) -> Result<ExitCode, CliError> {
+/// One case in words, or as JSON with its seed and configuration; exit status 1 where it fails.
+fn told(
+    id: &str,
+    checked: &Checked,
+    (json, seed, configuration): (bool, Option<&str>, Value),
+) -> Result<ExitCode, CliError> {
     let (verdict, why, instance, margin) = match checked {
         Ok(margin) => ("holds", "", "", *margin),
         Err(Stop::Undecided(why)) => ("undecided", why.as_str(), "", None),
@@ -117,9 +125,10 @@ fn told(id: &str, checked: &Checked, json: bool) -> Result<ExitCode, CliError> {
     };
     if json {
         let margin = margin.map(|margin| format!("~{margin:?}"));
-        output::print_json(&json!({
+        let provenance = Provenance::new("flockproof.fuzz-case/1", seed, configuration);
+        output::print_json(&provenance.stamp(json!({
             "invariant": id, "verdict": verdict, "why": why, "instance": instance, "margin": margin
-        }))?;
+        })))?;
     } else {
         let margin = margin.map_or(String::new(), |margin| format!(", margin {margin:?}"));
         let lines = [format!("{id}: {verdict}{margin}"), why.to_string(), instance.to_string()];
@@ -147,7 +156,7 @@ fn campaign(fuzz: &dyn Campaign, names: &[&str], seed: &str, arguments: &Argumen
         eprintln!("{:.0} cases a second", summary.cases() as f64 / seconds.max(1e-9));
     }
     told_interrupted(&run, &watch);
-    let code = finished(&summary, arguments.store.as_deref(), arguments.json)?;
+    let code = finished(&summary, &fuzz.canonical(), arguments.store.as_deref(), arguments.json)?;
     Ok(if run.is_complete() { code } else { interrupt::status(false) })
 }
 
@@ -166,11 +175,12 @@ fn merged(folder: &Path, json: bool) -> Result<ExitCode, CliError> {
         let fuzz = Fuzz::read(&merged.header.campaign).map_err(|error| CliError::file(folder, error))?;
         Summary::new(&fuzz.names(), fuzz.seed(), jobs, rows)
     };
-    finished(&summary.map_err(|error| CliError::file(folder, error))?, Some(folder), json)
+    let summary = summary.map_err(|error| CliError::file(folder, error))?;
+    finished(&summary, &merged.header.campaign, Some(folder), json)
 }
 
 /// Prints a summary and writes its failures, one file each: a question for `check`, or a replay of an invariant to the store.
-fn finished(summary: &Summary, store: Option<&Path>, json: bool) -> Result<ExitCode, CliError> {
+fn finished(summary: &Summary, canonical: &str, store: Option<&Path>, json: bool) -> Result<ExitCode, CliError> {
     for own in &summary.invariants {
         for failed in &own.failures {
             if let Some(path) = file_of(store, &own.id, failed) {
@@ -180,12 +190,21 @@ fn finished(summary: &Summary, store: Option<&Path>, json: bool) -> Result<ExitC
         }
     }
     if json {
-        output::print_json(&summary.to_json())?;
+        let campaign: Value = serde_json::from_str(canonical).unwrap_or_else(|_| canonical.into());
+        let configuration = json!({"command": "fuzz", "campaign": campaign});
+        let provenance = Provenance::new("flockproof.fuzz/1", Some(&summary.seed), configuration);
+        output::print_json(&provenance.stamp(summary.to_json()))?;
     } else {
         output::print(&text(summary, store))?;
     }
-    Ok(ExitCode::from(u8::from(summary.failed() > 0)))
+    Ok(match (summary.failed() > 0, summary.controls_bite()) {
+        (_, false) => ExitCode::from(WITHHELD),
+        (failed, true) => ExitCode::from(u8::from(failed)),
+    })
 }
+
+/// As `check` ends where a control is not refuted.
+const WITHHELD: u8 = 4;
 
 /// Where a failure is written: to the store, and a question without a store where `check` writes it, too.
 fn file_of(store: Option<&Path>, id: &str, failed: &Failed) -> Option<PathBuf> {
@@ -206,6 +225,13 @@ fn text(summary: &Summary, store: Option<&Path>) -> String {
             "{:<widest$} {:>10} {:>7} {:>10} {margin:>12}\n",
             own.id, own.cases, own.failed, own.undecided
         ));
+    }
+    for own in summary.invariants.iter().filter(|own| !own.controls.is_empty()) {
+        let (refuted, total) = (own.refuted(), own.controls.len());
+        text.push_str(&format!("controls refuted: {refuted} of {total}\n"));
+        if refuted < total {
+            text.push_str("A control that no case refutes shows no bite: nothing follows from these cases.\n");
+        }
     }
     for own in &summary.invariants {
         for failed in &own.failures {

@@ -96,9 +96,18 @@ pub fn one_sentence(message: &str) -> String {
     for (theirs, ours) in WORDS {
         sentence = sentence.replace(theirs, ours);
     }
-    let sentence = sentence.strip_suffix(" found").unwrap_or(&sentence);
+    let sentence = with_range(sentence.strip_suffix(" found").unwrap_or(&sentence));
     match tip {
         Some(tip) => format!("{sentence}; {}", tip.trim_start_matches("tip: ")),
-        None => sentence.to_string(),
+        None => sentence,
     }
+}
+
+/// `-5 is not in 1..=10000` in words.
+fn with_range(sentence: &str) -> String {
+    let ranges = sentence.split_once(" is not in ").and_then(|(before, range)| {
+        let (least, most) = range.split_once("..=")?;
+        Some(format!("{before} is not one of the numbers from {least} to {most}"))
+    });
+    ranges.unwrap_or_else(|| sentence.to_string())
 }

@@ -15,6 +15,7 @@ mod interrupt;
 mod list;
 mod man;
 mod output;
+mod pattern;
 mod progress;
 mod prove;
 mod report;
@@ -57,6 +58,8 @@ enum Command {
     Resonance(resonance::Arguments),
     /// Enclose the eigenvalues of a Laplacian or adjacency matrix of a graph
     Spectrum(spectrum::Arguments),
+    /// Decide which symmetric patterns of steered particles are stable under given gains
+    Pattern(pattern::Arguments),
     /// Analyse measured trajectories of a school: order, potentials, zones, null models
     Tracks(tracks::Arguments),
     /// Let Coq check the proofs that the ledger rests on
@@ -117,7 +120,7 @@ fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
             return ExitCode::from(2);
         }
         Err(error) if error.use_stderr() => {
-            eprintln!("{}", help::one_sentence(&error.render().to_string()));
+            output::complain(&help::one_sentence(&error.render().to_string()));
             return ExitCode::from(2);
         }
         // Help and version.
@@ -133,6 +136,7 @@ fn run(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
         Command::Reproduce(arguments) => reproduce::run(&arguments),
         Command::Resonance(arguments) => resonance::run(&arguments),
         Command::Spectrum(arguments) => spectrum::run(&arguments),
+        Command::Pattern(arguments) => pattern::run(&arguments),
         Command::Tracks(arguments) => tracks::run(&arguments),
         Command::Prove(arguments) => prove::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
@@ -152,7 +156,7 @@ fn finish(result: Result<ExitCode, CliError>) -> ExitCode {
         Ok(code) => code,
         Err(CliError::ClosedOutput) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            output::complain(&format!("error: {}", output::without_system_words(&error.to_string())));
             ExitCode::from(2)
         }
     }

@@ -1,13 +1,28 @@
 //! Standard output, and files in and out, without ever panicking.
 
 use super::CliError;
-use flockproof::report::digest;
+use flockproof::report::{digest, folded};
 use serde_json::{Value, json};
 use std::io::{self, ErrorKind, IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// Prints a text; a closed pipe ends the program quietly.
+/// Prints a text for people, at most as wide as the terminal; a closed pipe ends the program quietly.
 pub fn print(text: &str) -> Result<(), CliError> {
+    if io::stdout().is_terminal() { print_raw(&folded(text, width())) } else { print_raw(text) }
+}
+
+/// Prints a sentence to standard error, at most as wide as the terminal there.
+pub fn complain(sentence: &str) {
+    let stderr = io::stderr();
+    let terminal = if stderr.is_terminal() { terminal_size::terminal_size_of(&stderr) } else { None };
+    match terminal {
+        Some((width, _)) => eprintln!("{}", folded(sentence, usize::from(width.0).max(LEAST))),
+        None => eprintln!("{sentence}"),
+    }
+}
+
+/// Prints a text that programs read, as it is.
+pub fn print_raw(text: &str) -> Result<(), CliError> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
         ErrorKind::BrokenPipe => CliError::ClosedOutput,
@@ -17,7 +32,7 @@ pub fn print(text: &str) -> Result<(), CliError> {
 
 /// Prints a JSON document.
 pub fn print_json(document: &serde_json::Value) -> Result<(), CliError> {
-    print(&format!("{document:#}\n"))
+    print_raw(&format!("{document:#}\n"))
 }
 
 /// What went wrong with a file, without the words and numbers of the operating system where there are better ones.
@@ -35,6 +50,23 @@ pub fn sentence(error: &io::Error) -> String {
         }
         _ => error.to_string().split(" (os error").next().unwrap_or_default().to_lowercase(),
     }
+}
+
+/// A message of a library in which the words of the operating system become a sentence.
+pub fn without_system_words(message: &str) -> String {
+    let mut text = message.to_string();
+    while let Some((_, rest)) = text.split_once(" (os error ") {
+        let Some(error) = rest.split(')').next().and_then(|code| code.parse().ok()).map(io::Error::from_raw_os_error)
+        else {
+            break;
+        };
+        let changed = text.replace(&error.to_string(), &sentence(&error));
+        if changed == text {
+            break;
+        }
+        text = changed;
+    }
+    text
 }
 
 /// Refuses a file about which the operating system complains.
@@ -116,10 +148,11 @@ fn limited(input: impl Read) -> io::Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// Where a terminal is narrower, no table can be read.
+const LEAST: usize = 40;
+
 /// Width of the terminal; 80 where standard output is none.
 pub fn width() -> usize {
-    /// Where it is narrower, no table can be read.
-    const LEAST: usize = 40;
     let stdout = io::stdout();
     let terminal = if stdout.is_terminal() { terminal_size::terminal_size_of(stdout) } else { None };
     terminal.map_or(80, |(width, _)| usize::from(width.0).max(LEAST))

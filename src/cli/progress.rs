@@ -9,7 +9,7 @@ const PATIENCE: Duration = Duration::from_secs(2);
 
 /// A bar that shows how many steps are done; how many there are is told with the first.
 pub fn bar() -> ProgressBar {
-    styled("{bar:30} {pos}/{len} {msg}, {eta} left")
+    styled("{wide_bar} {pos}/{len} {msg}, {eta} left")
 }
 
 /// What is being done, where nobody knows how long it takes.

@@ -2,10 +2,11 @@
 
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress, verify};
-use flockproof::ledger::{Document, Options};
-use flockproof::report::{FIGURES, Figure, Made, Page, Site};
+use flockproof::ledger::{Document, Options, to_json_with};
+use flockproof::report::{FIGURES, Figure, Made, Page, Site, ledger_origin};
 use rayon::prelude::*;
-use std::collections::BTreeSet;
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -66,11 +67,20 @@ fn document(path: Option<&Path>, ledger: &flockproof::ledger::Ledger) -> Result<
             for difference in &report.differences {
                 eprintln!("differs: {difference}");
             }
-            Document::new(&report, &options).json()
+            to_json_with(&report, &options, ledger_origin(&[], &[], &options))
         }
     };
     let place = path.unwrap_or(Path::new("ledger"));
-    Document::read(&text).map(Some).map_err(|error| CliError::file(place, error))
+    let mut document = Document::read(&text).map_err(|error| CliError::file(place, error))?;
+    document.more = origin(&text);
+    Ok(Some(document))
+}
+
+/// Where a ledger says that it comes from.
+fn origin(text: &str) -> BTreeMap<String, Value> {
+    // It was read as a ledger, so that it is an object.
+    let whole: BTreeMap<String, Value> = serde_json::from_str(text).unwrap_or_default();
+    whole.into_iter().filter(|(key, _)| ["configuration", "digest", "kernel"].contains(&key.as_str())).collect()
 }
 
 /// These figures, in their order; nothing if a signal came.

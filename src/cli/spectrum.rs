@@ -3,10 +3,10 @@
 use super::{CliError, output, progress};
 use flockproof::arithmetic::{Interval, decimals, shown};
 use flockproof::graph::read::{GraphFile, read_graph_file};
-use flockproof::graph::{LaplacianKind, NamedGraph};
+use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
+use flockproof::motion::side_by_side;
 use flockproof::report::Provenance;
 use flockproof::spectrum::{Eigenvalue, Method, Spectrum, SpectrumError, graph_spectrum, named_spectrum};
-use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
 use std::process::ExitCode;
@@ -33,7 +33,7 @@ pub struct Arguments {
     #[arg(long)]
     zero_based: bool,
     /// Significant digits [default: 20 where they are exact, otherwise what floating point gives]
-    #[arg(long, value_name = "D", allow_negative_numbers = true)]
+    #[arg(long, value_name = "D", value_parser = clap::value_parser!(u32).range(1..=10000))]
     digits: Option<u32>,
     /// Print one JSON document, flockproof.spectrum/1
     #[arg(long)]
@@ -41,10 +41,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    let kind = LaplacianKind::from_name(&arguments.kind).ok_or_else(|| {
-        let names: Vec<&str> = LaplacianKind::NAMES.iter().map(|(name, _)| *name).collect();
-        CliError::Use(format!("--kind: `{}` is none of {}", arguments.kind, names.join(", ")))
-    })?;
+    let kind = kind_named(&arguments.kind)?;
     if arguments.root.is_some() && kind != LaplacianKind::Reduced {
         return Err(CliError::Use(format!("--root is for `--kind reduced`, not for `{}`", kind.name())));
     }
@@ -52,18 +49,66 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     let found = find(arguments, kind);
     bar.finish_and_clear();
     let found = found?;
-    let digits = shown_digits(&found.spectrum, arguments.digits);
     if arguments.json {
-        let configuration = json!({
-            "command": "spectrum", "graph": arguments.graph, "file": found.file, "zero_based": arguments.zero_based,
-            "kind": kind.name(), "root": found.root, "digits": arguments.digits,
-        });
-        let provenance = Provenance::new("flockproof.spectrum/1", None, configuration);
-        output::print_json(&provenance.stamp(document(&arguments.graph, kind, &found, digits)))?;
+        output::print_json(&stamped(arguments, kind, &found))?;
     } else {
-        output::print(&table(&arguments.graph, kind, &found, digits))?;
+        output::print(&table(&arguments.graph, kind, &found, shown_digits(&found.spectrum, arguments.digits)))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+fn kind_named(name: &str) -> Result<LaplacianKind, CliError> {
+    LaplacianKind::from_name(name).ok_or_else(|| {
+        let names: Vec<&str> = LaplacianKind::NAMES.iter().map(|(name, _)| *name).collect();
+        CliError::Use(format!("--kind: `{}` is none of {}", shown(name), names.join(", ")))
+    })
+}
+
+/// The document with where it comes from.
+fn stamped(arguments: &Arguments, kind: LaplacianKind, found: &Found) -> Value {
+    let digits = shown_digits(&found.spectrum, arguments.digits);
+    let configuration = json!({
+        "command": "spectrum", "graph": arguments.graph, "file": found.file, "zero_based": arguments.zero_based,
+        "kind": kind.name(), "root": found.root, "digits": arguments.digits,
+    });
+    Provenance::new("flockproof.spectrum/1", None, configuration).stamp(document(&arguments.graph, kind, found, digits))
+}
+
+/// A graph that was read, with its spectrum.
+pub struct OfText {
+    pub document: Value,
+    pub graph: WeightedGraph,
+    pub spectrum: Spectrum,
+}
+
+/// The spectrum of a graph by its name, or of an edge list as it would come from standard input; `most` is the largest order.
+pub fn of_text(name: &str, list: output::Input, kind: &str, most: usize) -> Result<OfText, CliError> {
+    let kind = kind_named(kind)?;
+    let wrong = |error: &dyn std::fmt::Display| CliError::Use(format!("{}: {error}", shown(name)));
+    let small = |order: usize| match order > most {
+        true => Err(CliError::Use(format!("the graph has more than {most} vertices; the command line takes more"))),
+        false => Ok(()),
+    };
+    let graph = if name.is_empty() { "-" } else { name };
+    let arguments = Arguments {
+        graph: graph.to_string(),
+        kind: kind.name().to_string(),
+        root: None,
+        zero_based: false,
+        digits: None,
+        json: true,
+    };
+    let (graph, found) = if name.is_empty() {
+        let file = read_graph_file(&list.text, false).map_err(|error| CliError::Use(error.to_string()))?;
+        small(file.graph.order())?;
+        let graph = file.graph.clone();
+        (graph, of_file(&arguments, kind, file, list.origin)?)
+    } else {
+        let named: NamedGraph = name.parse().map_err(|error| wrong(&error))?;
+        small(named.order())?;
+        (named.build().map_err(|error| wrong(&error))?, of_name(&arguments, kind, &named)?)
+    };
+    Ok(OfText { document: stamped(&arguments, kind, &found), graph, spectrum: found.spectrum })
 }
 
 /// A spectrum and what it is of.
@@ -83,34 +128,44 @@ pub fn read_file(path: &Path, zero_based: bool) -> Result<(GraphFile, Value), Cl
     Ok((file, input.origin))
 }
 
+/// Refuses `--zero-based` beside a name, which it would not change.
+pub fn zero_based_name(graph: &str) -> CliError {
+    CliError::Use(format!("--zero-based is for the numbers of a file, and {graph} names a graph"))
+}
+
 fn find(arguments: &Arguments, kind: LaplacianKind) -> Result<Found, CliError> {
-    let (graph, digits) = (&arguments.graph, arguments.digits);
+    let graph = &arguments.graph;
     let path = Path::new(graph);
     // A file wins over a name only where the name means nothing.
     match graph.parse::<NamedGraph>() {
-        Ok(named) => {
-            let root = root_of(arguments, named.order(), |word| word.parse().ok())?;
-            let found = if root == 1 {
-                named_spectrum(&named, kind, digits)
-            } else {
-                named
-                    .build()
-                    .map_err(SpectrumError::from)
-                    .and_then(|graph| graph_spectrum(&graph, kind, root - 1, digits))
-            };
-            let spectrum = found.map_err(|error| CliError::Use(format!("{graph}: {error}")))?;
-            Ok(Found { spectrum, root, file: None, labels: None })
-        }
+        Ok(_) if arguments.zero_based => Err(zero_based_name(graph)),
+        Ok(named) => of_name(arguments, kind, &named),
         Err(_) if path.exists() || graph == "-" => {
             let (file, origin) = read_file(path, arguments.zero_based)?;
-            let root = root_of(arguments, file.graph.order(), |word| file.vertex(word).map(|k| k + 1))?;
-            let spectrum =
-                graph_spectrum(&file.graph, kind, root - 1, digits).map_err(|error| CliError::file(path, error))?;
-            Ok(Found { spectrum, root, file: Some(origin), labels: file.labels })
+            of_file(arguments, kind, file, origin)
         }
         Err(error) if graph.contains(':') => Err(CliError::Use(format!("--graph: {error}"))),
         Err(error) => Err(CliError::Use(format!("--graph: there is no file of that name, and {error}"))),
     }
+}
+
+fn of_name(arguments: &Arguments, kind: LaplacianKind, named: &NamedGraph) -> Result<Found, CliError> {
+    let digits = arguments.digits;
+    let root = root_of(arguments, named.order(), |word| word.parse().ok())?;
+    let found = if root == 1 {
+        named_spectrum(named, kind, digits)
+    } else {
+        named.build().map_err(SpectrumError::from).and_then(|graph| graph_spectrum(&graph, kind, root - 1, digits))
+    };
+    let spectrum = found.map_err(|error| CliError::Use(format!("{}: {error}", arguments.graph)))?;
+    Ok(Found { spectrum, root, file: None, labels: None })
+}
+
+fn of_file(arguments: &Arguments, kind: LaplacianKind, file: GraphFile, origin: Value) -> Result<Found, CliError> {
+    let root = root_of(arguments, file.graph.order(), |word| file.vertex(word).map(|k| k + 1))?;
+    let found = graph_spectrum(&file.graph, kind, root - 1, arguments.digits);
+    let spectrum = found.map_err(|error| CliError::file(Path::new(&arguments.graph), error))?;
+    Ok(Found { spectrum, root, file: Some(origin), labels: file.labels })
 }
 
 /// The vertex of `--root`, from 1.
@@ -163,7 +218,7 @@ fn document(graph: &str, kind: LaplacianKind, found: &Found, digits: u32) -> Val
         "order": spectrum.order,
         "method": spectrum.method.name(),
         "reason": spectrum.reason,
-        "eigenvalues": spectrum.eigenvalues.par_iter().map(part).collect::<Vec<Value>>(),
+        "eigenvalues": side_by_side(&spectrum.eigenvalues, part),
     });
     if kind == LaplacianKind::Reduced {
         document["root"] = json!(found.root);
@@ -187,7 +242,7 @@ fn table(graph: &str, kind: LaplacianKind, found: &Found, digits: u32) -> String
         text.push_str(&textwrap::fill(paragraph, 80));
         text.push('\n');
     }
-    let lines: Vec<String> = spectrum.eigenvalues.par_iter().map(|part| line(part, digits)).collect();
+    let lines: Vec<String> = side_by_side(&spectrum.eigenvalues, |part| line(part, digits));
     text.extend(lines);
     text
 }

@@ -115,11 +115,8 @@ fn tracks(arguments: &Arguments) -> Result<(Tracks, String, Value), CliError> {
 
 fn choices(arguments: &Arguments, tracks: &Tracks) -> Result<Choices, CliError> {
     let sidebar = Choices::of_sidebar(tracks.step);
-    let zones = match *arguments.zones.as_slice() {
-        [repulsion, orientation] => [repulsion, orientation, f64::INFINITY],
-        [repulsion, orientation, attraction] => [repulsion, orientation, attraction],
-        _ => return Err(CliError::Use("--zones needs two or three radii, such as 1.4,2.4".to_string())),
-    };
+    let zones =
+        Choices::radii_of_zones(&arguments.zones).map_err(|error| CliError::Use(format!("--zones: {error}")))?;
     Ok(Choices {
         window: arguments.window.unwrap_or(sidebar.window),
         positions: if arguments.smooth_positions { PositionsUsed::Smoothed } else { PositionsUsed::File },

@@ -18,10 +18,10 @@ Examples:\n  flockproof verify\n  flockproof verify --paper tanner1 --paper tann
 pub struct Arguments {
     /// Only the claims of this paper: chazelle, veerman, paley, tanner1, tanner2, beyond (may be repeated; with --claim, the named ones
     /// of these papers) [default: all]
-    #[arg(long, value_name = "P")]
+    #[arg(long, value_name = "P", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     paper: Vec<String>,
     /// Only this claim (may be repeated) [default: all]
-    #[arg(long, value_name = "ID")]
+    #[arg(long, value_name = "ID", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     claim: Vec<String>,
     /// Write the ledger as JSON to this file; `-` prints it instead of the table
     #[arg(long, value_name = "FILE")]

@@ -11,6 +11,7 @@ mod fuzz;
 mod inputs;
 #[cfg(unix)]
 mod interrupt;
+mod pattern;
 mod refused;
 mod resonance;
 mod schemas;

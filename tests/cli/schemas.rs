@@ -114,6 +114,11 @@ fn documents_keep_to_their_schemas() {
     let single = file(&folder, "k.json", br#"{"model": "K", "speed": 1, "positions": [[0, 0]], "headings": [0]}"#);
     let free = std::fs::read_to_string(&birds).expect("text").replace("\"paper\"", "\"none\"");
     let free = file(&folder, "free.json", free.as_bytes());
+    let drawn = "model = \"phase\"\n[state]\nrandom = { agents = 3 }\n[law]\nK1 = -1\n[run]\nuntil = 1\n[ensemble]\nreplicas = 2\n[sweep]\n\"law.K1\" = [-1, \"-1/2\"]\n";
+    let ensemble = file(&folder, "ensemble.toml", drawn.as_bytes());
+    let many = folder.join("many").to_string_lossy().into_owned();
+    let matrices_of_cars = folder.join("matrices").to_string_lossy().into_owned();
+    printed(&["resonance", "--followers", "2", "--f=-1,-3", "--g=-2", "--export", &matrices_of_cars, "--json"]);
     for (name, arguments) in [
         ("ledger", vec!["verify", "--claim", "veerman.lem2", "--claim", "veerman.gain_max", "--json", "-"]),
         ("list", vec!["list", "--json"]),
@@ -134,11 +139,28 @@ fn documents_keep_to_their_schemas() {
         ("flock-settle", vec!["flock", "settle", &birds, "--json"]),
         ("flock-settle", vec!["flock", "settle", &free, "--json"]),
         ("simulate", vec!["simulate", &scenario, "--out", &out, "--json"]),
+        ("ensemble", vec!["simulate", &ensemble, "--out", &many, "--json"]),
+        ("state-response", vec!["resonance", "--state", &matrices_of_cars, "--json"]),
+        ("response", vec!["resonance", "--graph", "front", "--followers", "2", "--f=-1,-2", "--g=-1", "--json"]),
+        ("fuzz", vec!["fuzz", "spectrum.exact", "--cases", "3", "--json"]),
+        ("fuzz-case", vec!["fuzz", "spectrum.exact", "--case", "3", "--json"]),
+        ("invariants", vec!["fuzz", "--list", "--json"]),
+        ("pattern", vec!["pattern", "--particles", "6", "--gains", "1/5,1/5,-1/25", "--json"]),
         ("tracks", vec!["tracks", &tracks, "--null", "3", "--out", &out, "--json"]),
     ] {
         let document = printed(&arguments);
         assert_keeps(name, &document);
         assert_eq!(document["version"], env!("CARGO_PKG_VERSION"), "{name}");
+    }
+    let ledger =
+        file(&folder, "ledger.json", &flockproof(&["verify", "--claim", "veerman.lem2", "--json", "-"]).stdout);
+    let site = folder.join("site");
+    assert!(
+        flockproof(&["report", "--no-figures", "--ledger", &ledger, "--out", &site.to_string_lossy()]).status.success()
+    );
+    for (name, page) in [("ledger", "data/ledger.json"), ("claim", "data/claims/veerman.lem2.json")] {
+        let text = std::fs::read_to_string(site.join(page)).expect("written");
+        assert_keeps(name, &serde_json::from_str(&text).expect("JSON"));
     }
     let question = b"[question]\nid = \"mine.path\"\nstatement = \"...\"\n[for]\nn = \"2..4\"\ngraph = \"connected(n)\"\n[holds]\n\
         property = \"lambda(2) >= 2*(1 - cos(pi/n))\"\ncontrols = [\"lambda(2) >= 2*(1 - cos(pi/n)) + 1/100\"]\n";

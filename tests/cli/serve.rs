@@ -65,6 +65,30 @@ impl Server {
     }
 }
 
+/// The last line of an answer, as it is streamed.
+fn answer(reply: &str) -> serde_json::Value {
+    let line = reply.trim_end().lines().last().unwrap_or_default();
+    serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {reply}"))
+}
+
+/// What the command line prints for the same, with this standard input.
+fn printed(arguments: &[&str], input: &str) -> serde_json::Value {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_flockproof"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    child.stdin.take().expect("its input").write_all(input.as_bytes()).expect("it reads");
+    let output = child.wait_with_output().expect("it ends");
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{arguments:?}: {error}"))
+}
+
+fn asset(name: &str) -> String {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("assets").join(name);
+    std::fs::read_to_string(path).expect("an asset")
+}
+
 #[test]
 fn pages_and_answers() {
     let server = start("serve-answers");
@@ -73,14 +97,121 @@ fn pages_and_answers() {
         assert_eq!(status, 200, "{page}");
         assert!(reply.contains("Content-Security-Policy: default-src 'self'"), "{page}");
     }
-    let (status, reply) = server.question("resonance", r#"{"followers": "4", "f": "-1", "g": "-1"}"#);
-    assert_eq!(status, 200);
-    assert!(reply.contains("0.273108564"), "the digits of the command line: {reply}");
-    let (status, reply) = server.question("spectrum", r#"{"graph": "ring:4", "kind": "laplacian"}"#);
-    assert!(status == 200 && reply.contains("\"multiplicity\""), "{reply}");
+    let (status, reply) = server.ask("HEAD /", "", "");
+    assert!(status == 200 && reply.ends_with("\r\n\r\n"), "{reply}");
+    let edges = "vertices 4\n1 2\n2 3\n3 4\n";
     let birds = r#"{"model":"D","dimension":1,"weights":"lazy","hysteresis":"none","positions":[["0"],["2"]],"velocities":[["1/8"],["0"]]}"#;
-    let (status, reply) = server.question("flock", birds);
-    assert!(status == 200 && reply.contains("\"switches\""), "{reply}");
+    let scenario = asset("scenarios/three_agents.toml");
+    let question = asset("questions/gap_and_diameter.toml");
+    let form = |fields: &[(&str, &str)]| {
+        serde_json::Value::Object(fields.iter().map(|(k, v)| (k.to_string(), (*v).into())).collect()).to_string()
+    };
+    for (what, body, arguments, input) in [
+        (
+            "resonance",
+            form(&[("followers", "4"), ("f", "-1"), ("g", "-1")]),
+            vec!["resonance", "--followers", "4", "--f", "-1", "--g", "-1", "--digits", "15", "--json"],
+            "",
+        ),
+        (
+            "spectrum",
+            form(&[("graph", "ring:4"), ("kind", "laplacian"), ("edges", "no graph")]),
+            vec!["spectrum", "--graph", "ring:4", "--json"],
+            "",
+        ),
+        ("spectrum", form(&[("graph", ""), ("edges", edges)]), vec!["spectrum", "--graph", "-", "--json"], edges),
+        ("flock", birds.to_string(), vec!["flock", "settle", "-", "--json"], birds),
+        (
+            "pattern",
+            form(&[("particles", "6"), ("gains", "1/5,1/5,-1/25"), ("omega0", "1/10"), ("K0", "1/10")]),
+            vec!["pattern", "--particles", "6", "--gains", "1/5,1/5,-1/25", "--json"],
+            "",
+        ),
+        ("scenario", form(&[("scenario", &scenario)]), vec!["simulate", "-", "--json"], &scenario),
+    ] {
+        let (status, reply) = server.question(what, &body);
+        assert_eq!(status, 200, "{what}: {reply}");
+        let said = answer(&reply);
+        assert_eq!(said["answer"], printed(&arguments, input), "{what}");
+        assert!(said["shown"].as_str().is_some_and(|shown| shown.contains('<')), "{what}");
+    }
+    // `check` writes the counterexample to a file, and the page shows it.
+    let (_, reply) = server.question("question", &form(&[("question", &question)]));
+    let (said, folder) = (answer(&reply), env!("CARGO_TARGET_TMPDIR"));
+    let mut whole = printed(&["check", "-", "--replay", folder, "--json"], &question);
+    assert_eq!(said["answer"]["replay"], serde_json::Value::Null);
+    whole["replay"] = serde_json::Value::Null;
+    assert_eq!(said["answer"], whole);
+    assert!(said["shown"].as_str().is_some_and(|shown| shown.contains("<svg") && shown.contains("[question]")));
+}
+
+#[test]
+fn certificates_and_texts_beside_questions() {
+    let server = start("serve-texts");
+    let certificate = "flockproof-certificate 1 inertia\nclaim the symmetric matrix A below has 1 positive, 1 negative and 0 zero eigenvalues, counted with \
+         multiplicity\norder 2\nA over 1\n0 1\n1 2\npivots 2 1\nL over 2\n2 0\n1 2\nD over 2\n4 -1\nend\n";
+    let ask =
+        |text: &str| answer(&server.question("certificate", &serde_json::json!({"certificate": text}).to_string()).1);
+    assert_eq!(ask(certificate)["answer"]["accepted"], true);
+    let wrong = ask(&certificate.replace("4 -1", "4 -2"));
+    assert!(wrong["answer"]["accepted"] == false && wrong["answer"]["line"].as_u64().is_some(), "{wrong}");
+    let (question, flock) = (asset("questions/never_meets.toml"), asset("questions/two_pairs.json"));
+    let body = serde_json::json!({"question": question, "beside": flock}).to_string();
+    assert_eq!(answer(&server.question("question", &body).1)["answer"]["verdict"], "holds");
+}
+
+/// Children of the server that run.
+#[cfg(target_os = "linux")]
+fn children(server: &Server) -> usize {
+    let parent = format!(" {} ", server.child.id());
+    let stat =
+        |entry: std::io::Result<std::fs::DirEntry>| std::fs::read_to_string(entry.ok()?.path().join("stat")).ok();
+    let of_server = |stat: &String| {
+        let rest = stat.rsplit(')').next().unwrap_or_default();
+        rest.get(2..).is_some_and(|rest| rest.starts_with(&parent)) && !rest.starts_with(" Z")
+    };
+    std::fs::read_dir("/proc").expect("/proc").filter_map(stat).filter(of_server).count()
+}
+
+/// A question of a thousand million cases.
+const ENDLESS: &str = "[question]\nid = \"endless\"\nbudget = 1000000000\n[for]\nn = \"1..1000000000\"\n[holds]\nproperty = \"n > 0\"\ncontrols = [\"n > 5\"]\n";
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_closed_page_stops_its_work() {
+    let server = start("serve-closed");
+    let body = serde_json::json!({"question": ENDLESS}).to_string();
+    let port = server.port;
+    let request = format!(
+        "POST /api/question HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Type: application/json\r\nContent-Length: {}\r\n\r\n{body}",
+        body.len()
+    );
+    let open = || {
+        let mut stream = TcpStream::connect(("127.0.0.1", port)).expect("a connection");
+        stream.set_read_timeout(Some(Duration::from_secs(60))).expect("a limit");
+        stream.write_all(request.as_bytes()).expect("it listens");
+        // Progress comes before the answer does.
+        let mut lines = BufReader::new(stream.try_clone().expect("the same"));
+        let mut line = String::new();
+        while !line.starts_with("{\"progress\"") {
+            line.clear();
+            assert_ne!(lines.read_line(&mut line).expect("a line"), 0, "it ended without progress");
+        }
+        stream
+    };
+    let pages: Vec<TcpStream> = (0..4).map(|_| open()).collect();
+    assert_eq!(children(&server), 4);
+    // All places are taken, and pages still come.
+    assert_eq!(server.question("question", &body).0, 503);
+    assert_eq!(server.ask("GET /", "", "").0, 200);
+    drop(pages);
+    // Long before their time is over.
+    let gone = (0..300).any(|_| {
+        std::thread::sleep(Duration::from_millis(100));
+        children(&server) == 0
+    });
+    assert!(gone, "{} questions are still worked on", children(&server));
+    assert_eq!(server.question("spectrum", r#"{"graph": "ring:4"}"#).0, 200);
 }
 
 #[test]
@@ -180,6 +311,45 @@ fn hostile_requests_are_refused() {
         ("spectrum", r#"{"graph": "complete:-3", "kind": "laplacian"}"#),
         ("spectrum", r#"{"graph": "nonsense:3", "kind": "laplacian"}"#),
         ("spectrum", r#"{}"#),
+        ("spectrum", r#"{"graph": "", "edges": "/etc/passwd"}"#),
+        ("spectrum", r#"{"graph": "", "edges": "vertices 100000000\n1 2"}"#),
+        ("spectrum", r#"{"graph": "file:/etc/passwd"}"#),
+        ("spectrum", r#"{"graph": 7}"#),
+        ("spectrum", r#"{"graph": "geometric:50:1/4:7:9"}"#),
+        ("pattern", r#"{"particles": "61", "gains": "1", "omega0": "1", "K0": "1"}"#),
+        ("pattern", r#"{"particles": "12", "gains": "1", "omega0": "0", "K0": "1"}"#),
+        ("pattern", r#"{"particles": "2", "gains": "1,1,1", "omega0": "1", "K0": "1"}"#),
+        ("pattern", r#"{"particles": "12", "gains": "a", "omega0": "1", "K0": "1"}"#),
+        ("pattern", r#"{"particles": "12"}"#),
+        ("question", r#"{"question": ""}"#),
+        ("question", r#"{"question": "[question]"}"#),
+        (
+            "question",
+            r#"{"question": "[question]\nid = \"a\"\nscenario = \"/etc/passwd\"\n[for]\nn = \"1..2\"\n[holds]\nproperty = \"n > 0\"\ncontrols = [\"n > 1\"]"}"#,
+        ),
+        (
+            "question",
+            r#"{"question": "[question]\nid = \"a\"\n[for]\ng = \"file:/etc/passwd\"\n[holds]\nproperty = \"n > 0\"\ncontrols = [\"n > 1\"]"}"#,
+        ),
+        (
+            "question",
+            r#"{"question": "[question]\nid = \"../../tmp/x\"\n[for]\nn = \"1..2\"\n[holds]\nproperty = \"n > 0\"\ncontrols = [\"n > 1\"]"}"#,
+        ),
+        (
+            "question",
+            r#"{"question": "[question]\nid = \"a\"\n[for]\nn = \"1..99999999999999\"\n[holds]\nproperty = \"n > 0\"\ncontrols = [\"n > 1\"]"}"#,
+        ),
+        ("question", r#"{"question": ["a"]}"#),
+        ("scenario", r#"{"scenario": ""}"#),
+        ("scenario", r#"{"scenario": "model = \"fish\""}"#),
+        (
+            "scenario",
+            r#"{"scenario": "model = \"vicsek-noise\"\n[state]\nrandom = { agents = 999999999999 }\n[law]\nbox = 7\nspeed = 1\n[run]\nuntil = 2"}"#,
+        ),
+        ("scenario", r#"{}"#),
+        ("certificate", "[]"),
+        ("worker", "{}"),
+        ("resonance?x", "{}"),
         ("flock", r#"{"positions": []}"#),
         ("flock", r#"{"positions": [["0"]]}"#),
         ("flock", r#"{"positions": "x"}"#),
@@ -196,10 +366,25 @@ fn hostile_requests_are_refused() {
             "{what} {body}: {reply}"
         );
     }
-    let long = format!("{{\"positions\": \"{}\"}}", "9".repeat(100_000));
+    let long = format!("{{\"positions\": \"{}\"}}", "9".repeat(7_000_000));
     assert_eq!(server.question("flock", &long).0, 413);
+    let birds = vec!["[\"0\"]"; 25].join(",");
+    assert_eq!(server.question("flock", &format!("{{\"positions\": [{birds}], \"velocities\": [{birds}]}}")).0, 422);
     let deep = format!("{}{}", "[".repeat(30_000), "]".repeat(30_000));
     assert_eq!(server.question("flock", &deep).0, 422);
+    for length in ["100000000000000", "18446744073709551615", "99999999999999999999999", "-1", "x", "0x10", "6291457"] {
+        let head = format!("POST /api/flock HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Type: application/json\r\n");
+        let reply = server.raw(format!("{head}Content-Length: {length}\r\n\r\n{{}}").as_bytes());
+        assert!(reply.contains(" 413 ") || reply.contains(" 400 "), "Content-Length: {length}: {reply}");
+    }
+    let two = "POST /api/flock HTTP/1.1\r\nContent-Length: 2\r\nContent-Length: 3\r\n\r\n{}";
+    assert!(server.raw(two.as_bytes()).contains(" 400 "), "two lengths");
+    let chunked = "POST /api/flock HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n";
+    assert!(server.raw(chunked.as_bytes()).contains(" 501 "), "chunks");
+    let many: String = (0..100).map(|k| format!("X{k}: y\r\n")).collect();
+    assert!(server.raw(format!("GET / HTTP/1.1\r\n{many}\r\n").as_bytes()).contains(" 431 "), "many headers");
+    let long_header = format!("GET / HTTP/1.1\r\nX: {}\r\n\r\n", "y".repeat(40_000));
+    assert!(server.raw(long_header.as_bytes()).contains(" 431 "), "long headers");
     for nonsense in [
         &b"\x00\x01\x02\r\n\r\n"[..],
         b"GET\r\n\r\n",

@@ -2,13 +2,14 @@
 
 use super::{assert_refused, file, flockproof, folder, stdout};
 
-const COMMANDS: [&str; 19] = [
+const COMMANDS: [&str; 20] = [
     "verify",
     "list",
     "explain",
     "report",
     "reproduce",
     "resonance",
+    "pattern",
     "spectrum",
     "tracks",
     "prove",

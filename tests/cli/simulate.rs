@@ -324,3 +324,59 @@ fn random_starts_are_repeated_by_their_seed() {
     let occupied = file(&folder, "occupied", b"");
     assert_refused(&["simulate", &path, "--out", &occupied], "occupied");
 }
+
+/// Many runs: the same bytes for any number of threads and shards; a member alone draws the same.
+#[test]
+fn ensembles_do_not_depend_on_threads_or_shards() {
+    let folder = folder("simulate-ensemble");
+    let config = include_str!("../../assets/scenarios/noise_sweep.toml").replace("agents = 100", "agents = 20");
+    let config = config.replace("until = 200", "until = 20").replace("[100, 200]", "[10, 20]");
+    let path = file(&folder, "sweep.toml", config.as_bytes());
+    let run = |name: &str, threads: &str, more: &[&str]| {
+        let out = folder.join(name);
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_flockproof"))
+            .args(["simulate", &path, "--out", out.to_str().expect("UTF-8")])
+            .args(more)
+            .env("RAYON_NUM_THREADS", threads)
+            .output()
+            .expect("the program starts");
+        assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+        stdout(&output)
+    };
+    let text = run("one", "1", &[]);
+    assert!(text.starts_with("56 runs: 8 replicas of each point\n") && text.contains("law.noise = 6"), "{text}");
+    run("four", "4", &[]);
+    for shard in ["2/3", "1/3", "3/3"] {
+        run("shards", "2", &["--shard", shard]);
+    }
+    run("shards", "2", &["--merge"]);
+    let read = |name: &str, of: &str| std::fs::read(folder.join(of).join(name)).expect(name);
+    for name in ["summary.json", "members.csv", "statistics.csv", "statistics.svg", "about.txt"] {
+        assert_eq!(read(name, "one"), read(name, "four"), "{name}");
+        assert_eq!(read(name, "one"), read(name, "shards"), "{name}");
+    }
+    // Finished runs are taken from the folder, also after a part of them was lost.
+    let before = read("members.csv", "one");
+    let all = String::from_utf8(read("shard-1-of-1.jsonl", "one")).expect("text");
+    let half: Vec<&str> = all.lines().take(20).collect();
+    std::fs::remove_file(folder.join("one/shard-1-of-1.jsonl")).expect("there");
+    std::fs::write(folder.join("one/shard-1-of-1.jsonl.part"), half.join("\n") + "\n").expect("written");
+    run("one", "2", &["--resume"]);
+    assert_eq!(read("members.csv", "one"), before);
+    run("member", "1", &["--member", "12"]);
+    let observables = String::from_utf8(read("observables.csv", "member")).expect("text");
+    let last = observables.lines().last().expect("a line").split_once(',').expect("columns").1.to_string();
+    let members = String::from_utf8(before).expect("text");
+    assert!(members.lines().any(|line| line.starts_with("12,1,4,0,20.0,") && line.ends_with(&last)), "{last}");
+}
+
+/// `run.npz` is a ZIP archive that names its arrays.
+#[test]
+fn runs_are_arrays_too() {
+    let folder = folder("simulate-npz");
+    simulate(&folder, "three", THREE);
+    let bytes = std::fs::read(folder.join("three/run.npz")).expect("written");
+    assert!(bytes.starts_with(b"PK\x03\x04") && bytes.len() > 501 * 3 * 4 * 8);
+    let has = |text: &[u8]| bytes.windows(text.len()).any(|part| part == text);
+    assert!(has(b"positions.npy") && has(b"'shape': (501, 3, 2), }") && has(b"energy.npy") && has(b"events.npy"));
+}

@@ -85,3 +85,42 @@ fn bad_sweeps_are_refused() {
     assert_refused(&["fuzz", &question, "--case", "3"], "--case");
     assert_refused(&["fuzz", &path("nowhere.toml")], "nowhere.toml");
 }
+
+#[test]
+fn regions_are_drawn_and_listed() {
+    let folder = folder("sweep_regions");
+    let path = |name: &str| folder.join(name).to_str().expect("UTF-8").to_string();
+    let text = "[question]\nid = \"test.disc\"\n[for]\nn = [1, 2]\nx = \"[0, 2]\"\ny = \"[0, 2]\"\n[holds]\n\
+                property = \"x^2 + y^2 < n\"\ncontrols = [\"x < 0\"]\n";
+    let question = file(&folder, "disc.toml", text.as_bytes());
+    let output = flockproof(&["sweep", &question, "--store", &path("store"), "--plot", &path("disc.svg"), "--json"]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let picture = std::fs::read_to_string(path("disc.svg")).expect("a picture");
+    for word in ["<svg", "holds", "fails", "open", "n = 2"] {
+        assert!(picture.contains(word), "{word}");
+    }
+    let number = |value: &serde_json::Value| {
+        let text = value.as_str().expect("a number");
+        let (p, q) = text.split_once('/').unwrap_or((text, "1"));
+        p.parse::<f64>().expect("an integer") / q.parse::<f64>().expect("an integer")
+    };
+    for (line, n) in stdout(&output).lines().zip([1.0, 2.0]) {
+        let row: serde_json::Value = serde_json::from_str(line).expect("JSON");
+        let regions = row["regions"].as_array().expect("regions");
+        let mut areas = std::collections::BTreeMap::new();
+        for region in regions {
+            let [x0, x1, y0, y1] = [("x", 0), ("x", 1), ("y", 0), ("y", 1)].map(|(s, k)| number(&region["box"][s][k]));
+            let property = region["property"].as_str().expect("a word");
+            match property {
+                "holds" => assert!(x1 * x1 + y1 * y1 < n),
+                "fails" => assert!(x0 * x0 + y0 * y0 >= n),
+                _ => {}
+            }
+            *areas.entry(property.to_string()).or_insert(0.0) += (x1 - x0) * (y1 - y0);
+        }
+        assert!((areas.values().sum::<f64>() - 4.0).abs() < 1e-12 && areas["open"] < 0.2, "{areas:?}");
+        assert!((areas["holds"] - n * std::f64::consts::PI / 4.0).abs() < 0.2, "{areas:?}");
+    }
+    let squares = file(&folder, "squares.toml", SQUARES);
+    assert_refused(&["sweep", &squares, "--store", &path("s"), "--plot", &path("s.svg")], "one or two names");
+}

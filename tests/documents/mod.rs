@@ -8,7 +8,7 @@ mod page;
 
 use flockproof::question::Question;
 use flockproof::report::Figure;
-use flockproof::scenario::Scenario;
+use flockproof::scenario::{Ensemble, Scenario};
 use page::{Page, pages, root, spans};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -153,7 +153,13 @@ fn shown_files_can_be_read() {
                     let read = Question::read(&contents, &none);
                     assert!(read.is_ok(), "{place}: {:?}", read.err());
                 }
-                "toml" => assert!(Scenario::read(&contents).is_ok(), "{place}: {:?}", Scenario::read(&contents).err()),
+                "toml" => {
+                    let read = Ensemble::read(&contents).and_then(|many| match many {
+                        Some(_) => Ok(()),
+                        None => Scenario::read(&contents).map(|_| ()),
+                    });
+                    assert!(read.is_ok(), "{place}: {:?}", read.err());
+                }
                 "json" => {
                     std::fs::write(folder.join("shown.json"), &contents).expect("a file");
                     let output = run(&folder, &["flock", "run", "shown.json", "--until", "1"]);
@@ -247,5 +253,19 @@ fn what_differs_is_noticed() {
     for shown in [&["one", "two"][..], &[], &["...", "two"], &["two", "..."], &["one", "...", "two"], &["one", "three"]]
     {
         assert!(!is_as_shown(shown, &printed), "{shown:?}");
+    }
+}
+
+#[test]
+fn recorded_alterations_are_of_sources_that_exist() {
+    let folder = root().join("proofs_checks/alterations/results");
+    let tables: Vec<PathBuf> =
+        std::fs::read_dir(&folder).expect("results").map(|entry| entry.expect("an entry").path()).collect();
+    assert!(!tables.is_empty());
+    for table in tables {
+        let text = std::fs::read_to_string(&table).expect("a table");
+        let source = text.split('\t').next().unwrap_or_default();
+        assert!(root().join(source).is_file(), "{} is about {source}, which is not there", table.display());
+        assert!(text.lines().skip(1).all(|line| line.split('\t').count() == 6), "{}", table.display());
     }
 }

@@ -3,9 +3,13 @@
 // Asked of every page: no message of an error on the console, no request but for files of the site, every link and anchor
 // leads somewhere, and at 320 pixels nothing is wider than the window. Of one page of each kind, light and dark: axe finds
 // nothing. Of the list of claims: filters, search and keyboard. Of the motions: they run.
+//
+// With FLOCKPROOF=path of the program, the live pages too, under `flockproof serve`: they give what the command line prints, by keyboard
+// alone; progress is shown, and work can be stopped.
 import { chromium } from "playwright-core";
 import fs from "node:fs";
 import path from "node:path";
+import { execFileSync, spawn } from "node:child_process";
 import { createRequire } from "node:module";
 import { pathToFileURL } from "node:url";
 
@@ -55,25 +59,41 @@ function checkLinks() {
   console.log(`${pages.length} pages, ${count} links`);
 }
 
-/** A page that reports errors and requests. */
-async function open(context, page) {
+/** A page that reports errors and requests; from the file system, or from a server. */
+async function open(context, page, server) {
   const tab = await context.newPage();
+  const own = server ? (url) => url.startsWith(server) || url.startsWith("data:") : (url) => /^(file|data):/.test(url);
   tab.on("console", (message) => expect(message.type() !== "error", `${page}: ${message.text()}`));
   tab.on("pageerror", (error) => expect(false, `${page}: ${error}`));
-  tab.on("request", (request) => expect(/^(file|data):/.test(request.url()), `${page}: asks for ${request.url()}`));
-  await tab.goto(address(page));
+  tab.on("request", (request) => expect(own(request.url()), `${page}: asks for ${request.url()}`));
+  await tab.goto(server ? server + page : address(page));
   return tab;
+}
+
+/** How wide a page is in its window, and what is to blame. */
+function width(tab) {
+  return tab.evaluate(() => {
+    const root = document.documentElement, wide = root.scrollWidth;
+    const who = [...document.querySelectorAll("main *")].find((e) => e.getBoundingClientRect().right > innerWidth + 1 && !e.closest(".wide, pre, .picture"));
+    return [wide, who ? who.outerHTML.slice(0, 120) : ""];
+  });
+}
+
+/** What axe finds. */
+async function checkAxe(tab, name) {
+  await tab.evaluate(axe);
+  const found = await tab.evaluate(async () => (await window.axe.run({ resultTypes: ["violations"] })).violations);
+  for (const violation of found) {
+    const node = violation.nodes[0];
+    expect(false, `${name}: ${violation.id}, ${violation.nodes.length} times: ${node.html.slice(0, 140)} (${node.any[0]?.message ?? violation.help})`);
+  }
 }
 
 async function checkNarrow(browser) {
   const context = await browser.newContext({ viewport: { width: 320, height: 640 } });
   for (const page of pages) {
     const tab = await open(context, page);
-    const [wide, who] = await tab.evaluate(() => {
-      const root = document.documentElement, wide = root.scrollWidth;
-      const who = [...document.querySelectorAll("main *")].find((e) => e.getBoundingClientRect().right > innerWidth + 1 && !e.closest(".wide, pre"));
-      return [wide, who ? who.outerHTML.slice(0, 120) : ""];
-    });
+    const [wide, who] = await width(tab);
     expect(wide <= 320, `${page}: ${wide} pixels wide in a window of 320: ${who}`);
     if (shots && kinds.includes(page)) await tab.screenshot({ path: path.join(shots, page.replaceAll("/", "-") + ".narrow.png") });
     await tab.close();
@@ -86,12 +106,7 @@ async function checkKinds(browser) {
     const context = await browser.newContext({ viewport: { width: 1200, height: 900 }, colorScheme });
     for (const page of kinds.filter((page) => pages.includes(page))) {
       const tab = await open(context, page);
-      await tab.evaluate(axe);
-      const found = await tab.evaluate(async () => (await window.axe.run({ resultTypes: ["violations"] })).violations);
-      for (const violation of found) {
-        const node = violation.nodes[0];
-        expect(false, `${page}, ${colorScheme}: ${violation.id}, ${violation.nodes.length} times: ${node.html.slice(0, 140)} (${node.any[0]?.message ?? violation.help})`);
-      }
+      await checkAxe(tab, `${page}, ${colorScheme}`);
       if (shots) await tab.screenshot({ path: path.join(shots, `${page.replaceAll("/", "-")}.${colorScheme}.png`) });
       await tab.close();
     }
@@ -168,6 +183,125 @@ async function checkMotions(browser) {
   await context.close();
 }
 
+/** What the program prints for these arguments, with this standard input. */
+function printed(list, input) {
+  try { return JSON.parse(execFileSync(process.env.FLOCKPROOF, list, { input, maxBuffer: 1 << 28, stdio: ["pipe", "pipe", "ignore"] })); } catch (error) {
+    // `check` tells by its status that a statement is false.
+    return JSON.parse(error.stdout);
+  }
+}
+
+// For each live page what it asks at first, on the command line; texts are those of its fields.
+const asked = {
+  "live-resonance": () => [["resonance", "--followers", "128", "--f", "-1", "--g", "-1", "--digits", "15", "--json"]],
+  "live-spectra": () => [["spectrum", "--graph", "ring:12", "--json"]],
+  "live-flock": (text) => [["flock", "settle", "-", "--json"], text("flock")],
+  "live-patterns": () => [["pattern", "--particles", "12", "--gains", "1/5,1/5,-1/25", "--json"]],
+  "live-question": (text) => [["check", "-", "--replay", fs.mkdtempSync("/tmp/flockproof-"), "--json"], text("question")],
+  "live-scenario": (text) => [["simulate", "-", "--json"], text("scenario")],
+};
+const endless = `[question]\nid = "endless"\nbudget = 1000000000\n[for]\nn = "1..1000000000"\n[holds]\nproperty = "n > 0"\ncontrols = ["n > 5"]\n`;
+
+/** The live pages, as `serve` shows them. */
+async function checkLive(browser) {
+  const server = spawn(process.env.FLOCKPROOF, ["serve", "--port", "0", "--no-figures", "--ledger", path.join(site, "data/ledger.json")], { stdio: ["ignore", "pipe", "inherit"] });
+  try {
+    const said = await new Promise((resolve) => server.stdout.once("data", (data) => resolve(String(data))));
+    const home = said.split(" ")[0];
+    const long = { timeout: 120000 };
+    const answered = (tab, page) => tab.waitForFunction(() => document.getElementById("state").textContent === "answered", null, long)
+      .catch(async () => expect(false, `${page}: ${await tab.locator("#state").textContent()}`));
+    for (const colorScheme of ["light", "dark"]) {
+      const context = await browser.newContext({ viewport: { width: colorScheme === "dark" ? 320 : 1200, height: 900 }, colorScheme });
+      for (const page of pages.filter((page) => page.startsWith("explore/live-"))) {
+        const name = path.basename(page, ".html"), tab = await open(context, page, home);
+        if (name === "live-certificate") {
+          await tab.selectOption("#example", { index: 0 });
+          await tab.evaluate(() => document.getElementById("example").dispatchEvent(new Event("change")));
+        }
+        // By keyboard alone, from the top of the page.
+        for (let k = 0; k < 60 && (await tab.evaluate(() => document.activeElement.id)) !== "go"; k++) await tab.keyboard.press("Tab");
+        expect((await tab.evaluate(() => document.activeElement.id)) === "go", `${page}: the keyboard leads to the button`);
+        await tab.keyboard.press("Enter");
+        await answered(tab, page);
+        const shown = JSON.parse((await tab.locator("#document pre code").textContent()) || "{}");
+        if (asked[name]) {
+          const fields = await tab.evaluate(() => Object.fromEntries([...document.getElementById("ask").elements].filter((e) => e.name).map((e) => [e.name, e.value])));
+          const [list, input] = asked[name]((field) => fields[field]);
+          const own = printed(list, input ?? "");
+          if (name === "live-question") own.replay = null;
+          expect(JSON.stringify(own) === JSON.stringify(shown), `${page}: another answer than that of the command line`);
+        } else expect(shown.accepted === true, `${page}: the certificate is accepted`);
+        const [wide, who] = await width(tab);
+        if (colorScheme === "dark") expect(wide <= 320, `${page}, answered: ${wide} pixels wide in a window of 320: ${who}`);
+        await checkAxe(tab, `${page}, answered, ${colorScheme}`);
+        if (await tab.locator("#answer .live").count()) {
+          const before = await tab.evaluate(() => document.querySelector("#answer canvas").toDataURL());
+          await tab.locator("#answer .time").first().focus();
+          await tab.keyboard.press("End");
+          expect(before !== await tab.evaluate(() => document.querySelector("#answer canvas").toDataURL()), `${page}: the motion moves`);
+        }
+        if (shots) await tab.screenshot({ path: path.join(shots, `${page.replaceAll("/", "-")}.answered.${colorScheme}.png`), fullPage: true });
+        await tab.close();
+      }
+      await context.close();
+    }
+    const context = await browser.newContext({ viewport: { width: 1200, height: 900 } });
+    await checkDrawing(context, home, answered);
+    // Every example of a question has an answer.
+    const tab = await open(context, "explore/live-question.html", home);
+    for (const name of await tab.locator("#example option").allTextContents()) {
+      await tab.selectOption("#example", name);
+      await tab.click("#go");
+      await answered(tab, name);
+      if (shots) await tab.screenshot({ path: path.join(shots, `live-question.${name.replaceAll(" ", "-")}.png`), fullPage: true });
+    }
+    // Progress, and its end.
+    await tab.fill("textarea[name=question]", endless);
+    await tab.click("#go");
+    await tab.waitForFunction(() => /cases, \d+ of 1000000000/.test(document.getElementById("stage").textContent), null, long)
+      .catch(() => expect(false, "progress is shown"));
+    if (shots) await tab.screenshot({ path: path.join(shots, "live-question.progress.png") });
+    await tab.click("#stop");
+    await tab.waitForFunction(() => document.getElementById("state").textContent === "stopped", null, long).catch(() => expect(false, "it stops"));
+    expect(await tab.locator("#stop").isDisabled(), "nothing more can be stopped");
+    // What is wrong is said in a sentence, and a page opens no file. The status of a refusal is an error on the console of the browser.
+    tab.removeAllListeners("console");
+    await tab.fill("textarea[name=beside]", "");
+    await tab.fill("textarea[name=question]", endless.replace('budget = 1000000000', 'scenario = "/etc/passwd"'));
+    await tab.click("#go");
+    await tab.waitForFunction(() => /opens no files/.test(document.getElementById("state").textContent), null, long).catch(() => expect(false, "it opens no files"));
+    await context.close();
+  } finally {
+    server.kill("SIGTERM");
+  }
+}
+
+/** A graph and a flock by mouse. */
+async function checkDrawing(context, home, answered) {
+  const tab = await open(context, "explore/live-spectra.html", home);
+  await tab.click("#clear");
+  const box = await tab.locator("#drawing").boundingBox();
+  const at = (x, y) => [box.x + x * box.width, box.y + y * box.height];
+  const drag = async (a, b) => { await tab.mouse.move(...a); await tab.mouse.down(); await tab.mouse.move(...b); await tab.mouse.up(); };
+  const corners = [at(0.3, 0.3), at(0.7, 0.3), at(0.5, 0.7)];
+  for (const corner of corners) await drag(corner, corner);
+  for (const k of [0, 1, 2]) await drag(corners[k], corners[(k + 1) % 3]);
+  const edges = await tab.inputValue("textarea[name=edges]");
+  expect(edges === "vertices 3\n1 2\n2 3\n3 1\n", `a triangle was drawn: ${edges}`);
+  if (shots) await tab.screenshot({ path: path.join(shots, "live-spectra.drawn.png") });
+  await tab.click("#go");
+  await answered(tab, "a drawn graph");
+  const shown = JSON.parse(await tab.locator("#document pre code").textContent());
+  expect(JSON.stringify(shown) === JSON.stringify(printed(["spectrum", "--graph", "-", "--json"], edges)), "the spectrum of a drawn graph");
+  await tab.goto(home + "explore/live-flock.html");
+  await tab.click("#clear");
+  await drag(at(0.2, 0.5), at(0.3, 0.4));
+  const flock = JSON.parse(await tab.inputValue("textarea[name=flock]"));
+  expect(flock.positions.length === 1 && flock.velocities[0].some((x) => x !== "0"), "a bird was drawn with its velocity");
+  await tab.close();
+}
+
 checkLinks();
 if (shots) fs.mkdirSync(shots, { recursive: true });
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--allow-file-access-from-files"] });
@@ -176,6 +310,7 @@ try {
   await checkMotions(browser);
   await checkKinds(browser);
   await checkNarrow(browser);
+  if (process.env.FLOCKPROOF) await checkLive(browser);
 } finally {
   await browser.close();
 }

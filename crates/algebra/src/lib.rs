@@ -1,7 +1,7 @@
 //! Exact matrices, graphs, and spectra with enclosures.
 
 /// Crates that stand in signatures.
-pub use {nalgebra, num_bigint};
+pub use {faer, num_bigint};
 
 pub mod graph;
 pub mod json;

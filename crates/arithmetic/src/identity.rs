@@ -45,8 +45,81 @@ pub trait RationalIdentity {
     }
 }
 
-/// Both sides of an identity.
-type Sides<T> = (Vec<T>, Vec<T>);
+/// Both sides of an identity at a point, as lists of equal length.
+pub type Sides<T> = (Vec<T>, Vec<T>);
+
+/// Both sides over the scalars of the test, or why the point is a pole.
+pub type Probed = Result<Sides<Probe>, ArithmeticError>;
+
+/// Both sides as a function of the variables.
+type SidesAt<'a> = Box<dyn Fn(&[Probe]) -> Probed + 'a>;
+
+/// An identity that is written where it is tested, as a closure.
+///
+/// ```
+/// use arithmetic::identity::{Identity, IdentityOutcome, test_identity};
+/// use arithmetic::{Ring, random::generator};
+/// let square = Identity::of(|[x, y]| {
+///     let sum = x.clone() + y;
+///     Ok((vec![sum.square()], vec![x.square() + x.integer(2) * x * y + y.square()]))
+/// });
+/// let found = test_identity(&square, 8, &mut generator("seed", "square", 0)).unwrap();
+/// assert!(matches!(found, IdentityOutcome::Agreed { cases: 8, .. }));
+/// ```
+pub struct Identity<'a> {
+    variables: usize,
+    sides: SidesAt<'a>,
+    components: Vec<String>,
+    domain: fn(&[Rational]) -> bool,
+}
+
+impl<'a> Identity<'a> {
+    /// An identity in so many variables.
+    pub fn new(variables: usize, sides: impl Fn(&[Probe]) -> Probed + 'a) -> Self {
+        Identity { variables, sides: Box::new(sides), components: Vec::new(), domain: |_| true }
+    }
+
+    /// An identity in `N` variables, which are the argument.
+    pub fn of<const N: usize>(sides: impl Fn(&[Probe; N]) -> Probed + 'a) -> Self {
+        let number = |_| ArithmeticError::Domain("the number of variables");
+        Self::new(N, move |at| sides(at.try_into().map_err(number)?))
+    }
+
+    /// The same with names of the components, for messages.
+    pub fn named(self, components: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        Identity { components: components.into_iter().map(Into::into).collect(), ..self }
+    }
+
+    /// The same where a counterexample may lie in this domain only ([`RationalIdentity::in_domain`]).
+    pub fn within(self, domain: fn(&[Rational]) -> bool) -> Self {
+        Identity { domain, ..self }
+    }
+
+    /// Both sides at a rational point.
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] where the point is a pole.
+    pub fn at(&self, point: &[Rational]) -> Result<Sides<Rational>, ArithmeticError> {
+        let exact = |list: Vec<Probe>| list.iter().filter_map(Probe::exact).cloned().collect();
+        let (left, right) = (self.sides)(&point.iter().cloned().map(Probe::Exact).collect::<Vec<_>>())?;
+        Ok((exact(left), exact(right)))
+    }
+}
+
+impl AnyIdentity for Identity<'_> {
+    fn variables(&self) -> usize {
+        self.variables
+    }
+    fn sides(&self, at: &[Probe]) -> Probed {
+        (self.sides)(at)
+    }
+    fn components(&self) -> Vec<String> {
+        self.components.clone()
+    }
+    fn in_domain(&self, at: &[Rational]) -> bool {
+        (self.domain)(at)
+    }
+}
 
 /// A [`RationalIdentity`] as the test sees it: over one scalar. The test is compiled once for all identities.
 pub trait AnyIdentity {
@@ -56,7 +129,7 @@ pub trait AnyIdentity {
     ///
     /// # Errors
     /// [`ArithmeticError`] where the point is a pole.
-    fn sides(&self, at: &[Probe]) -> Result<Sides<Probe>, ArithmeticError>;
+    fn sides(&self, at: &[Probe]) -> Probed;
     /// [`RationalIdentity::components`].
     fn components(&self) -> Vec<String>;
     /// [`RationalIdentity::in_domain`].
@@ -67,7 +140,7 @@ impl<I: RationalIdentity> AnyIdentity for I {
     fn variables(&self) -> usize {
         RationalIdentity::variables(self)
     }
-    fn sides(&self, at: &[Probe]) -> Result<Sides<Probe>, ArithmeticError> {
+    fn sides(&self, at: &[Probe]) -> Probed {
         RationalIdentity::sides(self, at)
     }
     fn components(&self) -> Vec<String> {

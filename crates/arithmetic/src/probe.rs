@@ -15,6 +15,16 @@ pub enum Probe {
     Exact(Rational),
 }
 
+impl Probe {
+    /// The number, where the evaluation is exact.
+    pub fn exact(&self) -> Option<&Rational> {
+        match self {
+            Probe::Exact(q) => Some(q),
+            _ => None,
+        }
+    }
+}
+
 /// Applies an operation to two scalars of one kind. Scalars of different kinds do not meet; if they did, the bound would be useless, not wrong.
 macro_rules! both {
     ($operator:tt) => {

@@ -9,8 +9,10 @@
 //! | [`invariants`] | the table of what must always be true |
 //! | [`fuzz`] | campaigns over the invariants and over questions of one's own, and their summary |
 //! | [`sweep`] | tables of quantities over the family of a question |
+//! | [`ensemble`] | many runs of one scenario, and their statistics |
 
 pub mod draws;
+pub mod ensemble;
 pub mod fuzz;
 pub mod invariants;
 pub mod job;

@@ -2,7 +2,7 @@
 
 use crate::job::{Campaign, JobError};
 use arithmetic::{Interval, Progress, Real, decimals};
-use question::{Margin, Number, Question, QuestionError, Tabulated, Truth};
+use question::{Margin, Number, Question, QuestionError, Region, Tabulated, Truth};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 
@@ -19,7 +19,11 @@ type Member = (Map<String, Value>, Vec<Value>);
 pub struct Sweep {
     question: Question,
     cases: u64,
+    maps: bool,
 }
+
+/// Boxes of one map.
+const MOST_REGIONS: u64 = 2000;
 
 impl Sweep {
     /// Counts the members of the family.
@@ -28,7 +32,37 @@ impl Sweep {
     /// [`QuestionError`] where the family is wrong, empty or larger than the budget.
     pub fn new(question: Question, progress: &dyn Progress) -> Result<Self, QuestionError> {
         let cases = question.cases(progress)?;
-        Ok(Sweep { question, cases })
+        Ok(Sweep { question, cases, maps: false })
+    }
+
+    /// With the regions of each member where the property holds, fails and is open, for a question of one or two intervals.
+    ///
+    /// # Errors
+    /// A sentence where the question has no property, or other than one or two intervals.
+    pub fn with_maps(mut self, progress: &dyn Progress) -> Result<Self, String> {
+        let needed = "a map needs a property in [holds], and one or two names that range over an interval";
+        let first = self.question.case(0, progress).map_err(|error| error.to_string())?;
+        let intervals = first.map_or(0, |first| first.iter().filter(|(_, value)| value.is_interval()).count());
+        if !self.question.has_property() || !(1..=2).contains(&intervals) {
+            return Err(needed.to_string());
+        }
+        self.maps = true;
+        Ok(self)
+    }
+
+    /// The boxes of one member: `[{"box": {name: [lo, hi]}, "property": "holds" | "fails" | "open"}]`.
+    fn regions(&self, case: u64, progress: &dyn Progress) -> Result<Value, QuestionError> {
+        let Some(member) = self.question.case(case, progress)? else { return Ok(Value::Null) };
+        let ends = |(name, value): (&str, &question::Value)| match value {
+            question::Value::Box(lo, hi) => Some((name.to_string(), json!([lo.to_string(), hi.to_string()]))),
+            _ => None,
+        };
+        let region = |region: &Region| {
+            let sides: Map<String, Value> = region.bindings.iter().filter_map(ends).collect();
+            json!({"box": sides, "property": region.standing.word()})
+        };
+        let regions = self.question.regions(&member, MOST_REGIONS, progress)?;
+        Ok(regions.iter().map(region).collect::<Vec<_>>().into())
     }
 
     /// What stands in the columns: the values of the question, or whether its property holds.
@@ -81,23 +115,43 @@ impl Campaign for Sweep {
     fn canonical(&self) -> String {
         let names: Vec<&str> = self.question.bound_names().collect();
         let (question, columns) = (self.question.canonical(), self.columns());
-        json!({"sweep": {"id": self.question.id(), "names": names, "columns": columns, "question": question}})
-            .to_string()
+        let mut sweep = json!({"id": self.question.id(), "names": names, "columns": columns, "question": question});
+        if self.maps {
+            sweep["maps"] = MOST_REGIONS.into();
+        }
+        json!({"sweep": sweep}).to_string()
     }
 
     fn cases(&self) -> u64 {
         self.cases
     }
 
-    /// `{"names": {..}, "values": [..]}`, or null for a member that `where` leaves out.
+    /// `{"names": {..}, "values": [..]}`, with `"regions"` where there are maps, or null for a member that `where` leaves out.
     fn run(&self, case: u64, progress: &dyn Progress) -> Result<Value, JobError> {
-        match self.values(case, progress) {
-            Ok(None) => Ok(Value::Null),
-            Ok(Some((names, values))) => Ok(json!({"names": names, "values": values})),
+        let row = self.values(case, progress).and_then(|found| match found {
+            None => Ok(Value::Null),
+            Some((names, values)) if self.maps => {
+                Ok(json!({"names": names, "values": values, "regions": self.regions(case, progress)?}))
+            }
+            Some((names, values)) => Ok(json!({"names": names, "values": values})),
+        });
+        match row {
+            Ok(row) => Ok(row),
             Err(QuestionError::Cancelled(cancelled)) => Err(JobError::Cancelled(cancelled)),
             Err(error) => Err(JobError::Refused(error.to_string())),
         }
     }
+}
+
+/// A row of a table: what the names stand for, the values, and the regions of its map, null without one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TableRow {
+    /// What the names stand for.
+    pub names: Vec<String>,
+    /// The quantities.
+    pub values: Vec<Value>,
+    /// `[{"box": {name: [lo, hi]}, "property": "holds" | "fails" | "open"}]`.
+    pub regions: Value,
 }
 
 /// A finished table.
@@ -109,8 +163,8 @@ pub struct Table {
     pub names: Vec<String>,
     /// The quantities.
     pub columns: Vec<String>,
-    /// A row for each member: what the names stand for, then the values.
-    pub rows: Vec<(Vec<String>, Vec<Value>)>,
+    /// A row for each member.
+    pub rows: Vec<TableRow>,
 }
 
 /// A store that is not one of a table.
@@ -137,16 +191,20 @@ impl Table {
             let named = names.iter().map(|name| row["names"][name].as_str().map(str::to_string));
             let named: Vec<String> = named.collect::<Option<_>>().ok_or(NoTable)?;
             let values = row["values"].as_array().filter(|values| values.len() == columns.len()).ok_or(NoTable)?;
-            rows.push((named, values.clone()));
+            rows.push(TableRow { names: named, values: values.clone(), regions: row["regions"].clone() });
         }
         Ok(Table { id: id.to_string(), names, columns, rows })
     }
 
     /// One JSON object on a line for each member, names and values side by side.
     pub fn json_lines(&self) -> String {
-        let row = |(names, values): &(Vec<String>, Vec<Value>)| {
-            let names = self.names.iter().cloned().zip(names.iter().map(|text| text.as_str().into()));
-            let all: Map<String, Value> = names.chain(self.columns.iter().cloned().zip(values.clone())).collect();
+        let row = |row: &TableRow| {
+            let names = self.names.iter().cloned().zip(row.names.iter().map(|text| text.as_str().into()));
+            let mut all: Map<String, Value> =
+                names.chain(self.columns.iter().cloned().zip(row.values.clone())).collect();
+            if !row.regions.is_null() {
+                all.insert("regions".to_string(), row.regions.clone());
+            }
             Value::from(all).to_string() + "\n"
         };
         self.rows.iter().map(row).collect()
@@ -157,7 +215,7 @@ impl Table {
     /// # Errors
     /// Does not fail in memory.
     pub fn csv(&self) -> Result<String, csv::Error> {
-        let enclosed = |k: usize| self.rows.iter().any(|(_, values)| values[k]["lo"].is_string());
+        let enclosed = |k: usize| self.rows.iter().any(|row| row.values[k]["lo"].is_string());
         let enclosed: Vec<bool> = (0..self.columns.len()).map(enclosed).collect();
         let mut writer = csv::Writer::from_writer(Vec::new());
         let column = |(name, enclosed): (&String, &bool)| match enclosed {
@@ -166,7 +224,7 @@ impl Table {
         };
         let columns = self.columns.iter().zip(&enclosed).flat_map(column);
         writer.write_record(self.names.iter().cloned().chain(columns))?;
-        for (names, values) in &self.rows {
+        for TableRow { names, values, .. } in &self.rows {
             let cells = values.iter().zip(&enclosed).flat_map(|(value, enclosed)| cells(value, *enclosed));
             writer.write_record(names.iter().cloned().chain(cells))?;
         }
@@ -187,7 +245,7 @@ impl Table {
             },
         };
         let mut lines: Vec<Vec<String>> = vec![self.names.iter().chain(&self.columns).cloned().collect()];
-        for (names, values) in self.rows.iter().take(most) {
+        for TableRow { names, values, .. } in self.rows.iter().take(most) {
             lines.push(names.iter().cloned().chain(values.iter().map(shown)).collect());
         }
         let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max().unwrap_or(0);

@@ -42,7 +42,7 @@ pub const LEDGER: [LedgerCertificate; 18] = [
     row("chazelle.ex4birds.alt", "to_64", || four_birds(Hysteresis::None, 64)),
     row("chazelle.exAB", "60_factors", worked_product),
     row("chazelle.hyst", "four_birds_to_330", || four_birds(Hysteresis::Paper, 330)),
-    row("chazelle.hyst", "held_beyond_1", creeping_birds),
+    row("chazelle.hyst", "held_beyond_1", drifting_birds),
     row("chazelle.lem3.3", "one_edge", || limit(Graph::path(2), Weights::Given(vec![rational(1, 5), rational(2, 3)]))),
     row("chazelle.lem3.3", "path_4_lazy", || limit(Graph::path(4), Weights::Lazy)),
     row("chazelle.lem3.3", "ring_6_uneven", || limit(ring(6), uneven(&ring(6)))),
@@ -71,7 +71,7 @@ fn four_birds(hysteresis: Hysteresis, until: u64) -> Made {
 }
 
 /// Two birds in the plane that start at distance 1 and part by less than the threshold, until their speeds agree.
-fn creeping_birds() -> Made {
+fn drifting_birds() -> Made {
     let start = Start {
         positions: vec![vec![rational(0, 1), rational(0, 1)], vec![rational(3, 5), rational(4, 5)]],
         velocities: vec![vec![rational(0, 1), rational(1, 1)], vec![rational(1, 100), rational(1, 1)]],

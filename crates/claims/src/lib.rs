@@ -1,11 +1,19 @@
 //! The claims of the papers and of this project with their checks, one file per group; a claim is found by searching for
 //! its id.
 
-mod argued;
+/// The claims of these modules, boxed: `claims! { module: claim, claim; module: claim; }`.
+macro_rules! claims {
+    ($($module:ident: $($claim:ident),+;)+) => {
+        vec![$($(Box::new($module::$claim()) as Box<dyn ledger::Claim>),+),+]
+    };
+}
+
 mod beyond;
 pub mod certificates;
 mod chazelle;
+mod evidence;
 pub mod paley;
+mod prelude;
 mod shares;
 mod tanner1;
 mod tanner2;

@@ -68,7 +68,13 @@ impl Run {
     ///
     /// # Errors
     /// An identity that cannot be tested; [`CheckError::Limit`].
-    pub fn identity(&self, identity: &dyn AnyIdentity, names: &[&str], part: &str) -> Result<Outcome, CheckError> {
+    pub fn identity<S: AsRef<str>>(
+        &self,
+        identity: &dyn AnyIdentity,
+        names: &[S],
+        part: &str,
+    ) -> Result<Outcome, CheckError> {
+        let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
         self.checkpoint()?;
         let cases = self.cases(IDENTITY_CASES, 4 * IDENTITY_CASES);
         // Each identity of a check has points of its own.
@@ -132,18 +138,8 @@ impl Run {
         cases: impl IntoIterator<Item = T>,
         mut wrong: impl FnMut(T) -> Result<Option<String>, CheckError>,
     ) -> Result<Outcome, CheckError> {
-        let mut count = 0;
-        for case in cases {
-            self.checkpoint()?;
-            if let Some(counterexample) = wrong(case)? {
-                let grade = if evidence.grade == Grade::Exhaustive { Grade::Exact } else { evidence.grade };
-                let scope = evidence.scope.map(|_| Scope::Instances);
-                return Ok(Outcome::fails(counterexample, Evidence { grade, scope, ..evidence }));
-            }
-            count += 1;
-        }
-        // No case is no evidence.
-        Ok(Outcome::Holds(if count == 0 { Vec::new() } else { vec![evidence.cases(count)] }))
+        let mut cases = cases.into_iter();
+        count_judged(evidence, &mut || cases.next().map(|case| self.checkpoint().and_then(|()| wrong(case))))
     }
 
     /// Runs parts in order; the evidence of all, or the first one that does not hold.
@@ -151,15 +147,38 @@ impl Run {
     /// # Errors
     /// Whatever a part returns.
     pub fn all(parts: impl IntoIterator<Item = Result<Outcome, CheckError>>) -> Result<Outcome, CheckError> {
-        let mut evidence = Vec::new();
-        for part in parts {
-            match part? {
-                Outcome::Holds(more) => evidence.extend(more),
-                other => return Ok(other),
-            }
-        }
-        Ok(Outcome::Holds(evidence))
+        all_parts(&mut parts.into_iter())
     }
+}
+
+/// What `wrong` says of a case.
+type Judged = Result<Option<String>, CheckError>;
+
+/// [`Run::every`], compiled once for cases of all kinds: `next` judges one more, where there is one.
+fn count_judged(evidence: Evidence, next: &mut dyn FnMut() -> Option<Judged>) -> Result<Outcome, CheckError> {
+    let mut count = 0;
+    while let Some(judged) = next() {
+        if let Some(counterexample) = judged? {
+            let grade = if evidence.grade == Grade::Exhaustive { Grade::Exact } else { evidence.grade };
+            let scope = evidence.scope.map(|_| Scope::Instances);
+            return Ok(Outcome::fails(counterexample, Evidence { grade, scope, ..evidence }));
+        }
+        count += 1;
+    }
+    // No case is no evidence.
+    Ok(Outcome::Holds(if count == 0 { Vec::new() } else { vec![evidence.cases(count)] }))
+}
+
+/// [`Run::all`], compiled once.
+fn all_parts(parts: &mut dyn Iterator<Item = Result<Outcome, CheckError>>) -> Result<Outcome, CheckError> {
+    let mut evidence = Vec::new();
+    for part in parts {
+        match part? {
+            Outcome::Holds(more) => evidence.extend(more),
+            other => return Ok(other),
+        }
+    }
+    Ok(Outcome::Holds(evidence))
 }
 
 /// Replicates from here on are the points of identities; checks that draw themselves use smaller ones.

@@ -1,7 +1,8 @@
 //! The models of the five papers, each law written once over the scalar traits of `arithmetic`.
 
 /// Crates that stand in signatures.
-pub use {nalgebra, rand_chacha};
+pub use algebra::faer;
+pub use rand_chacha;
 
 pub mod angles;
 pub mod averaging;

@@ -11,6 +11,7 @@ mod event;
 mod golden;
 mod lanes;
 mod rk4;
+mod side_by_side;
 mod sine;
 mod statistics;
 pub mod validated;
@@ -21,6 +22,7 @@ pub use event::{Fall, Margin, next_fall, root};
 pub use golden::golden;
 pub use lanes::Lanes;
 pub use rk4::Rk4;
+pub use side_by_side::side_by_side;
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 pub use statistics::{Sample, Share};
 

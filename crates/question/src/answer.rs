@@ -2,11 +2,14 @@
 
 use crate::bindings::Bindings;
 use crate::decide::Outcome;
+use crate::error::QuestionError;
 use crate::names::Subject;
 use crate::question::Question;
 use crate::scenario_file::is_place;
+use crate::shrink::Shrunk;
 use crate::truth::{Margin, Truth};
 use algebra::graph::LaplacianKind;
+use arithmetic::Progress;
 use models::platoon::Communication;
 use serde_json::{Map, json};
 use std::fmt::Write;
@@ -57,6 +60,8 @@ pub struct Answer {
     pub grades: Vec<&'static str>,
     /// The counterexample, simplified.
     pub counterexample: Option<Bindings>,
+    /// A weaker property that fails there already, because it looks at shorter times; `None` where there is none.
+    pub shorter: Option<String>,
     /// A question of this one instance, as the text of a file; `None` where there is no counterexample, or the question is that already.
     pub replay: Option<String>,
     /// Encloses the smallest margin of all cases that were looked at.
@@ -76,7 +81,7 @@ impl Answer {
         question: &Question,
         verdict: Verdict,
         outcome: Outcome,
-        shrunk: Option<Bindings>,
+        shrunk: Option<(Shrunk, String)>,
         refuted: &[bool],
     ) -> Self {
         let enclosed = question.subjects().contains(&Subject::Motion);
@@ -88,18 +93,26 @@ impl Answer {
             (Verdict::Undecided, _) if question.is_sample() => vec!["fuzzed"],
             _ => vec![],
         };
-        let (counterexample, margin) = match verdict {
+        let (found, margin) = match verdict {
             Verdict::Withheld => (None, None),
             _ => (shrunk, outcome.margin),
         };
         let why = reason(verdict, &outcome, refuted);
-        let alone = outcome.total == 1 && !outcome.boxed;
-        let replay = counterexample.as_ref().filter(|_| !alone).map(|bindings| question.replay(bindings));
+        let (counterexample, shorter, replay) = match found {
+            None => (None, None, None),
+            Some((simpler, replay)) => {
+                let own = simpler.property.node.to_string();
+                let shorter = question.property.as_ref().is_some_and(|whole| whole.node.to_string() != own);
+                let alone = outcome.total == 1 && !outcome.boxed && !shorter;
+                (Some(simpler.bindings), shorter.then_some(own), (!alone).then_some(replay))
+            }
+        };
         Answer {
             id: question.id().to_string(),
             verdict,
             grades,
             counterexample,
+            shorter,
             replay,
             margin,
             cases: outcome.cases,
@@ -144,6 +157,9 @@ impl Answer {
         let _ = write!(text, "\n{}\n", self.why);
         if let Some(bindings) = self.counterexample.as_ref().filter(|bindings| bindings.iter().next().is_some()) {
             let _ = writeln!(text, "counterexample: {bindings}");
+        }
+        if let Some(shorter) = &self.shorter {
+            let _ = writeln!(text, "fails already: {shorter}");
         }
         if let Some((lo, hi)) = self.margin.as_ref().and_then(Margin::decimals) {
             let between = if lo == hi { format!("= {lo}") } else { format!("in [{lo}, {hi}]") };
@@ -199,8 +215,8 @@ fn reason(verdict: Verdict, outcome: &Outcome, refuted: &[bool]) -> String {
 }
 
 impl Question {
-    /// A question of one instance, as the text of a file. Its controls are altered properties that fail there, too.
-    pub(crate) fn replay(&self, bindings: &Bindings) -> String {
+    /// A question of one instance, as the text of a file. Its controls are those of this question that fail there, too.
+    pub(crate) fn replay(&self, found: &Shrunk, progress: &dyn Progress) -> Result<String, QuestionError> {
         let quoted = |text: &str| serde_json::Value::from(text).to_string();
         let mut text = format!("[question]\nid = {}\n", quoted(&format!("{}.counterexample", self.id())));
         if let Some(statement) = self.statement() {
@@ -216,16 +232,30 @@ impl Question {
             let _ = writeln!(text, "scenario = {}", quoted(&scenario.name));
         }
         let _ = writeln!(text, "\n[for]");
-        for (name, value) in bindings.iter() {
+        for (name, value) in found.bindings.iter() {
             let key = if is_place(name) { quoted(name) } else { name.to_string() };
             let _ = writeln!(text, "{key} = {}", quoted(&value.text()));
         }
-        let Some(property) = &self.property else { return text };
-        let _ = writeln!(text, "\n[holds]\nproperty = {}", quoted(&property.node.to_string()));
-        // False wherever the property is, so that the replay has a control that bites.
-        let altered = format!("({}) and 1 < 0", property.node);
-        let _ = writeln!(text, "controls = [{}]", quoted(&altered));
-        text
+        let property = found.property.node.to_string();
+        let _ = writeln!(text, "\n[holds]\nproperty = {}", quoted(&property));
+        let mut controls = Vec::new();
+        for control in &self.controls {
+            // One that makes no sense there is no control there.
+            let judged = self.decide_point(control, &found.bindings, progress);
+            if let Err(QuestionError::Cancelled(cancelled)) = judged {
+                return Err(cancelled.into());
+            }
+            let same = control.node.to_string() == property;
+            if !same && judged.is_ok_and(|(truth, _)| truth == Truth::False) {
+                controls.push(quoted(&control.node.to_string()));
+            }
+        }
+        if controls.is_empty() {
+            // False wherever the property is, so that the replay has a control that bites.
+            controls.push(quoted(&format!("({property}) and 1 < 0")));
+        }
+        let _ = writeln!(text, "controls = [{}]", controls.join(", "));
+        Ok(text)
     }
 
     /// Whether the property is decided without enclosures: only rational quantities and operations.

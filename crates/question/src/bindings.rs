@@ -89,6 +89,11 @@ impl fmt::Display for GraphValue {
 }
 
 impl Value {
+    /// Whether it is a continuum.
+    pub fn is_interval(&self) -> bool {
+        matches!(self, Value::Box(..))
+    }
+
     /// A text that stands for it in a question, without quotes.
     pub fn text(&self) -> String {
         match self {

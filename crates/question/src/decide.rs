@@ -1,19 +1,18 @@
 //! From a question to its verdict: every member is decided, a continuum is divided, controls must be refuted.
 
 use crate::answer::{Answer, Verdict};
-use crate::bindings::{Bindings, Value};
+use crate::bindings::Bindings;
 use crate::case::Case;
+use crate::division::Division;
 use crate::error::{Problem, QuestionError};
 use crate::evaluate::{Evaluator, Failure, Measured};
 use crate::names::Subject;
 use crate::number::Number;
 use crate::question::{Expression, Question};
-use crate::shrink::shrunk;
+use crate::shrink::Shrunk;
 use crate::truth::{Doubt, Margin, Truth};
-use arithmetic::{Progress, Rational, rational};
-use num_traits::{Signed, ToPrimitive};
-use rayon::prelude::*;
-use std::collections::BinaryHeap;
+use arithmetic::Progress;
+use motion::side_by_side;
 
 /// Bits that every comparison is tried with first.
 pub(crate) const FIRST_BITS: u32 = 64;
@@ -32,10 +31,6 @@ const MOST_MOTIONS: u64 = 500;
 
 /// Least number of boxes for each member.
 const LEAST_BOXES: u64 = 64;
-
-/// Boxes whose middle is looked at for a counterexample; later only every so many.
-const PROBED: u64 = 64;
-const PROBED_LATER: u64 = 16;
 
 /// What was found for one case.
 #[derive(Debug, Clone)]
@@ -129,6 +124,21 @@ impl Question {
         }
     }
 
+    /// How many controls there are.
+    pub fn control_count(&self) -> usize {
+        self.controls.len()
+    }
+
+    /// Whether a control, counted from 0, is refuted by one case.
+    ///
+    /// # Errors
+    /// [`QuestionError`] where the question is wrong there.
+    pub fn refutes(&self, control: usize, bindings: &Bindings, progress: &dyn Progress) -> Result<bool, QuestionError> {
+        let Some(control) = self.controls.get(control) else { return Ok(false) };
+        let decided = self.decide_expression(control, bindings, MOST_BOXES, progress)?;
+        Ok(!decided.excluded && decided.truth == Truth::False)
+    }
+
     pub(crate) fn decide_expression(
         &self,
         expression: &Expression,
@@ -170,7 +180,12 @@ impl Question {
         }
     }
 
-    fn judged(&self, case: &Case, expression: &Expression, precision: u32) -> Result<(Truth, Margin), QuestionError> {
+    pub(crate) fn judged(
+        &self,
+        case: &Case,
+        expression: &Expression,
+        precision: u32,
+    ) -> Result<(Truth, Margin), QuestionError> {
         let judged = Evaluator { case, precision, moment: None, piece: None }.judge(&expression.node);
         match judged {
             Ok(judged) => Ok(judged),
@@ -202,186 +217,6 @@ pub enum Tabulated {
     Unknown(String),
 }
 
-/// A continuum that is divided until every box is decided.
-struct Division<'a> {
-    question: &'a Question,
-    expression: &'a Expression,
-    progress: &'a dyn Progress,
-    most: u64,
-}
-
-/// A box that is not decided, the one with the smallest margin first.
-struct Open {
-    bindings: Bindings,
-    margin: f64,
-    number: u64,
-    doubt: Doubt,
-    bounds: Margin,
-}
-
-impl PartialEq for Open {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-impl Eq for Open {}
-impl PartialOrd for Open {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Open {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        other.margin.total_cmp(&self.margin).then_with(|| other.number.cmp(&self.number))
-    }
-}
-
-impl Division<'_> {
-    fn decide(&self, whole: &Bindings) -> Result<Decided, QuestionError> {
-        let original = whole.boxes();
-        let mut found = Decided {
-            truth: Truth::True,
-            margin: Margin::of_truth(true),
-            excluded: false,
-            boxes: 0,
-            open: 0,
-            counterexample: None,
-        };
-        let mut heap = BinaryHeap::new();
-        let mut queue = vec![whole.clone()];
-        let (mut number, mut probes, mut kept) = (0, 0u64, false);
-        loop {
-            for bindings in queue.drain(..) {
-                self.progress.checkpoint()?;
-                found.boxes += 1;
-                number += 1;
-                let (truth, margin) = self.on_box(&bindings, number == 1)?;
-                kept |= truth.is_some();
-                if number == 1 && self.fails_at_a_corner(&bindings, &mut found)? {
-                    return Ok(found);
-                }
-                match truth {
-                    None => {}
-                    Some(Truth::True) => found.margin = found.margin.least(margin),
-                    Some(Truth::False) => {
-                        if self.fails_at(bindings.middle(), &mut found)? {
-                            return Ok(found);
-                        }
-                        let doubt =
-                            Doubt { why: "a box fails, but its middle is left out by `where`".to_string(), bits: None };
-                        heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin });
-                    }
-                    Some(Truth::Unknown(doubt)) => {
-                        heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin });
-                    }
-                }
-            }
-            let Some(worst) = heap.pop() else {
-                found.excluded = !kept;
-                return Ok(found);
-            };
-            probes += 1;
-            if (probes <= PROBED || probes.is_multiple_of(PROBED_LATER))
-                && self.fails_at(worst.bindings.middle(), &mut found)?
-            {
-                return Ok(found);
-            }
-            let halves = if found.boxes < self.most { halved(&worst.bindings, &original) } else { None };
-            match halves {
-                Some(halves) => queue.extend(halves),
-                None => {
-                    let open = heap.iter().fold(worst.bounds, |least, open| least.least(open.bounds));
-                    found.open = 1 + heap.len() as u64;
-                    found.margin = found.margin.least(open);
-                    let at = worst.bindings.to_string();
-                    let why = format!("{} (on the box {at})", worst.doubt.why);
-                    found.truth = Truth::Unknown(Doubt { why, bits: None });
-                    return Ok(found);
-                }
-            }
-        }
-    }
-
-    /// The truth on a box; `None` where `where` leaves all of it out.
-    fn on_box(&self, bindings: &Bindings, is_first: bool) -> Result<(Option<Truth>, Margin), QuestionError> {
-        let case = Case::new(self.question, bindings.clone(), is_first, self.progress);
-        let mut kept = Truth::True;
-        if let Some(restriction) = &self.question.restriction {
-            kept = self.question.judged(&case, restriction, FIRST_BITS)?.0;
-            if kept == Truth::False {
-                return Ok((None, Margin::of_truth(true)));
-            }
-        }
-        let (truth, margin) = self.question.judged(&case, self.expression, FIRST_BITS)?;
-        let truth = match (truth, kept) {
-            (Truth::False, Truth::Unknown(doubt)) => Truth::Unknown(doubt),
-            (truth, _) => truth,
-        };
-        Ok((Some(truth), margin))
-    }
-
-    /// Whether the property fails at a corner of the box, where extremes often are.
-    fn fails_at_a_corner(&self, bindings: &Bindings, found: &mut Decided) -> Result<bool, QuestionError> {
-        const MOST_SIDES: usize = 4;
-        let boxes = bindings.boxes();
-        // A motion takes too long for that.
-        if boxes.len() > MOST_SIDES || self.question.subjects().contains(&Subject::Motion) {
-            return Ok(false);
-        }
-        for choice in 0..1usize << boxes.len() {
-            let mut corner = bindings.clone();
-            for (side, (place, lo, hi)) in boxes.iter().enumerate() {
-                corner.set(*place, Value::Number(if choice >> side & 1 == 1 { hi.clone() } else { lo.clone() }));
-            }
-            if self.fails_at(corner, found)? {
-                return Ok(true);
-            }
-        }
-        Ok(false)
-    }
-
-    /// Whether the property fails at a point, exactly or by enclosure; its margin bounds the smallest one from above.
-    fn fails_at(&self, point: Bindings, found: &mut Decided) -> Result<bool, QuestionError> {
-        if !matches!(self.question.is_kept(&point, self.progress), Ok(true)) {
-            return Ok(false);
-        }
-        let (truth, margin) = self.question.decide_point(self.expression, &point, self.progress)?;
-        found.margin.hi = found.margin.hi.min(margin.hi);
-        found.margin.lo = found.margin.lo.min(found.margin.hi);
-        if truth != Truth::False {
-            return Ok(false);
-        }
-        found.margin = found.margin.least(margin);
-        found.truth = Truth::False;
-        found.counterexample = Some(point);
-        Ok(true)
-    }
-}
-
-/// Two halves of a box, across the side that is widest compared with its numbers; `None` where it has become too thin.
-fn halved(bindings: &Bindings, original: &[(usize, Rational, Rational)]) -> Option<[Bindings; 2]> {
-    const THINNEST: f64 = 1e-12;
-    let relative = |(place, lo, hi): &(usize, Rational, Rational)| {
-        let width = (hi - lo).to_f64().unwrap_or(0.0);
-        let size = lo.abs().max(hi.abs()).to_f64().unwrap_or(1.0);
-        let whole =
-            original.iter().find(|(other, ..)| other == place).map_or(1.0, |(_, a, b)| (b - a).to_f64().unwrap_or(1.0));
-        if lo.is_positive() || hi.is_negative() { width / size } else { width / whole }
-    };
-    let boxes = bindings.boxes();
-    let (place, lo, hi) = boxes.iter().max_by(|a, b| relative(a).total_cmp(&relative(b)))?;
-    if relative(&(*place, lo.clone(), hi.clone())) < THINNEST {
-        return None;
-    }
-    let middle = (lo + hi) * rational(1, 2);
-    let half = |lo: &Rational, hi: &Rational| {
-        let mut half = bindings.clone();
-        half.set(*place, Value::Box(lo.clone(), hi.clone()));
-        half
-    };
-    Some([half(lo, &middle), half(&middle, hi)])
-}
-
 /// Decides a question: its property over the whole family, then that its controls are refuted.
 ///
 /// # Errors
@@ -400,7 +235,11 @@ pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, Qu
         refuted.push(over_family(question, control, progress)?.truth == Truth::False);
     }
     let shrunk = match &outcome.counterexample {
-        Some(found) => Some(shrunk(question, property, found, progress)?),
+        Some(found) => {
+            let simpler = Shrunk::of(question, property, found, progress)?;
+            let replay = question.replay(&simpler, progress)?;
+            Some((simpler, replay))
+        }
         None => None,
     };
     let mut answer = Answer::new(question, outcome, shrunk, refuted);
@@ -430,14 +269,13 @@ fn over_family(
     let (mut next, mut chunk) = (0, FIRST_CHUNK);
     while next < total {
         let end = (next + chunk).min(total);
-        let decided: Vec<Result<Option<(Decided, bool)>, QuestionError>> = (next..end)
-            .into_par_iter()
-            .map(|number| {
-                let Some(bindings) = question.case(number, progress)? else { return Ok(None) };
-                let boxed = !bindings.boxes().is_empty();
-                Ok(Some((question.decide_expression(expression, &bindings, most, progress)?, boxed)))
-            })
-            .collect();
+        let numbers: Vec<_> = (next..end).collect();
+        let decide = |&number: &_| -> Result<Option<(Decided, bool)>, QuestionError> {
+            let Some(bindings) = question.case(number, progress)? else { return Ok(None) };
+            let boxed = !bindings.boxes().is_empty();
+            Ok(Some((question.decide_expression(expression, &bindings, most, progress)?, boxed)))
+        };
+        let decided = side_by_side(&numbers, decide);
         for found in decided {
             let Some((found, boxed)) = found? else { continue };
             if found.excluded {
@@ -466,7 +304,7 @@ fn over_family(
 }
 
 impl Answer {
-    fn new(question: &Question, outcome: Outcome, shrunk: Option<Bindings>, refuted: Vec<bool>) -> Self {
+    fn new(question: &Question, outcome: Outcome, shrunk: Option<(Shrunk, String)>, refuted: Vec<bool>) -> Self {
         let verdict = match (&outcome.truth, refuted.iter().all(|refuted| *refuted)) {
             (_, false) => Verdict::Withheld,
             (Truth::False, true) => Verdict::False,

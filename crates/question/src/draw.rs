@@ -1,8 +1,9 @@
 //! Single members of a family, chosen by someone else: for campaigns, which need no count of all members.
 
 use crate::bindings::{Bindings, Value, simplest_between};
-use crate::error::QuestionError;
+use crate::error::{Problem, QuestionError};
 use crate::question::Question;
+use crate::shrink::{Shrunk, shorter_times};
 use arithmetic::{Progress, rational};
 
 /// An interval gives its simplest number, or an end of one of its `2^k` equal parts with `k` up to this.
@@ -43,8 +44,14 @@ impl Question {
         Ok(Some(bindings))
     }
 
-    /// A question of one member, as the text of a file that decides it alone.
-    pub fn instance(&self, bindings: &Bindings) -> String {
-        self.replay(bindings)
+    /// A question of one member, as the text of a file that decides it alone, with a shorter time where the property fails in it already.
+    ///
+    /// # Errors
+    /// [`QuestionError`] where the question is wrong there, or has no property.
+    pub fn instance(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<String, QuestionError> {
+        let none = || QuestionError::Whole(Problem::Other("the question has no property".to_string()));
+        let property = self.property.as_ref().ok_or_else(none)?;
+        let property = shorter_times(self, property, bindings, progress)?;
+        self.replay(&Shrunk { bindings: bindings.clone(), property }, progress)
     }
 }

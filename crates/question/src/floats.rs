@@ -23,9 +23,7 @@ impl Question {
     pub(crate) fn float_opinion(&self, bindings: &Bindings, progress: &dyn Progress) -> Option<String> {
         let property = self.property.as_ref()?;
         let point = bindings.middle();
-        let case = Case::new(self, point.clone(), false, progress);
-        let evaluator = Evaluator { case: &case, precision: 64, moment: None, piece: None };
-        let until = crate::case::horizon(&evaluator, &property.node).ok()?;
+        let until = self.last_time(&point, progress)?;
         let text = self.scenario()?.run_text(&point, &until).ok()?;
         let rows = Scenario::read(&text).ok()?.run(progress).rows;
         let count = rows.len();

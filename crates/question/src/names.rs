@@ -151,6 +151,7 @@ pub const QUANTITIES: &[Quantity] = &[
         "modulus of p_m, the mean of e^(i m theta)/m over the agents; `order` is `order(1)`",
     ),
     moving(Subject::Motion, "phase_potential", &[], "W_1 of the phases"),
+    moving(Subject::Motion, "spacing_potential", &[], "S of the centres of the circles of steered particles"),
     moving(
         Subject::Motion,
         "largest_deviation",

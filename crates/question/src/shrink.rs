@@ -1,18 +1,22 @@
-//! Simpler counterexamples: smaller members of the family first, then simpler numbers.
+//! Simpler counterexamples: smaller members of the family first, then simpler numbers, then a shorter time.
 
 use crate::bindings::{Bindings, Value, simplest_between};
+use crate::case::Case;
 use crate::error::QuestionError;
+use crate::evaluate::Evaluator;
 use crate::family::Members;
+use crate::number::Number;
 use crate::question::{Expression, Question};
+use crate::syntax::{Kind, Node};
 use crate::truth::Truth;
-use arithmetic::{Progress, rational};
+use arithmetic::{Progress, Rational, rational};
 use num_traits::Signed;
 
 /// Smaller integers that are tried for each name.
 const TRIED: u64 = 64;
 
 /// A simpler case in which the property fails, too, confirmed like the first.
-pub(crate) fn shrunk(
+fn shrunk(
     question: &Question,
     expression: &Expression,
     found: &Bindings,
@@ -119,4 +123,129 @@ fn simpler_number(
         radius *= rational(1, 2);
     }
     Ok(found)
+}
+
+/// A simpler case in which a property fails, and a weaker property of shorter times that fails there already.
+#[derive(Debug, Clone)]
+pub(crate) struct Shrunk {
+    pub bindings: Bindings,
+    pub property: Expression,
+}
+
+impl Shrunk {
+    /// Makes a counterexample simpler in every way.
+    pub fn of(
+        question: &Question,
+        property: &Expression,
+        found: &Bindings,
+        progress: &dyn Progress,
+    ) -> Result<Self, QuestionError> {
+        let bindings = shrunk(question, property, found, progress)?;
+        let property = shorter_times(question, property, &bindings, progress)?;
+        Ok(Shrunk { bindings, property })
+    }
+}
+
+/// Halvings of a time.
+const HALVINGS: usize = 8;
+
+/// Longest time that is tried in place of one without end.
+const LONGEST: i64 = 1 << 10;
+
+/// The property with the ends of its times made smaller, as long as it fails. Only ends are changed that make it weaker, so that the
+/// property as it was fails with it: of `always`, and of `eventually` and `until` under a negation.
+pub(crate) fn shorter_times(
+    question: &Question,
+    property: &Expression,
+    at: &Bindings,
+    progress: &dyn Progress,
+) -> Result<Expression, QuestionError> {
+    let mut best = property.clone();
+    let mut places = Vec::new();
+    ends(&mut best.node, true, &mut places);
+    for place in 0..places.len() {
+        let Some((from, to)) = span(question, &best, place, at, progress) else { continue };
+        let with = |end: &Rational| {
+            let mut tried = best.clone();
+            let mut places = Vec::new();
+            ends(&mut tried.node, true, &mut places);
+            if let Some((_, to)) = places.get_mut(place) {
+                to.kind = Kind::Number(end.clone());
+            }
+            tried
+        };
+        let fails_by = |end: &Rational| fails(question, &with(end), at, progress);
+        let (mut low, mut high) = (from.clone(), to.clone());
+        // A time without end: the first power of two that is long enough.
+        if high.is_none() {
+            let mut end = rational(1, 1);
+            while end < rational(LONGEST, 1) && !(end >= from && fails_by(&end)?) {
+                end *= rational(2, 1);
+            }
+            high = (end >= from && fails_by(&end)?).then_some(end);
+        }
+        let Some(mut high) = high else { continue };
+        for _ in 0..HALVINGS {
+            let (middle, part) = ((&low + &high) * rational(1, 2), (&high - &low) * rational(1, 8));
+            let tried = simplest_between(&(&middle - &part), &(middle + part));
+            if tried <= low || tried >= high {
+                break;
+            }
+            if fails_by(&tried)? { high = tried } else { low = tried }
+        }
+        if to.is_none_or(|to| high < to) {
+            best = with(&high);
+        }
+    }
+    Ok(best)
+}
+
+/// The bounds of a time operator, the last one `None` without end.
+fn span(
+    question: &Question,
+    property: &Expression,
+    place: usize,
+    at: &Bindings,
+    progress: &dyn Progress,
+) -> Option<(Rational, Option<Rational>)> {
+    let mut copy = property.clone();
+    let mut places = Vec::new();
+    ends(&mut copy.node, true, &mut places);
+    let (from, to) = places.into_iter().nth(place)?;
+    let case = Case::new(question, at.clone(), false, progress);
+    let evaluator = Evaluator { case: &case, precision: 64, moment: None, piece: None };
+    let exact = |node: &Node| match evaluator.number(node) {
+        Ok(Number::Exact(q)) => Some(q),
+        _ => None,
+    };
+    let end = if matches!(to.kind, Kind::Infinity) { None } else { Some(exact(to)?) };
+    Some((exact(from)?, end))
+}
+
+/// The bounds of the time operators whose shortening makes the property weaker.
+fn ends<'n>(node: &'n mut Node, positive: bool, found: &mut Vec<(&'n Node, &'n mut Node)>) {
+    match &mut node.kind {
+        Kind::Not(body) => ends(body, !positive, found),
+        Kind::And(list) | Kind::Or(list) => list.iter_mut().for_each(|node| ends(node, positive, found)),
+        Kind::Implies(first, second) => {
+            ends(first, !positive, found);
+            ends(second, positive, found);
+        }
+        Kind::Always(always, parts) => {
+            let [from, to, body] = parts.as_mut();
+            if *always == positive {
+                found.push((from, to));
+            }
+            ends(body, positive, found);
+        }
+        Kind::Until(parts) => {
+            let [from, to, first, second] = parts.as_mut();
+            if !positive {
+                found.push((from, to));
+            }
+            ends(first, positive, found);
+            ends(second, positive, found);
+        }
+        _ => {}
+    }
 }

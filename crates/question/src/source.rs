@@ -22,6 +22,8 @@ pub(crate) struct Located {
 pub(crate) struct Section<'a> {
     name: &'static str,
     source: &'a str,
+    /// The byte where it begins.
+    at: usize,
     table: &'a DeTable<'a>,
 }
 
@@ -45,12 +47,12 @@ impl<'a> Source<'a> {
 
     /// A section, where there is one; other keys at the top are refused.
     pub fn sections(&self, names: &[&'static str]) -> Result<Vec<Option<Section<'_>>>, QuestionError> {
-        let top = Section { name: "", source: self.text, table: self.table.get_ref() };
+        let top = Section { name: "", source: self.text, at: 0, table: self.table.get_ref() };
         top.allow(names)?;
         let section = |name: &&'static str| match top.get(name) {
             None => Ok(None),
             Some(entry) => match entry.value.get_ref() {
-                DeValue::Table(table) => Ok(Some(Section { name, source: self.text, table })),
+                DeValue::Table(table) => Ok(Some(Section { name, source: self.text, at: entry.at(), table })),
                 other => Err(entry.problem(Problem::expected("a section", kind(other)))),
             },
         };
@@ -90,7 +92,12 @@ impl<'a> Section<'a> {
 
     pub fn need(&self, key: &'static str, expected: &'static str) -> Result<Entry<'a>, QuestionError> {
         let missing = Problem::Missing { section: self.name, key, expected };
-        self.get(key).ok_or(QuestionError::Whole(missing))
+        self.get(key).ok_or_else(|| self.problem(missing))
+    }
+
+    /// A problem of the section as a whole.
+    pub fn problem(&self, problem: Problem) -> QuestionError {
+        QuestionError::At { place: Place::of(self.source, self.at), problem }
     }
 }
 

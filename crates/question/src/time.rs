@@ -158,10 +158,15 @@ impl Operator<'_, '_, '_> {
         while let Some((piece, depth)) = queue.pop() {
             let (truth, own) = self.judge(&piece)?;
             judged += 1;
+            let is_sure = sure.as_ref().is_some_and(|sure| meets(&piece, sure));
+            // What happens at times that may not be meant bounds the smallest margin from below only.
+            let own = if is_sure { own } else { Margin { hi: f64::INFINITY, ..own } };
             match truth {
                 Truth::True => margin = margin.least(own),
-                Truth::False if sure.as_ref().is_some_and(|sure| meets(&piece, sure)) => {
-                    return Ok((Truth::False, Margin { lo: f64::NEG_INFINITY, ..margin.least(own) }));
+                Truth::False if is_sure => {
+                    let rest = if covered.rest.is_none() { self.least(&queue) } else { f64::NEG_INFINITY };
+                    let margin = margin.least(own);
+                    return Ok((Truth::False, Margin { lo: margin.lo.min(rest), ..margin }));
                 }
                 truth => {
                     let wanted = judged < MOST_JUDGED && depth > 0 && (doubt.is_none() || depth > DEPTH - 4);
@@ -175,10 +180,23 @@ impl Operator<'_, '_, '_> {
                 }
             }
         }
-        match doubt.or(covered.rest) {
-            None => Ok((Truth::True, margin)),
-            Some(doubt) => Ok((Truth::Unknown(doubt), Margin { lo: f64::NEG_INFINITY, ..margin })),
+        if covered.rest.is_some() {
+            margin.lo = f64::NEG_INFINITY;
         }
+        Ok(match doubt.or(covered.rest) {
+            None => (Truth::True, margin),
+            Some(doubt) => (Truth::Unknown(doubt), margin),
+        })
+    }
+
+    /// A lower bound of the margins in pieces that were not looked at yet.
+    fn least(&self, pieces: &[(Piece, u32)]) -> f64 {
+        const MOST: usize = 2000;
+        if pieces.len() > MOST {
+            return f64::NEG_INFINITY;
+        }
+        let own = |(piece, _): &(Piece, u32)| self.judge(piece).map_or(f64::NEG_INFINITY, |(_, margin)| margin.lo);
+        pieces.iter().map(own).fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -215,37 +233,97 @@ fn until(
     names.extend(moving_names(evaluator, second));
     let covered = timeline.pieces(&begin, end.as_ref(), &names)?;
     let [keeps, comes] = [first, second].map(|body| Operator { timeline, evaluator, body, negated: false });
-    let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().rev().map(|piece| (piece, DEPTH)).collect();
-    let (mut kept, mut doubt, mut judged) = (true, None, 0);
+    // Cut where now may be at the latest.
+    let cut = |piece: Piece| match &at.to {
+        Some(now) if piece.from < *now && piece.to.as_ref().is_none_or(|end| now < end) => {
+            vec![Piece { to: Some(now.clone()), ..piece.clone() }, Piece { from: now.clone(), ..piece }]
+        }
+        _ => vec![piece],
+    };
+    let mut queue: Vec<(Piece, u32)> = covered.pieces.into_iter().flat_map(cut).map(|piece| (piece, DEPTH)).collect();
+    queue.reverse();
+    let (mut kept, mut may_have_come, mut doubt, mut judged) = (true, false, None, 0);
+    let mut margin = LargestUntil::new(covered.rest.is_some());
     while let Some((piece, depth)) = queue.pop() {
-        let keeping = keeps.judge(&piece)?.0;
-        let coming = if meets(&piece, &possible) { comes.judge(&piece)?.0 } else { Truth::False };
+        let (keeping, keeps_by) = keeps.judge(&piece)?;
+        let is_possible = meets(&piece, &possible);
+        let (coming, comes_by) =
+            if is_possible { comes.judge(&piece)? } else { (Truth::False, Margin::of_truth(false)) };
         judged += 1;
-        let inside = sure.as_ref().is_some_and(|sure| meets(&piece, sure) && piece.from >= sure.0);
+        let inside = sure.as_ref().is_some_and(|sure| lies_in(&piece, sure));
+        // Only after the last time of `at` does the piece lie between now and then whatever now is.
+        let after = at.to.as_ref().is_some_and(|now| piece.from >= *now);
+        let keeps_by = if after { keeps_by } else { Margin { hi: f64::INFINITY, ..keeps_by } };
         if coming == Truth::True && kept && inside && keeping == Truth::True {
-            return Ok((Truth::True, Margin::ANY));
+            margin.include(keeps_by, comes_by, inside);
+            return Ok((Truth::True, margin.so_far()));
         }
         let settled = coming == Truth::False && !matches!(keeping, Truth::Unknown(_));
-        let wanted = !settled && judged < MOST_JUDGED && depth > 0 && doubt.is_none();
+        let wanted = !settled && judged < MOST_JUDGED && depth > 0 && !may_have_come;
         if let Some([one, two]) = timeline.halves(&piece).filter(|_| wanted) {
             queue.extend([(two, depth - 1), (one, depth - 1)]);
             continue;
         }
+        margin.include(keeps_by, comes_by, inside);
         match (keeping, coming) {
             // From here on it is too late.
-            (Truth::False, Truth::False) if doubt.is_none() => return Ok((Truth::False, Margin::ANY)),
+            (Truth::False, Truth::False) if after && !may_have_come => {
+                return Ok((Truth::False, margin.so_far()));
+            }
             (Truth::True, Truth::False) => {}
             (Truth::True, truth) => {
+                may_have_come = true;
                 doubt.get_or_insert_with(|| at_time(truth, &piece));
             }
-            (truth, _) => {
+            (truth, coming) => {
                 kept = false;
+                may_have_come |= coming != Truth::False;
                 doubt.get_or_insert_with(|| at_time(truth, &piece));
             }
         }
     }
     match doubt.or(covered.rest) {
-        None => Ok((Truth::False, Margin::ANY)),
-        Some(doubt) => Ok((Truth::Unknown(doubt), Margin::ANY)),
+        None => Ok((Truth::False, margin.whole())),
+        Some(doubt) => Ok((Truth::Unknown(doubt), margin.whole())),
+    }
+}
+
+/// Whether all times of a piece are meant.
+fn lies_in(piece: &Piece, (from, to): &(Rational, Option<Rational>)) -> bool {
+    piece.from >= *from && to.as_ref().is_none_or(|to| piece.to.as_ref().is_some_and(|end| end <= to))
+}
+
+/// The margin of `p until q`: the largest, over the times at which `q` may come, of the smaller one of the margin of `q` there and the
+/// smallest of `p` until then.
+struct LargestUntil {
+    /// Of `p` so far.
+    kept: Margin,
+    /// Of the pieces so far.
+    found: Margin,
+    /// Whether the motion is not known to the end.
+    is_cut: bool,
+}
+
+impl LargestUntil {
+    fn new(is_cut: bool) -> Self {
+        LargestUntil { kept: Margin::of_truth(true), found: Margin::of_truth(false), is_cut }
+    }
+
+    /// The next piece; `inside` where all its times are meant.
+    fn include(&mut self, keeps: Margin, comes: Margin, inside: bool) {
+        // Up to a time inside the piece `p` is at most what it is up to the piece.
+        let most = self.kept.hi.min(keeps.hi).min(comes.hi);
+        self.kept = self.kept.least(keeps);
+        let least = if inside { self.kept.lo.min(comes.lo) } else { f64::NEG_INFINITY };
+        self.found = self.found.largest(Margin { lo: least, hi: most });
+    }
+
+    /// With later pieces that were not looked at: they have at most what `p` still has.
+    fn so_far(&self) -> Margin {
+        Margin { hi: self.found.hi.max(self.kept.hi), ..self.found }
+    }
+
+    fn whole(&self) -> Margin {
+        if self.is_cut { self.so_far() } else { self.found }
     }
 }

@@ -6,8 +6,10 @@ mod catalogue;
 mod explain;
 mod export;
 mod figures;
+mod fold;
 pub mod plot;
 mod provenance;
+pub mod shown;
 mod simulation;
 mod site;
 mod table;
@@ -19,11 +21,14 @@ pub use serde_json;
 pub use animation::animation;
 pub use catalogue::{Listing, Query, SCOPES, catalogue, catalogue_text, not_found};
 pub use explain::{explain, explanation};
-pub use export::{NamedMatrix, matrix_files};
+pub use export::{NamedArray, NamedMatrix, matrix_files, npz};
 pub use figures::{FIGURES, Figure, FigureError, File};
+pub use fold::folded;
 pub use provenance::{Provenance, digest, ledger_origin, version};
+pub use shown::PatternRow;
 pub use simulation::{
-    events_csv, observables_csv, sample_table, simulation_pictures, simulation_summary, trajectory_csv,
+    events_csv, observables_csv, sample_table, simulation_arrays, simulation_pictures, simulation_summary,
+    trajectory_csv,
 };
 pub use site::{Made, Page, Site, SiteError};
 pub use table::{summary, verdict_table};

@@ -1,5 +1,6 @@
 //! The files and the table of a simulated scenario.
 
+use super::export::NamedArray;
 use super::plot::{Axis, PALETTE, Panel, Picture, Series};
 use scenario::{End, Outcome, Row, Value};
 use serde_json::{Map, Value as Json, json};
@@ -105,6 +106,41 @@ pub fn events_csv(outcome: &Outcome) -> String {
     text
 }
 
+/// The run as arrays for NumPy: `t`; `positions`, `velocities` and `centres` (times x agents x coordinates) and `phases` (times x agents) as
+/// far as the model has them; each observable (times, or times x numbers); `events` (each t, 1 for link or 0 for unlink, the two agents).
+pub fn simulation_arrays(outcome: &Outcome) -> Vec<NamedArray> {
+    let rows = &outcome.rows;
+    let array = |name: &str, axes: &[usize], data: Vec<f64>| NamedArray {
+        name: name.to_string(),
+        shape: std::iter::once(rows.len()).chain(axes.iter().copied()).collect(),
+        data,
+    };
+    let mut arrays = vec![array("t", &[], rows.iter().map(|row| row.time).collect())];
+    let Some(first) = rows.first() else { return arrays };
+    type Vectors = fn(&scenario::Frame) -> &Vec<Vec<f64>>;
+    let vectors: [(&str, Vectors); 3] =
+        [("positions", |f| &f.positions), ("velocities", |f| &f.velocities), ("centres", |f| &f.centres)];
+    for (name, of) in vectors {
+        let Some(vector) = of(&first.frame).first() else { continue };
+        let data = rows.iter().flat_map(|row| of(&row.frame).iter().flatten().copied()).collect();
+        arrays.push(array(name, &[of(&first.frame).len(), vector.len()], data));
+    }
+    if !first.frame.phases.is_empty() {
+        let data = rows.iter().flat_map(|row| row.frame.phases.iter().copied()).collect();
+        arrays.push(array("phases", &[first.frame.phases.len()], data));
+    }
+    for (k, observable) in first.observables.iter().enumerate() {
+        let width = observable.columns().len();
+        let axes: &[usize] = if matches!(observable.value, Value::List(_)) { &[width] } else { &[] };
+        let data = rows.iter().flat_map(|row| row.observables[k].columns().into_iter().map(|(_, x)| x));
+        arrays.push(array(observable.name, axes, data.collect()));
+    }
+    let event = |e: &scenario::Event| [e.time, f64::from(u8::from(e.gained)), e.pair.0 as f64, e.pair.1 as f64];
+    let events: Vec<f64> = outcome.events.iter().flat_map(event).collect();
+    arrays.push(NamedArray { name: "events".to_string(), shape: vec![outcome.events.len(), 4], data: events });
+    arrays
+}
+
 /// A number of at most 11 characters.
 fn short(x: f64) -> String {
     match x.abs() {
@@ -199,6 +235,10 @@ fn paths(outcome: &Outcome) -> Picture {
         let line = outcome.rows.iter().filter_map(|row| place(row, k));
         panel = panel.series(Series::line("", line).colour(colour(k)).size(size));
     }
+    let linked = links(outcome, drawn);
+    if !linked.is_empty() {
+        panel = panel.below(Series::line("links at the end", linked).colour("#9a9a9a").size(0.9));
+    }
     let ends = |row: Option<&Row>| (0..drawn).filter_map(|k| place(row?, k)).collect::<Vec<_>>();
     panel = panel.series(Series::crosses("start", ends(outcome.rows.first())).colour("#6b6b6b"));
     panel = panel.series(Series::points("end", ends(outcome.rows.last())).colour("#222222").size(2.6));
@@ -207,6 +247,14 @@ fn paths(outcome: &Outcome) -> Picture {
         panel = panel.series(Series::arrows("direction of motion at the end", moving).colour("#222222"));
     }
     Picture::new(title(outcome, "paths")).grid(1, (760.0, 620.0)).panel(panel)
+}
+
+/// The links at the end as one broken line.
+fn links(outcome: &Outcome, drawn: usize) -> Vec<(f64, f64)> {
+    let Some(row) = outcome.rows.last() else { return Vec::new() };
+    let place = |k: usize| row.frame.positions.get(k).map(|r| (r[0], r[1]));
+    let ends = row.links.iter().filter(|(i, j)| i.max(j) < &drawn).filter_map(|(i, j)| place(*i).zip(place(*j)));
+    ends.flat_map(|(a, b)| [a, b, (f64::NAN, f64::NAN)]).collect()
 }
 
 /// Arrows in the directions of motion at the end, a thirtieth of what the paths span; none for agents at rest.
@@ -268,7 +316,7 @@ fn observables(outcome: &Outcome) -> Picture {
             continue;
         }
         let axis = if least > 0.0 && most > 1e3 * least { Axis::log("") } else { Axis::linear("") };
-        let mut panel = Panel::new(observable.name, Axis::linear("t"), axis);
+        let mut panel = Panel::new(observable.name.replace('_', " "), Axis::linear("t"), axis);
         let several = curves.len() > 1;
         for (name, curve) in curves {
             panel = panel.series(Series::line(if several { name } else { String::new() }, curve));

@@ -129,6 +129,10 @@ impl Law for Agents {
         Frame { positions: lists(&state.positions), velocities: lists(&state.velocities), ..Frame::default() }
     }
 
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.network.links()
+    }
+
     fn observe(&self, _: f64, list: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
         let state = self.state(list);
         let places: Vec<Vec<f64>> = state.positions.iter().map(|r| r.to_vec()).collect();

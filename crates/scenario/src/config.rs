@@ -5,9 +5,9 @@ use super::error::{ConfigError, Problem};
 use super::run::{Outcome, Schedule, run};
 use super::source::{Entry, Section, Source};
 use super::{alignment, fish, noisy, oscillator, platoon, vicsek};
+use arithmetic::num_bigint::BigInt;
 use arithmetic::{Progress, Rational, rational};
 use num_traits::{ToPrimitive, Zero};
-use std::collections::BTreeMap;
 
 /// The models of the contract.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +45,7 @@ fn read_schedule(
     model: Model,
     step: Option<&Rational>,
     agents: usize,
+    with_rows: bool,
 ) -> Result<Schedule, ConfigError> {
     let section = source.needed("run")?;
     let keys = ["until", "samples", "tolerance", "rows", "observables", "step"];
@@ -55,7 +56,7 @@ fn read_schedule(
     let until = entry.exact()?;
     bounded(&section, &entry, last, step)?;
     on_grid(&entry, &until, step)?;
-    let mut times: BTreeMap<Rational, bool> = BTreeMap::new();
+    let mut sampled: Vec<Rational> = Vec::new();
     let mut before: Option<f64> = None;
     let samples = section.get("samples");
     for item in samples.as_ref().map_or(Ok(Vec::new()), |list| list.items("a list of times"))? {
@@ -67,10 +68,10 @@ fn read_schedule(
             _ => before = Some(sample),
         }
         on_grid(&item, &exact, step)?;
-        times.insert(exact, true);
+        sampled.push(exact);
     }
     if samples.is_none() {
-        times.insert(until.clone(), true);
+        sampled.push(until.clone());
     }
     let most = MOST_ENTRIES / agents.max(1);
     let mut rows = match section.get("rows") {
@@ -81,19 +82,41 @@ fn read_schedule(
     if let Some(steps) = steps {
         rows = rows.min(steps.to_usize().unwrap_or(usize::MAX));
     }
-    for k in 0..=rows {
-        let time = match (steps, step) {
-            (Some(steps), Some(step)) => {
-                let whole = u128::from(steps) * k as u128 / rows as u128;
-                step * Rational::from_integer(whole.into())
-            }
-            _ => &until * rational(k as i64, rows as i64),
-        };
-        times.entry(time).or_insert(false);
-    }
-    let rounded = |(time, sample): (Rational, bool)| (time.to_f64().unwrap_or(f64::NAN), sample);
+    let (unit, units) = match (steps, step) {
+        (Some(steps), Some(step)) => (step.clone(), steps),
+        _ => (&until / Rational::from_integer(rows.into()), rows as u64),
+    };
     let ignored = step.is_some() && section.get("tolerance").is_some();
-    Ok(Schedule { times: times.into_iter().map(rounded).collect(), rows, ignored, observables: None })
+    let (rows, times) = if with_rows {
+        (rows, times_of(&unit, units, rows, &sampled))
+    } else {
+        (0, sampled.iter().map(|time| (time.to_f64().unwrap_or(f64::NAN), true)).collect())
+    };
+    Ok(Schedule { times, rows, ignored, observables: None })
+}
+
+/// The times 0 to `units * unit` in `rows` intervals as equal as multiples of the unit can be, and the sampled ones (ascending) among them:
+/// compared exactly, then rounded.
+fn times_of(unit: &Rational, units: u64, rows: usize, sampled: &[Rational]) -> Vec<(f64, bool)> {
+    let rounded = |time: &Rational| time.to_f64().unwrap_or(f64::NAN);
+    // Two integers that are floats have a quotient that is rounded once.
+    let small = |n: &BigInt| n.to_u64().filter(|n| *n < 1 << 53);
+    let parts = small(&unit.numer()).zip(small(&unit.denom()));
+    let time_of = |j: u64| match parts.and_then(|(n, d)| n.checked_mul(j).filter(|n| *n < 1 << 53).map(|n| (n, d))) {
+        Some((n, d)) => n as f64 / d as f64,
+        None => rounded(&(unit * Rational::from_integer(j.into()))),
+    };
+    let place = |time: &Rational| (time / unit).floor().to_u64().unwrap_or(u64::MAX);
+    let mut sampled = sampled.iter().map(|time| (place(time), (time / unit).is_integer(), time)).peekable();
+    let mut times = Vec::with_capacity(rows + 1);
+    for k in 0..=rows as u128 {
+        let j = (u128::from(units) * k / rows as u128) as u64;
+        while let Some((_, _, time)) = sampled.next_if(|(at, ..)| *at < j) {
+            times.push((rounded(time), true));
+        }
+        times.push((time_of(j), sampled.next_if(|(at, whole, _)| *whole && *at == j).is_some()));
+    }
+    times
 }
 
 /// The observables that are asked for by name; nothing where all are.
@@ -184,38 +207,51 @@ impl Scenario {
     /// [`ConfigError`] with the line and key at fault.
     pub fn read(text: &str) -> Result<Self, ConfigError> {
         let source = Source::parse(text)?;
+        let several = source.section("ensemble")?.or(source.section("sweep")?);
+        several.map_or(Ok(()), |section| Err(ConfigError::Several(section.line())))?;
+        Self::of(&source, true)
+    }
+
+    /// One run of a file for several: replicas, from 0, differ in what is drawn; with all rows, or samples only.
+    pub(super) fn of_member(text: &str, replica: u64, with_rows: bool) -> Result<Self, ConfigError> {
+        let mut source = Source::parse(text)?;
+        source.replica = replica;
+        Self::of(&source, with_rows)
+    }
+
+    fn of(source: &Source, with_rows: bool) -> Result<Self, ConfigError> {
         let top = source.top();
-        top.allow(&["model", "graph", "state", "law", "run"], "")?;
+        top.allow(&["model", "graph", "state", "law", "run", "ensemble", "sweep"], "")?;
         let entry = top.need("model", &MODELS.map(|(name, _)| name).join(", "))?;
         let model = entry.choice(&MODELS)?;
         let name = MODELS.iter().find(|(_, known)| *known == model).map_or("", |(name, _)| name);
-        let tolerance = tolerance(&source)?;
+        let tolerance = tolerance(source)?;
         let mut step = None;
         let course: Box<dyn Course> = match model {
-            Model::Phase => oscillator::read_phases(&source, tolerance)?,
-            Model::Particles => oscillator::read_particles(&source, tolerance)?,
-            Model::Headings => alignment::read(&source, true, tolerance)?,
-            Model::Velocities => alignment::read(&source, false, tolerance)?,
-            Model::Platoon => platoon::read(&source, tolerance)?,
+            Model::Phase => oscillator::read_phases(source, tolerance)?,
+            Model::Particles => oscillator::read_particles(source, tolerance)?,
+            Model::Headings => alignment::read(source, true, tolerance)?,
+            Model::Velocities => alignment::read(source, false, tolerance)?,
+            Model::Platoon => platoon::read(source, tolerance)?,
             Model::Fish => {
-                let (school, length) = fish::read(&source)?;
+                let (school, length) = fish::read(source)?;
                 step = Some(length);
                 Box::new(school)
             }
             Model::Vicsek => {
                 step = Some(rational(1, 1));
-                vicsek::read(&source)?
+                vicsek::read(source)?
             }
             Model::Noisy => {
                 step = Some(rational(1, 1));
-                noisy::read(&source)?
+                noisy::read(source)?
             }
         };
         let frame = course.frame();
         let agents = frame.positions.len().max(frame.phases.len());
-        let mut schedule = read_schedule(&source, model, step.as_ref(), agents)?;
-        schedule.observables = wanted(&source, course.as_ref())?;
-        Ok(Scenario { model: name, schedule, course, seed: seed(&source)? })
+        let mut schedule = read_schedule(source, model, step.as_ref(), agents, with_rows)?;
+        schedule.observables = wanted(source, course.as_ref())?;
+        Ok(Scenario { model: name, schedule, course, seed: seed(source)? })
     }
 
     /// The seeds of what is drawn, where anything is.
@@ -226,6 +262,12 @@ impl Scenario {
     /// Whether the agents have places, and not only phases.
     pub fn has_positions(&self) -> bool {
         !self.course.frame().positions.is_empty()
+    }
+
+    /// The number of agents.
+    pub fn agents(&self) -> usize {
+        let frame = self.course.frame();
+        frame.positions.len().max(frame.phases.len())
     }
 
     /// The last time.

@@ -52,6 +52,11 @@ pub(super) trait Course {
     /// What is measured there.
     fn observe(&self) -> Result<Vec<Observable>, ArithmeticError>;
 
+    /// Who is linked with whom, agents from 0; nothing where that is not told.
+    fn links(&self) -> Vec<(usize, usize)> {
+        Vec::new()
+    }
+
     /// What is run, in words: equations and every choice that the configuration leaves open.
     fn declaration(&self) -> Vec<String>;
 
@@ -99,6 +104,11 @@ pub(super) trait Law {
 
     /// What is measured there.
     fn observe(&self, time: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError>;
+
+    /// Who is linked with whom, agents from 0; nothing where that is not told.
+    fn links(&self) -> Vec<(usize, usize)> {
+        Vec::new()
+    }
 
     /// What is run, in words.
     fn declaration(&self) -> Vec<String>;
@@ -183,6 +193,10 @@ impl<L: Law> Course for Continuous<L> {
 
     fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
         self.law.observe(self.solution.time(), self.solution.state())
+    }
+
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.law.links()
     }
 
     fn declaration(&self) -> Vec<String> {

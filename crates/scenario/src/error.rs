@@ -42,6 +42,17 @@ pub enum ConfigError {
         /// All keys that are allowed there.
         allowed: String,
     },
+    /// Numbers of a sweep that make no scenario.
+    #[error("with {numbers}: {error}")]
+    PutIn {
+        /// The places with their numbers.
+        numbers: String,
+        /// What is wrong then.
+        error: Box<ConfigError>,
+    },
+    /// Several runs where there can be one.
+    #[error("line {0}: [ensemble] and [sweep] make several runs, and here there can be one only")]
+    Several(usize),
     /// A place that another number was to be put in.
     #[error("there is no number at `{0}`")]
     NoPlace(String),
@@ -92,6 +103,9 @@ pub enum Problem {
         /// What there is.
         allowed: String,
     },
+    /// A place without a number.
+    #[error("there is no number at `{0}` in the file")]
+    NoPlace(String),
     /// An empty list of agents.
     #[error("there are no agents")]
     NoAgents,

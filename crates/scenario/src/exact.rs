@@ -3,10 +3,10 @@
 use super::config::Scenario;
 use super::error::ConfigError;
 use super::network::{Abilities, Network};
-use super::oscillator::PHASES;
+use super::oscillator::{PARTICLES, PHASES};
 use super::platoon;
 use super::potential::PairPotential;
-use super::source::{Section, Source};
+use super::source::{Entry, Section, Source};
 use super::start::{Needs, Start};
 use arithmetic::{Rational, rational};
 use models::double_integrator::{Pair, Potential};
@@ -40,6 +40,24 @@ pub enum ExactMotion {
         /// Who senses whom.
         network: Neighbours,
     },
+    /// Steered particles (Paley and others) on a fixed network: `dr_k/dt = e^(i theta_k) + drift`, `d theta_k/dt = frequency + u_k` with the
+    /// orientation control (14) and a spacing control.
+    Particles {
+        /// Where the particles start: rows of two coordinates.
+        positions: Vec<Vec<Rational>>,
+        /// Their phases, in radians.
+        phases: Vec<Rational>,
+        /// `omega_0`; not zero where there is a spacing control.
+        frequency: Rational,
+        /// `K_1`.
+        gain: Rational,
+        /// The spacing control.
+        spacing: ExactSpacing,
+        /// The drift, the same for all.
+        drift: [Rational; 2],
+        /// Who senses whom.
+        network: Neighbours,
+    },
     /// A platoon (Veerman and others): deviations from the desired places, the leader first.
     Platoon {
         /// `y_0, y_1, ..` without the swing of the leader.
@@ -59,6 +77,17 @@ pub enum ExactMotion {
     Other(&'static str),
 }
 
+/// What keeps steered particles on circles.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ExactSpacing {
+    /// Nothing.
+    None,
+    /// (20), with `K_0`.
+    Circle(Rational),
+    /// `K_0` and the place of the beacon.
+    Beacon(Rational, [Rational; 2]),
+}
+
 impl ExactMotion {
     /// Reads a scenario.
     ///
@@ -70,6 +99,7 @@ impl ExactMotion {
         match source.top().need("model", "a model")?.word()? {
             "velocity-alignment" => velocities(&source),
             "phase" => phases(&source),
+            "particles" => particles(&source),
             "platoon" => exact_platoon(&source),
             "fish" | "vicsek" => Ok(ExactMotion::Other("its time is discrete and its numbers are drawn or rounded")),
             _ => Ok(ExactMotion::Other("its law is not among those that are enclosed")),
@@ -114,19 +144,57 @@ fn phases(source: &Source) -> Result<ExactMotion, ConfigError> {
     if law.get("K").is_some() || law.get("reference").is_some() {
         return Ok(ExactMotion::Other("of the phase model only the control K1 is enclosed"));
     }
-    let agents = start.agents();
-    let network = Network::read(source, agents, PHASES)?;
+    let network = Network::read(source, start.agents(), PHASES)?;
+    let (frequency, gain) = (number(&law, "omega0", 0)?, number(&law, "K1", 0)?);
+    Ok(match fixed(&network) {
+        Ok(network) => ExactMotion::Phases { phases: start.phases, frequency, gain, network },
+        Err(why) => ExactMotion::Other(why),
+    })
+}
+
+/// The neighbours in a network that stays as it is.
+fn fixed(network: &Network) -> Result<Neighbours, &'static str> {
     if network.next_time().is_some() {
-        return Ok(ExactMotion::Other(TIMED));
+        return Err(TIMED);
     }
-    let neighbours = if network.is_all_to_all() {
-        Neighbours::complete(agents)
-    } else {
-        let arcs = (0..agents).flat_map(|k| network.neighbours(k).iter().map(move |&j| (k, j)));
-        Neighbours::from_arcs(agents, arcs.collect::<Vec<_>>())
+    if network.switches() {
+        return Err("of particles only fixed networks are enclosed, not links that depend on distances");
+    }
+    let agents = network.order();
+    if network.is_all_to_all() {
+        return Ok(Neighbours::complete(agents));
+    }
+    let arcs = (0..agents).flat_map(|k| network.neighbours(k).iter().map(move |&j| (k, j)));
+    Ok(Neighbours::from_arcs(agents, arcs.collect::<Vec<_>>()))
+}
+
+/// Two numbers of the law.
+fn vector(law: &Section, key: &'static str) -> Result<Option<[Rational; 2]>, ConfigError> {
+    let Some(entry) = law.get(key) else { return Ok(None) };
+    let items = entry.items("two numbers")?.iter().map(Entry::exact).collect::<Result<Vec<_>, _>>()?;
+    Ok(<[Rational; 2]>::try_from(items).ok())
+}
+
+fn particles(source: &Source) -> Result<ExactMotion, ConfigError> {
+    let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
+    let law = source.needed("law")?;
+    if law.get("K").is_some() || law.get("reference").is_some() {
+        return Ok(ExactMotion::Other("of the orientation controls of particles only K1 is enclosed"));
+    }
+    let network = match fixed(&Network::read(source, start.agents(), PARTICLES)?) {
+        Ok(network) => network,
+        Err(why) => return Ok(ExactMotion::Other(why)),
     };
     let (frequency, gain) = (number(&law, "omega0", 0)?, number(&law, "K1", 0)?);
-    Ok(ExactMotion::Phases { phases: start.phases, frequency, gain, network: neighbours })
+    let strength = number(&law, "K0", 0)?;
+    let spacing = match vector(&law, "beacon")? {
+        Some(place) => ExactSpacing::Beacon(strength, place),
+        None if strength == rational(0, 1) => ExactSpacing::None,
+        None => ExactSpacing::Circle(strength),
+    };
+    let drift = vector(&law, "drift")?.unwrap_or_else(|| [0, 0].map(|x| rational(x, 1)));
+    let (positions, phases) = (start.positions, start.phases);
+    Ok(ExactMotion::Particles { positions, phases, frequency, gain, spacing, drift, network })
 }
 
 fn exact_platoon(source: &Source) -> Result<ExactMotion, ConfigError> {
@@ -137,10 +205,16 @@ fn exact_platoon(source: &Source) -> Result<ExactMotion, ConfigError> {
         None => (rational(0, 1), rational(0, 1)),
         Some(entry) => {
             let leader = entry.table("law.leader")?;
-            (number(&leader, "amplitude", 1)?, number(&leader, "frequency", 0)?)
+            // Without a frequency the leader only drives.
+            let usual = i64::from(leader.get("frequency").is_some());
+            (number(&leader, "amplitude", usual)?, number(&leader, "frequency", 0)?)
         }
     };
-    let (graph, _) = platoon::tracked(source, &law, start.positions.len())?;
+    if platoon::leader_of(source, &law, start.positions.len())? > 0 {
+        return Ok(ExactMotion::Other("another leader than the first car is not enclosed"));
+    }
+    let order: Vec<usize> = (0..start.positions.len()).collect();
+    let (graph, _) = platoon::tracked(source, &law, &order)?;
     let places = start.positions.iter().flatten().zip(0..);
     let deviations = places.map(|(x, k)| x + &spacing * rational(k, 1)).collect();
     let rates = start.velocities.iter().flatten().cloned().collect();

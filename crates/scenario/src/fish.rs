@@ -102,7 +102,7 @@ pub(super) fn read(source: &Source) -> Result<(Fish, Rational), ConfigError> {
         Some(entry) => {
             let deviation = entry.positive()?;
             let seed = seed.unwrap_or(1);
-            Some((deviation, seed, generator(&seed.to_string(), "fish.turning", 0)))
+            Some((deviation, seed, generator(&seed.to_string(), "fish.turning", source.replica)))
         }
     };
     let half = (blind_angle / 2.0).to_radians().cos();

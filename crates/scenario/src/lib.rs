@@ -7,6 +7,7 @@ mod agents;
 mod alignment;
 mod config;
 mod course;
+mod ensemble;
 mod error;
 mod exact;
 mod fish;
@@ -27,7 +28,8 @@ mod vicsek;
 
 pub use config::Scenario;
 pub use course::{Event, Frame};
+pub use ensemble::Ensemble;
 pub use error::{ConfigError, Problem, RunError};
-pub use exact::{ExactMotion, is_drawn, with_numbers};
+pub use exact::{ExactMotion, ExactSpacing, is_drawn, with_numbers};
 pub use observables::{Observable, Value, min_distance, pattern_order, total};
 pub use run::{End, Outcome, Row};

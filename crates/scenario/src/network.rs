@@ -297,6 +297,14 @@ impl Network {
         changes
     }
 
+    /// All links, arcs taken as edges.
+    pub fn links(&self) -> Vec<Pair> {
+        match self.lists {
+            Some(_) => self.pairs.clone(),
+            None => (0..self.order).flat_map(|i| (i + 1..self.order).map(move |j| (i, j))).collect(),
+        }
+    }
+
     /// The number of components, arcs taken as edges.
     pub fn components(&self) -> usize {
         if self.lists.is_none() { self.order.min(1) } else { components(self.order, &self.pairs).len() }

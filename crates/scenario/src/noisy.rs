@@ -40,7 +40,7 @@ pub(super) fn read(source: &Source) -> Result<Box<dyn Course>, ConfigError> {
     let mut flock = NoisyFlock { positions: Vec::new(), headings: start.flat_phases(), side, radius, speed, noise };
     flock.positions =
         start.flat_positions().chunks_exact(2).map(|r| [flock.wrapped(r[0]), flock.wrapped(r[1])]).collect();
-    let random = generator(&seed.to_string(), "vicsek.noise", 0);
+    let random = generator(&seed.to_string(), "vicsek.noise", source.replica);
     Ok(Box::new(Noisy { flock, random, seed, time: 0, drawn: start.drawn }))
 }
 

@@ -172,6 +172,10 @@ impl Law for Phases {
         Frame { phases: state.to_vec(), ..Frame::default() }
     }
 
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.network.links()
+    }
+
     fn observe(&self, time: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
         let flight = Phases::flight(state);
         let phasors = flight.state().phasors;
@@ -219,19 +223,21 @@ struct Particles {
     drawn: Option<String>,
 }
 
+/// Networks of the particle model.
+pub(super) const PARTICLES: Abilities = Abilities {
+    model: "particle",
+    positions: true,
+    directed: true,
+    edges: false,
+    timed: true,
+    most_switching: usize::MAX,
+    default: Some(Kind::AllToAll),
+};
+
 /// Reads the particle model.
 pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
-    let can = Abilities {
-        model: "particle",
-        positions: true,
-        directed: true,
-        edges: false,
-        timed: true,
-        most_switching: usize::MAX,
-        default: Some(Kind::AllToAll),
-    };
-    let network = Network::read(source, start.agents(), can)?;
+    let network = Network::read(source, start.agents(), PARTICLES)?;
     let step = read_step(source, &network)?;
     let law = source.needed("law")?;
     law.allow(&["omega0", "K0", "K1", "K", "drift", "beacon", "reference"], " of the particle model")?;
@@ -331,6 +337,10 @@ impl Law for Particles {
         let centres = circle_centres(&self.frequency, &state).unwrap_or_default();
         let centres = centres.iter().map(|c| vec![c.re, c.im]).collect();
         Frame { positions: places(&state), phases: flight.phases, centres, ..Frame::default() }
+    }
+
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.network.links()
     }
 
     fn observe(&self, time: f64, list: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {

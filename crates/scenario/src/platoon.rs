@@ -30,6 +30,8 @@ impl Leader {
 /// A platoon; states are deviations and rates of the followers.
 struct Platoon {
     leader: Leader,
+    /// The agents from 0: the leader, then the followers.
+    order: Vec<usize>,
     graph: CommunicationGraph,
     tracking: String,
     gains: Gains<f64>,
@@ -57,24 +59,43 @@ pub(super) fn read(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, C
         None => (0.0, 0.0),
         Some(entry) => {
             let leader = entry.table("law.leader")?;
-            leader.allow(&["amplitude", "frequency"], "")?;
-            (leader.number_or("amplitude", 1.0)?, leader.need("frequency", "a number in radians a second")?.number()?)
+            leader.allow(&["agent", "amplitude", "frequency"], "")?;
+            match (leader.get("amplitude"), leader.get("frequency"), leader.get("agent")) {
+                (None, None, Some(_)) => (0.0, 0.0),
+                (_, None, _) => (0.0, leader.need("frequency", "a number in radians a second")?.number()?),
+                (_, Some(entry), _) => (leader.number_or("amplitude", 1.0)?, entry.number()?),
+            }
         }
     };
-    let leader = Leader { place: positions[0], speed: velocities[0], amplitude, frequency };
-    let (graph, tracking) = tracked(source, &law, positions.len())?;
-    let deviations = positions.iter().zip(0..).skip(1).map(|(x, k)| x + spacing * f64::from(k));
-    let state: Vec<f64> = deviations.chain(velocities.iter().skip(1).copied()).collect();
-    let platoon = Platoon { leader, graph, tracking, gains, spacing, drawn: start.drawn };
+    let first = leader_of(source, &law, positions.len())?;
+    let order: Vec<usize> = std::iter::once(first).chain((0..positions.len()).filter(|k| *k != first)).collect();
+    let place = positions[first] + spacing * first as f64;
+    let leader = Leader { place, speed: velocities[first], amplitude, frequency };
+    let (graph, tracking) = tracked(source, &law, &order)?;
+    let deviations = order[1..].iter().map(|&k| positions[k] + spacing * k as f64);
+    let state: Vec<f64> = deviations.chain(order[1..].iter().map(|&k| velocities[k])).collect();
+    let platoon = Platoon { leader, order, graph, tracking, gains, spacing, drawn: start.drawn };
     Ok(Box::new(Continuous::new(platoon, &state, tolerance)))
 }
 
-/// Who keeps track of whom.
+/// The agent that leads, from 0; the first one unless `law.leader` has another.
+pub(super) fn leader_of(source: &Source, law: &Section, cars: usize) -> Result<usize, ConfigError> {
+    let leader = law.get("leader").map(|entry| entry.table("law.leader")).transpose()?;
+    let Some(entry) = leader.and_then(|leader| leader.get("agent")) else { return Ok(0) };
+    let agent = entry.count(1, cars)?;
+    if agent > 1 && source.section("graph")?.is_none() {
+        return Err(entry.range("1: without [graph] the car in front leads"));
+    }
+    Ok(agent - 1)
+}
+
+/// Who keeps track of whom; the agents from 0, the leader first.
 pub(super) fn tracked(
     source: &Source,
     law: &Section,
-    cars: usize,
+    order: &[usize],
 ) -> Result<(CommunicationGraph, String), ConfigError> {
+    let cars = order.len();
     let communication = law.get("communication");
     let Some(section) = source.section("graph")? else {
         let chosen = communication.as_ref().map_or(Ok(Communication::FrontAndBack), |e| e.choice(&COMMUNICATIONS))?;
@@ -100,7 +121,10 @@ pub(super) fn tracked(
         default: None,
     };
     let network = Network::read(source, cars, can)?;
-    let rows: Vec<Vec<usize>> = (1..cars).map(|k| network.neighbours(k).to_vec()).collect();
+    let mut places = vec![0; cars];
+    order.iter().zip(0..).for_each(|(&agent, place)| places[agent] = place);
+    let rows: Vec<Vec<usize>> =
+        order[1..].iter().map(|&k| network.neighbours(k).iter().map(|&j| places[j]).collect()).collect();
     let graph = CommunicationGraph::with_equal_weights(&rows).map_err(|error| section.problem(error.into()))?;
     let words = format!(
         "every follower compares itself with the mean of its neighbours in the {}; the leader senses nobody",
@@ -124,23 +148,32 @@ impl Law for Platoon {
         let (y, u) = self.leader.at(time);
         let place = |(y, k): (f64, u32)| vec![y - self.spacing * f64::from(k)];
         Frame {
-            positions: std::iter::once(y).chain(positions.iter().copied()).zip(0..).map(place).collect(),
-            velocities: std::iter::once(u).chain(velocities.iter().copied()).map(|u| vec![u]).collect(),
+            positions: self.by_agents(y, positions).into_iter().zip(0..).map(place).collect(),
+            velocities: self.by_agents(u, velocities).into_iter().map(|u| vec![u]).collect(),
             ..Frame::default()
         }
+    }
+
+    fn links(&self) -> Vec<(usize, usize)> {
+        let followers = 1..=self.graph.followers();
+        let agent = |place: usize| self.order[place];
+        followers
+            .flat_map(|k| self.graph.tracked_by(k).iter().map(move |(other, _)| (agent(k), agent(*other))))
+            .collect()
     }
 
     fn observe(&self, time: f64, state: &[f64]) -> Result<Vec<Observable>, ArithmeticError> {
         let (positions, _) = state.split_at(state.len() / 2);
         let frame = self.frame(time, state);
         let (y, _) = self.leader.at(time);
+        let all = self.by_agents(y, positions);
         let gaps: Vec<f64> = frame.positions.windows(2).map(|pair| pair[0][0] - pair[1][0]).collect();
         let speeds: Vec<f64> = frame.velocities.iter().flatten().copied().collect();
         let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
         let spread = speeds.iter().map(|u| (u - mean) * (u - mean)).sum::<f64>().sqrt();
         let largest = positions.iter().map(|x| (x - y).abs()).fold(0.0, f64::max);
         Ok(vec![
-            Observable::number("min_gap", smallest_gap(y, positions, self.spacing)),
+            Observable::number("min_gap", smallest_gap(all[0], &all[1..], self.spacing)),
             Observable::number("max_gap", gaps.into_iter().fold(f64::NEG_INFINITY, f64::max)),
             Observable::number("largest_deviation", largest),
             Observable::number("last_deviation", positions.last().map_or(0.0, |x| x - y)),
@@ -152,14 +185,15 @@ impl Law for Platoon {
 
     fn declaration(&self) -> Vec<String> {
         let Leader { place, speed, amplitude, frequency } = &self.leader;
+        let (agent, shift) = (self.order[0] + 1, self.spacing * self.order[0] as f64);
         let mut lines = vec![
             format!(
                 "platoon of Veerman and others: y_k'' = f e_k + g e_k' with f = {}, g = {}, e_k the deviation of follower k from the mean of the cars it tracks, y_k = x_k - h_k, h_k = -{} (k - 1)",
                 self.gains.f, self.gains.g, self.spacing
             ),
             self.tracking.clone(),
-            format!("agent 1 is the leader: x_1(t) = {place} + {speed} t + {amplitude} cos({frequency} t); at t = 0 it is at {}", place + amplitude),
-            "observables: gaps x_k - x_(k+1) of successive cars (min_gap, max_gap); deviations y_k - y_1 from the leader (largest in size; of the last car); disagreement sqrt(sum |v_k - mean|²) with the leader; min_distance over all pairs; components of the communication graph".to_string(),
+            format!("agent {agent} is the leader: x_{agent}(t) = {} + {speed} t + {amplitude} cos({frequency} t); at t = 0 it is at {}", place - shift, place - shift + amplitude),
+            "observables: gaps x_k - x_(k+1) of successive cars (min_gap, max_gap); deviations of the y_k from that of the leader (largest in size; of the last car); disagreement sqrt(sum |v_k - mean|²) with the leader; min_distance over all pairs; components of the communication graph".to_string(),
         ];
         lines.extend(self.drawn.clone());
         lines
@@ -167,9 +201,14 @@ impl Law for Platoon {
 }
 
 impl Platoon {
+    /// A number of the leader and those of the followers, by agents.
+    fn by_agents(&self, leader: f64, followers: &[f64]) -> Vec<f64> {
+        let mut all = vec![leader; self.order.len()];
+        self.order[1..].iter().zip(followers).for_each(|(&agent, x)| all[agent] = *x);
+        all
+    }
+
     fn components(&self) -> usize {
-        let followers = 1..=self.graph.followers();
-        let arcs = followers.flat_map(|k| self.graph.tracked_by(k).iter().map(move |(agent, _)| (k, *agent)));
-        algebra::graph::components(self.graph.followers() + 1, &arcs.collect::<Vec<_>>()).len()
+        algebra::graph::components(self.graph.followers() + 1, &self.links()).len()
     }
 }

@@ -4,6 +4,10 @@ use super::course::{Course, Event, Frame};
 use super::error::RunError;
 use super::observables::Observable;
 use arithmetic::Progress;
+use std::sync::Arc;
+
+/// Most agents of which the links are told.
+const MOST_LINKED: usize = 64;
 
 /// When something is written.
 pub(super) struct Schedule {
@@ -21,7 +25,8 @@ impl Schedule {
     pub fn declaration(&self) -> Vec<String> {
         let rows = format!("trajectory: {} equal intervals from 0 to the end, and the samples", self.rows);
         let ignored = "tolerance: no effect, time is discrete".to_string();
-        if self.ignored { vec![rows, ignored] } else { vec![rows] }
+        let written = (self.rows > 0).then_some(rows);
+        written.into_iter().chain(self.ignored.then_some(ignored)).collect()
     }
 }
 
@@ -36,6 +41,8 @@ pub struct Row {
     pub frame: Frame,
     /// What is measured.
     pub observables: Vec<Observable>,
+    /// Who is linked with whom, agents from 0, arcs as edges; not told of large flocks and of models whose links are made anew in every step.
+    pub links: Arc<Vec<(usize, usize)>>,
 }
 
 /// How a run ended.
@@ -93,6 +100,11 @@ pub(super) fn run(
         remarks: Vec::new(),
         end: End::Finished,
     };
+    let small = {
+        let frame = course.frame();
+        frame.positions.len().max(frame.phases.len()) <= MOST_LINKED
+    };
+    let mut links = Arc::new(Vec::new());
     course.plan(&schedule.times.iter().map(|(time, _)| *time).collect::<Vec<_>>(), progress);
     for &(time, sample) in &schedule.times {
         match course.advance(time, &mut outcome.events, progress) {
@@ -111,7 +123,14 @@ pub(super) fn run(
                 if let Some(wanted) = &schedule.observables {
                     observables.retain(|observable| wanted.iter().any(|name| name == observable.name));
                 }
-                outcome.rows.push(Row { time, sample, frame: course.frame(), observables });
+                if small {
+                    let now = course.links();
+                    // Most rows have the links of the one before.
+                    if now != *links {
+                        links = Arc::new(now);
+                    }
+                }
+                outcome.rows.push(Row { time, sample, frame: course.frame(), observables, links: links.clone() });
             }
             Err(error) => {
                 outcome.end = End::Failed(RunError::Law { time, error });

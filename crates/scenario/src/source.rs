@@ -9,6 +9,8 @@ use toml::de::{DeTable, DeValue};
 /// A configuration that was parsed but not yet understood.
 pub(super) struct Source<'a> {
     text: &'a str,
+    /// Which of several runs that differ in what is drawn, from 0.
+    pub replica: u64,
     table: Spanned<DeTable<'a>>,
 }
 
@@ -24,7 +26,7 @@ impl<'a> Source<'a> {
             line: line_of(text, error.span().map_or(0, |span| span.start)),
             message: error.message().lines().next().unwrap_or_default().to_string(),
         })?;
-        Ok(Source { text, table })
+        Ok(Source { text, replica: 0, table })
     }
 
     /// Where the number `state.velocities[1][2]` stands in the text; indices from 1.
@@ -99,6 +101,27 @@ impl<'a> Section<'a> {
         Some(Entry { key: name, text: self.text, value })
     }
 
+    /// The values with their paths: keys with dots, or tables in tables, `a.b = ..`; in the order of the file.
+    pub fn leaves(&self) -> Vec<(String, Entry<'a>)> {
+        let mut all = Vec::new();
+        self.collect_leaves("", &mut all);
+        all.sort_by_key(|(_, entry): &(String, Entry)| entry.value.span().start);
+        all
+    }
+
+    fn collect_leaves(&self, before: &str, all: &mut Vec<(String, Entry<'a>)>) {
+        let table: &'a DeTable<'a> = self.table;
+        for (key, value) in table.iter() {
+            let path = format!("{before}{}", key.get_ref());
+            match value.get_ref() {
+                DeValue::Table(inner) if !inner.iter().any(|(key, _)| key.get_ref() == "from") => {
+                    Section { table: inner, ..*self }.collect_leaves(&format!("{path}."), all);
+                }
+                _ => all.push((path.clone(), Entry { key: format!("{}.{path}", self.name), text: self.text, value })),
+            }
+        }
+    }
+
     /// The value of a key that must be there; `expected` is what it should be.
     pub fn need(&self, key: &'static str, expected: &str) -> Result<Entry<'a>, ConfigError> {
         let missing = || ConfigError::MissingKey { section: self.called(), key, expected: expected.to_string() };
@@ -108,6 +131,11 @@ impl<'a> Section<'a> {
     /// A number with a default.
     pub fn number_or(&self, key: &str, default: f64) -> Result<f64, ConfigError> {
         self.get(key).map_or(Ok(default), |entry| entry.number())
+    }
+
+    /// Where it begins.
+    pub fn line(&self) -> usize {
+        self.line
     }
 
     /// A problem of the section as a whole.

@@ -91,7 +91,7 @@ impl Start {
                     return Err(entry.problem(Problem::Both("random", list)));
                 }
             }
-            return Start::random(&entry.table("state.random")?, needs);
+            return Start::random(&entry.table("state.random")?, needs, source.replica);
         }
         let mut start = Start::default();
         let mut agents = None;
@@ -111,7 +111,7 @@ impl Start {
         Ok(start)
     }
 
-    fn random(section: &Section, needs: Needs) -> Result<Self, ConfigError> {
+    fn random(section: &Section, needs: Needs, replica: u64) -> Result<Self, ConfigError> {
         let mut allowed = vec!["agents", "seed"];
         if needs.dimension > 0 {
             allowed.extend(["place", "half", "spacing"]);
@@ -137,10 +137,15 @@ impl Start {
         let usual = if needs.dimension == 1 { 0.0 } else { 1.0 };
         let speed = section.get("speed").map_or(Ok(usual), |entry| entry.not_negative())?;
         let mut random = ChaCha8Rng::seed_from_u64(seed as u64);
+        // Replicas are streams of one generator: they do not overlap.
+        random.set_stream(replica);
         let flock = random_flock(agents, half, speed, &mut random);
         let exact = |x: f64| Rational::from_float(x).unwrap_or_default();
         let coordinates = |r: [f64; 2]| r.map(exact)[..needs.dimension.min(2)].to_vec();
         let mut drawn = format!("{agents} agents drawn by ChaCha8 with seed {seed}");
+        if replica > 0 {
+            drawn += &format!(", replica {}", replica + 1);
+        }
         let mut start = Start::default();
         if needs.dimension > 0 {
             let place_of = |k: usize, r: [f64; 2]| {

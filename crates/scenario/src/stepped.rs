@@ -88,6 +88,10 @@ impl<L: Law> Course for Stepped<L> {
         self.law.observe(self.time, &self.list)
     }
 
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.law.links()
+    }
+
     fn declaration(&self) -> Vec<String> {
         let mut lines = self.law.declaration();
         lines.push(format!(

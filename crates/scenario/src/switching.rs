@@ -73,6 +73,10 @@ impl Course for Switching {
         self.agents.frame(self.time(), &self.list())
     }
 
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.agents.links()
+    }
+
     fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
         self.agents.observe(self.time(), &self.list())
     }

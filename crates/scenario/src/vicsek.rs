@@ -155,6 +155,10 @@ impl Course for Vicsek {
         }
     }
 
+    fn links(&self) -> Vec<(usize, usize)> {
+        self.network().edges()
+    }
+
     fn observe(&self) -> Result<Vec<Observable>, ArithmeticError> {
         let frame = self.frame();
         let graph = self.network();

@@ -139,3 +139,59 @@ fn the_program_tells_by_its_exit_status() {
     assert_eq!(run(&[]).0, Some(2));
     assert_eq!(run(&[bad, corpus.join("nothing")]).0, Some(2));
 }
+
+fn corpus_text(folder_name: &str, name: &str) -> String {
+    String::from_utf8(folder(folder_name)[name].clone()).unwrap()
+}
+
+/// The limits of `../README.md`, each to the last unit.
+#[test]
+fn limits_are_those_that_are_written_down() {
+    let file = |kind: &str, lines: &str| format!("flockproof-certificate 1 {kind}\nclaim words\n{lines}\nend\n");
+    let flock = corpus_text("pass", "extra_switches_none.cert");
+    let limit = corpus_text("pass", "extra_limit_one_bird.cert");
+    let power = limit.lines().find(|line| line.starts_with("power ")).unwrap().to_string();
+    type Text<'a> = Box<dyn Fn(usize) -> String + 'a>;
+    let limits: [(usize, usize, Text); 9] = [
+        (1, 64, Box::new(|n| file("switches", &format!("birds {n}")))),
+        (1, 8, Box::new(|n| file("switches", &format!("birds 1\ndimension {n}")))),
+        (0, 100_000, Box::new(|n| flock.replace("until 20", &format!("until {n}")))),
+        (0, 100_000, Box::new(|n| flock.replace("network 0", &format!("network {n}")))),
+        (1, 10_000, Box::new(|n| file("product", &format!("factors {n}")))),
+        (1, 128, Box::new(|n| file("product", &format!("factors 1\nshape {n} 1")))),
+        (1, 128, Box::new(|n| file("inertia", &format!("order {n}")))),
+        (1, 96, Box::new(|n| file("peak", &format!("followers {n}")))),
+        (1, 65_536, Box::new(|n| limit.replace(&power, &format!("power {n}")))),
+    ];
+    for (least, most, text) in limits {
+        let expected = format!("a number from {least} to {most} is expected");
+        let is_refused = |n: usize| check(text(n).as_bytes()).is_err_and(|refusal| refusal.reason == expected);
+        assert!(is_refused(most + 1), "{}", text(most + 1));
+        assert!(!is_refused(most) && !is_refused(least), "{}", text(most));
+        assert!(least == 0 || is_refused(least - 1), "{}", text(least - 1));
+    }
+    let digits = |n: usize| check(file("peak", &format!("followers 1\nf {}", "1".repeat(n))).as_bytes());
+    let too_long = "a number of more than 10000 digits";
+    assert!(digits(10_001).is_err_and(|refusal| refusal.reason == too_long));
+    assert!(digits(10_000).is_err_and(|refusal| refusal.reason != too_long));
+    let bytes = |n: usize| check(&vec![b'a'; n]).unwrap_err().reason == "the file is longer than 4 MiB";
+    assert!(bytes((4 << 20) + 1) && !bytes(4 << 20));
+}
+
+/// A refusal names the line at fault, the one that was read last.
+#[test]
+fn refusals_name_the_line() {
+    for (name, line) in [
+        ("inertia_pivot.cert", 9),
+        ("inertia_symmetric.cert", 8),
+        ("limit_pi.cert", 10),
+        ("limit_row.cert", 5),
+        ("product_trailing.cert", 306),
+        ("switches_until.cert", 82),
+        ("peak_frequency_negative.cert", 6),
+        ("switches_count.cert", 2),
+    ] {
+        assert_eq!(check(corpus_text("fail", name).as_bytes()).unwrap_err().line, line, "{name}");
+    }
+    assert_eq!(check(b"flockproof-certificate 1 peak\n\x80\n").unwrap_err().line, 2);
+}

@@ -6,6 +6,8 @@ mod output;
 mod run;
 mod settle;
 
+pub use settle::settled;
+
 use super::CliError;
 use flockproof::averaging::read::{FlockFile, read_flock};
 use serde_json::Value;

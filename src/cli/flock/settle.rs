@@ -3,13 +3,13 @@
 use super::super::interrupt::{self, Watch};
 use super::super::{CliError, output, progress};
 use super::output::{Log, SwitchLine, flocks, shortened, switch_json, tell};
-use flockproof::arithmetic::decimals;
-use flockproof::averaging::read::Model;
+use flockproof::arithmetic::{Progress, decimals};
+use flockproof::averaging::read::{Model, read_flock};
 use flockproof::averaging::settle::{Ending, Limits, Settlement, settle};
-use flockproof::averaging::{Flock, Switch, declaration};
+use flockproof::averaging::{Flock, Start, Switch, declaration};
 use flockproof::report::Provenance;
 use serde_json::{Value, json};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
@@ -39,30 +39,18 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    let (flock, origin) = super::read(&arguments.file)?;
-    let start = match flock.model {
-        Model::D { start, control: None } => start,
-        Model::D { control: Some(_), .. } => {
-            let why = "`flock settle` follows flocks without `control`; `flock run` steps this one";
-            return Err(CliError::file(&arguments.file, why));
-        }
-        Model::K { .. } => {
-            let why = "`flock settle` follows model D only, as the positions of model K are not rational; \
-                       `flock run` steps it";
-            return Err(CliError::file(&arguments.file, why));
-        }
-    };
-    let flock = Flock::new(&start).map_err(|error| CliError::file(&arguments.file, error))?;
+    let input = output::read_input(&arguments.file)?;
+    let flock = Flock::new(&start(&input, &arguments.file)?).map_err(|error| CliError::file(&arguments.file, error))?;
     let mut log = Log::new(arguments.log.as_deref())?;
     let watch = Watch::with(progress::styled("{spinner} {msg}, {elapsed}"));
     watch.bar().set_message("following the flock from switch to switch");
-    tell(arguments.json, &format!("{}\n", declaration(&flock, None)))?;
+    let declared = declaration(&flock, None);
+    tell(arguments.json, &format!("{declared}\n"))?;
     let mut network = flock.network().clone();
     let mut line = SwitchLine::new(&network);
     let mut switches = Vec::new();
     let mut failure = None;
     let limits = Limits { steps: arguments.steps, switches: arguments.switches, ..Limits::default() };
-    let declared = declaration(&flock, None);
     let mut found = |switch: &Switch| {
         switch.apply_to(&mut network);
         let event = switch_json(switch);
@@ -86,10 +74,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     watch.finish();
     interrupt::finishing();
     if arguments.json {
-        let limits = json!({"steps": arguments.steps, "switches": arguments.switches});
-        let configuration = json!({"command": "flock settle", "file": origin, "limits": limits});
-        let provenance = Provenance::new("flockproof.flock-settle/1", None, configuration);
-        output::print_json(&provenance.stamp(document(&settled, switches, &declared)))?;
+        output::print_json(&stamped(&input, &limits, document(&settled, switches, &declared)))?;
     } else {
         let count = switches.len();
         let head = format!("{count} switch{}", if count == 1 { "" } else { "es" });
@@ -101,6 +86,53 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         Ending::Interrupted => ExitCode::from(interrupt::STATUS),
         _ => ExitCode::SUCCESS,
     })
+}
+
+/// The start of a flock that can be settled.
+fn start(input: &output::Input, path: &Path) -> Result<Start, CliError> {
+    match read_flock(&input.text).map_err(|error| CliError::file(path, error))?.model {
+        Model::D { start, control: None } => Ok(start),
+        Model::D { control: Some(_), .. } => {
+            let why = "`flock settle` follows flocks without `control`; `flock run` steps this one";
+            Err(CliError::file(path, why))
+        }
+        Model::K { .. } => {
+            let why = "`flock settle` follows model D only, as the positions of model K are not rational; \
+                       `flock run` steps it";
+            Err(CliError::file(path, why))
+        }
+    }
+}
+
+fn stamped(input: &output::Input, limits: &Limits, document: Value) -> Value {
+    let limits = json!({"steps": limits.steps, "switches": limits.switches});
+    let configuration = json!({"command": "flock settle", "file": input.origin, "limits": limits});
+    Provenance::new("flockproof.flock-settle/1", None, configuration).stamp(document)
+}
+
+/// A flock that was settled.
+pub struct Settled {
+    pub document: Value,
+    pub start: Start,
+    pub switches: Vec<Switch>,
+    pub settlement: Settlement,
+}
+
+/// Settles a flock as it would come from standard input.
+pub fn settled(input: &output::Input, progress: &dyn Progress) -> Result<Settled, CliError> {
+    let path = Path::new("-");
+    let start = start(input, path)?;
+    let flock = Flock::new(&start).map_err(|error| CliError::file(path, error))?;
+    let (declared, limits) = (declaration(&flock, None), Limits::default());
+    let mut switches = Vec::new();
+    let mut found = |switch: &Switch| {
+        switches.push(switch.clone());
+        progress.tell("switches", switches.len() as u64, None);
+    };
+    let settlement = settle(flock, &limits, &mut found, progress).map_err(|error| CliError::file(path, error))?;
+    let list = switches.iter().map(switch_json).collect();
+    let document = stamped(input, &limits, document(&settlement, list, &declared));
+    Ok(Settled { document, start, switches, settlement })
 }
 
 fn document(settled: &Settlement, switches: Vec<Value>, declared: &str) -> Value {

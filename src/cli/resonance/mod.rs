@@ -2,7 +2,10 @@
 
 mod certified;
 mod network;
+mod state;
 mod sweep;
+
+pub use certified::Certified;
 
 use super::CliError;
 use flockproof::arithmetic::{Rational, parse_rational};
@@ -26,10 +29,10 @@ pub struct Arguments {
     #[arg(long, value_name = "M")]
     followers: Option<u64>,
     /// Gain of the positions: an integer, a fraction or a decimal below 0; or one for each follower, -1,-2,-1
-    #[arg(long, value_name = "F", allow_hyphen_values = true, required_unless_present = "sweep")]
+    #[arg(long, value_name = "F", allow_hyphen_values = true, required_unless_present_any = ["sweep", "state"])]
     f: Option<String>,
     /// Gain of the velocities, likewise
-    #[arg(long, value_name = "G", allow_hyphen_values = true, required_unless_present = "sweep")]
+    #[arg(long, value_name = "G", allow_hyphen_values = true, required_unless_present_any = ["sweep", "state"])]
     g: Option<String>,
     /// Who keeps track of whom: front, front-and-back, a graph such as circulant:9:1,2, or a file as `spectrum` reads it
     #[arg(long, value_name = "GRAPH", default_value = "front-and-back")]
@@ -46,10 +49,14 @@ pub struct Arguments {
     /// A table over values of the gains, evenly spaced: NAME=FROM..TO:COUNT or NAME=VALUE, joined by commas
     #[arg(long, value_name = "f=..,g=..", allow_hyphen_values = true)]
     sweep: Option<String>,
-    /// Significant digits, from 1
-    #[arg(long, value_name = "D", default_value_t = 25)]
+    /// The peak of x' = A x + B u, y = C x + D u instead: a folder with A, B, C and perhaps D as .csv or .npy; u is the leader's position, or
+    /// position and velocity
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["followers", "f", "g", "graph", "from", "to", "zero_based", "sweep", "export", "certificate"])]
+    state: Option<PathBuf>,
+    /// Significant digits, from 1 to 10000
+    #[arg(long, value_name = "D", default_value_t = 25, value_parser = clap::value_parser!(u32).range(1..=10000))]
     digits: u32,
-    /// Print one JSON document: flockproof.resonance/1, for other graphs flockproof.response/1, of --sweep flockproof.resonance-sweep/1
+    /// Print one JSON document: flockproof.resonance/1, for other graphs flockproof.response/1, of --sweep flockproof.resonance-sweep/1, of --state flockproof.state-response/1
     #[arg(long)]
     json: bool,
     /// Write the matrices of x' = A x + B u, y = C x as CSV, NumPy, Matrix Market and MATLAB files to this folder
@@ -79,6 +86,12 @@ fn gains(arguments: &Arguments) -> Result<Vec<Gains<Rational>>, CliError> {
     Ok((0..count).map(|k| Gains { f: at(&f, k), g: at(&g, k) }).collect())
 }
 
+/// One pair of gains for all followers.
+pub fn equal_gains(f: &str, g: &str) -> Result<Gains<Rational>, CliError> {
+    let one = |name: &str, text: &str| parse_rational(text).map_err(|error| CliError::Use(format!("{name}: {error}")));
+    Ok(Gains { f: one("f", f)?, g: one("g", g)? })
+}
+
 /// Whether the resonance of these arguments can be certified.
 fn is_certified(arguments: &Arguments) -> bool {
     let last = match (&arguments.to, arguments.followers) {
@@ -86,10 +99,17 @@ fn is_certified(arguments: &Arguments) -> bool {
         (Some(to), Some(followers)) => *to == followers.to_string(),
         _ => false,
     };
-    arguments.graph == "front-and-back" && arguments.from.is_none() && last && arguments.export.is_none()
+    arguments.graph == "front-and-back"
+        && arguments.from.is_none()
+        && last
+        && arguments.export.is_none()
+        && !arguments.zero_based
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    if let Some(folder) = &arguments.state {
+        return state::run(arguments, folder);
+    }
     if arguments.sweep.is_some() {
         return sweep::run(arguments);
     }

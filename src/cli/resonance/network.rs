@@ -6,7 +6,7 @@ use flockproof::arithmetic::{ArithmeticError, Complex, Interval, Rational, decim
 use flockproof::graph::{NamedGraph, WeightedGraph};
 use flockproof::matrix::{RationalMatrix, SparseMatrix};
 use flockproof::platoon::growth::peak_of_car;
-use flockproof::platoon::margins::{Margins, margins};
+use flockproof::platoon::margins::{Margins, margins, margins_of_cars};
 use flockproof::platoon::observe::Extreme;
 use flockproof::platoon::vector_form::motion_rows_of_cars;
 use flockproof::platoon::{Communication, CommunicationGraph, Gains};
@@ -25,6 +25,8 @@ const MOST_ENCLOSED: usize = 64;
 const MOST_EXACT: usize = 20;
 /// Most followers of which the margins are computed.
 const MOST_MARGINS: usize = 400;
+/// Most followers with gains of their own of which the margins are computed.
+const MOST_OWN_MARGINS: usize = 12;
 /// Bits of enclosures.
 const PRECISION: u32 = 192;
 
@@ -45,6 +47,9 @@ pub(super) fn platoon(arguments: &Arguments) -> Result<Platoon, CliError> {
         "front-and-back" => Communication::FrontAndBack,
         _ => return on_a_graph(arguments),
     };
+    if arguments.zero_based {
+        return Err(spectrum::zero_based_name(&arguments.graph));
+    }
     let count = followers(arguments)?;
     if count > MOST {
         return Err(CliError::Use(format!(
@@ -72,6 +77,7 @@ fn on_a_graph(arguments: &Arguments) -> Result<Platoon, CliError> {
     }
     let path = Path::new(&arguments.graph);
     let (weighted, labels, file) = match arguments.graph.parse::<NamedGraph>() {
+        Ok(_) if arguments.zero_based => return Err(spectrum::zero_based_name(&arguments.graph)),
         Ok(named) => {
             let built = named.build().map_err(|error| CliError::Use(format!("--graph: {error}")))?;
             (built, None, None)
@@ -176,10 +182,13 @@ fn is_stable(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<bool
     Some(Polynomial::from_rationals(&polynomial.coefficients()).is_hurwitz())
 }
 
-/// The margins of equal gains.
+/// The margins.
 fn margins_of(reduced: &RationalMatrix, gains: &[Gains<Rational>]) -> Option<Margins> {
     let equal = gains.iter().all(|other| *other == gains[0]);
-    if !equal || gains.len() > MOST_MARGINS {
+    if !equal {
+        return (gains.len() <= MOST_OWN_MARGINS).then(|| margins_of_cars(reduced, gains));
+    }
+    if gains.len() > MOST_MARGINS {
         return None;
     }
     let spectrum = matrix_spectrum(&SparseMatrix::from_dense(reduced).ok()?, None).ok()?;
@@ -208,6 +217,20 @@ fn state_matrices(platoon: &Platoon, reduced: &RationalMatrix, gains: &[Gains<Ra
         matrix("C", vec![output]),
         matrix("D", vec![vec![0.0; 2]]),
     ]
+}
+
+/// A peak in words, with its enclosed amplitude and stability where they are known.
+pub(super) fn peak_text(peak: &Extreme, amplitude: Option<&(String, String)>, stable: Option<bool>) -> String {
+    let mut text = format!("peak found in floating point: omega ~ {:?},\n  amplitude ~ {:?}\n", peak.at, peak.value);
+    if let Some((lo, hi)) = amplitude {
+        text += &format!("amplitude at exactly this omega in [{lo},\n                                   {hi}]\n");
+    }
+    match stable {
+        Some(true) => text += "stable: every motion behind a resting leader dies out (decided exactly)\n",
+        Some(false) => text += "NOT stable: some motion behind a resting leader does not die out (decided exactly)\n",
+        None => {}
+    }
+    text
 }
 
 pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode, CliError> {
@@ -246,33 +269,20 @@ pub fn run(arguments: &Arguments, given: &[Gains<Rational>]) -> Result<ExitCode,
             },
             "stable": stable,
             "margins": margins.map(|m| json!({
-                "phase": format!("~{:?}", m.phase), "critical_factor": m.critical_factor.map(|k| format!("~{k:?}")),
+                "phase": m.phase.map(|phase| format!("~{phase:?}")), "critical_factor": m.critical_factor.map(|k| format!("~{k:?}")),
             })),
         })))?;
         return Ok(ExitCode::SUCCESS);
     }
-    let mut text = format!(
-        "{} followers on {}, leader {}, car {}\npeak found in floating point: omega ~ {:?}, amplitude ~ {:?}\n",
-        gains.len(),
-        arguments.graph,
-        platoon.leader,
-        platoon.name,
-        found.peak.at,
-        found.peak.value
-    );
-    if let Some((lo, hi)) = &found.amplitude {
-        text += &format!("amplitude at exactly this omega in [{lo},\n                                   {hi}]\n");
-    }
-    match stable {
-        Some(true) => text += "stable: every motion behind a resting leader dies out (decided exactly)\n",
-        Some(false) => text += "NOT stable: some motion behind a resting leader does not die out (decided exactly)\n",
-        None => {}
-    }
+    let (followers, graph) = (gains.len(), &arguments.graph);
+    let mut text = format!("{followers} followers on {graph}, leader {}, car {}\n", platoon.leader, platoon.name);
+    text += &peak_text(&found.peak, found.amplitude.as_ref(), stable);
     if let Some(margins) = margins {
         let factor = margins.critical_factor.map_or("at no common factor of the gains".to_string(), |k| {
             format!("where the gains are multiplied by {k:.6}")
         });
-        text += &format!("phase margin ~ {:.6} rad; on the verge {factor}\n", margins.phase);
+        let phase = margins.phase.map_or("none".to_string(), |phase| format!("~ {phase:.6} rad"));
+        text += &format!("phase margin {phase}; on the verge {factor}\n");
     }
     output::print(&text)?;
     Ok(ExitCode::SUCCESS)

@@ -1,140 +1,171 @@
-//! A question of a live page: checked, then put to the command line.
+//! The questions of the live pages, answered as the command line answers them; none of them opens a file.
 
-use serde_json::{Map, Value};
-use std::io::{Read, Write};
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use super::super::{CliError, check, flock, output, pattern, resonance, simulate, spectrum};
+use flockproof::arithmetic::Progress;
+use flockproof::question::Question;
+use flockproof::report::{digest, shown};
+use serde_json::{Map, Value, json};
 
-/// How long one question may take.
-const LONGEST: Duration = Duration::from_secs(20);
-/// The longest answer, in bytes.
-const LARGEST: u64 = 4 << 20;
-const TICK: Duration = Duration::from_millis(20);
-
-/// Why there is no answer.
-#[derive(Debug, thiserror::Error)]
-pub enum AskError {
-    /// No such question.
-    #[error("there is nothing here")]
-    Unknown,
-    /// What is wrong with it.
-    #[error("{0}")]
-    Refused(String),
+/// An answer.
+pub struct Answered {
+    /// The document that the command line prints with `--json`.
+    pub document: Value,
+    /// The same for people, as a piece of a page.
+    pub shown: String,
 }
 
-fn refused(why: impl Into<String>) -> AskError {
-    AskError::Refused(why.into())
+type Ask = fn(&str, &dyn Progress) -> Result<Answered, CliError>;
+
+const QUESTIONS: [(&str, Ask); 7] = [
+    ("resonance", of_platoon),
+    ("spectrum", of_graph),
+    ("flock", of_flock),
+    ("pattern", of_pattern),
+    ("question", of_question),
+    ("scenario", of_scenario),
+    ("certificate", of_certificate),
+];
+
+/// Whether there is such a question.
+pub fn is_known(what: &str) -> bool {
+    QUESTIONS.iter().any(|(name, _)| *name == what)
 }
 
-/// The answer as JSON.
+/// The answer.
 ///
 /// # Errors
-/// [`AskError`].
-pub fn answer(what: &str, text: &str) -> Result<Vec<u8>, AskError> {
-    let question: Map<String, Value> =
-        serde_json::from_str(text).map_err(|error| refused(format!("the question is no JSON object: {error}")))?;
-    let word = |name: &str| question.get(name).and_then(Value::as_str).unwrap_or_default();
-    match what {
-        "resonance" => {
-            let followers: u64 = word("followers")
-                .parse()
-                .ok()
-                .filter(|n| (1..=1_000_000_000_000).contains(n))
-                .ok_or_else(|| refused("followers: a number from 1 to 10^12"))?;
-            let (f, g) = (number(word("f"))?, number(word("g"))?);
-            run(
-                &[
-                    "resonance".into(),
-                    format!("--followers={followers}"),
-                    format!("--f={f}"),
-                    format!("--g={g}"),
-                    "--digits=15".into(),
-                    "--json".into(),
-                ],
-                "",
-            )
+/// One sentence on what is wrong with the question.
+pub fn answer(what: &str, text: &str, progress: &dyn Progress) -> Result<Answered, CliError> {
+    let ask = QUESTIONS.iter().find(|(name, _)| *name == what).ok_or_else(|| refused("there is nothing here"))?;
+    ask.1(text, progress)
+}
+
+fn refused(why: impl Into<String>) -> CliError {
+    CliError::Use(why.into())
+}
+
+/// The fields of a form, which are texts.
+struct Form(Map<String, Value>);
+
+impl Form {
+    fn read(text: &str) -> Result<Self, CliError> {
+        serde_json::from_str(text)
+            .map(Form)
+            .map_err(|error| refused(format!("the question is no JSON object: {error}")))
+    }
+
+    /// A field of at most so many bytes; empty where it is left out.
+    fn text(&self, name: &str, most: usize) -> Result<&str, CliError> {
+        match self.0.get(name) {
+            None => Ok(""),
+            Some(Value::String(text)) if text.len() <= most => Ok(text),
+            Some(Value::String(_)) => Err(refused(format!("{name}: at most {most} bytes"))),
+            Some(_) => Err(refused(format!("{name}: a text is expected"))),
         }
-        "spectrum" => {
-            let (graph, kind) = (graph(word("graph"))?, kind(word("kind"))?);
-            run(&["spectrum".into(), format!("--graph={graph}"), format!("--kind={kind}"), "--json".into()], "")
+    }
+
+    /// A field that must be there.
+    fn word(&self, name: &str) -> Result<&str, CliError> {
+        match self.text(name, WORD)?.trim() {
+            "" => Err(refused(format!("{name} is missing"))),
+            word => Ok(word),
         }
-        "flock" => {
-            let birds = question.get("positions").and_then(Value::as_array).map_or(0, Vec::len);
-            if !(1..=24).contains(&birds) {
-                return Err(refused("positions: 1 to 24 birds"));
-            }
-            run(&["flock".into(), "settle".into(), "-".into(), "--json".into()], text)
-        }
-        _ => Err(AskError::Unknown),
+    }
+
+    fn count(&self, name: &str, most: u64) -> Result<u64, CliError> {
+        let number = self.word(name)?.parse().ok().filter(|n| (1..=most).contains(n));
+        number.ok_or_else(|| refused(format!("{name}: an integer from 1 to {most}")))
     }
 }
 
-/// An integer, fraction or decimal of at most 40 characters.
-fn number(text: &str) -> Result<&str, AskError> {
-    let good = !text.is_empty() && text.len() <= 40 && text.chars().all(|c| c.is_ascii_digit() || "-./".contains(c));
-    if good { Ok(text) } else { Err(refused("a number is an integer, a fraction or a decimal")) }
+/// Longest fields of one line, and of many.
+const WORD: usize = 4000;
+const TEXT: usize = 1 << 20;
+
+/// The digits that pages show.
+const DIGITS: u32 = 15;
+
+fn of_platoon(text: &str, _: &dyn Progress) -> Result<Answered, CliError> {
+    let form = Form::read(text)?;
+    let followers = form.count("followers", 1_000_000_000_000)?;
+    let gains = resonance::equal_gains(form.word("f")?, form.word("g")?)?;
+    let certified = resonance::Certified::find(&gains, followers, DIGITS)?;
+    let shown = shown::resonance(&gains, followers, &certified.found).map_err(|error| refused(error.to_string()))?;
+    Ok(Answered { document: certified.document(), shown })
 }
 
-/// A named graph with at most 400 vertices: never the name of a file.
-fn graph(text: &str) -> Result<&str, AskError> {
-    let (name, rest) = text.split_once(':').ok_or_else(|| refused("a graph is a name and a size, such as ring:12"))?;
-    let numbers = rest.split([':', ',', '/']).all(|part| part.parse::<u64>().is_ok_and(|n| n <= 400));
-    let good = !name.is_empty() && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-');
-    if good && numbers {
-        Ok(text)
-    } else {
-        Err(refused("a graph is a name and sizes up to 400, such as circulant:12:1,3"))
+/// Most vertices, so that the answer has no more lines than a page.
+const VERTICES: usize = 400;
+
+fn of_graph(text: &str, _: &dyn Progress) -> Result<Answered, CliError> {
+    let form = Form::read(text)?;
+    let (name, edges) = (form.text("graph", WORD)?.trim(), form.text("edges", TEXT)?);
+    let kind = form.text("kind", WORD)?.trim();
+    let kind = if kind.is_empty() { "laplacian" } else { kind };
+    let found = spectrum::of_text(name, input(edges), kind, VERTICES)?;
+    Ok(Answered { shown: shown::spectrum(&found.graph, &found.spectrum), document: found.document })
+}
+
+/// Most birds of a page.
+const BIRDS: usize = 24;
+
+fn of_flock(text: &str, progress: &dyn Progress) -> Result<Answered, CliError> {
+    let form = Form::read(text)?;
+    if form.0.get("positions").and_then(Value::as_array).map_or(0, Vec::len) > BIRDS {
+        return Err(refused(format!("positions: at most {BIRDS} birds")));
     }
+    let settled = flock::settled(&input(text), progress)?;
+    let shown = shown::flock(&settled.start, &settled.switches, &settled.settlement);
+    Ok(Answered { document: settled.document, shown })
 }
 
-fn kind(text: &str) -> Result<&str, AskError> {
-    let kinds = ["laplacian", "out-degree", "in-degree", "normalised", "walk", "adjacency"];
-    kinds.into_iter().find(|kind| *kind == text).ok_or_else(|| refused(format!("kind: one of {}", kinds.join(", "))))
-}
-
-/// Runs this program with arguments and a standard input.
-fn run(arguments: &[String], input: &str) -> Result<Vec<u8>, AskError> {
-    let program = std::env::current_exe().map_err(|error| refused(format!("the program cannot be found: {error}")))?;
-    let mut child = Command::new(program)
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .map_err(|error| refused(format!("the program cannot be started: {error}")))?;
-    if let Some(mut pipe) = child.stdin.take() {
-        // What is not read is not missed: the program says why it stopped.
-        let _ = pipe.write_all(input.as_bytes());
-    }
-    // Both are read while it runs, so that it does not wait for us.
-    let reader = |pipe: Option<Box<dyn Read + Send>>| {
-        std::thread::spawn(move || {
-            let mut bytes = Vec::new();
-            let _ = pipe.map(|pipe| pipe.take(LARGEST).read_to_end(&mut bytes));
-            bytes
-        })
+fn of_pattern(text: &str, progress: &dyn Progress) -> Result<Answered, CliError> {
+    let form = Form::read(text)?;
+    let field = |name: &str| Ok::<_, CliError>(form.word(name)?.to_string());
+    let asked = pattern::Asked {
+        particles: form.count("particles", pattern::LARGEST)? as usize,
+        gains: field("gains")?,
+        omega0: field("omega0")?,
+        spacing: field("K0")?,
     };
-    let out = reader(child.stdout.take().map(|pipe| Box::new(pipe) as _));
-    let err = reader(child.stderr.take().map(|pipe| Box::new(pipe) as _));
-    let begun = Instant::now();
-    let status = loop {
-        match child.try_wait() {
-            Ok(Some(status)) => break Some(status),
-            Ok(None) if begun.elapsed() < LONGEST && !super::super::interrupt::happened() => std::thread::sleep(TICK),
-            _ => {
-                let _ = child.kill();
-                let _ = child.wait();
-                break None;
-            }
-        }
+    let found = pattern::find(&asked, progress)?;
+    let shown = shown::patterns(&found.rows, &found.gains);
+    Ok(Answered { document: found.document(), shown })
+}
+
+fn of_question(text: &str, progress: &dyn Progress) -> Result<Answered, CliError> {
+    let form = Form::read(text)?;
+    let (text, beside) = (form.text("question", TEXT)?, form.text("beside", TEXT)?);
+    // Whatever name the question has for it, there is one text beside it, and no file.
+    let files = |name: &str| match beside.trim() {
+        "" => Err(format!("`{name}`: a page opens no files; write what the question names into the second field")),
+        _ => Ok(beside.to_string()),
     };
-    let (out, err) = (out.join().unwrap_or_default(), err.join().unwrap_or_default());
-    match status {
-        Some(status) if status.success() => Ok(out),
-        Some(_) => Err(refused(String::from_utf8_lossy(&err).trim().trim_start_matches("error: ").to_string())),
-        None => Err(refused(format!(
-            "not decided within {} seconds; the command line has no such limit",
-            LONGEST.as_secs()
-        ))),
-    }
+    let question = Question::read(text, &files).map_err(|error| refused(error.to_string()))?;
+    let (document, answer) = check::decided(&question, "-", progress)?;
+    let shown = shown::question(&question, &answer, progress);
+    Ok(Answered { document, shown })
+}
+
+fn of_scenario(text: &str, progress: &dyn Progress) -> Result<Answered, CliError> {
+    let form = Form::read(text)?;
+    let (outcome, document) = simulate::ran(&input(form.text("scenario", TEXT)?), progress)?;
+    Ok(Answered { document, shown: shown::simulation(&outcome) })
+}
+
+fn of_certificate(text: &str, _: &dyn Progress) -> Result<Answered, CliError> {
+    let form = Form::read(text)?;
+    let certificate = form.text("certificate", super::LONGEST)?;
+    let checked = flockproof_checker::check(certificate.as_bytes());
+    let document = match &checked {
+        Ok(certified) => json!({"accepted": true, "kind": certified.kind, "claim": certified.claim}),
+        Err(refusal) => json!({"accepted": false, "line": refusal.line, "reason": refusal.reason}),
+    };
+    let said = checked.map(|certified| (certified.kind, certified.claim)).map_err(|no| (no.line, no.reason));
+    Ok(Answered { document, shown: shown::certificate(&said) })
+}
+
+/// A text as if it came from standard input.
+fn input(text: &str) -> output::Input {
+    output::Input { text: text.to_string(), origin: json!({"name": "-", "sha256": digest(text.as_bytes())}) }
 }

@@ -1,19 +1,23 @@
 //! `serve`: the site from the program, with live pages that ask it.
 //!
-//! Pages are bytes in memory, found by their exact names: no request reads or writes a file. A question runs this program once more,
-//! as its command line would, with a list of arguments that is made here, and is stopped when its time is over.
+//! Pages are bytes in memory, found by their exact names: no request reads or writes a file. A question is answered by a process of its
+//! own ([`worker`]) that can open no files, has bounds of memory and time, and ends when the page that asked is closed.
 
 mod ask;
+mod http;
+mod job;
+mod worker;
 
 use super::{CliError, interrupt, report};
 use flockproof::report::Page;
+use http::{Reply, Request, RequestError};
 use std::collections::HashMap;
-use std::io::Read;
+use std::net::{TcpListener, TcpStream};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
-use tiny_http::{Header, Method, Request, Response, Server};
 
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -26,118 +30,142 @@ pub struct Arguments {
     /// Leave out the tables and figures
     #[arg(long)]
     no_figures: bool,
+    /// Answer one question from standard input: what the server starts for each
+    #[arg(long, hide = true, value_name = "WHAT")]
+    worker: Option<String>,
 }
 
-/// Requests that are answered at a time.
-const WORKERS: usize = 4;
-/// The longest question, in bytes.
-const LONGEST: u64 = 64 * 1024;
+/// Connections that are open at a time, and questions that are answered.
+const CONNECTIONS: usize = 64;
+const QUESTIONS: usize = 4;
+/// The longest question, in bytes: a certificate and its quotes.
+const LONGEST: usize = 6 << 20;
+/// How often a new connection is looked for.
+const TICK: Duration = Duration::from_millis(10);
 
 /// What answers requests.
 struct Site {
     pages: HashMap<String, Vec<u8>>,
     /// What `Host` may say.
     hosts: [String; 2],
+    questions: Room,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    if let Some(what) = &arguments.worker {
+        return worker::run(what);
+    }
     let Some(pages) = report::pages(arguments.ledger.as_deref(), !arguments.no_figures)? else {
         return Ok(ExitCode::from(interrupt::STATUS));
     };
-    let server = Server::http(("127.0.0.1", arguments.port))
-        .map_err(|error| CliError::Use(format!("--port {}: {error}", arguments.port)))?;
-    let port = server.server_addr().to_ip().map_or(arguments.port, |address| address.port());
+    let refused = |error: std::io::Error| CliError::Use(format!("--port {}: {error}", arguments.port));
+    let listener = TcpListener::bind(("127.0.0.1", arguments.port)).map_err(refused)?;
+    listener.set_nonblocking(true).map_err(refused)?;
+    let port = listener.local_addr().map_err(refused)?.port();
     let site = Arc::new(Site {
         pages: pages.into_iter().map(|Page { path, contents }| (path, contents)).collect(),
         hosts: [format!("127.0.0.1:{port}"), format!("localhost:{port}")],
+        questions: Room::new(QUESTIONS),
     });
+    let connections = Room::new(CONNECTIONS);
     super::output::print(&format!("http://127.0.0.1:{port}/ (Ctrl-C ends it)\n"))?;
-    let server = Arc::new(server);
-    let workers: Vec<_> = (0..WORKERS)
-        .map(|_| {
-            let (server, site) = (server.clone(), site.clone());
-            std::thread::spawn(move || work(&server, &site))
-        })
-        .collect();
-    for worker in workers {
-        // A worker that panicked has answered nothing more; the others go on.
-        let _ = worker.join();
+    while !interrupt::happened() {
+        match listener.accept() {
+            Ok((stream, _)) => site.clone().welcome(stream, connections.enter()),
+            Err(_) => std::thread::sleep(TICK),
+        }
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn work(server: &Server, site: &Site) {
-    while !interrupt::happened() {
-        match server.recv_timeout(Duration::from_millis(100)) {
-            Ok(Some(request)) => site.answer(request),
-            Ok(None) => {}
-            Err(_) => return,
-        }
+/// A room for so many.
+#[derive(Clone)]
+struct Room {
+    inside: Arc<AtomicUsize>,
+    most: usize,
+}
+
+impl Room {
+    fn new(most: usize) -> Self {
+        Room { inside: Arc::default(), most }
+    }
+
+    /// A place in it, where there is one.
+    fn enter(&self) -> Option<Place> {
+        let place = Place(self.inside.clone());
+        (self.inside.fetch_add(1, Ordering::SeqCst) < self.most).then_some(place)
+    }
+}
+
+/// A place that is free again when it is dropped.
+struct Place(Arc<AtomicUsize>);
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        self.0.fetch_sub(1, Ordering::SeqCst);
     }
 }
 
 impl Site {
-    fn answer(&self, mut request: Request) {
-        let (status, kind, body) = self.reply(&mut request);
-        let mut response = Response::from_data(body).with_status_code(status);
-        let headers = [
-            ("Content-Type", kind),
-            ("X-Content-Type-Options", "nosniff"),
-            ("Referrer-Policy", "no-referrer"),
-            ("Cache-Control", "no-store"),
-            ("Content-Security-Policy", "default-src 'self' data: 'unsafe-inline'; frame-ancestors 'none'"),
-        ];
-        for header in headers.iter().filter_map(|(name, value)| Header::from_bytes(*name, *value).ok()) {
-            response.add_header(header);
-        }
-        // Who asked may be gone.
-        let _ = request.respond(response);
+    /// Answers on a thread of its own; where there is no place the connection is closed.
+    fn welcome(self: Arc<Self>, stream: TcpStream, place: Option<Place>) {
+        let Some(place) = place else { return };
+        let answer = move || {
+            let _place = place;
+            if stream.set_nonblocking(false).is_ok() {
+                self.answer(stream);
+            }
+        };
+        // Without a thread there is no answer, and the next one may be.
+        let _ = std::thread::Builder::new().spawn(answer);
     }
 
-    fn reply(&self, request: &mut Request) -> (u16, &'static str, Vec<u8>) {
-        const TEXT: &str = "text/plain; charset=utf-8";
-        let refused = |status: u16, why: &str| (status, TEXT, format!("{why}\n").into_bytes());
+    fn answer(&self, mut stream: TcpStream) {
+        let request = http::read(&mut stream, LONGEST);
+        let bare = request.as_ref().is_ok_and(|request| request.method == "HEAD");
+        let mut reply = Reply::new(&stream, bare);
+        // Who asked may be gone.
+        let _ = match request {
+            Ok(request) => self.reply(&request, &mut reply),
+            Err(RequestError::Refused(status, why)) => reply.refuse(status, why),
+            Err(RequestError::Lost(_)) => return,
+        };
+        reply.end();
+    }
+
+    fn reply(&self, request: &Request, reply: &mut Reply) -> std::io::Result<()> {
         if !self.is_own(request) {
-            return refused(403, "only pages of this program may ask");
+            return reply.refuse(403, "only pages of this program may ask");
         }
-        let path = request.url().split(['?', '#']).next().unwrap_or_default().to_string();
-        let path = path.trim_start_matches('/');
-        match (request.method().clone(), path.strip_prefix("api/")) {
-            (Method::Post, Some(what)) => {
-                let mut text = String::new();
-                let read = request.as_reader().take(LONGEST + 1).read_to_string(&mut text);
-                if read.is_err() || text.len() as u64 > LONGEST {
-                    return refused(413, "a question has at most 64 KiB of UTF-8");
-                }
-                match ask::answer(what, &text) {
-                    Ok(json) => (200, "application/json", json),
-                    Err(ask::AskError::Unknown) => refused(404, "there is nothing here"),
-                    Err(error) => refused(422, &error.to_string()),
-                }
-            }
-            (Method::Get | Method::Head, None) => {
+        let path = request.target.split(['?', '#']).next().unwrap_or_default();
+        let Some(path) = path.strip_prefix('/') else { return reply.refuse(404, "there is no such page") };
+        match (request.method.as_str(), path.strip_prefix("api/")) {
+            ("POST", Some(what)) if ask::is_known(what) => match self.questions.enter() {
+                Some(_place) => job::answer(what, &request.body, reply),
+                None => reply.refuse(503, "other questions are being answered; try again when one of them is"),
+            },
+            ("POST", Some(_)) => reply.refuse(404, "there is nothing here"),
+            ("GET" | "HEAD", None) => {
                 let path = if path.is_empty() { "index.html" } else { path };
                 match self.pages.get(path) {
-                    Some(contents) => (200, content_type(path), contents.clone()),
-                    None => refused(404, "there is no such page"),
+                    Some(contents) => reply.whole(200, content_type(path), contents),
+                    None => reply.refuse(404, "there is no such page"),
                 }
             }
-            _ => refused(405, "that cannot be done here"),
+            _ => reply.refuse(405, "that cannot be done here"),
         }
     }
 
     /// Asked under its own name, and by its own pages: names that lead here by chance or malice are refused.
     fn is_own(&self, request: &Request) -> bool {
-        let values = |name: &'static str| {
-            request.headers().iter().filter(move |h| h.field.equiv(name)).map(|h| h.value.as_str().to_ascii_lowercase())
-        };
-        let mut hosts = values("Host");
+        let mut hosts = request.values("Host");
         let host = hosts.next().is_some_and(|host| self.hosts.contains(&host)) && hosts.next().is_none();
-        let origin = values("Origin")
+        let origin = request
+            .values("Origin")
             .all(|origin| origin.strip_prefix("http://").is_some_and(|host| self.hosts.iter().any(|own| own == host)));
-        let site = values("Sec-Fetch-Site").all(|site| site == "same-origin" || site == "none");
-        let json = request.method() != &Method::Post
-            || values("Content-Type").any(|kind| kind.starts_with("application/json"));
+        let site = request.values("Sec-Fetch-Site").all(|site| site == "same-origin" || site == "none");
+        let json =
+            request.method != "POST" || request.values("Content-Type").any(|kind| kind.starts_with("application/json"));
         host && origin && site && json
     }
 }

@@ -6,6 +6,7 @@
 
 use super::{Graph, WeightedGraph};
 use arithmetic::{Cancelled, Progress, rational};
+use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// Largest order of [`graphs`] and [`connected_graphs`].
@@ -140,19 +141,24 @@ fn bits(set: u16) -> impl Iterator<Item = usize> {
 fn classes(order: usize, directed: bool, progress: &dyn Progress) -> Result<Vec<Arcs>, Cancelled> {
     let mut found = vec![Arcs::new(Vec::new())];
     for size in 1..=order {
-        let mut codes = BTreeSet::new();
-        for parent in &found {
+        let children = |parent: &Arcs| {
             progress.checkpoint()?;
+            let mut codes = Vec::new();
             for from in 0..1u16 << (size - 1) {
                 let into = if directed { 0..1u16 << (size - 1) } else { from..from + 1 };
                 for to in into {
                     let graph = parent.joined(from, to);
                     if graph.last_is_largest() {
-                        codes.insert((graph.count(), graph.code()));
+                        codes.push((graph.count(), graph.code()));
                     }
                 }
             }
-        }
+            Ok(codes)
+        };
+        let codes: Vec<Vec<(u32, u128)>> = found.par_iter().map(children).collect::<Result<_, Cancelled>>()?;
+        let mut codes = codes.concat();
+        codes.sort_unstable();
+        codes.dedup();
         found = codes.into_iter().map(|(_, code)| Arcs::from_code(size, code)).collect();
     }
     Ok(found)

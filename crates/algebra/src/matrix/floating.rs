@@ -1,27 +1,26 @@
-//! The floating side: nearest `f64` matrices (nalgebra), their diameters, and eigenvalues (faer) with residual bounds.
+//! The floating side: nearest `f64` matrices, their diameters, and eigenvalues with residual bounds.
 //!
 //! Nothing here can support an exact claim; it is for looking, plotting and comparing.
 
 use super::RationalMatrix;
-use faer::Mat;
-use nalgebra::DMatrix;
+use faer::{Mat, Side};
 use num_traits::ToPrimitive;
 
 /// The matrix with each entry rounded to the nearest float.
-pub fn to_floats(matrix: &RationalMatrix) -> DMatrix<f64> {
-    DMatrix::from_fn(matrix.rows(), matrix.cols(), |i, j| matrix.entry(i, j).to_f64().unwrap_or(f64::NAN))
+pub fn to_floats(matrix: &RationalMatrix) -> Mat<f64> {
+    Mat::from_fn(matrix.rows(), matrix.cols(), |i, j| matrix.entry(i, j).to_f64().unwrap_or(f64::NAN))
 }
 
 /// `max_{i,j} |a_i* - a_j*|_p` over the rows, for `p` = 1, 2 or infinity; tau_1 is half of it for `p` = 1.
-pub fn row_diameter(matrix: &DMatrix<f64>, p: f64) -> f64 {
+pub fn row_diameter(matrix: &Mat<f64>, p: f64) -> f64 {
     let distance = |i: usize, j: usize| {
-        let difference = matrix.row(i) - matrix.row(j);
+        let differences = (0..matrix.ncols()).map(|k| (matrix[(i, k)] - matrix[(j, k)]).abs());
         if p == 1.0 {
-            difference.iter().map(|x| x.abs()).sum()
+            differences.sum()
         } else if p == 2.0 {
-            difference.norm()
+            differences.map(|x| x * x).sum::<f64>().sqrt()
         } else {
-            difference.amax()
+            differences.fold(0.0, f64::max)
         }
     };
     (0..matrix.nrows()).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| distance(i, j)).fold(0.0, f64::max)
@@ -59,13 +58,9 @@ pub enum EigenError {
 ///
 /// # Errors
 /// [`EigenError`].
-pub fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<FloatEigenvalue>, EigenError> {
-    let (rows, cols) = matrix.shape();
-    if rows != cols {
-        return Err(EigenError::NotSquare { rows, cols });
-    }
-    let a = Mat::from_fn(rows, cols, |i, j| matrix[(i, j)]);
-    let eigen = a.eigen().map_err(|_| EigenError::NoConvergence)?;
+pub fn eigenvalues(matrix: &Mat<f64>) -> Result<Vec<FloatEigenvalue>, EigenError> {
+    let rows = square(matrix)?;
+    let eigen = matrix.eigen().map_err(|_| EigenError::NoConvergence)?;
     let (values, vectors) = (eigen.S(), eigen.U());
     let mut found: Vec<FloatEigenvalue> = (0..rows)
         .map(|k| {
@@ -73,7 +68,7 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<FloatEigenvalue>, EigenE
             let (mut error, mut size) = (0.0, 0.0);
             for i in 0..rows {
                 let image: faer::c64 =
-                    (0..cols).fold(faer::c64::new(0.0, 0.0), |sum, j| sum + vectors[(j, k)] * matrix[(i, j)]);
+                    (0..rows).fold(faer::c64::new(0.0, 0.0), |sum, j| sum + vectors[(j, k)] * matrix[(i, j)]);
                 error += (image - value * vectors[(i, k)]).norm_sqr();
                 size += vectors[(i, k)].norm_sqr();
             }
@@ -82,4 +77,45 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<FloatEigenvalue>, EigenE
         .collect();
     found.sort_by(|a, b| b.re.hypot(b.im).total_cmp(&a.re.hypot(a.im)));
     Ok(found)
+}
+
+fn square(matrix: &Mat<f64>) -> Result<usize, EigenError> {
+    let (rows, cols) = (matrix.nrows(), matrix.ncols());
+    if rows == cols { Ok(rows) } else { Err(EigenError::NotSquare { rows, cols }) }
+}
+
+/// A symmetric matrix turned to its axes.
+#[derive(Debug, Clone)]
+pub struct SymmetricEigen {
+    /// The eigenvalues, ascending.
+    pub values: Vec<f64>,
+    /// Orthonormal eigenvectors in columns, in the same order.
+    pub vectors: Mat<f64>,
+}
+
+/// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower half is read.
+///
+/// # Errors
+/// [`EigenError`].
+pub fn symmetric_eigen(matrix: &Mat<f64>) -> Result<SymmetricEigen, EigenError> {
+    square(matrix)?;
+    let eigen = matrix.self_adjoint_eigen(Side::Lower).map_err(|_| EigenError::NoConvergence)?;
+    Ok(SymmetricEigen { values: eigen.S().column_vector().iter().copied().collect(), vectors: eigen.U().to_owned() })
+}
+
+/// The product, `NaN` in each entry where the shapes do not fit.
+pub fn product(left: &Mat<f64>, right: &Mat<f64>) -> Mat<f64> {
+    if left.ncols() != right.nrows() {
+        return Mat::from_fn(left.nrows(), right.ncols(), |_, _| f64::NAN);
+    }
+    left * right
+}
+
+/// The least singular value.
+///
+/// # Errors
+/// [`EigenError::NoConvergence`].
+pub fn least_singular_value(matrix: &Mat<f64>) -> Result<f64, EigenError> {
+    let values = matrix.singular_values().map_err(|_| EigenError::NoConvergence)?;
+    Ok(values.into_iter().fold(f64::INFINITY, f64::min))
 }

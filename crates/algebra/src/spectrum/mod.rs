@@ -21,6 +21,7 @@ mod recurrence;
 mod reduction;
 mod reflections;
 mod schur;
+mod small;
 mod smith;
 mod stability;
 mod symmetric;
@@ -40,4 +41,5 @@ pub use error::{
 pub use exact::real_spectrum;
 pub use polynomial::{Polynomial, RealRoot};
 pub use recurrence::{Eventual, Leading, Recurrence, RecurrenceError};
+pub use small::small_symmetric_eigenvalues;
 pub use tridiagonal::tridiagonal_eigenvalues;

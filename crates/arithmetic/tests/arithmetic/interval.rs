@@ -190,6 +190,21 @@ fn edges_of_the_domains() {
     assert!(sin.contains(&rational(1, 1)) && sin.contains(&rational(-1, 1)));
 }
 
+/// Between two extremes of one kind the other one is not added, and angles up to 2^60 are reduced.
+#[test]
+fn sines_of_wide_and_of_large_angles_are_sharp() {
+    let above = |x: &Interval, p: i64| x.to_rationals().0 > rational(p, 10);
+    let (sin, _) = Interval::hull_of_rationals(&rational(1, 1), &rational(2, 1), 60).sin_cos().unwrap();
+    assert!(above(&sin, 8) && sin.contains(&rational(1, 1)));
+    let (sin, cos) = Interval::hull_of_rationals(&rational(-2, 1), &rational(-1, 1), 60).sin_cos().unwrap();
+    assert!(above(&-sin, 8) && above(&cos, -5));
+    let (_, cos) = Interval::hull_of_rationals(&rational(3, 1), &rational(7, 2), 60).sin_cos().unwrap();
+    assert!(above(&-cos, 9));
+    let large = Interval::from_rational(&rational((1 << 60) - 1, 1), 200);
+    let (sin, cos) = large.sin_cos().unwrap();
+    assert!(sin.width().top() < -100 && cos.width().top() < -100);
+}
+
 /// Many bits: the count of lost units must not overflow.
 #[test]
 fn exp_at_many_bits() {

@@ -3,8 +3,10 @@
 mod arb;
 mod ball;
 mod complex_dual_series;
+mod float_interval;
 mod identity;
 mod interval;
 mod number;
 mod rational;
+mod rounding;
 mod surd;

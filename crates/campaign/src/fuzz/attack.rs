@@ -114,9 +114,10 @@ impl Attack {
         let Found::Member(member, _) = self.found(&mut Draws::given(&simplest), progress).map_err(refused)? else {
             return Err(JobError::Refused("a counterexample is no member of the family any more".to_string()));
         };
+        let question = self.question.instance(&member, progress).map_err(refused)?;
         Ok(json!({
             "case": case, "draws": simplest, "why": "the property fails, confirmed on exact or enclosed numbers",
-            "instance": member.to_string(), "question": self.question.instance(&member)
+            "instance": member.to_string(), "question": question
         }))
     }
 }
@@ -138,17 +139,21 @@ impl Campaign for Attack {
         self.cases.div_ceil(BLOCK)
     }
 
-    /// As the jobs of [`Fuzz`](super::Fuzz), with the counterexamples as questions.
+    /// As the jobs of [`Fuzz`](super::Fuzz), with the counterexamples as questions, and for each control whether a case refuted it.
     fn run(&self, job: u64, progress: &dyn Progress) -> Result<Value, JobError> {
         let first = job * BLOCK;
         let cases = BLOCK.min(self.cases - first);
         let stream = format!("attack seed {} {}", self.seed, self.question.canonical());
         let (mut undecided, mut why, mut failed, mut failures) = (0u64, None, 0u64, Vec::new());
         let mut worst: Option<(f64, u64, Vec<u64>)> = None;
+        let mut controls = vec![false; self.question.control_count()];
         for case in first..first + cases {
             progress.checkpoint()?;
             let mut draws = Draws::random(VERSION, &stream, case);
-            let Found::Member(_, decided) = self.found(&mut draws, progress).map_err(refused)? else { continue };
+            let Found::Member(member, decided) = self.found(&mut draws, progress).map_err(refused)? else { continue };
+            for (control, is_refuted) in controls.iter_mut().enumerate().filter(|(_, is_refuted)| !**is_refuted) {
+                *is_refuted = self.question.refutes(control, &member, progress).map_err(refused)?;
+            }
             let margin = decided.margin.hi;
             if margin.is_finite() && worst.as_ref().is_none_or(|(least, ..)| margin < *least) {
                 worst = Some((margin, case, draws.taken().to_vec()));
@@ -181,7 +186,7 @@ impl Campaign for Attack {
         let margin = worst.map(|(value, case, _)| json!({"value": format!("~{value:?}"), "case": case}));
         Ok(json!({
             "invariant": self.id(), "first": first, "cases": cases, "undecided": undecided, "why": why,
-            "margin": margin, "failed": failed, "failures": failures
+            "margin": margin, "failed": failed, "failures": failures, "controls": controls
         }))
     }
 }

@@ -48,6 +48,8 @@ pub struct InvariantSummary {
     pub failed: u64,
     /// The first of them.
     pub failures: Vec<Failed>,
+    /// For each control of a question whether some case refuted it; empty for the invariants, whose altered computations are refuted in the tests.
+    pub controls: Vec<bool>,
 }
 
 /// What a campaign found.
@@ -85,6 +87,7 @@ impl Summary {
                 margin: None,
                 failed: 0,
                 failures: Vec::new(),
+                controls: Vec::new(),
             })
             .collect();
         for (job, row) in rows {
@@ -104,15 +107,24 @@ impl Summary {
         self.invariants.iter().map(|own| own.failed).sum()
     }
 
+    /// Whether every control of a question was refuted by some case.
+    pub fn controls_bite(&self) -> bool {
+        self.invariants.iter().flat_map(|own| &own.controls).all(|refuted| *refuted)
+    }
+
     /// `{"schema": "flockproof.fuzz/1", "version", "seed", "cases", "failed", "undecided", "invariants": [..]}`.
     pub fn to_json(&self) -> Value {
         let failure = |failed: &Failed| json!({"case": failed.case, "draws": failed.draws, "why": failed.why, "instance": failed.instance});
         let invariant = |own: &InvariantSummary| {
-            json!({
+            let mut value = json!({
                 "id": own.id, "cases": own.cases, "undecided": own.undecided, "why": own.why,
                 "margin": own.margin.map(|m| json!({"value": format!("~{:?}", m.value), "case": m.case})),
                 "failed": own.failed, "failures": own.failures.iter().map(failure).collect::<Vec<_>>()
-            })
+            });
+            if !own.controls.is_empty() {
+                value["controls"] = json!({"refuted": own.refuted(), "total": own.controls.len()});
+            }
+            value
         };
         let undecided: u64 = self.invariants.iter().map(|own| own.undecided).sum();
         json!({
@@ -124,6 +136,11 @@ impl Summary {
 }
 
 impl InvariantSummary {
+    /// Controls that some case refuted.
+    pub fn refuted(&self) -> usize {
+        self.controls.iter().filter(|refuted| **refuted).count()
+    }
+
     /// Adds a job; jobs come in order.
     fn add(&mut self, row: &Value) -> Option<()> {
         self.cases += row["cases"].as_u64()?;
@@ -131,6 +148,12 @@ impl InvariantSummary {
         self.failed += row["failed"].as_u64()?;
         if self.why.is_none() {
             self.why = row["why"].as_str().map(str::to_string);
+        }
+        for (k, refuted) in row["controls"].as_array().into_iter().flatten().enumerate() {
+            if self.controls.len() <= k {
+                self.controls.push(false);
+            }
+            self.controls[k] |= refuted.as_bool()?;
         }
         if !row["margin"].is_null() {
             let value: f64 = row["margin"]["value"].as_str()?.strip_prefix('~')?.parse().ok()?;

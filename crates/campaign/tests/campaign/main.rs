@@ -6,3 +6,4 @@ mod invariants;
 mod questions;
 mod readers;
 mod store;
+mod strategies;

@@ -107,3 +107,14 @@ fn a_property_is_tabulated_with_its_margin() {
     let csv = table.csv().expect("CSV");
     assert_eq!(csv, "n,holds,margin.lo,margin.hi\n1,false,-0.5,-0.5\n2,true,0.5,0.5\n3,true,1.5,1.5\n");
 }
+
+#[test]
+fn controls_are_run_with_the_cases() {
+    let bites = stated("n = \"1..50\"", "n > 0", "n < 40");
+    assert!(summary(&Attack::new(bites, 200, "0").unwrap()).controls_bite());
+    // Only 1 of a million refutes it, and no case has it.
+    let blunt = stated("n = \"1..1000000\"", "n > 0", "n != 777777");
+    let found = summary(&Attack::new(blunt, 64, "0").unwrap());
+    assert!(!found.controls_bite() && found.failed() == 0);
+    assert_eq!(found.to_json()["invariants"][0]["controls"], serde_json::json!({"refuted": 0, "total": 1}));
+}

@@ -13,16 +13,11 @@ pub fn growth() -> Record<GrowthVariant> {
         GrowthVariant::TRUE,
         examine_growth,
     )
-    .stated(
-        "bears on veerman, Section 6, last part",
-        "The peak response of the last of M followers grows exponentially for system (1), and for every integer p >= 0 there are communication graphs of \
-         agents on a line, with a directed path from the leader to every agent, for which it grows like M^p (p two-sided flocks in series; \
-         for p = 0 every agent tracks the leader).",
-    )
+    .stated("bears on veerman, Section 6, last part", "")
     .clauses(&[
         "For f, g < 0 the peak response of the last of M followers of system (1) grows exponentially with M.",
         "For f, g < 0 and every p >= 0 there are communication graphs of M agents on a line, with a directed path from the leader to every agent, for which the peak response of the last one grows like M^p.",
     ])
-    .control("p platoons grow like M^(p+1)", GrowthVariant { shift: 1, ..GrowthVariant::TRUE })
-    .control("system (1) grows like the square of that", GrowthVariant { power: 2, ..GrowthVariant::TRUE })
+    .altered("p platoons grow like M^(p+1)", |v| v.shift = 1)
+    .altered("system (1) grows like the square of that", |v| v.power = 2)
 }

@@ -18,30 +18,21 @@ mod virtual_origins;
 
 use ledger::Claim;
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
-    vec![
-        Box::new(smallest_entries::smallest_entries()),
-        Box::new(fewer_switches::fewer_switches()),
-        Box::new(tower::tower()),
-        Box::new(recurrent::recurrent()),
-        Box::new(virtual_origins::angle()),
-        Box::new(virtual_origins::losses()),
-        Box::new(next_order::frequency()),
-        Box::new(next_order::amplitude()),
-        Box::new(decay_rate::slowest_decay()),
-        Box::new(growth::growth()),
-        Box::new(paley_circulant::circulant_spectrum()),
-        Box::new(paley_circulant::cyclic_patterns()),
-        Box::new(paley_abscissa::pattern_abscissa()),
-        Box::new(phases::inertia()),
-        Box::new(phases::cyclic_eigenvectors()),
-        Box::new(tanner::two_agents()),
-        Box::new(tanner::turning_triangle()),
-        Box::new(tanner::alternating_trees()),
-        Box::new(tanner::endless_switching()),
-        Box::new(tanner::switching_ends()),
-        Box::new(certified_split::certified_split()),
-        Box::new(table1_reading::table1_reading()),
-    ]
+    claims! {
+        smallest_entries: smallest_entries;
+        fewer_switches: fewer_switches;
+        tower: tower;
+        recurrent: recurrent;
+        virtual_origins: angle, losses;
+        next_order: frequency, amplitude;
+        decay_rate: slowest_decay;
+        growth: growth;
+        paley_circulant: circulant_spectrum, cyclic_patterns;
+        paley_abscissa: pattern_abscissa;
+        phases: inertia, cyclic_eigenvectors;
+        tanner: two_agents, turning_triangle, alternating_trees, endless_switching, switching_ends;
+        certified_split: certified_split;
+        table1_reading: table1_reading;
+    }
 }

@@ -1,11 +1,9 @@
 //! beyond.veerman.resonance_frequency, beyond.veerman.resonance_amplitude: the resonance to the next order, with explicit bounds
 //! of the error.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::veerman::{enclosed, gains, scaled_error_is_bounded};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Series, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::{Series, Signed};
 use models::platoon::{Gains, Resonance, next_order, resonance, theorem1};
 
 const DIGITS: u32 = 40;
@@ -33,20 +31,13 @@ fn gains_list() -> [Gains<Rational>; 5] {
 /// A formula of M cars.
 type Formula = fn(&Gains<Interval>, u64) -> Result<Interval, ArithmeticError>;
 
-/// The expansion of both proofs, as exact power series in `a`: with `theta = x - iy = sqrt2 a H`,
-/// `H = 1 + a²/12 - 3c²/8 - i (c/2)(1 + a²/4 - 5c²/8) + O(a⁴)`, `c = ab`, `cos theta` is `gamma = 1 - a²/(1 + ic)` up to `O(a⁶)`.
-struct Expansion;
-
 /// Coefficients that are compared: up to `a⁵`.
 const ORDER: usize = 6;
 
-impl RationalIdentity for Expansion {
-    fn variables(&self) -> usize {
-        1
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [b] = at else { return Err(ArithmeticError::Domain("one variable")) };
+/// The expansion of both proofs, as exact power series in `a`: with `theta = x - iy = sqrt2 a H`,
+/// `H = 1 + a²/12 - 3c²/8 - i (c/2)(1 + a²/4 - 5c²/8) + O(a⁴)`, `c = ab`, `cos theta` is `gamma = 1 - a²/(1 + ic)` up to `O(a⁶)`.
+fn expansion() -> Identity<'static> {
+    Identity::of(move |[b]| {
         let real = |p, q| Complex::real(b.ratio(p, q));
         let a = Series::variable(real(1, 1), ORDER);
         let ic = Series::variable(Complex::new(b.zero(), b.clone()), ORDER);
@@ -59,11 +50,11 @@ impl RationalIdentity for Expansion {
         let square = (a * h).square();
         let cosine = s.one() - &square + square.square().scale(&real(1, 6));
         let gamma = s.one() - s.clone() * (s.one() + ic).recip()?;
-        let split = |series: Series<Complex<T>>| {
-            series.coefficients().iter().flat_map(|z| [z.re.clone(), z.im.clone()]).collect::<Vec<T>>()
+        let split = |series: Series<Complex<Probe>>| {
+            series.coefficients().iter().flat_map(|z| [z.re.clone(), z.im.clone()]).collect::<Vec<Probe>>()
         };
         Ok((split(cosine), split(gamma)))
-    }
+    })
 }
 
 /// What one of the two claims is about.
@@ -95,7 +86,7 @@ fn examine(part: &Quantity, variant: &NextOrderVariant, run: &mut Run) -> Result
     let limit = rational(part.bound.0, part.bound.1);
     let detail =
         "enclosures for five pairs (f, g), b from 1/1000 to 20, and sizes from the smallest to 10^4 times that";
-    let enclosures = run.every(Evidence::new(Grade::Certified, part.name, detail), cases, |(exact, m)| {
+    let enclosures = run.every(certified(part.name, detail), cases, |(exact, m)| {
         let scaled = scaled_error(part, variant, &exact, m)?;
         let (lo, hi) = scaled.to_rationals();
         if lo < -limit.clone() || hi > limit {
@@ -113,7 +104,7 @@ fn examine(part: &Quantity, variant: &NextOrderVariant, run: &mut Run) -> Result
     if let Some(worst) = worst {
         run.value("largest_error_met_in_units_of_the_fourth_power", interval_value(&worst, 6));
     }
-    let expansion = run.identity(&Expansion, &["b"], "the expansions of x and y in a, exact power series")?;
+    let expansion = run.identity(&expansion(), &["b"], "the expansions of x and y in a, exact power series")?;
     Run::all([Ok(enclosures), Ok(expansion), argued(&[], "all f, g < 0 and M >= 5 max(1, b)", part.steps)])
 }
 
@@ -223,12 +214,7 @@ pub fn amplitude() -> Record<NextOrderVariant> {
             Run::all([Ok(formula), Ok(limit.on([2])), proof])
         },
     ))
-    .stated(
-        "sharpens veerman, Theorem 1",
-        "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2) is \
-         A = A_0 (1 - a0^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 sqrt(2) M/(pi^2 b), a0 = pi/(2 sqrt(2) M), with \
-         |e| <= 11 (a0 max(1, b))^4. So M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b)).",
-    )
+    .stated("sharpens veerman, Theorem 1", "")
     .clauses(&[
         "For all f, g < 0 and M = N + 1 >= 5 max(1, b), b = |g|/sqrt|f|, the peak of system (2) is A = A_0 (1 - a0^2 (1/12 - 3 b^2/8 + pi^2 b^2/96) + e), A_0 = 8 sqrt(2) M/(pi^2 b), a0 = pi/(2 sqrt(2) M), with |e| <= 11 (a0 max(1, b))^4.",
         "M (A - A_0) -> sqrt(2) (b (36 - pi^2)/96 - 1/(12 b)) for fixed f, g < 0.",

@@ -302,10 +302,7 @@ pub fn pattern_abscissa() -> Record<AbscissaVariant> {
         printed,
         examine_pattern_abscissa,
     )
-    .stated(
-        "sharpens paley, Theorem 3; text on synchronised and balanced formations; Figures 3, 4",
-        "",
-    )
+    .stated("sharpens paley, Theorem 3; text on synchronised and balanced formations; Figures 3, 4", "")
     .clauses(&[
         "N >= 2. Under (5) with (20) on a connected undirected graph and minus the gradient of (25), the \
          circular (M,N)-pattern is exponentially stable up to rotation and translation iff K_0 > 0, K_r + \

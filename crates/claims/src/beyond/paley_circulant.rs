@@ -1,17 +1,14 @@
 //! beyond.paley.circulant_spectrum, beyond.paley.cyclic_patterns: circular formations on circulant graphs.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::{Inertia, determinant_over_field, inertia};
-use arithmetic::{ArithmeticError, Complex, CosineField, Field, RealCyclotomic, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Record, Run};
+use arithmetic::{CosineField, RealCyclotomic, Sign, Signed};
 use models::oscillator::{
     CircularGains, Neighbours, circulant_eigenvalue, circular_control, circular_formation, linearisation, misalignment,
     phase_jacobian, quarter_turn,
 };
 
 type Number = Complex<RealCyclotomic>;
-
-// --- The spectrum ---
 
 /// `p_q = s^3 + (k_0 C - k_1 t) s^2 + (omega^2 - turn i omega k_0 D) s - k_1 t omega^2`, `t = C - shift lambda_m`; on directed circulants too.
 #[derive(Clone, Copy)]
@@ -77,13 +74,12 @@ impl Pattern {
 }
 
 pub fn circulant_spectrum() -> Record<SpectrumVariant> {
-    let right = SpectrumVariant { turn: 1, shift: 1, directed: false };
     Record::new(
         "beyond.paley.circulant_spectrum",
         "In coordinates that turn with each particle, y_k = (a_k + i b_k) e^{i theta_k}, the linearised law is invariant under shifts of the numbers, and Fourier modes \
          separate it into 3 x 3 blocks. Checked exactly: determinants of the whole linearisation over the field of cosines at 3N + 1 \
          values of s, which determine the polynomial. On directed circulants the formation is in general no relative equilibrium at the rate omega_0.",
-        right,
+        SpectrumVariant { turn: 1, shift: 1, directed: false },
         |variant, run| {
             let few: &[(usize, &[usize])] = &[(2, &[1]), (3, &[1, 2]), (4, &[1, 3]), (4, &[1, 2, 3])];
             let more: &[(usize, &[usize])] = &[(5, &[1, 4]), (6, &[1, 3, 5])];
@@ -109,12 +105,10 @@ pub fn circulant_spectrum() -> Record<SpectrumVariant> {
          characteristic polynomial prod_q p_q(s), p_q = s^3 + (k_0 C_q - k_1 t_q) s^2 + (w0^2 - i w0 k_0 D_q) s - k_1 t_q w0^2, with k_j = K_j/N, C_q = \
          (lambda_{m+q} + lambda_{m-q})/2, D_q = (lambda_{m+q} - lambda_{m-q})/2, t_q = C_q - lambda_m.",
     )
-    .control("without D_q", SpectrumVariant { turn: 0, ..right })
-    .control("t_q = C_q", SpectrumVariant { shift: 0, ..right })
-    .control("directed circulants too", SpectrumVariant { directed: true, ..right })
+    .altered("without D_q", |v| v.turn = 0)
+    .altered("t_q = C_q", |v| v.shift = 0)
+    .altered("directed circulants too", |v| v.directed = true)
 }
-
-// --- Stable patterns on cyclic graphs ---
 
 /// On `C_N` the pattern `m` is stable iff `sign K_1 cos(2 pi m/N) < 0`; with `strict`, a zero cosine counts as unstable.
 #[derive(Clone, Copy)]
@@ -141,31 +135,27 @@ impl CyclicVariant {
 }
 
 pub fn cyclic_patterns() -> Record<CyclicVariant> {
-    let right = CyclicVariant { sign: 1, strict: true };
     Record::new(
         "beyond.paley.cyclic_patterns",
         "The Hessian of N W_1 there is cos(2 pi m/N) L, L positive semidefinite with the constants as its kernel; by the inertia theorem of notes/paley_particles.md \
          (V = K_0 S - K_1 w0^-2 W_1) the linearisation has as many eigenvalues with positive real part as K_1 times the Hessian has positive ones, and none on the imaginary axis but \
          those of the symmetries if the cosine is not zero. For N = 12 and K_1 > 0: m = 4 to 8, the patterns with 3, 12, 2, 12, 3 clusters.",
-        right,
+        CyclicVariant { sign: 1, strict: true },
         |variant, run| {
             let most = run.cases(10, 16);
             let patterns = (3..=most).chain([12]).flat_map(|order| (0..order).map(move |m| (order, m)));
             let detail = format!("N = 3 to {most} and 12, all m: exact inertia of the Hessian over cosines");
-            let evidence = Evidence::new(Grade::Exhaustive, "signs of the Hessian", detail).on([1, 2]);
+            let evidence = exhaustive("signs of the Hessian", detail).on([1, 2]);
             let found = run.every(evidence, patterns, |(order, m)| variant.contradiction(order, m));
             Run::all([found, argued(&[1, 2], "every N, m and gains", "notes/paley_phases.md, steps F6-F8")])
         },
     )
-    .stated(
-        "beyond Figure 3 and the text on balanced circular formations",
-        "",
-    )
+    .stated("beyond Figure 3 and the text on balanced circular formations", "")
     .clauses(&[
         "On C_N, N >= 3, under (22) with K_0 > 0, the circular formation with theta_k = 2 pi m k/N is exponentially stable up to rotation and translation iff \
          K_1 cos(2 pi m/N) < 0, whatever the size of the gains and the sign of w0.",
         "It is unstable if K_1 cos(2 pi m/N) > 0.",
     ])
-    .control("the other sign", CyclicVariant { sign: -1, ..right })
-    .control("a zero cosine is stable too", CyclicVariant { strict: false, ..right })
+    .altered("the other sign", |v| v.sign = -1)
+    .altered("a zero cosine is stable too", |v| v.strict = false)
 }

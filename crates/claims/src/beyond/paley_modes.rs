@@ -1,7 +1,7 @@
 //! That the Fourier modes of a symmetric circular formation are invariant under its linearisation, exactly.
 
-use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Run};
+use crate::prelude::*;
+use arithmetic::{RealCyclotomic, Sign, Signed};
 use models::oscillator::{
     FourierFormation, Neighbours, circular_formation, linearisation, pattern_control, spacing_control,
 };
@@ -129,7 +129,7 @@ pub fn invariant_modes(altered: &Altered, run: &Run) -> Result<Outcome, CheckErr
                 let law = Law { particles, reach, omega: rational(-1, 2), spacing: rational(3, 2), gains };
                 if let Some(q) = law.wrong_mode(altered)? {
                     let what = format!("({clusters},{particles}), mode {q}: not invariant with the claimed matrix");
-                    return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "modes", "exact products")));
+                    return Ok(Outcome::fails(what, exact("modes", "exact products")));
                 }
             }
         }
@@ -139,5 +139,5 @@ pub fn invariant_modes(altered: &Altered, run: &Run) -> Result<Outcome, CheckErr
         "A F_q = F_q B_q over the field of cosines, A the derivative of the law by duals, C_N and all-to-all, N up to {most}; proof for all N in \
          notes/paley_particles.md"
     );
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "modes", detail).cases(patterns)]))
+    Ok(Outcome::Holds(vec![exact("modes", detail).cases(patterns)]))
 }

@@ -1,13 +1,10 @@
 //! beyond.paley.inertia and beyond.paley.cyclic_eigenvectors.
 
-use crate::argued::argued;
 use crate::paley::{CyclicVariant, Kind, arrangements, critical_points, hessian, is_critical, is_on_a_line};
 use crate::paley::{linearisation, two_clusters};
+use crate::prelude::*;
 use algebra::matrix::Inertia;
-use arithmetic::{Complex, Field, Signed};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
-
-// --- Inertia ---
+use arithmetic::Signed;
 
 /// The inertia (positive, negative, zero) at critical points on a line, given `N` and the size of the minority, and at balanced ones; and whether
 /// balanced arrangements count as critical points.
@@ -47,10 +44,7 @@ pub fn inertia() -> Record<InertiaVariant> {
         right,
         examine_inertia,
     )
-    .stated(
-        "sharpens paley, Theorem 1",
-        "",
-    )
+    .stated("sharpens paley, Theorem 1", "")
     .clauses(&[
         "N >= 2. With two opposite clusters of N-b > b phases (b = 0: synchronised) the Hessian of U_1 has the inertia (b, N-b-1, 1).",
         "At a balanced arrangement not on a line it has the inertia (2, 0, N-2).",
@@ -58,71 +52,60 @@ pub fn inertia() -> Record<InertiaVariant> {
         "The unstable manifold of an unbalanced arrangement under (6) with (9) has dimension N-b-1 for K_1 > 0 and b for K_1 < 0.",
         "There are no other critical points.",
     ])
-    .control(
-        "(b + 1, N-b-2, 1)",
-        InertiaVariant { unbalanced: |n, b| [b + 1, (n - b).saturating_sub(2), 1], ..right },
-    )
-    .control("rank 2 on a line too", InertiaVariant { balanced: |n, _| [2, 0, n - 2], ..right })
-    .control("no balanced critical points", InertiaVariant { with_balanced: false, ..right })
+    .altered("(b + 1, N-b-2, 1)", |v| v.unbalanced = |n, b| [b + 1, (n - b).saturating_sub(2), 1])
+    .altered("rank 2 on a line too", |v| v.balanced = |n, _| [2, 0, n - 2])
+    .altered("no balanced critical points", |v| v.with_balanced = false)
 }
 
 fn examine_inertia(variant: &InertiaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let most = run.cases(9, 14);
-    let line =
-        Evidence::new(Grade::Exact, "two clusters", format!("all of N = 2 to {most}, both signs of K_1")).on([1, 4]);
+    let line = exact("two clusters", format!("all of N = 2 to {most}, both signs of K_1")).on([1, 4]);
     let line = run.every(line, two_clusters(most), |(n, minority, z)| variant.at_two_clusters((n, minority), &z));
     let balanced = (2..=6).flat_map(critical_points).filter(|point| point.kind == Kind::Balanced);
     let detail = "triangles and antipodal pairs of 2 to 6 particles, exact elimination";
-    let balanced = run.every(Evidence::new(Grade::Exact, "balanced", detail).on([2, 3]), balanced, |point| {
+    let balanced = run.every(exact("balanced", detail).on([2, 3]), balanced, |point| {
         let (n, found) = (point.phasors.len(), hessian(&point.phasors)?);
         let [positive, negative, zero] = (variant.balanced)(n, is_on_a_line(&point.phasors));
         let wrong = found != Inertia { positive, negative, zero };
         Ok(wrong.then(|| format!("N = {n}, {}: {found:?}", point.name)))
     });
     let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn and of 4 at multiples of 1/6";
-    let others =
-        run.every(Evidence::new(Grade::Exhaustive, "no others", detail).on([5]), arrangements(), |(place, z)| {
-            let known = match Kind::of(&z)? {
-                Kind::Balanced => variant.with_balanced,
-                _ => is_on_a_line(&z),
-            };
-            Ok((is_critical(&z)? && !known).then(|| format!("{place}: another critical point")))
-        });
+    let others = run.every(exhaustive("no others", detail).on([5]), arrangements(), |(place, z)| {
+        let known = match Kind::of(&z)? {
+            Kind::Balanced => variant.with_balanced,
+            _ => is_on_a_line(&z),
+        };
+        Ok((is_critical(&z)? && !known).then(|| format!("{place}: another critical point")))
+    });
     Run::all([line, balanced, others, argued(&[1, 2, 3, 4, 5], "every N", "notes/paley_phases.md, steps C1-C6")])
 }
 
-// --- Eigenvectors of cyclic graphs ---
-
 pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
-    let right = CyclicVariant::CLASSIFICATION;
     Record::new(
         "beyond.paley.cyclic_eigenvectors",
         "The double eigenvalue of m has the eigenvectors a w^(mk) + b w^(-mk), with squared moduli |a|^2 + |b|^2 + 2 Re(a conj(b) w^(2mk)). They are equal only if a conj(b) = 0, or w^(2m) = -1 and \
          a conj(b) is imaginary; u = a + b and v = i(a - b) are then any two numbers of modulus one.",
-        right,
+        CyclicVariant::CLASSIFICATION,
         |variant, run| {
             let most = run.cases(12, 20);
             let detail = format!(
                 "exact rank of the conditions of equal modulus in every double eigenspace, all columns, two rhombi that span all of them, N = 3 to {most}"
             );
-            let evidence = Evidence::new(Grade::Exact, "all eigenvectors of modulus one", detail).on([1, 2, 3, 4]);
+            let evidence = exact("all eigenvectors of modulus one", detail).on([1, 2, 3, 4]);
             let found = run.every(evidence, 3..=most, |nodes| {
                 Ok(variant.fails_on(nodes)?.map(|what| format!("C_{nodes}: {what}")))
             });
             Run::all([found, argued(&[1, 2, 3, 4], "every N", "notes/paley_phases.md, steps E1-E5")])
         },
     )
-    .stated(
-        "corrects paley, text after eq (16) and Figure 2",
-        "",
-    )
+    .stated("corrects paley, text after eq (16) and Figure 2", "")
     .clauses(&[
         "Up to rotation the eigenvectors of the Laplacian of C_N, N >= 3, with entries of modulus one are columns of the Fourier matrix or, only if 4 divides N, (u, v, -u, -v, ...).",
         "Column m of the Fourier matrix is an eigenvector and the symmetric pattern of N/gcd(N, m - 1) clusters.",
         "If 4 divides N, (u, v, -u, -v, ...) with any u, v of modulus one is an eigenvector with eigenvalue 2.",
         "Every such eigenvector is a symmetric pattern if and only if 4 does not divide N.",
     ])
-    .control("columns only", CyclicVariant { rhombi: |_, _| false, ..right })
-    .control("for even N", CyclicVariant { rhombi: |n, m| n % 2 == 0 && (4 * m == n || 4 * m == n + 2), ..right })
-    .control("N clusters in each column", CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right })
+    .altered("columns only", |v| v.rhombi = |_, _| false)
+    .altered("for even N", |v| v.rhombi = |n, m| n % 2 == 0 && (4 * m == n || 4 * m == n + 2))
+    .altered("N clusters in each column", |v| v.clusters = |n, m| if m == 0 { 1 } else { n })
 }

@@ -1,9 +1,8 @@
 //! beyond.chazelle.recurrent: flocks whose networks are connected only over windows of time.
 
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, RationalMatrix, StochasticMatrix};
-use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
 
@@ -222,7 +221,7 @@ impl RecurrentVariant {
         }
         let networks = "all sequences of networks on 2 and 3 birds and of three trees on 4, lazy and equal weights";
         let directed = "all sequences of directed networks on 2 and 3 birds, equal weights";
-        let evidence = |detail: &str| Evidence::new(Grade::Exhaustive, "tau_1 against the bound", detail);
+        let evidence = |detail: &str| exhaustive("tau_1 against the bound", detail);
         Ok(Outcome::Holds(vec![evidence(networks).on([1]).cases(cases[0]), evidence(directed).on([2]).cases(cases[1])]))
     }
 
@@ -259,14 +258,12 @@ impl RecurrentVariant {
             }
         }
         let detail = "random sequences of networks on 3 to 5 birds";
-        Ok(Outcome::Holds(vec![
-            Evidence::new(Grade::Fuzzed, "tau_1 against the bound", detail).on([1, 2]).cases(samples),
-        ]))
+        Ok(Outcome::Holds(vec![fuzzed("tau_1 against the bound", detail).on([1, 2]).cases(samples)]))
     }
 }
 
 fn failure(what: String) -> Outcome {
-    Outcome::fails(what, Evidence::new(Grade::Exact, "tau_1 against the bound", "exact product"))
+    Outcome::fails(what, exact("tau_1 against the bound", "exact product"))
 }
 
 pub fn recurrent() -> Record<RecurrentVariant> {
@@ -287,37 +284,22 @@ pub fn recurrent() -> Record<RecurrentVariant> {
          velocities are averages of earlier ones, so the bounds give one Cauchy sequence \
          (proofs_checks/coq/chazelle_recurrent.v, chazelle_agreement.v, chazelle_reals.v).",
         printed,
-        check_recurrent,
+        |variant, run| Run::all([variant.exhaustive(run), variant.sampled(run)]),
     )
-    .stated(
-        "extends chazelle, section 3, to networks that change",
+    .stated("extends chazelle, section 3, to networks that change", "")
+    .clauses(&[
         "Let P(1), P(2), ... be stochastic with positive diagonals and positive entries at least alpha > 0, for n >= \
          2 birds, and v(t+1) = P(t) v(t). Networks of model D: after m consecutive windows of any lengths, in each of \
          which the union of the networks is connected, the differences of velocities are at most (1 - \
-         alpha^(n-1))^floor(m/(n-1)) times the largest at their start. Directed networks: if in the union over every \
-         B consecutive times a path leads from every bird to one bird, t factors contract by tau_1 <= (1 - \
-         alpha^((n-1)B))^floor(t/((n-1)B)). If such windows never end, all velocities converge to one limit, on \
-         directed networks at that rate.",
-    )
-    .clauses(&[
-        "Networks of model D: after m consecutive windows of any lengths, in each of which the union of the networks \
-         is connected, the differences of velocities are at most (1 - alpha^(n-1))^floor(m/(n-1)) times the largest \
-         at their start.",
+         alpha^(n-1))^floor(m/(n-1)) times the largest at their start.",
         "Directed networks: if in the union over every B consecutive times a path leads from every bird to one bird, \
          t factors contract by tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)).",
         "Networks of model D: if such windows never end, all velocities converge to one limit.",
         "Directed networks: the velocities converge to one limit, at the rate of the bound.",
     ])
-    .control("windows that are not connected", RecurrentVariant { connected: false, ..printed })
-    .control("no weight for the bird itself", RecurrentVariant { keeps_own: false, ..printed })
-    .control("a factor for every window", RecurrentVariant { windows: |_| 1, ..printed })
-    .control("alpha^(n-2)", RecurrentVariant { network_power: |n| n - 2, ..printed })
-    .control(
-        "alpha^(n-1) on directed networks, however long the windows",
-        RecurrentVariant { directed_power: |n, _| n - 1, ..printed },
-    )
-}
-
-fn check_recurrent(variant: &RecurrentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Run::all([variant.exhaustive(run), variant.sampled(run)])
+    .altered("windows that are not connected", |v| v.connected = false)
+    .altered("no weight for the bird itself", |v| v.keeps_own = false)
+    .altered("a factor for every window", |v| v.windows = |_| 1)
+    .altered("alpha^(n-2)", |v| v.network_power = |n| n - 2)
+    .altered("alpha^(n-1) on directed networks, however long the windows", |v| v.directed_power = |n, _| n - 1)
 }

@@ -1,18 +1,13 @@
 //! beyond.tanner1.two_agents, turning_triangle; beyond.tanner2.alternating_trees, endless_switching, thm2_stop.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{PLANE, printed as logarithmic, spring};
 use crate::tanner2::switching::{TREES_ARGUED, Trees, no_common_configuration};
 use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::double_integrator::{
     AnyPotentials, Potential, State, cross, crosses_for_ever, difference, dot, gyroscopic, kinetic_energy,
     potential_gradients, scaled, sum,
 };
-
-// --- Two agents align ---
 
 /// `d/dt ½|v_1 + v_2|² = factor d (v_2 x v_1)/s`, where `d` is the heading difference of the law.
 #[derive(Clone, Copy)]
@@ -22,15 +17,9 @@ pub struct TotalVariant {
 }
 
 /// Positions, speeds, half-angle tangents of the headings, the heading difference and the slope of the potential.
-struct Total(TotalVariant);
-
-impl RationalIdentity for Total {
-    fn variables(&self) -> usize {
-        10
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let velocity = |speed: &T, tangent: &T| -> Result<[T; 2], ArithmeticError> {
+fn total_velocity(variant: &TotalVariant) -> Identity<'_> {
+    Identity::new(10, move |at| {
+        let velocity = |speed: &Probe, tangent: &Probe| -> Result<[Probe; 2], ArithmeticError> {
             let phasor = models::oscillator::phasor(tangent)?;
             Ok(scaled(speed, &[phasor.re, phasor.im]))
         };
@@ -47,24 +36,23 @@ impl RationalIdentity for Total {
         let [v, w] = [&state.velocities[0], &state.velocities[1]];
         let s = PLANE.square(&state.separation(0, 1));
         // w x v is |v_1||v_2| sin(theta_1 - theta_2).
-        let right = at[8].clone() * cross(w, v) * at[0].integer(self.0.factor);
+        let right = at[8].clone() * cross(w, v) * at[0].integer(variant.factor);
         // The mechanical energy: the potential g s, and the kinetic energy.
         let square = PLANE.square(&moving.separation(0, 1));
         let energy = arithmetic::Dual::constant(at[9].clone()) * square + kinetic_energy(&moving.velocities, PLANE)?;
-        Ok((vec![left, energy.derivative], vec![right.over(&s.power(self.0.power))?, at[0].zero()]))
-    }
+        Ok((vec![left, energy.derivative], vec![right.over(&s.power(variant.power))?, at[0].zero()]))
+    })
 }
 
 pub fn two_agents() -> Record<TotalVariant> {
-    let printed = TotalVariant { factor: 2, power: 1 };
     Record::new(
         "beyond.tanner1.two_agents",
         "Potential forces cancel in v_1 + v_2, and the alignment forces give d/dt ½|v_1 + v_2|² = 2 d |v_1||v_2| sin(theta_1 - theta_2)/s, for any number d in place of theta_1 - theta_2. With d in [-pi, pi] and equal to it modulo 2 pi, d sin d >= 0. The raw difference may lie \
          beyond pi, and then the sum of the velocities loses length.",
-        printed,
+        TotalVariant { factor: 2, power: 1 },
         |variant, run| {
             let names = ["x1", "y1", "x2", "y2", "speed 1", "speed 2", "tan(theta_1/2)", "tan(theta_2/2)", "d", "V'"];
-            let rates = run.identity(&Total(*variant), &names, "the rates of ½|v_1 + v_2|² and of the energy, any potential")?;
+            let rates = run.identity(&total_velocity(variant), &names, "the rates of ½|v_1 + v_2|² and of the energy, any potential")?;
             Run::all([
                 Ok(rates.on([1, 3]).for_all()),
                 argued(&[2], "d sin d >= 0", "notes/tanner1.md, Two agents, steps 1 and 2"),
@@ -76,15 +64,10 @@ pub fn two_agents() -> Record<TotalVariant> {
         "With d wrapped to (-pi, pi], |v_1 + v_2| never decreases.",
         "The mechanical energy is constant.",
     ])
-    .stated(
-        "replaces tanner1, eq (9), for two agents",
-        "",
-    )
-    .control("half of it", TotalVariant { factor: 1, ..printed })
-    .control("over the fourth power of the distance", TotalVariant { power: 2, ..printed })
+    .stated("replaces tanner1, eq (9), for two agents", "")
+    .altered("half of it", |v| v.factor = 1)
+    .altered("over the fourth power of the distance", |v| v.power = 2)
 }
-
-// --- Three agents need not align ---
 
 /// `omega` over `sqrt(3/2)`, and the whole turns by which heading differences are off the wrapped ones.
 #[derive(Clone, Copy)]
@@ -94,16 +77,13 @@ pub struct TriangleVariant {
 }
 
 pub fn turning_triangle() -> Record<TriangleVariant> {
-    let printed = TriangleVariant { rate: 1, whole_turns: [0; 3] };
     Record::new(
         "beyond.tanner1.turning_triangle",
         "The potential forces on an equilateral triangle with its centre at the origin are -6 V'(s) r_i, as the positions sum to zero: they keep it turning with omega² = 6 V'(s). Each agent has the two others' headings a third of a turn to its left and to its right, at equal distances: wrapped differences cancel. \
          The law is the same in turned coordinates, so this holds at all times. The motion fulfils the hypotheses of Proposition IV.3 (connected graph, finite V_t).",
-        printed,
+        TriangleVariant { rate: 1, whole_turns: [0; 3] },
         |variant, _| {
-            let evidence = Evidence::new(
-                Grade::Exact,
-                "accelerations, headings, sides",
+            let evidence = exact("accelerations, headings, sides",
                 "in the field of the cosines of multiples of pi/12, which has sqrt 2 and sqrt 3; at all times since the law is the same in turned coordinates",
             );
             let TriangleVariant { rate, whole_turns } = *variant;
@@ -121,11 +101,9 @@ pub fn turning_triangle() -> Record<TriangleVariant> {
         "beside tanner1, Proposition IV.3",
         "Three linked agents on an equilateral triangle of squared side 2 that turns about its centre with omega² = 6 V'(2) = 3/2, V = 1/s + log s, move so for ever under (4), (5) with heading differences wrapped to (-pi, pi]: the headings stay a third of a turn apart.",
     )
-    .control("omega² = 6", TriangleVariant { rate: 2, ..printed })
-    .control("heading differences as in (2)", TriangleVariant { whole_turns: [1, 0, 0], ..printed })
+    .altered("omega² = 6", |v| v.rate = 2)
+    .altered("heading differences as in (2)", |v| v.whole_turns = [1, 0, 0])
 }
-
-// --- Alternating trees ---
 
 pub fn alternating_trees() -> Record<Trees> {
     let printed = Trees::two_paths();
@@ -133,25 +111,19 @@ pub fn alternating_trees() -> Record<Trees> {
         "beyond.tanner2.alternating_trees",
         "If the velocities agreed in the limit, the force on each edge of the tree in use would vanish in the limit, so that all six distances would tend to the desired one: impossible in the plane. So switching between connected graphs can keep a flock from ever agreeing, from any start.",
         printed.clone(),
-        |variant, _| Run::all([
-            no_common_configuration(variant),
-            argued(&[1], "the limit", TREES_ARGUED),
-        ]),
+        |variant, _| Run::all([no_common_configuration(variant), argued(&[1], "the limit", TREES_ARGUED)]),
     )
     .stated(
         "sharpens tanner2, Abstract (arbitrary switching)",
         "Four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each: from no start without collision do the velocities agree in the limit.",
     )
-    .control("in space", Trees { dimension: 3, ..printed.clone() })
-    .control("one tree only", Trees { trees: [printed.trees[0].clone(), printed.trees[0].clone()], ..printed })
+    .altered("in space", |v| v.dimension = 3)
+    .altered("one tree only", |v| v.trees = [printed.trees[0].clone(), printed.trees[0].clone()])
 }
-
-// --- Endless switching ---
 
 fn examine_endless(setting: &(Potential, Rational), _run: &mut Run) -> Result<Outcome, CheckError> {
     let (potential, square) = setting;
-    let evidence = Evidence::new(
-        Grade::Exact,
+    let evidence = exact(
         "motions near two equilateral triangles side by side",
         "characteristic polynomials of the symmetric modes with and without the link: stable, no real root (Sturm, Routh)",
     );
@@ -188,8 +160,6 @@ pub fn endless_switching() -> Record<(Potential, Rational)> {
     .control("R² = 4", (Potential::with_inflection(&q(4)), q(4)))
 }
 
-// --- Switching that ends ---
-
 /// The share of the jump `8 V'(R²) R²` that is claimed, and whether the slope at R may be zero.
 #[derive(Clone, Copy)]
 pub struct EndsVariant {
@@ -199,60 +169,53 @@ pub struct EndsVariant {
 
 /// The second derivative of `|r_e|²` under (4) changes by `-8 g s - 4 r.v` where the link e = (1, 2) is added, whatever the other links
 /// and potentials are.
-struct Jump(Graph, (i64, i64));
-
-impl RationalIdentity for Jump {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let with = AnyPotentials::read(&self.0, at)?;
+fn jump(graph: Graph, share: (i64, i64)) -> Identity<'static> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let with = AnyPotentials::read(&graph, at)?;
         let Some(link) = with.edges.iter().position(|pair| *pair == (0, 1)) else {
             return Err(ArithmeticError::Domain("the link 1-2"));
         };
-        let mut without = AnyPotentials::read(&self.0, at)?;
+        let mut without = AnyPotentials::read(&graph, at)?;
         without.edges.remove(link);
         without.slopes.remove(link);
         let (r, v) = (with.state.separation(0, 1), with.state.relative_velocity(0, 1));
-        let second = |flock: &AnyPotentials<T>| -> Result<T, ArithmeticError> {
+        let second = |flock: &AnyPotentials<Probe>| -> Result<Probe, ArithmeticError> {
             let a = flock.accelerations()?;
             Ok(dot(&r, &difference(&a[0], &a[1])) * v[0].integer(2) + PLANE.square(&v) * v[0].integer(2))
         };
-        let pull = with.slopes[link].clone() * PLANE.square(&r) * r[0].integer(8) * r[0].ratio(self.1.0, self.1.1);
+        let pull = with.slopes[link].clone() * PLANE.square(&r) * r[0].integer(8) * r[0].ratio(share.0, share.1);
         let right = -pull - dot(&r, &v) * r[0].integer(4);
         Ok((vec![second(&with)? - second(&without)?], vec![right]))
-    }
+    })
 }
 
 fn examine_ends(variant: &EndsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let three = rational(3, 1);
     if variant.flat && crosses_for_ever(&Potential::with_inflection(&three), &three)? {
         let what = "V' = (s-1)(s-3)²(s+3/5)/s², R² = 3: motions near the rhombus tend to it, where one pair is at R, and that pair passes R for ever";
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "switching near the rhombus", "exact modes")));
+        return Ok(Outcome::fails(what, exact("switching near the rhombus", "exact modes")));
     }
     let graphs = [Graph::path(2), Graph::path(3), Graph::from_fn(3, |_, _| true), Graph::path(4)];
     let jumps = graphs.into_iter().map(|graph| {
         let names = AnyPotentials::names(&graph);
         let part = format!("the pull of the link 1-2 on |r_12|², edges {:?}, any potentials", graph.edges());
-        run.identity(&Jump(graph, variant.share), &names.iter().map(String::as_str).collect::<Vec<_>>(), &part)
+        run.identity(&jump(graph, variant.share), &names, &part)
     });
     let proof = argued(&[1], "late crossings", "notes/tanner2.md, When switching stops, steps 1 to 5");
     Run::all(jumps.chain([proof]))
 }
 
 pub fn switching_ends() -> Record<EndsVariant> {
-    let printed = EndsVariant { share: (1, 1), flat: false };
     Record::new(
         "beyond.tanner2.thm2_stop",
         "With a positive slope the link pulls with a force that jumps at R, so after or before a late crossing the relative speed would change at a rate bounded away from 0 for a fixed time, but it tends to 0.",
-        printed,
+        EndsVariant { share: (1, 1), flat: false },
         examine_ends,
     )
     .stated(
         "a part of tanner2, end of the proof of Theorem 2",
         "Under the hypotheses of Theorem 2, read as in tanner2.thm2_vel, with V'(R) > 0: if no limit configuration has more than one pair at distance R, then from some time on no pair passes from one side of R to the other without staying at R in between.",
     )
-    .control("slope zero at R too", EndsVariant { flat: true, ..printed })
-    .control("half the pull", EndsVariant { share: (1, 2), ..printed })
+    .altered("slope zero at R too", |v| v.flat = true)
+    .altered("half the pull", |v| v.share = (1, 2))
 }

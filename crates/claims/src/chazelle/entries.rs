@@ -1,14 +1,13 @@
 //! chazelle.lem2.2.entries, and beyond.chazelle.entries: how small the nonzero entries of products get.
 
 use super::sequences::{random_graph, seen_from_one_side, share_weights, show_all, words};
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{RationalMatrix, StochasticMatrix, prefix_products, product_sequential};
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -96,7 +95,7 @@ struct IntegerFactors {
 
 impl IntegerFactors {
     fn new(matrices: &[RationalMatrix]) -> Result<Self, CheckError> {
-        let common = matrices.iter().fold(BigInt::one(), |d, m| d.lcm(m.denominator()));
+        let common = matrices.iter().fold(BigInt::from(1), |d, m| d.lcm(m.denominator()));
         let small = |x: BigInt| x.to_u128().ok_or_else(|| CheckError::Other("a factor is too long".to_string()));
         let row = |m: &RationalMatrix, i: usize| -> Result<Vec<u128>, CheckError> {
             m.row(i).iter().map(|x| small(x * (&common / m.denominator()))).collect()
@@ -157,16 +156,18 @@ fn least_positive(matrix: &RationalMatrix) -> Rational {
     entries.min().unwrap_or_else(|| rational(0, 1))
 }
 
-fn refuted(model: Model, graphs: &[Graph], entry: &Rational, floor: &Rational) -> Outcome {
-    Outcome::fails(
-        format!(
-            "{}, {} birds, {}: a nonzero entry is {entry}, below {floor}",
-            model.name(),
-            graphs[0].order(),
-            show_all(graphs)
-        ),
-        Evidence::new(Grade::Exact, "the bound", "one exact product"),
-    )
+/// What is wrong where an entry of the product of these networks is below the bound.
+fn below(model: Model, graphs: &[Graph], entry: &Rational, floor: &Rational) -> Option<String> {
+    let (name, order) = (model.name(), graphs[0].order());
+    let what = || format!("{name}, {order} birds, {}: a nonzero entry is {entry}, below {floor}", show_all(graphs));
+    (entry < floor).then(what)
+}
+
+fn factors(
+    graphs: &[Graph],
+    matrix: impl FnMut(&Graph) -> Result<RationalMatrix, CheckError>,
+) -> Result<Vec<StochasticMatrix>, CheckError> {
+    graphs.iter().map(matrix).map(|m| Ok(StochasticMatrix::try_from(&m?)?)).collect()
 }
 
 /// Decides a bound for the nonzero entries.
@@ -189,29 +190,22 @@ fn all_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Chec
                 graphs.iter().map(|g| variant.matrix(model, g)).collect::<Result<_, _>>()?;
             let factors = IntegerFactors::new(&matrices)?;
             let floor = variant.floor(model, order);
-            let mut scale = BigInt::one();
+            let mut scale = BigInt::from(1);
             let mut least = rational(1, 1);
             for smallest in smallest_entries(&factors, order, length, &mut cases) {
                 scale *= factors.denominator;
                 let entry = Rational::new(smallest.numerator.into(), scale.clone());
-                if entry < floor {
-                    let sequence: Vec<Graph> = smallest.factors.iter().map(|&k| graphs[k].clone()).collect();
-                    return Ok(refuted(model, &sequence, &entry, &floor));
+                let sequence: Vec<Graph> = smallest.factors.iter().map(|&k| graphs[k].clone()).collect();
+                if let Some(what) = below(model, &sequence, &entry, &floor) {
+                    return Ok(Outcome::fails(what, exact("the bound", "one exact product")));
                 }
                 least = least.min(entry);
             }
             run.value(&format!("smallest_entry_{}_{order}", model.name()), least.to_string());
         }
     }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "the bound",
-            "all products of up to 6, 5, 3 factors (4 with --full) on 2, 3, 4 birds, lazy and vicsek",
-        )
-        .on([1])
-        .cases(cases),
-    ]))
+    let detail = "all products of up to 6, 5, 3 factors (4 with --full) on 2, 3, 4 birds, lazy and vicsek";
+    Ok(Outcome::Holds(vec![exhaustive("the bound", detail).on([1]).cases(cases)]))
 }
 
 /// Products of 64 factors that alternate between two networks on three birds.
@@ -221,25 +215,22 @@ fn long_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Che
     let mut cases = 0;
     for &model in variant.models() {
         let floor = variant.floor(model, 3);
-        let matrices: Vec<StochasticMatrix> = graphs
-            .iter()
-            .map(|g| Ok(StochasticMatrix::try_from(&variant.matrix(model, g)?)?))
-            .collect::<Result<_, CheckError>>()?;
+        let matrices = factors(&graphs, |graph| variant.matrix(model, graph))?;
         for pair in words(graphs.len(), 2) {
             run.checkpoint()?;
             let factors: Vec<StochasticMatrix> = (0..LENGTH).map(|t| matrices[pair[t % 2]].clone()).collect();
             for (t, product) in prefix_products(&factors).enumerate() {
                 cases += 1;
                 let entry = least_positive(&product?.to_rational_matrix());
-                if entry < floor {
-                    let sequence: Vec<Graph> = (0..=t).map(|t| graphs[pair[t % 2]].clone()).collect();
-                    return Ok(refuted(model, &sequence, &entry, &floor));
+                let sequence: Vec<Graph> = (0..=t).map(|t| graphs[pair[t % 2]].clone()).collect();
+                if let Some(what) = below(model, &sequence, &entry, &floor) {
+                    return Ok(Outcome::fails(what, exact("the bound", "one exact product")));
                 }
             }
         }
     }
     let detail = "products of up to 64 factors that alternate between any two networks on 3 birds";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, "independence of t", detail).on([1]).cases(cases)]))
+    Ok(Outcome::Holds(vec![exact("independence of t", detail).on([1]).cases(cases)]))
 }
 
 fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -247,36 +238,23 @@ fn attained(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, CheckErr
     if !variant.attained {
         return Ok(Outcome::Holds(Vec::new()));
     }
-    for order in 2..=LARGEST {
+    let cases = (2..=LARGEST).flat_map(|order| variant.models().iter().map(move |&model| (order, model)));
+    let place = "notes/chazelle_switches.md, Smallest entries, steps 1-5";
+    for (order, model) in cases {
         run.checkpoint()?;
-        let sequence = extremal_sequence(order);
-        for &model in variant.models() {
-            let factors: Vec<StochasticMatrix> = sequence
-                .iter()
-                .map(|g| Ok(StochasticMatrix::try_from(&variant.matrix(model, g)?)?))
-                .collect::<Result<_, CheckError>>()?;
-            let entry = least_positive(&product_sequential(&factors)?.to_rational_matrix());
-            let floor = variant.floor(model, order);
-            if entry != floor {
-                return Ok(Outcome::fails(
-                    format!("{}, {order} birds: the smallest entry is {entry}, not {floor}", model.name()),
-                    Evidence::new(Grade::Exact, "attained", "the extremal sequence"),
-                ));
-            }
+        let factors = factors(&extremal_sequence(order), |graph| variant.matrix(model, graph))?;
+        let entry = least_positive(&product_sequential(&factors)?.to_rational_matrix());
+        let floor = variant.floor(model, order);
+        if entry != floor {
+            let what = format!("{}, {order} birds: the smallest entry is {entry}, not {floor}", model.name());
+            return Ok(Outcome::fails(what, exact("attained", "the extremal sequence")));
         }
     }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(Grade::Exact, "the bound is attained", "a product of n - 1 factors for n = 2, ..., 9")
-            .on([2])
-            .cases(LARGEST - 1),
-        Evidence::new(
-            Grade::Argued,
-            "the smallest entries, for all n and all products",
-            "notes/chazelle_switches.md, Smallest entries, steps 1-5",
-        )
-        .on([1, 2])
-        .for_all(),
-    ]))
+    let evidence = exact("the bound is attained", "a product of n - 1 factors for n = 2, ..., 9").on([2]);
+    Run::all([
+        Ok(Outcome::Holds(vec![evidence.cases(LARGEST - 1)])),
+        argued(&[1, 2], "the smallest entries, for all n and all products", place),
+    ])
 }
 
 /// Random rational weights `p/n²`, so that all positive entries of the factors are at least `n^-2`.
@@ -285,25 +263,20 @@ fn given_weights(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Che
         return Ok(Outcome::Holds(Vec::new()));
     }
     let mut random = run.random(0);
-    let cases = run.cases(60, 1000);
-    for _ in 0..cases {
-        run.checkpoint()?;
+    let evidence = fuzzed("any weights of O(log n) bits", "random c_i(t) = p/n^2, up to 5 birds, 10 factors");
+    run.every(evidence, 0..run.cases(60, 1000), |_| {
         let order = 2 + random.next_u32() as usize % 4;
         let graphs: Vec<Graph> = (0..10).map(|_| random_graph(order, 1, &mut random)).collect();
-        let factors: Vec<StochasticMatrix> = graphs
-            .iter()
-            .map(|g| Ok(StochasticMatrix::try_from(&transition_matrix(g, &small_weights(g, 2, &mut random))?)?))
-            .collect::<Result<_, CheckError>>()?;
+        let factors = factors(&graphs, |g| Ok(transition_matrix(g, &small_weights(g, 2, &mut random))?))?;
         let floor = variant.floor(Model::Lazy, order);
         for product in prefix_products(&factors) {
             let entry = least_positive(&product?.to_rational_matrix());
-            if entry < floor {
-                return Ok(refuted(Model::Lazy, &graphs, &entry, &floor));
+            if let Some(what) = below(Model::Lazy, &graphs, &entry, &floor) {
+                return Ok(Some(what));
             }
         }
-    }
-    let detail = "random c_i(t) = p/n^2, up to 5 birds, 10 factors";
-    Ok(Outcome::Holds(vec![Evidence::new(Grade::Fuzzed, "any weights of O(log n) bits", detail).cases(cases)]))
+        Ok(None)
+    })
 }
 
 /// Random admissible weights `p/n^a`.
@@ -319,22 +292,21 @@ pub(super) fn small_weights(graph: &Graph, a: u32, random: &mut ChaCha8Rng) -> W
 }
 
 pub fn entries() -> Record<EntriesVariant> {
-    let printed = EntriesVariant::PRINTED;
     Record::new(
         "chazelle.lem2.2.entries",
         "Follow one column of P(t,s) and its support S. While S does not grow, symmetry keeps all neighbours of S in \
          S, and the rows of S average entries of S: the smallest does not drop. When S grows, it drops by a factor \
          n^-a at worst. S grows at most n - 1 times: every nonzero entry is at least n^(-a(n-1)), which is more than \
          printed (beyond.chazelle.entries, notes/chazelle_switches.md).",
-        printed,
+        EntriesVariant::PRINTED,
         examine_entries,
     )
     .reading(
         "At least n^(-b n²), for c_i(t) of O(log n) bits, so that positive entries of every P(t) are at least n^-a (a \
          = 1 for vicsek, 2 for lazy); b = a will do.",
     )
-    .control("the bound of a single factor", EntriesVariant { floor: Floor::Power(|_| 1), ..printed })
-    .control("exponent n - 2", EntriesVariant { floor: Floor::Power(|n| n.saturating_sub(2)), ..printed })
-    .control("c_i d_i = 1", EntriesVariant { share: Some((1, 1)), ..printed })
-    .control("edges seen from one side", EntriesVariant { one_sided: true, ..printed })
+    .altered("the bound of a single factor", |v| v.floor = Floor::Power(|_| 1))
+    .altered("exponent n - 2", |v| v.floor = Floor::Power(|n| n.saturating_sub(2)))
+    .altered("c_i d_i = 1", |v| v.share = Some((1, 1)))
+    .altered("edges seen from one side", |v| v.one_sided = true)
 }

@@ -1,8 +1,7 @@
 //! chazelle.tau1, chazelle.lem2.4 and chazelle.tau2sqrt2: the diameters of the rows.
 
+use crate::prelude::*;
 use algebra::matrix::{Norm, RationalMatrix, diameter, tau_1, tau_2_squared, tau_infinity};
-use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use num_bigint::BigInt;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
@@ -113,10 +112,10 @@ pub fn coefficient() -> Record<CoefficientVariant> {
         "For row-stochastic A, 0 <= tau_1(A) = 1 - min_{i,j} sum_k min{a_ik, a_jk} <= 1.",
         "tau_1(A) is half the l_1-diameter of the rows.",
     ])
-    .control("the whole diameter", CoefficientVariant { share_of_diameter: (1, 1), ..printed })
-    .control("the largest overlap", CoefficientVariant { least_overlap: false, ..printed })
-    .control("the larger entries", CoefficientVariant { smaller_entries: false, ..printed })
-    .control("rows that sum to 1/2", CoefficientVariant { row_sum_divisor: 2, ..printed })
+    .altered("the whole diameter", |v| v.share_of_diameter = (1, 1))
+    .altered("the largest overlap", |v| v.least_overlap = false)
+    .altered("the larger entries", |v| v.smaller_entries = false)
+    .altered("rows that sum to 1/2", |v| v.row_sum_divisor = 2)
 }
 
 fn check_coefficient(variant: &CoefficientVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -126,38 +125,22 @@ fn check_coefficient(variant: &CoefficientVariant, run: &mut Run) -> Result<Outc
             a.to_rows().into_iter().map(|row| row.into_iter().map(|x| x / &divisor).collect()).collect();
         Ok(RationalMatrix::from_rows(&rows)?)
     };
-    let mut cases = 0;
     let upto = |cols: usize, largest: i64| (1..=largest).map(move |denominator| (2, cols, denominator));
     let families = [(1, 1, 1), (1, 3, 4), (2, 1, 3), (3, 3, 3)].into_iter();
-    for (rows, cols, denominator) in families.chain(upto(2, 12)).chain(upto(3, 6)).chain(upto(4, 4)) {
-        for a in all_matrices(rows, cols, denominator)? {
-            run.checkpoint()?;
-            cases += 1;
-            if let Some(counterexample) = variant.fails_at(&scale(a)?) {
-                return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "equality", "one matrix")));
-            }
-        }
-    }
+    let families = families.chain(upto(2, 12)).chain(upto(3, 6)).chain(upto(4, 4));
+    let all = families.map(|(rows, cols, denominator)| all_matrices(rows, cols, denominator));
+    let all = all.collect::<Result<Vec<_>, _>>()?.into_iter().flatten();
     let mut random = run.random(0);
-    let random_cases = run.cases(300, 5000);
-    for _ in 0..random_cases {
-        let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
-        let a = scale(random_matrix(rows, cols, &mut random)?)?;
-        if let Some(counterexample) = variant.fails_at(&a) {
-            return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "equality", "one matrix")));
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "equality and both bounds, for every row-stochastic matrix",
-            "every pair of rows with a common denominator up to 12 (2 columns), 6 (3), 4 (4), and every 3 x 3 matrix \
-             over 3",
-        )
-        .cases(cases),
-        Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
+    let part = "equality and both bounds, for every row-stochastic matrix";
+    let detail = "every pair of rows with a common denominator up to 12 (2 columns), 6 (3), 4 (4), and every 3 x 3 matrix over 3";
+    Run::all([
+        run.every(exhaustive(part, detail), all, |a| Ok(variant.fails_at(&scale(a)?))),
+        run.every(fuzzed("the same", "random rectangular matrices up to 9 x 9"), 0..run.cases(300, 5000), |_| {
+            let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
+            Ok(variant.fails_at(&scale(random_matrix(rows, cols, &mut random)?)?))
+        }),
     ])
-    .on([1, 2]))
+    .on([1, 2])
 }
 
 /// The factor in front of `tau_2(B)`.
@@ -204,73 +187,47 @@ fn spoiled(a: &RationalMatrix) -> Result<RationalMatrix, CheckError> {
 }
 
 pub fn submultiplicative() -> Record<SubmultiplicativeVariant> {
-    let printed = SubmultiplicativeVariant { left: LeftDiameter::One, squared_factor: (1, 1), stochastic: true };
     Record::new(
         "chazelle.lem2.4",
         "Row i minus row j of AB is sum_k u_k b_k with u = a_i - a_j. The positive and the negative part of u both \
          sum to t <= tau_1(A), so it is t times the difference of two convex combinations of rows of B, whose \
          distance is at most tau_2(B). The argument uses no special norm (notes/chazelle.md).",
-        printed,
+        SubmultiplicativeVariant { left: LeftDiameter::One, squared_factor: (1, 1), stochastic: true },
         check_submultiplicative,
     )
-    .control("tau_2(A) instead of tau_1(A)", SubmultiplicativeVariant { left: LeftDiameter::Two, ..printed })
-    .control("tau_infinity(A)", SubmultiplicativeVariant { left: LeftDiameter::Infinity, ..printed })
-    .control("a bound smaller by 1/200", SubmultiplicativeVariant { squared_factor: (99, 100), ..printed })
-    .control("A not stochastic", SubmultiplicativeVariant { stochastic: false, ..printed })
+    .altered("tau_2(A) instead of tau_1(A)", |v| v.left = LeftDiameter::Two)
+    .altered("tau_infinity(A)", |v| v.left = LeftDiameter::Infinity)
+    .altered("a bound smaller by 1/200", |v| v.squared_factor = (99, 100))
+    .altered("A not stochastic", |v| v.stochastic = false)
 }
 
 fn check_submultiplicative(variant: &SubmultiplicativeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails = |counterexample: String| {
-        Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "the bound", "one pair of matrices")))
-    };
     let prepare = |a: RationalMatrix| if variant.stochastic { Ok(a) } else { spoiled(&a) };
-    let mut cases = 0;
+    let mut pairs = Vec::new();
     // Both sides are attained at two rows of A, so two rows are enough.
     for (inner, cols, of_a, of_b) in [(1, 2, 2, 3), (2, 2, 6, 4), (2, 3, 4, 3), (3, 2, 3, 2), (3, 3, 3, 2)] {
-        let lefts: Vec<RationalMatrix> =
-            all_matrices(2, inner, of_a)?.into_iter().map(prepare).collect::<Result<_, _>>()?;
-        for b in all_matrices(inner, cols, of_b)? {
-            run.checkpoint()?;
-            for a in &lefts {
-                cases += 1;
-                if let Some(counterexample) = variant.fails_at(a, &b)? {
-                    return fails(counterexample);
-                }
-            }
-        }
+        let lefts = all_matrices(2, inner, of_a)?.into_iter().map(prepare).collect::<Result<Vec<_>, _>>()?;
+        let rights = all_matrices(inner, cols, of_b)?;
+        pairs.extend(rights.iter().flat_map(|b| lefts.iter().map(move |a| (a.clone(), b.clone()))));
     }
     // Equality, and the reason why tau_1 cannot be replaced: rows spread over many entries.
     let spread = RationalMatrix::from_integers(&[[1, 1, 1, 0, 0, 0], [0, 0, 0, 1, 1, 1]], 3)?;
     let split = RationalMatrix::from_integers(&[[1, 0], [1, 0], [1, 0], [0, 1], [0, 1], [0, 1]], 1)?;
-    if let Some(counterexample) = variant.fails_at(&prepare(spread.clone())?, &split)? {
-        return fails(counterexample);
-    }
-    let mut random = run.random(0);
-    let random_cases = run.cases(200, 4000);
-    for _ in 0..random_cases {
-        run.checkpoint()?;
-        let (rows, inner, cols) = (size(&mut random, 7), size(&mut random, 7), size(&mut random, 7));
-        let a = prepare(random_matrix(rows, inner, &mut random)?)?;
-        let b = random_matrix(inner, cols, &mut random)?;
-        if let Some(counterexample) = variant.fails_at(&a, &b)? {
-            return fails(counterexample);
-        }
-    }
     run.value("tau_2_squared_where_equal", tau_2_squared(&spread.times(&split)?).to_string());
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "the bound, for all row-stochastic A and B that can be multiplied",
-            "all pairs with A of two rows and inner size up to 3 over small denominators",
-        )
-        .cases(cases),
-        Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 7 x 7").cases(random_cases),
-        Evidence::new(
-            Grade::Exact,
-            "the bound is attained",
-            "A = [[1,1,1,0,0,0],[0,0,0,1,1,1]]/3 and B that merges the columns",
-        ),
-    ]))
+    let attained = exact("the bound is attained", "A = [[1,1,1,0,0,0],[0,0,0,1,1,1]]/3 and B that merges the columns");
+    let attained = unless(variant.fails_at(&prepare(spread)?, &split)?, attained);
+    let mut random = run.random(0);
+    let part = "the bound, for all row-stochastic A and B that can be multiplied";
+    let detail = "all pairs with A of two rows and inner size up to 3 over small denominators";
+    Run::all([
+        run.every(exhaustive(part, detail), &pairs, |(a, b)| variant.fails_at(a, b)),
+        attained,
+        run.every(fuzzed("the same", "random rectangular matrices up to 7 x 7"), 0..run.cases(200, 4000), |_| {
+            let (rows, inner, cols) = (size(&mut random, 7), size(&mut random, 7), size(&mut random, 7));
+            let a = prepare(random_matrix(rows, inner, &mut random)?)?;
+            variant.fails_at(&a, &random_matrix(inner, cols, &mut random)?)
+        }),
+    ])
 }
 
 /// The squared constant, and a squared factor of the middle term.
@@ -282,19 +239,18 @@ pub struct SquareRootOfTwoVariant {
 }
 
 pub fn square_root_of_two() -> Record<SquareRootOfTwoVariant> {
-    let printed = SquareRootOfTwoVariant { squared_constant: (2, 1), middle_factor: (1, 1), stochastic: true };
     Record::new(
         "chazelle.tau2sqrt2",
         "Lemma 2.4 with B = I. Two rows of the identity have distance sqrt(2); with one column there is only one row \
          and tau_2(I) = 0 (notes/chazelle.md).",
-        printed,
+        SquareRootOfTwoVariant { squared_constant: (2, 1), middle_factor: (1, 1), stochastic: true },
         check_square_root_of_two,
     )
     .clauses(&["tau_2(A) <= tau_1(A) tau_2(I) for row-stochastic A.", "tau_1(A) tau_2(I) <= sqrt(2) tau_1(A)."])
-    .control("the constant 1.41", SquareRootOfTwoVariant { squared_constant: (19881, 10000), ..printed })
-    .control("a smaller middle term", SquareRootOfTwoVariant { middle_factor: (99, 100), ..printed })
-    .control("the constant 1", SquareRootOfTwoVariant { squared_constant: (1, 1), ..printed })
-    .control("A not stochastic", SquareRootOfTwoVariant { stochastic: false, ..printed })
+    .altered("the constant 1.41", |v| v.squared_constant = (19881, 10000))
+    .altered("a smaller middle term", |v| v.middle_factor = (99, 100))
+    .altered("the constant 1", |v| v.squared_constant = (1, 1))
+    .altered("A not stochastic", |v| v.stochastic = false)
 }
 
 fn check_square_root_of_two(variant: &SquareRootOfTwoVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -308,36 +264,18 @@ fn check_square_root_of_two(variant: &SquareRootOfTwoVariant, run: &mut Run) -> 
         let ordered = chain.windows(2).all(|pair| pair[0] <= pair[1]);
         Ok((!ordered).then(|| format!("A = {}: the squares are {}, {}, {}", show(a), chain[0], chain[1], chain[2])))
     };
-    let mut cases = 0;
+    let fails = |a: RationalMatrix| fails_at(&if variant.stochastic { a } else { spoiled(&a)? });
+    let families = [(1, 1, 1), (2, 1, 1), (2, 2, 12), (2, 3, 6), (2, 4, 4), (3, 3, 3)];
+    let all = families.map(|(rows, cols, denominator)| all_matrices(rows, cols, denominator));
+    let all = all.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten();
+    let part = "both inequalities, for every row-stochastic matrix";
     let mut random = run.random(0);
-    let random_cases = run.cases(300, 5000);
-    let mut matrices = Vec::new();
-    for (rows, cols, denominator) in [(1, 1, 1), (2, 1, 1), (2, 2, 12), (2, 3, 6), (2, 4, 4), (3, 3, 3)] {
-        matrices.extend(all_matrices(rows, cols, denominator)?);
-    }
-    for k in 0..matrices.len() + random_cases {
-        run.checkpoint()?;
-        let a = match matrices.get(k) {
-            Some(a) => a.clone(),
-            None => {
-                let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
-                random_matrix(rows, cols, &mut random)?
-            }
-        };
-        let a = if variant.stochastic { a } else { spoiled(&a)? };
-        cases += usize::from(k < matrices.len());
-        if let Some(counterexample) = fails_at(&a)? {
-            return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "the chain", "one matrix")));
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "both inequalities, for every row-stochastic matrix",
-            "all pairs of rows over small denominators",
-        )
-        .cases(cases),
-        Evidence::new(Grade::Fuzzed, "the same", "random rectangular matrices up to 9 x 9").cases(random_cases),
+    Run::all([
+        run.every(exhaustive(part, "all pairs of rows over small denominators"), all, fails),
+        run.every(fuzzed("the same", "random rectangular matrices up to 9 x 9"), 0..run.cases(300, 5000), |_| {
+            let (rows, cols) = (size(&mut random, 9), size(&mut random, 9));
+            fails(random_matrix(rows, cols, &mut random)?)
+        }),
     ])
-    .on([1, 2]))
+    .on([1, 2])
 }

@@ -1,12 +1,11 @@
 //! chazelle.foot.mono: footprints of products never lose a one.
 
 use super::sequences::{seen_from_one_side, share_weights, show};
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, StochasticMatrix};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::transition_matrix;
 
-/// What is altered in the statement.
 #[derive(Clone, Copy)]
 pub struct MonotoneVariant {
     /// `c_i d_i` is this share of one: below 1 the diagonal is positive.
@@ -29,13 +28,12 @@ impl MonotoneVariant {
 }
 
 pub fn monotone() -> Record<MonotoneVariant> {
-    let printed = MonotoneVariant { share: (2, 3), single: true, products_symmetric: false, one_sided: false };
     Record::new(
         "chazelle.foot.mono",
         "P(t+1,s)_ij >= p_ii(t+1) P(t,s)_ij > 0 wherever P(t,s)_ij > 0, because the diagonal is positive and nothing \
          is negative. p_ij > 0 for i != j exactly when i and j are joined, which is symmetric. P(2) P(1) with edges \
          1-2 at time 1 and 2-3 at time 2 lets bird 1 influence bird 3 but not the converse (notes/chazelle.md).",
-        printed,
+        MonotoneVariant { share: (2, 3), single: true, products_symmetric: false, one_sided: false },
         check_monotone,
     )
     .clauses(&[
@@ -43,14 +41,14 @@ pub fn monotone() -> Record<MonotoneVariant> {
         "The footprint of P(t,s) is in general not symmetric.",
         "The footprint of a single P(t) is symmetric with its diagonal full of ones.",
     ])
-    .control("a one is kept without a positive diagonal", MonotoneVariant { share: (1, 1), single: false, ..printed })
-    .control("a full diagonal with c_i d_i = 1", MonotoneVariant { share: (1, 1), ..printed })
-    .control("products always symmetric", MonotoneVariant { products_symmetric: true, ..printed })
-    .control("edges seen from one side", MonotoneVariant { one_sided: true, ..printed })
+    .altered("a one is kept without a positive diagonal", |v| (v.share, v.single) = ((1, 1), false))
+    .altered("a full diagonal with c_i d_i = 1", |v| v.share = (1, 1))
+    .altered("products always symmetric", |v| v.products_symmetric = true)
+    .altered("edges seen from one side", |v| v.one_sided = true)
 }
 
 fn check_monotone(variant: &MonotoneVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let exact = |what: &str| Evidence::new(Grade::Exact, what, "exact products");
+    let exact = |what: &str| exact(what, "exact products");
     let mut graphs = 0;
     let mut sequences = 0;
     let mut asymmetric = None;
@@ -107,23 +105,15 @@ fn check_monotone(variant: &MonotoneVariant, run: &mut Run) -> Result<Outcome, C
     match asymmetric {
         Some(example) if variant.products_symmetric => Ok(Outcome::fails(example, exact("symmetry of products"))),
         None => Ok(Outcome::fails("every product is symmetric", exact("in general not symmetric"))),
-        Some(example) => Ok(Outcome::Holds(vec![
-            Evidence::new(
-                Grade::Exhaustive,
-                "no one is ever lost",
-                "all sequences of 4 graphs on up to 3 birds, of 2 graphs on 4 birds (3 with --full), against the \
-                 footprints of the exact products",
-            )
-            .on([1])
-            .cases(sequences),
-            Evidence::new(
-                Grade::Exhaustive,
-                "a single footprint",
-                "symmetric with a full diagonal, all graphs on up to 4 birds",
-            )
-            .on([3])
-            .cases(graphs),
-            Evidence::new(Grade::Exact, "in general not symmetric", example).on([2]).for_all(),
-        ])),
+        Some(example) => {
+            let all = "all sequences of 4 graphs on up to 3 birds, of 2 graphs on 4 birds (3 with --full), against the \
+                       footprints of the exact products";
+            let single = "symmetric with a full diagonal, all graphs on up to 4 birds";
+            Ok(Outcome::Holds(vec![
+                exhaustive("no one is ever lost", all).on([1]).cases(sequences),
+                exhaustive("a single footprint", single).on([3]).cases(graphs),
+                Evidence::new(Grade::Exact, "in general not symmetric", example).on([2]).for_all(),
+            ]))
+        }
     }
 }

@@ -5,10 +5,9 @@
 //! network, for `r` in `[-1/3, 0)` the other; both multiply `v(1)` by -1/3, so a step maps `r` to `-r/3`, from one
 //! range into the other.
 
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Affine, Flock, HalfOpenRange, Hysteresis, Start, Weights, transition_matrix};
 
 /// The example with everything that the claims print about it.
@@ -84,10 +83,6 @@ fn networks() -> Result<[Graph; 2], CheckError> {
     Ok([Graph::path(4), pairs])
 }
 
-fn exact(part: &str, detail: &str) -> Evidence {
-    Evidence::new(Grade::Exact, part, detail)
-}
-
 /// Both printed matrices are those of model D with lazy weights, and `v(1)` is an eigenvector of both.
 fn examine_eigenvector(birds: &FourBirds) -> Result<Outcome, CheckError> {
     let velocity = birds.velocity();
@@ -96,26 +91,16 @@ fn examine_eigenvector(birds: &FourBirds) -> Result<Outcome, CheckError> {
     for (name, printed, graph) in [("two pairs", birds.pairs, pairs), ("path", birds.path, path)] {
         let matrix = RationalMatrix::from_integers(&printed, 3)?;
         if matrix.apply(&velocity)? != expected {
-            return Ok(Outcome::fails(
-                format!("the matrix of the {name} maps v(1) to something else"),
-                exact("the eigenvector", "multiplied out"),
-            ));
+            let what = format!("the matrix of the {name} maps v(1) to something else");
+            return Ok(Outcome::fails(what, exact("the eigenvector", "multiplied out")));
         }
         if matrix != transition_matrix(&graph, &Weights::Lazy)? {
-            return Ok(Outcome::fails(
-                format!("the matrix of the {name} is not the lazy transition matrix of that network"),
-                exact("the printed matrices", "compared with I - CL, c_i = 2/(3 d_i)"),
-            ));
+            let what = format!("the matrix of the {name} is not the lazy transition matrix of that network");
+            return Ok(Outcome::fails(what, exact("the printed matrices", "compared with I - CL, c_i = 2/(3 d_i)")));
         }
     }
-    Ok(Outcome::Holds(vec![
-        exact(
-            "both matrices and the eigenvector",
-            "the printed matrices are I - CL with c_i = 2/(3 d_i) for two pairs and for the path; both map v(1) to its \
-         multiple",
-        )
-        .for_all(),
-    ]))
+    let detail = "the printed matrices are I - CL with c_i = 2/(3 d_i) for two pairs and for the path; both map v(1) to its multiple";
+    Ok(Outcome::Holds(vec![exact("both matrices and the eigenvector", detail).for_all()]))
 }
 
 /// The network alternates forever: first stepped, then proved for all t by the invariants at the head of this file.
@@ -171,13 +156,10 @@ fn examine_alternation(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
     if ratio.square() > rational(1, 1) || ratio >= rational(0, 1) {
         return not_proved("a step leaves the ranges".to_string());
     }
+    let induction = "induction: states affine in r = (-1/3)^t, all six distances settled on (0,1] and on [-1/3,0), a step \
+                     maps r to -r/3";
     Ok(Outcome::Holds(vec![
-        exact(
-            "the alternation for all t",
-            "induction: states affine in r = (-1/3)^t, all six distances settled on (0,1] and on [-1/3,0), a step \
-             maps r to -r/3",
-        )
-        .for_all(),
+        exact("the alternation for all t", induction).for_all(),
         exact("t = 0, ..., 64", "stepped exactly").cases(STEPS + 1),
     ]))
 }
@@ -219,13 +201,10 @@ fn examine_closed_form(birds: &FourBirds, run: &mut Run) -> Result<Outcome, Chec
         return fails(format!("an outer gap is {end}"));
     }
     let alternation = examine_alternation(birds, run)?;
-    let own = Outcome::Holds(vec![exact(
-        "closed form and gaps for all t",
-        "induction over the alternating networks; gaps compared as affine functions of (-1/3)^t; for t >= 1 the outer \
-         gap runs between 1/4 (attained at t = 1) and 1/3 (at t = 2)",
-    )
-    .for_all()]);
-    Ok(Run::all([Ok(own), Ok(alternation)])?.on([1, 2, 3, 4]))
+    let induction = "induction over the alternating networks; gaps compared as affine functions of (-1/3)^t; for t >= 1 the \
+                     outer gap runs between 1/4 (attained at t = 1) and 1/3 (at t = 2)";
+    let own = Outcome::Holds(vec![exact("closed form and gaps for all t", induction).for_all()]);
+    Run::all([Ok(own), Ok(alternation)]).on([1, 2, 3, 4])
 }
 
 pub fn eigenvector() -> Record<FourBirds> {
@@ -235,18 +214,13 @@ pub fn eigenvector() -> Record<FourBirds> {
         "Each bird has velocity +-1/8 and all its neighbours the opposite one: a third of the own minus two thirds, \
          or for the inner birds of the path 1/3 - 1/3 - 1/3, is -1/3 of the own velocity.",
         printed(),
-        check_eigenvector,
+        |birds, _| examine_eigenvector(birds),
     )
-    .control("eigenvalue 1/3", FourBirds { eigenvalue: (1, 3), ..printed() })
-    .control("v(1) = (1,1,-1,-1)/8", FourBirds { velocities: [1, 1, -1, -1], ..printed() })
-    .control(
-        "a matrix with two entries exchanged",
-        FourBirds { path: [[1, 2, 0, 0], [1, 1, 1, 0], [0, 1, 1, 1], [0, 0, 1, 2]], ..printed() },
-    )
-}
-
-fn check_eigenvector(variant: &FourBirds, _: &mut Run) -> Result<Outcome, CheckError> {
-    examine_eigenvector(variant)
+    .altered("eigenvalue 1/3", |v| v.eigenvalue = (1, 3))
+    .altered("v(1) = (1,1,-1,-1)/8", |v| v.velocities = [1, 1, -1, -1])
+    .altered("a matrix with two entries exchanged", |v| {
+        v.path = [[1, 2, 0, 0], [1, 1, 1, 0], [0, 1, 1, 1], [0, 0, 1, 2]]
+    })
 }
 
 pub fn closed_form() -> Record<FourBirds> {
@@ -265,12 +239,12 @@ pub fn closed_form() -> Record<FourBirds> {
         "For t >= 1 these two gaps stay between 1/4 and 1/2.",
         "For t >= 1, x_3(t) - x_2(t) = 1 + (1/16)(-1/3)^{t-1}.",
     ])
-    .control("factor 3/2", FourBirds { factor: (3, 2), ..printed() })
-    .control("the sign in the outer gaps", FourBirds { outer_gap: (5, 1), ..printed() })
-    .control("the sign in the middle gap", FourBirds { middle_gap: (16, -1), ..printed() })
-    .control("a lower bound of 5/16", FourBirds { outer_bounds: (5, 8), ..printed() })
-    .control("an upper bound of 5/16", FourBirds { outer_bounds: (4, 5), ..printed() })
-    .control("x_3(0) = 20/16", FourBirds { positions: [0, 8, 20, 29], ..printed() })
+    .altered("factor 3/2", |v| v.factor = (3, 2))
+    .altered("the sign in the outer gaps", |v| v.outer_gap = (5, 1))
+    .altered("the sign in the middle gap", |v| v.middle_gap = (16, -1))
+    .altered("a lower bound of 5/16", |v| v.outer_bounds = (5, 8))
+    .altered("an upper bound of 5/16", |v| v.outer_bounds = (4, 5))
+    .altered("x_3(0) = 20/16", |v| v.positions = [0, 8, 20, 29])
 }
 
 pub fn alternation() -> Record<FourBirds> {
@@ -283,8 +257,8 @@ pub fn alternation() -> Record<FourBirds> {
         printed(),
         examine_alternation,
     )
-    .control("a hysteresis threshold of 1/1024", FourBirds { hysteresis: Some((1, 1024)), ..printed() })
-    .control("birds 3 and 4 farther by 1/4", FourBirds { positions: [0, 8, 25, 33], ..printed() })
-    .control("opposite velocities", FourBirds { velocities: [-1, 1, -1, 1], ..printed() })
-    .control("c_i = 1/(d_i + 1)", FourBirds { weights: Weights::Vicsek, ..printed() })
+    .altered("a hysteresis threshold of 1/1024", |v| v.hysteresis = Some((1, 1024)))
+    .altered("birds 3 and 4 farther by 1/4", |v| v.positions = [0, 8, 25, 33])
+    .altered("opposite velocities", |v| v.velocities = [-1, 1, -1, 1])
+    .altered("c_i = 1/(d_i + 1)", |v| v.weights = Weights::Vicsek)
 }

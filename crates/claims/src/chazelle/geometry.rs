@@ -5,9 +5,8 @@
 
 use super::sequences::{four_birds, random_start, settled, show_start};
 use super::switching::SwitchesVariant;
-use crate::argued::{argued, argued_with};
-use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::averaging::settle::Ending;
 use models::averaging::{Flock, Hysteresis, Start, Weights, transition_matrix};
 use num_bigint::BigInt;
@@ -76,7 +75,6 @@ impl AngleVariant {
 }
 
 pub fn quotient_of_angle() -> Record<AngleVariant> {
-    let printed = AngleVariant { power: 2, of: 1, lifted: true };
     Record::new(
         "chazelle.eq3.15",
         "(v, 1) and (w, 1) lie in a plane that touches the unit sphere. Projection to the sphere maps the segment \
@@ -84,16 +82,16 @@ pub fn quotient_of_angle() -> Record<AngleVariant> {
          contact by a factor between 1/(1 + r²) and 1. So 1/(1 + R²) <= angle/|v - w| <= 1, with R the larger of |v| \
          and |w|, and R <= n^O(1) because w is the mean of velocities plus x_i(0)/t. Both constants are best \
          (notes/settling.md).",
-        printed,
+        AngleVariant { power: 2, of: 1, lifted: true },
         check_quotient,
     )
     .clauses(&[
         "If v_i(t) != w = x_i(t)/t, then angle(x_i(t), v_i(t))/||v_i(t) - w||_2 = O(1).",
         "If v_i(t) != w = x_i(t)/t, then angle(x_i(t), v_i(t))/||v_i(t) - w||_2 > n^{-O(1)}.",
     ])
-    .control("the square of the distance", AngleVariant { of: 2, ..printed })
-    .control("a lower bound of 1/(1 + R)", AngleVariant { power: 1, ..printed })
-    .control("birds that are not lifted", AngleVariant { lifted: false, ..printed })
+    .altered("the square of the distance", |v| v.of = 2)
+    .altered("a lower bound of 1/(1 + R)", |v| v.power = 1)
+    .altered("birds that are not lifted", |v| v.lifted = false)
 }
 
 fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -119,7 +117,7 @@ fn check_quotient(variant: &AngleVariant, run: &mut Run) -> Result<Outcome, Chec
         }
     }
     let detail = "enclosures for vectors in dimension 1 to 3, obtuse angles among them";
-    let evidence = Evidence::new(Grade::Certified, "1/(1 + R²) <= angle/distance <= 1", detail).on([1, 2]);
+    let evidence = certified("1/(1 + R²) <= angle/distance <= 1", detail).on([1, 2]);
     Run::all([
         run.every(evidence, &pairs, |(w, v)| variant.fails_at(w, v)),
         argued(&[1, 2], "1/(1 + R²) <= angle/distance <= 1, and R <= n^O(1)", "notes/settling.md, (3.15), steps 1-3"),
@@ -142,6 +140,8 @@ pub struct OriginVariant {
     coupling: (i64, i64),
     /// The angle is at most this share of `|v - x/t|`.
     share: (i64, i64),
+    /// It is the angle of the lifted vectors, `(x, t)` and `(v, 1)`.
+    lifted: bool,
     /// `|E(t)| <= |x(0)| + steps (switches + 1) 4 H` with `H = n^h`.
     steps: i64,
     h: fn(u64) -> u32,
@@ -152,8 +152,15 @@ pub struct OriginVariant {
 
 impl OriginVariant {
     /// (log t/t) n^O(n³), as printed.
-    pub const PRINTED: Self =
-        OriginVariant { coupling: (1, 1), share: (1, 1), steps: 1, h: |a| 2 * a as u32 + 3, power: 1, logarithm: 1 };
+    pub const PRINTED: Self = OriginVariant {
+        coupling: (1, 1),
+        share: (1, 1),
+        lifted: true,
+        steps: 1,
+        h: |a| 2 * a as u32 + 3,
+        power: 1,
+        logarithm: 1,
+    };
     /// Without the logarithm.
     pub const SHARPER: Self = OriginVariant { logarithm: 0, ..Self::PRINTED };
 }
@@ -169,10 +176,11 @@ pub fn about_origins(id: &'static str, derivation: &'static str, printed: Origin
         argued_with(&[], part, ORIGINS, steps)
     };
     Record::new(id, derivation, printed, examine)
-        .control("half of (I - P) x in the recursion", OriginVariant { coupling: (1, 2), ..printed })
-        .control("1/t² instead of 1/t", OriginVariant { power: 2, ..printed })
-        .control("the virtual origins stay within max|x(0)|", OriginVariant { steps: 0, ..printed })
-        .control("half of |v - x/t|", OriginVariant { share: (1, 2), ..printed })
+        .altered("half of (I - P) x in the recursion", |v| v.coupling = (1, 2))
+        .altered("1/t² instead of 1/t", |v| v.power = 2)
+        .altered("the virtual origins stay within max|x(0)|", |v| v.steps = 0)
+        .altered("half of |v - x/t|", |v| v.share = (1, 2))
+        .altered("the angle in R^d, without the lifting", |v| v.lifted = false)
 }
 
 const IN_GENERAL: &str = "the angle and the virtual origins at all times, for all flocks of model D";
@@ -183,13 +191,18 @@ fn origins_of_flocks(variant: &OriginVariant, run: &Run) -> Result<Outcome, Chec
     let mut random = run.random(0);
     // One bird, the four birds of the paper without hysteresis (they switch forever), random flocks.
     let single = Start::on_the_line(vec![rational(5, 1)], vec![rational(0, 1)], Weights::Lazy, Hysteresis::Paper);
-    let mut starts = vec![single, four_birds(Hysteresis::None), four_birds(Hysteresis::Paper)];
+    // In the plane, passing the origin at a distance.
+    let passing = Start {
+        positions: vec![vec![rational(1, 1), rational(0, 1)]],
+        velocities: vec![vec![rational(0, 1), rational(1, 100)]],
+        ..single.clone()
+    };
+    let mut starts = vec![passing, single, four_birds(Hysteresis::None), four_birds(Hysteresis::Paper)];
     starts.extend(
         (0..run.cases(60, 600))
             .map(|k| random_start(&mut random, if k % 2 == 0 { Hysteresis::Paper } else { Hysteresis::None })),
     );
-    let evidence = Evidence::new(
-        Grade::Fuzzed,
+    let evidence = fuzzed(
         "the recursion of the virtual origins, their bound, and the angle",
         "exact flocks of 1 to 5 birds in dimension 1 to 3 for t = 2, ..., 20, the four birds of the paper with and \
          without hysteresis; the angle enclosed at t = 20",
@@ -243,7 +256,7 @@ fn follow(variant: &OriginVariant, start: &Start) -> Result<Option<String>, Chec
         if v == w {
             continue;
         }
-        let (angle, distance) = angle_and_distance(&v, &w, true)?;
+        let (angle, distance) = angle_and_distance(&v, &w, variant.lifted)?;
         let (p, q) = variant.share;
         if (angle.clone() - angle.ratio(p, q) * distance).is_certainly_positive() {
             return Ok(Some(format!("{} at t = {time}: the angle is {:.6}", show_start(start), angle.to_f64())));
@@ -262,7 +275,10 @@ pub fn angle_decays() -> Record<OriginVariant> {
          needed, nor the logarithm (beyond.chazelle.angle).",
         OriginVariant::PRINTED,
     )
-    .reading("\"=\" bounds from above; n is large enough for Lemma 3.6, by which no edge is longer than 2.")
+    .reading(
+        "\"=\" bounds from above; the birds are lifted into R^{d+1}, as for (3.15); n is large enough for Lemma 3.6, by which no edge \
+         is longer than 2.",
+    )
 }
 
 /// After `n^time(n)` no edge is lost.
@@ -279,21 +295,19 @@ pub struct LossVariant {
 /// A statement about lost edges with its controls.
 pub fn about_losses(id: &'static str, derivation: &'static str, printed: LossVariant) -> Record<LossVariant> {
     Record::new(id, derivation, printed, examine_losses)
-        .control("after n^n", LossVariant { time: |n| n, ..printed })
-        .control("without hysteresis", LossVariant { hysteresis: false, ..printed })
-        .control("step 5 with t in place of t - 1", LossVariant { earlier: 0, ..printed })
-        .control(
-            "step 6 with the exponent n^4 + 2(n-1)² + 10(n-1)",
-            LossVariant { time: |n| n.pow(4) + 2 * (n - 1).pow(2) + 10 * (n - 1), ..printed },
-        )
+        .altered("after n^n", |v| v.time = |n| n)
+        .altered("without hysteresis", |v| v.hysteresis = false)
+        .altered("step 5 with t in place of t - 1", |v| v.earlier = 0)
+        .altered("step 6 with the exponent n^4 + 2(n-1)² + 10(n-1)", |v| {
+            v.time = |n| n.pow(4) + 2 * (n - 1).pow(2) + 10 * (n - 1)
+        })
 }
 
 /// Decides from when on no edge is lost: the four birds, and the two computations of the proof.
 fn examine_losses(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
     let starts: Vec<Start> = (0..run.cases(30, 300)).map(|_| random_start(&mut random, Hysteresis::Paper)).collect();
-    let step_5 = Evidence::new(
-        Grade::Fuzzed,
+    let step_5 = fuzzed(
         "step 5: differences of velocities from virtual origins",
         "all pairs of birds of exact flocks of 2 to 5 birds in dimension 1 to 3, t = 2, ..., 8",
     );
@@ -319,14 +333,13 @@ fn last_loss(variant: &LossVariant, run: &mut Run) -> Result<Outcome, CheckError
     let (switches, end) = settled(&four_birds(hysteresis), run)?;
     let last = switches.iter().rev().find(|s| !s.lost.is_empty()).map_or(BigInt::ZERO, |s| s.time.clone());
     run.value("four_birds_last_loss", last.to_string());
-    let evidence = Evidence::new(Grade::Exact, "the four birds", format!("last loss at t = {last}, settled exactly"));
-    if !matches!(end.ending, Ending::Steady) {
-        return Ok(Outcome::fails(format!("the four birds: {}", end.why), evidence));
-    }
-    if last > BigInt::from(4).pow((variant.time)(4) as u32) {
-        return Ok(Outcome::fails(format!("the four birds lose the edge 2-3 at t = {last}"), evidence));
-    }
-    Ok(Outcome::Holds(vec![evidence]))
+    let steady = matches!(end.ending, Ending::Steady);
+    let late = last > BigInt::from(4).pow((variant.time)(4) as u32);
+    let what = || match steady {
+        true => format!("the four birds lose the edge 2-3 at t = {last}"),
+        false => format!("the four birds: {}", end.why),
+    };
+    unless((!steady || late).then(what), exact("the four birds", format!("last loss at t = {last}, settled exactly")))
 }
 
 impl LossVariant {
@@ -374,8 +387,6 @@ pub fn no_losses() -> Record<LossVariant> {
          O(log n)-bit inputs from some n on (notes/settling.md). So n^(2n^4) is enough.",
         LossVariant { time: |n| 2 * n.pow(4), hysteresis: true, earlier: 1 },
     )
-    .reading(
-        "n is large enough: n >= 4 for lazy or vicsek weights, Euclidean speeds and coordinates of x(0) up to n, in \
-         dimension d <= n^2.",
-    )
+    .reading("n is large enough: n >= 4 for lazy or vicsek weights, Euclidean speeds and coordinates of x(0) up to n, in \
+         dimension d <= n^2.")
 }

@@ -3,9 +3,8 @@
 
 use super::geometry::{loss_exponent, switch_exponent};
 use super::sequences::{four_birds, random_start, settled, show_start};
-use crate::argued::argued;
-use arithmetic::{Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::averaging::settle::Ending;
 use models::averaging::{Flock, Hysteresis, Start, Weights};
 use num_bigint::BigInt;
@@ -38,12 +37,11 @@ impl RuleVariant {
 }
 
 pub fn rule() -> Record<RuleVariant> {
-    let printed = RuleVariant { power: 4, strict: true, old_only: true, holds: true };
     Record::new(
         "chazelle.hyst",
         "A definition has no truth value. What can be checked is that it determines the network, and that the flocks \
          of this project follow it to the letter.",
-        printed,
+        RuleVariant { power: 4, strict: true, old_only: true, holds: true },
         check_rule,
     )
     .reading(
@@ -51,14 +49,14 @@ pub fn rule() -> Record<RuleVariant> {
          it stays whatever its length is; \"less than\" is strict; n is the number of birds; G_0 is the network of \
          the distance rule.",
     )
-    .control("the threshold n^(-n^3)", RuleVariant { power: 3, ..printed })
-    .control("changes up to the threshold", RuleVariant { strict: false, ..printed })
-    .control("pairs that were not joined", RuleVariant { old_only: false, ..printed })
-    .control("no hysteresis", RuleVariant { holds: false, ..printed })
+    .altered("the threshold n^(-n^3)", |v| v.power = 3)
+    .altered("changes up to the threshold", |v| v.strict = false)
+    .altered("pairs that were not joined", |v| v.old_only = false)
+    .altered("no hysteresis", |v| v.holds = false)
 }
 
 fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the rule", "an exact flock")));
+    let fails = |what: String| Ok(Outcome::fails(what, exact("the rule", "an exact flock")));
     let mut cases = 0;
     for n in 2..=4i64 {
         let epsilon = threshold(n, 4);
@@ -100,8 +98,7 @@ fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckErro
         }
         before = now;
     }
-    let evidence = Evidence::new(
-        Grade::Exact,
+    let evidence = exact(
         "flocks follow the rule as read",
         "two of 2, 3, 4 birds crossing distance 1 by 1/4 to 200 thresholds, joined before or not; the four birds for \
          340 steps",
@@ -122,26 +119,25 @@ pub struct SmallerThresholdVariant {
 }
 
 pub fn smaller_threshold() -> Record<SmallerThresholdVariant> {
-    let printed = SmallerThresholdVariant { without: false, lasting: |n| n * n, examples: false };
     Record::new(
         "chazelle.hyst.remark",
         "The threshold enters the results in three places: e^(-n^(n²)) < eps (the edges of V_k last), the growth of \
          long edges in Lemma 3.6(ii), which is less with a smaller threshold, and the time n^(2n^4) of Lemma 3.8, \
          which n^O(n²)/eps must not exceed. All three hold with 2^-100 n^(-n^4) for n >= 4 (notes/settling.md, The \
          smaller threshold).",
-        printed,
+        SmallerThresholdVariant { without: false, lasting: |n| n * n, examples: false },
         check_smaller_threshold,
     )
     .reading(
         "The results are the theorem and the lemmas, for n large enough (here n >= 4), not the times of the example.",
     )
-    .control("no threshold at all", SmallerThresholdVariant { without: true, ..printed })
-    .control("step 1 with n^n in place of n^(n²)", SmallerThresholdVariant { lasting: |n| n, ..printed })
-    .control("even the times of the example", SmallerThresholdVariant { examples: true, ..printed })
+    .altered("no threshold at all", |v| v.without = true)
+    .altered("step 1 with n^n in place of n^(n²)", |v| v.lasting = |n| n)
+    .altered("even the times of the example", |v| v.examples = true)
 }
 
 fn check_smaller_threshold(variant: &SmallerThresholdVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let inequalities = Evidence::new(Grade::Certified, "steps 1 and 3", "enclosures for n = 4, ..., 24");
+    let inequalities = certified("steps 1 and 3", "enclosures for n = 4, ..., 24");
     Run::all([
         run.every(inequalities, 4..=24, |n| variant.fails_for(n)),
         variant.four_birds(run),
@@ -174,15 +170,13 @@ impl SmallerThresholdVariant {
         let (_, found) = settled(&four_birds(if self.without { Hysteresis::None } else { smaller }), run)?;
         run.value("four_birds_last_switch", found.last_switch.to_string());
         let detail = "the four birds end in the same network, at another time; settled exactly";
-        let evidence = Evidence::new(Grade::Exact, "the example", detail);
-        if !matches!(found.ending, Ending::Steady) {
-            return Ok(Outcome::fails(format!("the four birds: {}", found.why), evidence));
-        }
-        if found.network != printed.network || (self.examples && found.last_switch != printed.last_switch) {
-            let what = format!("the four birds switch last at t = {}, not {}", found.last_switch, printed.last_switch);
-            return Ok(Outcome::fails(what, evidence));
-        }
-        Ok(Outcome::Holds(vec![evidence]))
+        let (steady, last) = (matches!(found.ending, Ending::Steady), &found.last_switch);
+        let same = found.network == printed.network && (!self.examples || *last == printed.last_switch);
+        let what = || match steady {
+            true => format!("the four birds switch last at t = {last}, not {}", printed.last_switch),
+            false => format!("the four birds: {}", found.why),
+        };
+        unless((!steady || !same).then(what), exact("the example", detail))
     }
 }
 
@@ -198,16 +192,15 @@ fn squared_distance(x: &[Vec<Rational>], i: usize, j: usize) -> Rational {
 }
 
 pub fn near_birds_are_joined() -> Record<NearVariant> {
-    let printed = NearVariant { radius: (1, 1), converse: false };
     Record::new(
         "chazelle.lem3.6.i",
         "The hysteresis rule only keeps edges: G_t contains the network of the distance rule at all times t, by its \
          definition.",
-        printed,
+        NearVariant { radius: (1, 1), converse: false },
         check_near_birds_are_joined,
     )
-    .control("within distance 101/100", NearVariant { radius: (101, 100), ..printed })
-    .control("only birds within unit distance", NearVariant { converse: true, ..printed })
+    .altered("within distance 101/100", |v| v.radius = (101, 100))
+    .altered("only birds within unit distance", |v| v.converse = true)
 }
 
 fn check_near_birds_are_joined(variant: &NearVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -224,7 +217,7 @@ fn check_near_birds_are_joined(variant: &NearVariant, run: &mut Run) -> Result<O
         .collect();
     let detail = "exact flocks of 2 to 5 birds in dimension 1 to 3, 12 steps";
     Run::all([
-        run.every(Evidence::new(Grade::Fuzzed, "pairs within unit distance", detail), &starts, |s| variant.fails_at(s)),
+        run.every(fuzzed("pairs within unit distance", detail), &starts, |s| variant.fails_at(s)),
         argued(
             &[],
             "every pair within unit distance, at all times",
@@ -343,7 +336,6 @@ impl FarVariant {
 }
 
 pub fn far_birds_are_not() -> Record<FarVariant> {
-    let printed = FarVariant { power: 3, weight: 8, growth: (1, 1) };
     Record::new(
         "chazelle.lem3.6.ii",
         "An edge longer than 1 has been kept at every step since its length was at most 1. Each step adds less than \
@@ -351,24 +343,23 @@ pub fn far_birds_are_not() -> Record<FarVariant> {
          limit: it grows by at most eps (mixing time + 2) between two switches. With N(n) <= n^(a(n-1)² + (c+9)(n-1) \
          + 1) switches and entries >= n^-a the sum is below n^(-n^3) for all n >= 4 with lazy or vicsek weights and \
          speeds up to n; for other O(log n)-bit weights from some n on (notes/settling.md).",
-        printed,
+        FarVariant { power: 3, weight: 8, growth: (1, 1) },
         check_far_birds_are_not,
     )
     .reading(
         "n is large enough against the weights and speeds: n >= 4 for lazy or vicsek weights and speeds up to n. Two \
          birds with c_i = 1/1024 show that this is needed.",
     )
-    .control("1 + n^(-n^4)", FarVariant { power: 4, ..printed })
-    .control("two birds with c_i = 1/1024", FarVariant { weight: 1024, ..printed })
-    .control("step 1 with half of the threshold", FarVariant { growth: (1, 2), ..printed })
+    .altered("1 + n^(-n^4)", |v| v.power = 4)
+    .altered("two birds with c_i = 1/1024", |v| v.weight = 1024)
+    .altered("step 1 with half of the threshold", |v| v.growth = (1, 2))
 }
 
 fn check_far_birds_are_not(variant: &FarVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
     let starts: Vec<Start> =
         (0..run.cases(60, 600)).map(|_| random_start(&mut random, Hysteresis::Constant(rational(1, 40)))).collect();
-    let step_1 = Evidence::new(
-        Grade::Fuzzed,
+    let step_1 = fuzzed(
         "step 1: how fast a kept edge grows",
         "exact flocks of 2 to 5 birds in dimension 1 to 3 with the threshold 1/40, 16 steps",
     );

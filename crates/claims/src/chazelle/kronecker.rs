@@ -1,10 +1,8 @@
 //! chazelle.kron and chazelle.chi: the Kronecker product, and differences of velocities as rows of a product.
 
 use super::sequences::{random_graph, show_all};
+use crate::prelude::*;
 use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
 
@@ -72,49 +70,37 @@ struct Shapes {
 }
 
 /// One of the two halves of the footnote for matrices of variables.
-struct Footnote {
-    shapes: Shapes,
-    variant: KroneckerVariant,
-    mixed: bool,
-}
-
-impl RationalIdentity for Footnote {
-    fn variables(&self) -> usize {
-        let Shapes { m, n, r, p, q, s } = self.shapes;
-        m * n + p * q + n * r + q * s
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let Shapes { m, n, r, p, q, s } = self.shapes;
+fn footnote(shapes: Shapes, variant: &KroneckerVariant, mixed: bool) -> Identity<'_> {
+    let Shapes { m, n, r, p, q, s } = shapes;
+    Identity::new(m * n + p * q + n * r + q * s, move |at| {
         let mut entries = at.iter().cloned();
-        let mut matrix = |rows: usize, cols: usize| -> Dense<T> {
+        let mut matrix = |rows: usize, cols: usize| -> Dense<Probe> {
             (0..rows).map(|_| entries.by_ref().take(cols).collect()).collect()
         };
         let (a, b, c, d) = (matrix(m, n), matrix(p, q), matrix(n, r), matrix(q, s));
-        let (left, right) = if self.mixed {
-            let right = match self.variant.mixed {
+        let (left, right) = if mixed {
+            let right = match variant.mixed {
                 Mixed::AcBd => blocks(&times(&a, &c), &times(&b, &d)),
                 Mixed::AdBc => blocks(&times(&a, &d), &times(&b, &c)),
                 Mixed::CaDb => blocks(&times(&c, &a), &times(&d, &b)),
             };
             (times(&blocks(&a, &b), &blocks(&c, &d)), right)
         } else {
-            let ruled = self.variant.by_rule(&a, &b).ok_or(ArithmeticError::Domain("indices inside the product"))?;
+            let ruled = variant.by_rule(&a, &b).ok_or(ArithmeticError::Domain("indices inside the product"))?;
             (ruled, blocks(&a, &b))
         };
         Ok((left.into_iter().flatten().collect(), right.into_iter().flatten().collect()))
-    }
+    })
 }
 
 pub fn kronecker() -> Record<KroneckerVariant> {
-    let printed = KroneckerVariant { first_index: 0, blocks_of_b: true, mixed: Mixed::AcBd };
     Record::new(
         "chazelle.kron",
         "Read with indices that start at 0, the only start with which c_{ip+j, kq+l} fills an mp x nq matrix: row ip \
          + j is row j of block row i. With indices from 1, as the paper counts birds, the rule leaves the matrix (row \
          mp + p) and must read c_{(i-1)p+j, (k-1)q+l}; that is a control. Mixed product: entry (ip + j, kq + l) of \
          the left side is sum_{u,w} a_iu b_jw c_uk d_wl = (AC)_ik (BD)_jl, for all shapes for which AC and BD exist.",
-        printed,
+        KroneckerVariant { first_index: 0, blocks_of_b: true, mixed: Mixed::AcBd },
         check_kronecker,
     )
     .reading(
@@ -125,10 +111,10 @@ pub fn kronecker() -> Record<KroneckerVariant> {
         "For A m-by-n and B p-by-q, A kron B has entries c_{ip+j, kq+l} = a_{i,k} b_{j,l}.",
         "(A kron B)(C kron D) = AC kron BD.",
     ])
-    .control("indices from 1", KroneckerVariant { first_index: 1, ..printed })
-    .control("c_{jm+i, ln+k}", KroneckerVariant { blocks_of_b: false, ..printed })
-    .control("AD kron BC", KroneckerVariant { mixed: Mixed::AdBc, ..printed })
-    .control("CA kron DB", KroneckerVariant { mixed: Mixed::CaDb, ..printed })
+    .altered("indices from 1", |v| v.first_index = 1)
+    .altered("c_{jm+i, ln+k}", |v| v.blocks_of_b = false)
+    .altered("AD kron BC", |v| v.mixed = Mixed::AdBc)
+    .altered("CA kron DB", |v| v.mixed = Mixed::CaDb)
 }
 
 fn check_kronecker(variant: &KroneckerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -138,19 +124,17 @@ fn check_kronecker(variant: &KroneckerVariant, run: &mut Run) -> Result<Outcome,
         let shapes = Shapes { m, n, r, p, q, s };
         // The altered products need square matrices.
         let fits = matches!(variant.mixed, Mixed::AcBd) || (m, p, r, s) == (n, q, n, q);
-        let unknowns: Vec<String> = (1..=m * n + p * q + n * r + q * s).map(|k| format!("x{k}")).collect();
-        let names: Vec<&str> = unknowns.iter().map(String::as_str).collect();
+        let names: Vec<String> = (1..=m * n + p * q + n * r + q * s).map(|k| format!("x{k}")).collect();
         let ones = |rows, cols| vec![vec![rational(1, 1); cols]; rows];
         if variant.by_rule::<Rational>(&ones(m, n), &ones(p, q)).is_none() {
             let what = format!("the index rule does not fill {} x {} from A {m} x {n} and B {p} x {q}", m * p, n * q);
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the index rule", "all indices")));
+            return Ok(Outcome::fails(what, exact("the index rule", "all indices")));
         }
-        let rule = Footnote { shapes, variant: *variant, mixed: false };
-        parts.push(run.identity(&rule, &names, &format!("entries, A {m} x {n}, B {p} x {q}")).map(|o| o.on([1])));
+        let part = format!("entries, A {m} x {n}, B {p} x {q}");
+        parts.push(run.identity(&footnote(shapes, variant, false), &names, &part).on([1]));
         if fits {
-            let mixed = Footnote { shapes, variant: *variant, mixed: true };
             let part = format!("mixed product, C {n} x {r}, D {q} x {s} with them");
-            parts.push(run.identity(&mixed, &names, &part).map(|outcome| outcome.on([2])));
+            parts.push(run.identity(&footnote(shapes, variant, true), &names, &part).on([2]));
         }
     }
     Run::all(parts)
@@ -173,10 +157,45 @@ impl DifferenceVariant {
         }
         chi
     }
+
+    fn fails_at(
+        &self,
+        n: usize,
+        d: usize,
+        graphs: &[Graph],
+        start: &Dense<Rational>,
+    ) -> Result<Option<String>, CheckError> {
+        let lazy = |graph| Ok(transition_matrix(graph, &Weights::Lazy)?.to_rows());
+        let matrices: Vec<Dense<Rational>> = graphs.iter().map(lazy).collect::<Result<_, CheckError>>()?;
+        let unit = |order: usize| -> Dense<Rational> {
+            (0..order).map(|i| (0..order).map(|j| rational(i64::from(i == j), 1)).collect()).collect()
+        };
+        let list = |x: &[&Rational]| x.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+        let mut velocities = start.clone();
+        for t in 1..=graphs.len() {
+            let last = (t as isize - 1 + self.shift).max(0) as usize;
+            let product = matrices[..last].iter().fold(unit(n), |product, p| times(p, &product));
+            for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|(i, j)| i != j) {
+                let right = times(&blocks(&times(&vec![self.chi(n, i, j)], &product), &unit(d)), start);
+                let left: Vec<Rational> =
+                    (0..d).map(|k| velocities[i * d + k][0].clone() - &velocities[j * d + k][0]).collect();
+                let (left, right): (Vec<_>, Vec<_>) = (left.iter().collect(), right.iter().flatten().collect());
+                if left != right {
+                    let names = format!("v_{}({t}) - v_{}({t})", i + 1, j + 1);
+                    let (start, networks) = (start.iter().flatten().collect::<Vec<_>>(), show_all(&graphs[..t]));
+                    let (start, left, right) = (list(&start), list(&left), list(&right));
+                    return Ok(Some(format!(
+                        "{n} birds, d = {d}, v(1) = ({start}), {networks}: {names} = ({left}), the right side is ({right})"
+                    )));
+                }
+            }
+            velocities = times(&blocks(&matrices[t - 1], &unit(d)), &velocities);
+        }
+        Ok(None)
+    }
 }
 
 pub fn difference() -> Record<DifferenceVariant> {
-    let corrected = DifferenceVariant { assignments: vec![(false, 1), (true, -1)], shift: 0 };
     Record::new(
         "chazelle.chi",
         "v(t) = (P(t-1,1) kron I_d) v(1), with the empty product I for t = 1. The row chi P(t-1,1) is row i minus row \
@@ -189,97 +208,45 @@ pub fn difference() -> Record<DifferenceVariant> {
         Fault::Typo,
         "For i != j, with chi(i,j) the vector with all coordinates 0 except chi(i,j)_i = 1 and chi(i,j)_j = -1: v_i(t) - \
          v_j(t) = ((chi(i,j) P(t-1,1)) kron I_d) v(1).",
-        corrected.clone(),
+        DifferenceVariant { assignments: vec![(false, 1), (true, -1)], shift: 0 },
     )
-    .control("chi_i = 1 alone", DifferenceVariant { assignments: vec![(false, 1)], shift: 0 })
-    .control("chi_j = 1", DifferenceVariant { assignments: vec![(false, 1), (true, 1)], shift: 0 })
-    .control("the product P(t,1)", DifferenceVariant { shift: 1, ..corrected.clone() })
-    .control("the product P(t-2,1)", DifferenceVariant { shift: -1, ..corrected })
+    .altered("chi_i = 1 alone", |v| v.assignments = vec![(false, 1)])
+    .altered("chi_j = 1", |v| v.assignments = vec![(false, 1), (true, 1)])
+    .altered("the product P(t,1)", |v| v.shift = 1)
+    .altered("the product P(t-2,1)", |v| v.shift = -1)
 }
 
 fn check_difference(variant: &DifferenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
-    let cases = run.cases(40, 800);
-    for case in 0..cases {
-        run.checkpoint()?;
+    let detail = "2 to 5 birds, d = 1, 2, 3, t = 1, ..., 5, lazy weights, all i != j";
+    let runs = run.every(fuzzed("exact runs", detail), 0..run.cases(40, 800), |case| {
         // Small cases first: 2 birds on a line.
-        let n = 2 + (case / 4) % 4;
-        let d = 1 + case % 3;
+        let (n, d) = (2 + (case / 4) % 4, 1 + case % 3);
         let graphs: Vec<Graph> = (0..5).map(|_| random_graph(n, 2, &mut random)).collect();
-        let matrices: Vec<Dense<Rational>> = graphs
-            .iter()
-            .map(|g| Ok(transition_matrix(g, &Weights::Lazy)?.to_rows()))
-            .collect::<Result<_, CheckError>>()?;
         let start: Dense<Rational> =
             (0..n * d).map(|_| vec![rational(i64::from(random.next_u32() % 17) - 8, 4)]).collect();
-        let unit = |order: usize| -> Dense<Rational> {
-            (0..order).map(|i| (0..order).map(|j| rational(i64::from(i == j), 1)).collect()).collect()
-        };
-        let mut velocities = start.clone();
-        for t in 1..=graphs.len() {
-            let last = (t as isize - 1 + variant.shift).max(0) as usize;
-            let product = matrices[..last].iter().fold(unit(n), |product, p| times(p, &product));
-            for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).filter(|(i, j)| i != j) {
-                let row = times(&vec![variant.chi(n, i, j)], &product);
-                let right = times(&blocks(&row, &unit(d)), &start);
-                let left: Vec<Rational> =
-                    (0..d).map(|k| velocities[i * d + k][0].clone() - &velocities[j * d + k][0]).collect();
-                if left.iter().ne(right.iter().map(|x| &x[0])) {
-                    let list = |x: &mut dyn Iterator<Item = &Rational>| {
-                        x.map(ToString::to_string).collect::<Vec<_>>().join(", ")
-                    };
-                    return Ok(Outcome::fails(
-                        format!(
-                            "{n} birds, d = {d}, v(1) = ({}), {}: v_{}({t}) - v_{}({t}) = ({}), the right side is ({})",
-                            list(&mut start.iter().flatten()),
-                            show_all(&graphs[..t]),
-                            i + 1,
-                            j + 1,
-                            list(&mut left.iter()),
-                            list(&mut right.iter().flatten())
-                        ),
-                        Evidence::new(Grade::Exact, "the difference", "an exact run"),
-                    ));
-                }
-            }
-            velocities = times(&blocks(&matrices[t - 1], &unit(d)), &velocities);
-        }
+        variant.fails_at(n, d, &graphs, &start)
+    })?;
+    if let Outcome::Fails { counterexample, .. } = runs {
+        return Ok(Outcome::fails(counterexample, exact("the difference", "an exact run")));
     }
-    let identity = run.identity(&Generic { variant }, &[], "two generic factors, three birds in the plane")?;
-    let Outcome::Holds(mut evidence) = identity else { return Ok(identity) };
-    evidence.push(
-        Evidence::new(
-            Grade::Fuzzed,
-            "exact runs",
-            "2 to 5 birds, d = 1, 2, 3, t = 1, ..., 5, lazy weights, all i != j",
-        )
-        .cases(cases),
-    );
-    Ok(Outcome::Holds(evidence))
+    Run::all([run.identity(&generic(variant), &[""; 0], "two generic factors, three birds in the plane"), Ok(runs)])
 }
 
 /// `v_1(3) - v_2(3)` for three birds in the plane and two matrices of variables.
-struct Generic<'a> {
-    variant: &'a DifferenceVariant,
-}
-
-impl RationalIdentity for Generic<'_> {
-    fn variables(&self) -> usize {
-        2 * 9 + 6
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn generic(variant: &DifferenceVariant) -> Identity<'_> {
+    Identity::new(2 * 9 + 6, move |at| {
         let matrix =
-            |from: usize| -> Dense<T> { (0..3).map(|i| at[from + 3 * i..from + 3 * i + 3].to_vec()).collect() };
+            |from: usize| -> Dense<Probe> { (0..3).map(|i| at[from + 3 * i..from + 3 * i + 3].to_vec()).collect() };
         let one = at[0].one();
-        let unit: Dense<T> = vec![vec![one.clone(), one.zero()], vec![one.zero(), one.clone()]];
+        let unit: Dense<Probe> = vec![vec![one.clone(), one.zero()], vec![one.zero(), one.clone()]];
         let (first, second) = (matrix(0), matrix(9));
-        let start: Dense<T> = at[18..].iter().map(|x| vec![x.clone()]).collect();
+        let start: Dense<Probe> = at[18..].iter().map(|x| vec![x.clone()]).collect();
         let velocities = times(&blocks(&second, &unit), &times(&blocks(&first, &unit), &start));
         let left = (0..2).map(|k| velocities[k][0].clone() - &velocities[2 + k][0]).collect();
-        let chi = self.variant.chi(3, 0, 1).iter().map(|x| one.rational(x)).collect();
+        let chi = variant.chi(3, 0, 1).iter().map(|x| one.rational(x)).collect();
         let row = times(&vec![chi], &times(&second, &first));
         let right = times(&blocks(&row, &unit), &start).into_iter().flatten().collect();
         Ok((left, right))
-    }
+    })
 }

@@ -2,14 +2,13 @@
 
 use super::sequences::{random_graph, show_all, words};
 use super::velocity_bounds::step_velocities;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Signed};
+use num_traits::Signed;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -39,16 +38,22 @@ pub struct ProductLengthVariant {
 }
 
 impl ProductLengthVariant {
-    fn fails_at(&self, graphs: &[Graph], a: u32, product: &RationalMatrix) -> Option<String> {
+    fn fails_at(&self, graphs: &[Graph], model: usize) -> Result<Option<String>, CheckError> {
         let (n, length) = (graphs[0].order(), graphs.len() as u64);
+        let (mut product, mut a) = (RationalMatrix::identity(n)?, 2);
+        for graph in graphs {
+            // Where given weights are not admissible for a network, the lazy ones stand in.
+            let all = models(graph)?;
+            let (given, matrix) = all.get(model).unwrap_or(&all[0]);
+            (product, a) = (matrix.times(&product)?, *given);
+        }
         let bound = power(n, (self.exponent)(n as u64, length, u64::from(a)));
         let denominator = product.reduced().denominator().clone();
-        (denominator > bound).then(|| {
-            format!(
-                "{n} birds, a = {a}, {}: the least common denominator is {denominator}, more than {bound}",
-                show_all(graphs)
-            )
-        })
+        let all = || show_all(graphs);
+        let what = || {
+            format!("{n} birds, a = {a}, {}: the least common denominator is {denominator}, more than {bound}", all())
+        };
+        Ok((denominator > bound).then(what))
     }
 }
 
@@ -62,63 +67,32 @@ pub fn product_length() -> Record<ProductLengthVariant> {
         ProductLengthVariant { exponent: |n, length, a| a * n * length },
         check_product_length,
     )
-    .control("without n", ProductLengthVariant { exponent: |_, length, a| a * length })
-    .control("without t - s + 1", ProductLengthVariant { exponent: |n, _, a| a * n })
-    .control("two thirds of the length", ProductLengthVariant { exponent: |n, length, a| 2 * a * n * length / 3 })
+    .altered("without n", |v| v.exponent = |_, length, a| a * length)
+    .altered("without t - s + 1", |v| v.exponent = |n, _, a| a * n)
+    .altered("two thirds of the length", |v| v.exponent = |n, length, a| 2 * a * n * length / 3)
 }
 
 fn check_product_length(variant: &ProductLengthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let exact = || Evidence::new(Grade::Exact, "the common denominator", "one exact product");
-    let mut cases = 0;
-    for (order, length) in [(1, 3), (2, 5), (3, 3), (4, 1)] {
+    let all = [(1, 3), (2, 5), (3, 3), (4, 1)].into_iter().flat_map(|(order, length)| {
         let graphs: Vec<Graph> = Graph::all(order).collect();
-        let matrices: Vec<Vec<(u32, RationalMatrix)>> = graphs.iter().map(models).collect::<Result<_, _>>()?;
-        for word in words(graphs.len(), length) {
-            run.checkpoint()?;
+        let models = if heavy_weights(order).is_some() { 3 } else { 2 };
+        words(graphs.len(), length).flat_map(move |word| {
             let sequence: Vec<Graph> = word.iter().map(|&k| graphs[k].clone()).collect();
-            for model in 0..matrices[0].len() {
-                let Some(a) = matrices[0].get(model).map(|(a, _)| *a) else { continue };
-                let mut product = RationalMatrix::identity(order)?;
-                for &k in &word {
-                    // Where given weights are not admissible for a network, the lazy ones stand in.
-                    let (_, matrix) = matrices[k].get(model).unwrap_or(&matrices[k][0]);
-                    product = matrix.times(&product)?;
-                }
-                cases += 1;
-                if let Some(what) = variant.fails_at(&sequence, a, &product) {
-                    return Ok(Outcome::fails(what, exact()));
-                }
-            }
-        }
-    }
+            (0..models).map(move |model| (sequence.clone(), model))
+        })
+    });
     let mut random = run.random(0);
-    let sampled = run.cases(20, 400);
-    for _ in 0..sampled {
-        run.checkpoint()?;
-        let order = 5 + random.next_u32() as usize % 3;
-        let graphs: Vec<Graph> = (0..6).map(|_| random_graph(order, 3, &mut random)).collect();
-        for model in 0..3 {
-            let mut product = RationalMatrix::identity(order)?;
-            let mut a = 2;
-            for graph in &graphs {
-                let all = models(graph)?;
-                let (given, matrix) = all.get(model).unwrap_or(&all[0]);
-                (a, product) = (*given, matrix.times(&product)?);
-            }
-            if let Some(what) = variant.fails_at(&graphs, a, &product) {
-                return Ok(Outcome::fails(what, exact()));
-            }
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "at most a n (t-s+1) log n bits",
-            "all products of 5, 3, 1 factors on 2, 3, 4 birds: lazy, vicsek, prime denominators",
-        )
-        .cases(cases),
-        Evidence::new(Grade::Fuzzed, "the same", "six random networks on 5 to 7 birds").cases(sampled),
-    ]))
+    let detail = "all products of 5, 3, 1 factors on 2, 3, 4 birds: lazy, vicsek, prime denominators";
+    Run::all([
+        run.every(exhaustive("at most a n (t-s+1) log n bits", detail), all, |(graphs, model)| {
+            variant.fails_at(&graphs, model)
+        }),
+        run.every(fuzzed("the same", "six random networks on 5 to 7 birds"), 0..run.cases(20, 400), |_| {
+            let order = 5 + random.next_u32() as usize % 3;
+            let graphs: Vec<Graph> = (0..6).map(|_| random_graph(order, 3, &mut random)).collect();
+            (0..3).find_map(|model| variant.fails_at(&graphs, model).transpose()).transpose()
+        }),
+    ])
 }
 
 /// The exponent of `n` in the bound of numerators and denominators.
@@ -130,7 +104,7 @@ pub struct StateLengthVariant {
 
 /// The common denominator of all coordinates, or the largest numerator over it, whichever is longer.
 fn longest<'a>(coordinates: impl Iterator<Item = &'a Rational> + Clone) -> BigInt {
-    let denominator = coordinates.clone().fold(BigInt::one(), |d, x| d.lcm(&x.denom()));
+    let denominator = coordinates.clone().fold(BigInt::from(1), |d, x| d.lcm(&x.denom()));
     let numerator = coordinates.map(|x| (x.numer() * (&denominator / x.denom())).abs()).max().unwrap_or_default();
     denominator.max(numerator)
 }
@@ -206,47 +180,24 @@ pub fn state_length() -> Record<StateLengthVariant> {
         StateLengthVariant { exponent: |n, t, constant| constant * t * n },
         check_state_length,
     )
-    .control("without t", StateLengthVariant { exponent: |n, _, constant| constant * n })
-    .control("without n", StateLengthVariant { exponent: |_, t, constant| constant * t })
-    .control("a quarter of the length", StateLengthVariant { exponent: |n, t, constant| constant * t * n / 4 })
+    .altered("without t", |v| v.exponent = |n, _, constant| constant * n)
+    .altered("without n", |v| v.exponent = |_, t, constant| constant * t)
+    .altered("a quarter of the length", |v| v.exponent = |n, t, constant| constant * t * n / 4)
 }
 
 fn check_state_length(variant: &StateLengthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails =
-        |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "numbers of a run", "an exact run")));
     let halves: &[i64] = if run.cases(0, 1) == 0 { &[-4, -1, 1, 2] } else { &[-4, -2, -1, 0, 1, 2, 4] };
-    let mut exhaustive = 0;
-    for (positions, velocities, graphs) in pairs_on_the_line(halves) {
-        run.checkpoint()?;
-        exhaustive += 1;
-        if let Some(what) = variant.fails_at(positions, velocities, &Weights::Lazy, &graphs)? {
-            return fails(what);
-        }
-    }
     let mut random = run.random(0);
     let repeats = run.cases(2, 40);
-    for n in 2..=6 {
-        for d in 1..=3 {
-            for _ in 0..repeats {
-                run.checkpoint()?;
-                if let Some(what) = variant.fails_at_random(n, d, &mut random)? {
-                    return fails(what);
-                }
-            }
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "numerators and denominators up to n^(Ktn), K = a + 2bd + b + 1",
-            "all lazy pairs on the line with inputs -2, -1/2, 1/2, 1 (--full: all up to 2) and all networks of 4 steps",
-        )
-        .cases(exhaustive),
-        Evidence::new(
-            Grade::Fuzzed,
-            "the same",
-            "exact runs of 16 steps, 2 to 6 birds in dimension 1 to 3, a = 2, b = 1",
-        )
-        .cases(15 * repeats),
-    ]))
+    let sizes = (2..=6).flat_map(|n| (1..=3).flat_map(move |d| (0..repeats).map(move |_| (n, d))));
+    let part = "numerators and denominators up to n^(Ktn), K = a + 2bd + b + 1";
+    let detail =
+        "all lazy pairs on the line with inputs -2, -1/2, 1/2, 1 (--full: all up to 2) and all networks of 4 steps";
+    let sampled = fuzzed("the same", "exact runs of 16 steps, 2 to 6 birds in dimension 1 to 3, a = 2, b = 1");
+    Run::all([
+        run.every(exhaustive(part, detail), pairs_on_the_line(halves), |(positions, velocities, graphs)| {
+            variant.fails_at(positions, velocities, &Weights::Lazy, &graphs)
+        }),
+        run.every(sampled, sizes, |(n, d)| variant.fails_at_random(n, d, &mut random)),
+    ])
 }

@@ -1,10 +1,9 @@
 //! chazelle.modelD.stoch and chazelle.modelK.matrix: the matrices of the two models.
 
 use super::sequences::{share_weights, show};
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::StochasticMatrix;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 
 fn graphs(most: usize) -> impl Iterator<Item = Graph> {
@@ -12,17 +11,15 @@ fn graphs(most: usize) -> impl Iterator<Item = Graph> {
 }
 
 /// The shares `c_i d_i` that are tried.
-#[derive(Clone, Copy)]
-pub struct StochasticVariant {
-    shares: &'static [(i64, i64)],
-}
+type Shares = &'static [(i64, i64)];
 
-pub fn stochastic() -> Record<StochasticVariant> {
+pub fn stochastic() -> Record<Shares> {
+    let printed: Shares = &[(1, 1_000_000), (1, 3), (1, 2), (2, 3), (999_999, 1_000_000)];
     Record::new(
         "chazelle.modelD.stoch",
         "Row i of I - CL has the diagonal entry 1 - c_i d_i > 0, entries c_i > 0 at the d_i neighbours and 0 \
          elsewhere; it sums to 1.",
-        StochasticVariant { shares: &[(1, 1_000_000), (1, 3), (1, 2), (2, 3), (999_999, 1_000_000)] },
+        printed,
         check_stochastic,
     )
     .reading(
@@ -33,39 +30,25 @@ pub fn stochastic() -> Record<StochasticVariant> {
         "If 0 < c_i(t) d_i(t) < 1, P(t) = I_n - C_t L_t is row-stochastic.",
         "If 0 < c_i(t) d_i(t) < 1, the diagonal of P(t) is strictly positive.",
     ])
-    .control("c_i d_i = 1 allowed", StochasticVariant { shares: &[(1, 2), (1, 1)] })
-    .control("c_i d_i up to 1 + 10^-6", StochasticVariant { shares: &[(1, 2), (1_000_001, 1_000_000)] })
-    .control("negative c_i", StochasticVariant { shares: &[(-1, 1_000_000)] })
+    .control("c_i d_i = 1 allowed", &[(1, 2), (1, 1)])
+    .control("c_i d_i up to 1 + 10^-6", &[(1, 2), (1_000_001, 1_000_000)])
+    .control("negative c_i", &[(-1, 1_000_000)])
 }
 
-fn check_stochastic(variant: &StochasticVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut cases = 0;
-    for graph in graphs(5) {
-        run.checkpoint()?;
-        for &share in variant.shares {
-            cases += 1;
-            let matrix = transition_matrix(&graph, &share_weights(&graph, share))?;
-            let problem = match StochasticMatrix::try_from(&matrix) {
-                Err(error) => Some(error.to_string()),
-                Ok(p) if !p.footprint().has_full_diagonal() => Some("a diagonal entry is 0".to_string()),
-                Ok(_) => None,
-            };
-            if let Some(problem) = problem {
-                let what =
-                    format!("{} birds, {}, c_i d_i = {}/{}: {problem}", graph.order(), show(&graph), share.0, share.1);
-                return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "P = I - CL", "one matrix")));
-            }
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "row-stochastic with a positive diagonal",
-            "all graphs on up to 5 birds, five shares c_i d_i from 10^-6 to 1 - 10^-6",
-        )
-        .on([1, 2])
-        .cases(cases),
-    ]))
+fn check_stochastic(shares: &Shares, run: &mut Run) -> Result<Outcome, CheckError> {
+    let detail = "all graphs on up to 5 birds, five shares c_i d_i from 10^-6 to 1 - 10^-6";
+    let evidence = exhaustive("row-stochastic with a positive diagonal", detail).on([1, 2]);
+    let cases = graphs(5).flat_map(|graph| shares.iter().map(move |&share| (graph.clone(), share)));
+    run.every(evidence, cases, |(graph, share)| {
+        let matrix = transition_matrix(&graph, &share_weights(&graph, share))?;
+        let problem = match StochasticMatrix::try_from(&matrix) {
+            Err(error) => error.to_string(),
+            Ok(p) if !p.footprint().has_full_diagonal() => "a diagonal entry is 0".to_string(),
+            Ok(_) => return Ok(None),
+        };
+        let (p, q) = share;
+        Ok(Some(format!("{} birds, {}, c_i d_i = {p}/{q}: {problem}", graph.order(), show(&graph))))
+    })
 }
 
 /// The weights and the rule they are compared with.
@@ -97,55 +80,36 @@ impl HeadingsVariant {
 }
 
 pub fn headings() -> Record<HeadingsVariant> {
-    let printed = HeadingsVariant { offset: 1, sign: 1, own: 1 };
     Record::new(
         "chazelle.modelK.matrix",
         "1 - c_i d_i = 1/(d_i + 1) = c_i: the bird's own heading and its neighbours' have the same weight. The rule \
          is linear in the headings as real numbers, so it is its matrix.",
-        printed,
+        HeadingsVariant { offset: 1, sign: 1, own: 1 },
         check_headings,
     )
     .clauses(&[
         "The heading update has the matrix P(t) = I_n - C_t L_t with c_i(t) = (d_i(t)+1)^{-1}.",
         "p_ij = (d_i+1)^{-1} if i = j or (i,j) in G_t.",
     ])
-    .control("c_i = 1/d_i", HeadingsVariant { offset: 0, ..printed })
-    .control("c_i = 1/(d_i + 2)", HeadingsVariant { offset: 2, ..printed })
-    .control("I + CL", HeadingsVariant { sign: -1, ..printed })
-    .control("without the bird's own heading", HeadingsVariant { own: 0, ..printed })
+    .altered("c_i = 1/d_i", |v| v.offset = 0)
+    .altered("c_i = 1/(d_i + 2)", |v| v.offset = 2)
+    .altered("I + CL", |v| v.sign = -1)
+    .altered("without the bird's own heading", |v| v.own = 0)
 }
 
 fn check_headings(variant: &HeadingsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut cases = 0;
-    for graph in graphs(5) {
-        run.checkpoint()?;
-        cases += 1;
+    let detail = "all graphs on up to 5 birds, on a basis of headings";
+    let evidence = exhaustive("entries, I - CL and the heading rule", detail).on([1, 2]);
+    run.every(evidence, graphs(5), |graph| {
         let matrix = variant.matrix(&graph)?;
-        for (i, row) in matrix.iter().enumerate() {
-            for (j, entry) in row.iter().enumerate() {
-                let joined = i == j || graph.has_edge(i, j);
-                let printed = if joined { rational(1, graph.degree(i) as i64 + 1) } else { rational(0, 1) };
-                let rule = variant.rule(&graph, i, j);
-                if *entry != printed || *entry != rule {
-                    let what = format!(
-                        "{} birds, {}: entry ({}, {}) is {entry}, printed {printed}, by the rule {rule}",
-                        graph.order(),
-                        show(&graph),
-                        i + 1,
-                        j + 1
-                    );
-                    return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "entries", "one matrix")));
-                }
-            }
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "entries, I - CL and the heading rule",
-            "all graphs on up to 5 birds, on a basis of headings",
-        )
-        .on([1, 2])
-        .cases(cases),
-    ]))
+        let places = (0..graph.order()).flat_map(|i| (0..graph.order()).map(move |j| (i, j)));
+        Ok(places.into_iter().find_map(|(i, j)| {
+            let (entry, rule) = (&matrix[i][j], variant.rule(&graph, i, j));
+            let joined = i == j || graph.has_edge(i, j);
+            let printed = if joined { rational(1, graph.degree(i) as i64 + 1) } else { rational(0, 1) };
+            let what = || format!("entry ({}, {}) is {entry}, printed {printed}, by the rule {rule}", i + 1, j + 1);
+            (*entry != printed || *entry != rule)
+                .then(|| format!("{} birds, {}: {}", graph.order(), show(&graph), what()))
+        }))
+    })
 }

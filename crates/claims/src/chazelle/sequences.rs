@@ -1,9 +1,8 @@
 //! Sequences of networks that the checks run over: all of a length, with a constant end, or of an exact flock.
 
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Footprint, RationalMatrix, Stabiliser, StabiliserStream};
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Run};
 use models::averaging::settle::{Limits, Settlement, settle};
 use models::averaging::{Flock, Hysteresis, Start, Switch, Weights};
 use rand_chacha::ChaCha8Rng;
@@ -109,7 +108,6 @@ impl NetworkHistory {
         NetworkHistory { graphs, footprints }
     }
 
-    /// Number of birds.
     pub fn order(&self) -> usize {
         self.graphs[0].order()
     }

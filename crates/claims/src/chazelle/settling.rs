@@ -3,11 +3,9 @@
 use super::lower_bound::{MIRRORED, PRINTED, groups};
 use super::sequences::{four_birds, random_start, settled};
 use super::switching;
-use crate::argued::{argued, argued_with};
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::settle::Ending;
 use models::averaging::{Flock, Hysteresis, Separation, Start, Transients, Weights};
 use num_bigint::BigInt;
@@ -110,13 +108,12 @@ pub struct ExpansionVariant {
 }
 
 pub fn distance_expansion() -> Record<ExpansionVariant> {
-    let printed = ExpansionVariant { alternating: true, products: true, from: 1, most: |n| n * n };
     Record::new(
         "chazelle.eq3.18",
         "Square (3.17) with B = 0 and |A| = 1 and collect equal moduli; a negative mu gives (-1)^(t - t_1), whose \
          constant sign (-1)^t_1 belongs to Upsilon^-. There are at most n - 1 values |mu_k| and n(n-1)/2 products, \
          fewer than n² (notes/settling.md).",
-        printed,
+        ExpansionVariant { alternating: true, products: true, from: 1, most: |n| n * n },
         check_distance_expansion,
     )
     .reading(
@@ -129,16 +126,16 @@ pub fn distance_expansion() -> Record<ExpansionVariant> {
          among |mu_k|, |mu_k mu_k'|.",
         "N < n^2.",
     ])
-    .control("without (-1)^t", ExpansionVariant { alternating: false, ..printed })
-    .control("without products of eigenvalues", ExpansionVariant { products: false, ..printed })
-    .control("at t = t_1 too", ExpansionVariant { from: 0, ..printed })
-    .control("fewer than n terms", ExpansionVariant { most: |n| n, ..printed })
+    .altered("without (-1)^t", |v| v.alternating = false)
+    .altered("without products of eigenvalues", |v| v.products = false)
+    .altered("at t = t_1 too", |v| v.from = 0)
+    .altered("fewer than n terms", |v| v.most = |n| n)
 }
 
 fn check_distance_expansion(variant: &ExpansionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let detail = "pairs of birds of 7 networks with rational spectra, 0 and equal moduli among them, dimension 1 and \
                   2, 30 steps, against powers of P";
-    let evidence = Evidence::new(Grade::Exact, "the expansion for t > t_1, and fewer than n² terms", detail).on([1, 2]);
+    let evidence = exact("the expansion for t > t_1, and fewer than n² terms", detail).on([1, 2]);
     Run::all([
         run.every(evidence, tie_cases(run)?, |case| Ok(variant.fails_at(&case))),
         argued(&[1, 2], "both, for all flocks", "notes/settling.md, (3.18) and Lemma 3.10, steps 1-2"),
@@ -175,7 +172,6 @@ pub struct GapsVariant {
 }
 
 pub fn gaps() -> Record<GapsVariant> {
-    let printed = GapsVariant { power: 4, first: 1, factor: 2 };
     Record::new(
         "chazelle.lem3.10",
         "The squares of the rho are eigenvalues of (P (x) P)², which m^4 makes integral, m <= n^(an): distinct roots \
@@ -185,7 +181,7 @@ pub fn gaps() -> Record<GapsVariant> {
          bits, so even 2^(-t_1 n^O(1)) < |Upsilon_k|. The upper bound sums at most 2n^2 products of n^O(1). The \
          bounds are for large n and cannot fail on small flocks; what is computed are the steps of the proof \
          (notes/settling.md).",
-        printed,
+        GapsVariant { power: 4, first: 1, factor: 2 },
         check_gaps,
     )
     .reading("Upsilon_k for even or for odd t, where it is not zero.")
@@ -194,9 +190,9 @@ pub fn gaps() -> Record<GapsVariant> {
         "For all k >= 1, 2^{-t_1 2^{n^{O(1)}}} < |Upsilon_k|.",
         "For all k >= 1, |Upsilon_k| = n^{O(1)}.",
     ])
-    .control("step 3 with m^2 rho_k^2", GapsVariant { power: 2, ..printed })
-    .control("step 5 with the term at t_1", GapsVariant { first: 0, ..printed })
-    .control("step 7 without the terms that are linear in Psi", GapsVariant { factor: 0, ..printed })
+    .altered("step 3 with m^2 rho_k^2", |v| v.power = 2)
+    .altered("step 5 with the term at t_1", |v| v.first = 0)
+    .altered("step 7 without the terms that are linear in Psi", |v| v.factor = 0)
 }
 
 fn check_gaps(variant: &GapsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -280,7 +276,6 @@ fn log2(n: u64) -> u64 {
 }
 
 pub fn next_contact() -> Record<ContactVariant> {
-    let printed = ContactVariant { distinct: |t, n| t.saturating_mul(16 * n * log2(n)), same: |n| n.pow(4) };
     Record::new(
         "chazelle.lem3.9",
         "Distinct flocks with B != 0: B has the denominator of v(t_1+1) times that of pi, n^O(t_1 n), so |B| >= \
@@ -288,7 +283,7 @@ pub fn next_contact() -> Record<ContactVariant> {
          and transients fall below that within t_1 n^O(1) steps. |A| = 1: the leading term of (3.18) decides after \
          t_1 2^(n^O(1)) steps (lem3.10). With t_1 > n^(2n^4) no edge is lost later, and t_1 2^(n^O(1)) = n^O(t_1 n) \
          for distinct flocks with B = 0 (notes/settling.md). `flock settle` decides by the same three cases.",
-        printed,
+        ContactVariant { distinct: |t, n| t.saturating_mul(16 * n * log2(n)), same: |n| n.pow(4) },
         check_next_contact,
     )
     .clauses(&[
@@ -297,8 +292,8 @@ pub fn next_contact() -> Record<ContactVariant> {
         "If G_t is invariant during [t_1, t-1], t_1 > n^{2n^4}, and two birds of the same flock are adjacent in G_t \
          but not in G_{t-1}, then t = t_1 2^{n^{O(1)}}.",
     ])
-    .control("distinct flocks within t_1 2^(n²)", ContactVariant { distinct: |t, n| log2(t) + n * n, ..printed })
-    .control("the same flock within 2 t_1", ContactVariant { same: |_| 1, ..printed })
+    .altered("distinct flocks within t_1 2^(n²)", |v| v.distinct = |t, n| log2(t) + n * n)
+    .altered("the same flock within 2 t_1", |v| v.same = |_| 1)
 }
 
 fn check_next_contact(variant: &ContactVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -362,16 +357,15 @@ fn tower_height(bits: u128) -> u64 {
 }
 
 pub fn steady_state() -> Record<TimeVariant> {
-    let printed = TimeVariant { height: |n| 2 * n + 5 };
     Record::new(
         "chazelle.thm1.1.time",
         "Model D: after n^(2n^4) no edge is lost (lem3.8). Of the at most n(n-1)/2 edges that are gained later, at \
          most n - 1 join distinct flocks, each within log2 t <= K t_1 n log2 n, and the others multiply the time by \
-         2^(n^O(1)) (lem3.9). As K n log2 n <= t_1, a merger costs two levels: t <= 2^(t_1²) <= 2^(2^t_1), starting \
-         from 2^(n^O(1)), which covers the factors of the others. So the network stands still before 2^^(2n + O(1)). \
+         2^(n^O(1)) (lem3.9). As K n log2 n <= t_1, a merger costs two levels of the tower: t <= 2^(t_1²) <= 2^(2^t_1), starting \
+         from 2^(n^O(1)), which covers the factors of the others. So the network is steady before 2^^(2n + O(1)). \
          Model K: its positions are not rational, so the separation bounds of the proof do not apply, and the paper \
          adds \"an extra rule to simplify the proofs\" that it does not state.",
-        printed,
+        TimeVariant { height: |n| 2 * n + 5 },
         check_steady_state,
     )
     .clauses(&[
@@ -380,8 +374,8 @@ pub fn steady_state() -> Record<TimeVariant> {
         "In model K with kappa = 0, a group of n birds with O(log n)-bit inputs reaches steady state in at most \
          2^^O(n) steps.",
     ])
-    .control("at most 65536 steps", TimeVariant { height: |_| 4 })
-    .control("step 3 with one level for each merger", TimeVariant { height: |n| n + 5 })
+    .altered("at most 65536 steps", |v| v.height = |_| 4)
+    .altered("step 3 with one level for each merger", |v| v.height = |n| n + 5)
 }
 
 fn check_steady_state(variant: &TimeVariant, run: &mut Run) -> Result<Outcome, CheckError> {

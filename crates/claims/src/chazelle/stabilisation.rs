@@ -2,14 +2,12 @@
 
 use super::entries::small_weights;
 use super::sequences::{NetworkHistory, histories, random_graph};
+use crate::prelude::*;
 use algebra::matrix::{RationalMatrix, Stabiliser, tau_1, tau_2_squared};
-use arithmetic::{Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
-/// Levels that are followed.
 const LEVELS: usize = 3;
 
 /// Checks all sequences of 6, 4, 2 networks on 2, 3, 4 birds (`shorter`: 4, 3, 1) with a constant end, then random
@@ -23,8 +21,8 @@ fn over_histories(
 ) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
     let lengths = if shorter { [1, 4, 3, 1] } else { [3, 6, 4, 2] };
-    let all = Evidence::new(Grade::Exhaustive, part, detail);
-    let sampled = Evidence::new(Grade::Fuzzed, part, "random sequences of 8 networks on 3 to 6 birds");
+    let all = exhaustive(part, detail);
+    let sampled = fuzzed(part, "random sequences of 8 networks on 3 to 6 birds");
     Run::all([
         run.every(all, histories((1..).zip(lengths)), |history| fails(&history, &mut random)),
         run.every(sampled, 0..run.cases(60, 2000), |_| {
@@ -50,7 +48,6 @@ impl Levels {
     }
 }
 
-/// What is altered.
 #[derive(Clone, Copy)]
 pub struct NestedVariant {
     strictly: bool,
@@ -117,7 +114,6 @@ fn birds(members: &[usize]) -> String {
 }
 
 pub fn nested() -> Record<NestedVariant> {
-    let printed = NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false };
     Record::new(
         "chazelle.stab",
         "V_k indexes rows of a matrix on V_{k-1}, so it is contained in it. An edge at t > T_k between i in V_k and j \
@@ -125,26 +121,24 @@ pub fn nested() -> Record<NestedVariant> {
          V_{k-1} is block diagonal for t > T_k, and products of restrictions are restrictions of products. The first \
          bird stays first: its diagonal entry is positive, so it belongs to every V_k, and the rows of V_k are by \
          definition those with a positive entry in its column.",
-        printed,
-        check_nested,
+        NestedVariant { strictly: false, at_t1: false, column: 0, from_row: false },
+        |variant, run| {
+            let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
+            over_histories(run, false, "nested, block diagonal, positive first columns", cases, |history, _| {
+                Ok(variant.fails_at(history))
+            })
+            .on([1, 2, 3])
+        },
     )
     .clauses(&[
         "The stabilizers are nested, V_1 contains V_2 contains ....",
         "For t > T_1 no edge of G_t joins V_1 to its complement, so P(t) is block diagonal.",
         "The first column of each P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1) consists entirely of positive entries.",
     ])
-    .control("strictly nested", NestedVariant { strictly: true, ..printed })
-    .control("separated at t = T_1 already", NestedVariant { at_t1: true, ..printed })
-    .control("the second column", NestedVariant { column: 1, ..printed })
-    .control("V_1 from the first row", NestedVariant { from_row: true, ..printed })
-}
-
-fn check_nested(variant: &NestedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let cases = "all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end, three levels";
-    Ok(over_histories(run, false, "nested, block diagonal, positive first columns", cases, |history, _| {
-        Ok(variant.fails_at(history))
-    })?
-    .on([1, 2, 3]))
+    .altered("strictly nested", |v| v.strictly = true)
+    .altered("separated at t = T_1 already", |v| v.at_t1 = true)
+    .altered("the second column", |v| v.column = 1)
+    .altered("V_1 from the first row", |v| v.from_row = true)
 }
 
 /// `P(t)` for all `t` of a history, with exact products.
@@ -240,32 +234,28 @@ impl BlocksVariant {
 }
 
 pub fn blocks() -> Record<BlocksVariant> {
-    let printed = BlocksVariant { second_has_v1: false, first_has_v1: false, gap: 1 };
-    let corrected = BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 };
     Record::new(
         "chazelle.eq3.5",
         "After T_i the matrices on V_{i-1} are block diagonal with the block V_i, so the rows V_i of P(t, T_{i-1}+1) \
          on V_{i-1} are P_{|V_i x V_i}(t, T_i+1) P_{|V_i x V_{i-1}}(T_i, T_{i-1}+1); the rows V_k of that are rows of \
          the left factor only. Iterated, the factor of T_2 has the columns V_1 and the factor of T_1 the rows V_1. \
          With V_k in both places the paths through V_1 \\ V_k are lost.",
-        printed,
-        check_blocks,
+        BlocksVariant { second_has_v1: false, first_has_v1: false, gap: 1 },
+        |variant, run| {
+            let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+            over_histories(run, true, "the factorisation", cases, |history, random| variant.fails_at(history, random))
+        },
     )
     .repaired(
         Fault::Typo,
         "For t > T_k and T_0 = s-1: P_{|V_k x V_0}(t,s) = P_{|V_k x V_k}(t,T_k+1) P_{|V_k x V_{k-1}}(T_k,T_{k-1}+1) ... \
          P_{|V_2 x V_1}(T_2,T_1+1) P_{|V_1 x V_0}(T_1,T_0+1).",
-        corrected,
+        BlocksVariant { second_has_v1: true, first_has_v1: true, gap: 1 },
     )
-    .control("V_2 x V_k, V_1 x V_0", BlocksVariant { second_has_v1: false, ..corrected })
-    .control("V_2 x V_1, V_k x V_0", BlocksVariant { first_has_v1: false, ..corrected })
-    .control("the factor at T_i taken twice", BlocksVariant { gap: 0, ..corrected })
-    .control("the factor at T_i + 1 left out", BlocksVariant { gap: 2, ..corrected })
-}
-
-fn check_blocks(variant: &BlocksVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-    over_histories(run, true, "the factorisation", cases, |history, random| variant.fails_at(history, random))
+    .altered("V_2 x V_k, V_1 x V_0", |v| v.second_has_v1 = false)
+    .altered("V_2 x V_1, V_k x V_0", |v| v.first_has_v1 = false)
+    .altered("the factor at T_i taken twice", |v| v.gap = 0)
+    .altered("the factor at T_i + 1 left out", |v| v.gap = 2)
 }
 
 /// The constants of the two inequalities.
@@ -318,28 +308,26 @@ impl ContractionVariant {
 }
 
 pub fn contraction() -> Record<ContractionVariant> {
-    let printed = ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 };
     Record::new(
         "chazelle.eq3.6",
         "The blocks of (3.5) as corrected are row-stochastic. Lemma 2.4, once for each factor, and tau_2(I) <= \
          sqrt(2) give the first inequality. The first column of each P_{|V_i x V_{i-1}} is at least beta = \
          nu^(-a(nu-1)), which is more than nu^(-a nu²) (lem2.2.entries): any two rows overlap by beta, tau_1 <= 1 - \
          beta <= e^(-beta), and the coefficient of the last block is at most 1. Checked with a = 2.",
-        printed,
-        check_contraction,
+        ContractionVariant { squared_constant: (2, 1), exponent: |nu| nu * nu, last_block: true, power: 1 },
+        |variant, run| {
+            let cases =
+                "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
+            over_histories(run, true, "both inequalities", cases, |history, random| variant.fails_at(history, random))
+                .on([1, 2])
+        },
     )
     .clauses(&[
         "tau_2(P_{|V_k x V_0}(t,s)) <= sqrt(2) tau_1(P_{|V_k x V_k}(t,T_k+1)) prod_{i=1}^k tau_1(P_{|V_i x \
          V_{i-1}}(T_i,T_{i-1}+1)).",
         "The right side is at most sqrt(2) e^{-k nu^{-O(nu^2)}}.",
     ])
-    .control("1.41 for sqrt(2)", ContractionVariant { squared_constant: (19881, 10000), ..printed })
-    .control("e^(-k)", ContractionVariant { exponent: |_| 0, ..printed })
-    .control("the square of the product", ContractionVariant { power: 2, ..printed })
-}
-
-fn check_contraction(variant: &ContractionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let cases = "all sequences of 4, 3, 1 networks on 2, 3, 4 birds with a constant end, k = 1, 2, 3, exact products";
-    Ok(over_histories(run, true, "both inequalities", cases, |history, random| variant.fails_at(history, random))?
-        .on([1, 2]))
+    .altered("1.41 for sqrt(2)", |v| v.squared_constant = (19881, 10000))
+    .altered("e^(-k)", |v| v.exponent = |_| 0)
+    .altered("the square of the product", |v| v.power = 2)
 }

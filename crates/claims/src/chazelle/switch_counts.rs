@@ -1,9 +1,7 @@
 //! chazelle.Nts and chazelle.eq3.4: counting network switches while the columns of `P(t, s)` fill.
 
 use super::sequences::{NetworkHistory, histories, line_networks, random_line_flock};
-use crate::argued::argued;
-use arithmetic::rational;
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
 use models::averaging::{Filling, GroupRule, Weights};
 
 /// Which `u` are counted, and what is claimed of one step.
@@ -70,8 +68,6 @@ fn small_flocks() -> Result<Vec<NetworkHistory>, CheckError> {
 }
 
 pub fn count() -> Record<CountVariant> {
-    let printed = CountVariant { with_s: false, with_t: false, exactly_one: true, first_summand: 1 };
-    let corrected = CountVariant { with_t: true, exactly_one: false, ..printed };
     Record::new(
         "chazelle.Nts",
         "With s < u < t there is no u between t_k and t_k + 1, so N(t_{k+1}, t_k) = 0; and the changes at u = t_1, \
@@ -79,7 +75,7 @@ pub fn count() -> Record<CountVariant> {
          additive. One step contains one u, which counts where G_u differs from G_{u-1}: a column can grow while the \
          network rests (three birds at rest in a row), so N = 1 is N <= 1. t_1 = s, because P(s,s) has a first \
          column. Neither slip matters for what follows.",
-        printed,
+        CountVariant { with_s: false, with_t: false, exactly_one: true, first_summand: 1 },
         check_count,
     )
     .clauses(&[
@@ -87,28 +83,22 @@ pub fn count() -> Record<CountVariant> {
          N(t_{k+1}, t_k) = 1 when t_{k+1} = t_k + 1.",
         "N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
     ])
-    .repaired(
-        Fault::Slip,
-        "N(t,s) counts the integers u with s < u <= t and a changed footprint; N(t_{k+1}, t_k) <= 1 when t_{k+1} = \
-         t_k + 1, and with t_0 = s, N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
-        corrected,
-    )
+    .repaired_by(Fault::Slip, "", |v| (v.with_t, v.exactly_one) = (true, false))
     .repaired_clauses(&[
         "With N(t,s) the number of integers u, s < u <= t, such that the footprint of P(u) differs from that of \
          P(u-1): N(t_{k+1}, t_k) <= 1 when t_{k+1} = t_k + 1.",
         "With the same N and t_0 = s, N(t_l, s) = sum_{k=1}^l N(t_k, t_{k-1}).",
     ])
-    .control("strict at both ends, at most 1", CountVariant { with_t: false, ..corrected })
-    .control("both ends counted", CountVariant { with_s: true, ..corrected })
-    .control("s < u <= t, exactly 1", CountVariant { exactly_one: true, ..corrected })
-    .control("the sum from k = 3", CountVariant { first_summand: 3, ..corrected })
+    .altered("strict at both ends, at most 1", |v| v.with_t = false)
+    .altered("both ends counted", |v| v.with_s = true)
+    .altered("s < u <= t, exactly 1", |v| v.exactly_one = true)
+    .altered("the sum from k = 3", |v| v.first_summand = 3)
 }
 
 fn check_count(variant: &CountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "one step, and the sum";
-    let flocks = Evidence::new(Grade::Exact, part, "exact flocks of three birds with the hysteresis of the paper");
-    let all = Evidence::new(
-        Grade::Exhaustive,
+    let flocks = exact(part, "exact flocks of three birds with the hysteresis of the paper");
+    let all = exhaustive(
         part,
         "all columns, s = 1 and 2, all sequences of 6, 4, 2 networks on 2, 3, 4 birds with a constant end",
     );
@@ -149,7 +139,6 @@ pub struct UntilStableVariant {
 }
 
 pub fn until_stable() -> Record<UntilStableVariant> {
-    let printed = UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true };
     Record::new(
         "chazelle.eq3.4",
         "T_1 is the last growth time t_l of some column, and the count for that column is the count of the whole \
@@ -157,7 +146,7 @@ pub fn until_stable() -> Record<UntilStableVariant> {
          not meet: N(n_k) + N(n - n_k) switches, one at t_{k+1}, and one the paper forgets, at t_k + 1, when an edge \
          between the two sides breaks. There are l - 1 <= n - 1 intervals (t_1 = s), which makes (n-1)(2N(n-1)+2) <= \
          2nN(n-1)+n, because N(n-1) >= (n-2)/2 (pairs that meet at different times).",
-        printed,
+        UntilStableVariant { bound: |n, before| 2 * n * before + n, until_stable: true },
         check_until_stable,
     )
     .reading(
@@ -165,9 +154,9 @@ pub fn until_stable() -> Record<UntilStableVariant> {
          any group that meets no other bird (positions, old edges and weights arbitrary, speeds bounded); N(t,s) \
          counts s < u <= t.",
     )
-    .control("one interval only", UntilStableVariant { bound: |_, before| 2 * before + 1, ..printed })
-    .control("N(n-1) + n", UntilStableVariant { bound: |n, before| before + n, ..printed })
-    .control("all switches", UntilStableVariant { until_stable: false, ..printed })
+    .altered("one interval only", |v| v.bound = |_, before| 2 * before + 1)
+    .altered("N(n-1) + n", |v| v.bound = |n, before| before + n)
+    .altered("all switches", |v| v.until_stable = false)
 }
 
 fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -175,8 +164,7 @@ fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Out
         [(3, vec![0, 0, 1]), (3, vec![0, 0, 2]), (3, vec![0, 0, 3]), (4, vec![0, 0, 1, 1]), (4, vec![0, 0, 1, 2])];
     let mut found = Vec::new();
     let classes = run.every(
-        Evidence::new(
-            Grade::Exhaustive,
+        exhaustive(
             "the bound",
             "the longest sequences in which each group of birds that meets no other has at most N switches, on 3 and \
              4 birds",
@@ -202,7 +190,7 @@ fn check_until_stable(variant: &UntilStableVariant, run: &mut Run) -> Result<Out
     let detail = "exact flocks on the line, continued with their last network; N(n-1) >= floor((n-1)/2)";
     Run::all([
         Ok(classes),
-        run.every(Evidence::new(Grade::Fuzzed, "flocks", detail), flocks, |history| {
+        run.every(fuzzed("flocks", detail), flocks, |history| {
             let history = history?;
             let n = history.order();
             let stable = (0..n).filter_map(|j| weight_times(&history, j, 1).last().copied()).max().unwrap_or(1);

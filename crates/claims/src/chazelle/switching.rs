@@ -2,9 +2,8 @@
 //! switches.
 
 use super::sequences::{NetworkHistory, histories, line_networks, paper_threshold, random_graph, random_line_flock};
-use crate::argued::{argued, argued_with};
-use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::averaging::Weights;
 use num_bigint::BigInt;
 use rand_chacha::rand_core::Rng;
@@ -25,40 +24,29 @@ pub struct ThresholdVariant {
 }
 
 pub fn threshold_inequality() -> Record<ThresholdVariant> {
-    let printed = ThresholdVariant { p: |nu| nu * nu, q: 4, reversed: false };
     Record::new(
         "chazelle.epsineq",
         "It says nu^(nu²) > nu^4 ln nu. nu = 1: 1 > 0. nu = 2: 16 > 16 ln 2. For nu >= 3: nu^(nu²) >= nu^9 > nu^5 > \
          nu^4 ln nu.",
-        printed,
+        ThresholdVariant { p: |nu| nu * nu, q: 4, reversed: false },
         check_threshold_inequality,
     )
-    .control("e^(-nu^nu)", ThresholdVariant { p: |nu| nu, ..printed })
-    .control("nu^(-nu^5)", ThresholdVariant { q: 5, ..printed })
-    .control("the other way round", ThresholdVariant { reversed: true, ..printed })
+    .altered("e^(-nu^nu)", |v| v.p = |nu| nu)
+    .altered("nu^(-nu^5)", |v| v.q = 5)
+    .altered("the other way round", |v| v.reversed = true)
 }
 
 fn check_threshold_inequality(variant: &ThresholdVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    const LARGEST: u32 = 24;
-    for nu in 1..=LARGEST {
-        run.checkpoint()?;
+    let part = "the inequality, for all integers nu >= 1";
+    let evidence = certified(part, "enclosures of the logarithms of both sides for nu = 1, ..., 24");
+    run.every(evidence, 1..=24u32, |nu| {
+        let (p, q) = ((variant.p)(nu), variant.q);
         let base = Interval::from_rational(&rational(i64::from(nu), 1), PRECISION);
-        let excess =
-            base.power(u64::from((variant.p)(nu))) - base.power(u64::from(variant.q)) * natural_logarithm(nu.into())?;
+        let excess = base.power(u64::from(p)) - base.power(u64::from(q)) * natural_logarithm(nu.into())?;
         let excess = if variant.reversed { -excess } else { excess };
-        if !excess.is_certainly_positive() {
-            let what = format!("nu = {nu}: nu^{} - nu^{} ln nu is not positive", (variant.p)(nu), variant.q);
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "the inequality", "an enclosure")));
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Certified,
-            "the inequality, for all integers nu >= 1",
-            "enclosures of the logarithms of both sides for nu = 1, ..., 24",
-        )
-        .cases(LARGEST as usize),
-    ]))
+        let what = || format!("nu = {nu}: nu^{p} - nu^{q} ln nu is not positive");
+        Ok((!excess.is_certainly_positive()).then(what))
+    })
 }
 
 /// What is added to the switches until `T_k`.
@@ -117,8 +105,6 @@ fn leaving_pair(k: usize) -> Result<NetworkHistory, CheckError> {
 }
 
 pub fn final_count() -> Record<FinalCountVariant> {
-    let printed = FinalCountVariant { one_more: false, others: false, lasting: true, until_t: true };
-    let corrected = FinalCountVariant { one_more: true, others: true, ..printed };
     Record::new(
         "chazelle.lem3.1.count",
         "Only pairs inside V_k are counted. Birds outside V_k can go on switching among themselves: bird 1 alone \
@@ -129,7 +115,7 @@ pub fn final_count() -> Record<FinalCountVariant> {
          about log2 k bits with a longer flight: it is within the O(log n)-bit inputs of the paper for k up to \
          n^O(1). The proof of Lemma 3.1 takes k = nu^(b nu²); whether the count can fail there with O(log n)-bit \
          inputs is not known.",
-        printed,
+        FinalCountVariant { one_more: false, others: false, lasting: true, until_t: true },
         check_final_count,
     )
     .reading("For every k >= 1 and all flocks with rational inputs; N(t,s) counts the switches at u with s < u <= t.")
@@ -138,17 +124,17 @@ pub fn final_count() -> Record<FinalCountVariant> {
          after T_k.",
         "Then the total number of network changes is at most N(T_k,T_{k-1}) + ... + N(T_1,1) + binom(|V_k|,2).",
     ])
-    .repaired(
+    .repaired_by(
         Fault::False,
         "When birds of V_k joined at time T_k+1 or later always remain so, the number of u >= 2 with G_u != G_{u-1} is at \
          most N(T_k,T_{k-1}) + ... + N(T_1,1) + 1 + binom(|V_k|,2) + M, where N(t,s) counts the changes at u with s < \
          u <= t, and M those after T_k+1 of the network on the birds outside V_k.",
-        corrected,
+        |v| (v.one_more, v.others) = (true, true),
     )
-    .control("without the birds outside V_k", FinalCountVariant { others: false, ..corrected })
-    .control("without the switch at T_k + 1", FinalCountVariant { one_more: false, ..corrected })
-    .control("birds of V_k that part later", FinalCountVariant { lasting: false, ..corrected })
-    .control("N(t,s) counts s < u < t", FinalCountVariant { until_t: false, ..corrected })
+    .altered("without the birds outside V_k", |v| v.others = false)
+    .altered("without the switch at T_k + 1", |v| v.one_more = false)
+    .altered("birds of V_k that part later", |v| v.lasting = false)
+    .altered("N(t,s) counts s < u < t", |v| v.until_t = false)
 }
 
 fn check_final_count(variant: &FinalCountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -171,12 +157,8 @@ fn check_final_count(variant: &FinalCountVariant, run: &mut Run) -> Result<Outco
             1..=40,
             leaves,
         ),
-        run.every(
-            Evidence::new(Grade::Exhaustive, "the count", all),
-            histories([(1, 1), (2, 6), (3, 4), (4, 2)]),
-            wrong,
-        ),
-        run.every(Evidence::new(Grade::Fuzzed, "the count", random_detail), sampled, wrong),
+        run.every(exhaustive("the count", all), histories([(1, 1), (2, 6), (3, 4), (4, 2)]), wrong),
+        run.every(fuzzed("the count", random_detail), sampled, wrong),
         argued(&[], "the count, for all flocks and all k", "notes/chazelle_switches.md, The final count, steps 1-4"),
     ])?;
     Ok(if matches!(outcome, Outcome::Fails { .. }) { outcome.on([1, 2]) } else { outcome })
@@ -234,8 +216,7 @@ pub const MODEL_K: &str = "for model D it holds (see the evidence); for model K 
 /// `beta + beta²/(2 (1 - beta))`.
 fn edges_last(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
     let cases = (2..=40).flat_map(|nu| CONSTANTS.map(|(a, c)| (nu, a, c)));
-    let evidence = Evidence::new(
-        Grade::Certified,
+    let evidence = certified(
         "step 1: edges inside V_k last after T_k + 1",
         "2 nu^c (1 - beta)^k is below the threshold, by logarithms, for nu = 2, ..., 40 and four (a, c)",
     );
@@ -301,7 +282,7 @@ fn flocks(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
     )?;
     let mut random = run.random(0);
     let sampled = (0..run.cases(80, 2000)).map(|_| random_line_flock(&mut random, 16));
-    let evidence = Evidence::new(Grade::Fuzzed, "flocks", "exact flocks of 2 to 5 birds on the line, 16 steps");
+    let evidence = fuzzed("flocks", "exact flocks of 2 to 5 birds on the line, 16 steps");
     run.every(evidence, std::iter::once(Ok(NetworkHistory::new(bounce))).chain(sampled), |history| {
         let history = history?;
         let n = history.order() as u64;
@@ -314,7 +295,6 @@ fn flocks(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
     })
 }
 
-/// The claim with the controls of the printed bound.
 fn cubic(id: &'static str, derivation: &'static str, printed: SwitchesVariant) -> Record<SwitchesVariant> {
     Record::new(id, derivation, printed, examine_cubic)
         .control("at most n - 1 switches", SwitchesVariant { count: Some(|n| n - 1), ..printed })

@@ -1,14 +1,13 @@
 //! chazelle.lem2.1 and chazelle.eq2.3: changes of distances, and lengths of velocities.
 
 use super::sequences::{random_graph, words};
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, Ring, Sign, rational, sign_of_surd};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use arithmetic::{Sign, sign_of_surd};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
 
-/// The right side.
 #[derive(Clone, Copy)]
 pub struct DistanceChangeVariant {
     /// A factor of the right side, squared.
@@ -44,50 +43,33 @@ impl DistanceChangeVariant {
 }
 
 pub fn distance_change() -> Record<DistanceChangeVariant> {
-    let printed = DistanceChangeVariant { squared_factor: (1, 1), euclidean: true, strict: false };
     Record::new(
         "chazelle.lem2.1",
         "With r = x_i(t-1) - x_j(t-1) and w = v_i(t) - v_j(t): x_i(t) - x_j(t) = r + w, and | |r + w| - |r| | <= |w| \
          is the triangle inequality, twice, in any dimension. Equality where w is a multiple m r with m >= -1, or r = \
          0 or r + w = 0.",
-        printed,
+        DistanceChangeVariant { squared_factor: (1, 1), euclidean: true, strict: false },
         check_distance_change,
     )
-    .control("a factor 0.99", DistanceChangeVariant { squared_factor: (9801, 10000), ..printed })
-    .control("the largest coordinate", DistanceChangeVariant { euclidean: false, ..printed })
-    .control("strictly less", DistanceChangeVariant { strict: true, ..printed })
+    .altered("a factor 0.99", |v| v.squared_factor = (9801, 10000))
+    .altered("the largest coordinate", |v| v.euclidean = false)
+    .altered("strictly less", |v| v.strict = true)
 }
 
 fn check_distance_change(variant: &DistanceChangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut cases = 0;
-    for (d, size) in [(1usize, 6i64), (2, 3), (3, 1)] {
-        let side = (2 * size + 1) as usize;
-        for word in words(side, 2 * d as u32) {
-            run.checkpoint()?;
-            cases += 1;
-            let numbers: Vec<i64> = word.iter().map(|&k| k as i64 - size).collect();
-            let (r, w) = numbers.split_at(d);
-            if !variant.holds(r, w) {
-                let what = format!("x_i(t-1) - x_j(t-1) = {r:?}, v_i(t) - v_j(t) = {w:?}");
-                return Ok(Outcome::fails(
-                    what,
-                    Evidence::new(Grade::Exact, "the bound", "exact signs of square roots"),
-                ));
-            }
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "the bound, in any dimension",
-            "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension \
-                 1, 2, 3",
-        )
-        .cases(cases),
-    ]))
+    let cases = [(1usize, 6i64), (2, 3), (3, 1)].into_iter().flat_map(|(d, size)| {
+        words((2 * size + 1) as usize, 2 * d as u32)
+            .map(move |word| (d, word.iter().map(|&k| k as i64 - size).collect::<Vec<_>>()))
+    });
+    let detail =
+        "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension 1, 2, 3";
+    run.every(exhaustive("the bound, in any dimension", detail), cases, |(d, numbers)| {
+        let (r, w) = numbers.split_at(d);
+        let what = || format!("x_i(t-1) - x_j(t-1) = {r:?}, v_i(t) - v_j(t) = {w:?}");
+        Ok((!variant.holds(r, w)).then(what))
+    })
 }
 
-/// The bound that is claimed.
 #[derive(Clone, Copy)]
 pub enum VelocityNormVariant {
     /// A multiple of `sqrt(n)` times the largest speed at the start, squared.
@@ -114,41 +96,25 @@ pub fn velocity_norm() -> Record<VelocityNormVariant> {
 }
 
 fn check_velocity_norm(variant: &VelocityNormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fails = |what: String| Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the bound", "an exact run")));
-    let mut exhaustive = 0;
-    for order in 1..=4usize {
-        for graph in Graph::all(order) {
-            run.checkpoint()?;
-            for word in words(3, order as u32) {
-                exhaustive += 1;
-                let velocities = word.iter().map(|&k| vec![rational(k as i64 - 1, 1)]).collect();
-                if let Some(what) = variant.fails_at(velocities, std::slice::from_ref(&graph), &Weights::Lazy)? {
-                    return fails(what);
-                }
-            }
-        }
-    }
+    let start = |word: Vec<usize>| word.iter().map(|&k| vec![rational(k as i64 - 1, 1)]).collect();
+    let all = (1..=4usize).flat_map(Graph::all);
+    let steps = all.flat_map(|graph| words(3, graph.order() as u32).map(move |word| (graph.clone(), word)));
     let mut random = run.random(0);
-    let cases = run.cases(80, 2000);
-    for case in 0..cases {
-        run.checkpoint()?;
+    let flocks = (0..run.cases(80, 2000)).map(|case| {
         let (n, d) = (1 + case % 5, 1 + case / 5 % 3);
         let mut number = || rational(i64::from(random.next_u32() % 17) - 8, 4);
         let velocities = (0..n).map(|_| (0..d).map(|_| number()).collect()).collect();
-        let graphs: Vec<Graph> = (0..5).map(|_| random_graph(n, 2, &mut random)).collect();
-        if let Some(what) = variant.fails_at(velocities, &graphs, &Weights::Vicsek)? {
-            return fails(what);
-        }
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            "||v(t)||_2 <= sqrt(n) max |v_j(1)|, for all sequences of networks",
-            "one step of all networks on up to 4 birds, velocities -1, 0, 1 (equal ones attain it)",
-        )
-        .cases(exhaustive),
-        Evidence::new(Grade::Fuzzed, "the same", "exact runs of 1 to 5 birds in dimension 1 to 3").cases(cases),
-    ]))
+        (velocities, (0..5).map(|_| random_graph(n, 2, &mut random)).collect::<Vec<Graph>>())
+    });
+    let part = "||v(t)||_2 <= sqrt(n) max |v_j(1)|, for all sequences of networks";
+    let detail = "one step of all networks on up to 4 birds, velocities -1, 0, 1 (equal ones attain it)";
+    let sampled = fuzzed("the same", "exact runs of 1 to 5 birds in dimension 1 to 3");
+    Run::all([
+        run.every(exhaustive(part, detail), steps, |(graph, word)| {
+            variant.fails_at(start(word), &[graph], &Weights::Lazy)
+        }),
+        run.every(sampled, flocks, |(velocities, graphs)| variant.fails_at(velocities, &graphs, &Weights::Vicsek)),
+    ])
 }
 
 impl VelocityNormVariant {

@@ -1,9 +1,7 @@
 //! A state of the closed loop (1), (4), (5) at which printed rates fail: equal headings, for which all readings of `theta_i - theta_j`
 //! agree.
 
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Rational, rational};
-use ledger::{Evidence, Grade, Outcome};
+use crate::prelude::*;
 
 /// Two linked agents at (0, 0) and (1, 1) that move upwards with the speeds 2 and 1, `V = 1/s + log s`, so that `V'(2) = 1/4`. The
 /// headings, both `pi/2`, are given in units of `pi/2`.
@@ -15,13 +13,13 @@ pub(super) fn upwards() -> Vec<Rational> {
 pub(super) const UPWARDS: &str = "two agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1), V = 1/s + log s";
 
 /// Whether the sides agree at the state above; the counterexample if not.
-pub(super) fn at_upwards(identity: &impl RationalIdentity, what: &str) -> Result<Option<Outcome>, ArithmeticError> {
-    let (left, right) = identity.sides(&upwards())?;
+pub(super) fn at_upwards(identity: &Identity, what: &str) -> Result<Option<Outcome>, ArithmeticError> {
+    let (left, right) = identity.at(&upwards())?;
     let place = left.iter().zip(&right).position(|(l, r)| l != r);
     Ok(place.map(|k| {
         Outcome::fails(
             format!("{UPWARDS}: {what} is {}, but {} is claimed", left[k], right[k]),
-            Evidence::new(Grade::Exact, what, "exact rates of change; equal headings, so that alignment forces vanish"),
+            exact(what, "exact rates of change; equal headings, so that alignment forces vanish"),
         )
     }))
 }

@@ -2,18 +2,12 @@
 
 use super::closed_loop::{UPWARDS, at_upwards, upwards};
 use super::turning::{ForceVariant, does_no_work, examine_printed};
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{on_connected, total};
 use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{AnyHeadings, AnyPotentials, Vector, dot, scaled};
 
-/// Agents in the identities.
 const MOST: usize = 3;
-
-// --- Equation (8) ---
 
 /// `dV/dr_i = sign dV/dr_j` and `d/dt factor sum V_i = sum grad V_i . v_i`.
 #[derive(Clone, Copy)]
@@ -22,46 +16,34 @@ pub struct SymmetryVariant {
     factor: (i64, i64),
 }
 
-struct Symmetry(Graph, SymmetryVariant);
-
-impl RationalIdentity for Symmetry {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
+fn symmetry(graph: Graph, variant: &SymmetryVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
         let (mut left, mut right) = (Vec::new(), Vec::new());
         for ((&(i, j), (at_i, at_j)), slope) in flock.edges.iter().zip(flock.pair_gradients()?).zip(&flock.slopes) {
             // dV/dr_ij of g |r_ij|².
             let own = scaled(&(slope.clone() + slope), &flock.state.separation(i, j));
             left.extend(own.into_iter().chain(at_i.clone()));
-            right.extend(at_i.into_iter().chain(scaled(&at[0].integer(self.1.sign), &at_j)));
+            right.extend(at_i.into_iter().chain(scaled(&at[0].integer(variant.sign), &at_j)));
         }
-        left.push(total(&at[0], flock.agent_rates()?) * at[0].ratio(self.1.factor.0, self.1.factor.1));
+        left.push(total(&at[0], flock.agent_rates()?) * at[0].ratio(variant.factor.0, variant.factor.1));
         let gradients = flock.gradients()?;
         right.push(total(&at[0], gradients.iter().zip(&flock.state.velocities).map(|(g, v)| dot(g, v))));
         Ok((left, right))
-    }
+    })
 }
 
 pub fn eq8() -> Record<SymmetryVariant> {
-    let printed = SymmetryVariant { sign: -1, factor: (1, 2) };
     Record::new(
         "tanner1.eq8",
         "V_ij depends on r_i - r_j. Half the sum of the V_i is the sum over the edges, whose rate is the sum of grad_{r_i} V_ij . v_i + grad_{r_j} V_ij . v_j.",
-        printed,
-        |variant, run| Ok(on_connected(run, MOST, "equation (8)", |graph| Symmetry(graph, *variant))?.on([1, 2])),
+        SymmetryVariant { sign: -1, factor: (1, 2) },
+        |variant, run| on_connected(run, MOST, "equation (8)", |graph| symmetry(graph, variant)).on([1, 2]),
     )
-    .clauses(&[
-        "dV_ij/dr_ij = dV_ij/dr_i = -dV_ij/dr_j.",
-        "d/dt sum_i (1/2) V_i = sum_i grad_{r_i} V_i . v_i.",
-    ])
-    .control("dV/dr_i = dV/dr_j", SymmetryVariant { sign: 1, ..printed })
-    .control("without the half", SymmetryVariant { factor: (1, 1), ..printed })
+    .clauses(&["dV_ij/dr_ij = dV_ij/dr_i = -dV_ij/dr_j.", "d/dt sum_i (1/2) V_i = sum_i grad_{r_i} V_i . v_i."])
+    .altered("dV/dr_i = dV/dr_j", |v| v.sign = 1)
+    .altered("without the half", |v| v.factor = (1, 1))
 }
-
-// --- Equation (9) and after ---
 
 /// What `Vdot_t` is said to be.
 #[derive(Clone, Copy)]
@@ -72,22 +54,16 @@ pub enum RateVariant {
     Form { form: i64, potential: i64 },
 }
 
-struct Rate(Graph, RateVariant);
-
-impl RationalIdentity for Rate {
-    fn variables(&self) -> usize {
-        AnyHeadings::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let whole = AnyHeadings::read(&self.0, at)?;
+fn energy_rate(graph: Graph, variant: &RateVariant) -> Identity<'_> {
+    Identity::new(AnyHeadings::variables(&graph), move |at| {
+        let whole = AnyHeadings::read(&graph, at)?;
         let like = &at[0];
         let rate = whole.rate_of((1, 2), (1, 2), (1, 2))?;
-        let along = |list: Vec<T>| total(like, whole.headings.iter().zip(list).map(|(x, y)| x.clone() * y));
-        Ok(match self.1 {
+        let along = |list: Vec<Probe>| total(like, whole.headings.iter().zip(list).map(|(x, y)| x.clone() * y));
+        Ok(match *variant {
             RateVariant::Chain(factor) => {
                 let v = &whole.flock.state.velocities;
-                let work = |list: &[Vector<T>]| total(like, v.iter().zip(list).map(|(v, a)| dot(v, a)));
+                let work = |list: &[Vector<Probe>]| total(like, v.iter().zip(list).map(|(v, a)| dot(v, a)));
                 let turning = along(whole.heading_rates()?) * like.integer(factor);
                 let chain = work(&whole.gradients) + work(&whole.accelerations) + turning.clone();
                 (vec![rate.clone(), rate], vec![chain, turning])
@@ -97,7 +73,7 @@ impl RationalIdentity for Rate {
                 (vec![rate], vec![along(whole.potential_rates()?) * like.integer(potential) + quadratic])
             }
         })
-    }
+    })
 }
 
 pub fn eq9_chain() -> Record<i64> {
@@ -106,9 +82,10 @@ pub fn eq9_chain() -> Record<i64> {
         "The alignment force does no work and the potential forces take from the potential what they give to the speeds: half the sum of V_i + |v_i|² is constant, and the rate of V_t is that of half the sum of theta_i².",
         1,
         |factor, run| {
-            let identity = on_connected(run, MOST, "the rate of V_t", |graph| Rate(graph, RateVariant::Chain(*factor)));
+            let chain = RateVariant::Chain(*factor);
+            let identity = on_connected(run, MOST, "the rate of V_t", |graph| energy_rate(graph, &chain));
             let steps = "notes/tanner1.md, Energy, steps 1 and 2";
-            Run::all([identity.map(|outcome| outcome.on([1, 2])), argued(&[1], "the product rule, and (8)", steps)])
+            Run::all([identity.on([1, 2]), argued(&[1], "the product rule, and (8)", steps)])
         },
     )
     .clauses(&[
@@ -121,14 +98,14 @@ pub fn eq9_chain() -> Record<i64> {
 }
 
 fn examine_rate(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let pair = Rate(Graph::path(2), *variant);
+    let pair = energy_rate(Graph::path(2), variant);
     if let Some(outcome) = at_upwards(&pair, "dV_t/dt in units of pi/2 (positive)")? {
         return Ok(outcome);
     }
     let rate = AnyHeadings::read(&Graph::path(2), &upwards())?.rate_of((1, 2), (1, 2), (1, 2))?;
-    let positive = Evidence::new(Grade::Exact, "a positive rate", format!("{UPWARDS}: {rate} pi/2"));
+    let positive = exact("a positive rate", format!("{UPWARDS}: {rate} pi/2"));
     Run::all([
-        Ok(on_connected(run, MOST, "the rate of V_t", |graph| Rate(graph, *variant))?.on([1])),
+        on_connected(run, MOST, "the rate of V_t", |graph| energy_rate(graph, variant)).on([1]),
         argued(&[1], "the rate of V_t", "notes/tanner1.md, Energy, steps 1 to 3"),
         run.every(positive.on([2]).for_all(), [rate], |rate| {
             Ok((rate <= rational(0, 1)).then(|| format!("{UPWARDS}: the rate is {rate} pi/2")))
@@ -137,18 +114,13 @@ fn examine_rate(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckEr
 }
 
 pub fn eq9() -> Record<RateVariant> {
-    let repaired = RateVariant::Form { form: -1, potential: 1 };
     Record::new(
         "tanner1.eq9",
         "It puts (7), which is false, into (9). With the true heading rates the potentials add sum theta_i (-(v_i x grad_{r_i} V_i)/|v_i|²), of either sign: two agents with equal headings pi/2 and different speeds have theta^T L_w theta = 0 and a positive rate.",
         RateVariant::Form { form: -1, potential: 0 },
         examine_rate,
     )
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired(Fault::False, "", RateVariant::Form { form: -1, potential: 1 })
     .repaired_clauses(&[
         "While no agent is at rest and no heading jumps, Vdot_t = - theta^T L_w theta - sum_i theta_i (v_i x grad_{r_i} V_i)/|v_i|².",
         "Vdot_t > 0 for two linked agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1) and V = 1/s + log s.",
@@ -166,17 +138,11 @@ pub struct InvariantVariant {
     headings: bool,
 }
 
-struct Constant(Graph, InvariantVariant);
-
-impl RationalIdentity for Constant {
-    fn variables(&self) -> usize {
-        AnyHeadings::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let whole = AnyHeadings::read(&self.0, at)?;
-        Ok((vec![whole.rate_of(self.1.potentials, self.1.kinetic, (0, 1))?], vec![at[0].zero()]))
-    }
+fn rate_of_constant(graph: Graph, variant: &InvariantVariant) -> Identity<'_> {
+    Identity::new(AnyHeadings::variables(&graph), move |at| {
+        let whole = AnyHeadings::read(&graph, at)?;
+        Ok((vec![whole.rate_of(variant.potentials, variant.kinetic, (0, 1))?], vec![at[0].zero()]))
+    })
 }
 
 /// Half the sum of `V_i + |v_i|²`.
@@ -188,13 +154,13 @@ pub(super) fn energy_is_constant(run: &Run) -> Result<Outcome, CheckError> {
 }
 
 fn is_constant(variant: &InvariantVariant, run: &Run) -> Result<Outcome, CheckError> {
-    on_connected(run, MOST, "a constant of the closed loop", |graph| Constant(graph, *variant))
+    on_connected(run, MOST, "a constant of the closed loop", |graph| rate_of_constant(graph, variant))
 }
 
 fn examine_invariant(variant: &InvariantVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     if variant.headings {
         let rate = AnyHeadings::read(&Graph::path(2), &upwards())?.rate_of((1, 2), (1, 2), (1, 2))?;
-        let evidence = Evidence::new(Grade::Exact, "V_t at one state", "exact rate, in units of pi/2").on([1, 2]);
+        let evidence = exact("V_t at one state", "exact rate, in units of pi/2").on([1, 2]);
         return run.every(evidence, [rate], |rate: Rational| {
             let what =
                 format!("{UPWARDS}: dV_t/dt = {rate} pi/2 > 0, so that {{V_t <= c}} is left for the c of this state");
@@ -202,7 +168,7 @@ fn examine_invariant(variant: &InvariantVariant, run: &mut Run) -> Result<Outcom
         });
     }
     let steps = "a constant leaves its sublevel sets invariant; notes/tanner1.md, Energy, steps 1 and 2";
-    Run::all([Ok(is_constant(variant, run)?.on([1, 2])), argued(&[2], "sublevel sets", steps)])
+    Run::all([is_constant(variant, run).on([1, 2]), argued(&[2], "sublevel sets", steps)])
 }
 
 pub fn vt_inv() -> Record<InvariantVariant> {
@@ -213,20 +179,14 @@ pub fn vt_inv() -> Record<InvariantVariant> {
         examine_invariant,
     )
     .clauses(&["V_t is nonincreasing along the closed loop.", "Omega = {V_t <= c} is positively invariant."])
-    .repaired(
-        Fault::False,
-        "",
-        ENERGY,
-    )
+    .repaired(Fault::False, "", ENERGY)
     .repaired_clauses(&[
         "The mechanical energy (1/2) sum_i (V_i + v_i^T v_i) is constant along the closed loop.",
         "{(1/2) sum_i (V_i + v_i^T v_i) <= c} is invariant.",
     ])
-    .control("the kinetic energy alone is constant", InvariantVariant { potentials: (0, 1), ..ENERGY })
-    .control("sum V_i + half the sum of |v_i|²", InvariantVariant { potentials: (1, 1), ..ENERGY })
+    .altered("the kinetic energy alone is constant", |v| v.potentials = (0, 1))
+    .altered("sum V_i + half the sum of |v_i|²", |v| v.potentials = (1, 1))
 }
-
-// --- Decoupling ---
 
 /// The alignment force of the law, and whether potentials are said not to turn headings.
 #[derive(Clone, Copy)]
@@ -251,13 +211,12 @@ fn examine_decoupled(variant: &DecoupledVariant, run: &mut Run) -> Result<Outcom
 }
 
 pub fn decoupled() -> Record<DecoupledVariant> {
-    let printed = DecoupledVariant { alignment: ForceVariant::TurnedVelocity, headings: false };
     Record::new(
         "tanner1.decoupled",
         "An aside of the introduction. What can be checked of it: the alignment force does no work, so that it does not change the mechanical energy; the potential forces do change the headings (tanner1.eq7).",
-        printed,
+        DecoupledVariant { alignment: ForceVariant::TurnedVelocity, headings: false },
         examine_decoupled,
     )
-    .control("with an alignment force along v_i", DecoupledVariant { alignment: ForceVariant::Velocity, ..printed })
-    .control("the potentials do not turn headings", DecoupledVariant { headings: true, ..printed })
+    .altered("with an alignment force along v_i", |v| v.alignment = ForceVariant::Velocity)
+    .altered("the potentials do not turn headings", |v| v.headings = true)
 }

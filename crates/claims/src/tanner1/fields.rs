@@ -1,21 +1,19 @@
 //! tanner1.L, L.ones, Lw, anyV, fig2, Vmono, Vt: graph matrices and the potential.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{PLANE, printed as printed_potential, sloped, spring};
 use crate::tanner2::graphs::{LaplacianVariant, examine_laplacian, shown, small_graphs};
 use algebra::graph::Graph;
-use arithmetic::{Interval, Rational, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::{Sign, Signed};
 use models::double_integrator::{Potential, heading};
 
 pub fn laplacian() -> Record<LaplacianVariant> {
-    let printed = LaplacianVariant::PRINTED;
     Record::new(
         "tanner1.L",
         "Each edge adds b b^T with b = ±(e_i - e_j), whatever its direction: D D^T = Delta - A, and x^T L x is the sum of (x_i - x_j)² over the edges, zero exactly where x is constant on every component.",
-        printed,
+        LaplacianVariant::PRINTED,
         |variant, run| Run::all([
-            Ok(examine_laplacian(variant, run)?.on([1, 2, 3, 4])),
+            examine_laplacian(variant, run).on([1, 2, 3, 4]),
             argued(&[1, 2, 3, 4], "properties of the Laplacian", "notes/tanner2.md, Laplacians, steps 1 to 3"),
         ]),
     )
@@ -25,8 +23,8 @@ pub fn laplacian() -> Record<LaplacianVariant> {
         "It is positive semidefinite.",
         "The algebraic multiplicity of its zero eigenvalue is the number of connected components.",
     ])
-    .control("Delta + A", LaplacianVariant { sign: 1, ..printed })
-    .control("one more zero eigenvalue", LaplacianVariant { offset: 1, ..printed })
+    .altered("Delta + A", |v| v.sign = 1)
+    .altered("one more zero eigenvalue", |v| v.offset = 1)
 }
 
 /// For which graphs the kernel is the span of 1.
@@ -34,7 +32,7 @@ type OnesVariant = fn(&Graph) -> bool;
 
 fn examine_ones(meant: &OnesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let detail = "every labelled graph of up to 4 vertices, the connected ones of 5 up to isomorphism";
-    let evidence = Evidence::new(Grade::Exhaustive, "the kernel of L", detail);
+    let evidence = exhaustive("the kernel of L", detail);
     let kernels = run.every(evidence, small_graphs().into_iter().filter(meant), |graph: Graph| {
         let kernel = graph.laplacian()?.kernel();
         let other = kernel.iter().find(|x| x.iter().any(|value| *value != x[0]));
@@ -67,7 +65,7 @@ fn examine_weighted(variant: &WeightedVariant, run: &mut Run) -> Result<Outcome,
     if !variant.transposed {
         let graphs = small_graphs().into_iter().filter(|graph| !graph.edges().is_empty());
         // D W D, where W is the identity here: D is N by |E|.
-        return Ok(run
+        return run
             .instances("D W D", "shapes of the matrices", graphs, |graph: Graph| {
                 let incidence = graph.incidence()?;
                 let (rows, cols) = (incidence.rows(), incidence.cols());
@@ -77,11 +75,11 @@ fn examine_weighted(variant: &WeightedVariant, run: &mut Run) -> Result<Outcome,
                         shown(&graph)
                     )
                 }))
-            })?
-            .on([1]));
+            })
+            .on([1]);
     }
     Run::all([
-        Ok(examine_laplacian(&variant.properties, run)?.on([1, 2, 3, 4])),
+        examine_laplacian(&variant.properties, run).on([1, 2, 3, 4]),
         argued(&[1, 2, 3, 4], "properties of the weighted Laplacian", "notes/tanner2.md, Laplacians, steps 1 to 3"),
     ])
 }
@@ -96,26 +94,19 @@ pub fn weighted() -> Record<WeightedVariant> {
         printed,
         examine_weighted,
     )
-    .repaired(
-        Fault::Typo,
-        "",
-        repaired,
-    )
+    .repaired(Fault::Typo, "", repaired)
     .repaired_clauses(&[
         "L_w(G) = D(G^sigma) W D(G^sigma)^T is Delta_w - A_w.",
         "It is independent of the orientation.",
         "It is symmetric and positive semidefinite.",
         "The multiplicity of its zero eigenvalue is the number of components.",
     ])
-    .control("D W D^T = Delta_w + A_w", WeightedVariant { properties: LaplacianVariant { sign: 1, ..properties }, ..repaired })
-    .control("one more zero eigenvalue", WeightedVariant { properties: LaplacianVariant { offset: 1, ..properties }, ..repaired })
+    .altered("D W D^T = Delta_w + A_w", |v| v.properties = LaplacianVariant { sign: 1, ..properties })
+    .altered("one more zero eigenvalue", |v| v.properties = LaplacianVariant { offset: 1, ..properties })
 }
 
-// --- The potential ---
-
 fn examine_shape(potential: &Potential, _run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence =
-        Evidence::new(Grade::Exact, "one minimum, growing on both sides", "signs of the slope between its exact roots");
+    let evidence = exact("one minimum, growing on both sides", "signs of the slope between its exact roots");
     let problem = match (potential.check_definition3(), potential.critical()) {
         (Err(problem), _) => problem.to_string(),
         (Ok(()), Some(list)) if list == [rational(1, 1)] => return Ok(Outcome::Holds(vec![evidence.for_all()])),
@@ -145,7 +136,7 @@ pub struct MonotoneVariant {
 
 fn examine_monotone(variant: &MonotoneVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
     let potential = printed_potential();
-    let evidence = Evidence::new(Grade::Exact, "where V increases", "signs of the slope between its exact roots");
+    let evidence = exact("where V increases", "signs of the slope between its exact roots");
     let roots = potential.critical().unwrap_or_default();
     // The slope has one sign between two neighbours of this list.
     let mut ends: Vec<Rational> = [&[rational(0, 1)], roots.as_slice()].concat();
@@ -243,28 +234,19 @@ pub fn any_potential() -> Record<UsableVariant> {
         "Any symmetric potential can be used for group cohesion.",
     ])
     .reading("any potential, as the sentence says; collisions of linked agents, cohesion of a connected graph")
-    .repaired(
-        Fault::False,
-        "",
-        UsableVariant { allowed: |potential| potential.repels() && potential.confines() },
-    )
+    .repaired(Fault::False, "", UsableVariant { allowed: |potential| potential.repels() && potential.confines() })
     .repaired_clauses(&[
         "With any differentiable, non-negative potential V_ij(|r_ij|) = V_ji(|r_ij|) that tends to infinity as |r_ij| tends to 0 linked agents do not collide as long as the motion lasts.",
         "If it tends to infinity with |r_ij| too, all distances of a connected graph stay bounded as long as the motion lasts.",
     ])
-    .control("any that is unbounded near 0", UsableVariant { allowed: Potential::repels })
-    .control("any with a critical distance that is unbounded at infinity", UsableVariant {
-        allowed: |potential| potential.confines() && potential.critical().is_some_and(|list| !list.is_empty()),
-    })
+    .altered("any that is unbounded near 0", |v| v.allowed = Potential::repels)
+    .altered("any with a critical distance that is unbounded at infinity", |v| v.allowed = |potential| potential.confines() && potential.critical().is_some_and(|list| !list.is_empty()))
 }
-
-// --- V_t ---
 
 fn examine_sign(potential: &Potential, run: &mut Run) -> Result<Outcome, CheckError> {
     const PRECISION: u32 = 80;
     let enclose = |q: Rational| Interval::from_rational(&q, PRECISION);
-    let evidence =
-        Evidence::new(Grade::Certified, "V_t >= 0", "enclosures for two agents at distances from 1/100 to 100");
+    let evidence = certified("V_t >= 0", "enclosures for two agents at distances from 1/100 to 100");
     let velocities = [(1, 0), (0, 1), (-1, 1)];
     let states = (-4..=4).flat_map(|k| velocities.map(|v| (k, v)));
     let enclosures = run.every(evidence, states, |(k, (x, y))| {

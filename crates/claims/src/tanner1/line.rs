@@ -4,11 +4,10 @@
 //! the headings are equal, no alignment force acts, and the velocities are `c ± u` with `u² + V(s) = V(s_0)`: they swing for ever.
 
 use super::energy_rates::energy_is_constant;
-use super::sets::Plain;
-use crate::argued::argued;
+use super::sets::plain_accelerations;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{on_connected, printed as potential};
-use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::Signed;
 use models::double_integrator::{HeadingDifference, turning_triangle};
 
 /// A start at the squared distance `square` with the common speed `c`, of agents with headings or with velocities aligned.
@@ -54,8 +53,7 @@ impl Swing {
 
 /// Evidence of the swing, or what is wrong with it: it keeps its direction and is not at rest.
 fn swings(swing: Swing, run: &mut Run) -> Result<Result<Evidence, Outcome>, CheckError> {
-    let evidence = Evidence::new(
-        Grade::Certified,
+    let evidence = certified(
         "two agents on a line",
         "enclosure of V(4) - V(1), conservation of energy; notes/tanner1.md, A pair on a line, steps 1 to 4",
     );
@@ -74,8 +72,6 @@ fn swings(swing: Swing, run: &mut Run) -> Result<Result<Evidence, Outcome>, Chec
         None => Err(Outcome::Undecided("the enclosure of the energy is too wide".to_string())),
     })
 }
-
-// --- Distances ---
 
 /// Whether distances are said to come to rest at a minimum, or a start to swing for ever.
 #[derive(Clone, Copy)]
@@ -96,31 +92,24 @@ fn examine_distances(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome
         );
         return Ok(Outcome::fails(what, swing));
     }
-    Run::all([Ok(energy_is_constant(run)?.on([1])), Ok(Outcome::Holds(vec![swing.on([2]).for_all()]))])
+    Run::all([energy_is_constant(run).on([1]), Ok(Outcome::Holds(vec![swing.on([2]).for_all()]))])
 }
 
 pub fn distances() -> Record<DistanceVariant> {
-    let repaired = DistanceVariant { stabilised: false, start: FAST };
     Record::new(
         "tanner1.propIV3b",
         "The alignment forces do no work, so the mechanical energy is constant: the potential energy can settle only if the surplus goes into the common motion. Two agents that move along the line through both have equal headings for ever and no alignment force; their distance swings for ever.",
         DistanceVariant { stabilised: true, start: FAST },
         examine_distances,
     )
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired(Fault::False, "", DistanceVariant { stabilised: false, start: FAST })
     .repaired_clauses(&[
         "Along the closed loop (1/2) sum_i (V_i + v_i^T v_i) is constant.",
         "Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, keep the heading 0 and their distance swings for ever: it does not tend to a limit.",
     ])
-    .control("with velocity (1/2, 0)", DistanceVariant { start: SLOW, ..repaired })
-    .control("from the distance 1", DistanceVariant { start: AT_MINIMUM, ..repaired })
+    .altered("with velocity (1/2, 0)", |v| v.start = SLOW)
+    .altered("from the distance 1", |v| v.start = AT_MINIMUM)
 }
-
-// --- Headings ---
 
 /// What `theta_i - theta_j` is, and whether the motion has to exist for all time.
 #[derive(Clone, Copy)]
@@ -132,10 +121,7 @@ pub struct HeadingVariant {
 fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     if variant.difference == HeadingDifference::Wrapped && turning_triangle(&potential(), &rational(1, 1), [0; 3])? {
         let what = "three linked agents on an equilateral triangle of squared side 2, omega² = 6 V'(2) = 3/2, V = 1/s + log s: the accelerations of (4), (5) are -omega² r_i; headings stay a third of a turn apart";
-        return Ok(Outcome::fails(
-            what,
-            Evidence::new(Grade::Exact, "a triangle that turns for ever", "exact field of numbers"),
-        ));
+        return Ok(Outcome::fails(what, exact("a triangle that turns for ever", "exact field of numbers")));
     }
     if variant.stops && SLOW.keeps_direction()? == Some(false) {
         let what = format!(
@@ -143,7 +129,7 @@ fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, 
             SLOW.describe()
         );
         let enclosed = "enclosure of V(4) - V(1), conservation of energy";
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "two agents on a line", enclosed)));
+        return Ok(Outcome::fails(what, certified("two agents on a line", enclosed)));
     }
     run.value("squared_speed_at_which_the_front_agent_stops", interval_value(&SLOW.excess()?, 12));
     Ok(Outcome::Undecided(
@@ -152,22 +138,19 @@ fn examine_headings(variant: &HeadingVariant, run: &mut Run) -> Result<Outcome, 
 }
 
 pub fn headings() -> Record<HeadingVariant> {
-    let printed = HeadingVariant { difference: HeadingDifference::Raw, stops: false };
     Record::new(
         "tanner1.propIV3a",
         "The proof rests on Vdot_t = -theta^T L_w theta, which is false (tanner1.eq9). The mechanical energy is no obstacle to aligned headings, since it can go into the common motion; for two agents and wrapped differences it does (beyond.tanner1.two_agents). \
          A motion may end: the front one of two agents on a line can come to rest, where it has no heading and the law no value. That is an instant of zero speed, about which (2) says nothing. \
          With wrapped differences headings need not align even in a motion that goes on for ever: the alignment forces on a turning equilateral triangle cancel. \
          With the differences of (2) those forces do not cancel (at -2/3 pi, 0, 2/3 pi the first agent's differences sum to -2 pi).",
-        printed,
+        HeadingVariant { difference: HeadingDifference::Raw, stops: false },
         examine_headings,
     )
     .reading("headings and their differences as numbers, as in (2); motions in which no agent is ever at rest")
-    .control("wrapped differences", HeadingVariant { difference: HeadingDifference::Wrapped, ..printed })
-    .control("motions that stop too", HeadingVariant { stops: true, ..printed })
+    .altered("wrapped differences", |v| v.difference = HeadingDifference::Wrapped)
+    .altered("motions that stop too", |v| v.stops = true)
 }
-
-// --- The cases of the proof ---
 
 /// The headings in the identity, and the start of the swing.
 #[derive(Clone, Copy)]
@@ -189,20 +172,19 @@ fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckE
         );
         return Ok(Outcome::fails(what, swing.on([1, 2, 3])));
     }
-    let forces = on_connected(run, 3, "the accelerations", |graph| Plain(graph, variant.equal_headings));
+    let forces = on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings));
     Run::all([
-        Ok(forces?.on([1])),
+        forces.on([1]),
         argued(&[1], "forces at equal constant headings", "notes/tanner1.md, Heading dynamics, steps 5 and 6"),
         Ok(Outcome::Holds(vec![swing.on([2]).for_all()])),
     ])
 }
 
 pub fn cases() -> Record<CaseVariant> {
-    let repaired = CaseVariant { lasts: false, equal_headings: true, start: FAST };
     Record::new(
         "tanner1.proof_cases",
         "The cases need not last: -grad_{r_i} V_i . v_i changes sign in every swing of two agents on a line. Nor does a vanishing gradient make a minimum, and grad_{v_i} in case 2 should read grad_{r_i}.",
-        CaseVariant { lasts: true, ..repaired },
+        CaseVariant { lasts: true, equal_headings: true, start: FAST },
         examine_cases,
     )
     .clauses(&[
@@ -210,15 +192,11 @@ pub fn cases() -> Record<CaseVariant> {
         "Case 2: if -grad_{v_i} V_i . v_i > 0, then V_i is monotonically decreasing and eventually reaches one of its minima.",
         "In any case the system converges to a minimum of sum_i V_i.",
     ])
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired_by(Fault::False, "", |v| v.lasts = false)
     .repaired_clauses(&[
         "On the set of equal constant headings of agents that move, potential forces are along the velocities.",
         "Neither case need last, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each swing.",
     ])
-    .control("at any headings", CaseVariant { equal_headings: false, ..repaired })
-    .control("from the distance 1", CaseVariant { start: AT_MINIMUM, ..repaired })
+    .altered("at any headings", |v| v.equal_headings = false)
+    .altered("from the distance 1", |v| v.start = AT_MINIMUM)
 }

@@ -14,35 +14,13 @@ mod turning;
 
 use ledger::Claim;
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
-    vec![
-        Box::new(turning::gyro()),
-        Box::new(turning::eq6()),
-        Box::new(turning::eq6b()),
-        Box::new(turning::eq7()),
-        Box::new(energy_rates::eq8()),
-        Box::new(energy_rates::eq9_chain()),
-        Box::new(energy_rates::eq9()),
-        Box::new(energy_rates::vt_inv()),
-        Box::new(energy_rates::decoupled()),
-        Box::new(fields::laplacian()),
-        Box::new(fields::ones()),
-        Box::new(fields::weighted()),
-        Box::new(fields::fig2()),
-        Box::new(fields::monotone()),
-        Box::new(fields::any_potential()),
-        Box::new(fields::vt()),
-        Box::new(line::distances()),
-        Box::new(line::headings()),
-        Box::new(line::cases()),
-        Box::new(figures::complete()),
-        Box::new(figures::incomplete()),
-        Box::new(sets::eq2()),
-        Box::new(sets::smooth()),
-        Box::new(sets::closed()),
-        Box::new(sets::bounded()),
-        Box::new(sets::collision()),
-        Box::new(sets::ratio()),
-    ]
+    claims! {
+        turning: gyro, eq6, eq6b, eq7;
+        energy_rates: eq8, eq9_chain, eq9, vt_inv, decoupled;
+        fields: laplacian, ones, weighted, fig2, monotone, any_potential, vt;
+        line: distances, headings, cases;
+        figures: complete, incomplete;
+        sets: eq2, smooth, closed, bounded, collision, ratio;
+    }
 }

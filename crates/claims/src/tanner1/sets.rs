@@ -1,13 +1,11 @@
 //! tanner1.smooth, eq2, Omega.closed, Omega.bounded, collision, proof_ratio: the law and the set Omega.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use crate::tanner2::fixtures::{PLANE, on_connected, printed as printed_potential, sloped, soft};
 use crate::tanner2::graphs::shown;
 use crate::tanner2::wording::{HeadingVariant, examine_heading, headings};
 use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::Signed;
 use models::double_integrator::{AnyHeadings, Pair, Potential, State, gyroscopic, heading};
 
 const PRECISION: u32 = 80;
@@ -17,7 +15,7 @@ pub fn eq2() -> Record<HeadingVariant> {
         "tanner1.eq2",
         "The two-argument arctangent is the angle in (-pi, pi] from the x axis to the velocity. It has a value for every velocity but zero, and there it lies in [-pi, pi].",
         HeadingVariant::TwoArguments,
-        |variant, run| Ok(examine_heading(variant, run)?.on([1, 2])),
+        |variant, run| examine_heading(variant, run).on([1, 2]),
     )
     .clauses(&["arctan(ydot_i, xdot_i) is the angle of the velocity.", "It lies in [-pi, pi]."])
     .reading("velocities other than zero, of which (2) says nothing")
@@ -25,8 +23,6 @@ pub fn eq2() -> Record<HeadingVariant> {
     .control("values in [0, 2 pi)", HeadingVariant::Positive)
     .control("the arguments swapped", HeadingVariant::Swapped)
 }
-
-// --- Smoothness ---
 
 /// Where the law is said to be smooth.
 #[derive(Clone, Copy)]
@@ -67,8 +63,7 @@ fn examine_smooth(variant: &SmoothVariant, run: &mut Run) -> Result<Outcome, Che
         let (rest, cut) = ((x, y) == (0, 0), y == 0 && x < 0);
         (variant.at_cut || !cut) && (variant.at_rest || !rest)
     });
-    let evidence =
-        Evidence::new(Grade::Certified, "the law on both sides", "enclosures at velocities 10^-9 to either side");
+    let evidence = certified("the law on both sides", "enclosures at velocities 10^-9 to either side");
     let enclosures = run.every(evidence, meant, |(x, y)| {
         // Two velocities close by, one on each side.
         let near = |side: i64| [x, y].map(|k| rational(k, 1) + &step * rational(side, 1));
@@ -84,7 +79,6 @@ fn examine_smooth(variant: &SmoothVariant, run: &mut Run) -> Result<Outcome, Che
 }
 
 pub fn smooth() -> Record<SmoothVariant> {
-    let repaired = SmoothVariant { at_cut: false, at_rest: false, wrapped: false };
     Record::new(
         "tanner1.smooth",
         "The heading (2) jumps by 2 pi where a velocity passes the negative x axis, and theta_i - theta_j with it, so that the neighbours' accelerations jump; at zero velocity there is no heading. (Wrapped differences jump at opposite headings instead; only headings followed continuously leave the zero velocity alone as an exception.)",
@@ -94,13 +88,11 @@ pub fn smooth() -> Record<SmoothVariant> {
     .repaired(
         Fault::Hypothesis,
         "For smooth potentials the control laws are smooth at states where no velocity is zero or points along the negative x axis and no linked agents coincide.",
-        repaired,
+        SmoothVariant { at_cut: false, at_rest: false, wrapped: false },
     )
-    .control("with wrapped differences", SmoothVariant { wrapped: true, ..repaired })
-    .control("wherever no velocity points along the negative x axis", SmoothVariant { at_rest: true, ..repaired })
+    .altered("with wrapped differences", |v| v.wrapped = true)
+    .altered("wherever no velocity points along the negative x axis", |v| v.at_rest = true)
 }
-
-// --- Omega ---
 
 /// The set `V_t <= c` or `V_t < c`, in which variables.
 #[derive(Clone, Copy)]
@@ -129,16 +121,15 @@ fn examine_closed(variant: &ClosedVariant, run: &mut Run) -> Result<Outcome, Che
 }
 
 pub fn closed() -> Record<ClosedVariant> {
-    let printed = ClosedVariant { strict: false, from_velocities: false };
     Record::new(
         "tanner1.Omega.closed",
         "V_t is a continuous function of the triples where linked agents are apart, and infinite where they meet. (As a set of states with the headings of (2) Omega would not be closed: at zero velocity there is no heading.)",
-        printed,
+        ClosedVariant { strict: false, from_velocities: false },
         examine_closed,
     )
     .reading("as printed, a set of triples (r_ij, v_i, theta_i); the potential of Figure 2")
-    .control("V_t < c", ClosedVariant { strict: true, ..printed })
-    .control("in (r_ij, v_i), with the headings of (2)", ClosedVariant { from_velocities: true, ..printed })
+    .altered("V_t < c", |v| v.strict = true)
+    .altered("in (r_ij, v_i), with the headings of (2)", |v| v.from_velocities = true)
 }
 
 /// Graphs, a potential, and the range of the headings.
@@ -153,7 +144,7 @@ fn examine_bounded(variant: &BoundedVariant, run: &mut Run) -> Result<Outcome, C
     let far = Interval::from_rational(&rational(10, 1).pow(40), PRECISION);
     let rise = (variant.potential.value(&far)? - variant.potential.value(&far.one())?).to_f64();
     let detail = "graphs of up to 4 agents, enclosures of V at the squared distances 1 and 10^40";
-    let evidence = Evidence::new(Grade::Certified, "distances", detail);
+    let evidence = certified("distances", detail);
     let graphs = (1..=4).flat_map(Graph::all).filter(|graph| (variant.graphs)(graph));
     let distances = run.every(evidence, graphs, |graph| {
         // One of the components 10^20 away from the others, or the ends of one edge.
@@ -166,14 +157,14 @@ fn examine_bounded(variant: &BoundedVariant, run: &mut Run) -> Result<Outcome, C
     })?;
     // V_t >= |v_i|²/2, as no V_ij is negative.
     let least = variant.potential.critical().and_then(|list| list.first().cloned());
-    let speeds = run.every(Evidence::new(Grade::Certified, "speeds", "the least value of V"), least, |s| {
+    let speeds = run.every(certified("speeds", "the least value of V"), least, |s| {
         let value = variant.potential.value(&Interval::from_rational(&s, PRECISION))?;
         Ok((!value.is_certainly_positive()).then(|| "V_ij may be negative".to_string()))
     })?;
     Run::all([
         Ok(distances.on([1])),
         Ok(speeds.on([2])),
-        Ok(headings(&variant.headings, run)?.on([3])),
+        headings(&variant.headings, run).on([3]),
         argued(&[1, 2, 3], "bounds", "notes/tanner1.md, The set Omega, steps 3 to 5"),
     ])
 }
@@ -196,15 +187,10 @@ pub fn bounded() -> Record<BoundedVariant> {
         "theta_i lies in [-pi, pi].",
     ])
     .reading("the potential of Figure 2")
-    .control("graphs with an edge", BoundedVariant { graphs: |graph| !graph.edges().is_empty(), ..printed.clone() })
-    .control("V = 1/(2s²) - 1/s + 1/2, bounded", BoundedVariant {
-        potential: sloped(&[(-2, 1), (-3, -1)], 0),
-        ..printed.clone()
-    })
-    .control("headings in [0, 2 pi)", BoundedVariant { headings: HeadingVariant::Positive, ..printed })
+    .altered("graphs with an edge", |v| v.graphs = |graph| !graph.edges().is_empty())
+    .altered("V = 1/(2s²) - 1/s + 1/2, bounded", |v| v.potential = sloped(&[(-2, 1), (-3, -1)], 0))
+    .altered("headings in [0, 2 pi)", |v| v.headings = HeadingVariant::Positive)
 }
-
-// --- Collisions ---
 
 /// For which pairs `V_t` is said to be infinite where they meet.
 #[derive(Clone)]
@@ -218,14 +204,22 @@ fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcom
     let edges: [Pair; 2] = [(0, 1), (1, 2)];
     let meant = [(0, 1), (1, 2), (0, 2)].into_iter().filter(|pair| !variant.linked_only || edges.contains(pair));
     let detail = "the slope where they meet, exact, the path of three agents";
-    if !variant.potential.repels() {
-        let what = "V_ij does not tend to infinity as agents i and j approach each other";
-        return Ok(Outcome::fails(
-            what,
-            Evidence::new(Grade::Exact, "V_t where agents meet", "leading terms of the slope"),
-        ));
-    }
+    // V rises without bound towards 0 where s V' is negative and does not tend to 0 there.
+    let towards = |k: u32| {
+        let s = rational(1, 4_i64.pow(k));
+        variant.potential.slope(&s).map(|slope| slope * s)
+    };
+    let rise = [towards(8)?, towards(12)?];
     let instances = run.instances("V_t where agents meet", detail, meant, |pair: Pair| {
+        if !variant.potential.repels() {
+            return Ok(Some(format!(
+                "agents {} and {}: V_ij does not tend to infinity as they approach each other: s dV/ds is {} at s = 4^-8, {} at 4^-12",
+                pair.0 + 1,
+                pair.1 + 1,
+                rise[0],
+                rise[1]
+            )));
+        }
         let mut places = [0, 1, 3].map(|x| [rational(x, 1), rational(0, 1)]);
         places[pair.1] = places[pair.0].clone();
         let finite = edges.iter().all(|&(i, j)| {
@@ -243,29 +237,22 @@ fn examine_collision(variant: &CollisionVariant, run: &mut Run) -> Result<Outcom
 }
 
 pub fn collision() -> Record<CollisionVariant> {
-    let printed = CollisionVariant { linked_only: false, potential: printed_potential() };
-    let repaired = CollisionVariant { linked_only: true, ..printed.clone() };
     Record::new(
         "tanner1.collision",
         "V_t contains V_ij for linked pairs only. On the path 1-2-3 agents 1 and 3 may meet with V_t finite, and do so from suitable starts. For linked agents the conclusion is true, by the conserved mechanical energy rather than by V_t.",
-        printed.clone(),
+        CollisionVariant { linked_only: false, potential: printed_potential() },
         examine_collision,
     )
     .clauses(&["V_t tends to infinity where r_ij = 0 for some i, j.", "Collision avoidance is guaranteed."])
     .reading("the potential of Figure 2, as for V_t and Omega")
-    .repaired(
-        Fault::Hypothesis,
-        "",
-        repaired.clone(),
-    )
+    .repaired_by(Fault::Hypothesis, "", |v| v.linked_only = true)
     .repaired_clauses(&[
         "V_t tends to infinity where linked agents meet.",
         "Collisions of linked agents are avoided (all collisions, if the graph is complete).",
     ])
-    .control("V = (s - 1)²", CollisionVariant { potential: soft(), ..repaired })
+    .altered("V = (s - 1)²", |v| v.potential = soft())
+    .altered("V = s + log s, which attracts at all distances", |v| v.potential = sloped(&[(0, 1), (-1, 1)], 0))
 }
-
-// --- The ratios in the proof ---
 
 /// The first quotient of the line, `numerator/denominator` among `xdot, ydot, xddot, yddot`, and whether headings are equal.
 #[derive(Clone, Copy)]
@@ -275,73 +262,54 @@ pub struct RatioVariant {
     equal_headings: bool,
 }
 
-struct Ratio(RatioVariant);
-
-impl RationalIdentity for Ratio {
-    fn variables(&self) -> usize {
-        3
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [k, x, xx] = at else { return Err(ArithmeticError::Domain("three variables")) };
+fn quotients(variant: &RatioVariant) -> Identity<'_> {
+    Identity::of(move |[k, x, xx]| {
         // ydot/xdot = k for all time: yddot = k xddot.
         let all = [x.clone(), k.clone() * x, xx.clone(), k.clone() * xx];
-        Ok((vec![all[self.0.numerator].over(&all[self.0.denominator])?, all[1].over(x)?], vec![k.clone(), k.clone()]))
-    }
+        Ok((vec![all[variant.numerator].over(&all[variant.denominator])?, all[1].over(x)?], vec![k.clone(), k.clone()]))
+    })
 }
 
 /// At equal headings the accelerations are minus the gradients.
-pub(super) struct Plain(pub Graph, pub bool);
-
-impl RationalIdentity for Plain {
-    fn variables(&self) -> usize {
-        AnyHeadings::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+pub(super) fn plain_accelerations(graph: Graph, equal_headings: bool) -> Identity<'static> {
+    Identity::new(AnyHeadings::variables(&graph), move |at| {
         let mut at = at.to_vec();
-        if self.1 {
-            let first = at.len() - self.0.order();
+        if equal_headings {
+            let first = at.len() - graph.order();
             let common = at[first].clone();
             at[first..].fill(common);
         }
-        let whole = AnyHeadings::read(&self.0, &at)?;
-        let minus = |list: Vec<[T; 2]>| list.into_iter().flatten().map(|x| -x).collect();
+        let whole = AnyHeadings::read(&graph, &at)?;
+        let minus = |list: Vec<[Probe; 2]>| list.into_iter().flatten().map(|x| -x).collect();
         Ok((whole.accelerations.into_iter().flatten().collect(), minus(whole.gradients)))
-    }
+    })
 }
 
 fn examine_ratio(variant: &RatioVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "the quotients, for ydot = k xdot at all times";
     Run::all([
-        Ok(run.identity(&Ratio(*variant), &["k", "xdot", "xddot"], part)?.on([1]).for_all()),
-        Ok(on_connected(run, 3, "the accelerations", |graph| Plain(graph, variant.equal_headings))?.on([2])),
+        run.identity(&quotients(variant), &["k", "xdot", "xddot"], part).on([1]).for_all(),
+        on_connected(run, 3, "the accelerations", |graph| plain_accelerations(graph, variant.equal_headings)).on([2]),
         argued(&[2], "the accelerations at equal headings", "notes/tanner1.md, Heading dynamics, step 5"),
     ])
 }
 
 pub fn ratio() -> Record<RatioVariant> {
-    let printed = RatioVariant { numerator: 3, denominator: 0, equal_headings: true };
-    let repaired = RatioVariant { denominator: 2, ..printed };
     Record::new(
         "tanner1.proof_ratio",
         "d/dt (ydot/xdot) = 0 says yddot xdot = ydot xddot, so yddot/xddot = k where xddot != 0; the printed denominator xdot lacks a dot. On the set of equal headings the acceleration is -grad V_i, which gives the last quotient.",
-        printed,
+        RatioVariant { numerator: 3, denominator: 0, equal_headings: true },
         examine_ratio,
     )
     .clauses(&[
         "d/dt (ydot_i/xdot_i) = 0 implies yddot_i/xdot_i = ydot_i/xdot_i = k.",
         "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x.",
     ])
-    .repaired(
-        Fault::Typo,
-        "",
-        repaired,
-    )
+    .repaired_by(Fault::Typo, "", |v| v.denominator = 2)
     .repaired_clauses(&[
         "d/dt (ydot_i/xdot_i) = 0 implies yddot_i/xddot_i = ydot_i/xdot_i = k (where the denominators are not zero).",
         "On the set of equal constant headings k = a_{y_i}/a_{x_i} = (grad_{r_i} V_i)_y/(grad_{r_i} V_i)_x (where the denominators are not zero).",
     ])
-    .control("xddot/yddot", RatioVariant { numerator: 2, denominator: 3, ..repaired })
-    .control("at any headings", RatioVariant { equal_headings: false, ..repaired })
+    .altered("xddot/yddot", |v| (v.numerator, v.denominator) = (2, 3))
+    .altered("at any headings", |v| v.equal_headings = false)
 }

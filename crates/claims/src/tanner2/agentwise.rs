@@ -44,7 +44,6 @@ pub fn swing(agentwise: bool) -> Result<Option<String>, CheckError> {
     let Some(found) = weights(&all, &all)? else { return Ok(None) };
     let between = |m: &Interval| m.is_certainly_positive() && (m.one() - m).is_certainly_positive();
     Ok(found.iter().all(between).then(|| {
-        "V = s + 1/s - 2, R = 9/5, agents 1 and 2 at distance R and agent 3 between them, at (1/50) sin t from the middle: a solution for all time if agents 1 and 2 weigh their link differently; velocities never agree"
-            .to_string()
+        "V = s + 1/s - 2, R = 9/5, agents 1 and 2 at distance R and agent 3 between them, at (1/50) sin t from the middle: a solution for all time if agents 1 and 2 weigh their link differently; velocities never agree".to_string()
     }))
 }

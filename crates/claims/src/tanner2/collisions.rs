@@ -7,10 +7,8 @@
 use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, pairs, soft, spring};
 use super::graphs::shown;
 use super::nonsmooth::{HullVariant, hulls};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Outcome, Record, Run};
 use models::double_integrator::{Pair, Potential, State, linked_within, velocity_alignment};
 
 /// The networks of a statement.
@@ -33,7 +31,6 @@ pub enum Pairs {
     Linked,
     /// Those not linked.
     Unlinked,
-    /// All.
     All,
 }
 
@@ -114,45 +111,39 @@ fn examine(variant: &CollisionVariant, run: &mut Run) -> Result<Outcome, CheckEr
 }
 
 pub fn thm1b() -> Record<CollisionVariant> {
-    let printed =
-        CollisionVariant { networks: Networks::Connected, pairs: Pairs::Linked, avoided: true, potential: spring() };
     Record::new(
         "tanner2.thm1b",
         "W does not increase and is at least V_ij, which tends to infinity where linked agents meet: |r_ij| stays above the smallest distance with V_ij <= W(0).",
-        printed.clone(),
+        CollisionVariant { networks: Networks::Connected, pairs: Pairs::Linked, avoided: true, potential: spring() },
         examine,
     )
     .reading(SMOOTH)
-    .control("all agents", CollisionVariant { pairs: Pairs::All, ..printed.clone() })
-    .control("V = (s - 1)², which stays bounded", CollisionVariant { potential: soft(), ..printed })
+    .altered("all agents", |v| v.pairs = Pairs::All)
+    .altered("V = (s - 1)², which stays bounded", |v| v.potential = soft())
 }
 
 pub fn cor3() -> Record<CollisionVariant> {
-    let printed =
-        CollisionVariant { networks: Networks::Complete, pairs: Pairs::All, avoided: true, potential: spring() };
     Record::new(
         "tanner2.cor3",
         "All pairs are linked: Theorem 1's bound for linked agents is one for all.",
-        printed.clone(),
+        CollisionVariant { networks: Networks::Complete, pairs: Pairs::All, avoided: true, potential: spring() },
         examine,
     )
     .reading(SMOOTH)
-    .control("complete but for one edge", CollisionVariant { networks: Networks::AllButOne, ..printed.clone() })
-    .control("V = (s - 1)², which stays bounded", CollisionVariant { potential: soft(), ..printed })
+    .altered("complete but for one edge", |v| v.networks = Networks::AllButOne)
+    .altered("V = (s - 1)², which stays bounded", |v| v.potential = soft())
 }
 
 pub fn thm2_coll() -> Record<CollisionVariant> {
-    let printed =
-        CollisionVariant { networks: Networks::ByDistance, pairs: Pairs::All, avoided: true, potential: spring() };
     Record::new(
         "tanner2.thm2_coll",
         "Q does not increase along any Filippov solution (tanner2.eq13) and is at least U_ij, which is V_ij near a collision, as close agents are linked, and tends to infinity. Connectivity is not needed.",
-        printed.clone(),
+        CollisionVariant { networks: Networks::ByDistance, pairs: Pairs::All, avoided: true, potential: spring() },
         examine,
     )
     .reading("every Filippov solution, K of the whole vector field; starts in which no two agents coincide")
-    .control("links fixed, any connected graph", CollisionVariant { networks: Networks::Connected, ..printed.clone() })
-    .control("V = (s - 1)², which stays bounded", CollisionVariant { potential: soft(), ..printed })
+    .altered("links fixed, any connected graph", |v| v.networks = Networks::Connected)
+    .altered("V = (s - 1)², which stays bounded", |v| v.potential = soft())
 }
 
 pub fn noninter() -> Record<CollisionVariant> {
@@ -166,5 +157,5 @@ pub fn noninter() -> Record<CollisionVariant> {
         examine,
     )
     .reading("\"cannot be ensured\": for every graph and every pair that is not linked some start leads to a collision")
-    .control("linked pairs", CollisionVariant { pairs: Pairs::Linked, ..printed })
+    .altered("linked pairs", |v| v.pairs = Pairs::Linked)
 }

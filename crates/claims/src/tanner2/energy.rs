@@ -1,23 +1,18 @@
 //! tanner2.eq6, eq8, eq9, cor2_decomp, S_config, eq14, vdotB: the energy and its rate of change on a fixed graph.
 
 use super::fixtures::{PLANE, energy_decreases, on_connected, quadratic, spring, total};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Dual, Field, Rational, Signed, gradient, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::{Signed, gradient};
 use models::double_integrator::{
     AnyPotentials, Potential, State, difference, disagreements, dot, kinetic_energy, potential_energy, scaled, sum,
     velocity_alignment,
 };
 
-/// Agents in the identities.
 fn most(run: &Run) -> usize {
     run.cases(3, 4)
 }
-
-// --- Equation (9) ---
 
 /// `Wdot = factor v^T (M kron I_2) v = factor (v_x^T M v_x + v_y^T M v_y)`.
 #[derive(Clone, Copy)]
@@ -28,8 +23,6 @@ pub struct RateVariant {
     /// All x components first in the stack vector, but the same matrix `M kron I_2`.
     by_axis: bool,
 }
-
-struct Rate(Graph, RateVariant);
 
 /// `D - A`, or `D + A`.
 fn laplacian(graph: &Graph, signless: bool) -> Result<RationalMatrix, ArithmeticError> {
@@ -43,51 +36,39 @@ fn laplacian(graph: &Graph, signless: bool) -> Result<RationalMatrix, Arithmetic
     RationalMatrix::from_rows(&rows).map_err(square)
 }
 
-impl RationalIdentity for Rate {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["dW/dt, stacked", "dW/dt, by axes"].map(str::to_string).to_vec()
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
-        let matrix = laplacian(&self.0, self.1.signless)?;
+fn energy_rate(graph: Graph, variant: &RateVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
+        let matrix = laplacian(&graph, variant.signless)?;
         let plane = RationalMatrix::identity(2).map_err(|_| ArithmeticError::Domain("the plane"))?;
-        let stack: Vec<T> = if self.1.by_axis {
+        let stack: Vec<Probe> = if variant.by_axis {
             [flock.axis(0), flock.axis(1)].concat()
         } else {
             flock.state.velocities.iter().flatten().cloned().collect()
         };
-        let factor = at[0].integer(self.1.factor);
+        let factor = at[0].integer(variant.factor);
         let stacked = quadratic(&matrix.kronecker(&plane), &stack) * &factor;
         let axes = (quadratic(&matrix, &flock.axis(0)) + quadratic(&matrix, &flock.axis(1))) * factor;
         let rate = flock.energy_rate()?;
         Ok((vec![rate.clone(), rate], vec![stacked, axes]))
-    }
+    })
+    .named(["dW/dt, stacked", "dW/dt, by axes"])
 }
 
 pub fn eq9() -> Record<RateVariant> {
-    let printed = RateVariant { factor: -1, signless: false, by_axis: false };
     Record::new(
         "tanner2.eq9",
         "dW/dt = sum v_i . (grad V_i + u_i) = -sum over i of v_i . sum over j ~ i of (v_i - v_j), which is minus the sum over the edges of \
          |v_i - v_j|². With the stack vector (v_1, v_2, ...) the matrix L kron I_2 gives the same sum. Any graph, any potentials. \
          (The text calls the velocities three dimensional; the agents move in the plane, and I_2 in the formula is right. In three dimensions it would be I_3, with a third form in v_z.)",
-        printed,
-        |variant, run| {
-            Ok(on_connected(run, most(run), "equation (9)", |graph| Rate(graph, *variant))?.on([1, 2]))
-        },
+        RateVariant { factor: -1, signless: false, by_axis: false },
+        |variant, run| on_connected(run, most(run), "equation (9)", |graph| energy_rate(graph, variant)).on([1, 2]),
     )
     .clauses(&["Wdot = -v^T (L kron I_2) v.", "Wdot = -v_x^T L v_x - v_y^T L v_y."])
-    .control("twice", RateVariant { factor: -2, ..printed })
-    .control("D + A in place of L", RateVariant { signless: true, ..printed })
-    .control("L kron I_2 with all x components first", RateVariant { by_axis: true, ..printed })
+    .altered("twice", |v| v.factor = -2)
+    .altered("D + A in place of L", |v| v.signless = true)
+    .altered("L kron I_2 with all x components first", |v| v.by_axis = true)
 }
-
-// --- Equation (8) and the display after it ---
 
 /// The chain of equations, with a factor before the first sum, the number of times an edge is counted, and the sign of the second term.
 #[derive(Clone, Copy)]
@@ -97,27 +78,15 @@ pub struct ChainVariant {
     sign: i64,
 }
 
-struct Chain(Graph, ChainVariant);
-
-impl RationalIdentity for Chain {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["dW/dt", "the sum of rdot_ij . grad V_ij", "the sum over i and j", "the sum of rdot_i . grad V_i"]
-            .map(str::to_string)
-            .to_vec()
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
+fn chain(graph: Graph, variant: &ChainVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
         let (like, v) = (&at[0], &flock.state.velocities);
-        let half = total(like, flock.agent_rates()?) * like.ratio(self.1.half.0, self.1.half.1);
+        let half = total(like, flock.agent_rates()?) * like.ratio(variant.half.0, variant.half.1);
         let gradients = flock.gradients()?;
         let damping = disagreements(v, &flock.edges);
         let work = total(like, (0..v.len()).map(|i| dot(&v[i], &sum(&damping[i], &gradients[i]))));
-        let counted = like.integer(self.1.counted);
+        let counted = like.integer(variant.counted);
         let pairs = flock.pair_gradients()?;
         let relative = flock.edges.iter().zip(&pairs).map(|(&(i, j), (at_i, _))| dot(&difference(&v[i], &v[j]), at_i));
         let relative = total(like, relative) * &counted;
@@ -125,24 +94,24 @@ impl RationalIdentity for Chain {
             .edges
             .iter()
             .zip(&pairs)
-            .map(|(&(i, j), (at_i, at_j))| dot(&v[i], at_i) + dot(&v[j], at_j) * like.integer(self.1.sign));
+            .map(|(&(i, j), (at_i, at_j))| dot(&v[i], at_i) + dot(&v[j], at_j) * like.integer(variant.sign));
         let both = total(like, both) * counted;
         let single = total(like, (0..v.len()).map(|i| dot(&v[i], &gradients[i])));
         Ok((
             vec![flock.energy_rate()?, half.clone(), half.clone(), half.clone()],
             vec![half - work, relative, both, single],
         ))
-    }
+    })
+    .named(["dW/dt", "the sum of rdot_ij . grad V_ij", "the sum over i and j", "the sum of rdot_i . grad V_i"])
 }
 
 pub fn eq8() -> Record<ChainVariant> {
-    let printed = ChainVariant { half: (1, 2), counted: 1, sign: 1 };
     Record::new(
         "tanner2.eq8",
         "Each V_ij occurs in V_i and in V_j, so half the sum of the V_i is the sum over the edges, each once. V_ij depends on r_i - r_j, so grad_{r_j} = -grad_{r_i} = -grad_{r_ij}. Any graph, any potentials.",
-        printed,
+        ChainVariant { half: (1, 2), counted: 1, sign: 1 },
         |variant, run| Run::all([
-            Ok(on_connected(run, most(run), "equation (8)", |graph| Chain(graph, *variant))?.on([1, 2, 3, 4])),
+            on_connected(run, most(run), "equation (8)", |graph| chain(graph, variant)).on([1, 2, 3, 4]),
             argued(&[1, 2, 3, 4], "the chain of equations", "notes/tanner2.md, Identities, steps 1 and 2"),
         ]),
     )
@@ -153,12 +122,10 @@ pub fn eq8() -> Record<ChainVariant> {
         "This is sum_i rdot_i^T grad_{r_i} V_i.",
     ])
     .reading("sums over j ~ i without i take every edge once")
-    .control("without the half", ChainVariant { half: (1, 1), ..printed })
-    .control("each edge twice", ChainVariant { counted: 2, ..printed })
-    .control("minus grad_{r_j}", ChainVariant { sign: -1, ..printed })
+    .altered("without the half", |v| v.half = (1, 1))
+    .altered("each edge twice", |v| v.counted = 2)
+    .altered("minus grad_{r_j}", |v| v.sign = -1)
 }
-
-// --- Equation (6) ---
 
 /// `W = factor sum V_i + 1/2 sum |v_i|²` with potentials whose least value is `least`.
 #[derive(Clone, Copy)]
@@ -167,32 +134,18 @@ pub struct MechanicalVariant {
     least: i64,
 }
 
-struct Mechanical(Graph, MechanicalVariant);
-
-impl RationalIdentity for Mechanical {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
-        let count = self.0.order();
-        let derivatives = gradient(&at[..4 * count], |list: &[Dual<T>]| {
+fn gradient_of_energy(graph: Graph, variant: &MechanicalVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
+        let count = graph.order();
+        let derivatives = gradient(&at[..4 * count], |list: &[Dual<Probe>]| {
             let state = State::from_list(count, list).ok_or(ArithmeticError::Domain("a state"))?;
-            flock.energy(&state, self.1.factor)
+            flock.energy(&state, variant.factor)
         })?;
         // grad_{r_i} W against minus the force, grad_{v_i} W against the momentum.
         let forces = flock.gradients()?.into_iter().flatten();
         Ok((derivatives, forces.chain(flock.state.velocities.iter().flatten().cloned()).collect()))
-    }
-}
-
-fn examine_mechanical(variant: &MechanicalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Run::all([
-        Ok(on_connected(run, most(run), "the forces are -grad W", |graph| Mechanical(graph, *variant))?.on([2])),
-        Ok(non_negative(variant)?.on([1])),
-        argued(&[1, 2], "energy and forces", "notes/tanner2.md, Identities, steps 1 and 5"),
-    ])
+    })
 }
 
 /// The least value of `W` is that at rest at the minimum of every potential, for two agents.
@@ -205,28 +158,29 @@ fn non_negative(variant: &MechanicalVariant) -> Result<Outcome, CheckError> {
     let edges = potential_energy(&positions, &[(0, 1)], PLANE, value)?;
     let energy =
         edges * rational(2 * variant.factor.0, variant.factor.1) + kinetic_energy(&[zero.clone(), zero], PLANE)?;
-    let evidence = Evidence::new(Grade::Exact, "W >= 0", "its least value for two agents and s + 1/s - 2");
-    if energy.is_certainly_negative() {
-        return Ok(Outcome::fails(format!("two agents at rest at the desired distance: W = {energy}"), evidence));
-    }
-    Ok(Outcome::Holds(vec![evidence]))
+    let what = || format!("two agents at rest at the desired distance: W = {energy}");
+    let evidence = exact("W >= 0", "its least value for two agents and s + 1/s - 2");
+    unless(energy.is_certainly_negative().then(what), evidence)
 }
 
 pub fn eq6() -> Record<MechanicalVariant> {
-    let printed = MechanicalVariant { factor: (1, 2), least: 0 };
     Record::new(
         "tanner2.eq6",
         "V_ij >= 0 by Definition 3, so W is a sum of non-negative terms, differentiable where no linked agents coincide. Half the sum of \
          the V_i counts each edge once, so -grad_{r_i} W = -grad_{r_i} V_i is the force of (4): W is potential plus kinetic energy (unit masses).",
-        printed,
-        examine_mechanical,
+        MechanicalVariant { factor: (1, 2), least: 0 },
+        |variant, run| {
+            Run::all([
+                on_connected(run, most(run), "the forces are -grad W", |graph| gradient_of_energy(graph, variant)).on([2]),
+                non_negative(variant).on([1]),
+                argued(&[1, 2], "energy and forces", "notes/tanner2.md, Identities, steps 1 and 5"),
+            ])
+        },
     )
     .clauses(&["W is nonnegative.", "W is the (differentiable) mechanical energy of the group."])
-    .control("without the half before V_i", MechanicalVariant { factor: (1, 1), ..printed })
-    .control("a potential that is negative at its minimum", MechanicalVariant { least: -1, ..printed })
+    .altered("without the half before V_i", |v| v.factor = (1, 1))
+    .altered("a potential that is negative at its minimum", |v| v.least = -1)
 }
-
-// --- Corollary 2: the decomposition ---
 
 /// `Wdot = -(x_p or x_n part) - (the same of y)`, where p is the mean, n the rest.
 #[derive(Clone, Copy)]
@@ -235,47 +189,39 @@ pub struct PartVariant {
     power: usize,
 }
 
-struct Part(Graph, PartVariant);
-
-impl RationalIdentity for Part {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
-        let mut matrix = laplacian(&self.0, false)?;
-        if self.1.power == 2 {
+fn part_of_rate(graph: Graph, variant: &PartVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
+        let mut matrix = laplacian(&graph, false)?;
+        if variant.power == 2 {
             matrix = matrix.times(&matrix).map_err(|_| ArithmeticError::Domain("a square matrix"))?;
         }
         let form = (0..2).map(|k| {
             let v = flock.axis(k);
             let mean = total(&at[0], v.iter().cloned()) * at[0].ratio(1, v.len() as i64);
-            let part: Vec<T> = v.iter().map(|x| if self.1.mean { mean.clone() } else { x.clone() - &mean }).collect();
+            let part: Vec<Probe> =
+                v.iter().map(|x| if variant.mean { mean.clone() } else { x.clone() - &mean }).collect();
             -quadratic(&matrix, &part)
         });
         Ok((vec![flock.energy_rate()?], vec![total(&at[0], form)]))
-    }
+    })
 }
 
 pub fn cor2_decomp() -> Record<PartVariant> {
-    let printed = PartVariant { mean: false, power: 1 };
     Record::new(
         "tanner2.cor2_decomp",
         "L 1 = 0 and L is symmetric, so the part of v_x along 1 drops out of v_x^T L v_x; the same for v_y.",
-        printed,
+        PartVariant { mean: false, power: 1 },
         |variant, run| {
             Run::all([
-                on_connected(run, most(run), "Wdot by the parts normal to 1", |graph| Part(graph, *variant)),
+                on_connected(run, most(run), "Wdot by the parts normal to 1", |graph| part_of_rate(graph, variant)),
                 argued(&[1], "Wdot by the parts normal to 1", "notes/tanner2.md, Identities, step 6"),
             ])
         },
     )
-    .control("the parts along 1", PartVariant { mean: true, ..printed })
-    .control("L² in place of L", PartVariant { power: 2, ..printed })
+    .altered("the parts along 1", |v| v.mean = true)
+    .altered("L² in place of L", |v| v.power = 2)
 }
-
-// --- Where Wdot = 0 ---
 
 /// What is said to vanish where `Wdot = 0`.
 #[derive(Clone, Copy)]
@@ -314,16 +260,16 @@ fn examine_vanishing(variant: &Vanishing, run: &mut Run) -> Result<Outcome, Chec
         Vanishing::Velocities => ("v_1", is_zero(&state.velocities[0])),
         Vanishing::Accelerations => ("vdot_1", is_zero(&accelerations[0])),
     };
-    let evidence = Evidence::new(Grade::Exact, "two agents with a common velocity", "exact rates of change");
-    if !num_traits::Zero::is_zero(&energy.derivative) || !vanishes {
-        let what = format!(
-            "two linked agents at (0, 0) and (3/2, 0), both with velocity (1, 0): dW/dt = {}, {name} is not 0",
-            energy.derivative
-        );
-        return Ok(Outcome::fails(what, evidence));
-    }
-    let steps = "notes/tanner2.md, Identities, step 7";
-    Run::all([Ok(Outcome::Holds(vec![evidence])), energy_decreases(run, 1), argued(&[1], "all of them", steps)])
+    let rate = &energy.derivative;
+    let what = || {
+        format!("two linked agents at (0, 0) and (3/2, 0), both with velocity (1, 0): dW/dt = {rate}, {name} is not 0")
+    };
+    let wrong = !num_traits::Zero::is_zero(rate) || !vanishes;
+    Run::all([
+        unless(wrong.then(what), exact("two agents with a common velocity", "exact rates of change")),
+        energy_decreases(run, 1),
+        argued(&[1], "all of them", "notes/tanner2.md, Identities, step 7"),
+    ])
 }
 
 pub fn s_config() -> Record<Vanishing> {
@@ -343,8 +289,6 @@ pub fn s_config() -> Record<Vanishing> {
     .control("vdot_i = 0", Vanishing::Accelerations)
 }
 
-// --- Equation (14) ---
-
 /// In the invariant set the accelerations lie along 1 and are normal to 1.
 #[derive(Clone, Copy)]
 pub struct SteadyVariant {
@@ -355,18 +299,12 @@ pub struct SteadyVariant {
 }
 
 /// The sum of all accelerations is zero; the slope at the second agent of each edge is a variable of its own where forces are not mutual.
-struct Momentum(Graph, bool);
-
-impl RationalIdentity for Momentum {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0) + if self.1 { 0 } else { self.0.edges().len() }
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
+fn sum_of_accelerations(graph: Graph, mutual: bool) -> Identity<'static> {
+    Identity::new(AnyPotentials::variables(&graph) + if mutual { 0 } else { graph.edges().len() }, move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
         let mut accelerations = flock.accelerations()?;
-        if !self.1 {
-            let own = &at[AnyPotentials::variables(&self.0)..];
+        if !mutual {
+            let own = &at[AnyPotentials::variables(&graph)..];
             for ((&(i, j), mutual), other) in flock.edges.iter().zip(&flock.slopes).zip(own) {
                 let extra = scaled(&((other.clone() - mutual) * at[0].integer(2)), &flock.state.separation(i, j));
                 accelerations[j] = sum(&accelerations[j], &extra);
@@ -374,37 +312,33 @@ impl RationalIdentity for Momentum {
         }
         let sums = [0, 1].map(|k| total(&at[0], accelerations.iter().map(|a| a[k].clone())));
         Ok((sums.to_vec(), vec![at[0].zero(), at[0].zero()]))
-    }
+    })
 }
 
 fn examine_steady(variant: &SteadyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let momentum =
-        on_connected(run, most(run), "the accelerations sum to zero", |graph| Momentum(graph, variant.mutual));
-    let momentum = momentum.map(|outcome| outcome.on([1]));
+    let momentum = on_connected(run, most(run), "the accelerations sum to zero", |graph| {
+        sum_of_accelerations(graph, variant.mutual)
+    });
+    let momentum = momentum.on([1]);
     if variant.invariant {
         let steps = "notes/tanner2.md, Identities, step 4";
         return Run::all([momentum, argued(&[1, 2, 3], "accelerations in the invariant set", steps)]);
     }
     let state = drifting_pair();
     let accelerations = velocity_alignment(&state, &[(0, 1)], PLANE, |_, _, s| spring().slope(s))?;
-    let evidence = Evidence::new(Grade::Exact, "equal velocities at one instant", "exact accelerations").on([3]);
-    if accelerations.iter().flatten().any(|a| !num_traits::Zero::is_zero(a)) {
-        let what = format!(
-            "two agents with a common velocity at distance 3/2: vdot_1 = ({}, {})",
-            accelerations[0][0], accelerations[0][1]
-        );
-        return Ok(Outcome::fails(what, evidence));
-    }
-    Run::all([momentum, Ok(Outcome::Holds(vec![evidence]))])
+    let [x, y] = &accelerations[0];
+    let moves = accelerations.iter().flatten().any(|a| !num_traits::Zero::is_zero(a));
+    let what = format!("two agents with a common velocity at distance 3/2: vdot_1 = ({x}, {y})");
+    let evidence = exact("equal velocities at one instant", "exact accelerations").on([3]);
+    Run::all([unless(moves.then_some(what), evidence), momentum])
 }
 
 pub fn eq14() -> Record<SteadyVariant> {
-    let printed = SteadyVariant { mutual: true, invariant: true };
     Record::new(
         "tanner2.eq14",
         "All forces are mutual, so the accelerations sum to zero in every state (they are normal to 1), and so does every convex \
          combination of them over graphs. In an invariant set of equal velocities all accelerations are equal. Equal vectors that sum to zero are zero.",
-        printed,
+        SteadyVariant { mutual: true, invariant: true },
         examine_steady,
     )
     .clauses(&[
@@ -412,11 +346,9 @@ pub fn eq14() -> Record<SteadyVariant> {
         "In the invariant set vdot_x and vdot_y belong to span{1}.",
         "Hence vdot_x, vdot_y = 0: the agent velocities do not change in steady state.",
     ])
-    .control("forces that are not mutual", SteadyVariant { mutual: false, ..printed })
-    .control("equal velocities at one instant only", SteadyVariant { invariant: false, ..printed })
+    .altered("forces that are not mutual", |v| v.mutual = false)
+    .altered("equal velocities at one instant only", |v| v.invariant = false)
 }
-
-// --- vdot = -(B kron I_2) grad V ---
 
 /// `vdot = factor (B kron I_2) [grad_{r_ij} V_ij]`; in `B` the entry of the vertex an edge leaves is -1, that of the one it enters `incoming`.
 #[derive(Clone, Copy)]
@@ -425,26 +357,20 @@ pub struct IncidenceVariant {
     incoming: i64,
 }
 
-struct ByIncidence(Graph, IncidenceVariant);
-
-impl RationalIdentity for ByIncidence {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
+fn by_incidence(graph: Graph, variant: &IncidenceVariant) -> Identity<'_> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
         // In S the velocities are equal: the accelerations are minus the gradients.
         let left = flock.gradients()?.into_iter().flatten().map(|x| -x).collect();
-        let mut right: Vec<[T; 2]> = vec![[at[0].zero(), at[0].zero()]; self.0.order()];
+        let mut right: Vec<[Probe; 2]> = vec![[at[0].zero(), at[0].zero()]; graph.order()];
         for (&(i, j), (gradient, _)) in flock.edges.iter().zip(&flock.pair_gradients()?) {
             // The arc from i to j.
-            let entry = |weight: i64| scaled(&at[0].integer(self.1.factor * weight), gradient);
+            let entry = |weight: i64| scaled(&at[0].integer(variant.factor * weight), gradient);
             right[i] = sum(&right[i], &entry(-1));
-            right[j] = sum(&right[j], &entry(self.1.incoming));
+            right[j] = sum(&right[j], &entry(variant.incoming));
         }
         Ok((left, right.into_iter().flatten().collect()))
-    }
+    })
 }
 
 pub fn vdot_b() -> Record<IncidenceVariant> {
@@ -456,7 +382,7 @@ pub fn vdot_b() -> Record<IncidenceVariant> {
          proof uses, does not depend on the sign.",
         printed,
         |variant, run| Run::all([
-            on_connected(run, most(run), "vdot in S by the incidence matrix", |graph| ByIncidence(graph, *variant)),
+            on_connected(run, most(run), "vdot in S by the incidence matrix", |graph| by_incidence(graph, variant)),
             argued(&[1], "vdot in S by the incidence matrix", "notes/tanner2.md, Identities, step 8"),
         ]),
     )

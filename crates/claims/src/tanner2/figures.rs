@@ -6,8 +6,7 @@
 //! are those that the figures of `reproduce` draw. How reports of runs are read is said in `notes/guarantees.md`.
 
 use super::fixtures::sloped;
-use arithmetic::rational;
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
 use models::double_integrator::{LinkRule, Setup, Trial};
 use motion::Share;
 
@@ -136,11 +135,8 @@ pub fn fig4() -> Record<FigureVariant> {
         examine,
     )
     .reading("a report of a run: typical, more than half of all runs whatever the potential, which is not given (notes/guarantees.md)")
-    .control("without links", FigureVariant { readings: &[NONE], ..printed })
-    .control("links within 1 m", FigureVariant {
-        readings: const { &[plain(LinkRule::Within { radius: 1.0, connected: false })] },
-        ..printed
-    })
+    .altered("without links", |v| v.readings = &[NONE])
+    .altered("links within 1 m", |v| v.readings = const { &[plain(LinkRule::Within { radius: 1.0, connected: false })] })
 }
 
 pub fn fig4_close() -> Record<FigureVariant> {
@@ -157,8 +153,8 @@ pub fn fig4_close() -> Record<FigureVariant> {
         examine,
     )
     .reading("\"may\": a positive share of the runs (notes/guarantees.md)")
-    .control("without links", FigureVariant { readings: &[NONE], ..printed })
-    .control("links within 2 m", FigureVariant { readings: &[FROM_ANY], ..printed })
+    .altered("without links", |v| v.readings = &[NONE])
+    .altered("links within 2 m", |v| v.readings = &[FROM_ANY])
 }
 
 pub fn fig5() -> Record<FigureVariant> {
@@ -185,11 +181,8 @@ pub fn fig5() -> Record<FigureVariant> {
         "The neighboring graph is not necessarily complete.",
     ])
     .reading("a report of a run: typical, more than half of all runs, from connected starts and from any, since the text says neither (notes/guarantees.md)")
-    .control("with V = 1/s, which only repels", FigureVariant { repulsive: true, ..printed })
-    .control("links within half a metre", FigureVariant {
-        readings: const { &[plain(LinkRule::Within { radius: 0.5, connected: false })] },
-        ..printed
-    })
+    .altered("with V = 1/s, which only repels", |v| v.repulsive = true)
+    .altered("links within half a metre", |v| v.readings = const { &[plain(LinkRule::Within { radius: 0.5, connected: false })] })
 }
 
 pub fn fig6() -> Record<FigureVariant> {
@@ -217,6 +210,6 @@ pub fn fig6() -> Record<FigureVariant> {
         "The group then splits into several connected components, which can flock independently.",
     ])
     .reading("\"may\" and \"can\": a positive share of the runs from connected starts, since only what is connected can be lost (notes/guarantees.md)")
-    .control("links within 20 m", FigureVariant { readings: const { &[plain(LinkRule::Within { radius: 20.0, connected: true })] }, ..printed })
-    .control("on fixed connected graphs", FigureVariant { readings: const { &[plain(FIXED)] }, ..printed })
+    .altered("links within 20 m", |v| v.readings = const { &[plain(LinkRule::Within { radius: 20.0, connected: true })] })
+    .altered("on fixed connected graphs", |v| v.readings = const { &[plain(FIXED)] })
 }

@@ -2,9 +2,8 @@
 
 use super::figures::other;
 use super::fixtures::{PLANE, spring};
-use crate::argued::argued;
-use arithmetic::{Rational, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::double_integrator::{Kink, Pair, Span, State, Way, fork, linked_within, tied};
 
 /// A right-hand side on the line with one jump: `left` for `x < 0`, `right` for `x >= 0`.
@@ -36,17 +35,60 @@ impl Step {
     }
 }
 
-// --- Uniqueness for measurable fields ---
+/// The class of fields for which solutions are said to be unique.
+#[derive(Clone, Copy)]
+enum Class {
+    Measurable,
+    Continuous,
+    /// `(f(x) - f(y)) (x - y) <= l (x - y)²`.
+    OneSided,
+}
 
-/// The class of fields for which solutions are said to be unique, and whether backwards in time too.
+/// A field on the line by its values.
+type Field = dyn Fn(i64, u32) -> Rational;
+
+impl Class {
+    /// Whether a field, given at `sign/4^k`, is of the class near 0: at `k = 6` to 8, with `l = 16`.
+    fn holds(self, field: &Field) -> bool {
+        let near = |k: u32| {
+            let half = rational(1, 4_i64.pow(k));
+            let pairs = [(1, -1), (1, 0), (0, -1)];
+            let apart = |(a, b): (i64, i64)| (field(a, k) - field(b, k), rational(a - b, 1) * &half);
+            pairs.into_iter().map(apart).all(|(change, way)| match self {
+                Class::Measurable => true,
+                Class::Continuous => &change * &change <= rational(1, 256),
+                Class::OneSided => change * &way <= rational(16, 1) * &way * &way,
+            })
+        };
+        (6..=8).all(near)
+    }
+}
+
+/// The class, and whether solutions are said to be unique backwards in time too.
 #[derive(Clone, Copy)]
 pub struct UniqueVariant {
-    fields: fn(i64, i64) -> bool,
+    class: Class,
     backwards: bool,
 }
 
+/// `f(x) = 2 sqrt|x|` at `sign/4^k`, and whether `x = 0` and `x = t²` solve `xdot = f(x)` at `t = 1/2^k` from the same start.
+fn root_branches(class: Class) -> Option<String> {
+    let root = |sign: i64, k: u32| rational(2 * sign.abs(), 2_i64.pow(k));
+    let branches = (6..=8).all(|k| {
+        let rate = rational(2, 2_i64.pow(k));
+        root(1, k) == rate && root(0, k) == rational(0, 1)
+    });
+    (class.holds(&root) && branches)
+        .then(|| "f(x) = 2 sqrt|x|: from x(0) = 0 there are the solutions x = 0 and x = t²".to_string())
+}
+
 fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let fields = Step::all().filter(|field| (variant.fields)(field.left, field.right));
+    // Where a step jumps its value does not matter for almost all x, y: the sides are compared.
+    let member = |step: &Step| {
+        let (left, right) = (step.left, step.right);
+        variant.class.holds(&move |sign, _| rational(if sign < 0 { left } else { right }, 1))
+    };
+    let fields = Step::all().filter(member);
     let detail = "the inclusion checked for x = ct, step fields with values -1, 0, 1";
     let rays = run.instances("solutions from the jump", detail, fields, |field| {
         let Step { left, right } = field;
@@ -61,27 +103,28 @@ fn examine_unique(variant: &UniqueVariant, run: &mut Run) -> Result<Outcome, Che
             several.then(|| format!("f(x) = {left} for x < 0 and {right} for x >= 0: x = -ct with c = {into:?} all end in x(0) = 0"))
         })
     });
-    Run::all([rays, argued(&[1], "one-sided bounds", "notes/tanner2.md, Appendix, step 1")])
+    let detail = "2 sqrt|x|, which x = 0 and x = t² solve, is not of the class";
+    let root =
+        run.instances("a continuous field with a root", detail, [variant.class], |class| Ok(root_branches(class)));
+    Run::all([rays, root, argued(&[1], "one-sided bounds", "notes/tanner2.md, Appendix, step 1")])
 }
 
 pub fn uniqueness() -> Record<UniqueVariant> {
-    let repaired = UniqueVariant { fields: |left, right| right <= left, backwards: false };
     Record::new(
         "tanner2.appA_uniq",
         "Measurability (with local boundedness) gives existence only. f = sign(x) has the Filippov solutions t, -t and 0 from 0. Uniqueness needs a one-sided bound, (f(x) - f(y)).(x - y) <= l |x - y|² for almost \
          all x, y (Filippov): then the distance of two solutions grows at most like exp(lt).",
-        UniqueVariant { fields: |_, _| true, backwards: false },
+        UniqueVariant { class: Class::Measurable, backwards: false },
         examine_unique,
     )
     .repaired(
         Fault::False,
         "Solutions of xdot = f(x) are unique (forwards) if (f(x) - f(y)).(x - y) <= l |x - y|² for almost all x, y near each point.",
-        repaired,
+        UniqueVariant { class: Class::OneSided, backwards: false },
     )
-    .control("backwards in time too", UniqueVariant { backwards: true, ..repaired })
+    .altered("backwards in time too", |v| v.backwards = true)
+    .altered("if f is continuous", |v| v.class = Class::Continuous)
 }
-
-// --- Definition 4 ---
 
 /// What a solution has to fulfil almost everywhere.
 #[derive(Clone, Copy)]
@@ -92,6 +135,8 @@ pub enum SolutionVariant {
     Member,
     /// `xdot` is one of the limits of `f`, without the hull.
     Limit,
+    /// `xdot` exists and is one of `K[f](x)` at all times.
+    Everywhere,
 }
 
 fn examine_solution(variant: &SolutionVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -101,15 +146,22 @@ fn examine_solution(variant: &SolutionVariant, run: &mut Run) -> Result<Outcome,
             let (span, rate) = (field.inclusion(c), rational(c, 1));
             match variant {
                 SolutionVariant::Equal => span.lo == rate && span.hi == rate,
-                SolutionVariant::Member => span.contains(&rate),
+                SolutionVariant::Member | SolutionVariant::Everywhere => span.contains(&rate),
                 SolutionVariant::Limit => span.lo == rate || span.hi == rate,
             }
         };
-        let at = field.inclusion(0);
-        Ok((!(-1..=1).any(solves)).then(|| format!(
-            "f(x) = {} for x < 0 and {} for x >= 0: no solution starts from 0, not even x = 0, where K[f](0) = [{}, {}]",
-            field.left, field.right, at.lo, at.hi
-        )))
+        let (at, Step { left, right }) = (field.inclusion(0), field);
+        if !(-1..=1).any(solves) {
+            return Ok(Some(format!(
+                "f(x) = {left} for x < 0 and {right} for x >= 0: no solution starts from 0, not even x = 0, where K[f](0) = [{}, {}]",
+                at.lo, at.hi
+            )));
+        }
+        // From 1 a field with right = -1 leads to the jump at t = 1; what goes on with another rate has a corner there.
+        let corner = matches!(variant, SolutionVariant::Everywhere) && right == -1 && !solves(-1);
+        Ok(corner.then(|| {
+            format!("f(x) = {left} for x < 0 and {right} for x >= 0: the solution from 1 reaches 0 at t = 1 with the rate -1 and cannot go on with it")
+        }))
     });
     Run::all([starts, argued(&[1], "that the definition has solutions", "notes/tanner2.md, Appendix, step 2")])
 }
@@ -128,9 +180,8 @@ pub fn definition4() -> Record<SolutionVariant> {
         SolutionVariant::Member,
     )
     .control("without the convex hull", SolutionVariant::Limit)
+    .control("for all t, not almost all", SolutionVariant::Everywhere)
 }
-
-// --- Theorem 4 ---
 
 /// The chain rule with `V` of `arguments(n)` variables, with or without the 1 for the time, almost everywhere or everywhere.
 #[derive(Clone, Copy)]
@@ -176,37 +227,32 @@ fn examine_chain_rule(variant: &ChainRuleVariant, run: &mut Run) -> Result<Outco
     let absolute = Kink { left: -one.clone(), right: one.clone() };
     if variant.everywhere && absolute.directional(&one) != -absolute.directional(&-one.clone()) {
         let what = "V = |x| along x = t - 1: V has no derivative at t = 1";
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the chain rule", "one-sided rates")));
+        return Ok(Outcome::fails(what, exact("the chain rule", "one-sided rates")));
     }
     let steps = "notes/tanner2.md, Appendix, steps 3 to 5";
     Run::all([Ok(domains), Ok(chain), argued(&[1], "the chain rule", steps)])
 }
 
 pub fn chain_rule() -> Record<ChainRuleVariant> {
-    let printed = ChainRuleVariant { arguments: |_| 2, time: true, everywhere: false };
-    let repaired = ChainRuleVariant { arguments: |n| n + 1, ..printed };
     Record::new(
         "tanner2.appA.thm4",
         "x(t) lies in R^n, so V(x(t), t) needs V on R^n x R; as printed, V: R x R -> R, it makes sense for n = 1 only. With that the theorem is Shevitz and Paden's: for almost all t, x and V(x(t), t) are \
          differentiable, and regularity gives d/dt V = z.(xdot, 1) for every z of the gradient.",
-        printed,
+        ChainRuleVariant { arguments: |_| 2, time: true, everywhere: false },
         examine_chain_rule,
     )
-    .repaired(
+    .repaired_by(
         Fault::Typo,
         "Let x(.) be a Filippov solution to xdot = f(x,t), x in R^n, and V : R^n x R -> R Lipschitz and regular; then V(x(t),t) is absolutely continuous and d/dt V lies almost everywhere in the intersection over xi in dV of xi^T (K[f]; 1).",
-        repaired,
+        |v| v.arguments = |n| n + 1,
     )
-    .control("K[f] with 0 in place of 1", ChainRuleVariant { time: false, ..repaired })
-    .control("for every t", ChainRuleVariant { everywhere: true, ..repaired })
+    .altered("K[f] with 0 in place of 1", |v| v.time = false)
+    .altered("for every t", |v| v.everywhere = true)
 }
-
-// --- Existence and uniqueness for (10) ---
 
 /// The starts from which solutions are said to be unique.
 #[derive(Clone, Copy)]
 pub enum StartVariant {
-    /// All.
     All,
     /// Those with a connected neighbouring graph.
     Connected,
@@ -300,11 +346,7 @@ pub fn existence() -> Record<StartVariant> {
         StartVariant::All,
         examine_starts,
     )
-    .repaired(
-        Fault::False,
-        "",
-        StartVariant::Crossing,
-    )
+    .repaired(Fault::False, "", StartVariant::Crossing)
     .repaired_clauses(&[
         "From every start in which no two agents are in one place (10) has a solution for all time.",
         "It is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",

@@ -1,10 +1,9 @@
 //! What the checks of both papers share: potentials, graphs, random states, sums, and the proofs on paper.
 
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, Ring, rational};
-use ledger::{CheckError, Outcome, Run};
+use arithmetic::identity::AnyIdentity;
 use models::double_integrator::{AnyPotentials, Coordinates, Pair, Potential, disagreements, dot, scaled, sum};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
@@ -53,7 +52,6 @@ pub(crate) fn random_vectors(count: usize, random: &mut ChaCha8Rng) -> Vec<[Rati
     (0..count).map(|_| [coordinate(), coordinate()]).collect()
 }
 
-/// The list summed.
 pub(crate) fn total<T: Ring>(like: &T, list: impl IntoIterator<Item = T>) -> T {
     list.into_iter().fold(like.zero(), |sum, x| sum + x)
 }
@@ -66,11 +64,11 @@ pub(crate) fn quadratic<T: Field>(matrix: &RationalMatrix, x: &[T]) -> T {
 }
 
 /// Runs an identity on connected graphs of up to `most` agents, one of each class.
-pub(crate) fn on_connected<I: RationalIdentity>(
+pub(crate) fn on_connected<'a>(
     run: &Run,
     most: usize,
     what: &str,
-    identity: impl Fn(Graph) -> I,
+    identity: impl Fn(Graph) -> Identity<'a>,
 ) -> Result<Outcome, CheckError> {
     Run::all(connected(most).into_iter().map(|graph| {
         let mut names = AnyPotentials::names(&graph);
@@ -78,23 +76,17 @@ pub(crate) fn on_connected<I: RationalIdentity>(
         let identity = identity(graph);
         let more = identity.variables().saturating_sub(names.len());
         names.extend((1..=more).map(|k| format!("theta{k}")));
-        run.identity(&identity, &names.iter().map(String::as_str).collect::<Vec<_>>(), &part)
+        run.identity(&identity, &names, &part)
     }))
 }
 
 /// With the alignment of (4) times a factor, `Wdot` is minus the sum of `|v_i - v_j|²` over the edges.
-struct EdgeSum(Graph, i64);
-
-impl RationalIdentity for EdgeSum {
-    fn variables(&self) -> usize {
-        AnyPotentials::variables(&self.0)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let flock = AnyPotentials::read(&self.0, at)?;
-        let rest = at[0].integer(1 - self.1);
+fn edge_sum(graph: Graph, damping: i64) -> Identity<'static> {
+    Identity::new(AnyPotentials::variables(&graph), move |at| {
+        let flock = AnyPotentials::read(&graph, at)?;
+        let rest = at[0].integer(1 - damping);
         let aligned = disagreements(&flock.state.velocities, &flock.edges);
-        let accelerations: Vec<[T; 2]> =
+        let accelerations: Vec<[Probe; 2]> =
             flock.accelerations()?.iter().zip(&aligned).map(|(a, d)| sum(a, &scaled(&rest, d))).collect();
         let rate = flock.energy(&flock.state.moving(&accelerations), (1, 2))?.derivative;
         let squares = flock.edges.iter().map(|&(i, j)| {
@@ -102,11 +94,11 @@ impl RationalIdentity for EdgeSum {
             -dot(&relative, &relative)
         });
         Ok((vec![rate], vec![total(&at[0], squares)]))
-    }
+    })
 }
 
 /// Tests that the energy decreases by the sum of `|v_i - v_j|²` over the edges, where alignment is that of (4) times `damping`.
 pub(crate) fn energy_decreases(run: &Run, damping: i64) -> Result<Outcome, CheckError> {
     let what = "dW/dt is minus the sum of |v_i - v_j|² over the edges";
-    on_connected(run, run.cases(3, 4), what, |graph| EdgeSum(graph, damping))
+    on_connected(run, run.cases(3, 4), what, |graph| edge_sum(graph, damping))
 }

@@ -4,13 +4,10 @@ use super::agentwise::swing;
 use super::fixtures::{PLANE, SMOOTH, connected, energy_decreases, printed as logarithmic, sloped, spring};
 use super::motions::{inflected_pair, motions, pair, paths, row_of_three, triangle};
 use super::nonsmooth::{HullVariant, hulls};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Potential, State, SteadyMotion, linked_within, velocity_alignment};
 
-/// What is said of every motion.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Conclusion {
     /// All velocities become equal.
@@ -23,7 +20,6 @@ pub enum Conclusion {
     Critical,
 }
 
-/// Under which hypotheses.
 #[derive(Clone, Copy)]
 pub struct LimitVariant {
     connected: bool,
@@ -90,42 +86,37 @@ fn examine_fixed(variant: &LimitVariant, run: &mut Run) -> Result<Outcome, Check
 }
 
 pub fn thm1a() -> Record<LimitVariant> {
-    let printed = LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Agree };
     Record::new(
         "tanner2.thm1a",
         "dW/dt = -v^T (L kron I_2) v <= 0 and Omega is compact in (r_ij, v_i), so the motion exists for all time. The sum of all velocities is kept, \
          so each tends to the mean of the initial ones. A continuous V' is enough: the squared disagreement is integrable along every solution and has a bounded rate (Barbalat), without LaSalle's principle and without uniqueness (notes/tanner2.md).",
-        printed,
+        LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Agree },
         examine_fixed,
     )
     .reading(SMOOTH)
-    .control("any graph", LimitVariant { connected: false, ..printed })
-    .control("alignment with the other sign", LimitVariant { damping: -1, ..printed })
-    .control("all velocities tend to zero", LimitVariant { conclusion: Conclusion::Stop, ..printed })
+    .altered("any graph", |v| v.connected = false)
+    .altered("alignment with the other sign", |v| v.damping = -1)
+    .altered("all velocities tend to zero", |v| v.conclusion = Conclusion::Stop)
 }
 
 pub fn thm1c() -> Record<LimitVariant> {
-    let printed = LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Minimised };
-    let repaired = LimitVariant { conclusion: Conclusion::Critical, ..printed };
     Record::new(
         "tanner2.thm1c",
         "The proof shows grad V_i = 0 only. Three agents at rest in a row with all pairs linked are in equilibrium where 2 V'(a²) a + 4 V'(4a²) a = 0; with V = m/s + log(s/m) this is a² = 3m/4. The middle one sits at \
          a saddle of its own potential. By symmetry every start in a row with velocities along it stays in a row, so a whole set of starts tends to such points. (Also: with four or more agents no configuration in the plane makes all \
          V_ij least at once.)",
-        printed,
+        LimitVariant { connected: true, damping: 1, conclusion: Conclusion::Minimised },
         examine_fixed,
     )
     .reading(SMOOTH)
-    .repaired(
+    .repaired_by(
         Fault::False,
         "Under the same hypotheses the system approaches the set of critical configurations: grad_{r_i} V_i tends to 0 for all i.",
-        repaired,
+        |v| v.conclusion = Conclusion::Critical,
     )
-    .control("alignment with the other sign", LimitVariant { damping: -1, ..repaired })
-    .control("critical and at rest", LimitVariant { conclusion: Conclusion::Stop, ..repaired })
+    .altered("alignment with the other sign", |v| v.damping = -1)
+    .altered("critical and at rest", |v| v.conclusion = Conclusion::Stop)
 }
-
-// --- Section 4, first paragraph ---
 
 /// Which equilibria are said to be asymptotically stable and free of collisions.
 #[derive(Clone, Copy)]
@@ -158,13 +149,12 @@ fn examine_manifold(variant: &ManifoldVariant, run: &mut Run) -> Result<Outcome,
     })?;
     Run::all([
         Ok(equilibria.on([1, 2])),
-        Ok(energy_decreases(run, variant.damping)?.on([1])),
+        energy_decreases(run, variant.damping).on([1]),
         argued(&[1, 2], "isolated minima", "notes/tanner2.md, Theorem 1, steps 1 and 7"),
     ])
 }
 
 pub fn flocking() -> Record<ManifoldVariant> {
-    let repaired = ManifoldVariant { complete: true, minima: true, damping: 1 };
     Record::new(
         "tanner2.sec4.flocking",
         "Definition 1 forbids collisions of any two agents. On the path 1-2-3 agents 1 and 3 do not know each other, and the equilibrium with both in the same place belongs to the manifold. \
@@ -177,20 +167,14 @@ pub fn flocking() -> Record<ManifoldVariant> {
         "On a time invariant connected graph (4) creates an asymptotically stable equilibrium manifold.",
         "On it the group satisfies Definition 1: same velocity, distances stabilized, no collisions between agents.",
     ])
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired(Fault::False, "", ManifoldVariant { complete: true, minima: true, damping: 1 })
     .repaired_clauses(&[
         "On the complete graph the translates and rotations of a strict minimum of the sum of the V_ij, near which there are no critical configurations but these, with a common velocity, form an asymptotically stable set of equilibria in (r_ij, v_i - v_j).",
         "In them no two agents are in one place.",
     ])
-    .control("all equilibria of the complete graph", ManifoldVariant { minima: false, ..repaired })
-    .control("alignment with the other sign", ManifoldVariant { damping: -1, ..repaired })
+    .altered("all equilibria of the complete graph", |v| v.minima = false)
+    .altered("alignment with the other sign", |v| v.damping = -1)
 }
-
-// --- Definition 3 and Corollary 1 ---
 
 fn examine_definition(potentials: &Vec<Potential>, run: &mut Run) -> Result<Outcome, CheckError> {
     let detail = "signs of the slope and of its leading terms, exact roots";
@@ -273,13 +257,11 @@ fn examine_setpoints(variant: &SetpointVariant, run: &mut Run) -> Result<Outcome
 }
 
 pub fn cor1() -> Record<SetpointVariant> {
-    let printed = SetpointVariant { trees: true, single: false, all_pairs: false };
-    let repaired = SetpointVariant { single: true, ..printed };
     Record::new(
         "tanner2.cor1",
         "B has full column rank, so every grad_{r_ij} V_ij vanishes in the limit. But V' = 0 does not say that V is least: V' = (s - 1)(s - 4)²(s + 2/3)/s² gives a potential of Definition 3, rational, with its unique minimum at s = 1 and \
          increasing beyond, and two agents at rest at s = 4 stay there.",
-        printed,
+        SetpointVariant { trees: true, single: false, all_pairs: false },
         examine_setpoints,
     )
     .clauses(&[
@@ -288,21 +270,15 @@ pub fn cor1() -> Record<SetpointVariant> {
         "dV_ij/d||r_ij|| = 0 implies ||r_ij|| = r_d, where V_ij attains its unique minimum.",
     ])
     .reading("distances of linked agents; potentials with a continuous gradient")
-    .repaired(
-        Fault::Hypothesis,
-        "",
-        repaired,
-    )
+    .repaired_by(Fault::Hypothesis, "", |v| v.single = true)
     .repaired_clauses(&[
         "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value.",
         "B has independent columns, so that every grad_{r_ij} V_ij tends to 0.",
         "In an equilibrium of a tree whose V_ij' vanish at the minimum only every linked distance is the desired one.",
     ])
-    .control("any connected graph", SetpointVariant { trees: false, ..repaired })
-    .control("the distances of all pairs", SetpointVariant { all_pairs: true, ..repaired })
+    .altered("any connected graph", |v| v.trees = false)
+    .altered("the distances of all pairs", |v| v.all_pairs = true)
 }
-
-// --- Theorem 2 ---
 
 /// Theorem 2 with the graph connected always, or at the start only, or never.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -357,14 +333,11 @@ pub(super) fn switching_checks(variant: &SwitchingVariant, run: &Run) -> Result<
         return Run::all([Ok(steady), positive_connectivity(run), hulls(&HullVariant::Subset, run)]);
     }
     if let Some(what) = two_agents_part().filter(|_| variant.connected == Connected::AtFirst) {
-        return Ok(Outcome::fails(
-            what,
-            Evidence::new(Grade::Exact, "an exact motion", "rates at the threshold, exact"),
-        ));
+        return Ok(Outcome::fails(what, exact("an exact motion", "rates at the threshold, exact")));
     }
     if let Some(what) = swing(variant.agentwise)? {
         let detail = "weights of the tied link, enclosed for the whole period";
-        return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "a motion for all time", detail)));
+        return Ok(Outcome::fails(what, certified("a motion for all time", detail)));
     }
     Run::all([Ok(steady), positive_connectivity(run), hulls(&HullVariant::Subset, run)])
 }
@@ -374,32 +347,29 @@ pub(super) const VELOCITIES: SwitchingVariant =
     SwitchingVariant { connected: Connected::Always, agentwise: false, conclusion: Conclusion::Agree };
 
 pub fn thm2_vel() -> Record<SwitchingVariant> {
-    let printed = VELOCITIES;
     Record::new(
         "tanner2.thm2_vel",
         "The printed proof needs regularity (Lemma 1, false) and uniqueness (false), but the statement is true for every Filippov solution: almost everywhere dQ/dt = -v^T (L_m kron I_2) v, where L_m has \
          weights in [0, 1] on tied pairs and 1 on links, so dQ/dt <= -l |v - mean|² with l the least lambda_2 of connected graphs. Hence |v - mean|² is integrable; its rate is bounded since distances of linked agents stay away from 0; it tends to 0. \
          With K agent by agent, as (10b) is written, the two agents of a tied pair could weigh it differently; then momentum is not kept and velocities need not agree (a control).",
-        printed,
+        VELOCITIES,
         |variant, run| Run::all([
             switching_checks(variant, run),
             argued(&[1], "the limits", "notes/tanner2.md, Section 5, steps 1 to 7"),
         ]),
     )
     .reading("K of the whole vector field, as in Definition 4, every Filippov solution, and a graph of the links |r_ij| < R that is connected at all times")
-    .control("with K agent by agent", SwitchingVariant { agentwise: true, ..printed })
-    .control("connected at the start only", SwitchingVariant { connected: Connected::AtFirst, ..printed })
-    .control("all velocities tend to zero", SwitchingVariant { conclusion: Conclusion::Stop, ..printed })
+    .altered("with K agent by agent", |v| v.agentwise = true)
+    .altered("connected at the start only", |v| v.connected = Connected::AtFirst)
+    .altered("all velocities tend to zero", |v| v.conclusion = Conclusion::Stop)
 }
 
 pub fn thm2_pot() -> Record<SwitchingVariant> {
-    let printed = SwitchingVariant { conclusion: Conclusion::Minimised, ..VELOCITIES };
-    let repaired = SwitchingVariant { conclusion: Conclusion::Critical, ..VELOCITIES };
     Record::new(
         "tanner2.thm2_pot",
         "The same row of three agents: with R = 3 every pair is linked, V is increasing at R, and they stay at rest at a saddle. What survives: every limit point has equal velocities and is a Filippov equilibrium, 0 in K[grad_{r_i} V_i] for all i; without ties \
          that is grad_{r_i} V_i = 0.",
-        printed,
+        SwitchingVariant { conclusion: Conclusion::Minimised, ..VELOCITIES },
         |variant, run| Run::all([
             switching_checks(variant, run),
             argued(&[1], "the limits", "notes/tanner2.md, Section 5, steps 1 to 9"),
@@ -409,7 +379,7 @@ pub fn thm2_pot() -> Record<SwitchingVariant> {
     .repaired(
         Fault::False,
         "Under the hypotheses of Theorem 2 the system approaches the set of configurations with 0 in K[(grad_{r_i} V_i)_i] (critical configurations, where no pair is at distance R).",
-        repaired,
+        SwitchingVariant { conclusion: Conclusion::Critical, ..VELOCITIES },
     )
-    .control("critical and at rest", SwitchingVariant { conclusion: Conclusion::Stop, ..repaired })
+    .altered("critical and at rest", |v| v.conclusion = Conclusion::Stop)
 }

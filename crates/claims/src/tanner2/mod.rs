@@ -20,54 +20,18 @@ pub(super) mod wording;
 
 use ledger::Claim;
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
-    vec![
-        Box::new(energy::eq6()),
-        Box::new(energy::eq8()),
-        Box::new(energy::eq9()),
-        Box::new(energy::cor2_decomp()),
-        Box::new(energy::s_config()),
-        Box::new(energy::eq14()),
-        Box::new(energy::vdot_b()),
-        Box::new(graphs::laplacian()),
-        Box::new(graphs::range()),
-        Box::new(graphs::merris()),
-        Box::new(bounds::bound_r()),
-        Box::new(bounds::bound_v()),
-        Box::new(bounds::eq7()),
-        Box::new(bounds::cor2_sub()),
-        Box::new(nonsmooth::lem1()),
-        Box::new(nonsmooth::lem2()),
-        Box::new(nonsmooth::q_sums()),
-        Box::new(nonsmooth::q_jump()),
-        Box::new(nonsmooth::q_dot()),
-        Box::new(nonsmooth::eq13()),
-        Box::new(nonsmooth::eq13_interval()),
-        Box::new(wording::eq2()),
-        Box::new(wording::figure_references()),
-        Box::new(wording::theorem5_use()),
-        Box::new(filippov::uniqueness()),
-        Box::new(filippov::definition4()),
-        Box::new(filippov::chain_rule()),
-        Box::new(filippov::existence()),
-        Box::new(limits::thm1a()),
-        Box::new(limits::thm1c()),
-        Box::new(limits::flocking()),
-        Box::new(limits::definition3()),
-        Box::new(limits::cor1()),
-        Box::new(limits::thm2_vel()),
-        Box::new(limits::thm2_pot()),
-        Box::new(collisions::thm1b()),
-        Box::new(collisions::cor3()),
-        Box::new(collisions::thm2_coll()),
-        Box::new(collisions::noninter()),
-        Box::new(rates::rate()),
-        Box::new(switching::arbitrary()),
-        Box::new(switching::stops()),
-        Box::new(figures::fig4()),
-        Box::new(figures::fig4_close()),
-        Box::new(figures::fig5()),
-        Box::new(figures::fig6()),
-    ]
+    claims! {
+        energy: eq6, eq8, eq9, cor2_decomp, s_config, eq14, vdot_b;
+        graphs: laplacian, range, merris;
+        bounds: bound_r, bound_v, eq7, cor2_sub;
+        nonsmooth: lem1, lem2, q_sums, q_jump, q_dot, eq13, eq13_interval;
+        wording: eq2, figure_references, theorem5_use;
+        filippov: uniqueness, definition4, chain_rule, existence;
+        limits: thm1a, thm1c, flocking, definition3, cor1, thm2_vel, thm2_pot;
+        collisions: thm1b, cor3, thm2_coll, noninter;
+        rates: rate;
+        switching: arbitrary, stops;
+        figures: fig4, fig4_close, fig5, fig6;
+    }
 }

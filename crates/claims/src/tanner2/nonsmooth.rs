@@ -1,11 +1,8 @@
 //! tanner2.lem1, lem2, Q, Qjump, Qdot, eq13, eq13.interval: the saturated potential and the energy Q.
 
 use super::fixtures::{PLANE, energy_decreases, printed as logarithmic, random_vectors, spring};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, rational};
-use ledger::{CheckError, Fault, Outcome, Record, Run};
 use models::double_integrator::{Kink, Potential, Span, State, TiedRate, dot, saturated_rate, tied};
 
 /// The saturated potential as a function of the distance `r`, at `r = R`.
@@ -18,8 +15,6 @@ fn kink_at(potential: &Potential, threshold: &Rational) -> Result<Kink<Rational>
 fn show(span: &Span<Rational>) -> String {
     if span.is_empty() { "empty".to_string() } else { format!("[{}, {}]", span.lo, span.hi) }
 }
-
-// --- Lemma 1 ---
 
 /// Regularity of `U` at R, or its two derivatives and the regularity of `-U`.
 #[derive(Clone, Copy)]
@@ -74,30 +69,23 @@ fn examine_regular(variant: &RegularVariant, run: &mut Run) -> Result<Outcome, C
 }
 
 pub fn lem1() -> Record<RegularVariant> {
-    let repaired = RegularVariant { regular: false, threshold: (2, 1), generalised: |cw| cw.max(rational(0, 1)) };
     Record::new(
         "tanner2.lem1",
         "Let c = V_r(R) > 0. One-sided: U'(R; w) = 0 for w > 0 and cw for w < 0. Generalised: base points y < R give quotients that tend to cw, base points y > R give 0, so \
          U°(R; w) = max(0, cw): it differs in both directions. The printed proof bounds U(y') by V_R but keeps y' >= R for w > 0, and for w < 0 overlooks y > R. \
          A kink where an increasing function becomes flat is concave; regular is its negative. (U is regular where it is smooth, and at a convex kink, R below the desired distance.)",
-        RegularVariant { regular: true, ..repaired },
+        RegularVariant { regular: true, threshold: (2, 1), generalised: |cw| cw.max(rational(0, 1)) },
         examine_regular,
     )
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired_by(Fault::False, "", |v| v.regular = false)
     .repaired_clauses(&[
         "For V with a continuous derivative the saturated potential U_ij is regular at every distance but R.",
         "For such V with c = V_r(R) > 0 -U_ij is regular at R.",
         "For V with a continuous derivative and c = V_r(R) > 0 U'(R; w) = min(0, cw) and U°(R; w) = max(0, cw).",
     ])
-    .control("R below the desired distance, c < 0", RegularVariant { threshold: (1, 2), ..repaired })
-    .control("U°(R; w) = cw", RegularVariant { generalised: |cw| cw, ..repaired })
+    .altered("R below the desired distance, c < 0", |v| v.threshold = (1, 2))
+    .altered("U°(R; w) = cw", |v| v.generalised = |cw| cw)
 }
-
-// --- Lemma 2 ---
 
 /// What the generalised gradient at R is said to be: empty, or all `z` from some number to another, times the slope.
 #[derive(Clone, Copy)]
@@ -133,28 +121,21 @@ fn examine_gradient(variant: &GradientVariant, run: &mut Run) -> Result<Outcome,
 }
 
 pub fn lem2() -> Record<GradientVariant> {
-    let repaired = GradientVariant { between: Some((0, 1)), thresholds: [(2, 1), (3, 2)] };
     Record::new(
         "tanner2.lem2",
         "The generalised gradient of a locally Lipschitz function is never empty (Clarke): it is the hull of the limits of gradients, here of 0 and grad_{r_i} V_ij. The printed proof puts \
          U'(R; w) in place of U°(R; w), which Lemma 1 wrongly says is the same.",
-        GradientVariant { between: None, ..repaired },
+        GradientVariant { between: None, thresholds: [(2, 1), (3, 2)] },
         examine_gradient,
     )
-    .repaired(
-        Fault::False,
-        "",
-        repaired,
-    )
+    .repaired_by(Fault::False, "", |v| v.between = Some((0, 1)))
     .repaired_clauses(&[
         "For V with a continuous derivative and c = V_r(R) > 0 the generalised gradient of U_ij as a function of the distance is [0, c] at R.",
         "For such V, with respect to r_i at |r_ij| = R it is the segment co{0, grad_{r_i} V_ij}.",
     ])
-    .control("R below the desired distance, c < 0", GradientVariant { thresholds: [(1, 2), (2, 3)], ..repaired })
-    .control("grad V alone", GradientVariant { between: Some((1, 1)), ..repaired })
+    .altered("R below the desired distance, c < 0", |v| v.thresholds = [(1, 2), (2, 3)])
+    .altered("grad V alone", |v| v.between = Some((1, 1)))
 }
-
-// --- Equation (11) ---
 
 /// How the two sums of (11) count.
 #[derive(Clone, Copy)]
@@ -166,57 +147,46 @@ pub struct SumVariant {
 }
 
 /// Values of the potentials as variables: `V_ij` of linked pairs, `V_ij(R)` of the others, `U_ii`, and the squared speeds.
-struct TwoSums(Graph, SumVariant);
-
-impl RationalIdentity for TwoSums {
-    fn variables(&self) -> usize {
-        self.0.order() * (self.0.order() + 3) / 2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let count = self.0.order();
+fn two_sums(graph: Graph, variant: &SumVariant) -> Identity<'_> {
+    Identity::new(graph.order() * (graph.order() + 3) / 2, move |at| {
+        let count = graph.order();
         let (pairs, rest) = at.split_at(count * (count - 1) / 2);
         let (own, squares) = rest.split_at(count);
         let pair = |i: usize, j: usize| pairs[i.max(j) * (i.max(j) - 1) / 2 + i.min(j)].clone();
         let like = &at[0];
         let (mut left, mut right) = (like.zero(), like.zero());
         for i in 0..count {
-            let linked = self.0.neighbours(i).into_iter().fold(like.zero(), |sum, j| sum + pair(i, j));
+            let linked = graph.neighbours(i).into_iter().fold(like.zero(), |sum, j| sum + pair(i, j));
             left = left + (linked + &squares[i]) * like.ratio(1, 2);
             let all = (0..count).filter(|&j| j != i).fold(squares[i].clone(), |sum, j| sum + pair(i, j));
-            let all = if self.1.own { all + &own[i] } else { all };
+            let all = if variant.own { all + &own[i] } else { all };
             right = right + all * like.ratio(1, 2);
         }
-        for (i, j) in (0..count).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| !self.0.has_edge(i, j)) {
-            left = left + pair(i, j) * like.integer(self.1.unlinked);
+        for (i, j) in (0..count).flat_map(|j| (0..j).map(move |i| (i, j))).filter(|&(i, j)| !graph.has_edge(i, j)) {
+            left = left + pair(i, j) * like.integer(variant.unlinked);
         }
         Ok((vec![left], vec![right]))
-    }
-}
-
-fn examine_sums(variant: &SumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Run::all((1..=3).flat_map(Graph::all).map(|graph| {
-        let part = format!("equation (11), {} agents, edges {:?}, any values", graph.order(), graph.edges());
-        run.identity(&TwoSums(graph, *variant), &["V_ij", "U_ii", "|v_i|²"], &part)
-    }))
+    })
 }
 
 pub fn q_sums() -> Record<SumVariant> {
-    let printed = SumVariant { unlinked: 1, own: false };
     Record::new(
         "tanner2.Q",
         "U_ij is V_ij on linked pairs and V_ij(R) on the others, and half the double sum counts each pair of different agents once. Pairs are pairs of different agents: the terms j = i, which \
          V_ij does not define (V_ii(0) would be infinite), are left out, and each pair that is not linked is meant once.",
-        printed,
-        examine_sums,
+        SumVariant { unlinked: 1, own: false },
+        |variant, run| {
+            Run::all((1..=3).flat_map(Graph::all).map(|graph| {
+                let part = format!("equation (11), {} agents, edges {:?}, any values", graph.order(), graph.edges());
+                run.identity(&two_sums(graph, variant), &["V_ij", "U_ii", "|v_i|²"], &part)
+            }))
+        },
     )
     .reading("pairs are unordered pairs of different agents")
-    .control("unlinked pairs counted in both orders", SumVariant { unlinked: 2, ..printed })
-    .control("with the terms j = i", SumVariant { own: true, ..printed })
-    .control("without the unlinked pairs", SumVariant { unlinked: 0, ..printed })
+    .altered("unlinked pairs counted in both orders", |v| v.unlinked = 2)
+    .altered("with the terms j = i", |v| v.own = true)
+    .altered("without the unlinked pairs", |v| v.unlinked = 0)
 }
-
-// --- Q is continuous and has kinks ---
 
 /// Whether the potential stays at `V(R)` beyond `R` (or falls to 0), and the potential with `R²`.
 #[derive(Clone)]
@@ -255,24 +225,19 @@ fn examine_kinks(variant: &KinkVariant, run: &mut Run) -> Result<Outcome, CheckE
 }
 
 pub fn q_jump() -> Record<KinkVariant> {
-    let printed =
-        KinkVariant { saturated: true, settings: vec![(spring(), rational(4, 1)), (spring(), rational(9, 4))] };
     Record::new(
         "tanner2.Qjump",
         "U_ij is continuous and has a concave kink at R. A sum of concave kinks is never smooth where one of them is.",
-        printed.clone(),
+        KinkVariant { saturated: true, settings: vec![(spring(), rational(4, 1)), (spring(), rational(9, 4))] },
         examine_kinks,
     )
     .clauses(&["Q is continuous everywhere.", "Q is nonsmooth whenever ||r_ij|| = R for some (i, j)."])
     .reading("where no two agents coincide, and with V_ij increasing at R with a positive slope, as Figure 3 and Lemma 1 have it (c < 0 there)")
-    .control("0 in place of V(R) beyond R", KinkVariant { saturated: false, ..printed.clone() })
-    .control("V increasing at R with slope zero", KinkVariant {
-        settings: vec![(Potential::with_inflection(&rational(4, 1)), rational(4, 1))],
-        ..printed
+    .altered("0 in place of V(R) beyond R", |v| v.saturated = false)
+    .altered("V increasing at R with slope zero", |v| {
+        v.settings = vec![(Potential::with_inflection(&rational(4, 1)), rational(4, 1))]
     })
 }
-
-// --- Qdot away from the threshold ---
 
 /// `Qdot = factor v^T (L kron I_2) v`, away from ties or at ties too.
 #[derive(Clone, Copy)]
@@ -316,18 +281,15 @@ fn approaching_at_threshold() -> State<Rational> {
 }
 
 pub fn q_dot() -> Record<AwayVariant> {
-    let printed = AwayVariant { factor: -1, ties: false };
     Record::new(
         "tanner2.Qdot",
         "Near such a point no link changes and Q is W of the graph at hand plus a constant: equation (9).",
-        printed,
+        AwayVariant { factor: -1, ties: false },
         examine_away,
     )
-    .control("twice", AwayVariant { factor: -2, ..printed })
-    .control("at ties too, with the graph at that instant", AwayVariant { ties: true, ..printed })
+    .altered("twice", |v| v.factor = -2)
+    .altered("at ties too, with the graph at that instant", |v| v.ties = true)
 }
-
-// --- Equation (13) ---
 
 /// What the generalised time derivative of Q is compared with.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -399,7 +361,7 @@ pub fn eq13() -> Record<HullVariant> {
          Theorem 4 does not give Q's monotony, but it is true: almost everywhere on |r_ij| = R the distance has derivative zero, and dQ/dt = -v^T (L_m kron I_2) v.",
         HullVariant::Subset,
         |variant, run| Run::all([
-            Ok(hulls(variant, run)?.on([1, 2])),
+            hulls(variant, run).on([1, 2]),
             argued(&[1, 2], "(13)", "notes/tanner2.md, Equation (13), steps 1 to 4"),
             argued(&[3], "Q along solutions", "notes/tanner2.md, Section 5, steps 1 to 3"),
         ]),
@@ -458,11 +420,7 @@ pub fn eq13_interval() -> Record<IntervalVariant> {
         IntervalVariant::ToZero,
         examine_interval,
     )
-    .repaired(
-        Fault::Slip,
-        "",
-        IntervalVariant::NonPositive(1),
-    )
+    .repaired(Fault::Slip, "", IntervalVariant::NonPositive(1))
     .repaired_clauses(&[
         "The right side of (13) is an interval [e, f] with e <= f <= 0.",
         "Away from ties e = f = -v^T (L kron I_2) v.",

@@ -2,14 +2,10 @@
 
 use super::fixtures::spring;
 use super::limits::{VELOCITIES, switching_checks};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::double_integrator::{Pair, Potential, crosses_for_ever};
-
-// --- Arbitrary switching ---
 
 /// Two trees in turn, and the dimension of space.
 #[derive(Clone)]
@@ -43,8 +39,7 @@ pub(crate) fn no_common_configuration(variant: &Trees) -> Result<Outcome, CheckE
     let trees = graphs.iter().all(|graph| graph.is_connected() && graph.edges().len() + 1 == variant.agents);
     let complete = union.edges().len() == variant.agents * (variant.agents - 1) / 2;
     let needed = dimension_of_regular_simplex(variant.agents)?;
-    let evidence =
-        Evidence::new(Grade::Exact, "common critical configurations", "the Gram matrix of the regular simplex");
+    let evidence = exact("common critical configurations", "the Gram matrix of the regular simplex");
     if trees && complete && needed > variant.dimension {
         return Ok(Outcome::Holds(vec![evidence]));
     }
@@ -74,7 +69,7 @@ fn examine_signal(variant: &SignalVariant, run: &mut Run) -> Result<Outcome, Che
     let apart = no_common_configuration(&variant.trees)?;
     if !variant.any_signal {
         return Run::all([
-            Ok(switching_checks(&VELOCITIES.agentwise(variant.agentwise), run)?.on([1])),
+            switching_checks(&VELOCITIES.agentwise(variant.agentwise), run).on([1]),
             argued(&[1], "switching by distance", "notes/tanner2.md, Section 5, steps 1 to 7"),
             Ok(apart.on([2])),
             argued(&[2], "the two paths in turn", TREES_ARGUED),
@@ -88,34 +83,23 @@ fn examine_signal(variant: &SignalVariant, run: &mut Run) -> Result<Outcome, Che
 }
 
 pub fn arbitrary() -> Record<SignalVariant> {
-    let printed = SignalVariant { any_signal: true, trees: Trees::two_paths(), agentwise: false };
-    let repaired = SignalVariant { any_signal: false, ..printed.clone() };
     Record::new(
         "tanner2.arbswitch",
         "Q is no Lyapunov function for a switch that does not happen at |r_ij| = R: there energy may jump up. Let four agents use the paths 1-2-3-4 and 2-4-1-3 in turn for a fixed time each, both connected. If the velocities agreed in the limit, the \
          forces on every edge of the path in use would tend to zero in the mean, so all three distances to 1; the positions hardly move in one period, so all six distances to 1: impossible in the plane. So the velocities never agree, from any start. \
          What Section 5 analyses is switching by distance.",
-        printed.clone(),
+        SignalVariant { any_signal: true, trees: Trees::two_paths(), agentwise: false },
         examine_signal,
     )
     .reading("arbitrary switching: by any signal among connected graphs")
-    .repaired(
-        Fault::False,
-        "",
-        repaired.clone(),
-    )
+    .repaired_by(Fault::False, "", |v| v.any_signal = false)
     .repaired_clauses(&[
         "Velocities agree in the limit if links switch by distance, as in (10), read as in tanner2.thm2_vel, and the graph stays connected.",
         "They do not for all switching signals among connected graphs: four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each, agree in the limit from no start without collision.",
     ])
-    .control("by distance, with K agent by agent", SignalVariant { agentwise: true, ..repaired.clone() })
-    .control("the two paths in space", SignalVariant {
-        trees: Trees { dimension: 3, ..Trees::two_paths() },
-        ..repaired
-    })
+    .altered("by distance, with K agent by agent", |v| v.agentwise = true)
+    .altered("the two paths in space", |v| v.trees = Trees { dimension: 3, ..Trees::two_paths() })
 }
-
-// --- Switching by distance eventually stops ---
 
 fn examine_stop((potential, square): &(Potential, Rational), _run: &mut Run) -> Result<Outcome, CheckError> {
     if potential.slope(square)? > rational(0, 1) {
@@ -130,7 +114,7 @@ fn examine_stop((potential, square): &(Potential, Rational), _run: &mut Run) -> 
         "four agents near two equilateral triangles side by side, R² = {square}, V'(R²) = 0: symmetric motions tend to this rhombus in decaying oscillations on both sides, so agents 1 and 3 pass |r_13| = R for ever"
     );
     let detail = "characteristic polynomials of the symmetric modes with and without the link: stable, no real root (Sturm, Routh)";
-    Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "switching near the rhombus", detail)))
+    Ok(Outcome::fails(what, exact("switching near the rhombus", detail)))
 }
 
 pub fn stops() -> Record<(Potential, Rational)> {

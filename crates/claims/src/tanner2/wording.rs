@@ -1,9 +1,8 @@
 //! tanner2.eq2, sec6.figures, appA.thm5: a formula and two references.
 
 use super::fixtures::{PLANE, spring};
-use crate::argued::argued;
-use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::double_integrator::{Pair, State, heading, linked_within, velocity_alignment};
 
 /// How the heading is formed from `(x, y)`.
@@ -48,7 +47,7 @@ pub(crate) fn headings(variant: &HeadingVariant, run: &Run) -> Result<Outcome, C
     let mut vectors: Vec<(i64, i64)> =
         (-4..=4).flat_map(|x| (-4..=4).map(move |y| (x, y))).filter(|v| *v != (0, 0)).collect();
     vectors.sort_by_key(|(x, y)| (x * x + y * y, -x, -y));
-    let evidence = Evidence::new(Grade::Certified, ANGLE, "enclosures for all integer vectors up to 4 in size");
+    let evidence = certified(ANGLE, "enclosures for all integer vectors up to 4 in size");
     run.every(evidence, vectors, |(x, y)| {
         let v = [enclose(x), enclose(y)];
         let Ok(angle) = variant.angle(&v) else {
@@ -135,7 +134,7 @@ fn examine_use(theorem: &u8, _run: &mut Run) -> Result<Outcome, CheckError> {
     let jump = num_traits::Signed::abs(&(&near[0][0] - &far[0][0]));
     let jumps = jump > rational(1, 10);
     let evidence = vec![
-        Evidence::new(Grade::Exact, "whether the law jumps", "accelerations on both sides of |r_13| = R").for_all(),
+        exact("whether the law jumps", "accelerations on both sides of |r_13| = R").for_all(),
         Evidence::new(Grade::Text, "what the proofs name", "the sentences that apply LaSalle's principle"),
     ];
     if named && jumps {

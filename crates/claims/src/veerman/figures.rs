@@ -1,10 +1,10 @@
 //! veerman.fig4, veerman.fig5: how well Theorem 1 agrees with the resonance.
 
 use super::printed_table::{ROWS, Row};
-use super::{certified, enclosed, gains, unit, within};
+use super::{enclosed, gains, unit, within};
+use crate::prelude::*;
 use crate::printed_decimal;
-use arithmetic::{Field, Interval, Rational, Real, Ring, rational, regression_line};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::regression_line;
 use models::platoon::{Gains, resonance, theorem1};
 
 const PRECISION: u32 = 120;
@@ -23,8 +23,6 @@ fn pairs(m: u64, gains: &Gains<Rational>, offset: i64) -> Result<Pairs, CheckErr
     Ok([(found.omega, theorem1::frequency(&gains, size)?), (found.amplitude, theorem1::amplitude(&gains, size)?)])
 }
 
-// --- Figure 4 ---
-
 /// Theorem 1 for these gains and `M + offset` followers.
 #[derive(Clone, Copy)]
 pub struct Figure4Variant {
@@ -39,13 +37,12 @@ fn limit(size: u64) -> Rational {
 }
 
 pub fn figure4() -> Record<Figure4Variant> {
-    let printed = Figure4Variant { f: -1, g: -1, offset: 0 };
     Record::new(
         "veerman.fig4",
         "The true resonance is enclosed for M = 4 to 128 followers (the figure's range; the printed numbers are for N followers); beyond, beyond.veerman.resonance_frequency and \
          resonance_amplitude bound the differences by (0.26/M²)(1 + 62/M²) for all M >= 5. The four columns of Table 1 meet the same limits, although \
          its headings are exchanged and its simulated values not accurate to their digits (veerman.table1_*).",
-        printed,
+        Figure4Variant { f: -1, g: -1, offset: 0 },
         examine_figure4,
     )
     .reading("Excellent: the curves of the figure differ by at most 2.5 per cent at every size of the figure from 4 on, up to 128, and by at most 0.05 per cent from 32 on.")
@@ -53,9 +50,9 @@ pub fn figure4() -> Record<Figure4Variant> {
         "The agreement between the numerical values of the resonance frequency and the second order approximation (as functions of flock size) is excellent.",
         "The agreement between the numerical values of the resonance amplitude and the second order approximation (as functions of flock size) is excellent.",
     ])
-    .control("Theorem 1 with N + 2 for N + 1", Figure4Variant { offset: 1, ..printed })
-    .control("Theorem 1 with f = -2", Figure4Variant { f: -2, ..printed })
-    .control("Theorem 1 with g = -2", Figure4Variant { g: -2, ..printed })
+    .altered("Theorem 1 with N + 2 for N + 1", |v| v.offset = 1)
+    .altered("Theorem 1 with f = -2", |v| v.f = -2)
+    .altered("Theorem 1 with g = -2", |v| v.g = -2)
 }
 
 fn examine_figure4(variant: &Figure4Variant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -79,7 +76,7 @@ fn examine_figure4(variant: &Figure4Variant, run: &mut Run) -> Result<Outcome, C
         Ok(None)
     })?;
     values.into_iter().for_each(|(name, value)| run.value(&name, value));
-    Ok(Run::all([Ok(curves), printed_cells(run)])?.on([1, 2]))
+    Run::all([Ok(curves), printed_cells(run)]).on([1, 2])
 }
 
 /// The numbers of Table 1, which the figure shows.
@@ -95,8 +92,6 @@ fn printed_cells(run: &Run) -> Result<Outcome, CheckError> {
     })
 }
 
-// --- Figure 5 ---
-
 /// The slope of the regression line of `ln |difference|` over `ln N` lies within 1/10 of `slope`; the differences are those of the frequency or of
 /// the amplitude, for `N + offset` followers.
 #[derive(Clone, Copy)]
@@ -107,19 +102,18 @@ pub struct Figure5Variant {
 }
 
 pub fn figure5() -> Record<Figure5Variant> {
-    let printed = Figure5Variant { slope: -3, of_amplitude: false, offset: 0 };
     Record::new(
         "veerman.fig5",
         "Two sets of differences over the sizes N = 4, 8, ..., 128: those of the true resonance of N followers from Theorem 1, \
          enclosed, and those of the printed columns NFREQ and TFREQ. In both the slope is close to -3, as the expansion \
          w_0 - w = 0.2855/M³ + O(M^-5) says. (With N + 1 followers plotted over N the slope is near -2.8: value.)",
-        printed,
+        Figure5Variant { slope: -3, of_amplitude: false, offset: 0 },
         examine_figure5,
     )
     .reading("Close to -3: within 1/10. The sizes are those of Table 1, the flock of a row has N followers.")
-    .control("slope -2", Figure5Variant { slope: -2, ..printed })
-    .control("N + 1 followers over N", Figure5Variant { offset: 1, ..printed })
-    .control("the amplitude in the place of the frequency", Figure5Variant { of_amplitude: true, ..printed })
+    .altered("slope -2", |v| v.slope = -2)
+    .altered("N + 1 followers over N", |v| v.offset = 1)
+    .altered("the amplitude in the place of the frequency", |v| v.of_amplitude = true)
 }
 
 fn examine_figure5(variant: &Figure5Variant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -1,12 +1,8 @@
 //! veerman.sep_remark, veerman.prop1: separation and size limit where every car tracks only the one in front.
 
-use super::{certified, negative_gains};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
+use super::negative_gains;
+use crate::prelude::*;
 use models::platoon::{Gains, amplitude_one_sided, gain_squared_one_sided};
-
-// --- The separation ---
 
 /// `a_0 Re(gamma^{-k-1} e) - back a_0 Re(gamma^{-k} e + inside) + outside`.
 #[derive(Clone, Copy)]
@@ -18,42 +14,28 @@ pub struct SeparationVariant {
 
 /// Car `k` at `h + a_0 Re(z e)`, car `k + 1` at `h + 1 + a_0 Re(z e/gamma)`, where `z` is any number in the place of
 /// `gamma^-k` and `e = e^{iwt}` any phase.
-struct Difference(SeparationVariant);
-
-impl RationalIdentity for Difference {
-    fn variables(&self) -> usize {
-        8
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w, a, u, z_re, z_im, h] = at else { return Err(ArithmeticError::Domain("eight variables")) };
+fn difference(variant: &SeparationVariant) -> Identity<'_> {
+    Identity::of(move |[f, g, w, a, u, z_re, z_im, h]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
         // e = (1 + iu)/(1 - iu) runs through all phases but one.
         let half_turn = Complex::new(u.one(), u.clone());
         let phase = half_turn.over(&half_turn.conj())?;
         let front = Complex::new(z_re.clone(), z_im.clone()) * phase;
         let own = front.clone() * amplitude_one_sided(&gains, w, 1)?;
-        let separation = |a: &T| {
-            let position = |place: T, z: &Complex<T>| place + a.clone() * &z.re;
+        let separation = |a: &Probe| {
+            let position = |place: Probe, z: &Complex<Probe>| place + a.clone() * &z.re;
             position(h.clone() + h.one(), &own) - position(h.clone(), &front)
         };
-        let inside = front.re.clone() + a.integer(self.0.inside);
-        let oscillation = a.clone() * &own.re - a.integer(self.0.back) * a * inside;
+        let inside = front.re.clone() + a.integer(variant.inside);
+        let oscillation = a.clone() * &own.re - a.integer(variant.back) * a * inside;
         let still = separation(&a.zero());
-        Ok((vec![separation(a) - &still, still], vec![oscillation, a.integer(self.0.outside)]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at) && at[3] > rational(0, 1)
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["what a_0 adds to the separation", "the separation x_{k+1} - x_k for a_0 = 0"].map(String::from).to_vec()
-    }
+        Ok((vec![separation(a) - &still, still], vec![oscillation, a.integer(variant.outside)]))
+    })
+    .within(|at| negative_gains(at) && at[3] > rational(0, 1))
+    .named(["what a_0 adds to the separation", "the separation x_{k+1} - x_k for a_0 = 0"])
 }
 
 pub fn separation() -> Record<SeparationVariant> {
-    let repaired = SeparationVariant { back: 1, inside: 0, outside: 1 };
     Record::new(
         "veerman.sep_remark",
         "x_{k+1} - x_k = h_{k+1} - h_k + a_0 Re(gamma^{-k-1} e^{iwt}) - a_0 Re(gamma^{-k} e^{iwt}). With h_{k+1} - h_k = 1 the 1 is \
@@ -63,20 +45,18 @@ pub fn separation() -> Record<SeparationVariant> {
         |variant, run| {
             let names = ["f", "g", "w", "a_0", "tan(wt/2)", "Re gamma^-k", "Im gamma^-k", "h_k"];
             let part = "the difference of the positions, any k and t";
-            run.identity(&Difference(*variant), &names, part).map(Outcome::for_all)
+            run.identity(&difference(variant), &names, part).for_all()
         },
     )
     .repaired(
         Fault::Typo,
         "If h_{k+1} - h_k = 1, the separation between two successive agents is a_0 Re(gamma^{-k-1} e^{i w t}) - \
          a_0 Re(gamma^{-k} e^{i w t}) + 1.",
-        repaired,
+        SeparationVariant { back: 1, inside: 0, outside: 1 },
     )
-    .control("+ a_0 Re(gamma^{-k} e^{iwt})", SeparationVariant { back: -1, ..repaired })
-    .control("without the 1", SeparationVariant { outside: 0, ..repaired })
+    .altered("+ a_0 Re(gamma^{-k} e^{iwt})", |v| v.back = -1)
+    .altered("without the 1", |v| v.outside = 0)
 }
-
-// --- The size limit ---
 
 const PRECISION: u32 = 100;
 
@@ -97,27 +77,14 @@ impl FrontLimitVariant {
 }
 
 /// The squared gain per car at the leader's frequency, with `f = -r²`.
-struct GrowthPerCar(FrontLimitVariant);
-
-impl RationalIdentity for GrowthPerCar {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
+fn growth_per_car(variant: &FrontLimitVariant) -> Identity<'_> {
+    Identity::of(move |[r, g]| {
         let gains = Gains { f: -r.square(), g: g.clone() };
-        let gain = gain_squared_one_sided(&gains, &r.power(2 * self.0.half_powers))?;
-        Ok((vec![gain], vec![self.0.growth(r, g)?]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at[0] > rational(0, 1) && at[1] < rational(0, 1)
-    }
-
-    fn components(&self) -> Vec<String> {
-        vec!["|1/gamma|² at the leader's frequency".to_string()]
-    }
+        let gain = gain_squared_one_sided(&gains, &r.power(2 * variant.half_powers))?;
+        Ok((vec![gain], vec![variant.growth(r, g)?]))
+    })
+    .within(|at| at[0] > rational(0, 1) && at[1] < rational(0, 1))
+    .named(vec!["|1/gamma|² at the leader's frequency".to_string()])
 }
 
 /// The largest N for which the last car, number N + 1, stays within `ratio = D/a_0`; -1 if even one follower does not.
@@ -133,42 +100,35 @@ fn largest_size(growth: &Rational, ratio: &Rational) -> i64 {
 }
 
 pub fn size_limit() -> Record<FrontLimitVariant> {
-    let printed = FrontLimitVariant { half_powers: 2, factor: (2, 1), powers: (1, 2) };
-    let repaired = FrontLimitVariant { half_powers: 1, ..printed };
     Record::new(
         "veerman.prop1",
         "At w² = |f|, Corollary 1 gives |a_k| = a_0 (1 + |f|/g²)^{k/2}, which grows with k, so the last car stays within D \
          exactly if N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g²) =: X, that is for N <= floor(X) - 1: within the printed N <~ X, \
          sharp up to less than 2. But the frequency is sqrt|f|, not |f|: at w = |f| the squared gain is (1 + g²)/((|f| - 1)² + g²), which is \
          even below 1 for |f| > 2, so that there is no limit at all.",
-        printed,
+        FrontLimitVariant { half_powers: 2, factor: (2, 1), powers: (1, 2) },
         examine_limit,
     )
     .reading("N <~ X is read as N <= X; what stays within D is the equilibrium oscillation (the particular solution), as in the proof; a_0, D > 0 and f, g < 0.")
-    .repaired(
-        Fault::Typo,
-        "If the amplitude of the oscillation of the leader at frequency sqrt(|f|) is a_0, then the equilibrium oscillation of the last car stays within the maximum \
-         oscillation allowed D if and only if N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2) (system (1)).",
-        repaired,
-    )
+    .repaired_by(Fault::Typo, "", |v| v.half_powers = 1)
     .repaired_clauses(&[
-        "If the leader oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the equilibrium oscillation of the last car stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2).",
+        "If the leader oscillates at the frequency sqrt(|f|) with the amplitude a_0 and the equilibrium oscillation of the last car of system (1) stays within D, then N + 1 <= 2 ln(D/a_0)/ln(1 + |f|/g^2).",
         "If N + 1 is at most that, the equilibrium oscillation of the last car stays within D.",
     ])
-    .control("without the factor 2", FrontLimitVariant { factor: (1, 1), ..repaired })
-    .control("the factor 3", FrontLimitVariant { factor: (3, 1), ..repaired })
-    .control("|f|/|g|", FrontLimitVariant { powers: (1, 1), ..repaired })
-    .control("f²/g²", FrontLimitVariant { powers: (2, 2), ..repaired })
+    .altered("without the factor 2", |v| v.factor = (1, 1))
+    .altered("the factor 3", |v| v.factor = (3, 1))
+    .altered("|f|/|g|", |v| v.powers = (1, 1))
+    .altered("f²/g²", |v| v.powers = (2, 2))
 }
 
 fn examine_limit(variant: &FrontLimitVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let part = "the gain per car at the leader's frequency, |f| = r²";
-    let growth = run.identity(&GrowthPerCar(*variant), &["r", "g"], part)?;
+    let growth = run.identity(&growth_per_car(variant), &["r", "g"], part)?;
     if let Outcome::Fails { counterexample, evidence } = growth {
         let counterexample = no_limit(variant)?.unwrap_or(counterexample);
         return Ok(Outcome::Fails { counterexample, evidence }.on([1]));
     }
-    Ok(Run::all([Ok(growth), limit_instances(variant, run)])?.on([1, 2]))
+    Run::all([Ok(growth), limit_instances(variant, run)]).on([1, 2])
 }
 
 /// Where the response at the claimed frequency decays although a limit is claimed: f = -4, g = -1.

@@ -1,16 +1,11 @@
 //! veerman.nth_neighbour, veerman.onlytwo: other communication graphs on the line.
 
-use super::{certified, gains, negative_gains, parts, unit, within};
-use crate::argued::argued;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+use super::{gains, negative_gains, parts, unit, within};
+use crate::prelude::*;
 use models::platoon::{
     Communication, CommunicationGraph, Gains, amplitude_one_sided, amplitudes_two_sided, gain_squared_one_sided,
     resonance,
 };
-
-// --- The n-th neighbour ---
 
 /// For every `n >= smallest`: the graph is connected or not, and some followers, or all, stay behind.
 #[derive(Clone, Copy)]
@@ -21,15 +16,13 @@ pub struct NeighbourVariant {
 }
 
 pub fn nth_neighbour() -> Record<NeighbourVariant> {
-    let printed = NeighbourVariant { smallest: 1, connected: false, all_stay: false };
-    let repaired = NeighbourVariant { smallest: 2, ..printed };
     Record::new(
         "veerman.nth_neighbour",
         "Tracking joins agents whose numbers differ by n, so it stays within the residue classes modulo n; the leader is in the class of \
          0. For n >= 2 agent 1 is in another one: the graph of the agents 0 to N + 1 is not connected, and agents of the other classes, \
          at rest in formation, stay at rest whatever the leader does. For n = 1 the \
          graph is the path of system (2): connected, and everyone follows. The statement needs n >= 2, which it does not say.",
-        printed,
+        NeighbourVariant { smallest: 1, connected: false, all_stay: false },
         examine_neighbour,
     )
     .reading("Agents without an n-th one in front or behind track the other only, like the last car of (2), or nobody.")
@@ -37,19 +30,13 @@ pub fn nth_neighbour() -> Record<NeighbourVariant> {
         "If each agent keeps track of only the n-th agent in front and behind it, the communication graph is not connected.",
         "Some agents will stay behind.",
     ])
-    .repaired(
-        Fault::Hypothesis,
-        "If each agent keeps track of only the n-th agent in front and behind it, with n >= 2, the communication graph \
-         is not connected, and the followers that are not joined to the leader (agent 1 among them), if they start at rest in their places, stay there whatever the leader does: they \
-         stay behind one that leaves.",
-        repaired,
-    )
+    .repaired_by(Fault::Hypothesis, "", |v| v.smallest = 2)
     .repaired_clauses(&[
         "If each agent keeps track of only the n-th agent in front and behind it, with n >= 2, the communication graph is not connected.",
         "The followers that are not joined to the leader (agent 1 among them), if they start at rest in their places, stay there whatever the leader does: they stay behind one that leaves.",
     ])
-    .control("connected for n >= 2", NeighbourVariant { connected: true, ..repaired })
-    .control("all agents stay behind", NeighbourVariant { all_stay: true, ..repaired })
+    .altered("connected for n >= 2", |v| v.connected = true)
+    .altered("all agents stay behind", |v| v.all_stay = true)
 }
 
 fn examine_neighbour(variant: &NeighbourVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -82,8 +69,6 @@ fn staying_behind(graph: &CommunicationGraph) -> Vec<usize> {
     (1..=graph.followers()).filter(|&k| !reached[k] && forces[k - 1] == rational(0, 1)).collect()
 }
 
-// --- Which growth occurs ---
-
 /// The degrees `p` of the families of graphs that are looked at; that of degree p is claimed to have the degree `p + shift`.
 #[derive(Clone, Copy)]
 pub struct GrowthVariant {
@@ -99,51 +84,29 @@ impl GrowthVariant {
 }
 
 /// Everyone tracks the leader: all amplitudes are 1/gamma.
-struct Star(usize);
-
-impl RationalIdentity for Star {
-    fn variables(&self) -> usize {
-        3
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w] = at else { return Err(ArithmeticError::Domain("three variables")) };
+fn star(followers: usize) -> Identity<'static> {
+    Identity::of(move |[f, g, w]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
-        let graph = CommunicationGraph::star(self.0).map_err(|_| ArithmeticError::Domain("followers"))?;
+        let graph = CommunicationGraph::star(followers).map_err(|_| ArithmeticError::Domain("followers"))?;
         let one = amplitude_one_sided(&gains, w, 1)?;
-        Ok((parts(graph.response(&gains, w)?), parts(vec![one; self.0])))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at)
-    }
+        Ok((parts(graph.response(&gains, w)?), parts(vec![one; followers])))
+    })
+    .within(negative_gains)
 }
 
 /// `platoons` two-sided platoons of `length` cars in series: the last car has the power of the single platoon's last amplitude.
-struct Series {
-    length: usize,
-    platoons: usize,
-}
-
-impl RationalIdentity for Series {
-    fn variables(&self) -> usize {
-        3
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w] = at else { return Err(ArithmeticError::Domain("three variables")) };
+fn series(length: usize, platoons: usize) -> Identity<'static> {
+    Identity::of(move |[f, g, w]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
-        let graph = CommunicationGraph::in_series(&vec![self.length; self.platoons])
-            .map_err(|_| ArithmeticError::Domain("followers"))?;
-        let last = |amplitudes: Vec<Complex<T>>| amplitudes.last().cloned().ok_or(ArithmeticError::Domain("followers"));
+        let graph =
+            CommunicationGraph::in_series(&vec![length; platoons]).map_err(|_| ArithmeticError::Domain("followers"))?;
+        let last =
+            |amplitudes: Vec<Complex<Probe>>| amplitudes.last().cloned().ok_or(ArithmeticError::Domain("followers"));
         let whole = last(graph.response(&gains, w)?)?;
-        let single = last(amplitudes_two_sided(&gains, w, self.length)?)?;
-        Ok((parts([whole]), parts([single.power(self.platoons as u64)])))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at)
-    }
+        let single = last(amplitudes_two_sided(&gains, w, length)?)?;
+        Ok((parts([whole]), parts([single.power(platoons as u64)])))
+    })
+    .within(negative_gains)
 }
 
 /// The experiments of the paper are not described, and what they indicate depends on the graphs that are meant.
@@ -165,18 +128,18 @@ pub fn only_two() -> Record<()> {
 
 /// The check of beyond.veerman.growth; clause 1 is exponential growth, clause 2 that of every degree.
 pub(crate) fn examine_growth(variant: &GrowthVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let mut results = vec![exponential(variant, run).map(|outcome| outcome.on([1]))];
+    let mut results = vec![exponential(variant, run).on([1])];
     for &degree in variant.degrees {
-        results.push(growth(degree, variant, run).map(|outcome| outcome.on([2])));
+        results.push(growth(degree, variant, run).on([2]));
     }
     let names = ["f", "g", "w"];
     for followers in 1..=4 {
         let part = format!("p = 0, everyone tracks the leader: all amplitudes are 1/gamma, {followers} followers");
-        results.push(run.identity(&Star(followers), &names, &part).map(|outcome| outcome.on([2])));
+        results.push(run.identity(&star(followers), &names, &part).on([2]));
     }
     for (length, platoons) in [(2, 1), (1, 2), (2, 2), (1, 3)] {
         let part = format!("{platoons} platoons of {length} in series: the power of a_{length}");
-        results.push(run.identity(&Series { length, platoons }, &names, &part).map(|outcome| outcome.on([2])));
+        results.push(run.identity(&series(length, platoons), &names, &part).on([2]));
     }
     results.push(argued(&[1], "system (1)", "notes/veerman_platoons.md, other graphs, step 4"));
     results.push(argued(&[2], "platoons in series", "notes/veerman_platoons.md, other graphs, steps 5 to 8"));
@@ -206,7 +169,7 @@ fn exponential(variant: &GrowthVariant, run: &Run) -> Result<Outcome, CheckError
     let w = rational(1, 1);
     let gain = gain_squared_one_sided(&unit(), &w.square())?.power(variant.power);
     let detail = "system (1), f = g = -1, w = 1: |a_M|² = 2^M exactly, 1 to 8 followers";
-    run.every(Evidence::new(Grade::Exact, "exponential growth", detail), 1..=8, |followers| {
+    run.every(exact("exponential growth", detail), 1..=8, |followers| {
         let last = CommunicationGraph::of(Communication::Front, followers)?.response(&unit(), &w)?.pop();
         let size = last.map(|a| a.norm_squared());
         let wrong = size != Some(gain.power(followers as u64)) || gain <= rational(1, 1);

@@ -1,10 +1,7 @@
 //! veerman.eq1_matrix, veerman.eq2_matrix, veerman.dimL: the equations of motion in vector form.
 
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, rational};
-use ledger::{CheckError, Outcome, Record, Run};
 use models::platoon::vector_form::{control_block, geodesic_block, kronecker_apply};
 use models::platoon::{Communication, CommunicationGraph, Gains, accelerations};
 
@@ -74,61 +71,46 @@ impl MatrixVariant {
     }
 }
 
-/// The vector form gives the velocities and the accelerations of the printed equations, for any state.
-struct VectorForm {
-    variant: MatrixVariant,
-    followers: usize,
-}
-
-impl RationalIdentity for VectorForm {
-    /// f, g; position, velocity and desired position of every agent.
-    fn variables(&self) -> usize {
-        2 + 3 * (self.followers + 1)
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+/// The vector form gives the velocities and the accelerations of the printed equations, for any state; variables are f, g,
+/// position, velocity and desired position of every agent.
+fn vector_form(variant: &MatrixVariant, followers: usize) -> Identity<'_> {
+    Identity::new(2 + 3 * (followers + 1), move |at| {
         let [f, g, agents @ ..] = at else { return Err(ArithmeticError::Domain("two gains")) };
         let gains = Gains { f: f.clone(), g: g.clone() };
         let state = |k: usize| [agents[3 * k].clone(), agents[3 * k + 1].clone()];
         let desired = |k: usize| [agents[3 * k + 2].clone(), f.zero()];
         let deviation = |k: usize| agents[3 * k].clone() - &agents[3 * k + 2];
-        let followers = 1..=self.followers;
-        let rates: Vec<T> = followers.clone().map(|k| state(k)[1].clone()).collect();
+        let each = 1..=followers;
+        let rates: Vec<Probe> = each.clone().map(|k| state(k)[1].clone()).collect();
         let forces = accelerations(
-            self.variant.communication,
+            variant.communication,
             &gains,
             (&deviation(0), &state(0)[1]),
-            &followers.clone().map(deviation).collect::<Vec<T>>(),
+            &each.clone().map(deviation).collect::<Vec<Probe>>(),
             &rates,
         );
-        let sign = f.integer(self.variant.zeta_sign);
+        let sign = f.integer(variant.zeta_sign);
         let relative = |k: usize| {
             let ([x, u], [zeta, rest]) = (state(k), desired(k));
             [x + sign.clone() * zeta, u + sign.clone() * rest]
         };
         let [[a00, a01], [a10, a11]] = geodesic_block(f);
-        let geodesic = if self.variant.transposed { [[a00, a10], [a01, a11]] } else { [[a00, a01], [a10, a11]] };
+        let geodesic = if variant.transposed { [[a00, a10], [a01, a11]] } else { [[a00, a01], [a10, a11]] };
         let control = control_block(&gains);
         let identity =
-            RationalMatrix::identity(self.followers).map_err(|_| ArithmeticError::Domain("at least one follower"))?;
-        let free = kronecker_apply(&identity.to_rows(), &geodesic, &followers.clone().map(state).collect::<Vec<_>>());
-        let own = kronecker_apply(
-            &self.variant.reduced(self.followers),
-            &control,
-            &followers.clone().map(relative).collect::<Vec<_>>(),
-        );
-        let leader = kronecker_apply(&self.variant.leader_column(self.followers), &control, &[relative(0)]);
+            RationalMatrix::identity(followers).map_err(|_| ArithmeticError::Domain("at least one follower"))?;
+        let free = kronecker_apply(&identity.to_rows(), &geodesic, &each.clone().map(state).collect::<Vec<_>>());
+        let own =
+            kronecker_apply(&variant.reduced(followers), &control, &each.clone().map(relative).collect::<Vec<_>>());
+        let leader = kronecker_apply(&variant.leader_column(followers), &control, &[relative(0)]);
         let vector_form = free.into_iter().zip(own).zip(leader).flat_map(|((a, b), c)| {
             let ([a0, a1], [b0, b1], [c0, c1]) = (a, b, c);
             [a0 + b0 + c0, a1 + b1 + c1]
         });
         let equations = rates.into_iter().zip(forces).flat_map(|(u, a)| [u, a]);
         Ok((vector_form.collect(), equations.collect()))
-    }
-
-    fn components(&self) -> Vec<String> {
-        (1..=self.followers).flat_map(|k| [format!("the rate of x_{k}"), format!("the rate of u_{k}")]).collect()
-    }
+    })
+    .named((1..=followers).flat_map(|k| [format!("the rate of x_{k}"), format!("the rate of u_{k}")]))
 }
 
 /// The vector form and the matrices bear on clause 1, the spectrum of P_1 on the others.
@@ -136,14 +118,13 @@ fn examine_matrices(variant: &MatrixVariant, run: &mut Run) -> Result<Outcome, C
     let mut results = Vec::new();
     for followers in 1..=LARGEST {
         let names: Vec<String> = (0..=followers).flat_map(|k| ["x", "u", "h"].map(|v| format!("{v}_{k}"))).collect();
-        let names: Vec<&str> = ["f", "g"].into_iter().chain(names.iter().map(String::as_str)).collect();
+        let names: Vec<String> = ["f", "g"].map(String::from).into_iter().chain(names).collect();
         let part = format!("the vector form is the printed equations, {followers} followers, any state and leader");
-        let form = VectorForm { variant: *variant, followers };
-        results.push(run.identity(&form, &names, &part).map(|outcome| outcome.on([1])));
+        results.push(run.identity(&vector_form(variant, followers), &names, &part).on([1]));
     }
-    results.push(from_the_graph(variant, run).map(|outcome| outcome.on([1])));
+    results.push(from_the_graph(variant, run).on([1]));
     if let Some(eigenvalue) = variant.eigenvalue {
-        results.push(only_eigenvalue(variant.communication, eigenvalue, run).map(|outcome| outcome.on([2, 3])));
+        results.push(only_eigenvalue(variant.communication, eigenvalue, run).on([2, 3]));
         results.push(argued(&[3], "the multiplicity", "notes/veerman_platoons.md, spectra, steps 1 and 2"));
     }
     Run::all(results)
@@ -188,11 +169,11 @@ pub fn front() -> Record<MatrixVariant> {
         "The only eigenvalue of P_1 is 1.",
         "Its multiplicity is N+1.",
     ])
-    .control("+1 below the diagonal", MatrixVariant { below: (1, 1), ..FRONT })
-    .control("-1/2 above the diagonal", MatrixVariant { above: (-1, 2), ..FRONT })
-    .control("x + zeta", MatrixVariant { zeta_sign: 1, ..FRONT })
-    .control("the transpose of A", MatrixVariant { transposed: true, ..FRONT })
-    .control("the eigenvalue 2", MatrixVariant { eigenvalue: Some(2), ..FRONT })
+    .altered("+1 below the diagonal", |v| v.below = (1, 1))
+    .altered("-1/2 above the diagonal", |v| v.above = (-1, 2))
+    .altered("x + zeta", |v| v.zeta_sign = 1)
+    .altered("the transpose of A", |v| v.transposed = true)
+    .altered("the eigenvalue 2", |v| v.eigenvalue = Some(2))
 }
 
 pub fn front_and_back() -> Record<MatrixVariant> {
@@ -204,10 +185,10 @@ pub fn front_and_back() -> Record<MatrixVariant> {
         FRONT_AND_BACK,
         examine_matrices,
     )
-    .control("-1/2 in the last row", MatrixVariant { last: (-1, 2), ..FRONT_AND_BACK })
-    .control("2 on the diagonal", MatrixVariant { diagonal: (2, 1), ..FRONT_AND_BACK })
-    .control("nothing above the diagonal", MatrixVariant { above: (0, 1), ..FRONT_AND_BACK })
-    .control("x + zeta", MatrixVariant { zeta_sign: 1, ..FRONT_AND_BACK })
+    .altered("-1/2 in the last row", |v| v.last = (-1, 2))
+    .altered("2 on the diagonal", |v| v.diagonal = (2, 1))
+    .altered("nothing above the diagonal", |v| v.above = (0, 1))
+    .altered("x + zeta", |v| v.zeta_sign = 1)
 }
 
 /// Orders minus the number `N + 1` of followers, the agent whose row and column `P` lacks (the leader or the last one), and whether the Laplacian
@@ -220,13 +201,12 @@ pub struct DimensionsVariant {
 }
 
 pub fn dimensions() -> Record<DimensionsVariant> {
-    let printed = DimensionsVariant { identity: 0, without_last: false, star: false };
     Record::new(
         "veerman.dimL",
         "The agents are 0 to N + 1, so the directed Laplacian with the printed zero first row (the leader's) has N + 2 rows. That \
          L_l consists of the entries 1 through N + 1 of its first column, numbered from 0, and is an (N+1)-vector says the same. \
          Without the leader's row and column it is the printed P_i, of dimension N + 1 like the identity.",
-        printed,
+        DimensionsVariant { identity: 0, without_last: false, star: false },
         examine_dimensions,
     )
     .reading("\"(N+1)-dimensional\" belongs to the identity; read with L_i too it would be wrong, since L_i has N+2 rows.")
@@ -235,9 +215,9 @@ pub fn dimensions() -> Record<DimensionsVariant> {
         "L_i is the Directed Laplacian of the communication graph.",
         "P_i is the Reduced Directed Laplacian: L_i without the row and the column of the leader.",
     ])
-    .control("the identity of dimension N + 2", DimensionsVariant { identity: 1, ..printed })
-    .control("L of the graph in which everyone tracks the leader", DimensionsVariant { star: true, ..printed })
-    .control("P is L without the last agent", DimensionsVariant { without_last: true, ..printed })
+    .altered("the identity of dimension N + 2", |v| v.identity = 1)
+    .altered("L of the graph in which everyone tracks the leader", |v| v.star = true)
+    .altered("P is L without the last agent", |v| v.without_last = true)
 }
 
 fn examine_dimensions(variant: &DimensionsVariant, run: &mut Run) -> Result<Outcome, CheckError> {

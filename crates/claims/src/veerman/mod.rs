@@ -18,52 +18,26 @@ mod theorem1;
 mod two_sided;
 
 use arithmetic::{Complex, Interval, Rational, Ring, Signed, rational};
-use ledger::{Claim, Evidence, Grade};
+use ledger::Claim;
 use models::platoon::Gains;
 
 pub(super) use theorem1::scaled_error_is_bounded;
 
-/// All that are built.
 pub(super) fn claims() -> Vec<Box<dyn Claim>> {
-    vec![
-        Box::new(one_sided::response()),
-        Box::new(one_sided::special_response()),
-        Box::new(one_sided::substitution()),
-        Box::new(one_sided::gain_above_one()),
-        Box::new(one_sided::strongest_gain()),
-        Box::new(two_sided::last_amplitude()),
-        Box::new(two_sided::derivation()),
-        Box::new(theorem1::frequency()),
-        Box::new(theorem1::amplitude()),
-        Box::new(theorem1::epsilon()),
-        Box::new(theorem1::modulus()),
-        Box::new(theorem1::exponent()),
-        Box::new(table1::theory_columns()),
-        Box::new(table1::numeric_columns()),
-        Box::new(table1::size()),
-        Box::new(table1::first_guess()),
-        Box::new(table1::which_system()),
-        Box::new(matrices::front()),
-        Box::new(matrices::front_and_back()),
-        Box::new(matrices::dimensions()),
-        Box::new(stability::motion_spectrum()),
-        Box::new(stability::reduced_spectrum()),
-        Box::new(stability::mode_eigenvalues()),
-        Box::new(stability::stabilised()),
-        Box::new(front_limits::separation()),
-        Box::new(front_limits::size_limit()),
-        Box::new(small_frequencies::exponential_decay()),
-        Box::new(small_frequencies::only_small_frequencies()),
-        Box::new(peaks::figure1()),
-        Box::new(peaks::lesser_resonances()),
-        Box::new(peaks::size_limit()),
-        Box::new(figures::figure4()),
-        Box::new(figures::figure5()),
-        Box::new(graphs::nth_neighbour()),
-        Box::new(graphs::only_two()),
-        Box::new(stop_and_go::figure2()),
-        Box::new(stop_and_go::figure3()),
-    ]
+    claims! {
+        one_sided: response, special_response, substitution, gain_above_one, strongest_gain;
+        two_sided: last_amplitude, derivation;
+        theorem1: frequency, amplitude, epsilon, modulus, exponent;
+        table1: theory_columns, numeric_columns, size, first_guess, which_system;
+        matrices: front, front_and_back, dimensions;
+        stability: motion_spectrum, reduced_spectrum, mode_eigenvalues, stabilised;
+        front_limits: separation, size_limit;
+        small_frequencies: exponential_decay, only_small_frequencies;
+        peaks: figure1, lesser_resonances, size_limit;
+        figures: figure4, figure5;
+        graphs: nth_neighbour, only_two;
+        stop_and_go: figure2, figure3;
+    }
 }
 
 /// Gains from fractions.
@@ -104,9 +78,4 @@ fn negative_gains(at: &[Rational]) -> bool {
 fn within(x: &Interval, middle: &Rational, slack: &Rational) -> bool {
     let (lo, hi) = x.to_rationals();
     middle - slack <= lo && hi <= middle + slack
-}
-
-/// Evidence by enclosures on instances.
-fn certified(part: impl Into<String>, detail: impl Into<String>) -> Evidence {
-    Evidence::new(Grade::Certified, part, detail)
 }

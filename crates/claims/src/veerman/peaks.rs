@@ -1,14 +1,11 @@
 //! veerman.fig1, veerman.cor3, veerman.prop2: where the peaks of system (2) are and what they allow.
 
 use super::theorem1::{DIGITS, ExponentVariant, enclosed, scaled_error_is_bounded};
-use super::{certified, gains, unit, within};
-use crate::argued::argued;
+use super::{gains, unit, within};
+use crate::prelude::*;
 use crate::printed_decimal;
-use arithmetic::{Field, Interval, Rational, Ring, Signed, rational};
-use ledger::{CheckError, Outcome, Record, Run, interval_value};
+use arithmetic::Signed;
 use models::platoon::{Gains, lesser_resonance, resonance};
-
-// --- Figure 1 ---
 
 /// "peaks at about `peak`" for 100 individuals, and "at a frequency `ratio` times less" for 1000, with this `f`.
 #[derive(Clone, Copy)]
@@ -19,23 +16,20 @@ pub struct Figure1Variant {
 }
 
 pub fn figure1() -> Record<Figure1Variant> {
-    let printed = Figure1Variant { peak: "0.011", ratio: 10, f: -1 };
     Record::new(
         "veerman.fig1",
         "The frequencies are certified global maxima. By Theorem 1 the peak is at pi/(2 sqrt2 M) = 1.1107/M for f = g = -1.",
-        printed,
+        Figure1Variant { peak: "0.011", ratio: 10, f: -1 },
         examine_figure1,
     )
-    .reading(
-        "About: to the printed digits. A flock of 100 individuals may have 99 (with the leader), 100 or 101 (N = 100) followers, likewise 1000: all readings agree with the text.",
-    )
+    .reading("About: to the printed digits. A flock of 100 individuals may have 99 (with the leader), 100 or 101 (N = 100) followers, likewise 1000: all readings agree with the text.")
     .clauses(&[
         "For f = g = -1 the response of a flock of 100 individuals peaks at about w = 0.011.",
         "That of 1000 individuals peaks at a frequency 10 times less.",
     ])
-    .control("0.012", Figure1Variant { peak: "0.012", ..printed })
-    .control("9 times less", Figure1Variant { ratio: 9, ..printed })
-    .control("f = -2", Figure1Variant { f: -2, ..printed })
+    .altered("0.012", |v| v.peak = "0.012")
+    .altered("9 times less", |v| v.ratio = 9)
+    .altered("f = -2", |v| v.f = -2)
 }
 
 fn examine_figure1(variant: &Figure1Variant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -65,8 +59,6 @@ fn examine_figure1(variant: &Figure1Variant, run: &mut Run) -> Result<Outcome, C
     Ok(Outcome::Holds(evidence.to_vec()))
 }
 
-// --- Corollary 3 ---
-
 /// The k-th resonance lies at `2k + offset` times the main one up to a relative error `O(M^-order)`; it is higher than `least_height` times the
 /// main one.
 #[derive(Clone, Copy)]
@@ -83,7 +75,6 @@ const SMALLEST: u64 = 256;
 const LESSER: [u64; 2] = [2, 3];
 
 pub fn lesser_resonances() -> Record<LesserVariant> {
-    let printed = LesserVariant { offset: -1, order: 2, least_height: (0, 1) };
     Record::new(
         "veerman.cor3",
         "F = 1/|a|² has F' = M (y' sinh 2My - x' sin 2Mx). At Mx = (k - 3/4) pi it is negative for large \
@@ -91,7 +82,7 @@ pub fn lesser_resonances() -> Record<LesserVariant> {
          sin 2Mx = O(M^-2), so Mx = (k - 1/2) pi + O(M^-2) and w_k = (2k - 1) w_1 (1 + O(M^-2)). Its height is A_1/(2k - 1)² (1 + O(M^-2)), because \
          y grows with w². (notes/veerman_platoons.md; damping flattens all but about sqrt(M ln M) of them, and none is left \
          for small M.) The Coq theorem has the first clause only.",
-        printed,
+        LesserVariant { offset: -1, order: 2, least_height: (0, 1) },
         examine_lesser,
     )
     .reading("For fixed k and large flocks, like the theorem; roughly: up to a relative error that tends to 0.")
@@ -99,9 +90,9 @@ pub fn lesser_resonances() -> Record<LesserVariant> {
         "There are resonances located roughly at the odd multiples of the main resonance.",
         "They are lesser: the response is lower there than at the main resonance.",
     ])
-    .control("at the even multiples", LesserVariant { offset: -2, ..printed })
-    .control("an error of the order M^-3", LesserVariant { order: 3, ..printed })
-    .control("at least half as high as the main one", LesserVariant { least_height: (1, 2), ..printed })
+    .altered("at the even multiples", |v| v.offset = -2)
+    .altered("an error of the order M^-3", |v| v.order = 3)
+    .altered("at least half as high as the main one", |v| v.least_height = (1, 2))
 }
 
 fn examine_lesser(variant: &LesserVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -114,8 +105,8 @@ fn examine_lesser(variant: &LesserVariant, run: &mut Run) -> Result<Outcome, Che
             Ok(ratio.clone() * ratio.ratio(1, multiple) - ratio.one())
         };
         let name = format!("omega_{k}_over_omega_1");
-        results.push(Ok(scaled_error_is_bounded(SMALLEST, run, &name, variant.order, place)?.on([1])));
-        results.push(Ok(heights(variant, k, run)?.on([2])));
+        results.push(scaled_error_is_bounded(SMALLEST, run, &name, variant.order, place).on([1]));
+        results.push(heights(variant, k, run).on([2]));
     }
     let note = "notes/veerman_platoons.md, lesser resonances, steps";
     results.push(argued(&[1], "places, with the order of the error", &format!("{note} 1 to 4")));
@@ -142,17 +133,14 @@ fn heights(variant: &LesserVariant, k: u64, run: &mut Run) -> Result<Outcome, Ch
     })
 }
 
-// --- Proposition 2 ---
-
 pub fn size_limit() -> Record<ExponentVariant> {
-    let printed = ExponentVariant { divisor: 8, power: 1, order: 1 };
     Record::new(
         "veerman.prop2",
         "The last car oscillates with a_0 A, and A = (N+1)/X + O(1/N), X = pi² |g|/(8 sqrt2 sqrt|f|) (Theorem 1). So a_0 A <= D means \
          N + 1 <= X D/a_0 + O(1/N). A increases with N for large N \
          (by 1/X + O(N^-2) per car), so this is a limit. Checked for the tie D = a_0 A: N + 1 - X D/a_0 is O(1/M); and N <= X D/a_0 without any \
          correction for small flocks too.",
-        printed,
+        ExponentVariant { divisor: 8, power: 1, order: 1 },
         |variant, run| {
             let error = |gains: &Gains<Rational>, m: u64| {
                 let bound = tie(variant, gains, m)?;
@@ -162,13 +150,11 @@ pub fn size_limit() -> Record<ExponentVariant> {
             Run::all([Ok(tie), small_flocks(variant, run)])
         },
     )
-    .reading(
-        "N <~ X D/a_0, as usual, up to terms that are small against X D/a_0; what stays within D is the equilibrium oscillation of the last car (the particular solution), \
-         as in Proposition 1; a_0, D > 0 and f, g < 0.",
-    )
-    .control("4 sqrt2 instead of 8 sqrt2", ExponentVariant { divisor: 4, ..printed })
-    .control("|f| instead of sqrt|f|", ExponentVariant { power: 2, ..printed })
-    .control("an error of the next order", ExponentVariant { order: 2, ..printed })
+    .reading("N <~ X D/a_0, as usual, up to terms that are small against X D/a_0; what stays within D is the equilibrium oscillation of the last car (the particular solution), \
+         as in Proposition 1; a_0, D > 0 and f, g < 0.")
+    .altered("4 sqrt2 instead of 8 sqrt2", |v| v.divisor = 4)
+    .altered("|f| instead of sqrt|f|", |v| v.power = 2)
+    .altered("an error of the next order", |v| v.order = 2)
 }
 
 /// `X D/a_0` where D is just what the flock of M followers needs.

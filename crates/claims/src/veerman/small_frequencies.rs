@@ -1,9 +1,8 @@
 //! veerman.cor2, veerman.lem3: without small frequencies there is no resonance in system (2).
 
-use super::{certified, enclosed, gains, negative_gains, unit};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Dual, Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
+use super::{enclosed, gains, negative_gains, unit};
+use crate::prelude::*;
+use arithmetic::Signed;
 use models::platoon::{Gains, chebyshev, gamma, larger_root_modulus};
 
 /// Gains and frequencies at which the bounds are checked, with the sizes.
@@ -19,8 +18,6 @@ fn points(sizes: &[u64]) -> Vec<(Gains<Rational>, Rational, u64)> {
     points
 }
 
-// --- Corollary 2 ---
-
 /// `|mu_+| != |mu_-|` for `w != 0` (or for all w), and `|a_M| <= 2/(rho^{cM} - rho^{-cM})`, `rho = max |mu_+-|`.
 #[derive(Clone, Copy)]
 pub struct DecayVariant {
@@ -31,40 +28,29 @@ pub struct DecayVariant {
 }
 
 /// `gamma` is not real: its imaginary part is `-g w³/(f² + w² g²)`; and `Im gamma` vanishes where `|mu| = 1`.
-struct ImaginaryPart(DecayVariant);
-
-impl RationalIdentity for ImaginaryPart {
-    fn variables(&self) -> usize {
-        5
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g, w, mu_re, mu_im] = at else { return Err(ArithmeticError::Domain("five variables")) };
+fn imaginary_part(variant: &DecayVariant) -> Identity<'_> {
+    Identity::of(move |[f, g, w, mu_re, mu_im]| {
         let by_gains = gamma(&Gains { f: f.clone(), g: g.clone() }, w)?.im * (f.square() + (w.clone() * g).square());
         let mu = Complex::new(mu_re.clone(), mu_im.clone());
         let by_root = (mu.clone() + mu.recip()?).im * mu.norm_squared();
-        let odd = g.integer(self.0.sign) * g * w.power(3);
+        let odd = g.integer(variant.sign) * g * w.power(3);
         Ok((vec![by_gains, by_root], vec![odd, mu_im.clone() * (mu.norm_squared() - f.one())]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        negative_gains(at)
-    }
+    })
+    .within(negative_gains)
 }
 
 pub fn exponential_decay() -> Record<DecayVariant> {
-    let printed = DecayVariant { zero_included: false, rate: (1, 1), sign: -1 };
     Record::new(
         "veerman.cor2",
         "mu_+ mu_- = 1, so equal moduli mean |mu_+| = 1; then gamma = (mu + 1/mu)/2 = Re mu is real. But Im gamma = -g w³/(f² + w² g²) \
          is not 0 for f, g < 0 and w != 0. With rho = max |mu_+-| > 1, which does not depend on N, |a_M| = 2/|mu_+^M + mu_-^M| lies between 2/(rho^M + rho^-M) and \
          2/(rho^M - rho^-M): exponential decay at the exact rate ln rho. At w = 0 both roots are 1 and a_N = 1.",
-        printed,
+        DecayVariant { zero_included: false, rate: (1, 1), sign: -1 },
         |variant, run| {
             let names = ["f", "g", "w", "Re mu", "Im mu"];
             let part = "Im gamma by the gains and by mu: |mu| = 1 only at w = 0";
-            let moduli = run.identity(&ImaginaryPart(*variant), &names, part)?.on([1]).for_all();
-            Run::all([Ok(moduli), at_zero(variant), decay_bounds(variant, run).map(|outcome| outcome.on([2]))])
+            let moduli = run.identity(&imaginary_part(variant), &names, part)?.on([1]).for_all();
+            Run::all([Ok(moduli), at_zero(variant), decay_bounds(variant, run).on([2])])
         },
     )
     .reading("a_N is the amplitude of the last car; that of its predecessor is gamma times it.")
@@ -72,20 +58,17 @@ pub fn exponential_decay() -> Record<DecayVariant> {
         "For w != 0, |mu_+| != |mu_-| (f, g < 0).",
         "For fixed w != 0, a_N decays exponentially as function of N (f, g < 0).",
     ])
-    .control("for w = 0 too", DecayVariant { zero_included: true, ..printed })
-    .control("a rate larger by 1/10", DecayVariant { rate: (11, 10), ..printed })
-    .control("the opposite sign of Im gamma", DecayVariant { sign: 1, ..printed })
+    .altered("for w = 0 too", |v| v.zero_included = true)
+    .altered("a rate larger by 1/10", |v| v.rate = (11, 10))
+    .altered("the opposite sign of Im gamma", |v| v.sign = 1)
 }
 
 /// At w = 0, gamma = 1 exactly and both roots are 1.
 fn at_zero(variant: &DecayVariant) -> Result<Outcome, CheckError> {
     let gamma = gamma(&unit(), &rational(0, 1))?;
-    let detail = "gamma = 1 and mu_+ = mu_- = 1, which the statement excludes";
-    let evidence = Evidence::new(Grade::Exact, "w = 0", detail).on([1]);
-    if variant.zero_included && gamma == gamma.one() {
-        return Ok(Outcome::fails("w = 0: |mu_+| = |mu_-| = 1", evidence));
-    }
-    Ok(Outcome::Holds(vec![evidence]))
+    let evidence = exact("w = 0", "gamma = 1 and mu_+ = mu_- = 1, which the statement excludes").on([1]);
+    let wrong = variant.zero_included && gamma == gamma.one();
+    unless(wrong.then(|| "w = 0: |mu_+| = |mu_-| = 1".to_string()), evidence)
 }
 
 fn decay_bounds(variant: &DecayVariant, run: &Run) -> Result<Outcome, CheckError> {
@@ -114,8 +97,6 @@ fn decay_bounds(variant: &DecayVariant, run: &Run) -> Result<Outcome, CheckError
     })
 }
 
-// --- Lemma 3 ---
-
 /// `|a_M(w)| Im(gamma(w)) M^power <= bound`.
 #[derive(Clone, Copy)]
 pub struct SmallVariant {
@@ -124,22 +105,15 @@ pub struct SmallVariant {
 }
 
 /// The derivative of `Im gamma = b a³/(1 + b² a²)` is `b a² (3 + b² a²)/(1 + b² a²)²`, positive for `a, b > 0`.
-struct Increasing;
-
-impl RationalIdentity for Increasing {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [a, b] = at else { return Err(ArithmeticError::Domain("two variables")) };
-        let dual = |x: &T, slope: i64| Dual::new(x.clone(), x.integer(slope));
+fn increasing() -> Identity<'static> {
+    Identity::of(move |[a, b]| {
+        let dual = |x: &Probe, slope: i64| Dual::new(x.clone(), x.integer(slope));
         let gains = Gains { f: dual(&-a.one(), 0), g: dual(&-b.clone(), 0) };
         let imaginary = gamma(&gains, &dual(a, 1))?.im;
         let c2 = (a.clone() * b).square();
         let claimed = (b.clone() * a.square() * (a.integer(3) + &c2)).over(&(c2.clone() + a.one()).square())?;
         Ok((vec![imaginary.derivative], vec![claimed]))
-    }
+    })
 }
 
 pub fn only_small_frequencies() -> Record<SmallVariant> {
@@ -152,8 +126,8 @@ pub fn only_small_frequencies() -> Record<SmallVariant> {
         examine_small,
     )
     .reading("In large flocks only small frequencies are amplified: if |a_M(w_M)| >= A > 0 for all M, then w_M -> 0.")
-    .control("a bound smaller by 1/100", SmallVariant { bound: (99, 100), power: 1 })
-    .control("M² instead of M", SmallVariant { bound: (1, 1), power: 2 })
+    .altered("a bound smaller by 1/100", |v| v.bound = (99, 100))
+    .altered("M² instead of M", |v| v.power = 2)
 }
 
 fn examine_small(variant: &SmallVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -176,7 +150,7 @@ fn examine_small(variant: &SmallVariant, run: &mut Run) -> Result<Outcome, Check
     for m in [100, 10_000, 1_000_000] {
         run.value(&format!("w_above_which_nothing_is_amplified_f_g_-1_M_{m}"), interval_value(&threshold(m)?, 6));
     }
-    let increasing = run.identity(&Increasing, &["w/sqrt|f|", "|g|/sqrt|f|"], "Im gamma increases with w");
+    let increasing = run.identity(&increasing(), &["w/sqrt|f|", "|g|/sqrt|f|"], "Im gamma increases with w");
     Run::all([instances, increasing])
 }
 

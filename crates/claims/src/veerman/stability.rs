@@ -1,12 +1,9 @@
 //! veerman.specM, veerman.specP2, veerman.eigAK, veerman.lem1: spectra and stability.
 
-use super::{certified, enclosed, unit};
-use crate::argued::argued;
+use super::{enclosed, unit};
+use crate::prelude::*;
 use algebra::matrix::{RationalMatrix, characteristic_coefficients};
 use algebra::spectrum::Polynomial;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
 use models::platoon::vector_form::{characteristic_by_modes, mode_block, motion_matrix, motion_rows};
 use models::platoon::{Communication, CommunicationGraph, Gains, slowest_rate};
 
@@ -22,8 +19,6 @@ fn polynomial(matrix: &RationalMatrix) -> Result<Polynomial, CheckError> {
     Ok(Polynomial::from_rationals(&matrix.characteristic_polynomial()?.coefficients()))
 }
 
-// --- The spectrum of M ---
-
 /// `spec(M)`, without 0 or with it, is the union of the spectra of `A + factor lambda K`, where `lambda` runs through the spectrum of
 /// `P`.
 #[derive(Clone, Copy)]
@@ -35,33 +30,19 @@ pub struct SpectrumVariant {
 }
 
 /// The coefficients of `det(xI - M)`, and those of the product over the spectrum of `P`.
-struct Characteristic {
-    reduced: RationalMatrix,
-    factor: i64,
-}
-
-impl Characteristic {
-    fn product<T: Field>(&self, gains: &Gains<T>) -> Result<Vec<T>, ArithmeticError> {
-        let of_p = self.reduced.characteristic_polynomial().map_err(|_| ArithmeticError::Domain("square matrices"))?;
-        Ok(characteristic_by_modes(&of_p.coefficients(), &gains.map(|x| x.integer(self.factor) * x)))
-    }
-}
-
-impl RationalIdentity for Characteristic {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [f, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
+fn characteristic(reduced: &RationalMatrix, factor: i64) -> Identity<'_> {
+    Identity::of(move |[f, g]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
-        Ok((characteristic_coefficients(&motion_rows(&self.reduced, &gains), f), self.product(&gains)?))
-    }
+        Ok((characteristic_coefficients(&motion_rows(reduced, &gains), f), over_modes(reduced, factor, &gains)?))
+    })
+}
+
+fn over_modes<T: Field>(reduced: &RationalMatrix, factor: i64, gains: &Gains<T>) -> Result<Vec<T>, ArithmeticError> {
+    let of_p = reduced.characteristic_polynomial().map_err(|_| ArithmeticError::Domain("square matrices"))?;
+    Ok(characteristic_by_modes(&of_p.coefficients(), &gains.map(|x| x.integer(factor) * x)))
 }
 
 pub fn motion_spectrum() -> Record<SpectrumVariant> {
-    let printed = SpectrumVariant { zero_removed: true, factor: 1, lost: 0 };
-    let repaired = SpectrumVariant { zero_removed: false, ..printed };
     Record::new(
         "veerman.specM",
         "M = I ⊗ A + P ⊗ K. With P = S T S^-1, T triangular, M is similar to I ⊗ A + T ⊗ K, block triangular with the blocks \
@@ -69,26 +50,21 @@ pub fn motion_spectrum() -> Record<SpectrumVariant> {
          spec(L) = {0} and spec(P), and 0 is not in spec(P) (det P_1 = 1, det P_2 = 2^-N). As printed the left side loses the \
          eigenvalue 0 but the right side does not: at f = 0 (f and g are any real constants in Section 2) A + lambda K has the eigenvalue 0. For f != 0 neither side \
          contains 0 and the printed equation holds. (The cited papers remove 0 because their M contains the leader.)",
-        printed,
+        SpectrumVariant { zero_removed: true, factor: 1, lost: 0 },
         examine_spectrum,
     )
     .clauses(&[
         "spec(M) \\ {0} = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K) = union of spec [[0,1],[lambda f, lambda g]].",
         "spec(L_i) \\ {0} equals spec(P_i).",
     ])
-    .repaired(
-        Fault::Hypothesis,
-        "For f != 0, spec(M) \\ {0} = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K); for all real f and g the union is spec(M). \
-         spec(L_i) \\ {0} equals spec(P_i).",
-        repaired,
-    )
+    .repaired_by(Fault::Hypothesis, "", |v| v.zero_removed = false)
     .repaired_clauses(&[
         "spec(M) = union over lambda in spec(L_i) \\ {0} of spec(A + lambda K), for all real f and g.",
         "For f != 0, 0 is not in spec(M), so that the union is spec(M) \\ {0} too.",
         "spec(L_i) \\ {0} equals spec(P_i).",
     ])
-    .control("A - lambda K", SpectrumVariant { factor: -1, ..repaired })
-    .control("spec(L) without 1", SpectrumVariant { lost: 1, ..repaired })
+    .altered("A - lambda K", |v| v.factor = -1)
+    .altered("spec(L) without 1", |v| v.lost = 1)
 }
 
 fn examine_spectrum(variant: &SpectrumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -98,8 +74,7 @@ fn examine_spectrum(variant: &SpectrumVariant, run: &mut Run) -> Result<Outcome,
     for (communication, followers) in systems(IDENTITIES) {
         let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
         let part = format!("det(xI - M) is the product over spec(P), {communication:?}, {followers} followers");
-        let identity = Characteristic { reduced, factor: variant.factor };
-        results.push(run.identity(&identity, &["f", "g"], &part).map(|outcome| outcome.on([1])));
+        results.push(run.identity(&characteristic(&reduced, variant.factor), &["f", "g"], &part).on([1]));
     }
     let detail = format!("exact characteristic polynomials, both systems, up to {MOST} followers");
     results.push(
@@ -111,7 +86,7 @@ fn examine_spectrum(variant: &SpectrumVariant, run: &mut Run) -> Result<Outcome,
             Ok(wrong
                 .then(|| format!("{communication:?}, {followers} followers: spec(L) without {lost} is not spec(P)")))
         })
-        .map(|outcome| outcome.on([3])),
+        .on([3]),
     );
     results.push(zero_on_both_sides(variant, MOST, run));
     results.push(argued(&[2], "spec(M) for f != 0", "notes/veerman_platoons.md, spectra, steps 3 to 6"));
@@ -130,8 +105,7 @@ fn zero_on_both_sides(variant: &SpectrumVariant, most: usize, run: &Run) -> Resu
         let gains = Gains { f: rational(f, 1), g: rational(g, 1) };
         let reduced = CommunicationGraph::of(communication, followers)?.reduced_laplacian()?;
         let left = polynomial(&motion_matrix(&reduced, &gains)?)?;
-        let modes = Characteristic { reduced, factor: variant.factor };
-        let right = Polynomial::from_rationals(&modes.product(&gains)?);
+        let right = Polynomial::from_rationals(&over_modes(&reduced, variant.factor, &gains)?);
         let zero_left = left.without_root(0).0 > 0;
         let what = match () {
             () if left != right => "the spectra differ",
@@ -147,8 +121,6 @@ fn zero_on_both_sides(variant: &SpectrumVariant, most: usize, run: &Run) -> Resu
     })
 }
 
-// --- The spectrum of P_2 ---
-
 /// `1 + sign cos((2k + offset) pi/(2 (N + 1 + shift)))` for k = 1 to N + 1.
 #[derive(Clone, Copy)]
 pub struct ReducedSpectrumVariant {
@@ -158,22 +130,21 @@ pub struct ReducedSpectrumVariant {
 }
 
 pub fn reduced_spectrum() -> Record<ReducedSpectrumVariant> {
-    let printed = ReducedSpectrumVariant { sign: -1, offset: -1, shift: 0 };
     Record::new(
         "veerman.specP2",
         "P_2 v = lambda v with v_0 = 0 is v_{k-1} = 2(1 - lambda) v_k - v_{k+1}, and v_{M-1} = (1 - lambda) v_M in the last row. So \
          v_{M-j} = T_j(1 - lambda) v_M with v_M != 0, and v_0 = 0 says T_M(1 - lambda) = 0: 1 - lambda = cos((2k-1) pi/(2M)) for \
          k = 1, ..., M. These are M different real numbers because the angles differ and lie in (0, pi).",
-        printed,
+        ReducedSpectrumVariant { sign: -1, offset: -1, shift: 0 },
         examine_reduced_spectrum,
     )
     .clauses(&[
         "The spectrum of P_2 is {1 - cos((2k-1) pi/(2(N+1))) : k = 1,...,N+1}.",
         "All these eigenvalues are simple and real.",
     ])
-    .control("2k + 1", ReducedSpectrumVariant { offset: 1, ..printed })
-    .control("2k", ReducedSpectrumVariant { offset: 0, ..printed })
-    .control("N + 2 in the denominator", ReducedSpectrumVariant { shift: 1, ..printed })
+    .altered("2k + 1", |v| v.offset = 1)
+    .altered("2k", |v| v.offset = 0)
+    .altered("N + 2 in the denominator", |v| v.shift = 1)
 }
 
 fn examine_reduced_spectrum(variant: &ReducedSpectrumVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -242,8 +213,6 @@ fn shifted_chebyshev(order: usize) -> Polynomial {
     Polynomial::from_rationals(&current.iter().map(|c| c * &sign).collect::<Vec<_>>())
 }
 
-// --- The modes ---
-
 /// `x² - lambda g x + sign lambda f = 0` and `x = half (lambda g ± sqrt((lambda g)² + four lambda f))`.
 #[derive(Clone, Copy)]
 pub struct ModeVariant {
@@ -253,27 +222,15 @@ pub struct ModeVariant {
 }
 
 /// Characteristic equation and roots; `r` is the square root, so `f = (r² - lambda² g²)/(four lambda)`.
-struct ModeIdentity(ModeVariant);
-
-impl RationalIdentity for ModeIdentity {
-    fn variables(&self) -> usize {
-        4
-    }
-
-    fn components(&self) -> Vec<String> {
-        let names =
-            ["det(xI - A - lambda K)", "the polynomial at x_+", "the polynomial at x_-", "x_+ + x_-", "x_+ x_-"];
-        names.map(String::from).to_vec()
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [lambda, g, r, x] = at else { return Err(ArithmeticError::Domain("four variables")) };
+fn mode_sides(variant: &ModeVariant) -> Identity<'_> {
+    Identity::of(move |[lambda, g, r, x]| {
         let damping = lambda.clone() * g;
-        let f = (r.square() - damping.square()).over(&(lambda.integer(self.0.four) * lambda))?;
-        let polynomial = |x: &T| x.square() - damping.clone() * x + lambda.integer(self.0.sign) * (lambda.clone() * &f);
+        let f = (r.square() - damping.square()).over(&(lambda.integer(variant.four) * lambda))?;
+        let polynomial =
+            |x: &Probe| x.square() - damping.clone() * x + lambda.integer(variant.sign) * (lambda.clone() * &f);
         let [[a, b], [c, d]] = mode_block(&Gains { f: f.clone(), g: g.clone() }, lambda);
         let determinant = (x.clone() - a) * (x.clone() - d) - b * c;
-        let half = lambda.ratio(self.0.half.0, self.0.half.1);
+        let half = lambda.ratio(variant.half.0, variant.half.1);
         let (plus, minus) = (half.clone() * (damping.clone() + r), half * (damping.clone() - r));
         // Both are roots of the claimed polynomial, and their sum and product say that they are all its roots.
         let values = [polynomial(&plus), polynomial(&minus)];
@@ -281,15 +238,11 @@ impl RationalIdentity for ModeIdentity {
         let constant = polynomial(&x.zero());
         let left = [determinant].into_iter().chain(values).chain(symmetric);
         Ok((left.collect(), vec![polynomial(x), x.zero(), x.zero(), damping, constant]))
-    }
+    })
+    .named(["det(xI - A - lambda K)", "the polynomial at x_+", "the polynomial at x_-", "x_+ + x_-", "x_+ x_-"])
 }
 
 const MODE: ModeVariant = ModeVariant { sign: -1, half: (1, 2), four: 4 };
-
-fn examine_modes(variant: &ModeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let part = "characteristic equation and its roots, (lambda g)² + 4 lambda f = r², lambda != 0";
-    run.identity(&ModeIdentity(*variant), &["lambda", "g", "r", "x"], part).map(|outcome| outcome.on([1, 2]))
-}
 
 pub fn mode_eigenvalues() -> Record<ModeVariant> {
     Record::new(
@@ -297,18 +250,19 @@ pub fn mode_eigenvalues() -> Record<ModeVariant> {
         "det(xI - A - lambda K) = x (x - lambda g) - lambda f. The quadratic formula, with multiplicity: sum lambda g, product \
          -lambda f. For lambda = 0 both are 0. The square root may be imaginary; either branch gives the same pair.",
         MODE,
-        examine_modes,
+        |variant, run| {
+            let part = "characteristic equation and its roots, (lambda g)² + 4 lambda f = r², lambda != 0";
+            run.identity(&mode_sides(variant), &["lambda", "g", "r", "x"], part).on([1, 2])
+        },
     )
     .clauses(&[
         "The eigenvalues of A + lambda K are the solutions of x^2 - lambda g x - lambda f = 0.",
         "They are x_+- = (1/2)(lambda g +- sqrt((lambda g)^2 + 4 lambda f)).",
     ])
-    .control("+ lambda f", ModeVariant { sign: 1, ..MODE })
-    .control("- 4 lambda f under the root", ModeVariant { four: -4, ..MODE })
-    .control("1 instead of 1/2", ModeVariant { half: (1, 1), ..MODE })
+    .altered("+ lambda f", |v| v.sign = 1)
+    .altered("- 4 lambda f under the root", |v| v.four = -4)
+    .altered("1 instead of 1/2", |v| v.half = (1, 1))
 }
-
-// --- Lemma 1 ---
 
 /// When a platoon of any size is claimed to be stable.
 type Condition = fn(f: &Rational, g: &Rational) -> bool;
@@ -330,9 +284,7 @@ pub fn stabilised() -> Record<Condition> {
     ])
     .control("f <= 0", |f, g| *f <= rational(0, 1) && *g < rational(0, 1))
     .control("g <= 0", |f, g| *f < rational(0, 1) && *g <= rational(0, 1))
-    .control("g² > 4|f| too", |f, g| {
-        *f < rational(0, 1) && *g < rational(0, 1) && g * g > rational(-4, 1) * f
-    })
+    .control("g² > 4|f| too", |f, g| *f < rational(0, 1) && *g < rational(0, 1) && g * g > rational(-4, 1) * f)
 }
 
 fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -357,6 +309,6 @@ fn examine_stability(condition: &Condition, run: &mut Run) -> Result<Outcome, Ch
         run.value(&name, interval_value(&slowest_rate(&minus_one, followers)?, 8));
     }
     let part = "the quadratic of every mode, whose coefficients decide";
-    let quadratic = run.identity(&ModeIdentity(MODE), &["lambda", "g", "r", "x"], part);
-    Ok(Run::all([quadratic, Ok(instances)])?.on([1, 2]))
+    let quadratic = run.identity(&mode_sides(&MODE), &["lambda", "g", "r", "x"], part);
+    Run::all([quadratic, Ok(instances)]).on([1, 2])
 }

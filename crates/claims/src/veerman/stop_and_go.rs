@@ -1,10 +1,9 @@
 //! veerman.sec6_fig2, veerman.fig3: system (2) in time, by its exact modes.
 
 use super::theorem1::scaled_error_is_bounded;
-use super::{certified, enclosed, gains, theorem1, unit, within};
-use crate::argued::argued;
-use arithmetic::{Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Outcome, Record, Run, interval_value};
+use super::{enclosed, gains, theorem1, unit, within};
+use crate::prelude::*;
+use arithmetic::{Dyadic, Sign, Signed};
 use models::platoon::modes::{Mode, mode_eigenvalue};
 use models::platoon::time_domain::{HarmonicStart, Modes, StopAndGo};
 use models::platoon::{Gains, amplitudes_two_sided, resonance};
@@ -18,8 +17,6 @@ fn interval(q: &Rational) -> Interval {
 fn share((p, q): (i64, i64)) -> Interval {
     interval(&rational(p, q))
 }
-
-// --- Figure 2 ---
 
 /// The flock that is followed, with `f = -1` and this `g`, behind a leader at this multiple of the resonance frequency.
 #[derive(Clone, Copy)]
@@ -77,25 +74,22 @@ impl Start {
 }
 
 pub fn figure2() -> Record<Figure2Variant> {
-    let printed = Figure2Variant { followers: 32, g: (-1, 1), frequency: (1, 1) };
     Record::new(
         "veerman.sec6_fig2",
         "y_M(t) = a_M e^{iwt} minus a sum of free modes, exactly. The slowest mode decays like exp(-|g|(1 - cos(pi/2M)) t/2), that is like e^-1 in \
          16 M²/(pi² |g|) seconds, or 0.29 M sqrt|f|/|g| periods of the resonance: the larger the flock, the longer it takes, and after any fixed number of \
          periods the share of the equilibrium amplitude that is reached tends to 0 (notes/veerman_platoons.md).",
-        printed,
+        Figure2Variant { followers: 32, g: (-1, 1), frequency: (1, 1) },
         examine_figure2,
     )
-    .reading(
-        "The figure does not give its sizes. Early stage: in the first period of the leader the last car stays below a quarter of its equilibrium amplitude, and after four it lacks more than half of it. Close: from 55 periods on it lacks at most a hundredth. Checked for f = g = -1 (Section 7), 32 followers, and leaders cos wt and sin wt alike.",
-    )
+    .reading("The figure does not give its sizes. Early stage: in the first period of the leader the last car stays below a quarter of its equilibrium amplitude, and after four it lacks more than half of it. Close: from 55 periods on it lacks at most a hundredth. Checked for f = g = -1 (Section 7), 32 followers, and leaders cos wt and sin wt alike.")
     .clauses(&[
         "For periodic leader movement at resonance frequency starting from equidistant positions and zero velocities, there is an early stage in which the last member is far from its equilibrium resonance.",
         "It gets close to its equilibrium resonance.",
     ])
-    .control("four followers", Figure2Variant { followers: 4, ..printed })
-    .control("a leader at half the resonance frequency", Figure2Variant { frequency: (1, 2), ..printed })
-    .control("g = -1/4", Figure2Variant { g: (-1, 4), ..printed })
+    .altered("four followers", |v| v.followers = 4)
+    .altered("a leader at half the resonance frequency", |v| v.frequency = (1, 2))
+    .altered("g = -1/4", |v| v.g = (-1, 4))
 }
 
 fn examine_figure2(variant: &Figure2Variant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -149,8 +143,6 @@ fn examine_figure2(variant: &Figure2Variant, run: &mut Run) -> Result<Outcome, C
     Ok(Outcome::Holds(vec![early, late]))
 }
 
-// --- Figure 3 ---
-
 /// The frequency at which the flock oscillates is `multiple` times the resonance frequency up to `O(M^-order)`; in the run the half periods
 /// agree with those of the resonance of `more` cars more up to a hundredth.
 #[derive(Clone, Copy)]
@@ -161,7 +153,6 @@ pub struct Figure3Variant {
 }
 
 pub fn figure3() -> Record<Figure3Variant> {
-    let printed = Figure3Variant { multiple: 1, order: 4, more: 0 };
     Record::new(
         "veerman.fig3",
         "After the acceleration, which lasts a time T, the deviations from the leader move freely: a sum of the modes. For large M the first one decays slowest, \
@@ -169,13 +160,13 @@ pub fn figure3() -> Record<Figure3Variant> {
          sqrt(|f| lambda_1 - g² lambda_1²/4) is w_0 (1 - a0² (1/12 + b²/8) + O(M^-4)), the same as the resonance frequency up to O(M^-4), but not equal to it. So the \
          flock ends up oscillating near, not exactly at, the resonance frequency, for all f, g < 0 and large M (notes/veerman_platoons.md). The run shows the last car of \
          20 followers, f = g = -1, acceleration during 10 time units: its first six passages by its place.",
-        printed,
+        Figure3Variant { multiple: 1, order: 4, more: 0 },
         examine_figure3,
     )
     .reading("The mode that decays slowest is excited and oscillates at the resonance frequency up to a relative error that tends to 0 for large flocks.")
-    .control("equal to the resonance frequency up to O(M^-5)", Figure3Variant { order: 5, ..printed })
-    .control("at twice the resonance frequency", Figure3Variant { multiple: 2, ..printed })
-    .control("the run against the resonance of 21 followers", Figure3Variant { more: 1, ..printed })
+    .altered("equal to the resonance frequency up to O(M^-5)", |v| v.order = 5)
+    .altered("at twice the resonance frequency", |v| v.multiple = 2)
+    .altered("the run against the resonance of 21 followers", |v| v.more = 1)
 }
 
 fn examine_figure3(variant: &Figure3Variant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -2,10 +2,10 @@
 //! the columns of Table 1 are.
 
 use super::printed_table::{ROWS, Row};
-use super::{certified, enclosed, gains, within};
+use super::{enclosed, gains, within};
+use crate::prelude::*;
 use crate::printed_decimal;
-use arithmetic::{Field, Interval, Rational, Real, Ring, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::Signed;
 use models::platoon::{Communication, Gains, gain_squared_one_sided, resonance, strongest_one_sided_square, theorem1};
 
 const PRECISION: u32 = 120;
@@ -96,10 +96,7 @@ fn examine_theorem(variant: &ColumnsVariant) -> Result<Outcome, CheckError> {
     examine_columns(variant, numbers, "enclosures of the values of Theorem 1 against the printed digits")
 }
 
-// --- The columns of theory ---
-
 pub fn theory_columns() -> Record<ColumnsVariant> {
-    let repaired = ColumnsVariant { columns: [NFREQ, NAMP], offsets: [0, 0], f: -1 };
     Record::new(
         "veerman.table1_theory",
         "Theorem 1 for f = g = -1 is omega = pi/(2 sqrt2 M), A = 8 sqrt2 M/pi². No cell of TFREQ or TAMP is one of these \
@@ -112,22 +109,15 @@ pub fn theory_columns() -> Record<ColumnsVariant> {
         "Column TFREQ is the second order approximation of the frequency (Theorem 1, f = g = -1).",
         "Column TAMP is that of the amplitude.",
     ])
-    .repaired(
-        Fault::Typo,
-        "Columns NFREQ and NAMP are the second order approximation values (Theorem 1, f = g = -1, with N in the \
-         place of N + 1), to within one unit of the last printed digit: the headings are exchanged.",
-        repaired,
-    )
+    .repaired(Fault::Typo, "", ColumnsVariant { columns: [NFREQ, NAMP], offsets: [0, 0], f: -1 })
     .repaired_clauses(&[
         "Column NFREQ is the second order approximation of the frequency (Theorem 1, f = g = -1, with N in the place of N + 1), to within one unit of the last printed digit.",
         "Column NAMP is that of the amplitude.",
     ])
-    .control("NFREQ, NAMP for N + 1 followers", ColumnsVariant { offsets: [1, 1], ..repaired })
-    .control("NFREQ with TAMP", ColumnsVariant { columns: [NFREQ, TAMP], ..repaired })
-    .control("f = -2", ColumnsVariant { f: -2, ..repaired })
+    .altered("NFREQ, NAMP for N + 1 followers", |v| v.offsets = [1, 1])
+    .altered("NFREQ with TAMP", |v| v.columns = [NFREQ, TAMP])
+    .altered("f = -2", |v| v.f = -2)
 }
-
-// --- The columns of simulation ---
 
 /// Either the printed claim (the columns are the true resonance to their digits) or what can be said instead.
 #[derive(Clone, Copy)]
@@ -216,14 +206,7 @@ pub fn numeric_columns() -> Record<NumericVariant> {
         "Column NFREQ is the resonance frequency of the last member obtained through numerical simulations (f = g = -1).",
         "Column NAMP is its amplitude.",
     ])
-    .repaired(
-        Fault::False,
-        "No cell of Table 1 is the true resonance of N followers (f = g = -1) to within one unit of the last digit printed. TFREQ is nearer to \
-         its frequency than to Theorem 1 in every row, with a relative deviation of at most \
-         0.14 % in all rows and 0.001 % at N = 128. TAMP is below its amplitude in every row, by at \
-         most 3.53 % in all rows and 0.006 % at N = 128.",
-        NumericVariant::Deviations([TFREQ, TAMP], 0),
-    )
+    .repaired(Fault::False, "", NumericVariant::Deviations([TFREQ, TAMP], 0))
     .repaired_clauses(&[
         "No cell of Table 1 is the true resonance of N followers (f = g = -1) to within one unit of the last digit printed.",
         "TFREQ is nearer to the true resonance frequency of N followers than to Theorem 1 in every row.",
@@ -235,8 +218,6 @@ pub fn numeric_columns() -> Record<NumericVariant> {
     .control("NFREQ in the place of TFREQ", NumericVariant::Deviations([NFREQ, TAMP], 0))
 }
 
-// --- The size of the flocks ---
-
 pub fn size() -> Record<i64> {
     Record::new(
         "veerman.table1.size",
@@ -246,7 +227,7 @@ pub fn size() -> Record<i64> {
         1,
         |offset, run| {
             let columns = ColumnsVariant { columns: [NFREQ, NAMP], offsets: [*offset; 2], f: -1 };
-            let leading = examine_theorem(&columns).map(|outcome| outcome.on([1]));
+            let leading = examine_theorem(&columns).on([1]);
             Run::all([near_the_resonance(*offset, run), leading])
         },
     )
@@ -272,8 +253,6 @@ fn near_the_resonance(offset: i64, run: &Run) -> Result<Outcome, CheckError> {
         Ok((!near).then(|| format!("N = {n}: TFREQ is {tfreq}, the resonance of {m} followers {is}")))
     })
 }
-
-// --- The first guess ---
 
 /// `omega_0 = pi sqrt2/(4 (N + offset))` for this `f`.
 #[derive(Clone, Copy)]
@@ -305,11 +284,9 @@ pub fn first_guess() -> Record<FirstGuessVariant> {
             })
         },
     )
-    .control("pi sqrt2/(4N)", FirstGuessVariant { offset: 0, f: -1 })
-    .control("Theorem 1 for f = -2", FirstGuessVariant { offset: 1, f: -2 })
+    .altered("pi sqrt2/(4N)", |v| v.offset = 0)
+    .altered("Theorem 1 for f = -2", |v| v.f = -2)
 }
-
-// --- Which system ---
 
 /// Which equation the experiments are claimed to concern, for N + `more` followers or a multiple.
 #[derive(Clone, Copy)]
@@ -333,14 +310,13 @@ fn strongest(communication: Communication, m: u64) -> Result<(Interval, Interval
 }
 
 pub fn which_system() -> Record<SystemVariant> {
-    let repaired = SystemVariant { communication: Communication::FrontAndBack, factor: 1, more: 0 };
     Record::new(
         "veerman.sec7.system",
         "For system (1) and f = g = -1 the last of M cars responds most at w² = sqrt3 - 1, w = 0.8556, with amplitude \
          (1 + 2/sqrt3)^(M/2), about 10^21 for M = 128. Every frequency in Table 1 is below 0.28 and the largest amplitude is 147. \
          For system (2) the frequencies are within 2 % and the amplitudes within 4 % of the resonance of N followers. Section 3, \
          to which the text refers for the other system, treats system (1). So (1) and (2) are exchanged.",
-        SystemVariant { communication: Communication::Front, ..repaired },
+        SystemVariant { communication: Communication::Front, factor: 1, more: 0 },
         |variant, run| {
             let reference =
                 Evidence::new(Grade::Text, "the reference", "Section 3 treats system (1), Section 4 system (2)");
@@ -348,14 +324,14 @@ pub fn which_system() -> Record<SystemVariant> {
         },
     )
     .reading("The experiments concern the system whose resonance Table 1 shows.")
-    .repaired(
+    .repaired_by(
         Fault::Typo,
         "The experiments reported on in detail in Section 7 all concern the system given by Equation (2); the \
          behavior of the system given by Equation (1) is relatively simple and is discussed in Section 3.",
-        repaired,
+        |v| v.communication = Communication::FrontAndBack,
     )
-    .control("system (2) with 2N followers", SystemVariant { factor: 2, ..repaired })
-    .control("system (2) with N + 1 followers", SystemVariant { more: 1, ..repaired })
+    .altered("system (2) with 2N followers", |v| v.factor = 2)
+    .altered("system (2) with N + 1 followers", |v| v.more = 1)
 }
 
 /// All 24 cells are near the resonance of the claimed system.

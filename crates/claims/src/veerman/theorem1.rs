@@ -1,9 +1,8 @@
 //! veerman.thm1_*: the main resonance of large platoons and the expansions in its proof.
 
-use super::{certified, gains};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, Series, Signed, rational};
-use ledger::{CheckError, Fault, Outcome, Record, Run, interval_value};
+use super::gains;
+use crate::prelude::*;
+use arithmetic::{Series, Signed};
 use models::platoon::{Gains, Resonance, larger_root_power, resonance, theorem1};
 
 pub(super) const DIGITS: u32 = 36;
@@ -66,8 +65,6 @@ pub(super) fn enclosed(gains: &Gains<Rational>, m: u64) -> Result<(Resonance, Ga
     Ok((found, super::enclosed(gains, precision)))
 }
 
-// --- The leading terms ---
-
 /// A printed leading term times a factor, for `M + offset` followers, with the order of its error.
 #[derive(Clone, Copy)]
 pub struct LeadingVariant {
@@ -127,8 +124,6 @@ pub fn amplitude() -> Record<LeadingVariant> {
     )
 }
 
-// --- The expansion of epsilon ---
-
 /// The second-order bracket `(w²/2)(damping g²/f² + stiffness/|f|)`, and how many coefficients of the bracket are
 /// compared.
 #[derive(Clone, Copy)]
@@ -138,73 +133,54 @@ pub struct EpsilonVariant {
     coefficients: usize,
 }
 
-struct Bracket(EpsilonVariant);
-
-impl RationalIdentity for Bracket {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
-        let [_, bracket] = theorem1::expansion(r, g, self.0.coefficients)?;
+fn bracket_of_epsilon(variant: &EpsilonVariant) -> Identity<'_> {
+    Identity::of(move |[r, g]| {
+        let [_, bracket] = theorem1::expansion(r, g, variant.coefficients)?;
         let size = r.square();
-        let second = (g.ratio(self.0.damping.0, 2 * self.0.damping.1) * g.square()).over(&size.square())?
-            + g.ratio(self.0.stiffness.0, 2 * self.0.stiffness.1).over(&size)?;
+        let second = (g.ratio(variant.damping.0, 2 * variant.damping.1) * g.square()).over(&size.square())?
+            + g.ratio(variant.stiffness.0, 2 * variant.stiffness.1).over(&size)?;
         let printed = [
             Complex::real(r.one()),
             Complex::new(r.zero(), (-g.clone()).over(&(size.clone() + &size))?),
             Complex::real(second),
             Complex::real(r.zero()),
         ];
-        let split = |z: &Complex<T>| [z.re.clone(), z.im.clone()];
+        let split = |z: &Complex<Probe>| [z.re.clone(), z.im.clone()];
         Ok((
             bracket.coefficients().iter().flat_map(split).collect(),
-            printed[..self.0.coefficients].iter().flat_map(split).collect(),
+            printed[..variant.coefficients].iter().flat_map(split).collect(),
         ))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at.iter().all(Signed::is_certainly_positive)
-    }
-
-    fn components(&self) -> Vec<String> {
-        (0..self.0.coefficients)
-            .flat_map(|n| {
-                ["real", "imaginary"].map(|part| format!("the {part} part of the coefficient of w^{n} in the bracket"))
-            })
-            .collect()
-    }
+    })
+    .within(|at| at.iter().all(Signed::is_certainly_positive))
+    .named((0..variant.coefficients).flat_map(|n| {
+        ["real", "imaginary"].map(|part| format!("the {part} part of the coefficient of w^{n} in the bracket"))
+    }))
 }
 
 pub fn epsilon() -> Record<EpsilonVariant> {
-    let printed = EpsilonVariant { damping: (-1, 1), stiffness: (-1, 2), coefficients: 3 };
-    let repaired = EpsilonVariant { damping: (-3, 4), ..printed };
     Record::new(
         "veerman.thm1_eps",
         "epsilon² = gamma² - 1 = -(2w²/|f|) S with S = (1 + i w|g|/|f|)^-1 (1 - q/2). The square root of S = 1 + s_1 w + s_2 w² \
          is 1 + s_1 w/2 + (s_2/2 - s_1²/8) w²; the paper drops the term -s_1²/8 = g²/(8 f²). The coefficient is -3/4 g²/f², \
          not -g²/f². The error is O(w³) and does not change the theorem. For w > 0 the imaginary part of gamma² - 1 is positive and its \
          angle near pi, so the root with angle in (-pi/2, pi/2] is the one with +i.",
-        printed,
+        EpsilonVariant { damping: (-1, 1), stiffness: (-1, 2), coefficients: 3 },
         |variant, run| {
             let part = "coefficients of the expansion, exact power series";
-            run.identity(&Bracket(*variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
+            run.identity(&bracket_of_epsilon(variant), &["sqrt|f|", "|g|"], part).for_all()
         },
     )
     .reading("eps = sqrt(gamma^2 - 1), the principal root, for w > 0.")
-    .repaired(
+    .repaired_by(
         Fault::Slip,
         "For w > 0 and f, g < 0, eps = sqrt(gamma^2 - 1) = i sqrt(2) (w/sqrt(|f|)) ( (1 - i w |g|/(2|f|)) + (w^2/2)(- (3/4) \
          g^2/f^2 - 1/(2|f|)) ) + O(w^4).",
-        repaired,
+        |v| v.damping = (-3, 4),
     )
-    .control("+ 3/4 g²/f²", EpsilonVariant { damping: (3, 4), ..repaired })
-    .control("- 1/|f|", EpsilonVariant { stiffness: (-1, 1), ..repaired })
-    .control("an error O(w^5)", EpsilonVariant { coefficients: 4, ..repaired })
+    .altered("+ 3/4 g²/f²", |v| v.damping = (3, 4))
+    .altered("- 1/|f|", |v| v.stiffness = (-1, 1))
+    .altered("an error O(w^5)", |v| v.coefficients = 4)
 }
-
-// --- The moduli ---
 
 /// `|mu_+-|² = 1 +- coefficient sqrt2 w² |g|/|f|^(power/2) + O(w^order)`.
 #[derive(Clone, Copy)]
@@ -214,17 +190,10 @@ pub struct ModulusVariant {
     order: usize,
 }
 
-struct SquaredModulus(ModulusVariant);
-
-impl RationalIdentity for SquaredModulus {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    /// `|mu_+-|² = A +- sqrt2 B` with `A = |gamma|² + |epsilon|²` and `sqrt2 B = 2 Re(conj(gamma) epsilon)`.
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
-        let order = self.0.order;
+/// `|mu_+-|² = A +- sqrt2 B` with `A = |gamma|² + |epsilon|²` and `sqrt2 B = 2 Re(conj(gamma) epsilon)`.
+fn squared_modulus(variant: &ModulusVariant) -> Identity<'_> {
+    Identity::of(move |[r, g]| {
+        let order = variant.order;
         let [gamma, bracket] = theorem1::expansion(r, g, order)?;
         let w = Series::variable(Complex::real(r.one()), order);
         let inverse = r.recip()?;
@@ -238,37 +207,32 @@ impl RationalIdentity for SquaredModulus {
         let mut expected = vec![zero.clone(); 2 * order];
         expected[0] = r.one();
         if let Some(slot) = expected.get_mut(order + 2) {
-            *slot = (r.integer(self.0.coefficient) * g).over(&r.power(self.0.power))?;
+            *slot = (r.integer(variant.coefficient) * g).over(&r.power(variant.power))?;
         }
-        let real = |series: &Series<Complex<T>>| series.coefficients().iter().map(|c| c.re.clone()).collect::<Vec<_>>();
+        let real =
+            |series: &Series<Complex<Probe>>| series.coefficients().iter().map(|c| c.re.clone()).collect::<Vec<_>>();
         Ok(([real(&even), real(&odd)].concat(), expected))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at.iter().all(Signed::is_certainly_positive)
-    }
+    })
+    .within(|at| at.iter().all(Signed::is_certainly_positive))
 }
 
 pub fn modulus() -> Record<ModulusVariant> {
-    let printed = ModulusVariant { coefficient: 1, power: 3, order: 4 };
     Record::new(
         "veerman.thm1_mod",
         "|gamma +- epsilon|² = |gamma|² + |epsilon|² +- 2 Re(conj(gamma) epsilon). The first two terms sum to 1 + O(w⁴); the \
          last is sqrt2 w² |g|/|f|^(3/2) + O(w⁴). Exact power series in w; the faulty term of eps enters at w⁴ only. mu_+ is the root with the principal \
          square root, for w > 0 the one with +i (see veerman.thm1_eps).",
-        printed,
+        ModulusVariant { coefficient: 1, power: 3, order: 4 },
         |variant, run| {
             let part = "coefficients of |mu|², exact power series";
-            run.identity(&SquaredModulus(*variant), &["sqrt|f|", "|g|"], part).map(Outcome::for_all)
+            run.identity(&squared_modulus(variant), &["sqrt|f|", "|g|"], part).for_all()
         },
     )
-    .control("2 sqrt2", ModulusVariant { coefficient: 2, ..printed })
-    .control("the signs exchanged", ModulusVariant { coefficient: -1, ..printed })
-    .control("|f| instead of |f|^(3/2)", ModulusVariant { power: 2, ..printed })
-    .control("an error O(w^5)", ModulusVariant { order: 5, ..printed })
+    .altered("2 sqrt2", |v| v.coefficient = 2)
+    .altered("the signs exchanged", |v| v.coefficient = -1)
+    .altered("|f| instead of |f|^(3/2)", |v| v.power = 2)
+    .altered("an error O(w^5)", |v| v.order = 5)
 }
-
-// --- The exponent x ---
 
 /// `x = pi² |g|/(divisor sqrt2 |f|^(power/2))`.
 #[derive(Clone, Copy)]
@@ -290,56 +254,39 @@ impl ExponentVariant {
 
 /// In units of pi² and squared: `2x/M²` is `sqrt2 w² |g|/|f|^(3/2)` at the frequency of Theorem 1, and `(N+1)/x` its
 /// amplitude.
-struct ExponentDefinition(ExponentVariant);
-
-impl RationalIdentity for ExponentDefinition {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [r, g] = at else { return Err(ArithmeticError::Domain("two variables")) };
+fn exponent_definition(variant: &ExponentVariant) -> Identity<'_> {
+    Identity::of(move |[r, g]| {
         let x_squared =
-            g.square().over(&(r.integer(2 * self.0.divisor * self.0.divisor) * r.power(2 * self.0.power)))?;
+            g.square().over(&(r.integer(2 * variant.divisor * variant.divisor) * r.power(2 * variant.power)))?;
         // w² = |f| pi²/(8 M²); |f| = r².
         let from_modulus = (g.integer(2) * g.square() * r.power(4)).over(&(r.integer(64) * r.power(6)))?;
         let from_theorem = (r.integer(128) * r.square()).over(&g.square())?;
         Ok((vec![x_squared.clone() * x_squared.integer(4), x_squared.recip()?], vec![from_modulus, from_theorem]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at.iter().all(Signed::is_certainly_positive)
-    }
+    })
+    .within(|at| at.iter().all(Signed::is_certainly_positive))
 }
 
 pub fn exponent() -> Record<ExponentVariant> {
-    let printed = ExponentVariant { divisor: 8, power: 2, order: 3 };
-    let repaired = ExponentVariant { power: 1, ..printed };
     Record::new(
         "veerman.thm1_x",
         "|mu_+-|² = 1 +- sqrt2 w² |g|/|f|^(3/2) at w = sqrt|f| pi/(2 sqrt2 M) is 1 +- pi² |g|/(4 sqrt2 sqrt|f| M²), which is \
          1 +- 2x/M² for x = pi² |g|/(8 sqrt2 sqrt|f|). The printed |f| instead of sqrt|f| would also contradict the amplitude \
          of the theorem, M/x; for f = -1 the two agree.",
-        printed,
+        ExponentVariant { divisor: 8, power: 2, order: 3 },
         examine_exponent,
     )
     .clauses(&[
         "With x := pi^2 |g|/(8 sqrt(2) |f|), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal resonance.",
         "A = |a_{N+1}| = (N+1)/x + O(N^{-1}).",
     ])
-    .repaired(
-        Fault::Typo,
-        "With x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal \
-         resonance and A = |a_{N+1}| = (N+1)/x + O(N^{-1}).",
-        repaired,
-    )
+    .repaired_by(Fault::Typo, "", |v| v.power = 1)
     .repaired_clauses(&[
         "With x := pi^2 |g|/(8 sqrt(2) sqrt(|f|)), |mu_+-|^{N+1} = e^{+-x/(N+1)} + O(N^{-3}) at the principal resonance.",
         "A = |a_{N+1}| = (N+1)/x + O(N^{-1}).",
     ])
-    .control("4 sqrt2 instead of 8 sqrt2", ExponentVariant { divisor: 4, ..repaired })
-    .control("|f|^(3/2)", ExponentVariant { power: 3, ..repaired })
-    .control("an error O(N^-4)", ExponentVariant { order: 4, ..repaired })
+    .altered("4 sqrt2 instead of 8 sqrt2", |v| v.divisor = 4)
+    .altered("|f|^(3/2)", |v| v.power = 3)
+    .altered("an error O(N^-4)", |v| v.order = 4)
 }
 
 fn examine_exponent(variant: &ExponentVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -362,6 +309,6 @@ fn examine_exponent(variant: &ExponentVariant, run: &mut Run) -> Result<Outcome,
         Ok(found.amplitude - x_over_m(&gains, m)?.recip()?)
     })?;
     let part = "2x/M² is the term of |mu|² at the frequency of Theorem 1, and (N+1)/x its amplitude";
-    let definition = run.identity(&ExponentDefinition(*variant), &["sqrt|f|", "|g|"], part)?;
+    let definition = run.identity(&exponent_definition(variant), &["sqrt|f|", "|g|"], part)?;
     Run::all([Ok(amplitude.on([2])), Ok(plus.on([1])), Ok(minus.on([1])), Ok(definition.on([1, 2]))])
 }

@@ -1,3 +1,4 @@
 //! Mirrors `src/`.
 
+mod clauses;
 mod judging;

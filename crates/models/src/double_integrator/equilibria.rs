@@ -1,10 +1,11 @@
 //! Configurations at rest on a fixed graph: searched for in floats, then proved to exist and classified by intervals.
 
 use super::{Coordinates, Pair, Potential, Vector, difference, hessian, potential_energy, potential_gradients};
+use algebra::faer::Mat;
+use algebra::matrix::floating::{SymmetricEigen, symmetric_eigen};
 use algebra::matrix::{Inertia, inertia};
 use arithmetic::random::uniform;
 use arithmetic::{ArithmeticError, Dyadic, Field, Interval, Ring};
-use nalgebra::{DMatrix, DVector};
 use rand_chacha::ChaCha8Rng;
 
 const PLANE: Coordinates = Coordinates::Cartesian;
@@ -49,8 +50,8 @@ impl Framework {
         Ok(gradients.into_iter().flatten().collect())
     }
 
-    fn float_gradient(&self, positions: &[Vector<f64>]) -> Option<DVector<f64>> {
-        let gradient = DVector::from_vec(self.gradient(positions).ok()?);
+    fn float_gradient(&self, positions: &[Vector<f64>]) -> Option<Vec<f64>> {
+        let gradient = self.gradient(positions).ok()?;
         gradient.iter().all(|x| x.is_finite()).then_some(gradient)
     }
 
@@ -58,9 +59,9 @@ impl Framework {
     ///
     /// # Errors
     /// [`ArithmeticError::DivisionByZero`] where linked agents coincide.
-    pub fn float_hessian(&self, positions: &[Vector<f64>]) -> Result<DMatrix<f64>, ArithmeticError> {
+    pub fn float_hessian(&self, positions: &[Vector<f64>]) -> Result<Mat<f64>, ArithmeticError> {
         let rows = hessian(positions, &self.edges, PLANE, &self.potential)?;
-        Ok(DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i][j]))
+        Ok(Mat::from_fn(rows.len(), rows.len(), |i, j| rows[i][j]))
     }
 
     fn energy(&self, positions: &[Vector<f64>]) -> Option<f64> {
@@ -76,18 +77,16 @@ impl Framework {
         let mut energy = self.energy(&positions)?;
         for _ in 0..MOST_STEPS {
             let gradient = self.float_gradient(&positions)?;
-            if gradient.norm() < AT_REST {
+            if norm(&gradient) < AT_REST {
                 break;
             }
-            let eigen = self.float_hessian(&positions).ok()?.symmetric_eigen();
-            let along = eigen.eigenvectors.tr_mul(&gradient);
-            let scaled =
-                along.zip_map(&eigen.eigenvalues, |g, curvature| -g / (curvature.abs() + 1e-3 * gradient.norm()));
-            let step = &eigen.eigenvectors * scaled;
-            let mut length = (LONGEST / step.amax()).min(1.0);
+            let size = norm(&gradient);
+            let eigen = symmetric_eigen(&self.float_hessian(&positions).ok()?).ok()?;
+            let step = along_axes(&eigen, &gradient, |g, curvature| -g / (curvature.abs() + 1e-3 * size));
+            let mut length = (LONGEST / largest(&step)).min(1.0);
             // Halve until the energy does not rise, up to the rounding of the energy itself.
             let next = loop {
-                let moved = moved(&positions, &(&step * length));
+                let moved = moved(&positions, &step, length);
                 match self.energy(&moved) {
                     Some(e) if e <= energy + 1e-14 * energy.abs() => break Some((moved, e)),
                     _ if length < 1e-12 => break None,
@@ -107,19 +106,17 @@ impl Framework {
         let mut gradient = self.float_gradient(&positions)?;
         let mut damping = 1.0;
         for _ in 0..MOST_STEPS {
-            if gradient.norm() < AT_REST {
+            if norm(&gradient) < AT_REST {
                 break;
             }
-            let eigen = self.float_hessian(&positions).ok()?.symmetric_eigen();
-            let along = eigen.eigenvectors.tr_mul(&gradient);
+            let eigen = symmetric_eigen(&self.float_hessian(&positions).ok()?).ok()?;
             // Not along the rigid motions, whose curvatures are zero.
-            let scaled = along.zip_map(&eigen.eigenvalues, |g, curvature| {
+            let step = along_axes(&eigen, &gradient, |g, curvature| {
                 if curvature.abs() < 1e-9 { 0.0 } else { -g * curvature / (curvature * curvature + damping) }
             });
-            let step = &eigen.eigenvectors * scaled;
-            let moved = moved(&positions, &(&step * (LONGEST / step.amax()).min(1.0)));
+            let moved = moved(&positions, &step, (LONGEST / largest(&step)).min(1.0));
             match self.float_gradient(&moved) {
-                Some(next) if next.norm() < gradient.norm() => {
+                Some(next) if norm(&next) < norm(&gradient) => {
                     (positions, gradient, damping) = (moved, next, (damping / 4.0f64).max(1e-20));
                 }
                 _ if damping > 1e12 => break,
@@ -132,10 +129,10 @@ impl Framework {
     /// The configuration as an equilibrium; `None` where it is not at rest, or spread so wide that rest means little.
     fn at_rest(&self, positions: Vec<Vector<f64>>) -> Option<Equilibrium> {
         let widest = distances(&positions).last().copied().unwrap_or(0.0);
-        if self.float_gradient(&positions)?.norm() > 100.0 * AT_REST || widest > 10.0 * positions.len() as f64 {
+        if norm(&self.float_gradient(&positions)?) > 100.0 * AT_REST || widest > 10.0 * positions.len() as f64 {
             return None;
         }
-        let eigenvalues = self.float_hessian(&positions).ok()?.symmetric_eigenvalues();
+        let eigenvalues = symmetric_eigen(&self.float_hessian(&positions).ok()?).ok()?.values;
         let count = |passes: fn(f64) -> bool| eigenvalues.iter().filter(|x| passes(**x)).count();
         let inertia =
             Inertia { positive: count(|x| x > FLAT), negative: count(|x| x < -FLAT), zero: count(|x| x.abs() <= FLAT) };
@@ -152,18 +149,19 @@ impl Framework {
     /// Hessian (Sylvester).
     pub fn enclose(&self, equilibrium: &Equilibrium) -> Option<Inertia> {
         let (mut positions, free) = gauge(&equilibrium.positions)?;
-        let restricted = |rows: &[Vec<f64>]| DMatrix::from_fn(free.len(), free.len(), |i, j| rows[free[i]][free[j]]);
+        let restricted = |rows: &[Vec<f64>]| Mat::from_fn(free.len(), free.len(), |i, j| rows[free[i]][free[j]]);
         let float = |p: &[Vector<f64>]| Some(restricted(&hessian(p, &self.edges, PLANE, &self.potential).ok()?));
         for _ in 0..3 {
             let gradient = self.float_gradient(&positions)?;
-            let gradient = DVector::from_fn(free.len(), |i, _| gradient[free[i]]);
-            let step = float(&positions)?.lu().solve(&gradient)?;
-            for (&index, s) in free.iter().zip(step.iter()) {
+            let gradient: Vec<f64> = free.iter().map(|&i| gradient[i]).collect();
+            let eigen = symmetric_eigen(&float(&positions)?).ok()?;
+            let step = along_axes(&eigen, &gradient, |g, curvature| g / curvature);
+            for (&index, s) in free.iter().zip(step) {
                 positions[index / 2][index % 2] -= s;
             }
         }
-        let middle = float(&positions)?;
-        let inverse = middle.clone().try_inverse()?;
+        let eigen = symmetric_eigen(&float(&positions)?).ok()?;
+        let inverse = inverse(&eigen);
         let point = |x: f64| Some(Interval::between(Dyadic::from_f64(x)?, Dyadic::from_f64(x)?, PRECISION));
         let whole = Interval::between(Dyadic::from_f64(-BOX)?, Dyadic::from_f64(BOX)?, PRECISION);
         let (mut at, mut around) = (Vec::new(), Vec::new());
@@ -192,7 +190,7 @@ impl Framework {
                 return None;
             }
         }
-        let basis = exact_rows(&middle.symmetric_eigen().eigenvectors)?;
+        let basis = exact_rows(&eigen.vectors)?;
         let turned: Vec<Vec<Interval>> =
             (0..free.len()).map(|j| basis.iter().map(|row| row[j].clone()).collect()).collect();
         inertia(&times(&times(&turned, &rows), &basis)).ok().filter(|found| found.zero == 0)
@@ -206,8 +204,34 @@ pub fn random_places(count: usize, random: &mut ChaCha8Rng) -> Vec<Vector<f64>> 
     (0..count).map(|_| [even(), even()]).collect()
 }
 
-fn moved(positions: &[Vector<f64>], step: &DVector<f64>) -> Vec<Vector<f64>> {
-    positions.iter().enumerate().map(|(i, r)| [r[0] + step[2 * i], r[1] + step[2 * i + 1]]).collect()
+fn moved(positions: &[Vector<f64>], step: &[f64], length: f64) -> Vec<Vector<f64>> {
+    positions.iter().zip(step.as_chunks().0).map(|(r, [x, y])| [r[0] + length * x, r[1] + length * y]).collect()
+}
+
+fn norm(x: &[f64]) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn largest(x: &[f64]) -> f64 {
+    x.iter().fold(0.0, |most, x| x.abs().max(most))
+}
+
+/// A vector whose components along the axes of a symmetric matrix are changed, each with the curvature there.
+fn along_axes(eigen: &SymmetricEigen, vector: &[f64], change: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+    let mut sum = vec![0.0; vector.len()];
+    for (k, &curvature) in eigen.values.iter().enumerate() {
+        let axis = eigen.vectors.col_as_slice(k);
+        let changed = change(axis.iter().zip(vector).map(|(a, x)| a * x).sum(), curvature);
+        sum.iter_mut().zip(axis).for_each(|(s, a)| *s += changed * a);
+    }
+    sum
+}
+
+/// The inverse of a symmetric matrix, nearly.
+fn inverse(eigen: &SymmetricEigen) -> Mat<f64> {
+    let (order, vectors) = (eigen.values.len(), &eigen.vectors);
+    let term = |i: usize, j: usize| move |(k, value): (usize, &f64)| vectors[(i, k)] * vectors[(j, k)] / value;
+    Mat::from_fn(order, order, |i, j| eigen.values.iter().enumerate().map(term(i, j)).sum())
 }
 
 /// All distances in order: equal for congruent configurations, however the agents are named.
@@ -253,9 +277,9 @@ fn gauge(positions: &[Vector<f64>]) -> Option<(Vec<Vector<f64>>, Vec<usize>)> {
 }
 
 /// A matrix of floats as exact intervals.
-fn exact_rows(matrix: &DMatrix<f64>) -> Option<Vec<Vec<Interval>>> {
+fn exact_rows(matrix: &Mat<f64>) -> Option<Vec<Vec<Interval>>> {
     let point = |x: &f64| Dyadic::from_f64(*x).map(|x| Interval::between(x.clone(), x, PRECISION));
-    matrix.row_iter().map(|row| row.iter().map(point).collect()).collect()
+    (0..matrix.nrows()).map(|i| (0..matrix.ncols()).map(|j| point(&matrix[(i, j)])).collect()).collect()
 }
 
 fn times(left: &[Vec<Interval>], right: &[Vec<Interval>]) -> Vec<Vec<Interval>> {

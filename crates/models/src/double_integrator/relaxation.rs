@@ -2,9 +2,9 @@
 
 use super::equilibria::{Equilibrium, Framework};
 use super::{Coordinates, State, linearisation};
-use algebra::matrix::floating::{EigenError, eigenvalues};
+use algebra::faer::Mat;
+use algebra::matrix::floating::{EigenError, eigenvalues, least_singular_value, product};
 use arithmetic::ArithmeticError;
-use nalgebra::{Complex, DMatrix};
 
 /// Why there is no rate.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -41,12 +41,13 @@ pub fn relaxation(framework: &Framework, equilibrium: &Equilibrium) -> Result<Re
     let rows = linearisation(&state, &framework.edges, Coordinates::Cartesian, &framework.potential)?;
     let (half, kept) = (2 * count, 2 * count.saturating_sub(1));
     let basis = without_uniform(count);
+    let transposed = Mat::from_fn(kept, half, |i, j| basis[(j, i)]);
     let part = |column: usize| {
-        let block = DMatrix::from_fn(half, half, |i, j| rows[half + i][column + j]);
-        basis.tr_mul(&block) * &basis
+        let block = Mat::from_fn(half, half, |i, j| rows[half + i][column + j]);
+        product(&product(&transposed, &block), &basis)
     };
     let (stiffness, damping) = (part(0), part(half));
-    let matrix = DMatrix::from_fn(2 * kept, 2 * kept, |i, j| match (i < kept, j < kept) {
+    let matrix = Mat::from_fn(2 * kept, 2 * kept, |i, j| match (i < kept, j < kept) {
         (true, _) => f64::from(u8::from(j == i + kept)),
         (false, true) => stiffness[(i - kept, j)],
         (false, false) => damping[(i - kept, j - kept)],
@@ -58,18 +59,25 @@ pub fn relaxation(framework: &Framework, equilibrium: &Equilibrium) -> Result<Re
     let Some(slowest) = modes.iter().min_by(|a, b| (-a.re).total_cmp(&-b.re)) else {
         return Ok(Relaxation { rate: f64::INFINITY, swings: false, neutral, residual: 0.0 });
     };
-    let mu = Complex::new(slowest.re, slowest.im);
-    let pencil = DMatrix::from_fn(kept, kept, |i, j| {
-        let square = if i == j { mu * mu } else { Complex::new(0.0, 0.0) };
-        square - mu * damping[(i, j)] - stiffness[(i, j)]
+    // The pencil at mu = x + iy as the real matrix (P, -Q; Q, P): its singular values are the same, twice each.
+    let (x, y) = (slowest.re, slowest.im);
+    let pencil = Mat::from_fn(2 * kept, 2 * kept, |row, column| {
+        let (i, j) = (row % kept, column % kept);
+        let unit = f64::from(u8::from(i == j));
+        if (row < kept) == (column < kept) {
+            unit * (x * x - y * y) - x * damping[(i, j)] - stiffness[(i, j)]
+        } else {
+            let imaginary = unit * (2.0 * x * y) - y * damping[(i, j)];
+            if row < kept { -imaginary } else { imaginary }
+        }
     });
-    let residual = pencil.singular_values().min();
+    let residual = least_singular_value(&pencil)?;
     Ok(Relaxation { rate: -slowest.re, swings: slowest.im.abs() > 1e-6, neutral, residual })
 }
 
 /// An orthonormal basis of the planar vectors whose sum over all agents is zero (Helmert), in columns.
-fn without_uniform(count: usize) -> DMatrix<f64> {
-    DMatrix::from_fn(2 * count, 2 * count.saturating_sub(1), |row, column| {
+fn without_uniform(count: usize) -> Mat<f64> {
+    Mat::from_fn(2 * count, 2 * count.saturating_sub(1), |row, column| {
         let (agent, k) = (row / 2, column / 2 + 1);
         if row % 2 != column % 2 || agent > k {
             return 0.0;

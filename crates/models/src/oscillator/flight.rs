@@ -17,6 +17,9 @@ pub struct Flight {
     pub phases: Vec<f64>,
 }
 
+/// Turning rates at a state.
+type Steering<'a> = &'a dyn Fn(&State<f64>) -> Result<Vec<f64>, ArithmeticError>;
+
 impl Flight {
     /// The state with phasors, on which the laws are written.
     pub fn state(&self) -> State<f64> {
@@ -33,6 +36,16 @@ impl Flight {
         (step, steps): (f64, usize),
         drift: &Complex<f64>,
         steering: impl Fn(&State<f64>) -> Result<Vec<f64>, ArithmeticError>,
+    ) -> Result<(), ArithmeticError> {
+        self.advance_by((step, steps), drift, &steering)
+    }
+
+    /// [`Self::advance`], compiled once and here: crates that call it are not optimised as fully.
+    fn advance_by(
+        &mut self,
+        (step, steps): (f64, usize),
+        drift: &Complex<f64>,
+        steering: Steering<'_>,
     ) -> Result<(), ArithmeticError> {
         let mut state = self.state();
         let rate = |list: &[f64], rate: &mut [f64]| {
@@ -55,6 +68,16 @@ impl Flight {
         omega: f64,
         (step, steps): (f64, usize),
         steering: impl Fn(&State<f64>) -> Result<Vec<f64>, ArithmeticError>,
+    ) -> Result<(), ArithmeticError> {
+        self.advance_centres(omega, (step, steps), &steering)
+    }
+
+    /// [`Self::advance_by_centres`], compiled once.
+    fn advance_centres(
+        &mut self,
+        omega: f64,
+        (step, steps): (f64, usize),
+        steering: Steering<'_>,
     ) -> Result<(), ArithmeticError> {
         let radius = Field::recip(&omega)?;
         let mut state = self.state();

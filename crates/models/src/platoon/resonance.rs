@@ -308,19 +308,49 @@ impl Rough {
         all.then_some(Rough { f, b, m: followers as f64 })
     }
 
-    /// Whether `F' = M (y' sinh 2My - x' sin 2Mx)` is positive, where `x' > 0`.
-    fn slope_is_positive(&self, s: f64) -> bool {
+    /// `y' sinh 2My / x' - sin 2Mx`, with the sign of `F'` where `x' > 0`.
+    fn slope(&self, s: f64) -> f64 {
         let (x, y, tangent) = angles(s, self.b);
-        tangent * (2.0 * self.m * y).sinh() > (2.0 * self.m * x).sin()
+        tangent * (2.0 * self.m * y).sinh() - (2.0 * self.m * x).sin()
     }
 
-    /// Between two numbers, where `above` turns true.
-    fn bisect(mut low: f64, mut high: f64, above: impl Fn(f64) -> bool) -> f64 {
-        for _ in 0..80 {
-            let middle = 0.5 * (low + high);
-            if above(middle) { high = middle } else { low = middle }
+    /// The same as long as `Mx < pi/2`, infinite beyond.
+    fn slope_before_full_phase(&self, s: f64) -> f64 {
+        if self.phase(s) < std::f64::consts::FRAC_PI_2 { self.slope(s) } else { f64::INFINITY }
+    }
+
+    /// `Mx`.
+    fn phase(&self, s: f64) -> f64 {
+        self.m * angles(s, self.b).0
+    }
+
+    /// A zero between two numbers where `value` is negative and positive: false position, Illinois variant, and halving where
+    /// that leaves the bracket.
+    fn zero(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
+        let (mut below, mut above) = (value(low), value(high));
+        let (mut middle, mut side) = (low, 0);
+        for _ in 0..100 {
+            let last = middle;
+            middle = low - below * (high - low) / (above - below);
+            if !(middle > low && middle < high) {
+                middle = 0.5 * (low + high);
+            }
+            if (middle - last).abs() <= f64::EPSILON * middle {
+                break;
+            }
+            let here = value(middle);
+            // An end that stays twice counts half, so that it does not stay for ever.
+            if here > 0.0 {
+                (high, above) = (middle, here);
+                below *= if side == 1 { 0.5 } else { 1.0 };
+                side = 1;
+            } else {
+                (low, below) = (middle, here);
+                above *= if side == -1 { 0.5 } else { 1.0 };
+                side = -1;
+            }
         }
-        0.5 * (low + high)
+        middle
     }
 
     fn frequency(&self, s: f64) -> f64 {
@@ -332,14 +362,14 @@ impl Rough {
 /// floats.
 fn uncertified_start(gains: &Gains<Rational>, followers: u64) -> Option<f64> {
     let rough = Rough::new(gains, followers)?;
-    let beyond = |s: f64| rough.m * angles(s, rough.b).0 >= std::f64::consts::FRAC_PI_2 || rough.slope_is_positive(s);
+    let slope = |s: f64| rough.slope_before_full_phase(s);
     let mut low = positive_root(&rough.b, &(rough.m * rough.m).recip()).ok()?;
     let mut high = 2.0 * low;
-    while !beyond(high) {
+    while slope(high) < 0.0 {
         low = high;
         high *= 2.0;
     }
-    Some(rough.frequency(Rough::bisect(low, high, beyond)))
+    Some(rough.frequency(Rough::zero(low, high, slope)))
 }
 
 /// The frequency of the `k`-th lesser resonance in floating point. `None` where there is none.
@@ -348,12 +378,11 @@ fn uncertified_lesser_start(gains: &Gains<Rational>, followers: u64, k: u64) -> 
     // x increases up to c² = 4; beyond, nothing is looked for.
     let end = (4.0 / rough.b).min(2.0);
     let place = |turns: f64| {
-        let beyond = |s: f64| rough.m * angles(s, rough.b).0 >= turns * std::f64::consts::PI;
-        beyond(end).then(|| Rough::bisect(0.0, end, beyond))
+        let excess = |s: f64| rough.phase(s) - turns * std::f64::consts::PI;
+        (excess(end) >= 0.0).then(|| Rough::zero(0.0, end, excess))
     };
     let (low, high) = (place(k as f64 - 0.75)?, place(k as f64 - 0.5)?);
-    let found = || rough.frequency(Rough::bisect(low, high, |s| rough.slope_is_positive(s)));
-    (!rough.slope_is_positive(low)).then(found)
+    (rough.slope(low) < 0.0).then(|| rough.frequency(Rough::zero(low, high, |s| rough.slope(s))))
 }
 
 /// `x`, `y` and `y'/x'` for `gamma = cos(x - i y)` at `s = w²/|f|`, `b = g²/|f|`, in forms without cancellation.

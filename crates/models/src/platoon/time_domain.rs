@@ -101,6 +101,42 @@ impl<T: Real + Signed> Modes<T> {
         Ok(HarmonicStart { w: w.clone(), modes: self.clone(), periodic })
     }
 
+    /// Any start behind a leader that moves on evenly, with the swing `amplitude cos wt` besides: `deviations` are those of the followers
+    /// from the leader at time 0.
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] where the periodic motion does not exist.
+    pub fn behind_swinging_leader(
+        &self,
+        deviations: &Followers<T>,
+        amplitude: &T,
+        w: &T,
+    ) -> Result<SwingingStart<T>, ArithmeticError> {
+        let (size, like) = (self.parts.len(), &self.gains.f);
+        let of_mode = |k: usize, list: &[T]| {
+            let last = like.ratio(1, 2);
+            let term = |(j, x): (usize, &T)| {
+                let term = self.sine((j + 1) * (2 * k + 1)) * x;
+                if j + 1 == size { term * &last } else { term }
+            };
+            list.iter().enumerate().map(term).fold(like.zero(), |sum, term| sum + term)
+        };
+        let strength = amplitude.clone() * w.square();
+        let mode = |(k, part): (usize, &Part<T>)| {
+            // cot(phi/2)/2 = (1 + cos phi)/(2 sin phi).
+            let cosine = self.sine(size + 2 * k + 1);
+            let share = (cosine + like.one()).over(&(self.sine(2 * k + 1) * like.integer(2)))?;
+            let damping = part.lambda.clone() * &self.gains.g * w;
+            let divisor = Complex::new(-(w.square() + part.lambda.clone() * &self.gains.f), -damping);
+            let periodic = divisor.recip()?.scale(&(share * &strength));
+            let value = of_mode(k, &deviations.positions) - &periodic.re;
+            let rate = of_mode(k, &deviations.velocities) + w.clone() * &periodic.im;
+            Ok((value, rate, periodic))
+        };
+        let start = self.parts.iter().enumerate().map(mode).collect::<Result<_, _>>()?;
+        Ok(SwingingStart { w: w.clone(), modes: self.clone(), start })
+    }
+
     /// The start behind a leader that drives with piecewise constant acceleration, all followers at rest in their places at
     /// time 0: `changes` has the times `>= 0` at which the acceleration changes and by how much.
     ///
@@ -183,6 +219,36 @@ impl<T: Real + Signed> HarmonicStart<T> {
             let value = (cos.clone() - c) * &p.re - (sin.clone() - self.w.clone() * s) * &p.im;
             let rate = -(self.w.clone() * &sin + c_rate) * &p.re - (cos.clone() - s_rate) * &self.w * &p.im;
             Ok((value, rate))
+        });
+        self.modes.followers(modes)
+    }
+}
+
+/// Any start of a platoon behind a leader that swings.
+#[derive(Debug, Clone)]
+pub struct SwingingStart<T> {
+    w: T,
+    modes: Modes<T>,
+    /// Value and rate of the free part of each mode at time 0, and its periodic part `p_k`: the real part of `p_k e^{iwt}`.
+    start: Vec<(T, T, Complex<T>)>,
+}
+
+impl<T: Real + Signed> SwingingStart<T> {
+    /// The deviations of all followers from the leader at time `t`, in position and velocity.
+    ///
+    /// # Errors
+    /// [`ArithmeticError`] of the elementary functions.
+    pub fn deviations(&self, t: &T) -> Result<Followers<T>, ArithmeticError> {
+        let (sin, cos) = (self.w.clone() * t).sin_cos()?;
+        let gains = &self.modes.gains;
+        let modes = self.modes.parts.iter().zip(&self.start).map(|(part, (value, rate, p))| {
+            let (c, s) = part.mode.propagator(t)?;
+            // c' = lambda f s and s' = c + lambda g s.
+            let c_rate = part.lambda.clone() * &gains.f * &s;
+            let s_rate = part.lambda.clone() * &gains.g * &s + &c;
+            let periodic = cos.clone() * &p.re - sin.clone() * &p.im;
+            let periodic_rate = -(sin.clone() * &p.re + cos.clone() * &p.im) * &self.w;
+            Ok((periodic + c * value + s * rate, periodic_rate + c_rate * value + s_rate * rate))
         });
         self.modes.followers(modes)
     }

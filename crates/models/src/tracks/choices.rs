@@ -53,6 +53,9 @@ pub enum ChoicesError {
     /// Zones out of order.
     #[error("the zones {0}, {1}, {2} must have growing radii, the first of them positive")]
     Zones(f64, f64, f64),
+    /// Not two or three zones.
+    #[error("there are two or three radii of zones, such as 1.4,2.4, not {0}")]
+    ZoneCount(usize),
     /// A blind spot wider than a half turn.
     #[error("the blind spot of {0} degrees is not between 0 and 180")]
     Blind(f64),
@@ -89,6 +92,18 @@ impl Choices {
             still: 0.0,
             rule: NearestRule::SecondInRepulsion,
             nearest: Vec::new(),
+        }
+    }
+
+    /// The outer radii of the zones from a list of two, without an end of attraction, or three.
+    ///
+    /// # Errors
+    /// [`ChoicesError::ZoneCount`].
+    pub fn radii_of_zones(radii: &[f64]) -> Result<[f64; 3], ChoicesError> {
+        match *radii {
+            [repulsion, orientation] => Ok([repulsion, orientation, f64::INFINITY]),
+            [repulsion, orientation, attraction] => Ok([repulsion, orientation, attraction]),
+            _ => Err(ChoicesError::ZoneCount(radii.len())),
         }
     }
 

@@ -2,7 +2,6 @@
 
 use super::IntervalVector;
 use arithmetic::{FloatInterval, Ring};
-use nalgebra::DMatrix;
 
 /// A square matrix of intervals, by rows.
 pub(super) type IntervalMatrix = Vec<IntervalVector>;
@@ -25,9 +24,52 @@ pub(super) fn times(a: &[IntervalVector], b: &[IntervalVector]) -> IntervalMatri
     a.iter().map(|row| columns.iter().map(|column| dot(row, column)).collect()).collect()
 }
 
-/// A matrix of floats.
-pub(super) fn points(a: &DMatrix<f64>) -> IntervalMatrix {
-    a.row_iter().map(|row| row.iter().map(|&x| FloatInterval::point(x)).collect()).collect()
+/// A square matrix of floats, by columns.
+#[derive(Debug, Clone)]
+pub(super) struct Frame(Vec<Vec<f64>>);
+
+impl Frame {
+    /// The unit matrix.
+    pub fn unit(size: usize) -> Self {
+        Frame((0..size).map(|j| (0..size).map(|i| f64::from(u8::from(i == j))).collect()).collect())
+    }
+
+    /// The matrix.
+    pub fn points(&self) -> IntervalMatrix {
+        (0..self.0.len()).map(|i| self.0.iter().map(|column| FloatInterval::point(column[i])).collect()).collect()
+    }
+
+    /// Its transpose.
+    pub fn transposed(&self) -> IntervalMatrix {
+        self.0.iter().map(|column| column.iter().map(|&x| FloatInterval::point(x)).collect()).collect()
+    }
+
+    /// The orthogonal factor of a matrix given by its columns: the product of Householder's reflections that make it triangular.
+    fn orthogonal(mut columns: Vec<Vec<f64>>) -> Self {
+        let size = columns.len();
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+        let reflect = |normal: &[f64], column: &mut [f64]| {
+            let twice = 2.0 * product(normal, column);
+            column.iter_mut().zip(normal).for_each(|(x, n)| *x -= twice * n);
+        };
+        let mut normals: Vec<Vec<f64>> = Vec::with_capacity(size);
+        for k in 0..size {
+            let mut normal = columns[k][k..].to_vec();
+            let length = product(&normal, &normal).sqrt();
+            normal[0] += if normal[0] < 0.0 { -length } else { length };
+            let length = product(&normal, &normal).sqrt();
+            if length > 0.0 {
+                normal.iter_mut().for_each(|x| *x /= length);
+                columns[k..].iter_mut().for_each(|column| reflect(&normal, &mut column[k..]));
+            }
+            normals.push(normal);
+        }
+        let mut frame = Frame::unit(size);
+        for (k, normal) in normals.iter().enumerate().rev() {
+            frame.0.iter_mut().for_each(|column| reflect(normal, &mut column[k..]));
+        }
+        frame
+    }
 }
 
 /// The largest sum of the magnitudes in a row, rounded up.
@@ -39,19 +81,18 @@ pub(super) fn row_norm(a: &[IntervalVector]) -> f64 {
 }
 
 /// An orthogonal matrix, up to rounding, whose first columns span the longest of the columns of `a`.
-pub(super) fn frame_of(a: &[IntervalVector], lengths: &[f64]) -> DMatrix<f64> {
-    let size = a.len();
-    let middle = DMatrix::from_fn(size, size, |i, j| a[i][j].midpoint() * lengths[j]);
-    let mut order: Vec<usize> = (0..size).collect();
-    order.sort_by(|&i, &j| middle.column(j).norm().total_cmp(&middle.column(i).norm()));
-    DMatrix::from_fn(size, size, |i, j| middle[(i, order[j])]).qr().q()
+pub(super) fn frame_of(a: &[IntervalVector], lengths: &[f64]) -> Frame {
+    let column = |(j, length): (usize, &f64)| a.iter().map(|row| row[j].midpoint() * length).collect();
+    let mut columns: Vec<Vec<f64>> = lengths.iter().enumerate().map(column).collect();
+    let square = |column: &[f64]| column.iter().map(|x| x * x).sum::<f64>();
+    columns.sort_by(|x, y| square(y).total_cmp(&square(x)));
+    Frame::orthogonal(columns)
 }
 
 /// A bound of `‖(FᵀF)⁻¹ - I‖` in the norm of row sums, for a frame that is nearly orthogonal; `None` where it is not.
-pub(super) fn departure(frame: &DMatrix<f64>) -> Option<f64> {
-    let size = frame.nrows();
-    let mut gram = times(&points(&frame.transpose()), &points(frame));
-    (0..size).for_each(|i| gram[i][i] = gram[i][i] - FloatInterval::point(1.0));
+pub(super) fn departure(frame: &Frame) -> Option<f64> {
+    let mut gram = times(&frame.transposed(), &frame.points());
+    gram.iter_mut().enumerate().for_each(|(i, row)| row[i] = row[i] - FloatInterval::point(1.0));
     let g = row_norm(&gram);
     // (I + G)⁻¹ - I = -G + G² - ...
     (g < 0.25).then(|| (FloatInterval::point(g) * FloatInterval::point(1.5)).hi())

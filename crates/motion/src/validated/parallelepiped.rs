@@ -1,15 +1,14 @@
 //! Sets of states: parallelepipeds.
 
 use super::IntervalVector;
-use super::linear::{IntervalMatrix, apply, departure, frame_of, points, times};
+use super::linear::{Frame, IntervalMatrix, apply, departure, frame_of, times};
 use arithmetic::{FloatInterval, Ring};
-use nalgebra::DMatrix;
 
 /// All `centre + frame r` with `r` in a box that contains zero; the frame is orthogonal up to rounding.
 #[derive(Debug, Clone)]
 pub struct Parallelepiped {
     centre: Vec<f64>,
-    frame: DMatrix<f64>,
+    frame: Frame,
     radii: IntervalVector,
 }
 
@@ -18,7 +17,7 @@ impl Parallelepiped {
     pub fn of_box(state: &[FloatInterval]) -> Self {
         let (centre, rest) = around_midpoints(state);
         let radii = rest.into_iter().map(with_zero).collect();
-        Parallelepiped { frame: DMatrix::identity(centre.len(), centre.len()), centre, radii }
+        Parallelepiped { frame: Frame::unit(centre.len()), centre, radii }
     }
 
     /// A state in the set.
@@ -31,22 +30,22 @@ impl Parallelepiped {
         let row = |(c, row): (&f64, IntervalVector)| {
             row.iter().zip(&self.radii).fold(FloatInterval::point(*c), |sum, (f, r)| sum + *f * r)
         };
-        self.centre.iter().zip(points(&self.frame)).map(row).collect()
+        self.centre.iter().zip(self.frame.points()).map(row).collect()
     }
 
     /// All `image + derivative (x - centre)` for `x` in the set: the image under a map with `image` enclosing that of the centre, and `derivative` its
     /// derivatives on a convex set around this one (mean value theorem, row by row). `None` where a bound is not finite.
     pub(super) fn mapped(&self, image: &[FloatInterval], derivative: &IntervalMatrix) -> Option<Self> {
-        let linear = times(derivative, &points(&self.frame));
+        let linear = times(derivative, &self.frame.points());
         let lengths: Vec<f64> = self.radii.iter().map(FloatInterval::width).collect();
         let size = self.centre.len();
         let found = frame_of(&linear, &lengths);
         let (frame, lost) = match departure(&found) {
             Some(lost) => (found, lost),
-            None => (DMatrix::identity(size, size), 0.0),
+            None => (Frame::unit(size), 0.0),
         };
         let (centre, rest) = around_midpoints(image);
-        let back = points(&frame.transpose());
+        let back = frame.transposed();
         let turned = apply(&times(&back, &linear), &self.radii);
         let added = apply(&back, &rest);
         let inside = turned.into_iter().zip(added).map(|(a, b)| a + b).collect();
@@ -58,7 +57,7 @@ impl Parallelepiped {
         let moved: IntervalVector = self.centre.iter().zip(shift).map(|(c, d)| FloatInterval::point(*c) + d).collect();
         let (centre, rest) = around_midpoints(&moved);
         let lost = departure(&self.frame)?;
-        let radii = apply(&points(&self.frame.transpose()), &rest);
+        let radii = apply(&self.frame.transposed(), &rest);
         let added = Parallelepiped { centre, frame: self.frame.clone(), radii };
         let mut sum = added.widened(lost)?;
         sum.radii.iter_mut().zip(&self.radii).for_each(|(a, b)| *a = *a + b);

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 80] = sources![
+const SOURCES: [(&str, &str); 82] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -31,6 +31,7 @@ const SOURCES: [(&str, &str); 80] = sources![
     "chazelle_count",
     "chazelle_entries",
     "chazelle_estimates",
+    "chazelle_switches",
     "chazelle_worked",
     "paley_model",
     "paley_phase",
@@ -43,6 +44,7 @@ const SOURCES: [(&str, &str); 80] = sources![
     "paley_fish",
     "paley_stability",
     "tanner_energy",
+    "paley_behaviours",
     "tanner_flock",
     "tanner_paths",
     "tanner1_heading",

@@ -6,8 +6,11 @@ use crate::evaluate::{Failure, Measured};
 use crate::number::{Algebraic, Number};
 use algebra::graph::{Graph, LaplacianKind};
 use algebra::matrix::SparseMatrix;
-use algebra::spectrum::{Eigenvalue, matrix_spectrum, named_spectrum, symmetric_enclosures};
+use algebra::spectrum::{
+    Eigenvalue, FloatEnclosure, matrix_spectrum, named_spectrum, small_symmetric_eigenvalues, symmetric_enclosures,
+};
 use arithmetic::{Dyadic, Interval, Rational};
+use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive};
 use std::cell::{OnceCell, RefCell};
@@ -19,6 +22,7 @@ pub(crate) struct GraphSubject {
     kind: LaplacianKind,
     matrix: OnceCell<Result<SparseMatrix, String>>,
     floats: OnceCell<Option<Vec<Place>>>,
+    small: OnceCell<Option<Vec<FloatEnclosure>>>,
     exact: RefCell<Option<(u32, Vec<Place>)>>,
     distances: OnceCell<Option<usize>>,
 }
@@ -33,6 +37,9 @@ struct Place {
 /// Bits up to which floating-point enclosures are tried first.
 const FLOAT_BITS: u32 = 64;
 
+/// Largest order of a graph whose eigenvalues are found by rotations.
+const LARGEST_SMALL: usize = 12;
+
 impl GraphSubject {
     pub fn new(graph: Arc<GraphValue>, kind: LaplacianKind) -> Self {
         GraphSubject {
@@ -40,6 +47,7 @@ impl GraphSubject {
             kind,
             matrix: OnceCell::new(),
             floats: OnceCell::new(),
+            small: OnceCell::new(),
             exact: RefCell::new(None),
             distances: OnceCell::new(),
         }
@@ -101,8 +109,7 @@ impl GraphSubject {
     }
 
     fn eigenvalue(&self, arguments: &[Number], precision: u32) -> Result<Number, Failure> {
-        let matrix = self.matrix()?;
-        let order = matrix.order();
+        let order = self.graph.order();
         let index = arguments.first().and_then(Number::as_integer);
         let Some(k) = index.as_ref().and_then(ToPrimitive::to_usize).filter(|k| (1..=order).contains(k)) else {
             let found = arguments.first().map_or("nothing".to_string(), Number::text);
@@ -116,6 +123,12 @@ impl GraphSubject {
             ));
         };
         if precision <= FLOAT_BITS
+            && let Some(number) = self.small_eigenvalue(k)
+        {
+            return Ok(number);
+        }
+        let matrix = self.matrix()?;
+        if precision <= FLOAT_BITS
             && let Some(places) = self.floats(matrix)
             && let Some(place) = places.get(k - 1)
         {
@@ -126,6 +139,29 @@ impl GraphSubject {
             Some(place) => Ok(self.number(place, matrix)),
             None => Err(Failure::open("an eigenvalue could not be enclosed", None)),
         }
+    }
+
+    /// The k-th eigenvalue of the Laplacian of a small graph, of which families have thousands.
+    fn small_eigenvalue(&self, k: usize) -> Option<Number> {
+        let GraphValue::Simple(graph) = self.graph.as_ref() else { return None };
+        let order = graph.order();
+        if self.kind != LaplacianKind::Combinatorial || order > LARGEST_SMALL {
+            return None;
+        }
+        let found = self.small.get_or_init(|| {
+            let entry = |i: usize, j: usize| match i == j {
+                true => graph.degree(i) as f64,
+                false => -f64::from(u8::from(graph.has_edge(i, j))),
+            };
+            let entries: Vec<f64> = (0..order * order).map(|place| entry(place / order, place % order)).collect();
+            small_symmetric_eigenvalues(&entries, order)
+        });
+        let place = found.as_ref()?.get(k - 1)?;
+        let [lo, hi] = [(place.re - place.radius).next_down(), (place.re + place.radius).next_up()];
+        let enclosure = Interval::between(Dyadic::from_f64(lo)?, Dyadic::from_f64(hi)?, FLOAT_BITS);
+        // All eigenvalues lie between 0 and twice the largest degree, and the matrix has integers.
+        let largest = BigInt::from(2 * (0..order).map(|i| graph.degree(i)).max().unwrap_or(0));
+        Some(Number::Enclosed(enclosure, Some(Algebraic { degree: order as u64, upper: largest.bits(), lower: 0 })))
     }
 
     fn number(&self, place: &Place, matrix: &SparseMatrix) -> Number {

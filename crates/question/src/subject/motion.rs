@@ -1,23 +1,23 @@
-//! Continuous motions on validated enclosures: velocity alignment, the phase model, platoons.
+//! Continuous motions on validated enclosures: velocity alignment, the phase model, steered particles, platoons. Platoons on a line are the exact
+//! sum over their modes instead.
+
+mod at;
+mod laws;
+mod modes;
 
 use crate::error::Problem;
-use crate::evaluate::{Failure, Measured, Moment};
-use crate::names::Quantity;
-use crate::number::Number;
+use crate::evaluate::{Failure, Moment};
 use crate::time::{Covered, Piece, Timeline};
 use crate::truth::Doubt;
-use arithmetic::{
-    ArithmeticError, Complex, Dyadic, Field, FloatInterval, Interval, Progress, Rational, Real, Ring, rational,
-};
-use models::double_integrator::{
-    Coordinates, EnclosedFlock, FixedNetwork, Pair, Potential, State, kinetic_energy, linked_within, potential_energy,
-};
-use models::oscillator::{Neighbours, laplacian_control, moment, phase_potential};
-use models::platoon::{CommunicationGraph, Gains};
+use arithmetic::{Dyadic, FloatInterval, Interval, Progress, Rational, Real, rational};
+use at::At;
+use laws::{ParticleLaw, PhaseLaw, PlatoonLaw};
+use models::double_integrator::{Coordinates, EnclosedFlock, FixedNetwork, Pair, Potential, State, linked_within};
+use modes::ModalPlatoon;
 use motion::validated::{Flow, IntervalVector, Parallelepiped, SmoothLaw, Step};
 use num_traits::ToPrimitive;
 use scenario::ExactMotion;
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
 /// A motion of a case, enclosed as far as it was needed.
@@ -27,6 +27,7 @@ pub(crate) struct MotionSubject<'c> {
     wide: Vec<(Start, usize, usize, Rational, Rational)>,
     progress: &'c dyn Progress,
     tube: RefCell<Rc<Tube>>,
+    modal: OnceCell<Option<ModalPlatoon>>,
 }
 
 /// Which list of the start.
@@ -70,54 +71,6 @@ const MOST_AGENTS: usize = 16;
 /// Bits of what is measured.
 const BITS: u32 = 64;
 
-/// The phase model as phasors: `z' = i (omega_0 + u) z`, real parts and imaginary parts by turns.
-struct PhaseLaw<'a> {
-    frequency: &'a Rational,
-    gain: &'a Rational,
-    network: &'a Neighbours,
-}
-
-impl SmoothLaw for PhaseLaw<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
-        let Some(like) = state.first() else { return Ok(Vec::new()) };
-        let phasors = phasors_of(state);
-        let (frequency, gain) = (like.rational(self.frequency), like.rational(self.gain));
-        let control = laplacian_control(&gain, self.network, &phasors)?;
-        let turned = phasors.into_iter().zip(control).flat_map(|(z, u)| {
-            let rate = u + &frequency;
-            [-(z.im * &rate), z.re * rate]
-        });
-        Ok(turned.collect())
-    }
-}
-
-fn phasors_of<T: Ring>(state: &[T]) -> Vec<Complex<T>> {
-    state.chunks_exact(2).map(|pair| Complex::new(pair[0].clone(), pair[1].clone())).collect()
-}
-
-/// Deviations, rates, and the swing `(A cos wt, A sin wt)` of the leader at the end.
-struct PlatoonLaw<'a> {
-    gains: &'a (Rational, Rational),
-    graph: &'a CommunicationGraph,
-    frequency: &'a Rational,
-}
-
-impl SmoothLaw for PlatoonLaw<'_> {
-    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
-        let cars = self.graph.followers() + 1;
-        let (Some(swing), Some(like)) = (state.get(2 * cars..), state.first()) else { return Ok(Vec::new()) };
-        let w = like.rational(self.frequency);
-        let swing_rate = [-(swing[1].clone() * &w), swing[0].clone() * &w];
-        let place = state[0].clone() + &swing[0];
-        let speed = state[cars].clone() + &swing_rate[0];
-        let gains = Gains { f: like.rational(&self.gains.0), g: like.rational(&self.gains.1) };
-        let (positions, velocities) = (&state[1..cars], &state[cars + 1..2 * cars]);
-        let forces = self.graph.accelerations(&gains, (&place, &speed), positions, velocities);
-        let rates = state[cars..2 * cars].iter().cloned();
-        Ok(rates.chain([like.zero()]).chain(forces).chain(swing_rate).collect())
-    }
-}
-
 fn point(q: &Rational) -> FloatInterval {
     FloatInterval::from_rational(q)
 }
@@ -140,7 +93,7 @@ impl<'c> MotionSubject<'c> {
         wide: Vec<(Start, usize, usize, Rational, Rational)>,
         progress: &'c dyn Progress,
     ) -> Self {
-        MotionSubject { motion, wide, progress, tube: RefCell::default() }
+        MotionSubject { motion, wide, progress, tube: RefCell::default(), modal: OnceCell::new() }
     }
 
     /// A number of the start, or its interval.
@@ -155,6 +108,34 @@ impl<'c> MotionSubject<'c> {
             [coordinate(0), coordinate(1)]
         };
         rows.iter().enumerate().map(row).collect()
+    }
+
+    /// Cosine and sine of each phase.
+    fn phasors(&self, phases: &[Rational]) -> Result<IntervalVector, Failure> {
+        let mut parts = Vec::with_capacity(2 * phases.len());
+        for (agent, phase) in phases.iter().enumerate() {
+            let angle = widened(&self.start(Start::Phases, agent, 0, phase));
+            let exact = if self.wide.is_empty() { Interval::from_rational(phase, BITS) } else { angle };
+            let (sin, cos) = exact.sin_cos().map_err(|error| Failure::open(error.to_string(), None))?;
+            parts.extend([narrowed(&cos), narrowed(&sin)]);
+        }
+        Ok(parts)
+    }
+
+    /// The platoon as the sum over its modes, where it is one on a line.
+    fn modal(&self) -> Option<&ModalPlatoon> {
+        let made = self.modal.get_or_init(|| match &self.motion {
+            ExactMotion::Platoon { deviations, rates, gains, graph, swing, .. } => {
+                let start = |list: Start, agent: usize| {
+                    let values = if list == Start::Positions { deviations } else { rates };
+                    values.get(agent).map_or(point(&rational(0, 1)), |x| self.start(list, agent, 0, x))
+                };
+                let narrow = self.wide.iter().all(|(list, ..)| *list != Start::Positions);
+                narrow.then(|| ModalPlatoon::new(start, gains, graph, swing)).flatten()
+            }
+            _ => None,
+        });
+        made.as_ref()
     }
 
     /// The tube at least up to a time, or as far as it goes.
@@ -194,16 +175,15 @@ impl<'c> MotionSubject<'c> {
             }
             ExactMotion::Phases { phases, frequency, gain, network } => {
                 self.small(phases.len())?;
-                let phasor = |(agent, phase): (usize, &Rational)| {
-                    let angle = widened(&self.start(Start::Phases, agent, 0, phase));
-                    let exact = if self.wide.is_empty() { Interval::from_rational(phase, BITS) } else { angle };
-                    let (sin, cos) = exact.sin_cos().map_err(|error| Failure::open(error.to_string(), None))?;
-                    Ok([narrowed(&cos), narrowed(&sin)])
-                };
-                let state: Vec<[FloatInterval; 2]> =
-                    phases.iter().enumerate().map(phasor).collect::<Result<_, Failure>>()?;
+                let state = self.phasors(phases)?;
                 let law = PhaseLaw { frequency, gain, network };
-                self.followed(law, &state.into_iter().flatten().collect::<Vec<_>>(), until)
+                self.followed(law, &state, until)
+            }
+            ExactMotion::Particles { positions, phases, frequency, gain, spacing, drift, network } => {
+                self.small(phases.len())?;
+                let mut state = self.vectors(Start::Positions, positions).concat();
+                state.extend(self.phasors(phases)?);
+                self.followed(ParticleLaw { frequency, gain, spacing, drift, network }, &state, until)
             }
             ExactMotion::Platoon { deviations, rates, gains, graph, swing, .. } => {
                 self.small(deviations.len())?;
@@ -322,6 +302,9 @@ impl Timeline for MotionSubject<'_> {
         let Some(to) = to else {
             return Err(Failure::Refused(0, Problem::Unbounded));
         };
+        if self.modal().is_some() {
+            return Ok(Covered { pieces: equal_parts(from, to), rest: None });
+        }
         let tube = self.tube(point(to).hi())?;
         let exact = |x: f64| Rational::from_float(x).unwrap_or_else(|| rational(0, 1));
         let mut pieces = Vec::new();
@@ -348,6 +331,12 @@ impl Timeline for MotionSubject<'_> {
     }
 
     fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure> {
+        let last = piece.to.as_ref().unwrap_or(&piece.from);
+        if let Some(platoon) = self.modal() {
+            self.progress.checkpoint()?;
+            let state = platoon.states(&piece.from, last)?;
+            return Ok(Box::new(At { motion: &self.motion, state, differences: None, pairs: None }));
+        }
         let tube = self.tube.borrow().clone();
         let begin = point(&piece.from);
         let end = piece.to.as_ref().map_or(begin, point);
@@ -358,7 +347,6 @@ impl Timeline for MotionSubject<'_> {
             return Err(Failure::open("the motion is not enclosed at that time", None));
         };
         let exact = |x: f64| Rational::from_float(x).unwrap_or_else(|| rational(0, 1));
-        let last = piece.to.as_ref().unwrap_or(&piece.from);
         if piece.from < exact(section.from) || *last > exact(section.to) {
             return Err(Failure::open("a piece of time lies across two steps", None));
         }
@@ -389,6 +377,9 @@ impl Timeline for MotionSubject<'_> {
     }
 
     fn prepare(&self, until: &Rational) -> Result<(), Failure> {
+        if self.modal().is_some() {
+            return Ok(());
+        }
         self.tube(point(until).hi()).map(|_| ())
     }
 
@@ -397,198 +388,10 @@ impl Timeline for MotionSubject<'_> {
     }
 }
 
-/// The states at all times of a piece.
-struct At<'m> {
-    motion: &'m ExactMotion,
-    state: IntervalVector,
-    differences: Option<(Step, FloatInterval)>,
-    pairs: Option<Rc<Vec<Pair>>>,
-}
-
-impl At<'_> {
-    /// Coordinate `i` less coordinate `j`.
-    fn difference(&self, i: usize, j: usize) -> FloatInterval {
-        match &self.differences {
-            Some((step, after)) => step.difference(i, j, *after),
-            None => self.state[i] - self.state[j],
-        }
-    }
-
-    /// The square of the distance of two vectors of `dimension` coordinates whose first ones begin at `offset`.
-    fn square(&self, i: usize, j: usize, dimension: usize, offset: usize) -> FloatInterval {
-        let part = |k: usize| self.difference(offset + dimension * i + k, offset + dimension * j + k).square();
-        (0..dimension).map(part).fold(FloatInterval::point(0.0), |sum, x| sum + x)
-    }
-
-    /// The distances of all pairs, squared.
-    fn squares(&self, agents: usize, dimension: usize, offset: usize) -> Vec<FloatInterval> {
-        let pairs = (0..agents).flat_map(|j| (0..j).map(move |i| (i, j)));
-        pairs.map(|(i, j)| self.square(i, j, dimension, offset)).collect()
-    }
-
-    fn agent_count(&self) -> (usize, usize) {
-        match self.motion {
-            ExactMotion::Velocities { positions, .. } => (positions.len(), 2),
-            ExactMotion::Platoon { deviations, .. } => (deviations.len(), 1),
-            _ => (0, 0),
-        }
-    }
-
-    fn min_distance(&self) -> Result<Interval, Failure> {
-        let (agents, dimension) = self.agent_count();
-        let squares = match self.motion {
-            ExactMotion::Platoon { .. } => squared_differences(&self.places()),
-            _ => self.squares(agents, dimension, 0).iter().map(widened).collect::<Vec<_>>(),
-        };
-        let least =
-            extreme(&squares, false).ok_or_else(|| Failure::open("one agent has no distance to others", None))?;
-        least.sqrt().map_err(unmeasured)
-    }
-
-    /// From the sum over pairs: `N sum |v_i - mean|² = sum over pairs of |v_i - v_j|²`.
-    fn disagreement(&self) -> Result<Interval, Failure> {
-        let (agents, dimension) = self.agent_count();
-        let squares = match self.motion {
-            ExactMotion::Platoon { .. } => squared_differences(&self.speeds()),
-            _ => self.squares(agents, dimension, agents * dimension).iter().map(widened).collect::<Vec<_>>(),
-        };
-        let zero = Interval::from_rational(&rational(0, 1), BITS);
-        let sum = squares.into_iter().fold(zero, |sum, x| sum + x);
-        let mean = sum.over(&sum.integer(agents.max(1) as i64)).map_err(unmeasured)?;
-        mean.sqrt().map_err(unmeasured)
-    }
-
-    /// Actual places `x_k` of the cars.
-    fn places(&self) -> Vec<Interval> {
-        let ExactMotion::Platoon { deviations, spacing, .. } = self.motion else { return Vec::new() };
-        let deviation = self.deviations();
-        (0..deviations.len())
-            .map(|k| {
-                let own = deviation[k].clone();
-                let shift = own.rational(&(spacing * rational(k as i64, 1)));
-                own - shift
-            })
-            .collect()
-    }
-
-    fn cars(&self) -> usize {
-        self.state.len() / 2 - 1
-    }
-
-    /// Deviations `y_k` of the cars, that of the leader with its swing.
-    fn deviations(&self) -> Vec<Interval> {
-        let cars = self.cars();
-        let mut all: Vec<Interval> = self.state[..cars].iter().map(widened).collect();
-        if let Some(first) = all.first_mut() {
-            *first = first.clone() + widened(&self.state[2 * cars]);
-        }
-        all
-    }
-
-    fn speeds(&self) -> Vec<Interval> {
-        let ExactMotion::Platoon { swing, .. } = self.motion else { return Vec::new() };
-        let cars = self.cars();
-        let mut all: Vec<Interval> = self.state[cars..2 * cars].iter().map(widened).collect();
-        if let Some(first) = all.first_mut() {
-            let w = first.rational(&swing.1);
-            *first = first.clone() - widened(&self.state[2 * cars + 1]) * w;
-        }
-        all
-    }
-
-    fn energies(&self, name: &str, potential: &Potential) -> Result<Interval, Failure> {
-        let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
-        let state = State::from_list(numbers.len() / 4, &numbers)
-            .ok_or_else(|| Failure::open("a state of another size", None))?;
-        let kinetic = || kinetic_energy(&state.velocities, Coordinates::Cartesian).map_err(unmeasured);
-        if name == "kinetic" {
-            return kinetic();
-        }
-        let Some(pairs) = &self.pairs else { return Err(Failure::open("the links change at that time", None)) };
-        let value = |_: usize, _: usize, s: &Interval| potential.value(s);
-        let own = potential_energy(&state.positions, pairs, Coordinates::Cartesian, value).map_err(unmeasured)?;
-        if name == "potential" { Ok(own) } else { Ok(own + kinetic()?) }
-    }
-
-    fn of_phases(&self, name: &str, network: &Neighbours, arguments: &[Number]) -> Result<Interval, Failure> {
-        let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
-        let phasors = phasors_of(&numbers);
-        if name == "phase_potential" {
-            return phase_potential(network, &phasors, 1).map_err(unmeasured);
-        }
-        let order = match arguments.first() {
-            None => 1,
-            Some(number) => {
-                let range = || Problem::Range {
-                    what: "the index of `order`".to_string(),
-                    expected: "an integer from 1 to 64".to_string(),
-                    found: number.text(),
-                };
-                let order = number.as_integer().and_then(|m| m.to_u32()).filter(|m| (1..=64).contains(m));
-                order.ok_or_else(|| Failure::Refused(0, range()))?
-            }
-        };
-        moment(&phasors, order).and_then(|p| p.norm_squared().sqrt()).map_err(unmeasured)
-    }
-
-    fn of_platoon(&self, name: &str, spacing: &Rational) -> Option<Interval> {
-        let deviations = self.deviations();
-        let (leader, followers) = deviations.split_first()?;
-        let size = |x: &Interval| Number::interval(x.clone()).absolute(BITS).enclosure(BITS);
-        match name {
-            "last_deviation" => followers.last().map(|x| x.clone() - leader),
-            "largest_deviation" => {
-                let sizes: Vec<Interval> = followers.iter().map(|x| size(&(x.clone() - leader))).collect();
-                extreme(&sizes, true)
-            }
-            _ => {
-                let gap = |pair: &[Interval]| pair[0].clone() - &pair[1] + pair[0].rational(spacing);
-                let gaps: Vec<Interval> = deviations.windows(2).map(gap).collect();
-                extreme(&gaps, name == "max_gap")
-            }
-        }
-    }
-}
-
-fn unmeasured(error: ArithmeticError) -> Failure {
-    Failure::open(format!("it cannot be measured on the enclosure: {error}"), None)
-}
-
-/// `(x_i - x_j)²` of all pairs.
-fn squared_differences(list: &[Interval]) -> Vec<Interval> {
-    let pairs = (0..list.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
-    pairs.map(|(i, j)| (list[i].clone() - &list[j]).square()).collect()
-}
-
-/// Encloses the largest, or the smallest, of some numbers.
-fn extreme(list: &[Interval], largest: bool) -> Option<Interval> {
-    list.iter().cloned().reduce(|a, b| {
-        let end = |x: &Dyadic, y: &Dyadic| if (x >= y) == largest { x.clone() } else { y.clone() };
-        Interval::between(end(a.lo(), b.lo()), end(a.hi(), b.hi()), BITS)
-    })
-}
-
-impl Moment for At<'_> {
-    fn measure(&self, quantity: &Quantity, arguments: &[Number], _: u32) -> Result<Measured, Failure> {
-        let name = quantity.name;
-        let not_here = || {
-            let why = format!("`{name}` is no observable of this model");
-            Failure::Refused(0, Problem::Other(why))
-        };
-        let found = match (self.motion, name) {
-            (ExactMotion::Velocities { .. } | ExactMotion::Platoon { .. }, "min_distance") => self.min_distance(),
-            (ExactMotion::Velocities { .. } | ExactMotion::Platoon { .. }, "disagreement") => self.disagreement(),
-            (ExactMotion::Velocities { potential, .. }, "potential" | "kinetic" | "energy") => {
-                self.energies(name, potential)
-            }
-            (ExactMotion::Phases { network, .. }, "order" | "phase_potential") => {
-                self.of_phases(name, network, arguments)
-            }
-            (ExactMotion::Platoon { spacing, .. }, "min_gap" | "max_gap" | "largest_deviation" | "last_deviation") => {
-                self.of_platoon(name, spacing).ok_or_else(not_here)
-            }
-            _ => return Err(not_here()),
-        };
-        found.map(|x| Measured::Number(Number::interval(x)))
-    }
+/// A stretch of time in equal parts of at most a quarter, as long as these are not too many.
+fn equal_parts(from: &Rational, to: &Rational) -> Vec<Piece> {
+    const MOST: i64 = 4096;
+    let count = ((to - from) * rational(4, 1)).ceil().to_i64().unwrap_or(MOST).clamp(1, MOST);
+    let at = |k: i64| from + (to - from) * rational(k, count);
+    (0..count).map(|k| Piece { from: at(k), to: Some(at(k + 1)) }).collect()
 }

@@ -11,7 +11,7 @@ use algebra::spectrum::Polynomial;
 use arithmetic::{ArithmeticError, Complex, Interval, Rational, Real, Ring, Sign, Signed, rational, shown};
 use models::platoon::{
     Communication, CommunicationGraph, Gains, Resonance, ResonanceError, chebyshev, gain_squared_one_sided,
-    gamma_minus_one, growth, resonance, slowest_rate, strongest_one_sided_square,
+    gamma_minus_one, growth, peak_on_graph, resonance, slowest_rate, strongest_one_sided_square,
 };
 use num_traits::ToPrimitive;
 
@@ -30,6 +30,9 @@ const MOST_BITS: u32 = 64;
 
 /// Most followers whose response is solved on a graph.
 const MOST_ON_GRAPH: usize = 64;
+
+/// Most followers on a graph whose peak is enclosed over all frequencies.
+const MOST_WITH_PEAK: usize = 16;
 
 fn refused(message: impl Into<String>) -> Failure {
     Failure::Refused(0, Problem::Other(message.into()))
@@ -112,22 +115,27 @@ impl PlatoonSubject {
             let unknown = || Failure::open("both signs of a gain lie in the box", None);
             return self.both_negative().map(Measured::Truth).ok_or_else(unknown);
         };
-        if self.is_box() {
-            return Err(Failure::open("on a graph stability is decided for single gains only", None));
+        // A matrix of weights has a real eigenvalue that is not negative, and its mode is unstable with a gain that is not negative.
+        match self.both_negative() {
+            None => return Err(Failure::open("both signs of a gain lie in the box", None)),
+            Some(false) => return Ok(Measured::Truth(false)),
+            Some(true) => {}
         }
-        Ok(Measured::Truth(characteristic(graph, &self.f.0, &self.g.0)?.is_hurwitz()))
+        // A mode with eigenvalue p + iq is stable if and only if p > 0 and g²/|f| > q²/(p (p² + q²)): the corners of the box decide.
+        let stable = |f: &Rational, g: &Rational| Ok::<bool, Failure>(characteristic(graph, f, g)?.is_hurwitz());
+        if stable(&self.f.0, &self.g.1)? {
+            return Ok(Measured::Truth(true));
+        }
+        if self.is_box() && stable(&self.f.1, &self.g.0)? {
+            return Err(Failure::open("some of the gains in the box are stable and some are not", None));
+        }
+        Ok(Measured::Truth(false))
     }
 
     /// Frequency and height of the peak; over a box the frequency is that of the higher end.
     fn peak(&self, precision: u32) -> Result<(Interval, Interval), Failure> {
         if let Some(graph) = &self.graph {
-            let float = |q: &Rational| q.to_f64().unwrap_or(f64::NAN);
-            let gains = Gains { f: float(&self.f.0), g: float(&self.g.0) };
-            let found = growth::peak(graph, &gains).ok().flatten();
-            let seen = found.map_or(String::new(), |peak| format!("; floats find {:.6} there", peak.value));
-            let why =
-                format!("the peak over all frequencies is enclosed for platoons on a line, not for other graphs{seen}");
-            return Err(Failure::open(why, None));
+            return self.peak_of_graph(graph, precision);
         }
         if self.both_negative() != Some(true) {
             let range = |name: &str| Problem::Range {
@@ -146,6 +154,31 @@ impl PlatoonSubject {
         let (w, most) = self.peak_at(&high, precision)?;
         let (_, least) = self.peak_at(&low, precision)?;
         Ok((w, most.hull(&least)))
+    }
+
+    /// The peak over all frequencies on any graph, for single gains.
+    fn peak_of_graph(&self, graph: &CommunicationGraph, precision: u32) -> Result<(Interval, Interval), Failure> {
+        let float = |q: &Rational| q.to_f64().unwrap_or(f64::NAN);
+        let open = |why: String| {
+            let gains = Gains { f: float(&self.f.0), g: float(&self.g.0) };
+            let found = growth::peak(graph, &gains).ok().flatten();
+            let seen = found.map_or(String::new(), |peak| format!("; floats find {:.6} there", peak.value));
+            Failure::open(format!("the peak over all frequencies {why}{seen}"), None)
+        };
+        if self.is_box() {
+            return Err(open("is enclosed for single gains on this graph".to_string()));
+        }
+        if graph.followers() > MOST_WITH_PEAK {
+            return Err(open(format!("is enclosed for at most {MOST_WITH_PEAK} followers on this graph")));
+        }
+        match self.stable()? {
+            Measured::Truth(true) => {}
+            _ => return Err(refused("the platoon is not stable, so that it has no peak")),
+        }
+        let gains = Gains { f: self.f.0.clone(), g: self.g.0.clone() };
+        let found =
+            peak_on_graph(graph, &gains, precision).map_err(|error| open(format!("is not enclosed: {error}")))?;
+        Ok((found.omega, found.amplitude))
     }
 
     fn peak_at(&self, gains: &Gains<Rational>, precision: u32) -> Result<(Interval, Interval), Failure> {

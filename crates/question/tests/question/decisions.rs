@@ -103,7 +103,18 @@ fn other_quantities_of_platoons() {
     let graph = "graph = \"platoon2(3)\"\nf = \"-1\"\ng = \"-1\"";
     assert_eq!(verdict(graph, "stable and abscissa < 0 and gain(3, 0) = 1"), Verdict::Undecided);
     assert_eq!(verdict(graph, "stable and abscissa < 0 and abs(gain(3, 1/2)) > 0"), Verdict::Holds);
-    assert_eq!(verdict(graph, "peak < 10"), Verdict::Undecided);
+    // The line as a graph has the peak of the line.
+    let graph_peak = answer(&asked(graph, "peak < 10", "peak < 1")).margin.expect("a margin");
+    let line = answer(&asked(family, "peak < 10", "peak < 1")).margin.expect("a margin");
+    assert!(graph_peak.lo <= line.hi && line.lo <= graph_peak.hi);
+    let ring = "graph = \"arcs:4:2-1,2-3,3-2,3-4,4-2,4-3\"";
+    let single = format!("{ring}\nf = \"-1\"\ng = \"-1\"");
+    assert_eq!(verdict(&single, "peak < 10 and peak >= gain(3, 1/2) and peak >= gain(3, 1)"), Verdict::Holds);
+    assert_eq!(verdict(&single, "peak < 1"), Verdict::False);
+    // Stability over a box of gains.
+    let boxed = format!("{ring}\nf = \"[-4, -1]\"\ng = \"[-3, -2]\"");
+    assert_eq!(verdict(&boxed, "stable"), Verdict::Holds);
+    assert_eq!(verdict(&format!("{ring}\nf = \"[-4, -1]\"\ng = \"[1, 2]\""), "stable"), Verdict::False);
 }
 
 #[test]

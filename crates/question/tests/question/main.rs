@@ -5,6 +5,7 @@ mod decisions;
 mod examples;
 mod families;
 mod language;
+mod motions;
 
 use arithmetic::Unwatched;
 use question::{Answer, Question, QuestionError, Verdict, decide};
@@ -36,7 +37,16 @@ fn verdict(family: &str, property: &str) -> Verdict {
 
 /// Why a question is refused, when it is read or when it is decided.
 fn refusal(text: &str) -> String {
-    match read(text).and_then(|question| decide(&question, &Unwatched)) {
+    refused_by(read(text))
+}
+
+/// The same with a file for the scenario.
+fn refusal_with(text: &str, scenario: &str) -> String {
+    refused_by(Question::read(text, &|_| Ok(scenario.to_string())))
+}
+
+fn refused_by(question: Result<Question, QuestionError>) -> String {
+    match question.and_then(|question| decide(&question, &Unwatched)) {
         Err(error) => error.to_string(),
         Ok(answer) => panic!("answered {:?}", answer.verdict),
     }

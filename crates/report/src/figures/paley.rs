@@ -67,8 +67,7 @@ pub(super) fn scene(title: String, course: &[Timed], drift: &Complex<f64>) -> Re
     let unit = 0.1 * (high.0 - low.0).max(high.1 - low.1);
     let mut panel = Panel::new(title, Axis::linear("x"), Axis::linear("y")).equal_scales();
     for k in 0..last.positions.len() {
-        let path = course.iter().map(|(_, flight)| pair(&flight.positions[k]));
-        panel = panel.series(Series::line("", path).colour(GREY).size(0.7));
+        panel = panel.series(Series::line("", path(course, k, drift)).colour(GREY).size(0.7));
     }
     let arrow = |r: &Complex<f64>, v: Complex<f64>| (pair(r), pair(&(v.scale(&unit) + r)));
     let velocities = state.positions.iter().zip(&state.phasors).map(|(r, z)| arrow(r, z.clone() + drift));
@@ -79,6 +78,27 @@ pub(super) fn scene(title: String, course: &[Timed], drift: &Complex<f64>) -> Re
         .series(Series::points("", state.positions.iter().map(pair)).colour(RED))
         .series(Series::arrows("", [moving]).colour(BLUE).size(1.8))
         .series(Series::crosses("", [pair(&centre)]).colour(BLUE)))
+}
+
+/// The path of a particle, smooth between the states that are kept: a cubic through places and velocities (Hermite).
+fn path(course: &[Timed], particle: usize, drift: &Complex<f64>) -> Vec<(f64, f64)> {
+    const PARTS: u32 = 8;
+    let at = |flight: &Flight| {
+        let (sin, cos) = flight.phases[particle].sin_cos();
+        (pair(&flight.positions[particle]), (cos + drift.re, sin + drift.im))
+    };
+    let mut points: Vec<(f64, f64)> = course.first().map(|(_, flight)| at(flight).0).into_iter().collect();
+    for step in course.windows(2) {
+        let [(from, before), (to, after)] = step else { continue };
+        let (((x0, y0), (u0, v0)), ((x1, y1), (u1, v1)), h) = (at(before), at(after), to - from);
+        points.extend((1..=PARTS).map(|k| {
+            let s = f64::from(k) / f64::from(PARTS);
+            let r = 1.0 - s;
+            let (a, b, c, d) = ((1.0 + 2.0 * s) * r * r, s * r * r * h, s * s * (3.0 - 2.0 * s), -s * s * r * h);
+            (a * x0 + b * u0 + c * x1 + d * u1, a * y0 + b * v0 + c * y1 + d * v1)
+        }));
+    }
+    points
 }
 
 /// Rows of a CSV table with the header [`COLUMNS`].

@@ -6,7 +6,7 @@ use arithmetic::{Interval, Rational, decimals, parse_rational, rational};
 use claims::paley::runs::{CyclicFormation, OMEGA, PARTICLES, PatternFormation};
 use ledger::CheckError;
 use models::oscillator::{FourierFormation, TransverseSpectrum};
-use rayon::prelude::*;
+use motion::side_by_side;
 use std::fmt::Write;
 
 /// Numbers of particles; all their divisors are taken.
@@ -77,8 +77,8 @@ fn curve(
     (name, dashed): (String, bool),
     of: impl Fn(f64, &Rational) -> Result<TransverseSpectrum, CheckError> + Sync,
 ) -> Result<Series, CheckError> {
-    let points = gains()?.into_par_iter().map(|(x, q)| Ok((x, -of(x, &q)?.abscissa.to_f64())));
-    let points = points.collect::<Result<Vec<_>, CheckError>>()?;
+    let points = side_by_side(&gains()?, |(x, q)| Ok((*x, -of(*x, q)?.abscissa.to_f64())));
+    let points = points.into_iter().collect::<Result<Vec<_>, CheckError>>()?;
     // Some curves lie on others.
     Ok(if dashed { Series::dashed(name, points) } else { Series::line(name, points) })
 }

@@ -7,7 +7,7 @@ use claims::paley::runs::{CyclicFormation, Experiment, OMEGA, PatternPhases, Rin
 use ledger::CheckError;
 use models::oscillator::{CLUSTER, Flight, centre_spread, nearest_twist, ring_differences, winding};
 use motion::Share;
-use rayon::prelude::*;
+use motion::side_by_side;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write;
@@ -24,14 +24,15 @@ const LAST_GAINS: [f64; 2] = [0.04, 0.2];
 type Counts<S> = BTreeMap<Option<S>, usize>;
 
 /// Follows the starts of the name to their ends.
-fn count<S: Ord + Send>(
+fn count<S: Ord + Send + Sync>(
     name: &str,
     starts: u64,
     end: impl Fn(Flight) -> Result<Option<S>, CheckError> + Sync,
 ) -> Result<Counts<S>, CheckError> {
-    let ends = (0..starts).into_par_iter().map(|replicate| end(start(name, replicate)));
+    let replicates: Vec<u64> = (0..starts).collect();
+    let ends = side_by_side(&replicates, |&replicate| end(start(name, replicate)));
     let mut counts = BTreeMap::new();
-    for state in ends.collect::<Result<Vec<_>, _>>()? {
+    for state in ends.into_iter().collect::<Result<Vec<_>, _>>()? {
         *counts.entry(state).or_insert(0) += 1;
     }
     Ok(counts)

@@ -7,7 +7,7 @@ use arithmetic::Complex;
 use claims::paley::runs::{Experiment, OMEGA, PatternFormation};
 use ledger::CheckError;
 use models::oscillator::{CLUSTER, centre_spread, order};
-use rayon::prelude::*;
+use motion::side_by_side;
 use std::fmt::Write;
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
@@ -23,10 +23,10 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let mut picture =
         Picture::new("Figure 4: symmetric circular formations, N = 12, ω0 = K_0 = 0.1").grid(3, (400.0, 390.0));
     let mut table = Vec::new();
-    let made = [1usize, 2, 3, 4, 6, 12]
-        .into_par_iter()
-        .map(|clusters| Ok((clusters, PatternFormation::of_clusters(clusters).course(start("paley.fig4", 0), 1)?)));
-    for (clusters, course) in made.collect::<Result<Vec<_>, CheckError>>()? {
+    let made = side_by_side(&[1usize, 2, 3, 4, 6, 12], |&clusters| {
+        Ok((clusters, PatternFormation::of_clusters(clusters).course(start("paley.fig4", 0), 1)?))
+    });
+    for (clusters, course) in made.into_iter().collect::<Result<Vec<_>, CheckError>>()? {
         let formation = PatternFormation::of_clusters(clusters);
         let flight = end(&course)?;
         // Writing to a string cannot fail.

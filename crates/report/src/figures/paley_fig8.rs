@@ -7,7 +7,7 @@ use arithmetic::Complex;
 use claims::paley::runs::{Experiment, OMEGA, ZoneFormation, ZoneLaw};
 use ledger::CheckError;
 use models::oscillator::{CLUSTER, Flight, centre_spread, shape_rate};
-use rayon::prelude::*;
+use motion::side_by_side;
 use std::fmt::Write;
 
 /// The claim whose starts are used, and how many of them.
@@ -62,15 +62,15 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             })
         })
         .collect();
-    let runs = panels.par_iter().map(|(_, _, formation)| {
+    let runs = side_by_side(&panels, |(_, _, formation)| {
         let shown = formation.course(start(CLAIM, 0), 2)?;
         let first = ended(formation, end(&shown)?);
-        let others =
-            (1..STARTS).into_par_iter().map(|replicate| ended(formation, &formation.end(start(CLAIM, replicate))?));
-        let others = others.collect::<Result<Vec<_>, CheckError>>()?;
+        let replicates: Vec<u64> = (1..STARTS).collect();
+        let others = side_by_side(&replicates, |&replicate| ended(formation, &formation.end(start(CLAIM, replicate))?));
+        let others = others.into_iter().collect::<Result<Vec<_>, CheckError>>()?;
         Ok((shown, std::iter::once(first).chain(others.into_iter().map(Ok)).collect::<Result<Vec<_>, CheckError>>()?))
     });
-    let runs = runs.collect::<Result<Vec<_>, CheckError>>()?;
+    let runs = runs.into_iter().collect::<Result<Vec<_>, CheckError>>()?;
     let mut picture = Picture::new("Figure 8: circular formations and zones of orientation (patches), N = 12")
         .grid(3, (400.0, 390.0));
     let (mut table, mut summary) = (Vec::new(), Vec::new());

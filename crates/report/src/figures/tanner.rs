@@ -6,7 +6,7 @@ use arithmetic::random::generator;
 use ledger::{CheckError, Options};
 use models::double_integrator::{Flock, Motion, Observation, Sample, Setup, Trial, Vector};
 use motion::Share;
-use rayon::prelude::*;
+use motion::side_by_side;
 
 const BREAK: (f64, f64) = (f64::NAN, f64::NAN);
 
@@ -27,8 +27,9 @@ pub(super) fn trials(
     until: f64,
     every: Option<f64>,
 ) -> Result<Vec<Trial>, CheckError> {
-    let trial = |replicate| drawn(id, setup, replicate)?.trial(until, every, &Setup::OPTIONS).map_err(other);
-    (0..runs).into_par_iter().map(trial).collect()
+    let trial = |&replicate: &u64| drawn(id, setup, replicate)?.trial(until, every, &Setup::OPTIONS).map_err(other);
+    let replicates: Vec<u64> = (0..runs).collect();
+    side_by_side(&replicates, trial).into_iter().collect()
 }
 
 /// A motion with what is seen of it at its samples.

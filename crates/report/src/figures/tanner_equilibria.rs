@@ -9,7 +9,7 @@ use arithmetic::rational;
 use ledger::{CheckError, Options};
 use models::double_integrator::Potential;
 use models::double_integrator::equilibria::{Equilibrium, Framework, classes, distances, random_places};
-use rayon::prelude::*;
+use motion::side_by_side;
 use std::fmt::Write;
 
 /// Translations and rotations: zeros of the Hessian of every configuration that is not a single point.
@@ -29,22 +29,17 @@ struct Found {
 
 fn explore(name: String, graph: Graph, starts: u64) -> Found {
     let framework = Framework { edges: graph.edges(), potential: Potential::inverse_square_log(&rational(1, 1)) };
-    let search = |replicate: u64| {
+    let search = |&replicate: &u64| {
         let id = format!("tanner.equilibria.{name}");
         let start = random_places(graph.order(), &mut generator(&Options::default().seed, &id, replicate));
         if replicate.is_multiple_of(2) { framework.descend(&start) } else { framework.approach(&start) }
     };
-    let rest: Vec<Equilibrium> = (0..starts).into_par_iter().filter_map(search).collect();
+    let replicates: Vec<u64> = (0..starts).collect();
+    let rest: Vec<Equilibrium> = side_by_side(&replicates, search).into_iter().flatten().collect();
     let at_rest = rest.len();
     let (bent, isolated): (Vec<_>, Vec<_>) = rest.into_iter().partition(|found| found.inertia.zero > MOTIONS);
     let falling = bent.iter().filter(|found| found.inertia.negative > 0).count();
-    let isolated = classes(isolated)
-        .into_par_iter()
-        .map(|(found, times)| {
-            let enclosed = framework.enclose(&found);
-            (found, times, enclosed)
-        })
-        .collect();
+    let isolated = side_by_side(&classes(isolated), |(found, times)| (found.clone(), *times, framework.enclose(found)));
     Found { name, graph, starts, at_rest, bent: (bent.len(), falling), isolated }
 }
 
@@ -91,8 +86,7 @@ impl Found {
 }
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
-    let found: Vec<Found> =
-        graphs().into_par_iter().map(|(name, graph, starts)| explore(name, graph, starts)).collect();
+    let found = side_by_side(&graphs(), |(name, graph, starts)| explore(name.clone(), graph.clone(), *starts));
     let mut text = String::from(
         "EXPLORATION: equilibria of V = 1/s + log s; uniform starts in a square of side\n\
          2, half by descent, half by steps on |grad V|² (which find saddles). Distinct:\n\

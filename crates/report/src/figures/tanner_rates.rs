@@ -3,14 +3,14 @@
 use super::{Reproduced, csv};
 use crate::plot::{Axis, PALETTE, Panel, Picture, Series};
 use algebra::graph::Graph;
-use algebra::matrix::floating::to_floats;
+use algebra::matrix::floating::{symmetric_eigen, to_floats};
 use arithmetic::random::generator;
 use arithmetic::rational;
 use ledger::{CheckError, Options};
 use models::double_integrator::Potential;
 use models::double_integrator::equilibria::{Equilibrium, Framework, random_places};
 use models::double_integrator::relaxation::{Relaxation, relaxation};
-use rayon::prelude::*;
+use motion::side_by_side;
 use std::collections::BTreeMap;
 
 const STARTS: u64 = 24;
@@ -36,8 +36,7 @@ fn explore(graph: Graph, replicate: u64) -> Result<Found, CheckError> {
         .filter(|found| found.inertia.negative == 0)
         .min_by(|a, b| a.energy.total_cmp(&b.energy))
         .ok_or_else(|| CheckError::Other("no minimum was found".to_string()))?;
-    let mut spectrum: Vec<f64> = to_floats(&graph.laplacian()?).symmetric_eigenvalues().iter().copied().collect();
-    spectrum.sort_by(f64::total_cmp);
+    let spectrum = symmetric_eigen(&to_floats(&graph.laplacian()?)).map_err(|e| other(&e))?.values;
     let soft = Framework { potential: firm.potential.times(&rational(1, SOFT)), ..firm.clone() };
     Ok(Found {
         connectivity: spectrum[1],
@@ -75,11 +74,9 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let graphs: Vec<Graph> = (3..=6).flat_map(Graph::connected_up_to_isomorphism).collect();
-    let found: Vec<Found> = graphs
-        .into_par_iter()
-        .enumerate()
-        .map(|(index, graph)| explore(graph, index as u64))
-        .collect::<Result<_, _>>()?;
+    let graphs: Vec<(u64, Graph)> = (0..).zip(graphs).collect();
+    let found = side_by_side(&graphs, |(index, graph)| explore(graph.clone(), *index));
+    let found: Vec<Found> = found.into_iter().collect::<Result<_, _>>()?;
     let firm_ratio = range(found.iter().map(|f| f.firm.rate / f.connectivity));
     let soft_ratio = range(found.iter().map(|f| f.soft.rate / f.connectivity));
     let swinging = found.iter().filter(|f| f.firm.swings).count();

@@ -10,8 +10,8 @@ use models::platoon::growth::{Growth, LARGEST_PEAK, peak};
 use models::platoon::observe::Extreme;
 use models::platoon::vector_form::motion_matrix;
 use models::platoon::{CommunicationGraph, Neighbourhood};
+use motion::side_by_side;
 use num_traits::{ToPrimitive, Zero};
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -132,7 +132,7 @@ fn colour(word: &str) -> Colour {
 }
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
-    let found = family().into_par_iter().map(explore).collect::<Result<Vec<_>, _>>()?;
+    let found = side_by_side(&family(), |graph| explore(graph.clone())).into_iter().collect::<Result<Vec<_>, _>>()?;
     let mut counts: BTreeMap<(&str, &str, bool), usize> = BTreeMap::new();
     for graph in &found {
         let mean = &graph.moments[0];

@@ -22,7 +22,7 @@ impl Page {
 
 /// Where links lead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Links {
+pub(crate) enum Links {
     /// To the pages of the site, from a page at its top.
     Top,
     /// From a page in a folder.
@@ -51,7 +51,7 @@ impl Links {
 }
 
 /// A page: its title, the links it has, and the commands that make it again.
-pub(super) struct Frame<'a> {
+pub(crate) struct Frame<'a> {
     pub links: Links,
     pub title: &'a str,
     /// The version of the program that made the ledger.
@@ -120,7 +120,8 @@ impl Frame<'_> {
         };
         let mut text = document.into_string();
         if alone {
-            let script = format!("<script>{SCRIPT}</script></body>");
+            let player = if text.contains("class=\"live\"") { super::motion::PLAYER } else { "" };
+            let script = format!("<script>{SCRIPT}{player}</script></body>");
             text = text.replacen("</body>", &script, 1);
         }
         text + "\n"

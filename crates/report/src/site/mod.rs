@@ -9,6 +9,7 @@ mod frame;
 mod glossary;
 mod graph;
 mod index;
+pub(crate) mod motion;
 mod notation;
 mod notes;
 mod paper;
@@ -21,13 +22,16 @@ mod words;
 pub use frame::Page;
 
 use crate::figures::{Figure, File};
-use frame::{Frame, Links, SCRIPT, STYLE};
+use crate::provenance::Provenance;
+pub(crate) use frame::{Frame, Links};
+use frame::{SCRIPT, STYLE};
 use ledger::{Document, Entry, Ledger};
 use maud::{Markup, html};
 pub(crate) use papers::paper as paper_named;
 use papers::papers;
 use proofs::kernel::{files, theorems};
 use related::Ties;
+use serde_json::json;
 use std::collections::BTreeMap;
 use texts::Names;
 
@@ -107,11 +111,12 @@ impl<'a> Site<'a> {
             let title = format!("Errata: {}", paper.title);
             pages.push(self.inner(&format!("errata/{}.html", paper.key), &title, "errata", &errata::body(self, paper)));
         }
-        pages.push(Page::new("explore.js", explore::PLAYER));
+        pages.push(Page::new("explore.js", motion::PLAYER));
         pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list()));
         pages.push(Page::new("live.js", explore::ASKER));
         for live in explore::LIVE {
-            pages.push(self.inner(&format!("explore/{}.html", live.name), live.title, "live", &explore::live(live)));
+            let body = explore::live(live)?;
+            pages.push(self.inner(&format!("explore/{}.html", live.name), live.title, "live", &body));
         }
         for show in explore::SHOWS {
             let body = explore::body(self, show)?;
@@ -130,7 +135,7 @@ impl<'a> Site<'a> {
         }
         for entry in self.entries() {
             pages.push(Page::new(format!("claims/{}.html", entry.id), self.claim(entry, Links::Folder)));
-            pages.push(Page::new(format!("data/claims/{}.json", entry.id), json(entry)));
+            pages.push(Page::new(format!("data/claims/{}.json", entry.id), self.json(entry)));
         }
         pages.push(Page::new("data/ledger.json", self.data()));
         let files = self.figures.iter().flat_map(|made| &made.files);
@@ -169,6 +174,19 @@ impl<'a> Site<'a> {
         Page::new(path, Frame { links, title, version, command: COMMAND, class }.around(body))
     }
 
+    /// One entry as JSON with where it comes from, without its time.
+    fn json(&self, entry: &Entry) -> String {
+        let full = self.document.more.get("configuration").and_then(|c| c.get("full")).cloned().unwrap_or(false.into());
+        let (version, seed) = (self.document.version.as_ref(), self.document.seed.as_ref());
+        let configuration = json!({"command": "verify", "paper": [], "claim": [entry.id], "full": full, "seed": seed});
+        let provenance = Provenance::new("flockproof.claim/1", Some(seed), configuration);
+        let entry = Entry { seconds: 0.0, ..entry.clone() };
+        // Strings, numbers and lists only: this cannot fail.
+        let mut document = provenance.stamp(serde_json::to_value(&entry).unwrap_or_default());
+        document["version"] = version.into();
+        format!("{document:#}\n")
+    }
+
     /// The ledger without its times, so that two runs give the same bytes.
     fn data(&self) -> String {
         let mut document = self.document.clone();
@@ -177,11 +195,4 @@ impl<'a> Site<'a> {
         }
         document.json()
     }
-}
-
-/// One entry as JSON, without its time.
-fn json(entry: &Entry) -> String {
-    let entry = Entry { seconds: 0.0, ..entry.clone() };
-    // Strings, numbers and lists only: this cannot fail.
-    serde_json::to_string_pretty(&entry).unwrap_or_default() + "\n"
 }

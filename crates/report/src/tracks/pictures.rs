@@ -20,10 +20,10 @@ fn titled(report: &TracksReport, what: &str) -> String {
     format!("{}: {what}", cut(report.source, 40))
 }
 
-/// The upper end of an axis of shares, with room for the legend.
+/// The upper end of an axis of shares, a little above all of them.
 fn with_room<'a>(histograms: impl IntoIterator<Item = &'a Histogram>) -> f64 {
     let largest = histograms.into_iter().flat_map(Histogram::bins).map(|bin| bin.3).fold(0.0, f64::max);
-    if largest > 0.0 { 1.35 * largest } else { 1.0 }
+    if largest > 0.0 { 1.08 * largest } else { 1.0 }
 }
 
 /// A histogram as an outline beside those of the null models.
@@ -33,8 +33,12 @@ fn histogram_panel(title: &str, label: &str, observed: &Histogram, nulls: &[(&st
     let (x, y) = (Axis::linear(label).between(low, high), Axis::linear("share").between(0.0, highest));
     let name = if nulls.is_empty() { "" } else { "recording" };
     let mut panel = Panel::new(title, x, y).series(Series::line(name, observed.outline()).colour(BLUE).size(2.0));
-    for ((name, histogram), colour) in nulls.iter().zip(["#d1580b", GREY]) {
-        panel = panel.series(Series::dashed(*name, histogram.outline()).colour(colour).size(1.3));
+    // Told apart without their colours, too: a dashed line and a thin one.
+    for (k, (name, histogram)) in nulls.iter().enumerate() {
+        panel = panel.series(match k {
+            0 => Series::dashed(*name, histogram.outline()).colour("#d1580b").size(1.3),
+            _ => Series::line(*name, histogram.outline()).colour(GREY).size(0.9),
+        });
     }
     panel
 }
@@ -52,8 +56,8 @@ pub(crate) fn scaled_panel(report: &TracksReport, title: &str) -> Panel {
     let [blue, red] = tables::scaled(report);
     let shares = Axis::linear("share").between(0.0, with_room([&blue, &red]));
     Panel::new(title, Axis::linear("2/(n+1) W_1").between(0.0, 1.0), shares)
-        .series(Series::line("n = N−1", blue.outline()).colour(BLUE))
-        .series(Series::line("n = 1", red.outline()).colour(RED))
+        .series(Series::line("n = N−1", blue.outline()).colour(BLUE).size(2.6))
+        .series(Series::line("n = 1", red.outline()).colour(RED).size(1.1))
 }
 
 pub(super) fn histograms(report: &TracksReport) -> Picture {
@@ -79,10 +83,10 @@ pub(crate) fn potential_panel(report: &TracksReport, title: &str) -> Panel {
         let frames = analysis.frames.iter().filter(|frame| shown(frame.time));
         frames.map(|frame| (frame.time, frame.group.as_ref().map_or(f64::NAN, value))).collect()
     };
-    let potential = Axis::linear("2/(n+1) W_1").between(0.0, 1.4).ticks([0.0, 0.25, 0.5, 0.75, 1.0]);
-    Panel::new(title, Axis::linear("t (s)"), potential)
-        .series(Series::line("n = N−1", line(&|g| scale(fish - 1) * g.complete)).colour(BLUE))
-        .series(Series::line("n = 1", line(&|g| scale(1) * g.single)).colour(RED))
+    let potential = Axis::linear("2/(n+1) W_1").between(0.0, 1.05).ticks([0.0, 0.25, 0.5, 0.75, 1.0]);
+    Panel::new(title, Axis::linear("time (s)"), potential)
+        .series(Series::line("n = N−1", line(&|g| scale(fish - 1) * g.complete)).colour(BLUE).size(2.4))
+        .series(Series::line("n = 1", line(&|g| scale(1) * g.single)).colour(RED).size(1.1))
 }
 
 pub(super) fn potentials(report: &TracksReport) -> Picture {

@@ -1,4 +1,5 @@
 //! What the report prints and draws.
 
+mod fold;
 mod plot;
 mod site;

@@ -3,7 +3,7 @@
 use arithmetic::{Progress, Unwatched};
 use models::platoon::Gains;
 use models::platoon::time_domain::Modes;
-use scenario::{End, Outcome, Row, Scenario, Value, min_distance};
+use scenario::{End, Ensemble, Outcome, Row, Scenario, Value, min_distance};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 fn run(text: &str) -> Outcome {
@@ -385,4 +385,60 @@ fn fixed_steps_agree_with_located_switches() {
     assert!(value(outcome.samples().last().expect("a sample"), "disagreement") > 0.0);
     let fixed = include_str!("../../../../assets/scenarios/three_agents.toml").replace("tolerance = 1e-12", "step = 1");
     assert!(Scenario::read(&fixed).expect_err("no radius").to_string().contains("depend on distances"));
+}
+
+/// A platoon that is numbered the other way round, with its leader last, moves as the other one does.
+#[test]
+fn another_agent_can_lead() {
+    let text = |edges: &str, state: &str, agent: usize, spacing: i32| {
+        format!(
+            "model = \"platoon\"\n[graph]\nkind = \"edges\"\ndirected = true\nedges = {edges}\n[state]\n{state}\n[law]\nf = -1\ng = -2\n\
+             spacing = {}\nleader = {{ agent = {agent}, amplitude = \"1/10\", frequency = 1 }}\n[run]\nuntil = 7\n",
+            spacing.abs()
+        )
+    };
+    let (first, last) = (
+        run(&text("[[2, 1], [2, 3], [3, 2]]", "positions = [0, -1, -2]\nvelocities = [1, 0, 0]", 1, 1)),
+        run(&text("[[2, 3], [2, 1], [1, 2]]", "positions = [0, -1, -2]\nvelocities = [0, 0, 1]", 3, 1)),
+    );
+    let at = |outcome: &Outcome, agent: usize, shift: f64| {
+        let row = outcome.samples().next().expect("a sample").frame.positions[agent][0];
+        row + shift
+    };
+    // Deviations from the desired places are the same, car by car.
+    for (a, b) in [(0, 2), (1, 1), (2, 0)] {
+        let (x, y) = (at(&first, a, a as f64), at(&last, b, b as f64));
+        assert!((x - y).abs() < 1e-9, "{a}: {x} {y}");
+    }
+    let without = text("[[2, 1]]", "positions = [0, -1, -2]\nvelocities = [0, 0, 1]", 4, 1);
+    assert!(Scenario::read(&without).unwrap_err().to_string().contains("from 1 to 3"));
+}
+
+#[test]
+fn ensembles_are_grids_of_replicas() {
+    let text =
+        "model = \"phase\"\n[state]\nrandom = { agents = 4, seed = 7 }\n[law]\nK1 = -1\nomega0 = 0\n[run]\nuntil = 1\n";
+    assert_eq!(Ensemble::read(text).unwrap(), None);
+    let many = format!(
+        "{text}[ensemble]\nreplicas = 3\n[sweep]\nlaw.omega0 = [1, 2]\n\"law.K1\" = {{ from = -1, to = 0, count = 5 }}\n"
+    );
+    assert!(Scenario::read(&many).unwrap_err().to_string().contains("several runs"));
+    let ensemble = Ensemble::read(&many).unwrap().expect("an ensemble");
+    assert_eq!((ensemble.members(), ensemble.replicas()), (30, 3));
+    let texts = |point: u64| ensemble.point(point).iter().map(ToString::to_string).collect::<Vec<_>>();
+    assert_eq!(
+        (texts(0), texts(4), texts(5)),
+        (vec!["1".into(), "-1".into()], vec!["1".into(), "0".into()], vec!["2".into(), "-1".into()])
+    );
+    let start = |scenario: Scenario| scenario.run(&Unwatched).rows[0].frame.phases.clone();
+    let plain = start(Scenario::read(text).unwrap());
+    // The first replica draws what the file alone draws, at every point; the others something else.
+    assert_eq!(start(ensemble.member(0).unwrap()), plain);
+    assert_eq!(start(ensemble.member(27).unwrap()), plain);
+    let others: Vec<Vec<f64>> = (1..3).map(|k| start(ensemble.member(k).unwrap())).collect();
+    assert!(others[0] != plain && others[1] != plain && others[0] != others[1]);
+    // Samples only: no rows before the end.
+    assert_eq!(ensemble.sampled(5).unwrap().run(&Unwatched).rows.len(), 1);
+    let wrong = many.replace("[1, 2]", "[1, \"x\"]");
+    assert!(Ensemble::read(&wrong).unwrap_err().to_string().contains("`x` is not an integer"));
 }

@@ -10,7 +10,10 @@ use std::collections::HashMap;
 pub(super) fn read(text: &str) -> Result<GraphFile, GraphReadError> {
     let document = Document::parse(text).map_err(|error| {
         let (line, why) = (error.pos().row as usize, error.to_string());
-        GraphReadError::GraphMl { line, why: why.split(" at ").next().unwrap_or_default().to_string() }
+        // The sentence may quote a line break.
+        let on_one_line = |c: char| if c.is_control() { c.escape_default().collect() } else { c.to_string() };
+        let why = why.split(" at ").next().unwrap_or_default().chars().map(on_one_line).collect();
+        GraphReadError::GraphMl { line, why }
     })?;
     let line_of = |node: Node| document.text_pos_at(node.range().start).row as usize;
     let named = |name: &'static str| move |node: &Node| node.tag_name().name() == name;

@@ -13,6 +13,7 @@ use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
 
+mod axes;
 mod characteristic;
 mod solve;
 

@@ -338,3 +338,31 @@ fn long_paths_agree_with_their_closed_form() {
         assert!(wide.re.encloses(&thin.re) && wide.re.width().to_f64() < 1e-13);
     }
 }
+
+#[test]
+fn small_matrices_are_enclosed_as_exactly() {
+    use algebra::graph::LaplacianKind;
+    use algebra::graph::classes::graphs;
+    use algebra::spectrum::small_symmetric_eigenvalues;
+    use arithmetic::Unwatched;
+    use num_traits::ToPrimitive;
+    for order in 1..=6 {
+        for graph in graphs(order, &Unwatched).expect("graphs") {
+            let matrix =
+                algebra::graph::WeightedGraph::from(&graph).matrix(LaplacianKind::Combinatorial).expect("a matrix");
+            let entry = |place: usize| {
+                matrix.get(place / order, place % order).map_or(0.0, |x| x.to_integer().to_f64().expect("small"))
+            };
+            let entries: Vec<f64> = (0..order * order).map(entry).collect();
+            let found = small_symmetric_eigenvalues(&entries, order).expect("proved");
+            let exact = algebra::spectrum::matrix_spectrum(&matrix, Some(20)).expect("exact").eigenvalues;
+            let exact: Vec<f64> =
+                exact.iter().flat_map(|part| std::iter::repeat_n(part.re.to_f64(), part.multiplicity)).collect();
+            for (own, value) in found.iter().zip(&exact) {
+                assert!((own.re - value).abs() <= own.radius + 1e-15 && own.radius < 1e-13, "{own:?} {value}");
+            }
+        }
+    }
+    assert!(small_symmetric_eigenvalues(&[0.0, 1.0, 2.0, 0.0], 2).is_none());
+    assert!(small_symmetric_eigenvalues(&[0.0, f64::NAN, f64::NAN, 0.0], 2).is_none());
+}

@@ -1,5 +1,16 @@
 //! Mirrors `src/spectrum`.
 
+// The library has no test program of its own: tests of what is private stand beside it and run here.
+#[allow(dead_code)]
+#[path = "../../../src/spectrum/float_bounds.rs"]
+mod float_bounds;
+#[allow(dead_code)]
+#[path = "../../../src/spectrum/reduction.rs"]
+mod reduction;
+#[allow(dead_code)]
+#[path = "../../../src/spectrum/reflections.rs"]
+mod reflections;
+
 mod abscissa;
 mod circulants;
 mod enclosures;

@@ -1,12 +1,10 @@
 //! chazelle.xi.closed, chazelle.eq3.16, chazelle.eq3.17: where a bird is while the network does not change.
 
 use super::flight::{Flight, Flock, Vector, add, combine, flights};
-use super::{FAMILY, fails, list};
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use super::{FAMILY, list};
+use crate::prelude::*;
 use num_traits::{Signed, Zero};
 
-/// Changes of the three formulas.
 #[derive(Clone, Copy)]
 pub struct ClosedFormVariant {
     /// The first index of the sum.
@@ -35,7 +33,6 @@ struct Term {
     factor: Vector,
 }
 
-/// What the formulas are made of.
 struct Expansion {
     /// `x_i(t_1)`.
     start: Vector,
@@ -128,7 +125,7 @@ impl ClosedFormVariant {
             (Err(what), _) | (_, Err(what)) => return Ok(Some(what)),
         };
         let (minus, primed) = (rational(-1, 1), rational(-self.primed, 1));
-        let zero = vec![Rational::zero(); flight.dimension];
+        let zero = vec![rational(0, 1); flight.dimension];
         let a =
             add(&add(&first.start, &minus, &second.start), &rational(1, 1), &add(&first.ahead, &primed, &second.ahead));
         let b = add(&first.y, &primed, &second.y);
@@ -161,23 +158,17 @@ impl ClosedFormVariant {
         check: impl Fn(&Flight) -> Result<Option<String>, CheckError>,
     ) -> Result<Outcome, CheckError> {
         let mut random = run.random(0);
-        let mut cases = 0;
-        for pair in flights(run.cases(5, 7))? {
-            run.checkpoint()?;
-            for (dimension, first) in DIMENSIONS_AND_STARTS {
-                let flight = Flight::new(&pair, dimension, first, self.broken, &mut random)?;
-                cases += 1;
-                if let Some(what) = check(&flight)? {
-                    return Ok(fails(format!("{}: {what}", flight.show()), part));
-                }
-            }
-        }
+        let pairs = flights(run.cases(5, 7))?;
+        let cases = pairs.iter().flat_map(|pair| DIMENSIONS_AND_STARTS.map(|start| (pair, start)));
         let detail = format!(
             "{FAMILY} with rational eigenvalues and three kinds of weights, in pairs of flocks of 5 birds in all (7 \
              with --full); d = 1 and t_1 = 1, d = 2 and t_1 = 3 after another network, t = t_1, .., t_1 + 5, random \
              input"
         );
-        Ok(Outcome::Holds(vec![Evidence::new(Grade::Exact, part, detail).cases(cases)]))
+        run.instances(part, &detail, cases, |(pair, (dimension, first))| {
+            let flight = Flight::new(pair, dimension, first, self.broken, &mut random)?;
+            Ok(check(&flight)?.map(|what| format!("{}: {what}", flight.show())))
+        })
     }
 }
 
@@ -202,19 +193,17 @@ pub fn geometric_sums() -> Record<ClosedFormVariant> {
          pi, C, u_k belong to the flock of bird i, of m birds; for m = 1 the sum is empty. G at time t_1 itself does \
          not matter: v(t_1+1) has it already.",
         PRINTED,
-        check_geometric_sums,
+        |variant, run| {
+            variant.examine(run, "x_i(t) by geometric sums, against steps of (1.2)", |flight| {
+                any_bird(flight, |bird| variant.one_bird(flight, bird, false))
+            })
+        },
     )
-    .control("the exponent t - t_1 + 1", ClosedFormVariant { exponent: (1, 1), ..PRINTED })
-    .control("the sum from k = 1", ClosedFormVariant { first: 1, ..PRINTED })
-    .control("C^-1/2 and C^1/2 exchanged", ClosedFormVariant { halves: (-1, 1), ..PRINTED })
-    .control("v(t_1) in place of v(t_1+1)", ClosedFormVariant { earlier: 1, ..PRINTED })
-    .control("another network at time t - 1", ClosedFormVariant { broken: 1, ..PRINTED })
-}
-
-fn check_geometric_sums(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    variant.examine(run, "x_i(t) by geometric sums, against steps of (1.2)", |flight| {
-        any_bird(flight, |bird| variant.one_bird(flight, bird, false))
-    })
+    .altered("the exponent t - t_1 + 1", |v| v.exponent = (1, 1))
+    .altered("the sum from k = 1", |v| v.first = 1)
+    .altered("C^-1/2 and C^1/2 exchanged", |v| v.halves = (-1, 1))
+    .altered("v(t_1) in place of v(t_1+1)", |v| v.earlier = 1)
+    .altered("another network at time t - 1", |v| v.broken = 1)
 }
 
 pub fn with_gamma() -> Record<ClosedFormVariant> {
@@ -225,7 +214,11 @@ pub fn with_gamma() -> Record<ClosedFormVariant> {
          The sum that is left runs from k = 2 as well. The printed sum starts at k = 0: there is no lambda_0, and k = \
          1 divides by 1 - lambda_1 = 0.",
         ClosedFormVariant { first: 0, ..PRINTED },
-        check_with_gamma,
+        |variant, run| {
+            variant.examine(run, "x_i(t) with Gamma by the formula of Lemma 3.3, against steps of (1.2)", |flight| {
+                any_bird(flight, |bird| variant.one_bird(flight, bird, true))
+            })
+        },
     )
     .repaired(
         Fault::Typo,
@@ -234,16 +227,10 @@ pub fn with_gamma() -> Record<ClosedFormVariant> {
          lambda_k^{t-t_1} Phi_k/(1-lambda_k).",
         PRINTED,
     )
-    .control("the sum from k = 1", ClosedFormVariant { first: 1, ..PRINTED })
-    .control("the sum from k = 3", ClosedFormVariant { first: 3, ..PRINTED })
-    .control("the exponent 2(t - t_1)", ClosedFormVariant { exponent: (2, 0), ..PRINTED })
-    .control("v(t_1) in place of v(t_1+1)", ClosedFormVariant { earlier: 1, ..PRINTED })
-}
-
-fn check_with_gamma(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    variant.examine(run, "x_i(t) with Gamma by the formula of Lemma 3.3, against steps of (1.2)", |flight| {
-        any_bird(flight, |bird| variant.one_bird(flight, bird, true))
-    })
+    .altered("the sum from k = 1", |v| v.first = 1)
+    .altered("the sum from k = 3", |v| v.first = 3)
+    .altered("the exponent 2(t - t_1)", |v| v.exponent = (2, 0))
+    .altered("v(t_1) in place of v(t_1+1)", |v| v.earlier = 1)
 }
 
 pub fn two_birds_apart() -> Record<ClosedFormVariant> {
@@ -256,11 +243,11 @@ pub fn two_birds_apart() -> Record<ClosedFormVariant> {
         PRINTED,
         check_two_birds_apart,
     )
-    .control("plus the primed parts", ClosedFormVariant { primed: -1, ..PRINTED })
-    .control("mu_k with l >= 1", ClosedFormVariant { first: 1, ..PRINTED })
-    .control("mu_k with l > 2", ClosedFormVariant { first: 3, ..PRINTED })
-    .control("the exponent 2(t - t_1)", ClosedFormVariant { exponent: (2, 0), ..PRINTED })
-    .control("another network at time t - 1", ClosedFormVariant { broken: 1, ..PRINTED })
+    .altered("plus the primed parts", |v| v.primed = -1)
+    .altered("mu_k with l >= 1", |v| v.first = 1)
+    .altered("mu_k with l > 2", |v| v.first = 3)
+    .altered("the exponent 2(t - t_1)", |v| v.exponent = (2, 0))
+    .altered("another network at time t - 1", |v| v.broken = 1)
 }
 
 fn check_two_birds_apart(variant: &ClosedFormVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -2,10 +2,8 @@
 
 use super::mixing::{at_most, some_powers};
 use super::{FAMILY, Family, Kind, Network, exhaustively, power_of_order, too_slow_for};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::tau_1;
-use arithmetic::{Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
 
 /// `lambda_2(L) >= factor 4/(n(n-1))`, and differences of at most `n 2^(sign t/n^c)` times the first ones.
 #[derive(Clone, Copy)]
@@ -63,8 +61,6 @@ impl FiedlerVariant {
 }
 
 pub fn fiedler_rate() -> Record<FiedlerVariant> {
-    let printed = FiedlerVariant { connected: true, factor: (1, 1), sign: 1, gap_shift: 0 };
-    let corrected = FiedlerVariant { sign: -1, ..printed };
     Record::new(
         "chazelle.fiedler.rate",
         "2^(t/n^c) grows with t: the minus sign is missing (if one reads \"by a factor of 2^(t/n^c)\" instead, the \
@@ -74,7 +70,7 @@ pub fn fiedler_rate() -> Record<FiedlerVariant> {
          lazy weights, c_i = 1/(d_i+1) and the symmetric P = I - L/n (notes/chazelle_fixed_network.md). Two cliques \
          joined by a long path show that c = 2 is not enough. Where the network changes, even if it is connected at \
          all times, no such rate is claimed.",
-        printed,
+        FiedlerVariant { connected: true, factor: (1, 1), sign: 1, gap_shift: 0 },
         check_fiedler_rate,
     )
     .reading(
@@ -85,23 +81,16 @@ pub fn fiedler_rate() -> Record<FiedlerVariant> {
         "When the graph is connected the Fiedler number is bounded away from 0 by an inverse polynomial.",
         "Then differences between velocities decay to 0 at a rate of 2^{t/n^c} for some constant c > 0.",
     ])
-    .repaired(
-        Fault::Typo,
-        "When the graph is connected the Fiedler number is bounded away from 0 by an inverse polynomial (it is at \
-         least 4/(n(n-1))), and on a fixed connected graph differences between velocities decay to 0 at a rate of \
-         2^{-t/n^c} for some constant c > 0: with weights of denominators up to n^a, and with c = 3 for lazy weights \
-         and for c_i = 1/(d_i+1).",
-        corrected,
-    )
+    .repaired_by(Fault::Typo, "", |v| v.sign = -1)
     .repaired_clauses(&[
         "When the graph is connected the Fiedler number is at least 4/(n(n-1)), for n >= 2 birds.",
         "On a fixed connected graph, with weights of denominators up to n^a, differences between velocities are at \
          most n^{O(1)} 2^{-t/n^c} times the largest of the first ones, for some constant c > 0.",
         "For lazy weights and for c_i = 1/(d_i+1) they are at most n 2^{-t/n^3} times it.",
     ])
-    .control("a Fiedler number of 4.04/(n(n-1))", FiedlerVariant { factor: (101, 100), ..corrected })
-    .control("c = 2", FiedlerVariant { gap_shift: -1, ..corrected })
-    .control("not connected", FiedlerVariant { connected: false, ..corrected })
+    .altered("a Fiedler number of 4.04/(n(n-1))", |v| v.factor = (101, 100))
+    .altered("c = 2", |v| v.gap_shift = -1)
+    .altered("not connected", |v| v.connected = false)
 }
 
 fn check_fiedler_rate(variant: &FiedlerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -113,19 +102,15 @@ fn check_fiedler_rate(variant: &FiedlerVariant, run: &mut Run) -> Result<Outcome
     );
     // The printed statement has no third clause.
     let of_rate: &[usize] = if variant.sign > 0 { &[2] } else { &[2, 3] };
-    let exponent = Evidence::new(
-        Grade::Exact,
-        "the constant c",
-        "lazy barbells of 6, 24 and 78 birds are not slower, by Rayleigh quotients",
-    );
+    let exponent = exact("the constant c", "lazy barbells of 6, 24 and 78 birds are not slower, by Rayleigh quotients");
     let place = "notes/chazelle_fixed_network.md, (3.9), (3.10) and the rate of decay, steps 4-6";
     Run::all([
         exhaustively(&networks, run, "the Fiedler number", number, |network| variant.small_fiedler_number(network))
-            .map(|outcome| outcome.on([1])),
+            .on([1]),
         exhaustively(&networks, run, "differences after t steps, and the rate tends to 0", decay, |network| {
             variant.slow_decay(network)
         })
-        .map(|outcome| outcome.on(of_rate)),
+        .on(of_rate),
         run.every(exponent.on(of_rate), [3 + variant.gap_shift], too_slow_for),
         argued(&[1, 2, 3], "the Fiedler number, and the rates", place),
     ])

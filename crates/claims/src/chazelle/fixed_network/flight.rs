@@ -2,12 +2,10 @@
 
 use super::limits::limit_of_lemma_3_3;
 use super::{Family, Kind, Network};
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, rational};
-use ledger::CheckError;
 use models::averaging::{Mode, State, motion, rational_modes};
-use num_traits::Zero;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -21,7 +19,7 @@ pub(super) fn add(x: &Vector, factor: &Rational, y: &Vector) -> Vector {
 
 /// The sum of `weight_j vector_j`, over at least one.
 pub(super) fn combine(weights: &[Rational], vectors: &[Vector]) -> Vector {
-    let zero = vec![Rational::zero(); vectors.first().map_or(0, Vec::len)];
+    let zero = vec![rational(0, 1); vectors.first().map_or(0, Vec::len)];
     weights.iter().zip(vectors).fold(zero, |sum, (weight, vector)| add(&sum, weight, vector))
 }
 
@@ -141,7 +139,7 @@ impl<'a> Flight<'a> {
 }
 
 fn block_diagonal(f: &Flock, g: &Flock) -> Result<RationalMatrix, CheckError> {
-    let zeros = |count: usize| vec![Rational::zero(); count];
+    let zeros = |count: usize| vec![rational(0, 1); count];
     let upper = f.network.p.to_rows().into_iter().map(|row| [row, zeros(g.order())].concat());
     let lower = g.network.p.to_rows().into_iter().map(|row| [zeros(f.order()), row].concat());
     Ok(RationalMatrix::from_rows(&upper.chain(lower).collect::<Vec<_>>())?)

@@ -1,9 +1,8 @@
 //! chazelle.lem3.2, chazelle.eq3.9, chazelle.eq3.10: how fast the powers of the transition matrix converge.
 
-use super::{FAMILY, Family, Kind, Network, exhaustively, fails, for_all, list, power_of_order, too_slow_for};
+use super::{FAMILY, Family, Kind, Network, exhaustively, list, power_of_order, too_slow_for};
+use crate::prelude::*;
 use algebra::matrix::{RationalMatrix, tau_1};
-use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run, interval_value};
 use models::averaging::contraction;
 use num_bigint::{BigInt, BigUint};
 use num_traits::Signed;
@@ -95,7 +94,6 @@ impl SecondEigenvalueVariant {
 }
 
 pub fn second_eigenvalue() -> Record<SecondEigenvalueVariant> {
-    let printed = SecondEigenvalueVariant { family: Family::PRINTED, factor: (1, 1) };
     Record::new(
         "chazelle.lem3.2",
         "Rayleigh quotient: the edges of a path between the largest and the least value of f give the Dirichlet form \
@@ -104,17 +102,17 @@ pub fn second_eigenvalue() -> Record<SecondEigenvalueVariant> {
          Hence 1 - mu >= 4/((n-1) n^(a+1)) >= n^-(a+2); for lazy weights 1 - mu >= min(2/3, 8/(3n(n-1)²)), for c_i = \
          1/(d_i+1) 1 - mu >= 4/(n²(n-1)). Two birds attain the bound of lambda_2. A single bird has no lambda_k, k > \
          1, and mu = 0 (notes/chazelle_fixed_network.md).",
-        printed,
+        SecondEigenvalueVariant { family: Family::PRINTED, factor: (1, 1) },
         check_second_eigenvalue,
     )
     .reading(
         "Weights are rationals of O(log n) bits, denominators at most n^a (Remark 3, Lemma 2.2); without that mu \
               can be as near to 1 as one likes.",
     )
-    .control("bounds larger by 1/100", SecondEigenvalueVariant { factor: (101, 100), ..printed })
-    .control("not connected", SecondEigenvalueVariant { family: Family::ANY_GRAPH, ..printed })
-    .control("c_i d_i = 1", SecondEigenvalueVariant { family: Family::WHOLE, ..printed })
-    .control("weights of 2n bits", SecondEigenvalueVariant { family: Family::TINY, ..printed })
+    .altered("bounds larger by 1/100", |v| v.factor = (101, 100))
+    .altered("not connected", |v| v.family = Family::ANY_GRAPH)
+    .altered("c_i d_i = 1", |v| v.family = Family::WHOLE)
+    .altered("weights of 2n bits", |v| v.family = Family::TINY)
 }
 
 fn check_second_eigenvalue(variant: &SecondEigenvalueVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -159,20 +157,19 @@ impl EntrywiseVariant {
 }
 
 pub fn entrywise_rate() -> Record<EntrywiseVariant> {
-    let printed = EntrywiseVariant { family: Family::PRINTED, factor_shift: 0, gap_shift: 0, by_column: true };
     Record::new(
         "chazelle.eq3.9",
         "By (3.8) and Cauchy-Schwarz, |(P^s)_ij - pi_j| <= sqrt(c_i/c_j) sqrt((1-pi_i)(1-pi_j)) mu^s for all s >= 0. \
          With Lemma 3.2 (weights with denominators up to n^a) the right side is at most n^(a/2) e^(-s n^-(a+2)); for \
          lazy weights and for c_i = 1/(d_i+1) it is at most n e^(-s n^-3) (notes/chazelle_fixed_network.md).",
-        printed,
+        EntrywiseVariant { family: Family::PRINTED, factor_shift: 0, gap_shift: 0, by_column: true },
         check_entrywise_rate,
     )
-    .control("1/n in place of n^O(1)", EntrywiseVariant { factor_shift: -2, ..printed })
-    .control("e^(-s n^-2)", EntrywiseVariant { gap_shift: -1, ..printed })
-    .control("pi_i in place of pi_j", EntrywiseVariant { by_column: false, ..printed })
-    .control("not connected", EntrywiseVariant { family: Family::ANY_GRAPH, ..printed })
-    .control("c_i d_i = 1", EntrywiseVariant { family: Family::WHOLE, ..printed })
+    .altered("1/n in place of n^O(1)", |v| v.factor_shift = -2)
+    .altered("e^(-s n^-2)", |v| v.gap_shift = -1)
+    .altered("pi_i in place of pi_j", |v| v.by_column = false)
+    .altered("not connected", |v| v.family = Family::ANY_GRAPH)
+    .altered("c_i d_i = 1", |v| v.family = Family::WHOLE)
 }
 
 fn check_entrywise_rate(variant: &EntrywiseVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -182,11 +179,8 @@ fn check_entrywise_rate(variant: &EntrywiseVariant, run: &mut Run) -> Result<Out
         "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s up to 8 n^3 and more; powers exact, \
          exponentials enclosed"
     );
-    let exponent = Evidence::new(
-        Grade::Exact,
-        "the exponent of n",
-        "lazy barbells of 6, 24 and 78 birds are not slower, by Rayleigh quotients",
-    );
+    let exponent =
+        exact("the exponent of n", "lazy barbells of 6, 24 and 78 birds are not slower, by Rayleigh quotients");
     Run::all([
         exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)),
         run.every(exponent, [3 + variant.gap_shift], too_slow_for),
@@ -230,30 +224,22 @@ impl HalvingVariant {
     }
 
     /// The second inequality at the first `s`, for the exponents of all kinds: `sum pi_k = 1` is all it needs.
-    fn second_fails(&self) -> Result<Option<String>, CheckError> {
-        let most = rational(self.most.0, self.most.1);
-        for n in 1..=MOST_BIRDS {
-            for gap in [3, 4] {
-                let first = power_of_order(n, gap + self.margin) + rational(1, 1);
-                let middle = self.middle(&[rational(1, 1)], n, &bound(n, 1 + self.factor_shift, gap, &first)?);
-                if middle.to_rationals().1 >= most {
-                    return Ok(Some(format!("n = {n}, s = {first}: the sum is {}", interval_value(&middle, 6))));
-                }
-            }
-        }
-        Ok(None)
+    fn second_fails(&self, n: usize, gap: i32) -> Result<Option<String>, CheckError> {
+        let first = power_of_order(n, gap + self.margin) + rational(1, 1);
+        let middle = self.middle(&[rational(1, 1)], n, &bound(n, 1 + self.factor_shift, gap, &first)?);
+        let exceeds = middle.to_rationals().1 >= rational(self.most.0, self.most.1);
+        Ok(exceeds.then(|| format!("n = {n}, s = {first}: the sum is {}", interval_value(&middle, 6))))
     }
 }
 
 pub fn halving_time() -> Record<HalvingVariant> {
-    let printed = HalvingVariant { family: Family::PRINTED, sign: -1, factor_shift: 0, margin: 2, most: (1, 2) };
     Record::new(
         "chazelle.eq3.10",
         "tau_1(P^s) = 1 - min_ij sum_k min((P^s)_ik, (P^s)_jk), and by (3.9) both entries are at least pi_k - eps \
          with eps = n^(a/2) e^(-s n^-(a+2)). The sum over k is 1 - n eps. For s > n^(2a+4) n eps <= sqrt(x) e^-x with \
          x = n^(a+2) >= 1, which is at most 1/e < 1/2. For lazy weights and for c_i = 1/(d_i+1), eps = n e^(-s n^-3) \
          and c_0 = 5 will do (notes/chazelle_fixed_network.md).",
-        printed,
+        HalvingVariant { family: Family::PRINTED, sign: -1, factor_shift: 0, margin: 2, most: (1, 2) },
         check_halving_time,
     )
     .reading("tau is tau_1; weights with denominators up to n^a.")
@@ -261,36 +247,25 @@ pub fn halving_time() -> Record<HalvingVariant> {
         "For s > n^{c_0}, tau(P^s) <= 1 - sum_k (pi_k - n^{O(1)} e^{-s n^{-O(1)}}).",
         "For s > n^{c_0}, 1 - sum_k (pi_k - n^{O(1)} e^{-s n^{-O(1)}}) < 1/2.",
     ])
-    .control("pi_k + n^O(1) e^..", HalvingVariant { sign: 1, ..printed })
-    .control("1/n in place of n^O(1)", HalvingVariant { factor_shift: -2, ..printed })
-    .control("for s > n^3", HalvingVariant { margin: 0, ..printed })
-    .control("less than 1/8 at once", HalvingVariant { most: (1, 8), ..printed })
-    .control("not connected", HalvingVariant { family: Family::ANY_GRAPH, ..printed })
+    .altered("pi_k + n^O(1) e^..", |v| v.sign = 1)
+    .altered("1/n in place of n^O(1)", |v| v.factor_shift = -2)
+    .altered("for s > n^3", |v| v.margin = 0)
+    .altered("less than 1/8 at once", |v| v.most = (1, 8))
+    .altered("not connected", |v| v.family = Family::ANY_GRAPH)
 }
 
 fn check_halving_time(variant: &HalvingVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let (first, second) = ("the first inequality, and tau(P^s) < 1/2", "the second inequality");
     let networks = variant.family.networks(run.cases(5, 6))?;
-    let cases = match for_all(&networks, run, first, |network| variant.fails_at(network))? {
-        Err(outcome) => return Ok(outcome),
-        Ok(cases) => cases,
-    };
-    if let Some(what) = variant.second_fails()? {
-        return Ok(fails(what, second));
-    }
-    Ok(Outcome::Holds(vec![
-        Evidence::new(
-            Grade::Exhaustive,
-            first,
-            format!(
-                "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s from 1 to 8 n^3 and \
-                         more; and powers until tau <= 1/4"
-            ),
-        )
-        .on([1])
-        .cases(cases),
-        Evidence::new(Grade::Certified, second, "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on")
-            .on([2])
-            .cases(2 * MOST_BIRDS),
-    ]))
+    let detail = format!(
+        "{FAMILY} on up to 5 birds (6 with --full), three kinds of weights, s from 1 to 8 n^3 and more; and powers \
+         until tau <= 1/4"
+    );
+    let part = "the first inequality, and tau(P^s) < 1/2";
+    let second =
+        certified("the second inequality", "at s = n^c_0 + 1 for n = 1, .., 64, where it decreases from then on");
+    let cases = (1..=MOST_BIRDS).flat_map(|n| [3, 4].map(|gap| (n, gap)));
+    Run::all([
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).on([1]),
+        run.every(second.on([2]), cases, |(n, gap)| variant.second_fails(n, gap)),
+    ])
 }

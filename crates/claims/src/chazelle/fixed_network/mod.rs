@@ -1,20 +1,32 @@
 //! Claims about flocks with a network that does not change (section 3, and the closed forms in the proof of Lemma 3.9).
 //! Proofs for all networks are in notes/chazelle_fixed_network.md.
 
-pub mod closed_forms;
-pub mod denominators;
-pub mod fiedler;
+mod closed_forms;
+mod denominators;
+mod fiedler;
 mod flight;
-pub mod limits;
-pub mod mixing;
-pub mod powers;
-pub mod spectrum;
+mod limits;
+mod mixing;
+mod powers;
+mod spectrum;
 
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Run};
+use ledger::Claim;
 use models::averaging::{Weights, transition_matrix};
+
+pub fn claims() -> Vec<Box<dyn Claim>> {
+    claims! {
+        spectrum: stationary, symmetrised;
+        powers: powers;
+        mixing: second_eigenvalue, entrywise_rate, halving_time;
+        fiedler: fiedler_rate;
+        limits: limit_of_gamma, positions, relative_limit;
+        denominators: short_limit;
+        closed_forms: geometric_sums, with_gamma, two_birds_apart;
+    }
+}
 
 /// How the evidence of these claims begins.
 const FAMILY: &str = "every connected graph up to isomorphism";
@@ -155,7 +167,6 @@ fn list(numbers: &[Rational]) -> String {
     numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// Which networks are looked at.
 #[derive(Clone, Copy)]
 struct Family<'a> {
     kinds: &'a [Kind],
@@ -200,38 +211,17 @@ impl Family<'_> {
     }
 }
 
-/// The number of networks at which `check` found nothing wrong, or the first failure.
-fn for_all(
-    networks: &[Network],
-    run: &Run,
-    part: &str,
-    mut check: impl FnMut(&Network) -> Result<Option<String>, CheckError>,
-) -> Result<Result<usize, Outcome>, CheckError> {
-    for network in networks {
-        run.checkpoint()?;
-        if let Some(what) = check(network)? {
-            return Ok(Err(fails(format!("{}: {what}", network.show()), part)));
-        }
-    }
-    Ok(Ok(networks.len()))
-}
-
 /// A check of all networks as the whole evidence of a part.
 fn exhaustively(
     networks: &[Network],
     run: &Run,
     part: &str,
-    detail: String,
-    check: impl FnMut(&Network) -> Result<Option<String>, CheckError>,
+    detail: impl Into<String>,
+    mut check: impl FnMut(&Network) -> Result<Option<String>, CheckError>,
 ) -> Result<Outcome, CheckError> {
-    Ok(match for_all(networks, run, part, check)? {
-        Err(outcome) => outcome,
-        Ok(cases) => Outcome::Holds(vec![Evidence::new(Grade::Exhaustive, part, detail).cases(cases)]),
+    run.every(exhaustive(part, detail), networks, |network| {
+        Ok(check(network)?.map(|what| format!("{}: {what}", network.show())))
     })
-}
-
-fn fails(counterexample: impl Into<String>, part: &str) -> Outcome {
-    Outcome::fails(counterexample, Evidence::new(Grade::Exact, part, "exact arithmetic on one network"))
 }
 
 /// The matrix `1 pi^T` for any list `pi`.

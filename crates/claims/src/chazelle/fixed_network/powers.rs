@@ -1,12 +1,10 @@
 //! chazelle.eq3.8: the powers of the transition matrix.
 
-use super::{FAMILY, Family, Network, every_row, fails, list};
+use super::{FAMILY, Family, Network, every_row, list};
+use crate::prelude::*;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::averaging::{Mode, rational_modes};
-use num_traits::{One, Signed};
+use num_traits::Signed;
 
 /// `P^s = 1 pi^T + sum_{k > first} lambda_k^(multiple s) C^(a/2) u_k u_k^T C^(b/2)`.
 #[derive(Clone, Copy)]
@@ -64,15 +62,8 @@ impl PowersVariant {
 }
 
 /// Equation (3.8) for two birds with any weights.
-struct TwoBirds(PowersVariant);
-
-impl RationalIdentity for TwoBirds {
-    fn variables(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [c1, c2] = at else { return Err(ArithmeticError::Domain("two variables")) };
+fn two_birds(variant: &PowersVariant) -> Identity<'_> {
+    Identity::of(move |[c1, c2]| {
         let (one, c) = (c1.one(), [c1, c2]);
         let entries = [(0, 0), (0, 1), (1, 0), (1, 1)];
         let p = |(i, j): (usize, usize)| if i == j { one.clone() - c[i] } else { c[i].clone() };
@@ -80,7 +71,7 @@ impl RationalIdentity for TwoBirds {
         // The spectrum of P: 1 with u_1 = (sqrt c2, sqrt c1)/sqrt(c1+c2), 1 - c1 - c2 with u_2 = (sqrt c1, -sqrt
         // c2)/sqrt(c1+c2).
         let modes = [(one.clone(), [c2, c1], 1), (one.clone() - &total, [c1, c2], -1)];
-        let half = |x: &T, power: i32| -> Result<T, ArithmeticError> {
+        let half = |x: &Probe, power: i32| -> Result<Probe, ArithmeticError> {
             match power {
                 0 => Ok(x.one()),
                 1 => Ok(x.clone()),
@@ -88,15 +79,15 @@ impl RationalIdentity for TwoBirds {
                 _ => Err(ArithmeticError::Domain("a half power")),
             }
         };
-        let (a, b) = self.0.halves;
+        let (a, b) = variant.halves;
         let (mut left, mut right) = (Vec::new(), Vec::new());
-        let mut power: Vec<T> = entries.iter().map(|&(i, j)| one.integer(i64::from(i == j))).collect();
+        let mut power: Vec<Probe> = entries.iter().map(|&(i, j)| one.integer(i64::from(i == j))).collect();
         for s in 0..4u64 {
             left.extend(power.iter().cloned());
             for &(i, j) in &entries {
                 // 1 pi^T, then C^(a/2) u u^T C^(b/2): sqrt(c_i^a w_i) sqrt(c_j^b w_j) is rational for odd a and b.
                 let mut sum = c[1 - j].over(&total)?;
-                for (k, (eigenvalue, w, sign)) in modes.iter().enumerate().skip(usize::from(self.0.skip_first)) {
+                for (k, (eigenvalue, w, sign)) in modes.iter().enumerate().skip(usize::from(variant.skip_first)) {
                     let sign = if i == j { 1 } else { *sign };
                     // w_i = c_i for the second mode; for the first c_1 c_2/c_i, whose root leaves sqrt(c_1 c_2) twice.
                     let product = if k == 1 {
@@ -104,7 +95,7 @@ impl RationalIdentity for TwoBirds {
                     } else {
                         half(c[i], (a - 1) / 2)? * half(c[j], (b - 1) / 2)? * w[0] * w[1]
                     };
-                    let term = product.over(&total)? * eigenvalue.power(s * self.0.multiple);
+                    let term = product.over(&total)? * eigenvalue.power(s * variant.multiple);
                     sum = sum + one.integer(sign) * term;
                 }
                 right.push(sum);
@@ -113,56 +104,43 @@ impl RationalIdentity for TwoBirds {
             power = entries.iter().map(|&entry| next(entry)).collect();
         }
         Ok((left, right))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at.iter().all(|c| c.is_positive() && *c < Rational::one())
-    }
+    })
+    .within(|at| at.iter().all(|c| c.is_positive() && (c - c.one()).is_negative()))
 }
 
 pub fn powers() -> Record<PowersVariant> {
-    let printed = PowersVariant { halves: (1, -1), multiple: 1, skip_first: true, eigenvectors: (-1, 1) };
     Record::new(
         "chazelle.eq3.8",
         "P = C^1/2 M C^-1/2 and M = sum lambda_k u_k u_k^T with orthonormal u_k. The first term is 1 pi^T because \
          C^1/2 u_1 = 1/sqrt(tr C^-1). For s = 0 the convention is 0^0 = 1. The sum does not depend on the basis that \
          is chosen where an eigenvalue is repeated.",
-        printed,
+        PowersVariant { halves: (1, -1), multiple: 1, skip_first: true, eigenvectors: (-1, 1) },
         check_powers,
     )
     .clauses(&[
         "For all s >= 0: P^s = 1 pi^T + sum_{k>1} lambda_k^s C^{1/2} u_k u_k^T C^{-1/2}.",
         "Left and right eigenvectors for lambda_k are C^{-1/2} u_k and C^{1/2} u_k.",
     ])
-    .control("C^-1/2 u_k u_k^T C^1/2", PowersVariant { halves: (-1, 1), ..printed })
-    .control("lambda_k^(2s)", PowersVariant { multiple: 2, ..printed })
-    .control("the sum from k = 1", PowersVariant { skip_first: false, ..printed })
-    .control("left eigenvectors C^1/2 u_k", PowersVariant { eigenvectors: (1, 1), ..printed })
-    .control("right eigenvectors C^-1/2 u_k", PowersVariant { eigenvectors: (-1, -1), ..printed })
+    .altered("C^-1/2 u_k u_k^T C^1/2", |v| v.halves = (-1, 1))
+    .altered("lambda_k^(2s)", |v| v.multiple = 2)
+    .altered("the sum from k = 1", |v| v.skip_first = false)
+    .altered("left eigenvectors C^1/2 u_k", |v| v.eigenvectors = (1, 1))
+    .altered("right eigenvectors C^-1/2 u_k", |v| v.eigenvectors = (-1, -1))
 }
 
 fn check_powers(variant: &PowersVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let part = "P^s for s = 0, .., 6, and the eigenvectors";
-    let mut cases = 0;
+    let mut instances = Vec::new();
     for network in Family::PRINTED.networks(run.cases(5, 6))? {
-        run.checkpoint()?;
-        let Some(modes) = rational_modes(&network.p, &network.c)? else { continue };
-        cases += 1;
-        if let Some(what) = variant.fails_at(&network, &modes)? {
-            return Ok(fails(format!("{}: {what}", network.show()), part));
-        }
+        instances.extend(rational_modes(&network.p, &network.c)?.map(|modes| (network, modes)));
     }
-    let exact = Evidence::new(
-        Grade::Exact,
-        part,
-        format!(
-            "{FAMILY} on up to 5 birds (6 with --full) and of three kinds of weights whose eigenvalues all are \
-             rational"
-        ),
+    let detail = format!(
+        "{FAMILY} on up to 5 birds (6 with --full) and of three kinds of weights whose eigenvalues all are rational"
     );
     Run::all([
-        run.identity(&TwoBirds(*variant), &["c_1", "c_2"], "two birds with any weights, s = 0, .., 3")
-            .map(|outcome| outcome.on([1])),
-        Ok(Outcome::Holds(vec![exact.on([1, 2]).cases(cases)])),
+        run.instances("P^s for s = 0, .., 6, and the eigenvectors", &detail, &instances, |(network, modes)| {
+            Ok(variant.fails_at(network, modes)?.map(|what| format!("{}: {what}", network.show())))
+        })
+        .on([1, 2]),
+        run.identity(&two_birds(variant), &["c_1", "c_2"], "two birds with any weights, s = 0, .., 3").on([1]),
     ])
 }

@@ -1,11 +1,10 @@
 //! chazelle.pi and chazelle.eq3.7: eigenvalues and first eigenvectors of the transition matrix.
 
 use super::{FAMILY, Family, Kind, Network, exhaustively, list};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{RadicalSum, Rational, rational};
-use ledger::{CheckError, Outcome, Record, Run};
-use num_traits::{One, Signed, Zero};
+use arithmetic::RadicalSum;
+use num_traits::{One, Signed};
 
 /// Which networks, and the power of `C` in `pi = (tr C^k)^-1 C^k 1`.
 #[derive(Clone, Copy)]
@@ -18,7 +17,7 @@ pub struct StationaryVariant {
 
 impl StationaryVariant {
     fn fails_at(&self, network: &Network) -> Result<Option<String>, CheckError> {
-        let (ones, pi) = (vec![Rational::one(); network.order()], network.normalised_power(self.power));
+        let (ones, pi) = (vec![rational(1, 1); network.order()], network.normalised_power(self.power));
         let (right, left) = if self.right_is_one { (&ones, &pi) } else { (&pi, &ones) };
         if network.p.apply(right)? != *right {
             return Ok(Some(format!("({}) is no right eigenvector for 1", list(right))));
@@ -27,7 +26,7 @@ impl StationaryVariant {
             return Ok(Some(format!("({}) is no left eigenvector for 1", list(left))));
         }
         let spectrum = network.p.characteristic_polynomial()?;
-        let one = Rational::one();
+        let one = rational(1, 1);
         let simple = spectrum.multiplicity(&one) == 1;
         let inside = spectrum.count_above(&-one.clone()) == network.order() && spectrum.count_above(&one) == 0;
         Ok((!simple || !inside).then(|| {
@@ -38,33 +37,31 @@ impl StationaryVariant {
 }
 
 pub fn stationary() -> Record<StationaryVariant> {
-    let printed = StationaryVariant { family: Family::PRINTED, power: -1, right_is_one: true };
     Record::new(
         "chazelle.pi",
         "P is taken for a connected G with c_i > 0 and c_i d_i < 1 (a single bird: P = [1]). L 1 = 0 = 1^T L gives \
          both eigenvectors, and pi^T C = const 1^T. CLf = 0 only for constant f, and P is similar to a symmetric \
          matrix, so 1 is simple. Dominant: every other eigenvalue lies in (-1, 1), because P >= a I with a = min p_ii \
          > 0 leaves a stochastic rest (notes/chazelle_fixed_network.md).",
-        printed,
-        check_stationary,
+        StationaryVariant { family: Family::PRINTED, power: -1, right_is_one: true },
+        |variant, run| {
+            let part = "1 is a simple dominant eigenvalue with these eigenvectors";
+            let networks = variant.family.networks(run.cases(6, 7))?;
+            let detail = format!(
+                "{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly"
+            );
+            exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).on([1, 2, 3])
+        },
     )
     .clauses(&[
         "For fixed connected G, 1 is a simple eigenvalue of P = I_n - CL.",
         "It is dominant: every other eigenvalue has a smaller modulus.",
         "It has the right and left eigenvectors 1 and pi = (tr C^{-1})^{-1} C^{-1} 1.",
     ])
-    .control("C in place of its inverse", StationaryVariant { power: 1, ..printed })
-    .control("left and right exchanged", StationaryVariant { right_is_one: false, ..printed })
-    .control("graphs that are not connected", StationaryVariant { family: Family::ANY_GRAPH, ..printed })
-    .control("c_i d_i = 1", StationaryVariant { family: Family::WHOLE, ..printed })
-}
-
-fn check_stationary(variant: &StationaryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let part = "1 is a simple dominant eigenvalue with these eigenvectors";
-    let networks = variant.family.networks(run.cases(6, 7))?;
-    let detail =
-        format!("{FAMILY} on up to 6 birds (7 with --full), three kinds of weights; eigenvalues counted exactly");
-    Ok(exhaustively(&networks, run, part, detail, |network| variant.fails_at(network))?.on([1, 2, 3]))
+    .altered("C in place of its inverse", |v| v.power = 1)
+    .altered("left and right exchanged", |v| v.right_is_one = false)
+    .altered("graphs that are not connected", |v| v.family = Family::ANY_GRAPH)
+    .altered("c_i d_i = 1", |v| v.family = Family::WHOLE)
 }
 
 /// The half powers in `M = C^(a/2) P C^(b/2) = I - C^(e/2) L C^(e/2)`, and what is said of its eigenvalues.
@@ -98,9 +95,9 @@ impl SymmetrisedVariant {
         for i in 0..network.order() {
             for j in 0..network.order() {
                 let root = network.c[i].pow(self.of_l) * network.c[j].pow(self.of_l);
-                let diagonal = if i == j { Rational::one() } else { Rational::zero() };
+                let diagonal = if i == j { rational(1, 1) } else { rational(0, 1) };
                 same &= sum_of_roots([self.root_entry(network, i, j)])
-                    == sum_of_roots([(diagonal, Rational::one()), (-laplacian.entry(i, j), root)]);
+                    == sum_of_roots([(diagonal, rational(1, 1)), (-laplacian.entry(i, j), root)]);
                 same &=
                     sum_of_roots([self.root_entry(network, i, j)]) == sum_of_roots([self.root_entry(network, j, i)]);
             }
@@ -112,7 +109,7 @@ impl SymmetrisedVariant {
     fn fixes_u1(&self, network: &Network) -> bool {
         let pi = network.pi();
         let u = |i: usize| -> SignedRoot {
-            if self.rooted { (Rational::one(), pi[i].clone()) } else { (pi[i].clone(), Rational::one()) }
+            if self.rooted { (rational(1, 1), pi[i].clone()) } else { (pi[i].clone(), rational(1, 1)) }
         };
         let term = |i: usize, j: usize| {
             let ((a, r), (b, s)) = (self.root_entry(network, i, j), u(j));
@@ -134,7 +131,7 @@ impl SymmetrisedVariant {
         // M has the eigenvalues of P because the half powers are inverse to each other (checked above by symmetry for
         // the printed form, and below on rational M).
         let spectrum = network.p.characteristic_polynomial()?;
-        let (one, least) = (Rational::one(), rational(self.least.0, self.least.1));
+        let (one, least) = (rational(1, 1), rational(self.least.0, self.least.1));
         let (largest, below) = (spectrum.multiplicity(&one), spectrum.count_below(&least));
         Ok((largest != 1 || spectrum.count_above(&one) > 0 || below > 0)
             .then(|| format!("1 is an eigenvalue {largest} times, {below} eigenvalues lie below {least}")))
@@ -148,7 +145,7 @@ impl SymmetrisedVariant {
         let laplacian = network.graph.laplacian()?;
         let entry = |i: usize, j: usize| {
             let scaled = roots[i].pow(self.of_l) * roots[j].pow(self.of_l) * laplacian.entry(i, j);
-            if i == j { Rational::one() - scaled } else { -scaled }
+            if i == j { rational(1, 1) - scaled } else { -scaled }
         };
         let order = network.order();
         let rows: Vec<Vec<Rational>> = (0..order).map(|i| (0..order).map(|j| entry(i, j)).collect()).collect();
@@ -168,14 +165,13 @@ fn sum_of_roots(terms: impl IntoIterator<Item = SignedRoot>) -> RadicalSum {
 }
 
 pub fn symmetrised() -> Record<SymmetrisedVariant> {
-    let printed = SymmetrisedVariant { family: Family::PRINTED, of_p: (-1, 1), of_l: 1, least: (-1, 1), rooted: true };
     Record::new(
         "chazelle.eq3.7",
         "Off the diagonal c_i^-1/2 p_ij c_j^1/2 = sqrt(c_i c_j) on edges; the diagonal is that of P. M is similar to \
          P. I - M = C^1/2 L C^1/2 is positive semidefinite with kernel C^-1/2 1, of dimension 1 for a connected \
          graph: u_1. Gershgorin's discs of P lie to the right of 2 min p_ii - 1 > -1, so the printed lower bound is \
          even strict (notes/chazelle_fixed_network.md).",
-        printed,
+        SymmetrisedVariant { family: Family::PRINTED, of_p: (-1, 1), of_l: 1, least: (-1, 1), rooted: true },
         check_symmetrised,
     )
     .clauses(&[
@@ -184,11 +180,11 @@ pub fn symmetrised() -> Record<SymmetrisedVariant> {
         "u_1 = (sqrt(pi_1),...,sqrt(pi_n))^T is its unit eigenvector for 1.",
         "P has the same eigenvalues.",
     ])
-    .control("M = C^1/2 P C^-1/2", SymmetrisedVariant { of_p: (1, -1), ..printed })
-    .control("M = I - C^-1/2 L C^-1/2", SymmetrisedVariant { of_l: -1, ..printed })
-    .control("u_1 = pi", SymmetrisedVariant { rooted: false, ..printed })
-    .control("eigenvalues at least -1/4", SymmetrisedVariant { least: (-1, 4), ..printed })
-    .control("graphs that are not connected", SymmetrisedVariant { family: Family::ANY_GRAPH, ..printed })
+    .altered("M = C^1/2 P C^-1/2", |v| v.of_p = (1, -1))
+    .altered("M = I - C^-1/2 L C^-1/2", |v| v.of_l = -1)
+    .altered("u_1 = pi", |v| v.rooted = false)
+    .altered("eigenvalues at least -1/4", |v| v.least = (-1, 4))
+    .altered("graphs that are not connected", |v| v.family = Family::ANY_GRAPH)
 }
 
 fn check_symmetrised(variant: &SymmetrisedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -201,11 +197,11 @@ fn check_symmetrised(variant: &SymmetrisedVariant, run: &mut Run) -> Result<Outc
     );
     let squares = "characteristic polynomials compared on the same graphs with weights that are squares".to_string();
     Run::all([
-        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).map(|o| o.on([1, 2, 3])),
+        exhaustively(&networks, run, part, detail, |network| variant.fails_at(network)).on([1, 2, 3]),
         exhaustively(&lazy, run, "M and P have the same eigenvalues", squares, |network| {
             variant.differs_on_squares(network)
         })
-        .map(|o| o.on([4])),
+        .on([4]),
         argued(&[2], "the order of the eigenvalues", "notes/chazelle_fixed_network.md, Spectrum, steps 1-3"),
     ])
 }

@@ -1,10 +1,10 @@
 //! Phases and graphs that several claims are tried on.
 
+use crate::prelude::*;
 use algebra::graph::{LaplacianKind, NameError, NamedGraph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, CosineField, Field, Rational, RealCyclotomic, Ring, rational};
-use ledger::{CheckError, Outcome, Run};
+use arithmetic::identity::AnyIdentity;
+use arithmetic::{CosineField, RealCyclotomic};
 use models::oscillator::phasor;
 
 /// Phasors of an arrangement, exact at multiples of parts of a turn.
@@ -101,20 +101,20 @@ pub fn squared_lengths<T: Field>(graph: &WeightedGraph, x: &[Complex<T>], zero: 
 
 /// Tests identities in the half-angle tangents `t1, t2, ...` of the phases and `more` variables after them, each with the part that it
 /// shows; evidence on these clauses.
-pub fn identities<I: RationalIdentity>(
+pub fn identities<'a>(
     run: &Run,
     clauses: &[usize],
     more: &[&str],
-    each: impl IntoIterator<Item = Result<(I, String), CheckError>>,
+    each: impl IntoIterator<Item = Result<(Identity<'a>, String), CheckError>>,
 ) -> Result<Outcome, CheckError> {
-    let test = |item: Result<(I, String), CheckError>| {
+    let test = |item: Result<(Identity, String), CheckError>| {
         let (identity, part) = item?;
-        let phases = RationalIdentity::variables(&identity).saturating_sub(more.len());
+        let phases = identity.variables().saturating_sub(more.len());
         let names: Vec<String> = (1..=phases).map(|k| format!("t{k}")).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).chain(more.iter().copied()).collect();
         run.identity(&identity, &names, &part)
     };
-    Ok(Run::all(each.into_iter().map(test))?.on(clauses))
+    Run::all(each.into_iter().map(test)).on(clauses)
 }
 
 /// How sizes are read: the one rule for all claims of this paper.

@@ -2,10 +2,9 @@
 
 use super::common::{Exact, all_zero, at, circulants, digraph, laplacian, turns, up_to_rotation};
 use super::stationary::is_eigenvector;
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::{SparseMatrix, inertia};
-use arithmetic::{Complex, CosineField, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::{CosineField, RealCyclotomic, Sign, Signed};
 use models::oscillator::{clusters_of_pattern, laplacian_rows, misalignment, phasor};
 use num_integer::Integer;
 
@@ -19,8 +18,6 @@ pub fn clusters_of_column(nodes: usize, m: usize) -> usize {
     nodes / nodes.gcd(&m)
 }
 
-// --- The columns of F ---
-
 /// All eigenvectors with entries of modulus one, or the columns of `F` only, and how many clusters column `m` has.
 #[derive(Clone, Copy)]
 pub struct SymmetryVariant {
@@ -29,33 +26,28 @@ pub struct SymmetryVariant {
 }
 
 pub fn circulant_eigenvectors() -> Record<SymmetryVariant> {
-    let right = SymmetryVariant { columns_only: true, clusters: clusters_of_column };
     Record::new(
         "paley.eig.sym",
         "The columns of F are eigenvectors, but not the only ones: an eigenvalue of an undirected circulant is repeated unless it belongs to column 1 or \
          N/2 + 1. On C_4 every rhombus (u, v, -u, -v) with |u| = |v| = 1 is an eigenvector with eigenvalue 2; on K_N every balanced arrangement is one with eigenvalue N; on a \
          graph without edges every arrangement is one (there already for N = 2). Connected circulants of 2 and 3 nodes have no counterexample: balanced \
          arrangements of 2 or 3 phases are symmetric.",
-        SymmetryVariant { columns_only: false, ..right },
+        SymmetryVariant { columns_only: false, clusters: clusters_of_column },
         examine_symmetry,
     )
-    .repaired(
-        Fault::False,
-        "",
-        right,
-    )
+    .repaired_by(Fault::False, "", |v| v.columns_only = true)
     .repaired_clauses(&[
         "If e^{i theta} is, up to a common rotation, a column m of F other than the first, then the phasors form the symmetric pattern of N/gcd(N, m - 1) clusters.",
         "Other eigenvectors of a repeated eigenvalue need not be symmetric.",
     ])
-    .control("N clusters in every column", SymmetryVariant { clusters: |nodes, _| nodes, ..right })
-    .control("gcd(N, m - 1) clusters", SymmetryVariant { clusters: |nodes, m| nodes.gcd(&m), ..right })
+    .altered("N clusters in every column", |v| v.clusters = |nodes, _| nodes)
+    .altered("gcd(N, m - 1) clusters", |v| v.clusters = |nodes, m| nodes.gcd(&m))
 }
 
 fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let asymmetric = asymmetric_eigenvector(run)?;
     if !variant.columns_only {
-        let evidence = Evidence::new(Grade::Exact, "eigenvectors", "exact products");
+        let evidence = exact("eigenvectors", "exact products");
         return Ok(match asymmetric {
             Some(place) => Outcome::fails(format!("{place}: an eigenvector, but no symmetric pattern"), evidence),
             None => Outcome::Undecided("no eigenvector among few phases decides".to_string()),
@@ -66,7 +58,7 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
         .flat_map(|order| circulants(order, true))
         .flat_map(|(offsets, graph)| (1..graph.order()).map(move |m| (offsets.clone(), graph.clone(), m)));
     let detail = format!("all columns on all undirected circulants of 2 to {most} nodes");
-    let evidence = Evidence::new(Grade::Exhaustive, "columns of F are symmetric patterns", detail).on([1]);
+    let evidence = exhaustive("columns of F are symmetric patterns", detail).on([1]);
     let columns = run.every(evidence, cases, |(offsets, graph, m)| {
         let z = column(&CosineField::new(graph.order() as u32), graph.order(), m);
         let (found, expected) = (clusters_of_pattern(&z), Some((variant.clusters)(graph.order(), m) as u32));
@@ -77,7 +69,7 @@ fn examine_symmetry(variant: &SymmetryVariant, run: &mut Run) -> Result<Outcome,
     let Some(place) = asymmetric else {
         return Ok(Outcome::Undecided("no asymmetric eigenvector was found".to_string()));
     };
-    let asymmetric = Evidence::new(Grade::Exact, "an eigenvector that is not symmetric", place).on([2]).for_all();
+    let asymmetric = exact("an eigenvector that is not symmetric", place).on([2]).for_all();
     Run::all([columns, Ok(Outcome::Holds(vec![asymmetric]))])
 }
 
@@ -101,8 +93,6 @@ fn asymmetric_eigenvector(run: &Run) -> Result<Option<String>, CheckError> {
     }
     Ok(None)
 }
-
-// --- Cyclic graphs ---
 
 /// The rank of the conditions on `c = a conj(b)` and `r` under which `a w^(mk) + b w^(-mk)` has the same modulus for all `k`:
 /// `2 Re(c w^(2mk)) = r`. Exact; the rank of the Gram matrix.
@@ -220,13 +210,13 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
         |variant, run| {
             run.checkpoint()?;
             if let Some(what) = variant.fails_on(12)? {
-                let evidence = Evidence::new(Grade::Exact, "eigenvectors", "exact products").on([2]);
+                let evidence = exact("eigenvectors", "exact products").on([2]);
                 return Ok(Outcome::fails(format!("C_12: {what}"), evidence));
             }
             let detail = "exact rank of the conditions of equal modulus in each of the five double eigenspaces; all twelve columns; two rhombi that \
                           span all of them";
             let part = "all eigenvectors of C_12 with entries of modulus one";
-            let found = Evidence::new(Grade::Exact, part, detail).on([1, 2, 3, 4]).cases(12);
+            let found = exact(part, detail).on([1, 2, 3, 4]).cases(12);
             Run::all([Ok(Outcome::Holds(vec![found])), argued(&[2, 3, 4], part, "notes/paley_phases.md, steps E1-E5")])
         },
     )
@@ -234,20 +224,13 @@ pub fn cyclic_eigenvectors() -> Record<CyclicVariant> {
         "For C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of the Laplacian phase potential (12).",
         "Then theta forms a symmetric pattern on the unit circle.",
     ])
-    .repaired(
-        Fault::False,
-        "",
-        right,
-    )
+    .repaired(Fault::False, "", right)
     .repaired_clauses(&[
         "On C_12, if e^{i theta} is an eigenvector of L, then theta is a stationary point of W_1.",
         "Up to rotation e^{i theta} is then a column of F or (u, v, -u, -v) three times over with u, v of modulus one.",
         "Each column of F is a symmetric pattern.",
         "Each (u, v, -u, -v, ...) with any u, v of modulus one is an eigenvector with eigenvalue 2.",
     ])
-    .control(
-        "more eigenvectors at eigenvalue 1 too",
-        CyclicVariant { rhombi: |n, m| 4 * m == n || 6 * m == n, ..right },
-    )
-    .control("twelve clusters in every column", CyclicVariant { clusters: |n, m| if m == 0 { 1 } else { n }, ..right })
+    .altered("more eigenvectors at eigenvalue 1 too", |v| v.rhombi = |n, m| 4 * m == n || 6 * m == n)
+    .altered("twelve clusters in every column", |v| v.clusters = |n, m| if m == 0 { 1 } else { n })
 }

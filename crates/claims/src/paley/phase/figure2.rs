@@ -85,8 +85,8 @@ pub fn columns() -> Record<ColumnVariant> {
         "The columns f_km = N^{-1/2} e^{i(2 pi/N)(m-1)(k-1)} are eigenvectors of the Laplacian of C_12.",
         "The edges of each graph form generalized regular polygons.",
     ])
-    .control("half of each angle", ColumnVariant { exponent: |m, k| (m - 1) * (k - 1), ..PRINTED })
-    .control("eigenvalues 2 + 2 cos", ColumnVariant { factor: -2, ..PRINTED })
+    .altered("half of each angle", |v| v.exponent = |m, k| (m - 1) * (k - 1))
+    .altered("eigenvalues 2 + 2 cos", |v| v.factor = -2)
 }
 
 fn examine_columns(variant: &ColumnVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -1,15 +1,10 @@
 //! paley.length, paley.eq11.kernel, paley.incid: the Laplacian as a sum over edges.
 
 use super::common::{arcs, digraph, digraphs, laplacian, named, squared_lengths, supports};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::quadratic_form;
-
-// --- The total length of the edges ---
 
 /// `Q_L = (factor/N) sum |x_j - x_k|^2` over directed edges, on undirected graphs or any.
 #[derive(Clone, Copy)]
@@ -19,27 +14,16 @@ pub struct LengthVariant {
 }
 
 /// Variables are the real and imaginary parts of `x`.
-struct LengthIdentity {
-    graph: WeightedGraph,
-    laplacian: SparseMatrix,
-    factor: (i64, i64),
-}
-
-impl RationalIdentity for LengthIdentity {
-    fn variables(&self) -> usize {
-        2 * self.graph.order()
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let x: Vec<Complex<T>> = at.chunks(2).map(|pair| Complex::new(pair[0].clone(), pair[1].clone())).collect();
-        let share = at[0].ratio(self.factor.0, self.factor.1 * x.len() as i64);
-        let lengths = squared_lengths(&self.graph, &x, &at[0]);
-        Ok((vec![quadratic_form(&self.laplacian, &x)?], vec![lengths * share]))
-    }
+fn lengths(laplacian: SparseMatrix, graph: WeightedGraph, factor: (i64, i64)) -> Identity<'static> {
+    Identity::new(2 * graph.order(), move |at| {
+        let x: Vec<Complex<Probe>> = at.chunks(2).map(|pair| Complex::new(pair[0].clone(), pair[1].clone())).collect();
+        let share = at[0].ratio(factor.0, factor.1 * x.len() as i64);
+        let lengths = squared_lengths(&graph, &x, &at[0]);
+        Ok((vec![quadratic_form(&laplacian, &x)?], vec![lengths * share]))
+    })
 }
 
 pub fn edge_length() -> Record<LengthVariant> {
-    let right = LengthVariant { factor: (1, 4), directed: false };
     Record::new(
         "paley.length",
         "In <x, L x> = sum_k d_k |x_k|^2 - sum_k sum_{j in N_k} <x_k, x_j> each pair of neighbours gives |x_j - x_k|^2 once. The set E of the tutorial has \
@@ -50,34 +34,23 @@ pub fn edge_length() -> Record<LengthVariant> {
             if variant.directed {
                 graphs.insert(0, Ok(digraph(2, |k, _| k == 0)));
             }
+            let names: Vec<String> = (1..=5).flat_map(|k| [format!("Re x{k}"), format!("Im x{k}")]).collect();
             let tests = graphs.into_iter().map(|graph| {
                 let graph = graph?;
-                let part = format!("Q_L on the graph {}", arcs(&graph));
-                Ok((LengthIdentity { laplacian: laplacian(&graph)?, graph, factor: variant.factor }, part))
-            });
-            let names: Vec<String> = (1..=5).flat_map(|k| [format!("Re x{k}"), format!("Im x{k}")]).collect();
-            let tests = tests.map(|item: Result<(LengthIdentity, String), CheckError>| {
-                let (identity, part) = item?;
-                let names: Vec<&str> = names[..identity.variables()].iter().map(String::as_str).collect();
-                run.identity(&identity, &names, &part)
+                let (order, part) = (graph.order(), format!("Q_L on the graph {}", arcs(&graph)));
+                run.identity(&lengths(laplacian(&graph)?, graph, variant.factor), &names[..2 * order], &part)
             });
             Ok(supports(Run::all(tests)?, &[1]))
         },
     )
-    .repaired(
-        Fault::Slip,
-        "",
-        right,
-    )
+    .repaired(Fault::Slip, "", LengthVariant { factor: (1, 4), directed: false })
     .repaired_clauses(&[
         "For undirected G, Q_L(x) = (1/(4N)) sum_{(j,k) in E} |x_j - x_k|^2 with both directions of each edge in E.",
         "With each edge counted once it is (1/(2N)) sum |x_j - x_k|^2.",
     ])
-    .control("1/N", LengthVariant { factor: (1, 1), ..right })
-    .control("1/(4N) on directed graphs too", LengthVariant { directed: true, ..right })
+    .altered("1/N", |v| v.factor = (1, 1))
+    .altered("1/(4N) on directed graphs too", |v| v.directed = true)
 }
-
-// --- The kernel ---
 
 /// The inertia of the form `<x, L x>` over real vectors.
 pub fn form_inertia(laplacian: &SparseMatrix) -> Result<Inertia, CheckError> {
@@ -120,7 +93,7 @@ pub fn kernel() -> Record<KernelVariant> {
         |variant, run| {
             let most = if *variant == KernelVariant::StronglyConnected { 3 } else { run.cases(4, 5) };
             let detail = format!("exact inertia (N - 1, 0, 1) for all labelled graphs of up to {most} nodes");
-            let evidence = Evidence::new(Grade::Exhaustive, "positive but on span{1}", detail).on([1, 2]);
+            let evidence = exhaustive("positive but on span{1}", detail).on([1, 2]);
             run.every(evidence, (1..=most).flat_map(|order| variant.graphs(order)), |graph| {
                 let (order, found) = (graph.order(), form_inertia(&laplacian(&graph)?)?);
                 let right = found == Inertia { positive: order - 1, negative: 0, zero: 1 };
@@ -136,8 +109,6 @@ pub fn kernel() -> Record<KernelVariant> {
     .control("strongly connected digraphs", KernelVariant::StronglyConnected)
 }
 
-// --- The incidence matrix ---
-
 /// The lower sign in the columns of `B`, and the factors in `L = factor B B^T` with a column for each undirected edge and with one for each
 /// directed edge, as far as they are claimed.
 #[derive(Clone, Copy)]
@@ -148,7 +119,6 @@ pub struct IncidenceVariant {
 }
 
 pub fn incidence() -> Record<IncidenceVariant> {
-    let right = IncidenceVariant { tail: -1, once: Some((1, 1)), twice: Some((1, 2)) };
     Record::new(
         "paley.incid",
         "A column with 1 and -1 adds to B B^T the Laplacian of its edge, whatever its direction. For undirected G the set E of directed edges holds each edge \
@@ -156,24 +126,20 @@ pub fn incidence() -> Record<IncidenceVariant> {
         IncidenceVariant { tail: -1, once: None, twice: Some((1, 1)) },
         examine_incidence,
     )
-    .repaired(
-        Fault::Slip,
-        "",
-        right,
-    )
+    .repaired(Fault::Slip, "", IncidenceVariant { tail: -1, once: Some((1, 1)), twice: Some((1, 2)) })
     .repaired_clauses(&[
         "For undirected G, L = B B^T if B has one column for each undirected edge, directed either way.",
         "With one column for each directed edge in E, L = (1/2) B B^T.",
     ])
-    .control("half of B B^T with a column for each undirected edge", IncidenceVariant { once: Some((1, 2)), ..right })
-    .control("both entries 1", IncidenceVariant { tail: 1, ..right })
-    .control("a third with a column for each directed edge", IncidenceVariant { twice: Some((1, 3)), ..right })
+    .altered("half of B B^T with a column for each undirected edge", |v| v.once = Some((1, 2)))
+    .altered("both entries 1", |v| v.tail = 1)
+    .altered("a third with a column for each directed edge", |v| v.twice = Some((1, 3)))
 }
 
 fn examine_incidence(variant: &IncidenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let most = run.cases(4, 5);
     let detail = format!("all labelled graphs of up to {most} nodes");
-    let evidence = Evidence::new(Grade::Exhaustive, "L and B B^T", detail);
+    let evidence = exhaustive("L and B B^T", detail);
     let graphs = run.every(evidence, (1..=most).flat_map(Graph::all), |graph| {
         let turned = |(place, &(j, k)): (usize, &(usize, usize))| if place % 2 == 0 { (j, k) } else { (k, j) };
         let once: Vec<(usize, usize)> = graph.edges().iter().enumerate().map(turned).collect();

@@ -1,17 +1,13 @@
 //! paley.eq13, paley.gradW, paley.eq14_15: the Laplacian phase potential, its gradient and its control.
 
 use super::common::{arcs, complete, digraph, identities, laplacian, named, phasors};
+use crate::prelude::*;
 use algebra::graph::WeightedGraph;
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Dual, Field, Rational, rational};
-use ledger::{CheckError, Record};
 use models::oscillator::{
     laplacian_control, misalignment, moment_gradient, moment_potential, pairwise_control, phase_gradient,
     phase_potential, phase_potential_gradient, rate_of_change,
 };
-
-// --- Complete graphs ---
 
 /// `W_1 = constant + sign U_1` on a graph.
 #[derive(Clone, Copy)]
@@ -21,50 +17,37 @@ pub struct CompleteVariant {
     graph: fn(usize) -> WeightedGraph,
 }
 
-struct CompleteIdentity {
-    laplacian: SparseMatrix,
-    constant: Rational,
-    sign: i64,
-}
-
-impl RationalIdentity for CompleteIdentity {
-    fn variables(&self) -> usize {
-        self.laplacian.order()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn complete_sides(laplacian: SparseMatrix, constant: Rational, sign: i64) -> Identity<'static> {
+    Identity::new(laplacian.order(), move |t| {
         let z = phasors(t)?;
-        let sign = t[0].integer(self.sign);
-        let right = t[0].rational(&self.constant) + moment_potential(&z, 1)? * &sign;
+        let sign = t[0].integer(sign);
+        let right = t[0].rational(&constant) + moment_potential(&z, 1)? * &sign;
         let slopes = moment_gradient(&z, 1)?.into_iter().map(|slope| slope * &sign);
-        let left = [phase_potential(&self.laplacian, &z, 1)?].into_iter();
-        let gradient = phase_gradient(&z, |z| phase_potential(&self.laplacian, z, 1))?;
+        let left = [phase_potential(&laplacian, &z, 1)?].into_iter();
+        let gradient = phase_gradient(&z, |z| phase_potential(&laplacian, z, 1))?;
         Ok((left.chain(gradient).collect(), [right].into_iter().chain(slopes).collect()))
-    }
+    })
 }
 
 pub fn complete_potential() -> Record<CompleteVariant> {
-    let printed = CompleteVariant { constant: |n| rational(n, 2), sign: -1, graph: complete };
     Record::new(
         "paley.eq13",
         "L = N I - 1 1^T: <z, L z> = N * N - |sum z|^2 = N^2 (1 - |p|^2), divided by 2N. The gradients are opposite, so the stationary points are the same.",
-        printed,
+        CompleteVariant { constant: |n| rational(n, 2), sign: -1, graph: complete },
         |variant, run| {
             let parts = (1..=3usize).map(|n| {
                 let laplacian = laplacian(&(variant.graph)(n))?;
-                let identity = CompleteIdentity { laplacian, constant: (variant.constant)(n as i64), sign: variant.sign };
+                let identity = complete_sides(laplacian, (variant.constant)(n as i64), variant.sign);
                 Ok((identity, format!("W_1 and its gradient, N = {n}")))
             });
             identities(run, &[1, 2], &[], parts)
         },
     )
     .clauses(&["If G is complete, then W_1(theta) = N/2 - U_1(theta).", "W_1 has the same stationary points as U_1."])
-    .control("N instead of N/2", CompleteVariant { constant: |n| rational(n, 1), ..printed })
-    .control("+ U_1", CompleteVariant { sign: 1, ..printed })
-    .control("the path", CompleteVariant { graph: |n| digraph(n, |k, j| k.abs_diff(j) == 1), ..printed })
+    .altered("N instead of N/2", |v| v.constant = |n| rational(n, 1))
+    .altered("+ U_1", |v| v.sign = 1)
+    .altered("the path", |v| v.graph = |n| digraph(n, |k, j| k.abs_diff(j) == 1))
 }
-
-// --- The gradient ---
 
 /// Graphs of the identities; a directed one first where the statement is to be tried on it.
 fn graphs(directed: bool) -> impl Iterator<Item = Result<WeightedGraph, CheckError>> {
@@ -83,39 +66,29 @@ pub struct GradientVariant {
     directed: bool,
 }
 
-struct GradientIdentity {
-    laplacian: SparseMatrix,
-    variant: GradientVariant,
-}
-
-impl RationalIdentity for GradientIdentity {
-    fn variables(&self) -> usize {
-        self.laplacian.order()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn gradient_sides(laplacian: SparseMatrix, variant: &GradientVariant) -> Identity<'_> {
+    Identity::new(laplacian.order(), move |t| {
         let z = phasors(t)?;
-        let gradient = phase_gradient(&z, |z| phase_potential(&self.laplacian, z, 1))?;
-        let (both, own) = (t[0].integer(self.variant.both), self.variant.own);
+        let gradient = phase_gradient(&z, |z| phase_potential(&laplacian, z, 1))?;
+        let (both, own) = (t[0].integer(variant.both), variant.own);
         let own = t[0].ratio(own.0, own.1 * z.len() as i64);
-        let first = phase_potential_gradient(&self.laplacian, &z)?.into_iter().map(|slope| slope * &both);
-        let second = misalignment(&self.laplacian, &z).into_iter().map(|term| term * &own);
+        let first = phase_potential_gradient(&laplacian, &z)?.into_iter().map(|slope| slope * &both);
+        let second = misalignment(&laplacian, &z).into_iter().map(|term| term * &own);
         Ok((gradient.iter().chain(&gradient).cloned().collect(), first.chain(second).collect()))
-    }
+    })
 }
 
 pub fn gradient() -> Record<GradientVariant> {
-    let printed = GradientVariant { both: 1, own: (1, 1), directed: false };
     Record::new(
         "paley.gradW",
         "The derivative of (1/(2N)) <z, L z> along i z_k e_k is (1/(2N)) (<i z_k, L_k z> + <z, L e_k i z_k>), and the second term is <i z_k, (L^T)_k z>. \
          For undirected G, L = L^T. (The first form holds for directed graphs too, the second does not.)",
-        printed,
+        GradientVariant { both: 1, own: (1, 1), directed: false },
         |variant, run| {
             let parts = graphs(variant.directed).map(|graph| {
                 let graph = graph?;
                 let part = format!("gradient of W_1, {}", arcs(&graph));
-                Ok((GradientIdentity { laplacian: laplacian(&graph)?, variant: *variant }, part))
+                Ok((gradient_sides(laplacian(&graph)?, variant), part))
             });
             identities(run, &[1, 2], &[], parts)
         },
@@ -124,12 +97,10 @@ pub fn gradient() -> Record<GradientVariant> {
         "For undirected G, dW_1/dtheta_k = (1/(2N)) <i e^{i theta_k}, (L + L^T)_k e^{i theta}>.",
         "This is (1/N) <i e^{i theta_k}, L_k e^{i theta}>.",
     ])
-    .control("directed graphs too", GradientVariant { directed: true, ..printed })
-    .control("1/(2N) with L alone", GradientVariant { own: (1, 2), ..printed })
-    .control("1/N with L + L^T", GradientVariant { both: 2, ..printed })
+    .altered("directed graphs too", |v| v.directed = true)
+    .altered("1/(2N) with L alone", |v| v.own = (1, 2))
+    .altered("1/N with L + L^T", |v| v.both = 2)
 }
-
-// --- The control (14) ---
 
 /// Powers and signs of the rate and of the sum over pairs.
 #[derive(Clone, Copy)]
@@ -140,43 +111,32 @@ pub struct LawVariant {
 }
 
 /// Variables are the phases, `K_1` and `omega_0`.
-struct LawIdentity {
-    graph: WeightedGraph,
-    laplacian: SparseMatrix,
-    variant: LawVariant,
-}
-
-impl RationalIdentity for LawIdentity {
-    fn variables(&self) -> usize {
-        self.graph.order() + 2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn law_sides(laplacian: SparseMatrix, graph: WeightedGraph, variant: &LawVariant) -> Identity<'_> {
+    Identity::new(graph.order() + 2, move |at| {
         let [t @ .., gain, omega] = at else { return Err(ArithmeticError::Domain("phases, K_1, omega_0")) };
         let z = phasors(t)?;
-        let rates: Vec<T> = laplacian_control(gain, &self.laplacian, &z)?.into_iter().map(|u| u + omega).collect();
-        let rate = rate_of_change(&z, &rates, |z: &[_]| phase_potential::<Dual<T>>(&self.laplacian, z, 1))?;
-        let squares = misalignment(&self.laplacian, &z).iter().fold(gain.zero(), |sum, term| sum + term.square());
-        let share = gain.ratio(1, (z.len() as i64).pow(self.variant.power_of_n));
-        let sine = gain.integer(self.variant.sine);
-        let pairs = pairwise_control(gain, &self.graph, &z)?.into_iter().map(|pair| pair * &sine + omega);
+        let rates: Vec<Probe> = laplacian_control(gain, &laplacian, &z)?.into_iter().map(|u| u + omega).collect();
+        let rate = rate_of_change(&z, &rates, |z: &[_]| phase_potential::<Dual<Probe>>(&laplacian, z, 1))?;
+        let squares = misalignment(&laplacian, &z).iter().fold(gain.zero(), |sum, term| sum + term.square());
+        let share = gain.ratio(1, (z.len() as i64).pow(variant.power_of_n));
+        let sine = gain.integer(variant.sine);
+        let pairs = pairwise_control(gain, &graph, &z)?.into_iter().map(|pair| pair * &sine + omega);
         let left = [rate].into_iter().chain(rates).collect();
         Ok((left, [squares * gain * share].into_iter().chain(pairs).collect()))
-    }
+    })
 }
 
 pub fn law() -> Record<LawVariant> {
-    let printed = LawVariant { power_of_n: 2, sine: 1, directed: false };
     Record::new(
         "paley.eq14_15",
         "dW_1/dtheta_k = (1/N) <i z_k, L_k z> (paley.gradW) times thetadot_k; omega_0 adds omega_0 1^T grad W_1 = 0, because W_1 does not change when all \
          phases turn. <i z_k, L_k z> = -sum_j <i z_k, z_j> = sum_j sin theta_kj.",
-        printed,
+        LawVariant { power_of_n: 2, sine: 1, directed: false },
         |variant, run| {
             let parts = graphs(variant.directed).map(|graph| {
                 let graph = graph?;
                 let part = format!("rate of W_1 and (15), {}", arcs(&graph));
-                Ok((LawIdentity { laplacian: laplacian(&graph)?, graph, variant: *variant }, part))
+                Ok((law_sides(laplacian(&graph)?, graph, variant), part))
             });
             identities(run, &[1, 2], &["K1", "omega0"], parts)
         },
@@ -185,7 +145,7 @@ pub fn law() -> Record<LawVariant> {
         "For undirected G, the phase model (6) with (14) satisfies Wdot_1 = (K_1/N^2) sum_k <i e^{i theta_k}, L_k e^{i theta}>^2.",
         "It is equivalent to thetadot_k = omega_0 + (K_1/N) sum_{j in N_k} sin theta_kj.",
     ])
-    .control("K_1/N in the rate", LawVariant { power_of_n: 1, ..printed })
-    .control("sin theta_jk", LawVariant { sine: -1, ..printed })
-    .control("directed graphs too", LawVariant { directed: true, ..printed })
+    .altered("K_1/N in the rate", |v| v.power_of_n = 1)
+    .altered("sin theta_jk", |v| v.sine = -1)
+    .altered("directed graphs too", |v| v.directed = true)
 }

@@ -25,43 +25,22 @@ pub use figure2::{Polygon, printed_column, rhombus, value_of};
 
 use ledger::Claim;
 
-/// All that are built.
 pub fn claims() -> Vec<Box<dyn Claim>> {
-    vec![
-        Box::new(order::synchronised()),
-        Box::new(order::order_parameter()),
-        Box::new(order::extremes()),
-        Box::new(order::gradient_law()),
-        Box::new(theorem1::convergence()),
-        Box::new(theorem1::synchronised_stable()),
-        Box::new(theorem1::balanced_stable()),
-        Box::new(saddles::saddles()),
-        Box::new(saddles::unbalanced()),
-        Box::new(graphs::edge_length()),
-        Box::new(graphs::kernel()),
-        Box::new(graphs::incidence()),
-        Box::new(tutorial::laplacians()),
-        Box::new(tutorial::named_laplacians()),
-        Box::new(laplacian_potential::complete_potential()),
-        Box::new(laplacian_potential::gradient()),
-        Box::new(laplacian_potential::law()),
-        Box::new(zero_set::connected()),
-        Box::new(zero_set::strong_subgraphs()),
-        Box::new(zero_set::fish_subgraphs()),
-        Box::new(stationary::stationary_points()),
-        Box::new(stationary::eigenvectors_are_stationary()),
-        Box::new(stationary::balanced_point_exists()),
-        Box::new(eigenvectors::circulant_eigenvectors()),
-        Box::new(eigenvectors::cyclic_eigenvectors()),
-        Box::new(figure2::columns()),
-        Box::new(nearest::scale()),
-        Box::new(nearest::complete_scale()),
-        Box::new(nearest::three_and_one()),
-        Box::new(patterns::two_patterns()),
-        Box::new(patterns::moments_of_patterns()),
-        Box::new(moment_potentials::laplacian_moments()),
-        Box::new(moment_potentials::moment_potentials()),
-        Box::new(patterns::minimisers()),
-        Box::new(reference::reference_phase()),
-    ]
+    claims! {
+        order: synchronised, order_parameter, extremes, gradient_law;
+        theorem1: convergence, synchronised_stable, balanced_stable;
+        saddles: saddles, unbalanced;
+        graphs: edge_length, kernel, incidence;
+        tutorial: laplacians, named_laplacians;
+        laplacian_potential: complete_potential, gradient, law;
+        zero_set: connected, strong_subgraphs, fish_subgraphs;
+        stationary: stationary_points, eigenvectors_are_stationary, balanced_point_exists;
+        eigenvectors: circulant_eigenvectors, cyclic_eigenvectors;
+        figure2: columns;
+        nearest: scale, complete_scale, three_and_one;
+        patterns: two_patterns, moments_of_patterns;
+        moment_potentials: laplacian_moments, moment_potentials;
+        patterns: minimisers;
+        reference: reference_phase;
+    }
 }

@@ -3,34 +3,20 @@
 use super::common::{Exact, all_equal, all_zero, at, complete, identities, laplacian, phasors};
 use super::common::{squared_lengths, turns, up_to_rotation};
 use super::figure2::value_of;
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, CosineField, Field, Rational, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::{CosineField, Sign, Signed};
 use models::oscillator::{moment, moment_gradient, moment_potential, phase_jacobian, phase_potential, powers};
-
-// --- Potentials on the complete graph ---
 
 /// The constant in `W_m = constant - U_m`, given `N` and `m`.
 type ConstantOf = fn(particles: i64, m: i64) -> Rational;
 
-struct LaplacianMomentIdentity {
-    laplacian: SparseMatrix,
-    constant: ConstantOf,
-    m: u32,
-}
-
-impl RationalIdentity for LaplacianMomentIdentity {
-    fn variables(&self) -> usize {
-        self.laplacian.order()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn moment_of_laplacian(laplacian: SparseMatrix, constant: ConstantOf, m: u32) -> Identity<'static> {
+    Identity::new(laplacian.order(), move |t| {
         let z = phasors(t)?;
-        let constant = t[0].rational(&(self.constant)(z.len() as i64, i64::from(self.m)));
-        Ok((vec![phase_potential(&self.laplacian, &z, self.m)?], vec![constant - moment_potential(&z, self.m)?]))
-    }
+        let constant = t[0].rational(&(constant)(z.len() as i64, i64::from(m)));
+        Ok((vec![phase_potential(&laplacian, &z, m)?], vec![constant - moment_potential(&z, m)?]))
+    })
 }
 
 pub fn laplacian_moments() -> Record<ConstantOf> {
@@ -44,8 +30,7 @@ pub fn laplacian_moments() -> Record<ConstantOf> {
             let sizes = (2..=3usize).flat_map(|particles| (1..=3).map(move |m| (particles, m)));
             let parts = sizes.map(|(particles, m)| {
                 let laplacian = laplacian(&complete(particles))?;
-                let identity = LaplacianMomentIdentity { laplacian, constant: *variant, m };
-                Ok((identity, format!("W_{m} on the complete graph, N = {particles}")))
+                Ok((moment_of_laplacian(laplacian, *variant, m), format!("W_{m} on the complete graph, N = {particles}")))
             });
             identities(run, &[1], &[], parts)
         },
@@ -59,8 +44,6 @@ pub fn laplacian_moments() -> Record<ConstantOf> {
     .control("N/m^2", |particles, m| rational(particles, m * m))
 }
 
-// --- Extremes and saddles ---
-
 /// Where the extremes are claimed to be, and what the other stationary points are.
 #[derive(Clone, Copy)]
 pub struct MomentVariant {
@@ -73,23 +56,14 @@ pub struct MomentVariant {
 }
 
 /// `N/(2m^2) - U_m = (1/(2N m^2)) sum of |z_k^m - z_j^m|^2` over pairs.
-struct Deficit {
-    particles: usize,
-    m: u32,
-}
-
-impl RationalIdentity for Deficit {
-    fn variables(&self) -> usize {
-        self.particles
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn deficit(particles: usize, m: u32) -> Identity<'static> {
+    Identity::new(particles, move |t| {
         let z = phasors(t)?;
-        let (n, square) = (self.particles as i64, i64::from(self.m * self.m));
-        let squares = squared_lengths(&complete(self.particles), &powers(&z, self.m), &t[0]);
+        let (n, square) = (particles as i64, i64::from(m * m));
+        let squares = squared_lengths(&complete(particles), &powers(&z, m), &t[0]);
         let largest = t[0].ratio(n, 2 * square);
-        Ok((vec![largest - moment_potential(&z, self.m)?], vec![squares * t[0].ratio(1, 4 * n * square)]))
-    }
+        Ok((vec![largest - moment_potential(&z, m)?], vec![squares * t[0].ratio(1, 4 * n * square)]))
+    })
 }
 
 pub fn moment_potentials() -> Record<MomentVariant> {
@@ -104,7 +78,7 @@ pub fn moment_potentials() -> Record<MomentVariant> {
         |variant, run| {
             let squares = [(2, 2), (2, 3), (3, 1)].map(|(particles, m)| {
                 let part = format!("N/(2m^2) - U_m as a sum of squares, N = {particles}, m = {m}");
-                Ok((Deficit { particles, m }, part))
+                Ok((deficit(particles, m), part))
             });
             let squares = identities(run, &[1, 2], &[], squares);
             Run::all([few_phases(variant, run), two_clusters(variant, run), squares, argued(&[3], "every N >= 2 and m", "notes/paley_phases.md, steps P4")])
@@ -119,9 +93,9 @@ pub fn moment_potentials() -> Record<MomentVariant> {
         "U_m reaches its maximum when the difference between any two phases is an integer multiple of 2 pi/m.",
         "All of the remaining stationary points are isolated saddle points.",
     ])
-    .control("isolated in T^N", MomentVariant { others: |i| i.zero == 0, ..printed })
-    .control("maximum at multiples of pi/m", MomentVariant { divisor: 2, ..printed })
-    .control("minimum and maximum exchanged", MomentVariant { exchanged: true, ..printed })
+    .altered("isolated in T^N", |v| v.others = |i| i.zero == 0)
+    .altered("maximum at multiples of pi/m", |v| v.divisor = 2)
+    .altered("minimum and maximum exchanged", |v| v.exchanged = true)
 }
 
 /// All arrangements of few phases.
@@ -131,7 +105,7 @@ fn few_phases(variant: &MomentVariant, run: &Run) -> Result<Outcome, CheckError>
     let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn, m = 1 to 3";
     let sizes = [2usize, 3].into_iter().flat_map(|particles| (1u32..=3).map(move |m| (particles, m)));
     let cases = sizes.flat_map(|(particles, m)| up_to_rotation(particles, PARTS).map(move |exponents| (m, exponents)));
-    let evidence = Evidence::new(Grade::Exhaustive, "extremes and saddles", detail).on([1, 2, 3]);
+    let evidence = exhaustive("extremes and saddles", detail).on([1, 2, 3]);
     run.every(evidence, cases, |(m, exponents)| {
         let found = stationary_contradiction(variant, m, &at(&field, &exponents))?;
         Ok(found.map(|what| format!("m = {m}, {}: {what}", turns(&exponents, PARTS))))
@@ -143,8 +117,7 @@ fn two_clusters(variant: &MomentVariant, run: &Run) -> Result<Outcome, CheckErro
     let sizes = [(4usize, 1u32), (5, 2), (6, 3), (7, 1)].into_iter();
     let cases =
         sizes.flat_map(|(particles, m)| (0..particles.div_ceil(2)).map(move |minority| (particles, m, minority)));
-    let evidence =
-        Evidence::new(Grade::Exact, "saddles of larger groups", "two clusters modulo 2 pi/m for N up to 7").on([3]);
+    let evidence = exact("saddles of larger groups", "two clusters modulo 2 pi/m for N up to 7").on([3]);
     run.every(evidence, cases, |(particles, m, minority)| {
         let exponents: Vec<usize> = (0..particles).map(|k| 2 * (k % m as usize) + usize::from(k < minority)).collect();
         let found = stationary_contradiction(variant, m, &at(&CosineField::new(2 * m), &exponents))?;

@@ -1,11 +1,8 @@
 //! paley.scale, paley.scale.complete, paley.fishpeak: the potential of the fish on the graph of nearest neighbours.
 
 use super::common::{complete, digraphs, identities, laplacian, on_the_line, phasors, supports, up_to_rotation};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Interaction, Neighbours, mean, phase_potential};
 use rand_chacha::rand_core::Rng;
 
@@ -39,8 +36,6 @@ fn figure_scale(n: i64, _: i64) -> Rational {
 fn text_scale(n: i64, _: i64) -> Rational {
     rational(n + 2, n)
 }
-
-// --- The scaled potential ---
 
 /// For which `n` of `N` which scale is claimed to bring the potential into [0, 1].
 #[derive(Clone)]
@@ -114,13 +109,12 @@ fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, Check
     let networks = networks.filter_map(|(school, n)| Some((school, n, nearest_network(school, n)?)));
     let cases =
         networks.flat_map(|(school, n, network)| signs(school.len()).map(move |z| (school, n, network.clone(), z)));
-    let evidence =
-        Evidence::new(Grade::Fuzzed, "nearest neighbours", "schools of 2 to 6 fish at random, all phases 0 and pi");
+    let evidence = fuzzed("nearest neighbours", "schools of 2 to 6 fish at random, all phases 0 and pi");
     let nearest = run.every(evidence, cases, |(school, n, network, z)| {
         Ok(variant.fails_at(&network, n, &z)?.map(|what| format!("fish at {school:?}, {what}")))
     })?;
     if let Outcome::Fails { counterexample, .. } = nearest {
-        return Ok(Outcome::fails(counterexample, Evidence::new(Grade::Exact, "scaled potential", "exact values")));
+        return Ok(Outcome::fails(counterexample, exact("scaled potential", "exact values")));
     }
     let detail = "all digraphs of up to 4 fish with the same number of neighbours, where the bounds are reached";
     let graphs = (2..=4).flat_map(digraphs).filter_map(|graph| {
@@ -128,7 +122,7 @@ fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, Check
         let n = (1..graph.order()).find(|&n| degrees.iter().all(|d| *d == rational(n as i64, 1)))?;
         Some((graph, n))
     });
-    let same = run.every(Evidence::new(Grade::Exhaustive, "all phases 0 and pi", detail), graphs, |(graph, n)| {
+    let same = run.every(exhaustive("all phases 0 and pi", detail), graphs, |(graph, n)| {
         let laplacian = laplacian(&graph)?;
         for z in signs(graph.order()) {
             if let Some(what) = variant.fails_at(&laplacian, n, &z)? {
@@ -151,34 +145,19 @@ fn reached_on_the_square() -> Result<Outcome, CheckError> {
     let network = nearest_network(&SQUARE, 2).ok_or_else(|| CheckError::Other("a tie on the square".to_string()))?;
     let z: Vec<_> = [1, -1, 1, -1].map(|sign| Complex::real(rational(sign, 1))).into();
     let scaled = phase_potential(&network, &z, 1)? * figure_scale(2, 4);
-    let evidence = Evidence::new(Grade::Exact, "the square", "exact value");
-    if scaled != rational(4, 3) {
-        return Ok(Outcome::fails(format!("the scaled potential on the square is {scaled}"), evidence));
-    }
-    Ok(Outcome::Holds(vec![evidence.on([3]).for_all()]))
+    let what = || format!("the scaled potential on the square is {scaled}");
+    unless((scaled != rational(4, 3)).then(what), exact("the square", "exact value").on([3]).for_all())
 }
 
-// --- Complete graphs ---
-
-struct CompleteIdentity {
-    laplacian: SparseMatrix,
-    scale: Rational,
-}
-
-impl RationalIdentity for CompleteIdentity {
-    fn variables(&self) -> usize {
-        self.laplacian.order()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn complete_sides(laplacian: SparseMatrix, scale: Rational) -> Identity<'static> {
+    Identity::new(laplacian.order(), move |t| {
         let z = phasors(t)?;
-        let scaled = phase_potential(&self.laplacian, &z, 1)? * t[0].rational(&self.scale);
+        let scaled = phase_potential(&laplacian, &z, 1)? * t[0].rational(&scale);
         Ok((vec![scaled], vec![t[0].one() - mean(&z)?.norm_squared()]))
-    }
+    })
 }
 
 pub fn complete_scale() -> Record<ScaleOf> {
-    let right: ScaleOf = figure_scale;
     Record::new(
         "paley.scale.complete",
         "By (13) and (8) W_1 = (N/2)(1 - |p|^2), and N = n + 1: the factor is 2/(n+1), as the labels of Figure S3 have it.",
@@ -186,7 +165,7 @@ pub fn complete_scale() -> Record<ScaleOf> {
         |variant, run| {
             let parts = (2..=4usize).map(|fish| {
                 let scale = variant(fish as i64 - 1, fish as i64);
-                let identity = CompleteIdentity { laplacian: laplacian(&complete(fish))?, scale };
+                let identity = complete_sides(laplacian(&complete(fish))?, scale);
                 Ok((identity, format!("N = {fish}, n = {}", fish - 1)))
             });
             identities(run, &[1], &[], parts)
@@ -195,12 +174,10 @@ pub fn complete_scale() -> Record<ScaleOf> {
     .repaired(
         Fault::Typo,
         "n = N-1 corresponds to the complete graph, in which case 2/(n+1) W_1(theta) = 1 - |p_theta|^2.",
-        right,
+        figure_scale,
     )
     .control("2/n", |n, _| rational(2, n))
 }
-
-// --- Three and one ---
 
 /// The scale, and whether equal clusters count as unbalanced.
 #[derive(Clone, Copy)]
@@ -210,12 +187,11 @@ pub struct PeakVariant {
 }
 
 pub fn three_and_one() -> Record<PeakVariant> {
-    let printed = PeakVariant { scale: figure_scale, equal_clusters: false };
     Record::new(
         "paley.fishpeak",
         "1 - |p|^2 with p = (3 - 1)/4. Unbalanced (2, 4)-patterns have M = 1 or 3 phases theta_0, which is the same shape: three and one, unique up to rotation and \
          exchange of fish. M = 2 is balanced, M = 0 synchronised: one cluster.",
-        printed,
+        PeakVariant { scale: figure_scale, equal_clusters: false },
         |variant, run| {
             const FISH: usize = 4;
             let laplacian = laplacian(&complete(FISH))?;
@@ -237,6 +213,6 @@ pub fn three_and_one() -> Record<PeakVariant> {
         "In the scaled potential for n = N-1 of four fish, three fish moving in parallel and one in the opposite direction have the value 0.75.",
         "This is the only unbalanced (2,N)-pattern for N = 4.",
     ])
-    .control("the scale 2/n + 1", PeakVariant { scale: text_scale, ..printed })
-    .control("two and two counted too", PeakVariant { equal_clusters: true, ..printed })
+    .altered("the scale 2/n + 1", |v| v.scale = text_scale)
+    .altered("two and two counted too", |v| v.equal_clusters = true)
 }

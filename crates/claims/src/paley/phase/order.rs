@@ -3,16 +3,12 @@
 use super::common::{N_AT_LEAST_2, at, supports, turns, up_to_rotation};
 use super::common::{all_equal, all_zero, complete, identities, laplacian, named, phasors, squared_lengths};
 use super::figure2::value_of;
-use crate::argued::argued;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, CosineField, Dual, Field, Rational, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::{CosineField, Sign, Signed};
 use models::oscillator::{
     State, gradient_control, laplacian_control, mean, moment, moment_gradient, moment_potential, pairwise_control,
     phase_gradient, rate_of_change, symmetric_pattern,
 };
-
-// --- Synchronised phases ---
 
 /// The common rate given `omega_0`, and whether one phase is apart from the others.
 #[derive(Clone, Copy)]
@@ -22,7 +18,6 @@ pub struct RateVariant {
 }
 
 pub fn synchronised() -> Record<RateVariant> {
-    let right = RateVariant { rate: Rational::clone, apart: false };
     Record::new(
         "paley.sync.par",
         "The definition of a parallel formation asks for thetadot_k = 0. Phase locking gives equal rates only: under (6) with a control that \
@@ -31,18 +26,14 @@ pub fn synchronised() -> Record<RateVariant> {
         RateVariant { rate: |_| rational(0, 1), apart: false },
         examine_rates,
     )
-    .repaired(
-        Fault::False,
-        "",
-        right,
-    )
+    .repaired(Fault::False, "", RateVariant { rate: Rational::clone, apart: false })
     .repaired_clauses(&[
         "In a synchronised arrangement the particles have a common direction at all times, which turns at their common rate.",
         "Under (6) with (9) or (14) that rate is omega_0.",
         "The formation is parallel if and only if that rate is zero.",
     ])
-    .control("the rate 2 omega_0", RateVariant { rate: |omega| omega * rational(2, 1), ..right })
-    .control("one phase apart from the others", RateVariant { apart: true, ..right })
+    .altered("the rate 2 omega_0", |v| v.rate = |omega| omega * rational(2, 1))
+    .altered("one phase apart from the others", |v| v.apart = true)
 }
 
 fn examine_rates(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -77,8 +68,6 @@ fn examine_rates(variant: &RateVariant, run: &mut Run) -> Result<Outcome, CheckE
     ])
 }
 
-// --- Equation (7) ---
-
 /// `p` turned by so many quarters, and the factor of the sum of squares.
 #[derive(Clone, Copy)]
 pub struct OrderVariant {
@@ -87,23 +76,10 @@ pub struct OrderVariant {
 }
 
 /// `Rdot = p` and `1 - |p|^2 = (1/(2 N^2)) sum_{k,j} |z_k - z_j|^2`.
-struct Velocity {
-    particles: usize,
-    variant: OrderVariant,
-}
-
-impl RationalIdentity for Velocity {
-    fn variables(&self) -> usize {
-        self.particles
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["Re Rdot", "Im Rdot", "1 - |p|^2"].map(String::from).to_vec()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn velocity_of_centre(particles: usize, variant: &OrderVariant) -> Identity<'_> {
+    Identity::new(particles, move |t| {
         let z = phasors(t)?;
-        let (like, v) = (t[0].one(), &self.variant);
+        let (like, v) = (t[0].one(), &variant);
         let i = Complex::new(like.zero(), like.clone());
         let p = mean(&z)? * i.power(v.quarters);
         let still = State { positions: vec![Complex::real(like.zero()); z.len()], phasors: z.clone() };
@@ -112,21 +88,21 @@ impl RationalIdentity for Velocity {
         let spread = squared_lengths(&complete(z.len()), &z, &like) * share;
         let deficit = like - p.norm_squared();
         Ok((vec![velocity.re.derivative, velocity.im.derivative, deficit], vec![p.re, p.im, spread]))
-    }
+    })
+    .named(["Re Rdot", "Im Rdot", "1 - |p|^2"])
 }
 
 pub fn order_parameter() -> Record<OrderVariant> {
-    let printed = OrderVariant { quarters: 0, squares: 1 };
     Record::new(
         "paley.eq7",
         "Rdot = (1/N) sum rdot_j = (1/N) sum e^{i theta_j} by (1). 1 - |p|^2 = (1/(2 N^2)) sum_{k,j} |z_k - z_j|^2 >= 0 with equality \
          exactly for equal phases. p = 0 at all times is Rdot = 0, that is, R is fixed; an arrangement that is balanced at one instant only has \
          Rdot = 0 at that instant.",
-        printed,
+        OrderVariant { quarters: 0, squares: 1 },
         |variant, run| {
             let parts = (1..=4).map(|particles| {
                 let part = format!("Rdot = p and 1 - |p|^2 as a sum of squares, N = {particles}");
-                Ok((Velocity { particles, variant: *variant }, part))
+                Ok((velocity_of_centre(particles, variant), part))
             });
             identities(run, &[1, 2, 3, 4], &[], parts)
         },
@@ -137,11 +113,9 @@ pub fn order_parameter() -> Record<OrderVariant> {
         "p_theta equals the velocity Rdot of the center of mass.",
         "Each balanced arrangement corresponds to a fixed center of mass.",
     ])
-    .control("p turned by a quarter", OrderVariant { quarters: 1, ..printed })
-    .control("twice the squares", OrderVariant { squares: 2, ..printed })
+    .altered("p turned by a quarter", |v| v.quarters = 1)
+    .altered("twice the squares", |v| v.squares = 2)
 }
-
-// --- Equation (8) ---
 
 /// Which arrangements maximise, from how many particles on, and how many particles a rotation leaves out.
 #[derive(Clone, Copy)]
@@ -152,35 +126,25 @@ pub struct ExtremesVariant {
 }
 
 /// `U_1` does not change when all phases are turned by the same angle, the last variable.
-struct Rotation {
-    particles: usize,
-    left_out: usize,
-}
-
-impl RationalIdentity for Rotation {
-    fn variables(&self) -> usize {
-        self.particles + 1
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn rotation(particles: usize, left_out: usize) -> Identity<'static> {
+    Identity::new(particles + 1, move |at| {
         let all = phasors(at)?;
         let (turn, z) = all.split_last().ok_or(ArithmeticError::Domain("an angle"))?;
-        let turned = self.particles - self.left_out;
-        let rotated: Vec<Complex<T>> =
+        let turned = particles - left_out;
+        let rotated: Vec<Complex<Probe>> =
             z.iter().enumerate().map(|(k, z)| if k < turned { z.clone() * turn } else { z.clone() }).collect();
         Ok((vec![moment_potential(&rotated, 1)?], vec![moment_potential(z, 1)?]))
-    }
+    })
 }
 
 pub fn extremes() -> Record<ExtremesVariant> {
-    let printed = ExtremesVariant { swapped: false, least_particles: 2, left_out: 0 };
     Record::new(
         "paley.eq8.ext",
         "|p| does not change when all phases turn together. 0 <= |p| <= 1 (eq. 7), with |p| = 1 exactly for equal phases and p = 0 exactly for \
          balanced ones, and both occur for N >= 2 (the splay state is balanced). One particle has no balanced arrangement and U_1 = 1/2 is constant.",
-        printed,
+        ExtremesVariant { swapped: false, least_particles: 2, left_out: 0 },
         |variant, run| {
-            let rotation = Rotation { particles: 3, left_out: variant.left_out };
+            let rotation = rotation(3, variant.left_out);
             let rotation = identities(run, &[1], &["turn"], [Ok((rotation, "rotational invariance, N = 3".into()))]);
             Run::all([rotation, balanced_exist(variant, run), extreme_values(variant, run)])
         },
@@ -191,13 +155,13 @@ pub fn extremes() -> Record<ExtremesVariant> {
         "U_1 is maximized by synchronized phase arrangements.",
         "U_1 is minimized by balanced phase arrangements.",
     ])
-    .control("maximised by balanced arrangements", ExtremesVariant { swapped: true, ..printed })
-    .control("balanced arrangements for N = 1 too", ExtremesVariant { least_particles: 1, ..printed })
-    .control("one phase not turned", ExtremesVariant { left_out: 1, ..printed })
+    .altered("maximised by balanced arrangements", |v| v.swapped = true)
+    .altered("balanced arrangements for N = 1 too", |v| v.least_particles = 1)
+    .altered("one phase not turned", |v| v.left_out = 1)
 }
 
 fn balanced_exist(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, CheckError> {
-    let evidence = Evidence::new(Grade::Exact, "balanced arrangements exist", "the splay state, N = 2 to 12").on([3]);
+    let evidence = exact("balanced arrangements exist", "the splay state, N = 2 to 12").on([3]);
     run.every(evidence, variant.least_particles..=12, |particles| {
         let splay = symmetric_pattern(particles, particles).unwrap_or_default();
         let balanced = moment_potential(&splay, 1)?.sign() == Some(Sign::Zero);
@@ -210,7 +174,7 @@ fn extreme_values(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, Check
     let field = CosineField::new(PARTS as u32);
     let detail = "all arrangements of 2 to 4 phases at multiples of 1/6 turn";
     let arrangements = (2..=4usize).flat_map(|particles| up_to_rotation(particles, PARTS));
-    run.every(Evidence::new(Grade::Exhaustive, "extremes", detail).on([2, 3]), arrangements, |exponents| {
+    run.every(exhaustive("extremes", detail).on([2, 3]), arrangements, |exponents| {
         let z = at(&field, &exponents);
         let (value, p) = (moment_potential(&z, 1)?, moment(&z, 1)?);
         let above = (value.clone() - value.ratio(z.len() as i64, 2)).sign();
@@ -224,8 +188,6 @@ fn extreme_values(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, Check
     })
 }
 
-// --- The displays between (8) and (10) ---
-
 /// Signs and factors of the gradient, the sum over pairs and the decrease.
 #[derive(Clone, Copy)]
 pub struct GradientVariant {
@@ -235,25 +197,16 @@ pub struct GradientVariant {
 }
 
 /// The displays between (8) and (10); variables are the phases, `K_1` and `omega_0`.
-struct GradientIdentity {
-    particles: usize,
-    variant: GradientVariant,
-}
-
-impl RationalIdentity for GradientIdentity {
-    fn variables(&self) -> usize {
-        self.particles + 2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn gradient_sides(particles: usize, variant: &GradientVariant) -> Identity<'_> {
+    Identity::new(particles + 2, move |at| {
         let [t @ .., gain, omega] = at else { return Err(ArithmeticError::Domain("phases, K_1, omega_0")) };
         let z = phasors(t)?;
         let slopes = phase_gradient(&z, |z| moment_potential(z, 1))?;
         let sum = slopes.iter().fold(gain.zero(), |sum, slope| sum + slope);
-        let rates: Vec<T> = gradient_control(gain, &z)?.into_iter().map(|u| u + omega).collect();
-        let decrease = rate_of_change(&z, &rates, |z: &[Complex<Dual<T>>]| moment_potential(z, 1))?;
+        let rates: Vec<Probe> = gradient_control(gain, &z)?.into_iter().map(|u| u + omega).collect();
+        let decrease = rate_of_change(&z, &rates, |z: &[Complex<Dual<Probe>>]| moment_potential(z, 1))?;
 
-        let v = &self.variant;
+        let v = &variant;
         let printed = moment_gradient(&z, 1)?;
         let pairs = pairwise_control(gain, &complete(z.len()), &z)?;
         let squares = printed.iter().fold(gain.zero(), |sum, slope| sum + slope.square());
@@ -265,20 +218,19 @@ impl RationalIdentity for GradientIdentity {
             .chain(pairs.into_iter().map(|pair| pair * gain.integer(v.sine) + omega))
             .chain([squares * gain * gain.ratio(v.decrease.0, v.decrease.1)]);
         Ok((left.collect(), right.collect()))
-    }
+    })
 }
 
 pub fn gradient_law() -> Record<GradientVariant> {
-    let printed = GradientVariant { gradient: 1, sine: 1, decrease: (-1, 1) };
     Record::new(
         "paley.eq8_10",
         "dp/dtheta_k = i e^{i theta_k}/N gives the gradient; the sum is N <i p, p> = 0. <i e^{i theta_k}, e^{i theta_j}> = -sin theta_kj gives \
          (10). Along (6) the rate of U_1 is grad U_1 (omega_0 1 - K_1 grad U_1), and grad U_1 is orthogonal to 1.",
-        printed,
+        GradientVariant { gradient: 1, sine: 1, decrease: (-1, 1) },
         |variant, run| {
             let parts = (2..=3).map(|particles| {
                 let part = format!("gradient, its sum, (10) and the rate of U_1, N = {particles}");
-                Ok((GradientIdentity { particles, variant: *variant }, part))
+                Ok((gradient_sides(particles, variant), part))
             });
             identities(run, &[1, 2, 3, 4], &["K1", "omega0"], parts)
         },
@@ -289,7 +241,7 @@ pub fn gradient_law() -> Record<GradientVariant> {
         "With (9) the phase model (6) is equivalent to (10): thetadot_k = omega_0 + (K_1/N) sum_j sin theta_kj.",
         "Along it Udot_1 = -K_1 sum_k <i e^{i theta_k}, p_theta>^2.",
     ])
-    .control("the opposite gradient", GradientVariant { gradient: -1, ..printed })
-    .control("sin theta_jk in (10)", GradientVariant { sine: -1, ..printed })
-    .control("half the decrease", GradientVariant { decrease: (-1, 2), ..printed })
+    .altered("the opposite gradient", |v| v.gradient = -1)
+    .altered("sin theta_jk in (10)", |v| v.sine = -1)
+    .altered("half the decrease", |v| v.decrease = (-1, 2))
 }

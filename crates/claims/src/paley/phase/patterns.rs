@@ -2,8 +2,8 @@
 
 use super::common::{Exact, N_AT_LEAST_2, at, turns, up_to_rotation};
 use super::figure2::value_of;
-use arithmetic::{CosineField, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::{CosineField, RealCyclotomic, Sign, Signed};
 use models::oscillator::{clusters_of_pattern, moment, pattern_potential, symmetric_pattern};
 use std::collections::BTreeSet;
 
@@ -16,8 +16,6 @@ fn divisors(n: u32) -> impl Iterator<Item = u32> {
     (1..=n).filter(move |m| n.is_multiple_of(*m))
 }
 
-// --- Two patterns ---
-
 /// The least `N`, and how many symmetric patterns there are at least.
 #[derive(Clone, Copy)]
 pub struct TwoVariant {
@@ -26,13 +24,12 @@ pub struct TwoVariant {
 }
 
 pub fn two_patterns() -> Record<TwoVariant> {
-    let printed = TwoVariant { least: 2, count: 2 };
     Record::new(
         "paley.patterns.two",
         "1 and N divide N and differ for N >= 2. One particle has one pattern, both synchronised and splay. A prime N has no third pattern.",
-        printed,
+        TwoVariant { least: 2, count: 2 },
         |variant, run| {
-            let evidence = Evidence::new(Grade::Exact, "two patterns", "exact patterns for N = 2 to 12").on([1, 2]);
+            let evidence = exact("two patterns", "exact patterns for N = 2 to 12").on([1, 2]);
             run.every(evidence, variant.least..=12, |particles| {
                 let clusters = |m| Ok(clusters_of_pattern(&pattern(m, particles)?));
                 let found = divisors(particles).map(clusters).collect::<Result<BTreeSet<_>, CheckError>>()?;
@@ -47,11 +44,9 @@ pub fn two_patterns() -> Record<TwoVariant> {
         "For any N there exist the (1,N)-pattern (synchronized state) and the (N,N)-pattern (splay state).",
         "These are two symmetric patterns.",
     ])
-    .control("one particle too", TwoVariant { least: 1, ..printed })
-    .control("at least three", TwoVariant { count: 3, ..printed })
+    .altered("one particle too", |v| v.least = 1)
+    .altered("at least three", |v| v.count = 3)
 }
-
-// --- Moments ---
 
 /// Up to which moment a pattern is balanced, whether the last one is multiplied by `M`, and whether all patterns are balanced.
 #[derive(Clone, Copy)]
@@ -80,17 +75,16 @@ impl MomentsVariant {
 }
 
 pub fn moments_of_patterns() -> Record<MomentsVariant> {
-    let printed = MomentsVariant { beyond: 0, multiplied: true, synchronised_too: false };
     Record::new(
         "paley.eq23",
         "The m-th powers of the M-th roots of unity sum to M if M divides m and to 0 otherwise; each root occurs N/M times. So p_m = 0 for 0 < m < M and |p_M| = 1/M. \
          M >= 2 gives p_1 = 0.",
-        printed,
+        MomentsVariant { beyond: 0, multiplied: true, synchronised_too: false },
         |variant, run| {
             let most = run.cases(10, 16) as u32;
             let sizes = (1..=most).chain([12]).flat_map(|particles| divisors(particles).map(move |m| (m, particles)));
             let detail = format!("all patterns of up to {most} particles and of 12, exact roots of unity");
-            let evidence = Evidence::new(Grade::Exhaustive, "moments of patterns", detail).on([1, 2, 3]);
+            let evidence = exhaustive("moments of patterns", detail).on([1, 2, 3]);
             run.every(evidence, sizes, |(clusters, particles)| {
                 let found = variant.contradiction(clusters, &pattern(clusters, particles)?)?;
                 Ok(found.map(|what| format!("M = {clusters}, N = {particles}: {what}")))
@@ -102,12 +96,10 @@ pub fn moments_of_patterns() -> Record<MomentsVariant> {
         "They satisfy M |p_{M theta}| = 1.",
         "All of the symmetric patterns other than the synchronized state are balanced.",
     ])
-    .control("p_M = 0 too", MomentsVariant { beyond: 1, ..printed })
-    .control("|p_M| = 1", MomentsVariant { multiplied: false, ..printed })
-    .control("the synchronised state balanced", MomentsVariant { synchronised_too: true, ..printed })
+    .altered("p_M = 0 too", |v| v.beyond = 1)
+    .altered("|p_M| = 1", |v| v.multiplied = false)
+    .altered("the synchronised state balanced", |v| v.synchronised_too = true)
 }
-
-// --- Minimisers ---
 
 /// The gain `K_m` of `K_1, ..., K_M`, given `m` and `M`.
 type Gains = fn(m: u32, last: u32) -> Rational;
@@ -153,7 +145,7 @@ fn examine_minimisers(variant: &Gains, run: &mut Run) -> Result<Outcome, CheckEr
         sorted.map(move |exponents| (size, exponents))
     });
     let detail = "all arrangements at multiples of 1/12 turn (N = 1, 2), 1/6 (N = 3, 6) and 1/4 (N = 4), all divisors M (M = 6 with --full), one choice of gains";
-    run.every(Evidence::new(Grade::Exhaustive, "minimum exactly at patterns", detail), cases, |(size, exponents)| {
+    run.every(exhaustive("minimum exactly at patterns", detail), cases, |(size, exponents)| {
         let z = at(&size.field, &exponents);
         let room = (pattern_potential(&size.gains, &z)? - &size.bound).sign();
         let is_pattern = clusters_of_pattern(&z) == Some(size.clusters);

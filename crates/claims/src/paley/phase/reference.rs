@@ -2,11 +2,10 @@
 
 use super::common::up_to_rotation;
 use super::common::{all_equal, arcs, at, identities, laplacian, named, phasors, squared_lengths, turns};
+use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, CosineField, Field, Sign, Signed};
-use ledger::{Evidence, Grade, Record, Run};
+use arithmetic::{CosineField, Sign, Signed};
 use models::oscillator::phase_potential;
 
 /// The sign before the cosine, and the graphs for which there is no other minimiser.
@@ -25,33 +24,22 @@ fn potential<T: Field>(laplacian: &SparseMatrix, z: &[Complex<T>], sign: i64) ->
 }
 
 /// The potential as a sum of squares; the first variable is the reference.
-struct Squares {
-    graph: WeightedGraph,
-    laplacian: SparseMatrix,
-    sign: i64,
-}
-
-impl RationalIdentity for Squares {
-    fn variables(&self) -> usize {
-        self.graph.order() + 1
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn squares(laplacian: SparseMatrix, graph: WeightedGraph, sign: i64) -> Identity<'static> {
+    Identity::new(graph.order() + 1, move |t| {
         let z = phasors(t)?;
-        let n = self.graph.order();
-        let lengths = squared_lengths(&self.graph, &z[1..], &t[0]) * t[0].ratio(1, 4 * n as i64);
+        let n = graph.order();
+        let lengths = squared_lengths(&graph, &z[1..], &t[0]) * t[0].ratio(1, 4 * n as i64);
         let pulled = (z[0].clone() - &z[n]).norm_squared() * t[0].ratio(1, 2);
-        Ok((vec![potential(&self.laplacian, &z, self.sign)?], vec![lengths + pulled]))
-    }
+        Ok((vec![potential(&laplacian, &z, sign)?], vec![lengths + pulled]))
+    })
 }
 
 pub fn reference_phase() -> Record<ReferenceVariant> {
-    let printed = ReferenceVariant { sign: -1, unique_on: Graph::is_connected };
     Record::new(
         "paley.ref",
         "W_1 >= 0 and 1 - cos >= 0, both zero at theta_k = theta_0. The sum is (1/(4N)) sum over arcs of |z_k - z_j|^2 + |z_0 - z_N|^2/2: on a connected graph, as the \
          section assumes, there is no other global minimiser. (There may be other stationary points.)",
-        printed,
+        ReferenceVariant { sign: -1, unique_on: Graph::is_connected },
         |variant, run| {
             const PARTS: usize = 4;
             let field = CosineField::new(PARTS as u32);
@@ -59,7 +47,7 @@ pub fn reference_phase() -> Record<ReferenceVariant> {
             let cases = (1..=3).flat_map(Graph::all).flat_map(|graph| {
                 up_to_rotation(graph.order() + 1, PARTS).map(move |exponents| (graph.clone(), exponents))
             });
-            let minimisers = run.every(Evidence::new(Grade::Exhaustive, "global minimisers", detail), cases, |case| {
+            let minimisers = run.every(exhaustive("global minimisers", detail), cases, |case| {
                 let (graph, exponents) = case;
                 let weighted = WeightedGraph::from(&graph);
                 let sign = potential(&laplacian(&weighted)?, &at(&field, &exponents), variant.sign)?.sign();
@@ -71,13 +59,13 @@ pub fn reference_phase() -> Record<ReferenceVariant> {
             });
             let squares = ["path:2", "path:3", "ring:3"].map(|name| {
                 let graph = named(name)?;
-                let identity = Squares { laplacian: laplacian(&graph)?, graph, sign: variant.sign };
+                let identity = squares(laplacian(&graph)?, graph, variant.sign);
                 Ok((identity, format!("the sum of squares, {name}")))
             });
             let squares = identities(run, &[1], &[], squares);
             Run::all([minimisers, squares])
         },
     )
-    .control("1 + cos", ReferenceVariant { sign: 1, ..printed })
-    .control("unique on every graph", ReferenceVariant { unique_on: |_| true, ..printed })
+    .altered("1 + cos", |v| v.sign = 1)
+    .altered("unique on every graph", |v| v.unique_on = |_| true)
 }

@@ -2,10 +2,9 @@
 
 use super::common::{all_equal, all_zero, on_the_line};
 use super::critical::{Kind, arrangements, hessian, is_critical, linearisation, rates, two_clusters};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::matrix::Inertia;
-use arithmetic::{Complex, Field, Signed, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use arithmetic::Signed;
 use models::oscillator::sine_of_difference;
 
 /// Which critical points are claimed to be what.
@@ -49,13 +48,13 @@ pub fn saddles() -> Record<SaddleVariant> {
          such points.",
         printed,
         |variant, run| {
-            let line = Evidence::new(Grade::Exact, "indefinite Hessians, relative equilibria", "all of 2 to 10 particles");
+            let line = exact("indefinite Hessians, relative equilibria", "all of 2 to 10 particles");
             let line = run.every(line.on([1, 2, 3]), two_clusters(10), |(n, minority, z)| {
                 let place = format!("N = {n}, {minority} phases opposite to the others");
                 Ok(variant.contradiction(&z)?.map(|what| format!("{place}: {what}")))
             });
             let detail = "all arrangements of 2 and 3 phases at multiples of 1/12 turn and of 4 at multiples of 1/6";
-            let others = Evidence::new(Grade::Exhaustive, "all critical points among few phases", detail);
+            let others = exhaustive("all critical points among few phases", detail);
             let others = run.every(others.on([1, 2, 3]), arrangements(), |(place, z)| {
                 if !is_critical(&z)? {
                     return Ok(None);
@@ -71,9 +70,9 @@ pub fn saddles() -> Record<SaddleVariant> {
         "They satisfy sin theta_kj = 0 for all j, k.",
         "They are equilibria of (6) with the control (9).",
     ])
-    .control("balanced ones too", SaddleVariant { applies: |kind| kind != Kind::Synchronised, ..printed })
-    .control("synchronised ones too", SaddleVariant { applies: |kind| kind != Kind::Balanced, ..printed })
-    .control("at rest for any omega_0", SaddleVariant { at_rest: true, ..printed })
+    .altered("balanced ones too", |v| v.applies = |kind| kind != Kind::Synchronised)
+    .altered("synchronised ones too", |v| v.applies = |kind| kind != Kind::Balanced)
+    .altered("at rest for any omega_0", |v| v.at_rest = true)
 }
 
 /// The `M` of `N` for which the statement is made, and whether the last phase is a quarter turn off.
@@ -84,32 +83,29 @@ pub struct UnbalancedVariant {
 }
 
 pub fn unbalanced() -> Record<UnbalancedVariant> {
-    let printed = UnbalancedVariant { applies: |m, n| m >= 1 && 2 * m != n, distorted: false };
     Record::new(
         "paley.unbal",
         "M = N/2 is balanced, two equal clusters, stable for K_1 > 0, and M = 0 is synchronised, stable for K_1 < 0. The Hessian of U_1 is indefinite \
          at the others (paley.thm1.saddle), so the linearisation has an unstable direction for either sign of K_1.",
-        printed,
+        UnbalancedVariant { applies: |m, n| m >= 1 && 2 * m != n, distorted: false },
         examine_unbalanced,
     )
-    .reading(
-        "The sentence gives an example of the critical points other than the synchronized and balanced: 1 <= M < N and M != N/2; equilibria \
-         modulo rotation",
-    )
+    .reading("The sentence gives an example of the critical points other than the synchronized and balanced: 1 <= M < N and M != N/2; equilibria \
+         modulo rotation")
     .clauses(&[
         "The phase arrangements with M < N phases equal to theta_0 and N - M equal to theta_0 + pi, M != N/2, are equilibria.",
         "They are unstable.",
         "They look like two unequally sized clusters on opposite sides of the unit circle.",
     ])
-    .control("M = N/2 too", UnbalancedVariant { applies: |m, _| m >= 1, ..printed })
-    .control("M = 0 too", UnbalancedVariant { applies: |m, n| 2 * m != n, ..printed })
-    .control("the last phase a quarter turn off", UnbalancedVariant { distorted: true, ..printed })
+    .altered("M = N/2 too", |v| v.applies = |m, _| m >= 1)
+    .altered("M = 0 too", |v| v.applies = |m, n| 2 * m != n)
+    .altered("the last phase a quarter turn off", |v| v.distorted = true)
 }
 
 fn examine_unbalanced(variant: &UnbalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let sizes = (2..=9usize).flat_map(|n| (0..n).map(move |m| (m, n)).filter(|&(m, n)| (variant.applies)(m, n)));
     let detail = "the exact linearisation for both signs of K_1, all M for N up to 9";
-    let evidence = Evidence::new(Grade::Exact, "unstable equilibria of two unequal clusters", detail).on([1, 2, 3]);
+    let evidence = exact("unstable equilibria of two unequal clusters", detail).on([1, 2, 3]);
     let instances = run.every(evidence, sizes, |(m, n)| {
         let mut z = on_the_line(n, n - m);
         if variant.distorted {

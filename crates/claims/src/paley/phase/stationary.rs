@@ -3,11 +3,10 @@
 use super::common::{
     Exact, N_AT_LEAST_2, all_equal, all_zero, arcs, at, circulants, digraphs, laplacian, named, turns, up_to_rotation,
 };
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
-use arithmetic::{Complex, CosineField, RealCyclotomic, Ring};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use arithmetic::{CosineField, RealCyclotomic};
 use models::oscillator::{laplacian_control, laplacian_rows, mean, misalignment, phase_gradient, phase_potential};
 
 /// Graphs of up to so many nodes, all undirected ones or all digraphs.
@@ -27,8 +26,6 @@ pub fn is_eigenvector(laplacian: &SparseMatrix, z: &[Complex<RealCyclotomic>]) -
     all_equal(&factors)
 }
 
-// --- Equation (16) ---
-
 /// Whether directed graphs count, and which product with `L_k e^{i theta}` is to vanish.
 #[derive(Clone, Copy)]
 pub struct StationaryVariant {
@@ -37,18 +34,17 @@ pub struct StationaryVariant {
 }
 
 pub fn stationary_points() -> Record<StationaryVariant> {
-    let printed = StationaryVariant { directed: false, unturned: false };
     Record::new(
         "paley.eq16",
         "By paley.gradW the left sides of (16) are N times the derivatives of W_1. (On directed graphs they are not, and (16) may hold at a point that is not \
          stationary.)",
-        printed,
+        StationaryVariant { directed: false, unturned: false },
         |variant, run| {
             const PARTS: usize = 4;
             let field = CosineField::new(PARTS as u32);
             let most = if variant.directed { 3 } else { run.cases(3, 4) };
             let detail = format!("all undirected graphs of up to {most} nodes, all arrangements of quarter turns");
-            let evidence = Evidence::new(Grade::Exhaustive, "(16) and the gradient by duals", detail);
+            let evidence = exhaustive("(16) and the gradient by duals", detail);
             let cases = graphs(most, variant.directed).into_iter().flat_map(|graph| {
                 up_to_rotation(graph.order(), PARTS).map(move |exponents| (graph.clone(), exponents))
             });
@@ -65,11 +61,9 @@ pub fn stationary_points() -> Record<StationaryVariant> {
             })
         },
     )
-    .control("directed graphs too", StationaryVariant { directed: true, ..printed })
-    .control("<e^{i theta_k}, L_k e^{i theta}>", StationaryVariant { unturned: true, ..printed })
+    .altered("directed graphs too", |v| v.directed = true)
+    .altered("<e^{i theta_k}, L_k e^{i theta}>", |v| v.unturned = true)
 }
-
-// --- Eigenvectors ---
 
 /// Graphs, direction of the implication, and what an equilibrium is.
 #[derive(Clone, Copy)]
@@ -80,12 +74,11 @@ pub struct EigenvectorVariant {
 }
 
 pub fn eigenvectors_are_stationary() -> Record<EigenvectorVariant> {
-    let printed = EigenvectorVariant { directed: false, converse: false, at_rest: false };
     Record::new(
         "paley.eq16.eigvec",
         "L is real and symmetric, so the eigenvalue is real and <i z_k, lambda z_k> = 0: (16) holds, the control vanishes, and all phases turn at omega_0. \
          On directed graphs eigenvalues may be complex and it fails; the converse fails too.",
-        printed,
+        EigenvectorVariant { directed: false, converse: false, at_rest: false },
         examine_eigenvectors,
     )
     .reading("Equilibria of (6) with (14) are taken modulo rotation, as throughout the paper: all phases turn at one rate; at rest for omega_0 = 0")
@@ -93,9 +86,9 @@ pub fn eigenvectors_are_stationary() -> Record<EigenvectorVariant> {
         "If e^{i theta} is an eigenvector of L (G undirected), then theta is a stationary point of W_1.",
         "It is then an equilibrium of (6).",
     ])
-    .control("directed graphs too", EigenvectorVariant { directed: true, ..printed })
-    .control("and conversely", EigenvectorVariant { converse: true, ..printed })
-    .control("at rest for any omega_0", EigenvectorVariant { at_rest: true, ..printed })
+    .altered("directed graphs too", |v| v.directed = true)
+    .altered("and conversely", |v| v.converse = true)
+    .altered("at rest for any omega_0", |v| v.at_rest = true)
 }
 
 fn examine_eigenvectors(variant: &EigenvectorVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -114,7 +107,7 @@ fn examine_eigenvectors(variant: &EigenvectorVariant, run: &mut Run) -> Result<O
         .flat_map(|graph| arrangements(graph.order()).into_iter().map(move |exponents| (graph.clone(), exponents)));
     let detail =
         "all undirected graphs of up to 3 nodes with phases at multiples of 1/6 turn, columns of F for C_6 and K_6";
-    let evidence = Evidence::new(Grade::Exhaustive, "eigenvectors of modulus one", detail).on([1, 2]);
+    let evidence = exhaustive("eigenvectors of modulus one", detail).on([1, 2]);
     run.every(evidence, cases, |(graph, exponents)| {
         let (laplacian, z) = (laplacian(&graph)?, at(&field, &exponents));
         let eigenvector = is_eigenvector(&laplacian, &z);
@@ -130,8 +123,6 @@ fn examine_eigenvectors(variant: &EigenvectorVariant, run: &mut Run) -> Result<O
         Ok(wrong.then(|| format!("{}, {}: {found}", arcs(&graph), turns(&exponents, PARTS))))
     })
 }
-
-// --- Balanced stationary points ---
 
 /// The graphs that are claimed to have a balanced stationary point.
 #[derive(Clone, Copy)]
@@ -176,7 +167,7 @@ pub fn balanced_point_exists() -> Record<BalancedVariant> {
         BalancedVariant::Circulants(2),
         |variant, run| {
             let detail = "all undirected circulants of 2 to 6 nodes (9 with --full), all directed ones of 2 to 5";
-            let evidence = Evidence::new(Grade::Exhaustive, "a balanced point with zero gradient", detail);
+            let evidence = exhaustive("a balanced point with zero gradient", detail);
             let found = run.every(evidence, variant.graphs(run), |graph| {
                 let none = balanced_point(&laplacian(&graph)?)?.is_none();
                 Ok(none.then(|| format!("N = {}, {}: no balanced stationary point", graph.order(), arcs(&graph))))

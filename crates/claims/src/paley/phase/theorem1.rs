@@ -2,16 +2,12 @@
 
 use super::common::{all_equal, all_zero, identities, phasors};
 use super::critical::{Critical, Kind, critical_points, is_critical, linearisation, rates};
-use crate::argued::argued;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Dual, Field, Ring, Sign, Signed};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
+use arithmetic::{Sign, Signed};
 use models::oscillator::{gradient_control, moment_gradient, moment_potential, rate_of_change};
 
 /// Most particles of the arrangements at multiples of 1/12 turn.
 const MOST: usize = 6;
-
-// --- Convergence ---
 
 /// Where all solutions are claimed to converge to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,23 +21,15 @@ pub enum Limit {
 }
 
 /// Along (6) with (9) `Udot_1 = -K_1 |grad U_1|^2`; variables are the phases, `K_1` and `omega_0`.
-struct Decrease {
-    particles: usize,
-}
-
-impl RationalIdentity for Decrease {
-    fn variables(&self) -> usize {
-        self.particles + 2
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn decrease(particles: usize) -> Identity<'static> {
+    Identity::new(particles + 2, move |at| {
         let [t @ .., gain, omega] = at else { return Err(ArithmeticError::Domain("phases, K_1, omega_0")) };
         let z = phasors(t)?;
-        let rates: Vec<T> = gradient_control(gain, &z)?.into_iter().map(|u| u + omega).collect();
-        let decrease = rate_of_change(&z, &rates, |z: &[Complex<Dual<T>>]| moment_potential(z, 1))?;
+        let rates: Vec<Probe> = gradient_control(gain, &z)?.into_iter().map(|u| u + omega).collect();
+        let decrease = rate_of_change(&z, &rates, |z: &[Complex<Dual<Probe>>]| moment_potential(z, 1))?;
         let squares = moment_gradient(&z, 1)?.iter().fold(gain.zero(), |sum, slope| sum + slope.square());
         Ok((vec![decrease], vec![-(squares * gain)]))
-    }
+    })
 }
 
 pub fn convergence() -> Record<Limit> {
@@ -71,7 +59,7 @@ pub fn convergence() -> Record<Limit> {
                 },
             );
             let parts =
-                (1..=3).map(|particles| Ok((Decrease { particles }, format!("Udot_1 = -K_1 |grad U_1|^2, N = {particles}"))));
+                (1..=3).map(|particles| Ok((decrease(particles), format!("Udot_1 = -K_1 |grad U_1|^2, N = {particles}"))));
             let decrease = identities(run, &[1], &["K1", "omega0"], parts);
             Run::all([turning, decrease, argued(&[1], "convergence of all solutions", "notes/paley_phases.md, steps T1-T3")])
         },
@@ -79,8 +67,6 @@ pub fn convergence() -> Record<Limit> {
     .control("all converge to balanced arrangements", Limit::Balanced)
     .control("all converge to rest, for any omega_0", Limit::Rest)
 }
-
-// --- Stability ---
 
 /// Which kind is claimed to be asymptotically stable, for which sign of the gain, and in what sense.
 #[derive(Clone, Copy)]
@@ -96,7 +82,7 @@ fn examine_stability(variant: &StabilityVariant, run: &Run) -> Result<Outcome, C
     let points: Vec<Vec<Critical>> = (variant.least_particles..=MOST).map(critical_points).collect();
     let cases = points.iter().flat_map(|points| points.iter().map(move |point| (point, points)));
     let detail = "the synchronised, all unbalanced and many balanced arrangements of 2 to 6 particles";
-    let evidence = Evidence::new(Grade::Exact, "levels and linearisations", detail).on([1, 2]);
+    let evidence = exact("levels and linearisations", detail).on([1, 2]);
     let instances = run.every(evidence, cases, |(point, points)| {
         let place = format!("N = {}, K_1 = {}, {}", point.phasors.len(), variant.gain, point.name);
         Ok(variant.contradiction(point, points)?.map(|what| format!("{place}: {what}")))
@@ -157,8 +143,8 @@ pub fn synchronised_stable() -> Record<StabilityVariant> {
         "For (9) with K_1 < 0 all of the synchronized phase arrangements are asymptotically stable.",
         "All of the remaining equilibria of (6) are unstable.",
     ])
-    .control("K_1 > 0", StabilityVariant { gain: 1, ..SYNCHRONISED })
-    .control("balanced arrangements for K_1 < 0", StabilityVariant { stable: Kind::Balanced, ..SYNCHRONISED })
+    .altered("K_1 > 0", |v| v.gain = 1)
+    .altered("balanced arrangements for K_1 < 0", |v| v.stable = Kind::Balanced)
 }
 
 pub fn balanced_stable() -> Record<StabilityVariant> {
@@ -177,8 +163,8 @@ pub fn balanced_stable() -> Record<StabilityVariant> {
         "For (9) with K_1 > 0 the balanced equilibria are asymptotically stable.",
         "All of the remaining equilibria of (6) are unstable.",
     ])
-    .control("K_1 < 0", StabilityVariant { gain: -1, ..BALANCED })
-    .control("each of them on its own, modulo rotation", StabilityVariant { each: true, ..BALANCED })
-    .control("one particle too", StabilityVariant { least_particles: 1, ..BALANCED })
-    .control("unbalanced ones", StabilityVariant { stable: Kind::Unbalanced, ..BALANCED })
+    .altered("K_1 < 0", |v| v.gain = -1)
+    .altered("each of them on its own, modulo rotation", |v| v.each = true)
+    .altered("one particle too", |v| v.least_particles = 1)
+    .altered("unbalanced ones", |v| v.stable = Kind::Unbalanced)
 }

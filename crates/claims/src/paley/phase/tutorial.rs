@@ -2,13 +2,11 @@
 
 use super::common::{arcs, circulants, complete, digraph, digraphs, laplacian, named};
 use super::graphs::form_inertia;
+use crate::prelude::*;
 use algebra::graph::{LaplacianKind, WeightedGraph};
 use algebra::spectrum::Polynomial;
-use arithmetic::{CosineField, Rational, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use arithmetic::CosineField;
 use models::oscillator::{circulant_eigenvalue, laplacian_rows};
-
-// --- Laplacians ---
 
 /// Hypotheses and conventions of the facts about Laplacians.
 #[derive(Clone, Copy)]
@@ -80,24 +78,23 @@ pub fn laplacians() -> Record<LaplacianVariant> {
         "If G is undirected, L is symmetric positive semidefinite.",
         "If G is circulant, L is diagonalized by the discrete Fourier transform matrix.",
     ])
-    .control("zero simple for every digraph", LaplacianVariant { simple_for_all: true, ..printed })
-    .control("D with the column sums of A", LaplacianVariant { kind: LaplacianKind::InDegree, ..printed })
-    .control("F with (m - 1)(k - 1)^2", LaplacianVariant { exponent: |m, k| (m - 1) * (k - 1) * (k - 1), ..printed })
+    .altered("zero simple for every digraph", |v| v.simple_for_all = true)
+    .altered("D with the column sums of A", |v| v.kind = LaplacianKind::InDegree)
+    .altered("F with (m - 1)(k - 1)^2", |v| v.exponent = |m, k| (m - 1) * (k - 1) * (k - 1))
 }
 
 fn examine_laplacians(variant: &LaplacianVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let (most, most_circulant) = (run.cases(3, 4), run.cases(6, 7));
     let named: Vec<_> = ["path:5", "star:5", "ring:6", "complete:5", "cycle:5"].map(named).into();
     let detail = format!("all digraphs of up to {most} nodes and some larger graphs: exact characteristic polynomials");
-    let facts =
-        Evidence::new(Grade::Exhaustive, "real parts, L 1 = 0, simple zero, semidefinite", detail).on([1, 2, 3, 4]);
+    let facts = exhaustive("real parts, L 1 = 0, simple zero, semidefinite", detail).on([1, 2, 3, 4]);
     let facts = run.every(facts, (1..=most).flat_map(digraphs).map(Ok).chain(named), |graph| {
         let graph = graph?;
         let place = || format!("N = {}, {} (k->j: j is a neighbour of k)", graph.order(), arcs(&graph));
         Ok(variant.fails_at(&graph)?.map(|what| format!("{}: {what}", place())))
     });
     let detail = format!("all directed circulants of up to {most_circulant} nodes, exact roots of unity");
-    let columns = Evidence::new(Grade::Exhaustive, "F diagonalises circulants", detail).on([5]);
+    let columns = exhaustive("F diagonalises circulants", detail).on([5]);
     let columns = run.every(columns, (1..=most_circulant).flat_map(|n| circulants(n, false)), |(offsets, graph)| {
         let wrong = !variant.diagonalises(&graph, &offsets)?;
         let place = || format!("circulant with N = {}, offsets {offsets:?}", graph.order());
@@ -105,8 +102,6 @@ fn examine_laplacians(variant: &LaplacianVariant, run: &mut Run) -> Result<Outco
     });
     Run::all([facts, columns])
 }
-
-// --- Complete and cyclic graphs ---
 
 /// First rows, and the least `N` for `C_N`.
 #[derive(Clone, Copy)]
@@ -130,15 +125,13 @@ pub fn named_laplacians() -> Record<NamedVariant> {
             "Each of its nodes has degree 2.",
             "Its first Laplacian row is (2, -1, 0, ..., 0, -1).",
         ])
-        .control("C_2 too", NamedVariant { least_cycle: 2, ..printed })
-        .control(
-            "(2, -1, 0, ..., 0)",
-            NamedVariant { cyclic_row: |n| (0..n).map(|k| [2, -1].get(k).copied().unwrap_or(0)).collect(), ..printed },
-        )
-        .control(
-            "(N, -1, ..., -1)",
-            NamedVariant { complete_row: |n| (0..n).map(|k| if k == 0 { n as i64 } else { -1 }).collect(), ..printed },
-        )
+        .altered("C_2 too", |v| v.least_cycle = 2)
+        .altered("(2, -1, 0, ..., 0)", |v| {
+            v.cyclic_row = |n| (0..n).map(|k| [2, -1].get(k).copied().unwrap_or(0)).collect()
+        })
+        .altered("(N, -1, ..., -1)", |v| {
+            v.complete_row = |n| (0..n).map(|k| if k == 0 { n as i64 } else { -1 }).collect()
+        })
 }
 
 fn examine_named(variant: &NamedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -155,12 +148,11 @@ fn examine_named(variant: &NamedVariant, run: &mut Run) -> Result<Outcome, Check
         let found = format!("degrees {}, first row ({})", list(&graph.out_degrees()), list(&first_row(graph)?));
         Ok((!fine).then_some(found))
     };
-    let complete_graphs =
-        run.every(Evidence::new(Grade::Exact, "K_1 to K_16", "exact matrices").on([1]), 1..=LARGEST, |n| {
-            let found = wrong(&complete(n), (variant.complete_row)(n), n as i64 - 1)?;
-            Ok(found.map(|what| format!("K_{n}: {what}")))
-        });
-    let evidence = Evidence::new(Grade::Exact, "C_3 to C_16", "exact matrices").on([2, 3, 4]);
+    let complete_graphs = run.every(exact("K_1 to K_16", "exact matrices").on([1]), 1..=LARGEST, |n| {
+        let found = wrong(&complete(n), (variant.complete_row)(n), n as i64 - 1)?;
+        Ok(found.map(|what| format!("K_{n}: {what}")))
+    });
+    let evidence = exact("C_3 to C_16", "exact matrices").on([2, 3, 4]);
     let cycles = run.every(evidence, variant.least_cycle..=LARGEST, |n| {
         let graph = digraph(n, |k, j| (k + 1) % n == j || (j + 1) % n == k);
         Ok(wrong(&graph, (variant.cyclic_row)(n), 2)?.map(|what| format!("C_{n}: {what}")))

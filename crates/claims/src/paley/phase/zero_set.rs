@@ -2,12 +2,8 @@
 
 use super::common::{all_equal, arcs, digraphs, identities, laplacian, phasors, squared_lengths};
 use super::common::{turns, up_to_rotation};
-use crate::argued::argued;
+use crate::prelude::*;
 use algebra::graph::{Graph, WeightedGraph};
-use algebra::matrix::SparseMatrix;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Neighbours, phase_potential};
 use num_traits::{Signed as _, Zero};
 use std::rc::Rc;
@@ -54,7 +50,7 @@ fn every_digraph(
         arrangements.map(move |exponents| (both.clone(), exponents))
     });
     let detail = format!("all digraphs of up to {most} nodes with all arrangements of quarter turns");
-    run.every(Evidence::new(Grade::Exhaustive, part, detail), cases, |(both, exponents)| {
+    run.every(exhaustive(part, detail), cases, |(both, exponents)| {
         let (graph, network) = both.as_ref();
         let z: Vec<Complex<Rational>> = exponents.iter().map(|&k| quarter.power(k as u64)).collect();
         let value = phase_potential(network, &z, 1)?;
@@ -65,44 +61,28 @@ fn every_digraph(
 }
 
 /// `W_1 = (1/(4N)) sum over arcs of |z_k - z_j|^2`, on a complete digraph with different weights.
-struct SumOfSquares {
-    graph: WeightedGraph,
-    laplacian: SparseMatrix,
-    factor: (i64, i64),
-}
-
-impl SumOfSquares {
-    fn new(order: usize, factor: (i64, i64)) -> Result<Self, CheckError> {
-        let pairs = (0..order * order).map(|place| (place / order, place % order)).filter(|(k, j)| k != j);
-        let arcs = pairs.enumerate().map(|(place, (k, j))| (k, j, rational((place * place) as i64 + 1, 3)));
-        let graph = WeightedGraph::from_arcs(order, arcs);
-        Ok(SumOfSquares { laplacian: laplacian(&graph)?, graph, factor })
-    }
-}
-
-impl RationalIdentity for SumOfSquares {
-    fn variables(&self) -> usize {
-        self.graph.order()
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn arc_sums(order: usize, factor: (i64, i64)) -> Result<Identity<'static>, CheckError> {
+    let pairs = (0..order * order).map(|place| (place / order, place % order)).filter(|(k, j)| k != j);
+    let arcs = pairs.enumerate().map(|(place, (k, j))| (k, j, rational((place * place) as i64 + 1, 3)));
+    let graph = WeightedGraph::from_arcs(order, arcs);
+    let laplacian = laplacian(&graph)?;
+    Ok(Identity::new(order, move |t| {
         let z = phasors(t)?;
-        let share = t[0].ratio(self.factor.0, self.factor.1 * z.len() as i64);
+        let share = t[0].ratio(factor.0, factor.1 * z.len() as i64);
         // d_k - sum <z_k, z_j>, with the weights of the arcs.
-        let cosines = self
-            .graph
+        let cosines = graph
             .adjacency()
             .entries()
             .fold(t[0].zero(), |sum, (k, j, weight)| sum + (t[0].one() - z[k].dot(&z[j])) * t[0].rational(weight));
-        let squares = squared_lengths(&self.graph, &z, &t[0]) * &share * t[0].ratio(1, 2);
-        let potential = phase_potential(&self.laplacian, &z, 1)?;
+        let squares = squared_lengths(&graph, &z, &t[0]) * &share * t[0].ratio(1, 2);
+        let potential = phase_potential(&laplacian, &z, 1)?;
         Ok((vec![potential.clone(), potential], vec![cosines * share, squares]))
-    }
+    }))
 }
 
 fn sum_of_squares(run: &Run, factor: (i64, i64)) -> Result<Outcome, CheckError> {
     let part = "W_1 as a sum over arcs of 1 - cos theta_kj = |z_k - z_j|^2/2";
-    let parts = (2..=3).map(|order| Ok((SumOfSquares::new(order, factor)?, format!("{part}, N = {order}"))));
+    let parts = (2..=3).map(|order| Ok((arc_sums(order, factor)?, format!("{part}, N = {order}"))));
     identities(run, &[], &[], parts)
 }
 
@@ -115,20 +95,19 @@ pub struct ConnectedVariant {
 }
 
 pub fn connected() -> Record<ConnectedVariant> {
-    let printed = ConnectedVariant { applies: WeightedGraph::is_strongly_connected, factor: (1, 2), above: (0, 1) };
     Record::new(
         "paley.eq12.pos",
         "Row k of L z is d_k z_k - sum z_j, which gives the display. Each term is 1 - cos theta_kj >= 0, zero exactly at equal phases. So W_1 = 0 exactly if \
          phases are equal across every arc; if the graph is strongly connected (weakly is enough), they are all equal.",
-        printed,
+        ConnectedVariant { applies: WeightedGraph::is_strongly_connected, factor: (1, 2), above: (0, 1) },
         |variant, run| {
             let above = rational(variant.above.0, variant.above.1);
-            let formula = sum_of_squares(run, variant.factor).map(|outcome| outcome.on([1, 2]));
+            let formula = sum_of_squares(run, variant.factor).on([1, 2]);
             let zeros = every_digraph(run, "W_1 >= 0, and 0 exactly at synchronised phases", |graph, exponents, value| {
                 let wrong = value.is_negative() || (*value > above) == all_equal(exponents);
                 (variant.applies)(graph) && wrong
             });
-            let zeros = zeros.map(|outcome| outcome.on([2, 3, 4]));
+            let zeros = zeros.on([2, 3, 4]);
             Run::all([formula, zeros, argued(&[4], "positive elsewhere, every graph", "notes/paley_phases.md, steps Z1-Z2")])
         },
     )
@@ -138,9 +117,9 @@ pub fn connected() -> Record<ConnectedVariant> {
         "If G is strongly connected, W_1(theta) = 0 if and only if theta is synchronized.",
         "Otherwise W_1(theta) > 0.",
     ])
-    .control("every digraph", ConnectedVariant { applies: |_| true, ..printed })
-    .control("1/N instead of 1/(2N)", ConnectedVariant { factor: (1, 1), ..printed })
-    .control("above 1/2 where positive", ConnectedVariant { above: (1, 2), ..printed })
+    .altered("every digraph", |v| v.applies = |_| true)
+    .altered("1/N instead of 1/(2N)", |v| v.factor = (1, 1))
+    .altered("above 1/2 where positive", |v| v.above = (1, 2))
 }
 
 /// Zero exactly, or only, where the phases within each part of the graph are synchronised.
@@ -168,17 +147,15 @@ impl ZeroVariant {
 }
 
 pub fn strong_subgraphs() -> Record<ZeroVariant> {
-    let printed = ZeroVariant { parts: Parts::Strong, sufficient: true, above: (0, 1) };
-    let weak = ZeroVariant { parts: Parts::Weak, ..printed };
     Record::new(
         "paley.zero.dir",
         "W_1 = (1/(4N)) sum over arcs of |z_k - z_j|^2, so an arc between two strong components counts: each may be synchronised at another phase, \
          and W_1 > 0. Two nodes and one arc are enough (single nodes are strongly connected); so are two 2-cycles joined by an arc. W_1 = 0 exactly if phases are \
          equal across every arc, that is, within each weakly connected component. For undirected graphs the two are the same. Synchronised strong components are \
          necessary for W_1 = 0.",
-        printed,
+        ZeroVariant { parts: Parts::Strong, sufficient: true, above: (0, 1) },
         |variant, run| {
-            let zeros = variant.examine(run).map(|outcome| outcome.on([1, 2]));
+            let zeros = variant.examine(run).on([1, 2]);
             Run::all([zeros, argued(&[2], "positive elsewhere, every graph", "notes/paley_phases.md, steps Z1-Z2")])
         },
     )
@@ -186,38 +163,30 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
         "If G is not strongly connected, then W_1(theta) is zero if and only if the phases within each strongly connected subgraph are synchronized.",
         "Otherwise W_1(theta) is positive.",
     ])
-    .repaired(
-        Fault::False,
-        "",
-        weak,
-    )
+    .repaired_by(Fault::False, "", |v| v.parts = Parts::Weak)
     .repaired_clauses(&[
         "W_1(theta) is zero if and only if the phases within each weakly connected component of G are synchronised.",
         "Otherwise W_1(theta) is positive.",
     ])
-    .control("all phases equal", ZeroVariant { parts: Parts::Whole, ..weak })
-    .control("otherwise above 1/4", ZeroVariant { above: (1, 4), ..weak })
+    .altered("all phases equal", |v| v.parts = Parts::Whole)
+    .altered("otherwise above 1/4", |v| v.above = (1, 4))
 }
 
 pub fn fish_subgraphs() -> Record<ZeroVariant> {
-    let printed = ZeroVariant { parts: Parts::Weak, sufficient: false, above: (0, 1) };
     Record::new(
         "paley.fish.zero",
         "W_1 = (1/(4N)) sum over arcs of |z_k - z_j|^2 >= 0 for any digraph, 0 at equal phases. W_1 = 0 makes phases equal across every arc, hence within each \
          connected subgraph, in the strong sense and in the weak one (checked: the weak one, which is more). The sentence says \"only if\"; the converse is \
          true for weakly connected components and false for strongly connected ones (paley.zero.dir).",
-        printed,
-        |variant, run| Ok(variant.examine(run)?.on([1, 2, 3])),
+        ZeroVariant { parts: Parts::Weak, sufficient: false, above: (0, 1) },
+        |variant, run| variant.examine(run).on([1, 2, 3]),
     )
     .clauses(&[
         "W_1(theta) is nonnegative for directed or undirected graphs.",
         "It is zero if theta is synchronized.",
         "Even if the network is not connected, W_1(theta) = 0 only if the phases within each connected subgraph are synchronized.",
     ])
-    .control("only if all phases are equal", ZeroVariant { parts: Parts::Whole, ..printed })
-    .control(
-        "if the phases within each strongly connected subgraph are",
-        ZeroVariant { parts: Parts::Strong, sufficient: true, ..printed },
-    )
-    .control("above 1/4 otherwise", ZeroVariant { above: (1, 4), ..printed })
+    .altered("only if all phases are equal", |v| v.parts = Parts::Whole)
+    .altered("if the phases within each strongly connected subgraph are", |v| (v.parts, v.sufficient) = (Parts::Strong, true))
+    .altered("above 1/4 otherwise", |v| v.above = (1, 4))
 }

@@ -5,10 +5,10 @@
 //! negative ones; it is exponentially stable up to the symmetries where that Hessian is positive definite up to rotation.
 
 use super::instances::scattered_phasors;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, RationalMatrix, inertia};
-use arithmetic::{Complex, CosineField, Field, Rational, Ring, Sign, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use arithmetic::{CosineField, Sign, Signed};
 use models::oscillator::{Neighbours, mean, misalignment, phase_jacobian, phase_potential, quarter_turn};
 
 /// The inertia of the Hessian of `sign W_1`.
@@ -76,7 +76,6 @@ fn refutation<T: Field + Signed>(
 }
 
 pub fn balanced_stable() -> Record<BalancedVariant> {
-    let printed = BalancedVariant { set: BalancedSet::Balanced, gain: 1 };
     Record::new(
         "paley.bal.circ",
         "A stable closed set is invariant. On C_4 the phases (0, a, a + pi, pi) are balanced, but tau = -+ \
@@ -87,7 +86,7 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
          that maximise W_1. On a circulant graph W_1 <= lambda_max/2 is attained by a Fourier column, and \
          e^{i theta} is then an eigenvector of lambda_max > 0, so these formations are balanced. On \
          complete graphs they are all the balanced ones.",
-        printed,
+        BalancedVariant { set: BalancedSet::Balanced, gain: 1 },
         examine_balanced_stable,
     )
     .repaired(Fault::False, "", BalancedVariant { set: BalancedSet::Largest, gain: 1 })
@@ -97,8 +96,8 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
         "All of them are balanced: L e^{i theta} = lambda_max e^{i theta}.",
         "It is the set of all balanced circular formations if G is complete.",
     ])
-    .control("the largest W_1 with K_1 < 0", BalancedVariant { set: BalancedSet::Largest, gain: -1 })
-    .control("all symmetric patterns", BalancedVariant { set: BalancedSet::Patterns, gain: 1 })
+    .altered("the largest W_1 with K_1 < 0", |v| v.gain = -1)
+    .altered("all symmetric patterns", |v| v.set = BalancedSet::Patterns)
 }
 
 fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -108,20 +107,19 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
         let network = Neighbours::circulant(order, &offsets);
         let fails = |phases: String, why: &str| {
             let what = format!("N = {order}, circulant graph with offsets {offsets:?}, phases {phases}: {why}");
-            Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "the set", "exact phasors")))
+            Ok(Outcome::fails(what, exact("the set", "exact phasors")))
         };
         if variant.set == BalancedSet::Balanced && order % 2 == 0 {
             // Two antipodal pairs next to each other, the other particles paired with their opposites.
-            let phasors = antipodal_pairs(order)?;
-            if let Some(why) = refutation(&network, &phasors, variant.gain)? {
+            if let Some(why) = refutation(&network, &antipodal_pairs(order)?, variant.gain)? {
                 return fails("(0, a, a + pi, pi), cos a = 3/5, and further antipodal pairs".to_string(), why);
             }
         }
         let field = CosineField::new(order as u32);
         let column = |m: usize| (0..order).map(|k| field.phasor((m * k) as i64)).collect::<Vec<_>>();
-        let columns: Vec<_> = (1..order).map(|m| (m, column(m))).collect();
-        let values: Vec<_> = columns.iter().map(|(_, z)| phase_potential(&network, z, 1)).collect::<Result<_, _>>()?;
-        for ((m, phasors), value) in columns.iter().zip(&values) {
+        let columns: Vec<_> = (1..order).map(column).collect();
+        let values: Vec<_> = columns.iter().map(|z| phase_potential(&network, z, 1)).collect::<Result<_, _>>()?;
+        for (m, (phasors, value)) in (1..).zip(columns.iter().zip(&values)) {
             let largest = !values.iter().any(|other| (other.clone() - value).is_certainly_positive());
             if variant.set == BalancedSet::Largest && !largest {
                 continue;
@@ -132,20 +130,13 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
             }
         }
     }
-    Ok(Outcome::Holds(vec![
-        Evidence::argued(
-            "all circulant graphs",
-            "notes/paley_particles.md, Balanced formations on circulant graphs, steps 1-5",
-        )
-        .on([1, 2, 3]),
-        Evidence::new(
-            Grade::Exhaustive,
-            "balanced, in equilibrium, no direction of growth",
-            "exact Fourier columns on circulant graphs",
-        )
-        .cases(cases)
-        .on([1, 2]),
-    ]))
+    let section = "notes/paley_particles.md, Balanced formations on circulant graphs, steps 1-5";
+    let (part, detail) =
+        ("balanced, in equilibrium, no direction of growth", "exact Fourier columns on circulant graphs");
+    Run::all([
+        argued(&[1, 2, 3], "all circulant graphs", section),
+        Ok(Outcome::Holds(vec![exhaustive(part, detail).cases(cases).on([1, 2])])),
+    ])
 }
 
 /// Phases 0, a, a + pi, pi and further antipodal pairs, with rational phasors.
@@ -171,7 +162,6 @@ pub struct GainVariant {
 }
 
 pub fn larger_gain() -> Record<GainVariant> {
-    let printed = GainVariant { offset: 5, destroyed: true };
     Record::new(
         "paley.fig3.gain",
         "The splay formations of C_12 that are stable for K_1 > 0 have neighbours 5 or 7 twelfths of a turn \
@@ -181,23 +171,19 @@ pub fn larger_gain() -> Record<GainVariant> {
          Figure 3(c) into the (2,N)-pattern (m = 6), which is stable for every K_1 > 0 as well. Which of \
          the two is reached depends on the initial state at every gain (shares: paley.fig3). Started anew \
          from one initial state, a larger gain can end in the other pattern.",
-        printed,
+        GainVariant { offset: 5, destroyed: true },
         examine_larger_gain,
     )
     .reading("The gain is raised on the formation of Figure 3(c).")
-    .repaired(
-        Fault::False,
-        "",
-        GainVariant { offset: 5, destroyed: false },
-    )
+    .repaired(Fault::False, "", GainVariant { offset: 5, destroyed: false })
     .repaired_clauses(&[
         "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) is exponentially \
          stable up to symmetry for every K_1 > 0.",
         "The (2,12)-pattern in which neighbours are opposite is too.",
         "The formation of Figure 3(c) is an equilibrium at every K_1, so that a change of the gain leaves it where it is.",
     ])
-    .control("neighbours one twelfth apart are stable", GainVariant { offset: 1, destroyed: false })
-    .control("a quarter turn apart", GainVariant { offset: 3, destroyed: false })
+    .altered("neighbours one twelfth apart are stable", |v| v.offset = 1)
+    .altered("a quarter turn apart", |v| v.offset = 3)
 }
 
 fn examine_larger_gain(variant: &GainVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
@@ -213,8 +199,7 @@ fn examine_larger_gain(variant: &GainVariant, _run: &mut Run) -> Result<Outcome,
             "Hessian of W_1 on C_12: {} negative, {} zero, {} positive; proof in the notes",
             found.negative, found.zero, found.positive
         );
-        let exact =
-            Evidence::new(Grade::Exact, format!("neighbours {offset}/12 of a turn apart, every K_1 > 0"), detail);
+        let exact = exact(format!("neighbours {offset}/12 of a turn apart, every K_1 > 0"), detail);
         let meant = offset == variant.offset;
         if stable == (meant && variant.destroyed) {
             let what = format!(
@@ -240,12 +225,11 @@ pub struct MaximumVariant {
 }
 
 pub fn unique_maximum() -> Record<MaximumVariant> {
-    let printed = MaximumVariant { order: 12, up_to_rotation: true, any_labels: false };
     Record::new(
         "paley.fig3.max",
         "W_1 = (1/(2N)) <x, L x> <= lambda_max/2 for |x|^2 = N, with equality iff L x = lambda_max x. On \
          C_12 lambda_max = 4 is simple with eigenvector (-1)^k, so e^{i theta} = e^{i alpha} (-1)^k.",
-        printed,
+        MaximumVariant { order: 12, up_to_rotation: true, any_labels: false },
         examine_unique_maximum,
     )
     .clauses(&["The balanced (2,N)-pattern maximizes W_1.", "It is the unique configuration that does."])
@@ -253,19 +237,15 @@ pub fn unique_maximum() -> Record<MaximumVariant> {
         "Unique up to a rotation of all phases; the (2,N)-pattern in which neighbours on the cycle are \
          opposite.",
     )
-    .control("C_11", MaximumVariant { order: 11, ..printed })
-    .control("unique, rotations counted", MaximumVariant { up_to_rotation: false, ..printed })
-    .control("every (2,N)-pattern maximises", MaximumVariant { any_labels: true, ..printed })
+    .altered("C_11", |v| v.order = 11)
+    .altered("unique, rotations counted", |v| v.up_to_rotation = false)
+    .altered("every (2,N)-pattern maximises", |v| v.any_labels = true)
 }
 
 fn examine_unique_maximum(variant: &MaximumVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
     let order = variant.order;
-    let fails = |what: &str| {
-        Ok(Outcome::fails(
-            format!("N = {order}: {what}"),
-            Evidence::new(Grade::Exact, "the maximum", "exact kernel of L - 4"),
-        ))
-    };
+    let fails =
+        |what: &str| Ok(Outcome::fails(format!("N = {order}: {what}"), exact("the maximum", "exact kernel of L - 4")));
     let graph = Graph::from_fn(order, |i, j| j == i + 1 || (i == 0 && j + 1 == order));
     let laplacian = graph.laplacian()?;
     let four = RationalMatrix::identity(order)?.scaled(&rational(4, 1));
@@ -294,7 +274,5 @@ fn examine_unique_maximum(variant: &MaximumVariant, _run: &mut Run) -> Result<Ou
         return fails("the pattern turned by a quarter maximises W_1 too");
     }
     let detail = "kernel of L - 4 on C_12 spanned by (-1)^k, and W_1 = 2 there; 4 bounds the spectrum (Gershgorin)";
-    Ok(Outcome::Holds(vec![
-        Evidence::new(Grade::Exact, "unique maximiser up to rotation", detail).on([1, 2]).for_all(),
-    ]))
+    Ok(Outcome::Holds(vec![exact("unique maximiser up to rotation", detail).on([1, 2]).for_all()]))
 }

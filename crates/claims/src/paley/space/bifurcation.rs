@@ -41,9 +41,6 @@ fn trials(run: &Run) -> &'static [Trial] {
 }
 
 pub fn fewer_clusters() -> Record<FewerVariant> {
-    let flights = Flights::default();
-    let altered = |sign: f64, zones: [usize; 3]| FewerVariant { sign, zones, flights: flights.clone() };
-    let printed = altered(-1.0, ZoneFormation::CLUSTERS);
     Record::new(
         "paley.fig8.neg",
         "Particles \"in overlapping orientation zones\" are those of which one senses the other in its zone \
@@ -64,7 +61,7 @@ pub fn fewer_clusters() -> Record<FewerVariant> {
          on the rim of each other's zone, at t = 1200. And not in every pair: at K_1 = -K_0 with the \
          printed law the larger of the zones M = 12, 8 has more clusters in about one start of eleven, \
          fewer in one of five.",
-        printed,
+        FewerVariant { sign: -1.0, zones: ZoneFormation::CLUSTERS, flights: Flights::default() },
         examine_fewer_clusters,
     )
     .clauses(&[
@@ -72,14 +69,12 @@ pub fn fewer_clusters() -> Record<FewerVariant> {
         "Increasing the size of the orientation zone from M = 12 to M = 8 stabilizes fewer, larger clusters.",
         "Increasing it from M = 8 to M = 2 does.",
     ])
-    .reading(
-        "In most runs from random states, at the sizes of K_1 that are tried, since the paper gives none: K_1 = -3 K_0, and with --full \
+    .reading("In most runs from random states, at the sizes of K_1 that are tried, since the paper gives none: K_1 = -3 K_0, and with --full \
          -K_0/2, -K_0, -5 K_0 and -10 K_0 too; particles are in overlapping zones where \
-         one senses the other; fewer: the mean number of clusters over the same starts decreases.",
-    )
-    .control("K_1 > 0", altered(1.0, ZoneFormation::CLUSTERS))
-    .control("from M = 8 to 12", altered(-1.0, [8, 12, 2]))
-    .control("from M = 2 to 8", altered(-1.0, [12, 2, 8]))
+         one senses the other; fewer: the mean number of clusters over the same starts decreases.")
+    .altered("K_1 > 0", |v| v.sign = 1.0)
+    .altered("from M = 8 to 12", |v| v.zones = [8, 12, 2])
+    .altered("from M = 2 to 8", |v| v.zones = [12, 2, 8])
 }
 
 fn examine_fewer_clusters(variant: &FewerVariant, run: &mut Run) -> Result<Outcome, CheckError> {

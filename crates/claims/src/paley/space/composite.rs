@@ -1,9 +1,8 @@
 //! paley.eq21, paley.eq22, paley.VMN, paley.eq29: composite potentials and controls.
 
 use super::instances::{StateIdentity, described, identity_graphs, one_way_ring, state_identity, sum_of_squares};
+use crate::prelude::*;
 use algebra::graph::Graph;
-use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{
     CircularGains, Neighbours, State, circle_centres, circular_control, composite_potential, heading_components,
     misalignment, pattern_control, pattern_potential, phasor, relative_position_control, spacing_control,
@@ -29,38 +28,26 @@ pub struct CompositeVariant {
     cross: i64,
 }
 
-struct CompositeIdentity {
-    variant: CompositeVariant,
-    network: Neighbours,
-}
-
-impl StateIdentity for CompositeIdentity {
-    fn particles(&self) -> usize {
-        self.network.particles()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn composite(variant: &CompositeVariant, network: Neighbours) -> StateIdentity<'_> {
+    StateIdentity::new(network.particles(), move |constants, state| {
         let g = gains(constants)?;
-        let (network, particles) = (&self.network, self.particles() as i64);
+        let (network, particles) = (&network, network.particles() as i64);
         let moving = state.moving(&circular_control(&g, network, network, state)?, &[]);
-        let weight = power(&g.omega, self.variant.exponent)? * &g.orientation * g.omega.integer(self.variant.sign);
-        let constant = |x: &T| Dual::constant(x.clone());
+        let weight = power(&g.omega, variant.exponent)? * &g.orientation * g.omega.integer(variant.sign);
+        let constant = |x: &Probe| Dual::constant(x.clone());
         let v =
             composite_potential(&constant(&g.omega), (&constant(&g.spacing), &constant(&weight)), network, &moving)?;
         let sigma = heading_components(network, &state.phasors, &circle_centres(&g.omega, state)?);
         let tau = misalignment(network, &state.phasors);
-        let turned = g.omega.recip()? * &g.orientation * g.omega.integer(self.variant.cross);
-        let terms: Vec<T> = sigma.iter().zip(&tau).map(|(s, t)| s.clone() * &g.spacing + t.clone() * &turned).collect();
+        let turned = g.omega.recip()? * &g.orientation * g.omega.integer(variant.cross);
+        let terms: Vec<Probe> =
+            sigma.iter().zip(&tau).map(|(s, t)| s.clone() * &g.spacing + t.clone() * &turned).collect();
         Ok((vec![v.derivative], vec![sum_of_squares(&terms, &g.omega) * g.omega.ratio(-1, particles * particles)]))
-    }
-
-    fn allows(&self, constants: &[Rational]) -> bool {
-        constants[1] > rational(0, 1)
-    }
+    })
+    .allowing(|constants| constants[1] > rational(0, 1))
 }
 
 pub fn composite_descent() -> Record<CompositeVariant> {
-    let printed = CompositeVariant { sign: 1, exponent: -1, cross: 1 };
     Record::new(
         "paley.eq21",
         "With sigma_k = <e^{i theta_k}, L_k c>, tau_k = <i e^{i theta_k}, L_k e^{i theta}>: Sdot = (1/N) \
@@ -70,8 +57,13 @@ pub fn composite_descent() -> Record<CompositeVariant> {
          -K_1/w0^2, and for every other a the rate is indefinite. With the printed a = K_1/w0 the W_1 part \
          has the wrong sign for w0 > 0: at K_1 > 0 the control (14) increases W_1. V = K_0 S - K_1 w0^-2 \
          W_1 is what (22) decreases, in agreement with synchronisation for K_1 < 0.",
-        printed,
-        examine_composite_descent,
+        CompositeVariant { sign: 1, exponent: -1, cross: 1 },
+        |variant, run| {
+            Run::all(identity_graphs(run).into_iter().map(|graph| {
+                let part = format!("Vdot under (22), {}", described(&graph));
+                state_identity(composite(variant, Neighbours::of(&graph)), &["w0", "K_0", "K_1"], &part, run)
+            }))
+        },
     )
     .repaired(
         Fault::Slip,
@@ -79,17 +71,9 @@ pub fn composite_descent() -> Record<CompositeVariant> {
          c> + K_1 w0^-1 <i e^{i th_k}, L_k e^{i th}>)^2, for all w0 != 0 and every undirected graph.",
         CompositeVariant { sign: -1, exponent: -2, cross: 1 },
     )
-    .control("-K_1/w0 in V", CompositeVariant { sign: -1, exponent: -1, cross: 1 })
-    .control("+K_1/w0^2 in V", CompositeVariant { sign: 1, exponent: -2, cross: 1 })
-    .control("the difference squared", CompositeVariant { sign: -1, exponent: -2, cross: -1 })
-}
-
-fn examine_composite_descent(variant: &CompositeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    Run::all(identity_graphs(run).into_iter().map(|graph| {
-        let identity = CompositeIdentity { variant: *variant, network: Neighbours::of(&graph) };
-        let part = format!("Vdot under (22), {}", described(&graph));
-        state_identity(&identity, &["w0", "K_0", "K_1"], &part, run)
-    }))
+    .altered("-K_1/w0 in V", |v| v.exponent = -1)
+    .altered("+K_1/w0^2 in V", |v| v.sign = 1)
+    .altered("the difference squared", |v| v.cross = -1)
 }
 
 /// paley.eq22 and paley.eq29: (5) with (14) and (20) equals `omega + (alignment/N) tau^ori + (rest/N) tau^att + omega (spacing K_0/N)
@@ -101,63 +85,48 @@ pub struct FormVariant {
     spacing: i64,
 }
 
-struct FormIdentity {
-    variant: FormVariant,
-    orientation: Neighbours,
-    attraction: Neighbours,
-}
-
-impl StateIdentity for FormIdentity {
-    fn particles(&self) -> usize {
-        self.orientation.particles()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn form(variant: &FormVariant, orientation: Neighbours, attraction: Neighbours) -> StateIdentity<'_> {
+    StateIdentity::new(orientation.particles(), move |constants, state| {
         let g = gains(constants)?;
-        let (variant, attraction) = (&self.variant, &self.attraction);
+        let (variant, attraction) = (&variant, &attraction);
         let integer = |n: i64| g.omega.integer(n);
         let alignment = integer(variant.alignment.0) * &g.orientation + integer(variant.alignment.1) * &g.spacing;
         let spacing = integer(variant.spacing) * &g.spacing;
-        let form = relative_position_control(&g.omega, (&alignment, &self.orientation), (&spacing, attraction), state)?;
-        let rest = g.omega.ratio(variant.rest, self.particles() as i64) * &g.spacing;
+        let form = relative_position_control(&g.omega, (&alignment, &orientation), (&spacing, attraction), state)?;
+        let rest = g.omega.ratio(variant.rest, orientation.particles() as i64) * &g.spacing;
         let turned = misalignment(attraction, &state.phasors);
         let right = form.into_iter().zip(turned).map(|(u, tau)| u + tau * &rest).collect();
-        Ok((circular_control(&g, &self.orientation, attraction, state)?, right))
-    }
-
-    fn allows(&self, constants: &[Rational]) -> bool {
-        constants[1] > rational(0, 1)
-    }
+        Ok((circular_control(&g, &orientation, attraction, state)?, right))
+    })
+    .allowing(|constants| constants[1] > rational(0, 1))
 }
 
 const CONSTANTS: [&str; 3] = ["w0", "K_0", "K_1"];
 
 pub fn circular_form() -> Record<FormVariant> {
-    let printed = FormVariant { alignment: (1, -1), rest: 0, spacing: 1 };
     Record::new(
         "paley.eq22",
         "c = r + w0^-1 i e^{i theta}, and <z, i y> = -<i z, y>: w0 (K_0/N) <e^{i theta_k}, L_k c> = w0 \
          (K_0/N) <e^{i theta_k}, L_k r> - (K_0/N) <i e^{i theta_k}, L_k e^{i theta}>. It holds for directed \
          networks too.",
-        printed,
+        FormVariant { alignment: (1, -1), rest: 0, spacing: 1 },
         examine_circular_form,
     )
-    .control("K_1 + K_0", FormVariant { alignment: (1, 1), ..printed })
-    .control("K_1 alone", FormVariant { alignment: (1, 0), ..printed })
-    .control("minus the spacing term", FormVariant { spacing: -1, ..printed })
+    .altered("K_1 + K_0", |v| v.alignment = (1, 1))
+    .altered("K_1 alone", |v| v.alignment = (1, 0))
+    .altered("minus the spacing term", |v| v.spacing = -1)
 }
 
 fn examine_circular_form(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let undirected = identity_graphs(run).into_iter().map(|g| (Neighbours::of(&g), described(&g)));
     let networks = undirected.chain([(one_way_ring(3), "one-way ring of 3".to_string())]);
     Run::all(networks.map(|(network, name)| {
-        let identity = FormIdentity { variant: *variant, orientation: network.clone(), attraction: network };
-        state_identity(&identity, &CONSTANTS, &format!("(5) with (14) and (20), {name}"), run)
+        let identity = form(variant, network.clone(), network);
+        state_identity(identity, &CONSTANTS, &format!("(5) with (14) and (20), {name}"), run)
     }))
 }
 
 pub fn two_networks() -> Record<FormVariant> {
-    let printed = FormVariant { alignment: (1, -1), rest: 0, spacing: 1 };
     Record::new(
         "paley.eq29",
         "(5) with (14) on the orientation network and (20) on the attraction network: in the coefficient \
@@ -166,7 +135,7 @@ pub fn two_networks() -> Record<FormVariant> {
          control only where K_0 = 0 or both terms agree. Under (29) as printed circular formations need not \
          be equilibria when K_1 = 0 (two particles that see but do not align, at a quarter turn), and at \
          K_1 = K_0 the orientation network has no effect at all.",
-        printed,
+        FormVariant { alignment: (1, -1), rest: 0, spacing: 1 },
         examine_two_networks,
     )
     .repaired(
@@ -175,9 +144,9 @@ pub fn two_networks() -> Record<FormVariant> {
          w0 (K_0/N) <e^{i th_k}, L_k^att r>, that is, (5) with (14) on L^ori and (20) on L^att.",
         FormVariant { alignment: (1, 0), rest: -1, spacing: 1 },
     )
-    .control("-K_0 on both networks", FormVariant { alignment: (1, -1), rest: -1, spacing: 1 })
-    .control("+K_0 on the attraction network", FormVariant { alignment: (1, 0), rest: 1, spacing: 1 })
-    .control("no K_0 in the alignment", FormVariant { alignment: (1, 0), rest: 0, spacing: 1 })
+    .altered("-K_0 on both networks", |v| v.alignment = (1, -1))
+    .altered("+K_0 on the attraction network", |v| v.rest = 1)
+    .altered("no K_0 in the alignment", |v| v.rest = 0)
 }
 
 fn examine_two_networks(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -188,8 +157,12 @@ fn examine_two_networks(variant: &FormVariant, run: &mut Run) -> Result<Outcome,
         ("ring and all pairs, four particles", Neighbours::circulant(4, &[1]), Neighbours::complete(4)),
     ];
     Run::all(pairs.into_iter().map(|(name, orientation, attraction)| {
-        let identity = FormIdentity { variant: *variant, orientation, attraction };
-        state_identity(&identity, &CONSTANTS, &format!("(5) with (14) and (20), {name}"), run)
+        state_identity(
+            form(variant, orientation, attraction),
+            &CONSTANTS,
+            &format!("(5) with (14) and (20), {name}"),
+            run,
+        )
     }))
 }
 
@@ -200,40 +173,23 @@ pub struct WeightVariant {
     rate: i64,
 }
 
-/// The rate of `V`, all-to-all.
-struct PatternDescent {
-    variant: WeightVariant,
-    particles: usize,
-    clusters: usize,
-}
-
-impl PatternDescent {
-    /// `Vdot` and what it is said to be.
-    fn rates<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(T, T), ArithmeticError> {
-        let [omega, spacing, gains @ ..] = constants else { return Err(ArithmeticError::Domain("constants")) };
-        let network = Neighbours::complete(self.particles);
-        let pulled = spacing_control(omega, spacing, &network, state)?;
-        let excess: Vec<T> =
-            pulled.into_iter().zip(pattern_control(gains, &state.phasors)?).map(|(s, o)| s + o).collect();
-        let steering: Vec<T> = excess.iter().map(|u| u.clone() + omega).collect();
-        let moving = state.moving(&steering, &[]);
-        let constant = |x: &T| Dual::constant(x.clone());
-        let gains: Vec<Dual<T>> = gains.iter().map(constant).collect();
-        let u = pattern_potential(&gains, &moving.phasors)? * constant(&power(omega, self.variant.exponent)?);
-        let v = spacing_potential(&constant(omega), &network, &moving)? * constant(spacing) + u;
-        Ok((v.derivative, -(sum_of_squares(&excess, omega) * power(omega, self.variant.rate)?)))
-    }
-}
-
-impl StateIdentity for PatternDescent {
-    fn particles(&self) -> usize {
-        self.particles
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let (left, right) = self.rates(constants, state)?;
-        Ok((vec![left], vec![right]))
-    }
+/// The rate of `V`, all-to-all, and what it is said to be.
+fn pattern_rates<T: Field>(
+    variant: &WeightVariant,
+    constants: &[T],
+    state: &State<T>,
+) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+    let [omega, spacing, gains @ ..] = constants else { return Err(ArithmeticError::Domain("constants")) };
+    let network = Neighbours::complete(state.phasors.len());
+    let pulled = spacing_control(omega, spacing, &network, state)?;
+    let excess: Vec<T> = pulled.into_iter().zip(pattern_control(gains, &state.phasors)?).map(|(s, o)| s + o).collect();
+    let steering: Vec<T> = excess.iter().map(|u| u.clone() + omega).collect();
+    let moving = state.moving(&steering, &[]);
+    let constant = |x: &T| Dual::constant(x.clone());
+    let gains: Vec<Dual<T>> = gains.iter().map(constant).collect();
+    let u = pattern_potential(&gains, &moving.phasors)? * constant(&power(omega, variant.exponent)?);
+    let v = spacing_potential(&constant(omega), &network, &moving)? * constant(spacing) + u;
+    Ok((vec![v.derivative], vec![-(sum_of_squares(&excess, omega) * power(omega, variant.rate)?)]))
 }
 
 pub fn pattern_composite() -> Record<WeightVariant> {
@@ -256,12 +212,11 @@ pub fn pattern_composite() -> Record<WeightVariant> {
         right,
     )
     .control("U/w0", WeightVariant { exponent: -1, ..printed })
-    .control("Vdot = -sum (u_k - w0)^2", WeightVariant { rate: 0, ..right })
+    .altered("Vdot = -sum (u_k - w0)^2", |v| v.rate = 0)
 }
 
 fn examine_pattern_composite(variant: &WeightVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let evidence = |detail: &str| Evidence::new(Grade::Exact, "V does not increase", detail.to_string());
-    let identity = PatternDescent { variant: *variant, particles: 2, clusters: 2 };
+    let evidence = |detail: &str| exact("V does not increase", detail.to_string());
     let mut states = 0;
     for (p, q) in [(1, 10), (2, 1), (-1, 10)] {
         for (x, t) in [(0, 1), (1, 1), (-1, 1), (1, 2), (-3, 1), (5, -1), (30, 1), (-30, 1)] {
@@ -270,7 +225,7 @@ fn examine_pattern_composite(variant: &WeightVariant, run: &mut Run) -> Result<O
                 phasors: vec![Complex::real(rational(1, 1)), phasor(&rational(t, 2))?],
             };
             let constants = [(p, q), (1, 10), (1, 1), (-1, 2)].map(|(a, b)| rational(a, b));
-            let (rate, _) = identity.rates(&constants, &state)?;
+            let rate = pattern_rates(variant, &constants, &state)?.0.swap_remove(0);
             states += 1;
             if rate > rational(0, 1) {
                 let what = format!(
@@ -284,11 +239,11 @@ fn examine_pattern_composite(variant: &WeightVariant, run: &mut Run) -> Result<O
     }
     let cases = [(1, 1), (2, 1), (2, 2), (3, 3)];
     let identities = cases.into_iter().take(run.cases(3, 4)).map(|(particles, clusters)| {
-        let identity = PatternDescent { variant: *variant, particles, clusters };
-        let gains: Vec<String> = (1..=identity.clusters).map(|m| format!("K_{m}")).collect();
-        let names: Vec<&str> = ["w0", "K_0"].into_iter().chain(gains.iter().map(String::as_str)).collect();
+        let identity = StateIdentity::new(particles, |constants, state| pattern_rates(variant, constants, state));
+        let gains = (1..=clusters).map(|m| format!("K_{m}"));
+        let names: Vec<String> = ["w0", "K_0"].map(String::from).into_iter().chain(gains).collect();
         let part = format!("the rate of V, M = {clusters}, N = {particles}");
-        state_identity(&identity, &names, &part, run)
+        state_identity(identity, &names, &part, run)
     });
     let sampled = Ok(Outcome::Holds(vec![evidence("exact states of two particles").cases(states)]));
     Run::all(identities.chain([sampled]))

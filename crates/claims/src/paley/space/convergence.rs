@@ -2,34 +2,23 @@
 
 use super::instances::{StateIdentity, described, identity_graphs, scattered_phasors, stability, state_identity};
 use super::spacing::{DescentVariant, ProperVariant, examine_descent, examine_proper};
-use arithmetic::{ArithmeticError, Dual, Field, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
 use models::oscillator::{
-    Interaction, Neighbours, State, circle_centres, circular_formation, heading_components, linearisation, mean,
-    quarter_turn, spacing_control,
+    Interaction, Neighbours, circle_centres, circular_formation, heading_components, linearisation, mean, quarter_turn,
+    spacing_control,
 };
 
 /// The rate of `sigma_k = <e^{i theta_k}, L_k c>` under (20) is `rate w0 <i e^{i theta_k}, L_k c>` up to terms with a factor `sigma_j`, and
 /// `|L_k c|^2 = sigma_k^2 + <i e^{i theta_k}, L_k c>^2`.
-struct LimitIdentity {
-    network: Neighbours,
-    rate: i64,
-}
-
-impl StateIdentity for LimitIdentity {
-    fn particles(&self) -> usize {
-        self.network.particles()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, gain] = constants else { return Err(ArithmeticError::Domain("two constants")) };
-        let share = omega.ratio(1, self.particles() as i64) * gain;
-        let network = &self.network;
+fn on_limit_set(network: Neighbours, rate: i64) -> StateIdentity<'static> {
+    StateIdentity::of(network.particles(), move |[omega, gain], state| {
+        let share = omega.ratio(1, network.particles() as i64) * gain;
+        let network = &network;
         let control = spacing_control(omega, gain, network, state)?;
-        let total: Vec<T> = control.iter().map(|u| u.clone() + omega).collect();
+        let total: Vec<Probe> = control.iter().map(|u| u.clone() + omega).collect();
         let moving = state.moving(&total, &[]);
         let centres = circle_centres(&Dual::constant(omega.clone()), &moving)?;
-        let mut left: Vec<T> =
+        let mut left: Vec<Probe> =
             heading_components(network, &moving.phasors, &centres).into_iter().map(|s| s.derivative).collect();
         let centres = circle_centres(omega, state)?;
         let sigma = heading_components(network, &state.phasors, &centres);
@@ -40,14 +29,14 @@ impl StateIdentity for LimitIdentity {
         let with_sigma = heading_components(network, &state.phasors, &pulled);
         let mut right = Vec::new();
         for ((tau, u), rest) in tau.iter().zip(&control).zip(with_sigma) {
-            right.push((omega.clone() * omega.integer(self.rate) + u) * tau + rest);
+            right.push((omega.clone() * omega.integer(rate) + u) * tau + rest);
         }
         for ((s, t), lc) in sigma.iter().zip(&tau).zip(network.laplacian_of(&centres)) {
             left.push(lc.norm_squared());
             right.push(s.square() + t.square());
         }
         Ok((left, right))
-    }
+    })
 }
 
 /// paley.thm2 and paley.thm2.center.
@@ -81,17 +70,9 @@ impl ConvergenceVariant {
 fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
     let limits = Run::all(identity_graphs(run).into_iter().map(|graph| {
         let part = format!("on the limit set L_k c = 0, {}", described(&graph));
-        let identity = LimitIdentity { network: Neighbours::of(&graph), rate: variant.rate };
-        state_identity(&identity, &["w0", "K_0"], &part, run)
+        state_identity(on_limit_set(Neighbours::of(&graph), variant.rate), &["w0", "K_0"], &part, run)
     }))?;
-    if !matches!(limits, Outcome::Holds(_)) {
-        return Ok(limits);
-    }
-    let returns = examine_return(variant, run)?;
-    if !matches!(returns, Outcome::Holds(_)) {
-        return Ok(returns);
-    }
-    Run::all([Ok(limits), Ok(returns)])
+    Run::all([Ok(limits), examine_return(variant, run)])
 }
 
 /// Whether all that is no symmetry and no phase decays near circular formations.
@@ -122,7 +103,6 @@ fn examine_return(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, Ch
 }
 
 pub fn theorem2() -> Record<ConvergenceVariant> {
-    let printed = ConvergenceVariant::PRINTED;
     Record::new(
         "paley.thm2",
         "S is proper in the relative centres (eq17) and does not increase (eq19_20), and the relative \
@@ -131,17 +111,17 @@ pub fn theorem2() -> Record<ConvergenceVariant> {
          e^{i theta_k}, L_k c>, which vanishes too: L_k c = 0 for all k, c = c_0 1, a circle of radius \
          1/|w0| turned at w0. States with sigma = 0 and unequal centres exist but are not invariant. K_0 > \
          0 as under (20).",
-        printed,
+        ConvergenceVariant::PRINTED,
         examine_theorem2,
     )
     .clauses(&[
         "All of the solutions converge to the set of circular formations with radius |w0|^{-1}.",
         "Their direction of rotation is determined by the sign of w0.",
     ])
-    .control("K_0 = -1", ConvergenceVariant { gain: -1, ..printed })
-    .control("graphs that are not connected", ConvergenceVariant { proper: ProperVariant::ANY_GRAPH, ..printed })
-    .control("directed graphs", ConvergenceVariant { descent: DescentVariant::ONE_WAY, ..printed })
-    .control("rotation at 2 w0", ConvergenceVariant { rate: 2, ..printed })
+    .altered("K_0 = -1", |v| v.gain = -1)
+    .altered("graphs that are not connected", |v| v.proper = ProperVariant::ANY_GRAPH)
+    .altered("directed graphs", |v| v.descent = DescentVariant::ONE_WAY)
+    .altered("rotation at 2 w0", |v| v.rate = 2)
 }
 
 fn examine_theorem2(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -149,36 +129,25 @@ fn examine_theorem2(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outco
     if !matches!(limit, Outcome::Holds(_)) {
         return Ok(limit);
     }
-    let proper = examine_proper(&variant.proper, run);
-    let argued = Evidence::argued("every solution", "notes/paley_particles.md, Theorem 2, steps 1-4").on([1, 2]);
-    let on = |outcome: Result<Outcome, CheckError>| Ok(outcome?.on([1]));
     Run::all([
-        Ok(Outcome::Holds(vec![argued])),
+        argued(&[1, 2], "every solution", "notes/paley_particles.md, Theorem 2, steps 1-4"),
         Ok(limit.on([1, 2])),
-        on(proper),
-        on(examine_descent(&variant.descent, run)),
+        examine_proper(&variant.proper, run).on([1]),
+        examine_descent(&variant.descent, run).on([1]),
     ])
 }
 
 /// The rate of the mean centre under (20) is zero.
-struct MeanCentre;
-
-impl StateIdentity for MeanCentre {
-    fn particles(&self) -> usize {
-        2
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, gain] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+fn mean_centre() -> StateIdentity<'static> {
+    StateIdentity::of(2, move |[omega, gain], state| {
         let control = spacing_control(omega, gain, &Neighbours::complete(2), state)?;
-        let total: Vec<T> = control.into_iter().map(|u| u + omega).collect();
+        let total: Vec<Probe> = control.into_iter().map(|u| u + omega).collect();
         let centre = mean(&circle_centres(&Dual::constant(omega.clone()), &state.moving(&total, &[]))?)?;
         Ok((vec![centre.re.derivative, centre.im.derivative], vec![omega.zero(), omega.zero()]))
-    }
+    })
 }
 
 pub fn fixed_centre() -> Record<ConvergenceVariant> {
-    let printed = ConvergenceVariant::PRINTED;
     Record::new(
         "paley.thm2.center",
         "The limit set is that of Theorem 2. Near it S decays by a fixed factor per turn (notes: S is \
@@ -187,7 +156,7 @@ pub fn fixed_centre() -> Record<ConvergenceVariant> {
          fixed, and which the closed loop determines from the initial state alone (nothing in the law names \
          a place). It is not the initial mean of the centres. The centre of mass is c_0 - (i/w0) p_theta \
          and turns unless p_theta = 0.",
-        printed,
+        ConvergenceVariant::PRINTED,
         examine_fixed_centre,
     )
     .clauses(&[
@@ -200,26 +169,24 @@ pub fn fixed_centre() -> Record<ConvergenceVariant> {
         "c_0 depends on the initial state for the given law and gains; it is not the initial mean of the \
          circle centres.",
     )
-    .control("c_0 is the mean of the initial centres", ConvergenceVariant { mean_conserved: true, ..printed })
-    .control("the centre of mass is fixed", ConvergenceVariant { mass_fixed: true, ..printed })
-    .control("the limit turns at 2 w0", ConvergenceVariant { rate: 2, ..printed })
+    .altered("c_0 is the mean of the initial centres", |v| v.mean_conserved = true)
+    .altered("the centre of mass is fixed", |v| v.mass_fixed = true)
+    .altered("the limit turns at 2 w0", |v| v.rate = 2)
 }
 
 fn examine_fixed_centre(variant: &ConvergenceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let velocity = mean(&circular_formation(&rational(1, 10), &scattered_phasors(2)?)?.phasors)?;
     let speed = velocity.norm_squared();
-    let exact = |detail: String| Evidence::new(Grade::Exact, "centre of mass", detail);
+    let exact = |detail: String| exact("centre of mass", detail);
     if variant.mass_fixed && speed != rational(0, 1) {
         let what = format!("two particles on a circle: the centre of mass has the squared speed {speed}");
         return Ok(Outcome::fails(what, exact("an exact circular formation".to_string())));
     }
     let moving = Outcome::Holds(vec![exact(format!("squared speed {speed} in a formation of two")).on([4]).for_all()]);
     let conserved = match variant.mean_conserved {
-        true => state_identity(&MeanCentre, &["w0", "K_0"], "the mean centre is conserved", run),
+        true => state_identity(mean_centre(), &["w0", "K_0"], "the mean centre is conserved", run),
         false => Ok(moving),
     };
-    let argued = Outcome::Holds(vec![
-        Evidence::argued("one fixed centre", "notes/paley_particles.md, Theorem 2, steps 5-8").on([2, 3]),
-    ]);
-    Run::all([Ok(argued), conserved, Ok(examine_convergence(variant, run)?.on([1, 3]))])
+    let section = "notes/paley_particles.md, Theorem 2, steps 5-8";
+    Run::all([argued(&[2, 3], "one fixed centre", section), conserved, examine_convergence(variant, run).on([1, 3])])
 }

@@ -1,10 +1,8 @@
 //! paley.eq26, paley.vrep, paley.vatt: the steps of the fish model and its behaviours.
 
 use super::instances::{StateIdentity, state_identity};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Field, Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Outcome, Record, Run};
-use models::oscillator::{State, phasor, quarter_turn, repulsion, steering_towards};
+use crate::prelude::*;
+use models::oscillator::{phasor, quarter_turn, repulsion, steering_towards};
 
 /// Positions move by `T^position e^{i theta}` and phases by `T^phase u`.
 #[derive(Clone, Copy)]
@@ -14,31 +12,20 @@ pub struct StepVariant {
 }
 
 /// The increments of a step against those of Euler's method for (1), (2).
-struct StepIdentity(StepVariant);
-
-impl StateIdentity for StepIdentity {
-    fn particles(&self) -> usize {
-        1
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [fineness, u] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+fn euler_increments(variant: &StepVariant) -> StateIdentity<'_> {
+    StateIdentity::of(1, move |[fineness, u], state| {
         // A counterexample is looked for at small integers, and T is to be small.
         let step = &(fineness.recip()? * fineness.ratio(1, 10));
         let z = &state.phasors[0];
-        let moved = z.scale(&step.power(self.0.position));
+        let moved = z.scale(&step.power(variant.position));
         let euler = z.scale(step);
-        let turned = step.power(self.0.phase) * u;
+        let turned = step.power(variant.phase) * u;
         Ok((vec![moved.re, moved.im, turned], vec![euler.re, euler.im, step.clone() * u]))
-    }
-
-    fn allows(&self, constants: &[Rational]) -> bool {
-        constants[0] > rational(0, 1)
-    }
+    })
+    .allowing(|constants| constants[0] > rational(0, 1))
 }
 
 pub fn euler_step() -> Record<StepVariant> {
-    let printed = StepVariant { position: 0, phase: 1 };
     Record::new(
         "paley.eq26",
         "The forward Euler method of step h for (1), (2) is r + h e^{i theta}, theta + h u: one step for \
@@ -49,8 +36,17 @@ pub fn euler_step() -> Record<StepVariant> {
          and all gains times T it is the printed model); but the article goes on to compare the gains of \
          u_k in (28) with those of (22), K_1 - K_0 = -K_ori N (paley.fish28ori), which under that reading \
          would be off by the factor T.",
-        printed,
-        examine_euler_step,
+        StepVariant { position: 0, phase: 1 },
+        |variant, run| {
+            // Each fish for itself: an identity in all that its step depends on.
+            state_identity(
+                euler_increments(variant),
+                &["1/(10 T)", "u"],
+                "increments of Euler's method with step T",
+                run,
+            )
+            .for_all()
+        },
     )
     .reading("u_k is one and the same steering in (26) and in (2).")
     .repaired(
@@ -59,15 +55,9 @@ pub fn euler_step() -> Record<StepVariant> {
          with step T for (1), (2).",
         StepVariant { position: 1, phase: 1 },
     )
-    .control("T^2 u", StepVariant { position: 1, phase: 2 })
-    .control("T^2 e^{i theta}", StepVariant { position: 2, phase: 1 })
-    .control("u without T", StepVariant { position: 1, phase: 0 })
-}
-
-fn examine_euler_step(variant: &StepVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    // Each fish for itself: an identity in all that its step depends on.
-    Ok(state_identity(&StepIdentity(*variant), &["1/(10 T)", "u"], "increments of Euler's method with step T", run)?
-        .for_all())
+    .altered("T^2 u", |v| v.phase = 2)
+    .altered("T^2 e^{i theta}", |v| v.position = 2)
+    .altered("u without T", |v| v.phase = 0)
 }
 
 /// paley.vrep and paley.vatt: the field is `sign i^turns sum rhat_kj`, which is to point away from the neighbours (`away = 1`) or towards
@@ -92,44 +82,29 @@ impl BehaviourVariant {
 
 /// With neighbours at `r_k - d_j e^{i psi_j}`: moving along `v` changes the sum of the distances at the rate `away |v|^2`, and the
 /// heading turns towards `v`: `(d/dt) <e^{i theta}, v> = K <i e^{i theta}, v>^2` at a fixed `v`.
-struct BehaviourIdentity(BehaviourVariant);
-
-impl RationalIdentity for BehaviourIdentity {
-    fn variables(&self) -> usize {
-        5
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [gain, theta, first, second, third] = at else { return Err(ArithmeticError::Domain("five variables")) };
+fn behaviour(variant: &BehaviourVariant) -> Identity<'_> {
+    Identity::of(move |[gain, theta, first, second, third]| {
         let heading = phasor(theta)?;
         let away = [phasor(first)?, phasor(second)?, phasor(third)?];
-        let sum = repulsion(&heading, &away).scale(&gain.integer(self.0.sign));
-        let v = (0..self.0.turns).fold(sum, |v, _| quarter_turn(&v));
+        let sum = repulsion(&heading, &away).scale(&gain.integer(variant.sign));
+        let v = (0..variant.turns).fold(sum, |v, _| quarter_turn(&v));
         // d/de |r_k + e v - r_j| = <v, rhat_kj>
         let distances = away.iter().fold(gain.zero(), |rate, unit| rate + v.dot(unit));
-        let turning = steering_towards(&heading, &v) * gain * gain.integer(self.0.gain);
+        let turning = steering_towards(&heading, &v) * gain * gain.integer(variant.gain);
         let rate = quarter_turn(&heading).scale(&turning).dot(&v);
         let square = steering_towards(&heading, &v).square();
-        Ok((vec![distances, rate], vec![v.norm_squared() * gain.integer(self.0.away), square * gain]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at[0] > rational(0, 1)
-    }
-
-    fn components(&self) -> Vec<String> {
-        vec!["the rate of the sum of distances along v".to_string(), "the rate of <e^{i theta}, v>".to_string()]
-    }
+        Ok((vec![distances, rate], vec![v.norm_squared() * gain.integer(variant.away), square * gain]))
+    })
+    .within(|at| at[0] > rational(0, 1))
+    .named(vec!["the rate of the sum of distances along v".to_string(), "the rate of <e^{i theta}, v>".to_string()])
 }
 
 fn examine_behaviour(variant: &BehaviourVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let names = ["K", "tan(theta/2)", "tan(psi_1/2)", "tan(psi_2/2)", "tan(psi_3/2)"];
     let part = "v away from (or towards) three neighbours, rhat_kj = e^{i psi_j}, and steering towards v";
-    let argued =
-        Evidence::argued("any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 1-2")
-            .on([1, 2]);
-    let identity = run.identity(&BehaviourIdentity(*variant), &names, part)?;
-    Run::all([Ok(identity.on([1, 2])), Ok(Outcome::Holds(vec![argued]))])
+    let section = "notes/paley_particles.md, Behaviours of fish, steps 1-2";
+    let identity = run.identity(&behaviour(variant), &names, part)?;
+    Run::all([Ok(identity.on([1, 2])), argued(&[1, 2], "any number of neighbours", section)])
 }
 
 pub fn repulsion_field() -> Record<BehaviourVariant> {
@@ -161,8 +136,8 @@ pub fn repulsion_field() -> Record<BehaviourVariant> {
         "With K_rep > 0 the steering K_rep <i e^{i th_k}, v_k^rep> of (27) turns the heading towards it: \
          <e^{i th_k}, v_k^rep> does not decrease at a fixed v_k^rep.",
     ])
-    .control("the field turned by a quarter", BehaviourVariant { turns: 1, ..right })
-    .control("K_rep < 0", BehaviourVariant { gain: -1, ..right })
+    .altered("the field turned by a quarter", |v| v.turns = 1)
+    .altered("K_rep < 0", |v| v.gain = -1)
 }
 
 pub fn attraction_field() -> Record<BehaviourVariant> {
@@ -192,6 +167,6 @@ pub fn attraction_field() -> Record<BehaviourVariant> {
         "With K_att > 0 the steering K_att <i e^{i th_k}, v_k^att> of (27) turns the heading towards it: \
          <e^{i th_k}, v_k^att> does not decrease at a fixed v_k^att.",
     ])
-    .control("the field turned by a quarter", BehaviourVariant { turns: 1, ..right })
-    .control("K_att < 0", BehaviourVariant { gain: -1, ..right })
+    .altered("the field turned by a quarter", |v| v.turns = 1)
+    .altered("K_att < 0", |v| v.gain = -1)
 }

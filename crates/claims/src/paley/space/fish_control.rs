@@ -1,11 +1,9 @@
 //! paley.eq28, paley.fish28ori: the steering of a fish beside the circular control.
 
 use super::instances::{StateIdentity, described, identity_graphs, state_identity};
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
+use crate::prelude::*;
 use models::oscillator::{
-    CircularGains, Neighbours, State, alignment, attraction, circle_centres, circular_control, circular_formation,
+    CircularGains, Neighbours, alignment, attraction, circle_centres, circular_control, circular_formation,
     heading_components, misalignment, phasor, quarter_turn, repulsion, steering_towards,
 };
 
@@ -20,56 +18,42 @@ pub struct FormVariant {
 }
 
 /// The first fish with two neighbours: (27), (28), and what the terms do. The neighbours are at `r_1 - d_j e^{i psi_j}`.
-struct FormIdentity(FormVariant);
-
-impl RationalIdentity for FormIdentity {
-    fn variables(&self) -> usize {
-        10
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn printed_forms(variant: &FormVariant) -> Identity<'_> {
+    Identity::new(10, move |at| {
         let [k_ori, k_att, distance, other, own, tangents @ ..] = at else {
             return Err(ArithmeticError::Domain("ten variables"));
         };
-        let phasors: Vec<Complex<T>> = tangents[..3].iter().map(phasor).collect::<Result<_, _>>()?;
-        let units: Vec<Complex<T>> = tangents[3..].iter().map(phasor).collect::<Result<_, _>>()?;
+        let phasors: Vec<Complex<Probe>> = tangents[..3].iter().map(phasor).collect::<Result<_, _>>()?;
+        let units: Vec<Complex<Probe>> = tangents[3..].iter().map(phasor).collect::<Result<_, _>>()?;
         let apart = [units[0].scale(distance), units[1].scale(other)];
         let origin = Complex::real(own.zero());
-        let positions: Vec<Complex<T>> = [origin].into_iter().chain(apart.iter().map(|r| -r.clone())).collect();
+        let positions: Vec<Complex<Probe>> = [origin].into_iter().chain(apart.iter().map(|r| -r.clone())).collect();
         let z = &phasors[0];
         let network = Neighbours::complete(3);
         let integer = |n: i64| own.integer(n);
         // (27) with the printed or the corrected field of attraction, and r_kj for rhat_kj.
-        let away: &[Complex<T>] = if self.0.units { &units } else { &apart };
-        let desired = |away: &[Complex<T>]| {
-            alignment(z, &phasors[1..]).scale(k_ori) + repulsion(z, away).scale(&integer(self.0.field)).scale(k_att)
+        let away: &[Complex<Probe>] = if variant.units { &units } else { &apart };
+        let desired = |away: &[Complex<Probe>]| {
+            alignment(z, &phasors[1..]).scale(k_ori) + repulsion(z, away).scale(&integer(variant.field)).scale(k_att)
         };
         let steering = own.clone() + steering_towards(z, &desired(away));
         // (28)
-        let aligning = misalignment(&network, &phasors)[0].clone() * k_ori * integer(self.0.orientation);
-        let turned: Vec<Complex<T>> = phasors.iter().map(quarter_turn).collect();
+        let aligning = misalignment(&network, &phasors)[0].clone() * k_ori * integer(variant.orientation);
+        let turned: Vec<Complex<Probe>> = phasors.iter().map(quarter_turn).collect();
         let attracting =
-            heading_components(&network, &turned, &positions)[0].clone() * k_att * integer(self.0.attraction);
+            heading_components(&network, &turned, &positions)[0].clone() * k_att * integer(variant.attraction);
         let form = own.clone() + &aligning + &attracting;
         // The terms steer towards sum (r_j - r_k) and sum e^{i theta_j}.
         let towards = -(apart[0].clone() + &apart[1]);
         let mates = phasors[1].clone() + &phasors[2];
         let left = vec![steering, steering_towards(z, &towards) * k_att, steering_towards(z, &mates) * k_ori];
         Ok((left, vec![form, attracting, aligning]))
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        at[..4].iter().all(|x| *x > rational(0, 1))
-    }
-
-    fn components(&self) -> Vec<String> {
-        ["(27) and (28)", "steering towards the neighbours", "steering to their headings"].map(String::from).to_vec()
-    }
+    })
+    .within(|at| at[..4].iter().all(|x| *x > rational(0, 1)))
+    .named(["(27) and (28)", "steering towards the neighbours", "steering to their headings"])
 }
 
 pub fn laplacian_form() -> Record<FormVariant> {
-    let printed = FormVariant { orientation: -1, attraction: 1, field: 1, units: false };
-    let right = FormVariant { orientation: -1, attraction: -1, field: -1, units: false };
     Record::new(
         "paley.eq28",
         "<i z, z + sum z_j> = -<i z, L_k^ori z>: the alignment term is exact. sum r_kj = L_k^att r, so (28) \
@@ -78,7 +62,7 @@ pub fn laplacian_form() -> Record<FormVariant> {
          behaviour is -K_att <i z, L_k^att r>. How far the approximation is from (27): by K_att <i z, sum \
          (1 - 1/|r_kj|) r_kj> up to sign, nothing where the neighbours are at the distance 1, a half of \
          (28) for one neighbour at the distance 2.",
-        printed,
+        FormVariant { orientation: -1, attraction: 1, field: 1, units: false },
         examine_laplacian_form,
     )
     .clauses(&[
@@ -87,11 +71,7 @@ pub fn laplacian_form() -> Record<FormVariant> {
         "The K_ori term is the alignment behavior.",
     ])
     .reading("\"Approximated\" means r_kj in the place of rhat_kj.")
-    .repaired(
-        Fault::Slip,
-        "",
-        right,
-    )
+    .repaired(Fault::Slip, "", FormVariant { orientation: -1, attraction: -1, field: -1, units: false })
     .repaired_clauses(&[
         "If the repulsion zone of fish k is empty, with r_kj in the place of rhat_kj and v_k^att = - sum r_kj, (27) is u_k = w_k - K_ori <i e^{i \
          th_k}, L_k^ori e^{i th}> - K_att <i e^{i th_k}, L_k^att r>.",
@@ -100,29 +80,29 @@ pub fn laplacian_form() -> Record<FormVariant> {
         "With an empty zone of repulsion and v_k^att = - sum rhat_kj in (27) it is (27) itself where every neighbour in the zone of \
          attraction is at the distance 1, and in general it is not.",
     ])
-    .control("(28) with -K_att from the printed (27)", FormVariant { field: 1, ..right })
-    .control("+K_ori", FormVariant { orientation: 1, ..right })
-    .control("unit vectors at any distance", FormVariant { units: true, ..right })
+    .altered("(28) with -K_att from the printed (27)", |v| v.field = 1)
+    .altered("+K_ori", |v| v.orientation = 1)
+    .altered("unit vectors at any distance", |v| v.units = true)
 }
 
 fn examine_laplacian_form(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let names = ["K_ori", "K_att", "d_2", "d_3", "w", "t_1", "t_2", "t_3", "tan(psi_2/2)", "tan(psi_3/2)"];
     let part = "one fish with two neighbours at r_1 - d_j e^{i psi_j}, t = tan(theta/2)";
-    let identity = run.identity(&FormIdentity(*variant), &names, part)?;
+    let identity = run.identity(&printed_forms(variant), &names, part)?;
     // w = K_ori = 0, K_att = 1, r_1 = 0, heading 1, one neighbour at 2i: (27) and its approximation.
     let (heading, unit) = (Complex::real(rational(1, 1)), -quarter_turn(&Complex::real(rational(1, 1))));
     let steering = |away: Complex<Rational>| steering_towards(&heading, &attraction(&heading, &[away]));
-    let [exact, approximate] = [steering(unit.clone()), steering(unit.scale(&rational(2, 1)))];
+    let [true_rate, approximate] = [steering(unit.clone()), steering(unit.scale(&rational(2, 1)))];
     let detail = format!(
-        "K_att = 1, one neighbour at 2i: (27) steers at {exact}, with r_kj in the place of rhat_kj at \
+        "K_att = 1, one neighbour at 2i: (27) steers at {true_rate}, with r_kj in the place of rhat_kj at \
          {approximate}"
     );
-    let differs = Evidence::new(Grade::Exact, "not (27) at other distances", detail);
-    let argued =
-        Evidence::argued("any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 3-6")
-            .on([1, 2, 3, 4]);
-    let support = Outcome::Holds(vec![differs.on([4]), argued]);
-    Run::all([Ok(identity.on([1, 2, 3])), Ok(support)])
+    let differs = exact("not (27) at other distances", detail);
+    Run::all([
+        Ok(identity.on([1, 2, 3])),
+        Ok(Outcome::Holds(vec![differs.on([4])])),
+        argued(&[1, 2, 3, 4], "any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 3-6"),
+    ])
 }
 
 /// `K_1 - K_0 = -factor N K_ori`; the spacing terms differ by `i^turns`; perpendicular where `K_1 != 0`, or also for `K_1 = 0`.
@@ -133,31 +113,21 @@ pub struct ComparisonVariant {
     without_orientation: bool,
 }
 
-struct ComparisonIdentity {
-    variant: ComparisonVariant,
-    network: Neighbours,
-}
-
-impl StateIdentity for ComparisonIdentity {
-    fn particles(&self) -> usize {
-        self.network.particles()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, spacing, k_ori] = constants else { return Err(ArithmeticError::Domain("three constants")) };
-        let (network, particles) = (&self.network, self.particles() as i64);
-        let (p, q) = self.variant.factor;
+fn comparison_sides(variant: &ComparisonVariant, network: Neighbours) -> StateIdentity<'_> {
+    StateIdentity::of(network.particles(), move |[omega, spacing, k_ori], state| {
+        let (network, particles) = (&network, network.particles() as i64);
+        let (p, q) = variant.factor;
         let orientation = spacing.clone() - omega.ratio(p * particles, q) * k_ori;
         let gains = CircularGains { omega: omega.clone(), spacing: spacing.clone(), orientation };
         // (22), and the fish terms with K_att = omega K_0/N, the factor i put back by turning the heading.
         let left = circular_control(&gains, network, network, state)?;
         let share = omega.ratio(1, particles) * omega * spacing;
         let turned: Vec<_> =
-            state.phasors.iter().map(|z| (0..self.variant.turns).fold(z.clone(), |z, _| quarter_turn(&z))).collect();
+            state.phasors.iter().map(|z| (0..variant.turns).fold(z.clone(), |z, _| quarter_turn(&z))).collect();
         let attracting = heading_components(network, &turned, &state.positions);
         let aligning = misalignment(network, &state.phasors);
         let fish = attracting.into_iter().zip(aligning).map(|(a, o)| omega.clone() + a * &share - o * k_ori);
-        let mut right: Vec<T> = fish.collect();
+        let mut right: Vec<Probe> = fish.collect();
         // <e^{i theta_k}, L_k r> = sigma_k + tau_k/omega
         let mut left = left;
         left.extend(heading_components(network, &state.phasors, &state.positions));
@@ -165,11 +135,10 @@ impl StateIdentity for ComparisonIdentity {
         let inverse = omega.recip()?;
         right.extend(sigma.into_iter().zip(misalignment(network, &state.phasors)).map(|(s, t)| s + t * &inverse));
         Ok((left, right))
-    }
+    })
 }
 
 pub fn comparison() -> Record<ComparisonVariant> {
-    let printed = ComparisonVariant { factor: (1, 1), turns: 0, without_orientation: false };
     Record::new(
         "paley.fish28ori",
         "(K_1 - K_0)/N = -K_ori gives equal alignment terms. <e^{i theta_k}, L_k r> = sigma_k + tau_k/w0. \
@@ -177,7 +146,7 @@ pub fn comparison() -> Record<ComparisonVariant> {
          tau_k/w0 = 0 turning at w0; tau_k is constant there and sigma_k has mean zero, so both vanish: the \
          motion of each particle is perpendicular to rtilde_k (or rtilde_k = 0). With K_1 = 0 it need not \
          be: two particles a quarter turn apart.",
-        printed,
+        ComparisonVariant { factor: (1, 1), turns: 0, without_orientation: false },
         examine_comparison,
     )
     .clauses(&[
@@ -191,9 +160,9 @@ pub fn comparison() -> Record<ComparisonVariant> {
          the heading; the circular control is (22) with K_1 != 0, as under (21), on an undirected connected \
          graph of N >= 2 (for N = 1 rtilde_1 has no value).",
     )
-    .control("K_1 - K_0 = -K_ori", ComparisonVariant { factor: (1, 4), ..printed })
-    .control("the factor i left in the spacing term", ComparisonVariant { turns: 1, ..printed })
-    .control("perpendicular for K_1 = 0 too", ComparisonVariant { without_orientation: true, ..printed })
+    .altered("K_1 - K_0 = -K_ori", |v| v.factor = (1, 4))
+    .altered("the factor i left in the spacing term", |v| v.turns = 1)
+    .altered("perpendicular for K_1 = 0 too", |v| v.without_orientation = true)
 }
 
 fn examine_comparison(variant: &ComparisonVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -217,24 +186,17 @@ fn examine_comparison(variant: &ComparisonVariant, run: &mut Run) -> Result<Outc
                 "K_1 = {}, two particles a quarter turn apart on a circle: <e^(i th_1), L_1 r> = {}",
                 gains.orientation, forward[0]
             );
-            return Ok(Outcome::fails(
-                what,
-                Evidence::new(Grade::Exact, "perpendicular", "an exact circular formation"),
-            ));
+            return Ok(Outcome::fails(what, exact("perpendicular", "an exact circular formation")));
         }
     }
     let identities = identity_graphs(run).into_iter().filter(|g| g.order() > 1).map(|graph| {
-        let identity = ComparisonIdentity { variant: *variant, network: Neighbours::of(&graph) };
         let part = format!("terms of (22) and (28), {}", described(&graph));
-        Ok(state_identity(&identity, &["w0", "K_0", "K_ori"], &part, run)?.on([1, 2]))
+        state_identity(comparison_sides(variant, Neighbours::of(&graph)), &["w0", "K_0", "K_ori"], &part, run)
+            .on([1, 2])
     });
-    let perpendicular = Evidence::new(
-        Grade::Exact,
-        "perpendicular motion in the limit",
-        "exact circular formations with K_1 > 0 and K_1 < 0",
-    );
-    let argued =
-        Evidence::argued("every graph and every start", "notes/paley_particles.md, Perpendicular motion, steps 1-4")
-            .on([2, 3]);
-    Run::all(identities.chain([Ok(Outcome::Holds(vec![argued, perpendicular.on([3]).cases(count)]))]))
+    let perpendicular =
+        exact("perpendicular motion in the limit", "exact circular formations with K_1 > 0 and K_1 < 0");
+    let section = "notes/paley_particles.md, Perpendicular motion, steps 1-4";
+    let last = Ok(Outcome::Holds(vec![perpendicular.on([3]).cases(count)]));
+    Run::all(identities.chain([argued(&[2, 3], "every graph and every start", section), last]))
 }

@@ -1,9 +1,7 @@
 //! paley.figS1_S3, paley.figS3.difference: the measured tracks and what is inferred from them.
 
-use arithmetic::identity::RationalIdentity;
+use crate::prelude::*;
 use arithmetic::random::uniform;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Neighbours, mean, phase_potential, phasor};
 use models::tracks::{Scale, nearest_neighbour, uniform_draw};
 use motion::{Sample, Share};
@@ -60,29 +58,19 @@ impl ScaleVariant {
 }
 
 /// Fish `2i` and `2i + 1` are each other's nearest: the difference against `(1/(2N)) sum |A_i - mean A|^2`, `A_i` the sum of a pair's phasors.
-struct InPairs {
-    pairs: usize,
-    complete: Rational,
-    single: Rational,
-}
-
-impl RationalIdentity for InPairs {
-    fn variables(&self) -> usize {
-        2 * self.pairs
-    }
-
-    fn sides<T: Field>(&self, t: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn in_pairs(pairs: usize, complete: Rational, single: Rational) -> Identity<'static> {
+    Identity::new(2 * pairs, move |t| {
         let (one, z) = (t[0].one(), t.iter().map(phasor).collect::<Result<Vec<_>, _>>()?);
         let potential = |network: &Neighbours, scale: &Rational| {
-            Ok::<T, ArithmeticError>(phase_potential(network, &z, 1)? * one.rational(scale))
+            Ok::<Probe, ArithmeticError>(phase_potential(network, &z, 1)? * one.rational(scale))
         };
         let near = Neighbours::from_fn(z.len(), |k, j| k / 2 == j / 2);
-        let difference = potential(&Neighbours::complete(z.len()), &self.complete)? - potential(&near, &self.single)?;
-        let sums: Vec<Complex<T>> = z.chunks(2).map(|pair| pair[0].clone() + &pair[1]).collect();
+        let difference = potential(&Neighbours::complete(z.len()), &complete)? - potential(&near, &single)?;
+        let sums: Vec<Complex<Probe>> = z.chunks(2).map(|pair| pair[0].clone() + &pair[1]).collect();
         let middle = mean(&sums)?;
         let spread = sums.into_iter().fold(one.zero(), |total, sum| total + (sum - &middle).norm_squared());
         Ok((vec![difference], vec![spread * one.ratio(1, 2 * z.len() as i64)]))
-    }
+    })
 }
 
 /// Shares of draws with independent uniform headings above this are "nearly always".
@@ -106,7 +94,6 @@ fn drawn_differences(variant: &ScaleVariant, fish: usize, draws: usize, run: &Ru
 }
 
 pub fn difference_inference() -> Record<ScaleVariant> {
-    let printed = ScaleVariant { name: "2/(n+1)", scale: |n| Scale::Figure.ratio(n) };
     Record::new(
         "paley.figS3.difference",
         "Let A_n be the mean of 1 - cos theta_kj over the arcs of the network of the nearest n. W_1 = n \
@@ -121,7 +108,7 @@ pub fn difference_inference() -> Record<ScaleVariant> {
          Whether the histogram is as described cannot be checked without the tracks. Compared per arc, with \
          the factor 1/n, positive does mean A_1 < A_{N-1}, and independent headings give mean 0. \
          `flockproof tracks` does this comparison, with null models, on anyone's trajectories.",
-        printed,
+        ScaleVariant { name: "2/(n+1)", scale: |n| Scale::Figure.ratio(n) },
         examine_difference_inference,
     )
     .repaired(Fault::False, "", ScaleVariant { name: "1/n", scale: |n| Scale::PerArc.ratio(n) })
@@ -130,15 +117,15 @@ pub fn difference_inference() -> Record<ScaleVariant> {
          average more synchronised than all pairs (mean of 1 - cos th_kj over arcs).",
         "For independent uniform headings that do not depend on the positions it has mean zero.",
     ])
-    .control("unscaled", ScaleVariant { name: "1", scale: |_| (1, 1) })
-    .control("1/(n + 1)", ScaleVariant { name: "1/(n+1)", scale: |n| (1, n + 1) })
-    .control("1/n^2", ScaleVariant { name: "1/n^2", scale: |n| (1, n * n) })
+    .altered("unscaled", |v| (v.name, v.scale) = ("1", |_| (1, 1)))
+    .altered("1/(n + 1)", |v| (v.name, v.scale) = ("1/(n+1)", |n| (1, n + 1)))
+    .altered("1/n^2", |v| (v.name, v.scale) = ("1/n^2", |n| (1, n * n)))
 }
 
 fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     // What speaks against the inference, and what speaks for it.
     let (mut against, mut for_it) = (Vec::new(), Vec::new());
-    let exact = |part: &str, detail: &str| Evidence::new(Grade::Exact, part, detail);
+    let exact = |part: &str, detail: &str| exact(part, detail);
     let states = (-12..=12).map(|k| rational(k, 4));
     let mut wrong = None;
     for t in states.clone() {
@@ -180,9 +167,8 @@ fn examine_difference_inference(variant: &ScaleVariant, run: &mut Run) -> Result
     }
     for pairs in [2usize, 4] {
         let fish = 2 * pairs;
-        let identity = InPairs { pairs, complete: variant.factor(fish - 1), single: variant.factor(1) };
+        let identity = in_pairs(pairs, variant.factor(fish - 1), variant.factor(1));
         let names: Vec<String> = (1..=fish).map(|k| format!("t_{k}")).collect();
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let part = format!("{fish} fish in mutual pairs: the difference is a sum of squares");
         if let Outcome::Holds(evidence) = run.identity(&identity, &names, &part)? {
             let what = format!("{fish} fish in mutual pairs: the difference is never negative, whatever the headings");
@@ -206,7 +192,6 @@ pub struct PeakVariant {
 }
 
 pub fn measured_tracks() -> Record<PeakVariant> {
-    let printed = PeakVariant { three_to_one: (3, 4), balanced: (1, 1) };
     Record::new(
         "paley.figS1_S3",
         "The statement is about recorded tracks of giant danios, which are not published with the paper. \
@@ -214,11 +199,11 @@ pub fn measured_tracks() -> Record<PeakVariant> {
          - |p_theta|^2: 0 synchronised, 3/4 for three parallel fish and one opposite, 1 balanced; and the \
          interval [0, 1] for n = 1. `flockproof tracks` makes these histograms from anyone's trajectories, \
          and `reproduce paley.figS3` from synthetic schools.",
-        printed,
+        PeakVariant { three_to_one: (3, 4), balanced: (1, 1) },
         examine_measured_tracks,
     )
-    .control("three to one at 1/2", PeakVariant { three_to_one: (1, 2), balanced: (1, 1) })
-    .control("balanced at 3/4", PeakVariant { three_to_one: (3, 4), balanced: (3, 4) })
+    .altered("three to one at 1/2", |v| v.three_to_one = (1, 2))
+    .altered("balanced at 3/4", |v| v.balanced = (3, 4))
 }
 
 fn examine_measured_tracks(variant: &PeakVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
@@ -231,11 +216,11 @@ fn examine_measured_tracks(variant: &PeakVariant, _run: &mut Run) -> Result<Outc
         let value = scaled(&positions, &headings(signs), 3, &rational(1, 2))?;
         if value != rational(p, q) {
             let what = format!("four fish with headings {signs:?}: the scaled potential is {value}, not {p}/{q}");
-            return Ok(Outcome::fails(what, Evidence::new(Grade::Exact, "peaks", "exact potentials")));
+            return Ok(Outcome::fails(what, exact("peaks", "exact potentials")));
         }
     }
     let detail = "scaled potential, n = 3: 0 synchronised, 3/4 for three against one, 1 balanced";
-    let evidence = Evidence::new(Grade::Exact, "where the named peaks lie", detail).cases(3);
+    let evidence = exact("where the named peaks lie", detail).cases(3);
     let why = "the measured tracks of Figures S1-S3 are not available; only the values at which the peaks are \
      said to lie can be checked";
     Ok(Outcome::NotCheckable(why.to_string(), vec![evidence]))

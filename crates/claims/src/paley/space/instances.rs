@@ -1,64 +1,59 @@
 //! Instances shared by the claims about particles: identities over states, graphs, linearised formations.
 
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use algebra::spectrum::Polynomial;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring, rational};
-use ledger::{CheckError, Outcome, Run};
+use arithmetic::identity::Probed;
 use models::oscillator::{Neighbours, State, phasor};
 
-/// An identity between rational functions of a state and of some constants.
-pub trait StateIdentity {
-    /// Number of particles.
-    fn particles(&self) -> usize;
+/// Both sides as a function of the constants and the state.
+type SidesAt<'a> = Box<dyn Fn(&[Probe], &State<Probe>) -> Probed + 'a>;
 
-    /// Both sides.
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError>;
+/// An identity between rational functions of some constants and of the state of some particles.
+pub struct StateIdentity<'a> {
+    particles: usize,
+    sides: SidesAt<'a>,
+    allowed: fn(&[Rational]) -> bool,
+}
 
-    /// Whether a counterexample may have these constants.
-    fn allows(&self, _constants: &[Rational]) -> bool {
-        true
+impl<'a> StateIdentity<'a> {
+    /// On so many particles.
+    pub fn new(particles: usize, sides: impl Fn(&[Probe], &State<Probe>) -> Probed + 'a) -> Self {
+        StateIdentity { particles, sides: Box::new(sides), allowed: |_| true }
+    }
+
+    /// The same with `N` constants.
+    pub fn of<const N: usize>(particles: usize, sides: impl Fn(&[Probe; N], &State<Probe>) -> Probed + 'a) -> Self {
+        let number = |_| ArithmeticError::Domain("the number of constants");
+        Self::new(particles, move |constants, state| sides(constants.try_into().map_err(number)?, state))
+    }
+
+    /// A counterexample may have these variables, constants first.
+    pub fn allowing(self, allowed: fn(&[Rational]) -> bool) -> Self {
+        StateIdentity { allowed, ..self }
     }
 }
 
-/// A [`StateIdentity`] as an identity in the constants, the coordinates and the half-angle tangents `t_k` of the phases.
-struct OverStates<'a, I> {
-    identity: &'a I,
-    constants: usize,
-}
-
-impl<I: StateIdentity> RationalIdentity for OverStates<'_, I> {
-    fn variables(&self) -> usize {
-        self.constants + 3 * self.identity.particles()
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let (constants, coordinates) = at.split_at(self.constants);
-        let state = State {
-            positions: coordinates.chunks(3).map(|c| Complex::new(c[0].clone(), c[1].clone())).collect(),
-            phasors: coordinates.chunks(3).map(|c| phasor(&c[2])).collect::<Result<_, _>>()?,
-        };
-        self.identity.sides(constants, &state)
-    }
-
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        self.identity.allows(&at[..self.constants])
-    }
-}
-
-/// Tests an identity at random constants and states.
-pub fn state_identity(
-    identity: &impl StateIdentity,
-    constants: &[&str],
+/// Tests an identity in the constants, the coordinates and the half-angle tangents of the phases at random points.
+pub fn state_identity<S: ToString>(
+    identity: StateIdentity,
+    constants: &[S],
     part: &str,
     run: &Run,
 ) -> Result<Outcome, CheckError> {
     let of_particle = |k: usize| [format!("x_{k}"), format!("y_{k}"), format!("tan(th_{k}/2)")];
     let names = constants.iter().map(ToString::to_string);
-    let names: Vec<String> = names.chain((1..=identity.particles()).flat_map(of_particle)).collect();
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    run.identity(&OverStates { identity, constants: constants.len() }, &names, part)
+    let names: Vec<String> = names.chain((1..=identity.particles).flat_map(of_particle)).collect();
+    let sides = move |at: &[Probe]| {
+        let (constants, coordinates) = at.split_at(constants.len());
+        let state = State {
+            positions: coordinates.chunks(3).map(|c| Complex::new(c[0].clone(), c[1].clone())).collect(),
+            phasors: coordinates.chunks(3).map(|c| phasor(&c[2])).collect::<Result<_, _>>()?,
+        };
+        (identity.sides)(constants, &state)
+    };
+    run.identity(&Identity::new(names.len(), sides).within(identity.allowed), &names, part)
 }
 
 /// The graphs on which identities are tested: a vertex, a pair, a path of three; with `full`, all on three and one of each kind on four. Every

@@ -1,31 +1,20 @@
 //! paley.eq17, paley.eq18, paley.eq19_20: the spacing potential and how it changes.
 
 use super::instances::{StateIdentity, described, identity_graphs, one_way_ring, state_identity, sum_of_squares};
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::{ArithmeticError, Dual, Field, Rational, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
-use models::oscillator::{Neighbours, State, circle_centres, heading_components, spacing_control, spacing_potential};
+use models::oscillator::{Neighbours, circle_centres, heading_components, spacing_control, spacing_potential};
 
 /// `S` is `share` times the sum of the squared lengths of the edges between centres.
-struct EdgeSum<'a> {
-    graph: &'a Graph,
-    share: (i64, i64),
-}
-
-impl StateIdentity for EdgeSum<'_> {
-    fn particles(&self) -> usize {
-        self.graph.order()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega] = constants else { return Err(ArithmeticError::Domain("one constant")) };
-        let s = spacing_potential(omega, &Neighbours::of(self.graph), state)?;
+fn edge_sum(graph: &Graph, share: (i64, i64)) -> StateIdentity<'_> {
+    StateIdentity::of(graph.order(), move |[omega], state| {
+        let s = spacing_potential(omega, &Neighbours::of(graph), state)?;
         let c = circle_centres(omega, state)?;
-        let edges = self.graph.edges().into_iter();
+        let edges = graph.edges().into_iter();
         let sum = edges.fold(omega.zero(), |sum, (i, j)| sum + (c[i].clone() - &c[j]).norm_squared());
-        Ok((vec![s], vec![sum * omega.ratio(self.share.0, self.share.1 * self.graph.order() as i64)]))
-    }
+        Ok((vec![s], vec![sum * omega.ratio(share.0, share.1 * graph.order() as i64)]))
+    })
 }
 
 /// The largest `|c_k - c_j|^2` with `<c, L c> = 1`: the largest effective resistance; `None` on a disconnected graph.
@@ -69,7 +58,7 @@ pub fn examine_proper(variant: &ProperVariant, run: &Run) -> Result<Outcome, Che
     let graphs = (1..=most).flat_map(Graph::all).filter(|g| variant.disconnected || g.is_connected());
     let part = format!("positive and proper, graphs of up to {most} vertices");
     let detail = "kernel of L spanned by 1, and |c_kj|^2 <= (N - 1) 2 N S by exact effective resistances";
-    let bound = run.every(Evidence::new(Grade::Exhaustive, part, detail), graphs, |graph| {
+    let bound = run.every(exhaustive(part, detail), graphs, |graph| {
         let most = rational(graph.order() as i64 - 1 + variant.excess, 1);
         let wrong = match largest_resistance(&graph)? {
             None => Some("S = 0 though the centres differ".to_string()),
@@ -79,20 +68,19 @@ pub fn examine_proper(variant: &ProperVariant, run: &Run) -> Result<Outcome, Che
     })?;
     let identities = identity_graphs(run).into_iter().map(|graph| {
         let part = format!("S is the sum over edges, {}", described(&graph));
-        Ok(state_identity(&EdgeSum { graph: &graph, share: variant.share }, &["w0"], &part, run)?.on([1]))
+        state_identity(edge_sum(&graph, variant.share), &["w0"], &part, run).on([1])
     });
     Run::all([Ok(bound.on([2, 3]))].into_iter().chain(identities))
 }
 
 pub fn spacing_form() -> Record<ProperVariant> {
-    let printed = ProperVariant::PRINTED;
     Record::new(
         "paley.eq17",
         "S = (1/(2N)) sum over edges |c_j - c_k|^2. It is zero iff c is constant along edges, that is, on a \
          connected graph, c = c_0 1. Along a path of l <= N - 1 edges from j to k, |c_kj|^2 <= l sum \
          |steps|^2 <= (N - 1) 2 N S, so that sublevel sets are bounded in the relative centres: S is \
          positive definite and proper. On a path N - 1 is attained by its ends.",
-        printed,
+        ProperVariant::PRINTED,
         |variant, run| examine_proper(variant, run),
     )
     .clauses(&[
@@ -101,8 +89,8 @@ pub fn spacing_form() -> Record<ProperVariant> {
         "S is proper in the space of relative circle centers.",
     ])
     .control("graphs that are not connected", ProperVariant::ANY_GRAPH)
-    .control("(N - 2) 2 N S as the bound", ProperVariant { excess: -1, ..ProperVariant::PRINTED })
-    .control("1/N times the sum over edges", ProperVariant { share: (1, 1), ..ProperVariant::PRINTED })
+    .altered("(N - 2) 2 N S as the bound", |v| v.excess = -1)
+    .altered("1/N times the sum over edges", |v| v.share = (1, 1))
 }
 
 /// `cdot = e^{i theta} (1 + factor omega^power u)`.
@@ -112,32 +100,28 @@ pub struct VelocityVariant {
     inverse: bool,
 }
 
-impl StateIdentity for VelocityVariant {
-    fn particles(&self) -> usize {
-        1
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, u] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+fn velocity_of_centre(variant: &VelocityVariant) -> StateIdentity<'_> {
+    StateIdentity::of(1, move |[omega, u], state| {
         let moving = state.moving(std::slice::from_ref(u), &[]);
         let centre = &circle_centres(&Dual::constant(omega.clone()), &moving)?[0];
-        let scale = if self.inverse { omega.recip()? } else { omega.clone() };
-        let speed = omega.one() + scale * u * omega.integer(self.factor);
+        let scale = if variant.inverse { omega.recip()? } else { omega.clone() };
+        let speed = omega.one() + scale * u * omega.integer(variant.factor);
         let claimed = state.phasors[0].scale(&speed);
         Ok((vec![centre.re.derivative.clone(), centre.im.derivative.clone()], vec![claimed.re, claimed.im]))
-    }
+    })
 }
 
 pub fn centre_velocity() -> Record<VelocityVariant> {
-    let printed = VelocityVariant { factor: -1, inverse: true };
     Record::new(
         "paley.eq18",
         "cdot = rdot + w0^-1 i (i u e^{i theta}) = e^{i theta} - w0^-1 u e^{i theta}.",
-        printed,
-        |variant, run| Ok(state_identity(variant, &["w0", "u"], "velocity of the centre", run)?.for_all()),
+        VelocityVariant { factor: -1, inverse: true },
+        |variant, run| {
+            state_identity(velocity_of_centre(variant), &["w0", "u"], "velocity of the centre", run).for_all()
+        },
     )
-    .control("1 + u/w0", VelocityVariant { factor: 1, inverse: true })
-    .control("1 - w0 u", VelocityVariant { factor: -1, inverse: false })
+    .altered("1 + u/w0", |v| v.factor = 1)
+    .altered("1 - w0 u", |v| v.inverse = false)
 }
 
 /// `Sdot = (share/N) sum ...` and, under (20), `descent (K_0/N^2) sum ...^2`; on an undirected graph or not.
@@ -153,37 +137,25 @@ impl DescentVariant {
     pub const ONE_WAY: Self = DescentVariant { undirected: false, ..Self::PRINTED };
 }
 
-struct DescentIdentity {
-    variant: DescentVariant,
-    network: Neighbours,
-}
-
-impl StateIdentity for DescentIdentity {
-    fn particles(&self) -> usize {
-        self.network.particles()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn descent(variant: &DescentVariant, network: Neighbours) -> StateIdentity<'_> {
+    StateIdentity::new(network.particles(), move |constants, state| {
         let [omega, gain, steering @ ..] = constants else { return Err(ArithmeticError::Domain("constants")) };
-        let particles = self.particles() as i64;
-        let network = &self.network;
-        let rate = |u: &[T]| -> Result<T, ArithmeticError> {
+        let particles = network.particles() as i64;
+        let network = &network;
+        let rate = |u: &[Probe]| -> Result<Probe, ArithmeticError> {
             Ok(spacing_potential(&Dual::constant(omega.clone()), network, &state.moving(u, &[]))?.derivative)
         };
         let forward = heading_components(network, &state.phasors, &circle_centres(omega, state)?);
         let inverse = omega.recip()?;
         let terms = forward.iter().zip(steering).map(|(f, u)| f.clone() * (omega.one() - u.clone() * &inverse));
-        let (p, q) = self.variant.share;
+        let (p, q) = variant.share;
         let sum = terms.fold(omega.zero(), |sum, term| sum + term) * omega.ratio(p, q * particles);
         let closed = spacing_control(omega, gain, network, state)?.into_iter().map(|u| u + omega);
-        let descent = omega.ratio(self.variant.descent, particles * particles) * gain;
+        let descent = omega.ratio(variant.descent, particles * particles) * gain;
         let right = vec![sum, sum_of_squares(&forward, omega) * descent];
         Ok((vec![rate(steering)?, rate(&closed.collect::<Vec<_>>())?], right))
-    }
-
-    fn allows(&self, constants: &[Rational]) -> bool {
-        constants[1] > rational(0, 1)
-    }
+    })
+    .allowing(|constants| constants[1] > rational(0, 1))
 }
 
 /// Whether `S` changes as the variant says.
@@ -195,22 +167,20 @@ pub fn examine_descent(variant: &DescentVariant, run: &Run) -> Result<Outcome, C
     };
     Run::all(networks.into_iter().map(|(network, name)| {
         let steering: Vec<String> = (1..=network.particles()).map(|k| format!("u_{k}")).collect();
-        let names: Vec<&str> = ["w0", "K_0"].into_iter().chain(steering.iter().map(String::as_str)).collect();
-        let identity = DescentIdentity { variant: *variant, network };
-        Ok(state_identity(&identity, &names, &format!("rate of S for any u and under (20), {name}"), run)?
-            .on([1, 2, 3]))
+        let names: Vec<String> = ["w0", "K_0"].map(String::from).into_iter().chain(steering).collect();
+        state_identity(descent(variant, network), &names, &format!("rate of S for any u and under (20), {name}"), run)
+            .on([1, 2, 3])
     }))
 }
 
 pub fn spacing_descent() -> Record<DescentVariant> {
-    let printed = DescentVariant::PRINTED;
     Record::new(
         "paley.eq19_20",
         "L is symmetric: Sdot = (1/N) <cdot, L c> = (1/N) sum <e^{i theta_k}, L_k c> (1 - u_k/w0) by (18). \
          Under (20), 1 - u_k/w0 = -(K_0/N) <e^{i theta_k}, L_k c>, for either sign of w0. Both sides are \
          polynomial in the weights of the graph, so small graphs vertices are instances of an identity that \
          holds for all undirected graphs. On a directed graph (19) fails.",
-        printed,
+        DescentVariant::PRINTED,
         |variant, run| examine_descent(variant, run),
     )
     .clauses(&[
@@ -218,7 +188,7 @@ pub fn spacing_descent() -> Record<DescentVariant> {
         "Under (20), Sdot = -(K_0/N^2) sum_k <e^{i th_k}, L_k c>^2.",
         "For K_0 > 0 this is not positive.",
     ])
-    .control("1/(2N) in (19)", DescentVariant { share: (1, 2), ..DescentVariant::PRINTED })
-    .control("Sdot >= 0", DescentVariant { descent: 1, ..DescentVariant::PRINTED })
+    .altered("1/(2N) in (19)", |v| v.share = (1, 2))
+    .altered("Sdot >= 0", |v| v.descent = 1)
     .control("directed graphs", DescentVariant::ONE_WAY)
 }

@@ -6,10 +6,10 @@
 
 use super::instances::{connected_graphs, described, scattered_phasors, stability};
 use crate::paley::runs::PARTICLES;
+use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, inertia};
-use arithmetic::{Complex, Dual, Field, Interval, Signed, rational};
-use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run, interval_value};
+use arithmetic::Signed;
 use models::oscillator::{
     CircularGains, FourierFormation, Neighbours, circular_control, circular_formation, linearisation, pattern_control,
     pattern_gradient, phase_jacobian, spacing_control, symmetric_pattern,
@@ -65,12 +65,10 @@ fn examine_synchrony(
             )
         }))
     });
-    let argued = Evidence::argued("every connected graph and all gains of these signs", section).on([1]);
-    Run::all([Ok(Outcome::Holds(vec![argued])), decays])
+    Run::all([argued(&[1], "every connected graph and all gains of these signs", section), decays])
 }
 
 pub fn synchrony_stable() -> Record<SynchronyVariant> {
-    let printed = SynchronyVariant::STABLE;
     Record::new(
         "paley.sync.exp",
         "In the turning frame with c_k = (a_k + i b_k) e^{i theta}: v = w0 (K_0/N) L a + (K_1/N) L phi, \
@@ -79,24 +77,21 @@ pub fn synchrony_stable() -> Record<SynchronyVariant> {
          it is stable iff k_1 < 0 and (k_0 - k_1) w0^2 > -k_1 w0^2, that is k_0 > 0 (then k_0 - k_1 > 0). \
          So for K_0 > 0 and K_1 < 0, for either sign of w0, all but the symmetries decay exponentially \
          (lambda > 0 for all but the constant vector on a connected graph).",
-        printed,
-        examine_synchrony_stable,
+        SynchronyVariant::STABLE,
+        |variant, run| {
+            let graphs = if variant.connected { connected_graphs(run.cases(0, 1) == 1) } else { vec![Graph::empty(2)] };
+            let sizes = [((1, 10), (1, 10)), ((-1, 10), (1, 10)), ((2, 1), (5, 1))];
+            examine_synchrony(variant, &graphs, &sizes, (SECTION, run))
+        },
     )
     .reading("Up to rotation and translation; K_0 > 0, as under (20).")
-    .control("K_1 > 0", SynchronyVariant { orientation: 1, ..SynchronyVariant::STABLE })
-    .control("K_1 = 0", SynchronyVariant { orientation: 0, ..SynchronyVariant::STABLE })
-    .control("K_0 < 0", SynchronyVariant { spacing: -1, ..SynchronyVariant::STABLE })
-    .control("a graph that is not connected", SynchronyVariant { connected: false, ..SynchronyVariant::STABLE })
-}
-
-fn examine_synchrony_stable(variant: &SynchronyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let graphs = if variant.connected { connected_graphs(run.cases(0, 1) == 1) } else { vec![Graph::empty(2)] };
-    let sizes = [((1, 10), (1, 10)), ((-1, 10), (1, 10)), ((2, 1), (5, 1))];
-    examine_synchrony(variant, &graphs, &sizes, (SECTION, run))
+    .altered("K_1 > 0", |v| v.orientation = 1)
+    .altered("K_1 = 0", |v| v.orientation = 0)
+    .altered("K_0 < 0", |v| v.spacing = -1)
+    .altered("a graph that is not connected", |v| v.connected = false)
 }
 
 pub fn drift_gain() -> Record<SynchronyVariant> {
-    let printed = SynchronyVariant { orientation: 1, ..SynchronyVariant::STABLE };
     Record::new(
         "paley.fig6.gain",
         "In a drift common to all the relative motion is that without drift (paley.drift). By the cubic of \
@@ -105,8 +100,14 @@ pub fn drift_gain() -> Record<SynchronyVariant> {
          formation is not stabilised. (Checked at the printed values, N = 12, w0 = K_0 = 0.1, on C_12 and \
          all-to-all.) The caption contradicts the convention of the article (K_1 < 0 synchronises): a sign \
          slip.",
-        printed,
-        examine_drift_gain,
+        SynchronyVariant { orientation: 1, ..SynchronyVariant::STABLE },
+        |variant, run| {
+            // The printed values. The caption names no network: the sparsest and the densest of the article.
+            let on_ring = |i: usize, j: usize| matches!(i.abs_diff(j), 1 | 11);
+            let graphs = [Graph::from_fn(PARTICLES, on_ring), Graph::from_fn(PARTICLES, |_, _| true)];
+            let section = format!("{SECTION}, and Beacon and drift, step 5");
+            examine_synchrony(variant, &graphs, &[((1, 10), (1, 10)), ((1, 10), (1, 1))], (&section, run))
+        },
     )
     .repaired(
         Fault::Typo,
@@ -114,16 +115,8 @@ pub fn drift_gain() -> Record<SynchronyVariant> {
          w0 = K_0 = 0.1 and K_1 < 0.",
         SynchronyVariant::STABLE,
     )
-    .control("K_1 = 0", SynchronyVariant { orientation: 0, ..SynchronyVariant::STABLE })
-    .control("K_0 < 0", SynchronyVariant { spacing: -1, ..SynchronyVariant::STABLE })
-}
-
-fn examine_drift_gain(variant: &SynchronyVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    // The printed values. The caption names no network: the sparsest and the densest of the article.
-    let on_ring = |i: usize, j: usize| matches!(i.abs_diff(j), 1 | 11);
-    let graphs = [Graph::from_fn(PARTICLES, on_ring), Graph::from_fn(PARTICLES, |_, _| true)];
-    let section = format!("{SECTION}, and Beacon and drift, step 5");
-    examine_synchrony(variant, &graphs, &[((1, 10), (1, 10)), ((1, 10), (1, 1))], (&section, run))
+    .altered("K_1 = 0", |v| v.orientation = 0)
+    .altered("K_0 < 0", |v| v.spacing = -1)
 }
 
 /// Signs of the gains of (25) below `M` and at `M`, sign of `K_0`, and whether the spacing network is connected.
@@ -166,7 +159,6 @@ impl PatternVariant {
 }
 
 pub fn pattern_stable() -> Record<PatternVariant> {
-    let printed = PatternVariant { below: 1, last: -1, spacing: 1, connected: true };
     Record::new(
         "paley.thm3.stab",
         "At an (M,N)-pattern the Hessian of U_m, m < M, is (1/N)(cos m theta_kj), positive semidefinite, \
@@ -175,7 +167,7 @@ pub fn pattern_stable() -> Record<PatternVariant> {
          w0)^2 (paley.VMN) the quadratic parts give a linearisation whose only eigenvalues off the left \
          half plane are the three of the symmetries: exponentially stable and isolated, for either sign of \
          w0.",
-        printed,
+        PatternVariant { below: 1, last: -1, spacing: 1, connected: true },
         examine_pattern_stable,
     )
     .clauses(&[
@@ -188,10 +180,10 @@ pub fn pattern_stable() -> Record<PatternVariant> {
         "In shape space, that is, up to rotation and translation; (20) with K_0 > 0 on a connected \
          undirected graph, w0 != 0.",
     )
-    .control("K_M > 0", PatternVariant { last: 1, ..printed })
-    .control("K_m < 0 below M", PatternVariant { below: -1, ..printed })
-    .control("K_0 < 0", PatternVariant { spacing: -1, ..printed })
-    .control("spacing network not connected", PatternVariant { connected: false, ..printed })
+    .altered("K_M > 0", |v| v.last = 1)
+    .altered("K_m < 0 below M", |v| v.below = -1)
+    .altered("K_0 < 0", |v| v.spacing = -1)
+    .altered("spacing network not connected", |v| v.connected = false)
 }
 
 fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -228,7 +220,7 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
     let orders = (1..=run.cases(4, 11)).chain([12]);
     let patterns = orders.flat_map(|order| (1..=order).filter(move |m| order % m == 0).map(move |m| (m, order)));
     let detail = "inertia (N - 1, 0, 1) over exact cosines, N up to 4 (11 in full runs) and 12, all M";
-    let hessians = Evidence::new(Grade::Exhaustive, "Hessian of (25)", detail);
+    let hessians = exhaustive("Hessian of (25)", detail);
     let hessians = run.every(hessians, patterns, |(clusters, order)| {
         let phasors = symmetric_pattern(clusters as u32, order as u32).unwrap_or_default();
         let hessian = phase_jacobian(&phasors, |z| pattern_gradient(&variant.gains(clusters, &z[0].re), z))?;
@@ -243,13 +235,14 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
     let Outcome::Holds(_) = hessians else { return Ok(hessians) };
     let range = match variant.abscissae(run)? {
         Ok(range) => interval_value(&range, 4),
-        Err(what) => return Ok(Outcome::fails(what, Evidence::new(Grade::Certified, "linearisation", "enclosures"))),
+        Err(what) => return Ok(Outcome::fails(what, certified("linearisation", "enclosures"))),
     };
     let enclosed = format!("N = 12, all M: spectral abscissae in {range} for w0 = 1/10 and -2 (beyond.paley.abscissa)");
     let section = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (thm3.stab)";
-    let support = vec![
-        Evidence::argued("all M and N", section).on([1, 2, 3]),
-        Evidence::new(Grade::Certified, "linearisation", enclosed).cases(12).on([3]),
-    ];
-    Run::all([Ok(Outcome::Holds(support)), Ok(linearised.on([1, 2, 3])), Ok(hessians.on([2, 3]))])
+    Run::all([
+        argued(&[1, 2, 3], "all M and N", section),
+        Ok(Outcome::Holds(vec![certified("linearisation", enclosed).cases(12).on([3])])),
+        Ok(linearised.on([1, 2, 3])),
+        Ok(hessians.on([2, 3])),
+    ])
 }

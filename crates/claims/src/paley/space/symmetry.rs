@@ -1,8 +1,7 @@
 //! paley.beacon.form, paley.drift: the beacon, and a drift common to all particles.
 
 use super::instances::{StateIdentity, scattered_phasors, stability, state_identity, sum_of_squares};
-use arithmetic::{ArithmeticError, Complex, Dual, Field, Rational, Ring, rational};
-use ledger::{CheckError, Evidence, Outcome, Record, Run};
+use crate::prelude::*;
 use models::oscillator::{
     CircularGains, Neighbours, State, beacon_control, beacon_potential, circle_centres, circular_control,
     circular_formation, linearisation, quarter_turn,
@@ -15,30 +14,20 @@ pub struct BeaconVariant {
     share: (i64, i64),
 }
 
-struct BeaconIdentity {
-    variant: BeaconVariant,
-    particles: usize,
-}
-
-impl StateIdentity for BeaconIdentity {
-    fn particles(&self) -> usize {
-        self.particles
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, gain, x, y] = constants else { return Err(ArithmeticError::Domain("four constants")) };
-        let (particles, beacon) = (self.particles as i64, Complex::new(x.clone(), y.clone()));
-        let signed = gain.clone() * gain.integer(self.variant.sign);
+fn beacon(variant: &BeaconVariant, particles: usize) -> StateIdentity<'_> {
+    StateIdentity::of(particles, move |[omega, gain, x, y], state| {
+        let (particles, beacon) = (particles as i64, Complex::new(x.clone(), y.clone()));
+        let signed = gain.clone() * gain.integer(variant.sign);
         let control = beacon_control(omega, &signed, &beacon, state)?;
-        let total: Vec<T> = control.iter().map(|u| u.clone() + omega).collect();
+        let total: Vec<Probe> = control.iter().map(|u| u.clone() + omega).collect();
         let moving = state.moving(&total, &[]);
         let like = Dual::constant(omega.clone());
         let fixed = Complex::new(Dual::constant(x.clone()), Dual::constant(y.clone()));
         let rate = beacon_potential(&like, &fixed, &moving)?.derivative;
         let arms: Vec<_> = circle_centres(omega, state)?.into_iter().map(|c| c - &beacon).collect();
-        let forward: Vec<T> = state.phasors.iter().zip(&arms).map(|(z, e)| z.dot(e)).collect();
+        let forward: Vec<Probe> = state.phasors.iter().zip(&arms).map(|(z, e)| z.dot(e)).collect();
         let squares = arms.iter().fold(omega.zero(), |sum, e| sum + e.norm_squared());
-        let (p, q) = self.variant.share;
+        let (p, q) = variant.share;
         let mut left = vec![beacon_potential(omega, &beacon, state)?, rate];
         let mut right = vec![
             squares * omega.ratio(p, q * particles),
@@ -53,22 +42,18 @@ impl StateIdentity for BeaconIdentity {
             right.push(forward[k].square() + quarter_turn(z).dot(e).square());
         }
         Ok((left, right))
-    }
-
-    fn allows(&self, constants: &[Rational]) -> bool {
-        constants[1] > rational(0, 1)
-    }
+    })
+    .allowing(|constants| constants[1] > rational(0, 1))
 }
 
 pub fn beacon_form() -> Record<BeaconVariant> {
-    let printed = BeaconVariant { sign: 1, share: (1, 2) };
     Record::new(
         "paley.beacon.form",
         "A sum of squares is zero iff every term is. cdot_k = -K e^{i theta_k} sigma_k with sigma_k = <e^{i \
          theta_k}, c_k - c_0>, so the potential has the rate -(K/N) sum sigma_k^2; where sigma_k = 0 its \
          rate is w0 <i e^{i theta_k}, c_k - c_0>, not zero unless c_k = c_0: the potential decreases \
          strictly until c = c_0 1, and LaSalle gives c_k -> c_0 for every initial state.",
-        printed,
+        BeaconVariant { sign: 1, share: (1, 2) },
         examine_beacon_form,
     )
     .clauses(&[
@@ -80,17 +65,16 @@ pub fn beacon_form() -> Record<BeaconVariant> {
         "The spacing control is what (20) becomes for this potential: u_k^spac = w0 K <e^{i th_k}, c_k - \
          c_0> with K = K_0/N; the statement holds for every K > 0.",
     )
-    .control("the control with the other sign", BeaconVariant { sign: -1, ..printed })
-    .control("no control", BeaconVariant { sign: 0, ..printed })
-    .control("1/N instead of 1/(2N)", BeaconVariant { share: (1, 1), ..printed })
+    .altered("the control with the other sign", |v| v.sign = -1)
+    .altered("no control", |v| v.sign = 0)
+    .altered("1/N instead of 1/(2N)", |v| v.share = (1, 1))
 }
 
 fn examine_beacon_form(variant: &BeaconVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let names = ["w0", "K", "Re c_0", "Im c_0"];
     let part = |n: usize| format!("potential, its rate, no rest where it is stationary, N = {n}");
-    let identities = (1..=3).map(|particles| {
-        Ok(state_identity(&BeaconIdentity { variant: *variant, particles }, &names, &part(particles), run)?.on([1, 2]))
-    });
+    let identities =
+        (1..=3).map(|particles| state_identity(beacon(variant, particles), &names, &part(particles), run).on([1, 2]));
     let detail = "linearised around the beacon: zeros for the phases only, the centres return exponentially; both \
      signs of w0";
     let returns = run.instances("fixes the centre to c_0", detail, [(1, 10), (-3, 1)], |(p, q)| {
@@ -105,8 +89,8 @@ fn examine_beacon_form(variant: &BeaconVariant, run: &mut Run) -> Result<Outcome
         let stays = found.stable && found.zeros == 2;
         Ok((!stays).then(|| format!("two particles around the beacon, w0 = {omega}: the centres do not return")))
     })?;
-    let argued = Evidence::argued("every start", "notes/paley_particles.md, Beacon and drift, steps 1-4").on([1, 2, 3]);
-    Run::all([Ok(returns.on([3]))].into_iter().chain(identities).chain([Ok(Outcome::Holds(vec![argued]))]))
+    let argued = argued(&[1, 2, 3], "every start", "notes/paley_particles.md, Beacon and drift, steps 1-4");
+    Run::all([Ok(returns.on([3]))].into_iter().chain(identities).chain([argued]))
 }
 
 /// The centres gain `sign f`, where particle `k` drifts with `f` (or `k f`); with a beacon or without.
@@ -117,58 +101,47 @@ pub struct DriftVariant {
     beacon: bool,
 }
 
-struct DriftIdentity {
-    variant: DriftVariant,
-    network: Neighbours,
-}
-
-impl StateIdentity for DriftIdentity {
-    fn particles(&self) -> usize {
-        self.network.particles()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, spacing, orientation, x, y] = constants else { return Err(ArithmeticError::Domain("constants")) };
+fn carried_along(variant: &DriftVariant, network: Neighbours) -> StateIdentity<'_> {
+    StateIdentity::of(network.particles(), move |[omega, spacing, orientation, x, y], state| {
         let field = Complex::new(x.clone(), y.clone());
-        let of_particle = |k: usize| field.scale(&x.integer(if self.variant.common { 1 } else { k as i64 + 1 }));
-        let drift: Vec<Complex<T>> = (0..self.particles()).map(of_particle).collect();
-        let steering = self.law([omega, spacing, orientation], state)?;
+        let of_particle = |k: usize| field.scale(&x.integer(if variant.common { 1 } else { k as i64 + 1 }));
+        let drift: Vec<Complex<Probe>> = (0..network.particles()).map(of_particle).collect();
+        let steering = law(variant, &network, [omega, spacing, orientation], state)?;
         let (with, without) = (state.moving(&steering, &drift), state.moving(&steering, &[]));
-        let constant = |x: &T| Dual::constant(x.clone());
+        let constant = |x: &Probe| Dual::constant(x.clone());
         let lifted = [constant(omega), constant(spacing), constant(orientation)];
         let lifted = [&lifted[0], &lifted[1], &lifted[2]];
         // The controls do not feel the drift,
-        let mut left: Vec<T> = self.law(lifted, &with)?.into_iter().map(|u| u.derivative).collect();
-        let mut right: Vec<T> = self.law(lifted, &without)?.into_iter().map(|u| u.derivative).collect();
+        let mut left: Vec<Probe> = law(variant, &network, lifted, &with)?.into_iter().map(|u| u.derivative).collect();
+        let mut right: Vec<Probe> =
+            law(variant, &network, lifted, &without)?.into_iter().map(|u| u.derivative).collect();
         // and every circle centre is carried along by it.
-        let carried = field.scale(&x.integer(self.variant.sign));
+        let carried = field.scale(&x.integer(variant.sign));
         let centres = circle_centres(lifted[0], &with)?.into_iter().zip(circle_centres(lifted[0], &without)?);
         for (with, without) in centres {
             left.extend([with.re.derivative, with.im.derivative]);
             right.extend([without.re.derivative + &carried.re, without.im.derivative + &carried.im]);
         }
         Ok((left, right))
-    }
+    })
 }
 
-impl DriftIdentity {
-    fn law<T: Field>(
-        &self,
-        [omega, spacing, orientation]: [&T; 3],
-        state: &State<T>,
-    ) -> Result<Vec<T>, ArithmeticError> {
-        let gains = CircularGains { omega: omega.clone(), spacing: spacing.clone(), orientation: orientation.clone() };
-        let control = circular_control(&gains, &self.network, &self.network, state)?;
-        if !self.variant.beacon {
-            return Ok(control);
-        }
-        let pulled = beacon_control(omega, spacing, &Complex::real(omega.integer(10)), state)?;
-        Ok(control.into_iter().zip(pulled).map(|(u, pull)| u + pull).collect())
+fn law<T: Field>(
+    variant: &DriftVariant,
+    network: &Neighbours,
+    [omega, spacing, orientation]: [&T; 3],
+    state: &State<T>,
+) -> Result<Vec<T>, ArithmeticError> {
+    let gains = CircularGains { omega: omega.clone(), spacing: spacing.clone(), orientation: orientation.clone() };
+    let control = circular_control(&gains, network, network, state)?;
+    if !variant.beacon {
+        return Ok(control);
     }
+    let pulled = beacon_control(omega, spacing, &Complex::real(omega.integer(10)), state)?;
+    Ok(control.into_iter().zip(pulled).map(|(u, pull)| u + pull).collect())
 }
 
 pub fn common_drift() -> Record<DriftVariant> {
-    let printed = DriftVariant { sign: 1, common: true, beacon: false };
     Record::new(
         "paley.drift",
         "The shape controls depend on relative positions and phases only, which a drift f common to all \
@@ -179,13 +152,13 @@ pub fn common_drift() -> Record<DriftVariant> {
          collective that travels. Where a circular formation is reached, its centre moves as c_0 + f t, in \
          the direction of the field (-0.1: 6.28 to the left in a turn of 62.8, the circle having radius \
          10).",
-        printed,
+        DriftVariant { sign: 1, common: true, beacon: false },
         examine_common_drift,
     )
     .reading("Under (22) with K_0 > 0, on a connected undirected graph.")
-    .control("against the field", DriftVariant { sign: -1, ..printed })
-    .control("different drifts", DriftVariant { common: false, ..printed })
-    .control("with a beacon", DriftVariant { beacon: true, ..printed })
+    .altered("against the field", |v| v.sign = -1)
+    .altered("different drifts", |v| v.common = false)
+    .altered("with a beacon", |v| v.beacon = true)
 }
 
 fn examine_common_drift(variant: &DriftVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -196,11 +169,14 @@ fn examine_common_drift(variant: &DriftVariant, run: &mut Run) -> Result<Outcome
         ("ring of four", Neighbours::circulant(4, &[1])),
     ];
     let section = "notes/paley_particles.md, Beacon and drift, steps 5-7";
-    let argued = Evidence::argued("any number of particles, every connected graph", section).on([1]);
-    let argued = Ok(Outcome::Holds(vec![argued]));
+    let argued = argued(&[1], "any number of particles, every connected graph", section);
     let identities = networks.into_iter().take(run.cases(2, 3)).map(|(name, network)| {
-        let identity = DriftIdentity { variant: *variant, network };
-        state_identity(&identity, &names, &format!("the drift carries the motion along, {name}"), run)
+        state_identity(
+            carried_along(variant, network),
+            &names,
+            &format!("the drift carries the motion along, {name}"),
+            run,
+        )
     });
     Run::all(identities.chain([argued]))
 }

@@ -3,10 +3,9 @@
 use super::instances::{StateIdentity, one_way_ring, state_identity};
 use super::runs::{Flights, SPACING, TYPICAL, simulated};
 use crate::paley::runs::{ZoneFormation, ZoneLaw};
+use crate::prelude::*;
 use crate::shares::judged;
-use arithmetic::{ArithmeticError, Field};
-use ledger::{CheckError, Evidence, Fault, Outcome, Record, Run};
-use models::oscillator::{CLUSTER, Neighbours, State, relative_position_control};
+use models::oscillator::{CLUSTER, Neighbours, relative_position_control};
 use motion::{Sample, Share};
 use std::f64::consts::TAU;
 
@@ -23,11 +22,6 @@ pub struct PatternsVariant {
 }
 
 pub fn patterns_in_zones() -> Record<PatternsVariant> {
-    let flights = Flights::default();
-    let under = |law, orientation, zones| PatternsVariant { law, orientation, zones, flights: flights.clone() };
-    let altered = |orientation, zones| under(ZoneLaw::Corrected, orientation, zones);
-    let printed = under(ZoneLaw::Printed, 0.1, ZoneFormation::CLUSTERS);
-    let repaired = altered(0.1, ZoneFormation::CLUSTERS);
     Record::new(
         "paley.fig8.pos",
         "Under (29) as printed the orientation term has the gain K_1 - K_0. At K_1 = K_0 the law does not \
@@ -40,7 +34,12 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
          network (paley.eq29) and K_1 = K_0 the runs show what the text describes: about 12, about 8 and \
          two to four clusters in nearly all runs, nearly evenly spaced; for M = 12 and 8 not on one circle \
          at rest (`reproduce paley.fig8`).",
-        printed,
+        PatternsVariant {
+            law: ZoneLaw::Printed,
+            orientation: 0.1,
+            zones: ZoneFormation::CLUSTERS,
+            flights: Flights::default(),
+        },
         examine_patterns_in_zones,
     )
     .reading(
@@ -48,7 +47,7 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
          within a quarter of M and they are on average 75% of the angle 2 pi/M apart (M = 12, 8), or where \
          there are at most four (M = 2).",
     )
-    .repaired(Fault::False, "", repaired)
+    .repaired_by(Fault::False, "", |v| v.law = ZoneLaw::Corrected)
     .repaired_clauses(&[
         "With (29) corrected (paley.eq29), K_1 = K_0 = w0 = 0.1, N = 12, in most runs from random states \
          the particles form 9 to 12 clusters for M = 12, on average at least three quarters of the angle 2 \
@@ -56,9 +55,9 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
         "They form 6 to 10 for M = 8, so far apart.",
         "They form at most four for M = 2.",
     ])
-    .control("K_1 < 0", altered(-0.1, ZoneFormation::CLUSTERS))
-    .control("the zone of M = 2 in the place of that of 12", altered(0.1, [2, 8, 2]))
-    .control("the zone of M = 12 in the place of that of 2", altered(0.1, [12, 8, 12]))
+    .altered("K_1 < 0", |v| v.orientation = -0.1)
+    .altered("the zone of M = 2 in the place of that of 12", |v| v.zones = [2, 8, 2])
+    .altered("the zone of M = 12 in the place of that of 2", |v| v.zones = [12, 8, 12])
 }
 
 fn examine_patterns_in_zones(variant: &PatternsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -111,31 +110,19 @@ fn suits(
 }
 
 /// (29) as printed with two orientation networks on one attraction network, at `K_1 = K_0`.
-struct TwoZones {
-    networks: [Neighbours; 2],
-    attraction: Neighbours,
-}
-
-impl StateIdentity for TwoZones {
-    fn particles(&self) -> usize {
-        self.attraction.particles()
-    }
-
-    fn sides<T: Field>(&self, constants: &[T], state: &State<T>) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [omega, spacing] = constants else { return Err(ArithmeticError::Domain("two constants")) };
+fn two_zones(networks: [Neighbours; 2], attraction: Neighbours) -> StateIdentity<'static> {
+    StateIdentity::of(attraction.particles(), move |[omega, spacing], state| {
         let alignment = spacing.clone() - spacing;
-        let control =
-            |network| relative_position_control(omega, (&alignment, network), (spacing, &self.attraction), state);
-        Ok((control(&self.networks[0])?, control(&self.networks[1])?))
-    }
+        let control = |network| relative_position_control(omega, (&alignment, network), (spacing, &attraction), state);
+        Ok((control(&networks[0])?, control(&networks[1])?))
+    })
 }
 
 /// At `K_1 = K_0` the printed law is the same for all zones; how many clusters it makes then, and with other gains.
 fn no_effect_of_the_zone(flights: &Flights, run: &mut Run) -> Result<Outcome, CheckError> {
-    let identity =
-        TwoZones { networks: [one_way_ring(3), Neighbours::complete(3)], attraction: Neighbours::complete(3) };
+    let identity = two_zones([one_way_ring(3), Neighbours::complete(3)], Neighbours::complete(3));
     let part = "the printed law at K_1 = K_0 with one orientation network and with another";
-    let same = state_identity(&identity, &["w0", "K_0"], part, run)?;
+    let same = state_identity(identity, &["w0", "K_0"], part, run)?;
     let Outcome::Holds(mut evidence) = same else { return Ok(same) };
     let formation = ZoneFormation::new(ZoneLaw::Printed, (SPACING, SPACING), 12);
     let clusters = flights.fly(&formation, (0, 1), run)?.clusters(CLUSTER).len();

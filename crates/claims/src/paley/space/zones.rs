@@ -2,9 +2,7 @@
 
 use super::instances::scattered_phasors;
 use crate::paley::runs::zones_of_figure_7;
-use arithmetic::identity::RationalIdentity;
-use arithmetic::{ArithmeticError, Complex, Field, Ring, rational};
-use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
+use crate::prelude::*;
 use models::oscillator::{Zone, phasor};
 
 /// The distance of clusters `steps` places apart is `factor sin(pi steps'/M)`.
@@ -15,31 +13,28 @@ pub struct ChordVariant {
     doubled: u64,
 }
 
-impl RationalIdentity for ChordVariant {
-    fn variables(&self) -> usize {
-        1
-    }
-
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
+fn chords(variant: &ChordVariant) -> Identity<'_> {
+    Identity::of(|[tangent]| {
         // e^{i a} with a = pi/M or any angle; the clusters are at 1 and e^{2 i a}.
-        let half = phasor(&at[0])?;
-        let distance = (half.square() - Complex::real(at[0].one())).norm_squared();
-        let sine = half.power(self.doubled).im;
-        Ok((vec![distance], vec![sine.square() * at[0].integer(self.factor * self.factor)]))
-    }
+        let half = phasor(tangent)?;
+        let distance = (half.square() - Complex::real(tangent.one())).norm_squared();
+        let sine = half.power(variant.doubled).im;
+        Ok((vec![distance], vec![sine.square() * tangent.integer(variant.factor * variant.factor)]))
+    })
 }
 
 pub fn chord() -> Record<ChordVariant> {
-    let printed = ChordVariant { factor: 2, doubled: 1 };
     Record::new(
         "paley.chord",
         "Neighbouring clusters at 1 and e^{2 pi i/M}: |1 - e^{2 i a}|^2 = 4 sin^2 a with a = pi/M, and sin \
          a > 0 for M >= 2. An identity in a, hence for M = 2, 8, 12 and every other M.",
-        printed,
-        |variant, run| Ok(run.identity(variant, &["tan(a/2)"], "|1 - e^{2 i a}|^2 = 4 sin^2 a, a = pi/M")?.for_all()),
+        ChordVariant { factor: 2, doubled: 1 },
+        |variant, run| {
+            run.identity(&chords(variant), &["tan(a/2)"], "|1 - e^{2 i a}|^2 = 4 sin^2 a, a = pi/M").for_all()
+        },
     )
-    .control("sin(pi/M)", ChordVariant { factor: 1, doubled: 1 })
-    .control("2 sin(2 pi/M)", ChordVariant { factor: 2, doubled: 2 })
+    .altered("sin(pi/M)", |v| v.factor = 1)
+    .altered("2 sin(2 pi/M)", |v| v.doubled = 2)
 }
 
 /// The order of the outer radii, the side of the blind spot, and `cos^2` of half its angle.
@@ -51,7 +46,6 @@ pub struct ZonesVariant {
 }
 
 pub fn perceptual_zones() -> Record<ZonesVariant> {
-    let printed = ZonesVariant { swapped: false, ahead: false, cosine: (3, 4) };
     Record::new(
         "paley.fig7",
         "A schematic figure that shows definitions: a point is in the zone of repulsion, orientation or \
@@ -59,12 +53,12 @@ pub fn perceptual_zones() -> Record<ZonesVariant> {
          boundary belongs to two), unless it lies in the open wedge of angular width alpha_k around the \
          direction opposite to the heading. That the zones of the library are these is decided on a grid \
          for alpha = 60 degrees and rational headings; it says nothing about the paper.",
-        printed,
+        ZonesVariant { swapped: false, ahead: false, cosine: (3, 4) },
         examine_perceptual_zones,
     )
-    .control("attraction inside orientation", ZonesVariant { swapped: true, ..printed })
-    .control("blind spot in front", ZonesVariant { ahead: true, ..printed })
-    .control("a blind spot of 90 degrees", ZonesVariant { cosine: (1, 2), ..printed })
+    .altered("attraction inside orientation", |v| v.swapped = true)
+    .altered("blind spot in front", |v| v.ahead = true)
+    .altered("a blind spot of 90 degrees", |v| v.cosine = (1, 2))
 }
 
 fn examine_perceptual_zones(variant: &ZonesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -76,7 +70,7 @@ fn examine_perceptual_zones(variant: &ZonesVariant, run: &mut Run) -> Result<Out
         grid.map(move |place| (heading.clone(), place))
     });
     let detail = "annuli by distance and a wedge behind, six rational headings, a grid of 17 x 17 points each";
-    let evidence = Evidence::new(Grade::Exact, "the zones of the library are those of the figure", detail);
+    let evidence = exact("the zones of the library are those of the figure", detail);
     let found = run.every(evidence, cases, |(heading, (x, y))| {
         // In the frame of the fish: x ahead, y to the left.
         let offset = heading.clone() * Complex::new(rational(x, 1), rational(y, 1));

@@ -9,7 +9,7 @@ use models::platoon::vector_form::{characteristic_by_modes, motion_matrix, motio
 use models::platoon::{
     Communication, CommunicationError, CommunicationGraph, Gains, accelerations, amplitude_one_sided,
     amplitudes_two_sided, argument, gamma, larger_root_modulus, larger_root_power, lesser_resonance, next_order,
-    phase_lag_one_sided, phase_lags_two_sided, resonance, slowest_rate, theorem1,
+    peak_on_graph, phase_lag_one_sided, phase_lags_two_sided, resonance, slowest_rate, theorem1,
 };
 use proptest::prelude::*;
 
@@ -359,4 +359,46 @@ fn the_next_order_is_closer_than_theorem_1() {
     assert!(100.0 * distance(w1, &found.omega) < distance(w0, &found.omega));
     let (a0, a1) = (theorem1::amplitude(&gains, 50).unwrap(), next_order::amplitude(&gains, 50).unwrap());
     assert!(100.0 * distance(a1, &found.amplitude) < distance(a0, &found.amplitude));
+}
+
+#[test]
+fn the_peak_on_a_graph_is_that_of_the_line_and_above_every_frequency() {
+    let gains = Gains { f: rational(-2, 1), g: rational(-3, 2) };
+    for m in [1, 2, 5] {
+        let line = CommunicationGraph::of(Communication::FrontAndBack, m).unwrap();
+        let found = peak_on_graph(&line, &gains, 64).unwrap();
+        let known = resonance(&gains, m as u64, 18).unwrap();
+        assert!(found.amplitude.overlaps(&known.amplitude) && found.omega.overlaps(&known.omega), "{m}");
+        assert!(found.amplitude.width().to_f64() < 1e-15);
+    }
+    // Directed: the second car looks two ahead and one behind, the fourth at the leader.
+    let graph = CommunicationGraph::with_equal_weights(&[vec![0, 2], vec![0, 1, 3], vec![2], vec![0, 3]]).unwrap();
+    let peak = peak_on_graph(&graph, &gains, 64).unwrap().amplitude.to_f64();
+    let floats = floats(-2.0, -1.5);
+    let response = |w: f64| graph.response(&floats, &w).unwrap()[3].norm_squared().sqrt();
+    let most = (1..4000).map(|k| response(f64::from(k) * 1e-3)).fold(0.0, f64::max);
+    assert!(most <= peak && peak - most < 1e-5, "{most} {peak}");
+}
+
+#[test]
+fn a_swinging_leader_and_any_start_are_followed_as_by_the_law() {
+    let gains = floats(-1.0, -0.8);
+    let modes = Modes::new(&gains, 3).unwrap();
+    let (amplitude, w) = (0.7, 0.4);
+    let first = Followers { positions: vec![0.3, -0.2, 0.5], velocities: vec![0.1, 0.0, -0.4] };
+    let start = modes.behind_swinging_leader(&first, &amplitude, &w).unwrap();
+    let found = start.deviations(&0.0).unwrap();
+    let close = |a: &[f64], b: &[f64], most: f64| a.iter().zip(b).all(|(x, y)| (x - y).abs() < most);
+    assert!(close(&found.positions, &first.positions, 1e-12) && close(&found.velocities, &first.velocities, 1e-12));
+    // The second derivative is that of the law, in the frame of the leader.
+    let (t, h) = (2.3, 1e-4);
+    let [before, now, after] = [t - h, t, t + h].map(|t| start.deviations(&t).unwrap());
+    let leader = -amplitude * w * w * (w * t).cos();
+    let forces = accelerations(Communication::FrontAndBack, &gains, (&0.0, &0.0), &now.positions, &now.velocities);
+    for k in 0..3 {
+        let slope = (after.velocities[k] - before.velocities[k]) / (2.0 * h);
+        assert!((slope - (forces[k] - leader)).abs() < 1e-6, "{k}");
+        let rate = (after.positions[k] - before.positions[k]) / (2.0 * h);
+        assert!((rate - now.velocities[k]).abs() < 1e-6, "{k}");
+    }
 }

@@ -4,7 +4,8 @@ use algebra::spectrum::Polynomial;
 use arithmetic::{Complex, Rational, rational};
 use models::platoon::banded::BandedPlatoon;
 use models::platoon::growth::peak_of_car;
-use models::platoon::margins::margins;
+use models::platoon::margins::{margins, margins_of_cars};
+use models::platoon::state_space::StateSpace;
 use models::platoon::vector_form::{motion_matrix, motion_rows_of_cars};
 use models::platoon::{Communication, CommunicationGraph, Gains, resonance};
 
@@ -64,7 +65,7 @@ fn rows_of_cars_with_equal_gains_are_those_of_the_paper() {
 fn margins_are_where_stability_ends() {
     let one = margins(&gains(-1.0, -1.0), &[Complex::real(1.0)]).unwrap();
     let crossing = ((1.0 + 5f64.sqrt()) / 2.0).sqrt();
-    assert!((one.phase - crossing.atan()).abs() < 1e-12 && one.critical_factor.is_none());
+    assert!((one.phase.unwrap() - crossing.atan()).abs() < 1e-12 && one.critical_factor.is_none());
     assert!(margins(&gains(-1.0, -1.0), &[]).is_none());
     // Three cars that track each other in a circle, the first of them also the leader: complex eigenvalues of P.
     let graph = CommunicationGraph::new(vec![
@@ -80,7 +81,16 @@ fn margins_are_where_stability_ends() {
         .map(|k| 2.0 * std::f64::consts::PI * f64::from(k) / 3.0)
         .map(|angle| Complex::new(1.0 - root * angle.cos(), -root * angle.sin()))
         .collect();
-    let factor = margins(&gains(-5.0, -1.0), &eigenvalues).unwrap().critical_factor.unwrap();
+    let known = margins(&gains(-5.0, -1.0), &eigenvalues).unwrap();
+    let factor = known.critical_factor.unwrap();
+    // The way for cars with gains of their own finds the same, from a stable start.
+    let own = |f: i64| vec![Gains { f: rational(-5 * f, 1), g: rational(-f, 1) }; 3];
+    let found = margins_of_cars(&reduced, &own(1));
+    assert!((found.critical_factor.unwrap() / factor - 1.0).abs() < 1e-6, "{found:?}");
+    let strong = margins(&gains(-50.0, -10.0), &eigenvalues).unwrap();
+    let found = margins_of_cars(&reduced, &own(10));
+    assert!((found.phase.unwrap() - strong.phase.unwrap()).abs() < 1e-6, "{found:?} {strong:?}");
+    assert!((10.0 * found.critical_factor.unwrap() / factor - 1.0).abs() < 1e-6, "{found:?}");
     let stable = |factor: f64| {
         let factor = Rational::from_float(factor).unwrap();
         let scaled = Gains { f: rational(-5, 1) * &factor, g: rational(-1, 1) * factor };
@@ -88,4 +98,41 @@ fn margins_are_where_stability_ends() {
         Polynomial::from_rationals(&motion.characteristic_polynomial().unwrap().coefficients()).is_hurwitz()
     };
     assert!(stable(factor * 1.0001) && !stable(factor * 0.9999), "{factor}");
+}
+
+/// Cars that only track the car in front are blocks of their own: the least margin is that of the worst car.
+#[test]
+fn margins_of_different_cars_are_those_of_the_worst() {
+    let reduced = CommunicationGraph::of(Communication::Front, 3).unwrap().reduced_laplacian().unwrap();
+    let own = [(-1, -1), (-4, -1), (-2, -3)].map(|(f, g)| Gains { f: rational(f, 1), g: rational(g, 1) });
+    let found = margins_of_cars(&reduced, &own);
+    let single = |(f, g): (f64, f64)| margins(&gains(f, g), &[Complex::real(1.0)]).unwrap().phase.unwrap();
+    let least = [(-1.0, -1.0), (-4.0, -1.0), (-2.0, -3.0)].map(single).into_iter().fold(9.0, f64::min);
+    assert!((found.phase.unwrap() - least).abs() < 1e-6, "{found:?}, {least}");
+    assert!(found.critical_factor.is_none());
+}
+
+/// The matrices of a platoon have the response and the peak of the platoon.
+#[test]
+fn matrices_of_a_platoon_respond_as_it_does() {
+    let graph = CommunicationGraph::of(Communication::FrontAndBack, 5).unwrap();
+    let own: Vec<Gains<Rational>> = (1..=5).map(|k| Gains { f: rational(-1, k), g: rational(-2 * k, 5) }).collect();
+    let a = motion_rows_of_cars(&graph.reduced_laplacian().unwrap(), |k| &own[k]);
+    let zero = || vec![rational(0, 1), rational(0, 1)];
+    let column = graph.leader_column().unwrap();
+    let b: Vec<Vec<Rational>> =
+        own.iter().zip(&column).flat_map(|(own, weight)| [zero(), vec![&own.f * weight, &own.g * weight]]).collect();
+    let mut c = vec![rational(0, 1); 10];
+    c[8] = rational(1, 1);
+    let system = StateSpace::new(&a, &b, &[c.clone()], None).unwrap();
+    let floats: Vec<Gains<f64>> = own.iter().map(|g| g.map(|q| num_traits::ToPrimitive::to_f64(q).unwrap())).collect();
+    for w in [rational(1, 7), rational(1, 1), rational(9, 2)] {
+        assert_eq!(system.response(&w).unwrap(), graph.response_of_cars(&own, &w).unwrap()[4]);
+    }
+    let (found, known) = (system.peak().unwrap(), peak_of_car(&graph, &floats, 5).unwrap().unwrap());
+    assert!((found.value / known.value - 1.0).abs() < 1e-9, "{found:?} {known:?}");
+    assert_eq!(system.is_stable(), Some(true));
+    assert!(StateSpace::new(&a, &b[1..], &[c.clone()], None).is_err());
+    assert!(StateSpace::new(&a, &b, &[c.clone(), c], None).is_err());
+    assert!(StateSpace::new(&[], &[], &[vec![]], None).is_err());
 }

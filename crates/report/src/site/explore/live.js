@@ -1,104 +1,190 @@
-// Asks the program that serves the page, and shows its answer.
+// Asks the program that serves the page, shows how far it is and its answer; an answer that is not wanted any more is stopped.
 (function () {
   "use strict";
-  const form = document.getElementById("ask"), state = document.getElementById("state"), table = document.getElementById("answer");
+  const form = document.getElementById("ask");
   if (!form || !location.protocol.startsWith("http")) return;
-  document.getElementById("away").hidden = true;
-  form.hidden = false;
+  const of = function (id) { return document.getElementById(id); };
+  const state = of("state"), answer = of("answer"), work = of("work"), bar = of("bar"), stage = of("stage"), json = of("document");
+  const fields = form.elements;
   let asked = null;
+  of("away").hidden = true;
+  form.hidden = false;
 
-  function rows(list) {
-    table.replaceChildren();
-    list.forEach(function (cells, k) {
-      const row = table.insertRow();
-      cells.forEach(function (cell) {
-        const place = document.createElement(k === 0 ? "th" : "td");
-        if (k === 0) place.scope = "col";
-        place.textContent = cell;
-        row.append(place);
-      });
-    });
+  function question() {
+    // A flock is its own JSON.
+    if (form.dataset.ask === "flock") return fields.flock.value;
+    const all = {};
+    Array.from(fields).forEach(function (e) { if (e.name) all[e.name] = e.tagName === "TEXTAREA" ? e.value : e.value.trim(); });
+    return JSON.stringify(all);
   }
-  function value(x) {
-    if (x === null || x === undefined) return "";
-    if (Array.isArray(x)) return x.map(value).join(" ");
-    if (typeof x === "object") return "lo" in x ? "[" + x.lo + ", " + x.hi + "]" : JSON.stringify(x);
-    return String(x);
+
+  function tell(progress) {
+    stage.textContent = progress.stage + (progress.total ? ", " + progress.done + " of " + progress.total : progress.done ? ", " + progress.done : "");
+    if (progress.total) { bar.max = progress.total; bar.value = progress.done; } else bar.removeAttribute("value");
   }
-  const shown = {
-    resonance: function (a) {
-      const of = a.theorem1 || {};
-      return [["", "certified", "Theorem 1"], ["frequency", value(a.omega), value(of.omega)], ["amplitude", value(a.amplitude), value(of.amplitude)]];
-    },
-    spectrum: function (a) {
-      const list = a.eigenvalues || a.values || [];
-      return [["eigenvalue", "multiplicity"]].concat(list.map(function (e) {
-        return [value(e.value || e.re || { lo: e.lo, hi: e.hi }) + (e.im ? " + i " + value(e.im) : ""), value(e.multiplicity)];
-      }));
-    },
-    flock: function (a) {
-      const edges = function (list) { return (list || []).map(function (e) { return e.join("-"); }).join(" "); };
-      return [["t", "links that come", "links that go"]].concat((a.switches || []).map(function (s) { return [s.t, edges(s.gained), edges(s.lost)]; }),
-        [["steady from", value(a.steady_from), value(a.why)], ["flocks", value((a.flocks || []).map(function (f) { return "{" + f.join(",") + "}"; })), ""]]);
+
+  function show(said) {
+    if (said.progress) tell(said.progress);
+    if (said.refused) state.textContent = said.refused;
+    if (!said.answer) return;
+    answer.innerHTML = said.shown;
+    answer.querySelectorAll("section.live").forEach(window.flockproofPlayer);
+    json.querySelector("code").textContent = JSON.stringify(said.answer, null, 2);
+    json.hidden = false;
+    state.textContent = "answered";
+  }
+
+  /** The lines of a reply as they come. */
+  async function read(reply) {
+    const reader = reply.body.getReader(), decoder = new TextDecoder();
+    let rest = "";
+    for (;;) {
+      const part = await reader.read();
+      if (part.done) break;
+      rest += decoder.decode(part.value, { stream: true });
+      const lines = rest.split("\n");
+      rest = lines.pop();
+      lines.filter(Boolean).forEach(function (line) { show(JSON.parse(line)); });
     }
-  };
+  }
+
+  function busy(is) { of("stop").disabled = !is; work.hidden = !is; if (is) tell({ stage: "begun" }); }
 
   form.addEventListener("submit", async function (event) {
     event.preventDefault();
     if (asked) asked.abort();
-    asked = new AbortController();
-    const what = form.dataset.ask, fields = {};
-    Array.from(form.elements).forEach(function (e) { if (e.name) fields[e.name] = e.value.trim(); });
+    const own = asked = new AbortController();
     state.textContent = "asking";
-    table.replaceChildren();
+    answer.replaceChildren();
+    json.hidden = true;
+    busy(true);
     try {
-      const body = what === "flock" ? fields.flock : JSON.stringify(fields);
-      const reply = await fetch("/api/" + what, { method: "POST", headers: { "Content-Type": "application/json" }, body: body, signal: asked.signal });
-      if (!reply.ok) { state.textContent = (await reply.text()).trim(); return; }
-      rows(shown[what](await reply.json()));
-      state.textContent = "answered";
+      const reply = await fetch("/api/" + form.dataset.ask, {
+        method: "POST", headers: { "Content-Type": "application/json" }, body: question(), signal: own.signal
+      });
+      if (reply.ok) await read(reply); else state.textContent = (await reply.text()).trim();
+      if (state.textContent === "asking") state.textContent = "the answer broke off";
     } catch (error) {
-      if (error.name !== "AbortError") state.textContent = "no answer: " + error.message;
+      if (own === asked) state.textContent = error.name === "AbortError" ? "stopped" : "no answer: " + error.message;
     }
+    if (own === asked) busy(false);
+  });
+  of("stop").addEventListener("click", function () { if (asked) asked.abort(); });
+
+  const example = of("example");
+  if (example) example.addEventListener("change", function () {
+    document.querySelectorAll("template[data-example]").forEach(function (template) {
+      if (template.dataset.example !== example.value) return;
+      template.content.querySelectorAll("textarea").forEach(function (e) { fields[e.dataset.name].value = e.value; });
+    });
+  });
+  const file = of("file");
+  if (file) file.addEventListener("change", async function () {
+    if (!file.files.length) return;
+    if (file.files[0].size > 4 << 20) { state.textContent = "the file is longer than 4 MiB"; return; }
+    fields.certificate.value = await file.files[0].text();
+    state.textContent = file.files[0].name + " was read";
   });
 
-  const canvas = document.getElementById("birds");
+  const canvas = of("drawing");
   if (!canvas) return;
-  const pen = canvas.getContext("2d"), text = form.elements.flock, unit = 64, fine = 16;
-  let from = null;
-  const read = function () { try { return JSON.parse(text.value); } catch (error) { return null; } };
-  const number = function (q) { const p = String(q).split("/"); return Number(p[0]) / Number(p[1] || 1); };
-  // Places are multiples of 1/16, so that the flock is exact.
-  const exact = function (x) { const k = Math.round(x * fine); return k % fine === 0 ? String(k / fine) : k + "/" + fine; };
+  const pen = canvas.getContext("2d"), text = fields[canvas.dataset.field];
   const place = function (event) {
     const box = canvas.getBoundingClientRect(), s = canvas.width / box.width;
-    return [((event.clientX - box.left) * s - canvas.width / 2) / unit, (canvas.height / 2 - (event.clientY - box.top) * s) / unit];
+    return [(event.clientX - box.left) * s, (event.clientY - box.top) * s];
   };
-  function draw() {
-    const flock = read(), style = getComputedStyle(document.documentElement);
-    pen.clearRect(0, 0, canvas.width, canvas.height);
-    if (!flock || !Array.isArray(flock.positions)) return;
-    flock.positions.forEach(function (r, k) {
-      const v = (flock.velocities || [])[k] || [];
-      const x = canvas.width / 2 + unit * number(r[0]), y = canvas.height / 2 - unit * number(r[1] || 0);
-      pen.strokeStyle = style.getPropertyValue("--soft"); pen.fillStyle = style.getPropertyValue("--bad"); pen.lineWidth = 2;
-      pen.beginPath(); pen.moveTo(x, y); pen.lineTo(x + 4 * unit * number(v[0] || 0), y - 4 * unit * number(v[1] || 0)); pen.stroke();
-      pen.beginPath(); pen.arc(x, y, 5, 0, 2 * Math.PI); pen.fill();
-    });
+  const colour = function (name) { return getComputedStyle(document.documentElement).getPropertyValue(name); };
+  function line(a, b) { pen.beginPath(); pen.moveTo(a[0], a[1]); pen.lineTo(b[0], b[1]); pen.stroke(); }
+  function disc(at, radius) { pen.beginPath(); pen.arc(at[0], at[1], radius, 0, 2 * Math.PI); pen.fill(); }
+
+  function flock() {
+    const unit = 64, fine = 16, middle = [canvas.width / 2, canvas.height / 2];
+    const parsed = function () { try { return JSON.parse(text.value); } catch (error) { return null; } };
+    const number = function (q) { const p = String(q).split("/"); return Number(p[0]) / Number(p[1] || 1); };
+    // Places are multiples of 1/16, so that the flock is exact.
+    const exact = function (x) { const k = Math.round(x * fine); return k % fine === 0 ? String(k / fine) : k + "/" + fine; };
+    return {
+      draw: function () {
+        const birds = parsed();
+        if (!birds || !Array.isArray(birds.positions)) return;
+        birds.positions.forEach(function (r, k) {
+          const v = (birds.velocities || [])[k] || [];
+          const at = [middle[0] + unit * number(r[0]), middle[1] - unit * number(r[1] || 0)];
+          pen.strokeStyle = colour("--soft"); pen.fillStyle = colour("--bad"); pen.lineWidth = 2;
+          line(at, [at[0] + 4 * unit * number(v[0] || 0), at[1] - 4 * unit * number(v[1] || 0)]);
+          disc(at, 5);
+        });
+      },
+      add: function (from, to) {
+        const birds = parsed();
+        if (!birds) return;
+        birds.positions.push([exact((from[0] - middle[0]) / unit), exact((middle[1] - from[1]) / unit)]);
+        birds.velocities.push([exact((to[0] - from[0]) / unit / 4), exact((from[1] - to[1]) / unit / 4)]);
+        text.value = JSON.stringify(birds);
+      },
+      clear: function () { text.value = JSON.stringify({ model: "D", dimension: 2, weights: "lazy", hysteresis: "paper", positions: [], velocities: [] }); }
+    };
   }
-  function write(flock) { text.value = JSON.stringify(flock); draw(); }
+
+  function graph() {
+    const near = 18;
+    let places = [];
+    const parsed = function () {
+      const lines = text.value.split("\n").map(function (l) { return l.replace(/#.*/, "").trim(); }).filter(Boolean);
+      const head = lines.find(function (l) { return /^vertices\s/.test(l); });
+      const edges = lines.filter(function (l) { return /^\d+\s+\d+/.test(l); }).map(function (l) { return l.split(/\s+/).slice(0, 2).map(Number); });
+      const largest = edges.reduce(function (m, e) { return Math.max(m, e[0], e[1]); }, 0);
+      return { order: Math.min(200, Math.max(head ? Number(head.split(/\s+/)[1]) || 0 : 0, largest)), edges: edges };
+    };
+    const at = function (k, order) {
+      const angle = 2 * Math.PI * (k / order - 0.25);
+      return places[k] || [canvas.width / 2 + 140 * Math.cos(angle), canvas.height / 2 + 140 * Math.sin(angle)];
+    };
+    const found = function (where) {
+      const order = parsed().order;
+      for (let k = 0; k < order; k++) { const p = at(k, order); if (Math.hypot(p[0] - where[0], p[1] - where[1]) < near) return k; }
+      return -1;
+    };
+    const write = function (g) {
+      text.value = "vertices " + g.order + "\n" + g.edges.map(function (e) { return e[0] + " " + e[1] + "\n"; }).join("");
+      fields.graph.value = "";
+    };
+    return {
+      draw: function () {
+        const g = parsed();
+        pen.strokeStyle = colour("--link"); pen.lineWidth = 2; pen.textAlign = "center"; pen.textBaseline = "middle"; pen.font = "12px system-ui, sans-serif";
+        g.edges.forEach(function (e) { line(at(e[0] - 1, g.order), at(e[1] - 1, g.order)); });
+        for (let k = 0; k < g.order; k++) {
+          pen.fillStyle = colour("--ink"); disc(at(k, g.order), 10);
+          pen.fillStyle = colour("--paper"); pen.fillText(String(k + 1), at(k, g.order)[0], at(k, g.order)[1]);
+        }
+      },
+      add: function (from, to) {
+        const g = parsed(), i = found(from), j = found(to);
+        // Where vertices stood before stays.
+        for (let k = 0; k < g.order; k++) places[k] = at(k, g.order);
+        if (i < 0) { places[g.order] = from; g.order += 1; } else if (j >= 0 && i !== j) {
+          const same = function (e) { return Math.min(e[0], e[1]) === Math.min(i, j) + 1 && Math.max(e[0], e[1]) === Math.max(i, j) + 1; };
+          if (g.edges.some(same)) g.edges = g.edges.filter(function (e) { return !same(e); }); else g.edges.push([i + 1, j + 1]);
+        }
+        write(g);
+      },
+      clear: function () { places = []; write({ order: 0, edges: [] }); }
+    };
+  }
+
+  const drawing = canvas.dataset.draws === "graph" ? graph() : flock();
+  let from = null;
+  function draw() { pen.clearRect(0, 0, canvas.width, canvas.height); drawing.draw(); }
   canvas.addEventListener("pointerdown", function (event) { from = place(event); canvas.setPointerCapture(event.pointerId); });
   canvas.addEventListener("pointerup", function (event) {
-    const flock = read(), to = place(event);
-    if (!from || !flock) return;
-    flock.positions.push([exact(from[0]), exact(from[1])]);
-    flock.velocities.push([exact((to[0] - from[0]) / 4), exact((to[1] - from[1]) / 4)]);
+    if (!from) return;
+    drawing.add(from, place(event));
     from = null;
-    write(flock);
+    draw();
   });
-  document.getElementById("clear").addEventListener("click", function () {
-    write({ model: "D", dimension: 2, weights: "lazy", hysteresis: "paper", positions: [], velocities: [] });
-  });
+  of("clear").addEventListener("click", function () { drawing.clear(); draw(); });
   text.addEventListener("input", draw);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
   draw();
 })();

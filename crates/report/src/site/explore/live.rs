@@ -1,6 +1,8 @@
 //! Pages that ask the program while they are looked at: under `flockproof serve`.
 
-use maud::{Markup, html};
+use super::cases::{self, Case};
+use super::runs::RunsError;
+use maud::{Markup, PreEscaped, html};
 
 /// A live page.
 pub(in super::super) struct Live {
@@ -12,33 +14,89 @@ pub(in super::super) struct Live {
     ask: &'static str,
     command: &'static str,
     fields: &'static [Field],
-    /// Whether flocks are drawn.
-    draws: bool,
+    /// What is drawn with the mouse, into which field.
+    draws: Option<(&'static str, &'static str)>,
+    /// What the static site shows: what it is, and the answer.
+    case: Option<(&'static str, Answered)>,
+    /// Starts to choose from: a name, and what stands in the fields then.
+    examples: &'static [(&'static str, &'static [(&'static str, &'static str)])],
 }
 
-/// What is asked for: name, label, what stands there at first.
-type Field = (&'static str, &'static str, &'static str);
+/// Computes an answer.
+type Answered = fn() -> Case;
+
+/// What is asked for.
+struct Field {
+    name: &'static str,
+    label: &'static str,
+    at_first: &'static str,
+    kind: Kind,
+}
+
+enum Kind {
+    Line,
+    /// So many lines.
+    Text(u8),
+    Choice(&'static [&'static str]),
+    /// A text that a file can fill.
+    File(u8),
+}
+
+const fn line(name: &'static str, label: &'static str, at_first: &'static str) -> Field {
+    Field { name, label, at_first, kind: Kind::Line }
+}
+
+const fn text(name: &'static str, label: &'static str, lines: u8, at_first: &'static str) -> Field {
+    Field { name, label, at_first, kind: Kind::Text(lines) }
+}
 
 /// All of them.
 pub(in super::super) const LIVE: &[Live] = &[
     Live {
         name: "live-resonance",
         title: "Resonance of a platoon",
-        about: "The frequency at which the last car of a two-sided platoon swings most, and how much, with certified digits, beside Theorem 1.",
+        about: "The frequency at which the last car of a two-sided platoon swings most, and how much, with certified digits, beside Theorem 1 and its next order; \
+                the curve, and the gains with a smaller peak.",
         ask: "resonance",
         command: "flockproof resonance --followers 128 --f -1 --g -1 --digits 15 --json",
-        fields: &[("followers", "Followers", "128"), ("f", "f", "-1"), ("g", "g", "-1")],
-        draws: false,
+        fields: &[line("followers", "Followers", "128"), line("f", "f", "-1"), line("g", "g", "-1")],
+        draws: None,
+        case: Some(("128 followers, f = g = -1", cases::resonance)),
+        examples: &[],
     },
     Live {
         name: "live-spectra",
         title: "Spectra of graphs",
-        about: "Eigenvalues of a matrix of a graph, enclosed. Graphs: ring:12, path:30, complete:5, star:7, circulant:12:1,3 and others. \
-                Matrices: laplacian, out-degree, in-degree, normalised, walk, adjacency.",
+        about: "Eigenvalues of a matrix of a graph, enclosed. Name a graph: ring:12, path:30, complete:5, star:7, circulant:12:1,3 and others; or leave the name empty and draw \
+                one: click for a vertex, drag from one to another for an edge.",
         ask: "spectrum",
         command: "flockproof spectrum --graph ring:12 --json",
-        fields: &[("graph", "Graph", "ring:12"), ("kind", "Matrix", "laplacian")],
-        draws: false,
+        fields: &[
+            line("graph", "Graph", "ring:12"),
+            Field {
+                name: "kind",
+                label: "Matrix",
+                at_first: "laplacian",
+                kind: Kind::Choice(&[
+                    "laplacian",
+                    "out-degree",
+                    "in-degree",
+                    "normalised",
+                    "walk",
+                    "reduced",
+                    "adjacency",
+                ]),
+            },
+            text(
+                "edges",
+                "Edges, where there is no name: vertices N, then a line i j for each",
+                5,
+                "vertices 4\n1 2\n2 3\n3 1\n3 4\n",
+            ),
+        ],
+        draws: Some(("graph", "edges")),
+        case: Some(("the Laplacian of ring:12", cases::spectrum)),
+        examples: &[],
     },
     Live {
         name: "live-flock",
@@ -47,35 +105,150 @@ pub(in super::super) const LIVE: &[Live] = &[
                 and whether it can ever change again.",
         ask: "flock",
         command: "flockproof flock settle FILE --json",
-        fields: &[],
-        draws: true,
+        fields: &[text("flock", "The flock", 6, BIRDS)],
+        draws: Some(("flock", "flock")),
+        case: Some(("three birds", cases::flock)),
+        examples: &[],
+    },
+    Live {
+        name: "live-patterns",
+        title: "Patterns of particles and their stability",
+        about: "N steered particles in M clusters, evenly spaced on one circle, for each M that divides N: which of these patterns are stable under the gains of the \
+                orientation control? The linearisation is exact, its largest real part enclosed.",
+        ask: "pattern",
+        command: "flockproof pattern --particles 12 --gains 1/5,1/5,-1/25 --json",
+        fields: &[
+            line("particles", "Particles", "12"),
+            line("gains", "Gains K1,K2,..", "1/5,1/5,-1/25"),
+            line("omega0", "omega0", "1/10"),
+            line("K0", "K0, spacing", "1/10"),
+        ],
+        draws: None,
+        case: Some(("twelve particles, K = (1/5, 1/5, -1/25)", cases::patterns)),
+        examples: &[],
+    },
+    Live {
+        name: "live-question",
+        title: "A question of your own, decided",
+        about: "What a property ranges over, the property, and controls that must turn out false. The program decides it, and draws a counterexample. \
+                flockproof check --names lists all names that a question may use.",
+        ask: "question",
+        command: "flockproof check QUESTION.toml --json",
+        fields: &[
+            text("question", "The question", 14, GAP),
+            text("beside", "The scenario or graph that the question names, if it names one", 6, ""),
+        ],
+        draws: None,
+        case: Some(("the question gap_and_diameter", cases::question)),
+        examples: &[
+            ("A gap and a diameter", &[("question", GAP), ("beside", "")]),
+            ("Gains of platoons", &[("question", GAINS), ("beside", "")]),
+            ("Two pairs of birds", &[("question", PAIRS), ("beside", PAIRS_FLOCK)]),
+            ("Phases that repel", &[("question", PHASES), ("beside", PHASES_SCENARIO)]),
+        ],
+    },
+    Live {
+        name: "live-scenario",
+        title: "A scenario of your own, run",
+        about: "Any model of the papers: phases, steered particles, fish, heading and velocity alignment, platoons, averaging flocks. The run is in floating point.",
+        ask: "scenario",
+        command: "flockproof simulate CONFIG.toml --json",
+        fields: &[text("scenario", "The scenario", 18, SWITCHING)],
+        draws: None,
+        case: Some(("six agents, links within 5/2", cases::scenario)),
+        examples: &[
+            ("Six agents, links within 5/2", &[("scenario", SWITCHING)]),
+            ("Twelve particles form a pattern", &[("scenario", PATTERN)]),
+            ("Three agents agree", &[("scenario", THREE)]),
+            ("A platoon near its resonance", &[("scenario", PLATOON)]),
+        ],
+    },
+    Live {
+        name: "live-certificate",
+        title: "A certificate, checked",
+        about: "The small separate checker, which shares no code with what wrote the certificate, reads it and says what it shows. \
+                Certificates are written by flockproof certify, resonance --certificate and others.",
+        ask: "certificate",
+        command: "flockproof-checker FILE",
+        fields: &[Field { name: "certificate", label: "The certificate", at_first: "", kind: Kind::File(10) }],
+        draws: None,
+        case: None,
+        examples: &[("The limit of one pair of birds", &[("certificate", CERTIFICATE)])],
     },
 ];
 
 /// What a flock is at first.
-const BIRDS: &str = "{\"model\": \"D\", \"dimension\": 2, \"weights\": \"lazy\", \"hysteresis\": \"paper\",\n \
+pub(super) const BIRDS: &str = "{\"model\": \"D\", \"dimension\": 2, \"weights\": \"lazy\", \"hysteresis\": \"paper\",\n \
                      \"positions\": [[\"0\", \"0\"], [\"1/2\", \"1/4\"], [\"2\", \"0\"]],\n \"velocities\": [[\"1/8\", \"0\"], [\"0\", \"1/8\"], [\"-1/8\", \"0\"]]}";
 
+pub(super) const GAP: &str = include_str!("../../../../../assets/questions/gap_and_diameter.toml");
+const GAINS: &str = include_str!("../../../../../assets/questions/gains_for_256.toml");
+const PAIRS: &str = include_str!("../../../../../assets/questions/never_meets.toml");
+const PAIRS_FLOCK: &str = include_str!("../../../../../assets/questions/two_pairs.json");
+const PHASES: &str = include_str!("../../../../../assets/questions/altered_sign.toml");
+const PHASES_SCENARIO: &str = include_str!("../../../../../assets/questions/five_repelling_phases.toml");
+pub(super) const SWITCHING: &str = include_str!("../../../../../assets/scenarios/switching_flock.toml");
+const PATTERN: &str = include_str!("../../../../../assets/scenarios/pattern.toml");
+const THREE: &str = include_str!("../../../../../assets/scenarios/three_agents.toml");
+const PLATOON: &str = include_str!("../../../../../assets/scenarios/platoon.toml");
+const CERTIFICATE: &str =
+    include_str!("../../../../../proofs_checks/checker/corpus/pass/chazelle.lem3.3.one_edge.cert");
+
 /// The page.
-pub(super) fn body(live: &Live) -> Markup {
-    html! {
+///
+/// # Errors
+/// The sentence of what could not be computed.
+pub(super) fn body(live: &Live) -> Result<Markup, RunsError> {
+    let case = live.case.map(|(what, case)| Ok::<_, RunsError>((what, case()?))).transpose()?;
+    Ok(html! {
         h1 { (live.title) }
         p.lead { (live.about) }
         p #away { "This page asks the program. Start it with " code { "flockproof serve" } " and open the address that it prints; or ask on the command line: "
             code { (live.command) } "." }
         form #ask data-ask=(live.ask) hidden {
-            @for (name, label, value) in live.fields {
-                label { span { (label) } input name=(name) value=(value) autocomplete="off" spellcheck="false"; }
+            @if !live.examples.is_empty() {
+                label { span { "Example" } select #example {
+                    @for (name, _) in live.examples { option { (name) } }
+                } }
             }
-            @if live.draws {
-                canvas #birds width="640" height="360" role="img" aria-label="The birds and their velocities, as written below" {}
-                label.words { span { "The flock" } textarea name="flock" rows="6" spellcheck="false" { (BIRDS) } }
+            @if let Some((what, field)) = live.draws {
+                div.words { canvas #drawing data-draws=(what) data-field=(field) width="640" height="360" role="img" aria-label="What is written below, drawn" {} }
             }
-            button type="submit" { "Ask" }
-            @if live.draws { " " button type="button" #clear { "No birds" } }
+            @for field in live.fields { (input(field)) }
+            span.buttons {
+                button #go type="submit" { "Ask" }
+                " " button #stop type="button" disabled { "Stop" }
+                @if live.draws.is_some() { " " button type="button" #clear { "Empty" } }
+            }
         }
+        @for (name, fields) in live.examples {
+            template data-example=(name) { @for (field, text) in *fields { textarea data-name=(field) { (text) } } }
+        }
+        div #work hidden { progress #bar aria-label="Progress" {} " " span #stage {} }
         p #state role="status" {}
-        div.wide tabindex="0" role="region" aria-label="Answer" { table #answer {} }
+        section #answer aria-label="Answer" {
+            @if let Some((what, shown)) = &case { h2 { "An answer: " (what) } (PreEscaped(shown)) }
+        }
+        details #document hidden { summary { "The same as JSON" } pre tabindex="0" { code {} } p.small { "As " code { (live.command) } " prints it." } }
+        script src="../explore.js" defer {}
         script src="../live.js" defer {}
+    })
+}
+
+fn input(field: &Field) -> Markup {
+    let Field { name, label, at_first, kind } = field;
+    html! {
+        @match kind {
+            Kind::Line => label { span { (label) } input name=(name) value=(at_first) autocomplete="off" spellcheck="false"; },
+            Kind::Choice(words) => label { span { (label) } select name=(name) {
+                @for word in *words { option selected[word == at_first] { (word) } }
+            } },
+            // The first line break of a text area is not its own.
+            Kind::Text(lines) => label.words { span { (label) } textarea name=(name) rows=(lines) spellcheck="false" { "\n" (at_first) } },
+            Kind::File(lines) => {
+                label { span { "From a file" } input #file type="file"; }
+                label.words { span { (label) } textarea name=(name) rows=(lines) spellcheck="false" { "\n" (at_first) } }
+            },
+        }
     }
 }

@@ -1,17 +1,16 @@
 //! Motions that can be watched: counterexamples and examples of the papers, computed by the engine and drawn in the page.
 
+mod cases;
 mod live;
 mod runs;
 
 use super::Site;
 use super::frame::Links;
+use super::motion::Motion;
 pub(super) use live::LIVE;
-use maud::{Markup, PreEscaped, html};
-use runs::Run;
+use maud::{Markup, html};
 pub use runs::RunsError;
 
-/// The program that plays the motions.
-pub(super) const PLAYER: &str = include_str!("player.js");
 /// The program that asks the program which serves the page.
 pub(super) const ASKER: &str = include_str!("live.js");
 
@@ -26,7 +25,7 @@ pub(super) struct Show {
     pub drawn: &'static str,
     /// The claims it belongs to.
     pub claims: &'static [&'static str],
-    runs: fn() -> Result<Vec<Run>, runs::RunsError>,
+    runs: fn() -> Result<Vec<Motion>, runs::RunsError>,
 }
 
 /// All of them.
@@ -57,6 +56,25 @@ pub(super) const SHOWS: &[Show] = &[
         drawn: "V = 1/s + log s, squared side 2, angular velocity squared 3/2; floating point from the exact start.",
         claims: &["beyond.tanner1.turning_triangle", "tanner1.propIV3a"],
         runs: runs::turning_triangle,
+    },
+    Show {
+        name: "tower",
+        title: "Networks that change at towers of exponentials",
+        about: "Four groups of four birds, some mirrored, merge at t = 171. Their drifts differ by so little that neighbours meet only at a time of 85 digits. The drifts of the two that meet cancel \
+                exactly; what is left lets two flocks of eight meet at a time between 2^(2.116 10^84) and 2^(2.117 10^84).",
+        drawn: "The clock is the logarithm of the time, and then the logarithm of that. Up to t = 321 every step is exact; after that each flock moves at its exact mean velocity, the switches are those that are \
+                settled exactly, and the last approach is drawn at even speed. Rounded for drawing.",
+        claims: &["beyond.chazelle.tower", "chazelle.lower_bound"],
+        runs: runs::tower,
+    },
+    Show {
+        name: "saddle",
+        title: "Three agents that come to rest at a saddle",
+        about: "All pairs linked, in a row, with velocities along the row: by symmetry they stay in it, and come to rest where the potential is not least, but at a saddle. Moved aside by a thousandth, \
+                the middle agent leaves, and they come to rest in a triangle.",
+        drawn: "V = 1/s + log s, s the squared distance; the saddle has neighbours at distance sqrt(3)/2. Classical integration in floating point; the rest at the saddle is exact for every start in a row.",
+        claims: &["tanner2.thm1c", "tanner2.thm2_pot", "tanner2.sec4.flocking"],
+        runs: runs::saddle,
     },
     Show {
         name: "certified-split",
@@ -94,13 +112,16 @@ pub(super) fn list() -> Markup {
         p.lead { "Examples and counterexamples that move. Each was computed by the program; play, step, or drag the slider." }
         ul { @for show in SHOWS { li { a href={ (show.name) ".html" } { (show.title) } } } }
         h2 { "Live" }
-        p { "These ask the program, under " code { "flockproof serve" } "." }
+        p { "Each shows one answer here; under " code { "flockproof serve" } " they ask the program." }
         ul { @for live in LIVE { li { a href={ (live.name) ".html" } { (live.title) } } } }
     }
 }
 
 /// The page of a live one.
-pub(super) fn live(live: &live::Live) -> Markup {
+///
+/// # Errors
+/// The sentence of what could not be computed.
+pub(super) fn live(live: &live::Live) -> Result<Markup, RunsError> {
     live::body(live)
 }
 
@@ -116,16 +137,7 @@ pub(super) fn body(site: &Site, show: &Show) -> Result<Markup, runs::RunsError> 
         @for run in &runs {
             section.live aria-label=(run.title) {
                 @if runs.len() > 1 { h2 { (site.names.rich(&run.title, Links::Folder)) } }
-                canvas width="736" height="414" role="img" aria-label={ (show.title) ": " (run.title) } {}
-                div.controls hidden {
-                    button.play type="button" { "Play" }
-                    button.back type="button" aria-label="One step back" { "‹" }
-                    button.on type="button" aria-label="One step on" { "›" }
-                    input.time type="range" min="0" max=(run.times.len().saturating_sub(1)) value="0" aria-label="Time";
-                    output { }
-                }
-                script type="application/json" { (PreEscaped(run.json())) }
-                noscript { p { "The motion is drawn by a small script. Its numbers stand in the source of this page." } }
+                (run.section(&format!("{}: {}", show.title, run.title)))
             }
         }
         p.small { (site.names.rich(show.drawn, Links::Folder)) }

@@ -112,7 +112,7 @@
     function show(k) {
       now = Math.max(0, Math.min(last, k));
       slider.value = now;
-      const text = "t = " + run.times[now];
+      const text = run.said.length ? run.said[now] : "t = " + run.times[now];
       said.textContent = text;
       slider.setAttribute("aria-valuetext", text);
       draw();
@@ -143,5 +143,7 @@
     size(); show(0);
   }
 
-  document.querySelectorAll(".live").forEach(player);
+  // For motions that come later.
+  window.flockproofPlayer = player;
+  document.querySelectorAll("section.live").forEach(player);
 })();

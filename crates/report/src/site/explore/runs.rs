@@ -1,10 +1,12 @@
 //! The runs behind the motions.
 
-use arithmetic::{Unwatched, rational};
-use models::averaging::{Flock, FlockError, Hysteresis, Start, Weights};
+use super::super::motion::Motion;
+use algebra::matrix::MatrixError;
+use arithmetic::{Rational, Unwatched, rational};
+use models::averaging::settle::{Ending, Limits, SettleError, settle};
+use models::averaging::{Flock, FlockError, Hysteresis, Start, Weights, stationary_distribution};
 use num_traits::ToPrimitive;
 use scenario::{ConfigError, Outcome, Scenario};
-use std::fmt::Write;
 
 /// Why a motion could not be computed.
 #[derive(Debug, thiserror::Error)]
@@ -12,180 +14,52 @@ pub enum RunsError {
     /// The exact flock.
     #[error(transparent)]
     Flock(#[from] FlockError),
+    /// What becomes of it.
+    #[error(transparent)]
+    Settle(#[from] SettleError),
+    /// The mean velocity of a flock.
+    #[error(transparent)]
+    Matrix(#[from] MatrixError),
+    /// The case that a live page shows.
+    #[error("{0}")]
+    Case(String),
     /// The scenario.
     #[error(transparent)]
     Scenario(#[from] ConfigError),
 }
 
-/// One motion.
-pub(super) struct Run {
-    pub title: String,
-    pub times: Vec<f64>,
-    /// For each time the places of the agents.
-    points: Vec<Vec<[f64; 2]>>,
-    /// For each time directions of motion; none where they are not drawn.
-    directions: Vec<Vec<[f64; 2]>>,
-    /// For each time the links, agents from 0.
-    links: Vec<Vec<(usize, usize)>>,
-    /// Whether it is seen from the middle of the agents.
-    follow: bool,
-    /// Whether one unit is equally long in both directions.
-    equal: bool,
-    /// How many times before are drawn as a trail.
-    trail: usize,
-    labels: [&'static str; 2],
-}
-
-impl Run {
-    /// The motion as JSON for the player.
-    pub fn json(&self) -> String {
-        let pairs = |list: &[[f64; 2]]| {
-            list.iter().map(|[x, y]| format!("{},{}", number(*x), number(*y))).collect::<Vec<_>>().join(",")
-        };
-        let frames = |list: &[Vec<[f64; 2]>]| {
-            list.iter().map(|frame| format!("[{}]", pairs(frame))).collect::<Vec<_>>().join(",\n")
-        };
-        let mut kinds: Vec<&Vec<(usize, usize)>> = Vec::new();
-        let mut which = Vec::new();
-        for links in &self.links {
-            let at = kinds.iter().position(|known| *known == links).unwrap_or_else(|| {
-                kinds.push(links);
-                kinds.len() - 1
-            });
-            which.push(at.to_string());
-        }
-        let kinds: Vec<String> = kinds
-            .iter()
-            .map(|links| format!("[{}]", links.iter().map(|(i, j)| format!("[{i},{j}]")).collect::<Vec<_>>().join(",")))
-            .collect();
-        let times: Vec<String> = self.times.iter().map(|t| number(*t)).collect();
-        let mut out = String::from("{");
-        // Writing to a string cannot fail.
-        let _ = write!(
-            out,
-            "\"follow\":{},\"equal\":{},\"trail\":{},\"labels\":[\"{}\",\"{}\"],\"kinds\":[{}],\"links\":[{}],\"times\":[{}],\n\"points\":[{}],\n\"directions\":[{}]",
-            self.follow,
-            self.equal,
-            self.trail,
-            self.labels[0],
-            self.labels[1],
-            kinds.join(","),
-            which.join(","),
-            times.join(","),
-            frames(&self.points),
-            frames(&self.directions)
-        );
-        out + "}"
-    }
-}
-
-/// Four decimals at most.
-fn number(x: f64) -> String {
-    let text = format!("{x:.4}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_string() } else { text.to_string() }
-}
+type Runs = Result<Vec<Motion>, RunsError>;
 
 /// The four birds without hysteresis in the upper row, with that of the paper in the lower one.
-pub(super) fn four_birds() -> Result<Vec<Run>, RunsError> {
+pub(super) fn four_birds() -> Runs {
     const STEPS: usize = 340;
-    let start = |hysteresis| {
+    let flock = |hysteresis| {
         let positions = [(0, 1), (1, 2), (21, 16), (29, 16)].map(|(p, q)| rational(p, q)).to_vec();
         let velocities = [1, -1, 1, -1].map(|p| rational(p, 8)).to_vec();
-        Start::on_the_line(positions, velocities, Weights::Lazy, hysteresis)
+        let title = "without hysteresis (above) and with the hysteresis of the paper (below)";
+        Motion::of_flock(&Start::on_the_line(positions, velocities, Weights::Lazy, hysteresis), STEPS, title)
     };
-    let mut flocks = [Flock::new(&start(Hysteresis::None))?, Flock::new(&start(Hysteresis::Paper))?];
-    let mut run = Run {
-        title: "without hysteresis (above) and with the hysteresis of the paper (below)".to_string(),
-        times: Vec::new(),
-        points: Vec::new(),
-        directions: Vec::new(),
-        links: Vec::new(),
-        follow: false,
-        equal: false,
-        trail: 0,
-        labels: ["position", ""],
-    };
-    for t in 0..=STEPS {
-        run.times.push(t as f64);
-        let (mut points, mut links) = (Vec::new(), Vec::new());
-        for (row, flock) in flocks.iter().enumerate() {
-            let place = |bird: &Vec<arithmetic::Rational>| {
-                [bird.first().and_then(ToPrimitive::to_f64).unwrap_or(f64::NAN), -(row as f64)]
-            };
-            let first = points.len();
-            points.extend(flock.positions().iter().map(place));
-            let network = flock.network();
-            let n = network.order();
-            links.extend(
-                (0..n)
-                    .flat_map(|i| (i + 1..n).map(move |j| (i, j)))
-                    .filter(|&(i, j)| network.has_edge(i, j))
-                    .map(|(i, j)| (first + i, first + j)),
-            );
-        }
-        run.points.push(points);
-        run.links.push(links);
-        for flock in &mut flocks {
-            flock.step()?;
-        }
-    }
-    Ok(vec![run])
+    Ok(vec![flock(Hysteresis::None)?.above(&flock(Hysteresis::Paper)?)])
 }
 
-/// How a run of a scenario is drawn.
-struct View {
-    title: String,
-    /// Links at the start; events change them.
-    links: Vec<(usize, usize)>,
-    follow: bool,
-    trail: usize,
+fn run(text: &str) -> Result<Outcome, RunsError> {
+    Ok(Scenario::read(text)?.run(&Unwatched))
 }
 
-fn plane(text: &str, view: View) -> Result<Run, RunsError> {
-    let outcome = Scenario::read(text)?.run(&Unwatched);
-    let pair = |list: &Vec<f64>| [list.first().copied().unwrap_or(0.0), list.get(1).copied().unwrap_or(0.0)];
-    let direction = |row: &scenario::Row| -> Vec<[f64; 2]> {
-        if row.frame.phases.is_empty() {
-            row.frame.velocities.iter().map(pair).collect()
-        } else {
-            row.frame.phases.iter().map(|phase| [phase.cos(), phase.sin()]).collect()
-        }
-    };
-    Ok(Run {
-        title: view.title,
-        times: outcome.rows.iter().map(|row| row.time).collect(),
-        points: outcome.rows.iter().map(|row| row.frame.positions.iter().map(pair).collect()).collect(),
-        directions: outcome.rows.iter().map(direction).collect(),
-        links: outcome.rows.iter().map(|row| links_at(&outcome, &view.links, row.time)).collect(),
-        follow: view.follow,
-        equal: true,
-        trail: view.trail,
-        labels: ["x", "y"],
-    })
+/// A run in the plane.
+fn plane(text: &str, title: &str) -> Result<Motion, RunsError> {
+    let motion = Motion::of_outcome(&run(text)?, title).unwrap_or_else(|| Motion::new(title, ["x", "y"]));
+    Ok(Motion { follow: false, ..motion })
 }
 
-/// The links at a time: those of the start, with what came and went.
-fn links_at(outcome: &Outcome, start: &[(usize, usize)], time: f64) -> Vec<(usize, usize)> {
-    let mut links = start.to_vec();
-    for event in outcome.events.iter().filter(|event| event.time <= time) {
-        let pair = (event.pair.0 - 1, event.pair.1 - 1);
-        links.retain(|link| *link != pair);
-        if event.gained {
-            links.push(pair);
-        }
-    }
-    links
-}
-
-pub(super) fn two_agents() -> Result<Vec<Run>, RunsError> {
+pub(super) fn two_agents() -> Runs {
     let text = "model = \"heading-alignment\"\n[graph]\nkind = \"complete\"\n[state]\npositions = [[0, 0], [2, 0]]\n\
                 velocities = [[2, 0], [2, 0]]\n[law]\npotential = \"inverse-square-log\"\nheading_difference = \"wrapped\"\n\
                 [run]\nuntil = 20\nrows = 400\n";
-    Ok(vec![plane(text, View { title: "two linked agents".to_string(), links: vec![(0, 1)], follow: true, trail: 0 })?])
+    Ok(vec![Motion { follow: true, trail: 0, ..plane(text, "two linked agents")? }])
 }
 
-pub(super) fn turning_triangle() -> Result<Vec<Run>, RunsError> {
+pub(super) fn turning_triangle() -> Runs {
     // Radius sqrt(2/3) and speed 1 belong to the squared side 2 and the squared angular velocity 3/2.
     let (radius, third) = ((2f64 / 3.0).sqrt(), std::f64::consts::TAU / 3.0);
     let corner = |k: i32| third * f64::from(k);
@@ -198,31 +72,99 @@ pub(super) fn turning_triangle() -> Result<Vec<Run>, RunsError> {
         "model = \"heading-alignment\"\n[graph]\nkind = \"complete\"\n[state]\npositions = [{positions}]\nvelocities = [{velocities}]\n\
          [law]\npotential = \"inverse-square-log\"\nheading_difference = \"wrapped\"\n[run]\nuntil = 20\nrows = 400\ntolerance = 1e-12\n"
     );
-    let view = View {
-        title: "three linked agents".to_string(),
-        links: vec![(0, 1), (0, 2), (1, 2)],
-        follow: false,
-        trail: 400,
-    };
-    Ok(vec![plane(&text, view)?])
+    Ok(vec![Motion { trail: 400, ..plane(&text, "three linked agents")? }])
 }
 
-pub(super) fn split() -> Result<Vec<Run>, RunsError> {
+/// Three agents in a row that come to rest at a saddle; below, the same with the middle one moved aside by a thousandth.
+pub(super) fn saddle() -> Runs {
+    let run = |aside: &str, title: &str| {
+        let text = format!(
+            "model = \"velocity-alignment\"\n[graph]\nkind = \"complete\"\n[state]\npositions = [[\"-5/4\", 0], [0, {aside}], [\"5/4\", 0]]\n\
+             velocities = [[\"1/4\", 0], [0, 0], [\"-1/4\", 0]]\n[law]\npotential = \"inverse-square-log\"\n[run]\nuntil = 40\nrows = 400\n"
+        );
+        plane(&text, title).map(|motion| Motion { trail: 60, ..motion })
+    };
+    Ok(vec![run("0", "exactly in a row")?, run("\"1/1000\"", "the middle agent moved aside by 1/1000")?])
+}
+
+/// Steps after the first switch that are taken exactly, so that what is inside the flocks has settled as far as can be seen.
+const SETTLING: usize = 150;
+/// Frames of each stretch of the logarithmic clock.
+const FRAMES: usize = 90;
+
+/// Sixteen birds whose networks change at times that are levels of exponentials apart.
+pub(super) fn tower() -> Runs {
+    let speeds = [0, 8, 0, -8, 7, 1, -9, 1, -1, 9, -1, -7, 8, 0, -8, 0];
+    let positions = (0..8).flat_map(|l| [rational(2 * l, 1), rational(6 * l + 2, 3)]).collect();
+    let velocities = speeds.map(|v| rational(v, 4096)).to_vec();
+    let start = Start::on_the_line(positions, velocities, Weights::Lazy, Hysteresis::None);
+    let mut switches = Vec::new();
+    let settled =
+        settle(Flock::new(&start)?, &Limits::default(), &mut |switch| switches.push(switch.clone()), &Unwatched)?;
+    let [first, second] = switches.as_slice() else { return Ok(Vec::new()) };
+    let Ending::Beyond { log2_steps, .. } = &settled.ending else { return Ok(Vec::new()) };
+    let exact = first.time.to_usize().unwrap_or(0) + SETTLING;
+    let mut motion = Motion::of_flock(&start, exact, "sixteen birds on the line, on a logarithmic clock")?;
+    motion.said = (0..=exact).map(|t| format!("t = {t}")).collect();
+    let (at, drifts) = drifting(&start, exact)?;
+    // From the first switch to the second, which is far away.
+    let second_at = second.time.to_f64().unwrap_or(f64::INFINITY);
+    let (from, to) = ((exact as f64).log10(), second_at.log10());
+    let places = |t: f64| at.iter().zip(&drifts).map(|(x, v)| [x + v * (t - exact as f64), 0.0]).collect::<Vec<_>>();
+    for k in 1..=FRAMES {
+        let digits = from + (to - from) * k as f64 / FRAMES as f64;
+        let network = if k == FRAMES {
+            second.applied_to(&first.applied_to(Flock::new(&start)?.network()))
+        } else {
+            first.applied_to(Flock::new(&start)?.network())
+        };
+        motion.frame(format!("t = 10^{digits:.1}"), places(10f64.powf(digits)), network.edges());
+    }
+    // From the second to the third, whose time has about 6 10^83 digits: the exponent of the exponent goes on evenly.
+    let third = log2_steps.to_f64() * std::f64::consts::LOG10_2;
+    let (met, joined) = (places(second_at), settled.network.edges());
+    let gap = met.get(8).map_or(1.0, |x| x[0]) - met.get(7).map_or(0.0, |x| x[0]);
+    let frame = |share: f64| -> Vec<[f64; 2]> {
+        // The two flocks of eight come nearer by what is missing to distance 1, evenly in time.
+        let moved = (gap - 1.0) / 2.0 * share;
+        met.iter().enumerate().map(|(bird, [x, y])| [if bird < 8 { x + moved } else { x - moved }, *y]).collect()
+    };
+    for k in 1..=FRAMES {
+        let level = to.log10() + (third.log10() - to.log10()) * k as f64 / (FRAMES + 1) as f64;
+        motion.frame(format!("t = 10^(10^{level:.2})"), frame(0.0), joined.clone());
+    }
+    for tenth in 1..=10 {
+        let said = format!("t = {} of the third switch, 10^(10^{:.2})", tenth as f64 / 10.0, third.log10());
+        let links = if tenth == 10 { [joined.clone(), vec![(7, 8)]].concat() } else { joined.clone() };
+        motion.frame(said, frame(f64::from(tenth) / 10.0), links);
+    }
+    Ok(vec![motion])
+}
+
+/// Where the birds are at a time, and the exact mean velocity of the flock of each, rounded.
+fn drifting(start: &Start, time: usize) -> Result<(Vec<f64>, Vec<f64>), RunsError> {
+    let mut flock = Flock::new(start)?;
+    for _ in 0..time {
+        flock.step()?;
+    }
+    let (places, velocities) = (flock.positions(), flock.velocities());
+    let mut drifts = vec![0.0; places.len()];
+    for birds in flock.network().components() {
+        let shares = stationary_distribution(&flock.network().induced(&birds), flock.weights())?;
+        let drift: Rational = birds.iter().zip(&shares).map(|(bird, share)| &velocities[*bird][0] * share).sum();
+        birds.iter().for_each(|bird| drifts[*bird] = drift.to_f64().unwrap_or(0.0));
+    }
+    Ok((places.iter().map(|row| row[0].to_f64().unwrap_or(f64::NAN)).collect(), drifts))
+}
+
+pub(super) fn split() -> Runs {
     let text = "model = \"velocity-alignment\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\n\
                 positions = [[0, 0], [1, 0], [\"5/2\", 0]]\nvelocities = [[0, 0], [0, 0], [4, 0]]\n[law]\n\
                 potential = \"inverse-square-spring\"\n[run]\nuntil = 2\nrows = 200\n";
-    Ok(vec![plane(
-        text,
-        View {
-            title: "three agents, links within 2".to_string(),
-            links: vec![(0, 1), (1, 2)],
-            follow: false,
-            trail: 200,
-        },
-    )?])
+    Ok(vec![Motion { trail: 200, ..plane(text, "three agents, links within 2")? }])
 }
 
-pub(super) fn patterns() -> Result<Vec<Run>, RunsError> {
+pub(super) fn patterns() -> Runs {
     [2usize, 3, 4, 6, 12]
         .into_iter()
         .map(|clusters| {
@@ -233,12 +175,14 @@ pub(super) fn patterns() -> Result<Vec<Run>, RunsError> {
                  [law]\nomega0 = 0.1\nK0 = 0.1\nK = [{}]\n[run]\nuntil = 500\nrows = 250\n",
                 gains.join(", ")
             );
-            plane(&text, View { title: format!("{clusters} clusters"), links: Vec::new(), follow: false, trail: 25 })
+            let motion = plane(&text, &format!("{clusters} clusters"))?;
+            // All-to-all: the links say nothing.
+            Ok(Motion { trail: 25, links: vec![Vec::new(); motion.times.len()], ..motion })
         })
         .collect()
 }
 
-pub(super) fn platoon() -> Result<Vec<Run>, RunsError> {
+pub(super) fn platoon() -> Runs {
     const FOLLOWERS: usize = 20;
     let positions: Vec<String> = (0..=FOLLOWERS).map(|k| format!("[-{k}]")).collect();
     let still = vec!["[0]"; FOLLOWERS + 1];
@@ -250,21 +194,16 @@ pub(super) fn platoon() -> Result<Vec<Run>, RunsError> {
         positions.join(", "),
         still.join(", ")
     );
-    let outcome = Scenario::read(&text)?.run(&Unwatched);
+    let outcome = run(&text)?;
     let deviation = |row: &scenario::Row| -> Vec<[f64; 2]> {
         let cars = row.frame.positions.iter().enumerate();
         cars.map(|(k, x)| [k as f64, x.first().copied().unwrap_or(0.0) + k as f64]).collect()
     };
     let links: Vec<(usize, usize)> = (0..FOLLOWERS).map(|k| (k, k + 1)).collect();
-    Ok(vec![Run {
-        title: "deviations of all cars".to_string(),
+    Ok(vec![Motion {
         times: outcome.rows.iter().map(|row| row.time).collect(),
         points: outcome.rows.iter().map(deviation).collect(),
-        directions: Vec::new(),
         links: vec![links; outcome.rows.len()],
-        follow: false,
-        equal: false,
-        trail: 0,
-        labels: ["car", "deviation"],
+        ..Motion::new("deviations of all cars", ["car", "deviation"])
     }])
 }

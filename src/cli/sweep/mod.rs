@@ -1,5 +1,7 @@
 //! `sweep`: the quantities of a question for every member of its family.
 
+mod picture;
+
 use super::interrupt::{self, Watch};
 use super::{CliError, check, output, progress};
 use flockproof::campaign::store::{Shard, merge, run_shard};
@@ -25,6 +27,9 @@ pub struct Arguments {
     /// Put the shards of a folder together
     #[arg(long, value_name = "DIR", conflicts_with_all = ["file", "store", "shard", "resume"])]
     merge: Option<PathBuf>,
+    /// Draw the regions in which the property holds, fails and is open, for a question of one or two intervals; they are in the JSON, too
+    #[arg(long, value_name = "FILE.svg")]
+    plot: Option<PathBuf>,
     /// Print one JSON object on a line for each member
     #[arg(long)]
     json: bool,
@@ -35,7 +40,7 @@ const MOST_ROWS: usize = 40;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if let Some(folder) = &arguments.merge {
-        return merged(folder, arguments.json);
+        return merged(folder, arguments);
     }
     let (Some(path), Some(store)) = (&arguments.file, &arguments.store) else {
         return Err(CliError::Use("a question and a folder for its table are needed".to_string()));
@@ -45,6 +50,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         Ok(sweep) => sweep,
         Err(QuestionError::Cancelled(_)) => return Ok(interrupt::status(false)),
         Err(error) => return Err(CliError::file(path, error)),
+    };
+    let sweep = match &arguments.plot {
+        Some(_) => sweep.with_maps(&watch).map_err(|error| CliError::file(path, error))?,
+        None => sweep,
     };
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
     let run =
@@ -56,20 +65,24 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         return Ok(interrupt::status(false));
     }
     if shard == Shard::WHOLE {
-        return merged(store, arguments.json);
+        return merged(store, arguments);
     }
     output::print(&format!("shard {shard} is finished: {} members\n", run.cases))?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// Writes the table as CSV and JSON lines, and prints its beginning.
-fn merged(folder: &Path, json: bool) -> Result<ExitCode, CliError> {
+/// Writes the table as CSV and JSON lines, and the picture, and prints the beginning of the table.
+fn merged(folder: &Path, arguments: &Arguments) -> Result<ExitCode, CliError> {
     let merged = merge(folder).map_err(|error| CliError::Use(error.to_string()))?;
     let table = Table::new(&merged.header.campaign, &merged.rows).map_err(|error| CliError::file(folder, error))?;
     let csv = table.csv().map_err(|error| CliError::file(folder, error))?;
     output::write_file(&folder.join("table.csv"), csv.as_bytes())?;
+    if let Some(file) = &arguments.plot {
+        let picture = picture::picture(&table).map_err(|error| CliError::file(folder, error))?;
+        output::write_file(file, picture.svg().as_bytes())?;
+    }
     let lines = table.json_lines();
     output::write_file(&folder.join("table.jsonl"), lines.as_bytes())?;
-    output::print(&if json { lines } else { table.text(MOST_ROWS) })?;
+    if arguments.json { output::print_raw(&lines) } else { output::print(&table.text(MOST_ROWS)) }?;
     Ok(ExitCode::SUCCESS)
 }

@@ -1,0 +1,90 @@
+//! Symmetric matrices of small order, thousands of them: Jacobi's rotations, whose result is proved afterwards.
+//!
+//! By the theorem of [`symmetric`](super::symmetric), for a diagonal `T` with the numbers `t_k` in order and any `Q` with least singular
+//! value `σ`, `|λ_k(S) - t_k| <= ‖SQ - QT‖/σ`, and `σ² >= 1 - ‖QᵀQ - I‖`. Frobenius norms bound both; an entry of `SQ - QT` is a sum of
+//! `n + 1` products, which rounding moves by at most `(n + 2) u` times the sum of their sizes.
+
+use super::FloatEnclosure;
+use super::float_bounds::{SLACK, UNIT};
+
+/// Sweeps over all pairs before it is given up; six are usual.
+const MOST_SWEEPS: usize = 40;
+
+/// Underflow is far below this.
+const UNDERFLOW: f64 = 1e-150;
+
+/// The eigenvalues in order of the symmetric matrix with these entries, by rows, each with a proved bound of its error; `None` where it is not
+/// square or not symmetric, or nothing is proved. For orders up to some dozens.
+pub fn small_symmetric_eigenvalues(entries: &[f64], order: usize) -> Option<Vec<FloatEnclosure>> {
+    let symmetric = |i: usize, j: usize| entries[i * order + j] == entries[j * order + i];
+    if entries.len() != order * order || !(0..order).all(|i| (0..i).all(|j| symmetric(i, j))) {
+        return None;
+    }
+    let (values, vectors) = rotated(entries.to_vec(), order);
+    let radius = radius(entries, order, &values, &vectors)?;
+    let mut sorted = values;
+    sorted.sort_by(f64::total_cmp);
+    Some(sorted.into_iter().map(|re| FloatEnclosure { re, im: 0.0, radius, multiplicity: 1 }).collect())
+}
+
+/// Nearly the eigenvalues and eigenvectors, the latter as rows; nothing is promised.
+fn rotated(mut a: Vec<f64>, n: usize) -> (Vec<f64>, Vec<f64>) {
+    let mut vectors = vec![0.0; n * n];
+    (0..n).for_each(|i| vectors[i * n + i] = 1.0);
+    let size = a.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    for _ in 0..MOST_SWEEPS {
+        let mut largest: f64 = 0.0;
+        for p in 0..n {
+            for q in p + 1..n {
+                let beside = a[p * n + q];
+                largest = largest.max(beside.abs());
+                if beside == 0.0 {
+                    continue;
+                }
+                let slope = (a[q * n + q] - a[p * n + p]) / (2.0 * beside);
+                let t = slope.signum() / (slope.abs() + (slope * slope + 1.0).sqrt());
+                let c = 1.0 / (t * t + 1.0).sqrt();
+                let s = t * c;
+                for k in 0..n {
+                    let (x, y) = (a[k * n + p], a[k * n + q]);
+                    (a[k * n + p], a[k * n + q]) = (c * x - s * y, s * x + c * y);
+                }
+                for rows in [&mut a, &mut vectors] {
+                    for k in 0..n {
+                        let (x, y) = (rows[p * n + k], rows[q * n + k]);
+                        (rows[p * n + k], rows[q * n + k]) = (c * x - s * y, s * x + c * y);
+                    }
+                }
+            }
+        }
+        if largest <= UNIT * size {
+            break;
+        }
+    }
+    ((0..n).map(|i| a[i * n + i]).collect(), vectors)
+}
+
+/// The bound of the theorem; `None` where the vectors are far from orthogonal or a number is not finite.
+fn radius(s: &[f64], n: usize, values: &[f64], vectors: &[f64]) -> Option<f64> {
+    let norm = |list: &[f64]| list.iter().map(|x| x * x).sum::<f64>().sqrt() * SLACK;
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    let (mut residual, mut departure) = (0.0, 0.0);
+    for (k, value) in values.iter().enumerate() {
+        let own = &vectors[k * n..(k + 1) * n];
+        for i in 0..n {
+            let apart = dot(&s[i * n..(i + 1) * n], own) - own[i] * value;
+            residual += apart * apart;
+            let unit = if i == k { 1.0 } else { 0.0 };
+            let product = dot(&vectors[i * n..(i + 1) * n], own) - unit;
+            departure += product * product;
+        }
+    }
+    let rounding = (n + 2) as f64 * UNIT;
+    let size = norm(vectors);
+    let most = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let residual = residual.sqrt() * SLACK + rounding * (norm(s) + most) * size * SLACK + UNDERFLOW;
+    let departure = departure.sqrt() * SLACK + rounding * (size * size + 1.0) * SLACK + UNDERFLOW;
+    let bound = residual / (1.0 - departure).sqrt() * SLACK;
+    // The last rounding of `1 - departure` is covered by SLACK while the departure is small.
+    (departure < 0.1 && bound.is_finite()).then_some(bound)
+}

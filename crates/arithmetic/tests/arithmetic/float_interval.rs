@@ -1,0 +1,145 @@
+//! Intervals of floats: what is exact is exact, what is not is a step wider, what is not finite is the whole line.
+
+use arithmetic::{ArithmeticError, Dyadic, Field, FloatInterval, Interval, Rational, Ring, Sign, Signed, rational};
+use num_bigint::BigInt;
+use proptest::prelude::*;
+
+fn exact(x: f64) -> Rational {
+    Dyadic::from_f64(x).unwrap().to_rational()
+}
+
+const LINE: FloatInterval = FloatInterval::LINE;
+
+fn between(a: f64, b: f64) -> FloatInterval {
+    FloatInterval::between(a, b)
+}
+
+/// Ends of one step outside of one float.
+fn a_step_around(x: f64) -> FloatInterval {
+    between(x.next_down(), x.next_up())
+}
+
+#[test]
+fn what_is_not_finite_is_the_whole_line() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(FloatInterval::point(bad), LINE);
+        assert_eq!(between(bad, 1.0), LINE);
+        assert_eq!(between(1.0, bad), LINE);
+    }
+    assert!(!LINE.is_bounded() && between(1.0, 2.0).is_bounded());
+    let huge = FloatInterval::point(f64::MAX);
+    assert_eq!(huge + huge, LINE);
+    assert_eq!(-huge - huge, LINE);
+    assert_eq!(huge * huge, LINE);
+    assert!(!huge.square().is_bounded() && huge.square().contains(f64::MAX));
+    assert_eq!(between(1.0, f64::MAX) + huge, LINE);
+    assert_eq!(LINE * between(1.0, 2.0), LINE);
+    assert_eq!(between(1.0, 2.0) * LINE, LINE);
+    assert_eq!(LINE.square(), LINE);
+    assert_eq!((LINE.midpoint(), LINE.sign()), (0.0, None));
+    assert_eq!(LINE.recip().unwrap_err(), ArithmeticError::DivisionByZero);
+}
+
+#[test]
+fn zero_and_whole_numbers_are_exact() {
+    let (zero, x) = (FloatInterval::point(0.0), between(0.1, 0.3));
+    assert_eq!([x + zero, zero + x, x - zero, zero - x], [x, x, x, -x]);
+    assert_eq!([x * zero, zero * x, zero * LINE, LINE * zero, zero.square()], [zero; 5]);
+    let (from_zero, to_zero) = (between(0.0, 1.0), between(-1.0, 0.0));
+    assert_eq!(from_zero + x, between(0.1f64.next_down(), 1.3f64.next_up()));
+    assert_eq!(to_zero + x, between((-0.9f64).next_down(), 0.3f64.next_up()));
+    assert_eq!(from_zero * x, between(0f64.next_down(), 0.3f64.next_up()));
+    assert_eq!(to_zero * x, between((-0.3f64).next_down(), 0f64.next_up()));
+    let largest = 1i64 << 53;
+    for n in [0, 1, -7, largest, -largest] {
+        assert_eq!(x.integer(n), FloatInterval::point(n as f64));
+    }
+    assert_eq!(x.integer(largest + 1), a_step_around(largest as f64));
+    assert_eq!(x.integer(i64::MIN), a_step_around(i64::MIN as f64));
+}
+
+#[test]
+fn fractions_are_exact_or_a_step_wide() {
+    let (x, third) = (FloatInterval::point(0.0), 1.0 / 3.0);
+    assert_eq!(x.ratio(3, 4), FloatInterval::point(0.75));
+    assert_eq!(x.ratio(-1, -8), FloatInterval::point(0.125));
+    assert_eq!(x.ratio(1, 3), a_step_around(third));
+    let limit = 1i64 << 53;
+    assert_eq!(x.ratio(limit, 1), FloatInterval::point(limit as f64));
+    assert_eq!(x.ratio(1, limit), FloatInterval::point(1.0 / limit as f64));
+    for (p, q) in [(limit + 1, 3), (3, limit + 1), (limit + 1, 1), (1, limit + 1), (limit, 3), (5, limit - 1)] {
+        let (found, q) = (x.ratio(p, q), Rational::new(BigInt::from(p), BigInt::from(q)));
+        assert!(exact(found.lo()) <= q && q <= exact(found.hi()), "{q}");
+        assert!(found.lo().next_up().next_up().next_up() >= found.hi(), "{q}: {found}");
+    }
+    // A denominator that is no float moves the quotient by more than a step.
+    for p in 1..400 {
+        let (p, q) = (p, (3 << 52) + 1);
+        let (found, exactly) = (x.ratio(p, q), rational(p, q));
+        assert!(exact(found.lo()) <= exactly && exactly <= exact(found.hi()), "{p}/{q}");
+    }
+    assert_eq!(FloatInterval::from_rational(&rational(3, 4)), FloatInterval::point(0.75));
+    for (p, q) in [(1, 3), (-22, 7), (1, 1_000_000_007), (limit + 1, 1)] {
+        let found = FloatInterval::from_rational(&rational(p, q));
+        assert!(exact(found.lo()) < rational(p, q) && rational(p, q) < exact(found.hi()));
+        assert!(found.lo().next_up().next_up().next_up() >= found.hi(), "{p}/{q}: {found}");
+        assert_eq!(x.rational(&rational(p, q)), found);
+    }
+    // Both ends of the enclosure are the same float, which is not the number.
+    let near_one = rational(1, 1) + Rational::new(BigInt::from(1), BigInt::from(1) << 70);
+    assert_eq!(FloatInterval::from_rational(&near_one), a_step_around(1.0));
+}
+
+#[test]
+fn signs_and_reciprocals_at_zero() {
+    for (x, sign) in [
+        (between(0.5, 0.7), Some(Sign::Positive)),
+        (between(-0.7, -0.5), Some(Sign::Negative)),
+        (between(0.0, 0.0), Some(Sign::Zero)),
+        (between(0.0, 0.5), None),
+        (between(-0.5, 0.0), None),
+        (between(-0.5, 0.5), None),
+    ] {
+        assert_eq!(x.sign(), sign, "{x}");
+        assert_eq!(x.recip().is_err(), x.contains(0.0), "{x}");
+    }
+    assert_eq!(between(0.25, 0.5).recip().unwrap(), between(2f64.next_down(), 4f64.next_up()));
+    assert_eq!(between(-2.0, -1.0).recip().unwrap(), between((-1f64).next_down(), (-0.5f64).next_up()));
+}
+
+proptest! {
+    #[test]
+    fn sets_are_those_of_their_ends(a in -9i32..9, b in -9i32..9, c in -9i32..9, d in -9i32..9) {
+        let (x, y) = (between(a.into(), b.into()), between(c.into(), d.into()));
+        let ((a, b), (c, d)) = ((f64::from(a.min(b)), f64::from(a.max(b))), (f64::from(c.min(d)), f64::from(c.max(d))));
+        prop_assert_eq!((x.lo(), x.hi(), y.lo(), y.hi()), (a, b, c, d));
+        prop_assert_eq!(x.encloses(&y), a <= c && d <= b);
+        let hull = x.hull(&y);
+        prop_assert_eq!((hull.lo(), hull.hi()), (a.min(c), b.max(d)));
+        let meet = x.intersection(&y).map(|z| (z.lo(), z.hi()));
+        prop_assert_eq!(meet, (a.max(c) <= b.min(d)).then_some((a.max(c), b.min(d))));
+        for p in [c, d, c - 0.5] {
+            prop_assert_eq!(x.contains(p), a <= p && p <= b);
+        }
+        prop_assert_eq!(x.midpoint(), (a + b) / 2.0);
+        prop_assert_eq!(x.magnitude(), a.abs().max(b.abs()));
+        prop_assert_eq!(x.width(), if a == b { 0.0 } else { (b - a).next_up() });
+        let square = x.square();
+        let (near, far) = (a.abs().min(b.abs()), a.abs().max(b.abs()));
+        let below = if a <= 0.0 && 0.0 <= b { 0.0 } else { (near * near).next_down().max(0.0) };
+        let above = if far == 0.0 { 0.0 } else { (far * far).next_up() };
+        prop_assert_eq!((square.lo(), square.hi()), (below, above));
+    }
+
+    /// The general intervals contain and compare as their ends do.
+    #[test]
+    fn general_intervals_contain_what_lies_between_their_ends(a in -9i64..9, b in -9i64..9, c in -9i64..9) {
+        let x = Interval::hull_of_rationals(&rational(a, 1), &rational(b, 1), 60);
+        for q in [rational(c, 1), rational(a, 1), rational(2 * c + 1, 2)] {
+            prop_assert_eq!(x.contains(&q), rational(a.min(b), 1) <= q && q <= rational(a.max(b), 1));
+        }
+        prop_assert_eq!(x.contains_zero(), a.min(b) <= 0 && 0 <= a.max(b));
+        let sign = if a.min(b) > 0 { Some(Sign::Positive) } else if a.max(b) < 0 { Some(Sign::Negative) } else { None };
+        prop_assert_eq!(x.sign(), if a == 0 && b == 0 { Some(Sign::Zero) } else { sign });
+    }
+}

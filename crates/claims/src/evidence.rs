@@ -1,0 +1,71 @@
+//! Evidence of each grade, and what a check makes of it.
+
+use ledger::{CheckError, Evidence, Grade, Outcome, Run};
+
+/// Exact arithmetic on instances.
+pub(crate) fn exact(part: impl Into<String>, detail: impl Into<String>) -> Evidence {
+    Evidence::new(Grade::Exact, part, detail)
+}
+
+/// Every case of a finite family.
+pub(crate) fn exhaustive(part: impl Into<String>, detail: impl Into<String>) -> Evidence {
+    Evidence::new(Grade::Exhaustive, part, detail)
+}
+
+/// Enclosures.
+pub(crate) fn certified(part: impl Into<String>, detail: impl Into<String>) -> Evidence {
+    Evidence::new(Grade::Certified, part, detail)
+}
+
+/// A property test.
+pub(crate) fn fuzzed(part: impl Into<String>, detail: impl Into<String>) -> Evidence {
+    Evidence::new(Grade::Fuzzed, part, detail)
+}
+
+/// The evidence, if nothing is wrong.
+pub(crate) fn unless(wrong: Option<String>, evidence: Evidence) -> Result<Outcome, CheckError> {
+    Ok(match wrong {
+        Some(counterexample) => Outcome::fails(counterexample, evidence),
+        None => Outcome::Holds(vec![evidence]),
+    })
+}
+
+/// Says which clauses the evidence of a check bears on.
+pub(crate) trait Placed {
+    /// [`Outcome::on`].
+    fn on(self, clauses: impl Into<Vec<usize>>) -> Self;
+    /// [`Outcome::for_all`].
+    fn for_all(self) -> Self;
+}
+
+impl Placed for Result<Outcome, CheckError> {
+    fn on(self, clauses: impl Into<Vec<usize>>) -> Self {
+        self.map(|outcome| outcome.on(clauses))
+    }
+
+    fn for_all(self) -> Self {
+        self.map(Outcome::for_all)
+    }
+}
+
+/// A proof in the notes of these clauses (none: of the only one), for all their parameters; `place` names the note and its steps.
+pub(crate) fn argued(clauses: &[usize], part: &str, place: &str) -> Result<Outcome, CheckError> {
+    Ok(Outcome::Holds(vec![Evidence::argued(part, place).on(clauses)]))
+}
+
+/// The same for statements whose constants nobody names: what is computed are steps of the proof on instances, which bear on no
+/// clause by themselves and are named beside it.
+pub(crate) fn argued_with(
+    clauses: &[usize],
+    part: &str,
+    place: &str,
+    steps: impl IntoIterator<Item = Result<Outcome, CheckError>>,
+) -> Result<Outcome, CheckError> {
+    let steps = match Run::all(steps)? {
+        Outcome::Holds(steps) => steps,
+        other => return Ok(other.on(clauses)),
+    };
+    let count = |e: &Evidence| e.cases.map_or(String::new(), |cases| format!(", {cases} cases"));
+    let computed: Vec<String> = steps.iter().map(|e| format!("{} ({}{})", e.part, e.detail, count(e))).collect();
+    argued(clauses, part, &format!("{place}; computed beside it: {}", computed.join("; ")))
+}

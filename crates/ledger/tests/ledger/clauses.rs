@@ -1,0 +1,140 @@
+//! What an entry says beside its verdict: clauses, the evidence for each, fault, counterexample, controls; and that too little evidence,
+//! or another reach than the recorded one, is reported.
+
+use ledger::{CheckError, Entry, Evidence, Fault, Grade, Ledger, Options, Outcome, Record, Report, Run, Scope};
+
+/// What the check of a form says: fails, or holds with this evidence.
+#[derive(Clone, Copy)]
+enum Says {
+    Fails,
+    /// Clauses and whether for all parameters.
+    Holds(&'static [(&'static [usize], bool)]),
+    /// Evidence that bears on no clause at all.
+    Aside,
+}
+
+fn check(says: &Says, _: &mut Run) -> Result<Outcome, CheckError> {
+    Ok(match says {
+        Says::Fails => Outcome::fails("at 7", Evidence::new(Grade::Exact, "instance", "computed").on([1])),
+        Says::Aside => Outcome::Holds(vec![Evidence { scope: None, ..Evidence::new(Grade::Exact, "aside", "seen") }]),
+        Says::Holds(list) => {
+            let one = |(clauses, all): &(&'static [usize], bool)| {
+                let evidence = Evidence::new(Grade::Exact, "part", "detail").on(*clauses);
+                if *all { evidence.for_all() } else { evidence }
+            };
+            Outcome::Holds(list.iter().map(one).collect())
+        }
+    })
+}
+
+fn record(printed: Says) -> Record<Says> {
+    Record::new("test.a", "words", printed, check).stated("test", "").control("another", Says::Fails)
+}
+
+fn judged(record: Record<Says>, expected: &str) -> Report {
+    let mut ledger = Ledger::new().with_record(&format!("id\tverdict\tfault\treach\tgrades\ntest.a\t{expected}\n"));
+    ledger.register(record).unwrap();
+    ledger.verify(&["test.a".into()], &Options::default(), |_| {})
+}
+
+fn entry(record: Record<Says>) -> Entry {
+    judged(record, "holds\t-\t1/1\texact").entries.remove(0)
+}
+
+fn places(entry: &Entry) -> Vec<(Vec<usize>, Option<Scope>)> {
+    entry.evidence.iter().map(|e| (e.clauses.clone(), e.scope)).collect()
+}
+
+const TWO: &[&str] = &["First.", "Second."];
+
+#[test]
+fn evidence_bears_on_the_clauses_that_it_names() {
+    // With one clause it need not be named.
+    let one = entry(record(Says::Holds(&[(&[], true)])).stated("test", "All."));
+    assert_eq!((one.clauses.clone(), places(&one)), (vec!["All.".into()], vec![(vec![1], Some(Scope::All))]));
+    let aside = entry(record(Says::Aside).stated("test", "All."));
+    assert_eq!(places(&aside), [(vec![], None)]);
+    let two = entry(record(Says::Holds(&[(&[1], true), (&[2], false)])).clauses(TWO));
+    assert_eq!(
+        (two.statement.as_str(), two.clauses.as_slice()),
+        ("First. Second.", &["First.".to_string(), "Second.".into()][..])
+    );
+    assert_eq!(places(&two), [(vec![1], Some(Scope::All)), (vec![2], Some(Scope::Instances))]);
+    assert_eq!((two.reach(), two.fault, two.counterexample.clone(), two.seconds >= 0.0), ((1, 2), None, None, true));
+    // With two clauses, what names none is not placed.
+    assert_eq!(places(&entry(record(Says::Holds(&[(&[], true)])).clauses(TWO))), [(vec![], Some(Scope::All))]);
+}
+
+#[test]
+fn a_correction_adds_its_clauses_and_its_evidence() {
+    let holds = Says::Holds(&[(&[1], true), (&[2], false)]);
+    let repaired =
+        record(Says::Fails).clauses(TWO).repaired(Fault::Slip, "", holds).repaired_clauses(&["Third.", "Fourth."]);
+    let found = entry(repaired);
+    assert_eq!(found.clauses, ["First.", "Second.", "corrected: Third.", "corrected: Fourth."]);
+    assert_eq!(places(&found)[1..], [(vec![3], Some(Scope::All)), (vec![4], Some(Scope::Instances))]);
+    assert!(found.evidence[1].part == "corrected: part" && found.evidence[0].part == "instance");
+    assert_eq!((found.fault, found.corrected.as_deref()), (Some(Fault::Slip), Some("Third. Fourth.")));
+    assert_eq!(found.counterexample.as_deref(), Some("at 7"));
+    // A correction of one clause; and none.
+    let single =
+        entry(record(Says::Fails).stated("test", "All.").repaired(Fault::Typo, "Better.", Says::Holds(&[(&[], true)])));
+    assert_eq!(
+        (single.clauses.as_slice(), places(&single)[1].0.as_slice()),
+        (&["All.".to_string(), "corrected: Better.".into()][..], &[2][..])
+    );
+    let none = entry(record(Says::Fails).stated("test", "All."));
+    assert_eq!((none.clauses.len(), none.fault, none.corrected), (1, Some(Fault::False), None));
+    assert_eq!(none.counterexample.as_deref(), Some("at 7"));
+}
+
+#[test]
+fn controls_say_where_they_failed() {
+    let found =
+        entry(record(Says::Holds(&[(&[], true)])).stated("test", "All.").control("kept", Says::Holds(&[(&[], true)])));
+    assert_eq!((found.controls.total, found.controls.refuted), (2, 1));
+    assert_eq!(
+        (found.controls.what.as_slice(), found.controls.failed.as_slice()),
+        (&["another".to_string(), "kept".into()][..], &["at 7".to_string(), "it holds".into()][..])
+    );
+    assert_eq!(found.surviving_controls, ["kept: it holds"]);
+}
+
+/// One sentence, which contains these words, or none.
+fn differs(record: Record<Says>, expected: &str, words: &[&str]) {
+    let report = judged(record, expected);
+    assert_eq!(report.differences.len(), words.len(), "{:?}", report.differences);
+    for (sentence, word) in report.differences.iter().zip(words) {
+        assert!(sentence.starts_with("test.a: ") && sentence.contains(word), "{sentence}");
+    }
+    assert_eq!(report.is_as_recorded(), words.is_empty());
+}
+
+#[test]
+fn another_reach_fault_verdict_or_grade_is_reported() {
+    let holds = || record(Says::Holds(&[(&[1], true), (&[2], false)])).clauses(TWO);
+    differs(holds(), "holds\t-\t1/2\texact", &[]);
+    differs(holds(), "holds\t-\t2/2\texact", &["recorded fault - and 2/2 clauses for all parameters"]);
+    differs(holds(), "holds\tslip\t1/2\texact", &["recorded fault slip"]);
+    differs(holds(), "holds\t-\t1/2\tkernel", &["recorded evidence kernel"]);
+    differs(holds(), "false\t-\t1/2\texact", &["recorded false, reached holds"]);
+    let repaired = || {
+        record(Says::Fails).stated("test", "All.").repaired(Fault::Hypothesis, "Better.", Says::Holds(&[(&[], true)]))
+    };
+    differs(repaired(), "needs_hypothesis\thypothesis\t1/2\texact", &[]);
+    differs(repaired(), "needs_hypothesis\ttypo\t1/2\texact", &["recorded fault typo"]);
+}
+
+#[test]
+fn what_says_more_than_its_evidence_is_reported() {
+    let uncovered = record(Says::Holds(&[(&[1], true)])).clauses(TWO);
+    differs(uncovered, "holds\t-\t1/2\texact", &["clause 2 is not covered: Second."]);
+    let nowhere = record(Says::Holds(&[(&[1, 2], true), (&[3], true)])).clauses(TWO);
+    differs(nowhere, "holds\t-\t3/2\texact", &["names no clause"]);
+    let unnamed = record(Says::Holds(&[(&[1, 2], true), (&[], true)])).clauses(TWO);
+    differs(unnamed, "holds\t-\t2/2\texact", &["names no clause"]);
+    let half = record(Says::Fails).stated("test", "All.").repaired(Fault::Slip, "", Says::Holds(&[(&[2], true)]));
+    differs(half.repaired_clauses(TWO), "misprint\tslip\t1/3\texact", &["clause 2 is not covered: corrected: First."]);
+    let twice = record(Says::Holds(&[(&[1, 2], true)])).clauses(TWO).control("another", Says::Fails);
+    differs(twice, "holds\t-\t2/2\texact", &["two negative controls alter the same"]);
+}

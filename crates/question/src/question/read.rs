@@ -1,0 +1,215 @@
+//! A question read from its file, and checked name by name on the way.
+
+use super::check::Check;
+use super::{BUDGET, Expression, Files, Question};
+use crate::error::{Problem, QuestionError};
+use crate::family::{Bound, Classes, Domain, read_domain};
+use crate::names::FUNCTIONS;
+use crate::scenario_file::{ScenarioFile, is_place};
+use crate::source::{Entry, Section, Source};
+use crate::syntax::{KEYWORDS, parse_property};
+use algebra::graph::LaplacianKind;
+use arithmetic::shown;
+use models::platoon::Communication;
+use std::sync::{Arc, OnceLock};
+
+/// Largest budget.
+const LARGEST_BUDGET: u64 = 1_000_000_000;
+
+const SECTIONS: [&str; 4] = ["question", "for", "holds", "values"];
+
+impl Question {
+    /// Reads a question. `files` gives the text of the files that it names.
+    ///
+    /// # Errors
+    /// [`QuestionError`] with line and column.
+    pub fn read(text: &str, files: Files) -> Result<Self, QuestionError> {
+        let source = Source::parse(text)?;
+        let sections = source.sections(&SECTIONS)?;
+        let [head, family, holds, values] = &sections[..] else {
+            return Err(QuestionError::Whole(Problem::Other("the sections could not be read".to_string())));
+        };
+        let mut question = Question::headed(text, head.as_ref(), files)?;
+        if let Some(family) = family {
+            question.read_family(family, files)?;
+        }
+        question.alone = question.bounds.iter().map(|_| OnceLock::new()).collect();
+        question.subjects = question.found_subjects();
+        if let Some(holds) = holds {
+            question.read_holds(holds)?;
+        }
+        if let Some(values) = values {
+            question.read_values(values)?;
+        }
+        if question.property.is_none() && question.values.is_empty() {
+            let needed = "a question has a section [holds] with a property, or a section [values]";
+            return Err(QuestionError::Whole(Problem::Other(needed.to_string())));
+        }
+        Ok(question)
+    }
+
+    fn headed(text: &str, head: Option<&Section>, files: Files) -> Result<Self, QuestionError> {
+        let missing = || Problem::Other("the section [question] is missing; it needs an `id`".to_string());
+        let head = head.ok_or_else(|| QuestionError::Whole(missing()))?;
+        head.allow(&["id", "statement", "scenario", "kind", "communication", "budget"])?;
+        let id = head.need("id", "a name such as \"mine.connectivity\"")?;
+        let id_text = id.text()?.text;
+        let plain = |c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-');
+        if id_text.is_empty() || id_text.len() > 100 || !id_text.chars().all(plain) || id_text.starts_with(['.', '-']) {
+            let expected = "an id of letters, digits, `.`, `_` and `-`, at most 100";
+            return Err(id.problem(Problem::expected(expected, format!("`{}`", shown(&id_text)))));
+        }
+        let chosen = |entry: &Entry, what: &'static str, known: Vec<&'static str>| {
+            let text = entry.text()?.text;
+            let found = known.iter().position(|name| *name == text);
+            found.ok_or_else(|| entry.problem(Problem::unknown(what, &text, known.iter().copied())))
+        };
+        let kind = match head.get("kind") {
+            None => LaplacianKind::Combinatorial,
+            Some(entry) => {
+                let names = LaplacianKind::NAMES.iter().map(|(name, _)| *name).collect();
+                LaplacianKind::NAMES[chosen(&entry, "kind of matrix", names)?].1
+            }
+        };
+        let communication = match head.get("communication") {
+            None => Communication::FrontAndBack,
+            Some(entry) => match chosen(&entry, "communication", vec!["front", "front-and-back"])? {
+                0 => Communication::Front,
+                _ => Communication::FrontAndBack,
+            },
+        };
+        let budget = head.get("budget").map_or(Ok(BUDGET), |entry| entry.count(LARGEST_BUDGET))?;
+        let scenario = match head.get("scenario") {
+            None => None,
+            Some(entry) => {
+                let name = entry.text()?.text;
+                let read = files(&name).and_then(|content| ScenarioFile::read(&name, &content));
+                Some(read.map_err(|message| entry.problem(Problem::Other(message)))?)
+            }
+        };
+        let statement = head.get("statement").map(|entry| entry.text()).transpose()?.map(|located| located.text);
+        Ok(Question {
+            text: text.to_string(),
+            id: id_text,
+            statement,
+            scenario,
+            kind,
+            communication,
+            budget,
+            bounds: Vec::new(),
+            restriction: None,
+            property: None,
+            controls: Vec::new(),
+            values: Vec::new(),
+            subjects: Vec::new(),
+            classes: Classes::default(),
+            alone: Vec::new(),
+            starts: OnceLock::new(),
+        })
+    }
+
+    fn read_family(&mut self, section: &Section, files: Files) -> Result<(), QuestionError> {
+        let mut restriction = None;
+        for entry in section.entries() {
+            if entry.key == "where" {
+                restriction = Some(entry);
+                continue;
+            }
+            self.check_new_name(&entry)?;
+            let text_of = |entry: &Entry| {
+                let located = entry.text()?;
+                let domain = read_domain(&located.text, files);
+                let domain = domain.map_err(|(at, problem)| self.at(located.base + at, problem))?;
+                Ok::<_, QuestionError>((domain, located.base))
+            };
+            let (domain, base) = if entry.is_list() {
+                let mut items = Vec::new();
+                for item in entry.items() {
+                    let (domain, base) = text_of(&item)?;
+                    items.push((base, domain));
+                }
+                let base = items.first().map_or(entry.key_at, |(base, _)| *base);
+                (Domain::List(items.into_iter().map(|(at, domain)| (at - base, domain)).collect()), base)
+            } else {
+                text_of(&entry)?
+            };
+            let bound = Bound { name: Arc::from(entry.key.as_str()), domain, base };
+            self.check_domain(&bound.domain, bound.base)?;
+            if bound.domain.sort().is_none() {
+                let expected = "a list of numbers, of graphs or of matrices";
+                return Err(self.at(bound.base, Problem::expected(expected, "of different sorts")));
+            }
+            self.bounds.push(bound);
+        }
+        if let Some(entry) = restriction {
+            self.subjects = self.found_subjects();
+            self.restriction = Some(self.expression(&entry, true)?);
+        }
+        Ok(())
+    }
+
+    fn check_new_name(&self, entry: &Entry) -> Result<(), QuestionError> {
+        let name = entry.key.as_str();
+        if is_place(name)
+            && let Some(scenario) = &self.scenario
+        {
+            let known = scenario.check_place(name);
+            return known.map_err(|message| self.at(entry.key_at, Problem::Other(message)));
+        }
+        let undrawn = |scenario: &ScenarioFile| name == "seed" && !scenario.is_drawn();
+        if self.scenario.as_ref().is_some_and(undrawn) {
+            let message = "`seed` draws random starts, but [state] of the scenario has no `random`".to_string();
+            return Err(self.at(entry.key_at, Problem::Other(message)));
+        }
+        let starts = name.starts_with(|c: char| c.is_ascii_alphabetic());
+        let plain = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        if !starts || !plain || name.len() > 64 {
+            let expected = "a name of letters, digits and `_` that begins with a letter";
+            return Err(self.at(entry.key_at, Problem::expected(expected, format!("`{}`", shown(name)))));
+        }
+        if KEYWORDS.contains(&name) || FUNCTIONS.iter().any(|function| function.name == name) {
+            return Err(self
+                .at(entry.key_at, Problem::Other(format!("`{name}` is a word of the language and cannot be bound"))));
+        }
+        Ok(())
+    }
+
+    fn read_holds(&mut self, section: &Section) -> Result<(), QuestionError> {
+        section.allow(&["property", "controls"])?;
+        let property = section.need("property", "a statement such as \"lambda(2) > 0\"")?;
+        self.property = Some(self.expression(&property, true)?);
+        let controls = section.get("controls").map(|entry| entry.items()).unwrap_or_default();
+        if controls.is_empty() {
+            return Err(section
+                .get("controls")
+                .map_or_else(|| section.problem(Problem::NoControls), |entry| entry.problem(Problem::NoControls)));
+        }
+        for entry in &controls {
+            let control = self.expression(entry, true)?;
+            let same = |other: &Expression| other.node.to_string() == control.node.to_string();
+            if self.property.as_ref().is_some_and(same) {
+                return Err(entry.problem(Problem::Other("the control is the property itself".to_string())));
+            }
+            self.controls.push(control);
+        }
+        Ok(())
+    }
+
+    fn read_values(&mut self, section: &Section) -> Result<(), QuestionError> {
+        for entry in section.entries() {
+            let expression = self.expression(&entry, false)?;
+            self.values.push((entry.key, expression));
+        }
+        Ok(())
+    }
+
+    /// Reads and checks an expression.
+    fn expression(&self, entry: &Entry, is_truth: bool) -> Result<Expression, QuestionError> {
+        let located = entry.text()?;
+        let at = |(at, problem): (usize, Problem)| self.at(located.base + at, problem);
+        let node = parse_property(&located.text).map_err(at)?;
+        let mut check = Check { question: self, moving: false };
+        check.expect(&node, is_truth).map_err(at)?;
+        Ok(Expression { node, base: located.base })
+    }
+}

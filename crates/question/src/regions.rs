@@ -1,0 +1,74 @@
+//! Where in a continuum a property holds, where it fails, and where that is open: a certified map.
+
+use crate::bindings::Bindings;
+use crate::division::{Division, halved};
+use crate::error::{Problem, QuestionError};
+use crate::question::Question;
+use crate::truth::Truth;
+use arithmetic::Progress;
+use std::collections::VecDeque;
+
+/// What is known of all points of a box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Standing {
+    /// The property holds at all of them.
+    Holds,
+    /// It fails at all of them.
+    Fails,
+    /// Neither was proved.
+    Open,
+}
+
+impl Standing {
+    /// One word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Standing::Holds => "holds",
+            Standing::Fails => "fails",
+            Standing::Open => "open",
+        }
+    }
+}
+
+/// A box with what is known of it.
+#[derive(Debug, Clone)]
+pub struct Region {
+    /// The names with their numbers and intervals.
+    pub bindings: Bindings,
+    /// What is known of it.
+    pub standing: Standing,
+}
+
+impl Question {
+    /// Divides the intervals of one member into at most about `most` boxes, all equally fine, until the property is decided on each. What `where` leaves out is
+    /// in no box.
+    ///
+    /// # Errors
+    /// [`QuestionError`] where the question is wrong there, or has no property.
+    pub fn regions(&self, member: &Bindings, most: u64, progress: &dyn Progress) -> Result<Vec<Region>, QuestionError> {
+        let none = || QuestionError::Whole(Problem::Other("regions need a property in [holds]".to_string()));
+        let expression = self.property.as_ref().ok_or_else(none)?;
+        let division = Division { question: self, expression, progress, most };
+        let whole = member.boxes();
+        let mut regions = Vec::new();
+        let mut queue = VecDeque::from([member.clone()]);
+        while let Some(bindings) = queue.pop_front() {
+            progress.checkpoint()?;
+            let standing = match division.on_box(&bindings, regions.is_empty() && queue.is_empty())?.0 {
+                None => continue,
+                Some(Truth::True) => Standing::Holds,
+                Some(Truth::False) => Standing::Fails,
+                Some(Truth::Unknown(_)) => {
+                    let room = (regions.len() + queue.len() + 2) as u64 <= most;
+                    if let Some(halves) = halved(&bindings, &whole).filter(|_| room) {
+                        queue.extend(halves);
+                        continue;
+                    }
+                    Standing::Open
+                }
+            };
+            regions.push(Region { bindings, standing });
+        }
+        Ok(regions)
+    }
+}

@@ -1,0 +1,231 @@
+//! What is measured on the enclosed states of a piece of time.
+
+use super::laws::phasors_of;
+use super::{BITS, widened};
+use crate::error::Problem;
+use crate::evaluate::{Failure, Measured, Moment};
+use crate::names::Quantity;
+use crate::number::Number;
+use arithmetic::{ArithmeticError, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, rational};
+use models::double_integrator::{Coordinates, Pair, Potential, State, kinetic_energy, potential_energy};
+use models::oscillator::{self, Neighbours, moment, phase_potential, spacing_potential};
+use motion::validated::{IntervalVector, Step};
+use num_traits::ToPrimitive;
+use scenario::ExactMotion;
+use std::rc::Rc;
+
+/// The states at all times of a piece.
+pub(super) struct At<'m> {
+    pub motion: &'m ExactMotion,
+    pub state: IntervalVector,
+    /// For narrower differences of coordinates.
+    pub differences: Option<(Step, FloatInterval)>,
+    pub pairs: Option<Rc<Vec<Pair>>>,
+}
+
+impl At<'_> {
+    /// Coordinate `i` less coordinate `j`.
+    fn difference(&self, i: usize, j: usize) -> FloatInterval {
+        match &self.differences {
+            Some((step, after)) => step.difference(i, j, *after),
+            None => self.state[i] - self.state[j],
+        }
+    }
+
+    /// The square of the distance of two vectors of `dimension` coordinates whose first ones begin at `offset`.
+    fn square(&self, i: usize, j: usize, dimension: usize, offset: usize) -> FloatInterval {
+        let part = |k: usize| self.difference(offset + dimension * i + k, offset + dimension * j + k).square();
+        (0..dimension).map(part).fold(FloatInterval::point(0.0), |sum, x| sum + x)
+    }
+
+    /// The distances of all pairs, squared.
+    fn squares(&self, agents: usize, dimension: usize, offset: usize) -> Vec<FloatInterval> {
+        let pairs = (0..agents).flat_map(|j| (0..j).map(move |i| (i, j)));
+        pairs.map(|(i, j)| self.square(i, j, dimension, offset)).collect()
+    }
+
+    fn agent_count(&self) -> (usize, usize) {
+        match self.motion {
+            ExactMotion::Velocities { positions, .. } => (positions.len(), 2),
+            ExactMotion::Particles { positions, .. } => (positions.len(), 2),
+            ExactMotion::Platoon { deviations, .. } => (deviations.len(), 1),
+            _ => (0, 0),
+        }
+    }
+
+    fn min_distance(&self) -> Result<Interval, Failure> {
+        let (agents, dimension) = self.agent_count();
+        let squares = match self.motion {
+            ExactMotion::Platoon { .. } => squared_differences(&self.places()),
+            _ => self.squares(agents, dimension, 0).iter().map(widened).collect::<Vec<_>>(),
+        };
+        let least =
+            extreme(&squares, false).ok_or_else(|| Failure::open("one agent has no distance to others", None))?;
+        least.sqrt().map_err(unmeasured)
+    }
+
+    /// From the sum over pairs: `N sum |v_i - mean|² = sum over pairs of |v_i - v_j|²`.
+    fn disagreement(&self) -> Result<Interval, Failure> {
+        let (agents, dimension) = self.agent_count();
+        let squares = match self.motion {
+            ExactMotion::Platoon { .. } => squared_differences(&self.speeds()),
+            _ => self.squares(agents, dimension, agents * dimension).iter().map(widened).collect::<Vec<_>>(),
+        };
+        let zero = Interval::from_rational(&rational(0, 1), BITS);
+        let sum = squares.into_iter().fold(zero, |sum, x| sum + x);
+        let mean = sum.over(&sum.integer(agents.max(1) as i64)).map_err(unmeasured)?;
+        mean.sqrt().map_err(unmeasured)
+    }
+
+    /// Actual places `x_k` of the cars.
+    fn places(&self) -> Vec<Interval> {
+        let ExactMotion::Platoon { deviations, spacing, .. } = self.motion else { return Vec::new() };
+        let deviation = self.deviations();
+        (0..deviations.len())
+            .map(|k| {
+                let own = deviation[k].clone();
+                let shift = own.rational(&(spacing * rational(k as i64, 1)));
+                own - shift
+            })
+            .collect()
+    }
+
+    fn cars(&self) -> usize {
+        self.state.len() / 2 - 1
+    }
+
+    /// Deviations `y_k` of the cars, that of the leader with its swing.
+    fn deviations(&self) -> Vec<Interval> {
+        let cars = self.cars();
+        let mut all: Vec<Interval> = self.state[..cars].iter().map(widened).collect();
+        if let Some(first) = all.first_mut() {
+            *first = first.clone() + widened(&self.state[2 * cars]);
+        }
+        all
+    }
+
+    fn speeds(&self) -> Vec<Interval> {
+        let ExactMotion::Platoon { swing, .. } = self.motion else { return Vec::new() };
+        let cars = self.cars();
+        let mut all: Vec<Interval> = self.state[cars..2 * cars].iter().map(widened).collect();
+        if let Some(first) = all.first_mut() {
+            let w = first.rational(&swing.1);
+            *first = first.clone() - widened(&self.state[2 * cars + 1]) * w;
+        }
+        all
+    }
+
+    fn energies(&self, name: &str, potential: &Potential) -> Result<Interval, Failure> {
+        let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
+        let state = State::from_list(numbers.len() / 4, &numbers)
+            .ok_or_else(|| Failure::open("a state of another size", None))?;
+        let kinetic = || kinetic_energy(&state.velocities, Coordinates::Cartesian).map_err(unmeasured);
+        if name == "kinetic" {
+            return kinetic();
+        }
+        let Some(pairs) = &self.pairs else { return Err(Failure::open("the links change at that time", None)) };
+        let value = |_: usize, _: usize, s: &Interval| potential.value(s);
+        let own = potential_energy(&state.positions, pairs, Coordinates::Cartesian, value).map_err(unmeasured)?;
+        if name == "potential" { Ok(own) } else { Ok(own + kinetic()?) }
+    }
+
+    fn of_phases(&self, name: &str, network: &Neighbours, arguments: &[Number]) -> Result<Interval, Failure> {
+        let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
+        // Of particles the first half are places.
+        let phasors = match self.motion {
+            ExactMotion::Particles { .. } => phasors_of(&numbers[numbers.len() / 2..]),
+            _ => phasors_of(&numbers),
+        };
+        if name == "phase_potential" {
+            return phase_potential(network, &phasors, 1).map_err(unmeasured);
+        }
+        let order = match arguments.first() {
+            None => 1,
+            Some(number) => {
+                let range = || Problem::Range {
+                    what: "the index of `order`".to_string(),
+                    expected: "an integer from 1 to 64".to_string(),
+                    found: number.text(),
+                };
+                let order = number.as_integer().and_then(|m| m.to_u32()).filter(|m| (1..=64).contains(m));
+                order.ok_or_else(|| Failure::Refused(0, range()))?
+            }
+        };
+        moment(&phasors, order).and_then(|p| p.norm_squared().sqrt()).map_err(unmeasured)
+    }
+
+    /// (17), of the centres of the circles.
+    fn spacing_potential(&self, frequency: &Rational, network: &Neighbours) -> Result<Interval, Failure> {
+        let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
+        let mut positions = phasors_of(&numbers);
+        let phasors = positions.split_off(positions.len() / 2);
+        let omega = Interval::from_rational(frequency, BITS);
+        spacing_potential(&omega, network, &oscillator::State { positions, phasors }).map_err(unmeasured)
+    }
+
+    fn of_platoon(&self, name: &str, spacing: &Rational) -> Option<Interval> {
+        let deviations = self.deviations();
+        let (leader, followers) = deviations.split_first()?;
+        let size = |x: &Interval| Number::interval(x.clone()).absolute(BITS).enclosure(BITS);
+        match name {
+            "last_deviation" => followers.last().map(|x| x.clone() - leader),
+            "largest_deviation" => {
+                let sizes: Vec<Interval> = followers.iter().map(|x| size(&(x.clone() - leader))).collect();
+                extreme(&sizes, true)
+            }
+            _ => {
+                let gap = |pair: &[Interval]| pair[0].clone() - &pair[1] + pair[0].rational(spacing);
+                let gaps: Vec<Interval> = deviations.windows(2).map(gap).collect();
+                extreme(&gaps, name == "max_gap")
+            }
+        }
+    }
+}
+
+fn unmeasured(error: ArithmeticError) -> Failure {
+    Failure::open(format!("it cannot be measured on the enclosure: {error}"), None)
+}
+
+/// `(x_i - x_j)²` of all pairs.
+fn squared_differences(list: &[Interval]) -> Vec<Interval> {
+    let pairs = (0..list.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+    pairs.map(|(i, j)| (list[i].clone() - &list[j]).square()).collect()
+}
+
+/// Encloses the largest, or the smallest, of some numbers.
+fn extreme(list: &[Interval], largest: bool) -> Option<Interval> {
+    list.iter().cloned().reduce(|a, b| {
+        let end = |x: &Dyadic, y: &Dyadic| if (x >= y) == largest { x.clone() } else { y.clone() };
+        Interval::between(end(a.lo(), b.lo()), end(a.hi(), b.hi()), BITS)
+    })
+}
+
+impl Moment for At<'_> {
+    fn measure(&self, quantity: &Quantity, arguments: &[Number], _: u32) -> Result<Measured, Failure> {
+        let name = quantity.name;
+        let not_here = || {
+            let why = format!("`{name}` is no observable of this model");
+            Failure::Refused(0, Problem::Other(why))
+        };
+        let found = match (self.motion, name) {
+            (ExactMotion::Phases { .. } | ExactMotion::Other(_), "min_distance") => return Err(not_here()),
+            (_, "min_distance") => self.min_distance(),
+            (ExactMotion::Velocities { .. } | ExactMotion::Platoon { .. }, "disagreement") => self.disagreement(),
+            (ExactMotion::Velocities { potential, .. }, "potential" | "kinetic" | "energy") => {
+                self.energies(name, potential)
+            }
+            (
+                ExactMotion::Phases { network, .. } | ExactMotion::Particles { network, .. },
+                "order" | "phase_potential",
+            ) => self.of_phases(name, network, arguments),
+            (ExactMotion::Particles { frequency, network, .. }, "spacing_potential") => {
+                self.spacing_potential(frequency, network)
+            }
+            (ExactMotion::Platoon { spacing, .. }, "min_gap" | "max_gap" | "largest_deviation" | "last_deviation") => {
+                self.of_platoon(name, spacing).ok_or_else(not_here)
+            }
+            _ => return Err(not_here()),
+        };
+        found.map(|x| Measured::Number(Number::interval(x)))
+    }
+}

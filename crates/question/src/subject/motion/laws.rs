@@ -1,0 +1,89 @@
+//! The laws that are enclosed, over any scalar.
+
+use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring};
+use models::oscillator::{Neighbours, State, beacon_control, laplacian_control, spacing_control};
+use models::platoon::{CommunicationGraph, Gains};
+use motion::validated::SmoothLaw;
+use scenario::ExactSpacing;
+
+/// The phase model as phasors: `z' = i (omega_0 + u) z`, real parts and imaginary parts by turns.
+pub(super) struct PhaseLaw<'a> {
+    pub frequency: &'a Rational,
+    pub gain: &'a Rational,
+    pub network: &'a Neighbours,
+}
+
+impl SmoothLaw for PhaseLaw<'_> {
+    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+        let Some(like) = state.first() else { return Ok(Vec::new()) };
+        let phasors = phasors_of(state);
+        let (frequency, gain) = (like.rational(self.frequency), like.rational(self.gain));
+        let control = laplacian_control(&gain, self.network, &phasors)?;
+        let turned = phasors.into_iter().zip(control).flat_map(|(z, u)| {
+            let rate = u + &frequency;
+            [-(z.im * &rate), z.re * rate]
+        });
+        Ok(turned.collect())
+    }
+}
+
+/// Complex numbers from their parts by turns.
+pub(super) fn phasors_of<T: Ring>(state: &[T]) -> Vec<Complex<T>> {
+    state.chunks_exact(2).map(|pair| Complex::new(pair[0].clone(), pair[1].clone())).collect()
+}
+
+/// Steered particles: positions, then phasors.
+pub(super) struct ParticleLaw<'a> {
+    pub frequency: &'a Rational,
+    pub gain: &'a Rational,
+    pub spacing: &'a ExactSpacing,
+    pub drift: &'a [Rational; 2],
+    pub network: &'a Neighbours,
+}
+
+impl SmoothLaw for ParticleLaw<'_> {
+    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+        let Some(like) = state.first() else { return Ok(Vec::new()) };
+        let mut positions = phasors_of(state);
+        let phasors = positions.split_off(positions.len() / 2);
+        let state = State { positions, phasors };
+        let number = |q: &Rational| like.rational(q);
+        let (frequency, gain) = (number(self.frequency), number(self.gain));
+        let spacing = match self.spacing {
+            ExactSpacing::None => vec![like.zero(); state.phasors.len()],
+            ExactSpacing::Circle(strength) => spacing_control(&frequency, &number(strength), self.network, &state)?,
+            ExactSpacing::Beacon(strength, [x, y]) => {
+                beacon_control(&frequency, &number(strength), &Complex::new(number(x), number(y)), &state)?
+            }
+        };
+        let turning = laplacian_control(&gain, self.network, &state.phasors)?;
+        let steering: Vec<T> = turning.into_iter().zip(spacing).map(|(u, s)| u + s + &frequency).collect();
+        let drift = Complex::new(number(&self.drift[0]), number(&self.drift[1]));
+        let moving = state.moving(&steering, &vec![drift; steering.len()]);
+        let rates = moving.positions.into_iter().chain(moving.phasors);
+        Ok(rates.flat_map(|z| [z.re.derivative, z.im.derivative]).collect())
+    }
+}
+
+/// Deviations, rates, and the swing `(A cos wt, A sin wt)` of the leader at the end.
+pub(super) struct PlatoonLaw<'a> {
+    pub gains: &'a (Rational, Rational),
+    pub graph: &'a CommunicationGraph,
+    pub frequency: &'a Rational,
+}
+
+impl SmoothLaw for PlatoonLaw<'_> {
+    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+        let cars = self.graph.followers() + 1;
+        let (Some(swing), Some(like)) = (state.get(2 * cars..), state.first()) else { return Ok(Vec::new()) };
+        let w = like.rational(self.frequency);
+        let swing_rate = [-(swing[1].clone() * &w), swing[0].clone() * &w];
+        let place = state[0].clone() + &swing[0];
+        let speed = state[cars].clone() + &swing_rate[0];
+        let gains = Gains { f: like.rational(&self.gains.0), g: like.rational(&self.gains.1) };
+        let (positions, velocities) = (&state[1..cars], &state[cars + 1..2 * cars]);
+        let forces = self.graph.accelerations(&gains, (&place, &speed), positions, velocities);
+        let rates = state[cars..2 * cars].iter().cloned();
+        Ok(rates.chain([like.zero()]).chain(forces).chain(swing_rate).collect())
+    }
+}

@@ -1,0 +1,150 @@
+//! Motions of scenarios: time operators, particles, platoons as sums over modes.
+
+use super::refusal_with;
+use arithmetic::Unwatched;
+use question::{Answer, Question, Verdict, decide};
+
+fn answered(scenario: &str, family: &str, property: &str, control: &str) -> Answer {
+    let files = |_: &str| Ok(scenario.to_string());
+    let text = asked(family, property, control);
+    decide(&Question::read(&text, &files).expect("a question"), &Unwatched).expect("an answer")
+}
+
+fn asked(family: &str, property: &str, control: &str) -> String {
+    format!(
+        "[question]\nid = \"test\"\nscenario = \"motion.toml\"\n[for]\n{family}\n[holds]\nproperty = \"{property}\"\n\
+         controls = [\"{control}\"]\n"
+    )
+}
+
+fn verdict(scenario: &str, property: &str) -> Verdict {
+    answered(scenario, "n = 1", property, "1 < 0").verdict
+}
+
+/// Two agents without forces: their distance is 1 + t.
+const APART: &str = "model = \"velocity-alignment\"\n[graph]\nkind = \"edges\"\nedges = []\n[state]\n\
+    positions = [[0, 0], [1, 0]]\nvelocities = [[0, 0], [1, 0]]\n[law]\npotential = \"none\"\n[run]\nuntil = 4\n";
+
+/// Twelve steered particles, everyone coupled to everyone.
+fn twelve() -> String {
+    let places: Vec<String> = (0..12).map(|k| format!("[{}, {}]", k % 4, k / 4)).collect();
+    let phases: Vec<String> = (0..12).map(|k| format!("\"{}/10\"", 2 * k - 11)).collect();
+    format!(
+        "model = \"particles\"\n[state]\npositions = [{}]\nphases = [{}]\n[law]\nomega0 = \"1/2\"\nK1 = -1\nK0 = \"1/5\"\n\
+         [run]\nuntil = 1\n",
+        places.join(", "),
+        phases.join(", ")
+    )
+}
+
+fn platoon(followers: usize) -> String {
+    let places: Vec<String> = (0..=followers).map(|k| format!("{}", -2 * (k as i64))).collect();
+    let speeds = vec!["0"; followers + 1].join(", ");
+    format!(
+        "model = \"platoon\"\n[state]\npositions = [{}]\nvelocities = [{speeds}]\n[law]\nf = -1\ng = -1\nspacing = 2\n\
+         communication = \"front-and-back\"\nleader = {{ amplitude = \"1/4\", frequency = \"1/3\" }}\n[run]\nuntil = 4\n",
+        places.join(", ")
+    )
+}
+
+#[test]
+fn until_counts_from_every_time_of_the_outer_operator() {
+    assert_eq!(verdict(APART, "min_distance > 1/2 until[0, 2] min_distance > 2"), Verdict::Holds);
+    assert_eq!(verdict(APART, "min_distance > 3/2 until[0, 2] min_distance > 2"), Verdict::False);
+    // At t = 2/5 the first one holds, and the second one comes at t = 1; at t = 0 the first one does not.
+    let inner = "(min_distance > 13/10 until[0, 1] min_distance > 2)";
+    assert_eq!(verdict(APART, &format!("always[0, 1/2]{inner}")), Verdict::False);
+    assert_eq!(verdict(APART, &format!("eventually[0, 1/2]{inner}")), Verdict::Holds);
+}
+
+#[test]
+fn margins_of_time_operators_are_enclosed() {
+    let margin = |property: &str| {
+        let margin = answered(APART, "n = 1", property, "1 < 0").margin.expect("a margin");
+        assert!(margin.lo <= margin.hi, "{margin:?}");
+        (margin.lo, margin.hi)
+    };
+    let encloses = |(lo, hi): (f64, f64), value: f64, width: f64| {
+        assert!(lo <= value && value <= hi && hi - lo < width, "{value} and [{lo}, {hi}]");
+    };
+    encloses(margin("always[0, 2](min_distance < 4)"), 1.0, 2.0);
+    encloses(margin("always[0, 2](min_distance < 2)"), -1.0, 2.0);
+    // The smaller one of 3 - 2 at t = 2 and of 1 - 1/2 at t = 0.
+    let (lo, hi) = margin("min_distance > 1/2 until[0, 2] min_distance > 2");
+    assert!(lo <= 0.5 && 0.5 <= hi && lo >= -0.5 && hi < 1.5, "[{lo}, {hi}]");
+    let (lo, hi) = margin("min_distance > 3/2 until[0, 2] min_distance > 2");
+    assert!(lo <= -0.5 && -0.5 <= hi && hi <= 0.0, "[{lo}, {hi}]");
+}
+
+#[test]
+fn twelve_steered_particles_are_enclosed() {
+    let text = twelve();
+    let property = "always[1/10, 1](order > initial(order) and min_distance > 1/2) and \
+                    eventually[0, 1](phase_potential < initial(phase_potential) - 1/100)";
+    let answer = answered(&text, "n = 1", property, "always[1/10, 1](order < initial(order))");
+    assert_eq!(answer.verdict, Verdict::Holds, "{}", answer.why);
+    // (17) decreases with a spacing gain below 0 together with the phase potential; with one above 0 particles leave their circle.
+    assert_eq!(verdict(&text, "always[0, 1/2](spacing_potential > 0)"), Verdict::Holds);
+    let switching = text.replace("[state]", "[graph]\nkind = \"within\"\nradius = 1\n[state]");
+    let open = answered(&switching, "n = 1", "always[0, 1](order > 0)", "1 < 0");
+    assert!(open.verdict == Verdict::Undecided && open.why.contains("fixed networks"), "{}", open.why);
+}
+
+#[test]
+fn platoons_on_a_line_are_decided_on_the_sum_over_modes() {
+    // Far more cars and far longer than steps could follow.
+    let (text, long) = (platoon(12), "always[0, 40](abs(last_deviation) < 3 and min_gap > 1)");
+    assert_eq!(verdict(&text, long), Verdict::Holds);
+    assert_eq!(verdict(&text, "always[0, 40](abs(last_deviation) < 1/4)"), Verdict::False);
+    // The same platoon by steps: with the graph written as arcs that say the same, but in a network of its own.
+    let short = platoon(3);
+    let stepped = short.replace("communication = \"front-and-back\"\n", "").replace(
+        "[state]",
+        "[graph]\nkind = \"edges\"\ndirected = true\nedges = [[2, 1], [2, 3], [3, 2], [3, 4], [4, 3]]\n[state]",
+    );
+    let family = "\"state.velocities[2]\" = \"[0, 1/1000]\"";
+    for property in ["always[0, 4](largest_deviation < 1/2)", "eventually[3, 4](last_deviation < -1/20)"] {
+        let [a, b] = [&short, &stepped].map(|text| answered(text, family, property, "1 < 0"));
+        let (a, b) = (a.margin.expect("a margin"), b.margin.expect("a margin"));
+        assert!(a.lo <= b.hi && b.lo <= a.hi, "{property}: {a:?} {b:?}");
+    }
+}
+
+#[test]
+fn what_a_motion_cannot_be_asked() {
+    for (property, column, named) in [
+        ("always[0, inf](min_distance > 0)", 23, "`inf`"),
+        ("always[2, 1](min_distance > 0)", 23, "ends before it begins"),
+        ("always[-1, 1](min_distance > 0)", 20, "not negative"),
+        ("min_distance > 0", 13, "changes in time"),
+        ("always[0, 1](order > 0)", 26, "no observable of this model"),
+    ] {
+        let message = refusal_with(&asked("n = 1", property, "1 < 0"), APART);
+        assert!(message.starts_with(&format!("line 7, column {column}: ")) && message.contains(named), "{message}");
+        assert!(!message.contains('\n'));
+    }
+}
+
+#[test]
+fn a_counterexample_is_shown_in_the_shortest_time() {
+    // The distance 1 + t reaches 2 at t = 1.
+    let family = "\"state.velocities[2][1]\" = [1, 2]";
+    let found = answered(APART, family, "always[0, 3](min_distance < 2) and 1 < 2", "always[0, 3](min_distance < 3/2)");
+    assert_eq!(found.verdict, Verdict::False);
+    let shorter = found.shorter.expect("a shorter time");
+    let end = shorter.split(['[', ']']).nth(1).and_then(|span| span.strip_prefix("0, ")).expect("a span");
+    let end = arithmetic::parse_rational(end).expect("a number");
+    assert!(end >= arithmetic::rational(1, 1) && end < arithmetic::rational(11, 10), "{shorter}");
+    // The replay decides that by itself, with the own control.
+    let replay = found.replay.expect("a replay");
+    assert!(
+        replay.contains(&shorter) && replay.contains("controls = [\"always[0, 3](min_distance < 3/2)\"]"),
+        "{replay}"
+    );
+    let files = |_: &str| Ok(APART.to_string());
+    let again = decide(&Question::read(&replay, &files).expect("a question"), &Unwatched).expect("an answer");
+    assert_eq!((again.verdict, again.controls), (Verdict::False, vec![true]));
+    // With a shorter time the second half could hold: nothing is made shorter.
+    let eventually = answered(APART, "n = 1", "eventually[0, 1/2](min_distance > 2)", "1 < 0");
+    assert_eq!((eventually.verdict, eventually.shorter), (Verdict::False, None));
+}

@@ -1,0 +1,122 @@
+//! Which symmetric patterns are stable.
+
+use super::{enclosed, table};
+use arithmetic::{ArithmeticError, Cancelled, Interval, Progress, Rational, Signed};
+use maud::html;
+use models::oscillator::{FourierFormation, TransverseSpectrum};
+
+/// The linearisation at the pattern of so many clusters, without what rotation and translation force.
+#[derive(Debug, Clone)]
+pub struct PatternRow {
+    /// Clusters.
+    pub clusters: usize,
+    /// Eigenvalues 0, of which rotation forces one.
+    pub zeros: usize,
+    /// Encloses the largest real part of the others; nothing where there are none.
+    pub abscissa: Option<Interval>,
+    /// A wave number that attains it.
+    pub wave: Option<usize>,
+}
+
+/// Why there are no rows.
+#[derive(Debug, thiserror::Error)]
+pub enum PatternError {
+    /// Modes without their eigenvalues.
+    #[error(transparent)]
+    Arithmetic(#[from] ArithmeticError),
+    /// The work was stopped.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+impl PatternRow {
+    /// Digits that are shown.
+    pub const DIGITS: u32 = 18;
+
+    /// A row for each number of clusters that divides the number of particles; `circular` is `omega_0`, not 0, and `K_0`.
+    ///
+    /// # Errors
+    /// [`PatternError`].
+    pub fn all(
+        particles: usize,
+        circular: (&Rational, &Rational),
+        gains: &[Rational],
+        progress: &dyn Progress,
+    ) -> Result<Vec<Self>, PatternError> {
+        let divisors: Vec<usize> = (1..=particles).filter(|m| particles.is_multiple_of(*m)).collect();
+        let mut rows = Vec::new();
+        for (done, &clusters) in divisors.iter().enumerate() {
+            progress.checkpoint()?;
+            progress.tell("patterns", done as u64, Some(divisors.len() as u64));
+            if let Some(formation) = FourierFormation::pattern(clusters, particles, circular, gains) {
+                rows.push(PatternRow::of(clusters, formation.transverse()?));
+            }
+        }
+        Ok(rows)
+    }
+
+    /// From its spectrum.
+    fn of(clusters: usize, spectrum: Option<TransverseSpectrum>) -> Self {
+        match spectrum {
+            None => PatternRow { clusters, zeros: 1, abscissa: None, wave: None },
+            Some(found) => {
+                PatternRow { clusters, zeros: found.zeros, abscissa: Some(found.abscissa), wave: Some(found.wave) }
+            }
+        }
+    }
+
+    /// `stable` exponentially up to rotation and translation, `unstable`, or `undecided` by the linearisation.
+    pub fn verdict(&self) -> &'static str {
+        match &self.abscissa {
+            Some(x) if x.is_certainly_positive() => "unstable",
+            Some(x) if !x.is_certainly_negative() => "undecided",
+            _ if self.zeros > 1 => "undecided",
+            _ => "stable",
+        }
+    }
+
+    /// The enclosure as text.
+    pub fn abscissa_text(&self) -> String {
+        self.abscissa.as_ref().map_or("none".to_string(), |x| enclosed(x, Self::DIGITS))
+    }
+}
+
+/// Every pattern with its verdict and a picture.
+pub fn patterns(rows: &[PatternRow], gains: &[Rational]) -> String {
+    let class = |row: &PatternRow| match row.verdict() {
+        "stable" => "holds",
+        "unstable" => "false",
+        _ => "undecided",
+    };
+    let cells: Vec<Vec<String>> = rows
+        .iter()
+        .map(|row| {
+            vec![row.clusters.to_string(), row.verdict().to_string(), row.abscissa_text(), row.zeros.to_string()]
+        })
+        .collect();
+    let list: Vec<String> = gains.iter().map(Rational::to_string).collect();
+    let shown = html! {
+        p { "Under the gains K = (" (list.join(", ")) "), up to rotation and translation:" }
+        ul.patterns { @for row in rows {
+            li { (picture(row.clusters)) span.chip.(class(row)) { (row.clusters) " cluster" @if row.clusters != 1 { "s" } ": " (row.verdict()) } }
+        } }
+        (table("Patterns", &["clusters", "verdict", "largest real part, enclosed", "eigenvalues 0"], &cells))
+        p.small { "Stable: every eigenvalue of the linearisation but those of the symmetries lies in the left half plane. One eigenvalue 0 belongs to rotation; where there are more, or the largest real part \
+                   cannot be told from 0, the linearisation does not decide." }
+    };
+    shown.into_string()
+}
+
+/// The phases of a pattern on a circle.
+fn picture(clusters: usize) -> maud::Markup {
+    let place = |k: usize| {
+        let angle = std::f64::consts::TAU * k as f64 / clusters as f64;
+        (format!("{:.1}", 32.0 + 24.0 * angle.cos()), format!("{:.1}", 32.0 - 24.0 * angle.sin()))
+    };
+    html! {
+        svg.network width="64" height="64" viewBox="0 0 64 64" aria-hidden="true" {
+            circle.ring cx="32" cy="32" r="24" {}
+            @for k in 0..clusters { @let (x, y) = place(k); circle cx=(x) cy=(y) r="4" {} }
+        }
+    }
+}

@@ -1,0 +1,36 @@
+//! `pattern`: the verdicts that the theory knows, and what is refused.
+
+use super::{assert_refused, flockproof, stdout};
+use serde_json::Value;
+
+fn verdicts(particles: &str, gains: &str) -> Vec<(u64, String)> {
+    let output = flockproof(&["pattern", "--particles", particles, "--gains", gains, "--json"]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let document: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
+    let rows = document["patterns"].as_array().expect("a list").iter();
+    rows.map(|row| (row["clusters"].as_u64().expect("a number"), row["verdict"].as_str().expect("a word").to_string()))
+        .collect()
+}
+
+#[test]
+fn gains_of_theorem_3_stabilise_their_pattern() {
+    // K_m > 0 below M, K_M < 0: the (M,N)-pattern is exponentially stable.
+    for clusters in [1, 2, 3, 4, 6, 12] {
+        let gains: Vec<&str> = (1..clusters).map(|_| "1/5").chain(["-1/25"]).collect();
+        let stable = (clusters, "stable".to_string());
+        assert!(verdicts("12", &gains.join(",")).contains(&stable), "{clusters} clusters");
+    }
+    // With the signs turned it is not.
+    assert!(verdicts("12", "-1/5,-1/5,1/25").contains(&(3, "unstable".to_string())));
+    // Balanced phases without further pattern cost nothing under K_1 alone.
+    assert!(verdicts("12", "1/5").contains(&(12, "undecided".to_string())));
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    assert_refused(&["pattern", "--particles", "0", "--gains", "1"], "particles");
+    assert_refused(&["pattern", "--particles", "61", "--gains", "1"], "60");
+    assert_refused(&["pattern", "--particles", "4", "--gains", "x"], "gains");
+    assert_refused(&["pattern", "--particles", "4", "--gains", "1", "--omega0", "0"], "omega0");
+    assert_refused(&["pattern", "--particles", "2", "--gains", "1,1,1"], "at most 2");
+}
