@@ -354,7 +354,7 @@ impl Campaign<'_> {
             }
             match tables[alteration.file].rows.get(&table::key(alteration)) {
                 None => true,
-                Some(row) => again == Some("all") || again == Some("missed") && row.verdict != "caught",
+                Some(row) => again == Some("all") || again == Some("missed") && row.verdict == "missed",
             }
         };
         in_shard.filter(is_wanted).collect()
