@@ -491,7 +491,7 @@ def _on_cluster(
     as_completed: Any = distributed.as_completed
 
     jobs = _native.campaign_size(plan)[1]
-    workers = max(1, sum(client.nthreads().values()))
+    workers = max(1, sum(cast(Any, client).nthreads().values()))
     of = _positive("shards", shards, max(1, min(jobs, 8 * workers)))
     store.mkdir(parents=True, exist_ok=True)
     files = {index: store / f"shard-{index}-of-{of}.jsonl" for index in range(1, of + 1)}
