@@ -1,10 +1,8 @@
 //! Input in all its forms: what is read, and that the examples of `assets/` are.
 
-use super::{file, flockproof, folder, stdout};
+use super::{file, flockproof, folder, stdout, with_input};
 use serde_json::Value;
-use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 fn json(arguments: &[&str]) -> Value {
     let output = flockproof(arguments);
@@ -77,14 +75,7 @@ fn standard_input_is_a_file() {
             "steady_from",
         ),
     ] {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_flockproof"))
-            .args(arguments)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .expect("the program starts");
-        child.stdin.take().expect("a pipe").write_all(input.as_bytes()).expect("it reads");
-        let output = child.wait_with_output().expect("it ends");
+        let output = with_input(arguments, Path::new("."), &input);
         let document: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
         assert!(!document[key].is_null() && document["configuration"]["file"]["name"] == "-", "{arguments:?}");
     }

@@ -1,5 +1,6 @@
 //! The program as a user meets it: contracts of the subcommands, wrong input, closed pipes.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
@@ -24,6 +25,21 @@ mod tracks;
 
 fn flockproof(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_flockproof")).args(arguments).output().expect("the program starts")
+}
+
+/// With a standard input, from a folder.
+fn with_input(arguments: &[impl AsRef<std::ffi::OsStr>], folder: &Path, input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_flockproof"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    // Most commands do not read it, and may be gone already.
+    let _ = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
+    child.wait_with_output().expect("it ends")
 }
 
 fn stdout(output: &Output) -> String {

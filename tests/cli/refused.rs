@@ -1,9 +1,8 @@
 //! Wrong input: each gets its sentence. The table is `refused.toml`.
 
-use super::folder;
-use std::io::Write;
+use super::{folder, with_input};
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::Output;
 use toml::de::{DeTable, DeValue};
 
 /// One row of the table.
@@ -50,17 +49,7 @@ fn run(case: &Case, folder: &Path) -> Output {
     for (name, contents) in &case.files {
         std::fs::write(folder.join(name), contents).expect("a file");
     }
-    let mut child = Command::new(env!("CARGO_BIN_EXE_flockproof"))
-        .args(&case.run)
-        .current_dir(folder)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    // Most commands do not read it, and may be gone already.
-    let _ = child.stdin.take().expect("a pipe").write_all(case.stdin.as_bytes());
-    child.wait_with_output().expect("it ends")
+    with_input(&case.run, folder, &case.stdin)
 }
 
 #[test]

@@ -73,14 +73,7 @@ fn answer(reply: &str) -> serde_json::Value {
 
 /// What the command line prints for the same, with this standard input.
 fn printed(arguments: &[&str], input: &str) -> serde_json::Value {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_flockproof"))
-        .args(arguments)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the program starts");
-    child.stdin.take().expect("its input").write_all(input.as_bytes()).expect("it reads");
-    let output = child.wait_with_output().expect("it ends");
+    let output = super::with_input(arguments, std::path::Path::new("."), input);
     serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{arguments:?}: {error}"))
 }
 
