@@ -71,18 +71,24 @@ const WORDS: [(&str, &str); 8] = [
     ("unrecognized subcommand", "there is no command"),
 ];
 
-/// Words of the JSON reader, and what they mean to people.
-const JSON_WORDS: [(&str, &str); 5] = [
+/// Words of the readers of JSON and TOML, and what they mean to people.
+const FILE_WORDS: [(&str, &str); 11] = [
     ("EOF while parsing a value", "the text ends where a value should stand,"),
     ("EOF while parsing an object", "the text ends within an object,"),
     ("EOF while parsing a list", "the text ends within a list,"),
     ("EOF while parsing a string", "the text ends within quotes,"),
     ("trailing characters", "something follows after the end,"),
+    ("missing field", "there is no key"),
+    ("invalid type: ", "found "),
+    ("string values must be quoted, expected literal string", "texts stand in quotes, and a key has one value"),
+    ("invalid basic string, expected `\"`", "a text has no closing quote"),
+    (", expected nothing", ""),
+    ("duplicate key", "the key stands there twice"),
 ];
 
 /// A message about a file in plain words.
 pub fn plain(message: &str) -> String {
-    JSON_WORDS.iter().fold(message.to_string(), |text, (theirs, ours)| text.replace(theirs, ours))
+    FILE_WORDS.iter().fold(message.to_string(), |text, (theirs, ours)| text.replace(theirs, ours))
 }
 
 /// The first paragraph of clap's message on one line, with its advice where it has one.
