@@ -262,7 +262,7 @@ fn bad_configurations_are_refused() {
         ("1e-12", "-1", &["run.tolerance"]),
         ("1e-12", "nan", &["run.tolerance"]),
         ("[run]", "[run", &["line 15", "TOML"]),
-        ("until = 100", "until = 100\nuntil = 100", &["line 17", "duplicate"]),
+        ("until = 100", "until = 100\nuntil = 100", &["line 17", "twice"]),
     ] {
         assert_altered_is_refused("three", THREE, (from, to), named);
     }
