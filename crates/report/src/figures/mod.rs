@@ -258,7 +258,7 @@ impl Figure {
         let paper = paper_named(self.paper()).map_or(String::new(), |paper| format!("{} {}", paper.short, paper.year));
         let caption = format!("{}: {}. Claims: {}", self.name, self.about, self.claims.join(", "));
         for (part, picture) in made.pictures {
-            let picture = picture.of(&paper).caption(caption.as_str());
+            let picture = picture.of(&paper).caption(&caption);
             files.push(file(part, "svg", picture.svg().into_bytes()));
             files.push(file(part, "png", picture.png()?));
         }

@@ -20,6 +20,10 @@ pub(super) const GREEN: &str = "#138a5e";
 pub(super) const START: &str = "Classical Runge-Kutta with fixed step; at the start positions are uniform in a\n\
      square of half-width 10 around 0 and phases uniform.\n";
 
+/// What the signs of [`scene`] mean.
+pub(super) const SIGNS: &str = "Discs and black arrows: particles and velocities; grey: paths; cross and blue arrow: centre of \
+     mass and its velocity. The unit of length is the way at unit speed in a unit of time.";
+
 /// A state with its time.
 pub(super) type Timed = (f64, Flight);
 

@@ -74,20 +74,22 @@ fn row(model: &str, particles: usize, kind: usize, gain: &str, found: &Transvers
 
 /// Rates over the gain: `(gain, -abscissa)`.
 fn curve(
-    (name, dashed): (String, bool),
+    name: String,
     of: impl Fn(f64, &Rational) -> Result<TransverseSpectrum, CheckError> + Sync,
 ) -> Result<Series, CheckError> {
     let points = side_by_side(&gains()?, |(x, q)| Ok((*x, -of(*x, q)?.abscissa.to_f64())));
     let points = points.into_iter().collect::<Result<Vec<_>, CheckError>>()?;
-    // Some curves lie on others.
-    Ok(if dashed { Series::dashed(name, points) } else { Series::line(name, points) })
+    Ok(Series::line(name, points))
 }
 
 /// The patterns of all numbers of particles, as rows of the table, lines of the text, and points.
 fn patterns(text: &mut String, table: &mut Vec<Vec<String>>) -> Result<Panel, CheckError> {
     let last = printed(PatternFormation::GAINS.1)?;
-    let panel =
-        Panel::new("a) gains of Figure 4, all M and N", Axis::linear("M"), Axis::log("rate").between(2e-3, 0.1));
+    let panel = Panel::new(
+        "a) gains of Figure 4, all M and N",
+        Axis::linear("M"),
+        Axis::log("rate (per unit of time)").between(2e-3, 0.1),
+    );
     // The rate depends on N through M < N or M = N only.
     let (mut fewer, mut single) = (Vec::new(), Vec::new());
     for particles in ORDERS {
@@ -142,19 +144,21 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     text += "\nMore gain is not faster: beyond some gain the rate falls again (panels b, c).\n\
              Centres move only while u_k differs from w0, and phases that are held firmly\n\
              keep u_k at w0.\n";
-    let axes = |title: &str, gain: &str| Panel::new(title, Axis::log(gain), Axis::log("rate").between(1e-6, 1.0));
+    let axes = |title: &str, gain: &str| {
+        Panel::new(title, Axis::log(gain), Axis::log("rate (per unit of time)").between(1e-6, 1.0))
+    };
     let mut raised = axes("b) N = 12, K_m = 0.2, over |K_M|", "|K_M|");
-    for (clusters, dashed) in [(1, false), (2, true), (3, false), (4, false), (12, true)] {
-        raised =
-            raised.series(curve((format!("M = {clusters}"), dashed), |_, last| pattern(clusters, PARTICLES, last))?);
+    for clusters in [1, 2, 3, 4, 12] {
+        raised = raised.series(curve(format!("M = {clusters}"), |_, last| pattern(clusters, PARTICLES, last))?);
     }
     let mut ring = axes("c) Figure 3 on the ring, over |K_1|", "|K_1|");
     for (wave, sign) in [(0, -1.0), (1, -1.0), (2, -1.0), (4, 1.0), (5, 1.0), (6, 1.0)] {
         let name = format!("m = {wave}, K_1 {} 0", if sign < 0.0 { "<" } else { ">" });
-        ring = ring.series(curve((name, sign > 0.0), |gain, _| twisted(sign * gain, wave))?);
+        ring = ring.series(curve(name, |gain, _| twisted(sign * gain, wave))?);
     }
-    let picture = Picture::new("Rates of decay to symmetric circular formations, ω0 = 0.1")
-        .grid(3, (430.0, 400.0))
+    let picture = Picture::new("Rates of decay to symmetric circular formations, ω_0 = 0.1")
+        .caption("Some curves coincide over a part of the range.")
+        .grid(3, (340.0, 360.0))
         .panel(all)
         .panel(raised)
         .panel(ring);

@@ -187,7 +187,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
              differences are within 0.05 of 2 pi m/12 and the centres within 0.05 of the\n\
              radius, else at t = 6000. Exactly stable there: |m| <= 2 for K_1 < 0 and\n\
              4 <= |m| <= 6 for K_1 > 0 (beyond.paley.cyclic_patterns).\n";
-    let picture = Picture::new("Exploration: shares of random starts, with 95% intervals").grid(3, (400.0, 380.0));
+    let picture = Picture::new("Exploration: shares of random starts, with 95% intervals").grid(3, (350.0, 350.0));
     let picture = panels.into_iter().fold(picture, Picture::panel);
     Ok(Reproduced::new(text).table("", csv("model,state,found,starts,share,low,high", table)).picture("", picture))
 }

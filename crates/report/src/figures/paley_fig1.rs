@@ -10,8 +10,9 @@ use models::oscillator::{mean, order, shape_rate};
 use std::fmt::Write;
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
-    let mut picture =
-        Picture::new("Figure 1: four types of motion under the control (9), N = 12").grid(2, (470.0, 440.0));
+    let mut picture = Picture::new("Figure 1: four types of motion under the control (9), N = 12")
+        .caption(super::paley::SIGNS)
+        .grid(2, (470.0, 440.0));
     let mut table = Vec::new();
     let mut text = format!(
         "The paper gives the signs only. Chosen: w0 = 0 and {OMEGA}, K_1 = -1 and 1,\n\
@@ -44,7 +45,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             turning_error(omega, &steering),
             shape_rate(&state, &steering),
         );
-        let title = format!("({panel}) ω0 = {omega}, K_1 = {gain}: {name}").replace("-1", "−1");
+        let title = format!("({panel}) ω_0 = {omega}, K_1 = {gain}: {name}").replace("-1", "−1");
         picture = picture.panel(scene(title, &course, &Complex::new(0.0, 0.0))?);
         table.extend(rows(panel, &course));
     }

@@ -19,8 +19,8 @@ fn vertices(polygon: &Polygon) -> Result<Vec<(f64, f64)>, CheckError> {
 
 fn panel(title: String, vertices: &[(f64, f64)]) -> Panel {
     let ticks = [-1.0, 0.0, 1.0];
-    let axis = || Axis::linear("").between(-1.25, 1.25).ticks(ticks);
-    Panel::new(title, axis(), axis())
+    let axis = |label: &str| Axis::linear(label).between(-1.25, 1.25).ticks(ticks);
+    Panel::new(title, axis("real part"), axis("imaginary part"))
         .equal_scales()
         .series(circle((0.0, 0.0), 1.0).colour("#b4bfc6"))
         .series(Series::line("", vertices.iter().chain(vertices.first()).copied()).colour(BLUE).size(1.4))

@@ -49,8 +49,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         CyclicFormation::STEP * CyclicFormation::STEPS as f64,
     );
     let mut picture =
-        Picture::new("Figure 3: circular formations under (22) on the cyclic graph, N = 12, ω0 = 0.1, K_0 = Nω0")
-            .grid(3, (400.0, 390.0));
+        Picture::new("Figure 3: circular formations under (22) on the cyclic graph, N = 12, ω_0 = 0.1, K_0 = Nω_0")
+            .caption(super::paley::SIGNS)
+            .grid(3, (350.0, 340.0));
     let mut potentials = Panel::new(
         "(f) the phase potential",
         Axis::linear("time (speed 1, lengths as in the panel)"),

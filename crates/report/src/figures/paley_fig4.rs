@@ -20,8 +20,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         PatternFormation::STEP,
         PatternFormation::STEP * PatternFormation::STEPS as f64,
     );
-    let mut picture =
-        Picture::new("Figure 4: symmetric circular formations, N = 12, ω0 = K_0 = 0.1").grid(3, (400.0, 390.0));
+    let mut picture = Picture::new("Figure 4: symmetric circular formations, N = 12, ω_0 = K_0 = 0.1")
+        .caption(super::paley::SIGNS)
+        .grid(3, (340.0, 330.0));
     let mut table = Vec::new();
     let made = side_by_side(&[1usize, 2, 3, 4, 6, 12], |&clusters| {
         Ok((clusters, PatternFormation::of_clusters(clusters).course(start("paley.fig4", 0), 1)?))

@@ -61,8 +61,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let error = Panel::new("tracking error", Axis::linear("time (speed 1, lengths as in the panel)"), scale)
         .series(Series::line("", errors.iter().copied()).size(1.4))
         .series(Series::dashed("0.01", [(0.0, TOLERANCE), (4.0 * length, TOLERANCE)]).size(1.0));
-    let picture = Picture::new("Figure 5: a group tracks a reference direction, N = 12, ω0 = 0, K_1 = −1")
-        .grid(2, (560.0, 460.0))
+    let picture = Picture::new("Figure 5: a group tracks a reference direction, N = 12, ω_0 = 0, K_1 = −1")
+        .caption(super::paley::SIGNS)
+        .grid(2, (500.0, 420.0))
         .panel(scene("paths; the velocities are those at the end".to_string(), &course, &Complex::new(0.0, 0.0))?)
         .panel(error);
     let errors = csv("t,largest_error", errors.into_iter().map(|(t, error)| [t.to_string(), format!("{error:.6e}")]));

@@ -34,8 +34,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         DriftingOrbit::STEP,
         DriftingOrbit::STEP * DriftingOrbit::STEPS as f64,
     );
-    let mut picture =
-        Picture::new("Figure 6: the synchronised circular formation in a drift field").grid(2, (520.0, 430.0));
+    let mut picture = Picture::new("Figure 6: the synchronised circular formation in a drift field")
+        .caption(super::paley::SIGNS)
+        .grid(2, (520.0, 430.0));
     let mut distance = Panel::new(
         "(d) distance of the mean of the circle centres",
         Axis::linear("time (speed 1, lengths as in the panel)"),

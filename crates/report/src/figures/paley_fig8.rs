@@ -72,7 +72,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     });
     let runs = runs.into_iter().collect::<Result<Vec<_>, CheckError>>()?;
     let mut picture = Picture::new("Figure 8: circular formations and zones of orientation (patches), N = 12")
-        .grid(3, (400.0, 390.0));
+        .caption(super::paley::SIGNS)
+        .grid(3, (350.0, 340.0));
     let (mut table, mut summary) = (Vec::new(), Vec::new());
     for ((column, name, formation), (shown, all)) in panels.iter().zip(&runs) {
         let count = all.len() as f64;

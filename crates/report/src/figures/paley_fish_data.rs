@@ -63,7 +63,7 @@ impl Made {
 /// Figure S2.
 pub(super) fn snapshots() -> Result<Reproduced, CheckError> {
     let mut picture =
-        Picture::new("Figure S2 on SYNTHETIC schools (the measured tracks are not published)").grid(3, (430.0, 450.0));
+        Picture::new("Figure S2 on SYNTHETIC schools (the measured tracks are not published)").grid(3, (350.0, 370.0));
     let mut text = format!("{DECLARATION}\n  school                       empty zones of orientation   mean |p_1|\n");
     let mut rows = Vec::new();
     for school in SCHOOLS {
@@ -90,7 +90,7 @@ pub(super) fn potentials() -> Result<Reproduced, CheckError> {
     let mut picture = Picture::new(
         "Figure S3 on SYNTHETIC schools (the measured tracks are not published), with schools without interaction beside them",
     )
-    .grid(3, (430.0, 300.0));
+    .grid(3, (350.0, 280.0));
     let mut text = format!(
         "{DECLARATION}Added: d) eight fish that swim independently. Null models: independent uniform\n\
          headings; headings shifted in time ({SHIFTS} circular shifts).\n\n\

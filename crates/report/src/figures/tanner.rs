@@ -135,6 +135,9 @@ pub(super) fn line(
     Series::line(name, course.iter().map(|seen| (seen.time, quantity(seen)))).colour(colour)
 }
 
+/// What the signs of [`snapshot`] mean.
+pub(super) const SIGNS: &str = "Discs: agents; orange: velocities, drawn to the scale of each picture; grey: links.";
+
 /// Positions relative to their mean, links, and velocities as lines whose longest is a sixth of the picture.
 pub(super) fn snapshot(title: String, sample: &Sample, links: bool) -> Panel {
     let state = &sample.state;

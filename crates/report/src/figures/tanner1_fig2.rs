@@ -9,7 +9,7 @@ use models::double_integrator::Potential;
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let printed = Potential::inverse_square_log(&rational(1, 1));
     let spring = Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1));
-    let points: Vec<f64> = (1..=200).map(|k| 0.35 + 0.0133 * f64::from(k)).collect();
+    let points: Vec<f64> = (1..=208).map(|k| 0.2436 + 0.0133 * f64::from(k)).collect();
     let values = |potential: &Potential| {
         points.iter().map(|r| Ok((*r, potential.value(&(r * r))?))).collect::<Result<Vec<_>, CheckError>>()
     };
@@ -43,7 +43,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         .panel(
             Panel::new("b) force (positive: apart)", distance(), Axis::linear("−dV/dr").between(-1.5, 6.0))
                 .series(Series::line("of the printed potential", force))
-                .series(Series::dashed("", [(0.0, 0.0), (3.0, 0.0)])),
+                .series(Series::line("", [(0.0, 0.0), (3.0, 0.0)]).colour("#555555").size(1.0)),
         );
     Ok(Reproduced::new(text).table("", csv).picture("", picture))
 }

@@ -1,7 +1,7 @@
 //! Figures 3 to 6 and 7 to 10 of Tanner, Jadbabaie and Pappas, part I: heading alignment on complete and incomplete graphs.
 
 use super::tanner::{
-    COURSE, Row, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
+    COURSE, Row, SIGNS, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
 };
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Colour, PALETTE, Panel, Picture};
@@ -107,6 +107,7 @@ fn draw(
         Picture::new(format!(
             "Figures {figures}: headings align, {kind} graph, ten agents. Run {replicate}; snapshots with V = s + 1/s − 2, up to 20 m/s"
         ))
+        .caption(SIGNS)
         .grid(2, (430.0, 330.0));
     let mut courses = Vec::new();
     // Equal ratios from 1/10 s on.

@@ -2,7 +2,7 @@
 //! come close.
 
 use super::tanner::{
-    COURSE, Row, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
+    COURSE, Row, SIGNS, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
 };
 use super::{Reproduced, csv};
 use crate::plot::{Axis, PALETTE, Panel, Picture};
@@ -54,24 +54,26 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let shown = shown.unwrap_or(0) as u64;
     let flock = drawn(ID, &Setup::velocity_alignment(LinkRule::Random(0.5)), shown)?;
     let (motion, course) = course(&flock, &merged((0..500).map(|k| 0.2 * f64::from(k)), &TIMES))?;
-    let mut picture = Picture::new("Figure 4: ten agents on a fixed random network").grid(3, (380.0, 350.0));
+    let mut picture =
+        Picture::new("Figure 4: ten agents on a fixed random network").caption(SIGNS).grid(3, (350.0, 330.0));
     for sample in TIMES.iter().filter_map(|time| at(&motion, *time)) {
         picture = picture.panel(snapshot(format!("t = {} s", sample.time), sample, true));
     }
     let time = || Axis::linear("time (s)").between(0.0, until);
     picture = picture
-        .panel(
-            Panel::new("velocities", time(), Axis::log("disagreement (m/s), spread (rad)"))
-                .series(line("disagreement", PALETTE[0], &course, |o| o.disagreement))
-                .series(line("heading spread", PALETTE[1], &course, |o| o.heading_spread)),
-        )
+        .panel(Panel::new("velocities", time(), Axis::log("disagreement (m/s)")).series(line(
+            "",
+            PALETTE[0],
+            &course,
+            |o| o.disagreement,
+        )))
         .panel(
             Panel::new("distances", time(), Axis::log("least distance (m)"))
                 .series(line("all pairs", PALETTE[0], &course, |o| o.least_distance))
                 .series(line("pairs without link", PALETTE[1], &course, |o| o.least_unlinked)),
         )
         .panel(
-            Panel::new("energy", time(), Axis::log("energy"))
+            Panel::new("energy", time(), Axis::log("energy (masses 1)"))
                 .series(line("sum of potentials", PALETTE[2], &course, |o| o.potential))
                 .series(line("kinetic, W less that sum", PALETTE[3], &course, |o| o.energy - o.potential)),
         );

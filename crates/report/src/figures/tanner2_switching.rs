@@ -1,7 +1,7 @@
 //! Figures 5 and 6 of Tanner, Jadbabaie and Pappas, Flocking in fixed and switching networks: links within 2 m, connected and torn.
 
 use super::tanner::{
-    COURSE, Row, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
+    COURSE, Row, SIGNS, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
 };
 use super::{Reproduced, csv};
 use crate::plot::{Axis, PALETTE, Panel, Picture};
@@ -85,7 +85,7 @@ fn draw(
 ) -> Result<Reproduced, CheckError> {
     let flock = drawn(id, &setup(connected), replicate)?;
     let (motion, course) = course(&flock, &merged((0..500).map(|k| 0.2 * f64::from(k)), times))?;
-    let mut picture = Picture::new(format!("Figure {title}")).grid(3, (380.0, 350.0));
+    let mut picture = Picture::new(format!("Figure {title}")).caption(SIGNS).grid(3, (350.0, 330.0));
     for sample in times.iter().filter_map(|time| at(&motion, *time)) {
         picture = picture.panel(snapshot(format!("t = {} s", sample.time), sample, true));
     }
@@ -93,8 +93,8 @@ fn draw(
     picture = picture
         .panel(
             Panel::new("velocities", time(), Axis::log("disagreement (m/s)"))
-                .series(line("within a component", PALETTE[1], &course, |o| o.component_disagreement))
-                .series(line("of all", PALETTE[0], &course, |o| o.disagreement)),
+                .series(line("of all", PALETTE[0], &course, |o| o.disagreement))
+                .series(line("within a component", PALETTE[1], &course, |o| o.component_disagreement)),
         )
         .panel(
             Panel::new("network", time(), Axis::log("number").between(0.8, 60.0))

@@ -142,11 +142,15 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             let chosen = found.iter().filter(move |f| quantity(f).swings == swings);
             chosen.map(move |f| (f.connectivity, quantity(f).rate)).collect::<Vec<_>>()
         };
-        Panel::new(title, Axis::linear("algebraic connectivity λ_2"), Axis::linear("rate").between(0.0, top))
-            .series(Series::points("slowest mode swings", of(true)).colour(PALETTE[0]))
-            .series(Series::crosses("it does not", of(false)).colour(PALETTE[1]))
-            .series(Series::dashed("λ_2 (no potentials)", [(0.0, 0.0), (6.0, 6.0)]).colour(PALETTE[7]))
-            .series(Series::dashed("λ_2 / 2", [(0.0, 0.0), (6.0, 3.0)]).colour(PALETTE[2]))
+        Panel::new(
+            title,
+            Axis::linear("algebraic connectivity λ_2"),
+            Axis::linear("rate of approach (1/s)").between(0.0, top),
+        )
+        .series(Series::points("slowest mode swings", of(true)).colour(PALETTE[0]))
+        .series(Series::crosses("it does not", of(false)).colour(PALETTE[1]))
+        .series(Series::dashed("λ_2 (no potentials)", [(0.0, 0.0), (6.0, 6.0)]).colour(PALETTE[7]))
+        .series(Series::line("λ_2 / 2", [(0.0, 0.0), (6.0, 3.0)]).colour(PALETTE[2]))
     };
     let top = found.iter().map(|f| f.soft.rate).fold(0.0, f64::max) * 1.3;
     let picture = Picture::new("Exploration: rate of approach against algebraic connectivity, 3 to 6 agents")

@@ -51,11 +51,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             } else {
                 ""
             };
-            // One legend is enough.
-            let shown = if from > 0.0 { "" } else { name };
             let line = stage.iter().map(|(t, places)| (*t, places[car]));
-            panel =
-                panel.series(Series::line(shown, line).colour(colour).size(if name.is_empty() { 0.6 } else { 1.8 }));
+            panel = panel.series(Series::line(name, line).colour(colour).size(if name.is_empty() { 0.6 } else { 1.8 }));
         }
         picture = picture.panel(panel);
         for (t, places) in stage {

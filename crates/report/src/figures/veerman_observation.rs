@@ -48,7 +48,10 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         let _ =
             writeln!(text, "{:4} {relaxation:8.2}   {:>5} {:>5} {:>5}", row.n, until(1e-2), until(1e-4), until(1e-6));
         left = left.series(Series::joined(format!("N = {}", row.n), lacking.clone()).size(2.4));
-        right = right.series(Series::joined("", lacking.iter().map(|(n, share)| (n / relaxation, *share))).size(2.4));
+        right = right.series(
+            Series::joined(format!("N = {}", row.n), lacking.iter().map(|(n, share)| (n / relaxation, *share)))
+                .size(2.4),
+        );
     }
     text.push_str("\nPeriods are tried in steps of a factor of sqrt2.\n");
     let picture = Picture::new("Measured peak of the last follower against the certified resonance")

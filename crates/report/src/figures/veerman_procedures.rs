@@ -172,7 +172,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         .contains(name)
         {
             left = left.series(Series::joined(*name, amplitudes));
-            right = right.series(Series::joined("", frequencies));
+            right = right.series(Series::joined(*name, frequencies));
         }
     }
     text.push_str(

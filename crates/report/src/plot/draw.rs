@@ -72,12 +72,16 @@ pub(super) fn draw(picture: &Picture) -> Sheet {
 
 /// A text broken into lines that fit.
 fn lines(text: &str, letter: f64, width: f64) -> Vec<String> {
+    const BOUND: char = '\u{a0}';
     let fit = ((width / letter) as usize).max(20);
     if text.is_empty() {
-        Vec::new()
-    } else {
-        textwrap::wrap(text, fit).into_iter().map(|line| line.into_owned()).collect()
+        return Vec::new();
     }
+    // A formula such as `f = g = −1` stays in one line.
+    let bound = ['=', '+', '−', '<', '>']
+        .into_iter()
+        .fold(text.to_string(), |text, sign| text.replace(&format!(" {sign} "), &format!("{BOUND}{sign}{BOUND}")));
+    textwrap::wrap(&bound, fit).into_iter().map(|line| line.replace(BOUND, " ")).collect()
 }
 
 /// The rows of a legend that is as wide as its panel: which series stand in each, and how far from the left.
@@ -101,7 +105,7 @@ fn legend_rows(panel: &Panel, width: f64) -> Vec<Vec<(usize, f64)>> {
 /// The height of the legend of a panel.
 fn legend_height(panel: &Panel, width: f64) -> f64 {
     let rows = legend_rows(panel, width - LEGEND_MARGIN).len();
-    if rows == 0 { 0.0 } else { 18.0 * rows as f64 + 4.0 }
+    if rows == 0 { 0.0 } else { 18.0 * rows as f64 + 9.0 }
 }
 
 /// What a legend leaves free of the width of its panel.
@@ -357,18 +361,20 @@ fn arrow(series: &Series, colour: Colour, tail: Place, head: Place, out: &mut Ve
     out.push(Shape::area([head, corner(1.0), corner(-1.0)], Fill { colour, opacity: 1.0 }));
 }
 
-/// Series with a colour of their own have whole lines and discs; the others take the next look, where they have a name.
+/// Series with a colour of their own have whole lines and discs, unless it is one of the palette and they, or others of the
+/// same kind and colour, have a name; the others take the next look, where they have a name or marks.
 fn looks(series: &[Series]) -> Vec<Look> {
     let mut next = 0;
     let look = |s: &Series| match s.colour {
         // The first colours of the palette, given by name, keep the line that goes with them.
         Some(colour) => {
-            let known = PALETTE.iter().position(|known| *known == colour).filter(|_| !s.name.is_empty());
+            let like = |o: &Series| !o.name.is_empty() && o.colour == s.colour && o.mark == s.mark;
+            let known = PALETTE.iter().position(|known| *known == colour).filter(|_| series.iter().any(like));
             Look { colour, place: known.unwrap_or(0) }
         }
         None => {
             next += 1;
-            let place = if s.name.is_empty() { 0 } else { next - 1 };
+            let place = if s.name.is_empty() && s.mark != Mark::Joined { 0 } else { next - 1 };
             Look { colour: PALETTE[(next - 1) % PALETTE.len()], place }
         }
     };

@@ -53,9 +53,12 @@ impl Picture {
         self
     }
 
-    /// Writes below the panels where the picture belongs.
-    pub fn caption(mut self, caption: impl Into<String>) -> Self {
-        self.caption = caption.into();
+    /// Adds to what is written below the panels: what its signs mean, where the picture belongs.
+    pub fn caption(mut self, sentence: &str) -> Self {
+        if !self.caption.is_empty() {
+            self.caption.push(' ');
+        }
+        self.caption.push_str(sentence);
         self
     }
 

@@ -74,7 +74,7 @@ fn logarithmic_ticks(low: f64, high: f64, wanted: usize) -> (Vec<f64>, Vec<f64>)
         let powers = (first..=last).filter(|k| k.rem_euclid(every) == 0);
         powers.flat_map(|k| digits.iter().map(move |d| f64::from(*d) * 10f64.powi(k)).collect::<Vec<_>>()).collect()
     };
-    let every = ((decades / wanted.max(2) as f64).ceil() as i32).max(1);
+    let every = ((decades / (wanted.max(2) + 1) as f64).ceil() as i32).max(1);
     let fine = [2, 3, 4, 5, 6, 7, 8, 9];
     if decades < 1.0 {
         return (linear_ticks(low, high, wanted), Vec::new());
