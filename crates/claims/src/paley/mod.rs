@@ -1,7 +1,6 @@
 //! Claims of Paley, Leonard, Sepulchre, Grünbaum and Parrish, Oscillator models and collective motion.
 
 mod phase;
-pub mod runs;
 mod space;
 
 pub use phase::{CyclicVariant, Kind, Polygon, printed_column, rhombus, value_of};

@@ -1,8 +1,8 @@
 //! The runs of the figures of Paley and others, on states whose end is known.
 
 use arithmetic::Complex;
-use claims::paley::runs::{CyclicFormation, Experiment, FourMotions, OMEGA, Rim, RingPhases, ZoneFormation, ZoneLaw};
 use models::oscillator::{Flight, circular_formation, nearest_twist, order, winding};
+use runs::{CyclicFormation, Experiment, FourMotions, OMEGA, Rim, RingPhases, ZoneFormation, ZoneLaw};
 use std::f64::consts::{PI, TAU};
 
 /// Particles on one circle with these phases, turned by the same angle.

@@ -3,10 +3,10 @@
 use crate::plot::{Axis, Panel, Series};
 use arithmetic::random::generator;
 use arithmetic::{ArithmeticError, Complex};
-use claims::paley::runs::{Experiment, random_start};
 use ledger::{CheckError, Options};
 use models::angles::within_a_turn;
 use models::oscillator::{Flight, Zones, mean};
+use runs::{Experiment, random_start};
 use std::f64::consts::{PI, TAU};
 
 pub(super) const RED: &str = "#c22f2f";

@@ -3,10 +3,10 @@
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::{Interval, Rational, decimals, parse_rational, rational};
-use claims::paley::runs::{CyclicFormation, OMEGA, PARTICLES, PatternFormation};
 use ledger::CheckError;
 use models::oscillator::{FourierFormation, TransverseSpectrum};
 use motion::side_by_side;
+use runs::{CyclicFormation, OMEGA, PARTICLES, PatternFormation};
 use std::fmt::Write;
 
 /// Numbers of particles; all their divisors are taken.

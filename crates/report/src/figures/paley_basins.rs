@@ -3,11 +3,11 @@
 use super::paley::{START, start};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Colour, PALETTE, Panel, Picture, Series};
-use claims::paley::runs::{CyclicFormation, Experiment, OMEGA, PatternPhases, RingPhases};
 use ledger::CheckError;
 use models::oscillator::{CLUSTER, Flight, centre_spread, nearest_twist, ring_differences, winding};
 use motion::Share;
 use motion::side_by_side;
+use runs::{CyclicFormation, Experiment, OMEGA, PatternPhases, RingPhases};
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 use std::fmt::Write;

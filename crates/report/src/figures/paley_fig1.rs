@@ -4,9 +4,9 @@ use super::paley::{COLUMNS, START, end, rows, scene, start, turning_error};
 use super::{Reproduced, csv};
 use crate::plot::Picture;
 use arithmetic::Complex;
-use claims::paley::runs::{Experiment, FourMotions, OMEGA};
 use ledger::CheckError;
 use models::oscillator::{mean, order, shape_rate};
+use runs::{Experiment, FourMotions, OMEGA};
 use std::fmt::Write;
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {

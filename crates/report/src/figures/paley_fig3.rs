@@ -5,9 +5,9 @@ use super::paley_abscissa::{rate, twisted};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::Complex;
-use claims::paley::runs::{CyclicFormation, Experiment, OMEGA, PARTICLES};
 use ledger::CheckError;
 use models::oscillator::{CLUSTER, Flight, centre_spread, nearest_twist, order, pattern, phase_potential};
+use runs::{CyclicFormation, Experiment, OMEGA, PARTICLES};
 use std::fmt::Write;
 
 const CLAIM: &str = "paley.fig3";

@@ -4,9 +4,9 @@ use super::paley::{COLUMNS, START, Timed, end, rows, scene, start};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::Complex;
-use claims::paley::runs::{Experiment, ReferenceTracking};
 use ledger::CheckError;
 use models::oscillator::mean;
+use runs::{Experiment, ReferenceTracking};
 use std::f64::consts::PI;
 use std::fmt::Write;
 

@@ -4,9 +4,9 @@ use super::paley::{COLUMNS, ORANGE, START, Timed, circle, end, pair, rows, scene
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::Complex;
-use claims::paley::runs::{DriftingOrbit, Experiment, OMEGA};
 use ledger::CheckError;
 use models::oscillator::{Flight, centre_spread, circle_centres, mean, order, quarter_turn};
+use runs::{DriftingOrbit, Experiment, OMEGA};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 

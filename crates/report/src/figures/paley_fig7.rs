@@ -4,9 +4,9 @@ use super::paley::{BLACK, BLUE, GREEN, ORANGE, RED, zone_outline};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::Complex;
-use claims::paley::runs::zones_of_figure_7;
 use ledger::CheckError;
 use models::oscillator::Zone;
+use runs::zones_of_figure_7;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Write;
 

@@ -4,10 +4,10 @@ use super::paley::{COLUMNS, START, end, rows, scene, start, zone_outline};
 use super::{Reproduced, csv};
 use crate::plot::{Picture, Series};
 use arithmetic::Complex;
-use claims::paley::runs::{Experiment, OMEGA, ZoneFormation, ZoneLaw};
 use ledger::CheckError;
 use models::oscillator::{CLUSTER, Flight, centre_spread, shape_rate};
 use motion::side_by_side;
+use runs::{Experiment, OMEGA, ZoneFormation, ZoneLaw};
 use std::fmt::Write;
 
 /// The claim whose starts are used, and how many of them.

@@ -2,11 +2,11 @@
 
 use super::runs::{Flights, SPACING, TYPICAL, simulated};
 use super::zone_circles::splay_pulls_back;
-use crate::paley::runs::{ZoneFormation, ZoneLaw};
 use crate::shares::judged;
 use ledger::{CheckError, Evidence, Grade, Outcome, Record, Run};
 use models::oscillator::CLUSTER;
 use motion::{Sample, Share};
+use runs::{ZoneFormation, ZoneLaw};
 
 /// The sign of `K_1`, and the numbers `M` whose zones are compared.
 #[derive(Clone)]

@@ -3,9 +3,6 @@
 use super::balanced::hessian_inertia;
 use super::instances::scattered_phasors;
 use super::runs::{SHOWN, TYPICAL, random_start, simulated};
-use crate::paley::runs::{
-    CyclicFormation, DriftingOrbit, Experiment, FourMotions, OMEGA, PARTICLES, PatternFormation, ReferenceTracking,
-};
 use crate::shares::judged;
 use algebra::matrix::{Inertia, inertia};
 use arithmetic::{CosineField, Field, rational};
@@ -15,6 +12,9 @@ use models::oscillator::{
     pattern_gradient, phase_jacobian, shape_rate, symmetric_pattern,
 };
 use motion::Share;
+use runs::{
+    CyclicFormation, DriftingOrbit, Experiment, FourMotions, OMEGA, PARTICLES, PatternFormation, ReferenceTracking,
+};
 
 /// The phases synchronise for this sign of `K_1` and balance for the other; `w0` of the two rows of the figure.
 #[derive(Clone, Copy)]

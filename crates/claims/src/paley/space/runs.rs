@@ -1,9 +1,9 @@
 //! What the claims about figures share: their starts, their evidence and the rule by which they are read.
 
-use crate::paley::runs::{self, DECLARATION, Experiment, ZoneFormation};
 use arithmetic::ArithmeticError;
 use ledger::{CheckError, Evidence, Grade, Run};
 use models::oscillator::Flight;
+use runs::{self, DECLARATION, Experiment, ZoneFormation};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 

@@ -5,7 +5,6 @@
 //! negative ones; it is exponentially stable up to the symmetries where that Hessian is positive definite up to rotation.
 
 use super::instances::{connected_graphs, described, scattered_phasors, stability};
-use crate::paley::runs::PARTICLES;
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::{Inertia, inertia};
@@ -14,6 +13,7 @@ use models::oscillator::{
     CircularGains, FourierFormation, Neighbours, circular_control, circular_formation, linearisation, pattern_control,
     pattern_gradient, phase_jacobian, spacing_control, symmetric_pattern,
 };
+use runs::PARTICLES;
 
 /// paley.sync.exp and paley.fig6.gain: the synchronised circular formation under (22).
 #[derive(Clone, Copy)]

@@ -1,12 +1,12 @@
 //! paley.fig8.circ: whether the particles of Figure 8 converge to one circle; and splay formations in zones with a blind spot.
 
 use super::runs::{SPACING, TYPICAL, random_start, simulated};
-use crate::paley::runs::{Experiment, OMEGA, PARTICLES, ZoneFormation, ZoneLaw};
 use crate::shares::judged;
 use arithmetic::{Complex, CosineField, RealCyclotomic, Ring, Signed};
 use ledger::{CheckError, Evidence, Fault, Grade, Outcome, Record, Run};
 use models::oscillator::{Flight, Neighbours, centre_spread, misalignment, shape_rate};
 use motion::Share;
+use runs::{Experiment, OMEGA, PARTICLES, ZoneFormation, ZoneLaw};
 
 /// The gains `K_1` for which runs converge, the spacing gain, and what counts as convergence.
 #[derive(Clone, Copy)]

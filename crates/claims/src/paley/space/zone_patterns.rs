@@ -2,11 +2,11 @@
 
 use super::instances::{StateIdentity, one_way_ring, state_identity};
 use super::runs::{Flights, SPACING, TYPICAL, simulated};
-use crate::paley::runs::{ZoneFormation, ZoneLaw};
 use crate::prelude::*;
 use crate::shares::judged;
 use models::oscillator::{CLUSTER, Neighbours, relative_position_control};
 use motion::{Sample, Share};
+use runs::{ZoneFormation, ZoneLaw};
 use std::f64::consts::TAU;
 
 /// The share of the angle `2 pi/M` of a zone that its clusters keep apart on average.

@@ -1,9 +1,9 @@
 //! paley.chord, paley.fig7: the geometry of the zones.
 
 use super::instances::scattered_phasors;
-use crate::paley::runs::zones_of_figure_7;
 use crate::prelude::*;
 use models::oscillator::{Zone, phasor};
+use runs::zones_of_figure_7;
 
 /// The distance of clusters `steps` places apart is `factor sin(pi steps'/M)`.
 #[derive(Clone, Copy)]

@@ -1,5 +1,5 @@
-//! The runs behind Figures 1, 3 to 6 and 8: each law with the parameters that the paper gives and those that it leaves open. The
-//! claims about these figures and the figures themselves use the same runs.
+//! The runs behind Figures 1, 3 to 6 and 8 of Paley and others: each law with the parameters that the paper gives and those that it
+//! leaves open. The claims about these figures and the figures themselves use the same runs.
 
 mod formations;
 mod zones;
