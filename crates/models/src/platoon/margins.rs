@@ -111,7 +111,7 @@ fn turned_is_stable(reduced: &RationalMatrix, gains: &[Gains<Rational>], angle: 
     let entry = |i: usize, j: usize| {
         let (own, value) = (i / order == j / order, &rows[i % order][j % order]);
         // Rates of positions are not control.
-        match (i % 2 == 0, own, i < order) {
+        match (i.is_multiple_of(2), own, i < order) {
             (true, true, _) => value.clone(),
             (true, false, _) => rational(0, 1),
             (false, true, _) => value * &cos,

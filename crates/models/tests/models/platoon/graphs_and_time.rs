@@ -395,9 +395,10 @@ fn a_swinging_leader_and_any_start_are_followed_as_by_the_law() {
     let [before, now, after] = [t - h, t, t + h].map(|t| start.deviations(&t).unwrap());
     let leader = -amplitude * w * w * (w * t).cos();
     let forces = accelerations(Communication::FrontAndBack, &gains, (&0.0, &0.0), &now.positions, &now.velocities);
-    for k in 0..3 {
+    assert_eq!(forces.len(), 3);
+    for (k, force) in forces.iter().enumerate() {
         let slope = (after.velocities[k] - before.velocities[k]) / (2.0 * h);
-        assert!((slope - (forces[k] - leader)).abs() < 1e-6, "{k}");
+        assert!((slope - (force - leader)).abs() < 1e-6, "{k}");
         let rate = (after.positions[k] - before.positions[k]) / (2.0 * h);
         assert!((rate - now.velocities[k]).abs() < 1e-6, "{k}");
     }
