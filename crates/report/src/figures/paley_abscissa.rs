@@ -145,7 +145,11 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
              Centres move only while u_k differs from w0, and phases that are held firmly\n\
              keep u_k at w0.\n";
     let axes = |title: &str, gain: &str| {
-        Panel::new(title, Axis::log(gain), Axis::log("rate (per unit of time)").between(1e-6, 1.0))
+        Panel::new(
+            title,
+            Axis::log(gain).ticks([0.001, 0.01, 0.1, 1.0, 10.0]),
+            Axis::log("rate (per unit of time)").between(1e-6, 1.0),
+        )
     };
     let mut raised = axes("b) N = 12, K_m = 0.2, over |K_M|", "|K_M|");
     for clusters in [1, 2, 3, 4, 12] {

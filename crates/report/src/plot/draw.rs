@@ -130,7 +130,7 @@ impl Frame {
         let (corner_x, corner_y) = corner;
         let xs = || panel.series.iter().flat_map(|s| s.points.iter().map(|p| p.0));
         let ys = || panel.series.iter().flat_map(|s| s.points.iter().map(|p| p.1));
-        let mut x = Scale::new(&panel.x, xs(), (width / 95.0) as usize);
+        let mut x = Scale::new(&panel.x, xs(), (width / 80.0) as usize);
         let mut y = Scale::new(&panel.y, ys(), (height / 60.0) as usize);
         let widest = y.major.iter().map(|(_, label)| letters(label)).max().unwrap_or(1) as f64;
         let mut frame = Frame {
@@ -154,7 +154,7 @@ impl Frame {
             };
             if per_x > per_y {
                 let (low, high) = widened(&x, per_x / per_y);
-                x = Scale::new(&panel.x.clone().between(low, high), xs(), (width / 95.0) as usize);
+                x = Scale::new(&panel.x.clone().between(low, high), xs(), (width / 80.0) as usize);
             } else {
                 let (low, high) = widened(&y, per_y / per_x);
                 y = Scale::new(&panel.y.clone().between(low, high), ys(), (height / 60.0) as usize);
@@ -324,13 +324,27 @@ fn symbol(series: &Series, look: Look, (x, y): Place) -> Option<Shape> {
     }
 }
 
-/// A disc, square, triangle, diamond or triangle that points down, of about the same area.
+/// A disc, square, triangle, diamond, triangle that points down or upright cross, of about the same area.
 fn solid(place: usize, r: f64, colour: Colour, (x, y): Place) -> Shape {
-    let corners: &[Place] = match place % 5 {
+    let corners: &[Place] = match place % 6 {
         1 => &[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)],
         2 => &[(0.0, -1.3), (1.15, 0.75), (-1.15, 0.75)],
         3 => &[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)],
         4 => &[(0.0, 1.3), (1.15, -0.75), (-1.15, -0.75)],
+        5 => &[
+            (-0.45, -1.3),
+            (0.45, -1.3),
+            (0.45, -0.45),
+            (1.3, -0.45),
+            (1.3, 0.45),
+            (0.45, 0.45),
+            (0.45, 1.3),
+            (-0.45, 1.3),
+            (-0.45, 0.45),
+            (-1.3, 0.45),
+            (-1.3, -0.45),
+            (-0.45, -0.45),
+        ],
         _ => {
             let fill = Some(Fill { colour, opacity: 1.0 });
             return Shape::Drawn { outline: Outline::Circle { centre: (x, y), radius: r }, fill, stroke: None };

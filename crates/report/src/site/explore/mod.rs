@@ -45,7 +45,7 @@ pub(super) const SHOWS: &[Show] = &[
         about: "Heading alignment with two linked agents that have the same heading: nothing takes energy out, and their distance swings for \
                 ever. The distances are not stabilised, as the paper says they are.",
         drawn: "Seen from the middle between them; V = 1/s + log s, s the squared distance; classical integration in floating point.",
-        claims: &["tanner1.propIV3b", "tanner1.eq7", "beyond.tanner1.two_agents"],
+        claims: &["tanner1.propIV3b", "tanner1.proof_cases", "tanner1.eq7", "beyond.tanner1.two_agents"],
         runs: runs::two_agents,
     },
     Show {

@@ -101,7 +101,7 @@
         const p = at(x0, y)[1];
         if (p < 12 || p > height - margin) return;
         pen.beginPath(); pen.moveTo(Math.max(left, margin), p); pen.lineTo(Math.min(right, width - 8), p); pen.stroke();
-        pen.fillText(String(y), margin - 4, p);
+        pen.fillText(String(y), Math.max(left, margin) - 4, p);
       });
       pen.textAlign = "right"; pen.textBaseline = "bottom";
       pen.fillText(run.labels[0], width - 6, height - 4);
