@@ -127,6 +127,17 @@ impl EnclosedFlock {
         until: f64,
         mut observe: impl FnMut(f64, &Step),
     ) -> Result<EnclosedRun, EnclosureError> {
+        self.follow(start, edges, until, &mut observe)
+    }
+
+    /// [`Self::run`], compiled once and here.
+    fn follow(
+        &self,
+        start: &State<FloatInterval>,
+        edges: &[Pair],
+        until: f64,
+        observe: &mut dyn FnMut(f64, &Step),
+    ) -> Result<EnclosedRun, EnclosureError> {
         let flat = start.to_list();
         let mut graph = match &self.threshold {
             None => Graph::from_fn(start.count(), |i, j| edges.contains(&(i, j)) || edges.contains(&(j, i))),
