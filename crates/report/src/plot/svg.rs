@@ -15,6 +15,8 @@ const DARK: &str = "<style>@media (prefers-color-scheme: dark) {\n\
     [stroke='#8a4a20'] { stroke: #cf9468 } [fill='#8a4a20'] { fill: #cf9468 }\n\
     [stroke='#6b6b6b'] { stroke: #b5b5b5 } [fill='#6b6b6b'] { fill: #b5b5b5 }\n\
     [stroke='#1d2b36'] { stroke: #dfe6ec } [fill='#1d2b36'] { fill: #dfe6ec }\n\
+    [stroke='#222222'] { stroke: #e4e4df } [fill='#222222'] { fill: #e4e4df }\n\
+    [stroke='#c22f2f'] { stroke: #f08a86 } [fill='#c22f2f'] { fill: #f08a86 }\n\
     [stroke='#000000'] { stroke: #e4e4df } [fill='#000000'] { fill: #e4e4df } }</style>\n";
 
 /// Writes the document.
