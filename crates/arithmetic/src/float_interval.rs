@@ -7,7 +7,7 @@ use super::number::{fixed, significant};
 use super::operators::operators;
 use super::{ArithmeticError, Field, Interval, Rational, Ring, Sign, Signed};
 
-/// The numbers from `lo` to `hi`. A result that may not be finite becomes the whole line, and stays it.
+/// From `lo` to `hi`. A result that may not be finite becomes the whole line, and stays it; a square becomes `[0, ∞)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloatInterval {
     lo: f64,

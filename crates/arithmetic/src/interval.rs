@@ -8,7 +8,7 @@ use super::{ArithmeticError, Dyadic, Field, Rational, Real, Ring, Sign, Signed};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 
-/// A closed interval `[lo, hi]` with `lo <= hi`, and the number of significant bits its endpoints are rounded to.
+/// A closed interval `[lo, hi]` with `lo <= hi`, and the number of significant bits that results are rounded to.
 ///
 /// Every operation returns an interval that contains the exact result for every choice of points in the operands.
 /// The precision of a result is the smaller precision of the operands.
@@ -55,7 +55,7 @@ impl Interval {
         &self.hi
     }
 
-    /// Significant bits of the endpoints.
+    /// Significant bits that the ends of results are rounded to; the ends of a [`hull`](Self::hull) may have more.
     pub fn precision(&self) -> u32 {
         self.precision
     }
@@ -85,7 +85,7 @@ impl Interval {
         self.lo <= other.hi && other.lo <= self.hi
     }
 
-    /// The smallest interval that contains both.
+    /// The smallest interval that contains both, with their ends as they are, whatever the smaller precision is.
     pub fn hull(&self, other: &Self) -> Self {
         Interval {
             lo: self.lo.clone().min(other.lo.clone()),

@@ -240,10 +240,12 @@ impl Entry {
         grades
     }
 
-    /// The clauses that evidence covers, or covers for all parameters.
+    /// The clauses that evidence covers, or covers for all parameters. What evidence names beyond them is no clause.
     pub fn covered(&self, for_all: bool) -> BTreeSet<usize> {
         let counts = |e: &&Evidence| e.scope.is_some() && (!for_all || e.scope == Some(Scope::All));
-        self.evidence.iter().filter(counts).flat_map(|e| e.clauses.iter().copied()).collect()
+        let clauses = 1..=self.clauses.len();
+        let named = self.evidence.iter().filter(counts).flat_map(|e| e.clauses.iter().copied());
+        named.filter(|k| clauses.contains(k)).collect()
     }
 
     /// How many clauses are covered for all parameters, of how many.

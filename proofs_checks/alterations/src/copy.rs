@@ -1,7 +1,7 @@
 //! The altered copy of the workspace, and its compilation: alterations that do not compile are dropped until the rest does.
 
 use crate::sites::{Alteration, Found, find};
-use crate::table::digest;
+use crate::table::digest_of;
 use crate::write::{Written, write};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -39,7 +39,7 @@ pub fn build(
     }
     // What does not compile is kept for the next run on the same sources.
     let kept = scratch.join("dropped.txt");
-    let digest = digest(&found.iter().map(|(source, _)| source.as_str()).collect::<String>());
+    let digest = digest_of(found.iter().map(|(source, _)| source.as_str()).collect::<String>().as_bytes());
     let text = std::fs::read_to_string(&kept).unwrap_or_default();
     let known = text.strip_prefix(&digest).unwrap_or_default();
     let mut dropped: BTreeSet<u32> = known.split_whitespace().filter_map(|k| k.parse().ok()).collect();
@@ -55,9 +55,12 @@ pub fn build(
         let before = dropped.clone();
         let mut tests = Vec::new();
         let mut program = None;
-        let mut arguments = vec!["test".to_string(), "--no-run".to_string()];
-        arguments.extend(packages.iter().flat_map(|package| ["-p".to_string(), package.clone()]));
-        let mut commands = vec![arguments];
+        let mut commands = Vec::new();
+        if !packages.is_empty() {
+            let mut arguments = vec!["test".to_string(), "--no-run".to_string()];
+            arguments.extend(packages.iter().flat_map(|package| ["-p".to_string(), package.clone()]));
+            commands.push(arguments);
+        }
         if claims {
             let words = ["build", "--profile", "test", "-p", "flockproof", "--bin", "flockproof"];
             commands.push(words.map(String::from).to_vec());

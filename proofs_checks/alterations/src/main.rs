@@ -19,7 +19,8 @@ use table::{Equivalents, Table, path_of};
 
 const USE: &str =
     "use: flockproof-alterations [--file FILE|FOLDER].. [--shard K/N] [--again missed|all] [--noticers N] [--jobs N]
-       [--tests PACKAGE].. [--longest SECONDS] [--ledger JSON] [--only FILE].. [--scratch FOLDER] [--no-claims] | --summary | --missed | --judge
+       [--tests PACKAGE].. [--longest SECONDS] [--ledger JSON] [--only FILE].. [--scratch FOLDER]
+       [--claims START].. [--no-claims] [--no-tests] | --summary | --missed | --judge
 
 --file      a source file or a folder of sources of a crate, from the root of the repository
 --shard     every N-th alteration, from the K-th on
@@ -29,6 +30,7 @@ const USE: &str =
 --longest   leave out claims and tests that take longer than so many seconds
 --ledger    a ledger of `verify --json`: claims that took longer there are not even run once
 --only      alter all the files, but try only those of this one
+--claims    only claims whose names start so, as `veerman.` or `beyond.veerman.`; --no-claims: only tests; --no-tests: only claims
 --scratch   where the altered copy is built (the folder of temporary files)
 --summary   the recorded results in a table, with those that are out of date; --missed: those that are missed
 --judge     compares what was missed with equivalent.tsv again";
@@ -45,6 +47,8 @@ struct Arguments {
     only: Vec<String>,
     scratch: PathBuf,
     claims: bool,
+    tests: bool,
+    starts: Vec<String>,
     show: Option<String>,
 }
 
@@ -61,12 +65,14 @@ fn arguments(root: &Path) -> Result<Arguments, String> {
         only: Vec::new(),
         scratch: std::env::temp_dir().join("flockproof-alterations"),
         claims: true,
+        tests: true,
+        starts: Vec::new(),
         show: None,
     };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
-        if word == "--no-claims" {
-            parsed.claims = false;
+        if word == "--no-claims" || word == "--no-tests" {
+            *(if word == "--no-claims" { &mut parsed.claims } else { &mut parsed.tests }) = false;
             continue;
         }
         if ["--summary", "--missed", "--judge"].contains(&word.as_str()) {
@@ -89,6 +95,7 @@ fn arguments(root: &Path) -> Result<Arguments, String> {
             "--longest" => parsed.longest = value.parse().map_err(|_| USE)?,
             "--ledger" => parsed.ledger = Some(PathBuf::from(value)),
             "--only" => parsed.only.extend(sources(root, &value)?),
+            "--claims" => parsed.starts.push(value),
             "--scratch" => parsed.scratch = PathBuf::from(value),
             _ => return Err(USE.to_string()),
         }
@@ -159,7 +166,7 @@ fn run() -> Result<(), String> {
     for file in &arguments.files {
         packages.insert(package(&root, file)?);
     }
-    let packages: Vec<String> = packages.into_iter().collect();
+    let packages: Vec<String> = packages.into_iter().filter(|_| arguments.tests).collect();
     let built = copy::build(&root, &arguments.scratch, &arguments.files, &packages, arguments.claims)?;
     let mut programs = Vec::new();
     if let Some(file) = &built.program {
@@ -176,8 +183,11 @@ fn run() -> Result<(), String> {
 /// Records what each claim and each test reaches.
 fn recorded_probes(arguments: &Arguments, programs: &[Program], root: &Path) -> Result<Vec<Probe>, String> {
     let mut wanted = Vec::new();
+    let starts = &arguments.starts;
+    let is_asked = |name: &str| starts.is_empty() || starts.iter().any(|start| name.starts_with(start));
     for (k, program) in programs.iter().enumerate() {
-        wanted.extend(probes::names(program, root)?.into_iter().map(|name| (k, name)));
+        let names = probes::names(program, root)?.into_iter();
+        wanted.extend(names.filter(|name| !program.is_ledger || is_asked(name)).map(|name| (k, name)));
     }
     if let Some(path) = &arguments.ledger {
         let slow = slow_claims(path, arguments.longest)?;
@@ -236,11 +246,15 @@ fn recorded_probes(arguments: &Arguments, programs: &[Program], root: &Path) -> 
     }
     let mut found = found.into_inner().unwrap_or_else(|e| e.into_inner());
     found.sort_by(|a, b| a.seconds.total_cmp(&b.seconds).then_with(|| a.name.cmp(&b.name)));
-    let row = |probe: &Probe| {
+    let mut rows = known;
+    rows.retain(|key, _| digests.iter().any(|digest| key.starts_with(digest)));
+    rows.extend(found.iter().map(|probe| {
         let reach: Vec<String> = probe.reach.iter().map(u32::to_string).collect();
-        format!("{}\t{}\t{}\t{}\n", digests[probe.program], probe.name, probe.seconds, reach.join(" "))
-    };
-    std::fs::write(&cache, found.iter().map(row).collect::<String>()).map_err(|error| error.to_string())?;
+        let key = format!("{}\t{}", digests[probe.program], probe.name);
+        (key, format!("{}\t{}", probe.seconds, reach.join(" ")))
+    }));
+    let text: String = rows.iter().map(|(key, row)| format!("{key}\t{row}\n")).collect();
+    std::fs::write(&cache, text).map_err(|error| error.to_string())?;
     eprintln!("{} claims and tests, {:.0} s", found.len(), found.iter().map(|probe| probe.seconds).sum::<f64>());
     Ok(found)
 }

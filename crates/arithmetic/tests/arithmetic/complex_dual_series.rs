@@ -19,6 +19,9 @@ proptest! {
         prop_assert_eq!(a.clone() * (b.clone() + &c), a.clone() * &b + a.clone() * &c);
         prop_assert_eq!(a.square(), a.clone() * &a);
         prop_assert_eq!((a.clone() * &b).norm_squared(), a.norm_squared() * b.norm_squared());
+        prop_assert_eq!(a.dot(&b), (a.conj() * &b).re);
+        prop_assert_eq!(a.scale(&b.re), a.clone() * Complex::real(b.re.clone()));
+        prop_assert_eq!(a.rational(&b.re), Complex::real(b.re.clone()));
         match b.recip() {
             Ok(inverse) => prop_assert_eq!(b.clone() * inverse, b.one()),
             Err(error) => {
@@ -85,5 +88,10 @@ fn duals_over_intervals_know_the_elementary_functions() {
     for (k, (computed, expected)) in pairs.iter().enumerate() {
         assert!(computed.derivative.overlaps(expected), "function {k}");
         assert!(computed.derivative.width().top() < -100, "function {k} is wide");
+    }
+    let values = [(dual.ln(), x.ln()), (dual.atan(), x.atan()), (dual.exp(), x.exp()), (dual.sqrt(), x.sqrt())];
+    for (dual, value) in values {
+        let (a, b) = (dual.unwrap().value, value.unwrap());
+        assert_eq!((a.lo(), a.hi()), (b.lo(), b.hi()));
     }
 }

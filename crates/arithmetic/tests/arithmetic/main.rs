@@ -3,6 +3,7 @@
 mod arb;
 mod ball;
 mod complex_dual_series;
+mod degree;
 mod float_interval;
 mod identity;
 mod interval;
