@@ -1,6 +1,6 @@
 //! Randomised exact testing of rational identities, with an error bound.
 //!
-//! Two rational expressions are written once over [`Field`]. They are run over [`DegreeBound`], which bounds the degree `d` and the bits `h` of the
+//! Two rational expressions are written once over [`Probe`]. They are run over [`DegreeBound`], which bounds the degree `d` and the bits `h` of the
 //! coefficients of the polynomial that vanishes exactly when they agree (the numerator of the difference, over the integers), and then modulo
 //! random primes at random points.
 //!
@@ -11,7 +11,7 @@
 //! one case with probability at most `(d + 4h)·2^-59`, and all of them with the power of that.
 
 use super::residue::{Residue, random_prime};
-use super::{ArithmeticError, DegreeBound, Field, Probe, Rational, Ring};
+use super::{ArithmeticError, DegreeBound, Probe, Rational, Ring};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -20,30 +20,6 @@ const CASE_BITS: u32 = 59;
 
 /// Draws in a row that may hit a pole before the test gives up.
 const LONGEST_RUN_OF_POLES: usize = 64;
-
-/// Two sides of an identity between rational functions, written over any field.
-pub trait RationalIdentity {
-    /// Number of variables.
-    fn variables(&self) -> usize;
-
-    /// Both sides at a point of `variables()` coordinates, as lists of equal length (components of vectors, real and
-    /// imaginary parts).
-    ///
-    /// # Errors
-    /// [`ArithmeticError`] where the point is a pole.
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError>;
-
-    /// Names of the components, for messages; an empty list where there is nothing to name.
-    fn components(&self) -> Vec<String> {
-        Vec::new()
-    }
-
-    /// Whether a counterexample may lie at this point. It does not restrict where the identity is tested: one that holds
-    /// on an open set holds everywhere.
-    fn in_domain(&self, _at: &[Rational]) -> bool {
-        true
-    }
-}
 
 /// Both sides of an identity at a point, as lists of equal length.
 pub type Sides<T> = (Vec<T>, Vec<T>);
@@ -54,7 +30,7 @@ pub type Probed = Result<Sides<Probe>, ArithmeticError>;
 /// Both sides as a function of the variables.
 type SidesAt<'a> = Box<dyn Fn(&[Probe]) -> Probed + 'a>;
 
-/// An identity that is written where it is tested, as a closure.
+/// An identity between rational functions, written as a closure.
 ///
 /// ```
 /// use arithmetic::identity::{Identity, IdentityOutcome, test_identity};
@@ -90,9 +66,20 @@ impl<'a> Identity<'a> {
         Identity { components: components.into_iter().map(Into::into).collect(), ..self }
     }
 
-    /// The same where a counterexample may lie in this domain only ([`RationalIdentity::in_domain`]).
+    /// The same where a counterexample may lie in this domain only. It does not restrict where the identity is tested: one that holds on an
+    /// open set holds everywhere.
     pub fn within(self, domain: fn(&[Rational]) -> bool) -> Self {
         Identity { domain, ..self }
+    }
+
+    /// Number of variables.
+    pub fn variables(&self) -> usize {
+        self.variables
+    }
+
+    /// Names of the components; an empty list where there is nothing to name.
+    pub fn components(&self) -> &[String] {
+        &self.components
     }
 
     /// Both sides at a rational point.
@@ -103,51 +90,6 @@ impl<'a> Identity<'a> {
         let exact = |list: Vec<Probe>| list.iter().filter_map(Probe::exact).cloned().collect();
         let (left, right) = (self.sides)(&point.iter().cloned().map(Probe::Exact).collect::<Vec<_>>())?;
         Ok((exact(left), exact(right)))
-    }
-}
-
-impl AnyIdentity for Identity<'_> {
-    fn variables(&self) -> usize {
-        self.variables
-    }
-    fn sides(&self, at: &[Probe]) -> Probed {
-        (self.sides)(at)
-    }
-    fn components(&self) -> Vec<String> {
-        self.components.clone()
-    }
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        (self.domain)(at)
-    }
-}
-
-/// A [`RationalIdentity`] as the test sees it: over one scalar. The test is compiled once for all identities.
-pub trait AnyIdentity {
-    /// [`RationalIdentity::variables`].
-    fn variables(&self) -> usize;
-    /// [`RationalIdentity::sides`].
-    ///
-    /// # Errors
-    /// [`ArithmeticError`] where the point is a pole.
-    fn sides(&self, at: &[Probe]) -> Probed;
-    /// [`RationalIdentity::components`].
-    fn components(&self) -> Vec<String>;
-    /// [`RationalIdentity::in_domain`].
-    fn in_domain(&self, at: &[Rational]) -> bool;
-}
-
-impl<I: RationalIdentity> AnyIdentity for I {
-    fn variables(&self) -> usize {
-        RationalIdentity::variables(self)
-    }
-    fn sides(&self, at: &[Probe]) -> Probed {
-        RationalIdentity::sides(self, at)
-    }
-    fn components(&self) -> Vec<String> {
-        RationalIdentity::components(self)
-    }
-    fn in_domain(&self, at: &[Rational]) -> bool {
-        RationalIdentity::in_domain(self, at)
     }
 }
 
@@ -200,7 +142,7 @@ pub enum IdentityError {
 /// # Errors
 /// [`IdentityError`] where there is nothing to test or no bound to give.
 pub fn test_identity(
-    identity: &dyn AnyIdentity,
+    identity: &Identity<'_>,
     cases: usize,
     random: &mut ChaCha8Rng,
 ) -> Result<IdentityOutcome, IdentityError> {
@@ -210,9 +152,9 @@ pub fn test_identity(
     let mut poles = 0;
     while done < cases {
         let prime = random_prime(random);
-        let at: Vec<Residue> = (0..identity.variables()).map(|_| random_residue(prime, random)).collect();
+        let at: Vec<Residue> = (0..identity.variables).map(|_| random_residue(prime, random)).collect();
         let probes: Vec<Probe> = at.iter().map(|&x| Probe::Residue(x)).collect();
-        let Ok(sides) = identity.sides(&probes) else {
+        let Ok(sides) = (identity.sides)(&probes) else {
             poles += 1;
             if poles > LONGEST_RUN_OF_POLES {
                 return Err(IdentityError::OnlyPoles);
@@ -241,9 +183,9 @@ fn differing(sides: &Sides<Probe>) -> Result<Option<usize>, IdentityError> {
 }
 
 /// The difference at a rational point, if there is one.
-fn exact_difference(identity: &dyn AnyIdentity, at: Vec<Rational>) -> Option<IdentityOutcome> {
+fn exact_difference(identity: &Identity<'_>, at: Vec<Rational>) -> Option<IdentityOutcome> {
     let probes: Vec<Probe> = at.iter().cloned().map(Probe::Exact).collect();
-    let sides = identity.sides(&probes).ok()?;
+    let sides = (identity.sides)(&probes).ok()?;
     let component = differing(&sides).ok()??;
     let (Probe::Exact(left), Probe::Exact(right)) = (&sides.0[component], &sides.1[component]) else { return None };
     Some(IdentityOutcome::Differed { at, component, left: left.clone(), right: right.clone() })
@@ -251,14 +193,14 @@ fn exact_difference(identity: &dyn AnyIdentity, at: Vec<Rational>) -> Option<Ide
 
 /// Looks for a counterexample with coordinates 1, -1, 2, -2, 3, -3, smaller ones first, in the domain of the identity. Points are tried modulo
 /// the prime first.
-fn small_counterexample(identity: &dyn AnyIdentity, prime: u64) -> Option<IdentityOutcome> {
+fn small_counterexample(identity: &Identity<'_>, prime: u64) -> Option<IdentityOutcome> {
     const VALUES: [i64; 6] = [1, -1, 2, -2, 3, -3];
     const MOST_POINTS: usize = 20_000;
     let residues = VALUES.map(|x| Probe::Residue(Residue::new(0, prime)).integer(x));
     let mut tried = 0;
     for level in 1..=VALUES.len() {
         // All index vectors below `level` with `level - 1` among them.
-        let mut indices = vec![0; identity.variables()];
+        let mut indices = vec![0; identity.variables];
         loop {
             if indices.contains(&(level - 1)) {
                 tried += 1;
@@ -266,10 +208,10 @@ fn small_counterexample(identity: &dyn AnyIdentity, prime: u64) -> Option<Identi
                     return None;
                 }
                 let probes: Vec<Probe> = indices.iter().map(|&k| residues[k].clone()).collect();
-                let differs = identity.sides(&probes).is_ok_and(|sides| differing(&sides).is_ok_and(|d| d.is_some()));
+                let differs = (identity.sides)(&probes).is_ok_and(|sides| differing(&sides).is_ok_and(|d| d.is_some()));
                 let at: Vec<Rational> = indices.iter().map(|&k| Rational::from_integer(VALUES[k].into())).collect();
                 if differs
-                    && identity.in_domain(&at)
+                    && (identity.domain)(&at)
                     && let Some(found) = exact_difference(identity, at)
                 {
                     return Some(found);
@@ -286,9 +228,9 @@ fn small_counterexample(identity: &dyn AnyIdentity, prime: u64) -> Option<Identi
 
 /// The largest bounds over all components, numerators and denominators alike: they bound the zeros of the difference
 /// and the poles.
-fn bound_of_difference(identity: &dyn AnyIdentity) -> Result<DegreeBound, IdentityError> {
-    let variables = vec![Probe::Degree(DegreeBound::VARIABLE); identity.variables()];
-    let sides = identity.sides(&variables).map_err(|_| IdentityError::OnlyPoles)?;
+fn bound_of_difference(identity: &Identity<'_>) -> Result<DegreeBound, IdentityError> {
+    let variables = vec![Probe::Degree(DegreeBound::VARIABLE); identity.variables];
+    let sides = (identity.sides)(&variables).map_err(|_| IdentityError::OnlyPoles)?;
     differing(&sides)?;
     let mut largest = DegreeBound::constant(0, 0);
     for (left, right) in sides.0.into_iter().zip(sides.1) {

@@ -2,7 +2,7 @@
 
 use super::{CheckError, Evidence, Grade, Outcome, Scope};
 use arithmetic::Progress;
-use arithmetic::identity::{AnyIdentity, IdentityOutcome, test_identity};
+use arithmetic::identity::{Identity, IdentityOutcome, test_identity};
 use arithmetic::random::generator;
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
@@ -70,7 +70,7 @@ impl Run {
     /// An identity that cannot be tested; [`CheckError::Limit`].
     pub fn identity<S: AsRef<str>>(
         &self,
-        identity: &dyn AnyIdentity,
+        identity: &Identity<'_>,
         names: &[S],
         part: &str,
     ) -> Result<Outcome, CheckError> {
@@ -89,7 +89,7 @@ impl Run {
             }
             IdentityOutcome::Differed { at, component, left, right } => {
                 let point: Vec<String> = names.iter().zip(&at).map(|(name, x)| format!("{name} = {x}")).collect();
-                let named = identity.components().into_iter().nth(component);
+                let named = identity.components().get(component).cloned();
                 let what = named.unwrap_or_else(|| format!("component {}", component + 1));
                 Outcome::fails(
                     format!("{part}: at {}, {what} is {left}, but {right} is claimed", point.join(", ")),

@@ -5,7 +5,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::float::FloatCore;
-use num_traits::{FromPrimitive, Inv, Num, One, Pow, ToPrimitive, Zero};
+use num_traits::{Num, One, ToPrimitive, Zero};
 use std::fmt;
 use std::str::FromStr;
 
@@ -129,20 +129,6 @@ impl num_traits::Signed for Rational {
     }
 }
 
-impl Inv for Rational {
-    type Output = Rational;
-    fn inv(self) -> Rational {
-        self.recip()
-    }
-}
-
-impl Pow<i32> for Rational {
-    type Output = Rational;
-    fn pow(self, exponent: i32) -> Rational {
-        Rational::pow(&self, exponent)
-    }
-}
-
 impl ToPrimitive for Rational {
     fn to_i64(&self) -> Option<i64> {
         self.to_integer().to_i64()
@@ -170,35 +156,9 @@ impl ToPrimitive for Rational {
     }
 }
 
-impl FromPrimitive for Rational {
-    fn from_i64(n: i64) -> Option<Self> {
-        Some(BigInt::from(n).into())
-    }
-
-    fn from_u64(n: u64) -> Option<Self> {
-        Some(BigInt::from(n).into())
-    }
-
-    fn from_f64(x: f64) -> Option<Self> {
-        Rational::from_float(x)
-    }
-}
-
 impl From<BigInt> for Rational {
     fn from(n: BigInt) -> Self {
         Rational::from_integer(n)
-    }
-}
-
-impl From<(BigInt, BigInt)> for Rational {
-    fn from((p, q): (BigInt, BigInt)) -> Self {
-        Rational::new(p, q)
-    }
-}
-
-impl From<Rational> for (BigInt, BigInt) {
-    fn from(q: Rational) -> Self {
-        q.into_raw()
     }
 }
 

@@ -1,59 +1,39 @@
 //! The randomised identity tester: true identities pass with a bound, false ones are refuted at a point.
 
-use arithmetic::identity::{IdentityError, IdentityOutcome, RationalIdentity, test_identity};
-use arithmetic::{ArithmeticError, Dual, Field, Rational, Residue, Ring, along_flow, is_prime, random_prime};
+use arithmetic::identity::{Identity, IdentityError, IdentityOutcome, test_identity};
+use arithmetic::{Dual, Field, Rational, Residue, Ring, along_flow, is_prime, random_prime};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
 /// `(x³ - y³)/(x - y) = x² + c xy + y²`, true for c = 1.
-struct DifferenceOfCubes(i64);
-
-impl RationalIdentity for DifferenceOfCubes {
-    fn variables(&self) -> usize {
-        2
-    }
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let (x, y) = (&at[0], &at[1]);
+fn difference_of_cubes(c: i64) -> Identity<'static> {
+    Identity::of(move |[x, y]| {
         let left = (x.power(3) - y.power(3)).over(&(x.clone() - y))?;
-        let right = x.square() + x.integer(self.0) * x * y + y.square();
+        let right = x.square() + x.integer(c) * x * y + y.square();
         Ok((vec![left], vec![right]))
-    }
+    })
 }
 
-struct AlwaysAPole;
-
-impl RationalIdentity for AlwaysAPole {
-    fn variables(&self) -> usize {
-        1
-    }
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let zero = at[0].clone() - &at[0];
-        Ok((vec![at[0].over(&zero)?], vec![at[0].one()]))
-    }
+fn always_a_pole() -> Identity<'static> {
+    Identity::of(|[x]| Ok((vec![x.over(&(x.clone() - x))?], vec![x.one()])))
 }
 
 /// A printed rate of change tested against the law itself: along x' = v, v' = -k x - c v the energy (v² + k x²)/2 changes
 /// at the rate -factor c v², true for factor = 1.
-struct EnergyRate(i64);
-
-impl RationalIdentity for EnergyRate {
-    fn variables(&self) -> usize {
-        4
-    }
-    fn sides<T: Field>(&self, at: &[T]) -> Result<(Vec<T>, Vec<T>), ArithmeticError> {
-        let [x, v, k, c] = at else { return Err(ArithmeticError::Domain("four variables")) };
+fn energy_rate(factor: i64) -> Identity<'static> {
+    Identity::of(move |[x, v, k, c]| {
         let law = [v.clone(), -(k.clone() * x) - c.clone() * v];
         let rate = along_flow(&[x.clone(), v.clone()], &law, |state| {
             let stiffness = Dual::constant(k.clone());
             Ok((state[1].square() + stiffness * state[0].square()) * state[0].ratio(1, 2))
         })?;
-        Ok((vec![rate], vec![-(c.integer(self.0) * c * v.square())]))
-    }
+        Ok((vec![rate], vec![-(c.integer(factor) * c * v.square())]))
+    })
 }
 
 #[test]
 fn a_printed_rate_is_tested_against_the_law() {
-    let outcome = |factor| test_identity(&EnergyRate(factor), 8, &mut random()).unwrap();
+    let outcome = |factor| test_identity(&energy_rate(factor), 8, &mut random()).unwrap();
     assert!(matches!(outcome(1), IdentityOutcome::Agreed { error_bits: 300.., .. }));
     // The smallest point at which the altered rate fails.
     let IdentityOutcome::Differed { at, .. } = outcome(2) else { panic!("the altered rate passed") };
@@ -69,7 +49,7 @@ fn random() -> ChaCha8Rng {
 
 #[test]
 fn a_true_identity_passes_with_a_bound() {
-    let outcome = test_identity(&DifferenceOfCubes(1), 8, &mut random()).unwrap();
+    let outcome = test_identity(&difference_of_cubes(1), 8, &mut random()).unwrap();
     // Left side: degree 3 over 1, (x³ - y³)/(x - y) with one bit each; right side: degree 2, 1 + 1 + 1 with the constant 1 of one bit, three bits;
     // difference: max(3, 2 + 1) = 3 and max(1, 3 + 1) + 1 = 5 bits; 3 + 4·5 = 23 < 2^5; 59 - 5 per case.
     assert_eq!(outcome, IdentityOutcome::Agreed { cases: 8, degree: 3, error_bits: 8 * 54 });
@@ -77,7 +57,7 @@ fn a_true_identity_passes_with_a_bound() {
 
 #[test]
 fn a_false_identity_is_refuted_at_a_point() {
-    let outcome = test_identity(&DifferenceOfCubes(2), 8, &mut random()).unwrap();
+    let outcome = test_identity(&difference_of_cubes(2), 8, &mut random()).unwrap();
     let IdentityOutcome::Differed { at, left, right, .. } = outcome else { panic!("passed: {outcome:?}") };
     let difference = right - left;
     assert_eq!(difference, at[0].clone() * &at[1]);
@@ -85,7 +65,7 @@ fn a_false_identity_is_refuted_at_a_point() {
 
 #[test]
 fn poles_everywhere_are_reported() {
-    assert_eq!(test_identity(&AlwaysAPole, 3, &mut random()), Err(IdentityError::OnlyPoles));
+    assert_eq!(test_identity(&always_a_pole(), 3, &mut random()), Err(IdentityError::OnlyPoles));
 }
 
 /// Residues against remainders of integers.

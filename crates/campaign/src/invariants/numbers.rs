@@ -4,7 +4,6 @@ use super::{Checked, Invariant, OrFails, Stop, Tested, require, shown};
 use crate::draws::Draws;
 use crate::strategies::fraction;
 use arithmetic::{ArithmeticError, Field, FloatInterval, Interval, Rational, Real, Ring, rational};
-use num_traits::FromPrimitive;
 
 pub(super) const TABLE: &[Invariant] = &[
     Invariant {
@@ -69,8 +68,8 @@ fn contains_exact(draws: &mut Draws, tested: Tested) -> Checked {
 
 /// Whether a rational lies between two floats.
 fn between_floats(x: &FloatInterval, q: &Rational) -> bool {
-    let below = Rational::from_f64(x.lo()).is_none_or(|lo| lo <= *q);
-    below && Rational::from_f64(x.hi()).is_none_or(|hi| *q <= hi)
+    let below = Rational::from_float(x.lo()).is_none_or(|lo| lo <= *q);
+    below && Rational::from_float(x.hi()).is_none_or(|hi| *q <= hi)
 }
 
 /// One operation; `None` for the reciprocal of what may be zero.

@@ -3,7 +3,6 @@
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
-use arithmetic::identity::AnyIdentity;
 use models::double_integrator::{AnyPotentials, Coordinates, Pair, Potential, disagreements, dot, scaled, sum};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;

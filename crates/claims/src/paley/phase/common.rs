@@ -3,7 +3,6 @@
 use crate::prelude::*;
 use algebra::graph::{LaplacianKind, NameError, NamedGraph, WeightedGraph};
 use algebra::matrix::SparseMatrix;
-use arithmetic::identity::AnyIdentity;
 use arithmetic::{CosineField, RealCyclotomic};
 use models::oscillator::phasor;
 
