@@ -70,6 +70,26 @@ impl Footprint {
         Footprint { rows: self.rows, cols: right.cols, words: right.words, bits }
     }
 
+    /// The ones of both; where `other` has another shape, those of it that lie outside are left out.
+    pub fn or(&self, other: &Self) -> Self {
+        if (self.rows, self.cols) != (other.rows, other.cols) {
+            return Footprint::from_fn(self.rows, self.cols, |i, j| self.get(i, j) || other.get(i, j));
+        }
+        let bits = self.bits.iter().zip(&other.bits).map(|(a, b)| a | b).collect();
+        Footprint { bits, ..*self }
+    }
+
+    /// Whether some column is reached from all rows along the ones, `i` to `j` for a one at `(i, j)`: whether some bird is heard by all,
+    /// through others.
+    pub fn is_rooted(&self) -> bool {
+        let mut reached = self.closed();
+        // Paths of up to so many arcs as there are rows.
+        for _ in 0..self.rows.next_power_of_two().ilog2() {
+            reached = reached.times(&reached);
+        }
+        (0..self.cols).any(|root| (0..self.rows).all(|i| reached.get(i, root)))
+    }
+
     /// Whether `other` has the same shape and every one of it is a one here too.
     pub fn contains(&self, other: &Self) -> bool {
         let same_shape = (self.rows, self.cols) == (other.rows, other.cols);
