@@ -118,7 +118,19 @@ impl Footprint {
         if to.len() == self.rows && self.rows == self.cols && to.iter().enumerate().all(|(place, &i)| place == i) {
             return self.clone();
         }
-        Footprint::from_fn(to.len(), to.len(), |i, j| self.get(to[i], to[j]))
+        // By the ones, of which a network has few.
+        let mut places = vec![Vec::new(); self.cols];
+        for (place, &j) in to.iter().enumerate().filter(|(_, j)| **j < self.cols) {
+            places[j].push(place);
+        }
+        let words = to.len().div_ceil(64);
+        let mut bits = vec![0; to.len() * words];
+        for (row, &i) in bits.chunks_mut(words.max(1)).zip(to).filter(|(_, i)| **i < self.rows) {
+            for &place in self.ones(i).flat_map(|j| &places[j]) {
+                row[place / 64] |= 1 << (place % 64);
+            }
+        }
+        Footprint { rows: to.len(), cols: to.len(), words, bits }
     }
 
     /// The rows with a one in column `j`, counted from 0, in order.
