@@ -59,7 +59,12 @@ impl PlatoonSubject {
                 return Err(not_integer(shown(&q.to_string())));
             }
             let followers = q.to_u64().filter(|m| (1..=models::platoon::LARGEST_FOLLOWERS).contains(m));
-            let followers = followers.ok_or_else(|| refused(ResonanceError::Followers(0).to_string()))?;
+            let range = || Problem::Range {
+                what: "`followers`".to_string(),
+                expected: format!("between 1 and {}", models::platoon::LARGEST_FOLLOWERS),
+                found: shown(&q.to_string()),
+            };
+            let followers = followers.ok_or_else(|| Failure::Refused(0, range()))?;
             return Ok(PlatoonSubject { followers, communication, graph: None, f, g });
         }
         let graphs = bindings.iter().find_map(|(_, value)| match value {
