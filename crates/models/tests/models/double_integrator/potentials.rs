@@ -77,3 +77,15 @@ fn minima_are_found_in_order_and_decide_definition_3() {
     assert_eq!(of(&[(-1, 1)]), Err(PotentialError::NoRepulsion));
     assert_eq!(of(&[(-2, -1), (-1, 1)]), Ok(()));
 }
+
+#[test]
+fn the_numerator_of_a_slope_is_it_times_the_least_power_that_makes_it_a_polynomial() {
+    let of = |terms: &[(i32, i64)]| {
+        let slope = terms.iter().map(|&(k, c)| (k, rational(c, 1))).collect();
+        let (numerator, power) = Potential::new(slope, (rational(1, 1), rational(1, 1))).slope_numerator();
+        (numerator.coefficients().iter().map(ToString::to_string).collect::<Vec<_>>().join(" "), power)
+    };
+    assert_eq!(of(&[(1, 1), (2, 3)]), ("0 1 3".to_string(), 0));
+    assert_eq!(of(&[(-2, -5), (0, 1)]), ("-5 0 1".to_string(), 2));
+    assert_eq!(of(&[(-3, 1), (-2, -2)]), ("1 -2".to_string(), 3));
+}
