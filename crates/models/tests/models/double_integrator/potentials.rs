@@ -59,6 +59,9 @@ fn minima_are_found_in_order_and_decide_definition_3() {
     let two_minima = Potential::new(cubic(&[-6, 11, -6, 1]), (rational(1, 1), rational(1, 1)));
     assert_eq!(critical(&two_minima), Some(vec![rational(1, 1), rational(2, 1), rational(3, 1)]));
     assert_eq!(two_minima.check_definition3(), Err(PotentialError::Minimum));
+    // Slope (s - 1)^2 (s - 3)/s^2: the double zero comes first.
+    let double_first = Potential::new(cubic(&[-3, 7, -5, 1]), (rational(1, 1), rational(1, 1)));
+    assert_eq!(critical(&double_first), Some(vec![rational(1, 1), rational(3, 1)]));
     // Slope (s - 2)/s^2 = 1/s - 2/s^2 with value -1/100 or 0 at its minimum.
     let slope = cubic(&[-2, 1]);
     let with = |value: Rational| Potential::new(slope.clone(), (rational(2, 1), value)).check_definition3();
