@@ -384,13 +384,16 @@ fn abscissa(cubics: &[[Z; 3]], w: f64, still: usize) -> f64 {
     roots.iter().map(|root| root.0).fold(f64::NEG_INFINITY, f64::max)
 }
 
+/// The eigenvalues of the Laplacian of a circulant graph.
+type Spectrum<'a> = &'a dyn Fn(usize) -> f64;
+
 /// The printed abscissae, by cubics in floats; those of the loop itself are in `spectra`.
 fn printed_abscissae(_random: &mut Random) -> Option<String> {
     let (n, w) = (12usize, 0.1);
     // Eigenvalues of the Laplacian of the cycle, or all-to-all.
     let ring = |j: usize| 2.0 - 2.0 * (TAU * (j % 12) as f64 / 12.0).cos();
     let all = |j: usize| if j.is_multiple_of(12) { 0.0 } else { 12.0 };
-    let cubics = |m: usize, k0: f64, value: &dyn Fn(usize) -> f64, h: &dyn Fn(usize, f64) -> f64| -> Vec<[Z; 3]> {
+    let cubics = |m: usize, k0: f64, value: Spectrum, h: &dyn Fn(usize, f64) -> f64| -> Vec<[Z; 3]> {
         let one = |q: usize| {
             let (up, down) = (value(m + q), value(m + n - q));
             let (c, d, h) = ((up + down) / 2.0, (up - down) / 2.0, h(q, (up + down) / 2.0));
@@ -398,9 +401,8 @@ fn printed_abscissae(_random: &mut Random) -> Option<String> {
         };
         (0..n).map(one).collect()
     };
-    let ring_or_all = |m: usize, k0: f64, k1: f64, value: &dyn Fn(usize) -> f64| {
-        cubics(m, k0, value, &|_, c| -k1 / 12.0 * (c - value(m)))
-    };
+    let ring_or_all =
+        |m: usize, k0: f64, k1: f64, value: Spectrum| cubics(m, k0, value, &|_, c| -k1 / 12.0 * (c - value(m)));
     let patterns = [(1, -0.0312191180), (2, -0.0312191180), (3, -0.0047433127), (4, -0.0041665656), (6, -0.0041665656)];
     for (clusters, printed) in patterns {
         let m = n / clusters;
@@ -414,7 +416,7 @@ fn printed_abscissae(_random: &mut Random) -> Option<String> {
             return Some(format!("abscissa: M = {clusters}: {found}, printed {printed}"));
         }
     }
-    let others: [(usize, f64, f64, &dyn Fn(usize) -> f64, usize, f64); 6] = [
+    let others: [(usize, f64, f64, Spectrum, usize, f64); 6] = [
         (0, 1.2, -0.3, &ring, 1, -0.0068228870),
         (5, 1.2, 0.3, &ring, 1, -0.0045001538),
         (6, 1.2, 0.3, &ring, 1, -0.0062033862),
