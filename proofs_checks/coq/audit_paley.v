@@ -590,6 +590,19 @@ Check (paley_laplacian.incidence_directed :
        lists_edges n adj E ->
        (k < n)%nat -> (m < n)%nat -> lsum E (fun f : nat * nat => inc k f * inc m f) = 2 * lap n adj k m).
 
+(* one column for each edge, with its direction *)
+Check (eq_refl : inc = fun k f => delta k (snd f) - delta k (fst f)).
+Check (eq_refl : tanner_graph.oriented = fun n adj B => NoDup B /\
+       (forall i j : nat, In (i, j) B -> (i < n)%nat /\ (j < n)%nat) /\
+       (forall i j : nat, (i < n)%nat -> (j < n)%nat -> member B (i, j) + member B (j, i) = w adj i j)).
+Check (eq_refl : member = fun B e => if in_dec pair_dec e B then 1 else 0).
+(* paley.incid *)
+Check (tanner_graph.L_incidence :
+  forall (n : nat) (adj : graph) (B : list (nat * nat)) (k m : nat),
+       undirected adj ->
+       tanner_graph.oriented n adj B ->
+       (k < n)%nat -> (m < n)%nat -> lsum B (fun f : nat * nat => inc k f * inc m f) = lap n adj k m).
+
 (* paley.length *)
 Check (paley_laplacian.length_printed_fails :
   ~
@@ -648,6 +661,15 @@ Check (paley_fish.scale_printed_fails :
 Check (paley_fish.W1_le_degree :
   forall (n : nat) (adj : graph) (th : nat -> R) (d : R),
        (1 <= n)%nat -> (forall k : nat, (k < n)%nat -> deg n adj k = d) -> 0 <= W1 n adj th <= d).
+
+(* the nearest m of n fish are the neighbours *)
+Check (eq_refl : nearest = fun n m adj r => forall k : nat, (k < n)%nat -> adj k k = false /\ deg n adj k = INR m /\
+       forall i j : nat, (i < n)%nat -> (j < n)%nat -> i <> k -> adj k j = true -> adj k i = false ->
+       Cmod (r j - r k)%C <= Cmod (r i - r k)%C).
+(* paley.scale *)
+Check (paley_fish.scale_all_neighbours :
+  forall (N : nat) (adj : graph) (r : nat -> C) (th : nat -> R),
+       (2 <= N)%nat -> nearest N (N - 1) adj r -> 0 <= 2 / (INR (N - 1) + 1) * W1 N adj th <= 1).
 
 (* paley.scale.complete *)
 Check (paley_fish.scale_complete_printed_fails :

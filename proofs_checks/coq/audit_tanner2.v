@@ -254,6 +254,21 @@ Check (tanner2_facts.eq13_interval_fails :
         exists e : R, e < 0 /\ (forall x : R, rhs13 n r v R0 x <-> e <= x <= 0))).
 
 (* tanner2.eq14 *)
+Check (tanner_graph.eq14_sum :
+  forall (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R),
+       undirected adj ->
+       (forall i j : nat, V' i j = V' j i) ->
+       (forall i : nat, (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun k => r k t) (fun k => v k t) i)) ->
+       Sum n (fun i => fst (control4 n adj V' (fun k => r k t) (fun k => v k t) i)) = 0 /\
+       Sum n (fun i => snd (control4 n adj V' (fun k => r k t) (fun k => v k t) i)) = 0).
+
+(* tanner2.eq14 *)
+Check (tanner_graph.eq14_common :
+  forall (n : nat) (v : nat -> R -> C) (a : nat -> C) (t : R),
+       (forall i j (s : R), (i < n)%nat -> (j < n)%nat -> v i s = v j s) ->
+       (forall i : nat, (i < n)%nat -> is_velocity (v i) t (a i)) -> exists c : C, forall i : nat, (i < n)%nat -> a i = c).
+
+(* tanner2.eq14 *)
 Check (tanner_graph.eq14 :
   forall (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (t : R),
        (1 <= n)%nat ->

@@ -252,6 +252,15 @@ Proof.
   assert (F : 2 / x + 1 = 2 / (x + 1)) by (apply (Rmult_eq_reg_r (W1 n complete th)); lra).
   assert (2 / (x + 1) < 2 / x) by (apply Rmult_lt_compat_l; [lra|]; apply Rinv_lt_contravar; [apply Rmult_lt_0_compat|]; lra). lra.
 Qed.
+(* no graph has a larger W_1 than the complete one *)
+Lemma W1_le_complete n adj th : (1 <= n)%nat -> W1 n adj th <= W1 n complete th.
+Proof.
+  intros Hn. pose proof (INR_pos n Hn). rewrite !W1_arcs.
+  apply Rmult_le_compat_l; [left; apply Rinv_0_lt_compat; lra|]. apply Sum_le; intros k _. apply Sum_le; intros j _.
+  pose proof (COS_bound (th j - th k)). unfold w, complete. destruct (Nat.eqb_spec k j) as [<-|_]; cbn [negb].
+  - replace (th k - th k) with 0 by ring. rewrite cos_0. destruct (adj k k); lra.
+  - destruct (adj k j); lra.
+Qed.
 (* with out-degree m the range of W_1 is within [0, m] *)
 Theorem W1_le_degree n adj th d : (1 <= n)%nat -> (forall k, (k < n)%nat -> deg n adj k = d) -> 0 <= W1 n adj th <= d.
 Proof.
@@ -266,6 +275,16 @@ Definition square (k : nat) : C := match k with 0%nat => (0, 0) | 1%nat => (1, 0
 Definition nearest (n m : nat) (adj : graph) (r : nat -> C) :=
   forall k, (k < n)%nat -> adj k k = false /\ deg n adj k = INR m /\
     forall i j, (i < n)%nat -> (j < n)%nat -> i <> k -> adj k j = true -> adj k i = false -> Cmod (r j - r k)%C <= Cmod (r i - r k)%C.
+(* all others as neighbours, whatever the positions *)
+Theorem scale_all_neighbours n adj (r : nat -> C) th : (2 <= n)%nat -> nearest n (n - 1) adj r ->
+  0 <= 2 / (INR (n - 1) + 1) * W1 n adj th <= 1.
+Proof.
+  intros Hn _. pose proof (INR_pos (n - 1) ltac:(lia)) as P. pose proof (order_bounds n th ltac:(lia)) as B.
+  assert (F : 0 < 2 / (INR (n - 1) + 1)) by (apply Rdiv_lt_0_compat; lra).
+  pose proof (W1_ge0 n adj th ltac:(lia)) as L. pose proof (W1_le_complete n adj th ltac:(lia)) as U.
+  pose proof (scale_complete_corrected n th Hn) as C. split; [apply Rmult_le_pos; lra|].
+  apply Rle_trans with (2 / (INR (n - 1) + 1) * W1 n complete th); [apply Rmult_le_compat_l; lra|]. rewrite C. nra.
+Qed.
 Definition alternating (k : nat) : R := if Nat.even k then 0 else PI.
 Lemma square_nearest : nearest 4 2 (ring_graph 4) square.
 Proof.

@@ -193,22 +193,42 @@ Proof.
   - apply (G fst); intros; cbn; ring.
   - apply (G snd); intros; cbn; ring.
 Qed.
+(* the accelerations add up to 0 in each axis: they are orthogonal to 1 *)
+Theorem eq14_sum n adj V' (r v : nat -> R -> C) (t : R) : undirected adj -> (forall i j, V' i j = V' j i) ->
+  (forall i, (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
+  Sum n (fun i => fst (control4 n adj V' (fun i => r i t) (fun i => v i t) i)) = 0 /\
+  Sum n (fun i => snd (control4 n adj V' (fun i => r i t) (fun i => v i t) i)) = 0.
+Proof.
+  intros S VS HU. set (u := control4 n adj V' (fun i => r i t) (fun i => v i t)) in *.
+  pose proof (momentum n adj V' r v t S VS HU) as [M1 M2].
+  assert (T1 : is_derive (fun s => fst (Csum n (fun i => v i s))) t (Sum n (fun i => fst (u i)))).
+  { apply (D_Sum n (fun i s => fst (v i s)) (fun i => fst (u i))). intros; now apply HU. }
+  assert (T2 : is_derive (fun s => snd (Csum n (fun i => v i s))) t (Sum n (fun i => snd (u i)))).
+  { apply (D_Sum n (fun i s => snd (v i s)) (fun i => snd (u i))). intros; now apply HU. }
+  apply is_derive_unique in M1, M2, T1, T2. rewrite M1 in T1. rewrite M2 in T2. cbn [fst snd RtoC] in T1, T2.
+  split; symmetry; assumption.
+Qed.
+(* where the velocities are equal at all times their derivatives are equal: multiples of 1 in each axis *)
+Theorem eq14_common n (v : nat -> R -> C) (a : nat -> C) (t : R) :
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> v i s = v j s) -> (forall i, (i < n)%nat -> is_velocity (v i) t (a i)) ->
+  exists c : C, forall i, (i < n)%nat -> a i = c.
+Proof.
+  intros E D. exists (a 0%nat). intros i Hi. destruct (D i Hi) as [X Y], (D 0%nat ltac:(lia)) as [X0 Y0].
+  apply is_derive_unique in X, Y, X0, Y0. apply injective_projections.
+  - rewrite <- X, <- X0. apply Derive_ext; intros s. now rewrite (E i 0%nat s Hi ltac:(lia)).
+  - rewrite <- Y, <- Y0. apply Derive_ext; intros s. now rewrite (E i 0%nat s Hi ltac:(lia)).
+Qed.
 (* eq (14): where all accelerations are equal they are 0, and so are all potential forces if the velocities are equal too *)
 Theorem eq14 n adj V' (r v : nat -> R -> C) (t : R) : (1 <= n)%nat -> undirected adj -> (forall i j, V' i j = V' j i) ->
   (forall i, (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
   (forall i j, (i < n)%nat -> (j < n)%nat -> control4 n adj V' (fun i => r i t) (fun i => v i t) i = control4 n adj V' (fun i => r i t) (fun i => v i t) j) ->
   forall i, (i < n)%nat -> control4 n adj V' (fun i => r i t) (fun i => v i t) i = RtoC 0.
 Proof.
-  intros Hn S VS HU E i Hi. pose proof (INR_pos n Hn) as P. set (u := control4 n adj V' (fun i => r i t) (fun i => v i t)) in *.
-  pose proof (momentum n adj V' r v t S VS HU) as [M1 M2].
-  assert (T1 : is_derive (fun s => fst (Csum n (fun i => v i s))) t (Sum n (fun i => fst (u i)))).
-  { apply (D_Sum n (fun i s => fst (v i s)) (fun i => fst (u i))). intros; now apply HU. }
-  assert (T2 : is_derive (fun s => snd (Csum n (fun i => v i s))) t (Sum n (fun i => snd (u i)))).
-  { apply (D_Sum n (fun i s => snd (v i s)) (fun i => snd (u i))). intros; now apply HU. }
-  apply is_derive_unique in M1, M2, T1, T2. rewrite M1 in T1. rewrite M2 in T2.
+  intros Hn S VS HU E i Hi. pose proof (INR_pos n Hn) as P. destruct (eq14_sum n adj V' r v t S VS HU) as [T1 T2].
+  set (u := control4 n adj V' (fun i => r i t) (fun i => v i t)) in *.
   rewrite (Sum_ext n _ (fun _ => fst (u i))) in T1 by (intros j Hj; now rewrite (E j i Hj Hi)).
   rewrite (Sum_ext n _ (fun _ => snd (u i))) in T2 by (intros j Hj; now rewrite (E j i Hj Hi)).
   rewrite Sum_const in T1, T2. apply injective_projections; apply (Rmult_eq_reg_l (INR n)); try lra.
-  - rewrite <- T1. cbn [fst RtoC]. ring.
-  - rewrite <- T2. cbn [snd RtoC]. ring.
+  - rewrite T1. cbn [fst RtoC]. ring.
+  - rewrite T2. cbn [snd RtoC]. ring.
 Qed.

@@ -148,11 +148,17 @@ fn proofs_end_with_the_coqc_that_runs() {
     let mut child = start(
         Command::new(env!("CARGO_BIN_EXE_flockproof"))
             .args(["prove", "--out", out.to_str().expect("UTF-8")])
-            .env("PATH", path)
+            .env("PATH", &path)
             .env("STARTED", &started)
             .env("RAYON_NUM_THREADS", "1"),
     );
     wait_for(&mut child, || started.exists());
+    let second = Command::new(env!("CARGO_BIN_EXE_flockproof"))
+        .args(["prove", "--out", out.to_str().expect("UTF-8")])
+        .env("PATH", &path)
+        .output()
+        .expect("it starts");
+    assert!(contains(&second, "in use by another run"), "two runs in one folder");
     terminate(&child);
     let output = child.wait_with_output().expect("it ends");
     assert_interrupted(&output, contains(&output, "what was compiled is kept"));

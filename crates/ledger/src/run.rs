@@ -81,14 +81,13 @@ impl Run {
         let replicate = IDENTITY_POINTS + self.identities.fetch_add(1, Ordering::Relaxed);
         Ok(match test_identity(identity, cases, &mut self.random(replicate))? {
             IdentityOutcome::Agreed { cases, degree, error_bits } => {
-                let detail = format!(
-                    "equal at random points modulo random primes in {}; degree at most {degree}",
-                    names.join(", ")
-                );
+                let variables = if names.is_empty() { String::new() } else { format!(" in {}", names.join(", ")) };
+                let detail = format!("equal at random points modulo random primes{variables}; degree at most {degree}");
                 Outcome::Holds(vec![Evidence::new(Grade::Identity, part, detail).cases(cases).error_bits(error_bits)])
             }
             IdentityOutcome::Differed { at, component, left, right } => {
-                let point: Vec<String> = names.iter().zip(&at).map(|(name, x)| format!("{name} = {x}")).collect();
+                let name = |k: usize| names.get(k).map_or_else(|| format!("x{}", k + 1), |name| name.to_string());
+                let point: Vec<String> = (0..).zip(&at).map(|(k, x)| format!("{} = {x}", name(k))).collect();
                 let named = identity.components().get(component).cloned();
                 let what = named.unwrap_or_else(|| format!("component {}", component + 1));
                 Outcome::fails(

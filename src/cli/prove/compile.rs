@@ -4,6 +4,7 @@ use flockproof::arithmetic::Progress;
 use flockproof::kernel::{AxiomSet, Source, Theorem, Transcript};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::fs::{File, TryLockError};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -30,6 +31,9 @@ pub enum ProveError {
         /// What happened.
         error: io::Error,
     },
+    /// Another run compiles in the folder.
+    #[error("{} is in use by another run; choose a folder with --out", .0.display())]
+    InUse(PathBuf),
     /// coqc refused a file.
     #[error("coqc refuses {file}: {message}")]
     Refused {
@@ -54,18 +58,37 @@ pub enum ProveError {
 /// How often it is asked whether a running coqc should be ended.
 const TICK: Duration = Duration::from_millis(20);
 
-/// A folder in which the development is compiled.
+/// A folder in which the development is compiled, by one run at a time.
 pub struct Workshop {
     folder: PathBuf,
+    /// Locked as long as this run lasts, however it ends.
+    _lock: File,
     /// The version of Coq.
     pub coq: String,
 }
 
 impl Workshop {
-    /// Makes the folder and asks for the version of Coq.
+    /// Opens the folder, or the first of `folder-2`, `folder-3`, .. that no other run uses.
     ///
     /// # Errors
     /// [`ProveError::NoCoq`], [`ProveError::File`].
+    pub fn open_first_free(folder: &Path) -> Result<Self, ProveError> {
+        let mut tried = Self::open(folder);
+        for number in 2.. {
+            if !matches!(tried, Err(ProveError::InUse(_))) {
+                break;
+            }
+            let mut name = folder.as_os_str().to_owned();
+            name.push(format!("-{number}"));
+            tried = Self::open(Path::new(&name));
+        }
+        tried
+    }
+
+    /// Makes the folder and asks for the version of Coq.
+    ///
+    /// # Errors
+    /// [`ProveError::NoCoq`], [`ProveError::File`], [`ProveError::InUse`].
     pub fn open(folder: &Path) -> Result<Self, ProveError> {
         let version = Command::new("coqc").arg("--print-version").output().map_err(|error| match error.kind() {
             io::ErrorKind::NotFound => ProveError::NoCoq,
@@ -75,7 +98,18 @@ impl Workshop {
         std::fs::create_dir_all(folder).map_err(|error| ProveError::File { path: folder.to_path_buf(), error })?;
         // coqc runs inside the folder.
         let folder = folder.canonicalize().map_err(|error| ProveError::File { path: folder.to_path_buf(), error })?;
-        Ok(Workshop { folder, coq })
+        let path = folder.join("in_use");
+        let failed = |error| ProveError::File { path: path.clone(), error };
+        let lock = File::create(&path).map_err(failed)?;
+        match lock.try_lock() {
+            Ok(()) => Ok(Workshop { folder, _lock: lock, coq }),
+            Err(TryLockError::WouldBlock) => Err(ProveError::InUse(folder)),
+            // Some network file systems know no locks.
+            Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {
+                Ok(Workshop { folder, _lock: lock, coq })
+            }
+            Err(TryLockError::Error(error)) => Err(failed(error)),
+        }
     }
 
     /// Compiles a file whose needs are compiled; one that an earlier run compiled from the same sources with the same

@@ -15,7 +15,7 @@ use std::process::ExitCode;
 Example:\n  flockproof prove --out proofs"
 )]
 pub struct Arguments {
-    /// Folder in which the development is compiled [default: flockproof-proofs in the folder for temporary files]
+    /// Folder in which the development is compiled [default: flockproof-proofs in the folder for temporary files, or the next one that no other run uses]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write what coqc said to this file
@@ -25,8 +25,11 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     arguments.transcript.as_deref().map_or(Ok(()), output::check_writable)?;
-    let folder = arguments.out.clone().unwrap_or_else(|| std::env::temp_dir().join("flockproof-proofs"));
-    let workshop = Workshop::open(&folder).map_err(use_error)?;
+    let workshop = match &arguments.out {
+        Some(folder) => Workshop::open(folder),
+        None => Workshop::open_first_free(&std::env::temp_dir().join("flockproof-proofs")),
+    };
+    let workshop = workshop.map_err(use_error)?;
     let watch = Watch::with(progress::bar());
     let transcript = prove(&workshop, files(), theorems(), &watch);
     watch.finish();

@@ -133,6 +133,21 @@ fn lower_bound_flocks() {
     }
 }
 
+/// The same where n^c is no integer, or divisible by 3, so that the gap at the contact is exactly 1.
+#[test]
+fn contacts_between_integers() {
+    for power in [(17, 2), (25, 3), (9, 1), (31, 3), (12, 1), (24, 1)] {
+        let x = [q(0, 1), q(2, 3), q(2, 1), q(8, 3)].to_vec();
+        let v = [1, 0, -1, 0].map(|sign| q(sign * power.1, power.0)).to_vec();
+        for eps in [None, Some(paper_threshold(4))] {
+            let mut flock = Birds::new(x.clone(), v.clone(), eps, LAZY);
+            let changes: Vec<i64> = (1..=60).filter(|_| flock.step()).collect();
+            let contact = (power.0 + 3 * power.1 - 1) / (3 * power.1);
+            assert_eq!(changes, [contact], "n^c = {power:?}");
+        }
+    }
+}
+
 /// beyond.chazelle.tower, first clause: sixteen birds until well after their first contact.
 #[test]
 fn sixteen_birds() {

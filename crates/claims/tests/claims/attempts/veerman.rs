@@ -391,6 +391,43 @@ fn other_graphs() {
     assert!(gain > 1.0);
 }
 
+/// Where hypotheses just hold: beyond.veerman.decay_rate at M = b, prop1 with less room than the leader takes, gain_iff beside its ends,
+/// growth for degrees that are no integers.
+#[test]
+fn ends_of_the_hypotheses() {
+    for m in [1usize, 2, 3, 7, 12] {
+        for f in [-0.04f64, -1.0, -25.0] {
+            // |g| = M sqrt|f|; x² + |g| lambda x + |f| lambda = 0 for every mode.
+            let g = m as f64 * (-f).sqrt();
+            let rate = |k: usize| {
+                let lambda = 1.0 - (PI * (2 * k - 1) as f64 / (2 * m) as f64).cos();
+                let square = (g * lambda).powi(2) + 4.0 * f * lambda;
+                (g * lambda - square.max(0.0).sqrt()) / 2.0
+            };
+            let slowest = (1..=m).map(rate).fold(f64::INFINITY, f64::min);
+            assert!(close(slowest, g * (1.0 - (PI / (2 * m) as f64).cos()) / 2.0), "M = {m}, f = {f}");
+        }
+    }
+    let mut dice = Dice::new("ends");
+    for _ in 0..400 {
+        let ((f, g), [a0, d]) = (gains(&mut dice), [0, 1].map(|_| 10f64.powf(dice.between(-2.0, 2.0))));
+        let size = dice.below(40) + 1;
+        let amplitude = a0 * Z(1.0, 0.0).over(gamma(f, g, (-f).sqrt())).size().powi(size as i32);
+        let most = 2.0 * (d / a0).ln() / (1.0 - f / (g * g)).ln();
+        assert!((amplitude <= d) == (size as f64 <= most) || close(amplitude, d), "{f} {g} {a0} {d} {size}");
+        for (factor, above) in [(1e-3, true), (1.0 - 1e-6, true), (1.0 + 1e-6, false)] {
+            let gain = Z(1.0, 0.0).over(gamma(f, g, (-2.0 * f).sqrt() * factor)).size();
+            assert!((gain > 1.0) == above || (gain - 1.0).abs() < 1e-12, "{f} {g} {factor}");
+        }
+    }
+    // k platoons of M^(p/k) cars: p = 1/2, 3/2, 5/4.
+    for (k, p) in [(1, 0.5), (2, 1.5), (2, 1.25)] {
+        let peak = |all: f64| main_resonance(-1.0, -1.0, all.powf(p / f64::from(k)) as usize).1.powi(k);
+        let growth = peak(2f64.powi(20)) / peak(2f64.powi(12));
+        assert!((growth / 256f64.powf(p) - 1.0).abs() < 0.05, "p = {p}: {growth}");
+    }
+}
+
 /// veerman.sec6_fig2, fig3: the platoon in time, by Runge and Kutta.
 #[test]
 fn in_time() {

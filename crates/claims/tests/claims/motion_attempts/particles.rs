@@ -336,6 +336,100 @@ fn spectra(random: &mut Random) -> Option<String> {
         .then(|| format!("N = {n}, m = {m}, {offsets:?}: {found:?}, {claimed:?}"))
 }
 
+/// On circulant graphs the formations that maximise `W_1` attract for `K_1 > 0`, from all that is near.
+fn largest_misalignment(random: &mut Random) -> Option<String> {
+    let n = 3 + below(random, 4);
+    let mut law = Law::draw(random, n);
+    let offsets: Vec<usize> = (1..=n / 2).filter(|d| *d == 1 || below(random, 2) == 0).collect();
+    (law.graph, law.k0, law.k1) = (circulant(n, &offsets, true), n as f64, n as f64);
+    law.gains.clear();
+    let column = |m: usize| -> Vec<f64> { (0..n).map(|k| TAU * (m * k % n) as f64 / n as f64).collect() };
+    let value = |t: &[f64]| w1(&law.graph, &formation(law.omega, t));
+    let best = (1..n).max_by(|a, b| value(&column(*a)).total_cmp(&value(&column(*b)))).unwrap_or(1);
+    let bound = eigenvalues(&matrix(&law.graph))[n - 1] / 2.0;
+    let start: Vec<f64> =
+        formation(law.omega, &column(best)).iter().map(|x| x + between(random, -0.05, 0.05)).collect();
+    let end = flow(|x| law.field(x), start, 0.05, 6000);
+    let (c, t) = (centres(&end, law.omega), split(&end).1);
+    let apart = c.iter().map(|a| norm(*a - c[0])).fold(0.0, f64::max);
+    let balance = norm(mean(&t.iter().map(|t| turn(*t)).collect::<Vec<_>>()));
+    let (reached, largest) = (value(&t), value(&column(best)));
+    ((largest - bound).abs() > 1e-9 || reached < bound - 2e-3 || apart > 2e-2 || balance > 3e-2).then(|| {
+        format!("bal.circ: N = {n}, {offsets:?}: W_1 {reached} of {bound}, centres {apart} apart, |p| = {balance}")
+    })
+}
+
+/// The largest real part of the roots of `s³ + a s² + b s + c` but those near `0` and `±i w` (Durand and Kerner).
+fn abscissa(cubics: &[[Z; 3]], w: f64, still: usize) -> f64 {
+    let over = |a: Z, b: Z| a * Z(b.0, -b.1) * (1.0 / dot(b, b));
+    let mut roots = Vec::new();
+    for [a, b, c] in cubics {
+        let mut x = [Z(0.4, 0.9), Z(-0.65, 0.72), Z(-0.908, -0.297)];
+        for _ in 0..3000 {
+            for k in 0..3 {
+                let (p, q) = (x[k] - x[(k + 1) % 3], x[k] - x[(k + 2) % 3]);
+                x[k] = x[k] - over(((x[k] + *a) * x[k] + *b) * x[k] + *c, p * q);
+            }
+        }
+        roots.extend(x);
+    }
+    for (symmetry, times) in [(Z(0.0, 0.0), still), (Z(0.0, w), 1), (Z(0.0, -w), 1)] {
+        for _ in 0..times {
+            let near =
+                (0..roots.len()).min_by(|i, j| norm(roots[*i] - symmetry).total_cmp(&norm(roots[*j] - symmetry)));
+            let root = near.map(|k| roots.swap_remove(k)).unwrap_or_default();
+            assert!(norm(root - symmetry) < 1e-3, "{root:?} in the place of {symmetry:?}");
+        }
+    }
+    roots.iter().map(|root| root.0).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The eigenvalues of the Laplacian of a circulant graph.
+type Spectrum<'a> = &'a dyn Fn(usize) -> f64;
+
+/// The printed abscissae, by cubics in floats; those of the loop itself are in `spectra`.
+fn printed_abscissae(_random: &mut Random) -> Option<String> {
+    let (n, w) = (12usize, 0.1);
+    // Eigenvalues of the Laplacian of the cycle, or all-to-all.
+    let ring = |j: usize| 2.0 - 2.0 * (TAU * (j % 12) as f64 / 12.0).cos();
+    let all = |j: usize| if j.is_multiple_of(12) { 0.0 } else { 12.0 };
+    let cubics = |m: usize, k0: f64, value: Spectrum, h: &dyn Fn(usize, f64) -> f64| -> Vec<[Z; 3]> {
+        let one = |q: usize| {
+            let (up, down) = (value(m + q), value(m + n - q));
+            let (c, d, h) = ((up + down) / 2.0, (up - down) / 2.0, h(q, (up + down) / 2.0));
+            [Z(k0 / 12.0 * c + h, 0.0), Z(w * w, -w * k0 / 12.0 * d), Z(h * w * w, 0.0)]
+        };
+        (0..n).map(one).collect()
+    };
+    let ring_or_all =
+        |m: usize, k0: f64, k1: f64, value: Spectrum| cubics(m, k0, value, &|_, c| -k1 / 12.0 * (c - value(m)));
+    let patterns = [(1, -0.0312191180), (2, -0.0312191180), (3, -0.0047433127), (4, -0.0041665656), (6, -0.0041665656)];
+    for (clusters, printed) in patterns {
+        let m = n / clusters;
+        let h = |q: usize, _: f64| match q {
+            0 => 0.0,
+            q if q.is_multiple_of(m) => 0.2 + 0.04,
+            _ => 0.04,
+        };
+        let found = abscissa(&cubics(m, 0.1, &all, &h), w, 1);
+        if (found - printed).abs() > 1e-9 {
+            return Some(format!("abscissa: M = {clusters}: {found}, printed {printed}"));
+        }
+    }
+    let others: [(usize, f64, f64, Spectrum, usize, f64); 6] = [
+        (0, 1.2, -0.3, &ring, 1, -0.0068228870),
+        (5, 1.2, 0.3, &ring, 1, -0.0045001538),
+        (6, 1.2, 0.3, &ring, 1, -0.0062033862),
+        (0, 0.1, -0.2, &all, 1, -0.0053355402),
+        (1, 0.1, 0.2, &all, 10, -0.0153051399),
+        (6, 0.1, 0.2, &all, 11, -0.05),
+    ];
+    others.into_iter().find_map(|(m, k0, k1, value, still, printed)| {
+        let found = abscissa(&ring_or_all(m, k0, k1, value), w, still);
+        ((found - printed).abs() > 1e-9).then(|| format!("abscissa: m = {m}, K_1 = {k1}: {found}, printed {printed}"))
+    })
+}
+
 /// A beacon from any start, for any gain; a common drift.
 fn beacon_and_drift(random: &mut Random) -> Option<String> {
     let (w, k) = (sign(random) * between(random, 0.8, 2.0), between(random, 0.5, 1.0));
@@ -380,6 +474,8 @@ fn particles_survive() {
         Attempt { name: "patterns on cycles", tries: 10, seek: cyclic_patterns },
         Attempt { name: "stability", tries: 12, seek: stability },
         Attempt { name: "spectra", tries: 60, seek: spectra },
+        Attempt { name: "largest W_1 on circulant graphs", tries: 4, seek: largest_misalignment },
+        Attempt { name: "printed abscissae", tries: 1, seek: printed_abscissae },
         Attempt { name: "beacon and drift", tries: 4, seek: beacon_and_drift },
         Attempt { name: "perpendicular motion", tries: 4, seek: perpendicular },
     ]);

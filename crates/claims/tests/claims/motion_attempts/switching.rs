@@ -134,6 +134,17 @@ fn two_paths(random: &mut Random) -> Option<String> {
 
 /// Near the rhombus whose long diagonal is R, with slope zero there, symmetric motions pass R again and again.
 fn rhombus(random: &mut Random) -> Option<String> {
+    rhombus_passes(between(random, -0.02, 0.02), between(random, -0.02, 0.02))
+}
+
+/// The same from starts in one mode of the linked loop: the stiffness of the half diagonals is a multiple of ((3, √3), (√3, 5)).
+fn rhombus_modes(random: &mut Random) -> Option<String> {
+    let (size, root) = (sign(random) * 0.01, 3f64.sqrt());
+    rhombus_passes(root * size, -size).or_else(|| rhombus_passes(size, root * size))
+}
+
+/// From the half diagonals moved by `a` and `b`.
+fn rhombus_passes(a: f64, b: f64) -> Option<String> {
     let slope = |s: f64| (s - 1.0) * (s - 3.0).powi(2) * (s + 0.6) / (s * s);
     let field = |x: &[f64]| -> Vec<f64> {
         let (r, v) = split(x);
@@ -147,7 +158,6 @@ fn rhombus(random: &mut Random) -> Option<String> {
         };
         join(&v, &(0..4).map(|i| -damping[i] - push(i)).collect::<Vec<_>>())
     };
-    let (a, b) = (between(random, -0.02, 0.02), between(random, -0.02, 0.02));
     let (long, short) = (0.75f64.sqrt() + a, 0.5 + b);
     let r = [Z(long, 0.0), Z(0.0, short), Z(-long, 0.0), Z(0.0, -short)];
     let mut x = join(&r, &[Z::default(); 4]);
@@ -238,6 +248,7 @@ fn switching_survives() {
         Attempt { name: "runs with links by distance", tries: 3, seek: distance_runs },
         Attempt { name: "two paths in turn", tries: 4, seek: two_paths },
         Attempt { name: "the rhombus", tries: 3, seek: rhombus },
+        Attempt { name: "the rhombus, one mode", tries: 2, seek: rhombus_modes },
         Attempt { name: "the certified split", tries: 2, seek: split_box },
         Attempt { name: "crossing R", tries: 8, seek: crossing },
         Attempt { name: "step fields", tries: 100, seek: filippov },
