@@ -13,7 +13,7 @@ pub struct Arguments {
     /// Questions: TOML files as notes/questions.md describes them
     #[arg(value_name = "QUESTION.toml", required_unless_present = "names")]
     files: Vec<PathBuf>,
-    /// Print one JSON document for each question, a list where there are several
+    /// Print one JSON document for each question, flockproof.check/1, a list where there are several
     #[arg(long)]
     json: bool,
     /// Print all names that a question may use, with what they mean

@@ -46,7 +46,7 @@ pub struct Arguments {
     /// Decide the case of a replay file
     #[arg(long, value_name = "FILE", conflicts_with_all = ["names", "list", "cases", "seed", "shard", "store"])]
     replay: Option<PathBuf>,
-    /// Print one JSON document
+    /// Print one JSON document: flockproof.fuzz/1, of --case and --replay flockproof.fuzz-case/1, of --list flockproof.invariants/1
     #[arg(long)]
     json: bool,
 }
@@ -64,7 +64,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let configuration = json!({"command": "fuzz", "replay": text});
         return told(replay.invariant.id, &replay.decide(), Some(&replay), (arguments.json, None, configuration));
     }
-    if let Some(file) = arguments.names.iter().find(|name| name.ends_with(".toml")) {
+    if let Some(file) = arguments.names.iter().find(|name| is_question(name)) {
         return attack(Path::new(file), arguments);
     }
     let fuzz = Fuzz::new(&arguments.names, arguments.cases, &arguments.seed).map_err(refused)?;
@@ -77,6 +77,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         return told(invariant.id, &checked, None, (arguments.json, Some(fuzz.seed()), configuration));
     }
     campaign(&fuzz, &fuzz.names(), fuzz.seed(), arguments)
+}
+
+/// Whether a name is that of a file, and of no invariant.
+fn is_question(name: &str) -> bool {
+    name == "-" || name.ends_with(".toml") || (find(name).is_none() && Path::new(name).is_file())
 }
 
 /// Random members of the family of a question.

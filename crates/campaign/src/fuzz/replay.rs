@@ -59,6 +59,9 @@ pub enum ReplayError {
     /// Another file.
     #[error("it is not a replay of `fuzz`: {0}")]
     Form(&'static str),
+    /// No JSON, or a key that stands twice.
+    #[error("not valid JSON: {0}")]
+    Json(String),
     /// Of another version, whose draws may mean something else.
     #[error("it was written by version {0}; this is {VERSION}")]
     Version(String),
@@ -82,7 +85,7 @@ impl Replay {
     /// # Errors
     /// [`ReplayError`].
     pub fn read(text: &str) -> Result<Self, ReplayError> {
-        let value: Value = serde_json::from_str(text).map_err(|_| ReplayError::Form("it is not JSON"))?;
+        let value = algebra::json::parse(text).map_err(ReplayError::Json)?;
         if value["schema"] != SCHEMA {
             return Err(ReplayError::Form("its schema is not flockproof.replay/1"));
         }
