@@ -180,7 +180,8 @@ impl Answer {
         if let Some(between) = between(self.margin.as_ref()) {
             let _ = writeln!(text, "smallest margin {between}");
         }
-        for (inequality, margin) in self.inequalities.iter().filter(|_| self.is_conjunction) {
+        let several = self.is_conjunction && self.inequalities.len() > 1;
+        for (inequality, margin) in self.inequalities.iter().filter(|_| several) {
             if let Some(between) = between(margin.as_ref()) {
                 let _ = writeln!(text, "  of {inequality}: {between}");
             }

@@ -143,6 +143,7 @@ pub const QUANTITIES: &[Quantity] = &[
     moving(Subject::Motion, "kinetic", &[], "half the sum of the squared speeds"),
     moving(Subject::Motion, "energy", &[], "potential + kinetic"),
     moving(Subject::Motion, "disagreement", &[], "sqrt of the sum of the squares of v_i - mean"),
+    moving(Subject::Motion, "heading_spread", &[], "largest angle between two headings, of heading alignment"),
     moving(Subject::Motion, "min_distance", &[], "smallest distance of two agents"),
     moving(
         Subject::Motion,

@@ -16,7 +16,8 @@ use motion::VectorField;
 /// Most agents whose velocity alignment within a radius is followed as a Filippov solution: each pair is looked at.
 const MOST_LOCATED: usize = 4096;
 
-const READINGS: [(&str, HeadingDifference); 3] = [
+/// What a heading difference may mean.
+pub(super) const READINGS: [(&str, HeadingDifference); 3] = [
     ("raw", HeadingDifference::Raw),
     ("wrapped", HeadingDifference::Wrapped),
     ("unwrapped", HeadingDifference::Unwrapped),

@@ -1,5 +1,6 @@
 //! Scenarios with exact numbers, for enclosures of their motion; and scenarios with other numbers put in.
 
+use super::alignment::READINGS;
 use super::config::Scenario;
 use super::error::ConfigError;
 use super::network::{Abilities, Network};
@@ -9,14 +10,14 @@ use super::potential::PairPotential;
 use super::source::{Entry, Section, Source};
 use super::start::{Needs, Start};
 use arithmetic::{Rational, rational};
-use models::double_integrator::{Pair, Potential};
+use models::double_integrator::{HeadingDifference, Pair, Potential};
 use models::oscillator::Neighbours;
 use models::platoon::CommunicationGraph;
 
 /// A motion whose law and start are known exactly.
 #[derive(Debug, Clone)]
 pub enum ExactMotion {
-    /// Velocity alignment (Tanner and others): rows of two coordinates.
+    /// Velocity alignment or heading alignment (Tanner and others): rows of two coordinates.
     Velocities {
         /// Where the agents start.
         positions: Vec<Vec<Rational>>,
@@ -28,6 +29,8 @@ pub enum ExactMotion {
         pairs: Vec<Pair>,
         /// The distance below which pairs are linked, where they do.
         radius: Option<Rational>,
+        /// Of heading alignment, on a fixed network, what a heading difference means.
+        headings: Option<HeadingDifference>,
     },
     /// The phase model (Paley and others), `d theta_k/dt = frequency + u_k` with the control (14).
     Phases {
@@ -97,7 +100,8 @@ impl ExactMotion {
         Scenario::read(text)?;
         let source = Source::parse(text)?;
         match source.top().need("model", "a model")?.word()? {
-            "velocity-alignment" => velocities(&source),
+            "velocity-alignment" => alignment(&source, false),
+            "heading-alignment" => alignment(&source, true),
             "phase" => phases(&source),
             "particles" => particles(&source),
             "platoon" => exact_platoon(&source),
@@ -109,10 +113,10 @@ impl ExactMotion {
 
 const TIMED: &str = "links that are replaced at given times are not enclosed";
 
-fn velocities(source: &Source) -> Result<ExactMotion, ConfigError> {
+fn alignment(source: &Source, headings: bool) -> Result<ExactMotion, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: true, phases: false })?;
     let can = Abilities {
-        model: "velocity-alignment",
+        model: if headings { "heading-alignment" } else { "velocity-alignment" },
         positions: true,
         directed: false,
         edges: true,
@@ -128,9 +132,15 @@ fn velocities(source: &Source) -> Result<ExactMotion, ConfigError> {
         None => None,
         Some(_) => Some(source.needed("graph")?.need("radius", "a number")?.exact()?),
     };
-    let potential = PairPotential::read(&source.needed("law")?)?.exact().clone();
-    let pairs = network.pairs().to_vec();
-    Ok(ExactMotion::Velocities { positions: start.positions, velocities: start.velocities, potential, pairs, radius })
+    if headings && radius.is_some() {
+        return Ok(ExactMotion::Other("heading alignment is enclosed on networks that do not switch"));
+    }
+    let law = source.needed("law")?;
+    let potential = PairPotential::read(&law)?.exact().clone();
+    let reading = || law.get("heading_difference").map_or(Ok(HeadingDifference::Raw), |entry| entry.choice(&READINGS));
+    let headings = headings.then(reading).transpose()?;
+    let (positions, velocities, pairs) = (start.positions, start.velocities, network.pairs().to_vec());
+    Ok(ExactMotion::Velocities { positions, velocities, potential, pairs, radius, headings })
 }
 
 /// A number of the law with a default.

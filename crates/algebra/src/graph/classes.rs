@@ -16,6 +16,9 @@ pub const LARGEST_DIGRAPH_CLASSES: usize = 5;
 /// Largest order of [`trees`].
 pub const LARGEST_TREE_CLASSES: usize = 18;
 
+/// More vertices than any class has here.
+const LARGEST: usize = 16;
+
 /// Arcs as sets of bits: bit `j` of `out[i]` is the arc from `i` to `j`.
 #[derive(Clone)]
 struct Arcs {
@@ -46,19 +49,22 @@ impl Arcs {
         self.out.iter().map(|row| row.count_ones()).sum()
     }
 
+    fn degree(&self, v: usize) -> u32 {
+        self.out[v].count_ones() + self.into[v].count_ones()
+    }
+
     /// What isomorphic vertices share: degree, out-degree, the degrees of the neighbours.
     fn key(&self, v: usize) -> (u32, u32, u32) {
-        let degree = |v: usize| self.out[v].count_ones() + self.into[v].count_ones();
-        let around = bits(self.out[v]).chain(bits(self.into[v])).map(degree).sum();
-        (degree(v), self.out[v].count_ones(), around)
+        let around = bits(self.out[v]).chain(bits(self.into[v])).map(|v| self.degree(v)).sum();
+        (self.degree(v), self.out[v].count_ones(), around)
     }
 
     /// Whether the last vertex has the largest key.
     fn last_is_largest(&self) -> bool {
         let last = self.out.len() - 1;
-        let (degree, largest) = (self.out[last].count_ones() + self.into[last].count_ones(), self.key(last));
+        let (degree, largest) = (self.degree(last), self.key(last));
         let exceeds = |v: usize| {
-            let other = self.out[v].count_ones() + self.into[v].count_ones();
+            let other = self.degree(v);
             other > degree || (other == degree && self.key(v) > largest)
         };
         !(0..last).any(exceeds)
@@ -76,20 +82,25 @@ impl Arcs {
     /// Refines colours until vertices of one colour have equally many neighbours of each colour. The names of the vertices play no part.
     fn refine(&self, colours: &mut [u8]) -> usize {
         let mut known = 0;
+        let (mut all, mut sorted) = ([(0, 0, 0); LARGEST], [0; LARGEST]);
+        let (keys, order) = (&mut all[..colours.len()], &mut sorted[..colours.len()]);
         loop {
             let counted = |row: u16| bits(row).fold(0u64, |sum, j| sum + (1 << (5 * colours[j])));
-            let key = |v: usize| (colours[v], counted(self.out[v]), counted(self.into[v]));
-            let keys: Vec<(u8, u64, u64)> = (0..colours.len()).map(key).collect();
-            let mut ranks = keys.clone();
-            ranks.sort_unstable();
-            ranks.dedup();
-            for (colour, key) in colours.iter_mut().zip(&keys) {
-                *colour = ranks.binary_search(key).unwrap_or_default() as u8;
+            for (v, key) in keys.iter_mut().enumerate() {
+                *key = (colours[v], counted(self.out[v]), counted(self.into[v]));
+                order[v] = v;
             }
-            if ranks.len() == known {
+            order.sort_unstable_by_key(|&v| keys[v]);
+            let mut colour = 0;
+            for (place, &v) in order.iter().enumerate() {
+                colour += u8::from(place > 0 && keys[order[place - 1]] != keys[v]);
+                colours[v] = colour;
+            }
+            let found = usize::from(colour) + usize::from(!order.is_empty());
+            if found == known {
                 return known;
             }
-            known = ranks.len();
+            known = found;
         }
     }
 
@@ -132,8 +143,12 @@ impl Arcs {
     }
 }
 
-fn bits(set: u16) -> impl Iterator<Item = usize> {
-    (0..16).filter(move |&j| set >> j & 1 == 1)
+fn bits(mut set: u16) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let first = (set != 0).then(|| set.trailing_zeros() as usize)?;
+        set &= set - 1;
+        Some(first)
+    })
 }
 
 /// The classes of an order, by the number of arcs and then the code; from those of the order before. `choices` lists the arcs from and
@@ -144,9 +159,16 @@ fn classes(order: usize, directed: bool, progress: &dyn Progress) -> Result<Vec<
         let children = |parent: &Arcs| {
             progress.checkpoint()?;
             let mut codes = Vec::new();
+            let degrees: Vec<u32> = (0..size - 1).map(|v| parent.degree(v)).collect();
             for from in 0..1u16 << (size - 1) {
                 let into = if directed { 0..1u16 << (size - 1) } else { from..from + 1 };
                 for to in into {
+                    // Most are told apart by degrees alone, before they are made.
+                    let joins = |v: usize| u32::from(from >> v & 1) + u32::from(to >> v & 1);
+                    let own = from.count_ones() + to.count_ones();
+                    if degrees.iter().enumerate().any(|(v, degree)| degree + joins(v) > own) {
+                        continue;
+                    }
                     let graph = parent.joined(from, to);
                     if graph.last_is_largest() {
                         codes.push((graph.count(), graph.code()));

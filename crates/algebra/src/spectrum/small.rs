@@ -45,15 +45,17 @@ fn rotated(mut a: Vec<f64>, n: usize) -> (Vec<f64>, Vec<f64>) {
                 let t = slope.signum() / (slope.abs() + (slope * slope + 1.0).sqrt());
                 let c = 1.0 / (t * t + 1.0).sqrt();
                 let s = t * c;
-                for k in 0..n {
-                    let (x, y) = (a[k * n + p], a[k * n + q]);
-                    (a[k * n + p], a[k * n + q]) = (c * x - s * y, s * x + c * y);
-                }
+                let (first, second) = (a[p * n + p] - t * beside, a[q * n + q] + t * beside);
                 for rows in [&mut a, &mut vectors] {
-                    for k in 0..n {
-                        let (x, y) = (rows[p * n + k], rows[q * n + k]);
-                        (rows[p * n + k], rows[q * n + k]) = (c * x - s * y, s * x + c * y);
+                    let (above, below) = rows.split_at_mut(q * n);
+                    for (x, y) in above[p * n..(p + 1) * n].iter_mut().zip(&mut below[..n]) {
+                        (*x, *y) = (c * *x - s * *y, s * *x + c * *y);
                     }
+                }
+                // The columns are the rows, except where these meet.
+                (a[p * n + p], a[q * n + q], a[p * n + q], a[q * n + p]) = (first, second, 0.0, 0.0);
+                for k in 0..n {
+                    (a[k * n + p], a[k * n + q]) = (a[p * n + k], a[q * n + k]);
                 }
             }
         }

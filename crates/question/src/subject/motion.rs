@@ -1,4 +1,4 @@
-//! Continuous motions on validated enclosures: velocity alignment, the phase model, steered particles, platoons. Platoons on a line are the exact
+//! Continuous motions on validated enclosures: velocity and heading alignment, the phase model, steered particles, platoons. Platoons on a line are the exact
 //! sum over their modes instead.
 
 mod at;
@@ -11,8 +11,10 @@ use crate::time::{Covered, Piece, Timeline, clock};
 use crate::truth::Doubt;
 use arithmetic::{Dyadic, FloatInterval, Interval, Progress, Rational, Real, rational};
 use at::At;
-use laws::{ParticleLaw, PhaseLaw, PlatoonLaw};
-use models::double_integrator::{Coordinates, EnclosedFlock, FixedNetwork, Pair, Potential, State, linked_within};
+use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
+use models::double_integrator::{
+    Coordinates, EnclosedFlock, FixedNetwork, HeadingDifference, Pair, Potential, State, heading, linked_within,
+};
 use modes::ModalPlatoon;
 use motion::validated::{Flow, IntervalVector, Parallelepiped, SmoothLaw, Step};
 use num_traits::ToPrimitive;
@@ -159,12 +161,15 @@ impl<'c> MotionSubject<'c> {
             ExactMotion::Other(why) => {
                 Ok(Tube { sections: Vec::new(), asked: until, failure: Some((*why).to_string()) })
             }
-            ExactMotion::Velocities { positions, velocities, potential, pairs, radius } => {
+            ExactMotion::Velocities { positions, velocities, potential, pairs, radius, headings } => {
                 self.small(positions.len())?;
                 let start = State {
                     positions: self.vectors(Start::Positions, positions),
                     velocities: self.vectors(Start::Velocities, velocities),
                 };
+                if let Some(reading) = headings {
+                    return self.turning(&start, HeadingLaw { potential, edges: pairs }, *reading, until);
+                }
                 if let Some(radius) = radius {
                     return Ok(self.switching(&start, potential, radius, until));
                 }
@@ -250,6 +255,45 @@ impl<'c> MotionSubject<'c> {
                 }
             }
         }
+        Ok(tube)
+    }
+
+    /// Heading alignment, up to where the reading of the heading differences may jump.
+    fn turning(
+        &self,
+        start: &State<FloatInterval>,
+        law: HeadingLaw,
+        reading: HeadingDifference,
+        until: f64,
+    ) -> Result<Tube, Failure> {
+        let mut list = start.to_list();
+        for (v, agent) in start.velocities.iter().zip(1..) {
+            let unknown =
+                |_| Failure::open(format!("agent {agent} may be at rest or turn through pi at the start"), None);
+            list.push(narrowed(&heading(&v.each_ref().map(widened)).map_err(unknown)?));
+        }
+        let (pairs, first) = (Rc::new(law.edges.to_vec()), 4 * start.count());
+        let mut tube = self.followed(law, &list, until)?;
+        let jumps = |section: &Section| {
+            let States::Step(step) = &section.states else { return true };
+            let states = step.states(FloatInterval::between(0.0, step.span.hi()));
+            let angles = &states[first..];
+            let beyond = |angle: FloatInterval| angle.magnitude() >= std::f64::consts::PI;
+            match reading {
+                HeadingDifference::Unwrapped => false,
+                HeadingDifference::Raw => angles.iter().any(|angle| beyond(*angle)),
+                HeadingDifference::Wrapped => pairs.iter().any(|&(i, j)| beyond(angles[i] - angles[j])),
+            }
+        };
+        if let Some(place) = tube.sections.iter().position(jumps) {
+            let why = match reading {
+                HeadingDifference::Raw => "a heading may pass pi, where differences of headings jump",
+                _ => "two linked agents may move in opposite directions, where differences of headings jump",
+            };
+            tube.sections.truncate(place);
+            tube.failure = Some(why.to_string());
+        }
+        tube.sections.iter_mut().for_each(|section| section.pairs = Some(pairs.clone()));
         Ok(tube)
     }
 

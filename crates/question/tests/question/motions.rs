@@ -111,6 +111,41 @@ fn twelve_steered_particles_are_enclosed() {
     assert!(open.verdict == Verdict::Undecided && open.why.contains("fixed networks"), "{}", open.why);
 }
 
+/// Three agents that turn towards each other.
+const TURNING: &str = "model = \"heading-alignment\"\n[graph]\nkind = \"complete\"\n[state]\n\
+    positions = [[0, 0], [2, 0], [1, 2]]\nvelocities = [[1, 0], [1, \"1/2\"], [1, \"-1/4\"]]\n[law]\n\
+    potential = \"inverse-square-log\"\n[run]\nuntil = \"1/4\"\n";
+
+#[test]
+fn heading_alignment_is_enclosed() {
+    // The turning force does no work, so that the energy stays, while the potentials turn the agents, too.
+    let conserved = "always[0, 1/4](abs(energy - initial(energy)) < 1/50)";
+    let answer = answered(TURNING, "n = 1", conserved, "always[0, 1/4](kinetic = initial(kinetic))");
+    assert_eq!(answer.verdict, Verdict::Holds, "{}", answer.why);
+    // A run in floats ends within the enclosure.
+    let rows = scenario::Scenario::read(TURNING).expect("a scenario").run(&Unwatched).rows;
+    for name in ["heading_spread", "disagreement", "min_distance"] {
+        let observables = &rows.last().expect("a row").observables;
+        let value = match &observables.iter().find(|observable| observable.name == name).expect("it is observed").value
+        {
+            scenario::Value::Number(x) => *x,
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(verdict(TURNING, &format!("always[1/4, 1/4](abs({name} - {value:.12}) < 10^(-6))")), Verdict::Holds);
+    }
+    // Two agents on either side of the direction -x: their headings are far apart as they are read, and near as angles.
+    let behind = "velocities = [[-1, \"1/4\"], [-1, \"-1/4\"], [-1, \"1/2\"]]";
+    let turned = TURNING.replace("velocities = [[1, 0], [1, \"1/2\"], [1, \"-1/4\"]]", behind);
+    let open =
+        answered(&turned.replace("[law]", "[law]\nheading_difference = \"wrapped\""), "n = 1", conserved, "1 < 0");
+    assert!(open.verdict == Verdict::Undecided && open.why.contains("opposite directions"), "{}", open.why);
+    let raw = answered(&TURNING.replace("[[1, 0]", "[[-1, 0]"), "n = 1", conserved, "1 < 0");
+    assert!(raw.verdict == Verdict::Undecided && raw.why.contains("may pass pi"), "{}", raw.why);
+    let within = TURNING.replace("kind = \"complete\"", "kind = \"within\"\nradius = 4");
+    let open = answered(&within, "n = 1", conserved, "1 < 0");
+    assert!(open.verdict == Verdict::Undecided && open.why.contains("do not switch"), "{}", open.why);
+}
+
 #[test]
 fn platoons_on_a_line_are_decided_on_the_sum_over_modes() {
     // Far more cars and far longer than steps could follow.

@@ -1,7 +1,7 @@
 //! What is measured on the enclosed states of a piece of time.
 
 use super::laws::phasors_of;
-use super::{BITS, widened};
+use super::{BITS, narrowed, widened};
 use crate::error::Problem;
 use crate::evaluate::{Failure, Measured, Moment};
 use crate::names::Quantity;
@@ -117,8 +117,9 @@ impl At<'_> {
 
     fn energies(&self, name: &str, potential: &Potential) -> Result<Interval, Failure> {
         let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
-        let state = State::from_list(numbers.len() / 4, &numbers)
-            .ok_or_else(|| Failure::open("a state of another size", None))?;
+        let agents = self.agent_count().0;
+        let state = numbers.get(..4 * agents).and_then(|list| State::from_list(agents, list));
+        let state = state.ok_or_else(|| Failure::open("a state of another size", None))?;
         let kinetic = || kinetic_energy(&state.velocities, Coordinates::Cartesian).map_err(unmeasured);
         if name == "kinetic" {
             return kinetic();
@@ -127,6 +128,20 @@ impl At<'_> {
         let value = |_: usize, _: usize, s: &Interval| potential.value(s);
         let own = potential_energy(&state.positions, pairs, Coordinates::Cartesian, value).map_err(unmeasured)?;
         if name == "potential" { Ok(own) } else { Ok(own + kinetic()?) }
+    }
+
+    /// The largest angle between two headings, which are followed continuously.
+    fn heading_spread(&self, agents: usize) -> Result<Interval, Failure> {
+        let pairs = (0..agents).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let first = 4 * agents;
+        let sizes: Vec<Interval> = pairs
+            .map(|(i, j)| Number::interval(widened(&self.difference(first + i, first + j))))
+            .map(|angle| angle.absolute(BITS).enclosure(BITS))
+            .collect();
+        if sizes.iter().any(|size| narrowed(size).hi() >= std::f64::consts::PI) {
+            return Err(Failure::open("two agents may move in opposite directions", None));
+        }
+        extreme(&sizes, true).ok_or_else(|| Failure::open("one agent has no heading different from others", None))
     }
 
     fn of_phases(&self, name: &str, network: &Neighbours, arguments: &[Number]) -> Result<Interval, Failure> {
@@ -211,6 +226,9 @@ impl Moment for At<'_> {
             (ExactMotion::Phases { .. } | ExactMotion::Other(_), "min_distance") => return Err(not_here()),
             (_, "min_distance") => self.min_distance(),
             (ExactMotion::Velocities { .. } | ExactMotion::Platoon { .. }, "disagreement") => self.disagreement(),
+            (ExactMotion::Velocities { positions, headings: Some(_), .. }, "heading_spread") => {
+                self.heading_spread(positions.len())
+            }
             (ExactMotion::Velocities { potential, .. }, "potential" | "kinetic" | "energy") => {
                 self.energies(name, potential)
             }

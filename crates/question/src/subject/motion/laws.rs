@@ -1,6 +1,9 @@
 //! The laws that are enclosed, over any scalar.
 
 use arithmetic::{ArithmeticError, Complex, Field, Rational, Ring};
+use models::double_integrator::{
+    Coordinates, Pair, Potential, State as Flock, gyroscopic, heading_rate, potential_gradients,
+};
 use models::oscillator::{Neighbours, State, beacon_control, laplacian_control, spacing_control};
 use models::platoon::{CommunicationGraph, Gains};
 use motion::validated::SmoothLaw;
@@ -24,6 +27,27 @@ impl SmoothLaw for PhaseLaw<'_> {
             [-(z.im * &rate), z.re * rate]
         });
         Ok(turned.collect())
+    }
+}
+
+/// Heading alignment with headings that are followed as further numbers: positions, velocities, headings.
+pub(super) struct HeadingLaw<'a> {
+    pub potential: &'a Potential,
+    pub edges: &'a [Pair],
+}
+
+impl SmoothLaw for HeadingLaw<'_> {
+    fn rate<T: Field>(&self, state: &[T]) -> Result<Vec<T>, ArithmeticError> {
+        let agents = state.len() / 5;
+        let (list, headings) = state.split_at(4 * agents);
+        let (Some(like), Some(moving)) = (list.first(), Flock::from_list(agents, list)) else { return Ok(Vec::new()) };
+        let slope = self.potential.slope_over(like);
+        let gradients =
+            potential_gradients(&moving.positions, self.edges, Coordinates::Cartesian, |_, _, s| slope.at(s))?;
+        let forces = gyroscopic(&moving, &gradients, self.edges, |i, j| headings[i].clone() - &headings[j])?;
+        let turning = moving.velocities.iter().zip(&forces).map(|(v, a)| heading_rate(v, a));
+        let turning = turning.collect::<Result<Vec<T>, _>>()?;
+        Ok(moving.velocities.into_iter().chain(forces).flatten().chain(turning).collect())
     }
 }
 
