@@ -545,6 +545,11 @@ def claim(
     expected, expected_grades
         The verdict and grades that are recorded; another one is a difference.
 
+    Returns
+    -------
+    callable
+        A decorator, which gives a :class:`Claimed`.
+
     Raises
     ------
     ValueError, TypeError
@@ -584,11 +589,25 @@ def verify(*claims: Claimed[Any], seed: str = "flockproof", full: bool = False) 
 
     Checks run in this thread, one after the other. Corrections become claims of their own, ``beyond.`` and the id.
 
+    Parameters
+    ----------
+    claims
+        Made by :func:`claim`.
+    seed
+        Of ``run.random`` and of everything drawn.
+    full
+        Whether checks are asked for more cases.
+
     Returns
     -------
     Ledger
         With the same JSON as that of the papers. ``differences`` lists controls that were not refuted, missing
         controls, clauses without evidence and verdicts that are not the expected ones.
+
+    Raises
+    ------
+    TypeError
+        What is no claim. What a check raises is part of its entry.
     """
     documents, seconds = [], {}
     for one in claims:
