@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,17 @@ import numpy.typing as npt
 from . import _native
 from ._flock import _refused
 from ._graphs import given
-from ._numbers import Enclosure, ExactMatrix, Known, Number, exact, exact_matrix, floats_among, fraction_text, read_decimal
+from ._numbers import (
+    Enclosure,
+    ExactMatrix,
+    Known,
+    Number,
+    exact,
+    exact_matrix,
+    floats_among,
+    fraction_text,
+    read_decimal,
+)
 from ._progress import Progress, callback
 
 
@@ -220,8 +231,8 @@ def spectrum(
     ----------
     graph
         A name such as ``"ring:12"``, ``"path:30"``, ``"circulant:12:1,3"`` or ``"platoon2:8"``; a file (edge list,
-        Matrix Market or GraphML); a graph of networkx (edge attribute ``weight``) or rustworkx; a SciPy sparse matrix, a NumPy
-        array or a list of row *lists* with the weight of the arc from i to j in row i, column j; or a list of edge
+        Matrix Market or GraphML); a graph of networkx (edge attribute ``weight``) or rustworkx; a SciPy sparse matrix,
+        a NumPy array or a list of row *lists* with the weight of the arc from i to j in row i, column j; or a list of edge
         *tuples* ``(i, j)`` or ``(i, j, weight)``, undirected, between the vertices that are named in it. Weights are
         exact.
     kind
@@ -421,9 +432,9 @@ def ergodicity(
     >>> e = ergodicity([first, [[1, 0, 0], [0, "1/3", "2/3"], [0, "1/3", "2/3"]]])
     >>> e.tau_1, e.product[1, 0], len(e.stabilisers)
     (Fraction(2, 3), Fraction(1, 6), 1)
-    >>> e = ergodicity([[[0.1, 0.9], [0.7, 0.1 + 0.2]]], normalise=True)
+    >>> e = ergodicity([[[0.5, 0.5], [0.1, 0.9]]], normalise=True)
     >>> e.changed
-    ('matrix 1, row 2: divided by its sum, 1 +5.551e-17',)
+    ('matrix 1, row 2: divided by its sum, 1 +2.776e-17',)
     """
     changed: tuple[str, ...] = ()
     if isinstance(matrices, (str, os.PathLike)):
@@ -466,6 +477,13 @@ def _footprint(text: str) -> npt.NDArray[np.bool_]:
     return found
 
 
+def _float(x: Fraction) -> float:
+    try:
+        return float(x)
+    except OverflowError:
+        return inf
+
+
 @contextmanager
 def _advised(normalise: bool) -> Iterator[None]:
     """What helps against rows that do not sum to 1."""
@@ -490,9 +508,7 @@ def _sequence(matrices: Any) -> list[ExactMatrix]:
 
 def _read_sequence(text: str, normalise: bool) -> tuple[list[ExactMatrix], tuple[str, ...]]:
     found, changed = _native.read_sequence(text, normalise)
-    told = tuple(
-        f"matrix {k}, row {i}: divided by its sum, 1 {float(Fraction(*total) - 1):+.3e}" for k, i, total in changed
-    )
+    told = tuple(f"matrix {k}, row {i}: divided by its sum, 1 {_float(Fraction(*s) - 1):+.3e}" for k, i, s in changed)
     return [ExactMatrix(*matrix) for matrix in found], told
 
 

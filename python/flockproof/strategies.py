@@ -149,7 +149,7 @@ def stochastic_matrices(
 
 @st.composite
 def stochastic_sequences(
-    draw: st.DrawFn, max_length: int = 6, min_order: int = 1, max_order: int = 4, **kind: Any
+    draw: st.DrawFn, /, max_length: int = 6, min_order: int = 1, max_order: int = 4, **kind: Any
 ) -> list[list[list[Fraction]]]:
     """Sequences of row-stochastic matrices of one order, the first factor first; shrink to few small ones.
 

@@ -51,7 +51,9 @@ def test_functions_name_their_arguments(name: str) -> None:
 
 
 #: Those that take anything that could be wrong.
-CAREFUL = [name for name in FUNCTIONS if name.count(".") == 1 and name not in ("flockproof.ledger", "flockproof.invariants")]
+CAREFUL = [
+    name for name in FUNCTIONS if name.count(".") == 1 and name not in ("flockproof.ledger", "flockproof.invariants")
+]
 
 
 @pytest.mark.parametrize("name", CAREFUL)
