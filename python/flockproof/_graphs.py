@@ -10,7 +10,8 @@ from typing import Any
 from . import _native
 from ._numbers import ExactMatrix, exact_matrix, float_seen, holds_floats, over_common_denominator
 
-#: What the native half takes: order, tails, heads, weights over a denominator; or "name"/"text"/"text from 0" and a text.
+#: What the native half takes: order, tails, heads, weights over a denominator; or "name", "text" or "text from 0"
+#: and a text.
 Native = tuple[int, list[int], list[int], list[int], int] | tuple[str, str]
 
 FLOATS = "the weights are floats, which stand for their exact values"

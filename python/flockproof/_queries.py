@@ -232,9 +232,9 @@ def spectrum(
     graph
         A name such as ``"ring:12"``, ``"path:30"``, ``"circulant:12:1,3"`` or ``"platoon2:8"``; a file (edge list,
         Matrix Market or GraphML); a graph of networkx (edge attribute ``weight``) or rustworkx; a SciPy sparse matrix,
-        a NumPy array or a list of row *lists* with the weight of the arc from i to j in row i, column j; or a list of edge
-        *tuples* ``(i, j)`` or ``(i, j, weight)``, undirected, between the vertices that are named in it. Weights are
-        exact.
+        a NumPy array or a list of row *lists* with the weight of the arc from i to j in row i, column j; or a list of
+        edge *tuples* ``(i, j)`` or ``(i, j, weight)``, undirected, between the vertices that are named in it. Weights
+        are exact.
     kind
         ``laplacian``, ``out-degree``, ``in-degree``, ``normalised``, ``walk``, ``reduced`` or ``adjacency``.
     digits
