@@ -19,6 +19,11 @@ impl Drop for Server {
 }
 
 fn start(name: &str) -> Server {
+    start_with(name, &[])
+}
+
+/// The same with further arguments.
+fn start_with(name: &str, arguments: &[&str]) -> Server {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::create_dir_all(&folder).expect("a folder");
     let ledger = folder.join("ledger.json");
@@ -27,6 +32,7 @@ fn start(name: &str) -> Server {
     let mut child = Command::new(env!("CARGO_BIN_EXE_flockproof"))
         .args(["serve", "--port", "0", "--no-figures", "--ledger"])
         .arg(&ledger)
+        .args(arguments)
         .stdout(Stdio::piped())
         .spawn()
         .expect("the program starts");
@@ -153,17 +159,18 @@ fn certificates_and_texts_beside_questions() {
     assert_eq!(answer(&server.question("question", &body).1)["answer"]["verdict"], "holds");
 }
 
-/// Children of the server that run.
+/// Children of the server that run, by their ids.
 #[cfg(target_os = "linux")]
-fn children(server: &Server) -> usize {
+fn children(server: &Server) -> Vec<u32> {
     let parent = format!(" {} ", server.child.id());
     let stat =
         |entry: std::io::Result<std::fs::DirEntry>| std::fs::read_to_string(entry.ok()?.path().join("stat")).ok();
-    let of_server = |stat: &String| {
+    let of_server = |stat: String| {
         let rest = stat.rsplit(')').next().unwrap_or_default();
-        rest.get(2..).is_some_and(|rest| rest.starts_with(&parent)) && !rest.starts_with(" Z")
+        let own = rest.get(2..).is_some_and(|rest| rest.starts_with(&parent)) && !rest.starts_with(" Z");
+        own.then(|| stat.split(' ').next()?.parse().ok()).flatten()
     };
-    std::fs::read_dir("/proc").expect("/proc").filter_map(stat).filter(of_server).count()
+    std::fs::read_dir("/proc").expect("/proc").filter_map(stat).filter_map(of_server).collect()
 }
 
 /// A question of a thousand million cases.
@@ -193,7 +200,12 @@ fn a_closed_page_stops_its_work() {
         stream
     };
     let pages: Vec<TcpStream> = (0..4).map(|_| open()).collect();
-    assert_eq!(children(&server), 4);
+    assert_eq!(children(&server).len(), 4);
+    for child in children(&server) {
+        let limits = std::fs::read_to_string(format!("/proc/{child}/limits")).expect("the limits of a child");
+        let memory = limits.lines().find(|line| line.starts_with("Max data size")).expect("of memory");
+        assert_eq!(memory.split_whitespace().nth(3), Some("2147483648"), "{memory}");
+    }
     // All places are taken, and pages still come.
     assert_eq!(server.question("question", &body).0, 503);
     assert_eq!(server.ask("GET /", "", "").0, 200);
@@ -201,10 +213,25 @@ fn a_closed_page_stops_its_work() {
     // Long before their time is over.
     let gone = (0..300).any(|_| {
         std::thread::sleep(Duration::from_millis(100));
-        children(&server) == 0
+        children(&server).is_empty()
     });
-    assert!(gone, "{} questions are still worked on", children(&server));
+    assert!(gone, "{} questions are still worked on", children(&server).len());
     assert_eq!(server.question("spectrum", r#"{"graph": "ring:4"}"#).0, 200);
+}
+
+/// Eight million links, which are within what a scenario may have, take more than 64 MiB.
+#[cfg(target_os = "linux")]
+#[test]
+fn memory_is_bounded() {
+    let server = start_with("serve-memory", &["--memory", "64"]);
+    let scenario = "model = \"velocity-alignment\"\n[graph]\nkind = \"complete\"\n[state]\n\
+        random = { agents = 4000, seed = 1, half = 1000 }\n[law]\npotential = \"inverse-square-log\"\n[run]\nuntil = 1\n";
+    let (_, reply) = server.question("scenario", &serde_json::json!({"scenario": scenario}).to_string());
+    let why = answer(&reply)["refused"].as_str().unwrap_or_default().to_string();
+    assert!(why.starts_with("the question needs more memory than a page may use"), "{reply}");
+    // The next one is answered, and pages still come.
+    assert_eq!(server.question("spectrum", r#"{"graph": "ring:4"}"#).0, 200);
+    assert_eq!(server.ask("GET /", "", "").0, 200);
 }
 
 #[test]

@@ -19,9 +19,9 @@ const TICK: Duration = Duration::from_millis(100);
 const REFUSED: &str = "{\"refused\":";
 
 /// Answers in lines of JSON: `{"progress": ..}` as often as there is any, and at the end `{"answer": .., "shown": ..}` or
-/// `{"refused": ..}`. A question that makes no sense is refused with status 422.
-pub fn answer(what: &str, question: &[u8], reply: &mut Reply) -> io::Result<()> {
-    let worker = match Worker::start(what, question) {
+/// `{"refused": ..}`; `memory` is in MiB. A question that makes no sense is refused with status 422.
+pub fn answer(what: &str, question: &[u8], memory: u64, reply: &mut Reply) -> io::Result<()> {
+    let worker = match Worker::start(what, question, memory) {
         Ok(worker) => worker,
         Err(error) => return reply.refuse(503, &format!("the program cannot be started: {error}")),
     };
@@ -66,11 +66,11 @@ struct Worker {
 }
 
 impl Worker {
-    fn start(what: &str, question: &[u8]) -> io::Result<Self> {
+    fn start(what: &str, question: &[u8], memory: u64) -> io::Result<Self> {
         let mut child = Command::new(std::env::current_exe()?)
             // Where another program runs this command line, such as Python, that comes first.
             .args(std::env::args_os().skip(1).take_while(|word| word != "serve"))
-            .args(["serve", "--worker", what])
+            .args(["serve", "--worker", what, "--memory", &memory.to_string()])
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .stderr(Stdio::null())

@@ -30,6 +30,9 @@ pub struct Arguments {
     /// Leave out the tables and figures
     #[arg(long)]
     no_figures: bool,
+    /// Memory that one question may take, in MiB
+    #[arg(long, value_name = "MIB", default_value_t = 2048, value_parser = clap::value_parser!(u64).range(16..=1 << 20))]
+    memory: u64,
     /// Answer one question from standard input: what the server starts for each
     #[arg(long, hide = true, value_name = "WHAT")]
     worker: Option<String>,
@@ -49,11 +52,13 @@ struct Site {
     /// What `Host` may say.
     hosts: [String; 2],
     questions: Room,
+    /// MiB for each.
+    memory: u64,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if let Some(what) = &arguments.worker {
-        return worker::run(what);
+        return worker::run(what, arguments.memory);
     }
     let Some(pages) = report::pages(arguments.ledger.as_deref(), !arguments.no_figures)? else {
         return Ok(ExitCode::from(interrupt::STATUS));
@@ -66,6 +71,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         pages: pages.into_iter().map(|Page { path, contents }| (path, contents)).collect(),
         hosts: [format!("127.0.0.1:{port}"), format!("localhost:{port}")],
         questions: Room::new(QUESTIONS),
+        memory: arguments.memory,
     });
     let connections = Room::new(CONNECTIONS);
     super::output::print(&format!("http://127.0.0.1:{port}/ (Ctrl-C ends it)\n"))?;
@@ -141,7 +147,7 @@ impl Site {
         let Some(path) = path.strip_prefix('/') else { return reply.refuse(404, "there is no such page") };
         match (request.method.as_str(), path.strip_prefix("api/")) {
             ("POST", Some(what)) if ask::is_known(what) => match self.questions.enter() {
-                Some(_place) => job::answer(what, &request.body, reply),
+                Some(_place) => job::answer(what, &request.body, self.memory, reply),
                 None => reply.refuse(503, "other questions are being answered; try again when one of them is"),
             },
             ("POST", Some(_)) => reply.refuse(404, "there is nothing here"),

@@ -12,9 +12,9 @@ use std::time::{Duration, Instant};
 /// Least time between two messages about progress.
 const PAUSE: Duration = Duration::from_millis(100);
 
-/// Reads the length of a question and the question from standard input, and writes lines of JSON.
-pub fn run(what: &str) -> Result<ExitCode, CliError> {
-    confine()?;
+/// Reads the length of a question and the question from standard input, and writes lines of JSON; `memory` is in MiB.
+pub fn run(what: &str, memory: u64) -> Result<ExitCode, CliError> {
+    confine(memory)?;
     let question = read()?;
     // Who asked holds the other end of standard input as long as the answer is wanted.
     std::thread::spawn(|| {
@@ -43,11 +43,11 @@ fn read() -> Result<String, CliError> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// Takes from this process what no question needs: opening and writing files, and more than 2 GiB of memory.
+/// Takes from this process what no question needs: opening and writing files, and more than so many MiB of memory.
 #[cfg(unix)]
-fn confine() -> Result<(), CliError> {
+fn confine(memory: u64) -> Result<(), CliError> {
     use rustix::process::{Resource, Rlimit, setrlimit};
-    let limits = [(Resource::Nofile, 3), (Resource::Fsize, 0), (Resource::Core, 0), (Resource::Data, 2 << 30)];
+    let limits = [(Resource::Nofile, 3), (Resource::Fsize, 0), (Resource::Core, 0), (Resource::Data, memory << 20)];
     for (resource, most) in limits {
         let limit = Rlimit { current: Some(most), maximum: Some(most) };
         setrlimit(resource, limit).map_err(|error| CliError::Use(format!("limits of the process: {error}")))?;
@@ -57,7 +57,7 @@ fn confine() -> Result<(), CliError> {
 
 /// Elsewhere what answers opens no files by itself.
 #[cfg(not(unix))]
-fn confine() -> Result<(), CliError> {
+fn confine(_: u64) -> Result<(), CliError> {
     Ok(())
 }
 

@@ -40,13 +40,20 @@ fn points(spectrum: &Spectrum) -> Picture {
     Picture::new("").grid(1, (720.0, 260.0)).panel(panel)
 }
 
-/// A graph with its vertices on a circle, arcs with heads; nothing where it is too large to be seen.
+/// A graph with its vertices on a circle, arcs with heads, and its size in words; nothing where it is too large to be seen.
 pub(super) fn drawn(order: usize, arcs: &[(usize, usize)], directed: bool) -> Markup {
-    const SIZE: f64 = 320.0;
-    if order == 0 || order > DRAWN {
-        return html! {};
+    match network(order, arcs, directed, 320.0) {
+        Some((drawn, about)) => html! { (drawn) p.small { (about) "." } },
+        None => html! {},
     }
-    let (middle, radius) = (SIZE / 2.0, SIZE / 2.0 - 24.0);
+}
+
+/// The drawing, so many pixels wide and high, and the size of the graph in words.
+pub(crate) fn network(order: usize, arcs: &[(usize, usize)], directed: bool, size: f64) -> Option<(Markup, String)> {
+    if order == 0 || order > DRAWN {
+        return None;
+    }
+    let (middle, radius) = (size / 2.0, size / 2.0 - 24.0);
     let place = |k: usize| {
         let angle = std::f64::consts::TAU * (k as f64 / order as f64 - 0.25);
         (middle + radius * angle.cos(), middle + radius * angle.sin())
@@ -60,11 +67,13 @@ pub(super) fn drawn(order: usize, arcs: &[(usize, usize)], directed: bool) -> Ma
         (x + a, y + b, u - a, v - b)
     };
     let lines = arcs.iter().filter(|(i, j)| i != j && (directed || i < j));
-    let edges = if directed { "arcs" } else { "edges" };
-    let about = format!("Graph with {order} vertices and {} {edges}", lines.clone().count());
-    html! {
+    let plural = |count: usize, one: &str, many: &str| format!("{count} {}", if count == 1 { one } else { many });
+    let (one, many) = if directed { ("arc", "arcs") } else { ("edge", "edges") };
+    let count = plural(lines.clone().count(), one, many);
+    let about = format!("Graph with {} and {count}", plural(order, "vertex", "vertices"));
+    let drawn = html! {
         div.network role="img" aria-label=(about) {
-            svg width=(SIZE) height=(SIZE) viewBox=(format!("0 0 {SIZE} {SIZE}")) {
+            svg width=(size) height=(size) viewBox=(format!("0 0 {size} {size}")) {
                 @for &(i, j) in lines {
                     @let (x, y, u, v) = ends(i, j);
                     line x1=(format!("{x:.1}")) y1=(format!("{y:.1}")) x2=(format!("{u:.1}")) y2=(format!("{v:.1}")) {}
@@ -77,8 +86,8 @@ pub(super) fn drawn(order: usize, arcs: &[(usize, usize)], directed: bool) -> Ma
                 }
             }
         }
-        p.small { (about) "." }
-    }
+    };
+    Some((drawn, about))
 }
 
 /// The head of an arrow.

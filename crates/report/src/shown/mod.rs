@@ -10,6 +10,7 @@ mod question;
 mod simulation;
 
 pub use flock::flock;
+pub(crate) use graph::network;
 pub use graph::spectrum;
 pub use pattern::{PatternError, PatternRow, patterns};
 pub use platoon::PlatoonError;
@@ -53,12 +54,17 @@ fn verdict(class: &str, mark: &str, word: &str, sentence: &str) -> Markup {
 
 /// A picture with its text as text. `name` tells it from others on the same page.
 fn picture(picture: &Picture, name: &str, about: &str) -> Markup {
+    html! { figure.shown { (drawing(picture, name, about)) figcaption { (about) } } }
+}
+
+/// The same without a sentence below it.
+pub(crate) fn drawing(picture: &Picture, name: &str, about: &str) -> Markup {
     // Names of clipped parts are those of the whole page.
     let svg = picture
         .svg()
         .replace("id=\"panel", &format!("id=\"{name}-panel"))
         .replace("url(#panel", &format!("url(#{name}-panel"));
-    html! { figure.shown { div.picture role="img" aria-label=(about) { (PreEscaped(svg)) } figcaption { (about) } } }
+    html! { div.picture role="img" aria-label=(about) { (PreEscaped(svg)) } }
 }
 
 /// A motion that can be played.

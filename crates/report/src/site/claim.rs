@@ -27,7 +27,7 @@ pub(super) fn body(site: &Site, entry: &Entry, links: Links) -> Markup {
                         blockquote.statement { p { (rich(&entry.statement)) } }
                     }
                     @if let Some(text) = &entry.reading { (section("reading", "Read as", rich(text))) }
-                    @if let Some(text) = &entry.counterexample { (section("counterexample", "Counterexample", rich(text))) }
+                    @if let Some(text) = &entry.counterexample { (counterexample(site, text, links)) }
                     @if let Some(text) = &entry.corrected { (correction(site, entry, text, links)) }
                 }
                 (reliability(site, entry, links))
@@ -57,6 +57,17 @@ pub(super) fn body(site: &Site, entry: &Entry, links: Links) -> Markup {
 
 fn section(id: &str, title: &str, text: Markup) -> Markup {
     html! { section aria-labelledby=(id) { h2 id=(id) { (title) } p { (text) } } }
+}
+
+/// The sentence, and what can be drawn of it.
+fn counterexample(site: &Site, text: &str, links: Links) -> Markup {
+    html! {
+        section aria-labelledby="counterexample" {
+            h2 #counterexample { "Counterexample" }
+            p { (site.names.rich(text, links)) }
+            (super::counterexample::drawings(site, text, links))
+        }
+    }
 }
 
 fn of_paper(entry: &Entry, links: Links) -> Markup {

@@ -2,6 +2,7 @@
 
 mod claim;
 mod coq;
+mod counterexample;
 mod errata;
 mod explore;
 mod figure;

@@ -156,3 +156,70 @@ fn figures_name_claims_that_exist() {
         }
     }
 }
+
+/// What is drawn of the sentence of a counterexample: the names of the pictures.
+fn drawn(counterexample: &str) -> Vec<String> {
+    let mut entry: serde_json::Value = serde_json::from_str(&ledger("veerman.own", "x")).expect("a ledger");
+    entry["claims"][0]["counterexample"] = counterexample.into();
+    let text = entry.to_string();
+    let document = Document::read(&text).expect("a ledger");
+    let ledger = Ledger::new();
+    let page = Site::new(&document, &ledger, &[]).alone("veerman.own").expect("the page");
+    let Some((_, rest)) = page.split_once("<div class=\"drawings\">") else { return Vec::new() };
+    let (section, _) = rest.split_once("</section>").expect("its end");
+    section.split(" aria-label=\"").skip(1).map(|rest| rest.split('"').next().unwrap_or_default().to_string()).collect()
+}
+
+#[test]
+fn counterexamples_are_drawn_from_their_sentence() {
+    assert_eq!(
+        drawn("two agents at (0, 0) and (1, 1) with velocities (0, 2) and (0, 1): the sum is 1/2, but 0 is claimed"),
+        ["The 2 points, with arrows for velocities.", "computed 1/2, claimed 0"]
+    );
+    assert_eq!(
+        drawn("two agents at (0, 0) and (2, 0), linked, both with velocity (2, 0): they swing"),
+        ["The 2 points, with arrows for velocities; lines are links."]
+    );
+    assert_eq!(drawn("the path 1-2-3 at (1, 0), (0, 0), (1, 0), V = s: at rest"), ["The 3 points; lines are links."]);
+    assert_eq!(
+        drawn("3 birds, no edges, then 1-2, then 1-2 2-3, and so for ever"),
+        ["Graph with 3 vertices and 0 edges", "Graph with 3 vertices and 1 edge", "Graph with 3 vertices and 2 edges"]
+    );
+    assert_eq!(
+        drawn("N = 2, 1->2 (k->j: j is a neighbour of k), phases (0/4, 1/4) turns: W_1 = 1/4"),
+        ["Graph with 2 vertices and 1 arc", "Phases on the circle"]
+    );
+    assert_eq!(
+        drawn("N = 4, circulant graph with offsets [1], phases (0, a, a + pi, pi), cos a = 3/5, and more"),
+        ["Graph with 4 vertices and 4 edges", "Phases on the circle"]
+    );
+    assert_eq!(
+        drawn("2 vertices, edges [(0, 1)], v_x = 1: dW/dt = 0, but the bound is -4"),
+        ["Graph with 2 vertices and 1 edge", "computed 0, the bound -4"]
+    );
+    assert_eq!(
+        drawn("x_1 = 1, y_1 = 1, tan(th_1/2) = 2, component 1 is 1"),
+        ["The point, with arrows for velocities."]
+    );
+}
+
+#[test]
+fn what_is_not_understood_is_not_drawn() {
+    for sentence in [
+        "",
+        "n = 1, N = 0: the graph is connected, and the followers [] stay at rest",
+        "pages 1-2 of the paper",
+        "2 birds, 1-5: a bird that is not there",
+        "agents at (0, 0) and (1, x)",
+        "phases (0, b), cos a = 1/2",
+        "phases (1/0, 2) turns",
+        "99999999999999999999 birds, 1-2",
+        "0 vertices, edges []",
+        "edges [(0, 99999999999999999999)], 2 vertices",
+        "a = 1/0, but 1/0 is claimed",
+        "N = 4: NFREQ prints 0.27, but for 5 followers it is [0.21, 0.22]",
+        "\u{221e} = \u{221e}, but \u{221e} is claimed; (((, but ))) is ,:; at (",
+    ] {
+        assert_eq!(drawn(sentence), [""; 0], "{sentence}");
+    }
+}
