@@ -84,6 +84,8 @@ class Claims(Sequence[Claim]):
 
     def __init__(self, claims: Iterable[Claim]) -> None:
         self._all = tuple(claims)
+        if not all(isinstance(claim, Claim) for claim in self._all):
+            raise TypeError(f"claims should be those of ledger(), but they are `{str(self._all)[:60]}`")
         self._by_id = {claim.id: claim for claim in self._all}
 
     def __getitem__(self, key: Any) -> Any:

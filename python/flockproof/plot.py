@@ -1,22 +1,26 @@
 """Pictures of results, with matplotlib (``pip install flockproof[plot]``).
 
 Each function draws into ``axes``, or into a new figure, and returns the axes. Without matplotlib it raises
-ImportError, which names it.
+ImportError, which names it; what is none of this package's results is a TypeError.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from ._flock import Run, Settlement
-    from ._queries import Resonance, Spectrum
-    from ._runs import Simulation
+from ._flock import Run, Settlement
+from ._queries import Resonance, Spectrum
+from ._runs import Simulation
 
 __all__ = ["network", "observables", "paths", "resonances", "spectrum"]
+
+
+def _needed(value: object, kinds: type | tuple[type, ...], name: str, maker: str) -> None:
+    if not isinstance(value, kinds):
+        raise TypeError(f"{name} should be what {maker} gives, but it is `{str(value)[:60]}`")
 
 
 def _axes(axes: Any) -> Any:
@@ -41,6 +45,7 @@ def paths(simulation: Simulation, axes: Any = None) -> Any:
     -------
     matplotlib.axes.Axes
     """
+    _needed(simulation, Simulation, "simulation", "flockproof.simulate")
     axes = _axes(axes)
     positions = simulation.states.get("positions")
     if positions is None:
@@ -78,6 +83,7 @@ def observables(simulation: Simulation, names: Iterable[str] | None = None, axes
     ValueError
         A name that is not one of them.
     """
+    _needed(simulation, Simulation, "simulation", "flockproof.simulate")
     axes = _axes(axes)
     for name in simulation.observables if names is None else names:
         if name not in simulation.observables:
@@ -90,13 +96,13 @@ def observables(simulation: Simulation, names: Iterable[str] | None = None, axes
     return axes
 
 
-def resonances(found: Iterable[Resonance], axes: Any = None) -> Any:
+def resonances(found: Iterable[Resonance] | Resonance, axes: Any = None) -> Any:
     """Amplitudes of main resonances over the number of followers, with what Theorem 1 says.
 
     Parameters
     ----------
     found
-        Of :func:`flockproof.resonance`, in any order.
+        Of :func:`flockproof.resonance`, one or several, in any order.
     axes
         Of matplotlib; left out, those of a new figure.
 
@@ -104,6 +110,9 @@ def resonances(found: Iterable[Resonance], axes: Any = None) -> Any:
     -------
     matplotlib.axes.Axes
     """
+    found = list(found) if hasattr(found, "__iter__") else [found]
+    for one in found:
+        _needed(one, Resonance, "found", "flockproof.resonance")
     axes = _axes(axes)
     ordered = sorted(found, key=lambda r: r.followers)
     followers = [r.followers for r in ordered]
@@ -129,6 +138,7 @@ def spectrum(found: Spectrum, axes: Any = None) -> Any:
     -------
     matplotlib.axes.Axes
     """
+    _needed(found, Spectrum, "found", "flockproof.spectrum")
     axes = _axes(axes)
     values = np.array([complex(part) for part in found])
     sizes = [12 * part.multiplicity for part in found]
@@ -151,6 +161,7 @@ def network(found: Run | Settlement, axes: Any = None) -> Any:
     -------
     matplotlib.axes.Axes
     """
+    _needed(found, (Run, Settlement), "found", "Flock.run or Flock.settle")
     axes = _axes(axes)
     birds = sorted(bird for flock in found.flocks for bird in flock)
     turn = {bird: 2 * np.pi * k / len(birds) for k, bird in enumerate(birds)}

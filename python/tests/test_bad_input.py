@@ -17,7 +17,7 @@ import rustworkx as rx
 import scipy.sparse as sp
 
 import flockproof
-from flockproof import Enclosure, ExactMatrix
+from flockproof import Enclosure, ExactMatrix, claims, plot
 
 
 class Odd:
@@ -189,9 +189,29 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "verify.seed": lambda x: flockproof.verify(claims=NOTHING, seed=x),
     "verify.threads": lambda x: flockproof.verify(claims=NOTHING, threads=x),
     "explain": flockproof.explain,
+    "Claims": flockproof.Claims,
+    "claim.id": lambda x: claims.claim(x, "s", printed=1, controls={"c": 2}),
+    "claim.statement": lambda x: claims.claim("mine.a", x, printed=1, controls={"c": 2}),
+    "claim.controls": lambda x: claims.claim("mine.a", "s", printed=1, controls=x)(undecided),
+    "claim.clauses": lambda x: claims.claim("mine.a", "s", printed=1, controls={"c": 2}, clauses=x)(undecided),
+    "claim.repaired": lambda x: claims.claim("mine.a", "s", printed=1, controls={"c": 2}, repaired=x)(undecided),
+    "claim.expected": lambda x: claims.claim("mine.a", "s", printed=1, controls={"c": 2}, expected=x)(undecided),
+    "claims.verify": claims.verify,
+    "claims.every": claims.every,
+    "claims.some": claims.some,
+    "plot.paths": plot.paths,
+    "plot.observables": plot.observables,
+    "plot.resonances": lambda x: plot.resonances(x) if not is_empty(x) else None,
+    "plot.spectrum": plot.spectrum,
+    "plot.network": plot.network,
     "ledger[]": lambda x: flockproof.ledger()[x] if isinstance(x, str) else None,
     "ledger.paper": lambda x: flockproof.ledger().paper(x),
 }
+
+
+def undecided(variant: Any, run: claims.Run) -> claims.Outcome:
+    return run.undecided("nobody knows")
+
 
 #: Quick to check.
 NOTHING = next(claim.id for claim in flockproof.ledger() if claim.verdict == "not_checkable")
