@@ -15,6 +15,17 @@ bin=$work/venv/bin
 CARGO_TARGET_DIR=$target "$bin/maturin" build --release --locked --out "$work/wheels" --interpreter "$bin/python"
 "$bin/pip" install --quiet --disable-pip-version-check "$(ls "$work"/wheels/*.whl)[test]"
 
+step "the source distribution"
+# It has every file that a build reads, also those that lie outside of the packages.
+"$bin/maturin" sdist --out "$work/sdist" 2>/dev/null
+read_by_builds=(crates src notes assets proofs_checks/coq proofs_checks/checker)
+missing=$(LC_ALL=C comm -23 <(cd .. && git ls-files "${read_by_builds[@]}" | LC_ALL=C sort) \
+  <(tar tzf "$work"/sdist/*.tar.gz | sed 's#^[^/]*/##' | LC_ALL=C sort))
+if [ -n "$missing" ]; then
+  printf 'missing in the source distribution:\n%s\n' "$missing"
+  exit 1
+fi
+
 # Away from the sources, so that what is tested is the wheel.
 cp -r tests examples pyproject.toml "$work/"
 mkdir -p "$work/assets"

@@ -6,6 +6,7 @@ import json
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from ._numbers import (
     ExactMatrix,
     Known,
     Number,
+    exact,
     exact_matrix,
     float_seen,
     fraction_text,
@@ -271,13 +273,27 @@ class Flock:
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Flock:
-        """The flock of a JSON file of the command line."""
-        flock: Flock = _refused(path, lambda: cls.from_json(Path(path).read_text(encoding="utf-8")))
+        """The flock of a JSON file of the command line.
+
+        Raises
+        ------
+        ValueError
+            What is no flock, with the file and the field at fault.
+        OSError
+            A file that cannot be read.
+        """
+        flock: Flock = _refused(path, lambda: cls.from_json(Path(path).read_text(encoding="utf-8-sig")))
         return flock
 
     @classmethod
     def from_json(cls, text: str) -> Flock:
-        """The flock of a JSON text as the command line reads it."""
+        """The flock of a JSON text as the command line reads it.
+
+        Raises
+        ------
+        ValueError
+            What is no flock, with the field at fault.
+        """
         self = cls.__new__(cls)
         self._read(text, ())
         return self
@@ -296,6 +312,20 @@ class Flock:
             Exact steps on one network, and switches, before giving up.
         progress
             Called with (stage, done, total), or True.
+
+        Returns
+        -------
+        Settlement
+            Every switch, at times of any size.
+
+        Raises
+        ------
+        ValueError, TypeError
+            A flock of model K or with control, whose end is not decided; limits that are no counts.
+
+        Notes
+        -----
+        How, and why it is right: ``notes/settling.md``.
         """
         found = _native.flock_settle(self._text, steps, switches, callback(progress))
         pairs, log2_steps = found["next"] or ((), None)
@@ -329,6 +359,16 @@ class Flock:
             Whether the exact positions and velocities are wanted; their numbers grow with the time.
         progress
             Called with (stage, done, total), or True.
+
+        Returns
+        -------
+        Run
+            Switches, network and state at the last time.
+
+        Raises
+        ------
+        ValueError, TypeError
+            Times that are no counts; ``from_`` beyond ``until``.
         """
         found = _native.flock_run(self._text, until, from_, bool(products), bool(state), callback(progress))
         known = bool(self.from_floats)
@@ -355,10 +395,10 @@ class Flock:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Flock):
             return NotImplemented
-        return bool(json.loads(self._text) == json.loads(other._text))
+        return _canonical(self._text) == _canonical(other._text)
 
     def __hash__(self) -> int:
-        return hash(json.dumps(json.loads(self._text), sort_keys=True))
+        return hash(_canonical(self._text))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_flock, (self._text, self.from_floats))
@@ -382,6 +422,23 @@ def _flock(text: str, from_floats: tuple[str, ...]) -> Flock:
     flock = Flock.__new__(Flock)
     flock._read(text, from_floats)
     return flock
+
+
+def _canonical(text: str) -> str:
+    """A flock as a text in which equal numbers are written alike."""
+
+    def alike(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: alike(x) for key, x in value.items()}
+        if isinstance(value, list):
+            return [alike(x) for x in value]
+        try:
+            return fraction_text(exact(value)) if isinstance(value, (str, int, Decimal)) else value
+        except ValueError:
+            return value
+
+    fields = {"hysteresis": "none"} | json.loads(text, parse_float=Decimal)
+    return json.dumps({key: x if key == "ids" else alike(x) for key, x in fields.items()}, sort_keys=True)
 
 
 def _refused(path: str | os.PathLike[str], read: Any) -> Any:

@@ -10,7 +10,8 @@ from typing import Any
 from . import _native
 from ._numbers import ExactMatrix, exact_matrix, float_seen, holds_floats, over_common_denominator
 
-#: What the native half takes: order, tails, heads, weights over a denominator; or "name"/"text" and a text.
+#: What the native half takes: order, tails, heads, weights over a denominator; or "name", "text" or "text from 0"
+#: and a text.
 Native = tuple[int, list[int], list[int], list[int], int] | tuple[str, str]
 
 FLOATS = "the weights are floats, which stand for their exact values"
@@ -37,8 +38,8 @@ class Given:
             raise ValueError(f"root: {root!r} is not a vertex of the graph") from None
 
 
-def given(graph: Any) -> Given:
-    """Reads a graph.
+def given(graph: Any, zero_based: bool = False) -> Given:
+    """Reads a graph; ``zero_based`` is about the numbers of a file.
 
     Raises
     ------
@@ -46,7 +47,9 @@ def given(graph: Any) -> Given:
         What is no graph, with what is wrong.
     """
     if isinstance(graph, (str, os.PathLike)):
-        return _named_or_file(os.fspath(graph))
+        return _named_or_file(os.fspath(graph), zero_based)
+    if zero_based:
+        raise ValueError("zero_based is for the numbers of a file, and graph is none")
     module = type(graph).__module__.partition(".")[0]
     if module == "rustworkx":
         return _rustworkx(graph)
@@ -62,14 +65,16 @@ def given(graph: Any) -> Given:
     raise TypeError(f"graph: `{str(graph)[:60]}` is none of {kinds}")
 
 
-def _named_or_file(graph: str | bytes) -> Given:
+def _named_or_file(graph: str | bytes, zero_based: bool) -> Given:
     name = os.fsdecode(graph)
     problem = _native.graph_name_problem(name)
     if problem is None:
+        if zero_based:
+            raise ValueError(f"zero_based is for the numbers of a file, and {name} names a graph")
         return Given(("name", name), name)
     path = Path(name)
     if "\0" not in name and path.is_file():
-        return Given(("text", path.read_text(encoding="utf-8")), name)
+        return Given(("text from 0" if zero_based else "text", path.read_text(encoding="utf-8-sig")), name)
     if ":" in name:
         raise ValueError(f"graph: {problem}")
     raise ValueError(f"graph: there is no file of that name, and {problem}")

@@ -84,6 +84,8 @@ class Claims(Sequence[Claim]):
 
     def __init__(self, claims: Iterable[Claim]) -> None:
         self._all = tuple(claims)
+        if not all(isinstance(claim, Claim) for claim in self._all):
+            raise TypeError(f"claims should be those of ledger(), but they are `{str(self._all)[:60]}`")
         self._by_id = {claim.id: claim for claim in self._all}
 
     def __getitem__(self, key: Any) -> Any:
@@ -147,6 +149,11 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 def ledger() -> Claims:
     """All claims with the verdicts that are recorded; nothing is run. :func:`verify` runs the checks.
 
+    Returns
+    -------
+    Claims
+        By number or id, with ``to_pandas()``.
+
     Examples
     --------
     >>> len(ledger()) > 100
@@ -164,7 +171,23 @@ def ledger() -> Claims:
 
 @dataclass(frozen=True)
 class Evidence:
-    """One piece of evidence: its grade, the clauses (from 1) that it bears on, how far it reaches, and was done."""
+    """One piece of evidence.
+
+    Attributes
+    ----------
+    grade : str
+        ``kernel``, ``identity``, ``exhaustive``, ``certified``, ``argued``, ``exact``, ``simulated``, ``fuzzed`` or
+        ``text``.
+    clauses : tuple of int
+        Those that it bears on, from 1.
+    scope : str or None
+        ``all`` parameters or ``instances``.
+    part, detail : str
+        What was looked at, and what was done.
+    cases : int or None
+    error_bound : str or None
+        Of random identity tests.
+    """
 
     grade: str
     clauses: tuple[int, ...]
@@ -361,6 +384,21 @@ def verify(
     progress
         Called with (stage, done, total), or True.
 
+    Returns
+    -------
+    Ledger
+        An entry for each claim; ``differences`` says where it is not as recorded.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A paper or claim that is not there, with the nearest ones.
+
+    Notes
+    -----
+    Evidence of grade ``kernel`` rests on the transcript of Coq that comes with the package; all else is computed.
+    ``notes/guarantees.md`` says what verdicts and grades mean.
+
     Examples
     --------
     >>> entry = verify(claims="veerman.lem2")[0]
@@ -374,7 +412,22 @@ def verify(
 
 
 def explain(id: str) -> Text:
-    """One claim in words: statement, verdict, derivation, evidence, counterexample, correction.
+    """One claim in words: statement, verdict, derivation, evidence, counterexample, correction. It is checked anew.
+
+    Parameters
+    ----------
+    id
+        Such as ``"veerman.lem2"``; ``ledger()`` has all.
+
+    Returns
+    -------
+    Text
+        As wide as the terminal, at most 100 columns.
+
+    Raises
+    ------
+    ValueError, TypeError
+        No such claim; the nearest ids are told.
 
     Examples
     --------

@@ -164,9 +164,9 @@ class Enclosure:
 
     Notes
     -----
-    ``float(x)`` is the double nearest to the middle. ``y in x`` asks whether the number ``y`` lies in it. ``+ - * /``
-    enclose exactly. A comparison is answered where it is certain, and raises :class:`Undecided` where it is not.
-    ``==`` compares the ends.
+    ``float(x)`` is the double nearest to the middle. ``y in x`` asks whether the number ``y`` lies in it.
+    ``+ - * /``, powers and ``abs`` enclose exactly. A comparison, and ``bool(x)``, is answered where it is certain, and
+    raises :class:`Undecided` where it is not. ``==`` compares the ends with those of another enclosure.
 
     Examples
     --------
@@ -291,6 +291,30 @@ class Enclosure:
 
     def __rtruediv__(self, other: Number) -> Enclosure:
         return self._joined(other, lambda lo, hi: _quotients((lo, hi), (self.lo, self.hi)))
+
+    def __pos__(self) -> Enclosure:
+        return self
+
+    def __abs__(self) -> Enclosure:
+        ends = [abs(self.lo), abs(self.hi)]
+        return self._joined(0, lambda lo, hi: [*ends, Fraction(0)] if self.lo < 0 < self.hi else ends)
+
+    def __pow__(self, exponent: int) -> Enclosure:
+        if not isinstance(exponent, (int, np.integer)):
+            return NotImplemented
+        if exponent < 0:
+            return 1 / self ** (-exponent)
+        ends = [self.lo**exponent, self.hi**exponent]
+        if exponent % 2 == 0 and exponent > 0 and self.lo < 0 < self.hi:
+            ends.append(Fraction(0))
+        return self._joined(0, lambda lo, hi: ends)
+
+    def __bool__(self) -> bool:
+        if self.lo == self.hi == 0:
+            return False
+        if self.lo <= 0 <= self.hi:
+            raise Undecided(f"{self} is too wide to tell whether it is zero: ask for more digits")
+        return True
 
     def _compared(self, other: Any, certain: Callable[[Fraction, Fraction], bool | None]) -> bool:
         known = self._ends(other)

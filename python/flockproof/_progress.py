@@ -23,4 +23,5 @@ def callback(progress: Progress) -> Callable[[str, int, int | None], object] | N
 
 def _printed(stage: str, done: int, total: int | None) -> None:
     end = "\n" if done == total else ""
-    print(f"\r{stage}: {done}{'' if total is None else f' of {total}'} ", end=end, file=sys.stderr, flush=True)
+    named = f"{stage}: " if stage else ""
+    print(f"\r{named}{done}{'' if total is None else f' of {total}'} ", end=end, file=sys.stderr, flush=True)

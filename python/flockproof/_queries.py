@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +16,19 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _native
+from ._flock import _refused
 from ._graphs import given
-from ._numbers import Enclosure, ExactMatrix, Known, Number, exact, exact_matrix, floats_among, read_decimal
+from ._numbers import (
+    Enclosure,
+    ExactMatrix,
+    Known,
+    Number,
+    exact,
+    exact_matrix,
+    floats_among,
+    fraction_text,
+    read_decimal,
+)
 from ._progress import Progress, callback
 
 
@@ -203,23 +217,32 @@ def _shown(part: Eigenvalue) -> str:
     return value if part.imaginary is None else f"{value} + i {part.imaginary}"
 
 
-def spectrum(graph: Any, kind: str = "laplacian", digits: int | None = None, root: Any = None) -> Spectrum:
+def spectrum(
+    graph: Any,
+    kind: str = "laplacian",
+    digits: int | None = None,
+    root: Any = None,
+    *,
+    zero_based: bool = False,
+) -> Spectrum:
     """Enclose the eigenvalues of a matrix of a graph, with multiplicities.
 
     Parameters
     ----------
     graph
-        A name such as ``"ring:12"``, ``"path:30"``, ``"circulant:12:1,3"`` or ``"platoon2:8"``; a file (edge list or
-        Matrix Market); a graph of networkx (edge attribute ``weight``) or rustworkx; a SciPy sparse matrix, a NumPy
-        array or a list of row *lists* with the weight of the arc from i to j in row i, column j; or a list of edge
-        *tuples* ``(i, j)`` or ``(i, j, weight)``, undirected, between the vertices that are named in it. Weights are
-        exact.
+        A name such as ``"ring:12"``, ``"path:30"``, ``"circulant:12:1,3"`` or ``"platoon2:8"``; a file (edge list,
+        Matrix Market or GraphML); a graph of networkx (edge attribute ``weight``) or rustworkx; a SciPy sparse matrix,
+        a NumPy array or a list of row *lists* with the weight of the arc from i to j in row i, column j; or a list of
+        edge *tuples* ``(i, j)`` or ``(i, j, weight)``, undirected, between the vertices that are named in it. Weights
+        are exact.
     kind
         ``laplacian``, ``out-degree``, ``in-degree``, ``normalised``, ``walk``, ``reduced`` or ``adjacency``.
     digits
         Significant digits; left out: 20 where they are exact, otherwise what floating point with proved bounds gives.
     root
         The vertex that ``reduced`` leaves out, as the graph names it; for names, files and matrices its number from 1.
+    zero_based
+        Whether the vertices of an edge list in a file are numbered from 0, as networkx writes them.
 
     Returns
     -------
@@ -238,14 +261,15 @@ def spectrum(graph: Any, kind: str = "laplacian", digits: int | None = None, roo
     >>> print(spectrum([("a", "b"), ("b", "c"), ("c", "d")], digits=6)[1].value)
     [0.585786402, 0.585786462]
     """
-    read = given(graph)
+    read = given(graph, bool(zero_based))
     if not isinstance(kind, str):
         raise TypeError(f"kind should be a text, but it is `{str(kind)[:60]}`")
     try:
         order, method, reason, parts = _native.spectrum(read.native, kind, read.root(root), digits)
     except ValueError as error:
-        if read.native[0] in ("name", "text") and not str(error).startswith(("kind", "root", "the number of digits")):
-            raise ValueError(f"{read.name}: {error}") from None
+        told = str(error).replace("there is --zero-based", "there is zero_based=True")
+        if isinstance(read.native[0], str) and not told.startswith(("kind", "root", "the number of digits")):
+            raise ValueError(f"{read.name}: {told}") from None
         raise
     floats = read.from_floats
     found = Spectrum(
@@ -264,7 +288,19 @@ def spectrum(graph: Any, kind: str = "laplacian", digits: int | None = None, roo
 
 @dataclass(frozen=True)
 class Prefix:
-    """A product P(t) ... P(1): ergodicity coefficients and footprint."""
+    """A product P(t) ... P(1).
+
+    Attributes
+    ----------
+    t : int
+        How many factors.
+    tau_1 : Fraction
+        Half the largest 1-norm distance of two rows.
+    tau_2 : Enclosure
+        The largest Euclidean distance of two rows; ``tau_2_squared`` is a Fraction.
+    footprint : array of bool
+        Where the product is positive, of its shape.
+    """
 
     t: int
     tau_1: Fraction
@@ -284,7 +320,15 @@ class Prefix:
 
 @dataclass(frozen=True)
 class Stabiliser:
-    """A stabiliser V_k of the sequence: its members (from 1) and the time T_k from which it is seen."""
+    """A stabiliser V_k of the sequence (Chazelle, *Natural algorithms*, proof of Lemma 3.1).
+
+    Attributes
+    ----------
+    time : int
+        T_k, from which on it is seen.
+    members : tuple of int
+        From 1.
+    """
 
     time: int
     members: tuple[int, ...]
@@ -309,27 +353,34 @@ class Ergodicity:
     prefixes : tuple of Prefix
         All of this for each number of factors.
     from_floats : tuple of str
+    changed : tuple of str
+        A sentence for each row that ``normalise`` divided by its sum.
     """
 
     product: ExactMatrix
     prefixes: tuple[Prefix, ...]
     stabilisers: tuple[Stabiliser, ...]
     from_floats: tuple[str, ...] = ()
+    changed: tuple[str, ...] = ()
 
     @property
     def tau_1(self) -> Fraction:
+        """Half the largest 1-norm distance of two rows of the product."""
         return self.prefixes[-1].tau_1
 
     @property
     def tau_2(self) -> Enclosure:
+        """The largest Euclidean distance of two rows of the product."""
         return self.prefixes[-1].tau_2
 
     @property
     def tau_2_squared(self) -> Fraction:
+        """The square of ``tau_2``, exact."""
         return self.prefixes[-1].tau_2_squared
 
     @property
     def footprints(self) -> list[npt.NDArray[np.bool_]]:
+        """Where the products of the first 1, 2, .. factors are positive."""
         return [prefix.footprint for prefix in self.prefixes]
 
     def __repr__(self) -> str:
@@ -339,22 +390,32 @@ class Ergodicity:
             f"  tau_1  {float(self.tau_1):.10g}",
             f"  tau_2  {float(self.tau_2):.10g}",
             *(f"  V_{k} = {set(s.members)} from T_{k} = {s.time}" for k, s in enumerate(self.stabilisers, 1)),
-            *(f"  {sentence}" for sentence in self.from_floats),
+            *(f"  {sentence}" for sentence in self.from_floats + self.changed[:20]),
+            *([f"  and {len(self.changed) - 20} more rows"] if len(self.changed) > 20 else []),
         ]
         return "\n".join(lines)
 
 
-def ergodicity(matrices: Iterable[Any] | str | os.PathLike[str], progress: Progress = None) -> Ergodicity:
+def ergodicity(
+    matrices: Iterable[Any] | str | os.PathLike[str], progress: Progress = None, *, normalise: bool = False
+) -> Ergodicity:
     """Multiply a sequence of row-stochastic matrices exactly; ergodicity coefficients, footprints and stabilisers.
 
     Parameters
     ----------
     matrices
         P(1), P(2), ..: lists of rows, arrays or :class:`ExactMatrix`, with exact rows that sum to 1; or the path of a
-        file in one of the formats of the command line. A row of floats such as ``[0.1, 0.9]`` does not sum to 1
-        exactly: use texts or fractions.
+        file in one of the formats of the command line. A row of floats such as ``[0.1, 0.9]`` need not sum to 1
+        exactly: use texts or fractions, or ``normalise``.
     progress
         Called with (stage, done, total), or True.
+    normalise
+        Divide each row by its sum, exactly; ``changed`` tells which rows.
+
+    Returns
+    -------
+    Ergodicity
+        Exact, but for enclosures of square roots.
 
     Raises
     ------
@@ -371,15 +432,24 @@ def ergodicity(matrices: Iterable[Any] | str | os.PathLike[str], progress: Progr
     >>> e = ergodicity([first, [[1, 0, 0], [0, "1/3", "2/3"], [0, "1/3", "2/3"]]])
     >>> e.tau_1, e.product[1, 0], len(e.stabilisers)
     (Fraction(2, 3), Fraction(1, 6), 1)
+    >>> e = ergodicity([[[0.5, 0.5], [0.1, 0.9]]], normalise=True)
+    >>> e.changed
+    ('matrix 1, row 2: divided by its sum, 1 +2.776e-17',)
     """
+    changed: tuple[str, ...] = ()
     if isinstance(matrices, (str, os.PathLike)):
-        matrices = _sequence_file(Path(matrices))
-    elif not hasattr(matrices, "__iter__"):
-        raise TypeError(f"matrices should be a list of matrices, but it is `{str(matrices)[:60]}`")
-    read = [exact_matrix(matrix, f"matrix {k}") for k, matrix in enumerate(matrices, 1)]
-    floats = tuple(sentence for matrix in read for sentence in matrix.from_floats)
+        read, changed = _sequence_file(Path(matrices), bool(normalise))
+        floats: tuple[str, ...] = ()
+    else:
+        read = _sequence(matrices)
+        floats = tuple(sentence for matrix in read for sentence in matrix.from_floats)
+        if normalise and read:
+            rows = [[[fraction_text(x) for x in row] for row in matrix] for matrix in read]
+            read, changed = _read_sequence(json.dumps(rows), True)
     native = [_Matrix(m.shape[0], m.shape[1], list(m.numerators), m.denominator) for m in read]
-    product, prefixes, stabilisers = _native.ergodicity(native, callback(progress))
+    told = callback(progress)
+    with _advised(normalise):
+        product, prefixes, stabilisers = _native.ergodicity(native, told)
     known = bool(floats)
     return Ergodicity(
         ExactMatrix(*product, floats),
@@ -389,6 +459,7 @@ def ergodicity(matrices: Iterable[Any] | str | os.PathLike[str], progress: Progr
         ),
         tuple(Stabiliser(time, tuple(members)) for time, members in stabilisers),
         floats,
+        changed,
     )
 
 
@@ -406,9 +477,45 @@ def _footprint(text: str) -> npt.NDArray[np.bool_]:
     return found
 
 
-def _sequence_file(path: Path) -> list[ExactMatrix]:
-    text = path.read_text(encoding="utf-8")
+def _float(x: Fraction) -> float:
     try:
-        return [ExactMatrix(*matrix) for matrix in _native.read_sequence(text)]
+        return float(x)
+    except OverflowError:
+        return inf
+
+
+@contextmanager
+def _advised(normalise: bool) -> Iterator[None]:
+    """What helps against rows that do not sum to 1."""
+    try:
+        yield
+    except ValueError as error:
+        advice = "; normalise=True divides each row by its sum" if "sums to" in str(error) and not normalise else ""
+        raise ValueError(f"{error}{advice}") from None
+
+
+def _sequence(matrices: Any) -> list[ExactMatrix]:
+    if isinstance(matrices, (ExactMatrix, dict)) or not hasattr(matrices, "__iter__"):
+        raise TypeError(f"matrices should be a list of matrices, but it is `{str(matrices)[:60]}`")
+    given = list(matrices)
+    # One matrix where a sequence of them is expected: the rows of its first row are numbers.
+    if given and all(hasattr(row, "__iter__") and not isinstance(row, str) for row in given):
+        first = next(iter(given[0]), None) if not isinstance(given[0], (dict, set, frozenset)) else None
+        if first is not None and (isinstance(first, str) or not hasattr(first, "__iter__")):
+            raise ValueError("matrices should be a list of matrices, and this is one matrix: write [matrix]")
+    return [exact_matrix(matrix, f"matrix {k}") for k, matrix in enumerate(given, 1)]
+
+
+def _read_sequence(text: str, normalise: bool) -> tuple[list[ExactMatrix], tuple[str, ...]]:
+    found, changed = _native.read_sequence(text, normalise)
+    told = tuple(f"matrix {k}, row {i}: divided by its sum, 1 {_float(Fraction(*s) - 1):+.3e}" for k, i, s in changed)
+    return [ExactMatrix(*matrix) for matrix in found], told
+
+
+def _sequence_file(path: Path, normalise: bool) -> tuple[list[ExactMatrix], tuple[str, ...]]:
+    text: str = _refused(path, lambda: path.read_text(encoding="utf-8-sig"))
+    try:
+        with _advised(normalise):
+            return _read_sequence(text, normalise)
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from None

@@ -83,10 +83,17 @@ def check(question: Question, progress: Progress = None) -> Answer:
     progress
         Called with (stage, done, total), or True.
 
+    Returns
+    -------
+    Answer
+        Verdict, grades, counterexample.
+
     Raises
     ------
     ValueError, TypeError
         What is no question, with the place at fault; no control.
+    OSError
+        A file that cannot be read.
 
     Examples
     --------
@@ -129,14 +136,14 @@ def _read(question: Question) -> tuple[str, dict[str, str], str | None]:
         text, folder, name = toml(question), Path(), None
     elif isinstance(question, (str, os.PathLike)):
         path = Path(question)
-        text = _refused(path, lambda: path.read_text(encoding="utf-8"))
+        text = _refused(path, lambda: path.read_text(encoding="utf-8-sig"))
         folder, name = path.parent, os.fspath(question)
     else:
         raise TypeError(f"question should be a dictionary or a path, but it is `{str(question)[:60]}`")
     files: dict[str, str] = {}
     while (missing := _native.question_needs(text, files)) is not None:
         inner = folder / missing
-        files[missing] = _refused(inner, lambda inner=inner: inner.read_text(encoding="utf-8"))
+        files[missing] = _refused(inner, lambda inner=inner: inner.read_text(encoding="utf-8-sig"))
     return text, files, name
 
 
@@ -250,7 +257,17 @@ def _value(value: Any) -> Any:
 
 @dataclass(frozen=True)
 class Failure:
-    """A counterexample that was made simpler: ``question`` is a question file that :func:`check` decides alone."""
+    """A counterexample that was made simpler.
+
+    Attributes
+    ----------
+    invariant, why, instance : str
+        What fails, in words, and for what.
+    case : int
+        Its number: the seed and it give the same case again.
+    question : str or None
+        A question file that :func:`check` decides alone, of questions.
+    """
 
     invariant: str
     case: int
@@ -261,7 +278,15 @@ class Failure:
 
 @dataclass(frozen=True)
 class Invariant:
-    """What a campaign found about one invariant."""
+    """What a campaign found about one invariant.
+
+    Attributes
+    ----------
+    id : str
+    cases, undecided, failed : int
+    margin : float or None
+        The smallest, where there is one.
+    """
 
     id: str
     cases: int
@@ -302,7 +327,12 @@ class Campaign:
 
 
 def invariants() -> dict[str, str]:
-    """The built-in invariants of :func:`fuzz` with their statements.
+    """The built-in invariants of :func:`fuzz`.
+
+    Returns
+    -------
+    dict of str
+        Statements by name.
 
     Examples
     --------
@@ -342,6 +372,22 @@ def sweep(
     progress
         Called with (stage, done, total), or True.
 
+    Returns
+    -------
+    Table
+        A row for each member, numbers exact or enclosed.
+
+    Raises
+    ------
+    ValueError, TypeError
+        What is no question; a store that holds other shards, or these already where ``resume`` is not asked for.
+    OSError
+        A file that cannot be read or written.
+
+    Notes
+    -----
+    ``notes/questions.md`` has the language, ``notes/python.md`` how shards are sent and merged.
+
     Examples
     --------
     >>> table = sweep({
@@ -379,14 +425,29 @@ def fuzz(
     Parameters
     ----------
     question
-        The path of a question file, or the same as a dictionary; left out, the built-in ``invariants`` are attacked,
-        all where none is named.
+        The path of a question file, or the same as a dictionary; left out, the built-in invariants are attacked.
+    invariants
+        Which of them: names, or one; all where none is named.
     cases
         Random cases, of each invariant.
     seed
         Any text.
     client, store, shards, resume, threads, progress
         As for :func:`sweep`.
+
+    Returns
+    -------
+    Campaign
+        Counts, the smallest margin, and failures made simpler.
+
+    Raises
+    ------
+    ValueError, TypeError, OSError
+        As for :func:`sweep`; an invariant that is not known.
+
+    Notes
+    -----
+    A campaign without a failure proves nothing; ``notes/fuzzing.md``.
 
     Examples
     --------

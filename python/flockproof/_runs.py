@@ -27,7 +27,17 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Event:
-    """A link that came (``"link"``) or went (``"unlink"``); agents from 1."""
+    """A link that came or went.
+
+    Attributes
+    ----------
+    t : float
+        When.
+    kind : str
+        ``"link"`` or ``"unlink"``.
+    pair : tuple of int
+        The agents, from 1; of an arc the one that senses the other first.
+    """
 
     t: float
     kind: str
@@ -135,7 +145,9 @@ class Simulation:
         return "\n".join(lines)
 
 
-def simulate(scenario: Mapping[str, Any] | str | os.PathLike[str], progress: Progress = None) -> Simulation:
+def simulate(
+    scenario: Mapping[str, Any] | str | os.PathLike[str], progress: Progress = None, *, member: int | None = None
+) -> Simulation:
     """Simulate a scenario: phases, particles, fish, heading or velocity alignment, platoons, Vicsek.
 
     Parameters
@@ -145,11 +157,26 @@ def simulate(scenario: Mapping[str, Any] | str | os.PathLike[str], progress: Pro
         the keys. Fractions and arrays are taken too.
     progress
         Called with (stage, done, total), or True.
+    member
+        Of a scenario with ``[ensemble]`` or ``[sweep]`` this one of its runs, from 1: the same as
+        ``flockproof simulate --member``. Each replica has random numbers of its own.
+
+    Returns
+    -------
+    Simulation
+        Arrays of float64 over all times that are written.
 
     Raises
     ------
     ValueError, TypeError
         What is no scenario, with the key at fault; a run that cannot go on.
+    OSError
+        A file that cannot be read.
+
+    Notes
+    -----
+    Lengths and times are in the units of the scenario, angles in radians. The equations, with their sources, are in
+    ``declaration``.
 
     Examples
     --------
@@ -167,14 +194,14 @@ def simulate(scenario: Mapping[str, Any] | str | os.PathLike[str], progress: Pro
     if isinstance(scenario, Mapping):
         text, told = toml(scenario), callback(progress)
         try:
-            found = _native.simulate(text, told)
+            found = _native.simulate(text, member, told)
         except ValueError as error:
             # The lines are of a text that nobody sees.
             raise ValueError(re.sub(r"^line \d+(, column \d+)?: ", "", str(error))) from None
     elif isinstance(scenario, (str, os.PathLike)):
         path: str | os.PathLike[str] = scenario
         watched = callback(progress)
-        found = _refused(path, lambda: _native.simulate(Path(path).read_text(encoding="utf-8"), watched))
+        found = _refused(path, lambda: _native.simulate(Path(path).read_text(encoding="utf-8-sig"), member, watched))
     else:
         raise TypeError(f"scenario should be a dictionary or a path, but it is `{str(scenario)[:60]}`")
     events = tuple(Event(t, "link" if gained else "unlink", tuple(pair)) for t, gained, pair in found["events"])
@@ -337,10 +364,31 @@ def tracks(
         Whether SVG and PNG pictures are made, and the time of the snapshot.
     seed
         Of the null models.
+    progress
+        Called with (stage, done, total), or True.
+
+    Returns
+    -------
+    Tracks
+        Everything that the command line writes.
+
+    Raises
+    ------
+    ValueError, TypeError
+        What is no table of trajectories, with the line at fault; choices that mean nothing.
+    OSError
+        A file that cannot be read.
 
     Notes
     -----
     Paley, Leonard, Sepulchre, Grünbaum and Parrish (2007), sidebar "Analysis of Fish Data"; ``notes/tracks.md``.
+
+    Examples
+    --------
+    >>> rows = [(t / 10, name, float(t + 8 * k), float(t * k % 7)) for t in range(60) for k, name in enumerate("ab")]
+    >>> school = tracks(dict(zip(["t", "id", "x", "y"], zip(*rows))), window=5, null=0)
+    >>> school.summary["fish"], len(school.table("frames"))
+    (2, 60)
     """
     float_seen("measured trajectories are floats")
     text, source = _trajectories(data)
@@ -369,7 +417,7 @@ def tracks(
 
 def _trajectories(data: Any) -> tuple[str, str]:
     if isinstance(data, (str, os.PathLike)):
-        return _refused(data, lambda: Path(data).read_text(encoding="utf-8")), Path(data).name
+        return _refused(data, lambda: Path(data).read_text(encoding="utf-8-sig")), Path(data).name
     if isinstance(data, Mapping):
         columns = {str(key): list(values) for key, values in data.items()}
     elif hasattr(data, "columns") and hasattr(data, "__getitem__"):

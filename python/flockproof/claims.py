@@ -48,6 +48,7 @@ __all__ = ["Claimed", "Exact", "Outcome", "Run", "Truth", "claim", "every", "som
 
 #: What a comparison rests on, weakest first.
 _STRENGTH = ("simulated", "certified", "exact")
+_VERDICTS = ("holds", "needs_hypothesis", "misprint", "false", "undecided", "not_checkable")
 _PAPERS = ("chazelle", "veerman", "paley", "tanner1", "tanner2", "beyond")
 
 
@@ -545,6 +546,11 @@ def claim(
     expected, expected_grades
         The verdict and grades that are recorded; another one is a difference.
 
+    Returns
+    -------
+    callable
+        A decorator, which gives a :class:`Claimed`.
+
     Raises
     ------
     ValueError, TypeError
@@ -556,7 +562,15 @@ def claim(
         raise ValueError(f"`{id}` begins with the name of a paper")
     if not isinstance(statement, str) or not statement:
         raise TypeError("the statement should be a text")
-    if repaired is not None and (len(repaired) != 3 or repaired[0] not in ("hypothesis", "typo", "slip", "false")):
+    if not isinstance(controls, Mapping) or not all(isinstance(what, str) for what in controls):
+        raise TypeError(f"controls should be a dictionary of texts and variants, but it is `{str(controls)[:60]}`")
+    for name, texts in (("clauses", clauses), ("expected_grades", expected_grades)):
+        if not isinstance(texts, (list, tuple)) or not all(isinstance(text, str) for text in texts):
+            raise TypeError(f"{name} should be a list of texts, but it is `{str(texts)[:60]}`")
+    if expected is not None and expected not in _VERDICTS:
+        raise ValueError(f"expected should be one of {', '.join(_VERDICTS)}, but it is `{str(expected)[:60]}`")
+    faults = ("hypothesis", "typo", "slip", "false")
+    if repaired is not None and (not isinstance(repaired, tuple) or len(repaired) != 3 or repaired[0] not in faults):
         raise ValueError(
             "repaired should be (fault, statement, variant) with the fault hypothesis, typo, slip or false"
         )
@@ -584,11 +598,25 @@ def verify(*claims: Claimed[Any], seed: str = "flockproof", full: bool = False) 
 
     Checks run in this thread, one after the other. Corrections become claims of their own, ``beyond.`` and the id.
 
+    Parameters
+    ----------
+    claims
+        Made by :func:`claim`.
+    seed
+        Of ``run.random`` and of everything drawn.
+    full
+        Whether checks are asked for more cases.
+
     Returns
     -------
     Ledger
         With the same JSON as that of the papers. ``differences`` lists controls that were not refuted, missing
         controls, clauses without evidence and verdicts that are not the expected ones.
+
+    Raises
+    ------
+    TypeError
+        What is no claim. What a check raises is part of its entry.
     """
     documents, seconds = [], {}
     for one in claims:

@@ -1,21 +1,26 @@
 """Pictures of results, with matplotlib (``pip install flockproof[plot]``).
 
-Each function draws into ``axes``, or into a new figure, and returns the axes.
+Each function draws into ``axes``, or into a new figure, and returns the axes. Without matplotlib it raises
+ImportError, which names it; what is none of this package's results is a TypeError.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from ._flock import Run, Settlement
-    from ._queries import Resonance, Spectrum
-    from ._runs import Simulation
+from ._flock import Run, Settlement
+from ._queries import Resonance, Spectrum
+from ._runs import Simulation
 
 __all__ = ["network", "observables", "paths", "resonances", "spectrum"]
+
+
+def _needed(value: object, kinds: type | tuple[type, ...], name: str, maker: str) -> None:
+    if not isinstance(value, kinds):
+        raise TypeError(f"{name} should be what {maker} gives, but it is `{str(value)[:60]}`")
 
 
 def _axes(axes: Any) -> Any:
@@ -27,7 +32,20 @@ def _axes(axes: Any) -> Any:
 
 
 def paths(simulation: Simulation, axes: Any = None) -> Any:
-    """The paths of the agents in the plane, or their one coordinate or phase over time."""
+    """The paths of the agents in the plane, or their one coordinate or phase over time.
+
+    Parameters
+    ----------
+    simulation
+        Of :func:`flockproof.simulate`; lengths and times in the units of its scenario, phases in radians.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    _needed(simulation, Simulation, "simulation", "flockproof.simulate")
     axes = _axes(axes)
     positions = simulation.states.get("positions")
     if positions is None:
@@ -45,9 +63,31 @@ def paths(simulation: Simulation, axes: Any = None) -> Any:
 
 
 def observables(simulation: Simulation, names: Iterable[str] | None = None, axes: Any = None) -> Any:
-    """Observables over time; all of them where none is named."""
+    """Observables over time; all of them where none is named.
+
+    Parameters
+    ----------
+    simulation
+        Of :func:`flockproof.simulate`.
+    names
+        Some of ``simulation.observables``.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        A name that is not one of them.
+    """
+    _needed(simulation, Simulation, "simulation", "flockproof.simulate")
     axes = _axes(axes)
     for name in simulation.observables if names is None else names:
+        if name not in simulation.observables:
+            raise ValueError(f"`{name}` is none of {', '.join(simulation.observables)}")
         values = simulation.observables[name]
         label = name if values.ndim == 1 else [f"{name}_{k + 1}" for k in range(values.shape[1])]
         axes.plot(simulation.t, values, label=label)
@@ -56,8 +96,23 @@ def observables(simulation: Simulation, names: Iterable[str] | None = None, axes
     return axes
 
 
-def resonances(found: Iterable[Resonance], axes: Any = None) -> Any:
-    """Amplitudes of main resonances over the number of followers, with what Theorem 1 says."""
+def resonances(found: Iterable[Resonance] | Resonance, axes: Any = None) -> Any:
+    """Amplitudes of main resonances over the number of followers, with what Theorem 1 says.
+
+    Parameters
+    ----------
+    found
+        Of :func:`flockproof.resonance`, one or several, in any order.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    found = list(found) if hasattr(found, "__iter__") else [found]
+    for one in found:
+        _needed(one, Resonance, "found", "flockproof.resonance")
     axes = _axes(axes)
     ordered = sorted(found, key=lambda r: r.followers)
     followers = [r.followers for r in ordered]
@@ -70,7 +125,20 @@ def resonances(found: Iterable[Resonance], axes: Any = None) -> Any:
 
 
 def spectrum(found: Spectrum, axes: Any = None) -> Any:
-    """Eigenvalues in the complex plane, larger where the multiplicity is."""
+    """Eigenvalues in the complex plane, larger where the multiplicity is.
+
+    Parameters
+    ----------
+    found
+        Of :func:`flockproof.spectrum`.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    _needed(found, Spectrum, "found", "flockproof.spectrum")
     axes = _axes(axes)
     values = np.array([complex(part) for part in found])
     sizes = [12 * part.multiplicity for part in found]
@@ -80,7 +148,20 @@ def spectrum(found: Spectrum, axes: Any = None) -> Any:
 
 
 def network(found: Run | Settlement, axes: Any = None) -> Any:
-    """The network of a flock on a circle, birds from 1."""
+    """The network of a flock on a circle, birds from 1.
+
+    Parameters
+    ----------
+    found
+        Of ``Flock.run`` or ``Flock.settle``: the network at its end.
+    axes
+        Of matplotlib; left out, those of a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    _needed(found, (Run, Settlement), "found", "Flock.run or Flock.settle")
     axes = _axes(axes)
     birds = sorted(bird for flock in found.flocks for bird in flock)
     turn = {bird: 2 * np.pi * k / len(birds) for k, bird in enumerate(birds)}

@@ -38,7 +38,15 @@ __all__ = [
 
 
 def fractions(lowest: int = -4, highest: int = 4, max_denominator: int = 8) -> st.SearchStrategy[Fraction]:
-    """Fractions between two integers with small denominators; shrink to integers, and to 0."""
+    """Fractions with small denominators; shrink to integers, and to 0.
+
+    Parameters
+    ----------
+    lowest, highest
+        Integers between which they lie.
+    max_denominator
+        At least 1.
+    """
 
     def between(denominator: int) -> st.SearchStrategy[Fraction]:
         return st.integers(lowest * denominator, highest * denominator).map(lambda p: Fraction(p, denominator))
@@ -139,15 +147,22 @@ def stochastic_matrices(
     return [[Fraction(x, sum(row)) for x in row] for row in shares]
 
 
+@st.composite
 def stochastic_sequences(
-    max_length: int = 6, min_order: int = 1, max_order: int = 4, **kind: Any
-) -> st.SearchStrategy[list[list[list[Fraction]]]]:
-    """Sequences of row-stochastic matrices of one order, the first factor first."""
+    draw: st.DrawFn, /, max_length: int = 6, min_order: int = 1, max_order: int = 4, **kind: Any
+) -> list[list[list[Fraction]]]:
+    """Sequences of row-stochastic matrices of one order, the first factor first; shrink to few small ones.
 
-    def of_order(n: int) -> st.SearchStrategy[list[list[list[Fraction]]]]:
-        return st.lists(stochastic_matrices(order=n, **kind), min_size=1, max_size=max_length)
-
-    return st.integers(min_order, max_order).flatmap(of_order)
+    Parameters
+    ----------
+    max_length, min_order, max_order
+        Sizes.
+    kind
+        As for :func:`stochastic_matrices`.
+    """
+    # Both sizes before all entries: then fewer entries are needed where one of them shrinks.
+    length, order = draw(st.integers(1, max_length)), draw(st.integers(min_order, max_order))
+    return [draw(stochastic_matrices(order=order, **kind)) for _ in range(length)]
 
 
 @st.composite
@@ -159,7 +174,18 @@ def graphs(
     directed: bool = False,
     weighted: bool = False,
 ) -> list[list[Fraction]]:
-    """Graphs as weighted adjacency matrices, rows of fractions; shrink to few edges, connected ones to a star."""
+    """Graphs as weighted adjacency matrices; shrink to few edges, connected ones to a star.
+
+    Rows of fractions, n x n, with the weight of the arc from i to j in row i, column j, as
+    :func:`flockproof.spectrum` reads them.
+
+    Parameters
+    ----------
+    min_order, max_order
+        Sizes.
+    connected, directed, weighted
+        Strongly connected where directed; weights are 1 where not weighted, otherwise between 1 and 4.
+    """
     n = draw(st.integers(min_order, max_order))
     rows = [[Fraction(0)] * n for _ in range(n)]
 
@@ -187,7 +213,13 @@ def graphs(
 
 @st.composite
 def gains(draw: st.DrawFn, extreme: bool = False) -> tuple[Fraction, Fraction]:
-    """Gains (f, g) of a platoon, both below 0; with ``extreme`` also of very different size. Shrink to (-1, -1)."""
+    """Gains (f, g) of a platoon, both below 0; shrink to (-1, -1).
+
+    Parameters
+    ----------
+    extreme
+        Also of very different size, 10^12 times larger and smaller.
+    """
 
     def one() -> Fraction:
         size = Fraction(draw(st.integers(1, 64)), draw(st.sampled_from([1, 2, 8, 10, 100])))
@@ -198,22 +230,28 @@ def gains(draw: st.DrawFn, extreme: bool = False) -> tuple[Fraction, Fraction]:
 
 @dataclass(frozen=True)
 class CirclePoint:
-    """A point of the unit circle with rational coordinates: ((1 - t^2) + 2 t i)/(1 + t^2); no t gives -1, t = None
-    stands for it.
+    """A point of the unit circle with rational coordinates: ((1 - t^2) + 2 t i)/(1 + t^2).
+
+    Attributes
+    ----------
+    t : Fraction or None
+        The tangent of half the angle; None for -1, which no t gives.
     """
 
     t: Fraction | None
 
     @property
     def cos(self) -> Fraction:
+        """The first coordinate."""
         return Fraction(-1) if self.t is None else (1 - self.t**2) / (1 + self.t**2)
 
     @property
     def sin(self) -> Fraction:
+        """The second coordinate."""
         return Fraction(0) if self.t is None else 2 * self.t / (1 + self.t**2)
 
 
 def circle_points() -> st.SearchStrategy[CirclePoint]:
-    """Exact phases; shrink to 1, and to the quarter turns before others."""
+    """Exact phases, :class:`CirclePoint`; shrink to 1, and to the quarter turns before others."""
     corners = st.sampled_from([Fraction(0), Fraction(1), Fraction(-1), None])
     return st.one_of(corners, fractions(-8, 8, 12)).map(CirclePoint)

@@ -4,8 +4,9 @@ use super::convert::{Ends, Matrix, Ratio, count, digits as digits_of, ends, exac
 use super::refuse;
 use super::watch::{briefly, watched};
 use flockproof::arithmetic::{ArithmeticError, Interval, Rational, Real, decimal};
-use flockproof::graph::read::read_graph;
+use flockproof::graph::read::read_graph_file;
 use flockproof::graph::{LaplacianKind, NamedGraph, WeightedGraph};
+use flockproof::matrix::read::read_normalised;
 use flockproof::matrix::{MatrixError, StochasticMatrix, prefix_products, stabilisers, tau_2_squared};
 use flockproof::platoon::{Gains, ResonanceError, resonance as main_resonance, theorem1};
 use flockproof::spectrum::{Eigenvalue, Method, graph_spectrum, named_spectrum};
@@ -57,7 +58,7 @@ pub fn theorem_1(
 pub enum GraphInput {
     /// Order, tails, heads, numerators of the weights, common denominator; every edge as two arcs.
     Arcs(usize, Vec<usize>, Vec<usize>, Vec<BigInt>, BigInt),
-    /// `name` or `text`, and a name such as `ring:12` or the contents of a file.
+    /// `name`, `text` or `text from 0`, and a name such as `ring:12` or the contents of a file, whose vertices may count from 0.
     Words(String, String),
 }
 
@@ -139,7 +140,10 @@ fn stored(graph: GraphInput) -> Result<WeightedGraph, String> {
             let arcs = places.map(|((i, j), w)| (i, j, Rational::new(w, denominator.clone())));
             Ok(WeightedGraph::from_arcs(order, arcs))
         }
-        GraphInput::Words(what, text) if what == "text" => read_graph(&text).map_err(|error| error.to_string()),
+        GraphInput::Words(what, text) if what.starts_with("text") => {
+            let file = read_graph_file(&text, what == "text from 0").map_err(|error| error.to_string())?;
+            Ok(file.graph)
+        }
         GraphInput::Words(_, name) => {
             let named: NamedGraph = name.parse().map_err(|error: flockproof::graph::NameError| error.to_string())?;
             named.build().map_err(|error| error.to_string())
@@ -147,11 +151,15 @@ fn stored(graph: GraphInput) -> Result<WeightedGraph, String> {
     }
 }
 
-/// The matrices of a file of `ergodicity`.
+/// The matrices of a file of `ergodicity`; with `normalise` each row divided by its sum, and which rows had which other sum, both from 1.
 #[pyfunction]
-pub fn read_sequence(text: &str) -> PyResult<Vec<Whole>> {
-    let factors = flockproof::matrix::read::read_sequence(text).map_err(refuse)?;
-    Ok(factors.iter().map(|factor| matrix(&factor.to_rational_matrix())).collect())
+pub fn read_sequence(text: &str, normalise: bool) -> PyResult<(Vec<Whole>, Vec<(usize, usize, Ratio)>)> {
+    let (factors, changed) = match normalise {
+        true => read_normalised(text).map_err(refuse)?,
+        false => (flockproof::matrix::read::read_sequence(text).map_err(refuse)?, Vec::new()),
+    };
+    let changed = changed.into_iter().map(|row| (row.matrix, row.row, pair(row.sum))).collect();
+    Ok((factors.iter().map(|factor| matrix(&factor.to_rational_matrix())).collect(), changed))
 }
 
 /// Rows, columns, numerators row by row, common denominator.

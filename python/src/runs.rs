@@ -1,10 +1,10 @@
 //! Simulated scenarios and measured trajectories.
 
-use super::convert::count;
+use super::convert::{count, optional_count};
 use super::refuse;
 use super::watch::{Watch, watched};
 use flockproof::report::{Provenance, TracksReport, digest};
-use flockproof::scenario::{End, Frame, Outcome, Row, Scenario};
+use flockproof::scenario::{End, Ensemble, Frame, Outcome, Row, Scenario};
 use flockproof::tracks::{Choices, NearestRule, PositionsUsed, Tracks, analyse, null_models};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
@@ -12,15 +12,36 @@ use pyo3::types::{PyBytes, PyDict};
 use serde_json::json;
 use std::sync::Arc;
 
+/// The scenario of a text: of many runs the member, from 1, which has to be named.
+fn scenario(text: &str, member: Option<u64>) -> Result<Scenario, String> {
+    let told = |error: flockproof::scenario::ConfigError| error.to_string();
+    match (Ensemble::read(text).map_err(told)?, member) {
+        (None, None) => Scenario::read(text).map_err(told),
+        (None, Some(_)) => {
+            Err("member is for many runs, and the scenario has neither [ensemble] nor [sweep]".to_string())
+        }
+        (Some(ensemble), member) => {
+            let count = ensemble.members();
+            let member =
+                member.ok_or(format!("the scenario makes {count} runs: choose one of them, member=1 to {count}"))?;
+            let place = member.checked_sub(1).filter(|place| *place < count);
+            let place = place.ok_or(format!("member: there are the runs 1 to {count}"))?;
+            ensemble.member(place).map_err(told)
+        }
+    }
+}
+
 /// Runs a scenario that is given as TOML; arrays over all times that are written.
 #[pyfunction]
 pub fn simulate<'py>(
     py: Python<'py>,
     text: &str,
+    member: Option<&Bound<'py, PyAny>>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let text = text.to_string();
-    let run = move |watch: &Arc<Watch>| Scenario::read(&text).map(|scenario| scenario.run(&**watch));
+    let member = optional_count("member", member)?;
+    let run = move |watch: &Arc<Watch>| scenario(&text, member).map(|scenario| scenario.run(&**watch));
     let outcome = watched(py, progress, run)?.map_err(refuse)?;
     if let End::Failed(error) = &outcome.end {
         return Err(refuse(format!("{error}; t = {} was reached", outcome.reached())));

@@ -17,7 +17,7 @@ import rustworkx as rx
 import scipy.sparse as sp
 
 import flockproof
-from flockproof import Enclosure, ExactMatrix
+from flockproof import Enclosure, ExactMatrix, claims, plot
 
 
 class Odd:
@@ -111,6 +111,7 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "Enclosure.in": lambda x: x in Enclosure(0, 1),
     "Enclosure +": lambda x: Enclosure(0, 1) + x,
     "Enclosure /": lambda x: Enclosure(0, 1) / x,
+    "Enclosure **": lambda x: Enclosure(0, 1) ** x if not is_large(abs(x) if isinstance(x, int) else x) else None,
     "Enclosure <": lambda x: Enclosure(0, 1) < x,
     "Enclosure ==": lambda x: bool(np.all(Enclosure(0, 1) == x)),
     "resonance.followers": lambda x: flockproof.resonance(x, -1, -1),
@@ -123,7 +124,10 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "spectrum.root": lambda x: flockproof.spectrum("ring:3", "reduced", root=x),
     "spectrum.root of a graph": lambda x: flockproof.spectrum([(1, 2), (2, 3)], "reduced", root=x),
     "spectrum.directed": lambda x: flockproof.spectrum(x, "normalised"),
+    "spectrum.zero_based": lambda x: flockproof.spectrum(x, zero_based=True),
     "ergodicity": flockproof.ergodicity,
+    "ergodicity.normalised": lambda x: flockproof.ergodicity([x], normalise=True),
+    "ergodicity.normalised entry": lambda x: flockproof.ergodicity([[[x, 1], [0, 1]]], normalise=True),
     "ergodicity.matrix": lambda x: flockproof.ergodicity([x]),
     "ergodicity.entry": lambda x: flockproof.ergodicity([[[x, 0], [0, 1]]]),
     "ergodicity.progress": lambda x: flockproof.ergodicity([[[1]]], progress=x),
@@ -145,6 +149,8 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "Flock.settle.steps": lambda x: FLOCK.settle(steps=x),
     "Flock.settle.switches": lambda x: FLOCK.settle(switches=x),
     "simulate": flockproof.simulate,
+    "simulate.member": lambda x: flockproof.simulate(SCENARIO, member=x),
+    "simulate.member of many": lambda x: flockproof.simulate({**SCENARIO, "sweep": {"law.K1": [-1, 1]}}, member=x),
     "simulate.model": lambda x: flockproof.simulate({**SCENARIO, "model": x}),
     "simulate.graph": scenario_with("graph", "kind"),
     "simulate.state": scenario_with("state", "phases"),
@@ -183,9 +189,29 @@ CALLS: dict[str, Callable[[Any], Any]] = {
     "verify.seed": lambda x: flockproof.verify(claims=NOTHING, seed=x),
     "verify.threads": lambda x: flockproof.verify(claims=NOTHING, threads=x),
     "explain": flockproof.explain,
+    "Claims": flockproof.Claims,
+    "claim.id": lambda x: claims.claim(x, "s", printed=1, controls={"c": 2}),
+    "claim.statement": lambda x: claims.claim("mine.a", x, printed=1, controls={"c": 2}),
+    "claim.controls": lambda x: claims.claim("mine.a", "s", printed=1, controls=x)(undecided),
+    "claim.clauses": lambda x: claims.claim("mine.a", "s", printed=1, controls={"c": 2}, clauses=x)(undecided),
+    "claim.repaired": lambda x: claims.claim("mine.a", "s", printed=1, controls={"c": 2}, repaired=x)(undecided),
+    "claim.expected": lambda x: claims.claim("mine.a", "s", printed=1, controls={"c": 2}, expected=x)(undecided),
+    "claims.verify": claims.verify,
+    "claims.every": claims.every,
+    "claims.some": claims.some,
+    "plot.paths": plot.paths,
+    "plot.observables": plot.observables,
+    "plot.resonances": lambda x: plot.resonances(x) if not is_empty(x) else None,
+    "plot.spectrum": plot.spectrum,
+    "plot.network": plot.network,
     "ledger[]": lambda x: flockproof.ledger()[x] if isinstance(x, str) else None,
     "ledger.paper": lambda x: flockproof.ledger().paper(x),
 }
+
+
+def undecided(variant: Any, run: claims.Run) -> claims.Outcome:
+    return run.undecided("nobody knows")
+
 
 #: Quick to check.
 NOTHING = next(claim.id for claim in flockproof.ledger() if claim.verdict == "not_checkable")

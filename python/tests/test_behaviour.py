@@ -9,11 +9,12 @@ import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import command_line
+from conftest import answer, command_line
 
 import flockproof
 
@@ -50,6 +51,69 @@ def test_objects_do_not_change(assets: Path) -> None:
         if not isinstance(thing, (list, flockproof.Claims, flockproof.Ledger)):
             with pytest.raises(AttributeError):
                 thing.declaration = "x"
+
+
+def test_equal_flocks_are_equal_however_their_numbers_are_written() -> None:
+    written = [
+        flockproof.Flock([0, "1/2"], ["1/8", 0]),
+        flockproof.Flock(["0.0", 0.5], [Fraction(1, 8), 0]),
+        flockproof.Flock.from_json(
+            '{"model": "D", "weights": "lazy", "positions": [[0], ["2/4"]], "velocities": [[0.125], [0]]}'
+        ),
+    ]
+    assert len(set(written)) == 1
+    assert written[0] != flockproof.Flock([0, "1/2"], ["1/8", 1])
+
+
+def test_files_may_have_a_byte_order_mark(assets: Path, tmp_path: Path) -> None:
+    def marked(name: str) -> Path:
+        path = tmp_path / Path(name).name
+        path.write_bytes(b"\xef\xbb\xbf" + (assets / name).read_bytes())
+        return path
+
+    assert flockproof.spectrum(marked("graphs/bridge.txt")) == flockproof.spectrum(assets / "graphs/bridge.txt")
+    assert flockproof.ergodicity(marked("two_matrices.txt")) == flockproof.ergodicity(assets / "two_matrices.txt")
+    assert flockproof.Flock.from_file(marked("four_birds.json")).birds == 4
+    assert flockproof.simulate(marked("scenarios/three_agents.toml")).model == "velocity-alignment"
+    assert flockproof.tracks(marked("example_tracks.csv"), null=0).summary["fish"]
+    assert flockproof.check(marked("questions/algebraic_connectivity.toml")).verdict == "holds"
+
+
+def test_one_of_many_runs(assets: Path) -> None:
+    scenario = assets / "scenarios" / "noise_sweep.toml"
+    with pytest.raises(ValueError, match="the scenario makes 56 runs: choose one of them, member=1 to 56"):
+        flockproof.simulate(scenario)
+    with pytest.raises(ValueError, match="member: there are the runs 1 to 56"):
+        flockproof.simulate(scenario, member=61)
+    first, second = flockproof.simulate(scenario, member=1), flockproof.simulate(scenario, member=2)
+    assert first == flockproof.simulate(scenario, member=1) != second
+    assert not (first.states["phases"][0] == second.states["phases"][0]).any()
+
+
+def test_rows_of_floats_are_normalised(assets: Path) -> None:
+    third = [[[1 / 3] * 3] * 3]
+    with pytest.raises(ValueError, match="normalise=True divides each row by its sum"):
+        flockproof.ergodicity(third)
+    found = flockproof.ergodicity(third, normalise=True)
+    assert found.tau_1 == 0 and set(found.product[0]) == {Fraction(1, 3)} and len(found.changed) == 3
+    assert found.from_floats
+    # As the command line does it.
+    file = assets / "float_matrices.json"
+    told = answer("ergodicity", str(file), "--normalise")
+    found = flockproof.ergodicity(file, normalise=True)
+    assert [[str(x) for x in row] for row in found.product] == told["product"]
+    assert len(found.changed) == len(told["changed"])
+    with pytest.raises(ValueError, match=r"this is one matrix: write \[matrix\]"):
+        flockproof.ergodicity([[1, 0], [0, 1]])
+
+
+def test_files_that_count_from_zero(assets: Path) -> None:
+    file = assets / "graphs" / "networkx.txt"
+    with pytest.raises(ValueError, match="for a file that counts from 0 there is zero_based=True"):
+        flockproof.spectrum(file)
+    assert flockproof.spectrum(file, zero_based=True).order > 2
+    with pytest.raises(ValueError, match="ring:5 names a graph"):
+        flockproof.spectrum("ring:5", zero_based=True)
 
 
 def test_threads_get_the_same_answers() -> None:

@@ -234,7 +234,9 @@ def test_export(tmp_path: Path) -> None:
     assert "mine.one" in report._repr_html_()
     command_line("report", "--ledger", str(tmp_path / "ledger.json"), "--no-figures", "--out", str(tmp_path / "site"))
     page = (tmp_path / "site/claims/mine.one.html").read_text()
-    assert "A statement." in page and "nobody knows" in page and "mine.one" in (tmp_path / "site/index.html").read_text()
+    assert (
+        "A statement." in page and "nobody knows" in page and "mine.one" in (tmp_path / "site/index.html").read_text()
+    )
 
 
 @given(fractions, fractions)

@@ -131,3 +131,23 @@ def test_matrices() -> None:
         exact_matrix(np.array([[np.nan]]), "m")
     with pytest.raises(ValueError, match="fill"):
         ExactMatrix(2, 2, [1], 1)
+
+
+@given(fractions, fractions, fractions, st.integers(-3, 4))
+def test_powers_and_absolute_values_are_enclosed(a: Fraction, b: Fraction, t: Fraction, n: int) -> None:
+    x = Enclosure(min(a, b), max(a, b))
+    inside = x.lo + (x.hi - x.lo) * (t - t.__floor__())
+    assert abs(inside) in abs(x) and abs(x).lo >= 0
+    if n >= 0 or 0 not in x:
+        assert inside**n in x**n
+        assert n == 0 or {(x**n).lo, (x**n).hi} <= {x.lo**n, x.hi**n, Fraction(0)}
+    else:
+        with pytest.raises(ZeroDivisionError):
+            x**n
+    if 0 not in x:
+        assert bool(x)
+    elif x.lo == x.hi:
+        assert not x
+    else:
+        with pytest.raises(Undecided):
+            bool(x)

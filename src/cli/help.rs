@@ -91,11 +91,19 @@ const WORDS: [(&str, &str); 8] = [
 ];
 
 /// Words of the readers of JSON and TOML, and what they mean to people.
-const FILE_WORDS: [(&str, &str); 11] = [
+const FILE_WORDS: [(&str, &str); 19] = [
     ("EOF while parsing a value", "the text ends where a value should stand,"),
     ("EOF while parsing an object", "the text ends within an object,"),
     ("EOF while parsing a list", "the text ends within a list,"),
     ("EOF while parsing a string", "the text ends within quotes,"),
+    ("expected value", "a value should stand"),
+    ("trailing comma", "nothing follows after the comma"),
+    ("expected `:`", "a colon should stand"),
+    ("expected `,` or `}`", "a comma or } should stand"),
+    ("expected `,` or `]`", "a comma or ] should stand"),
+    ("key must be a string", "a key should stand in quotes"),
+    ("control character (\\u0000-\\u001F) found while parsing a string", "a line ends within quotes"),
+    ("invalid escape", "a backslash stands before a letter that means nothing"),
     ("trailing characters", "something follows after the end,"),
     ("missing field", "there is no key"),
     ("invalid type: ", "found "),

@@ -14,12 +14,27 @@ pub fn print(text: &str) -> Result<(), CliError> {
 
 /// Prints a sentence to standard error, at most as wide as the terminal there.
 pub fn complain(sentence: &str) {
+    let sentence = &without_long_words(sentence);
     let stderr = io::stderr();
     let terminal = if stderr.is_terminal() { terminal_size::terminal_size_of(&stderr) } else { None };
     match terminal {
         Some((width, _)) => eprintln!("{}", folded(sentence, usize::from(width.0).max(LEAST))),
         None => eprintln!("{sentence}"),
     }
+}
+
+/// Words of more letters and digits are cut: nobody reads a number of thousands of digits in a sentence.
+const LONGEST_WORD: usize = 100;
+
+/// A sentence in which long words are cut.
+fn without_long_words(sentence: &str) -> String {
+    let letters: Vec<char> = sentence.chars().collect();
+    let words = letters.chunk_by(|a, b| a.is_alphanumeric() == b.is_alphanumeric());
+    let shortened = |word: &[char]| match word.len() > LONGEST_WORD && word[0].is_alphanumeric() {
+        true => word[..60].iter().chain(&['.'; 3]).collect(),
+        false => word.iter().collect::<String>(),
+    };
+    words.map(shortened).collect()
 }
 
 /// Prints a text that programs read, as it is.

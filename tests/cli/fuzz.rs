@@ -115,7 +115,7 @@ fn bad_campaigns_are_refused() {
     assert_refused(&["fuzz", "matrix.inverse", "--store", &occupied], "occupied");
     let replay = file(&folder, "replay.json", b"{\"schema\": \"flockproof.replay/1\", \"version\": \"0.0.0\"}");
     assert_refused(&["fuzz", "--replay", &replay], "version 0.0.0");
-    assert_refused(&["fuzz", "--replay", &occupied], "not JSON");
+    assert_refused(&["fuzz", "--replay", &occupied], "not valid JSON");
     let store = path("store");
     assert!(flockproof(&["fuzz", "matrix.inverse", "--cases", "10", "--store", &store]).status.success());
     assert_refused(&["fuzz", "matrix.inverse", "--cases", "10", "--store", &store], "--resume goes on with it");

@@ -176,6 +176,12 @@ fn examples_are_read() {
     let sixteen = json(&["flock", "settle", &asset("sixteen_birds.json"), "--json"]);
     assert_eq!(sixteen["ending"], "beyond");
     assert!(sixteen["next"]["log2_steps"]["lo"].as_str().is_some_and(|lo| lo.starts_with("2.11")));
+    // Three cars that follow the one ahead, with unequal gains, as --export writes them.
+    let exported = json(&["resonance", "--state", &asset("state"), "--json"]);
+    let gains = ["--graph", "front", "--followers", "3", "--f=-1,-2,-1", "--g=-1"];
+    let cars = json(&[&["resonance", "--json"], &gains[..]].concat());
+    let first_digits = |document: &Value| document["peak"]["amplitude"].to_string()[..14].to_string();
+    assert_eq!(first_digits(&exported), first_digits(&cars));
     let noisy = json(&["simulate", &asset("scenarios/vicsek_noise.toml"), "--out", &out, "--animate", "--json"]);
     assert_eq!((&noisy["model"], &noisy["seed"]), (&"vicsek-noise".into(), &"1, 1".into()));
     let observables = noisy["samples"][2]["observables"].as_object().expect("an object");

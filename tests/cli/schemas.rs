@@ -164,7 +164,11 @@ fn documents_keep_to_their_schemas() {
     }
     let question = b"[question]\nid = \"mine.path\"\nstatement = \"...\"\n[for]\nn = \"2..4\"\ngraph = \"connected(n)\"\n[holds]\n\
         property = \"lambda(2) >= 2*(1 - cos(pi/n))\"\ncontrols = [\"lambda(2) >= 2*(1 - cos(pi/n)) + 1/100\"]\n";
-    assert_keeps("check", &printed(&["check", &file(&folder, "question.toml", question), "--json"]));
+    let (question, store) = (file(&folder, "question.toml", question), folder.join("store"));
+    assert_keeps("check", &printed(&["check", &question, "--json"]));
+    assert!(flockproof(&["sweep", &question, "--store", &store.to_string_lossy()]).status.success());
+    let about = std::fs::read_to_string(store.join("about.txt")).expect("written");
+    assert_keeps("sweep", &serde_json::from_str(about.lines().next().expect("a line")).expect("JSON"));
     assert!(flockproof(&["reproduce", "veerman.table1", "--out", &out]).status.success());
     let text = std::fs::read_to_string(folder.join("out/reproduce.json")).expect("written");
     assert_keeps("reproduce", &serde_json::from_str(&text).expect("JSON"));

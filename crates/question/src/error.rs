@@ -195,11 +195,14 @@ impl Problem {
     }
 }
 
-/// The known name with the least number of letters inserted, left out or changed, the first of several; capitals count for nothing.
+/// The known name with the least number of letters inserted, left out or changed, the first of several; capitals count for nothing. None
+/// where more than a third of the letters and one would have to change.
 fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
     if name.len() > 64 {
         return None;
     }
     let name = name.to_lowercase();
-    known.into_iter().min_by_key(|other| strsim::levenshtein(&name, &other.to_lowercase())).map(str::to_string)
+    let changes = |other: &str| strsim::levenshtein(&name, &other.to_lowercase());
+    let (least, near) = known.into_iter().map(|other| (changes(other), other)).min_by_key(|(changes, _)| *changes)?;
+    (least <= 1 + name.chars().count() / 3).then(|| near.to_string())
 }

@@ -16,11 +16,13 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
-#[command(after_help = "Files are written at the end, or when the run is stopped: what was reached is kept.\n\n\
+#[command(
+    after_help = "Files are written at the end, or when the run is stopped: what was reached is kept, and a single run begins again.\n\n\
 A file with [ensemble] replicas = 100, or with numbers in [sweep], makes many runs, on all cores: members.csv has the observables of each at the \
 samples, statistics.csv means and standard deviations. Finished runs are kept as they are finished.\n\n\
 Examples:\n  flockproof simulate assets/scenarios/three_agents.toml --out out --animate\n  \
-flockproof simulate assets/scenarios/noise_sweep.toml --out out --resume")]
+flockproof simulate assets/scenarios/noise_sweep.toml --out out --resume"
+)]
 pub struct Arguments {
     /// Model, graph, start, law and times as TOML, see notes/simulate.md
     #[arg(value_name = "CONFIG")]
