@@ -215,10 +215,6 @@ async function checkLive(browser) {
       const context = await browser.newContext({ viewport: { width: colorScheme === "dark" ? 320 : 1200, height: 900 }, colorScheme });
       for (const page of pages.filter((page) => page.startsWith("explore/live-"))) {
         const name = path.basename(page, ".html"), tab = await open(context, page, home);
-        if (name === "live-certificate") {
-          await tab.selectOption("#example", { index: 0 });
-          await tab.evaluate(() => document.getElementById("example").dispatchEvent(new Event("change")));
-        }
         // By keyboard alone, from the top of the page.
         for (let k = 0; k < 60 && (await tab.evaluate(() => document.activeElement.id)) !== "go"; k++) await tab.keyboard.press("Tab");
         expect((await tab.evaluate(() => document.activeElement.id)) === "go", `${page}: the keyboard leads to the button`);
@@ -299,6 +295,13 @@ async function checkDrawing(context, home, answered) {
   await drag(at(0.2, 0.5), at(0.3, 0.4));
   const flock = JSON.parse(await tab.inputValue("textarea[name=flock]"));
   expect(flock.positions.length === 1 && flock.velocities[0].some((x) => x !== "0"), "a bird was drawn with its velocity");
+  for (const broken of ["", "{", "[]", "null", '{"positions": [null], "velocities": [7]}']) {
+    await tab.fill("textarea[name=flock]", broken);
+    await drag(at(0.4, 0.5), at(0.5, 0.4));
+  }
+  await tab.fill("textarea[name=flock]", "7");
+  await drag(at(0.4, 0.5), at(0.5, 0.4));
+  expect(/no flock/.test(await tab.locator("#state").textContent()), "what is no flock cannot be drawn upon, and the page says so");
   await tab.close();
 }
 

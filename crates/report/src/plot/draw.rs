@@ -49,7 +49,9 @@ pub(super) fn draw(picture: &Picture) -> Sheet {
         let legend = legends.get(row).copied().unwrap_or(0.0);
         for (column, panel) in panels.iter().enumerate() {
             let corner = (column as f64 * width, top);
+            // Title and legend stay at their own axes, whatever room the others in the row need.
             let frame = Frame::new(panel, corner, (width, height + legend), margins[column], legend);
+            let frame = Frame { legend: legend_height(panel, width), ..frame };
             frame.draw(panel, &mut shapes);
         }
         top += height + legend;
