@@ -49,9 +49,9 @@ pub(super) fn draw(picture: &Picture) -> Sheet {
         let legend = legends.get(row).copied().unwrap_or(0.0);
         for (column, panel) in panels.iter().enumerate() {
             let corner = (column as f64 * width, top);
-            // Title and legend stay at their own axes, whatever room the others in the row need.
             let frame = Frame::new(panel, corner, (width, height + legend), margins[column], legend);
-            let frame = Frame { legend: legend_height(panel, width), ..frame };
+            // The title of a panel without a legend stays at its axes, whatever room the others in the row need.
+            let frame = if legend_height(panel, width) == 0.0 { Frame { legend: 0.0, ..frame } } else { frame };
             frame.draw(panel, &mut shapes);
         }
         top += height + legend;

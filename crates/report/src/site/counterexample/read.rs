@@ -100,9 +100,9 @@ fn places(part: &str) -> Option<Vec<[Rational; 2]>> {
 
 fn velocities(part: &str, agents: usize) -> Vec<[Rational; 2]> {
     let after = part.split_once("velocities ").or_else(|| part.split_once("velocity ")).map(|(_, rest)| rest);
-    let listed = after.and_then(plane).and_then(|list| match list.as_slice() {
-        [one] if part.contains("both with velocity") => Some(vec![one.clone(); agents]),
-        _ => Some(list),
+    let listed = after.and_then(plane).map(|list| match list.as_slice() {
+        [one] if part.contains("both with velocity") => vec![one.clone(); agents],
+        _ => list,
     });
     let found = listed.or_else(|| named(part, [["vx%", "vy%"]])).or_else(|| headings(part)).unwrap_or_default();
     if found.len() == agents { found } else { Vec::new() }
