@@ -95,7 +95,7 @@ ROWS = [
     ("ergodicity", "order", [6, 12, 24], command("ergodicity", "--json", lambda n, f: factors(60, n, f)), 3.0,
      "products of matrices; tau_1 compares all pairs of rows"),
     ("flock run", "birds", [200, 400, 800], command("flock", "run", lambda n, f: crowd(n, f), "--until", "2000", "--json"), 2.0,
-     "all pairs at the start, then averaging and the lists of pairs, which are linear (exact_flocks.md)"),
+     "switches times birds: after each one the lists of pairs are made again (exact_flocks.md)"),
     ("flock run", "steps", [5000, 10000, 20000], command("flock", "run", lambda n, f: crowd(100, f), "--until", SIZE, "--json"), 1.0,
      "two limbs throughout"),
     ("flock settle", "birds", [60, 120, 240], command("flock", "settle", lambda n, f: crowd(n, f), "--json"), 3.0,

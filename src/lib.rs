@@ -16,7 +16,7 @@ pub fn command_line(arguments: impl IntoIterator<Item = std::ffi::OsString>) -> 
     cli::main(arguments)
 }
 
-pub use algebra::{graph, matrix, spectrum};
+pub use algebra::{graph, json, matrix, spectrum};
 pub use arithmetic;
 pub use campaign;
 pub use claims;

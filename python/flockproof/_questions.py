@@ -45,6 +45,8 @@ class Answer:
         The question of that one instance; :func:`check` decides it again.
     margin : Enclosure or None
         The smallest margin of all cases that were looked at.
+    inequalities : dict
+        The same of each inequality of the property by itself, under the time operators around it; None where it is not bounded.
     cases, undecided, controls_refuted, controls_total : int
     """
 
@@ -55,6 +57,7 @@ class Answer:
     counterexample: Mapping[str, str] | None = field(hash=False)
     replay: str | None
     margin: Enclosure | None
+    inequalities: Mapping[str, Enclosure | None] = field(hash=False)
     cases: int
     undecided: int
     controls_refuted: int
@@ -99,7 +102,6 @@ def check(question: Question, progress: Progress = None) -> Answer:
     with _named(name):
         document, words, replay = _native.check(text, files, callback(progress))
     found = json.loads(document)
-    margin = found["margin"]
     return Answer(
         found["id"],
         found["verdict"],
@@ -107,13 +109,18 @@ def check(question: Question, progress: Progress = None) -> Answer:
         tuple(found["grades"]),
         found["counterexample"],
         replay,
-        None if margin is None else Enclosure._of((margin["lo"], margin["hi"])),
+        _enclosed(found["margin"]),
+        {own["inequality"]: _enclosed(own["margin"]) for own in found["inequalities"]},
         found["cases"],
         found["undecided"],
         found["controls"]["refuted"],
         found["controls"]["total"],
         words,
     )
+
+
+def _enclosed(margin: Mapping[str, str] | None) -> Enclosure | None:
+    return None if margin is None else Enclosure._of((margin["lo"], margin["hi"]))
 
 
 def _read(question: Question) -> tuple[str, dict[str, str], str | None]:

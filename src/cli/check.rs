@@ -13,7 +13,7 @@ pub struct Arguments {
     /// Questions: TOML files as notes/questions.md describes them
     #[arg(value_name = "QUESTION.toml", required_unless_present = "names")]
     files: Vec<PathBuf>,
-    /// Print one JSON document for each question, a list where there are several
+    /// Print one JSON document for each question, flockproof.check/1, a list where there are several
     #[arg(long)]
     json: bool,
     /// Print all names that a question may use, with what they mean
@@ -65,7 +65,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
             let whole_words = textwrap::Options::new(output::width().clamp(40, 100))
                 .word_splitter(textwrap::WordSplitter::NoHyphenation)
                 .break_words(false);
-            let lines = text.lines().map(|line| textwrap::fill(line, &whole_words) + "\n");
+            let indented = whole_words.clone().subsequent_indent("    ");
+            let options = |line: &str| if line.starts_with(' ') { &indented } else { &whole_words };
+            let lines = text.lines().map(|line| textwrap::fill(line, options(line)) + "\n");
             let gap = if documents.is_empty() && path == &arguments.files[0] { "" } else { "\n" };
             output::print(&(gap.to_string() + &lines.collect::<String>()))?;
         }

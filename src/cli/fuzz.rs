@@ -3,7 +3,7 @@
 use super::interrupt::{self, Watch};
 use super::{CliError, check, output, progress};
 use flockproof::arithmetic::Progress;
-use flockproof::campaign::fuzz::{Attack, Failed, Fuzz, Replay, Summary, one_case};
+use flockproof::campaign::fuzz::{Again, Attack, Failed, Fuzz, Replay, Summary, one_case};
 use flockproof::campaign::invariants::{Checked, Stop, Tested, find, table};
 use flockproof::campaign::job::Campaign;
 use flockproof::campaign::store::{Run, Shard, merge, run_in_memory, run_shard};
@@ -46,7 +46,7 @@ pub struct Arguments {
     /// Decide the case of a replay file
     #[arg(long, value_name = "FILE", conflicts_with_all = ["names", "list", "cases", "seed", "shard", "store"])]
     replay: Option<PathBuf>,
-    /// Print one JSON document
+    /// Print one JSON document: flockproof.fuzz/1, of --case and --replay flockproof.fuzz-case/1, of --list flockproof.invariants/1
     #[arg(long)]
     json: bool,
 }
@@ -62,9 +62,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let text = output::read_input(path)?.text;
         let replay = Replay::read(&text).map_err(|error| CliError::file(path, error))?;
         let configuration = json!({"command": "fuzz", "replay": text});
-        return told(replay.invariant.id, &replay.decide(), (arguments.json, None, configuration));
+        return told(replay.invariant.id, &replay.decide(), Some(&replay), (arguments.json, None, configuration));
     }
-    if let Some(file) = arguments.names.iter().find(|name| name.ends_with(".toml")) {
+    if let Some(file) = arguments.names.iter().find(|name| is_question(name)) {
         return attack(Path::new(file), arguments);
     }
     let fuzz = Fuzz::new(&arguments.names, arguments.cases, &arguments.seed).map_err(refused)?;
@@ -74,9 +74,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         };
         let (checked, _) = one_case(invariant, fuzz.seed(), case, Tested::AsItIs);
         let configuration = json!({"command": "fuzz", "invariant": invariant.id, "seed": fuzz.seed(), "case": case});
-        return told(invariant.id, &checked, (arguments.json, Some(fuzz.seed()), configuration));
+        return told(invariant.id, &checked, None, (arguments.json, Some(fuzz.seed()), configuration));
     }
     campaign(&fuzz, &fuzz.names(), fuzz.seed(), arguments)
+}
+
+/// Whether a name is that of a file, and of no invariant.
+fn is_question(name: &str) -> bool {
+    name == "-" || name.ends_with(".toml") || (find(name).is_none() && Path::new(name).is_file())
 }
 
 /// Random members of the family of a question.
@@ -112,10 +117,11 @@ fn list(json: bool) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// One case in words, or as JSON with its seed and configuration; exit status 1 where it fails.
+/// One case in words, or as JSON with its seed and configuration, compared with its recording where it has one; exit status 1 where it fails.
 fn told(
     id: &str,
     checked: &Checked,
+    recording: Option<&Replay>,
     (json, seed, configuration): (bool, Option<&str>, Value),
 ) -> Result<ExitCode, CliError> {
     let (verdict, why, instance, margin) = match checked {
@@ -123,16 +129,23 @@ fn told(
         Err(Stop::Undecided(why)) => ("undecided", why.as_str(), "", None),
         Err(Stop::Fails { why, instance }) => ("fails", why.as_str(), instance.as_str(), None),
     };
+    let again = recording.map(|replay| replay.compared(checked));
     if json {
         let margin = margin.map(|margin| format!("~{margin:?}"));
         let provenance = Provenance::new("flockproof.fuzz-case/1", seed, configuration);
         output::print_json(&provenance.stamp(json!({
-            "invariant": id, "verdict": verdict, "why": why, "instance": instance, "margin": margin
+            "invariant": id, "verdict": verdict, "why": why, "instance": instance, "margin": margin,
+            "again": again.map(Again::word)
         })))?;
     } else {
         let margin = margin.map_or(String::new(), |margin| format!(", margin {margin:?}"));
-        let lines = [format!("{id}: {verdict}{margin}"), why.to_string(), instance.to_string()];
-        let lines: Vec<String> = lines.into_iter().filter(|line| !line.is_empty()).collect();
+        let mut lines = vec![format!("{id}: {verdict}{margin}"), why.to_string(), instance.to_string()];
+        if let (Some(again), Some(replay)) = (again, recording) {
+            let (then, case) = &replay.recorded;
+            let recorded = if again == Again::Same { String::new() } else { format!("recorded: {then}\n{case}") };
+            lines.extend([again.sentence().to_string(), recorded]);
+        }
+        let lines: Vec<&str> = lines.iter().map(|line| line.trim_end()).filter(|line| !line.is_empty()).collect();
         output::print(&(lines.join("\n") + "\n"))?;
     }
     Ok(ExitCode::from(u8::from(verdict == "fails")))

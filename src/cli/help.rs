@@ -11,35 +11,54 @@ const WIDEST: usize = 100;
 const NUMBERS: &str = "Numbers are integers, fractions -1/2 or decimals -0.5, read exactly; a file `-` is standard input. All output is at most as wide as the \
 terminal, and 80 columns wide where it goes elsewhere.";
 
-const STATUS: &str = "Exit status: 0; 1 if `verify` or `prove` find something else than what is recorded; 2 on bad use or input; 130 after Ctrl-C.";
+/// What is true of every command.
+const STATUS: &str = "2 on bad use or input; 130 after Ctrl-C.";
 
-/// Commands whose exit status says more.
-const STATUSES: [(&str, &str); 2] = [
-    (
-        "check",
-        "Exit status: 0 where all hold; 1 if one is false; 3 if one is undecided; 4 where a control was not refuted; 2 on bad use or input; \
-         130 after Ctrl-C.",
-    ),
-    ("fuzz", "Exit status: 0; 1 if a case fails; 2 on bad use or input; 130 after Ctrl-C."),
+/// What else commands end with.
+const STATUSES: [(&str, &str); 6] = [
+    ("flockproof", "0; 2 on bad use or input; 130 after Ctrl-C; further numbers stand in the help of a command."),
+    ("verify", "0 where all is as recorded; 1 if a verdict is another one or a control was not refuted"),
+    ("prove", "0; 1 if Coq finds something else than what is recorded"),
+    ("check", "0 where all hold; 1 if one is false; 3 if one is undecided; 4 where a control was not refuted"),
+    ("fuzz", "0; 1 if a case fails; 4 where a control was not refuted"),
+    ("serve", "130 after Ctrl-C, which ends it; 2 on bad use or input."),
 ];
 
 /// Examples of commands that do not bring their own.
-const EXAMPLES: [(&str, &str); 3] = [
+const EXAMPLES: [(&str, &str); 5] = [
     ("check", "Examples:\n  flockproof check question.toml\n  flockproof check --names"),
-    ("fuzz", "Examples:\n  flockproof fuzz --list\n  flockproof fuzz --cases 10000 --store out --shard 1/4 --resume"),
+    (
+        "fuzz",
+        "Examples:\n  flockproof fuzz --list\n  flockproof fuzz --cases 10000 --store out --shard 1/4 --resume\n  \
+         flockproof fuzz question.toml --cases 500",
+    ),
+    (
+        "flock",
+        "Examples:\n  flockproof flock run assets/four_birds.json --until 64\n  flockproof flock settle assets/four_birds.json",
+    ),
     ("report", "Examples:\n  flockproof report --out site\n  flockproof report --ledger ledger.json --out site"),
+    ("serve", "Examples:\n  flockproof serve\n  flockproof serve --ledger ledger.json --port 0"),
 ];
+
+/// The exit statuses of a command in a sentence.
+fn statuses(name: &str) -> String {
+    match STATUSES.iter().find(|(known, _)| *known == name) {
+        Some((_, whole)) if whole.ends_with('.') => format!("Exit status: {whole}"),
+        Some((_, first)) => format!("Exit status: {first}; {STATUS}"),
+        None => format!("Exit status: 0; {STATUS}"),
+    }
+}
 
 /// The command line with everything that all of it has in common: width, exit status, numbers below zero.
 pub fn command() -> Command {
     let command = super::Arguments::command().term_width(output::width().min(WIDEST));
-    let command = command.after_help(format!("{NUMBERS}\n\n{STATUS}\n\nExamples:\n  flockproof verify --paper veerman\n  flockproof list resonance\n  flockproof explain veerman.gain_max\n  flockproof COMMAND --help"));
+    let command = command.after_help(format!("{NUMBERS}\n\n{}\n\nExamples:\n  flockproof verify --paper veerman\n  flockproof list resonance\n  flockproof explain veerman.gain_max\n  flockproof COMMAND --help", statuses("flockproof")));
     everywhere(command, true)
 }
 
 /// The exit status at the end of every help text; a value such as `-3` is a value of its option everywhere, so that it is refused as such.
 fn everywhere(command: Command, top: bool) -> Command {
-    let status = STATUSES.iter().find(|(name, _)| *name == command.get_name()).map_or(STATUS, |(_, status)| status);
+    let status = statuses(command.get_name());
     let example = EXAMPLES.iter().find(|(name, _)| *name == command.get_name()).map(|(_, example)| example.to_string());
     let command = match command.get_after_help().map(ToString::to_string).or(example) {
         Some(text) if !top => command.after_help(format!("{text}\n\n{status}")),

@@ -5,6 +5,7 @@ use flockproof::report::{digest, folded};
 use serde_json::{Value, json};
 use std::io::{self, ErrorKind, IsTerminal, Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Prints a text for people, at most as wide as the terminal; a closed pipe ends the program quietly.
 pub fn print(text: &str) -> Result<(), CliError> {
@@ -83,6 +84,9 @@ fn beside(path: &Path) -> PathBuf {
 
 /// Refuses a file that cannot be written, before any work is done for it; nothing is left there.
 pub fn check_writable(path: &Path) -> Result<(), CliError> {
+    if path == Path::new("-") {
+        return Err(CliError::file(path, "standard output is no file here; a file of that name would be ./-"));
+    }
     if path.is_dir() {
         return Err(CliError::file(path, "it is a folder, not a file"));
     }
@@ -124,7 +128,12 @@ pub struct Input {
 
 /// Reads a whole text file of at most 64 MiB, `-` from standard input.
 pub fn read_input(path: &Path) -> Result<Input, CliError> {
-    let bytes = if path == Path::new("-") { limited(io::stdin()) } else { std::fs::File::open(path).and_then(limited) };
+    static READ: AtomicBool = AtomicBool::new(false);
+    let is_stdin = path == Path::new("-");
+    if is_stdin && READ.swap(true, Ordering::Relaxed) {
+        return Err(CliError::file(path, "standard input can be read only once"));
+    }
+    let bytes = if is_stdin { limited(io::stdin()) } else { std::fs::File::open(path).and_then(limited) };
     let bytes = bytes.map_err(refused(path))?;
     if bytes.len() as u64 > LARGEST {
         return Err(CliError::file(path, "files of more than 64 MiB are not read"));

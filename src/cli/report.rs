@@ -2,6 +2,7 @@
 
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress, verify};
+use flockproof::json;
 use flockproof::ledger::{Document, Options, to_json_with};
 use flockproof::report::{FIGURES, Figure, Made, Page, Site, ledger_origin};
 use rayon::prelude::*;
@@ -71,6 +72,8 @@ fn document(path: Option<&Path>, ledger: &flockproof::ledger::Ledger) -> Result<
         }
     };
     let place = path.unwrap_or(Path::new("ledger"));
+    // Of a key that stands twice in a file one would be left out without a word.
+    json::parse(&text).map_err(|error| CliError::file(place, format!("not valid JSON: {error}")))?;
     let mut document = Document::read(&text).map_err(|error| CliError::file(place, error))?;
     document.more = origin(&text);
     Ok(Some(document))

@@ -97,3 +97,38 @@ fn nothing_asked_is_answered_with_help() {
         assert!(String::from_utf8_lossy(&output.stderr).contains("Usage: flockproof"), "{command:?}");
     }
 }
+
+/// The names of all commands, those with subcommands first.
+fn commands(of: &[&str]) -> Vec<Vec<String>> {
+    let help = stdout(&flockproof(&[of, &["--help"]].concat()));
+    let listed = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let names = listed.filter(|line| !line.starts_with("   ")).filter_map(|line| line.split_whitespace().next());
+    let mut all = vec![of.iter().map(|name| name.to_string()).collect::<Vec<_>>()];
+    for name in names.filter(|name| *name != "help") {
+        all.extend(commands(&[of, &[name]].concat()));
+    }
+    all
+}
+
+/// Each tells its exit statuses and has an example; a command with an option for JSON names the schema.
+#[test]
+fn every_help_has_examples_and_exit_statuses() {
+    let all = commands(&[]);
+    assert!(all.len() > 20);
+    for command in all {
+        let arguments: Vec<&str> = command.iter().map(String::as_str).chain(["--help"]).collect();
+        let help = stdout(&flockproof(&arguments));
+        assert!(help.contains("Exit status: ") && help.contains("after Ctrl-C"), "{command:?}:\n{help}");
+        assert!(
+            help.contains("\nExample") && help.contains("\n  flockproof ") || help.contains("source <("),
+            "{command:?}"
+        );
+        assert!(help.lines().all(|line| line.chars().count() <= 80), "{command:?}:\n{help}");
+        if let Some((_, told)) = help.split_once("  --json") {
+            let told = &told[..told.find("\n  -").unwrap_or(told.len())];
+            let words = told.split_whitespace().collect::<String>();
+            let ours = words.contains("flockproof.") || ["verify", "sweep"].contains(&command[0].as_str());
+            assert!(ours, "{command:?}: {told}");
+        }
+    }
+}

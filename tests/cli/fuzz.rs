@@ -81,6 +81,18 @@ fn invariants_are_listed_and_replayed() {
     let output = flockproof(&["fuzz", "matrix.inverse", "--case", "5", "--json"]);
     let document: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
     assert_eq!((&document["verdict"], &document["invariant"]), (&"holds".into(), &"matrix.inverse".into()));
+    assert_eq!(document["again"], Value::Null);
+    // A file that says that a case failed which holds.
+    let folder = folder("fuzz_replay");
+    let recorded = serde_json::json!({
+        "schema": "flockproof.replay/1", "version": env!("CARGO_PKG_VERSION"), "invariant": "matrix.inverse", "draws": [],
+        "why": "once it failed", "instance": "a matrix"
+    });
+    let path = file(&folder, "failure.json", recorded.to_string().as_bytes());
+    let output = flockproof(&["fuzz", "--replay", &path]);
+    assert!(output.status.success());
+    let text = stdout(&output);
+    assert!(text.contains("It does not fail any more.\nrecorded: once it failed\na matrix\n"), "{text}");
 }
 
 #[test]

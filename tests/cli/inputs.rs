@@ -81,6 +81,73 @@ fn standard_input_is_a_file() {
     }
 }
 
+/// Commands that read a file, `FILE` for its name, and what may stand in it.
+fn readers() -> Vec<(Vec<&'static str>, &'static str, String)> {
+    let asset = |name: &str| std::fs::read_to_string(asset(name)).expect("text");
+    let question = asset("questions/algebraic_connectivity.toml");
+    let ledger = stdout(&flockproof(&["verify", "--claim", "veerman.lem2", "--json", "-"]));
+    let many = "model = \"phase\"\n[state]\nrandom = { agents = 3, seed = 1 }\n[law]\nK1 = -1\n[run]\nuntil = 1\n[ensemble]\nreplicas = 3\n";
+    vec![
+        (vec!["spectrum", "--graph", "FILE"], "g.txt", asset("graphs/bridge.txt")),
+        (vec!["spectrum", "--graph", "FILE"], "g.graphml", asset("graphs/path.graphml")),
+        (vec!["spectrum", "--graph", "FILE"], "g.mtx", asset("graphs/ring.mtx")),
+        (vec!["resonance", "--graph", "FILE", "--f=-1", "--g=-1"], "g.txt", "1 2\n2 3\n".to_string()),
+        (vec!["ergodicity", "FILE"], "m.txt", asset("two_matrices.txt")),
+        (vec!["ergodicity", "FILE", "--normalise"], "m.json", asset("float_matrices.json")),
+        (vec!["flock", "run", "FILE", "--until", "4"], "birds.json", asset("four_birds.json")),
+        (vec!["flock", "settle", "FILE"], "birds.json", asset("four_birds.json")),
+        (vec!["simulate", "FILE", "--out", "out"], "s.toml", asset("scenarios/three_agents.toml")),
+        (vec!["simulate", "FILE", "--out", "many", "--resume"], "many.toml", many.to_string()),
+        (vec!["tracks", "FILE", "--null", "3", "--out", "out"], "t.csv", asset("example_tracks.csv")),
+        (vec!["check", "FILE"], "q.toml", question.clone()),
+        (vec!["sweep", "FILE", "--store", "table", "--resume"], "q.toml", question.clone()),
+        (vec!["fuzz", "FILE", "--cases", "200"], "q.toml", question),
+        (vec!["report", "--no-figures", "--out", "site", "--ledger", "FILE"], "l.json", ledger),
+    ]
+}
+
+/// A file, the same with a byte-order mark, and either from standard input: one answer. Of JSON no key may stand twice.
+#[test]
+fn every_command_reads_marks_and_standard_input() {
+    let folder = folder("inputs_readers");
+    for (arguments, name, text) in readers() {
+        let run = |file: &str, input: &str| {
+            let filled: Vec<&str> = arguments.iter().map(|word| if *word == "FILE" { file } else { word }).collect();
+            with_input(&filled, &folder, input)
+        };
+        let (marked, answer) = (format!("\u{feff}{text}"), |output: &std::process::Output| {
+            let error = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(output.status.success(), "{arguments:?}: {error}");
+            // The name of the file and the digest of its bytes are told; they differ.
+            let told = stdout(output).replace(name, "-");
+            told.lines()
+                .filter(|line| !line.contains("configuration "))
+                .map(|line| format!("{line}\n"))
+                .collect::<String>()
+        });
+        std::fs::write(folder.join(name), &text).expect("a file");
+        let plain = answer(&run(name, ""));
+        assert_eq!(answer(&run("-", &text)), plain, "{arguments:?} from standard input");
+        assert_eq!(answer(&run("-", &marked)), plain, "{arguments:?} from standard input, with a mark");
+        std::fs::write(folder.join(name), &marked).expect("a file");
+        assert_eq!(answer(&run(name, "")), plain, "{arguments:?} with a mark");
+        if let Some(rest) = text.trim_start().strip_prefix('{') {
+            let twice = format!("{{\"twice\": 1, \"twice\": 2, {rest}");
+            let output = run("-", &twice);
+            let error = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(output.status.code() == Some(2) && error.contains("the key `twice` is there twice"), "{error}");
+        }
+    }
+}
+
+#[test]
+fn standard_input_is_read_once() {
+    let question = std::fs::read_to_string(asset("questions/algebraic_connectivity.toml")).expect("text");
+    let output = with_input(&["check", "-", "-"], Path::new("."), &question);
+    assert_eq!(output.status.code(), Some(2));
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "error: -: standard input can be read only once\n");
+}
+
 #[test]
 fn normalised_rows_are_told() {
     let found = json(&["ergodicity", &asset("float_matrices.json"), "--normalise", "--json"]);

@@ -25,13 +25,21 @@ fn tables_do_not_depend_on_shards() {
     }
     let merged = flockproof(&["sweep", "--merge", &store("parts")]);
     assert_eq!(stdout(&merged), stdout(&whole));
-    for name in ["table.csv", "table.jsonl", "merged.jsonl"] {
+    for name in ["table.csv", "table.jsonl", "merged.jsonl", "about.txt"] {
         let read = |store: &str| std::fs::read(folder.join(store).join(name)).expect("written");
         assert_eq!(read("whole"), read("parts"), "{name}");
     }
     let lines = stdout(&flockproof(&["sweep", "--merge", &store("parts"), "--json"]));
     assert_eq!(lines.lines().count(), 9);
     assert!(lines.starts_with("{\"n\":\"1\",\"root\":\"1\",\"square\":\"1\"}"), "{lines}");
+    let about = std::fs::read_to_string(folder.join("whole/about.txt")).expect("written");
+    let (origin, columns) = about.split_once('\n').expect("lines");
+    let origin: serde_json::Value = serde_json::from_str(origin).expect("JSON");
+    assert_eq!(
+        (&origin["schema"], &origin["version"]),
+        (&"flockproof.sweep/1".into(), &env!("CARGO_PKG_VERSION").into())
+    );
+    assert!(origin["digest"].is_string() && columns.starts_with("table.csv: columns n,square,root"), "{about}");
     // A table is no campaign, and a campaign no table.
     assert_refused(&["fuzz", "--merge", &store("parts")], "not a campaign");
     let fuzzed = flockproof(&["fuzz", "matrix.inverse", "--cases", "5", "--store", &store("fuzz")]);

@@ -7,5 +7,5 @@ mod summary;
 
 pub use attack::Attack;
 pub use campaign::{Fuzz, FuzzError, MOST_CASES, one_case};
-pub use replay::{Replay, ReplayError};
+pub use replay::{Again, Replay, ReplayError};
 pub use summary::{Failed, InvariantSummary, Smallest, Summary, SummaryError};

@@ -7,6 +7,7 @@ use crate::names::Subject;
 use crate::question::Question;
 use crate::scenario_file::is_place;
 use crate::shrink::Shrunk;
+use crate::syntax::Kind;
 use crate::truth::{Margin, Truth};
 use algebra::graph::LaplacianKind;
 use arithmetic::Progress;
@@ -66,6 +67,10 @@ pub struct Answer {
     pub replay: Option<String>,
     /// Encloses the smallest margin of all cases that were looked at.
     pub margin: Option<Margin>,
+    /// The same of each inequality of the property by itself, under the time operators around it; `None` where it was nowhere compared.
+    pub inequalities: Vec<(String, Option<Margin>)>,
+    /// Whether the smallest margin is the smallest one of these.
+    is_conjunction: bool,
     /// Members, or boxes of them, that were looked at.
     pub cases: u64,
     /// Those that stayed undecided.
@@ -93,10 +98,12 @@ impl Answer {
             (Verdict::Undecided, _) if question.is_sample() => vec!["fuzzed"],
             _ => vec![],
         };
-        let (found, margin) = match verdict {
-            Verdict::Withheld => (None, None),
-            _ => (shrunk, outcome.margin),
+        let (found, margin, margins) = match verdict {
+            Verdict::Withheld => (None, None, &[][..]),
+            _ => (shrunk, outcome.margin, &outcome.inequalities[..]),
         };
+        let nodes = question.property.iter().flat_map(|property| &property.inequalities);
+        let inequalities = nodes.enumerate().map(|(k, node)| (node.to_string(), margins.get(k).copied())).collect();
         let why = reason(verdict, &outcome, refuted);
         let (counterexample, shorter, replay) = match found {
             None => (None, None, None),
@@ -115,6 +122,8 @@ impl Answer {
             shorter,
             replay,
             margin,
+            inequalities,
+            is_conjunction: question.property.as_ref().is_some_and(|whole| matches!(whole.node.kind, Kind::And(_))),
             cases: outcome.cases,
             undecided: outcome.open,
             controls: refuted.to_vec(),
@@ -128,7 +137,9 @@ impl Answer {
             let pairs = bindings.iter().map(|(name, value)| (name.to_string(), json!(value.text())));
             serde_json::Value::Object(pairs.collect::<Map<_, _>>())
         };
-        let margin = self.margin.as_ref().and_then(Margin::decimals);
+        let enclosed =
+            |margin: Option<&Margin>| margin.and_then(Margin::decimals).map(|(lo, hi)| json!({"lo": lo, "hi": hi}));
+        let own = |(text, margin): &(String, Option<Margin>)| json!({"inequality": text, "margin": enclosed(margin.as_ref())});
         json!({
             "schema": "flockproof.check/1",
             "id": self.id,
@@ -136,7 +147,8 @@ impl Answer {
             "grades": self.grades,
             "counterexample": self.counterexample.as_ref().map(named),
             "replay": replay,
-            "margin": margin.map(|(lo, hi)| json!({"lo": lo, "hi": hi})),
+            "margin": enclosed(self.margin.as_ref()),
+            "inequalities": self.inequalities.iter().map(own).collect::<Vec<_>>(),
             "cases": self.cases,
             "undecided": self.undecided,
             "controls": {"refuted": self.refuted(), "total": self.controls.len()},
@@ -161,9 +173,17 @@ impl Answer {
         if let Some(shorter) = &self.shorter {
             let _ = writeln!(text, "fails already: {shorter}");
         }
-        if let Some((lo, hi)) = self.margin.as_ref().and_then(Margin::decimals) {
-            let between = if lo == hi { format!("= {lo}") } else { format!("in [{lo}, {hi}]") };
+        let between = |margin: Option<&Margin>| {
+            let (lo, hi) = margin.and_then(Margin::decimals)?;
+            Some(if lo == hi { format!("= {lo}") } else { format!("in [{lo}, {hi}]") })
+        };
+        if let Some(between) = between(self.margin.as_ref()) {
             let _ = writeln!(text, "smallest margin {between}");
+        }
+        for (inequality, margin) in self.inequalities.iter().filter(|_| self.is_conjunction) {
+            if let Some(between) = between(margin.as_ref()) {
+                let _ = writeln!(text, "  of {inequality}: {between}");
+            }
         }
         let _ = writeln!(text, "controls refuted: {} of {}", self.refuted(), self.controls.len());
         if let Some(file) = replay {
@@ -246,7 +266,7 @@ impl Question {
                 return Err(cancelled.into());
             }
             let same = control.node.to_string() == property;
-            if !same && judged.is_ok_and(|(truth, _)| truth == Truth::False) {
+            if !same && judged.is_ok_and(|judged| judged.truth == Truth::False) {
                 controls.push(quoted(&control.node.to_string()));
             }
         }
@@ -280,7 +300,7 @@ impl Question {
         let mut exact = true;
         if let Some(property) = &self.property {
             property.node.visit(&mut |node| {
-                if let crate::syntax::Kind::Name { name, .. } = &node.kind {
+                if let Kind::Name { name, .. } = &node.kind {
                     let own = name.rsplit('.').next().unwrap_or(name);
                     exact &= !ENCLOSED.contains(&own) && !self.subjects().contains(&Subject::Motion);
                 }

@@ -10,6 +10,7 @@ use crate::names::Subject;
 use crate::number::Number;
 use crate::question::{Expression, Question};
 use crate::shrink::Shrunk;
+use crate::syntax::Node;
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::Progress;
 use motion::side_by_side;
@@ -39,6 +40,8 @@ pub struct Decided {
     pub truth: Truth,
     /// Encloses the smallest margin.
     pub margin: Margin,
+    /// The same of each inequality of the property by itself.
+    pub inequalities: Vec<Margin>,
     /// Whether `where` leaves the case out.
     pub excluded: bool,
     /// Members or boxes that were looked at.
@@ -56,6 +59,8 @@ pub struct Outcome {
     pub truth: Truth,
     /// Encloses the smallest margin of all that were looked at.
     pub margin: Option<Margin>,
+    /// The same of each inequality of the property by itself.
+    pub inequalities: Vec<Margin>,
     /// Members of the family, a continuum counting as one.
     pub total: u64,
     /// Members, or boxes of members, that were looked at.
@@ -113,7 +118,7 @@ impl Question {
     /// [`QuestionError`] also where that cannot be told.
     pub fn is_kept(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<bool, QuestionError> {
         let Some(restriction) = &self.restriction else { return Ok(true) };
-        match self.decide_point(restriction, bindings, progress)?.0 {
+        match self.decide_point(restriction, bindings, progress)?.truth {
             Truth::True => Ok(true),
             Truth::False => Ok(false),
             Truth::Unknown(_) if !bindings.boxes().is_empty() => Ok(true),
@@ -150,13 +155,12 @@ impl Question {
             return Division { question: self, expression, progress, most }.decide(bindings);
         }
         if !self.is_kept(bindings, progress)? {
-            let margin = Margin::of_truth(true);
-            return Ok(Decided { truth: Truth::True, margin, excluded: true, boxes: 0, open: 0, counterexample: None });
+            return Ok(Decided { excluded: true, ..Decided::nothing() });
         }
-        let (truth, margin) = self.decide_point(expression, bindings, progress)?;
+        let Judged { truth, margin, inequalities } = self.decide_point(expression, bindings, progress)?;
         let counterexample = (truth == Truth::False).then(|| bindings.clone());
         let open = u64::from(matches!(truth, Truth::Unknown(_)));
-        Ok(Decided { truth, margin, excluded: false, boxes: 1, open, counterexample })
+        Ok(Decided { truth, margin, inequalities, excluded: false, boxes: 1, open, counterexample })
     }
 
     /// Raises the precision until the property is decided, or that is known to be in vain.
@@ -165,16 +169,22 @@ impl Question {
         expression: &Expression,
         bindings: &Bindings,
         progress: &dyn Progress,
-    ) -> Result<(Truth, Margin), QuestionError> {
+    ) -> Result<Judged, QuestionError> {
         let case = Case::new(self, bindings.clone(), false, progress);
         let mut precision = FIRST_BITS;
         loop {
             progress.checkpoint()?;
             let (truth, margin) = self.judged(&case, expression, precision)?;
-            let Truth::Unknown(Doubt { bits: Some(needed), .. }) = &truth else { return Ok((truth, margin)) };
-            let most = if *needed <= MOST_BITS { needed.next_power_of_two() * 2 } else { MOST_HOPEFUL_BITS };
-            if u64::from(precision) * 2 > most {
-                return Ok((truth, margin));
+            let wanted = match &truth {
+                Truth::Unknown(Doubt { bits: Some(needed), .. }) if *needed <= MOST_BITS => {
+                    needed.next_power_of_two() * 2
+                }
+                Truth::Unknown(Doubt { bits: Some(_), .. }) => MOST_HOPEFUL_BITS,
+                _ => 0,
+            };
+            if u64::from(precision) * 2 > wanted {
+                let inequalities = self.each_margin(&case, expression, precision, margin)?;
+                return Ok(Judged { truth, margin, inequalities });
             }
             precision *= 2;
         }
@@ -191,6 +201,53 @@ impl Question {
             Ok(judged) => Ok(judged),
             Err(Failure::Open(doubt)) => Ok((Truth::Unknown(doubt), Margin::ANY)),
             Err(failure) => Err(self.refused(failure, expression.base)),
+        }
+    }
+
+    /// The margins of the inequalities of a property one by one, that of the whole where it is one itself.
+    pub(crate) fn each_margin(
+        &self,
+        case: &Case,
+        expression: &Expression,
+        precision: u32,
+        whole: Margin,
+    ) -> Result<Vec<Margin>, QuestionError> {
+        let evaluator = Evaluator { case, precision, moment: None, piece: None };
+        let own = |node: &Node| {
+            if node.kind == expression.node.kind {
+                return Ok(whole);
+            }
+            match evaluator.judge(node) {
+                Ok((_, margin)) => Ok(margin),
+                // What another part of the property keeps from being asked here.
+                Err(Failure::Refused(..)) => Ok(Margin::of_truth(true)),
+                Err(Failure::Open(_)) => Ok(Margin::ANY),
+                Err(failure) => Err(self.refused(failure, expression.base)),
+            }
+        };
+        expression.inequalities.iter().map(own).collect()
+    }
+}
+
+/// What was found for one point.
+#[derive(Debug, Clone)]
+pub(crate) struct Judged {
+    pub truth: Truth,
+    pub margin: Margin,
+    pub inequalities: Vec<Margin>,
+}
+
+impl Decided {
+    /// Nothing was looked at yet.
+    pub(crate) fn nothing() -> Self {
+        Decided {
+            truth: Truth::True,
+            margin: Margin::of_truth(true),
+            inequalities: Vec::new(),
+            excluded: false,
+            boxes: 0,
+            open: 0,
+            counterexample: None,
         }
     }
 }
@@ -264,8 +321,16 @@ fn over_family(
     let all = if question.subjects().contains(&Subject::Motion) { MOST_MOTIONS } else { MOST_BOXES };
     let budget = question.budget();
     let most = (all.min(budget) / total.max(1)).max(LEAST_BOXES.min(budget));
-    let mut outcome =
-        Outcome { truth: Truth::True, margin: None, total, cases: 0, open: 0, boxed: false, counterexample: None };
+    let mut outcome = Outcome {
+        truth: Truth::True,
+        margin: None,
+        inequalities: Vec::new(),
+        total,
+        cases: 0,
+        open: 0,
+        boxed: false,
+        counterexample: None,
+    };
     let (mut next, mut chunk) = (0, FIRST_CHUNK);
     while next < total {
         let end = (next + chunk).min(total);
@@ -285,6 +350,7 @@ fn over_family(
             outcome.open += found.open;
             outcome.boxed |= boxed;
             outcome.margin = Some(outcome.margin.map_or(found.margin, |least| least.least(found.margin)));
+            Margin::least_of_each(&mut outcome.inequalities, &found.inequalities);
             if found.counterexample.is_some() {
                 outcome.truth = Truth::False;
                 outcome.counterexample = found.counterexample;

@@ -2,7 +2,7 @@
 
 use crate::bindings::{Bindings, Value};
 use crate::case::Case;
-use crate::decide::{Decided, FIRST_BITS};
+use crate::decide::{Decided, FIRST_BITS, Judged};
 use crate::error::QuestionError;
 use crate::names::Subject;
 use crate::question::{Expression, Question};
@@ -30,7 +30,10 @@ struct Open {
     number: u64,
     doubt: Doubt,
     bounds: Margin,
+    inequalities: Vec<Margin>,
 }
+
+type OnBox = (Option<Truth>, Margin, Vec<Margin>);
 
 impl PartialEq for Open {
     fn eq(&self, other: &Self) -> bool {
@@ -52,14 +55,7 @@ impl Ord for Open {
 impl Division<'_> {
     pub fn decide(&self, whole: &Bindings) -> Result<Decided, QuestionError> {
         let original = whole.boxes();
-        let mut found = Decided {
-            truth: Truth::True,
-            margin: Margin::of_truth(true),
-            excluded: false,
-            boxes: 0,
-            open: 0,
-            counterexample: None,
-        };
+        let mut found = Decided::nothing();
         let mut heap = BinaryHeap::new();
         let mut queue = vec![whole.clone()];
         let (mut number, mut probes, mut kept) = (0, 0u64, false);
@@ -68,24 +64,27 @@ impl Division<'_> {
                 self.progress.checkpoint()?;
                 found.boxes += 1;
                 number += 1;
-                let (truth, margin) = self.on_box(&bindings, number == 1)?;
+                let (truth, margin, inequalities) = self.on_box(&bindings, number == 1)?;
                 kept |= truth.is_some();
                 if number == 1 && self.fails_at_a_corner(&bindings, &mut found)? {
                     return Ok(found);
                 }
                 match truth {
                     None => {}
-                    Some(Truth::True) => found.margin = found.margin.least(margin),
+                    Some(Truth::True) => {
+                        found.margin = found.margin.least(margin);
+                        Margin::least_of_each(&mut found.inequalities, &inequalities);
+                    }
                     Some(Truth::False) => {
                         if self.fails_at(bindings.middle(), &mut found)? {
                             return Ok(found);
                         }
                         let doubt =
                             Doubt { why: "a box fails, but its middle is left out by `where`".to_string(), bits: None };
-                        heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin });
+                        heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin, inequalities });
                     }
                     Some(Truth::Unknown(doubt)) => {
-                        heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin });
+                        heap.push(Open { bindings, margin: margin.lo, number, doubt, bounds: margin, inequalities });
                     }
                 }
             }
@@ -106,6 +105,8 @@ impl Division<'_> {
                     let open = heap.iter().fold(worst.bounds, |least, open| least.least(open.bounds));
                     found.open = 1 + heap.len() as u64;
                     found.margin = found.margin.least(open);
+                    let each = heap.iter().chain([&worst]);
+                    each.for_each(|open| Margin::least_of_each(&mut found.inequalities, &open.inequalities));
                     let at = worst.bindings.to_string();
                     let why = format!("{} (on the box {at})", worst.doubt.why);
                     found.truth = Truth::Unknown(Doubt { why, bits: None });
@@ -115,14 +116,14 @@ impl Division<'_> {
         }
     }
 
-    /// The truth on a box; `None` where `where` leaves all of it out.
-    pub fn on_box(&self, bindings: &Bindings, is_first: bool) -> Result<(Option<Truth>, Margin), QuestionError> {
+    /// The truth on a box, `None` where `where` leaves all of it out; its margin, and those of its inequalities.
+    pub fn on_box(&self, bindings: &Bindings, is_first: bool) -> Result<OnBox, QuestionError> {
         let case = Case::new(self.question, bindings.clone(), is_first, self.progress);
         let mut kept = Truth::True;
         if let Some(restriction) = &self.question.restriction {
             kept = self.question.judged(&case, restriction, FIRST_BITS)?.0;
             if kept == Truth::False {
-                return Ok((None, Margin::of_truth(true)));
+                return Ok((None, Margin::of_truth(true), Vec::new()));
             }
         }
         let (truth, margin) = self.question.judged(&case, self.expression, FIRST_BITS)?;
@@ -130,7 +131,8 @@ impl Division<'_> {
             (Truth::False, Truth::Unknown(doubt)) => Truth::Unknown(doubt),
             (truth, _) => truth,
         };
-        Ok((Some(truth), margin))
+        let inequalities = self.question.each_margin(&case, self.expression, FIRST_BITS, margin)?;
+        Ok((Some(truth), margin, inequalities))
     }
 
     /// Whether the property fails at a corner of the box, where extremes often are.
@@ -158,13 +160,20 @@ impl Division<'_> {
         if !matches!(self.question.is_kept(&point, self.progress), Ok(true)) {
             return Ok(false);
         }
-        let (truth, margin) = self.question.decide_point(self.expression, &point, self.progress)?;
-        found.margin.hi = found.margin.hi.min(margin.hi);
+        let Judged { truth, margin, inequalities } =
+            self.question.decide_point(self.expression, &point, self.progress)?;
+        // Of the smallest margins these are upper bounds.
+        let below = |margin: Margin| Margin { lo: f64::INFINITY, ..margin };
+        let bounds: Vec<Margin> = inequalities.iter().copied().map(below).collect();
+        found.margin = found.margin.least(below(margin));
         found.margin.lo = found.margin.lo.min(found.margin.hi);
+        Margin::least_of_each(&mut found.inequalities, &bounds);
+        found.inequalities.iter_mut().for_each(|own| own.lo = own.lo.min(own.hi));
         if truth != Truth::False {
             return Ok(false);
         }
         found.margin = found.margin.least(margin);
+        Margin::least_of_each(&mut found.inequalities, &inequalities);
         found.truth = Truth::False;
         found.counterexample = Some(point);
         Ok(true)

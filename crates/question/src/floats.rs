@@ -35,7 +35,7 @@ impl Question {
             Truth::False => "is false",
             Truth::Unknown(_) => return None,
         };
-        Some(format!("In floating point, looked at {count} times of a run, the property {seen}."))
+        Some(format!("In floating point, at {count} moments of a run, the property {seen}."))
     }
 }
 

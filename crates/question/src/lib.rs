@@ -14,6 +14,7 @@ mod error;
 mod evaluate;
 mod family;
 mod floats;
+mod inequalities;
 pub mod names;
 mod number;
 mod question;

@@ -23,6 +23,8 @@ pub type Files<'a> = &'a dyn Fn(&str) -> Result<String, String>;
 pub(crate) struct Expression {
     pub node: Node,
     pub base: usize,
+    /// Of the property, its inequalities one by one; of what needs no margins, none.
+    pub inequalities: Vec<Node>,
 }
 
 /// Most members that are gone through without being asked.

@@ -3,7 +3,7 @@
 use crate::bindings::Bindings;
 use crate::division::{Division, halved};
 use crate::error::{Problem, QuestionError};
-use crate::question::Question;
+use crate::question::{Expression, Question};
 use crate::truth::Truth;
 use arithmetic::Progress;
 use std::collections::VecDeque;
@@ -48,7 +48,8 @@ impl Question {
     pub fn regions(&self, member: &Bindings, most: u64, progress: &dyn Progress) -> Result<Vec<Region>, QuestionError> {
         let none = || QuestionError::Whole(Problem::Other("regions need a property in [holds]".to_string()));
         let expression = self.property.as_ref().ok_or_else(none)?;
-        let division = Division { question: self, expression, progress, most };
+        let without_margins = Expression { inequalities: Vec::new(), ..expression.clone() };
+        let division = Division { question: self, expression: &without_margins, progress, most };
         let whole = member.boxes();
         let mut regions = Vec::new();
         let mut queue = VecDeque::from([member.clone()]);

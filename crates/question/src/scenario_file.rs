@@ -42,6 +42,11 @@ impl ScenarioFile {
         format!("{}: {error}", self.name)
     }
 
+    /// A flock as JSON, in which no key may stand twice.
+    fn json(&self) -> Result<serde_json::Value, String> {
+        algebra::json::parse(&self.text).map_err(|error| self.problem(&format!("not valid JSON: {error}")))
+    }
+
     /// The text as one line, for the canonical form of a question.
     pub fn digest(&self) -> String {
         format!("{:?}", self.text)
@@ -56,7 +61,7 @@ impl ScenarioFile {
     pub fn check_place(&self, name: &str) -> Result<(), String> {
         let numbers = [(name.to_string(), rational(1, 1))];
         if self.is_flock {
-            let mut value: serde_json::Value = serde_json::from_str(&self.text).map_err(|e| self.problem(&e))?;
+            let mut value = self.json()?;
             return match json_place(&mut value, name) {
                 Some(_) => Ok(()),
                 None => Err(format!("{}: there is no number at `{name}`", self.name)),
@@ -67,7 +72,7 @@ impl ScenarioFile {
 
     /// The flock with the numbers that are bound.
     pub fn flock(&self, bindings: &Bindings) -> Result<Start, String> {
-        let mut value: serde_json::Value = serde_json::from_str(&self.text).map_err(|error| self.problem(&error))?;
+        let mut value = self.json()?;
         for (name, bound) in bindings.iter().filter(|(name, _)| is_place(name)) {
             let Value::Number(q) = bound else {
                 return Err(format!("`{name}`: the numbers of an averaging flock are single ones, not intervals"));

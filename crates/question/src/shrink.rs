@@ -43,7 +43,7 @@ fn fails(
 ) -> Result<bool, QuestionError> {
     // Where a smaller case makes no sense it is no counterexample.
     let judged = question.is_kept(bindings, progress).and_then(|kept| match kept {
-        true => question.decide_point(expression, bindings, progress).map(|(truth, _)| truth == Truth::False),
+        true => question.decide_point(expression, bindings, progress).map(|found| found.truth == Truth::False),
         false => Ok(false),
     });
     match judged {

@@ -40,7 +40,10 @@ impl<'a> Source<'a> {
     pub fn parse(text: &'a str) -> Result<Self, QuestionError> {
         let table = DeTable::parse(text).map_err(|error| QuestionError::At {
             place: Place::of(text, error.span().map_or(0, |span| span.start)),
-            problem: Problem::Toml(error.message().lines().next().unwrap_or_default().to_string()),
+            problem: Problem::Toml(match error.message().lines().next().unwrap_or_default() {
+                deep if deep.contains("recursion depth") => "lists and sections are nested too deeply".to_string(),
+                message => message.to_string(),
+            }),
         })?;
         Ok(Source { text, table })
     }

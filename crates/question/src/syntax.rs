@@ -24,6 +24,9 @@ use std::fmt;
 /// Deepest nesting.
 const DEEPEST: usize = 100;
 
+/// Most letters of a name with its owner and indices.
+const LONGEST_NAME: usize = 200;
+
 /// Most parts of an expression.
 const MOST_PARTS: usize = 10_000;
 
@@ -230,9 +233,9 @@ impl<'a> Parser<'a> {
 
     fn span(&mut self) -> Result<(Node, Node), Located> {
         self.need("[")?;
-        let from = self.sum()?;
+        let from = self.deeper(Self::sum)?;
         self.need(",")?;
-        let to = self.sum()?;
+        let to = self.deeper(Self::sum)?;
         self.need("]")?;
         Ok((from, to))
     }
@@ -366,9 +369,13 @@ impl<'a> Parser<'a> {
 
     /// A name with owner and indices, `state.velocities[1][2]`, and its arguments.
     fn name(&mut self) -> Result<Kind, Located> {
+        let start = self.at;
         let mut name = self.peek().to_string();
         self.at += name.len();
         loop {
+            if name.len() > LONGEST_NAME {
+                return Err((start, Problem::Other(format!("a name has at most {LONGEST_NAME} letters"))));
+            }
             let rest = self.rest();
             let bytes = rest.as_bytes();
             if bytes.first() == Some(&b'.') && bytes.get(1).is_some_and(u8::is_ascii_alphabetic) {

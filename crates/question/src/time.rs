@@ -205,10 +205,16 @@ fn meets(piece: &Piece, (from, to): &(Rational, Option<Rational>)) -> bool {
     [&piece.to, to].into_iter().flatten().all(|end| first <= end)
 }
 
+/// A time as a reader wants it: at most six decimals.
+pub(crate) fn clock(time: f64) -> String {
+    let text = format!("{time:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
 /// A doubt with the time where it arose.
 fn at_time(truth: Truth, piece: &Piece) -> Doubt {
     use num_traits::ToPrimitive;
-    let time = format!("at t = {:.6}", piece.from.to_f64().unwrap_or(f64::NAN));
+    let time = format!("at t = {}", clock(piece.from.to_f64().unwrap_or(f64::NAN)));
     match truth {
         Truth::Unknown(doubt) => Doubt { why: format!("{time} {}", doubt.why), bits: doubt.bits },
         _ => Doubt { why: format!("{time} it depends on the exact time"), bits: None },

@@ -92,6 +92,14 @@ impl Margin {
         Margin { lo: self.lo.max(other.lo), hi: self.hi.max(other.hi) }
     }
 
+    /// The smaller one of each two of two lists; an empty list says nothing.
+    pub(crate) fn least_of_each(all: &mut Vec<Margin>, others: &[Margin]) {
+        if all.is_empty() {
+            all.extend_from_slice(others);
+        }
+        all.iter_mut().zip(others).for_each(|(own, other)| *own = own.least(*other));
+    }
+
     /// Both ends as decimals rounded outward; `None` where there is no finite one.
     pub fn decimals(&self) -> Option<(String, String)> {
         let end = |x: f64, up: bool| Dyadic::from_f64(x).map(|q: Dyadic| decimal(&q.to_rational(), 12, up));

@@ -66,7 +66,10 @@ pub struct Log {
 
 impl Log {
     pub fn new(path: Option<&Path>) -> Result<Self, CliError> {
-        let open = |path: &Path| File::create(path).map_err(|error| CliError::file(path, output::sentence(&error)));
+        let open = |path: &Path| {
+            output::check_writable(path)?;
+            File::create(path).map_err(|error| CliError::file(path, output::sentence(&error)))
+        };
         let file = path.map(|path| open(path).map(|file| (path.to_path_buf(), file))).transpose()?;
         Ok(Log { file })
     }

@@ -7,10 +7,18 @@ use super::{CliError, check, output, progress};
 use flockproof::campaign::store::{Shard, merge, run_shard};
 use flockproof::campaign::sweep::{Sweep, Table};
 use flockproof::question::QuestionError;
+use flockproof::report::{File, Provenance};
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 #[derive(clap::Args)]
+#[command(
+    after_help = "A row for each member of the family. The folder gets table.csv and table.jsonl, with about.txt, which tells where they \
+come from; finished members are kept as they are finished, so that a stopped sweep goes on with --resume.\n\n\
+Examples:\n  flockproof sweep question.toml --store out --resume\n  \
+flockproof sweep question.toml --store out --shard 2/8\n  flockproof sweep --merge out --json"
+)]
 pub struct Arguments {
     /// The question, a TOML file as notes/questions.md describes it
     #[arg(value_name = "QUESTION.toml", required_unless_present = "merge", requires = "store")]
@@ -30,7 +38,7 @@ pub struct Arguments {
     /// Draw the regions in which the property holds, fails and is open, for a question of one or two intervals; they are in the JSON, too
     #[arg(long, value_name = "FILE.svg")]
     plot: Option<PathBuf>,
-    /// Print one JSON object on a line for each member
+    /// Print one JSON object on a line for each member, as table.jsonl has them
     #[arg(long)]
     json: bool,
 }
@@ -39,6 +47,7 @@ pub struct Arguments {
 const MOST_ROWS: usize = 40;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
+    arguments.plot.as_deref().map_or(Ok(()), output::check_writable)?;
     if let Some(folder) = &arguments.merge {
         return merged(folder, arguments);
     }
@@ -71,12 +80,21 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// The question in its canonical form is all that a table depends on.
+fn provenance(canonical: &str) -> Provenance {
+    let campaign: Value = serde_json::from_str(canonical).unwrap_or_else(|_| canonical.into());
+    Provenance::new("flockproof.sweep/1", None, json!({"command": "sweep", "campaign": campaign}))
+}
+
 /// Writes the table as CSV and JSON lines, and the picture, and prints the beginning of the table.
 fn merged(folder: &Path, arguments: &Arguments) -> Result<ExitCode, CliError> {
     let merged = merge(folder).map_err(|error| CliError::Use(error.to_string()))?;
     let table = Table::new(&merged.header.campaign, &merged.rows).map_err(|error| CliError::file(folder, error))?;
     let csv = table.csv().map_err(|error| CliError::file(folder, error))?;
-    output::write_file(&folder.join("table.csv"), csv.as_bytes())?;
+    let csv = File { name: "table.csv".to_string(), contents: csv.into_bytes() };
+    let about = provenance(&merged.header.campaign).about(std::slice::from_ref(&csv));
+    output::write_file(&folder.join(&csv.name), &csv.contents)?;
+    output::write_file(&folder.join("about.txt"), about.as_bytes())?;
     if let Some(file) = &arguments.plot {
         let picture = picture::picture(&table).map_err(|error| CliError::file(folder, error))?;
         output::write_file(file, picture.svg().as_bytes())?;

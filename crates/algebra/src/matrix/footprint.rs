@@ -70,6 +70,26 @@ impl Footprint {
         Footprint { rows: self.rows, cols: right.cols, words: right.words, bits }
     }
 
+    /// The ones of both; where `other` has another shape, those of it that lie outside are left out.
+    pub fn or(&self, other: &Self) -> Self {
+        if (self.rows, self.cols) != (other.rows, other.cols) {
+            return Footprint::from_fn(self.rows, self.cols, |i, j| self.get(i, j) || other.get(i, j));
+        }
+        let bits = self.bits.iter().zip(&other.bits).map(|(a, b)| a | b).collect();
+        Footprint { bits, ..*self }
+    }
+
+    /// Whether some column is reached from all rows along the ones, `i` to `j` for a one at `(i, j)`: whether some bird is heard by all,
+    /// through others.
+    pub fn is_rooted(&self) -> bool {
+        let mut reached = self.closed();
+        // Paths of up to so many arcs as there are rows.
+        for _ in 0..self.rows.next_power_of_two().ilog2() {
+            reached = reached.times(&reached);
+        }
+        (0..self.cols).any(|root| (0..self.rows).all(|i| reached.get(i, root)))
+    }
+
     /// Whether `other` has the same shape and every one of it is a one here too.
     pub fn contains(&self, other: &Self) -> bool {
         let same_shape = (self.rows, self.cols) == (other.rows, other.cols);
@@ -98,7 +118,19 @@ impl Footprint {
         if to.len() == self.rows && self.rows == self.cols && to.iter().enumerate().all(|(place, &i)| place == i) {
             return self.clone();
         }
-        Footprint::from_fn(to.len(), to.len(), |i, j| self.get(to[i], to[j]))
+        // By the ones, of which a network has few.
+        let mut places = vec![Vec::new(); self.cols];
+        for (place, &j) in to.iter().enumerate().filter(|(_, j)| **j < self.cols) {
+            places[j].push(place);
+        }
+        let words = to.len().div_ceil(64);
+        let mut bits = vec![0; to.len() * words];
+        for (row, &i) in bits.chunks_mut(words.max(1)).zip(to).filter(|(_, i)| **i < self.rows) {
+            for &place in self.ones(i).flat_map(|j| &places[j]) {
+                row[place / 64] |= 1 << (place % 64);
+            }
+        }
+        Footprint { rows: to.len(), cols: to.len(), words, bits }
     }
 
     /// The rows with a one in column `j`, counted from 0, in order.

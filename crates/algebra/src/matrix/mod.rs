@@ -11,6 +11,7 @@ mod limbs;
 mod product;
 mod rational_matrix;
 pub mod read;
+mod smallest_entries;
 mod solve;
 mod sparse;
 mod stabiliser;
@@ -23,6 +24,7 @@ pub use inertia::{Inertia, inertia};
 pub use integer_rows::{AverageRow, IntegerRows};
 pub use product::{prefix_products, product_sequential, product_tree};
 pub use rational_matrix::RationalMatrix;
+pub use smallest_entries::{SmallestEntry, smallest_entries};
 pub use solve::{determinant_over_field, solve_over_field};
 pub use sparse::SparseMatrix;
 pub use stabiliser::{Stabiliser, StabiliserStream, stabilisers};
@@ -103,6 +105,9 @@ pub enum MatrixError {
     /// A stochastic matrix whose powers do not forget where they started.
     #[error("the powers of the matrix do not converge to a matrix of equal rows")]
     NotErgodic,
+    /// A product whose entries do not fit the integers that it is made in, or an entry that is negative there.
+    #[error("entries of such long products, or negative ones, do not fit 128 bits")]
+    TooLong,
     /// A product of no matrices.
     #[error("there is no matrix to multiply")]
     NoFactors,

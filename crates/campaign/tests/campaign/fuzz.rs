@@ -1,6 +1,6 @@
 use arithmetic::Unwatched;
-use campaign::fuzz::{Failed, Fuzz, FuzzError, Replay, Summary, one_case};
-use campaign::invariants::{Tested, find};
+use campaign::fuzz::{Again, Failed, Fuzz, FuzzError, Replay, Summary, one_case};
+use campaign::invariants::{Stop, Tested, find};
 use campaign::job::Campaign;
 use campaign::store::run_in_memory;
 
@@ -39,6 +39,11 @@ fn a_replay_decides_the_same_case() {
     let failed = Failed { case: 7, draws, why: "none".to_string(), instance: "none".to_string(), question: None };
     let replay = Replay::read(&Replay::text(invariant.id, &failed)).unwrap();
     assert_eq!(replay.decide(), checked);
+    assert_eq!(replay.compared(&checked), Again::NoMore);
+    let fails = |why: &str| Err(Stop::Fails { why: why.to_string(), instance: "none".to_string() });
+    assert_eq!(replay.compared(&fails("none")), Again::Same);
+    assert_eq!(replay.compared(&fails("another")), Again::Otherwise);
+    assert_eq!(replay.compared(&Err(Stop::Undecided("open".to_string()))), Again::Undecided);
     for (text, named) in [
         ("[", "JSON"),
         ("{}", "schema"),

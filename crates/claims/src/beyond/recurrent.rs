@@ -5,6 +5,7 @@ use algebra::graph::Graph;
 use algebra::matrix::{Footprint, RationalMatrix, StochasticMatrix};
 use models::averaging::{Weights, transition_matrix};
 use rand_chacha::rand_core::Rng;
+use std::sync::Arc;
 
 /// What counts as a window, and the bound: one factor `1 - alpha^power` for every `windows` windows of `n` birds.
 #[derive(Clone, Copy)]
@@ -23,7 +24,7 @@ struct Factor {
     matrix: StochasticMatrix,
     heard: Footprint,
     least: Rational,
-    arcs: String,
+    arcs: Arc<str>,
     is_tree: bool,
 }
 
@@ -39,8 +40,8 @@ impl Factor {
         let arcs: Vec<String> = pairs.map(|(i, j)| format!("{}<-{}", i + 1, j + 1)).collect();
         let pairs_heard = arcs.len();
         let arcs = if arcs.is_empty() { "nothing".to_string() } else { arcs.join(" ") };
-        let is_tree = heard.is_symmetric() && pairs_heard == 2 * (n - 1) && is_rooted(&heard);
-        Ok(Factor { matrix, heard, least, arcs, is_tree })
+        let is_tree = heard.is_symmetric() && pairs_heard == 2 * (n - 1) && heard.is_rooted();
+        Ok(Factor { matrix, heard, least, arcs: arcs.into(), is_tree })
     }
 
     /// Model D on a network.
@@ -76,17 +77,6 @@ fn directed_networks(n: usize) -> Result<Vec<Factor>, CheckError> {
     all.map(|bits| Factor::directed(n, |i, j| i != j && bits >> place(i, j) & 1 == 1)).collect()
 }
 
-/// Whether some bird is heard, through others, by all of them.
-fn is_rooted(heard: &Footprint) -> bool {
-    let n = heard.rows();
-    let mut reached = Footprint::from_fn(n, n, |i, j| i == j || heard.get(i, j));
-    // Paths of up to n arcs.
-    for _ in 0..n.next_power_of_two().ilog2() {
-        reached = reached.times(&reached);
-    }
-    (0..n).any(|root| reached.column(root).len() == n)
-}
-
 /// A product of factors, the latest on the left, cut into windows.
 #[derive(Clone)]
 struct Product {
@@ -98,7 +88,7 @@ struct Product {
     windows: usize,
     /// Whether all windows were connected.
     recurrent: bool,
-    arcs: Vec<String>,
+    arcs: Vec<Arc<str>>,
 }
 
 impl Product {
@@ -129,10 +119,10 @@ impl RecurrentVariant {
         let mut next = before.clone();
         next.matrix = factor.matrix.times(&before.matrix)?;
         next.least = factor.least.clone().min(before.least.clone());
-        next.heard = Footprint::from_fn(n, n, |i, j| before.heard.get(i, j) || factor.heard.get(i, j));
+        next.heard = before.heard.or(&factor.heard);
         next.since += 1;
         next.arcs.push(factor.arcs.clone());
-        let rooted = !self.connected || is_rooted(&next.heard);
+        let rooted = !self.connected || next.heard.is_rooted();
         let ends = match windows {
             Windows::Any => rooted,
             Windows::Of(length) => next.since == length,
@@ -156,8 +146,8 @@ impl RecurrentVariant {
         let factor = rational(1, 1) - product.least.power(power as u64);
         let bound = factor.power((product.windows / (self.windows)(n)) as u64);
         let tau = product.matrix.tau_1();
-        let times = product.arcs.join(", then ");
-        (tau > bound).then(|| format!("{n} birds, who hears whom: {times}: tau_1 = {tau}, the bound is {bound}"))
+        let times = || product.arcs.join(", then ");
+        (tau > bound).then(|| format!("{n} birds, who hears whom: {}: tau_1 = {tau}, the bound is {bound}", times()))
     }
 
     /// Runs over all sequences of up to `left` more factors; the first that fails.

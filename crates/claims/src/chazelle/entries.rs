@@ -3,11 +3,10 @@
 use super::sequences::{random_graph, seen_from_one_side, share_weights, show_all, words};
 use crate::prelude::*;
 use algebra::graph::Graph;
-use algebra::matrix::{RationalMatrix, StochasticMatrix, prefix_products, product_sequential};
+use algebra::matrix::{RationalMatrix, StochasticMatrix, prefix_products, product_sequential, smallest_entries};
 use models::averaging::{Weights, transition_matrix};
 use num_bigint::BigInt;
-use num_integer::Integer;
-use num_traits::{ToPrimitive, Zero};
+use num_traits::Zero;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -87,64 +86,6 @@ fn factorial(n: i64) -> Rational {
     Rational::from_integer((1..=n).map(BigInt::from).product())
 }
 
-/// The factors as integers over one denominator.
-struct IntegerFactors {
-    rows: Vec<Vec<Vec<u128>>>,
-    denominator: u128,
-}
-
-impl IntegerFactors {
-    fn new(matrices: &[RationalMatrix]) -> Result<Self, CheckError> {
-        let common = matrices.iter().fold(BigInt::from(1), |d, m| d.lcm(m.denominator()));
-        let small = |x: BigInt| x.to_u128().ok_or_else(|| CheckError::Other("a factor is too long".to_string()));
-        let row = |m: &RationalMatrix, i: usize| -> Result<Vec<u128>, CheckError> {
-            m.row(i).iter().map(|x| small(x * (&common / m.denominator()))).collect()
-        };
-        let rows = matrices
-            .iter()
-            .map(|m| (0..m.rows()).map(|i| row(m, i)).collect::<Result<_, _>>())
-            .collect::<Result<_, CheckError>>()?;
-        Ok(IntegerFactors { rows, denominator: small(common)? })
-    }
-
-    fn apply(&self, factor: usize, vector: &[u128]) -> Vec<u128> {
-        let dot = |row: &Vec<u128>| row.iter().zip(vector).map(|(a, x)| a * x).sum();
-        self.rows[factor].iter().map(dot).collect()
-    }
-}
-
-/// The smallest nonzero entry of a first column of any product of a length, with the factors.
-#[derive(Clone)]
-struct Smallest {
-    numerator: u128,
-    factors: Vec<usize>,
-}
-
-/// The smallest nonzero entries of all products of 1, ..., `length` factors, by depth first search; `count` counts the
-/// products. All graphs are among the factors, so the first column stands for every column.
-fn smallest_entries(factors: &IntegerFactors, order: usize, length: usize, count: &mut usize) -> Vec<Smallest> {
-    let mut found = vec![Smallest { numerator: u128::MAX, factors: Vec::new() }; length];
-    let start: Vec<u128> = (0..order).map(|i| u128::from(i == 0)).collect();
-    let mut open = vec![(Vec::new(), start)];
-    while let Some((names, vector)) = open.pop() {
-        for factor in 0..factors.rows.len() {
-            let next = factors.apply(factor, &vector);
-            *count += 1;
-            let best = &mut found[names.len()];
-            let least = next.iter().copied().filter(|&x| x > 0).min().unwrap_or(u128::MAX);
-            let mut names: Vec<usize> = names.clone();
-            names.push(factor);
-            if least < best.numerator {
-                *best = Smallest { numerator: least, factors: names.clone() };
-            }
-            if names.len() < length {
-                open.push((names, next));
-            }
-        }
-    }
-    found
-}
-
 /// The sequence that attains the bound: at step `k` bird `k` (from 0) is joined to bird `k - 1`, which has the smallest
 /// entry so far, and to all birds that the column has not reached.
 fn extremal_sequence(order: usize) -> Vec<Graph> {
@@ -188,13 +129,13 @@ fn all_products(variant: &EntriesVariant, run: &mut Run) -> Result<Outcome, Chec
             run.checkpoint()?;
             let matrices: Vec<RationalMatrix> =
                 graphs.iter().map(|g| variant.matrix(model, g)).collect::<Result<_, _>>()?;
-            let factors = IntegerFactors::new(&matrices)?;
+            // All graphs are among the factors, so the first column stands for every column.
+            let (entries, count) = smallest_entries(&matrices, length)?;
+            cases += count;
             let floor = variant.floor(model, order);
-            let mut scale = BigInt::from(1);
             let mut least = rational(1, 1);
-            for smallest in smallest_entries(&factors, order, length, &mut cases) {
-                scale *= factors.denominator;
-                let entry = Rational::new(smallest.numerator.into(), scale.clone());
+            for smallest in entries {
+                let Some(entry) = smallest.entry else { continue };
                 let sequence: Vec<Graph> = smallest.factors.iter().map(|&k| graphs[k].clone()).collect();
                 if let Some(what) = below(model, &sequence, &entry, &floor) {
                     return Ok(Outcome::fails(what, exact("the bound", "one exact product")));

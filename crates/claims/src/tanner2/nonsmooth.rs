@@ -117,7 +117,42 @@ fn examine_gradient(variant: &GradientVariant, run: &mut Run) -> Result<Outcome,
         return Ok(gradients.on([1]));
     }
     let steps = "notes/tanner2.md, Lemmas 1 and 2, steps 2 to 4";
-    Run::all([Ok(gradients.on([1])), argued(&[1, 2], "the gradient", steps)])
+    let quotients = support_by_quotients(variant, run)?;
+    Run::all([Ok(gradients.on([1])), Ok(quotients.on([1, 2])), argued(&[1, 2], "the gradient", steps)])
+}
+
+/// `U°(r; w)` from quotients of values of `U` at base points on both sides of R, in the plane: it must be the largest `<z, w>` over the
+/// claimed segment. Directions along `r` are the case of the distance alone.
+fn support_by_quotients(variant: &GradientVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let potential = spring();
+    let [lo, hi] = variant.between.map_or([0, 0], |(lo, hi)| [lo, hi]).map(|n| rational(n, 1));
+    let directions = [(3, 4), (-3, -4), (4, -3), (1, 0), (-1, 0), (0, 1), (2, -3), (-2, 1)];
+    let cases = variant.thresholds.into_iter().flat_map(|(p, q)| directions.map(|w| (rational(p, q), w)));
+    let (part, detail) =
+        ("U° by quotients", "V = s + 1/s - 2, quotients at base points on both sides of R, eight directions");
+    run.instances(part, detail, cases, |(threshold, w)| {
+        let step = rational(1, 1 << 20);
+        let place = [rational(3, 5), rational(4, 5)].map(|x| x * &threshold);
+        let w = [rational(w.0, 1), rational(w.1, 1)];
+        let value = |at: &[Rational; 2]| {
+            let squared: Rational = at.iter().map(|x| x * x).sum();
+            potential.rational_value(&squared.min(&threshold * &threshold))
+        };
+        let quotient = |side: i64| -> Result<Rational, ArithmeticError> {
+            let base = place.clone().map(|x| &x * (rational(1, 1) + &step * rational(8 * side, 1)));
+            let moved = [&base[0] + &step * &w[0], &base[1] + &step * &w[1]];
+            Ok((value(&moved)? - value(&base)?) / &step)
+        };
+        let found = quotient(-1)?.max(quotient(1)?);
+        // grad_{r_i} V_ij = 2 V'(R²) r_ij.
+        let slope = potential.slope(&(&threshold * &threshold))? * rational(2, 1);
+        let along = (&place[0] * &w[0] + &place[1] * &w[1]) * slope;
+        let claimed = (&along * &lo).max(&along * &hi);
+        let differs = num_traits::Signed::abs(&(&found - &claimed)) > rational(1, 100);
+        Ok(differs.then(|| {
+            format!("R = {threshold}, w = ({}, {}): U°(r; w) is near {}, not {claimed}", w[0], w[1], found.round())
+        }))
+    })
 }
 
 pub fn lem2() -> Record<GradientVariant> {

@@ -94,12 +94,13 @@ fn star(followers: usize) -> Identity<'static> {
     .within(negative_gains)
 }
 
-/// `platoons` two-sided platoons of `length` cars in series: the last car has the power of the single platoon's last amplitude.
-fn series(length: usize, platoons: usize) -> Identity<'static> {
+/// `platoons` two-sided platoons of `length` cars in series behind `spare` cars that track the leader: the last car has the power of the
+/// single platoon's last amplitude.
+fn series(spare: usize, length: usize, platoons: usize) -> Identity<'static> {
     Identity::of(move |[f, g, w]| {
         let gains = Gains { f: f.clone(), g: g.clone() };
-        let graph =
-            CommunicationGraph::in_series(&vec![length; platoons]).map_err(|_| ArithmeticError::Domain("followers"))?;
+        let graph = CommunicationGraph::in_series_behind(spare, &vec![length; platoons])
+            .map_err(|_| ArithmeticError::Domain("followers"))?;
         let last =
             |amplitudes: Vec<Complex<Probe>>| amplitudes.last().cloned().ok_or(ArithmeticError::Domain("followers"));
         let whole = last(graph.response(&gains, w)?)?;
@@ -139,10 +140,17 @@ pub(crate) fn examine_growth(variant: &GrowthVariant, run: &mut Run) -> Result<O
     }
     for (length, platoons) in [(2, 1), (1, 2), (2, 2), (1, 3)] {
         let part = format!("{platoons} platoons of {length} in series: the power of a_{length}");
-        results.push(run.identity(&series(length, platoons), &names, &part).on([2]));
+        results.push(run.identity(&series(0, length, platoons), &names, &part).on([2]));
     }
+    for (spare, length, platoons) in [(1, 2, 1), (2, 1, 2)] {
+        let part = format!(
+            "{platoons} platoons of {length} behind {spare} cars that track the leader: the power of a_{length}"
+        );
+        results.push(run.identity(&series(spare, length, platoons), &names, &part).on([2]));
+    }
+    results.push(between_degrees(variant, run).on([2]));
     results.push(argued(&[1], "system (1)", "notes/veerman_platoons.md, other graphs, step 4"));
-    results.push(argued(&[2], "platoons in series", "notes/veerman_platoons.md, other graphs, steps 5 to 8"));
+    results.push(argued(&[2], "platoons in series", "notes/veerman_platoons.md, other graphs, steps 5 to 9"));
     Run::all(results)
 }
 
@@ -161,6 +169,30 @@ fn growth(p: u32, variant: &GrowthVariant, run: &mut Run) -> Result<Outcome, Che
         let ratio = pair[1].over(&pair[0])? * pair[0].rational(&rational(1, 8i64.pow(degree)));
         let grows = within(&ratio, &rational(1, 1), &rational(1, 100));
         Ok((!grows).then(|| format!("{name}, f = g = -1: the peak does not grow like M^{degree}: {numbers}")))
+    })
+}
+
+/// `p = 1/2` and `3/2`: one platoon of `M^(1/2)` cars, two of `M^(3/4)`, all other cars track the leader.
+fn between_degrees(variant: &GrowthVariant, run: &Run) -> Result<Outcome, CheckError> {
+    // M = 2^(4e), the platoons have M^(p/k) cars, k = 1 and 2; the peak must grow by 2^(4p) per step of e.
+    let part = "p = 1/2 and 3/2, the other cars track the leader";
+    let detail =
+        "M = 2^20, 2^24, 2^28, f = g = -1: from each size to the next the peak grows by 2^(4p) up to 1 per cent";
+    run.every(certified(part, detail), [(1u32, 2u32), (2, 3)], |(platoons, step)| {
+        let peak = |e: u32| -> Result<Interval, CheckError> {
+            Ok(resonance(&unit(), 1 << (step * e), 20)?.amplitude.power(u64::from(platoons)))
+        };
+        let growth = 1i64 << (step * platoons + 4 * variant.shift);
+        for e in 5..7 {
+            let ratio = peak(e + 1)?.over(&peak(e)?)?;
+            if !within(&(ratio.clone() * ratio.rational(&rational(1, growth))), &rational(1, 1), &rational(1, 100)) {
+                return Ok(Some(format!(
+                    "{platoons} platoons of M^({step}/4) cars, M = 2^{}: the peak grows by {ratio}",
+                    4 * e
+                )));
+            }
+        }
+        Ok(None)
     })
 }
 

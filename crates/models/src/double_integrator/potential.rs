@@ -133,7 +133,7 @@ impl Potential {
         self.value_over(s)?.at(s)
     }
 
-    /// The polynomial `s^k V'(s)` with the least `k >= 0` that makes it one, and `k`.
+    /// The polynomial `s^k V'(s)`, up to a positive factor, with the least `k >= 0` that makes it one, and `k`.
     pub fn slope_numerator(&self) -> (Polynomial, u32) {
         let lowest = self.slope.iter().map(|(k, _)| *k).min().unwrap_or(0).min(0);
         let highest = self.slope.iter().map(|(k, _)| *k).max().unwrap_or(0).max(0);

@@ -109,6 +109,17 @@ impl CommunicationGraph {
         CommunicationGraph::with_equal_weights(&rows)
     }
 
+    /// The same behind `spare` cars that track the leader, whom nobody tracks: the first platoon has the leader of all in front.
+    ///
+    /// # Errors
+    /// [`CommunicationError::NoFollowers`].
+    pub fn in_series_behind(spare: usize, lengths: &[usize]) -> Result<Self, CommunicationError> {
+        let series = CommunicationGraph::in_series(lengths)?;
+        let moved = |agent: usize| if agent == 0 { 0 } else { agent + spare };
+        let rows = series.tracked.iter().map(|row| row.iter().map(|(agent, _)| moved(*agent)).collect());
+        CommunicationGraph::with_equal_weights(&vec![vec![0]; spare].into_iter().chain(rows).collect::<Vec<_>>())
+    }
+
     /// The number `M` of followers.
     pub fn followers(&self) -> usize {
         self.tracked.len()

@@ -22,7 +22,9 @@ pub use gaps::{Gap, gaps};
 pub use histogram::Histogram;
 pub use measures::{FrameMeasures, GroupState, ZonePresence, nearest_neighbour};
 pub use motion::{Motion, smoothed};
-pub use null::{Comparison, NullKind, NullModels, Sample, Statistics, UniformShares, null_models, uniform_draw};
+pub use null::{
+    Comparison, NullKind, NullModels, Sample, Statistics, UniformShares, null_models, uniform_draw, uniform_draws,
+};
 pub use potential::{Scale, complete_potential, partner_potential};
 pub use read::csv_field;
 pub use read::{Frame, Tracks, TracksError};

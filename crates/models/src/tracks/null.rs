@@ -7,7 +7,7 @@ use super::{Choices, Histogram, Scale, Vector};
 use crate::oscillator::{Zone, Zones};
 use arithmetic::random::{generator, uniform};
 use arithmetic::{Cancelled, Complex, Progress};
-use rand_chacha::rand_core::Rng;
+use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -219,8 +219,18 @@ impl Sample {
     }
 }
 
+/// `W_1` for `n = N - 1` and for `n = 1`, for so many fish with positions that are independent and uniform in a square and headings that are
+/// independent and uniform on the circle, drawn so many times.
+pub fn uniform_draws(fish: usize, draws: usize, random: &mut ChaCha8Rng) -> Vec<(f64, f64)> {
+    let draw = |_| {
+        let positions: Vec<Vector> = (0..fish).map(|_| Complex::new(uniform(random), uniform(random))).collect();
+        uniform_draw(&partners(&positions, None), random)
+    };
+    (0..draws).map(draw).collect()
+}
+
 /// `W_1` for `n = N - 1` and for `n = 1` with the neighbours given, for headings that are independent and uniform on the circle.
-pub fn uniform_draw(partners: &[usize], random: &mut impl Rng) -> (f64, f64) {
+pub fn uniform_draw(partners: &[usize], random: &mut ChaCha8Rng) -> (f64, f64) {
     let heading = |_: &usize| {
         let (sin, cos) = (TAU * uniform(random)).sin_cos();
         Complex::new(cos, sin)

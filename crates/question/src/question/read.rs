@@ -4,6 +4,7 @@ use super::check::Check;
 use super::{BUDGET, Expression, Files, Question};
 use crate::error::{Problem, QuestionError};
 use crate::family::{Bound, Classes, Domain, read_domain};
+use crate::inequalities::inequalities;
 use crate::names::FUNCTIONS;
 use crate::scenario_file::{ScenarioFile, is_place};
 use crate::source::{Entry, Section, Source};
@@ -177,7 +178,8 @@ impl Question {
     fn read_holds(&mut self, section: &Section) -> Result<(), QuestionError> {
         section.allow(&["property", "controls"])?;
         let property = section.need("property", "a statement such as \"lambda(2) > 0\"")?;
-        self.property = Some(self.expression(&property, true)?);
+        let property = self.expression(&property, true)?;
+        self.property = Some(Expression { inequalities: inequalities(&property.node), ..property });
         let controls = section.get("controls").map(|entry| entry.items()).unwrap_or_default();
         if controls.is_empty() {
             return Err(section
@@ -210,6 +212,6 @@ impl Question {
         let node = parse_property(&located.text).map_err(at)?;
         let mut check = Check { question: self, moving: false };
         check.expect(&node, is_truth).map_err(at)?;
-        Ok(Expression { node, base: located.base })
+        Ok(Expression { node, base: located.base, inequalities: Vec::new() })
     }
 }

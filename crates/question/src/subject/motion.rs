@@ -7,7 +7,7 @@ mod modes;
 
 use crate::error::Problem;
 use crate::evaluate::{Failure, Moment};
-use crate::time::{Covered, Piece, Timeline};
+use crate::time::{Covered, Piece, Timeline, clock};
 use crate::truth::Doubt;
 use arithmetic::{Dyadic, FloatInterval, Interval, Progress, Rational, Real, rational};
 use at::At;
@@ -224,7 +224,7 @@ impl<'c> MotionSubject<'c> {
         while time < until {
             self.progress.checkpoint()?;
             if tube.sections.len() >= MOST_SECTIONS {
-                tube.failure = Some(format!("no enclosure beyond t = {time:.6}: too many steps"));
+                tube.failure = Some(format!("no enclosure beyond t = {}: too many steps", clock(time)));
                 break;
             }
             match flow.step(&set, time, until) {
@@ -232,7 +232,7 @@ impl<'c> MotionSubject<'c> {
                     set = step.end.clone();
                     let width = set.hull().iter().map(FloatInterval::width).fold(0.0, f64::max);
                     if width > widest {
-                        tube.failure = Some(format!("at t = {time:.6} the enclosure is {width:.2} wide"));
+                        tube.failure = Some(format!("at t = {} the enclosure is {width:.2} wide", clock(time)));
                         break;
                     }
                     let to = step.until;
@@ -325,7 +325,7 @@ impl Timeline for MotionSubject<'_> {
         } else {
             let end = tube.sections.last().map_or(0.0, |section| section.to);
             let why = tube.failure.clone().unwrap_or_else(|| "a gap in the enclosure".to_string());
-            Some(Doubt { why: format!("the motion is enclosed up to t = {end:.6} only: {why}"), bits: None })
+            Some(Doubt { why: format!("the motion is enclosed only up to t = {}: {why}", clock(end)), bits: None })
         };
         Ok(Covered { pieces, rest })
     }

@@ -1,7 +1,7 @@
 //! Platoons: the peak over a whole box of gains, amplitudes at a frequency, stability.
 //!
-//! The peak of the two-sided platoon depends on the gains through `b = g²/|f|` alone and decreases in `b`; so does that of the one-sided
-//! one (`notes/questions.md`). Its range over a box of gains is therefore that between two corners.
+//! On every communication graph the peak depends on the gains through `b = g²/|f|` alone and does not increase in `b`
+//! (`notes/questions.md`). Its range over a box of gains is therefore that between two corners.
 
 use crate::bindings::{Bindings, GraphValue, Value};
 use crate::error::Problem;
@@ -59,7 +59,12 @@ impl PlatoonSubject {
                 return Err(not_integer(shown(&q.to_string())));
             }
             let followers = q.to_u64().filter(|m| (1..=models::platoon::LARGEST_FOLLOWERS).contains(m));
-            let followers = followers.ok_or_else(|| refused(ResonanceError::Followers(0).to_string()))?;
+            let range = || Problem::Range {
+                what: "`followers`".to_string(),
+                expected: format!("between 1 and {}", models::platoon::LARGEST_FOLLOWERS),
+                found: shown(&q.to_string()),
+            };
+            let followers = followers.ok_or_else(|| Failure::Refused(0, range()))?;
             return Ok(PlatoonSubject { followers, communication, graph: None, f, g });
         }
         let graphs = bindings.iter().find_map(|(_, value)| match value {
@@ -146,28 +151,31 @@ impl PlatoonSubject {
             let name = if self.f.1.is_certainly_negative() { "g" } else { "f" };
             return Err(Failure::Refused(0, range(name)));
         }
-        let high = Gains { f: self.f.0.clone(), g: self.g.1.clone() };
+        self.between_corners(|gains| self.peak_at(gains, precision))
+    }
+
+    /// The peak at the corners of the box with the smallest and the largest `b`, between which all others lie.
+    fn between_corners(
+        &self,
+        peak: impl Fn(&Gains<Rational>) -> Result<(Interval, Interval), Failure>,
+    ) -> Result<(Interval, Interval), Failure> {
+        let (w, most) = peak(&Gains { f: self.f.0.clone(), g: self.g.1.clone() })?;
         if !self.is_box() {
-            return self.peak_at(&high, precision);
+            return Ok((w, most));
         }
-        let low = Gains { f: self.f.1.clone(), g: self.g.0.clone() };
-        let (w, most) = self.peak_at(&high, precision)?;
-        let (_, least) = self.peak_at(&low, precision)?;
+        let (_, least) = peak(&Gains { f: self.f.1.clone(), g: self.g.0.clone() })?;
         Ok((w, most.hull(&least)))
     }
 
-    /// The peak over all frequencies on any graph, for single gains.
+    /// The peak over all frequencies on any graph.
     fn peak_of_graph(&self, graph: &CommunicationGraph, precision: u32) -> Result<(Interval, Interval), Failure> {
         let float = |q: &Rational| q.to_f64().unwrap_or(f64::NAN);
         let open = |why: String| {
-            let gains = Gains { f: float(&self.f.0), g: float(&self.g.0) };
+            let gains = Gains { f: float(&self.f.0), g: float(&self.g.1) };
             let found = growth::peak(graph, &gains).ok().flatten();
             let seen = found.map_or(String::new(), |peak| format!("; floats find {:.6} there", peak.value));
             Failure::open(format!("the peak over all frequencies {why}{seen}"), None)
         };
-        if self.is_box() {
-            return Err(open("is enclosed for single gains on this graph".to_string()));
-        }
         if graph.followers() > MOST_WITH_PEAK {
             return Err(open(format!("is enclosed for at most {MOST_WITH_PEAK} followers on this graph")));
         }
@@ -175,10 +183,11 @@ impl PlatoonSubject {
             Measured::Truth(true) => {}
             _ => return Err(refused("the platoon is not stable, so that it has no peak")),
         }
-        let gains = Gains { f: self.f.0.clone(), g: self.g.0.clone() };
-        let found =
-            peak_on_graph(graph, &gains, precision).map_err(|error| open(format!("is not enclosed: {error}")))?;
-        Ok((found.omega, found.amplitude))
+        self.between_corners(|gains| {
+            let found = peak_on_graph(graph, gains, precision);
+            let found = found.map_err(|error| open(format!("is not enclosed: {error}")))?;
+            Ok((found.omega, found.amplitude))
+        })
     }
 
     fn peak_at(&self, gains: &Gains<Rational>, precision: u32) -> Result<(Interval, Interval), Failure> {

@@ -42,6 +42,8 @@ fn reals_where_integers_are_needed() {
     refused(&asked("x = \"[3, 4]\"\ngraph = \"connected(x)\"", "edges > 0", "1 < 0"), "line 5, column 20: ", "integer");
     refused(&asked("followers = \"[1, 5]\"\nf = \"-1\"\ng = \"-1\"", "peak < 3", "1 < 0"), "line 8", "`followers`");
     refused(&asked("graph = \"ring:5\"", "lambda(6) > 0", "1 < 0"), "line 6, column 13: ", "between 1 and 5");
+    let many = asked("followers = \"10^20\"\nf = \"-1\"\ng = \"-1\"", "peak < 3", "1 < 0");
+    refused(&many, "line 8, column 13: ", "but it is 100000000000000000000");
 }
 
 #[test]
@@ -71,6 +73,13 @@ fn what_would_exhaust_the_program() {
     let deep = |open: &str, close: &str| format!("{}1{} > 0", open.repeat(1000), close.repeat(1000));
     refused(&asked("n = 1", &deep("(", ")"), "1 < 0"), "line 6", "nested");
     refused(&asked("n = 1", &deep("sqrt(", ")"), "1 < 0"), "line 6", "nested");
+    // What is far deeper must not exhaust the stack either.
+    for open in ["(", "[", "max(", "not ", "2^", "-", "1 < 2 implies "] {
+        refused(&asked("n = 1", &open.repeat(100_000), "1 < 0"), "line 6", "nested");
+    }
+    refused(&asked(&format!("n = \"{}1\"", "[".repeat(100_000)), "n > 0", "1 < 0"), "line 4", "nested");
+    refused(&asked(&format!("n = {}", "[".repeat(100_000)), "n > 0", "1 < 0"), "line 4", "nested");
+    refused(&asked("n = 1", &format!("{}n > 1", "more.".repeat(100_000)), "1 < 0"), "line 6", "at most 200 letters");
     refused(&asked("n = 1", &format!("{} 1 > 0", "not ".repeat(1000)), "1 < 0"), "line 6", "nested");
     refused(&asked("n = 1", &format!("{}1 > 0", "-".repeat(1000)), "1 < 0"), "line 6", "nested");
     refused(&asked("n = 1", &format!("1{} > 0", "^2".repeat(1000)), "1 < 0"), "line 6", "nested");

@@ -118,6 +118,27 @@ fn other_quantities_of_platoons() {
 }
 
 #[test]
+fn the_peak_over_a_box_of_gains_on_any_graph_is_that_of_its_corners() {
+    // A cycle of three behind the leader, one of four with a chord, and one that hangs on another car: with complex eigenvalues.
+    for graph in ["arcs:4:2-1,2-3,3-4,4-2", "arcs:5:2-1,2-5,3-2,4-3,5-4,5-2", "arcs:5:2-1,3-2,3-5,4-3,5-4"] {
+        let margin = |gains: &str| {
+            let family = format!("graph = \"{graph}\"\n{gains}");
+            answer(&asked(&family, "stable and peak < 10^6", "peak < 1/2")).margin.expect("a margin")
+        };
+        let single = |f: &str, g: &str| margin(&format!("f = \"{f}\"\ng = \"{g}\""));
+        let boxed = margin("f = \"[-4, -1]\"\ng = \"[-8, -4]\"");
+        // b = g²/|f| grows along the list.
+        let points = [("-4", "-4"), ("-2", "-4"), ("-3", "-6"), ("-1", "-5"), ("-1", "-8")].map(|(f, g)| single(f, g));
+        assert!(points.windows(2).all(|pair| pair[0].lo <= pair[1].hi), "{graph}: {points:?}");
+        assert!((boxed.lo - points[0].lo).abs() < 1e-6 && boxed.lo < points[1].lo, "{graph}: {boxed:?} {points:?}");
+    }
+    // Where only a part of the box is stable, its boxes are decided one by one.
+    let cycle = "graph = \"arcs:4:2-1,2-3,3-4,4-2\"\nf = \"[-4, -1]\"\n";
+    let found = answer(&asked(&format!("{cycle}g = \"[-2, -1/10]\""), "stable and peak < 100", "peak < 1/2"));
+    assert_eq!((found.verdict, found.counterexample.is_some()), (Verdict::False, true), "{}", found.why);
+}
+
+#[test]
 fn products_of_matrices() {
     let family = "matrices = \"matrices:1/2 1/2; 0 1 | 1 0; 1/2 1/2\"";
     assert_eq!(verdict(family, "tau_1 = 1/4 and tau_2^2 = 1/8"), Verdict::Holds);

@@ -77,6 +77,27 @@ fn margins_of_time_operators_are_enclosed() {
 }
 
 #[test]
+fn every_inequality_has_a_margin_of_its_own() {
+    let property = "always[0, 2](min_distance > 1/2 and min_distance < 4) and not eventually[1, 2](min_distance < 3/2)";
+    let answer = answered(APART, "n = 1", property, "1 < 0");
+    let texts: Vec<&str> = answer.inequalities.iter().map(|(text, _)| text.as_str()).collect();
+    let own =
+        ["always[0, 2](min_distance > 1/2)", "always[0, 2](min_distance < 4)", "always[1, 2](min_distance >= 3/2)"];
+    assert_eq!(texts, own);
+    for ((_, margin), value) in answer.inequalities.iter().zip([0.5, 1.0, 0.5]) {
+        let margin = margin.expect("a margin");
+        assert!(margin.lo <= value && value <= margin.hi && margin.lo > 0.0, "{margin:?} {value}");
+    }
+    // Over a box of starts the smallest one: of x_2 = 1 + s + t for s in [0, 1] that at s = 0.
+    let start = "\"state.positions[2][1]\" = \"[1, 2]\"";
+    let answer = answered(APART, start, "always[0, 2](min_distance > 1/2) or always[0, 1](min_distance > 9)", "1 < 0");
+    let margins: Vec<_> = answer.inequalities.iter().map(|(_, margin)| margin.expect("a margin")).collect();
+    for (margin, value) in margins.iter().zip([0.5, -8.0]) {
+        assert!(margin.lo <= value && value <= margin.hi, "{margins:?} {value}");
+    }
+}
+
+#[test]
 fn twelve_steered_particles_are_enclosed() {
     let text = twelve();
     let property = "always[1/10, 1](order > initial(order) and min_distance > 1/2) and \

@@ -15,6 +15,7 @@ use proptest::prelude::*;
 
 mod axes;
 mod characteristic;
+mod smallest_entries;
 mod solve;
 
 /// A matrix of entries -3/d, .., 3/d with d up to 4.

@@ -55,3 +55,29 @@ proptest! {
         }
     }
 }
+
+proptest! {
+    #[test]
+    fn restrictions_unions_and_roots_are_those_of_the_entries(
+        (n, bits, to) in (1usize..9).prop_flat_map(|n| {
+            (Just(n), prop::collection::vec(any::<bool>(), n * n), prop::collection::vec(0..n + 1, 0..n + 1))
+        })
+    ) {
+        let footprint = Footprint::from_fn(n, n, |i, j| bits[i * n + j]);
+        let entries = Footprint::from_fn(to.len(), to.len(), |i, j| footprint.get(to[i], to[j]));
+        prop_assert_eq!(footprint.restricted(&to), entries);
+        let turned = Footprint::from_fn(n, n, |i, j| footprint.get(j, i));
+        let either = Footprint::from_fn(n, n, |i, j| footprint.get(i, j) || footprint.get(j, i));
+        prop_assert_eq!(footprint.or(&turned), either);
+        let mut heard = vec![vec![false; n]; n];
+        for root in 0..n {
+            heard[root][root] = true;
+            for _ in 0..n {
+                for i in 0..n {
+                    heard[root][i] |= (0..n).any(|j| footprint.get(i, j) && heard[root][j]);
+                }
+            }
+        }
+        prop_assert_eq!(footprint.is_rooted(), heard.iter().any(|by| by.iter().all(|x| *x)));
+    }
+}

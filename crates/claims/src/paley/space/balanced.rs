@@ -35,11 +35,12 @@ pub enum BalancedSet {
     Largest,
 }
 
-/// The set, and the sign of `K_1`.
+/// The set, the sign of `K_1`, and whether it is all balanced formations on complete graphs only, or on cycles.
 #[derive(Clone, Copy)]
 pub struct BalancedVariant {
     set: BalancedSet,
     gain: i64,
+    complete: bool,
 }
 
 /// Connected circulant graphs with up to `most` vertices, as offsets.
@@ -86,10 +87,10 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
          that maximise W_1. On a circulant graph W_1 <= lambda_max/2 is attained by a Fourier column, and \
          e^{i theta} is then an eigenvector of lambda_max > 0, so these formations are balanced. On \
          complete graphs they are all the balanced ones.",
-        BalancedVariant { set: BalancedSet::Balanced, gain: 1 },
+        BalancedVariant { set: BalancedSet::Balanced, gain: 1, complete: true },
         examine_balanced_stable,
     )
-    .repaired(Fault::False, "", BalancedVariant { set: BalancedSet::Largest, gain: 1 })
+    .repaired(Fault::False, "", BalancedVariant { set: BalancedSet::Largest, gain: 1, complete: true })
     .repaired_clauses(&[
         "If G is undirected, circulant and connected, N >= 2, then under (22) with K_0, K_1 > 0 the set of circular \
          formations whose phases maximise W_1 is asymptotically stable.",
@@ -98,6 +99,7 @@ pub fn balanced_stable() -> Record<BalancedVariant> {
     ])
     .altered("the largest W_1 with K_1 < 0", |v| v.gain = -1)
     .altered("all symmetric patterns", |v| v.set = BalancedSet::Patterns)
+    .altered("all balanced formations on cycles too", |v| v.complete = false)
 }
 
 fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -136,7 +138,25 @@ fn examine_balanced_stable(variant: &BalancedVariant, run: &mut Run) -> Result<O
     Run::all([
         argued(&[1, 2, 3], "all circulant graphs", section),
         Ok(Outcome::Holds(vec![exhaustive(part, detail).cases(cases).on([1, 2])])),
+        balanced_are_largest(variant, run).on([3]),
     ])
+}
+
+/// On complete graphs balanced phases that are no pattern reach the bound `lambda_max/2 = N/2` of `W_1`.
+fn balanced_are_largest(variant: &BalancedVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let field = CosineField::new(12);
+    let part = "balanced phases on complete graphs reach the bound of W_1";
+    run.instances(part, "antipodal pairs, with a triangle for odd N = 2 to 9", 2..=9usize, |order| {
+        let network = if variant.complete { Neighbours::complete(order) } else { Neighbours::circulant(order, &[1]) };
+        let triangle: &[i64] = if order % 2 == 1 { &[0, 4, 8] } else { &[] };
+        let pairs = (0..).flat_map(|k| [k, k + 6]).take(order - triangle.len());
+        let phasors: Vec<_> = triangle.iter().copied().chain(pairs).map(|k| field.phasor(k)).collect();
+        let value = phase_potential(&network, &phasors, 1)?;
+        let wrong = (value.clone() - value.ratio(order as i64, 2)).sign() != Some(Sign::Zero);
+        let graph = if variant.complete { "complete graph" } else { "cycle" };
+        Ok(wrong
+            .then(|| format!("N = {order}, {graph}: balanced phases, two of them antipodal, have not the largest W_1")))
+    })
 }
 
 /// Phases 0, a, a + pi, pi and further antipodal pairs, with rational phasors.
@@ -159,6 +179,8 @@ pub struct GainVariant {
     offset: usize,
     /// Whether the claim says that large gains destroy it (as printed), or that it stays.
     destroyed: bool,
+    /// Twelfths of a turn by which one particle is moved along the circle before it is said to be in equilibrium.
+    moved: usize,
 }
 
 pub fn larger_gain() -> Record<GainVariant> {
@@ -171,11 +193,11 @@ pub fn larger_gain() -> Record<GainVariant> {
          Figure 3(c) into the (2,N)-pattern (m = 6), which is stable for every K_1 > 0 as well. Which of \
          the two is reached depends on the initial state at every gain (shares: paley.fig3). Started anew \
          from one initial state, a larger gain can end in the other pattern.",
-        GainVariant { offset: 5, destroyed: true },
+        GainVariant { offset: 5, destroyed: true, moved: 0 },
         examine_larger_gain,
     )
     .reading("The gain is raised on the formation of Figure 3(c).")
-    .repaired(Fault::False, "", GainVariant { offset: 5, destroyed: false })
+    .repaired(Fault::False, "", GainVariant { offset: 5, destroyed: false, moved: 0 })
     .repaired_clauses(&[
         "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) is exponentially \
          stable up to symmetry for every K_1 > 0.",
@@ -184,6 +206,7 @@ pub fn larger_gain() -> Record<GainVariant> {
     ])
     .altered("neighbours one twelfth apart are stable", |v| v.offset = 1)
     .altered("a quarter turn apart", |v| v.offset = 3)
+    .altered("one particle elsewhere on the circle", |v| v.moved = 1)
 }
 
 fn examine_larger_gain(variant: &GainVariant, _run: &mut Run) -> Result<Outcome, CheckError> {
@@ -210,6 +233,17 @@ fn examine_larger_gain(variant: &GainVariant, _run: &mut Run) -> Result<Outcome,
         }
         evidence.push(exact.on([clause]));
     }
+    // With all centres in one place u_k - w0 is the K_1 term of (22) alone.
+    let step = |k: usize| variant.offset * k + if k == 0 { variant.moved } else { 0 };
+    let phasors: Vec<_> = (0..N).map(|k| field.phasor(step(k) as i64)).collect();
+    let still = misalignment(&network, &phasors).iter().all(|term| term.sign() == Some(Sign::Zero));
+    let equilibrium =
+        exact("u_k = w0, whatever K_1", "<i e^{i theta_k}, L_k e^{i theta}> = 0 for all twelve particles");
+    if !still {
+        let what = "C_12, one particle a twelfth of a turn off: u_k = w0 fails for every K_1 other than 0";
+        return Ok(Outcome::fails(what, equilibrium));
+    }
+    evidence.push(equilibrium.on([3]).for_all());
     let argued = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (bal.circ, \
      fig3.gain)";
     evidence.push(Evidence::new(Grade::Argued, "every K_1 > 0", argued).on([1, 2, 3]).for_all());

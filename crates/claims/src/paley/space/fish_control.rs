@@ -17,40 +17,63 @@ pub struct FormVariant {
     units: bool,
 }
 
+/// Both sides of the identities of [`printed_forms`].
+type Sides = (Vec<Probe>, Vec<Probe>);
+
 /// The first fish with two neighbours: (27), (28), and what the terms do. The neighbours are at `r_1 - d_j e^{i psi_j}`.
+fn forms(variant: &FormVariant, at: &[Probe]) -> Result<Sides, ArithmeticError> {
+    let [k_ori, k_att, distance, other, own, tangents @ ..] = at else {
+        return Err(ArithmeticError::Domain("ten variables"));
+    };
+    let phasors: Vec<Complex<Probe>> = tangents[..3].iter().map(phasor).collect::<Result<_, _>>()?;
+    let units: Vec<Complex<Probe>> = tangents[3..].iter().map(phasor).collect::<Result<_, _>>()?;
+    let apart = [units[0].scale(distance), units[1].scale(other)];
+    let origin = Complex::real(own.zero());
+    let positions: Vec<Complex<Probe>> = [origin].into_iter().chain(apart.iter().map(|r| -r.clone())).collect();
+    let z = &phasors[0];
+    let network = Neighbours::complete(3);
+    let integer = |n: i64| own.integer(n);
+    // (27) with the printed or the corrected field of attraction, and r_kj for rhat_kj.
+    let away: &[Complex<Probe>] = if variant.units { &units } else { &apart };
+    let desired = |away: &[Complex<Probe>]| {
+        alignment(z, &phasors[1..]).scale(k_ori) + repulsion(z, away).scale(&integer(variant.field)).scale(k_att)
+    };
+    let steering = own.clone() + steering_towards(z, &desired(away));
+    // (28)
+    let aligning = misalignment(&network, &phasors)[0].clone() * k_ori * integer(variant.orientation);
+    let turned: Vec<Complex<Probe>> = phasors.iter().map(quarter_turn).collect();
+    let attracting = heading_components(&network, &turned, &positions)[0].clone() * k_att * integer(variant.attraction);
+    let form = own.clone() + &aligning + &attracting;
+    // The terms steer towards sum (r_j - r_k) and sum e^{i theta_j}.
+    let towards = -(apart[0].clone() + &apart[1]);
+    let mates = phasors[1].clone() + &phasors[2];
+    let left = vec![steering, steering_towards(z, &towards) * k_att, steering_towards(z, &mates) * k_ori];
+    Ok((left, vec![form, attracting, aligning]))
+}
+
 fn printed_forms(variant: &FormVariant) -> Identity<'_> {
-    Identity::new(10, move |at| {
-        let [k_ori, k_att, distance, other, own, tangents @ ..] = at else {
-            return Err(ArithmeticError::Domain("ten variables"));
+    Identity::new(10, move |at| forms(variant, at)).within(|at| at[..4].iter().all(|x| *x > rational(0, 1))).named([
+        "(27) and (28)",
+        "steering towards the neighbours",
+        "steering to their headings",
+    ])
+}
+
+/// (27) with the unit vectors, and (28), where both neighbours are at the distance 1.
+fn at_distance_one(variant: &FormVariant) -> Identity<'_> {
+    let with_units = FormVariant { units: true, ..*variant };
+    Identity::new(8, move |at| {
+        let [k_ori, k_att, tail @ ..] = at else {
+            return Err(ArithmeticError::Domain("eight variables"));
         };
-        let phasors: Vec<Complex<Probe>> = tangents[..3].iter().map(phasor).collect::<Result<_, _>>()?;
-        let units: Vec<Complex<Probe>> = tangents[3..].iter().map(phasor).collect::<Result<_, _>>()?;
-        let apart = [units[0].scale(distance), units[1].scale(other)];
-        let origin = Complex::real(own.zero());
-        let positions: Vec<Complex<Probe>> = [origin].into_iter().chain(apart.iter().map(|r| -r.clone())).collect();
-        let z = &phasors[0];
-        let network = Neighbours::complete(3);
-        let integer = |n: i64| own.integer(n);
-        // (27) with the printed or the corrected field of attraction, and r_kj for rhat_kj.
-        let away: &[Complex<Probe>] = if variant.units { &units } else { &apart };
-        let desired = |away: &[Complex<Probe>]| {
-            alignment(z, &phasors[1..]).scale(k_ori) + repulsion(z, away).scale(&integer(variant.field)).scale(k_att)
-        };
-        let steering = own.clone() + steering_towards(z, &desired(away));
-        // (28)
-        let aligning = misalignment(&network, &phasors)[0].clone() * k_ori * integer(variant.orientation);
-        let turned: Vec<Complex<Probe>> = phasors.iter().map(quarter_turn).collect();
-        let attracting =
-            heading_components(&network, &turned, &positions)[0].clone() * k_att * integer(variant.attraction);
-        let form = own.clone() + &aligning + &attracting;
-        // The terms steer towards sum (r_j - r_k) and sum e^{i theta_j}.
-        let towards = -(apart[0].clone() + &apart[1]);
-        let mates = phasors[1].clone() + &phasors[2];
-        let left = vec![steering, steering_towards(z, &towards) * k_att, steering_towards(z, &mates) * k_ori];
-        Ok((left, vec![form, attracting, aligning]))
+        let one = k_ori.integer(1);
+        let all: Vec<Probe> = [k_ori, k_att, &one, &one].into_iter().chain(tail).cloned().collect();
+        let (mut left, mut right) = forms(&with_units, &all)?;
+        left.truncate(1);
+        right.truncate(1);
+        Ok((left, right))
     })
-    .within(|at| at[..4].iter().all(|x| *x > rational(0, 1)))
-    .named(["(27) and (28)", "steering towards the neighbours", "steering to their headings"])
+    .within(|at| at[..2].iter().all(|x| *x > rational(0, 1)))
 }
 
 pub fn laplacian_form() -> Record<FormVariant> {
@@ -98,9 +121,15 @@ fn examine_laplacian_form(variant: &FormVariant, run: &mut Run) -> Result<Outcom
          {approximate}"
     );
     let differs = exact("not (27) at other distances", detail);
+    let same = run.identity(
+        &at_distance_one(variant),
+        &["K_ori", "K_att", "w", "t_1", "t_2", "t_3", "tan(psi_2/2)", "tan(psi_3/2)"],
+        "(27) with rhat_kj and (28), both neighbours at the distance 1",
+    );
     Run::all([
         Ok(identity.on([1, 2, 3])),
         Ok(Outcome::Holds(vec![differs.on([4])])),
+        same.on([4]),
         argued(&[1, 2, 3, 4], "any number of neighbours", "notes/paley_particles.md, Behaviours of fish, steps 3-6"),
     ])
 }

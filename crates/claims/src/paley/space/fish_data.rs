@@ -1,9 +1,8 @@
 //! paley.figS1_S3, paley.figS3.difference: the measured tracks and what is inferred from them.
 
 use crate::prelude::*;
-use arithmetic::random::uniform;
 use models::oscillator::{Neighbours, mean, phase_potential, phasor};
-use models::tracks::{Scale, nearest_neighbour, uniform_draw};
+use models::tracks::{Scale, uniform_draws};
 use motion::{Sample, Share};
 
 /// Positions or headings in the plane.
@@ -83,14 +82,8 @@ fn drawn_differences(variant: &ScaleVariant, fish: usize, draws: usize, run: &Ru
         let (p, q) = (variant.scale)(n as i64);
         p as f64 / q as f64
     };
-    let difference = |_: usize| {
-        let place = |random: &mut _| Complex::new(uniform(random), uniform(random));
-        let positions: Vec<_> = (0..fish).map(|_| place(&mut random)).collect();
-        let partners: Vec<usize> = (0..fish).map(|k| nearest_neighbour(&positions, k, None)).collect();
-        let (complete, single) = uniform_draw(&partners, &mut random);
-        factor(fish - 1) * complete - factor(1) * single
-    };
-    (0..draws).map(difference).collect()
+    let difference = |(complete, single)| factor(fish - 1) * complete - factor(1) * single;
+    uniform_draws(fish, draws, &mut random).into_iter().map(difference).collect()
 }
 
 pub fn difference_inference() -> Record<ScaleVariant> {

@@ -13,6 +13,7 @@ mod flock;
 mod interrupted;
 mod kinematic;
 mod modes;
+mod near_ties;
 mod noisy;
 mod settle;
 mod stationary;

@@ -8,6 +8,7 @@ mod forks;
 mod inputs;
 mod motion;
 mod observation;
+mod potentials;
 mod switching;
 
 use algebra::graph::Graph;

@@ -68,3 +68,24 @@ fn setups_keep_to_their_ranges() {
         assert!(Graph::from_edges(10, &sparse.links_at_start()).unwrap().is_connected());
     }
 }
+
+/// By all pairs, also around the half turn, for headings in any turn.
+#[test]
+fn the_spread_of_headings_is_the_largest_difference_of_two() {
+    use models::double_integrator::heading_spread;
+    use std::f64::consts::{PI, TAU};
+    let mut random = arithmetic::random::generator("test", "spread", 0);
+    for case in 0..500 {
+        let width = if case % 2 == 0 { 20.0 } else { 1.0 };
+        let headings: Vec<f64> =
+            (0..case % 7).map(|_| width * (arithmetic::random::uniform(&mut random) - 0.5) + PI).collect();
+        let apart = |a: f64, b: f64| {
+            let d = (a - b).rem_euclid(TAU);
+            d.min(TAU - d)
+        };
+        let pairs = headings.iter().flat_map(|a| headings.iter().map(move |b| apart(*a, *b)));
+        let naive = pairs.fold(0.0, f64::max);
+        assert!((heading_spread(&headings) - naive).abs() < 1e-12, "{headings:?}");
+    }
+    assert_eq!((heading_spread(&[]), heading_spread(&[5.0])), (0.0, 0.0));
+}

@@ -1,5 +1,6 @@
 //! Mirrors `src/platoon`: the law, the response, the resonance against naive twins.
 
+mod by_definition;
 mod graphs_and_time;
 mod growth;
 mod own_gains;

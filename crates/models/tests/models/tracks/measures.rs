@@ -211,3 +211,30 @@ fn histograms_count_everything() {
     assert_eq!((histogram.counts.clone(), histogram.outside), (vec![2, 1, 1, 2], (1, 1)));
     assert_eq!(histogram.total(), 8);
 }
+
+/// By sorting all distances; of equal ones the smaller number.
+#[test]
+fn nearest_neighbours_are_those_of_sorted_distances() {
+    let mut random = generator("test", "nearest", 0);
+    for case in 0..300 {
+        // On a lattice, with many ties.
+        let fish = 1 + case % 6;
+        let place = |random: &mut _| (4.0 * arithmetic::random::uniform(random)).floor() + 5.0;
+        let positions: Vec<Complex<f64>> =
+            (0..fish).map(|_| Complex::new(place(&mut random), place(&mut random))).collect();
+        for k in 0..fish {
+            let mut others: Vec<(f64, usize)> = (0..fish)
+                .filter(|&j| j != k)
+                .map(|j| ((positions[j].clone() - &positions[k]).norm_squared(), j))
+                .collect();
+            others.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let named = |place: usize| others.get(place).map_or(k, |(_, j)| *j);
+            assert_eq!(nearest_neighbour(&positions, k, None), named(0), "{positions:?}");
+            for radius in [0.5f64, 1.0, 2.0] {
+                let near = others.first().is_some_and(|(square, _)| *square <= radius * radius) && others.len() > 1;
+                assert_eq!(nearest_neighbour(&positions, k, Some(radius)), named(usize::from(near)), "{positions:?}");
+            }
+        }
+        assert_eq!(nearest_neighbour(&positions, fish, None), fish);
+    }
+}

@@ -1,0 +1,79 @@
+//! Networks that come again and again: finding a cycle among the last ones, and proving that it goes on for ever.
+
+use super::cycle::{Future, future};
+use super::trajectory::Trajectory;
+use super::{Limits, SettleError};
+use crate::averaging::FilteredFlock;
+use algebra::graph::Graph;
+use num_integer::Integer;
+
+/// The longest cycle of networks that is looked for.
+pub(super) const LONGEST_CYCLE: usize = 6;
+
+/// Times a cycle is seen before it is analysed.
+pub(super) const REPETITIONS: usize = 6;
+
+/// Whether the networks go round for ever.
+pub(super) enum Cycle {
+    None,
+    Proved(usize),
+    TooFar(String),
+}
+
+impl Trajectory<'_> {
+    /// Looks for a cycle in the recent networks and proves that it goes on forever.
+    pub(super) fn proved_cycle(&mut self, limits: &Limits) -> Result<Cycle, SettleError> {
+        // Under hysteresis an edge that is lost again and again would need changes of distance that do not die out.
+        if !self.stages.is_empty() || self.flock.threshold().log2_below().is_some() {
+            return Ok(Cycle::None);
+        }
+        let recent = &self.recent;
+        let repeats = |period: usize| {
+            let seen = REPETITIONS * period;
+            recent.len().is_multiple_of(2 * seen)
+                && recent.len() >= 2 * seen
+                && (recent.len() - seen..recent.len()).all(|k| recent[k] == recent[k - period])
+        };
+        let Some(period) = (2..=LONGEST_CYCLE).find(|&p| repeats(p)) else { return Ok(Cycle::None) };
+        // Each attempt costs more than the one before.
+        if self.switches < self.next_attempt {
+            return Ok(Cycle::None);
+        }
+        self.next_attempt = 2 * self.switches;
+        let cycle: Vec<Graph> = recent[recent.len() - period..].iter().map(|network| (**network).clone()).collect();
+        let Some(flock) = self.exact()? else { return Ok(Cycle::None) };
+        let horizon = match future(&flock, &cycle, limits.steps, self.progress) {
+            Ok(Future::Keeps(horizon)) => horizon,
+            Ok(Future::Until((i, j))) => {
+                let why = format!(
+                    "the networks repeat a cycle of {period}, and birds {} and {} approach, but come within distance 1 only after more \
+                     steps than the limit of {}",
+                    i + 1,
+                    j + 1,
+                    limits.steps
+                );
+                return Ok(Cycle::TooFar(why));
+            }
+            Err(SettleError::Cancelled(stopped)) => return Err(stopped.into()),
+            _ => return Ok(Cycle::None),
+        };
+        if horizon > limits.steps {
+            let why = format!(
+                "the networks repeat a cycle of {period}, which would have to be followed for {horizon} steps to be proved, more than \
+                 the limit of {}",
+                limits.steps
+            );
+            return Ok(Cycle::TooFar(why));
+        }
+        // Until the horizon the networks have to keep to the cycle too.
+        let mut follower = FilteredFlock::from_exact(flock)?;
+        for step in 0..horizon {
+            self.progress.checkpoint()?;
+            follower.step_watched(self.progress)?;
+            if *follower.network() != cycle[(step as usize).mod_floor(&period)] {
+                return Ok(Cycle::None);
+            }
+        }
+        Ok(Cycle::Proved(period))
+    }
+}

@@ -1,0 +1,222 @@
+//! A flock on its way: steps by balls, by exact numbers, and jumps from switch to switch.
+
+use super::limits::{FixedNetwork, Motion};
+use super::pairs::prospects;
+use super::perturbation::Stage;
+use super::repetition::{LONGEST_CYCLE, REPETITIONS};
+use super::{Ending, Limits, SettleError};
+use crate::averaging::{FilteredFlock, Flock, FlockError, Switch};
+use algebra::graph::Graph;
+use arithmetic::Progress;
+use num_bigint::BigInt;
+use std::sync::Arc;
+/// Steps that are taken one by one after a switch before anything is analysed.
+const PATIENCE: u64 = 48;
+
+/// Certified bounds for all pairs at once are given up for exact limits after so many steps on one network: what these cost
+/// grows with the cube of the number of birds, and a step by balls costs next to nothing.
+fn patience_for_bounds(birds: usize) -> u64 {
+    PATIENCE + (birds as u64).saturating_pow(3) / 4
+}
+
+/// Steps on one network until velocities should have settled so far that the balls can jump.
+const PATIENCE_FOR_JUMPS: u64 = 8192;
+
+/// Balls do not jump over more steps than this; beyond, exact limits are quicker.
+const LONGEST_JUMP: u64 = 1 << 40;
+
+/// A flock on its way.
+pub(super) struct Trajectory<'a> {
+    /// The exact flock; behind the balls where there are some.
+    pub(super) flock: Flock,
+    /// The flock stepped by balls, as long as nothing was left out.
+    pub(super) balls: Option<FilteredFlock>,
+    /// Where to start again with exact numbers, should balls that have jumped not be enough.
+    pub(super) before_jumps: Option<FilteredFlock>,
+    pub(super) may_jump: bool,
+    /// What happened since the last exact state; empty while the state is exact.
+    pub(super) stages: Vec<Stage>,
+    /// The networks of the last steps, as long as switches follow one another closely.
+    pub(super) recent: Vec<Arc<Graph>>,
+    pub(super) last_switch: BigInt,
+    pub(super) switches: usize,
+    /// A cycle is not looked for before so many switches.
+    pub(super) next_attempt: usize,
+    pub(super) progress: &'a dyn Progress,
+}
+
+/// What comes next.
+pub(super) enum Next {
+    Switch(Switch),
+    /// Some steps later, nothing has changed: a contact that was an exact tie in the limit and is not reached.
+    Moved,
+    End(Ending, String),
+}
+
+impl<'a> Trajectory<'a> {
+    pub(super) fn new(flock: Flock, progress: &'a dyn Progress) -> Self {
+        Trajectory {
+            flock,
+            balls: None,
+            before_jumps: None,
+            may_jump: true,
+            stages: Vec::new(),
+            recent: Vec::new(),
+            last_switch: BigInt::ZERO,
+            switches: 0,
+            next_attempt: 0,
+            progress,
+        }
+    }
+
+    /// The network of now.
+    pub(super) fn network(&self) -> &Graph {
+        self.balls.as_ref().map_or_else(|| self.flock.network(), FilteredFlock::network)
+    }
+
+    pub(super) fn next(&mut self, limits: &Limits) -> Result<Next, SettleError> {
+        match self.next_by_balls(limits) {
+            Err(SettleError::Flock(FlockError::Undecided { .. })) => {}
+            Ok(Some(next)) => return Ok(next),
+            Ok(None) => {}
+            Err(error) => return Err(error),
+        }
+        if let Some(start) = self.before_jumps.take() {
+            // Exact numbers are needed that the jumps have left behind: the whole way again, without them.
+            self.balls = Some(start);
+            self.may_jump = false;
+            self.recent.clear();
+            return Ok(Next::Moved);
+        }
+        self.next_exactly(limits)
+    }
+
+    /// The next switch or the end, where the balls show it; otherwise the exact flock is brought to some steps after the last switch.
+    pub(super) fn next_by_balls(&mut self, limits: &Limits) -> Result<Option<Next>, SettleError> {
+        if let Some(switch) = self.walk(PATIENCE)? {
+            return Ok(Some(Next::Switch(switch)));
+        }
+        self.recent.clear();
+        let Some(balls) = &self.balls else { return Ok(None) };
+        let start = balls.time();
+        let most = patience_for_bounds(balls.birds());
+        let mut walked = PATIENCE;
+        loop {
+            let Some(balls) = &mut self.balls else { return Ok(None) };
+            let Some(outlook) = balls.outlook(self.progress)? else { break };
+            if outlook.is_steady() {
+                let why = self.why_steady(outlook.drifting);
+                return Ok(Some(Next::End(Ending::Steady, why)));
+            }
+            let far = self.may_jump && outlook.quiet > 2 * walked;
+            if far {
+                let before = self.before_jumps.is_none().then(|| balls.clone());
+                if outlook.quiet <= LONGEST_JUMP && balls.jump(outlook.quiet) {
+                    self.before_jumps = self.before_jumps.take().or(before);
+                    walked = PATIENCE;
+                    continue;
+                }
+            }
+            // A jump needs velocities that have settled.
+            let most = if far && outlook.quiet <= LONGEST_JUMP { 16 * most + PATIENCE_FOR_JUMPS } else { most };
+            if walked >= most.min(limits.steps) {
+                break;
+            }
+            let steps = walked.min(limits.steps);
+            if let Some(switch) = self.walk(steps)? {
+                return Ok(Some(Next::Switch(switch)));
+            }
+            self.recent.clear();
+            walked += steps;
+        }
+        if self.before_jumps.is_none()
+            && let Some(balls) = self.balls.take()
+        {
+            self.flock = balls.into_exact(&start, self.progress)?;
+        }
+        Ok(None)
+    }
+
+    pub(super) fn next_exactly(&mut self, limits: &Limits) -> Result<Next, SettleError> {
+        let fixed = FixedNetwork::new(self.flock.network(), self.flock.weights(), self.progress)?;
+        let motion = Motion::new(&fixed, &self.flock.integers(), self.progress)?;
+        let start = self.flock.time().clone();
+        let mark = self.mark();
+        self.left_out_is_below(motion.unit.bits())?;
+        let all = prospects(&self.flock, &fixed, &motion, &self.stages, self.progress)?;
+        // A contact that comes before the horizon is met on the way there.
+        if let Some(switch) = self.walk(all.horizon.min(limits.steps))? {
+            return Ok(Next::Switch(switch));
+        }
+        if all.horizon > limits.steps {
+            let why = format!(
+                "{} exact steps would be needed on one network, more than the limit of {}",
+                all.horizon, limits.steps
+            );
+            return Ok(Next::End(Ending::Undecided(why.clone()), why));
+        }
+        if let Some(why) = all.open {
+            return Ok(Next::End(Ending::Undecided(why.clone()), why));
+        }
+        let from = BigInt::from(all.horizon) + 1;
+        let contacts = all.approaches.iter().filter_map(|a| a.first_contact(&from));
+        match contacts.min() {
+            Some(steps) => {
+                self.return_to(mark);
+                self.jump(&fixed, &motion, &all, &start, steps, limits)
+            }
+            None => Ok(self.end(&all)),
+        }
+    }
+
+    /// Where the list of stages ends now: its length and the steps of the last one.
+    pub(super) fn mark(&self) -> (usize, u64) {
+        let steps = match self.stages.last() {
+            Some(Stage::Steps { steps, .. }) => *steps,
+            _ => 0,
+        };
+        (self.stages.len(), steps)
+    }
+
+    /// Forgets the steps taken since a mark: a jump starts there.
+    pub(super) fn return_to(&mut self, (length, count): (usize, u64)) {
+        self.stages.truncate(length);
+        if let Some(Stage::Steps { steps, .. }) = self.stages.last_mut() {
+            *steps = count;
+        }
+    }
+
+    /// Steps, up to a number or the next switch.
+    pub(super) fn walk(&mut self, steps: u64) -> Result<Option<Switch>, SettleError> {
+        for _ in 0..steps {
+            self.progress.checkpoint()?;
+            let switch = if self.stages.is_empty() {
+                let balls = match &mut self.balls {
+                    Some(balls) => balls,
+                    none => none.insert(FilteredFlock::from_exact(self.flock.clone())?),
+                };
+                balls.step_watched(self.progress)?
+            } else {
+                self.careful_step()?
+            };
+            if self.recent.len() == 4 * LONGEST_CYCLE * REPETITIONS {
+                self.recent.clear();
+            }
+            let same = self.recent.last().filter(|_| switch.is_none()).cloned();
+            self.recent.push(same.unwrap_or_else(|| Arc::new(self.network().clone())));
+            if switch.is_some() {
+                return Ok(switch);
+            }
+        }
+        Ok(None)
+    }
+
+    /// The exact flock of now, as long as it is within reach.
+    pub(super) fn exact(&mut self) -> Result<Option<Flock>, SettleError> {
+        match &mut self.balls {
+            Some(balls) if balls.has_jumped() => Ok(None),
+            Some(balls) => Ok(Some(balls.exact(self.progress)?.clone())),
+            None => Ok(Some(self.flock.clone())),
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! Distances within a hair of 1, with numbers longer than the leading bits that are looked at first.
+
+use super::flock::Naive;
+use algebra::matrix::{MatrixError, RationalMatrix};
+use arithmetic::{Rational, rational};
+use models::averaging::{Flock, FlockError, Hysteresis, Start, Weights, contraction};
+use num_bigint::BigInt;
+use proptest::prelude::*;
+
+/// `2^-bits`.
+fn hair(bits: u32) -> Rational {
+    Rational::new(BigInt::from(1), BigInt::from(1) << bits)
+}
+
+fn at_rest(positions: Vec<Vec<Rational>>) -> Start {
+    let velocities = positions.iter().map(|x| vec![rational(0, 1); x.len()]).collect();
+    Start { positions, velocities, weights: Weights::Lazy, hysteresis: Hysteresis::None }
+}
+
+/// Directions of length 1 in up to four dimensions.
+fn directions() -> Vec<Vec<Rational>> {
+    let vector = |x: &[i64], by: i64| x.iter().map(|&x| rational(x, by)).collect();
+    vec![vector(&[1], 1), vector(&[3, -4], 5), vector(&[2, -6, 3], 7), vector(&[1, -1, 1, 1], 2)]
+}
+
+proptest! {
+    #[test]
+    fn pairs_near_distance_one_are_decided_as_by_rationals(
+        direction in 0usize..4, bits in 10u32..200, over in -3i64..=3, far in 0i64..1000, long in 100u32..260
+    ) {
+        // A common denominator far beyond the window, and a place far from the origin.
+        let place = rational(far, 7) + hair(long);
+        let stretch = rational(1, 1) + hair(bits) * rational(over, 1);
+        let direction = &directions()[direction];
+        let first: Vec<Rational> = direction.iter().map(|_| place.clone()).collect();
+        let second = direction.iter().map(|x| &place + x * &stretch).collect();
+        let third = direction.iter().map(|x| &place - x * &stretch * rational(1, 3)).collect();
+        let start = at_rest(vec![first, second, third]);
+        let mut flock = Flock::new(&start).expect("a valid start");
+        let naive = Naive::new(&start);
+        prop_assert_eq!(flock.network(), &naive.network);
+        prop_assert_eq!(&flock.distance_network(), &naive.network);
+        flock.step().expect("a step");
+        prop_assert_eq!(flock.network(), &naive.network);
+    }
+}
+
+#[test]
+fn starts_of_different_dimensions_are_refused_where_they_differ() {
+    let row = |count: usize| vec![rational(0, 1); count];
+    let start = |positions: Vec<Vec<Rational>>, velocities: Vec<Vec<Rational>>| Start {
+        positions,
+        velocities,
+        weights: Weights::Lazy,
+        hysteresis: Hysteresis::None,
+    };
+    let refused = |start: Start| Flock::new(&start).map(drop).expect_err("refused").to_string();
+    let of_velocity = refused(start(vec![row(2); 3], vec![row(2), row(1), row(3)]));
+    let of_position = refused(start(vec![row(2), row(1), row(3)], vec![row(2); 3]));
+    for said in [&of_velocity, &of_position] {
+        assert!(said.contains("bird 2") && !said.contains("bird 3"), "{said}");
+    }
+    assert!(matches!(Flock::new(&start(vec![], vec![])), Err(FlockError::NoBirds)));
+    assert!(matches!(Flock::new(&start(vec![row(0); 2], vec![row(0); 2])), Err(FlockError::NoBirds)));
+}
+
+/// A threshold of zero holds nothing, one that is larger holds what moves by less.
+#[test]
+fn thresholds_hold_what_moves_by_less() {
+    let start = |hysteresis: Hysteresis, speed: Rational| Start {
+        positions: vec![vec![rational(0, 1)], vec![rational(1, 1)]],
+        velocities: vec![vec![rational(0, 1)], vec![speed]],
+        weights: Weights::Lazy,
+        hysteresis,
+    };
+    let slow = hair(40);
+    let cases = [
+        (Hysteresis::None, &slow, 0),
+        (Hysteresis::Constant(rational(0, 1)), &slow, 0),
+        (Hysteresis::Constant(slow.clone()), &slow, 0),
+        (Hysteresis::Constant(&slow + &hair(300)), &slow, 1),
+        (Hysteresis::Constant(&slow - &hair(300)), &slow, 0),
+    ];
+    for (hysteresis, speed, edges) in cases {
+        let mut flock = Flock::new(&start(hysteresis.clone(), (*speed).clone())).expect("a valid start");
+        assert_eq!(flock.network().edges().len(), 1);
+        flock.step().expect("a step");
+        assert_eq!(flock.network().edges().len(), edges, "{hysteresis:?}");
+    }
+}
+
+/// Contraction needs a bird that all hear, and not one that hears all.
+#[test]
+fn directed_networks_contract_towards_a_bird_that_all_hear() {
+    let all_hear_one = RationalMatrix::from_integers(&[[2, 0, 0], [1, 1, 0], [1, 0, 1]], 2).expect("a shape");
+    assert!(contraction(&all_hear_one).is_ok());
+    let one_hears_all = RationalMatrix::from_integers(&[[1, 1, 1], [0, 3, 0], [0, 0, 3]], 3).expect("a shape");
+    assert_eq!(contraction(&one_hears_all), Err(MatrixError::NotErgodic));
+    // Through others: 4 hears 3, 3 hears 2, 2 hears 1.
+    let chain = RationalMatrix::from_integers(&[[2, 0, 0, 0], [1, 1, 0, 0], [0, 1, 1, 0], [0, 0, 1, 1]], 2);
+    assert!(contraction(&chain.expect("a shape")).is_ok());
+    let two_chains = RationalMatrix::from_integers(&[[2, 0, 0, 0], [1, 1, 0, 0], [0, 0, 2, 0], [0, 0, 1, 1]], 2);
+    assert_eq!(contraction(&two_chains.expect("a shape")), Err(MatrixError::NotErgodic));
+    let wide = RationalMatrix::from_integers(&[[1, 1]], 2).expect("a shape");
+    assert_eq!(contraction(&wide), Err(MatrixError::NotSquare { rows: 1, cols: 2 }));
+}
