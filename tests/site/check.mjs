@@ -1,7 +1,7 @@
 // The pages of `flockproof report --out DIR` in Chromium: node check.mjs DIR [FOLDER FOR SCREENSHOTS]
 //
 // Asked of every page: no message of an error on the console, no request but for files of the site, every link and anchor
-// leads somewhere, and at 320 pixels nothing is wider than the window. Of one page of each kind, light and dark: axe finds
+// leads somewhere, most counterexamples are drawn, and at 320 pixels nothing is wider than the window. Of one page of each kind, light and dark: axe finds
 // nothing. Of the list of claims: filters, search and keyboard. Of the motions: they run.
 //
 // With FLOCKPROOF=path of the program, the live pages too, under `flockproof serve`: they give what the command line prints, by keyboard
@@ -30,9 +30,18 @@ const pages = pagesIn("");
 
 // One page of each kind, where there is most on it.
 const kinds = ["index.html", "results.html", "guarantees.html", "graph.html", "glossary.html", "papers/index.html", "papers/veerman.html",
-  "papers/paley.html", "errata/index.html", "errata/paley.html", "claims/paley.eq21.html", "claims/chazelle.ex15.html",
+  "papers/paley.html", "errata/index.html", "errata/paley.html", "claims/paley.eq21.html", "claims/paley.bal.circ.html", "claims/chazelle.ex15.html",
   "claims/veerman.table1_numeric.html", "claims/tanner2.thm2_stop.html", "claims/beyond.chazelle.tower.html", "notes/settling.html",
   "coq/veerman_theorem1.html", "explore/index.html", "explore/four-birds.html", "explore/patterns.html", "explore/live-flock.html"];
+
+/** Most counterexamples are drawn, by their sentence, a figure or a motion. */
+function checkCounterexamples() {
+  const texts = pages.filter((page) => page.startsWith("claims/")).map((page) => fs.readFileSync(path.join(site, page), "utf8"));
+  const all = texts.filter((text) => text.includes('id="counterexample"'));
+  const drawn = all.filter((text) => /class="drawings"|<figure class="shown"|See it move/.test(text));
+  expect(2 * drawn.length >= all.length, `only ${drawn.length} of ${all.length} counterexamples are drawn`);
+  console.log(`${all.length} counterexamples, ${drawn.length} drawn`);
+}
 
 /** Links and anchors, by reading the files. */
 function checkLinks() {
@@ -215,10 +224,6 @@ async function checkLive(browser) {
       const context = await browser.newContext({ viewport: { width: colorScheme === "dark" ? 320 : 1200, height: 900 }, colorScheme });
       for (const page of pages.filter((page) => page.startsWith("explore/live-"))) {
         const name = path.basename(page, ".html"), tab = await open(context, page, home);
-        if (name === "live-certificate") {
-          await tab.selectOption("#example", { index: 0 });
-          await tab.evaluate(() => document.getElementById("example").dispatchEvent(new Event("change")));
-        }
         // By keyboard alone, from the top of the page.
         for (let k = 0; k < 60 && (await tab.evaluate(() => document.activeElement.id)) !== "go"; k++) await tab.keyboard.press("Tab");
         expect((await tab.evaluate(() => document.activeElement.id)) === "go", `${page}: the keyboard leads to the button`);
@@ -299,10 +304,18 @@ async function checkDrawing(context, home, answered) {
   await drag(at(0.2, 0.5), at(0.3, 0.4));
   const flock = JSON.parse(await tab.inputValue("textarea[name=flock]"));
   expect(flock.positions.length === 1 && flock.velocities[0].some((x) => x !== "0"), "a bird was drawn with its velocity");
+  for (const broken of ["", "{", "[]", "null", '{"positions": [null], "velocities": [7]}']) {
+    await tab.fill("textarea[name=flock]", broken);
+    await drag(at(0.4, 0.5), at(0.5, 0.4));
+  }
+  await tab.fill("textarea[name=flock]", "7");
+  await drag(at(0.4, 0.5), at(0.5, 0.4));
+  expect(/no flock/.test(await tab.locator("#state").textContent()), "what is no flock cannot be drawn upon, and the page says so");
   await tab.close();
 }
 
 checkLinks();
+checkCounterexamples();
 if (shots) fs.mkdirSync(shots, { recursive: true });
 const browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args: ["--no-sandbox", "--allow-file-access-from-files"] });
 try {

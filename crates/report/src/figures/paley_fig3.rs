@@ -51,6 +51,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let mut picture =
         Picture::new("Figure 3: circular formations under (22) on the cyclic graph, N = 12, ω_0 = 0.1, K_0 = Nω_0")
             .caption(super::paley::SIGNS)
+            .caption(
+                "(d) goes on where (c) ends, with its clock at 0 again: in (f) the two lie on one another at the end.",
+            )
             .grid(3, (350.0, 340.0));
     let mut potentials = Panel::new(
         "(f) the phase potential",

@@ -16,6 +16,12 @@ const TIMES: [f64; 4] = [0.0, 2.0, 10.0, UNTIL];
 /// Headings (radians), gradients, radius (m) of a formation.
 const FORMATION: (f64, f64, f64) = (0.1, 0.1, 10.0);
 
+/// What the signs mean where links say nothing.
+const ALL_LINKED: &str = "Discs: agents; orange: velocities, drawn to the scale of each picture. All pairs are linked.";
+/// What the legend means.
+const CURVES: &str = "Curves: this run in three readings. m/s: the largest speed at the start; logarithm: V = 1/s + log s, as printed \
+                      with 20 m/s; spring: V = s + 1/s − 2; s: the squared distance.";
+
 pub(super) fn complete() -> Result<Reproduced, CheckError> {
     reproduce(true)
 }
@@ -107,7 +113,8 @@ fn draw(
         Picture::new(format!(
             "Figures {figures}: headings align, {kind} graph, ten agents. Run {replicate}; snapshots with V = s + 1/s − 2, up to 20 m/s"
         ))
-        .caption(SIGNS)
+        .caption(if complete { ALL_LINKED } else { SIGNS })
+        .caption(CURVES)
         .grid(2, (430.0, 330.0));
     let mut courses = Vec::new();
     // Equal ratios from 1/10 s on.

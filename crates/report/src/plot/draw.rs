@@ -50,6 +50,8 @@ pub(super) fn draw(picture: &Picture) -> Sheet {
         for (column, panel) in panels.iter().enumerate() {
             let corner = (column as f64 * width, top);
             let frame = Frame::new(panel, corner, (width, height + legend), margins[column], legend);
+            // The title of a panel without a legend stays at its axes, whatever room the others in the row need.
+            let frame = if legend_height(panel, width) == 0.0 { Frame { legend: 0.0, ..frame } } else { frame };
             frame.draw(panel, &mut shapes);
         }
         top += height + legend;

@@ -64,7 +64,7 @@ pub(crate) fn drawing(picture: &Picture, name: &str, about: &str) -> Markup {
         .svg()
         .replace("id=\"panel", &format!("id=\"{name}-panel"))
         .replace("url(#panel", &format!("url(#{name}-panel"));
-    html! { div.picture role="img" aria-label=(about) { (PreEscaped(svg)) } }
+    html! { div.picture role="img" aria-label=(about) tabindex="0" { (PreEscaped(svg)) } }
 }
 
 /// A motion that can be played.

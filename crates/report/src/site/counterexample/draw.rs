@@ -7,12 +7,20 @@ use arithmetic::Rational;
 use maud::{Markup, html};
 use num_traits::{Signed, ToPrimitive, Zero};
 
+/// How wide pictures are, so that a phone shows them whole.
+const WIDTH: f64 = 320.0;
+
 /// The picture and what is said below it; `k` tells it from others on the page.
 pub(super) fn draw(scene: &Scene, k: usize) -> (Markup, String) {
     match scene {
         Scene::Agents { places, velocities, links } => agents(places, velocities, links, k),
         Scene::Networks { order, networks, directed } => in_turn(*order, networks, *directed),
         Scene::Phases(phases) => (circle(phases), format!("The {} phases on the circle.", phases.len())),
+        Scene::Curve(curve) => {
+            let (panel, about) = super::curves::draw(curve);
+            let drawn = Picture::new("").grid(1, (WIDTH, 240.0)).panel(panel);
+            (drawing(&drawn, &format!("counterexample-{k}"), &about), about)
+        }
         Scene::Compared { subject, found, says, claimed } => {
             (line(found, says, claimed), format!("{subject}: computed {found}, {says} {claimed}."))
         }
@@ -35,11 +43,11 @@ fn agents(places: &[[Rational; 2]], velocities: &[[Rational; 2]], links: &[Link]
     let panel = Panel::new("", Axis::linear("x"), Axis::linear("y")).equal_scales();
     let mut panel =
         links.iter().fold(panel, |panel, (i, j)| panel.series(Series::line("", [at[*i], at[*j]]).colour("#6b6b6b")));
-    // The longest arrow is a little shorter than the agents are apart.
+    // The longest arrow is shorter than half the way between two agents.
     let longest = flow.iter().map(|(u, v)| u.hypot(*v)).fold(0.0, f64::max);
     let apart = at.iter().enumerate().flat_map(|(i, p)| at[..i].iter().map(move |q| (p.0 - q.0).hypot(p.1 - q.1)));
     let nearest = apart.filter(|d| *d > 0.0).fold(f64::INFINITY, f64::min);
-    let unit = if nearest.is_finite() && longest > 0.0 { (0.7 * nearest / longest).min(1.0) } else { 1.0 };
+    let unit = if nearest.is_finite() && longest > 0.0 { (0.45 * nearest / longest).min(1.0) } else { 1.0 };
     let arrows = at.iter().zip(&flow).map(|((x, y), (u, v))| ((*x, *y), (x + unit * u, y + unit * v)));
     panel = panel.series(Series::arrows("", arrows).colour("#222222").size(1.6));
     for (agent, place) in places.iter().enumerate() {
@@ -52,7 +60,7 @@ fn agents(places: &[[Rational; 2]], velocities: &[[Rational; 2]], links: &[Link]
         let size = 4.5 + 3.5 * above as f64;
         panel = panel.series(Series::points(name, [at[agent]]).size(size));
     }
-    let height = if flat { 170.0 } else { 300.0 };
+    let height = if flat { 150.0 } else { 250.0 };
     let mut about = if places.len() == 1 { "The point".to_string() } else { format!("The {} points", places.len()) };
     match (velocities.is_empty(), longest > 0.0) {
         (false, true) => about.push_str(", with arrows for velocities"),
@@ -60,7 +68,7 @@ fn agents(places: &[[Rational; 2]], velocities: &[[Rational; 2]], links: &[Link]
         _ => {}
     }
     about.push_str(if links.is_empty() { "." } else { "; lines are links." });
-    let drawn = Picture::new("").grid(1, (380.0, height)).panel(panel);
+    let drawn = Picture::new("").grid(1, (WIDTH, height)).panel(panel);
     (drawing(&drawn, &format!("counterexample-{k}"), &about), about)
 }
 
@@ -103,7 +111,6 @@ fn circle(phases: &[f64]) -> Markup {
 
 /// What was found above a line of numbers, what is claimed below it, and 0.
 fn line(found: &Rational, says: &str, claimed: &Rational) -> Markup {
-    const WIDTH: f64 = 340.0;
     let zero = Rational::zero();
     let all = [found, claimed, &zero].map(float);
     let (low, high) = all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));

@@ -1,5 +1,6 @@
 //! A counterexample drawn from its own sentence: what is not said there is not drawn, and no number is written twice.
 
+mod curves;
 mod draw;
 mod read;
 
@@ -13,7 +14,7 @@ const PARTS: usize = 3;
 
 /// The drawings of a sentence; nothing where it holds nothing that can be drawn.
 pub(super) fn drawings(site: &Site, sentence: &str, links: Links) -> Markup {
-    let scenes: Vec<Scene> = sentence.split("; ").take(PARTS).flat_map(read::scenes).collect();
+    let scenes: Vec<Scene> = read::parts(sentence).take(PARTS).flat_map(read::scenes).collect();
     html! {
         @if !scenes.is_empty() {
             div.drawings {

@@ -2,6 +2,7 @@
 //!
 //! The sentences are those that the checks write. Whatever is not wholly understood is left out.
 
+use super::curves::Curve;
 use arithmetic::Rational;
 use num_traits::{One, ToPrimitive};
 use std::collections::BTreeMap;
@@ -19,8 +20,25 @@ pub(super) enum Scene {
     Networks { order: usize, networks: Vec<Vec<Link>>, directed: bool },
     /// Angles on the circle, in radians.
     Phases(Vec<f64>),
+    /// A function that the sentence names.
+    Curve(Curve),
     /// What a quantity is, and what it is said to be.
     Compared { subject: String, found: Rational, says: String, claimed: Rational },
+}
+
+/// What stands between semicolons outside brackets.
+pub(super) fn parts(sentence: &str) -> impl Iterator<Item = &str> {
+    let mut depth = 0i32;
+    sentence
+        .split(move |c| {
+            depth += match c {
+                '(' | '[' | '{' => 1,
+                ')' | ']' | '}' => -1,
+                _ => 0,
+            };
+            c == ';' && depth == 0
+        })
+        .map(str::trim)
 }
 
 /// Everything in a part of a sentence that can be drawn.
@@ -38,11 +56,12 @@ pub(super) fn scenes(part: &str) -> Vec<Scene> {
         && !matches!(&agents, Some(Scene::Agents { links, places, .. }) if networks.len() == 1 && order == places.len() && *links == networks[0]);
     let networks = alone.then_some(Scene::Networks { order, networks, directed });
     let phases = phases(part).map(Scene::Phases);
-    [networks, agents, phases, compared(part)].into_iter().flatten().collect()
+    let curve = super::curves::read(part).map(Scene::Curve);
+    [networks, agents, phases, curve, compared(part)].into_iter().flatten().collect()
 }
 
 /// A fraction or a decimal number, perhaps in brackets of its own.
-fn number(text: &str) -> Option<Rational> {
+pub(super) fn number(text: &str) -> Option<Rational> {
     let text = text.trim();
     let bare = text.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')).unwrap_or(text);
     let plain = |c: char| c.is_ascii_digit() || matches!(c, '-' | '/' | '.');
@@ -89,14 +108,17 @@ fn velocities(part: &str, agents: usize) -> Vec<[Rational; 2]> {
     if found.len() == agents { found } else { Vec::new() }
 }
 
-/// Every `name = number` between commas.
-fn assignments(part: &str) -> BTreeMap<&str, Rational> {
-    let one = |piece: &'_ str| -> Option<(usize, usize, Rational)> {
-        let (name, value) = piece.split_once(" = ")?;
-        let from = name.rfind(" at ").map_or(0, |at| at + 4);
-        Some((from, name.len(), number(value)?))
-    };
-    part.split(", ").filter_map(|piece| one(piece).map(|(from, to, value)| (piece[from..to].trim(), value))).collect()
+/// Every `name = number` between commas, also `name = name = number`.
+pub(super) fn assignments(part: &str) -> BTreeMap<&str, Rational> {
+    let mut known = BTreeMap::new();
+    for piece in part.split([',', ':']) {
+        let piece = piece.rsplit_once(" at ").map_or(piece, |(_, rest)| rest);
+        let mut names: Vec<&str> = piece.split(" = ").map(str::trim).collect();
+        if let Some(value) = names.pop().and_then(number) {
+            known.extend(names.into_iter().map(|name| (name, value.clone())));
+        }
+    }
+    known
 }
 
 /// The pairs of numbers that are given to names, `%` for the number of the agent.

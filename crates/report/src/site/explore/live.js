@@ -18,6 +18,12 @@
     return JSON.stringify(all);
   }
 
+  /** What became of it; `wrong` where there is something to mend. */
+  function say(what, wrong) {
+    state.textContent = what;
+    state.classList.toggle("wrong", Boolean(wrong));
+  }
+
   function tell(progress) {
     stage.textContent = progress.stage + (progress.total ? ", " + progress.done + " of " + progress.total : progress.done ? ", " + progress.done : "");
     if (progress.total) { bar.max = progress.total; bar.value = progress.done; } else bar.removeAttribute("value");
@@ -25,13 +31,13 @@
 
   function show(said) {
     if (said.progress) tell(said.progress);
-    if (said.refused) state.textContent = said.refused;
+    if (said.refused) say(said.refused, true);
     if (!said.answer) return;
     answer.innerHTML = said.shown;
     answer.querySelectorAll("section.live").forEach(window.flockproofPlayer);
     json.querySelector("code").textContent = JSON.stringify(said.answer, null, 2);
     json.hidden = false;
-    state.textContent = "answered";
+    say("answered");
   }
 
   /** The lines of a reply as they come. */
@@ -54,7 +60,7 @@
     event.preventDefault();
     if (asked) asked.abort();
     const own = asked = new AbortController();
-    state.textContent = "asking";
+    say("asking");
     answer.replaceChildren();
     json.hidden = true;
     busy(true);
@@ -62,10 +68,10 @@
       const reply = await fetch("/api/" + form.dataset.ask, {
         method: "POST", headers: { "Content-Type": "application/json" }, body: question(), signal: own.signal
       });
-      if (reply.ok) await read(reply); else state.textContent = (await reply.text()).trim();
-      if (state.textContent === "asking") state.textContent = "the answer broke off";
+      if (reply.ok) await read(reply); else say((await reply.text()).trim(), true);
+      if (state.textContent === "asking") say("the answer broke off", true);
     } catch (error) {
-      if (own === asked) state.textContent = error.name === "AbortError" ? "stopped" : "no answer: " + error.message;
+      if (own === asked) { if (error.name === "AbortError") say("stopped"); else say("no answer: " + error.message, true); }
     }
     if (own === asked) busy(false);
   });
@@ -81,9 +87,9 @@
   const file = of("file");
   if (file) file.addEventListener("change", async function () {
     if (!file.files.length) return;
-    if (file.files[0].size > 4 << 20) { state.textContent = "the file is longer than 4 MiB"; return; }
+    if (file.files[0].size > 4 << 20) { say("the file is longer than 4 MiB", true); return; }
     fields.certificate.value = await file.files[0].text();
-    state.textContent = file.files[0].name + " was read";
+    say(file.files[0].name + " was read");
   });
 
   const canvas = of("drawing");
@@ -99,16 +105,21 @@
 
   function flock() {
     const unit = 64, fine = 16, middle = [canvas.width / 2, canvas.height / 2];
-    const parsed = function () { try { return JSON.parse(text.value); } catch (error) { return null; } };
+    const parsed = function () {
+      try {
+        const birds = JSON.parse(text.value);
+        return birds && Array.isArray(birds.positions) && Array.isArray(birds.velocities) ? birds : null;
+      } catch (error) { return null; }
+    };
     const number = function (q) { const p = String(q).split("/"); return Number(p[0]) / Number(p[1] || 1); };
     // Places are multiples of 1/16, so that the flock is exact.
     const exact = function (x) { const k = Math.round(x * fine); return k % fine === 0 ? String(k / fine) : k + "/" + fine; };
     return {
       draw: function () {
         const birds = parsed();
-        if (!birds || !Array.isArray(birds.positions)) return;
-        birds.positions.forEach(function (r, k) {
-          const v = (birds.velocities || [])[k] || [];
+        if (!birds) return;
+        birds.positions.forEach(function (row, k) {
+          const r = row || [], v = birds.velocities[k] || [];
           const at = [middle[0] + unit * number(r[0]), middle[1] - unit * number(r[1] || 0)];
           pen.strokeStyle = colour("--soft"); pen.fillStyle = colour("--bad"); pen.lineWidth = 2;
           line(at, [at[0] + 4 * unit * number(v[0] || 0), at[1] - 4 * unit * number(v[1] || 0)]);
@@ -117,7 +128,7 @@
       },
       add: function (from, to) {
         const birds = parsed();
-        if (!birds) return;
+        if (!birds) { say("what is written below is no flock; Empty begins a new one", true); return; }
         birds.positions.push([exact((from[0] - middle[0]) / unit), exact((middle[1] - from[1]) / unit)]);
         birds.velocities.push([exact((to[0] - from[0]) / unit / 4), exact((from[1] - to[1]) / unit / 4)]);
         text.value = JSON.stringify(birds);
@@ -152,6 +163,8 @@
     return {
       draw: function () {
         const g = parsed();
+        // A graph that has a name is asked for by its name, not as it is drawn.
+        canvas.classList.toggle("unused", fields.graph.value.trim() !== "");
         pen.strokeStyle = colour("--link"); pen.lineWidth = 2; pen.textAlign = "center"; pen.textBaseline = "middle"; pen.font = "12px system-ui, sans-serif";
         g.edges.forEach(function (e) { line(at(e[0] - 1, g.order), at(e[1] - 1, g.order)); });
         for (let k = 0; k < g.order; k++) {
@@ -184,7 +197,7 @@
     draw();
   });
   of("clear").addEventListener("click", function () { drawing.clear(); draw(); });
-  text.addEventListener("input", draw);
+  form.addEventListener("input", draw);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
   draw();
 })();

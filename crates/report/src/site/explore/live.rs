@@ -59,7 +59,11 @@ pub(in super::super) const LIVE: &[Live] = &[
                 the curve, and the gains with a smaller peak.",
         ask: "resonance",
         command: "flockproof resonance --followers 128 --f -1 --g -1 --digits 15 --json",
-        fields: &[line("followers", "Followers", "128"), line("f", "f", "-1"), line("g", "g", "-1")],
+        fields: &[
+            line("followers", "Followers", "128"),
+            line("f", "f, of positions, below 0", "-1"),
+            line("g", "g, of velocities, below 0", "-1"),
+        ],
         draws: None,
         case: Some(("128 followers, f = g = -1", cases::resonance)),
         examples: &[],
@@ -67,12 +71,12 @@ pub(in super::super) const LIVE: &[Live] = &[
     Live {
         name: "live-spectra",
         title: "Spectra of graphs",
-        about: "Eigenvalues of a matrix of a graph, enclosed. Name a graph: ring:12, path:30, complete:5, star:7, circulant:12:1,3 and others; or leave the name empty and draw \
+        about: "Eigenvalues of a matrix of a graph, enclosed. Name a graph: ring:12, path:30, complete:5, star:7, circulant:12:1,3 and others; or draw \
                 one: click for a vertex, drag from one to another for an edge.",
         ask: "spectrum",
         command: "flockproof spectrum --graph ring:12 --json",
         fields: &[
-            line("graph", "Graph", "ring:12"),
+            line("graph", "Name of the graph; empty for the drawn one", "ring:12"),
             Field {
                 name: "kind",
                 label: "Matrix",
@@ -89,7 +93,7 @@ pub(in super::super) const LIVE: &[Live] = &[
             },
             text(
                 "edges",
-                "Edges, where there is no name: vertices N, then a line i j for each",
+                "Edges of the drawn graph: vertices N, then a line i j for each",
                 5,
                 "vertices 4\n1 2\n2 3\n3 1\n3 4\n",
             ),
@@ -119,9 +123,9 @@ pub(in super::super) const LIVE: &[Live] = &[
         command: "flockproof pattern --particles 12 --gains 1/5,1/5,-1/25 --json",
         fields: &[
             line("particles", "Particles", "12"),
-            line("gains", "Gains K1,K2,..", "1/5,1/5,-1/25"),
-            line("omega0", "omega0", "1/10"),
-            line("K0", "K0, spacing", "1/10"),
+            line("gains", "Gains K_1, K_2, ..", "1/5,1/5,-1/25"),
+            line("omega0", "ω_0, rate of turning", "1/10"),
+            line("K0", "K_0, gain of spacing", "1/10"),
         ],
         draws: None,
         case: Some(("twelve particles, K = (1/5, 1/5, -1/25)", cases::patterns)),
@@ -170,7 +174,7 @@ pub(in super::super) const LIVE: &[Live] = &[
                 Certificates are written by flockproof certify, resonance --certificate and others.",
         ask: "certificate",
         command: "flockproof-checker FILE",
-        fields: &[Field { name: "certificate", label: "The certificate", at_first: "", kind: Kind::File(10) }],
+        fields: &[Field { name: "certificate", label: "The certificate", at_first: CERTIFICATE, kind: Kind::File(10) }],
         draws: None,
         case: None,
         examples: &[("The limit of one pair of birds", &[("certificate", CERTIFICATE)])],

@@ -35,7 +35,7 @@ pub(super) const SHOWS: &[Show] = &[
         title: "Four birds that change their network for ever",
         about: "Without hysteresis the two birds in the middle meet and part in every step, for ever. With the hysteresis of the paper, \
                 a threshold of 4^(-256), they do the same until their distance changes by less than that: from then on the link stays.",
-        drawn: "The birds fly on a line; each row is one flock. Positions are exact rational numbers, rounded for drawing.",
+        drawn: "The birds fly on a line: the upper row without hysteresis, the lower row with that of the paper. Positions are exact rational numbers, rounded for drawing.",
         claims: &["chazelle.ex4birds.alt", "chazelle.ex4birds.eq3.14", "chazelle.hyst"],
         runs: runs::four_birds,
     },
