@@ -45,6 +45,8 @@ pub struct Question {
     pub(crate) property: Option<Expression>,
     pub(crate) controls: Vec<Expression>,
     values: Vec<(String, Expression)>,
+    /// The byte where `[values]` begins.
+    values_at: usize,
     subjects: Vec<Subject>,
     classes: Classes,
     /// Members of the names that depend on no other.
@@ -142,6 +144,15 @@ impl Question {
     /// Whether there is a property to decide.
     pub fn has_property(&self) -> bool {
         self.property.is_some()
+    }
+
+    /// The property to decide.
+    pub(crate) fn asked(&self) -> Result<&Expression, QuestionError> {
+        self.property.as_ref().ok_or_else(|| {
+            let only_values =
+                "there is no section [holds], so that there is nothing to decide; `sweep` tabulates [values]";
+            self.at(self.values_at, Problem::Other(only_values.to_string()))
+        })
     }
 
     /// The names of the section `[values]` with their expressions, in order.
