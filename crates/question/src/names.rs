@@ -167,6 +167,12 @@ pub const QUANTITIES: &[Quantity] = &[
     moving(Subject::Motion, "phase_potential", &[], "W_1 of the phases"),
     moving(Subject::Motion, "orientation_potential", &[], "-K1 W_1, of the orientation control with the gain K1"),
     moving(Subject::Motion, "spacing_potential", &[], "S of the centres of the circles of steered particles"),
+    moving(
+        Subject::Motion,
+        "composite_potential",
+        &[],
+        "K0 S, or (K0/2) sum |c_k - c_0|² with a beacon, plus orientation_potential/omega0²",
+    ),
     moving(Subject::Motion, "centre_spread", &[], "largest distance of a centre of these circles from their mean"),
     moving(
         Subject::Motion,
@@ -183,10 +189,6 @@ pub const QUANTITIES: &[Quantity] = &[
 pub const NOT_DECIDED: &[(&str, &str)] = &[
     ("clusters", "an integer with a tolerance in degrees, which jumps where two phases come near each other"),
     ("pattern_order", "an integer with a tolerance in degrees, which jumps, and which not every state has"),
-    (
-        "composite_potential",
-        "a sum of other quantities: write K0 and omega0 as numbers, with `spacing_potential` and `orientation_potential`",
-    ),
     ("mean_neighbours", "only the model with noise has it, whose motion is drawn at random and not enclosed"),
 ];
 

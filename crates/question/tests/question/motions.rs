@@ -154,17 +154,21 @@ const PARTING: &str = "model = \"velocity-alignment\"\n[graph]\nkind = \"within\
 fn observables_of_runs_lie_in_their_enclosures() {
     let shared = ["momentum(1)", "momentum(2)", "components"];
     let agents = [shared.as_slice(), &["energy", "saturated_energy"]].concat();
-    let particles = [shared.as_slice(), &["centre_spread", "orientation_potential", "spacing_potential"]].concat();
+    let particles =
+        [shared.as_slice(), &["centre_spread", "orientation_potential", "spacing_potential", "composite_potential"]]
+            .concat();
     let repelling = PARTING.replace("\"none\"", "\"inverse-square-log\"");
     let fixed = repelling.replace("\"within\"\nradius = \"5/4\"", "\"complete\"");
     let drifting = twelve().replace("K0 =", "drift = [\"1/3\", \"-1/7\"]\nK0 =");
-    let runs: [(&str, &[&str]); 7] = [
+    let circling = twelve().replace("K0 =", "beacon = [\"1/3\", 1]\nK0 =");
+    let runs: [(&str, &[&str]); 8] = [
         (PARTING, &agents),
         (&repelling, &agents),
         (&fixed, &agents),
         (TURNING, &shared),
         (&twelve(), &particles),
         (&drifting, &particles),
+        (&circling, &particles),
         (&platoon(3), &["components"]),
     ];
     for (text, names) in runs {
@@ -195,7 +199,7 @@ fn links_that_change_are_counted_where_they_are_known() {
 
 #[test]
 fn observables_that_are_not_decided_say_why() {
-    for name in ["clusters", "pattern_order", "composite_potential", "mean_neighbours"] {
+    for name in ["clusters", "pattern_order", "mean_neighbours"] {
         let message = refusal_with(&asked("n = 1", &format!("always[0, 1]({name} > 0)"), "1 < 0"), &twelve());
         assert!(message.starts_with("line 7, column 26: ") && message.contains("no question decides"), "{message}");
     }

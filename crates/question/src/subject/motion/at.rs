@@ -8,10 +8,12 @@ use crate::names::Quantity;
 use crate::number::Number;
 use arithmetic::{ArithmeticError, Complex, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, rational};
 use models::double_integrator::{Coordinates, Pair, Potential, State, kinetic_energy, potential_energy};
-use models::oscillator::{self, Neighbours, circle_centres, moment, phase_potential, spacing_potential};
+use models::oscillator::{
+    self, Neighbours, beacon_potential, circle_centres, moment, phase_potential, spacing_potential,
+};
 use motion::validated::{IntervalVector, Step};
 use num_traits::ToPrimitive;
-use scenario::ExactMotion;
+use scenario::{ExactMotion, ExactSpacing};
 use std::rc::Rc;
 
 /// The states at all times of a piece.
@@ -215,12 +217,38 @@ impl At<'_> {
         moment(&phasors, order).and_then(|p| p.norm_squared().sqrt()).map_err(unmeasured)
     }
 
-    /// Of the centres of the circles: (17), or their largest distance from their mean.
-    fn of_centres(&self, name: &str, frequency: &Rational, network: &Neighbours) -> Result<Interval, Failure> {
+    /// What the spacing control and the orientation control lower together.
+    fn composite_potential(&self) -> Result<Interval, Failure> {
+        let ExactMotion::Particles { frequency, gain, spacing, network, .. } = self.motion else {
+            return Err(Failure::open("it is no motion of particles", None));
+        };
+        let omega = Interval::from_rational(frequency, BITS);
+        let orientation = self.orientation_potential(gain, network)?.over(&omega.square()).map_err(unmeasured)?;
+        Ok(match spacing {
+            ExactSpacing::None => orientation,
+            ExactSpacing::Circle(strength) => {
+                orientation + self.of_centres("spacing_potential", frequency, network)? * omega.rational(strength)
+            }
+            ExactSpacing::Beacon(strength, place) => {
+                let state = self.particles();
+                let beacon = Complex::new(omega.rational(&place[0]), omega.rational(&place[1]));
+                let share = beacon_potential(&omega, &beacon, &state).map_err(unmeasured)?;
+                orientation + share * omega.rational(&(strength * rational(state.phasors.len() as i64, 1)))
+            }
+        })
+    }
+
+    /// Positions and phasors.
+    fn particles(&self) -> oscillator::State<Interval> {
         let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
         let mut positions = phasors_of(&numbers);
         let phasors = positions.split_off(positions.len() / 2);
-        let state = oscillator::State { positions, phasors };
+        oscillator::State { positions, phasors }
+    }
+
+    /// Of the centres of the circles: (17), or their largest distance from their mean.
+    fn of_centres(&self, name: &str, frequency: &Rational, network: &Neighbours) -> Result<Interval, Failure> {
+        let state = self.particles();
         let omega = Interval::from_rational(frequency, BITS);
         if name == "spacing_potential" {
             return spacing_potential(&omega, network, &state).map_err(unmeasured);
@@ -303,6 +331,7 @@ impl Moment for At<'_> {
                 ExactMotion::Phases { network, .. } | ExactMotion::Particles { network, .. },
                 "order" | "phase_potential",
             ) => self.of_phases(name, network, arguments),
+            (ExactMotion::Particles { .. }, "composite_potential") => self.composite_potential(),
             (ExactMotion::Particles { frequency, network, .. }, "spacing_potential" | "centre_spread") => {
                 self.of_centres(name, frequency, network)
             }
