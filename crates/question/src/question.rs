@@ -155,6 +155,11 @@ impl Question {
         })
     }
 
+    /// The inequalities of the property one by one, as texts, under the time operators around them.
+    pub fn inequality_texts(&self) -> Vec<String> {
+        self.property.iter().flat_map(|property| &property.inequalities).map(ToString::to_string).collect()
+    }
+
     /// The names of the section `[values]` with their expressions, in order.
     pub fn value_names(&self) -> impl Iterator<Item = &str> {
         self.values.iter().map(|(name, _)| name.as_str())
