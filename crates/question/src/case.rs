@@ -4,7 +4,7 @@ use crate::bindings::{Bindings, Value};
 use crate::error::Problem;
 use crate::evaluate::{Evaluator, Failure, Measured, quantity_of};
 use crate::floats::FloatRun;
-use crate::names::{QUANTITIES, Quantity, Subject};
+use crate::names::{NOT_DECIDED, QUANTITIES, Quantity, Subject};
 use crate::number::Number;
 use crate::question::Question;
 use crate::subject::flock::FlockSubject;
@@ -187,6 +187,9 @@ pub(crate) fn unknown_quantity(owner: Option<&str>, name: &str, known: &[String]
             subject: quantity.subject.words(),
             missing: quantity.subject.needs().to_string(),
         };
+    }
+    if let Some((_, why)) = NOT_DECIDED.iter().find(|(other, _)| *other == name) {
+        return Problem::Other(format!("`{name}` is an observable of `simulate` that no question decides: {why}"));
     }
     let full = owner.map_or(name.to_string(), |owner| format!("{owner}.{name}"));
     Problem::unknown("name", &full, known.iter().map(String::as_str))

@@ -79,14 +79,7 @@ impl Question {
     /// # Errors
     /// [`QuestionError`] where the question is wrong there.
     pub fn decide(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<Decided, QuestionError> {
-        let none = || {
-            QuestionError::Whole(Problem::Other(
-                "the question has no section [holds], so that there is nothing to decide; `sweep` tabulates [values]"
-                    .to_string(),
-            ))
-        };
-        let property = self.property.as_ref().ok_or_else(none)?;
-        self.decide_expression(property, bindings, MOST_BOXES, progress)
+        self.decide_expression(self.asked()?, bindings, MOST_BOXES, progress)
     }
 
     /// The quantities of `[values]` for one case, exact or enclosed.
@@ -279,13 +272,7 @@ pub enum Tabulated {
 /// # Errors
 /// [`QuestionError`] where the question is wrong, its family empty or too large.
 pub fn decide(question: &Question, progress: &dyn Progress) -> Result<Answer, QuestionError> {
-    let none = || {
-        QuestionError::Whole(Problem::Other(
-            "the question has no section [holds], so that there is nothing to decide; `sweep` tabulates [values]"
-                .to_string(),
-        ))
-    };
-    let property = question.property.as_ref().ok_or_else(none)?;
+    let property = question.asked()?;
     let outcome = over_family(question, property, progress)?;
     let mut refuted = Vec::new();
     for control in &question.controls {

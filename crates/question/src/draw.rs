@@ -1,7 +1,7 @@
 //! Single members of a family, chosen by someone else: for campaigns, which need no count of all members.
 
 use crate::bindings::{Bindings, Value, simplest_between};
-use crate::error::{Problem, QuestionError};
+use crate::error::QuestionError;
 use crate::question::Question;
 use crate::shrink::{Shrunk, shorter_times};
 use arithmetic::{Progress, rational};
@@ -49,9 +49,7 @@ impl Question {
     /// # Errors
     /// [`QuestionError`] where the question is wrong there, or has no property.
     pub fn instance(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<String, QuestionError> {
-        let none = || QuestionError::Whole(Problem::Other("the question has no property".to_string()));
-        let property = self.property.as_ref().ok_or_else(none)?;
-        let property = shorter_times(self, property, bindings, progress)?;
+        let property = shorter_times(self, self.asked()?, bindings, progress)?;
         self.replay(&Shrunk { bindings: bindings.clone(), property }, progress)
     }
 }

@@ -42,9 +42,6 @@ pub enum QuestionError {
         /// What.
         problem: Problem,
     },
-    /// Something about the file as a whole.
-    #[error("{0}")]
-    Whole(Problem),
     /// It was told to stop.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

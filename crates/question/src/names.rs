@@ -142,6 +142,19 @@ pub const QUANTITIES: &[Quantity] = &[
     moving(Subject::Motion, "potential", &[], "sum of the potentials over the links"),
     moving(Subject::Motion, "kinetic", &[], "half the sum of the squared speeds"),
     moving(Subject::Motion, "energy", &[], "potential + kinetic"),
+    moving(
+        Subject::Motion,
+        "saturated_energy",
+        &[],
+        "kinetic and, of velocity alignment, the potential at the smaller of distance and radius over all pairs; on fixed graphs the energy",
+    ),
+    moving(Subject::Motion, "momentum", &["k"], "k-th number, 1 or 2, of the sum of the velocities"),
+    moving(
+        Subject::Motion,
+        "components",
+        &[],
+        "number of connected parts of the network in force, arcs taken as edges",
+    ),
     moving(Subject::Motion, "disagreement", &[], "sqrt of the sum of the squares of v_i - mean"),
     moving(Subject::Motion, "heading_spread", &[], "largest angle between two headings, of heading alignment"),
     moving(Subject::Motion, "min_distance", &[], "smallest distance of two agents"),
@@ -152,7 +165,15 @@ pub const QUANTITIES: &[Quantity] = &[
         "modulus of p_m, the mean of e^(i m theta)/m over the agents; `order` is `order(1)`",
     ),
     moving(Subject::Motion, "phase_potential", &[], "W_1 of the phases"),
+    moving(Subject::Motion, "orientation_potential", &[], "-K1 W_1, of the orientation control with the gain K1"),
     moving(Subject::Motion, "spacing_potential", &[], "S of the centres of the circles of steered particles"),
+    moving(
+        Subject::Motion,
+        "composite_potential",
+        &[],
+        "K0 S, or (K0/2) sum |c_k - c_0|² with a beacon, plus orientation_potential/omega0²",
+    ),
+    moving(Subject::Motion, "centre_spread", &[], "largest distance of a centre of these circles from their mean"),
     moving(
         Subject::Motion,
         "largest_deviation",
@@ -162,6 +183,13 @@ pub const QUANTITIES: &[Quantity] = &[
     moving(Subject::Motion, "last_deviation", &[], "deviation y_k - y_1 of the last follower from the leader"),
     moving(Subject::Motion, "min_gap", &[], "smallest gap of two successive cars"),
     moving(Subject::Motion, "max_gap", &[], "largest gap of two successive cars"),
+];
+
+/// Observables of `simulate` that no question decides, with the reason.
+pub const NOT_DECIDED: &[(&str, &str)] = &[
+    ("clusters", "an integer with a tolerance in degrees, which jumps where two phases come near each other"),
+    ("pattern_order", "an integer with a tolerance in degrees, which jumps, and which not every state has"),
+    ("mean_neighbours", "only the model with noise has it, whose motion is drawn at random and not enclosed"),
 ];
 
 /// A function of numbers, or a constant.
@@ -324,5 +352,7 @@ fn sections() -> Vec<(String, Vec<(String, &'static str)>)> {
         let rows = own.map(|quantity| (with_arguments(quantity.name, quantity.arguments), quantity.meaning));
         sections.push((format!("Quantities of {}", subject.words()), rows.collect()));
     }
+    let others = NOT_DECIDED.iter().map(|(name, why)| ((*name).to_string(), *why));
+    sections.push(("Observables of `simulate` that no question decides".to_string(), others.collect()));
     sections
 }

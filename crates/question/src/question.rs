@@ -45,6 +45,8 @@ pub struct Question {
     pub(crate) property: Option<Expression>,
     pub(crate) controls: Vec<Expression>,
     values: Vec<(String, Expression)>,
+    /// The byte where `[values]` begins.
+    values_at: usize,
     subjects: Vec<Subject>,
     classes: Classes,
     /// Members of the names that depend on no other.
@@ -142,6 +144,20 @@ impl Question {
     /// Whether there is a property to decide.
     pub fn has_property(&self) -> bool {
         self.property.is_some()
+    }
+
+    /// The property to decide.
+    pub(crate) fn asked(&self) -> Result<&Expression, QuestionError> {
+        self.property.as_ref().ok_or_else(|| {
+            let only_values =
+                "there is no section [holds], so that there is nothing to decide; `sweep` tabulates [values]";
+            self.at(self.values_at, Problem::Other(only_values.to_string()))
+        })
+    }
+
+    /// The inequalities of the property one by one, as texts, under the time operators around them.
+    pub fn inequality_texts(&self) -> Vec<String> {
+        self.property.iter().flat_map(|property| &property.inequalities).map(ToString::to_string).collect()
     }
 
     /// The names of the section `[values]` with their expressions, in order.

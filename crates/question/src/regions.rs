@@ -2,7 +2,7 @@
 
 use crate::bindings::Bindings;
 use crate::division::{Division, halved};
-use crate::error::{Problem, QuestionError};
+use crate::error::QuestionError;
 use crate::question::{Expression, Question};
 use crate::truth::Truth;
 use arithmetic::Progress;
@@ -46,8 +46,7 @@ impl Question {
     /// # Errors
     /// [`QuestionError`] where the question is wrong there, or has no property.
     pub fn regions(&self, member: &Bindings, most: u64, progress: &dyn Progress) -> Result<Vec<Region>, QuestionError> {
-        let none = || QuestionError::Whole(Problem::Other("regions need a property in [holds]".to_string()));
-        let expression = self.property.as_ref().ok_or_else(none)?;
+        let expression = self.asked()?;
         let without_margins = Expression { inequalities: Vec::new(), ..expression.clone() };
         let division = Division { question: self, expression: &without_margins, progress, most };
         let whole = member.boxes();

@@ -49,17 +49,21 @@ impl<'a> Source<'a> {
     }
 
     /// A section, where there is one; other keys at the top are refused.
-    pub fn sections(&self, names: &[&'static str]) -> Result<Vec<Option<Section<'_>>>, QuestionError> {
+    pub fn sections<const N: usize>(
+        &self,
+        names: &[&'static str; N],
+    ) -> Result<[Option<Section<'_>>; N], QuestionError> {
         let top = Section { name: "", source: self.text, at: 0, table: self.table.get_ref() };
         top.allow(names)?;
-        let section = |name: &&'static str| match top.get(name) {
-            None => Ok(None),
-            Some(entry) => match entry.value.get_ref() {
-                DeValue::Table(table) => Ok(Some(Section { name, source: self.text, at: entry.at(), table })),
-                other => Err(entry.problem(Problem::expected("a section", kind(other)))),
-            },
-        };
-        names.iter().map(section).collect()
+        let mut sections = [None; N];
+        for (section, name) in sections.iter_mut().zip(names) {
+            let Some(entry) = top.get(name) else { continue };
+            *section = match entry.value.get_ref() {
+                DeValue::Table(table) => Some(Section { name, source: self.text, at: entry.at(), table }),
+                other => return Err(entry.problem(Problem::expected("a section", kind(other)))),
+            };
+        }
+        Ok(sections)
     }
 }
 
@@ -96,6 +100,11 @@ impl<'a> Section<'a> {
     pub fn need(&self, key: &'static str, expected: &'static str) -> Result<Entry<'a>, QuestionError> {
         let missing = Problem::Missing { section: self.name, key, expected };
         self.get(key).ok_or_else(|| self.problem(missing))
+    }
+
+    /// The byte where it begins.
+    pub fn at(&self) -> usize {
+        self.at
     }
 
     /// A problem of the section as a whole.

@@ -129,6 +129,15 @@ fn refused(error: QuestionError) -> JobError {
     }
 }
 
+/// Lowers the smallest margins of the inequalities, one by one, to those of a case.
+fn lowered(each: &mut [Option<(f64, u64)>], decided: &Decided, case: u64) {
+    for (least, own) in each.iter_mut().zip(&decided.inequalities) {
+        if own.hi.is_finite() && least.is_none_or(|(least, _)| own.hi < least) {
+            *least = Some((own.hi, case));
+        }
+    }
+}
+
 impl Campaign for Attack {
     fn canonical(&self) -> String {
         let question = self.question.canonical();
@@ -147,6 +156,8 @@ impl Campaign for Attack {
         let (mut undecided, mut why, mut failed, mut failures) = (0u64, None, 0u64, Vec::new());
         let mut worst: Option<(f64, u64, Vec<u64>)> = None;
         let mut controls = vec![false; self.question.control_count()];
+        let texts = self.question.inequality_texts();
+        let mut each: Vec<Option<(f64, u64)>> = vec![None; texts.len()];
         for case in first..first + cases {
             progress.checkpoint()?;
             let mut draws = Draws::random(VERSION, &stream, case);
@@ -154,6 +165,7 @@ impl Campaign for Attack {
             for (control, is_refuted) in controls.iter_mut().enumerate().filter(|(_, is_refuted)| !**is_refuted) {
                 *is_refuted = self.question.refutes(control, &member, progress).map_err(refused)?;
             }
+            lowered(&mut each, &decided, case);
             let margin = decided.margin.hi;
             if margin.is_finite() && worst.as_ref().is_none_or(|(least, ..)| margin < *least) {
                 worst = Some((margin, case, draws.taken().to_vec()));
@@ -178,15 +190,23 @@ impl Campaign for Attack {
             let (worse, least) = self.worsened(taken, *margin, progress);
             progress.checkpoint()?;
             *margin = least;
-            if self.margin(&worse, progress).is_some_and(|(_, fails)| fails) {
-                failed += 1;
-                failures.push(self.failure(*case, &worse, progress)?);
+            if let Found::Member(_, decided) = self.found(&mut Draws::given(&worse), progress).map_err(refused)? {
+                lowered(&mut each, &decided, *case);
+                if decided.truth == Truth::False {
+                    failed += 1;
+                    failures.push(self.failure(*case, &worse, progress)?);
+                }
             }
         }
         let margin = worst.map(|(value, case, _)| json!({"value": format!("~{value:?}"), "case": case}));
+        let own = |(text, least): (&String, &Option<(f64, u64)>)| {
+            let margin = least.map(|(value, case)| json!({"value": format!("~{value:?}"), "case": case}));
+            json!({"inequality": text, "margin": margin})
+        };
+        let inequalities: Vec<Value> = texts.iter().zip(&each).map(own).collect();
         Ok(json!({
             "invariant": self.id(), "first": first, "cases": cases, "undecided": undecided, "why": why,
-            "margin": margin, "failed": failed, "failures": failures, "controls": controls
+            "margin": margin, "inequalities": inequalities, "failed": failed, "failures": failures, "controls": controls
         }))
     }
 }

@@ -31,6 +31,19 @@ pub struct Smallest {
     pub case: u64,
 }
 
+impl Smallest {
+    /// Lowers the smallest margin so far to that of a row, where it has one; the first case with it stays.
+    fn lower(least: &mut Option<Smallest>, margin: &Value) -> Option<()> {
+        if !margin.is_null() {
+            let value: f64 = margin["value"].as_str()?.strip_prefix('~')?.parse().ok()?;
+            if least.is_none_or(|least| value < least.value) {
+                *least = Some(Smallest { value, case: margin["case"].as_u64()? });
+            }
+        }
+        Some(())
+    }
+}
+
 /// What was found about one invariant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InvariantSummary {
@@ -44,6 +57,8 @@ pub struct InvariantSummary {
     pub why: Option<String>,
     /// The smallest margin, where it is an inequality.
     pub margin: Option<Smallest>,
+    /// The same of each inequality of a question by itself; empty for the invariants.
+    pub inequalities: Vec<(String, Option<Smallest>)>,
     /// Cases that fail.
     pub failed: u64,
     /// The first of them.
@@ -85,6 +100,7 @@ impl Summary {
                 undecided: 0,
                 why: None,
                 margin: None,
+                inequalities: Vec::new(),
                 failed: 0,
                 failures: Vec::new(),
                 controls: Vec::new(),
@@ -115,12 +131,19 @@ impl Summary {
     /// `{"schema": "flockproof.fuzz/1", "version", "seed", "cases", "failed", "undecided", "invariants": [..]}`.
     pub fn to_json(&self) -> Value {
         let failure = |failed: &Failed| json!({"case": failed.case, "draws": failed.draws, "why": failed.why, "instance": failed.instance});
+        let smallest =
+            |margin: Option<Smallest>| margin.map(|m| json!({"value": format!("~{:?}", m.value), "case": m.case}));
         let invariant = |own: &InvariantSummary| {
             let mut value = json!({
                 "id": own.id, "cases": own.cases, "undecided": own.undecided, "why": own.why,
-                "margin": own.margin.map(|m| json!({"value": format!("~{:?}", m.value), "case": m.case})),
+                "margin": smallest(own.margin),
                 "failed": own.failed, "failures": own.failures.iter().map(failure).collect::<Vec<_>>()
             });
+            if !own.inequalities.is_empty() {
+                let each = own.inequalities.iter();
+                let each = each.map(|(text, margin)| json!({"inequality": text, "margin": smallest(*margin)}));
+                value["inequalities"] = each.collect();
+            }
             if !own.controls.is_empty() {
                 value["controls"] = json!({"refuted": own.refuted(), "total": own.controls.len()});
             }
@@ -155,11 +178,17 @@ impl InvariantSummary {
             }
             self.controls[k] |= refuted.as_bool()?;
         }
-        if !row["margin"].is_null() {
-            let value: f64 = row["margin"]["value"].as_str()?.strip_prefix('~')?.parse().ok()?;
-            if self.margin.is_none_or(|least| value < least.value) {
-                self.margin = Some(Smallest { value, case: row["margin"]["case"].as_u64()? });
+        Smallest::lower(&mut self.margin, &row["margin"])?;
+        for (k, own) in row["inequalities"].as_array().into_iter().flatten().enumerate() {
+            let text = own["inequality"].as_str()?;
+            if self.inequalities.len() <= k {
+                self.inequalities.push((text.to_string(), None));
             }
+            let (known, least) = self.inequalities.get_mut(k)?;
+            if known != text {
+                return None;
+            }
+            Smallest::lower(least, &own["margin"])?;
         }
         for failure in row["failures"].as_array()? {
             let draws: Vec<u64> = failure["draws"].as_array()?.iter().map(Value::as_u64).collect::<Option<_>>()?;

@@ -47,6 +47,26 @@ fn the_worst_case_is_made_worse() {
 }
 
 #[test]
+fn every_inequality_of_a_question_has_its_smallest_margin() {
+    let question = stated("x = \"0..100\"\ny = \"0..3\"", "x + 2 > 0 and (y < 5 or x < 7)", "x > 5");
+    let attack = Attack::new(question, 130, "0").unwrap();
+    let found = summary(&attack);
+    let each: Vec<(&str, f64)> = found.invariants[0]
+        .inequalities
+        .iter()
+        .map(|(text, own)| (text.as_str(), own.expect("a margin").value))
+        .collect();
+    let [(first, two), (second, five), (third, seven)] = each[..] else { panic!("{each:?}") };
+    assert_eq!([first, second, third], ["x + 2 > 0", "y < 5", "x < 7"]);
+    // Steps along the margin of the whole reach it where it is least, at x = 0 and y = 3.
+    assert_eq!((two, five), (2.0, 2.0));
+    // No case has a smaller one than that of the largest x.
+    assert!((-93.0..0.0).contains(&seven), "{seven}");
+    let json = found.to_json();
+    assert_eq!(json["invariants"][0]["inequalities"][1]["margin"]["value"], "~2.0");
+}
+
+#[test]
 fn a_counterexample_is_a_question_of_its_own() {
     let question = stated("n = \"2..6\"\ngraph = \"connected(n)\"\nx = \"[0, 3]\"", "lambda(2) > x", "lambda(2) > 5");
     let found = summary(&Attack::new(question, 50, "0").unwrap());

@@ -2,7 +2,7 @@
 
 use super::check::Check;
 use super::{BUDGET, Expression, Files, Question};
-use crate::error::{Problem, QuestionError};
+use crate::error::{Place, Problem, QuestionError};
 use crate::family::{Bound, Classes, Domain, read_domain};
 use crate::inequalities::inequalities;
 use crate::names::FUNCTIONS;
@@ -27,10 +27,12 @@ impl Question {
     pub fn read(text: &str, files: Files) -> Result<Self, QuestionError> {
         let source = Source::parse(text)?;
         let sections = source.sections(&SECTIONS)?;
-        let [head, family, holds, values] = &sections[..] else {
-            return Err(QuestionError::Whole(Problem::Other("the sections could not be read".to_string())));
-        };
-        let mut question = Question::headed(text, head.as_ref(), files)?;
+        let [head, family, holds, values] = &sections;
+        let head = head.as_ref().ok_or_else(|| {
+            let missing = "the section [question] is missing; it needs an `id`".to_string();
+            QuestionError::At { place: Place::of(text, 0), problem: Problem::Other(missing) }
+        })?;
+        let mut question = Question::headed(text, head, files)?;
         if let Some(family) = family {
             question.read_family(family, files)?;
         }
@@ -44,14 +46,12 @@ impl Question {
         }
         if question.property.is_none() && question.values.is_empty() {
             let needed = "a question has a section [holds] with a property, or a section [values]";
-            return Err(QuestionError::Whole(Problem::Other(needed.to_string())));
+            return Err(head.problem(Problem::Other(needed.to_string())));
         }
         Ok(question)
     }
 
-    fn headed(text: &str, head: Option<&Section>, files: Files) -> Result<Self, QuestionError> {
-        let missing = || Problem::Other("the section [question] is missing; it needs an `id`".to_string());
-        let head = head.ok_or_else(|| QuestionError::Whole(missing()))?;
+    fn headed(text: &str, head: &Section, files: Files) -> Result<Self, QuestionError> {
         head.allow(&["id", "statement", "scenario", "kind", "communication", "budget"])?;
         let id = head.need("id", "a name such as \"mine.connectivity\"")?;
         let id_text = id.text()?.text;
@@ -102,6 +102,7 @@ impl Question {
             property: None,
             controls: Vec::new(),
             values: Vec::new(),
+            values_at: 0,
             subjects: Vec::new(),
             classes: Classes::default(),
             alone: Vec::new(),
@@ -198,6 +199,7 @@ impl Question {
     }
 
     fn read_values(&mut self, section: &Section) -> Result<(), QuestionError> {
+        self.values_at = section.at();
         for entry in section.entries() {
             let expression = self.expression(&entry, false)?;
             self.values.push((entry.key, expression));

@@ -3,6 +3,7 @@
 
 mod at;
 mod laws;
+mod links;
 mod modes;
 
 use crate::error::Problem;

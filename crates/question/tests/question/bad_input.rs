@@ -69,6 +69,14 @@ fn controls_that_are_missing() {
 }
 
 #[test]
+fn sections_that_are_missing() {
+    refused("", "line 1, column 1: ", "[question] is missing");
+    refused("[holds]\nproperty = \"1 > 0\"\ncontrols = [\"1 < 0\"]", "line 1, column 1: ", "[question] is missing");
+    refused("\n[question]\nid = \"x\"\n[for]\nn = 1", "line 2, column 1: ", "[holds]");
+    refused("[question]\nid = \"x\"\n[for]\nn = 1\n[values]\ntwice = \"2*n\"", "line 5, column 1: ", "`sweep`");
+}
+
+#[test]
 fn what_would_exhaust_the_program() {
     let deep = |open: &str, close: &str| format!("{}1{} > 0", open.repeat(1000), close.repeat(1000));
     refused(&asked("n = 1", &deep("(", ")"), "1 < 0"), "line 6", "nested");

@@ -146,6 +146,67 @@ fn heading_alignment_is_enclosed() {
     assert!(open.verdict == Verdict::Undecided && open.why.contains("do not switch"), "{}", open.why);
 }
 
+/// Two agents that are linked up to the distance 5/4, which they pass at t = log(2)/2.
+const PARTING: &str = "model = \"velocity-alignment\"\n[graph]\nkind = \"within\"\nradius = \"5/4\"\n[state]\n\
+    positions = [[0, 0], [1, 0]]\nvelocities = [[0, 0], [1, 0]]\n[law]\npotential = \"none\"\n[run]\nuntil = 1\n";
+
+#[test]
+fn observables_of_runs_lie_in_their_enclosures() {
+    let shared = ["momentum(1)", "momentum(2)", "components"];
+    let agents = [shared.as_slice(), &["energy", "saturated_energy"]].concat();
+    let particles =
+        [shared.as_slice(), &["centre_spread", "orientation_potential", "spacing_potential", "composite_potential"]]
+            .concat();
+    let repelling = PARTING.replace("\"none\"", "\"inverse-square-log\"");
+    let fixed = repelling.replace("\"within\"\nradius = \"5/4\"", "\"complete\"");
+    let drifting = twelve().replace("K0 =", "drift = [\"1/3\", \"-1/7\"]\nK0 =");
+    let circling = twelve().replace("K0 =", "beacon = [\"1/3\", 1]\nK0 =");
+    let runs: [(&str, &[&str]); 8] = [
+        (PARTING, &agents),
+        (&repelling, &agents),
+        (&fixed, &agents),
+        (TURNING, &shared),
+        (&twelve(), &particles),
+        (&drifting, &particles),
+        (&circling, &particles),
+        (&platoon(3), &["components"]),
+    ];
+    for (text, names) in runs {
+        let rows = scenario::Scenario::read(text).expect("a scenario").run(&Unwatched).rows;
+        let row = rows.last().expect("a row");
+        let columns: Vec<(String, f64)> = row.observables.iter().flat_map(|observable| observable.columns()).collect();
+        let near = names.iter().map(|name| {
+            let column = name.replace('(', "_").replace(')', "");
+            let (_, value) = columns.iter().find(|(own, _)| *own == column).expect("it is observed");
+            format!("abs({name} - ({value:.12})) < 10^(-6)")
+        });
+        let property = format!("always[{0}, {0}]({1})", row.time, near.collect::<Vec<_>>().join(" and "));
+        assert_eq!(verdict(text, &property), Verdict::Holds, "{property} of {text}");
+    }
+}
+
+#[test]
+fn links_that_change_are_counted_where_they_are_known() {
+    assert_eq!(verdict(PARTING, "always[0, 1/3](components = 1) and always[2/5, 1](components = 2)"), Verdict::Holds);
+    assert_eq!(verdict(PARTING, "always[0, 1](components >= 1 and components <= 2)"), Verdict::Holds);
+    assert_eq!(verdict(PARTING, "always[0, 1](components = 1)"), Verdict::False);
+    // Q does not rise where a link breaks; its energy is not known at that moment.
+    let repelling = PARTING.replace("\"none\"", "\"inverse-square-log\"");
+    let falls = "always[0, 1](saturated_energy < initial(saturated_energy) + 1/100)";
+    let answer = answered(&repelling, "n = 1", falls, "always[0, 1](saturated_energy > initial(saturated_energy))");
+    assert_eq!(answer.verdict, Verdict::Holds, "{}", answer.why);
+}
+
+#[test]
+fn observables_that_are_not_decided_say_why() {
+    for name in ["clusters", "pattern_order", "mean_neighbours"] {
+        let message = refusal_with(&asked("n = 1", &format!("always[0, 1]({name} > 0)"), "1 < 0"), &twelve());
+        assert!(message.starts_with("line 7, column 26: ") && message.contains("no question decides"), "{message}");
+    }
+    let message = refusal_with(&asked("n = 1", "always[0, 1](momentum(3) > 0)", "1 < 0"), APART);
+    assert!(message.starts_with("line 7, column 26: ") && message.contains("1 or 2"), "{message}");
+}
+
 #[test]
 fn platoons_on_a_line_are_decided_on_the_sum_over_modes() {
     // Far more cars and far longer than steps could follow.

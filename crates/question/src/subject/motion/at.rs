@@ -6,12 +6,14 @@ use crate::error::Problem;
 use crate::evaluate::{Failure, Measured, Moment};
 use crate::names::Quantity;
 use crate::number::Number;
-use arithmetic::{ArithmeticError, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, rational};
+use arithmetic::{ArithmeticError, Complex, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, rational};
 use models::double_integrator::{Coordinates, Pair, Potential, State, kinetic_energy, potential_energy};
-use models::oscillator::{self, Neighbours, moment, phase_potential, spacing_potential};
+use models::oscillator::{
+    self, Neighbours, beacon_potential, circle_centres, moment, phase_potential, spacing_potential,
+};
 use motion::validated::{IntervalVector, Step};
 use num_traits::ToPrimitive;
-use scenario::ExactMotion;
+use scenario::{ExactMotion, ExactSpacing};
 use std::rc::Rc;
 
 /// The states at all times of a piece.
@@ -33,7 +35,7 @@ impl At<'_> {
     }
 
     /// The square of the distance of two vectors of `dimension` coordinates whose first ones begin at `offset`.
-    fn square(&self, i: usize, j: usize, dimension: usize, offset: usize) -> FloatInterval {
+    pub(super) fn square(&self, i: usize, j: usize, dimension: usize, offset: usize) -> FloatInterval {
         let part = |k: usize| self.difference(offset + dimension * i + k, offset + dimension * j + k).square();
         (0..dimension).map(part).fold(FloatInterval::point(0.0), |sum, x| sum + x)
     }
@@ -115,7 +117,7 @@ impl At<'_> {
         all
     }
 
-    fn energies(&self, name: &str, potential: &Potential) -> Result<Interval, Failure> {
+    fn energies(&self, name: &str, potential: &Potential, radius: Option<&Rational>) -> Result<Interval, Failure> {
         let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
         let agents = self.agent_count().0;
         let state = numbers.get(..4 * agents).and_then(|list| State::from_list(agents, list));
@@ -123,6 +125,18 @@ impl At<'_> {
         let kinetic = || kinetic_energy(&state.velocities, Coordinates::Cartesian).map_err(unmeasured);
         if name == "kinetic" {
             return kinetic();
+        }
+        if name == "saturated_energy"
+            && let Some(radius) = radius
+        {
+            // V at the smaller of distance and radius has no jump where a link changes, so that the links need not be known.
+            let square = kinetic()?.rational(&(radius * radius));
+            let all: Vec<Pair> = (0..agents).flat_map(|j| (0..j).map(move |i| (i, j))).collect();
+            let value = |_: usize, _: usize, s: &Interval| {
+                potential.value(&extreme(&[s.clone(), square.clone()], false).unwrap_or_else(|| square.clone()))
+            };
+            let own = potential_energy(&state.positions, &all, Coordinates::Cartesian, value).map_err(unmeasured)?;
+            return Ok(own + kinetic()?);
         }
         let Some(pairs) = &self.pairs else { return Err(Failure::open("the links change at that time", None)) };
         let value = |_: usize, _: usize, s: &Interval| potential.value(s);
@@ -144,13 +158,47 @@ impl At<'_> {
         extreme(&sizes, true).ok_or_else(|| Failure::open("one agent has no heading different from others", None))
     }
 
-    fn of_phases(&self, name: &str, network: &Neighbours, arguments: &[Number]) -> Result<Interval, Failure> {
+    /// One of the two numbers of the sum of the velocities.
+    fn momentum(&self, arguments: &[Number]) -> Result<Interval, Failure> {
+        let range = || Problem::Range {
+            what: "the index of `momentum`".to_string(),
+            expected: "1 or 2".to_string(),
+            found: arguments.first().map_or(String::new(), Number::text),
+        };
+        let index = arguments.first().and_then(Number::as_integer).and_then(|k| k.to_usize());
+        let axis = index.filter(|k| (1..=2).contains(k)).ok_or_else(|| Failure::Refused(0, range()))? - 1;
+        let agents = self.agent_count().0;
+        let zero = Interval::from_rational(&rational(0, 1), BITS);
+        // Velocities, or the phasors to which the drift is added, follow the places.
+        let own = (0..agents).map(|k| widened(&self.state[2 * (agents + k) + axis]));
+        let sum = own.fold(zero, |sum, v| sum + v);
+        Ok(match self.motion {
+            ExactMotion::Particles { drift, .. } => {
+                let drifts = sum.rational(&(&drift[axis] * rational(agents as i64, 1)));
+                sum + drifts
+            }
+            _ => sum,
+        })
+    }
+
+    /// Of particles the second half of the state, the first being places.
+    fn phasors(&self) -> Vec<Complex<Interval>> {
         let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
-        // Of particles the first half are places.
-        let phasors = match self.motion {
+        match self.motion {
             ExactMotion::Particles { .. } => phasors_of(&numbers[numbers.len() / 2..]),
             _ => phasors_of(&numbers),
-        };
+        }
+    }
+
+    /// What the control (14) with the gain `K_1` lowers.
+    fn orientation_potential(&self, gain: &Rational, network: &Neighbours) -> Result<Interval, Failure> {
+        let phase = phase_potential(network, &self.phasors(), 1).map_err(unmeasured)?;
+        let gain = phase.rational(gain);
+        Ok(-(phase * gain))
+    }
+
+    fn of_phases(&self, name: &str, network: &Neighbours, arguments: &[Number]) -> Result<Interval, Failure> {
+        let phasors = self.phasors();
         if name == "phase_potential" {
             return phase_potential(network, &phasors, 1).map_err(unmeasured);
         }
@@ -169,13 +217,47 @@ impl At<'_> {
         moment(&phasors, order).and_then(|p| p.norm_squared().sqrt()).map_err(unmeasured)
     }
 
-    /// (17), of the centres of the circles.
-    fn spacing_potential(&self, frequency: &Rational, network: &Neighbours) -> Result<Interval, Failure> {
+    /// What the spacing control and the orientation control lower together.
+    fn composite_potential(&self) -> Result<Interval, Failure> {
+        let ExactMotion::Particles { frequency, gain, spacing, network, .. } = self.motion else {
+            return Err(Failure::open("it is no motion of particles", None));
+        };
+        let omega = Interval::from_rational(frequency, BITS);
+        let orientation = self.orientation_potential(gain, network)?.over(&omega.square()).map_err(unmeasured)?;
+        Ok(match spacing {
+            ExactSpacing::None => orientation,
+            ExactSpacing::Circle(strength) => {
+                orientation + self.of_centres("spacing_potential", frequency, network)? * omega.rational(strength)
+            }
+            ExactSpacing::Beacon(strength, place) => {
+                let state = self.particles();
+                let beacon = Complex::new(omega.rational(&place[0]), omega.rational(&place[1]));
+                let share = beacon_potential(&omega, &beacon, &state).map_err(unmeasured)?;
+                orientation + share * omega.rational(&(strength * rational(state.phasors.len() as i64, 1)))
+            }
+        })
+    }
+
+    /// Positions and phasors.
+    fn particles(&self) -> oscillator::State<Interval> {
         let numbers: Vec<Interval> = self.state.iter().map(widened).collect();
         let mut positions = phasors_of(&numbers);
         let phasors = positions.split_off(positions.len() / 2);
+        oscillator::State { positions, phasors }
+    }
+
+    /// Of the centres of the circles: (17), or their largest distance from their mean.
+    fn of_centres(&self, name: &str, frequency: &Rational, network: &Neighbours) -> Result<Interval, Failure> {
+        let state = self.particles();
         let omega = Interval::from_rational(frequency, BITS);
-        spacing_potential(&omega, network, &oscillator::State { positions, phasors }).map_err(unmeasured)
+        if name == "spacing_potential" {
+            return spacing_potential(&omega, network, &state).map_err(unmeasured);
+        }
+        let centres = circle_centres(&omega, &state).map_err(unmeasured)?;
+        let middle = oscillator::mean(&centres).map_err(unmeasured)?;
+        let squares: Vec<Interval> = centres.into_iter().map(|c| (c - &middle).norm_squared()).collect();
+        let most = extreme(&squares, true).ok_or_else(|| Failure::open("there are no particles", None))?;
+        most.sqrt().map_err(unmeasured)
     }
 
     fn of_platoon(&self, name: &str, spacing: &Rational) -> Option<Interval> {
@@ -222,6 +304,12 @@ impl Moment for At<'_> {
             let why = format!("`{name}` is no observable of this model");
             Failure::Refused(0, Problem::Other(why))
         };
+        if name == "components" {
+            let counts = self.components().ok_or_else(not_here)?;
+            let [least, most] = counts.map(|count| Number::integer(count as i64));
+            let hull = |a: &Number, b: &Number| Number::interval(a.enclosure(BITS).hull(&b.enclosure(BITS)));
+            return Ok(Measured::Number(if counts[0] == counts[1] { least } else { hull(&least, &most) }));
+        }
         let found = match (self.motion, name) {
             (ExactMotion::Phases { .. } | ExactMotion::Other(_), "min_distance") => return Err(not_here()),
             (_, "min_distance") => self.min_distance(),
@@ -229,15 +317,23 @@ impl Moment for At<'_> {
             (ExactMotion::Velocities { positions, headings: Some(_), .. }, "heading_spread") => {
                 self.heading_spread(positions.len())
             }
-            (ExactMotion::Velocities { potential, .. }, "potential" | "kinetic" | "energy") => {
-                self.energies(name, potential)
-            }
+            (ExactMotion::Velocities { headings: Some(_), .. }, "saturated_energy") => return Err(not_here()),
+            (
+                ExactMotion::Velocities { potential, radius, .. },
+                "potential" | "kinetic" | "energy" | "saturated_energy",
+            ) => self.energies(name, potential, radius.as_ref()),
+            (ExactMotion::Velocities { .. } | ExactMotion::Particles { .. }, "momentum") => self.momentum(arguments),
+            (
+                ExactMotion::Phases { gain, network, .. } | ExactMotion::Particles { gain, network, .. },
+                "orientation_potential",
+            ) => self.orientation_potential(gain, network),
             (
                 ExactMotion::Phases { network, .. } | ExactMotion::Particles { network, .. },
                 "order" | "phase_potential",
             ) => self.of_phases(name, network, arguments),
-            (ExactMotion::Particles { frequency, network, .. }, "spacing_potential") => {
-                self.spacing_potential(frequency, network)
+            (ExactMotion::Particles { .. }, "composite_potential") => self.composite_potential(),
+            (ExactMotion::Particles { frequency, network, .. }, "spacing_potential" | "centre_spread") => {
+                self.of_centres(name, frequency, network)
             }
             (ExactMotion::Platoon { spacing, .. }, "min_gap" | "max_gap" | "largest_deviation" | "last_deviation") => {
                 self.of_platoon(name, spacing).ok_or_else(not_here)
