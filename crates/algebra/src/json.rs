@@ -75,7 +75,7 @@ impl<'de> Visitor<'de> for Builder {
             }
             let Unique(value) = items.next_value()?;
             if object.insert(key.clone(), value).is_some() {
-                return Err(A::Error::custom(format!("the key `{key}` is there twice")));
+                return Err(A::Error::custom(format!("the key `{}` is there twice", arithmetic::shown(&key))));
             }
         }
         Ok(Value::Object(object))

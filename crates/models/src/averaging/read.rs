@@ -11,7 +11,7 @@ use super::{
     Flock, FlockError, Hysteresis, KinematicFlock, KinematicStart, Start, Weights, check_control, check_kappa,
 };
 use algebra::matrix::{MatrixError, RationalMatrix};
-use arithmetic::{Complex, NumberError, Rational, parse_rational};
+use arithmetic::{Complex, NumberError, Rational, parse_rational, shown};
 use num_traits::Signed;
 use serde_json::{Map, Value};
 
@@ -56,7 +56,7 @@ pub enum ReadFlockError {
     #[error("the field `{0}` is missing")]
     Missing(&'static str),
     /// A field that is not known.
-    #[error("there is no field `{0}`")]
+    #[error("there is no field `{}`", shown(.0))]
     Unknown(String),
     /// A field of the other model.
     #[error("model {model} has no field `{field}`: {why}")]
@@ -85,7 +85,7 @@ pub enum ReadFlockError {
         error: NumberError,
     },
     /// Two birds with the same id.
-    #[error("the id `{0}` is given to two birds")]
+    #[error("the id `{}` is given to two birds", shown(.0))]
     CoincidentIds(String),
     /// Not as many ids as birds.
     #[error("there are {birds} birds but {ids} ids")]
