@@ -69,15 +69,14 @@ proptest! {
         let turned = Footprint::from_fn(n, n, |i, j| footprint.get(j, i));
         let either = Footprint::from_fn(n, n, |i, j| footprint.get(i, j) || footprint.get(j, i));
         prop_assert_eq!(footprint.or(&turned), either);
-        let mut heard = vec![vec![false; n]; n];
-        for root in 0..n {
-            heard[root][root] = true;
+        let heard_by = |root: usize| {
+            let mut by = vec![false; n];
+            by[root] = true;
             for _ in 0..n {
-                for i in 0..n {
-                    heard[root][i] |= (0..n).any(|j| footprint.get(i, j) && heard[root][j]);
-                }
+                by = (0..n).map(|i| by[i] || (0..n).any(|j| footprint.get(i, j) && by[j])).collect();
             }
-        }
-        prop_assert_eq!(footprint.is_rooted(), heard.iter().any(|by| by.iter().all(|x| *x)));
+            by
+        };
+        prop_assert_eq!(footprint.is_rooted(), (0..n).any(|root| heard_by(root).iter().all(|x| *x)));
     }
 }

@@ -1,7 +1,7 @@
 //! Responses, modes and neighbourhoods against the equations themselves.
 
 use algebra::matrix::solve_over_field;
-use arithmetic::{Complex, Interval, Rational, rational};
+use arithmetic::{Complex, Interval, Rational, Ring, Series, rational};
 use models::platoon::modes::Mode;
 use models::platoon::{CommunicationGraph, Gains, Neighbourhood, amplitude_with_first_car};
 
@@ -111,5 +111,23 @@ fn communication_graphs_are_connected_whichever_way_they_track() {
     ] {
         let graph = graph(&tracked);
         assert_eq!((graph.is_connected(), graph.reached_by_leader()), (connected, reached), "{tracked:?}");
+    }
+}
+
+/// `gamma² - 1 = -2 (w²/|f|) E²` to the order asked for, and `gamma = 1 - w²/(|f| + i w |g|)`.
+#[test]
+fn the_expansion_of_theorem_1_fulfils_its_equation_to_every_order() {
+    for (r, g) in [(rational(2, 3), rational(5, 7)), (rational(3, 1), rational(1, 9))] {
+        let order = 9;
+        let [gamma, e] = models::platoon::theorem1::expansion(&r, &g, order).expect("a unit");
+        let constant = |x: Rational| Series::constant(Complex::real(x), order);
+        let w = Series::variable(Complex::real(rational(1, 1)), order);
+        let size = &r * &r;
+        let two = Complex::real(rational(2, 1) / &size);
+        let left = gamma.square() - constant(rational(1, 1)) + (w.square() * e.square()).scale(&two);
+        assert!(left.coefficients().iter().all(|c| *c == Complex::real(rational(0, 1))), "{left:?}");
+        let denominator = constant(size) + Series::variable(Complex::new(rational(0, 1), g), order);
+        let right = w.square() - (constant(rational(1, 1)) - &gamma) * &denominator;
+        assert!(right.coefficients().iter().all(|c| *c == Complex::real(rational(0, 1))), "{right:?}");
     }
 }
