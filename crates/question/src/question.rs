@@ -155,6 +155,11 @@ impl Question {
         })
     }
 
+    /// Where `[values]` begins; the start of the file where there is none.
+    pub fn values_place(&self) -> Place {
+        Place::of(&self.text, self.values_at)
+    }
+
     /// The inequalities of the property one by one, as texts, under the time operators around them.
     pub fn inequality_texts(&self) -> Vec<String> {
         self.property.iter().flat_map(|property| &property.inequalities).map(ToString::to_string).collect()

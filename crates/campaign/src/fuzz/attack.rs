@@ -43,7 +43,7 @@ impl Attack {
             return Err(FuzzError::Cases(cases));
         }
         if !question.has_property() {
-            return Err(FuzzError::NoProperty);
+            return Err(FuzzError::NoProperty(question.values_place()));
         }
         Ok(Attack { question, cases, seed: seed.to_string() })
     }

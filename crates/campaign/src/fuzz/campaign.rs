@@ -26,8 +26,8 @@ pub enum FuzzError {
     #[error("the number of cases should be from 1 to 2^50, not {0}")]
     Cases(u64),
     /// A question that only tabulates.
-    #[error("the question has no property to attack, only values")]
-    NoProperty,
+    #[error("{0}: the question has no property to attack, only values")]
+    NoProperty(question::Place),
     /// A text that is not the canonical text of such a campaign.
     #[error("it is not a campaign over built-in invariants")]
     NoFuzz,

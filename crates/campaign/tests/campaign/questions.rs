@@ -89,7 +89,8 @@ fn members_without_values_are_passed_over() {
 #[test]
 fn what_cannot_be_attacked_is_refused() {
     let values = || read("[question]\nid = \"a\"\n[for]\nn = \"1..3\"\n[values]\nsquare = \"n^2\"\n");
-    assert!(matches!(Attack::new(values(), 10, "0"), Err(FuzzError::NoProperty)));
+    let refused = Attack::new(values(), 10, "0").err().expect("only values").to_string();
+    assert!(refused.starts_with("line 5, column 1: ") && refused.contains("no property to attack"), "{refused}");
     let question = stated("n = \"1..3\"", "n > 0", "n > 1");
     assert!(matches!(Attack::new(question, 0, "0"), Err(FuzzError::Cases(0))));
 }
