@@ -296,18 +296,14 @@ class Enclosure:
         return self
 
     def __abs__(self) -> Enclosure:
-        ends = [abs(self.lo), abs(self.hi)]
-        return self._joined(0, lambda lo, hi: [*ends, Fraction(0)] if self.lo < 0 < self.hi else ends)
+        return self._joined(0, lambda lo, hi: size_ends(self.lo, self.hi))
 
     def __pow__(self, exponent: int) -> Enclosure:
         if not isinstance(exponent, (int, np.integer)):
             return NotImplemented
         if exponent < 0:
             return 1 / self ** (-exponent)
-        ends = [self.lo**exponent, self.hi**exponent]
-        if exponent % 2 == 0 and exponent > 0 and self.lo < 0 < self.hi:
-            ends.append(Fraction(0))
-        return self._joined(0, lambda lo, hi: ends)
+        return self._joined(0, lambda lo, hi: power_ends(self.lo, self.hi, exponent))
 
     def __bool__(self) -> bool:
         if self.lo == self.hi == 0:
@@ -378,6 +374,17 @@ def _quotients(top: tuple[Fraction, Fraction], bottom: tuple[Fraction, Fraction]
     if bottom[0] <= 0 <= bottom[1]:
         raise ZeroDivisionError("division by zero (or by an interval that contains zero)")
     return [x / y for x in top for y in bottom]
+
+
+def size_ends(lo: Fraction, hi: Fraction) -> list[Fraction]:
+    """Numbers whose hull is that of the absolute values from ``lo`` to ``hi``."""
+    return [abs(lo), abs(hi), *([Fraction(0)] if lo < 0 < hi else [])]
+
+
+def power_ends(lo: Fraction, hi: Fraction, exponent: int) -> list[Fraction]:
+    """Numbers whose hull is that of the powers of the numbers from ``lo`` to ``hi``; the exponent is not negative."""
+    is_even = exponent > 0 and exponent % 2 == 0
+    return [lo**exponent, hi**exponent, *([Fraction(0)] if is_even and lo < 0 < hi else [])]
 
 
 #: Python converts no longer integers from and to texts at once.

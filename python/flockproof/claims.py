@@ -42,7 +42,17 @@ import numpy as np
 
 from . import _native
 from ._ledger import Entry, Ledger, Text
-from ._numbers import Enclosure, Number, Undecided, float_seen, floats_seen, fraction_text, why_not_exact
+from ._numbers import (
+    Enclosure,
+    Number,
+    Undecided,
+    float_seen,
+    floats_seen,
+    fraction_text,
+    power_ends,
+    size_ends,
+    why_not_exact,
+)
 
 __all__ = ["Claimed", "Exact", "Outcome", "Run", "Truth", "claim", "every", "some", "verify"]
 
@@ -238,18 +248,14 @@ class Exact:
         return self
 
     def __abs__(self) -> Exact:
-        ends = [abs(self.lo), abs(self.hi)]
-        return Exact._between([*ends, Fraction(0)] if self.lo < 0 < self.hi else ends, self.doubt)
+        return Exact._between(size_ends(self.lo, self.hi), self.doubt)
 
     def __pow__(self, exponent: int) -> Exact:
         if not isinstance(exponent, (int, np.integer)):
             return NotImplemented
         if exponent < 0:
             return 1 / self ** (-exponent)
-        ends = [self.lo**exponent, self.hi**exponent]
-        if exponent % 2 == 0 and self.lo < 0 < self.hi:
-            ends.append(Fraction(0))
-        return Exact._between(ends, self.doubt)
+        return Exact._between(power_ends(self.lo, self.hi, exponent), self.doubt)
 
     def _compared(self, other: Any, word: str, answer: Callable[[Exact], bool | None]) -> Truth:
         if not isinstance(other, Exact):
