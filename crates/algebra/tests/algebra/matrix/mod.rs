@@ -5,8 +5,8 @@ mod stabiliser;
 use algebra::matrix::floating::{eigenvalues, row_diameter, to_floats};
 use algebra::matrix::read::{ReadError, read_sequence};
 use algebra::matrix::{
-    Footprint, MatrixError, RationalMatrix, StochasticMatrix, prefix_products, product_sequential, product_tree,
-    stabilisers, tau_1, tau_2_squared, tau_infinity,
+    Footprint, MatrixError, Norm, RationalMatrix, StochasticMatrix, diameter, prefix_products, product_sequential,
+    product_tree, stabilisers, tau_1, tau_2_squared, tau_infinity,
 };
 use arithmetic::{Rational, Ring, rational};
 use num_bigint::BigInt;
@@ -212,4 +212,19 @@ fn applying_a_matrix() {
     let p = RationalMatrix::from_integers(&[[12, 3], [10, 5]], 15).unwrap();
     assert_eq!(p.apply(&[rational(3, 1), rational(-10, 1)]).unwrap(), vec![rational(2, 5), rational(-4, 3)]);
     assert_eq!(p.apply(&[rational(1, 1).one()]).unwrap_err(), MatrixError::Shapes { left_cols: 2, right_rows: 1 });
+}
+
+/// Rows (1/6, 3/6, 2/6), (4/6, 0, 2/6), (0, 0, 1): differences by hand.
+#[test]
+fn diameters_of_rows_in_three_norms() {
+    let matrix = RationalMatrix::from_integers(&[[1, 3, 2], [4, 0, 2], [0, 0, 6]], 6).expect("a filled shape");
+    assert_eq!(diameter(&matrix, Norm::One), rational(8, 6));
+    assert_eq!(diameter(&matrix, Norm::TwoSquared), rational(32, 36));
+    assert_eq!(diameter(&matrix, Norm::Infinity), rational(4, 6));
+    let lower = RationalMatrix::from_integers(&[[5, 0, 1], [1, 4, 1]], 6).expect("a filled shape");
+    assert_eq!(diameter(&lower, Norm::Infinity), rational(4, 6));
+    let skew = RationalMatrix::from_integers(&[[6, 0, 0], [1, 3, 2]], 6).expect("a filled shape");
+    assert_eq!(diameter(&skew, Norm::Infinity), rational(5, 6));
+    let other = RationalMatrix::from_integers(&[[1, 3, 2], [6, 0, 0]], 6).expect("a filled shape");
+    assert_eq!(diameter(&other, Norm::Infinity), rational(5, 6));
 }

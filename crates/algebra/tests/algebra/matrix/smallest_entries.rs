@@ -46,19 +46,3 @@ fn a_zero_column_has_no_entry_and_what_does_not_fit_is_refused() {
     assert!(matches!(smallest_entries(&[set()[0].clone(), other], 1), Err(MatrixError::DifferentShapes { .. })));
     assert_eq!(smallest_entries(&[], 2).expect("no products").1, 0);
 }
-
-/// Rows (1/6, 3/6, 2/6), (4/6, 0, 2/6), (0, 0, 1): differences by hand.
-#[test]
-fn diameters_of_rows_in_three_norms() {
-    use algebra::matrix::{Norm, diameter};
-    let matrix = RationalMatrix::from_integers(&[[1, 3, 2], [4, 0, 2], [0, 0, 6]], 6).expect("a filled shape");
-    assert_eq!(diameter(&matrix, Norm::One), rational(8, 6));
-    assert_eq!(diameter(&matrix, Norm::TwoSquared), rational(32, 36));
-    assert_eq!(diameter(&matrix, Norm::Infinity), rational(4, 6));
-    let lower = RationalMatrix::from_integers(&[[5, 0, 1], [1, 4, 1]], 6).expect("a filled shape");
-    assert_eq!(diameter(&lower, Norm::Infinity), rational(4, 6));
-    let skew = RationalMatrix::from_integers(&[[6, 0, 0], [1, 3, 2]], 6).expect("a filled shape");
-    assert_eq!(diameter(&skew, Norm::Infinity), rational(5, 6));
-    let other = RationalMatrix::from_integers(&[[1, 3, 2], [6, 0, 0]], 6).expect("a filled shape");
-    assert_eq!(diameter(&other, Norm::Infinity), rational(5, 6));
-}

@@ -1,9 +1,8 @@
 //! Distances within a hair of 1, with numbers longer than the leading bits that are looked at first.
 
 use super::flock::Naive;
-use algebra::matrix::{MatrixError, RationalMatrix};
 use arithmetic::{Rational, rational};
-use models::averaging::{Flock, FlockError, Hysteresis, Start, Weights, contraction};
+use models::averaging::{Flock, FlockError, Hysteresis, Start, Weights};
 use num_bigint::BigInt;
 use proptest::prelude::*;
 
@@ -87,20 +86,4 @@ fn thresholds_hold_what_moves_by_less() {
         flock.step().expect("a step");
         assert_eq!(flock.network().edges().len(), edges, "{hysteresis:?}");
     }
-}
-
-/// Contraction needs a bird that all hear, and not one that hears all.
-#[test]
-fn directed_networks_contract_towards_a_bird_that_all_hear() {
-    let all_hear_one = RationalMatrix::from_integers(&[[2, 0, 0], [1, 1, 0], [1, 0, 1]], 2).expect("a shape");
-    assert!(contraction(&all_hear_one).is_ok());
-    let one_hears_all = RationalMatrix::from_integers(&[[1, 1, 1], [0, 3, 0], [0, 0, 3]], 3).expect("a shape");
-    assert_eq!(contraction(&one_hears_all), Err(MatrixError::NotErgodic));
-    // Through others: 4 hears 3, 3 hears 2, 2 hears 1.
-    let chain = RationalMatrix::from_integers(&[[2, 0, 0, 0], [1, 1, 0, 0], [0, 1, 1, 0], [0, 0, 1, 1]], 2);
-    assert!(contraction(&chain.expect("a shape")).is_ok());
-    let two_chains = RationalMatrix::from_integers(&[[2, 0, 0, 0], [1, 1, 0, 0], [0, 0, 2, 0], [0, 0, 1, 1]], 2);
-    assert_eq!(contraction(&two_chains.expect("a shape")), Err(MatrixError::NotErgodic));
-    let wide = RationalMatrix::from_integers(&[[1, 1]], 2).expect("a shape");
-    assert_eq!(contraction(&wide), Err(MatrixError::NotSquare { rows: 1, cols: 2 }));
 }

@@ -77,3 +77,19 @@ fn contraction_of_tiny_weights() {
     // tau_1(P^k) = (1 - 2^-299)^k, which is below 1/2 from k = ln 2 * 2^299 on.
     assert_eq!(contraction(&p).unwrap().steps, BigUint::from(1u8) << 299);
 }
+
+/// Contraction needs a bird that all hear, and not one that hears all.
+#[test]
+fn directed_networks_contract_towards_a_bird_that_all_hear() {
+    let all_hear_one = RationalMatrix::from_integers(&[[2, 0, 0], [1, 1, 0], [1, 0, 1]], 2).expect("a shape");
+    assert!(contraction(&all_hear_one).is_ok());
+    let one_hears_all = RationalMatrix::from_integers(&[[1, 1, 1], [0, 3, 0], [0, 0, 3]], 3).expect("a shape");
+    assert_eq!(contraction(&one_hears_all), Err(MatrixError::NotErgodic));
+    // Through others: 4 hears 3, 3 hears 2, 2 hears 1.
+    let chain = RationalMatrix::from_integers(&[[2, 0, 0, 0], [1, 1, 0, 0], [0, 1, 1, 0], [0, 0, 1, 1]], 2);
+    assert!(contraction(&chain.expect("a shape")).is_ok());
+    let two_chains = RationalMatrix::from_integers(&[[2, 0, 0, 0], [1, 1, 0, 0], [0, 0, 2, 0], [0, 0, 1, 1]], 2);
+    assert_eq!(contraction(&two_chains.expect("a shape")), Err(MatrixError::NotErgodic));
+    let wide = RationalMatrix::from_integers(&[[1, 1]], 2).expect("a shape");
+    assert_eq!(contraction(&wide), Err(MatrixError::NotSquare { rows: 1, cols: 2 }));
+}
