@@ -145,3 +145,13 @@ fn products_of_matrices() {
     assert_eq!(verdict("matrices = \"products(2, 2, 2)\"", "tau_1 <= 1"), Verdict::Holds);
     assert_eq!(verdict("seed = \"1..5\"\nmatrices = \"random_products(4, 3)\"", "tau_1 <= 1"), Verdict::Undecided);
 }
+
+#[test]
+fn every_inequality_stands_by_itself() {
+    let of = |property: &str| -> Vec<String> {
+        let found = answer(&asked("n = \"1..3\"", property, "n < 0"));
+        found.inequalities.into_iter().map(|(text, _)| text).collect()
+    };
+    assert_eq!(of("gcd(n, 2) = 1 or 0 < n <= 3 and n <= 3"), ["gcd(n, 2) = 1", "0 < n", "n <= 3"]);
+    assert_eq!(of("n >= 1 implies not n != 2"), ["n < 1", "n = 2"]);
+}

@@ -243,6 +243,22 @@ fn what_a_motion_cannot_be_asked() {
 }
 
 #[test]
+fn every_inequality_stands_under_its_time_operators() {
+    let of = |property: &str| -> Vec<String> {
+        let found = answered(APART, "n = 1", property, "1 < 0");
+        found.inequalities.into_iter().map(|(text, _)| text).collect()
+    };
+    assert_eq!(
+        of("not always[0, 2](min_distance < 1 or eventually[1, 3](min_distance > 2))"),
+        ["eventually[0, 2](min_distance >= 1)", "eventually[0, 2](always[1, 3](min_distance <= 2))"]
+    );
+    assert_eq!(
+        of("min_distance < 9 until[2, 3] min_distance > 0"),
+        ["always[0, 2](min_distance < 9)", "eventually[2, 3](min_distance > 0)"]
+    );
+}
+
+#[test]
 fn a_counterexample_is_shown_in_the_shortest_time() {
     // The distance 1 + t reaches 2 at t = 1.
     let family = "\"state.velocities[2][1]\" = [1, 2]";
