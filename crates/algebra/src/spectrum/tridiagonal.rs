@@ -21,8 +21,8 @@ const LEAST_PIVOT: f64 = 1e-200;
 /// What replaced pivots and underflow change.
 const REPLACED: f64 = 1e-190;
 
-/// Shifts that are counted at once.
-const LANES: usize = 8;
+/// Shifts that are counted at once: as many as keep the divider busy while each waits for its last quotient.
+const LANES: usize = 16;
 
 /// Doublings of the radius before an enclosure is given up.
 const MOST_DOUBLINGS: usize = 60;
@@ -225,7 +225,10 @@ impl Search {
         let near = (self.k..=self.k + 3).contains(&look.below);
         let adjacent = look.below == self.k || look.below == self.k + 1;
         let target = self.x + step;
-        if near && step.abs() <= 2.0 * UNIT * size {
+        // Convergence is cubic: the next step is to this one as the cube of this one to that of the last.
+        let settling = adjacent && step.abs() < 1e-2 * self.step.abs();
+        let next = if settling { (step / self.step).powi(3) * step } else { f64::INFINITY };
+        if near && (step.abs() <= 2.0 * UNIT * size || next.abs() <= 1e-3 * UNIT * size) {
             (self.x, self.done) = (target, true);
         } else if adjacent && self.lo < target && target < self.hi {
             (self.x, self.step) = (target, step);
