@@ -121,7 +121,6 @@ fn alignment(source: &Source, headings: bool) -> Result<ExactMotion, ConfigError
         directed: false,
         edges: true,
         timed: true,
-        most_switching: usize::MAX,
         default: None,
     };
     let network = Network::read(source, start.agents(), can)?;
