@@ -3,7 +3,7 @@
 From mathcomp Require all_ssreflect all_algebra.
 From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
-From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network
+From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp
   chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked
   chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals
   chazelle_entries chazelle_switches.
@@ -118,7 +118,7 @@ End NumbersAndBirds.
 
 Module Matrices.
 Import all_ssreflect all_algebra.
-Import chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_limits chazelle_spectral
+Import chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp chazelle_limits chazelle_spectral
   chazelle_stabilisers chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits.
 Import GRing.Theory Num.Theory Order.Theory.
 Local Open Scope ring_scope.
@@ -448,6 +448,21 @@ Check (@chazelle_network.fiedler_rate :
    (forall i0 : 'I_n, n%:R ^- a <= transition G c i0 i0) ->
    (forall t0 : nat, (0 < t0)%N -> v t0.+1 = transition G c *m v t0) ->
    norm2 (row i (v t.+1) - row j (v t.+1)) <= n%:R ^+ a.+1 * 2^-1 ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N))).
+(* chazelle.fiedler.rate, corrected, clause 1: an eigenvalue of the Laplacian other than 0 *)
+Check (@chazelle_sharp.fiedler_sharp :
+  forall (R : realFieldType) (n : nat) (G : rel 'I_n) (lam : R) (f : 'I_n -> R),
+  network G -> (forall i j, connect G i j) ->
+  (forall i, \sum_j laplacian R G i j * f j = lam * f i) -> (exists i, f i != 0) -> lam != 0 ->
+  4%:R <= lam * (n * n.-1)%:R).
+
+(* chazelle.fiedler.rate, corrected, clause 3: differences are at most n 2^(-t/n^3) times the largest of the first ones, both sides
+   to the power n^3 *)
+Check (@chazelle_sharp.lazy_vicsek_rate :
+  forall (R : rcfType) (n d : nat) (G : rel 'I_n) (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) (t : nat) (i j : 'I_n),
+  network G -> (forall i j, connect G i j) -> (1 < n)%N ->
+  (forall i, c i = 2%:R / (3 * degree G i)%:R) \/ (forall i, c i = (degree G i).+1%:R^-1) ->
+  (forall t, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
+  norm2 (row i (v t.+1) - row j (v t.+1)) ^+ (n ^ 3) * 2%:R ^+ t <= (n%:R * tau2 (v 1%N)) ^+ (n ^ 3)).
 (* beyond.chazelle.entries (part) *)
 Check (@chazelle_entries.smallest_entries :
   forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (s t : nat) (i j : 'I_n),
