@@ -55,6 +55,13 @@ def scenario(agents, steps, folder):
     return write(folder, "scenario.toml", text)
 
 
+def located(agents, folder):
+    text = 'model = "velocity-alignment"\n[graph]\nkind = "within"\nradius = 2\n[state]\n'
+    text += 'random = { agents = %d, seed = 1, place = "grid", spacing = 1, half = "3/10" }\n' % agents
+    text += '[law]\npotential = "inverse-square-log"\n[run]\nuntil = 1\nrows = 2\ntolerance = 1e-8\n'
+    return write(folder, "located.toml", text)
+
+
 def school(fish, frames, folder):
     g = draws(fish)
     rows = ["t,id,x,y"]
@@ -92,8 +99,8 @@ ROWS = [
      "a full symmetric matrix and its residual"),
     ("ergodicity", "factors", [100, 200, 400], command("ergodicity", "--json", lambda n, f: factors(n, 6, f)), 3.0,
      "every prefix is brought to lowest terms, the square of its length for each"),
-    ("ergodicity", "order", [6, 12, 24], command("ergodicity", "--json", lambda n, f: factors(60, n, f)), 3.0,
-     "products of matrices; tau_1 compares all pairs of rows"),
+    ("ergodicity", "order", [6, 12, 24], command("ergodicity", "--json", lambda n, f: factors(60, n, f)), 4.0,
+     "its square numbers, as long as the order, multiplied at the square of their length"),
     ("flock run", "birds", [200, 400, 800], command("flock", "run", lambda n, f: crowd(n, f), "--until", "2000", "--json"), 2.0,
      "switches times birds: after each one the lists of pairs are made again (exact_flocks.md)"),
     ("flock run", "steps", [5000, 10000, 20000], command("flock", "run", lambda n, f: crowd(100, f), "--until", SIZE, "--json"), 1.0,
@@ -103,6 +110,8 @@ ROWS = [
     ("simulate", "agents", [1000, 4000, 16000], command("simulate", lambda n, f: scenario(n, 100, f), "--out", OUT), 1.0,
      "neighbours from cells of the plane; bytes written"),
     ("simulate", "steps", [200, 400, 800], command("simulate", lambda n, f: scenario(1000, n, f), "--out", OUT), 1.0, "steps"),
+    ("simulate, located switches", "agents", [1000, 4000, 16000],
+     command("simulate", lambda n, f: located(n, f), "--out", OUT), 1.0, "a switch costs those that notice it (integrators.md)"),
     ("tracks", "frames", [500, 1000, 2000], command("tracks", lambda n, f: school(8, n, f), "--out", OUT), 1.0, "frames"),
     ("tracks", "fish", [8, 16, 32], command("tracks", lambda n, f: school(n, 300, f), "--out", OUT), 2.0,
      "networks and potentials of all pairs"),
@@ -120,8 +129,8 @@ def cpu(words):
 
 
 def main():
-    program = next((a for a in sys.argv[1:] if os.path.exists(a)), os.path.join(ROOT, "target", "release", "flockproof"))
-    wanted = next((a for a in sys.argv[1:] if not os.path.exists(a)), "")
+    program = next((a for a in sys.argv[1:] if os.path.isfile(a)), os.path.join(ROOT, "target", "release", "flockproof"))
+    wanted = next((a for a in sys.argv[1:] if not os.path.isfile(a)), "")
     start = min(cpu([program, "--version"]) for _ in range(3))
     failed = False
     print("| command | what grows | sizes | CPU [s] | exponents | why |\n|---|---|---|---|---|---|")

@@ -134,11 +134,14 @@ impl CellList {
     fn visit(&self, place: usize, mut visit: impl FnMut(usize, [f64; 2], f64)) {
         let own = self.sorted[place];
         let limit = self.radius * self.radius;
-        for other in self.neighbourhood(place, 1).1.into_iter().flatten() {
-            let r = [self.sorted[other][0] - own[0], self.sorted[other][1] - own[1]];
-            let square = r[0] * r[0] + r[1] * r[1];
-            if square < limit && other != place {
-                visit(self.numbers[other], r, square);
+        for stretch in self.neighbourhood(place, 1).1 {
+            let from = stretch.start;
+            for (k, point) in self.sorted[stretch].iter().enumerate() {
+                let r = [point[0] - own[0], point[1] - own[1]];
+                let square = r[0] * r[0] + r[1] * r[1];
+                if square < limit && from + k != place {
+                    visit(self.numbers[from + k], r, square);
+                }
             }
         }
     }
@@ -167,10 +170,11 @@ impl CellList {
         }
     }
 
-    /// For each point, in the order of their numbers, the fold of `add` over all others at a distance below the radius:
+    /// For each of the first `count` points, in the order of their numbers, the fold of `add` over all others at a distance below the radius:
     /// `add(value, i, j, r, r²)` with `r` the vector from `i` to `j`. In parallel; each point's neighbours come in a fixed order.
     pub fn fold_neighbours<T: Copy + Send + Sync>(
         &self,
+        count: usize,
         start: T,
         add: impl Fn(T, usize, usize, [f64; 2], f64) -> T + Sync,
     ) -> Vec<T> {
@@ -178,26 +182,31 @@ impl CellList {
         by_place.par_chunks_mut(TASK).enumerate().for_each(|(task, values)| {
             for (place, value) in values.iter_mut().enumerate().map(|(k, value)| (task * TASK + k, value)) {
                 let own = self.numbers[place];
-                self.visit(place, |other, r, square| *value = add(*value, own, other, r, square));
+                if own < count {
+                    self.visit(place, |other, r, square| *value = add(*value, own, other, r, square));
+                }
             }
         });
-        let mut values = vec![start; self.sorted.len()];
-        self.numbers.iter().zip(by_place).for_each(|(&number, value)| values[number] = value);
+        let mut values = vec![start; count.min(self.sorted.len())];
+        let wanted = self.numbers.iter().zip(by_place).filter(|(number, _)| **number < count);
+        wanted.for_each(|(&number, value)| values[number] = value);
         values
     }
 
     /// The pairs `i < j` at a distance below the radius, sorted.
     pub fn pairs(&self) -> Vec<(usize, usize)> {
+        let mut places = vec![0; self.numbers.len()];
+        self.numbers.iter().enumerate().for_each(|(place, &number)| places[number] = place);
         let mut pairs = Vec::new();
-        for place in 0..self.sorted.len() {
-            let own = self.numbers[place];
+        for (own, &place) in places.iter().enumerate() {
+            let first = pairs.len();
             self.visit(place, |other, _, _| {
                 if own < other {
                     pairs.push((own, other));
                 }
             });
+            pairs[first..].sort_unstable();
         }
-        pairs.sort_unstable();
         pairs
     }
 }

@@ -8,7 +8,7 @@ use super::network::{Abilities, Network};
 use super::potential::PairPotential;
 use super::source::Source;
 use super::start::{Needs, Start, problem};
-use super::stepped::{Stepped, read_step};
+use super::stepped::{Arrangement, Stepped, read_step};
 use super::switching::Switching;
 use super::turns::Turns;
 use models::double_integrator::{self, Flock, HeadingDifference, SwitchingFlock, heading};
@@ -69,7 +69,8 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
                 field.rate(time, list, rate);
                 field.take_failure().map_or(Ok(()), |error| Err(RunError::Large { time, error }))
             };
-            return Ok(Box::new(Stepped::new(agents, list, step, Box::new(rate))));
+            let arrangement = Arrangement { widths: &[2, 2], radius };
+            return Ok(Box::new(Stepped::new(agents, list, step, Box::new(rate)).arranged(arrangement)));
         }
         if agents.count > MOST_TOGETHER {
             let flock = Individual::new(agents, radius, &state, tolerance);

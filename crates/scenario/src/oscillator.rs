@@ -7,7 +7,7 @@ use super::network::{Abilities, Change, Kind, Network};
 use super::observables::{CLUSTERS, Observable, min_distance, of_phases, places, total};
 use super::source::{Section, Source};
 use super::start::{Needs, Start};
-use super::stepped::{Stepped, read_step};
+use super::stepped::{Arrangement, Stepped, read_step};
 use arithmetic::{ArithmeticError, Complex};
 use models::oscillator::{
     AllToAll, Flight, State, beacon_control, beacon_potential, centre_spread, circle_centres, laplacian_control,
@@ -262,7 +262,16 @@ pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn 
     let mut particles = Particles { network, frequency, orientation, spacing, drift, drawn: start.drawn };
     particles.settle(&state);
     Ok(match step {
-        Some(step) => Box::new(Stepped::settled(particles, state, step)),
+        Some(step) => {
+            // A reference is that of the last particle, and of two at one distance the smaller number is the nearer one.
+            let nameless = law.get("reference").is_none();
+            let radius = particles.network.radius().filter(|_| nameless);
+            let stepped = Stepped::settled(particles, state, step);
+            match radius {
+                Some(radius) => Box::new(stepped.arranged(Arrangement { widths: &[2, 1], radius })),
+                None => Box::new(stepped),
+            }
+        }
         None => Box::new(Continuous::new(particles, &state, tolerance)),
     })
 }

@@ -7,7 +7,8 @@ use super::network::Network;
 use super::observables::Observable;
 use super::source::Source;
 use arithmetic::{ArithmeticError, Progress};
-use motion::Rk4;
+use motion::{CellList, Rk4};
+use std::ops::Range;
 
 /// Writes the rate of change at a time and state.
 type Rate<L> = Box<dyn FnMut(&mut L, f64, &[f64], &mut [f64]) -> Result<(), RunError>>;
@@ -21,6 +22,50 @@ pub(super) struct Stepped<L> {
     time: f64,
     /// The longest step.
     step: f64,
+    arrangement: Option<Arrangement>,
+}
+
+/// How the agents of a large flock are brought into the order of their places, so that neighbours in the plane are neighbours in memory: without it
+/// a step of 10⁶ agents waits for memory most of the time.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Arrangement {
+    /// How many numbers of each agent the parts of the state have, that of the positions first.
+    pub widths: &'static [usize],
+    /// About how far neighbours are.
+    pub radius: f64,
+}
+
+/// Smaller flocks stay as they are.
+const LEAST_ARRANGED: usize = 1 << 14;
+
+/// Steps after which agents are arranged anew.
+const ARRANGED_FOR: usize = 64;
+
+impl Arrangement {
+    /// The agents in the order of their cells; nothing for small flocks and where places are not finite.
+    fn order(&self, list: &[f64]) -> Option<Vec<usize>> {
+        let count = list.len() / self.widths.iter().sum::<usize>();
+        if count < LEAST_ARRANGED {
+            return None;
+        }
+        let points: Vec<[f64; 2]> = list[..2 * count].as_chunks().0.to_vec();
+        CellList::new(&points, self.radius).ok().map(|cells| cells.numbers().to_vec())
+    }
+
+    /// The state with each agent `order[k]` in place `k`, or the other way round.
+    fn renumbered(&self, list: &[f64], order: &[usize], back: bool) -> Vec<f64> {
+        let mut to = vec![0.0; list.len()];
+        let mut start = 0;
+        for &width in self.widths {
+            for (place, &agent) in order.iter().enumerate() {
+                let (from, into) = if back { (place, agent) } else { (agent, place) };
+                let (from, into) = (start + from * width, start + into * width);
+                to[into..into + width].copy_from_slice(&list[from..from + width]);
+            }
+            start += width * order.len();
+        }
+        to
+    }
 }
 
 /// The length of fixed steps, where `[run]` asks for them.
@@ -35,7 +80,12 @@ pub(super) fn read_step(source: &Source, network: &Network) -> Result<Option<f64
 impl<L: Law> Stepped<L> {
     /// A law at its start, with its rate where the links are those of the positions.
     pub fn new(law: L, list: Vec<f64>, step: f64, rate: Rate<L>) -> Self {
-        Stepped { law, rate, method: Rk4::new(list.len()), list, time: 0.0, step }
+        Stepped { law, rate, method: Rk4::new(list.len()), list, time: 0.0, step, arrangement: None }
+    }
+
+    /// With agents that are arranged on the way, for a law to which their numbers mean nothing.
+    pub fn arranged(self, arrangement: Arrangement) -> Self {
+        Stepped { arrangement: Some(arrangement), ..self }
     }
 
     /// A law at its start, which is settled before its rate is asked for.
@@ -58,6 +108,23 @@ impl<L: Law> Stepped<L> {
         self.method.step(&mut field, self.time, length, &mut self.list);
         failure.map_or(Ok(()), Err)
     }
+
+    /// Some steps of one length, counted from a time; `false` where `progress` told to stop before.
+    fn several(
+        &mut self,
+        (from, length): (f64, f64),
+        steps: Range<usize>,
+        progress: &dyn Progress,
+    ) -> Result<bool, RunError> {
+        for taken in steps {
+            if progress.is_cancelled() {
+                return Ok(false);
+            }
+            self.single_step(length)?;
+            self.time = from + (taken + 1) as f64 * length;
+        }
+        Ok(true)
+    }
 }
 
 impl<L: Law> Course for Stepped<L> {
@@ -66,14 +133,21 @@ impl<L: Law> Course for Stepped<L> {
         // A remainder of a hair's breadth is taken along.
         let steps = ((until - from) / self.step * (1.0 - 1e-12)).ceil().max(0.0);
         let length = (until - from) / steps.max(1.0);
-        let mut taken = 0.0;
-        while taken < steps {
-            if progress.is_cancelled() {
+        let mut taken = 0;
+        while taken < steps as usize {
+            let until = (steps as usize).min(taken + ARRANGED_FOR);
+            let arranged = self.arrangement.and_then(|arrangement| Some((arrangement, arrangement.order(&self.list)?)));
+            if let Some((arrangement, order)) = &arranged {
+                self.list = arrangement.renumbered(&self.list, order, false);
+            }
+            let ended = self.several((from, length), taken..until, progress);
+            if let Some((arrangement, order)) = &arranged {
+                self.list = arrangement.renumbered(&self.list, order, true);
+            }
+            if !ended? {
                 return Ok(false);
             }
-            self.single_step(length)?;
-            taken += 1.0;
-            self.time = from + taken * length;
+            taken = until;
         }
         self.time = until;
         self.law.settle(&self.list);

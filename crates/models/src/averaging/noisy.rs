@@ -74,7 +74,7 @@ impl NoisyFlock {
             let unit = units[whose[j]];
             [sum[0] + unit[0], sum[1] + unit[1]]
         };
-        let sums = CellList::new(&points, self.radius)?.fold_neighbours([0.0, 0.0], add);
+        let sums = CellList::new(&points, self.radius)?.fold_neighbours(self.positions.len(), [0.0, 0.0], add);
         for (k, own) in units.iter().enumerate() {
             let [x, y] = self.positions[k];
             self.positions[k] = [self.wrapped(x + self.speed * own[0]), self.wrapped(y + self.speed * own[1])];

@@ -130,7 +130,7 @@ impl<T: Field + Signed> Zones<T> {
             let (Some(own), Some(other)) = (state.positions.get(k), state.positions.get(j)) else { return false };
             state.phasors.get(k).is_some_and(|heading| self.senses(zone, heading, &(other.clone() - own)))
         };
-        Neighbours::from_arcs(state.phasors.len(), arcs.filter(senses))
+        Neighbours::from_arcs(state.phasors.len(), arcs.filter(senses).collect::<Vec<_>>())
     }
 
     /// All three networks, where all pairs at a distance up to the radius of attraction are among these.

@@ -42,25 +42,58 @@ impl Interaction for Everyone {
 /// The neighbours `N_k` of each particle, numbered from 0: the unweighted digraph of a network.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Neighbours {
-    lists: Vec<Vec<usize>>,
+    /// All lists, one after the other, and where each begins; the last one ends where the next would begin.
+    all: Vec<usize>,
+    starts: Vec<usize>,
 }
 
 impl Neighbours {
     /// `j` is a neighbour of `k` where `senses(k, j)`; never of itself.
     pub fn from_fn(particles: usize, senses: impl Fn(usize, usize) -> bool) -> Self {
         let list = |k: usize| (0..particles).filter(|&j| j != k && senses(k, j)).collect();
-        Neighbours { lists: (0..particles).map(list).collect() }
+        Neighbours::from_lists((0..particles).map(list))
+    }
+
+    fn from_lists(lists: impl Iterator<Item = Vec<usize>>) -> Self {
+        let (mut all, mut starts) = (Vec::new(), vec![0]);
+        for list in lists {
+            all.extend(list);
+            starts.push(all.len());
+        }
+        Neighbours { all, starts }
     }
 
     /// The neighbours `j` of `k` for the arcs `(k, j)`, in order; arcs to particles that are not there are left out.
-    pub fn from_arcs(particles: usize, arcs: impl IntoIterator<Item = (usize, usize)>) -> Self {
-        let mut lists = vec![Vec::new(); particles];
-        arcs.into_iter().filter(|&(k, j)| k != j && k.max(j) < particles).for_each(|(k, j)| lists[k].push(j));
-        for list in &mut lists {
-            list.sort_unstable();
-            list.dedup();
+    pub fn from_arcs<I: Iterator<Item = (usize, usize)> + Clone>(
+        particles: usize,
+        arcs: impl IntoIterator<IntoIter = I>,
+    ) -> Self {
+        let arcs = arcs.into_iter().filter(|&(k, j)| k != j && k.max(j) < particles);
+        // Counting sort: no list has memory of its own.
+        let mut starts = vec![0; particles + 1];
+        arcs.clone().for_each(|(k, _)| starts[k + 1] += 1);
+        (0..particles).for_each(|k| starts[k + 1] += starts[k]);
+        let (mut all, mut next) = (vec![0; starts[particles]], starts.clone());
+        for (k, j) in arcs {
+            all[next[k]] = j;
+            next[k] += 1;
         }
-        Neighbours { lists }
+        // In order, and each once.
+        let mut kept = 0;
+        for k in 0..particles {
+            let list = starts[k]..starts[k + 1];
+            starts[k] = kept;
+            all[list.clone()].sort_unstable();
+            for place in list {
+                if kept == starts[k] || all[kept - 1] != all[place] {
+                    all[kept] = all[place];
+                    kept += 1;
+                }
+            }
+        }
+        starts[particles] = kept;
+        all.truncate(kept);
+        Neighbours { all, starts }
     }
 
     /// The neighbours in an undirected graph.
@@ -107,31 +140,31 @@ impl Neighbours {
             nearest.sort_unstable();
             nearest
         };
-        Neighbours { lists: (0..positions.len()).map(list).collect() }
+        Neighbours::from_lists((0..positions.len()).map(list))
     }
 
     /// Number of particles.
     pub fn particles(&self) -> usize {
-        self.lists.len()
+        self.starts.len() - 1
     }
 
     /// The arcs `(k, j)`, in order.
     pub fn arcs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.lists.iter().enumerate().flat_map(|(k, list)| list.iter().map(move |&j| (k, j)))
+        (0..self.particles()).flat_map(|k| self.of_particle(k).iter().map(move |&j| (k, j)))
     }
 
     /// The neighbours of `k`, in order; of a particle that is not there, none.
     pub fn of_particle(&self, k: usize) -> &[usize] {
-        self.lists.get(k).map_or(&[], Vec::as_slice)
+        self.starts.get(k..k.saturating_add(2)).map_or(&[], |ends| &self.all[ends[0]..ends[1]])
     }
 }
 
 impl Interaction for Neighbours {
     fn laplacian_of<T: Field>(&self, x: &[Complex<T>]) -> Vec<Complex<T>> {
-        let row = |(own, list): (&Complex<T>, &Vec<usize>)| {
-            let there = list.iter().filter_map(|&j| x.get(j));
+        let row = |(k, own): (usize, &Complex<T>)| {
+            let there = self.of_particle(k).iter().filter_map(|&j| x.get(j));
             there.fold(Complex::real(own.re.zero()), |sum, other| sum + own - other)
         };
-        x.iter().zip(&self.lists).map(row).collect()
+        x.iter().enumerate().take(self.particles()).map(row).collect()
     }
 }

@@ -17,9 +17,11 @@ fn assert_pairs(points: &[[f64; 2]], radius: f64) {
     let list = CellList::new(points, radius).expect("finite");
     let pairs = naive(points, radius);
     assert_eq!(list.pairs(), pairs);
-    let counts = list.fold_neighbours(0usize, |count, _, _, _, _| count + 1);
+    let counts = list.fold_neighbours(points.len(), 0usize, |count, _, _, _, _| count + 1);
     assert_eq!(counts.iter().sum::<usize>(), 2 * pairs.len());
-    let sums = list.fold_neighbours([0.0; 2], |sum, i, j, r, square| {
+    let half = points.len() / 2;
+    assert_eq!(list.fold_neighbours(half, 0usize, |count, _, _, _, _| count + 1), counts[..half]);
+    let sums = list.fold_neighbours(points.len(), [0.0; 2], |sum, i, j, r, square| {
         assert_eq!(r, [points[j][0] - points[i][0], points[j][1] - points[i][1]]);
         [sum[0] + square, sum[1] + j as f64]
     });

@@ -262,12 +262,18 @@ fn particles_in_fixed_steps_agree_with_located_switches() {
 #[test]
 fn large_schools_need_no_table_of_pairs() {
     for graph in ["kind = \"within\"\nradius = \"1/2\"", "kind = \"nearest\"\nnearest = 3"] {
-        let text = school(graph, 5000, "50", "\"1/1000\"");
-        let outcome = run(&format!("{text}step = \"1/1000\"\n"));
+        // A time without more than a few switches. So many are arranged by their places on the way.
+        let text = school(graph, 20_000, "100", "\"1/100000\"");
+        let outcome = run(&format!("{text}step = \"1/100000\"\n"));
         assert_eq!(outcome.rows.len(), 3, "{graph}");
-        // Located, in a time without more than a few switches.
-        let located = run(&school(graph, 5000, "50", "\"1/100000\""));
+        let located = run(&text);
         assert!(located.events.iter().all(|event| event.time <= 1e-5));
+        let end = |outcome: &Outcome| outcome.rows.last().expect("a row").frame.clone();
+        let (there, here) = (end(&outcome), end(&located));
+        let far = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+        assert!(far(&there.positions.concat(), &here.positions.concat()) < 1e-9, "{graph}");
+        // Rates are about 1, and one switch changes them by less than 1/10.
+        assert!(far(&there.phases, &here.phases) < 3e-6, "{graph}: {}", far(&there.phases, &here.phases));
     }
 }
 
@@ -377,7 +383,7 @@ fn fixed_steps_agree_with_located_switches() {
         assert!((value(last, "saturated_energy") - value(other, "saturated_energy")).abs() < most);
         assert_eq!(value(last, "components"), 1.0);
     }
-    let large = "model = \"velocity-alignment\"\n[graph]\nkind = \"within\"\nradius = 1\n[state]\nrandom = { agents = 5000, half = 50 }\n\
+    let large = "model = \"velocity-alignment\"\n[graph]\nkind = \"within\"\nradius = 1\n[state]\nrandom = { agents = 17000, half = 92 }\n\
         [law]\npotential = \"none\"\n[run]\nuntil = \"1/10\"\nrows = 2\n";
     // Located too: all switches, in order, and the links at the end are those of the positions.
     let located = run(large);
