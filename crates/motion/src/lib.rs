@@ -5,10 +5,12 @@
 //! chunks of fixed size, and sums over chunks are taken in their order. Nothing here proves anything.
 
 mod cells;
+mod descent;
 mod dop853;
 mod dop853_table;
 mod event;
 mod golden;
+mod jet;
 mod lanes;
 mod rk4;
 mod side_by_side;
@@ -17,9 +19,11 @@ mod statistics;
 pub mod validated;
 
 pub use cells::{CellError, CellList, nearest};
+pub use descent::{first_fall, shifted, value_at};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
 pub use event::{Fall, Margin, next_fall, root};
 pub use golden::golden;
+pub use jet::Jet;
 pub use lanes::Lanes;
 pub use rk4::Rk4;
 pub use side_by_side::side_by_side;

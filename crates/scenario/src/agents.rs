@@ -59,6 +59,20 @@ impl Agents {
         &list[4 * self.count..]
     }
 
+    /// Kinetic energy, and the potential of all pairs, each once, those beyond the radius with its value there.
+    pub fn saturated_energy(&self, list: &[f64]) -> Result<f64, ArithmeticError> {
+        let (state, links) = (self.state(list), self.network.pairs());
+        let value = |_: usize, _: usize, s: &f64| self.potential.value(s);
+        let potential = match self.network.radius() {
+            None => potential_energy(&state.positions, links, PLANE, value)?,
+            Some(radius) => {
+                let beyond = self.potential.value(&(radius * radius))?;
+                saturated_potential(&state.positions, links, PLANE, value, &beyond)?
+            }
+        };
+        Ok(potential + kinetic_energy(&state.velocities, PLANE)?)
+    }
+
     fn accelerations(&self, state: &State<f64>, headings: &[f64]) -> Result<Vec<Vector<f64>>, ArithmeticError> {
         let (edges, slope) = (self.network.pairs(), |_: usize, _: usize, s: &f64| self.potential.slope(s));
         match &self.alignment {
@@ -145,17 +159,7 @@ impl Law for Agents {
             Observable::number("energy", potential + kinetic),
         ];
         match &self.alignment {
-            Alignment::Velocities => {
-                let saturated = match self.network.radius() {
-                    None => potential,
-                    // All other pairs are beyond the radius.
-                    Some(radius) => {
-                        let beyond = self.potential.value(&(radius * radius))?;
-                        saturated_potential(&state.positions, self.network.pairs(), PLANE, value, &beyond)?
-                    }
-                };
-                all.push(Observable::number("saturated_energy", saturated + kinetic));
-            }
+            Alignment::Velocities => all.push(Observable::number("saturated_energy", self.saturated_energy(list)?)),
             Alignment::Headings(_) => {
                 all.push(Observable::number("heading_spread", heading_spread(self.headings(list))));
             }

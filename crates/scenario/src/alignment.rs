@@ -3,6 +3,7 @@
 use super::agents::{Agents, Alignment, PLANE, state_of};
 use super::course::{Continuous, Course};
 use super::error::{ConfigError, Problem, RunError};
+use super::individual::Individual;
 use super::network::{Abilities, Network};
 use super::potential::PairPotential;
 use super::source::Source;
@@ -13,8 +14,9 @@ use super::turns::Turns;
 use models::double_integrator::{self, Flock, HeadingDifference, SwitchingFlock, heading};
 use motion::VectorField;
 
-/// Most agents whose velocity alignment within a radius is followed as a Filippov solution: each pair is looked at.
-const MOST_LOCATED: usize = 4096;
+/// Most agents whose velocity alignment within a radius is followed as a Filippov solution, all in the same steps: each switch costs a look at
+/// each pair. Larger flocks have individual steps.
+const MOST_TOGETHER: usize = 256;
 
 /// What a heading difference may mean.
 pub(super) const READINGS: [(&str, HeadingDifference); 3] = [
@@ -27,10 +29,7 @@ pub(super) const READINGS: [(&str, HeadingDifference); 3] = [
 pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: true, phases: false })?;
     let model = if headings { "heading-alignment" } else { "velocity-alignment" };
-    let located = !headings && source.needed("run")?.get("step").is_none();
-    let most_switching = if located { MOST_LOCATED } else { usize::MAX };
-    let can =
-        Abilities { model, positions: true, directed: false, edges: true, timed: true, most_switching, default: None };
+    let can = Abilities { model, positions: true, directed: false, edges: true, timed: true, default: None };
     let mut network = Network::read(source, start.agents(), can)?;
     let step = read_step(source, &network)?;
     let law = source.needed("law")?;
@@ -71,6 +70,10 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
                 field.take_failure().map_or(Ok(()), |error| Err(RunError::Large { time, error }))
             };
             return Ok(Box::new(Stepped::new(agents, list, step, Box::new(rate))));
+        }
+        if agents.count > MOST_TOGETHER {
+            let flock = Individual::new(agents, radius, &state, tolerance);
+            return Ok(Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?));
         }
         let network = double_integrator::Network::Within(radius);
         let potential = agents.potential.exact().clone();

@@ -2,7 +2,7 @@
 
 use arithmetic::{ArithmeticError, NumberError};
 use models::averaging::FlockError;
-use models::double_integrator::{FlockError as LargeFlockError, InputError, MotionError};
+use models::double_integrator::{FlockError as LargeFlockError, IndividualError, InputError, MotionError};
 use models::platoon::CommunicationError;
 use motion::IntegrationError;
 
@@ -168,11 +168,6 @@ pub enum Problem {
         /// What it needs.
         needs: &'static str,
     },
-    /// Too many agents to follow all ways on at the radius.
-    #[error(
-        "velocity alignment within a radius is followed as a Filippov solution for at most {0} agents; with a fixed `step` in [run] it takes more"
-    )]
-    TooMany(usize),
     /// A potential without a value.
     #[error("the potential of agents {0} and {1} is not finite at the start")]
     Potential(usize, usize),
@@ -212,6 +207,9 @@ pub enum Problem {
     /// Not a flock of switching links.
     #[error(transparent)]
     Motion(#[from] InputError),
+    /// Not a flock with individual steps.
+    #[error(transparent)]
+    Individual(#[from] IndividualError),
     /// The law has no value at the start.
     #[error("the law has no value at the start: {0}")]
     Law(#[from] ArithmeticError),
@@ -240,6 +238,9 @@ pub enum RunError {
     /// A flock of switching links.
     #[error(transparent)]
     Motion(#[from] MotionError),
+    /// A flock with individual steps.
+    #[error(transparent)]
+    Individual(#[from] IndividualError),
     /// A large flock.
     #[error("about t = {time}: {error}")]
     Large {

@@ -11,6 +11,7 @@ mod ensemble;
 mod error;
 mod exact;
 mod fish;
+mod individual;
 mod links;
 mod network;
 mod noisy;

@@ -26,8 +26,6 @@ pub(super) struct Abilities {
     pub edges: bool,
     /// Links can be replaced at given times.
     pub timed: bool,
-    /// The most agents where links depend on distances.
-    pub most_switching: usize,
     /// What is used where the section is missing.
     pub default: Option<Kind>,
 }
@@ -115,9 +113,6 @@ impl Network {
         }
         if !can.directed && kind == Kind::Nearest {
             return Err(needs("an undirected graph: that of the nearest is not"));
-        }
-        if order > can.most_switching && matches!(kind, Kind::Within | Kind::Nearest) {
-            return Err(entry.problem(Problem::TooMany(can.most_switching)));
         }
         let keys: &[&str] = match kind {
             Kind::Circulant => &["kind", "offsets"],

@@ -122,7 +122,6 @@ pub(super) const PHASES: Abilities = Abilities {
     directed: true,
     edges: false,
     timed: true,
-    most_switching: 0,
     default: Some(Kind::AllToAll),
 };
 
@@ -230,7 +229,6 @@ pub(super) const PARTICLES: Abilities = Abilities {
     directed: true,
     edges: false,
     timed: true,
-    most_switching: usize::MAX,
     default: Some(Kind::AllToAll),
 };
 

@@ -111,15 +111,8 @@ pub(super) fn tracked(
     if let Some(entry) = communication {
         return Err(entry.problem(Problem::Both("communication", "[graph]")));
     }
-    let can = Abilities {
-        model: "platoon",
-        positions: false,
-        directed: true,
-        edges: true,
-        timed: false,
-        most_switching: 0,
-        default: None,
-    };
+    let can =
+        Abilities { model: "platoon", positions: false, directed: true, edges: true, timed: false, default: None };
     let network = Network::read(source, cars, can)?;
     let mut places = vec![0; cars];
     order.iter().zip(0..).for_each(|(&agent, place)| places[agent] = place);

@@ -379,8 +379,15 @@ fn fixed_steps_agree_with_located_switches() {
     }
     let large = "model = \"velocity-alignment\"\n[graph]\nkind = \"within\"\nradius = 1\n[state]\nrandom = { agents = 5000, half = 50 }\n\
         [law]\npotential = \"none\"\n[run]\nuntil = \"1/10\"\nrows = 2\n";
-    let error = Scenario::read(large).expect_err("too many").to_string();
-    assert!(error.contains("line 3") && error.contains("4096") && error.contains("step"), "{error}");
+    // Located too: all switches, in order, and the links at the end are those of the positions.
+    let located = run(large);
+    assert!(located.declaration.iter().any(|line| line.contains("individual steps")));
+    assert!(located.events.len() > 100 && located.events.is_sorted_by(|a, b| a.time <= b.time));
+    let fixed = run(&format!("{large}step = \"1/2000\"\n"));
+    let error = far(&end(&fixed), &end(&located));
+    assert!(error < 1e-4, "{error}");
+    let components = |outcome: &Outcome| value(outcome.samples().last().expect("a sample"), "components");
+    assert_eq!(components(&fixed), components(&located));
     let outcome = run(&format!("{large}step = \"1/20\"\n"));
     assert!(value(outcome.samples().last().expect("a sample"), "disagreement") > 0.0);
     let fixed = include_str!("../../../../assets/scenarios/three_agents.toml").replace("tolerance = 1e-12", "step = 1");

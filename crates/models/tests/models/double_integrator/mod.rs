@@ -5,6 +5,7 @@ mod equilibria;
 mod exact;
 mod flock;
 mod forks;
+mod individual;
 mod inputs;
 mod motion;
 mod observation;

@@ -2,5 +2,6 @@
 
 mod golden;
 mod integrators;
+mod series;
 mod sines;
 mod statistics;
