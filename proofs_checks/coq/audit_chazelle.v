@@ -3,8 +3,8 @@
 From mathcomp Require all_ssreflect all_algebra.
 From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
-From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp
-  chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked
+From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp chazelle_origins
+  chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked chazelle_angle
   chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals
   chazelle_entries chazelle_switches.
 
@@ -38,6 +38,11 @@ Check (@chazelle_worked.angle_bounds :
   chazelle_worked.norm d v <= B ->
   chazelle_worked.norm d w <= B ->
   / (1 + B ^ 2) <= chazelle_worked.angle d v w / chazelle_worked.norm d (chazelle_worked.diff v w) <= 5 / 2).
+(* beyond.chazelle.angle, clause 1: the angle of (v, 1) and (w, 1), w = x/t; chazelle.eq3.15 *)
+Check (@chazelle_angle.angle_le :
+  forall (d : nat) (v w : nat -> R),
+  acos ((chazelle_worked.dotp d v w + 1) / (sqrt (chazelle_worked.dotp d v v + 1) * sqrt (chazelle_worked.dotp d w w + 1))) <=
+  sqrt (chazelle_worked.dotp d (fun k => 1 * v k + (-1) * w k) (fun k => 1 * v k + (-1) * w k))).
 (* chazelle.ex15 (claim) *)
 Check (@chazelle_worked.ex15 :
   (forall lam : R,
@@ -463,6 +468,18 @@ Check (@chazelle_sharp.lazy_vicsek_rate :
   (forall i, c i = 2%:R / (3 * degree G i)%:R) \/ (forall i, c i = (degree G i).+1%:R^-1) ->
   (forall t, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
   norm2 (row i (v t.+1) - row j (v t.+1)) ^+ (n ^ 3) * 2%:R ^+ t <= (n%:R * tau2 (v 1%N)) ^+ (n ^ 3)).
+(* beyond.chazelle.angle, clause 2: coordinate q of x_i(t) - t v_i(t), M at least every |x_j(0)| in that coordinate; the switches
+   counted are those at the times 2, .., t - 1 *)
+Check (@chazelle_origins.origins_stay :
+  forall (R : rcfType) (n d a : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (x v : nat -> 'M[R]_(n, d)),
+  (forall t, (0 < t)%N -> network (G t)) -> (forall t, (0 < t)%N -> model_D (G t) (c t)) -> (0 < a)%N ->
+  (forall t i j, (0 < t)%N -> 0 < transition (G t) (c t) i j -> (n%:R ^+ a)^-1 <= transition (G t) (c t) i j) ->
+  (forall s t, (forall i j, G s i j = G t i j) -> forall i, c s i = c t i) ->
+  (forall t, x t.+1 = x t + v t.+1) -> (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
+  (forall t i j, (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R) ->
+  forall (q : 'I_d) (t : nat) (i : 'I_n) (M : R), (0 < t)%N -> (forall j, `|x 0%N j q| <= M) ->
+  `|x t i q - t%:R * v t i q| <=
+    M + 4%:R * (\sum_(1 <= k < t.-1) [exists i, [exists j, G k i j != G k.+1 i j]])%N.+1%:R * n%:R ^+ (2 * a + 3)).
 (* beyond.chazelle.entries (part) *)
 Check (@chazelle_entries.smallest_entries :
   forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (s t : nat) (i j : 'I_n),

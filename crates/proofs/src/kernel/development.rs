@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 87] = sources![
+const SOURCES: [(&str, &str); 89] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -20,6 +20,7 @@ const SOURCES: [(&str, &str); 87] = sources![
     "chazelle_fixed",
     "chazelle_network",
     "chazelle_sharp",
+    "chazelle_origins",
     "chazelle_limits",
     "chazelle_products",
     "chazelle_bits",
@@ -34,6 +35,7 @@ const SOURCES: [(&str, &str); 87] = sources![
     "chazelle_estimates",
     "chazelle_switches",
     "chazelle_worked",
+    "chazelle_angle",
     "paley_model",
     "paley_phase",
     "paley_laplacian",
