@@ -58,7 +58,7 @@ impl SparseMatrix {
     }
 
     /// All entries that are not zero, `(row, column, value)`, in order.
-    pub fn entries(&self) -> impl Iterator<Item = (usize, usize, &Rational)> {
+    pub fn entries(&self) -> impl Iterator<Item = (usize, usize, &Rational)> + Clone {
         self.rows.iter().enumerate().flat_map(|(i, row)| row.iter().map(move |(j, value)| (i, *j, value)))
     }
 
