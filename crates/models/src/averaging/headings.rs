@@ -81,7 +81,7 @@ impl Headings {
 
 /// What it takes to go the same way again: the start, and every change of the network and of the control.
 #[derive(Debug, Clone)]
-pub(super) struct Course {
+pub(super) struct History {
     pub start: KinematicStart,
     /// `(t, G_t)` where `G_t` is not `G_(t-1)`.
     networks: Vec<(u64, Graph)>,
@@ -89,9 +89,9 @@ pub(super) struct Course {
     controls: Vec<(u64, Vec<Rational>)>,
 }
 
-impl Course {
+impl History {
     pub fn new(start: KinematicStart, network: Graph) -> Self {
-        Course { start, networks: vec![(0, network)], controls: vec![(0, Vec::new())] }
+        History { start, networks: vec![(0, network)], controls: vec![(0, Vec::new())] }
     }
 
     pub fn network(&self) -> &Graph {
