@@ -345,8 +345,8 @@ fn examine_starts(variant: &StartVariant, run: &mut Run) -> Result<Outcome, Chec
     Run::all([Ok(ways.on([2])), some_way(variant.hull, run).on([1]), argued(&[1, 2], "solutions of (10)", steps)])
 }
 
-/// Three agents at rest in a row. Agent 3 pushes agent 2 towards agent 1, at distance R below the desired one; with the link in force agents 1
-/// and 2 would part, without it they would approach.
+/// Three agents at rest in a row, R below the desired distance. Agent 3 pushes agent 2 towards agent 1; with the link in
+/// force agents 1 and 2 would part, without it they would approach.
 fn held_at_the_threshold() -> Start {
     let q = |n: i64| rational(n, 20);
     let state = State { positions: [0, 10, 19].map(|x| [q(x), q(0)]).to_vec(), velocities: vec![[q(0), q(0)]; 3] };

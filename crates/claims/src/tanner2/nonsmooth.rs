@@ -346,8 +346,8 @@ pub enum HullVariant {
     Uncut,
 }
 
-/// Two and three agents, no pair, one pair, two pairs at the threshold R = 2, at rest, at random velocities and at random ones across the
-/// first pair.
+/// Two and three agents, no pair, one pair, two pairs at the threshold R = 2; at rest, at random velocities, and at random
+/// ones across the first pair.
 fn tied_states(run: &Run) -> Vec<(String, State<Rational>)> {
     let mut random = run.random(0);
     let q = |n| rational(n, 1);
@@ -397,8 +397,8 @@ pub(super) fn hulls(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckEr
     })
 }
 
-/// The rate of `Q` along one way on from a state with ties at `R`, whose square this is, and `-v^T (L kron I_2) v` with the links and
-/// weights in force there.
+/// The rate of `Q` along one way on from a state with ties at `R`, whose square this is, and `-v^T (L kron I_2) v` with the
+/// links and weights in force there.
 fn rate_along(
     state: &State<Rational>,
     square: &Rational,
