@@ -131,7 +131,7 @@ impl SwitchingFlock {
         };
         // Handing over to another thread takes longer than copying a few.
         let finite = if count < MANY {
-            self.places.iter().zip(accelerations).map(collect).fold(true, |a, b| a && b)
+            self.places.iter().zip(accelerations).all(collect)
         } else {
             let pairs = self.places.par_iter().zip(accelerations).with_min_len(TASK);
             pairs.map(collect).reduce(|| true, |a, b| a && b)
