@@ -2,11 +2,11 @@
 //!
 //! usage: cargo bench --bench peer_workloads -- [FILTER]   (FILTER keeps the configurations whose name contains it)
 
-use flockproof::arithmetic::{Interval, Unwatched, decimal, rational};
+use flockproof::arithmetic::{Interval, Rational, Unwatched, decimal, rational};
 use flockproof::averaging::{FilteredFlock, Flock, Hysteresis, Start, Weights};
 use flockproof::double_integrator::{Potential, State, SwitchingFlock};
 use flockproof::graph::{LaplacianKind, NamedGraph};
-use flockproof::matrix::{StochasticMatrix, prefix_products, product_sequential, product_tree};
+use flockproof::matrix::{SparseMatrix, StochasticMatrix, prefix_products, product_sequential, product_tree};
 use flockproof::motion::Rk4;
 use flockproof::oscillator::AllToAll;
 use flockproof::platoon::time_domain::Modes;
@@ -14,7 +14,7 @@ use flockproof::platoon::{Gains, resonance, theorem1};
 use flockproof::question::{Question, Verdict, decide};
 use flockproof::spectrum::{Eigenvalue, closed_form, matrix_spectrum, symmetric_enclosures, tridiagonal_eigenvalues};
 use flockproof_benches::{
-    circulant, crowd, geometric, lattice_flock, phases, ring, stochastic_matrices, weighted_path,
+    circulant, crowd, full_of_rationals, geometric, lattice_flock, phases, ring, stochastic_matrices, weighted_path,
 };
 use num_bigint::BigUint;
 use num_traits::ToPrimitive;
@@ -60,20 +60,16 @@ fn joined(numbers: impl Iterator<Item = BigUint>) -> String {
 }
 
 fn products(wanted: &dyn Fn(&str) -> bool) {
+    type Product = fn(&[StochasticMatrix]) -> StochasticMatrix;
+    let sequence: (&str, Product) = ("flockproof_seq", |f| product_sequential(f).expect("factors fit"));
+    let tree: (&str, Product) = ("flockproof_tree", |f| product_tree(f).expect("factors fit"));
     for n in [8usize, 16] {
-        for length in [20usize, 500] {
-            let factors = stochastic_matrices(n, length, 1000 + n as u64);
+        for (length, (name, product)) in [(20, sequence), (20, tree), (500, sequence), (500, tree), (5000, tree)] {
             let size = format!("n={n},T={length}");
-            type Product = fn(&[StochasticMatrix]) -> StochasticMatrix;
-            let ways: [(&str, Product); 2] = [
-                ("flockproof_seq", |f| product_sequential(f).expect("factors fit")),
-                ("flockproof_tree", |f| product_tree(f).expect("factors fit")),
-            ];
-            for (name, product) in ways {
-                if wanted(&format!("W1 {name} {size}")) {
-                    let (seconds, result) = best_of(|| product(&factors));
-                    emit("W1", name, &size, seconds, &sha(&joined(result.numerators())));
-                }
+            if wanted(&format!("W1 {name} {size}")) {
+                let factors = stochastic_matrices(n, length, 1000 + n as u64);
+                let (seconds, result) = best_of(|| product(&factors));
+                emit("W1", name, &size, seconds, &sha(&joined(result.numerators())));
             }
         }
     }
@@ -95,7 +91,7 @@ fn coefficients(wanted: &dyn Fn(&str) -> bool) {
                 .collect::<Vec<_>>()
         });
         let (numerator, denominator) = result.last().expect("not empty").clone();
-        let tau = flockproof::arithmetic::Rational::new(numerator.into(), denominator.into());
+        let tau = Rational::new(numerator.into(), denominator.into());
         emit("W2", "flockproof", &size, seconds, &sha(&format!("{}/{}", tau.numer(), tau.denom())));
     }
 }
@@ -103,7 +99,7 @@ fn coefficients(wanted: &dyn Fn(&str) -> bool) {
 /// The enclosures rounded to 25 significant digits, which both ends must agree on, as the Arb script prints them.
 fn rounded(x: &Interval) -> String {
     let (lo, hi) = x.to_rationals();
-    let round = |q: &flockproof::arithmetic::Rational| {
+    let round = |q: &Rational| {
         // Half a unit of the 25th digit up, then down.
         let leading = q.to_f64().expect("finite").log10().floor() as i32;
         let half = rational(5, 1) * rational(10, 1).pow(leading - 25);
@@ -173,6 +169,17 @@ fn spectra(wanted: &dyn Fn(&str) -> bool) {
             let (seconds, found) = best_of(|| symmetric_enclosures(&matrix).expect("a bound"));
             emit("W4", "flockproof", &size, seconds, &ordered(&expanded(&found)));
         }
+    }
+    if wanted("W4 flockproof rational_full n=1000") {
+        let entries: Vec<(usize, usize, Rational)> = full_of_rationals(1000).collect();
+        let (seconds, found) = best_of(|| {
+            let matrix = SparseMatrix::from_entries(1000, entries.iter().cloned());
+            symmetric_enclosures(&matrix).expect("a bound")
+        });
+        let values: Vec<f64> = found.iter().map(|part| part.re.to_f64()).collect();
+        let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        assert!(values.len() == 1000 && found.iter().all(|part| part.re.width().to_f64() < 1e-12 * largest));
+        emit("W4", "flockproof", "rational_full n=1000", seconds, &ordered(&values));
     }
     if wanted("W4 flockproof rgg_dense n=500") {
         let matrix = geometric(500);

@@ -11,6 +11,8 @@ CASE:
   path_tridiag n = 4000, Laplacian of the weighted path, weights 0.5 + u (n-1 draws, seed 4001),
                scipy.linalg.eigvalsh_tridiagonal
   path_family  n = 4000, the same with unit weights: a family with a closed form
+  rational_full  n = 1000, symmetric, no entry zero: for i = 0..n-1, j = 0..i (seed 4004) two draws p = u32 mod 2000 - 1000 and
+               q = u32 mod 997 + 1, entry (p if p < 0 else p + 1)/q; ours reads the rationals, numpy.linalg.eigvalsh has the floats
   rgg_dense    n = 500 points (x then y per point, seed 4002) in the unit square, edge if distance^2
                <= 0.08^2, self loops, rows divided by degree; numpy.linalg.eigvals (non-symmetric)
 THREADS is the number of BLAS threads (set before numpy is loaded).
@@ -80,6 +82,17 @@ def main():
         sec, h = best_of(lambda: scipy.linalg.eigvalsh_tridiagonal(d, -w), reps=5)
         peer, version = "scipy eigvalsh_tridiagonal", "scipy " + scipy.__version__
         check = "lambda2=%.6e max=%.10g sumsq=%.10g" % (h[1], h[-1], np.sum(h * h))
+    elif case == "rational_full":
+        n = 1000
+        g = Lcg(4004)
+        A = np.zeros((n, n))
+        for i in range(n):
+            for j in range(i + 1):
+                p, q = g.u32() % 2000 - 1000, g.u32() % 997 + 1
+                A[i, j] = A[j, i] = (p if p < 0 else p + 1) / q
+        sec, h = best_of(lambda: np.linalg.eigvalsh(A), reps=5)
+        peer = "numpy eigvalsh"
+        check = "lambda2=%.8e max=%.10g sumsq=%.10g" % (h[1], h[-1], np.sum(h * h))
     elif case == "rgg_dense":
         n = 500
         g = Lcg(4002)

@@ -1,6 +1,6 @@
 //! Inputs shared by the benches: the generator that the peer scripts use too (`benches/peers/common.py`).
 
-use flockproof::arithmetic::rational;
+use flockproof::arithmetic::{Rational, rational};
 use flockproof::averaging::{Hysteresis, Start, Weights};
 use flockproof::double_integrator::State;
 use flockproof::matrix::{SparseMatrix, StochasticMatrix};
@@ -68,6 +68,18 @@ pub fn geometric(n: usize) -> SparseMatrix {
         close.into_iter().map(move |j| (i, j, share.clone()))
     };
     SparseMatrix::from_entries(n, (0..n).flat_map(row))
+}
+
+/// The entries of a symmetric matrix of random rationals, none of them left out.
+pub fn full_of_rationals(n: usize) -> impl Iterator<Item = (usize, usize, Rational)> {
+    let mut random = Lcg(4004);
+    let mut entry = move |(i, j): (usize, usize)| {
+        let (p, q) = (i64::from(random.u32() % 2000) - 1000, i64::from(random.u32() % 997) + 1);
+        let value = rational(if p < 0 { p } else { p + 1 }, q);
+        let mirrored = (i != j).then(|| (j, i, value.clone()));
+        std::iter::once((i, j, value)).chain(mirrored)
+    };
+    (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))).flat_map(move |place| entry(place))
 }
 
 /// Phases between 0 and pi.

@@ -51,12 +51,14 @@ impl CellList {
         if let Some(place) = points.iter().position(|p| !(p[0].is_finite() && p[1].is_finite())) {
             return Err(CellError::Position(place));
         }
-        let side = |k: usize| {
-            let fold = |start: f64, f: fn(f64, f64) -> f64| points.iter().map(|p| p[k]).fold(start, f);
-            (fold(f64::INFINITY, f64::min), fold(f64::NEG_INFINITY, f64::max))
-        };
-        let ((left, right), (bottom, top)) =
-            if points.is_empty() { ((0.0, 0.0), (0.0, 0.0)) } else { (side(0), side(1)) };
+        let (mut corner, mut opposite) = points.first().map_or(([0.0; 2], [0.0; 2]), |&p| (p, p));
+        for p in points {
+            for k in 0..2 {
+                corner[k] = if p[k] < corner[k] { p[k] } else { corner[k] };
+                opposite[k] = if p[k] > opposite[k] { p[k] } else { opposite[k] };
+            }
+        }
+        let ([left, bottom], [right, top]) = (corner, opposite);
         // A little wider than the radius, so that rounding of the quotient does not matter; wider still where there would be
         // many more cells than points on a side.
         let most = (points.len() as f64).sqrt() * 2.0 + 1.0;
@@ -72,7 +74,7 @@ impl CellList {
             starts: vec![0; columns * rows + 1],
             columns,
             rows,
-            corner: [left, bottom],
+            corner,
             per_width,
             radius,
         };

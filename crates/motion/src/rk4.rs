@@ -3,6 +3,9 @@
 use super::{CHUNK, VectorField};
 use rayon::prelude::*;
 
+/// Lengths of states from which the work is shared out among processors: handing it over takes longer than adding fewer.
+const MANY: usize = 1 << 16;
+
 /// Runge's and Kutta's classical method, with its working space.
 #[derive(Debug, Clone)]
 pub struct Rk4 {
@@ -34,7 +37,7 @@ impl Rk4 {
             }
         };
         let parts = self.sum.par_chunks(CHUNK).zip(self.slope.par_chunks(CHUNK));
-        if state.len() <= CHUNK {
+        if state.len() < MANY {
             add(state, &self.sum, &self.slope);
         } else {
             state.par_chunks_mut(CHUNK).zip(parts).for_each(|(state, (sum, slope))| add(state, sum, slope));
@@ -49,7 +52,7 @@ impl Rk4 {
                 *stage = y + ahead * slope;
             }
         };
-        if state.len() <= CHUNK {
+        if state.len() < MANY {
             update(&mut self.stage, &mut self.sum, state, &self.slope);
         } else {
             let to = self.stage.par_chunks_mut(CHUNK).zip(self.sum.par_chunks_mut(CHUNK));

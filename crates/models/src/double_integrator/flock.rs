@@ -129,9 +129,13 @@ impl SwitchingFlock {
             *acceleration = [self.found[0][place], self.found[1][place]];
             acceleration.iter().all(|a| a.is_finite())
         };
-        let minimum = if count < MANY { count } else { TASK };
-        let pairs = self.places.par_iter().zip(accelerations).with_min_len(minimum.max(1));
-        let finite = pairs.map(collect).reduce(|| true, |a, b| a && b);
+        // Handing over to another thread takes longer than copying a few.
+        let finite = if count < MANY {
+            self.places.iter().zip(accelerations).all(collect)
+        } else {
+            let pairs = self.places.par_iter().zip(accelerations).with_min_len(TASK);
+            pairs.map(collect).reduce(|| true, |a, b| a && b)
+        };
         if finite { Ok(()) } else { Err(self.reason(&cells, positions)) }
     }
 
