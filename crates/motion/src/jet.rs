@@ -18,12 +18,12 @@ impl<T: Ring + Copy, const K: usize> Jet<T, K> {
     #[inline(always)]
     fn product(&self, other: &Self) -> Self {
         let mut all = self.0;
-        for n in 0..K {
+        for (n, to) in all.iter_mut().enumerate() {
             let mut sum = self.0[0] * other.0[n];
             for k in 1..=n {
                 sum = sum + self.0[k] * other.0[n - k];
             }
-            all[n] = sum;
+            *to = sum;
         }
         Jet(all)
     }

@@ -388,7 +388,7 @@ impl IndividualFlock {
             let path = *self.together.path(k);
             let (length, reach) = self.length(&path);
             let until = time + length;
-            if !(until > time) {
+            if until.is_nan() || until <= time {
                 return Err(IntegrationError::Stuck(time).into());
             }
             let agent = &mut self.agents[k];
