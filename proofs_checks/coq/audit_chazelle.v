@@ -3,8 +3,8 @@
 From mathcomp Require all_ssreflect all_algebra.
 From Coq Require Reals QArith Qabs.
 From Coquelicot Require Coquelicot.
-From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network
-  chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked
+From Flockproof Require chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp chazelle_origins
+  chazelle_limits chazelle_spectral chazelle_stabilisers chazelle_birds chazelle_worked chazelle_angle
   chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits chazelle_reals
   chazelle_entries chazelle_switches.
 
@@ -38,6 +38,11 @@ Check (@chazelle_worked.angle_bounds :
   chazelle_worked.norm d v <= B ->
   chazelle_worked.norm d w <= B ->
   / (1 + B ^ 2) <= chazelle_worked.angle d v w / chazelle_worked.norm d (chazelle_worked.diff v w) <= 5 / 2).
+(* beyond.chazelle.angle, clause 1: the angle of (v, 1) and (w, 1), w = x/t; chazelle.eq3.15 *)
+Check (@chazelle_angle.angle_le :
+  forall (d : nat) (v w : nat -> R),
+  acos ((chazelle_worked.dotp d v w + 1) / (sqrt (chazelle_worked.dotp d v v + 1) * sqrt (chazelle_worked.dotp d w w + 1))) <=
+  sqrt (chazelle_worked.dotp d (fun k => 1 * v k + (-1) * w k) (fun k => 1 * v k + (-1) * w k))).
 (* chazelle.ex15 (claim) *)
 Check (@chazelle_worked.ex15 :
   (forall lam : R,
@@ -118,7 +123,7 @@ End NumbersAndBirds.
 
 Module Matrices.
 Import all_ssreflect all_algebra.
-Import chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_limits chazelle_spectral
+Import chazelle_model chazelle_ergodicity chazelle_products chazelle_fixed chazelle_network chazelle_sharp chazelle_limits chazelle_spectral
   chazelle_stabilisers chazelle_recurrent chazelle_agreement chazelle_contraction chazelle_count chazelle_bits.
 Import GRing.Theory Num.Theory Order.Theory.
 Local Open Scope ring_scope.
@@ -448,6 +453,33 @@ Check (@chazelle_network.fiedler_rate :
    (forall i0 : 'I_n, n%:R ^- a <= transition G c i0 i0) ->
    (forall t0 : nat, (0 < t0)%N -> v t0.+1 = transition G c *m v t0) ->
    norm2 (row i (v t.+1) - row j (v t.+1)) <= n%:R ^+ a.+1 * 2^-1 ^+ (t %/ n ^ (2 * a + 4)) * tau2 (v 1%N))).
+(* chazelle.fiedler.rate, corrected, clause 1: an eigenvalue of the Laplacian other than 0 *)
+Check (@chazelle_sharp.fiedler_sharp :
+  forall (R : realFieldType) (n : nat) (G : rel 'I_n) (lam : R) (f : 'I_n -> R),
+  network G -> (forall i j, connect G i j) ->
+  (forall i, \sum_j laplacian R G i j * f j = lam * f i) -> (exists i, f i != 0) -> lam != 0 ->
+  4%:R <= lam * (n * n.-1)%:R).
+
+(* chazelle.fiedler.rate, corrected, clause 3: differences are at most n 2^(-t/n^3) times the largest of the first ones, both sides
+   to the power n^3 *)
+Check (@chazelle_sharp.lazy_vicsek_rate :
+  forall (R : rcfType) (n d : nat) (G : rel 'I_n) (c : 'I_n -> R) (v : nat -> 'M[R]_(n, d)) (t : nat) (i j : 'I_n),
+  network G -> (forall i j, connect G i j) -> (1 < n)%N ->
+  (forall i, c i = 2%:R / (3 * degree G i)%:R) \/ (forall i, c i = (degree G i).+1%:R^-1) ->
+  (forall t, (0 < t)%N -> v t.+1 = transition G c *m v t) ->
+  norm2 (row i (v t.+1) - row j (v t.+1)) ^+ (n ^ 3) * 2%:R ^+ t <= (n%:R * tau2 (v 1%N)) ^+ (n ^ 3)).
+(* beyond.chazelle.angle, clause 2: coordinate q of x_i(t) - t v_i(t), M at least every |x_j(0)| in that coordinate; the switches
+   counted are those at the times 2, .., t - 1 *)
+Check (@chazelle_origins.origins_stay :
+  forall (R : rcfType) (n d a : nat) (G : nat -> rel 'I_n) (c : nat -> 'I_n -> R) (x v : nat -> 'M[R]_(n, d)),
+  (forall t, (0 < t)%N -> network (G t)) -> (forall t, (0 < t)%N -> model_D (G t) (c t)) -> (0 < a)%N ->
+  (forall t i j, (0 < t)%N -> 0 < transition (G t) (c t) i j -> (n%:R ^+ a)^-1 <= transition (G t) (c t) i j) ->
+  (forall s t, (forall i j, G s i j = G t i j) -> forall i, c s i = c t i) ->
+  (forall t, x t.+1 = x t + v t.+1) -> (forall t, (0 < t)%N -> v t.+1 = transition (G t) (c t) *m v t) ->
+  (forall t i j, (0 < t)%N -> G t i j -> norm2 (row i (x t) - row j (x t)) <= 2%:R) ->
+  forall (q : 'I_d) (t : nat) (i : 'I_n) (M : R), (0 < t)%N -> (forall j, `|x 0%N j q| <= M) ->
+  `|x t i q - t%:R * v t i q| <=
+    M + 4%:R * (\sum_(1 <= k < t.-1) [exists i, [exists j, G k i j != G k.+1 i j]])%N.+1%:R * n%:R ^+ (2 * a + 3)).
 (* beyond.chazelle.entries (part) *)
 Check (@chazelle_entries.smallest_entries :
   forall (R : realFieldType) (n : nat) (G : nat -> rel 'I_n) (s t : nat) (i j : 'I_n),

@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_composite paley_fish paley_behaviours tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
+From Flockproof Require Import RealSums paley_centre paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_composite paley_fish paley_behaviours tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -819,3 +819,17 @@ Check (paley_laplacian.zero_dir_printed_fails :
 Check (paley_laplacian.W1_weakly :
   forall (n : nat) (adj : graph) (th : nat -> R),
        (1 <= n)%nat -> W1 n adj th = 0 <-> (forall j k : nat, weakly_joined n adj j k -> expi (th j) = expi (th k))).
+
+(* the spacing loop for all t >= 0, and centres of circles that tend to one point *)
+Check (eq_refl : paley_centre.spaced = fun n adj w0 K0 r th => forall k t, (k < n)%nat -> 0 <= t ->
+  is_velocity (r k) t (expi (th k t)) /\
+  is_derive (th k) t (w0 + w0 * (K0 / INR n * aS n adj w0 (fun j => r j t) (fun j => th j t) k))).
+Check (eq_refl : paley_centre.centres_tend = fun n w0 r th c => forall k, (k < n)%nat -> forall e, 0 < e ->
+  exists T, forall t, T <= t -> Cmod (circle_centre w0 (r k t) (th k t) - c)%C < e).
+
+(* paley.thm2.center, clause 2 *)
+Check (paley_centre.centre_by_start :
+  forall (n : nat) (adj : graph) (w0 K0 : R) (r r' : nat -> R -> C) (th th' : nat -> R -> R) (c c' : C), (1 <= n)%nat ->
+       paley_centre.spaced n adj w0 K0 r th -> paley_centre.spaced n adj w0 K0 r' th' ->
+       (forall k, (k < n)%nat -> r k 0 = r' k 0 /\ th k 0 = th' k 0) ->
+       paley_centre.centres_tend n w0 r th c -> paley_centre.centres_tend n w0 r' th' c' -> c = c').

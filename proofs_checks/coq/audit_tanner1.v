@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner1_motion tanner2_examples tanner2_facts tanner_graph paley_stability.
+From Flockproof Require Import RealSums tanner1_pair paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner1_motion tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -339,3 +339,18 @@ Check (tanner1_motion.propIV3a_ends :
        (forall (r : nat -> R -> C) (s th : nat -> R -> R),
         (forall (t : R) (i : nat), 0 <= t < PI / 12 -> (i < 2)%nat -> r i t = swing (/ 4) i t) ->
         ~ closed_loop 2 complete (fun _ _ : nat => Vh') r s th (PI / 12))).
+
+(* two linked agents with a wrapped heading difference *)
+Check (eq_refl : tanner1_pair.wrapped = fun d x => sin x = 0 \/ - PI <= d <= PI /\ exists k : Z, d = x + 2 * IZR k * PI).
+
+(* beyond.tanner1.two_agents, clause 2: velocities are continuous, the law holds but for finitely many instants of [a, b] *)
+Check (tanner1_pair.two_agents_gather :
+  forall (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th phi s : nat -> R -> R),
+       undirected adj -> (forall i j, V' i j = V' j i) -> adj 0%nat 1%nat = true ->
+       forall (L : list R) (a b : R), a <= b ->
+       (forall t i, a <= t <= b -> (i < 2)%nat ->
+          continuity_pt (fun x => fst (v i x)) t /\ continuity_pt (fun x => snd (v i x)) t) ->
+       (forall t i, a <= t <= b -> (i < 2)%nat -> 0 <= s i t /\ v i t = (RtoC (s i t) * expi (phi i t))%C) ->
+       (forall t, a < t < b -> ~ In t L ->
+          steered 2 adj V V' r v th t /\ tanner1_pair.wrapped (th 0%nat t - th 1%nat t) (phi 0%nat t - phi 1%nat t)) ->
+       norm (v 0%nat a + v 1%nat a)%C <= norm (v 0%nat b + v 1%nat b)%C).

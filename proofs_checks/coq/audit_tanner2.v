@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_path tanner2_facts tanner2_motion tanner_paths tanner_graph paley_stability.
+From Flockproof Require Import RealSums tanner_saturated tanner_trees paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_path tanner2_facts tanner2_motion tanner_paths tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -479,3 +479,86 @@ Check (tanner2_path.unlinked_together :
          (fun (i : nat) (_ : R) => speed2 0 i) /\
        (forall s : R, 0 < s -> s <> 2 -> VP 2 < VP s) /\
        (forall i : nat, speed2 0 i = RtoC 0) /\ place2 0 0 = place2 0 2).
+
+(* trees: connected, and not so without any one of the edges; limits of points of the plane *)
+Check (eq_refl : tanner_trees.tree = fun n adj => strongly_connected n adj /\
+  forall a b, arc n adj a b -> ~ strongly_connected n (fun i j =>
+    (adj i j && negb (Nat.eqb i a && Nat.eqb j b || Nat.eqb i b && Nat.eqb j a))%bool)).
+Check (eq_refl : tanner_trees.tends = fun z l => is_lim_seq (fun k => fst (z k)) (fst l) /\ is_lim_seq (fun k => snd (z k)) (snd l)).
+Check (eq_refl : saturated = fun V R0 s => if Rlt_dec s R0 then V s else V R0).
+
+(* tanner2.cor1, corrected, clause 1 *)
+Check (tanner_trees.tree_distances :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
+       undirected adj -> no_loops adj ->
+       (forall i j, V i j = V j i) -> (forall i j, V' i j = V' j i) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       distinct n adj (fun i => r i 0) ->
+       (1 <= n)%nat -> strongly_connected n adj ->
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
+       (forall t, 0 <= t -> moves n adj V' r v t) ->
+       tanner_trees.tree n adj ->
+       forall m : nat -> nat -> R,
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> V' i j s = 0 -> s = m i j) ->
+       forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+       forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (norm (r i t - r j t)%C - m i j) < e).
+
+(* tanner2.cor1, corrected, clause 2 *)
+Check (tanner_trees.tree_forces_vanish :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
+       undirected adj -> no_loops adj ->
+       (forall i j, V i j = V j i) -> (forall i j, V' i j = V' j i) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       distinct n adj (fun i => r i 0) ->
+       (1 <= n)%nat -> strongly_connected n adj ->
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
+       (forall t, 0 <= t -> moves n adj V' r v t) ->
+       tanner_trees.tree n adj ->
+       forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+       forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> norm (grad (V' i j) (r i t) (r j t)) < e).
+
+(* tanner2.cor1, corrected, clause 3 *)
+Check (tanner_trees.tree_equilibrium :
+  forall (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (m : nat -> nat -> R) (r : nat -> C) (u : C),
+       undirected adj -> (forall i j, V' i j = V' j i) -> tanner_trees.tree n adj ->
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> V' i j s = 0 -> s = m i j) ->
+       distinct n adj r -> (forall i, (i < n)%nat -> control4 n adj V' r (fun _ => u) i = RtoC 0) ->
+       forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> norm (r i - r j)%C = m i j).
+
+(* tanner2.eq7, clause 3: limits of states of Omega, in relative positions and velocities, are states of Omega *)
+Check (tanner_trees.Omega_closed :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (c : R) (r v : nat -> nat -> C) (x : nat -> nat -> C) (y : nat -> C),
+       undirected adj -> no_loops adj -> (forall i j, V i j = V j i) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       (forall k, distinct n adj (r k) /\ Wenergy n adj V (r k) (v k) <= c) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> tanner_trees.tends (fun k => r k i - r k j)%C (x i j)) ->
+       (forall i, (i < n)%nat -> tanner_trees.tends (fun k => v k i) (y i)) ->
+       exists q : nat -> C, (forall i j, (i < n)%nat -> (j < n)%nat -> x i j = (q i - q j)%C) /\
+         distinct n adj q /\ Wenergy n adj V q y <= c).
+
+(* tanner2.lem1, corrected, clause 1 *)
+Check (tanner_saturated.saturated_regular :
+  forall (V V' : R -> R) (R0 : R), (forall s, 0 < s -> is_derive V s (V' s)) -> (forall s, 0 < s -> continuity_pt V' s) ->
+       forall s, 0 < s -> s <> R0 -> regular (saturated V R0) s).
+
+(* tanner2.lem1, corrected, clause 2 *)
+Check (tanner_saturated.negative_regular :
+  forall (V V' : R -> R) (R0 : R), 0 < R0 -> (forall s, 0 < s -> is_derive V s (V' s)) -> (forall s, 0 < s -> continuity_pt V' s) ->
+       0 < V' R0 -> regular (fun s => - saturated V R0 s) R0).
+
+(* tanner2.lem1, corrected, clause 3 *)
+Check (tanner_saturated.derivatives_at_R :
+  forall (V V' : R -> R) (R0 : R), 0 < R0 -> (forall s, 0 < s -> is_derive V s (V' s)) -> (forall s, 0 < s -> continuity_pt V' s) ->
+       0 < V' R0 -> forall w, one_sided (saturated V R0) R0 w (Rmin 0 (V' R0 * w)) /\ clarke (saturated V R0) R0 w (Rmax 0 (V' R0 * w))).
+
+(* tanner2.thm1c, corrected *)
+Check (tanner_trees.forces_vanish :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
+       undirected adj -> no_loops adj ->
+       (forall i j, V i j = V j i) -> (forall i j, V' i j = V' j i) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) ->
+       distinct n adj (fun i => r i 0) ->
+       (1 <= n)%nat -> strongly_connected n adj ->
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
+       (forall t, 0 <= t -> moves n adj V' r v t) ->
+       forall e, 0 < e -> exists T, 0 <= T /\ forall t i, T <= t -> (i < n)%nat -> norm (grad_i n adj V' (fun j => r j t) i) < e).

@@ -166,6 +166,17 @@ fn documents_keep_to_their_schemas() {
         property = \"lambda(2) >= 2*(1 - cos(pi/n))\"\ncontrols = [\"lambda(2) >= 2*(1 - cos(pi/n)) + 1/100\"]\n";
     let (question, store) = (file(&folder, "question.toml", question), folder.join("store"));
     assert_keeps("check", &printed(&["check", &question, "--json"]));
+    let campaign = printed(&["fuzz", &question, "--cases", "64", "--json"]);
+    assert_keeps("fuzz", &campaign);
+    let found = &campaign["invariants"][0];
+    assert_eq!((&found["id"], found["controls"]["refuted"].as_u64()), (&Value::from("mine.path"), Some(1)));
+    assert!(found["margin"].is_object() && found["inequalities"][0]["margin"].is_object(), "{found}");
+    let wrong = std::fs::read_to_string(&question).expect("text").replacen("cos(pi/n))", "cos(pi/n)) + 1/9", 1);
+    let failed = flockproof(&["fuzz", &file(&folder, "wrong.toml", wrong.as_bytes()), "--cases", "64", "--json"]);
+    assert_eq!(failed.status.code(), Some(1), "{}", String::from_utf8_lossy(&failed.stderr));
+    let failed: Value = serde_json::from_str(&stdout(&failed)).expect("JSON");
+    assert_keeps("fuzz", &failed);
+    assert!(failed["invariants"][0]["failures"][0]["instance"].is_string(), "{failed}");
     assert!(flockproof(&["sweep", &question, "--store", &store.to_string_lossy()]).status.success());
     let about = std::fs::read_to_string(store.join("about.txt")).expect("written");
     assert_keeps("sweep", &serde_json::from_str(about.lines().next().expect("a line")).expect("JSON"));

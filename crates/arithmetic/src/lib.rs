@@ -57,7 +57,7 @@ pub use number::{NumberError, decimal, decimals, parse_rational, shown, signific
 pub use probe::Probe;
 pub use progress::{Cancelled, Progress, Unwatched};
 pub use radical::RadicalSum;
-pub use rational::{NoRational, Rational, gcd, quotient, rational};
+pub use rational::{NoRational, Rational, common_denominator, content, gcd, lcm, quotient, rational};
 pub use real_cyclotomic::{CosineField, RealCyclotomic};
 pub use regression::regression_line;
 pub use residue::{Residue, is_prime, random_prime};

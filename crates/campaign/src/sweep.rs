@@ -40,10 +40,11 @@ impl Sweep {
     /// # Errors
     /// A sentence where the question has no property, or other than one or two intervals.
     pub fn with_maps(mut self, progress: &dyn Progress) -> Result<Self, String> {
-        let needed = "a map needs a property in [holds], and one or two names that range over an interval";
+        let needed = "a map needs a property in [holds], and one or two names that range over an interval, none over `integers(a, b)`";
         let first = self.question.case(0, progress).map_err(|error| error.to_string())?;
-        let intervals = first.map_or(0, |first| first.iter().filter(|(_, value)| value.is_interval()).count());
-        if !self.question.has_property() || !(1..=2).contains(&intervals) {
+        let boxes = first.iter().flat_map(|first| first.iter()).filter(|(_, value)| value.ends().is_some());
+        let boxes: Vec<bool> = boxes.map(|(_, value)| value.is_interval()).collect();
+        if !self.question.has_property() || !(1..=2).contains(&boxes.len()) || boxes.contains(&false) {
             return Err(needed.to_string());
         }
         self.maps = true;

@@ -26,10 +26,22 @@ impl<S: Simd> Lanes<S> {
 
     /// The first numbers of a list; zeros where there are too few.
     #[inline(always)]
-    pub fn gather(simd: S, numbers: impl Iterator<Item = f64>) -> Self {
+    pub fn load(simd: S, numbers: &[f64]) -> Self {
         let mut values = simd.splat_f64s(0.0);
         let lanes = pulp::bytemuck::cast_slice_mut(std::slice::from_mut(&mut values));
-        lanes.iter_mut().zip(numbers).for_each(|(lane, x)| *lane = x);
+        match numbers.get(..Self::WIDTH) {
+            Some(all) => lanes.copy_from_slice(all),
+            None => lanes.iter_mut().zip(numbers).for_each(|(lane, x)| *lane = *x),
+        }
+        Lanes { simd, values }
+    }
+
+    /// The numbers 0, 1, ... of the lanes.
+    #[inline(always)]
+    pub fn numbers(simd: S) -> Self {
+        let mut values = simd.splat_f64s(0.0);
+        let lanes: &mut [f64] = pulp::bytemuck::cast_slice_mut(std::slice::from_mut(&mut values));
+        lanes.iter_mut().enumerate().for_each(|(k, lane)| *lane = k as f64);
         Lanes { simd, values }
     }
 
@@ -46,14 +58,10 @@ impl<S: Simd> Lanes<S> {
         self.simd.less_than_f64s(self.values, other.values)
     }
 
-    /// With another number in one lane, if there is such a lane.
+    /// Whether one of these is less than the other in its lane.
     #[inline(always)]
-    pub fn with(self, lane: usize, x: f64) -> Self {
-        let mut values = self.values;
-        if let Some(slot) = pulp::bytemuck::cast_slice_mut(std::slice::from_mut(&mut values)).get_mut(lane) {
-            *slot = x;
-        }
-        Lanes { values, ..self }
+    pub fn any_less(self, other: Self) -> bool {
+        self.simd.first_true_m64s(self.less(other)) < Self::WIDTH
     }
 
     /// These numbers where the mask is set, others elsewhere.

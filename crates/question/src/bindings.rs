@@ -14,6 +14,8 @@ pub enum Value {
     Number(Rational),
     /// Every number between two.
     Box(Rational, Rational),
+    /// Every integer between two, the second one larger.
+    Integers(i64, i64),
     /// A graph.
     Graph(Arc<GraphValue>),
     /// A sequence of stochastic matrices, the first factor first.
@@ -94,11 +96,54 @@ impl Value {
         matches!(self, Value::Box(..))
     }
 
+    /// The smallest and the largest number of a box.
+    pub fn ends(&self) -> Option<(Rational, Rational)> {
+        match self {
+            Value::Box(lo, hi) => Some((lo.clone(), hi.clone())),
+            Value::Integers(from, to) => Some((rational(*from, 1), rational(*to, 1))),
+            _ => None,
+        }
+    }
+
+    /// The two halves of a box.
+    pub(crate) fn halves(&self) -> Option<[Value; 2]> {
+        match self {
+            Value::Box(lo, hi) => {
+                let middle = (lo + hi) * rational(1, 2);
+                Some([Value::Box(lo.clone(), middle.clone()), Value::Box(middle, hi.clone())])
+            }
+            Value::Integers(from, to) => {
+                let middle = from + (to - from) / 2;
+                Some([Value::integers(*from, middle), Value::integers(middle + 1, *to)])
+            }
+            _ => None,
+        }
+    }
+
+    /// All integers between two: a number where they are one.
+    pub(crate) fn integers(from: i64, to: i64) -> Self {
+        if from == to { Value::Number(rational(from, 1)) } else { Value::Integers(from, to) }
+    }
+
+    /// The simplest number near the middle of a box.
+    fn middle(&self) -> Option<Rational> {
+        match self {
+            Value::Box(lo, hi) => {
+                let middle = (lo + hi) * rational(1, 2);
+                let quarter = (hi - lo) * rational(1, 4);
+                Some(simplest_between(&(&middle - &quarter), &(&middle + &quarter)))
+            }
+            Value::Integers(from, to) => Some(rational(from + (to - from) / 2, 1)),
+            _ => None,
+        }
+    }
+
     /// A text that stands for it in a question, without quotes.
     pub fn text(&self) -> String {
         match self {
             Value::Number(q) => q.to_string(),
             Value::Box(lo, hi) => format!("[{lo}, {hi}]"),
+            Value::Integers(from, to) => format!("integers({from}, {to})"),
             Value::Graph(graph) => graph.to_string(),
             Value::Matrices(list) => {
                 let row = |row: &Vec<Rational>| row.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
@@ -149,20 +194,27 @@ impl Bindings {
 
     /// The names that stand for boxes, with their places.
     pub(crate) fn boxes(&self) -> Vec<(usize, Rational, Rational)> {
-        let interval = |(k, (_, value)): (usize, &(Arc<str>, Value))| match value {
-            Value::Box(lo, hi) => Some((k, lo.clone(), hi.clone())),
-            _ => None,
+        let ends = |(k, (_, value)): (usize, &(Arc<str>, Value))| value.ends().map(|(lo, hi)| (k, lo, hi));
+        self.entries.iter().enumerate().filter_map(ends).collect()
+    }
+
+    /// The two halves of the box that stands in a place.
+    pub(crate) fn halves(&self, place: usize) -> Option<[Self; 2]> {
+        let with = |value: Value| {
+            let mut half = self.clone();
+            half.set(place, value);
+            half
         };
-        self.entries.iter().enumerate().filter_map(interval).collect()
+        Some(self.entries.get(place)?.1.halves()?.map(with))
     }
 
     /// Every box replaced by its simplest number near the middle.
     pub(crate) fn middle(&self) -> Self {
         let mut point = self.clone();
-        for (k, lo, hi) in self.boxes() {
-            let middle = (&lo + &hi) * rational(1, 2);
-            let quarter = (&hi - &lo) * rational(1, 4);
-            point.set(k, Value::Number(simplest_between(&(&middle - &quarter), &(&middle + &quarter))));
+        for (_, value) in &mut point.entries {
+            if let Some(middle) = value.middle() {
+                *value = Value::Number(middle);
+            }
         }
         point
     }

@@ -7,7 +7,7 @@ use crate::error::QuestionError;
 use crate::names::Subject;
 use crate::question::{Expression, Question};
 use crate::truth::{Doubt, Margin, Truth};
-use arithmetic::{Progress, Rational, rational};
+use arithmetic::{Progress, Rational};
 use num_traits::{Signed, ToPrimitive};
 use std::collections::BinaryHeap;
 
@@ -118,6 +118,15 @@ impl Division<'_> {
 
     /// The truth on a box, `None` where `where` leaves all of it out; its margin, and those of its inequalities.
     pub fn on_box(&self, bindings: &Bindings, is_first: bool) -> Result<OnBox, QuestionError> {
+        // Of a range of integers a single one is left in the end.
+        if bindings.boxes().is_empty() {
+            if !self.question.is_kept(bindings, self.progress)? {
+                return Ok((None, Margin::of_truth(true), Vec::new()));
+            }
+            let Judged { truth, margin, inequalities } =
+                self.question.decide_point(self.expression, bindings, self.progress)?;
+            return Ok((Some(truth), margin, inequalities));
+        }
         let case = Case::new(self.question, bindings.clone(), is_first, self.progress);
         let mut kept = Truth::True;
         if let Some(restriction) = &self.question.restriction {
@@ -191,15 +200,6 @@ pub(crate) fn halved(bindings: &Bindings, original: &[(usize, Rational, Rational
         if lo.is_positive() || hi.is_negative() { width / size } else { width / whole }
     };
     let boxes = bindings.boxes();
-    let (place, lo, hi) = boxes.iter().max_by(|a, b| relative(a).total_cmp(&relative(b)))?;
-    if relative(&(*place, lo.clone(), hi.clone())) < THINNEST {
-        return None;
-    }
-    let middle = (lo + hi) * rational(1, 2);
-    let half = |lo: &Rational, hi: &Rational| {
-        let mut half = bindings.clone();
-        half.set(*place, Value::Box(lo.clone(), hi.clone()));
-        half
-    };
-    Some([half(lo, &middle), half(&middle, hi)])
+    let widest = boxes.iter().max_by(|a, b| relative(a).total_cmp(&relative(b)))?;
+    if relative(widest) < THINNEST { None } else { bindings.halves(widest.0) }
 }

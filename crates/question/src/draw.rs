@@ -37,6 +37,10 @@ impl Question {
                         Some(parts) => (&hi - &lo) * rational(part as i64, parts as i64) + lo,
                     })
                 }
+                Some(Value::Integers(from, to)) => {
+                    let count = (to - from) as u64 + 1;
+                    Value::Number(rational(from + choose(count).min(count - 1) as i64, 1))
+                }
                 Some(value) => value,
             };
             bindings.push(bound.name.clone(), value);

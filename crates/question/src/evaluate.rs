@@ -247,6 +247,7 @@ impl Evaluator<'_, '_> {
                 match self.case.bindings.get(name) {
                     Some(Value::Box(..)) if seen.contains(&name.as_str()) => exact = false,
                     Some(Value::Box(..)) => seen.push(name),
+                    Some(Value::Integers(..)) => exact = false,
                     Some(_) => {}
                     None => exact = exact && FUNCTIONS.iter().any(|f| f.name == name),
                 }
@@ -263,8 +264,9 @@ impl Evaluator<'_, '_> {
         if !called {
             match self.case.bindings.get(name) {
                 Some(Value::Number(q)) => return Ok(Measured::Number(Number::Exact(q.clone()))),
-                Some(Value::Box(lo, hi)) => {
-                    let interval = Interval::hull_of_rationals(lo, hi, self.precision);
+                Some(value @ (Value::Box(..) | Value::Integers(..))) => {
+                    let (lo, hi) = value.ends().unwrap_or_default();
+                    let interval = Interval::hull_of_rationals(&lo, &hi, self.precision);
                     return Ok(Measured::Number(Number::interval(interval)));
                 }
                 Some(Value::Graph(_) | Value::Matrices(_)) => {

@@ -170,7 +170,7 @@ impl Domain {
             Domain::Given(Value::Graph(_)) => Some(Sort::Graph),
             Domain::Given(Value::Matrices(_)) => Some(Sort::Matrices),
             Domain::Given(Value::Number(_)) => Some(Sort::Number),
-            Domain::Given(Value::Box(..)) => Some(Sort::Box),
+            Domain::Given(Value::Box(..) | Value::Integers(..)) => Some(Sort::Box),
             Domain::List(list) => {
                 let mut sorts = list.iter().map(|(_, domain)| domain.sort());
                 let first = sorts.next()??;
@@ -186,6 +186,7 @@ impl Domain {
                 Kind::Number(q) if q.is_integer() => Some(Sort::Integer),
                 Kind::Name { name, called: true, .. } => match name.as_str() {
                     "stochastic" | "products" | "joined" | "random_products" => Some(Sort::Matrices),
+                    "integers" => Some(Sort::Box),
                     name if FAMILIES.iter().any(|family| family.name == name) => Some(Sort::Graph),
                     _ => Some(Sort::Number),
                 },
@@ -333,6 +334,15 @@ impl Maker<'_> {
             return Ok(Members::Graphs(self.class(class, order)?));
         }
         match name {
+            "integers" => {
+                let from = self.integer(&arguments[0], "the first integer")?;
+                let to = self.integer(&arguments[1], "the last integer")?;
+                if from > to {
+                    let why = format!("there is no integer from {from} to {to}");
+                    return Err(Failure::Refused(node.at, Problem::Empty(why)));
+                }
+                Ok(Members::Listed(vec![Value::integers(from, to)]))
+            }
             "random" => {
                 let order = self.count(&arguments[0], vertices, 1, 1000)?;
                 let p = self.exact(&arguments[1])?;

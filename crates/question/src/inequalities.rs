@@ -62,26 +62,3 @@ impl Relation {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::inequalities;
-    use crate::syntax::parse_property;
-
-    fn of(text: &str) -> Vec<String> {
-        let property = parse_property(text).unwrap_or_else(|problem| panic!("{problem:?}"));
-        inequalities(&property).iter().map(ToString::to_string).collect()
-    }
-
-    #[test]
-    fn each_stands_alone_under_its_time_operators() {
-        assert_eq!(of("stable and 0 < x <= 1 and x <= 1"), ["0 < x", "x <= 1"]);
-        assert_eq!(of("x >= 1 implies not y != 2"), ["x < 1", "y = 2"]);
-        assert_eq!(
-            of("not always[0, 2](x < 1 or eventually[1, 3](y > 2))"),
-            ["eventually[0, 2](x >= 1)", "eventually[0, 2](always[1, 3](y <= 2))"]
-        );
-        assert_eq!(of("x < 1 until[2, 3] y > 0"), ["always[0, 2](x < 1)", "eventually[2, 3](y > 0)"]);
-        assert_eq!(of("steady"), Vec::<String>::new());
-    }
-}

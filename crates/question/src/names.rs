@@ -246,6 +246,7 @@ const fn family(form: &'static str, name: &'static str, least: usize, most: usiz
 pub const FAMILIES: &[Family] = &[
     family("a..b", "", 0, 0, "the integers from a to b"),
     family("[a, b]", "", 0, 0, "all real numbers from a to b: a continuum, covered by boxes"),
+    family("integers(a, b)", "integers", 2, 2, "the integers from a to b, covered by boxes instead of one by one"),
     family("x", "", 0, 0, "one number, which may use earlier names"),
     family("[.., ..] (a TOML list)", "", 0, 0, "the members of all that are listed"),
     family("connected(n)", "connected", 1, 1, "all connected graphs on n vertices up to isomorphism, n <= 9"),

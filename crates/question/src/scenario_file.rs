@@ -114,12 +114,16 @@ impl ScenarioFile {
                 Value::Number(q) if name == "seed" && self.is_drawn => {
                     numbers.push(("state.random.seed".to_string(), q.clone()));
                 }
-                Value::Box(lo, hi) if is_place(name) => {
+                Value::Integers(..) if name == "seed" && self.is_drawn => {
+                    return Err("`seed` takes single integers, as in seed = \"1..1000\"".to_string());
+                }
+                value if is_place(name) => {
+                    let Some((lo, hi)) = value.ends() else { continue };
                     let (list, agent, coordinate) = start_place(name).ok_or_else(|| {
                         format!("`{name}`: only positions, velocities and phases of [state] may range over an interval")
                     })?;
-                    numbers.push((name.to_string(), (lo + hi) * rational(1, 2)));
-                    wide.push((list, agent, coordinate, lo.clone(), hi.clone()));
+                    numbers.push((name.to_string(), (&lo + &hi) * rational(1, 2)));
+                    wide.push((list, agent, coordinate, lo, hi));
                 }
                 _ => {}
             }

@@ -103,14 +103,14 @@ fn simpler_number(
 ) -> Result<Bindings, QuestionError> {
     let before = found.first(place);
     let Some((_, Value::Number(current))) = found.iter().nth(place) else { return Ok(found) };
-    let Ok(Some(Value::Box(lo, hi))) = question.members(place, &before, progress).map(|members| members.get(0)) else {
-        return Ok(found);
-    };
+    let first = question.members(place, &before, progress).map(|members| members.get(0));
+    let Some((lo, hi)) = first.ok().flatten().and_then(|value| value.ends()) else { return Ok(found) };
     let mut radius = &hi - &lo;
     let reach = current.abs() * rational(1, 1 << 20);
     while radius > reach {
         let from = (current - &radius).max(lo.clone());
         let to = (current + &radius).min(hi.clone());
+        // Around an integer that is an integer again.
         let simple = simplest_between(&from, &to);
         let mut tried = found.clone();
         tried.set(place, Value::Number(simple.clone()));

@@ -20,6 +20,12 @@
 use crate::error::Problem;
 use arithmetic::{Rational, parse_rational, shown};
 use std::fmt;
+use winnow::Parser;
+use winnow::ascii::{digit0, digit1};
+use winnow::combinator::{self, alt, delimited, opt, peek, preceded, repeat, separated, separated_pair, terminated};
+use winnow::error::{ErrMode, ParserError};
+use winnow::stream::{AsChar, LocatingSlice, Location, Stateful};
+use winnow::token::{any, one_of, take_until, take_while};
 
 /// Deepest nesting.
 const DEEPEST: usize = 100;
@@ -99,317 +105,285 @@ pub(crate) type Located = (usize, Problem);
 
 /// Reads a property: something that is true or false, or a number.
 pub(crate) fn parse_property(text: &str) -> Result<Node, Located> {
-    Parser::new(text).whole(Parser::implies)
+    whole(text, implies)
 }
 
 /// Reads what a name ranges over.
 pub(crate) fn parse_domain(text: &str) -> Result<Node, Located> {
-    Parser::new(text).whole(Parser::domain)
+    whole(text, domain)
 }
 
-struct Parser<'a> {
-    text: &'a str,
-    at: usize,
+/// What is left of the text, and what was made so far.
+type Input<'a> = Stateful<LocatingSlice<&'a str>, Made>;
+
+#[derive(Debug, Clone, Copy, Default)]
+struct Made {
     depth: usize,
     parts: usize,
 }
 
-impl<'a> Parser<'a> {
-    fn new(text: &'a str) -> Self {
-        Parser { text, at: 0, depth: 0, parts: 0 }
+/// Signs and words that are not there are tried and passed over; whatever else is wrong ends the reading.
+type Read<T> = Result<T, ErrMode<Wrong>>;
+
+#[derive(Debug)]
+struct Wrong(usize, Problem);
+
+impl ParserError<Input<'_>> for Wrong {
+    type Inner = Self;
+
+    fn from_input(input: &Input) -> Self {
+        unexpected(input, "something else")
     }
 
-    fn whole(mut self, rule: impl FnOnce(&mut Self) -> Result<Node, Located>) -> Result<Node, Located> {
-        let node = rule(&mut self)?;
-        self.space();
-        if self.at < self.text.len() {
-            return Err(self.wrong("an operator or the end"));
+    fn into_inner(self) -> Result<Self, Self> {
+        Ok(self)
+    }
+}
+
+fn whole(text: &str, rule: fn(&mut Input) -> Read<Node>) -> Result<Node, Located> {
+    let mut input = Stateful { input: LocatingSlice::new(text), state: Made::default() };
+    let node = rule(&mut input).and_then(|node| {
+        space(&mut input)?;
+        if input.is_empty() { Ok(node) } else { Err(wrong(&mut input, "an operator or the end")) }
+    });
+    // Nothing waits for more text.
+    let nothing = || (text.len(), Problem::expected("an expression", "the end"));
+    node.map_err(|error| error.into_inner().map_or_else(|_| nothing(), |Wrong(at, problem)| (at, problem)))
+}
+
+/// What stands here instead of what is expected.
+fn unexpected(input: &Input, expected: &str) -> Wrong {
+    let rest: &str = input.input.as_ref();
+    let word: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+    let found = match rest.chars().next() {
+        None => "the end".to_string(),
+        Some(_) if !word.is_empty() => format!("`{}`", shown(&word)),
+        Some(sign) => format!("`{sign}`"),
+    };
+    Wrong(input.current_token_start(), Problem::expected(expected, found))
+}
+
+fn wrong(input: &mut Input, expected: &str) -> ErrMode<Wrong> {
+    space(input).map_or_else(|error| error, |()| ErrMode::Cut(unexpected(input, expected)))
+}
+
+fn refused<T>(at: usize, problem: impl Into<Problem>) -> Read<T> {
+    Err(ErrMode::Cut(Wrong(at, problem.into())))
+}
+
+fn space(input: &mut Input) -> Read<()> {
+    take_while(0.., char::is_whitespace).void().parse_next(input)
+}
+
+/// A sign if it stands here.
+fn sign<'a>(sign: &'static str) -> impl Parser<Input<'a>, (), ErrMode<Wrong>> {
+    preceded(space, sign).void()
+}
+
+/// Whether a sign stands here, which is then taken.
+fn has(input: &mut Input, text: &'static str) -> Read<bool> {
+    opt(sign(text)).map(|found| found.is_some()).parse_next(input)
+}
+
+fn need(text: &'static str) -> impl FnMut(&mut Input) -> Read<()> {
+    move |input| if has(input, text)? { Ok(()) } else { Err(wrong(input, &format!("`{text}`"))) }
+}
+
+fn any_word<'a>(input: &mut Input<'a>) -> Read<&'a str> {
+    let first = |c: char| c.is_ascii_alphabetic() || c == '_';
+    preceded(space, (one_of(first), take_while(0.., |c: char| first(c) || c.is_ascii_digit())).take()).parse_next(input)
+}
+
+fn word<'a>(word: &'static str) -> impl Parser<Input<'a>, (), ErrMode<Wrong>> {
+    any_word.verify(move |found: &str| found == word).void()
+}
+
+/// One level deeper.
+fn deeper(rule: fn(&mut Input) -> Read<Node>) -> impl FnMut(&mut Input) -> Read<Node> {
+    move |input| {
+        if input.state.depth >= DEEPEST {
+            return refused(input.current_token_start(), Problem::TooDeep(DEEPEST));
         }
-        Ok(node)
-    }
-
-    fn rest(&self) -> &'a str {
-        &self.text[self.at..]
-    }
-
-    fn space(&mut self) {
-        self.at = self.text.len() - self.rest().trim_start().len();
-    }
-
-    /// What stands here instead of what is expected.
-    fn wrong(&mut self, expected: &str) -> Located {
-        self.space();
-        let rest = self.rest();
-        let word: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
-        let found = match rest.chars().next() {
-            None => "the end".to_string(),
-            Some(_) if !word.is_empty() => format!("`{}`", shown(&word)),
-            Some(sign) => format!("`{sign}`"),
-        };
-        (self.at, Problem::expected(expected, found))
-    }
-
-    /// Takes a sign if it stands here.
-    fn sign(&mut self, sign: &str) -> bool {
-        self.space();
-        let found = self.rest().starts_with(sign);
-        self.at += if found { sign.len() } else { 0 };
-        found
-    }
-
-    fn need(&mut self, sign: &str) -> Result<(), Located> {
-        if self.sign(sign) { Ok(()) } else { Err(self.wrong(&format!("`{sign}`"))) }
-    }
-
-    /// The word that stands here.
-    fn peek(&mut self) -> &'a str {
-        self.space();
-        let rest = self.rest();
-        let starts = rest.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
-        if starts { &rest[..end] } else { "" }
-    }
-
-    fn word(&mut self, word: &str) -> bool {
-        let found = self.peek() == word;
-        self.at += if found { word.len() } else { 0 };
-        found
-    }
-
-    /// One level deeper.
-    fn deeper(&mut self, rule: impl FnOnce(&mut Self) -> Result<Node, Located>) -> Result<Node, Located> {
-        if self.depth >= DEEPEST {
-            return Err((self.at, Problem::TooDeep(DEEPEST)));
-        }
-        self.depth += 1;
-        let node = rule(self);
-        self.depth -= 1;
+        input.state.depth += 1;
+        let node = rule(input);
+        input.state.depth -= 1;
         node
     }
+}
 
-    fn domain(&mut self) -> Result<Node, Located> {
-        self.space();
-        let at = self.at;
-        let first = self.sum()?;
-        if !self.sign("..") {
-            return Ok(first);
-        }
-        let last = self.sum()?;
-        Ok(Node { kind: Kind::Range(Box::new(first), Box::new(last)), at })
+fn boxed<const N: usize>(kind: fn([Box<Node>; N]) -> Kind, nodes: [Node; N]) -> Node {
+    Node { at: nodes[0].at, kind: kind(nodes.map(Box::new)) }
+}
+
+fn domain(input: &mut Input) -> Read<Node> {
+    let first = sum(input)?;
+    Ok(match opt(preceded(sign(".."), sum)).parse_next(input)? {
+        Some(last) => boxed(|[a, b]| Kind::Range(a, b), [first, last]),
+        None => first,
+    })
+}
+
+fn implies(input: &mut Input) -> Read<Node> {
+    let first = listed("or", Kind::Or, listed("and", Kind::And, until)).parse_next(input)?;
+    Ok(match opt(preceded(word("implies"), deeper(implies))).parse_next(input)? {
+        Some(second) => boxed(|[a, b]| Kind::Implies(a, b), [first, second]),
+        None => first,
+    })
+}
+
+fn listed<'a>(
+    between: &'static str,
+    kind: fn(Vec<Node>) -> Kind,
+    rule: impl Parser<Input<'a>, Node, ErrMode<Wrong>>,
+) -> impl Parser<Input<'a>, Node, ErrMode<Wrong>> {
+    separated(1.., rule, word(between)).map(move |mut nodes: Vec<Node>| match nodes.len() {
+        1 => nodes.remove(0),
+        _ => Node { at: nodes[0].at, kind: kind(nodes) },
+    })
+}
+
+fn until(input: &mut Input) -> Read<Node> {
+    let first = not(input)?;
+    Ok(match opt((preceded(word("until"), span), not)).parse_next(input)? {
+        Some(((from, to), second)) => Node { at: first.at, kind: Kind::Until(Box::new([from, to, first, second])) },
+        None => first,
+    })
+}
+
+fn span(input: &mut Input) -> Read<(Node, Node)> {
+    delimited(need("["), separated_pair(deeper(sum), need(","), deeper(sum)), need("]")).parse_next(input)
+}
+
+fn not(input: &mut Input) -> Read<Node> {
+    space(input)?;
+    let at = input.current_token_start();
+    let timed = |always: bool| move |((from, to), body)| Kind::Always(always, Box::new([from, to, body]));
+    let negated = preceded(word("not"), deeper(not)).map(|body| Kind::Not(Box::new(body)));
+    let always = (preceded(word("always"), span), deeper(not)).map(timed(true));
+    let eventually = (preceded(word("eventually"), span), deeper(not)).map(timed(false));
+    match opt(alt((negated, always, eventually))).parse_next(input)? {
+        Some(kind) => Ok(Node { kind, at }),
+        None => relation(input),
     }
+}
 
-    fn implies(&mut self) -> Result<Node, Located> {
-        let first = self.listed("or", Kind::Or, |p| p.listed("and", Kind::And, Self::until))?;
-        if !self.word("implies") {
-            return Ok(first);
-        }
-        let second = self.deeper(Self::implies)?;
-        Ok(Node { at: first.at, kind: Kind::Implies(Box::new(first), Box::new(second)) })
+fn relation(input: &mut Input) -> Read<Node> {
+    let first = sum(input)?;
+    let signs = RELATIONS.map(|(text, relation)| sign(text).value(relation));
+    let others: Vec<_> = repeat(0.., (alt(signs), sum)).parse_next(input)?;
+    let at = first.at;
+    Ok(if others.is_empty() { first } else { Node { kind: Kind::Relation(Box::new(first), others), at } })
+}
+
+fn sum(input: &mut Input) -> Read<Node> {
+    chain(["+", "-"], Kind::Sum, product, input)
+}
+
+fn product(input: &mut Input) -> Read<Node> {
+    chain(["*", "/"], Kind::Product, signed, input)
+}
+
+/// `rule` joined by a sign or by the inverse one, from left to right.
+fn chain(
+    signs: [&'static str; 2],
+    kind: fn(Vec<(bool, Node)>) -> Kind,
+    rule: fn(&mut Input) -> Read<Node>,
+    input: &mut Input,
+) -> Read<Node> {
+    let first = rule(input)?;
+    let joint = alt((sign(signs[0]).value(false), sign(signs[1]).value(true)));
+    let others: Vec<(bool, Node)> = repeat(0.., (joint, rule)).parse_next(input)?;
+    if others.is_empty() {
+        return Ok(first);
     }
+    let at = first.at;
+    Ok(Node { kind: kind(std::iter::once((false, first)).chain(others).collect()), at })
+}
 
-    fn listed(
-        &mut self,
-        word: &str,
-        kind: fn(Vec<Node>) -> Kind,
-        rule: impl Fn(&mut Self) -> Result<Node, Located>,
-    ) -> Result<Node, Located> {
-        let mut nodes = vec![rule(self)?];
-        while self.word(word) {
-            nodes.push(rule(self)?);
-        }
-        let at = nodes[0].at;
-        Ok(if nodes.len() == 1 { nodes.remove(0) } else { Node { kind: kind(nodes), at } })
-    }
-
-    fn until(&mut self) -> Result<Node, Located> {
-        let first = self.not()?;
-        if !self.word("until") {
-            return Ok(first);
-        }
-        let (from, to) = self.span()?;
-        let second = self.not()?;
-        Ok(Node { at: first.at, kind: Kind::Until(Box::new([from, to, first, second])) })
-    }
-
-    fn span(&mut self) -> Result<(Node, Node), Located> {
-        self.need("[")?;
-        let from = self.deeper(Self::sum)?;
-        self.need(",")?;
-        let to = self.deeper(Self::sum)?;
-        self.need("]")?;
-        Ok((from, to))
-    }
-
-    fn not(&mut self) -> Result<Node, Located> {
-        self.space();
-        let at = self.at;
-        if self.word("not") {
-            let body = self.deeper(Self::not)?;
-            return Ok(Node { kind: Kind::Not(Box::new(body)), at });
-        }
-        for (word, always) in [("always", true), ("eventually", false)] {
-            if self.word(word) {
-                let (from, to) = self.span()?;
-                let body = self.deeper(Self::not)?;
-                return Ok(Node { kind: Kind::Always(always, Box::new([from, to, body])), at });
-            }
-        }
-        self.relation()
-    }
-
-    fn relation(&mut self) -> Result<Node, Located> {
-        let first = self.sum()?;
-        let mut others = Vec::new();
-        while let Some((_, relation)) = RELATIONS.into_iter().find(|(sign, _)| self.sign(sign)) {
-            others.push((relation, self.sum()?));
-        }
-        let at = first.at;
-        Ok(if others.is_empty() { first } else { Node { kind: Kind::Relation(Box::new(first), others), at } })
-    }
-
-    fn sum(&mut self) -> Result<Node, Located> {
-        self.chain('+', '-', Kind::Sum, Self::product)
-    }
-
-    fn product(&mut self) -> Result<Node, Located> {
-        self.chain('*', '/', Kind::Product, Self::signed)
-    }
-
-    /// `rule` joined by `plain` and `inverse`, from left to right.
-    fn chain(
-        &mut self,
-        plain: char,
-        inverse: char,
-        kind: fn(Vec<(bool, Node)>) -> Kind,
-        rule: fn(&mut Self) -> Result<Node, Located>,
-    ) -> Result<Node, Located> {
-        let mut nodes = vec![(false, rule(self)?)];
-        loop {
-            let inverted = if self.sign(plain.encode_utf8(&mut [0; 4])) {
-                false
-            } else if self.sign(inverse.encode_utf8(&mut [0; 4])) {
-                true
-            } else {
-                break;
-            };
-            nodes.push((inverted, rule(self)?));
-        }
-        let at = nodes[0].1.at;
-        Ok(if nodes.len() == 1 { nodes.remove(0).1 } else { Node { kind: kind(nodes), at } })
-    }
-
-    fn signed(&mut self) -> Result<Node, Located> {
-        self.space();
-        let at = self.at;
-        if self.sign("-") {
-            let body = self.deeper(Self::signed)?;
-            let kind = match body.kind {
-                Kind::Number(number) => Kind::Number(-number),
-                kind => Kind::Negated(Box::new(Node { kind, at: body.at })),
-            };
-            return Ok(Node { kind, at });
-        }
-        let base = self.atom()?;
-        if !self.sign("^") {
-            return Ok(base);
-        }
-        let exponent = self.deeper(Self::signed)?;
-        Ok(Node { at, kind: Kind::Power(Box::new(base), Box::new(exponent)) })
-    }
-
-    fn atom(&mut self) -> Result<Node, Located> {
-        self.parts += 1;
-        if self.parts > MOST_PARTS {
-            return Err((self.at, Problem::TooLong(MOST_PARTS)));
-        }
-        self.space();
-        let at = self.at;
-        let kind = match self.rest().chars().next() {
-            Some(c) if c.is_ascii_digit() || c == '.' => self.number()?,
-            Some('(') => {
-                self.at += 1;
-                let inner = self.deeper(Self::implies)?;
-                self.need(")")?;
-                return Ok(Node { kind: inner.kind, at });
-            }
-            Some('[') => {
-                let (from, to) = self.span()?;
-                Kind::Interval(Box::new(from), Box::new(to))
-            }
-            _ => match self.peek() {
-                "inf" => {
-                    self.at += 3;
-                    Kind::Infinity
-                }
-                word if word.is_empty() || KEYWORDS.contains(&word) => {
-                    return Err(self.wrong("a number, a name or a bracket"));
-                }
-                _ => self.name()?,
-            },
+fn signed(input: &mut Input) -> Read<Node> {
+    space(input)?;
+    let at = input.current_token_start();
+    if has(input, "-")? {
+        let body = deeper(signed)(input)?;
+        let kind = match body.kind {
+            Kind::Number(number) => Kind::Number(-number),
+            kind => Kind::Negated(Box::new(Node { kind, at: body.at })),
         };
-        Ok(Node { kind, at })
+        return Ok(Node { kind, at });
     }
+    let base = atom(input)?;
+    Ok(match opt(preceded(sign("^"), deeper(signed))).parse_next(input)? {
+        Some(exponent) => boxed(|[a, b]| Kind::Power(a, b), [base, exponent]),
+        None => base,
+    })
+}
 
-    fn number(&mut self) -> Result<Kind, Located> {
-        let bytes = self.rest().as_bytes();
-        let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
-        let mut end = digits(0);
-        if bytes.get(end) == Some(&b'.') && bytes.get(end + 1) != Some(&b'.') {
-            end += 1 + digits(end + 1);
-        }
-        if matches!(bytes.get(end), Some(b'e' | b'E')) {
-            let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
-            let exponent = digits(end + 1 + sign);
-            end += if exponent > 0 { 1 + sign + exponent } else { 0 };
-        }
-        let number = parse_rational(&self.rest()[..end]).map_err(|error| (self.at, error.into()))?;
-        self.at += end;
-        Ok(Kind::Number(number))
+fn atom(input: &mut Input) -> Read<Node> {
+    input.state.parts += 1;
+    if input.state.parts > MOST_PARTS {
+        return refused(input.current_token_start(), Problem::TooLong(MOST_PARTS));
     }
+    space(input)?;
+    let at = input.current_token_start();
+    let kind = match peek(opt(any)).parse_next(input)? {
+        Some('0'..='9' | '.') => number(input)?,
+        Some('(') => delimited(need("("), deeper(implies), need(")")).parse_next(input)?.kind,
+        Some('[') => span.map(|(from, to)| Kind::Interval(Box::new(from), Box::new(to))).parse_next(input)?,
+        _ => match peek(opt(any_word)).parse_next(input)? {
+            Some("inf") => word("inf").value(Kind::Infinity).parse_next(input)?,
+            Some(found) if !KEYWORDS.contains(&found) => name(input)?,
+            _ => return Err(wrong(input, "a number, a name or a bracket")),
+        },
+    };
+    Ok(Node { kind, at })
+}
 
-    /// A name with owner and indices, `state.velocities[1][2]`, and its arguments.
-    fn name(&mut self) -> Result<Kind, Located> {
-        let start = self.at;
-        let mut name = self.peek().to_string();
-        self.at += name.len();
-        loop {
-            if name.len() > LONGEST_NAME {
-                return Err((start, Problem::Other(format!("a name has at most {LONGEST_NAME} letters"))));
-            }
-            let rest = self.rest();
-            let bytes = rest.as_bytes();
-            if bytes.first() == Some(&b'.') && bytes.get(1).is_some_and(u8::is_ascii_alphabetic) {
-                self.at += 1;
-                let part = self.peek();
-                name = format!("{name}.{part}");
-                self.at += part.len();
-            } else if bytes.first() == Some(&b'[') {
-                let end = rest.find(']').ok_or_else(|| (self.at, Problem::expected("`]`", "the end")))?;
-                let index = rest[1..end].trim();
-                if index.is_empty() || !index.bytes().all(|b| b.is_ascii_digit()) || index.len() > 9 {
-                    return Err((self.at + 1, Problem::expected("an index from 1", format!("`{}`", shown(index)))));
-                }
-                name = format!("{name}[{index}]");
-                self.at += end + 1;
-            } else {
-                break;
-            }
+fn number(input: &mut Input) -> Read<Kind> {
+    let at = input.current_token_start();
+    let decimals = opt((('.', peek(combinator::not('.'))), digit0));
+    let exponent = opt((one_of(['e', 'E']), opt(one_of(['+', '-'])), digit1));
+    let text = (digit0, decimals, exponent).take().parse_next(input)?;
+    parse_rational(text).map(Kind::Number).or_else(|error| refused(at, error))
+}
+
+/// A name with owner and indices, `state.velocities[1][2]`, and its arguments.
+fn name(input: &mut Input) -> Read<Kind> {
+    let start = input.current_token_start();
+    let mut name = any_word(input)?.to_string();
+    loop {
+        if name.len() > LONGEST_NAME {
+            return refused(start, Problem::Other(format!("a name has at most {LONGEST_NAME} letters")));
         }
-        let mut arguments = Vec::new();
-        let called = self.sign("(");
-        if called && !self.sign(")") {
-            loop {
-                arguments.push(self.deeper(Self::implies)?);
-                if !self.sign(",") {
-                    break;
-                }
-            }
-            if !self.sign(")") {
-                return Err(self.wrong("`,` or `)`"));
-            }
+        if let Some(part) = opt(preceded(('.', peek(one_of(AsChar::is_alpha))), any_word)).parse_next(input)? {
+            name = format!("{name}.{part}");
+        } else if opt('[').parse_next(input)?.is_some() {
+            name = format!("{name}[{}]", index(input)?);
+        } else {
+            break;
         }
-        Ok(Kind::Name { name, arguments, called })
     }
+    let called = has(input, "(")?;
+    let mut arguments = Vec::new();
+    if called && !has(input, ")")? {
+        arguments = separated(1.., deeper(implies), sign(",")).parse_next(input)?;
+        if !has(input, ")")? {
+            return Err(wrong(input, "`,` or `)`"));
+        }
+    }
+    Ok(Kind::Name { name, arguments, called })
+}
+
+/// What stands between square brackets.
+fn index<'a>(input: &mut Input<'a>) -> Read<&'a str> {
+    let at = input.current_token_start();
+    let Some(inside) = opt(terminated(take_until(0.., "]"), "]")).parse_next(input)? else {
+        return refused(at - 1, Problem::expected("`]`", "the end"));
+    };
+    let index: &str = str::trim(inside);
+    if index.is_empty() || !index.bytes().all(|b| b.is_ascii_digit()) || index.len() > 9 {
+        return refused(at, Problem::expected("an index from 1", format!("`{}`", shown(index))));
+    }
+    Ok(index)
 }
 
 impl Relation {

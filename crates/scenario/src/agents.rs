@@ -1,10 +1,10 @@
 //! Agents that align their headings or velocities: their law and what is measured on them.
 
-use super::course::{Frame, Law};
 use super::links::Hold;
 use super::network::{Change, Network};
 use super::observables::{Observable, min_distance, total};
 use super::potential::PairPotential;
+use super::simulation::{Frame, Law};
 use super::turns::Turns;
 use arithmetic::ArithmeticError;
 use models::double_integrator::{

@@ -1,11 +1,11 @@
 //! Heading and velocity alignment of Tanner and others, on fixed and distance-switched networks, as a configuration asks for it.
 
 use super::agents::{Agents, Alignment, PLANE, state_of};
-use super::course::{Continuous, Course};
 use super::error::{ConfigError, Problem, RunError};
 use super::individual::Individual;
 use super::network::{Abilities, Network};
 use super::potential::PairPotential;
+use super::simulation::{Continuous, Simulation};
 use super::source::Source;
 use super::start::{Needs, Start, problem};
 use super::stepped::{Arrangement, Stepped, read_step};
@@ -26,7 +26,7 @@ pub(super) const READINGS: [(&str, HeadingDifference); 3] = [
 ];
 
 /// Reads either model.
-pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
+pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Box<dyn Simulation>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: true, phases: false })?;
     let model = if headings { "heading-alignment" } else { "velocity-alignment" };
     let can = Abilities { model, positions: true, directed: false, edges: true, timed: true, default: None };
@@ -76,7 +76,7 @@ fn within(
     (radius, state): (f64, &State<f64>),
     step: Option<f64>,
     tolerance: f64,
-) -> Result<Box<dyn Course>, ConfigError> {
+) -> Result<Box<dyn Simulation>, ConfigError> {
     let law = source.needed("law")?;
     let refuse = |what: Problem| problem(source, "positions", what);
     let potential = agents.potential.exact().clone();

@@ -1,8 +1,8 @@
 //! A scenario as its TOML describes it: which model, from which state, until when.
 
-use super::course::Course;
 use super::error::{ConfigError, Problem};
 use super::run::{Outcome, Schedule, run};
+use super::simulation::Simulation;
 use super::source::{Entry, Section, Source};
 use super::{alignment, fish, noisy, oscillator, platoon, vicsek};
 use arithmetic::num_bigint::BigInt;
@@ -120,12 +120,12 @@ fn times_of(unit: &Rational, units: u64, rows: usize, sampled: &[Rational]) -> V
 }
 
 /// The observables that are asked for by name; nothing where all are.
-fn wanted(source: &Source, course: &dyn Course) -> Result<Option<Vec<String>>, ConfigError> {
+fn wanted(source: &Source, simulation: &dyn Simulation) -> Result<Option<Vec<String>>, ConfigError> {
     let section = source.needed("run")?;
     let Some(entry) = section.get("observables") else { return Ok(None) };
     // A law that has no value at the start is refused when it is run.
     let known: Vec<(&'static str, ())> =
-        course.observe().unwrap_or_default().iter().map(|observable| (observable.name, ())).collect();
+        simulation.observe().unwrap_or_default().iter().map(|observable| (observable.name, ())).collect();
     let names = entry.items("a list of names of observables")?;
     let name = |entry: &Entry| entry.choice(&known).and(entry.word()).map(str::to_string);
     names.iter().map(name).collect::<Result<_, _>>().map(Some)
@@ -190,7 +190,7 @@ fn tolerance(source: &Source) -> Result<f64, ConfigError> {
 pub struct Scenario {
     model: &'static str,
     schedule: Schedule,
-    course: Box<dyn Course>,
+    simulation: Box<dyn Simulation>,
     seed: Option<String>,
 }
 
@@ -227,7 +227,7 @@ impl Scenario {
         let name = MODELS.iter().find(|(_, known)| *known == model).map_or("", |(name, _)| name);
         let tolerance = tolerance(source)?;
         let mut step = None;
-        let course: Box<dyn Course> = match model {
+        let simulation: Box<dyn Simulation> = match model {
             Model::Phase => oscillator::read_phases(source, tolerance)?,
             Model::Particles => oscillator::read_particles(source, tolerance)?,
             Model::Headings => alignment::read(source, true, tolerance)?,
@@ -247,11 +247,11 @@ impl Scenario {
                 noisy::read(source)?
             }
         };
-        let frame = course.frame();
+        let frame = simulation.frame();
         let agents = frame.positions.len().max(frame.phases.len());
         let mut schedule = read_schedule(source, model, step.as_ref(), agents, with_rows)?;
-        schedule.observables = wanted(source, course.as_ref())?;
-        Ok(Scenario { model: name, schedule, course, seed: seed(source)? })
+        schedule.observables = wanted(source, simulation.as_ref())?;
+        Ok(Scenario { model: name, schedule, simulation, seed: seed(source)? })
     }
 
     /// The seeds of what is drawn, where anything is.
@@ -261,12 +261,12 @@ impl Scenario {
 
     /// Whether the agents have places, and not only phases.
     pub fn has_positions(&self) -> bool {
-        !self.course.frame().positions.is_empty()
+        !self.simulation.frame().positions.is_empty()
     }
 
     /// The number of agents.
     pub fn agents(&self) -> usize {
-        let frame = self.course.frame();
+        let frame = self.simulation.frame();
         frame.positions.len().max(frame.phases.len())
     }
 
@@ -277,11 +277,11 @@ impl Scenario {
 
     /// Equations and choices, one sentence or more a line.
     pub fn declaration(&self) -> Vec<String> {
-        [self.course.declaration(), self.schedule.declaration()].concat()
+        [self.simulation.declaration(), self.schedule.declaration()].concat()
     }
 
     /// Runs it; `progress` may stop it and is told of each row. The result does not depend on the number of threads.
     pub fn run(mut self, progress: &dyn Progress) -> Outcome {
-        run(self.model, &self.schedule, self.course.as_mut(), progress)
+        run(self.model, &self.schedule, self.simulation.as_mut(), progress)
     }
 }

@@ -9,7 +9,7 @@ use super::platoon;
 use super::potential::PairPotential;
 use super::source::{Entry, Section, Source};
 use super::start::{Needs, Start};
-use arithmetic::{Rational, rational};
+use arithmetic::{Complex, Rational, rational};
 use models::double_integrator::{HeadingDifference, Pair, Potential};
 use models::oscillator::Neighbours;
 use models::platoon::CommunicationGraph;
@@ -43,7 +43,7 @@ pub enum ExactMotion {
         /// Who senses whom.
         network: Neighbours,
     },
-    /// Steered particles (Paley and others) on a fixed network: `dr_k/dt = e^(i theta_k) + drift`, `d theta_k/dt = frequency + u_k` with the
+    /// Steered particles (Paley and others): `dr_k/dt = e^(i theta_k) + drift`, `d theta_k/dt = frequency + u_k` with the
     /// orientation control (14) and a spacing control.
     Particles {
         /// Where the particles start: rows of two coordinates.
@@ -58,8 +58,10 @@ pub enum ExactMotion {
         spacing: ExactSpacing,
         /// The drift, the same for all.
         drift: [Rational; 2],
-        /// Who senses whom.
+        /// Who senses whom; at the start, where that depends on the distances.
         network: Neighbours,
+        /// The distance below which particles sense each other, where it does.
+        radius: Option<Rational>,
     },
     /// A platoon (Veerman and others): deviations from the desired places, the leader first.
     Platoon {
@@ -167,7 +169,7 @@ fn fixed(network: &Network) -> Result<Neighbours, &'static str> {
         return Err(TIMED);
     }
     if network.switches() {
-        return Err("of particles only fixed networks are enclosed, not links that depend on distances");
+        return Err("links to the nearest are not enclosed");
     }
     let agents = network.order();
     if network.is_all_to_all() {
@@ -190,9 +192,17 @@ fn particles(source: &Source) -> Result<ExactMotion, ConfigError> {
     if law.get("K").is_some() || law.get("reference").is_some() {
         return Ok(ExactMotion::Other("of the orientation controls of particles only K1 is enclosed"));
     }
-    let network = match fixed(&Network::read(source, start.agents(), PARTICLES)?) {
-        Ok(network) => network,
-        Err(why) => return Ok(ExactMotion::Other(why)),
+    let network = Network::read(source, start.agents(), PARTICLES)?;
+    let radius = match network.radius() {
+        None => None,
+        Some(_) => Some(source.needed("graph")?.need("radius", "a number")?.exact()?),
+    };
+    let network = match &radius {
+        Some(radius) => within(&start.positions, radius),
+        None => match fixed(&network) {
+            Ok(network) => network,
+            Err(why) => return Ok(ExactMotion::Other(why)),
+        },
     };
     let (frequency, gain) = (number(&law, "omega0", 0)?, number(&law, "K1", 0)?);
     let strength = number(&law, "K0", 0)?;
@@ -203,7 +213,14 @@ fn particles(source: &Source) -> Result<ExactMotion, ConfigError> {
     };
     let drift = vector(&law, "drift")?.unwrap_or_else(|| [0, 0].map(|x| rational(x, 1)));
     let (positions, phases) = (start.positions, start.phases);
-    Ok(ExactMotion::Particles { positions, phases, frequency, gain, spacing, drift, network })
+    Ok(ExactMotion::Particles { positions, phases, frequency, gain, spacing, drift, network, radius })
+}
+
+/// Who is nearer to whom than the radius.
+fn within(positions: &[Vec<Rational>], radius: &Rational) -> Neighbours {
+    let number = |row: &[Rational], k: usize| row.get(k).cloned().unwrap_or_default();
+    let points = positions.iter().map(|row| Complex { re: number(row, 0), im: number(row, 1) });
+    Neighbours::within(&points.collect::<Vec<_>>(), radius)
 }
 
 fn exact_platoon(source: &Source) -> Result<ExactMotion, ConfigError> {

@@ -1,8 +1,8 @@
 //! The fish of Paley and others (26)-(28): discrete time, zones with a blind spot.
 
-use super::course::{Course, Event, Frame};
 use super::error::{ConfigError, RunError};
 use super::observables::{CLUSTERS, Observable, min_distance, of_phases, places, total};
+use super::simulation::{Event, Frame, Simulation};
 use super::source::Source;
 use super::start::{Needs, Start};
 use algebra::graph::components;
@@ -152,7 +152,7 @@ fn sensed(networks: &ZoneNetworks, fish: usize) -> Vec<(usize, usize)> {
     (0..fish).flat_map(|k| all.into_iter().flat_map(move |network| arcs(network, k))).collect()
 }
 
-impl Course for Fish {
+impl Simulation for Fish {
     fn advance(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         let last = (until / self.step).round() as u64;
         while self.steps < last {

@@ -1,10 +1,10 @@
 //! Velocity alignment with links within a radius in large flocks: every switch is located, and each agent has steps of its own.
 
 use super::agents::Agents;
-use super::course::{Course, Event, Frame, Law};
 use super::error::RunError;
 use super::network::Change;
 use super::observables::Observable;
+use super::simulation::{Event, Frame, Law, Simulation};
 use arithmetic::{ArithmeticError, Progress};
 use models::double_integrator::{IndividualError, IndividualFlock, Pace, State};
 
@@ -31,7 +31,7 @@ impl Individual {
     }
 }
 
-impl Course for Individual {
+impl Simulation for Individual {
     fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         let mut switches = Vec::new();
         let went = self.flock.advance(until, &mut switches, progress);

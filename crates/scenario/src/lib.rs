@@ -6,7 +6,6 @@
 mod agents;
 mod alignment;
 mod config;
-mod course;
 mod ensemble;
 mod error;
 mod exact;
@@ -20,6 +19,7 @@ mod oscillator;
 mod platoon;
 mod potential;
 mod run;
+mod simulation;
 mod source;
 mod start;
 mod stepped;
@@ -28,9 +28,9 @@ mod turns;
 mod vicsek;
 
 pub use config::Scenario;
-pub use course::{Event, Frame};
 pub use ensemble::Ensemble;
 pub use error::{ConfigError, Problem, RunError};
 pub use exact::{ExactMotion, ExactSpacing, is_drawn, with_numbers};
 pub use observables::{Observable, Value, min_distance, pattern_order, total};
 pub use run::{End, Outcome, Row};
+pub use simulation::{Event, Frame};

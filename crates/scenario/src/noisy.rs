@@ -1,8 +1,8 @@
 //! The noisy model of Vicsek and others in a periodic square, in floating point.
 
-use super::course::{Course, Event, Frame};
 use super::error::{ConfigError, RunError};
 use super::observables::{Observable, total};
+use super::simulation::{Event, Frame, Simulation};
 use super::source::Source;
 use super::start::{Needs, Start};
 use algebra::graph::components;
@@ -21,7 +21,7 @@ struct Noisy {
 }
 
 /// Reads the model.
-pub(super) fn read(source: &Source) -> Result<Box<dyn Course>, ConfigError> {
+pub(super) fn read(source: &Source) -> Result<Box<dyn Simulation>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
     if let Some(section) = source.section("graph")? {
         section.allow(&[], " of the vicsek-noise model, whose `radius` in [law] makes the network")?;
@@ -54,7 +54,7 @@ impl Noisy {
     }
 }
 
-impl Course for Noisy {
+impl Simulation for Noisy {
     fn advance(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         while (self.time as f64) < until.round() {
             if progress.is_cancelled() {

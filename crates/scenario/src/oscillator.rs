@@ -1,10 +1,10 @@
 //! The phase model (6) and steered particles (1)-(2) of Paley and others.
 
-use super::course::{Continuous, Course, Frame, Law};
 use super::error::{ConfigError, Problem};
 use super::links::Hold;
 use super::network::{Abilities, Change, Kind, Network};
 use super::observables::{CLUSTERS, Observable, min_distance, of_phases, places, total};
+use super::simulation::{Continuous, Frame, Law, Simulation};
 use super::source::{Section, Source};
 use super::start::{Needs, Start};
 use super::stepped::{Arrangement, Stepped, read_step};
@@ -126,7 +126,7 @@ pub(super) const PHASES: Abilities = Abilities {
 };
 
 /// Reads the phase model.
-pub(super) fn read_phases(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
+pub(super) fn read_phases(source: &Source, tolerance: f64) -> Result<Box<dyn Simulation>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 0, velocities: false, phases: true })?;
     let network = Network::read(source, start.agents(), PHASES)?;
     let law = source.needed("law")?;
@@ -233,7 +233,7 @@ pub(super) const PARTICLES: Abilities = Abilities {
 };
 
 /// Reads the particle model.
-pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
+pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn Simulation>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 2, velocities: false, phases: true })?;
     let network = Network::read(source, start.agents(), PARTICLES)?;
     let step = read_step(source, &network)?;

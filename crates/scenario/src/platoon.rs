@@ -1,9 +1,9 @@
 //! Platoons on a line behind a leader (Veerman and others), on any fixed communication graph.
 
-use super::course::{Continuous, Course, Frame, Law};
 use super::error::{ConfigError, Problem};
 use super::network::{Abilities, Network};
 use super::observables::{Observable, min_distance};
+use super::simulation::{Continuous, Frame, Law, Simulation};
 use super::source::{Section, Source};
 use super::start::{Needs, Start};
 use arithmetic::ArithmeticError;
@@ -43,7 +43,7 @@ const COMMUNICATIONS: [(&str, Communication); 2] =
     [("front", Communication::Front), ("front-and-back", Communication::FrontAndBack)];
 
 /// Reads the model.
-pub(super) fn read(source: &Source, tolerance: f64) -> Result<Box<dyn Course>, ConfigError> {
+pub(super) fn read(source: &Source, tolerance: f64) -> Result<Box<dyn Simulation>, ConfigError> {
     let start = Start::read(source, Needs { dimension: 1, velocities: true, phases: false })?;
     let law = source.needed("law")?;
     law.allow(&["f", "g", "spacing", "communication", "leader"], " of the platoon model")?;

@@ -1,8 +1,8 @@
 //! From a scenario to its samples, rows and events.
 
-use super::course::{Course, Event, Frame};
 use super::error::RunError;
 use super::observables::Observable;
+use super::simulation::{Event, Frame, Simulation};
 use arithmetic::Progress;
 use std::sync::Arc;
 
@@ -85,29 +85,29 @@ impl Outcome {
     }
 }
 
-/// Runs a course; `progress` may stop it and is told of each row.
+/// Runs a simulation; `progress` may stop it and is told of each row.
 pub(super) fn run(
     model: &'static str,
     schedule: &Schedule,
-    course: &mut dyn Course,
+    simulation: &mut dyn Simulation,
     progress: &dyn Progress,
 ) -> Outcome {
     let mut outcome = Outcome {
         model,
-        declaration: [course.declaration(), schedule.declaration()].concat(),
+        declaration: [simulation.declaration(), schedule.declaration()].concat(),
         rows: Vec::new(),
         events: Vec::new(),
         remarks: Vec::new(),
         end: End::Finished,
     };
     let small = {
-        let frame = course.frame();
+        let frame = simulation.frame();
         frame.positions.len().max(frame.phases.len()) <= MOST_LINKED
     };
     let mut links = Arc::new(Vec::new());
-    course.plan(&schedule.times.iter().map(|(time, _)| *time).collect::<Vec<_>>(), progress);
+    simulation.plan(&schedule.times.iter().map(|(time, _)| *time).collect::<Vec<_>>(), progress);
     for &(time, sample) in &schedule.times {
-        match course.advance(time, &mut outcome.events, progress) {
+        match simulation.advance(time, &mut outcome.events, progress) {
             Ok(true) => {}
             Ok(false) => {
                 outcome.end = End::Interrupted;
@@ -118,19 +118,19 @@ pub(super) fn run(
                 break;
             }
         }
-        match course.observe() {
+        match simulation.observe() {
             Ok(mut observables) => {
                 if let Some(wanted) = &schedule.observables {
                     observables.retain(|observable| wanted.iter().any(|name| name == observable.name));
                 }
                 if small {
-                    let now = course.links();
+                    let now = simulation.links();
                     // Most rows have the links of the one before.
                     if now != *links {
                         links = Arc::new(now);
                     }
                 }
-                outcome.rows.push(Row { time, sample, frame: course.frame(), observables, links: links.clone() });
+                outcome.rows.push(Row { time, sample, frame: simulation.frame(), observables, links: links.clone() });
             }
             Err(error) => {
                 outcome.end = End::Failed(RunError::Law { time, error });
@@ -139,6 +139,6 @@ pub(super) fn run(
         }
         progress.tell("rows", outcome.rows.len() as u64, Some(schedule.times.len() as u64));
     }
-    outcome.remarks = course.remarks();
+    outcome.remarks = simulation.remarks();
     outcome
 }

@@ -1,10 +1,10 @@
 //! Fixed steps, for many agents whose links depend on distances: each stage reads the links off the positions, neighbours by cells;
 //! switches are passed over.
 
-use super::course::{Course, Event, Frame, Law};
 use super::error::{ConfigError, RunError};
 use super::network::Network;
 use super::observables::Observable;
+use super::simulation::{Event, Frame, Law, Simulation};
 use super::source::Source;
 use arithmetic::{ArithmeticError, Progress};
 use motion::{CellList, Rk4};
@@ -127,7 +127,7 @@ impl<L: Law> Stepped<L> {
     }
 }
 
-impl<L: Law> Course for Stepped<L> {
+impl<L: Law> Simulation for Stepped<L> {
     fn advance(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         let from = self.time;
         // A remainder of a hair's breadth is taken along.

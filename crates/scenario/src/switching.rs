@@ -2,10 +2,10 @@
 //! is located, and what has several ways on is followed as a Filippov solution.
 
 use super::agents::Agents;
-use super::course::{Course, Event, Frame, Law};
 use super::error::RunError;
 use super::network::Change;
 use super::observables::Observable;
+use super::simulation::{Event, Frame, Law, Simulation};
 use arithmetic::{ArithmeticError, Progress};
 use models::double_integrator::{EventKind, Flock, Motion, MotionError, Options};
 use motion::Tolerance;
@@ -41,7 +41,7 @@ impl Switching {
     }
 }
 
-impl Course for Switching {
+impl Simulation for Switching {
     fn plan(&mut self, times: &[f64], progress: &dyn Progress) {
         let until = times.last().copied().unwrap_or(0.0);
         (self.motion, self.end) = self.flock.run_watched(until, times, &self.options, progress);

@@ -1,9 +1,9 @@
 //! Averaging with the weights `1/(d_i + 1)` (Chazelle): model D from velocities, exact; model K from phases, certified.
 
-use super::course::{Course, Event, Frame};
 use super::error::{ConfigError, Problem, RunError};
 use super::network::Change;
 use super::observables::{CLUSTERS, Observable, min_distance, of_phases, total};
+use super::simulation::{Event, Frame, Simulation};
 use super::source::Source;
 use super::start::{Needs, Start};
 use algebra::graph::Graph;
@@ -34,7 +34,7 @@ fn float(x: &Rational) -> f64 {
 }
 
 /// Reads the model.
-pub(super) fn read(source: &Source) -> Result<Box<dyn Course>, ConfigError> {
+pub(super) fn read(source: &Source) -> Result<Box<dyn Simulation>, ConfigError> {
     // Of a drawn start the speed tells that headings are meant.
     let has_speed = source.section("law")?.is_some_and(|law| law.get("speed").is_some());
     let state = source.needed("state")?;
@@ -120,7 +120,7 @@ impl Vicsek {
     }
 }
 
-impl Course for Vicsek {
+impl Simulation for Vicsek {
     fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         while (self.time as f64) < until.round() {
             if progress.is_cancelled() {

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 
 /// Products of 64-bit words, about a few seconds of them.
-const MOST_WORK: u64 = 1 << 31;
+pub const MOST_WORK: u64 = 1 << 31;
 
 /// What is left of the bound.
 pub struct Budget {
@@ -11,8 +11,8 @@ pub struct Budget {
 }
 
 impl Budget {
-    pub fn new() -> Self {
-        Budget { left: MOST_WORK }
+    pub fn new(work: u64) -> Self {
+        Budget { left: work }
     }
 
     /// Takes the cost of so many products of numbers of so many bits; false where it is not left.

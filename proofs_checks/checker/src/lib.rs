@@ -49,7 +49,15 @@ const KINDS: [(&str, Check); 5] = [
 /// # Errors
 /// [`Refusal`]: the file is malformed, too large, or what it says is not so.
 pub fn check(bytes: &[u8]) -> Result<Certified, Refusal> {
-    let mut reader = Reader::new(bytes)?;
+    check_within(bytes, budget::MOST_WORK)
+}
+
+/// As [`check`] within so many products of 64-bit words.
+///
+/// # Errors
+/// As there, and where the bound is not enough.
+pub fn check_within(bytes: &[u8], work: u64) -> Result<Certified, Refusal> {
+    let mut reader = Reader::new(bytes, work)?;
     let header = reader.value("flockproof-certificate")?;
     let Some(name) = header.strip_prefix("1 ") else { return Err(reader.refusal("the version is not 1")) };
     let Some(&(kind, body)) = KINDS.iter().find(|(kind, _)| *kind == name) else {

@@ -34,7 +34,7 @@ pub struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    pub fn new(bytes: &'a [u8]) -> Result<Self, Refusal> {
+    pub fn new(bytes: &'a [u8], work: u64) -> Result<Self, Refusal> {
         let refusal = |line: usize, reason: &str| Err(Refusal { line, reason: reason.to_string() });
         if bytes.len() > MOST_BYTES {
             return refusal(1, "the file is longer than 4 MiB");
@@ -46,7 +46,7 @@ impl<'a> Reader<'a> {
         let Some(text) = std::str::from_utf8(bytes).ok().and_then(|text| text.strip_suffix('\n')) else {
             return refusal(line_of(bytes.len()), "the last line does not end");
         };
-        Ok(Reader { lines: text.split('\n').collect(), at: 0, budget: Budget::new() })
+        Ok(Reader { lines: text.split('\n').collect(), at: 0, budget: Budget::new(work) })
     }
 
     /// A refusal at the line that was read last.

@@ -1,6 +1,6 @@
 //! The corpus, and bytes altered at random.
 
-use flockproof_checker::check;
+use flockproof_checker::{check, check_within};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -20,6 +20,15 @@ fn what_must_pass_passes() {
         let certified = check(&bytes).unwrap_or_else(|refusal| panic!("{name}: {refusal:?}"));
         let claim = String::from_utf8(bytes).unwrap().lines().nth(1).unwrap().to_string();
         assert_eq!(claim, format!("claim {}", certified.claim), "{name}");
+    }
+}
+
+#[test]
+fn no_work_is_done_beyond_what_is_granted() {
+    for (name, bytes) in folder("pass") {
+        assert_eq!(check_within(&bytes, 1 << 31), check(&bytes), "{name}");
+        let refusal = check_within(&bytes, 0).expect_err(&name);
+        assert_eq!(refusal.reason, "checking it would take too long", "{name}");
     }
 }
 

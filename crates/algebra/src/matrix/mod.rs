@@ -1,13 +1,15 @@
 //! Exact matrices as integers over one common denominator: stochastic products, footprints, ergodicity coefficients.
 
 mod characteristic;
+mod digit_product;
+mod digits;
 mod ergodicity;
 pub mod floating;
 mod footprint;
 mod inertia;
 mod integer_rows;
 mod kronecker;
-mod limbs;
+
 mod product;
 mod rational_matrix;
 pub mod read;

@@ -40,8 +40,6 @@ pub fn product_tree(factors: &[StochasticMatrix]) -> Result<StochasticMatrix, Ma
     match factors {
         [] => Err(MatrixError::NoFactors),
         [one] => Ok(one.clone()),
-        // Few short factors: the single-limb kernel is faster than the tree.
-        few if few.len() <= 4 => product_sequential(few),
         many => {
             let (early, late) = many.split_at(many.len() / 2);
             product_tree(late)?.times(&product_tree(early)?)

@@ -1,9 +1,8 @@
 //! Rational matrices with one common denominator.
 
 use super::MatrixError;
-use arithmetic::{Progress, Rational, Unwatched};
+use arithmetic::{Progress, Rational, Unwatched, common_denominator, content, lcm};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
 /// A matrix of integers over one positive common denominator. Not reduced: call [`RationalMatrix::reduced`] once at the
@@ -77,7 +76,7 @@ impl RationalMatrix {
         let mut denominator = BigInt::one();
         for x in rows.iter().flatten() {
             progress.checkpoint()?;
-            denominator = denominator.lcm(&x.denom());
+            denominator = lcm(&denominator, &x.denom());
         }
         let numerators = rows.iter().flatten().map(|x| x.numer() * (&denominator / x.denom())).collect();
         RationalMatrix::new(rows.len(), cols, numerators, denominator)
@@ -158,7 +157,7 @@ impl RationalMatrix {
             return Err(MatrixError::Shapes { left_cols: self.cols, right_rows: vector.len() });
         }
         // Over one denominator, so that only the results are reduced.
-        let common = vector.iter().fold(BigInt::from(1), |lcm, x| lcm.lcm(&x.denom()));
+        let common = common_denominator(vector);
         let numerators: Vec<BigInt> = vector.iter().map(|x| x.numer() * (&common / x.denom())).collect();
         let below = common * &self.denominator;
         let sum = |i: usize| -> BigInt { self.row(i).iter().zip(&numerators).map(|(a, x)| a * x).sum() };
@@ -187,7 +186,7 @@ impl RationalMatrix {
             let (left, right) = ((self.rows, self.cols), (other.rows, other.cols));
             return Err(MatrixError::DifferentShapes { left, right });
         }
-        let denominator = self.denominator.lcm(&other.denominator);
+        let denominator = lcm(&self.denominator, &other.denominator);
         let (left, right) = (&denominator / &self.denominator, &denominator / &other.denominator);
         let entries = self.numerators.iter().zip(&other.numerators);
         let numerators = entries.map(|(a, b)| sum(a * &left, b * &right)).collect();
@@ -229,7 +228,7 @@ impl RationalMatrix {
         let mut divisor = self.denominator.clone();
         for x in &self.numerators {
             progress.checkpoint()?;
-            divisor = divisor.gcd(x);
+            divisor = content([&divisor, x]);
         }
         Ok(RationalMatrix {
             rows: self.rows,

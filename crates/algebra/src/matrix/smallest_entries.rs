@@ -1,9 +1,8 @@
 //! The smallest nonzero entries of all products of matrices from a finite set (Chazelle, Lemma 2.2).
 
 use super::{MatrixError, RationalMatrix};
-use arithmetic::Rational;
+use arithmetic::{Rational, lcm};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::{One, ToPrimitive};
 
 /// The smallest nonzero entry in the first columns of all products of a length.
@@ -65,7 +64,7 @@ struct Factors {
 impl Factors {
     fn new(matrices: &[RationalMatrix], length: usize) -> Result<Self, MatrixError> {
         let order = matrices.first().map_or(0, RationalMatrix::rows);
-        let denominator = matrices.iter().fold(BigInt::one(), |d, m| d.lcm(m.denominator()));
+        let denominator = matrices.iter().fold(BigInt::one(), |d, m| lcm(&d, m.denominator()));
         let mut rows = Vec::with_capacity(matrices.len());
         let mut largest = 1u128;
         for matrix in matrices {

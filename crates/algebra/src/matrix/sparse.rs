@@ -58,14 +58,18 @@ impl SparseMatrix {
     }
 
     /// All entries that are not zero, `(row, column, value)`, in order.
-    pub fn entries(&self) -> impl Iterator<Item = (usize, usize, &Rational)> {
+    pub fn entries(&self) -> impl Iterator<Item = (usize, usize, &Rational)> + Clone {
         self.rows.iter().enumerate().flat_map(|(i, row)| row.iter().map(move |(j, value)| (i, *j, value)))
     }
 
     /// The entry in row `i` and column `j`, or `None` where it is zero, as it is outside the matrix.
     pub fn get(&self, i: usize, j: usize) -> Option<&Rational> {
         let row = self.row(i);
-        row.binary_search_by_key(&j, |&(column, _)| column).ok().map(|place| &row[place].1)
+        match row.get(j) {
+            // All entries before it are there.
+            Some((column, value)) if *column == j => Some(value),
+            _ => row.binary_search_by_key(&j, |&(column, _)| column).ok().map(|place| &row[place].1),
+        }
     }
 
     /// The sums of the rows.
@@ -80,7 +84,13 @@ impl SparseMatrix {
 
     /// Whether it equals its transpose.
     pub fn is_symmetric(&self) -> bool {
-        self.entries().all(|(i, j, value)| self.get(j, i) == Some(value))
+        // Column by column the rows of the transpose come in their order: each entry is the next one of its mirror image.
+        let mut next = vec![0; self.order()];
+        self.entries().all(|(i, j, value)| {
+            let mirrored = self.rows[j].get(next[j]);
+            next[j] += 1;
+            mirrored.is_some_and(|(column, other)| *column == i && (j <= i || other == value))
+        })
     }
 
     /// The rows and columns with these numbers, which become `0, 1, ...` in the order given; those that are not there are zero.

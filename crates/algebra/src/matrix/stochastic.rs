@@ -1,15 +1,15 @@
 //! Row-stochastic matrices: non-negative integers over one common denominator, every row summing to it.
 
-use super::limbs::LimbMatrix;
+use super::digits::DigitMatrix;
 use super::{Footprint, MatrixError, RationalMatrix};
 use arithmetic::{Cancelled, Progress, Rational, Unwatched};
 use num_bigint::{BigInt, BigUint};
-use num_traits::{Signed, ToPrimitive};
+use num_traits::Signed;
 
 /// A row-stochastic matrix. Being stochastic is checked once, when it is made; products keep it.
 #[derive(Debug, Clone)]
 pub struct StochasticMatrix {
-    numerators: LimbMatrix,
+    numerators: DigitMatrix,
     denominator: BigUint,
 }
 
@@ -67,10 +67,7 @@ impl StochasticMatrix {
             return Err(MatrixError::Shapes { left_cols: self.cols(), right_rows: right.rows() });
         }
         let denominator = &self.denominator * &right.denominator;
-        // No entry exceeds the denominator.
-        let longest = denominator.bits().div_ceil(64) as usize;
-        let small_rows = self.denominator.to_u64().is_some();
-        let numerators = self.numerators.times(&right.numerators, longest, small_rows, progress)?;
+        let numerators = self.numerators.times(&right.numerators, progress)?;
         Ok(StochasticMatrix { numerators, denominator })
     }
 
@@ -125,7 +122,7 @@ impl TryFrom<&RationalMatrix> for StochasticMatrix {
             entries.extend(row.iter().map(|x| x.magnitude().clone()));
         }
         Ok(StochasticMatrix {
-            numerators: LimbMatrix::from_entries(matrix.rows(), matrix.cols(), &entries),
+            numerators: DigitMatrix::from_entries(matrix.rows(), matrix.cols(), &entries),
             denominator: matrix.denominator().magnitude().clone(),
         })
     }

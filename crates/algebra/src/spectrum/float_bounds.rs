@@ -64,15 +64,15 @@ pub(super) struct Product {
 /// Splits `a = head + tail`: in each row of `head` all entries are multiples, by integers of at most `bits` bits, of one
 /// power of two.
 fn split_rows(a: MatRef<'_, f64>, bits: i32) -> (Mat<f64>, Mat<f64>) {
-    let units: Vec<f64> = (0..a.nrows())
+    let shifts: Vec<f64> = (0..a.nrows())
         .map(|i| {
             let largest = (0..a.ncols()).map(|j| a[(i, j)].abs()).fold(0.0, f64::max);
             let top = Dyadic::from_f64(largest).map_or(0, |x| x.top().clamp(-900, 900));
-            2f64.powi(top as i32 - bits)
+            1.5 * 2f64.powi(top as i32 - bits + 52)
         })
         .collect();
-    // Powers of two: the quotient and the product are exact, and so is the difference.
-    let head = Mat::from_fn(a.nrows(), a.ncols(), |i, j| (a[(i, j)] / units[i]).round() * units[i]);
+    // Beside these numbers floats are multiples of that power of two: the sum is rounded to one, and the differences are exact.
+    let head = Mat::from_fn(a.nrows(), a.ncols(), |i, j| (a[(i, j)] + shifts[i]) - shifts[i]);
     let tail = Mat::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] - head[(i, j)]);
     (head, tail)
 }

@@ -62,34 +62,32 @@ fn diagonalised(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
     let eigen = floats.eigen().ok()?;
     let (x, values) = (eigen.U(), eigen.S());
     let inverse = x.partial_piv_lu().inverse();
-    // AX - XΛ row by row, with a bound of its rounding and of the rounding of A.
-    let mut residual = Mat::<c64>::zeros(order, order);
-    let mut lost = vec![0.0; order];
-    for (i, row) in rows.iter().enumerate() {
-        for k in 0..order {
-            let shift = values[k] * x[(i, k)];
-            let image = row.iter().fold(c64::new(0.0, 0.0), |sum, &(j, value, _)| sum + x[(j, k)] * value);
-            residual[(i, k)] = image - shift;
-            let sizes: f64 = row.iter().map(|&(j, value, _)| value.abs() * modulus(x[(j, k)])).sum();
-            let errors: f64 = row.iter().map(|&(j, _, error)| error * modulus(x[(j, k)])).sum();
-            let rounding = 8.0 * (row.len() as f64 + 4.0) * UNIT;
-            lost[i] += (rounding * (sizes + modulus(values[k]) * modulus(x[(i, k)])) + errors) * SLACK + UNDERFLOW;
-        }
-    }
+    let image = image(rows, &floats, x);
+    let residual = Mat::from_fn(order, order, |i, k| image[(i, k)] - values[k] * x[(i, k)]);
+    // The rounding of AX - XΛ and of A, summed over each row: a row of |A||X| has the sum of |A| times the row sums of |X|.
+    let sums_of_x = row_sums(x);
+    let lost = |(i, row): (usize, &Row)| {
+        let sizes: f64 = row.iter().map(|&(j, value, _)| value.abs() * sums_of_x[j]).sum();
+        let errors: f64 = row.iter().map(|&(j, _, error)| error * sums_of_x[j]).sum();
+        let shifts: f64 = (0..order).map(|k| modulus(values[k]) * modulus(x[(i, k)])).sum();
+        let rounding = 8.0 * (row.len() as f64 + 4.0) * UNIT;
+        (rounding * (sizes + shifts) + errors) * SLACK + order as f64 * UNDERFLOW
+    };
+    let lost: Vec<f64> = rows.iter().enumerate().map(lost).collect();
     let rounding = 8.0 * (order as f64 + 4.0) * UNIT;
     let inverse_sums = row_sums(inverse.as_ref());
     let near_identity = &inverse * x;
     let defect = Mat::from_fn(order, order, |i, j| near_identity[(i, j)] - c64::new(f64::from(u8::from(i == j)), 0.0));
-    let size = largest(&row_sums(x));
+    let size = largest(&sums_of_x);
     let e = (largest(&row_sums(defect.as_ref())) + rounding * (largest(&inverse_sums) * size + 2.0)) * SLACK;
     if e.is_nan() || e >= 0.5 {
         return None;
     }
-    let image = &inverse * &residual;
+    let moved = &inverse * &residual;
     let residual_size = largest(&row_sums(residual.as_ref()));
     let lost = largest(&lost);
     let bound = |(own, inverse): (f64, f64)| (own + inverse * (rounding * residual_size + lost)) * SLACK + UNDERFLOW;
-    let sums: Vec<f64> = row_sums(image.as_ref()).into_iter().zip(inverse_sums).map(bound).collect();
+    let sums: Vec<f64> = row_sums(moved.as_ref()).into_iter().zip(inverse_sums).map(bound).collect();
     let common = e * largest(&sums) / (1.0 - e);
     let disc = |i: usize| {
         let radius = (sums[i] + common) * SLACK;
@@ -101,6 +99,22 @@ fn diagonalised(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
         })
     };
     (0..order).map(disc).collect()
+}
+
+/// A matrix with more than one entry in so many is multiplied as a dense one.
+const SPARSE: usize = 12;
+
+/// `AX`, every entry a sum of products in some order.
+fn image(rows: &[Row], floats: &Mat<f64>, x: MatRef<'_, c64>) -> Mat<c64> {
+    let order = rows.len();
+    if rows.iter().map(Vec::len).sum::<usize>() > order * order / SPARSE {
+        let part = |part: fn(c64) -> f64| floats * Mat::from_fn(order, order, |i, j| part(x[(i, j)]));
+        let (re, im) = (part(|z| z.re), part(|z| z.im));
+        return Mat::from_fn(order, order, |i, j| c64::new(re[(i, j)], im[(i, j)]));
+    }
+    let entry =
+        |i: usize, k: usize| rows[i].iter().fold(c64::new(0.0, 0.0), |sum, &(j, value, _)| sum + x[(j, k)] * value);
+    Mat::from_fn(order, order, entry)
 }
 
 /// Eigenvalues of real matrices come in conjugate pairs: one alone in an enclosure that is its own mirror image is real.

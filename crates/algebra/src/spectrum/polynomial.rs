@@ -1,6 +1,6 @@
 //! Integer polynomials in one variable: exact signs, common divisors, real roots isolated by Sturm's theorem.
 
-use arithmetic::{Cancelled, Interval, Progress, Rational, Ring, Unwatched, rational};
+use arithmetic::{Cancelled, Interval, Progress, Rational, Ring, Unwatched, common_denominator, content, rational};
 use num_bigint::{BigInt, Sign};
 use num_integer::Integer;
 use num_traits::{Signed, Zero};
@@ -25,7 +25,7 @@ impl Polynomial {
         while coefficients.last().is_some_and(Zero::is_zero) {
             coefficients.pop();
         }
-        let content = coefficients.iter().fold(BigInt::ZERO, |g, c| g.gcd(c));
+        let content = content(&coefficients);
         if content > BigInt::from(1) {
             coefficients.iter_mut().for_each(|c| *c /= &content);
         }
@@ -34,7 +34,7 @@ impl Polynomial {
 
     /// The primitive multiple of a polynomial with rational coefficients.
     pub fn from_rationals(coefficients: &[Rational]) -> Self {
-        let denominator = coefficients.iter().fold(BigInt::from(1), |d, c| d.lcm(&c.denom()));
+        let denominator = common_denominator(coefficients);
         Polynomial::new(coefficients.iter().map(|c| c.numer() * (&denominator / c.denom())).collect())
     }
 

@@ -1,9 +1,8 @@
 //! Whether all roots of a real polynomial have negative real parts, decided exactly (Routh's table).
 
 use super::Polynomial;
-use arithmetic::{Rational, Ring, Sign, Signed};
+use arithmetic::{Rational, Ring, Sign, Signed, content};
 use num_bigint::BigInt;
-use num_integer::Integer;
 
 impl Polynomial {
     /// Whether every complex root has a negative real part. A constant other than zero has no roots; the zero polynomial is not
@@ -71,7 +70,7 @@ pub(super) fn roots_moved<T: Ring>(coefficients: &[T], shift: &T) -> Vec<T> {
 
 /// The row divided by the greatest common divisor of its entries.
 fn without_content(mut row: Vec<BigInt>) -> Vec<BigInt> {
-    let content = row.iter().fold(BigInt::ZERO, |g, c| g.gcd(c));
+    let content = content(&row);
     if content > BigInt::from(1) {
         row.iter_mut().for_each(|c| *c /= &content);
     }

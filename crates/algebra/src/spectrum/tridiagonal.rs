@@ -21,8 +21,8 @@ const LEAST_PIVOT: f64 = 1e-200;
 /// What replaced pivots and underflow change.
 const REPLACED: f64 = 1e-190;
 
-/// Shifts that are counted at once.
-const LANES: usize = 8;
+/// Shifts that are counted at once: as many as keep the divider busy while each waits for its last quotient.
+const LANES: usize = 16;
 
 /// Doublings of the radius before an enclosure is given up.
 const MOST_DOUBLINGS: usize = 60;
@@ -193,7 +193,7 @@ struct Search {
     hi: f64,
     /// Where the matrix is looked at next.
     x: f64,
-    /// The last step of the iteration, zero after a bisection.
+    /// The last step of the iteration, zero after a bisection and after a step towards several roots.
     step: f64,
     done: bool,
 }
@@ -219,16 +219,20 @@ impl Search {
         };
         let mut step = laguerre(1.0);
         // Linear convergence: several roots, as many as this quotient says near them.
-        if step.abs() > 0.15 * self.step.abs() && step.abs() < 0.5 * self.step.abs() {
+        let several = step.abs() > 0.15 * self.step.abs() && step.abs() < 0.5 * self.step.abs();
+        if several {
             step = laguerre((look.sum * look.sum / look.squares).round().clamp(1.0, order));
         }
         let near = (self.k..=self.k + 3).contains(&look.below);
         let adjacent = look.below == self.k || look.below == self.k + 1;
         let target = self.x + step;
-        if near && step.abs() <= 2.0 * UNIT * size {
+        // Convergence towards one root is cubic: the next step is to this one as the cube of this one to that of the last.
+        let settling = adjacent && !several && step.abs() < 1e-2 * self.step.abs();
+        let next = if settling { (step / self.step).powi(3) * step } else { f64::INFINITY };
+        if near && (step.abs() <= 2.0 * UNIT * size || next.abs() <= 1e-3 * UNIT * size) {
             (self.x, self.done) = (target, true);
         } else if adjacent && self.lo < target && target < self.hi {
-            (self.x, self.step) = (target, step);
+            (self.x, self.step) = (target, if several { 0.0 } else { step });
         } else {
             self.done = self.hi - self.lo <= 2.0 * UNIT * size;
             (self.x, self.step) = (self.lo.midpoint(self.hi), 0.0);

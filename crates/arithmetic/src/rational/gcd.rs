@@ -3,8 +3,9 @@
 //! Lehmer (1938), in the form of Cohen, *A Course in Computational Algebraic Number Theory*, algorithm 1.3.7: as long as the leading bits alone
 //! show the next quotient of Euclid's algorithm, its steps are collected in one matrix, which is then applied to the whole numbers.
 
-use num_bigint::BigUint;
-use num_traits::ToPrimitive;
+use super::Rational;
+use num_bigint::{BigInt, BigUint};
+use num_traits::{One, ToPrimitive, Zero};
 
 /// The greatest common divisor; `gcd(0, b) = b`.
 #[inline]
@@ -45,6 +46,25 @@ pub fn gcd(a: &BigUint, b: &BigUint) -> BigUint {
             }
         }
     }
+}
+
+/// The least common multiple, not negative.
+pub fn lcm(a: &BigInt, b: &BigInt) -> BigInt {
+    if a.is_zero() || b.is_zero() {
+        return BigInt::ZERO;
+    }
+    let (a, b) = (a.magnitude(), b.magnitude());
+    BigInt::from(a / gcd(a, b) * b)
+}
+
+/// The least common denominator of some rationals; of none, 1.
+pub fn common_denominator<'a>(rationals: impl IntoIterator<Item = &'a Rational>) -> BigInt {
+    rationals.into_iter().fold(BigInt::one(), |common, x| lcm(&common, &x.denom()))
+}
+
+/// The greatest common divisor of some integers, not negative; of none, and of zeros, 0.
+pub fn content<'a>(integers: impl IntoIterator<Item = &'a BigInt>) -> BigInt {
+    BigInt::from(integers.into_iter().fold(BigUint::ZERO, |common, x| gcd(&common, x.magnitude())))
 }
 
 /// Takes leading zeros away.

@@ -7,7 +7,7 @@ mod gcd;
 mod operators;
 mod traits;
 
-pub use gcd::gcd;
+pub use gcd::{common_denominator, content, gcd, lcm};
 pub use traits::NoRational;
 
 use super::{ArithmeticError, Field, Ring, Sign, Signed};

@@ -1,6 +1,6 @@
 //! Rationals against those of the crate num-rational: every operation on random numbers, small, long and at the edge between.
 
-use arithmetic::{Rational, gcd};
+use arithmetic::{Rational, common_denominator, content, gcd, lcm};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_rational::BigRational;
@@ -89,6 +89,14 @@ proptest! {
     fn common_divisors_agree(a in integers(), b in integers(), common in integers()) {
         let (a, b) = (a * &common, b * &common);
         prop_assert_eq!(gcd(a.magnitude(), b.magnitude()), a.magnitude().gcd(b.magnitude()));
+        prop_assert_eq!(lcm(&a, &b), a.lcm(&b));
+        prop_assert_eq!(content([&a, &b, &common]), a.gcd(&b).gcd(&common));
+    }
+
+    #[test]
+    fn denominators_agree(numbers in proptest::collection::vec(pairs(), 0..5)) {
+        let known = numbers.iter().fold(BigInt::from(1), |d, (_, x)| d.lcm(x.denom()));
+        prop_assert_eq!(common_denominator(numbers.iter().map(|(x, _)| x)), known);
     }
 }
 

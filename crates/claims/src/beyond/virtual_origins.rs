@@ -11,13 +11,11 @@ pub fn angle() -> Record<OriginVariant> {
          sum_r tau_1(P^r) in all.",
         OriginVariant::SHARPER,
     )
-    .stated(
-        "sharpens chazelle, Lemma 3.7",
-        "In model D, with a positive integer a, positive entries of every P(t) at least n^-a, and as long as no edge is longer than 2 \
-         (Lemma 3.6), for any bird at any time t >= 1 the angle of (x_i(t), t) and (v_i(t), 1), the lifted birds, is at most \
-         |v_i(t) - x_i(t)/t| = |E_i(t)|/t, where each coordinate of E_i(t) = x_i(t) - t v_i(t) is at most max|x(0)| + 4 (s(t) + 1) n^(2a+3) \
-         in absolute value, s(t) the number of switches before t: no waiting time and no log t.",
-    )
+    .stated("sharpens chazelle, Lemma 3.7", "")
+    .clauses(&[
+        "In model D, for any bird at any time t >= 1, the angle of (x_i(t), t) and (v_i(t), 1), the lifted birds, is at most |v_i(t) - x_i(t)/t| = |E_i(t)|/t with E_i(t) = x_i(t) - t v_i(t).",
+        "With a positive integer a, positive entries of every P(t) at least n^-a, weights that depend on the network only, and as long as no edge is longer than 2 (Lemma 3.6), each coordinate of E_i(t) is at most max|x(0)| + 4 (s(t) + 1) n^(2a+3) in absolute value, s(t) the number of switches before t: no waiting time and no log t.",
+    ])
 }
 
 pub fn losses() -> Record<LossVariant> {

@@ -169,11 +169,11 @@ impl OriginVariant {
 pub fn about_origins(id: &'static str, derivation: &'static str, printed: OriginVariant) -> Record<OriginVariant> {
     // The printed bound names no constants.
     let examine = |variant: &OriginVariant, run: &mut Run| {
-        let (part, steps) = (IN_GENERAL, [origins_of_flocks(variant, run)]);
+        let computed = origins_of_flocks(variant, run);
         if variant.logarithm == 0 {
-            return Run::all(steps.into_iter().chain([argued(&[], part, ORIGINS)]));
+            return Run::all([computed.on([1, 2]), argued(&[1, 2], IN_GENERAL, ORIGINS)]);
         }
-        argued_with(&[], part, ORIGINS, steps)
+        argued_with(&[], IN_GENERAL, ORIGINS, [computed])
     };
     Record::new(id, derivation, printed, examine)
         .altered("half of (I - P) x in the recursion", |v| v.coupling = (1, 2))

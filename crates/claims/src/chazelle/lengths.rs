@@ -5,9 +5,9 @@ use super::velocity_bounds::step_velocities;
 use crate::prelude::*;
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
+use arithmetic::common_denominator;
 use models::averaging::{Weights, transition_matrix};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::Signed;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
@@ -104,7 +104,7 @@ pub struct StateLengthVariant {
 
 /// The common denominator of all coordinates, or the largest numerator over it, whichever is longer.
 fn longest<'a>(coordinates: impl Iterator<Item = &'a Rational> + Clone) -> BigInt {
-    let denominator = coordinates.clone().fold(BigInt::from(1), |d, x| d.lcm(&x.denom()));
+    let denominator = common_denominator(coordinates.clone());
     let numerator = coordinates.map(|x| (x.numer() * (&denominator / x.denom())).abs()).max().unwrap_or_default();
     denominator.max(numerator)
 }

@@ -4,7 +4,7 @@ use super::figures::other;
 use super::fixtures::{PLANE, spring};
 use crate::prelude::*;
 use arithmetic::Signed;
-use models::double_integrator::{Kink, Pair, Span, State, Way, fork, linked_within, tied};
+use models::double_integrator::{Branch, Kink, Pair, Span, State, Way, fork, linked_within, tied};
 
 /// A right-hand side on the line with one jump: `left` for `x < 0`, `right` for `x >= 0`.
 #[derive(Debug, Clone, Copy)]
@@ -252,7 +252,7 @@ pub fn chain_rule() -> Record<ChainRuleVariant> {
 
 /// The starts from which solutions are said to be unique.
 #[derive(Clone, Copy)]
-pub enum StartVariant {
+enum Starts {
     All,
     /// Those with a connected neighbouring graph.
     Connected,
@@ -260,6 +260,13 @@ pub enum StartVariant {
     Moving,
     /// Those where every tied pair crosses the threshold: `r_ij . v_ij != 0`.
     Crossing,
+}
+
+/// Where solutions are said to be unique, and whether tied links may have weights between 0 and 1 (the convex hull of K).
+#[derive(Clone, Copy)]
+pub struct StartVariant {
+    unique: Starts,
+    hull: bool,
 }
 
 struct Start {
@@ -314,20 +321,20 @@ fn ways_on(start: &Start) -> Result<Vec<String>, CheckError> {
     Ok(fork.branches.iter().map(|branch| branch.ways.iter().map(word).collect::<Vec<_>>().join(", ")).collect())
 }
 
-fn means(variant: &StartVariant, start: &Start) -> bool {
+fn means(variant: Starts, start: &Start) -> bool {
     let ties = tied(&start.state.positions, &start.square, PLANE);
     let rate = |&(i, j): &Pair| PLANE.product(&start.state.separation(i, j), &start.state.relative_velocity(i, j));
     let still = |&(i, j): &Pair| start.state.relative_velocity(i, j).iter().all(|x| *x == rational(0, 1));
     match variant {
-        StartVariant::All => true,
-        StartVariant::Connected => linked_within(&start.state.positions, &start.square, PLANE).is_connected(),
-        StartVariant::Moving => !ties.iter().any(still),
-        StartVariant::Crossing => ties.iter().all(|pair| rate(pair).sign() != Some(arithmetic::Sign::Zero)),
+        Starts::All => true,
+        Starts::Connected => linked_within(&start.state.positions, &start.square, PLANE).is_connected(),
+        Starts::Moving => !ties.iter().any(still),
+        Starts::Crossing => ties.iter().all(|pair| rate(pair).sign() != Some(arithmetic::Sign::Zero)),
     }
 }
 
 fn examine_starts(variant: &StartVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let list = starts().into_iter().filter(|start| means(variant, start));
+    let list = starts().into_iter().filter(|start| means(variant.unique, start));
     let detail = "exact second derivatives of |r_ij|² on both sides, starts of two and three agents";
     let ways = run.instances("solutions of (10) from ties", detail, list, |start| {
         let ways = ways_on(&start)?;
@@ -335,7 +342,28 @@ fn examine_starts(variant: &StartVariant, run: &mut Run) -> Result<Outcome, Chec
         Ok((ways.len() > 1).then(|| format!("V = s + 1/s - 2, {}: the pair can go on {all}", start.name)))
     })?;
     let steps = "notes/tanner2.md, Existence and uniqueness, steps 1 to 4";
-    Run::all([Ok(ways.on([2])), argued(&[1, 2], "solutions of (10)", steps)])
+    Run::all([Ok(ways.on([2])), some_way(variant.hull, run).on([1]), argued(&[1, 2], "solutions of (10)", steps)])
+}
+
+/// Three agents at rest in a row, R below the desired distance. Agent 3 pushes agent 2 towards agent 1; with the link in
+/// force agents 1 and 2 would part, without it they would approach.
+fn held_at_the_threshold() -> Start {
+    let q = |n: i64| rational(n, 20);
+    let state = State { positions: [0, 10, 19].map(|x| [q(x), q(0)]).to_vec(), velocities: vec![[q(0), q(0)]; 3] };
+    Start { name: "three agents at rest at (0, 0), (1/2, 0), (19/20, 0), R = 1/2", square: rational(1, 4), state }
+}
+
+/// A solution goes on from ties of every kind.
+fn some_way(hull: bool, run: &Run) -> Result<Outcome, CheckError> {
+    let list = starts().into_iter().chain([held_at_the_threshold()]);
+    let detail =
+        "starts with tied pairs that pass, leave, enter or are held there; exact weights and second derivatives";
+    run.instances("a way on from ties", detail, list, |start| {
+        let fork = fork(&start.state, &start.square, PLANE, &spring()).map_err(other)?;
+        let held = |branch: &Branch<Rational>| branch.ways.iter().any(|(_, way)| matches!(way, Way::Stays(_)));
+        let on = fork.branches.iter().any(|branch| branch.decided && (hull || !held(branch)));
+        Ok((!on).then(|| format!("V = s + 1/s - 2, {}: no solution goes on", start.name)))
+    })
 }
 
 pub fn existence() -> Record<StartVariant> {
@@ -343,10 +371,10 @@ pub fn existence() -> Record<StartVariant> {
         "tanner2.eq10_exist",
         "Boundedness of u gives existence, not uniqueness. At |r_ij| = R with r_ij.v_ij = 0 the second derivative of |r_ij|² jumps from a - 8 V'(R²) R² (linked) to a (not linked). Two agents at rest at distance R: staying \
          at rest is a solution, and moving towards each other is another one; they may also wait for any time first. With a > 0 > a - 8 V'(R²) R² there are three ways on, on connected graphs too.",
-        StartVariant::All,
+        StartVariant { unique: Starts::All, hull: true },
         examine_starts,
     )
-    .repaired(Fault::False, "", StartVariant::Crossing)
+    .repaired_by(Fault::False, "", |v| v.unique = Starts::Crossing)
     .repaired_clauses(&[
         "From every start in which no two agents are in one place (10) has a solution for all time.",
         "It is unique as long as no pair has |r_ij| = R and r_ij.v_ij = 0 at the same time.",
@@ -356,6 +384,7 @@ pub fn existence() -> Record<StartVariant> {
         "Uniqueness of the solutions of (10) is guaranteed by the boundedness of u_i.",
     ])
     .reading("K of the whole vector field, potentials of Definition 3 with a locally Lipschitz gradient")
-    .control("with a connected graph", StartVariant::Connected)
-    .control("unless a tied pair is at relative rest", StartVariant::Moving)
+    .altered("with a connected graph", |v| v.unique = Starts::Connected)
+    .altered("unless a tied pair is at relative rest", |v| v.unique = Starts::Moving)
+    .altered("without the convex hull", |v| v.hull = false)
 }

@@ -1,9 +1,14 @@
 //! tanner2.lem1, lem2, Q, Qjump, Qdot, eq13, eq13.interval: the saturated potential and the energy Q.
 
+use super::figures::other;
 use super::fixtures::{PLANE, energy_decreases, printed as logarithmic, random_vectors, spring};
 use crate::prelude::*;
 use algebra::graph::Graph;
-use models::double_integrator::{Kink, Potential, Span, State, TiedRate, dot, saturated_rate, tied};
+use arithmetic::Dual;
+use models::double_integrator::{
+    Kink, Pair, Potential, Span, State, TiedRate, Way, dot, fork, kinetic_energy, linked_within, saturated_potential,
+    saturated_rate, scaled, sum, tied, velocity_alignment,
+};
 
 /// The saturated potential as a function of the distance `r`, at `r = R`.
 fn kink_at(potential: &Potential, threshold: &Rational) -> Result<Kink<Rational>, ArithmeticError> {
@@ -337,10 +342,13 @@ pub enum HullVariant {
     Linked,
     /// Below zero.
     Negative,
+    /// The rate of Q along solutions, with potentials that are not cut off at R.
+    Uncut,
 }
 
-/// Two and three agents, no pair, one pair, two pairs at the threshold, with the rates at rest and at random velocities.
-fn tied_states(run: &Run) -> Result<Vec<(String, TiedRate)>, ArithmeticError> {
+/// Two and three agents, no pair, one pair, two pairs at the threshold R = 2; at rest, at random velocities, and at random
+/// ones across the first pair.
+fn tied_states(run: &Run) -> Vec<(String, State<Rational>)> {
     let mut random = run.random(0);
     let q = |n| rational(n, 1);
     let places: [Vec<[Rational; 2]>; 5] = [
@@ -355,28 +363,29 @@ fn tied_states(run: &Run) -> Result<Vec<(String, TiedRate)>, ArithmeticError> {
     for positions in places {
         let count = positions.len();
         let rest = vec![[q(0), q(0)]; count];
-        let sample = (0..run.cases(40, 400)).map(|_| random_vectors(count, &mut random));
-        for velocities in std::iter::once(rest).chain(sample) {
+        let sample: Vec<_> = (0..run.cases(40, 400)).map(|_| random_vectors(count, &mut random)).collect();
+        let across = sample.iter().map(|vectors| vectors.iter().map(|[_, y]| [q(0), y.clone()]).collect());
+        for velocities in std::iter::once(rest).chain(across).chain(sample.iter().cloned()) {
             let list = |vectors: &[[Rational; 2]]| {
                 vectors.iter().map(|v| format!("({}, {})", v[0], v[1])).collect::<Vec<_>>().join(", ")
             };
             let name = format!("R = 2, agents at {}, velocities {}", list(&positions), list(&velocities));
-            let state = State { positions: positions.clone(), velocities };
-            found.push((name, TiedRate::of(&state, &q(4), &spring())?));
+            found.push((name, State { positions: positions.clone(), velocities }));
         }
     }
-    Ok(found)
+    found
 }
 
 /// Compares the generalised derivative of Q with a hull at states with ties.
 pub(super) fn hulls(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckError> {
     let detail =
         "with the true generalised gradient co{0, grad V} of the tied pairs; exact sets for no, one and two tied pairs";
-    run.instances("(13) at ties", detail, tied_states(run)?, |(name, state)| {
+    run.instances("(13) at ties", detail, tied_states(run), |(name, state)| {
+        let state = TiedRate::of(&state, &rational(4, 1), &spring())?;
         let (derivative, hull) = (state.derivative(), state.hull());
         let point = |x: Rational| Span { lo: x.clone(), hi: x };
         let agrees = match variant {
-            HullVariant::Subset => {
+            HullVariant::Subset | HullVariant::Uncut => {
                 derivative.is_within(&hull) && (derivative.is_empty() || derivative.hi <= rational(0, 1))
             }
             HullVariant::Equal => derivative == hull,
@@ -385,6 +394,52 @@ pub(super) fn hulls(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckEr
         };
         let (derivative, hull) = (show(&derivative), show(&hull));
         Ok((!agrees).then(|| format!("{name}: the generalised derivative of Q is {derivative}, the hull {hull}")))
+    })
+}
+
+/// The rate of `Q` along one way on from a state with ties at `R`, whose square this is, and `-v^T (L kron I_2) v` with the
+/// links and weights in force there.
+fn rate_along(
+    state: &State<Rational>,
+    square: &Rational,
+    ways: &[(Pair, Way<Rational>)],
+    cut: bool,
+) -> Result<(Rational, Rational), ArithmeticError> {
+    let potential = spring();
+    let slope = |_: usize, _: usize, s: &Rational| potential.slope(s);
+    let speed = |&(i, j): &Pair| PLANE.square(&state.relative_velocity(i, j));
+    let mut links = linked_within(&state.positions, square, PLANE).edges();
+    links.extend(ways.iter().filter(|(_, way)| *way == Way::Enters).map(|(pair, _)| *pair));
+    let mut accelerations = velocity_alignment(state, &links, PLANE, slope)?;
+    let mut form: Rational = links.iter().map(speed).sum();
+    for (pair, way) in ways {
+        if let Way::Stays(weight) = way {
+            let more = velocity_alignment(state, &[*pair], PLANE, slope)?;
+            accelerations = accelerations.iter().zip(&more).map(|(a, b)| sum(a, &scaled(weight, b))).collect();
+            form += weight * speed(pair);
+        }
+    }
+    let moving = state.moving(&accelerations);
+    let value = |_: usize, _: usize, s: &Dual<Rational>| potential.rational_value(s);
+    let beyond = Dual::constant(potential.rational_value(square)?);
+    let inside = if cut { links } else { Graph::from_fn(state.positions.len(), |_, _| true).edges() };
+    let energy = saturated_potential(&moving.positions, &inside, PLANE, value, &beyond)?
+        + kinetic_energy(&moving.velocities, PLANE)?;
+    Ok((energy.derivative, -form))
+}
+
+/// Q along all ways on from the tied states: its rate is the damping of the links and weights in force.
+fn along_solutions(variant: &HullVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let detail = "every way on from no, one and two tied pairs, with weights that keep a pair at R: rates by exact accelerations";
+    let square = rational(4, 1);
+    run.instances("Q along solutions of (10) through ties", detail, tied_states(run), |(name, state)| {
+        for branch in fork(&state, &square, PLANE, &spring()).map_err(other)?.branches {
+            let (rate, damping) = rate_along(&state, &square, &branch.ways, *variant != HullVariant::Uncut)?;
+            if rate != damping || rate > rational(0, 1) {
+                return Ok(Some(format!("{name}: Q has the rate {rate}, where the damping is {damping}")));
+            }
+        }
+        Ok(None)
     })
 }
 
@@ -398,6 +453,7 @@ pub fn eq13() -> Record<HullVariant> {
         |variant, run| Run::all([
             hulls(variant, run).on([1, 2]),
             argued(&[1, 2], "(13)", "notes/tanner2.md, Equation (13), steps 1 to 4"),
+            along_solutions(variant, run).on([3]),
             argued(&[3], "Q along solutions", "notes/tanner2.md, Section 5, steps 1 to 3"),
         ]),
     )
@@ -410,6 +466,7 @@ pub fn eq13() -> Record<HullVariant> {
     .control("equality", HullVariant::Equal)
     .control("the value with tied pairs linked", HullVariant::Linked)
     .control("q < 0", HullVariant::Negative)
+    .control("Q with potentials that are not cut off at R", HullVariant::Uncut)
 }
 
 /// What the right side of (13) is said to be.
@@ -425,7 +482,8 @@ pub enum IntervalVariant {
 
 fn examine_interval(variant: &IntervalVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let zero = rational(0, 1);
-    let sides = run.instances("the right side of (13)", "exact sets", tied_states(run)?, |(name, state)| {
+    let sides = run.instances("the right side of (13)", "exact sets", tied_states(run), |(name, state)| {
+        let state = TiedRate::of(&state, &rational(4, 1), &spring())?;
         let hull = state.hull();
         let agrees = match variant {
             IntervalVariant::ToZero => hull.hi == zero && hull.lo < zero,

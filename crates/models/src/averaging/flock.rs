@@ -5,9 +5,8 @@ use super::rule::Rule;
 use super::{FlockError, Hysteresis, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::{IntegerRows, RationalMatrix};
-use arithmetic::{Cancelled, Progress, Rational, Ring};
+use arithmetic::{Cancelled, Progress, Rational, Ring, common_denominator, content};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::Signed;
 use std::cmp::Ordering;
 
@@ -116,15 +115,15 @@ pub(super) struct IntegerState {
 impl IntegerState {
     /// Divides everything by the common factors.
     pub fn reduce(&mut self, progress: &dyn Progress) -> Result<(), Cancelled> {
-        let mut content = self.unit.clone();
+        let mut common = self.unit.clone();
         for x in self.positions.iter().chain(&self.velocities).flatten() {
             progress.checkpoint()?;
-            content = content.gcd(x);
+            common = content([&common, x]);
         }
         for row in self.positions.iter_mut().chain(&mut self.velocities) {
-            row.iter_mut().for_each(|x| *x /= &content);
+            row.iter_mut().for_each(|x| *x /= &common);
         }
-        self.unit /= content;
+        self.unit /= common;
         Ok(())
     }
 }
@@ -163,7 +162,7 @@ impl Flock {
             }
         }
         let all = || start.positions.iter().chain(&start.velocities).flatten();
-        let unit = all().fold(BigInt::from(1), |d, x| d.lcm(&x.denom()));
+        let unit = common_denominator(all());
         let numerators = |list: &[Vec<Rational>]| -> Vec<Vec<BigInt>> {
             list.iter().map(|row| row.iter().map(|x| x.numer() * (&unit / x.denom())).collect()).collect()
         };

@@ -5,9 +5,8 @@ use super::rule::Rule;
 use super::{KinematicStart, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::IntegerRows;
-use arithmetic::{Dyadic, Field, Interval, Rational};
+use arithmetic::{Dyadic, Field, Interval, Rational, common_denominator, lcm};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::Zero;
 use std::collections::BTreeMap;
 
@@ -21,7 +20,7 @@ pub(super) struct Headings {
 
 impl Headings {
     pub fn new(headings: &[Rational]) -> Self {
-        let denominator = headings.iter().fold(BigInt::from(1), |d, x| d.lcm(&x.denom()));
+        let denominator = common_denominator(headings);
         let over = |x: &Rational| x.numer() * (&denominator / x.denom());
         let numerators = IntegerRows::new(&headings.iter().map(over).collect::<Vec<_>>());
         Headings { scratch: numerators.clone(), numerators, denominator }
@@ -71,7 +70,7 @@ impl Headings {
 
     /// `theta = theta + kappa`.
     fn add(&mut self, kappa: &[Rational]) {
-        let denominator = kappa.iter().fold(self.denominator.clone(), |d, x| d.lcm(&x.denom()));
+        let denominator = lcm(&self.denominator, &common_denominator(kappa));
         let factor = &denominator / &self.denominator;
         let sum =
             |(i, k): (usize, &Rational)| self.numerators.value(i) * &factor + k.numer() * (&denominator / k.denom());
@@ -82,7 +81,7 @@ impl Headings {
 
 /// What it takes to go the same way again: the start, and every change of the network and of the control.
 #[derive(Debug, Clone)]
-pub(super) struct Course {
+pub(super) struct History {
     pub start: KinematicStart,
     /// `(t, G_t)` where `G_t` is not `G_(t-1)`.
     networks: Vec<(u64, Graph)>,
@@ -90,9 +89,9 @@ pub(super) struct Course {
     controls: Vec<(u64, Vec<Rational>)>,
 }
 
-impl Course {
+impl History {
     pub fn new(start: KinematicStart, network: Graph) -> Self {
-        Course { start, networks: vec![(0, network)], controls: vec![(0, Vec::new())] }
+        History { start, networks: vec![(0, network)], controls: vec![(0, Vec::new())] }
     }
 
     pub fn network(&self) -> &Graph {

@@ -1,6 +1,6 @@
 //! Model K in the plane: headings exact, positions enclosed and refined where a comparison needs it.
 
-use super::headings::{Course, Headings, averaging};
+use super::headings::{Headings, History, averaging};
 use super::hysteresis::Threshold;
 use super::rule::Rule;
 use super::{FlockError, Hysteresis, Switch};
@@ -35,7 +35,7 @@ pub struct KinematicStart {
 /// the hysteresis threshold only where that is `2 |D|`; this tie is not recognised. `notes/model_k.md` has the proofs.
 #[derive(Debug, Clone)]
 pub struct KinematicFlock {
-    course: Course,
+    history: History,
     threshold: Threshold,
     rule: Rule,
     time: u64,
@@ -84,7 +84,7 @@ impl KinematicFlock {
         Ok(KinematicFlock {
             threshold: Threshold::new(start.hysteresis.clone(), birds)?,
             rule: averaging(&network, 0)?,
-            course: Course::new(start.clone(), network),
+            history: History::new(start.clone(), network),
             time: 0,
             headings: Headings::new(&start.headings),
             positions: at_start(start, FIRST_BITS),
@@ -107,7 +107,7 @@ impl KinematicFlock {
 
     /// `sigma`.
     pub fn speed(&self) -> &Rational {
-        &self.course.start.speed
+        &self.history.start.speed
     }
 
     /// The time `t`.
@@ -117,7 +117,7 @@ impl KinematicFlock {
 
     /// `G_t`.
     pub fn network(&self) -> &Graph {
-        self.course.network()
+        self.history.network()
     }
 
     /// The hysteresis rule.
@@ -173,7 +173,7 @@ impl KinematicFlock {
         } else {
             let switch = Switch::between(self.network(), &network, BigInt::from(self.time));
             self.rule = averaging(&network, self.time)?;
-            self.course.switch_to(self.time, network);
+            self.history.switch_to(self.time, network);
             Some(switch)
         };
         let kappa = control(self);
@@ -182,13 +182,13 @@ impl KinematicFlock {
             // Headings leave the range that was counted on.
             self.pairs.iter_mut().for_each(|pair| pair.quiet_until = 0);
         }
-        self.course.note_control(self.time, kappa);
-        self.course.turn(&mut self.headings, &self.rule);
+        self.history.note_control(self.time, kappa);
+        self.history.turn(&mut self.headings, &self.rule);
         Ok(switch)
     }
 
     fn speed_enclosure(&self) -> Interval {
-        Interval::from_rational(&self.course.start.speed, self.precision)
+        Interval::from_rational(&self.history.start.speed, self.precision)
     }
 
     /// Called between moving and averaging, when the headings are those of the move.
@@ -270,7 +270,7 @@ impl KinematicFlock {
         }
         let turned = match pair.turned_start {
             Some(turned) => turned,
-            None => self.course.is_turned_start(i, j, self.time)?,
+            None => self.history.is_turned_start(i, j, self.time)?,
         };
         self.pairs[index(i, j)].turned_start = Some(turned);
         Ok(turned)
@@ -314,8 +314,8 @@ impl KinematicFlock {
         }
         self.precision *= 2;
         let speed = self.speed_enclosure();
-        let mut positions = at_start(&self.course.start, self.precision);
-        self.course.replay(self.time, |headings| fly(&mut positions, headings, &speed))?;
+        let mut positions = at_start(&self.history.start, self.precision);
+        self.history.replay(self.time, |headings| fly(&mut positions, headings, &speed))?;
         self.positions = positions;
         Ok(())
     }

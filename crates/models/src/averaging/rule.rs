@@ -3,9 +3,8 @@
 use super::{FlockError, Weights};
 use algebra::graph::Graph;
 use algebra::matrix::AverageRow;
-use arithmetic::{Rational, Ring};
+use arithmetic::{Rational, Ring, lcm};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::Signed;
 
 /// `multiplier (P(t) (x) I_d)` in integers.
@@ -33,7 +32,7 @@ impl Rule {
         let multiplier = factors
             .iter()
             .zip(0..)
-            .fold(BigInt::from(1), |m, ((c, _), i)| if network.degree(i) > 0 { m.lcm(&c.denom()) } else { m });
+            .fold(BigInt::from(1), |m, ((c, _), i)| if network.degree(i) > 0 { lcm(&m, &c.denom()) } else { m });
         let times = |q: &Rational| (q * &multiplier).to_integer();
         let mut rows = Vec::with_capacity(birds * dimension);
         for (i, (c, share)) in factors.iter().enumerate() {

@@ -48,8 +48,8 @@ pub enum FlockError {
 pub struct SwitchingFlock {
     radius: f64,
     slope: Slope<f64>,
-    /// Position and velocity, in the order of the cells.
-    sorted: Vec<[f64; 4]>,
+    /// `x`, `y`, `v_x` and `v_y`, in the order of the cells.
+    sorted: [Vec<f64>; 4],
     /// Accelerations, first and second coordinates, in that order.
     found: [Vec<f64>; 2],
     /// Where in that order an agent is.
@@ -137,15 +137,15 @@ impl SwitchingFlock {
 
     /// Brings positions and velocities into the order of the cells.
     fn sort(&mut self, numbers: &[usize], positions: &[Vector<f64>], velocities: &[Vector<f64>]) {
-        let both = |&agent: &usize| {
-            let (x, v) = (positions[agent], velocities[agent]);
-            [x[0], x[1], v[0], v[1]]
-        };
-        self.sorted.clear();
-        if numbers.len() < MANY {
-            self.sorted.extend(numbers.iter().map(both));
-        } else {
-            self.sorted.par_extend(numbers.par_iter().with_min_len(TASK).map(both));
+        for (k, sorted) in self.sorted.iter_mut().enumerate() {
+            let list = if k < 2 { positions } else { velocities };
+            let part = |&agent: &usize| list[agent][k % 2];
+            sorted.clear();
+            if numbers.len() < MANY {
+                sorted.extend(numbers.iter().map(part));
+            } else {
+                sorted.par_extend(numbers.par_iter().with_min_len(TASK).map(part));
+            }
         }
         self.places.resize(numbers.len(), 0);
         numbers.iter().enumerate().for_each(|(place, &agent)| self.places[agent] = place);
@@ -187,7 +187,7 @@ impl VectorField for SwitchingFlock {
 /// them in turn. So each agent's sum has the same order whatever the number of lanes; who is too far adds zero.
 struct Sums<'a> {
     cells: &'a CellList,
-    sorted: &'a [[f64; 4]],
+    sorted: &'a [Vec<f64>; 4],
     slope: &'a Slope<f64>,
     radius: f64,
     from: usize,
@@ -204,25 +204,37 @@ impl pulp::WithSimd for Sums<'_> {
         let [first, second] = self.found;
         let until = self.from + first.len();
         let (limit, zero, one) = (splat(self.radius * self.radius), splat(0.0), splat(1.0));
+        let (infinity, numbers) = (splat(f64::INFINITY), Lanes::numbers(simd));
+        let [xs, ys, us, vs] = self.sorted.each_ref().map(Vec::as_slice);
+        let mut met = Vec::new();
         let mut place = self.from;
         while place < until {
             let (own, stretches) = self.cells.neighbourhood(place, Lanes::<S>::WIDTH.min(until - place));
-            let [x, y, u, v] =
-                [0, 1, 2, 3].map(|k| Lanes::gather(simd, own.clone().map(|place| self.sorted[place][k])));
-            let mut total = [zero; 2];
+            let [x, y, u, v] = [xs, ys, us, vs].map(|numbers| Lanes::load(simd, &numbers[own.clone()]));
+            let apart = |x_j: f64, y_j: f64| difference(&[x, y], &[splat(x_j), splat(y_j)]);
+            // First who is near anybody here, without waiting for comparisons: others are overwritten by the next.
+            met.resize(stretches.iter().map(|stretch| stretch.len()).sum::<usize>().max(met.len()), 0);
+            let mut count = 0;
             for stretch in stretches {
-                for j in stretch {
-                    let [x_j, y_j, u_j, v_j] = self.sorted[j].map(splat);
-                    let separation = difference(&[x, y], &[x_j, y_j]);
-                    let square = Coordinates::Cartesian.square(&separation);
-                    // Nobody is a neighbour of itself: an infinite distance in its lane.
-                    let square = if own.contains(&j) { square.with(j - place, f64::INFINITY) } else { square };
-                    let near = square.less(limit);
-                    // Lanes that take no part must not divide by zero.
-                    let Ok(slope) = slope.at(&square.select(near, one)) else { continue };
-                    let force = sum(&difference(&[u, v], &[u_j, v_j]), &pull(&separation, slope));
-                    total = difference(&total, &force.map(|part| part.select(near, zero)));
+                for ((&x_j, &y_j), j) in xs[stretch.clone()].iter().zip(&ys[stretch.clone()]).zip(stretch) {
+                    met[count] = j;
+                    count += usize::from(Coordinates::Cartesian.square(&apart(x_j, y_j)).any_less(limit));
                 }
+            }
+            let mut total = [zero; 2];
+            for &j in &met[..count] {
+                let separation = apart(xs[j], ys[j]);
+                let mut square = Coordinates::Cartesian.square(&separation);
+                if own.contains(&j) {
+                    // Nobody is a neighbour of itself: an infinite distance in its lane.
+                    let lane = splat((j - place) as f64);
+                    square = square.select(numbers.less(lane), square.select(lane.less(numbers), infinity));
+                }
+                let near = square.less(limit);
+                // Lanes that take no part must not divide by zero.
+                let Ok(slope) = slope.at(&square.select(near, one)) else { continue };
+                let force = sum(&difference(&[u, v], &[splat(us[j]), splat(vs[j])]), &pull(&separation, slope));
+                total = difference(&total, &force.map(|part| part.select(near, zero)));
             }
             let at = place - self.from..own.end - self.from;
             total[0].store(&mut first[at.clone()]);

@@ -2,10 +2,9 @@
 
 use super::{Certificate, Inertia, Limit, Peak, Product, Switches};
 use algebra::matrix::RationalMatrix;
-use arithmetic::Rational;
+use arithmetic::{Rational, common_denominator, lcm};
 use models::averaging::Weights;
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive};
 
 /// A certificate and the name of its theorem.
@@ -135,7 +134,7 @@ fn peak_theorem(name: &str, peak: &Peak) -> Option<String> {
     let peak = peak.for_coq().ok()?;
     let (low, high) = &peak.frequency;
     // Both ends over one denominator.
-    let unit = low.denom().lcm(&high.denom());
+    let unit = common_denominator([low, high]);
     let end = |q: &Rational| format!("({} # {unit})", q.numer() * (&unit / q.denom()));
     let reals = |numbers: &[String]| numbers.iter().map(|q| format!("(Q2R {q})")).collect::<Vec<_>>().join(" ");
     Some(format!(
@@ -160,10 +159,10 @@ fn switches_theorem(name: &str, switches: &Switches) -> Option<String> {
     }
     // c times the multiple for every number of neighbours.
     let all: Vec<Rational> = (0..birds).map(|d| weights.of(d, 0)).collect::<Option<_>>()?;
-    let multiple = all.iter().fold(BigInt::from(1), |m, c| m.lcm(&c.denom()));
+    let multiple = common_denominator(&all);
     let factors: Vec<BigInt> = all.iter().map(|c| c.numer() * (&multiple / c.denom())).collect();
     // Positions and velocities over one denominator.
-    let unit = switches.positions.denominator().lcm(switches.velocities.denominator());
+    let unit = lcm(switches.positions.denominator(), switches.velocities.denominator());
     let column = |matrix: &RationalMatrix| -> Vec<BigInt> {
         let factor = &unit / matrix.denominator();
         (0..birds).map(|i| &matrix.row(i)[0] * &factor).collect()

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 82] = sources![
+const SOURCES: [(&str, &str); 89] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -19,6 +19,8 @@ const SOURCES: [(&str, &str); 82] = sources![
     "chazelle_ergodicity",
     "chazelle_fixed",
     "chazelle_network",
+    "chazelle_sharp",
+    "chazelle_origins",
     "chazelle_limits",
     "chazelle_products",
     "chazelle_bits",
@@ -33,12 +35,14 @@ const SOURCES: [(&str, &str); 82] = sources![
     "chazelle_estimates",
     "chazelle_switches",
     "chazelle_worked",
+    "chazelle_angle",
     "paley_model",
     "paley_phase",
     "paley_laplacian",
     "paley_gradient",
     "paley_fourier",
     "paley_particles",
+    "paley_centre",
     "paley_patterns",
     "paley_composite",
     "paley_fish",
@@ -50,11 +54,14 @@ const SOURCES: [(&str, &str); 82] = sources![
     "tanner1_heading",
     "tanner1_examples",
     "tanner1_motion",
+    "tanner1_pair",
     "tanner_nonsmooth",
+    "tanner_saturated",
     "tanner2_examples",
     "tanner2_path",
     "tanner2_facts",
     "tanner2_motion",
+    "tanner_trees",
     "tanner_graph",
     "veerman_complex",
     "veerman_front",

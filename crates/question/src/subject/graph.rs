@@ -9,9 +9,8 @@ use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{
     Eigenvalue, FloatEnclosure, matrix_spectrum, named_spectrum, small_symmetric_eigenvalues, symmetric_enclosures,
 };
-use arithmetic::{Dyadic, Interval, Rational};
+use arithmetic::{Dyadic, Interval, Rational, common_denominator};
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive};
 use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
@@ -236,7 +235,7 @@ fn in_order(parts: &[Eigenvalue]) -> Vec<Place> {
 /// Bounds of an eigenvalue, or of its real part: with the common denominator `q` of the entries, `q lambda` is an algebraic integer, and
 /// all its conjugates are eigenvalues of `q A`, at most `q` times the largest sum of a row.
 fn bounds(matrix: &SparseMatrix) -> Algebraic {
-    let denominator = matrix.entries().fold(num_bigint::BigInt::one(), |lcm, (_, _, x)| lcm.lcm(&x.denom()));
+    let denominator = common_denominator(matrix.entries().map(|(_, _, x)| x));
     let mut sums = vec![Rational::from_integer(0.into()); matrix.order()];
     matrix.entries().for_each(|(i, _, x)| sums[i] += x.abs());
     let largest = sums.into_iter().max().unwrap_or_else(Rational::one).ceil().to_integer() * &denominator;

@@ -10,12 +10,13 @@ use crate::error::Problem;
 use crate::evaluate::{Failure, Moment};
 use crate::time::{Covered, Piece, Timeline, clock};
 use crate::truth::Doubt;
-use arithmetic::{Dyadic, FloatInterval, Interval, Progress, Rational, Real, rational};
+use arithmetic::{Dyadic, FloatInterval, Interval, Progress, Rational, Real, Ring, rational};
 use at::At;
 use laws::{HeadingLaw, ParticleLaw, PhaseLaw, PlatoonLaw};
 use models::double_integrator::{
     Coordinates, EnclosedFlock, FixedNetwork, HeadingDifference, Pair, Potential, State, heading, linked_within,
 };
+use models::oscillator::Neighbours;
 use modes::ModalPlatoon;
 use motion::validated::{Flow, IntervalVector, Parallelepiped, SmoothLaw, Step};
 use num_traits::ToPrimitive;
@@ -185,11 +186,15 @@ impl<'c> MotionSubject<'c> {
                 let law = PhaseLaw { frequency, gain, network };
                 self.followed(law, &state, until)
             }
-            ExactMotion::Particles { positions, phases, frequency, gain, spacing, drift, network } => {
+            ExactMotion::Particles { positions, phases, frequency, gain, spacing, drift, network, radius } => {
                 self.small(phases.len())?;
                 let mut state = self.vectors(Start::Positions, positions).concat();
                 state.extend(self.phasors(phases)?);
-                self.followed(ParticleLaw { frequency, gain, spacing, drift, network }, &state, until)
+                let tube = self.followed(ParticleLaw { frequency, gain, spacing, drift, network }, &state, until)?;
+                Ok(match radius {
+                    Some(radius) => while_linked(tube, network, &(radius * radius)),
+                    None => tube,
+                })
             }
             ExactMotion::Platoon { deviations, rates, gains, graph, swing, .. } => {
                 self.small(deviations.len())?;
@@ -334,6 +339,44 @@ impl<'c> MotionSubject<'c> {
         }
         Tube { sections, asked: until, failure }
     }
+}
+
+/// The tube of a fixed network up to where two particles may pass the radius: until then it is that of the network within the radius.
+fn while_linked(mut tube: Tube, network: &Neighbours, square: &Rational) -> Tube {
+    const HALVINGS: usize = 12;
+    let agents = network.particles();
+    let square = point(square);
+    let until = |section: &Section, to: f64| {
+        let after = FloatInterval::point(to) - FloatInterval::point(section.from);
+        let along = |i: usize, j: usize| match &section.states {
+            States::Step(step) => step.difference(i, j, FloatInterval::between(0.0, after.hi().min(step.span.hi()))),
+            States::Box(states) => states[i] - states[j],
+        };
+        let distance = |i: usize, j: usize| along(2 * i, 2 * j).square() + along(2 * i + 1, 2 * j + 1).square();
+        let passes = |&(i, j): &Pair| match network.of_particle(i).contains(&j) {
+            true => distance(i, j).hi() >= square.lo(),
+            false => distance(i, j).lo() < square.hi(),
+        };
+        (0..agents).flat_map(|j| (0..j).map(move |i| (i, j))).find(passes)
+    };
+    let first = tube.sections.iter().enumerate().find_map(|(k, section)| Some((k, until(section, section.to)?)));
+    let Some((place, pair)) = first else { return tube };
+    tube.sections.truncate(place + 1);
+    // As much of the step as is certain.
+    let mut end = tube.sections.first().map_or(0.0, |section| section.from);
+    if let Some(section) = tube.sections.last_mut() {
+        end = section.from;
+        let mut beyond = section.to;
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(end, beyond);
+            if until(section, middle).is_none() { end = middle } else { beyond = middle }
+        }
+        section.to = end;
+    }
+    tube.sections.retain(|section| section.from < section.to);
+    let (i, j) = (pair.0 + 1, pair.1 + 1);
+    tube.failure = Some(format!("particles {i} and {j} may pass the radius after t = {}", clock(end)));
+    tube
 }
 
 /// An enclosure between floats.

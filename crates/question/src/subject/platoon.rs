@@ -1,7 +1,8 @@
 //! Platoons: the peak over a whole box of gains, amplitudes at a frequency, stability.
 //!
 //! On every communication graph the peak depends on the gains through `b = g²/|f|` alone and does not increase in `b`
-//! (`notes/questions.md`). Its range over a box of gains is therefore that between two corners.
+//! (`notes/questions.md`). Its range over a box of gains is therefore that between two corners. On a line it grows with the number of
+//! followers (there, too), so that a range of numbers of followers adds one more side to the box.
 
 use crate::bindings::{Bindings, GraphValue, Value};
 use crate::error::Problem;
@@ -17,7 +18,8 @@ use num_traits::ToPrimitive;
 
 /// A platoon of a case.
 pub(crate) struct PlatoonSubject {
-    followers: u64,
+    /// The fewest and the most followers.
+    followers: (u64, u64),
     communication: Communication,
     /// Another communication graph; vertex 1 is the leader.
     graph: Option<CommunicationGraph>,
@@ -54,17 +56,21 @@ impl PlatoonSubject {
         if let Some(value) = bindings.get("followers") {
             let not_integer =
                 |found: String| Failure::Refused(0, Problem::NotInteger { what: "`followers`".to_string(), found });
-            let Value::Number(q) = value else { return Err(not_integer(shown(&value.text()))) };
-            if !q.is_integer() {
-                return Err(not_integer(shown(&q.to_string())));
-            }
-            let followers = q.to_u64().filter(|m| (1..=models::platoon::LARGEST_FOLLOWERS).contains(m));
-            let range = || Problem::Range {
-                what: "`followers`".to_string(),
-                expected: format!("between 1 and {}", models::platoon::LARGEST_FOLLOWERS),
-                found: shown(&q.to_string()),
+            let (least, most) = match value {
+                Value::Number(q) if q.is_integer() => (q.clone(), q.clone()),
+                Value::Integers(from, to) => (rational(*from, 1), rational(*to, 1)),
+                _ => return Err(not_integer(shown(&value.text()))),
             };
-            let followers = followers.ok_or_else(|| Failure::Refused(0, range()))?;
+            let count = |q: &Rational| {
+                let found = q.to_u64().filter(|m| (1..=models::platoon::LARGEST_FOLLOWERS).contains(m));
+                let range = || Problem::Range {
+                    what: "`followers`".to_string(),
+                    expected: format!("between 1 and {}", models::platoon::LARGEST_FOLLOWERS),
+                    found: shown(&q.to_string()),
+                };
+                found.ok_or_else(|| Failure::Refused(0, range()))
+            };
+            let followers = (count(&least)?, count(&most)?);
             return Ok(PlatoonSubject { followers, communication, graph: None, f, g });
         }
         let graphs = bindings.iter().find_map(|(_, value)| match value {
@@ -73,12 +79,18 @@ impl PlatoonSubject {
         });
         let graph = graphs.ok_or_else(|| refused("a platoon needs `followers` or a graph"))?;
         let graph = tracked(&graph)?;
-        Ok(PlatoonSubject { followers: graph.followers() as u64, communication, graph: Some(graph), f, g })
+        let followers = graph.followers() as u64;
+        Ok(PlatoonSubject { followers: (followers, followers), communication, graph: Some(graph), f, g })
     }
 
     /// Whether gains are intervals.
     fn is_box(&self) -> bool {
         self.f.0 != self.f.1 || self.g.0 != self.g.1
+    }
+
+    /// Whether there are several numbers of followers, on a line.
+    fn is_range(&self) -> bool {
+        self.followers.0 != self.followers.1
     }
 
     fn gains(&self, precision: u32) -> Gains<Interval> {
@@ -93,6 +105,9 @@ impl PlatoonSubject {
             "peak" => self.peak(precision).map(|(_, peak)| Measured::Number(Number::interval(peak))),
             "peak_frequency" if self.is_box() => {
                 Err(Failure::open("the frequency of the peak is enclosed for single gains only", None))
+            }
+            "peak_frequency" if self.is_range() && self.communication == Communication::FrontAndBack => {
+                Err(Failure::open("the frequency of the peak is enclosed for single numbers of followers only", None))
             }
             "peak_frequency" => self.peak(precision).map(|(w, _)| Measured::Number(Number::interval(w))),
             "gain" => self.gain(arguments, precision).map(|gain| Measured::Number(Number::interval(gain))),
@@ -151,19 +166,19 @@ impl PlatoonSubject {
             let name = if self.f.1.is_certainly_negative() { "g" } else { "f" };
             return Err(Failure::Refused(0, range(name)));
         }
-        self.between_corners(|gains| self.peak_at(gains, precision))
+        self.between_corners(|gains, followers| self.peak_at(gains, followers, precision))
     }
 
-    /// The peak at the corners of the box with the smallest and the largest `b`, between which all others lie.
+    /// The peak at the corners of the box with the most followers and the smallest `b` and with the fewest and the largest, between which all others lie.
     fn between_corners(
         &self,
-        peak: impl Fn(&Gains<Rational>) -> Result<(Interval, Interval), Failure>,
+        peak: impl Fn(&Gains<Rational>, u64) -> Result<(Interval, Interval), Failure>,
     ) -> Result<(Interval, Interval), Failure> {
-        let (w, most) = peak(&Gains { f: self.f.0.clone(), g: self.g.1.clone() })?;
-        if !self.is_box() {
+        let (w, most) = peak(&Gains { f: self.f.0.clone(), g: self.g.1.clone() }, self.followers.1)?;
+        if !self.is_box() && !self.is_range() {
             return Ok((w, most));
         }
-        let (_, least) = peak(&Gains { f: self.f.1.clone(), g: self.g.0.clone() })?;
+        let (_, least) = peak(&Gains { f: self.f.1.clone(), g: self.g.0.clone() }, self.followers.0)?;
         Ok((w, most.hull(&least)))
     }
 
@@ -183,29 +198,33 @@ impl PlatoonSubject {
             Measured::Truth(true) => {}
             _ => return Err(refused("the platoon is not stable, so that it has no peak")),
         }
-        self.between_corners(|gains| {
+        self.between_corners(|gains, _| {
             let found = peak_on_graph(graph, gains, precision);
             let found = found.map_err(|error| open(format!("is not enclosed: {error}")))?;
             Ok((found.omega, found.amplitude))
         })
     }
 
-    fn peak_at(&self, gains: &Gains<Rational>, precision: u32) -> Result<(Interval, Interval), Failure> {
+    fn peak_at(
+        &self,
+        gains: &Gains<Rational>,
+        followers: u64,
+        precision: u32,
+    ) -> Result<(Interval, Interval), Failure> {
         let unproved = |error: ResonanceError| refused(error.to_string());
         match self.communication {
             Communication::FrontAndBack => {
                 let digits = (f64::from(precision) * std::f64::consts::LOG10_2) as u32;
-                let Resonance { omega, amplitude } =
-                    resonance(gains, self.followers, digits.max(5)).map_err(unproved)?;
+                let Resonance { omega, amplitude } = resonance(gains, followers, digits.max(5)).map_err(unproved)?;
                 Ok((omega, amplitude))
             }
             Communication::Front => {
-                let bits = precision + 2 * (u64::BITS - self.followers.leading_zeros());
+                let bits = precision + 2 * (u64::BITS - followers.leading_zeros());
                 let gains = gains.map(|q| Interval::from_rational(q, bits));
                 let found = || -> Result<_, ArithmeticError> {
                     let square = strongest_one_sided_square(&gains)?;
                     let gain = gain_squared_one_sided(&gains, &square)?.sqrt()?;
-                    Ok((square.sqrt()?, gain.power(self.followers)))
+                    Ok((square.sqrt()?, gain.power(followers)))
                 };
                 found().map_err(|error| open(&error))
             }
@@ -213,18 +232,26 @@ impl PlatoonSubject {
     }
 
     fn gain(&self, arguments: &[Number], precision: u32) -> Result<Interval, Failure> {
+        // Behind the front car alone nobody notices who follows.
+        if self.is_range()
+            && (self.communication == Communication::FrontAndBack
+                || arguments.first().is_some_and(|k| k.as_integer().is_none()))
+        {
+            return Err(Failure::open("this gain is enclosed for single numbers of followers only", None));
+        }
+        let followers = self.followers.0;
         let Some(k) = arguments.first().and_then(Number::as_integer) else {
             let found = arguments.first().map_or("nothing".to_string(), Number::text);
             return Err(Failure::Refused(0, Problem::NotInteger { what: "the follower of `gain`".to_string(), found }));
         };
         let range = || Problem::Range {
             what: "the follower of `gain`".to_string(),
-            expected: format!("between 1 and {}", self.followers),
+            expected: format!("between 1 and {followers}"),
             found: k.to_string(),
         };
-        let k = k.to_u64().filter(|k| (1..=self.followers).contains(k));
+        let k = k.to_u64().filter(|k| (1..=followers).contains(k));
         let k = k.ok_or_else(|| Failure::Refused(0, range()))?;
-        let bits = precision + 2 * (u64::BITS - self.followers.leading_zeros()) + 16;
+        let bits = precision + 2 * (u64::BITS - followers.leading_zeros()) + 16;
         let w = arguments.get(1).map_or_else(|| Interval::from_rational(&rational(0, 1), bits), |w| w.enclosure(bits));
         let w = w.with_precision(bits);
         let gains = self.gains(bits);
@@ -237,7 +264,7 @@ impl PlatoonSubject {
             match self.communication {
                 Communication::Front => (distance.one() + &distance).recip().map(|z| z.power(k)),
                 Communication::FrontAndBack => {
-                    chebyshev(self.followers - k, &distance).0.over(&chebyshev(self.followers, &distance).0)
+                    chebyshev(followers - k, &distance).0.over(&chebyshev(followers, &distance).0)
                 }
             }
         };
@@ -258,12 +285,14 @@ impl PlatoonSubject {
             return Err(Failure::open("the abscissa is enclosed for negative gains only", None));
         }
         let gains = self.gains(precision + 16);
-        let rate = match self.communication {
-            Communication::FrontAndBack => slowest_rate(&gains, self.followers),
+        let rate = |followers| slowest_rate(&gains, followers).map_err(|error| open(&error));
+        Ok(-match self.communication {
+            // The slowest rate does not grow with the number of followers.
+            Communication::FrontAndBack if self.is_range() => rate(self.followers.0)?.hull(&rate(self.followers.1)?),
+            Communication::FrontAndBack => rate(self.followers.0)?,
             // All modes have the eigenvalue 1, as for one follower.
-            Communication::Front => slowest_rate(&gains, 1),
-        };
-        rate.map(|rate| -rate).map_err(|error| open(&error))
+            Communication::Front => rate(1)?,
+        })
     }
 }
 

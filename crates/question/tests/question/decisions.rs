@@ -63,6 +63,68 @@ fn the_peak_over_a_box_of_gains_is_that_of_its_corners() {
 }
 
 #[test]
+fn integers_are_covered_by_boxes_down_to_single_ones() {
+    // Equality at 1, which no box with another integer decides.
+    let many = answer(&asked("n = \"integers(1, 1000000000)\"", "n^2 >= n", "n^2 > n"));
+    assert_eq!((many.verdict, &many.grades[..]), (Verdict::Holds, &["certified"][..]));
+    assert!(many.cases < 200, "{}", many.cases);
+    assert_eq!(many.margin.map(|margin| (margin.lo, margin.hi)), Some((0.0, 0.0)));
+    // Between the integers it fails.
+    assert_eq!(verdict("n = \"integers(-9, 9)\"", "(n - 1)*(n - 2) >= 0"), Verdict::Holds);
+    assert_eq!(verdict("n = \"[-9, 9]\"", "(n - 1)*(n - 2) >= 0"), Verdict::False);
+    let false_one = answer(&asked("n = \"integers(1, 1000000)\"", "n^2 <= 1000000", "n < 0"));
+    let found = false_one.counterexample.expect("a counterexample");
+    assert!(matches!(found.get("n"), Some(Value::Number(q)) if q.is_integer() && q.pow(2) > rational(1_000_000, 1)));
+    // What a single one makes impossible is refused.
+    let divided = read(&asked("n = \"integers(1, 9)\"", "1/(n - 7) > -2", "n < 0")).expect("a question");
+    assert!(decide(&divided, &Unwatched).expect_err("a division by zero").to_string().contains("n = 7"));
+    assert_eq!(verdict("n = \"integers(1, 9)\"\nwhere = \"n != 7\"", "1/(n - 7) > -2"), Verdict::Holds);
+}
+
+/// The margins of single numbers of followers against those of all of them at once.
+#[test]
+fn the_peak_over_a_range_of_followers_is_that_of_its_ends() {
+    for (communication, gains) in [
+        ("front-and-back", "f = \"-1\"\ng = \"-1/5\""),
+        ("front-and-back", "f = \"-1\"\ng = \"-1\""),
+        ("front-and-back", "f = \"-1/9\"\ng = \"-3\""),
+        ("front", "f = \"-1\"\ng = \"-1\""),
+    ] {
+        let margin = |followers: &str, property: &str| {
+            let text = asked(&format!("followers = \"{followers}\"\n{gains}"), property, "peak < 1/2");
+            let text = text.replacen("[for]", &format!("communication = \"{communication}\"\n[for]"), 1);
+            answer(&text).margin.expect("a margin")
+        };
+        for (name, bound) in [("peak", "10^6"), ("abscissa", "1")] {
+            let (above, below) = (format!("{name} < {bound}"), format!("{name} > -{bound}"));
+            let single = |m: u32| (margin(&m.to_string(), &above).lo, margin(&m.to_string(), &below).lo);
+            let all: Vec<_> = (1..=24).map(single).collect();
+            // Neither falls with the number of followers.
+            assert!(
+                all.windows(2).all(|pair| pair[1].0 <= pair[0].0 + 1e-9 && pair[1].1 >= pair[0].1 - 1e-9),
+                "{all:?}"
+            );
+            let range = (margin("integers(1, 24)", &above).lo, margin("integers(1, 24)", &below).lo);
+            assert!((range.0 - all[23].0).abs() < 1e-9 && (range.1 - all[0].1).abs() < 1e-9, "{range:?} {all:?}");
+        }
+    }
+}
+
+#[test]
+fn ranges_of_followers_and_boxes_of_gains() {
+    let family = "followers = \"integers(1, 1000000000000)\"\nf = \"[-4, -1]\"\ng = \"[-2, -1]\"";
+    let all = answer(&asked(family, "stable and peak < 8*followers", "peak < 2*followers"));
+    assert_eq!((all.verdict, &all.grades[..]), (Verdict::Holds, &["certified"][..]));
+    // Behind the front car alone the number of followers does not matter; otherwise it is taken one by one.
+    let some = "followers = \"integers(3, 9)\"\nf = \"-1\"\ng = \"-1\"";
+    let property = "gain(3, 3) < 2 and peak_frequency < 4";
+    assert_eq!(verdict(some, property), Verdict::Holds);
+    let one_sided = asked(some, property, "peak < 1").replacen("[for]", "communication = \"front\"\n[for]", 1);
+    let one_sided = answer(&one_sided);
+    assert_eq!((one_sided.verdict, one_sided.cases), (Verdict::Holds, 1));
+}
+
+#[test]
 fn the_peak_decreases_in_the_damping_over_the_square_root_of_the_stiffness() {
     // b = g²/|f| grows along the list; so does the margin below 10^6.
     for followers in ["1", "2", "3", "10"] {
@@ -144,4 +206,14 @@ fn products_of_matrices() {
     assert_eq!(verdict(family, "tau_1 = 1/4 and tau_2^2 = 1/8"), Verdict::Holds);
     assert_eq!(verdict("matrices = \"products(2, 2, 2)\"", "tau_1 <= 1"), Verdict::Holds);
     assert_eq!(verdict("seed = \"1..5\"\nmatrices = \"random_products(4, 3)\"", "tau_1 <= 1"), Verdict::Undecided);
+}
+
+#[test]
+fn every_inequality_stands_by_itself() {
+    let of = |property: &str| -> Vec<String> {
+        let found = answer(&asked("n = \"1..3\"", property, "n < 0"));
+        found.inequalities.into_iter().map(|(text, _)| text).collect()
+    };
+    assert_eq!(of("gcd(n, 2) = 1 or 0 < n <= 3 and n <= 3"), ["gcd(n, 2) = 1", "0 < n", "n <= 3"]);
+    assert_eq!(of("n >= 1 implies not n != 2"), ["n < 1", "n = 2"]);
 }

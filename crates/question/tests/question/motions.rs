@@ -106,9 +106,41 @@ fn twelve_steered_particles_are_enclosed() {
     assert_eq!(answer.verdict, Verdict::Holds, "{}", answer.why);
     // (17) decreases with a spacing gain below 0 together with the phase potential; with one above 0 particles leave their circle.
     assert_eq!(verdict(&text, "always[0, 1/2](spacing_potential > 0)"), Verdict::Holds);
+    // At the start neighbours are exactly as far apart as the radius.
     let switching = text.replace("[state]", "[graph]\nkind = \"within\"\nradius = 1\n[state]");
     let open = answered(&switching, "n = 1", "always[0, 1](order > 0)", "1 < 0");
-    assert!(open.verdict == Verdict::Undecided && open.why.contains("fixed networks"), "{}", open.why);
+    assert!(open.verdict == Verdict::Undecided && open.why.contains("pass the radius after t = 0"), "{}", open.why);
+    let nearest = text.replace("[state]", "[graph]\nkind = \"nearest\"\nnearest = 2\n[state]");
+    let open = answered(&nearest, "n = 1", "always[0, 1](order > 0)", "1 < 0");
+    assert!(open.verdict == Verdict::Undecided && open.why.contains("to the nearest"), "{}", open.why);
+}
+
+/// Two particles that turn towards each other's direction and one too far away for them, within a radius.
+const NEAR_AND_FAR: &str = "model = \"particles\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\n\
+    positions = [[0, 0], [1, 0], [7, 0]]\nphases = [\"1/4\", \"1\", 3]\n[law]\nomega0 = \"1/2\"\nK1 = -1\nK0 = \"1/5\"\n\
+    [run]\nuntil = 1\n";
+
+#[test]
+fn particles_within_a_radius_are_enclosed_until_one_may_pass_it() {
+    let property = "always[0, 1](components = 2 and min_distance < 2) and always[1/10, 1](order > initial(order))";
+    let control = "always[0, 1](components = 1)";
+    let answer = answered(NEAR_AND_FAR, "n = 1", property, control);
+    assert_eq!(answer.verdict, Verdict::Holds, "{}", answer.why);
+    // With a larger radius the third one turns the others, too.
+    let wide = NEAR_AND_FAR.replace("radius = 2", "radius = 20");
+    assert_eq!(verdict(&wide, property), Verdict::False);
+    // Straight ahead, away from each other: their distance is 2 shortly after t = 1/2.
+    let parting = "model = \"particles\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\npositions = [[0, 0], [1, 0]]\n\
+                   phases = [3, 0]\n[law]\nomega0 = 0\n[run]\nuntil = 1\n";
+    assert_eq!(verdict(parting, "always[0, 1/2](components = 1 and min_distance < 2)"), Verdict::Holds);
+    assert_eq!(verdict(parting, "always[0, 1/2](min_distance < 3/2)"), Verdict::False);
+    let open = answered(parting, "n = 1", "always[0, 1](min_distance < 4)", "always[0, 1](min_distance < 1)");
+    assert!(open.verdict == Verdict::Undecided && open.why.contains("only up to t = 0.50"), "{}", open.why);
+    assert!(open.why.contains("particles 1 and 2 may pass the radius"), "{}", open.why);
+    // A start that is an interval may have links or not.
+    let family = "\"state.positions[2][1]\" = \"[19/10, 21/10]\"";
+    let open = answered(parting, family, "always[0, 1/100](min_distance > 1)", "always[0, 0](min_distance > 3)");
+    assert_eq!(open.verdict, Verdict::Undecided, "{}", open.why);
 }
 
 /// Three agents that turn towards each other.
@@ -161,7 +193,7 @@ fn observables_of_runs_lie_in_their_enclosures() {
     let fixed = repelling.replace("\"within\"\nradius = \"5/4\"", "\"complete\"");
     let drifting = twelve().replace("K0 =", "drift = [\"1/3\", \"-1/7\"]\nK0 =");
     let circling = twelve().replace("K0 =", "beacon = [\"1/3\", 1]\nK0 =");
-    let runs: [(&str, &[&str]); 8] = [
+    let runs: [(&str, &[&str]); 9] = [
         (PARTING, &agents),
         (&repelling, &agents),
         (&fixed, &agents),
@@ -169,6 +201,7 @@ fn observables_of_runs_lie_in_their_enclosures() {
         (&twelve(), &particles),
         (&drifting, &particles),
         (&circling, &particles),
+        (NEAR_AND_FAR, &particles),
         (&platoon(3), &["components"]),
     ];
     for (text, names) in runs {
@@ -240,6 +273,22 @@ fn what_a_motion_cannot_be_asked() {
         assert!(message.starts_with(&format!("line 7, column {column}: ")) && message.contains(named), "{message}");
         assert!(!message.contains('\n'));
     }
+}
+
+#[test]
+fn every_inequality_stands_under_its_time_operators() {
+    let of = |property: &str| -> Vec<String> {
+        let found = answered(APART, "n = 1", property, "1 < 0");
+        found.inequalities.into_iter().map(|(text, _)| text).collect()
+    };
+    assert_eq!(
+        of("not always[0, 2](min_distance < 1 or eventually[1, 3](min_distance > 2))"),
+        ["eventually[0, 2](min_distance >= 1)", "eventually[0, 2](always[1, 3](min_distance <= 2))"]
+    );
+    assert_eq!(
+        of("min_distance < 9 until[2, 3] min_distance > 0"),
+        ["always[0, 2](min_distance < 9)", "eventually[2, 3](min_distance > 0)"]
+    );
 }
 
 #[test]

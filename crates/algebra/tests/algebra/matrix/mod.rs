@@ -52,7 +52,7 @@ fn stochastic(rows: usize, cols: usize, bits: u32) -> impl Strategy<Value = Stoc
 }
 
 fn shape() -> impl Strategy<Value = (usize, usize, usize, u32, u32)> {
-    // Entry sizes around the threshold of the splitting kernel (16 limbs), unequal ones among them.
+    // Entry sizes around the threshold of the splitting kernel (32 digits of 28 bits), unequal ones among them.
     (1usize..5, 1usize..6, 1usize..5, 1u32..2600, 1u32..2600)
 }
 
@@ -60,7 +60,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
     #[test]
-    fn the_limb_kernels_agree_with_the_naive_product(
+    fn products_of_planes_of_digits_agree_with_the_naive_product(
         (a, b) in shape().prop_flat_map(|(m, n, p, x, y)| (stochastic(m, n, x), stochastic(n, p, y)))
     ) {
         let fast = a.times(&b).unwrap();
@@ -72,7 +72,7 @@ proptest! {
     }
 
     #[test]
-    fn products_by_pairs_agree_with_the_naive_product(
+    fn products_in_several_tiles_agree_with_the_naive_product(
         (a, b) in (8usize..10, 8usize..11, 8usize..10, 300u32..2600, 0u32..200)
             .prop_flat_map(|(m, n, p, x, more)| (stochastic(m, n, x), stochastic(n, p, x + more)))
     ) {

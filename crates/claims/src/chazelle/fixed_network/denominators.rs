@@ -4,8 +4,8 @@ use super::limits::limit_of_lemma_3_3;
 use super::{FAMILY, Family, Kind, Network, every_row, exhaustively, power_of_order};
 use crate::prelude::*;
 use algebra::matrix::RationalMatrix;
+use arithmetic::common_denominator;
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::{Signed, Zero};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
@@ -19,10 +19,6 @@ pub struct ShortLimitVariant {
     trees: bool,
     /// `n^(beta n)` bounds numerators and denominators; otherwise `n^3`.
     exponential: bool,
-}
-
-fn common_denominator<'a>(numbers: impl IntoIterator<Item = &'a Rational>) -> BigInt {
-    numbers.into_iter().fold(BigInt::from(1), |d, x| d.lcm(&x.denom()))
 }
 
 impl ShortLimitVariant {

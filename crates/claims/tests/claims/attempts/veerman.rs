@@ -62,12 +62,22 @@ fn response(f: f64, g: f64, w: f64, m: usize) -> f64 {
 fn highest(low: f64, high: f64, grid: usize, value: impl Fn(f64) -> f64) -> f64 {
     let step = (high - low) / grid as f64;
     let at = |k: usize| low + step * k as f64;
-    let best = (0..=grid).max_by(|a, b| value(at(*a)).total_cmp(&value(at(*b)))).unwrap();
+    let (_, best) = (0..=grid).map(|k| (value(at(k)), k)).max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
     let (mut a, mut b) = (at(best.max(1) - 1), at((best + 1).min(grid)));
     let golden = 0.618_033_988_749_894_9;
+    let (mut c, mut d) = (b - golden * (b - a), a + golden * (b - a));
+    let (mut at_c, mut at_d) = (value(c), value(d));
+    // 0.618^70 is below the last digit.
     for _ in 0..70 {
-        let (c, d) = (b - golden * (b - a), a + golden * (b - a));
-        if value(c) > value(d) { b = d } else { a = c }
+        if at_c > at_d {
+            (b, d, at_d) = (d, c, at_c);
+            c = b - golden * (b - a);
+            at_c = value(c);
+        } else {
+            (a, c, at_c) = (c, d, at_d);
+            d = a + golden * (b - a);
+            at_d = value(d);
+        }
     }
     (a + b) / 2.0
 }

@@ -2,9 +2,8 @@
 
 use crate::averaging::{FlockError, Weights};
 use algebra::graph::Graph;
-use arithmetic::{Rational, Ring};
+use arithmetic::{Rational, Ring, lcm};
 use num_bigint::BigInt;
-use num_integer::Integer;
 
 /// The neighbours of each bird.
 #[derive(Debug, Clone)]
@@ -79,7 +78,7 @@ impl Links {
         }
         let joined = degrees.into_iter().filter(|(degree, _)| *degree > 0);
         let denominators = joined.filter_map(|(degree, i)| weights.of(degree, i)).map(|c| c.denom());
-        denominators.fold(BigInt::from(1), |m, d| if m.is_multiple_of(&d) { m } else { m.lcm(&d) })
+        denominators.fold(BigInt::from(1), |m, d| lcm(&m, &d))
     }
 
     /// `c_i`, where it suits the number of neighbours.

@@ -104,7 +104,7 @@ impl<const K: usize> pulp::WithSimd for Acceleration<'_, K> {
             let (mut separation, mut relative) = ([Jet([splat(0.0); K]); 2], [Jet([splat(0.0); K]); 2]);
             for c in 0..2 {
                 for k in 0..=K {
-                    let theirs = Lanes::gather(simd, others.iter().take(Lanes::<S>::WIDTH).map(|path| path.0[c][k]));
+                    let theirs = Lanes::load(simd, &others.map(|path| path.0[c][k]));
                     let apart = splat(self.own.0[c][k]) - theirs;
                     if k < K {
                         separation[c].0[k] = apart;

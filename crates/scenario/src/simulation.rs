@@ -39,7 +39,7 @@ impl Event {
 }
 
 /// A model that can be moved forward in time.
-pub(super) trait Course {
+pub(super) trait Simulation {
     /// Tells beforehand all times that will be asked for; models that are followed step by step need no plan.
     fn plan(&mut self, _times: &[f64], _progress: &dyn Progress) {}
 
@@ -165,7 +165,7 @@ impl<L: Law> Continuous<L> {
     }
 }
 
-impl<L: Law> Course for Continuous<L> {
+impl<L: Law> Simulation for Continuous<L> {
     fn advance(&mut self, until: f64, events: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         while self.solution.time() < until {
             if progress.is_cancelled() {
