@@ -18,20 +18,20 @@ impl<T: Ring + Copy, const K: usize> Jet<T, K> {
     #[inline(always)]
     fn product(&self, other: &Self) -> Self {
         let mut all = self.0;
-        for (n, slot) in all.iter_mut().enumerate() {
+        for (n, to) in all.iter_mut().enumerate() {
             let mut sum = self.0[0] * other.0[n];
             for k in 1..=n {
                 sum = sum + self.0[k] * other.0[n - k];
             }
-            *slot = sum;
+            *to = sum;
         }
         Jet(all)
     }
 
     #[inline(always)]
     fn each(mut self, other: &Self, operation: impl Fn(T, T) -> T) -> Self {
-        for (own, theirs) in self.0.iter_mut().zip(&other.0) {
-            *own = operation(*own, *theirs);
+        for n in 0..K {
+            self.0[n] = operation(self.0[n], other.0[n]);
         }
         self
     }

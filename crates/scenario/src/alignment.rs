@@ -11,7 +11,7 @@ use super::start::{Needs, Start, problem};
 use super::stepped::{Arrangement, Stepped, read_step};
 use super::switching::Switching;
 use super::turns::Turns;
-use models::double_integrator::{self, Flock, HeadingDifference, SwitchingFlock, heading};
+use models::double_integrator::{self, Flock, HeadingDifference, InputError, State, SwitchingFlock, heading};
 use motion::VectorField;
 
 /// Most agents whose velocity alignment within a radius is followed as a Filippov solution, all in the same steps: each switch costs a look at
@@ -61,29 +61,43 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
     }
     let agents = Agents { network, potential, alignment, count: start.agents(), drawn: start.drawn };
     if let (Alignment::Velocities, Some(radius)) = (&agents.alignment, agents.network.radius()) {
-        if let Some(step) = step {
-            let mut field =
-                SwitchingFlock::new(agents.potential.exact(), radius).map_err(|error| law.problem(error.into()))?;
-            field.start(&state).map_err(|error| problem(source, "positions", error.into()))?;
-            let rate = move |_: &mut Agents, time: f64, list: &[f64], rate: &mut [f64]| {
-                field.rate(time, list, rate);
-                field.take_failure().map_or(Ok(()), |error| Err(RunError::Large { time, error }))
-            };
-            let arrangement = Arrangement { widths: &[2, 2], radius };
-            return Ok(Box::new(Stepped::new(agents, list, step, Box::new(rate)).arranged(arrangement)));
-        }
-        if agents.count > MOST_TOGETHER {
-            let flock = Individual::new(agents, radius, &state, tolerance);
-            return Ok(Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?));
-        }
-        let network = double_integrator::Network::Within(radius);
-        let potential = agents.potential.exact().clone();
-        let flock = Flock::new(double_integrator::Alignment::Velocity, potential, network, state);
-        let flock = flock.map_err(|error| problem(source, "positions", error.into()))?;
-        return Ok(Box::new(Switching::new(agents, flock, tolerance)));
+        return within(source, agents, (radius, &state), step, tolerance);
     }
     Ok(match step {
         Some(step) => Box::new(Stepped::settled(agents, list, step)),
         None => Box::new(Continuous::new(agents, &list, tolerance)),
     })
+}
+
+/// Velocity alignment within a radius: in fixed steps, in individual steps, or all together as a Filippov solution.
+fn within(
+    source: &Source,
+    agents: Agents,
+    (radius, state): (f64, &State<f64>),
+    step: Option<f64>,
+    tolerance: f64,
+) -> Result<Box<dyn Simulation>, ConfigError> {
+    let law = source.needed("law")?;
+    let refuse = |what: Problem| problem(source, "positions", what);
+    let potential = agents.potential.exact().clone();
+    if step.is_none() && agents.count <= MOST_TOGETHER {
+        let network = double_integrator::Network::Within(radius);
+        let flock = Flock::new(double_integrator::Alignment::Velocity, potential, network, state.clone());
+        return Ok(Box::new(Switching::new(agents, flock.map_err(|error| refuse(error.into()))?, tolerance)));
+    }
+    let mut field = SwitchingFlock::new(&potential, radius).map_err(|error| law.problem(error.into()))?;
+    let list = field.start(state).map_err(|error| refuse(error.into()))?;
+    let Some(step) = step else {
+        if !agents.potential.value(&(radius * radius)).is_ok_and(f64::is_finite) {
+            return Err(refuse(InputError::PotentialAtRadius(radius).into()));
+        }
+        let flock = Individual::new(agents, radius, state, tolerance);
+        return Ok(Box::new(flock.map_err(|error| refuse(error.into()))?));
+    };
+    let rate = move |_: &mut Agents, time: f64, list: &[f64], rate: &mut [f64]| {
+        field.rate(time, list, rate);
+        field.take_failure().map_or(Ok(()), |error| Err(RunError::Large { time, error }))
+    };
+    let arrangement = Arrangement { widths: &[2, 2], radius };
+    Ok(Box::new(Stepped::new(agents, list, step, Box::new(rate)).arranged(arrangement)))
 }

@@ -45,7 +45,8 @@ fn every_digraph(
     let quarter = Complex::new(rational(0, 1), rational(1, 1));
     let most = run.cases(3, 4);
     let cases = (1..=most).flat_map(digraphs).flat_map(|graph| {
-        let network = Neighbours::from_arcs(graph.order(), graph.adjacency().entries().map(|(k, j, _)| (k, j)));
+        let arcs: Vec<(usize, usize)> = graph.adjacency().entries().map(|(k, j, _)| (k, j)).collect();
+        let network = Neighbours::from_arcs(graph.order(), arcs);
         let (arrangements, both) = (up_to_rotation(graph.order(), PARTS), Rc::new((graph, network)));
         arrangements.map(move |exponents| (both.clone(), exponents))
     });

@@ -63,7 +63,7 @@ const LONGEST: f64 = 1.0;
 /// A switch is noticed by an agent where it changes the velocity, until the agent's series ends, by more than this part of the tolerance.
 const NOTICED: f64 = 0.25;
 
-/// So many switches at one time are taken for a motion along the radius.
+/// So many switches of an agent at one time are taken for a motion along the radius.
 const LARGEST_CROWD: usize = 1000;
 
 /// What happens next: the end of the series of `pair.0 = pair.1`, or an arrival of a pair at the radius.
@@ -100,6 +100,8 @@ struct Agent {
     restarts: u32,
     /// The round of the last restart.
     round: u64,
+    /// When it switched last, and how many switches of it there were about then.
+    crowd: (f64, usize),
     /// Sorted.
     neighbours: Vec<usize>,
 }
@@ -135,8 +137,6 @@ pub struct IndividualFlock {
     cells: Cells,
     queue: BinaryHeap<Reverse<Next>>,
     together: Together,
-    /// The time of the last switch and how many there were at it.
-    crowd: (f64, usize),
     restarts: u64,
     processor: pulp::Arch,
 }
@@ -161,7 +161,8 @@ impl IndividualFlock {
         }
         let agent = |((r, v), mut neighbours): ((&[f64; 2], &[f64; 2]), Vec<usize>)| {
             neighbours.sort_unstable();
-            Agent { from: 0.0, until: 0.0, reach: 0.0, path: Path::start(*r, *v), restarts: 0, round: 0, neighbours }
+            let path = Path::start(*r, *v);
+            Agent { from: 0.0, until: 0.0, reach: 0.0, path, restarts: 0, round: 0, crowd: (0.0, 0), neighbours }
         };
         let mut flock = IndividualFlock {
             radius,
@@ -177,7 +178,6 @@ impl IndividualFlock {
                 changed: vec![0; count],
                 ..Together::default()
             },
-            crowd: (0.0, 0),
             restarts: 0,
             processor: pulp::Arch::new(),
         };
@@ -239,9 +239,9 @@ impl IndividualFlock {
 
     /// A pair changes its side.
     fn switch(&mut self, time: f64, (i, j): Pair) -> Result<Switch, IndividualError> {
-        self.crowd =
-            if time - self.crowd.0 > 1e-9 * (1.0 + time) { (time, 0) } else { (self.crowd.0, self.crowd.1 + 1) };
-        if self.crowd.1 > LARGEST_CROWD {
+        let crowd = &mut self.agents[i].crowd;
+        *crowd = if time - crowd.0 > 1e-9 * (1.0 + time) { (time, 0) } else { (crowd.0, crowd.1 + 1) };
+        if crowd.1 > LARGEST_CROWD {
             return Err(IndividualError::Sliding(time));
         }
         let gained = self.agents[i].neighbours.binary_search(&j).is_err();
@@ -388,7 +388,7 @@ impl IndividualFlock {
             let path = *self.together.path(k);
             let (length, reach) = self.length(&path);
             let until = time + length;
-            if !(until > time) {
+            if until.is_nan() || until <= time {
                 return Err(IntegrationError::Stuck(time).into());
             }
             let agent = &mut self.agents[k];

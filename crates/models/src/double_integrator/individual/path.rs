@@ -116,10 +116,10 @@ impl<const K: usize> pulp::WithSimd for Acceleration<'_, K> {
             }
             let slope = slope.at(&PLANE.square(&separation))?;
             let force = sum(&relative, &pull(&separation, slope));
-            for c in 0..2 {
-                for k in 0..K {
-                    force[c].0[k].store(&mut lanes);
-                    lanes.iter().take(some.len()).for_each(|part| total[c][k] -= part);
+            for (total, force) in total.iter_mut().zip(&force) {
+                for (total, part) in total.iter_mut().zip(&force.0) {
+                    part.store(&mut lanes);
+                    lanes.iter().take(some.len()).for_each(|part| *total -= part);
                 }
             }
         }

@@ -172,3 +172,22 @@ fn crossings_in_free_flight_are_located_to_rounding() {
         assert!(run.switches.iter().all(|s| (s.time - 0.5).abs() < slack), "{:?}", run.switches);
     }
 }
+
+/// A lattice that grows evenly: all pairs inside cross at once, to rounding.
+#[test]
+fn many_switches_at_once_are_no_sliding() {
+    let mut state = start(100, 0);
+    for (k, (r, v)) in state.positions.iter_mut().zip(&mut state.velocities).enumerate() {
+        *r = [0.999 * (k % 10) as f64, 0.999 * (k / 10) as f64];
+        *v = [0.1 * r[0], 0.1 * r[1]];
+    }
+    let twin = together(&state, 0.05);
+    let run = alone(&state, &[0.05], Pace::Tolerance(1e-10));
+    assert!(run.switches.len() > 50, "{}", run.switches.len());
+    let sorted = |mut all: Vec<(Pair, bool)>| {
+        all.sort_unstable();
+        all
+    };
+    assert_eq!(sorted(changes(&run.switches)), sorted(events(&twin)));
+    assert!(distance(&run.flock.state(), &twin.samples[0].state) < 1e-8);
+}
