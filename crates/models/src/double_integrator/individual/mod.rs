@@ -5,15 +5,19 @@
 //! on threads nor on the times at which they are asked for.
 
 mod cells;
+mod next;
 mod path;
+mod together;
 
 use super::{Pair, Potential, Slope, State};
 use arithmetic::{ArithmeticError, Progress};
 use cells::{Cells, Place};
 use motion::{IntegrationError, first_fall};
+use next::Next;
 use path::{Acceleration, ORDER, Path};
-use std::cmp::{Ordering, Reverse};
+use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use together::Together;
 
 /// How long the pieces of motion are.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -66,29 +70,6 @@ const NOTICED: f64 = 0.25;
 /// So many switches of an agent at one time are taken for a motion along the radius.
 const LARGEST_CROWD: usize = 1000;
 
-/// What happens next: the end of the series of `pair.0 = pair.1`, or an arrival of a pair at the radius.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Next {
-    time: f64,
-    pair: Pair,
-    /// How often these were restarted when this was found; it is void if they were restarted since.
-    restarts: (u32, u32),
-}
-
-impl Eq for Next {}
-
-impl PartialOrd for Next {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Next {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.time.total_cmp(&other.time).then(self.pair.cmp(&other.pair)).then(self.restarts.cmp(&other.restarts))
-    }
-}
-
 /// An agent with its piece of motion.
 #[derive(Debug, Clone)]
 struct Agent {
@@ -104,19 +85,6 @@ struct Agent {
     crowd: (f64, usize),
     /// Sorted.
     neighbours: Vec<usize>,
-}
-
-/// The series of some agents, all from the same time on.
-#[derive(Debug, Clone, Default)]
-struct Together {
-    /// For each agent the number of the last round in which it was here, and where; in which it was asked; and in which it changed.
-    here: Vec<(u64, usize)>,
-    seen: Vec<u64>,
-    changed: Vec<u64>,
-    round: u64,
-    paths: Vec<Path>,
-    /// The same as they were.
-    old: Vec<Path>,
 }
 
 /// How far a change has come.
@@ -172,12 +140,7 @@ impl IndividualFlock {
             agents: state.positions.iter().zip(&state.velocities).zip(neighbours).map(agent).collect(),
             cells: Cells::new(count, radius * (1.0 + 2.0 * FARTHEST) * (1.0 + 1e-9)),
             queue: BinaryHeap::new(),
-            together: Together {
-                here: vec![(0, 0); count],
-                seen: vec![0; count],
-                changed: vec![0; count],
-                ..Together::default()
-            },
+            together: Together::new(count),
             restarts: 0,
             processor: pulp::Arch::new(),
         };
@@ -462,53 +425,5 @@ impl IndividualFlock {
             }
         }
         self.queue.extend(found.into_iter().map(Reverse));
-    }
-}
-
-impl Together {
-    /// Forgets all.
-    fn begin(&mut self) {
-        self.round += 1;
-        self.paths.clear();
-        self.old.clear();
-    }
-
-    fn is_here(&self, agent: usize) -> bool {
-        self.here[agent].0 == self.round
-    }
-
-    fn add(&mut self, agent: usize, path: impl FnOnce() -> Path) {
-        if !self.is_here(agent) {
-            self.here[agent] = (self.round, self.paths.len());
-            let path = path();
-            self.paths.push(path);
-            self.old.push(path);
-        }
-    }
-
-    /// Of an agent that is here.
-    fn path(&self, agent: usize) -> &Path {
-        &self.paths[self.here[agent].1]
-    }
-
-    fn old(&self, agent: usize) -> &Path {
-        &self.old[self.here[agent].1]
-    }
-
-    fn is_changed(&self, agent: usize) -> bool {
-        self.changed[agent] == self.round
-    }
-
-    fn set_changed(&mut self, agent: usize) {
-        self.changed[agent] = self.round;
-    }
-
-    fn path_mut(&mut self, agent: usize) -> &mut Path {
-        &mut self.paths[self.here[agent].1]
-    }
-
-    /// Whether an agent is looked at for the first time.
-    fn see(&mut self, agent: usize) -> bool {
-        std::mem::replace(&mut self.seen[agent], self.round) != self.round
     }
 }

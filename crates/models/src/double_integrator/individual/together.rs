@@ -1,0 +1,69 @@
+//! Some agents at one time: what a switch or the end of a series makes anew.
+
+use super::path::Path;
+
+/// The series of some agents, all from the same time on.
+#[derive(Debug, Clone, Default)]
+pub struct Together {
+    /// For each agent the number of the last round in which it was here, and where; in which it was asked; and in which it changed.
+    here: Vec<(u64, usize)>,
+    seen: Vec<u64>,
+    changed: Vec<u64>,
+    pub round: u64,
+    paths: Vec<Path>,
+    /// The same as they were.
+    old: Vec<Path>,
+}
+
+impl Together {
+    /// Nobody yet, of so many agents.
+    pub fn new(count: usize) -> Self {
+        Together { here: vec![(0, 0); count], seen: vec![0; count], changed: vec![0; count], ..Together::default() }
+    }
+
+    /// Forgets all.
+    pub fn begin(&mut self) {
+        self.round += 1;
+        self.paths.clear();
+        self.old.clear();
+    }
+
+    fn is_here(&self, agent: usize) -> bool {
+        self.here[agent].0 == self.round
+    }
+
+    pub fn add(&mut self, agent: usize, path: impl FnOnce() -> Path) {
+        if !self.is_here(agent) {
+            self.here[agent] = (self.round, self.paths.len());
+            let path = path();
+            self.paths.push(path);
+            self.old.push(path);
+        }
+    }
+
+    /// Of an agent that is here.
+    pub fn path(&self, agent: usize) -> &Path {
+        &self.paths[self.here[agent].1]
+    }
+
+    pub fn old(&self, agent: usize) -> &Path {
+        &self.old[self.here[agent].1]
+    }
+
+    pub fn is_changed(&self, agent: usize) -> bool {
+        self.changed[agent] == self.round
+    }
+
+    pub fn set_changed(&mut self, agent: usize) {
+        self.changed[agent] = self.round;
+    }
+
+    pub fn path_mut(&mut self, agent: usize) -> &mut Path {
+        &mut self.paths[self.here[agent].1]
+    }
+
+    /// Whether an agent is looked at for the first time.
+    pub fn see(&mut self, agent: usize) -> bool {
+        std::mem::replace(&mut self.seen[agent], self.round) != self.round
+    }
+}
