@@ -79,7 +79,7 @@ pub fn full_of_rationals(n: usize) -> impl Iterator<Item = (usize, usize, Ration
         let mirrored = (i != j).then(|| (j, i, value.clone()));
         std::iter::once((i, j, value)).chain(mirrored)
     };
-    (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))).flat_map(move |place| entry(place))
+    (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))).flat_map(entry)
 }
 
 /// Phases between 0 and pi.
