@@ -73,7 +73,7 @@ pub fn geometric(n: usize) -> SparseMatrix {
 /// The entries of a symmetric matrix of random rationals, none of them left out.
 pub fn full_of_rationals(n: usize) -> impl Iterator<Item = (usize, usize, Rational)> {
     let mut random = Lcg(4004);
-    let mut entry = move |(i, j): (usize, usize)| {
+    let entry = move |(i, j): (usize, usize)| {
         let (p, q) = (i64::from(random.u32() % 2000) - 1000, i64::from(random.u32() % 997) + 1);
         let value = rational(if p < 0 { p } else { p + 1 }, q);
         let mirrored = (i != j).then(|| (j, i, value.clone()));
