@@ -1,5 +1,6 @@
 //! Agents that align their headings or velocities: their law and what is measured on them.
 
+use super::individual::Located;
 use super::links::Hold;
 use super::network::{Change, Network};
 use super::observables::{Observable, min_distance, total};
@@ -11,6 +12,7 @@ use models::double_integrator::{
     Coordinates, Pair, State, Vector, disagreement, gyroscopic, heading_rate, heading_spread, kinetic_energy,
     potential_energy, potential_gradients, saturated_potential, velocity_alignment,
 };
+use motion::Moving;
 
 pub(super) const PLANE: Coordinates = Coordinates::Cartesian;
 
@@ -82,6 +84,31 @@ impl Agents {
                 gyroscopic(state, &gradients, edges, |i, j| turns.difference(headings, i, j))
             }
         }
+    }
+}
+
+impl Located<0> for Agents {
+    fn network(&mut self) -> &mut Network {
+        &mut self.network
+    }
+
+    fn list(agents: &[Moving<f64, 0>]) -> Vec<f64> {
+        State::of_individuals(agents.iter().copied()).to_list()
+    }
+
+    fn energy(&self, list: &[f64]) -> Result<Option<f64>, ArithmeticError> {
+        self.saturated_energy(list).map(Some)
+    }
+}
+
+impl Located<1> for Agents {
+    fn network(&mut self) -> &mut Network {
+        &mut self.network
+    }
+
+    fn list(agents: &[Moving<f64, 1>]) -> Vec<f64> {
+        let headings = agents.iter().flat_map(|agent| agent.further);
+        State::of_individuals(agents.iter().copied()).to_list().into_iter().chain(headings).collect()
     }
 }
 
