@@ -1,0 +1,162 @@
+//! Large flocks with individual steps against the same flock followed as a whole: of the large one all but a few agents are idle and far away.
+
+use super::run;
+use arithmetic::random::{generator, uniform};
+use scenario::{Event, Outcome};
+
+/// With more agents each has steps of its own.
+const MANY: usize = 257;
+
+/// The agents that matter: places, and headings or phases.
+struct Crowd {
+    places: Vec<[f64; 2]>,
+    angles: Vec<f64>,
+    speeds: Vec<f64>,
+}
+
+impl Crowd {
+    /// On a lattice, a little moved or not at all, with headings all around.
+    fn on_a_lattice(count: usize, moved: f64, seed: u64) -> Self {
+        let mut random = generator("individual", "crowd", seed);
+        let mut even = |from: f64, to: f64| from + (to - from) * uniform(&mut random);
+        let columns = (count as f64).sqrt().ceil() as usize;
+        let place = |k: usize, x: f64, y: f64| [(k % columns) as f64 + x, (k / columns) as f64 + y];
+        let places = (0..count).map(|k| place(k, even(-moved, moved), even(-moved, moved))).collect();
+        let angles = (0..count).map(|_| even(-3.1, 3.1)).collect();
+        let speeds = (0..count).map(|_| even(0.5, 1.0)).collect();
+        Crowd { places, angles, speeds }
+    }
+
+    /// All go out from the middle, or all in, or as the places say: many come to the radius at once.
+    fn symmetric(count: usize, angle: impl Fn([f64; 2]) -> f64) -> Self {
+        let mut crowd = Crowd::on_a_lattice(count, 0.0, 0);
+        let half = (count as f64).sqrt() / 2.0 - 0.5;
+        crowd.places.iter_mut().for_each(|r| *r = [r[0] - half, r[1] - half]);
+        crowd.angles = crowd.places.iter().map(|r| angle(*r)).collect();
+        crowd.speeds = vec![1.0; count];
+        crowd
+    }
+
+    /// So many others stand far from these and from each other.
+    fn among(&self, others: usize) -> Self {
+        let far = |k: usize| [1000.0 + 500.0 * (k % 20) as f64, -9000.0 - 500.0 * (k / 20) as f64];
+        Crowd {
+            places: self.places.iter().copied().chain((0..others).map(far)).collect(),
+            angles: self.angles.iter().copied().chain(vec![0.5; others]).collect(),
+            speeds: self.speeds.iter().copied().chain(vec![0.25; others]).collect(),
+        }
+    }
+
+    fn aligning(&self, law: &str, run: &str) -> String {
+        let velocities: Vec<[f64; 2]> =
+            self.angles.iter().zip(&self.speeds).map(|(a, s)| [s * a.cos(), s * a.sin()]).collect();
+        format!(
+            "model = \"heading-alignment\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\npositions = {:?}\nvelocities = {velocities:?}\n[law]\n{law}\n[run]\n{run}\n",
+            self.places
+        )
+    }
+
+    /// Gains that are divided by the number of particles are given for one.
+    fn steered(&self, (orientation, spacing): (f64, f64), law: &str, run: &str) -> String {
+        let count = self.places.len() as f64;
+        format!(
+            "model = \"particles\"\n[graph]\nkind = \"within\"\nradius = 2\n[state]\npositions = {:?}\nphases = {:?}\n[law]\nK1 = {:?}\nK0 = {:?}\n{law}\n[run]\n{run}\n",
+            self.places,
+            self.angles,
+            orientation * count,
+            spacing * count
+        )
+    }
+}
+
+/// Both ways: in the same steps, and one by one.
+fn both(crowd: &Crowd, text: impl Fn(&Crowd) -> String) -> (Outcome, Outcome) {
+    let outcomes = (run(&text(crowd)), run(&text(&crowd.among(MANY - crowd.places.len()))));
+    let alone = |outcome: &Outcome| outcome.declaration.iter().any(|line| line.contains("individual steps"));
+    assert!(!alone(&outcomes.0) && alone(&outcomes.1));
+    outcomes
+}
+
+/// How far the first agents are apart at the end, and how many switches both have; simultaneous ones in any order.
+fn compared((together, alone): &(Outcome, Outcome), count: usize, allowed: f64, what: &str) -> usize {
+    let same = |event: &Event| (event.pair, event.gained);
+    let sorted = |outcome: &Outcome| {
+        let mut events: Vec<_> = outcome.events.iter().map(|event| (same(event), event.time)).collect();
+        events.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        events
+    };
+    let (those, these) = (sorted(together), sorted(alone));
+    let kinds =
+        |events: &[((_, bool), f64)]| events.iter().map(|(kind, _)| *kind).collect::<Vec<((usize, usize), bool)>>();
+    assert_eq!(kinds(&those), kinds(&these), "{what}");
+    let late = those.iter().zip(&these).map(|(a, b)| (a.1 - b.1).abs()).fold(0.0, f64::max);
+    assert!(late < allowed, "{what}: {late}");
+    let last = |outcome: &Outcome| {
+        let frame = &outcome.rows.last().expect("a row").frame;
+        let of = |vectors: &[Vec<f64>]| vectors.iter().take(count).flatten().copied().collect::<Vec<f64>>();
+        [of(&frame.positions), of(&frame.velocities), frame.phases.iter().take(count).copied().collect()].concat()
+    };
+    let far = last(together).iter().zip(last(alone)).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+    assert!(far < allowed, "{what}: {far}");
+    these.len()
+}
+
+const RUN: &str = "until = 2\nrows = 2\ntolerance = 1e-10";
+
+#[test]
+fn headings_one_by_one_switch_and_turn_as_all_together() {
+    for reading in ["raw", "wrapped", "unwrapped"] {
+        let law = format!("potential = \"inverse-square-log\"\nheading_difference = \"{reading}\"");
+        for (count, seed) in [(2, 0), (9, 1), (25, 2), (36, 3)] {
+            let crowd = Crowd::on_a_lattice(count, 0.3, seed);
+            let outcomes = both(&crowd, |crowd| crowd.aligning(&law, RUN));
+            let switches = compared(&outcomes, count, 1e-6, &format!("{reading}, {count} agents"));
+            assert!(count < 9 || switches > 5, "{switches}");
+        }
+    }
+}
+
+#[test]
+fn particles_one_by_one_switch_as_all_together() {
+    for (gains, law) in [
+        ((-0.2, 0.0), ""),
+        ((0.3, 0.0), "omega0 = \"1/2\"\ndrift = [\"1/4\", \"-1/3\"]"),
+        ((-0.1, 0.2), "omega0 = \"-3/4\""),
+        ((-0.1, 0.001), "omega0 = 1\nbeacon = [1, 2]"),
+    ] {
+        for (count, seed) in [(2, 10), (9, 11), (49, 12)] {
+            let crowd = Crowd::on_a_lattice(count, 0.3, seed);
+            // The gain of a beacon is not divided.
+            let text = |crowd: &Crowd| {
+                let spacing = if law.contains("beacon") { 0.5 / crowd.places.len() as f64 } else { gains.1 };
+                crowd.steered((gains.0, spacing), law, RUN)
+            };
+            let switches = compared(&both(&crowd, text), count, 1e-7, &format!("{law}, {count} particles"));
+            assert!(count < 9 || switches > 10, "{switches}");
+        }
+    }
+}
+
+/// Lattices that grow, shrink and turn, with all pairs at the radius at once, exactly or nearly, and some at it from the start.
+#[test]
+fn many_at_the_radius_at_once_are_told_alike() {
+    let out = |r: [f64; 2]| f64::atan2(r[1], r[0]);
+    let around = |r: [f64; 2]| f64::atan2(r[0], -r[1]);
+    // Two halves that move on as they are: what is at the radius in one of them would stay there.
+    let apart = |r: [f64; 2]| if r[0] < 0.0 { 3.0 } else { 0.1 };
+    let mut halves = Crowd::symmetric(36, apart);
+    halves.places.iter_mut().for_each(|r| *r = [0.97 * r[0], 0.97 * r[1]]);
+    let potential = "potential = \"none\"\nheading_difference = \"unwrapped\"";
+    for (name, mut crowd) in
+        [("out", Crowd::symmetric(36, out)), ("around", Crowd::symmetric(36, around)), ("apart", halves)]
+    {
+        for near in [0.0, 1e-9, 1e-3] {
+            crowd.places.iter_mut().enumerate().for_each(|(k, r)| r[0] += near * (k % 7) as f64);
+            let what = format!("{name}, {near}");
+            let particles = both(&crowd, |crowd| crowd.steered((-0.05, 0.0), "", "until = 1\nrows = 2"));
+            assert!(compared(&particles, 36, 1e-6, &what) > 0, "{what}");
+            let headings = both(&crowd, |crowd| crowd.aligning(potential, "until = 1\nrows = 2"));
+            compared(&headings, 36, 1e-6, &what);
+        }
+    }
+}
