@@ -63,8 +63,7 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
     }
     if let (Some(radius), None, true) = (agents.network.radius(), step, agents.count > MOST_TOGETHER) {
         let law = HeadingLaw::new(agents.potential.exact(), reading);
-        let headings: Vec<[f64; 1]> = list[4 * agents.count..].iter().map(|theta| [*theta]).collect();
-        let flock = Individual::new(agents, law, radius, &state.individuals(&headings), tolerance);
+        let flock = Individual::<_, _, 1, 3>::new(agents, law, radius, list, tolerance);
         return Ok(Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?));
     }
     Ok(match step {
@@ -95,8 +94,7 @@ fn within(
         if !agents.potential.value(&(radius * radius)).is_ok_and(f64::is_finite) {
             return Err(refuse(InputError::PotentialAtRadius(radius).into()));
         }
-        let start = state.individuals(&vec![[]; agents.count]);
-        let flock = Individual::new(agents, VelocityLaw::new(&potential), radius, &start, tolerance);
+        let flock = Individual::<_, _, 0, 2>::new(agents, VelocityLaw::new(&potential), radius, list, tolerance);
         return Ok(Box::new(flock.map_err(|error| refuse(error.into()))?));
     };
     let rate = move |_: &mut Agents, time: f64, list: &[f64], rate: &mut [f64]| {

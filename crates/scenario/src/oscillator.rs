@@ -275,8 +275,7 @@ pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn 
         }
         None => match particles.individual().filter(|_| particles.network.order() > MOST_TOGETHER) {
             Some((law, radius)) => {
-                let begin = particles.moving(&state);
-                let flock = Individual::new(particles, law, radius, &begin, tolerance);
+                let flock = Individual::new(particles, law, radius, state, tolerance);
                 Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?)
             }
             None => Box::new(Continuous::new(particles, &state, tolerance)),
@@ -293,6 +292,17 @@ impl Located<1> for Particles {
         let places = agents.iter().flat_map(|agent| agent.position);
         places.chain(agents.iter().flat_map(|agent| agent.further)).collect()
     }
+
+    fn agents(&self, list: &[f64]) -> Vec<Moving<f64, 1>> {
+        let flight = Flight::from_list(list);
+        let state = flight.state();
+        let one = |((r, z), theta): ((&Complex<f64>, &Complex<f64>), &f64)| Moving {
+            position: [r.re, r.im],
+            velocity: [z.re + self.drift.re, z.im + self.drift.im],
+            further: [*theta],
+        };
+        state.positions.iter().zip(&state.phasors).zip(&flight.phases).map(one).collect()
+    }
 }
 
 impl Particles {
@@ -307,18 +317,6 @@ impl Particles {
         };
         let (frequency, orientation, drift) = (self.frequency, share * gain, self.drift.clone());
         Some((ParticleLaw { frequency, orientation, spacing, beacon, drift }, self.network.radius()?))
-    }
-
-    /// Each particle with its velocity and phase.
-    fn moving(&self, list: &[f64]) -> Vec<Moving<f64, 1>> {
-        let flight = Flight::from_list(list);
-        let state = flight.state();
-        let one = |((r, z), theta): ((&Complex<f64>, &Complex<f64>), &f64)| Moving {
-            position: [r.re, r.im],
-            velocity: [z.re + self.drift.re, z.im + self.drift.im],
-            further: [*theta],
-        };
-        state.positions.iter().zip(&state.phasors).zip(&flight.phases).map(one).collect()
     }
 
     fn steering(&self, time: f64, state: &State<f64>) -> Result<Vec<f64>, ArithmeticError> {

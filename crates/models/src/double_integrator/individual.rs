@@ -42,6 +42,10 @@ impl IndividualLaw<0, 2> for VelocityLaw {
     ) -> Result<Rates<T, 0>, ArithmeticError> {
         Ok(Rates { velocity: [-*x, -*y], further: [] })
     }
+
+    fn push(&self, square: f64) -> f64 {
+        self.slope.at(&square).map_or(0.0, |slope| (-8.0 * slope * square).max(0.0))
+    }
 }
 
 /// Heading alignment, equations (4) and (5) of the first paper; the heading is the further state.

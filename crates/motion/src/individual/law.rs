@@ -65,6 +65,12 @@ pub trait IndividualLaw<const F: usize, const M: usize> {
         Turns::Never
     }
 
+    /// By how much the second derivative of a squared distance rises where a link comes into force at this one, if it rises: then a pair can stay
+    /// there. 0 where that is not to be told.
+    fn push(&self, _square: f64) -> f64 {
+        0.0
+    }
+
     /// The velocity of an agent, where its further states determine it; it is brought back to this at the beginning of each series.
     fn velocity(&self, at: &Moving<f64, F>) -> [f64; 2] {
         at.velocity

@@ -52,6 +52,9 @@ pub struct Switch {
 /// Agents move by at most this part of the radius on one series.
 const FARTHEST: f64 = 0.125;
 
+/// A pair that switches ever faster is taken for one that stays at the radius where its squared distance swings by less than so many tolerances.
+const STAYING: f64 = 100.0;
+
 /// So many switches of an agent at one time are taken for a motion along the radius.
 const LARGEST_CROWD: usize = 1000;
 
@@ -73,10 +76,10 @@ struct Agent<const F: usize> {
 }
 
 impl<const F: usize> Agent<F> {
-    fn new(at: &Moving<f64, F>) -> Self {
+    fn new(from: f64, at: &Moving<f64, F>) -> Self {
         let path = Path::start(at);
         let (crowd, neighbours) = ((0.0, 0), Vec::new());
-        Agent { from: 0.0, until: 0.0, reach: 0.0, path, restarts: 0, round: 0, crowd, neighbours }
+        Agent { from, until: from, reach: 0.0, path, restarts: 0, round: 0, crowd, neighbours }
     }
 
     /// Where a neighbour is in the list, or would be.
@@ -111,13 +114,33 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
     /// # Errors
     /// [`FollowError`].
     pub fn new(law: L, radius: f64, start: &[Moving<f64, F>], links: &[Pair], pace: Pace) -> Result<Self, FollowError> {
+        IndividualFlock::starting(0.0, (law, radius, pace), start, links)
+    }
+
+    /// The same flock from another time on, with other states and links.
+    ///
+    /// # Errors
+    /// [`FollowError`].
+    pub fn resumed(&self, time: f64, start: &[Moving<f64, F>], links: &[Pair]) -> Result<Self, FollowError>
+    where
+        L: Clone,
+    {
+        IndividualFlock::starting(time, (self.law.clone(), self.radius, self.pace), start, links)
+    }
+
+    fn starting(
+        time: f64,
+        (law, radius, pace): (L, f64, Pace),
+        start: &[Moving<f64, F>],
+        links: &[Pair],
+    ) -> Result<Self, FollowError> {
         let count = start.len();
         let mut flock = IndividualFlock {
             law,
             radius,
             pace,
-            time: 0.0,
-            agents: start.iter().map(Agent::new).collect(),
+            time,
+            agents: start.iter().map(|at| Agent::new(time, at)).collect(),
             cells: Cells::new(count, radius * (1.0 + 2.0 * FARTHEST) * (1.0 + 1e-9)),
             queue: BinaryHeap::new(),
             together: Together::new(count),
@@ -125,10 +148,10 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
             processor: pulp::Arch::new(),
         };
         for &(i, j) in links {
-            flock.link(0.0, (i.min(j), i.max(j)));
+            flock.link(time, (i.min(j), i.max(j)));
         }
         let all: Vec<usize> = (0..count).collect();
-        flock.restart(0.0, &all)?;
+        flock.restart(time, &all)?;
         Ok(flock)
     }
 
@@ -156,6 +179,9 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
                 Kind::End => self.prolong(next.time, i)?,
                 Kind::Radius => {
                     self.count_switch(next.time, i)?;
+                    if self.stays(next.time, next.pair) {
+                        return Err(FollowError::Sliding(next.time));
+                    }
                     switches.push(self.switch(next.time, next.pair)?);
                 }
                 Kind::Turn => {
@@ -197,6 +223,16 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
         let crowd = &mut self.agents[agent].crowd;
         *crowd = if time - crowd.0 > 1e-9 * (1.0 + time) { (time, 0) } else { (crowd.0, crowd.1 + 1) };
         if crowd.1 > LARGEST_CROWD { Err(FollowError::Sliding(time)) } else { Ok(()) }
+    }
+
+    /// Whether a pair at the radius, where links push apart, does as good as stay there.
+    fn stays(&self, time: f64, (i, j): Pair) -> bool {
+        let (Pace::Tolerance(tolerance), square) = (self.pace, self.radius * self.radius) else { return false };
+        let push = self.law.push(square);
+        let at = |agent: &Agent<F>| agent.path.after(time - agent.from);
+        let side = at(&self.agents[i]).squared_distance(&at(&self.agents[j]));
+        let (rate, bend) = (side[1], 2.0 * side[2].abs() + push);
+        push > 0.0 && rate * rate <= 2.0 * bend * STAYING * tolerance * square
     }
 
     /// A pair changes its side.
