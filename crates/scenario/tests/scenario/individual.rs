@@ -2,6 +2,8 @@
 
 use super::run;
 use arithmetic::random::{generator, uniform};
+use arithmetic::rational;
+use models::double_integrator::{Alignment, EventKind, Flock, Network, Options, Potential, State};
 use scenario::{Event, Outcome};
 
 /// With more agents each has steps of its own.
@@ -129,6 +131,35 @@ fn pairs_stay_at_the_radius_in_large_flocks_too() {
             let far = (0..3).map(|k| (together.frame.positions[k][0] - alone.frame.positions[k][0]).abs());
             assert!(far.fold(0.0, f64::max) < 1e-7 && together.time == alone.time);
         }
+    }
+}
+
+/// The same among others that move, meet and part: against the library's motion of all together.
+#[test]
+fn the_others_go_on_while_a_pair_stays() {
+    let mut crowd = row(0.0, 0.0);
+    let others = Crowd::on_a_lattice(256, 0.2, 5);
+    crowd.places.extend(others.places.iter().map(|r| [3.0 * r[0] - 20.0, 3.0 * r[1] + 10.0]));
+    crowd.angles.extend(others.angles);
+    crowd.speeds.extend(others.speeds);
+    let law = "potential = { slope = [[0, \"1/9\"], [-2, -9]], at = 9, value = 0 }";
+    let run_until = "until = \"3/2\"\nsamples = [\"1/10\", \"3/2\"]\nrows = 2\ntolerance = 1e-10";
+    let outcome = run(&crowd.aligning(law, run_until).replace("heading-alignment", "velocity-alignment"));
+    assert!(outcome.remarks.iter().any(|line| line.contains("1 and 2 stay")), "{:?}", outcome.remarks);
+    let potential = Potential::inverse_square_spring(&rational(9, 1), &rational(1, 1));
+    let velocities = crowd.angles.iter().zip(&crowd.speeds).map(|(a, s)| [s * a.cos(), s * a.sin()]).collect();
+    let start = State { positions: crowd.places, velocities };
+    let flock = Flock::new(Alignment::Velocity, potential, Network::Within(2.0), start).expect("a flock");
+    let motion = flock.run(1.5, &[0.1, 1.5], &Options::default()).expect("a motion");
+    let switch = |kind| matches!(kind, EventKind::Link | EventKind::Unlink);
+    let those: Vec<_> = motion.events.iter().filter(|e| switch(e.kind)).map(|e| (e.pair.0 + 1, e.pair.1 + 1)).collect();
+    assert_eq!(outcome.events.iter().map(|event| event.pair).collect::<Vec<_>>(), those);
+    assert!(those.len() > 50, "{}", those.len());
+    for (row, sample) in outcome.samples().zip(&motion.samples) {
+        let far =
+            row.frame.positions.iter().zip(&sample.state.positions).map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]));
+        let far = far.fold(0.0, f64::max);
+        assert!(far < 1e-7, "t = {}: {far}", row.time);
     }
 }
 
