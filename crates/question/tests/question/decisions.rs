@@ -149,6 +149,15 @@ fn the_peak_decreases_in_the_damping_over_the_square_root_of_the_stiffness() {
 }
 
 #[test]
+fn the_abscissa_is_enclosed_where_roots_may_be_double() {
+    // At f = -1, g = -2 the one mode of one follower has the double root -1.
+    let one = "followers = \"1\"\nf = \"-1\"\ng = \"-2\"";
+    assert_eq!(verdict(one, "abs(abscissa + 1) < 10^-8"), Verdict::Holds);
+    let all = "followers = \"integers(1, 64)\"\nf = \"[-2, -1]\"\ng = \"[-2, -1]\"";
+    assert_eq!(verdict(all, "abscissa < 0"), Verdict::Holds);
+}
+
+#[test]
 fn other_quantities_of_platoons() {
     let family = "followers = \"3\"\nf = \"-1\"\ng = \"-1\"";
     for property in [
