@@ -263,7 +263,8 @@ impl Maker<'_> {
     fn written(&self, node: &Node) -> Made<Members> {
         match &node.kind {
             Kind::Range(from, to) => {
-                let (from, to) = (self.integer(from, "the first integer")?, self.integer(to, "the last integer")?);
+                let (from, to) =
+                    (self.integer(from, "the start of the range")?, self.integer(to, "the end of the range")?);
                 Ok(Members::Integers(from, to))
             }
             Kind::Interval(from, to) => {
@@ -335,8 +336,8 @@ impl Maker<'_> {
         }
         match name {
             "integers" => {
-                let from = self.integer(&arguments[0], "the first integer")?;
-                let to = self.integer(&arguments[1], "the last integer")?;
+                let from = self.integer(&arguments[0], "the first argument of `integers`")?;
+                let to = self.integer(&arguments[1], "the second argument of `integers`")?;
                 if from > to {
                     let why = format!("there is no integer from {from} to {to}");
                     return Err(Failure::Refused(node.at, Problem::Empty(why)));

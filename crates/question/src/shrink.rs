@@ -103,8 +103,11 @@ fn simpler_number(
 ) -> Result<Bindings, QuestionError> {
     let before = found.first(place);
     let Some((_, Value::Number(current))) = found.iter().nth(place) else { return Ok(found) };
-    let first = question.members(place, &before, progress).map(|members| members.get(0));
-    let Some((lo, hi)) = first.ok().flatten().and_then(|value| value.ends()) else { return Ok(found) };
+    let first = question.members(place, &before, progress).map(|members| members.get(0)).ok().flatten();
+    if let Some(Value::Integers(from, _)) = first {
+        return smaller_integer(question, expression, found.clone(), place, (from, current), progress);
+    }
+    let Some((lo, hi)) = first.and_then(|value| value.ends()) else { return Ok(found) };
     let mut radius = &hi - &lo;
     let reach = current.abs() * rational(1, 1 << 20);
     while radius > reach {
@@ -121,6 +124,31 @@ fn simpler_number(
             return Ok(tried);
         }
         radius *= rational(1, 2);
+    }
+    Ok(found)
+}
+
+/// An integer of a range from `from` on for which the property still fails, and does not for the one before: the smallest where it fails for
+/// all later ones.
+fn smaller_integer(
+    question: &Question,
+    expression: &Expression,
+    mut found: Bindings,
+    place: usize,
+    (from, failing): (i64, &Rational),
+    progress: &dyn Progress,
+) -> Result<Bindings, QuestionError> {
+    // The property fails at `high`, and is taken to hold below the range.
+    let (mut low, mut high) = (rational(from - 1, 1), failing.clone());
+    while &high - &low > rational(1, 1) {
+        let middle = ((&low + &high) * rational(1, 2)).floor();
+        let mut tried = found.clone();
+        tried.set(place, Value::Number(middle.clone()));
+        if fails(question, expression, &tried, progress)? {
+            (found, high) = (tried, middle);
+        } else {
+            low = middle;
+        }
     }
     Ok(found)
 }

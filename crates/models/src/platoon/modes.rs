@@ -5,7 +5,7 @@
 //! (`notes/veerman_platoons.md`).
 
 use super::Gains;
-use arithmetic::{ArithmeticError, Real, Sign, Signed};
+use arithmetic::{ArithmeticError, Dyadic, Interval, Real, Sign, Signed};
 
 /// The angle `phi_k`, of the kind of `like`; `1 <= k <= followers`.
 pub fn mode_angle<T: Real>(like: &T, followers: u64, k: u64) -> T {
@@ -41,8 +41,7 @@ impl<T: Real + Signed> Mode<T> {
     /// # Errors
     /// [`ArithmeticError::Domain`] where it cannot be told whether the mode oscillates, as in the case of a double root.
     pub fn new(gains: &Gains<T>, lambda: &T) -> Result<Self, ArithmeticError> {
-        let decay = -(lambda.clone() * &gains.g) * lambda.ratio(1, 2);
-        let discriminant = decay.square() + lambda.clone() * &gains.f;
+        let (decay, discriminant) = decay_and_discriminant(gains, lambda);
         let (overdamped, size) = match discriminant.sign() {
             Some(Sign::Positive) => (true, discriminant),
             Some(Sign::Negative) => (false, -discriminant),
@@ -76,23 +75,34 @@ impl<T: Real + Signed> Mode<T> {
     }
 }
 
+/// `lambda |g|/2` and its square less `lambda |f|`, whose roots are the imaginary or real distances of the characteristic roots from `-lambda |g|/2`.
+fn decay_and_discriminant<T: Real>(gains: &Gains<T>, lambda: &T) -> (T, T) {
+    let decay = -(lambda.clone() * &gains.g) * lambda.ratio(1, 2);
+    let discriminant = decay.square() + lambda.clone() * &gains.f;
+    (decay, discriminant)
+}
+
+/// The slower of the two rates of a mode, also where its roots may be double.
+fn slower_rate(gains: &Gains<Interval>, lambda: &Interval) -> Result<Interval, ArithmeticError> {
+    let (decay, discriminant) = decay_and_discriminant(gains, lambda);
+    if matches!(discriminant.sign(), Some(Sign::Positive | Sign::Negative)) {
+        return Ok(Mode::new(gains, lambda)?.rate);
+    }
+    // The rate is decay - sqrt(max(discriminant, 0)).
+    let above = Interval::between(Dyadic::zero(), discriminant.hi().clone(), decay.precision());
+    Ok(decay - above.sqrt()?)
+}
+
 /// The slowest rate of decay of the platoon (2), `-max Re spec(M)`.
 ///
 /// As a function of `lambda` the rate of a mode is `|g| lambda/2` up to `lambda = 4|f|/g²` and
 /// `2|f|/(|g| + sqrt(g² - 4|f|/lambda))`, which decreases, beyond; so the slowest mode is the first or the last.
 ///
 /// # Errors
-/// [`ArithmeticError`] where one of these two modes may have a double root, or their rates cannot be told apart.
-pub fn slowest_rate<T: Real + Signed>(gains: &Gains<T>, followers: u64) -> Result<T, ArithmeticError> {
-    let rate = |k| Ok::<T, ArithmeticError>(Mode::new(gains, &mode_eigenvalue(&gains.f, followers, k)?)?.rate);
-    let first = rate(1)?;
-    if followers <= 1 {
-        return Ok(first);
-    }
-    let last = rate(followers)?;
-    match (last.clone() - &first).sign() {
-        Some(Sign::Negative) => Ok(last),
-        Some(_) => Ok(first),
-        None => Err(ArithmeticError::Domain("rates that can be told apart")),
-    }
+/// [`ArithmeticError`] of the elementary functions.
+pub fn slowest_rate(gains: &Gains<Interval>, followers: u64) -> Result<Interval, ArithmeticError> {
+    let rate = |k| slower_rate(gains, &mode_eigenvalue(&gains.f, followers, k)?);
+    let (first, last) = (rate(1)?, rate(followers.max(1))?);
+    let (lo, hi) = (first.lo().min(last.lo()), first.hi().min(last.hi()));
+    Ok(Interval::between(lo.clone(), hi.clone(), first.precision()))
 }

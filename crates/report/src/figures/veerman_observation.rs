@@ -3,10 +3,11 @@
 use super::veerman::{UNIT, certified, leading};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
+use arithmetic::{Interval, rational};
 use claims::veerman::printed_table::ROWS;
 use ledger::CheckError;
 use models::platoon::observe::measured_resonance;
-use models::platoon::slowest_rate;
+use models::platoon::{Gains, slowest_rate};
 use std::f64::consts::PI;
 use std::fmt::Write;
 
@@ -20,9 +21,10 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let [mut left, mut right] = ["periods of observation", "periods over those of the slowest mode"].map(|label| {
         Panel::new("", Axis::log(label), Axis::log("certified amplitude: share that is lacking").between(1e-9, 2.0))
     });
+    let unit = Gains { f: rational(-1, 1), g: rational(-1, 1) }.map(|q| Interval::from_rational(q, 64));
     for row in &ROWS {
         let (frequency, amplitude) = certified(row.n)?;
-        let relaxation = frequency / (2.0 * PI * slowest_rate(&UNIT, row.n)?);
+        let relaxation = frequency / (2.0 * PI * slowest_rate(&unit, row.n)?.to_f64());
         let mut lacking = Vec::new();
         for k in 0..=22u32 {
             let periods = (2f64.powf(f64::from(k) / 2.0)).round();

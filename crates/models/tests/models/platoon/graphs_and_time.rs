@@ -283,10 +283,10 @@ fn eigenvectors_of_the_modes_are_orthogonal() {
     }
 }
 
-/// The slowest rate moves the spectrum of M just to the axis, decided exactly on both sides.
+/// The slowest rate moves the spectrum of M just to the axis, decided exactly on both sides; one follower with the last gains has a double root.
 #[test]
 fn the_slowest_rate_is_exact() {
-    for (f, g) in [((-1, 1), (-1, 1)), ((-1, 5), (-4, 1)), ((-3, 1), (-1, 7))] {
+    for (f, g) in [((-1, 1), (-1, 1)), ((-1, 5), (-4, 1)), ((-3, 1), (-1, 7)), ((-1, 1), (-2, 1))] {
         let gains = Gains { f: rational(f.0, f.1), g: rational(g.0, g.1) };
         for m in 1..=5usize {
             let graph = CommunicationGraph::of(Communication::FrontAndBack, m).unwrap();
