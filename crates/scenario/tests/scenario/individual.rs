@@ -41,7 +41,7 @@ impl Crowd {
 
     /// So many others stand far from these and from each other.
     fn among(&self, others: usize) -> Self {
-        let far = |k: usize| [1000.0 + 500.0 * (k % 20) as f64, -9000.0 - 500.0 * (k / 20) as f64];
+        let far = |k: usize| [30.0 + 12.0 * (k % 20) as f64, -30.0 - 12.0 * (k / 20) as f64];
         Crowd {
             places: self.places.iter().copied().chain((0..others).map(far)).collect(),
             angles: self.angles.iter().copied().chain(vec![0.5; others]).collect(),
@@ -197,15 +197,15 @@ fn particles_one_by_one_switch_as_all_together() {
         ((-0.1, 0.2), "omega0 = \"-3/4\""),
         ((-0.1, 0.001), "omega0 = 1\nbeacon = [1, 2]"),
     ] {
-        for (count, seed) in [(2, 10), (9, 11), (36, 12)] {
+        for (count, seed) in [(2, 10), (25, 12)] {
             let crowd = Crowd::on_a_lattice(count, 0.3, seed);
             // The gain of a beacon is not divided.
             let text = |crowd: &Crowd| {
                 let spacing = if law.contains("beacon") { 0.5 / crowd.places.len() as f64 } else { gains.1 };
-                crowd.steered((gains.0, spacing), law, RUN)
+                crowd.steered((gains.0, spacing), law, "until = 1\nrows = 2\ntolerance = 1e-9")
             };
             let switches = compared(&both(&crowd, text), count, 1e-7, &format!("{law}, {count} particles"));
-            assert!(count < 9 || switches > 10, "{switches}");
+            assert!(count < 9 || switches > 5, "{switches}");
         }
     }
 }
