@@ -177,11 +177,11 @@ fn headings_one_by_one_switch_and_turn_as_all_together() {
         }
     }
     // Headings near a half turn, and nearly opposite ones.
-    let angles: [(&str, fn(usize) -> f64); 2] = [("raw", |_| 3.0), ("wrapped", |k| 2.95 * (k % 2) as f64)];
-    for (reading, angle) in angles {
+    for (reading, first, between) in [("raw", 3.0, 0.0), ("wrapped", 0.0, 2.95)] {
         for seed in 0..4 {
             let mut crowd = Crowd::on_a_lattice(16, 0.2, seed);
-            crowd.angles.iter_mut().enumerate().for_each(|(k, a)| *a = angle(k) + *a * 0.03);
+            let angle = |k: usize, little: f64| first + between * (k % 2) as f64 + 0.03 * little;
+            crowd.angles.iter_mut().enumerate().for_each(|(k, a)| *a = angle(k, *a));
             let law = format!("potential = \"inverse-square-log\"\nheading_difference = \"{reading}\"");
             let outcomes = both(&crowd, |crowd| crowd.aligning(&law, &RUN.replace("until = 2", "until = \"2/5\"")));
             compared(&outcomes, 16, 1e-6, &format!("{reading}, seed {seed}"));
