@@ -1,4 +1,4 @@
-//! Simulation in floats, shared by the continuous models: integrators, events, neighbours in the plane, shares
+//! Simulation in floats, shared by the continuous models: integrators, events, neighbours in the plane, individual steps, shares
 //! of runs.
 //!
 //! A model is a [`VectorField`]: it fills in `dy/dt` at a state. Results do not depend on the number of threads: work is cut into
