@@ -55,10 +55,13 @@ def scenario(agents, steps, folder):
     return write(folder, "scenario.toml", text)
 
 
-def located(agents, folder):
-    text = 'model = "velocity-alignment"\n[graph]\nkind = "within"\nradius = 2\n[state]\n'
+ALIGNING = 'potential = "inverse-square-log"'
+
+
+def located(model, law, agents, folder):
+    text = 'model = "%s"\n[graph]\nkind = "within"\nradius = 2\n[state]\n' % model
     text += 'random = { agents = %d, seed = 1, place = "grid", spacing = 1, half = "3/10" }\n' % agents
-    text += '[law]\npotential = "inverse-square-log"\n[run]\nuntil = 1\nrows = 2\ntolerance = 1e-8\n'
+    text += '[law]\n%s\n[run]\nuntil = 1\nrows = 2\ntolerance = 1e-8\n' % law
     return write(folder, "located.toml", text)
 
 
@@ -111,7 +114,13 @@ ROWS = [
      "neighbours from cells of the plane; bytes written"),
     ("simulate", "steps", [200, 400, 800], command("simulate", lambda n, f: scenario(1000, n, f), "--out", OUT), 1.0, "steps"),
     ("simulate, located switches", "agents", [1000, 4000, 16000],
-     command("simulate", lambda n, f: located(n, f), "--out", OUT), 1.0, "a switch costs those that notice it (integrators.md)"),
+     command("simulate", lambda n, f: located("velocity-alignment", ALIGNING, n, f), "--out", OUT), 1.0,
+     "a switch costs those that notice it (integrators.md)"),
+    ("simulate, located headings", "agents", [1000, 4000, 16000],
+     command("simulate", lambda n, f: located("heading-alignment", ALIGNING, n, f), "--out", OUT), 1.0, "the same"),
+    ("simulate, located particles", "agents", [1000, 4000, 16000],
+     command("simulate", lambda n, f: located("particles", "omega0 = 1\nK0 = %d\nK1 = -%d" % (n // 20, n // 5), n, f), "--out", OUT),
+     1.0, "the same"),
     ("tracks", "frames", [500, 1000, 2000], command("tracks", lambda n, f: school(8, n, f), "--out", OUT), 1.0, "frames"),
     ("tracks", "fish", [8, 16, 32], command("tracks", lambda n, f: school(n, 300, f), "--out", OUT), 2.0,
      "networks and potentials of all pairs"),

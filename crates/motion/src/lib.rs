@@ -1,4 +1,4 @@
-//! Simulation in floats, shared by the continuous models: integrators, events, neighbours in the plane, shares
+//! Simulation in floats, shared by the continuous models: integrators, events, neighbours in the plane, individual steps, shares
 //! of runs.
 //!
 //! A model is a [`VectorField`]: it fills in `dy/dt` at a state. Results do not depend on the number of threads: work is cut into
@@ -9,7 +9,9 @@ mod descent;
 mod dop853;
 mod dop853_table;
 mod event;
+mod follow_error;
 mod golden;
+mod individual;
 mod jet;
 mod lanes;
 mod rk4;
@@ -22,7 +24,9 @@ pub use cells::{CellError, CellList, nearest};
 pub use descent::{first_fall, shifted, value_at};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
 pub use event::{Fall, Margin, next_fall, root};
+pub use follow_error::FollowError;
 pub use golden::golden;
+pub use individual::{IndividualFlock, IndividualLaw, Moving, Pace, Rates, Switch, Turns};
 pub use jet::Jet;
 pub use lanes::Lanes;
 pub use rk4::Rk4;

@@ -1,16 +1,22 @@
 //! Agents that align their headings or velocities: their law and what is measured on them.
 
+use super::individual::{Course, Located};
 use super::links::Hold;
 use super::network::{Change, Network};
 use super::observables::{Observable, min_distance, total};
 use super::potential::PairPotential;
 use super::simulation::{Frame, Law};
+use super::switching::{Known, options};
 use super::turns::Turns;
 use arithmetic::ArithmeticError;
 use models::double_integrator::{
-    Coordinates, Pair, State, Vector, disagreement, gyroscopic, heading_rate, heading_spread, kinetic_energy,
-    potential_energy, potential_gradients, saturated_potential, velocity_alignment,
+    self, Coordinates, Flock, Pair, State, Vector, disagreement, gyroscopic, heading_rate, heading_spread,
+    kinetic_energy, potential_energy, potential_gradients, saturated_potential, velocity_alignment,
 };
+use motion::Moving;
+
+/// Most agents of a flock of which a pair may stay at the radius: all pairs are looked at in each step then.
+const MOST_STAYING: usize = 10_000;
 
 pub(super) const PLANE: Coordinates = Coordinates::Cartesian;
 
@@ -82,6 +88,53 @@ impl Agents {
                 gyroscopic(state, &gradients, edges, |i, j| turns.difference(headings, i, j))
             }
         }
+    }
+}
+
+impl Located<0> for Agents {
+    const STAYING: Option<&str> = Some(
+        "while a pair stays at the radius (Filippov), all agents take the same steps, by Dormand and Prince's method of order 8 with the same tolerance; remarks tell when; a flock of more than 10000 agents ends there",
+    );
+
+    fn network(&mut self) -> &mut Network {
+        &mut self.network
+    }
+
+    fn list(agents: &[Moving<f64, 0>]) -> Vec<f64> {
+        State::of_individuals(agents.iter().copied()).to_list()
+    }
+
+    fn agents(&self, list: &[f64]) -> Vec<Moving<f64, 0>> {
+        self.state(list).individuals(&vec![[]; self.count])
+    }
+
+    fn stay(&self, from: f64, list: &[f64], to: &Course) -> Option<Known> {
+        let radius = self.network.radius().filter(|_| self.count <= MOST_STAYING)?;
+        let network = double_integrator::Network::Within(radius);
+        let aligned = double_integrator::Alignment::Velocity;
+        let flock = Flock::new(aligned, self.potential.exact().clone(), network, self.state(list)).ok()?;
+        let motion = flock.run_staying(from, self.network.pairs(), to.times, &options(to.tolerance), to.progress);
+        Some(Known::new(motion))
+    }
+
+    fn energy(&self, list: &[f64]) -> Result<Option<f64>, ArithmeticError> {
+        self.saturated_energy(list).map(Some)
+    }
+}
+
+impl Located<1> for Agents {
+    fn network(&mut self) -> &mut Network {
+        &mut self.network
+    }
+
+    fn list(agents: &[Moving<f64, 1>]) -> Vec<f64> {
+        let headings = agents.iter().flat_map(|agent| agent.further);
+        State::of_individuals(agents.iter().copied()).to_list().into_iter().chain(headings).collect()
+    }
+
+    fn agents(&self, list: &[f64]) -> Vec<Moving<f64, 1>> {
+        let headings: Vec<[f64; 1]> = self.headings(list).iter().map(|theta| [*theta]).collect();
+        self.state(list).individuals(&headings)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::agents::{Agents, Alignment, PLANE, state_of};
 use super::error::{ConfigError, Problem, RunError};
-use super::individual::Individual;
+use super::individual::{Individual, MOST_TOGETHER};
 use super::network::{Abilities, Network};
 use super::potential::PairPotential;
 use super::simulation::{Continuous, Simulation};
@@ -11,12 +11,10 @@ use super::start::{Needs, Start, problem};
 use super::stepped::{Arrangement, Stepped, read_step};
 use super::switching::Switching;
 use super::turns::Turns;
-use models::double_integrator::{self, Flock, HeadingDifference, InputError, State, SwitchingFlock, heading};
+use models::double_integrator::{
+    self, Flock, HeadingDifference, HeadingLaw, InputError, State, SwitchingFlock, VelocityLaw, heading,
+};
 use motion::VectorField;
-
-/// Most agents whose velocity alignment within a radius is followed as a Filippov solution, all in the same steps: each switch costs a look at
-/// each pair. Larger flocks have individual steps.
-const MOST_TOGETHER: usize = 256;
 
 /// What a heading difference may mean.
 pub(super) const READINGS: [(&str, HeadingDifference); 3] = [
@@ -42,8 +40,8 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
     network.settle(&positions, &velocities);
     let mut list = [positions, velocities].concat();
     let state = state_of(start.agents(), &list);
+    let reading = law.get("heading_difference").map_or(Ok(HeadingDifference::Raw), |e| e.choice(&READINGS))?;
     let alignment = if headings {
-        let reading = law.get("heading_difference").map_or(Ok(HeadingDifference::Raw), |e| e.choice(&READINGS))?;
         for (v, agent) in state.velocities.iter().zip(1..) {
             list.push(heading(v).map_err(|_| problem(source, "velocities", Problem::NoHeading(agent)))?);
         }
@@ -62,6 +60,11 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
     let agents = Agents { network, potential, alignment, count: start.agents(), drawn: start.drawn };
     if let (Alignment::Velocities, Some(radius)) = (&agents.alignment, agents.network.radius()) {
         return within(source, agents, (radius, &state), step, tolerance);
+    }
+    if let (Some(radius), None, true) = (agents.network.radius(), step, agents.count > MOST_TOGETHER) {
+        let law = HeadingLaw::new(agents.potential.exact(), reading);
+        let flock = Individual::<_, _, 1, 3>::new(agents, law, radius, list, tolerance);
+        return Ok(Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?));
     }
     Ok(match step {
         Some(step) => Box::new(Stepped::settled(agents, list, step)),
@@ -91,7 +94,7 @@ fn within(
         if !agents.potential.value(&(radius * radius)).is_ok_and(f64::is_finite) {
             return Err(refuse(InputError::PotentialAtRadius(radius).into()));
         }
-        let flock = Individual::new(agents, radius, state, tolerance);
+        let flock = Individual::<_, _, 0, 2>::new(agents, VelocityLaw::new(&potential), radius, list, tolerance);
         return Ok(Box::new(flock.map_err(|error| refuse(error.into()))?));
     };
     let rate = move |_: &mut Agents, time: f64, list: &[f64], rate: &mut [f64]| {

@@ -2,9 +2,9 @@
 
 use arithmetic::{ArithmeticError, NumberError};
 use models::averaging::FlockError;
-use models::double_integrator::{FlockError as LargeFlockError, IndividualError, InputError, MotionError};
+use models::double_integrator::{FlockError as LargeFlockError, InputError, MotionError};
 use models::platoon::CommunicationError;
-use motion::IntegrationError;
+use motion::FollowError;
 
 /// Why a text is not a scenario. Lines, agents and entries are counted from 1.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -209,7 +209,7 @@ pub enum Problem {
     Motion(#[from] InputError),
     /// Not a flock with individual steps.
     #[error(transparent)]
-    Individual(#[from] IndividualError),
+    Individual(#[from] FollowError),
     /// The law has no value at the start.
     #[error("the law has no value at the start: {0}")]
     Law(#[from] ArithmeticError),
@@ -218,29 +218,15 @@ pub enum Problem {
 /// Why a run ended before its time.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RunError {
-    /// The integrator.
+    /// The motion cannot be followed.
     #[error(transparent)]
-    Integration(#[from] IntegrationError),
-    /// The law has no value at a state.
-    #[error("the law has no value near t = {time}: {error}")]
-    Law {
-        /// About when.
-        time: f64,
-        /// What was asked for.
-        error: ArithmeticError,
-    },
-    /// Switches pile up.
-    #[error("links switch without end at t = {0}: the motion along the switching distance is not followed")]
-    Sliding(f64),
+    Follow(#[from] FollowError),
     /// An exact flock.
     #[error(transparent)]
     Flock(#[from] FlockError),
     /// A flock of switching links.
     #[error(transparent)]
     Motion(#[from] MotionError),
-    /// A flock with individual steps.
-    #[error(transparent)]
-    Individual(#[from] IndividualError),
     /// A large flock.
     #[error("about t = {time}: {error}")]
     Large {
@@ -249,4 +235,11 @@ pub enum RunError {
         /// Why there are no accelerations.
         error: LargeFlockError,
     },
+}
+
+impl RunError {
+    /// The law has no value about a time.
+    pub(super) fn law(time: f64, error: ArithmeticError) -> Self {
+        FollowError::Law { time, error }.into()
+    }
 }

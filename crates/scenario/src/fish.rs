@@ -161,7 +161,7 @@ impl Simulation for Fish {
             }
             let time = self.steps as f64 * self.step;
             let state = self.flight.state();
-            let mut control = self.control(&state).map_err(|error| RunError::Law { time, error })?;
+            let mut control = self.control(&state).map_err(|error| RunError::law(time, error))?;
             if let Some((deviation, _, random)) = &mut self.noise {
                 control.iter_mut().for_each(|u| *u += *deviation * normal(random));
             }
@@ -170,7 +170,7 @@ impl Simulation for Fish {
             write_rate(&state, &Complex::new(0.0, 0.0), &control, &mut rate);
             list.iter_mut().zip(rate).for_each(|(x, rate)| *x += self.step * rate);
             if list.iter().any(|x| !x.is_finite()) {
-                return Err(RunError::Law { time, error: ArithmeticError::Domain("steps that stay finite") });
+                return Err(RunError::law(time, ArithmeticError::Domain("steps that stay finite")));
             }
             self.flight = Flight::from_list(&list);
             self.steps += 1;

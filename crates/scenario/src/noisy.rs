@@ -46,7 +46,7 @@ pub(super) fn read(source: &Source) -> Result<Box<dyn Simulation>, ConfigError> 
 
 impl Noisy {
     fn failed(&self) -> RunError {
-        RunError::Law { time: self.time as f64, error: ArithmeticError::Domain("places that stay finite") }
+        RunError::law(self.time as f64, ArithmeticError::Domain("places that stay finite"))
     }
 
     fn phasors(&self) -> Vec<Complex<f64>> {

@@ -1,20 +1,21 @@
 //! The phase model (6) and steered particles (1)-(2) of Paley and others.
 
 use super::error::{ConfigError, Problem};
+use super::individual::{Individual, Located, MOST_TOGETHER};
 use super::links::Hold;
 use super::network::{Abilities, Change, Kind, Network};
 use super::observables::{CLUSTERS, Observable, min_distance, of_phases, places, total};
 use super::simulation::{Continuous, Frame, Law, Simulation};
 use super::source::{Section, Source};
-use super::start::{Needs, Start};
+use super::start::{Needs, Start, problem};
 use super::stepped::{Arrangement, Stepped, read_step};
 use arithmetic::{ArithmeticError, Complex};
 use models::oscillator::{
-    AllToAll, Flight, State, beacon_control, beacon_potential, centre_spread, circle_centres, laplacian_control,
-    pattern_control, pattern_potential, phase_potential, reference_control, spacing_control, spacing_potential,
-    write_rate,
+    AllToAll, Flight, ParticleLaw, State, beacon_control, beacon_potential, centre_spread, circle_centres,
+    laplacian_control, pattern_control, pattern_potential, phase_potential, reference_control, spacing_control,
+    spacing_potential, write_rate,
 };
-use motion::VectorField;
+use motion::{Moving, VectorField};
 use std::cell::RefCell;
 
 /// Moments that are shown at least.
@@ -272,11 +273,52 @@ pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn 
                 None => Box::new(stepped),
             }
         }
-        None => Box::new(Continuous::new(particles, &state, tolerance)),
+        None => match particles.individual().filter(|_| particles.network.order() > MOST_TOGETHER) {
+            Some((law, radius)) => {
+                let flock = Individual::new(particles, law, radius, state, tolerance);
+                Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?)
+            }
+            None => Box::new(Continuous::new(particles, &state, tolerance)),
+        },
     })
 }
 
+impl Located<1> for Particles {
+    fn network(&mut self) -> &mut Network {
+        &mut self.network
+    }
+
+    fn list(agents: &[Moving<f64, 1>]) -> Vec<f64> {
+        let places = agents.iter().flat_map(|agent| agent.position);
+        places.chain(agents.iter().flat_map(|agent| agent.further)).collect()
+    }
+
+    fn agents(&self, list: &[f64]) -> Vec<Moving<f64, 1>> {
+        let flight = Flight::from_list(list);
+        let state = flight.state();
+        let one = |((r, z), theta): ((&Complex<f64>, &Complex<f64>), &f64)| Moving {
+            position: [r.re, r.im],
+            velocity: [z.re + self.drift.re, z.im + self.drift.im],
+            further: [*theta],
+        };
+        state.positions.iter().zip(&state.phasors).zip(&flight.phases).map(one).collect()
+    }
+}
+
 impl Particles {
+    /// The law of one particle among its neighbours and the radius, where links are within one and no particle is special.
+    fn individual(&self) -> Option<(ParticleLaw, f64)> {
+        let Orientation::Laplacian(gain) = self.orientation else { return None };
+        let share = 1.0 / self.network.order() as f64;
+        let (spacing, beacon) = match self.spacing {
+            Spacing::None => (0.0, None),
+            Spacing::Circle(gain) => (share * gain * self.frequency, None),
+            Spacing::Beacon(gain, [x, y]) => (0.0, Some((gain * self.frequency, Complex::new(x, y)))),
+        };
+        let (frequency, orientation, drift) = (self.frequency, share * gain, self.drift.clone());
+        Some((ParticleLaw { frequency, orientation, spacing, beacon, drift }, self.network.radius()?))
+    }
+
     fn steering(&self, time: f64, state: &State<f64>) -> Result<Vec<f64>, ArithmeticError> {
         let mut steering = self.orientation.control(&self.network, time, &state.phasors)?;
         let spacing = match &self.spacing {

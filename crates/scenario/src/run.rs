@@ -133,7 +133,7 @@ pub(super) fn run(
                 outcome.rows.push(Row { time, sample, frame: simulation.frame(), observables, links: links.clone() });
             }
             Err(error) => {
-                outcome.end = End::Failed(RunError::Law { time, error });
+                outcome.end = End::Failed(RunError::law(time, error));
                 break;
             }
         }

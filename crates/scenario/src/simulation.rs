@@ -5,7 +5,7 @@ use super::links::Hold;
 use super::network::Change;
 use super::observables::Observable;
 use arithmetic::{ArithmeticError, Progress};
-use motion::{IntegrationError, Integrator, Tolerance, next_fall};
+use motion::{FollowError, IntegrationError, Integrator, Tolerance, next_fall};
 use std::cell::RefCell;
 
 /// Where the agents are; lists that the model does not have are empty.
@@ -158,8 +158,8 @@ impl<L: Law> Continuous<L> {
             self.solution.step(&mut field, until).map(|()| None)
         };
         let explained = |error| match (error, failure.take()) {
-            (IntegrationError::Stuck(time), Some(error)) => RunError::Law { time, error },
-            (error, _) => RunError::Integration(error),
+            (IntegrationError::Stuck(time), Some(error)) => FollowError::Law { time, error },
+            (error, _) => FollowError::Integration(error),
         };
         Ok(moved.map_err(explained)?.map(|fall| (fall.time, fall.state)))
     }
@@ -179,7 +179,7 @@ impl<L: Law> Simulation for Continuous<L> {
                 self.solution = Integrator::new(time, &state, self.tolerance);
                 self.crowd = if time - before > 1e-9 * (1.0 + time) { 0 } else { self.crowd + 1 };
                 if self.crowd > LARGEST_CROWD {
-                    return Err(RunError::Sliding(time));
+                    return Err(FollowError::Sliding(time).into());
                 }
             }
             self.replace_due(events);

@@ -92,7 +92,7 @@ impl<L: Law> Stepped<L> {
     pub fn settled(law: L, list: Vec<f64>, step: f64) -> Self {
         let rate = |law: &mut L, time: f64, list: &[f64], rate: &mut [f64]| {
             law.settle(list);
-            law.rate(time, list, rate).map_err(|error| RunError::Law { time, error })
+            law.rate(time, list, rate).map_err(|error| RunError::law(time, error))
         };
         Stepped::new(law, list, step, Box::new(rate))
     }

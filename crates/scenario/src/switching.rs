@@ -7,14 +7,11 @@ use super::network::Change;
 use super::observables::Observable;
 use super::simulation::{Event, Frame, Law, Simulation};
 use arithmetic::{ArithmeticError, Progress};
-use models::double_integrator::{EventKind, Flock, Motion, MotionError, Options};
+use models::double_integrator::{EventKind, Flock, Motion, MotionError, Options, Sample};
 use motion::Tolerance;
 
-/// A flock with the motion that is known once it was planned.
-pub(super) struct Switching {
-    agents: Agents,
-    flock: Flock,
-    options: Options,
+/// A motion that is known beforehand, on its way from sample to sample.
+pub(super) struct Known {
     motion: Motion,
     /// Why there is no more of the motion.
     end: Result<(), MotionError>,
@@ -23,40 +20,35 @@ pub(super) struct Switching {
     told: usize,
 }
 
-impl Switching {
-    /// A flock at its start.
-    pub fn new(agents: Agents, flock: Flock, tolerance: f64) -> Self {
-        let tolerance = Tolerance { relative: tolerance, absolute: tolerance };
-        let options = Options { tolerance, ..Options::default() };
-        Switching { agents, flock, options, motion: Motion::default(), end: Ok(()), sample: None, told: 0 }
-    }
-
-    fn list(&self) -> Vec<f64> {
-        let sample = self.sample.and_then(|k| self.motion.samples.get(k));
-        sample.map_or_else(|| self.flock.start().to_list(), |sample| sample.state.to_list())
-    }
-
-    fn time(&self) -> f64 {
-        self.sample.and_then(|k| self.motion.samples.get(k)).map_or(0.0, |sample| sample.time)
-    }
+/// A flock with the motion that is known once it was planned.
+pub(super) struct Switching {
+    agents: Agents,
+    flock: Flock,
+    options: Options,
+    known: Known,
 }
 
-impl Simulation for Switching {
-    fn plan(&mut self, times: &[f64], progress: &dyn Progress) {
-        let until = times.last().copied().unwrap_or(0.0);
-        (self.motion, self.end) = self.flock.run_watched(until, times, &self.options, progress);
+/// The integrator of such motions.
+pub(super) fn options(tolerance: f64) -> Options {
+    Options { tolerance: Tolerance { relative: tolerance, absolute: tolerance }, ..Options::default() }
+}
+
+impl Known {
+    /// What was followed, and why there is no more of it.
+    pub fn new((motion, end): (Motion, Result<(), MotionError>)) -> Self {
+        Known { motion, end, sample: None, told: 0 }
     }
 
-    fn advance(&mut self, until: f64, events: &mut Vec<Event>, _: &dyn Progress) -> Result<bool, RunError> {
+    /// Goes on to the next sample and tells what happened before a time; nothing where `progress` told to stop before.
+    pub fn next(&mut self, until: f64, events: &mut Vec<Event>) -> Result<Option<&Sample>, RunError> {
         let next = self.sample.map_or(0, |k| k + 1);
         let Some(sample) = self.motion.samples.get(next) else {
             return match self.end.clone() {
-                Err(MotionError::Halted(_)) | Ok(()) => Ok(false),
+                Err(MotionError::Halted(_)) | Ok(()) => Ok(None),
                 Err(error) => Err(error.into()),
             };
         };
         self.sample = Some(next);
-        self.agents.relink(&sample.links);
         for event in self.motion.events.iter().skip(self.told).take_while(|event| event.time <= until) {
             self.told += 1;
             let gained = match event.kind {
@@ -66,6 +58,87 @@ impl Simulation for Switching {
             };
             events.push(Event::new(event.time, &Change { gained, pair: event.pair }));
         }
+        Ok(Some(sample))
+    }
+
+    /// That the energy rose by more than the tolerance allows, if it did.
+    pub fn warning(&self) -> Option<String> {
+        let rises = "the energy Q rose by more than the tolerance allows: the motion is not reliable";
+        (!self.motion.energy.is_monotone()).then(|| rises.to_string())
+    }
+
+    /// Whether it is at its last sample, with nothing that ended it before.
+    pub fn is_over(&self) -> bool {
+        self.end.is_ok() && self.sample.map_or(0, |k| k + 1) >= self.motion.samples.len()
+    }
+
+    /// The sample where it is.
+    fn sample(&self) -> Option<&Sample> {
+        self.sample.and_then(|k| self.motion.samples.get(k))
+    }
+
+    /// What was special about the motion, with its time.
+    pub fn remarks(&self) -> Vec<(f64, String)> {
+        let stays = self.motion.events.iter().filter_map(|event| {
+            let what = match event.kind {
+                EventKind::Touch => "reach the radius and go back",
+                EventKind::Stay => "stay at the radius for a while",
+                _ => return None,
+            };
+            Some((
+                event.time,
+                format!("t = {}: agents {} and {} {what}", event.time, event.pair.0 + 1, event.pair.1 + 1),
+            ))
+        });
+        let forks = self.motion.choices.iter().map(|choice| {
+            let (count, taken) = (choice.branches.len(), choice.taken + 1);
+            (
+                choice.time,
+                format!("t = {}: {count} ways on for the pairs at the radius, followed is number {taken}", choice.time),
+            )
+        });
+        stays.chain(forks).collect()
+    }
+}
+
+/// Remarks in the order of time.
+pub(super) fn told(mut all: Vec<(f64, String)>) -> Vec<String> {
+    /// More are only counted.
+    const MOST: usize = 100;
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let count = all.len();
+    let mut lines: Vec<String> = all.into_iter().take(MOST).map(|(_, line)| line).collect();
+    if count > MOST {
+        lines.push(format!("and {} more", count - MOST));
+    }
+    lines
+}
+
+impl Switching {
+    /// A flock at its start.
+    pub fn new(agents: Agents, flock: Flock, tolerance: f64) -> Self {
+        let known = Known::new((Motion::default(), Ok(())));
+        Switching { agents, flock, options: options(tolerance), known }
+    }
+
+    fn list(&self) -> Vec<f64> {
+        self.known.sample().map_or_else(|| self.flock.start().to_list(), |sample| sample.state.to_list())
+    }
+
+    fn time(&self) -> f64 {
+        self.known.sample().map_or(0.0, |sample| sample.time)
+    }
+}
+
+impl Simulation for Switching {
+    fn plan(&mut self, times: &[f64], progress: &dyn Progress) {
+        let until = times.last().copied().unwrap_or(0.0);
+        self.known = Known::new(self.flock.run_watched(until, times, &self.options, progress));
+    }
+
+    fn advance(&mut self, until: f64, events: &mut Vec<Event>, _: &dyn Progress) -> Result<bool, RunError> {
+        let Some(sample) = self.known.next(until, events)? else { return Ok(false) };
+        self.agents.relink(&sample.links);
         Ok(true)
     }
 
@@ -92,37 +165,6 @@ impl Simulation for Switching {
     }
 
     fn remarks(&self) -> Vec<String> {
-        /// More are only counted.
-        const MOST: usize = 100;
-        let stays = self.motion.events.iter().filter_map(|event| {
-            let what = match event.kind {
-                EventKind::Touch => "reach the radius and go back",
-                EventKind::Stay => "stay at the radius for a while",
-                _ => return None,
-            };
-            Some((
-                event.time,
-                format!("t = {}: agents {} and {} {what}", event.time, event.pair.0 + 1, event.pair.1 + 1),
-            ))
-        });
-        let forks = self.motion.choices.iter().map(|choice| {
-            let (count, taken) = (choice.branches.len(), choice.taken + 1);
-            (
-                choice.time,
-                format!("t = {}: {count} ways on for the pairs at the radius, followed is number {taken}", choice.time),
-            )
-        });
-        let mut all: Vec<(f64, String)> = stays.chain(forks).collect();
-        all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let count = all.len();
-        let mut lines: Vec<String> = all.into_iter().take(MOST).map(|(_, line)| line).collect();
-        if count > MOST {
-            lines.push(format!("and {} more", count - MOST));
-        }
-        let energy = &self.motion.energy;
-        if !energy.is_monotone() {
-            lines.push("the energy Q rose by more than the tolerance allows: the motion is not reliable".to_string());
-        }
-        lines
+        told(self.known.remarks()).into_iter().chain(self.known.warning()).collect()
     }
 }

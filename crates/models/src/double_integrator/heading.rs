@@ -85,7 +85,18 @@ pub fn gyroscopic<T: Field>(
 ) -> Result<Vec<Vector<T>>, ArithmeticError> {
     let turning = turning_rates(state, edges, differ)?;
     let agents = state.velocities.iter().zip(gradients).zip(&turning);
-    Ok(agents.map(|((v, gradient), rate)| difference(&scaled(rate, &rotated(v)), gradient)).collect())
+    Ok(agents.map(|((v, gradient), rate)| turned(v, rate, gradient)).collect())
+}
+
+/// The acceleration of one agent that turns at a rate: `rate (z x v) - gradient`.
+pub(super) fn turned<T: Ring>(velocity: &Vector<T>, rate: &T, gradient: &Vector<T>) -> Vector<T> {
+    difference(&scaled(rate, &rotated(velocity)), gradient)
+}
+
+/// What a neighbour adds to the rate of turning: minus the difference of the headings, over the squared distance.
+#[inline(always)]
+pub(super) fn turning<T: Field>(differ: T, square: &T) -> Result<T, ArithmeticError> {
+    Ok(-(differ * square.recip()?))
 }
 
 /// `-sum over j ~ i of differ(i, j)/|r_ij|²`: the right side of equation (7).
@@ -97,10 +108,9 @@ fn turning_rates<T: Field>(
     check_links(edges, state.count())?;
     let mut rates: Vec<T> = state.positions.iter().map(|r| Ring::zero(&r[0])).collect();
     for &(i, j) in edges {
-        let weight = Coordinates::Cartesian.square(&state.separation(i, j)).recip()?;
-        let pull = differ(i, j) * weight;
-        rates[i] = rates[i].clone() - &pull;
-        rates[j] = rates[j].clone() + pull;
+        let rate = turning(differ(i, j), &Coordinates::Cartesian.square(&state.separation(i, j)))?;
+        rates[i] = rates[i].clone() + &rate;
+        rates[j] = rates[j].clone() - rate;
     }
     Ok(rates)
 }

@@ -44,7 +44,7 @@ pub use energy_log::{EnergyLog, Excess};
 pub use flock::{FlockError, SwitchingFlock};
 pub use fork::{Branch, Fork, ForkError, MOST_GRAZING, Way, fork};
 pub use heading::{HeadingDifference, gyroscopic, heading, heading_rate, heading_spread};
-pub use individual::{IndividualError, IndividualFlock, Pace, Switch};
+pub use individual::{HeadingLaw, VelocityLaw};
 pub use input::{Alignment, Flock, InputError, Network};
 pub use law::{disagreements, linked_within, potential_gradients, pull, tied, velocity_alignment};
 pub use linearisation::{Inertia, hessian, inertia, linearisation};

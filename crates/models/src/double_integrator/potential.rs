@@ -217,16 +217,28 @@ pub struct Slope<T> {
 }
 
 impl<T: Field> Slope<T> {
-    /// `V'(s)`: Horner's scheme, then the lowest power, so that there is one division at most.
+    /// `V'(s)`.
     ///
     /// # Errors
     /// [`ArithmeticError::DivisionByZero`] at `s = 0`.
     #[inline(always)]
     pub fn at(&self, s: &T) -> Result<T, ArithmeticError> {
+        self.over(s, T::clone)
+    }
+}
+
+impl<C> Slope<C> {
+    /// `V'(s)` over another kind of scalar, of which `number` makes the coefficients: Horner's scheme, then the lowest power, so that there is one
+    /// division at most.
+    ///
+    /// # Errors
+    /// [`ArithmeticError::DivisionByZero`] at `s = 0`.
+    #[inline(always)]
+    pub fn over<T: Field>(&self, s: &T, number: impl Fn(&C) -> T) -> Result<T, ArithmeticError> {
         let Some((first, rest)) = self.terms.split_first() else { return Ok(s.zero()) };
-        let (mut value, mut exponent) = (first.1.clone(), first.0);
+        let (mut value, mut exponent) = (number(&first.1), first.0);
         for (k, c) in rest {
-            value = raised(value, s, exponent.abs_diff(*k)) + c;
+            value = raised(value, s, exponent.abs_diff(*k)) + number(c);
             exponent = *k;
         }
         Ok(if exponent < 0 {
@@ -238,12 +250,12 @@ impl<T: Field> Slope<T> {
 
     /// The same over another kind of scalar.
     #[inline(always)]
-    pub fn map<U>(&self, convert: impl Fn(&T) -> U) -> Slope<U> {
+    pub fn map<U>(&self, convert: impl Fn(&C) -> U) -> Slope<U> {
         Slope { terms: self.terms.iter().map(|(k, c)| (*k, convert(c))).collect() }
     }
 
     /// The coefficients.
-    pub fn coefficients(&self) -> impl Iterator<Item = &T> {
+    pub fn coefficients(&self) -> impl Iterator<Item = &C> {
         self.terms.iter().map(|(_, c)| c)
     }
 }

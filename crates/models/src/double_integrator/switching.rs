@@ -58,6 +58,26 @@ impl Flock {
         (engine.motion, end)
     }
 
+    /// From a time with some links in force, where pairs are at `R`, until none stays there: one step of the integrator at least. The last
+    /// sample is where this ends.
+    pub fn run_staying(
+        &self,
+        from: f64,
+        links: &[Pair],
+        samples: &[f64],
+        options: &Options,
+        progress: &dyn Progress,
+    ) -> (Motion, Result<(), MotionError>) {
+        let mut engine = match Engine::new(self, options, progress) {
+            Ok(engine) => engine,
+            Err(error) => return (Motion::default(), Err(error)),
+        };
+        engine.link(links);
+        (engine.time, engine.until_none_stays) = (from, true);
+        let end = engine.run_staying(samples);
+        (engine.motion, end)
+    }
+
     fn check(until: f64, samples: &[f64], options: &Options) -> Result<(), MotionError> {
         if !(0.0..f64::INFINITY).contains(&until) {
             return Err(MotionError::Until(until));
@@ -146,6 +166,8 @@ pub(super) struct Engine<'a> {
     pub staying: Vec<Pair>,
     pub fresh: Vec<Pair>,
     pub arrivals: usize,
+    /// Whether to end where no pair stays at `R`.
+    until_none_stays: bool,
     pub motion: Motion,
 }
 
@@ -166,6 +188,7 @@ impl<'a> Engine<'a> {
             staying: Vec::new(),
             fresh: Vec::new(),
             arrivals: 0,
+            until_none_stays: false,
             motion: Motion::default(),
         };
         engine.link(&flock.links_at_start());
@@ -188,6 +211,25 @@ impl<'a> Engine<'a> {
             self.sample(until, &self.list.clone())?;
         }
         Ok(())
+    }
+
+    /// The way until no pair stays at `R`.
+    fn run_staying(&mut self, samples: &[f64]) -> Result<(), MotionError> {
+        let until = samples.last().copied().unwrap_or(self.time);
+        Flock::check(until, samples, self.options)?;
+        self.start()?;
+        while self.time < until {
+            self.advance(until, samples)?;
+            if self.is_free() {
+                break;
+            }
+        }
+        self.sample(self.time, &self.list.clone())
+    }
+
+    /// Whether no pair stays at `R`, or has just left it.
+    fn is_free(&self) -> bool {
+        self.staying.is_empty() && self.fresh.is_empty()
     }
 
     pub(super) fn count(&self) -> usize {
@@ -264,6 +306,9 @@ impl<'a> Engine<'a> {
                 return self.switch(&arrival);
             }
             self.fresh.clear();
+            if self.until_none_stays && self.is_free() {
+                break;
+            }
         }
         self.motion.steps += solution.counts().0;
         Ok(())

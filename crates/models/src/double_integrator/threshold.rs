@@ -4,7 +4,7 @@ use super::arrival::{Arrival, place, rounding};
 use super::input::Network;
 use super::motion::{Choice, Event, EventKind, MotionError, Prefer};
 use super::switching::Engine;
-use super::{Branch, Coordinates, Fork, ForkError, Pair, State, Vector, Way, tied};
+use super::{Branch, Coordinates, Fork, ForkError, Pair, State, Vector, Way};
 use arithmetic::{Field, Interval, Rational};
 
 const PLANE: Coordinates = Coordinates::Cartesian;
@@ -17,8 +17,10 @@ impl Engine<'_> {
     pub(super) fn first_branches(&self, state: &State<f64>, radius: f64) -> Result<Vec<Branch<f64>>, MotionError> {
         let ties = self.ties(state, radius);
         let exact = state.map(|x| Rational::from_float(*x).unwrap_or_default());
-        let square = Rational::from_float(radius).unwrap_or_default();
-        let branches = if tied(&exact.positions, &(&square * &square), PLANE) == ties {
+        let radius_itself = Rational::from_float(radius).unwrap_or_default();
+        let square = &radius_itself * &radius_itself;
+        let is_exact = |&(i, j): &Pair| PLANE.square(&exact.separation(i, j)) == square;
+        let branches = if ties.iter().all(is_exact) {
             let links: Vec<Pair> = self.links.iter().copied().filter(|pair| !ties.contains(pair)).collect();
             let fork = self.flock.law().fork(&exact, &links, &ties, &[]);
             fork.map(|f| f.branches.iter().map(|b| b.map(|w| 1.0.rational(w))).collect())

@@ -37,8 +37,20 @@ impl<T: Ring> CircularGains<T> {
 /// [`ArithmeticError::DivisionByZero`] for `omega_0 = 0`.
 pub fn circle_centres<T: Field>(omega: &T, state: &State<T>) -> Result<Vec<Complex<T>>, ArithmeticError> {
     let radius = omega.recip()?;
-    let centre = |(r, z): (&Complex<T>, &Complex<T>)| quarter_turn(z).scale(&radius) + r;
-    Ok(state.positions.iter().zip(&state.phasors).map(centre).collect())
+    Ok(state.positions.iter().zip(&state.phasors).map(|(r, z)| centre(&radius, r, z)).collect())
+}
+
+/// The centre of the circle of one particle, whose radius is `1/omega_0`: `r + i z/omega_0`.
+#[inline(always)]
+pub(super) fn centre<T: Ring>(radius: &T, r: &Complex<T>, z: &Complex<T>) -> Complex<T> {
+    Complex { re: r.re.clone() - z.im.clone() * radius, im: r.im.clone() + z.re.clone() * radius }
+}
+
+/// `<z, c - other>`: how far the centre of a particle is ahead of another one, or of a beacon, along its heading.
+#[inline(always)]
+pub(super) fn ahead<T: Ring>(z: &Complex<T>, centre: &Complex<T>, other: &Complex<T>) -> T {
+    let (x, y) = (centre.re.clone() - &other.re, centre.im.clone() - &other.im);
+    z.re.clone() * &x + z.im.clone() * &y
 }
 
 /// The largest distance of a circle centre (3) from the mean of them.
@@ -167,7 +179,7 @@ pub fn beacon_control<T: Field>(
 ) -> Result<Vec<T>, ArithmeticError> {
     let share = gain.clone() * omega;
     let centres = circle_centres(omega, state)?;
-    Ok(state.phasors.iter().zip(centres).map(|(z, c)| z.dot(&(c - beacon)) * &share).collect())
+    Ok(state.phasors.iter().zip(centres).map(|(z, c)| ahead(z, &c, beacon) * &share).collect())
 }
 
 /// The orientation control (14) with the last particle coupled to a reference phasor: `gain` times the gradient of

@@ -9,6 +9,7 @@ mod all_to_all;
 mod circles;
 mod fish;
 mod flight;
+mod individual;
 mod laplacian;
 mod linearisation;
 mod moments;
@@ -33,6 +34,7 @@ pub use fish::{
 };
 pub use flight::Flight;
 pub use flight::write_rate;
+pub use individual::ParticleLaw;
 pub use laplacian::{circulant_eigenvalue, misalignment, phase_potential, phase_potential_gradient, quadratic_form};
 pub use linearisation::linearisation;
 pub use moments::{

@@ -54,6 +54,7 @@ pub fn pairwise_control<T: Field>(
 }
 
 /// `sin(theta_k - theta_j)` of two phasors.
+#[inline(always)]
 pub fn sine_of_difference<T: Field>(k: &Complex<T>, j: &Complex<T>) -> T {
     k.im.clone() * &j.re - k.re.clone() * &j.im
 }

@@ -4,6 +4,7 @@ mod angles;
 mod averaging;
 mod cells;
 mod double_integrator;
+mod individual;
 mod missing;
 mod oscillator;
 mod oscillator_space;

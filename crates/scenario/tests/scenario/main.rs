@@ -1,5 +1,7 @@
 //! Mirrors `src/scenario`: runs against closed forms and against other parts of the library.
 
+mod individual;
+
 use arithmetic::{Progress, Unwatched};
 use models::platoon::Gains;
 use models::platoon::time_domain::Modes;

@@ -3,22 +3,23 @@
 use super::path::Path;
 
 /// The series of some agents, all from the same time on.
-#[derive(Debug, Clone, Default)]
-pub struct Together {
+#[derive(Debug, Clone)]
+pub struct Together<const F: usize> {
     /// For each agent the number of the last round in which it was here, and where; in which it was asked; and in which it changed.
     here: Vec<(u64, usize)>,
     seen: Vec<u64>,
     changed: Vec<u64>,
     pub round: u64,
-    paths: Vec<Path>,
+    paths: Vec<Path<F>>,
     /// The same as they were.
-    old: Vec<Path>,
+    old: Vec<Path<F>>,
 }
 
-impl Together {
+impl<const F: usize> Together<F> {
     /// Nobody yet, of so many agents.
     pub fn new(count: usize) -> Self {
-        Together { here: vec![(0, 0); count], seen: vec![0; count], changed: vec![0; count], ..Together::default() }
+        let (paths, old) = (Vec::new(), Vec::new());
+        Together { here: vec![(0, 0); count], seen: vec![0; count], changed: vec![0; count], round: 0, paths, old }
     }
 
     /// Forgets all.
@@ -32,7 +33,7 @@ impl Together {
         self.here[agent].0 == self.round
     }
 
-    pub fn add(&mut self, agent: usize, path: impl FnOnce() -> Path) {
+    pub fn add(&mut self, agent: usize, path: impl FnOnce() -> Path<F>) {
         if !self.is_here(agent) {
             self.here[agent] = (self.round, self.paths.len());
             let path = path();
@@ -42,11 +43,11 @@ impl Together {
     }
 
     /// Of an agent that is here.
-    pub fn path(&self, agent: usize) -> &Path {
+    pub fn path(&self, agent: usize) -> &Path<F> {
         &self.paths[self.here[agent].1]
     }
 
-    pub fn old(&self, agent: usize) -> &Path {
+    pub fn old(&self, agent: usize) -> &Path<F> {
         &self.old[self.here[agent].1]
     }
 
@@ -58,7 +59,7 @@ impl Together {
         self.changed[agent] = self.round;
     }
 
-    pub fn path_mut(&mut self, agent: usize) -> &mut Path {
+    pub fn path_mut(&mut self, agent: usize) -> &mut Path<F> {
         &mut self.paths[self.here[agent].1]
     }
 

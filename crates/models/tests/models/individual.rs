@@ -1,0 +1,156 @@
+//! Headings and steered particles with individual steps: the order of the method, and results that depend on nothing but the start.
+
+use arithmetic::random::{generator, uniform};
+use arithmetic::{Complex, Unwatched, rational};
+use models::double_integrator::{HeadingDifference, HeadingLaw, Potential};
+use models::oscillator::ParticleLaw;
+use motion::{IndividualFlock, IndividualLaw, Moving, Pace, Switch};
+use std::f64::consts::PI;
+
+const RADIUS: f64 = 2.0;
+
+const FINE: Pace = Pace::Fixed(0.001);
+
+/// On a lattice, a little moved, with headings all around; the further state is the heading.
+fn start(count: usize, seed: u64) -> Vec<Moving<f64, 1>> {
+    heading(count, seed, |_| 0.0, 3.1)
+}
+
+/// The same with given headings, up to a little.
+fn heading(count: usize, seed: u64, angle: impl Fn(usize) -> f64, little: f64) -> Vec<Moving<f64, 1>> {
+    let mut random = generator("individual", "start", seed);
+    let mut even = |from: f64, to: f64| from + (to - from) * uniform(&mut random);
+    let columns = (count as f64).sqrt().ceil() as usize;
+    let agent = |k: usize| {
+        let position = [(k % columns) as f64 + even(-0.3, 0.3), (k / columns) as f64 + even(-0.3, 0.3)];
+        let theta = angle(k) + even(-little, little);
+        Moving { position, velocity: [theta.cos(), theta.sin()], further: [theta] }
+    };
+    (0..count).map(agent).collect()
+}
+
+struct Run {
+    switches: Vec<Switch>,
+    agents: Vec<Moving<f64, 1>>,
+    restarts: u64,
+}
+
+fn run<const M: usize>(
+    law: &(impl IndividualLaw<1, M> + Clone),
+    start: &[Moving<f64, 1>],
+    times: &[f64],
+    pace: Pace,
+) -> Run {
+    let near = |i: usize, j: usize| {
+        let (a, b) = (start[i].position, start[j].position);
+        (a[0] - b[0]).hypot(a[1] - b[1]) < RADIUS
+    };
+    let links: Vec<_> =
+        (0..start.len()).flat_map(|i| (0..i).map(move |j| (j, i))).filter(|&(i, j)| near(i, j)).collect();
+    let mut flock = IndividualFlock::new(law.clone(), RADIUS, start, &links, pace).unwrap();
+    let mut switches = Vec::new();
+    times.iter().for_each(|time| assert!(flock.advance(*time, &mut switches, &Unwatched).unwrap()));
+    Run { switches, agents: flock.agents().collect(), restarts: flock.restarts() }
+}
+
+/// Angles up to whole turns: a raw heading jumps.
+fn distance(a: &Run, b: &Run) -> f64 {
+    let apart = |(a, b): (&Moving<f64, 1>, &Moving<f64, 1>)| {
+        let vectors = [0, 1].map(|c| (a.position[c] - b.position[c]).abs().max((a.velocity[c] - b.velocity[c]).abs()));
+        vectors[0].max(vectors[1]).max(models::angles::modulo_turns(a.further[0] - b.further[0]).abs())
+    };
+    a.agents.iter().zip(&b.agents).map(apart).fold(0.0, f64::max)
+}
+
+fn headings(reading: HeadingDifference) -> HeadingLaw {
+    HeadingLaw::new(&Potential::inverse_square_log(&rational(1, 1)), reading)
+}
+
+fn particles() -> ParticleLaw {
+    let drift = Complex { re: 0.25, im: -0.5 };
+    ParticleLaw { frequency: 0.5, orientation: -0.3, spacing: 0.1, beacon: None, drift }
+}
+
+fn power<const M: usize>(law: &(impl IndividualLaw<1, M> + Clone), start: &[Moving<f64, 1>], step: f64) -> f64 {
+    let until = [50.0 * step];
+    let finest = run(law, start, &until, Pace::Fixed(step / 32.0));
+    let error = |step: f64| {
+        let run = run(law, start, &until, Pace::Fixed(step));
+        assert_eq!(run.switches.len(), finest.switches.len());
+        distance(&run, &finest)
+    };
+    (error(step) / error(step / 4.0)).log2() / 2.0
+}
+
+/// The errors fall with the sixth power of the step, across all switches and turns.
+#[test]
+fn halving_the_steps_shows_the_order_of_every_law() {
+    let readings = [HeadingDifference::Raw, HeadingDifference::Wrapped, HeadingDifference::Unwrapped];
+    for seed in [2, 5, 6] {
+        for reading in readings {
+            let found = power(&headings(reading), &start(9, seed), 0.008);
+            assert!(found > 5.0, "{reading:?}, seed {seed}: {found}");
+        }
+    }
+    for (count, seed) in [(9, 4), (25, 5), (25, 6)] {
+        let found = power(&particles(), &start(count, seed), 0.04);
+        assert!(found > 5.0, "{count} particles, seed {seed}: {found}");
+    }
+}
+
+/// Headings near a half turn, and pairs in nearly opposite directions: what is read jumps soon, and the order is kept.
+#[test]
+fn half_turns_of_headings_are_located() {
+    let unwrapped = headings(HeadingDifference::Unwrapped);
+    let mut turned = [0, 0];
+    for seed in 0..6 {
+        let near = heading(9, seed, |_| 3.0, 0.1);
+        let mut opposite = heading(9, seed, |k| 2.95 * (k % 2) as f64, 0.09);
+        // Slow ones are turned by the gradients.
+        opposite.iter_mut().for_each(|agent| agent.velocity = agent.velocity.map(|v| 0.3 * v));
+        for (reading, start) in [(HeadingDifference::Raw, near), (HeadingDifference::Wrapped, opposite)] {
+            let law = headings(reading);
+            let (jumps, not) = (run(&law, &start, &[0.2], FINE), run(&unwrapped, &start, &[0.2], FINE));
+            let apart = distance(&jumps, &not);
+            turned[usize::from(reading == HeadingDifference::Raw)] += usize::from(apart > 1e-3);
+            assert!(!(1e-12..1e-3).contains(&apart), "the readings are the same up to the first jump");
+            if reading == HeadingDifference::Raw {
+                assert!(jumps.agents.iter().all(|agent| agent.further[0].abs() <= PI));
+                assert!(apart < 1e-12 || not.agents.iter().any(|agent| agent.further[0].abs() > PI));
+            }
+            let found = power(&law, &start, 0.004);
+            assert!(found > 4.5, "{reading:?}, seed {seed}: {found}");
+        }
+    }
+    assert!(turned.iter().all(|count| *count > 1), "{turned:?}");
+}
+
+/// `d theta/dt = omega_0`, and velocities that keep their length whatever the number of series.
+#[test]
+fn particles_without_gains_go_round_on_circles() {
+    let law = ParticleLaw { orientation: 0.0, spacing: 0.0, ..particles() };
+    let start = start(25, 7);
+    let end = run(&law, &start, &[40.0], Pace::Tolerance(1e-9));
+    assert!(end.restarts > 1000);
+    for (from, to) in start.iter().zip(&end.agents) {
+        let (theta, drift) = (from.further[0], [0.25 * 40.0, -0.5 * 40.0]);
+        assert!((to.further[0] - theta - 20.0).abs() < 1e-9);
+        let [x, y] = [0, 1].map(|c| to.position[c] - from.position[c] - drift[c]);
+        let sine = ((theta + 20.0).sin() - theta.sin()) / 0.5;
+        let cosine = (theta.cos() - (theta + 20.0).cos()) / 0.5;
+        assert!((x - sine).abs() < 1e-7 && (y - cosine).abs() < 1e-7, "{x} {sine} {y} {cosine}");
+    }
+}
+
+#[test]
+fn the_times_asked_for_change_no_bit_of_any_law() {
+    let start = start(30, 8);
+    let often: Vec<f64> = (1..=50).map(|k| f64::from(k) / 50.0).collect();
+    let pace = Pace::Tolerance(1e-8);
+    let same = |a: Run, b: Run| {
+        assert_eq!((a.switches, a.agents, a.restarts), (b.switches, b.agents, b.restarts));
+    };
+    let raw = headings(HeadingDifference::Raw);
+    same(run(&raw, &start, &[1.0], pace), run(&raw, &start, &often, pace));
+    same(run(&particles(), &start, &[1.0], pace), run(&particles(), &start, &often, pace));
+}
