@@ -1,6 +1,6 @@
 //! Agents that align their headings or velocities: their law and what is measured on them.
 
-use super::individual::{Course, Located};
+use super::individual::{Located, Sampling};
 use super::links::Hold;
 use super::network::{Change, Network};
 use super::observables::{Observable, min_distance, total};
@@ -108,7 +108,7 @@ impl Located<0> for Agents {
         self.state(list).individuals(&vec![[]; self.count])
     }
 
-    fn stay(&self, from: f64, list: &[f64], to: &Course) -> Option<Known> {
+    fn stay(&self, from: f64, list: &[f64], to: &Sampling) -> Option<Known> {
         let radius = self.network.radius().filter(|_| self.count <= MOST_STAYING)?;
         let network = double_integrator::Network::Within(radius);
         let aligned = double_integrator::Alignment::Velocity;

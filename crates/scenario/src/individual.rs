@@ -28,7 +28,7 @@ pub(super) trait Located<const F: usize>: Law {
 
     /// The motion with all in the same steps from a state in which pairs do as good as stay at the radius, with the links that are shown, until none
     /// stays; samples at some times, and one at the end. Nothing for models and flocks that are not followed so.
-    fn stay(&self, _from: f64, _list: &[f64], _to: &Course) -> Option<Known> {
+    fn stay(&self, _from: f64, _list: &[f64], _to: &Sampling) -> Option<Known> {
         None
     }
 
@@ -39,7 +39,7 @@ pub(super) trait Located<const F: usize>: Law {
 }
 
 /// Where a motion is to go.
-pub(super) struct Course<'a> {
+pub(super) struct Sampling<'a> {
     pub times: &'a [f64],
     pub tolerance: f64,
     pub progress: &'a dyn Progress,
@@ -85,8 +85,8 @@ impl<S: Located<F>, L: IndividualLaw<F, M> + Clone, const F: usize, const M: usi
     fn stay(&mut self, progress: &dyn Progress) -> Result<(), RunError> {
         self.look();
         let times: Vec<f64> = self.times.iter().copied().filter(|time| *time >= self.time).collect();
-        let course = Course { times: &times, tolerance: self.tolerance, progress };
-        let known = self.shown.stay(self.time, &self.list, &course).ok_or(FollowError::Sliding(self.time))?;
+        let sampling = Sampling { times: &times, tolerance: self.tolerance, progress };
+        let known = self.shown.stay(self.time, &self.list, &sampling).ok_or(FollowError::Sliding(self.time))?;
         self.remarks.extend(known.remarks());
         self.warning = self.warning.take().or(known.warning());
         self.known = Some(known);

@@ -1,10 +1,10 @@
 //! `flock`: exact flocks of model D, certified flocks of model K.
 
-mod course;
 mod observed;
 mod output;
 mod run;
 mod settle;
+mod stepped;
 
 pub use settle::settled;
 

@@ -1,6 +1,6 @@
 //! What `flock run` says about products: footprint, stabilisers, ergodicity coefficients, lengths of numbers.
 
-use super::course::Course;
+use super::stepped::SteppedFlock;
 use flockproof::arithmetic::{Progress, Rational};
 use flockproof::averaging::{Decay, Observer, deviation_matrix_watched, stationary_distribution, transition_matrix};
 use flockproof::matrix::Footprint;
@@ -17,14 +17,14 @@ pub struct Lengths {
 }
 
 impl Lengths {
-    pub fn new(flock: &Course, t: u64, progress: &dyn Progress) -> Self {
+    pub fn new(flock: &SteppedFlock, t: u64, progress: &dyn Progress) -> Self {
         let n = flock.network().order() as f64;
         let (state, unit) = (flock.denominator_bits(), t as f64 * n * n.log2());
         Lengths { state, state_share: (unit > 0.0).then(|| state as f64 / unit), gamma: gamma_bits(flock, progress) }
     }
 }
 
-fn gamma_bits(flock: &Course, progress: &dyn Progress) -> Option<(u64, f64)> {
+fn gamma_bits(flock: &SteppedFlock, progress: &dyn Progress) -> Option<(u64, f64)> {
     /// Exact inverses of larger flocks take long.
     const LARGEST: usize = 32;
     let members = flock.network().components().into_iter().max_by_key(Vec::len)?;

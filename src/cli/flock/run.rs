@@ -2,9 +2,9 @@
 
 use super::super::interrupt::{self, Watch};
 use super::super::{CliError, certify, output, progress};
-use super::course::Course;
 use super::observed::{Lengths, observed_json, observed_text};
 use super::output::{Log, SwitchLine, flocks, switch_json, tell};
+use super::stepped::SteppedFlock;
 use flockproof::arithmetic::Progress;
 use flockproof::averaging::read::Model;
 use flockproof::averaging::{FlockError, Observer};
@@ -67,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         let switches = || Ok(Certificate::Switches(Switches::new(start, arguments.until)?));
         certify::write_asked(arguments.certificate.as_deref(), switches)?;
     }
-    let mut flock = Course::new(model).map_err(refuse)?;
+    let mut flock = SteppedFlock::new(model).map_err(refuse)?;
     let mut log = Log::new(arguments.log.as_deref())?;
     let watch = Watch::with(progress::styled("{bar:30} t = {pos} of {len}, {eta} left"));
     tell(arguments.json, &format!("{}\n", flock.declaration()))?;
