@@ -57,6 +57,13 @@ fn a_refusal_names_the_line_at_fault() {
 }
 
 #[test]
+fn a_flock_may_be_followed_for_no_step() {
+    let text = String::from_utf8(folder("pass")["extra_switches_wide_threshold.cert"].clone()).unwrap();
+    let at_once = text.replace("until 12", "until 0").replace("to t = 12", "to t = 0");
+    assert!(check(at_once.as_bytes()).is_ok());
+}
+
+#[test]
 fn what_is_no_certificate_is_refused() {
     for (name, bytes) in folder("crash") {
         assert!(check(&bytes).is_err(), "{name}");

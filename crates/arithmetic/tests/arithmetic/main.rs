@@ -10,4 +10,5 @@ mod interval;
 mod number;
 mod rational;
 mod rounding;
+mod small_arguments;
 mod surd;
