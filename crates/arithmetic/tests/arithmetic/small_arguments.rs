@@ -2,6 +2,7 @@
 
 use arithmetic::{Dyadic, Interval, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
+use num_traits::Signed;
 
 fn point(mantissa: i64, exponent: i64, precision: u32) -> Interval {
     let x = Dyadic::new(BigInt::from(mantissa), exponent);
@@ -45,8 +46,26 @@ fn sine_arctangent_and_hyperbolic_sine_near_zero() {
 }
 
 #[test]
+fn exponentials_and_logarithms_are_sharp() {
+    for precision in [24, 53, 200, 1000] {
+        let unit = power_of_two(3 - i64::from(precision));
+        for (mantissa, exponent) in [(1, 0), (-3, -1), (5, 1), (300, 0), (1, -20), (-1001, 0), (3, -2), (1023, -10)] {
+            let x = point(mantissa, exponent, precision);
+            let (below, above) = x.exp().unwrap().to_rationals();
+            assert!(below <= above && &above - &below <= &below * &unit, "exp {mantissa} 2^{exponent}");
+            if mantissa > 1 {
+                let (below, above) = x.ln().unwrap().to_rationals();
+                assert!(below <= above && &above - &below <= below.abs() * &unit, "ln {mantissa} 2^{exponent}");
+            }
+        }
+    }
+}
+
+#[test]
 fn arguments_beyond_the_limits() {
     assert!(point(1, 31, 53).exp().is_ok() && point(1, 32, 53).exp().is_err());
+    let least = point(-1, 32, 53).exp().unwrap();
+    assert!(least.lo().is_zero() && *least.hi() < Dyadic::new(BigInt::from(1), -1_000_000));
     let everything = |x: &Interval| x.to_rationals() == (rational(-1, 1), rational(1, 1));
     let (sine, cosine) = point(3, 58, 100).sin_cos().unwrap();
     assert!(!everything(&sine) && !everything(&cosine));
