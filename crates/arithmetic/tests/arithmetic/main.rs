@@ -10,6 +10,8 @@ mod identity;
 mod identity_search;
 mod interval;
 mod number;
+mod radical;
+mod random;
 mod rational;
 mod rounding;
 mod small_arguments;
