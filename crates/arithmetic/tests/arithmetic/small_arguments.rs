@@ -30,7 +30,12 @@ fn sine_arctangent_and_hyperbolic_sine_near_zero() {
             let third = |n: i64| &cube / rational(n, 1);
             let rest = |n: i64| &fifth / rational(n, 1);
             let argument = point(1, exponent, precision);
-            let sine = argument.sin_cos().unwrap().0;
+            let (sine, cosine) = argument.sin_cos().unwrap();
+            let near_cosine = rational(1, 1) - &(&x * &x / rational(2, 1));
+            let bounds = (near_cosine.clone(), near_cosine + &(&x * &cube / rational(24, 1)));
+            let one_unit = power_of_two(3 - i64::from(precision));
+            assert!(is_sharp(&cosine, bounds, &one_unit), "cos 2^{exponent}: {cosine:?}");
+            assert!(cosine.to_rationals().1 <= rational(1, 1), "cos 2^{exponent}: {cosine:?}");
             let near_sine = &x - third(6);
             assert!(is_sharp(&sine, (near_sine.clone(), near_sine + rest(120)), &slack), "sin 2^{exponent}: {sine:?}");
             let arctangent = argument.atan().unwrap();
