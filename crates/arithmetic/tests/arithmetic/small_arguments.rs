@@ -67,6 +67,18 @@ fn exponentials_and_logarithms_are_sharp() {
 }
 
 #[test]
+fn logarithms_near_one_keep_their_relative_precision() {
+    for exponent in [-20, -100, -150] {
+        let x = Dyadic::new((BigInt::from(1) << (-exponent) as u64) + 1, exponent);
+        let (below, above) = Interval::between(x.clone(), x, 200).ln().unwrap().to_rationals();
+        // x - x²/2 < ln(1 + x) < x.
+        let small = power_of_two(exponent);
+        assert!(below <= small && above >= &small - &(&small * &small / rational(2, 1)), "ln(1 + 2^{exponent})");
+        assert!(&above - &below <= &small * power_of_two(-197), "ln(1 + 2^{exponent})");
+    }
+}
+
+#[test]
 fn arguments_beyond_the_limits() {
     assert!(point(1, 31, 53).exp().is_ok() && point(1, 32, 53).exp().is_err());
     let least = point(-1, 32, 53).exp().unwrap();
