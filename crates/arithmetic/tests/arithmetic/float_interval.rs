@@ -184,7 +184,7 @@ fn general_intervals_become_intervals_of_floats() {
     let found = FloatInterval::from_rational(&tenth);
     assert_eq!((found.lo(), found.hi()), (0.1, 0.1));
     assert!(!LINE.is_bounded() && between(-1.0, 2.0).is_bounded());
-    assert!(![between(1e300, 2e300), between(-2e300, -1e300)].iter().any(|x| (x.clone() * x).is_bounded()));
+    assert!(![between(1e300, 2e300), between(-2e300, -1e300)].iter().any(|x| (*x * *x).is_bounded()));
 }
 
 fn assert_ends(found: FloatInterval, lo: &Rational, hi: &Rational) {
