@@ -85,6 +85,7 @@ fn messages_show_the_beginning_of_a_text_on_one_line() {
     assert_eq!(shown(&"x".repeat(60)), "x".repeat(60));
     assert_eq!(shown(&"x".repeat(61)), format!("{}...", "x".repeat(60)));
     assert_eq!(shown("1\u{7}x"), "1\\u{7}x");
+    assert_eq!(shown("é x"), "é x");
     assert_eq!(shown("1\u{2028}x\u{2029}y"), "1\\u{2028}x\\u{2029}y");
 }
 
