@@ -13,6 +13,7 @@ mod number;
 mod radical;
 mod random;
 mod rational;
+mod real_cyclotomic;
 mod rounding;
 mod small_arguments;
 mod surd;
