@@ -136,3 +136,9 @@ fn residues_are_drawn_evenly() {
     drawn.iter().for_each(|x| remainders[(x.value() % 8) as usize] += 1);
     assert!(remainders.iter().all(|count| (1100..1400).contains(count)), "{remainders:?}");
 }
+
+#[test]
+fn the_residue_zero_has_no_inverse() {
+    let zero = Residue::new(0, (1 << 61) - 1);
+    assert!(zero.recip().is_err() && -zero == zero && zero.integer(0) == zero);
+}
