@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums tanner_saturated tanner_trees paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_path tanner2_facts tanner2_motion tanner_paths tanner_graph paley_stability.
+From Flockproof Require Import RealSums tanner_saturated tanner_trees tanner2_switching tanner2_distance paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_path tanner2_facts tanner2_motion tanner_paths tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -454,9 +454,56 @@ Check (tanner_paths.bound_r_corrected :
        (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> V i j s <= c -> s <= D) ->
        forall i j, (i < n)%nat -> (j < n)%nat -> norm (r i - r j)%C <= (INR n - 1) * D).
 
-(* beyond.tanner2.alternating_trees, tanner2.arbswitch: the last step *)
-Check (tanner_paths.no_four_points :
-  forall x : nat -> C, ~ (forall i j, (i < 4)%nat -> (j < 4)%nat -> i <> j -> norm (x i - x j)%C = 1)).
+(* the links 1-2-3-4 and 2-4-1-3 in turn, agents counted from 0; V = s + 1/s - 2 with s = d^2, as a function of the distance d *)
+Check (eq_refl : tanner2_switching.spring = fun d => d ^ 2 + / d ^ 2 - 2).
+Check (eq_refl : tanner2_switching.spring' = fun d => 2 * d - 2 / d ^ 3).
+Check (tanner2_switching.spring_potential : potential tanner2_switching.spring tanner2_switching.spring').
+Definition of_path (a b c d i j : nat) : bool :=
+  existsb (fun e => (Nat.eqb i (fst e) && Nat.eqb j (snd e) || Nat.eqb j (fst e) && Nat.eqb i (snd e))%bool) ((a, b) :: (b, c) :: (c, d) :: nil).
+Check (eq_refl : tanner2_switching.turn = fun k => if Nat.even k then of_path 0 1 2 3 else of_path 1 3 0 2).
+
+(* beyond.tanner2.alternating_trees; tanner2.arbswitch, corrected, clause 2. For every start and every length P of the periods: positions
+   have the velocities as derivatives and these are continuous; inside period k linked agents are apart and the control is (4). *)
+Check (tanner2_switching.paths_never_agree :
+  forall (P : R) (r v : nat -> R -> C), 0 < P ->
+       (forall t i, 0 < t -> (i < 4)%nat -> is_velocity (r i) t (v i t) /\
+          continuity_pt (fun s => fst (v i s)) t /\ continuity_pt (fun s => snd (v i s)) t) ->
+       (forall k t, INR k * P < t < (INR k + 1) * P ->
+          (forall i j, (i < 4)%nat -> (j < 4)%nat -> tanner2_switching.turn k i j = true -> r i t <> r j t) /\
+          (forall i, (i < 4)%nat -> is_velocity (v i) t
+             (control4 4 (tanner2_switching.turn k) (fun _ _ => tanner2_switching.spring') (fun i => r i t) (fun i => v i t) i))) ->
+       ~ (forall i j, (i < 4)%nat -> (j < 4)%nat -> forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> norm (v i t - v j t)%C < e)).
+
+(* tanner2.thm2_vel; tanner2.arbswitch, corrected, clause 1: links by distance. At every time t >= 0 agents are apart; positions have the
+   velocities as derivatives; velocities are continuous and have derivatives to the right, which are (4) with one weight m in [0, 1] for each
+   pair: 1 nearer than R0, 0 farther, at R0 that of the side to which the pair goes, any if its distance has rate 0; the graph of the pairs
+   nearer than R0 is connected. *)
+Check (eq_refl : near = fun r R0 i j => if Nat.eqb i j then false else if Rlt_dec (norm (r i - r j)%C) R0 then true else false).
+Definition to_the_right (f : R -> R) (t l : R) : Prop :=
+  forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d -> Rabs ((f (t + h) - f t) / h - l) < e.
+Check (tanner2_distance.distance_velocities_agree :
+  forall (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R) (r v : nat -> R -> C) (m : R -> nat -> nat -> R),
+       (1 <= n)%nat -> 0 < R0 ->
+       (forall i j, V' i j = V' j i) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> potential (V i j) (V' i j)) ->
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> i <> j -> 0 < s -> continuity_pt (V' i j) s) ->
+       (forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t) ->
+       (forall t i, 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t) /\
+          continuity_pt (fun s => fst (v i s)) t /\ continuity_pt (fun s => snd (v i s)) t) ->
+       (forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> m t i j = m t j i /\ (i <> j ->
+          0 <= m t i j <= 1 /\
+          (norm (r i t - r j t)%C < R0 -> m t i j = 1) /\
+          (R0 < norm (r i t - r j t)%C -> m t i j = 0) /\
+          (norm (r i t - r j t)%C = R0 ->
+             (0 < inner (r i t - r j t)%C (v i t - v j t)%C -> m t i j = 0) /\
+             (inner (r i t - r j t)%C (v i t - v j t)%C < 0 -> m t i j = 1)))) ->
+       (forall t i, 0 <= t -> (i < n)%nat ->
+          let u := (- Csum n (fun j => RtoC (m t i j) * (v i t - v j t)) -
+                    Csum n (fun j => RtoC (m t i j) * grad (V' i j) (r i t) (r j t)))%C in
+          to_the_right (fun s => fst (v i s)) t (fst u) /\ to_the_right (fun s => snd (v i s)) t (snd u)) ->
+       (forall t, 0 <= t -> strongly_connected n (near (fun i => r i t) R0)) ->
+       forall i j, (i < n)%nat -> (j < n)%nat ->
+       forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> norm (v i t - v j t)%C < e).
 
 (* the path 0 - 1 - 2 *)
 Check (eq_refl : path3 = fun k j => (Nat.eqb k 1 && negb (Nat.eqb j 1) || Nat.eqb j 1 && negb (Nat.eqb k 1))%bool).

@@ -1,5 +1,5 @@
 (* Tanner, Jadbabaie, Pappas: in a connected graph of n vertices a walk of at most n - 1 edges joins any two.
-     tanner2.bound_r (corrected), tanner1.anyV (by tanner1_motion.cohesion), tanner2.arbswitch (its last step). *)
+     tanner2.bound_r (corrected), tanner1.anyV (by tanner1_motion.cohesion). *)
 From Coq Require Import Reals Lra Lia List Relations.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles tanner_energy tanner_flock.
@@ -66,23 +66,8 @@ Proof.
   - apply Rmult_le_compat_r; [exact HD|]. apply le_INR in L. rewrite minus_INR in L by lia. cbn in L. lra.
 Qed.
 
-(* four points of the plane cannot have all distances 1: the Gram determinant of three vectors of the plane is 0 *)
+(* the Gram determinant of three vectors of the plane is 0 *)
 Lemma gram (a b c : C) :
   inner a a * (inner b b * inner c c - inner b c * inner b c) - inner a b * (inner a b * inner c c - inner b c * inner a c) +
   inner a c * (inner a b * inner b c - inner b b * inner a c) = 0.
 Proof. rewrite !inner_xy. ring. Qed.
-Theorem no_four_points (x : nat -> C) : ~ forall i j, (i < 4)%nat -> (j < 4)%nat -> i <> j -> norm (x i - x j)%C = 1.
-Proof.
-  intros H. assert (G : forall i j, (i < 4)%nat -> (j < 4)%nat -> i <> j -> inner (x i - x j)%C (x i - x j)%C = 1).
-  { intros i j Hi Hj N. rewrite <- norm_sqr, (H i j Hi Hj N). ring. }
-  set (a := (x 1%nat - x 0%nat)%C). set (b := (x 2%nat - x 0%nat)%C). set (c := (x 3%nat - x 0%nat)%C).
-  assert (A : inner a a = 1) by (apply G; lia). assert (B : inner b b = 1) by (apply G; lia). assert (D : inner c c = 1) by (apply G; lia).
-  assert (P : forall u v, inner (u - v)%C (u - v)%C = inner u u + inner v v - 2 * inner u v) by (intros; rewrite !inner_xy; cbn; ring).
-  assert (AB : inner a b = / 2).
-  { pose proof (G 1%nat 2%nat ltac:(lia) ltac:(lia) ltac:(lia)) as E. replace (x 1%nat - x 2%nat)%C with (a - b)%C in E by (unfold a, b; ring). rewrite P in E. lra. }
-  assert (AC : inner a c = / 2).
-  { pose proof (G 1%nat 3%nat ltac:(lia) ltac:(lia) ltac:(lia)) as E. replace (x 1%nat - x 3%nat)%C with (a - c)%C in E by (unfold a, c; ring). rewrite P in E. lra. }
-  assert (BC : inner b c = / 2).
-  { pose proof (G 2%nat 3%nat ltac:(lia) ltac:(lia) ltac:(lia)) as E. replace (x 2%nat - x 3%nat)%C with (b - c)%C in E by (unfold b, c; ring). rewrite P in E. lra. }
-  pose proof (gram a b c) as Z. rewrite A, B, D, AB, AC, BC in Z. lra.
-Qed.

@@ -98,3 +98,92 @@ impl Fixed {
         (Dyadic::new(&self.value - &error, exponent), Dyadic::new(&self.value + &error, exponent))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers of all sizes, with errors of all sizes.
+    fn numbers(scale: u32) -> Vec<Fixed> {
+        let one = BigInt::one() << scale;
+        let values: Vec<BigInt> =
+            [0, 1, -3, 700].map(BigInt::from).into_iter().chain([1, -5, 37].map(|n| &one * n + 11)).collect();
+        let errors = [0, 1, 7, 1000, 1 << 20];
+        let with = |value: &BigInt| errors.map(|error| Fixed { value: value.clone(), error, scale });
+        values.iter().flat_map(with).collect()
+    }
+
+    /// The two numbers at the ends of the error.
+    fn ends(x: &Fixed) -> [BigInt; 2] {
+        [&x.value - BigInt::from(x.error), &x.value + BigInt::from(x.error)]
+    }
+
+    /// How far the exact value, a quotient, is from the value, in units, rounded up.
+    fn distance(x: &Fixed, numerator: &BigInt, denominator: &BigInt) -> BigInt {
+        let off = (numerator - &x.value * denominator).abs();
+        (off + denominator.abs() - BigInt::one()) / denominator.abs()
+    }
+
+    #[test]
+    fn products_keep_within_their_error_and_it_is_no_more_than_twice_what_is_needed() {
+        for scale in [10, 40] {
+            for (a, b) in numbers(scale).iter().flat_map(|a| numbers(scale).into_iter().map(move |b| (a, b))) {
+                let product = a.times(&b);
+                let unit = BigInt::one() << scale;
+                let corners = ends(a).into_iter().flat_map(|x| ends(&b).map(|y| distance(&product, &(&x * y), &unit)));
+                let needed = corners.max().unwrap();
+                let counted = BigInt::from(product.error);
+                // A factor below one unit counts as one.
+                let slack = 6 + ((a.error + b.error) >> scale);
+                assert!(needed <= counted && counted <= needed * 2 + slack, "{a:?} times {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn quotients_keep_within_their_error() {
+        for scale in [10, 40] {
+            for a in numbers(scale) {
+                for (divisor, error) in [(1, 0), (1, 1), (-5, 9), (37, 20)] {
+                    let b = Fixed { value: (BigInt::one() << scale) * divisor + 3, error, scale };
+                    let quotient = a.over(&b);
+                    for (x, y) in ends(&a).iter().flat_map(|x| ends(&b).map(|y| (x.clone() << scale, y))) {
+                        assert!(distance(&quotient, &x, &y) <= quotient.error.into(), "{a:?} over {b:?}");
+                    }
+                }
+                for divisor in [1u32, 2, 7, 1024] {
+                    for x in ends(&a) {
+                        let exact = BigInt::from(divisor);
+                        let by_small = a.over_small(divisor.into());
+                        assert!(distance(&by_small, &x, &exact) <= by_small.error.into(), "{a:?} over {divisor}");
+                        let times = divisor.trailing_zeros();
+                        let halved = a.halved(times);
+                        assert!(distance(&halved, &x, &(BigInt::one() << times)) <= halved.error.into());
+                        let multiple = a.times_small(divisor);
+                        assert!(distance(&multiple, &(x * divisor), &BigInt::one()) <= multiple.error.into());
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn sums_and_numbers_cut_to_the_scale_keep_within_their_error() {
+        for (a, b) in numbers(10).iter().flat_map(|a| numbers(10).into_iter().map(move |b| (a, b))) {
+            for (result, sign) in [(a.plus(&b), 1), (a.minus(&b), -1)] {
+                for (x, y) in ends(a).into_iter().flat_map(|x| ends(&b).map(|y| (x.clone(), y))) {
+                    assert!(distance(&result, &(x + y * sign), &BigInt::one()) <= result.error.into());
+                }
+            }
+        }
+        for (mantissa, exponent) in [(5, 0), (-7, -3), (5, -10), (5, -11), (-9, -14)] {
+            let cut = Fixed::from_dyadic(&Dyadic::new(BigInt::from(mantissa), exponent), 10);
+            let exact = BigInt::from(mantissa) << 10u32;
+            let below = BigInt::one() << exponent.unsigned_abs();
+            assert!(distance(&cut, &exact, &below) <= cut.error.into());
+            assert_eq!(cut.error, u128::from(exponent < -10));
+        }
+        let (lo, hi) = Fixed { value: BigInt::from(40), error: 3, scale: 10 }.bounds(2);
+        assert!(lo == Dyadic::new(BigInt::from(37), -8) && hi == Dyadic::new(BigInt::from(43), -8));
+    }
+}

@@ -187,3 +187,23 @@ fn is_positive_on_unit(reader: &mut Reader, p: Polynomial) -> Result<bool, Refus
     }
     Ok(true)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn is_positive(coefficients: &[i64]) -> bool {
+        let mut reader = Reader::new(b"\n", 1 << 31).unwrap();
+        is_positive_on_unit(&mut reader, coefficients.iter().map(|c| BigInt::from(*c)).collect()).unwrap()
+    }
+
+    #[test]
+    fn zeros_at_ends_and_at_halves_and_double_ones_are_seen() {
+        // 2 - x, and (10x - 3)² + 1, which has to be halved.
+        assert!(is_positive(&[2, -1]) && is_positive(&[10, -60, 100]));
+        // x, 1 - x, (2x - 1)², (3x - 1)², 1 - 3x + 3x² - 2x³.
+        for p in [&[0, 1][..], &[1, -1], &[1, -4, 4], &[1, -6, 9], &[1, -3, 3, -2]] {
+            assert!(!is_positive(p), "{p:?}");
+        }
+    }
+}

@@ -46,6 +46,24 @@ fn what_must_fail_fails() {
 }
 
 #[test]
+fn a_refusal_names_the_line_at_fault() {
+    let line = |bytes: &[u8]| check(bytes).expect_err("it is refused").line;
+    assert_eq!(line(&[b' '; (4 << 20) + 1]), 1);
+    assert_eq!(line(b"nothing\n"), 1);
+    assert_eq!(line(b"flockproof-certificate 1 product\n\t\n\t\n"), 2);
+    let good = String::from_utf8(folder("pass")["extra_product_rectangular.cert"].clone()).unwrap();
+    let second_row = good.replace("\n2 4\n", "\n2 3\n");
+    assert_eq!(line(second_row.as_bytes()), 7);
+}
+
+#[test]
+fn a_flock_may_be_followed_for_no_step() {
+    let text = String::from_utf8(folder("pass")["extra_switches_wide_threshold.cert"].clone()).unwrap();
+    let at_once = text.replace("until 12", "until 0").replace("to t = 12", "to t = 0");
+    assert!(check(at_once.as_bytes()).is_ok());
+}
+
+#[test]
 fn what_is_no_certificate_is_refused() {
     for (name, bytes) in folder("crash") {
         assert!(check(&bytes).is_err(), "{name}");

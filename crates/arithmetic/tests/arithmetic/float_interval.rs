@@ -145,3 +145,49 @@ proptest! {
         prop_assert_eq!(x.sign(), if a == 0 && b == 0 { Some(Sign::Zero) } else { sign });
     }
 }
+
+/// Whether the interval contains a rational and ends at most so many floats from it on either side.
+fn is_near(x: FloatInterval, q: &Rational, floats: u64) -> bool {
+    let steps = |y: f64, step: fn(f64) -> f64| (0..floats).fold(y, |y, _| step(y));
+    exact(x.lo()) <= *q
+        && *q <= exact(x.hi())
+        && exact(steps(x.lo(), f64::next_up)) >= *q
+        && exact(steps(x.hi(), f64::next_down)) <= *q
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    /// Numerators and denominators that no float holds, one or both.
+    #[test]
+    fn long_fractions_are_enclosed(p in any::<i64>(), q in any::<i64>(), cut in 0u32..11, other in 0u32..11) {
+        let (p, q) = (p >> cut, (q >> other) | 1);
+        let fraction = rational(p, q);
+        prop_assert!(is_near(FloatInterval::from_rational(&fraction), &fraction, 2), "{p}/{q}");
+        prop_assert!(is_near(between(0.0, 1.0).ratio(p, q), &fraction, 2), "{p}/{q}");
+    }
+}
+
+#[test]
+fn general_intervals_become_intervals_of_floats() {
+    let of = |p: i64, q: i64| {
+        let x = Interval::hull_of_rationals(&rational(p, 3), &rational(q, 3), 80);
+        (FloatInterval::from_interval(&x), x)
+    };
+    for (p, q) in [(1, 2), (-2, -1), (-1, 2), (0, 2), (-2, 0)] {
+        let (found, x) = of(p, q);
+        let (lo, hi) = x.to_rationals();
+        assert_ends(found, &lo, &hi);
+    }
+    assert_eq!(of(0, 0).0, FloatInterval::point(0.0));
+    let tenth = Dyadic::from_f64(0.1).unwrap().to_rational();
+    let found = FloatInterval::from_rational(&tenth);
+    assert_eq!((found.lo(), found.hi()), (0.1, 0.1));
+    assert!(!LINE.is_bounded() && between(-1.0, 2.0).is_bounded());
+    assert!(![between(1e300, 2e300), between(-2e300, -1e300)].iter().any(|x| (*x * *x).is_bounded()));
+}
+
+fn assert_ends(found: FloatInterval, lo: &Rational, hi: &Rational) {
+    assert!(exact(found.lo()) <= *lo && *hi <= exact(found.hi()), "{found:?}");
+    assert!(exact(found.lo().next_up().next_up()) >= *lo && exact(found.hi().next_down().next_down()) <= *hi);
+}

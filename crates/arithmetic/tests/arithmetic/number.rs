@@ -1,6 +1,6 @@
 //! Reading and writing numbers.
 
-use arithmetic::{Interval, NumberError, decimal, parse_rational, rational, significant_digits};
+use arithmetic::{Interval, NumberError, decimal, decimals, parse_rational, rational, significant_digits};
 use proptest::prelude::*;
 
 #[test]
@@ -74,4 +74,36 @@ fn counts_settled_digits() {
     let x = Interval::hull_of_rationals(&rational(100_000, 1), &rational(100_001, 1), 60);
     assert_eq!(significant_digits(&x), 4);
     assert_eq!(significant_digits(&Interval::hull_of_rationals(&rational(-1, 1), &rational(1, 1), 60)), 0);
+}
+
+#[test]
+fn messages_show_the_beginning_of_a_text_on_one_line() {
+    let shown = |text: &str| match parse_rational(text) {
+        Err(NumberError::NotANumber(shown)) => shown,
+        other => panic!("{text:?}: {other:?}"),
+    };
+    assert_eq!(shown(&"x".repeat(60)), "x".repeat(60));
+    assert_eq!(shown(&"x".repeat(61)), format!("{}...", "x".repeat(60)));
+    assert_eq!(shown("1\u{7}x"), "1\\u{7}x");
+    assert_eq!(shown("é x"), "é x");
+    assert_eq!(shown("1\u{2028}x\u{2029}y"), "1\\u{2028}x\\u{2029}y");
+}
+
+#[test]
+fn lengths_up_to_the_limit_are_read() {
+    assert!(parse_rational(&"9".repeat(10_000)).is_ok());
+    assert_eq!(parse_rational(&"9".repeat(10_001)), Err(NumberError::TooLong));
+    assert!(parse_rational("1e10000").is_ok() && parse_rational("1e-10000").is_ok());
+    assert!(parse_rational("1e10001").is_err() && parse_rational("1e-10001").is_err());
+}
+
+#[test]
+fn rounding_that_carries_and_one_digit() {
+    assert_eq!(decimal(&rational(-9996, 1000), 3, false), "-10");
+    assert_eq!(decimal(&rational(9996, 1000), 3, true), "10");
+    assert_eq!(decimal(&rational(1, 3), 1, false), "0.3");
+    assert_eq!(decimal(&rational(1, 3), 0, true), "0.4");
+    let third = Interval::hull_of_rationals(&rational(1, 3), &rational(2, 3), 60);
+    assert_eq!(decimals(&third, 3), ("0.333".to_string(), "0.667".to_string()));
+    assert_eq!(significant_digits(&Interval::hull_of_rationals(&rational(5, 1), &rational(5, 1), 60)), u32::MAX);
 }

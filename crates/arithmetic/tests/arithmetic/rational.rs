@@ -125,3 +125,18 @@ fn what_is_no_number_is_refused() {
     assert_eq!("-6/4".parse(), Ok(arithmetic::rational(-3, 2)));
     assert!(Rational::from_float(f64::NAN).is_none());
 }
+
+#[test]
+fn sums_and_products_of_many_and_positive_differences() {
+    let list = [arithmetic::rational(1, 2), arithmetic::rational(-3, 4), arithmetic::rational(5, 3)];
+    let (sum, product) = (arithmetic::rational(17, 12), arithmetic::rational(-5, 8));
+    assert_eq!(list.iter().sum::<arithmetic::Rational>(), sum);
+    assert_eq!(list.iter().cloned().sum::<arithmetic::Rational>(), sum);
+    assert_eq!(list.iter().product::<arithmetic::Rational>(), product);
+    assert_eq!(list.iter().cloned().product::<arithmetic::Rational>(), product);
+    let above = num_traits::Signed::abs_sub(&list[0], &list[1]);
+    assert_eq!(
+        (above, num_traits::Signed::abs_sub(&list[1], &list[0])),
+        (arithmetic::rational(5, 4), arithmetic::rational(0, 1))
+    );
+}

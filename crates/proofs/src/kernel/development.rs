@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 89] = sources![
+const SOURCES: [(&str, &str); 91] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -62,6 +62,8 @@ const SOURCES: [(&str, &str); 89] = sources![
     "tanner2_facts",
     "tanner2_motion",
     "tanner_trees",
+    "tanner2_switching",
+    "tanner2_distance",
     "tanner_graph",
     "veerman_complex",
     "veerman_front",

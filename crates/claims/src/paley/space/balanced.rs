@@ -200,7 +200,7 @@ pub fn larger_gain() -> Record<GainVariant> {
     .repaired(Fault::False, "", GainVariant { offset: 5, destroyed: false, moved: 0 })
     .repaired_clauses(&[
         "The splay circular formation of Figure 3(c) (neighbours 5/12 of a turn apart) is exponentially \
-         stable up to symmetry for every K_1 > 0.",
+         stable up to symmetry for every K_1 > 0 and K_0 > 0.",
         "The (2,12)-pattern in which neighbours are opposite is too.",
         "The formation of Figure 3(c) is an equilibrium at every K_1, so that a change of the gain leaves it where it is.",
     ])
