@@ -42,6 +42,11 @@ pub(super) fn symmetric_floats(s: &Symmetric) -> Option<Vec<(f64, f64)>> {
         Some(row) if s.rows.len() == 1 => return Some(vec![(row.first().map_or(0.0, |&(_, x)| x), s.error)]),
         Some(_) => {}
     }
+    // As a whole on a thread of the pool: from any other one, each of a hundred calls would have to wake one and wait for it.
+    rayon::scope(|_| reduced_floats(s))
+}
+
+fn reduced_floats(s: &Symmetric) -> Option<Vec<(f64, f64)>> {
     let reduced = Reduced::new(s);
     if reduced.least.is_nan() || reduced.least < 0.5 {
         return None;
@@ -152,7 +157,8 @@ impl Reduced {
 fn dense(s: &Symmetric) -> Mat<f64> {
     let mut matrix = Mat::zeros(s.rows.len(), s.rows.len());
     for (i, row) in s.rows.iter().enumerate() {
-        row.iter().for_each(|&(j, x)| matrix[(i, j)] = x);
+        // Column by column; entry `(j, i)` is the same.
+        row.iter().for_each(|&(j, x)| matrix[(j, i)] = x);
     }
     matrix
 }
