@@ -152,14 +152,16 @@ impl SwitchingFlock {
     fn sort(&mut self, numbers: &[usize], positions: &[Vector<f64>], velocities: &[Vector<f64>]) {
         self.sorted.iter_mut().for_each(|sorted| sorted.resize(numbers.len(), 0.0));
         let [x, y, u, v] = &mut self.sorted;
-        let copy = |((((&agent, x), y), u), v): ((((&usize, &mut f64), &mut f64), &mut f64), &mut f64)| {
+        let copy = |agent: usize, x: &mut f64, y: &mut f64, u: &mut f64, v: &mut f64| {
             [*x, *y] = positions[agent];
             [*u, *v] = velocities[agent];
         };
         if numbers.len() < MANY {
-            numbers.iter().zip(x).zip(y).zip(u).zip(v).for_each(copy);
+            let all = numbers.iter().zip(x).zip(y).zip(u).zip(v);
+            all.for_each(|((((&agent, x), y), u), v)| copy(agent, x, y, u, v));
         } else {
-            numbers.par_iter().zip(x).zip(y).zip(u).zip(v).with_min_len(TASK).for_each(copy);
+            let all = numbers.par_iter().zip(x).zip(y).zip(u).zip(v).with_min_len(TASK);
+            all.for_each(|((((&agent, x), y), u), v)| copy(agent, x, y, u, v));
         }
     }
 
