@@ -7,7 +7,7 @@ use flockproof::averaging::{FilteredFlock, Flock, Hysteresis, Start, Weights};
 use flockproof::double_integrator::{Potential, State, SwitchingFlock};
 use flockproof::graph::{LaplacianKind, NamedGraph};
 use flockproof::matrix::{SparseMatrix, StochasticMatrix, prefix_products, product_sequential, product_tree};
-use flockproof::motion::Rk4;
+use flockproof::motion::{Rk4, on_a_thread};
 use flockproof::oscillator::AllToAll;
 use flockproof::platoon::time_domain::Modes;
 use flockproof::platoon::{Gains, resonance, theorem1};
@@ -224,7 +224,7 @@ fn switching_flock(wanted: &dyn Fn(&str) -> bool) {
         let mut flock = SwitchingFlock::new(&Potential::inverse_square_log(&rational(1, 1)), 2.0).expect("a radius");
         let (seconds, state) = best_of(|| {
             let (mut state, mut method) = (start.clone(), Rk4::new(4 * n));
-            (0..steps).for_each(|k| method.step(&mut flock, f64::from(k) * dt, dt, &mut state));
+            on_a_thread(|| (0..steps).for_each(|k| method.step(&mut flock, f64::from(k) * dt, dt, &mut state)));
             state
         });
         let end = State::from_list(n, &state).expect("four numbers for each");

@@ -48,16 +48,12 @@ impl CellList {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(CellError::Radius(radius));
         }
-        if let Some(place) = points.iter().position(|p| !(p[0].is_finite() && p[1].is_finite())) {
-            return Err(CellError::Position(place));
+        // Without a way out on the way, several are looked at at once.
+        if !points.as_flattened().iter().fold(true, |all, x| all & x.is_finite()) {
+            let place = points.iter().position(|p| !(p[0].is_finite() && p[1].is_finite()));
+            return Err(CellError::Position(place.unwrap_or(0)));
         }
-        let (mut corner, mut opposite) = points.first().map_or(([0.0; 2], [0.0; 2]), |&p| (p, p));
-        for p in points {
-            for k in 0..2 {
-                corner[k] = if p[k] < corner[k] { p[k] } else { corner[k] };
-                opposite[k] = if p[k] > opposite[k] { p[k] } else { opposite[k] };
-            }
-        }
+        let (corner, opposite) = corners(points);
         let ([left, bottom], [right, top]) = (corner, opposite);
         // A little wider than the radius, so that rounding of the quotient does not matter; wider still where there would be
         // many more cells than points on a side.
@@ -102,7 +98,8 @@ impl CellList {
     /// Column and row of the cell of a point inside the box of all points.
     #[inline(always)]
     fn cell(&self, p: &[f64; 2]) -> (usize, usize) {
-        let part = |k: usize, most: usize| (((p[k] - self.corner[k]) * self.per_width) as usize).min(most - 1);
+        // There are fewer than 2^32, and the shorter conversion is faster.
+        let part = |k: usize, most: usize| (((p[k] - self.corner[k]) * self.per_width) as u32 as usize).min(most - 1);
         (part(0, self.columns), part(1, self.rows))
     }
 
@@ -211,6 +208,24 @@ impl CellList {
         }
         pairs
     }
+}
+
+/// The least and the largest coordinates of finite points, zeros where there are none.
+fn corners(points: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
+    let start = points.first().copied().unwrap_or_default();
+    // Four points at a time, none of which waits for the others.
+    let (mut low, mut high) = ([start; 4], [start; 4]);
+    for chunk in points.chunks(4) {
+        for ((low, high), p) in low.iter_mut().zip(&mut high).zip(chunk) {
+            for k in 0..2 {
+                low[k] = if p[k] < low[k] { p[k] } else { low[k] };
+                high[k] = if p[k] > high[k] { p[k] } else { high[k] };
+            }
+        }
+    }
+    let all =
+        |k: usize, lanes: [[f64; 2]; 4], better: fn(f64, f64) -> f64| lanes.iter().map(|p| p[k]).fold(start[k], better);
+    ([0, 1].map(|k| all(k, low, f64::min)), [0, 1].map(|k| all(k, high, f64::max)))
 }
 
 /// For each point the numbers of its `count` nearest others in increasing order, all of them where there are fewer; of two at the same

@@ -7,11 +7,11 @@ use super::observables::Observable;
 use super::simulation::{Event, Frame, Law, Simulation};
 use super::source::Source;
 use arithmetic::{ArithmeticError, Progress};
-use motion::{CellList, Rk4};
+use motion::{CellList, Rk4, on_a_thread};
 use std::ops::Range;
 
 /// Writes the rate of change at a time and state.
-type Rate<L> = Box<dyn FnMut(&mut L, f64, &[f64], &mut [f64]) -> Result<(), RunError>>;
+type Rate<L> = Box<dyn FnMut(&mut L, f64, &[f64], &mut [f64]) -> Result<(), RunError> + Send>;
 
 /// A law with its state.
 pub(super) struct Stepped<L> {
@@ -34,6 +34,9 @@ pub(super) struct Arrangement {
     /// About how far neighbours are.
     pub radius: f64,
 }
+
+/// Numbers of a state from which a rate may be shared out among threads.
+const LEAST_SHARED: usize = 1024;
 
 /// Smaller flocks stay as they are.
 const LEAST_ARRANGED: usize = 1 << 14;
@@ -127,7 +130,7 @@ impl<L: Law> Stepped<L> {
     }
 }
 
-impl<L: Law> Simulation for Stepped<L> {
+impl<L: Law + Send> Simulation for Stepped<L> {
     fn advance(&mut self, until: f64, _: &mut Vec<Event>, progress: &dyn Progress) -> Result<bool, RunError> {
         let from = self.time;
         // A remainder of a hair's breadth is taken along.
@@ -140,7 +143,11 @@ impl<L: Law> Simulation for Stepped<L> {
             if let Some((arrangement, order)) = &arranged {
                 self.list = arrangement.renumbered(&self.list, order, false);
             }
-            let ended = self.several((from, length), taken..until, progress);
+            let ended = if self.list.len() < LEAST_SHARED {
+                self.several((from, length), taken..until, progress)
+            } else {
+                on_a_thread(|| self.several((from, length), taken..until, progress))
+            };
             if let Some((arrangement, order)) = &arranged {
                 self.list = arrangement.renumbered(&self.list, order, true);
             }

@@ -3,6 +3,10 @@
 use super::{MatrixError, RationalMatrix};
 use arithmetic::Rational;
 use num_traits::Zero;
+use rayon::prelude::*;
+
+/// Rows from which several threads compare them.
+const MANY_ROWS: usize = 256;
 
 /// A square matrix given by its entries that are not zero, row by row in the order of the columns.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -21,6 +25,9 @@ impl SparseMatrix {
             }
         }
         for row in &mut rows {
+            if row.is_sorted_by(|(j, _), (k, _)| j < k) && row.iter().all(|(_, value)| !value.is_zero()) {
+                continue;
+            }
             row.sort_by_key(|&(j, _)| j);
             row.dedup_by(|next, kept| {
                 let same = next.0 == kept.0;
@@ -84,13 +91,20 @@ impl SparseMatrix {
 
     /// Whether it equals its transpose.
     pub fn is_symmetric(&self) -> bool {
-        // Column by column the rows of the transpose come in their order: each entry is the next one of its mirror image.
-        let mut next = vec![0; self.order()];
-        self.entries().all(|(i, j, value)| {
-            let mirrored = self.rows[j].get(next[j]);
-            next[j] += 1;
-            mirrored.is_some_and(|(column, other)| *column == i && (j <= i || other == value))
-        })
+        // As many entries above the diagonal as below, and each below has the one above for which it stands.
+        let row = |i: usize| {
+            let row = self.row(i);
+            let below = row.partition_point(|&(j, _)| j < i);
+            let above = row[below..].iter().filter(|&&(j, _)| j > i).count();
+            let same = row[..below].iter().all(|(j, value)| self.get(*j, i) == Some(value));
+            same.then_some(above as isize - below as isize)
+        };
+        let more_above = if self.order() < MANY_ROWS {
+            (0..self.order()).map(row).sum::<Option<isize>>()
+        } else {
+            (0..self.order()).into_par_iter().map(row).sum::<Option<isize>>()
+        };
+        more_above == Some(0)
     }
 
     /// The rows and columns with these numbers, which become `0, 1, ...` in the order given; those that are not there are zero.

@@ -4,6 +4,7 @@ use super::float_bounds::{SLACK, nearest, nearest_root};
 use crate::matrix::SparseMatrix;
 use arithmetic::{Rational, rational};
 use num_traits::{Signed, Zero};
+use rayon::prelude::*;
 use std::collections::VecDeque;
 
 /// Whether `D^-1 A D` is symmetric for some positive diagonal `D`: its entries are then `+-sqrt(a_ij a_ji)`, and all
@@ -12,13 +13,16 @@ use std::collections::VecDeque;
 /// The condition is `a_ij a_ji > 0` wherever one of them is not zero, and the existence of `w_i = d_i²` with
 /// `w_j a_ij = w_i a_ji`; the `w` are fixed along a spanning tree and checked on the other edges.
 pub(super) fn is_symmetrisable(a: &SparseMatrix) -> bool {
+    if a.is_symmetric() {
+        return true;
+    }
     let mirrored = |i: usize, j: usize, x: &Rational| a.get(j, i).is_some_and(|y| (x * y).is_positive());
     if !a.entries().all(|(i, j, x)| mirrored(i, j, x)) {
         return false;
     }
     let off_diagonal = a.entries().filter(|(i, j, _)| i != j).count();
     // A tree has no other edges.
-    if off_diagonal == 2 * (a.order() - 1) || a.is_symmetric() {
+    if off_diagonal == 2 * (a.order() - 1) {
         return true;
     }
     let mut weights: Vec<Option<Rational>> = vec![None; a.order()];
@@ -50,6 +54,9 @@ pub(super) fn symmetric_entry(a: &SparseMatrix, i: usize, j: usize) -> Option<(f
     }
 }
 
+/// Rows from which several threads convert them.
+const MANY_ROWS: usize = 256;
+
 /// A symmetric matrix in floats.
 pub(super) struct Symmetric {
     /// Column and value of the entries that are not zero, row by row.
@@ -58,18 +65,25 @@ pub(super) struct Symmetric {
     pub error: f64,
 }
 
-/// The similar symmetric matrix in floats; `None` outside their range.
-pub(super) fn symmetrised(a: &SparseMatrix) -> Option<Symmetric> {
-    let mut squares = 0.0;
-    let mut entry = |i: usize, j: usize| {
-        let (value, error) = symmetric_entry(a, i, j)?;
-        squares += error * error;
-        Some((j, value))
+/// The similar symmetric matrix in floats; `None` outside their range. If the matrix `is_symmetric` itself, nothing is looked up for its entries.
+pub(super) fn symmetrised(a: &SparseMatrix, is_symmetric: bool) -> Option<Symmetric> {
+    let row = |i: usize| {
+        let mut squares = 0.0;
+        let entry = |(j, x): &(usize, Rational)| {
+            let (value, error) = if is_symmetric { nearest(x) } else { symmetric_entry(a, i, *j) }?;
+            squares += error * error;
+            Some((*j, value))
+        };
+        let floats = a.row(i).iter().map(entry).collect::<Option<Vec<_>>>()?;
+        Some((floats, squares))
     };
-    let mut rows = Vec::with_capacity(a.order());
-    for i in 0..a.order() {
-        rows.push(a.row(i).iter().map(|&(j, _)| entry(i, j)).collect::<Option<Vec<_>>>()?);
-    }
+    let rows: Option<Vec<_>> = if a.order() < MANY_ROWS {
+        (0..a.order()).map(row).collect()
+    } else {
+        (0..a.order()).into_par_iter().map(row).collect()
+    };
+    let (rows, squares): (Vec<_>, Vec<f64>) = rows?.into_iter().unzip();
+    let squares: f64 = squares.into_iter().sum();
     let error = if squares == 0.0 { 0.0 } else { (squares.sqrt() + 1e-150) * SLACK };
     Some(Symmetric { rows, error })
 }

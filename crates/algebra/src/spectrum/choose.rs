@@ -186,7 +186,7 @@ fn certified(block: &SparseMatrix) -> Result<Vec<Eigenvalue>, SpectrumError> {
     if order > most {
         return Err(SpectrumError::TooLarge { order, most });
     }
-    if symmetrisable { similar_to_symmetric(block) } else { general_spectrum(block) }
+    if symmetrisable { similar_to_symmetric(block, block.is_symmetric()) } else { general_spectrum(block) }
 }
 
 /// Floating-point enclosures of the eigenvalues of a symmetric matrix; overlapping ones come as one, with their number.
@@ -197,11 +197,11 @@ pub fn symmetric_enclosures(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>, Sp
     if !matrix.is_symmetric() {
         return Err(SpectrumError::Unproved("the matrix is not symmetric"));
     }
-    similar_to_symmetric(matrix)
+    similar_to_symmetric(matrix, true)
 }
 
-fn similar_to_symmetric(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>, SpectrumError> {
-    let floats = symmetrised(matrix).ok_or(OUT_OF_RANGE)?;
+fn similar_to_symmetric(matrix: &SparseMatrix, is_symmetric: bool) -> Result<Vec<Eigenvalue>, SpectrumError> {
+    let floats = symmetrised(matrix, is_symmetric).ok_or(OUT_OF_RANGE)?;
     symmetric_spectrum(&floats)
         .ok_or(SpectrumError::Unproved("the reduction to a tridiagonal matrix is too inaccurate"))
 }

@@ -25,6 +25,7 @@ mod small;
 mod smith;
 mod stability;
 mod symmetric;
+mod trailing;
 mod tridiagonal;
 mod turn;
 

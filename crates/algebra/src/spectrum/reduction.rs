@@ -3,15 +3,16 @@
 //! number of threads.
 
 use super::reflections::{Block, Reflections};
+use super::trailing::Trailing;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatMut, MatRef, Par};
 use pulp::Simd;
 
 /// Columns of a block.
-const WIDTH: usize = 32;
+const WIDTH: usize = 24;
 
 /// Columns of the trailing matrix that one task brings up to date.
-const STRIPE: usize = 128;
+const STRIPE: usize = 64;
 
 /// `S` is nearly `Q T Qᵀ` with the tridiagonal `T`.
 pub(super) struct Reduction {
@@ -28,7 +29,10 @@ impl Reduction {
         let arch = pulp::Arch::new();
         for from in (0..order - 1).step_by(WIDTH) {
             let width = WIDTH.min(order - 1 - from);
-            let panel = arch.dispatch(Panel { work: work.as_ref(), from, width });
+            let trailing =
+                Trailing::new(work.as_ref().submatrix(from + 1, from + 1, order - from - 1, order - from - 1));
+            let panel = Panel { work: work.as_ref(), trailing: &trailing, from, width };
+            let panel = trailing.during(|| arch.dispatch(panel));
             diagonal.extend(panel.diagonal);
             beside.extend(panel.beside);
             // The rows of the trailing matrix.
@@ -46,7 +50,10 @@ impl Reduction {
 
 fn beside_each_other(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> Mat<f64> {
     let width = a.ncols();
-    Mat::from_fn(a.nrows(), 2 * width, |i, j| if j < width { a[(i, j)] } else { b[(i, j - width)] })
+    let mut both = Mat::zeros(a.nrows(), 2 * width);
+    both.as_mut().subcols_mut(0, width).copy_from(a);
+    both.as_mut().subcols_mut(width, width).copy_from(b);
+    both
 }
 
 /// Subtracts `left rightᵀ` from the part on and below the diagonal; the columns are those from `first` on of the trailing matrix.
@@ -67,6 +74,7 @@ fn update(columns: MatMut<'_, f64>, left: &Mat<f64>, right: &Mat<f64>, first: us
 /// The reduction of a few columns, for which the rest of the matrix is read but not written.
 struct Panel<'a> {
     work: MatRef<'a, f64>,
+    trailing: &'a Trailing<'a>,
     from: usize,
     width: usize,
 }
@@ -95,28 +103,27 @@ impl pulp::WithSimd for Panel<'_> {
             let column = from + j;
             let mut corner = self.work[(column, column)];
             let mut below = self.work.col(column).subrows(column + 1, rows - j).iter().copied().collect::<Vec<f64>>();
-            for k in 0..j {
-                let (a, b) = (v[(j - 1, k)], w[(j - 1, k)]);
-                corner -= 2.0 * a * b;
-                add(&mut below, -b, &v.col_as_slice(k)[j..]);
-                add(&mut below, -a, &w.col_as_slice(k)[j..]);
+            // Columns that are still to be found are zero.
+            for k in (0..j).step_by(2) {
+                let row = [v[(j - 1, k)], w[(j - 1, k)], v[(j - 1, k + 1)], w[(j - 1, k + 1)]];
+                corner -= 2.0 * (row[0] * row[1] + row[2] * row[3]);
+                add(simd, &mut below, [-row[1], -row[0], -row[3], -row[2]], pair(&v, &w, k, j));
             }
             diagonal.push(corner);
             let (length, weight) = reflection(&mut below);
             beside.push(length);
             let mut image = vec![0.0; rows - j];
-            times(simd, self.work.submatrix(column + 1, column + 1, rows - j, rows - j), &below, &mut image);
+            self.trailing.times(simd, &below, &mut image);
             let mut overlaps = [0.0; WIDTH];
-            for (k, overlap) in overlaps.iter_mut().enumerate().take(j) {
-                let (old_v, old_w) = (&v.col_as_slice(k)[j..], &w.col_as_slice(k)[j..]);
-                let (a, b) = (dot(old_v, &below), dot(old_w, &below));
-                add(&mut image, -b, old_v);
-                add(&mut image, -a, old_w);
-                *overlap = a;
+            for k in (0..j).step_by(2) {
+                let columns = pair(&v, &w, k, j);
+                let found = dots(simd, columns, &below);
+                add(simd, &mut image, [-found[1], -found[0], -found[3], -found[2]], columns);
+                (overlaps[k], overlaps[k + 1]) = (found[0], found[2]);
             }
             image.iter_mut().for_each(|y| *y *= weight);
             let half = -0.5 * weight * dot(&image, &below);
-            add(&mut image, half, &below);
+            image.iter_mut().zip(&below).for_each(|(y, x)| *y += half * x);
             for k in 0..j {
                 x[(k, j)] = -weight * (k..j).map(|l| x[(k, l)] * overlaps[l]).sum::<f64>();
             }
@@ -144,10 +151,36 @@ fn reflection(vector: &mut [f64]) -> (f64, f64) {
     (length, (length - head) / length)
 }
 
-/// Adds a multiple of a vector.
+/// Two columns of each of two matrices, from a row on.
+fn pair<'a>(v: &'a Mat<f64>, w: &'a Mat<f64>, k: usize, row: usize) -> [&'a [f64]; 4] {
+    [v.col_as_slice(k), w.col_as_slice(k), v.col_as_slice(k + 1), w.col_as_slice(k + 1)].map(|column| &column[row..])
+}
+
+/// Adds multiples of four vectors.
 #[inline(always)]
-fn add(to: &mut [f64], factor: f64, vector: &[f64]) {
-    to.iter_mut().zip(vector).for_each(|(y, x)| *y += factor * x);
+fn add<S: Simd>(simd: S, to: &mut [f64], factors: [f64; 4], vectors: [&[f64]; 4]) {
+    let parts = vectors.map(|vector| S::as_simd_f64s(&vector[..to.len()]));
+    let splats = factors.map(|factor| simd.splat_f64s(factor));
+    let (head, tail) = S::as_mut_simd_f64s(to);
+    for (i, y) in head.iter_mut().enumerate() {
+        *y = (0..4).fold(*y, |sum, k| simd.mul_add_f64s(parts[k].0[i], splats[k], sum));
+    }
+    for (i, y) in tail.iter_mut().enumerate() {
+        *y = (0..4).fold(*y, |sum, k| sum + parts[k].1[i] * factors[k]);
+    }
+}
+
+/// The inner products of four vectors with another.
+#[inline(always)]
+fn dots<S: Simd>(simd: S, vectors: [&[f64]; 4], with: &[f64]) -> [f64; 4] {
+    let parts = vectors.map(|vector| S::as_simd_f64s(&vector[..with.len()]));
+    let (head, tail) = S::as_simd_f64s(with);
+    let mut sums = [simd.splat_f64s(0.0); 4];
+    for (i, &x) in head.iter().enumerate() {
+        (0..4).for_each(|k| sums[k] = simd.mul_add_f64s(parts[k].0[i], x, sums[k]));
+    }
+    let rest = |k: usize| tail.iter().zip(parts[k].1).map(|(x, y)| x * y).sum::<f64>();
+    std::array::from_fn(|k| simd.reduce_sum_f64s(sums[k]) + rest(k))
 }
 
 #[inline(always)]
@@ -160,54 +193,6 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
         lanes.iter_mut().zip(a.iter().zip(b)).for_each(|(lane, (x, y))| *lane += x * y);
     }
     lanes.iter().sum::<f64>() + rest
-}
-
-/// Columns that [`times`] works on together.
-const TOGETHER: usize = 4;
-
-/// Adds `A x` to `y`, where only the part on and below the diagonal of `A` is read, once.
-#[inline(always)]
-fn times<S: Simd>(simd: S, a: MatRef<'_, f64>, x: &[f64], y: &mut [f64]) {
-    let order = x.len();
-    for start in (0..order).step_by(TOGETHER) {
-        let end = (start + TOGETHER).min(order);
-        for j in start..end {
-            y[j] += a[(j, j)] * x[j];
-            for i in j + 1..end {
-                y[i] += a[(i, j)] * x[j];
-                y[j] += a[(i, j)] * x[i];
-            }
-        }
-        if end < start + TOGETHER {
-            break;
-        }
-        let columns: [&[f64]; TOGETHER] = std::array::from_fn(|k| match a.col(start + k).try_as_col_major() {
-            Some(column) => &column.as_slice()[end..],
-            None => &[],
-        });
-        let factors: [f64; TOGETHER] = std::array::from_fn(|k| x[start + k]);
-        let parts = columns.map(|column| S::as_simd_f64s(column));
-        let ((x_head, x_tail), (y_head, y_tail)) = (S::as_simd_f64s(&x[end..]), S::as_mut_simd_f64s(&mut y[end..]));
-        let splats = factors.map(|factor| simd.splat_f64s(factor));
-        let mut sums = [simd.splat_f64s(0.0); TOGETHER];
-        for (i, (x, y)) in x_head.iter().zip(y_head).enumerate() {
-            let mut total = *y;
-            for k in 0..TOGETHER {
-                let entry = parts[k].0[i];
-                total = simd.mul_add_f64s(entry, splats[k], total);
-                sums[k] = simd.mul_add_f64s(entry, *x, sums[k]);
-            }
-            *y = total;
-        }
-        let mut found = sums.map(|sum| simd.reduce_sum_f64s(sum));
-        for (i, (x, y)) in x_tail.iter().zip(y_tail).enumerate() {
-            for k in 0..TOGETHER {
-                *y += parts[k].1[i] * factors[k];
-                found[k] += parts[k].1[i] * x;
-            }
-        }
-        found.iter().enumerate().for_each(|(k, sum)| y[start + k] += sum);
-    }
 }
 
 #[cfg(test)]

@@ -44,10 +44,13 @@ impl Reflections {
 
     /// Some columns of the product: the unit vectors, reflected block by block from the last to the first.
     pub fn columns(&self, start: usize, width: usize) -> Mat<f64> {
-        let mut panel = Mat::from_fn(self.order, width, |i, j| f64::from(u8::from(i == start + j)));
+        let mut panel = Mat::zeros(self.order, width);
+        (0..width).for_each(|j| panel[(start + j, j)] = 1.0);
         // Blocks that begin below these columns leave them as they are, exactly.
         for block in self.blocks.iter().rev().filter(|block| block.from < start + width) {
-            block.apply(panel.as_mut().subrows_mut(block.from, self.order - block.from));
+            // Its rows of columns before it are zero.
+            let first = block.from.saturating_sub(start);
+            block.apply(panel.as_mut().submatrix_mut(block.from, first, self.order - block.from, width - first));
         }
         panel
     }

@@ -23,6 +23,9 @@ use rayon::prelude::*;
 /// Columns of `Q` that one task works on; the results do not depend on the number of threads.
 const PANEL: usize = 96;
 
+/// Columns of which a residual is summed up together.
+const TOGETHER: usize = 4;
+
 /// A matrix with more than one entry in so many is multiplied as a dense one.
 const SPARSE: usize = 12;
 
@@ -39,6 +42,11 @@ pub(super) fn symmetric_floats(s: &Symmetric) -> Option<Vec<(f64, f64)>> {
         Some(row) if s.rows.len() == 1 => return Some(vec![(row.first().map_or(0.0, |&(_, x)| x), s.error)]),
         Some(_) => {}
     }
+    // As a whole on a thread of the pool: from any other one, each of a hundred calls would have to wake one and wait for it.
+    rayon::scope(|_| reduced_floats(s))
+}
+
+fn reduced_floats(s: &Symmetric) -> Option<Vec<(f64, f64)>> {
     let reduced = Reduced::new(s);
     if reduced.least.is_nan() || reduced.least < 0.5 {
         return None;
@@ -89,7 +97,8 @@ impl Reduced {
         let largest = |x: &[f64]| x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let small = largest(&self.diagonal) + 2.0 * largest(&self.beside);
         let (squares, rounding) = if entries <= order * order / SPARSE {
-            let squares = (0..order).into_par_iter().map(|k| self.sparse_residual(s, k)).collect();
+            let starts: Vec<usize> = (0..order).step_by(TOGETHER).collect();
+            let squares = starts.into_par_iter().flat_map_iter(|k| self.sparse_residual(s, k)).collect();
             // Sums of at most so many products; |S| has a norm of at most its largest row sum.
             let terms = s.rows.iter().map(Vec::len).max().unwrap_or(0) + 5;
             let sums = s.rows.iter().map(|row| row.iter().map(|(_, x)| x.abs()).sum::<f64>()).fold(0.0, f64::max);
@@ -111,11 +120,20 @@ impl Reduced {
         move |i| own[i] * diagonal + before[i] * left + after[i] * right
     }
 
-    /// The sum of the squares of column `k` of `SQ - QT`.
-    fn sparse_residual(&self, s: &Symmetric, k: usize) -> f64 {
-        let (own, image) = (self.column(k), self.image(k));
-        let rows = s.rows.iter().enumerate();
-        rows.map(|(i, row)| row.iter().fold(-image(i), |sum, &(j, x)| sum + x * own[j])).map(|x| x * x).sum()
+    /// The sums of the squares of some columns of `SQ - QT`, from `start` on.
+    fn sparse_residual(&self, s: &Symmetric, start: usize) -> [f64; TOGETHER] {
+        let (count, last) = (self.diagonal.len() - start, self.diagonal.len() - 1);
+        let columns: [usize; TOGETHER] = std::array::from_fn(|c| (start + c).min(last));
+        let (own, images) = (columns.map(|k| self.column(k)), columns.map(|k| self.image(k)));
+        let mut squares = [0.0; TOGETHER];
+        for (i, row) in s.rows.iter().enumerate() {
+            let mut sums = images.each_ref().map(|image| -image(i));
+            for &(j, x) in row {
+                sums.iter_mut().zip(&own).for_each(|(sum, own)| *sum += x * own[j]);
+            }
+            squares.iter_mut().zip(sums).for_each(|(square, sum)| *square += sum * sum);
+        }
+        std::array::from_fn(|c| if c < count { squares[c] } else { 0.0 })
     }
 
     /// The sums of the squares by panels, and a bound of the rounding.
@@ -139,7 +157,8 @@ impl Reduced {
 fn dense(s: &Symmetric) -> Mat<f64> {
     let mut matrix = Mat::zeros(s.rows.len(), s.rows.len());
     for (i, row) in s.rows.iter().enumerate() {
-        row.iter().for_each(|&(j, x)| matrix[(i, j)] = x);
+        // Column by column; entry `(j, i)` is the same.
+        row.iter().for_each(|&(j, x)| matrix[(j, i)] = x);
     }
     matrix
 }

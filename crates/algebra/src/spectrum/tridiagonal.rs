@@ -42,7 +42,8 @@ pub(super) struct Tridiagonal {
 /// # Errors
 /// [`SpectrumError::Unproved`].
 pub(super) fn tridiagonal_spectrum(a: &SparseMatrix, order: &[usize]) -> Result<Vec<Eigenvalue>, SpectrumError> {
-    let found = Tridiagonal::new(a, order).ok_or(OUT_OF_RANGE)?.eigenvalues().ok_or(UNPROVED)?;
+    let matrix = Tridiagonal::new(a, order).ok_or(OUT_OF_RANGE)?;
+    let found = rayon::scope(|_| matrix.eigenvalues()).ok_or(UNPROVED)?;
     let part = |(value, radius): (f64, f64)| Some(Eigenvalue::real(around(value, radius)?, 1));
     Ok(merged(found.into_iter().map(part).collect::<Option<Vec<_>>>().ok_or(UNPROVED)?))
 }
@@ -59,7 +60,8 @@ pub fn tridiagonal_eigenvalues(diagonal: &[f64], beside: &[f64]) -> Result<Vec<F
     if !diagonal.iter().chain(beside).all(|x| *x == 0.0 || RANGE.contains(&x.abs())) {
         return Err(OUT_OF_RANGE);
     }
-    let found = Tridiagonal::from_floats(diagonal.to_vec(), beside).eigenvalues().ok_or(UNPROVED)?;
+    let matrix = Tridiagonal::from_floats(diagonal.to_vec(), beside);
+    let found = rayon::scope(|_| matrix.eigenvalues()).ok_or(UNPROVED)?;
     Ok(found.into_iter().map(|(re, radius)| FloatEnclosure { re, im: 0.0, radius, multiplicity: 1 }).collect())
 }
 

@@ -52,7 +52,7 @@ pub struct SwitchingFlock {
     sorted: [Vec<f64>; 4],
     /// Accelerations, first and second coordinates, in that order.
     found: [Vec<f64>; 2],
-    /// Where in that order an agent is.
+    /// Where in that order an agent is, for many of them.
     places: Vec<usize>,
     failure: Option<FlockError>,
 }
@@ -110,8 +110,10 @@ impl SwitchingFlock {
         if velocities.len() != count || accelerations.len() != count {
             return Err(FlockError::Length { positions: 2 * count, velocities: 2 * velocities.len() });
         }
-        if let Some(agent) = velocities.iter().position(|v| !(v[0].is_finite() && v[1].is_finite())) {
-            return Err(FlockError::Velocity(agent));
+        // Without a way out on the way, several are looked at at once.
+        if !velocities.as_flattened().iter().fold(true, |all, v| all & v.is_finite()) {
+            let agent = velocities.iter().position(|v| !(v[0].is_finite() && v[1].is_finite()));
+            return Err(FlockError::Velocity(agent.unwrap_or(0)));
         }
         let cells = CellList::new(positions, self.radius).map_err(|error| match error {
             CellError::Position(agent) => FlockError::Position(agent),
@@ -125,15 +127,22 @@ impl SwitchingFlock {
         first.par_chunks_mut(TASK).zip(second.par_chunks_mut(TASK)).enumerate().for_each(|(task, (x, y))| {
             arch.dispatch(Sums { cells: &cells, sorted, slope, radius, from: task * TASK, found: [x, y] });
         });
-        let collect = |(&place, acceleration): (&usize, &mut Vector<f64>)| {
-            *acceleration = [self.found[0][place], self.found[1][place]];
-            acceleration.iter().all(|a| a.is_finite())
-        };
+        let at = |place: usize| [self.found[0][place], self.found[1][place]];
+        let is_finite = |a: Vector<f64>| a[0].is_finite() & a[1].is_finite();
         // Handing over to another thread takes longer than copying a few.
         let finite = if count < MANY {
-            self.places.iter().zip(accelerations).all(collect)
+            cells.numbers().iter().enumerate().fold(true, |all, (place, &agent)| {
+                accelerations[agent] = at(place);
+                all & is_finite(accelerations[agent])
+            })
         } else {
+            self.places.resize(count, 0);
+            cells.numbers().iter().enumerate().for_each(|(place, &agent)| self.places[agent] = place);
             let pairs = self.places.par_iter().zip(accelerations).with_min_len(TASK);
+            let collect = |(&place, acceleration): (&usize, &mut Vector<f64>)| {
+                *acceleration = at(place);
+                is_finite(*acceleration)
+            };
             pairs.map(collect).reduce(|| true, |a, b| a && b)
         };
         if finite { Ok(()) } else { Err(self.reason(&cells, positions)) }
@@ -141,27 +150,29 @@ impl SwitchingFlock {
 
     /// Brings positions and velocities into the order of the cells.
     fn sort(&mut self, numbers: &[usize], positions: &[Vector<f64>], velocities: &[Vector<f64>]) {
-        for (k, sorted) in self.sorted.iter_mut().enumerate() {
-            let list = if k < 2 { positions } else { velocities };
-            let part = |&agent: &usize| list[agent][k % 2];
-            sorted.clear();
-            if numbers.len() < MANY {
-                sorted.extend(numbers.iter().map(part));
-            } else {
-                sorted.par_extend(numbers.par_iter().with_min_len(TASK).map(part));
-            }
+        self.sorted.iter_mut().for_each(|sorted| sorted.resize(numbers.len(), 0.0));
+        let [x, y, u, v] = &mut self.sorted;
+        let copy = |agent: usize, x: &mut f64, y: &mut f64, u: &mut f64, v: &mut f64| {
+            [*x, *y] = positions[agent];
+            [*u, *v] = velocities[agent];
+        };
+        if numbers.len() < MANY {
+            let all = numbers.iter().zip(x).zip(y).zip(u).zip(v);
+            all.for_each(|((((&agent, x), y), u), v)| copy(agent, x, y, u, v));
+        } else {
+            let all = numbers.par_iter().zip(x).zip(y).zip(u).zip(v).with_min_len(TASK);
+            all.for_each(|((((&agent, x), y), u), v)| copy(agent, x, y, u, v));
         }
-        self.places.resize(numbers.len(), 0);
-        numbers.iter().enumerate().for_each(|(place, &agent)| self.places[agent] = place);
     }
 
     /// Why an acceleration is not finite.
     fn reason(&self, cells: &CellList, positions: &[Vector<f64>]) -> FlockError {
         let failed = |place: &usize| !(self.found[0][*place].is_finite() && self.found[1][*place].is_finite());
         let apart = |i: usize, j: usize| Coordinates::Cartesian.square(&difference(&positions[i], &positions[j]));
-        let agent = self.places.iter().position(failed).unwrap_or(0);
-        let near =
-            cells.neighbourhood(self.places[agent], 1).1.into_iter().flatten().map(|place| cells.numbers()[place]);
+        let numbers = cells.numbers();
+        let place = (0..numbers.len()).filter(failed).min_by_key(|&place| numbers[place]).unwrap_or(0);
+        let agent = numbers[place];
+        let near = cells.neighbourhood(place, 1).1.into_iter().flatten().map(|place| numbers[place]);
         match near.filter(|&other| other != agent && apart(agent, other) == 0.0).min() {
             Some(other) => FlockError::Coincident(agent.min(other), agent.max(other)),
             None => FlockError::Acceleration(agent),

@@ -5,8 +5,8 @@ mod stabiliser;
 use algebra::matrix::floating::{eigenvalues, row_diameter, to_floats};
 use algebra::matrix::read::{ReadError, read_sequence};
 use algebra::matrix::{
-    Footprint, MatrixError, Norm, RationalMatrix, StochasticMatrix, diameter, prefix_products, product_sequential,
-    product_tree, stabilisers, tau_1, tau_2_squared, tau_infinity,
+    Footprint, MatrixError, Norm, RationalMatrix, SparseMatrix, StochasticMatrix, diameter, prefix_products,
+    product_sequential, product_tree, stabilisers, tau_1, tau_2_squared, tau_infinity,
 };
 use arithmetic::{Rational, Ring, rational};
 use num_bigint::BigInt;
@@ -227,4 +227,30 @@ fn diameters_of_rows_in_three_norms() {
     assert_eq!(diameter(&skew, Norm::Infinity), rational(5, 6));
     let other = RationalMatrix::from_integers(&[[1, 3, 2], [6, 0, 0]], 6).expect("a filled shape");
     assert_eq!(diameter(&other, Norm::Infinity), rational(5, 6));
+}
+
+/// Symmetric matrices with a few entries in each row or all of them, and what spoils them, small and large enough for several threads.
+#[test]
+fn symmetry_is_equality_with_the_transpose() {
+    for order in [1usize, 2, 5, 40, 255, 256, 300] {
+        for spacing in [1usize, 7] {
+            let places = (0..order).flat_map(|i| (0..order).map(move |j| (i, j)));
+            let kept = places.filter(|(i, j)| (i + j) % spacing == 0);
+            let entries = kept.map(|(i, j)| (i, j, rational((i * j % 5) as i64 - 2, (i + j + 1) as i64)));
+            let matrix = SparseMatrix::from_entries(order, entries.clone());
+            assert!(matrix.is_symmetric() && matrix == matrix.transpose());
+            // The order of the entries does not matter, nor do zeros and sums at one place.
+            let halves = entries.clone().map(|(i, j, x)| (i, j, x / rational(2, 1))).collect::<Vec<_>>();
+            let twice = halves.iter().rev().chain(&halves).cloned();
+            assert_eq!(SparseMatrix::from_entries(order, twice), matrix);
+            for place in [(0, order - 1), (order - 1, 0), (order / 2, 0), (0, order / 2)] {
+                let one = (place.0, place.1, rational(1, 3));
+                let altered = SparseMatrix::from_entries(order, entries.clone().chain([one]));
+                let lost = SparseMatrix::from_entries(order, entries.clone().filter(|&(i, j, _)| (i, j) != place));
+                for spoilt in [altered, lost] {
+                    assert_eq!(spoilt.is_symmetric(), spoilt == spoilt.transpose(), "{order} {spacing} {place:?}");
+                }
+            }
+        }
+    }
 }

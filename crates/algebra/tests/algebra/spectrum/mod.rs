@@ -10,6 +10,9 @@ mod reduction;
 #[allow(dead_code)]
 #[path = "../../../src/spectrum/reflections.rs"]
 mod reflections;
+#[allow(dead_code)]
+#[path = "../../../src/spectrum/trailing.rs"]
+mod trailing;
 
 mod abscissa;
 mod circulants;
