@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 91] = sources![
+const SOURCES: [(&str, &str); 97] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -103,6 +103,12 @@ const SOURCES: [(&str, &str); 91] = sources![
     "audit_tanner1",
     "audit_tanner2",
     "audit_veerman",
+    "audit_independent_chazelle",
+    "audit_independent_angle",
+    "audit_independent_paley",
+    "audit_independent_tanner1",
+    "audit_independent_tanner2",
+    "audit_independent_veerman",
 ];
 
 /// A file of the development.

@@ -1,0 +1,356 @@
+(* Clauses of the claims about Tanner's second paper, formalised from their words before the theorems were looked at; the theorems
+   prove them. *)
+From Coq Require Import Reals Lra Lia List Relations Psatz.
+From Coquelicot Require Import Coquelicot.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient tanner_energy tanner_flock.
+From Flockproof Require tanner_nonsmooth tanner_graph tanner_saturated tanner_trees tanner_paths tanner2_motion tanner2_facts.
+Open Scope R_scope.
+
+(* the force of j on i and the control (4) *)
+Definition pull (adj : graph) (V' : nat -> nat -> R -> R) (r : nat -> C) (i j : nat) : C :=
+  (if adj i j then RtoC (V' i j (Cmod (r i - r j)) / Cmod (r i - r j)) * (r i - r j) else 0)%C.
+Definition gradV n adj V' r i : C := Csum n (pull adj V' r i).
+Definition law4 n (adj : graph) V' (r v : nat -> C) i : C :=
+  (- Csum n (fun j => if adj i j then v i - v j else 0) - gradV n adj V' r i)%C.
+Definition apart_at n (adj : graph) (r : nat -> C) := forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j.
+(* a motion of (1) for all t >= 0 with (4) where (4) has a value, from a start in which no linked agents coincide *)
+Definition motion n adj (V' : nat -> nat -> R -> R) (r v : nat -> R -> C) := apart_at n adj (fun i => r i 0) /\
+  forall t i, 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t) /\
+    (apart_at n adj (fun i => r i t) -> is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)).
+(* Definition 3 with a continuous derivative; a pair has one potential, V_ij = V_ji, and one derivative *)
+Definition potentials n (adj : graph) (V V' : nat -> nat -> R -> R) := (forall i j, V i j = V j i) /\ (forall i j, V' i j = V' j i) /\
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+    (forall s, 0 < s -> is_derive (V i j) s (V' i j s) /\ continuity_pt (V' i j) s /\ 0 <= V i j s) /\
+    (forall c, exists d, 0 < d /\ forall s, 0 < s < d -> c < V i j s) /\ (forall c, exists D, forall s, D < s -> c < V i j s).
+Definition to_zero (z : R -> C) := forall e, 0 < e -> exists T, forall t, T <= t -> Cmod (z t) < e.
+Definition simple_graph adj := undirected adj /\ no_loops adj.
+
+(* tanner2.thm1a, thm1b, thm1c clause 2, cor3 *)
+Definition thm1a : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
+  motion n adj V' r v -> forall i j, (i < n)%nat -> (j < n)%nat -> to_zero (fun t => v i t - v j t)%C.
+Definition thm1b : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
+  motion n adj V' r v -> forall t, 0 <= t -> apart_at n adj (fun i => r i t).
+Definition thm1c_2 : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
+  motion n adj V' r v -> forall i, (i < n)%nat -> to_zero (fun t => gradV n adj V' (fun j => r j t) i).
+Definition cor3 : Prop := forall n adj V V' r v, simple_graph adj ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> adj i j = true) -> potentials n adj V V' ->
+  motion n adj V' r v -> forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t.
+(* a tree: connected, without a way back: no path of three or more different vertices closes *)
+Fixpoint path_from (n : nat) (adj : graph) (i : nat) (l : list nat) : Prop :=
+  match l with nil => True | j :: l => (j < n)%nat /\ adj i j = true /\ path_from n adj j l end.
+Definition acyclic n (adj : graph) := forall i l, (i < n)%nat -> NoDup (i :: l) -> path_from n adj i l -> (2 <= length l)%nat ->
+  adj (last l i) i = false.
+Definition is_tree n adj := strongly_connected n adj /\ acyclic n adj.
+(* tanner2.cor1 clauses 4, 5, 6 *)
+Definition cor1_4 : Prop := forall n adj V V' r v (d : nat -> nat -> R), simple_graph adj -> is_tree n adj -> potentials n adj V V' ->
+  motion n adj V' r v ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < d i j /\ (forall s, 0 < s -> V' i j s = 0 -> s = d i j)) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_lim (fun t => Cmod (r i t - r j t)%C) p_infty (d i j).
+(* of clause 5 that the gradients tend to 0 *)
+Definition cor1_5 : Prop := forall n adj V V' r v, simple_graph adj -> is_tree n adj -> potentials n adj V V' ->
+  motion n adj V' r v -> forall i j, (i < n)%nat -> (j < n)%nat -> to_zero (fun t => pull adj V' (fun k => r k t) i j).
+Definition cor1_6 : Prop := forall n adj (V V' : nat -> nat -> R -> R) r (d : nat -> nat -> R), simple_graph adj -> is_tree n adj ->
+  (forall i j, V' i j = V' j i) ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s) /\ (V' i j s = 0 -> s = d i j)) ->
+  apart_at n adj r -> (forall i, (i < n)%nat -> gradV n adj V' r i = 0%C) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> Cmod (r i - r j)%C = d i j.
+(* tanner2.lem1 clauses 2, 3, 4; tanner2.lem2 clause 2; Clarke's derivatives *)
+Definition saturate (V : R -> R) (R0 s : R) := if Rlt_dec s R0 then V s else V R0.
+Definition usual_dd (f : R -> R) (x w l : R) := forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d -> Rabs ((f (x + h * w) - f x) / h - l) < e.
+Definition clarke_dd (f : R -> R) (x w l : R) :=
+  (forall e, 0 < e -> exists d, 0 < d /\ forall y h, Rabs (y - x) < d -> 0 < h < d -> (f (y + h * w) - f y) / h < l + e) /\
+  (forall e d, 0 < e -> 0 < d -> exists y h, Rabs (y - x) < d /\ 0 < h < d /\ l - e < (f (y + h * w) - f y) / h).
+Definition regular_at f x := forall w, exists l, usual_dd f x w l /\ clarke_dd f x w l.
+Definition smooth (V V' : R -> R) := forall s, 0 < s -> is_derive V s (V' s) /\ continuity_pt V' s.
+Definition lem1_2 : Prop := forall V V' R0 s, smooth V V' -> 0 < R0 -> 0 < s -> s <> R0 -> regular_at (saturate V R0) s.
+Definition lem1_3 : Prop := forall V V' R0, smooth V V' -> 0 < R0 -> 0 < V' R0 -> regular_at (fun s => - saturate V R0 s) R0.
+Definition lem1_4 : Prop := forall V V' R0 w, smooth V V' -> 0 < R0 -> 0 < V' R0 ->
+  usual_dd (saturate V R0) R0 w (Rmin 0 (V' R0 * w)) /\ clarke_dd (saturate V R0) R0 w (Rmax 0 (V' R0 * w)).
+Definition lem2_2 : Prop := forall V V' R0 z, smooth V V' -> 0 < R0 -> 0 < V' R0 ->
+  ((forall w l, clarke_dd (saturate V R0) R0 w l -> z * w <= l) <-> 0 <= z <= V' R0).
+(* the energy (6) *)
+Definition energy6 n (adj : graph) (V : nat -> nat -> R -> R) (r v : nat -> C) : R :=
+  / 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i - r j)%C) else 0) + Cmod (v i) ^ 2).
+(* tanner2.bound_v clause 2, tanner2.bound_r clause 2; D is above every V_e^-1(c), that is where V_e <= c no longer *)
+Definition bound_v : Prop := forall n adj V V' r v c, simple_graph adj -> potentials n adj V V' -> apart_at n adj r ->
+  energy6 n adj V r v <= c -> forall i, (i < n)%nat -> Cmod (v i) ^ 2 <= 2 * c /\ Cmod (v i) <= sqrt (2 * c).
+Definition bound_r : Prop := forall n adj V V' r v c D, (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
+  apart_at n adj r -> energy6 n adj V r v <= c ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> V i j s <= c -> s <= D) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (r i - r j)%C <= (INR n - 1) * D.
+(* tanner2.eq9 *)
+Definition eq9 : Prop := forall n adj (V V' : nat -> nat -> R -> R) r v t, simple_graph adj -> (forall i j, V' i j = V' j i) ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s)) ->
+  apart_at n adj (fun i => r i t) ->
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
+  let form x := Sum n (fun i => x i * Sum n (fun j => lap n adj i j * x j)) in
+  is_derive (fun s => energy6 n adj V (fun i => r i s) (fun i => v i s)) t (- form (fun i => fst (v i t)) - form (fun i => snd (v i t))).
+(* tanner2.Qdot: the graph at time t and around it is that of (10): linked below R *)
+Definition by_distance (r : nat -> C) (R0 : R) : graph := fun i j =>
+  andb (negb (Nat.eqb i j)) (if Rlt_dec (Cmod (r i - r j)%C) R0 then true else false).
+Definition energy11 n (V : nat -> nat -> R -> R) R0 (r v : nat -> C) : R :=
+  / 2 * Sum n (fun i => Sum n (fun j => if Nat.eqb i j then 0 else saturate (V i j) R0 (Cmod (r i - r j)%C)) + Cmod (v i) ^ 2).
+Definition Qdot : Prop := forall n V V' R0 r v t, 0 < R0 -> (forall i j, V' i j = V' j i) ->
+  (forall i j s, 0 < s -> is_derive (V i j) s (V' i j s)) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t /\ Cmod (r i t - r j t)%C <> R0) ->
+  let adj := by_distance (fun i => r i t) R0 in
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
+  let form x := Sum n (fun i => x i * Sum n (fun j => lap n adj i j * x j)) in
+  is_derive (fun s => energy11 n V R0 (fun i => r i s) (fun i => v i s)) t (- form (fun i => fst (v i t)) - form (fun i => snd (v i t))).
+(* tanner2.Q: the pairs i < j that are not linked *)
+Definition Q_1 : Prop := forall n (V : nat -> nat -> R -> R) R0 r v, (forall i j, V i j = V j i) ->
+  energy6 n (by_distance r R0) V r v +
+    Sum n (fun i => Sum n (fun j => if Nat.ltb i j then (if by_distance r R0 i j then 0 else V i j R0) else 0)) = energy11 n V R0 r v.
+(* tanner2.L clause 4 *)
+Definition L_4 : Prop := forall n adj (x : nat -> R), undirected adj -> strongly_connected n adj ->
+  ((forall i, (i < n)%nat -> Sum n (fun j => lap n adj i j * x j) = 0) <-> exists c, forall i, (i < n)%nat -> x i = c).
+(* tanner2.rangeB clause 1 *)
+Definition rangeB_1 : Prop := forall n adj O (x : nat -> R), simple_graph adj -> strongly_connected n adj -> tanner_graph.oriented n adj O ->
+  ((exists y, forall k, (k < n)%nat -> lsum O (fun f => inc k f * y f) = x k) <-> Sum n x = 0).
+(* tanner2.eq7 clause 3, in the positions and velocities: the limits of points of Omega belong to it *)
+Definition eq7_3 : Prop := forall n adj V V' c (r v : nat -> nat -> C) (r0 v0 : nat -> C), simple_graph adj -> potentials n adj V V' ->
+  (forall m, apart_at n adj (r m) /\ energy6 n adj V (r m) (v m) <= c) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> forall e, 0 < e -> exists M, forall m, (M <= m)%nat -> Cmod ((r m i - r m j) - (r0 i - r0 j))%C < e) ->
+  (forall i, (i < n)%nat -> forall e, 0 < e -> exists M, forall m, (M <= m)%nat -> Cmod (v m i - v0 i)%C < e) ->
+  apart_at n adj r0 /\ energy6 n adj V r0 v0 <= c.
+
+(* ---- the theorems prove them ---- *)
+Lemma pull_is adj V' r i j : pull adj V' r i j = pair_grad adj V' r i j.
+Proof. unfold pull, pair_grad, w, grad, norm. destruct (adj i j); apply injective_projections; cbn; ring. Qed.
+Lemma gradV_is n adj V' r i : gradV n adj V' r i = grad_i n adj V' r i.
+Proof. apply Csum_ext. intros j _. apply pull_is. Qed.
+Lemma law4_is n adj V' r v i : law4 n adj V' r v i = control4 n adj V' r v i.
+Proof.
+  unfold law4, control4. rewrite gradV_is. f_equal. f_equal. apply Csum_ext. intros j _. unfold w.
+  destruct (adj i j); apply injective_projections; cbn; ring.
+Qed.
+Lemma energy6_is n adj V r v : energy6 n adj V r v = Wenergy n adj V r v.
+Proof.
+  unfold energy6, Wenergy. f_equal. apply Sum_ext. intros i _. f_equal.
+  - unfold V_i. apply Sum_ext. intros j _. unfold w, norm. destruct (adj i j); ring.
+  - rewrite <- norm_sqr. unfold norm. ring.
+Qed.
+Lemma moves_is n adj V' r v : motion n adj V' r v -> tanner2_motion.distinct n adj (fun i => r i 0) /\
+  forall t, 0 <= t -> tanner2_motion.moves n adj V' r v t.
+Proof.
+  intros [D M]. split; [exact D|]. intros t Ht. split; [intros i Hi; now apply M|]. intros A i Hi.
+  rewrite <- law4_is. now apply M.
+Qed.
+Lemma potentials_are n adj V V' : potentials n adj V V' -> (forall i j, V i j = V j i) /\ (forall i j, V' i j = V' j i) /\
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) /\
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s).
+Proof.
+  intros (A & B & C). split; [exact A|]. split; [exact B|]. split.
+  - intros i j Hi Hj L. destruct (C i j Hi Hj L) as (P & Q). split; [|exact Q]. intros s Hs. split; now apply P.
+  - intros i j s Hi Hj L Hs. now apply (C i j Hi Hj L).
+Qed.
+Lemma zero_is (z : R -> C) : (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> norm (z t) < e) -> to_zero z.
+Proof. intros H e He. destruct (H e He) as [T [_ P]]. now exists T. Qed.
+
+Lemma thm1a_proved : thm1a.
+Proof.
+  intros n adj V V' r v [S NL] SC P M i j Hi Hj. destruct (moves_is _ _ _ _ _ M) as [D W].
+  destruct (potentials_are _ _ _ _ P) as (A & B & C & K). apply zero_is.
+  now apply (tanner2_motion.motions_agree n adj V V' r v S NL A B C D ltac:(lia) SC K W).
+Qed.
+Lemma apart_of n adj V V' r v : simple_graph adj -> potentials n adj V V' -> motion n adj V' r v ->
+  forall t, 0 <= t -> apart_at n adj (fun i => r i t).
+Proof.
+  intros [S NL] P M t Ht i j Hi Hj L E. destruct (moves_is _ _ _ _ _ M) as [D W].
+  destruct (potentials_are _ _ _ _ P) as (A & B & C & K).
+  destruct (tanner2_motion.linked_apart n adj V V' r v S NL A B C D) as [d [Hd Q]].
+  specialize (Q (t + 1) (fun s Hs => W s (proj1 Hs)) t i j ltac:(lra) Hi Hj L). rewrite E in Q.
+  replace (r j t - r j t)%C with (RtoC 0) in Q by ring. unfold norm in Q. rewrite Cmod_0 in Q. lra.
+Qed.
+Lemma thm1b_proved : thm1b.
+Proof. intros n adj V V' r v S _ P M t Ht. now apply (apart_of n adj V V' r v). Qed.
+Lemma cor3_proved : cor3.
+Proof. intros n adj V V' r v S K P M t i j Ht Hi Hj N. apply (apart_of n adj V V' r v S P M t Ht); auto. Qed.
+Lemma thm1c_2_proved : thm1c_2.
+Proof.
+  intros n adj V V' r v [S NL] SC P M i Hi e He. destruct (moves_is _ _ _ _ _ M) as [D W].
+  destruct (potentials_are _ _ _ _ P) as (A & B & C & K).
+  destruct (tanner_trees.forces_vanish n adj V V' r v S NL A B C D ltac:(lia) SC K W e He) as [T [_ Q]].
+  exists T. intros t Ht. rewrite gradV_is. now apply Q.
+Qed.
+(* an edge of a connected graph without closed paths is a bridge *)
+Lemma walk_path n adj j l : forall i, tanner_paths.walk n adj j l i -> undirected adj -> path_from n adj j l /\ last l j = i.
+Proof.
+  induction l as [|k l IH] in j |- *; intros i W S; [split; [exact I|exact W]|].
+  destruct W as [[Hk [Hj A]] W]. destruct (IH k i W S) as [P L]. split.
+  - split; [exact Hj|]. split; [|exact P]. rewrite S. exact A.
+  - rewrite <- L. destruct l as [|m l]; [reflexivity|]. clear. revert m. induction l as [|p l IH]; intros m; [reflexivity|exact (IH p)].
+Qed.
+Lemma path_sub n adj a b l : forall i, path_from n (tanner_trees.without adj a b) i l -> path_from n adj i l.
+Proof.
+  induction l as [|k l IH]; intros i H; [exact I|]. destruct H as (Hk & A & P). split; [exact Hk|]. split; [|now apply IH].
+  unfold tanner_trees.without in A. now apply Bool.andb_true_iff in A.
+Qed.
+Lemma tree_is n adj : simple_graph adj -> is_tree n adj -> tanner_trees.tree n adj.
+Proof.
+  intros [S NL] [SC Ac]. split; [exact SC|]. intros a b (Ha & Hb & A) SC'.
+  assert (S' : undirected (tanner_trees.without adj a b)).
+  { intros i j. unfold tanner_trees.without. rewrite (S i j). f_equal. f_equal.
+    destruct (Nat.eqb i a), (Nat.eqb j b), (Nat.eqb i b), (Nat.eqb j a); reflexivity. }
+  destruct (tanner_paths.joined n _ a b SC' Ha Hb) as [l0 [W0 _]].
+  destruct (tanner_paths.simple_walk n _ b l0 a W0) as [l [W N]].
+  destruct (walk_path n _ a l b W S') as [P L].
+  assert (L2 : (2 <= length l)%nat).
+  { destruct l as [|k [|k' l]]; [| |cbn; lia].
+    - cbn in L. subst. rewrite NL in A. discriminate.
+    - cbn in L. subst k. destruct P as (_ & P & _). unfold tanner_trees.without in P.
+      rewrite !Nat.eqb_refl in P. rewrite Bool.andb_false_r in P. discriminate. }
+  specialize (Ac a l Ha N (path_sub _ _ _ _ _ _ P) L2). rewrite L, S in Ac. rewrite S in A. rewrite A in Ac || (rewrite S in A; rewrite A in Ac). discriminate.
+Qed.
+Lemma cor1_4_proved : cor1_4.
+Proof.
+  intros n adj V V' r v d S T P M U i j Hi Hj L. pose proof (tree_is n adj S T) as T'. destruct T as [SC _]. destruct S as [S NL].
+  destruct (moves_is _ _ _ _ _ M) as [D W]. destruct (potentials_are _ _ _ _ P) as (A & B & C & K).
+  pose proof (tanner_trees.tree_distances n adj V V' r v S NL A B C D ltac:(lia) SC K W T' d) as Q.
+  apply is_lim_spec. intros e. destruct (Q (fun i j s Hi Hj L => proj2 (U i j Hi Hj L) s) i j Hi Hj L e (cond_pos e)) as [T0 [_ Q']].
+  exists T0. intros t Ht. apply Q'. lra.
+Qed.
+Lemma cor1_5_proved : cor1_5.
+Proof.
+  intros n adj V V' r v S T P M i j Hi Hj. pose proof (tree_is n adj S T) as T'. destruct T as [SC _]. destruct S as [S NL].
+  destruct (moves_is _ _ _ _ _ M) as [D W]. destruct (potentials_are _ _ _ _ P) as (A & B & C & K).
+  destruct (adj i j) eqn:L.
+  - apply zero_is. intros e He.
+    destruct (tanner_trees.tree_forces_vanish n adj V V' r v S NL A B C D ltac:(lia) SC K W T' i j Hi Hj L e He) as [T0 [H0 Q]].
+    exists T0. split; [exact H0|]. intros t Ht. specialize (Q t Ht). unfold pull. rewrite L. exact Q.
+  - intros e He. exists 0. intros t _. unfold pull. rewrite L, Cmod_0. exact He.
+Qed.
+Lemma cor1_6_proved : cor1_6.
+Proof.
+  intros n adj V V' r d S T VS U D F i j Hi Hj L. pose proof (tree_is n adj S T) as T'. destruct S as [S NL].
+  apply (tanner_trees.tree_equilibrium n adj V' d r (RtoC 0) S VS T'); try assumption.
+  - intros. now apply (U i0 j0 s).
+  - intros k Hk. unfold control4. rewrite <- gradV_is, (F k Hk).
+    rewrite (Csum_ext n _ (fun _ => RtoC 0)) by (intros; apply injective_projections; cbn; ring).
+    apply injective_projections; unfold Csum; cbn; clear; induction n; cbn in *; lra.
+Qed.
+Lemma lem1_2_proved : lem1_2.
+Proof. intros V V' R0 s H _ Hs N. apply (tanner_saturated.saturated_regular V V'); try assumption; intros; now apply H. Qed.
+Lemma lem1_3_proved : lem1_3.
+Proof. intros V V' R0 H HR Hc. apply (tanner_saturated.negative_regular V V'); try assumption; intros; now apply H. Qed.
+Lemma lem1_4_proved : lem1_4.
+Proof. intros V V' R0 w H HR Hc. apply (tanner_saturated.derivatives_at_R V V'); try assumption; intros; now apply H. Qed.
+Lemma lem2_2_proved : lem2_2.
+Proof. intros V V' R0 z H HR Hc. apply (tanner_nonsmooth.lemma2_fails V V' R0 (V' R0)); try assumption; try reflexivity; try (intros; now apply H). Qed.
+Lemma bound_v_proved : bound_v.
+Proof.
+  intros n adj V V' r v c S P D H i Hi. destruct (potentials_are _ _ _ _ P) as (A & B & C & K). rewrite energy6_is in H.
+  pose proof (tanner_flock.speed_bound_norm n adj V V' C r v D i c Hi H) as Q. split; [|exact Q].
+  pose proof (Cmod_ge_0 (v i)) as G. fold (norm (v i)) in *.
+  assert (0 <= 2 * c). { destruct (Rle_or_lt 0 (2 * c)) as [?|?]; [assumption|]. pose proof (tanner_flock.energy_ge0 n adj V V' C r v D). lra. }
+  rewrite <- (pow2_sqrt (2 * c)) by assumption. apply pow_incr. unfold norm in *. lra.
+Qed.
+
+Lemma bound_r_proved : bound_r.
+Proof.
+  intros n adj V V' r v c D Hn [S NL] SC P NC H B i j Hi Hj. destruct (potentials_are _ _ _ _ P) as (A & _ & C & K). rewrite energy6_is in H.
+  refine (tanner_paths.bound_r_corrected n adj V V' r v c D ltac:(lia) S NL SC A C NC H _ B i j Hi Hj).
+  assert (E : exists a b, arc n adj a b).
+  { pose proof (SC 0%nat 1%nat ltac:(lia) ltac:(lia)) as Q. apply clos_rt_rt1n in Q. inversion Q; eauto. }
+  destruct E as (b & a & Hb & Ha & L). pose proof (tanner_flock.pair_bound n adj V V' C r v NC S A NL a b Ha Hb L) as Q.
+  pose proof (tanner_flock.norm_neq _ _ (NC a b Ha Hb L)) as N.
+  pose proof (B a b (norm (r a - r b)%C) Ha Hb L N ltac:(lra)). lra.
+Qed.
+Lemma form_is n adj x : Sum n (fun i => x i * Sum n (fun j => lap n adj i j * x j)) = qform n (lap n adj) x.
+Proof. reflexivity. Qed.
+Lemma eq9_proved : eq9.
+Proof.
+  intros n adj V V' r v t [S NL] VS D A U form.
+  destruct (tanner_energy.eq9 n adj V V' r v t S VS) as (Q & E & _).
+  - intros i Hi. now apply U.
+  - exact A.
+  - intros i j Hi Hj L. apply D; try assumption. apply tanner_flock.norm_neq. now apply A.
+  - intros i Hi. rewrite <- law4_is. now apply U.
+  - apply (is_derive_ext (fun s => Wenergy n adj V (fun i => r i s) (fun i => v i s))); [intros; symmetry; apply energy6_is|].
+    rewrite E in Q. unfold form. rewrite !form_is. replace (- _ - _) with (- (qform n (lap n adj) (fun i => fst (v i t)) + qform n (lap n adj) (fun i => snd (v i t)))) by ring. exact Q.
+Qed.
+Lemma by_distance_is r R0 i j : by_distance r R0 i j = tanner2_facts.near r R0 i j.
+Proof. unfold by_distance, tanner2_facts.near, norm. destruct (Nat.eqb i j); reflexivity. Qed.
+Lemma energy11_is n V R0 r v : energy11 n V R0 r v = tanner2_facts.Qsat n V R0 r v.
+Proof.
+  unfold energy11, tanner2_facts.Qsat. f_equal. apply Sum_ext. intros i _. f_equal.
+  rewrite <- norm_sqr. unfold norm. ring.
+Qed.
+Lemma Q_1_proved : Q_1.
+Proof.
+  intros n V R0 r v VS. rewrite energy6_is, energy11_is, <- (tanner2_facts.Q_two_forms n V R0 r v VS). f_equal.
+  - unfold Wenergy. f_equal. apply Sum_ext. intros i _. f_equal. apply Sum_ext. intros j _. unfold w. now rewrite by_distance_is.
+  - (* pairs i < j or j < i *)
+    assert (E : forall F : nat -> nat -> R, Sum n (fun i => Sum n (fun j => if Nat.ltb i j then F i j else 0)) =
+      Sum n (fun j => Sum j (fun i => F i j))).
+    { intros F. assert (G : forall m, Sum m (fun i => Sum m (fun j => if Nat.ltb i j then F i j else 0)) = Sum m (fun j => Sum j (fun i => F i j))).
+      { induction m as [|m IH]; [reflexivity|]. cbn [Sum]. rewrite <- IH.
+        rewrite (Sum_ext m (fun i => Sum m (fun j => if Nat.ltb i j then F i j else 0) + (if Nat.ltb i m then F i m else 0))
+          (fun i => Sum m (fun j => if Nat.ltb i j then F i j else 0) + F i m)) by (intros i Hi; destruct (Nat.ltb_spec i m); [reflexivity|lia]).
+        assert (Z : Sum m (fun j => if Nat.ltb m j then F m j else 0) = 0).
+        { clear IH. assert (K : forall q, (q <= m)%nat -> Sum q (fun j => if Nat.ltb m j then F m j else 0) = 0).
+          { induction q as [|q IHq]; intros Hq; [reflexivity|]. cbn [Sum]. rewrite IHq by lia. destruct (Nat.ltb_spec m q); [lia|ring]. }
+          apply K. lia. }
+        rewrite Z, Nat.ltb_irrefl.
+        assert (A : forall (p q : nat -> R) k, Sum k (fun i => p i + q i) = Sum k p + Sum k q).
+        { clear. induction k as [|k IH]; cbn [Sum]; [ring|rewrite IH; ring]. }
+        rewrite A. ring. }
+      apply G. }
+    rewrite E. apply Sum_ext. intros j _. apply Sum_ext. intros i _. unfold w. rewrite <- by_distance_is.
+    replace (by_distance r R0 j i) with (by_distance r R0 i j).
+    + rewrite (VS j i). destruct (by_distance r R0 i j); ring.
+    + unfold by_distance. rewrite (Nat.eqb_sym j i). replace (r j - r i)%C with (- (r i - r j))%C by ring. now rewrite Cmod_opp.
+Qed.
+Lemma Qdot_proved : Qdot.
+Proof.
+  intros n V V' R0 r v t HR VS D A adj U form.
+  assert (K : forall i, grad_i n adj V' (fun i => r i t) i = grad_i n (tanner2_facts.near (fun i => r i t) R0) V' (fun i => r i t) i).
+  { intros i. apply Csum_ext. intros j _. unfold pair_grad, w. unfold adj. now rewrite by_distance_is. }
+  pose proof (tanner2_facts.Q_rate n V V' R0 r v t HR VS D A (fun i Hi => proj1 (U i Hi))) as Q.
+  apply (is_derive_ext (fun s => tanner2_facts.Qsat n V R0 (fun i => r i s) (fun i => v i s))); [intros; symmetry; apply energy11_is|].
+  assert (E : forall x, qform n (lap n adj) x = qform n (lap n (tanner2_facts.near (fun i => r i t) R0)) x).
+  { intros x. unfold qform. apply Sum_ext. intros i _. f_equal. apply Sum_ext. intros j _. f_equal. unfold lap, deg, w.
+    rewrite (Sum_ext n _ (w (tanner2_facts.near (fun i => r i t) R0) i)); [unfold w, adj; now rewrite by_distance_is|].
+    intros k _. unfold w, adj. now rewrite by_distance_is. }
+  unfold form. rewrite !form_is, !E.
+  replace (- _ - _) with (- qform (2 * n) (kron2 (lap n (tanner2_facts.near (fun i => r i t) R0))) (stack (fun i => v i t)))
+    by (rewrite tanner_energy.kron_split; ring).
+  apply Q. intros i Hi. pose proof (proj2 (U i Hi)) as W. rewrite law4_is in W. unfold control4 in *. rewrite <- K.
+  rewrite (Csum_ext n _ (fun j => RtoC (w adj i j) * (v i t - v j t))%C); [exact W|].
+  intros j _. unfold w, adj. now rewrite by_distance_is.
+Qed.
+Lemma L_4_proved : L_4.
+Proof.
+  intros n adj x S SC. split.
+  - intros H. destruct n as [|n]; [exists 0; intros; lia|]. apply (paley_gradient.lap_kernel (Datatypes.S n) adj x ltac:(lia) SC). exact H.
+  - intros [c Hc] i Hi. rewrite (Sum_ext n _ (fun j => lap n adj i j * c)) by (intros j Hj; now rewrite (Hc j Hj)).
+    apply (paley_gradient.lap_ones n adj c i Hi).
+Qed.
+Lemma rangeB_1_proved : rangeB_1.
+Proof.
+  intros n adj O x [S NL] SC HO. destruct n as [|n].
+  - split; [reflexivity|]. intros _. exists (fun _ => 0). intros; lia.
+  - now apply (tanner_graph.range_B (Datatypes.S n) adj O x ltac:(lia) S NL HO SC).
+Qed.
+Lemma tends_is (z : nat -> C) (l : C) :
+  (forall e, 0 < e -> exists M, forall m, (M <= m)%nat -> Cmod (z m - l)%C < e) -> tanner_trees.tends z l.
+Proof.
+  intros Q. split; apply is_lim_seq_spec; intros e; destruct (Q e (cond_pos e)) as [M W]; exists M; intros m Hm;
+    specialize (W m Hm); pose proof (Rmax_Cmod (z m - l)%C) as G.
+  - pose proof (Rmax_l (Rabs (fst (z m - l)%C)) (Rabs (snd (z m - l)%C))) as G1. eapply Rle_lt_trans; [exact G1|]. lra.
+  - pose proof (Rmax_r (Rabs (fst (z m - l)%C)) (Rabs (snd (z m - l)%C))) as G1. eapply Rle_lt_trans; [exact G1|]. lra.
+Qed.
+Lemma eq7_3_proved : eq7_3.
+Proof.
+  intros n adj V V' c r v r0 v0 [S NL] P H R1 R2. destruct (potentials_are _ _ _ _ P) as (A & B & C & K).
+  destruct (tanner_trees.Omega_closed n adj V V' c r v (fun i j => r0 i - r0 j)%C v0 S NL A C) as (q & Q1 & Q2 & Q3).
+  - intros k. rewrite <- energy6_is. apply H.
+  - intros i j Hi Hj. apply tends_is. now apply R1.
+  - intros i Hi. apply tends_is. now apply R2.
+  - assert (N : forall i j, (i < n)%nat -> (j < n)%nat -> (r0 i - r0 j)%C = (q i - q j)%C) by (intros; now apply Q1).
+    split.
+    + intros i j Hi Hj L E. apply (Q2 i j Hi Hj L). specialize (N i j Hi Hj). rewrite E in N.
+      replace (q i) with (q i - q j + q j)%C by ring. rewrite <- N. ring.
+    + rewrite energy6_is. replace (Wenergy n adj V r0 v0) with (Wenergy n adj V q v0); [exact Q3|].
+      unfold Wenergy. f_equal. apply Sum_ext. intros i Hi. f_equal. unfold V_i. apply Sum_ext. intros j Hj. now rewrite (N i j Hi Hj).
+Qed.
