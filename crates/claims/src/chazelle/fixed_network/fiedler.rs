@@ -86,7 +86,7 @@ pub fn fiedler_rate() -> Record<FiedlerVariant> {
         "When the graph is connected the Fiedler number is at least 4/(n(n-1)), for n >= 2 birds.",
         "On a fixed connected graph, with weights of denominators up to n^a, differences between velocities are at \
          most n^{O(1)} 2^{-t/n^c} times the largest of the first ones, for some constant c > 0.",
-        "For lazy weights and for c_i = 1/(d_i+1) they are at most n 2^{-t/n^3} times it.",
+        "For lazy weights and for c_i = 1/(d_i+1) they are at most n 2^{-t/n^3} times it after t steps.",
     ])
     .altered("a Fiedler number of 4.04/(n(n-1))", |v| v.factor = (101, 100))
     .altered("c = 2", |v| v.gap_shift = -1)

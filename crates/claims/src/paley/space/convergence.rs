@@ -187,6 +187,12 @@ fn examine_fixed_centre(variant: &ConvergenceVariant, run: &mut Run) -> Result<O
         true => state_identity(mean_centre(), &["w0", "K_0"], "the mean centre is conserved", run),
         false => Ok(moving),
     };
-    let section = "notes/paley_particles.md, Theorem 2, steps 5-8";
-    Run::all([argued(&[2, 3], "one fixed centre", section), conserved, examine_convergence(variant, run).on([1, 3])])
+    let steps = |of: &str| format!("notes/paley_particles.md, Theorem 2, steps {of}");
+    let limit_set = argued(&[1], "the limit set of every solution", &steps("1-4"));
+    Run::all([
+        limit_set,
+        argued(&[2, 3], "one fixed centre", &steps("5-8")),
+        conserved,
+        examine_convergence(variant, run).on([1, 3]),
+    ])
 }
