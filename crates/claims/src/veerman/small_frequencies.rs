@@ -125,7 +125,10 @@ pub fn only_small_frequencies() -> Record<SmallVariant> {
         SmallVariant { bound: (1, 1), power: 1 },
         examine_small,
     )
-    .reading("In large flocks only small frequencies are amplified: if |a_M(w_M)| >= A > 0 for all M, then w_M -> 0.")
+    .reading(
+        "In large flocks only small frequencies are amplified: if |a_M(w_M)| >= A > 0 for all M, then w_M -> 0. \
+         Frequencies are positive; at -w the response is the conjugate of that at w.",
+    )
     .altered("a bound smaller by 1/100", |v| v.bound = (99, 100))
     .altered("M² instead of M", |v| v.power = 2)
 }
