@@ -40,17 +40,13 @@ pub(super) fn general_spectrum(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>,
     let rows: Vec<Row> = float_rows(matrix).ok_or(OUT_OF_RANGE)?;
     let parts = match diagonalised(&rows) {
         Some(parts) => parts,
-        None if rows.len() <= LARGEST_TRIANGULAR_ORDER => triangular_spectrum(&rows).ok_or(UNPROVED)?,
-        None => return Err(UNPROVED),
+        None => triangular_spectrum(&rows).ok_or(UNPROVED)?,
     };
     Ok(merged(parts).into_iter().map(real_if_alone).collect())
 }
 
 const UNPROVED: SpectrumError =
     SpectrumError::Unproved("its eigenvectors are too close to dependent for floating point");
-
-/// Largest order for which Schur's form is computed where the eigenvectors do not do; it is slow.
-const LARGEST_TRIANGULAR_ORDER: usize = 300;
 
 /// Discs by the theorem above.
 fn diagonalised(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
