@@ -1,6 +1,6 @@
 //! Every JSON document that is printed or written keeps to its schema in `assets/schemas/`.
 
-use super::{file, flockproof, folder, stdout};
+use super::{file, flockproof, folder, stdout, with_input};
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -172,7 +172,9 @@ fn documents_keep_to_their_schemas() {
     assert_eq!((&found["id"], found["controls"]["refuted"].as_u64()), (&Value::from("mine.path"), Some(1)));
     assert!(found["margin"].is_object() && found["inequalities"][0]["margin"].is_object(), "{found}");
     let wrong = std::fs::read_to_string(&question).expect("text").replacen("cos(pi/n))", "cos(pi/n)) + 1/9", 1);
-    let failed = flockproof(&["fuzz", &file(&folder, "wrong.toml", wrong.as_bytes()), "--cases", "64", "--json"]);
+    // What fails is written into the working folder.
+    let failed = ["fuzz", &file(&folder, "wrong.toml", wrong.as_bytes()), "--cases", "64", "--json"];
+    let failed = with_input(&failed, &folder, "");
     assert_eq!(failed.status.code(), Some(1), "{}", String::from_utf8_lossy(&failed.stderr));
     let failed: Value = serde_json::from_str(&stdout(&failed)).expect("JSON");
     assert_keeps("fuzz", &failed);
