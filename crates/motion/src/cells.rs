@@ -48,10 +48,8 @@ impl CellList {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(CellError::Radius(radius));
         }
-        // Without a way out on the way, several are looked at at once.
-        if !points.as_flattened().iter().fold(true, |all, x| all & x.is_finite()) {
-            let place = points.iter().position(|p| !(p[0].is_finite() && p[1].is_finite()));
-            return Err(CellError::Position(place.unwrap_or(0)));
+        if let Some(place) = first_not_finite(points) {
+            return Err(CellError::Position(place));
         }
         let (corner, opposite) = corners(points);
         let ([left, bottom], [right, top]) = (corner, opposite);
@@ -208,6 +206,12 @@ impl CellList {
         }
         pairs
     }
+}
+
+/// The first vector with a component that is not finite. Without a way out on the way, several are looked at at once.
+pub fn first_not_finite(vectors: &[[f64; 2]]) -> Option<usize> {
+    let finite = vectors.as_flattened().iter().fold(true, |all, x| all & x.is_finite());
+    if finite { None } else { vectors.iter().position(|v| !(v[0].is_finite() && v[1].is_finite())) }
 }
 
 /// The least and the largest coordinates of finite points, zeros where there are none.

@@ -20,7 +20,7 @@ mod sine;
 mod statistics;
 pub mod validated;
 
-pub use cells::{CellError, CellList, nearest};
+pub use cells::{CellError, CellList, first_not_finite, nearest};
 pub use descent::{first_fall, shifted, value_at};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
 pub use event::{Fall, Margin, next_fall, root};

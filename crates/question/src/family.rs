@@ -302,13 +302,13 @@ impl Maker<'_> {
         if !q.is_integer() {
             return Err(refuse(Problem::NotInteger { what: what.to_string(), found: shown(&q.to_string()) }));
         }
-        const LARGEST: i64 = 1 << 60;
+        const LARGEST: u64 = 1 << 60;
         let range = || Problem::Range {
             what: what.to_string(),
             expected: "at most 2^60 in size".to_string(),
             found: shown(&q.to_string()),
         };
-        q.to_i64().filter(|n| n.abs() <= LARGEST).ok_or_else(|| refuse(range()))
+        q.to_i64().filter(|n| n.unsigned_abs() <= LARGEST).ok_or_else(|| refuse(range()))
     }
 
     /// An integer between two.

@@ -105,7 +105,7 @@ fn simpler_number(
     let Some((_, Value::Number(current))) = found.iter().nth(place) else { return Ok(found) };
     let first = question.members(place, &before, progress).map(|members| members.get(0)).ok().flatten();
     if let Some(Value::Integers(from, _)) = first {
-        return smaller_integer(question, expression, found.clone(), place, (from, current), progress);
+        return smaller_integer(question, expression, &found, place, (from, current), progress);
     }
     let Some((lo, hi)) = first.and_then(|value| value.ends()) else { return Ok(found) };
     let mut radius = &hi - &lo;
@@ -133,24 +133,23 @@ fn simpler_number(
 fn smaller_integer(
     question: &Question,
     expression: &Expression,
-    mut found: Bindings,
+    found: &Bindings,
     place: usize,
     (from, failing): (i64, &Rational),
     progress: &dyn Progress,
 ) -> Result<Bindings, QuestionError> {
     // The property fails at `high`, and is taken to hold below the range.
     let (mut low, mut high) = (rational(from - 1, 1), failing.clone());
+    let with = |value: &Rational| {
+        let mut tried = found.clone();
+        tried.set(place, Value::Number(value.clone()));
+        tried
+    };
     while &high - &low > rational(1, 1) {
         let middle = ((&low + &high) * rational(1, 2)).floor();
-        let mut tried = found.clone();
-        tried.set(place, Value::Number(middle.clone()));
-        if fails(question, expression, &tried, progress)? {
-            (found, high) = (tried, middle);
-        } else {
-            low = middle;
-        }
+        if fails(question, expression, &with(&middle), progress)? { high = middle } else { low = middle }
     }
-    Ok(found)
+    Ok(with(&high))
 }
 
 /// A simpler case in which a property fails, and a weaker property of shorter times that fails there already.

@@ -5,7 +5,7 @@
 //! switching networks, equation (4) with the graph of Section 5).
 
 use super::{Coordinates, Potential, Slope, State, Vector, difference, pull, sum};
-use motion::{CellError, CellList, Lanes, VectorField};
+use motion::{CellError, CellList, Lanes, VectorField, first_not_finite};
 use pulp::Simd;
 use rayon::prelude::*;
 
@@ -110,10 +110,8 @@ impl SwitchingFlock {
         if velocities.len() != count || accelerations.len() != count {
             return Err(FlockError::Length { positions: 2 * count, velocities: 2 * velocities.len() });
         }
-        // Without a way out on the way, several are looked at at once.
-        if !velocities.as_flattened().iter().fold(true, |all, v| all & v.is_finite()) {
-            let agent = velocities.iter().position(|v| !(v[0].is_finite() && v[1].is_finite()));
-            return Err(FlockError::Velocity(agent.unwrap_or(0)));
+        if let Some(agent) = first_not_finite(velocities) {
+            return Err(FlockError::Velocity(agent));
         }
         let cells = CellList::new(positions, self.radius).map_err(|error| match error {
             CellError::Position(agent) => FlockError::Position(agent),

@@ -50,12 +50,7 @@ impl Flock {
         options: &Options,
         progress: &dyn Progress,
     ) -> (Motion, Result<(), MotionError>) {
-        let mut engine = match Engine::new(self, options, progress) {
-            Ok(engine) => engine,
-            Err(error) => return (Motion::default(), Err(error)),
-        };
-        let end = engine.run(until, samples);
-        (engine.motion, end)
+        self.follow(&self.links_at_start(), options, progress, |engine| engine.run(until, samples))
     }
 
     /// From a time with some links in force, where pairs are at `R`, until none stays there: one step of the integrator at least. The last
@@ -68,14 +63,27 @@ impl Flock {
         options: &Options,
         progress: &dyn Progress,
     ) -> (Motion, Result<(), MotionError>) {
-        let mut engine = match Engine::new(self, options, progress) {
-            Ok(engine) => engine,
-            Err(error) => return (Motion::default(), Err(error)),
-        };
-        engine.link(links);
-        (engine.time, engine.until_none_stays) = (from, true);
-        let end = engine.run_staying(samples);
-        (engine.motion, end)
+        self.follow(links, options, progress, |engine| {
+            (engine.time, engine.until_none_stays) = (from, true);
+            engine.run_staying(samples)
+        })
+    }
+
+    /// A motion with some links at its start: what was reached on its way, and why there is no more of it.
+    fn follow(
+        &self,
+        links: &[Pair],
+        options: &Options,
+        progress: &dyn Progress,
+        way: impl FnOnce(&mut Engine) -> Result<(), MotionError>,
+    ) -> (Motion, Result<(), MotionError>) {
+        match Engine::new(self, links, options, progress) {
+            Ok(mut engine) => {
+                let end = way(&mut engine);
+                (engine.motion, end)
+            }
+            Err(error) => (Motion::default(), Err(error)),
+        }
     }
 
     fn check(until: f64, samples: &[f64], options: &Options) -> Result<(), MotionError> {
@@ -172,7 +180,12 @@ pub(super) struct Engine<'a> {
 }
 
 impl<'a> Engine<'a> {
-    fn new(flock: &'a Flock, options: &'a Options, progress: &'a dyn Progress) -> Result<Self, MotionError> {
+    fn new(
+        flock: &'a Flock,
+        links: &[Pair],
+        options: &'a Options,
+        progress: &'a dyn Progress,
+    ) -> Result<Self, MotionError> {
         let radius = if let Network::Within(radius) = flock.network { Some(radius) } else { None };
         let count = flock.start.count();
         let mut engine = Engine {
@@ -191,7 +204,7 @@ impl<'a> Engine<'a> {
             until_none_stays: false,
             motion: Motion::default(),
         };
-        engine.link(&flock.links_at_start());
+        engine.link(links);
         Ok(engine)
     }
 

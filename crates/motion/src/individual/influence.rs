@@ -42,9 +42,8 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize, const K: usize> pul
         let mut lanes = [0.0; MOST_LANES];
         for some in self.neighbours.chunks(Lanes::<S>::WIDTH) {
             // A lane too many holds the first one again.
-            let mut others = [self.own; MOST_LANES];
+            let mut others = [(self.path)(some[0].agent); MOST_LANES];
             let mut turns = [TAU * some[0].turns; MOST_LANES];
-            others.fill((self.path)(some[0].agent));
             for ((other, turns), one) in others.iter_mut().zip(&mut turns).zip(some) {
                 (*other, *turns) = ((self.path)(one.agent), TAU * one.turns);
             }

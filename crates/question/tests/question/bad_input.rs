@@ -44,6 +44,8 @@ fn reals_where_integers_are_needed() {
     refused(&asked("graph = \"ring:5\"", "lambda(6) > 0", "1 < 0"), "line 6, column 13: ", "between 1 and 5");
     let many = asked("followers = \"10^20\"\nf = \"-1\"\ng = \"-1\"", "peak < 3", "1 < 0");
     refused(&many, "line 8, column 13: ", "but it is 100000000000000000000");
+    // The one 64-bit integer whose size is none.
+    refused(&asked("n = \"integers(-9223372036854775808, 5)\"", "n > 0", "1 < 0"), "line 4, column 15: ", "2^60");
 }
 
 #[test]
