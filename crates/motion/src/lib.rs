@@ -30,7 +30,7 @@ pub use individual::{IndividualFlock, IndividualLaw, Moving, Pace, Rates, Switch
 pub use jet::Jet;
 pub use lanes::Lanes;
 pub use rk4::Rk4;
-pub use side_by_side::{on_a_thread, side_by_side};
+pub use side_by_side::{on_a_thread, side_by_side, while_one_waits};
 pub use sine::{LARGEST_FAST_ANGLE, SINE_ERROR, sin_cos_of};
 pub use statistics::{Sample, Share};
 

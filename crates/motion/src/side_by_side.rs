@@ -1,7 +1,12 @@
 //! Independent pieces of work on all threads.
 
 use rayon::prelude::*;
+use std::hint::spin_loop;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Looks at whether work is over before other programs are let in.
+const LOOKS: usize = 64;
 
 /// What `of` gives for each item, in their order, whatever the number of threads. The threads are started and joined by code that is compiled once,
 /// not for each kind of item.
@@ -17,6 +22,34 @@ pub fn side_by_side<T: Sync, R: Send + Sync>(items: &[T], of: impl Fn(&T) -> R +
 /// shared out one has to be woken and waited for, which takes as long as a few hundred agents.
 pub fn on_a_thread<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     rayon::scope(|_| work())
+}
+
+/// Does work that one thread can do and that is over soon, after which parts are shared out. Another thread, if one is free, stays awake
+/// meanwhile: to wake it takes as long as a few hundred agents.
+pub fn while_one_waits<R: Send>(work: impl FnOnce() -> R + Send) -> R {
+    let over = AtomicBool::new(false);
+    let watched = || {
+        let _end = Over(&over);
+        work()
+    };
+    rayon::join(watched, || wait(&over)).0
+}
+
+/// Says that the work is over, even if it ends by a panic.
+struct Over<'a>(&'a AtomicBool);
+
+impl Drop for Over<'_> {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Release);
+    }
+}
+
+fn wait(over: &AtomicBool) {
+    // Some microseconds at a time, before other programs are let in.
+    while !over.load(Ordering::Acquire) {
+        (0..LOOKS).take_while(|_| !over.load(Ordering::Acquire)).for_each(|_| spin_loop());
+        std::thread::yield_now();
+    }
 }
 
 fn each(count: usize, work: &(dyn Fn(usize) + Sync)) {

@@ -1,7 +1,8 @@
 //! Matrices of floats with bounds: rounding of rationals, products whose error is known.
 
 use arithmetic::{Dyadic, Interval, Rational, Real};
-use faer::{Mat, MatRef};
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatRef, Par};
 use num_traits::{Signed, ToPrimitive};
 
 /// Half an ulp of one: the relative error of a rounding.
@@ -61,20 +62,25 @@ pub(super) struct Product {
     pub error: f64,
 }
 
-/// Splits `a = head + tail`: in each row of `head` all entries are multiples, by integers of at most `bits` bits, of one
-/// power of two.
-fn split_rows(a: MatRef<'_, f64>, bits: i32) -> (Mat<f64>, Mat<f64>) {
-    let shifts: Vec<f64> = (0..a.nrows())
-        .map(|i| {
-            let largest = (0..a.ncols()).map(|j| a[(i, j)].abs()).fold(0.0, f64::max);
-            let top = Dyadic::from_f64(largest).map_or(0, |x| x.top().clamp(-900, 900));
-            1.5 * 2f64.powi(top as i32 - bits + 52)
-        })
-        .collect();
-    // Beside these numbers floats are multiples of that power of two: the sum is rounded to one, and the differences are exact.
-    let head = Mat::from_fn(a.nrows(), a.ncols(), |i, j| (a[(i, j)] + shifts[i]) - shifts[i]);
-    let tail = Mat::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)] - head[(i, j)]);
+/// Splits `a = head + tail` by a number for each place: beside it floats are multiples of a power of two, so that the sum is rounded to one and the
+/// differences are exact.
+fn split(a: &Mat<f64>, shift: impl Fn(usize, usize) -> f64) -> (Mat<f64>, Mat<f64>) {
+    let (mut head, mut tail) = (a.clone(), a.clone());
+    for j in 0..a.ncols() {
+        let entries = head.col_as_slice_mut(j).iter_mut().zip(tail.col_as_slice_mut(j)).enumerate();
+        entries.for_each(|(i, (head, tail))| {
+            let shift = shift(i, j);
+            *head = (*head + shift) - shift;
+            *tail -= *head;
+        });
+    }
     (head, tail)
+}
+
+/// A number beside which floats up to `largest` are rounded to multiples, by integers of at most `bits` bits, of one power of two.
+fn shift(largest: f64, bits: i32) -> f64 {
+    let top = Dyadic::from_f64(largest).map_or(0, |x| x.top().clamp(-900, 900));
+    1.5 * 2f64.powi(top as i32 - bits + 52)
 }
 
 /// A left factor of products whose leading parts are exact, after Ozaki, Ogita, Oishi and Rump (2012): both factors are split so
@@ -90,22 +96,30 @@ pub(super) struct Split {
 }
 
 impl Split {
-    pub fn new(a: MatRef<'_, f64>) -> Self {
+    /// Each row has a power of two of its own.
+    pub fn new(a: &Mat<f64>) -> Self {
         let sum_bits = (usize::BITS - a.ncols().leading_zeros()) as i32;
         let bits = (53 - sum_bits) / 2;
-        let (head, tail) = split_rows(a, bits);
+        let mut largest = vec![0.0; a.nrows()];
+        for j in 0..a.ncols() {
+            largest.iter_mut().zip(a.col_as_slice(j)).for_each(|(most, x)| *most = f64::max(*most, x.abs()));
+        }
+        let shifts: Vec<f64> = largest.into_iter().map(|largest| shift(largest, bits)).collect();
+        let (head, tail) = split(a, |i, _| shifts[i]);
         let sizes = (frobenius(head.as_ref()), frobenius(tail.as_ref()));
         Split { head, tail, sizes, bits }
     }
 
     /// The product with a matrix of floats in range.
-    pub fn times(&self, b: MatRef<'_, f64>) -> Product {
+    pub fn times(&self, b: &Mat<f64>) -> Product {
         let inner = b.nrows();
-        let (b_head, b_tail) = split_rows(b.transpose(), self.bits);
-        let (b_head, b_tail) = (b_head.transpose(), b_tail.transpose());
-        let exact = &self.head * b_head;
-        let rest = &self.head * b_tail + &self.tail * b;
-        let sizes = self.sizes.0 * frobenius(b_tail) + self.sizes.1 * frobenius(b);
+        let largest = |j: usize| b.col_as_slice(j).iter().fold(0.0, |most, x| f64::max(most, x.abs()));
+        let shifts: Vec<f64> = (0..b.ncols()).map(|j| shift(largest(j), self.bits)).collect();
+        let (b_head, b_tail) = split(b, |_, j| shifts[j]);
+        let exact = &self.head * &b_head;
+        let mut rest = &self.head * &b_tail;
+        matmul(rest.as_mut(), Accum::Add, self.tail.as_ref(), b.as_ref(), 1.0, Par::Seq);
+        let sizes = self.sizes.0 * frobenius(b_tail.as_ref()) + self.sizes.1 * frobenius(b.as_ref());
         let error = 2.0 * (inner as f64 + 2.0) * UNIT * sizes * SLACK + UNDERFLOW;
         Product { exact, rest, error }
     }

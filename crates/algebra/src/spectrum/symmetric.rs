@@ -21,7 +21,7 @@ use faer::Mat;
 use rayon::prelude::*;
 
 /// Columns of `Q` that one task works on; the results do not depend on the number of threads.
-const PANEL: usize = 96;
+const PANEL: usize = 128;
 
 /// Columns of which a residual is summed up together.
 const TOGETHER: usize = 4;
@@ -138,14 +138,17 @@ impl Reduced {
 
     /// The sums of the squares by panels, and a bound of the rounding.
     fn dense_residual(&self, s: &Symmetric, small: f64) -> (Vec<f64>, f64) {
-        let split = Split::new(dense(s).as_ref());
+        let split = Split::new(&dense(s));
         let panel = |(number, panel): (usize, &Mat<f64>)| {
-            let product = split.times(panel.as_ref());
-            let difference = Mat::from_fn(panel.nrows(), panel.ncols(), |i, j| {
-                (product.exact[(i, j)] - self.image(number * PANEL + j)(i)) + product.rest[(i, j)]
-            });
+            let mut product = split.times(panel);
             let sizes = frobenius(product.exact.as_ref()) + frobenius(product.rest.as_ref());
-            let norm = frobenius(difference.as_ref());
+            for j in 0..panel.ncols() {
+                let image = self.image(number * PANEL + j);
+                let entries =
+                    product.rest.col_as_slice_mut(j).iter_mut().zip(product.exact.col_as_slice(j)).enumerate();
+                entries.for_each(|(i, (rest, exact))| *rest += exact - image(i));
+            }
+            let norm = frobenius(product.rest.as_ref());
             (norm * norm, product.error + 8.0 * UNIT * sizes)
         };
         let parts: Vec<(f64, f64)> = self.panels.par_iter().enumerate().map(panel).collect();

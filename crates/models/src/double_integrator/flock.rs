@@ -5,7 +5,7 @@
 //! switching networks, equation (4) with the graph of Section 5).
 
 use super::{Coordinates, Potential, Slope, State, Vector, difference, pull, sum};
-use motion::{CellError, CellList, Lanes, VectorField, first_not_finite};
+use motion::{CellError, CellList, Lanes, VectorField, first_not_finite, while_one_waits};
 use pulp::Simd;
 use rayon::prelude::*;
 
@@ -113,11 +113,11 @@ impl SwitchingFlock {
         if let Some(agent) = first_not_finite(velocities) {
             return Err(FlockError::Velocity(agent));
         }
-        let cells = CellList::new(positions, self.radius).map_err(|error| match error {
-            CellError::Position(agent) => FlockError::Position(agent),
-            CellError::Radius(radius) => FlockError::Radius(radius),
-        })?;
-        self.sort(cells.numbers(), positions, velocities);
+        let cells = if count > TASK {
+            while_one_waits(|| self.cells(positions, velocities))?
+        } else {
+            self.cells(positions, velocities)?
+        };
         self.found.iter_mut().for_each(|found| found.resize(count, 0.0));
         let arch = pulp::Arch::new();
         let (slope, sorted, [first, second]) = (&self.slope, &self.sorted, &mut self.found);
@@ -146,7 +146,16 @@ impl SwitchingFlock {
         if finite { Ok(()) } else { Err(self.reason(&cells, positions)) }
     }
 
-    /// Brings positions and velocities into the order of the cells.
+    /// Cells, and positions and velocities in their order.
+    fn cells(&mut self, positions: &[Vector<f64>], velocities: &[Vector<f64>]) -> Result<CellList, FlockError> {
+        let cells = CellList::new(positions, self.radius).map_err(|error| match error {
+            CellError::Position(agent) => FlockError::Position(agent),
+            CellError::Radius(radius) => FlockError::Radius(radius),
+        })?;
+        self.sort(cells.numbers(), positions, velocities);
+        Ok(cells)
+    }
+
     fn sort(&mut self, numbers: &[usize], positions: &[Vector<f64>], velocities: &[Vector<f64>]) {
         self.sorted.iter_mut().for_each(|sorted| sorted.resize(numbers.len(), 0.0));
         let [x, y, u, v] = &mut self.sorted;
