@@ -45,7 +45,7 @@ impl<'a> Trailing<'a> {
             return work();
         }
         let watched = || {
-            let _end = End(&self.state);
+            let _end = Leave(&self.state, OVER);
             work()
         };
         rayon::join(watched, || self.help()).0
@@ -84,6 +84,7 @@ impl<'a> Trailing<'a> {
     fn answer(&self) -> bool {
         let mine = self.state.compare_exchange(ASKED, BEGUN, Ordering::AcqRel, Ordering::Acquire).is_ok();
         if mine {
+            let _done = Leave(&self.state, DONE);
             let vector = self.vector.read().unwrap_or_else(PoisonError::into_inner);
             let mut second = self.second.lock().unwrap_or_else(PoisonError::into_inner);
             let (order, first) = (vector.len(), middle(vector.len()));
@@ -91,8 +92,6 @@ impl<'a> Trailing<'a> {
             second.resize(order - first, 0.0);
             let rest = self.rest(order - first);
             pulp::Arch::new().dispatch(Second { rest, x: &vector[first..], y: &mut second });
-            drop((vector, second));
-            self.state.store(DONE, Ordering::Release);
         }
         mine
     }
@@ -115,12 +114,12 @@ impl<'a> Trailing<'a> {
     }
 }
 
-/// Says that there will be no more products, even if the work ends by a panic.
-struct End<'a>(&'a AtomicU8);
+/// Says at its end how far the work is, even if it ends by a panic, which the other thread must not wait through.
+struct Leave<'a>(&'a AtomicU8, u8);
 
-impl Drop for End<'_> {
+impl Drop for Leave<'_> {
     fn drop(&mut self) {
-        self.0.store(OVER, Ordering::Release);
+        self.0.store(self.1, Ordering::Release);
     }
 }
 
