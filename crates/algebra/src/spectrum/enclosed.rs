@@ -95,6 +95,11 @@ fn zero(precision: u32) -> Interval {
     Interval::from_rational(&Rational::zero(), precision)
 }
 
+/// Bits that hold this many decimal digits.
+pub(super) fn bits(digits: u32) -> u32 {
+    (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32
+}
+
 /// By the middle of the real parts, then of the imaginary parts.
 pub(super) fn order(a: &Eigenvalue, b: &Eigenvalue) -> Ordering {
     let middle = |x: &Interval| x.lo().midpoint(x.hi());

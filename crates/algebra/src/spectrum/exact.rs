@@ -1,7 +1,6 @@
 //! Spectra of small rational matrices from their exact characteristic polynomials.
 
-use super::closed_form::bits;
-use super::enclosed::order;
+use super::enclosed::{bits, order};
 use super::smith::complex_roots;
 use super::{Eigenvalue, Polynomial, RealRoot};
 use crate::matrix::{CharacteristicPolynomial, MatrixError, RationalMatrix};

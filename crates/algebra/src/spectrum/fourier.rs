@@ -154,8 +154,7 @@ impl Blocks {
 /// The transform of a power of two of numbers given by their index.
 pub(super) fn transform(n: usize, input: impl Fn(usize) -> (f64, f64) + Sync) -> Blocks {
     let (n1, n2) = split(n);
-    let roots1 = Roots::new(n1);
-    let roots2 = if n1 == n2 { Roots(roots1.0.clone()) } else { Roots::new(n2) };
+    let (roots1, roots2) = (Roots::new(n1), Roots::new(n2));
     // e^(2 pi i e/n) as a product, e = high n1 + low.
     let low: Vec<(f64, f64)> = (0..n1).map(|e| root_of_unity(e as u64, n as u64)).collect();
     let (bits, width1) = (n1.ilog2(), WIDTH.min(n2));
