@@ -62,6 +62,35 @@ fn kinds_are_what_they_say() {
 }
 
 #[test]
+fn names_of_kinds() {
+    for (name, kind) in LaplacianKind::NAMES {
+        assert_eq!((kind.name(), LaplacianKind::from_name(name)), (name, Some(kind)));
+    }
+    assert_eq!(LaplacianKind::from_name("signless"), None);
+}
+
+#[test]
+fn normalised_and_walk_matrices_and_what_has_none() {
+    let edge = |i: usize, j: usize, w: i64| [(i, j, rational(w, 1)), (j, i, rational(w, 1))];
+    let path = WeightedGraph::from_arcs(3, edge(0, 1, 2).into_iter().chain(edge(1, 2, 1)));
+    let walk = path.matrix(LaplacianKind::Walk).expect("exists");
+    assert_eq!(path.matrix(LaplacianKind::Normalised), Ok(walk.clone()));
+    let rows = [[3, -3, 0], [-2, 3, -1], [0, -3, 3]];
+    let dense = walk.to_dense().expect("vertices");
+    assert!((0..9).all(|k| dense.entry(k / 3, k % 3) == rational(rows[k / 3][k % 3], 3)));
+    let negative = WeightedGraph::from_arcs(3, edge(0, 1, 2).into_iter().chain(edge(1, 2, -1)));
+    assert_eq!(negative.matrix(LaplacianKind::Normalised), Err(LaplacianError::Negative(2)));
+    let last =
+        WeightedGraph::from_arcs(3, edge(0, 1, 2).into_iter().chain([(2, 0, rational(1, 1)), (2, 1, rational(-1, 1))]));
+    assert_eq!(last.matrix(LaplacianKind::Walk), Err(LaplacianError::ZeroDegree(3)));
+    let out = path.matrix(LaplacianKind::OutDegree).expect("exists");
+    assert_eq!(path.grounded(2), Ok(out.principal(&[0, 1])));
+    assert_eq!(path.grounded(1), Ok(out.principal(&[0, 2])));
+    let two = WeightedGraph::from_arcs(2, edge(0, 1, 5));
+    assert_eq!(two.grounded(1).expect("a vertex").get(0, 0), Some(&rational(5, 1)));
+}
+
+#[test]
 fn platoons_have_a_leader_without_neighbours() {
     let two = named("platoon2:3").build().expect("small");
     let half = rational(1, 2);
