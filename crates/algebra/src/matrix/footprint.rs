@@ -30,8 +30,9 @@ impl Footprint {
     /// The columns with a one in row `i`, in order.
     pub(crate) fn ones(&self, i: usize) -> impl Iterator<Item = usize> {
         self.row(i).iter().enumerate().flat_map(|(word, &bits)| {
-            let left = |bits: &u64| (*bits != 0).then(|| bits & (bits - 1));
-            std::iter::successors((bits != 0).then_some(bits), move |bits| left(bits).filter(|&b| b != 0))
+            // Without the last one, again and again.
+            std::iter::successors(Some(bits), |&bits| Some(bits & bits.wrapping_sub(1)))
+                .take_while(|&bits| bits != 0)
                 .map(move |bits| word * 64 + bits.trailing_zeros() as usize)
         })
     }

@@ -19,11 +19,11 @@
 //! polynomials for small orders. The reduced matrix of platoon2 is zero where `T_M(1 - x) = 0`, as in Lemma 2 of Veerman
 //! et al.
 
-use super::enclosed::{FloatEnclosure, bits, order};
+use super::enclosed::{FloatEnclosure, bits, least_top, order};
 use super::float_bounds::{nearest, nearest_root};
 use super::{CyclotomicSum, Eigenvalue, RootTable};
 use crate::graph::{LaplacianKind, NamedGraph};
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::{ArithmeticError, Interval, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
 use rayon::prelude::*;
 use std::collections::hash_map::Entry;
@@ -315,7 +315,7 @@ fn enclose_sum(
             (z.re, zero)
         } else {
             // The real part may be rational, as that of i is.
-            let exact = sum.real_part().exact(&z.re).map(|q| z.re.rational(&q));
+            let exact = sum.real_part().exact(&z.re).map(|q| Interval::from_rational(&q, precision));
             (exact.unwrap_or(z.re), z.im)
         };
         let width = re.width().top().max(im.width().top());
@@ -332,9 +332,4 @@ fn enclose_sum(
 /// Bits that nearly always do: the least eigenvalues of a ring or path are of the size order^-2.
 fn first_precision(sum: &CyclotomicSum, digits: u32) -> u32 {
     bits(digits) + 2 * (u64::BITS - sum.order().leading_zeros()) + 24
-}
-
-/// A power of two that is not above the least absolute value in an interval without zero.
-fn least_top(x: &Interval) -> i64 {
-    x.lo().top().min(x.hi().top()) - 1
 }

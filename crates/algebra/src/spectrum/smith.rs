@@ -103,7 +103,7 @@ fn isolated(
 /// Smith's radii around the centres, rounded up, where these are as many as the degree.
 fn radii(coefficients: &[Interval], centres: &[Complex<Interval>]) -> Option<Vec<Dyadic>> {
     let lead = Complex::real(coefficients.last()?.clone());
-    let mut radii = Vec::with_capacity(centres.len());
+    let mut radii = Vec::new();
     for (i, z) in centres.iter().enumerate() {
         let others = centres.iter().enumerate().filter(|&(j, _)| j != i);
         let product = others.fold(lead.clone(), |product, (_, other)| product * (z.clone() - other));
@@ -200,6 +200,14 @@ mod tests {
         // Here the modulus is only known to be a little less than 1, if it is not 1.
         let one = at((3, 5), (4, 5));
         assert!(with(&one, &power(-13)).is_some() && with(&one, &power(-12)).is_none());
+        // Around a centre that is only known to lie in an interval.
+        let between = |lo, hi| Interval::hull_of_rationals(&lo, &hi, 200);
+        let (low, high) = (rational(1, 1), rational(4097, 4096));
+        let wide = Complex::new(between(low.clone(), high.clone()), between(low.clone(), high.clone()));
+        let found = with(&wide, &power(-12)).expect("thin");
+        let r = rational(1, 4096);
+        assert_eq!(found.re.to_rationals(), (&low - &r, &high + &r));
+        assert_eq!(found.im.to_rationals(), (low - &r, high + r));
         // A disc that has the digits, but reaches the axis.
         let flat = at((1, 1), (1, 1 << 13));
         assert!(with(&flat, &power(-14)).is_some() && with(&flat, &power(-13)).is_none());
@@ -226,6 +234,10 @@ mod tests {
         let root = complex_roots(&f, &[], 1).expect("a pair").remove(0);
         assert!(root.re.contains(&rational(-1, 3)) && root.im.square().contains(&rational(14, 9)));
         assert!(root.re.width().to_f64() < 0.1);
+        // z (z² + 1)
+        let f = integers(&[0, 1, 0, 1]);
+        let real = f.roots_in(&rational(-9, 1), &rational(9, 1));
+        assert!(complex_roots(&f, &real, 3).expect("a pair")[0].im.contains(&rational(1, 1)));
         // (z² + 1) (z² + 1 + 2^-k) 2^k
         for k in 1..=20 {
             let power = 1i64 << k;
@@ -237,5 +249,24 @@ mod tests {
             }
             assert!(roots.iter().all(|z| z.re.contains_zero() && z.im.width().to_f64() < 1e-20), "{k}");
         }
+    }
+
+    #[test]
+    fn few_bits_for_a_close_pair() {
+        // (z² + 1) (z² + 1 + 2^-20) 2^20: refused, or each square holds one root.
+        let power = 1i64 << 20;
+        let f = integers(&[power + 1, 0, 2 * power + 1, 0, power]);
+        let (first, second) = (rational(1, 1), rational(power + 1, power));
+        let starts = [(0.0, 1.0), (0.0, second.to_f64().expect("a float").sqrt())];
+        let found = |precision| isolated(&f, &[], &starts, 1, precision);
+        for precision in 8..80 {
+            for square in [&first, &second] {
+                let holding = |roots: &Vec<Complex<Interval>>| {
+                    roots.iter().filter(|z| z.im.square().contains(square)).count() == 1
+                };
+                assert!(found(precision).as_ref().is_none_or(holding), "{precision}");
+            }
+        }
+        assert!(found(80).is_some());
     }
 }

@@ -2,7 +2,7 @@
 
 use algebra::graph::read::{GraphReadError, read_graph};
 use algebra::graph::{Graph, LaplacianError, LaplacianKind, NameError, NamedGraph, WeightedGraph, components};
-use algebra::matrix::SparseMatrix;
+use algebra::matrix::{Footprint, SparseMatrix};
 use arithmetic::rational;
 
 fn named(text: &str) -> NamedGraph {
@@ -219,6 +219,25 @@ fn isomorphism_codes() {
     let path = Graph::path(5);
     let renamed = Graph::from_edges(5, &[(3, 1), (1, 4), (4, 0), (0, 2)]).unwrap();
     assert_eq!(path.isomorphism_code(), renamed.isomorphism_code());
+}
+
+#[test]
+fn edges_come_and_go() {
+    for n in [1, 64, 65, 70, 130] {
+        assert_eq!(Graph::path(n).closed_adjacency(), Footprint::from_fn(n, n, |i, j| i.abs_diff(j) < 2), "{n}");
+    }
+    for (i, j) in [(0, 1), (3, 2), (0, 69), (3, 64), (65, 69)] {
+        let mut graph = Graph::path(70);
+        graph.toggle(i, j);
+        let joined = |a: usize, b: usize| (a.abs_diff(b) == 1) != ((a, b) == (i, j) || (a, b) == (j, i));
+        assert_eq!(graph, Graph::from_fn(70, joined), "{i} {j}");
+        graph.toggle(j, i);
+        assert_eq!(graph, Graph::path(70));
+        graph.toggle(i, i);
+        graph.toggle(i, 70);
+        graph.toggle(128, j);
+        assert_eq!(graph, Graph::path(70));
+    }
 }
 
 /// Outside of matrices and graphs there is nothing, and nobody panics about it.

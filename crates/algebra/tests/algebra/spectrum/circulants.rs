@@ -209,6 +209,15 @@ fn the_error_of_weights_is_added_to_that_of_the_transform() {
 }
 
 #[test]
+fn transforms_of_symmetric_rows_are_real() {
+    let row: Vec<f64> = (0..101usize).map(|s| 1.0 / (s.min(101 - s) + 1) as f64).collect();
+    let matrix = Circulant::from_first_row(&row).expect("in range");
+    let found = matrix.eigenvalues().expect("a spectrum");
+    assert!(found.relative == 0.0 && found.im().is_empty());
+    assert!(found.enclosures().expect("finite").iter().all(|part| part.is_real()));
+}
+
+#[test]
 fn rows_may_have_zeros_and_ones() {
     for row in [vec![0.0, 1.0, 0.0, 0.0, -1.0], vec![1.0, 1.0, 1.0], vec![0.0; 4]] {
         let exact: Vec<(usize, Rational)> = row.iter().map(|&x| float(x)).enumerate().collect();

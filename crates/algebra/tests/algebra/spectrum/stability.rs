@@ -40,5 +40,6 @@ fn moved_roots() {
     // (x - 1) (x + 2) (x - 4) moved by 3/2.
     let moved = of(&product(&[&[-1, 1], &[2, 1], &[-4, 1]])).with_roots_moved(&rational(3, 2));
     let roots: Vec<Rational> = [rational(5, 2), rational(-1, 2), rational(11, 2)].to_vec();
+    assert!(moved.at(&rational(9, 1)) > rational(0, 1) && moved.at(&rational(-9, 1)) < rational(0, 1));
     assert!(moved.degree() == 3 && roots.iter().all(|root| moved.at(root) == rational(0, 1)));
 }

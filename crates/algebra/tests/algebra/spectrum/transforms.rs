@@ -43,7 +43,7 @@ fn documented(x: &[f64]) -> f64 {
     });
     let root = |x: usize| (x as f64).sqrt() * SLACK;
     let (epsilon, mu) = (transform_error(m), ROOT_ERROR);
-    let largest = sizes.fold(0.0, f64::max) * SLACK + (epsilon + mu) * root(m) * root(2 * n);
+    let largest = sizes.fold(0.0, f64::max) * SLACK;
     let inside = (2.0 * epsilon + mu + 1.5 * UNIT + PRODUCT) * largest + (epsilon + mu) * root(2 * n);
     (inside + (PRODUCT + mu) * root(n)) * (norm(2).sqrt() * SLACK) * SLACK + UNDERFLOW * m as f64
 }
