@@ -68,7 +68,7 @@ impl CosineField {
 
     /// A rational number.
     pub fn number(&self, q: &Rational) -> RealCyclotomic {
-        let mut coefficients = vec![rational(0, 1); self.degree()];
+        let mut coefficients = vec![Rational::ZERO; self.degree()];
         coefficients[0].clone_from(q);
         RealCyclotomic { field: self.data.clone(), coefficients }
     }
@@ -92,7 +92,7 @@ impl CosineField {
     fn cosine(&self, k: i64) -> RealCyclotomic {
         let k = k.rem_euclid(self.data.order);
         let k = k.min(self.data.order - k);
-        let y = reduce(vec![rational(0, 1), rational(1, 1)], &self.data.minimal);
+        let y = reduce(vec![Rational::ZERO, rational(1, 1)], &self.data.minimal);
         let y = RealCyclotomic { field: self.data.clone(), coefficients: y };
         let (mut now, mut next) = (y.integer(2), y.clone());
         for _ in 0..k {
@@ -113,14 +113,14 @@ fn reduce(mut polynomial: Vec<Rational>, lower: &[Rational]) -> Vec<Rational> {
             *c -= &leading * l;
         }
     }
-    polynomial.resize(degree, rational(0, 1));
+    polynomial.resize(degree, Rational::ZERO);
     polynomial
 }
 
 /// Quotient and remainder by a polynomial whose last coefficient is not zero.
 fn divide(mut dividend: Vec<Rational>, divisor: &[Rational]) -> (Vec<Rational>, Vec<Rational>) {
     let degree = divisor.len() - 1;
-    let mut quotient = vec![rational(0, 1); dividend.len().saturating_sub(degree)];
+    let mut quotient = vec![Rational::ZERO; dividend.len().saturating_sub(degree)];
     while dividend.len() > degree {
         let shift = dividend.len() - 1 - degree;
         let factor = &dividend[dividend.len() - 1] / &divisor[degree];
@@ -141,7 +141,7 @@ fn trimmed(mut polynomial: Vec<Rational>) -> Vec<Rational> {
 }
 
 fn product(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
-    let mut result = vec![rational(0, 1); (a.len() + b.len()).saturating_sub(1)];
+    let mut result = vec![Rational::ZERO; (a.len() + b.len()).saturating_sub(1)];
     for (i, x) in a.iter().enumerate().filter(|(_, x)| !x.is_zero()) {
         for (j, y) in b.iter().enumerate().filter(|(_, y)| !y.is_zero()) {
             result[i + j] += x * y;
@@ -155,7 +155,7 @@ fn product(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
 fn minimal_polynomial(order: i64) -> Vec<Rational> {
     let mut cyclotomic: Vec<(i64, Vec<Rational>)> = Vec::new();
     for n in (1..=order).filter(|n| order % n == 0) {
-        let mut polynomial = vec![rational(0, 1); n as usize + 1];
+        let mut polynomial = vec![Rational::ZERO; n as usize + 1];
         polynomial[0] = rational(-1, 1);
         polynomial[n as usize] = rational(1, 1);
         for (_, factor) in cyclotomic.iter().filter(|(d, _)| n % d == 0) {
@@ -165,11 +165,11 @@ fn minimal_polynomial(order: i64) -> Vec<Rational> {
     }
     let phi = cyclotomic.pop().map(|(_, polynomial)| polynomial).unwrap_or_default();
     let half = phi.len() / 2;
-    let (mut now, mut next) = (vec![rational(2, 1)], vec![rational(0, 1), rational(1, 1)]);
-    let mut minimal = vec![rational(0, 1); half + 1];
+    let (mut now, mut next) = (vec![rational(2, 1)], vec![Rational::ZERO, rational(1, 1)]);
+    let mut minimal = vec![Rational::ZERO; half + 1];
     minimal[0] += &phi[half];
     for j in 1..=half {
-        let mut after = product(&next, &[rational(0, 1), rational(1, 1)]);
+        let mut after = product(&next, &[Rational::ZERO, rational(1, 1)]);
         for (a, b) in after.iter_mut().zip(&now) {
             *a -= b;
         }
@@ -228,7 +228,7 @@ impl Ring for RealCyclotomic {
 
 impl Field for RealCyclotomic {
     fn rational(&self, q: &Rational) -> Self {
-        let mut coefficients = vec![rational(0, 1); self.field.minimal.len()];
+        let mut coefficients = vec![Rational::ZERO; self.field.minimal.len()];
         coefficients[0].clone_from(q);
         RealCyclotomic { field: self.field.clone(), coefficients }
     }
@@ -242,7 +242,7 @@ impl Field for RealCyclotomic {
         while r1.len() > 1 {
             let (quotient, remainder) = divide(r0, &r1);
             let subtracted = product(&quotient, &s1);
-            s0.resize(subtracted.len().max(s0.len()), rational(0, 1));
+            s0.resize(subtracted.len().max(s0.len()), Rational::ZERO);
             for (a, b) in s0.iter_mut().zip(&subtracted) {
                 *a -= b;
             }

@@ -54,10 +54,8 @@ impl<T: Ring> Series<T> {
     fn convolve(a: &Self, b: &Self) -> Self {
         let order = a.coefficients.len().min(b.coefficients.len());
         let coefficient = |n: usize| {
-            (0..=n)
-                .map(|k| a.coefficients[k].clone() * &b.coefficients[n - k])
-                .reduce(|x, y| x + y)
-                .unwrap_or_else(|| a.coefficients[0].zero())
+            let term = |k: usize| a.coefficients[k].clone() * &b.coefficients[n - k];
+            (1..=n).fold(term(0), |sum, k| sum + term(k))
         };
         Series { coefficients: (0..order).map(coefficient).collect() }
     }

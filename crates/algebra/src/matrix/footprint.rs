@@ -24,16 +24,15 @@ impl Footprint {
 
     /// Makes an entry inside the matrix the other.
     pub(crate) fn flip(&mut self, i: usize, j: usize) {
-        if i < self.rows && j < self.cols {
-            self.bits[i * self.words + j / 64] ^= 1 << (j % 64);
-        }
+        self.bits[i * self.words + j / 64] ^= 1 << (j % 64);
     }
 
     /// The columns with a one in row `i`, in order.
     pub(crate) fn ones(&self, i: usize) -> impl Iterator<Item = usize> {
         self.row(i).iter().enumerate().flat_map(|(word, &bits)| {
-            let left = |bits: &u64| (*bits != 0).then(|| bits & (bits - 1));
-            std::iter::successors((bits != 0).then_some(bits), move |bits| left(bits).filter(|&b| b != 0))
+            // Without the last one, again and again.
+            std::iter::successors(Some(bits), |&bits| Some(bits & bits.wrapping_sub(1)))
+                .take_while(|&bits| bits != 0)
                 .map(move |bits| word * 64 + bits.trailing_zeros() as usize)
         })
     }
@@ -109,13 +108,13 @@ impl Footprint {
     /// With ones on the diagonal too.
     pub(crate) fn closed(&self) -> Self {
         let mut closed = self.clone();
-        (0..self.rows.min(self.cols)).filter(|&i| !self.get(i, i)).for_each(|i| closed.flip(i, i));
+        (0..self.rows.min(self.cols)).for_each(|i| closed.bits[i * self.words + i / 64] |= 1 << (i % 64));
         closed
     }
 
     /// The square submatrix with these rows and columns, counted from 0.
     pub fn restricted(&self, to: &[usize]) -> Self {
-        if to.len() == self.rows && self.rows == self.cols && to.iter().enumerate().all(|(place, &i)| place == i) {
+        if self.rows == self.cols && to.iter().copied().eq(0..self.rows) {
             return self.clone();
         }
         // By the ones, of which a network has few.

@@ -108,7 +108,7 @@ impl TryFrom<&RationalMatrix> for StochasticMatrix {
     type Error = MatrixError;
 
     fn try_from(matrix: &RationalMatrix) -> Result<Self, MatrixError> {
-        let mut entries = Vec::with_capacity(matrix.rows() * matrix.cols());
+        let mut entries = Vec::new();
         for i in 0..matrix.rows() {
             let row = matrix.row(i);
             if let Some(col) = row.iter().position(Signed::is_negative) {

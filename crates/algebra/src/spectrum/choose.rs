@@ -1,8 +1,8 @@
 //! Which method a spectrum is found by.
 
 use super::block::{is_symmetrisable, path_order, single, symmetrised};
-use super::closed_form::{bits, closed_form};
-use super::enclosed::{merged, order};
+use super::closed_form::closed_form;
+use super::enclosed::{bits, merged, order};
 use super::error::{
     LARGEST_DENSE_ORDER, LARGEST_DIGITS, LARGEST_EXACT_ORDER, LARGEST_GENERAL_ORDER, LARGEST_TRIDIAGONAL_ORDER,
     OUT_OF_RANGE, SpectrumError,

@@ -44,6 +44,8 @@ pub struct Circulant {
     weight_error: f64,
     /// The row sum, rounded, and its error.
     row_sum: (f64, f64),
+    /// Whether the exact weights of `s` and `n - s` are equal; those of rounded ones may be by chance.
+    symmetric: bool,
 }
 
 /// All eigenvalues of a [`Circulant`]: number `k` belongs to the eigenvector `e^(2 pi i jk/n)`.
@@ -74,7 +76,8 @@ impl Circulant {
         let weights: Vec<(usize, f64)> = row.iter().copied().enumerate().skip(1).filter(|(_, x)| *x != 0.0).collect();
         let exact = row.iter().filter_map(|&x| Dyadic::from_f64(x)).fold(Dyadic::zero(), |sum, x| sum.plus(&x));
         let row_sum = rounded(&exact.to_rational())?;
-        Ok(Circulant { order: row.len(), diagonal, weights, weight_error: 0.0, row_sum })
+        let symmetric = row[1..].iter().eq(row[1..].iter().rev());
+        Ok(Circulant { order: row.len(), diagonal, weights, weight_error: 0.0, row_sum, symmetric })
     }
 
     /// The matrix with these entries `(s, c_s)` in its first row; offsets count modulo the order, and entries of the same
@@ -90,9 +93,11 @@ impl Circulant {
         for (offset, weight) in entries {
             *weights.entry(offset % order).or_insert_with(Rational::zero) += weight;
         }
+        weights.retain(|_, weight| !weight.is_zero());
         let row_sum = rounded(&weights.values().sum())?;
-        let mut matrix = Circulant { order, diagonal: 0.0, weights: Vec::new(), weight_error: 0.0, row_sum };
-        for (offset, weight) in weights.into_iter().filter(|(_, weight)| !weight.is_zero()) {
+        let symmetric = weights.iter().all(|(&s, weight)| s == 0 || weights.get(&(order - s)) == Some(weight));
+        let mut matrix = Circulant { order, diagonal: 0.0, weights: Vec::new(), weight_error: 0.0, row_sum, symmetric };
+        for (offset, weight) in weights {
             let (value, error) = rounded(&weight)?;
             matrix.weight_error = matrix.weight_error.max(error / value.abs() * SLACK);
             if offset == 0 {
@@ -119,8 +124,7 @@ impl Circulant {
 
     /// Whether it equals its transpose.
     pub fn is_symmetric(&self) -> bool {
-        let mirrored = self.weights.iter().rev().map(|&(offset, value)| (self.order - offset, value));
-        self.weights.iter().copied().eq(mirrored)
+        self.symmetric
     }
 
     /// All eigenvalues. Cost: `n` times the number of weights, or `n log n`.
@@ -164,7 +168,8 @@ impl Circulant {
         let im = if self.is_symmetric() { Vec::new() } else { weighted_sums(n, &odd, sine, -1.0) };
         let rounding = self.weight_error + (pairs.len() + 3) as f64 * UNIT;
         let eta = (CHORD_ERROR + rounding) * SLACK;
-        let one_sign = [1.0, -1.0].iter().any(|sign| self.weights.iter().all(|(_, c)| c * sign > 0.0));
+        let is_negative = |k: usize| self.weights[k].1.is_sign_negative();
+        let one_sign = (1..self.weights.len()).all(|k| is_negative(k) == is_negative(0));
         // Of one sign: the sum is at most |λ| + |r|.
         let size = if one_sign { row_sum.abs() } else { 2.0 * self.size() };
         let relative = if one_sign { eta + UNIT } else { UNIT } * SLACK;
@@ -252,6 +257,6 @@ impl CirculantSpectrum {
 /// A float in range with a bound of its error, zero where it is exact.
 fn rounded(q: &Rational) -> Result<(f64, f64), SpectrumError> {
     let (value, error) = nearest(q).ok_or(OUT_OF_RANGE)?;
-    let exact = error == 0.0 || Rational::from_float(value).as_ref() == Some(q);
+    let exact = Rational::from_float(value).as_ref() == Some(q);
     Ok((value, if exact { 0.0 } else { error }))
 }

@@ -19,13 +19,12 @@
 //! polynomials for small orders. The reduced matrix of platoon2 is zero where `T_M(1 - x) = 0`, as in Lemma 2 of Veerman
 //! et al.
 
-use super::enclosed::{FloatEnclosure, order};
-use super::float_bounds::UNIT;
+use super::enclosed::{FloatEnclosure, bits, least_top, order};
+use super::float_bounds::{nearest, nearest_root};
 use super::{CyclotomicSum, Eigenvalue, RootTable};
 use crate::graph::{LaplacianKind, NamedGraph};
-use arithmetic::{ArithmeticError, Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::{ArithmeticError, Interval, Rational, Real, Ring, rational};
 use num_bigint::BigInt;
-use num_traits::ToPrimitive;
 use rayon::prelude::*;
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -71,7 +70,7 @@ pub fn closed_form(graph: &NamedGraph, kind: LaplacianKind) -> Option<ClosedForm
         }
         NamedGraph::Ring(_) if kind != Reduced => Some(circulant(n, &[1, n - 1], kind, true)?),
         // The ring without a vertex is a path with both ends held.
-        NamedGraph::Ring(_) => Some(cosines((1..n).map(|k| (k, 2 * n)), 2, -2, 1, "2 - 2 cos(pi k/n), 0 < k < n")),
+        NamedGraph::Ring(_) => Some(cosines((1..n).map(|k| (k, 2 * n)), 2, -1, 1, "2 - 2 cos(pi k/n), 0 < k < n")),
         NamedGraph::Cycle(_) if kind == Reduced && n >= 2 => Some(rationals(vec![(rational(1, 1), n - 1)], "1")),
         NamedGraph::Cycle(_) if matches!(kind, Reduced | Normalised) => None,
         NamedGraph::Cycle(_) => circulant(n, &[1 % n], kind, true),
@@ -79,16 +78,16 @@ pub fn closed_form(graph: &NamedGraph, kind: LaplacianKind) -> Option<ClosedForm
             let both: BTreeSet<usize> = offsets.iter().flat_map(|&a| [a, n - a]).collect();
             circulant(n, &both.into_iter().collect::<Vec<_>>(), kind, false)
         }
-        NamedGraph::Path(1) if kind != Reduced => Some(rationals(vec![(rational(0, 1), 1)], "0")),
+        NamedGraph::Path(1) if kind != Reduced => Some(rationals(vec![(Rational::ZERO, 1)], "0")),
         NamedGraph::Path(_) => match kind {
             Reduced if n < 2 => None,
             Reduced => {
                 let turns = (1..n).map(|k| (2 * k - 1, 4 * n - 2));
-                Some(cosines(turns, 2, -2, 1, "2 - 2 cos(pi (2k - 1)/(2n - 1)), 0 < k < n"))
+                Some(cosines(turns, 2, -1, 1, "2 - 2 cos(pi (2k - 1)/(2n - 1)), 0 < k < n"))
             }
-            Adjacency => Some(cosines((1..=n).map(|k| (k, 2 * n + 2)), 0, 2, 1, "2 cos(pi k/(n + 1)), 0 < k <= n")),
-            _ if walk => Some(cosines((0..n).map(|k| (k, 2 * n - 2)), 2, -2, 2, "1 - cos(pi k/(n - 1)), 0 <= k < n")),
-            _ => Some(cosines((0..n).map(|k| (k, 2 * n)), 2, -2, 1, "2 - 2 cos(pi k/n), 0 <= k < n")),
+            Adjacency => Some(cosines((1..=n).map(|k| (k, 2 * n + 2)), 0, 1, 1, "2 cos(pi k/(n + 1)), 0 < k <= n")),
+            _ if walk => Some(cosines((0..n).map(|k| (k, 2 * n - 2)), 2, -1, 2, "1 - cos(pi k/(n - 1)), 0 <= k < n")),
+            _ => Some(cosines((0..n).map(|k| (k, 2 * n)), 2, -1, 1, "2 - 2 cos(pi k/n), 0 <= k < n")),
         },
         NamedGraph::Star(_) if n >= 3 && kind != Reduced => Some(star(n, kind)),
         NamedGraph::PlatoonOne(m) => Some(platoon_one(*m, kind)).filter(|_| kind != Normalised),
@@ -106,17 +105,17 @@ fn rationals(values: Vec<(Rational, usize)>, formula: &str) -> ClosedForm {
     ClosedForm { values, formula: formula.to_string() }
 }
 
-/// `(constant + factor cos(2 pi p/q))/denominator` for different cosines; `factor` must be even.
+/// `(constant + 2 half cos(2 pi p/q))/denominator` for different cosines.
 fn cosines(
     turns: impl Iterator<Item = (usize, usize)>,
     constant: i64,
-    factor: i64,
+    half: i64,
     denominator: i64,
     formula: &str,
 ) -> ClosedForm {
     let value = |(p, q): (usize, usize)| {
         let (p, q) = (p as u64, q as u64);
-        let terms = [(0, constant), (p, factor / 2), (q - p % q, factor / 2)];
+        let terms = [(0, constant), (p, half), (q - p % q, half)];
         (ClosedValue::Cyclotomic(CyclotomicSum::new(q, denominator, terms)), 1)
     };
     ClosedForm { values: turns.map(value).collect(), formula: formula.to_string() }
@@ -129,15 +128,16 @@ fn complete(n: i64, kind: LaplacianKind) -> ClosedForm {
             rationals(vec![(rational(n - 1, 1), 1), (rational(-1, 1), others)], "n - 1, and -1")
         }
         LaplacianKind::Walk | LaplacianKind::Normalised => {
-            let rest = if others == 0 { rational(0, 1) } else { rational(n, n - 1) };
-            rationals(vec![(rational(0, 1), 1), (rest, others)], "0, and n/(n - 1)")
+            // Of one vertex there are no others.
+            let rest = rational(n, (n - 1).max(1));
+            rationals(vec![(Rational::ZERO, 1), (rest, others)], "0, and n/(n - 1)")
         }
-        _ => rationals(vec![(rational(0, 1), 1), (rational(n, 1), others)], "0, and n"),
+        _ => rationals(vec![(Rational::ZERO, 1), (rational(n, 1), others)], "0, and n"),
     }
 }
 
 fn star(n: usize, kind: LaplacianKind) -> ClosedForm {
-    let (zero, one) = (rational(0, 1), rational(1, 1));
+    let (zero, one) = (Rational::ZERO, rational(1, 1));
     match kind {
         LaplacianKind::Adjacency => {
             let root = |sign| (ClosedValue::SquareRoot { sign, radicand: n as u64 - 1 }, 1);
@@ -152,7 +152,7 @@ fn star(n: usize, kind: LaplacianKind) -> ClosedForm {
 }
 
 fn platoon_one(m: usize, kind: LaplacianKind) -> ClosedForm {
-    let (zero, one) = (rational(0, 1), rational(1, 1));
+    let (zero, one) = (Rational::ZERO, rational(1, 1));
     match kind {
         LaplacianKind::Adjacency => rationals(vec![(zero, m + 1)], "0: the matrix is triangular"),
         LaplacianKind::Reduced => rationals(vec![(one, m)], "1: the matrix is triangular"),
@@ -163,22 +163,22 @@ fn platoon_one(m: usize, kind: LaplacianKind) -> ClosedForm {
 fn platoon_two(m: usize, kind: LaplacianKind) -> Option<ClosedForm> {
     let turns = || (1..=m).map(|k| (2 * k - 1, 4 * m));
     let zero = |mut form: ClosedForm| {
-        form.values.push((ClosedValue::Rational(rational(0, 1)), 1));
+        form.values.push((ClosedValue::Rational(Rational::ZERO), 1));
         form
     };
     match kind {
         LaplacianKind::InDegree | LaplacianKind::Normalised => None,
-        LaplacianKind::Reduced => Some(cosines(turns(), 2, -2, 2, "1 - cos(pi (2k - 1)/2M), 0 < k <= M followers")),
+        LaplacianKind::Reduced => Some(cosines(turns(), 2, -1, 2, "1 - cos(pi (2k - 1)/2M), 0 < k <= M followers")),
         LaplacianKind::Adjacency => {
             // For odd M the middle cosine is zero as well.
             let others = turns().filter(|&(p, q)| 4 * p != q);
-            let mut form = zero(cosines(others, 0, 2, 2, "0, and cos(pi (2k - 1)/2M), 0 < k <= M followers"));
+            let mut form = zero(cosines(others, 0, 1, 2, "0, and cos(pi (2k - 1)/2M), 0 < k <= M followers"));
             if let Some((_, multiplicity)) = form.values.last_mut() {
                 *multiplicity += m % 2;
             }
             Some(form)
         }
-        _ => Some(zero(cosines(turns(), 2, -2, 2, "0, and 1 - cos(pi (2k - 1)/2M), 0 < k <= M followers"))),
+        _ => Some(zero(cosines(turns(), 2, -1, 2, "0, and 1 - cos(pi (2k - 1)/2M), 0 < k <= M followers"))),
     }
 }
 
@@ -258,6 +258,9 @@ impl ClosedForm {
 impl ClosedForm {
     /// All values in floats with proved bounds, by increasing real part: the fast way where 15 digits do.
     pub fn floats(&self) -> Vec<FloatEnclosure> {
+        // Out of the range of floats nothing is known.
+        let real =
+            |part: Option<(f64, f64)>| part.map_or((f64::NAN, 0.0, f64::INFINITY), |(re, radius)| (re, 0.0, radius));
         let float = |(value, multiplicity): &(ClosedValue, usize)| {
             let (re, im, radius) = match value {
                 ClosedValue::Cyclotomic(sum) if sum.is_real() => {
@@ -265,13 +268,9 @@ impl ClosedForm {
                     (re, 0.0, radius)
                 }
                 ClosedValue::Cyclotomic(sum) => sum.to_floats(),
-                ClosedValue::Rational(q) => {
-                    let value = q.to_f64().unwrap_or(f64::NAN);
-                    (value, 0.0, if q.is_integer() && value.abs() < 1e15 { 0.0 } else { 4.0 * UNIT * value.abs() })
-                }
+                ClosedValue::Rational(q) => real(nearest(q)),
                 ClosedValue::SquareRoot { sign, radicand } => {
-                    let value = (*radicand as f64).sqrt();
-                    (*sign as f64 * value, 0.0, 4.0 * UNIT * value)
+                    real(nearest_root(&Rational::from_integer(BigInt::from(*radicand)), *sign as f64))
                 }
             };
             FloatEnclosure { re, im, radius, multiplicity: *multiplicity }
@@ -280,11 +279,6 @@ impl ClosedForm {
         found.sort_by(|a, b| a.re.total_cmp(&b.re).then_with(|| a.im.total_cmp(&b.im)));
         found
     }
-}
-
-/// Bits that hold this many decimal digits.
-pub(super) fn bits(digits: u32) -> u32 {
-    (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32
 }
 
 fn square_root(sign: i64, radicand: u64, multiplicity: usize, digits: u32) -> Result<Eigenvalue, ArithmeticError> {
@@ -321,13 +315,13 @@ fn enclose_sum(
             (z.re, zero)
         } else {
             // The real part may be rational, as that of i is.
-            let exact = sum.real_part().exact(&z.re).map(|q| z.re.rational(&q));
+            let exact = sum.real_part().exact(&z.re).map(|q| Interval::from_rational(&q, precision));
             (exact.unwrap_or(z.re), z.im)
         };
         let width = re.width().top().max(im.width().top());
-        // The modulus is at least this power of two, if neither part is too wide.
-        let size = [&re, &im].iter().map(|x| if x.contains_zero() { i64::MIN } else { least_top(x) }).max();
-        if size.is_some_and(|size| size > i64::MIN && width + i64::from(bits(digits)) <= size) {
+        // The modulus is at least this power of two; a part that may be zero has a larger width.
+        let size = least_top(&re).max(least_top(&im));
+        if width + i64::from(bits(digits)) <= size {
             return Ok(Eigenvalue { re, im, multiplicity, exact: None });
         }
         precision = precision.checked_mul(2).ok_or(ArithmeticError::Argument("the enclosure of an eigenvalue"))?;
@@ -338,9 +332,4 @@ fn enclose_sum(
 /// Bits that nearly always do: the least eigenvalues of a ring or path are of the size order^-2.
 fn first_precision(sum: &CyclotomicSum, digits: u32) -> u32 {
     bits(digits) + 2 * (u64::BITS - sum.order().leading_zeros()) + 24
-}
-
-/// A power of two that is not above the least absolute value in an interval without zero.
-fn least_top(x: &Interval) -> i64 {
-    x.lo().top().min(x.hi().top()) - 1
 }

@@ -95,6 +95,16 @@ fn zero(precision: u32) -> Interval {
     Interval::from_rational(&Rational::zero(), precision)
 }
 
+/// Bits that hold this many decimal digits.
+pub(super) fn bits(digits: u32) -> u32 {
+    (f64::from(digits) * std::f64::consts::LOG2_10).ceil() as u32
+}
+
+/// The exponent of a power of two that is not above the least absolute value in an interval without zero.
+pub(super) fn least_top(x: &Interval) -> i64 {
+    x.lo().top().min(x.hi().top()) - 1
+}
+
 /// By the middle of the real parts, then of the imaginary parts.
 pub(super) fn order(a: &Eigenvalue, b: &Eigenvalue) -> Ordering {
     let middle = |x: &Interval| x.lo().midpoint(x.hi());

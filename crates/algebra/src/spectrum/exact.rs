@@ -1,7 +1,6 @@
 //! Spectra of small rational matrices from their exact characteristic polynomials.
 
-use super::closed_form::bits;
-use super::enclosed::order;
+use super::enclosed::{bits, least_top, order};
 use super::smith::complex_roots;
 use super::{Eigenvalue, Polynomial, RealRoot};
 use crate::matrix::{CharacteristicPolynomial, MatrixError, RationalMatrix};
@@ -102,9 +101,7 @@ fn enclose(factor: &Polynomial, mut root: RealRoot, multiplicity: usize, digits:
         factor.refine(&mut root, fine);
         fine *= 2;
     }
-    // The absolute value is at least 2^top.
-    let ends = Interval::hull_of_rationals(root.lo(), root.hi(), 64);
-    let top = ends.lo().top().min(ends.hi().top()) - 1;
+    let top = least_top(&Interval::hull_of_rationals(root.lo(), root.hi(), 64));
     factor.refine(&mut root, (i64::from(bits(digits)) + 2 - top).max(1) as u32);
     Eigenvalue::real(root.enclosure(precision), multiplicity)
 }

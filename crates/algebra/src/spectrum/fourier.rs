@@ -154,8 +154,7 @@ impl Blocks {
 /// The transform of a power of two of numbers given by their index.
 pub(super) fn transform(n: usize, input: impl Fn(usize) -> (f64, f64) + Sync) -> Blocks {
     let (n1, n2) = split(n);
-    let roots1 = Roots::new(n1);
-    let roots2 = if n1 == n2 { Roots(roots1.0.clone()) } else { Roots::new(n2) };
+    let (roots1, roots2) = (Roots::new(n1), Roots::new(n2));
     // e^(2 pi i e/n) as a product, e = high n1 + low.
     let low: Vec<(f64, f64)> = (0..n1).map(|e| root_of_unity(e as u64, n as u64)).collect();
     let (bits, width1) = (n1.ilog2(), WIDTH.min(n2));
@@ -283,9 +282,9 @@ fn bluestein(x: &[f64]) -> (Complexes, f64) {
     let epsilon = transform_error(m);
     let chirp_error = ROOT_ERROR + 1.5 * UNIT;
     let long = roots(2.0 * n as f64);
-    let square = |k: usize| g.data.re[k] * g.data.re[k] + g.data.im[k] * g.data.im[k];
-    let largest = (0..m).into_par_iter().map(square).reduce(|| 0.0, f64::max);
-    let largest = roots(largest) + (epsilon + ROOT_ERROR) * roots(m as f64) * long;
+    let squares = g.data.re.par_iter().zip(&g.data.im).map(|(re, im)| re * re + im * im);
+    // ‖Ĝ - G‖_∞ <= (ε + μ) √m ‖G‖_∞, far below SLACK, as ‖G‖_2 <= √m ‖G‖_∞.
+    let largest = roots(squares.reduce(|| 0.0, f64::max));
     let inside = (2.0 * epsilon + chirp_error + PRODUCT_ERROR) * largest + (epsilon + ROOT_ERROR) * long;
     let error = (inside + (PRODUCT_ERROR + ROOT_ERROR) * roots(n as f64)) * size * SLACK + UNDERFLOW * m as f64;
     (result, error)

@@ -25,31 +25,27 @@ impl Polynomial {
 /// Routh: with a positive leading coefficient, this is so exactly where every entry of the first column of the table is
 /// positive.
 pub(super) fn routh<T: Ring + Signed>(mut descending: Vec<T>, scaled: impl Fn(Vec<T>) -> Vec<T>) -> Option<bool> {
-    let Some(lead) = descending.first() else { return Some(false) };
-    match lead.sign()? {
+    match descending.first()?.sign()? {
         Sign::Positive => {}
         Sign::Negative => descending.iter_mut().for_each(|c| *c = -c.clone()),
         Sign::Zero => return None,
     }
     let every_other = |start: usize| descending.iter().skip(start).step_by(2).cloned().collect::<Vec<_>>();
     let (mut upper, mut lower) = (every_other(0), every_other(1));
-    loop {
-        let Some(top) = upper.first().cloned() else { return Some(true) };
-        if top.sign()? != Sign::Positive {
-            return Some(false);
-        }
-        let Some(bottom) = lower.first().cloned() else { return Some(true) };
+    // The first entry of the upper row is positive.
+    while let Some(bottom) = lower.first() {
         if bottom.sign()? != Sign::Positive {
             return Some(false);
         }
         // Scaling a row by a positive number does not change the signs.
         let entry = |k: usize| {
             let product = bottom.clone() * &upper[k];
-            lower.get(k).map_or_else(|| product.clone(), |below| product.clone() - top.clone() * below)
+            lower.get(k).map_or_else(|| product.clone(), |below| product.clone() - upper[0].clone() * below)
         };
         let next = scaled((1..upper.len()).map(entry).collect());
         upper = std::mem::replace(&mut lower, next);
     }
+    Some(true)
 }
 
 /// The coefficients, constant one first, of `p(x - shift)`, whose roots are those of `p` plus `shift`.

@@ -88,6 +88,15 @@ fn residues_are_remainders() {
     }
 }
 
+/// Of forty, some in each quarter of the range, and of each remainder that an odd number leaves modulo 8.
+#[test]
+fn random_primes_are_from_the_whole_range() {
+    let mut random = random();
+    let drawn: Vec<u64> = (0..40).map(|_| random_prime(&mut random)).collect();
+    assert!((4..8).all(|quarter| drawn.iter().any(|p| p >> 58 == quarter)));
+    assert!([1, 3, 5, 7].iter().all(|rest| drawn.iter().any(|p| p % 8 == *rest)));
+}
+
 #[test]
 fn small_primes_and_strong_pseudoprimes_are_told_apart() {
     let naive = |n: u64| n > 1 && (2..n).take_while(|d| d * d <= n).all(|d| !n.is_multiple_of(d));

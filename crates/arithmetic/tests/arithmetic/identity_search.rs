@@ -138,6 +138,15 @@ fn residues_are_drawn_evenly() {
 }
 
 #[test]
+fn ratios_are_of_the_kind_of_the_probe() {
+    let residue = Residue::new(5, 101);
+    assert_eq!(Probe::Residue(residue).ratio(3, 7), Probe::Residue(residue.rational(&rational(3, 7))));
+    let exact = Probe::Exact(rational(1, 2));
+    assert_eq!((exact.ratio(3, 7), exact.exact()), (Probe::Exact(rational(3, 7)), Some(&rational(1, 2))));
+    assert_eq!(Probe::Residue(residue).exact(), None);
+}
+
+#[test]
 fn the_residue_zero_has_no_inverse() {
     let zero = Residue::new(0, (1 << 61) - 1);
     assert!(zero.recip().is_err() && -zero == zero && zero.integer(0) == zero);

@@ -10,6 +10,7 @@ mod identity;
 mod identity_search;
 mod interval;
 mod number;
+mod progress;
 mod radical;
 mod random;
 mod rational;

@@ -54,6 +54,17 @@ fn rational_values_and_degrees() {
 }
 
 #[test]
+fn fields_of_one_degree_and_signs_of_small_numbers() {
+    // Half of 2 cos in both fields, with the degree 2: cos(pi/6) and cos(pi/4).
+    let (twelfths, eighths) = (CosineField::new(12), CosineField::new(8));
+    assert!(twelfths.cos(1) != eighths.cos(1) && twelfths.cos(1) == twelfths.cos(-1));
+    // (2 cos(pi/6))^2 = 3, and (2 - sqrt 3)^60 = a - b sqrt 3 is below 2^-110.
+    let small = (twelfths.number(&rational(2, 1)) - twelfths.cos(1) * twelfths.number(&rational(2, 1))).power(60);
+    assert_eq!(small.sign(), Some(Sign::Positive));
+    assert_eq!((-small).sign(), Some(Sign::Negative));
+}
+
+#[test]
 fn a_least_squares_line() {
     let points = |list: &[(i64, i64)]| -> Vec<(Rational, Rational)> {
         list.iter().map(|&(x, y)| (rational(x, 1), rational(y, 1))).collect()
@@ -77,4 +88,11 @@ fn roots_and_multiples_of_series() {
     assert_eq!(of(&[1, 2, 3]) * of(&[4, 5]), of(&[4, 13]));
     assert_eq!(root.recip().unwrap() * &root, of(&[1, 0, 0, 0, 0]));
     assert_eq!(root.integer(3), of(&[3, 0, 0, 0, 0]));
+    assert_eq!(of(&[1, 2, 3]) - of(&[4, 7]), of(&[-3, -5]));
+    assert_eq!(of(&[1, 2, 3]) + of(&[4, 7, 1]), of(&[5, 9, 4]));
+    // One coefficient is enough.
+    let single = of(&[1]);
+    assert_eq!((single.sqrt_of_unit().unwrap(), single.recip().unwrap()), (single.clone(), single.clone()));
+    assert_eq!((single.integer(5), single.rational(&rational(5, 1))), (of(&[5]), of(&[5])));
+    assert_eq!(of(&[3]) * of(&[4, 1]), of(&[12]));
 }

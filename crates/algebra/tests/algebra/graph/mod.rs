@@ -2,7 +2,7 @@
 
 use algebra::graph::read::{GraphReadError, read_graph};
 use algebra::graph::{Graph, LaplacianError, LaplacianKind, NameError, NamedGraph, WeightedGraph, components};
-use algebra::matrix::SparseMatrix;
+use algebra::matrix::{Footprint, SparseMatrix};
 use arithmetic::rational;
 
 fn named(text: &str) -> NamedGraph {
@@ -59,6 +59,35 @@ fn kinds_are_what_they_say() {
     let balanced = WeightedGraph::from_arcs(2, [(0, 0, rational(1, 1)), (0, 1, rational(-1, 1))]);
     assert_eq!(balanced.matrix(LaplacianKind::Walk), Err(LaplacianError::ZeroDegree(1)));
     assert_eq!(WeightedGraph::from_arcs(1, []).matrix(LaplacianKind::Reduced), Err(LaplacianError::NothingLeft));
+}
+
+#[test]
+fn names_of_kinds() {
+    for (name, kind) in LaplacianKind::NAMES {
+        assert_eq!((kind.name(), LaplacianKind::from_name(name)), (name, Some(kind)));
+    }
+    assert_eq!(LaplacianKind::from_name("signless"), None);
+}
+
+#[test]
+fn normalised_and_walk_matrices_and_what_has_none() {
+    let edge = |i: usize, j: usize, w: i64| [(i, j, rational(w, 1)), (j, i, rational(w, 1))];
+    let path = WeightedGraph::from_arcs(3, edge(0, 1, 2).into_iter().chain(edge(1, 2, 1)));
+    let walk = path.matrix(LaplacianKind::Walk).expect("exists");
+    assert_eq!(path.matrix(LaplacianKind::Normalised), Ok(walk.clone()));
+    let rows = [[3, -3, 0], [-2, 3, -1], [0, -3, 3]];
+    let dense = walk.to_dense().expect("vertices");
+    assert!((0..9).all(|k| dense.entry(k / 3, k % 3) == rational(rows[k / 3][k % 3], 3)));
+    let negative = WeightedGraph::from_arcs(3, edge(0, 1, 2).into_iter().chain(edge(1, 2, -1)));
+    assert_eq!(negative.matrix(LaplacianKind::Normalised), Err(LaplacianError::Negative(2)));
+    let last =
+        WeightedGraph::from_arcs(3, edge(0, 1, 2).into_iter().chain([(2, 0, rational(1, 1)), (2, 1, rational(-1, 1))]));
+    assert_eq!(last.matrix(LaplacianKind::Walk), Err(LaplacianError::ZeroDegree(3)));
+    let out = path.matrix(LaplacianKind::OutDegree).expect("exists");
+    assert_eq!(path.grounded(2), Ok(out.principal(&[0, 1])));
+    assert_eq!(path.grounded(1), Ok(out.principal(&[0, 2])));
+    let two = WeightedGraph::from_arcs(2, edge(0, 1, 5));
+    assert_eq!(two.grounded(1).expect("a vertex").get(0, 0), Some(&rational(5, 1)));
 }
 
 #[test]
@@ -190,6 +219,25 @@ fn isomorphism_codes() {
     let path = Graph::path(5);
     let renamed = Graph::from_edges(5, &[(3, 1), (1, 4), (4, 0), (0, 2)]).unwrap();
     assert_eq!(path.isomorphism_code(), renamed.isomorphism_code());
+}
+
+#[test]
+fn edges_come_and_go() {
+    for n in [1, 64, 65, 70, 130] {
+        assert_eq!(Graph::path(n).closed_adjacency(), Footprint::from_fn(n, n, |i, j| i.abs_diff(j) < 2), "{n}");
+    }
+    for (i, j) in [(0, 1), (3, 2), (0, 69), (3, 64), (65, 69)] {
+        let mut graph = Graph::path(70);
+        graph.toggle(i, j);
+        let joined = |a: usize, b: usize| (a.abs_diff(b) == 1) != ((a, b) == (i, j) || (a, b) == (j, i));
+        assert_eq!(graph, Graph::from_fn(70, joined), "{i} {j}");
+        graph.toggle(j, i);
+        assert_eq!(graph, Graph::path(70));
+        graph.toggle(i, i);
+        graph.toggle(i, 70);
+        graph.toggle(128, j);
+        assert_eq!(graph, Graph::path(70));
+    }
 }
 
 /// Outside of matrices and graphs there is nothing, and nobody panics about it.

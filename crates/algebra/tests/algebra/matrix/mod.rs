@@ -6,9 +6,9 @@ use algebra::matrix::floating::{eigenvalues, row_diameter, to_floats};
 use algebra::matrix::read::{ReadError, read_sequence};
 use algebra::matrix::{
     Footprint, MatrixError, Norm, RationalMatrix, SparseMatrix, StochasticMatrix, diameter, prefix_products,
-    product_sequential, product_tree, stabilisers, tau_1, tau_2_squared, tau_infinity,
+    product_sequential, product_tree, stabilisers, tau_1, tau_2_squared, tau_2_squared_watched, tau_infinity,
 };
-use arithmetic::{Rational, Ring, rational};
+use arithmetic::{Cancelled, Progress, Rational, Ring, Unwatched, rational};
 use num_bigint::BigInt;
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
@@ -126,6 +126,7 @@ fn bad_matrices_are_refused() {
     assert_eq!(RationalMatrix::identity(0).unwrap_err(), MatrixError::Empty);
     let stochastic = |m: RationalMatrix| StochasticMatrix::try_from(&m).unwrap_err();
     assert_eq!(stochastic(rows(&[&[2, -1]], 1).unwrap()), MatrixError::Negative { row: 1, col: 2 });
+    assert_eq!(stochastic(rows(&[&[0, 4], &[-1, -1]], 4).unwrap()), MatrixError::Negative { row: 2, col: 1 });
     assert_eq!(stochastic(rows(&[&[1, 1], &[1, 2]], 2).unwrap()), MatrixError::RowSum { row: 2, sum: "3/2".into() });
     assert_eq!(product_tree(&[]).unwrap_err(), MatrixError::NoFactors);
     let (one, two) = (
@@ -134,6 +135,9 @@ fn bad_matrices_are_refused() {
     );
     let shapes = MatrixError::Shapes { left_cols: 1, right_rows: 2 };
     assert_eq!(one.times(&two).unwrap_err(), shapes);
+    let column = StochasticMatrix::from_integers(&[[1], [1], [1]], 1).unwrap();
+    assert_eq!(two.times(&column).unwrap_err(), MatrixError::Shapes { left_cols: 2, right_rows: 3 });
+    assert_eq!(column.times(&column).unwrap_err(), MatrixError::Shapes { left_cols: 1, right_rows: 3 });
     let prefixes: Vec<_> = prefix_products(&[two.clone(), one, two]).collect();
     assert_eq!(prefixes.len(), 2);
     assert_eq!(prefixes[1].as_ref().unwrap_err(), &shapes);
@@ -178,6 +182,113 @@ fn footprints_and_stabilisers() {
     assert_eq!(found[0].members, vec![0, 1, 2]);
     assert!(found.windows(2).all(|w| w[1].members.iter().all(|m| w[0].members.contains(m)) && w[0].time < w[1].time));
     assert!(stabilisers(&[]).is_empty());
+}
+
+/// Shapes that are not square, with one word in a row and with several, against their entries.
+#[test]
+fn footprints_of_any_shape_are_their_entries() {
+    let ones = |i: usize, j: usize| (3 * i + 5 * j + i * j) % 7 < 2;
+    for (rows, cols) in
+        [(1usize, 1usize), (2, 3), (3, 2), (5, 5), (3, 64), (64, 3), (2, 65), (65, 2), (70, 130), (65, 65)]
+    {
+        let context = format!("{rows} x {cols}");
+        let f = Footprint::from_fn(rows, cols, ones);
+        assert_eq!((f.rows(), f.cols()), (rows, cols));
+        let inside = |i: usize, j: usize| i < rows && j < cols && ones(i, j);
+        let around = || (0..rows + 2).flat_map(|i| (0..cols + 2).map(move |j| (i, j)));
+        assert!(around().all(|(i, j)| f.get(i, j) == inside(i, j)), "{context}");
+        for j in 0..cols {
+            assert_eq!(f.column(j), (0..rows).filter(|&i| ones(i, j)).collect::<Vec<_>>(), "{context}");
+        }
+        let lines: Vec<String> =
+            (0..rows).map(|i| (0..cols).map(|j| if ones(i, j) { '1' } else { '0' }).collect()).collect();
+        assert_eq!(f.to_string(), lines.join(" "));
+        // Other entries, in this shape and in others: the ones of both, where this one has a place.
+        let others = |i: usize, j: usize| (i + 2 * j).is_multiple_of(5);
+        for (m, n) in [(rows, cols), (cols, rows), (rows + 1, cols), (rows, cols + 1), (rows.div_ceil(2), cols)] {
+            let other = Footprint::from_fn(m, n, others);
+            let either = Footprint::from_fn(rows, cols, |i, j| ones(i, j) || (i < m && j < n && others(i, j)));
+            assert_eq!(f.or(&other), either, "{context} {m} x {n}");
+            assert!(!f.contains(&other) || (m, n) == (rows, cols), "{context} {m} x {n}");
+            let nothing = Footprint::from_fn(m, n, |_, _| false);
+            assert_eq!(f.contains(&nothing), (m, n) == (rows, cols), "{context} {m} x {n}");
+            assert!(either.contains(&f));
+        }
+        let less = (0..rows).flat_map(|i| (0..cols).map(move |j| (i, j))).filter(|&(i, j)| ones(i, j));
+        for (a, b) in less {
+            let without = Footprint::from_fn(rows, cols, |i, j| ones(i, j) && (i, j) != (a, b));
+            assert!(f.contains(&without) && !without.contains(&f), "{context} {a} {b}");
+        }
+        // Products by their definition, also with a factor that has too few rows.
+        for m in [cols, cols.div_ceil(2)] {
+            let right = Footprint::from_fn(m, 67, others);
+            let entry = |i: usize, j: usize| (0..m).any(|k| ones(i, k) && others(k, j));
+            assert_eq!(f.times(&right), Footprint::from_fn(rows, 67, entry), "{context}");
+        }
+    }
+}
+
+#[test]
+fn symmetry_and_diagonals_of_footprints() {
+    for n in [1usize, 2, 3, 66] {
+        let of = |f: &dyn Fn(usize, usize) -> bool| Footprint::from_fn(n, n, f);
+        let symmetric = |i: usize, j: usize| (i * j + i + j).is_multiple_of(3);
+        assert!(of(&symmetric).is_symmetric());
+        let places = [0, 1, 2, 63, 64, 65].into_iter().filter(|&i| i < n);
+        for (a, b) in places.clone().flat_map(|i| places.clone().map(move |j| (i, j))) {
+            let altered = |i: usize, j: usize| symmetric(i, j) != ((i, j) == (a, b));
+            assert_eq!(of(&altered).is_symmetric(), a == b, "{n} {a} {b}");
+            assert_eq!(of(&|i, j| (i, j) != (a, b)).has_full_diagonal(), a != b, "{n} {a} {b}");
+        }
+    }
+    for (rows, cols) in [(2usize, 3usize), (3, 2), (2, 70), (70, 2)] {
+        assert!(!Footprint::from_fn(rows, cols, |_, _| true).is_symmetric());
+        let diagonal = |without: usize| Footprint::from_fn(rows, cols, |i, j| i == j && i != without);
+        assert!(
+            diagonal(2).has_full_diagonal() && !diagonal(1).has_full_diagonal() && !diagonal(0).has_full_diagonal()
+        );
+    }
+}
+
+#[test]
+fn restrictions_of_footprints() {
+    let ones = |i: usize, j: usize| (3 * i + 5 * j + i * j) % 7 < 3;
+    let all: Vec<usize> = (0..70).collect();
+    let (swapped, backwards) = ([1, 0].into_iter().chain(2..70).collect::<Vec<_>>(), (0..70).rev().collect());
+    for (rows, cols) in [(70usize, 70usize), (70, 80), (80, 70), (3, 70), (70, 3), (2, 2), (3, 3)] {
+        let f = Footprint::from_fn(rows, cols, ones);
+        for to in [
+            &all,
+            &swapped,
+            &backwards,
+            &all[..3].to_vec(),
+            &all[2..67].to_vec(),
+            &vec![2, 2, 0, 79],
+            &vec![0, 2],
+            &vec![],
+        ] {
+            let entries = Footprint::from_fn(to.len(), to.len(), |i, j| f.get(to[i], to[j]));
+            assert_eq!(f.restricted(to), entries, "{rows} x {cols} {to:?}");
+        }
+    }
+}
+
+#[test]
+fn roots_of_footprints_that_are_not_square() {
+    // All hear bird 0, through a chain as long as there are birds; or all but one.
+    for n in [1usize, 2, 3, 4, 5, 8, 9, 33] {
+        for cut in 0..=n {
+            let chain = |i: usize, j: usize| i == j + 1 && i != cut;
+            assert_eq!(Footprint::from_fn(n, n, chain).is_rooted(), cut == 0 || cut == n, "{n} {cut}");
+            assert_eq!(Footprint::from_fn(n, n, |i, j| chain(j, i)).is_rooted(), cut == 0 || cut == n, "{n} {cut}");
+        }
+    }
+    // Each row hears itself, where it has a column: nobody else is added.
+    assert!(!Footprint::from_fn(70, 3, |i, j| j == 0 && i != 65).is_rooted());
+    assert!(Footprint::from_fn(2, 3, |i, j| (i, j) == (0, 1)).is_rooted());
+    assert!(
+        Footprint::from_fn(2, 3, |_, j| j == 2).is_rooted() && !Footprint::from_fn(3, 2, |i, j| i == j).is_rooted()
+    );
 }
 
 /// 130 columns: three words per row.
@@ -227,6 +338,24 @@ fn diameters_of_rows_in_three_norms() {
     assert_eq!(diameter(&skew, Norm::Infinity), rational(5, 6));
     let other = RationalMatrix::from_integers(&[[1, 3, 2], [6, 0, 0]], 6).expect("a filled shape");
     assert_eq!(diameter(&other, Norm::Infinity), rational(5, 6));
+}
+
+struct Stopped;
+
+impl Progress for Stopped {
+    fn is_cancelled(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn work_that_is_stopped_says_so() {
+    let matrix = RationalMatrix::from_integers(&[[1, 1], [2, 0]], 2).unwrap();
+    assert_eq!(tau_2_squared_watched(&matrix, &Stopped), Err(Cancelled));
+    assert_eq!(tau_2_squared_watched(&matrix, &Unwatched), Ok(rational(1, 2)));
+    let stochastic = StochasticMatrix::try_from(&matrix).unwrap();
+    assert_eq!(stochastic.tau_1_watched(&Stopped), Err(Cancelled));
+    assert_eq!(stochastic.times_watched(&stochastic, &Stopped).unwrap_err(), MatrixError::Cancelled(Cancelled));
 }
 
 /// Symmetric matrices with a few entries in each row or all of them, and what spoils them, small and large enough for several threads.

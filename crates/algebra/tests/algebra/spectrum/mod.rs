@@ -2,8 +2,14 @@
 
 // The library has no test program of its own: tests of what is private stand beside it and run here.
 #[allow(dead_code)]
+#[path = "../../../src/spectrum/enclosed.rs"]
+mod enclosed;
+#[allow(dead_code)]
 #[path = "../../../src/spectrum/float_bounds.rs"]
 mod float_bounds;
+#[allow(dead_code)]
+#[path = "../../../src/spectrum/fourier.rs"]
+mod fourier;
 #[allow(dead_code)]
 #[path = "../../../src/spectrum/reduction.rs"]
 mod reduction;
@@ -11,14 +17,23 @@ mod reduction;
 #[path = "../../../src/spectrum/reflections.rs"]
 mod reflections;
 #[allow(dead_code)]
+#[path = "../../../src/spectrum/smith.rs"]
+mod smith;
+#[allow(dead_code)]
 #[path = "../../../src/spectrum/trailing.rs"]
 mod trailing;
+#[allow(dead_code)]
+#[path = "../../../src/spectrum/turn.rs"]
+mod turn;
 
 mod abscissa;
 mod circulants;
+mod closed_forms;
 mod enclosures;
+mod stability;
+mod transforms;
 
-use algebra::spectrum::{Polynomial, Recurrence, RecurrenceError};
+use algebra::spectrum::{Polynomial, RealRoot, Recurrence, RecurrenceError};
 use arithmetic::{Rational, Sign, Unwatched, rational};
 use num_bigint::BigInt;
 use num_traits::Signed;
