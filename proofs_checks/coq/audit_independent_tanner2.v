@@ -17,8 +17,8 @@ Definition apart_at n (adj : graph) (r : nat -> C) := forall i j, (i < n)%nat ->
 Definition motion n adj (V' : nat -> nat -> R -> R) (r v : nat -> R -> C) := apart_at n adj (fun i => r i 0) /\
   forall t i, 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t) /\
     (apart_at n adj (fun i => r i t) -> is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)).
-(* Definition 3 with a continuous derivative; a pair has one potential, V_ij = V_ji, and one derivative *)
-Definition potentials n (adj : graph) (V V' : nat -> nat -> R -> R) := (forall i j, V i j = V j i) /\ (forall i j, V' i j = V' j i) /\
+(* Definition 3 with a continuous derivative; the potentials of a pair are one *)
+Definition potentials n (adj : graph) (V V' : nat -> nat -> R -> R) := (forall i j s, V i j s = V j i s) /\
   forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
     (forall s, 0 < s -> is_derive (V i j) s (V' i j s) /\ continuity_pt (V' i j) s /\ 0 <= V i j s) /\
     (forall c, exists d, 0 < d /\ forall s, 0 < s < d -> c < V i j s) /\ (forall c, exists D, forall s, D < s -> c < V i j s).
@@ -46,15 +46,16 @@ Definition cor1_4 : Prop := forall n adj V V' r v (d : nat -> nat -> R), simple_
   motion n adj V' r v ->
   (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < d i j /\ (forall s, 0 < s -> V' i j s = 0 -> s = d i j)) ->
   forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_lim (fun t => Cmod (r i t - r j t)%C) p_infty (d i j).
-(* of clause 5 that the gradients tend to 0 *)
-Definition cor1_5 : Prop := forall n adj V V' r v, simple_graph adj -> is_tree n adj -> potentials n adj V V' ->
-  motion n adj V' r v -> forall i j, (i < n)%nat -> (j < n)%nat -> to_zero (fun t => pull adj V' (fun k => r k t) i j).
+Definition cor1_5 : Prop := forall n adj V V' r v, simple_graph adj -> is_tree n adj ->
+  (forall O y, tanner_graph.oriented n adj O -> (forall k, (k < n)%nat -> lsum O (fun f => inc k f * y f) = 0) -> forall f, In f O -> y f = 0) /\
+  (potentials n adj V V' -> motion n adj V' r v ->
+   forall i j, (i < n)%nat -> (j < n)%nat -> to_zero (fun t => pull adj V' (fun k => r k t) i j)).
 Definition cor1_6 : Prop := forall n adj (V V' : nat -> nat -> R -> R) r (d : nat -> nat -> R), simple_graph adj -> is_tree n adj ->
-  (forall i j, V' i j = V' j i) ->
+  (forall i j s, V i j s = V j i s) ->
   (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s) /\ (V' i j s = 0 -> s = d i j)) ->
   apart_at n adj r -> (forall i, (i < n)%nat -> gradV n adj V' r i = 0%C) ->
   forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> Cmod (r i - r j)%C = d i j.
-(* tanner2.lem1 clauses 2, 3, 4; tanner2.lem2 clause 2; Clarke's derivatives *)
+(* tanner2.lem1 clauses 2, 3, 4; tanner2.lem2 clauses 2, 3; Clarke's derivatives *)
 Definition saturate (V : R -> R) (R0 s : R) := if Rlt_dec s R0 then V s else V R0.
 Definition usual_dd (f : R -> R) (x w l : R) := forall e, 0 < e -> exists d, 0 < d /\ forall h, 0 < h < d -> Rabs ((f (x + h * w) - f x) / h - l) < e.
 Definition clarke_dd (f : R -> R) (x w l : R) :=
@@ -68,6 +69,13 @@ Definition lem1_4 : Prop := forall V V' R0 w, smooth V V' -> 0 < R0 -> 0 < V' R0
   usual_dd (saturate V R0) R0 w (Rmin 0 (V' R0 * w)) /\ clarke_dd (saturate V R0) R0 w (Rmax 0 (V' R0 * w)).
 Definition lem2_2 : Prop := forall V V' R0 z, smooth V V' -> 0 < R0 -> 0 < V' R0 ->
   ((forall w l, clarke_dd (saturate V R0) R0 w l -> z * w <= l) <-> 0 <= z <= V' R0).
+(* in the plane: U as a function of r_i; its generalised gradient is {z | <z, w> <= U°(r_i; w) for all w} *)
+Definition clarke_dd2 (f : C -> R) (x w : C) (l : R) :=
+  (forall e, 0 < e -> exists d, 0 < d /\ forall y h, Cmod (y - x)%C < d -> 0 < h < d -> (f (y + RtoC h * w)%C - f y) / h < l + e) /\
+  (forall e d, 0 < e -> 0 < d -> exists y h, Cmod (y - x)%C < d /\ 0 < h < d /\ l - e < (f (y + RtoC h * w)%C - f y) / h).
+Definition lem2_3 : Prop := forall V V' R0 ri rj z, smooth V V' -> 0 < R0 -> 0 < V' R0 -> Cmod (ri - rj)%C = R0 ->
+  ((forall w l, clarke_dd2 (fun y => saturate V R0 (Cmod (y - rj)%C)) ri w l -> inner z w <= l) <->
+   exists s, 0 <= s <= 1 /\ z = (RtoC s * (RtoC (V' R0 / R0) * (ri - rj)))%C).
 (* the energy (6) *)
 Definition energy6 n (adj : graph) (V : nat -> nat -> R -> R) (r v : nat -> C) : R :=
   / 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i - r j)%C) else 0) + Cmod (v i) ^ 2).
@@ -79,7 +87,7 @@ Definition bound_r : Prop := forall n adj V V' r v c D, (2 <= n)%nat -> simple_g
   (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> V i j s <= c -> s <= D) ->
   forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (r i - r j)%C <= (INR n - 1) * D.
 (* tanner2.eq9 *)
-Definition eq9 : Prop := forall n adj (V V' : nat -> nat -> R -> R) r v t, simple_graph adj -> (forall i j, V' i j = V' j i) ->
+Definition eq9 : Prop := forall n adj (V V' : nat -> nat -> R -> R) r v t, simple_graph adj -> (forall i j s, V i j s = V j i s) ->
   (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s)) ->
   apart_at n adj (fun i => r i t) ->
   (forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
@@ -90,20 +98,23 @@ Definition by_distance (r : nat -> C) (R0 : R) : graph := fun i j =>
   andb (negb (Nat.eqb i j)) (if Rlt_dec (Cmod (r i - r j)%C) R0 then true else false).
 Definition energy11 n (V : nat -> nat -> R -> R) R0 (r v : nat -> C) : R :=
   / 2 * Sum n (fun i => Sum n (fun j => if Nat.eqb i j then 0 else saturate (V i j) R0 (Cmod (r i - r j)%C)) + Cmod (v i) ^ 2).
-Definition Qdot : Prop := forall n V V' R0 r v t, 0 < R0 -> (forall i j, V' i j = V' j i) ->
-  (forall i j s, 0 < s -> is_derive (V i j) s (V' i j s)) ->
+Definition Qdot : Prop := forall n V V' R0 r v t, 0 < R0 -> (forall i j s, V i j s = V j i s) ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> i <> j -> 0 < s -> is_derive (V i j) s (V' i j s)) ->
   (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t /\ Cmod (r i t - r j t)%C <> R0) ->
   let adj := by_distance (fun i => r i t) R0 in
   (forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
   let form x := Sum n (fun i => x i * Sum n (fun j => lap n adj i j * x j)) in
   is_derive (fun s => energy11 n V R0 (fun i => r i s) (fun i => v i s)) t (- form (fun i => fst (v i t)) - form (fun i => snd (v i t))).
 (* tanner2.Q: the pairs i < j that are not linked *)
-Definition Q_1 : Prop := forall n (V : nat -> nat -> R -> R) R0 r v, (forall i j, V i j = V j i) ->
+Definition Q_1 : Prop := forall n (V : nat -> nat -> R -> R) R0 r v, (forall i j s, V i j s = V j i s) ->
   energy6 n (by_distance r R0) V r v +
     Sum n (fun i => Sum n (fun j => if Nat.ltb i j then (if by_distance r R0 i j then 0 else V i j R0) else 0)) = energy11 n V R0 r v.
-(* tanner2.L clause 4 *)
+(* tanner2.L clauses 4, 5 *)
 Definition L_4 : Prop := forall n adj (x : nat -> R), undirected adj -> strongly_connected n adj ->
   ((forall i, (i < n)%nat -> Sum n (fun j => lap n adj i j * x j) = 0) <-> exists c, forall i, (i < n)%nat -> x i = c).
+Definition L_5 : Prop := forall n adj lam (x : nat -> R), undirected adj -> strongly_connected n adj ->
+  (forall i, (i < n)%nat -> Sum n (fun j => lap n adj i j * x j) = lam * x i) ->
+  (exists i j, (i < n)%nat /\ (j < n)%nat /\ x i <> x j) -> 0 < lam.
 (* tanner2.rangeB clause 1 *)
 Definition rangeB_1 : Prop := forall n adj O (x : nat -> R), simple_graph adj -> strongly_connected n adj -> tanner_graph.oriented n adj O ->
   ((exists y, forall k, (k < n)%nat -> lsum O (fun f => inc k f * y f) = x k) <-> Sum n x = 0).
@@ -113,8 +124,42 @@ Definition eq7_3 : Prop := forall n adj V V' c (r v : nat -> nat -> C) (r0 v0 : 
   (forall i j, (i < n)%nat -> (j < n)%nat -> forall e, 0 < e -> exists M, forall m, (M <= m)%nat -> Cmod ((r m i - r m j) - (r0 i - r0 j))%C < e) ->
   (forall i, (i < n)%nat -> forall e, 0 < e -> exists M, forall m, (M <= m)%nat -> Cmod (v m i - v0 i)%C < e) ->
   apart_at n adj r0 /\ energy6 n adj V r0 v0 <= c.
+(* tanner2.cor2_rate clauses 3 (inequality), 4; lam a lower bound of the form, so lam <= lambda_2, attained by lambda_2 *)
+Definition rate_3 : Prop := forall n adj lam (v : nat -> R -> R), (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj ->
+  (forall x, Sum n x = 0 -> lam * Sum n (fun i => x i ^ 2) <= Sum n (fun i => x i * Sum n (fun j => lap n adj i j * x j))) ->
+  (forall t i, 0 <= t -> (i < n)%nat -> is_derive (v i) t (- Sum n (fun j => if adj i j then v i t - v j t else 0))) ->
+  let dev t := sqrt (Sum n (fun i => (v i t - / INR n * Sum n (fun j => v j t)) ^ 2)) in
+  forall t, 0 <= t -> dev t <= exp (- lam * t) * dev 0.
 
 (* ---- the theorems prove them ---- *)
+(* V_ij and V_ji are equal, so their derivatives are at every distance: one function for each pair *)
+Definition both (V' : nat -> nat -> R -> R) (i j : nat) : R -> R := if Nat.leb i j then V' i j else V' j i.
+Lemma both_sym V' i j : both V' i j = both V' j i.
+Proof. unfold both. destruct (Nat.leb_spec i j), (Nat.leb_spec j i); try reflexivity; try lia. now replace j with i by lia. Qed.
+Lemma both_V (V : nat -> nat -> R -> R) i j s : (forall i j s, V i j s = V j i s) -> both V i j s = V i j s.
+Proof. intros E. unfold both. destruct (Nat.leb i j); [reflexivity|apply E]. Qed.
+Lemma both_slope (V V' : nat -> nat -> R -> R) i j s : (forall i j s, V i j s = V j i s) ->
+  is_derive (V i j) s (V' i j s) -> is_derive (V j i) s (V' j i s) -> both V' i j s = V' i j s.
+Proof.
+  intros VS A B. unfold both. destruct (Nat.leb i j); [reflexivity|]. apply is_derive_unique in A. rewrite <- A. symmetry.
+  apply is_derive_unique. apply (is_derive_ext (V j i)); [intros; apply VS|exact B].
+Qed.
+Lemma both_derive (V V' : nat -> nat -> R -> R) i j s : (forall i j s, V i j s = V j i s) ->
+  is_derive (V i j) s (V' i j s) -> is_derive (V j i) s (V' j i s) -> is_derive (both V i j) s (both V' i j s).
+Proof.
+  intros VS A B. rewrite (both_slope V V' i j s VS A B). apply (is_derive_ext (V i j)); [intros; symmetry; now apply both_V|exact A].
+Qed.
+Lemma both_law n adj V V' r v i : undirected adj -> (forall i j s, V i j s = V j i s) ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s)) ->
+  (i < n)%nat -> apart_at n adj r ->
+  (forall j, (j < n)%nat -> pull adj (both V') r i j = pull adj V' r i j) /\ gradV n adj (both V') r i = gradV n adj V' r i /\ law4 n adj (both V') r v i = law4 n adj V' r v i.
+Proof.
+  intros S VS D Hi A. assert (Q : forall j, (j < n)%nat -> pull adj (both V') r i j = pull adj V' r i j).
+  { intros j Hj. unfold pull. destruct (adj i j) eqn:E; [|reflexivity]. pose proof (tanner_flock.norm_neq _ _ (A i j Hi Hj E)) as N. unfold norm in N.
+    rewrite (both_slope V V' i j _ VS); [reflexivity|now apply D|]. apply D; try assumption. now rewrite S. }
+  split; [exact Q|]. assert (G : gradV n adj (both V') r i = gradV n adj V' r i) by (apply Csum_ext; exact Q).
+  split; [exact G|]. unfold law4. now rewrite G.
+Qed.
 Lemma pull_is adj V' r i j : pull adj V' r i j = pair_grad adj V' r i j.
 Proof. unfold pull, pair_grad, w, grad, norm. destruct (adj i j); apply injective_projections; cbn; ring. Qed.
 Lemma gradV_is n adj V' r i : gradV n adj V' r i = grad_i n adj V' r i.
@@ -136,7 +181,35 @@ Proof.
   intros [D M]. split; [exact D|]. intros t Ht. split; [intros i Hi; now apply M|]. intros A i Hi.
   rewrite <- law4_is. now apply M.
 Qed.
-Lemma potentials_are n adj V V' : potentials n adj V V' -> (forall i j, V i j = V j i) /\ (forall i j, V' i j = V' j i) /\
+(* the potentials of the theorems: V_ij and V_ji are one function, and so are their derivatives *)
+Definition potentials_one n (adj : graph) (V V' : nat -> nat -> R -> R) := (forall i j, V i j = V j i) /\ (forall i j, V' i j = V' j i) /\
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+    (forall s, 0 < s -> is_derive (V i j) s (V' i j s) /\ continuity_pt (V' i j) s /\ 0 <= V i j s) /\
+    (forall c, exists d, 0 < d /\ forall s, 0 < s < d -> c < V i j s) /\ (forall c, exists D, forall s, D < s -> c < V i j s).
+Lemma slopes_of n adj V V' : potentials n adj V V' ->
+  forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s).
+Proof. intros [_ P] i j s Hi Hj A Hs. now apply (P i j Hi Hj A). Qed.
+Lemma one_of n adj V V' : undirected adj -> potentials n adj V V' -> potentials_one n adj (both V) (both V').
+Proof.
+  intros S [VS P]. split; [exact (both_sym V)|]. split; [exact (both_sym V')|]. intros i j Hi Hj A.
+  assert (A' : adj j i = true) by (now rewrite S). destruct (P i j Hi Hj A) as (P1 & P2 & P3). destruct (P j i Hj Hi A') as (Q1 & _).
+  split; [|split].
+  - intros s Hs. rewrite (both_V V) by exact VS. split; [|split; [|now apply P1]].
+    + apply both_derive; [exact VS|now apply P1|now apply Q1].
+    + unfold both. destruct (Nat.leb i j); [now apply P1|now apply Q1].
+  - intros c. destruct (P2 c) as [d [Hd B]]. exists d. split; [exact Hd|]. intros s Hs. rewrite (both_V V) by exact VS. now apply B.
+  - intros c. destruct (P3 c) as [D B]. exists D. intros s Hs. rewrite (both_V V) by exact VS. now apply B.
+Qed.
+Lemma motion_both n adj V V' r v : undirected adj -> potentials n adj V V' -> motion n adj V' r v -> motion n adj (both V') r v.
+Proof.
+  intros S P [D M]. split; [exact D|]. intros t i Ht Hi. destruct (M t i Ht Hi) as [A B]. split; [exact A|]. intros Ap.
+  destruct (both_law n adj V V' (fun i => r i t) (fun i => v i t) i S (proj1 P) (slopes_of n adj V V' P) Hi Ap) as (_ & _ & ->). now apply B.
+Qed.
+Lemma energy_both n adj V r v : (forall i j s, V i j s = V j i s) -> energy6 n adj (both V) r v = energy6 n adj V r v.
+Proof.
+  intros VS. unfold energy6. f_equal. apply Sum_ext. intros i _. f_equal. apply Sum_ext. intros j _. now rewrite (both_V V) by exact VS.
+Qed.
+Lemma potentials_are n adj V V' : potentials_one n adj V V' -> (forall i j, V i j = V j i) /\ (forall i j, V' i j = V' j i) /\
   (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> potential (V i j) (V' i j)) /\
   (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s).
 Proof.
@@ -147,13 +220,14 @@ Qed.
 Lemma zero_is (z : R -> C) : (forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> norm (z t) < e) -> to_zero z.
 Proof. intros H e He. destruct (H e He) as [T [_ P]]. now exists T. Qed.
 
-Lemma thm1a_proved : thm1a.
+Lemma thm1a_one : forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials_one n adj V V' ->
+  motion n adj V' r v -> forall i j, (i < n)%nat -> (j < n)%nat -> to_zero (fun t => v i t - v j t)%C.
 Proof.
   intros n adj V V' r v [S NL] SC P M i j Hi Hj. destruct (moves_is _ _ _ _ _ M) as [D W].
   destruct (potentials_are _ _ _ _ P) as (A & B & C & K). apply zero_is.
   now apply (tanner2_motion.motions_agree n adj V V' r v S NL A B C D ltac:(lia) SC K W).
 Qed.
-Lemma apart_of n adj V V' r v : simple_graph adj -> potentials n adj V V' -> motion n adj V' r v ->
+Lemma apart_of n adj V V' r v : simple_graph adj -> potentials_one n adj V V' -> motion n adj V' r v ->
   forall t, 0 <= t -> apart_at n adj (fun i => r i t).
 Proof.
   intros [S NL] P M t Ht i j Hi Hj L E. destruct (moves_is _ _ _ _ _ M) as [D W].
@@ -162,11 +236,22 @@ Proof.
   specialize (Q (t + 1) (fun s Hs => W s (proj1 Hs)) t i j ltac:(lra) Hi Hj L). rewrite E in Q.
   replace (r j t - r j t)%C with (RtoC 0) in Q by ring. unfold norm in Q. rewrite Cmod_0 in Q. lra.
 Qed.
+Lemma apart_always n adj V V' r v : simple_graph adj -> potentials n adj V V' -> motion n adj V' r v ->
+  forall t, 0 <= t -> apart_at n adj (fun i => r i t).
+Proof.
+  intros S P M t Ht. destruct S as [S NL].
+  exact (apart_of n adj (both V) (both V') r v (conj S NL) (one_of n adj V V' S P) (motion_both n adj V V' r v S P M) t Ht).
+Qed.
+Lemma thm1a_proved : thm1a.
+Proof.
+  intros n adj V V' r v S SC P M. exact (thm1a_one n adj (both V) (both V') r v S SC (one_of n adj V V' (proj1 S) P) (motion_both n adj V V' r v (proj1 S) P M)).
+Qed.
 Lemma thm1b_proved : thm1b.
-Proof. intros n adj V V' r v S _ P M t Ht. now apply (apart_of n adj V V' r v). Qed.
+Proof. intros n adj V V' r v S _ P M t Ht. now apply (apart_always n adj V V' r v). Qed.
 Lemma cor3_proved : cor3.
-Proof. intros n adj V V' r v S K P M t i j Ht Hi Hj N. apply (apart_of n adj V V' r v S P M t Ht); auto. Qed.
-Lemma thm1c_2_proved : thm1c_2.
+Proof. intros n adj V V' r v S K P M t i j Ht Hi Hj N. apply (apart_always n adj V V' r v S P M t Ht); auto. Qed.
+Lemma thm1c_2_one : forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials_one n adj V V' ->
+  motion n adj V' r v -> forall i, (i < n)%nat -> to_zero (fun t => gradV n adj V' (fun j => r j t) i).
 Proof.
   intros n adj V V' r v [S NL] SC P M i Hi e He. destruct (moves_is _ _ _ _ _ M) as [D W].
   destruct (potentials_are _ _ _ _ P) as (A & B & C & K).
@@ -202,7 +287,10 @@ Proof.
       rewrite !Nat.eqb_refl in P. rewrite Bool.andb_false_r in P. discriminate. }
   specialize (Ac a l Ha N (path_sub _ _ _ _ _ _ P) L2). rewrite L, S in Ac. rewrite S in A. rewrite A in Ac || (rewrite S in A; rewrite A in Ac). discriminate.
 Qed.
-Lemma cor1_4_proved : cor1_4.
+Lemma cor1_4_one : forall n adj V V' r v (d : nat -> nat -> R), simple_graph adj -> is_tree n adj -> potentials_one n adj V V' ->
+  motion n adj V' r v ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < d i j /\ (forall s, 0 < s -> V' i j s = 0 -> s = d i j)) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_lim (fun t => Cmod (r i t - r j t)%C) p_infty (d i j).
 Proof.
   intros n adj V V' r v d S T P M U i j Hi Hj L. pose proof (tree_is n adj S T) as T'. destruct T as [SC _]. destruct S as [S NL].
   destruct (moves_is _ _ _ _ _ M) as [D W]. destruct (potentials_are _ _ _ _ P) as (A & B & C & K).
@@ -210,7 +298,8 @@ Proof.
   apply is_lim_spec. intros e. destruct (Q (fun i j s Hi Hj L => proj2 (U i j Hi Hj L) s) i j Hi Hj L e (cond_pos e)) as [T0 [_ Q']].
   exists T0. intros t Ht. apply Q'. lra.
 Qed.
-Lemma cor1_5_proved : cor1_5.
+Lemma cor1_5_one : forall n adj V V' r v, simple_graph adj -> is_tree n adj -> potentials_one n adj V V' ->
+  motion n adj V' r v -> forall i j, (i < n)%nat -> (j < n)%nat -> to_zero (fun t => pull adj V' (fun k => r k t) i j).
 Proof.
   intros n adj V V' r v S T P M i j Hi Hj. pose proof (tree_is n adj S T) as T'. destruct T as [SC _]. destruct S as [S NL].
   destruct (moves_is _ _ _ _ _ M) as [D W]. destruct (potentials_are _ _ _ _ P) as (A & B & C & K).
@@ -220,7 +309,11 @@ Proof.
     exists T0. split; [exact H0|]. intros t Ht. specialize (Q t Ht). unfold pull. rewrite L. exact Q.
   - intros e He. exists 0. intros t _. unfold pull. rewrite L, Cmod_0. exact He.
 Qed.
-Lemma cor1_6_proved : cor1_6.
+Lemma cor1_6_one : forall n adj (V V' : nat -> nat -> R -> R) r (d : nat -> nat -> R), simple_graph adj -> is_tree n adj ->
+  (forall i j, V' i j = V' j i) ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s) /\ (V' i j s = 0 -> s = d i j)) ->
+  apart_at n adj r -> (forall i, (i < n)%nat -> gradV n adj V' r i = 0%C) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> Cmod (r i - r j)%C = d i j.
 Proof.
   intros n adj V V' r d S T VS U D F i j Hi Hj L. pose proof (tree_is n adj S T) as T'. destruct S as [S NL].
   apply (tanner_trees.tree_equilibrium n adj V' d r (RtoC 0) S VS T'); try assumption.
@@ -228,6 +321,44 @@ Proof.
   - intros k Hk. unfold control4. rewrite <- gradV_is, (F k Hk).
     rewrite (Csum_ext n _ (fun _ => RtoC 0)) by (intros; apply injective_projections; cbn; ring).
     apply injective_projections; unfold Csum; cbn; clear; induction n; cbn in *; lra.
+Qed.
+Lemma thm1c_2_proved : thm1c_2.
+Proof.
+  intros n adj V V' r v S SC P M i Hi e He.
+  destruct (thm1c_2_one n adj (both V) (both V') r v S SC (one_of n adj V V' (proj1 S) P) (motion_both n adj V V' r v (proj1 S) P M) i Hi e He) as [T Q].
+  exists (Rmax 0 T). intros t Ht. pose proof (Rmax_l 0 T). pose proof (Rmax_r 0 T). specialize (Q t ltac:(lra)).
+  destruct (both_law n adj V V' (fun i => r i t) (fun i => v i t) i (proj1 S) (proj1 P) (slopes_of n adj V V' P) Hi) as (_ & <- & _); [|exact Q].
+  apply (apart_always n adj V V' r v S P M). lra.
+Qed.
+Lemma cor1_4_proved : cor1_4.
+Proof.
+  intros n adj V V' r v d S T P M U i j Hi Hj L.
+  refine (cor1_4_one n adj (both V) (both V') r v d S T (one_of n adj V V' (proj1 S) P) (motion_both n adj V V' r v (proj1 S) P M) _ i j Hi Hj L).
+  intros a b Ha Hb A. destruct (U a b Ha Hb A) as [U1 U2]. split; [exact U1|]. intros s Hs Z. apply (U2 s Hs).
+  rewrite <- Z. symmetry. pose proof (slopes_of n adj V V' P) as D. apply (both_slope V V'); [exact (proj1 P)|now apply D|].
+  apply D; try assumption. destruct S as [S _]. now rewrite S.
+Qed.
+Lemma cor1_5_proved : cor1_5.
+Proof.
+  intros n adj V V' r v S T. split.
+  - intros O y HO Z. exact (tanner_graph.tree_columns n adj O y (proj1 S) (tree_is n adj S T) HO Z).
+  - intros P M i j Hi Hj e He.
+    destruct (cor1_5_one n adj (both V) (both V') r v S T (one_of n adj V V' (proj1 S) P) (motion_both n adj V V' r v (proj1 S) P M) i j Hi Hj e He) as [T0 Q].
+    exists (Rmax 0 T0). intros t Ht. pose proof (Rmax_l 0 T0). pose proof (Rmax_r 0 T0). specialize (Q t ltac:(lra)).
+    destruct (both_law n adj V V' (fun i => r i t) (fun i => v i t) i (proj1 S) (proj1 P) (slopes_of n adj V V' P) Hi) as (Q2 & _).
+    + apply (apart_always n adj V V' r v S P M). lra.
+    + now rewrite <- (Q2 j Hj).
+Qed.
+Lemma cor1_6_proved : cor1_6.
+Proof.
+  intros n adj V V' r d S T VS U A F. pose proof S as [Sy _].
+  assert (D : forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s)) by (intros; now apply U).
+  assert (D' : forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V j i) s (V' j i s)) by (intros; apply U; try assumption; now rewrite Sy).
+  apply (cor1_6_one n adj (both V) (both V') r d S T (both_sym V')).
+  - intros i j s Hi Hj L Hs. split; [apply both_derive; [exact VS|now apply D|now apply D']|].
+    intros Z. apply (U i j s Hi Hj L Hs). rewrite <- Z. symmetry. apply (both_slope V V'); [exact VS|now apply D|now apply D'].
+  - exact A.
+  - intros i Hi. destruct (both_law n adj V V' r (fun _ => RtoC 0) i Sy VS D Hi A) as (_ & -> & _). now apply F.
 Qed.
 Lemma lem1_2_proved : lem1_2.
 Proof. intros V V' R0 s H _ Hs N. apply (tanner_saturated.saturated_regular V V'); try assumption; intros; now apply H. Qed.
@@ -237,7 +368,8 @@ Lemma lem1_4_proved : lem1_4.
 Proof. intros V V' R0 w H HR Hc. apply (tanner_saturated.derivatives_at_R V V'); try assumption; intros; now apply H. Qed.
 Lemma lem2_2_proved : lem2_2.
 Proof. intros V V' R0 z H HR Hc. apply (tanner_nonsmooth.lemma2_fails V V' R0 (V' R0)); try assumption; try reflexivity; try (intros; now apply H). Qed.
-Lemma bound_v_proved : bound_v.
+Lemma bound_v_one : forall n adj V V' r v c, simple_graph adj -> potentials_one n adj V V' -> apart_at n adj r ->
+  energy6 n adj V r v <= c -> forall i, (i < n)%nat -> Cmod (v i) ^ 2 <= 2 * c /\ Cmod (v i) <= sqrt (2 * c).
 Proof.
   intros n adj V V' r v c S P D H i Hi. destruct (potentials_are _ _ _ _ P) as (A & B & C & K). rewrite energy6_is in H.
   pose proof (tanner_flock.speed_bound_norm n adj V V' C r v D i c Hi H) as Q. split; [|exact Q].
@@ -246,7 +378,10 @@ Proof.
   rewrite <- (pow2_sqrt (2 * c)) by assumption. apply pow_incr. unfold norm in *. lra.
 Qed.
 
-Lemma bound_r_proved : bound_r.
+Lemma bound_r_one : forall n adj V V' r v c D, (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj -> potentials_one n adj V V' ->
+  apart_at n adj r -> energy6 n adj V r v <= c ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> V i j s <= c -> s <= D) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (r i - r j)%C <= (INR n - 1) * D.
 Proof.
   intros n adj V V' r v c D Hn [S NL] SC P NC H B i j Hi Hj. destruct (potentials_are _ _ _ _ P) as (A & _ & C & K). rewrite energy6_is in H.
   refine (tanner_paths.bound_r_corrected n adj V V' r v c D ltac:(lia) S NL SC A C NC H _ B i j Hi Hj).
@@ -256,9 +391,24 @@ Proof.
   pose proof (tanner_flock.norm_neq _ _ (NC a b Ha Hb L)) as N.
   pose proof (B a b (norm (r a - r b)%C) Ha Hb L N ltac:(lra)). lra.
 Qed.
+Lemma bound_v_proved : bound_v.
+Proof.
+  intros n adj V V' r v c S P A H. apply (bound_v_one n adj (both V) (both V') r v c S (one_of n adj V V' (proj1 S) P) A). now rewrite (energy_both n adj V r v (proj1 P)).
+Qed.
+Lemma bound_r_proved : bound_r.
+Proof.
+  intros n adj V V' r v c D Hn S SC P A H B. apply (bound_r_one n adj (both V) (both V') r v c D Hn S SC (one_of n adj V V' (proj1 S) P) A).
+  - now rewrite (energy_both n adj V r v (proj1 P)).
+  - intros i j s Hi Hj L Hs. rewrite (both_V V i j s (proj1 P)). now apply B.
+Qed.
 Lemma form_is n adj x : Sum n (fun i => x i * Sum n (fun j => lap n adj i j * x j)) = qform n (lap n adj) x.
 Proof. reflexivity. Qed.
-Lemma eq9_proved : eq9.
+Lemma eq9_one : forall n adj (V V' : nat -> nat -> R -> R) r v t, simple_graph adj -> (forall i j, V' i j = V' j i) ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s)) ->
+  apart_at n adj (fun i => r i t) ->
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
+  let form x := Sum n (fun i => x i * Sum n (fun j => lap n adj i j * x j)) in
+  is_derive (fun s => energy6 n adj V (fun i => r i s) (fun i => v i s)) t (- form (fun i => fst (v i t)) - form (fun i => snd (v i t))).
 Proof.
   intros n adj V V' r v t [S NL] VS D A U form.
   destruct (tanner_energy.eq9 n adj V V' r v t S VS) as (Q & E & _).
@@ -269,6 +419,15 @@ Proof.
   - apply (is_derive_ext (fun s => Wenergy n adj V (fun i => r i s) (fun i => v i s))); [intros; symmetry; apply energy6_is|].
     rewrite E in Q. unfold form. rewrite !form_is. replace (- _ - _) with (- (qform n (lap n adj) (fun i => fst (v i t)) + qform n (lap n adj) (fun i => snd (v i t)))) by ring. exact Q.
 Qed.
+Lemma eq9_proved : eq9.
+Proof.
+  intros n adj V V' r v t S VS D A U form.
+  apply (is_derive_ext (fun s => energy6 n adj (both V) (fun i => r i s) (fun i => v i s))); [intros; now apply energy_both|].
+  apply (eq9_one n adj (both V) (both V') r v t S (both_sym V')); [|exact A|].
+  - intros i j s Hi Hj L Hs. apply both_derive; [exact VS|now apply D|]. apply D; try assumption. destruct S as [S _]. now rewrite S.
+  - intros i Hi. destruct (U i Hi) as [U1 U2]. split; [exact U1|].
+    destruct (both_law n adj V V' (fun i => r i t) (fun i => v i t) i (proj1 S) VS D Hi A) as (_ & _ & ->). exact U2.
+Qed.
 Lemma by_distance_is r R0 i j : by_distance r R0 i j = tanner2_facts.near r R0 i j.
 Proof. unfold by_distance, tanner2_facts.near, norm. destruct (Nat.eqb i j); reflexivity. Qed.
 Lemma energy11_is n V R0 r v : energy11 n V R0 r v = tanner2_facts.Qsat n V R0 r v.
@@ -276,7 +435,9 @@ Proof.
   unfold energy11, tanner2_facts.Qsat. f_equal. apply Sum_ext. intros i _. f_equal.
   rewrite <- norm_sqr. unfold norm. ring.
 Qed.
-Lemma Q_1_proved : Q_1.
+Lemma Q_1_one : forall n (V : nat -> nat -> R -> R) R0 r v, (forall i j, V i j = V j i) ->
+  energy6 n (by_distance r R0) V r v +
+    Sum n (fun i => Sum n (fun j => if Nat.ltb i j then (if by_distance r R0 i j then 0 else V i j R0) else 0)) = energy11 n V R0 r v.
 Proof.
   intros n V R0 r v VS. rewrite energy6_is, energy11_is, <- (tanner2_facts.Q_two_forms n V R0 r v VS). f_equal.
   - unfold Wenergy. f_equal. apply Sum_ext. intros i _. f_equal. apply Sum_ext. intros j _. unfold w. now rewrite by_distance_is.
@@ -301,7 +462,12 @@ Proof.
     + rewrite (VS j i). destruct (by_distance r R0 i j); ring.
     + unfold by_distance. rewrite (Nat.eqb_sym j i). replace (r j - r i)%C with (- (r i - r j))%C by ring. now rewrite Cmod_opp.
 Qed.
-Lemma Qdot_proved : Qdot.
+Lemma Qdot_one : forall n V V' R0 r v t, 0 < R0 -> (forall i j, V' i j = V' j i) -> (forall i j s, 0 < s -> is_derive (V i j) s (V' i j s)) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t /\ Cmod (r i t - r j t)%C <> R0) ->
+  let adj := by_distance (fun i => r i t) R0 in
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
+  let form x := Sum n (fun i => x i * Sum n (fun j => lap n adj i j * x j)) in
+  is_derive (fun s => energy11 n V R0 (fun i => r i s) (fun i => v i s)) t (- form (fun i => fst (v i t)) - form (fun i => snd (v i t))).
 Proof.
   intros n V V' R0 r v t HR VS D A adj U form.
   assert (K : forall i, grad_i n adj V' (fun i => r i t) i = grad_i n (tanner2_facts.near (fun i => r i t) R0) V' (fun i => r i t) i).
@@ -318,6 +484,43 @@ Proof.
   apply Q. intros i Hi. pose proof (proj2 (U i Hi)) as W. rewrite law4_is in W. unfold control4 in *. rewrite <- K.
   rewrite (Csum_ext n _ (fun j => RtoC (w adj i j) * (v i t - v j t))%C); [exact W|].
   intros j _. unfold w, adj. now rewrite by_distance_is.
+Qed.
+Lemma Q_1_proved : Q_1.
+Proof.
+  intros n V R0 r v VS. assert (E : energy11 n (both V) R0 r v = energy11 n V R0 r v).
+  { unfold energy11. f_equal. apply Sum_ext. intros i _. f_equal. apply Sum_ext. intros j _. unfold saturate. now rewrite !(both_V V) by exact VS. }
+  rewrite <- E, <- (energy_both n _ V r v VS), <- (Q_1_one n (both V) R0 r v (both_sym V)). f_equal.
+  apply Sum_ext. intros i _. apply Sum_ext. intros j _. now rewrite (both_V V) by exact VS.
+Qed.
+(* pairs of agents have the potentials of the clause; elsewhere they are not asked for *)
+Definition extended (n : nat) (V W : nat -> nat -> R -> R) (i j : nat) : R -> R :=
+  if (Nat.ltb i n && Nat.ltb j n && negb (Nat.eqb i j))%bool then both V i j else W i j.
+Lemma extended_in n V W i j : (i < n)%nat -> (j < n)%nat -> i <> j -> extended n V W i j = both V i j.
+Proof.
+  intros Hi Hj N. unfold extended. destruct (Nat.ltb_spec i n), (Nat.ltb_spec j n), (Nat.eqb_spec i j); cbn; try lia. reflexivity.
+Qed.
+Lemma extended_sym n V W : (forall i j, W i j = W j i) -> forall i j, extended n V W i j = extended n V W j i.
+Proof.
+  intros E i j. unfold extended. rewrite (Nat.eqb_sym j i), (Bool.andb_comm (Nat.ltb j n)). rewrite (both_sym V i j), (E i j). reflexivity.
+Qed.
+Lemma Qdot_proved : Qdot.
+Proof.
+  intros n V V' R0 r v t HR VS D A adj U form. set (W := fun (_ _ : nat) (s : R) => s). set (W' := fun (_ _ : nat) (_ : R) => 1).
+  assert (E : forall i j s, (i < n)%nat -> (j < n)%nat -> i <> j -> extended n V W i j s = V i j s).
+  { intros i j s Hi Hj N. rewrite extended_in by assumption. now apply both_V. }
+  apply (is_derive_ext (fun s => energy11 n (extended n V W) R0 (fun i => r i s) (fun i => v i s))).
+  { intros s. unfold energy11. f_equal. apply Sum_ext. intros i Hi. f_equal. apply Sum_ext. intros j Hj.
+    destruct (Nat.eqb_spec i j) as [|N]; [reflexivity|]. unfold saturate. now rewrite !E. }
+  apply (Qdot_one n (extended n V W) (extended n V' W') R0 r v t HR (extended_sym n V' W' (fun _ _ => eq_refl))).
+  - intros i j s Hs. unfold extended. destruct (Nat.ltb_spec i n), (Nat.ltb_spec j n), (Nat.eqb_spec i j); cbn; try exact (D_id s).
+    apply both_derive; [exact VS|now apply D|]. apply D; try assumption. now apply not_eq_sym.
+  - exact A.
+  - intros i Hi. destruct (U i Hi) as [U1 U2]. split; [exact U1|]. fold adj.
+    replace (law4 n adj (extended n V' W') (fun i => r i t) (fun i => v i t) i) with (law4 n adj V' (fun i => r i t) (fun i => v i t) i); [exact U2|].
+    unfold law4. f_equal. apply Csum_ext. intros j Hj. unfold pull. destruct (adj i j) eqn:L; [|reflexivity].
+    assert (N : i <> j). { intros ->. unfold adj, by_distance in L. rewrite Nat.eqb_refl in L. discriminate. }
+    rewrite extended_in by assumption. pose proof (tanner_flock.norm_neq _ _ (proj1 (A i j Hi Hj N))) as P. unfold norm in P.
+    rewrite (both_slope V V' i j _ VS); [reflexivity|now apply D|]. apply D; try assumption. now apply not_eq_sym.
 Qed.
 Lemma L_4_proved : L_4.
 Proof.
@@ -340,7 +543,11 @@ Proof.
   - pose proof (Rmax_l (Rabs (fst (z m - l)%C)) (Rabs (snd (z m - l)%C))) as G1. eapply Rle_lt_trans; [exact G1|]. lra.
   - pose proof (Rmax_r (Rabs (fst (z m - l)%C)) (Rabs (snd (z m - l)%C))) as G1. eapply Rle_lt_trans; [exact G1|]. lra.
 Qed.
-Lemma eq7_3_proved : eq7_3.
+Lemma eq7_3_one : forall n adj V V' c (r v : nat -> nat -> C) (r0 v0 : nat -> C), simple_graph adj -> potentials_one n adj V V' ->
+  (forall m, apart_at n adj (r m) /\ energy6 n adj V (r m) (v m) <= c) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> forall e, 0 < e -> exists M, forall m, (M <= m)%nat -> Cmod ((r m i - r m j) - (r0 i - r0 j))%C < e) ->
+  (forall i, (i < n)%nat -> forall e, 0 < e -> exists M, forall m, (M <= m)%nat -> Cmod (v m i - v0 i)%C < e) ->
+  apart_at n adj r0 /\ energy6 n adj V r0 v0 <= c.
 Proof.
   intros n adj V V' c r v r0 v0 [S NL] P H R1 R2. destruct (potentials_are _ _ _ _ P) as (A & B & C & K).
   destruct (tanner_trees.Omega_closed n adj V V' c r v (fun i j => r0 i - r0 j)%C v0 S NL A C) as (q & Q1 & Q2 & Q3).
@@ -353,4 +560,46 @@ Proof.
       replace (q i) with (q i - q j + q j)%C by ring. rewrite <- N. ring.
     + rewrite energy6_is. replace (Wenergy n adj V r0 v0) with (Wenergy n adj V q v0); [exact Q3|].
       unfold Wenergy. f_equal. apply Sum_ext. intros i Hi. f_equal. unfold V_i. apply Sum_ext. intros j Hj. now rewrite (N i j Hi Hj).
+Qed.
+Lemma eq7_3_proved : eq7_3.
+Proof.
+  intros n adj V V' c r v r0 v0 S P H R1 R2. rewrite <- (energy_both n adj V r0 v0 (proj1 P)).
+  apply (eq7_3_one n adj (both V) (both V') c r v r0 v0 S (one_of n adj V V' (proj1 S) P)); [|exact R1|exact R2].
+  intros m. rewrite (energy_both n adj V (r m) (v m) (proj1 P)). apply H.
+Qed.
+Lemma L_5_proved : L_5.
+Proof.
+  intros n adj lam x S SC E (i & j & Hi & Hj & N). assert (Hn : (1 <= n)%nat) by lia.
+  destruct (tanner2_facts.second_positive n adj Hn S SC) as (m & M0 & B).
+  set (c := tanner2_facts.mean n x). pose proof (B _ (tanner2_facts.centred_sum n x Hn)) as Q. fold c in Q.
+  rewrite <- (tanner2_facts.cor2_decomposition n adj x c S) in Q.
+  assert (F : qform n (lap n adj) x = lam * Sum n (fun i => x i ^ 2)).
+  { unfold qform. rewrite <- Sum_scal. apply Sum_ext. intros k Hk. rewrite (E k Hk). ring. }
+  assert (P : 0 < Sum n (fun i => (x i - c) ^ 2)).
+  { assert (G : forall k, (k < n)%nat -> (x k - c) ^ 2 <= Sum n (fun i => (x i - c) ^ 2)).
+    { intros k Hk. apply (Sum_term_le n (fun i => (x i - c) ^ 2) k); [intros; apply pow2_ge_0|exact Hk]. }
+    pose proof (G i Hi). pose proof (G j Hj). apply Rnot_le_lt. intros Le. apply N.
+    pose proof (pow2_ge_0 (x i - c)). pose proof (pow2_ge_0 (x j - c)). assert (x i - c = 0) by nra. assert (x j - c = 0) by nra. lra. }
+  assert (P2 : 0 <= Sum n (fun i => x i ^ 2)) by (apply Sum_ge0; intros; apply pow2_ge_0).
+  rewrite F in Q. assert (0 < m * Sum n (fun i => (x i - c) ^ 2)) by now apply Rmult_lt_0_compat. nra.
+Qed.
+Lemma rate_3_proved : rate_3.
+Proof.
+  intros n adj lam v Hn [S NL] SC B M dev t Ht. assert (n1 : (1 <= n)%nat) by lia.
+  set (z := fun (i : nat) (s : R) => RtoC (v i s)).
+  assert (Mz : forall t i, 0 <= t -> (i < n)%nat -> is_velocity (z i) t (- Csum n (fun j => RtoC (w adj i j) * (z i t - z j t)))%C).
+  { intros s i Hs Hi. split.
+    - eapply D_eq; [apply (M s i Hs Hi)|]. cbn. f_equal. apply Sum_ext. intros j _. unfold w. destruct (adj i j); ring.
+    - eapply D_eq; [apply (D_const 0)|]. cbn. rewrite (Sum_zero n); [ring|]. intros; ring. }
+  assert (E : forall s, dev s = tanner2_facts.deviation n (fun i => z i s)).
+  { intros s. unfold dev, tanner2_facts.deviation. f_equal. rewrite tanner2_facts.deviation_axes. unfold z, tanner2_facts.mean. cbn [RtoC fst snd].
+    rewrite (Sum_zero n (fun i => (0 - _) ^ 2)); [ring|]. intros i _. rewrite Sum_0. ring. }
+  rewrite !E. exact (proj1 (tanner2_facts.alignment_rate n adj lam z n1 S Mz) B t Ht).
+Qed.
+Lemma clarke2_is f x w l : clarke_dd2 f x w l <-> tanner_saturated.clarke2 f x w l.
+Proof. reflexivity. Qed.
+Lemma lem2_3_proved : lem2_3.
+Proof.
+  intros V V' R0 ri rj z H HR Hc At.
+  apply (tanner_saturated.plane_gradient V V' R0 (V' R0) ri rj HR); try assumption; try reflexivity; intros; now apply H.
 Qed.

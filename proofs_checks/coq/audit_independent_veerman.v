@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra Lia List Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require veerman_complex veerman_front veerman_chain veerman_stability veerman_lemma1 veerman_numbers veerman_amplitude
-  veerman_theorem1 veerman_unsettled.
+  veerman_theorem1 veerman_unsettled veerman_lesser veerman_exponent veerman_size_limit.
 Open Scope R_scope.
 
 (* ---- systems (1), (2) on deviations: a leader 0 and followers 1, .., N + 1; rows of P_1, P_2 ---- *)
@@ -25,30 +25,77 @@ Definition eigAK : Prop := forall (f g : R) (lam nu : C),
    (nu * nu - lam * RtoC g * nu - lam * RtoC f = 0)%C) /\
   forall s : C, (s * s)%C = ((lam * RtoC g) * (lam * RtoC g) + 4 * lam * RtoC f)%C ->
    ((nu * nu - lam * RtoC g * nu - lam * RtoC f = 0)%C <-> nu = (/ 2 * (lam * RtoC g + s))%C \/ nu = (/ 2 * (lam * RtoC g - s))%C).
+(* veerman.specM clauses 3, 4 *)
+Definition specM : Prop := forall N p (f g : R), p = p1 \/ p = p2 N ->
+  (forall nu, eig_M N p f g nu <-> exists lam, eig N p lam /\ (nu * nu - lam * RtoC g * nu - lam * RtoC f = 0)%C) /\
+  (f <> 0 -> ~ eig_M N p f g 0%C).
 (* veerman.specP2 *)
 Definition specP2 : Prop := forall N,
   (forall lam, eig N (p2 N) lam <-> exists k, (1 <= k <= S N)%nat /\ lam = RtoC (1 - cos ((2 * INR k - 1) * PI / (2 * (INR N + 1))))) /\
   (forall k l, (1 <= k <= S N)%nat -> (1 <= l <= S N)%nat -> k <> l ->
      cos ((2 * INR k - 1) * PI / (2 * (INR N + 1))) <> cos ((2 * INR l - 1) * PI / (2 * (INR N + 1)))).
-(* beyond.veerman.decay_rate clause 1 *)
+(* beyond.veerman.decay_rate clauses 1 to 4 *)
 Definition slowest N f g (r : R) := (exists nu, eig_M N (p2 N) f g nu /\ fst nu = - r) /\ forall nu, eig_M N (p2 N) f g nu -> fst nu <= - r.
-Definition decay : Prop := forall f g N, f < 0 -> g < 0 -> INR N + 1 >= Rabs g / sqrt (Rabs f) ->
-  slowest N f g (Rabs g * (1 - cos (PI / (2 * (INR N + 1)))) / 2).
+Definition decay : Prop := forall f g, f < 0 -> g < 0 ->
+  (forall N, INR N + 1 >= Rabs g / sqrt (Rabs f) -> slowest N f g (Rabs g * (1 - cos (PI / (2 * (INR N + 1)))) / 2)) /\
+  (forall N, Rabs g * (1 - cos (PI / (2 * (INR N + 1)))) / 2 < PI ^ 2 * Rabs g / (16 * (INR N + 1) ^ 2)) /\
+  (forall N, hurwitz N (p2 N) f g) /\
+  ~ exists r, 0 < r /\ forall N nu, eig_M N (p2 N) f g nu -> fst nu <= - r.
 
 (* ---- the responses to a leader e^{i w t}: amplitudes a_k, a_0 = 1 ---- *)
 Definition z (f g w : R) : C := (f, w * g).
+Definition response1 f g w (a : nat -> C) := a 0%nat = 1%C /\ forall k, (1 <= k)%nat -> (- RtoC (w ^ 2) * a k = z f g w * p1 a k)%C.
 Definition response2 f g w N (a : nat -> C) := a 0%nat = 1%C /\ forall k, (1 <= k <= S N)%nat -> (- RtoC (w ^ 2) * a k = z f g w * p2 N a k)%C.
-(* veerman.cor2 clause 2 *)
+Definition gam f g w : C := ((z f g w + RtoC (w ^ 2)) / z f g w)%C.
+Fixpoint power (x : C) n : C := match n with O => 1%C | S n => (x * power x n)%C end.
+(* veerman.cor1, veerman.cor1_special *)
+Definition cor1 : Prop := forall f g w a, z f g w <> 0%C -> gam f g w <> 0%C ->
+  (response1 f g w a <-> a 0%nat = 1%C /\ forall k, a k = (/ power (gam f g w) k)%C).
+Definition cor1_special : Prop := forall f g w a, f < 0 -> g < 0 -> w = sqrt (Rabs f) -> response1 f g w a ->
+  forall k, a k = power (1 + Ci * RtoC (sqrt (Rabs f) / g))%C k.
+(* veerman.gain_iff clauses 3, 4; veerman.gain_max clauses 2, 3, 4 *)
+Definition gain_iff : Prop := forall f g w, f < 0 -> g < 0 -> 0 <= w -> (1 < Cmod (/ gam f g w)%C <-> 0 < w ^ 2 < 2 * Rabs f).
+Definition gain_max : Prop := forall f g, f < 0 -> g < 0 ->
+  let s := f ^ 2 / g ^ 2 * (sqrt (1 + 2 * g ^ 2 / Rabs f) - 1) in
+  (forall w, 0 <= w -> (w ^ 2 = s <-> forall w', 0 <= w' -> Cmod (/ gam f g w')%C <= Cmod (/ gam f g w)%C)) /\ 0 < s < Rabs f.
+(* veerman.lem2; the square root of gamma^2 - 1 enters by its square *)
+Definition lem2 : Prop := forall f g w N a mp mm, f < 0 -> g < 0 -> 0 < w -> response2 f g w N a ->
+  (mp + mm = 2 * gam f g w)%C -> (mp * mm = 1)%C ->
+  (a (S N) * (power mm (S N) + power mp (S N)) = 2)%C.
+(* veerman.lem2_eigvec clause 5 left out; veerman.cor2 *)
+Definition cor2_1 : Prop := forall f g w mp mm, f < 0 -> g < 0 -> w <> 0 -> (mp + mm = 2 * gam f g w)%C -> (mp * mm = 1)%C -> Cmod mp <> Cmod mm.
 Definition cor2_2 : Prop := forall f g w, f < 0 -> g < 0 -> w <> 0 -> exists K q, 0 <= q < 1 /\
   forall N a, response2 f g w N a -> Cmod (a (S N)) <= K * q ^ N.
 (* ---- the main resonance of system (2): the frequency w > 0 of the largest amplitude of the last car ---- *)
 Definition size f g N w A := exists a, response2 f g w N a /\ Cmod (a (S N)) = A.
 Definition peak f g N w A := 0 < w /\ size f g N w A /\ forall w' A', 0 < w' -> size f g N w' A' -> A' <= A.
-(* veerman.thm1_omega, thm1_amp: there is a main resonance, and every one is there *)
+(* veerman.thm1_omega, thm1_amp, thm1_x clauses 3, 4: there is a main resonance, and every one is there *)
 Definition thm1 : Prop := forall f g, f < 0 -> g < 0 -> exists K N0, forall N, (N0 <= N)%nat -> (exists w A, peak f g N w A) /\
   forall w A, peak f g N w A ->
     Rabs (w - sqrt (Rabs f) * PI / ((INR N + 1) * 2 * sqrt 2)) <= K / INR N ^ 3 /\
     Rabs (A - 8 * sqrt (2 * Rabs f) / (PI ^ 2 * Rabs g) * (INR N + 1)) <= K / INR N.
+Definition thm1_x : Prop := forall f g, f < 0 -> g < 0 -> let x := PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f)) in
+  exists K N0, forall N, (N0 <= N)%nat -> forall w A, peak f g N w A -> Rabs (A - (INR N + 1) / x) <= K / INR N /\
+  forall mp mm, (mp + mm = 2 * gam f g w)%C -> (mp * mm = 1)%C -> Cmod mm <= Cmod mp ->
+    Rabs (Cmod mp ^ S N - exp (x / (INR N + 1))) <= K / INR N ^ 3 /\ Rabs (Cmod mm ^ S N - exp (- x / (INR N + 1))) <= K / INR N ^ 3.
+(* veerman.thm1_mod *)
+Definition thm1_mod : Prop := forall f g, f < 0 -> g < 0 -> exists K e, 0 < e /\ forall w mp mm, 0 < w < e ->
+  (mp + mm = 2 * gam f g w)%C -> (mp * mm = 1)%C -> Cmod mm <= Cmod mp ->
+  Rabs (Cmod mp ^ 2 - (1 + sqrt 2 * w ^ 2 * Rabs g / (Rabs f * sqrt (Rabs f)))) <= K * w ^ 4 /\
+  Rabs (Cmod mm ^ 2 - (1 - sqrt 2 * w ^ 2 * Rabs g / (Rabs f * sqrt (Rabs f)))) <= K * w ^ 4.
+(* veerman.lem3 *)
+Definition lem3 : Prop := forall f g (w : nat -> R) A, f < 0 -> g < 0 -> 0 < A ->
+  (forall N, exists B, size f g N (w N) B /\ A <= B) -> is_lim_seq w 0.
+(* veerman.cor3 clause 1: local maxima of the amplitude near (2k+1) times the main resonance *)
+Definition cor3 : Prop := forall f g k, f < 0 -> g < 0 -> forall e, 0 < e -> exists N0, forall N, (N0 <= N)%nat ->
+  forall w0 A0, peak f g N w0 A0 -> exists w A, Rabs (w - (2 * INR k + 1) * w0) <= e * w0 /\ size f g N w A /\
+    exists r, 0 < r /\ forall w' A', Rabs (w' - w) < r -> size f g N w' A' -> A' <= A.
+(* veerman.prop1 clauses 2, 3 *)
+Definition prop1 : Prop := forall f g a0 D N a, f < 0 -> g < 0 -> 0 < a0 -> 0 < D -> response1 f g (sqrt (Rabs f)) a ->
+  (a0 * Cmod (a (S N)) <= D <-> INR N + 1 <= 2 * ln (D / a0) / ln (1 + Rabs f / g ^ 2)).
+(* veerman.prop2: N <= X D/a0 + o(D/a0) *)
+Definition prop2 : Prop := forall f g, f < 0 -> g < 0 -> forall e, 0 < e -> exists Y, forall a0 D N w A, 0 < a0 -> 0 < D -> Y <= D / a0 ->
+  peak f g N w A -> a0 * A <= D -> INR N <= (PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f)) + e) * (D / a0).
 
 (* ---- the theorems prove them ---- *)
 Lemma eig_is N (p : (nat -> C) -> nat -> C) lam : p = p1 \/ p = p2 N ->
@@ -105,13 +152,6 @@ Proof.
       rewrite E; apply injective_projections; cbn; ring.
   - intros k l Hk Hl Nkl E. apply (B k l Hk Hl Nkl). unfold veerman_stability.angle. now rewrite E.
 Qed.
-Lemma decay_proved : decay.
-Proof.
-  intros f g N Hf Hg H. destruct (veerman_unsettled.decay_rate f g Hf Hg) as (A & _). specialize (A N). rewrite S_INR in A.
-  destruct (A ltac:(lra)) as (A1 & (nu & A2 & A3) & _). split.
-  - exists nu. split; [now apply (eig_M_is N (p2 N) f g nu (or_intror eq_refl))|exact A3].
-  - intros mu E. apply A1. now apply (eig_M_is N (p2 N) f g mu (or_intror eq_refl)).
-Qed.
 Lemma response_is f g w N a : response2 f g w N a <-> a 0%nat = RtoC 1 /\ veerman_chain.equation_2 f g w N a.
 Proof.
   unfold response2, veerman_chain.equation_2. assert (Z : (- RtoC (w ^ 2))%C = RtoC (- w ^ 2)%R) by (apply injective_projections; cbn; ring).
@@ -166,4 +206,280 @@ Proof.
     unfold veerman_numbers.frequency, veerman_numbers.amplitude in *. rewrite S_INR in U1 at 1. rewrite S_INR in U2 at 1. split.
     + eapply Rle_trans; [exact U1|]. now apply (D 3%nat ltac:(lia)).
     + eapply Rle_trans; [exact U2|]. pose proof (D 1%nat ltac:(lia)) as D1. rewrite !pow_1 in D1. exact D1.
+Qed.
+Lemma specM_proved : specM.
+Proof.
+  intros N p f g Hp.
+  assert (Q : veerman_stability.local N (veerman_stability.reduced p) /\ veerman_lemma1.positive_spectrum N (veerman_stability.reduced p)).
+  { destruct Hp; subst p; split; [exact (veerman_stability.local1 N)|exact (veerman_lemma1.positive_P1 N)|exact (veerman_stability.local2 N)|exact (veerman_lemma1.positive_P2 N)]. }
+  destruct Q as [L [EX POS]].
+  assert (E : forall nu, eig_M N p f g nu <-> exists lam, eig N p lam /\ (nu * nu - lam * RtoC g * nu - lam * RtoC f = 0)%C).
+  { intros nu. rewrite (eig_M_is N p f g nu Hp), (veerman_stability.spectrum_M N _ f g nu L EX).
+    split; intros (lam & A & B); exists lam; (split; [now apply (eig_is N p lam Hp)|]); now apply (proj1 (eigAK_proved f g lam nu)). }
+  split; [exact E|]. intros Hf H. apply E in H. destruct H as (lam & A & B). apply (eig_is N p lam Hp) in A.
+  destruct (POS lam A) as (r & R0 & ->). apply (f_equal fst) in B. cbn in B. assert (r * f = 0) by lra.
+  apply Rmult_integral in H as [H|H]; lra.
+Qed.
+Lemma decay_proved : decay.
+Proof.
+  intros f g Hf Hg. destruct (veerman_unsettled.decay_rate f g Hf Hg) as (A & B & D). split; [|split; [|split]].
+  - intros N H. specialize (A N). rewrite S_INR in A. destruct (A ltac:(lra)) as (A1 & (nu & A2 & A3) & _). split.
+    + exists nu. split; [now apply (eig_M_is N (p2 N) f g nu (or_intror eq_refl))|exact A3].
+    + intros mu E. apply A1. now apply (eig_M_is N (p2 N) f g mu (or_intror eq_refl)).
+  - intros N. pose proof (pos_INR N) as P. pose proof PI_RGT_0 as P0. set (x := PI / (2 * (INR N + 1))).
+    assert (X : 0 < x) by (apply Rdiv_lt_0_compat; lra). assert (G : 0 < Rabs g) by (apply Rabs_pos_lt; lra).
+    replace (PI ^ 2 * Rabs g / (16 * (INR N + 1) ^ 2)) with (Rabs g * (x ^ 2 / 2) / 2) by (unfold x; field; lra).
+    assert (C : 1 - cos x < x ^ 2 / 2); [|nra].
+    replace x with (2 * (x / 2)) by field. rewrite cos_2a_sin. assert (S : Rabs (sin (x / 2)) < x / 2).
+    { assert (L : x / 2 <= PI). { unfold x. apply Rmult_le_reg_r with (2 * (2 * (INR N + 1))); [lra|]. replace (PI / (2 * (INR N + 1)) / 2 * (2 * (2 * (INR N + 1)))) with PI by (field; lra). nra. }
+      rewrite Rabs_pos_eq by (apply sin_ge_0; lra). apply sin_lt_x. lra. }
+    pose proof (Rabs_pos (sin (x / 2))) as S0. assert (sin (x / 2) * sin (x / 2) < x / 2 * (x / 2)); [|nra].
+    replace (sin (x / 2) * sin (x / 2)) with (Rabs (sin (x / 2)) * Rabs (sin (x / 2))); [nra|].
+    rewrite <- Rabs_mult. apply Rabs_pos_eq. nra.
+  - intros N. apply (hurwitz_is N (p2 N) f g (or_intror eq_refl)), B.
+  - intros (r & R0 & H). destruct (D r R0) as (N & nu & E & L). apply (eig_M_is N (p2 N) f g nu (or_intror eq_refl)) in E.
+    specialize (H N nu E). lra.
+Qed.
+(* the square roots enter through their sum and product *)
+Lemma gam_is f g w : gam f g w = veerman_front.gamma f g w.
+Proof. unfold gam, z, veerman_front.gamma, veerman_front.num, veerman_front.den. f_equal. apply injective_projections; cbn; ring. Qed.
+Lemma power_is x n : power x n = veerman_complex.Cpw x n.
+Proof. induction n as [|n IH]; cbn; [reflexivity|now rewrite IH]. Qed.
+Lemma pair_is f g w mp mm : (mp + mm = 2 * gam f g w)%C -> (mp * mm = 1)%C ->
+  let G := veerman_front.gamma f g w in
+  (mp = veerman_chain.mu_plus G /\ mm = veerman_chain.mu_minus G) \/ (mp = veerman_chain.mu_minus G /\ mm = veerman_chain.mu_plus G).
+Proof.
+  intros S P G. rewrite gam_is in S. fold G in S. pose proof (veerman_chain.mu_sum G) as S'. pose proof (veerman_chain.mu_product G) as P'.
+  set (a := veerman_chain.mu_plus G) in *. set (b := veerman_chain.mu_minus G) in *.
+  assert (Z : ((mp - a) * (mp - b) = 0)%C).
+  { replace ((mp - a) * (mp - b))%C with (mp * mp - (a + b) * mp + a * b)%C by ring. rewrite S', <- S, P', <- P. ring. }
+  assert (M : (mm = a + b - mp)%C) by (rewrite S', <- S; ring).
+  destruct (Ceq_dec (mp - a)%C 0%C) as [E|E].
+  - left. assert (A : mp = a) by (replace mp with (mp - a + a)%C by ring; rewrite E; ring). split; [exact A|]. rewrite M, A. ring.
+  - right. destruct (Ceq_dec (mp - b)%C 0%C) as [E'|E'].
+    + assert (A : mp = b) by (replace mp with (mp - b + b)%C by ring; rewrite E'; ring). split; [exact A|]. rewrite M, A. ring.
+    + exfalso. exact (Cmult_neq_0 _ _ E E' Z).
+Qed.
+(* the amplitudes behind the leader: response1 is equation (1) for the waves *)
+Lemma response1_is f g w h a : response1 f g w a <->
+  a 0%nat = RtoC 1 /\ veerman_front.equation_1 f g h (veerman_front.wave_x h a w) (veerman_front.wave_u a w).
+Proof.
+  unfold response1. rewrite veerman_front.substitution. split; intros [A0 H]; (split; [exact A0|]).
+  - intros k. specialize (H (S k) ltac:(lia)). unfold p1 in H. replace (S k - 1)%nat with k in H by lia.
+    replace (RtoC (- w ^ 2)) with (- RtoC (w ^ 2))%C by (apply injective_projections; cbn; ring). rewrite H.
+    unfold z. apply injective_projections; cbn; ring.
+  - intros [|k] Hk; [lia|]. specialize (H k). unfold p1. replace (S k - 1)%nat with k by lia.
+    replace (- RtoC (w ^ 2))%C with (RtoC (- w ^ 2)) by (apply injective_projections; cbn; ring). rewrite H.
+    unfold z. apply injective_projections; cbn; ring.
+Qed.
+Lemma cor1_stable f g w a : f < 0 -> g < 0 -> (response1 f g w a <-> a 0%nat = 1%C /\ forall k, a k = (/ power (gam f g w) k)%C).
+Proof.
+  intros Hf Hg. rewrite (response1_is f g w (fun _ => 0) a).
+  assert (N : veerman_front.gamma f g w <> 0%C).
+  { pose proof (veerman_front.num_neq0 f g w Hf Hg). pose proof (veerman_front.den_neq0 f g w Hf). unfold veerman_front.gamma, Cdiv.
+    apply Cmult_neq_0; [assumption|]. intros E. apply veerman_complex.C1_neq0. rewrite <- (Cinv_r (veerman_front.den f g w)) by assumption. rewrite E. ring. }
+  split; intros [A0 H]; (split; [exact A0|]).
+  - pose proof (proj1 (veerman_front.corollary_1 f g (fun _ => 0) a w Hf Hg A0) H) as H'. intros k. rewrite H', (power_is (gam f g w)), gam_is. now apply veerman_complex.Cpw_inv.
+  - apply (proj2 (veerman_front.corollary_1 f g (fun _ => 0) a w Hf Hg A0)). intros k. rewrite H, (power_is (gam f g w)), gam_is. symmetry. now apply veerman_complex.Cpw_inv.
+Qed.
+Lemma cor1_proved : cor1.
+Proof.
+  intros f g w a Z G. assert (ZG : (z f g w * gam f g w = z f g w + RtoC (w ^ 2))%C) by (unfold gam; field; exact Z).
+  assert (NP : forall k, power (gam f g w) k <> 0%C) by (intros k; rewrite power_is; now apply veerman_complex.Cpw_neq0).
+  assert (E : forall x y, (- RtoC (w ^ 2) * x = z f g w * (x - y))%C <-> (gam f g w * x = y)%C).
+  { intros x y. split; intros H.
+    - apply (veerman_complex.Cmult_cancel_r _ _ (z f g w) Z). replace (gam f g w * x * z f g w)%C with ((z f g w * gam f g w) * x)%C by ring.
+      rewrite ZG. replace ((z f g w + RtoC (w ^ 2)) * x)%C with (z f g w * x - (- RtoC (w ^ 2) * x))%C by ring. rewrite H. ring.
+    - subst y. replace (z f g w * (x - gam f g w * x))%C with (z f g w * x - (z f g w * gam f g w) * x)%C by ring. rewrite ZG. ring. }
+  split; intros [A0 H]; (split; [exact A0|]).
+  - intros k. induction k as [|k IH]; [rewrite A0; cbn; field; exact veerman_complex.C1_neq0|].
+    specialize (H (S k) ltac:(lia)). unfold p1 in H. replace (S k - 1)%nat with k in H by lia. apply E in H. cbn [power].
+    rewrite IH in H. apply (veerman_complex.Cmult_cancel_r _ _ _ G). rewrite (Cmult_comm (a (S k))), H. field. split; [apply NP|exact G].
+  - intros [|k] Hk; [lia|]. unfold p1. replace (S k - 1)%nat with k by lia. apply E. rewrite !H. cbn [power]. field. split; [apply NP|exact G].
+Qed.
+Lemma cor1_special_proved : cor1_special.
+Proof.
+  intros f g w a Hf Hg -> H k. apply (cor1_stable f g _ a Hf Hg) in H. destruct H as [_ H]. rewrite H, (power_is (gam f g _)), (power_is (1 + _)%C), gam_is.
+  assert (E1 : (1 + Ci * RtoC (sqrt (Rabs f) / g))%C = ((1, sqrt (Rabs f) / g) : C)) by (apply injective_projections; cbn; ring). rewrite E1.
+  rewrite <- veerman_complex.Cpw_inv.
+  - exact (veerman_front.corollary_1_special f g k Hf Hg).
+  - pose proof (veerman_front.num_neq0 f g (sqrt (Rabs f)) Hf Hg). pose proof (veerman_front.den_neq0 f g (sqrt (Rabs f)) Hf). unfold veerman_front.gamma, Cdiv.
+    apply Cmult_neq_0; [assumption|]. intros E. apply veerman_complex.C1_neq0. rewrite <- (Cinv_r (veerman_front.den f g (sqrt (Rabs f)))) by assumption. rewrite E. ring.
+Qed.
+Lemma gain_iff_proved : gain_iff.
+Proof. intros f g w Hf Hg _. rewrite gam_is. exact (veerman_front.gain_above_one f g w Hf Hg). Qed.
+Lemma gain_even f g w : f < 0 -> g < 0 -> Cmod (/ veerman_front.gamma f g (Rabs w))%C = Cmod (/ veerman_front.gamma f g w)%C.
+Proof.
+  intros Hf Hg. apply Rsqr_inj; try apply Cmod_ge_0. rewrite !Rsqr_pow2, !veerman_front.gain2_spec by assumption.
+  unfold veerman_front.gain2. rewrite !Rpow_mult_distr, <- !(Rsqr_pow2 (Rabs w)), <- Rsqr_abs, Rsqr_pow2. reflexivity.
+Qed.
+Lemma gain_max_proved : gain_max.
+Proof.
+  intros f g Hf Hg s. split.
+  - intros w Hw. destruct (veerman_front.gain_strongest f g w Hf Hg) as (_ & A & B). change (veerman_front.strongest f g) with s in A, B. split.
+    + intros E w' _. rewrite !gam_is. now apply A.
+    + intros H. destruct (Req_dec (w ^ 2) s) as [E|E]; [exact E|]. exfalso. destruct (B E) as [w' L].
+      specialize (H (Rabs w') (Rabs_pos w')). rewrite !gam_is, gain_even in H by assumption. lra.
+  - destruct (veerman_front.strongest_root f g Hf Hg) as [A _]. change (veerman_front.strongest f g) with s in A. rewrite Rabs_left by exact Hf. exact A.
+Qed.
+Lemma lem2_proved : lem2.
+Proof.
+  intros f g w N a mp mm Hf Hg _ R E1 P. apply response_is in R. destruct R as [A0 E].
+  destruct (veerman_chain.lemma_2 f g w N a Hf Hg A0 E) as [_ Q].
+  pose proof (veerman_chain.denominator_neq0 f g w (S N) Hf Hg) as D. rewrite Q, (power_is mm), (power_is mp).
+  destruct (pair_is f g w mp mm E1 P) as [[-> ->]|[-> ->]]; field; [exact D|].
+  intros Z. apply D. rewrite <- Z. ring.
+Qed.
+Lemma cor2_1_proved : cor2_1.
+Proof.
+  intros f g w mp mm Hf Hg Hw E1 P. destruct (veerman_chain.corollary_2 f g w Hf Hg Hw) as [A _]. cbv zeta in A.
+  destruct (pair_is f g w mp mm E1 P) as [[-> ->]|[-> ->]]; [exact A|]. intros E. apply A. now symmetry.
+Qed.
+(* the number of followers from which the bounds hold *)
+Lemma from_some (M0 : R) : exists N0, forall N, (N0 <= N)%nat -> M0 <= INR (S N).
+Proof.
+  destruct (nfloor_ex (Rabs M0) (Rabs_pos M0)) as [n0 N0]. exists n0. intros N HN. apply Rle_trans with (Rabs M0); [apply Rle_abs|].
+  apply le_INR in HN. rewrite S_INR. lra.
+Qed.
+Lemma bound_at (K : R) N k : (1 <= N)%nat -> K / INR (S N) ^ k <= Rabs K / INR N ^ k.
+Proof.
+  intros HN. assert (PN : 1 <= INR N) by (apply (le_INR 1); lia). apply Rle_trans with (Rabs K / INR (S N) ^ k).
+  - apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat, pow_lt; rewrite S_INR; lra|apply Rle_abs].
+  - apply Rmult_le_compat_l; [apply Rabs_pos|]. apply Rinv_le_contravar; [apply pow_lt; lra|]. apply pow_incr. rewrite S_INR. lra.
+Qed.
+Lemma cor3_proved : cor3.
+Proof.
+  intros f g k Hf Hg e He. destruct (veerman_lesser.corollary_3 f g (S k) e Hf Hg ltac:(lia) He) as [M0 H].
+  destruct (from_some M0) as [N0 F]. exists N0. intros N HN w0 A0 P. apply peak_is in P; try assumption. destruct P as [P _].
+  destruct (H N (F N HN) w0 P) as (w & W & D & r & R & L). destruct P as [P _].
+  exists w, (veerman_amplitude.amplitude f g N w). split; [|split; [now apply size_is|]].
+  - rewrite S_INR in D. replace (w - (2 * INR k + 1) * w0) with ((w / w0 - (2 * (INR k + 1) - 1)) * w0) by (field; lra).
+    rewrite Rabs_mult, (Rabs_pos_eq w0) by lra. apply Rmult_le_compat_r; [lra|exact D].
+  - exists r. split; [exact R|]. intros w' A' V S. apply size_is in S; try assumption. rewrite S. now apply L.
+Qed.
+Lemma prop1_proved : prop1.
+Proof.
+  intros f g a0 D N a Hf Hg Ha HD R. apply (cor1_stable f g _ a Hf Hg) in R. destruct R as [A0 R].
+  pose proof (veerman_front.proposition_1 f g a0 D N Hf Hg Ha HD) as P. cbv zeta in P. rewrite S_INR in P.
+  rewrite (R (S N)), (power_is (gam f g _)), gam_is, <- veerman_complex.Cpw_inv; [exact P|].
+  pose proof (veerman_front.num_neq0 f g (sqrt (Rabs f)) Hf Hg). pose proof (veerman_front.den_neq0 f g (sqrt (Rabs f)) Hf). unfold veerman_front.gamma, Cdiv.
+  apply Cmult_neq_0; [assumption|]. intros E. apply veerman_complex.C1_neq0. rewrite <- (Cinv_r (veerman_front.den f g (sqrt (Rabs f)))) by assumption. rewrite E. ring.
+Qed.
+Lemma prop2_proved : prop2.
+Proof.
+  intros f g Hf Hg e He. set (X := PI ^ 2 * Rabs g / (8 * sqrt 2 * sqrt (Rabs f))).
+  destruct (veerman_size_limit.proposition_2 f g Hf Hg) as (K & M0 & H). fold X in H.
+  assert (X0 : 0 <= X).
+  { unfold X. apply Rmult_le_pos; [apply Rmult_le_pos; [apply pow2_ge_0|apply Rabs_pos]|]. left. apply Rinv_0_lt_compat.
+    assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra). assert (0 < sqrt (Rabs f)) by (apply sqrt_lt_R0, Rabs_pos_lt; lra). nra. }
+  exists (Rabs M0 / e). intros a0 D N w A Ha HD Y P B. apply peak_is in P; try assumption. destruct P as [P ->].
+  assert (Q : 0 < D / a0) by (apply Rdiv_lt_0_compat; lra).
+  destruct (Rle_lt_dec M0 (INR (S N))) as [L|L].
+  - destruct (H N a0 D w L Ha P) as (_ & _ & T). specialize (T B). nra.
+  - apply Rle_trans with (Rabs M0). { pose proof (Rle_abs M0). rewrite S_INR in L. lra. }
+    assert (Rabs M0 <= e * (D / a0)); [|nra]. apply (Rmult_le_compat_l e) in Y; [|lra].
+    replace (e * (Rabs M0 / e)) with (Rabs M0) in Y by (field; lra). exact Y.
+Qed.
+(* the larger root is mu_plus where its modulus is *)
+Lemma ordered_pair f g w mp mm : let G := veerman_front.gamma f g w in Cmod (veerman_chain.mu_minus G) < Cmod (veerman_chain.mu_plus G) ->
+  (mp + mm = 2 * gam f g w)%C -> (mp * mm = 1)%C -> Cmod mm <= Cmod mp -> mp = veerman_chain.mu_plus G /\ mm = veerman_chain.mu_minus G.
+Proof.
+  intros G L S P O. destruct (pair_is f g w mp mm S P) as [[-> ->]|[-> ->]]; [now split|]. exfalso. unfold G in L. lra.
+Qed.
+Lemma thm1_mod_proved : thm1_mod.
+Proof.
+  intros f g Hf Hg. destruct (veerman_exponent.moduli f g Hf Hg) as (K & small & Hs & H). cbv zeta in H.
+  set (c := sqrt 2 * Rabs g / (Rabs f * sqrt (Rabs f))).
+  assert (c0 : 0 < c).
+  { unfold c. assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra). assert (0 < Rabs f) by (apply Rabs_pos_lt; lra). assert (0 < Rabs g) by (apply Rabs_pos_lt; lra).
+    assert (0 < sqrt (Rabs f)) by (apply sqrt_lt_R0; lra). apply Rdiv_lt_0_compat; nra. }
+  pose proof (Rabs_pos K) as K0. pose proof (Rle_abs K) as K1.
+  set (q := sqrt (c / (Rabs K + 1))). assert (q0 : 0 < q) by (apply sqrt_lt_R0, Rdiv_lt_0_compat; lra).
+  exists K, (Rmin small q). split; [now apply Rmin_glb_lt|]. intros w mp mm [W0 W1] S P O.
+  pose proof (Rmin_l small q). pose proof (Rmin_r small q). destruct (H w ltac:(lra)) as [A B].
+  replace (sqrt 2 * w ^ 2 * Rabs g / (Rabs f * sqrt (Rabs f))) with (c * w ^ 2) in A, B |- *.
+  2: { unfold c. field. split; [apply Rgt_not_eq, sqrt_lt_R0, Rabs_pos_lt; lra|apply Rabs_no_R0; lra]. }
+  assert (L : Cmod (veerman_chain.mu_minus (veerman_front.gamma f g w)) < Cmod (veerman_chain.mu_plus (veerman_front.gamma f g w))).
+  { apply Rsqr_incrst_0; try apply Cmod_ge_0. rewrite !Rsqr_pow2. apply Rabs_le_between in A. apply Rabs_le_between in B.
+    assert (Q : w ^ 2 < c / (Rabs K + 1)).
+    { replace (c / (Rabs K + 1)) with (q ^ 2) by (unfold q; apply pow2_sqrt; left; apply Rdiv_lt_0_compat; lra). nra. }
+    assert (w2 : 0 < w ^ 2) by (apply pow_lt; lra).
+    assert (Q' : w ^ 2 * (Rabs K + 1) < c). { apply (Rmult_lt_compat_r (Rabs K + 1)) in Q; [|lra]. replace (c / (Rabs K + 1) * (Rabs K + 1)) with c in Q by (field; lra). exact Q. }
+    assert (K * w ^ 4 < c * w ^ 2); [|lra]. replace (K * w ^ 4) with (K * w ^ 2 * w ^ 2) by ring. apply Rmult_lt_compat_r; [exact w2|]. nra. }
+  destruct (ordered_pair f g w mp mm L S P O) as [-> ->]. split; assumption.
+Qed.
+Lemma thm1_x_proved : thm1_x.
+Proof.
+  intros f g Hf Hg x. destruct (veerman_exponent.exponent f g Hf Hg) as (K & M0 & H). fold x in H.
+  assert (x0 : 0 < x).
+  { unfold x. assert (0 < sqrt 2) by (apply sqrt_lt_R0; lra). assert (0 < Rabs g) by (apply Rabs_pos_lt; lra).
+    assert (0 < sqrt (Rabs f)) by (apply sqrt_lt_R0, Rabs_pos_lt; lra). pose proof PI_RGT_0. apply Rdiv_lt_0_compat; [apply Rmult_lt_0_compat; [apply pow_lt|]; lra|nra]. }
+  pose proof (Rabs_pos K) as K0. pose proof (Rle_abs K) as K1.
+  destruct (from_some M0) as [N1 F1]. destruct (from_some (Rmax 1 ((Rabs K + 1) / x))) as [N2 F2].
+  exists (Rabs K), (S (N1 + N2)). intros N HN w A P. specialize (F1 N ltac:(lia)). specialize (F2 N ltac:(lia)).
+  apply peak_is in P; try assumption. destruct P as [P ->]. destruct (H N w F1 P) as (A1 & A2 & A3).
+  pose proof (Rmax_l 1 ((Rabs K + 1) / x)) as R1. pose proof (Rmax_r 1 ((Rabs K + 1) / x)) as R2. set (M := INR (S N)) in *.
+  assert (MM : M = INR N + 1) by (unfold M; apply S_INR). assert (N1' : (1 <= N)%nat) by lia.
+  pose proof (bound_at K N 3 N1') as B3. pose proof (bound_at K N 1 N1') as B1. rewrite !pow_1 in B1. fold M in B3, B1.
+  split; [rewrite <- MM; lra|]. intros mp mm S' P' O.
+  assert (L : Cmod (veerman_chain.mu_minus (veerman_front.gamma f g w)) < Cmod (veerman_chain.mu_plus (veerman_front.gamma f g w))).
+  { apply Rnot_le_lt. intros Le. assert (Le' := pow_incr _ _ (S N) (conj (Cmod_ge_0 _) Le)).
+    apply Rabs_le_between in A1. apply Rabs_le_between in A2.
+    assert (X1 : 1 + x / M < exp (x / M)) by (apply exp_ineq1, Rgt_not_eq, Rdiv_lt_0_compat; lra).
+    assert (X2 : exp (- (x / M)) < 1). { rewrite <- exp_0. apply exp_increasing. assert (0 < x / M) by (apply Rdiv_lt_0_compat; lra). lra. }
+    assert (G : 2 * (K / M ^ 3) <= x / M).
+    { assert (M2 : M <= M ^ 2) by nra. assert (KM : Rabs K + 1 <= x * M).
+      { apply (Rmult_le_compat_l x) in R2; [|lra]. replace (x * ((Rabs K + 1) / x)) with (Rabs K + 1) in R2 by (field; lra). nra. }
+      apply Rmult_le_reg_r with (M ^ 3); [apply pow_lt; lra|]. replace (2 * (K / M ^ 3) * M ^ 3) with (2 * K) by (field; lra).
+      replace (x / M * M ^ 3) with (x * M * M) by (field; lra). assert (2 <= M); [|nra].
+      rewrite MM. pose proof (le_INR 1 N N1') as Q. cbn in Q. lra. }
+    lra. }
+  destruct (ordered_pair f g w mp mm L S' P' O) as [-> ->]. rewrite <- MM. replace (- x / M) with (- (x / M)) by (unfold Rdiv; ring).
+  split; lra.
+Qed.
+(* negative frequencies are those of the conjugate responses *)
+Lemma response2_conj f g w N a : response2 f g w N a -> response2 f g (- w) N (fun k => Cconj (a k)).
+Proof.
+  assert (K : forall k, (a k = 1)%C -> (Cconj (a k) = 1)%C) by (intros k ->; apply injective_projections; cbn; ring).
+  intros [A0 H]. split; [now apply K|]. intros k Hk. specialize (H k Hk).
+  assert (E1 := f_equal fst H). assert (E2 := f_equal snd H). unfold p2, z in *.
+  destruct (Nat.eqb k (S N)); apply injective_projections; cbn in *; lra.
+Qed.
+Lemma size_even f g N w B : size f g N w B -> size f g N (Rabs w) B.
+Proof.
+  intros (a & R & E). destruct (Rle_lt_dec 0 w) as [W|W].
+  - rewrite Rabs_pos_eq by exact W. now exists a.
+  - rewrite Rabs_left by exact W. exists (fun k => Cconj (a k)). split; [now apply response2_conj|]. rewrite <- E. unfold Cmod, Cconj. cbn. f_equal. ring.
+Qed.
+Lemma lem3_proved : lem3.
+Proof.
+  intros f g w A Hf Hg HA H. apply is_lim_seq_spec. intros e. pose proof (cond_pos e) as He. set (ep := pos e) in *.
+  set (t := - g * ep ^ 3 / (f ^ 2 + (ep * g) ^ 2)).
+  assert (D0 : forall u, 0 < f ^ 2 + (u * g) ^ 2) by (intros u; pose proof (pow2_ge_0 (u * g)); assert (0 < f ^ 2) by (apply pow2_gt_0; lra); lra).
+  assert (T : 0 < t). { apply Rdiv_lt_0_compat; [|apply D0]. apply Rmult_lt_0_compat; [lra|now apply pow_lt]. }
+  destruct (nfloor_ex (/ (A * t))) as [N0 HN0]. { left. apply Rinv_0_lt_compat. nra. }
+  exists (S N0). intros N HN. rewrite Rminus_0_r. apply Rnot_le_lt. intros Le.
+  destruct (H N) as (B & Sz & AB). apply size_even in Sz. destruct Sz as (a & R & E). apply response_is in R. destruct R as [A0 R].
+  set (y := Rabs (w N)) in *. change (ep <= y) in Le.
+  pose proof (veerman_chain.lemma_3 f g y N a Hf Hg ltac:(lra) A0 R) as L. rewrite E in L.
+  assert (Mono : t <= - g * y ^ 3 / (f ^ 2 + (y * g) ^ 2)).
+  { unfold t. apply Rmult_le_reg_r with ((f ^ 2 + (ep * g) ^ 2) * (f ^ 2 + (y * g) ^ 2)); [apply Rmult_lt_0_compat; apply D0|].
+    replace (- g * ep ^ 3 / (f ^ 2 + (ep * g) ^ 2) * ((f ^ 2 + (ep * g) ^ 2) * (f ^ 2 + (y * g) ^ 2))) with (- g * (ep ^ 3 * (f ^ 2 + (y * g) ^ 2))) by (field; apply Rgt_not_eq, D0).
+    replace (- g * y ^ 3 / (f ^ 2 + (y * g) ^ 2) * ((f ^ 2 + (ep * g) ^ 2) * (f ^ 2 + (y * g) ^ 2))) with (- g * (y ^ 3 * (f ^ 2 + (ep * g) ^ 2))) by (field; apply Rgt_not_eq, D0).
+    apply Rmult_le_compat_l; [lra|]. assert (C3 : ep ^ 3 <= y ^ 3) by (apply pow_incr; lra).
+    assert (F2 : 0 <= f ^ 2) by apply pow2_ge_0. assert (G2 : 0 <= g ^ 2) by apply pow2_ge_0.
+    assert (P : 0 <= ep ^ 2 * y ^ 2 * (y - ep) * g ^ 2).
+    { apply Rmult_le_pos; [|exact G2]. apply Rmult_le_pos; [|lra]. apply Rmult_le_pos; apply pow2_ge_0. }
+    assert (ep ^ 3 * f ^ 2 <= y ^ 3 * f ^ 2) by (apply Rmult_le_compat_r; lra).
+    replace (ep ^ 3 * (f ^ 2 + (y * g) ^ 2)) with (ep ^ 3 * f ^ 2 + ep ^ 3 * y ^ 2 * g ^ 2) by ring.
+    replace (y ^ 3 * (f ^ 2 + (ep * g) ^ 2)) with (y ^ 3 * f ^ 2 + ep ^ 3 * y ^ 2 * g ^ 2 + ep ^ 2 * y ^ 2 * (y - ep) * g ^ 2) by ring. lra. }
+  assert (M : / (A * t) < INR (S N)). { rewrite S_INR. apply le_INR in HN. rewrite S_INR in HN. lra. }
+  set (q := - g * y ^ 3 / (f ^ 2 + (y * g) ^ 2)) in *.
+  assert (AT : 0 < A * t) by nra.
+  assert (1 < A * t * INR (S N)).
+  { apply (Rmult_lt_compat_l (A * t)) in M; [|exact AT]. rewrite Rinv_r in M by lra. exact M. }
+  assert (I : 0 < INR (S N)) by (apply lt_0_INR; lia).
+  assert (A * t <= B * q) by (apply Rmult_le_compat; lra).
+  assert (A * t * INR (S N) <= B * q * INR (S N)) by (apply Rmult_le_compat_r; lra).
+  replace (B * (INR (S N) * q)) with (B * q * INR (S N)) in L by ring. lra.
 Qed.

@@ -299,27 +299,42 @@ Check (tanner1_motion.mechanical_constant :
        forall t : R, 0 <= t < T ->
        mechanical n adj V (fun i => r i t) (fun i => v i t) = mechanical n adj V (fun i => r i 0) (fun i => v i 0)).
 
-(* tanner1.collision *)
-Check (tanner1_motion.cohesion :
-  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R),
-       undirected adj ->
-       (forall i j : nat, V' i j = V' j i) ->
-       strongly_connected n adj ->
-       (forall (i j : nat) (s : R), (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
-       (forall (i j : nat) (M : R), (i < n)%nat -> (j < n)%nat -> exists D, forall s : R, D < s -> M < V i j s) ->
-       exists B : R, forall T : R, (forall t : R, 0 <= t < T -> steered n adj V V' r v th t) ->
-         forall (t : R) (i j : nat), 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> norm (r i t - r j t)%C <= B).
-
+(* the velocity is turned at any rates q; the law is demanded only where no linked agents are in one place *)
+Check (eq_refl : turned = fun n adj V' r v q i => (- grad_i n adj V' r i + RtoC (q i) * (Ci * v i))%C).
+Check (eq_refl : turning = fun n adj V' r v q t =>
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) /\
+  ((forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+   forall i, (i < n)%nat -> is_velocity (v i) t (turned n adj V' (fun i => r i t) (fun i => v i t) (fun i => q i t) i))).
+(* beyond.tanner1.two_agents, tanner1.Vt_inv, tanner1.propIV3b *)
+Check (tanner1_motion.turning_constant :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R),
+       undirected adj -> (forall i j, V' i j = V' j i) ->
+       forall t, 0 <= t ->
+       (forall s, 0 <= s <= t -> turning n adj V' r v q s /\
+          (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i s <> r j s) /\
+          (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+             is_derive (V i j) (norm (r i s - r j s)%C) (V' i j (norm (r i s - r j s)%C)))) ->
+       mechanical n adj V (fun i => r i t) (fun i => v i t) = mechanical n adj V (fun i => r i 0) (fun i => v i 0)).
 (* tanner1.anyV, tanner1.collision *)
-Check (tanner1_motion.linked_apart :
-  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R),
-       undirected adj ->
-       (forall i j : nat, V' i j = V' j i) ->
-       (forall (i j : nat) (s : R), (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
-       (forall (i j : nat) (M : R), (i < n)%nat -> (j < n)%nat -> exists d, 0 < d /\ forall s : R, 0 < s < d -> M < V i j s) ->
-       forall i j : nat, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
-       exists d : R, 0 < d /\ forall T : R, (forall t : R, 0 <= t < T -> steered n adj V V' r v th t) ->
-         forall t : R, 0 <= t < T -> d <= norm (r i t - r j t)%C).
+Check (tanner1_motion.turning_apart :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R),
+       undirected adj -> (forall i j, V' i j = V' j i) ->
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s) /\ 0 <= V i j s) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i 0 <> r j 0) ->
+       (forall i j M, (i < n)%nat -> (j < n)%nat -> adj i j = true -> exists d, 0 < d /\ forall s, 0 < s < d -> M < V i j s) ->
+       exists d, 0 < d /\ forall T, (forall t, 0 <= t <= T -> turning n adj V' r v q t) ->
+         forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> d <= norm (r i t - r j t)%C).
+(* tanner1.anyV *)
+Check (tanner1_motion.turning_cohesion :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R),
+       undirected adj -> (forall i j, V' i j = V' j i) ->
+       (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s) /\ 0 <= V i j s) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i 0 <> r j 0) ->
+       (forall i j M, (i < n)%nat -> (j < n)%nat -> adj i j = true -> exists d, 0 < d /\ forall s, 0 < s < d -> M < V i j s) ->
+       strongly_connected n adj ->
+       (forall i j M, (i < n)%nat -> (j < n)%nat -> adj i j = true -> exists D, forall s, D < s -> M < V i j s) ->
+       exists B, forall T, (forall t, 0 <= t <= T -> turning n adj V' r v q t) ->
+         forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> norm (r i t - r j t)%C <= B).
 
 (* tanner1.collision, corrected, first clause *)
 Check (tanner1_motion.Vt_linked :

@@ -201,6 +201,13 @@ Check (tanner2_facts.cor2_decomp :
          (- qform n (lap n adj) vxn - qform n (lap n adj) vyn)).
 
 (* tanner2.cor2_merris *)
+Check (eq_refl : deviation = fun n v => sqrt (Sum n (fun i => norm (v i - centre n v)%C ^ 2))).
+Check (tanner2_facts.alignment_rate :
+  forall (n : nat) (adj : graph) (lam : R) (v : nat -> R -> C), (1 <= n)%nat -> undirected adj ->
+       (forall t i, 0 <= t -> (i < n)%nat -> is_velocity (v i) t (- Csum n (fun j => RtoC (w adj i j) * (v i t - v j t)))%C) ->
+       (below_second n adj lam -> forall t, 0 <= t -> deviation n (fun i => v i t) <= exp (- lam * t) * deviation n (fun i => v i 0)) /\
+       ((forall i, (i < n)%nat -> Csum n (fun j => RtoC (lap n adj i j) * v j 0%R)%C = (RtoC lam * v i 0%R)%C) ->
+        forall t, 0 <= t -> deviation n (fun i => v i t) = exp (- lam * t) * deviation n (fun i => v i 0))).
 Check (tanner2_facts.more_edges :
   forall (n : nat) (adj adj' : graph),
        undirected adj ->
@@ -369,6 +376,16 @@ Check (tanner_nonsmooth.lemma2_fails :
        0 < R0 ->
        (forall s : R, 0 < s -> is_derive V s (V' s)) ->
        continuity_pt V' R0 -> V' R0 = c -> 0 < c -> forall z : R, gen_gradient (saturated V R0) R0 z <-> 0 <= z <= c).
+
+Check (eq_refl : tanner_saturated.clarke2 = fun f x w l =>
+  (forall e, 0 < e -> exists d, 0 < d /\ forall y h, Cmod (y - x)%C < d -> 0 < h < d -> (f (y + RtoC h * w)%C - f y) / h < l + e) /\
+  (forall e d, 0 < e -> 0 < d -> exists y h, Cmod (y - x)%C < d /\ 0 < h < d /\ l - e < (f (y + RtoC h * w)%C - f y) / h)).
+Check (eq_refl : tanner_saturated.gen_gradient2 = fun f x z => forall w l, tanner_saturated.clarke2 f x w l -> inner z w <= l).
+Check (tanner_saturated.plane_gradient :
+  forall (V V' : R -> R) (R0 c : R) (ri rj : C), 0 < R0 ->
+       (forall s, 0 < s -> is_derive V s (V' s)) -> continuity_pt V' R0 -> V' R0 = c -> 0 < c -> Cmod (ri - rj)%C = R0 ->
+       forall z : C, tanner_saturated.gen_gradient2 (fun y => saturated V R0 (Cmod (y - rj)%C)) ri z <->
+         exists s, 0 <= s <= 1 /\ z = (RtoC s * (RtoC (c / R0) * (ri - rj)))%C).
 
 (* tanner2.rangeB *)
 Check (tanner_graph.range_B :
@@ -551,6 +568,9 @@ Check (tanner_trees.tree_distances :
        forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (norm (r i t - r j t)%C - m i j) < e).
 
 (* tanner2.cor1, corrected, clause 2 *)
+Check (tanner_graph.tree_columns :
+  forall (n : nat) (adj : graph) (O : list (nat * nat)) (y : nat * nat -> R), undirected adj -> tanner_trees.tree n adj -> oriented n adj O ->
+       (forall k, (k < n)%nat -> lsum O (fun f => inc k f * y f) = 0) -> forall f, In f O -> y f = 0).
 Check (tanner_trees.tree_forces_vanish :
   forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C),
        undirected adj -> no_loops adj ->

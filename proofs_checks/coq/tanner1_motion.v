@@ -43,57 +43,99 @@ Proof.
   intros H t Ht. destruct (Req_dec t 0) as [->|N]; [reflexivity|]. symmetry.
   apply (eq_is_derive E 0 t); [|lra]. intros x Hx. apply mechanical_rate, H. lra.
 Qed.
+End Energy.
 
-(* V_ij of a linked pair is at most twice the energy, where no potential is negative *)
-Lemma pair_energy t : steered n adj V V' r v th t ->
-  (forall i j s, (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
-  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> V i j (norm (r i t - r j t)%C) <= 2 * E t.
+(* ---- whatever the law takes for the differences of headings: the velocity is turned at any rate q_i(t) ---- *)
+Definition turned (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (r v : nat -> C) (q : nat -> R) (i : nat) : C :=
+  (- grad_i n adj V' r i + RtoC (q i) * (Ci * v i))%C.
+Definition distinct (n : nat) (adj : graph) (r : nat -> C) := forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j.
+(* agents (1) at time t; the law is demanded only where it has a value *)
+Definition turning (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R) (t : R) : Prop :=
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) /\
+  (distinct n adj (fun i => r i t) ->
+   forall i, (i < n)%nat -> is_velocity (v i) t (turned n adj V' (fun i => r i t) (fun i => v i t) (fun i => q i t) i)).
+Section Turning.
+Variables (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R).
+Hypothesis S : undirected adj.
+Hypothesis VS : forall i j, V' i j = V' j i.
+Notation E := (fun s => mechanical n adj V (fun i => r i s) (fun i => v i s)).
+Notation slopes := (fun s => forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+  is_derive (V i j) (norm (r i s - r j s)%C) (V' i j (norm (r i s - r j s)%C))).
+Lemma turning_rate t : turning n adj V' r v q t -> distinct n adj (fun i => r i t) -> slopes t -> is_derive E t 0.
 Proof.
-  intros (_ & HN & _ & _) P i j Hi Hj A. unfold mechanical.
+  intros [HR HU] A HD. specialize (HU A).
+  pose proof (energy_chain n (fun i j s => w adj i j * V i j (norm (r i s - r j s)%C)) (pair_grad adj V' (fun i => r i t)) v
+    (turned n adj V' (fun j => r j t) (fun j => v j t) (fun j => q j t)) t
+    (linked_rate n adj V V' r v t HR A HD) (fun i j _ _ => pair_grad_antisym adj V' S VS (fun i => r i t) i j) HU) as D.
+  eapply D_eq; [exact D|]. cbv beta. rewrite <- Sum_plus. apply Sum_zero. intros i _. rewrite <- inner_plus. unfold turned, grad_i.
+  change (Csum n (fun j => pair_grad adj V' (fun i => r i t) i j)) with (Csum n (pair_grad adj V' (fun i => r i t) i)).
+  set (A0 := Csum n _). replace (A0 + (- A0 + RtoC (q i t) * (Ci * v i t)))%C with (RtoC (q i t) * (Ci * v i t))%C by ring.
+  rewrite inner_scal, inner_xy. cbn. ring.
+Qed.
+Theorem turning_constant t : 0 <= t -> (forall s, 0 <= s <= t -> turning n adj V' r v q s /\ distinct n adj (fun i => r i s) /\ slopes s) -> E t = E 0.
+Proof.
+  intros Ht H. destruct (Req_dec t 0) as [->|N]; [reflexivity|]. symmetry.
+  apply (eq_is_derive E 0 t); [|lra]. intros x Hx. now apply turning_rate; apply H.
+Qed.
+Hypothesis P : forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s) /\ 0 <= V i j s.
+Lemma slopes_everywhere t : distinct n adj (fun i => r i t) -> slopes t.
+Proof. intros A i j Hi Hj L. apply P; try assumption. apply norm_neq. now apply A. Qed.
+Lemma linked_energy t : distinct n adj (fun i => r i t) -> forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+  V i j (norm (r i t - r j t)%C) <= 2 * E t.
+Proof.
+  intros A i j Hi Hj L. unfold mechanical.
   assert (G : forall a b, (a < n)%nat -> (b < n)%nat -> 0 <= w adj a b * V a b (norm (r a t - r b t)%C)).
-  { intros a b Ha Hb. unfold w. destruct (adj a b) eqn:F; [|lra]. rewrite Rmult_1_l. apply P; try assumption. now apply norm_neq, HN. }
+  { intros a b Ha Hb. unfold w. destruct (adj a b) eqn:F; [|lra]. rewrite Rmult_1_l. apply P; try assumption. apply norm_neq. now apply A. }
   assert (K : V i j (norm (r i t - r j t)%C) <= V_i n adj V (fun i => r i t) i).
-  { replace (V i j (norm (r i t - r j t)%C)) with (w adj i j * V i j (norm (r i t - r j t)%C)) by (unfold w; rewrite A; ring).
-    unfold V_i. apply (Sum_term_le n (fun b => w adj i b * V i b (norm (r i t - r b t)%C)) j); [|exact Hj]. intros b Hb. now apply G. }
-  assert (L2 : V_i n adj V (fun i => r i t) i + inner (v i t) (v i t) <= Sum n (fun i => V_i n adj V (fun i => r i t) i + inner (v i t) (v i t))).
-  { apply (Sum_term_le n (fun i => V_i n adj V (fun i => r i t) i + inner (v i t) (v i t)) i); [|exact Hi]. intros b Hb.
-    pose proof (inner_self_ge0 (v b t)). assert (0 <= V_i n adj V (fun i => r i t) b); [|lra]. apply Sum_ge0. intros; now apply G. }
+  { replace (V i j (norm (r i t - r j t)%C)) with (w adj i j * V i j (norm (r i t - r j t)%C)) by (unfold w; rewrite L; ring).
+    apply (Sum_term_le n (fun b => w adj i b * V i b (norm (r i t - r b t)%C)) j); [|exact Hj]. intros b Hb. now apply G. }
+  assert (G' : forall b, (b < n)%nat -> 0 <= V_i n adj V (fun i => r i t) b + inner (v b t) (v b t)).
+  { intros b Hb. pose proof (inner_self_ge0 (v b t)). assert (0 <= V_i n adj V (fun i => r i t) b); [|lra]. apply Sum_ge0. intros; now apply G. }
+  pose proof (Sum_term_le n (fun i => V_i n adj V (fun i => r i t) i + inner (v i t) (v i t)) i G' Hi) as L2. cbv beta in L2.
   pose proof (inner_self_ge0 (v i t)). lra.
 Qed.
-
-(* linked agents keep a distance, one for all T: V_ij >= 0 is unbounded at 0 *)
-Theorem linked_apart :
-  (forall i j s, (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
-  (forall i j M, (i < n)%nat -> (j < n)%nat -> exists d, 0 < d /\ forall s, 0 < s < d -> M < V i j s) ->
-  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
-  exists d, 0 < d /\ forall T, (forall t, 0 <= t < T -> steered n adj V V' r v th t) ->
-    forall t, 0 <= t < T -> d <= norm (r i t - r j t)%C.
+Hypothesis Start : distinct n adj (fun i => r i 0).
+Hypothesis U : forall i j M, (i < n)%nat -> (j < n)%nat -> adj i j = true -> exists d, 0 < d /\ forall s, 0 < s < d -> M < V i j s.
+(* linked agents that start apart keep a distance, the same for every T; that they never meet is the conclusion *)
+Theorem turning_apart : exists d, 0 < d /\ forall T, (forall t, 0 <= t <= T -> turning n adj V' r v q t) ->
+  forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> d <= norm (r i t - r j t)%C.
 Proof.
-  intros P U i j Hi Hj A. destruct (U i j (2 * E 0) Hi Hj) as (d & Hd & B). exists d. split; [exact Hd|]. intros T H t Ht.
-  destruct (Rle_lt_dec d (norm (r i t - r j t)%C)) as [|L]; [assumption|]. exfalso.
-  pose proof (pair_energy t (H t Ht) P i j Hi Hj A) as Q. pose proof (mechanical_constant T H t Ht) as M.
-  destruct (H t Ht) as (_ & HN & _ & _). specialize (B _ (conj (norm_neq _ _ (HN i j Hi Hj A)) L)). cbv beta in *. lra.
+  destruct (uniform_pairs n (fun i j b => 0 < b /\ (adj i j = true -> forall s, 0 < s < / b -> 2 * E 0 < V i j s))) as [b [Hb B]].
+  { intros i j b b' [Pb Q] Le. split; [lra|]. intros A s Hs. apply (Q A s). split; [lra|].
+    apply Rlt_le_trans with (1 := proj2 Hs). apply Rinv_le_contravar; lra. }
+  { intros i j Hi Hj. destruct (adj i j) eqn:A; [|exists 1; split; [lra|discriminate]].
+    destruct (U i j (2 * E 0) Hi Hj A) as [d [Hd Q]]. exists (/ d). split; [now apply Rinv_0_lt_compat|]. intros _ s Hs.
+    rewrite Rinv_inv in Hs. now apply Q. }
+  exists (/ b). split; [now apply Rinv_0_lt_compat|]. intros T H t i j Ht.
+  apply (kept_apart n adj r v (/ b) T); [now apply Rinv_0_lt_compat|intros s k Hs; now apply H|exact Start| |exact Ht].
+  intros s Hs A a c Ha Hc L. apply Rnot_lt_le. intros F.
+  assert (Ds : distinct n adj (fun i => r i s)) by exact (A s ltac:(lra)).
+  pose proof (proj2 (B a c Ha Hc) L _ (conj (norm_neq _ _ (Ds a c Ha Hc L)) F)) as Q.
+  pose proof (linked_energy s Ds a c Ha Hc L) as K.
+  pose proof (turning_constant s ltac:(lra) (fun x Hx => conj (H x ltac:(lra)) (conj (A x ltac:(lra)) (slopes_everywhere x (A x ltac:(lra)))))) as M. cbv beta in *. lra.
 Qed.
-
-(* all distances of a connected graph stay bounded, one bound for all T: V_ij >= 0 is unbounded at infinity *)
-Theorem cohesion : strongly_connected n adj ->
-  (forall i j s, (i < n)%nat -> (j < n)%nat -> 0 < s -> 0 <= V i j s) ->
-  (forall i j M, (i < n)%nat -> (j < n)%nat -> exists D, forall s, D < s -> M < V i j s) ->
-  exists B, forall T, (forall t, 0 <= t < T -> steered n adj V V' r v th t) ->
-    forall t i j, 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> norm (r i t - r j t)%C <= B.
+(* all distances of a connected graph stay bounded, one bound for all T *)
+Theorem turning_cohesion : strongly_connected n adj ->
+  (forall i j M, (i < n)%nat -> (j < n)%nat -> adj i j = true -> exists D, forall s, D < s -> M < V i j s) ->
+  exists B, forall T, (forall t, 0 <= t <= T -> turning n adj V' r v q t) ->
+    forall t i j, 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> norm (r i t - r j t)%C <= B.
 Proof.
-  intros SC P U.
-  destruct (uniform_pairs n (fun i j b => forall s, b < s -> 2 * E 0 < V i j s)) as [D [HD B]].
-  { intros i j b b' Q Le s Hs. apply Q. lra. }
-  { intros i j Hi Hj. now apply U. }
+  intros SC I. destruct turning_apart as [d [Hd A]].
+  destruct (uniform_pairs n (fun i j b => adj i j = true -> forall s, b < s -> 2 * E 0 < V i j s)) as [D [HD B]].
+  { intros i j b b' Q Le L s Hs. apply (Q L). lra. }
+  { intros i j Hi Hj. destruct (adj i j) eqn:L; [|exists 1; discriminate]. destruct (I i j (2 * E 0) Hi Hj L) as [D Q]. now exists D. }
   exists (INR n * D). intros T H t i j Ht Hi Hj. destruct (joined n adj i j SC Hi Hj) as [l [W L]].
+  assert (Ds : forall s, 0 <= s <= t -> distinct n adj (fun i => r i s)).
+  { intros s Hs a b Ha Hb Ab Eq. pose proof (A T H s a b ltac:(lra) Ha Hb Ab) as Q. rewrite Eq in Q.
+    replace (r b s - r b s)%C with (RtoC 0) in Q by ring. unfold norm in Q. rewrite Cmod_0 in Q. lra. }
   apply Rle_trans with (INR (length l) * D).
-  - apply (walk_length n adj (fun i => r i t) D j l); [|exact W]. intros a b (Ha & Hb & A).
-    assert (A' : adj a b = true) by (now rewrite S). apply Rnot_lt_le. intros F. specialize (B a b Ha Hb _ F).
-    pose proof (pair_energy t (H t Ht) P a b Ha Hb A') as Q. pose proof (mechanical_constant T H t Ht) as M. cbv beta in *. lra.
+  - apply (walk_length n adj (fun i => r i t) D j l); [|exact W]. intros a b (Ha & Hb & Ab).
+    assert (A' : adj a b = true) by (now rewrite S). apply Rnot_lt_le. intros F. specialize (B a b Ha Hb A' _ F).
+    pose proof (linked_energy t (Ds t ltac:(lra)) a b Ha Hb A') as Q.
+    pose proof (turning_constant t ltac:(lra) (fun x Hx => conj (H x ltac:(lra)) (conj (Ds x Hx) (slopes_everywhere x (Ds x Hx))))) as M. cbv beta in *. lra.
   - apply Rmult_le_compat_r; [lra|]. apply le_INR. lia.
 Qed.
-End Energy.
+End Turning.
 
 (* ---- Proposition IV.3 with headings for all t >= 0: a motion that ends; that motions are unique is not proved ---- *)
 (* two functions that agree before a have the same derivative there *)

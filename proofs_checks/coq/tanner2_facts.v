@@ -174,6 +174,110 @@ Proof.
   split; [exact A|]. intros lam B x Z. apply Rle_trans with (1 := B x Z). apply A.
 Qed.
 
+(* tanner2.cor2_rate: without potentials, v' = - L v; along one axis first *)
+Section Alignment.
+Variables (n : nat) (adj : graph) (lam : R).
+Hypothesis Hn : (1 <= n)%nat.
+Hypothesis S : undirected adj.
+Definition aligns (u : nat -> R -> R) := forall t i, 0 <= t -> (i < n)%nat -> is_derive (u i) t (- Sum n (fun j => w adj i j * (u i t - u j t))).
+Lemma lap_apply x i : (i < n)%nat -> Sum n (fun j => lap n adj i j * x j) = Sum n (fun j => w adj i j * (x i - x j)).
+Proof.
+  intros Hi. unfold lap. transitivity (Sum n (fun j => delta i j * (deg n adj i * x j)) - Sum n (fun j => w adj i j * x j)).
+  - rewrite <- Sum_minus. apply Sum_ext; intros; ring.
+  - rewrite (Sum_delta_l n i (fun j => deg n adj i * x j) Hi). unfold deg. rewrite <- Sum_scal_r, <- Sum_minus. apply Sum_ext; intros; ring.
+Qed.
+Lemma squares_rate u c : aligns u -> forall t, 0 <= t ->
+  is_derive (fun s => Sum n (fun i => (u i s - c) ^ 2)) t (- 2 * qform n (lap n adj) (fun i => u i t - c)).
+Proof.
+  intros A t Ht. eapply D_eq.
+  - apply (D_Sum n (fun i s => (u i s - c) ^ 2) (fun i => 2 * (u i t - c) * (- Sum n (fun j => w adj i j * (u i t - u j t))))). intros i Hi.
+    eapply D_eq; [apply D_sqr, D_minus; [apply A; assumption|apply D_const]|]. cbv beta. ring.
+  - unfold qform. rewrite <- Sum_scal. apply Sum_ext; intros i Hi. rewrite (lap_apply (fun i => u i t - c) i Hi).
+    rewrite (Sum_ext n (fun j => w adj i j * (u i t - c - (u j t - c))) (fun j => w adj i j * (u i t - u j t))) by (intros; ring). ring.
+Qed.
+Lemma mean_kept u : aligns u -> forall t, 0 <= t -> mean n (fun i => u i t) = mean n (fun i => u i 0).
+Proof.
+  intros A t Ht. assert (Z : forall s, 0 <= s -> is_derive (fun s => Sum n (fun i => u i s)) s 0).
+  { intros s Hs. eapply D_eq; [apply (D_Sum n u (fun i => - Sum n (fun j => w adj i j * (u i s - u j s)))); intros i Hi; now apply A|].
+    rewrite Sum_opp, (Sum_antisym n (fun i j => w adj i j * (u i s - u j s))); [ring|]. intros i j _ _. unfold w. rewrite (S j i). ring. }
+  unfold mean. f_equal. destruct (Req_dec t 0) as [->|N]; [reflexivity|]. symmetry.
+  apply (eq_is_derive (fun s => Sum n (fun i => u i s)) 0 t); [|lra]. intros s Hs. apply Z. lra.
+Qed.
+Lemma axis_rate u : below_second n adj lam -> aligns u -> forall t, 0 <= t ->
+  Sum n (fun i => (u i t - mean n (fun j => u j t)) ^ 2) <= exp (- (2 * lam) * t) * Sum n (fun i => (u i 0 - mean n (fun j => u j 0)) ^ 2).
+Proof.
+  intros B A t Ht. rewrite (mean_kept u A t Ht). set (c := mean n (fun j => u j 0)).
+  rewrite Rmult_comm. apply (gronwall (fun s => Sum n (fun i => (u i s - c) ^ 2)) (fun s => - 2 * qform n (lap n adj) (fun i => u i s - c)) (2 * lam)); [|  |exact Ht].
+  - intros s Hs. now apply squares_rate.
+  - intros s Hs. assert (Z : Sum n (fun i => u i s - c) = 0).
+    { unfold c. rewrite <- (mean_kept u A s Hs). apply centred_sum. exact Hn. }
+    pose proof (B (fun i => u i s - c) Z). cbv beta in *. lra.
+Qed.
+(* from an eigenvector the motion stays on it *)
+Lemma axis_eigenvector u : aligns u -> (forall i, (i < n)%nat -> Sum n (fun j => lap n adj i j * u j 0) = lam * u i 0) ->
+  forall t i, 0 <= t -> (i < n)%nat -> u i t = exp (- lam * t) * u i 0.
+Proof.
+  intros A Ei t i Ht Hi. set (q := fun k s => u k s - exp (- lam * s) * u k 0).
+  assert (De : forall s, is_derive (fun x => exp (- lam * x)) s (exp (- lam * s) * - lam)).
+  { intros s. apply (D_comp exp (fun x => - lam * x) s); [apply is_derive_exp|]. eapply D_eq; [apply D_scal, D_id|]. ring. }
+  assert (Q : aligns q).
+  { intros s k Hs Hk. eapply D_eq; [apply D_minus; [apply A; assumption|apply (D_mult (fun x => exp (- lam * x)) (fun _ => u k 0)); [apply De|apply D_const]]|].
+    cbv beta. unfold q. specialize (Ei k Hk). rewrite (lap_apply (fun j => u j 0) k Hk) in Ei.
+    rewrite (Sum_ext n (fun j => w adj k j * (u k s - exp (- lam * s) * u k 0 - (u j s - exp (- lam * s) * u j 0)))
+      (fun j => w adj k j * (u k s - u j s) - exp (- lam * s) * (w adj k j * (u k 0 - u j 0)))) by (intros; ring).
+    rewrite Sum_minus, Sum_scal, Ei. ring. }
+  assert (Z0 : Sum n (fun k => (q k 0 - 0) ^ 2) = 0).
+  { apply Sum_zero; intros k _. unfold q. rewrite Rmult_0_r, exp_0. ring. }
+  assert (Zt : Sum n (fun k => (q k t - 0) ^ 2) <= Sum n (fun k => (q k 0 - 0) ^ 2)).
+  { apply (decreasing (fun s => Sum n (fun k => (q k s - 0) ^ 2)) (fun s => - 2 * qform n (lap n adj) (fun k => q k s - 0)) 0 t Ht).
+    - intros s Hs. apply squares_rate; [exact Q|lra].
+    - intros s Hs. rewrite qform_edges by assumption. assert (0 <= Sum n (fun k => Sum n (fun j => w adj k j * (q k s - 0 - (q j s - 0)) ^ 2))); [|lra].
+      apply Sum_ge0; intros; apply Sum_ge0; intros. apply Rmult_le_pos; [apply w_ge0|apply pow2_ge_0]. }
+  rewrite Z0 in Zt. pose proof (Sum_term_le n (fun k => (q k t - 0) ^ 2) i (fun k _ => pow2_ge_0 _) Hi) as L. cbv beta in L.
+  assert (E : q i t = 0) by nra. unfold q in E. lra.
+Qed.
+End Alignment.
+(* the distance of all velocities from their mean *)
+Definition deviation (n : nat) (v : nat -> C) : R := sqrt (Sum n (fun i => norm (v i - centre n v)%C ^ 2)).
+Lemma deviation_axes n v : Sum n (fun i => norm (v i - centre n v)%C ^ 2) =
+  Sum n (fun i => (fst (v i) - mean n (fun j => fst (v j))) ^ 2) + Sum n (fun i => (snd (v i) - mean n (fun j => snd (v j))) ^ 2).
+Proof.
+  rewrite <- Sum_plus. apply Sum_ext; intros i _. replace (norm (v i - centre n v)%C ^ 2) with (norm (v i - centre n v)%C * norm (v i - centre n v)%C) by ring.
+  rewrite norm_sqr, inner_xy, centre_xy. unfold mean. cbn. ring.
+Qed.
+(* lam is at most lambda_2; with lam = lambda_2 both parts are what Corollary 2 means to say *)
+Theorem alignment_rate n adj lam (v : nat -> R -> C) : (1 <= n)%nat -> undirected adj ->
+  (forall t i, 0 <= t -> (i < n)%nat -> is_velocity (v i) t (- Csum n (fun j => RtoC (w adj i j) * (v i t - v j t)))%C) ->
+  (below_second n adj lam -> forall t, 0 <= t -> deviation n (fun i => v i t) <= exp (- lam * t) * deviation n (fun i => v i 0)) /\
+  ((forall i, (i < n)%nat -> Csum n (fun j => RtoC (lap n adj i j) * v j 0%R)%C = (RtoC lam * v i 0%R)%C) ->
+   forall t, 0 <= t -> deviation n (fun i => v i t) = exp (- lam * t) * deviation n (fun i => v i 0)).
+Proof.
+  intros Hn S M. set (X := fun i s => fst (v i s)). set (Y := fun i s => snd (v i s)).
+  assert (AX : aligns n adj X).
+  { intros t i Ht Hi. eapply D_eq; [apply (M t i Ht Hi)|]. cbn. f_equal. apply Sum_ext; intros j _. unfold X. ring. }
+  assert (AY : aligns n adj Y).
+  { intros t i Ht Hi. eapply D_eq; [apply (M t i Ht Hi)|]. cbn. f_equal. apply Sum_ext; intros j _. unfold Y. ring. }
+  assert (E2 : forall t, exp (- (2 * lam) * t) = exp (- lam * t) * exp (- lam * t)) by (intros t; rewrite <- exp_plus; f_equal; ring).
+  split.
+  - intros B t Ht. unfold deviation. rewrite <- (sqrt_square (exp (- lam * t))) by (left; apply exp_pos).
+    rewrite <- sqrt_mult_alt by (left; apply Rmult_lt_0_compat; apply exp_pos). apply sqrt_le_1_alt. rewrite !deviation_axes, <- E2, Rmult_plus_distr_l.
+    apply Rplus_le_compat; [exact (axis_rate n adj lam Hn S X B AX t Ht)|exact (axis_rate n adj lam Hn S Y B AY t Ht)].
+  - intros Ei t Ht.
+    assert (EX : forall i, (i < n)%nat -> Sum n (fun j => lap n adj i j * X j 0) = lam * X i 0).
+    { intros i Hi. pose proof (f_equal fst (Ei i Hi)) as F. cbn in F. unfold X. rewrite (Sum_ext n _ (fun j => lap n adj i j * fst (v j 0) - 0 * snd (v j 0))) by (intros; ring). lra. }
+    assert (EY : forall i, (i < n)%nat -> Sum n (fun j => lap n adj i j * Y j 0) = lam * Y i 0).
+    { intros i Hi. pose proof (f_equal snd (Ei i Hi)) as F. cbn in F. unfold Y. rewrite (Sum_ext n _ (fun j => lap n adj i j * snd (v j 0) + 0 * fst (v j 0))) by (intros; ring). lra. }
+    pose proof (axis_eigenvector n adj lam S X AX EX) as FX. pose proof (axis_eigenvector n adj lam S Y AY EY) as FY.
+    unfold deviation. rewrite <- (sqrt_square (exp (- lam * t))) by (left; apply exp_pos).
+    rewrite <- sqrt_mult_alt by (left; apply Rmult_lt_0_compat; apply exp_pos). f_equal. rewrite !deviation_axes, Rmult_plus_distr_l.
+    assert (G : forall u : nat -> R -> R, (forall t i, 0 <= t -> (i < n)%nat -> u i t = exp (- lam * t) * u i 0) ->
+      Sum n (fun i => (u i t - mean n (fun j => u j t)) ^ 2) = exp (- lam * t) * exp (- lam * t) * Sum n (fun i => (u i 0 - mean n (fun j => u j 0)) ^ 2)).
+    { intros u F. assert (Mn : mean n (fun j => u j t) = exp (- lam * t) * mean n (fun j => u j 0)).
+      { unfold mean. rewrite (Sum_ext n (fun j => u j t) (fun j => exp (- lam * t) * u j 0)) by (intros; now apply F). rewrite Sum_scal. ring. }
+      rewrite Mn, <- Sum_scal. apply Sum_ext; intros i Hi. rewrite (F t i Ht Hi). ring. }
+    f_equal; [exact (G X FX)|exact (G Y FY)].
+Qed.
+
 (* ---- eq (2): arctan of the quotient loses the quadrant ---- *)
 Theorem eq2_fails : ~ forall v : C, fst v <> 0 -> v = (RtoC (norm v) * expi (atan (snd v / fst v)))%C.
 Proof.

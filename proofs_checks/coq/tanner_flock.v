@@ -123,6 +123,82 @@ Proof.
   - apply Rmult_le_pos; [exact HK|]. apply Rmult_le_pos; [nra|apply pow2_ge_0].
 Qed.
 
+(* linked agents that start apart stay apart on [0, T], if they have a distance d as long as none have met *)
+Lemma square_near (x y : R -> C) t a b : is_velocity x t a -> is_velocity y t b ->
+  forall e, 0 < e -> exists d, 0 < d /\ forall s, Rabs (s - t) < d ->
+    Rabs (inner (x s - y s)%C (x s - y s)%C - inner (x t - y t)%C (x t - y t)%C) < e.
+Proof.
+  intros HX HY e He. pose proof (velocity_minus x y t _ _ HX HY) as VM.
+  pose proof (D_inner _ _ t _ _ VM VM) as D. apply is_derive_Reals in D.
+  assert (Ct : continuity_pt (fun s => inner (x s - y s)%C (x s - y s)%C) t) by (apply derivable_continuous_pt; eexists; exact D).
+  destruct (Ct e He) as [d [Hd B]]. exists d. split; [exact Hd|]. intros s Hs.
+  destruct (Req_dec s t) as [->|N]; [rewrite Rminus_eq_0, Rabs_R0; exact He|].
+  apply B. split; [split; [exact I|congruence]|exact Hs].
+Qed.
+Section Kept.
+Variables (n : nat) (adj : graph) (r v : nat -> R -> C) (d T : R).
+Hypothesis Hd : 0 < d.
+Hypothesis HR : forall t i, 0 <= t <= T -> (i < n)%nat -> is_velocity (r i) t (v i t).
+Notation apart t := (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t).
+Hypothesis Start : apart 0.
+Hypothesis Keep : forall t, 0 <= t <= T -> (forall s, 0 <= s <= t -> apart s) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> d <= norm (r i t - r j t)%C.
+Notation square i j := (fun s => inner (r i s - r j s)%C (r i s - r j s)%C).
+Theorem kept_apart t i j : 0 <= t <= T -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> d <= norm (r i t - r j t)%C.
+Proof.
+  revert t i j.
+  pose (kept := fun s => forall x, 0 <= x <= s -> forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> d ^ 2 <= square i j x).
+  assert (K1 : forall s, 0 <= s <= T -> (forall x, 0 <= x <= s -> apart x) -> kept s).
+  { intros s Hs A x Hx i j Hi Hj Lk. rewrite <- norm_sqr, <- Rsqr_pow2. fold (Rsqr (norm (r i x - r j x)%C)). apply Rsqr_incr_1; [|lra|apply norm_ge0].
+    apply Keep; try assumption; [lra|]. intros y Hy. apply A. lra. }
+  assert (K2 : forall s, kept s -> forall x, 0 <= x <= s -> apart x).
+  { intros s Ks x Hx i j Hi Hj Lk Eq. specialize (Ks x Hx i j Hi Hj Lk). cbv beta in Ks. rewrite Eq in Ks.
+    replace (r j x - r j x)%C with (RtoC 0) in Ks by ring. rewrite inner_xy in Ks. cbn in Ks. nra. }
+  assert (Main : forall t, 0 <= t <= T -> kept t).
+  { intros t Ht.
+    assert (K0 : kept 0).
+    { apply K1; [lra|]. intros x Hx. replace x with 0 by lra. exact Start. }
+    destruct (completeness (fun s => 0 <= s <= t /\ kept s)) as [m [Ub Lub]].
+    { exists t. intros s [Hs _]. lra. }
+    { exists 0. split; [lra|exact K0]. }
+    assert (M0 : 0 <= m) by (apply Ub; split; [lra|exact K0]).
+    assert (M1 : m <= t) by (apply Lub; intros s [Hs _]; lra).
+    assert (Before : forall x, 0 <= x < m -> forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> d ^ 2 <= square i j x).
+    { intros x Hx i j Hi Hj Lk. apply Rnot_lt_le. intros F.
+      assert (m <= x); [|lra]. apply Lub. intros s [Hs Ks]. apply Rnot_lt_le. intros G.
+      specialize (Ks x ltac:(lra) i j Hi Hj Lk). cbv beta in Ks, F. lra. }
+    assert (Km : kept m).
+    { intros x Hx i j Hi Hj Lk. destruct (Rlt_le_dec x m) as [X|X]; [apply Before; try assumption; lra|].
+      replace x with m by lra. destruct (Req_dec m 0) as [->|N]; [apply K0; try assumption; lra|].
+      apply Rnot_lt_le. intros F. destruct (square_near (r i) (r j) m _ _ (HR m i ltac:(lra) Hi) (HR m j ltac:(lra) Hj) (d ^ 2 - square i j m)) as [e [He B]]; [cbv beta in F |- *; lra|].
+      set (y := Rmax 0 (m - e / 2)).
+      assert (Y : 0 <= y < m /\ m - e / 2 <= y).
+      { unfold y. pose proof (Rmax_l 0 (m - e / 2)). pose proof (Rmax_r 0 (m - e / 2)). split; [split; [lra|apply Rmax_lub_lt; lra]|lra]. }
+      specialize (B y). rewrite Rabs_left in B by lra. specialize (B ltac:(lra)). apply Rabs_def2 in B.
+      pose proof (Before y ltac:(lra) i j Hi Hj Lk). cbv beta in *. lra. }
+    destruct (Rle_lt_or_eq_dec m t M1) as [Lt| ->]; [exfalso|exact Km].
+    destruct (uniform_pairs n (fun i j b => 0 < b /\ (adj i j = true -> forall s, Rabs (s - m) < / b -> 0 < square i j s))) as [b [Hb U]].
+    { intros i j b b' [Pb Q] Le. split; [lra|]. intros A s Hs. apply (Q A s).
+      apply Rlt_le_trans with (1 := Hs). apply Rinv_le_contravar; lra. }
+    { intros i j Hi Hj. destruct (adj i j) eqn:A; [|exists 1; split; [lra|discriminate]].
+      pose proof (Km m ltac:(lra) i j Hi Hj A) as Q.
+      destruct (square_near (r i) (r j) m _ _ (HR m i ltac:(lra) Hi) (HR m j ltac:(lra) Hj) (d ^ 2)) as [e [He B]]; [nra|].
+      exists (/ e). split; [now apply Rinv_0_lt_compat|]. intros _ s Hs.
+      rewrite Rinv_inv in Hs. specialize (B s Hs). apply Rabs_def2 in B. cbv beta in *. lra. }
+    set (y := Rmin t (m + / b / 2)).
+    assert (Ib : 0 < / b) by now apply Rinv_0_lt_compat.
+    assert (Y : m < y <= t /\ y <= m + / b / 2).
+    { unfold y. pose proof (Rmin_l t (m + / b / 2)). pose proof (Rmin_r t (m + / b / 2)). split; [split; [apply Rmin_glb_lt; lra|lra]|lra]. }
+    assert (Ky : kept y).
+    { apply K1; [lra|]. intros x Hx. destruct (Rle_lt_dec x m) as [X|X]; [apply (K2 m Km); lra|].
+      intros i j Hi Hj A Eq. pose proof (proj2 (U i j Hi Hj) A x) as P. rewrite Rabs_pos_eq in P by lra. specialize (P ltac:(lra)). cbv beta in P.
+      rewrite Eq in P. replace (r j x - r j x)%C with (RtoC 0) in P by ring. rewrite inner_xy in P. cbn in P. lra. }
+    assert (y <= m); [|lra]. apply Ub. split; [lra|exact Ky]. }
+  intros t i j Ht Hi Hj A. pose proof (Main t Ht t ltac:(lra) i j Hi Hj A) as Q. cbv beta in Q. rewrite <- norm_sqr, <- Rsqr_pow2 in Q.
+  apply Rsqr_incr_0; [exact Q|lra|apply norm_ge0].
+Qed.
+End Kept.
+
 (* ---- solutions of the closed loop for all t >= 0 ---- *)
 Section Solution.
 Variables (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C).

@@ -4,6 +4,7 @@
 From Coq Require Import Reals Lra Lia Psatz Relations List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles tanner_energy tanner_flock.
+From Flockproof Require tanner_trees.
 Open Scope R_scope.
 
 Definition oriented (n : nat) (adj : graph) (O : list (nat * nat)) : Prop := NoDup O /\
@@ -231,4 +232,48 @@ Proof.
   rewrite Sum_const in T1, T2. apply injective_projections; apply (Rmult_eq_reg_l (INR n)); try lra.
   - rewrite T1. cbn [fst RtoC]. ring.
   - rewrite T2. cbn [snd RtoC]. ring.
+Qed.
+
+(* the columns of the incidence matrix of a tree are independent: an edge is the only one between two sides *)
+Lemma lsum_single O f h : NoDup O -> In f O -> (forall e, In e O -> e <> f -> h e = 0) -> lsum O h = h f.
+Proof.
+  induction O as [|e O IH]; intros ND Hf Z; [destruct Hf|]. inversion ND as [|? ? NI ND']; subst. change (lsum (e :: O) h) with (h e + lsum O h).
+  destruct Hf as [->|Hf].
+  - replace (lsum O h) with 0; [ring|]. symmetry. assert (Z' : forall e, In e O -> h e = 0).
+    { intros e He. apply Z; [now right|]. intros ->. contradiction. }
+    clear - Z'. induction O as [|e O IH]; [reflexivity|]. change (lsum (e :: O) h) with (h e + lsum O h).
+    rewrite (Z' e (or_introl eq_refl)), IH; [ring|]. intros; apply Z'; now right.
+  - rewrite (Z e (or_introl eq_refl)) by (intros ->; contradiction). rewrite IH; [ring|assumption..|]. intros; apply Z; [now right|assumption].
+Qed.
+Lemma lsum_Sum n O (g : nat -> nat * nat -> R) : Sum n (fun k => lsum O (g k)) = lsum O (fun f => Sum n (fun k => g k f)).
+Proof.
+  induction O as [|f O IH]; [apply Sum_0|]. change (lsum (f :: O) (fun f => Sum n (fun k => g k f))) with (Sum n (fun k => g k f) + lsum O (fun f => Sum n (fun k => g k f))).
+  rewrite <- IH, <- Sum_plus. reflexivity.
+Qed.
+Lemma lsum_times O c h : c * lsum O h = lsum O (fun f => c * h f).
+Proof. induction O as [|f O IH]; cbn; [ring|]. unfold lsum in IH. rewrite <- IH. ring. Qed.
+Theorem tree_columns n adj O y : undirected adj -> tanner_trees.tree n adj -> oriented n adj O ->
+  (forall k, (k < n)%nat -> lsum O (fun f => inc k f * y f) = 0) -> forall f, In f O -> y f = 0.
+Proof.
+  intros S Tr (ND & B & M) Z [a b] Hf. destruct (B a b Hf) as [Ha Hb].
+  assert (one : forall e, In e O -> member O e = 1) by (intros e He; unfold member; destruct (in_dec pair_dec e O); [reflexivity|contradiction]).
+  assert (pos : forall e, 0 <= member O e) by (intros e; unfold member; destruct (in_dec pair_dec e O); lra).
+  assert (link : forall i j, In (i, j) O -> adj i j = true).
+  { intros i j H. destruct (B i j H) as [Hi Hj]. pose proof (M i j Hi Hj) as E. rewrite (one _ H) in E. pose proof (pos (j, i)).
+    unfold w in E. destruct (adj i j); [reflexivity|lra]. }
+  destruct (tanner_trees.sides n adj a b S Tr Ha Hb (link a b Hf)) as [s [Sa [Sb U]]].
+  set (side := fun k : nat => if s k then 1 else 0).
+  assert (E : Sum n (fun k => side k * lsum O (fun f => inc k f * y f)) = 0) by (apply Sum_zero; intros k Hk; rewrite (Z k Hk); ring).
+  rewrite (Sum_ext n _ (fun k => lsum O (fun f => side k * (inc k f * y f)))) in E by (intros; apply lsum_times).
+  rewrite lsum_Sum in E. rewrite (lsum_single O (a, b)) in E; [|assumption..|].
+  - rewrite (Sum_ext n _ (fun k => delta k b * (side k * y (a, b)) - delta k a * (side k * y (a, b)))) in E by (intros; unfold inc; cbn [fst snd]; ring).
+    rewrite Sum_minus, (Sum_delta n b (fun k => side k * y (a, b)) Hb), (Sum_delta n a (fun k => side k * y (a, b)) Ha) in E.
+    unfold side in E. rewrite Sa, Sb in E. lra.
+  - intros [i j] He N. destruct (B i j He) as [Hi Hj].
+    rewrite (Sum_ext n _ (fun k => delta k j * (side k * y (i, j)) - delta k i * (side k * y (i, j)))) by (intros; unfold inc; cbn [fst snd]; ring).
+    rewrite Sum_minus, (Sum_delta n j (fun k => side k * y (i, j)) Hj), (Sum_delta n i (fun k => side k * y (i, j)) Hi). unfold side.
+    destruct (s i) eqn:Si, (s j) eqn:Sj; try ring; exfalso.
+    + destruct (U i j Hi Hj (link i j He) Si Sj) as [-> ->]. now apply N.
+    + destruct (U j i Hj Hi ltac:(rewrite S; now apply link) Sj Si) as [-> ->].
+      pose proof (M a b Ha Hb) as E2. rewrite (one _ Hf), (one _ He) in E2. unfold w in E2. destruct (adj a b); lra.
 Qed.

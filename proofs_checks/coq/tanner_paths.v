@@ -1,5 +1,5 @@
 (* Tanner, Jadbabaie, Pappas: in a connected graph of n vertices a walk of at most n - 1 edges joins any two.
-     tanner2.bound_r (corrected), tanner1.anyV (by tanner1_motion.cohesion). *)
+     tanner2.bound_r (corrected), tanner1.anyV (by tanner1_motion.turning_cohesion). *)
 From Coq Require Import Reals Lra Lia List Relations.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles tanner_energy tanner_flock.

@@ -94,7 +94,7 @@ pub fn certified_split() -> Record<Split> {
     )
     .stated("sharpens tanner2, Section 6 and Figure 6 (loss of connectivity)", "")
     .clauses(&[
-        "Three agents under (4) with V = s + 1/s - 2 and links below R = 2, from (0,0), (1,0), (5/2,0) with velocities (0,0), (0,0), (4,0), each coordinate up to 1/100000 away: the network is a connected path at first.",
+        "Three agents under (4) with V = s + 1/s - 2, s the squared distance, and links below R = 2, from (0,0), (1,0), (5/2,0) with velocities (0,0), (0,0), (4,0), each coordinate up to 1/100000 away: the network is a connected path at first.",
         "The link 2-3 ends before t = 17/100, and until t = 2 nothing else changes.",
         "After t = 2 the network never changes: {1,2} and {3} part for ever.",
     ])

@@ -115,7 +115,7 @@ pub fn alternating_trees() -> Record<Trees> {
     )
     .stated(
         "sharpens tanner2, Abstract (arbitrary switching)",
-        "Four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each: from no start without collision do the velocities agree in the limit.",
+        "Four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each: from no start without collision do the velocities agree in the limit.",
     )
     .altered("in space", |v| v.dimension = 3)
     .altered("one tree only", |v| v.trees = [printed.trees[0].clone(), printed.trees[0].clone()])
@@ -154,7 +154,7 @@ pub fn endless_switching() -> Record<(Potential, Rational)> {
     )
     .stated(
         "limits tanner2, end of the proof of Theorem 2",
-        "With V' = (s-1)(s-3)²(s+3/5)/s² (a potential of Definition 3, increasing beyond s = 1) and R² = 3, every motion of four agents that starts near two equilateral triangles side by side and stays mirror symmetric about both diagonals, and is not that rhombus with a common velocity, passes |r_13| = R for ever (near and mirror symmetric up to a common motion).",
+        "With V' = (s-1)(s-3)²(s+3/5)/s², s the squared distance (a potential of Definition 3, increasing beyond s = 1), and R² = 3, every motion of four agents that starts near two equilateral triangles side by side and stays mirror symmetric about both diagonals, and is not that rhombus with a common velocity, passes |r_13| = R for ever (near and mirror symmetric up to a common motion).",
     )
     .control("V = s + 1/s - 2, whose slope at R is positive", (spring(), q(3)))
     .control("R² = 4", (Potential::with_inflection(&q(4)), q(4)))

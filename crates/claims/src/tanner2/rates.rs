@@ -156,7 +156,7 @@ pub fn rate() -> Record<RateVariant> {
     .repaired_clauses(&[
         "On a connected graph without potentials |v - mean| <= exp(-lambda_2 t) |v(0) - mean|, with equality for eigenvectors of lambda_2.",
         "A new edge never lowers lambda_2.",
-        "With potentials lambda_2 does not determine the rate, and a new edge may lower it: of the linearised loop with V = k(s + 1/s - 2) at the desired distances all modes of two agents but those of rate 0 decay faster than exp(-t/2) for k = 1 and not for k = 1/32, and for k = 1/32 all such modes of the path of three in a row decay faster than exp(-t/5) and those of the triangle do not.",
+        "With potentials lambda_2 does not determine the rate, and a new edge may lower it: of the linearised loop with V = k(s + 1/s - 2), s the squared distance, at the desired distances all modes of two agents but those of rate 0 decay faster than exp(-t/2) for k = 1 and not for k = 1/32, and for k = 1/32 all such modes of the path of three in a row decay faster than exp(-t/5) and those of the triangle do not.",
     ])
     .control("with potentials, more edges make it faster", RateVariant::MoreEdges)
     .control("without potentials, 2 lambda_2", RateVariant::Alignment { factor: (2, 1), index: 2, every_start: false })

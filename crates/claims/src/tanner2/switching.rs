@@ -75,7 +75,7 @@ fn examine_signal(variant: &SignalVariant, run: &mut Run) -> Result<Outcome, Che
     let Outcome::Holds(evidence) = apart else {
         return Ok(Outcome::Undecided("the graphs have a common critical configuration".to_string()));
     };
-    let what = "four agents, V = s + 1/s - 2, links 1-2-3-4 and 2-4-1-3 in turn for equal times, from any start without collision: if the velocities agreed in the limit, all six distances would tend to 1, which no four points of the plane have";
+    let what = "four agents, V = s + 1/s - 2 with s the squared distance, links 1-2-3-4 and 2-4-1-3 in turn for equal times, from any start without collision: if the velocities agreed in the limit, all six distances would tend to 1, which no four points of the plane have";
     Ok(Outcome::Fails { counterexample: what.to_string(), evidence })
 }
 
@@ -92,7 +92,7 @@ pub fn arbitrary() -> Record<SignalVariant> {
     .repaired_by(Fault::False, "", |v| v.any_signal = false)
     .repaired_clauses(&[
         "Velocities agree in the limit if links switch by distance, as in (10), read as in tanner2.thm2_vel, and the graph stays connected.",
-        "They do not for all switching signals among connected graphs: four agents in the plane under (4) with V = s + 1/s - 2 and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each, agree in the limit from no start without collision.",
+        "They do not for all switching signals among connected graphs: four agents in the plane under (4) with V = s + 1/s - 2, s the squared distance, and the links 1-2-3-4 and 2-4-1-3 in turn, for a fixed time each, agree in the limit from no start without collision.",
     ])
     .altered("by distance, with K agent by agent", |v| v.agentwise = true)
     .altered("the two paths in space", |v| v.trees = Trees { dimension: 3, ..Trees::two_paths() })
