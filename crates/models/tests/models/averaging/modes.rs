@@ -29,6 +29,16 @@ fn modes_rebuild_the_matrix() {
         sum = sum.plus(&dyad.scaled(&mode.eigenvalue)).unwrap();
     }
     assert_eq!(sum, p);
+    let times = |a: i32, power: fn(&Rational) -> Rational| {
+        assert!(modes.iter().all(|mode| {
+            let naive: Vec<Rational> = mode.right.iter().zip(&c).map(|(r, c)| r * power(c)).collect();
+            mode.scaled(&c, a) == naive
+        }));
+    };
+    times(3, Clone::clone);
+    times(1, |_| rational(1, 1));
+    times(-1, Rational::recip);
+    times(-3, |c| (c * c).recip());
 }
 
 #[test]
@@ -54,7 +64,9 @@ fn motion_in_two_dimensions() {
     assert_eq!(states[1], State { positions: numbers([2, 1, 2, 7]), velocities: numbers([1, 2, 1, 2]) });
     assert_eq!(states[2].positions, numbers([3, 3, 3, 9]));
     let bad = State { positions: numbers([0; 4]), velocities: vec![] };
-    assert!(matches!(motion(bad, 2, &[p]), Err(MatrixError::Shapes { .. })));
+    assert!(matches!(motion(bad, 2, std::slice::from_ref(&p)), Err(MatrixError::Shapes { .. })));
+    let more = State { positions: vec![rational(0, 1); 6], velocities: numbers([0; 4]) };
+    assert_eq!(motion(more, 2, &[p]), Err(MatrixError::Shapes { left_cols: 6, right_rows: 4 }));
 }
 
 #[test]
