@@ -38,6 +38,14 @@ fn edges_longer_than_one_stay_where_their_length_changes_by_less_than_the_thresh
     }
 }
 
+/// From nearly nothing, by nearly 2.
+#[test]
+fn lengths_of_very_different_size_are_compared() {
+    let from = Rational::new(1.into(), BigInt::from(1) << 40u32);
+    let held = |p, q| stays(2, from.clone(), rational(2, 1), Hysteresis::Constant(rational(p, q)));
+    assert_eq!((held(201, 100), held(199, 100)), (Ok(true), Ok(false)));
+}
+
 /// The threshold of 160 birds has more than 4e9 bits. What does not change is held without it, what moves by 1 is not.
 #[test]
 fn thresholds_too_long_to_write_are_needed_only_near_them() {

@@ -352,8 +352,15 @@ fn differences_that_are_not_only_turned_are_refined() {
         let long = one() + hair(200);
         assert_eq!(pair((-&long, zero()), at, long, one()), Ok((false, true)));
     }
+}
+
+/// `|1 + 1/2 - e^(ih)/2|`, which differs from 1 after some 8400 bits.
+#[test]
+fn distances_are_compared_with_so_many_bits_and_no_more() {
+    let hair = Rational::new(1.into(), BigInt::from(1) << 4200u32);
+    let birds = start(rational(1, 2), &[(1, 0), (0, 0)], &[rational(0, 1), hair]);
     let undecided = FlockError::Undecided { pair: (1, 2), time: 1, against: "distance 1", bits: 8192 };
-    assert_eq!(pair((one(), zero()), (0, 0), rational(1, 2), hair(5000)), Err(undecided));
+    assert_eq!(KinematicFlock::new(&birds).unwrap().step(), Err(undecided));
 }
 
 /// Headings that converge for long, with and without hysteresis, ask for little precision.

@@ -343,6 +343,27 @@ fn the_slowest_rate_is_exact() {
     }
 }
 
+/// The least real part of `lambda (|f| + |g| s) = -s²` over all modes, with the sign turned, in floats.
+#[test]
+fn the_slowest_rate_is_the_least_of_all_modes() {
+    for (f, g) in [(-1, -1), (-1, -9), (-4, -2), (-9, -40)] {
+        let gains = Gains { f: rational(f, 4), g: rational(g, 4) }.map(|q| Interval::from_rational(q, 80));
+        for m in [1u64, 2, 7] {
+            let rate = |k: u64| {
+                let lambda = 1.0 - (std::f64::consts::PI * (2 * k - 1) as f64 / (2 * m) as f64).cos();
+                let (decay, stiffness) = (-lambda * g as f64 / 8.0, -lambda * f as f64 / 4.0);
+                decay - (decay * decay - stiffness).max(0.0).sqrt()
+            };
+            let naive = (1..=m).map(rate).fold(f64::INFINITY, f64::min);
+            let found = slowest_rate(&gains, m).unwrap();
+            assert!(
+                (found.to_f64() / naive - 1.0).abs() < 1e-9 && found.width().to_f64() < 1e-15 * naive,
+                "{f} {g} {m}"
+            );
+        }
+    }
+}
+
 #[test]
 fn a_double_root_is_refused() {
     // lambda = 1 for one follower: g² = 4|f|.
