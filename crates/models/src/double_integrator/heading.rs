@@ -55,12 +55,13 @@ pub fn heading<T: Real + Signed>(v: &Vector<T>) -> Result<T, ArithmeticError> {
 pub fn heading_spread(headings: &[f64]) -> f64 {
     let mut angles: Vec<f64> = headings.iter().map(|theta| within_a_turn(*theta)).collect();
     angles.sort_by(f64::total_cmp);
-    // Of the two that are farthest apart, one comes next after the opposite of the other.
-    let after_opposite = |angle: f64| {
+    // Farthest from an angle is what comes next to its opposite.
+    let farthest = |angle: f64| {
         let place = angles.partition_point(|other| *other < within_a_turn(angle + PI));
-        modulo_turns(angles[place % angles.len()] - angle).abs()
+        let near = [place % angles.len(), (place + angles.len() - 1) % angles.len()];
+        near.map(|k| modulo_turns(angles[k] - angle).abs()).into_iter().fold(0.0, f64::max)
     };
-    angles.iter().map(|angle| after_opposite(*angle)).fold(0.0, f64::max)
+    angles.iter().map(|angle| farthest(*angle)).fold(0.0, f64::max)
 }
 
 /// The rate of change of the heading, `(v x a)/|v|²`.

@@ -34,6 +34,19 @@ fn the_spread_of_headings_is_that_of_all_pairs() {
     }
 }
 
+/// Opposite but for rounding, on either side, and a third one beside: none of them is overlooked.
+#[test]
+fn headings_that_are_opposite_but_for_rounding_are_found() {
+    for k in 0..400 {
+        let angle = 0.013 * f64::from(k);
+        for shift in [-4e-16, -2e-16, 0.0, 2e-16, 4e-16] {
+            let opposite = angle + PI * (1.0 + shift);
+            assert!(heading_spread(&[angle, opposite, angle + 0.1]) > PI - 1e-9, "{angle} {shift}");
+            assert!(heading_spread(&[angle, opposite, angle - 0.1, opposite + 0.2]) > PI - 1e-9, "{angle} {shift}");
+        }
+    }
+}
+
 const PLANE: Coordinates = Coordinates::Cartesian;
 
 fn spring() -> Potential {
