@@ -1,7 +1,9 @@
 //! What an entry says beside its verdict: clauses, the evidence for each, fault, counterexample, controls; and that too little evidence,
 //! or another reach than the recorded one, is reported.
 
-use ledger::{CheckError, Entry, Evidence, Fault, Grade, Ledger, Options, Outcome, Record, Report, Run, Scope};
+use ledger::{
+    CheckError, Entry, Evidence, Fault, Grade, Ledger, Options, Outcome, Record, Report, Run, Scope, Verdict,
+};
 
 /// What the check of a form says: fails, or holds with this evidence.
 #[derive(Clone, Copy)]
@@ -11,12 +13,21 @@ enum Says {
     Holds(&'static [(&'static [usize], bool)]),
     /// Evidence that bears on no clause at all.
     Aside,
+    /// Not a statement to check, with evidence on the first clause.
+    Beyond,
+    Undecided,
+    Broken,
 }
 
 fn check(says: &Says, _: &mut Run) -> Result<Outcome, CheckError> {
     Ok(match says {
         Says::Fails => Outcome::fails("at 7", Evidence::new(Grade::Exact, "instance", "computed").on([1])),
         Says::Aside => Outcome::Holds(vec![Evidence { scope: None, ..Evidence::new(Grade::Exact, "aside", "seen") }]),
+        Says::Beyond => {
+            Outcome::NotCheckable("no data".into(), vec![Evidence::new(Grade::Exact, "seen", "detail").on([1])])
+        }
+        Says::Undecided => Outcome::Undecided("tried".into()),
+        Says::Broken => return Err(CheckError::Other("broken".into())),
         Says::Holds(list) => {
             let one = |(clauses, all): &(&'static [usize], bool)| {
                 let evidence = Evidence::new(Grade::Exact, "part", "detail").on(*clauses);
@@ -61,6 +72,8 @@ fn evidence_bears_on_the_clauses_that_it_names() {
     );
     assert_eq!(places(&two), [(vec![1], Some(Scope::All)), (vec![2], Some(Scope::Instances))]);
     assert_eq!((two.reach(), two.fault, two.counterexample.clone(), two.seconds >= 0.0), ((1, 2), None, None, true));
+    let beyond = judged(record(Says::Beyond).clauses(TWO), "not_checkable\t-\t0/2\texact").entries.remove(0);
+    assert_eq!(places(&beyond), [(vec![1], Some(Scope::Instances))]);
     // With two clauses, what names none is not placed.
     assert_eq!(places(&entry(record(Says::Holds(&[(&[], true)])).clauses(TWO))), [(vec![], Some(Scope::All))]);
 }
@@ -83,6 +96,8 @@ fn a_correction_adds_its_clauses_and_its_evidence() {
         (single.clauses.as_slice(), places(&single)[1].0.as_slice()),
         (&["All.".to_string(), "corrected: Better.".into()][..], &[2][..])
     );
+    let narrower = record(Says::Fails).clauses(TWO).repaired(Fault::Slip, "Third.", Says::Holds(&[(&[], true)]));
+    assert_eq!(places(&entry(narrower))[1], (vec![3], Some(Scope::All)));
     let none = entry(record(Says::Fails).stated("test", "All."));
     assert_eq!((none.clauses.len(), none.fault, none.corrected), (1, Some(Fault::False), None));
     assert_eq!(none.counterexample.as_deref(), Some("at 7"));
@@ -98,6 +113,25 @@ fn controls_say_where_they_failed() {
         (&["another".to_string(), "kept".into()][..], &["at 7".to_string(), "it holds".into()][..])
     );
     assert_eq!(found.surviving_controls, ["kept: it holds"]);
+    let open = record(Says::Holds(&[(&[], true)])).stated("test", "All.");
+    let open =
+        entry(open.control("tried", Says::Undecided).control("not run", Says::Broken).control("no", Says::Beyond));
+    assert_eq!((open.controls.total, open.controls.refuted), (4, 1));
+    assert_eq!(open.surviving_controls, ["tried: tried", "not run: broken", "no: no data"]);
+}
+
+/// The correction as a statement of its own has the clauses of the correction.
+#[test]
+fn a_correction_of_its_own_has_its_own_clauses() {
+    let repaired = record(Says::Fails).clauses(TWO).repaired(Fault::Slip, "", Says::Holds(&[(&[1], true)]));
+    let mut ledger = Ledger::new();
+    ledger.expect("beyond.test.a", Verdict::Holds, &[Grade::Exact]);
+    ledger.register(repaired.repaired_clauses(&["Third."])).unwrap();
+    ledger.register_corrections(|_| true).unwrap();
+    let ids = ledger.select(&["beyond".into()], &[]).unwrap();
+    let found = ledger.verify(&ids, &Options::default(), |_| {}).entries.remove(0);
+    assert_eq!(found.clauses, ["Third."]);
+    assert_eq!(places(&found), [(vec![1], Some(Scope::All))]);
 }
 
 /// One sentence, which contains these words, or none.
@@ -131,6 +165,8 @@ fn what_says_more_than_its_evidence_is_reported() {
     differs(uncovered, "holds\t-\t1/2\texact", &["clause 2 is not covered: Second."]);
     let nowhere = record(Says::Holds(&[(&[1, 2], true), (&[3], true)])).clauses(TWO);
     differs(nowhere, "holds\t-\t2/2\texact", &["names no clause"]);
+    let beside = record(Says::Holds(&[(&[1], true), (&[2], true)])).stated("test", "All.");
+    differs(beside, "holds\t-\t1/1\texact", &["names no clause"]);
     let unnamed = record(Says::Holds(&[(&[1, 2], true), (&[], true)])).clauses(TWO);
     differs(unnamed, "holds\t-\t2/2\texact", &["names no clause"]);
     let half = record(Says::Fails).stated("test", "All.").repaired(Fault::Slip, "", Says::Holds(&[(&[2], true)]));

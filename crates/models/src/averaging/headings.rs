@@ -139,9 +139,6 @@ impl History {
     pub fn is_turned_start(&self, i: usize, j: usize, time: u64) -> Result<bool, FlockError> {
         let mut terms: BTreeMap<Rational, i64> = BTreeMap::new();
         self.replay(time, |headings| {
-            if headings.are_equal(i, j) {
-                return;
-            }
             for (bird, sign) in [(i, 1), (j, -1)] {
                 let heading = headings.value(bird);
                 let count = terms.entry(heading.clone()).or_default();

@@ -36,9 +36,6 @@ impl Mode {
 /// [`MatrixError::NotSquare`].
 pub fn rational_modes(p: &RationalMatrix, c: &[Rational]) -> Result<Option<Vec<Mode>>, MatrixError> {
     let spectrum = p.characteristic_polynomial()?.rational_eigenvalues();
-    if spectrum.iter().map(|(_, multiplicity)| multiplicity).sum::<usize>() < p.rows() {
-        return Ok(None);
-    }
     // Right eigenvectors C^1/2 u of P are orthogonal for the weights 1/c.
     let product =
         |x: &[Rational], y: &[Rational]| -> Rational { x.iter().zip(y).zip(c).map(|((x, y), c)| x * y / c).sum() };

@@ -5,7 +5,6 @@ use algebra::graph::Graph;
 use algebra::matrix::AverageRow;
 use arithmetic::{Rational, Ring, lcm};
 use num_bigint::BigInt;
-use num_traits::Signed;
 
 /// `multiplier (P(t) (x) I_d)` in integers.
 #[derive(Debug, Clone)]
@@ -23,7 +22,8 @@ impl Rule {
             let degree = network.degree(i);
             let c = weights.of(degree, i).ok_or(FlockError::Weights { birds, bird: i + 1 })?;
             let share = &c * BigInt::from(degree);
-            if degree > 0 && (!c.is_positive() || share >= share.one()) {
+            // Where it is not positive, [`super::Flock::resume`] has refused it.
+            if share >= share.one() {
                 let (c, time) = (c.to_string(), time.to_string());
                 return Err(FlockError::Inadmissible { bird: i + 1, degree, c, time });
             }
@@ -33,18 +33,14 @@ impl Rule {
             .iter()
             .zip(0..)
             .fold(BigInt::from(1), |m, ((c, _), i)| if network.degree(i) > 0 { lcm(&m, &c.denom()) } else { m });
+        // An integer, but for the weight of a bird without neighbours, which weighs nothing.
         let times = |q: &Rational| (q * &multiplier).to_integer();
         let mut rows = Vec::with_capacity(birds * dimension);
         for (i, (c, share)) in factors.iter().enumerate() {
             let near = network.neighbours(i);
             for k in 0..dimension {
                 let near: Vec<usize> = near.iter().map(|&j| j * dimension + k).collect();
-                let (own, other) = if near.is_empty() {
-                    (multiplier.clone(), BigInt::ZERO)
-                } else {
-                    (times(&(share.one() - share)), times(c))
-                };
-                rows.push(AverageRow::new(own, other, near));
+                rows.push(AverageRow::new(times(&(share.one() - share)), times(c), near));
             }
         }
         Ok(Rule { multiplier, rows })

@@ -21,12 +21,12 @@ impl<L: FnMut(&State<f64>) -> Result<Vec<Vector<f64>>, ArithmeticError>> VectorF
     fn rate(&mut self, _time: f64, list: &[f64], rate: &mut [f64]) {
         let half = 2 * self.state.count();
         let accelerations = self.state.read(list).and_then(|()| (self.law)(&self.state).ok());
-        let Some(accelerations) = accelerations.filter(|a| 2 * a.len() == half && rate.len() == 2 * half) else {
+        let Some(accelerations) = accelerations.filter(|a| 2 * a.len() == half) else {
             rate.fill(f64::NAN);
             return;
         };
-        rate[..half].copy_from_slice(&list[half..]);
-        rate[half..].iter_mut().zip(accelerations.iter().flatten()).for_each(|(x, a)| *x = *a);
+        let rates = list.iter().skip(half).chain(accelerations.iter().flatten());
+        rate.iter_mut().zip(rates).for_each(|(x, value)| *x = *value);
     }
 }
 

@@ -41,7 +41,7 @@ fn stiffness<T: Field>(
             let rate = if k == moved { zero.one() } else { zero.clone() };
             Dual::new(separation[k].clone(), rate)
         });
-        let other = [0, 1].map(|_| Dual::constant(zero.clone()));
+        let other = std::array::from_fn(|_| Dual::constant(zero.clone()));
         let gradients = potential_gradients(&[own, other], &[(0, 1)], coordinates, |_, _, s| potential.slope(s))?;
         Ok::<_, ArithmeticError>(gradients[0].clone().map(|x| x.derivative))
     };

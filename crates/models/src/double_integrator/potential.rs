@@ -135,8 +135,8 @@ impl Potential {
 
     /// The polynomial `s^k V'(s)`, up to a positive factor, with the least `k >= 0` that makes it one, and `k`.
     pub fn slope_numerator(&self) -> (Polynomial, u32) {
-        let lowest = self.slope.iter().map(|(k, _)| *k).min().unwrap_or(0).min(0);
-        let highest = self.slope.iter().map(|(k, _)| *k).max().unwrap_or(0).max(0);
+        let lowest = self.slope.iter().fold(0, |least, (k, _)| least.min(*k));
+        let highest = self.slope.iter().fold(0, |most, (k, _)| most.max(*k));
         let coefficient =
             |k: i32| self.slope.iter().find(|(exponent, _)| *exponent == k).map_or(rational(0, 1), |(_, c)| c.clone());
         let coefficients: Vec<Rational> = (lowest..=highest).map(coefficient).collect();

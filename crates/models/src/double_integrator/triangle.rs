@@ -5,9 +5,7 @@
 //! to either side: wrapped differences cancel, whatever the (equal) weights. The law is the same in turned coordinates, so that what is
 //! true at one time is true for ever.
 
-use super::{
-    Coordinates, Potential, State, Vector, cross, difference, gyroscopic, potential_gradients, rotated, scaled,
-};
+use super::{Coordinates, Potential, State, Vector, cross, gyroscopic, potential_gradients, rotated, scaled};
 use arithmetic::{ArithmeticError, CosineField, Field, Rational, RealCyclotomic, Ring, Sign, Signed, rational};
 
 const PLANE: Coordinates = Coordinates::Cartesian;
@@ -48,18 +46,14 @@ pub fn turning_triangle(
     };
     let accelerations = gyroscopic(&state, &gradients, &PAIRS, differ)?;
     let centripetal = omega.clone() * &omega;
-    let side = PLANE.square(&difference(&state.positions[0], &state.positions[1]));
-    let turning = accelerations.iter().zip(&state.positions).all(|(a, r)| *a == scaled(&-centripetal.clone(), r));
-    Ok(turning && side == omega.integer(2))
+    Ok(accelerations.iter().zip(&state.positions).all(|(a, r)| *a == scaled(&-centripetal.clone(), r)))
 }
 
-/// 1 or -1 where `w` points a third of a turn to the left or right of `v`, exactly: `v.w = -|v||w|/2` for equal lengths.
+/// 1 or -1 where `w` points a third of a turn to the left or right of `v`, one of which it does unless both are zero: the side tells.
 fn third_of_a_turn(v: &Vector<RealCyclotomic>, w: &Vector<RealCyclotomic>) -> Option<i64> {
-    let (square, product) = (PLANE.square(v), PLANE.product(v, w));
-    let equal = PLANE.square(w) == square && product.clone() + &product == -square;
     match cross(v, w).sign()? {
-        Sign::Positive if equal => Some(1),
-        Sign::Negative if equal => Some(-1),
-        _ => None,
+        Sign::Positive => Some(1),
+        Sign::Negative => Some(-1),
+        Sign::Zero => None,
     }
 }

@@ -29,7 +29,10 @@ pub use modes::slowest_rate;
 pub use neighbourhood::Neighbourhood;
 pub use peak_on_graph::{GraphPeak, GraphPeakError, peak_on_graph};
 pub use phase::{argument, phase_lag_one_sided, phase_lags_two_sided};
-pub use resonance::{LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, lesser_resonance, resonance};
+pub use resonance::{
+    LARGEST_DIGITS, LARGEST_FOLLOWERS, Resonance, ResonanceError, is_below_full_phase, lesser_resonance, peak_near,
+    resonance, resonance_from,
+};
 pub use response::{
     amplitude_one_sided, amplitude_with_first_car, amplitudes_two_sided, chebyshev, gain_fraction_one_sided,
     gain_squared_one_sided, gamma, gamma_minus_one, larger_root_modulus, larger_root_power, strongest_one_sided_square,

@@ -7,11 +7,11 @@
 //! 2. On `(0, w_h]` the derivative `F'` has exactly one zero, from minus to plus.
 //!
 //! What is left to compute: one zero of `F'`, enclosed by interval Newton steps (which include the sign change), and that
-//! it lies in `(0, w_h]`. For `M = 1` the zero is the root of a quadratic.
+//! it lies in `(0, w_h]`. For `M = 1` there is no other zero.
 
 use super::response::positive_root;
 use super::shape::frequency_response_by;
-use super::{FrequencyResponse, Gains, chebyshev, gain_squared_one_sided, strongest_one_sided_square};
+use super::{FrequencyResponse, Gains, chebyshev};
 use arithmetic::{
     ArithmeticError, Ball, Complex, Dyadic, Field, Interval, Rational, Real, Ring, Sign, Signed, significant_digits,
 };
@@ -68,18 +68,55 @@ pub enum ResonanceError {
 /// [`ResonanceError`]: gains that are not negative, numbers out of range.
 pub fn resonance(gains: &Gains<Rational>, followers: u64, digits: u32) -> Result<Resonance, ResonanceError> {
     check_arguments(gains, followers, digits)?;
-    let platoon = Platoon { gains, followers, digits };
-    if followers == 1 {
-        return platoon.single_follower();
-    }
     let start = uncertified_start(gains, followers).ok_or(ResonanceError::Extreme)?;
-    let start = Dyadic::from_f64(start).ok_or(ResonanceError::Extreme)?;
+    resonance_from(gains, followers, start, digits)
+}
+
+/// The same from a frequency that somebody proposes. Where that leads to another peak there is an error, never another result.
+///
+/// # Errors
+/// As [`resonance`].
+pub fn resonance_from(
+    gains: &Gains<Rational>,
+    followers: u64,
+    start: f64,
+    digits: u32,
+) -> Result<Resonance, ResonanceError> {
     // Where the response is so flat that floats do not find its peak, bisection on certified signs does.
-    let found = match platoon.critical_point(start) {
-        Err(ResonanceError::NotIsolated(_)) => platoon.critical_point(platoon.bisected_start()?)?,
+    let found = match peak_near(gains, followers, start, digits) {
+        Err(ResonanceError::NotIsolated(_)) => {
+            let platoon = Platoon { gains, followers, digits };
+            platoon.critical_point(platoon.bisected_start()?)?
+        }
         other => other?,
     };
-    if platoon.is_below_full_phase(&found.omega) { Ok(found) } else { Err(ResonanceError::NotIsolated(64)) }
+    if is_below_full_phase(gains, followers, &found.omega) { Ok(found) } else { Err(ResonanceError::NotIsolated(64)) }
+}
+
+/// Encloses a local maximum of `|a_M(w)|` near a frequency that somebody proposes, which is positive.
+///
+/// # Errors
+/// As [`resonance`]; `NotIsolated` where no maximum is found there.
+pub fn peak_near(
+    gains: &Gains<Rational>,
+    followers: u64,
+    start: f64,
+    digits: u32,
+) -> Result<Resonance, ResonanceError> {
+    check_arguments(gains, followers, digits)?;
+    let start = Dyadic::from_f64(start).filter(|_| start > 0.0).ok_or(ResonanceError::NotIsolated(0))?;
+    Platoon { gains, followers, digits }.critical_point(start)
+}
+
+/// Whether `|gamma - 1| <= 4/M²` at a frequency, that is `w⁴ M⁴ <= 16 (f² + w² g²)`, which implies `M x <= pi` up to `w`, where `F'` has
+/// no zero beyond `w_h` (`notes/resonance.md`, step 3).
+pub fn is_below_full_phase(gains: &Gains<Rational>, followers: u64, w: &Interval) -> bool {
+    let w = w.with_precision(64);
+    let gains = gains.map(|q| w.rational(q));
+    let square = w.square();
+    let m4 = w.integer(followers as i64).square().square();
+    let bound = w.integer(16) * (gains.f.square() + square.clone() * gains.g.square());
+    (bound - square.square() * m4).is_certainly_positive()
 }
 
 fn check_arguments(gains: &Gains<Rational>, followers: u64, digits: u32) -> Result<(), ResonanceError> {
@@ -111,8 +148,7 @@ pub fn lesser_resonance(
 ) -> Result<Resonance, ResonanceError> {
     check_arguments(gains, followers, digits)?;
     let start = uncertified_lesser_start(gains, followers, k).ok_or(ResonanceError::NotIsolated(0))?;
-    let start = Dyadic::from_f64(start).ok_or(ResonanceError::Extreme)?;
-    Platoon { gains, followers, digits }.critical_point(start)
+    peak_near(gains, followers, start, digits)
 }
 
 /// Bits by which the angle per car is smaller than one: what doubling loses twice.
@@ -162,23 +198,6 @@ impl Platoon<'_> {
 
     fn is_thin_enough(&self, x: &Interval) -> bool {
         significant_digits(x) >= self.digits
-    }
-
-    fn single_follower(&self) -> Result<Resonance, ResonanceError> {
-        let mut precision = self.precision();
-        loop {
-            let gains = self.gains.map(|q| Interval::from_rational(q, precision));
-            let enclose = || -> Result<_, ArithmeticError> {
-                let square = strongest_one_sided_square(&gains)?;
-                let gain = gain_squared_one_sided(&gains, &square)?;
-                Ok((square.sqrt()?, gain.sqrt()?))
-            };
-            let (omega, amplitude) = enclose().map_err(|_| ResonanceError::NotIsolated(precision))?;
-            if self.is_thin_enough(&omega) && self.is_thin_enough(&amplitude) {
-                return Ok(Resonance { omega, amplitude });
-            }
-            precision = self.more(precision)?;
-        }
     }
 
     fn more(&self, precision: u32) -> Result<u32, ResonanceError> {
@@ -236,17 +255,6 @@ impl Platoon<'_> {
         // F(w*) = F(m) + F'(m) s + F''(xi) s²/2.
         let minimum = here.inverse_square + here.slope * &step + curvature.scaled(-1) * step.square();
         wide.encloses(&omega).then_some((omega, minimum))
-    }
-
-    /// Whether `|gamma - 1| <= 4/M²`, that is `w⁴ M⁴ <= 16 (f² + w² g²)`, which implies `M x <= pi` up to `w`, where `F'` has
-    /// no zero beyond `w_h` (`notes/resonance.md`, step 3).
-    fn is_below_full_phase(&self, w: &Interval) -> bool {
-        let w = w.with_precision(64);
-        let gains = self.gains.map(|q| w.rational(q));
-        let square = w.square();
-        let m4 = w.integer(self.followers as i64).square().square();
-        let bound = w.integer(16) * (gains.f.square() + square.clone() * gains.g.square());
-        (bound - square.square() * m4).is_certainly_positive()
     }
 
     /// Bisection on certified signs of `F'`, from a frequency below the zero, to a relative width of `2^-50`.

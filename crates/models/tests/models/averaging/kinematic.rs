@@ -297,6 +297,72 @@ fn the_threshold_of_the_paper() {
     }
 }
 
+/// Pairs that need not be looked at for long are looked at in time: far ones that meet, near ones that part.
+#[test]
+fn quiet_pairs_are_looked_at_in_time() {
+    let tenths = |list: &[i64]| list.iter().map(|k| rational(*k, 10)).collect::<Vec<_>>();
+    let placed = |speed: Rational, unit: i64, positions: &[(i64, i64)], headings: &[i64]| KinematicStart {
+        positions: positions.iter().map(|&(x, y)| point(rational(x, unit), rational(y, unit))).collect(),
+        ..start(speed, &[], &tenths(headings))
+    };
+    // The last one and its control in the first step.
+    for (birds, kappa, steps) in [
+        (placed(rational(1, 2), 1, &[(0, 0), (10, 0)], &[0, 31]), 0, 30),
+        (placed(rational(1, 2), 1, &[(10, 0), (0, 0)], &[31, 0]), 0, 30),
+        (placed(rational(3, 1), 1, &[(0, 0), (96, -2)], &[0, 31]), 0, 20),
+        (placed(rational(1, 5), 16, &[(29, 30), (14, 23), (18, 26)], &[6, 59, 5]), 0, 12),
+        (placed(rational(1, 5), 16, &[(29, 18), (1, 13), (15, 21)], &[47, 1, 56]), 0, 12),
+        (placed(rational(1, 2), 16, &[(-27, 148), (0, 0)], &[0, 22]), -1, 30),
+    ] {
+        let (mut flock, mut naive) = (KinematicFlock::new(&birds).unwrap(), Naive::new(&birds));
+        let mut switches = 0;
+        for t in 1..=steps {
+            let turn = if t == 1 { kappa } else { 0 };
+            assert!(naive.step(&vec![turn as f64; birds.headings.len()]));
+            let control = |flock: &KinematicFlock| (turn != 0).then(|| vec![rational(turn, 1); flock.birds()]);
+            switches += usize::from(flock.step_controlled(control).unwrap().is_some());
+            assert_eq!(flock.network(), &naive.network, "t = {t} of {birds:?}");
+        }
+        assert!(switches > 0, "{birds:?}");
+    }
+}
+
+/// Birds 1 and 2 with headings 0 and `h` from the difference `D`: `D + sigma - sigma e^(ih)` has nearly the length 1, or is `D` turned.
+#[test]
+fn differences_that_are_not_only_turned_are_refined() {
+    let hair = |bits: u32| Rational::new(1.into(), BigInt::from(1) << bits);
+    let pair = |difference: (Rational, Rational), at: (i64, i64), speed: Rational, heading: Rational| {
+        let at = point(rational(at.0, 7), rational(at.1, 7));
+        let mut birds = start(speed, &[], &[rational(0, 1), heading]);
+        birds.positions = vec![point(difference.0, difference.1) + &at, at];
+        let mut flock = KinematicFlock::new(&birds).unwrap();
+        flock.step().map(|_| (flock.network().has_edge(0, 1), flock.precision() > 128))
+    };
+    let one = || rational(1, 1);
+    let zero = || rational(0, 1);
+    for at in [(0, 0), (5, 3)] {
+        assert_eq!(pair((-one(), zero()), at, one(), one()), Ok((true, false)), "turned");
+        // 1 + 3/4 h² and 1 - 1/4 h².
+        assert_eq!(pair((one(), zero()), at, rational(1, 2), hair(80)), Ok((false, true)));
+        assert_eq!(pair((-one(), zero()), at, rational(1, 2), hair(80)), Ok((true, true)));
+        // 1 + 24/25 sin h and 1 - 24/25 sin h.
+        assert_eq!(pair((rational(-3, 5), rational(-4, 5)), at, rational(3, 5), hair(140)), Ok((false, true)));
+        assert_eq!(pair((rational(-3, 5), rational(4, 5)), at, rational(3, 5), hair(140)), Ok((true, true)));
+        // Turned, but of another length.
+        let long = one() + hair(200);
+        assert_eq!(pair((-&long, zero()), at, long, one()), Ok((false, true)));
+    }
+}
+
+/// `|1 + 1/2 - e^(ih)/2|`, which differs from 1 after some 8400 bits.
+#[test]
+fn distances_are_compared_with_so_many_bits_and_no_more() {
+    let hair = Rational::new(1.into(), BigInt::from(1) << 4200u32);
+    let birds = start(rational(1, 2), &[(1, 0), (0, 0)], &[rational(0, 1), hair]);
+    let undecided = FlockError::Undecided { pair: (1, 2), time: 1, against: "distance 1", bits: 8192 };
+    assert_eq!(KinematicFlock::new(&birds).unwrap().step(), Err(undecided));
+}
+
 /// Headings that converge for long, with and without hysteresis, ask for little precision.
 #[test]
 fn long_runs_stay_cheap() {
@@ -352,6 +418,8 @@ fn flocks_that_are_refused() {
     let heading = |h: Rational| KinematicFlock::new(&start(rational(1, 1), &[(0, 0)], &[h])).map(|_| ());
     assert!(matches!(heading(rational(-1, 1000)), Err(FlockError::Heading { bird: 1, .. })));
     assert!(matches!(heading(rational(7, 1)), Err(FlockError::Heading { .. })));
+    let two = start(rational(1, 1), &[(0, 0); 3], &[zero(), rational(7, 1), rational(8, 1)]);
+    assert_eq!(refuse(&two), FlockError::Heading { bird: 2, heading: "7".to_string() });
     // 2 pi to 900 bits, from below and from above.
     let (below, above) = (rational(1, 1), rational(-1, 1));
     let two_pi = exactly(&Interval::from_rational(&below, FINE).pi().scaled(1));

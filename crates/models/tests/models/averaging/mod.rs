@@ -10,6 +10,7 @@ mod control;
 mod filling;
 mod filtered;
 mod flock;
+mod hysteresis;
 mod interrupted;
 mod kinematic;
 mod modes;
@@ -17,6 +18,7 @@ mod near_ties;
 mod noisy;
 mod settle;
 mod stationary;
+mod switches;
 mod transients;
 
 proptest! {
@@ -31,6 +33,16 @@ proptest! {
             prop_assert_eq!(decided, near);
         }
     }
+}
+
+/// The ends: values of 1 at the closed end are within, values that only tend to 1 are not beyond.
+#[test]
+fn affine_decisions_at_the_ends_of_the_range() {
+    let f = |c: i64, s: i64| Affine { constant: rational(c, 1), slope: rational(s, 1) };
+    let range = HalfOpenRange { end: rational(1, 1) };
+    let decided = [f(0, 1), f(0, -1), f(1, 0), f(-2, 0), f(-1, -1), f(1, 1), f(0, 2)].map(|f| f.is_within_one(&range));
+    assert_eq!(decided, [Some(true), Some(true), Some(true), Some(false), Some(false), Some(false), None]);
+    assert!(!f(1, 0).exceeds(&rational(1, 1), &range) && f(1, 0).is_at_most(&rational(1, 1), &range));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use algebra::graph::Graph;
 use algebra::matrix::{MatrixError, RationalMatrix};
 use arithmetic::{RadicalSum, Rational, rational};
-use models::averaging::{State, Weights, motion, rational_modes, transition_matrix};
+use models::averaging::{Mode, State, Weights, motion, rational_modes, transition_matrix};
 
 #[test]
 fn graphs_up_to_isomorphism() {
@@ -15,6 +15,14 @@ fn graphs_up_to_isomorphism() {
     assert_eq!(Graph::path(0).laplacian(), Err(MatrixError::Empty));
 }
 
+/// The sum of the terms of equation (3.8).
+fn rebuilt(modes: &[Mode], c: &[Rational]) -> RationalMatrix {
+    modes.iter().fold(RationalMatrix::from_integers(&[[0; 4]; 4], 1).unwrap(), |sum, mode| {
+        let dyad = RationalMatrix::from_rows(&mode.dyad(c, 1, -1)).unwrap();
+        sum.plus(&dyad.scaled(&mode.eigenvalue)).unwrap()
+    })
+}
+
 /// The modes of the lazy path on four birds, whose eigenvalues are 1, 2/3, 0 and -1/3.
 #[test]
 fn modes_rebuild_the_matrix() {
@@ -23,12 +31,17 @@ fn modes_rebuild_the_matrix() {
     let modes = rational_modes(&p, &c).unwrap().unwrap();
     let values: Vec<Rational> = modes.iter().map(|mode| mode.eigenvalue.clone()).collect();
     assert_eq!(values, [rational(1, 1), rational(2, 3), rational(0, 1), rational(-1, 3)]);
-    let mut sum = RationalMatrix::from_integers(&[[0; 4]; 4], 1).unwrap();
-    for mode in &modes {
-        let dyad = RationalMatrix::from_rows(&mode.dyad(&c, 1, -1)).unwrap();
-        sum = sum.plus(&dyad.scaled(&mode.eigenvalue)).unwrap();
-    }
-    assert_eq!(sum, p);
+    assert_eq!(rebuilt(&modes, &c), p);
+    let times = |a: i32, power: fn(&Rational) -> Rational| {
+        assert!(modes.iter().all(|mode| {
+            let naive: Vec<Rational> = mode.right.iter().zip(&c).map(|(r, c)| r * power(c)).collect();
+            mode.scaled(&c, a) == naive
+        }));
+    };
+    times(3, Clone::clone);
+    times(1, |_| rational(1, 1));
+    times(-1, Rational::recip);
+    times(-3, |c| (c * c).recip());
 }
 
 #[test]
@@ -40,6 +53,8 @@ fn irrational_and_repeated_eigenvalues() {
     assert!(of(&Graph::path(5)).is_none());
     let complete = of(&Graph::from_fn(4, |_, _| true)).unwrap();
     assert_eq!(complete.iter().filter(|mode| mode.eigenvalue == rational(1, 9)).count(), 3);
+    let graph = Graph::from_fn(4, |_, _| true);
+    assert_eq!(rebuilt(&complete, &vec![rational(2, 9); 4]), transition_matrix(&graph, &Weights::Lazy).unwrap());
     // Not diagonalisable: no full set of modes.
     let jordan = RationalMatrix::from_integers(&[[1, 1], [0, 1]], 1).unwrap();
     assert_eq!(rational_modes(&jordan, &[rational(1, 1), rational(1, 1)]).unwrap(), None);
@@ -54,7 +69,9 @@ fn motion_in_two_dimensions() {
     assert_eq!(states[1], State { positions: numbers([2, 1, 2, 7]), velocities: numbers([1, 2, 1, 2]) });
     assert_eq!(states[2].positions, numbers([3, 3, 3, 9]));
     let bad = State { positions: numbers([0; 4]), velocities: vec![] };
-    assert!(matches!(motion(bad, 2, &[p]), Err(MatrixError::Shapes { .. })));
+    assert!(matches!(motion(bad, 2, std::slice::from_ref(&p)), Err(MatrixError::Shapes { .. })));
+    let more = State { positions: vec![rational(0, 1); 6], velocities: numbers([0; 4]) };
+    assert_eq!(motion(more, 2, &[p]), Err(MatrixError::Shapes { left_cols: 6, right_rows: 4 }));
 }
 
 #[test]

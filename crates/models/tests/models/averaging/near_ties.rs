@@ -44,6 +44,35 @@ proptest! {
     }
 }
 
+/// Pythagorean triples of some sixty bits: their distance is exactly 1, where floats give a little more or less.
+#[test]
+fn exact_distances_with_long_numbers_are_ties() {
+    for k in 0..200i64 {
+        let (m, n) = (BigInt::from((1i64 << 31) + 7919 * k), BigInt::from((1i64 << 30) - 104_729 * k));
+        let (square, other) = (&m * &m, &n * &n);
+        let over = |x: BigInt| Rational::new(x, &square + &other);
+        let second = vec![over(&square - &other), over(BigInt::from(2) * m * n)];
+        let mut flock = Flock::new(&at_rest(vec![vec![rational(0, 1); 2], second])).expect("a valid start");
+        assert!(flock.network().has_edge(0, 1) && flock.distance_network().has_edge(0, 1), "{k}");
+    }
+}
+
+/// The network of the distance rule after steps whose network was given.
+#[test]
+fn the_distance_rule_is_that_of_the_present_positions() {
+    let numbers = |list: [i64; 3]| list.map(|x| rational(x, 1 << 20)).to_vec();
+    let (positions, velocities) = (numbers([0, 3 << 19, 3 << 20]), numbers([1 << 18, 0, -(1 << 18)]));
+    let mut flock =
+        Flock::new(&Start::on_the_line(positions, velocities, Weights::Lazy, Hysteresis::None)).expect("a valid start");
+    let none = flock.network().clone();
+    assert!(none.edges().is_empty());
+    assert_eq!(flock.step().expect("a step"), None);
+    for edges in [2, 2, 3] {
+        flock.step_on(&none).expect("a step");
+        assert_eq!(flock.distance_network().edges().len(), edges);
+    }
+}
+
 #[test]
 fn starts_of_different_dimensions_are_refused_where_they_differ() {
     let row = |count: usize| vec![rational(0, 1); count];

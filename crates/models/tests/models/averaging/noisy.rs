@@ -54,10 +54,20 @@ fn noise_stays_in_its_range() {
     let mut largest = 0.0f64;
     for _ in 0..1000 {
         let before = flock.headings[0];
+        let drawn = uniform(&mut random.clone()) - 0.5;
         flock.step(&mut random).unwrap();
         let turned = flock.headings[0] - before.sin().atan2(before.cos());
+        assert!((turned - 0.5 * drawn).abs() < 1e-14);
         assert!(turned.abs() <= 0.25 + 1e-12);
         largest = largest.max(turned.abs());
     }
     assert!(largest > 0.2);
+}
+
+/// Just below zero the remainder is rounded to the side, which is zero again.
+#[test]
+fn places_are_wrapped_into_the_square() {
+    let flock = NoisyFlock { positions: vec![], headings: vec![], side: 2.0, radius: 1.0, speed: 0.1, noise: 0.0 };
+    let wrapped = [-1e-20, 0.0, 1.5, 2.0, 3.5, -0.5].map(|x| flock.wrapped(x));
+    assert_eq!(wrapped, [0.0, 0.0, 1.5, 0.0, 1.5, 1.5]);
 }

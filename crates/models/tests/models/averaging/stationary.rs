@@ -45,6 +45,10 @@ fn a_single_bird_and_disconnected_flocks() {
     assert_eq!(contraction(&transition_matrix(&pair, &Weights::Lazy).unwrap()), Err(MatrixError::NotErgodic));
     let zero = Weights::Given(vec![rational(0, 1); 2]);
     assert_eq!(stationary_distribution(&Graph::path(2), &zero), Err(MatrixError::Singular));
+    let one_zero = Weights::Given(vec![rational(0, 1), rational(1, 2)]);
+    assert_eq!(stationary_distribution(&Graph::path(2), &one_zero), Err(MatrixError::Singular));
+    let opposite = Weights::Given(vec![rational(1, 2), rational(-1, 2)]);
+    assert_eq!(stationary_distribution(&Graph::path(2), &opposite), Err(MatrixError::Singular));
     let swap = RationalMatrix::from_integers(&[[0, 1], [1, 0]], 1).unwrap();
     assert_eq!(contraction(&swap), Err(MatrixError::NotErgodic));
 }
@@ -69,6 +73,33 @@ fn contraction_is_an_upper_bound() {
     }
 }
 
+/// Everyone alike with share `q`: `tau_1(P^k) = (1 - n q)^k`. Powers of more than 256 bits are rounded, and the bound stays above.
+#[test]
+fn contraction_of_rounded_powers_is_an_upper_bound() {
+    for order in [2i64, 3] {
+        for share in 600..630i64 {
+            let row = |i: i64| (0..order).map(move |j| if i == j { share - order + 1 } else { 1 }).collect::<Vec<_>>();
+            let rows: Vec<Vec<i64>> = (0..order).map(row).collect();
+            let found = contraction(&RationalMatrix::from_integers(&rows, share).unwrap()).unwrap();
+            let factor = rational(share - order, share);
+            let power = |k: u64| arithmetic::Ring::power(&factor, k);
+            let steps = u64::try_from(found.steps).unwrap();
+            assert!(power(steps) < found.tau && found.tau <= rational(1, 2) && power(steps / 2) > rational(1, 2));
+            assert!(found.tau - power(steps) < Rational::new(1.into(), num_bigint::BigInt::from(1) << 230));
+        }
+    }
+}
+
+/// Without rounding the bound is `tau_1` itself, also where that is 1/2.
+#[test]
+fn contraction_of_short_powers_is_exact() {
+    let half = RationalMatrix::from_integers(&[[3, 1], [1, 3]], 4).unwrap();
+    let found = contraction(&half).unwrap();
+    assert_eq!((found.steps, found.tau), (BigUint::from(1u8), rational(1, 2)));
+    let mean = contraction(&RationalMatrix::from_integers(&[[1, 1], [1, 1]], 2).unwrap()).unwrap();
+    assert_eq!((mean.steps, mean.tau), (BigUint::from(1u8), rational(0, 1)));
+}
+
 /// Weights so small that the powers take more than 2^300 steps: the length of the rounding must grow.
 #[test]
 fn contraction_of_tiny_weights() {
@@ -83,6 +114,11 @@ fn contraction_of_tiny_weights() {
 fn directed_networks_contract_towards_a_bird_that_all_hear() {
     let all_hear_one = RationalMatrix::from_integers(&[[2, 0, 0], [1, 1, 0], [1, 0, 1]], 2).expect("a shape");
     assert!(contraction(&all_hear_one).is_ok());
+    let all_hear_the_last = RationalMatrix::from_integers(&[[1, 0, 1], [0, 1, 1], [0, 0, 2]], 2).expect("a shape");
+    assert!(contraction(&all_hear_the_last).is_ok());
+    // Cycles of 5 and of 4 birds with a common part: only from the ninth power on any two rows share a column.
+    let wielandt = [[0, 2, 0, 0, 0], [0, 0, 2, 0, 0], [0, 0, 0, 2, 0], [0, 0, 0, 0, 2], [1, 1, 0, 0, 0]];
+    assert!(contraction(&RationalMatrix::from_integers(&wielandt, 2).expect("a shape")).is_ok());
     let one_hears_all = RationalMatrix::from_integers(&[[1, 1, 1], [0, 3, 0], [0, 0, 3]], 3).expect("a shape");
     assert_eq!(contraction(&one_hears_all), Err(MatrixError::NotErgodic));
     // Through others: 4 hears 3, 3 hears 2, 2 hears 1.

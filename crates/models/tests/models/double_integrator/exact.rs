@@ -159,9 +159,46 @@ fn the_rhombus_turns_about_its_shape() {
     assert_eq!(crosses_for_ever(&spring(), &three), Ok(false));
     // V'' = 2 at 1: bars of stiffness 8 along and alignment; the side bars at 30 degrees to the long diagonal.
     let sides = [(0, 1), (1, 2), (0, 3), (2, 3), (1, 3)];
+    // (x² + 4x + 20)(x² + 2x + 12) - 48.
     let modes = symmetric_modes(&sides, &spring()).unwrap();
-    assert_eq!(modes.coefficients().len(), 5);
-    assert!(modes.is_hurwitz());
+    assert_eq!(modes.coefficients(), [192, 88, 40, 6, 1].map(num_bigint::BigInt::from));
+    assert!(rhombus().velocities.iter().flatten().all(|v| *v == rational(0, 1)));
+}
+
+/// Slope `(s - 1)(s - 3)(b s + a)`: an equilibrium with both links whatever a and b are.
+#[test]
+fn the_rhombus_needs_modes_that_turn_with_and_without_its_link() {
+    let three = rational(3, 1);
+    let crosses = |a: Rational, b: Rational| {
+        let slope = [(3, b.clone()), (2, &a - rational(4, 1) * &b), (1, rational(3, 1) * &b - rational(4, 1) * &a)];
+        let slope = slope.into_iter().chain([(0, rational(3, 1) * &a)]).collect();
+        crosses_for_ever(&Potential::new(slope, (rational(1, 1), rational(0, 1))), &three)
+    };
+    // V'' = -2 (a + b) at 1 and 2 (a + 3 b) at 3.
+    let with = |first: (i64, i64), third: i64| {
+        let (first, third) = (rational(-first.0, 2 * first.1), rational(third, 2));
+        let b = (&third - &first) / rational(2, 1);
+        crosses(first - &b, b)
+    };
+    assert_eq!(with((2, 1), 1), Ok(true));
+    assert_eq!(with((-2, 1), 1), Ok(false), "unstable");
+    assert_eq!(with((1, 100), 1), Ok(false), "overdamped");
+    assert_eq!(with((0, 1), 1), Ok(false), "without stiffness");
+    // Linked (x² + 4x + k) with k above 4 twice; not linked (x² + 4x + 4.2)(x² + 2x + 2.52) - 2.1168, negative at -2.
+    assert_eq!(with((42, 100), 20), Ok(false), "overdamped without the link");
+}
+
+#[test]
+fn laws_without_accelerations_for_all_stop_the_motion() {
+    let tolerance = Tolerance { relative: 1e-6, absolute: 1e-6 };
+    let start = State { positions: vec![[0.0, 0.0], [1.0, 0.0]], velocities: vec![[0.0, 1.0], [0.0, 1.0]] };
+    let along =
+        |count: usize| follow(&start, &[1.0], tolerance, |_| Ok(vec![[0.0, 0.0]; count])).map(|mut s| s.remove(0));
+    let end = along(2).unwrap();
+    assert!((0..2).all(|k| end.positions[k][0] == k as f64 && (end.positions[k][1] - 1.0).abs() < 1e-9));
+    assert!(along(1).is_err() && along(3).is_err());
+    let none = |_: &State<f64>| Err(arithmetic::ArithmeticError::DivisionByZero);
+    assert!(follow(&start, &[1.0], tolerance, none).is_err());
 }
 
 #[test]
@@ -170,6 +207,13 @@ fn the_triangle_turns_in_floats_too() {
     assert_eq!(turning_triangle(&potential, &rational(1, 1), [0; 3]), Ok(true));
     assert_eq!(turning_triangle(&potential, &rational(2, 1), [0; 3]), Ok(false));
     assert_eq!(turning_triangle(&spring(), &rational(1, 1), [0; 3]), Ok(false));
+    // Whole turns count where they do not cancel; agents at rest have no headings.
+    assert_eq!(turning_triangle(&potential, &rational(1, 1), [1, -1, 1]), Ok(true));
+    for turns in [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]] {
+        assert_eq!(turning_triangle(&potential, &rational(1, 1), turns), Ok(false));
+    }
+    let rests = Potential::inverse_square_spring(&rational(2, 1), &rational(1, 1));
+    assert_eq!(turning_triangle(&rests, &rational(0, 1), [0; 3]), Ok(false));
     let (radius, omega) = ((2.0f64 / 3.0).sqrt(), 1.5f64.sqrt());
     let corner = |k: usize, time: f64| {
         let angle = std::f64::consts::TAU * k as f64 / 3.0 + 0.4 + omega * time;

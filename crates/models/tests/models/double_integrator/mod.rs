@@ -16,7 +16,7 @@ use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
 use arithmetic::{Dual, Field, Interval, Rational, Real, Ring, rational};
 use models::double_integrator::{
-    Coordinates, HeadingDifference, Inertia, Kink, Potential, PotentialError, State, agent_potential, gyroscopic,
+    Coordinates, HeadingDifference, Inertia, Kink, Potential, PotentialError, Span, State, agent_potential, gyroscopic,
     heading, heading_rate, heading_spread, hessian, inertia, kinetic_energy, linearisation, linked_within,
     potential_energy, potential_gradients, rotated, tied, velocity_alignment,
 };
@@ -31,6 +31,19 @@ fn the_spread_of_headings_is_that_of_all_pairs() {
     };
     for angles in [&[][..], &[0.3], &[0.0, 3.0], &[0.1, 7.0, -2.0], &[3.1, -3.1, 3.0], &[1.0, 2.5, 4.0, 5.5, 0.2]] {
         assert!((heading_spread(angles) - naive(angles)).abs() < 1e-12, "{angles:?}");
+    }
+}
+
+/// Opposite but for rounding, on either side, and a third one beside: none of them is overlooked.
+#[test]
+fn headings_that_are_opposite_but_for_rounding_are_found() {
+    for k in 0..400 {
+        let angle = 0.013 * f64::from(k);
+        for shift in [-4e-16, -2e-16, 0.0, 2e-16, 4e-16] {
+            let opposite = angle + PI * (1.0 + shift);
+            assert!(heading_spread(&[angle, opposite, angle + 0.1]) > PI - 1e-9, "{angle} {shift}");
+            assert!(heading_spread(&[angle, opposite, angle - 0.1, opposite + 0.2]) > PI - 1e-9, "{angle} {shift}");
+        }
     }
 }
 
@@ -152,6 +165,17 @@ proptest! {
 }
 
 #[test]
+fn kinks_and_spans_of_numbers() {
+    let kink = |left: i64, right: i64| Kink { left: rational(left, 1), right: rational(right, 1) };
+    let span = |lo: i64, hi: i64| Span { lo: rational(lo, 1), hi: rational(hi, 1) };
+    assert_eq!(kink(2, -3).negated(), kink(-2, 3));
+    assert_eq!((kink(2, -3).gradient(), kink(2, -3).subgradient()), (span(-3, 2), span(2, -3)));
+    assert_eq!((kink(-1, 4).gradient(), kink(-1, 4).subgradient()), (span(-1, 4), span(-1, 4)));
+    let within = |(lo, hi): (i64, i64)| span(lo, hi).is_within(&span(1, 3));
+    assert_eq!([(1, 3), (2, 2), (0, 2), (2, 4), (0, 4), (9, 8)].map(within), [true, true, false, false, false, true]);
+}
+
+#[test]
 fn potentials_of_definition_3_are_recognised() {
     let one = rational(1, 1);
     for m in [1, 2, 5] {
@@ -226,6 +250,8 @@ fn the_linearised_pair_has_the_known_modes() {
     // V'' = 2: along the line x² + 2x + 2 · 4 · 2, across x (x + 2), and x² twice for the mean.
     let expected = [0, 0, 0, 0, 0, 32, 20, 4, 1].map(q);
     assert_eq!(polynomial.coefficients(), expected.to_vec());
+    let nobody = State::<Rational> { positions: vec![], velocities: vec![] };
+    assert_eq!(linearisation(&nobody, &[], PLANE, &spring()), Ok(vec![]));
 }
 
 #[test]

@@ -44,6 +44,24 @@ fn values_slopes_and_curvatures_are_those_of_closed_forms() {
     assert!(lo <= value && value <= hi);
 }
 
+/// Terms with the coefficient 0 count for nothing, and the value may be given anywhere.
+#[test]
+fn ends_and_minimum_are_those_of_the_terms_that_are_there() {
+    let of = |terms: &[(i32, i64)], at: i64, value: i64| {
+        let slope = terms.iter().map(|&(k, c)| (k, rational(c, 1))).collect();
+        Potential::new(slope, (rational(at, 1), rational(value, 1)))
+    };
+    let padded = of(&[(-3, 0), (-2, -1), (0, 1), (4, 0)], 1, 0);
+    assert!(padded.repels() && padded.confines() && padded.check_definition3() == Ok(()));
+    assert_eq!(of(&[(0, -1), (1, 1)], 1, 1).check_definition3(), Err(PotentialError::NoRepulsion));
+    // s + 1/s - 5/2 and s + 1/s - 2, by their values at 2 and at 1.
+    assert_eq!(of(&[(-2, -1), (0, 1)], 2, 0).check_definition3(), Err(PotentialError::Negative));
+    assert_eq!(of(&[(-2, -1), (0, 1)], 1, 0).check_definition3(), Ok(()));
+    assert_eq!(Potential::with_inflection(&rational(3, 1)).rational_value(&rational(1, 1)), Ok(rational(0, 1)));
+    let (numerator, power) = of(&[(2, 3)], 1, 0).slope_numerator();
+    assert_eq!((numerator.coefficients().len(), power), (3, 0));
+}
+
 #[test]
 fn minima_are_found_in_order_and_decide_definition_3() {
     let critical = |p: &Potential| p.critical();

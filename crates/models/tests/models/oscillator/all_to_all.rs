@@ -42,3 +42,10 @@ fn long_lists_are_cut_into_the_same_parts() {
     let both = rates(0.1, -1.0, &phases).into_iter().zip(twin(0.1, -1.0, &phases));
     assert!(both.into_iter().all(|(a, b)| (a - b).abs() < 1e-12));
 }
+
+#[test]
+fn one_phase_is_its_own_order_parameter() {
+    assert_eq!(AllToAll::new(0.0, 1.0).order_parameter(&[]), (0.0, 0.0));
+    let (c, s) = AllToAll::new(0.0, 1.0).order_parameter(&[0.3]);
+    assert!((c - 0.3f64.cos()).abs() < 1e-15 && (s - 0.3f64.sin()).abs() < 1e-15);
+}

@@ -116,6 +116,7 @@ fn patterns_are_recognised() {
             assert!(symmetric_pattern(0, particles).is_none());
         }
     }
+    assert!(symmetric_pattern(0, 0).is_none());
     // A rhombus and three quarters of a square are none.
     let z = exact();
     assert_eq!(clusters_of_pattern(&[z[0].clone(), z[1].clone(), -z[0].clone(), -z[1].clone()]), None);

@@ -1,7 +1,7 @@
 //! Networks made from positions, zones, and runs in floating point.
 
 use algebra::graph::Graph;
-use arithmetic::{Complex, Rational, rational};
+use arithmetic::{ArithmeticError, Complex, Rational, rational};
 use models::oscillator::{
     BehaviourGains, CircularGains, Everyone, Flight, Interaction, Neighbours, Sensed, State, Zone, ZoneNetworks, Zones,
     behaviour_control, circular_control, laplacian_behaviour_control, phasor,
@@ -166,6 +166,37 @@ fn both_forms_of_the_fish_agree_at_unit_distance() {
     assert_eq!((turn(&zones(2.0)), turn(&zones(0.5))), (5.0, -2.0));
     let together = State { positions: vec![Complex::new(0.0, 0.0); 2], phasors: state.phasors.clone() };
     assert!(behaviour_control(&0.0, &gains, &zones(2.0).networks_among(&together, &pair), &together).is_err());
+}
+
+/// Arcs in any order, some of them twice, to itself, or to particles that are not there.
+#[test]
+fn lists_of_arcs_are_networks() {
+    let arcs = [(2, 1), (0, 2), (0, 1), (2, 0), (0, 2), (2, 1), (1, 1), (0, 3), (3, 0)];
+    let network = Neighbours::from_arcs(3, arcs);
+    assert_eq!(network, Neighbours::from_fn(3, |k, j| k != 1 && k != j));
+    assert_eq!([0, 1, 2].map(|k| network.of_particle(k).to_vec()), [vec![1, 2], vec![], vec![0, 1]]);
+}
+
+/// Networks of more fish than have a place or a heading.
+#[test]
+fn networks_of_other_fish_are_refused() {
+    let one = || Complex::new(1.0, 0.0);
+    let networks = |sizes: [usize; 3]| {
+        let [repulsion, orientation, attraction] = sizes.map(|n| Neighbours::from_fn(n, |_, _| true));
+        ZoneNetworks { repulsion, orientation, attraction }
+    };
+    let gains = BehaviourGains { repulsion: 1.0, orientation: 1.0, attraction: 1.0 };
+    let control = |sizes: [usize; 3], places: usize, headings: usize| {
+        let state = State { positions: vec![one(); places], phasors: vec![one(); headings] };
+        behaviour_control(&0.0, &gains, &networks(sizes), &state).map(drop)
+    };
+    assert_eq!(control([1, 1, 1], 1, 1), Ok(()));
+    let refused = Err(ArithmeticError::Domain("networks of the fish of the state"));
+    for sizes in [[3, 1, 1], [1, 3, 1], [1, 1, 3]] {
+        for (places, headings) in [(2, 2), (2, 3), (3, 2)] {
+            assert_eq!(control(sizes, places, headings), refused);
+        }
+    }
 }
 
 #[test]

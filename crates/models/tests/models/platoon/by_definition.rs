@@ -3,7 +3,7 @@
 use algebra::matrix::solve_over_field;
 use arithmetic::{Complex, Interval, Rational, Ring, Series, rational};
 use models::platoon::modes::Mode;
-use models::platoon::{CommunicationGraph, Gains, Neighbourhood, amplitude_with_first_car};
+use models::platoon::{CommunicationError, CommunicationGraph, Gains, Neighbourhood, amplitude_with_first_car};
 
 fn real(x: Rational) -> Complex<Rational> {
     Complex::real(x)
@@ -92,6 +92,17 @@ fn moments_symbols_and_margins_of_wide_rules() {
     // One more behind than in front: waves with (Im l)² |f| above g² Re l |l|² grow, for strong f only.
     let uneven = rule(&[(-1, 1), (1, 2)]).expect("a rule");
     assert!(uneven.wave_margin(&Gains { f: -0.001, g: -3.0 }) < 0.0);
+    let own = Gains { f: -0.5, g: -3.0 };
+    let at = |k: u32| {
+        let q = std::f64::consts::PI * f64::from(k) / 720.0;
+        let l = uneven.symbol(q);
+        (9.0 * l.re * (l.re * l.re + l.im * l.im) - 0.5 * l.im * l.im) / (2.0 * (0.5 * q).sin()).powi(6)
+    };
+    let least = (2..=720).map(at).fold(f64::INFINITY, f64::min);
+    assert!((uneven.wave_margin(&own) / least - 1.0).abs() < 1e-12);
+    let thirds = Neighbourhood::new([(-1, rational(1, 3)), (1, rational(1, 6))]).expect("weights below one");
+    assert_eq!(thirds.weights(), [(-1, rational(2, 3)), (1, rational(1, 3))]);
+    assert_eq!(rule(&[(0, 1)]), Err(CommunicationError::Weights(0)));
     let sums = [rule(&[]), rule(&[(0, 1)]), rule(&[(-1, -1), (1, 3)]), rule(&[(-1, 0)])];
     assert!(sums.iter().all(Result::is_err));
 }

@@ -2,7 +2,7 @@
 
 use algebra::matrix::characteristic_coefficients;
 use algebra::spectrum::Polynomial;
-use arithmetic::{Complex, Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::{ArithmeticError, Complex, Field, Interval, Rational, Real, Ring, rational};
 use models::platoon::modes::{Mode, mode_angle, mode_eigenvalue};
 use models::platoon::time_domain::{Followers, Modes};
 use models::platoon::vector_form::{characteristic_by_modes, motion_matrix, motion_rows};
@@ -141,6 +141,39 @@ fn lists_that_are_no_platoon_are_refused() {
     assert!(CommunicationGraph::nth_neighbours(0, 3).is_err());
 }
 
+/// Whom each follower tracks, from the first on.
+fn tracked(graph: Result<CommunicationGraph, CommunicationError>) -> Vec<Vec<usize>> {
+    let graph = graph.unwrap();
+    (1..=graph.followers()).map(|k| graph.tracked_by(k).iter().map(|(agent, _)| *agent).collect()).collect()
+}
+
+#[test]
+fn rules_of_tracking_are_those_of_their_names() {
+    assert_eq!(tracked(CommunicationGraph::nth_neighbours(2, 4)), [vec![3], vec![0, 4], vec![1], vec![2]]);
+    assert_eq!(tracked(CommunicationGraph::star(3)), [[0], [0], [0]]);
+    let series = [vec![0, 2], vec![1], vec![2, 4], vec![3, 5], vec![4]];
+    assert_eq!(tracked(CommunicationGraph::in_series(&[2, 3])), series);
+    let behind = [vec![0], vec![0], vec![0, 4], vec![3], vec![4]];
+    assert_eq!(tracked(CommunicationGraph::in_series_behind(2, &[2, 1])), behind);
+}
+
+/// As many accelerations as there are cars with position and velocity.
+#[test]
+fn lists_of_other_lengths_have_the_accelerations_of_the_shorter() {
+    let gains = floats(-1.0, -2.0);
+    let graph = CommunicationGraph::of(Communication::Front, 2).unwrap();
+    let (y, u) = ([1.0, 3.0, 4.0], [0.5, 0.25, 8.0]);
+    let both = [-(1.0 - 2.0 * 0.0) - 2.0 * 0.5, -2.0 + 2.0 * 0.25];
+    for count in 0..=3 {
+        let expected = &both[..count.min(2)];
+        assert_eq!(graph.accelerations(&gains, (&0.0, &0.0), &y[..count], &u[..count]), expected);
+        if count < 3 {
+            assert_eq!(graph.accelerations(&gains, (&0.0, &0.0), &y, &u[..count]), expected);
+            assert_eq!(accelerations(Communication::Front, &gains, (&0.0, &0.0), &y[..2], &u[..count]), expected);
+        }
+    }
+}
+
 #[test]
 fn residue_classes_do_not_hear_of_the_leader() {
     let graph = CommunicationGraph::nth_neighbours(3, 7).unwrap();
@@ -150,6 +183,15 @@ fn residue_classes_do_not_hear_of_the_leader() {
     let response = graph.response(&gains, &rational(1, 2)).unwrap();
     let at_rest: Vec<bool> = response.iter().map(|a| a.norm_squared() == rational(0, 1)).collect();
     assert_eq!(at_rest, [true, true, false, true, true, false, true]);
+    assert_eq!(
+        graph.response_of_cars(&vec![gains.clone(); 6], &rational(1, 2)).map(drop),
+        Err(ArithmeticError::Domain("gains for each follower"))
+    );
+    // Car 2 also tracks car 3, which hears of nobody and rests: its amplitude is the response to half of the leader's.
+    let aside = CommunicationGraph::with_equal_weights(&[vec![0], vec![0, 3], vec![]]).unwrap();
+    let response = aside.response(&gains, &rational(1, 2)).unwrap();
+    assert_eq!(response[1], response[0].scale(&rational(1, 2)));
+    assert_eq!(response[2], Complex::real(rational(0, 1)));
     // A follower that tracks nobody has a zero row.
     let alone = CommunicationGraph::with_equal_weights(&[vec![0], vec![]]).unwrap();
     assert_eq!(alone.reduced_laplacian().unwrap().entry(1, 1), rational(0, 1));
@@ -297,6 +339,27 @@ fn the_slowest_rate_is_exact() {
             let step = rational(1, 1 << 30);
             assert!(polynomial.with_roots_moved(&(lo - &step)).is_hurwitz(), "{gains:?} {m}");
             assert!(!polynomial.with_roots_moved(&(hi + step)).is_hurwitz(), "{gains:?} {m}");
+        }
+    }
+}
+
+/// The least real part of `lambda (|f| + |g| s) = -s²` over all modes, with the sign turned, in floats.
+#[test]
+fn the_slowest_rate_is_the_least_of_all_modes() {
+    for (f, g) in [(-1, -1), (-1, -9), (-4, -2), (-9, -40)] {
+        let gains = Gains { f: rational(f, 4), g: rational(g, 4) }.map(|q| Interval::from_rational(q, 80));
+        for m in [1u64, 2, 7] {
+            let rate = |k: u64| {
+                let lambda = 1.0 - (std::f64::consts::PI * (2 * k - 1) as f64 / (2 * m) as f64).cos();
+                let (decay, stiffness) = (-lambda * g as f64 / 8.0, -lambda * f as f64 / 4.0);
+                decay - (decay * decay - stiffness).max(0.0).sqrt()
+            };
+            let naive = (1..=m).map(rate).fold(f64::INFINITY, f64::min);
+            let found = slowest_rate(&gains, m).unwrap();
+            assert!(
+                (found.to_f64() / naive - 1.0).abs() < 1e-9 && found.width().to_f64() < 1e-15 * naive,
+                "{f} {g} {m}"
+            );
         }
     }
 }

@@ -4,6 +4,7 @@ mod by_definition;
 mod graphs_and_time;
 mod growth;
 mod own_gains;
+mod peaks;
 
 use arithmetic::{
     Complex, Dual, Field, Interval, Rational, Real, Ring, Signed, parse_rational, rational, significant_digits,

@@ -100,6 +100,83 @@ fn margins_are_where_stability_ends() {
     assert!(stable(factor * 1.0001) && !stable(factor * 0.9999), "{factor}");
 }
 
+/// The margins by their definition: the least `|arg L|` where `|L| = 1`, of each eigenvalue and its conjugate, by bisection; and the factor
+/// at which the roots of `s² = k lambda (f + g s)` cross the imaginary axis.
+#[test]
+fn margins_are_those_of_the_loops() {
+    let conjugates = |(re, im): (f64, f64)| [Complex::new(re, im), Complex::new(re, -im)];
+    let both = |list: &[(f64, f64)]| list.iter().copied().flat_map(conjugates).collect::<Vec<_>>();
+    for own in [gains(-2.0, -3.0), gains(-5.0, -0.7)] {
+        let loop_at = |lambda: &Complex<f64>, w: f64| Complex::new(-own.f, -own.g * w).scale(&(1.0 / (w * w))) * lambda;
+        let phase = |lambda: &Complex<f64>| {
+            let (mut low, mut high) = (1e-6f64, 1e6f64);
+            for _ in 0..200 {
+                let middle = (low * high).sqrt();
+                let above = loop_at(lambda, middle).norm_squared() > 1.0;
+                (low, high) = if above { (middle, high) } else { (low, middle) };
+            }
+            let there = loop_at(lambda, low);
+            there.im.atan2(there.re).abs()
+        };
+        // The real parts of the roots.
+        let growth = |lambda: &Complex<f64>, k: f64| {
+            let half = lambda.scale(&(0.5 * k * own.g));
+            let square = half.clone() * &half + lambda.scale(&(k * own.f));
+            let root = square.norm_squared().sqrt();
+            half.re + (0.5 * (root + square.re)).max(0.0).sqrt()
+        };
+        for list in [&[(1.0, 0.0)][..], &[(0.5, 0.8)], &[(1.5, 0.3), (0.5, 0.8), (0.7, 0.2)], &[(1.5, 0.3), (2.0, 0.0)]]
+        {
+            let all = both(list);
+            let found = margins(&own, &all).unwrap();
+            let least = all.iter().map(phase).fold(9.0, f64::min);
+            assert!((found.phase.unwrap() - least).abs() < 1e-9, "{list:?}");
+            let grows = |k: f64| all.iter().any(|lambda| growth(lambda, k) > 1e-15);
+            match found.critical_factor {
+                Some(k) => assert!(grows(k * (1.0 - 1e-6)) && !grows(k * (1.0 + 1e-6)), "{list:?}"),
+                None => assert!(list.iter().all(|(_, im)| *im == 0.0)),
+            }
+            // One of each pair is enough, whichever it is, and 0 tells nothing.
+            for one in [0, 1] {
+                let half: Vec<_> = list.iter().map(|lambda| conjugates(*lambda)[one].clone()).collect();
+                assert_eq!(margins(&own, &half), Some(found));
+                assert_eq!(margins(&own, &[half, vec![Complex::real(0.0)]].concat()), Some(found));
+            }
+        }
+        for left in [(0.0, 1.0), (-0.3, 0.9), (-0.3, -0.9)] {
+            let found = margins(&own, &[Complex::new(left.0, left.1)]).unwrap();
+            assert!(found.critical_factor.is_none() && found.phase.is_some());
+        }
+        assert_eq!(margins(&own, &[Complex::real(0.0)]), None);
+    }
+}
+
+/// Three cars that track each other in a circle are stable for strong gains only. The factor is looked for up to 2^20.
+#[test]
+fn margins_of_unstable_cars() {
+    let graph = CommunicationGraph::new(vec![
+        vec![(0, rational(1, 10)), (3, rational(9, 10))],
+        vec![(1, rational(1, 1))],
+        vec![(2, rational(1, 1))],
+    ]);
+    let reduced = graph.unwrap().reduced_laplacian().unwrap();
+    let root = 0.9f64.cbrt();
+    let eigenvalue = Complex::new(1.0 + 0.5 * root, 0.75f64.sqrt() * root);
+    let small = Complex::new(1.0 - root, 0.0);
+    for (f, scale) in [(-5i64, 1i64 << 10), (-5, 1 << 40)] {
+        let own = vec![Gains { f: rational(f, scale), g: rational(-1, scale) }; 3];
+        let known = margins(&gains(f as f64 / scale as f64, -1.0 / scale as f64), &[small.clone(), eigenvalue.clone()]);
+        let known = known.unwrap().critical_factor.unwrap();
+        let found = margins_of_cars(&reduced, &own);
+        assert_eq!(found.phase, None, "unstable as they are");
+        match found.critical_factor {
+            Some(factor) => assert!((factor / known - 1.0).abs() < 1e-6 && factor > 4.0),
+            None => assert!(known > f64::from(1 << 20)),
+        }
+        assert_eq!(found.critical_factor.is_some(), scale == 1 << 10);
+    }
+}
+
 /// Cars that only track the car in front are blocks of their own: the least margin is that of the worst car.
 #[test]
 fn margins_of_different_cars_are_those_of_the_worst() {

@@ -63,6 +63,51 @@ fn velocities_are_means_of_central_differences_inside_a_run() {
     }
 }
 
+/// Momentum and rotation from the velocities, and what is counted where a fish is missing.
+#[test]
+fn frames_are_measured_as_defined() {
+    let tracks = synthetic_school(School::Milling, &setting(5, 200));
+    let choices = Choices { window: 5, ..Choices::of_sidebar(0.1) };
+    let analysis = analyse(&tracks, &choices).expect("analysed");
+    let motion = Motion::new(&tracks, 5, choices.still);
+    let mean =
+        |list: &[Vector]| list.iter().fold(Complex::new(0.0, 0.0), |a, b| a + b).scale(&(1.0 / list.len() as f64));
+    let mut compared = 0;
+    for (i, frame) in analysis.frames.iter().enumerate() {
+        let Some(group) = &frame.group else { continue };
+        let places: Vec<Vector> = (0..5).map(|k| tracks.positions[k][i].clone().expect("seen")).collect();
+        let velocities: Vec<Vector> = (0..5).map(|k| motion.velocities[k][i].clone().expect("moves")).collect();
+        let centre = mean(&places);
+        let turn = |(r, v): (&Vector, &Vector)| {
+            let arm = r.clone() - &centre;
+            (arm.re * v.im - arm.im * v.re) / (arm.norm_squared() * v.norm_squared()).sqrt()
+        };
+        let rotation = places.iter().zip(&velocities).map(turn).sum::<f64>() / 5.0;
+        assert!((group.momentum - mean(&velocities).norm_squared().sqrt()).abs() < 1e-9);
+        assert!((group.rotation - rotation).abs() < 1e-9);
+        compared += 1;
+    }
+    assert!(compared > 100);
+    let holed = analyse(&holed(School::Polarised, 3, 300, 0.02), &choices).expect("analysed");
+    assert!(holed.frames.iter().any(|frame| frame.seen == 3 && frame.moving < 3));
+    assert!(holed.frames.iter().all(|frame| frame.moving <= frame.seen && frame.headed <= frame.moving));
+}
+
+/// Three fish that drift together, the middle one at their centre, where it counts as 0.
+#[test]
+fn a_fish_at_the_centre_does_not_turn() {
+    let mut text = String::from("t,id,x,y\n");
+    for i in 0..9 {
+        let (x, y) = (f64::from(i), f64::from(i) / 8.0);
+        text.push_str(&format!("{i},a,{},{y}\n{i},b,{x},0\n{i},c,{},{}\n", x + 0.25, x - 0.25, -y));
+    }
+    let tracks = Tracks::from_csv(&text).expect("a recording");
+    let analysis = analyse(&tracks, &Choices { window: 1, ..Choices::of_sidebar(1.0) }).expect("analysed");
+    let naive = |time: f64| 0.5 / 8.0 / (65f64 / 64.0 * (1.0 / 16.0 + (time / 8.0).powi(2))).sqrt() / 3.0;
+    let found: Vec<(f64, f64)> = analysis.groups().map(|(time, g)| (time, g.rotation)).collect();
+    assert!(found.len() >= 5 && found.iter().all(|(time, x)| (x - naive(*time)).abs() < 1e-12), "{found:?}");
+}
+
 #[test]
 fn a_window_as_long_as_the_recording_leaves_nothing_and_says_so() {
     let tracks = synthetic_school(School::Polarised, &setting(4, 60));
