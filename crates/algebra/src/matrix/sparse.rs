@@ -18,7 +18,10 @@ impl SparseMatrix {
     /// The matrix with these entries `(row, column, value)`, counted from 0; values at the same place are added, and
     /// places outside the matrix are left out.
     pub fn from_entries(order: usize, entries: impl IntoIterator<Item = (usize, usize, Rational)>) -> Self {
-        let mut rows: Vec<Vec<(usize, Rational)>> = vec![Vec::new(); order];
+        let entries = entries.into_iter();
+        // Room for as many in each row as there are on average.
+        let average = entries.size_hint().0 / order.max(1);
+        let mut rows: Vec<Vec<(usize, Rational)>> = (0..order).map(|_| Vec::with_capacity(average)).collect();
         for (i, j, value) in entries {
             if i < order && j < order {
                 rows[i].push((j, value));

@@ -64,13 +64,13 @@ pub(super) struct Product {
 
 /// Splits `a = head + tail` by a number for each place: beside it floats are multiples of a power of two, so that the sum is rounded to one and the
 /// differences are exact.
-fn split(a: &Mat<f64>, shift: impl Fn(usize, usize) -> f64) -> (Mat<f64>, Mat<f64>) {
-    let (mut head, mut tail) = (a.clone(), a.clone());
-    for j in 0..a.ncols() {
+fn split(a: Mat<f64>, shift: impl Fn(usize, usize) -> f64) -> (Mat<f64>, Mat<f64>) {
+    let (mut head, mut tail) = (Mat::zeros(a.nrows(), a.ncols()), a);
+    for j in 0..tail.ncols() {
         let entries = head.col_as_slice_mut(j).iter_mut().zip(tail.col_as_slice_mut(j)).enumerate();
-        entries.for_each(|(i, (head, tail))| {
+        entries.for_each(|(i, (head, tail)): (usize, (&mut f64, &mut f64))| {
             let shift = shift(i, j);
-            *head = (*head + shift) - shift;
+            *head = (*tail + shift) - shift;
             *tail -= *head;
         });
     }
@@ -97,7 +97,7 @@ pub(super) struct Split {
 
 impl Split {
     /// Each row has a power of two of its own.
-    pub fn new(a: &Mat<f64>) -> Self {
+    pub fn new(a: Mat<f64>) -> Self {
         let sum_bits = (usize::BITS - a.ncols().leading_zeros()) as i32;
         let bits = (53 - sum_bits) / 2;
         let mut largest = vec![0.0; a.nrows()];
@@ -115,7 +115,7 @@ impl Split {
         let inner = b.nrows();
         let largest = |j: usize| b.col_as_slice(j).iter().fold(0.0, |most, x| f64::max(most, x.abs()));
         let shifts: Vec<f64> = (0..b.ncols()).map(|j| shift(largest(j), self.bits)).collect();
-        let (b_head, b_tail) = split(b, |_, j| shifts[j]);
+        let (b_head, b_tail) = split(b.clone(), |_, j| shifts[j]);
         let exact = &self.head * &b_head;
         let mut rest = &self.head * &b_tail;
         matmul(rest.as_mut(), Accum::Add, self.tail.as_ref(), b.as_ref(), 1.0, Par::Seq);

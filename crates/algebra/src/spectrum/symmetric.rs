@@ -65,6 +65,8 @@ struct Reduced {
     panels: Vec<Mat<f64>>,
     /// A bound from below of its least singular value, or NaN.
     least: f64,
+    /// `S` as a factor of products, where it is multiplied as a dense matrix.
+    split: Option<Split>,
 }
 
 impl Reduced {
@@ -74,9 +76,13 @@ impl Reduced {
         let Reduction { diagonal, beside, reflections } = Reduction::new(dense(s));
         let starts: Vec<usize> = (0..order).step_by(PANEL).collect();
         let panel = |&start: &usize| reflections.columns(start, PANEL.min(order - start));
-        let (panels, least) =
-            rayon::join(|| starts.par_iter().map(panel).collect(), || reflections.least_singular_value());
-        Reduced { diagonal, beside, panels, least }
+        let entries: usize = s.rows.iter().map(Vec::len).sum();
+        let split = || (entries > order * order / SPARSE).then(|| Split::new(dense(s)));
+        let (panels, (least, split)) = rayon::join(
+            || starts.par_iter().map(panel).collect(),
+            || rayon::join(|| reflections.least_singular_value(), split),
+        );
+        Reduced { diagonal, beside, panels, least, split }
     }
 
     fn column(&self, k: usize) -> &[f64] {
@@ -92,19 +98,18 @@ impl Reduced {
     /// `‖SQ - QT‖` in the Frobenius norm, rounded up.
     fn residual(&self, s: &Symmetric) -> f64 {
         let (order, size) = (self.diagonal.len(), self.size());
-        let entries: usize = s.rows.iter().map(Vec::len).sum();
         // Rows and columns of T sum to at most this in absolute value, and so its norm is at most this.
         let largest = |x: &[f64]| x.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let small = largest(&self.diagonal) + 2.0 * largest(&self.beside);
-        let (squares, rounding) = if entries <= order * order / SPARSE {
+        let (squares, rounding) = if let Some(split) = &self.split {
+            self.dense_residual(split, small)
+        } else {
             let starts: Vec<usize> = (0..order).step_by(TOGETHER).collect();
             let squares = starts.into_par_iter().flat_map_iter(|k| self.sparse_residual(s, k)).collect();
             // Sums of at most so many products; |S| has a norm of at most its largest row sum.
             let terms = s.rows.iter().map(Vec::len).max().unwrap_or(0) + 5;
             let sums = s.rows.iter().map(|row| row.iter().map(|(_, x)| x.abs()).sum::<f64>()).fold(0.0, f64::max);
             (squares, terms as f64 * UNIT * (sums + small) * size)
-        } else {
-            self.dense_residual(s, small)
         };
         squares.into_iter().sum::<f64>().sqrt() * SLACK + rounding * SLACK + 1e-150
     }
@@ -137,8 +142,7 @@ impl Reduced {
     }
 
     /// The sums of the squares by panels, and a bound of the rounding.
-    fn dense_residual(&self, s: &Symmetric, small: f64) -> (Vec<f64>, f64) {
-        let split = Split::new(&dense(s));
+    fn dense_residual(&self, split: &Split, small: f64) -> (Vec<f64>, f64) {
         let panel = |(number, panel): (usize, &Mat<f64>)| {
             let mut product = split.times(panel);
             let sizes = frobenius(product.exact.as_ref()) + frobenius(product.rest.as_ref());
