@@ -25,10 +25,10 @@ pub fn sign_of_surd<T: Signed>(p: &T, q: &T, r: &T) -> Option<Sign> {
 
 /// The sign of `sqrt(a) - sqrt(b) - c` for `a, b >= 0`, or `None` where `a < 0` or `b < 0` (or a sign is not decided).
 pub fn sign_of_square_root_difference<T: Signed>(a: &T, b: &T, c: &T) -> Option<Sign> {
-    if a.sign()? == Sign::Negative || b.sign()? == Sign::Negative {
+    if a.sign()? == Sign::Negative {
         return None;
     }
-    // Compare sqrt(a) with sqrt(b) + c.
+    // Compare sqrt(a) with sqrt(b) + c, which has no sign where b < 0.
     let one = c.one();
     match sign_of_surd(c, &one, b)? {
         Sign::Negative => Some(Sign::Positive),

@@ -235,8 +235,8 @@ impl Flock {
         }
     }
 
-    /// The pairs that were at distance exactly 1 in the last step.
-    pub(super) fn ties(&self) -> &[(usize, usize)] {
+    /// The pairs that were at distance exactly 1 when the network was last decided.
+    pub fn ties(&self) -> &[(usize, usize)] {
         &self.scratch.ties
     }
 

@@ -36,6 +36,24 @@ impl Hysteresis {
             }
         })
     }
+
+    /// An integer that is at most the binary logarithm of the threshold for a number of birds; `None` where that is zero or there is none.
+    pub fn log2_below(&self, birds: usize) -> Option<i64> {
+        let log2 = self.log2(birds);
+        log2.is_finite().then(|| (log2 * (1.0 + 1e-12)) as i64 - 3)
+    }
+
+    /// About the binary logarithm of the threshold: within a part in 10^15 and 1.
+    fn log2(&self, birds: usize) -> f64 {
+        match self {
+            Hysteresis::Constant(threshold) if !threshold.is_zero() => {
+                let bits = |x: &BigInt| x.bits() as f64;
+                bits(&threshold.numer()) - bits(&threshold.denom())
+            }
+            Hysteresis::Paper => -paper_bits(birds),
+            Hysteresis::None | Hysteresis::Constant(_) => f64::NEG_INFINITY,
+        }
+    }
 }
 
 /// `n^4 log2 n`.
@@ -57,19 +75,12 @@ pub(super) struct Threshold {
 
 impl Threshold {
     pub fn new(kind: Hysteresis, birds: usize) -> Result<Self, FlockError> {
-        let log2 = match &kind {
-            Hysteresis::None => f64::NEG_INFINITY,
+        match &kind {
             Hysteresis::Constant(threshold) if threshold.is_negative() => {
-                return Err(FlockError::NegativeHysteresis(threshold.to_string()));
+                Err(FlockError::NegativeHysteresis(threshold.to_string()))
             }
-            Hysteresis::Constant(threshold) if threshold.is_zero() => f64::NEG_INFINITY,
-            Hysteresis::Constant(threshold) => {
-                let bits = |x: &BigInt| x.bits() as f64;
-                bits(&threshold.numer()) - bits(&threshold.denom())
-            }
-            Hysteresis::Paper => -paper_bits(birds),
-        };
-        Ok(Threshold { kind, birds, log2, exact: OnceLock::new() })
+            _ => Ok(Threshold { log2: kind.log2(birds), kind, birds, exact: OnceLock::new() }),
+        }
     }
 
     pub fn kind(&self) -> &Hysteresis {
@@ -81,9 +92,9 @@ impl Threshold {
         self.log2 == f64::NEG_INFINITY
     }
 
-    /// An integer that is at most the binary logarithm of the threshold; `None` where that is zero or there is none.
+    /// As [`Hysteresis::log2_below`].
     pub fn log2_below(&self) -> Option<i64> {
-        self.log2.is_finite().then(|| (self.log2 * (1.0 + 1e-12)) as i64 - 3)
+        self.kind.log2_below(self.birds)
     }
 
     /// The threshold itself.

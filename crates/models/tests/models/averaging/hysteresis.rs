@@ -61,6 +61,19 @@ fn a_threshold_is_written_out_up_to_the_bits_that_are_allowed() {
     assert_eq!(Hysteresis::None.exact(2, 0), Ok(None));
 }
 
+/// Of few bits, and of 12 · 2^48, where a part in 10^12 is thousands.
+#[test]
+fn logarithms_of_thresholds_are_bounded_from_below() {
+    for (p, q) in [(1, 1), (3, 1), (1, 3), (1023, 1), (1, 1023), (1024, 1), (1, 1024), (5, 7)] {
+        let below = Hysteresis::Constant(rational(p, q)).log2_below(2).expect("a threshold");
+        let power = Rational::new(BigInt::from(1) << below.max(0), BigInt::from(1) << (-below).max(0));
+        assert!(power <= rational(p, q) && (below as f64) > (p as f64 / q as f64).log2() - 6.0, "{p}/{q}: {below}");
+    }
+    let exact = -12 * (1i64 << 48);
+    assert!(Hysteresis::Paper.log2_below(4096).is_some_and(|below| below <= exact && below > exact - 10_000));
+    assert_eq!((Hysteresis::None.log2_below(4), Hysteresis::Constant(rational(0, 1)).log2_below(4)), (None, None));
+}
+
 /// Bird 3 pulls bird 2 away from bird 1: held in the first step, lost in the second, by a little more than the threshold.
 #[test]
 fn an_edge_that_will_be_lost_is_not_held_for_good() {

@@ -58,6 +58,16 @@ fn exact_distances_with_long_numbers_are_ties() {
 }
 
 /// The network of the distance rule after steps whose network was given.
+/// Bird 2 comes from 2 to 1, where the birds become linked, and goes on.
+#[test]
+fn ties_are_those_of_the_last_decision() {
+    let numbers = |list: [i64; 2]| list.map(|x| rational(x, 1)).to_vec();
+    let start = Start::on_the_line(numbers([0, 2]), numbers([0, -1]), Weights::Lazy, Hysteresis::None);
+    let mut flock = Flock::new(&start).expect("a flock");
+    let ties = [(); 3].map(|()| flock.step().map(|_| flock.ties().to_vec()).expect("a step"));
+    assert_eq!(ties, [vec![(0, 1)], vec![], vec![]]);
+}
+
 #[test]
 fn the_distance_rule_is_that_of_the_present_positions() {
     let numbers = |list: [i64; 3]| list.map(|x| rational(x, 1 << 20)).to_vec();
