@@ -105,8 +105,11 @@ impl Table {
             let Row { line, column, original, altered, verdict, by } = row;
             text.push_str(&format!("{line}\t{column}\t{original}\t{altered}\t{verdict}\t{by}\n"));
         }
+        // Put in its place at once, so that an interruption leaves the table as it was or as it is now.
         let path = path_of(results, &self.file);
-        std::fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))
+        let beside = path.with_extension("tsv.part");
+        let written = std::fs::write(&beside, text).and_then(|()| std::fs::rename(&beside, &path));
+        written.map_err(|error| format!("{}: {error}", path.display()))
     }
 
     /// Tells apart again what was missed: equivalent where a reason is known.
