@@ -1,6 +1,6 @@
 //! Mirrors `src/spectrum`.
 
-// The library has no test program of its own: tests of what is private stand beside it and run here.
+// What is private and checked here from outside.
 #[allow(dead_code)]
 #[path = "../../../src/spectrum/enclosed.rs"]
 mod enclosed;
@@ -10,18 +10,6 @@ mod float_bounds;
 #[allow(dead_code)]
 #[path = "../../../src/spectrum/fourier.rs"]
 mod fourier;
-#[allow(dead_code)]
-#[path = "../../../src/spectrum/reduction.rs"]
-mod reduction;
-#[allow(dead_code)]
-#[path = "../../../src/spectrum/reflections.rs"]
-mod reflections;
-#[allow(dead_code)]
-#[path = "../../../src/spectrum/smith.rs"]
-mod smith;
-#[allow(dead_code)]
-#[path = "../../../src/spectrum/trailing.rs"]
-mod trailing;
 #[allow(dead_code)]
 #[path = "../../../src/spectrum/turn.rs"]
 mod turn;
