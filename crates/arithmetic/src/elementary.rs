@@ -307,6 +307,7 @@ mod tests {
         let cos = |x: &Dyadic, bits: u32| sin_cos(x, bits).1;
         assert_eq!(of(&cos), [(1, -24), (80, -52), (70, -52), (56, -52), (74, -52)]);
         assert_eq!(of(&|_, bits| pi(bits)), [(4, -52); 5]);
+        assert_eq!([(5, true), (26, false)].map(|(n, alternating)| inverse_series(n, alternating, 40).error), [26, 18]);
     }
 
     #[test]
@@ -319,6 +320,9 @@ mod tests {
             [(); 3].map(|()| nothing.clone())
         );
         assert_eq!(ln(&one(), 20).unwrap(), nothing);
+        assert!(ln(&one().scaled(2), 20).unwrap().0 > one());
+        let vanishing = one().scaled(LARGEST_EXPONENT_TOP + 1).negated();
+        assert_eq!(exp(&vanishing, 20).unwrap(), (zero.clone(), one().scaled(-(1 << 32))));
         for refused in [zero, one().negated()] {
             assert!(matches!(ln(&refused, 20), Err(ArithmeticError::Argument("ln"))));
         }
