@@ -26,7 +26,7 @@ pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
 pub use event::{Fall, Margin, next_fall, root};
 pub use follow_error::FollowError;
 pub use golden::golden;
-pub use individual::{IndividualFlock, IndividualLaw, Moving, Pace, Rates, Switch, Turns};
+pub use individual::{IndividualFlock, IndividualLaw, Moving, Pace, Rates, Sensing, Switch, Turns};
 pub use jet::Jet;
 pub use lanes::Lanes;
 pub use rk4::Rk4;

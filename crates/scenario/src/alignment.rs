@@ -2,7 +2,7 @@
 
 use super::agents::{Agents, Alignment, PLANE, state_of};
 use super::error::{ConfigError, Problem, RunError};
-use super::individual::{Individual, MOST_TOGETHER};
+use super::individual::{Individual, MOST_TOGETHER, sensing};
 use super::network::{Abilities, Network};
 use super::potential::PairPotential;
 use super::simulation::{Continuous, Simulation};
@@ -14,7 +14,7 @@ use super::turns::Turns;
 use models::double_integrator::{
     self, Flock, HeadingDifference, HeadingLaw, InputError, State, SwitchingFlock, VelocityLaw, heading,
 };
-use motion::VectorField;
+use motion::{Sensing, VectorField};
 
 /// What a heading difference may mean.
 pub(super) const READINGS: [(&str, HeadingDifference); 3] = [
@@ -61,9 +61,9 @@ pub(super) fn read(source: &Source, headings: bool, tolerance: f64) -> Result<Bo
     if let (Alignment::Velocities, Some(radius)) = (&agents.alignment, agents.network.radius()) {
         return within(source, agents, (radius, &state), step, tolerance);
     }
-    if let (Some(radius), None, true) = (agents.network.radius(), step, agents.count > MOST_TOGETHER) {
+    if let (Some(sensing), None, true) = (sensing(&agents.network), step, agents.count > MOST_TOGETHER) {
         let law = HeadingLaw::new(agents.potential.exact(), reading);
-        let flock = Individual::<_, _, 1, 3>::new(agents, law, radius, list, tolerance);
+        let flock = Individual::<_, _, 1, 3>::new(agents, law, sensing, list, tolerance);
         return Ok(Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?));
     }
     Ok(match step {
@@ -94,7 +94,13 @@ fn within(
         if !agents.potential.value(&(radius * radius)).is_ok_and(f64::is_finite) {
             return Err(refuse(InputError::PotentialAtRadius(radius).into()));
         }
-        let flock = Individual::<_, _, 0, 2>::new(agents, VelocityLaw::new(&potential), radius, list, tolerance);
+        let flock = Individual::<_, _, 0, 2>::new(
+            agents,
+            VelocityLaw::new(&potential),
+            Sensing::Within(radius),
+            list,
+            tolerance,
+        );
         return Ok(Box::new(flock.map_err(|error| refuse(error.into()))?));
     };
     let rate = move |_: &mut Agents, time: f64, list: &[f64], rate: &mut [f64]| {

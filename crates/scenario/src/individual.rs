@@ -1,16 +1,25 @@
-//! Links within a radius in large flocks: every switch is located, and each agent has steps of its own.
+//! Links that depend on distances in large flocks: every switch is located, and each agent has steps of its own.
 
 use super::error::RunError;
-use super::network::{Change, Network};
+use super::network::{Change, Network, Rule};
 use super::observables::Observable;
 use super::simulation::{Event, Frame, Law, Simulation};
 use super::switching::{Known, told};
 use arithmetic::{ArithmeticError, Progress};
-use motion::{FollowError, IndividualFlock, IndividualLaw, Moving, Pace};
+use motion::{FollowError, IndividualFlock, IndividualLaw, Moving, Pace, Sensing};
 
 /// Most agents that are followed all in the same steps where each switch can be located: each one costs a look at all. Larger flocks have individual
 /// steps.
 pub(super) const MOST_TOGETHER: usize = 256;
+
+/// Who senses whom in a network that depends on distances.
+pub(super) fn sensing(network: &Network) -> Option<Sensing> {
+    match network.rule() {
+        Rule::Fixed => None,
+        Rule::Within(radius) => Some(Sensing::Within(radius)),
+        Rule::Nearest(_) => Some(Sensing::Nearest),
+    }
+}
 
 /// What is measured on agents that are followed one by one, with `F` further states each.
 pub(super) trait Located<const F: usize>: Law {
@@ -49,6 +58,7 @@ pub(super) struct Sampling<'a> {
 pub(super) struct Individual<S, L, const F: usize, const M: usize> {
     shown: S,
     flock: IndividualFlock<L, F, M>,
+    sensing: Sensing,
     tolerance: f64,
     /// Where it is.
     time: f64,
@@ -66,12 +76,12 @@ pub(super) struct Individual<S, L, const F: usize, const M: usize> {
 
 impl<S: Located<F>, L: IndividualLaw<F, M> + Clone, const F: usize, const M: usize> Individual<S, L, F, M> {
     /// A flock at its start, with the links that the agents have there.
-    pub fn new(mut shown: S, law: L, radius: f64, list: Vec<f64>, tolerance: f64) -> Result<Self, FollowError> {
+    pub fn new(mut shown: S, law: L, sensing: Sensing, list: Vec<f64>, tolerance: f64) -> Result<Self, FollowError> {
         let (start, pace) = (shown.agents(&list), Pace::Tolerance(tolerance));
-        let flock = IndividualFlock::new(law, radius, &start, shown.network().pairs(), pace)?;
+        let flock = IndividualFlock::new(law, sensing, &start, shown.network().pairs(), pace)?;
         let (times, remarks, known, warning) = (Vec::new(), Vec::new(), None, None);
         let (time, energy, rise) = (0.0, f64::INFINITY, 0.0);
-        Ok(Individual { shown, flock, tolerance, time, list, times, known, remarks, warning, energy, rise })
+        Ok(Individual { shown, flock, sensing, tolerance, time, list, times, known, remarks, warning, energy, rise })
     }
 
     /// Takes over where the agents are one by one.
@@ -172,7 +182,15 @@ impl<S: Located<F>, L: IndividualLaw<F, M> + Clone, const F: usize, const M: usi
             "integrator: individual steps, since the flock is large: the motion of each agent is made of power series in time of order 6, whose last terms in the velocity are at most {0:e} + {0:e} |v|{angles}",
             self.tolerance
         ));
-        lines.push("every arrival of a pair at the radius is located to rounding on the series of the two, which then start anew, as do those of all agents whose velocity it changes by more than a quarter of that on one series".to_string());
+        let switch = match self.sensing {
+            Sensing::Within(_) => {
+                "every arrival of a pair at the radius is located to rounding on the series of the two, which then start"
+            }
+            Sensing::Nearest => {
+                "every change among the nearest is located to rounding on the series of the three concerned; that of the one that senses the others then starts"
+            }
+        };
+        lines.push(format!("{switch} anew, as do those of all agents whose velocity it changes by more than a quarter of that on one series"));
         lines.extend(S::STAYING.map(str::to_string));
         lines
     }

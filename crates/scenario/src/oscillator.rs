@@ -1,7 +1,7 @@
 //! The phase model (6) and steered particles (1)-(2) of Paley and others.
 
 use super::error::{ConfigError, Problem};
-use super::individual::{Individual, Located, MOST_TOGETHER};
+use super::individual::{Individual, Located, MOST_TOGETHER, sensing};
 use super::links::Hold;
 use super::network::{Abilities, Change, Kind, Network};
 use super::observables::{CLUSTERS, Observable, min_distance, of_phases, places, total};
@@ -15,7 +15,7 @@ use models::oscillator::{
     laplacian_control, pattern_control, pattern_potential, phase_potential, reference_control, spacing_control,
     spacing_potential, write_rate,
 };
-use motion::{Moving, VectorField};
+use motion::{Moving, Sensing, VectorField};
 use std::cell::RefCell;
 
 /// Moments that are shown at least.
@@ -274,8 +274,8 @@ pub(super) fn read_particles(source: &Source, tolerance: f64) -> Result<Box<dyn 
             }
         }
         None => match particles.individual().filter(|_| particles.network.order() > MOST_TOGETHER) {
-            Some((law, radius)) => {
-                let flock = Individual::new(particles, law, radius, state, tolerance);
+            Some((law, sensing)) => {
+                let flock = Individual::new(particles, law, sensing, state, tolerance);
                 Box::new(flock.map_err(|error| problem(source, "positions", error.into()))?)
             }
             None => Box::new(Continuous::new(particles, &state, tolerance)),
@@ -306,8 +306,8 @@ impl Located<1> for Particles {
 }
 
 impl Particles {
-    /// The law of one particle among its neighbours and the radius, where links are within one and no particle is special.
-    fn individual(&self) -> Option<(ParticleLaw, f64)> {
+    /// The law of one particle among its neighbours and who these are, where they depend on distances and no particle is special.
+    fn individual(&self) -> Option<(ParticleLaw, Sensing)> {
         let Orientation::Laplacian(gain) = self.orientation else { return None };
         let share = 1.0 / self.network.order() as f64;
         let (spacing, beacon) = match self.spacing {
@@ -316,7 +316,7 @@ impl Particles {
             Spacing::Beacon(gain, [x, y]) => (0.0, Some((gain * self.frequency, Complex::new(x, y)))),
         };
         let (frequency, orientation, drift) = (self.frequency, share * gain, self.drift.clone());
-        Some((ParticleLaw { frequency, orientation, spacing, beacon, drift }, self.network.radius()?))
+        Some((ParticleLaw { frequency, orientation, spacing, beacon, drift }, sensing(&self.network)?))
     }
 
     fn steering(&self, time: f64, state: &State<f64>) -> Result<Vec<f64>, ArithmeticError> {

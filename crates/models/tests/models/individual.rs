@@ -3,8 +3,8 @@
 use arithmetic::random::{generator, uniform};
 use arithmetic::{Complex, Unwatched, rational};
 use models::double_integrator::{HeadingDifference, HeadingLaw, Potential};
-use models::oscillator::ParticleLaw;
-use motion::{IndividualFlock, IndividualLaw, Moving, Pace, Switch};
+use models::oscillator::{Neighbours, ParticleLaw};
+use motion::{IndividualFlock, IndividualLaw, Moving, Pace, Sensing, Switch};
 use std::f64::consts::PI;
 
 const RADIUS: f64 = 2.0;
@@ -41,13 +41,26 @@ fn run<const M: usize>(
     times: &[f64],
     pace: Pace,
 ) -> Run {
+    run_with(law, Sensing::Within(RADIUS), &pairs_within(start), start, times, pace)
+}
+
+fn pairs_within(start: &[Moving<f64, 1>]) -> Vec<(usize, usize)> {
     let near = |i: usize, j: usize| {
         let (a, b) = (start[i].position, start[j].position);
         (a[0] - b[0]).hypot(a[1] - b[1]) < RADIUS
     };
-    let links: Vec<_> =
-        (0..start.len()).flat_map(|i| (0..i).map(move |j| (j, i))).filter(|&(i, j)| near(i, j)).collect();
-    let mut flock = IndividualFlock::new(law.clone(), RADIUS, start, &links, pace).unwrap();
+    (0..start.len()).flat_map(|i| (0..i).map(move |j| (j, i))).filter(|&(i, j)| near(i, j)).collect()
+}
+
+fn run_with<const M: usize>(
+    law: &(impl IndividualLaw<1, M> + Clone),
+    sensing: Sensing,
+    links: &[(usize, usize)],
+    start: &[Moving<f64, 1>],
+    times: &[f64],
+    pace: Pace,
+) -> Run {
+    let mut flock = IndividualFlock::new(law.clone(), sensing, start, links, pace).unwrap();
     let mut switches = Vec::new();
     times.iter().for_each(|time| assert!(flock.advance(*time, &mut switches, &Unwatched).unwrap()));
     Run { switches, agents: flock.agents().collect(), restarts: flock.restarts() }
@@ -72,10 +85,20 @@ fn particles() -> ParticleLaw {
 }
 
 fn power<const M: usize>(law: &(impl IndividualLaw<1, M> + Clone), start: &[Moving<f64, 1>], step: f64) -> f64 {
+    power_with(law, Sensing::Within(RADIUS), &pairs_within(start), start, step)
+}
+
+fn power_with<const M: usize>(
+    law: &(impl IndividualLaw<1, M> + Clone),
+    sensing: Sensing,
+    links: &[(usize, usize)],
+    start: &[Moving<f64, 1>],
+    step: f64,
+) -> f64 {
     let until = [50.0 * step];
-    let finest = run(law, start, &until, Pace::Fixed(step / 32.0));
+    let finest = run_with(law, sensing, links, start, &until, Pace::Fixed(step / 32.0));
     let error = |step: f64| {
-        let run = run(law, start, &until, Pace::Fixed(step));
+        let run = run_with(law, sensing, links, start, &until, Pace::Fixed(step));
         assert_eq!(run.switches.len(), finest.switches.len());
         distance(&run, &finest)
     };
@@ -153,4 +176,83 @@ fn the_times_asked_for_change_no_bit_of_any_law() {
     let raw = headings(HeadingDifference::Raw);
     same(run(&raw, &start, &[1.0], pace), run(&raw, &start, &often, pace));
     same(run(&particles(), &start, &[1.0], pace), run(&particles(), &start, &often, pace));
+    let arcs = nearest(&start, 4);
+    let [once, often] =
+        [&[1.0][..], &often].map(|times| run_with(&particles(), Sensing::Nearest, &arcs, &start, times, pace));
+    same(once, often);
+}
+
+/// The arcs to the nearest, found among all.
+fn nearest(agents: &[Moving<f64, 1>], count: usize) -> Vec<(usize, usize)> {
+    let places: Vec<Complex<f64>> =
+        agents.iter().map(|agent| Complex::new(agent.position[0], agent.position[1])).collect();
+    Neighbours::nearest(&places, count).arcs().collect()
+}
+
+/// Whether two others are as good as equally far from one agent, so that either may be the nearer one.
+fn has_ties(agents: &[Moving<f64, 1>]) -> bool {
+    agents.iter().any(|own| {
+        let square = |other: &Moving<f64, 1>| {
+            let [x, y] = [0, 1].map(|c| other.position[c] - own.position[c]);
+            x * x + y * y
+        };
+        let mut squares: Vec<f64> = agents.iter().map(square).collect();
+        squares.sort_by(f64::total_cmp);
+        squares.windows(2).any(|pair| pair[1] - pair[0] < 1e-10 * (1.0 + pair[1]))
+    })
+}
+
+/// At all times that are looked at the arcs lead to the nearest, in flocks that stay, spread out, gather, and have members far away.
+#[test]
+fn the_nearest_are_found_whatever_the_flock_does() {
+    let still = |k: usize, count: usize| if k < count / 2 { 0.0 } else { PI };
+    let gathering = ParticleLaw { beacon: Some((0.4, Complex { re: 3.0, im: 3.0 })), ..particles() };
+    let flying = ParticleLaw { frequency: 0.0, orientation: 0.01, spacing: 0.0, ..particles() };
+    for (name, law) in [("circles", particles()), ("gathering", gathering), ("flying apart", flying)] {
+        for (count, sensed, seed) in [(2, 1, 1), (9, 3, 2), (40, 1, 3), (40, 6, 4), (40, 39, 5), (100, 4, 6)] {
+            let mut start = heading(count, seed, |k| still(k, count), 1.5);
+            // Some are far away from all others.
+            start.iter_mut().skip(2).step_by(13).for_each(|agent| agent.position[0] += 40.0);
+            let arcs = nearest(&start, sensed);
+            let mut flock =
+                IndividualFlock::new(law.clone(), Sensing::Nearest, &start, &arcs, Pace::Tolerance(1e-8)).unwrap();
+            let (mut switches, mut looked) = (Vec::new(), 0);
+            for time in (1..=12).map(|k| 0.5 * f64::from(k)) {
+                assert!(flock.advance(time, &mut switches, &Unwatched).unwrap());
+                let now: Vec<Moving<f64, 1>> = flock.agents().collect();
+                if !has_ties(&now) {
+                    assert_eq!(flock.links(), nearest(&now, sensed), "{name}, {sensed} of {count}, t = {time}");
+                    looked += 1;
+                }
+            }
+            assert!(looked > 8, "{looked}");
+            assert!(
+                switches.len() > 10 || count < 40 || sensed == 39,
+                "{name}, {sensed} of {count}: {}",
+                switches.len()
+            );
+            let gained = switches.iter().filter(|switch| switch.gained).count();
+            assert_eq!(2 * gained, switches.len());
+        }
+    }
+}
+
+#[test]
+fn the_order_is_kept_where_the_nearest_change() {
+    for (count, sensed, seed) in [(9, 2, 1), (25, 3, 2), (25, 5, 3)] {
+        let start = start(count, seed);
+        let found = power_with(&particles(), Sensing::Nearest, &nearest(&start, sensed), &start, 0.04);
+        assert!(found > 5.0, "{sensed} of {count}, seed {seed}: {found}");
+    }
+}
+
+/// A lattice that moves on as it is: everyone has others at exactly the same distance all the time, and rounding changes no neighbour.
+#[test]
+fn rows_and_columns_that_move_together_keep_their_neighbours() {
+    let law = ParticleLaw { frequency: 0.0, orientation: 0.0, spacing: 0.0, ..particles() };
+    let mut start = heading(49, 1, |_| 0.7, 0.0);
+    start.iter_mut().enumerate().for_each(|(k, agent)| agent.position = [(k % 7) as f64, (k / 7) as f64]);
+    let arcs = nearest(&start, 3);
+    let run = run_with(&law, Sensing::Nearest, &arcs, &start, &[30.0], Pace::Tolerance(1e-8));
+    assert_eq!(run.switches, []);
 }

@@ -1,4 +1,4 @@
-//! Who may come to the radius: agents in square cells, moved one by one.
+//! Who may come near: agents in square cells, moved one by one.
 
 /// An agent in its cell: where its piece of motion begins, and how far it goes on it.
 #[derive(Debug, Clone, Copy)]
@@ -61,5 +61,15 @@ impl Cells {
         let offsets =
             (-1..=1).flat_map(move |dy| (-1..=1).map(move |dx| (column.wrapping_add(dx), row.wrapping_add(dy))));
         offsets.flat_map(move |(column, row)| &self.cells[self.number(column, row)])
+    }
+
+    /// All in the cells that a square of this half side around a point touches, and perhaps others; nobody twice.
+    pub fn near(&self, point: [f64; 2], half: f64) -> impl Iterator<Item = &Place> {
+        let (left, bottom) = self.corner(point.map(|x| x - half));
+        let (right, top) = self.corner(point.map(|x| x + half));
+        let whole_round = |from: i64, to: i64| from..=to.min(from.saturating_add(self.mask));
+        let columns = whole_round(left, right);
+        let cells = whole_round(bottom, top).flat_map(move |row| columns.clone().map(move |column| (column, row)));
+        cells.flat_map(|(column, row)| &self.cells[self.number(column, row)])
     }
 }

@@ -9,6 +9,7 @@ mod influence;
 mod law;
 mod next;
 mod path;
+mod ranks;
 mod spread;
 mod together;
 mod watch;
@@ -21,6 +22,7 @@ use cells::Cells;
 use influence::Neighbour;
 use next::{Kind, Next};
 use path::Path;
+use ranks::Ranks;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
@@ -38,6 +40,15 @@ pub enum Pace {
     Fixed(f64),
 }
 
+/// Who senses whom.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sensing {
+    /// Two agents below this distance sense each other. Links are pairs.
+    Within(f64),
+    /// Each agent senses its nearest, always as many as at the start. Links are arcs, the one that senses first.
+    Nearest,
+}
+
 /// A link that came or went.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Switch {
@@ -45,11 +56,11 @@ pub struct Switch {
     pub time: f64,
     /// Whether it came.
     pub gained: bool,
-    /// The agents from 0, the smaller number first.
+    /// The agents from 0: of a pair the smaller number first, of an arc the one that senses.
     pub pair: Pair,
 }
 
-/// Agents move by at most this part of the radius on one series.
+/// Agents move by at most this part of the radius, or of a typical distance of the farthest that one senses, on one series.
 const FARTHEST: f64 = 0.125;
 
 /// A pair that switches ever faster is taken for one that stays at the radius where its squared distance swings by less than so many tolerances.
@@ -71,15 +82,17 @@ struct Agent<const F: usize> {
     round: u64,
     /// When it switched last, and how many switches of it there were about then.
     crowd: (f64, usize),
-    /// Sorted.
+    /// Whom it senses, sorted.
     neighbours: Vec<Neighbour>,
+    /// Who senses it, sorted.
+    observers: Vec<usize>,
 }
 
 impl<const F: usize> Agent<F> {
     fn new(from: f64, at: &Moving<f64, F>) -> Self {
         let path = Path::start(at);
-        let (crowd, neighbours) = ((0.0, 0), Vec::new());
-        Agent { from, until: from, reach: 0.0, path, restarts: 0, round: 0, crowd, neighbours }
+        let (crowd, neighbours, observers) = ((0.0, 0), Vec::new(), Vec::new());
+        Agent { from, until: from, reach: 0.0, path, restarts: 0, round: 0, crowd, neighbours, observers }
     }
 
     /// Where a neighbour is in the list, or would be.
@@ -97,11 +110,14 @@ impl<const F: usize> Agent<F> {
 #[derive(Debug, Clone)]
 pub struct IndividualFlock<L, const F: usize, const M: usize> {
     law: L,
-    radius: f64,
+    sensing: Sensing,
+    /// The radius, or about the distance of the farthest that one senses.
+    scale: f64,
     pace: Pace,
     time: f64,
     agents: Vec<Agent<F>>,
     cells: Cells,
+    ranks: Ranks,
     queue: BinaryHeap<Reverse<Next>>,
     together: Together<F>,
     restarts: u64,
@@ -113,8 +129,14 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
     ///
     /// # Errors
     /// [`FollowError`].
-    pub fn new(law: L, radius: f64, start: &[Moving<f64, F>], links: &[Pair], pace: Pace) -> Result<Self, FollowError> {
-        IndividualFlock::starting(0.0, (law, radius, pace), start, links)
+    pub fn new(
+        law: L,
+        sensing: Sensing,
+        start: &[Moving<f64, F>],
+        links: &[Pair],
+        pace: Pace,
+    ) -> Result<Self, FollowError> {
+        IndividualFlock::starting(0.0, (law, sensing, pace), start, links)
     }
 
     /// The same flock from another time on, with other states and links.
@@ -125,30 +147,36 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
     where
         L: Clone,
     {
-        IndividualFlock::starting(time, (self.law.clone(), self.radius, self.pace), start, links)
+        IndividualFlock::starting(time, (self.law.clone(), self.sensing, self.pace), start, links)
     }
 
     fn starting(
         time: f64,
-        (law, radius, pace): (L, f64, Pace),
+        (law, sensing, pace): (L, Sensing, Pace),
         start: &[Moving<f64, F>],
         links: &[Pair],
     ) -> Result<Self, FollowError> {
         let count = start.len();
+        let scale = match sensing {
+            Sensing::Within(radius) => radius,
+            Sensing::Nearest => ranks::typical(start, links),
+        };
         let mut flock = IndividualFlock {
             law,
-            radius,
+            sensing,
+            scale,
             pace,
             time,
             agents: start.iter().map(|at| Agent::new(time, at)).collect(),
-            cells: Cells::new(count, radius * (1.0 + 2.0 * FARTHEST) * (1.0 + 1e-9)),
+            cells: Cells::new(count, scale * (1.0 + 2.0 * FARTHEST) * (1.0 + 1e-9)),
+            ranks: Ranks::new(count),
             queue: BinaryHeap::new(),
             together: Together::new(count),
             restarts: 0,
             processor: pulp::Arch::new(),
         };
         for &(i, j) in links {
-            flock.link(time, (i.min(j), i.max(j)));
+            flock.link(time, if sensing == Sensing::Nearest { (i, j) } else { (i.min(j), i.max(j)) });
         }
         let all: Vec<usize> = (0..count).collect();
         flock.restart(time, &all)?;
@@ -171,7 +199,11 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
             }
             self.queue.pop();
             let (i, j) = next.pair;
-            if next.restarts != (self.agents[i].restarts, self.agents[j].restarts) {
+            let restarts = match next.kind {
+                Kind::Rank => (self.ranks.looks(i), self.ranks.looks(i)),
+                _ => (self.agents[i].restarts, self.agents[j].restarts),
+            };
+            if next.restarts != restarts {
                 continue;
             }
             self.time = next.time;
@@ -183,6 +215,10 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
                         return Err(FollowError::Sliding(next.time));
                     }
                     switches.push(self.switch(next.time, next.pair)?);
+                }
+                Kind::Rank => {
+                    self.count_switch(next.time, i)?;
+                    switches.extend(self.change_places(next.time, i)?);
                 }
                 Kind::Turn => {
                     self.count_switch(next.time, i)?;
@@ -206,9 +242,10 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
 
     /// The links in force, sorted.
     pub fn links(&self) -> Vec<Pair> {
+        let arcs = self.sensing == Sensing::Nearest;
         let of = |(i, agent): (usize, &Agent<F>)| {
             let others = agent.neighbours.iter().map(|other| other.agent);
-            others.filter(move |j| i < *j).map(move |j| (i, j)).collect::<Vec<_>>()
+            others.filter(move |j| arcs || i < *j).map(move |j| (i, j)).collect::<Vec<_>>()
         };
         self.agents.iter().enumerate().flat_map(of).collect()
     }
@@ -227,7 +264,7 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
 
     /// Whether a pair at the radius, where links push apart, does as good as stay there.
     fn stays(&self, time: f64, (i, j): Pair) -> bool {
-        let (Pace::Tolerance(tolerance), square) = (self.pace, self.radius * self.radius) else { return false };
+        let (Pace::Tolerance(tolerance), square) = (self.pace, self.scale * self.scale) else { return false };
         let push = self.law.push(square);
         let at = |agent: &Agent<F>| agent.path.after(time - agent.from);
         let side = at(&self.agents[i]).squared_distance(&at(&self.agents[j]));
@@ -253,19 +290,28 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
             Turns::OfPairs => ((self.agents[i].angle(time) - self.agents[j].angle(time)) / TAU - 0.5).ceil(),
             Turns::Never | Turns::OfAgents => 0.0,
         };
-        for (own, agent, turns) in [(i, j, turns), (j, i, -turns)] {
+        for (own, agent, turns) in self.directions((i, j), turns) {
             if let Err(place) = self.agents[own].place(agent) {
                 self.agents[own].neighbours.insert(place, Neighbour { agent, turns });
+                let observers = &mut self.agents[agent].observers;
+                observers.insert(observers.partition_point(|other| *other < own), own);
             }
         }
     }
 
-    fn unlink(&mut self, (i, j): Pair) {
-        for (own, other) in [(i, j), (j, i)] {
+    fn unlink(&mut self, pair: Pair) {
+        for (own, other, _) in self.directions(pair, 0.0) {
             if let Ok(place) = self.agents[own].place(other) {
                 self.agents[own].neighbours.remove(place);
+                self.agents[other].observers.retain(|observer| *observer != own);
             }
         }
+    }
+
+    /// Who senses whom on a link, with the whole turns that are added to the angle of the one that is sensed.
+    fn directions(&self, (i, j): Pair, turns: f64) -> impl Iterator<Item = (usize, usize, f64)> + use<L, F, M> {
+        let back = matches!(self.sensing, Sensing::Within(_)).then_some((j, i, -turns));
+        std::iter::once((i, j, turns)).chain(back)
     }
 
     /// An angle, or the difference of two, came to half a turn and jumps.
@@ -275,7 +321,7 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
             if let Some(angle) = self.agents[i].path.further.first_mut() {
                 angle[0] -= turned;
             }
-            let noticed: Vec<usize> = self.agents[i].neighbours.iter().map(|other| other.agent).collect();
+            let noticed = self.agents[i].observers.clone();
             return self.restart(time, &[&[i], &noticed[..]].concat());
         }
         let difference = self.agents[i].angle(time) - self.agents[j].angle(time);

@@ -9,6 +9,8 @@ pub enum Kind {
     End,
     /// A pair comes to the radius.
     Radius,
+    /// One that an agent does not sense comes as near as one that it senses; the agent is both of the pair.
+    Rank,
     /// The angle of an agent, which is both of the pair, or the difference of the angles of a pair, comes to half a turn.
     Turn,
 }
@@ -19,7 +21,7 @@ pub struct Next {
     pub time: f64,
     pub pair: (usize, usize),
     pub kind: Kind,
-    /// How often these were restarted when this was found; it is void if they were restarted since.
+    /// How often these were restarted when this was found, for a rank how often it was looked for; it is void if that has changed since.
     pub restarts: (u32, u32),
 }
 

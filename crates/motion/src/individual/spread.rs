@@ -13,7 +13,7 @@ const NOTICED: f64 = 0.25;
 /// How far a change has come.
 struct Spread {
     changed: Vec<usize>,
-    /// Neighbours of these that do not notice, so far.
+    /// Those that sense these and do not notice, so far.
     asked: Vec<usize>,
 }
 
@@ -145,14 +145,14 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
         Ok(())
     }
 
-    /// Asks the neighbours of some that changed.
+    /// Asks those that sense some that changed.
     fn ask(&mut self, time: f64, spread: &mut Spread, changed: &[usize]) {
         for &agent in changed {
             self.together.set_changed(agent);
         }
         for &agent in changed {
-            for k in 0..self.agents[agent].neighbours.len() {
-                let other = self.agents[agent].neighbours[k].agent;
+            for k in 0..self.agents[agent].observers.len() {
+                let other = self.agents[agent].observers[k];
                 if self.together.see(other) {
                     self.bring(time, other);
                     spread.asked.push(other);

@@ -3,7 +3,7 @@
 use super::cells::Place;
 use super::next::{Kind, Next};
 use super::path::{LENGTH, ORDER, Path};
-use super::{FARTHEST, IndividualFlock, IndividualLaw, Pace, Pair, Turns};
+use super::{FARTHEST, IndividualFlock, IndividualLaw, Pace, Pair, Sensing, Turns};
 use crate::{FollowError, IntegrationError, first_fall};
 use std::cmp::Reverse;
 use std::f64::consts::{PI, TAU};
@@ -12,7 +12,7 @@ use std::f64::consts::{PI, TAU};
 const LONGEST: f64 = 1.0;
 
 /// Computed values near zero are wrong by this many times what rounding does to the numbers that they are made of.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, F, M> {
     /// Puts new series into force and looks for what happens on them.
@@ -32,8 +32,11 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
             self.expect(until, Kind::End, (k, k));
             self.cells.put(Place { agent: k, anchor: path.place.map(|c| c[0]), reach });
         }
+        match self.sensing {
+            Sensing::Within(radius) => changed.iter().for_each(|&k| self.watch_radius(time, k, radius)),
+            Sensing::Nearest => self.watch_ranks(time, changed),
+        }
         for &k in changed {
-            self.watch(time, k);
             match self.law.turns() {
                 Turns::Never => {}
                 Turns::OfAgents => self.watch_angle(time, k),
@@ -43,8 +46,12 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
         Ok(())
     }
 
-    fn expect(&mut self, time: f64, kind: Kind, pair: Pair) {
-        let restarts = (self.agents[pair.0].restarts, self.agents[pair.1].restarts);
+    pub(super) fn expect(&mut self, time: f64, kind: Kind, pair: Pair) {
+        let count = |agent: usize| match kind {
+            Kind::Rank => self.ranks.looks(agent),
+            _ => self.agents[agent].restarts,
+        };
+        let restarts = (count(pair.0), count(pair.1));
         self.queue.push(Reverse(Next { time, pair, kind, restarts }));
     }
 
@@ -62,7 +69,7 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
                 of(ORDER).min(of(ORDER - 1)).min(LONGEST)
             }
         };
-        let farthest = FARTHEST * self.radius;
+        let farthest = FARTHEST * self.scale;
         let mut reach = path.reach(length);
         while reach > farthest {
             length *= (farthest / reach).clamp(0.1, 0.9);
@@ -77,25 +84,25 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
     }
 
     /// Finds the next arrivals of an agent's pairs at the radius while both series last.
-    fn watch(&mut self, time: f64, i: usize) {
+    fn watch_radius(&mut self, time: f64, i: usize, radius: f64) {
         let own = &self.agents[i];
         let point = own.path.place.map(|c| c[0]);
         let mut found = Vec::new();
         for other in self.cells.around(point) {
             let (x, y) = (point[0] - other.anchor[0], point[1] - other.anchor[1]);
-            let (square, both) = (x * x + y * y, own.reach + other.reach + 1e-9 * self.radius);
-            let (near, far) = (self.radius - both, self.radius + both);
+            let (square, both) = (x * x + y * y, own.reach + other.reach + 1e-9 * radius);
+            let (near, far) = (radius - both, radius + both);
             let j = other.agent;
             if square > far * far || square < near * near || j == i || self.is_asked_twice(i, j) {
                 continue;
             }
             let agent = &self.agents[j];
             let mut side = own.path.squared_distance(&agent.path.after(time - agent.from));
-            side[0] -= self.radius * self.radius;
+            side[0] -= radius * radius;
             if own.place(j).is_ok() {
                 side.iter_mut().for_each(|c| *c = -*c);
             }
-            let rounding = self.radius * (self.radius + 2.0 * (point[0].abs() + point[1].abs()));
+            let rounding = radius * (radius + 2.0 * (point[0].abs() + point[1].abs()));
             leave(&mut side, rounding);
             let length = own.until.min(agent.until) - time;
             found.extend(first_fall(&side, length).map(|delay| (time + delay, (i.min(j), i.max(j)))));

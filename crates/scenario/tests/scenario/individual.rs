@@ -41,7 +41,8 @@ impl Crowd {
 
     /// So many others stand far from these and from each other.
     fn among(&self, others: usize) -> Self {
-        let far = |k: usize| [30.0 + 12.0 * (k % 20) as f64, -30.0 - 12.0 * (k / 20) as f64];
+        // Not on a lattice, where the nearest would be at equal distances.
+        let far = |k: usize| [30.0 + 12.0 * (k % 20) as f64 + (k as f64).sin(), -30.0 - 12.0 * (k / 20) as f64];
         Crowd {
             places: self.places.iter().copied().chain((0..others).map(far)).collect(),
             angles: self.angles.iter().copied().chain(vec![0.5; others]).collect(),
@@ -84,7 +85,7 @@ fn compared((together, alone): &(Outcome, Outcome), count: usize, allowed: f64, 
     let same = |event: &Event| (event.pair, event.gained);
     let sorted = |outcome: &Outcome| {
         // Of links that come at the very start only some are told.
-        let later = outcome.events.iter().filter(|event| event.time > 0.0);
+        let later = outcome.events.iter().filter(|event| event.time > 0.0 && event.pair.0 <= count);
         let mut events: Vec<_> = later.map(|event| (same(event), event.time)).collect();
         events.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
         events
@@ -206,6 +207,14 @@ fn particles_one_by_one_switch_as_all_together() {
             };
             let switches = compared(&both(&crowd, text), count, 1e-7, &format!("{law}, {count} particles"));
             assert!(count < 9 || switches > 5, "{switches}");
+            for nearest in [1, 4].into_iter().filter(|nearest| *nearest < count) {
+                let text = |crowd: &Crowd| {
+                    text(crowd).replace("\"within\"\nradius = 2", &format!("\"nearest\"\nnearest = {nearest}"))
+                };
+                let what = format!("{law}, {nearest} nearest of {count} particles");
+                let switches = compared(&both(&crowd, text), count, 1e-7, &what);
+                assert!(count < 9 || switches > 5, "{switches}");
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ use arithmetic::{Unwatched, rational};
 use models::double_integrator::{
     Alignment, EventKind, Flock, Motion, Network, Options, Pair, Potential, State, VelocityLaw, random_flock,
 };
-use motion::{IndividualFlock, Pace, Switch, Tolerance};
+use motion::{IndividualFlock, Pace, Sensing, Switch, Tolerance};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
@@ -43,7 +43,8 @@ struct Run {
 fn alone(state: &State<f64>, times: &[f64], pace: Pace) -> Run {
     let links = flock(state).links_at_start();
     let start = state.individuals(&vec![[]; state.count()]);
-    let mut flock = IndividualFlock::new(VelocityLaw::new(&potential()), RADIUS, &start, &links, pace).unwrap();
+    let mut flock =
+        IndividualFlock::new(VelocityLaw::new(&potential()), Sensing::Within(RADIUS), &start, &links, pace).unwrap();
     let mut switches = Vec::new();
     for &time in times {
         assert!(flock.advance(time, &mut switches, &Unwatched).unwrap());
