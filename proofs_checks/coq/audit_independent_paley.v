@@ -1,9 +1,9 @@
 (* Clauses of the claims about Paley's paper, formalised from their words before the theorems were looked at; the theorems
-   prove them, but for one. *)
+   prove them. *)
 From Coq Require Import Reals Lra Lia List Relations Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_fourier paley_particles paley_patterns.
-From Flockproof Require paley_fish paley_centre paley_composite paley_stability.
+From Flockproof Require paley_fish paley_centre paley_convergence paley_composite paley_stability.
 Open Scope R_scope.
 
 (* particles (1), (2) with steering u at time t *)
@@ -20,7 +20,7 @@ Definition S17 (n : nat) (adj : graph) (w0 : R) (r : nat -> C) (th : nat -> R) :
   / (2 * INR n) * Sum n (fun k => inner (ck w0 r th k) (Csum n (fun j => RtoC (lap n adj k j) * ck w0 r th j))%C).
 Definition u20 n adj w0 K0 r th k := w0 + w0 * (K0 / INR n) * Lc n adj w0 r th k.
 
-(* paley.thm2.center clause 1, not proved here: under (20) thdot tends to w0 and the centres to one point; undirected connected graph *)
+(* paley.thm2.center clause 1: under (20) thdot tends to w0 and the centres to one point; undirected connected graph *)
 Definition thm2_1 : Prop := forall n adj w0 K0 r th, (1 <= n)%nat -> undirected adj -> no_loops adj -> strongly_connected n adj ->
   w0 <> 0 -> 0 < K0 -> (forall t, 0 <= t -> particles n r th (u20 n adj w0 K0 (at_time r t) (at_time th t)) t) ->
   exists c0 : C, forall k, (k < n)%nat -> forall e, 0 < e -> exists T, forall t, T <= t ->
@@ -256,6 +256,17 @@ Proof.
   - intros N. apply (pattern_balanced M n th Hn); [|exact P]. destruct (Nat.le_gt_cases 2 M) as [L|L]; [exact L|]. exfalso. apply N.
     destruct P as [HM [th0 [cl [P _]]]]. intros j k Hj Hk. destruct (P j Hj) as [Cj Ej]. destruct (P k Hk) as [Ck Ek].
     rewrite Ej, Ek. replace (cl j) with (cl k) by lia. reflexivity.
+Qed.
+Lemma thm2_1_proved : thm2_1.
+Proof.
+  intros n adj w0 K0 r th Hn S _ SC W HK M.
+  destruct (paley_convergence.centres_meet n adj w0 K0 r th Hn S SC W HK) as (c0 & T & A & m & _ & Hm & H).
+  { intros k t Hk Ht. destruct (M t Ht k Hk) as [V D]. split; [exact V|]. unfold u20 in D. rewrite Rmult_assoc in D. exact D. }
+  exists c0. intros k Hk e He. destruct (paley_convergence.exp_small m e A Hm He) as [T' [_ L]]. exists (Rmax T T'). intros t Ht.
+  pose proof (Rmax_l T T'). pose proof (Rmax_r T T'). specialize (L t ltac:(lra)). destruct (H k t Hk ltac:(lra)) as [P Q]. split.
+  - exact (Rle_lt_trans _ _ _ P L).
+  - unfold u20. rewrite Rmult_assoc. match goal with |- Rabs (?a + ?b - ?a) < e => replace (a + b - a) with b by ring end.
+    exact (Rle_lt_trans _ _ _ Q L).
 Qed.
 (* equal directions: phases apart by whole turns; a motion with each phase moved by whole turns is a motion *)
 Lemma turned n adj w0 K0 r th (s : nat -> R) t : (forall k a, expi (th k a + s k) = expi (th k a)) ->

@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums paley_centre paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_composite paley_fish paley_behaviours tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
+From Flockproof Require Import RealSums paley_centre paley_convergence paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_composite paley_fish paley_behaviours tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -833,3 +833,21 @@ Check (paley_centre.centre_by_start :
        paley_centre.spaced n adj w0 K0 r th -> paley_centre.spaced n adj w0 K0 r' th' ->
        (forall k, (k < n)%nat -> r k 0 = r' k 0 /\ th k 0 = th' k 0) ->
        paley_centre.centres_tend n w0 r th c -> paley_centre.centres_tend n w0 r' th' c' -> c = c').
+
+(* paley.thm2.center, clauses 1 and 3: every solution, one point c0 *)
+Check (paley_convergence.centres_meet :
+  forall (n : nat) (adj : graph) (w0 K0 : R) (r : nat -> R -> C) (th : nat -> R -> R), (1 <= n)%nat ->
+       undirected adj -> strongly_connected n adj -> w0 <> 0 -> 0 < K0 -> paley_centre.spaced n adj w0 K0 r th ->
+       exists (c0 : C) (T A m : R), 0 <= T /\ 0 < m /\ forall k t, (k < n)%nat -> T <= t ->
+         Cmod (circle_centre w0 (r k t) (th k t) - c0)%C <= A * exp (- m * t) /\
+         Rabs (w0 * (K0 / INR n * aS n adj w0 (fun j => r j t) (fun j => th j t) k)) <= A * exp (- m * t)).
+
+(* paley.thm2: every solution tends to a circular formation, in position and in heading; the last line says that position and heading belong
+   to one circle about c0, and the angle phi + w0 t about c0 turns in the direction of the sign of w0 *)
+Check (paley_convergence.thm2 :
+  forall (n : nat) (adj : graph) (w0 K0 : R) (r : nat -> R -> C) (th : nat -> R -> R), (1 <= n)%nat ->
+       undirected adj -> strongly_connected n adj -> w0 <> 0 -> 0 < K0 -> paley_centre.spaced n adj w0 K0 r th ->
+       exists (c0 : C) (T A m : R), 0 < m /\ forall k, (k < n)%nat -> exists psi phi : R, forall t, T <= t ->
+         Rabs (th k t - (psi + w0 * t)) <= A * exp (- m * t) /\
+         Cmod (r k t - (c0 + RtoC (/ Rabs w0) * expi (phi + w0 * t)))%C <= A * exp (- m * t) /\
+         circle_centre w0 (c0 + RtoC (/ Rabs w0) * expi (phi + w0 * t))%C (psi + w0 * t) = c0).

@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 97] = sources![
+const SOURCES: [(&str, &str); 98] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -43,6 +43,7 @@ const SOURCES: [(&str, &str); 97] = sources![
     "paley_fourier",
     "paley_particles",
     "paley_centre",
+    "paley_convergence",
     "paley_patterns",
     "paley_composite",
     "paley_fish",

@@ -150,12 +150,12 @@ fn mean_centre() -> StateIdentity<'static> {
 pub fn fixed_centre() -> Record<ConvergenceVariant> {
     Record::new(
         "paley.thm2.center",
-        "The limit set is that of Theorem 2. Near it S decays by a fixed factor per turn (notes: S is \
-         quadratic in c, so the ratio of S over one turn extends continuously to S = 0, where it is below \
-         1), so sqrt(S), |sigma| and |cdot_k| are integrable: each c_k converges to one c_0, which is \
-         fixed, and which the closed loop determines from the initial state alone (nothing in the law names \
-         a place). It is not the initial mean of the centres. The centre of mass is c_0 - (i/w0) p_theta \
-         and turns unless p_theta = 0.",
+        "The limit set is that of Theorem 2. Once the sigma_k are small, S - (d/w0) sum_k <e^{i theta_k}, L_k \
+         c><i e^{i theta_k}, L_k c> with a small d > 0 decreases at a rate proportional to itself (notes), \
+         so S decays exponentially and sqrt(S), |sigma| and |cdot_k| are integrable: each c_k converges to \
+         one c_0, which is fixed, and which the closed loop determines from the initial state alone \
+         (nothing in the law names a place). It is not the initial mean of the centres. The centre of mass \
+         is c_0 - (i/w0) p_theta and turns unless p_theta = 0.",
         ConvergenceVariant::PRINTED,
         examine_fixed_centre,
     )
