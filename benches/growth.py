@@ -58,8 +58,8 @@ def scenario(agents, steps, folder):
 ALIGNING = 'potential = "inverse-square-log"'
 
 
-def located(model, law, agents, folder):
-    text = 'model = "%s"\n[graph]\nkind = "within"\nradius = 2\n[state]\n' % model
+def located(model, law, agents, folder, graph='kind = "within"\nradius = 2'):
+    text = 'model = "%s"\n[graph]\n%s\n[state]\n' % (model, graph)
     text += 'random = { agents = %d, seed = 1, place = "grid", spacing = 1, half = "3/10" }\n' % agents
     text += '[law]\n%s\n[run]\nuntil = 1\nrows = 2\ntolerance = 1e-8\n' % law
     return write(folder, "located.toml", text)
@@ -120,6 +120,10 @@ ROWS = [
      command("simulate", lambda n, f: located("heading-alignment", ALIGNING, n, f), "--out", OUT), 1.0, "the same"),
     ("simulate, located particles", "agents", [1000, 4000, 16000],
      command("simulate", lambda n, f: located("particles", "omega0 = 1\nK0 = %d\nK1 = -%d" % (n // 20, n // 5), n, f), "--out", OUT),
+     1.0, "the same"),
+    ("simulate, located nearest", "agents", [1000, 4000, 16000],
+     command("simulate", lambda n, f: located("particles", "omega0 = 1\nK0 = %d\nK1 = -%d" % (n // 20, n // 5), n, f,
+                                              'kind = "nearest"\nnearest = 5'), "--out", OUT),
      1.0, "the same"),
     ("tracks", "frames", [500, 1000, 2000], command("tracks", lambda n, f: school(8, n, f), "--out", OUT), 1.0, "frames"),
     ("tracks", "fish", [8, 16, 32], command("tracks", lambda n, f: school(n, 300, f), "--out", OUT), 2.0,
