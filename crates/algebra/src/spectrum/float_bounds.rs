@@ -3,7 +3,7 @@
 use arithmetic::{Dyadic, Interval, Rational, Real};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatRef, Par};
-use num_traits::{Signed, ToPrimitive};
+use num_traits::ToPrimitive;
 
 /// Half an ulp of one: the relative error of a rounding.
 pub(super) const UNIT: f64 = f64::EPSILON / 2.0;
@@ -29,9 +29,9 @@ pub(super) fn nearest(q: &Rational) -> Option<(f64, f64)> {
     RANGE.contains(&size).then_some((value, if exact { 0.0 } else { 4.0 * UNIT * size }))
 }
 
-/// `sign * sqrt(q)` for a non-negative rational in the same way.
+/// `sign * sqrt(q)` in the same way; `None` for a negative rational too.
 pub(super) fn nearest_root(q: &Rational, sign: f64) -> Option<(f64, f64)> {
-    let root = Interval::from_rational(&q.abs(), 64).sqrt().ok()?;
+    let root = Interval::from_rational(q, 64).sqrt().ok()?;
     let value = root.to_f64();
     // The enclosure has 64 bits, the float 53.
     RANGE.contains(&value).then_some((sign * value, 4.0 * UNIT * value))

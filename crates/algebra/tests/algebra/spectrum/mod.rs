@@ -18,10 +18,11 @@ mod abscissa;
 mod circulants;
 mod closed_forms;
 mod enclosures;
+mod rounding;
 mod stability;
 mod transforms;
 
-use algebra::spectrum::{Polynomial, RealRoot, Recurrence, RecurrenceError};
+use algebra::spectrum::{Polynomial, Recurrence, RecurrenceError};
 use arithmetic::{Rational, Sign, Unwatched, rational};
 use num_bigint::BigInt;
 use num_traits::Signed;
