@@ -18,6 +18,7 @@ mod abscissa;
 mod circulants;
 mod closed_forms;
 mod enclosures;
+mod parts;
 mod rounding;
 mod stability;
 mod transforms;
