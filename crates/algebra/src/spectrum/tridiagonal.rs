@@ -96,21 +96,28 @@ impl Tridiagonal {
         let rounding = 2.0 * UNIT * (size + first);
         let places: Vec<usize> = (0..values.len()).collect();
         // Each half of the lanes holds the lower and the upper ends of as many eigenvalues.
-        let radii = places.par_chunks(LANES / 2).map(|chunk| {
+        let found = places.par_chunks(LANES / 2).map(|chunk| {
             let end = |lane: usize| {
                 let k = chunk[(lane / 2).min(chunk.len() - 1)];
                 if lane.is_multiple_of(2) { values[k] - first } else { values[k] + first }
             };
             let counts = self.counts(std::array::from_fn(end));
-            let radius = |(slot, &k): (usize, &usize)| {
+            let enclosure = |(slot, &k): (usize, &usize)| {
                 let proved = counts[2 * slot] <= k && counts[2 * slot + 1] > k;
-                if proved { Some(first + rounding) } else { self.radius(values[k], k, first) }
+                if proved { Some((values[k], first + rounding)) } else { self.bisected(values[k], k, first) }
             };
-            chunk.iter().enumerate().map(radius).collect::<Option<Vec<f64>>>()
+            chunk.iter().enumerate().map(enclosure).collect::<Option<Vec<(f64, f64)>>>()
         });
-        let radii: Vec<Vec<f64>> = radii.collect::<Option<_>>()?;
+        let found: Vec<Vec<(f64, f64)>> = found.collect::<Option<_>>()?;
         let whole = |radius: f64| ((radius + self.spread) * SLACK).next_up();
-        Some(values.into_iter().zip(radii.into_iter().flatten().map(whole)).collect())
+        let mut last = f64::NEG_INFINITY;
+        let in_order = |(value, radius): (f64, f64)| {
+            // Of two that are as good as equal the centres may be exchanged.
+            let moved = (last - value).max(0.0);
+            last = value + moved;
+            (last, whole(radius + 2.0 * moved))
+        };
+        Some(found.into_iter().flatten().map(in_order).collect())
     }
 
     /// The numbers of eigenvalues below each shift, for a matrix within `spread`.
@@ -118,16 +125,33 @@ impl Tridiagonal {
         pulp::Arch::new().dispatch(Counts { matrix: self, shifts }).map(|count| count as usize)
     }
 
-    /// A radius around a value that the counts prove to hold eigenvalue `k`.
-    fn radius(&self, value: f64, k: usize, first: f64) -> Option<f64> {
-        let mut radius = first;
+    /// A centre and a radius of about `wanted` that the counts prove to hold eigenvalue `k`, which is somewhere about a value: among several close to
+    /// each other the iteration may have come to another one.
+    fn bisected(&self, value: f64, k: usize, wanted: f64) -> Option<(f64, f64)> {
+        let (mut lo, mut hi) = self.bracket(value, k, wanted)?;
+        for _ in 0..MOST_DOUBLINGS {
+            if hi - lo <= 2.0 * wanted {
+                break;
+            }
+            let part = (hi - lo) / (LANES + 1) as f64;
+            let shifts = std::array::from_fn(|lane| lo + part * (lane + 1) as f64);
+            let above = self.counts(shifts).iter().position(|count| *count > k);
+            lo = above.map_or(LANES, |above| above).checked_sub(1).map_or(lo, |below| shifts[below]);
+            hi = above.map_or(hi, |above| shifts[above]);
+        }
+        // The centre and the differences are rounded.
+        let centre = lo.midpoint(hi);
+        Some((centre, (hi - centre).max(centre - lo) + UNIT * (lo.abs() + hi.abs())))
+    }
+
+    /// Two numbers between which the counts prove eigenvalue `k` to be, no nearer to a value than twice the radius.
+    fn bracket(&self, value: f64, k: usize, mut radius: f64) -> Option<(f64, f64)> {
         for _ in 0..MOST_DOUBLINGS {
             radius *= 2.0;
             let (lo, hi) = (value - radius, value + radius);
             let counts = self.counts(std::array::from_fn(|lane| if lane == 0 { lo } else { hi }));
             if counts[0] <= k && counts[1] > k {
-                // The ends themselves are rounded.
-                return Some(radius + UNIT * (lo.abs() + hi.abs()));
+                return Some((lo, hi));
             }
         }
         None
@@ -318,5 +342,45 @@ impl pulp::WithSimd for Counts<'_> {
             }
         }
         counts
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use arithmetic::rational;
+
+    /// Twice the largest error of a diagonal entry that is rounded, with squares that are rounded too.
+    #[test]
+    fn a_matrix_of_rationals_is_known_up_to_the_rounding_of_its_entries() {
+        let third = |n: i64| rational(n, 3);
+        let entries = [
+            (0, 0, third(-7)),
+            (0, 1, third(2)),
+            (1, 0, third(8)),
+            (1, 1, third(1)),
+            (1, 2, third(1)),
+            (2, 1, third(1)),
+        ];
+        let matrix = Tridiagonal::new(&SparseMatrix::from_entries(3, entries), &[0, 1, 2]).expect("in range");
+        let derived = 4.0 * UNIT * (7.0 / 3.0) + 14.0 * UNIT * (4.0 / 3.0);
+        assert!(derived <= matrix.spread && matrix.spread <= derived * SLACK * SLACK, "{}", matrix.spread / UNIT);
+    }
+
+    #[test]
+    fn a_value_that_is_off_leads_to_the_eigenvalue() {
+        let matrix = Tridiagonal::from_floats(vec![1.0, 2.0, 4.0], &[0.0, 0.0]);
+        for (k, exact) in [1.0, 2.0, 4.0].into_iter().enumerate() {
+            for off in [-0.9, -0.3, -1e-9, 0.0, 1e-9, 0.3, 0.9] {
+                let (lo, hi) = matrix.bracket(exact + off, k, 1e-14).expect("a bracket");
+                assert!(lo <= exact && exact <= hi && hi - lo <= f64::abs(off) * 4.1 + 5e-14, "{k}, {off}: {lo} {hi}");
+                let (centre, radius) = matrix.bisected(exact + off, k, 1e-14).expect("a radius");
+                assert!((centre - exact).abs() <= radius && radius <= 1.1e-14, "{k}, {off}: {centre} {radius}");
+            }
+        }
+        assert!(matrix.bracket(1e99, 0, 1e-14).is_none());
+        // One look at sixteen places cuts a bracket of [3, 5] into seventeen parts.
+        let (centre, radius) = matrix.bisected(4.0, 2, 0.5).expect("a radius");
+        assert!((centre - 4.0).abs() < 1e-14 && (radius - 1.0 / 17.0).abs() < 1e-14, "{centre} {radius}");
     }
 }

@@ -22,6 +22,7 @@ mod parts;
 mod rounding;
 mod stability;
 mod transforms;
+mod tridiagonals;
 
 use algebra::spectrum::{Polynomial, Recurrence, RecurrenceError};
 use arithmetic::{Rational, Sign, Unwatched, rational};
