@@ -119,3 +119,73 @@ pub(super) fn path_order(a: &SparseMatrix) -> Option<Vec<usize>> {
 pub(super) fn single(a: &SparseMatrix) -> Option<Rational> {
     (a.order() == 1).then(|| a.get(0, 0).cloned().unwrap_or_else(Rational::zero))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(order: usize, entries: &[(usize, usize, (i64, i64))]) -> SparseMatrix {
+        SparseMatrix::from_entries(order, entries.iter().map(|&(i, j, (p, q))| (i, j, rational(p, q))))
+    }
+
+    /// A directed ring `0 - 1 - .. - 0` with these entries there and back.
+    fn ring(there: &[i64], back: &[i64]) -> SparseMatrix {
+        let order = there.len();
+        let arc = |i: usize| [(i, (i + 1) % order, (there[i], 1)), ((i + 1) % order, i, (back[i], 1))];
+        of(order, &(0..order).flat_map(arc).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn rings_are_symmetrisable_where_the_products_around_are_equal() {
+        assert!(is_symmetrisable(&ring(&[1, 2, 3], &[1, 2, 3])));
+        assert!(is_symmetrisable(&ring(&[2, 3, 5, 7], &[5, 7, 3, 2])));
+        assert!(!is_symmetrisable(&ring(&[2, 3, 5, 7], &[5, 7, 3, 3])));
+        assert!(is_symmetrisable(&ring(&[-2, 3, 4], &[-4, 2, 3])));
+        assert!(!is_symmetrisable(&ring(&[-2, 3, 4], &[4, 2, 3])));
+        // Trees always are, if opposite entries have the same sign; whatever stands on the diagonal.
+        let tree = [(0, 1, (2, 1)), (1, 0, (1, 3)), (1, 2, (-1, 1)), (2, 1, (-5, 1)), (2, 2, (7, 1))];
+        assert!(is_symmetrisable(&of(3, &tree)));
+        assert!(!is_symmetrisable(&of(2, &[(0, 1, (2, 1)), (1, 0, (-1, 3))])));
+        assert!(!is_symmetrisable(&of(2, &[(0, 1, (2, 1))])));
+    }
+
+    #[test]
+    fn entries_are_roots_of_the_products_of_opposite_ones() {
+        let a = of(3, &[(0, 1, (2, 1)), (1, 0, (8, 1)), (1, 2, (-3, 1)), (2, 1, (-12, 1)), (0, 0, (5, 1))]);
+        let value = |i: usize, j: usize| symmetric_entry(&a, i, j).expect("in range").0;
+        assert_eq!([value(0, 1), value(1, 0), value(1, 2), value(2, 1)], [4.0, 4.0, -6.0, -6.0]);
+        assert_eq!([symmetric_entry(&a, 0, 0), symmetric_entry(&a, 0, 2)], [Some((5.0, 0.0)), Some((0.0, 0.0))]);
+    }
+
+    #[test]
+    fn the_error_of_a_matrix_is_that_of_its_entries_together() {
+        for order in [2, 5, MANY_ROWS - 1, MANY_ROWS, MANY_ROWS + 1] {
+            let entries = (0..order).flat_map(|i| [(i, (i + 1) % order), ((i + 1) % order, i)]);
+            let thirds = SparseMatrix::from_entries(order, entries.clone().map(|(i, j)| (i, j, rational(2, 3))));
+            for is_symmetric in [true, false] {
+                let found = symmetrised(&thirds, is_symmetric).expect("in range");
+                let count = found.rows.iter().map(Vec::len).sum::<usize>() as f64;
+                let derived = count.sqrt() * 4.0 * super::super::float_bounds::UNIT * found.rows[0][0].1.abs();
+                assert!(derived <= found.error && found.error <= derived * (1.0 + 1e-5), "{order}");
+                assert_eq!(found.rows.len(), order);
+            }
+            let whole = SparseMatrix::from_entries(order, entries.map(|(i, j)| (i, j, rational(3, 1))));
+            assert_eq!(symmetrised(&whole, true).map(|found| found.error), Some(0.0));
+        }
+    }
+
+    #[test]
+    fn paths_are_found_and_nothing_else() {
+        let graph = |order: usize, edges: &[(usize, usize)]| {
+            of(
+                order,
+                &edges.iter().flat_map(|&(i, j)| [(i, j, (1, 1)), (j, i, (1, 1)), (i, i, (2, 1))]).collect::<Vec<_>>(),
+            )
+        };
+        assert_eq!(path_order(&graph(4, &[(2, 0), (0, 3), (3, 1)])), Some(vec![1, 3, 0, 2]));
+        assert_eq!(path_order(&of(1, &[(0, 0, (1, 1))])), Some(vec![0]));
+        assert_eq!(path_order(&graph(3, &[(0, 1), (1, 2), (2, 0)])), None);
+        assert_eq!(path_order(&graph(4, &[(0, 1), (1, 2), (1, 3)])), None);
+        assert_eq!(path_order(&graph(4, &[(0, 1), (1, 2), (2, 3), (3, 1)])), None);
+    }
+}

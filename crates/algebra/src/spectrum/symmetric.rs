@@ -169,3 +169,100 @@ fn dense(s: &Symmetric) -> Mat<f64> {
     }
     matrix
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whole numbers up to 4 in size, so that all sums are exact.
+    fn whole(a: usize, b: usize) -> f64 {
+        ((a * 7 + b * b * 3 + a * b) % 9) as f64 - 4.0
+    }
+
+    /// The matrix with these entries, those of value zero left out.
+    fn matrix(order: usize, error: f64, entry: impl Fn(usize, usize) -> f64) -> Symmetric {
+        let row = |i: usize| (0..order).map(|j| (j, entry(i.min(j), i.max(j)))).filter(|(_, x)| *x != 0.0).collect();
+        Symmetric { rows: (0..order).map(row).collect(), error }
+    }
+
+    /// Any `Q` and `T` of whole numbers beside it.
+    fn beside(s: &Symmetric, is_dense: bool) -> Reduced {
+        let order = s.rows.len();
+        let panel = |&start: &usize| Mat::from_fn(order, PANEL.min(order - start), |i, j| whole(i + 2, start + j));
+        Reduced {
+            diagonal: (0..order).map(|k| whole(k, 5)).collect(),
+            beside: (1..order).map(|k| whole(k, 1)).collect(),
+            panels: (0..order).step_by(PANEL).collect::<Vec<_>>().iter().map(panel).collect(),
+            least: 1.0,
+            split: is_dense.then(|| Split::new(dense(s))),
+        }
+    }
+
+    /// The square of `‖SQ - QT‖`, from the definition.
+    fn exact_square(s: &Symmetric, reduced: &Reduced) -> f64 {
+        let (order, s) = (s.rows.len(), dense(s));
+        let q = |i: usize, k: usize| reduced.column(k)[i];
+        let t = |j: usize, k: usize| match j.abs_diff(k) {
+            0 => reduced.diagonal[k],
+            1 => reduced.beside[j.min(k)],
+            _ => 0.0,
+        };
+        let near = |k: usize| k.saturating_sub(1)..(k + 2).min(order);
+        let entry = |(i, k): (usize, usize)| {
+            let left: f64 = (0..order).map(|j| s[(i, j)] * q(j, k)).sum();
+            left - near(k).map(|j| q(i, j) * t(j, k)).sum::<f64>()
+        };
+        (0..order).flat_map(|i| (0..order).map(move |k| (i, k))).map(|place| entry(place).powi(2)).sum()
+    }
+
+    #[test]
+    fn residuals_are_rounded_up_and_hardly_at_all() {
+        for order in [2, 3, 4, 5, 6, 7, 130, 259] {
+            let s = matrix(order, 0.0, |i, j| if (i + j) % 5 < 2 || j < i + 2 { whole(i, j) } else { 0.0 });
+            for is_dense in [false, true] {
+                let reduced = beside(&s, is_dense);
+                let exact = exact_square(&s, &reduced).sqrt();
+                let found = reduced.residual(&s);
+                assert!(exact <= found && found <= exact * (1.0 + 1e-5), "{order}, {is_dense}: {exact} {found}");
+            }
+        }
+    }
+
+    /// Where `SQ = QT` exactly, with `Q` the identity, what is left is what rounding might have done.
+    #[test]
+    fn rounding_counts_as_derived() {
+        for order in [3, 40, 129] {
+            let s = matrix(order, 0.0, |i, j| if j == i + 1 { 3.0 } else { 0.0 });
+            for is_dense in [false, true] {
+                let identity = beside(&s, is_dense);
+                let column = |j: usize| move |i: usize, k: usize| f64::from(u8::from(i == j + k));
+                let panels = identity.panels.iter().enumerate();
+                let panels = panels.map(|(n, panel)| Mat::from_fn(order, panel.ncols(), column(n * PANEL))).collect();
+                let reduced = Reduced { diagonal: vec![0.0; order], beside: vec![3.0; order - 1], panels, ..identity };
+                let found = reduced.residual(&s);
+                // |T| <= 6, |S| <= 6, |Q| = sqrt(n) in the Frobenius norm, and seven terms: two products, three of the image, two more sums.
+                let (size, norm) = ((order as f64).sqrt(), (18.0 * (order - 1) as f64).sqrt());
+                let derived = match is_dense {
+                    false => 7.0 * UNIT * 12.0 * size,
+                    // The exact parts of the products, by panels, and those of the images.
+                    true => 8.0 * UNIT * 6.0 * size + 8.0 * UNIT * norm,
+                };
+                let most = if is_dense { 8.0 * UNIT * (6.0 * size + 2.0 * norm) } else { derived };
+                assert!(derived <= found && found <= most * (1.0 + 1e-5), "{order}, {is_dense}: {}", found / UNIT);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_known_of_the_entries_counts() {
+        let all = |order: usize| matrix(order, 0.25, |i, j| whole(i, j));
+        for order in [1, 2, 5, 30] {
+            for (_, radius) in symmetric_floats(&all(order)).expect("a bound") {
+                assert!((0.25..0.25 + 1e-6).contains(&radius), "{order}: {radius}");
+            }
+        }
+        let first = |order: usize| symmetric_floats(&all(order)).expect("a bound").first().copied();
+        assert_eq!((first(0), first(1)), (None, Some((whole(0, 0), 0.25))));
+        assert_eq!(symmetric_floats(&matrix(1, 0.5, |_, _| 0.0)), Some(vec![(0.0, 0.5)]));
+    }
+}
