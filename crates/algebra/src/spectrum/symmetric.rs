@@ -255,7 +255,7 @@ mod tests {
 
     #[test]
     fn what_is_not_known_of_the_entries_counts() {
-        let all = |order: usize| matrix(order, 0.25, |i, j| whole(i, j));
+        let all = |order: usize| matrix(order, 0.25, whole);
         for order in [1, 2, 5, 30] {
             for (_, radius) in symmetric_floats(&all(order)).expect("a bound") {
                 assert!((0.25..0.25 + 1e-6).contains(&radius), "{order}: {radius}");
