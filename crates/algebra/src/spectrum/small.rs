@@ -90,3 +90,57 @@ fn radius(s: &[f64], n: usize, values: &[f64], vectors: &[f64]) -> Option<f64> {
     // The last rounding of `1 - departure` is covered by SLACK while the departure is small.
     (departure < 0.1 && bound.is_finite()).then_some(bound)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn assert_near(found: Option<f64>, exact: f64) {
+        let found = found.expect("a bound");
+        assert!(exact <= found && found <= exact * (1.0 + 1e-5), "{found} instead of {exact}");
+    }
+
+    fn identity(n: usize) -> Vec<f64> {
+        (0..n * n).map(|k| f64::from(u8::from(k % (n + 1) == 0))).collect()
+    }
+
+    #[test]
+    fn residuals_and_departures_are_rounded_up_and_hardly_at_all() {
+        // Vectors of length one at right angles, and values that are far off.
+        let s = [1.0, -2.0, 4.0, -2.0, 3.0, 0.0, 4.0, 0.0, -5.0];
+        assert_near(radius(&s, 3, &[2.0, 0.0, -1.0], &identity(3)), (1.0 + 9.0 + 16.0 + 2.0 * (4.0 + 16.0f64)).sqrt());
+        // Vectors of another length: |3 x - x| over sqrt(1 - |x² - 1|).
+        for x in [1.04, 0.97f64] {
+            assert_near(radius(&[3.0], 1, &[1.0], &[x]), 2.0 * x / (1.0 - (x * x - 1.0).abs()).sqrt());
+        }
+        // Vectors at another angle.
+        let (slant, departure) = (0.05f64, (0.0025f64.powi(2) + 2.0 * 0.05f64.powi(2)).sqrt());
+        let residual = (4.0 + 9.0 + (2.0 * slant).powi(2)).sqrt();
+        let found = radius(&[2.0, 0.0, 0.0, 2.0], 2, &[0.0, 5.0], &[1.0, slant, 0.0, 1.0]);
+        assert_near(found, residual / (1.0 - departure).sqrt());
+        assert!(radius(&[3.0], 1, &[1.0], &[1.05]).is_none() && radius(&[3.0], 1, &[f64::NAN], &[1.0]).is_none());
+    }
+
+    /// With exact values and vectors what is left is what rounding may have done: `(n + 2) u (|S| + max |t|) sqrt(n)`.
+    #[test]
+    fn rounding_counts_as_derived() {
+        for (n, entry) in [(1, -3.0), (2, 4.0), (5, -7.0), (30, 1.0)] {
+            let s: Vec<f64> = identity(n).iter().map(|x| x * entry).collect();
+            let root = (n as f64).sqrt();
+            let derived = (n + 2) as f64 * UNIT * (f64::abs(entry) * root + f64::abs(entry)) * root;
+            assert_near(radius(&s, n, &vec![entry; n], &identity(n)), derived);
+        }
+    }
+
+    #[test]
+    fn what_is_no_symmetric_matrix_is_refused() {
+        for (entries, order) in
+            [(vec![1.0; 3], 2), (vec![1.0; 4], 1), (vec![0.0, 1.0, 2.0, 0.0], 2), (vec![f64::NAN], 1)]
+        {
+            assert_eq!(small_symmetric_eigenvalues(&entries, order), None);
+        }
+        let last = [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 2.0, 0.0];
+        assert_eq!(small_symmetric_eigenvalues(&last, 3), None);
+        assert_eq!(small_symmetric_eigenvalues(&[], 0), Some(Vec::new()));
+    }
+}

@@ -78,6 +78,20 @@ fn products_of_floats_are_within_their_error_and_far_better_than_rounded_ones() 
     }
 }
 
+/// Two products of sums that are split after 25 bits: the parts beyond have the norm `2^-30 sqrt(2)`, and the error is `2 (2 + 2) u` times what they are multiplied with.
+#[test]
+fn the_error_of_a_product_is_as_derived() {
+    let long = 1.0 + 2f64.powi(-30);
+    for (left, right, parts) in [(1.0, 1.0, 0.0), (long, 1.0, 1.0), (1.0, -long, 1.0), (-long, long, 2.0)] {
+        let [a, b] =
+            [(1, 2, left), (2, 1, right)].map(|(rows, columns, entry)| Mat::from_fn(rows, columns, |_, _| entry));
+        let product = Split::new(a).times(&b);
+        let derived = 8.0 * UNIT * 2f64.powi(-29) * parts;
+        assert!(derived <= product.error && product.error <= derived * (1.0 + 1e-5) + 1e-160, "{left}, {right}");
+        assert_eq!(product.exact[(0, 0)], 2.0 * left.signum() * right.signum());
+    }
+}
+
 #[test]
 fn intervals_around_floats_hold_the_ends() {
     for (centre, radius) in [(1.0, 0.0), (-1.0, 0.3), (0.1, 0.2), (1e100, 1e84), (0.0, 1e-100)] {
