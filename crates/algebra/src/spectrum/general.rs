@@ -48,7 +48,7 @@ pub(super) fn general_spectrum(matrix: &SparseMatrix) -> Result<Vec<Eigenvalue>,
 const UNPROVED: SpectrumError =
     SpectrumError::Unproved("its eigenvectors are too close to dependent for floating point");
 
-/// Discs by the theorem above.
+/// Discs around computed eigenvalues.
 fn diagonalised(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
     let order = rows.len();
     let mut floats = Mat::<f64>::zeros(order, order);
@@ -56,9 +56,23 @@ fn diagonalised(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
         row.iter().for_each(|&(j, value, _)| floats[(i, j)] = value);
     }
     let eigen = floats.eigen().ok()?;
-    let (x, values) = (eigen.U(), eigen.S());
+    let values: Vec<c64> = (0..order).map(|k| eigen.S()[k]).collect();
+    discs(rows, &floats, eigen.U(), &values)?
+        .into_iter()
+        .zip(values)
+        .map(|(radius, centre)| disc(centre, radius))
+        .collect()
+}
+
+fn disc(centre: c64, radius: f64) -> Option<Eigenvalue> {
+    Some(Eigenvalue { re: around(centre.re, radius)?, im: around(centre.im, radius)?, multiplicity: 1, exact: None })
+}
+
+/// The radii of the theorem above for any `X` and `Λ`; `None` where `X` is too close to singular.
+fn discs(rows: &[Row], floats: &Mat<f64>, x: MatRef<'_, c64>, values: &[c64]) -> Option<Vec<f64>> {
+    let order = rows.len();
     let inverse = x.partial_piv_lu().inverse();
-    let image = image(rows, &floats, x);
+    let image = image(rows, floats, x);
     let residual = Mat::from_fn(order, order, |i, k| image[(i, k)] - values[k] * x[(i, k)]);
     // The rounding of AX - XΛ and of A, summed over each row: a row of |A||X| has the sum of |A| times the row sums of |X|.
     let sums_of_x = row_sums(x);
@@ -85,16 +99,7 @@ fn diagonalised(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
     let bound = |(own, inverse): (f64, f64)| (own + inverse * (rounding * residual_size + lost)) * SLACK + UNDERFLOW;
     let sums: Vec<f64> = row_sums(moved.as_ref()).into_iter().zip(inverse_sums).map(bound).collect();
     let common = e * largest(&sums) / (1.0 - e);
-    let disc = |i: usize| {
-        let radius = (sums[i] + common) * SLACK;
-        Some(Eigenvalue {
-            re: around(values[i].re, radius)?,
-            im: around(values[i].im, radius)?,
-            multiplicity: 1,
-            exact: None,
-        })
-    };
-    (0..order).map(disc).collect()
+    Some(sums.into_iter().map(|sum| (sum + common) * SLACK).collect())
 }
 
 /// A matrix with more than one entry in so many is multiplied as a dense one.
@@ -117,4 +122,95 @@ fn image(rows: &[Row], floats: &Mat<f64>, x: MatRef<'_, c64>) -> Mat<c64> {
 fn real_if_alone(part: Eigenvalue) -> Eigenvalue {
     let mirrored = *part.im.lo() == part.im.hi().negated();
     if part.multiplicity == 1 && mirrored { Eigenvalue::real(part.re, 1) } else { part }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn whole(a: usize, b: usize) -> f64 {
+        ((a * 7 + b * b * 3 + a * b) % 9) as f64 - 4.0
+    }
+
+    /// Rows with entries that are known up to `error`, and the same as a matrix.
+    fn matrix(order: usize, error: f64, entry: impl Fn(usize, usize) -> f64) -> (Vec<Row>, Mat<f64>) {
+        let row = |i: usize| (0..order).map(|j| (j, entry(i, j), error)).filter(|(_, x, _)| *x != 0.0).collect();
+        ((0..order).map(row).collect(), Mat::from_fn(order, order, entry))
+    }
+
+    /// Upper triangular with ones on the diagonal, whole numbers beside it: so is the inverse, and no product of few of them is rounded.
+    fn slanted(order: usize) -> Mat<c64> {
+        Mat::from_fn(order, order, |i, j| match j.checked_sub(i) {
+            Some(0) => c64::new(1.0, 0.0),
+            Some(1) => c64::new(0.0, 2.0),
+            _ => c64::new(0.0, 0.0),
+        })
+    }
+
+    fn assert_near(found: f64, exact: f64, what: &str) {
+        assert!(exact <= found && found <= exact * (1.0 + 1e-5), "{what}: {found} instead of {exact}");
+    }
+
+    #[test]
+    fn radii_are_row_sums_of_the_transformed_residual() {
+        for order in [1, 2, 3, 6] {
+            // Dense, and with few entries.
+            for keep in [1, 17] {
+                let (rows, floats) = matrix(order, 0.0, |i, j| if (i + j) % keep == 0 { whole(i, j) } else { 0.0 });
+                let (x, values) =
+                    (slanted(order), (0..order).map(|k| c64::new(whole(k, 3) + 0.5, 1.0)).collect::<Vec<_>>());
+                let entry = |a: &dyn Fn(usize) -> c64, b: &dyn Fn(usize) -> c64| {
+                    (0..order).fold(c64::new(0.0, 0.0), |sum, k| sum + a(k) * b(k))
+                };
+                let real = |x: f64| c64::new(x, 0.0);
+                let residual = Mat::from_fn(order, order, |i, k| {
+                    entry(&|j| real(floats[(i, j)]), &|j| x[(j, k)]) - values[k] * x[(i, k)]
+                });
+                // (-2i)^(j - i) above the diagonal.
+                let inverse = Mat::from_fn(order, order, |i, j| match j.checked_sub(i) {
+                    None => real(0.0),
+                    Some(steps) => (0..steps).fold(real(1.0), |power, _| power * c64::new(0.0, -2.0)),
+                });
+                let found = discs(&rows, &floats, x.as_ref(), &values).expect("regular");
+                for (i, radius) in found.into_iter().enumerate() {
+                    let moved = |k: usize| entry(&|j| inverse[(i, j)], &|j| residual[(j, k)]);
+                    let exact: f64 = (0..order).map(|k| moved(k).re.hypot(moved(k).im)).sum();
+                    assert_near(radius, exact, &format!("{order}, {keep}, {i}"));
+                }
+            }
+        }
+    }
+
+    /// `X = I` and `A = Λ` but for the errors of the entries: they and the rounding are all that is left.
+    #[test]
+    fn errors_of_entries_and_rounding_count_as_derived() {
+        for order in [1, 2, 5, 20] {
+            let identity = Mat::from_fn(order, order, |i, j| c64::new(f64::from(u8::from(i == j)), 0.0));
+            let values = vec![c64::new(3.0, 0.0); order];
+            for error in [0.25, 0.0] {
+                let (rows, floats) = matrix(order, error, |i, j| if i == j { 3.0 } else { 0.0 });
+                // 8 (1 + 4) u (|A| |X| + |X Λ|) for the only entry of each row of AX - XΛ; e = 8 (n + 4) u 3 is common to all.
+                let lost = 40.0 * UNIT * 6.0 + error;
+                let e = 8.0 * (order as f64 + 4.0) * UNIT * 3.0;
+                for radius in discs(&rows, &floats, identity.as_ref(), &values).expect("regular") {
+                    assert_near(radius, lost + e * lost / (1.0 - e), &format!("{order}, {error}"));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn vectors_that_are_too_close_to_dependent_are_refused() {
+        let (rows, floats) = matrix(2, 0.0, |i, j| f64::from(u8::from(i == j)));
+        let values = [c64::new(1.0, 0.0); 2];
+        for apart in [0.0, 1e-16, f64::NAN] {
+            let x = Mat::from_fn(2, 2, |i, j| c64::new(if (i, j) == (1, 1) { 1.0 + apart } else { 1.0 }, 0.0));
+            assert!(discs(&rows, &floats, x.as_ref(), &values).is_none(), "{apart}");
+        }
+        let x = Mat::from_fn(2, 2, |i, j| c64::new(if (i, j) == (1, 1) { 2.0 } else { 1.0 }, 0.0));
+        assert!(discs(&rows, &floats, x.as_ref(), &values).is_some());
+        assert_eq!(largest(&[1.0, f64::NAN, 2.0]), f64::INFINITY);
+        assert_eq!([largest(&[]), largest(&[3.0, 1.0])], [0.0, 3.0]);
+        assert!(modulus(c64::new(1e-170, 0.0)) >= 1e-170);
+    }
 }
