@@ -1,0 +1,365 @@
+//! How many steps a decision takes until nothing can change: by formulas of their own for flocks of pairs and single birds.
+//!
+//! Allowed no steps, the decision says how many it needs. The weights of a pair sum to `2^-k`: the difference of its velocities shrinks by
+//! `1 - 2^-k` in a step, to less than half in `2^k` steps and not in half as many. All numbers are multiples of powers of two, so that the
+//! integers around a binary logarithm do not depend on how fractions are written.
+
+use arithmetic::{Rational, rational};
+use models::averaging::settle::{Ending, Limits, settle};
+use models::averaging::{Flock, Hysteresis, Start, Weights};
+use num_bigint::BigInt;
+use num_traits::{Signed, Zero};
+use proptest::prelude::*;
+
+/// The floor of the binary logarithm of a multiple of a power of two.
+fn floor_log2(x: &Rational) -> i64 {
+    x.numer().bits() as i64 - x.denom().bits() as i64
+}
+
+/// At least, and at most, the binary logarithm of `p/q`.
+fn above(p: &Rational, q: &Rational) -> i64 {
+    floor_log2(p) - floor_log2(q) + 1
+}
+
+fn below(p: &Rational, q: &Rational) -> i64 {
+    floor_log2(p) - floor_log2(q) - 1
+}
+
+fn dot(a: &[Rational], b: &[Rational]) -> Rational {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+fn minus(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+    a.iter().zip(b).map(|(x, y)| x - y).collect()
+}
+
+fn power_of_two(k: i32) -> Rational {
+    rational(2, 1).pow(k)
+}
+
+/// Birds `2m` and `2m + 1` are a pair with the weights `first 2^-k` and `(1 - first) 2^-k`, or single birds.
+#[derive(Debug)]
+struct Pairs {
+    start: Start,
+    /// `k`, and the share of the first bird; none for two single birds.
+    weights: Vec<Option<(i32, Rational)>>,
+}
+
+/// Where a bird goes: `place + s drift`, but for transients that are at most `range`, halved every `halving` steps.
+struct Way {
+    place: Vec<Rational>,
+    drift: Vec<Rational>,
+    range: Rational,
+    /// The range of the velocities.
+    speeds: Rational,
+    halving: u64,
+}
+
+impl Pairs {
+    /// The ways of all birds from these positions and velocities on.
+    fn ways(&self, x: &[Vec<Rational>], v: &[Vec<Rational>]) -> Vec<Way> {
+        let mut ways = Vec::new();
+        for (m, weights) in self.weights.iter().enumerate() {
+            let (i, j) = (2 * m, 2 * m + 1);
+            for (one, other) in [(i, j), (j, i)] {
+                let mut way = Way {
+                    place: x[one].clone(),
+                    drift: v[one].clone(),
+                    range: rational(0, 1),
+                    speeds: rational(0, 1),
+                    halving: 1,
+                };
+                if let Some((k, first)) = weights {
+                    // In the mean each counts with the weight of the other.
+                    let mine = if one == i { rational(1, 1) - first } else { first.clone() };
+                    let theirs = rational(1, 1) - &mine;
+                    for (c, drift) in way.drift.iter_mut().enumerate() {
+                        *drift = &v[one][c] * &mine + &v[other][c] * &theirs;
+                        way.place[c] = &x[one][c] + (&v[one][c] - &*drift) * power_of_two(*k);
+                        way.speeds = &way.speeds + (&v[one][c] - &v[other][c]).abs();
+                    }
+                    way.range = &way.speeds * power_of_two(*k);
+                    way.halving = 1 << k;
+                }
+                ways.push(way);
+            }
+        }
+        ways
+    }
+
+    /// The steps after which every pair keeps its status or follows its polynomial.
+    fn horizon(&self, flock: &Flock) -> u64 {
+        let ways = self.ways(&flock.positions(), &flock.velocities());
+        let halving = ways.iter().map(|way| way.halving).max().unwrap();
+        let one = rational(1, 1);
+        let mut horizon = 0;
+        for j in 0..ways.len() {
+            for i in 0..j {
+                let same = i / 2 == j / 2 && self.weights[i / 2].is_some();
+                let size = if same { ways[i].range.clone() } else { &ways[i].range + &ways[j].range };
+                let until = |size: &Rational, limit: i64| {
+                    let halvings = if size.is_zero() { 0 } else { above(size, &one) - limit };
+                    halvings.max(0) as u64 * halving
+                };
+                let (a, b) = (minus(&ways[i].place, &ways[j].place), minus(&ways[i].drift, &ways[j].drift));
+                let excess = dot(&a, &a) - &one;
+                let steps = if b.iter().any(|x| !x.is_zero()) {
+                    approach(&excess, &(dot(&a, &b) * rational(2, 1)), &dot(&b, &b), &|limit| until(&size, limit))
+                } else if excess.is_negative() {
+                    until(&size, below(&-excess, &one) - 1)
+                } else if let (true, Hysteresis::Constant(threshold)) = (same, flock.hysteresis()) {
+                    until(&ways[i].speeds, floor_log2(threshold) - 3)
+                } else {
+                    until(&size, below(&excess, &(&excess + rational(3, 1))))
+                };
+                horizon = horizon.max(steps);
+            }
+        }
+        horizon
+    }
+}
+
+/// For `q(s) = a + b s + c s²`: until transients are small against what `q` is at its least, or against its unit.
+fn approach(a: &Rational, b: &Rational, c: &Rational, until: &dyn Fn(i64) -> u64) -> u64 {
+    let q = |s: &BigInt| (c * Rational::from_integer(s.clone()) + b) * Rational::from_integer(s.clone()) + a;
+    let unit = [a, b, c].into_iter().map(|x| floor_log2(&(rational(1, 1) / Rational::from_integer(x.denom())))).min();
+    let latest = until(unit.unwrap() - 1 - 2);
+    // The integer from 1 on at which q is least, and the first at which it is not positive.
+    let vertex = (-b / (c * rational(2, 1))).floor().to_integer().max(BigInt::from(1));
+    let next: BigInt = &vertex + 1;
+    let lowest = if q(&vertex) <= q(&next) { vertex } else { next };
+    let mut contact = None;
+    if !q(&lowest).is_positive() {
+        let (mut before, mut after) = (BigInt::from(0), lowest);
+        while &after - &before > BigInt::from(1) {
+            let middle: BigInt = (&after + &before) / 2;
+            if q(&middle).is_positive() { before = middle } else { after = middle }
+        }
+        contact = Some(after);
+    }
+    let log2 = match contact {
+        Some(s) if s > BigInt::from(latest) * 2 + 2 => below(&q(&(s / 2)), &rational(1, 1)),
+        Some(_) => return latest,
+        None if !b.is_negative() && a.is_positive() => below(a, &rational(1, 1)),
+        None => {
+            let least = a * c * rational(4, 1) - b * b;
+            if !least.is_positive() || !b.is_negative() {
+                return latest;
+            }
+            below(&least, &(c * rational(4, 1)))
+        }
+    };
+    until(log2.min(0) - 2).min(latest)
+}
+
+/// What is said to be needed, where no step is allowed.
+fn needed(start: &Start) -> Result<u64, String> {
+    let limits = Limits { steps: 0, ..Limits::default() };
+    let settled = settle(Flock::new(start).unwrap(), &limits, &mut |_| {}, &arithmetic::Unwatched).unwrap();
+    let Ending::Undecided(why) = settled.ending else { return Err(settled.why) };
+    why.split_once(" exact steps would be needed on one network, more than the limit of 0")
+        .and_then(|(number, _)| number.parse().ok())
+        .ok_or(why)
+}
+
+/// Forty-eight steps are taken before anything is analysed; twice as many where a jump has to be taken back.
+fn compared(pairs: &Pairs) -> Option<(u64, [u64; 2])> {
+    let mut flock = Flock::new(&pairs.start).unwrap();
+    let edges = flock.network().edges();
+    let wanted: Vec<(usize, usize)> =
+        (0..pairs.weights.len()).filter(|&m| pairs.weights[m].is_some()).map(|m| (2 * m, 2 * m + 1)).collect();
+    if edges != wanted {
+        return None;
+    }
+    let mut expected = [0; 2];
+    for count in &mut expected {
+        for _ in 0..48 {
+            if flock.step().unwrap().is_some() {
+                return None;
+            }
+        }
+        *count = pairs.horizon(&flock);
+    }
+    needed(&pairs.start).ok().map(|found| (found, expected))
+}
+
+fn weights(pairs: &[Option<(i32, Rational)>]) -> Weights {
+    let both = |pair: &Option<(i32, Rational)>| match pair {
+        Some((k, first)) => {
+            let sum = power_of_two(-k);
+            [first * &sum, (rational(1, 1) - first) * sum]
+        }
+        None => [rational(1, 1024), rational(1, 1024)],
+    };
+    Weights::Given(pairs.iter().flat_map(both).collect())
+}
+
+prop_compose! {
+    fn flocks()(dimension in 1usize..3, count in 1usize..4)(
+        kinds in prop::collection::vec(prop::option::weighted(0.7, (4i32..9, 1i64..8)), count),
+        places in prop::collection::vec(prop::collection::vec(0i64..1 << 12, dimension), 2 * count),
+        speeds in prop::collection::vec(prop::collection::vec(-64i64..64, dimension), 2 * count),
+        drifts in prop::collection::vec(prop::collection::vec(-8i64..8, dimension), count),
+        slow in 0i32..30,
+        held in prop::option::of(4i32..40),
+        dimension in Just(dimension),
+    ) -> Pairs {
+        let weights_of: Vec<_> = kinds.iter().map(|kind| kind.map(|(k, first)| (k, rational(first, 8)))).collect();
+        let (mut positions, mut velocities) = (Vec::new(), Vec::new());
+        for (m, kind) in kinds.iter().enumerate() {
+            for bird in [2 * m, 2 * m + 1] {
+                // Pairs within distance 1, other birds farther away.
+                let inner = if kind.is_some() { 13 + dimension as i32 - 1 } else { 11 };
+                let place = |c: usize| {
+                    let far = if c > 0 { 0 } else if kind.is_some() { 6 * m as i64 } else { 6 * m as i64 + 3 * (bird % 2) as i64 };
+                    rational(places[bird][c], 1) * power_of_two(-inner) + rational(far, 1)
+                };
+                positions.push((0..dimension).map(place).collect::<Vec<_>>());
+                let shrink = kind.map_or(-40, |(k, _)| -k - 8);
+                let speed = |c: usize| {
+                    let own = if kind.is_some() { rational(speeds[bird][c], 1) * power_of_two(shrink) } else { rational(0, 1) };
+                    own + rational(drifts[m][c], 1) * power_of_two(-10 - slow)
+                };
+                velocities.push((0..dimension).map(speed).collect::<Vec<_>>());
+            }
+        }
+        let hysteresis = held.map_or(Hysteresis::None, |k| Hysteresis::Constant(power_of_two(-k)));
+        let weights = weights(&weights_of);
+        Pairs { start: Start { positions, velocities, weights, hysteresis }, weights: weights_of }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn the_steps_needed_are_those_of_the_formula(pairs in flocks()) {
+        // Where none are needed it goes on, and what is said belongs to a later network.
+        if let Some((found, expected)) = compared(&pairs).filter(|(_, expected)| expected[0] > 0) {
+            prop_assert!(expected.contains(&found), "{found}, not {expected:?}");
+        }
+    }
+}
+
+/// Four birds that alternate for ever, far away three on a path whose ends go to `gap` from the middle, and another bird.
+fn alternating(gap: &Rational, other: [Rational; 4]) -> Start {
+    let row = |x: Rational, y: i64| vec![x, rational(y, 1)];
+    let u = rational(1, 32);
+    let mut positions: Vec<Vec<Rational>> = [0, 8, 21, 29].map(|x| row(rational(x, 16), 1000)).to_vec();
+    let mut velocities: Vec<Vec<Rational>> = [1, -1, 1, -1].map(|v| row(rational(v, 8), 0)).to_vec();
+    for k in [-1, 0, 1] {
+        let side = rational(k, 1);
+        // The velocities of the ends fall to a third in each step: 1 + 1/3 + .. = 3/2.
+        positions.push(row(&side * (gap - &u * rational(3, 2)), 0));
+        velocities.push(row(&side * &u, 0));
+    }
+    let [x, y, v, w] = other;
+    positions.push(vec![x, y]);
+    velocities.push(vec![v, w]);
+    Start { positions, velocities, weights: Weights::Lazy, hysteresis: Hysteresis::None }
+}
+
+/// The steps for which a cycle of two networks would have to be followed.
+fn to_be_followed(start: &Start) -> u64 {
+    let limits = Limits { steps: 1, switches: 100, ..Limits::default() };
+    let settled = settle(Flock::new(start).unwrap(), &limits, &mut |_| {}, &arithmetic::Unwatched).unwrap();
+    let number = settled.why.split_once("which would have to be followed for ").map(|(_, rest)| rest);
+    let number = number.and_then(|rest| rest.split(' ').next()).unwrap_or_else(|| panic!("{}", settled.why));
+    number.parse().unwrap()
+}
+
+#[test]
+fn cycles_are_followed_as_long_as_the_formula_says() {
+    let log2 = |x: &Rational| x.numer().bits() as i64 - x.denom().bits() as i64;
+    let tiny = power_of_two(-60);
+    let one = rational(1, 1);
+    let away = || [rational(-500, 1), rational(0, 1), rational(0, 1), rational(0, 1)];
+    let zero = || rational(0, 1);
+    // The limit of the left end is at -3/4.
+    let wide = rational(3, 4);
+    let cases = [1, 3, 5, 7].into_iter().flat_map(|k| {
+        let tiny = &tiny * rational(k, 1);
+        [
+            // The ends go to just below 1 from the middle.
+            (&one - &tiny, away()),
+            // A bird to the left, to which the distance goes to just above 1: at rest, moving away, and passing.
+            (wide.clone(), [-rational(7, 4) - &tiny, zero(), zero(), zero()]),
+            (wide.clone(), [-rational(7, 4) - &tiny, zero(), -power_of_two(-70), zero()]),
+            (wide.clone(), [rational(-8, 1), &one + &tiny, power_of_two(-9), zero()]),
+            (wide.clone(), [rational(-8, 1), rational(-2, 1), power_of_two(-9), zero()]),
+        ]
+    });
+    // The leading terms of the pair that swings around 1 have a sign after one round of twice the cycle, and that is seen in another.
+    let base = to_be_followed(&alternating(&wide, away()));
+    assert_eq!(base, 8);
+    for (gap, other) in cases {
+        let start = alternating(&gap, other);
+        let mut flock = Flock::new(&start).unwrap();
+        (0..24).for_each(|_| drop(flock.step().unwrap()));
+        let mut expected = base;
+        for phase in 0..2 {
+            let (x, v) = (flock.positions(), flock.velocities());
+            // In a round of two steps the velocities of the ends fall to a ninth: they come 1 + 1/3 times 1/(1 - 1/9) farther.
+            let place =
+                |i: usize| vec![&x[i][0] + if i < 7 { &v[i][0] * rational(3, 2) } else { zero() }, x[i][1].clone()];
+            let size = (&v[6][0] - &v[4][0]) * rational(9, 8) * rational(2, 1);
+            for (i, j) in [(4, 5), (5, 6), (4, 6), (4, 7), (5, 7), (6, 7)] {
+                let a = minus(&place(i), &place(j));
+                let b: Vec<Rational> =
+                    if j == 7 { v[7].iter().map(|w| w * rational(2, 1)).collect() } else { vec![zero(), zero()] };
+                let b: Vec<Rational> = b.into_iter().map(|w| -w).collect();
+                let excess = dot(&a, &a) - &one;
+                let limit = if b.iter().any(|w| !w.is_zero()) {
+                    let along = dot(&a, &b);
+                    let least = if along.is_negative() { &excess - &along * &along / dot(&b, &b) } else { excess };
+                    least.min(one.clone()) * rational(1, 4)
+                } else if excess.is_negative() {
+                    -excess * rational(1, 2)
+                } else {
+                    &excess / (&excess + rational(3, 1))
+                };
+                // In each round the transients fall to a ninth, so that one halves them.
+                let halvings = (log2(&size) + 1) - (log2(&limit) - 1);
+                expected = expected.max(halvings.max(0) as u64 * 2 + phase);
+            }
+            flock.step().unwrap();
+        }
+        assert_eq!(to_be_followed(&start), expected);
+    }
+}
+
+/// On a path of three with `c = 1/8` the velocities have parts `(-1, 0, 1)` and `(1, -2, 1)` that fall to 7/8 and 5/8 in each step; the gap
+/// of the first two tends to 1 and the other one to 1/2.
+#[test]
+fn ties_are_settled_when_the_leading_term_outweighs_the_others() {
+    let start = |k: i32, dimension: usize| {
+        let fast = rational(-1, 32);
+        let slow = power_of_two(-5 - k);
+        let velocities = [&fast - &slow, &fast * rational(-2, 1), &fast + &slow];
+        // What is still to come: 8 and 8/3 times the velocities.
+        let gap = |limit: Rational, sign: i64| {
+            limit - (&slow + &fast * rational(3 * sign, 1) * rational(1, 3)) * rational(8, 1)
+        };
+        let first = gap(rational(1, 1), -1);
+        let places = [rational(0, 1), first.clone(), first + gap(rational(1, 2), 1)];
+        let row = |x: &Rational| (0..dimension).map(|c| if c == 0 { x.clone() } else { rational(0, 1) }).collect();
+        Start {
+            positions: places.iter().map(row).collect(),
+            velocities: velocities.iter().map(row).collect(),
+            weights: Weights::Given(vec![rational(1, 8); 3]),
+            hysteresis: Hysteresis::None,
+        }
+    };
+    // After the 48 steps the second part is 2^(k - 23.3) times the first, and falls by 25/49 in two steps: the powers of two from which on it
+    // is less are 1, 64, 64 and 128.
+    for (k, steps) in [(0, 4), (60, 130), (70, 130), (90, 258)] {
+        assert_eq!(needed(&start(k, 1)), Ok(steps));
+        assert_eq!(needed(&start(k, 2)), Ok(steps));
+    }
+}
+
+#[test]
+fn limits_are_those_that_are_stated() {
+    let limits = Limits::default();
+    assert_eq!((limits.steps, limits.switches, limits.jump_bits), (400_000, 100_000, 4_194_304));
+}
