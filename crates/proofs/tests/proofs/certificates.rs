@@ -48,6 +48,17 @@ fn planar() -> Start {
     }
 }
 
+/// A ring of four in space, given with more weights than birds.
+fn square() -> Start {
+    let row = |x: i64, y: i64| vec![rational(x, 1), rational(y, 1), rational(1, 3)];
+    Start {
+        positions: vec![row(0, 0), row(1, 0), row(1, 1), row(0, 1)],
+        velocities: vec![vec![rational(1, 2); 3]; 4],
+        weights: Weights::Given((3..8).map(|k| rational(1, k)).collect()),
+        hysteresis: Hysteresis::None,
+    }
+}
+
 /// `n` birds at rest, far from one another.
 fn at_rest(birds: usize, dimension: usize, hysteresis: Hysteresis) -> Start {
     let place = |i: usize| vec![rational(2 * i as i64, 1); dimension];
@@ -72,6 +83,7 @@ fn examples() -> Vec<Certificate> {
         switches(&four_birds(Weights::Lazy, Hysteresis::Constant(rational(1, 10))), 6),
         switches(&four_birds(Weights::Vicsek, Hysteresis::None), 4),
         switches(&planar(), 3),
+        switches(&square(), 2),
         inertia(&[[0, 1, 2], [1, 2, 0], [2, 0, -1]], 2),
         inertia(&[[0, 0, 0], [0, 4, 4], [0, 4, 4]], 2),
         peak(3),
@@ -95,7 +107,10 @@ fn theorems_are_written_to_the_letter() {
     let written: Vec<String> = kinds.iter().filter_map(|kind| coq_file(kind, &theorems)).collect();
     assert_eq!(written.join("\n"), include_str!("theorems.txt"));
     // Rectangular factors, flocks of the plane with given weights, 17 followers: none is stated.
-    let left_out: Vec<CoqTheorem> = [1, 6, 11].map(|k| theorems[k].clone()).to_vec();
+    let mut left_out: Vec<CoqTheorem> = [1, 6, 12].map(|k| theorems[k].clone()).to_vec();
+    let two = StochasticMatrix::from_integers(&[[1, 0], [0, 1]], 1).unwrap();
+    let three = StochasticMatrix::from_integers(&[[1, 0], [0, 1], [1, 0]], 1).unwrap();
+    left_out.push(CoqTheorem { name: "tall".to_string(), certificate: product(&[two, three]).unwrap() });
     assert!(kinds.iter().all(|kind| coq_file(kind, &left_out).is_none()));
     let on_the_line =
         Start::on_the_line(vec![rational(0, 1)], vec![rational(0, 1)], planar().weights, Hysteresis::None);
@@ -143,6 +158,15 @@ fn factors_multiply_to_the_matrix() {
 }
 
 #[test]
+fn matrices_of_one_entry_have_a_sign() {
+    for (x, counts) in [(-3, (0, 1, 0)), (0, (0, 0, 1)), (2, (1, 0, 0))] {
+        let inertia = Inertia::new(&RationalMatrix::from_integers(&[[x]], 1).unwrap()).unwrap();
+        assert_eq!(inertia.counts(), counts);
+        assert!(Certificate::Inertia(inertia).text().contains("pivots 1\nL over 1\n1\nD over 1\n"));
+    }
+}
+
+#[test]
 fn what_is_too_large_is_refused() {
     let refused = |made: Made, what: &'static str, most: u64| {
         assert_eq!(made.unwrap_err(), CertificateError::TooMany { what, most, found: most + 1 });
@@ -152,6 +176,7 @@ fn what_is_too_large_is_refused() {
     refused(product(&vec![one; 10_001]), "factors", 10_000);
     let column = |rows: usize| StochasticMatrix::from_integers(&vec![[1]; rows], 1).unwrap();
     assert!(product(&[column(128)]).is_ok());
+    refused(product(&[column(1), column(129)]), "rows or columns", 128);
     refused(product(&[column(129)]), "rows or columns", 128);
     let mut row = vec![rational(0, 1); 129];
     row[3] = rational(1, 1);
