@@ -154,7 +154,7 @@ fn approach(a: &Rational, b: &Rational, c: &Rational, until: &dyn Fn(i64) -> u64
 
 /// What is said to be needed, where no step is allowed.
 fn needed(start: &Start) -> Result<u64, String> {
-    let limits = Limits { steps: 0, ..Limits::default() };
+    let limits = Limits { steps: 0, switches: 1, jump_bits: 0 };
     let settled = settle(Flock::new(start).unwrap(), &limits, &mut |_| {}, &arithmetic::Unwatched).unwrap();
     let Ending::Undecided(why) = settled.ending else { return Err(settled.why) };
     why.split_once(" exact steps would be needed on one network, more than the limit of 0")
@@ -237,6 +237,30 @@ proptest! {
         // Where none are needed it goes on, and what is said belongs to a later network.
         if let Some((found, expected)) = compared(&pairs).filter(|(_, expected)| expected[0] > 0) {
             prop_assert!(expected.contains(&found), "{found}, not {expected:?}");
+        }
+    }
+}
+
+/// Two pairs that widen, each by 1/8, and come to a little more than 1 from one another; one that widens to a little more or less than 1.
+#[test]
+fn distances_that_tend_to_nearly_one() {
+    let w = power_of_two(-10);
+    let pair = |at: Rational, gap: Rational| ([at.clone(), at + gap - rational(1, 8)], [-w.clone(), w.clone()]);
+    let half = Some((6, rational(1, 2)));
+    for k in [1, 3, 5, 7] {
+        let tiny = power_of_two(-40) * rational(k, 1);
+        for hysteresis in [Hysteresis::None, Hysteresis::Constant(power_of_two(-60))] {
+            let two = [pair(rational(0, 1), rational(5, 8)), pair(rational(13, 8) + &tiny, rational(5, 8))];
+            let wide = [pair(rational(0, 1), rational(1, 1) + &tiny)];
+            let narrow = [pair(rational(0, 1), rational(1, 1) - &tiny)];
+            for pairs in [&two[..], &wide, &narrow] {
+                let x = pairs.iter().flat_map(|(x, _)| x.clone()).collect();
+                let v = pairs.iter().flat_map(|(_, v)| v.clone()).collect();
+                let shares = vec![half.clone(); pairs.len()];
+                let start = Start::on_the_line(x, v, weights(&shares), hysteresis.clone());
+                let (found, expected) = compared(&Pairs { start, weights: shares }).unwrap();
+                assert!(expected[0] > 1000 && expected.contains(&found), "{found}, not {expected:?}");
+            }
         }
     }
 }
@@ -325,11 +349,18 @@ fn cycles_are_followed_as_long_as_the_formula_says() {
             flock.step().unwrap();
         }
         assert_eq!(to_be_followed(&start), expected);
+        // One step less is not enough, and as many are.
+        let ending = |steps: u64| {
+            let limits = Limits { steps, switches: 100, ..Limits::default() };
+            settle(Flock::new(&start).unwrap(), &limits, &mut |_| {}, &arithmetic::Unwatched).unwrap().ending
+        };
+        assert!(matches!(ending(expected - 1), Ending::Undecided(_)));
+        assert!(matches!(ending(expected), Ending::Alternating { period: 2 }));
     }
 }
 
 /// On a path of three with `c = 1/8` the velocities have parts `(-1, 0, 1)` and `(1, -2, 1)` that fall to 7/8 and 5/8 in each step; the gap
-/// of the first two tends to 1 and the other one to 1/2.
+/// of the first two tends to 1 and the other one to 3/4.
 #[test]
 fn ties_are_settled_when_the_leading_term_outweighs_the_others() {
     let start = |k: i32, dimension: usize| {
@@ -341,7 +372,7 @@ fn ties_are_settled_when_the_leading_term_outweighs_the_others() {
             limit - (&slow + &fast * rational(3 * sign, 1) * rational(1, 3)) * rational(8, 1)
         };
         let first = gap(rational(1, 1), -1);
-        let places = [rational(0, 1), first.clone(), first + gap(rational(1, 2), 1)];
+        let places = [rational(0, 1), first.clone(), first + gap(rational(3, 4), 1)];
         let row = |x: &Rational| (0..dimension).map(|c| if c == 0 { x.clone() } else { rational(0, 1) }).collect();
         Start {
             positions: places.iter().map(row).collect(),
@@ -356,6 +387,13 @@ fn ties_are_settled_when_the_leading_term_outweighs_the_others() {
         assert_eq!(needed(&start(k, 1)), Ok(steps));
         assert_eq!(needed(&start(k, 2)), Ok(steps));
     }
+    let settled = |steps: u64| {
+        let limits = Limits { steps, ..Limits::default() };
+        settle(Flock::new(&start(90, 1)).unwrap(), &limits, &mut |_| {}, &arithmetic::Unwatched).unwrap()
+    };
+    assert!(settled(257).why.starts_with("258 exact steps would be needed"));
+    let steady = settled(258);
+    assert!(matches!(steady.ending, Ending::Steady) && steady.why.ends_with("there is no pair with relative drift"));
 }
 
 #[test]
