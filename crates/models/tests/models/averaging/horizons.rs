@@ -265,22 +265,47 @@ fn distances_that_tend_to_nearly_one() {
     }
 }
 
-/// Four birds that alternate for ever, far away three on a path whose ends go to `gap` from the middle, and another bird.
+/// A bird that comes near a pair between two steps only.
+#[test]
+fn contacts_between_steps_are_none() {
+    let row = |x: (i64, i64), y: i64| vec![rational(x.0, x.1), rational(y, 4)];
+    let shares = [Some((6, rational(1, 4))), None];
+    let start = Start {
+        positions: vec![row((-1, 4), 0), row((1, 4), 0), row((-802, 1), 2), row((-802, 1), 80)],
+        velocities: vec![row((-1, 1024), 0), row((3, 1024), 0), row((4, 1), 0), row((4, 1), 0)],
+        weights: weights(&shares),
+        hysteresis: Hysteresis::None,
+    };
+    let (found, expected) = compared(&Pairs { start, weights: shares.to_vec() }).unwrap();
+    assert!(expected[0] == 512 && expected.contains(&found), "{found}, not {expected:?}");
+}
+
+/// A bird, three on a path whose ends go to `gap` from the middle, and far away four that alternate for ever; all of it turned and moving.
 fn alternating(gap: &Rational, other: [Rational; 4]) -> Start {
-    let row = |x: Rational, y: i64| vec![x, rational(y, 1)];
     let u = rational(1, 32);
-    let mut positions: Vec<Vec<Rational>> = [0, 8, 21, 29].map(|x| row(rational(x, 16), 1000)).to_vec();
-    let mut velocities: Vec<Vec<Rational>> = [1, -1, 1, -1].map(|v| row(rational(v, 8), 0)).to_vec();
+    let [x, y, v, w] = other;
+    let (mut positions, mut velocities) = (vec![[x, y]], vec![[v, w]]);
     for k in [-1, 0, 1] {
         let side = rational(k, 1);
         // The velocities of the ends fall to a third in each step: 1 + 1/3 + .. = 3/2.
-        positions.push(row(&side * (gap - &u * rational(3, 2)), 0));
-        velocities.push(row(&side * &u, 0));
+        positions.push([&side * (gap - &u * rational(3, 2)), rational(0, 1)]);
+        velocities.push([&side * &u, rational(0, 1)]);
     }
-    let [x, y, v, w] = other;
-    positions.push(vec![x, y]);
-    velocities.push(vec![v, w]);
-    Start { positions, velocities, weights: Weights::Lazy, hysteresis: Hysteresis::None }
+    positions.extend([0, 8, 21, 29].map(|x| [rational(x, 16), rational(1000, 1)]));
+    velocities.extend([1, -1, 1, -1].map(|v| [rational(v, 8), rational(0, 1)]));
+    let turned = |[x, y]: &[Rational; 2]| {
+        vec![
+            (x * rational(3, 1) - y * rational(4, 1)) / rational(5, 1),
+            (x * rational(4, 1) + y * rational(3, 1)) / rational(5, 1),
+        ]
+    };
+    let moving = |v: &[Rational; 2]| turned(v).into_iter().map(|x| x + rational(1, 7)).collect();
+    Start {
+        positions: positions.iter().map(turned).collect(),
+        velocities: velocities.iter().map(moving).collect(),
+        weights: Weights::Lazy,
+        hysteresis: Hysteresis::None,
+    }
 }
 
 /// The steps for which a cycle of two networks would have to be followed.
@@ -323,15 +348,18 @@ fn cycles_are_followed_as_long_as_the_formula_says() {
         let mut expected = base;
         for phase in 0..2 {
             let (x, v) = (flock.positions(), flock.velocities());
-            // In a round of two steps the velocities of the ends fall to a ninth: they come 1 + 1/3 times 1/(1 - 1/9) farther.
-            let place =
-                |i: usize| vec![&x[i][0] + if i < 7 { &v[i][0] * rational(3, 2) } else { zero() }, x[i][1].clone()];
-            let size = (&v[6][0] - &v[4][0]) * rational(9, 8) * rational(2, 1);
-            for (i, j) in [(4, 5), (5, 6), (4, 6), (4, 7), (5, 7), (6, 7)] {
+            // In a round of two steps the velocities of the ends fall to a ninth: they come 1 + 1/3 times 1/(1 - 1/9) farther than
+            // the middle one. The sizes in both coordinates are added.
+            let place = |i: usize| -> Vec<Rational> {
+                let swing = minus(&v[i], &v[2]);
+                x[i].iter().zip(swing).map(|(x, v)| if i > 0 { x + v * rational(3, 2) } else { x.clone() }).collect()
+            };
+            let speeds: Rational = minus(&v[3], &v[1]).iter().map(Signed::abs).sum();
+            let size = speeds * rational(9, 8) * rational(2, 1);
+            for (i, j) in [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)] {
                 let a = minus(&place(i), &place(j));
-                let b: Vec<Rational> =
-                    if j == 7 { v[7].iter().map(|w| w * rational(2, 1)).collect() } else { vec![zero(), zero()] };
-                let b: Vec<Rational> = b.into_iter().map(|w| -w).collect();
+                let drift = if i == 0 { minus(&v[0], &v[2]) } else { vec![zero(), zero()] };
+                let b: Vec<Rational> = drift.into_iter().map(|w| w * rational(2, 1)).collect();
                 let excess = dot(&a, &a) - &one;
                 let limit = if b.iter().any(|w| !w.is_zero()) {
                     let along = dot(&a, &b);
@@ -363,7 +391,7 @@ fn cycles_are_followed_as_long_as_the_formula_says() {
 /// of the first two tends to 1 and the other one to 3/4.
 #[test]
 fn ties_are_settled_when_the_leading_term_outweighs_the_others() {
-    let start = |k: i32, dimension: usize| {
+    let start = |k: i32, dimension: usize, hysteresis: &Hysteresis| {
         let fast = rational(-1, 32);
         let slow = power_of_two(-5 - k);
         let velocities = [&fast - &slow, &fast * rational(-2, 1), &fast + &slow];
@@ -378,18 +406,22 @@ fn ties_are_settled_when_the_leading_term_outweighs_the_others() {
             positions: places.iter().map(row).collect(),
             velocities: velocities.iter().map(row).collect(),
             weights: Weights::Given(vec![rational(1, 8); 3]),
-            hysteresis: Hysteresis::None,
+            hysteresis: hysteresis.clone(),
         }
     };
     // After the 48 steps the second part is 2^(k - 23.3) times the first, and falls by 25/49 in two steps: the powers of two from which on it
     // is less are 1, 64, 64 and 128.
     for (k, steps) in [(0, 4), (60, 130), (70, 130), (90, 258)] {
-        assert_eq!(needed(&start(k, 1)), Ok(steps));
-        assert_eq!(needed(&start(k, 2)), Ok(steps));
+        // A threshold of zero holds nothing.
+        for hysteresis in [Hysteresis::None, Hysteresis::Constant(rational(0, 1))] {
+            assert_eq!(needed(&start(k, 1, &hysteresis)), Ok(steps));
+            assert_eq!(needed(&start(k, 2, &hysteresis)), Ok(steps));
+        }
     }
     let settled = |steps: u64| {
         let limits = Limits { steps, ..Limits::default() };
-        settle(Flock::new(&start(90, 1)).unwrap(), &limits, &mut |_| {}, &arithmetic::Unwatched).unwrap()
+        settle(Flock::new(&start(90, 1, &Hysteresis::None)).unwrap(), &limits, &mut |_| {}, &arithmetic::Unwatched)
+            .unwrap()
     };
     assert!(settled(257).why.starts_with("258 exact steps would be needed"));
     let steady = settled(258);

@@ -2,6 +2,7 @@
 
 use super::flock::starts;
 use algebra::graph::Graph;
+use algebra::matrix::RationalMatrix;
 use arithmetic::{Field, Interval, Rational, Real, Ring, Unwatched, rational};
 use models::averaging::settle::{Ending, Limits, Settlement, settle};
 use models::averaging::{
@@ -89,6 +90,48 @@ fn four_birds_with_the_hysteresis_of_the_paper() {
     assert_eq!(settled.last_switch, 322.into());
     assert_eq!(switches.len(), 322);
     assert_eq!(settled.network.edges(), vec![(0, 1), (1, 2), (2, 3)]);
+}
+
+/// The same with the birds in the other order.
+#[test]
+fn the_order_of_the_birds_does_not_matter_to_a_cycle() {
+    let mut start = four_birds(Hysteresis::None);
+    start.positions.reverse();
+    start.velocities.reverse();
+    let (switches, settled) = all_switches(&start, &Limits::default());
+    assert!(matches!(settled.ending, Ending::Alternating { period: 2 }));
+    assert_eq!(switches[0].lost, [(1, 2)]);
+}
+
+/// The middle gap would still tend to 1 if they went on alternating, but a part of 2^-60 falls more slowly than the part that changes its
+/// sign, and ends it after some forty steps: it is not taken for a cycle.
+#[test]
+fn a_cycle_that_ends_is_not_proved() {
+    let pairs = Graph::empty(4).with_edges(&[(0, 1), (2, 3)]);
+    let matrix = |network: &Graph| transition_matrix(network, &Weights::Lazy).unwrap();
+    let one = RationalMatrix::identity(4).unwrap();
+    let (first, second) = (matrix(&pairs), matrix(&Graph::path(4)));
+    let round = second.times(&first).unwrap();
+    let kernel = round.transpose().minus(&one).unwrap().kernel();
+    let total: Rational = kernel[0].iter().sum();
+    let pi: Vec<Rational> = kernel[0].iter().map(|x| x / &total).collect();
+    let gamma = deviation_matrix(&round, &pi).unwrap();
+    for sign in [1, -1] {
+        let slow = rational(sign, 1 << 60);
+        let v: Vec<Rational> =
+            [1, -1, 1, -1].iter().zip([1, 1, -1, -1]).map(|(a, b)| rational(*a, 8) + &slow * rational(b, 1)).collect();
+        let way = one.plus(&first).unwrap().apply(&gamma.apply(&v).unwrap()).unwrap();
+        let middle = rational(1, 2) + rational(1, 1) + &way[1] - &way[2];
+        let x = vec![rational(0, 1), rational(1, 2), middle.clone(), middle + rational(1, 2)];
+        let start = Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None);
+        let (switches, settled) = all_switches(&start, &Limits { switches: 200, ..Limits::default() });
+        let mut flock = Flock::new(&start).unwrap();
+        let stepped: Vec<Switch> = (0..200).filter_map(|_| flock.step().unwrap()).collect();
+        assert!(stepped.len() > 30 && stepped.len() < 60);
+        let known: Vec<Switch> = switches.into_iter().filter(|s| s.time <= 200.into()).collect();
+        assert_eq!(known, stepped);
+        assert!(matches!(settled.ending, Ending::Steady), "{}", settled.why);
+    }
 }
 
 /// Two groups of four birds that merge after more than 10^84 steps.
@@ -260,6 +303,28 @@ fn what_a_short_jump_leaves_out_is_not_forgotten() {
             "{}",
             settled.why
         );
+    }
+}
+
+/// Others whose distance tends to 1, or is 1: after a jump what was left out would decide.
+#[test]
+fn other_ties_are_open_after_a_jump() {
+    let far = rational(100, 1);
+    let third = |s: i64| (&far + rational(s, 1) * (rational(1, 1) - rational(3, 64)), rational(s, 32));
+    let path = [third(-1), third(0), third(1)];
+    let still = [(far.clone(), rational(0, 1)), (&far + rational(1, 1), rational(0, 1))];
+    for others in [&path[..], &still] {
+        let mut start = swinging(&[9_000], Hysteresis::None);
+        for (x, v) in others {
+            start.positions.push(vec![x.clone()]);
+            start.velocities.push(vec![v.clone()]);
+        }
+        let limits = Limits { steps: 2_000, ..Limits::default() };
+        let (exact, known) = all_switches(&start, &limits);
+        let (switches, settled) = all_switches(&start, &Limits { jump_bits: 0, ..limits });
+        assert_eq!(switches, exact);
+        assert!(matches!(known.ending, Ending::Steady));
+        assert!(matches!(settled.ending, Ending::Undecided(why) if why.starts_with("birds 4 and 5: ")));
     }
 }
 
