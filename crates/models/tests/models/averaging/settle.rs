@@ -255,6 +255,28 @@ fn swinging(contacts: &[i64], hysteresis: Hysteresis) -> Start {
     Start::on_the_line(x, v, Weights::Lazy, hysteresis)
 }
 
+/// A pair that mixes slowly, so that steps are needed before a jump to a bird that comes after two million more.
+#[test]
+fn a_jump_after_steps_starts_from_where_they_started() {
+    let (share, speed, n) = (rational(1, 128), rational(1, 1 << 14), 1i64 << 21);
+    let swing = rational(1, 1024);
+    // The second bird ends 64 times its velocity to the right.
+    let contact = rational(3, 2) + &swing * rational(64, 1) + &speed * (rational(n, 1) - rational(1, 2));
+    let start = Start::on_the_line(
+        vec![rational(0, 1), rational(1, 2), contact],
+        vec![-swing.clone(), swing, -speed],
+        Weights::Given(vec![share; 3]),
+        Hysteresis::None,
+    );
+    for jump_bits in [0, 1 << 22] {
+        let (switches, settled) = all_switches(&start, &Limits { jump_bits, ..Limits::default() });
+        assert_eq!(switches.len(), 1);
+        assert_eq!((&switches[0].time, &switches[0].gained), (&n.into(), &vec![(1, 2)]));
+        assert!(matches!(settled.ending, Ending::Steady), "{}", settled.why);
+        assert_eq!(settled.network.edges(), [(0, 1), (1, 2)]);
+    }
+}
+
 /// After an even number of steps the pair is closer together than in the limit, after an odd one wider.
 #[test]
 fn what_a_jump_leaves_out_decides_ties() {
