@@ -1,6 +1,6 @@
 //! The table of theorems and what they say.
 
-use super::transcript::{AxiomSet, recorded};
+use super::transcript::{AxiomSet, Transcript, recorded};
 use super::{Source, files};
 use std::sync::OnceLock;
 
@@ -75,7 +75,11 @@ impl Theorem {
 
     /// Whether the transcript holds it: for these sources, with these axioms.
     pub fn is_checked(&self) -> bool {
-        let transcript = recorded();
+        self.is_checked_by(recorded())
+    }
+
+    /// The same for another transcript.
+    pub fn is_checked_by(&self, transcript: &Transcript) -> bool {
         let Some((audit, _)) = self.audited() else { return false };
         let Some(file) = files().iter().find(|file| file.name == self.file) else { return false };
         let known =

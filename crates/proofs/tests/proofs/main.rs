@@ -1,5 +1,8 @@
 //! The Coq development as the program carries it.
 
+mod certificates;
+mod kernel;
+
 use proofs::kernel::{AxiomSet, Covers, Transcript, files, recorded, theorems, with_digests};
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -100,8 +100,8 @@ impl Pair<'_> {
         let squared = dot(&a, &a);
         let excess = &squared - &one;
         let apart = self.fixed.flock_of[self.i] != self.fixed.flock_of[self.j];
-        if apart && !self.stages.is_empty() && !self.creep(&a, &excess, all)? {
-            return Ok(());
+        if apart && !self.stages.is_empty() {
+            self.creep(&a, &excess, all)?;
         }
         let held = edge && *self.flock.hysteresis() != Hysteresis::None;
         // log2 of a lower bound of |A| - 1 >= (|A|² - 1)/(|A|² + 2).
@@ -150,8 +150,8 @@ impl Pair<'_> {
         Ok(signs.from.max(self.steps_until(transient, -1)))
     }
 
-    /// Different flocks whose drifts agree as far as numbers go. Whether they agree exactly; otherwise notes when they meet.
-    fn creep(&mut self, a: &[BigInt], excess: &BigInt, all: &mut Prospects) -> Result<bool, SettleError> {
+    /// Different flocks whose drifts agree as far as numbers go. Where they do not agree exactly, notes when they meet.
+    fn creep(&mut self, a: &[BigInt], excess: &BigInt, all: &mut Prospects) -> Result<(), SettleError> {
         let flocks = (self.fixed.flock_of[self.i], self.fixed.flock_of[self.j]);
         if !self.drifts.contains_key(&flocks) {
             let found = self.hidden_drift(a.len())?;
@@ -159,7 +159,7 @@ impl Pair<'_> {
         }
         let drifts = &self.drifts[&flocks];
         if drifts.iter().all(|d| matches!(d, Magnitude::Zero)) {
-            return Ok(true);
+            return Ok(());
         }
         let ([place], [Magnitude::Known(drift)]) = (a, drifts.as_slice()) else {
             return Err(SettleError::Unresolved);
@@ -169,13 +169,13 @@ impl Pair<'_> {
         }
         if Signed::sign(place) == Some(drift.sign) {
             all.parting += 1;
-            return Ok(true);
+            return Ok(());
         }
         let gap = Rational::new(place.abs() - &self.motion.unit, self.motion.unit.clone());
         let gap = Interval::from_rational(&gap, drift.log2.precision());
         let log2_gap = gap.ln()?.over(&gap.integer(2).ln()?)?;
         all.creeps.push(Creep { pair: (self.i, self.j), log2_steps: log2_gap - &drift.log2 });
-        Ok(true)
+        Ok(())
     }
 
     /// Drift of the flock of `i` less that of the flock of `j`, where their rational parts agree, by coordinate.

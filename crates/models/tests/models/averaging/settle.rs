@@ -1,9 +1,13 @@
 //! Jumping against stepping.
 
 use super::flock::starts;
-use arithmetic::{Rational, Unwatched, rational};
+use algebra::graph::Graph;
+use algebra::matrix::RationalMatrix;
+use arithmetic::{Field, Interval, Rational, Real, Ring, Unwatched, rational};
 use models::averaging::settle::{Ending, Limits, Settlement, settle};
-use models::averaging::{Flock, Hysteresis, Start, Switch, Weights};
+use models::averaging::{
+    Flock, Hysteresis, Start, Switch, Weights, deviation_matrix, stationary_distribution, transition_matrix,
+};
 use num_bigint::BigInt;
 use proptest::prelude::*;
 
@@ -88,6 +92,48 @@ fn four_birds_with_the_hysteresis_of_the_paper() {
     assert_eq!(settled.network.edges(), vec![(0, 1), (1, 2), (2, 3)]);
 }
 
+/// The same with the birds in the other order.
+#[test]
+fn the_order_of_the_birds_does_not_matter_to_a_cycle() {
+    let mut start = four_birds(Hysteresis::None);
+    start.positions.reverse();
+    start.velocities.reverse();
+    let (switches, settled) = all_switches(&start, &Limits::default());
+    assert!(matches!(settled.ending, Ending::Alternating { period: 2 }));
+    assert_eq!(switches[0].lost, [(1, 2)]);
+}
+
+/// The middle gap would still tend to 1 if they went on alternating, but a part of 2^-60 falls more slowly than the part that changes its
+/// sign, and ends it after some forty steps: it is not taken for a cycle.
+#[test]
+fn a_cycle_that_ends_is_not_proved() {
+    let pairs = Graph::empty(4).with_edges(&[(0, 1), (2, 3)]);
+    let matrix = |network: &Graph| transition_matrix(network, &Weights::Lazy).unwrap();
+    let one = RationalMatrix::identity(4).unwrap();
+    let (first, second) = (matrix(&pairs), matrix(&Graph::path(4)));
+    let round = second.times(&first).unwrap();
+    let kernel = round.transpose().minus(&one).unwrap().kernel();
+    let total: Rational = kernel[0].iter().sum();
+    let pi: Vec<Rational> = kernel[0].iter().map(|x| x / &total).collect();
+    let gamma = deviation_matrix(&round, &pi).unwrap();
+    for sign in [1, -1] {
+        let slow = rational(sign, 1 << 60);
+        let v: Vec<Rational> =
+            [1, -1, 1, -1].iter().zip([1, 1, -1, -1]).map(|(a, b)| rational(*a, 8) + &slow * rational(b, 1)).collect();
+        let way = one.plus(&first).unwrap().apply(&gamma.apply(&v).unwrap()).unwrap();
+        let middle = rational(1, 2) + rational(1, 1) + &way[1] - &way[2];
+        let x = vec![rational(0, 1), rational(1, 2), middle.clone(), middle + rational(1, 2)];
+        let start = Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None);
+        let (switches, settled) = all_switches(&start, &Limits { switches: 200, ..Limits::default() });
+        let mut flock = Flock::new(&start).unwrap();
+        let stepped: Vec<Switch> = (0..200).filter_map(|_| flock.step().unwrap()).collect();
+        assert!(stepped.len() > 30 && stepped.len() < 60);
+        let known: Vec<Switch> = switches.into_iter().filter(|s| s.time <= 200.into()).collect();
+        assert_eq!(known, stepped);
+        assert!(matches!(settled.ending, Ending::Steady), "{}", settled.why);
+    }
+}
+
 /// Two groups of four birds that merge after more than 10^84 steps.
 fn two_groups() -> Start {
     let x: Vec<Rational> = (0..4).flat_map(|l| [rational(2 * l, 1), rational(6 * l + 2, 3)]).collect();
@@ -120,9 +166,8 @@ fn a_merger_after_many_steps() {
     assert_eq!(switches[1].time, contact);
 }
 
-#[test]
-fn a_contact_beyond_all_digits() {
-    // Mirror images of two groups whose drifts cancel but for what is left of their inner motion.
+/// Mirror images of two groups whose drifts cancel but for what is left of their inner motion.
+fn mirror_images() -> Start {
     let patterns: [[(i64, i64); 4]; 4] = [
         [(0, 1), (1, 1), (0, 1), (-1, 1)],
         [(7, 8), (1, 8), (-9, 8), (1, 8)],
@@ -131,8 +176,12 @@ fn a_contact_beyond_all_digits() {
     ];
     let x: Vec<Rational> = (0..8).flat_map(|l| [rational(2 * l, 1), rational(6 * l + 2, 3)]).collect();
     let v = patterns.concat().into_iter().map(|(p, q)| rational(p, 512 * q)).collect();
-    let (switches, settled) =
-        all_switches(&Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None), &Limits::default());
+    Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None)
+}
+
+#[test]
+fn a_contact_beyond_all_digits() {
+    let (switches, settled) = all_switches(&mirror_images(), &Limits::default());
     assert_eq!(switches.len(), 2);
     let Ending::Beyond { pairs, log2_steps } = settled.ending else { panic!("{:?}", settled.ending) };
     assert_eq!(pairs, [(7, 8)]);
@@ -140,6 +189,187 @@ fn a_contact_beyond_all_digits() {
     let s = switches[1].time.clone() - 171u32;
     let ratio = log2_steps.to_f64() / s.to_string().parse::<f64>().unwrap();
     assert!((ratio - 3f64.log2()).abs() < 1e-9, "{ratio}");
+}
+
+/// As above, with numbers: from the motion of the eight birds after the first contact, by eigenvectors.
+#[test]
+fn the_time_of_a_contact_beyond_all_digits() {
+    let start = mirror_images();
+    let (switches, settled) = all_switches(&start, &Limits::default());
+    let Ending::Beyond { log2_steps, .. } = settled.ending else { panic!("{:?}", settled.ending) };
+    let mut flock = Flock::new(&start).unwrap();
+    (0..171).for_each(|_| drop(flock.step().unwrap()));
+    let column = |rows: Vec<Vec<Rational>>| -> Vec<Rational> { rows.into_iter().map(|row| row[0].clone()).collect() };
+    let (x, v) = (column(flock.positions()), column(flock.velocities()));
+    let steps = Rational::from_integer(switches[1].time.clone() - 171u32);
+    // Where velocities go on a path, and what positions gain beside.
+    let limits = |v: &[Rational]| {
+        let path = Graph::path(v.len());
+        let pi = stationary_distribution(&path, &Weights::Lazy).unwrap();
+        let gamma = deviation_matrix(&transition_matrix(&path, &Weights::Lazy).unwrap(), &pi).unwrap();
+        let drift: Rational = pi.iter().zip(v).map(|(p, v)| p * v).sum();
+        (drift, gamma.apply(v).unwrap())
+    };
+    let (mut places, mut drifts, mut swings) = (Vec::new(), Vec::new(), Vec::new());
+    for group in 0..4 {
+        let v = &v[4 * group..4 * group + 4];
+        let (drift, rest) = limits(v);
+        // The part of (1, -1, 1, -1), for the weights (1, 2, 2, 1)/6.
+        swings.push((&v[0] - &v[1] * rational(2, 1) + &v[2] * rational(2, 1) - &v[3]) * rational(1, 6));
+        places.extend((0..4).map(|i| &x[4 * group + i] + &rest[i] + &drift * &steps));
+        drifts.extend(vec![drift; 4]);
+    }
+    let ends = [0, 8].map(|first| {
+        let (drift, rest) = limits(&drifts[first..first + 8]);
+        assert!(num_traits::Zero::is_zero(&drift));
+        (&places[first] + &rest[0], &places[first + 7] + &rest[7])
+    });
+    let gap = &ends[1].0 - &ends[0].1 - rational(1, 1);
+    // A path of eight has the weights (1, 2, 2, 2, 2, 2, 2, 1)/14: (1, -1, 1, -1) leaves -1/14 on the left and 1/14 on the right.
+    let drift = (&swings[3] - &swings[2] - &swings[1] + &swings[0]) * rational(1, 14);
+    assert!(gap > rational(0, 1) && drift != rational(0, 1));
+    let log2 = |q: Rational| {
+        let q = Interval::from_rational(&q, 512);
+        q.ln().unwrap().over(&q.integer(2).ln().unwrap()).unwrap()
+    };
+    let three = log2(rational(3, 1)) * Interval::from_rational(&(steps - rational(1, 1)), 512);
+    let expected = log2(gap / num_traits::Signed::abs(&drift)) + three;
+    // The enclosures overlap, and what they leave open together is little.
+    let apart = log2_steps - expected;
+    let (low, high) = apart.to_rationals();
+    let most = rational(1, 1 << 28);
+    assert!(apart.contains_zero() && -&most <= low && high <= most, "{}", apart.to_f64());
+}
+
+/// A pair that swings, and a bird that comes to distance 1 from it after `n` steps but for what is left of the swing; others may follow.
+fn swinging(contacts: &[i64], hysteresis: Hysteresis) -> Start {
+    let speed = rational(1, 1 << 14);
+    let (mut x, mut v) = (Vec::new(), Vec::new());
+    for (k, n) in contacts.iter().enumerate() {
+        let at = rational(10_000 * k as i64, 1);
+        x.extend([at.clone(), &at + rational(1, 2)]);
+        // The pair ends 3/16 farther apart.
+        x.push(at + rational(1, 2) + rational(3, 32) + rational(1, 1) + &speed * rational(*n, 1));
+        v.extend([rational(-1, 8), rational(1, 8), -speed.clone()]);
+    }
+    Start::on_the_line(x, v, Weights::Lazy, hysteresis)
+}
+
+/// A pair that mixes slowly, so that steps are needed before a jump to a bird that comes after two million more.
+#[test]
+fn a_jump_after_steps_starts_from_where_they_started() {
+    let (share, speed, n) = (rational(1, 128), rational(1, 1 << 14), 1i64 << 21);
+    let swing = rational(1, 1024);
+    // The second bird ends 64 times its velocity to the right.
+    let contact = rational(3, 2) + &swing * rational(64, 1) + &speed * (rational(n, 1) - rational(1, 2));
+    let start = Start::on_the_line(
+        vec![rational(0, 1), rational(1, 2), contact],
+        vec![-swing.clone(), swing, -speed],
+        Weights::Given(vec![share; 3]),
+        Hysteresis::None,
+    );
+    for jump_bits in [0, 1 << 22] {
+        let (switches, settled) = all_switches(&start, &Limits { jump_bits, ..Limits::default() });
+        assert_eq!(switches.len(), 1);
+        assert_eq!((&switches[0].time, &switches[0].gained), (&n.into(), &vec![(1, 2)]));
+        assert!(matches!(settled.ending, Ending::Steady), "{}", settled.why);
+        assert_eq!(settled.network.edges(), [(0, 1), (1, 2)]);
+    }
+}
+
+/// After an even number of steps the pair is closer together than in the limit, after an odd one wider.
+#[test]
+fn what_a_jump_leaves_out_decides_ties() {
+    let contact = |n: i64| if n % 2 == 0 { n + 1 } else { n };
+    let cases = [9_000, 9_001].into_iter().flat_map(|n| [vec![n], vec![n, 9_010], vec![n, 9_011]]);
+    let (mut beyond, mut steady) = (0, 0);
+    for contacts in cases {
+        let start = swinging(&contacts, Hysteresis::None);
+        let (exact, known) = all_switches(&start, &Limits { steps: 2_000, ..Limits::default() });
+        let (found, settled) = all_switches(&start, &Limits { jump_bits: 0, steps: 2_000, ..Limits::default() });
+        assert_eq!(found, exact[..found.len()]);
+        for (k, &n) in contacts.iter().enumerate() {
+            let first = exact.iter().find(|switch| switch.gained.contains(&(3 * k + 1, 3 * k + 2))).unwrap();
+            assert_eq!(first.time, contact(n).into());
+        }
+        match settled.ending {
+            Ending::Steady => {
+                steady += 1;
+                assert!(matches!(known.ending, Ending::Steady) && found.len() == exact.len());
+            }
+            // The next contact has thousands of digits.
+            Ending::Beyond { pairs, log2_steps } => {
+                beyond += 1;
+                let next = &exact[found.len()];
+                assert!(next.gained.iter().all(|pair| pairs.contains(pair)) && next.lost.is_empty());
+                let steps = Interval::from_rational(&Rational::from_integer(&next.time - &settled.last_switch), 256);
+                let log2 = steps.ln().unwrap().over(&steps.integer(2).ln().unwrap()).unwrap();
+                assert!(log2_steps.overlaps(&log2));
+                assert!((log2_steps - log2).to_f64().abs() < 1.0);
+            }
+            ending => panic!("{ending:?}"),
+        }
+    }
+    assert_eq!((beyond, steady), (2, 4));
+}
+
+/// After jumps of hundreds of steps what they leave out is still too large to be left out.
+#[test]
+fn what_a_short_jump_leaves_out_is_not_forgotten() {
+    for contacts in [vec![3_000], vec![9_000, 9_300], vec![9_000, 30_000]] {
+        let limits = Limits { jump_bits: 0, steps: 2_000, ..Limits::default() };
+        let (switches, settled) = all_switches(&swinging(&contacts, Hysteresis::None), &limits);
+        assert_eq!(switches.len(), contacts.len() - 1);
+        assert!(
+            matches!(settled.ending, Ending::Undecided(_)) && settled.why.contains("told apart"),
+            "{}",
+            settled.why
+        );
+    }
+}
+
+/// Others whose distance tends to 1, or is 1: after a jump what was left out would decide.
+#[test]
+fn other_ties_are_open_after_a_jump() {
+    let far = rational(100, 1);
+    let third = |s: i64| (&far + rational(s, 1) * (rational(1, 1) - rational(3, 64)), rational(s, 32));
+    let path = [third(-1), third(0), third(1)];
+    let still = [(far.clone(), rational(0, 1)), (&far + rational(1, 1), rational(0, 1))];
+    for others in [&path[..], &still] {
+        let mut start = swinging(&[9_000], Hysteresis::None);
+        for (x, v) in others {
+            start.positions.push(vec![x.clone()]);
+            start.velocities.push(vec![v.clone()]);
+        }
+        let limits = Limits { steps: 2_000, ..Limits::default() };
+        let (exact, known) = all_switches(&start, &limits);
+        let (switches, settled) = all_switches(&start, &Limits { jump_bits: 0, ..limits });
+        assert_eq!(switches, exact);
+        assert!(matches!(known.ending, Ending::Steady));
+        assert!(matches!(settled.ending, Ending::Undecided(why) if why.starts_with("birds 4 and 5: ")));
+    }
+}
+
+/// With a threshold a change of distance could tie with that too, as soon as an edge is longer than 1.
+#[test]
+fn held_edges_are_not_followed_after_a_jump() {
+    let limits = Limits { jump_bits: 0, steps: 2_000, ..Limits::default() };
+    for (n, is_decided) in [(9_000, true), (9_001, false)] {
+        let start = swinging(&[n], Hysteresis::Constant(rational(1, 1 << 10)));
+        let (exact, _) = all_switches(&start, &Limits { steps: 2_000, ..Limits::default() });
+        let (switches, settled) = all_switches(&start, &limits);
+        assert_eq!(switches, exact);
+        assert_eq!(matches!(settled.ending, Ending::Steady), is_decided, "{}", settled.why);
+        assert!(is_decided || settled.why.contains("told apart"), "{}", settled.why);
+    }
+}
+
+#[test]
+fn the_number_of_switches_is_limited() {
+    let (switches, settled) = all_switches(&four_birds(Hysteresis::None), &Limits { switches: 3, ..Limits::default() });
+    assert_eq!(switches.iter().map(|s| s.time.clone()).collect::<Vec<_>>(), [1, 2, 3].map(BigInt::from));
+    assert!(matches!(settled.ending, Ending::Undecided(_)));
+    assert_eq!((settled.why.as_str(), settled.last_switch), ("stopped after 3 switches", 3.into()));
 }
 
 #[test]
@@ -152,6 +382,8 @@ fn small_cases() {
         switches.into_iter().map(|s| s.time.to_string()).collect::<Vec<_>>()
     };
     assert!(steady(&line(&[(0, 1)], &[(5, 1)], Hysteresis::Paper)).is_empty());
+    let one = all_switches(&line(&[(0, 1)], &[(5, 1)], Hysteresis::None), &Limits::default()).1;
+    assert_eq!(one.why, "one bird has no edges");
     assert!(steady(&line(&[(0, 1), (2, 1)], &[(-1, 1), (1, 1)], Hysteresis::None)).is_empty());
     assert_eq!(steady(&line(&[(0, 1), (1001, 1)], &[(1, 10), (0, 1)], Hysteresis::None)), ["10000", "10001"]);
     let plane = |y: (i64, i64)| Start {
@@ -248,6 +480,23 @@ fn alternating_birds_and_others_far_away() {
     assert!(settled.why.contains("birds 4 and 5 approach") && settled.why.contains("400000"), "{}", settled.why);
 }
 
+/// Contacts just before, at and just after the step at which exact numbers are taken, and from which a jump may start.
+#[test]
+fn lone_birds_meet_when_they_must() {
+    let speed = rational(1, 8);
+    for t in 47..52 {
+        for beyond in [rational(0, 1), rational(7, 8)] {
+            let far = rational(1, 1) + &speed * (rational(t, 1) - beyond);
+            let (x, v) = (vec![rational(0, 1), far], vec![rational(0, 1), -speed.clone()]);
+            let start = Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None);
+            for (steps, jump_bits) in [(0, 0), (0, 1 << 22), (1, 0), (5, 1 << 22), (400, 0)] {
+                let (switches, _) = all_switches(&start, &Limits { steps, jump_bits, ..Limits::default() });
+                assert_eq!(switches[0].time, t.into(), "{steps} {jump_bits}");
+            }
+        }
+    }
+}
+
 #[test]
 fn lone_birds_leave_nothing_out() {
     // The first two meet after so many steps, in passing; nothing has a transient before.
@@ -292,7 +541,8 @@ fn a_hidden_drift_is_named() {
     let v = patterns.concat().into_iter().map(|(p, q)| rational(p, 512 * q)).collect();
     let (_, settled) = all_switches(&Start::on_the_line(x, v, Weights::Lazy, Hysteresis::None), &Limits::default());
     assert!(matches!(settled.ending, Ending::Steady), "{}", settled.why);
-    assert!(settled.why.contains("too small to be written as a number move apart"), "{}", settled.why);
+    let said = "; 64 pairs of which the relative drift is too small to be written as a number move apart";
+    assert!(settled.why.ends_with(said), "{}", settled.why);
 }
 
 proptest! {

@@ -1,0 +1,125 @@
+//! The table of theorems, the digests and the transcript, against naive twins.
+
+use proofs::kernel::{AxiomSet, Covers, Source, Theorem, Transcript, files, recorded, theorems, with_digests};
+use sha2::{Digest, Sha256};
+
+#[test]
+fn words_are_read_as_they_are_written() {
+    for covers in [Covers::Claim, Covers::Part, Covers::Corrected, Covers::Negation, Covers::Instance] {
+        assert_eq!(Covers::parse(covers.word()), Some(covers));
+    }
+    for axioms in [AxiomSet::None, AxiomSet::Reals, AxiomSet::RealsAndClassic] {
+        assert_eq!(AxiomSet::parse(axioms.words()), Some(axioms));
+    }
+    assert_eq!(AxiomSet::parse("classic"), None);
+    let extensionality = "FunctionalExtensionality.functional_extensionality_dep";
+    for axiom in ["ClassicalDedekindReals.sig_not_dec", "ClassicalDedekindReals.sig_forall_dec", extensionality] {
+        assert_eq!(AxiomSet::of([axiom]), Ok(AxiomSet::Reals));
+        assert_eq!(AxiomSet::of(["Classical_Prop.classic", axiom]), Ok(AxiomSet::RealsAndClassic));
+    }
+}
+
+#[test]
+fn rows_of_the_table_are_theorems() {
+    let table = std::fs::read_to_string(super::folder().join("theorems.tsv")).unwrap();
+    for (line, theorem) in table.lines().skip(1).zip(theorems()) {
+        let clauses: Vec<String> = theorem.clauses.iter().map(usize::to_string).collect();
+        let scope = if theorem.whole { "all" } else { "instances" };
+        let Theorem { claim, file, name, part, .. } = theorem;
+        let (axioms, covers) = (theorem.axioms.words(), theorem.covers.word());
+        assert_eq!([claim, file, name, axioms, covers, &clauses.join(","), scope, part].join("\t"), line);
+        assert_eq!(theorem.path(), format!("{file}.{name}"));
+    }
+}
+
+/// Nothing but spaces, and the text with each run of spaces as one.
+fn spaced(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn statements_are_those_of_the_audits() {
+    for theorem in theorems() {
+        let (audit, statement) = theorem.audited().unwrap();
+        assert!(audit.name.starts_with("audit") && audit.needs.contains(&theorem.file), "{}", theorem.path());
+        // The parenthesis that is closed after the statement is the one before the name.
+        let mut open = 0;
+        assert!(statement.chars().all(|c| {
+            open += i32::from(c == '(') - i32::from(c == ')');
+            open >= 0
+        }));
+        assert_eq!(open, 0, "{}", theorem.path());
+        let text = spaced(audit.text).replace("( ", "(").replace(" )", ")").replace("(@", "(").replace(" :", ":");
+        let check = |name: &str| format!("({name}: {}).", spaced(statement));
+        let check = [theorem.path(), theorem.name.to_string()].map(|name| check(&name).replace(" :", ":"));
+        let check = check.map(|sentence| sentence.replace("( ", "(").replace(" )", ")").replace("(@", "("));
+        assert!(check.iter().any(|sentence| text.contains(sentence)), "{}: {statement}", theorem.path());
+    }
+    let one = theorems().iter().find(|theorem| theorem.path() == "chazelle_worked.eps_inequality").unwrap();
+    let (audit, statement) = one.audited().unwrap();
+    assert_eq!(audit.name, "audit_chazelle");
+    assert_eq!(statement, "forall nu : nat, (1 <= nu)%nat -> exp (- INR (nu ^ nu ^ 2)) < / INR nu ^ nu ^ 4");
+}
+
+#[test]
+fn a_theorem_counts_only_as_coq_saw_it() {
+    let one = theorems().iter().find(|theorem| theorem.path() == "chazelle_worked.eps_inequality").unwrap();
+    assert!(one.is_checked() && one.is_checked_by(recorded()));
+    // Other axioms than it may rest on; a theorem, a file or an audit that the transcript does not have as it is now.
+    let other = if one.axioms == AxiomSet::None { AxiomSet::Reals } else { AxiomSet::None };
+    assert!(!Theorem { axioms: other, ..one.clone() }.is_checked());
+    assert!(!Theorem { name: "eps_inequalit", ..one.clone() }.is_checked());
+    assert!(!Theorem { file: "chazelle_angle", ..one.clone() }.is_checked());
+    for file in ["chazelle_worked", "audit_chazelle"] {
+        let mut changed = recorded().clone();
+        let digest = changed.digests.get_mut(file).unwrap();
+        *digest = digest.chars().rev().collect();
+        assert!(!one.is_checked_by(&changed), "{file}");
+        changed.digests.remove(file);
+        assert!(!one.is_checked_by(&changed), "{file}");
+    }
+    let mut without = recorded().clone();
+    without.theorems.remove(&one.path());
+    assert!(!one.is_checked_by(&without));
+}
+
+#[test]
+fn digests_are_of_the_text_and_of_what_it_needs() {
+    let sha = |bytes: &[u8]| -> String { Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect() };
+    let texts = [
+        ("a", "Definition x := 1."),
+        ("ab", "From Coq Require Import List."),
+        ("b", "From Flockproof Require Import a."),
+        ("c", "From Flockproof Require a.\nFrom Flockproof Require Import ab b. (* From c. *)"),
+    ];
+    let found: Vec<Source> = with_digests(&texts);
+    assert_eq!(found.iter().map(|file| file.name).collect::<Vec<_>>(), ["a", "ab", "b", "c"]);
+    let needs: Vec<&[&str]> = found.iter().map(|file| file.needs.as_slice()).collect();
+    assert_eq!(needs, [&[][..], &[], &["a"], &["a", "ab", "b"]]);
+    for file in &found {
+        let mut bytes = file.text.as_bytes().to_vec();
+        for need in &file.needs {
+            bytes.push(0);
+            bytes.extend(found.iter().find(|other| other.name == *need).unwrap().digest.bytes());
+        }
+        assert_eq!(file.digest, sha(&bytes), "{}", file.name);
+    }
+    for file in files() {
+        assert_eq!(file.text, std::fs::read_to_string(super::folder().join(format!("{}.v", file.name))).unwrap());
+    }
+}
+
+#[test]
+fn transcripts_pass_over_other_lines() {
+    let text =
+        "# a word\ncoq 8.16.1\nfile a 01ab\nfile b\ntheorem a.x reals\ntheorem a.y choice\ntheorem a.z none more\n";
+    let read = Transcript::parse(text);
+    assert_eq!(read.coq, "8.16.1");
+    assert_eq!(read.digests.into_iter().collect::<Vec<_>>(), [("a".to_string(), "01ab".to_string())]);
+    assert_eq!(read.theorems.into_iter().collect::<Vec<_>>(), [("a.x".to_string(), AxiomSet::Reals)]);
+    let written = Transcript::parse("coq 8.16.1\nfile a 01ab\ntheorem a.x reals+classic").text();
+    let (first, rest) = written.split_once('\n').unwrap();
+    assert_eq!(first, "# What coqc said; written by `flockproof prove --transcript FILE`.");
+    assert_eq!(rest, "coq 8.16.1\nfile a 01ab\ntheorem a.x reals+classic\n");
+    assert_eq!(std::fs::read_to_string(super::folder().join("transcript.txt")).unwrap(), recorded().text());
+}
