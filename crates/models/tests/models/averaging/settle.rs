@@ -313,6 +313,20 @@ fn what_a_jump_leaves_out_decides_ties() {
     assert_eq!((beyond, steady), (2, 4));
 }
 
+/// A short jump after one that is too long for exact numbers: it starts from a limit, and cannot be exact however short it is. What the long one left out decides
+/// the second contact, and is said to be open.
+#[test]
+fn a_short_jump_after_a_long_one_does_not_forget_it() {
+    let contact = |n: i64| BigInt::from(n + i64::from(n % 2 == 0));
+    for contacts in [[3_000_001, 3_000_200], [3_000_001, 3_000_201], [3_000_000, 3_000_200], [3_000_000, 3_000_201]] {
+        let (found, settled) = all_switches(&swinging(&contacts, Hysteresis::None), &Limits::default());
+        let gains = |pair: (usize, usize)| found.iter().filter(move |switch| switch.gained.contains(&pair));
+        assert_eq!(gains((1, 2)).next().map(|switch| &switch.time), Some(&contact(contacts[0])));
+        assert_eq!(gains((4, 5)).count(), 0);
+        assert!(matches!(settled.ending, Ending::Undecided(_)), "{:?}", settled.ending);
+    }
+}
+
 /// After jumps of hundreds of steps what they leave out is still too large to be left out.
 #[test]
 fn what_a_short_jump_leaves_out_is_not_forgotten() {
