@@ -343,6 +343,29 @@ fn the_slowest_rate_is_exact() {
     }
 }
 
+/// Few bits enclose what many show, whether the first or the last mode is the slowest one, and where few bits do not tell whether a mode oscillates.
+#[test]
+fn slowest_rates_of_few_bits_hold_those_of_many() {
+    let almost = rational(1, 1) - rational(1, 1 << 30);
+    for (f, g) in [(rational(-1, 3), rational(-1, 7)), (rational(-1, 3), rational(-10, 1)), (-&almost, rational(-2, 1))]
+    {
+        let enclosed = |m: u64, bits: u32| {
+            let gains = Gains { f: f.clone(), g: g.clone() }.map(|q| Interval::from_rational(q, bits));
+            slowest_rate(&gains, m).expect("a rate").to_rationals()
+        };
+        for m in [1, 2, 3, 8] {
+            let ((low, high), (lo, hi)) = (enclosed(m, 24), enclosed(m, 200));
+            assert!(low <= lo && hi <= high && low < high, "{f} {g} {m}");
+            assert!(&high - &low < rational(1, 1 << 10) * &high, "{f} {g} {m}");
+        }
+    }
+    // One follower with f = -(1 - 2^-30), g = -2: the rates are 1 -+ 2^-15.
+    let gains = Gains { f: -almost, g: rational(-2, 1) }.map(|q| Interval::from_rational(q, 24));
+    let (low, high) = slowest_rate(&gains, 1).expect("a rate").to_rationals();
+    let exact = rational(1, 1) - rational(1, 1 << 15);
+    assert!(low <= exact && exact <= high);
+}
+
 /// The least real part of `lambda (|f| + |g| s) = -s²` over all modes, with the sign turned, in floats.
 #[test]
 fn the_slowest_rate_is_the_least_of_all_modes() {
