@@ -7,7 +7,7 @@ use super::{
     recorded,
 };
 use arithmetic::{Progress, Unwatched};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, btree_map};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, mpsc};
 use std::time::{Duration, Instant};
@@ -189,10 +189,12 @@ impl Ledger {
     }
 
     fn insert(&mut self, registered: Registered) -> Result<(), LedgerError> {
-        let id = registered.id.clone();
-        match self.claims.insert(id.clone(), Arc::new(registered)) {
-            Some(_) => Err(LedgerError::Twice(id)),
-            None => Ok(()),
+        match self.claims.entry(registered.id.clone()) {
+            btree_map::Entry::Occupied(there) => Err(LedgerError::Twice(there.key().clone())),
+            btree_map::Entry::Vacant(place) => {
+                place.insert(Arc::new(registered));
+                Ok(())
+            }
         }
     }
 
