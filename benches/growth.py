@@ -65,6 +65,10 @@ def located(model, law, agents, folder, graph='kind = "within"\nradius = 2'):
     return write(folder, "located.toml", text)
 
 
+def steered(n):
+    return "omega0 = 1\nK0 = %d\nK1 = -%d" % (n // 20, n // 5)
+
+
 def school(fish, frames, folder):
     g = draws(fish)
     rows = ["t,id,x,y"]
@@ -119,11 +123,10 @@ ROWS = [
     ("simulate, located headings", "agents", [1000, 4000, 16000],
      command("simulate", lambda n, f: located("heading-alignment", ALIGNING, n, f), "--out", OUT), 1.0, "the same"),
     ("simulate, located particles", "agents", [1000, 4000, 16000],
-     command("simulate", lambda n, f: located("particles", "omega0 = 1\nK0 = %d\nK1 = -%d" % (n // 20, n // 5), n, f), "--out", OUT),
+     command("simulate", lambda n, f: located("particles", steered(n), n, f), "--out", OUT),
      1.0, "the same"),
     ("simulate, located nearest", "agents", [1000, 4000, 16000],
-     command("simulate", lambda n, f: located("particles", "omega0 = 1\nK0 = %d\nK1 = -%d" % (n // 20, n // 5), n, f,
-                                              'kind = "nearest"\nnearest = 5'), "--out", OUT),
+     command("simulate", lambda n, f: located("particles", steered(n), n, f, 'kind = "nearest"\nnearest = 5'), "--out", OUT),
      1.0, "the same"),
     ("tracks", "frames", [500, 1000, 2000], command("tracks", lambda n, f: school(8, n, f), "--out", OUT), 1.0, "frames"),
     ("tracks", "fish", [8, 16, 32], command("tracks", lambda n, f: school(n, 300, f), "--out", OUT), 2.0,

@@ -122,6 +122,8 @@ pub(super) fn single(a: &SparseMatrix) -> Option<Rational> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::float_bounds::UNIT;
+    use super::super::testing::assert_rounded_up;
     use super::*;
 
     fn of(order: usize, entries: &[(usize, usize, (i64, i64))]) -> SparseMatrix {
@@ -165,8 +167,8 @@ mod tests {
             for is_symmetric in [true, false] {
                 let found = symmetrised(&thirds, is_symmetric).expect("in range");
                 let count = found.rows.iter().map(Vec::len).sum::<usize>() as f64;
-                let derived = count.sqrt() * 4.0 * super::super::float_bounds::UNIT * found.rows[0][0].1.abs();
-                assert!(derived <= found.error && found.error <= derived * (1.0 + 1e-5), "{order}");
+                let derived = count.sqrt() * 4.0 * UNIT * found.rows[0][0].1.abs();
+                assert_rounded_up(found.error, derived, &format!("{order}"));
                 assert_eq!(found.rows.len(), order);
             }
             let whole = SparseMatrix::from_entries(order, entries.map(|(i, j)| (i, j, rational(3, 1))));

@@ -126,11 +126,8 @@ fn real_if_alone(part: Eigenvalue) -> Eigenvalue {
 
 #[cfg(test)]
 mod tests {
+    use super::super::testing::{assert_rounded_up, whole};
     use super::*;
-
-    fn whole(a: usize, b: usize) -> f64 {
-        ((a * 7 + b * b * 3 + a * b) % 9) as f64 - 4.0
-    }
 
     /// Rows with entries that are known up to `error`, and the same as a matrix.
     fn matrix(order: usize, error: f64, entry: impl Fn(usize, usize) -> f64) -> (Vec<Row>, Mat<f64>) {
@@ -145,10 +142,6 @@ mod tests {
             Some(1) => c64::new(0.0, 2.0),
             _ => c64::new(0.0, 0.0),
         })
-    }
-
-    fn assert_near(found: f64, exact: f64, what: &str) {
-        assert!(exact <= found && found <= exact * (1.0 + 1e-5), "{what}: {found} instead of {exact}");
     }
 
     #[test]
@@ -175,7 +168,7 @@ mod tests {
                 for (i, radius) in found.into_iter().enumerate() {
                     let moved = |k: usize| entry(&|j| inverse[(i, j)], &|j| residual[(j, k)]);
                     let exact: f64 = (0..order).map(|k| moved(k).re.hypot(moved(k).im)).sum();
-                    assert_near(radius, exact, &format!("{order}, {keep}, {i}"));
+                    assert_rounded_up(radius, exact, &format!("{order}, {keep}, {i}"));
                 }
             }
         }
@@ -193,7 +186,7 @@ mod tests {
                 let lost = 40.0 * UNIT * 6.0 + error;
                 let e = 8.0 * (order as f64 + 4.0) * UNIT * 3.0;
                 for radius in discs(&rows, &floats, identity.as_ref(), &values).expect("regular") {
-                    assert_near(radius, lost + e * lost / (1.0 - e), &format!("{order}, {error}"));
+                    assert_rounded_up(radius, lost + e * lost / (1.0 - e), &format!("{order}, {error}"));
                 }
             }
         }

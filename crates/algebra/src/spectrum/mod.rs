@@ -25,6 +25,8 @@ mod small;
 mod smith;
 mod stability;
 mod symmetric;
+#[cfg(test)]
+mod testing;
 mod trailing;
 mod tridiagonal;
 mod turn;

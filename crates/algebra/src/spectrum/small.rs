@@ -93,11 +93,11 @@ fn radius(s: &[f64], n: usize, values: &[f64], vectors: &[f64]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::testing::assert_rounded_up;
     use super::*;
 
     fn assert_near(found: Option<f64>, exact: f64) {
-        let found = found.expect("a bound");
-        assert!(exact <= found && found <= exact * (1.0 + 1e-5), "{found} instead of {exact}");
+        assert_rounded_up(found.expect("a bound"), exact, "the radius");
     }
 
     fn identity(n: usize) -> Vec<f64> {

@@ -172,12 +172,8 @@ fn dense(s: &Symmetric) -> Mat<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::testing::{assert_rounded_up, whole};
     use super::*;
-
-    /// Whole numbers up to 4 in size, so that all sums are exact.
-    fn whole(a: usize, b: usize) -> f64 {
-        ((a * 7 + b * b * 3 + a * b) % 9) as f64 - 4.0
-    }
 
     /// The matrix with these entries, those of value zero left out.
     fn matrix(order: usize, error: f64, entry: impl Fn(usize, usize) -> f64) -> Symmetric {
@@ -223,7 +219,7 @@ mod tests {
                 let reduced = beside(&s, is_dense);
                 let exact = exact_square(&s, &reduced).sqrt();
                 let found = reduced.residual(&s);
-                assert!(exact <= found && found <= exact * (1.0 + 1e-5), "{order}, {is_dense}: {exact} {found}");
+                assert_rounded_up(found, exact, &format!("{order}, {is_dense}"));
             }
         }
     }

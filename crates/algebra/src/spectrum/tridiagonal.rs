@@ -135,9 +135,9 @@ impl Tridiagonal {
             }
             let part = (hi - lo) / (LANES + 1) as f64;
             let shifts = std::array::from_fn(|lane| lo + part * (lane + 1) as f64);
-            let above = self.counts(shifts).iter().position(|count| *count > k);
-            lo = above.map_or(LANES, |above| above).checked_sub(1).map_or(lo, |below| shifts[below]);
-            hi = above.map_or(hi, |above| shifts[above]);
+            let above = self.counts(shifts).iter().position(|count| *count > k).unwrap_or(LANES);
+            lo = above.checked_sub(1).map_or(lo, |below| shifts[below]);
+            hi = shifts.get(above).copied().unwrap_or(hi);
         }
         // The centre and the differences are rounded.
         let centre = lo.midpoint(hi);

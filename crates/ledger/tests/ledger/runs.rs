@@ -8,7 +8,7 @@ use ledger::{
     Record, Run, Scope, Verdict, to_json,
 };
 
-/// A claim that an integer is 1; its correction is that it is 2.
+/// A claim that an integer is positive.
 fn number(id: &'static str, printed: i64) -> Record<i64> {
     Record::new(id, "by looking", printed, |n: &i64, _: &mut Run| {
         let evidence = Evidence::new(Grade::Exact, "the number", format!("{n}"));

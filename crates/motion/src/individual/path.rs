@@ -31,6 +31,11 @@ impl<const F: usize> Path<F> {
         path
     }
 
+    /// Where it begins.
+    pub fn point(&self) -> [f64; 2] {
+        self.place.map(|c| c[0])
+    }
+
     /// The same motion from a later time on.
     pub fn after(&self, delay: f64) -> Self {
         Path { place: self.place.map(|c| shifted(&c, delay)), further: self.further.map(|c| shifted(&c, delay)) }

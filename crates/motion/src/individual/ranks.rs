@@ -75,11 +75,6 @@ pub fn typical<const F: usize>(start: &[Moving<f64, F>], arcs: &[Pair]) -> f64 {
     if mean > 0.0 && mean.is_finite() { mean } else { 1.0 }
 }
 
-/// Where the series of an agent begins.
-fn anchor<const F: usize>(agent: &Agent<F>) -> [f64; 2] {
-    agent.path.place.map(|c| c[0])
-}
-
 impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, F, M> {
     /// Looks at all agents in whose nearest some that have new series may have a part.
     pub(super) fn watch_ranks(&mut self, time: f64, changed: &[usize]) {
@@ -87,15 +82,15 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
         self.ranks.farthest = reach.fold(self.ranks.farthest, f64::max);
         self.ranks.round += 1;
         let mut asked = Vec::new();
+        let wide: Vec<usize> = self.ranks.wide.iter().copied().collect();
         for &agent in changed {
             let ranks = &mut self.ranks;
             let sensing = self.agents[agent].observers.iter().copied().chain([agent]);
             asked.extend(sensing.filter(|&other| ranks.ask(other)));
-            let (point, reach) = (anchor(&self.agents[agent]), self.agents[agent].reach);
+            let (point, reach) = (self.agents[agent].path.point(), self.agents[agent].reach);
             let far = WIDE * self.scale + reach + ranks.farthest;
             let near = self.cells.near(point, far).map(|place| place.agent);
-            let wide: Vec<usize> = ranks.wide.iter().copied().collect();
-            for other in near.chain(wide) {
+            for other in near.chain(wide.iter().copied()) {
                 let fence = &ranks.fences[other];
                 if distance(point, fence.centre) <= fence.radius + reach && ranks.ask(other) {
                     asked.push(other);
@@ -113,10 +108,10 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
     fn watch_rank(&mut self, time: f64, agent: usize) {
         let own = &self.agents[agent];
         let path = own.path.after(time - own.from);
-        let point = path.place.map(|c| c[0]);
+        let point = path.point();
         // From the point where its series begins the agent gets `reach` far, from where it is now twice that.
         let moved = 2.0 * own.reach;
-        let far_off = |other: &Agent<F>| distance(point, anchor(other)) + other.reach;
+        let far_off = |other: &Agent<F>| distance(point, other.path.point()) + other.reach;
         let inner: Vec<(usize, f64)> =
             own.neighbours.iter().map(|one| (one.agent, far_off(&self.agents[one.agent]))).collect();
         let far = inner.iter().fold(0.0, |far: f64, (_, off)| far.max(*off));
@@ -183,7 +178,7 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
         self.scale = mean;
         self.cells = Cells::new(count, mean);
         for (k, agent) in self.agents.iter().enumerate() {
-            self.cells.put(Place { agent: k, anchor: anchor(agent), reach: agent.reach });
+            self.cells.put(Place { agent: k, anchor: agent.path.point(), reach: agent.reach });
         }
         self.ranks.farthest = self.agents.iter().fold(0.0, |far: f64, agent| far.max(agent.reach));
         let wide = self.ranks.fences.iter().enumerate().filter(|(_, fence)| fence.radius > WIDE * mean);

@@ -30,7 +30,7 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
             agent.round = self.together.round;
             self.restarts += 1;
             self.expect(until, Kind::End, (k, k));
-            self.cells.put(Place { agent: k, anchor: path.place.map(|c| c[0]), reach });
+            self.cells.put(Place { agent: k, anchor: path.point(), reach });
         }
         match self.sensing {
             Sensing::Within(radius) => changed.iter().for_each(|&k| self.watch_radius(time, k, radius)),
@@ -86,7 +86,7 @@ impl<L: IndividualLaw<F, M>, const F: usize, const M: usize> IndividualFlock<L, 
     /// Finds the next arrivals of an agent's pairs at the radius while both series last.
     fn watch_radius(&mut self, time: f64, i: usize, radius: f64) {
         let own = &self.agents[i];
-        let point = own.path.place.map(|c| c[0]);
+        let point = own.path.point();
         let mut found = Vec::new();
         for other in self.cells.around(point) {
             let (x, y) = (point[0] - other.anchor[0], point[1] - other.anchor[1]);
