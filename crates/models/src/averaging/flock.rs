@@ -106,9 +106,12 @@ impl Start {
 
 /// A state `x(t)`, `v(t+1)` as numerators over one unit, one row per bird.
 #[derive(Debug, Clone)]
-pub(super) struct IntegerState {
+pub struct IntegerState {
+    /// Of the positions, by bird and dimension.
     pub positions: Vec<Vec<BigInt>>,
+    /// Of the velocities.
     pub velocities: Vec<Vec<BigInt>>,
+    /// The common denominator.
     pub unit: BigInt,
 }
 

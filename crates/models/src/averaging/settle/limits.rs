@@ -13,13 +13,15 @@ use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 /// Numerators, one row per bird and one column per dimension.
-pub(super) type Rows = Vec<Vec<BigInt>>;
+pub type Rows = Vec<Vec<BigInt>>;
 
 /// What depends on the network only.
-pub(super) struct FixedNetwork {
+pub struct FixedNetwork {
+    /// The network.
     pub network: Graph,
     /// The number of the flock of each bird.
     pub flock_of: Vec<usize>,
+    /// The birds of each flock.
     pub flocks: Vec<Vec<usize>>,
     /// `tau_1(P^steps) <= 1/2` within every flock.
     pub halving_steps: u64,
@@ -33,6 +35,10 @@ pub(super) struct FixedNetwork {
 }
 
 impl FixedNetwork {
+    /// The limits of a network.
+    ///
+    /// # Errors
+    /// [`SettleError`] for weights that do not suit the network, or where it is stopped.
     pub fn new(network: &Graph, weights: &Weights, progress: &dyn Progress) -> Result<Self, SettleError> {
         let birds = network.order();
         let mut flock_of = vec![0; birds];
@@ -96,7 +102,8 @@ impl FixedNetwork {
 
 /// The motion of a flock that keeps its network: with `s` steps from now,
 /// `x_i(s) = place_i + s drift_i - (P^s rest)_i`. All numerators are over `unit`.
-pub(super) struct Motion {
+pub struct Motion {
+    /// The common denominator.
     pub unit: BigInt,
     /// `x + Gamma v`.
     pub place: Rows,
@@ -112,6 +119,10 @@ pub(super) struct Motion {
 }
 
 impl Motion {
+    /// The motion from a state on.
+    ///
+    /// # Errors
+    /// [`Cancelled`].
     pub fn new(fixed: &FixedNetwork, state: &IntegerState, progress: &dyn Progress) -> Result<Self, Cancelled> {
         let factor = fixed.limit.denominator();
         let drift = apply(&fixed.limit, &state.velocities, progress)?;

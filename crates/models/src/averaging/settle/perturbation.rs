@@ -15,9 +15,16 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 
 /// What happened since the last exact state, oldest first.
-pub(super) enum Stage {
+pub enum Stage {
     /// `steps` times: move, then average by `transition`.
-    Steps { network: Graph, transition: RationalMatrix, steps: u64 },
+    Steps {
+        /// On this network.
+        network: Graph,
+        /// Its averaging.
+        transition: RationalMatrix,
+        /// How often.
+        steps: u64,
+    },
     /// Average the velocities once more.
     Average(RationalMatrix),
     /// A jump to the limit motion.
@@ -36,7 +43,7 @@ impl Stage {
 }
 
 /// A jump: all that is needed to know what it left out and what it does to older remainders.
-pub(super) struct Jump {
+pub struct Jump {
     transition: RationalMatrix,
     /// Rows `pi^T` of the own flock.
     limit: RationalMatrix,
@@ -53,18 +60,26 @@ pub(super) struct Jump {
 
 /// A number that is zero or known by sign and size.
 #[derive(Debug, Clone)]
-pub(super) enum Magnitude {
+pub enum Magnitude {
+    /// Zero.
     Zero,
+    /// Sign and size.
     Known(Leading),
 }
 
 /// A linear functional of positions and velocities: one row per dimension, one column per bird.
-pub(super) struct Functional {
+pub struct Functional {
+    /// Of the positions.
     pub positions: RationalMatrix,
+    /// Of the velocities.
     pub velocities: RationalMatrix,
 }
 
 impl Jump {
+    /// The jump of a motion over so many steps, at least one.
+    ///
+    /// # Errors
+    /// [`SettleError`] of the matrices, or where it is stopped.
     pub fn new(
         fixed: &FixedNetwork,
         motion: &Motion,
@@ -130,7 +145,7 @@ fn trace(matrix: &RationalMatrix) -> Rational {
 }
 
 /// The functional `sum_k weights_k (x_i - x_j)_k` of positions or velocities.
-pub(super) fn difference_functional(
+pub fn difference_functional(
     birds: usize,
     (i, j): (usize, usize),
     weights: &[Rational],
@@ -155,11 +170,7 @@ pub(super) fn difference_functional(
 ///
 /// # Errors
 /// [`SettleError::Unresolved`] where several contributions cannot be told apart.
-pub(super) fn value_of(
-    stages: &[Stage],
-    mut of: Functional,
-    progress: &dyn Progress,
-) -> Result<Magnitude, SettleError> {
+pub fn value_of(stages: &[Stage], mut of: Functional, progress: &dyn Progress) -> Result<Magnitude, SettleError> {
     let mut known: Vec<Leading> = Vec::new();
     let mut smallness: Vec<BigInt> = Vec::new();
     let mut slack: u64 = 64;
@@ -219,6 +230,7 @@ fn combine(known: Vec<Leading>, smallness: &[BigInt], slack: u64) -> Result<Magn
 }
 
 impl Magnitude {
+    /// Of zero too.
     pub fn sign(&self) -> Sign {
         match self {
             Magnitude::Zero => Sign::Zero,
