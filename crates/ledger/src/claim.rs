@@ -105,6 +105,8 @@ pub struct Correction {
     pub statement: String,
     /// Its clauses; none where it is one.
     pub clauses: Vec<String>,
+    /// How it is read, where that is a choice.
+    pub reading: Option<String>,
 }
 
 /// Why a check could not be carried out. Every error of the libraries below converts into it.

@@ -79,7 +79,10 @@ impl Judge<'_> {
             place: self.source.place.clone(),
             statement: self.source.statement.clone(),
             clauses,
-            reading: self.claim.reading(),
+            reading: match self.correction {
+                true => self.claim.correction().and_then(|repair| repair.reading),
+                false => self.claim.reading(),
+            },
             verdict: ruling.verdict,
             fault: ruling.fault,
             corrected: ruling.corrected,

@@ -34,6 +34,7 @@ struct Texts {
     reading: Option<&'static str>,
     repair: Option<(Fault, &'static str)>,
     repaired_clauses: &'static [&'static str],
+    repaired_reading: Option<&'static str>,
     controls: Vec<&'static str>,
 }
 
@@ -47,6 +48,7 @@ impl Texts {
             reading: None,
             repair: None,
             repaired_clauses: &[],
+            repaired_reading: None,
             controls: Vec::new(),
         })
     }
@@ -59,7 +61,8 @@ impl Texts {
     fn correction(&self) -> Option<Correction> {
         let (fault, statement) = self.repair?;
         let clauses = self.repaired_clauses;
-        Some(Correction { fault, statement: whole(statement, clauses), clauses: owned(clauses) })
+        let reading = self.repaired_reading.or(self.reading).filter(|text| !text.is_empty()).map(str::to_string);
+        Some(Correction { fault, statement: whole(statement, clauses), clauses: owned(clauses), reading })
     }
 }
 
@@ -91,6 +94,12 @@ impl<V> Record<V> {
     /// The clauses of the corrected statement, where it has several.
     pub fn repaired_clauses(mut self, clauses: &'static [&'static str]) -> Self {
         self.texts.repaired_clauses = clauses;
+        self
+    }
+
+    /// How the corrected statement is read, where that is not how the printed one is; empty where it leaves no choice.
+    pub fn repaired_reading(mut self, reading: &'static str) -> Self {
+        self.texts.repaired_reading = Some(reading);
         self
     }
 

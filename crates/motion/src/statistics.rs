@@ -63,9 +63,9 @@ impl Share {
 }
 
 impl fmt::Display for Share {
-    /// `7 of 12 runs (95%: 0.32 to 0.81)`.
+    /// `7 of 12 runs (95%: 0.31 to 0.81)`, the ends rounded outward.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (low, high) = self.interval();
+        let (low, high) = widened(self.interval(), 2);
         write!(f, "{} of {} runs (95%: {low:.2} to {high:.2})", self.found, self.of)
     }
 }
@@ -131,16 +131,22 @@ impl Sample {
 }
 
 impl fmt::Display for Sample {
-    /// `1.45 (95%: 1.30 to 1.60, 20 runs)`.
+    /// `1.45 (95%: 1.30 to 1.60, 20 runs)`, the ends rounded outward.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (low, high) = self.interval();
+        let (low, high) = widened(self.interval(), 2);
         write!(f, "{:.2} (95%: {low:.2} to {high:.2}, {} runs)", self.mean(), self.of)
     }
 }
 
-/// `[lo, hi]` with three decimals, rounded outward; a bound that has no more decimals stays.
-fn outward((low, high): (f64, f64)) -> String {
-    let (below, above) = ((low * 1e3).floor() / 1e3, (high * 1e3).ceil() / 1e3);
+/// Both ends with so many decimals, rounded outward; one that has no more stays.
+fn widened((low, high): (f64, f64), decimals: i32) -> (f64, f64) {
+    let unit = 10f64.powi(decimals);
+    ((low * unit).floor() / unit, (high * unit).ceil() / unit)
+}
+
+/// `[lo, hi]` with three decimals, rounded outward.
+fn outward(interval: (f64, f64)) -> String {
+    let (below, above) = widened(interval, 3);
     format!("[{below:.3}, {above:.3}]")
 }
 

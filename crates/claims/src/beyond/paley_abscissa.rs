@@ -156,7 +156,7 @@ impl AbscissaVariant {
              {stable} stable; for all N, M and connected networks by the inertia theorem of \
              notes/paley_particles.md"
         );
-        let argued = "notes/paley_particles.md, Spectral abscissa at symmetric formations, Exactly when stable";
+        let argued = "notes/paley_particles.md, Spectral abscissa at symmetric formations, step 3";
         Ok(Outcome::Holds(vec![
             Evidence::new(Grade::Argued, "every connected network and all gains", argued).on([1]).for_all(),
             Evidence::new(Grade::Certified, "exactly when stable", detail).cases(cases).on([1]),
@@ -340,7 +340,7 @@ pub fn pattern_abscissa() -> Record<AbscissaVariant> {
 
 fn examine_pattern_abscissa(variant: &AbscissaVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     // The parts that take long come last: most controls do not reach them.
-    let argued = "notes/paley_particles.md, Spectral abscissa at symmetric formations";
+    let argued = "notes/paley_particles.md, Spectral abscissa at symmetric formations, steps 1 to 4";
     let argued = Evidence::new(Grade::Argued, "the spectrum, all M and N", argued).on([2]).for_all();
     Run::all((0..6).map(|part| match part {
         0 => variant.signs(run),

@@ -285,7 +285,8 @@ pub fn recurrent() -> Record<RecurrentVariant> {
         "Directed networks: if in the union over every B consecutive times a path leads from every bird to one bird, \
          t factors contract by tau_1 <= (1 - alpha^((n-1)B))^floor(t/((n-1)B)).",
         "Networks of model D: if such windows never end, all velocities converge to one limit.",
-        "Directed networks: the velocities converge to one limit, at the rate of the bound.",
+        "Directed networks in which every B consecutive times have such a union: the velocities converge to one \
+         limit, at the rate of the bound.",
     ])
     .altered("windows that are not connected", |v| v.connected = false)
     .altered("no weight for the bird itself", |v| v.keeps_own = false)

@@ -14,6 +14,7 @@ use models::double_integrator::{
 pub struct TotalVariant {
     factor: i64,
     power: u64,
+    linked: bool,
 }
 
 /// Positions, speeds, half-angle tangents of the headings, the heading difference and the slope of the potential.
@@ -27,9 +28,10 @@ fn total_velocity(variant: &TotalVariant) -> Identity<'_> {
             positions: vec![[at[0].clone(), at[1].clone()], [at[2].clone(), at[3].clone()]],
             velocities: vec![velocity(&at[4], &at[6])?, velocity(&at[5], &at[7])?],
         };
-        let gradients = potential_gradients(&state.positions, &[(0, 1)], PLANE, |_, _, _| Ok(at[9].clone()))?;
+        let links: &[(usize, usize)] = if variant.linked { &[(0, 1)] } else { &[] };
+        let gradients = potential_gradients(&state.positions, links, PLANE, |_, _, _| Ok(at[9].clone()))?;
         let signed = |i: usize| if i == 0 { at[8].clone() } else { -at[8].clone() };
-        let moving = state.moving(&gyroscopic(&state, &gradients, &[(0, 1)], |i, _| signed(i))?);
+        let moving = state.moving(&gyroscopic(&state, &gradients, links, |i, _| signed(i))?);
         let total = sum(&moving.velocities[0], &moving.velocities[1]);
         let square = PLANE.square(&total);
         let left = (square.clone() * square.ratio(1, 2)).derivative;
@@ -47,9 +49,9 @@ fn total_velocity(variant: &TotalVariant) -> Identity<'_> {
 pub fn two_agents() -> Record<TotalVariant> {
     Record::new(
         "beyond.tanner1.two_agents",
-        "Potential forces cancel in v_1 + v_2, and the alignment forces give d/dt ½|v_1 + v_2|² = 2 d |v_1||v_2| sin(theta_1 - theta_2)/s, for any number d in place of theta_1 - theta_2. With d in [-pi, pi] and equal to it modulo 2 pi, d sin d >= 0. The raw difference may lie \
+        "Of two linked agents potential forces cancel in v_1 + v_2, and the alignment forces give d/dt ½|v_1 + v_2|² = 2 d |v_1||v_2| sin(theta_1 - theta_2)/s, for any number d in place of theta_1 - theta_2. With d in [-pi, pi] and equal to it modulo 2 pi, d sin d >= 0. The raw difference may lie \
          beyond pi, and then the sum of the velocities loses length.",
-        TotalVariant { factor: 2, power: 1 },
+        TotalVariant { factor: 2, power: 1, linked: true },
         |variant, run| {
             let names = ["x1", "y1", "x2", "y2", "speed 1", "speed 2", "tan(theta_1/2)", "tan(theta_2/2)", "d", "V'"];
             let rates = run.identity(&total_velocity(variant), &names, "the rates of ½|v_1 + v_2|² and of the energy, any potential")?;
@@ -60,13 +62,14 @@ pub fn two_agents() -> Record<TotalVariant> {
         },
     )
     .clauses(&[
-        "Two agents under (4), (5): d/dt ½|v_1 + v_2|² = 2 |v_1||v_2| d sin(theta_1 - theta_2)/|r_12|², where d is what the law takes for theta_1 - theta_2.",
-        "With d wrapped to (-pi, pi], |v_1 + v_2| never decreases.",
+        "Two linked agents under (4), (5): d/dt ½|v_1 + v_2|² = 2 |v_1||v_2| d sin(theta_1 - theta_2)/|r_12|², where d is what the law takes for theta_1 - theta_2.",
+        "With d wrapped to (-pi, pi], |v_1 + v_2| of linked agents never decreases.",
         "The mechanical energy is constant.",
     ])
     .stated("replaces tanner1, eq (9), for two agents", "")
     .altered("half of it", |v| v.factor = 1)
     .altered("over the fourth power of the distance", |v| v.power = 2)
+    .altered("not linked", |v| v.linked = false)
 }
 
 /// `omega` over `sqrt(3/2)`, and the whole turns by which heading differences are off the wrapped ones.

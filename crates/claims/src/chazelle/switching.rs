@@ -118,7 +118,7 @@ pub fn final_count() -> Record<FinalCountVariant> {
         FinalCountVariant { one_more: false, others: false, lasting: true, until_t: true },
         check_final_count,
     )
-    .reading("For every k >= 1 and all flocks with rational inputs; N(t,s) counts the switches at u with s < u <= t.")
+    .reading("For every k >= 1, since the reason that is given uses nothing of the k that the proof takes, and all flocks with rational inputs; N(t,s) counts the switches at u with s < u <= t.")
     .clauses(&[
         "When birds of V_k joined after time T_k+1 always remain so, at most binom(|V_k|,2) network changes are left \
          after T_k.",

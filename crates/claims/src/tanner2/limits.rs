@@ -273,7 +273,7 @@ pub fn cor1() -> Record<SetpointVariant> {
     .repaired_by(Fault::Hypothesis, "", |v| v.single = true)
     .repaired_clauses(&[
         "If the graph is a tree and V_ij' vanishes at the minimum only, every distance of linked agents tends to its desired value.",
-        "B has independent columns, so that every grad_{r_ij} V_ij tends to 0.",
+        "If the graph is a tree, B has independent columns, so that every grad_{r_ij} V_ij tends to 0.",
         "In an equilibrium of a tree whose V_ij' vanish at the minimum only every linked distance is the desired one.",
     ])
     .altered("any connected graph", |v| v.trees = false)

@@ -116,15 +116,15 @@ pub fn only_two() -> Record<()> {
         "veerman.onlytwo",
         "For all graphs on a line the two possibilities are not the only ones: two two-sided platoons of m cars behind each other have a peak that grows like the square of their number \
          (beyond.veerman.growth), and if everyone tracks the leader the peak does not grow. Where all inner cars follow one rule, all rules of notes/communication_sweep.md \
-         that were decided show exponential or linear growth, in floats; whether it is always so is open.",
+         that were decided show exponential or linear growth, in floats; whether it is always so for rules of a finite range is open.",
         (),
         |(), _| {
             let why = "a report of experiments whose communication graphs the paper does not give: for all graphs on a line it is false (beyond.veerman.growth: \
-                       two platoons in series grow quadratically), for graphs in which all inner cars follow one rule no counterexample is known and no proof";
+                       two platoons in series grow quadratically, and if everyone tracks the leader nothing grows), for graphs in which all inner cars follow one rule of a finite range no counterexample is known and no proof";
             Ok(Outcome::Undecided(why.to_string()))
         },
     )
-    .reading("\"Communication graphs of agents on a line\": all of them, or those in which all inner cars follow one rule.")
+    .reading("\"Communication graphs of agents on a line\": all of them, or those in which all inner cars follow one rule of a finite range.")
 }
 
 /// The check of beyond.veerman.growth; clause 1 is exponential growth, clause 2 that of every degree.

@@ -202,6 +202,7 @@ pub fn numeric_columns() -> Record<NumericVariant> {
         },
     )
     .reading("Every cell is the resonance to the digits printed (the text: \"we show only the relevant digits\").")
+    .repaired_reading("")
     .clauses(&[
         "Column NFREQ is the resonance frequency of the last member obtained through numerical simulations (f = g = -1).",
         "Column NAMP is its amplitude.",

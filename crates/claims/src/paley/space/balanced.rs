@@ -244,8 +244,7 @@ fn examine_larger_gain(variant: &GainVariant, _run: &mut Run) -> Result<Outcome,
         return Ok(Outcome::fails(what, equilibrium));
     }
     evidence.push(equilibrium.on([3]).for_all());
-    let argued = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (bal.circ, \
-     fig3.gain)";
+    let argued = "notes/paley_particles.md, Linearisation at a circular formation, steps 1 to 3 and 6";
     evidence.push(Evidence::new(Grade::Argued, "every K_1 > 0", argued).on([1, 2, 3]).for_all());
     Ok(Outcome::Holds(evidence))
 }

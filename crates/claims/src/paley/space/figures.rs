@@ -72,9 +72,15 @@ fn examine_motions_figure(variant: &MotionVariant, run: &mut Run) -> Result<Outc
             }
         }
     }
-    let detail = "N = 12, control (9), K_1 = ±1, w0 = 0 and 0.1, step 0.2 to t = 100; |p| within 1e-4 of 1 or 0, u_k \
-     within 1e-4 of w0";
-    Ok(Outcome::Holds(vec![simulated("the four motions", detail, 4 * seeds).on([1, 2, 3])]))
+    let detail = format!(
+        "N = 12, control (9), K_1 = ±1, w0 = 0 and 0.1, step 0.2 to t = 100; |p| within 1e-4 of 1 or 0, u_k within \
+         1e-4 of w0: each of the four in {}",
+        Share { found: seeds, of: seeds }
+    );
+    Ok(Outcome::Holds(vec![
+        simulated("the four motions", &detail, 4 * seeds).on([1, 2, 3]),
+        Evidence::argued("which are relative equilibria", "notes/paley_particles.md, Figure 1, steps 1 to 4").on([3]),
+    ]))
 }
 
 /// The `m` of the formations with the phases `2 pi m k/N` that are shown for `K_1 < 0` and `K_1 > 0`, and `10 K_1` in the panel between.
@@ -352,7 +358,7 @@ pub fn beacon_figure() -> Record<OrbitVariant> {
         examine_beacon_figure,
     )
     .reading(
-        "From every start tried, with K_1 = -0.1 (the printed K_1 > 0 does not synchronise: \
+        "A report of a run, from every start tried, with K_1 = -0.1 (the printed K_1 > 0 does not synchronise: \
          paley.fig6.gain), under the control w0 K <e^{i th_k}, c_k - c_0> with K = K_0/N, which (20) \
          becomes (paley.beacon.form), and with K = K_0.",
     )
@@ -365,8 +371,8 @@ fn examine_beacon_figure(variant: &OrbitVariant, run: &mut Run) -> Result<Outcom
     let mut parts = Vec::new();
     // Ten times the time 2/K in which the centres come nearer by a factor e, after which 24 of them are 0.001 off.
     let trials = [
-        ("K_0", DriftingOrbit::GAINS[1], 400.0, run.cases(2, 20)),
-        ("K_0/N", DriftingOrbit::GAINS[0], 2400.0, run.cases(1, 4)),
+        ("K_0", DriftingOrbit::GAINS[1], 400.0, run.cases(4, 20)),
+        ("K_0/N", DriftingOrbit::GAINS[0], 2400.0, run.cases(4, 8)),
     ];
     for (name, gain, until, seeds) in trials {
         let orbit = match variant.beacon {
@@ -397,7 +403,8 @@ fn examine_beacon_figure(variant: &OrbitVariant, run: &mut Run) -> Result<Outcom
         }
         let detail = format!(
             "N = 12, f = -0.1, w0 = 0.1, K = {name} = {gain:.4}, K_1 = -0.1, beacon 10, step 0.2, three turns \
-             after t = {until}; synchronised, mean position fixed within 0.1"
+             after t = {until}; synchronised, mean position fixed within 0.1: {}",
+            Share { found: seeds, of: seeds }
         );
         parts.push(simulated("a fixed centre", &detail, seeds));
     }

@@ -29,7 +29,7 @@ impl SynchronyVariant {
     const STABLE: Self = SynchronyVariant { orientation: -1, spacing: 1, connected: true };
 }
 
-const SECTION: &str = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (sync.exp)";
+const SECTION: &str = "notes/paley_particles.md, Linearisation at a circular formation, steps 1 to 4";
 
 /// Numerators and denominators of `w0` and `|K_1|`.
 type Sizes = ((i64, i64), (i64, i64));
@@ -238,7 +238,7 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
         Err(what) => return Ok(Outcome::fails(what, certified("linearisation", "enclosures"))),
     };
     let enclosed = format!("N = 12, all M: spectral abscissae in {range} for w0 = 1/10 and -2 (beyond.paley.abscissa)");
-    let section = "notes/paley_particles.md, Linearisation at a circular formation, the theorem and (thm3.stab)";
+    let section = "notes/paley_particles.md, Linearisation at a circular formation, steps 1 to 3 and 5";
     Run::all([
         argued(&[1, 2, 3], "all M and N", section),
         Ok(Outcome::Holds(vec![certified("linearisation", enclosed).cases(12).on([3])])),

@@ -87,8 +87,8 @@ pub fn circular_in_zones() -> Record<CircularVariant> {
         examine_circular_in_zones,
     )
     .reading(
-        "From every initial state, as in Theorem 2, or from most; for every size of K_1 of either sign (the \
-         paper gives none).",
+        "A statement about (29), from every initial state as in Theorem 2, and for every size of K_1 of \
+         either sign (the paper gives none).",
     )
     .repaired(Fault::False, "", repaired)
     .repaired_clauses(&[
@@ -97,6 +97,7 @@ pub fn circular_in_zones() -> Record<CircularVariant> {
          within 2% of it.",
         "Under (29) as printed with K_1 = K_0, where the zone has no effect, most runs do.",
     ])
+    .repaired_reading("\"Most\": more than half of the runs, with the whole 95% interval.")
     .control("no spacing control", CircularVariant { spacing: 0.0, ..short })
     .control("a circle of half the radius", CircularVariant { rate: 2.0, ..short })
     .control("K_1 = 2 K_0", CircularVariant { orientation: &[0.2], hundreds: (12, 12), ..short })

@@ -55,6 +55,7 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
         "They form 6 to 10 for M = 8, so far apart.",
         "They form at most four for M = 2.",
     ])
+    .repaired_reading("\"Most\": more than half of the runs, with the whole 95% interval.")
     .altered("K_1 < 0", |v| v.orientation = -0.1)
     .altered("the zone of M = 2 in the place of that of 12", |v| v.zones = [2, 8, 2])
     .altered("the zone of M = 12 in the place of that of 2", |v| v.zones = [12, 8, 12])
