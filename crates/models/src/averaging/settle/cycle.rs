@@ -17,7 +17,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 pub(super) enum Future {
     /// It goes on for ever, if it does for so many steps.
     Keeps(u64),
-    /// It may end when these two come within distance 1, which takes more steps than were allowed.
+    /// These two approach, and may end it when they come within distance 1: that is not followed, since it is far away.
     Until((usize, usize)),
     /// It ends, or that is not known.
     Ends,
@@ -101,7 +101,7 @@ enum Run {
     Tie,
     /// The two may come within distance 1 on their way.
     Meet,
-    /// They may, but not for more rounds than were allowed.
+    /// They may, but once the transients are small not for more rounds than were allowed.
     MeetLater,
 }
 

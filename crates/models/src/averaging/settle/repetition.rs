@@ -46,8 +46,8 @@ impl Trajectory<'_> {
             Ok(Future::Keeps(horizon)) => horizon,
             Ok(Future::Until((i, j))) => {
                 let why = format!(
-                    "the networks repeat a cycle of {period}, and birds {} and {} approach, but come within distance 1 only after more \
-                     steps than the limit of {}",
+                    "the networks repeat a cycle of {period}, and birds {} and {} approach one another: whether that ends the cycle is not \
+                     decided within the limit of {} steps",
                     i + 1,
                     j + 1,
                     limits.steps
