@@ -94,9 +94,15 @@ fn tie_in_cycle(
 }
 
 /// What becomes of a pair at one phase.
-enum Run {
+#[derive(Debug)]
+pub enum Run {
     /// Its status is this after so many rounds.
-    Keeps { near: bool, rounds: u64 },
+    Keeps {
+        /// Within distance 1.
+        near: bool,
+        /// From so many on.
+        rounds: u64,
+    },
     /// The distance tends to 1.
     Tie,
     /// The two may come within distance 1 on their way.
@@ -106,18 +112,24 @@ enum Run {
 }
 
 /// The motion at one phase of the cycle.
-struct Rounds {
+pub struct Rounds {
     part_of: Vec<usize>,
-    /// By bird: `x + N Gamma v` and the way of one round in the long run.
-    place: Vec<Vec<Rational>>,
-    drift: Vec<Vec<Rational>>,
-    /// By part: a bound of its share of the transients, and the rounds that halve it.
-    size: Vec<Rational>,
-    halving: Vec<u64>,
+    /// By bird: `x + N Gamma v`.
+    pub place: Vec<Vec<Rational>>,
+    /// By bird: how far it goes in one round in the long run.
+    pub drift: Vec<Vec<Rational>>,
+    /// By part: a bound of its share of the transients.
+    pub size: Vec<Rational>,
+    /// By part: the rounds that halve it.
+    pub halving: Vec<u64>,
 }
 
 impl Rounds {
-    fn new(
+    /// The motion of a flock that follows the networks, one after the other and again; the parts are what their union connects.
+    ///
+    /// # Errors
+    /// [`SettleError`].
+    pub fn new(
         flock: &Flock,
         cycle: &[&Graph],
         parts: &[Vec<usize>],
@@ -172,7 +184,8 @@ impl Rounds {
         Ok(rounds)
     }
 
-    fn long_run(&self, i: usize, j: usize, most: u64) -> Run {
+    /// What becomes of the distance of two birds after each round.
+    pub fn long_run(&self, i: usize, j: usize, most: u64) -> Run {
         let minus =
             |rows: &[Vec<Rational>]| -> Vec<Rational> { rows[i].iter().zip(&rows[j]).map(|(p, q)| p - q).collect() };
         let dot = |a: &[Rational], b: &[Rational]| -> Rational { a.iter().zip(b).map(|(p, q)| p * q).sum() };

@@ -19,6 +19,7 @@ mod verdict;
 /// The parts of a decision, for the tests that look at each by itself; not meant for use.
 #[doc(hidden)]
 pub mod parts {
+    pub use super::cycle::{Rounds, Run};
     pub use super::limits::{FixedNetwork, Motion};
     pub use super::perturbation::{Functional, Jump, Magnitude, Stage, difference_functional, value_of};
     pub use crate::averaging::flock::IntegerState;

@@ -18,6 +18,7 @@ mod modes;
 mod near_ties;
 mod noisy;
 mod remainders;
+mod rounds;
 mod settle;
 mod stationary;
 mod switches;
