@@ -28,7 +28,7 @@ pub fn losses() -> Record<LossVariant> {
     .stated(
         "sharpens chazelle, Lemma 3.8",
         "In model D with the hysteresis of the paper, n >= 4 birds in dimension at most n², positive entries of every P(t) at least \
-         n^-a with a = 1 or 2, and Euclidean speeds and coordinates of x(0) up to n, no edge is lost after time n^(n^4 + \
+         n^-a with a = 1 or 2, and Euclidean speeds and absolute coordinates of x(0) up to n, no edge is lost after time n^(n^4 + \
          2(n-1)² + 10(n-1) + 17).",
     )
 }

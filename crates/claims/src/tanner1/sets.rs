@@ -6,7 +6,7 @@ use crate::tanner2::graphs::shown;
 use crate::tanner2::wording::{HeadingVariant, examine_heading, headings};
 use algebra::graph::Graph;
 use arithmetic::Signed;
-use models::double_integrator::{AnyHeadings, Pair, Potential, State, gyroscopic, heading};
+use models::double_integrator::{AnyHeadings, HeadingDifference, Pair, Potential, State, gyroscopic, heading};
 
 const PRECISION: u32 = 80;
 
@@ -43,15 +43,9 @@ fn second_acceleration(first: [Rational; 2], wrapped: bool) -> Result<Interval, 
     let state = exact.map(enclose);
     let angles = [heading(&state.velocities[0])?, heading(&state.velocities[1])?];
     let none = vec![[enclose(&q(0)), enclose(&q(0))]; 2];
-    let turn = angles[0].pi() * angles[0].integer(2);
-    let differ = |i: usize, j: usize| {
-        let raw = angles[i].clone() - &angles[j];
-        match raw.to_f64() {
-            x if wrapped && x > std::f64::consts::PI => raw - &turn,
-            x if wrapped && x < -std::f64::consts::PI => raw + &turn,
-            _ => raw,
-        }
-    };
+    // No difference here is within 10^-10 of pi or -pi, so that the enclosures decide how it is read.
+    let reading = if wrapped { HeadingDifference::Wrapped } else { HeadingDifference::Raw };
+    let differ = |i: usize, j: usize| reading.read(angles[i].clone() - &angles[j]);
     let accelerations = gyroscopic(&state, &none, &[(0, 1)], differ)?;
     Ok(accelerations[1][0].clone())
 }

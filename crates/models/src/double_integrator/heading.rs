@@ -18,7 +18,8 @@ pub enum HeadingDifference {
 }
 
 impl HeadingDifference {
-    /// The difference that the law uses, from that of two headings in `(-pi, pi]`, or of two that are followed.
+    /// The difference that the law uses, from that of two headings in `(-pi, pi]`, or of two that are followed. An enclosure of the difference
+    /// has to decide whether it is above `pi` and whether it is above `-pi`.
     pub fn read<T: Real + Signed>(self, difference: T) -> T {
         let pi = difference.pi();
         let turn = pi.clone() + &pi;
