@@ -82,9 +82,9 @@ pub fn laplacian_form() -> Record<FormVariant> {
         "<i z, z + sum z_j> = -<i z, L_k^ori z>: the alignment term is exact. sum r_kj = L_k^att r, so (28) \
          follows from (27) with the printed v^att and r_kj for rhat_kj, whose sign is wrong (paley.vatt): \
          K_att <i z, L_k^att r> steers along r_k - mean of the neighbours, away from them. The attraction \
-         behaviour is -K_att <i z, L_k^att r>. How far the approximation is from (27): by K_att <i z, sum \
-         (1 - 1/|r_kj|) r_kj> up to sign, nothing where the neighbours are at the distance 1, a half of \
-         (28) for one neighbour at the distance 2.",
+         behaviour is -K_att <i z, L_k^att r>. The error against (27) is K_att <i z, sum (1 - \
+         1/|r_kj|) r_kj> up to sign: zero where all neighbours are at distance 1, and half of (28) for one \
+         neighbour at distance 2.",
         FormVariant { orientation: -1, attraction: 1, field: 1, units: false },
         examine_laplacian_form,
     )

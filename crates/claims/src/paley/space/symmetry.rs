@@ -147,7 +147,7 @@ pub fn common_drift() -> Record<DriftVariant> {
         "The shape controls depend on relative positions and phases only, which a drift f common to all \
          does not change: r(t) - f t, theta(t) is a solution without drift, and conversely: for every gain \
          and graph the motion is the one without drift, carried along with the velocity f. On a connected \
-         undirected graphV (paley.eq21) keeps the relative centres bounded and u_k - w0 tends to 0, so that \
+         undirected graph V (paley.eq21) keeps the relative centres bounded and u_k - w0 tends to 0, so that \
          the centres travel with the mean velocity f, all together; with K_0 <= 0 there need not be a \
          collective that travels. Where a circular formation is reached, its centre moves as c_0 + f t, in \
          the direction of the field (-0.1: 6.28 to the left in a turn of 62.8, the circle having radius \

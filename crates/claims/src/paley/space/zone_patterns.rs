@@ -43,9 +43,9 @@ pub fn patterns_in_zones() -> Record<PatternsVariant> {
         examine_patterns_in_zones,
     )
     .reading(
-        "In most runs from random states, for every K_1 > 0; clusters suit a zone where their number is \
-         within a quarter of M and they are on average 75% of the angle 2 pi/M apart (M = 12, 8), or where \
-         there are at most four (M = 2).",
+        "In most runs from random states, for every K_1 > 0. Clusters match a zone if their number differs \
+         from M by at most M/4 and their mean gap is at least 75% of 2 pi/M (M = 12, 8), or if there are at \
+         most four (M = 2).",
     )
     .repaired_by(Fault::False, "", |v| v.law = ZoneLaw::Corrected)
     .repaired_clauses(&[
