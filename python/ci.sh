@@ -3,6 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 target=$(cargo metadata --format-version 1 --no-deps | python3 -c 'import json, sys; print(json.load(sys.stdin)["target_directory"])')
+root=$(cd .. && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -31,7 +32,7 @@ cp -r tests examples pyproject.toml "$work/"
 mkdir -p "$work/assets"
 cp -r ../assets/. "$work/assets/"
 cd "$work"
-export FLOCKPROOF_ASSETS=$work/assets
+export FLOCKPROOF_ASSETS=$work/assets FLOCKPROOF_ROOT=$root
 
 step "tests"
 "$bin/python" -m pytest --quiet tests

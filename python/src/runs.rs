@@ -159,10 +159,10 @@ pub fn tracks<'py>(
         "nearest": chosen.nearest, "null": shifts, "at": at,
     });
     let work = move |watch: &Arc<Watch>| {
-        let analysis = analyse(&tracks, &choices).map_err(|error| error.to_string())?;
+        let analysis = analyse(&tracks, &choices, &**watch).map_err(|error| error.to_string())?;
         let null = null_models(&analysis.sample(), shifts as usize, &chosen.seed, &**watch);
         let null = null.map_err(|stopped| stopped.to_string())?;
-        let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: &null };
+        let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: Some(&null) };
         let mut files = report.tables(&Provenance::new("flockproof.tracks/1", Some(&chosen.seed), configuration));
         if chosen.pictures {
             files.extend(report.pictures(at).map_err(|error| error.to_string())?);

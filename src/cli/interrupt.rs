@@ -4,12 +4,13 @@ use flockproof::arithmetic::Progress;
 use indicatif::ProgressBar;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, OnceLock, mpsc};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, mpsc};
 use std::time::{Duration, Instant};
 
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 static WATCHED: AtomicBool = AtomicBool::new(false);
-static FINISHING: AtomicBool = AtomicBool::new(false);
+/// Whether what was reached is being written; held by whoever gives the work up, so that nobody else writes the same.
+static FINISHING: Mutex<bool> = Mutex::new(false);
 
 /// Exit status of an interrupted run.
 pub const STATUS: u8 = 130;
@@ -36,8 +37,13 @@ pub fn listen() {
         eprintln!("stopping; again to quit at once");
         std::thread::spawn(|| {
             std::thread::sleep(PATIENCE);
-            if !FINISHING.load(Ordering::Relaxed) {
+            let finishing = is_finishing();
+            if !*finishing {
                 eprintln!("stopped in the middle of a computation");
+                let last = LAST.lock().ok().and_then(|mut last| last.take());
+                if let Some(last) = last {
+                    last();
+                }
                 if let Ok(kept) = KEPT.lock() {
                     let _ = super::output::print(&kept);
                 }
@@ -45,6 +51,20 @@ pub fn listen() {
             }
         });
     });
+}
+
+fn is_finishing() -> MutexGuard<'static, bool> {
+    FINISHING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What is done where work is given up in the middle.
+static LAST: Mutex<Option<Box<dyn FnOnce() + Send>>> = Mutex::new(None);
+
+/// What is to be done where work is given up in the middle: to write what others can see of it.
+pub fn at_last(write: impl FnOnce() + Send + 'static) {
+    if let Ok(mut last) = LAST.lock() {
+        *last = Some(Box::new(write));
+    }
 }
 
 /// What was found and is printed only at the end.
@@ -69,7 +89,12 @@ pub fn happened() -> bool {
 
 /// The work is over and what it reached is being written: a signal no longer cuts it short.
 pub fn finishing() {
-    FINISHING.store(true, Ordering::Relaxed);
+    *is_finishing() = true;
+}
+
+/// What was to be written is there, and work goes on that a signal may cut short again.
+pub fn working() {
+    *is_finishing() = false;
 }
 
 /// What long work of the command line is given: it stops on a signal and moves a progress bar.

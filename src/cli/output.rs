@@ -12,6 +12,11 @@ pub fn print(text: &str) -> Result<(), CliError> {
     if io::stdout().is_terminal() { print_raw(&folded(text, width())) } else { print_raw(text) }
 }
 
+/// Prints a text for people that has numbers of any length: as wide as a terminal, or 80 columns, wherever it goes.
+pub fn print_folded(text: &str) -> Result<(), CliError> {
+    print_raw(&folded(text, width()))
+}
+
 /// Prints a sentence to standard error, at most as wide as the terminal there.
 pub fn complain(sentence: &str) {
     let sentence = &without_long_words(sentence);

@@ -69,7 +69,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.json {
         output::print_json(&found.document())?
     } else {
-        output::print(&found.text())?
+        output::print_folded(&found.text())?
     }
     Ok(ExitCode::SUCCESS)
 }

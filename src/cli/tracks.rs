@@ -2,10 +2,10 @@
 
 use super::interrupt::{self, Watch};
 use super::{CliError, output, progress};
-use flockproof::arithmetic::{Cancelled, Unwatched};
-use flockproof::report::{Provenance, TracksReport};
+use flockproof::arithmetic::Cancelled;
+use flockproof::report::{File, Provenance, TracksReport};
 use flockproof::tracks::{
-    Choices, NearestRule, PositionsUsed, School, Setting, Tracks, analyse, null_models, synthetic_school,
+    Choices, ChoicesError, NearestRule, PositionsUsed, School, Setting, Tracks, analyse, null_models, synthetic_school,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -152,40 +152,79 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     if arguments.synthetic.is_some() {
         output::write_file(&arguments.out.join("tracks.csv"), tracks.to_csv().as_bytes())?;
     }
-    let watch = Watch::with(progress::bar());
-    let analysis = analyse(&tracks, &choices).map_err(|error| refuse(&error))?;
-    let (sample, seed) = (analysis.sample(), &arguments.seed);
-    let null = null_models(&sample, arguments.null, seed, &watch);
-    watch.finish();
-    let complete = null.is_ok();
-    if !complete {
-        eprintln!("interrupted: what was measured is written, without the shifts in time and the pictures");
-    }
-    let null = null.or_else(|Cancelled| null_models(&sample, 0, seed, &Unwatched));
-    let null = null.map_err(|error| refuse(&error))?;
-    interrupt::finishing();
-    let report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: &null };
     let configuration = json!({
         "command": "tracks", "file": origin, "ids": arguments.ids, "window": arguments.window,
         "smooth_positions": arguments.smooth_positions, "body_length": arguments.body_length, "zones": arguments.zones,
         "blind": arguments.blind, "still": arguments.still, "plain_nearest": arguments.plain_nearest,
         "nearest": arguments.nearest, "null": arguments.null, "at": arguments.at,
     });
-    let provenance = Provenance::new("flockproof.tracks/1", Some(seed), configuration);
-    let mut files = report.tables(&provenance);
+    let provenance = Provenance::new("flockproof.tracks/1", Some(&arguments.seed), configuration);
+    let watch = Watch::with(progress::bar());
+    let analysis = match analyse(&tracks, &choices, &watch) {
+        Err(ChoicesError::Cancelled(Cancelled)) => {
+            watch.finish();
+            eprintln!("interrupted before there was anything to write");
+            return Ok(interrupt::status(false));
+        }
+        analysis => analysis.map_err(|error| refuse(&error))?,
+    };
+    let (reached, frames) = (analysis.frames.len(), tracks.frames.len());
+    let tracks = if reached < frames { tracks.first(reached) } else { tracks };
+    let mut report = TracksReport { source: &source, tracks: &tracks, analysis: &analysis, null: None };
+    // The null models take longest: what was measured is written before them, whatever becomes of them.
+    interrupt::finishing();
+    let files = write(arguments, report.tables(&provenance))?;
+    let measured = said(arguments, &report, &provenance, &files);
+    let interrupted = || {
+        watch.finish();
+        print(arguments, &measured)?;
+        let measured =
+            if reached < frames { format!("the first {reached} of {frames} frames") } else { "all frames".to_string() };
+        eprintln!("interrupted: what was measured of {measured} is written, without null models and pictures");
+        Ok(interrupt::status(false))
+    };
+    if reached < frames || interrupt::happened() {
+        return interrupted();
+    }
+    interrupt::keep(&measured);
+    interrupt::working();
+    let null = null_models(&analysis.sample(), arguments.null, &arguments.seed, &watch);
+    interrupt::finishing();
+    interrupt::kept();
+    let Ok(null) = null else { return interrupted() };
+    watch.finish();
+    report.null = Some(&null);
+    let mut files = write(arguments, report.tables(&provenance))?;
     // Who stops the work does not wait for pictures.
+    let complete = !interrupt::happened();
     if complete {
-        files.extend(report.pictures(arguments.at).map_err(|error| refuse(&error))?);
+        files.extend(write(arguments, report.pictures(arguments.at).map_err(|error| refuse(&error))?)?);
     }
-    for file in &files {
-        output::write_file(&arguments.out.join(&file.name), &file.contents)?;
-    }
-    if arguments.json {
-        output::print_json(&provenance.stamp(report.summary()))?;
-    } else {
-        let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-        let written = format!("{}\nwritten to {}: {}", provenance.line(), arguments.out.display(), names.join(", "));
-        output::print(&format!("{}\n{}\n", report.text(), textwrap::fill(&written, 80)))?;
+    print(arguments, &said(arguments, &report, &provenance, &files))?;
+    if !complete {
+        eprintln!("interrupted: everything is written but the pictures");
     }
     Ok(interrupt::status(complete))
+}
+
+/// Writes files and returns their names.
+fn write(arguments: &Arguments, files: Vec<File>) -> Result<Vec<String>, CliError> {
+    let put = |file: File| {
+        output::write_file(&arguments.out.join(&file.name), &file.contents)?;
+        Ok(file.name)
+    };
+    files.into_iter().map(put).collect()
+}
+
+fn print(arguments: &Arguments, said: &str) -> Result<(), CliError> {
+    if arguments.json { output::print_raw(said) } else { output::print(said) }
+}
+
+/// What is printed: the summary, or the text and the names of the files.
+fn said(arguments: &Arguments, report: &TracksReport, provenance: &Provenance, files: &[String]) -> String {
+    if arguments.json {
+        return format!("{:#}\n", provenance.stamp(report.summary()));
+    }
+    let written = format!("{}\nwritten to {}: {}", provenance.line(), arguments.out.display(), files.join(", "));
+    format!("{}\n{}\n", report.text(), textwrap::fill(&written, 80))
 }

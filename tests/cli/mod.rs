@@ -89,6 +89,23 @@ fn resonance_keeps_its_contract() {
 }
 
 #[test]
+fn ends_of_a_resonance_are_as_narrow_as_the_output() {
+    // All digits, wherever the lines end.
+    let joined = |text: &str| text.split_whitespace().collect::<String>();
+    for digits in [&[][..], &["--digits", "20"], &["--digits", "60"], &["--digits", "200"]] {
+        let arguments = [&["resonance", "--followers", "128", "--f", "-1", "--g", "-1"], digits].concat();
+        let (table, json) = (flockproof(&arguments), flockproof(&[&arguments[..], &["--json"]].concat()));
+        let table = stdout(&table);
+        let json: serde_json::Value = serde_json::from_str(&stdout(&json)).expect("one JSON document");
+        assert!(table.lines().all(|line| line.chars().count() <= 80), "{table}");
+        for name in ["omega", "amplitude"] {
+            let [lo, hi] = ["lo", "hi"].map(|end| json[name][end].as_str().expect("a number").to_string());
+            assert!(joined(&table).contains(&format!("{name}in[{lo},{hi}]")), "{table}");
+        }
+    }
+}
+
+#[test]
 fn bad_resonances_are_refused() {
     let ask = |m, f, g, d, named| {
         assert_refused(&["resonance", "--followers", m, "--f", f, "--g", g, "--digits", d], named);

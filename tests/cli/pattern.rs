@@ -27,6 +27,14 @@ fn gains_of_theorem_3_stabilise_their_pattern() {
 }
 
 #[test]
+fn long_numbers_are_folded() {
+    let output = flockproof(&["pattern", "--particles", "4", "--gains=1e400"]);
+    let text = stdout(&output);
+    assert!(output.status.success() && text.starts_with("4 particles") && text.contains("clusters  verdict"), "{text}");
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+}
+
+#[test]
 fn what_makes_no_sense_is_refused() {
     assert_refused(&["pattern", "--particles", "0", "--gains", "1"], "particles");
     assert_refused(&["pattern", "--particles", "61", "--gains", "1"], "60");

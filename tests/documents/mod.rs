@@ -2,7 +2,8 @@
 //!
 //! A `console` block shows commands after `$ ` with what they print; a line `...` stands for any lines. They are run. A `sh` block
 //! shows commands without output: those of flockproof are parsed, those of others are in a list. A comment `# exit status 1` says how a
-//! command ends that does not end with 0. Blocks of `toml` and `json` are read by the program, those of `rust` are documentation tests of the library.
+//! command ends that does not end with 0. Blocks of `toml` and `json` are read by the program, those of `rust` are documentation tests of the library. Of Python
+//! the names are looked up; it is run where the wheel is built (`python/tests/test_pages.py`).
 
 mod page;
 
@@ -165,13 +166,35 @@ fn shown_files_can_be_read() {
                     let output = run(&folder, &["flock", "run", "shown.json", "--until", "1"]);
                     assert!(output.status.success(), "{place}: {}", String::from_utf8_lossy(&output.stderr));
                 }
-                "console" | "sh" | "rust" | "text" => continue,
+                "console" | "sh" | "rust" | "python" | "text" => continue,
                 other => panic!("{place}: a block of `{other}` is not checked"),
             }
             count += 1;
         }
     }
     assert!(count > 2);
+}
+
+/// The names of the Python package that the pages use.
+#[test]
+fn python_uses_names_that_exist() {
+    let package = std::fs::read_to_string(root().join("python/flockproof/__init__.py")).expect("text");
+    let (_, list) = package.split_once("__all__ = [").expect("the list of names");
+    let names: BTreeSet<&str> = list.split(']').next().unwrap_or("").split('"').skip(1).step_by(2).collect();
+    let mut used = 0;
+    for page in pages() {
+        let blocks = page.blocks();
+        let of_block = |language: &'static str| blocks.iter().filter(move |block| block.language == language);
+        let short = of_block("sh").flat_map(|block| &block.lines).filter(|line| line.starts_with("python3 -c "));
+        for line in of_block("python").flat_map(|block| &block.lines).chain(short) {
+            for after in line.split("flockproof.").skip(1) {
+                let name = after.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or("");
+                assert!(names.contains(name), "{}: there is no flockproof.{name}", page.path.display());
+                used += 1;
+            }
+        }
+    }
+    assert!(used > 4);
 }
 
 /// Where the paragraph before a block of a file names one of the examples, the block is that file.

@@ -32,7 +32,7 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// All pages that people read: those at the root, the notes, and those beside proofs and benches.
+/// All pages that people read: those at the root, the notes, and those beside proofs, the Python package and benches.
 pub fn pages() -> Vec<Page> {
     let in_folder = |folder: &str| {
         let entries = std::fs::read_dir(root().join(folder)).expect("a folder");
@@ -40,7 +40,7 @@ pub fn pages() -> Vec<Page> {
         names.filter(|name| name.ends_with(".md")).map(|name| Path::new(folder).join(name)).collect::<Vec<_>>()
     };
     let mut paths: Vec<PathBuf> =
-        ["", "notes", "proofs_checks", "benches/peers"].iter().flat_map(|folder| in_folder(folder)).collect();
+        ["", "notes", "proofs_checks", "python", "benches/peers"].iter().flat_map(|folder| in_folder(folder)).collect();
     paths.sort();
     paths
         .into_iter()

@@ -1,5 +1,6 @@
 //! Why a question is refused: one sentence with line and column.
 
+use super::alike::nearest_name;
 use arithmetic::{Cancelled, NumberError, shown};
 use std::fmt;
 
@@ -188,18 +189,6 @@ impl Problem {
 
     /// An unknown name, with the nearest of the known ones if one is near.
     pub(crate) fn unknown<'a>(what: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> Self {
-        Problem::Unknown { what, name: shown(name), nearest: nearest(name, known) }
+        Problem::Unknown { what, name: shown(name), nearest: nearest_name(name, known) }
     }
-}
-
-/// The known name with the least number of letters inserted, left out or changed, the first of several; capitals count for nothing. None
-/// where more than a third of the letters and one would have to change.
-fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
-    if name.len() > 64 {
-        return None;
-    }
-    let name = name.to_lowercase();
-    let changes = |other: &str| strsim::levenshtein(&name, &other.to_lowercase());
-    let (least, near) = known.into_iter().map(|other| (changes(other), other)).min_by_key(|(changes, _)| *changes)?;
-    (least <= 1 + name.chars().count() / 3).then(|| near.to_string())
 }

@@ -3,6 +3,7 @@
 //! [`Question::read`] reads a question; [`decide`] decides it; [`Question::case`] and [`Question::values`] serve tables and campaigns. The crate opens no
 //! files: those that a question names are given to it. `notes/questions.md` has the language with examples.
 
+mod alike;
 mod answer;
 mod bindings;
 mod case;
@@ -27,6 +28,7 @@ mod syntax;
 mod time;
 mod truth;
 
+pub use alike::nearest_ids;
 pub use answer::{Answer, Verdict};
 pub use bindings::{Bindings, GraphValue, Value};
 pub use decide::{Decided, Outcome, Tabulated, decide};

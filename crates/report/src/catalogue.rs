@@ -3,6 +3,7 @@
 use super::Figure;
 use claims::RECORDED;
 use ledger::{Ledger, LedgerError, Recorded, recorded};
+use question::nearest_ids;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -143,36 +144,8 @@ fn cut(text: &str, width: usize) -> String {
 pub fn not_found(ledger: &Ledger, error: &LedgerError) -> String {
     const MOST: usize = 8;
     let close = match error {
-        LedgerError::Unknown(id) => nearest(ledger.ids(), id, MOST),
+        LedgerError::Unknown(id) => nearest_ids(ledger.ids(), id, MOST),
         _ => Vec::new(),
     };
     if close.is_empty() { error.to_string() } else { format!("{error}; the nearest are {}", close.join(", ")) }
-}
-
-/// The ids closest to one that is not there, the closest first, at most `most`: those that begin with it, those that hold it, those
-/// that are spelled alike.
-fn nearest<'a>(ids: impl Iterator<Item = &'a str>, wrong: &str, most: usize) -> Vec<&'a str> {
-    /// Spelled less alike than this they are others.
-    const ALIKE: f64 = 0.75;
-    let wrong = wrong.to_lowercase();
-    let likeness = |id: &str| {
-        let id = id.to_lowercase();
-        let whole = strsim::jaro_winkler(&id, &wrong);
-        let short = id.split_once('.').map_or(0.0, |(_, rest)| strsim::jaro_winkler(rest, &wrong));
-        match (id.starts_with(&wrong), id.contains(&wrong)) {
-            (true, _) => 3.0 + whole,
-            (_, true) => 2.0 + whole,
-            _ => whole.max(short),
-        }
-    };
-    let mut close: Vec<(f64, &str)> = ids.map(|id| (likeness(id), id)).filter(|(like, _)| *like >= ALIKE).collect();
-    close.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
-    let best = close.first().map_or(0.0, |(like, _)| *like);
-    // Beside those that begin with it, or are far closer, the others say nothing.
-    close
-        .into_iter()
-        .filter(|(like, _)| if best < 2.0 { *like >= best - 0.1 } else { *like >= 2.0 })
-        .map(|(_, id)| id)
-        .take(most)
-        .collect()
 }

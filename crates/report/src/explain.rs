@@ -11,7 +11,8 @@ use std::fmt::Write;
 /// `width` columns.
 pub fn explain(entry: &Entry, width: usize) -> String {
     let width = width.clamp(40, 120);
-    let mut text = format!("{}  ({})\n", entry.id, entry.place);
+    let first = format!("{}  ({})", entry.id, entry.place);
+    let mut text = textwrap::fill(&first, textwrap::Options::new(width).subsequent_indent("  ")) + "\n";
     let source = if entry.paper == "beyond" { "claim" } else { "printed" };
     section(&mut text, width, source, &entry.statement);
     if let Some(reading) = &entry.reading {
@@ -85,10 +86,6 @@ pub fn explain(entry: &Entry, width: usize) -> String {
     }
     for survivor in &entry.surviving_controls {
         section(&mut text, width, "NOT REFUTED", survivor);
-    }
-    let figures: Vec<&str> = Figure::of_claim(&entry.id).map(|figure| figure.name).collect();
-    if !figures.is_empty() {
-        section(&mut text, width, "figures", &format!("{} (reproduce NAME --out DIR)", figures.join(", ")));
     }
     for (name, value) in &entry.values {
         section(&mut text, width, "value", &format!("{name} = {value}"));

@@ -1,13 +1,14 @@
 //! A scenario as its TOML describes it: which model, from which state, until when.
 
 use super::error::{ConfigError, Problem};
-use super::run::{Outcome, Schedule, run};
+use super::run::{End, Outcome, Schedule, run};
 use super::simulation::Simulation;
 use super::source::{Entry, Section, Source};
 use super::{alignment, fish, noisy, oscillator, platoon, vicsek};
 use arithmetic::num_bigint::BigInt;
 use arithmetic::{Progress, Rational, rational};
 use num_traits::{ToPrimitive, Zero};
+use std::sync::{Mutex, PoisonError};
 
 /// The models of the contract.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -281,7 +282,22 @@ impl Scenario {
     }
 
     /// Runs it; `progress` may stop it and is told of each row. The result does not depend on the number of threads.
-    pub fn run(mut self, progress: &dyn Progress) -> Outcome {
-        run(self.model, &self.schedule, self.simulation.as_mut(), progress)
+    pub fn run(self, progress: &dyn Progress) -> Outcome {
+        let outcome = Mutex::new(self.outset());
+        self.run_into(progress, &outcome);
+        outcome.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The outcome of a run that was stopped before its first row.
+    pub fn outset(&self) -> Outcome {
+        let declaration = self.declaration();
+        let (rows, events, remarks) = (Vec::new(), Vec::new(), Vec::new());
+        Outcome { model: self.model, declaration, rows, events, remarks, end: End::Interrupted }
+    }
+
+    /// [`Scenario::run`], where others can see what is finished while it goes on: rows and events are added to this [`Scenario::outset`] one by
+    /// one, remarks and end at last.
+    pub fn run_into(mut self, progress: &dyn Progress, outcome: &Mutex<Outcome>) {
+        run(&self.schedule, self.simulation.as_mut(), progress, outcome);
     }
 }

@@ -4,7 +4,7 @@ use super::error::RunError;
 use super::observables::Observable;
 use super::simulation::{Event, Frame, Simulation};
 use arithmetic::Progress;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Most agents of which the links are told.
 const MOST_LINKED: usize = 64;
@@ -85,36 +85,32 @@ impl Outcome {
     }
 }
 
-/// Runs a simulation; `progress` may stop it and is told of each row.
+/// Runs a simulation; `progress` may stop it and is told of each row. What is finished is added to the outcome at once, for others to see.
 pub(super) fn run(
-    model: &'static str,
     schedule: &Schedule,
     simulation: &mut dyn Simulation,
     progress: &dyn Progress,
-) -> Outcome {
-    let mut outcome = Outcome {
-        model,
-        declaration: [simulation.declaration(), schedule.declaration()].concat(),
-        rows: Vec::new(),
-        events: Vec::new(),
-        remarks: Vec::new(),
-        end: End::Finished,
-    };
+    outcome: &Mutex<Outcome>,
+) {
+    let outcome = || outcome.lock().unwrap_or_else(PoisonError::into_inner);
     let small = {
         let frame = simulation.frame();
         frame.positions.len().max(frame.phases.len()) <= MOST_LINKED
     };
-    let mut links = Arc::new(Vec::new());
+    let (mut links, mut end, mut written) = (Arc::new(Vec::new()), End::Finished, 0);
     simulation.plan(&schedule.times.iter().map(|(time, _)| *time).collect::<Vec<_>>(), progress);
     for &(time, sample) in &schedule.times {
-        match simulation.advance(time, &mut outcome.events, progress) {
+        let mut events = Vec::new();
+        let went = simulation.advance(time, &mut events, progress);
+        outcome().events.extend(events);
+        match went {
             Ok(true) => {}
             Ok(false) => {
-                outcome.end = End::Interrupted;
+                end = End::Interrupted;
                 break;
             }
             Err(error) => {
-                outcome.end = End::Failed(error);
+                end = End::Failed(error);
                 break;
             }
         }
@@ -130,15 +126,18 @@ pub(super) fn run(
                         links = Arc::new(now);
                     }
                 }
-                outcome.rows.push(Row { time, sample, frame: simulation.frame(), observables, links: links.clone() });
+                let row = Row { time, sample, frame: simulation.frame(), observables, links: links.clone() };
+                outcome().rows.push(row);
+                written += 1;
             }
             Err(error) => {
-                outcome.end = End::Failed(RunError::law(time, error));
+                end = End::Failed(RunError::law(time, error));
                 break;
             }
         }
-        progress.tell("rows", outcome.rows.len() as u64, Some(schedule.times.len() as u64));
+        progress.tell("rows", written, Some(schedule.times.len() as u64));
     }
+    let mut outcome = outcome();
     outcome.remarks = simulation.remarks();
-    outcome
+    outcome.end = end;
 }

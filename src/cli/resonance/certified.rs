@@ -61,15 +61,22 @@ impl Certified {
 
     fn text(&self) -> String {
         let (m, [omega, amplitude], [first_omega, first_amplitude]) = (self.followers, self.ends(), &self.theorem1);
+        let (omega, amplitude) = (enclosed("omega", omega), enclosed("amplitude", amplitude));
         format!(
             "main resonance of {m} followers, front and back tracked, f = {}, g = {}\n\
-             omega      in [{},\n                {}]\n\
-             amplitude  in [{},\n                {}]\n\
+             {omega}{amplitude}\
              Theorem 1: omega ~ {first_omega}, amplitude ~ {first_amplitude}\n\
              No omega > 0 gives the last car a larger amplitude: notes/resonance.md.\n",
-            self.gains.f, self.gains.g, omega.0, omega.1, amplitude.0, amplitude.1
+            self.gains.f, self.gains.g
         )
     }
+}
+
+/// A number between its ends, one above the other.
+fn enclosed(name: &str, (lo, hi): (String, String)) -> String {
+    let beside = 16 + lo.len().max(hi.len()) + 1 <= output::width();
+    let (before, indent) = if beside { (format!("{name:<10} in"), 16) } else { (format!("{name} in\n "), 3) };
+    format!("{before} [{lo},\n{:indent$}{hi}]\n", "")
 }
 
 pub fn run(arguments: &Arguments, gains: &Gains<Rational>) -> Result<ExitCode, CliError> {
@@ -83,7 +90,7 @@ pub fn run(arguments: &Arguments, gains: &Gains<Rational>) -> Result<ExitCode, C
     if arguments.json {
         output::print_json(&found.document())?
     } else {
-        output::print(&found.text())?
+        output::print_folded(&found.text())?
     }
     Ok(ExitCode::SUCCESS)
 }

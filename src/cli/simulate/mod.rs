@@ -14,8 +14,9 @@ use flockproof::scenario::{End, Ensemble, Outcome, Scenario};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::{Arc, Mutex, PoisonError};
 
-#[derive(clap::Args)]
+#[derive(clap::Args, Clone)]
 #[command(
     after_help = "Files are written at the end, or when the run is stopped: what was reached is kept, and a single run begins again.\n\n\
 A file with [ensemble] replicas = 100, or with numbers in [sweep], makes many runs, on all cores: members.csv has the observables of each at the \
@@ -82,45 +83,72 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
     arguments.out.as_deref().map_or(Ok(()), output::make_folder)?;
     arguments.html.as_deref().map_or(Ok(()), output::check_writable)?;
     let watch = Watch::with(progress::styled("{wide_bar} {percent} % of the time, {eta} left"));
+    let ending = Ending { arguments: arguments.clone(), provenance: provenance(&scenario, &input, arguments.member) };
+    let reached = Arc::new(Mutex::new(scenario.outset()));
+    // One step of a large flock takes longer than who stops the work waits.
+    interrupt::at_last({
+        let (ending, reached) = (ending.clone(), reached.clone());
+        move || {
+            let reached = reached.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Err(error) = ending.written(&reached) {
+                output::complain(&error.to_string());
+            }
+        }
+    });
     if !arguments.json {
         output::print(&declared(&scenario.declaration()))?;
     }
-    let provenance = provenance(&scenario, &input, arguments.member);
-    let outcome = scenario.run(&watch);
+    scenario.run_into(&watch, &reached);
     watch.finish();
     interrupt::finishing();
-    let summary = provenance.stamp(simulation_summary(&outcome));
-    let written = match &arguments.out {
-        Some(folder) => Some((write(&outcome, &summary, &provenance, folder, arguments.animate)?, folder)),
-        None => None,
-    };
-    if let Some(path) = &arguments.html {
-        let name = arguments.config.file_name().unwrap_or(arguments.config.as_os_str()).to_string_lossy();
-        let command = format!("flockproof simulate {name} --html FILE");
-        let page = shown::page(&format!("{name}: a run of {}", outcome.model), &command, &shown::simulation(&outcome));
-        output::write_file(path, page.as_bytes())?;
-    }
-    if arguments.json {
-        output::print_json(&summary)?;
-    } else {
-        let (table, events) = (sample_table(&outcome), outcome.events.len());
-        let remarks = declared(&outcome.remarks);
-        let events = format!("{events} event{}", if events == 1 { "" } else { "s" });
-        let files = written.map_or(String::new(), |(names, folder)| {
-            format!("{}in {}\n", declared(&[format!("written: {}", names.join(", "))]), folder.display())
-        });
-        let page = arguments.html.as_ref().map_or(String::new(), |path| format!("written: {}\n", path.display()));
-        let origin = declared(&[provenance.line()]);
-        output::print(&format!("\n{table}{remarks}{events}\n{origin}{files}{page}"))?;
-    }
-    let kept = format!("what was reached up to t = {} is kept", outcome.reached());
-    match outcome.end {
-        End::Finished if !interrupt::happened() => Ok(ExitCode::SUCCESS),
-        End::Finished | End::Interrupted => {
-            eprintln!("interrupted: {kept}");
-            Ok(ExitCode::from(interrupt::STATUS))
+    let outcome = reached.lock().unwrap_or_else(PoisonError::into_inner);
+    ending.written(&outcome)
+}
+
+/// What a run ends with, wherever it is stopped.
+#[derive(Clone)]
+struct Ending {
+    arguments: Arguments,
+    provenance: Provenance,
+}
+
+impl Ending {
+    /// Writes and prints an outcome.
+    fn written(&self, outcome: &Outcome) -> Result<ExitCode, CliError> {
+        let Ending { arguments, provenance } = self;
+        let summary = provenance.stamp(simulation_summary(outcome));
+        let written = match &arguments.out {
+            Some(folder) => Some((write(outcome, &summary, provenance, folder, arguments.animate)?, folder)),
+            None => None,
+        };
+        if let Some(path) = &arguments.html {
+            let name = arguments.config.file_name().unwrap_or(arguments.config.as_os_str()).to_string_lossy();
+            let command = format!("flockproof simulate {name} --html FILE");
+            let title = format!("{name}: a run of {}", outcome.model);
+            output::write_file(path, shown::page(&title, &command, &shown::simulation(outcome)).as_bytes())?;
         }
-        End::Failed(error) => Err(refuse(&format!("{error}; {kept}"))),
+        if arguments.json {
+            output::print_json(&summary)?;
+        } else {
+            let (table, events) = (sample_table(outcome), outcome.events.len());
+            let remarks = declared(&outcome.remarks);
+            let events = format!("{events} event{}", if events == 1 { "" } else { "s" });
+            let files = written.map_or(String::new(), |(names, folder)| {
+                format!("{}in {}\n", declared(&[format!("written: {}", names.join(", "))]), folder.display())
+            });
+            let page = arguments.html.as_ref().map_or(String::new(), |path| format!("written: {}\n", path.display()));
+            let origin = declared(&[provenance.line()]);
+            output::print(&format!("\n{table}{remarks}{events}\n{origin}{files}{page}"))?;
+        }
+        let kept = format!("what was reached up to t = {} is kept", outcome.reached());
+        match &outcome.end {
+            End::Finished if !interrupt::happened() => Ok(ExitCode::SUCCESS),
+            End::Finished | End::Interrupted => {
+                eprintln!("interrupted: {kept}");
+                Ok(ExitCode::from(interrupt::STATUS))
+            }
+            End::Failed(error) => Err(CliError::file(&arguments.config, format!("{error}; {kept}"))),
+        }
     }
 }
 

@@ -19,9 +19,12 @@ pub struct Inertia {
 /// is not, adding row and column `j` to row and column `i` makes the pivot `2 a_ij`.
 ///
 /// # Errors
-/// [`ArithmeticError::Domain`] where a sign is not decided (an interval around zero).
+/// [`ArithmeticError::Domain`] where a sign is not decided (an interval around zero), or a row ends before the diagonal.
 pub fn inertia<T: Field + Signed>(rows: &[Vec<T>]) -> Result<Inertia, ArithmeticError> {
     let order = rows.len();
+    if rows.iter().zip(1..).any(|(row, least)| row.len() < least) {
+        return Err(ArithmeticError::Domain("rows that reach the diagonal"));
+    }
     let mut a: Vec<Vec<T>> =
         (0..order).map(|i| (0..order).map(|j| rows[i.max(j)][i.min(j)].clone()).collect()).collect();
     let mut found = Inertia { positive: 0, negative: 0, zero: 0 };

@@ -5,6 +5,7 @@ use crate::draws::{Draws, shrunk};
 use crate::invariants::{Checked, Invariant, Stop, Tested, decide, find, table};
 use crate::job::{Campaign, JobError};
 use arithmetic::{Cancelled, Progress};
+use question::nearest_ids;
 use serde_json::{Value, json};
 
 /// Most cases of one invariant.
@@ -105,15 +106,10 @@ impl Fuzz {
     }
 }
 
-/// The name in the table that differs least, as a question.
+/// The name in the table that is spelled most alike, as a question.
 fn nearest(unknown: &str) -> String {
-    let common = |id: &str| {
-        let parts = |text: &str| text.split(['.', '_']).map(str::to_string).collect::<Vec<_>>();
-        let asked = parts(unknown);
-        parts(id).iter().filter(|part| asked.contains(part)).count()
-    };
-    let best = table().map(|invariant| (common(invariant.id), invariant.id)).max_by_key(|(common, _)| *common);
-    best.filter(|(common, _)| *common > 0).map_or(String::new(), |(_, id)| format!(" (did you mean {id}?)"))
+    let near = nearest_ids(table().map(|invariant| invariant.id), unknown, 1);
+    near.first().map_or(String::new(), |id| format!(" (did you mean {id}?)"))
 }
 
 /// The draws of one case; they depend on the version, the invariant, the seed and the case, not on the campaign around it.

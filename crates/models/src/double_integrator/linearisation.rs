@@ -1,5 +1,6 @@
 //! Hessians of the potential and linearised closed loops, by duals over any field.
 
+use super::law::check_links;
 use super::{Coordinates, Pair, Potential, State, Vector, difference, potential_gradients, velocity_alignment};
 use algebra::matrix::{MatrixError, RationalMatrix};
 use arithmetic::{ArithmeticError, Dual, Field, rational};
@@ -53,13 +54,14 @@ fn stiffness<T: Field>(
 /// potential; in triangular ones it is similar to it.
 ///
 /// # Errors
-/// [`ArithmeticError::DivisionByZero`] where linked agents coincide.
+/// [`ArithmeticError::DivisionByZero`] where linked agents coincide; [`ArithmeticError::Domain`] for a link to an agent that is not there.
 pub fn hessian<T: Field>(
     positions: &[Vector<T>],
     edges: &[Pair],
     coordinates: Coordinates,
     potential: &Potential,
 ) -> Result<Vec<Vec<T>>, ArithmeticError> {
+    check_links(edges, positions.len())?;
     let Some(first) = positions.first() else { return Ok(Vec::new()) };
     let order = 2 * positions.len();
     let mut rows = vec![vec![first[0].zero(); order]; order];

@@ -109,11 +109,17 @@ impl<T: Ring> State<T> {
     }
 
     /// `r_ij = r_i - r_j`.
+    ///
+    /// # Panics
+    /// Where `i` or `j` is not below [`State::count`], as an index of a list.
     pub fn separation(&self, i: usize, j: usize) -> Vector<T> {
         difference(&self.positions[i], &self.positions[j])
     }
 
     /// `v_i - v_j`.
+    ///
+    /// # Panics
+    /// As [`State::separation`].
     pub fn relative_velocity(&self, i: usize, j: usize) -> Vector<T> {
         difference(&self.velocities[i], &self.velocities[j])
     }

@@ -11,6 +11,9 @@ use arithmetic::{ArithmeticError, Complex, Field, Ring};
 
 /// The eigenvalue `sum_s (1 - w^(qs))` of the Laplacian of the circulant digraph in which `k + s` is a neighbour of `k` for each offset `s`, on the
 /// eigenvector `w^(qk)`; given `w^k = e^{2 pi i k/N}`, `N` of them, at least one. Undirected graphs have `s` and `N - s` among the offsets.
+///
+/// # Panics
+/// Where there are no roots.
 pub fn circulant_eigenvalue<T: Ring>(
     roots: &[Complex<T>],
     offsets: impl IntoIterator<Item = usize>,

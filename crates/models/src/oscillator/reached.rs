@@ -84,14 +84,16 @@ pub fn nearest_twist(phases: &[f64]) -> (i64, f64) {
     (m as i64, steps.iter().map(off).fold(0.0, f64::max))
 }
 
-/// The largest rate of change of a relative position `r_kj e^{-i theta_k}` or relative phase: 0 in a relative equilibrium.
+/// The largest rate of change of a relative position `r_kj e^{-i theta_k}` or relative phase: 0 in a relative equilibrium. Particles without a
+/// steering are left out.
 pub fn shape_rate(state: &State<f64>, steering: &[f64]) -> f64 {
     let mut largest: f64 = 0.0;
-    for (k, (r, z)) in state.positions.iter().zip(&state.phasors).enumerate() {
-        for (j, (s, w)) in state.positions.iter().zip(&state.phasors).enumerate() {
-            let turning = quarter_turn(&(r.clone() - s)).scale(&steering[k]);
+    let particles = || state.positions.iter().zip(&state.phasors).zip(steering);
+    for ((r, z), own) in particles() {
+        for ((s, w), other) in particles() {
+            let turning = quarter_turn(&(r.clone() - s)).scale(own);
             let rate = z.clone() - w - turning;
-            largest = largest.max(rate.norm_squared().sqrt()).max((steering[k] - steering[j]).abs());
+            largest = largest.max(rate.norm_squared().sqrt()).max((own - other).abs());
         }
     }
     largest

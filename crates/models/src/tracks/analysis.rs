@@ -5,6 +5,7 @@ use super::{
     Choices, ChoicesError, FrameMeasures, Gap, GroupState, Motion, PositionsUsed, Sample, Tracks, Vector, gaps,
     smoothed,
 };
+use arithmetic::{Cancelled, Progress};
 
 /// Why frames are not in what needs the headings of all fish; a frame counts once, at the first reason.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -57,14 +58,16 @@ pub struct Analysis {
     pub fish: Vec<FishSummary>,
 }
 
-/// Measures a recording.
+/// Measures a recording. Work that `progress` stops gives the analysis of the frames that were reached, that of [`Tracks::first`] with
+/// headings that know what came after: then [`Analysis::frames`] are fewer than those of the recording.
 ///
 /// # Errors
-/// [`ChoicesError`]; also where no frame has a heading of every fish.
-pub fn analyse(tracks: &Tracks, choices: &Choices) -> Result<Analysis, ChoicesError> {
+/// [`ChoicesError`]; also where no frame has a heading of every fish, and where the work was stopped before there was one.
+pub fn analyse(tracks: &Tracks, choices: &Choices, progress: &dyn Progress) -> Result<Analysis, ChoicesError> {
     choices.check(tracks.fish())?;
-    let motion = Motion::new(tracks, choices.window, choices.still);
-    let positions = match choices.positions {
+    progress.checkpoint()?;
+    let mut motion = Motion::new(tracks, choices.window, choices.still);
+    let mut positions = match choices.positions {
         PositionsUsed::File => tracks.positions.clone(),
         PositionsUsed::Smoothed => (0..tracks.fish()).map(|k| smoothed(tracks, k, choices.window)).collect(),
     };
@@ -73,6 +76,10 @@ pub fn analyse(tracks: &Tracks, choices: &Choices) -> Result<Analysis, ChoicesEr
     };
     let mut frames = Vec::with_capacity(tracks.frames.len());
     for (i, frame) in tracks.frames.iter().enumerate() {
+        if progress.is_cancelled() {
+            break;
+        }
+        progress.tell("frames", i as u64, Some(tracks.frames.len() as u64));
         let (r, v, z) = (of_frame(&positions, i), of_frame(&motion.velocities, i), of_frame(&motion.headings, i));
         let moment = Moment {
             time: frame.time,
@@ -82,6 +89,12 @@ pub fn analyse(tracks: &Tracks, choices: &Choices) -> Result<Analysis, ChoicesEr
         };
         let measured = FrameMeasures::new(&moment, choices);
         frames.push(measured.map_err(|error| ChoicesError::NothingLeft(format!("t = {}: {error}", frame.time)))?);
+    }
+    let stopped = frames.len() < tracks.frames.len();
+    let reached = stopped.then(|| tracks.first(frames.len()));
+    let tracks = reached.as_ref().unwrap_or(tracks);
+    for rows in [&mut motion.velocities, &mut motion.headings, &mut positions] {
+        rows.iter_mut().for_each(|row| row.truncate(frames.len()));
     }
     let gaps = gaps(tracks);
     let mut analysis = Analysis {
@@ -96,6 +109,9 @@ pub fn analyse(tracks: &Tracks, choices: &Choices) -> Result<Analysis, ChoicesEr
     analysis.left_out = analysis.count_left_out(tracks);
     analysis.fish = (0..tracks.fish()).map(|k| analysis.summary_of(tracks, k)).collect();
     if analysis.left_out.used == 0 {
+        if stopped {
+            return Err(Cancelled.into());
+        }
         return Err(ChoicesError::NothingLeft(analysis.why_nothing_is_left(tracks)));
     }
     Ok(analysis)

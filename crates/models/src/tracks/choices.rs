@@ -1,6 +1,7 @@
 //! What the analysis has to choose, with the values of the sidebar where it gives them.
 
 use crate::oscillator::Zones;
+use arithmetic::Cancelled;
 
 /// Which single neighbour stands for `n = 1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,6 +74,9 @@ pub enum ChoicesError {
     /// The window is longer than any run of frames.
     #[error("{0}")]
     NothingLeft(String),
+    /// Stopped before there was a frame with a heading of every fish.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 impl Choices {

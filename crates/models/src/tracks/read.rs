@@ -218,6 +218,14 @@ impl Tracks {
         })
     }
 
+    /// The recording up to so many of its frames.
+    pub fn first(&self, frames: usize) -> Tracks {
+        let mut first = self.clone();
+        first.frames.truncate(frames);
+        first.positions.iter_mut().for_each(|row| row.truncate(frames));
+        first
+    }
+
     /// The table again, sorted by time and fish.
     pub fn to_csv(&self) -> String {
         let mut text = String::from("t,id,x,y\n");

@@ -48,7 +48,7 @@ impl Made {
         let seed = "flockproof".to_string();
         let setting = Setting { fish, frames: FRAMES, step: STEP, body_length: BODY_LENGTH, seed };
         let tracks = synthetic_school(school, &setting);
-        let analysis = analyse(&tracks, &Choices::of_sidebar(tracks.step))
+        let analysis = analyse(&tracks, &Choices::of_sidebar(tracks.step), &Unwatched)
             .map_err(|error| CheckError::Other(format!("{name}: {error}")))?;
         let null = null_models(&analysis.sample(), shifts, name, &Unwatched)
             .map_err(|stopped| CheckError::Other(stopped.to_string()))?;
@@ -56,7 +56,7 @@ impl Made {
     }
 
     fn report(&self) -> TracksReport<'_> {
-        TracksReport { source: self.name, tracks: &self.tracks, analysis: &self.analysis, null: &self.null }
+        TracksReport { source: self.name, tracks: &self.tracks, analysis: &self.analysis, null: Some(&self.null) }
     }
 }
 

@@ -20,8 +20,8 @@ pub struct TracksReport<'a> {
     pub tracks: &'a Tracks,
     /// What was measured.
     pub analysis: &'a Analysis,
-    /// The null models.
-    pub null: &'a NullModels,
+    /// The null models; `None` before they are finished.
+    pub null: Option<&'a NullModels>,
 }
 
 impl TracksReport<'_> {

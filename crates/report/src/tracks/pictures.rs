@@ -45,10 +45,11 @@ fn histogram_panel(title: &str, label: &str, observed: &Histogram, nulls: &[(&st
 
 /// The histogram of the difference of the scaled potentials with the null models.
 pub(crate) fn difference_panel(report: &TracksReport, title: &str) -> Panel {
-    let shifted = report.null.shifted.first().map(|(kind, _, histogram)| (kind.name(), histogram));
-    let nulls: Vec<_> =
-        [("independent headings", &report.null.uniform.histograms[2])].into_iter().chain(shifted).collect();
-    histogram_panel(title, "2/(n+1) W_1: n = N−1 less n = 1", &report.null.observed.histogram, &nulls)
+    let uniform = report.null.map(|null| ("independent headings", &null.uniform.histograms[2]));
+    let shifted = report.null.and_then(|null| null.shifted.first());
+    let shifted = shifted.map(|(kind, _, histogram)| (kind.name(), histogram));
+    let nulls: Vec<_> = uniform.into_iter().chain(shifted).collect();
+    histogram_panel(title, "2/(n+1) W_1: n = N−1 less n = 1", &tables::difference(report), &nulls)
 }
 
 /// The histograms of the scaled potentials for `n = N - 1` and `n = 1`.

@@ -1,7 +1,7 @@
 //! `summary.json`.
 
 use super::{TracksReport, tables};
-use models::tracks::{NearestRule, PositionsUsed, Scale, Statistics};
+use models::tracks::{NearestRule, NullModels, PositionsUsed, Scale, Statistics};
 use motion::Share;
 use serde_json::{Map, Value, json};
 
@@ -46,7 +46,7 @@ pub(super) fn summary(report: &TracksReport) -> Value {
         "gaps": gaps,
         "per_fish": fish,
         "means": means(report),
-        "null_models": null_models(report),
+        "null_models": report.null.map(|models| null_models(report, models)),
     })
 }
 
@@ -104,8 +104,8 @@ fn means(report: &TracksReport) -> Value {
     })
 }
 
-fn null_models(report: &TracksReport) -> Value {
-    let (models, fish) = (report.null, report.tracks.fish());
+fn null_models(report: &TracksReport, models: &NullModels) -> Value {
+    let fish = report.tracks.fish();
     let draws = models.uniform.draws;
     let mut uniform = Map::new();
     for (scale, &positive) in Scale::ALL.iter().zip(&models.uniform.positive) {

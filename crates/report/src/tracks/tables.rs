@@ -143,6 +143,12 @@ pub(super) fn scaled(report: &TracksReport) -> [Histogram; 2] {
     [Histogram::of(0.0, 1.0, 20, complete), Histogram::of(0.0, 1.0, 20, single)]
 }
 
+/// Their difference.
+pub(super) fn difference(report: &TracksReport) -> Histogram {
+    let (analysis, fish) = (report.analysis, report.tracks.fish());
+    Histogram::of(-1.0, 1.0, 40, analysis.groups().map(|(_, g)| Scale::Figure.difference(fish, g.complete, g.single)))
+}
+
 /// All histograms.
 pub(super) fn all(report: &TracksReport) -> Vec<Named> {
     let analysis = report.analysis;
@@ -150,7 +156,8 @@ pub(super) fn all(report: &TracksReport) -> Vec<Named> {
     let of =
         |name, label: &str, observed| Named { name, label: label.to_string(), observed, uniform: None, shifted: None };
     let [complete, single] = scaled(report);
-    let [blue, red, difference] = report.null.uniform.histograms.clone();
+    let uniform = |k: usize| report.null.map(|null| null.uniform.histograms[k].clone());
+    let shifted = report.null.and_then(|null| null.shifted.first());
     let upper = |values: &mut dyn Iterator<Item = f64>| {
         let largest = values.fold(0.0, f64::max);
         if largest > 0.0 { largest } else { 1.0 }
@@ -158,12 +165,12 @@ pub(super) fn all(report: &TracksReport) -> Vec<Named> {
     let fastest = upper(&mut analysis.speeds());
     let farthest = upper(&mut analysis.distances()) / b;
     vec![
-        Named { uniform: Some(blue), ..of("S_complete", "2/(n+1) W_1, n = N−1", complete) },
-        Named { uniform: Some(red), ..of("S_single", "2/(n+1) W_1, n = 1", single) },
+        Named { uniform: uniform(0), ..of("S_complete", "2/(n+1) W_1, n = N−1", complete) },
+        Named { uniform: uniform(1), ..of("S_single", "2/(n+1) W_1, n = 1", single) },
         Named {
-            uniform: Some(difference),
-            shifted: report.null.shifted.first().map(|(_, _, histogram)| histogram.clone()),
-            ..of("difference", "difference of the two", report.null.observed.histogram.clone())
+            uniform: uniform(2),
+            shifted: shifted.map(|(_, _, histogram)| histogram.clone()),
+            ..of("difference", "difference of the two", difference(report))
         },
         of("p_1", "|p_1|", Histogram::of(0.0, 1.0, 20, analysis.groups().map(|(_, g)| g.order[0]))),
         of(

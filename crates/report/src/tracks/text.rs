@@ -1,7 +1,7 @@
 //! The analysis as a text of at most 80 columns.
 
 use super::{TracksReport, tables};
-use models::tracks::{Choices, Comparison, NearestRule, PositionsUsed, Scale};
+use models::tracks::{Choices, Comparison, NearestRule, NullModels, PositionsUsed, Scale};
 use motion::Share;
 use std::fmt::Write;
 
@@ -16,7 +16,10 @@ pub(super) fn text(report: &TracksReport) -> String {
     left_out(report, &mut text);
     each_fish(report, &mut text);
     potentials(report, &mut text);
-    null_models(report, &mut text);
+    match report.null {
+        Some(null) => null_models(report, null, &mut text),
+        None => text.push_str("The null models were not reached.\n"),
+    }
     text
 }
 
@@ -207,8 +210,8 @@ const SHOWN: [(usize, &str); 7] = [
     (6, "|p_1|"),
 ];
 
-fn null_models(report: &TracksReport, text: &mut String) {
-    let (null, fish) = (report.null, report.tracks.fish());
+fn null_models(report: &TracksReport, null: &NullModels, text: &mut String) {
+    let fish = report.tracks.fish();
     text.push_str("Difference of the scaled potentials, n = N-1 less n = 1, beside schools without\n");
     text.push_str("interaction. p: share of shifts with at least the value of the recording.\n\n");
     text.push_str("                     recording  indep.   headings shifted    tracks shifted\n");
@@ -231,7 +234,7 @@ fn null_models(report: &TracksReport, text: &mut String) {
         text.push('\n');
     }
     text.push('\n');
-    let mut verdict = reading(report);
+    let mut verdict = reading(fish, null);
     verdict.push_str(&match null.shifts {
         0 => "No shifts were made (--null 0).".to_string(),
         shifts => {
@@ -244,8 +247,7 @@ fn null_models(report: &TracksReport, text: &mut String) {
 }
 
 /// What the difference of Figure S3 says here.
-fn reading(report: &TracksReport) -> String {
-    let (null, fish) = (report.null, report.tracks.fish());
+fn reading(fish: usize, null: &NullModels) -> String {
     if fish == 2 {
         return "With two fish n = N-1 is n = 1 and there is no difference. ".to_string();
     }

@@ -38,6 +38,20 @@ fn statement(text: &str) -> String {
 }
 
 #[test]
+fn an_explanation_is_as_narrow_as_is_asked() {
+    let long = "Section 2, Ergodicity, the third paragraph after equation (12), with the figure on the page before and its caption";
+    let text = ledger("veerman.own", &"a statement of many words ".repeat(9)).replace("Lemma 1", long);
+    let document = Document::read(&text).expect("a ledger");
+    for width in [40, 80] {
+        let text = report::explain(&document.claims[0], width);
+        assert!(text.lines().all(|line| line.chars().count() <= width), "{text}");
+        assert_eq!(text.lines().next().and_then(|line| line.split("  (").next()), Some("veerman.own"));
+        let place = text.split("\n  printed").next().expect("the first lines");
+        assert!(place.split_whitespace().collect::<Vec<_>>().join(" ").ends_with(&format!("({long})")), "{place}");
+    }
+}
+
+#[test]
 fn what_the_ledger_says_is_escaped() {
     let hostile = "<script>alert(1)</script> \"a\" & <b onclick='x'> </p>";
     for page in pages(&ledger("veerman.own", hostile)).iter().filter(|page| page.path.ends_with(".html")) {

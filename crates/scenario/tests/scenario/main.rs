@@ -6,6 +6,7 @@ use arithmetic::{Progress, Unwatched};
 use models::platoon::Gains;
 use models::platoon::time_domain::Modes;
 use scenario::{End, Ensemble, Outcome, Row, Scenario, Value, min_distance};
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 fn run(text: &str) -> Outcome {
@@ -322,6 +323,29 @@ impl Progress for Rows {
         assert_eq!((stage, total), ("rows", Some(501)));
         self.0.store(done, Ordering::Relaxed);
     }
+}
+
+/// Looks at a run while it goes on.
+struct Looking<'a>(&'a Mutex<Outcome>);
+
+impl Progress for Looking<'_> {
+    fn is_cancelled(&self) -> bool {
+        false
+    }
+
+    fn tell(&self, _: &str, done: u64, _: Option<u64>) {
+        let outcome = self.0.lock().expect("nobody panicked");
+        assert_eq!((outcome.rows.len() as u64, &outcome.end), (done, &End::Interrupted));
+    }
+}
+
+#[test]
+fn rows_are_there_as_soon_as_they_are_finished() {
+    let text = "model = \"phase\"\n[state]\nphases = [0, 2]\n[law]\nK1 = -1\n[run]\nuntil = 1\nrows = 7\n";
+    let scenario = Scenario::read(text).expect("good");
+    let seen = Mutex::new(scenario.outset());
+    scenario.run_into(&Looking(&seen), &seen);
+    assert_eq!(seen.into_inner().expect("nobody panicked"), run(text));
 }
 
 #[test]

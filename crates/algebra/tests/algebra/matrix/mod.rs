@@ -5,7 +5,7 @@ mod stabiliser;
 use algebra::matrix::floating::{eigenvalues, row_diameter, to_floats};
 use algebra::matrix::read::{ReadError, read_sequence};
 use algebra::matrix::{
-    Footprint, MatrixError, Norm, RationalMatrix, SparseMatrix, StochasticMatrix, diameter, prefix_products,
+    Footprint, MatrixError, Norm, RationalMatrix, SparseMatrix, StochasticMatrix, diameter, inertia, prefix_products,
     product_sequential, product_tree, stabilisers, tau_1, tau_2_squared, tau_2_squared_watched, tau_infinity,
 };
 use arithmetic::{Cancelled, Progress, Rational, Ring, Unwatched, rational};
@@ -382,4 +382,15 @@ fn symmetry_is_equality_with_the_transpose() {
             }
         }
     }
+}
+
+/// Only the part on and below the diagonal is read; rows that do not reach it are refused.
+#[test]
+fn an_inertia_needs_rows_up_to_the_diagonal() {
+    let q = |n: i64| rational(n, 1);
+    let signs = |rows: &[Vec<Rational>]| inertia(rows).map(|found| (found.positive, found.negative, found.zero));
+    assert_eq!(signs(&[vec![q(0)], vec![q(1), q(0)]]), Ok((1, 1, 0)));
+    assert_eq!(signs(&[vec![q(0), q(9)], vec![q(1), q(0), q(9)], vec![q(0), q(0), q(0)]]), Ok((1, 1, 1)));
+    assert_eq!(signs(&[]), Ok((0, 0, 0)));
+    assert!(signs(&[vec![q(1)], vec![q(1)]]).is_err() && signs(&[vec![]]).is_err());
 }

@@ -260,6 +260,10 @@ fn refusals_are_errors() {
     let same = State { positions: vec![[q(0), q(0)], [q(0), q(0)]], velocities: vec![[q(0), q(0)], [q(0), q(0)]] };
     assert!(velocity_alignment(&same, &[(0, 1)], PLANE, |_, _, s| spring().slope(s)).is_err());
     assert!(velocity_alignment(&same, &[], PLANE, |_, _, s| spring().slope(s)).is_ok());
+    // A link to an agent that is not there.
+    for nobody in [&same.positions[..], &[]] {
+        assert!(hessian(nobody, &[(0, 2)], PLANE, &spring()).is_err());
+    }
     assert!(heading(&[0.0, 0.0]).is_err());
     assert!(heading_rate(&[q(0), q(0)], &[q(1), q(0)]).is_err());
     assert!(kinetic_energy::<Rational>(&[], PLANE).is_err());

@@ -83,5 +83,8 @@ fn one_circle_is_at_rest_and_two_are_not() {
     apart.positions[0].re += 3.0;
     assert!((centre_spread(&OMEGA, &apart.state()).unwrap() - 2.25).abs() < 1e-12);
     assert!((shape_rate(&apart.state(), &[OMEGA; 4]) - 0.3).abs() < 1e-12);
+    // The first one, which is apart, alone, and with another one.
+    assert_eq!(shape_rate(&apart.state(), &[OMEGA]), 0.0);
+    assert!((shape_rate(&apart.state(), &[OMEGA; 2]) - 0.3).abs() < 1e-12);
     assert!(centre_spread(&0.0, &state).is_err());
 }

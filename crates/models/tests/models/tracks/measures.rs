@@ -1,13 +1,14 @@
 //! Measures against naive twins.
 
 use arithmetic::random::{generator, uniform};
-use arithmetic::{Complex, Unwatched};
+use arithmetic::{Cancelled, Complex, Progress, Unwatched};
 use models::oscillator::{Neighbours, phase_potential};
 use models::tracks::{
     Choices, ChoicesError, Histogram, Motion, NearestRule, NullKind, Scale, School, Setting, Tracks, Vector, analyse,
-    complete_potential, nearest_neighbour, null_models, partner_potential, smoothed, synthetic_school,
+    complete_potential, gaps, nearest_neighbour, null_models, partner_potential, smoothed, synthetic_school,
 };
 use std::collections::HashMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub fn setting(fish: usize, frames: usize) -> Setting {
     Setting { fish, frames, step: 0.1, body_length: 5.3, seed: "test".to_string() }
@@ -68,7 +69,7 @@ fn velocities_are_means_of_central_differences_inside_a_run() {
 fn frames_are_measured_as_defined() {
     let tracks = synthetic_school(School::Milling, &setting(5, 200));
     let choices = Choices { window: 5, ..Choices::of_sidebar(0.1) };
-    let analysis = analyse(&tracks, &choices).expect("analysed");
+    let analysis = analyse(&tracks, &choices, &Unwatched).expect("analysed");
     let motion = Motion::new(&tracks, 5, choices.still);
     let mean =
         |list: &[Vector]| list.iter().fold(Complex::new(0.0, 0.0), |a, b| a + b).scale(&(1.0 / list.len() as f64));
@@ -88,7 +89,7 @@ fn frames_are_measured_as_defined() {
         compared += 1;
     }
     assert!(compared > 100);
-    let holed = analyse(&holed(School::Polarised, 3, 300, 0.02), &choices).expect("analysed");
+    let holed = analyse(&holed(School::Polarised, 3, 300, 0.02), &choices, &Unwatched).expect("analysed");
     assert!(holed.frames.iter().any(|frame| frame.seen == 3 && frame.moving < 3));
     assert!(holed.frames.iter().all(|frame| frame.moving <= frame.seen && frame.headed <= frame.moving));
 }
@@ -102,10 +103,44 @@ fn a_fish_at_the_centre_does_not_turn() {
         text.push_str(&format!("{i},a,{},{y}\n{i},b,{x},0\n{i},c,{},{}\n", x + 0.25, x - 0.25, -y));
     }
     let tracks = Tracks::from_csv(&text).expect("a recording");
-    let analysis = analyse(&tracks, &Choices { window: 1, ..Choices::of_sidebar(1.0) }).expect("analysed");
+    let analysis = analyse(&tracks, &Choices { window: 1, ..Choices::of_sidebar(1.0) }, &Unwatched).expect("analysed");
     let naive = |time: f64| 0.5 / 8.0 / (65f64 / 64.0 * (1.0 / 16.0 + (time / 8.0).powi(2))).sqrt() / 3.0;
     let found: Vec<(f64, f64)> = analysis.groups().map(|(time, g)| (time, g.rotation)).collect();
     assert!(found.len() >= 5 && found.iter().all(|(time, x)| (x - naive(*time)).abs() < 1e-12), "{found:?}");
+}
+
+/// Stops the work when it has been asked so many times.
+struct Asked(AtomicUsize);
+
+impl Progress for Asked {
+    fn is_cancelled(&self) -> bool {
+        self.0.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1)).is_err()
+    }
+}
+
+#[test]
+fn what_was_reached_of_an_analysis_is_that_of_the_first_frames() {
+    let tracks = holed(School::Polarised, 3, 300, 0.02);
+    let choices = Choices { window: 5, ..Choices::of_sidebar(0.1) };
+    let whole = analyse(&tracks, &choices, &Unwatched).expect("analysed");
+    // Once before the work, and once for each frame.
+    for asked in [0, 1, 2] {
+        let stopped = analyse(&tracks, &choices, &Asked(AtomicUsize::new(asked)));
+        assert_eq!(stopped.expect_err("no headings in the first frame"), ChoicesError::Cancelled(Cancelled));
+    }
+    for frames in [40, tracks.frames.len() - 1, tracks.frames.len()] {
+        let reached = analyse(&tracks, &choices, &Asked(AtomicUsize::new(1 + frames))).expect("analysed");
+        let first = tracks.first(frames);
+        assert_eq!(reached.frames, whole.frames[..frames]);
+        assert_eq!(reached.gaps, gaps(&first));
+        let counts = reached.left_out;
+        assert_eq!(counts.recorded, first.recorded_frames());
+        assert_eq!(counts.recorded, counts.missing + counts.window + counts.still + counts.used);
+        let rows = reached.positions.iter().chain(&reached.motion.velocities).chain(&reached.motion.headings);
+        assert!(rows.into_iter().all(|row| row.len() == frames));
+        let seen: Vec<u64> = first.positions.iter().map(|row| row.iter().flatten().count() as u64).collect();
+        assert_eq!(reached.fish.iter().map(|fish| fish.seen).collect::<Vec<_>>(), seen);
+    }
 }
 
 #[test]
@@ -114,9 +149,9 @@ fn a_window_as_long_as_the_recording_leaves_nothing_and_says_so() {
     assert_eq!(smoothed(&tracks, 0, 61).iter().flatten().count(), 0);
     assert_eq!(smoothed(&tracks, 0, 59).iter().flatten().count(), 2);
     let choices = Choices { window: 59, ..Choices::of_sidebar(0.1) };
-    let error = analyse(&tracks, &choices).expect_err("no velocity").to_string();
+    let error = analyse(&tracks, &choices, &Unwatched).expect_err("no velocity").to_string();
     assert!(error.contains("no frame has a heading of all 4 fish") && error.contains("--window"), "{error}");
-    assert!(analyse(&tracks, &Choices { window: 57, ..choices }).is_ok());
+    assert!(analyse(&tracks, &Choices { window: 57, ..choices }, &Unwatched).is_ok());
 }
 
 #[test]
@@ -133,18 +168,18 @@ fn a_fish_at_rest_has_no_heading() {
         text.push_str(&format!("{i},moves,{i},0\n{i},rests,0.1,0.7\n{i},starts,{},3\n", (i - 4).max(0)));
     }
     let tracks = Tracks::from_csv(&text).expect("a recording");
-    let analysis = analyse(&tracks, &Choices { window: 1, ..Choices::of_sidebar(1.0) });
+    let analysis = analyse(&tracks, &Choices { window: 1, ..Choices::of_sidebar(1.0) }, &Unwatched);
     let Err(ChoicesError::NothingLeft(why)) = analysis else { panic!("used {analysis:?}") };
     assert!(why.contains("at rest in 7"), "{why}");
     let two = tracks.only(&["moves".into(), "starts".into()]).expect("two fish");
     let choices = Choices { window: 1, ..Choices::of_sidebar(1.0) };
-    let analysis = analyse(&two, &choices).expect("analysed");
+    let analysis = analyse(&two, &choices, &Unwatched).expect("analysed");
     let left = analysis.left_out;
     assert_eq!((left.recorded, left.missing, left.window, left.still, left.used), (9, 0, 2, 3, 4));
     assert_eq!((analysis.fish[0].still, analysis.fish[1].still), (0, 3));
     assert!(analysis.groups().all(|(_, g)| (g.order[0] - 1.0).abs() < 1e-12 && g.momentum > 0.7));
     // Half a unit per frame is rest if one says so.
-    let slower = analyse(&two, &Choices { still: 0.5, ..choices }).expect("analysed");
+    let slower = analyse(&two, &Choices { still: 0.5, ..choices }, &Unwatched).expect("analysed");
     assert_eq!(slower.left_out.still, 4);
 }
 
@@ -202,7 +237,7 @@ fn mutual_pairs_never_have_a_negative_difference() {
 #[test]
 fn no_shift_changes_nothing_and_a_common_shift_of_tracks_neither() {
     let tracks = synthetic_school(School::Coupled, &setting(5, 400));
-    let analysis = analyse(&tracks, &Choices::of_sidebar(0.1)).expect("analysed");
+    let analysis = analyse(&tracks, &Choices::of_sidebar(0.1), &Unwatched).expect("analysed");
     let sample = analysis.sample();
     let observed = sample.statistics(NullKind::Headings, &[0; 5]);
     assert_eq!(observed, sample.statistics(NullKind::Tracks, &[0; 5]));
@@ -244,7 +279,7 @@ fn choices_that_make_no_sense_are_refused() {
 fn others_are_reported_for_the_asked_numbers_of_neighbours() {
     let tracks = synthetic_school(School::Milling, &setting(6, 120));
     let choices = Choices { nearest: vec![1, 5], rule: NearestRule::Nearest, window: 5, ..Choices::of_sidebar(0.1) };
-    let analysis = analyse(&tracks, &choices).expect("analysed");
+    let analysis = analyse(&tracks, &choices, &Unwatched).expect("analysed");
     for (_, g) in analysis.groups() {
         assert!((g.others[0] - g.single).abs() < 1e-12 && (g.others[1] - g.complete).abs() < 1e-12);
     }

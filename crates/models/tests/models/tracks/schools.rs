@@ -9,7 +9,7 @@ fn analysed(school: School, fish: usize, frames: usize) -> Analysis {
     // Through the table, as a user would.
     let text = synthetic_school(school, &setting(fish, frames)).to_csv();
     let tracks = Tracks::from_csv(&text).expect("a recording");
-    analyse(&tracks, &Choices::of_sidebar(tracks.step)).expect("analysed")
+    analyse(&tracks, &Choices::of_sidebar(tracks.step), &Unwatched).expect("analysed")
 }
 
 fn compared(analysis: &Analysis, shifts: usize) -> NullModels {
@@ -83,7 +83,7 @@ fn planted_gaps_are_reported_and_left_out() {
     };
     let text: String = whole.lines().filter(missing).map(|line| format!("{line}\n")).collect();
     let tracks = Tracks::from_csv(&text).expect("a recording");
-    let analysis = analyse(&tracks, &Choices::of_sidebar(tracks.step)).expect("analysed");
+    let analysis = analyse(&tracks, &Choices::of_sidebar(tracks.step), &Unwatched).expect("analysed");
     let [gap] = analysis.gaps.as_slice() else { panic!("{:?}", analysis.gaps) };
     assert_eq!((gap.fish, gap.from, gap.to, gap.frames), (2, 20.0, 20.9, 10));
     // The window of 51 frames and the difference take 26 frames at each end and on each side of the gap.
