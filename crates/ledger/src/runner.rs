@@ -423,14 +423,22 @@ fn not_as_recorded(entry: &Entry, expected: Option<&Expected>) -> Vec<String> {
     vec![sentence]
 }
 
+/// The first text that stands in a list for the second time.
+fn repeated(texts: &[String]) -> Option<&String> {
+    let mut seen = BTreeSet::new();
+    texts.iter().find(|text| !seen.insert(*text))
+}
+
 /// Where a decided entry lacks controls, or says more than its evidence.
 fn overstated(entry: &Entry) -> Vec<String> {
     let mut sentences = Vec::new();
-    let names: BTreeSet<&String> = entry.controls.what.iter().collect();
-    if entry.controls.total == 0 {
+    let controls = &entry.controls;
+    if controls.total == 0 {
         sentences.push("there is no negative control".to_string());
-    } else if names.len() < entry.controls.total {
+    } else if repeated(&controls.what).is_some() {
         sentences.push("two negative controls alter the same".to_string());
+    } else if let Some(said) = repeated(&controls.failed) {
+        sentences.push(format!("two negative controls fail at one place for one reason: {said}"));
     }
     let clauses = 1..=entry.clauses.len();
     for e in entry.evidence.iter().filter(|e| e.scope.is_some()) {

@@ -19,8 +19,9 @@ pub fn fewer_switches() -> Record<SwitchesVariant> {
          (c+9)(n-1) + 1} times u >= 2 with G_u != G_{u-1}: n^{O(n^2)}, not only n^{O(n^3)}.",
     )
     .altered("at most n - 1 switches", |v| v.count = Some(|n| n - 1))
-    .altered("step 3 with c + 5 in place of c + 9", |v| {
+    .altered("at most n^4 switches", |v| v.count = Some(|n| n.pow(4)))
+    .altered("step 3 of the proof: with c + 5 in place of c + 9", |v| {
         v.exponent = |n, a, c| a * (n - 1).pow(2) + (c + 5) * (n - 1) + 1
     })
-    .altered("step 1 with k smaller by a factor nu^3", |v| v.room = |c| c + 3)
+    .altered("step 1 of the proof: with k smaller by a factor nu^3", |v| v.room = |c| c + 3)
 }

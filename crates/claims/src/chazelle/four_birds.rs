@@ -90,8 +90,11 @@ fn examine_eigenvector(birds: &FourBirds) -> Result<Outcome, CheckError> {
     let [path, pairs] = networks()?;
     for (name, printed, graph) in [("two pairs", birds.pairs, pairs), ("path", birds.path, path)] {
         let matrix = RationalMatrix::from_integers(&printed, 3)?;
-        if matrix.apply(&velocity)? != expected {
-            let what = format!("the matrix of the {name} maps v(1) to something else");
+        let image = matrix.apply(&velocity)?;
+        if image != expected {
+            let list = |v: &[Rational]| v.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+            let [v, image, expected] = [&velocity, &image, &expected].map(|v| list(v));
+            let what = format!("the matrix of the {name} maps v(1) = ({v}) to ({image}), not to ({expected})");
             return Ok(Outcome::fails(what, exact("the eigenvector", "multiplied out")));
         }
         if matrix != transition_matrix(&graph, &Weights::Lazy)? {

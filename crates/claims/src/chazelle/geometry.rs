@@ -297,8 +297,8 @@ pub fn about_losses(id: &'static str, derivation: &'static str, printed: LossVar
     Record::new(id, derivation, printed, examine_losses)
         .altered("after n^n", |v| v.time = |n| n)
         .altered("without hysteresis", |v| v.hysteresis = false)
-        .altered("step 5 with t in place of t - 1", |v| v.earlier = 0)
-        .altered("step 6 with the exponent n^4 + 2(n-1)² + 10(n-1)", |v| {
+        .altered("step 5 of the proof: with t in place of t - 1", |v| v.earlier = 0)
+        .altered("step 6 of the proof: with the exponent n^4 + 2(n-1)² + 10(n-1)", |v| {
             v.time = |n| n.pow(4) + 2 * (n - 1).pow(2) + 10 * (n - 1)
         })
 }

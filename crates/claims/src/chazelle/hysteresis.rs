@@ -61,7 +61,7 @@ fn check_rule(variant: &RuleVariant, run: &mut Run) -> Result<Outcome, CheckErro
     for n in 2..=4i64 {
         let epsilon = threshold(n, 4);
         // Birds 1 and 2 cross (or keep beyond) distance 1 with a change of a multiple of the threshold; others are far.
-        for (was_edge, quarters) in [(true, 1), (true, 3), (true, 4), (true, 5), (true, 800), (false, 1), (false, 5)] {
+        for (was_edge, quarters) in [(true, 1), (true, 3), (true, 5), (true, 4), (true, 800), (false, 1), (false, 5)] {
             let change = &epsilon * rational(quarters, 4);
             let half = &change / rational(2, 1);
             let before = if was_edge { rational(1, 1) - &half } else { rational(1, 1) + &half };
@@ -132,7 +132,7 @@ pub fn smaller_threshold() -> Record<SmallerThresholdVariant> {
         "The results are the theorem and the lemmas, for n large enough (here n >= 4), not the times of the example.",
     )
     .altered("no threshold at all", |v| v.without = true)
-    .altered("step 1 with n^n in place of n^(n²)", |v| v.lasting = |n| n)
+    .altered("step 1 of the proof: with n^n in place of n^(n²)", |v| v.lasting = |n| n)
     .altered("even the times of the example", |v| v.examples = true)
 }
 
@@ -250,24 +250,32 @@ impl NearVariant {
 }
 
 /// Adjacent birds are within `1 + n^(-n^power)`, weights of at least `1/weight`; a kept edge grows by at most
-/// `growth` times the threshold in each step.
+/// `growth` times the threshold in each step; mixing takes at most `n^(a + mixing)` steps; speeds are at most `n^speeds`.
 #[derive(Clone, Copy)]
 pub struct FarVariant {
     power: u32,
     weight: i64,
     growth: (i64, i64),
+    mixing: u64,
+    speeds: u64,
 }
 
 impl FarVariant {
-    /// Steps 3 and 4: `S + 2 <= n^(a+8)`, and `n^4` is more than the exponents of the growth and `n^3` together.
+    /// Steps 3 and 4: `S + 2 <= n^(a + mixing)`, and `n^4` is more than the exponents of the growth and `n^power` together.
     fn exponents_fail(&self, n: u64, a: u64) -> Option<String> {
         let power = |exponent: u64| BigInt::from(n).pow(exponent as u32);
-        // With c = 1 and ln n < n.
-        let mixing = power(a + 2) * (n.pow(4) + 3 * a + 7) * n / 4 + 3;
-        let growth = switch_exponent(n, a, 1) + a + 9;
-        let wrong =
-            if mixing > power(a + 8) { Some("step 3") } else { (n.pow(4) <= growth + n.pow(3)).then_some("step 4") };
-        wrong.map(|step| format!("{step} is wrong for n = {n}, a = {a}"))
+        let c = self.speeds;
+        // With ln n < n.
+        let mixing = power(a + 2) * (n.pow(4) + 3 * a + c + 6) * n / 4 + 3;
+        if mixing > power(a + self.mixing) {
+            return Some(format!(
+                "step 3 for n = {n}, a = {a}: mixing may take {mixing} steps, more than n^{}",
+                a + self.mixing
+            ));
+        }
+        let growth = switch_exponent(n, a, c) + a + self.mixing + 1;
+        (n.pow(4) <= growth + n.pow(self.power))
+            .then(|| format!("step 4 for n = {n}, a = {a}, c = {c}: the edges may grow by n^({growth} - n^4)"))
     }
 
     /// Step 1: in a flock with the threshold 1/40, how much longer than 1 a kept edge is.
@@ -343,7 +351,7 @@ pub fn far_birds_are_not() -> Record<FarVariant> {
          limit: it grows by at most eps (mixing time + 2) between two switches. With N(n) <= n^(a(n-1)² + (c+9)(n-1) \
          + 1) switches and entries >= n^-a the sum is below n^(-n^3) for all n >= 4 with lazy or vicsek weights and \
          speeds up to n; for other O(log n)-bit weights from some n on (notes/settling.md).",
-        FarVariant { power: 3, weight: 8, growth: (1, 1) },
+        FarVariant { power: 3, weight: 8, growth: (1, 1), mixing: 8, speeds: 1 },
         check_far_birds_are_not,
     )
     .reading(
@@ -352,7 +360,9 @@ pub fn far_birds_are_not() -> Record<FarVariant> {
     )
     .altered("1 + n^(-n^4)", |v| v.power = 4)
     .altered("two birds with c_i = 1/1024", |v| v.weight = 1024)
-    .altered("step 1 with half of the threshold", |v| v.growth = (1, 2))
+    .altered("step 1 of the proof: with half of the threshold", |v| v.growth = (1, 2))
+    .altered("step 3 of the proof: with n^(a+6) steps", |v| v.mixing = 6)
+    .altered("step 4 of the proof: with speeds up to n^60", |v| v.speeds = 60)
 }
 
 fn check_far_birds_are_not(variant: &FarVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -118,12 +118,25 @@ pub fn kronecker() -> Record<KroneckerVariant> {
 }
 
 fn check_kronecker(variant: &KroneckerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let shapes = [[1, 1, 1, 1, 1, 1], [2, 2, 2, 2, 2, 2], [2, 3, 1, 3, 2, 2], [3, 1, 2, 1, 4, 1], [1, 4, 3, 2, 1, 3]];
+    // The second and the third fit one of the altered products each.
+    let (ad_bc, ca_db) = ([1, 2, 1, 1, 2, 1], [2, 1, 2, 1, 2, 1]);
+    let shapes = [
+        [1, 1, 1, 1, 1, 1],
+        ad_bc,
+        ca_db,
+        [2, 2, 2, 2, 2, 2],
+        [2, 3, 1, 3, 2, 2],
+        [3, 1, 2, 1, 4, 1],
+        [1, 4, 3, 2, 1, 3],
+    ];
     let mut parts = Vec::new();
     for [m, n, r, p, q, s] in shapes {
         let shapes = Shapes { m, n, r, p, q, s };
-        // The altered products need square matrices.
-        let fits = matches!(variant.mixed, Mixed::AcBd) || (m, p, r, s) == (n, q, n, q);
+        let (fits, claimed) = match variant.mixed {
+            Mixed::AcBd => (true, "AC kron BD"),
+            Mixed::AdBc => (n == q, "AD kron BC"),
+            Mixed::CaDb => ((m, p) == (r, s) && m * p == n * q, "CA kron DB"),
+        };
         let names: Vec<String> = (1..=m * n + p * q + n * r + q * s).map(|k| format!("x{k}")).collect();
         let ones = |rows, cols| vec![vec![rational(1, 1); cols]; rows];
         if variant.by_rule::<Rational>(&ones(m, n), &ones(p, q)).is_none() {
@@ -133,7 +146,7 @@ fn check_kronecker(variant: &KroneckerVariant, run: &mut Run) -> Result<Outcome,
         let part = format!("entries, A {m} x {n}, B {p} x {q}");
         parts.push(run.identity(&footnote(shapes, variant, false), &names, &part).on([1]));
         if fits {
-            let part = format!("mixed product, C {n} x {r}, D {q} x {s} with them");
+            let part = format!("mixed product {claimed}, C {n} x {r}, D {q} x {s} with them");
             parts.push(run.identity(&footnote(shapes, variant, true), &names, &part).on([2]));
         }
     }

@@ -190,9 +190,9 @@ pub fn gaps() -> Record<GapsVariant> {
         "For all k >= 1, 2^{-t_1 2^{n^{O(1)}}} < |Upsilon_k|.",
         "For all k >= 1, |Upsilon_k| = n^{O(1)}.",
     ])
-    .altered("step 3 with m^2 rho_k^2", |v| v.power = 2)
-    .altered("step 5 with the term at t_1", |v| v.first = 0)
-    .altered("step 7 without the terms that are linear in Psi", |v| v.factor = 0)
+    .altered("step 3 of the proof: with m^2 rho_k^2", |v| v.power = 2)
+    .altered("step 5 of the proof: with the term at t_1", |v| v.first = 0)
+    .altered("step 7 of the proof: without the terms that are linear in Psi", |v| v.factor = 0)
 }
 
 fn check_gaps(variant: &GapsVariant, run: &mut Run) -> Result<Outcome, CheckError> {
@@ -375,7 +375,7 @@ pub fn steady_state() -> Record<TimeVariant> {
          2^^O(n) steps.",
     ])
     .altered("at most 65536 steps", |v| v.height = |_| 4)
-    .altered("step 3 with one level for each merger", |v| v.height = |n| n + 5)
+    .altered("step 3 of the proof: with one level for each merger", |v| v.height = |n| n + 5)
 }
 
 fn check_steady_state(variant: &TimeVariant, run: &mut Run) -> Result<Outcome, CheckError> {

@@ -1,10 +1,12 @@
 //! chazelle.epsineq, chazelle.lem3.1.count, chazelle.lem3.1 and chazelle.thm1.1.switches: the number of network
 //! switches.
 
-use super::sequences::{NetworkHistory, histories, line_networks, paper_threshold, random_graph, random_line_flock};
+use super::sequences::{
+    NetworkHistory, four_birds, histories, line_networks, paper_threshold, random_graph, random_line_flock, settled,
+};
 use crate::prelude::*;
 use arithmetic::Signed;
-use models::averaging::Weights;
+use models::averaging::{Hysteresis, Weights};
 use num_bigint::BigInt;
 use rand_chacha::rand_core::Rng;
 
@@ -91,16 +93,16 @@ impl FinalCountVariant {
     }
 }
 
-/// Bird 1 alone for ever, birds 2 and 3 (`c_i = 1/4`) joined until time `k` and not after, with the hysteresis of the
+/// Bird 1 alone for ever, birds 2 and 3 (`c_i = 1/4`) joined until this time and not after, with the hysteresis of the
 /// paper. From then on the network is known for all time: there is no edge, velocities are constant, bird 1 rests
 /// behind, and bird 3 flies ahead of bird 2 and faster.
-fn leaving_pair(k: usize) -> Result<NetworkHistory, CheckError> {
-    // x_3 - x_2 at time t is -1 + w (2 - 2^(1-t)): 1 at t = k.
-    let w = rational(1, 1) / (rational(1, 1) - rational(1, 2).pow(k as i32));
+fn leaving_pair(last: usize) -> Result<NetworkHistory, CheckError> {
+    // x_3 - x_2 at time t is -1 + w (2 - 2^(1-t)): 1 at the last time.
+    let w = rational(1, 1) / (rational(1, 1) - rational(1, 2).pow(last as i32));
     let weights = Weights::Given(vec![rational(1, 4); 3]);
     let positions = vec![rational(0, 1), rational(11, 1), rational(10, 1)];
     let velocities = vec![rational(0, 1), rational(3, 1), rational(3, 1) + w];
-    let networks = line_networks(positions, velocities, &weights, Some(paper_threshold(3)), k + 2)?;
+    let networks = line_networks(positions, velocities, &weights, Some(paper_threshold(3)), last + 2)?;
     Ok(NetworkHistory::new(networks))
 }
 
@@ -139,9 +141,10 @@ pub fn final_count() -> Record<FinalCountVariant> {
 
 fn check_final_count(variant: &FinalCountVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let wrong = |history: NetworkHistory| Ok((1..=3).find_map(|k| variant.fails_at(&history, k)));
-    let leaves = |k: usize| {
-        let what = variant.fails_at(&leaving_pair(k)?, k);
-        Ok(what.map(|what| format!("x(0) = (0, 11, 10), v(1) = (0, 3, 3 + 1/(1 - 2^-{k})), c_i = 1/4: {what}")))
+    // Two birds that part one step after T_k + 1, and at T_k + 1.
+    let leaves = |(k, last): (usize, usize)| {
+        let what = variant.fails_at(&leaving_pair(last)?, k);
+        Ok(what.map(|what| format!("x(0) = (0, 11, 10), v(1) = (0, 3, 3 + 1/(1 - 2^-{last})), c_i = 1/4: {what}")))
     };
     let mut random = run.random(0);
     let sampled = (0..run.cases(300, 6000)).map(|_| {
@@ -153,8 +156,8 @@ fn check_final_count(variant: &FinalCountVariant, run: &mut Run) -> Result<Outco
     let outcome = Run::all([
         run.instances(
             "the count",
-            "flocks of three birds of which two part at time k + 1, k = 1, .., 40",
-            1..=40,
+            "flocks of three birds of which two part at time k + 2 or k + 1, k = 1, .., 40",
+            (1..=40).flat_map(|k| [(k, k + 1), (k, k)]),
             leaves,
         ),
         run.every(exhaustive("the count", all), histories([(1, 1), (2, 6), (3, 4), (4, 2)]), wrong),
@@ -185,6 +188,14 @@ impl SwitchesVariant {
     /// What the proof gives with the sharper bound of the entries.
     pub const QUADRATIC: Self =
         SwitchesVariant { exponent: |n, a, c| a * (n - 1).pow(2) + (c + 9) * (n - 1) + 1, ..Self::CUBIC };
+
+    /// Whether so many switches of `n` birds are more than the bound, with `a = c = 1`.
+    fn is_exceeded(&self, n: u64, switches: u64) -> bool {
+        match self.count {
+            Some(count) => switches > count(n),
+            None => BigInt::from(switches) > BigInt::from(n).pow((self.exponent)(n, 1, 1) as u32),
+        }
+    }
 }
 
 /// The `(a, c)` that are tried.
@@ -194,14 +205,14 @@ const CONSTANTS: [(u64, u64); 4] = [(1, 1), (2, 1), (1, 4), (3, 2)];
 pub fn examine_switches(variant: &SwitchesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let (part, proof) =
         ("the bound, for all n, a and c", "notes/chazelle_switches.md, The number of switches, steps 1-3");
-    let steps = [flocks(variant, run), edges_last(variant, run), recursion(variant, run)];
+    let steps = [flocks(variant, run), bouncing_birds(variant, run), edges_last(variant, run), recursion(variant, run)];
     Run::all(steps.into_iter().chain([argued(&[], part, proof)]))
 }
 
 /// The printed bounds, whose constants nobody names.
 fn examine_cubic(variant: &SwitchesVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let (part, proof) = ("the bound in model D", "notes/chazelle_switches.md, The number of switches, steps 1-3");
-    let steps = [flocks(variant, run), edges_last(variant, run), recursion(variant, run)];
+    let steps = [flocks(variant, run), bouncing_birds(variant, run), edges_last(variant, run), recursion(variant, run)];
     Ok(match argued_with(&[1], part, proof, steps)? {
         Outcome::Holds(evidence) if variant.kinematic => Outcome::NotCheckable(MODEL_K.to_string(), evidence),
         other => other,
@@ -287,22 +298,30 @@ fn flocks(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
         let history = history?;
         let n = history.order() as u64;
         let switches = history.changes(2, history.constant_from()) as u64;
-        let exceeded = match variant.count {
-            Some(count) => switches > count(n),
-            None => BigInt::from(switches) > BigInt::from(n).pow((variant.exponent)(n, 1, 1) as u32),
-        };
-        Ok(exceeded.then(|| format!("{}: {switches} switches", history.show())))
+        Ok(variant.is_exceeded(n, switches).then(|| format!("{}: {switches} switches", history.show())))
     })
+}
+
+/// The four birds of the paper with its hysteresis, of which two meet and part for long.
+fn bouncing_birds(variant: &SwitchesVariant, run: &Run) -> Result<Outcome, CheckError> {
+    let (switches, _) = settled(&four_birds(Hysteresis::Paper), run)?;
+    let count = switches.len() as u64;
+    let what = || format!("the four birds of the paper switch {count} times");
+    unless(
+        variant.is_exceeded(4, count).then(what),
+        exact("the four birds", format!("{count} switches, settled exactly")),
+    )
 }
 
 fn cubic(id: &'static str, derivation: &'static str, printed: SwitchesVariant) -> Record<SwitchesVariant> {
     Record::new(id, derivation, printed, examine_cubic)
         .control("at most n - 1 switches", SwitchesVariant { count: Some(|n| n - 1), ..printed })
+        .control("at most n^4 switches", SwitchesVariant { count: Some(|n| n.pow(4)), ..printed })
         .control(
-            "step 3 with the exponent (a+c+9) n",
+            "step 3 of the proof: with the exponent (a+c+9) n",
             SwitchesVariant { exponent: |n, a, c| (a + c + 9) * n, ..printed },
         )
-        .control("step 1 with k smaller by a factor nu^3", SwitchesVariant { room: |c| c + 3, ..printed })
+        .control("step 1 of the proof: with k smaller by a factor nu^3", SwitchesVariant { room: |c| c + 3, ..printed })
 }
 
 pub fn flocking_switches() -> Record<SwitchesVariant> {

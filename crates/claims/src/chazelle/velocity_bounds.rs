@@ -56,10 +56,16 @@ pub fn distance_change() -> Record<DistanceChangeVariant> {
     .altered("strictly less", |v| v.strict = true)
 }
 
+/// 0, 1, -1, 2, -2, ... for 0, 1, 2, 3, 4, ...
+fn from_zero_outward(k: &usize) -> i64 {
+    let half = k.div_ceil(2) as i64;
+    if k % 2 == 1 { half } else { -half }
+}
+
 fn check_distance_change(variant: &DistanceChangeVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let cases = [(1usize, 6i64), (2, 3), (3, 1)].into_iter().flat_map(|(d, size)| {
         words((2 * size + 1) as usize, 2 * d as u32)
-            .map(move |word| (d, word.iter().map(|&k| k as i64 - size).collect::<Vec<_>>()))
+            .map(move |word| (d, word.iter().map(from_zero_outward).collect::<Vec<_>>()))
     });
     let detail =
         "the triangle inequality (notes/chazelle_switches.md); all integer vectors up to 6, 3, 1 in dimension 1, 2, 3";

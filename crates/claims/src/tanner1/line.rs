@@ -9,6 +9,7 @@ use crate::prelude::*;
 use crate::tanner2::fixtures::{on_connected, printed as potential};
 use arithmetic::Signed;
 use models::double_integrator::{HeadingDifference, turning_triangle};
+use std::collections::BTreeSet;
 
 /// A start at the squared distance `square` with the common speed `c`, of agents with headings or with velocities aligned.
 #[derive(Clone, Copy)]
@@ -45,53 +46,73 @@ impl Swing {
         })
     }
 
+    /// The slopes of the potential where the swing begins and at the squared distance 1/2, if it gets there. The rear agent, which moves
+    /// forwards, has `-grad_{r_1} V_1 . v_1` of the same sign.
+    fn slopes(self) -> Result<Vec<(Rational, Rational)>, CheckError> {
+        let near = Interval::from_rational(&rational(1, 2), PRECISION);
+        let from = Interval::from_rational(&rational(self.square, 1), PRECISION);
+        let reached = (potential().value(&from)? - potential().value(&near)?).is_certainly_positive();
+        let places = [Some(rational(self.square, 1)), reached.then(|| rational(1, 2))];
+        places.into_iter().flatten().map(|s| Ok((s.clone(), potential().slope(&s)?))).collect()
+    }
+
     fn describe(self) -> String {
         let c = Rational::new(self.speed.0.into(), self.speed.1.into());
         format!("two agents at (0, 0) and (2, 0), linked, both with velocity ({c}, 0), V = 1/s + log s")
     }
 }
 
-/// Evidence of the swing, or what is wrong with it: it keeps its direction and is not at rest.
-fn swings(swing: Swing, run: &mut Run) -> Result<Result<Evidence, Outcome>, CheckError> {
+/// What is said to become of two agents on a line.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum End {
+    /// They come to rest relative to each other at the distance 1: then `V(1)` is all that is left of `u² + V(s)`.
+    Rest,
+    /// They swing for ever: there is more than `V(1)`.
+    Swing,
+}
+
+/// Evidence of the motion, or what is wrong with it: it keeps its direction, and has the energy of its end.
+fn ends(swing: Swing, end: End, run: &mut Run) -> Result<Result<Evidence, Outcome>, CheckError> {
     let evidence = certified(
         "two agents on a line",
         "enclosure of V(4) - V(1), conservation of energy; notes/tanner1.md, A pair on a line, steps 1 to 4",
     );
     let excess = swing.excess()?;
     run.value("largest_squared_swing", interval_value(&excess, 12));
-    if !excess.is_certainly_positive() {
-        let what = format!("two agents at the squared distance {}: the energy allows no swing", swing.square);
-        return Ok(Err(Outcome::fails(what, evidence.on([2]))));
-    }
-    Ok(match swing.keeps_direction()? {
-        Some(true) => Ok(evidence),
-        Some(false) => {
-            let what = format!("{}: the front one comes to rest, where it has no heading", swing.describe());
-            Err(Outcome::fails(what, evidence.on([2])))
+    let what = match (swing.keeps_direction()?, excess.is_certainly_positive()) {
+        (None, _) => return Ok(Err(Outcome::Undecided("the enclosure of the energy is too wide".to_string()))),
+        (_, false) if end == End::Swing => {
+            format!("two agents at the squared distance {}: the energy allows no swing", swing.square)
         }
-        None => Err(Outcome::Undecided("the enclosure of the energy is too wide".to_string())),
-    })
+        (Some(false), _) => format!("{}: the front one comes to rest, where it has no heading", swing.describe()),
+        (_, true) if end == End::Rest => {
+            return Ok(Err(Outcome::fails(
+                format!(
+                    "{}: both headings stay 0 and the distance swings for ever about 1, as u² + V(s) is constant and \
+                     above V(1) by {}",
+                    swing.describe(),
+                    interval_value(&excess, 12)
+                ),
+                evidence,
+            )));
+        }
+        _ => return Ok(Ok(evidence)),
+    };
+    Ok(Err(Outcome::fails(what, evidence.on([2]))))
 }
 
-/// Whether distances are said to come to rest at a minimum, or a start to swing for ever.
+/// What is said to become of which start.
 #[derive(Clone, Copy)]
 pub struct DistanceVariant {
-    stabilised: bool,
+    end: End,
     start: Swing,
 }
 
 fn examine_distances(variant: &DistanceVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let swing = match swings(variant.start, run)? {
+    let swing = match ends(variant.start, variant.end, run)? {
         Ok(swing) => swing,
         Err(outcome) => return Ok(outcome),
     };
-    if variant.stabilised {
-        let what = format!(
-            "{}: both headings stay 0 and the distance swings for ever about 1, as u² + V(s) is constant",
-            FAST.describe()
-        );
-        return Ok(Outcome::fails(what, swing));
-    }
     Run::all([energy_is_constant(run).on([1]), Ok(Outcome::Holds(vec![swing.on([2]).for_all()]))])
 }
 
@@ -99,10 +120,10 @@ pub fn distances() -> Record<DistanceVariant> {
     Record::new(
         "tanner1.propIV3b",
         "The alignment forces do no work, so the mechanical energy is constant: the potential energy can settle only if the surplus goes into the common motion. Two agents that move along the line through both have equal headings for ever and no alignment force; their distance swings for ever.",
-        DistanceVariant { stabilised: true, start: FAST },
+        DistanceVariant { end: End::Rest, start: FAST },
         examine_distances,
     )
-    .repaired(Fault::False, "", DistanceVariant { stabilised: false, start: FAST })
+    .repaired(Fault::False, "", DistanceVariant { end: End::Swing, start: FAST })
     .repaired_clauses(&[
         "Along the closed loop (1/2) sum_i (V_i + v_i^T v_i) is constant.",
         "Two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, keep the heading 0 and their distance swings for ever: it does not tend to a limit.",
@@ -152,23 +173,28 @@ pub fn headings() -> Record<HeadingVariant> {
     .altered("motions that stop too", |v| v.stops = true)
 }
 
-/// The headings in the identity, and the start of the swing.
+/// The signs that `-grad_{r_1} V_1 . v_1` is said to have in a swing, the headings in the identity, and the start of the swing.
 #[derive(Clone, Copy)]
 pub struct CaseVariant {
-    lasts: bool,
+    signs: usize,
     equal_headings: bool,
     start: Swing,
 }
 
 fn examine_cases(variant: &CaseVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let swing = match swings(variant.start, run)? {
+    let swing = match ends(variant.start, End::Swing, run)? {
         Ok(swing) => swing,
         Err(outcome) => return Ok(outcome),
     };
-    if variant.lasts {
+    let slopes = variant.start.slopes()?;
+    let signs = slopes.iter().map(|(_, slope)| slope.is_certainly_positive()).collect::<BTreeSet<_>>().len();
+    if signs != variant.signs {
+        let slopes: Vec<String> = slopes.iter().map(|(s, slope)| format!("V' = {slope} at s = {s}")).collect();
         let what = format!(
-            "{}: -grad V_1 . v_1 changes sign in every swing: neither case lasts, and nothing comes to rest",
-            FAST.describe()
+            "{}: {}, both in every swing, so that -grad V_1 . v_1 has {signs} signs: neither case lasts, and nothing \
+             comes to rest",
+            variant.start.describe(),
+            slopes.join(", ")
         );
         return Ok(Outcome::fails(what, swing.on([1, 2, 3])));
     }
@@ -184,7 +210,7 @@ pub fn cases() -> Record<CaseVariant> {
     Record::new(
         "tanner1.proof_cases",
         "The cases need not last: -grad_{r_i} V_i . v_i changes sign in every swing of two agents on a line. Nor does a vanishing gradient make a minimum, and grad_{v_i} in case 2 should read grad_{r_i}.",
-        CaseVariant { lasts: true, equal_headings: true, start: FAST },
+        CaseVariant { signs: 1, equal_headings: true, start: FAST },
         examine_cases,
     )
     .clauses(&[
@@ -192,7 +218,7 @@ pub fn cases() -> Record<CaseVariant> {
         "Case 2: if -grad_{v_i} V_i . v_i > 0, then V_i is monotonically decreasing and eventually reaches one of its minima.",
         "In any case the system converges to a minimum of sum_i V_i.",
     ])
-    .repaired_by(Fault::False, "", |v| v.lasts = false)
+    .repaired_by(Fault::False, "", |v| v.signs = 2)
     .repaired_clauses(&[
         "On the set of equal constant headings of agents that move, potential forces are along the velocities.",
         "Neither case need last, and the system need not converge to a minimum of sum V_i: two linked agents at (0, 0) and (2, 0), both with velocity (2, 0), V = 1/s + log s, swing for ever, and -grad_{r_1} V_1 . v_1 has both signs in each swing.",

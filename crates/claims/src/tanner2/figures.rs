@@ -25,6 +25,11 @@ const fn plain(links: LinkRule) -> Reading {
     Reading { links, weaker: 1, words: "" }
 }
 
+/// Links within so many metres, from any start.
+const fn within(radius: f64, words: &'static str) -> Reading {
+    Reading { links: LinkRule::Within { radius, connected: false }, weaker: 1, words }
+}
+
 /// How many runs show something, under one reading.
 pub(crate) struct Seen {
     pub what: String,
@@ -80,7 +85,7 @@ pub struct FigureVariant {
 }
 
 /// No links, whatever the distances.
-const NONE: Reading = plain(LinkRule::Within { radius: 1e-6, connected: false });
+const NONE: Reading = within(1e-6, ", without links");
 
 pub(crate) fn other(error: impl std::fmt::Display) -> CheckError {
     CheckError::Other(error.to_string())
@@ -124,9 +129,11 @@ fn trials(reading: &Reading, repulsive: bool, run: &Run) -> Result<Vec<Trial>, C
 
 pub fn fig4() -> Record<FigureVariant> {
     const PARTS: &[Part] =
-        &[Part { what: "velocities agree after 100 s, fixed graph", seen: |trial| trial.agrees(0.01), can: false }];
-    const READINGS: &[Reading] =
-        &[plain(FIXED), Reading { links: FIXED, weaker: 32, words: ", with a potential of a 32nd of the strength" }];
+        &[Part { what: "velocities agree after 100 s", seen: |trial| trial.agrees(0.01), can: false }];
+    const READINGS: &[Reading] = &[
+        Reading { links: FIXED, weaker: 1, words: ", fixed graph" },
+        Reading { links: FIXED, weaker: 32, words: ", fixed graph, with a potential of a 32nd of the strength" },
+    ];
     let printed = FigureVariant { readings: READINGS, repulsive: false, parts: PARTS };
     Record::new(
         "tanner2.fig4",
@@ -136,7 +143,7 @@ pub fn fig4() -> Record<FigureVariant> {
     )
     .reading("a report of a run: typical, more than half of all runs whatever the potential, which is not given (notes/guarantees.md)")
     .altered("without links", |v| v.readings = &[NONE])
-    .altered("links within 1 m", |v| v.readings = const { &[plain(LinkRule::Within { radius: 1.0, connected: false })] })
+    .altered("links within 1.5 m", |v| v.readings = const { &[within(1.5, ", links within 1.5 m")] })
 }
 
 pub fn fig4_close() -> Record<FigureVariant> {
@@ -210,6 +217,8 @@ pub fn fig6() -> Record<FigureVariant> {
         "The group then splits into several connected components, which can flock independently.",
     ])
     .reading("\"may\" and \"can\": a positive share of the runs from connected starts, since only what is connected can be lost (notes/guarantees.md)")
-    .altered("links within 20 m", |v| v.readings = const { &[plain(LinkRule::Within { radius: 20.0, connected: true })] })
-    .altered("on fixed connected graphs", |v| v.readings = const { &[plain(FIXED)] })
+    .altered("links within 20 m", |v| v.readings = const {
+        &[Reading { links: LinkRule::Within { radius: 20.0, connected: true }, weaker: 1, words: ", links within 20 m" }]
+    })
+    .altered("on fixed connected graphs", |v| v.readings = const { &[Reading { links: FIXED, weaker: 1, words: ", fixed graph" }] })
 }

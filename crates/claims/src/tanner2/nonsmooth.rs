@@ -112,11 +112,15 @@ fn examine_gradient(variant: &GradientVariant, run: &mut Run) -> Result<Outcome,
             None => found.is_empty(),
             Some((lo, hi)) => found == Span { lo: part(lo), hi: part(hi) },
         };
-        Ok((!agrees || !kink.subgradient().is_empty()).then(|| format!(
-            "V_r(R) = {} at R = {threshold}: the generalised gradient of U(r) is {}, so that of r_i is the segment from 0 to grad_{{r_i}} V_ij",
-            kink.left,
-            show(&found)
-        )))
+        Ok((!agrees || !kink.subgradient().is_empty()).then(|| {
+            let claimed = variant.between.map(|(lo, hi)| format!("[{}, {}]", part(lo), part(hi)));
+            format!(
+                "V_r(R) = {} at R = {threshold}: the generalised gradient of U(r) is {}, so that of r_i is the segment from 0 to grad_{{r_i}} V_ij, but {} is claimed",
+                kink.left,
+                show(&found),
+                claimed.unwrap_or_else(|| "the empty set".to_string())
+            )
+        }))
     })?;
     if variant.between.is_none() {
         return Ok(gradients.on([1]));
@@ -485,16 +489,17 @@ fn examine_interval(variant: &IntervalVariant, run: &mut Run) -> Result<Outcome,
     let sides = run.instances("the right side of (13)", "exact sets", tied_states(run), |(name, state)| {
         let state = TiedRate::of(&state, &rational(4, 1), &spring())?;
         let hull = state.hull();
-        let agrees = match variant {
-            IntervalVariant::ToZero => hull.hi == zero && hull.lo < zero,
-            IntervalVariant::ToZeroOrPoint => hull.hi == zero,
+        let (agrees, claimed) = match variant {
+            IntervalVariant::ToZero => (hull.hi == zero && hull.lo < zero, "[e, 0] with e < 0".to_string()),
+            IntervalVariant::ToZeroOrPoint => (hull.hi == zero, "[e, 0] with e <= 0".to_string()),
             IntervalVariant::NonPositive(factor) => {
                 let base = &state.base * rational(*factor, 1);
                 let point = hull.lo == base && hull.hi == base;
-                hull.lo <= hull.hi && hull.hi <= zero && (point || !state.ties.is_empty())
+                let agrees = hull.lo <= hull.hi && hull.hi <= zero && (point || !state.ties.is_empty());
+                (agrees, format!("{base} away from ties"))
             }
         };
-        Ok((!agrees).then(|| format!("{name}: the right side of (13) is {}", show(&hull))))
+        Ok((!agrees).then(|| format!("{name}: the right side of (13) is {}, but {claimed} is claimed", show(&hull))))
     })?;
     Ok(match variant {
         IntervalVariant::NonPositive(_) => Run::all([

@@ -42,6 +42,15 @@ fn over_modes<T: Field>(reduced: &RationalMatrix, factor: i64, gains: &Gains<T>)
     Ok(characteristic_by_modes(&of_p.coefficients(), &gains.map(|x| x.integer(factor) * x)))
 }
 
+/// `det(A + factor lambda K)`, and what it is said to be.
+fn block_determinant(factor: i64) -> Identity<'static> {
+    Identity::of(move |[f, g, lambda]| {
+        let gains = Gains { f: f.integer(factor) * f, g: f.integer(factor) * g };
+        let [[a, b], [c, d]] = mode_block(&gains, lambda);
+        Ok((vec![a * d - b * c], vec![-(lambda.clone() * f)]))
+    })
+}
+
 pub fn motion_spectrum() -> Record<SpectrumVariant> {
     Record::new(
         "veerman.specM",
@@ -89,6 +98,8 @@ fn examine_spectrum(variant: &SpectrumVariant, run: &mut Run) -> Result<Outcome,
         .on([3]),
     );
     results.push(zero_on_both_sides(variant, MOST, run));
+    let part = "det(A + lambda K) = - lambda f: with clause 1, 0 is in spec(M) only where f = 0";
+    results.push(run.identity(&block_determinant(variant.factor), &["f", "g", "lambda"], part).on([2]).for_all());
     results.push(argued(&[2], "spec(M) for f != 0", "notes/veerman_platoons.md, spectra, steps 3 to 6"));
     results.push(argued(&[3], "spec(L) and spec(P)", "notes/veerman_platoons.md, spectra, steps 1 to 4"));
     Run::all(results)

@@ -173,4 +173,6 @@ fn what_says_more_than_its_evidence_is_reported() {
     differs(half.repaired_clauses(TWO), "misprint\tslip\t1/3\texact", &["clause 2 is not covered: corrected: First."]);
     let twice = record(Says::Holds(&[(&[1, 2], true)])).clauses(TWO).control("another", Says::Fails);
     differs(twice, "holds\t-\t2/2\texact", &["two negative controls alter the same"]);
+    let alike = record(Says::Holds(&[(&[1, 2], true)])).clauses(TWO).control("one more", Says::Fails);
+    differs(alike, "holds\t-\t2/2\texact", &["two negative controls fail at one place for one reason: at 7"]);
 }

@@ -72,6 +72,8 @@ fn signs(fish: usize) -> impl Iterator<Item = Vec<Complex<Rational>>> {
 
 /// Corners of a square, each with its two neighbours nearer than the opposite one.
 const SQUARE: [Point; 4] = [(0, 0), (1, 0), (1, 1), (0, 1)];
+/// Two rows of three: opposite to all in the other row and column, 14 of 18 arcs to the three nearest count.
+const ROWS: [Point; 6] = [(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1)];
 
 pub fn scale() -> Record<ScaleVariant> {
     Record::new(
@@ -96,12 +98,12 @@ pub fn scale() -> Record<ScaleVariant> {
         "For all n the scaled potential W_1/n lies in [0,1].",
     ])
     .control("2/n + 1, as in the text", ScaleVariant(vec![(|_, _| true, text_scale)]))
-    .control("2/(n+1) for n = 2 too", ScaleVariant(vec![(|n, fish| n <= 2 || n + 1 == fish, figure_scale)]))
+    .control("2/(n+1) for n = 3 too", ScaleVariant(vec![(|n, fish| n == 1 || n == 3 || n + 1 == fish, figure_scale)]))
 }
 
 fn examine_scale(variant: &ScaleVariant, run: &mut Run) -> Result<Outcome, CheckError> {
     let mut random = run.random(0);
-    let mut schools = vec![vec![(0, 0), (1, 0)], vec![(0, 0), (1, 0), (3, 0)], SQUARE.to_vec()];
+    let mut schools = vec![vec![(0, 0), (1, 0)], vec![(0, 0), (1, 0), (3, 0)], SQUARE.to_vec(), ROWS.to_vec()];
     for case in 0..run.cases(12, 60) {
         let mut number = || i64::from(random.next_u32() % 1000);
         schools.push((0..2 + case % 5).map(|_| (number(), number())).collect());

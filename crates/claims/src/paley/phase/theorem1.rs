@@ -20,6 +20,16 @@ pub enum Limit {
     Rest,
 }
 
+impl Limit {
+    fn set(self) -> &'static str {
+        match self {
+            Limit::Critical => "the critical set",
+            Limit::Balanced => "the balanced arrangements",
+            Limit::Rest => "the points of rest",
+        }
+    }
+}
+
 /// Along (6) with (9) `Udot_1 = -K_1 |grad U_1|^2`; variables are the phases, `K_1` and `omega_0`.
 fn decrease(particles: usize) -> Identity<'static> {
     Identity::new(particles + 2, move |at| {
@@ -42,7 +52,7 @@ pub fn convergence() -> Record<Limit> {
         Limit::Critical,
         |variant, run| {
             // A solution that turns as a whole is its own limit set.
-            let turning = (2..=MOST).flat_map(|n| critical_points(n).into_iter().map(move |point| (n, point)));
+            let turning = (2..=MOST).flat_map(|n| critical_points(n).into_iter().rev().map(move |point| (n, point)));
             let turning = run.instances(
                 "solutions that turn as a whole",
                 "relative equilibria of each kind, 2 to 6 particles",
@@ -55,7 +65,7 @@ pub fn convergence() -> Record<Limit> {
                         Limit::Rest => all_zero(&turning),
                     };
                     let outside = all_equal(&turning) && !inside;
-                    Ok(outside.then(|| format!("N = {n}, {}: the solution turns as a whole and stays outside", point.name)))
+                    Ok(outside.then(|| format!("N = {n}, {}: the solution turns as a whole and stays outside {}", point.name, variant.set())))
                 },
             );
             let parts =

@@ -170,7 +170,7 @@ pub fn strong_subgraphs() -> Record<ZeroVariant> {
         "Otherwise W_1(theta) is positive.",
     ])
     .altered("all phases equal", |v| v.parts = Parts::Whole)
-    .altered("otherwise above 1/4", |v| v.above = (1, 4))
+    .altered("otherwise above 1/5", |v| v.above = (1, 5))
 }
 
 pub fn fish_subgraphs() -> Record<ZeroVariant> {
@@ -189,5 +189,5 @@ pub fn fish_subgraphs() -> Record<ZeroVariant> {
     ])
     .altered("only if all phases are equal", |v| v.parts = Parts::Whole)
     .altered("if the phases within each strongly connected subgraph are", |v| (v.parts, v.sufficient) = (Parts::Strong, true))
-    .altered("above 1/4 otherwise", |v| v.above = (1, 4))
+    .altered("above 1/5 otherwise", |v| v.above = (1, 5))
 }

@@ -211,8 +211,9 @@ fn examine_pattern_stable(variant: &PatternVariant, run: &mut Run) -> Result<Out
             Ok((!found.stable || found.zeros != 1).then(|| {
                 let graph = described(&graph);
                 format!(
-                    "M = {clusters}, spacing {graph}, w0 = {omega}: the linearisation does not decay up to the \
-             symmetries"
+                    "M = {clusters}, spacing {graph}, w0 = {omega}, K_0 = {}/10, K_m = {} for m < M, K_M = {}: the \
+                     linearisation does not decay up to the symmetries",
+                    variant.spacing, variant.below, variant.last
                 )
             }))
         })?;

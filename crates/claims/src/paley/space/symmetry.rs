@@ -87,7 +87,11 @@ fn examine_beacon_form(variant: &BeaconVariant, run: &mut Run) -> Result<Outcome
         })?;
         let found = stability(&rows, &omega, false)?;
         let stays = found.stable && found.zeros == 2;
-        Ok((!stays).then(|| format!("two particles around the beacon, w0 = {omega}: the centres do not return")))
+        let gain = rational(variant.sign, 10);
+        let law = "u_k - w0 = w0 K <e^{i th_k}, c_k - c_0>";
+        Ok((!stays).then(|| {
+            format!("two particles around the beacon, w0 = {omega}, {law} with K = {gain}: the centres do not return")
+        }))
     })?;
     let argued = argued(&[1, 2, 3], "every start", "notes/paley_particles.md, Beacon and drift, steps 1-4");
     Run::all([Ok(returns.on([3]))].into_iter().chain(identities).chain([argued]))
