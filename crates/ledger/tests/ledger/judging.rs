@@ -23,6 +23,7 @@ enum Act {
     Hold,
     HoldWithoutEvidence,
     Fail,
+    FailElsewhere,
     Undecided,
     NotCheckable,
     Error,
@@ -57,6 +58,7 @@ fn act(act: &Act, run: &mut Run) -> Result<Outcome, CheckError> {
         Act::Hold => Ok(Outcome::Holds(vec![evidence()])),
         Act::HoldWithoutEvidence => Ok(Outcome::Holds(vec![])),
         Act::Fail => Ok(Outcome::fails("here", evidence())),
+        Act::FailElsewhere => Ok(Outcome::fails("there", evidence())),
         Act::Undecided => Ok(Outcome::Undecided("tried".into())),
         Act::NotCheckable => Ok(Outcome::NotCheckable("no data".into(), vec![])),
         Act::Error => Err(CheckError::Other("broken".into())),
@@ -114,7 +116,8 @@ fn verdicts_follow_from_outcomes() {
 fn a_correction_is_a_claim_that_refutes_the_printed_form() {
     let judged = |printed, repair| {
         let mut ledger = Ledger::new();
-        ledger.register(Scripted { repair, ..claim("test.a", printed) }.record()).unwrap();
+        let controls = vec![Act::FailElsewhere];
+        ledger.register(Scripted { repair, controls, ..claim("test.a", printed) }.record()).unwrap();
         ledger.expect("beyond.test.a", Verdict::Holds, &[Grade::Exact]);
         ledger.register_corrections(|id| id == "test.a").unwrap();
         let ids = ledger.select(&["beyond".into()], &[]).unwrap_or_default();
