@@ -1,6 +1,8 @@
-//! For the tests of bounds: matrices without rounding, what it means that a bound is rounded up, and eigenvalues of circulants from the definition.
+//! For the tests of bounds: matrices without rounding, what it means that a bound is rounded up, eigenvalues of circulants from the definition; and work that
+//! is stopped.
 
-use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
+use arithmetic::{Field, Interval, Progress, Rational, Real, Ring, rational};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Whole numbers up to 4 in size, so that sums of products of a few of them are exact.
 pub fn whole(a: usize, b: usize) -> f64 {
@@ -41,4 +43,19 @@ pub fn weights(n: usize, seed: u64) -> Vec<f64> {
 /// Equal but for the rounding of a few floats, far less than `SLACK`.
 pub fn assert_equals(value: f64, expected: f64, context: &str) {
     assert!((value - expected).abs() <= 1e-12 * expected.abs(), "{context}: {value} is not {expected}");
+}
+
+/// Stops the work when it asks once more than so often.
+pub struct After(AtomicUsize);
+
+impl After {
+    pub fn new(questions: usize) -> Self {
+        After(questions.into())
+    }
+}
+
+impl Progress for After {
+    fn is_cancelled(&self) -> bool {
+        self.0.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1)).is_err()
+    }
 }
