@@ -154,6 +154,16 @@ mod tests {
     }
 
     #[test]
+    fn eigenvalues_are_real_and_in_order() {
+        let found = small_symmetric_eigenvalues(&[2.0, 1.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, -5.0], 3).expect("symmetric");
+        for (part, exact) in found.iter().zip([-5.0, 1.0, 3.0]) {
+            assert!((part.re - exact).abs() <= part.radius && part.radius < 1e-13);
+            assert_eq!((part.im, part.multiplicity), (0.0, 1));
+        }
+        assert!(radius(&[0.0], 1, &[0.0], &[1.0]).expect("a bound") > 0.0);
+    }
+
+    #[test]
     fn what_is_no_symmetric_matrix_is_refused() {
         for (entries, order) in
             [(vec![1.0; 3], 2), (vec![1.0; 4], 1), (vec![0.0, 1.0, 2.0, 0.0], 2), (vec![f64::NAN], 1)]

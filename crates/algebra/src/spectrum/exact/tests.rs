@@ -63,6 +63,20 @@ fn roots_have_their_digits() {
     }
 }
 
+/// `x² + 10^6 x - 1`: a root near 10^-6, though the leading coefficient is one; `-(5·10^5) + sqrt(25·10^10 + 1)`.
+#[test]
+fn small_roots_are_told_from_zero() {
+    let matrix = RationalMatrix::from_integers(&[[0, 1], [1, -1_000_000]], 1).expect("filled");
+    for digits in [1, 9, 30] {
+        let parts = real_spectrum(&matrix, digits).expect("square").expect("real");
+        let (lo, hi) = parts[1].re.to_rationals();
+        let half = rational(500_000, 1);
+        let square = half.pow(2) + rational(1, 1);
+        assert!(lo.is_positive() && (&lo + &half).pow(2) <= square && square <= (&hi + &half).pow(2));
+        assert!((&hi - &lo) * rational(10, 1).pow(digits as i32) <= lo, "{digits}");
+    }
+}
+
 #[test]
 fn complex_roots_come_in_pairs_beside_the_real_ones() {
     // (x² + 1)(x - 2), twice.

@@ -36,7 +36,7 @@ fn norms_are_rounded_up_and_see_the_least_entries() {
 /// Whole numbers and quarters, so that nothing is rounded but where the formula says so.
 #[test]
 fn the_perturbation_is_the_formula() {
-    let errors = [0.0f64, 0.25, 9.0];
+    let errors = [0.0f64, 0.25, 1.0, 9.0];
     for (order, error) in [1, 2, 3, 5].into_iter().flat_map(|order| errors.map(|error| (order, error))) {
         let a = Mat::from_fn(order, order, |i, j| complex(whole(i, j), 0.0));
         // Exactly unitary; and with an entry beside the diagonal.
@@ -67,6 +67,17 @@ fn the_perturbation_is_the_formula() {
             }
         }
     }
+}
+
+/// So many vectors that the rounding of their products, `8 (n + 4) u (n + 1)`, shows.
+#[test]
+fn the_rounding_of_the_departure_counts() {
+    let n = 120;
+    let times = |x: f64| Mat::from_fn(n, n, |i, j| unit(i, j) * complex(x, 0.0));
+    let (rounding, root) = (8.0 * (n as f64 + 4.0) * UNIT, (n as f64).sqrt() * SLACK);
+    let lost = root + rounding * 3.0 * root * root;
+    let derived = lost / (1.0 - rounding * (root * root + 1.0)) * SLACK;
+    assert_equals(perturbation(&times(1.0), 0.0, &times(1.0), &times(2.0)).expect("unitary"), derived, "the identity");
 }
 
 #[test]
@@ -141,6 +152,28 @@ fn discs_lie_around_the_diagonal_entries() {
                 assert!((reach - r).abs() <= 1e-9 * r + 4e-15, "{reach} is not {r}");
             }
             assert_eq!((part.multiplicity, part.exact.is_none()), (1, true));
+        }
+    }
+}
+
+/// Complex eigenvalues with complex numbers above the diagonal: both parts of each count.
+#[test]
+fn discs_of_complex_forms_have_the_radius_of_the_theorem() {
+    for order in [2, 3, 5] {
+        let entry = |i: usize, j: usize| if (i + 1) % order == j { 4.0 } else { whole(i, j) };
+        let a = Mat::from_fn(order, order, |i, j| complex(entry(i, j), 0.0));
+        let Triangular { z, t } = Triangular::of(&a).expect("it converges");
+        let modulus = |i: usize, j: usize| t[(i, j)].re.hypot(t[(i, j)].im);
+        let above = Mat::from_fn(order, order, |i, j| if i < j { modulus(i, j) } else { 0.0 });
+        let r = radius(&above, perturbation(&a, 0.0, &z, &t).expect("unitary")).expect("a radius") * SLACK;
+        for (i, part) in triangular_spectrum(&rows_of(order, 0.0, entry)).expect("a form").iter().enumerate() {
+            for (interval, centre) in [(&part.re, t[(i, i)].re), (&part.im, t[(i, i)].im)] {
+                let off =
+                    interval.lo().midpoint(interval.hi()).to_rational() - Rational::from_float(centre).expect("finite");
+                assert!(off.abs() <= Rational::from_float(4e-15).expect("finite"), "{order}: {off}");
+                let reach = interval.width().to_f64() / 2.0;
+                assert!((reach - r).abs() <= 1e-9 * r + 4e-15, "{reach} is not {r}");
+            }
         }
     }
 }
