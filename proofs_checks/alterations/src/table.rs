@@ -35,11 +35,34 @@ fn clean(text: &str) -> String {
     text.replace('\t', " ")
 }
 
-/// The digest of a source: lines of comments, which cannot be altered, count as empty ones.
+/// The digest of a source: lines of comments, which cannot be altered, count as empty ones, and tests at its end do not count.
 pub fn digest(text: &str) -> String {
+    digest_of_lines(without_tests(text).lines())
+}
+
+/// As [`digest`], with the tests.
+fn digest_with_tests(text: &str) -> String {
+    digest_of_lines(text.lines())
+}
+
+fn digest_of_lines<'a>(lines: impl Iterator<Item = &'a str>) -> String {
     let is_comment = |line: &str| line.trim_start().starts_with("//");
     let code = |line: &str| if is_comment(line) { "\n".to_string() } else { format!("{line}\n") };
-    digest_of(text.lines().map(code).collect::<String>().as_bytes())
+    digest_of(lines.map(code).collect::<String>().as_bytes())
+}
+
+/// A source without `mod tests` in its last lines.
+fn without_tests(text: &str) -> &str {
+    const START: &str = "\n#[cfg(test)]\nmod tests";
+    let Some(start) = text.rfind(START) else { return text };
+    let rest = &text[start + START.len()..];
+    let ends_there = rest == ";\n" || rest.find("\n}\n").is_some_and(|end| end + 3 == rest.len());
+    if ends_there { text[..start].trim_end() } else { text }
+}
+
+/// Whether a table with this digest is of the source as it is.
+pub fn is_of(digest_of_table: &str, text: &str) -> bool {
+    digest_of_table == digest(text) || digest_of_table == digest_with_tests(text)
 }
 
 pub fn digest_of(bytes: &[u8]) -> String {
@@ -55,7 +78,7 @@ impl Table {
     pub fn read(results: &Path, file: &str, source: &str) -> Table {
         let digest = digest(source);
         match Table::recorded(&path_of(results, file)) {
-            Some(table) if table.digest == digest && table.file == file => table,
+            Some(table) if is_of(&table.digest, source) && table.file == file => Table { digest, ..table },
             _ => Table { file: file.to_string(), digest, total: 0, rows: BTreeMap::new() },
         }
     }

@@ -292,3 +292,6 @@ fn depths_from(around: &[Vec<usize>], v: usize, parent: usize, depth: u8) -> Vec
     branches.sort_unstable_by(|a, b| b.cmp(a));
     std::iter::once(depth).chain(branches.into_iter().flatten()).collect()
 }
+
+#[cfg(test)]
+mod tests;

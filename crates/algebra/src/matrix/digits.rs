@@ -118,3 +118,6 @@ fn add_difference(sum: &mut [u64], a: &[u64], b: &[u64]) {
         *last = last.wrapping_add(carry as u64);
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -149,6 +149,16 @@ mod tests {
         assert!(is_symmetrisable(&of(3, &tree)));
         assert!(!is_symmetrisable(&of(2, &[(0, 1, (2, 1)), (1, 0, (-1, 3))])));
         assert!(!is_symmetrisable(&of(2, &[(0, 1, (2, 1))])));
+        // As many entries as a tree has, but not all of them there and back.
+        let one_way = [(0, 1, (1, 1)), (1, 0, (1, 1)), (1, 2, (1, 1)), (2, 0, (1, 1))];
+        assert!(!is_symmetrisable(&of(3, &one_way)));
+        assert!(!is_symmetrisable(&ring(&[2, 3, 5], &[2, 3, 4])));
+        // A ring of four with a chord, without and with equal products around both triangles.
+        let chord = |back: i64| {
+            let ring = [1, 2, 3, 0].into_iter().enumerate().flat_map(|(i, j)| [(i, j, (2, 1)), (j, i, (2, 1))]);
+            of(4, &ring.chain([(0, 2, (3, 1)), (2, 0, (back, 1))]).collect::<Vec<_>>())
+        };
+        assert!(!is_symmetrisable(&chord(5)) && is_symmetrisable(&chord(3)));
     }
 
     #[test]
@@ -157,6 +167,8 @@ mod tests {
         let value = |i: usize, j: usize| symmetric_entry(&a, i, j).expect("in range").0;
         assert_eq!([value(0, 1), value(1, 0), value(1, 2), value(2, 1)], [4.0, 4.0, -6.0, -6.0]);
         assert_eq!([symmetric_entry(&a, 0, 0), symmetric_entry(&a, 0, 2)], [Some((5.0, 0.0)), Some((0.0, 0.0))]);
+        let rows = symmetrised(&a, false).expect("in range").rows;
+        assert_eq!(rows, [vec![(0, 5.0), (1, 4.0)], vec![(0, 4.0), (2, -6.0)], vec![(1, -6.0)]]);
     }
 
     #[test]

@@ -260,3 +260,6 @@ fn rounded(q: &Rational) -> Result<(f64, f64), SpectrumError> {
     let exact = Rational::from_float(value).as_ref() == Some(q);
     Ok((value, if exact { 0.0 } else { error }))
 }
+
+#[cfg(test)]
+mod tests;

@@ -181,3 +181,6 @@ impl RootTable {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -145,3 +145,6 @@ pub(super) fn merged(mut parts: Vec<Eigenvalue>) -> Vec<Eigenvalue> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

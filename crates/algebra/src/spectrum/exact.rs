@@ -105,3 +105,6 @@ fn enclose(factor: &Polynomial, mut root: RealRoot, multiplicity: usize, digits:
     factor.refine(&mut root, (i64::from(bits(digits)) + 2 - top).max(1) as u32);
     Eigenvalue::real(root.enclosure(precision), multiplicity)
 }
+
+#[cfg(test)]
+mod tests;

@@ -131,3 +131,6 @@ pub(super) fn around(centre: f64, radius: f64) -> Option<Interval> {
     let hi = Dyadic::from_f64((centre + radius).next_up())?;
     Some(Interval::between(lo, hi, 64))
 }
+
+#[cfg(test)]
+mod tests;

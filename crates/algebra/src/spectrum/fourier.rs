@@ -289,3 +289,6 @@ fn bluestein(x: &[f64]) -> (Complexes, f64) {
     let error = (inside + (PRODUCT_ERROR + ROOT_ERROR) * roots(n as f64)) * size * SLACK + UNDERFLOW * m as f64;
     (result, error)
 }
+
+#[cfg(test)]
+mod tests;

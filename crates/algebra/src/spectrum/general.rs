@@ -126,7 +126,7 @@ fn real_if_alone(part: Eigenvalue) -> Eigenvalue {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::{assert_rounded_up, whole};
+    use super::super::testing::{assert_equals, assert_rounded_up, whole};
     use super::*;
 
     /// Rows with entries that are known up to `error`, and the same as a matrix.
@@ -189,6 +189,54 @@ mod tests {
                     assert_rounded_up(radius, lost + e * lost / (1.0 - e), &format!("{order}, {error}"));
                 }
             }
+        }
+    }
+
+    /// A diagonal `X` and a row with a residual among rows without: what the others add to the radius of these shows.
+    #[test]
+    fn what_is_common_to_all_rows_counts_as_derived() {
+        let s = SLACK;
+        let cases: [(&[f64], &[f64], &[f64], f64); 6] = [
+            (&[1.0, 1.0, 1.0], &[3.0, -3.0, 3.0], &[3.0, -3.0, 5.0], 0.0),
+            (&[1.0, 2.0, 0.25], &[3.0, -3.0, 3.0], &[3.0, -3.0, 5.0], 0.0),
+            (&[4.0, 2.0, 0.25], &[-6.0, 0.5, 3.0], &[-6.0, 2.0, 3.0], 0.0),
+            (&[4.0, 2.0, 0.25], &[-6.0, 0.5, 3.0], &[-6.0, 0.5, 3.0], 0.125),
+            (&[1.0, 2f64.powi(-45)], &[2.0, -7.0], &[3.0, -7.0], 0.0),
+            (&[2f64.powi(45)], &[2.0], &[3.0], 0.5),
+        ];
+        for (x, a, values, error) in cases {
+            let n = x.len();
+            let (rows, floats) = matrix(n, error, |i, j| if i == j { a[i] } else { 0.0 });
+            let vectors = Mat::from_fn(n, n, |i, j| c64::new(0.0, if i == j { x[i] } else { 0.0 }));
+            let values: Vec<c64> = values.iter().map(|&value| c64::new(value, 0.0)).collect();
+            let most = |list: &dyn Fn(usize) -> f64| (0..n).map(list).fold(0.0, f64::max);
+            let off = |i: usize| (a[i] - values[i].re).abs();
+            let lost =
+                most(&|i| (40.0 * UNIT * (a[i].abs() * x[i] * s + values[i].re.abs() * x[i]) + error * x[i] * s) * s);
+            let rounding = 8.0 * (n as f64 + 4.0) * UNIT;
+            let e = rounding * (most(&|i| s / x[i]) * most(&|i| x[i] * s) + 2.0) * s;
+            let residual = most(&|i| off(i) * x[i] * s);
+            let sum = |i: usize| (off(i) * s + s / x[i] * (rounding * residual + lost)) * s;
+            let derived = |i: usize| (sum(i) + e * most(&sum) / (1.0 - e)) * s;
+            let found = discs(&rows, &floats, vectors.as_ref(), &values).expect("regular");
+            (0..n).for_each(|i| assert_equals(found[i], derived(i), &format!("{x:?}, {a:?}, {i}")));
+        }
+        // e is 48 u times the condition: 0.17, 0.67 and 1.3.
+        for (small, is_regular) in [(3.1e-14, true), (8e-15, false), (4e-15, false), (0.0, false)] {
+            let (rows, floats) = matrix(2, 0.0, |i, j| f64::from(u8::from(i == j)));
+            let x = Mat::from_fn(2, 2, |i, j| {
+                c64::new(
+                    if i != j {
+                        0.0
+                    } else if i == 0 {
+                        1.0
+                    } else {
+                        small
+                    },
+                    0.0,
+                )
+            });
+            assert_eq!(discs(&rows, &floats, x.as_ref(), &[c64::new(1.0, 0.0); 2]).is_some(), is_regular);
         }
     }
 

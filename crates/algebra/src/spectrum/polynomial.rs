@@ -231,7 +231,7 @@ impl Polynomial {
         Ok(found)
     }
 
-    /// Shrinks the enclosure of a root until it is narrower than `2^-bits`: by halving, and where the ends are dyadic by
+    /// Shrinks the enclosure of a root until it is at most `2^-bits` wide, and no further where it is: by halving, and where the ends are dyadic by
     /// quadratic refinement (Abbott 2014), which squares the width at each success.
     pub fn refine(&self, root: &mut RealRoot, bits: u32) {
         let width = Rational::new(BigInt::from(1), BigInt::from(1) << bits);
@@ -361,3 +361,6 @@ impl RealRoot {
         &self.hi
     }
 }
+
+#[cfg(test)]
+mod tests;

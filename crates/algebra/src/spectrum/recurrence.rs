@@ -335,3 +335,6 @@ impl RealRoot {
         self.enclosure(64).to_f64()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -96,6 +96,7 @@ impl Block {
 
 #[cfg(test)]
 mod tests {
+    use super::super::testing::{assert_equals, assert_rounded_up, whole as whole_number};
     use super::*;
 
     /// The matrix of the product, whole or in panels, and the least singular value by an eigenvalue routine.
@@ -151,6 +152,68 @@ mod tests {
     #[test]
     fn what_is_far_from_a_reflection_has_no_bound() {
         assert!(random(60, 16, 3.0).least_singular_value().is_nan());
+        // `BᵀB - I = 4x² - 4x` for `V = (1 1 1 1)/2` of length 1 and `X = x`: -7/16 and -9/16.
+        let alone = |x: f64| {
+            let (v, x) = (Mat::from_fn(4, 1, |_, _| 0.5), Mat::from_fn(1, 1, |_, _| x));
+            Reflections::new(4, vec![Block { from: 0, v, x }]).least_singular_value()
+        };
+        assert!((alone(0.25) - 9.0 / 16.0).abs() < 1e-5 && alone(0.375).is_nan());
+    }
+
+    /// Whole numbers, so that `D = Xᵀ(VᵀV)X - X - Xᵀ` is exact; each norm is rounded up once.
+    #[test]
+    fn bounds_of_blocks_are_the_formulas() {
+        for (rows, width) in [(1, 1), (3, 1), (4, 2), (7, 3), (9, 9)] {
+            let (v, x) =
+                (Mat::from_fn(rows, width, whole_number), Mat::from_fn(width, width, |i, j| whole_number(j, i)));
+            let gram = |k: usize, l: usize| (0..rows).map(|i| v[(i, k)] * v[(i, l)]).sum::<f64>();
+            let pairs = || (0..width).flat_map(|k| (0..width).map(move |l| (k, l)));
+            let difference = |i: usize, j: usize| {
+                pairs().map(|(k, l)| x[(k, i)] * gram(k, l) * x[(l, j)]).sum::<f64>() - x[(i, j)] - x[(j, i)]
+            };
+            let norm = |squares: f64| squares.sqrt() * SLACK;
+            let d = norm(pairs().map(|(i, j)| difference(i, j).powi(2)).sum());
+            let v_size =
+                norm((0..rows).flat_map(|i| (0..width).map(move |j| (i, j))).map(|place| v[place].powi(2)).sum());
+            let x_size = norm(pairs().map(|place| x[place].powi(2)).sum());
+            let unit = (rows + 2 * width + 4) as f64 * UNIT * SLACK;
+            let error = unit * (v_size.powi(2) * x_size.powi(2) + 2.0 * x_size);
+            let (departure, rounding) = Block { from: 0, v: v.clone(), x: x.clone() }.bounds();
+            assert_equals(departure, v_size.powi(2) * (d + error) * SLACK, &format!("{rows} x {width}"));
+            assert_equals(rounding, unit * (1.0 + v_size.powi(2) * x_size) * SLACK, &format!("{rows} x {width}"));
+        }
+        // Reflections: rounding is all that is left of the departure, v² (r + 2w + 4) u (v² x² + 2x).
+        for (v, x, derived) in [
+            ([1.0, 1.0, 2f64.powi(-60)], 1.0, 2.0 * 9.0 * (2.0 + 2.0)),
+            ([0.5, 0.5, 0.0], 4.0, 0.5 * 9.0 * (8.0 + 8.0)),
+        ] {
+            let (v, x) = (Mat::from_fn(3, 1, |i, _| v[i]), Mat::from_fn(1, 1, |_, _| x));
+            assert_rounded_up(Block { from: 0, v, x }.bounds().0, derived * UNIT, "a reflection");
+        }
+    }
+
+    /// Of the last block first: the sizes of what it is applied to, and of what it leaves.
+    #[test]
+    fn the_bound_of_a_product_is_the_formula() {
+        // Far from reflections, `BᵀB - I = 0.21 V Vᵀ`, and many: what is lost in each is magnified by the others.
+        let far = |_| {
+            let (v, x) = (Mat::from_fn(4, 1, |_, _| 0.5), Mat::from_fn(1, 1, |_, _| 2.1));
+            Block { from: 0, v, x }
+        };
+        let many = Reflections::new(4, (0..40).map(far).collect());
+        for reflections in [random(3, 8, 0.0), random(40, 8, 1e-6), random(90, 32, 1e-5), random(90, 32, 1e-7), many] {
+            let (mut least, mut most, mut errors) = (1.0, 1.0, 0.0);
+            let mut size = (reflections.order as f64).sqrt() * SLACK;
+            for (departure, rounding) in reflections.blocks.iter().rev().map(Block::bounds) {
+                assert!(departure < 0.5, "{departure}");
+                let error = rounding * size * SLACK;
+                (least, most, errors) = (least * (1.0 - departure), most * (1.0 + departure), errors + error);
+                size = (size + size * departure + error) * SLACK;
+            }
+            let derived = (least - most * errors * SLACK) / SLACK;
+            assert!(derived > 0.0);
+            assert_equals(reflections.least_singular_value(), derived, &format!("order {}", reflections.order));
+        }
     }
 
     #[test]

@@ -48,17 +48,7 @@ pub(super) fn triangular_spectrum(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
         }
     }
     let Triangular { z, t } = Triangular::of(&a)?;
-    // Sums of products of complex floats in any order, and one difference.
-    let rounding = 8.0 * (order as f64 + 4.0) * UNIT;
-    let size = norm(&z);
-    let adjoint = Mat::from_fn(order, order, |i, j| z[(j, i)].conj());
-    let departure = norm(&(adjoint * &z - Mat::from_fn(order, order, unit))) + rounding * (size * size + 1.0);
-    let residual = norm(&(&a * &z - &z * &t)) + rounding * (norm(&a) + norm(&t)) * size;
-    let meant = if errors == 0.0 { 0.0 } else { errors.sqrt() * SLACK * size };
-    if departure.is_nan() || departure >= 0.5 {
-        return None;
-    }
-    let delta = ((residual + meant) / (1.0 - departure) + UNDERFLOW) * SLACK;
+    let delta = perturbation(&a, errors, &z, &t)?;
     let above = Mat::from_fn(order, order, |i, j| {
         let z = t[(i, j)];
         if i < j { (z.re * z.re + z.im * z.im).sqrt() + 1e-150 } else { 0.0 }
@@ -74,6 +64,23 @@ pub(super) fn triangular_spectrum(rows: &[Row]) -> Option<Vec<Eigenvalue>> {
         })
     };
     (0..order).map(disc).collect()
+}
+
+/// The bound `δ` of the theorem for any `Z` and `T`, where the matrix that is meant is `A` but for errors with this sum of squares; `None` where `Z` is
+/// too far from unitary.
+fn perturbation(a: &Mat<c64>, errors: f64, z: &Mat<c64>, t: &Mat<c64>) -> Option<f64> {
+    let order = a.nrows();
+    // Sums of products of complex floats in any order, and one difference.
+    let rounding = 8.0 * (order as f64 + 4.0) * UNIT;
+    let size = norm(z);
+    let adjoint = Mat::from_fn(order, order, |i, j| z[(j, i)].conj());
+    let departure = norm(&(adjoint * z - Mat::from_fn(order, order, unit))) + rounding * (size * size + 1.0);
+    let residual = norm(&(a * z - z * t)) + rounding * (norm(a) + norm(t)) * size;
+    let meant = if errors == 0.0 { 0.0 } else { errors.sqrt() * SLACK * size };
+    if departure.is_nan() || departure >= 0.5 {
+        return None;
+    }
+    Some(((residual + meant) / (1.0 - departure) + UNDERFLOW) * SLACK)
 }
 
 /// `AZ` is nearly `ZT` with a nearly unitary `Z` and an upper triangular `T`; nothing is promised.
@@ -173,7 +180,8 @@ fn radius(above: &Mat<f64>, delta: f64) -> Option<f64> {
         for k in 0..order {
             columns[k] = (1.0 + (0..k).map(|i| above[(i, k)] * columns[i]).sum::<f64>()) / r;
         }
-        let largest = |sums: &[f64]| sums.iter().fold(0.0, |most: f64, x| most.max(*x));
+        let size = |x: &f64| if x.is_nan() { f64::INFINITY } else { *x };
+        let largest = |sums: &[f64]| sums.iter().map(size).fold(0.0, f64::max);
         delta * largest(&rows).sqrt() * largest(&columns).sqrt() * SLACK < 1.0
     };
     let sum: f64 = (0..order).flat_map(|j| above.col_as_slice(j)).sum();
@@ -191,3 +199,6 @@ fn radius(above: &Mat<f64>, delta: f64) -> Option<f64> {
     }
     Some(high)
 }
+
+#[cfg(test)]
+mod tests;

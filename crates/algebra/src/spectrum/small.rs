@@ -93,7 +93,7 @@ fn radius(s: &[f64], n: usize, values: &[f64], vectors: &[f64]) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::testing::assert_rounded_up;
+    use super::super::testing::{assert_equals, assert_rounded_up};
     use super::*;
 
     fn assert_near(found: Option<f64>, exact: f64) {
@@ -130,6 +130,37 @@ mod tests {
             let derived = (n + 2) as f64 * UNIT * (f64::abs(entry) * root + f64::abs(entry)) * root;
             assert_near(radius(&s, n, &vec![entry; n], &identity(n)), derived);
         }
+    }
+
+    /// Each norm and each bound is rounded up once; so many vectors that the rounding of the departure shows.
+    #[test]
+    fn the_radius_is_the_formula() {
+        let s = SLACK;
+        for (n, value, slant) in [(1, 2.0, 0.0), (2, -2.5, 0.0), (3, 2.0, 0.03), (400, 3.0, 0.0)] {
+            let matrix: Vec<f64> = identity(n).iter().map(|x| x * 3.0).collect();
+            let mut vectors = identity(n);
+            if n > 1 {
+                vectors[1] = slant;
+            }
+            let (root, n_float) = ((n as f64 + slant * slant).sqrt() * s, n as f64);
+            let off = f64::abs(3.0 - value) * root;
+            let departure = if n > 1 { (slant.powi(4) + 2.0 * slant * slant).sqrt() * s } else { 0.0 };
+            let rounding = (n_float + 2.0) * UNIT;
+            let residual = off + rounding * (3.0 * n_float.sqrt() * s + f64::abs(value)) * root * s;
+            let departure = departure + rounding * (root * root + 1.0) * s;
+            let derived = residual / (1.0 - departure).sqrt() * s;
+            assert_equals(radius(&matrix, n, &vec![value; n], &vectors).expect("a bound"), derived, &format!("{n}"));
+        }
+    }
+
+    #[test]
+    fn eigenvalues_are_real_and_in_order() {
+        let found = small_symmetric_eigenvalues(&[2.0, 1.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, -5.0], 3).expect("symmetric");
+        for (part, exact) in found.iter().zip([-5.0, 1.0, 3.0]) {
+            assert!((part.re - exact).abs() <= part.radius && part.radius < 1e-13);
+            assert_eq!((part.im, part.multiplicity), (0.0, 1));
+        }
+        assert!(radius(&[0.0], 1, &[0.0], &[1.0]).expect("a bound") > 0.0);
     }
 
     #[test]

@@ -15,8 +15,12 @@ use proptest::prelude::*;
 
 mod axes;
 mod characteristic;
+mod elimination;
+mod inertia;
+mod integer_rows;
 mod smallest_entries;
 mod solve;
+mod sparse;
 
 /// A matrix of entries -3/d, .., 3/d with d up to 4.
 fn rational_matrix(rows: usize, cols: usize) -> impl Strategy<Value = RationalMatrix> {

@@ -1,7 +1,6 @@
 //! Which graphs have a closed form, and what its enclosures and floats promise.
 
-use super::enclosed::{bits, least_top};
-use super::float_bounds::UNIT;
+use super::UNIT;
 use algebra::graph::{LaplacianKind, NamedGraph};
 use algebra::spectrum::{ClosedForm, ClosedValue, CyclotomicSum, Eigenvalue, closed_form};
 use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
@@ -41,23 +40,6 @@ fn which_graphs_have_a_closed_form() {
 fn large_circulants_have_none() {
     let offsets: Vec<String> = (1..=33).map(|a| a.to_string()).collect();
     assert!(form(&format!("circulant:1048576:{}", offsets.join(",")), LaplacianKind::Adjacency).is_none());
-}
-
-#[test]
-fn bits_hold_the_digits_and_no_more() {
-    for digits in 1..=400u32 {
-        let (power, ten) = (BigInt::from(1) << bits(digits), BigInt::from(10).pow(digits));
-        assert!(ten < power && power < ten * 2, "{digits}");
-    }
-}
-
-#[test]
-fn powers_of_two_below_intervals() {
-    for (lo, hi, exponent) in [(9, 11, -1), (10, 15, 0), (10, 10, 0), (11, 39, 0), (21, 39, 1)] {
-        let (lo, hi) = (rational(lo, 10), rational(hi, 10));
-        assert_eq!(least_top(&Interval::hull_of_rationals(&lo, &hi, 80)), exponent);
-        assert_eq!(least_top(&Interval::hull_of_rationals(&-hi, &-lo, 80)), exponent);
-    }
 }
 
 /// Whether a part is as narrow as its digits promise.

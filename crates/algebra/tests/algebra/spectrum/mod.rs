@@ -1,27 +1,9 @@
 //! Mirrors `src/spectrum`.
 
-// What is private and checked here from outside.
-#[allow(dead_code)]
-#[path = "../../../src/spectrum/enclosed.rs"]
-mod enclosed;
-#[allow(dead_code)]
-#[path = "../../../src/spectrum/float_bounds.rs"]
-mod float_bounds;
-#[allow(dead_code)]
-#[path = "../../../src/spectrum/fourier.rs"]
-mod fourier;
-#[allow(dead_code)]
-#[path = "../../../src/spectrum/turn.rs"]
-mod turn;
-
 mod abscissa;
-mod circulants;
 mod closed_forms;
 mod enclosures;
-mod parts;
-mod rounding;
 mod stability;
-mod transforms;
 mod tridiagonals;
 
 use algebra::spectrum::{Polynomial, Recurrence, RecurrenceError};
@@ -29,6 +11,16 @@ use arithmetic::{Rational, Sign, Unwatched, rational};
 use num_bigint::BigInt;
 use num_traits::Signed;
 use proptest::prelude::*;
+
+/// Half an ulp of one.
+const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// By how much a bound may be rounded up at each step.
+const SLACK: f64 = 1.0 + 1e-6;
+
+fn float(x: f64) -> Rational {
+    Rational::from_float(x).expect("finite")
+}
 
 fn product(roots: &[Rational]) -> Polynomial {
     let mut coefficients = vec![rational(1, 1)];

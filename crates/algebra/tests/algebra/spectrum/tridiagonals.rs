@@ -1,7 +1,6 @@
 //! Symmetric tridiagonal matrices of floats: every enclosure against exact counts of eigenvalues, and radii as derived.
 
-use super::circulants::float;
-use super::float_bounds::{SLACK, UNIT};
+use super::{SLACK, UNIT, float};
 use algebra::spectrum::{FloatEnclosure, tridiagonal_eigenvalues};
 use arithmetic::Rational;
 use arithmetic::random::{generator, uniform};

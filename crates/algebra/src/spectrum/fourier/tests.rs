@@ -1,9 +1,9 @@
 //! Fast Fourier transforms against exact roots of unity, and their bounds against the derivation.
 
-use super::circulants::{assert_equals, float, naive, weights};
-use super::float_bounds::{SLACK, UNDERFLOW, UNIT};
-use super::fourier::{real_transform, transform_error};
-use super::turn::ROOT_ERROR;
+use super::super::float_bounds::{SLACK, UNDERFLOW, UNIT};
+use super::super::testing::{assert_equals, float, naive, weights};
+use super::super::turn::ROOT_ERROR;
+use super::{real_transform, transform_error};
 use arithmetic::{Interval, Rational};
 
 /// A product of complex floats: `√5 u`, rounded up.

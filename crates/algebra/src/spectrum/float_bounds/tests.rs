@@ -1,7 +1,7 @@
 //! What rounding may have done: bounds of conversions, norms and products of floats, against rationals, and not much wider than they must be.
 
-use super::circulants::float;
-use super::float_bounds::{Split, UNIT, around, frobenius, nearest, nearest_root};
+use super::super::testing::float;
+use super::{Split, UNIT, around, frobenius, nearest, nearest_root};
 use arithmetic::random::{generator, uniform};
 use arithmetic::{Rational, rational};
 use faer::Mat;

@@ -1,6 +1,6 @@
 //! Parts of a spectrum: their order, and how those that meet become one.
 
-use super::enclosed::{Eigenvalue, least_top, merged, order};
+use super::{Eigenvalue, bits, least_top, merged, order};
 use arithmetic::{Dyadic, Interval, Rational, rational};
 use num_bigint::BigInt;
 
@@ -82,5 +82,22 @@ fn the_order_is_that_of_the_middles() {
 fn the_least_absolute_value_of_an_interval_bounds_a_power_of_two() {
     for (lo, hi, top) in [(1, 1, 0), (3, 100, 1), (-100, -3, 1), (4, 4, 2), (-7, -7, 2)] {
         assert_eq!(least_top(&between(lo, hi)), top, "[{lo}, {hi}]");
+    }
+}
+
+#[test]
+fn bits_hold_the_digits_and_no_more() {
+    for digits in 1..=400u32 {
+        let (power, ten) = (BigInt::from(1) << bits(digits), BigInt::from(10).pow(digits));
+        assert!(ten < power && power < ten * 2, "{digits}");
+    }
+}
+
+#[test]
+fn powers_of_two_below_intervals() {
+    for (lo, hi, exponent) in [(9, 11, -1), (10, 15, 0), (10, 10, 0), (11, 39, 0), (21, 39, 1)] {
+        let (lo, hi) = (rational(lo, 10), rational(hi, 10));
+        assert_eq!(least_top(&Interval::hull_of_rationals(&lo, &hi, 80)), exponent);
+        assert_eq!(least_top(&Interval::hull_of_rationals(&-hi, &-lo, 80)), exponent);
     }
 }

@@ -1,28 +1,13 @@
 //! Circulants against exact roots of unity, and their two methods against each other.
 
-use super::float_bounds::{SLACK, UNDERFLOW, UNIT};
-use super::turn::{CHORD_ERROR, ROOT_ERROR};
-use algebra::spectrum::{Circulant, CirculantSpectrum};
-use arithmetic::{Field, Interval, Rational, Real, Ring, rational};
+use super::super::float_bounds::{SLACK, UNDERFLOW, UNIT};
+use super::super::fourier::real_transform;
+use super::super::testing::{assert_equals, float, naive, weights};
+use super::super::turn::{CHORD_ERROR, ROOT_ERROR};
+use super::{Circulant, CirculantSpectrum};
+use arithmetic::{Interval, Rational, rational};
 use num_traits::ToPrimitive;
 use proptest::prelude::*;
-
-/// Real and imaginary part of eigenvalue `k`, straight from the definition.
-pub(super) fn naive(n: usize, row: &[(usize, Rational)], k: usize) -> (Interval, Interval) {
-    let one = Interval::from_rational(&rational(1, 1), 120);
-    let turn = one.pi() * one.integer(2);
-    let mut sum = (one.zero(), one.zero());
-    for (s, c) in row {
-        let share = Rational::new((s * k % n).into(), n.into());
-        let (sin, cos) = (turn.clone() * turn.rational(&share)).sin_cos().expect("an angle");
-        sum = (sum.0 + cos * one.rational(c), sum.1 + sin * one.rational(c));
-    }
-    sum
-}
-
-pub(super) fn float(x: f64) -> Rational {
-    Rational::from_float(x).expect("finite")
-}
 
 /// Every one of some eigenvalues lies within the bound; returns the largest error against the bound.
 fn assert_bounds(found: &CirculantSpectrum, row: &[(usize, Rational)], numbers: impl Iterator<Item = usize>) -> f64 {
@@ -39,15 +24,6 @@ fn assert_bounds(found: &CirculantSpectrum, row: &[(usize, Rational)], numbers: 
         }
     }
     used
-}
-
-pub(super) fn weights(n: usize, seed: u64) -> Vec<f64> {
-    let mut state = seed;
-    let mut next = || {
-        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (state >> 11) as f64 * 2f64.powi(-53) - 0.5
-    };
-    (0..n).map(|_| next()).collect()
 }
 
 #[test]
@@ -97,11 +73,6 @@ fn rows_in_exact_ranges_only() {
     assert!(Circulant::laplacian(0, [(1, rational(1, 1))]).is_err());
     let zero = Circulant::new(5, []).and_then(|c| c.eigenvalues()).expect("zeros");
     assert!(zero.re().iter().all(|&x| x == 0.0));
-}
-
-/// Equal but for the rounding of a few floats, far less than [`SLACK`].
-pub(super) fn assert_equals(value: f64, expected: f64, context: &str) {
-    assert!((value - expected).abs() <= 1e-12 * expected.abs(), "{context}: {value} is not {expected}");
 }
 
 #[test]
@@ -186,7 +157,7 @@ fn sums_are_taken_up_to_48_offsets() {
         if !by_sums {
             let mut floats = vec![0.0; 120];
             row(count).for_each(|(s, c)| floats[s] = c.to_f64().expect("a float"));
-            let (_, error) = super::fourier::real_transform(&floats).expect("finite");
+            let (_, error) = real_transform(&floats).expect("finite");
             assert_equals(found.absolute, error * SLACK, "the bound of the transform");
         }
         assert_bounds(&found, &row(count).collect::<Vec<_>>(), 0..=60);
@@ -201,7 +172,7 @@ fn the_error_of_weights_is_added_to_that_of_the_transform() {
         let found = Circulant::new(61, row.clone()).and_then(|c| c.eigenvalues()).expect("a spectrum");
         let mut floats = vec![0.0; 61];
         row.iter().for_each(|(s, c)| floats[*s] = c.to_f64().expect("a float"));
-        let (_, error) = super::fourier::real_transform(&floats).expect("finite");
+        let (_, error) = real_transform(&floats).expect("finite");
         let size = (diagonal.to_f64().expect("a float").abs() + 590.0) * SLACK;
         assert_equals(found.absolute, (error + 4.0 * UNIT * SLACK * size) * SLACK, "transform and weights");
         assert_bounds(&found, &row, 0..=30);
