@@ -1,7 +1,7 @@
 //! Arrays as files that other programs read: CSV, NumPy, Matrix Market, one file of MATLAB's version 4 for several matrices, one NPZ for
 //! several arrays.
 
-use super::File;
+use super::file::File;
 use std::fmt::Write;
 
 /// A matrix of floats with a name, all rows of the same length.

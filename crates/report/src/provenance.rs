@@ -1,6 +1,6 @@
 //! Where a document comes from: its schema, the version of the program, the seed, the configuration and its digest.
 
-use super::File;
+use super::file::File;
 use ledger::Options;
 use proofs::kernel;
 use serde_json::{Map, Value, json};

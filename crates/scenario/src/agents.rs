@@ -1,12 +1,12 @@
 //! Agents that align their headings or velocities: their law and what is measured on them.
 
 use super::individual::{Located, Sampling};
+use super::known::{Known, options};
 use super::links::Hold;
 use super::network::{Change, Network};
 use super::observables::{Observable, min_distance, total};
 use super::potential::PairPotential;
 use super::simulation::{Frame, Law};
-use super::switching::{Known, options};
 use super::turns::Turns;
 use arithmetic::ArithmeticError;
 use models::double_integrator::{

@@ -1,10 +1,10 @@
 //! Links that depend on distances in large flocks: every switch is located, and each agent has steps of its own.
 
 use super::error::RunError;
+use super::known::{Known, told};
 use super::network::{Change, Network, Rule};
 use super::observables::Observable;
 use super::simulation::{Event, Frame, Law, Simulation};
-use super::switching::{Known, told};
 use arithmetic::{ArithmeticError, Progress};
 use motion::{FollowError, IndividualFlock, IndividualLaw, Moving, Pace, Sensing};
 

@@ -11,6 +11,7 @@ mod error;
 mod exact;
 mod fish;
 mod individual;
+mod known;
 mod links;
 mod network;
 mod noisy;

@@ -31,6 +31,7 @@ mod veerman_procedures;
 mod veerman_sweep;
 mod veerman_table1;
 
+use super::file::File;
 use super::plot::{Picture, PictureError};
 use super::site::paper_named;
 use ledger::CheckError;
@@ -264,15 +265,6 @@ impl Figure {
         }
         Ok((made.text, files))
     }
-}
-
-/// A file of a figure.
-#[derive(Debug, Clone)]
-pub struct File {
-    /// Its name, without a folder.
-    pub name: String,
-    /// Its contents.
-    pub contents: Vec<u8>,
 }
 
 /// Why a figure could not be made.

@@ -22,7 +22,8 @@ mod words;
 
 pub use frame::Page;
 
-use crate::figures::{Figure, File};
+use crate::figures::Figure;
+use crate::file::File;
 use crate::provenance::Provenance;
 pub(crate) use frame::{Frame, Links};
 use frame::{SCRIPT, STYLE};

@@ -7,8 +7,9 @@ mod text;
 
 pub(super) use pictures::{difference_panel, potential_panel, scaled_panel, snapshot_panel};
 
+use super::file::File;
 use super::plot::PictureError;
-use super::{File, Provenance};
+use super::provenance::Provenance;
 use models::tracks::{Analysis, NullModels, Tracks};
 
 /// A recording, its analysis and the null models.
