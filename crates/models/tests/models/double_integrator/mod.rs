@@ -10,7 +10,9 @@ mod inputs;
 mod motion;
 mod observation;
 mod potentials;
+mod rest;
 mod switching;
+mod thresholds;
 
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;
