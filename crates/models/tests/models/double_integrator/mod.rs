@@ -1,6 +1,8 @@
 //! Mirrors `src/double_integrator`: laws, potentials, kinks, linearisations and the float motion against naive twins.
 
+mod closed_loops;
 mod enclosed;
+mod engine;
 mod equilibria;
 mod exact;
 mod flock;

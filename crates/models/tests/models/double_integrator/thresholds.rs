@@ -85,7 +85,7 @@ fn exact_starts_have_the_ways_of_the_exact_fork() {
             assert_eq!(after.samples[0].links, links);
         }
     }
-    assert!(choices > 20);
+    assert!(choices > 12);
 }
 
 /// The sum over the pairs of 0 for what is wanted, 1 for a side that is kept, 2 for staying, 3 for the rest; of equals what is decided, then
@@ -194,19 +194,22 @@ fn pairs_graze_whose_turn_would_not_show() {
     assert!(grazes(0.98 * bound) && !grazes(1.02 * bound));
 }
 
-/// At a start that is a tie by rounding the signs of what vanishes are open: the pair at rest may leave, enter or stay, and only entering
-/// is certain.
+/// At a start that is a tie by rounding the signs of what vanishes are open: a pair that moves along together may part, come near or stay,
+/// and only coming near is certain.
 #[test]
 fn open_signs_leave_ways_undecided() {
-    let rest = [([0.0, 0.0], [0.0, 0.0]), ([1.2, 1.6], [0.0, 0.0])];
-    let motion = at_once(&flock(spring(), &rest), &Options::default());
+    let along = [([0.0, 0.0], [0.3, 0.1]), ([1.2, 1.6], [0.3, 0.1])];
+    let motion = at_once(&flock(spring(), &along), &Options::default());
     let branches = &motion.choices[0].branches;
-    let known = [(true, false), (false, true), (false, false)];
     assert_eq!(branches.len(), 3);
-    for (branch, (leaves, decided)) in branches.iter().zip(known) {
+    for (branch, (leaves, decided)) in branches.iter().zip([(true, false), (false, true), (false, false)]) {
         assert_eq!((branch.ways[0].1 == Way::Leaves, branch.decided), (leaves, decided), "{branches:?}");
     }
     assert!(matches!(branches[2].ways[0].1, Way::Stays(weight) if weight.abs() < 1e-12));
+    // At rest nothing is open: an equilibrium stays one, or the pair is linked and falls together.
+    let rest = [([0.0, 0.0], [0.0, 0.0]), ([1.2, 1.6], [0.0, 0.0])];
+    let motion = at_once(&flock(spring(), &rest), &Options::default());
+    assert!(motion.choices[0].branches.len() == 2 && motion.choices[0].branches.iter().all(|b| b.decided));
     // Across, all three are certain, with the weight 2/30.
     let across = [([0.0, 0.0], [0.0, 0.0]), ([1.2, 1.6], [-0.8, 0.6])];
     let motion = at_once(&flock(spring(), &across), &Options::default());
@@ -216,7 +219,7 @@ fn open_signs_leave_ways_undecided() {
     // One exact tie and one by rounding.
     let mixed = [rest[0], rest[1], ([100.0, 0.0], [0.0, 0.0]), ([102.0, 0.0], [0.0, 0.0])];
     let motion = at_once(&flock(spring(), &mixed), &Options::default());
-    assert_eq!(motion.choices[0].branches.len(), 9);
+    assert_eq!(motion.choices[0].branches.len(), 4);
 }
 
 /// Free flight into the threshold at `t = 3`, with the rate `-4`: the jump of the energy may be as large as rounding before and after, and

@@ -5,7 +5,9 @@ use models::platoon::banded::BandedPlatoon;
 use models::platoon::growth::{Growth, LARGEST_PEAK, peak, peak_of_car};
 use models::platoon::observe::{largest, measured_amplitude, measured_resonance};
 use models::platoon::time_domain::Modes;
-use models::platoon::{Communication, CommunicationGraph, Gains, next_order, resonance, theorem1};
+use models::platoon::{
+    Communication, CommunicationGraph, Gains, GraphPeakError, next_order, peak_on_graph, resonance, theorem1,
+};
 use std::cell::RefCell;
 use std::f64::consts::PI;
 
@@ -123,6 +125,18 @@ fn narrow_peaks_are_found_by_their_mode() {
         let any = peak(&graph, &gains).unwrap().unwrap();
         assert!(any.value >= last.value * (1.0 - 1e-12) && (any.at / last.at - 1.0).abs() < 1e-3);
     }
+}
+
+/// Two cars that track each other, the first with a little weight for the leader: `lambda = 1 - sqrt(1 - weight)`, about half of it.
+#[test]
+fn modes_below_one_part_in_a_thousand_million_are_given_up() {
+    let found = |weight: i64| {
+        let weight = rational(weight, 10_000_000_000);
+        let rest = rational(1, 1) - &weight;
+        let graph = CommunicationGraph::new(vec![vec![(0, weight), (2, rest)], vec![(1, rational(1, 1))]]).unwrap();
+        peak(&graph, &floats(-1.0, -1.0)).unwrap().is_some()
+    };
+    assert!(found(22) && found(30) && !found(18) && !found(10));
 }
 
 /// `lambda = 1 - cos(pi/(2M))` of the two-sided platoon; 1, as many times as there are cars, of the one-sided one.
@@ -258,5 +272,27 @@ fn bands_of_any_width_solve_the_equations() {
             let force = Complex::new(gains.f, gains.g * w) * &(amplitude(k) - mean);
             assert!((force + amplitude(k).scale(&(w * w))).norm_squared() < 1e-24, "{graph:?} {w} {k}");
         }
+    }
+}
+
+/// Enclosures of the place are as narrow as those of the height, among several maxima and minima; gains that are not negative are refused.
+#[test]
+fn peaks_on_graphs_are_enclosed_with_their_places() {
+    let gains = |f: (i64, i64), g: (i64, i64)| Gains { f: rational(f.0, f.1), g: rational(g.0, g.1) };
+    for (own, followers) in [(gains((-1, 1), (-1, 20)), 4), (gains((-3, 2), (-1, 9)), 6), (gains((-1, 3), (-7, 1)), 3)]
+    {
+        for precision in [16, 40, 96] {
+            let found = peak_on_graph(&two_sided(followers), &own, precision).unwrap();
+            let known = resonance(&own, followers as u64, 30).unwrap();
+            assert!(found.omega.overlaps(&known.omega) && found.amplitude.overlaps(&known.amplitude));
+            for enclosed in [&found.omega, &found.amplitude] {
+                let width = enclosed.width().to_f64() / enclosed.to_f64();
+                assert!(width < 0.5f64.powi(precision as i32), "{followers} {precision}: {width}");
+            }
+        }
+    }
+    for (f, g) in [((0, 1), (-1, 1)), ((-1, 1), (0, 1)), ((1, 1), (-1, 1)), ((-1, 1), (1, 1)), ((1, 1), (1, 1))] {
+        let refused = peak_on_graph(&two_sided(2), &gains(f, g), 40);
+        assert!(matches!(refused, Err(GraphPeakError::Gains)), "{f:?} {g:?}");
     }
 }
