@@ -79,6 +79,13 @@ fn peaks_of_other_systems_are_known() {
     assert!((rising.at - 30.0).abs() < 1e-9 && (rising.value - 10.0 / 101f64.sqrt()).abs() < 1e-12, "{rising:?}");
     let middle = system(rows(&[&[0, 1], &[-4, -5]]), rows(&[&[0], &[1]]), rows(&[&[0, 1]]), None).peak().unwrap();
     assert!((middle.at - 2.0).abs() < 1e-5 && (middle.value - 0.2).abs() < 1e-12, "{middle:?}");
+    // Slow, and beside a state that rests: 3/100 below and above.
+    let slow = |k: i64| rational(k, 100);
+    let (a, b) = (vec![vec![slow(0), slow(0)], vec![slow(0), slow(-3)]], vec![vec![slow(700)], vec![slow(-3)]]);
+    let found = system(a.clone(), b.clone(), rows(&[&[0, 1]]), Some(rows(&[&[1]]))).peak().unwrap();
+    assert!((found.at - 0.3).abs() < 1e-9 && (found.value - 10.0 / 101f64.sqrt()).abs() < 1e-12, "{found:?}");
+    let found = system(a, b, rows(&[&[0, -1]]), None).peak().unwrap();
+    assert!((found.at - 0.003).abs() < 1e-12 && (found.value - 1.0 / 1.01f64.sqrt()).abs() < 1e-12, "{found:?}");
     let still = system(rows(&[&[0]]), rows(&[&[1]]), rows(&[&[1]]), None);
     assert!(still.peak().is_err() && still.is_stable() == Some(false));
 }
@@ -109,4 +116,8 @@ fn matrices_that_fit_no_system_are_refused() {
     let double = rows(&[&[0, 1], &[1, 1]]);
     assert_eq!(build(&a, &double, &c, Some(&d)), shape("D", "a row of 1 numbers", "1 rows of 2 numbers"));
     assert_eq!(build(&a, &double, &c, Some(&pair)), Ok(2));
+    let falling = rows(&[&[0, 1], &[1]]);
+    assert_eq!(build(&a, &falling, &c, None), shape("B", "a row of 1 numbers", "2 rows of 2 numbers"));
+    let rising = rows(&[&[0], &[1, 1]]);
+    assert_eq!(build(&a, &rising, &c, None), shape("B", "a row of 2 numbers", "2 rows of 1 numbers"));
 }

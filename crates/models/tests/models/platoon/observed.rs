@@ -47,7 +47,8 @@ fn the_largest_value_is_looked_for_on_the_grid_first() {
 #[test]
 fn amplitudes_are_measured_in_the_last_period() {
     let modes = Modes::new(&floats(-1.0, -0.6), 4).unwrap();
-    for (w, periods) in [(0.3, 1.0), (0.3, 3.5), (0.9, 2.0), (0.25, 0.5)] {
+    // At the last frequencies what is left of the start still dies out.
+    for (w, periods) in [(0.3, 1.0), (0.3, 3.5), (0.9, 2.0), (0.25, 0.5), (0.9, 6.0), (1.5, 4.0)] {
         let start = modes.behind_harmonic_leader(&w).unwrap();
         let (from, to) = (((periods - 1.0) / w).max(0.0) * 2.0 * PI, periods / w * 2.0 * PI);
         let at = |k: u32| start.last(&(from + (to - from) * f64::from(k) / 4000.0)).unwrap().abs();
@@ -159,6 +160,20 @@ fn the_smallest_eigenvalue_is_known() {
     assert!((value - (1.0 - 0.9f64.cbrt())).abs() < 1e-12);
     let alone = CommunicationGraph::with_equal_weights(&[vec![0], vec![]]).unwrap();
     assert!(BandedPlatoon::new(&alone).smallest_eigenvalue().is_err());
+}
+
+/// Without damping at `w² = |f|` the diagonal of the system vanishes: rows have to be swapped.
+#[test]
+fn pivots_that_vanish_are_swapped() {
+    let exact = Gains { f: rational(-1, 1), g: rational(0, 1) };
+    for followers in [2usize, 4, 6] {
+        let known = two_sided(followers).response(&exact, &rational(1, 1)).unwrap();
+        let found = BandedPlatoon::new(&two_sided(followers)).response(&floats(-1.0, 0.0), 1.0).unwrap();
+        for (found, known) in found.iter().zip(known) {
+            let known = num_traits::ToPrimitive::to_f64(&known.re).unwrap();
+            assert!((found.re - known).abs() < 1e-12 && found.im.abs() < 1e-12, "{followers}: {found:?} {known}");
+        }
+    }
 }
 
 #[test]
@@ -295,4 +310,46 @@ fn peaks_on_graphs_are_enclosed_with_their_places() {
         let refused = peak_on_graph(&two_sided(2), &gains(f, g), 40);
         assert!(matches!(refused, Err(GraphPeakError::Gains)), "{f:?} {g:?}");
     }
+}
+
+/// Twelve cars that each track the car in front swing most at the last of them, far above the frequency of the slow modes of the thirty cars
+/// behind, who track both sides: against a fine grid of frequencies.
+#[test]
+fn peaks_far_from_the_slow_mode_are_found() {
+    let tracked = |k: usize| match k {
+        0..=11 => vec![k],
+        41 => vec![41],
+        _ => vec![k, k + 2],
+    };
+    let graph = CommunicationGraph::with_equal_weights(&(0..42).map(tracked).collect::<Vec<_>>()).unwrap();
+    for (f, g) in [(-1.0, -1.0), (-4.0, -1.0), (-0.25, -0.4)] {
+        let gains = floats(f, g);
+        let banded = BandedPlatoon::new(&graph);
+        let at = |k: u32| 0.002 * 1.0005f64.powi(k as i32) * f64::sqrt(-f);
+        let best = |of: &dyn Fn(f64) -> f64| (0..15_000).step_by(3).map(|k| of(at(k))).fold(0.0, f64::max);
+        let found = peak(&graph, &gains).unwrap().unwrap();
+        let naive = best(&|w| banded.largest_amplitude(&gains, w).unwrap());
+        assert!(found.value >= naive && found.value < naive * (1.0 + 1e-4), "{f} {g}: {found:?} {naive}");
+        assert!((banded.largest_amplitude(&gains, found.at).unwrap() / found.value - 1.0).abs() < 1e-12);
+        let own = vec![gains.clone(); 42];
+        let car = peak_of_car(&graph, &own, 12).unwrap().unwrap();
+        // One car after the other: the gain of one to the power 12.
+        let one = |w: f64| {
+            let (fs, gs) = (w * w + f, g * w);
+            (f.hypot(gs) / fs.hypot(gs)).powi(12)
+        };
+        let known = best(&one);
+        assert!(car.value >= known && car.value < known * (1.0 + 1e-4), "{f} {g}: {car:?} {known}");
+    }
+    // The strongest gains reach up to their own frequencies: the first car is far stiffer than the others, with little damping.
+    let mut own = vec![floats(-1.0, -2.0); 6];
+    own[0] = floats(-100.0, -0.5);
+    let found = peak_of_car(&two_sided(6), &own, 1).unwrap().unwrap();
+    let banded = BandedPlatoon::new(&two_sided(6));
+    let size = |w: f64| banded.response_of_cars(&own, w).map(|all| all[0].re.hypot(all[0].im)).unwrap();
+    let naive = (1..30_000).map(|k| size(f64::from(k) * 5e-4)).fold(0.0, f64::max);
+    assert!(
+        found.value >= naive * (1.0 - 1e-9) && found.value < naive * (1.0 + 1e-3) && found.at > 5.0,
+        "{found:?} {naive}"
+    );
 }
