@@ -32,7 +32,7 @@ pub struct EnclosedEvent {
     pub to: f64,
 }
 
-/// A short time in which links change.
+/// A short time in which links may change.
 #[derive(Debug, Clone)]
 pub struct Crossing {
     /// Its beginning.
@@ -48,7 +48,7 @@ pub struct Crossing {
 pub struct EnclosedRun {
     /// All changes of the network, in order; those with the same times may come in any order.
     pub events: Vec<EnclosedEvent>,
-    /// The short times in which links change, in order; between them are the steps that are observed.
+    /// The short times in which links may change, in order; between them are the steps that are observed.
     pub crossings: Vec<Crossing>,
     /// The links at the end.
     pub edges: Vec<Pair>,

@@ -114,3 +114,95 @@ impl Energy {
         Ok((4.0 * state.count() as f64 * squares.sum::<f64>()).sqrt())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use arithmetic::rational;
+
+    fn spring() -> Potential {
+        Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1))
+    }
+
+    /// Three agents: distances 1, 2 and the root of 5.
+    fn state() -> State<f64> {
+        State {
+            positions: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 2.0]],
+            velocities: vec![[3.0, 0.0], [0.0, -4.0], [1.0, 1.0]],
+        }
+    }
+
+    /// `W` and `Q` by hand, with the sizes of their rounding: a unit of rounding for each of so many terms, of the sum of their sizes.
+    #[test]
+    fn energies_are_those_of_the_papers() {
+        // V = s + 1/s - 2: 0 at 1, 9/4 at 4. The kinetic energy is (9 + 16 + 2)/2.
+        let links = [(0, 1), (0, 2)];
+        let (fixed, terms) = (Energy::new(&spring(), None).unwrap(), 5.0 + 16.0);
+        assert_eq!(fixed.of(&state(), &links), Ok((15.75, terms * f64::EPSILON * 15.75)));
+        // R = 3/2: V(9/4) = 9/4 + 4/9 - 2 for the other two pairs.
+        let within = Energy::new(&spring(), Some(1.5)).unwrap();
+        let beyond = 2.25 + 4.0 / 9.0 - 2.0;
+        let (value, rounding) = within.of(&state(), &links[..1]).unwrap();
+        assert!((value - (13.5 + 2.0 * beyond)).abs() < 1e-14);
+        assert!((rounding / (20.0 * f64::EPSILON * value) - 1.0).abs() < 1e-14);
+        // Terms of both signs: V = 2 - s.
+        let falling = Potential::new(vec![(0, rational(-1, 1))], (rational(2, 1), rational(0, 1)));
+        let (value, rounding) = Energy::new(&falling, Some(2.0)).unwrap().of(&state(), &links).unwrap();
+        assert!((value - (13.5 + 1.0 - 2.0 - 2.0)).abs() < 1e-14);
+        assert!((rounding / (terms * f64::EPSILON * (13.5 + 1.0 + 2.0 + 2.0)) - 1.0).abs() < 1e-14);
+    }
+
+    /// `sqrt(n sum (g s)²)` with the gradient `g`, `s = absolute + relative |y|` and `n = 4N`.
+    #[test]
+    fn the_margin_is_that_of_cauchy_and_schwarz() {
+        let tolerance = Tolerance { absolute: 0.25, relative: 0.5 };
+        let energy = Energy::new(&spring(), None).unwrap();
+        // 2 V' r = 0 at distance 1, 2 (15/16) 2 at distance 2, against and along the second axis.
+        let pull = 3.75;
+        let terms = [
+            // Positions: agents 0 and 2 with the second coordinates 0 and 2.
+            (pull, 0.25),
+            (pull, 1.25),
+            // Velocities.
+            (3.0, 1.75),
+            (4.0, 2.25),
+            (1.0, 0.75),
+            (1.0, 0.75),
+        ];
+        let sum: f64 = terms.iter().map(|(g, s)| (g * s) * (g * s)).sum();
+        let found = energy.margin(&state(), &[(0, 1), (0, 2)], tolerance).unwrap();
+        assert!((found - (12.0 * sum).sqrt()).abs() < 1e-13, "{found}");
+    }
+
+    /// The worst is the one that uses most of what is allowed, the first of equals.
+    #[test]
+    fn the_worst_change_is_kept_with_its_time() {
+        let mut log = EnergyLog { first: 9.0, last: 9.0, ..EnergyLog::default() };
+        for (time, from, to, allowed) in
+            [(1.0, 9.0, 8.0, 0.5), (2.0, 8.0, 8.25, 0.5), (3.0, 8.25, 8.75, 2.0), (4.0, 8.75, 8.8125, 0.125)]
+        {
+            log.step(time, from, to, allowed);
+            assert_eq!(log.last, to);
+        }
+        // Shares -2, 1/2, 1/4 and 1/2.
+        assert_eq!(log.rise, Excess { change: 0.25, allowed: 0.5, time: 2.0 });
+        assert!(log.is_monotone() && log.jump == Excess::default());
+        log.switch(5.0, 8.8125, 8.5625, 1.0);
+        assert_eq!((log.jump, log.last), (Excess { change: 0.25, allowed: 1.0, time: 5.0 }, 8.5625));
+        log.switch(6.0, 8.0, 8.5, 1.0);
+        log.switch(7.0, 8.5, 8.25, 1.0);
+        assert_eq!((log.jump, log.last), (Excess { change: 0.5, allowed: 1.0, time: 6.0 }, 8.25));
+        assert!(log.is_monotone());
+        for excess in [(1.0, 1.0, true), (1.5, 1.0, false), (-1.0, 0.0, true), (0.0, 0.0, true)] {
+            let (change, allowed, is_allowed) = excess;
+            let one = Excess { change, allowed, time: 0.0 };
+            assert_eq!(one.is_allowed(), is_allowed);
+            assert_eq!(EnergyLog { rise: one, ..EnergyLog::default() }.is_monotone(), is_allowed);
+            assert_eq!(EnergyLog { jump: one, ..EnergyLog::default() }.is_monotone(), is_allowed);
+        }
+        // Nothing allowed: any rise is worse, and a further one takes its place only where it is one.
+        let none = Excess { change: 0.0, allowed: 0.0, time: 0.0 };
+        let some = Excess { change: -1.0, allowed: 2.0, time: 1.0 };
+        assert_eq!((none.worst(some), some.worst(Excess { time: 2.0, ..some })), (some, some));
+    }
+}

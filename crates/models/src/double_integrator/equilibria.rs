@@ -148,6 +148,11 @@ impl Framework {
     /// space of these coordinates is a complement of the translations and rotations, so the signs are those of the whole
     /// Hessian (Sylvester).
     pub fn enclose(&self, equilibrium: &Equilibrium) -> Option<Inertia> {
+        self.enclose_in(equilibrium, BOX)
+    }
+
+    /// The same in a box with half of this side.
+    fn enclose_in(&self, equilibrium: &Equilibrium, half: f64) -> Option<Inertia> {
         let (mut positions, free) = gauge(&equilibrium.positions)?;
         let restricted = |rows: &[Vec<f64>]| Mat::from_fn(free.len(), free.len(), |i, j| rows[free[i]][free[j]]);
         let float = |p: &[Vector<f64>]| Some(restricted(&hessian(p, &self.edges, PLANE, &self.potential).ok()?));
@@ -163,7 +168,7 @@ impl Framework {
         let eigen = symmetric_eigen(&float(&positions)?).ok()?;
         let inverse = inverse(&eigen);
         let point = |x: f64| Some(Interval::between(Dyadic::from_f64(x)?, Dyadic::from_f64(x)?, PRECISION));
-        let whole = Interval::between(Dyadic::from_f64(-BOX)?, Dyadic::from_f64(BOX)?, PRECISION);
+        let whole = Interval::between(Dyadic::from_f64(-half)?, Dyadic::from_f64(half)?, PRECISION);
         let (mut at, mut around) = (Vec::new(), Vec::new());
         for (agent, r) in positions.iter().enumerate() {
             let exact = [point(r[0])?, point(r[1])?];
@@ -290,4 +295,110 @@ fn times(left: &[Vec<Interval>], right: &[Vec<Interval>]) -> Vec<Vec<Interval>> 
         first.map(|first| products.fold(first, |sum, x| sum + x))
     };
     left.iter().map(|row| (0..columns).filter_map(|j| entry(row, j)).collect()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use algebra::graph::Graph;
+    use arithmetic::rational;
+
+    fn complete(count: usize) -> Framework {
+        let potential = Potential::inverse_square_log(&rational(1, 1));
+        Framework { edges: Graph::from_fn(count, |_, _| true).edges(), potential }
+    }
+
+    fn at(positions: Vec<Vector<f64>>) -> Equilibrium {
+        Equilibrium { positions, energy: 0.0, inertia: Inertia { positive: 0, negative: 0, zero: 0 } }
+    }
+
+    /// `V = 1/r² + 2 ln r` has the second derivative `H = 6/r⁴ - 2/r²`, 4 at rest: the test is passed where `|1 - H/4| < 1` on the whole box. At
+    /// the near end `1 - a` this is `H < 8`: `3/r⁴ - 1/r² = 4` gives `r² = (sqrt 49 - 1)/8 = 3/4`, so that `a < 1 - sqrt(3/4)`, but for what
+    /// the intervals of `r` in numerator and denominator add.
+    #[test]
+    fn a_box_of_a_pair_is_as_wide_as_the_contraction_allows() {
+        for (angle, shift) in [(0.0f64, 0.0), (1.0, 3.0), (2.5, -2.0), (4.0, 0.5)] {
+            let (sin, cos) = angle.sin_cos();
+            let pair = at(vec![[shift, 1.0], [shift + cos, 1.0 + sin]]);
+            let found = |half: f64| complete(2).enclose_in(&pair, half);
+            for half in [1e-12, 1e-6, 1e-2, 0.02] {
+                assert_eq!(found(half), Some(Inertia { positive: 1, negative: 0, zero: 0 }), "{angle} {half}");
+            }
+            for half in [0.135, 0.2, 0.5, 1.5] {
+                assert_eq!(found(half), None, "{angle} {half}");
+            }
+        }
+    }
+
+    /// Three Newton steps bring a start that is off by a thousandth into the box.
+    #[test]
+    fn starts_that_are_off_are_refined() {
+        let a = 0.75f64.sqrt();
+        let row = |off: f64| at(vec![[off - a, 0.3 * off], [0.0, 0.0], [a + off, -off]]);
+        let triangle = |off: f64| at(vec![[0.0, off], [1.0 - off, off], [0.5, a + off]]);
+        for angle in [0.0f64, 0.7, 2.0, 4.0] {
+            let (sin, cos) = angle.sin_cos();
+            let turned = |one: &Equilibrium| {
+                at(one.positions.iter().map(|r| [5.0 + cos * r[0] - sin * r[1], sin * r[0] + cos * r[1]]).collect())
+            };
+            for off in [0.0, 1e-6, 1e-3] {
+                let of =
+                    |one: Equilibrium| complete(3).enclose(&turned(&one)).map(|i| (i.negative, i.zero, i.positive));
+                assert_eq!(of(row(off)), Some((1, 0, 2)), "{angle} {off}");
+                assert_eq!(of(triangle(off)), Some((0, 0, 3)), "{angle} {off}");
+            }
+        }
+        // Smaller flocks too, but not all in one place.
+        let small = Framework { potential: Potential::inverse_square_log(&rational(1, 49)), ..complete(2) };
+        assert!(small.enclose(&at(vec![[0.0, 0.0], [1.0 / 7.0, 0.0]])).is_some());
+        assert!(small.enclose(&at(vec![[1.0, 1.0], [1.0, 1.0]])).is_none());
+    }
+
+    /// A box around the triangle, until bars in it are too soft or too stiff; every coordinate has its width.
+    #[test]
+    fn a_box_of_a_triangle_holds_one_equilibrium() {
+        let a = 0.75f64.sqrt();
+        for order in [[0usize, 1, 2], [1, 2, 0], [2, 0, 1]] {
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.5, a]];
+            let triangle = at(order.map(|k| corners[k]).to_vec());
+            for half in [1e-12, 1e-3, 5e-3] {
+                assert!(complete(3).enclose_in(&triangle, half).is_some(), "{half}");
+            }
+            for half in [0.1, 0.3, 1.0] {
+                assert!(complete(3).enclose_in(&triangle, half).is_none(), "{half}");
+            }
+        }
+    }
+
+    #[test]
+    fn vectors_have_their_sizes() {
+        assert_eq!((norm(&[3.0, -4.0]), norm(&[]), largest(&[1.0, -5.0, 2.0]), largest(&[-0.5])), (5.0, 0.0, 5.0, 0.5));
+        assert_eq!(moved(&[[1.0, 2.0], [3.0, 4.0]], &[10.0, 20.0, 30.0, 40.0], 0.5), [[6.0, 12.0], [18.0, 24.0]]);
+        let (turned, free) = gauge(&[[1.0, 1.0], [1.0, 3.0], [4.0, 5.0]]).expect("apart");
+        // The farthest is the third, at (3, 4): the second, at (0, 2), is (8/5, 6/5) from there.
+        let close = |a: Vector<f64>, b: Vector<f64>| (a[0] - b[0]).hypot(a[1] - b[1]) < 1e-14;
+        assert!(close(turned[0], [0.0, 0.0]) && close(turned[1], [1.6, 1.2]) && turned[2] == [5.0, 0.0]);
+        assert_eq!(free, [2, 3, 4]);
+        let (_, free) = gauge(&[[0.0, 0.0], [9.0, 1.0], [4.0, 5.0]]).expect("apart");
+        assert_eq!(free, [2, 4, 5]);
+        let rows = [[1.0, 2.0], [2.0, 5.0]];
+        let eigen = symmetric_eigen(&Mat::from_fn(2, 2, |i, j| rows[i][j])).expect("symmetric");
+        let inverse = inverse(&eigen);
+        for (i, known) in [[5.0, -2.0], [-2.0, 1.0]].iter().enumerate() {
+            (0..2).for_each(|j| assert!((inverse[(i, j)] - known[j]).abs() < 1e-12));
+        }
+        // (1, 1) times the matrix.
+        let product = along_axes(&eigen, &[1.0, 1.0], |x, value| x * value);
+        assert!((product[0] - 3.0).abs() < 1e-12 && (product[1] - 7.0).abs() < 1e-12, "{product:?}");
+    }
+
+    /// One distance that agrees does not make two configurations one; `1e-5` is near enough, either way.
+    #[test]
+    fn classes_compare_all_distances() {
+        let row = |b: f64, energy: f64| Equilibrium { energy, ..at(vec![[0.0, 0.0], [1.0, 0.0], [1.0 + b, 0.0]]) };
+        let found =
+            classes([row(2.0, 5.0), row(3.0, 1.0), row(2.0 + 8e-6, 5.0), row(2.0 - 8e-6, 5.0), row(2.0 + 1.5e-5, 9.0)]);
+        let told: Vec<(f64, usize)> = found.iter().map(|(one, times)| (one.energy, *times)).collect();
+        assert_eq!(told, [(1.0, 1), (5.0, 3), (9.0, 1)]);
+    }
 }

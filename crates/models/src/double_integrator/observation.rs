@@ -145,22 +145,21 @@ impl Flock {
         &self.potential
     }
 
-    /// Whether the graph of links was connected after every event of a motion.
+    /// Whether the graph of links was connected at every instant of a motion: links that change at once do so together.
     fn stayed_connected(&self, motion: &Motion) -> bool {
         let connected =
             |links: &[Pair]| Graph::from_fn(self.start.count(), |i, j| links.contains(&(i, j))).is_connected();
         let mut links = self.links_at_start();
         connected(&links)
-            && motion.events.iter().all(|event| match event.kind {
-                EventKind::Link => {
-                    links.push(event.pair);
-                    true
+            && motion.events.chunk_by(|a, b| a.time == b.time).all(|together| {
+                for event in together {
+                    match event.kind {
+                        EventKind::Link => links.push(event.pair),
+                        EventKind::Unlink => links.retain(|pair| *pair != event.pair),
+                        EventKind::Touch | EventKind::Stay => {}
+                    }
                 }
-                EventKind::Unlink => {
-                    links.retain(|pair| *pair != event.pair);
-                    connected(&links)
-                }
-                EventKind::Touch | EventKind::Stay => true,
+                connected(&links)
             })
     }
 }

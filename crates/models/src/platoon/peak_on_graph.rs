@@ -178,3 +178,82 @@ impl AbsoluteRoot for Interval {
         Interval::between(lo.clone(), self.hi().clone(), self.precision()).sqrt()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn list(numbers: &[i64]) -> Coefficients {
+        numbers.iter().map(|&n| rational(n, 1)).collect()
+    }
+
+    #[test]
+    fn polynomials_are_multiplied_derived_and_subtracted() {
+        // (1 + 2s + 3s²)(4 - s) = 4 + 7s + 10s² - 3s³.
+        assert_eq!(product(&list(&[1, 2, 3]), &list(&[4, -1])), list(&[4, 7, 10, -3]));
+        assert_eq!(derivative(&list(&[4, 7, 10, -3])), list(&[7, 20, -9]));
+        assert!(derivative(&list(&[4])).is_empty() && product(&[], &[]).is_empty());
+        assert_eq!(difference(&list(&[1, 2, 3]), &list(&[5])), list(&[-4, 2, 3]));
+        assert_eq!(difference(&list(&[5]), &list(&[1, 2, 3])), list(&[4, -2, -3]));
+    }
+
+    /// `|sum c_i s^i (1 + i beta)^(M - i)|²` with `beta² = b s`, by complex numbers at several `s` for which `beta` is rational.
+    #[test]
+    fn the_squared_norm_is_that_of_complex_numbers() {
+        use arithmetic::Complex;
+        for (coefficients, size) in [(vec![2, -3, 1], 2usize), (vec![5, 1], 3), (vec![1, 0, -4, 7], 3)] {
+            let found = squared_norm(&list(&coefficients), size, &rational(9, 4));
+            for n in 0..12i64 {
+                // beta = 3n/2 at s = n².
+                let (s, beta) = (rational(n * n, 1), rational(3 * n, 2));
+                let z = Complex::new(rational(1, 1), beta);
+                let term =
+                    |(i, c): (usize, &i64)| z.power((size - i) as u64).scale(&(rational(*c, 1) * s.pow(i as i32)));
+                let total = coefficients.iter().enumerate().map(term).fold(Complex::real(rational(0, 1)), |a, b| a + b);
+                let value = found.iter().rev().fold(rational(0, 1), |sum, c| sum * &s + c);
+                assert_eq!(value, total.norm_squared());
+            }
+        }
+    }
+
+    /// `1 + max |c|/|lead|`, the bound of Cauchy.
+    #[test]
+    fn roots_are_looked_for_up_to_the_bound_of_cauchy() {
+        for (coefficients, known) in
+            [(vec![-6, 1], rational(7, 1)), (vec![1, -8, 2], rational(5, 1)), (vec![3, 2, -4], rational(2, 1))]
+        {
+            let polynomial = Polynomial::from_rationals(&list(&coefficients));
+            assert_eq!(bound(&polynomial), known, "{coefficients:?}");
+        }
+    }
+
+    #[test]
+    fn the_highest_candidates_are_kept_together() {
+        let number = |lo: i64, hi: i64| Interval::hull_of_rationals(&rational(lo, 1), &rational(hi, 1), 60);
+        let found = |list: &[((i64, i64), (i64, i64))]| {
+            let candidates = list.iter().map(|(p, v)| (number(p.0, p.1), number(v.0, v.1))).collect();
+            let peak = highest(candidates, &rational(4, 1), 60).expect("a candidate");
+            (peak.omega.to_rationals(), peak.amplitude.to_rationals())
+        };
+        let pair = |lo: i64, hi: i64| (rational(lo, 1), rational(hi, 1));
+        // Frequencies are the roots of four times the places.
+        assert_eq!(found(&[((1, 1), (3, 4)), ((4, 9), (6, 7)), ((16, 16), (1, 5))]), (pair(4, 6), pair(6, 7)));
+        // Two that may be the highest, and one whose upper end is just the lower end of the best.
+        assert_eq!(found(&[((1, 4), (3, 8)), ((9, 16), (5, 6))]), (pair(2, 8), pair(5, 8)));
+        assert_eq!(found(&[((9, 16), (5, 6)), ((1, 4), (3, 8))]), (pair(2, 8), pair(5, 8)));
+        assert_eq!(found(&[((9, 16), (5, 6)), ((1, 1), (2, 5))]), (pair(2, 8), pair(5, 6)));
+        assert!(highest(vec![], &rational(1, 1), 60).is_err());
+    }
+
+    /// What is below zero by its enclosure only counts as zero there.
+    #[test]
+    fn roots_of_enclosures_that_reach_below_zero() {
+        let root = |lo: i64, hi: i64| {
+            let x = Interval::hull_of_rationals(&rational(lo, 1), &rational(hi, 1), 60);
+            x.absolute_root().expect("a root").to_rationals()
+        };
+        assert_eq!(root(4, 9), (rational(2, 1), rational(3, 1)));
+        assert_eq!(root(-5, 9), (rational(0, 1), rational(3, 1)));
+        assert_eq!(root(0, 16), (rational(0, 1), rational(4, 1)));
+    }
+}

@@ -5,6 +5,7 @@ mod averaging;
 mod cells;
 mod double_integrator;
 mod individual;
+mod laws_of_agents;
 mod missing;
 mod oscillator;
 mod oscillator_space;

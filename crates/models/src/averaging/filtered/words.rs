@@ -119,3 +119,91 @@ impl<const L: usize> Words<L> {
         BigInt::from_slice(if self.is_negative() { Sign::Minus } else { Sign::Plus }, &digits)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use arithmetic::random::generator;
+    use num_traits::{Pow, Signed};
+    use rand_chacha::rand_core::Rng;
+
+    fn two(power: u32) -> BigInt {
+        Pow::pow(BigInt::from(2), power)
+    }
+
+    /// Integers of all lengths and signs below `2^(64 L - 1)`, the ends among them.
+    fn integers<const L: usize>(count: u32) -> Vec<BigInt> {
+        let end = two(64 * L as u32 - 1);
+        let mut all = vec![BigInt::ZERO, BigInt::from(1), BigInt::from(-1), &end - 1, -&end, two(64) - 1, -two(63)];
+        let mut random = generator("test", "words", L as u64);
+        for k in 0..count {
+            let mut x = BigInt::ZERO;
+            (0..L).for_each(|_| x = (&x << 64) + random.next_u64());
+            let x = x >> (1 + 64 * L as u32 * (k % 16) / 16);
+            all.push(if k % 2 == 0 { x } else { -x });
+        }
+        all.retain(|x| -&end <= *x && *x < end);
+        all
+    }
+
+    /// The integer modulo `2^(64 L)`, as it stands in two's complement.
+    fn wrapped<const L: usize>(x: &BigInt) -> BigInt {
+        let whole = two(64 * L as u32);
+        let rest = ((x % &whole) + &whole) % &whole;
+        if rest >= &whole / 2 { rest - whole } else { rest }
+    }
+
+    fn arithmetic_is_that_of_integers<const L: usize>() {
+        let all = integers::<L>(24);
+        let words = |x: &BigInt| Words::<L>::from_integer(x).expect("fits");
+        let whole = two(64 * L as u32);
+        for x in &all {
+            assert_eq!((words(x).to_integer(), words(x).is_negative()), (x.clone(), x.is_negative()));
+            for factor in [0u32, 1, 7, u32::MAX] {
+                assert_eq!(words(x).times(factor).to_integer(), wrapped::<L>(&(x * factor)));
+            }
+            for shift in [0u32, 1, 31, 64, 64 * L as u32 - 1] {
+                assert_eq!(words(x).shifted(shift).to_integer(), x >> shift);
+            }
+            for y in &all {
+                assert_eq!(words(x).plus(words(y)).to_integer(), wrapped::<L>(&(x + y)));
+                assert_eq!(words(x).minus(words(y)).to_integer(), wrapped::<L>(&(x - y)));
+                // A share of any unsigned fraction: less than L below the product, never above it.
+                let fraction = ((y % &whole) + &whole) % &whole;
+                let share = Words::<L>::modulo(&fraction);
+                let found = words(x).share(&share).to_integer() * &whole;
+                let product = x * &fraction;
+                assert!(found <= product && product < found + &whole * L as u64, "{x} {fraction}");
+            }
+        }
+        let end = two(64 * L as u32 - 1);
+        for x in [end.clone(), -&end - 1, two(64 * L as u32), -two(64 * L as u32 + 3)] {
+            assert_eq!(Words::<L>::from_integer(&x), None);
+        }
+        for (p, q) in [(0, 1), (1, 2), (1, 3), (2, 3), (999, 1000)] {
+            let (p, q) = (BigInt::from(p), BigInt::from(q));
+            let floor = (&p << (64 * L)) / &q;
+            let found = Words::<L>::fraction(&p, &q).to_integer();
+            assert_eq!(wrapped::<L>(&floor), found);
+        }
+    }
+
+    #[test]
+    fn words_are_integers() {
+        arithmetic_is_that_of_integers::<1>();
+        arithmetic_is_that_of_integers::<2>();
+        arithmetic_is_that_of_integers::<3>();
+        arithmetic_is_that_of_integers::<8>();
+    }
+
+    #[test]
+    fn values_have_their_scale() {
+        let scales = [2f64.powi(-70), 2f64.powi(-6)];
+        for x in integers::<2>(40) {
+            let found = Words::<2>::from_integer(&x).expect("fits").to_f64(&scales);
+            // The nearest float of the integer, over 2^70.
+            let known = x.to_string().parse::<f64>().expect("a number") * 2f64.powi(-70);
+            assert!((found - known).abs() <= 2f64.powi(-51) * known.abs(), "{x}: {found} {known}");
+        }
+    }
+}

@@ -1,5 +1,7 @@
 use arithmetic::{FloatInterval, rational};
-use models::double_integrator::{Coordinates, EnclosedFlock, EnclosureError, Potential, State, velocity_alignment};
+use models::double_integrator::{
+    Coordinates, EnclosedFlock, EnclosedRun, EnclosureError, Potential, State, velocity_alignment,
+};
 use motion::{Tolerance, integrate};
 
 fn state(positions: &[[i64; 2]], velocities: &[[i64; 2]], unit: i64) -> State<FloatInterval> {
@@ -87,4 +89,111 @@ fn a_link_that_is_lost_and_one_that_is_found() {
     let fast = spring.run(&row(4), &[], 2.0, |_, _| {}).expect("a motion");
     assert_eq!(fast.events.iter().map(|e| (e.pair, e.linked)).collect::<Vec<_>>(), [((1, 2), false)]);
     assert!((fast.events[0].from - 0.1676).abs() < 1e-3 && (slow.events[0].from - 1.3651).abs() < 1e-3);
+}
+
+/// No forces but the alignment, with R = 2: relative velocities of two linked agents decay like `exp(-2t)`.
+fn alignment_alone() -> EnclosedFlock {
+    let potential = Potential::new(Vec::new(), (rational(1, 1), rational(0, 1)));
+    EnclosedFlock { potential, threshold: Some(rational(4, 1)) }
+}
+
+/// The distance to the first agent along the axis, and its rate.
+fn apart(run: &EnclosedRun) -> (FloatInterval, FloatInterval) {
+    let (r, v) = (run.end.separation(1, 0), run.end.relative_velocity(1, 0));
+    (r[0], v[0])
+}
+
+fn encloses(x: FloatInterval, known: f64, widest: f64) -> bool {
+    x.lo() <= known + 1e-13 && known - 1e-13 <= x.hi() && x.width() < widest
+}
+
+/// One that arrives at `t = 3` with the speed 1, and one that leaves with `2 - 3/2 = 2 (1 - exp(-2t))`: what comes after is known.
+#[test]
+fn both_sides_of_a_crossing_are_known() {
+    let arrives = alignment_alone().run(&state(&[[0, 0], [5, 0]], &[[1, 0], [0, 0]], 1), &[], 4.0, |_, _| {}).unwrap();
+    let (distance, speed) = apart(&arrives);
+    let decayed = (-2.0f64).exp();
+    assert!(encloses(distance, 2.0 - 0.5 * (1.0 - decayed), 1e-6) && encloses(speed, -decayed, 1e-6), "{distance:?}");
+    assert_eq!((&arrives.edges[..], arrives.events.len()), (&[(0, 1)][..], 1));
+    let leaves = alignment_alone().run(&state(&[[0, 0], [3, 0]], &[[0, 0], [8, 0]], 2), &[], 1.0, |_, _| {}).unwrap();
+    let time = -0.5 * 0.75f64.ln();
+    let (distance, speed) = apart(&leaves);
+    assert!(encloses(distance, 2.0 + 3.0 * (1.0 - time), 1e-6) && encloses(speed, 3.0, 1e-6), "{distance:?} {speed:?}");
+    let event = leaves.events[0];
+    assert!(
+        !event.linked && event.from <= time && time <= event.to && event.to - event.from < 1e-6,
+        "{event:?} {time}"
+    );
+    assert!(leaves.edges.is_empty());
+    // The states in the short time of the crossing, in the order of the list: agent 1 is 2 from agent 0 then.
+    let crossing = leaves.crossings.iter().find(|crossing| crossing.from == event.from).expect("a crossing");
+    assert_eq!((crossing.to, crossing.states.len()), (event.to, 8));
+    let gap = crossing.states[2] - crossing.states[0];
+    assert!(gap.lo() <= 2.0 && 2.0 <= gap.hi() && gap.width() < 1e-5, "{gap:?}");
+}
+
+/// All starts in a box: the event is between the first and the last of their times, and their ends are enclosed.
+#[test]
+fn boxes_of_starts_cross_within_the_times_that_are_told() {
+    let mut start = state(&[[0, 0], [5, 0]], &[[1, 0], [0, 0]], 1);
+    for width in [1e-6, 1e-3, 1e-2] {
+        start.positions[1][0] = FloatInterval::between(5.0 - width, 5.0 + width);
+        let run = alignment_alone().run(&start, &[], 4.0, |_, _| {}).unwrap();
+        let event = run.events[0];
+        assert!(event.from <= 3.0 - width && 3.0 + width <= event.to, "{event:?} {width}");
+        assert!(run.events.len() == 1 && event.to - event.from < 20.0 * width);
+        let (distance, speed) = apart(&run);
+        for time in [3.0 - width, 3.0, 3.0 + width] {
+            let decayed = (-2.0 * (4.0 - time)).exp();
+            assert!(encloses(distance, 2.0 - 0.5 * (1.0 - decayed), 50.0 * width), "{width} {distance:?}");
+            assert!(encloses(speed, -decayed, 50.0 * width), "{width} {speed:?}");
+        }
+    }
+}
+
+/// Up to three pairs may cross in the same short time.
+#[test]
+fn as_many_pairs_cross_at_once_as_are_tried() {
+    let corners = [[5, 0], [-5, 0], [0, 5], [0, -5]];
+    for count in 1..=4usize {
+        let mut positions = vec![[0, 0]];
+        positions.extend(&corners[..count]);
+        let mut velocities = vec![[0, 0]];
+        velocities.extend(corners[..count].iter().map(|r| r.map(|x| -x / 5)));
+        let run = alignment_alone().run(&state(&positions, &velocities, 1), &[], 3.1, |_, _| {});
+        match run {
+            Ok(run) => {
+                assert!(count <= 3);
+                assert!(run.events.iter().all(|e| e.linked && e.from <= 3.0 && 3.0 <= e.to));
+                assert_eq!(run.edges, (1..=count).map(|j| (0, j)).collect::<Vec<_>>());
+            }
+            Err(error) => {
+                let EnclosureError::Threshold { time, .. } = error else { panic!("{error}") };
+                assert!(count == 4 && (2.9..=3.0).contains(&time), "{count} {error}");
+            }
+        }
+    }
+}
+
+/// Steps follow each other without gaps but for the crossings, and what is observed holds the way there.
+#[test]
+fn every_step_between_events_is_observed() {
+    let mut steps: Vec<(f64, f64)> = Vec::new();
+    let start = state(&[[0, 0], [5, 0]], &[[1, 0], [0, 0]], 1);
+    let run = alignment_alone().run(&start, &[], 4.0, |time, step| steps.push((time, step.until))).unwrap();
+    assert_eq!((steps[0].0, steps[steps.len() - 1].1), (0.0, 4.0));
+    for two in steps.windows(2) {
+        let gap = (two[0].1, two[1].0);
+        // A short time in which the link may change, or several of them, one after the other.
+        let across = run.crossings.iter().filter(|c| gap.0 <= c.from && c.to <= gap.1);
+        assert!((across.map(|c| c.to - c.from).sum::<f64>() - (gap.1 - gap.0)).abs() < 1e-15, "{gap:?}");
+    }
+    // The links that are given count without a threshold, whichever way round.
+    let fixed = EnclosedFlock { threshold: None, ..alignment_alone() };
+    for edges in [&[(0, 1)][..], &[(1, 0)], &[]] {
+        let run = fixed.run(&start, edges, 1.0, |_, _| {}).unwrap();
+        let (_, speed) = apart(&run);
+        let known = if edges.is_empty() { -1.0 } else { -(-2.0f64).exp() };
+        assert!(encloses(speed, known, 1e-9) && run.events.is_empty() && run.edges.len() == edges.len(), "{speed:?}");
+    }
 }

@@ -144,3 +144,54 @@ fn what_has_no_accelerations_is_refused() {
     let stopped = integrate(&mut flock, 0.0, &[1.0; 8], &[1.0], tolerance);
     assert_eq!(stopped, Err(IntegrationError::Stuck(0.0)));
 }
+
+/// A velocity that is too large in one coordinate only, for few and for many agents; the first agent that has no acceleration is named, and of
+/// those in its place the first.
+#[test]
+fn the_first_agent_without_an_acceleration_is_named() {
+    let potential = &potentials()[0];
+    for (columns, rows) in [(5, 4), (100, 90)] {
+        let good = lattice(columns, rows, 0.2);
+        let refused = |change: &dyn Fn(&mut State<f64>)| {
+            let mut state = good.clone();
+            change(&mut state);
+            SwitchingFlock::new(potential, 1.3).expect("a radius").start(&state).map(|list| list.len())
+        };
+        assert_eq!(refused(&|_| {}), Ok(4 * columns * rows));
+        for axis in [0, 1] {
+            let fast = |a: usize, b: usize| {
+                refused(&|state| (state.velocities[a][axis], state.velocities[b][axis]) = (1.7e308, -1.7e308))
+            };
+            assert_eq!(fast(7, 8), Err(FlockError::Acceleration(7)));
+            assert_eq!(fast(8, 7), Err(FlockError::Acceleration(7)));
+        }
+        let together = |places: &[(usize, usize)]| {
+            refused(&|state| places.iter().for_each(|&(to, from)| state.positions[to] = state.positions[from]))
+        };
+        assert_eq!(together(&[(13, 12)]), Err(FlockError::Coincident(12, 13)));
+        assert_eq!(together(&[(19, 3)]), Err(FlockError::Coincident(3, 19)));
+        assert_eq!(together(&[(19, 11), (17, 11), (18, 12)]), Err(FlockError::Coincident(11, 17)));
+        assert_eq!(
+            refused(&|state| state.velocities.truncate(columns * rows - 1)),
+            Err(FlockError::Length { positions: 2 * columns * rows, velocities: 2 * columns * rows - 2 })
+        );
+    }
+    // As a field: the rates of positions are the velocities, and another length of the list is refused.
+    let state = lattice(3, 2, 0.1);
+    let mut flock = SwitchingFlock::new(potential, 1.3).expect("a radius");
+    let (list, mut rate) = (state.to_list(), vec![0.0; 24]);
+    flock.rate(0.0, &list, &mut rate);
+    assert_eq!(rate[..12], list[12..]);
+    assert_eq!(flock.take_failure(), None);
+    for length in [2, 6, 10] {
+        flock.rate(0.0, &list[..length], &mut rate[..length]);
+        let failure = FlockError::Length { positions: length / 2, velocities: length / 2 };
+        assert_eq!(flock.take_failure(), Some(failure));
+    }
+    let mut few = vec![[0.0; 2]; 5];
+    assert!(flock.accelerations(&state.positions, &state.velocities, &mut few).is_err());
+    for radius in [-1.0, 0.0, 1e150, f64::INFINITY] {
+        assert_eq!(SwitchingFlock::new(potential, radius).map(|_| ()), Err(FlockError::Radius(radius)));
+    }
+    assert!(SwitchingFlock::new(potential, 9e149).is_ok());
+}

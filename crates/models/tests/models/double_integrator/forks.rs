@@ -171,3 +171,27 @@ fn where_links_push_apart_pairs_stay_at_the_threshold() {
     let moving = flock(0.05).run(3.0, &[], &Options::default()).unwrap();
     assert!(moving.events.len() < 10_000 && moving.energy.is_monotone(), "{} {:?}", moving.events.len(), moving.energy);
 }
+
+/// Six pairs at rest far from each other, as many as are gone through, have two ways on each; in triangular coordinates too.
+#[test]
+fn as_many_pairs_are_gone_through_as_is_said() {
+    let pairs = |count: i64| -> Vec<_> {
+        (0..count).flat_map(|k| [((200 * k, 0), (0, 0)), ((200 * k + 4, 0), (0, 0))]).collect()
+    };
+    let found = fork(&state(&pairs(6)), &rational(4, 1), PLANE, &spring()).unwrap();
+    assert_eq!((found.branches.len(), found.grazing.len()), (64, 6));
+    assert!(found.branches.iter().all(|b| b.decided && b.ways.len() == 6));
+    let refused = fork(&state(&pairs(7)), &rational(4, 1), PLANE, &spring());
+    assert_eq!(refused, Err(ForkError::TooMany(7)));
+    let oblique = fork(&state(AT_REST), &rational(4, 1), Coordinates::Triangular, &spring()).unwrap();
+    assert_eq!(oblique, ways(AT_REST));
+}
+
+/// Without a slope at `R` no weight matters: a pair at rest stays an equilibrium, and one that moves across leaves, however it is linked.
+#[test]
+fn weights_that_do_not_matter_are_none() {
+    let flat = Potential::new(vec![(1, rational(1, 1)), (0, rational(-4, 1))], (rational(1, 1), rational(5, 1)));
+    let of = |agents: Agents| fork(&state(agents), &rational(4, 1), PLANE, &flat).unwrap().branches;
+    assert_eq!(of(AT_REST), [Branch { ways: vec![((0, 1), Way::Stays(rational(0, 1)))], decided: true }]);
+    assert_eq!(of(ACROSS), [Branch { ways: vec![((0, 1), Way::Leaves)], decided: true }]);
+}

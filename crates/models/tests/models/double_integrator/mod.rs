@@ -1,6 +1,8 @@
 //! Mirrors `src/double_integrator`: laws, potentials, kinks, linearisations and the float motion against naive twins.
 
+mod closed_loops;
 mod enclosed;
+mod engine;
 mod equilibria;
 mod exact;
 mod flock;
@@ -10,7 +12,9 @@ mod inputs;
 mod motion;
 mod observation;
 mod potentials;
+mod rest;
 mod switching;
+mod thresholds;
 
 use algebra::graph::Graph;
 use algebra::matrix::RationalMatrix;

@@ -2,7 +2,9 @@
 
 use algebra::graph::Graph;
 use arithmetic::rational;
-use models::double_integrator::{Alignment, Flock, HeadingReading, LinkRule, Network, Potential, Setup, State};
+use models::double_integrator::{
+    Alignment, Flock, HeadingReading, LinkRule, Network, Observation, Potential, Sample, Setup, State, Trial,
+};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
@@ -88,4 +90,123 @@ fn the_spread_of_headings_is_the_largest_difference_of_two() {
         assert!((heading_spread(&headings) - naive).abs() < 1e-12, "{headings:?}");
     }
     assert_eq!((heading_spread(&[]), heading_spread(&[5.0])), (0.0, 0.0));
+}
+
+fn spring() -> Potential {
+    Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1))
+}
+
+/// Five agents in two components, one at rest and one that is nobody's neighbour by distance.
+#[test]
+fn what_is_seen_is_what_the_definitions_say() {
+    let state = State {
+        positions: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 2.0], [5.0, 5.0], [5.0, 4.0]],
+        velocities: vec![[3.0, 0.0], [0.0, 1.0], [0.0, 0.0], [-1.0, 2.0], [1.0, 2.0]],
+    };
+    let sample = Sample { time: 4.0, state, links: vec![(0, 1), (0, 2), (3, 4)], energy: 9.0 };
+    let seen = Observation::of(&sample, &spring()).unwrap();
+    let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-14, "{a} {b}");
+    assert_eq!((seen.time, seen.energy), (4.0, 9.0));
+    assert_eq!((seen.components, seen.links, seen.pairs), (2, 3, 10));
+    // The mean velocity is (3/5, 1): 5.76 + 0.36 + 0.36 + 2.56 + 0.16 and 1 + 0 + 1 + 1 + 1.
+    close(seen.disagreement, 13.2f64.sqrt());
+    // Means (1, 1/3) and (0, 2): 4 + 1 + 1 and 1/9 + 4/9 + 1/9, against 2.
+    close(seen.component_disagreement, (6.0f64 + 6.0 / 9.0).sqrt());
+    // Headings 0, pi/2, pi - atan 2 and atan 2.
+    close(seen.heading_spread, std::f64::consts::PI - 2f64.atan());
+    close(seen.least_distance, 1.0);
+    close(seen.least_unlinked, 5f64.sqrt());
+    // The mean is (11/5, 11/5), the farthest agent 3.
+    close(seen.radius, (2.8f64 * 2.8 * 2.0).sqrt());
+    // V' = 1 - 1/s²: 15/16 at s = 4, 0 at s = 1.
+    close(seen.gradient, 2.0 * 15.0 / 16.0 * 2.0);
+    close(seen.potential, 4.0 + 0.25 - 2.0);
+    close(seen.density(), 0.3);
+    let alone =
+        Sample { state: State { positions: vec![[1.0, 2.0]], velocities: vec![[1.0, 0.0]] }, links: vec![], ..sample };
+    let seen = Observation::of(&alone, &spring()).unwrap();
+    assert_eq!((seen.density(), seen.pairs, seen.radius, seen.least_distance), (0.0, 0, 0.0, f64::INFINITY));
+}
+
+/// Each bound of a formation is one that is stayed below, and each counts; so are the parts of a disagreement.
+#[test]
+fn bounds_are_stayed_below() {
+    let start = State { positions: vec![[0.0, 0.0], [2.0, 0.0]], velocities: vec![[1.0, 0.0], [0.0, 1.0]] };
+    let sample = Sample { time: 0.0, state: start, links: vec![(0, 1)], energy: 0.0 };
+    let seen = Observation::of(&sample, &spring()).unwrap();
+    let (spread, gradient, radius) = (seen.heading_spread, seen.gradient, seen.radius);
+    assert!(spread > 1.0 && gradient > 1.0 && radius == 1.0);
+    assert!(seen.is_formation(1.01 * spread, 1.01 * gradient, 1.01 * radius));
+    assert!(!seen.is_formation(spread, 9.0, 9.0) && !seen.is_formation(9.0, gradient, 9.0));
+    assert!(!seen.is_formation(9.0, 9.0, radius));
+    let end = Observation { disagreement: 3.0, component_disagreement: 2.0, ..seen };
+    let start = Observation { disagreement: 4.0, component_disagreement: 50.0, ..seen };
+    let trial = Trial { start, end, closest: 1.0, stayed_connected: true, energy_fell: true };
+    assert_eq!([0.7, 0.75, 0.8].map(|part| trial.agrees(part)), [false, false, true]);
+    assert_eq!([0.45, 0.5, 0.55].map(|part| trial.components_agree(part)), [false, false, true]);
+}
+
+/// The least distance on all cubics between samples, looked at closely.
+fn closest_on_a_grid(samples: &[Sample]) -> f64 {
+    let mut least = f64::INFINITY;
+    let count = samples[0].state.count();
+    for (i, j) in (0..count).flat_map(|j| (0..j).map(move |i| (i, j))) {
+        for two in samples.windows(2) {
+            let h = two[1].time - two[0].time;
+            let [(r, v), (s, w)] =
+                [0, 1].map(|k| (two[k].state.separation(i, j), two[k].state.relative_velocity(i, j)));
+            // Hermite's polynomial by its coefficients: r + h v x + (3d - h(2v + w)) x² + (h(v + w) - 2d) x³.
+            let at = |x: f64, k: usize| {
+                let d = s[k] - r[k];
+                r[k] + x * (h * v[k] + x * (3.0 * d - h * (2.0 * v[k] + w[k]) + x * (h * (v[k] + w[k]) - 2.0 * d)))
+            };
+            let turns = r[0] * v[0] + r[1] * v[1] < 0.0 && s[0] * w[0] + s[1] * w[1] > 0.0;
+            for n in 0..=20_000 {
+                let x = f64::from(n) / 20_000.0;
+                if turns || n == 0 || n == 20_000 {
+                    least = least.min(at(x, 0).hypot(at(x, 1)));
+                }
+            }
+        }
+    }
+    least
+}
+
+/// Springs that swing: the least distance comes between samples, more than once.
+#[test]
+fn the_closest_approach_is_that_of_the_cubics() {
+    let start = State {
+        positions: vec![[0.0, 0.0], [2.5, 0.3], [1.0, 2.2]],
+        velocities: vec![[0.4, 0.1], [-0.3, 1.0], [0.2, -1.5]],
+    };
+    let network = Network::Fixed(Graph::from_edges(3, &[(0, 1), (1, 2)]).unwrap());
+    let flock = Flock::new(Alignment::Velocity, spring(), network, start).unwrap();
+    // As many stretches as are needed for none to be longer than asked for, and at least one.
+    for (until, every, steps) in [(4.0, Some(0.75), 6), (4.0, Some(1.0), 4), (4.0, Some(9.0), 1), (4.0, None, 1)] {
+        let times: Vec<f64> = (0..=steps).map(|k| until * f64::from(k) / f64::from(steps)).collect();
+        let samples = flock.run(until, &times, &Setup::OPTIONS).unwrap().samples;
+        let trial = flock.trial(until, every, &Setup::OPTIONS).unwrap();
+        assert_eq!((trial.start.time, trial.end.time), (0.0, until));
+        assert_eq!(trial.end, Observation::of(&samples[samples.len() - 1], &spring()).unwrap());
+        let naive = closest_on_a_grid(&samples);
+        assert!((trial.closest - naive).abs() < 1e-7, "{every:?}: {} {naive}", trial.closest);
+    }
+    assert_eq!(flock.potential(), &spring());
+}
+
+/// Graphs that a signal brings: what counts is the graph at every instant, not an order among links that change at once.
+#[test]
+fn links_that_change_at_once_do_so_together() {
+    let positions = vec![[0.0, 0.0], [1.0, 0.0], [0.3, 0.9]];
+    let start = State { positions, velocities: vec![[0.0, 0.0]; 3] };
+    let graph = |edges: &[(usize, usize)]| Graph::from_edges(3, edges).unwrap();
+    let stayed = |graphs: &[&[(usize, usize)]]| {
+        let signal = graphs.iter().zip(0..).map(|(edges, k)| (f64::from(k) * 0.25, graph(edges))).collect();
+        let flock = Flock::new(Alignment::Velocity, spring(), Network::Signal(signal), start.clone()).unwrap();
+        flock.trial(1.0, None, &Setup::OPTIONS).unwrap().stayed_connected
+    };
+    let (path, star): (&[_], &[_]) = (&[(0, 1), (1, 2)], &[(0, 1), (0, 2)]);
+    assert!(stayed(&[path]) && stayed(&[path, star]) && stayed(&[star, path]) && stayed(&[star, path, star, path]));
+    let pair: &[_] = &[(0, 1)];
+    assert!(!stayed(&[pair]) && !stayed(&[pair, path]) && !stayed(&[path, pair]) && !stayed(&[path, pair, star]));
 }

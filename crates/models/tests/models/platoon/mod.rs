@@ -3,6 +3,8 @@
 mod by_definition;
 mod graphs_and_time;
 mod growth;
+mod matrices;
+mod observed;
 mod own_gains;
 mod peaks;
 

@@ -1,5 +1,6 @@
 //! Trajectories: reading and refusing, smoothing without crossing gaps, measures against naive twins, schools whose answer is known.
 
+mod choices;
 mod measures;
 mod reading;
 mod schools;

@@ -1,0 +1,192 @@
+//! How motions are put together: signals, samples, runs that are stopped, runs that stay at `R`, headings.
+
+use algebra::graph::Graph;
+use arithmetic::{ArithmeticError, Progress, Unwatched, rational};
+use models::double_integrator::{
+    Alignment, Coordinates, EventKind, Flock, HeadingDifference, MotionError, Network, Options, Potential, Prefer,
+    State, follow, gyroscopic, heading, kinetic_energy, potential_energy, potential_gradients,
+};
+use motion::Tolerance;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+const PLANE: Coordinates = Coordinates::Cartesian;
+
+fn spring() -> Potential {
+    Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1))
+}
+
+fn start() -> State<f64> {
+    State {
+        positions: vec![[0.0, 0.0], [1.2, 0.1], [2.0, 1.0], [0.5, 2.0]],
+        velocities: vec![[1.0, 0.0], [0.0, -0.5], [0.3, 0.3], [-0.2, 0.1]],
+    }
+}
+
+fn flock(network: Network) -> Flock {
+    Flock::new(Alignment::Velocity, spring(), network, start()).unwrap()
+}
+
+fn distance(a: &State<f64>, b: &State<f64>) -> f64 {
+    a.to_list().iter().zip(b.to_list()).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max)
+}
+
+/// `W` by its definition.
+fn energy(state: &State<f64>, edges: &[(usize, usize)]) -> f64 {
+    potential_energy(&state.positions, edges, PLANE, |_, _, s| spring().value(s)).unwrap()
+        + kinetic_energy(&state.velocities, PLANE).unwrap()
+}
+
+/// What a signal imposes is the energy of the new graph less that of the old one in the same state; its events tell the rates.
+#[test]
+fn signals_impose_energy_at_their_times() {
+    let (path, star) = (Graph::path(4), Graph::from_edges(4, &[(0, 1), (0, 2), (0, 3)]).unwrap());
+    let options = Options::default();
+    // A graph from the end on is in force there; one from later on is not.
+    for (from, is_in_force) in [(1.5, true), (2.0, true), (2.5, false)] {
+        let signal = Network::Signal(vec![(-1.0, star.clone()), (0.0, path.clone()), (from, star.clone())]);
+        let motion = flock(signal).run(2.0, &[0.0, from.min(2.0), 2.0], &options).unwrap();
+        let alone = flock(Network::Fixed(path.clone())).run(from.min(2.0), &[from.min(2.0)], &options).unwrap();
+        let there = &motion.samples[1];
+        assert!(distance(&there.state, &alone.samples[0].state) < 1e-9);
+        assert_eq!((&motion.samples[0].links, motion.samples[0].time), (&path.edges(), 0.0));
+        assert_eq!(there.links, if is_in_force { star.edges() } else { path.edges() });
+        assert_eq!(motion.events.len(), if is_in_force { 4 } else { 0 });
+        for event in &motion.events {
+            let (i, j) = event.pair;
+            let rate = 2.0 * PLANE.product(&there.state.separation(i, j), &there.state.relative_velocity(i, j));
+            assert_eq!((event.time, event.rate), (from, rate));
+            assert_eq!(event.kind, if star.has_edge(i, j) { EventKind::Link } else { EventKind::Unlink });
+        }
+        let imposed =
+            if is_in_force { energy(&there.state, &star.edges()) - energy(&there.state, &path.edges()) } else { 0.0 };
+        assert!((motion.energy.imposed - imposed).abs() < 1e-12, "{from}");
+        let end = &motion.samples[2];
+        assert!((end.energy - energy(&end.state, &end.links)).abs() < 1e-12 && motion.energy.last == end.energy);
+        assert!((motion.energy.first - energy(&start(), &path.edges())).abs() < 1e-12);
+        assert!(motion.energy.rise.is_allowed() && motion.steps > 0);
+    }
+}
+
+/// Stops after it was asked so often.
+struct After(usize, AtomicUsize);
+
+impl Progress for After {
+    fn is_cancelled(&self) -> bool {
+        self.1.fetch_add(1, Ordering::Relaxed) >= self.0
+    }
+}
+
+/// What was reached before is kept, with the time of the stop, and it is what an undisturbed run has.
+#[test]
+fn stopped_runs_keep_what_they_reached() {
+    let flock = flock(Network::Fixed(Graph::path(4)));
+    let times: Vec<f64> = (0..=50).map(|k| f64::from(k) * 0.1).collect();
+    let whole = flock.run(5.0, &times, &Options::default()).unwrap();
+    let mut before = 0.0;
+    for steps in [0, 1, 3, 5] {
+        let (motion, end) = flock.run_watched(5.0, &times, &Options::default(), &After(steps, AtomicUsize::new(0)));
+        let Err(MotionError::Halted(time)) = end else { panic!("{end:?}") };
+        assert!(if steps == 0 { time == 0.0 } else { time > before }, "{steps} {time}");
+        assert_eq!(motion.samples.len(), times.iter().filter(|t| **t < time).count());
+        assert_eq!(motion.samples, whole.samples[..motion.samples.len()]);
+        before = time;
+    }
+    let (motion, end) = flock.run_watched(5.0, &times, &Options::default(), &Unwatched);
+    assert_eq!((motion, end), (whole, Ok(())));
+}
+
+/// As many arrivals are allowed as is said: one that enters and leaves has two.
+#[test]
+fn arrivals_are_counted() {
+    let nothing = Potential::new(Vec::new(), (rational(1, 1), rational(0, 1)));
+    let start = State { positions: vec![[-5.0, 1.99], [0.0, 0.0]], velocities: vec![[1.0, 0.0], [0.0, 0.0]] };
+    let flock = Flock::new(Alignment::Velocity, nothing, Network::Within(2.0), start).unwrap();
+    let run = |most_events| flock.run(20.0, &[], &Options { most_events, ..Options::default() });
+    let all = run(2).unwrap();
+    assert_eq!(all.events.len(), 2);
+    for count in [0, 1] {
+        let time = all.events[count].time;
+        assert_eq!(run(count), Err(MotionError::TooManyEvents { count, time, pair: (0, 1) }));
+    }
+}
+
+/// The limits of tolerances, ends and samples.
+#[test]
+fn limits_of_runs_are_those_that_are_told() {
+    let flock = flock(Network::Fixed(Graph::path(4)));
+    let with = |relative, absolute| {
+        let tolerance = Tolerance { relative, absolute };
+        flock.run(0.0, &[], &Options { tolerance, ..Options::default() }).map(|motion| motion.steps)
+    };
+    for bad in [0.0, 1.0, -1e-9, f64::INFINITY] {
+        assert!(with(bad, 1e-9).is_err() && with(1e-9, bad).is_err(), "{bad}");
+    }
+    assert!(with(0.99, 0.99).is_ok());
+    let run = |until, samples: &[f64]| flock.run(until, samples, &Options::default()).map(|m| m.samples.len());
+    assert_eq!(run(f64::INFINITY, &[]), Err(MotionError::Until(f64::INFINITY)));
+    assert_eq!(run(0.1, &[0.0, 0.0, 0.05, 0.1, 0.1]), Ok(5));
+    for (samples, sample) in [(&[0.05, 0.2][..], 0.2), (&[-0.1], -0.1), (&[0.1, 0.05], 0.05)] {
+        assert_eq!(run(0.1, samples), Err(MotionError::Samples { until: 0.1, sample }));
+    }
+}
+
+/// Two at rest at `R`, the second one pulled by a third: held back, until no weight in `[0, 1]` holds it.
+fn held() -> Flock {
+    let start = State { positions: vec![[0.0, 0.0], [2.0, 0.0], [3.5, 0.0]], velocities: vec![[0.0, 0.0]; 3] };
+    Flock::new(Alignment::Velocity, spring(), Network::Within(2.0), start).unwrap()
+}
+
+/// From any time on, until no pair stays: the same motion, which ends after the step in which the pair has left.
+#[test]
+fn runs_that_stay_end_where_none_stays() {
+    let options = Options { prefer: Prefer::Stay, ..Options::default() };
+    let times: Vec<f64> = (0..=20).map(|k| f64::from(k) * 0.05).collect();
+    let whole = held().run(1.0, &times, &options).unwrap();
+    let left = whole.events.iter().find(|e| e.pair == (0, 1) && e.kind != EventKind::Stay).unwrap().time;
+    for from in [0.0, 7.0] {
+        let later: Vec<f64> = times.iter().map(|t| from + t).collect();
+        let links = held().links_at_start();
+        let (motion, end) = held().run_staying(from, &links, &later, &options, &Unwatched);
+        end.unwrap();
+        let kinds =
+            |events: &[models::double_integrator::Event]| events.iter().map(|e| (e.pair, e.kind)).collect::<Vec<_>>();
+        assert_eq!(kinds(&motion.events), kinds(&whole.events[..motion.events.len()]));
+        assert!((motion.events.last().unwrap().time - from - left).abs() < 1e-7);
+        let last = motion.samples.last().unwrap();
+        assert!(last.time > from + left && last.time < from + 1.0, "{} {left}", last.time);
+        for (sample, known) in motion.samples.iter().zip(&whole.samples).take(motion.samples.len() - 1) {
+            assert!((sample.time - from - known.time).abs() < 1e-12 && distance(&sample.state, &known.state) < 1e-7);
+        }
+        let there = held().run(last.time - from, &[last.time - from], &options).unwrap();
+        assert!(distance(&there.samples[0].state, &last.state) < 1e-7);
+        // No longer than asked for.
+        let (short, end) = held().run_staying(from, &links, &[from + 0.1], &options, &Unwatched);
+        assert_eq!((short.samples.len(), short.samples[0].time, end), (1, from + 0.1, Ok(())));
+    }
+    let (none, end) = held().run_staying(3.0, &[(1, 2)], &[], &options, &Unwatched);
+    assert_eq!((none.samples.len(), none.samples[0].time, end), (1, 3.0, Ok(())));
+    // Without a pair that stays: one step.
+    let away = Options { prefer: Prefer::Enter, ..options };
+    let (motion, end) = held().run_staying(0.0, &[(1, 2)], &[50.0], &away, &Unwatched);
+    assert!(end.is_ok() && motion.samples[0].time < 5.0, "{:?}", motion.samples[0].time);
+}
+
+/// The law of the first paper, with wrapped differences and raw ones.
+#[test]
+fn heading_alignment_follows_its_law() {
+    let edges = [(0, 1), (1, 2), (2, 3)];
+    for reading in [HeadingDifference::Wrapped, HeadingDifference::Raw] {
+        let network = Network::Fixed(Graph::path(4));
+        let flock = Flock::new(Alignment::Heading(reading), spring(), network, start()).unwrap();
+        let found = flock.run(1.0, &[1.0], &Options::default()).unwrap();
+        let law = |state: &State<f64>| -> Result<_, ArithmeticError> {
+            let gradients = potential_gradients(&state.positions, &edges, PLANE, |_, _, s| spring().slope(s))?;
+            let angles = state.velocities.iter().map(heading).collect::<Result<Vec<f64>, _>>()?;
+            gyroscopic(state, &gradients, &edges, |i, j| reading.read(angles[i] - angles[j]))
+        };
+        let known = follow(&start(), &[1.0], Options::default().tolerance, law).unwrap();
+        assert!(distance(&found.samples[0].state, &known[0]) < 1e-7, "{reading:?}");
+        // The force does no work: mechanical energy stays.
+        assert!((found.energy.last - found.energy.first).abs() < 1e-8);
+    }
+}

@@ -1,0 +1,202 @@
+//! Choices on both sides of their limits, histograms, scales, and what an analysis says of each fish.
+
+use super::measures::setting;
+use arithmetic::Complex;
+use models::tracks::{
+    Choices, ChoicesError, Histogram, NearestRule, PositionsUsed, Scale, School, Tracks, analyse, smoothed,
+    synthetic_school,
+};
+
+#[test]
+fn choices_are_checked_on_both_sides_of_their_limits() {
+    let good = Choices::of_sidebar(0.1);
+    assert_eq!(good.check(2), Ok(()));
+    let with = |change: &dyn Fn(&mut Choices)| {
+        let mut choices = good.clone();
+        change(&mut choices);
+        choices.check(5)
+    };
+    for window in [1, 3, 51] {
+        assert_eq!(with(&|c| c.window = window), Ok(()));
+        assert_eq!(with(&|c| c.window = window - 1), Err(ChoicesError::EvenWindow(window - 1)));
+    }
+    for (length, is_good) in [(0.0, false), (1e-9, true), (-1.0, false), (f64::INFINITY, false), (f64::NAN, false)] {
+        assert_eq!(with(&|c| c.body_length = length).is_ok(), is_good, "{length}");
+    }
+    for (zones, is_good) in [
+        ([1.0, 2.0, 3.0], true),
+        ([1.0, 2.0, f64::INFINITY], true),
+        ([0.0, 2.0, 3.0], false),
+        ([2.0, 2.0, 3.0], false),
+        ([3.0, 2.0, 4.0], false),
+        ([1.0, 3.0, 3.0], false),
+        ([1.0, 3.0, 2.0], false),
+        ([f64::NAN, 2.0, 3.0], false),
+    ] {
+        assert_eq!(with(&|c| c.zones = zones).is_ok(), is_good, "{zones:?}");
+    }
+    for (blind, is_good) in [(0.0, true), (180.0, true), (-0.1, false), (180.1, false)] {
+        assert_eq!(with(&|c| c.blind = blind).is_ok(), is_good, "{blind}");
+    }
+    for (still, is_good) in [(0.0, true), (2.0, true), (-1e-9, false), (f64::INFINITY, false), (f64::NAN, false)] {
+        assert_eq!(with(&|c| c.still = still).is_ok(), is_good, "{still}");
+    }
+    assert_eq!(with(&|c| c.nearest = vec![1, 4]), Ok(()));
+    for n in [0, 5] {
+        assert_eq!(with(&|c| c.nearest = vec![2, n]), Err(ChoicesError::Neighbours { n, fish: 5 }));
+    }
+    assert_eq!(ChoicesError::Neighbours { n: 9, fish: 5 }.to_string(), "5 fish have between 1 and 4 neighbours, not 9");
+}
+
+/// The odd number of frames closest to five seconds; lengths in body lengths of 5.3.
+#[test]
+fn the_sidebar_chooses_for_every_step() {
+    for (step, window) in
+        [(0.1, 51), (1.0, 5), (0.5, 11), (2.0, 3), (5.0, 1), (9.0, 1), (0.3, 17), (1e-30, 2_000_000_001)]
+    {
+        assert_eq!(Choices::of_sidebar(step).window, window, "{step}");
+    }
+    let choices = Choices::of_sidebar(0.1);
+    assert_eq!((choices.positions, choices.rule), (PositionsUsed::File, NearestRule::SecondInRepulsion));
+    assert_eq!((choices.body_length, choices.blind, choices.still), (5.3, 60.0, 0.0));
+    let zones = choices.zones();
+    assert_eq!((zones.repulsion, zones.orientation, zones.attraction), (1.4 * 5.3, 2.4 * 5.3, f64::INFINITY));
+    // 30 degrees on each side.
+    assert!((zones.blind_cosine_squared - 0.75).abs() < 1e-15);
+    assert_eq!(choices.too_near(), Some(1.4 * 5.3));
+    assert_eq!(Choices { rule: NearestRule::Nearest, ..choices }.too_near(), None);
+    assert_eq!(Choices::radii_of_zones(&[1.0, 2.0]), Ok([1.0, 2.0, f64::INFINITY]));
+    assert_eq!(Choices::radii_of_zones(&[1.0, 2.0, 3.0]), Ok([1.0, 2.0, 3.0]));
+    for count in [0, 1, 4] {
+        assert_eq!(Choices::radii_of_zones(&vec![1.0; count]), Err(ChoicesError::ZoneCount(count)));
+    }
+}
+
+#[test]
+fn histograms_count_every_value_once() {
+    let mut histogram = Histogram::of(-1.0, 3.0, 4, [-1.0, -0.5, 0.0, 0.99, 1.0, 2.5, 3.0, -1.01, 3.01, 4.0]);
+    assert_eq!((&histogram.counts[..], histogram.outside, histogram.total()), (&[2, 2, 1, 2][..], (1, 2), 10));
+    // The ends up to rounding.
+    [-1.0 - 3e-12, 3.0 + 3e-12].into_iter().for_each(|x| histogram.add(x));
+    assert_eq!((&histogram.counts[..], histogram.outside), (&[3, 2, 1, 3][..], (1, 2)));
+    [-1.0 - 5e-12, 3.0 + 5e-12].into_iter().for_each(|x| histogram.add(x));
+    assert_eq!((&histogram.counts[..], histogram.outside), (&[3, 2, 1, 3][..], (2, 3)));
+    let other = Histogram { range: (-1.0, 3.0), counts: vec![10, 20, 30, 40], outside: (5, 6) };
+    histogram.merge(&other);
+    assert_eq!((&histogram.counts[..], histogram.outside), (&[13, 22, 31, 43][..], (7, 9)));
+    assert_eq!(histogram.total(), 125);
+    let bins: Vec<_> = histogram.bins().collect();
+    let known = [(-1.0, 0.0, 13), (0.0, 1.0, 22), (1.0, 2.0, 31), (2.0, 3.0, 43)];
+    assert_eq!(bins, known.map(|(from, to, count)| (from, to, count, count as f64 / 125.0)));
+    let outline = Histogram { range: (0.0, 2.0), counts: vec![1, 3], outside: (0, 0) }.outline();
+    let corners = [(0.0, 0.0), (0.0, 0.25), (1.0, 0.25), (1.0, 0.75), (2.0, 0.75), (2.0, 0.0)];
+    assert_eq!(outline, corners);
+    let empty = Histogram::new(0.0, 1.0, 0);
+    assert_eq!((empty.counts.len(), empty.total(), empty.bins().next()), (1, 0, Some((0.0, 1.0, 0, 0.0))));
+}
+
+#[test]
+fn scales_are_their_printed_factors() {
+    assert_eq!(Scale::ALL.map(Scale::name), ["2/(n+1)", "2/n+1", "1/n"]);
+    for n in [1i64, 2, 7] {
+        assert_eq!(Scale::ALL.map(|scale| scale.ratio(n)), [(2, n + 1), (n + 2, n), (1, n)]);
+        let x = n as f64;
+        assert_eq!(Scale::ALL.map(|scale| scale.factor(n as usize)), [2.0 / (x + 1.0), (x + 2.0) / x, 1.0 / x]);
+    }
+    // Six fish: n = 5 and n = 1.
+    let found = Scale::ALL.map(|scale| scale.difference(6, 0.9, 0.2));
+    let known = [0.9 / 3.0 - 0.2, 0.9 * 1.4 - 0.6, 0.9 / 5.0 - 0.2];
+    assert!(found.iter().zip(known).all(|(a, b)| (a - b).abs() < 1e-15), "{found:?}");
+}
+
+/// Three fish on lines: the first at rest in the middle, the third missing for two frames, in a table that skips a frame.
+fn three() -> Tracks {
+    let mut text = "t,id,x,y\n".to_string();
+    for i in (0..30).filter(|i| *i != 20) {
+        let (t, x) = (f64::from(i) * 0.5, f64::from(i));
+        let first = if (8..=14).contains(&i) { 8.0 } else { x.min(8.0) + (x - 14.0).max(0.0) };
+        text.push_str(&format!("{t},1,{first},0\n{t},2,{x},{}\n", 3.0 + 0.5 * x));
+        if !(4..=5).contains(&i) {
+            text.push_str(&format!("{t},3,{},-4\n", -2.0 * x));
+        }
+    }
+    Tracks::from_csv(&text).expect("a recording")
+}
+
+/// The summaries by what is known of the lines.
+#[test]
+fn fish_are_summarised_as_they_swim() {
+    let choices = Choices { window: 3, body_length: 2.0, nearest: vec![2], ..Choices::of_sidebar(0.5) };
+    let tracks = three();
+    let analysis = analyse(&tracks, &choices).expect("analysed");
+    let left = analysis.left_out;
+    // The frames 4, 5 and 20 miss a fish; a velocity takes two frames on each side.
+    assert_eq!((left.recorded, left.missing), (30, 3));
+    let present = |i: i32| (0..30).contains(&i) && ![4, 5, 20].contains(&i);
+    let window = (0..30).filter(|i| present(*i) && !(i - 2..=i + 2).all(present)).count() as u64;
+    // Fish 1 is in one place from frame 8 to 14, so that it rests from 10 to 12.
+    assert_eq!((left.window, left.still, left.used), (window, 3, 27 - window - 3));
+    let [first, second, third] = &analysis.fish[..] else { panic!("{:?}", analysis.fish) };
+    assert_eq!((first.seen, second.seen, third.seen), (29, 29, 27));
+    assert_eq!((first.missing, second.missing, third.missing), ((1, 1), (1, 1), (3, 2)));
+    assert_eq!((first.still, second.still, third.still), (3, 0, 0));
+    let speed = |x: Option<f64>, known: f64| assert!(x.is_some_and(|x| (x - known).abs() < 1e-12), "{x:?} {known}");
+    speed(second.speed, 2.0 * 1.25f64.sqrt());
+    speed(third.speed, 4.0);
+    assert_eq!(analysis.speeds().count(), analysis.motion.velocities.iter().flatten().flatten().count());
+    // Distances where all are seen.
+    let mut sums = [0.0; 3];
+    let mut frames = 0.0;
+    for i in 0..tracks.frames.len() {
+        let Some(all) = (0..3).map(|k| tracks.positions[k][i].clone()).collect::<Option<Vec<Complex<f64>>>>() else {
+            continue;
+        };
+        frames += 1.0;
+        for (k, sum) in sums.iter_mut().enumerate() {
+            let to = |j: usize| (all[j].re - all[k].re).hypot(all[j].im - all[k].im);
+            *sum += (0..3).filter(|&j| j != k).map(to).fold(f64::INFINITY, f64::min);
+        }
+    }
+    for (fish, sum) in analysis.fish.iter().zip(sums) {
+        speed(fish.distance, sum / frames);
+    }
+    assert!((analysis.distances().sum::<f64>() - sums.iter().sum::<f64>()).abs() < 1e-9);
+    // Zones: the shares of the frames in which the measures have them.
+    for (k, fish) in analysis.fish.iter().enumerate() {
+        let seen: Vec<_> = analysis.frames.iter().filter_map(|frame| frame.zones[k]).collect();
+        let share = |zone: usize| seen.iter().filter(|zones| zones[zone]).count() as f64 / seen.len() as f64;
+        let found = fish.zones.expect("frames");
+        (0..3).for_each(|zone| speed(Some(found[zone]), share(zone)));
+    }
+    let groups: Vec<_> = analysis.groups().collect();
+    assert_eq!(groups.len() as u64, left.used);
+    assert!(groups.iter().all(|(time, _)| analysis.frames.iter().any(|frame| frame.time == *time)));
+    speed(Some(analysis.mean(|group| group.momentum)), {
+        groups.iter().map(|(_, group)| group.momentum).sum::<f64>() / groups.len() as f64
+    });
+    assert_eq!(analysis.sample().frames(), groups.len());
+}
+
+/// Positions as in the file or averaged over the window.
+#[test]
+fn positions_are_those_that_are_chosen() {
+    let tracks = synthetic_school(School::Milling, &setting(4, 60));
+    let of = |positions| analyse(&tracks, &Choices { window: 5, positions, ..Choices::of_sidebar(0.1) }).unwrap();
+    assert_eq!(of(PositionsUsed::File).positions, tracks.positions);
+    let means: Vec<_> = (0..4).map(|k| smoothed(&tracks, k, 5)).collect();
+    let averaged = of(PositionsUsed::Smoothed);
+    assert_eq!(averaged.positions, means);
+    assert_eq!(averaged.positions[0].iter().flatten().count(), 56);
+    assert_eq!(averaged.left_out, of(PositionsUsed::File).left_out);
+}
+
+/// Why nothing is left, in words.
+#[test]
+fn a_recording_without_headings_says_why() {
+    let tracks = three();
+    let error = analyse(&tracks, &Choices { window: 15, ..Choices::of_sidebar(0.5) });
+    let known = "no frame has a heading of all 3 fish: of 30 frames, a fish is missing in 3, the window of 15 frames meets a gap or \
+                 an end in 27, a fish is at rest in 0; fish 3 is seen least, in 27 frames; choose a smaller --window or fewer \
+                 fish with --ids";
+    assert_eq!(error.expect_err("nothing left").to_string(), known);
+}
