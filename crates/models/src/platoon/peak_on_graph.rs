@@ -230,7 +230,8 @@ mod tests {
     #[test]
     fn the_highest_candidates_are_kept_together() {
         let number = |lo: i64, hi: i64| Interval::hull_of_rationals(&rational(lo, 1), &rational(hi, 1), 60);
-        let found = |list: &[((i64, i64), (i64, i64))]| {
+        type Rationals = ((i64, i64), (i64, i64));
+        let found = |list: &[Rationals]| {
             let candidates = list.iter().map(|(p, v)| (number(p.0, p.1), number(v.0, v.1))).collect();
             let peak = highest(candidates, &rational(4, 1), 60).expect("a candidate");
             (peak.omega.to_rationals(), peak.amplitude.to_rationals())

@@ -78,7 +78,7 @@ fn the_error_of_floats_is_the_formula() {
 #[test]
 fn primes_that_divide() {
     for n in 1..600u64 {
-        let is_prime = |p: u64| (2..p).all(|q| p % q != 0);
+        let is_prime = |p: u64| (2..p).all(|q| !p.is_multiple_of(q));
         let naive: Vec<u64> = (2..=n).filter(|&p| n % p == 0 && is_prime(p)).collect();
         assert_eq!(prime_divisors(n), naive);
     }

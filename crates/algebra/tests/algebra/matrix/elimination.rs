@@ -15,7 +15,7 @@ fn expanded(rows: &[Vec<Rational>]) -> Rational {
     let Some((first, rest)) = rows.split_first() else { return rational(1, 1) };
     let minor =
         |k: usize| -> Vec<Vec<Rational>> { rest.iter().map(|row| [&row[..k], &row[k + 1..]].concat()).collect() };
-    let sign = |k: usize| rational(if k % 2 == 0 { 1 } else { -1 }, 1);
+    let sign = |k: usize| rational(if k.is_multiple_of(2) { 1 } else { -1 }, 1);
     first.iter().enumerate().map(|(k, x)| x * sign(k) * expanded(&minor(k))).sum()
 }
 

@@ -8,6 +8,9 @@ use proptest::prelude::*;
 
 type Vectors = Vec<Vector<Rational>>;
 
+/// Position and velocity of an agent, in whole numbers.
+type Whole = ((i64, i64), (i64, i64));
+
 /// A path of four with a further edge: agents 0, 1, 2 in a triangle, 3 beside.
 fn graph() -> Graph {
     Graph::path(4).with_edges(&[(0, 2)])
@@ -144,7 +147,7 @@ fn lists_of_another_length_are_no_loops() {
 #[test]
 fn few_agents_are_steady_too() {
     let spring = Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1));
-    let of = |edges: &[(usize, usize)], agents: &[((i64, i64), (i64, i64))]| {
+    let of = |edges: &[(usize, usize)], agents: &[Whole]| {
         SteadyMotion::new("few", edges, Coordinates::Triangular, spring.clone(), agents)
     };
     let alone = of(&[], &[((3, 4), (1, 2))]);

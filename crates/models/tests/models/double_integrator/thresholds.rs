@@ -23,8 +23,12 @@ fn at_once(flock: &Flock, options: &Options) -> Motion {
     flock.run(0.0, &[], options).unwrap()
 }
 
+/// Position and velocity of an agent, in whole numbers and in floats.
+type Whole = ((i64, i64), (i64, i64));
+type Floating = ([f64; 2], [f64; 2]);
+
 /// Numbers in quarters, so that floats are exact.
-fn quarters(agents: &[((i64, i64), (i64, i64))]) -> (State<Rational>, Vec<([f64; 2], [f64; 2])>) {
+fn quarters(agents: &[Whole]) -> (State<Rational>, Vec<Floating>) {
     let exact = |(x, y): (i64, i64)| [rational(x, 4), rational(y, 4)];
     let float = |(x, y): (i64, i64)| [x as f64 / 4.0, y as f64 / 4.0];
     let state = State {
@@ -92,10 +96,10 @@ fn exact_starts_have_the_ways_of_the_exact_fork() {
 /// the first.
 #[test]
 fn the_way_that_is_preferred_is_followed() {
-    let across: &[((i64, i64), (i64, i64))] = &[((0, 0), (0, 4)), ((8, 0), (0, 0))];
-    let at_rest: &[((i64, i64), (i64, i64))] = &[((0, 0), (0, 0)), ((8, 0), (0, 0))];
+    let across: &[Whole] = &[((0, 0), (0, 4)), ((8, 0), (0, 0))];
+    let at_rest: &[Whole] = &[((0, 0), (0, 0)), ((8, 0), (0, 0))];
     let both: Vec<_> = across.iter().copied().chain(at_rest.iter().map(|a| ((a.0.0 + 400, a.0.1), a.1))).collect();
-    let way = |agents: &[((i64, i64), (i64, i64))], prefer: Prefer| -> Vec<&'static str> {
+    let way = |agents: &[Whole], prefer: Prefer| -> Vec<&'static str> {
         let motion = at_once(&flock(spring(), &quarters(agents).1), &Options { prefer, ..Options::default() });
         let choice = &motion.choices[0];
         let name = |way: &Way<f64>| match way {

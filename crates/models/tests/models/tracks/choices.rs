@@ -1,7 +1,7 @@
 //! Choices on both sides of their limits, histograms, scales, and what an analysis says of each fish.
 
 use super::measures::setting;
-use arithmetic::Complex;
+use arithmetic::{Complex, Unwatched};
 use models::tracks::{
     Choices, ChoicesError, Histogram, NearestRule, PositionsUsed, Scale, School, Tracks, analyse, smoothed,
     synthetic_school,
@@ -128,7 +128,7 @@ fn three() -> Tracks {
 fn fish_are_summarised_as_they_swim() {
     let choices = Choices { window: 3, body_length: 2.0, nearest: vec![2], ..Choices::of_sidebar(0.5) };
     let tracks = three();
-    let analysis = analyse(&tracks, &choices).expect("analysed");
+    let analysis = analyse(&tracks, &choices, &Unwatched).expect("analysed");
     let left = analysis.left_out;
     // The frames 4, 5 and 20 miss a fish; a velocity takes two frames on each side.
     assert_eq!((left.recorded, left.missing), (30, 3));
@@ -181,7 +181,9 @@ fn fish_are_summarised_as_they_swim() {
 #[test]
 fn positions_are_those_that_are_chosen() {
     let tracks = synthetic_school(School::Milling, &setting(4, 60));
-    let of = |positions| analyse(&tracks, &Choices { window: 5, positions, ..Choices::of_sidebar(0.1) }).unwrap();
+    let of = |positions| {
+        analyse(&tracks, &Choices { window: 5, positions, ..Choices::of_sidebar(0.1) }, &Unwatched).unwrap()
+    };
     assert_eq!(of(PositionsUsed::File).positions, tracks.positions);
     let means: Vec<_> = (0..4).map(|k| smoothed(&tracks, k, 5)).collect();
     let averaged = of(PositionsUsed::Smoothed);
@@ -194,7 +196,7 @@ fn positions_are_those_that_are_chosen() {
 #[test]
 fn a_recording_without_headings_says_why() {
     let tracks = three();
-    let error = analyse(&tracks, &Choices { window: 15, ..Choices::of_sidebar(0.5) });
+    let error = analyse(&tracks, &Choices { window: 15, ..Choices::of_sidebar(0.5) }, &Unwatched);
     let known = "no frame has a heading of all 3 fish: of 30 frames, a fish is missing in 3, the window of 15 frames meets a gap or \
                  an end in 27, a fish is at rest in 0; fish 3 is seen least, in 27 frames; choose a smaller --window or fewer \
                  fish with --ids";
