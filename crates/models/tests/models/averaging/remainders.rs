@@ -154,6 +154,11 @@ fn pairs() -> Graph {
     graph(4, &[(0, 1), (2, 3)])
 }
 
+/// Other pairs.
+fn crossed() -> Graph {
+    graph(4, &[(0, 2), (1, 3)])
+}
+
 fn complete() -> Graph {
     Graph::from_fn(4, |_, _| true)
 }
@@ -221,12 +226,13 @@ fn a_jump_and_steps_after_it() {
 #[test]
 fn two_jumps_one_of_which_outweighs() {
     for of in FUNCTIONALS {
-        for (first, second) in [(900, 3500), (3500, 901)] {
+        // In the second network the birds of a functional can be in one flock, or in two that part.
+        for (first, second, network) in [(900, 3500, star()), (3500, 901, star()), (900, 3500, crossed())] {
             let events = [
                 Event::Jump(pairs(), first),
                 Event::Average(cycle()),
                 Event::Steps(cycle(), 2),
-                Event::Jump(star(), second),
+                Event::Jump(network.clone(), second),
                 Event::Average(Graph::path(4)),
             ];
             check(&events, &uneven(), &four(), &of);

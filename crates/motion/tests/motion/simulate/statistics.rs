@@ -29,7 +29,7 @@ fn edges() {
     assert_eq!(Share::new(0, 9).interval().0, 0.0);
     assert_eq!(Share::new(9, 9).interval().1, 1.0);
     assert_eq!(Share::count([1, 2, 3, 4], |k| k > 1), Share::new(3, 4));
-    assert_eq!(Share::new(7, 12).to_string(), "7 of 12 runs (95%: 0.32 to 0.81)");
+    assert_eq!(Share::new(7, 12).to_string(), "7 of 12 runs (95%: 0.31 to 0.81)");
     assert_eq!(Share::new(9, 9).enclosure(), "[0.700, 1.000]");
 }
 
