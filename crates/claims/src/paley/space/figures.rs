@@ -329,11 +329,13 @@ fn examine_tracking_figure(variant: &ReferenceVariant, run: &mut Run) -> Result<
         worst = worst.max(off);
     }
     run.value("share_tracking", tracked.enclosure());
+    let coupled = if variant.coupled { "one" } else { "nobody" };
     let what = format!(
-        "every heading is within {TOLERANCE} of the reference at the end of each leg in {tracked}; at most \
-         {worst:.1e} in any"
+        "K_1 = {}, {coupled} coupled to the reference: every heading is within {TOLERANCE} of it at the end of each leg in {tracked}; at most \
+         {worst:.1e} in any",
+        variant.gain
     );
-    let detail = format!("N = 12, w0 = 0, K_1 = {}, all-to-all, four legs of 320, step 0.5; {what}", variant.gain);
+    let detail = format!("N = 12, w0 = 0, all-to-all, four legs of 320, step 0.5; {what}");
     Ok(judged(tracked, TYPICAL, what, simulated("tracking", &detail, tracked.of)))
 }
 
