@@ -182,7 +182,7 @@ pub fn state_length() -> Record<StateLengthVariant> {
     )
     .altered("without t", |v| v.exponent = |n, _, constant| constant * n)
     .altered("without n", |v| v.exponent = |_, t, constant| constant * t)
-    .altered("a quarter of the length", |v| v.exponent = |n, t, constant| constant * t * n / 4)
+    .altered("two ninths of the length", |v| v.exponent = |n, t, constant| 2 * constant * t * n / 9)
 }
 
 fn check_state_length(variant: &StateLengthVariant, run: &mut Run) -> Result<Outcome, CheckError> {

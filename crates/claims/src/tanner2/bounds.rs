@@ -33,7 +33,7 @@ fn in_a_row(count: usize, spacing: (i64, i64), speed: i64) -> (Graph, State<Rati
     (Graph::path(count), state)
 }
 
-/// Agents in a row, then random states: with graphs, smaller ones first.
+/// Agents in a row, a pair that parts, then random states: with graphs, smaller ones first.
 fn states(run: &Run) -> Vec<(Graph, State<Rational>)> {
     let mut random = run.random(1);
     let mut found = Vec::new();
@@ -41,6 +41,9 @@ fn states(run: &Run) -> Vec<(Graph, State<Rational>)> {
         found.extend([(2, 1), (3, 2), (1, 1), (10, 1)].map(|spacing| in_a_row(count, spacing, 0)));
         found.push(in_a_row(count, (1, 1), 1));
     }
+    let (graph, mut parting) = in_a_row(2, (1, 1), 1);
+    parting.velocities[1][0] = rational(-1, 1);
+    found.push((graph, parting));
     // Agent 1 at the distance 10 from agent 2 and 1 from agent 3.
     let places = [(0, 0), (10, 0), (0, 1)].map(|(x, y)| [rational(x, 1), rational(y, 1)]);
     let still = places.iter().map(|_| [rational(0, 1), rational(0, 1)]).collect();

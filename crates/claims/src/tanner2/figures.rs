@@ -189,7 +189,7 @@ pub fn fig5() -> Record<FigureVariant> {
     ])
     .reading("a report of a run: typical, more than half of all runs, from connected starts and from any, since the text says neither (notes/guarantees.md)")
     .altered("with V = 1/s, which only repels", |v| v.repulsive = true)
-    .altered("links within half a metre", |v| v.readings = const { &[plain(LinkRule::Within { radius: 0.5, connected: false })] })
+    .altered("links within 1.5 m", |v| v.readings = const { &[within(1.5, ", links within 1.5 m")] })
 }
 
 pub fn fig6() -> Record<FigureVariant> {

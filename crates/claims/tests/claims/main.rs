@@ -4,4 +4,3 @@ mod attempts;
 mod motion_attempts;
 mod paley_runs;
 mod recorded;
-mod seeds;

@@ -25,8 +25,7 @@ impl Engine<'_> {
             let fork = self.flock.law().fork(&exact, &links, &ties, &[]);
             fork.map(|f| f.branches.iter().map(|b| b.map(|w| 1.0.rational(w))).collect())
         } else {
-            let still = self.grazing(state, &ties, radius);
-            self.fork(state, &ties, &still).map(|f| f.branches)
+            self.ways_on(state, &ties, &[], radius).map(|(branches, _)| branches)
         };
         branches.map_err(|error| MotionError::Fork { time: 0.0, error })
     }
@@ -40,21 +39,59 @@ impl Engine<'_> {
 
     /// By how much `|r_ij|² - R²` can be off at an event: rounding of the state and of the time.
     fn slack(&self, state: &State<f64>, pair: Pair, radius: f64) -> f64 {
-        let rate = 2.0 * PLANE.product(&state.separation(pair.0, pair.1), &state.relative_velocity(pair.0, pair.1));
+        let rate = self.rate(state, pair);
         4.0 * (rounding(state, pair, radius) + rate.abs() * f64::EPSILON * self.time)
     }
 
-    /// The ties whose distance has rate 0: if it turned, it would within rounding of `R`. Where links push apart (`V'(R²) < 0`) pairs can
-    /// switch ever faster; then as much as the integrator's tolerance allows counts as 0, and they stay at `R`.
-    fn grazing(&self, state: &State<f64>, ties: &[Pair], radius: f64) -> Vec<Pair> {
-        let accelerations = self.flock.accelerations(&self.slope, state, &self.links, &[]).unwrap_or_default();
+    /// The branches, and the ties that count as grazing in them. Where links push apart (`V'(R²) < 0`) pairs can switch ever faster; then as much as
+    /// the integrator's tolerance allows counts as rate 0, so that they stay at `R`. A pair whose rate is not 0 within rounding does so or passes: it does not turn
+    /// back at `R`.
+    fn ways_on(
+        &self,
+        state: &State<f64>,
+        ties: &[Pair],
+        given: &[Pair],
+        radius: f64,
+    ) -> Result<(Vec<Branch<f64>>, Vec<Pair>), ForkError> {
         let slope = self.slope.at(&(radius * radius)).unwrap_or(0.0);
         let least = if slope < 0.0 { 100.0 * self.options.tolerance.relative * radius * radius } else { 0.0 };
+        let [exactly, nearly] = [0.0, least].map(|least| {
+            let mut still = self.grazing(state, ties, radius, least);
+            still.extend(given.iter().filter(|pair| !still.contains(pair)).copied().collect::<Vec<_>>());
+            still
+        });
+        let passing = |pair: Pair| if self.rate(state, pair) > 0.0 { Way::Leaves } else { Way::Enters };
+        let turns = |(pair, way): &(Pair, Way<f64>)| {
+            !exactly.contains(pair) && !matches!(way, Way::Stays(_)) && *way != passing(*pair)
+        };
+        if nearly != exactly {
+            let mut branches = self.fork(state, ties, &nearly)?.branches;
+            branches.retain(|branch| !branch.ways.iter().any(turns));
+            if !branches.is_empty() {
+                return Ok((branches, nearly));
+            }
+        }
+        if exactly.is_empty() {
+            let ways = ties.iter().map(|&pair| (pair, passing(pair))).collect();
+            return Ok((vec![Branch { ways, decided: true }], exactly));
+        }
+        Ok((self.fork(state, ties, &exactly)?.branches, exactly))
+    }
+
+    /// The rate of `|r_ij|²`.
+    fn rate(&self, state: &State<f64>, (i, j): Pair) -> f64 {
+        2.0 * PLANE.product(&state.separation(i, j), &state.relative_velocity(i, j))
+    }
+
+    /// The ties whose distance has rate 0: if it turned, it would within rounding of `R`, or within `least` of `|r_ij|²`.
+    fn grazing(&self, state: &State<f64>, ties: &[Pair], radius: f64, least: f64) -> Vec<Pair> {
+        let accelerations = self.flock.accelerations(&self.slope, state, &self.links, &[]).unwrap_or_default();
+        let slope = self.slope.at(&(radius * radius)).unwrap_or(0.0);
         let grazes = |&&(i, j): &&Pair| {
-            let (r, v) = (state.separation(i, j), state.relative_velocity(i, j));
+            let v = state.relative_velocity(i, j);
             let size = |k: usize| accelerations.get(k).map_or(0.0, |a| PLANE.square(a).sqrt());
             let bend = 2.0 * (PLANE.square(&v) + radius * (size(i) + size(j))) + 8.0 * radius * radius * slope.abs();
-            let rate = 2.0 * PLANE.product(&r, &v);
+            let rate = self.rate(state, (i, j));
             rate * rate <= 2.0 * bend * least.max(4.0 * rounding(state, (i, j), radius))
         };
         ties.iter().filter(grazes).copied().collect()
@@ -86,24 +123,15 @@ impl Engine<'_> {
         }
         let state = self.state();
         let mut ties = self.ties(&state, radius);
-        let mut still = self.grazing(&state, &ties, radius);
-        still.extend(self.staying.iter().copied());
+        let mut given = self.staying.clone();
         ties.extend(self.staying.iter().copied());
         if !ties.contains(&arrival.pair) {
             ties.push(arrival.pair);
         }
-        if arrival.touches && !still.contains(&arrival.pair) {
-            still.push(arrival.pair);
-        }
+        given.extend((arrival.touches && !given.contains(&arrival.pair)).then_some(arrival.pair));
         ties.sort_by_key(|&pair| place(pair));
-        let branches = if still.is_empty() {
-            let rate = |(i, j): Pair| PLANE.product(&state.separation(i, j), &state.relative_velocity(i, j));
-            let way = |pair: Pair| if rate(pair) > 0.0 { Way::Leaves } else { Way::Enters };
-            vec![Branch { ways: ties.iter().map(|&pair| (pair, way(pair))).collect(), decided: true }]
-        } else {
-            let fork = self.fork(&state, &ties, &still);
-            fork.map_err(|error| MotionError::Fork { time: self.time, error })?.branches
-        };
+        let ways_on = self.ways_on(&state, &ties, &given, radius);
+        let (branches, still) = ways_on.map_err(|error| MotionError::Fork { time: self.time, error })?;
         self.follow(&state, branches, None, &still)
     }
 
@@ -134,8 +162,7 @@ impl Engine<'_> {
                 Way::Stays(_) => None,
                 _ => still.contains(pair).then_some(EventKind::Touch),
             };
-            let (i, j) = *pair;
-            let rate = 2.0 * PLANE.product(&state.separation(i, j), &state.relative_velocity(i, j));
+            let rate = self.rate(state, *pair);
             events.extend(kind.map(|kind| Event { time: self.time, pair: *pair, kind, rate }));
             self.linked[place(*pair)] = *way == Way::Enters;
             self.staying.retain(|other| other != pair);

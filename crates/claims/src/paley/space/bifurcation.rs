@@ -23,15 +23,15 @@ struct Trial {
     size: f64,
     /// The length of a run over the usual one: the approach to one circle is slow where `|K_1|` is large.
     lengths: usize,
-    /// Runs with `M = 12` and 8 under the printed law, from the same starts. Their means differ by a fifth to two fifths of the standard
-    /// deviation of the difference of a pair, and by five standard errors or more with so many.
+    /// Runs with `M = 12` and 8 under the printed law, from the same starts. Their means differ by a tenth to two fifths of the standard
+    /// deviation of the difference of a pair, and by more than five standard errors with so many.
     pairs: usize,
 }
 
 /// The sizes of `K_1` that are tried: in an ordinary run the first one only.
 fn trials(run: &Run) -> &'static [Trial] {
     const TRIALS: [Trial; 5] = [
-        Trial { size: 3.0, lengths: 1, pairs: 160 },
+        Trial { size: 3.0, lengths: 1, pairs: 360 },
         Trial { size: 1.0, lengths: 2, pairs: 1200 },
         Trial { size: 0.5, lengths: 2, pairs: 3000 },
         Trial { size: 5.0, lengths: 3, pairs: 300 },
@@ -49,7 +49,7 @@ pub fn fewer_clusters() -> Record<FewerVariant> {
          every K_1 < 0 tried; \"fewer\" \
          says that the mean number of clusters over the same starts decreases with the size of the zone, \
          with its whole 95% interval. Runs with the printed (29) and with the corrected one; under the \
-         printed one M = 12 and 8 differ little (by 0.24 ± 0.04 at K_1 = -3 K_0), so that 160 pairs of runs \
+         printed one M = 12 and 8 differ little (by 0.20 ± 0.02 at K_1 = -3 K_0), so that 360 pairs of runs \
          are compared. The difference is there at every gain tried, and smaller the nearer K_1 is to 0: \
          about 0.1 at -K_0, 0.06 at -K_0/2, 0.03 at -K_0/5, 0.02 at -K_0/100 (notes/paley_particles.md, \
          Figure 8). Not in every run: for every K_1 < 0, M = 2 and either law there is an exact rigid \

@@ -111,6 +111,23 @@ fn an_exact_graze_is_a_touch_and_a_choice_where_the_link_would_hold() {
     assert_eq!((kinds(&motion), motion.choices.len()), (vec![((0, 1), EventKind::Touch)], 0));
 }
 
+/// At `R = 1/2` the spring pushes a linked pair apart with `-4 V'(1/4) R = 30`. A pair that comes straight on with the speed `u` turns at
+/// the depth `u²/60` and leaves after `u/15` at its speed, but for what the alignment takes: `2 u/30` times two thirds of a part.
+#[test]
+fn a_pair_that_comes_straight_on_bounces_at_any_speed() {
+    for speed in [1e-1, 1e-2, 1e-3, 3e-4, 1e-4, 1e-5, 1e-6] {
+        let pair = [([0.5 + speed / 4.0, 0.0], [-speed, 0.0]), ([0.0, 0.0], [0.0, 0.0])];
+        let motion = run(&flock(spring(), Network::Within(0.5), &pair), 0.5);
+        assert_eq!(kinds(&motion), [((0, 1), EventKind::Link), ((0, 1), EventKind::Unlink)], "{speed}");
+        let rounding = 1e-14 / (speed * speed);
+        let inside = motion.events[1].time - motion.events[0].time;
+        assert!((inside * 15.0 / speed - 1.0).abs() < 0.1 * speed + rounding, "{speed}: {inside}");
+        let after = &motion.samples[0].state;
+        let apart = after.velocities[0][0] - after.velocities[1][0];
+        assert!((apart / speed - 1.0).abs() < 0.1 * speed + rounding, "{speed}: {apart}");
+    }
+}
+
 #[test]
 fn pairs_that_arrive_together_switch_together() {
     let triples = [
