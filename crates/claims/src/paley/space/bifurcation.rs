@@ -73,8 +73,8 @@ pub fn fewer_clusters() -> Record<FewerVariant> {
          -K_0/2, -K_0, -5 K_0 and -10 K_0 too; particles are in overlapping zones where \
          one senses the other; fewer: the mean number of clusters over the same starts decreases.")
     .altered("K_1 > 0", |v| v.sign = 1.0)
-    .altered("a zone of the same size, M = 8, in place of M = 12", |v| v.zones = [8, 8, 2])
-    .altered("a zone of the same size, M = 2, in place of M = 8", |v| v.zones = [12, 2, 2])
+    .altered("from M = 8 to M = 12, a smaller zone", |v| v.zones = [8, 12, 2])
+    .altered("from M = 2 to M = 8, a smaller zone", |v| v.zones = [12, 2, 8])
 }
 
 fn examine_fewer_clusters(variant: &FewerVariant, run: &mut Run) -> Result<Outcome, CheckError> {
