@@ -251,8 +251,10 @@ fn examine_kinks(variant: &KinkVariant, run: &mut Run) -> Result<Outcome, CheckE
     for (potential, square) in &variant.settings {
         for ties in 1..=3 {
             let (directions, places) = (random_vectors(ties, &mut random), random_vectors(ties, &mut random));
-            let rates: Vec<Rational> =
+            let mut rates: Vec<Rational> =
                 directions.iter().zip(&places).map(|(w, r)| dot(w, r) * rational(2, 1)).collect();
+            // One pair along r_ij, so that not all directions are at right angles to the distances.
+            rates[0] = square * rational(2, 1);
             cases.push((square, potential.slope(square)?, rates));
         }
     }
