@@ -43,9 +43,9 @@ impl Engine<'_> {
         4.0 * (rounding(state, pair, radius) + rate.abs() * f64::EPSILON * self.time)
     }
 
-    /// The branches, and the ties that count as grazing in them. Where links push apart (`V'(R²) < 0`) pairs can switch ever faster; then as much as
-    /// the integrator's tolerance allows counts as rate 0, so that they stay at `R`. A pair whose rate is not 0 within rounding does so or passes: it does not turn
-    /// back at `R`.
+    /// The branches, and the ties that count as grazing in them. Where links push apart (`V'(R²) < 0`) pairs can switch ever faster; then as
+    /// much as the integrator's tolerance allows counts as rate 0, so that they stay at `R`. But a pair whose rate is not 0 within rounding
+    /// stays or passes: it does not turn back.
     fn ways_on(
         &self,
         state: &State<f64>,
@@ -53,12 +53,11 @@ impl Engine<'_> {
         given: &[Pair],
         radius: f64,
     ) -> Result<(Vec<Branch<f64>>, Vec<Pair>), ForkError> {
-        let slope = self.slope.at(&(radius * radius)).unwrap_or(0.0);
-        let least = if slope < 0.0 { 100.0 * self.options.tolerance.relative * radius * radius } else { 0.0 };
+        let pushes = self.slope.at(&(radius * radius)).is_ok_and(|slope| slope < 0.0);
+        let least = if pushes { 100.0 * self.options.tolerance.relative * radius * radius } else { 0.0 };
         let [exactly, nearly] = [0.0, least].map(|least| {
-            let mut still = self.grazing(state, ties, radius, least);
-            still.extend(given.iter().filter(|pair| !still.contains(pair)).copied().collect::<Vec<_>>());
-            still
+            let grazing = self.grazing(state, ties, radius, least);
+            given.iter().copied().chain(grazing.into_iter().filter(|pair| !given.contains(pair))).collect::<Vec<_>>()
         });
         let passing = |pair: Pair| if self.rate(state, pair) > 0.0 { Way::Leaves } else { Way::Enters };
         let turns = |(pair, way): &(Pair, Way<f64>)| {
