@@ -171,7 +171,7 @@ impl Watch<'_> {
             }
             // Where the tangents at both ends meet there is a lower bound, as long as the distance bends one way.
             let lowest = || value + rate * (after - value - 2.0 * rate_after * (to - from)) / (rate - rate_after);
-            if !fresh && rate < 0.0 && rate_after > 0.0 && lowest() <= gate.max(slack) {
+            if !fresh && rate < 0.0 && rate_after >= 0.0 && lowest() <= gate.max(slack) {
                 let nearest = root(from, to, true, |t| self.on_dense(solution, t, pair).1);
                 let least = exact(solution, nearest, self.on_dense(solution, nearest, pair).0);
                 if least <= slack {
@@ -228,6 +228,13 @@ mod tests {
         for (pair, size) in [((0, 1), 3.0), ((0, 2), 50.0), ((1, 2), 50.0)] {
             let (found, known) = (watch(&[false; 3], &[]).gate(&LIST, pair), 8e3 * (1e-12 + 1e-9 * size));
             assert!((found / known - 1.0).abs() < 1e-12, "{pair:?} {found}");
+        }
+        for (at, (i, j)) in (0..6).flat_map(|at| [(0, 1), (0, 2), (1, 2)].map(|pair| (at, pair))) {
+            let mut list = [1.0; 12];
+            list[at] = -64.0;
+            let size = if at / 2 == i || at / 2 == j { 64.0 } else { 2.0 };
+            let (found, known) = (watch(&[false; 3], &[]).gate(&list, (i, j)), 8e3 * (1e-12 + 1e-9 * size));
+            assert!((found / known - 1.0).abs() < 1e-12, "{at} {i} {j}");
         }
         let near = LIST.map(|x| x / 100.0);
         let (found, known) = (watch(&[false; 3], &[]).gate(&near, (0, 1)), 8e3 * (1e-12 + 1e-9 * 2.0));
@@ -373,7 +380,7 @@ mod tests {
         // The rounding allowed is 16 eps R (3 + 0 + 2), of a square that changes by 4 times the offset.
         let slack = 16.0 * EPS * 2.0 * 5.0 / 4.0;
         assert!(matches!(pass(0.8 * slack), Some((_, (0, 1), true))) && pass(1.2 * slack).is_none());
-        assert!(matches!(pass(-0.8 * slack), Some((_, (0, 1), true))));
+        assert!(matches!(pass(-0.8 * slack), Some((time, (0, 1), true)) if (time - 3.0).abs() < 1e-8));
         for depth in [1e-12, 1e-8, 1e-4, 0.1] {
             let Some((time, (0, 1), false)) = pass(-depth) else { panic!("{depth}") };
             let half = (4.0 * depth - depth * depth).sqrt();
@@ -399,5 +406,125 @@ mod tests {
             let Some((time, (0, 1), false)) = found else { panic!("{back}: {found:?}") };
             assert!((time - back).abs() < 1e-12, "{back} {time}");
         }
+    }
+
+    /// Straight passages whose nearest place is anywhere in a part of a step, also of a pair that has been at `R` when the step began.
+    #[test]
+    fn short_visits_are_found_in_every_part_of_a_step() {
+        for (k, depth) in (0..40).flat_map(|k| [(k, 1e-10), (k, 1e-5), (k, 1e-3)]) {
+            let from = 3.0 + 0.07 * f64::from(k);
+            let list = [-from, 2.0 - depth, 0.0, 0.0, 90.0, 90.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+            let half = (4.0 * depth - depth * depth).sqrt();
+            let found = followed(&watch(&[false; 3], &[]), &list, &[0.0; 6], 9.0);
+            let Some((time, (0, 1), false)) = found else { panic!("{k} {depth}: {found:?}") };
+            assert!((time - from + half).abs() < 1e-14 / half + 1e-11, "{k} {depth}: {time}");
+        }
+        let list = [-3.0, 1.9999, 0.0, 0.0, 90.0, 90.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        assert!(followed(&watch(&[false; 3], &[(0, 1)]), &list, &[0.0; 6], 7.0).is_some());
+    }
+
+    /// One step of `1/64` with a node at `1/128`, in numbers that floats hold: an arrival just there is no touch, and a touch just there is one.
+    #[test]
+    fn what_happens_at_a_node_is_told() {
+        let at = 1.0 / 128.0;
+        let arrives = [3.0, 0.0, 0.0, 0.0, 90.0, 90.0, -128.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let found = followed(&watch(&[false; 3], &[]), &arrives, &[0.0; 6], 2.0 * at);
+        assert!(matches!(found, Some((time, (0, 1), false)) if (time - at).abs() < 1e-15), "{found:?}");
+        let touches = [-1.0, 2.0, 0.0, 0.0, 90.0, 90.0, 128.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        for until in [at, 2.0 * at] {
+            let found = followed(&watch(&[false; 3], &[]), &touches, &[0.0; 6], until);
+            assert!(matches!(found, Some((time, (0, 1), true)) if (time - at).abs() < 1e-15), "{until} {found:?}");
+        }
+    }
+
+    /// A short step: the third agent comes to `R` before the first one, which only touches, is nearest to the second.
+    #[test]
+    fn an_arrival_before_a_touch_comes_first() {
+        let slack = 16.0 * EPS * 2.0 * 4.0 / 4.0;
+        let list = [-1e-5, 2.0 - 0.8 * slack, 0.0, 0.0, -2.0 - 0.99e-5, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+        let found = followed(&watch(&[false; 3], &[]), &list, &[0.0; 6], 2e-5);
+        assert!(matches!(found, Some((time, (1, 2), false)) if (time - 0.99e-5).abs() < 1e-12), "{found:?}");
+    }
+
+    /// On the unit circle around the origin, past an agent at the distance `3 + offset` from its centre.
+    fn circling(_: f64, state: &[f64], rate: &mut [f64]) {
+        rate[..6].copy_from_slice(&state[6..]);
+        rate[6..].fill(0.0);
+        (rate[6], rate[7]) = (-state[0], -state[1]);
+    }
+
+    fn on_circle(angle: f64, offset: f64) -> [f64; 12] {
+        let (sin, cos) = angle.sin_cos();
+        [cos, sin, 3.0 + offset, 0.0, 90.0, 90.0, -sin, cos, 0.0, 0.0, 0.0, 0.0]
+    }
+
+    /// With a loose tolerance the dense output errs by far more than rounding; a visit is one of the solution at full order, and its time is
+    /// where that is at `R`.
+    #[test]
+    fn visits_are_those_of_the_solution_at_full_order() {
+        let tolerance = Tolerance { relative: 1e-4, absolute: 1e-4 };
+        let watch = Watch { tolerance, ..watch(&[false; 3], &[]) };
+        // Every step with its least value at full order, and the first arrival.
+        let steps = |offset: f64| {
+            let mut solution = Integrator::new(0.0, &on_circle(-1.1, offset), tolerance);
+            let (mut least, mut found) = (f64::INFINITY, None);
+            while solution.time() < 2.2 && found.is_none() {
+                solution.step(&mut circling, 2.2).expect("a step");
+                let mut copy = solution.clone();
+                let mut value = |t: f64| watch.of_list(&copy.within(&mut circling, t), (0, 1)).0;
+                let (mut a, mut b) = (solution.previous_time(), solution.time());
+                while b - a > 1e-9 {
+                    let (left, right) = (a + (b - a) / 3.0, b - (b - a) / 3.0);
+                    (a, b) = if value(left) < value(right) { (a, right) } else { (left, b) };
+                }
+                least = f64::min(least, value(a));
+                found = watch.first(&mut solution, &mut circling);
+            }
+            (least, found)
+        };
+        let (mut low, mut high) = (-1e-2, 1e-2);
+        assert!(steps(low).0 < 0.0 && steps(high).0 > 0.0);
+        while high - low > 1e-13 {
+            let middle = f64::midpoint(low, high);
+            (low, high) = if steps(middle).0 < 0.0 { (middle, high) } else { (low, middle) };
+        }
+        // Where it is least is taken from the dense output, whose error counts by its square.
+        for power in 3..8 {
+            for side in [-1.0, 1.0] {
+                let (least, found) = steps(low + side * 10f64.powi(-power));
+                assert_eq!(found.is_some(), least < 0.0, "{power} {side} {least}");
+                let Some(Arrival { list, touches: false, .. }) = found else { continue };
+                assert!(watch.of_list(&list, (0, 1)).0.abs() < 1e-13, "{power} {side}");
+            }
+        }
+    }
+
+    /// The same where the pair crosses `R` just before or after a node: the arrival is at `R`.
+    #[test]
+    fn arrivals_beside_nodes_are_at_the_radius() {
+        let tolerance = Tolerance { relative: 1e-4, absolute: 1e-4 };
+        let watch = Watch { tolerance, ..watch(&[false; 3], &[]) };
+        let list = on_circle(-1.1, -0.5);
+        let arrival = |from: f64, until: f64| {
+            let mut solution = Integrator::new(0.0, &list, tolerance);
+            while solution.time() < from {
+                solution.step(&mut circling, from).expect("a step");
+            }
+            solution.step(&mut circling, until).expect("a step");
+            (solution.time() == until).then(|| watch.first(&mut solution, &mut circling))
+        };
+        // |r|² = 1 + 25/4 - 5 cos(angle) = 4 at cos(angle) = 13/20.
+        let time = 1.1 - 0.65f64.acos();
+        let mut found = 0;
+        for k in 4..=8 {
+            for late in (0..60).flat_map(|m| [1.0, -1.0].map(|side| side * 1e-12 * 1.5f64.powi(m))) {
+                let (from, part) = (time - 0.1, 0.1 / f64::from(k));
+                let Some(Some(arrival)) = arrival(from, from + 8.0 * part * (1.0 + late)) else { continue };
+                let (side, rate) = watch.of_list(&arrival.list, (0, 1));
+                assert!(side.abs() < 1e-13 && rate < 0.0 && !arrival.touches, "{k} {late} {side}");
+                found += 1;
+            }
+        }
+        assert!(found > 300, "{found}");
     }
 }

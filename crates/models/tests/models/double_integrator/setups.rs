@@ -135,3 +135,16 @@ fn setups_have_the_numbers_of_the_papers() {
     assert_eq!(tolerance, Tolerance { relative: 1e-7, absolute: 1e-7 });
     assert_eq!((prefer, first_branch, most_events), (Prefer::Keep, None, 100_000));
 }
+
+/// A pair whose number is the probability itself is not linked.
+#[test]
+fn a_number_as_large_as_the_probability_links_nobody() {
+    let mut own = random(3);
+    let numbers: Vec<f64> = (0..60).map(|_| uniform(&mut own)).collect();
+    let setup = Setup { agents: 2, ..Setup::velocity_alignment(LinkRule::Random(numbers[1])) };
+    let connected = (0..9).find(|k| numbers[4 * k + 1] < numbers[1]).unwrap();
+    assert!(connected > 0);
+    let start = setup.draw(&mut random(3)).unwrap().start().clone();
+    let mut rest = numbers[4 * connected + 4..].iter().copied();
+    assert_near(&start, &square(2, 2.5, 1.0, &mut || rest.next().unwrap()));
+}
