@@ -216,7 +216,8 @@ fn a_passage_is_refused_where_the_distance_may_turn() {
     let Err(EnclosureError::Threshold { time, pair }) = run(0.35) else { panic!("{:?}", run(0.35)) };
     assert!(pair == (0, 1) && (0.2..0.26).contains(&time), "{pair:?} {time}");
     let mut alone = pass(0.35);
-    (alone.positions.truncate(2), alone.velocities.truncate(2));
+    alone.positions.truncate(2);
+    alone.velocities.truncate(2);
     let refused = alignment_alone().run(&alone, &[], 0.4, |_, _| {});
     assert!(matches!(refused, Err(EnclosureError::Threshold { pair: (0, 1), .. })), "{refused:?}");
 }
