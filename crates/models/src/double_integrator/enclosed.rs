@@ -194,6 +194,15 @@ impl EnclosedFlock {
         (0..count).flat_map(|j| (0..j).map(move |i| (i, j))).filter(doubtful).collect()
     }
 
+    /// The pair whose distance is nearest to the threshold, for states in the middle.
+    fn nearest(&self, states: &[FloatInterval], graph: &Graph) -> Pair {
+        let square = self.threshold.as_ref().map_or(FloatInterval::point(0.0), FloatInterval::from_rational);
+        let state = State::from_halves(states);
+        let off = |&(i, j): &Pair| (Coordinates::Cartesian.square(&state.separation(i, j)) - square).midpoint().abs();
+        let pairs = (0..graph.order()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        pairs.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or_default()
+    }
+
     /// The part of a step, from its beginning, on which the network is certain.
     fn certain_until(&self, step: &Step, graph: &Graph) -> f64 {
         let mut certain = 0.0;
@@ -222,7 +231,7 @@ impl EnclosedFlock {
         time: f64,
     ) -> Result<(Parallelepiped, Crossing, Vec<EnclosedEvent>), EnclosureError> {
         let start = set.hull();
-        let mut pair = (0, 0);
+        let mut pair = self.nearest(&start, graph);
         for power in -40..-3 {
             let to = time + 2f64.powi(power) * time.max(1.0);
             let span = FloatInterval::point(to) - FloatInterval::point(time);
@@ -267,5 +276,53 @@ impl EnclosedFlock {
             });
         }
         Ok(hull.unwrap_or_default())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use arithmetic::rational;
+
+    fn alignment_alone() -> EnclosedFlock {
+        let potential = Potential::new(Vec::new(), (rational(1, 1), rational(0, 1)));
+        EnclosedFlock { potential, threshold: Some(rational(4, 1)) }
+    }
+
+    /// Agents on a line at distances around 2: every choice of the two links counts, the middle one is pulled by neither, one or both.
+    #[test]
+    fn forces_of_all_networks_that_are_possible_are_enclosed() {
+        let [near, far] = [-0.25, 0.25];
+        let wide = |x: f64| FloatInterval::between(x + near, x + far);
+        let point = FloatInterval::point;
+        let positions = [wide(-2.0), point(0.0), wide(2.0)];
+        let speeds = [1.0, 0.0, -3.0];
+        let flat: Vec<FloatInterval> =
+            positions.into_iter().chain(speeds.map(point)).flat_map(|x| [x, point(0.0)]).collect();
+        for links in [&[][..], &[(0, 1)], &[(1, 2)], &[(0, 1), (1, 2)]] {
+            let graph = Graph::from_edges(3, links).expect("a graph");
+            let flock = alignment_alone();
+            assert_eq!(flock.doubtful(&flat, &graph), [(0, 1), (1, 2)]);
+            let rate = flock.mixed(&flat, &graph).expect("a rate");
+            let along = [6, 8, 10].map(|k| (rate[k].lo(), rate[k].hi()));
+            assert_eq!(along, [(-1.0, 0.0), (-3.0, 1.0), (0.0, 3.0)], "{links:?}");
+            assert_eq!([0, 2, 4].map(|k| rate[k]), speeds.map(point));
+        }
+    }
+
+    /// Distances 1, 5/2 and 7/2 with `R = 2`, and one of 2 in another row.
+    #[test]
+    fn the_pair_nearest_to_the_threshold_is_found() {
+        let flock = alignment_alone();
+        let flat = |places: &[[f64; 2]]| -> Vec<FloatInterval> {
+            let still = vec![[0.0; 2]; places.len()];
+            places.iter().chain(&still).flatten().map(|&x| FloatInterval::point(x)).collect()
+        };
+        let line = [[0.0, 0.0], [1.0, 0.0], [3.5, 0.0]];
+        assert_eq!(flock.nearest(&flat(&line), &Graph::empty(3)), (1, 2));
+        let four = [line[0], line[1], line[2], [3.5, 2.0]];
+        assert_eq!(flock.nearest(&flat(&four), &Graph::empty(4)), (2, 3));
+        let first = [[0.0, 0.0], [0.0, 2.0], [9.0, 0.0]];
+        assert_eq!(flock.nearest(&flat(&first), &Graph::empty(3)), (0, 1));
     }
 }

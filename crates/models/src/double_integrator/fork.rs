@@ -259,7 +259,7 @@ impl Law<'_> {
                     (Some(Sign::Positive), _) | (Some(Sign::Zero), Some(Sign::Positive)) => {}
                     (Some(Sign::Negative), _) | (_, Some(Sign::Negative)) => return Ok(None),
                     // An equilibrium stays one: its distances neither grow nor fall.
-                    (Some(Sign::Zero), _) if assignment.rests(state, &now.accelerations, pair.0) => {
+                    (Some(Sign::Zero), _) if assignment.pair_rests(state, &now.accelerations, pair) => {
                         if choice(k) != Choice::Stay {
                             return Ok(None);
                         }
@@ -293,5 +293,10 @@ impl Assignment {
         let none = |x: T| x.sign() == Some(Sign::Zero);
         let members = joined.components().into_iter().find(|members| members.contains(&agent)).unwrap_or_default();
         members.iter().all(|&i| state.relative_velocity(i, agent).into_iter().chain(accelerations[i].clone()).all(none))
+    }
+
+    /// Whether this holds on both sides of a pair, which are not joined where it parts.
+    fn pair_rests<T: Field + Signed>(&self, state: &State<T>, accelerations: &[Vector<T>], (i, j): Pair) -> bool {
+        self.rests(state, accelerations, i) && self.rests(state, accelerations, j)
     }
 }

@@ -392,3 +392,87 @@ impl<'a> Engine<'a> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::double_integrator::Potential;
+    use arithmetic::rational;
+    use motion::Tolerance;
+
+    /// Three agents, with `R = 2`, of which the first two are a little too far apart and on their way.
+    fn flock(potential: Potential) -> Flock {
+        let positions = vec![[0.0, 0.0], [2.01, 0.1], [1.5, 1.75]];
+        let velocities = vec![[0.25, 1.0], [0.5, -0.75], [-1.0, 0.5]];
+        Flock::new(Alignment::Velocity, potential, Network::Within(2.0), State { positions, velocities }).expect("fits")
+    }
+
+    /// `d²(|r|² - R²)/dt² = -4 (2 d|r|²/dt + 4 (|r|² - R²))`: errors decay like `exp(-4t)`, of one pair and of two that stay.
+    #[test]
+    fn pairs_that_stay_are_drawn_back_to_the_radius() {
+        let flock = flock(Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1)));
+        let (slope, state) = (flock.potential.slope_over(&1.0), flock.start());
+        for (links, staying) in [
+            (&[][..], &[(0, 1)][..]),
+            (&[(0, 2), (1, 2)], &[(0, 1)]),
+            (&[(1, 2)], &[(0, 1), (0, 2)]),
+            (&[], &[(0, 1), (0, 2), (1, 2)]),
+        ] {
+            let a = flock.accelerations(&slope, state, links, staying).expect("weights");
+            for &(i, j) in staying {
+                let (r, v) = (state.separation(i, j), state.relative_velocity(i, j));
+                let bend = [a[i][0] - a[j][0], a[i][1] - a[j][1]];
+                let second = 2.0 * (v[0] * v[0] + v[1] * v[1] + r[0] * bend[0] + r[1] * bend[1]);
+                let rate = 2.0 * (r[0] * v[0] + r[1] * v[1]);
+                let excess = r[0] * r[0] + r[1] * r[1] - 4.0;
+                assert!((second + 4.0 * (2.0 * rate + 4.0 * excess)).abs() < 1e-10, "{links:?} {staying:?}");
+            }
+        }
+    }
+
+    /// Without a slope at `R` the distance does not depend on the weight, which is 0 then: no acceleration, though the velocities differ across.
+    #[test]
+    fn weights_that_do_not_matter_are_zero() {
+        let flat = Potential::new(vec![(1, rational(1, 1)), (0, rational(-4, 1))], (rational(1, 1), rational(5, 1)));
+        let flock = flock(flat);
+        let state = State { positions: vec![[0.0, 0.0], [2.0, 0.0]], velocities: vec![[0.0, 1.0], [0.0, -1.0]] };
+        let found = flock.accelerations(&flock.potential.slope_over(&1.0), &state, &[], &[(0, 1)]);
+        assert_eq!(found, Ok(vec![[0.0; 2]; 2]));
+    }
+
+    /// Where a motion ends that cannot be followed the closest linked agents are told, with their distance.
+    #[test]
+    fn the_closest_linked_agents_are_told() {
+        let flock = flock(Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1)));
+        let options = Options::default();
+        let mut list = flock.start().to_list();
+        list[..6].copy_from_slice(&[0.0, 0.0, 3.0, 4.0, 0.3, -0.4]);
+        let told = |links: &[Pair]| {
+            let engine = Engine::new(&flock, links, &options, &Unwatched).expect("an engine");
+            let MotionError::Stuck { time: 1.5, closest } = engine.stuck(1.5, &list) else { panic!("stuck") };
+            closest.map(|(pair, distance)| (pair, (distance * 1e9).round() / 1e9))
+        };
+        assert_eq!(told(&[]), None);
+        assert_eq!(told(&[(0, 1)]), Some(((0, 1), 5.0)));
+        assert_eq!(told(&[(0, 1), (0, 2)]), Some(((0, 2), 0.5)));
+        assert_eq!(told(&[(0, 2), (0, 1)]), Some(((0, 2), 0.5)));
+    }
+
+    /// What a step may add to the energy is the margin of its start and the rounding at both ends, here all of one size.
+    #[test]
+    fn a_step_may_add_the_margin_and_rounding_twice() {
+        let flock = flock(Potential::inverse_square_spring(&rational(1, 1), &rational(1, 1)));
+        let links = [(0, 2), (1, 2)];
+        let options = Options { tolerance: Tolerance { relative: 1e-15, absolute: 1e-15 }, ..Options::default() };
+        let mut engine = Engine::new(&flock, &links, &options, &Unwatched).expect("an engine");
+        let (before, list) = (flock.start(), flock.start().to_list().iter().map(|x| x * 1.25).collect::<Vec<_>>());
+        let (from, one) = engine.energy.of(before, &links).expect("apart");
+        let (to, other) = engine.energy.of(&engine.state_of(&list), &links).expect("apart");
+        let margin = engine.energy.margin(before, &links, options.tolerance).expect("apart");
+        engine.log_step(before, 0.75, &list).expect("apart");
+        let rise = engine.motion.energy.rise;
+        assert_eq!((rise.change, rise.time), (to - from, 0.75));
+        assert!((rise.allowed / (margin + one + other) - 1.0).abs() < 1e-12);
+        assert!(one > 0.1 * margin && other > 0.1 * margin && one != other, "{margin} {one} {other}");
+    }
+}

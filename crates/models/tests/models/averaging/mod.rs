@@ -17,6 +17,7 @@ mod kinematic;
 mod modes;
 mod near_ties;
 mod noisy;
+mod observed;
 mod remainders;
 mod rounds;
 mod settle;

@@ -168,8 +168,10 @@ fn as_many_pairs_cross_at_once_as_are_tried() {
                 assert_eq!(run.edges, (1..=count).map(|j| (0, j)).collect::<Vec<_>>());
             }
             Err(error) => {
-                let EnclosureError::Threshold { time, .. } = error else { panic!("{error}") };
+                let EnclosureError::Threshold { time, pair } = error else { panic!("{error}") };
                 assert!(count == 4 && (2.9..=3.0).contains(&time), "{count} {error}");
+                // One of those that arrive.
+                assert!(pair.0 == 0 && (1..=4).contains(&pair.1), "{pair:?}");
             }
         }
     }
@@ -196,4 +198,26 @@ fn every_step_between_events_is_observed() {
         let known = if edges.is_empty() { -1.0 } else { -(-2.0f64).exp() };
         assert!(encloses(speed, known, 1e-9) && run.events.is_empty() && run.edges.len() == edges.len(), "{speed:?}");
     }
+}
+
+/// One passes another at the distance 19/10 with the speed 16, its place along the way known to a width: where the width is large some of the
+/// starts are already on their way out before the last one is certainly near, so that the distance is not monotone, and what follows is
+/// refused; also where another pair, that comes straight on, is certain.
+#[test]
+fn a_passage_is_refused_where_the_distance_may_turn() {
+    let pass = |width: f64| {
+        let mut start = state(&[[-50, 0], [0, 19], [500, 0], [564, 0]], &[[160, 0], [0, 0], [160, 0], [0, 0]], 10);
+        start.positions[0][0] = FloatInterval::between(-5.0 - width, -5.0 + width);
+        start
+    };
+    let run = |width: f64| alignment_alone().run(&pass(width), &[], 0.4, |_, _| {});
+    let narrow = run(0.01).expect("a motion");
+    assert!(narrow.events.iter().any(|e| e.pair == (0, 1) && e.linked), "{:?}", narrow.events);
+    let Err(EnclosureError::Threshold { time, pair }) = run(0.35) else { panic!("{:?}", run(0.35)) };
+    assert!(pair == (0, 1) && (0.2..0.26).contains(&time), "{pair:?} {time}");
+    let mut alone = pass(0.35);
+    alone.positions.truncate(2);
+    alone.velocities.truncate(2);
+    let refused = alignment_alone().run(&alone, &[], 0.4, |_, _| {});
+    assert!(matches!(refused, Err(EnclosureError::Threshold { pair: (0, 1), .. })), "{refused:?}");
 }

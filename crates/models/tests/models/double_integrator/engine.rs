@@ -163,6 +163,9 @@ fn runs_that_stay_end_where_none_stays() {
         let (short, end) = held().run_staying(from, &links, &[from + 0.1], &options, &Unwatched);
         assert_eq!((short.samples.len(), short.samples[0].time, end), (1, from + 0.1, Ok(())));
     }
+    let bad = Options { tolerance: Tolerance { relative: 0.0, absolute: 1e-9 }, ..options };
+    let refused = held().run_staying(0.0, &[(1, 2)], &[1.0], &bad, &Unwatched);
+    assert_eq!(refused.1, Err(MotionError::Tolerance(bad.tolerance)));
     let (none, end) = held().run_staying(3.0, &[(1, 2)], &[], &options, &Unwatched);
     assert_eq!((none.samples.len(), none.samples[0].time, end), (1, 3.0, Ok(())));
     // Without a pair that stays: one step.
@@ -189,4 +192,61 @@ fn heading_alignment_follows_its_law() {
         // The force does no work: mechanical energy stays.
         assert!((found.energy.last - found.energy.first).abs() < 1e-8);
     }
+}
+
+/// Two at rest at `R`, pulled apart by one more on each side that moves away at a speed, all on a line and symmetric. As long as the two stay, the
+/// distance `x` of the outer ones from them obeys `x'' = -x' - 2 V'(x²) x`, and the weight of the link, `(x' + 2 V'(x²) x)/(2 V'(4) 2)`, grows to 1:
+/// then they part. The time is that of the closed loop of `x` by small steps, wherever in a step of the integrator it comes.
+#[test]
+fn pairs_part_where_the_weight_would_be_more_than_one() {
+    let pull = |x: f64| 2.0 * (1.0 - 1.0 / (x * x * x * x)) * x;
+    let options = Options { prefer: Prefer::Stay, ..Options::default() };
+    for k in 0..12 {
+        let (start, speed) = (1.05 + 0.01 * f64::from(k), 2.5 - 0.03 * f64::from(k));
+        let rate = |(x, u): (f64, f64)| (u, -u - pull(x));
+        let step = |at: (f64, f64), h: f64| {
+            let by = |d: (f64, f64), h: f64| (at.0 + h * d.0, at.1 + h * d.1);
+            let one = rate(at);
+            let two = rate(by(one, h / 2.0));
+            let three = rate(by(two, h / 2.0));
+            let four = rate(by(three, h));
+            by((one.0 + 2.0 * (two.0 + three.0) + four.0, one.1 + 2.0 * (two.1 + three.1) + four.1), h / 6.0)
+        };
+        let room = |(x, u): (f64, f64)| 3.75 - u - pull(x);
+        let (mut at, mut time) = ((start, speed), 0.0);
+        for h in [1e-3, 1e-5, 1e-7] {
+            while room(step(at, h)) > 0.0 {
+                (at, time) = (step(at, h), time + h);
+            }
+        }
+        let agents = [[-1.0 - start, -1.0, 1.0, 1.0 + start], [-speed, 0.0, 0.0, speed]];
+        let [positions, velocities] = agents.map(|x| x.map(|x| [x, 0.0]).to_vec());
+        let flock =
+            Flock::new(Alignment::Velocity, spring(), Network::Within(2.0), State { positions, velocities }).unwrap();
+        let motion = flock.run(time + 0.01, &[], &options).unwrap();
+        let events: Vec<_> = motion.events.iter().map(|e| (e.pair, e.kind)).collect();
+        assert_eq!(events, [((1, 2), EventKind::Stay), ((1, 2), EventKind::Unlink)], "{k} {time}");
+        assert!((motion.events[1].time - time).abs() < 3e-7, "{k}: {} {time}", motion.events[1].time);
+    }
+}
+
+/// The steps before an arrival count, and those after it.
+#[test]
+fn steps_before_and_after_an_arrival_are_counted() {
+    let start = State { positions: vec![[5.0, 0.0], [0.0, 0.0]], velocities: vec![[-1.0, 0.0], [0.0, 0.0]] };
+    let steps = |until: f64| {
+        let flock = Flock::new(Alignment::Velocity, spring(), Network::Within(2.0), start.clone()).unwrap();
+        flock.run(until, &[], &Options::default()).unwrap().steps
+    };
+    // One more, cut short by the end.
+    assert!(steps(2.999) > 1);
+    assert_eq!(steps(3.0 + 1e-6), steps(2.999) + 1);
+}
+
+/// What is computed where nothing else is asked for.
+#[test]
+fn options_have_their_defaults() {
+    let Options { tolerance, prefer, first_branch, most_events } = Options::default();
+    assert_eq!(tolerance, Tolerance { relative: 1e-10, absolute: 1e-10 });
+    assert_eq!((prefer, first_branch, most_events), (Prefer::Keep, None, 100_000));
 }

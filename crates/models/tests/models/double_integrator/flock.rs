@@ -195,3 +195,30 @@ fn the_first_agent_without_an_acceleration_is_named() {
     }
     assert!(SwitchingFlock::new(potential, 9e149).is_ok());
 }
+
+/// The first agent without an acceleration is named wherever it is: in each place of a lattice the number 0 is next to the number 1, and the two are too
+/// fast for each other.
+#[test]
+fn the_first_agent_is_named_in_every_place() {
+    let good = lattice(5, 4, 0.2);
+    let mut flock = SwitchingFlock::new(&potentials()[0], 1.3).expect("a radius");
+    let (mut found, count) = (0, good.count());
+    for (first, second) in (0..count).flat_map(|i| (0..count).map(move |j| (i, j))) {
+        if first == second || PLANE.square(&good.separation(first, second)) > 1.4 {
+            continue;
+        }
+        let mut state = good.clone();
+        state.positions.swap(0, first);
+        state.positions.swap(1, if second == 0 { first } else { second });
+        (state.velocities[0][0], state.velocities[1][0]) = (1.7e308, -1.7e308);
+        assert_eq!(flock.start(&state), Err(FlockError::Acceleration(0)), "{first} {second}");
+        found += 1;
+    }
+    assert!(found > 40, "{found}");
+    // One coefficient of the potential that is too large, of two.
+    let large = rational(10, 1).pow(400);
+    for slope in [vec![(0, large.clone()), (-2, rational(-1, 1))], vec![(0, rational(1, 1)), (-2, -large)]] {
+        let potential = Potential::new(slope, (rational(1, 1), rational(0, 1)));
+        assert_eq!(SwitchingFlock::new(&potential, 1.0).map(|_| ()), Err(FlockError::Potential));
+    }
+}

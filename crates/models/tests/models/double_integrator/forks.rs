@@ -195,3 +195,42 @@ fn weights_that_do_not_matter_are_none() {
     assert_eq!(of(AT_REST), [Branch { ways: vec![((0, 1), Way::Stays(rational(0, 1)))], decided: true }]);
     assert_eq!(of(ACROSS), [Branch { ways: vec![((0, 1), Way::Leaves)], decided: true }]);
 }
+
+/// A pair that comes near while another one grazes is linked for it: it pulls agent 0 by `1 - 15/4`, so that `d²s/dt²` of the grazing pair is
+/// `2 (-2) (-11/4) = 11` without its own link, and 30 less with it.
+#[test]
+fn pairs_that_enter_pull_at_those_that_graze() {
+    let found = ways(&[((0, 0), (0, 0)), ((4, 0), (0, 0)), ((-4, 0), (2, 0))]);
+    assert_eq!(found.grazing, [(0, 1)]);
+    let ways: Vec<_> = found.branches.iter().map(|b| (b.ways.clone(), b.decided)).collect();
+    let both = |way| (vec![((0, 2), Way::Enters), ((0, 1), way)], true);
+    assert_eq!(ways, [Way::Leaves, Way::Enters, Way::Stays(rational(11, 30))].map(both));
+    // Nothing to be decided is decided.
+    for agents in [&[((0, 0), (1, 3)), ((4, 0), (0, 0))], &[((0, 0), (-1, 3)), ((4, 0), (0, 0))]] {
+        assert!(self::ways(agents).branches[0].decided);
+    }
+}
+
+/// One agent rests, alone. Another one at `R` from it has no velocity and no acceleration either, but is linked to a third that moves across: `a = -(v_j - v_k) - 2 V' r = 0`
+/// with `r = (0, 1/2)`, `V'(1/4) = -15` and `v_j - v_k = (0, 15)`, while its jerk is `-2 V' v - 2 V'' (2 r.v) r = (0, 450 - 1920)`. So it moves across as well,
+/// like `t³`, and leaves: what rests on one side only is no equilibrium, and the first three derivatives do not tell.
+#[test]
+fn one_side_at_rest_is_no_equilibrium() {
+    let agents = [((0, 0), (0, 0)), ((4, 0), (0, 0)), ((4, -1), (0, -30))];
+    for order in [[0, 1, 2], [1, 0, 2], [2, 1, 0]] {
+        let found = ways(&order.map(|k| agents[k]));
+        let kinds: Vec<_> = found.branches.iter().map(|b| (b.ways[0].1.clone(), b.decided)).collect();
+        assert_eq!(
+            kinds,
+            [(Way::Leaves, false), (Way::Enters, true), (Way::Stays(rational(0, 1)), false)],
+            "{order:?}"
+        );
+    }
+    // The same by following it: without the link the distance grows like the square of the way across.
+    let [start, later] = [0.0, 0.004].map(|time| {
+        let motion = flock(&agents).run(time, &[time], &prefer(Prefer::Leave)).unwrap();
+        PLANE.square(&motion.samples[0].state.separation(0, 1))
+    });
+    let across = 1470.0 * 0.004f64.powi(3) / 6.0;
+    assert!(start == 4.0 && ((later - 4.0) / (across * across) - 1.0).abs() < 0.5, "{later} {across}");
+}

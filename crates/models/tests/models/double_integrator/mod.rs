@@ -13,6 +13,7 @@ mod motion;
 mod observation;
 mod potentials;
 mod rest;
+mod setups;
 mod switching;
 mod thresholds;
 

@@ -2,7 +2,8 @@
 
 use arithmetic::random::generator;
 use arithmetic::{ArithmeticError, Complex};
-use models::oscillator::{Flight, State, write_rate};
+use models::oscillator::{Flight, ParticleLaw, State, sine_of_difference, write_rate};
+use motion::{IndividualLaw, Moving};
 use std::f64::consts::{PI, TAU};
 
 fn flight(agents: &[(f64, f64, f64)]) -> Flight {
@@ -135,6 +136,7 @@ fn gaps_and_clusters_go_around_the_circle() {
 #[test]
 fn random_flights_fill_their_square() {
     let drawn = Flight::random(&mut generator("test", "flights", 0), 4000, 3.0);
+    assert_eq!((drawn.positions.len(), drawn.phases.len()), (4000, 4000));
     let all = || drawn.positions.iter().flat_map(|r| [r.re, r.im]);
     let (low, high) = (all().fold(9.0, f64::min), all().fold(-9.0, f64::max));
     assert!((-3.0..-2.99).contains(&low) && (2.99..=3.0).contains(&high), "{low} {high}");
@@ -143,4 +145,34 @@ fn random_flights_fill_their_square() {
     let phases = |f: fn(f64, f64) -> f64, from: f64| drawn.phases.iter().copied().fold(from, f);
     assert!((0.0..0.01).contains(&phases(f64::min, 9.0)) && (TAU - 0.01..=TAU).contains(&phases(f64::max, 0.0)));
     assert!((drawn.phases.iter().sum::<f64>() / 4000.0 - PI).abs() < 0.1);
+}
+
+/// The influence of one particle on another: sines of differences, and how far the centre is ahead, with any gain of the spacing; without one the
+/// frequency may be 0.
+#[test]
+fn influences_of_pairs_are_their_formulas() {
+    let angles = [0.4f64, 1.9];
+    let at = [[0.5, -1.0], [2.0, 0.25]];
+    let drift = Complex::new(0.25, -0.125);
+    let agent = |k: usize| {
+        let (sin, cos) = angles[k].sin_cos();
+        Moving { position: at[k], velocity: [cos + drift.re, sin + drift.im], further: [angles[k]] }
+    };
+    for (frequency, spacing) in [(0.5, 1.0), (0.5, 0.3), (-2.0, 0.0), (0.0, 0.0)] {
+        let law = ParticleLaw { frequency, orientation: 0.7, spacing, beacon: None, drift: drift.clone() };
+        let [found] = law.pair(&agent(0), &agent(1), |x| x).unwrap();
+        let mut turn = 0.7 * law_of_sines(angles[0], angles[1]);
+        if spacing != 0.0 {
+            let centre = |k: usize| [at[k][0] - angles[k].sin() / frequency, at[k][1] + angles[k].cos() / frequency];
+            let (own, other) = (centre(0), centre(1));
+            turn += spacing * (angles[0].cos() * (own[0] - other[0]) + angles[0].sin() * (own[1] - other[1]));
+        }
+        assert!((found - turn).abs() < 1e-14, "{frequency} {spacing}: {found} {turn}");
+    }
+}
+
+/// `sin` of the difference in the order of the law, from [`sine_of_difference`].
+fn law_of_sines(own: f64, other: f64) -> f64 {
+    let phasor = |theta: f64| Complex::new(theta.cos(), theta.sin());
+    sine_of_difference(&phasor(own), &phasor(other))
 }

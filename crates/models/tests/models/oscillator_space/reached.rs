@@ -88,3 +88,35 @@ fn one_circle_is_at_rest_and_two_are_not() {
     assert!((shape_rate(&apart.state(), &[OMEGA; 2]) - 0.3).abs() < 1e-12);
     assert!(centre_spread(&0.0, &state).is_err());
 }
+
+/// Each bound of [`Flight::forms_pattern`], from both sides, and what has no pattern.
+#[test]
+fn patterns_keep_their_bounds() {
+    let of = |phases: &[f64]| Flight { positions: Vec::new(), phases: phases.to_vec() };
+    for (phases, clusters) in [(&[][..], 0), (&[], 1), (&[1.0], 0), (&[0.0, 1.0, 2.0], 2)] {
+        assert!(!of(phases).forms_pattern(clusters, 1.0), "{phases:?}");
+    }
+    // Only one phase is off, below the others: by 5/12 from their mean, -1/12.
+    let below = of(&[0.0, 0.0, 0.0, 0.0, 0.0, -0.5]);
+    assert!(!below.forms_pattern(1, 0.25) && below.forms_pattern(1, 0.9));
+    // A sixth of the gap at most, whatever the tolerance.
+    for (share, expected) in [(0.98, true), (1.02, false)] {
+        let off = share * TAU / 24.0;
+        let phases: Vec<f64> = (0..4).flat_map(|k| [-off, off].map(|off| TAU * f64::from(k) / 4.0 + off)).collect();
+        assert_eq!(of(&phases).forms_pattern(4, 10.0), expected);
+    }
+    // All at their places, of which one has two and one none.
+    assert!(!of(&[0.0, 0.0, PI / 2.0, PI]).forms_pattern(4, 1.0));
+    assert_eq!((cluster_gap(100), cluster_gap(12), cluster_gap(0)), (TAU / 300.0, CLUSTER, CLUSTER));
+}
+
+/// Steps of 1.7 forward and back have the mean direction of a half turn, from which each is `pi - 1.7` off; one step may be off alone.
+#[test]
+fn twists_are_those_of_the_mean_step() {
+    let (m, off) = nearest_twist(&[0.0, 1.7, 3.4, 1.7]);
+    assert!(m == 2 && (off - (PI - 1.7)).abs() < 1e-12, "{m} {off}");
+    for side in [-1.0, 1.0] {
+        let (m, off) = nearest_twist(&[0.0, 0.3 * side, 0.2 * side, 0.1 * side]);
+        assert!(m == 0 && (off - 0.3).abs() < 1e-12, "{m} {off}");
+    }
+}
