@@ -17,8 +17,6 @@ mod kinematic;
 mod modes;
 mod near_ties;
 mod noisy;
-mod remainders;
-mod rounds;
 mod settle;
 mod stationary;
 mod switches;
