@@ -88,7 +88,7 @@ pub trait Experiment {
     ///
     /// # Errors
     /// As [`Experiment::steering`].
-    fn course(&self, start: Flight, every: usize) -> Result<Vec<(f64, Flight)>, ArithmeticError> {
+    fn trajectory(&self, start: Flight, every: usize) -> Result<Vec<(f64, Flight)>, ArithmeticError> {
         let every = every.max(1);
         let mut states = vec![(0.0, start.clone())];
         let mut flight = start;
