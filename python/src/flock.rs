@@ -38,58 +38,58 @@ fn read(text: &str) -> PyResult<FlockFile> {
 /// Refuses what is no flock; the declaration and the number of birds.
 #[pyfunction]
 pub fn flock_check(text: &str) -> PyResult<(String, usize)> {
-    let course = Course::new(read(text)?.model).map_err(refuse)?;
-    Ok((course.declaration(), course.network().order()))
+    let trajectory = Trajectory::new(read(text)?.model).map_err(refuse)?;
+    Ok((trajectory.declaration(), trajectory.network().order()))
 }
 
 /// A flock of either model with its constant control.
-enum Course {
+enum Trajectory {
     D(Box<Flock>, Option<RationalMatrix>),
     K(Box<KinematicFlock>, Option<Vec<Rational>>),
 }
 
-impl Course {
+impl Trajectory {
     fn new(model: Model) -> Result<Self, String> {
         let told = |error: flockproof::averaging::FlockError| error.to_string();
         Ok(match model {
-            Model::D { start, control } => Course::D(Box::new(Flock::new(&start).map_err(told)?), control),
-            Model::K { start, control } => Course::K(Box::new(KinematicFlock::new(&start).map_err(told)?), control),
+            Model::D { start, control } => Trajectory::D(Box::new(Flock::new(&start).map_err(told)?), control),
+            Model::K { start, control } => Trajectory::K(Box::new(KinematicFlock::new(&start).map_err(told)?), control),
         })
     }
 
     fn declaration(&self) -> String {
         match self {
-            Course::D(flock, control) => declaration(flock, control.as_ref()),
-            Course::K(flock, kappa) => kinematic_declaration(flock, kappa.as_deref()),
+            Trajectory::D(flock, control) => declaration(flock, control.as_ref()),
+            Trajectory::K(flock, kappa) => kinematic_declaration(flock, kappa.as_deref()),
         }
     }
 
     fn step(&mut self) -> Result<Option<Switch>, String> {
         match self {
-            Course::D(flock, control) => flock.step_controlled(|_| control.clone()),
-            Course::K(flock, kappa) => flock.step_controlled(|_| kappa.clone()),
+            Trajectory::D(flock, control) => flock.step_controlled(|_| control.clone()),
+            Trajectory::K(flock, kappa) => flock.step_controlled(|_| kappa.clone()),
         }
         .map_err(|error| error.to_string())
     }
 
     fn network(&self) -> &Graph {
         match self {
-            Course::D(flock, _) => flock.network(),
-            Course::K(flock, _) => flock.network(),
+            Trajectory::D(flock, _) => flock.network(),
+            Trajectory::K(flock, _) => flock.network(),
         }
     }
 
     fn weights(&self) -> &Weights {
         match self {
-            Course::D(flock, _) => flock.weights(),
-            Course::K(..) => &Weights::Vicsek,
+            Trajectory::D(flock, _) => flock.weights(),
+            Trajectory::K(..) => &Weights::Vicsek,
         }
     }
 
     fn denominator_bits(&self) -> u64 {
         match self {
-            Course::D(flock, _) => flock.denominator_bits(),
-            Course::K(flock, _) => flock.denominator_bits(),
+            Trajectory::D(flock, _) => flock.denominator_bits(),
+            Trajectory::K(flock, _) => flock.denominator_bits(),
         }
     }
 
@@ -97,14 +97,14 @@ impl Course {
     fn state(&self) -> Option<(Vec<Vec<Ratio>>, Vec<Vec<Ratio>>)> {
         let pairs = |rows: Vec<Vec<Rational>>| rows.into_iter().map(|r| r.into_iter().map(pair).collect()).collect();
         match self {
-            Course::D(flock, _) => Some((pairs(flock.positions()), pairs(flock.velocities()))),
-            Course::K(..) => None,
+            Trajectory::D(flock, _) => Some((pairs(flock.positions()), pairs(flock.velocities()))),
+            Trajectory::K(..) => None,
         }
     }
 
     fn why(&self, t: u64) -> String {
         match self {
-            Course::D(_, None) => {
+            Trajectory::D(_, None) => {
                 format!("stepped to t = {t}; `settle` decides whether the network can ever change again")
             }
             _ => format!("stepped to t = {t}; nothing is said about later times"),
@@ -114,30 +114,30 @@ impl Course {
 
 /// What `flock run` found out.
 struct Stepped {
-    course: Course,
+    trajectory: Trajectory,
     until: u64,
     observer: Observer,
     switches: Vec<Change>,
 }
 
 fn steps(
-    mut course: Course,
+    mut trajectory: Trajectory,
     until: u64,
     from: u64,
     products: bool,
     progress: &dyn Progress,
 ) -> Result<Stepped, String> {
-    let mut observer = Observer::new(course.network().order(), from, products);
+    let mut observer = Observer::new(trajectory.network().order(), from, products);
     let mut switches = Vec::new();
     for t in 1..=until {
         progress.checkpoint().map_err(|stopped| stopped.to_string())?;
-        switches.extend(course.step()?.as_ref().map(change));
-        observer.push(t, course.network(), course.weights(), progress).map_err(|error| error.to_string())?;
+        switches.extend(trajectory.step()?.as_ref().map(change));
+        observer.push(t, trajectory.network(), trajectory.weights(), progress).map_err(|error| error.to_string())?;
         if t % 1024 == 0 {
             progress.tell("steps", t, Some(until));
         }
     }
-    Ok(Stepped { course, until, observer, switches })
+    Ok(Stepped { trajectory, until, observer, switches })
 }
 
 /// Steps a flock and returns what `flock run --json` tells, as a dictionary.
@@ -153,17 +153,17 @@ pub fn flock_run<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let (until, from) = (count("until", until)?, count("from_", from)?);
     let model = read(text)?.model;
-    let run = watched(py, progress, move |watch| steps(Course::new(model)?, until, from, products, &**watch))?;
-    let Stepped { course, until, observer, switches } = run.map_err(refuse)?;
+    let run = watched(py, progress, move |watch| steps(Trajectory::new(model)?, until, from, products, &**watch))?;
+    let Stepped { trajectory, until, observer, switches } = run.map_err(refuse)?;
     let found = PyDict::new(py);
-    found.set_item("declaration", course.declaration())?;
+    found.set_item("declaration", trajectory.declaration())?;
     found.set_item("switches", switches)?;
-    found.set_item("flocks", flocks(course.network()))?;
-    found.set_item("edges", from_one(&course.network().edges()))?;
+    found.set_item("flocks", flocks(trajectory.network()))?;
+    found.set_item("edges", from_one(&trajectory.network().edges()))?;
     found.set_item("until", until)?;
-    found.set_item("denominator_bits", course.denominator_bits())?;
-    found.set_item("why", course.why(until))?;
-    found.set_item("state", if state { course.state() } else { None })?;
+    found.set_item("denominator_bits", trajectory.denominator_bits())?;
+    found.set_item("why", trajectory.why(until))?;
+    found.set_item("state", if state { trajectory.state() } else { None })?;
     found.set_item("footprint", observer.footprint().map(ToString::to_string))?;
     let stabilisers: Vec<_> = observer.stabilisers().iter().map(|s| (s.time, members(&s.members))).collect();
     found.set_item("stabilisers", stabilisers)?;

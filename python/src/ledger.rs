@@ -5,7 +5,7 @@ use super::refuse;
 use super::watch::watched;
 use flockproof::ledger::{
     CheckError, Claim, Correction, Evidence, Fault, Form, Grade, Ledger, LedgerError, Options, Outcome, Report, Run,
-    Scope, Source, Verdict, recorded, to_json, to_json_with,
+    Scope, Source, Verdict, to_json, to_json_with,
 };
 use flockproof::report::{explain as explained, ledger_origin, not_found, summary, verdict_table};
 use pyo3::prelude::*;
@@ -22,7 +22,7 @@ fn ledger() -> PyResult<Ledger> {
 #[pyfunction]
 pub fn claims() -> PyResult<Vec<Row>> {
     let ledger = ledger()?;
-    let known: BTreeMap<_, _> = recorded(flockproof::claims::RECORDED).map(|row| (row.id, row)).collect();
+    let known: BTreeMap<_, _> = ledger.recorded().map(|row| (row.id, row)).collect();
     let row = |id: &str| {
         let source = ledger.source(id);
         let (place, statement) = source.map_or_else(Default::default, |s| (s.place.clone(), s.statement.clone()));
@@ -85,7 +85,7 @@ pub fn explain(py: Python<'_>, id: String, width: usize) -> PyResult<String> {
     watched(py, None, move |watch| {
         let options = Options { progress: watch.clone(), ..Options::default() };
         let report = ledger.verify(&ids, &options, |_| {});
-        report.entries.iter().map(|entry| explained(entry, width)).collect()
+        report.entries.iter().map(|entry| explained(entry, &ledger, width)).collect()
     })
 }
 
@@ -120,7 +120,7 @@ fn judged(claims: Vec<Examined>, options: &Options) -> Result<Found, LedgerError
         ledger.expect(&id, verdict, &grades);
     }
     let report = ledger.verify(&ids, options, |_| {});
-    let explanations = report.entries.iter().map(|e| (e.id.clone(), explained(e, 80))).collect();
+    let explanations = report.entries.iter().map(|e| (e.id.clone(), explained(e, &ledger, 80))).collect();
     let (json, differences, missing, table, _) = found(&report, to_json(&report, options));
     Ok((json, differences, missing, table, explanations))
 }

@@ -41,9 +41,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
         if arguments.json {
             let configuration = json!({"command": "explain", "claim": entry.id, "full": options.full});
             let provenance = Provenance::new("flockproof.explain/1", Some(&options.seed), configuration);
-            output::print_json(&provenance.stamp(explanation(entry)))?;
+            output::print_json(&provenance.stamp(explanation(entry, &ledger)))?;
         } else {
-            let text = explain(entry, output::width()) + &textwrap::fill(&checked(&report, &options), output::width());
+            let text = explain(entry, &ledger, output::width())
+                + &textwrap::fill(&checked(&report, &options), output::width());
             output::print(&(text + "\n"))?;
         }
     }

@@ -1,8 +1,7 @@
 //! `list`: claims by words, paper, verdict, fault, grade and scope, from what is recorded.
 
 use super::{CliError, output, verify};
-use flockproof::claims::RECORDED;
-use flockproof::ledger::{Grade, Verdict, recorded};
+use flockproof::ledger::{Grade, Verdict};
 use flockproof::report::{Listing, Provenance, Query, SCOPES, catalogue, catalogue_text};
 use serde_json::json;
 use std::collections::BTreeSet;
@@ -50,10 +49,10 @@ fn known<'a>(option: &str, asked: &[String], known: impl IntoIterator<Item = &'a
     }
 }
 
-fn query(arguments: &Arguments, all: &[Listing]) -> Result<Query, CliError> {
-    known("paper", &arguments.paper, all.iter().map(Listing::paper))?;
+fn query(arguments: &Arguments, all: &[Listing<'_>]) -> Result<Query, CliError> {
+    known("paper", &arguments.paper, all.iter().map(|claim| claim.paper()))?;
     known("verdict", &arguments.verdict, Verdict::ALL.map(Verdict::word))?;
-    known("fault", &arguments.fault, recorded(RECORDED).map(|row| row.fault).filter(|f| *f != "-").chain(["none"]))?;
+    known("fault", &arguments.fault, all.iter().filter_map(Listing::fault).chain(["none"]))?;
     known("grade", &arguments.grade, Grade::ALL.map(Grade::word))?;
     known("scope", &arguments.scope, SCOPES)?;
     Ok(Query {
@@ -67,9 +66,10 @@ fn query(arguments: &Arguments, all: &[Listing]) -> Result<Query, CliError> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode, CliError> {
-    let all = catalogue(&verify::ledger()?);
+    let ledger = verify::ledger()?;
+    let all = catalogue(&ledger);
     let query = query(arguments, &all)?;
-    let found: Vec<&Listing> = all.iter().filter(|claim| query.matches(claim)).collect();
+    let found: Vec<&Listing<'_>> = all.iter().filter(|claim| query.matches(claim)).collect();
     if arguments.json {
         let configuration = json!({
             "command": "list", "words": query.words, "paper": query.papers, "verdict": query.verdicts,

@@ -12,12 +12,12 @@ mod beyond;
 pub mod certificates;
 mod chazelle;
 mod evidence;
-pub mod paley;
+mod paley;
 mod prelude;
 mod shares;
 mod tanner1;
 mod tanner2;
-pub mod veerman;
+mod veerman;
 
 use arithmetic::{Rational, parse_rational, rational};
 use ledger::{CheckError, Ledger, LedgerError};

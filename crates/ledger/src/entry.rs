@@ -1,7 +1,7 @@
 //! What the ledger says about one claim; the JSON of `verify --json`.
 
 use super::Fault;
-use arithmetic::{Interval, decimals};
+use arithmetic::{ArithmeticError, Interval, RealCyclotomic, decimals};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -258,4 +258,15 @@ impl Entry {
 pub fn interval_value(x: &Interval, digits: u32) -> String {
     let (lo, hi) = decimals(x, digits);
     format!("[{lo}, {hi}]")
+}
+
+/// A number of a real cyclotomic field as a value of the ledger: exactly where it is rational, otherwise enclosed to 12 digits.
+///
+/// # Errors
+/// [`ArithmeticError`] where it cannot be enclosed.
+pub fn exact_value(x: &RealCyclotomic) -> Result<String, ArithmeticError> {
+    Ok(match x.rational_value() {
+        Some(q) => q.to_string(),
+        None => interval_value(&x.enclose(80)?, 12),
+    })
 }

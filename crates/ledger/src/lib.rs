@@ -16,7 +16,7 @@ mod tables;
 
 pub use claim::{CheckError, Claim, Correction, Fault, Form, Outcome, Source};
 pub use document::{Document, DocumentError, to_json, to_json_with};
-pub use entry::{Controls, Entry, Evidence, Grade, Scope, Verdict, interval_value};
+pub use entry::{Controls, Entry, Evidence, Grade, Scope, Verdict, exact_value, interval_value};
 pub use judge::correction_id;
 pub use proofs::Proofs;
 pub use record::Record;

@@ -3,8 +3,8 @@
 use super::judge::{CORRECTED, Examined, Judge, correction_id};
 use super::proofs::{NoProofs, join};
 use super::{
-    CheckError, Claim, Controls, Correction, Entry, Evidence, Fault, Form, Grade, Proofs, Run, Source, Verdict, listed,
-    recorded,
+    CheckError, Claim, Controls, Correction, Entry, Evidence, Fault, Form, Grade, Proofs, Recorded, Run, Source,
+    Verdict, listed, recorded,
 };
 use arithmetic::{Progress, Unwatched};
 use std::collections::{BTreeMap, BTreeSet, btree_map};
@@ -136,6 +136,14 @@ impl Ledger {
             (row.id.to_string(), expected)
         }));
         self
+    }
+
+    /// The verdicts that came with [`Ledger::with_record`], by id.
+    pub fn recorded(&self) -> impl Iterator<Item = Recorded<'_>> {
+        self.expected.iter().filter_map(|(id, row)| {
+            let (fault, reach) = row.more.as_ref()?;
+            Some(Recorded { id, verdict: &row.verdict, fault, reach, grades: &row.grades })
+        })
     }
 
     /// The same with proofs, which join the evidence.

@@ -2,8 +2,8 @@
 //!
 //! Each step is looked at in [`PARTS`] equal parts of the dense output. Only functions that can fall to zero in a part are examined in it. A
 //! function falls in a part where it is negative at the end, or where it decreases at the beginning and increases at the
-//! end, and its least value is negative. So near-grazing falls are not missed as long as each function, not the least of
-//! all, has at most one minimum in a part. The first fall is then refined on states of full order, each by a step from the
+//! end, and its least value is negative. So near-grazing crossings are not missed as long as each function, not the least of
+//! all, has at most one minimum in a part. The first crossing is then refined on states of full order, each by a step from the
 //! beginning of the step, not on the dense output.
 
 use super::{IntegrationError, Integrator, VectorField, golden};
@@ -18,7 +18,7 @@ const SECTIONS: usize = 60;
 /// Steps of the search for a root.
 const MOST_ITERATIONS: usize = 100;
 
-/// Falls that the dense output puts within this part of a step's part are compared on states of full order.
+/// Crossings that the dense output puts within this part of a step's part are compared on states of full order.
 const WINDOW: f64 = 1e-4;
 
 /// A function of the state that is positive, however little, until its event.
@@ -29,7 +29,7 @@ pub trait Margin {
 
 /// The first time at which a function falls to zero.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Fall {
+pub struct Crossing {
     /// When.
     pub time: f64,
     /// The state then: a function is zero or negative there.
@@ -38,16 +38,16 @@ pub struct Fall {
 
 /// Steps forward until a function falls to zero or `until` is reached. `near(state, moved)` gives the functions that can fall while no
 /// component of the state moves by more than `moved`: they are asked for at the beginning of each part of a step, where `moved` is twice the
-/// largest movement in any part of the step. After a fall, continue with a new [`Integrator`] from its state.
+/// largest movement in any part of the step. After a crossing, continue with a new [`Integrator`] from its state.
 ///
 /// # Errors
 /// [`IntegrationError`].
-pub fn next_fall<M: Margin>(
+pub fn next_crossing<M: Margin>(
     field: &mut impl VectorField,
     solution: &mut Integrator,
     until: f64,
     near: impl Fn(&[f64], &[f64]) -> Vec<M>,
-) -> Result<Option<Fall>, IntegrationError> {
+) -> Result<Option<Crossing>, IntegrationError> {
     while solution.time() < until {
         solution.step(field, until)?;
         let (from, to) = (solution.previous_time(), solution.time());
@@ -57,41 +57,41 @@ pub fn next_fall<M: Margin>(
         let moved: Vec<f64> = (0..nodes[0].len()).map(|c| 2.0 * movement(c)).collect();
         for k in 0..PARTS {
             let margins = near(&nodes[k], &moved);
-            let fall = in_part(field, solution, (time(k), time(k + 1)), &nodes[k + 1], &margins);
-            if fall.is_some() {
-                return Ok(fall);
+            let crossing = in_part(field, solution, (time(k), time(k + 1)), &nodes[k + 1], &margins);
+            if crossing.is_some() {
+                return Ok(crossing);
             }
         }
     }
     Ok(None)
 }
 
-/// The first fall in a part of the last step, whose dense output is known.
+/// The first crossing in a part of the last step, whose dense output is known.
 fn in_part(
     field: &mut impl VectorField,
     solution: &mut Integrator,
     (from, to): (f64, f64),
     end: &[f64],
     margins: &[impl Margin],
-) -> Option<Fall> {
+) -> Option<Crossing> {
     // By the dense output, with a time at which each is negative, or nearly so.
-    let mut falls = Vec::new();
+    let mut crossings = Vec::new();
     for margin in margins {
         let dense = |t: f64| margin.value(&|c| solution.component(c, t));
         let negative = if margin.value(&|c| end[c]) < 0.0 { Some(to) } else { dip(from, to, dense) };
-        falls.extend(negative.map(|negative| (root(from, negative, false, dense), negative, margin)));
+        crossings.extend(negative.map(|negative| (root(from, negative, false, dense), negative, margin)));
     }
-    falls.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
-    for (k, &(estimate, negative, _)) in falls.iter().enumerate() {
+    crossings.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
+    for (k, &(estimate, negative, _)) in crossings.iter().enumerate() {
         // Only those that fall about then: another one near zero would hide them in the least of all.
-        let together = falls[k..].iter().take_while(|(other, ..)| *other <= estimate + WINDOW * (to - from));
+        let together = crossings[k..].iter().take_while(|(other, ..)| *other <= estimate + WINDOW * (to - from));
         let mut least = |t: f64| {
             let state = solution.within(field, t);
             together.clone().map(|(_, _, margin)| margin.value(&|c| state[c])).fold(f64::INFINITY, f64::min)
         };
         if least(negative) <= 0.0 {
             let time = root(from, negative, false, least);
-            return Some(Fall { time, state: solution.within(field, time) });
+            return Some(Crossing { time, state: solution.within(field, time) });
         }
     }
     None

@@ -23,7 +23,7 @@ pub mod validated;
 pub use cells::{CellError, CellList, first_not_finite, nearest};
 pub use descent::{first_fall, shifted, value_at};
 pub use dop853::{IntegrationError, Integrator, Tolerance, integrate};
-pub use event::{Fall, Margin, next_fall, root};
+pub use event::{Crossing, Margin, next_crossing, root};
 pub use follow_error::FollowError;
 pub use golden::golden;
 pub use individual::{IndividualFlock, IndividualLaw, Moving, Pace, Rates, Sensing, Switch, Turns};

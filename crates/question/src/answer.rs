@@ -1,9 +1,9 @@
 //! What is said about a question: verdict, evidence, counterexample, in words and as JSON.
 
 use crate::bindings::Bindings;
-use crate::decide::Outcome;
 use crate::error::QuestionError;
 use crate::names::Subject;
+use crate::outcome::Outcome;
 use crate::question::Question;
 use crate::scenario_file::is_place;
 use crate::shrink::Shrunk;

@@ -2,9 +2,8 @@
 
 use crate::bindings::{Bindings, Value};
 use crate::error::Problem;
-use crate::evaluate::{Evaluator, Failure, Measured, quantity_of};
-use crate::floats::FloatRun;
-use crate::names::{NOT_DECIDED, QUANTITIES, Quantity, Subject};
+use crate::failure::Failure;
+use crate::names::{Quantity, Subject, quantity_of, unknown_quantity};
 use crate::number::Number;
 use crate::question::Question;
 use crate::subject::flock::FlockSubject;
@@ -12,10 +11,9 @@ use crate::subject::graph::GraphSubject;
 use crate::subject::matrices;
 use crate::subject::motion::MotionSubject;
 use crate::subject::platoon::PlatoonSubject;
-use crate::syntax::{Kind, Node};
-use crate::time::{Piece, Timeline, over_time};
-use crate::truth::{Margin, Truth};
-use arithmetic::{Progress, Rational, rational};
+use crate::subject::run::FloatRun;
+use crate::timeline::{Measured, Timeline};
+use arithmetic::Progress;
 use std::cell::{OnceCell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -116,57 +114,13 @@ impl<'q> Case<'q> {
         made.as_ref().map_err(Clone::clone)
     }
 
-    fn timeline(&self) -> Result<&dyn Timeline, Failure> {
+    /// What moves, with its times.
+    pub fn timeline(&self) -> Result<&dyn Timeline, Failure> {
         Ok(match self.moving()? {
             Moving::Flock(flock) => flock.as_ref(),
             Moving::Motion(motion) => motion.as_ref(),
             Moving::Floats(run) => run,
         })
-    }
-
-    /// A property with a time operator, at time 0 or at the time of the evaluator.
-    pub fn over_time(&self, evaluator: &Evaluator, node: &Node) -> Result<(Truth, Margin), Failure> {
-        let timeline = self.timeline()?;
-        let now = Piece { from: rational(0, 1), to: Some(rational(0, 1)) };
-        if evaluator.piece.is_none() {
-            timeline.prepare(&horizon(evaluator, node)?)?;
-        }
-        over_time(timeline, evaluator, node, evaluator.piece.unwrap_or(&now))
-    }
-
-    /// A quantity at time 0.
-    pub fn initially(&self, evaluator: &Evaluator, node: &Node) -> Result<Measured, Failure> {
-        let timeline = self.timeline()?;
-        let now = Piece { from: rational(0, 1), to: Some(rational(0, 1)) };
-        if evaluator.piece.is_none() {
-            timeline.prepare(&now.from)?;
-        }
-        let moment = timeline.moment(&now)?;
-        let precision = evaluator.precision;
-        Evaluator { case: self, precision, moment: Some(moment.as_ref()), piece: Some(&now) }.measured(node)
-    }
-}
-
-/// The last time that a property looks at, bounded times only.
-pub(crate) fn horizon(evaluator: &Evaluator, node: &Node) -> Result<Rational, Failure> {
-    let zero = rational(0, 1);
-    let end = |to: &Node| match to.kind {
-        Kind::Infinity => Ok(zero.clone()),
-        _ => match evaluator.number(to)? {
-            Number::Exact(q) => Ok(q),
-            other => Err(Failure::Refused(to.at, Problem::expected("a rational number", other.text()))),
-        },
-    };
-    let most = |list: Vec<&Node>| {
-        list.into_iter().try_fold(zero.clone(), |most, node| Ok::<_, Failure>(most.max(horizon(evaluator, node)?)))
-    };
-    match &node.kind {
-        Kind::Always(_, parts) => Ok(end(&parts[1])? + horizon(evaluator, &parts[2])?),
-        Kind::Until(parts) => Ok(end(&parts[1])? + most(vec![&parts[2], &parts[3]])?),
-        Kind::Not(body) => horizon(evaluator, body),
-        Kind::And(list) | Kind::Or(list) => most(list.iter().collect()),
-        Kind::Implies(a, b) => most(vec![a, b]),
-        _ => Ok(zero.clone()),
     }
 }
 
@@ -177,20 +131,4 @@ fn missing(quantity: &Quantity) -> Failure {
         missing: quantity.subject.needs().to_string(),
     };
     Failure::Refused(0, problem)
-}
-
-/// What is wrong with a name that is no quantity of the subjects: another subject's, or none.
-pub(crate) fn unknown_quantity(owner: Option<&str>, name: &str, known: &[String]) -> Problem {
-    if let Some(quantity) = QUANTITIES.iter().find(|quantity| quantity.name == name) {
-        return Problem::NoSubject {
-            name: name.to_string(),
-            subject: quantity.subject.words(),
-            missing: quantity.subject.needs().to_string(),
-        };
-    }
-    if let Some((_, why)) = NOT_DECIDED.iter().find(|(other, _)| *other == name) {
-        return Problem::Other(format!("`{name}` is an observable of `simulate` that no question decides: {why}"));
-    }
-    let full = owner.map_or(name.to_string(), |owner| format!("{owner}.{name}"));
-    Problem::unknown("name", &full, known.iter().map(String::as_str))
 }

@@ -5,24 +5,18 @@ use crate::bindings::Bindings;
 use crate::case::Case;
 use crate::division::Division;
 use crate::error::{Problem, QuestionError};
-use crate::evaluate::{Evaluator, Failure, Measured};
+use crate::evaluate::Evaluator;
+use crate::failure::Failure;
 use crate::names::Subject;
 use crate::number::Number;
+use crate::outcome::{Decided, Judged, Outcome};
+use crate::point::FIRST_BITS;
 use crate::question::{Expression, Question};
 use crate::shrink::Shrunk;
-use crate::syntax::Node;
-use crate::truth::{Doubt, Margin, Truth};
+use crate::timeline::Measured;
+use crate::truth::{Margin, Truth};
 use arithmetic::Progress;
 use motion::side_by_side;
-
-/// Bits that every comparison is tried with first.
-pub(crate) const FIRST_BITS: u32 = 64;
-
-/// Most bits where it is known that they decide.
-const MOST_BITS: u64 = 1 << 16;
-
-/// Most bits where it is not known whether any number of them decides.
-const MOST_HOPEFUL_BITS: u64 = 1 << 11;
 
 /// Boxes that a continuum is divided into at most, for all members of the family together.
 const MOST_BOXES: u64 = 200_000;
@@ -32,46 +26,6 @@ const MOST_MOTIONS: u64 = 500;
 
 /// Least number of boxes for each member.
 const LEAST_BOXES: u64 = 64;
-
-/// What was found for one case.
-#[derive(Debug, Clone)]
-pub struct Decided {
-    /// Whether the property holds for all that the names stand for.
-    pub truth: Truth,
-    /// Encloses the smallest margin.
-    pub margin: Margin,
-    /// The same of each inequality of the property by itself.
-    pub inequalities: Vec<Margin>,
-    /// Whether `where` leaves the case out.
-    pub excluded: bool,
-    /// Members or boxes that were looked at.
-    pub boxes: u64,
-    /// Boxes that stayed undecided.
-    pub open: u64,
-    /// Names for which the property fails, confirmed.
-    pub counterexample: Option<Bindings>,
-}
-
-/// The outcome of a property over a whole family.
-#[derive(Debug, Clone)]
-pub struct Outcome {
-    /// True for all, false for some, or not known.
-    pub truth: Truth,
-    /// Encloses the smallest margin of all that were looked at.
-    pub margin: Option<Margin>,
-    /// The same of each inequality of the property by itself.
-    pub inequalities: Vec<Margin>,
-    /// Members of the family, a continuum counting as one.
-    pub total: u64,
-    /// Members, or boxes of members, that were looked at.
-    pub cases: u64,
-    /// Those that stayed undecided.
-    pub open: u64,
-    /// Whether a continuum was among them.
-    pub boxed: bool,
-    /// The first counterexample.
-    pub counterexample: Option<Bindings>,
-}
 
 impl Question {
     /// Decides the property for one case.
@@ -103,23 +57,6 @@ impl Question {
             Ok((name.clone(), value))
         };
         self.value_expressions().iter().map(value).collect()
-    }
-
-    /// Whether `where` keeps the case.
-    ///
-    /// # Errors
-    /// [`QuestionError`] also where that cannot be told.
-    pub fn is_kept(&self, bindings: &Bindings, progress: &dyn Progress) -> Result<bool, QuestionError> {
-        let Some(restriction) = &self.restriction else { return Ok(true) };
-        match self.decide_point(restriction, bindings, progress)?.truth {
-            Truth::True => Ok(true),
-            Truth::False => Ok(false),
-            Truth::Unknown(_) if !bindings.boxes().is_empty() => Ok(true),
-            Truth::Unknown(doubt) => {
-                let why = format!("`where` could not be decided for {bindings}: {}", doubt.why);
-                Err(self.at(restriction.base, Problem::Other(why)))
-            }
-        }
     }
 
     /// How many controls there are.
@@ -154,94 +91,6 @@ impl Question {
         let counterexample = (truth == Truth::False).then(|| bindings.clone());
         let open = u64::from(matches!(truth, Truth::Unknown(_)));
         Ok(Decided { truth, margin, inequalities, excluded: false, boxes: 1, open, counterexample })
-    }
-
-    /// Raises the precision until the property is decided, or that is known to be in vain.
-    pub(crate) fn decide_point(
-        &self,
-        expression: &Expression,
-        bindings: &Bindings,
-        progress: &dyn Progress,
-    ) -> Result<Judged, QuestionError> {
-        let case = Case::new(self, bindings.clone(), false, progress);
-        let mut precision = FIRST_BITS;
-        loop {
-            progress.checkpoint()?;
-            let (truth, margin) = self.judged(&case, expression, precision)?;
-            let wanted = match &truth {
-                Truth::Unknown(Doubt { bits: Some(needed), .. }) if *needed <= MOST_BITS => {
-                    needed.next_power_of_two() * 2
-                }
-                Truth::Unknown(Doubt { bits: Some(_), .. }) => MOST_HOPEFUL_BITS,
-                _ => 0,
-            };
-            if u64::from(precision) * 2 > wanted {
-                let inequalities = self.each_margin(&case, expression, precision, margin)?;
-                return Ok(Judged { truth, margin, inequalities });
-            }
-            precision *= 2;
-        }
-    }
-
-    pub(crate) fn judged(
-        &self,
-        case: &Case,
-        expression: &Expression,
-        precision: u32,
-    ) -> Result<(Truth, Margin), QuestionError> {
-        let judged = Evaluator { case, precision, moment: None, piece: None }.judge(&expression.node);
-        match judged {
-            Ok(judged) => Ok(judged),
-            Err(Failure::Open(doubt)) => Ok((Truth::Unknown(doubt), Margin::ANY)),
-            Err(failure) => Err(self.refused(failure, expression.base)),
-        }
-    }
-
-    /// The margins of the inequalities of a property one by one, that of the whole where it is one itself.
-    pub(crate) fn each_margin(
-        &self,
-        case: &Case,
-        expression: &Expression,
-        precision: u32,
-        whole: Margin,
-    ) -> Result<Vec<Margin>, QuestionError> {
-        let evaluator = Evaluator { case, precision, moment: None, piece: None };
-        let own = |node: &Node| {
-            if node.kind == expression.node.kind {
-                return Ok(whole);
-            }
-            match evaluator.judge(node) {
-                Ok((_, margin)) => Ok(margin),
-                // What another part of the property keeps from being asked here.
-                Err(Failure::Refused(..)) => Ok(Margin::of_truth(true)),
-                Err(Failure::Open(_)) => Ok(Margin::ANY),
-                Err(failure) => Err(self.refused(failure, expression.base)),
-            }
-        };
-        expression.inequalities.iter().map(own).collect()
-    }
-}
-
-/// What was found for one point.
-#[derive(Debug, Clone)]
-pub(crate) struct Judged {
-    pub truth: Truth,
-    pub margin: Margin,
-    pub inequalities: Vec<Margin>,
-}
-
-impl Decided {
-    /// Nothing was looked at yet.
-    pub(crate) fn nothing() -> Self {
-        Decided {
-            truth: Truth::True,
-            margin: Margin::of_truth(true),
-            inequalities: Vec::new(),
-            excluded: false,
-            boxes: 0,
-            open: 0,
-            counterexample: None,
-        }
     }
 }
 

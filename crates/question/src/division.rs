@@ -2,9 +2,10 @@
 
 use crate::bindings::{Bindings, Value};
 use crate::case::Case;
-use crate::decide::{Decided, FIRST_BITS, Judged};
 use crate::error::QuestionError;
 use crate::names::Subject;
+use crate::outcome::{Decided, Judged};
+use crate::point::FIRST_BITS;
 use crate::question::{Expression, Question};
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Progress, Rational};

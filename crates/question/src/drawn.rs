@@ -1,8 +1,8 @@
 //! What moves in one case, for pictures.
 
 use crate::bindings::Bindings;
-use crate::case::{Case, horizon};
-use crate::evaluate::Evaluator;
+use crate::case::Case;
+use crate::evaluate::{Evaluator, horizon};
 use crate::question::Question;
 use arithmetic::{Progress, Rational, rational};
 use models::averaging::Start;

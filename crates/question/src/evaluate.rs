@@ -1,51 +1,21 @@
 //! Values and truth of expressions in one case.
 
+mod time;
+
+pub(crate) use time::horizon;
+
 use crate::bindings::Value;
 use crate::case::Case;
 use crate::error::Problem;
-use crate::names::{FUNCTIONS, QUANTITIES, Quantity, Subject};
+use crate::failure::Failure;
+use crate::names::FUNCTIONS;
 use crate::number::{Number, Obstacle};
 use crate::syntax::{Kind, Node, Relation};
-use crate::time::Piece;
-use crate::truth::{Doubt, Margin, Truth};
-use arithmetic::{Cancelled, Interval, Sign, rational};
+use crate::timeline::{Measured, Moment, Piece};
+use crate::truth::{Margin, Truth};
+use arithmetic::{Interval, Sign, rational};
 use num_integer::Integer;
 use num_traits::Signed;
-
-/// Why an expression has no value.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Failure {
-    /// The question is wrong at this byte of the expression.
-    Refused(usize, Problem),
-    /// It could not be told yet.
-    Open(Doubt),
-    /// It was told to stop.
-    Cancelled,
-}
-
-impl From<Cancelled> for Failure {
-    fn from(_: Cancelled) -> Self {
-        Failure::Cancelled
-    }
-}
-
-impl Failure {
-    pub fn open(why: impl Into<String>, bits: Option<u64>) -> Self {
-        Failure::Open(Doubt { why: why.into(), bits })
-    }
-}
-
-/// A quantity that was measured.
-#[derive(Debug, Clone)]
-pub(crate) enum Measured {
-    Number(Number),
-    Truth(bool),
-}
-
-/// What moving quantities are measured on: a moment, or all moments of a short time at once.
-pub(crate) trait Moment {
-    fn measure(&self, quantity: &Quantity, arguments: &[Number], precision: u32) -> Result<Measured, Failure>;
-}
 
 /// Evaluates the expressions of a case at a precision, at a moment if there is one.
 pub(crate) struct Evaluator<'c, 'q> {
@@ -84,7 +54,7 @@ impl Evaluator<'_, '_> {
                 Ok((truth.negated().or(other), margin.negated().largest(own)))
             }
             Kind::Relation(first, others) => self.related(first, others),
-            Kind::Always(..) | Kind::Until(_) => self.case.over_time(self, node),
+            Kind::Always(..) | Kind::Until(_) => self.over_time(node),
             Kind::Name { .. } => self.named_truth(node),
             _ => Err(Failure::Refused(node.at, Problem::expected("something true or false", "a number"))),
         }
@@ -299,7 +269,7 @@ impl Evaluator<'_, '_> {
         let precision = self.precision;
         if name == "initial" {
             return match arguments.first() {
-                Some(inner) => self.case.initially(self, inner),
+                Some(inner) => self.initially(inner),
                 None => Err(Failure::Refused(node.at, Problem::expected("a quantity", "nothing"))),
             };
         }
@@ -335,33 +305,4 @@ impl Evaluator<'_, '_> {
         }
         Ok(Measured::Number(Number::Exact(divisor.into())))
     }
-}
-
-impl Node {
-    /// Calls `f` with this node and all below it.
-    pub(crate) fn visit<'n>(&'n self, f: &mut impl FnMut(&'n Node)) {
-        f(self);
-        match &self.kind {
-            Kind::Number(_) | Kind::Infinity => {}
-            Kind::Name { arguments, .. } => arguments.iter().for_each(|node| node.visit(f)),
-            Kind::Negated(body) | Kind::Not(body) => body.visit(f),
-            Kind::Sum(list) | Kind::Product(list) => list.iter().for_each(|(_, node)| node.visit(f)),
-            Kind::And(list) | Kind::Or(list) => list.iter().for_each(|node| node.visit(f)),
-            Kind::Power(a, b) | Kind::Implies(a, b) | Kind::Range(a, b) | Kind::Interval(a, b) => {
-                a.visit(f);
-                b.visit(f);
-            }
-            Kind::Relation(first, others) => {
-                first.visit(f);
-                others.iter().for_each(|(_, node)| node.visit(f));
-            }
-            Kind::Always(_, parts) => parts.iter().for_each(|node| node.visit(f)),
-            Kind::Until(parts) => parts.iter().for_each(|node| node.visit(f)),
-        }
-    }
-}
-
-/// The quantity of that name, of one of these subjects.
-pub(crate) fn quantity_of(name: &str, subjects: &[Subject]) -> Option<&'static Quantity> {
-    QUANTITIES.iter().find(|quantity| quantity.name == name && subjects.contains(&quantity.subject))
 }

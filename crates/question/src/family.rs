@@ -1,51 +1,23 @@
-//! What the names of `[for]` range over, and the members one after the other.
+//! The members of what the names of `[for]` range over, one after the other.
 
 use crate::bindings::{Bindings, GraphValue, Value};
 use crate::case::Case;
+use crate::domain::{Domain, Members, named};
 use crate::error::Problem;
-use crate::evaluate::{Evaluator, Failure};
+use crate::evaluate::Evaluator;
+use crate::failure::Failure;
 use crate::names::FAMILIES;
 use crate::number::Number;
 use crate::question::Question;
 use crate::subject::graph::changed_by_one_link;
-use crate::syntax::{Kind, Located, Node, parse_domain};
+use crate::syntax::{Kind, Node};
 use algebra::graph::classes::{LARGEST_CLASSES, LARGEST_DIGRAPH_CLASSES, connected_graphs, digraphs, graphs, trees};
-use algebra::graph::{Graph, NamedGraph, WeightedGraph, read::read_graph};
-use algebra::matrix::{StochasticMatrix, read::read_sequence};
-use arithmetic::{Progress, Rational, parse_rational, random, rational, shown};
+use algebra::graph::{Graph, NamedGraph};
+use algebra::matrix::StochasticMatrix;
+use arithmetic::{Progress, Rational, random, rational, shown};
 use num_traits::{One, Signed, ToPrimitive};
 use rand_chacha::rand_core::Rng;
-use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex};
-
-/// What a name ranges over, as it is written.
-#[derive(Debug, Clone)]
-pub(crate) enum Domain {
-    /// Something made of earlier names: integers, intervals, classes of graphs, one number.
-    Written(Node),
-    /// A graph or matrices that are given.
-    Given(Value),
-    /// The members of several.
-    List(Vec<(usize, Domain)>),
-}
-
-/// A name with what it ranges over and the byte of the file where that is written.
-#[derive(Debug, Clone)]
-pub(crate) struct Bound {
-    pub name: Arc<str>,
-    pub domain: Domain,
-    pub base: usize,
-}
-
-/// What sort of thing a name stands for, as far as that is known without looking at members.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Sort {
-    Integer,
-    Number,
-    Box,
-    Graph,
-    Matrices,
-}
+use std::sync::Arc;
 
 /// Which classes of graphs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -84,152 +56,6 @@ impl Class {
         match self.counts().get(order - 1) {
             Some(count) => count.to_string(),
             None => format!("more than {}", self.counts().last().copied().unwrap_or(0)),
-        }
-    }
-}
-
-/// Reads what a text ranges over; `files` gives the text of a file by its name.
-pub(crate) fn read_domain(text: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Domain, Located> {
-    let trimmed = text.trim();
-    let other = |message: String| (0, Problem::Other(message));
-    if let Some(name) = trimmed.strip_prefix("file:") {
-        let content = files(name).map_err(other)?;
-        return read_file(name, &content).map(Domain::Given).map_err(other);
-    }
-    if let Some(rest) = trimmed.strip_prefix("matrices:") {
-        return read_matrices(rest).map(|list| Domain::Given(Value::Matrices(Arc::new(list)))).map_err(other);
-    }
-    for (prefix, directed) in [("edges:", false), ("arcs:", true)] {
-        if let Some(rest) = trimmed.strip_prefix(prefix) {
-            let graph = read_arcs(rest, directed).map_err(other)?;
-            return Ok(Domain::Given(Value::Graph(Arc::new(graph))));
-        }
-    }
-    if trimmed.contains(':') {
-        let name: NamedGraph = trimmed.parse().map_err(|error| other(format!("{error}")))?;
-        return named(name).map(Domain::Given).map_err(other);
-    }
-    parse_domain(text).map(Domain::Written)
-}
-
-fn named(name: NamedGraph) -> Result<Value, String> {
-    let graph = name.build().map_err(|error| error.to_string())?;
-    Ok(Value::Graph(Arc::new(GraphValue::Named(name, graph))))
-}
-
-/// A graph, or a sequence of matrices where it is none.
-fn read_file(name: &str, text: &str) -> Result<Value, String> {
-    let graph = match read_graph(text) {
-        Ok(graph) => return Ok(Value::Graph(Arc::new(GraphValue::Weighted(graph)))),
-        Err(error) => error,
-    };
-    match read_sequence(text) {
-        Ok(list) => Ok(Value::Matrices(Arc::new(list))),
-        Err(error) => Err(format!("{name}: neither a graph ({graph}) nor stochastic matrices ({error})")),
-    }
-}
-
-fn read_matrices(text: &str) -> Result<Vec<StochasticMatrix>, String> {
-    let number = |word: &str| parse_rational(word).map_err(|error| error.to_string());
-    let row = |row: &str| row.split_whitespace().map(number).collect::<Result<Vec<Rational>, String>>();
-    let matrix = |text: &str| {
-        let rows = text.split(';').map(row).collect::<Result<Vec<_>, String>>()?;
-        StochasticMatrix::from_rows(&rows).map_err(|error| error.to_string())
-    };
-    text.split('|').map(matrix).collect()
-}
-
-/// `4:1-2,2-3`, with `*w` after an arc of another weight than 1.
-fn read_arcs(text: &str, directed: bool) -> Result<GraphValue, String> {
-    let form = || format!("`{}` is not of the form 4:1-2,2-3: vertices, edges", shown(text));
-    let (order, list) = text.split_once(':').ok_or_else(form)?;
-    let most = if directed { 1000 } else { 10_000 };
-    let order: usize = order.trim().parse().ok().filter(|n| (1..=most).contains(n)).ok_or_else(form)?;
-    let vertex = |word: &str| word.trim().parse().ok().filter(|v| (1..=order).contains(v)).map(|v: usize| v - 1);
-    let mut arcs = Vec::new();
-    for item in list.split(',').filter(|item| !item.trim().is_empty()) {
-        let (pair, weight) = item.split_once('*').unwrap_or((item, "1"));
-        let (i, j) = pair.split_once('-').ok_or_else(form)?;
-        let (i, j) = vertex(i).zip(vertex(j)).ok_or_else(form)?;
-        arcs.push((i, j, parse_rational(weight).map_err(|error| error.to_string())?));
-    }
-    let simple = !directed && arcs.iter().all(|(i, j, w)| i != j && w.is_one());
-    if simple {
-        let edges: Vec<(usize, usize)> = arcs.iter().map(|(i, j, _)| (*i, *j)).collect();
-        return Graph::from_edges(order, &edges).map(GraphValue::Simple).map_err(|error| error.to_string());
-    }
-    let mirrored = arcs.iter().filter(|(i, j, _)| !directed && i != j).map(|(i, j, w)| (*j, *i, w.clone()));
-    let all: Vec<_> = arcs.iter().cloned().chain(mirrored.collect::<Vec<_>>()).collect();
-    Ok(GraphValue::Weighted(WeightedGraph::from_arcs(order, all)))
-}
-
-impl Domain {
-    /// What sort its members are; `None` for a list of different sorts, or an unknown form.
-    pub fn sort(&self) -> Option<Sort> {
-        match self {
-            Domain::Given(Value::Graph(_)) => Some(Sort::Graph),
-            Domain::Given(Value::Matrices(_)) => Some(Sort::Matrices),
-            Domain::Given(Value::Number(_)) => Some(Sort::Number),
-            Domain::Given(Value::Box(..) | Value::Integers(..)) => Some(Sort::Box),
-            Domain::List(list) => {
-                let mut sorts = list.iter().map(|(_, domain)| domain.sort());
-                let first = sorts.next()??;
-                sorts.try_fold(first, |sort, next| match (sort, next?) {
-                    (a, b) if a == b => Some(a),
-                    (Sort::Integer, Sort::Number) | (Sort::Number, Sort::Integer) => Some(Sort::Number),
-                    _ => None,
-                })
-            }
-            Domain::Written(node) => match &node.kind {
-                Kind::Range(..) => Some(Sort::Integer),
-                Kind::Interval(..) => Some(Sort::Box),
-                Kind::Number(q) if q.is_integer() => Some(Sort::Integer),
-                Kind::Name { name, called: true, .. } => match name.as_str() {
-                    "stochastic" | "products" | "joined" | "random_products" => Some(Sort::Matrices),
-                    "integers" => Some(Sort::Box),
-                    name if FAMILIES.iter().any(|family| family.name == name) => Some(Sort::Graph),
-                    _ => Some(Sort::Number),
-                },
-                _ => Some(Sort::Number),
-            },
-        }
-    }
-
-    /// Whether it is drawn at random.
-    pub fn is_sample(&self) -> bool {
-        match self {
-            Domain::Written(Node { kind: Kind::Name { name, .. }, .. }) => name.starts_with("random"),
-            Domain::Written(_) | Domain::Given(_) => false,
-            Domain::List(list) => list.iter().any(|(_, domain)| domain.is_sample()),
-        }
-    }
-}
-
-/// Classes of graphs that were made, by kind and order.
-pub(crate) type Classes = Mutex<BTreeMap<(u8, usize), Arc<Vec<Arc<GraphValue>>>>>;
-
-/// Members without their values, as far as that helps to count them.
-#[derive(Debug)]
-pub(crate) enum Members {
-    Integers(i64, i64),
-    Graphs(Arc<Vec<Arc<GraphValue>>>),
-    Listed(Vec<Value>),
-}
-
-impl Members {
-    pub fn len(&self) -> u64 {
-        match self {
-            Members::Integers(from, to) => (to - from + 1).max(0) as u64,
-            Members::Graphs(list) => list.len() as u64,
-            Members::Listed(list) => list.len() as u64,
-        }
-    }
-
-    pub fn get(&self, k: u64) -> Option<Value> {
-        match self {
-            Members::Integers(from, _) => (k < self.len()).then(|| Value::Number(rational(from + k as i64, 1))),
-            Members::Graphs(list) => list.get(k as usize).cloned().map(Value::Graph),
-            Members::Listed(list) => list.get(k as usize).cloned(),
         }
     }
 }

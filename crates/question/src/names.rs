@@ -1,5 +1,6 @@
 //! All names that an expression may use, with what they mean: the source of `check --names` and of the page in the notes.
 
+use crate::error::Problem;
 use std::fmt::Write;
 
 /// What a quantity is measured on.
@@ -356,4 +357,25 @@ fn sections() -> Vec<(String, Vec<(String, &'static str)>)> {
     let others = NOT_DECIDED.iter().map(|(name, why)| ((*name).to_string(), *why));
     sections.push(("Observables of `simulate` that no question decides".to_string(), others.collect()));
     sections
+}
+
+/// The quantity of that name, of one of these subjects.
+pub(crate) fn quantity_of(name: &str, subjects: &[Subject]) -> Option<&'static Quantity> {
+    QUANTITIES.iter().find(|quantity| quantity.name == name && subjects.contains(&quantity.subject))
+}
+
+/// What is wrong with a name that is no quantity of the subjects: another subject's, or none.
+pub(crate) fn unknown_quantity(owner: Option<&str>, name: &str, known: &[String]) -> Problem {
+    if let Some(quantity) = QUANTITIES.iter().find(|quantity| quantity.name == name) {
+        return Problem::NoSubject {
+            name: name.to_string(),
+            subject: quantity.subject.words(),
+            missing: quantity.subject.needs().to_string(),
+        };
+    }
+    if let Some((_, why)) = NOT_DECIDED.iter().find(|(other, _)| *other == name) {
+        return Problem::Other(format!("`{name}` is an observable of `simulate` that no question decides: {why}"));
+    }
+    let full = owner.map_or(name.to_string(), |owner| format!("{owner}.{name}"));
+    Problem::unknown("name", &full, known.iter().map(String::as_str))
 }

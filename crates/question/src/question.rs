@@ -4,9 +4,9 @@ mod check;
 mod count;
 mod read;
 
+use crate::domain::{Bound, Classes, Domain, Members, Sort};
 use crate::error::{Place, Problem, QuestionError};
-use crate::evaluate::Failure;
-use crate::family::{Bound, Classes, Domain, Members, Sort};
+use crate::failure::Failure;
 use crate::names::{FUNCTIONS, QUANTITIES, Subject};
 use crate::scenario_file::ScenarioFile;
 use crate::syntax::Node;

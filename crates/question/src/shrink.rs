@@ -2,9 +2,9 @@
 
 use crate::bindings::{Bindings, Value, simplest_between};
 use crate::case::Case;
+use crate::domain::Members;
 use crate::error::QuestionError;
 use crate::evaluate::Evaluator;
-use crate::family::Members;
 use crate::number::Number;
 use crate::question::{Expression, Question};
 use crate::syntax::{Kind, Node};

@@ -423,6 +423,28 @@ impl Kind {
 }
 
 impl Node {
+    /// Calls `f` with this node and all below it.
+    pub(crate) fn visit<'n>(&'n self, f: &mut impl FnMut(&'n Node)) {
+        f(self);
+        match &self.kind {
+            Kind::Number(_) | Kind::Infinity => {}
+            Kind::Name { arguments, .. } => arguments.iter().for_each(|node| node.visit(f)),
+            Kind::Negated(body) | Kind::Not(body) => body.visit(f),
+            Kind::Sum(list) | Kind::Product(list) => list.iter().for_each(|(_, node)| node.visit(f)),
+            Kind::And(list) | Kind::Or(list) => list.iter().for_each(|node| node.visit(f)),
+            Kind::Power(a, b) | Kind::Implies(a, b) | Kind::Range(a, b) | Kind::Interval(a, b) => {
+                a.visit(f);
+                b.visit(f);
+            }
+            Kind::Relation(first, others) => {
+                first.visit(f);
+                others.iter().for_each(|(_, node)| node.visit(f));
+            }
+            Kind::Always(_, parts) => parts.iter().for_each(|node| node.visit(f)),
+            Kind::Until(parts) => parts.iter().for_each(|node| node.visit(f)),
+        }
+    }
+
     /// Writes it, in brackets where it binds less than `level`.
     fn write(&self, f: &mut fmt::Formatter<'_>, level: u8) -> fmt::Result {
         if self.kind.level() < level {

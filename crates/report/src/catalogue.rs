@@ -1,29 +1,28 @@
 //! All claims with their recorded verdicts: searched, filtered, and the ids nearest to a wrong one.
 
 use super::Figure;
-use claims::RECORDED;
-use ledger::{Ledger, LedgerError, Recorded, recorded};
+use ledger::{Ledger, LedgerError, Recorded};
 use question::nearest_ids;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// What is known of a claim without checking it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Listing {
+pub struct Listing<'a> {
     /// The id.
-    pub id: String,
+    pub id: &'a str,
     /// Where the claim stands.
-    pub place: String,
+    pub place: &'a str,
     /// The statement as printed, or for claims of our own as stated.
-    pub statement: String,
+    pub statement: &'a str,
     /// The recorded verdict, fault, reach and grades.
-    pub recorded: Recorded<'static>,
+    pub recorded: Recorded<'a>,
 }
 
 /// How far the evidence of a claim reaches, in one word: all clauses for all parameters, some of them, none, or there are no clauses.
 pub const SCOPES: [&str; 4] = ["all", "part", "instances", "none"];
 
-impl Listing {
+impl<'a> Listing<'a> {
     /// The first part of the id.
     pub fn paper(&self) -> &str {
         self.id.split('.').next().unwrap_or_default()
@@ -46,12 +45,12 @@ impl Listing {
     }
 
     /// The grades of the evidence, strongest first.
-    pub fn grades(&self) -> impl Iterator<Item = &'static str> {
+    pub fn grades(&self) -> impl Iterator<Item = &'a str> {
         self.recorded.grades.split(',').filter(|grade| !grade.is_empty())
     }
 
     /// What is wrong with a statement that fails.
-    pub fn fault(&self) -> Option<&'static str> {
+    pub fn fault(&self) -> Option<&'a str> {
         Some(self.recorded.fault).filter(|fault| *fault != "-")
     }
 
@@ -68,21 +67,18 @@ impl Listing {
             "clauses": {"for_all_parameters": whole, "total": total},
             "scope": self.scope(),
             "grades": self.grades().collect::<Vec<_>>(),
-            "figures": Figure::of_claim(&self.id).map(|figure| figure.name).collect::<Vec<_>>(),
+            "figures": Figure::of_claim(self.id).map(|figure| figure.name).collect::<Vec<_>>(),
         })
     }
 }
 
 /// All claims of the ledger, sorted by id.
-pub fn catalogue(ledger: &Ledger) -> Vec<Listing> {
-    let listing = |row: Recorded<'static>| {
-        let source = ledger.source(row.id)?;
-        let (place, statement) = (source.place.clone(), source.statement.clone());
-        Some(Listing { id: row.id.to_string(), place, statement, recorded: row })
+pub fn catalogue<'a>(ledger: &'a Ledger) -> Vec<Listing<'a>> {
+    let listing = |recorded: Recorded<'a>| {
+        let source = ledger.source(recorded.id)?;
+        Some(Listing { id: recorded.id, place: &source.place, statement: &source.statement, recorded })
     };
-    let mut all: Vec<Listing> = recorded(RECORDED).filter_map(listing).collect();
-    all.sort_by(|a, b| a.id.cmp(&b.id));
-    all
+    ledger.recorded().filter_map(listing).collect()
 }
 
 /// What is looked for; an empty list asks for nothing, and the others must all be met.
@@ -104,7 +100,7 @@ pub struct Query {
 
 impl Query {
     /// Whether a claim is looked for.
-    pub fn matches(&self, claim: &Listing) -> bool {
+    pub fn matches(&self, claim: &Listing<'_>) -> bool {
         let one_of = |asked: &[String], word: &str| asked.is_empty() || asked.iter().any(|a| a == word);
         let text = format!("{} {} {}", claim.id, claim.place, claim.statement).to_lowercase();
         self.words.iter().all(|word| text.contains(&word.to_lowercase()))
@@ -117,7 +113,7 @@ impl Query {
 }
 
 /// Two lines for each claim, of at most `width` columns: id, verdict, reach and grades; the beginning of the statement.
-pub fn catalogue_text(claims: &[&Listing], width: usize) -> String {
+pub fn catalogue_text(claims: &[&Listing<'_>], width: usize) -> String {
     let mut text = String::new();
     for claim in claims {
         let (whole, total) = claim.reach();
@@ -126,7 +122,7 @@ pub fn catalogue_text(claims: &[&Listing], width: usize) -> String {
         let grades = claim.grades().collect::<Vec<_>>().join(", ");
         let head = format!("{}  {}{fault}  {whole}/{total}  {grades}", claim.id, claim.recorded.verdict);
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{}\n    {}", cut(&head, width), cut(&claim.statement, width.saturating_sub(4)));
+        let _ = writeln!(text, "{}\n    {}", cut(&head, width), cut(claim.statement, width.saturating_sub(4)));
     }
     text
 }

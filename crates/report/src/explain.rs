@@ -1,15 +1,14 @@
 //! One claim in words.
 
 use super::Figure;
-use claims::RECORDED;
-use ledger::{Entry, Scope, correction_id, recorded};
+use ledger::{Entry, Ledger, Scope, correction_id};
 use proofs::kernel::proofs_of;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// The printed claim, verdict, derivation, counterexample, correction, evidence, controls and numbers, wrapped to
-/// `width` columns.
-pub fn explain(entry: &Entry, width: usize) -> String {
+/// `width` columns. The ledger has the verdicts that are recorded.
+pub fn explain(entry: &Entry, ledger: &Ledger, width: usize) -> String {
     let width = width.clamp(40, 120);
     let first = format!("{}  ({})", entry.id, entry.place);
     let mut text = textwrap::fill(&first, textwrap::Options::new(width).subsequent_indent("  ")) + "\n";
@@ -32,7 +31,7 @@ pub fn explain(entry: &Entry, width: usize) -> String {
     if let Some(corrected) = &entry.corrected {
         section(&mut text, width, "corrected", corrected);
         let own = correction_id(&entry.id);
-        if recorded(RECORDED).any(|row| row.id == own) {
+        if ledger.recorded().any(|row| row.id == own) {
             section(&mut text, width, "checked as", &own);
         }
     }
@@ -109,13 +108,13 @@ fn section(text: &mut String, width: usize, name: &str, body: &str) {
 
 /// The same as JSON: the entry of the ledger, and beside it the derivation, controls that were not refuted, the theorems of Coq, the
 /// claim that checks the correction, the recorded verdict, and the figures.
-pub fn explanation(entry: &Entry) -> Value {
+pub fn explanation(entry: &Entry, ledger: &Ledger) -> Value {
     let theorem = |theorem: &proofs::kernel::Theorem| {
         let statement = theorem.audited().map(|(_, text)| text.split_whitespace().collect::<Vec<_>>().join(" "));
         json!({"theorem": theorem.path(), "states": statement, "axioms": theorem.axioms.words(), "covers": theorem.covers.word()})
     };
     let own = correction_id(&entry.id);
-    let recorded_as = |id: &str| recorded(RECORDED).find(|row| row.id == id);
+    let recorded_as = |id: &str| ledger.recorded().find(|row| row.id == id);
     // Strings, numbers and lists only: this cannot fail.
     let mut document = serde_json::to_value(entry).unwrap_or_default();
     document["derivation"] = json!(entry.derivation);

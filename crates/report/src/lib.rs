@@ -8,6 +8,8 @@ mod export;
 mod figures;
 mod file;
 mod fold;
+mod page;
+mod papers;
 pub mod plot;
 mod provenance;
 pub mod shown;
@@ -26,12 +28,13 @@ pub use export::{NamedArray, NamedMatrix, matrix_files, npz};
 pub use figures::{FIGURES, Figure, FigureError};
 pub use file::File;
 pub use fold::folded;
+pub use page::Page;
 pub use provenance::{Provenance, digest, ledger_origin, version};
 pub use shown::PatternRow;
 pub use simulation::{
     events_csv, observables_csv, sample_table, simulation_arrays, simulation_pictures, simulation_summary,
     trajectory_csv,
 };
-pub use site::{Made, Page, Site, SiteError};
+pub use site::{Made, Site, SiteError};
 pub use table::{summary, verdict_table};
 pub use tracks::TracksReport;

@@ -1,7 +1,9 @@
-//! The runs behind Figures 1, 3 to 6 and 8 of Paley and others: each law with the parameters that the paper gives and those that it
-//! leaves open. The claims about these figures and the figures themselves use the same runs.
+//! What the claims and the figures share. Of Paley and others the runs behind Figures 1, 3 to 6 and 8, each law with the parameters that the
+//! paper gives and those that it leaves open, and the arrangements of Figure 2; of Veerman and others Table 1 as printed.
 
+pub mod figure2;
 mod formations;
+pub mod table1;
 mod zones;
 
 pub use formations::{
@@ -86,7 +88,7 @@ pub trait Experiment {
     ///
     /// # Errors
     /// As [`Experiment::steering`].
-    fn course(&self, start: Flight, every: usize) -> Result<Vec<(f64, Flight)>, ArithmeticError> {
+    fn trajectory(&self, start: Flight, every: usize) -> Result<Vec<(f64, Flight)>, ArithmeticError> {
         let every = every.max(1);
         let mut states = vec![(0.0, start.clone())];
         let mut flight = start;

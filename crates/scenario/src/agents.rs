@@ -2,7 +2,7 @@
 
 use super::individual::{Located, Sampling};
 use super::known::{Known, options};
-use super::links::Hold;
+use super::links::Guard;
 use super::network::{Change, Network};
 use super::observables::{Observable, min_distance, total};
 use super::potential::PairPotential;
@@ -160,12 +160,12 @@ impl Law for Agents {
         turns || self.network.switches()
     }
 
-    fn holds(&self, list: &[f64], moved: &[f64]) -> Vec<Hold> {
-        let mut holds = self.network.holds(list, moved);
+    fn guards(&self, list: &[f64], moved: &[f64]) -> Vec<Guard> {
+        let mut guards = self.network.guards(list, moved);
         if let Alignment::Headings(turns) = &self.alignment {
-            holds.extend(turns.holds(list, moved, self.network.pairs()));
+            guards.extend(turns.guards(list, moved, self.network.pairs()));
         }
-        holds
+        guards
     }
 
     fn switch(&mut self, list: &[f64]) -> Vec<Change> {

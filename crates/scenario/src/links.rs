@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 /// A condition under which everything that is held between switches is still right. The state is positions, then velocities, then
 /// headings.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Hold {
+pub(super) enum Guard {
     /// A pair is on its side of the radius.
     Side { pair: Pair, linked: bool, radius: f64, slack: f64 },
     /// Of two agents one is nearer to a third.
@@ -16,17 +16,17 @@ pub(super) enum Hold {
     HalfTurn { component: usize, less: Option<usize>, offset: f64, slack: f64 },
 }
 
-impl Margin for Hold {
+impl Margin for Guard {
     fn value(&self, at: &dyn Fn(usize) -> f64) -> f64 {
         match *self {
-            Hold::Side { pair, linked, radius, slack } => {
+            Guard::Side { pair, linked, radius, slack } => {
                 let gap = radius * radius - squared(at, pair);
                 slack + if linked { gap } else { -gap }
             }
-            Hold::Rank { agent, inner, outer, slack } => {
+            Guard::Rank { agent, inner, outer, slack } => {
                 slack + squared(at, (agent, outer)) - squared(at, (agent, inner))
             }
-            Hold::HalfTurn { component, less, offset, slack } => {
+            Guard::HalfTurn { component, less, offset, slack } => {
                 slack + PI - (at(component) - less.map_or(0.0, at) - offset).abs()
             }
         }
@@ -83,7 +83,7 @@ impl Network {
     }
 
     /// What may fail while no coordinate moves by more than `moved`.
-    pub fn holds(&self, state: &[f64], moved: &[f64]) -> Vec<Hold> {
+    pub fn guards(&self, state: &[f64], moved: &[f64]) -> Vec<Guard> {
         if !self.switches() {
             return Vec::new();
         }
@@ -99,7 +99,7 @@ impl Network {
     }
 
     /// Pairs that can come to the radius while each agent moves no farther than its reach.
-    fn sides(&self, state: &[f64], reach: &[f64], radius: f64, slack: f64) -> Vec<Hold> {
+    fn sides(&self, state: &[f64], reach: &[f64], radius: f64, slack: f64) -> Vec<Guard> {
         let most = reach.iter().fold(0.0, |most: f64, reach| most.max(*reach));
         // Distances are rounded by less than this, many times over.
         let rounding = 1e-9 * radius;
@@ -110,21 +110,21 @@ impl Network {
         let near = self.within(state, radius + 2.0 * (most + rounding));
         let apart = near.into_iter().filter(|pair| self.pairs().binary_search(pair).is_err()).map(|pair| (pair, false));
         let linked = self.pairs().iter().map(|pair| (*pair, true));
-        let hold = |(pair, linked)| Hold::Side { pair, linked, radius, slack };
-        linked.chain(apart).filter(can).map(hold).collect()
+        let guard = |(pair, linked)| Guard::Side { pair, linked, radius, slack };
+        linked.chain(apart).filter(can).map(guard).collect()
     }
 
     /// Neighbours and others that can change places while each agent moves no farther than its reach.
-    fn ranks(&self, state: &[f64], reach: &[f64], slack: f64) -> Vec<Hold> {
+    fn ranks(&self, state: &[f64], reach: &[f64], slack: f64) -> Vec<Guard> {
         let distance = |k: usize, j: usize| squared(&|c| state[c], (k, j)).sqrt();
         let most = reach.iter().fold(0.0, |most: f64, reach| most.max(*reach));
         let farthest = |k: usize| self.neighbours(k).iter().map(|&j| distance(k, j)).fold(0.0, f64::max);
         // Where others can be that may become nearer than the farthest neighbour, rounding included.
         let far: Vec<f64> = (0..self.order()).map(|k| (farthest(k) + 4.0 * most) * (1.0 + 1e-9)).collect();
         let typical = far.iter().sum::<f64>() / far.len() as f64;
-        let mut holds = Vec::new();
+        let mut guards = Vec::new();
         let Ok(cells) = CellList::new(&self.points(state), if typical > 0.0 { typical } else { 1.0 }) else {
-            return holds;
+            return guards;
         };
         for (place, &agent) in cells.numbers().iter().enumerate() {
             let near = self.neighbours(agent);
@@ -135,10 +135,10 @@ impl Network {
                 }
                 let away = square.sqrt() * (1.0 - 1e-9) - 2.0 * reach[agent] - reach[outer];
                 let can = inner.iter().filter(|&&(j, distance)| away <= distance + reach[j]);
-                holds.extend(can.map(|&(inner, _)| Hold::Rank { agent, inner, outer, slack }));
+                guards.extend(can.map(|&(inner, _)| Guard::Rank { agent, inner, outer, slack }));
             });
         }
-        holds
+        guards
     }
 
     /// Changes the links whose switch has come.
@@ -198,14 +198,14 @@ fn approach(positions: &[f64], rates: &[f64], (i, j): Pair) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Hold, Network, Rule, squared};
+    use super::{Guard, Network, Rule, squared};
     use crate::network::Pair;
     use arithmetic::random::{generator, uniform};
     use motion::Margin;
 
     fn margin(network: &Network, positions: &[f64]) -> f64 {
-        let holds = network.holds(positions, &vec![10.0; positions.len()]);
-        holds.iter().map(|hold| hold.value(&|c| positions[c])).fold(f64::INFINITY, f64::min)
+        let guards = network.guards(positions, &vec![10.0; positions.len()]);
+        guards.iter().map(|guard| guard.value(&|c| positions[c])).fold(f64::INFINITY, f64::min)
     }
 
     #[test]
@@ -234,9 +234,9 @@ mod tests {
     fn assert_watched(network: &Network, from: &[f64], to: &[f64], moved: &[f64]) {
         let order = network.order();
         let square = |list: &[f64], pair: Pair| squared(&|c| list[c], pair);
-        let holds = network.holds(from, moved);
-        let failed = |hold: &&Hold| hold.value(&|c| to[c]) < 0.0;
-        let found: Vec<String> = holds.iter().filter(failed).map(|hold| format!("{hold:?}")).collect();
+        let guards = network.guards(from, moved);
+        let failed = |guard: &&Guard| guard.value(&|c| to[c]) < 0.0;
+        let found: Vec<String> = guards.iter().filter(failed).map(|guard| format!("{guard:?}")).collect();
         let mut count = 0;
         for i in 0..order {
             match network.rule() {

@@ -2,7 +2,7 @@
 
 use super::error::{ConfigError, Problem};
 use super::individual::{Individual, Located, MOST_TOGETHER, sensing};
-use super::links::Hold;
+use super::links::Guard;
 use super::network::{Abilities, Change, Kind, Network};
 use super::observables::{CLUSTERS, Observable, min_distance, of_phases, places, total};
 use super::simulation::{Continuous, Frame, Law, Simulation};
@@ -355,8 +355,8 @@ impl Law for Particles {
         self.network.switches()
     }
 
-    fn holds(&self, state: &[f64], moved: &[f64]) -> Vec<Hold> {
-        self.network.holds(state, moved)
+    fn guards(&self, state: &[f64], moved: &[f64]) -> Vec<Guard> {
+        self.network.guards(state, moved)
     }
 
     fn switch(&mut self, state: &[f64]) -> Vec<Change> {

@@ -1,11 +1,11 @@
 //! A model on its way in time: what every model shows, and the continuous ones with their integrator and switches.
 
 use super::error::RunError;
-use super::links::Hold;
+use super::links::Guard;
 use super::network::Change;
 use super::observables::Observable;
 use arithmetic::{ArithmeticError, Progress};
-use motion::{FollowError, IntegrationError, Integrator, Tolerance, next_fall};
+use motion::{FollowError, IntegrationError, Integrator, Tolerance, next_crossing};
 use std::cell::RefCell;
 
 /// Where the agents are; lists that the model does not have are empty.
@@ -77,7 +77,7 @@ pub(super) trait Law {
     }
 
     /// What may fail, so that something has to switch, while no component of the state moves by more than `moved`.
-    fn holds(&self, _state: &[f64], _moved: &[f64]) -> Vec<Hold> {
+    fn guards(&self, _state: &[f64], _moved: &[f64]) -> Vec<Guard> {
         Vec::new()
     }
 
@@ -153,7 +153,7 @@ impl<L: Law> Continuous<L> {
             }
         };
         let moved = if law.switches() {
-            next_fall(&mut field, &mut self.solution, until, |state, moved| law.holds(state, moved))
+            next_crossing(&mut field, &mut self.solution, until, |state, moved| law.guards(state, moved))
         } else {
             self.solution.step(&mut field, until).map(|()| None)
         };
@@ -161,7 +161,7 @@ impl<L: Law> Continuous<L> {
             (IntegrationError::Stuck(time), Some(error)) => FollowError::Law { time, error },
             (error, _) => FollowError::Integration(error),
         };
-        Ok(moved.map_err(explained)?.map(|fall| (fall.time, fall.state)))
+        Ok(moved.map_err(explained)?.map(|crossing| (crossing.time, crossing.state)))
     }
 }
 

@@ -1,6 +1,6 @@
 //! What `theta_i - theta_j` means in the heading law, with the jumps of the readings held between switches.
 
-use super::links::Hold;
+use super::links::Guard;
 use super::network::Pair;
 use models::angles::modulo_turns;
 use models::double_integrator::HeadingDifference;
@@ -46,22 +46,22 @@ impl Turns {
 
     /// What may fail, so that the reading jumps, while no heading moves by more than `moved`: no heading, or difference of linked agents,
     /// leaves `(-pi, pi]`, up to rounding. The headings are the last part of the state.
-    pub fn holds(&self, state: &[f64], moved: &[f64], links: &[Pair]) -> Vec<Hold> {
+    pub fn guards(&self, state: &[f64], moved: &[f64], links: &[Pair]) -> Vec<Guard> {
         let first = state.len() - self.agents.len();
         let (headings, moved) = (&state[first..], &moved[first..]);
         let slack = slack(headings) + slack(moved);
-        let hold = |component: usize, less: Option<usize>, turns: i64| {
+        let guard = |component: usize, less: Option<usize>, turns: i64| {
             let angle = headings[component] - less.map_or(0.0, |j| headings[j]) - TAU * turns as f64;
             let reach = moved[component] + less.map_or(0.0, |j| moved[j]);
             let (component, less, offset) = (first + component, less.map(|j| first + j), TAU * turns as f64);
-            (PI - angle.abs() <= reach + slack).then_some(Hold::HalfTurn { component, less, offset, slack })
+            (PI - angle.abs() <= reach + slack).then_some(Guard::HalfTurn { component, less, offset, slack })
         };
         match self.reading {
             HeadingDifference::Unwrapped => Vec::new(),
-            HeadingDifference::Raw => (0..headings.len()).filter_map(|k| hold(k, None, self.agents[k])).collect(),
+            HeadingDifference::Raw => (0..headings.len()).filter_map(|k| guard(k, None, self.agents[k])).collect(),
             HeadingDifference::Wrapped => {
                 let turns = |pair| self.pairs.get(pair).copied().unwrap_or(0);
-                links.iter().filter_map(|pair| hold(pair.0, Some(pair.1), turns(pair))).collect()
+                links.iter().filter_map(|pair| guard(pair.0, Some(pair.1), turns(pair))).collect()
             }
         }
     }
@@ -123,8 +123,8 @@ mod tests {
 
     /// The least of all that holds, where the headings may move anywhere.
     fn margin(turns: &Turns, headings: &[f64], links: &[(usize, usize)]) -> f64 {
-        let holds = turns.holds(headings, &[10.0; 2], links);
-        holds.iter().map(|hold| hold.value(&|c| headings[c])).fold(f64::INFINITY, f64::min)
+        let guards = turns.guards(headings, &[10.0; 2], links);
+        guards.iter().map(|guard| guard.value(&|c| headings[c])).fold(f64::INFINITY, f64::min)
     }
 
     #[test]
@@ -143,7 +143,7 @@ mod tests {
         wrapped.update(&[3.0, 0.1], &links);
         assert!((wrapped.difference(&[3.0, 0.1], 0, 1) - 2.9).abs() < 1e-12);
         // Far from a jump nothing is watched, and a pair that parts and meets again is read anew.
-        assert!(wrapped.holds(&[3.0, 0.1], &[0.1; 2], &links).is_empty());
+        assert!(wrapped.guards(&[3.0, 0.1], &[0.1; 2], &links).is_empty());
         wrapped.update(&[3.0, 0.1], &[]);
         wrapped.update(&[9.5, 0.1], &links);
         assert!((wrapped.difference(&[9.5, 0.1], 0, 1) - 9.4 + std::f64::consts::TAU).abs() < 1e-12);

@@ -2,10 +2,10 @@
 
 use crate::prelude::*;
 use crate::printed_decimal;
-use crate::veerman::printed_table::{ROWS, Row};
 use crate::veerman::{enclosed, unit};
 use arithmetic::{Sign, Signed};
 use models::platoon::{Communication, accelerations, amplitude_with_first_car, chebyshev, gamma_minus_one};
+use runs::table1::{ROWS, Row};
 
 const PRECISION: u32 = 120;
 

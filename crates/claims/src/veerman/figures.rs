@@ -1,11 +1,11 @@
 //! veerman.fig4, veerman.fig5: how well Theorem 1 agrees with the resonance.
 
-use super::printed_table::{ROWS, Row};
 use super::{enclosed, gains, unit, within};
 use crate::prelude::*;
 use crate::printed_decimal;
 use arithmetic::regression_line;
 use models::platoon::{Gains, resonance, theorem1};
+use runs::table1::{ROWS, Row};
 
 const PRECISION: u32 = 120;
 const DIGITS: u32 = 24;

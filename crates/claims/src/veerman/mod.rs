@@ -9,7 +9,6 @@ pub(super) mod graphs;
 mod matrices;
 mod one_sided;
 mod peaks;
-pub mod printed_table;
 mod small_frequencies;
 mod stability;
 mod stop_and_go;

@@ -4,8 +4,9 @@ use super::{enclosed, unit};
 use crate::prelude::*;
 use algebra::matrix::{RationalMatrix, characteristic_coefficients};
 use algebra::spectrum::Polynomial;
+use arithmetic::Series;
 use models::platoon::vector_form::{characteristic_by_modes, mode_block, motion_matrix, motion_rows};
-use models::platoon::{Communication, CommunicationGraph, Gains, slowest_rate};
+use models::platoon::{Communication, CommunicationGraph, Gains, chebyshev, slowest_rate};
 
 const SYSTEMS: [Communication; 2] = [Communication::Front, Communication::FrontAndBack];
 
@@ -206,22 +207,9 @@ impl ReducedSpectrumVariant {
 
 /// `T_M(1 - x)`, primitive, with the sign of `det(xI - P)`.
 fn shifted_chebyshev(order: usize) -> Polynomial {
-    let mut previous = vec![rational(1, 1)];
-    let mut current = vec![rational(1, 1), rational(-1, 1)];
-    for _ in 1..order {
-        // T_{n+1} = 2 (1 - x) T_n - T_{n-1}.
-        let mut next = vec![rational(0, 1); current.len() + 1];
-        for (k, c) in current.iter().enumerate() {
-            next[k] += rational(2, 1) * c;
-            next[k + 1] -= rational(2, 1) * c;
-        }
-        for (k, c) in previous.iter().enumerate() {
-            next[k] -= c;
-        }
-        previous = std::mem::replace(&mut current, next);
-    }
+    let (t, _) = chebyshev(order as u64, &Series::variable(rational(-1, 1), order + 1));
     let sign = rational(if order.is_multiple_of(2) { 1 } else { -1 }, 1);
-    Polynomial::from_rationals(&current.iter().map(|c| c * &sign).collect::<Vec<_>>())
+    Polynomial::from_rationals(t.scale(&sign).coefficients())
 }
 
 /// `x² - lambda g x + sign lambda f = 0` and `x = half (lambda g ± sqrt((lambda g)² + four lambda f))`.

@@ -1,12 +1,12 @@
 //! veerman.table1_theory, veerman.table1_numeric, veerman.table1.size, veerman.sec7.omega0, veerman.sec7.system: what
 //! the columns of Table 1 are.
 
-use super::printed_table::{ROWS, Row};
 use super::{enclosed, gains, within};
 use crate::prelude::*;
 use crate::printed_decimal;
 use arithmetic::Signed;
 use models::platoon::{Communication, Gains, gain_squared_one_sided, resonance, strongest_one_sided_square, theorem1};
+use runs::table1::{ROWS, Row};
 
 const PRECISION: u32 = 120;
 

@@ -33,13 +33,13 @@ fn clusters_on_the_rim_are_sensed() {
 }
 
 #[test]
-fn courses_end_where_runs_end() {
+fn trajectories_end_where_runs_end() {
     let start = on_circle((0..12).map(|k| f64::from(k * k)));
     let motion = FourMotions { omega: OMEGA, gain: -1.0 };
-    let course = motion.course(start.clone(), 100).unwrap();
+    let trajectory = motion.trajectory(start.clone(), 100).unwrap();
     let end = motion.end(start.clone()).unwrap();
-    assert_eq!(course.len(), 6);
-    assert_eq!(course[5], (100.0, end.clone()));
+    assert_eq!(trajectory.len(), 6);
+    assert_eq!(trajectory[5], (100.0, end.clone()));
     assert!(order(&end, 1).unwrap() > 0.999_999);
     let asked = motion.until(start.clone(), (100, 500), |flight| Ok((*flight == end).then_some(()))).unwrap();
     assert_eq!(asked, Some(()));

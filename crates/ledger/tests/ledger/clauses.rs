@@ -1,8 +1,10 @@
 //! What an entry says beside its verdict: clauses, the evidence for each, fault, counterexample, controls; and that too little evidence,
 //! or another reach than the recorded one, is reported.
 
+use arithmetic::CosineField;
 use ledger::{
     CheckError, Entry, Evidence, Fault, Grade, Ledger, Options, Outcome, Record, Report, Run, Scope, Verdict,
+    exact_value,
 };
 
 /// What the check of a form says: fails, or holds with this evidence.
@@ -175,4 +177,28 @@ fn what_says_more_than_its_evidence_is_reported() {
     differs(twice, "holds\t-\t2/2\texact", &["two negative controls alter the same"]);
     let alike = record(Says::Holds(&[(&[1, 2], true)])).clauses(TWO).control("one more", Says::Fails);
     differs(alike, "holds\t-\t2/2\texact", &["two negative controls fail at one place for one reason: at 7"]);
+}
+
+/// The ledger tells the verdicts that it was given as a table, by id; what a user expects of a claim is none of them.
+#[test]
+fn recorded_verdicts_come_back() {
+    let rows =
+        "id\tverdict\tfault\treach\tgrades\ntest.b\tfalse\tslip\t1/2\texact,fuzzed\ntest.a\tholds\t-\t0/1\tkernel\n";
+    let mut ledger = Ledger::new().with_record(rows);
+    let told = |ledger: &Ledger| -> Vec<String> {
+        ledger.recorded().map(|r| [r.id, r.verdict, r.fault, r.reach, r.grades].join(" ")).collect()
+    };
+    assert_eq!(told(&ledger), ["test.a holds - 0/1 kernel", "test.b false slip 1/2 exact,fuzzed"]);
+    ledger.expect("test.b", Verdict::Holds, &[Grade::Exact]);
+    ledger.expect("test.c", Verdict::Holds, &[Grade::Exact]);
+    assert_eq!(told(&ledger), ["test.a holds - 0/1 kernel"]);
+}
+
+/// `2 cos(2 pi/6) = 1`, and `2 cos(2 pi/12) = 1.7320508075688...`.
+#[test]
+fn cyclotomic_values_are_exact_or_enclosed() {
+    let field = CosineField::new(12);
+    let twice = |k: i64| field.cos(k) + &field.cos(k);
+    assert_eq!(exact_value(&twice(2)).as_deref(), Ok("1"));
+    assert_eq!(exact_value(&twice(1)).as_deref(), Ok("[1.73205080756, 1.73205080757]"));
 }

@@ -106,7 +106,7 @@ impl Start {
 
 /// A state `x(t)`, `v(t+1)` as numerators over one unit, one row per bird.
 #[derive(Debug, Clone)]
-pub struct IntegerState {
+pub(super) struct IntegerState {
     /// Of the positions, by bird and dimension.
     pub positions: Vec<Vec<BigInt>>,
     /// Of the velocities.

@@ -1,11 +1,9 @@
 //! Names and sorts of a question, checked before anything is computed.
 
 use super::Question;
-use crate::case::unknown_quantity;
+use crate::domain::{Domain, Sort};
 use crate::error::{Problem, QuestionError};
-use crate::evaluate::quantity_of;
-use crate::family::{Domain, Sort};
-use crate::names::{FAMILIES, FUNCTIONS, Subject};
+use crate::names::{FAMILIES, FUNCTIONS, Subject, quantity_of, unknown_quantity};
 use crate::syntax::{Kind, Node};
 use arithmetic::shown;
 

@@ -2,8 +2,9 @@
 
 use super::Question;
 use crate::bindings::{Bindings, Value};
+use crate::domain::{Domain, Members};
 use crate::error::{Problem, QuestionError};
-use crate::family::{Domain, Maker, Members};
+use crate::family::Maker;
 use crate::syntax::Kind;
 use arithmetic::Progress;
 use std::sync::{Arc, OnceLock};

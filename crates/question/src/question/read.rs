@@ -2,8 +2,8 @@
 
 use super::check::Check;
 use super::{BUDGET, Expression, Files, Question};
+use crate::domain::{Bound, Classes, Domain, read_domain};
 use crate::error::{Place, Problem, QuestionError};
-use crate::family::{Bound, Classes, Domain, read_domain};
 use crate::inequalities::inequalities;
 use crate::names::FUNCTIONS;
 use crate::scenario_file::{ScenarioFile, is_place};

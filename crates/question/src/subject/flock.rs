@@ -1,10 +1,10 @@
 //! Averaging flocks (Chazelle's model D): exact, with the whole future of the network decided where that is possible.
 
 use crate::error::Problem;
-use crate::evaluate::{Failure, Measured, Moment};
+use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
-use crate::time::{Covered, Piece, Timeline};
+use crate::timeline::{Covered, Measured, Moment, Piece, Timeline};
 use crate::truth::Doubt;
 use algebra::graph::Graph;
 use arithmetic::{Progress, Rational, rational};

@@ -2,8 +2,9 @@
 
 use crate::bindings::GraphValue;
 use crate::error::Problem;
-use crate::evaluate::{Failure, Measured};
+use crate::failure::Failure;
 use crate::number::{Algebraic, Number};
+use crate::timeline::Measured;
 use algebra::graph::{Graph, LaplacianKind};
 use algebra::matrix::SparseMatrix;
 use algebra::spectrum::{

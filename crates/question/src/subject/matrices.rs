@@ -1,8 +1,9 @@
 //! Products of stochastic matrices.
 
 use crate::error::Problem;
-use crate::evaluate::{Failure, Measured};
+use crate::failure::Failure;
 use crate::number::Number;
+use crate::timeline::Measured;
 use algebra::matrix::{StochasticMatrix, product_sequential, tau_2_squared};
 
 /// A coefficient of ergodicity of the product of all factors, the first one rightmost.

@@ -5,3 +5,4 @@ pub(crate) mod graph;
 pub(crate) mod matrices;
 pub(crate) mod motion;
 pub(crate) mod platoon;
+pub(crate) mod run;

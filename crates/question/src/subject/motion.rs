@@ -7,8 +7,8 @@ mod links;
 mod modes;
 
 use crate::error::Problem;
-use crate::evaluate::{Failure, Moment};
-use crate::time::{Covered, Piece, Timeline, clock};
+use crate::failure::Failure;
+use crate::timeline::{Covered, Moment, Piece, Timeline, clock};
 use crate::truth::Doubt;
 use arithmetic::{Dyadic, FloatInterval, Interval, Progress, Rational, Real, Ring, rational};
 use at::At;

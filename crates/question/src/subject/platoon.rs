@@ -6,8 +6,9 @@
 
 use crate::bindings::{Bindings, GraphValue, Value};
 use crate::error::Problem;
-use crate::evaluate::{Failure, Measured};
+use crate::failure::Failure;
 use crate::number::Number;
+use crate::timeline::Measured;
 use algebra::spectrum::Polynomial;
 use arithmetic::{ArithmeticError, Complex, Interval, Rational, Real, Ring, Sign, Signed, rational, shown};
 use models::platoon::{

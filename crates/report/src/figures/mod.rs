@@ -32,8 +32,8 @@ mod veerman_sweep;
 mod veerman_table1;
 
 use super::file::File;
+use super::papers::paper;
 use super::plot::{Picture, PictureError};
-use super::site::paper_named;
 use ledger::CheckError;
 
 /// A figure or table that can be made again.
@@ -256,7 +256,7 @@ impl Figure {
         // What was chosen stands beside the numbers.
         let mut files = vec![file("", "txt", made.text.clone().into_bytes())];
         files.extend(made.tables.into_iter().map(|(part, csv)| file(part, "csv", csv.into_bytes())));
-        let paper = paper_named(self.paper()).map_or(String::new(), |paper| format!("{} {}", paper.short, paper.year));
+        let paper = paper(self.paper()).map_or(String::new(), |paper| format!("{} {}", paper.short, paper.year));
         let caption = format!("{}: {}. Claims: {}", self.name, self.about, self.claims.join(", "));
         for (part, picture) in made.pictures {
             let picture = picture.of(&paper).caption(&caption);

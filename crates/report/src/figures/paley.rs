@@ -40,29 +40,29 @@ pub(super) fn first_run<E: Experiment>(
     wanted: impl Fn(&Flight) -> Result<bool, CheckError>,
 ) -> Result<(u64, Vec<Timed>), CheckError> {
     for replicate in 0..most {
-        let course = experiment.course(start(claim, replicate), every)?;
-        if wanted(end(&course)?)? {
-            return Ok((replicate, course));
+        let trajectory = experiment.trajectory(start(claim, replicate), every)?;
+        if wanted(end(&trajectory)?)? {
+            return Ok((replicate, trajectory));
         }
     }
     Err(CheckError::Other(format!("none of {most} runs of {claim} ended as the figure shows")))
 }
 
-/// The last state of a course.
-pub(super) fn end(course: &[Timed]) -> Result<&Flight, CheckError> {
-    course.last().map(|(_, flight)| flight).ok_or_else(|| CheckError::Other("a run without states".to_string()))
+/// The last state of a trajectory.
+pub(super) fn end(trajectory: &[Timed]) -> Result<&Flight, CheckError> {
+    trajectory.last().map(|(_, flight)| flight).ok_or_else(|| CheckError::Other("a run without states".to_string()))
 }
 
 pub(super) fn pair(z: &Complex<f64>) -> (f64, f64) {
     (z.re, z.im)
 }
 
-/// Particles at the end of a course with their velocities and paths, the centre of mass with its velocity, as in the figures of the paper.
+/// Particles at the end of a trajectory with their velocities and paths, the centre of mass with its velocity, as in the figures of the paper.
 /// `drift` is added to all velocities.
-pub(super) fn scene(title: String, course: &[Timed], drift: &Complex<f64>) -> Result<Panel, CheckError> {
-    let last = end(course)?;
+pub(super) fn scene(title: String, trajectory: &[Timed], drift: &Complex<f64>) -> Result<Panel, CheckError> {
+    let last = end(trajectory)?;
     let state = last.state();
-    let points = || course.iter().flat_map(|(_, flight)| flight.positions.iter());
+    let points = || trajectory.iter().flat_map(|(_, flight)| flight.positions.iter());
     let (mut low, mut high) = ((f64::INFINITY, f64::INFINITY), (f64::NEG_INFINITY, f64::NEG_INFINITY));
     for r in points() {
         (low, high) = ((low.0.min(r.re), low.1.min(r.im)), (high.0.max(r.re), high.1.max(r.im)));
@@ -71,7 +71,7 @@ pub(super) fn scene(title: String, course: &[Timed], drift: &Complex<f64>) -> Re
     let unit = 0.1 * (high.0 - low.0).max(high.1 - low.1);
     let mut panel = Panel::new(title, Axis::linear("x"), Axis::linear("y")).equal_scales();
     for k in 0..last.positions.len() {
-        panel = panel.series(Series::line("", path(course, k, drift)).colour(GREY).size(0.7));
+        panel = panel.series(Series::line("", path(trajectory, k, drift)).colour(GREY).size(0.7));
     }
     let arrow = |r: &Complex<f64>, v: Complex<f64>| (pair(r), pair(&(v.scale(&unit) + r)));
     let velocities = state.positions.iter().zip(&state.phasors).map(|(r, z)| arrow(r, z.clone() + drift));
@@ -85,14 +85,14 @@ pub(super) fn scene(title: String, course: &[Timed], drift: &Complex<f64>) -> Re
 }
 
 /// The path of a particle, smooth between the states that are kept: a cubic through places and velocities (Hermite).
-fn path(course: &[Timed], particle: usize, drift: &Complex<f64>) -> Vec<(f64, f64)> {
+fn path(trajectory: &[Timed], particle: usize, drift: &Complex<f64>) -> Vec<(f64, f64)> {
     const PARTS: u32 = 8;
     let at = |flight: &Flight| {
         let (sin, cos) = flight.phases[particle].sin_cos();
         (pair(&flight.positions[particle]), (cos + drift.re, sin + drift.im))
     };
-    let mut points: Vec<(f64, f64)> = course.first().map(|(_, flight)| at(flight).0).into_iter().collect();
-    for step in course.windows(2) {
+    let mut points: Vec<(f64, f64)> = trajectory.first().map(|(_, flight)| at(flight).0).into_iter().collect();
+    for step in trajectory.windows(2) {
         let [(from, before), (to, after)] = step else { continue };
         let (((x0, y0), (u0, v0)), ((x1, y1), (u1, v1)), h) = (at(before), at(after), to - from);
         points.extend((1..=PARTS).map(|k| {
@@ -106,8 +106,8 @@ fn path(course: &[Timed], particle: usize, drift: &Complex<f64>) -> Vec<(f64, f6
 }
 
 /// Rows of a CSV table with the header [`COLUMNS`].
-pub(super) fn rows<'a>(panel: &'a str, course: &'a [Timed]) -> impl Iterator<Item = Vec<String>> + 'a {
-    course.iter().flat_map(move |(t, flight)| {
+pub(super) fn rows<'a>(panel: &'a str, trajectory: &'a [Timed]) -> impl Iterator<Item = Vec<String>> + 'a {
+    trajectory.iter().flat_map(move |(t, flight)| {
         flight.positions.iter().zip(&flight.phases).enumerate().map(move |(k, (r, theta))| {
             let numbers = [r.re, r.im, within_a_turn(*theta)].map(|x| format!("{x:.6}"));
             [panel.to_string(), format!("{t:.3}"), (k + 1).to_string()].into_iter().chain(numbers).collect()

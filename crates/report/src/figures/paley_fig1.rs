@@ -29,12 +29,12 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         ("d", OMEGA, 1.0, "balanced circles"),
     ] {
         let motion = FourMotions { omega, gain };
-        let course = motion.course(start("paley.fig1", 0), 5)?;
-        let last = end(&course)?;
+        let trajectory = motion.trajectory(start("paley.fig1", 0), 5)?;
+        let last = end(&trajectory)?;
         let state = last.state();
         let steering = motion.steering(&state)?;
         // From t = 90 on.
-        let before = &course[course.len() - 11].1;
+        let before = &trajectory[trajectory.len() - 11].1;
         let moved = (mean(&state.positions)? - &mean(&before.positions)?).norm_squared().sqrt();
         // Writing to a string cannot fail.
         let _ = writeln!(
@@ -46,8 +46,8 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             shape_rate(&state, &steering),
         );
         let title = format!("({panel}) ω_0 = {omega}, K_1 = {gain}: {name}").replace("-1", "−1");
-        picture = picture.panel(scene(title, &course, &Complex::new(0.0, 0.0))?);
-        table.extend(rows(panel, &course));
+        picture = picture.panel(scene(title, &trajectory, &Complex::new(0.0, 0.0))?);
+        table.extend(rows(panel, &trajectory));
     }
     text += "\nR moves by: |R(100) - R(90)|, 0 where the centre of mass is fixed. Shape rate:\n\
              the largest rate of change of a relative position or phase; 0 in a relative\n\

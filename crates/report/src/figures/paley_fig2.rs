@@ -4,8 +4,9 @@ use super::paley::{BLUE, RED, circle};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::Complex;
-use claims::paley::{Polygon, printed_column, rhombus, value_of};
-use ledger::CheckError;
+use ledger::{CheckError, exact_value};
+use runs::PARTICLES;
+use runs::figure2::{Columns, Polygon};
 use std::fmt::Write;
 
 /// The phasors in floats.
@@ -34,18 +35,18 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         .to_string();
     let mut picture = Picture::new("Figure 2: eigenvectors of the Laplacian of C_12").grid(4, (290.0, 300.0));
     let mut table = Vec::new();
-    for m in 1..=12 {
-        let (polygon, value) = printed_column(m)?;
+    for m in 1..=PARTICLES as i64 {
+        let (polygon, value) = Columns::PRINTED.column(m);
         let vertices = vertices(&polygon)?;
         let yes = |yes: bool| if yes { "yes" } else { "NO" };
         let clusters = polygon.clusters.map_or("none".to_string(), |clusters| format!("({clusters},12)"));
-        let value = value_of(&value)?;
+        let value = exact_value(&value)?;
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
             "{m:3}  {value:34} {:13}  {:7}  {clusters}",
             yes(polygon.has_value),
-            yes(polygon.regular && value == value_of(&polygon.squared_edge)?)
+            yes(polygon.regular && value == exact_value(&polygon.squared_edge)?)
         );
         let near: f64 = polygon.squared_edge.enclose(64)?.to_f64();
         picture = picture.panel(panel(format!("m = {m}: λ = {near:.4}, {clusters}"), &vertices));
@@ -59,7 +60,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             ]);
         }
     }
-    let rhombus = rhombus()?;
+    let rhombus = Polygon::rhombus();
     let _ = writeln!(
         text,
         "\nRegular: all edges have one length, whose square is the eigenvalue, and turn by\n\

@@ -29,7 +29,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let arbitrary = find(0.0, &|flight| pattern(flight).is_none())?;
     let splay = find(1.0, &|flight| flight.forms_pattern(PARTICLES, CLUSTER))?;
     let pairs = find(1.0, &|flight| flight.forms_pattern(2, CLUSTER))?;
-    let raised = CyclicFormation::new(RAISED).course(end(&splay.1)?.clone(), EVERY)?;
+    let raised = CyclicFormation::new(RAISED).trajectory(end(&splay.1)?.clone(), EVERY)?;
     let panels: [(&str, f64, &str, u64, Vec<Timed>); 5] = [
         ("a", -CyclicFormation::GAIN, "synchronised", synchronised.0, synchronised.1),
         ("b", 0.0, "arbitrary", arbitrary.0, arbitrary.1),
@@ -61,9 +61,9 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         Axis::linear("W_1").between(-0.1, 2.1),
     );
     let (mut table, mut curves) = (Vec::new(), Vec::new());
-    for (panel, gain, name, replicate, course) in &panels {
+    for (panel, gain, name, replicate, trajectory) in &panels {
         let formation = CyclicFormation::new(*gain);
-        let last = end(course)?;
+        let last = end(trajectory)?;
         let state = last.state();
         let w = |flight: &Flight| phase_potential(formation.network(), &flight.state().phasors, 1);
         let reached = match pattern(last) {
@@ -81,18 +81,19 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             centre_spread(&OMEGA, &last.state())? * OMEGA,
         );
         // A turn takes 62.8.
-        let turn = &course[course.len() - 33 / EVERY..];
+        let turn = &trajectory[trajectory.len() - 33 / EVERY..];
         let title = format!("({panel}) K_1 = {gain}: {name}").replace('-', "−");
         picture = picture.panel(scene(title, turn, &Complex::new(0.0, 0.0))?);
-        let values = course.iter().map(|(t, flight)| Ok((*t, w(flight)?))).collect::<Result<Vec<_>, CheckError>>()?;
+        let values =
+            trajectory.iter().map(|(t, flight)| Ok((*t, w(flight)?))).collect::<Result<Vec<_>, CheckError>>()?;
         table.extend(rows(panel, turn));
         curves.extend(values.iter().map(|(t, w)| [panel.to_string(), t.to_string(), format!("{w:.9}")]));
         potentials = potentials.series(Series::line(format!("({panel}), K_1 = {gain}").replace('-', "−"), values));
     }
     text += "\nLargest real part of the linearisation there, enclosed (paley.abscissa):\n";
     let turning = panels.iter().filter(|(_, gain, ..)| *gain != 0.0);
-    let rates = turning.map(|(panel, gain, _, _, course)| {
-        let decay = twisted(*gain, nearest_twist(&end(course)?.phases).0)?;
+    let rates = turning.map(|(panel, gain, _, _, trajectory)| {
+        let decay = twisted(*gain, nearest_twist(&end(trajectory)?.phases).0)?;
         Ok(format!("({panel}) {}", rate(&decay.abscissa)))
     });
     text += &rates.collect::<Result<Vec<_>, CheckError>>()?.join("   ");

@@ -25,11 +25,11 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         .grid(3, (340.0, 330.0));
     let mut table = Vec::new();
     let made = side_by_side(&[1usize, 2, 3, 4, 6, 12], |&clusters| {
-        Ok((clusters, PatternFormation::of_clusters(clusters).course(start("paley.fig4", 0), 1)?))
+        Ok((clusters, PatternFormation::of_clusters(clusters).trajectory(start("paley.fig4", 0), 1)?))
     });
-    for (clusters, course) in made.into_iter().collect::<Result<Vec<_>, CheckError>>()? {
+    for (clusters, trajectory) in made.into_iter().collect::<Result<Vec<_>, CheckError>>()? {
         let formation = PatternFormation::of_clusters(clusters);
-        let flight = end(&course)?;
+        let flight = end(&trajectory)?;
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
@@ -41,7 +41,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             centre_spread(&OMEGA, &flight.state())? * OMEGA,
         );
         // A turn takes 62.8.
-        let turn = &course[course.len() - 33..];
+        let turn = &trajectory[trajectory.len() - 33..];
         picture = picture.panel(scene(format!("M = {clusters}"), turn, &Complex::new(0.0, 0.0))?);
         table.extend(rows(&clusters.to_string(), turn));
     }

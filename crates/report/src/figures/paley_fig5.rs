@@ -25,10 +25,10 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         ReferenceTracking::STEP
     );
     let mut flight = start("paley.fig5", 0);
-    let (mut course, mut errors): (Vec<Timed>, Vec<(f64, f64)>) = (Vec::new(), Vec::new());
+    let (mut trajectory, mut errors): (Vec<Timed>, Vec<(f64, f64)>) = (Vec::new(), Vec::new());
     for (leg, tracking) in ReferenceTracking::legs(GAIN, true).iter().enumerate() {
         let from = leg as f64 * length;
-        let part = tracking.course(flight, 4)?;
+        let part = tracking.trajectory(flight, 4)?;
         flight = end(&part)?.clone();
         let off: Vec<(f64, f64)> = part.iter().map(|(t, flight)| (*t, tracking.error(flight))).collect();
         let settled =
@@ -45,7 +45,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
             way.im.atan2(way.re),
         );
         // At a corner the old and the new reference meet.
-        course.extend(part.into_iter().skip(usize::from(leg > 0)).map(|(t, flight)| (from + t, flight)));
+        trajectory.extend(part.into_iter().skip(usize::from(leg > 0)).map(|(t, flight)| (from + t, flight)));
         errors.extend(off.into_iter().map(|(t, error)| (from + t, error)));
     }
     let _ = writeln!(
@@ -64,8 +64,11 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let picture = Picture::new("Figure 5: a group tracks a reference direction, N = 12, ω_0 = 0, K_1 = −1")
         .caption(super::paley::SIGNS)
         .grid(2, (500.0, 420.0))
-        .panel(scene("paths; the velocities are those at the end".to_string(), &course, &Complex::new(0.0, 0.0))?)
+        .panel(scene("paths; the velocities are those at the end".to_string(), &trajectory, &Complex::new(0.0, 0.0))?)
         .panel(error);
     let errors = csv("t,largest_error", errors.into_iter().map(|(t, error)| [t.to_string(), format!("{error:.6e}")]));
-    Ok(Reproduced::new(text).table("", csv(COLUMNS, rows("all", &course))).table("error", errors).picture("", picture))
+    Ok(Reproduced::new(text)
+        .table("", csv(COLUMNS, rows("all", &trajectory)))
+        .table("error", errors)
+        .picture("", picture))
 }

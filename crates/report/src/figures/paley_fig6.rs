@@ -50,15 +50,19 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         ("b", DriftingOrbit::around_beacon(-0.1, DriftingOrbit::GAINS[1]), "(b) beacon at 10, K_1 = −0.1"),
         ("c", DriftingOrbit::free(0.1), "(c) as (a), but K_1 = +0.1 as printed"),
     ] {
-        let course = orbit.course(start(CLAIM, 0), 10)?;
-        let mut flight = end(&course)?.clone();
+        let trajectory = orbit.trajectory(start(CLAIM, 0), 10)?;
+        let mut flight = end(&trajectory)?.clone();
         let (spread, synchrony) = (centre_spread(&OMEGA, &flight.state())? * OMEGA, order(&flight, 1)?);
         let means = (0..TURNS).map(|_| Ok(orbit.turn(&mut flight)?)).collect::<Result<Vec<_>, CheckError>>()?;
         let list: Vec<String> = means.iter().map(|c| format!("{:.2}{:+.2}i", c.re, c.im)).collect();
         // Writing to a string cannot fail.
         let _ = writeln!(text, "({panel})      {synchrony:8.6}  {spread:14.1e}  {}", list.join(", "));
-        measured.push((means, centre(&flight)? - &centre(end(&course)?)?, flight.phases[0] - end(&course)?.phases[0]));
-        let mut scene = scene(name.to_string(), &course, &DriftingOrbit::FIELD)?;
+        measured.push((
+            means,
+            centre(&flight)? - &centre(end(&trajectory)?)?,
+            flight.phases[0] - end(&trajectory)?.phases[0],
+        ));
+        let mut scene = scene(name.to_string(), &trajectory, &DriftingOrbit::FIELD)?;
         if panel == "b" {
             scene = scene
                 .series(Series::crosses("beacon", [pair(&beacon)]).colour(ORANGE))
@@ -70,10 +74,10 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
                 Ok((*t, (centre(flight)? - &beacon).norm_squared().sqrt()))
             };
             let name = if panel == "a" { "no beacon" } else { "beacon" };
-            distance =
-                distance.series(Series::line(name, course.iter().map(off).collect::<Result<Vec<_>, CheckError>>()?));
+            distance = distance
+                .series(Series::line(name, trajectory.iter().map(off).collect::<Result<Vec<_>, CheckError>>()?));
         }
-        table.extend(rows(panel, &course));
+        table.extend(rows(panel, &trajectory));
     }
     // Whole turns at w0 in (a): the time is the angle over w0.
     let (_, carried, angle) = &measured[0];

@@ -63,7 +63,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         })
         .collect();
     let runs = side_by_side(&panels, |(_, _, formation)| {
-        let shown = formation.course(start(CLAIM, 0), 2)?;
+        let shown = formation.trajectory(start(CLAIM, 0), 2)?;
         let first = ended(formation, end(&shown)?);
         let replicates: Vec<u64> = (1..STARTS).collect();
         let others = side_by_side(&replicates, |&replicate| ended(formation, &formation.end(start(CLAIM, replicate))?));

@@ -1,4 +1,4 @@
-//! What the figures of the two papers of Tanner, Jadbabaie and Pappas share: runs, snapshots, courses, shares.
+//! What the figures of the two papers of Tanner, Jadbabaie and Pappas share: runs, snapshots, observations over time, shares.
 
 use super::csv;
 use crate::plot::{Axis, Colour, Panel, Series};
@@ -33,7 +33,7 @@ pub(super) fn trials(
 }
 
 /// A motion with what is seen of it at its samples.
-pub(super) fn course(flock: &Flock, times: &[f64]) -> Result<(Motion, Vec<Observation>), CheckError> {
+pub(super) fn observations(flock: &Flock, times: &[f64]) -> Result<(Motion, Vec<Observation>), CheckError> {
     let until = times.last().copied().unwrap_or(0.0);
     let motion = flock.run(until, times, &Setup::OPTIONS).map_err(other)?;
     let seen = motion.samples.iter().map(|sample| Observation::of(sample, flock.potential()));
@@ -102,10 +102,13 @@ pub(super) fn shares_text(rows: &[Row]) -> String {
     text
 }
 
-pub(super) const COURSE: &str = "run,time,disagreement,component_disagreement,heading_spread,least_distance,least_unlinked,radius,largest_gradient,potential,energy,components,links";
+pub(super) const OBSERVED: &str = "run,time,disagreement,component_disagreement,heading_spread,least_distance,least_unlinked,radius,largest_gradient,potential,energy,components,links";
 
-pub(super) fn course_rows<'a>(name: &'a str, course: &'a [Observation]) -> impl Iterator<Item = Vec<String>> + 'a {
-    course.iter().map(move |seen| {
+pub(super) fn observation_rows<'a>(
+    name: &'a str,
+    observations: &'a [Observation],
+) -> impl Iterator<Item = Vec<String>> + 'a {
+    observations.iter().map(move |seen| {
         let numbers = [
             seen.time,
             seen.disagreement,
@@ -125,14 +128,14 @@ pub(super) fn course_rows<'a>(name: &'a str, course: &'a [Observation]) -> impl 
     })
 }
 
-/// A quantity of a course over time.
+/// A quantity of a run over time.
 pub(super) fn line(
     name: &str,
     colour: Colour,
-    course: &[Observation],
+    observations: &[Observation],
     quantity: impl Fn(&Observation) -> f64,
 ) -> Series {
-    Series::line(name, course.iter().map(|seen| (seen.time, quantity(seen)))).colour(colour)
+    Series::line(name, observations.iter().map(|seen| (seen.time, quantity(seen)))).colour(colour)
 }
 
 /// What the signs of [`snapshot`] mean.

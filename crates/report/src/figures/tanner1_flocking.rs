@@ -1,7 +1,8 @@
 //! Figures 3 to 6 and 7 to 10 of Tanner, Jadbabaie and Pappas, part I: heading alignment on complete and incomplete graphs.
 
 use super::tanner::{
-    COURSE, Row, SIGNS, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
+    OBSERVED, Row, SIGNS, at, drawn, line, merged, observation_rows, observations, shares_csv, shares_text, snapshot,
+    trials,
 };
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Colour, PALETTE, Panel, Picture};
@@ -71,7 +72,7 @@ fn reproduce(complete: bool) -> Result<Reproduced, CheckError> {
             shown = trials.iter().position(is_formation).unwrap_or(0) as u64;
         }
     }
-    let (picture, courses) = draw(complete, id, figures, first, shown)?;
+    let (picture, runs) = draw(complete, id, figures, first, shown)?;
     let text = format!(
         "Ten agents, {} graph, law (4), (5). Printed:\n\
          positions and velocities in a ball of radius 20. Chosen: all drawn evenly; the\n\
@@ -96,7 +97,7 @@ fn reproduce(complete: bool) -> Result<Reproduced, CheckError> {
     );
     Ok(Reproduced::new(text)
         .table("shares", shares_csv(&rows))
-        .table("time-series", csv(COURSE, courses))
+        .table("time-series", csv(OBSERVED, runs))
         .picture("", picture))
 }
 
@@ -116,24 +117,24 @@ fn draw(
         .caption(if complete { ALL_LINKED } else { SIGNS })
         .caption(CURVES)
         .grid(2, (430.0, 330.0));
-    let mut courses = Vec::new();
+    let mut runs = Vec::new();
     // Equal ratios from 1/10 s on.
     let times = merged((0..400).map(|k| 0.1 * (UNTIL / 0.1).powf(f64::from(k) / 400.0)), &TIMES);
     for reading in HeadingReading::ALL {
         let flock = drawn(id, &Setup::heading_alignment(complete, reading), replicate)?;
-        let (motion, seen) = course(&flock, &times)?;
+        let (motion, seen) = observations(&flock, &times)?;
         if reading == HeadingReading::Spring {
             for (k, sample) in TIMES.iter().filter_map(|time| at(&motion, *time)).enumerate() {
                 let title = format!("Figure {}: t = {} s", first + k, sample.time);
                 picture = picture.panel(snapshot(title, sample, !complete));
             }
         }
-        courses.push((reading, seen));
+        runs.push((reading, seen));
     }
     let over_time = |title: &str, axis: Axis, quantity: fn(&Observation) -> f64| {
         let time = Axis::log("time (s)").between(0.1, UNTIL);
-        courses.iter().fold(Panel::new(title, time, axis), |panel, (reading, course)| {
-            panel.series(line(reading.name(), colour(*reading), course, quantity))
+        runs.iter().fold(Panel::new(title, time, axis), |panel, (reading, observations)| {
+            panel.series(line(reading.name(), colour(*reading), observations, quantity))
         })
     };
     picture = picture
@@ -143,14 +144,14 @@ fn draw(
         .panel(over_time("size", Axis::log("radius of the flock (m)"), |o| o.radius))
         .panel(over_time("potential", Axis::log("sum of all V_ij"), |o| o.potential))
         .panel(over_time("forces", Axis::log("largest |grad V_i|"), |o| o.gradient));
-    let rows = courses.iter().flat_map(|(reading, course)| {
-        course_rows(
+    let rows = runs.iter().flat_map(|(reading, observations)| {
+        observation_rows(
             match reading {
                 HeadingReading::Printed => "printed",
                 HeadingReading::Spring => "spring",
                 HeadingReading::Slow => "slow",
             },
-            course,
+            observations,
         )
     });
     let rows = rows.collect();

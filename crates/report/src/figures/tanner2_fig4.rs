@@ -2,7 +2,8 @@
 //! come close.
 
 use super::tanner::{
-    COURSE, Row, SIGNS, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
+    OBSERVED, Row, SIGNS, at, drawn, line, merged, observation_rows, observations, shares_csv, shares_text, snapshot,
+    trials,
 };
 use super::{Reproduced, csv};
 use crate::plot::{Axis, PALETTE, Panel, Picture};
@@ -53,7 +54,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     }
     let shown = shown.unwrap_or(0) as u64;
     let flock = drawn(ID, &Setup::velocity_alignment(LinkRule::Random(0.5)), shown)?;
-    let (motion, course) = course(&flock, &merged((0..500).map(|k| 0.2 * f64::from(k)), &TIMES))?;
+    let (motion, observations) = observations(&flock, &merged((0..500).map(|k| 0.2 * f64::from(k)), &TIMES))?;
     let mut picture =
         Picture::new("Figure 4: ten agents on a fixed random network").caption(SIGNS).grid(3, (350.0, 330.0));
     for sample in TIMES.iter().filter_map(|time| at(&motion, *time)) {
@@ -64,20 +65,20 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
         .panel(Panel::new("velocities", time(), Axis::log("disagreement (m/s)")).series(line(
             "",
             PALETTE[0],
-            &course,
+            &observations,
             |o| o.disagreement,
         )))
         .panel(
             Panel::new("distances", time(), Axis::log("least distance (m)"))
-                .series(line("all pairs", PALETTE[0], &course, |o| o.least_distance))
-                .series(line("pairs without link", PALETTE[1], &course, |o| o.least_unlinked)),
+                .series(line("all pairs", PALETTE[0], &observations, |o| o.least_distance))
+                .series(line("pairs without link", PALETTE[1], &observations, |o| o.least_unlinked)),
         )
         .panel(
             Panel::new("energy", time(), Axis::log("energy (masses 1)"))
-                .series(line("sum of potentials", PALETTE[2], &course, |o| o.potential))
-                .series(line("kinetic, W less that sum", PALETTE[3], &course, |o| o.energy - o.potential)),
+                .series(line("sum of potentials", PALETTE[2], &observations, |o| o.potential))
+                .series(line("kinetic, W less that sum", PALETTE[3], &observations, |o| o.energy - o.potential)),
         );
-    let end = course.last().map_or(String::new(), |o| {
+    let end = observations.last().map_or(String::new(), |o| {
         format!(
             "disagreement {:.1e} m/s, heading spread {:.1e},\nleast distance {:.3} m (without link {:.3} m), W = {:.4},\nlargest |grad V_i| {:.1e}",
             o.disagreement, o.heading_spread, o.least_distance, o.least_unlinked, o.energy, o.gradient
@@ -99,6 +100,6 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     );
     Ok(Reproduced::new(text)
         .table("shares", shares_csv(&rows))
-        .table("time-series", csv(COURSE, course_rows("fixed", &course)))
+        .table("time-series", csv(OBSERVED, observation_rows("fixed", &observations)))
         .picture("", picture))
 }

@@ -1,7 +1,8 @@
 //! Figures 5 and 6 of Tanner, Jadbabaie and Pappas, Flocking in fixed and switching networks: links within 2 m, connected and torn.
 
 use super::tanner::{
-    COURSE, Row, SIGNS, at, course, course_rows, drawn, line, merged, shares_csv, shares_text, snapshot, trials,
+    OBSERVED, Row, SIGNS, at, drawn, line, merged, observation_rows, observations, shares_csv, shares_text, snapshot,
+    trials,
 };
 use super::{Reproduced, csv};
 use crate::plot::{Axis, PALETTE, Panel, Picture};
@@ -84,7 +85,7 @@ fn draw(
     rows: &[Row],
 ) -> Result<Reproduced, CheckError> {
     let flock = drawn(id, &setup(connected), replicate)?;
-    let (motion, course) = course(&flock, &merged((0..500).map(|k| 0.2 * f64::from(k)), times))?;
+    let (motion, observations) = observations(&flock, &merged((0..500).map(|k| 0.2 * f64::from(k)), times))?;
     let mut picture = Picture::new(format!("Figure {title}")).caption(SIGNS).grid(3, (350.0, 330.0));
     for sample in times.iter().filter_map(|time| at(&motion, *time)) {
         picture = picture.panel(snapshot(format!("t = {} s", sample.time), sample, true));
@@ -93,22 +94,22 @@ fn draw(
     picture = picture
         .panel(
             Panel::new("velocities", time(), Axis::log("disagreement (m/s)"))
-                .series(line("of all", PALETTE[0], &course, |o| o.disagreement))
-                .series(line("within a component", PALETTE[1], &course, |o| o.component_disagreement)),
+                .series(line("of all", PALETTE[0], &observations, |o| o.disagreement))
+                .series(line("within a component", PALETTE[1], &observations, |o| o.component_disagreement)),
         )
         .panel(
             Panel::new("network", time(), Axis::log("number").between(0.8, 60.0))
-                .series(line("links", PALETTE[2], &course, |o| o.links as f64))
-                .series(line("components", PALETTE[3], &course, |o| o.components as f64)),
+                .series(line("links", PALETTE[2], &observations, |o| o.links as f64))
+                .series(line("components", PALETTE[3], &observations, |o| o.components as f64)),
         )
         .panel(
             Panel::new("energy", time(), Axis::linear("Q, sum of potentials"))
-                .series(line("Q, equation (11)", PALETTE[3], &course, |o| o.energy))
-                .series(line("potential of the links", PALETTE[2], &course, |o| o.potential)),
+                .series(line("Q, equation (11)", PALETTE[3], &observations, |o| o.energy))
+                .series(line("potential of the links", PALETTE[2], &observations, |o| o.potential)),
         );
     let switches = motion.events.len();
     let monotone = if motion.energy.is_monotone() { "falls" } else { "DOES NOT FALL" };
-    let end = course.last().map_or(String::new(), |o| {
+    let end = observations.last().map_or(String::new(), |o| {
         format!(
             "{} component(s), {} of {} links,\n  disagreement {:.1e} m/s (within components {:.1e}), heading spread {:.2},\n  least distance {:.3} m, Q = {:.4}",
             o.components, o.links, o.pairs, o.disagreement, o.component_disagreement, o.heading_spread, o.least_distance, o.energy
@@ -126,6 +127,6 @@ fn draw(
     );
     Ok(Reproduced::new(text)
         .table("shares", shares_csv(rows))
-        .table("time-series", csv(COURSE, course_rows("switching", &course)))
+        .table("time-series", csv(OBSERVED, observation_rows("switching", &observations)))
         .picture("", picture))
 }

@@ -3,8 +3,8 @@
 use super::veerman::{certified, leading};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
-use claims::veerman::printed_table::ROWS;
 use ledger::CheckError;
+use runs::table1::{ROWS, Row};
 
 pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     let sizes: Vec<u64> = (4..=128).collect();
@@ -13,7 +13,7 @@ pub(super) fn reproduce() -> Result<Reproduced, CheckError> {
     };
     let truth = values(&|n| Ok(certified(n)?))?;
     let theorem = values(&leading)?;
-    let printed = |cell: fn(&claims::veerman::printed_table::Row) -> &'static str| -> Vec<(f64, f64)> {
+    let printed = |cell: fn(&Row) -> &'static str| -> Vec<(f64, f64)> {
         ROWS.iter().filter_map(|row| Some((row.n as f64, cell(row).parse().ok()?))).collect()
     };
     let ticks: Vec<f64> = ROWS.iter().map(|row| row.n as f64).collect();

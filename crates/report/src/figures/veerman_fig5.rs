@@ -4,8 +4,8 @@ use super::veerman::{certified, leading};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::regression_line;
-use claims::veerman::printed_table::ROWS;
 use ledger::CheckError;
+use runs::table1::ROWS;
 use std::fmt::Write;
 
 /// A series of differences with its regression line in the logarithms.

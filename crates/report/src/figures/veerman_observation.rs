@@ -4,10 +4,10 @@ use super::veerman::{UNIT, certified, leading};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::{Interval, rational};
-use claims::veerman::printed_table::ROWS;
 use ledger::CheckError;
 use models::platoon::observe::measured_resonance;
 use models::platoon::{Gains, slowest_rate};
+use runs::table1::ROWS;
 use std::f64::consts::PI;
 use std::fmt::Write;
 

@@ -4,11 +4,11 @@ use super::veerman::{UNIT, leading};
 use super::{Reproduced, csv};
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::{ArithmeticError, Complex, Field, Ring, rational};
-use claims::veerman::printed_table::{ROWS, Row};
 use ledger::CheckError;
 use models::platoon::observe::{Extreme, largest, measured_amplitude, measured_resonance};
 use models::platoon::time_domain::Modes;
 use models::platoon::{amplitude_with_first_car, chebyshev};
+use runs::table1::{ROWS, Row};
 use std::fmt::Write;
 
 /// What car 1 makes of velocities: the weights of its own, the leader's and the one behind, in halves (2, 1, 1 in equation (2)).

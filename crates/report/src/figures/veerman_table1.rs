@@ -3,9 +3,9 @@
 use super::Reproduced;
 use crate::plot::{Axis, Panel, Picture, Series};
 use arithmetic::{Field, Interval, Rational, decimal, decimals, parse_rational, rational};
-use claims::veerman::printed_table::{ROWS, Row};
 use ledger::CheckError;
 use models::platoon::{Gains, resonance, theorem1};
+use runs::table1::{ROWS, Row};
 use std::fmt::Write;
 
 /// One printed cell with what it can be compared to.

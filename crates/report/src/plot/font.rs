@@ -1,6 +1,6 @@
 //! The outlines of texts in the font that is built in: no font of the machine is used.
 
-use super::png::PictureError;
+use super::error::PictureError;
 use super::shape::Span;
 use tiny_skia::{Path, PathBuilder};
 use ttf_parser::{Face, OutlineBuilder};

@@ -4,13 +4,14 @@
 //! axes is clipped.
 
 mod draw;
+mod error;
 mod font;
 mod png;
 mod shape;
 mod svg;
 mod ticks;
 
-pub use png::PictureError;
+pub use error::PictureError;
 
 /// A colour as `#rrggbb`.
 pub type Colour = &'static str;

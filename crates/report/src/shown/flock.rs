@@ -1,7 +1,7 @@
 //! A flock that was settled.
 
 use super::{played, table, verdict};
-use crate::site::motion::Motion;
+use crate::page::player::Motion;
 use maud::{Markup, html};
 use models::averaging::settle::{Ending, Settlement};
 use models::averaging::{Start, Switch};

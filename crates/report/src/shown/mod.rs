@@ -18,9 +18,9 @@ pub use platoon::resonance;
 pub use question::question;
 pub use simulation::simulation;
 
+use crate::page::player::Motion;
+use crate::page::{Frame, Links};
 use crate::plot::Picture;
-use crate::site::motion::Motion;
-use crate::site::{Frame, Links};
 use arithmetic::{Interval, decimals};
 use maud::{Markup, PreEscaped, html};
 

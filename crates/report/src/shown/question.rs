@@ -1,8 +1,8 @@
 //! The answer to a question, with its counterexample drawn.
 
 use super::{flock, graph, picture, played, verdict};
+use crate::page::player::Motion;
 use crate::plot::{Axis, Panel, Picture, Series};
-use crate::site::motion::Motion;
 use algebra::matrix::StochasticMatrix;
 use arithmetic::{Progress, Rational};
 use maud::{Markup, html};

@@ -1,8 +1,8 @@
 //! A simulated scenario.
 
 use super::{picture, played, table};
+use crate::page::player::Motion;
 use crate::simulation::simulation_pictures;
-use crate::site::motion::Motion;
 use maud::html;
 use scenario::{End, Event, Outcome};
 

@@ -1,9 +1,9 @@
 //! The page of one claim.
 
-use super::frame::Links;
-use super::papers::paper;
 use super::words::{fault, mark, promise, reach, sentence, spoken};
 use super::{Site, notation};
+use crate::page::Links;
+use crate::papers::paper;
 use ledger::{Entry, Evidence, Grade, Scope, correction_id};
 use maud::{Markup, html};
 use proofs::kernel::proofs_of;

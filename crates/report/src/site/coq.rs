@@ -1,7 +1,7 @@
 //! The files of the Coq development as pages, with an address for each theorem of the table.
 
-use super::frame::Links;
 use super::notation::escape;
+use crate::page::Links;
 use maud::{Markup, PreEscaped, html};
 use proofs::kernel::{Source, theorems};
 

@@ -1,9 +1,9 @@
 //! The errata of a paper: fit to print, and to send to its authors.
 
 use super::Site;
-use super::frame::Links;
-use super::papers::{Paper, papers};
 use super::words::spoken;
+use crate::page::Links;
+use crate::papers::{Paper, papers};
 use ledger::{Entry, Fault};
 use maud::{Markup, html};
 

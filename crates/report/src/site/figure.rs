@@ -1,7 +1,7 @@
 //! Figures on pages, and which belong to which claim.
 
-use super::frame::Links;
 use super::{Made, Site};
+use crate::page::Links;
 use ledger::Entry;
 use maud::{Markup, PreEscaped, html};
 

@@ -1,7 +1,7 @@
 //! The symbols of the papers.
 
 use super::notation::set;
-use super::papers::papers;
+use crate::papers::papers;
 use maud::{Markup, html};
 
 /// The contents of the page.

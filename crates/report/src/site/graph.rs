@@ -1,11 +1,11 @@
 //! The picture of claims, corrections and theorems, with links.
 
 use super::Site;
-use super::frame::Links;
 use super::notation::escape;
-use super::papers::{paper as paper_of, papers};
 use super::related::Tie;
 use super::words::{mark, spoken};
+use crate::page::Links;
+use crate::papers::{paper as paper_of, papers};
 use ledger::{Entry, correction_id};
 use maud::{Markup, PreEscaped, html};
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,8 +1,9 @@
 //! The list of all claims with its filters.
 
-use super::papers::{paper, papers};
 use super::words::{mark, promise, scope_key, spoken};
-use super::{Site, claim::chip, frame::Links};
+use super::{Site, claim::chip};
+use crate::page::Links;
+use crate::papers::{paper, papers};
 use ledger::{Entry, Fault, Grade, Verdict};
 use maud::{Markup, html};
 

@@ -6,31 +6,26 @@ mod counterexample;
 mod errata;
 mod explore;
 mod figure;
-mod frame;
 mod glossary;
 mod graph;
 mod index;
-pub(crate) mod motion;
+mod markdown;
 mod notation;
 mod notes;
 mod paper;
-mod papers;
 mod related;
 mod results;
 mod texts;
 mod words;
 
-pub use frame::Page;
-
 use crate::figures::Figure;
 use crate::file::File;
+use crate::page::player::PLAYER;
+use crate::page::{Frame, Links, Page, SCRIPT, STYLE};
+use crate::papers::papers;
 use crate::provenance::Provenance;
-pub(crate) use frame::{Frame, Links};
-use frame::{SCRIPT, STYLE};
 use ledger::{Document, Entry, Ledger};
 use maud::{Markup, html};
-pub(crate) use papers::paper as paper_named;
-use papers::papers;
 use proofs::kernel::{files, theorems};
 use related::Ties;
 use serde_json::json;
@@ -113,7 +108,7 @@ impl<'a> Site<'a> {
             let title = format!("Errata: {}", paper.title);
             pages.push(self.inner(&format!("errata/{}.html", paper.key), &title, "errata", &errata::body(self, paper)));
         }
-        pages.push(Page::new("explore.js", motion::PLAYER));
+        pages.push(Page::new("explore.js", PLAYER));
         pages.push(self.inner("explore/index.html", "Explore", "explore", &explore::list()));
         pages.push(Page::new("live.js", explore::ASKER));
         for live in explore::LIVE {
@@ -160,7 +155,7 @@ impl<'a> Site<'a> {
     }
 
     fn note(&self, name: &str, links: Links) -> Markup {
-        html! { article.note { (notes::markdown(notes::note(name), &self.names, links)) } }
+        html! { article.note { (markdown::markdown(notes::note(name), &self.names, links)) } }
     }
 
     fn top(&self, path: &str, title: &str, class: &str, body: &Markup) -> Page {

@@ -1,10 +1,5 @@
 //! The notes as pages: what verdicts promise, results, proofs on paper.
 
-use super::frame::Links;
-use super::texts::Names;
-use maud::{Markup, PreEscaped};
-use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html::push_html};
-
 macro_rules! notes {
     ($($name:literal),* $(,)?) => {
         &[$(($name, include_str!(concat!("../../../../notes/", $name, ".md")))),*]
@@ -49,93 +44,4 @@ pub(super) fn path(name: &str) -> String {
 /// The first heading of a note.
 pub(super) fn title(text: &str) -> &str {
     text.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or_default()
-}
-
-/// A note as HTML: headings have addresses, and code that names a claim, a figure or a note is a link.
-pub(super) fn markdown(text: &str, names: &Names, links: Links) -> Markup {
-    let mut events: Vec<Event> = Vec::new();
-    // Where the heading began that is being read, and its words.
-    let mut heading: Option<(usize, String)> = None;
-    // How the links end that are open.
-    let mut open: Vec<Event> = Vec::new();
-    for event in Parser::new_ext(text, Options::ENABLE_TABLES) {
-        if let (Some((_, words)), Event::Text(text) | Event::Code(text)) = (&mut heading, &event) {
-            words.push_str(text);
-        }
-        match event {
-            Event::Code(code) => events.push(code_span(&code, names, links)),
-            Event::Start(Tag::Heading { .. }) => {
-                heading = Some((events.len(), String::new()));
-                events.push(event);
-            }
-            Event::End(TagEnd::Heading(_)) => {
-                if let Some((at, words)) = heading.take()
-                    && let Some(Event::Start(Tag::Heading { id, .. })) = events.get_mut(at)
-                {
-                    *id = Some(CowStr::from(address(&words)));
-                }
-                events.push(event);
-            }
-            Event::Start(Tag::Table(_)) => {
-                events.push(Event::Html("<div class=\"wide\" tabindex=\"0\">".into()));
-                events.push(event);
-            }
-            Event::End(TagEnd::Table) => {
-                events.push(event);
-                events.push(Event::Html("</div>".into()));
-            }
-            Event::Start(Tag::Link { dest_url, .. }) => {
-                let (before, after) = link(&dest_url, links);
-                open.push(after);
-                events.push(before);
-            }
-            Event::End(TagEnd::Link) => events.extend(open.pop()),
-            Event::Start(Tag::CodeBlock(_)) => {
-                events.push(Event::Html("<div class=\"wide\" tabindex=\"0\">".into()));
-                events.push(event);
-            }
-            Event::End(TagEnd::CodeBlock) => {
-                events.push(event);
-                events.push(Event::Html("</div>".into()));
-            }
-            other => events.push(other),
-        }
-    }
-    let mut out = String::new();
-    push_html(&mut out, events.into_iter());
-    PreEscaped(out)
-}
-
-/// How a link begins and ends: to the page of a note; what else looks like one, `K[f](x)`, is text.
-fn link<'a>(address: &str, links: Links) -> (Event<'a>, Event<'a>) {
-    let note = address.trim_start_matches("../").trim_start_matches("notes/").strip_suffix(".md");
-    let page = note.filter(|note| NOTES.iter().any(|(name, _)| name == note)).and_then(|note| links.to(&path(note)));
-    match page {
-        Some(page) => (Event::InlineHtml(format!("<a href=\"{page}\">").into()), Event::InlineHtml("</a>".into())),
-        None if address.contains('/') => (Event::Text("".into()), Event::Text("".into())),
-        None => (Event::Text("[".into()), Event::Text(format!("]({address})").into())),
-    }
-}
-
-fn code_span<'a>(code: &str, names: &Names, links: Links) -> Event<'a> {
-    let with_folder = format!("notes/{code}");
-    let known = |word: &str| {
-        names.claims.contains(word)
-            || names.figures.iter().any(|figure| figure.name == word)
-            || word.starts_with("notes/")
-    };
-    let linked = if NOTES.iter().any(|(name, _)| with_folder == format!("notes/{name}.md")) {
-        names.rich(&with_folder, links).into_string()
-    } else if code.split([' ', ',']).any(known) {
-        names.linked(code, links).into_string()
-    } else {
-        super::notation::escape(code)
-    };
-    Event::InlineHtml(format!("<code>{linked}</code>").into())
-}
-
-/// The address of a heading: its words in small letters joined by hyphens.
-fn address(heading: &str) -> String {
-    let words = heading.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-    words.collect::<Vec<_>>().join("-").to_lowercase()
 }

@@ -1,11 +1,11 @@
 //! The page of a paper: its claims, its tables and figures beside ours.
 
 use super::claim::chip;
-use super::frame::Links;
 use super::index::breakable;
-use super::papers::{Paper, papers};
 use super::words::spoken;
 use super::{Site, figure, graph};
+use crate::page::Links;
+use crate::papers::{Paper, papers};
 use ledger::Verdict;
 use maud::{Markup, PreEscaped, html};
 

@@ -2,9 +2,10 @@
 
 use super::Site;
 use super::claim::chip;
-use super::frame::Links;
 use super::index::breakable;
-use super::notes::{markdown, note};
+use super::markdown::markdown;
+use super::notes::note;
+use crate::page::Links;
 use ledger::correction_id;
 use maud::{Markup, html};
 

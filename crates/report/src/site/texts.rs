@@ -1,8 +1,8 @@
 //! Texts of the ledger as HTML: ids, notes and theorems become links, formulas are set.
 
-use super::frame::Links;
 use super::notation;
 use crate::figures::Figure;
+use crate::page::Links;
 use maud::{Markup, PreEscaped, html};
 use proofs::kernel::Theorem;
 use std::collections::BTreeSet;

@@ -43,7 +43,7 @@ fn an_explanation_is_as_narrow_as_is_asked() {
     let text = ledger("veerman.own", &"a statement of many words ".repeat(9)).replace("Lemma 1", long);
     let document = Document::read(&text).expect("a ledger");
     for width in [40, 80] {
-        let text = report::explain(&document.claims[0], width);
+        let text = report::explain(&document.claims[0], &Ledger::new(), width);
         assert!(text.lines().all(|line| line.chars().count() <= width), "{text}");
         assert_eq!(text.lines().next().and_then(|line| line.split("  (").next()), Some("veerman.own"));
         let place = text.split("\n  printed").next().expect("the first lines");

@@ -21,7 +21,6 @@ pub use critical::{
     Kind, arrangements, critical_points, hessian, is_critical, is_on_a_line, linearisation, two_clusters,
 };
 pub use eigenvectors::CyclicVariant;
-pub use figure2::{Polygon, printed_column, rhombus, value_of};
 
 use ledger::Claim;
 

@@ -2,10 +2,10 @@
 
 use super::common::{Exact, all_equal, all_zero, at, complete, identities, laplacian, phasors};
 use super::common::{squared_lengths, turns, up_to_rotation};
-use super::figure2::value_of;
 use crate::prelude::*;
 use algebra::matrix::{Inertia, SparseMatrix, inertia};
 use arithmetic::{CosineField, Sign, Signed};
+use ledger::exact_value;
 use models::oscillator::{moment, moment_gradient, moment_potential, phase_jacobian, phase_potential, powers};
 
 /// The constant in `W_m = constant - U_m`, given `N` and `m`.
@@ -137,7 +137,7 @@ fn stationary_contradiction(variant: &MomentVariant, m: u32, z: &Exact) -> Resul
         return Ok(Some("U_m is out of its range".to_string()));
     }
     if low != (value.sign() == Some(Sign::Zero)) || high != (above == Some(Sign::Zero)) {
-        return Ok(Some(format!("U_m = {} is not where it is claimed to be extreme", value_of(&value)?)));
+        return Ok(Some(format!("U_m = {} is not where it is claimed to be extreme", exact_value(&value)?)));
     }
     if low || high || !all_zero(&moment_gradient(z, m)?) {
         return Ok(None);

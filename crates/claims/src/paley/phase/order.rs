@@ -2,9 +2,9 @@
 
 use super::common::{N_AT_LEAST_2, at, supports, turns, up_to_rotation};
 use super::common::{all_equal, all_zero, complete, identities, laplacian, named, phasors, squared_lengths};
-use super::figure2::value_of;
 use crate::prelude::*;
 use arithmetic::{CosineField, Sign, Signed};
+use ledger::exact_value;
 use models::oscillator::{
     State, gradient_control, laplacian_control, mean, moment, moment_gradient, moment_potential, pairwise_control,
     phase_gradient, rate_of_change, symmetric_pattern,
@@ -183,7 +183,7 @@ fn extreme_values(variant: &ExtremesVariant, run: &Run) -> Result<Outcome, Check
         let in_range = value.sign() != Some(Sign::Negative) && above != Some(Sign::Positive);
         let extremes = (value.sign() == Some(Sign::Zero), above == Some(Sign::Zero));
         let wrong = !in_range || extremes != (low, high);
-        let value = value_of(&value)?;
+        let value = exact_value(&value)?;
         Ok(wrong.then(|| format!("N = {}, {}: U_1 = {value}", z.len(), turns(&exponents, PARTS))))
     })
 }

@@ -1,9 +1,9 @@
 //! paley.patterns.two, paley.eq23, paley.thm3.min: symmetric patterns, their moments, and the potential they minimise.
 
 use super::common::{Exact, N_AT_LEAST_2, at, turns, up_to_rotation};
-use super::figure2::value_of;
 use crate::prelude::*;
 use arithmetic::{CosineField, RealCyclotomic, Sign, Signed};
+use ledger::exact_value;
 use models::oscillator::{clusters_of_pattern, moment, pattern_potential, symmetric_pattern};
 use std::collections::BTreeSet;
 
@@ -67,7 +67,7 @@ impl MomentsVariant {
         let last = moment(z, clusters)?.norm_squared();
         let factor = if self.multiplied { i64::from(clusters) } else { 1 };
         if last.clone() * last.integer(factor * factor) != last.one() {
-            return Ok(Some(format!("|p_M|^2 = {}", value_of(&last)?)));
+            return Ok(Some(format!("|p_M|^2 = {}", exact_value(&last)?)));
         }
         let unbalanced = !vanishes(1)? && (clusters > 1 || self.synchronised_too);
         Ok(unbalanced.then(|| "not balanced".to_string()))

@@ -61,7 +61,7 @@ pub fn composite_descent() -> Record<CompositeVariant> {
          W_1 is what (22) decreases, in agreement with synchronisation for K_1 < 0.",
         CompositeVariant { sign: 1, exponent: -1, cross: 1 },
         |variant, run| {
-            Run::all(identity_graphs(run).into_iter().map(|graph| {
+            Run::all(identity_graphs(run)?.into_iter().map(|graph| {
                 let part = format!("Vdot under (22), {}", described(&graph));
                 state_identity(composite(variant, Neighbours::of(&graph)), &["w0/2", "K_0", "K_1"], &part, run)
             }))
@@ -120,7 +120,7 @@ pub fn circular_form() -> Record<FormVariant> {
 }
 
 fn examine_circular_form(variant: &FormVariant, run: &mut Run) -> Result<Outcome, CheckError> {
-    let undirected = identity_graphs(run).into_iter().map(|g| (Neighbours::of(&g), described(&g)));
+    let undirected = identity_graphs(run)?.into_iter().map(|g| (Neighbours::of(&g), described(&g)));
     let networks = undirected.chain([(one_way_ring(3), "one-way ring of 3".to_string())]);
     Run::all(networks.map(|(network, name)| {
         let identity = form(variant, network.clone(), network);

@@ -68,7 +68,7 @@ impl ConvergenceVariant {
 }
 
 fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
-    let limits = Run::all(identity_graphs(run).into_iter().map(|graph| {
+    let limits = Run::all(identity_graphs(run)?.into_iter().map(|graph| {
         let part = format!("on the limit set L_k c = 0, {}", described(&graph));
         state_identity(on_limit_set(Neighbours::of(&graph), variant.rate), &["w0", "K_0"], &part, run)
     }))?;
@@ -77,7 +77,7 @@ fn examine_convergence(variant: &ConvergenceVariant, run: &Run) -> Result<Outcom
 
 /// Whether all that is no symmetry and no phase decays near circular formations.
 fn examine_return(variant: &ConvergenceVariant, run: &Run) -> Result<Outcome, CheckError> {
-    let graphs = identity_graphs(run);
+    let graphs = identity_graphs(run)?;
     let cases = graphs.iter().flat_map(|graph| [(1, 10), (-3, 2)].map(|omega| (graph, omega)));
     let detail = "turning-frame linearisation: N zeros for the phases, ± i w0 for the translations, all else decays; \
      both signs of w0";

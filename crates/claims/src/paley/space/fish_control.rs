@@ -218,7 +218,7 @@ fn examine_comparison(variant: &ComparisonVariant, run: &mut Run) -> Result<Outc
             return Ok(Outcome::fails(what, exact("perpendicular", "an exact circular formation")));
         }
     }
-    let identities = identity_graphs(run).into_iter().filter(|g| g.order() > 1).map(|graph| {
+    let identities = identity_graphs(run)?.into_iter().filter(|g| g.order() > 1).map(|graph| {
         let part = format!("terms of (22) and (28), {}", described(&graph));
         state_identity(comparison_sides(variant, Neighbours::of(&graph)), &["w0", "K_0", "K_ori"], &part, run)
             .on([1, 2])

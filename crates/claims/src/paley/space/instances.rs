@@ -1,9 +1,10 @@
 //! Instances shared by the claims about particles: identities over states, graphs, linearised formations.
 
 use crate::prelude::*;
-use algebra::graph::Graph;
+use algebra::graph::{Graph, classes};
 use algebra::matrix::RationalMatrix;
 use algebra::spectrum::Polynomial;
+use arithmetic::Unwatched;
 use arithmetic::identity::Probed;
 use models::oscillator::{Neighbours, State, phasor};
 
@@ -58,34 +59,16 @@ pub fn state_identity<S: ToString>(
 
 /// The graphs on which identities are tested: a vertex, a pair, a path of three; with `full`, all on three and one of each kind on four. Every
 /// term of the identities belongs to a particle and at most two neighbours.
-pub fn identity_graphs(run: &Run) -> Vec<Graph> {
-    let graphs = connected_graphs(false).into_iter();
-    graphs
-        .filter(|g| match g.order() {
-            1 | 2 => true,
-            3 => *g == Graph::path(3) || run.cases(0, 1) == 1,
-            _ => run.cases(0, 1) == 1,
-        })
-        .collect()
+pub fn identity_graphs(run: &Run) -> Result<Vec<Graph>, CheckError> {
+    let wanted = |g: &Graph| g.order() < 3 || *g == Graph::path(3) || run.cases(0, 1) == 1;
+    Ok(connected_graphs(false)?.into_iter().filter(wanted).collect())
 }
 
 /// All connected graphs on one to three vertices and one of each kind on four; with `full`, all labelled ones on four.
-pub fn connected_graphs(full: bool) -> Vec<Graph> {
-    let mut graphs: Vec<Graph> = (1..=3).flat_map(Graph::all).filter(Graph::is_connected).collect();
-    if full {
-        graphs.extend(Graph::all(4).filter(Graph::is_connected));
-    } else {
-        let edges: [&[(usize, usize)]; 6] = [
-            &[(0, 1), (1, 2), (2, 3)],
-            &[(0, 1), (0, 2), (0, 3)],
-            &[(0, 1), (1, 2), (2, 3), (0, 3)],
-            &[(0, 1), (1, 2), (0, 2), (2, 3)],
-            &[(0, 1), (1, 2), (2, 3), (0, 3), (0, 2)],
-            &[(0, 1), (1, 2), (2, 3), (0, 3), (0, 2), (1, 3)],
-        ];
-        graphs.extend(edges.map(|edges| Graph::empty(4).with_edges(edges)));
-    }
-    graphs
+pub fn connected_graphs(full: bool) -> Result<Vec<Graph>, CheckError> {
+    let labelled = (1..=if full { 4 } else { 3 }).flat_map(Graph::all).filter(Graph::is_connected);
+    let kinds = if full { Vec::new() } else { classes::connected_graphs(4, &Unwatched)? };
+    Ok(labelled.chain(kinds).collect())
 }
 
 /// The vertices and edges in words, vertices from 1.

@@ -66,7 +66,7 @@ pub fn examine_proper(variant: &ProperVariant, run: &Run) -> Result<Outcome, Che
         };
         Ok(wrong.map(|what| format!("{}: {what}", described(&graph))))
     })?;
-    let identities = identity_graphs(run).into_iter().map(|graph| {
+    let identities = identity_graphs(run)?.into_iter().map(|graph| {
         let part = format!("S is the sum over edges, {}", described(&graph));
         state_identity(edge_sum(&graph, variant.share), &["w0"], &part, run).on([1])
     });
@@ -161,7 +161,7 @@ fn descent(variant: &DescentVariant, network: Neighbours) -> StateIdentity<'_> {
 /// Whether `S` changes as the variant says.
 pub fn examine_descent(variant: &DescentVariant, run: &Run) -> Result<Outcome, CheckError> {
     let networks: Vec<(Neighbours, String)> = if variant.undirected {
-        identity_graphs(run).iter().map(|g| (Neighbours::of(g), described(g))).collect()
+        identity_graphs(run)?.iter().map(|g| (Neighbours::of(g), described(g))).collect()
     } else {
         (2..=3).map(|n| (one_way_ring(n), format!("one-way ring of {n}"))).collect()
     };

@@ -79,7 +79,8 @@ pub fn synchrony_stable() -> Record<SynchronyVariant> {
          (lambda > 0 for all but the constant vector on a connected graph).",
         SynchronyVariant::STABLE,
         |variant, run| {
-            let graphs = if variant.connected { connected_graphs(run.cases(0, 1) == 1) } else { vec![Graph::empty(2)] };
+            let graphs =
+                if variant.connected { connected_graphs(run.cases(0, 1) == 1)? } else { vec![Graph::empty(2)] };
             let sizes = [((1, 10), (1, 10)), ((-1, 10), (1, 10)), ((2, 1), (5, 1))];
             examine_synchrony(variant, &graphs, &sizes, (SECTION, run))
         },

@@ -6,11 +6,9 @@ type Graph = Vec<Vec<bool>>;
 
 fn random_graph(n: usize, joined: f64, dice: &mut Dice) -> Graph {
     let mut graph = vec![vec![false; n]; n];
-    for i in 0..n {
-        for j in 0..i {
-            graph[i][j] = dice.unit() < joined;
-            graph[j][i] = graph[i][j];
-        }
+    for (i, j) in pairs(n) {
+        graph[i][j] = dice.unit() < joined;
+        graph[j][i] = graph[i][j];
     }
     graph
 }
@@ -236,8 +234,9 @@ fn modes(m: &Matrix) -> Vec<(f64, Vec<f64>)> {
         for row in a.iter_mut().chain(&mut u) {
             (row[p], row[q]) = turn(row[p], row[q]);
         }
-        for k in 0..n {
-            (a[p][k], a[q][k]) = turn(a[p][k], a[q][k]);
+        let [first, second] = a.get_disjoint_mut([p, q]).unwrap();
+        for (x, y) in first.iter_mut().zip(second) {
+            (*x, *y) = turn(*x, *y);
         }
     }
     let mut all: Vec<(f64, Vec<f64>)> = (0..n).map(|k| (a[k][k], u.iter().map(|row| row[k]).collect())).collect();

@@ -1,9 +1,6 @@
 //! Attempts at counterexamples: each made from the statement alone, without the models and without the checks, mostly in floats. What
 //! was tried and what survived is listed in notes/attempts.md.
 
-// The formulas as they are printed, with their indices.
-#![allow(clippy::needless_range_loop)]
-
 mod chazelle;
 mod chazelle_networks;
 mod veerman;

@@ -34,11 +34,9 @@ impl Flock {
     pub fn draw(random: &mut Random, graph: Graph, alike: bool) -> Self {
         let n = graph.len();
         let mut scale = vec![vec![1.0; n]; n];
-        for i in 0..n {
-            for j in 0..i {
-                let m = if alike { 1.0 } else { [1.0, between(random, 0.3, 3.0), 30.0][below(random, 3)] };
-                (scale[i][j], scale[j][i]) = (m, m);
-            }
+        for (i, j) in pairs(n) {
+            let m = if alike { 1.0 } else { [1.0, between(random, 0.3, 3.0), 30.0][below(random, 3)] };
+            (scale[i][j], scale[j][i]) = (m, m);
         }
         Flock { graph, scale, stiffness: between(random, 0.5, 2.0), logarithmic: below(random, 2) == 0 }
     }
@@ -245,21 +243,19 @@ fn matrices(random: &mut Random) -> Option<String> {
     let weighted = below(random, 2) == 0;
     let mut product = vec![vec![0.0; n]; n];
     let mut columns = Vec::new();
-    for i in 0..n {
-        for j in 0..i {
-            if graph[i][j] > 0.0 {
-                let w = if weighted { between(random, 0.1, 5.0) } else { 1.0 };
-                (graph[i][j], graph[j][i]) = (w, w);
-                let direction = sign(random);
-                let mut column = vec![0.0; n];
-                (column[i], column[j]) = (direction, -direction);
-                for a in 0..n {
-                    for b in 0..n {
-                        product[a][b] += w * column[a] * column[b];
-                    }
+    for (i, j) in pairs(n) {
+        if graph[i][j] > 0.0 {
+            let w = if weighted { between(random, 0.1, 5.0) } else { 1.0 };
+            (graph[i][j], graph[j][i]) = (w, w);
+            let direction = sign(random);
+            let mut column = vec![0.0; n];
+            (column[i], column[j]) = (direction, -direction);
+            for (row, x) in product.iter_mut().zip(&column) {
+                for (entry, y) in row.iter_mut().zip(&column) {
+                    *entry += w * x * y;
                 }
-                columns.push(column);
             }
+            columns.push(column);
         }
     }
     let l = matrix(&graph);
@@ -275,8 +271,7 @@ fn matrices(random: &mut Random) -> Option<String> {
     if differs || zeros != parts || values[0] < -1e-9 || rank != n - parts {
         return Some(format!("L, Lw, L.ones, rangeB: {graph:?}"));
     }
-    let free: Vec<(usize, usize)> =
-        (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).filter(|(i, j)| graph[*i][*j] == 0.0).collect();
+    let free: Vec<(usize, usize)> = pairs(n).filter(|(i, j)| graph[*i][*j] == 0.0).collect();
     let (i, j) = *free.get(below(random, free.len().max(1)))?;
     (graph[i][j], graph[j][i]) = (1.0, 1.0);
     let more = eigenvalues(&matrix(&graph));
@@ -302,7 +297,7 @@ fn bounds(random: &mut Random) -> Option<String> {
     let v = vectors(random, n, speed);
     let c = flock.energy(&join(&r, &v));
     let most = flock.edges().iter().map(|(i, j)| flock.reach(*i, *j, c)).fold(0.0, f64::max);
-    let far = (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).map(|(i, j)| norm(r[i] - r[j])).fold(0.0, f64::max);
+    let far = pairs(n).map(|(i, j)| norm(r[i] - r[j])).fold(0.0, f64::max);
     let fast = v.iter().map(|v| dot(*v, *v)).fold(0.0, f64::max);
     (far > (n as f64 - 1.0) * most + 1e-6 || fast > 2.0 * c + 1e-9)
         .then(|| format!("bound_r, bound_v, eq7: {r:?}, c = {c}"))
@@ -314,11 +309,7 @@ fn limits(random: &mut Random) -> Option<String> {
     let tree = below(random, 2) == 0;
     let mut graph = connected(random, n);
     if tree {
-        graph = vec![vec![0.0; n]; n];
-        for k in 1..n {
-            let j = below(random, k);
-            (graph[k][j], graph[j][k]) = (1.0, 1.0);
-        }
+        graph = with_tree(random, vec![vec![0.0; n]; n]);
     } else if below(random, 3) == 0 {
         graph = complete(n);
     }
@@ -354,7 +345,7 @@ fn collisions(random: &mut Random) -> Option<String> {
     let back = flow(|x| flock.aligned(x).iter().map(|y| -y).collect(), x, 1e-3, 100);
     let forth = split(&flow(|x| flock.aligned(x), back.clone(), 1e-3, 100)).0;
     let (r, _) = split(&back);
-    let apart = (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).all(|(i, j)| norm(r[i] - r[j]) > 1e-4);
+    let apart = pairs(n).all(|(i, j)| norm(r[i] - r[j]) > 1e-4);
     (!apart || norm(forth[0] - forth[1]) > 1e-6).then(|| "noninter".to_string())
 }
 

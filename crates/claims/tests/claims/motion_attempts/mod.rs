@@ -2,9 +2,6 @@
 //! alone: the formulas are written here once more, from the papers, in floating point. `notes/attempts-oscillators-and-particles.md`
 //! lists what was tried.
 
-// Matrices are read by their indices here.
-#![allow(clippy::needless_range_loop)]
-
 mod flocks;
 mod particles;
 mod phases;
@@ -161,6 +158,11 @@ pub fn phases(random: &mut Random, n: usize) -> Vec<f64> {
         .collect()
 }
 
+/// All pairs, the larger number first.
+pub fn pairs(n: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..n).flat_map(|k| (0..k).map(move |j| (k, j)))
+}
+
 /// Rows of 0 and 1; `adj[k][j]` where `j` is a neighbour of `k`.
 pub type Graph = Vec<Vec<f64>>;
 
@@ -186,23 +188,25 @@ pub fn circulant(n: usize, offsets: &[usize], both: bool) -> Graph {
 pub fn undirected(random: &mut Random, n: usize) -> Graph {
     let share = [0.0, 0.3, 0.6, 1.0][below(random, 4)];
     let mut graph = vec![vec![0.0; n]; n];
-    for k in 0..n {
-        for j in 0..k {
-            let edge = f64::from(u8::from(uniform(random) < share));
-            (graph[k][j], graph[j][k]) = (edge, edge);
-        }
+    for (k, j) in pairs(n) {
+        let edge = f64::from(u8::from(uniform(random) < share));
+        (graph[k][j], graph[j][k]) = (edge, edge);
+    }
+    graph
+}
+
+/// A graph and the edges of a random tree.
+pub fn with_tree(random: &mut Random, mut graph: Graph) -> Graph {
+    for (k, j) in (1..graph.len()).map(|k| (k, below(random, k))) {
+        (graph[k][j], graph[j][k]) = (1.0, 1.0);
     }
     graph
 }
 
 /// A connected undirected graph: a random tree and some more edges.
 pub fn connected(random: &mut Random, n: usize) -> Graph {
-    let mut graph = if uniform(random) < 0.5 { vec![vec![0.0; n]; n] } else { undirected(random, n) };
-    for k in 1..n {
-        let j = below(random, k);
-        (graph[k][j], graph[j][k]) = (1.0, 1.0);
-    }
-    graph
+    let graph = if uniform(random) < 0.5 { vec![vec![0.0; n]; n] } else { undirected(random, n) };
+    with_tree(random, graph)
 }
 
 pub fn directed(random: &mut Random, n: usize) -> Graph {
@@ -261,8 +265,9 @@ pub fn eigenvalues(matrix: &[Vec<f64>]) -> Vec<f64> {
                 for row in &mut a {
                     (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
                 }
-                for k in 0..n {
-                    (a[p][k], a[q][k]) = (c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]);
+                let [first, second] = a.get_disjoint_mut([p, q]).unwrap();
+                for (x, y) in first.iter_mut().zip(second) {
+                    (*x, *y) = (c * *x - s * *y, s * *x + c * *y);
                 }
             }
         }
@@ -287,11 +292,11 @@ pub fn determinant(mut a: Vec<Vec<Z>>) -> Z {
             return Z::default();
         }
         let inverse = Z(a[p][p].0, -a[p][p].1) * (1.0 / square);
-        for i in p + 1..n {
-            let factor = a[i][p] * inverse;
-            for k in p..n {
-                let pivot = a[p][k];
-                a[i][k] = a[i][k] - factor * pivot;
+        let (above, rest) = a.split_at_mut(p + 1);
+        for row in rest {
+            let factor = row[p] * inverse;
+            for (x, pivot) in row[p..].iter_mut().zip(&above[p][p..]) {
+                *x = *x - factor * *pivot;
             }
         }
     }

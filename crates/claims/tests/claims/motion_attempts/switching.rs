@@ -46,7 +46,7 @@ fn saturated(random: &mut Random) -> Option<String> {
     let (r, v) = split(&x);
     let graph = within(&r, radius);
     let own = flock(graph.clone());
-    let unlinked = (0..n).flat_map(|i| (0..i).map(move |j| (i, j))).filter(|(i, j)| graph[*i][*j] == 0.0).count();
+    let unlinked = pairs(n).filter(|(i, j)| graph[*i][*j] == 0.0).count();
     let value = own.value(0, 0, radius * radius);
     let field = by_distance(&x, radius);
     let form: f64 = v.iter().zip(laplacian(&graph, &v)).map(|(v, l)| dot(*v, l)).sum();

@@ -94,8 +94,7 @@ fn tie_in_cycle(
 }
 
 /// What becomes of a pair at one phase.
-#[derive(Debug)]
-pub enum Run {
+enum Run {
     /// Its status is this after so many rounds.
     Keeps {
         /// Within distance 1.
@@ -112,16 +111,16 @@ pub enum Run {
 }
 
 /// The motion at one phase of the cycle.
-pub struct Rounds {
+struct Rounds {
     part_of: Vec<usize>,
     /// By bird: `x + N Gamma v`.
-    pub place: Vec<Vec<Rational>>,
+    place: Vec<Vec<Rational>>,
     /// By bird: how far it goes in one round in the long run.
-    pub drift: Vec<Vec<Rational>>,
+    drift: Vec<Vec<Rational>>,
     /// By part: a bound of its share of the transients.
-    pub size: Vec<Rational>,
+    size: Vec<Rational>,
     /// By part: the rounds that halve it.
-    pub halving: Vec<u64>,
+    halving: Vec<u64>,
 }
 
 impl Rounds {
@@ -129,7 +128,7 @@ impl Rounds {
     ///
     /// # Errors
     /// [`SettleError`].
-    pub fn new(
+    fn new(
         flock: &Flock,
         cycle: &[&Graph],
         parts: &[Vec<usize>],
@@ -185,7 +184,7 @@ impl Rounds {
     }
 
     /// What becomes of the distance of two birds after each round.
-    pub fn long_run(&self, i: usize, j: usize, most: u64) -> Run {
+    fn long_run(&self, i: usize, j: usize, most: u64) -> Run {
         let minus =
             |rows: &[Vec<Rational>]| -> Vec<Rational> { rows[i].iter().zip(&rows[j]).map(|(p, q)| p - q).collect() };
         let dot = |a: &[Rational], b: &[Rational]| -> Rational { a.iter().zip(b).map(|(p, q)| p * q).sum() };
@@ -227,3 +226,6 @@ impl Rounds {
         Run::Keeps { near: excess.is_negative(), rounds: until(&gap) }
     }
 }
+
+#[cfg(test)]
+mod tests;

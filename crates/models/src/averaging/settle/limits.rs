@@ -13,10 +13,10 @@ use num_integer::Integer;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 /// Numerators, one row per bird and one column per dimension.
-pub type Rows = Vec<Vec<BigInt>>;
+pub(super) type Rows = Vec<Vec<BigInt>>;
 
 /// What depends on the network only.
-pub struct FixedNetwork {
+pub(super) struct FixedNetwork {
     /// The network.
     pub network: Graph,
     /// The number of the flock of each bird.
@@ -102,7 +102,7 @@ impl FixedNetwork {
 
 /// The motion of a flock that keeps its network: with `s` steps from now,
 /// `x_i(s) = place_i + s drift_i - (P^s rest)_i`. All numerators are over `unit`.
-pub struct Motion {
+pub(super) struct Motion {
     /// The common denominator.
     pub unit: BigInt,
     /// `x + Gamma v`.

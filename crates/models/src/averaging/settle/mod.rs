@@ -16,15 +16,6 @@ mod ties;
 mod trajectory;
 mod verdict;
 
-/// The parts of a decision, for the tests that look at each by itself; not meant for use.
-#[doc(hidden)]
-pub mod parts {
-    pub use super::cycle::{Rounds, Run};
-    pub use super::limits::{FixedNetwork, Motion};
-    pub use super::perturbation::{Functional, Jump, Magnitude, Stage, difference_functional, value_of};
-    pub use crate::averaging::flock::IntegerState;
-}
-
 use super::{Flock, FlockError, Switch};
 use algebra::graph::Graph;
 use algebra::matrix::MatrixError;

@@ -15,7 +15,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 
 /// What happened since the last exact state, oldest first.
-pub enum Stage {
+pub(super) enum Stage {
     /// `steps` times: move, then average by `transition`.
     Steps {
         /// On this network.
@@ -43,7 +43,7 @@ impl Stage {
 }
 
 /// A jump: all that is needed to know what it left out and what it does to older remainders.
-pub struct Jump {
+pub(super) struct Jump {
     transition: RationalMatrix,
     /// Rows `pi^T` of the own flock.
     limit: RationalMatrix,
@@ -60,7 +60,7 @@ pub struct Jump {
 
 /// A number that is zero or known by sign and size.
 #[derive(Debug, Clone)]
-pub enum Magnitude {
+pub(super) enum Magnitude {
     /// Zero.
     Zero,
     /// Sign and size.
@@ -68,7 +68,7 @@ pub enum Magnitude {
 }
 
 /// A linear functional of positions and velocities: one row per dimension, one column per bird.
-pub struct Functional {
+pub(super) struct Functional {
     /// Of the positions.
     pub positions: RationalMatrix,
     /// Of the velocities.
@@ -145,7 +145,7 @@ fn trace(matrix: &RationalMatrix) -> Rational {
 }
 
 /// The functional `sum_k weights_k (x_i - x_j)_k` of positions or velocities.
-pub fn difference_functional(
+pub(super) fn difference_functional(
     birds: usize,
     (i, j): (usize, usize),
     weights: &[Rational],
@@ -170,7 +170,11 @@ pub fn difference_functional(
 ///
 /// # Errors
 /// [`SettleError::Unresolved`] where several contributions cannot be told apart.
-pub fn value_of(stages: &[Stage], mut of: Functional, progress: &dyn Progress) -> Result<Magnitude, SettleError> {
+pub(super) fn value_of(
+    stages: &[Stage],
+    mut of: Functional,
+    progress: &dyn Progress,
+) -> Result<Magnitude, SettleError> {
     let mut known: Vec<Leading> = Vec::new();
     let mut smallness: Vec<BigInt> = Vec::new();
     let mut slack: u64 = 64;
@@ -238,3 +242,6 @@ impl Magnitude {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

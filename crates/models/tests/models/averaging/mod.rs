@@ -18,8 +18,6 @@ mod modes;
 mod near_ties;
 mod noisy;
 mod observed;
-mod remainders;
-mod rounds;
 mod settle;
 mod stationary;
 mod switches;

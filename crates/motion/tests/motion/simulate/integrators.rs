@@ -1,6 +1,6 @@
 //! Integrators and events against known solutions.
 
-use motion::{IntegrationError, Integrator, Margin, Rk4, Tolerance, VectorField, integrate, next_fall};
+use motion::{IntegrationError, Integrator, Margin, Rk4, Tolerance, VectorField, integrate, next_crossing};
 
 fn oscillator() -> impl VectorField {
     |_: f64, y: &[f64], rate: &mut [f64]| {
@@ -96,10 +96,10 @@ fn crossings(level: f64, below: bool, until: f64, tolerance: Tolerance) -> Vec<f
             [watched, other].into_iter().filter(can).collect::<Vec<Side>>()
         }
     };
-    while let Some(fall) = next_fall(&mut oscillator(), &mut solution, until, near(watched)).expect("smooth") {
-        found.push(fall.time);
+    while let Some(crossing) = next_crossing(&mut oscillator(), &mut solution, until, near(watched)).expect("smooth") {
+        found.push(crossing.time);
         watched.scale = -watched.scale;
-        solution = Integrator::new(fall.time, &fall.state, tolerance);
+        solution = Integrator::new(crossing.time, &crossing.state, tolerance);
     }
     found
 }

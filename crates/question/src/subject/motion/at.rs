@@ -3,9 +3,10 @@
 use super::laws::phasors_of;
 use super::{BITS, narrowed, widened};
 use crate::error::Problem;
-use crate::evaluate::{Failure, Measured, Moment};
+use crate::failure::Failure;
 use crate::names::Quantity;
 use crate::number::Number;
+use crate::timeline::{Measured, Moment};
 use arithmetic::{ArithmeticError, Complex, Dyadic, Field, FloatInterval, Interval, Rational, Real, Ring, rational};
 use models::double_integrator::{Coordinates, Pair, Potential, State, kinetic_energy, potential_energy};
 use models::oscillator::{

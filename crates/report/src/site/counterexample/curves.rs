@@ -1,6 +1,6 @@
 //! Functions of the papers that a sentence names with their numbers: the gain of a platoon, the potential of a link.
 
-use super::read::{assignments, number};
+use super::numbers::{assignments, number};
 use crate::plot::{Axis, Panel, Series};
 use arithmetic::{Rational, rational};
 use models::double_integrator::Potential;

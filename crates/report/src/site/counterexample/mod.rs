@@ -2,10 +2,11 @@
 
 mod curves;
 mod draw;
+mod numbers;
 mod read;
 
 use super::Site;
-use super::frame::Links;
+use crate::page::Links;
 use maud::{Markup, html};
 use read::Scene;
 

@@ -2,11 +2,10 @@
 //!
 //! The sentences are those that the checks write. Whatever is not wholly understood is left out.
 
-use super::curves::Curve;
+use super::curves::{self, Curve};
+use super::numbers::{assignments, number};
 use arithmetic::Rational;
 use num_traits::{One, ToPrimitive};
-use std::collections::BTreeMap;
-use std::str::FromStr;
 
 /// A pair of agents from 0.
 pub(super) type Link = (usize, usize);
@@ -56,16 +55,8 @@ pub(super) fn scenes(part: &str) -> Vec<Scene> {
         && !matches!(&agents, Some(Scene::Agents { links, places, .. }) if networks.len() == 1 && order == places.len() && *links == networks[0]);
     let networks = alone.then_some(Scene::Networks { order, networks, directed });
     let phases = phases(part).map(Scene::Phases);
-    let curve = super::curves::read(part).map(Scene::Curve);
+    let curve = curves::read(part).map(Scene::Curve);
     [networks, agents, phases, curve, compared(part)].into_iter().flatten().collect()
-}
-
-/// A fraction or a decimal number, perhaps in brackets of its own.
-pub(super) fn number(text: &str) -> Option<Rational> {
-    let text = text.trim();
-    let bare = text.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')).unwrap_or(text);
-    let plain = |c: char| c.is_ascii_digit() || matches!(c, '-' | '/' | '.');
-    (bare.len() < 40 && bare.chars().all(plain)).then(|| Rational::from_str(bare).ok()).flatten()
 }
 
 /// The lists of numbers `(a, b), (c, d) and (e, f)` with which a text begins.
@@ -106,19 +97,6 @@ fn velocities(part: &str, agents: usize) -> Vec<[Rational; 2]> {
     });
     let found = listed.or_else(|| named(part, [["vx%", "vy%"]])).or_else(|| headings(part)).unwrap_or_default();
     if found.len() == agents { found } else { Vec::new() }
-}
-
-/// Every `name = number` between commas, also `name = name = number`.
-pub(super) fn assignments(part: &str) -> BTreeMap<&str, Rational> {
-    let mut known = BTreeMap::new();
-    for piece in part.split([',', ':']) {
-        let piece = piece.rsplit_once(" at ").map_or(piece, |(_, rest)| rest);
-        let mut names: Vec<&str> = piece.split(" = ").map(str::trim).collect();
-        if let Some(value) = names.pop().and_then(number) {
-            known.extend(names.into_iter().map(|name| (name, value.clone())));
-        }
-    }
-    known
 }
 
 /// The pairs of numbers that are given to names, `%` for the number of the agent.

@@ -1,7 +1,7 @@
 //! One computed case for each live page, so that the static site shows what the page would answer.
 
-use super::live;
 use super::runs::RunsError;
+use super::starts;
 use crate::shown::{self, PatternRow};
 use algebra::graph::{LaplacianKind, NamedGraph};
 use algebra::spectrum::named_spectrum;
@@ -33,7 +33,7 @@ pub(super) fn spectrum() -> Case {
 }
 
 pub(super) fn flock() -> Case {
-    let Model::D { start, .. } = read_flock(live::BIRDS).map_err(failed)?.model else { return Ok(String::new()) };
+    let Model::D { start, .. } = read_flock(starts::BIRDS).map_err(failed)?.model else { return Ok(String::new()) };
     let mut switches = Vec::new();
     let mut found = |switch: &models::averaging::Switch| switches.push(switch.clone());
     let settled = settle(Flock::new(&start)?, &Limits::default(), &mut found, &Unwatched)?;
@@ -48,11 +48,11 @@ pub(super) fn patterns() -> Case {
 }
 
 pub(super) fn question() -> Case {
-    let question = Question::read(live::GAP, &|name| Err(format!("there is no {name}"))).map_err(failed)?;
+    let question = Question::read(starts::GAP, &|name| Err(format!("there is no {name}"))).map_err(failed)?;
     let answer = decide(&question, &Unwatched).map_err(failed)?;
     Ok(shown::question(&question, &answer, &Unwatched))
 }
 
 pub(super) fn scenario() -> Case {
-    Ok(shown::simulation(&Scenario::read(live::SWITCHING)?.run(&Unwatched)))
+    Ok(shown::simulation(&Scenario::read(starts::SWITCHING)?.run(&Unwatched)))
 }

@@ -2,6 +2,9 @@
 
 use super::cases::{self, Case};
 use super::runs::RunsError;
+use super::starts::{
+    BIRDS, CERTIFICATE, GAINS, GAP, PAIRS, PAIRS_FLOCK, PATTERN, PHASES, PHASES_SCENARIO, PLATOON, SWITCHING, THREE,
+};
 use maud::{Markup, PreEscaped, html};
 
 /// A live page.
@@ -180,23 +183,6 @@ pub(in super::super) const LIVE: &[Live] = &[
         examples: &[("The limit of one pair of birds", &[("certificate", CERTIFICATE)])],
     },
 ];
-
-/// What a flock is at first.
-pub(super) const BIRDS: &str = "{\"model\": \"D\", \"dimension\": 2, \"weights\": \"lazy\", \"hysteresis\": \"paper\",\n \
-                     \"positions\": [[\"0\", \"0\"], [\"1/2\", \"1/4\"], [\"2\", \"0\"]],\n \"velocities\": [[\"1/8\", \"0\"], [\"0\", \"1/8\"], [\"-1/8\", \"0\"]]}";
-
-pub(super) const GAP: &str = include_str!("../../../../../assets/questions/gap_and_diameter.toml");
-const GAINS: &str = include_str!("../../../../../assets/questions/gains_for_256.toml");
-const PAIRS: &str = include_str!("../../../../../assets/questions/never_meets.toml");
-const PAIRS_FLOCK: &str = include_str!("../../../../../assets/questions/two_pairs.json");
-const PHASES: &str = include_str!("../../../../../assets/questions/altered_sign.toml");
-const PHASES_SCENARIO: &str = include_str!("../../../../../assets/questions/five_repelling_phases.toml");
-pub(super) const SWITCHING: &str = include_str!("../../../../../assets/scenarios/switching_flock.toml");
-const PATTERN: &str = include_str!("../../../../../assets/scenarios/pattern.toml");
-const THREE: &str = include_str!("../../../../../assets/scenarios/three_agents.toml");
-const PLATOON: &str = include_str!("../../../../../assets/scenarios/platoon.toml");
-const CERTIFICATE: &str =
-    include_str!("../../../../../proofs_checks/checker/corpus/pass/chazelle.lem3.3.one_edge.cert");
 
 /// The page.
 ///

@@ -3,10 +3,11 @@
 mod cases;
 mod live;
 mod runs;
+mod starts;
 
 use super::Site;
-use super::frame::Links;
-use super::motion::Motion;
+use crate::page::Links;
+use crate::page::player::Motion;
 pub(super) use live::LIVE;
 use maud::{Markup, html};
 pub use runs::RunsError;

@@ -1,6 +1,6 @@
 //! The runs behind the motions.
 
-use super::super::motion::Motion;
+use crate::page::player::Motion;
 use algebra::matrix::MatrixError;
 use arithmetic::{Rational, Unwatched, rational};
 use models::averaging::settle::{Ending, Limits, SettleError, settle};

@@ -1,13 +1,11 @@
 //! Where a flock goes that follows a cycle of networks, against the same flock stepped exactly.
 
-use algebra::graph::Graph;
+use super::*;
+use crate::averaging::{Hysteresis, Weights};
+use arithmetic::Unwatched;
 use arithmetic::random::generator;
-use arithmetic::{Rational, Unwatched, rational};
-use models::averaging::settle::parts::{Rounds, Run};
-use models::averaging::{Flock, Hysteresis, Start, Weights};
-use models::rand_chacha::ChaCha8Rng;
-use models::rand_chacha::rand_core::Rng;
-use num_traits::{Signed, Zero};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::Rng;
 
 /// A number below `end`.
 fn below(random: &mut ChaCha8Rng, end: u64) -> u64 {

@@ -1,42 +1,13 @@
 //! Time operators: `always[a, b]`, `eventually[a, b]`, `p until[a, b] q`, decided on pieces of time on which everything is enclosed.
 
+use super::{Evaluator, Judged};
 use crate::error::Problem;
-use crate::evaluate::{Evaluator, Failure, Moment};
+use crate::failure::Failure;
 use crate::number::Number;
 use crate::syntax::{Kind, Node};
+use crate::timeline::{Measured, Piece, Timeline, clock};
 use crate::truth::{Doubt, Margin, Truth};
 use arithmetic::{Rational, rational};
-
-/// All times from one to another, or on for ever.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Piece {
-    pub from: Rational,
-    pub to: Option<Rational>,
-}
-
-/// The pieces of a stretch of time as far as it is known, and what stands in the way of knowing the rest.
-pub(crate) struct Covered {
-    pub pieces: Vec<Piece>,
-    pub rest: Option<Doubt>,
-}
-
-/// Something that moves, with its time cut into pieces.
-pub(crate) trait Timeline {
-    /// The pieces that a stretch begins with; `moving` are the names of the moving quantities that are asked for.
-    fn pieces(&self, from: &Rational, to: Option<&Rational>, moving: &[&str]) -> Result<Covered, Failure>;
-
-    /// Everything that is measured in a piece, enclosed for all its times at once.
-    fn moment<'t>(&'t self, piece: &Piece) -> Result<Box<dyn Moment + 't>, Failure>;
-
-    /// Two halves of a piece; `None` where it need not or cannot be divided.
-    fn halves(&self, piece: &Piece) -> Option<[Piece; 2]>;
-
-    /// Follows the motion at least up to a time, before pieces of it are asked for.
-    fn prepare(&self, until: &Rational) -> Result<(), Failure>;
-
-    /// The times that count in a stretch: of discrete time, the integers.
-    fn inside(&self, from: Rational, to: Option<Rational>) -> (Rational, Option<Rational>);
-}
 
 /// Judgements of one operator before it gives up dividing.
 const MOST_JUDGED: usize = 20_000;
@@ -44,10 +15,54 @@ const MOST_JUDGED: usize = 20_000;
 /// How often a piece is halved.
 const DEPTH: u32 = 14;
 
-type Judged = Result<(Truth, Margin), Failure>;
+impl Evaluator<'_, '_> {
+    /// A property with a time operator, at time 0 or at the time of the evaluator.
+    pub(super) fn over_time(&self, node: &Node) -> Judged {
+        let timeline = self.case.timeline()?;
+        let now = Piece { from: rational(0, 1), to: Some(rational(0, 1)) };
+        if self.piece.is_none() {
+            timeline.prepare(&horizon(self, node)?)?;
+        }
+        over_time(timeline, self, node, self.piece.unwrap_or(&now))
+    }
+
+    /// A quantity at time 0.
+    pub(super) fn initially(&self, node: &Node) -> Result<Measured, Failure> {
+        let timeline = self.case.timeline()?;
+        let now = Piece { from: rational(0, 1), to: Some(rational(0, 1)) };
+        if self.piece.is_none() {
+            timeline.prepare(&now.from)?;
+        }
+        let moment = timeline.moment(&now)?;
+        Evaluator { moment: Some(moment.as_ref()), piece: Some(&now), ..*self }.measured(node)
+    }
+}
+
+/// The last time that a property looks at, bounded times only.
+pub(crate) fn horizon(evaluator: &Evaluator, node: &Node) -> Result<Rational, Failure> {
+    let zero = rational(0, 1);
+    let end = |to: &Node| match to.kind {
+        Kind::Infinity => Ok(zero.clone()),
+        _ => match evaluator.number(to)? {
+            Number::Exact(q) => Ok(q),
+            other => Err(Failure::Refused(to.at, Problem::expected("a rational number", other.text()))),
+        },
+    };
+    let most = |list: Vec<&Node>| {
+        list.into_iter().try_fold(zero.clone(), |most, node| Ok::<_, Failure>(most.max(horizon(evaluator, node)?)))
+    };
+    match &node.kind {
+        Kind::Always(_, parts) => Ok(end(&parts[1])? + horizon(evaluator, &parts[2])?),
+        Kind::Until(parts) => Ok(end(&parts[1])? + most(vec![&parts[2], &parts[3]])?),
+        Kind::Not(body) => horizon(evaluator, body),
+        Kind::And(list) | Kind::Or(list) => most(list.iter().collect()),
+        Kind::Implies(a, b) => most(vec![a, b]),
+        _ => Ok(zero.clone()),
+    }
+}
 
 /// The truth of a property with a time operator at a piece of time: for all its times at once.
-pub(crate) fn over_time(timeline: &dyn Timeline, evaluator: &Evaluator, node: &Node, at: &Piece) -> Judged {
+fn over_time(timeline: &dyn Timeline, evaluator: &Evaluator, node: &Node, at: &Piece) -> Judged {
     match &node.kind {
         Kind::Always(always, parts) => {
             let [from, to, body] = parts.as_ref();
@@ -203,12 +218,6 @@ impl Operator<'_, '_, '_> {
 fn meets(piece: &Piece, (from, to): &(Rational, Option<Rational>)) -> bool {
     let first = (&piece.from).max(from);
     [&piece.to, to].into_iter().flatten().all(|end| first <= end)
-}
-
-/// A time as a reader wants it: at most six decimals.
-pub(crate) fn clock(time: f64) -> String {
-    let text = format!("{time:.6}");
-    text.trim_end_matches('0').trim_end_matches('.').to_string()
 }
 
 /// A doubt with the time where it arose.

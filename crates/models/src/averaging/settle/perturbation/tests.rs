@@ -3,16 +3,10 @@
 //! After a jump over `s` steps a decision goes on with the limit motion. The twin here takes each of these steps, with rationals; what the
 //! two states differ by is what was left out, to all orders.
 
-use algebra::graph::Graph;
-use algebra::matrix::RationalMatrix;
-use arithmetic::{Rational, Sign, Unwatched, rational};
-use models::averaging::settle::SettleError;
-use models::averaging::settle::parts::{
-    FixedNetwork, Functional, IntegerState, Jump, Magnitude, Motion, Stage, difference_functional, value_of,
-};
-use models::averaging::{Weights, transition_matrix};
-use num_bigint::BigInt;
-use num_integer::Integer;
+use super::*;
+use crate::averaging::flock::IntegerState;
+use crate::averaging::{Weights, transition_matrix};
+use arithmetic::Unwatched;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 /// Positions and velocities, one row per bird.

@@ -1,9 +1,11 @@
-//! What is around the contents of every page.
+//! What is around the contents of every page, of the site and alone in a file; `player` shows motions in them.
+
+pub(crate) mod player;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-pub(super) const STYLE: &str = include_str!("site.css");
-pub(super) const SCRIPT: &str = include_str!("site.js");
+pub(crate) const STYLE: &str = include_str!("site.css");
+pub(crate) const SCRIPT: &str = include_str!("site.js");
 
 /// A file of the site.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -15,7 +17,7 @@ pub struct Page {
 }
 
 impl Page {
-    pub(super) fn new(path: impl Into<String>, contents: impl Into<Vec<u8>>) -> Self {
+    pub(crate) fn new(path: impl Into<String>, contents: impl Into<Vec<u8>>) -> Self {
         Page { path: path.into(), contents: contents.into() }
     }
 }
@@ -120,7 +122,7 @@ impl Frame<'_> {
         };
         let mut text = document.into_string();
         if alone {
-            let player = if text.contains("class=\"live\"") { super::motion::PLAYER } else { "" };
+            let player = if text.contains("class=\"live\"") { player::PLAYER } else { "" };
             let script = format!("<script>{SCRIPT}{player}</script></body>");
             text = text.replacen("</body>", &script, 1);
         }

@@ -8,14 +8,14 @@ use scenario::{Outcome, Row};
 use std::fmt::Write;
 
 /// The program that plays motions.
-pub(crate) const PLAYER: &str = include_str!("explore/player.js");
+pub(crate) const PLAYER: &str = include_str!("player.js");
 
 /// Most frames of a motion, and most numbers in all of them.
 const FRAMES: usize = 600;
 const NUMBERS: usize = 400_000;
 
 /// A pair of agents from 0.
-pub(super) type Link = (usize, usize);
+pub(crate) type Link = (usize, usize);
 
 /// One motion.
 pub(crate) struct Motion {

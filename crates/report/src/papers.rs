@@ -22,7 +22,7 @@ impl Paper {
 }
 
 /// All papers in the order of their keys.
-pub(super) fn papers() -> impl Iterator<Item = Paper> {
+pub(crate) fn papers() -> impl Iterator<Item = Paper> {
     include_str!("papers.tsv").lines().skip(1).filter_map(|line| {
         let [key, short, authors, year, title, published] = line.split('\t').collect::<Vec<_>>().try_into().ok()?;
         Some(Paper { key, short, authors, year, title, published })
