@@ -223,3 +223,33 @@ fn turning_point(ends: &[(Vector<f64>, Vector<f64>); 2], time: f64) -> f64 {
     }
     PLANE.square(&at(low).0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `r(t)` with these coefficients of `1, t, t², t³`, and its derivative.
+    fn moving(c: &[[f64; 2]; 4], t: f64) -> (Vector<f64>, Vector<f64>) {
+        let r = [0, 1].map(|k| c[0][k] + t * (c[1][k] + t * (c[2][k] + t * c[3][k])));
+        let v = [0, 1].map(|k| c[1][k] + t * (2.0 * c[2][k] + t * 3.0 * c[3][k]));
+        (r, v)
+    }
+
+    /// A motion that is a cubic is its own interpolation: where it turns is found among many instants.
+    #[test]
+    fn cubics_turn_where_they_are_nearest() {
+        for (c, time) in [
+            ([[3.0, 1.0], [-2.0, 0.25], [0.0, 0.0], [0.0, 0.0]], 4.0),
+            ([[2.0, -1.0], [-3.0, 1.5], [1.0, 0.25], [0.125, -0.0625]], 2.0),
+            ([[1.0, 0.5], [-8.0, 0.5], [6.0, 4.0], [24.0, -10.0]], 0.5),
+            ([[0.5, -2.0], [0.25, 1.0], [-0.25, 0.125], [0.03125, 0.015625]], 6.0),
+        ] {
+            let ends = [moving(&c, 0.0), moving(&c, time)];
+            assert!(PLANE.product(&ends[0].0, &ends[0].1) < 0.0 && PLANE.product(&ends[1].0, &ends[1].1) > 0.0);
+            let squares = (0..=100_000).map(|k| PLANE.square(&moving(&c, time * f64::from(k) / 1e5).0));
+            let known = squares.fold(f64::INFINITY, f64::min);
+            let found = turning_point(&ends, time);
+            assert!((found - known).abs() < 1e-7 * known.max(1e-3), "{c:?}: {found} {known}");
+        }
+    }
+}

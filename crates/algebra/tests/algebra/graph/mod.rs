@@ -3,7 +3,7 @@
 use algebra::graph::read::{GraphReadError, read_graph};
 use algebra::graph::{Graph, LaplacianError, LaplacianKind, NameError, NamedGraph, WeightedGraph, components};
 use algebra::matrix::{Footprint, SparseMatrix};
-use arithmetic::rational;
+use arithmetic::{Ring, rational};
 
 fn named(text: &str) -> NamedGraph {
     text.parse().unwrap_or_else(|error| panic!("{text}: {error}"))
@@ -28,6 +28,102 @@ fn names_are_read_and_written() {
         assert!(text.parse::<NamedGraph>().is_err(), "{text}");
     }
     assert!(matches!(named("complete:1048576").build(), Err(NameError::TooManyArcs(_))));
+}
+
+/// Who is joined to whom, by the numbers alone.
+#[test]
+fn named_graphs_have_the_arcs_of_their_definition() {
+    let apart = |n: usize, i: usize, j: usize| (i + n - j) % n;
+    type Joined<'a> = &'a dyn Fn(usize, usize, usize) -> bool;
+    let kinds: [(&str, Joined); 6] = [
+        ("ring", &|n, i, j| [1, n - 1].contains(&apart(n, i, j))),
+        ("cycle", &|n, i, j| apart(n, j, i) == 1 % n),
+        ("path", &|_, i, j| i.abs_diff(j) == 1),
+        ("complete", &|_, i, j| i != j),
+        ("star", &|_, i, j| i != j && i.min(j) == 0),
+        ("platoon1", &|_, i, j| i == j + 1),
+    ];
+    let of = |text: &str| named(text).build().expect("small");
+    let agrees = |graph: &WeightedGraph, n: usize, joined: &dyn Fn(usize, usize) -> bool| {
+        assert_eq!(graph.order(), n);
+        for i in 0..n {
+            let row: Vec<_> = (0..n).filter(|&j| joined(i, j)).map(|j| (j, rational(1, 1))).collect();
+            assert_eq!(graph.adjacency().row(i), row, "{n} {i}");
+        }
+    };
+    for (kind, joined) in kinds {
+        for n in 3..8 {
+            let named = if kind == "platoon1" { n - 1 } else { n };
+            agrees(&of(&format!("{kind}:{named}")), n, &|i, j| joined(n, i, j));
+        }
+    }
+    for (n, offsets) in [(7, &[2][..]), (8, &[1, 4]), (9, &[2, 3]), (2, &[1])] {
+        let list: Vec<String> = offsets.iter().map(ToString::to_string).collect();
+        let graph = of(&format!("circulant:{n}:{}", list.join(",")));
+        agrees(&graph, n, &|i, j| offsets.iter().any(|a| [*a, n - a].contains(&apart(n, i, j))));
+    }
+    // Equation (2) of Veerman: the last car follows one, all others two, with half the weight each.
+    for m in 1..6 {
+        let graph = of(&format!("platoon2:{m}"));
+        for i in 0..=m {
+            let half = |j: usize| (j, rational(1, 2));
+            let known = match i {
+                0 => vec![],
+                _ if i == m => vec![(m - 1, rational(1, 1))],
+                _ => vec![half(i - 1), half(i + 1)],
+            };
+            assert_eq!(graph.adjacency().row(i), known, "{m} {i}");
+        }
+    }
+}
+
+/// Points whose coordinates are the words of the generator over 2^32, compared as rationals.
+#[test]
+fn geometric_graphs_join_points_that_are_close() {
+    use rand_chacha::ChaCha8Rng;
+    use rand_chacha::rand_core::{Rng, SeedableRng};
+    for (radius, text, seed) in [(rational(1, 4), "1/4", 3), (rational(1, 2), "1/2", 11), (rational(9, 10), "9/10", 4)]
+    {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut word = || rational(i64::from(random.next_u32()), 1 << 32);
+        let points: Vec<_> = (0..12).map(|_| [word(), word()]).collect();
+        let graph = named(&format!("geometric:12:{text}:{seed}")).build().expect("small");
+        for i in 0..12 {
+            let close = |j: usize| {
+                let square: arithmetic::Rational = (0..2).map(|k| (&points[i][k] - &points[j][k]).square()).sum();
+                i != j && square <= radius.square()
+            };
+            let row: Vec<_> = (0..12).filter(|&j| close(j)).map(|j| (j, rational(1, 1))).collect();
+            assert_eq!(graph.adjacency().row(i), row, "{text} {i}");
+        }
+    }
+}
+
+#[test]
+fn names_have_their_limits() {
+    let bad = |text: &str| text.parse::<NamedGraph>().is_err();
+    for (kind, least, most) in [
+        ("ring", 3, 1 << 20),
+        ("cycle", 1, 1 << 20),
+        ("star", 1, 1 << 20),
+        ("platoon1", 1, (1 << 20) - 1),
+        ("platoon2", 1, (1 << 20) - 1),
+    ] {
+        let outside = [least - 1, most + 1].map(|n| bad(&format!("{kind}:{n}")));
+        let inside = [least, most].map(|n| bad(&format!("{kind}:{n}")));
+        assert_eq!((outside, inside), ([true; 2], [false; 2]), "{kind}");
+    }
+    assert!(!bad("circulant:2:1") && !bad("circulant:5:4") && bad("circulant:5:5"));
+    assert!(!bad("geometric:16384:1:0") && bad("geometric:16385:1:0") && bad("geometric::1:0"));
+    // 2^21 arcs are allowed: 1448² of a complete graph are fewer, 1449² more.
+    for (text, fits) in [
+        ("complete:1448", true),
+        ("complete:1449", false),
+        ("circulant:1048576:1", true),
+        ("circulant:1048576:1,2", false),
+    ] {
+        assert_eq!(named(text).build().is_ok(), fits, "{text}");
+    }
 }
 
 #[test]

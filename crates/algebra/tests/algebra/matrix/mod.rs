@@ -322,6 +322,41 @@ fn floating_eigenvalues_carry_small_residuals() {
     assert!(eigenvalues(&to_floats(&RationalMatrix::from_integers(&[[1, 0]], 1).unwrap())).is_err());
 }
 
+/// Products, sums and differences of matrices that are not square, entry by entry.
+#[test]
+fn matrices_of_any_shape_are_multiplied_and_added() {
+    let q = |n: usize, m: usize| rational(n as i64 % 7 - 3, m as i64 % 5 + 1);
+    let rows = |m: usize, n: usize, shift: usize| -> Vec<Vec<Rational>> {
+        (0..m).map(|i| (0..n).map(|j| q(5 * i + 3 * j + shift, i + 2 * j + shift)).collect()).collect()
+    };
+    let matrix = |rows: &[Vec<Rational>]| RationalMatrix::from_rows(rows).expect("a matrix");
+    for (m, n, r) in [(1, 3, 2), (4, 1, 3), (2, 5, 1), (3, 2, 4)] {
+        let (a, b, c) = (rows(m, n, 1), rows(n, r, 2), rows(m, n, 4));
+        let product: Vec<Vec<Rational>> =
+            a.iter().map(|row| (0..r).map(|j| (0..n).map(|k| &row[k] * &b[k][j]).sum()).collect()).collect();
+        assert_eq!(matrix(&a).times(&matrix(&b)).expect("shapes").to_rows(), product);
+        let column: Vec<Rational> = b.iter().map(|row| row[0].clone()).collect();
+        let first: Vec<Rational> = product.iter().map(|row| row[0].clone()).collect();
+        assert_eq!(matrix(&a).apply(&column), Ok(first));
+        let pairs = || a.iter().zip(&c).map(|(x, y)| x.iter().zip(y));
+        let sum: Vec<Vec<Rational>> = pairs().map(|row| row.map(|(x, y)| x + y).collect()).collect();
+        let difference: Vec<Vec<Rational>> = pairs().map(|row| row.map(|(x, y)| x - y).collect()).collect();
+        assert_eq!(matrix(&a).plus(&matrix(&c)).expect("shapes").to_rows(), sum);
+        assert_eq!(matrix(&a).minus(&matrix(&c)).expect("shapes").to_rows(), difference);
+        // Other shapes are refused with both told, also where the number of entries is the same.
+        let error = matrix(&a).times(&matrix(&rows(n + 1, r, 0))).expect_err("shapes");
+        assert_eq!(error, MatrixError::Shapes { left_cols: n, right_rows: n + 1 });
+        let turned = matrix(&a).transpose();
+        let error = matrix(&a).plus(&turned).expect_err("shapes");
+        assert_eq!(error, MatrixError::DifferentShapes { left: (m, n), right: (n, m) });
+        assert!(matrix(&a) != turned && turned.transpose() == matrix(&a));
+    }
+    // The first row that differs in its length is told.
+    let ragged = [vec![rational(1, 1)], vec![], vec![]];
+    let error = RationalMatrix::from_rows(&ragged).expect_err("ragged");
+    assert_eq!(error, MatrixError::Ragged { row: 2, expected: 1, found: 0 });
+}
+
 #[test]
 fn applying_a_matrix() {
     let p = RationalMatrix::from_integers(&[[12, 3], [10, 5]], 15).unwrap();

@@ -83,3 +83,103 @@ impl Classes {
         self.ties.retain(|&(i, j)| of[i as usize] == of[j as usize]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::averaging::transition_matrix;
+    use algebra::graph::Graph;
+    use arithmetic::random::generator;
+    use arithmetic::{Rational, rational};
+    use rand_chacha::rand_core::Rng;
+
+    /// Classes with these ties, noted in order.
+    fn noted(of: &[u64], pairs: &[(u32, u32)]) -> Classes {
+        let mut classes = Classes::default();
+        pairs.iter().for_each(|&pair| classes.note(pair, || of.to_vec()));
+        classes
+    }
+
+    fn links(edges: &[(usize, usize)]) -> Links {
+        Links::new(&Graph::from_edges(6, edges).expect("a graph"))
+    }
+
+    #[test]
+    fn ties_are_of_one_class() {
+        let mut classes = noted(&[0, 1, 0, 2, 1, 7], &[(0, 2)]);
+        // While there is a tie the classes are not asked for again.
+        classes.note((1, 4), || panic!("known"));
+        classes.note((0, 1), || panic!("known"));
+        assert_eq!([(0, 2), (1, 4), (0, 1), (3, 5)].map(|pair| classes.is_tie(pair)), [true, true, false, false]);
+        // Where there is none they are, and what is known of others is not more.
+        let mut classes = noted(&[0, 1, 0, 2, 1, 7], &[(0, 1)]);
+        classes.note((0, 1), || vec![5; 6]);
+        assert!(classes.is_tie((0, 1)) && !classes.is_tie((0, 2)));
+        assert!(!Classes::default().are_alike((0, 0)) && !classes.are_alike((0, 6)));
+    }
+
+    #[test]
+    fn components_are_still_where_all_are_of_one_class() {
+        let classes = noted(&[3, 3, 1, 1, 2, 3], &[(0, 1)]);
+        assert_eq!(classes.is_still(&[0, 0, 1, 1, 2, 0], 3), [true; 3]);
+        assert_eq!(classes.is_still(&[0, 1, 1, 2, 2, 0], 3), [true, false, false]);
+        assert_eq!(Classes::default().is_still(&[0, 1], 2), [false; 2]);
+    }
+
+    /// Birds of one class stay so with neighbours of the same classes, in any order; with weights of their own they do not, unless nothing changes.
+    #[test]
+    fn averages_of_the_same_are_the_same() {
+        let of = [0, 0, 1, 2, 2, 1];
+        let ties = [(0, 1), (2, 5), (3, 4)];
+        let both = links(&[(0, 2), (0, 3), (1, 4), (1, 5)]);
+        let after = |links: &Links, weights: &Weights| {
+            let mut classes = noted(&of, &ties);
+            classes.average(links, weights);
+            ties.map(|pair| classes.is_tie(pair))
+        };
+        let given = Weights::Given(vec![rational(1, 5); 6]);
+        assert_eq!(after(&both, &Weights::Lazy), [true; 3]);
+        assert_eq!(after(&both, &given), [false; 3]);
+        assert_eq!(after(&links(&[(0, 1), (2, 5)]), &given), [true; 3]);
+        // Another neighbour, one more for bird 1, or one of the own class beside it.
+        assert_eq!(after(&links(&[(0, 2), (1, 3)]), &Weights::Lazy), [false; 3]);
+        assert_eq!(after(&links(&[(0, 2), (1, 5), (1, 3)]), &Weights::Lazy), [false, true, false]);
+        assert_eq!(after(&links(&[(0, 2), (0, 1), (1, 5)]), &Weights::Lazy), [true, true, true]);
+        // Without ties nothing is known.
+        let mut classes = noted(&of, &[(0, 2)]);
+        classes.average(&both, &Weights::Lazy);
+        assert!(classes.of.is_empty());
+    }
+
+    /// The exact twin: velocities by classes, any numbers at first, averaged by the matrix. What is of one class has one velocity.
+    #[test]
+    fn birds_of_one_class_have_one_velocity() {
+        let (mut alike, mut kept) = (0, 0);
+        for case in 0..300 {
+            let mut random = generator("test", "classes", case);
+            let mut below = |k: u32| random.next_u32() % k;
+            let of: Vec<u64> = (0..6).map(|_| u64::from(below(3))).collect();
+            let mut velocities: Vec<Rational> = of.iter().map(|&c| rational([2, 7, 31][c as usize], 1)).collect();
+            let all: Vec<(u32, u32)> = (0..6).flat_map(|j| (0..j).map(move |i| (i, j))).collect();
+            let mut classes = noted(&of, &all);
+            let weights =
+                [Weights::Lazy, Weights::Vicsek, Weights::Given(vec![rational(1, 7); 6])][below(3) as usize].clone();
+            for _ in 0..4 {
+                let edges: Vec<(usize, usize)> =
+                    all.iter().filter(|_| below(4) == 0).map(|&(i, j)| (i as usize, j as usize)).collect();
+                let graph = Graph::from_edges(6, &edges).expect("a graph");
+                let rows = transition_matrix(&graph, &weights).expect("admissible").to_rows();
+                velocities = rows.iter().map(|row| row.iter().zip(&velocities).map(|(p, v)| p * v).sum()).collect();
+                classes.average(&Links::new(&graph), &weights);
+                for &(i, j) in &all {
+                    if classes.are_alike((i, j)) || classes.is_tie((i, j)) {
+                        assert_eq!(velocities[i as usize], velocities[j as usize], "{case}: {i} {j}");
+                        alike += 1;
+                    }
+                    kept += usize::from(classes.is_tie((i, j)));
+                }
+            }
+        }
+        assert!(alike > 300 && kept > 300, "{alike} {kept}");
+    }
+}

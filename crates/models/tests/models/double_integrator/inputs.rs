@@ -61,6 +61,16 @@ fn bad_flocks_are_refused_in_one_sentence() {
         of(back, pair(1.0)),
         "the times from which graphs are used must be numbers that increase, but 1 follows 2"
     );
+    for (from, words) in [(0.0, "0 follows 0"), (f64::INFINITY, "inf follows 0"), (f64::NAN, "NaN follows 0")] {
+        let signal = Network::Signal(vec![(0.0, Graph::path(2)), (from, Graph::path(2))]);
+        assert!(of(signal, pair(1.0)).ends_with(words), "{from}");
+    }
+    // At the bounds themselves; of several agents the first is told.
+    for bound in [1e150, 1e-150] {
+        assert!(of(within(bound), pair(1.0)).ends_with(&format!("but it is {bound}")), "{bound}");
+    }
+    let far = state(&[[0.0, 0.0], [0.0, -1e150], [-1e200, 0.0]], &[[0.0; 2]; 3]);
+    assert_eq!(of(within(1.0), far), "the position of agent 2 is not a number below 1e150 in size");
     let larger = Network::Signal(vec![(0.0, Graph::path(2)), (2.0, Graph::path(5))]);
     assert_eq!(of(larger, pair(1.0)), "the graph from t = 2 on has 5 vertices, but there are 2 agents");
     assert_eq!(of(within(1e-100), pair(1.0)), "the potential or its slope is not finite at the radius R = 1e-100");
@@ -69,6 +79,9 @@ fn bad_flocks_are_refused_in_one_sentence() {
 #[test]
 fn headings_are_needed_by_heading_alignment_only() {
     let still = || state(&[[0.0, 0.0], [1.0, 0.0]], &[[1.0, 0.0], [0.0, 0.0]]);
+    let most = state(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]], &[[1.0, 0.0], [0.0, 0.0], [0.0, 0.0]]);
+    let first = refusal(Alignment::Heading(HeadingDifference::Raw), Network::Fixed(Graph::path(3)), most);
+    assert!(first.starts_with("agent 2 is at rest"), "{first}");
     let heading = |difference| Alignment::Heading(difference);
     let linked = || Network::Fixed(Graph::path(2));
     let raw = HeadingDifference::Raw;
