@@ -231,7 +231,7 @@ impl EnclosedFlock {
         time: f64,
     ) -> Result<(Parallelepiped, Crossing, Vec<EnclosedEvent>), EnclosureError> {
         let start = set.hull();
-        let mut pair = self.nearest(&start, graph);
+        let mut pair = None;
         for power in -40..-3 {
             let to = time + 2f64.powi(power) * time.max(1.0);
             let span = FloatInterval::point(to) - FloatInterval::point(time);
@@ -246,7 +246,7 @@ impl EnclosedFlock {
                 let rate = Coordinates::Cartesian.product(&state.separation(i, j), &state.relative_velocity(i, j));
                 rate.sign() == Some(if graph.has_edge(i, j) { Sign::Positive } else { Sign::Negative })
             };
-            pair = crossing.first().copied().unwrap_or(pair);
+            pair = crossing.first().copied().or(pair);
             let next = switched(graph, |pair| crossing.contains(&pair));
             if crossing.iter().all(monotone) && self.doubtful(&end.hull(), &next).is_empty() {
                 let event =
@@ -256,7 +256,7 @@ impl EnclosedFlock {
                 return Ok((end, Crossing { from: time, to, states: around }, events));
             }
         }
-        Err(EnclosureError::Threshold { time, pair })
+        Err(EnclosureError::Threshold { time, pair: pair.unwrap_or_else(|| self.nearest(&start, graph)) })
     }
 
     /// Encloses the right-hand side over a box in which the network is not certain: all forces between those of the networks that are possible.

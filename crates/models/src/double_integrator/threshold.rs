@@ -53,11 +53,13 @@ impl Engine<'_> {
         given: &[Pair],
         radius: f64,
     ) -> Result<(Vec<Branch<f64>>, Vec<Pair>), ForkError> {
-        let pushes = self.slope.at(&(radius * radius)).is_ok_and(|slope| slope < 0.0);
-        let least = if pushes { 100.0 * self.options.tolerance.relative * radius * radius } else { 0.0 };
+        let accelerations = self.flock.accelerations(&self.slope, state, &self.links, &[]).unwrap_or_default();
+        let slope = self.slope.at(&(radius * radius)).unwrap_or(0.0);
+        let least = if slope < 0.0 { 100.0 * self.options.tolerance.relative * radius * radius } else { 0.0 };
         let [exactly, nearly] = [0.0, least].map(|least| {
-            let grazing = self.grazing(state, ties, radius, least);
-            given.iter().copied().chain(grazing.into_iter().filter(|pair| !given.contains(pair))).collect::<Vec<_>>()
+            let grazes = |pair: &Pair| self.grazes(state, &accelerations, (radius, slope), *pair, least);
+            let grazing = ties.iter().filter(|pair| !given.contains(pair) && grazes(pair));
+            given.iter().chain(grazing).copied().collect::<Vec<_>>()
         });
         let passing = |pair: Pair| if self.rate(state, pair) > 0.0 { Way::Leaves } else { Way::Enters };
         let turns = |(pair, way): &(Pair, Way<f64>)| {
@@ -82,18 +84,20 @@ impl Engine<'_> {
         2.0 * PLANE.product(&state.separation(i, j), &state.relative_velocity(i, j))
     }
 
-    /// The ties whose distance has rate 0: if it turned, it would within rounding of `R`, or within `least` of `|r_ij|²`.
-    fn grazing(&self, state: &State<f64>, ties: &[Pair], radius: f64, least: f64) -> Vec<Pair> {
-        let accelerations = self.flock.accelerations(&self.slope, state, &self.links, &[]).unwrap_or_default();
-        let slope = self.slope.at(&(radius * radius)).unwrap_or(0.0);
-        let grazes = |&&(i, j): &&Pair| {
-            let v = state.relative_velocity(i, j);
-            let size = |k: usize| accelerations.get(k).map_or(0.0, |a| PLANE.square(a).sqrt());
-            let bend = 2.0 * (PLANE.square(&v) + radius * (size(i) + size(j))) + 8.0 * radius * radius * slope.abs();
-            let rate = self.rate(state, (i, j));
-            rate * rate <= 2.0 * bend * least.max(4.0 * rounding(state, (i, j), radius))
-        };
-        ties.iter().filter(grazes).copied().collect()
+    /// Whether the distance of a tie has rate 0: if it turned, it would within rounding of `R`, or within `least` of `|r_ij|²`.
+    fn grazes(
+        &self,
+        state: &State<f64>,
+        accelerations: &[Vector<f64>],
+        (radius, slope): (f64, f64),
+        (i, j): Pair,
+        least: f64,
+    ) -> bool {
+        let v = state.relative_velocity(i, j);
+        let size = |k: usize| accelerations.get(k).map_or(0.0, |a| PLANE.square(a).sqrt());
+        let bend = 2.0 * (PLANE.square(&v) + radius * (size(i) + size(j))) + 8.0 * radius * radius * slope.abs();
+        let rate = self.rate(state, (i, j));
+        rate * rate <= 2.0 * bend * least.max(4.0 * rounding(state, (i, j), radius))
     }
 
     /// The ways on, over intervals as wide as rounding.
