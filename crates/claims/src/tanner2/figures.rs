@@ -167,7 +167,7 @@ pub fn fig4_close() -> Record<FigureVariant> {
 pub fn fig5() -> Record<FigureVariant> {
     const PARTS: &[Part] = &[
         Part {
-            what: "links within 2 m: connected after 100 s, velocities agree",
+            what: "connected after 100 s, velocities agree",
             seen: |trial| trial.end.components == 1 && trial.agrees(0.01),
             can: false,
         },
