@@ -168,6 +168,31 @@ Proof.
   - rewrite (Sum_ext n _ (fun d => (if ring_offset n d then 1 else 0) * (- sin (wave n m d)))) by (intros; cbn; ring).
     rewrite ring_sum by assumption. rewrite E3s, E1. ring.
 Qed.
+(* the neighbours on a ring, and phasors that are opposite two nodes apart, on a ring of a number of nodes that 4 divides *)
+Lemma ring_neighbours n k (f : nat -> R) : (3 <= n)%nat -> (k < n)%nat ->
+  Sum n (fun j => w (ring_graph n) k j * f j) = f ((k + 1) mod n) + f ((k + (n - 1)) mod n).
+Proof.
+  intros Hn Hk. rewrite <- (ring_sum n (fun d => f ((k + d) mod n)) Hn).
+  rewrite <- (Sum_rotate n k (fun d => (if ring_offset n d then 1 else 0) * f ((k + d) mod n)) Hk).
+  apply Sum_ext; intros j Hj. unfold w, ring_graph. do 2 f_equal.
+  rewrite Nat.add_mod_idemp_r by lia. replace (k + (j + n - k))%nat with (j + 1 * n)%nat by lia. rewrite Nat.mod_add, Nat.mod_small; lia.
+Qed.
+Theorem ring_antipodal p (x : nat -> C) : (1 <= p)%nat -> (forall j, x (j + 2)%nat = (- x j)%C) ->
+  eigenvector (4 * p) (lap (4 * p) (ring_graph (4 * p))) (RtoC 2) x.
+Proof.
+  intros Hp A k Hk. set (n := (4 * p)%nat) in *. assert (Hn : (3 <= n)%nat) by (unfold n; lia).
+  assert (A4 : forall q j, x (j + 4 * q)%nat = x j).
+  { induction q as [|q IH]; intros j; [f_equal; lia|]. replace (j + 4 * Datatypes.S q)%nat with (j + 4 * q + 2 + 2)%nat by lia. rewrite !A, IH. ring. }
+  assert (Am : forall j, x (j mod n) = x j).
+  { intros j. rewrite (Nat.div_mod j n) at 2 by lia. rewrite Nat.add_comm. replace (n * (j / n))%nat with (4 * (p * (j / n)))%nat by (unfold n; now rewrite Nat.mul_assoc). symmetry. apply A4. }
+  assert (B : x ((k + (n - 1)) mod n) = (- x ((k + 1) mod n))%C).
+  { rewrite !Am, <- A. replace (k + (n - 1))%nat with (k + 1 + 2 + 4 * (p - 1))%nat by (unfold n; lia). apply A4. }
+  rewrite row_lap by exact Hk. unfold Csum. apply injective_projections; cbn [fst snd].
+  - rewrite (Sum_ext n _ (fun j => w (ring_graph n) k j * (fst (x k) - fst (x j)))) by (intros; cbn; ring).
+    rewrite (ring_neighbours n k (fun j => fst (x k) - fst (x j)) Hn Hk), B. cbn. ring.
+  - rewrite (Sum_ext n _ (fun j => w (ring_graph n) k j * (snd (x k) - snd (x j)))) by (intros; cbn; ring).
+    rewrite (ring_neighbours n k (fun j => snd (x k) - snd (x j)) Hn Hk), B. cbn. ring.
+Qed.
 (* consecutive phasors of a Fourier column differ by one rotation: the edges of C_N are drawn as the polygon {N/m} *)
 Theorem wave_polygon n m k : (1 <= n)%nat -> (k < n)%nat ->
   expi (wave n m ((k + 1) mod n)) = (expi (2 * PI * INR m / INR n) * expi (wave n m k))%C.
