@@ -1,0 +1,166 @@
+(* More clauses of the claims about Paley's paper, on the particles, their circles, graphs and fish: formalised from their words
+   before the theorems were looked at; the theorems prove them. Fish, particles and nodes are 0..n-1; adj k j: j is a neighbour of k. *)
+From Coq Require Import Reals Lra Lia List Relations.
+From Coquelicot Require Import Coquelicot.
+From Flockproof Require Import RealSums paley_model paley_phase audit_independent_paley.
+Open Scope R_scope.
+
+(* p_theta of (7), the centre of mass R of (4), and W_1(theta) of (12), written out *)
+Definition p7 (n : nat) (th : nat -> R) : C := (RtoC (/ INR n) * Csum n (fun j => expi (th j)))%C.
+Definition mass (n : nat) (r : nat -> C) : C := (RtoC (/ INR n) * Csum n r)%C.
+Definition W12 (n : nat) (adj : graph) (th : nat -> R) : R :=
+  / (2 * INR n) * Sum n (fun k => inner (expi (th k)) (Csum n (fun j => RtoC (lap n adj k j) * expi (th j)))%C).
+
+(* paley.Rball clause 1: u_k = w0; the circles may be different *)
+Definition Rball_1 : Prop := forall n w0 r th, (1 <= n)%nat -> w0 <> 0 -> (forall t, 0 <= t -> particles n r th (fun _ => w0) t) ->
+  exists b : C, forall t, 0 <= t -> Cmod (mass n (at_time r t) - b)%C <= / Rabs w0.
+
+(* paley.beacon.form clause 1 *)
+Definition beacon (n : nat) (c0 : C) (c : nat -> C) : R := / (2 * INR n) * Sum n (fun k => Cmod (c k - c0)%C ^ 2).
+Definition beacon_1 : Prop := forall n c0 c, (1 <= n)%nat -> (beacon n c0 c = 0 <-> forall k, (k < n)%nat -> c k = c0).
+(* paley.beacon.form clause 2: it never rises, and it falls in every interval at whose start it is not zero *)
+Definition beacon_2 : Prop := forall n w0 K c0 r th, (1 <= n)%nat -> w0 <> 0 -> 0 < K ->
+  (forall t, 0 <= t -> particles n r th (fun k => w0 + w0 * K * inner (expi (th k t)) (ck w0 (at_time r t) (at_time th t) k - c0)%C) t) ->
+  let P t := beacon n c0 (ck w0 (at_time r t) (at_time th t)) in
+  forall s t, 0 <= s < t -> P t <= P s /\ (P s <> 0 -> P t < P s).
+
+(* paley.chord clause 1: every M; clusters that are neighbours on the circle are rho apart, and no two are nearer *)
+Definition chord_1 : Prop := forall M a, (1 <= M)%nat -> let rho := 2 * sin (PI / INR M) in
+  let cluster l := expi (a + 2 * PI * INR l / INR M) in
+  (forall l, Cmod (cluster (S l) - cluster l)%C = rho) /\
+  forall l l', (l < M)%nat -> (l' < M)%nat -> l <> l' -> rho <= Cmod (cluster l - cluster l')%C.
+
+(* paley.energy clause 1: v is the velocity; in any interval of time, whatever the steering *)
+Definition energy_1 : Prop := forall n r th (u : R -> nat -> R) a b, (forall t, a < t < b -> particles n r th (u t) t) ->
+  forall k (v : R -> C), (k < n)%nat -> (forall t, a < t < b -> is_velocity (r k) t (v t)) ->
+  forall t, a < t < b -> is_velocity v t (RtoC (u t k) * (Ci * v t))%C.
+(* paley.energy clause 2 *)
+Definition energy_2 : Prop := forall n r th (u : R -> nat -> R) a b, (forall t, a < t < b -> particles n r th (u t) t) ->
+  forall (v : nat -> R -> C), (forall k t, (k < n)%nat -> a < t < b -> is_velocity (r k) t (v k t)) ->
+  (forall k t, (k < n)%nat -> a < t < b -> exists acc, is_velocity (v k) t acc /\
+     is_derive (fun s => 1 / 2 * Cmod (v k s) ^ 2) t (inner (v k t) acc) /\ inner (v k t) acc = 0) /\
+  forall s t, a < s < b -> a < t < b -> Sum n (fun k => 1 / 2 * Cmod (v k s) ^ 2) = Sum n (fun k => 1 / 2 * Cmod (v k t) ^ 2).
+
+(* paley.eq18 clause 1 *)
+Definition eq18_1 : Prop := forall n w0 r th u t, w0 <> 0 -> particles n r th u t -> forall k, (k < n)%nat ->
+  is_velocity (fun s => ck w0 (at_time r s) (at_time th s) k) t (expi (th k t) * RtoC (1 - / w0 * u k))%C.
+
+(* paley.eq22 clause 1: (5), (14), (20) on any graph, directed ones included *)
+Definition ori14 n adj K1 th k := K1 / INR n * Lth n adj th k.
+Definition spac20 n adj w0 K0 r th k := w0 * (K0 / INR n) * Lc n adj w0 r th k.
+Definition eq22_1 : Prop := forall n adj w0 K0 K1 r th k, (1 <= n)%nat -> (k < n)%nat -> w0 <> 0 ->
+  w0 + spac20 n adj w0 K0 r th k + ori14 n adj K1 th k = u22 n adj w0 K0 K1 r th k.
+
+(* paley.eq29 clause 1, refuted: for any two networks that differ the printed control is another one at some phases, wherever the
+   particles are *)
+Definition printed29 n (ori att : graph) w0 K0 K1 (r : nat -> C) th k :=
+  w0 + (K1 - K0) / INR n * Lth n ori th k + w0 * (K0 / INR n) * inner (expi (th k)) (Csum n (fun j => RtoC (lap n att k j) * r j))%C.
+Definition eq29_1 : Prop := forall n ori att w0 K0 K1, w0 <> 0 -> K0 <> 0 ->
+  (exists k j, (k < n)%nat /\ (j < n)%nat /\ k <> j /\ ori k j <> att k j) ->
+  exists th k, (k < n)%nat /\ forall r, printed29 n ori att w0 K0 K1 r th k <> w0 + spac20 n att w0 K0 r th k + ori14 n ori K1 th k.
+
+(* paley.eq7 clauses 1, 2 *)
+Definition eq7_1 : Prop := forall n th, (1 <= n)%nat -> 0 <= Cmod (p7 n th) <= 1.
+Definition eq7_2 : Prop := forall n th, (1 <= n)%nat -> synchronized n th -> Cmod (p7 n th) = 1.
+(* paley.eq7 clause 3: whatever the steering *)
+Definition eq7_3 : Prop := forall n r th u t, (1 <= n)%nat -> particles n r th u t ->
+  is_velocity (fun s => mass n (at_time r s)) t (p7 n (at_time th t)).
+(* paley.eq7 clause 4: at one time, and in an interval *)
+Definition eq7_4 : Prop := forall n r th (u : R -> nat -> R) a b, (1 <= n)%nat -> (forall t, a < t < b -> particles n r th (u t) t) ->
+  (forall t, a < t < b -> (p7 n (at_time th t) = 0%C <-> is_velocity (fun s => mass n (at_time r s)) t 0%C)) /\
+  ((forall t, a < t < b -> p7 n (at_time th t) = 0%C) <->
+   forall s t, a < s < b -> a < t < b -> mass n (at_time r s) = mass n (at_time r t)).
+
+(* paley.fish.zero clauses 1, 2 *)
+Definition fish_zero_1 : Prop := forall n adj th, (1 <= n)%nat -> 0 <= W12 n adj th.
+Definition fish_zero_2 : Prop := forall n adj th, (1 <= n)%nat -> synchronized n th -> W12 n adj th = 0.
+(* paley.fish.zero clause 3: a connected subgraph is a set of nodes joined by arcs within it, whichever way they point *)
+Definition fish_zero_3 : Prop := forall n adj th (S : nat -> Prop), (1 <= n)%nat -> W12 n adj th = 0 ->
+  (forall j k, S j -> S k -> clos_refl_sym_trans nat (fun x y => S x /\ S y /\ arc n adj x y) j k) ->
+  forall j k, S j -> S k -> expi (th j) = expi (th k).
+
+(* paley.fish28ori clause 1 *)
+Definition fish28_1 : Prop := forall n adj K0 K1 Kori th k, (1 <= n)%nat -> (k < n)%nat -> K1 - K0 = - Kori * INR n ->
+  (K1 - K0) / INR n * Lth n adj th k = - Kori * Lth n adj th k.
+
+(* the network of the nearest q neighbours of each fish; ties broken anyhow *)
+Definition nearest (n q : nat) (r : nat -> C) (adj : graph) : Prop := forall k, (k < n)%nat -> adj k k = false /\ deg n adj k = INR q /\
+  forall j l, (j < n)%nat -> (l < n)%nat -> l <> k -> adj k j = true -> adj k l = false -> Cmod (r j - r k)%C <= Cmod (r l - r k)%C.
+(* paley.fishpeak clause 1: fish m against the three others *)
+Definition fishpeak_1 : Prop := forall r adj th m a, nearest 4 3 r adj -> (m < 4)%nat ->
+  (forall k, (k < 4)%nat -> expi (th k) = expi (if Nat.eqb k m then a + PI else a)) -> 2 / (INR 3 + 1) * W12 4 adj th = 0.75.
+(* paley.scale clause 1, refuted for the factor of the labels and for that of the text: n neighbours, N fish *)
+Definition scale_1 : Prop :=
+  ~ (forall N n r adj th, (1 <= n < N)%nat -> nearest N n r adj -> 0 <= 2 / (INR n + 1) * W12 N adj th <= 1) /\
+  ~ (forall N n r adj th, (1 <= n < N)%nat -> nearest N n r adj -> 0 <= (2 / INR n + 1) * W12 N adj th <= 1).
+(* paley.scale clause 2 *)
+Definition scale_2 : Prop := forall N r adj th, (2 <= N)%nat -> nearest N 1 r adj -> 0 <= 2 / (INR 1 + 1) * W12 N adj th <= 1.
+(* paley.scale clause 4: any square with corners z + s i^k; there are such networks and phases *)
+Definition scale_4 : Prop := forall z s, s <> 0%C -> let corner k := (z + s * expi (INR k * (PI / 2)))%C in
+  let opposed adj th := forall k j, (k < 4)%nat -> (j < 4)%nat -> adj k j = true -> expi (th j) = Copp (expi (th k)) in
+  (exists adj th, nearest 4 2 corner adj /\ opposed adj th) /\
+  forall adj th, nearest 4 2 corner adj -> opposed adj th -> 2 / (INR 2 + 1) * W12 4 adj th = 4 / 3.
+(* paley.scale.complete clause 1: the network is the complete graph, and the printed equation, refuted, fails wherever the phases
+   are not synchronised *)
+Definition complete_1 : Prop := forall N r adj, (2 <= N)%nat -> nearest N (N - 1) r adj ->
+  (forall j k, (j < N)%nat -> (k < N)%nat -> adj k j = negb (Nat.eqb k j)) /\
+  forall th, ~ synchronized N th -> (2 / INR (N - 1) + 1) * W12 N adj th <> 1 - Cmod (p7 N th) ^ 2.
+
+(* paley.length clause 1, refuted: wherever the sum is not zero; E as pairs (j, k), each edge in both directions *)
+Definition QL (n : nat) (adj : graph) (x : nat -> C) : R := / (2 * INR n) * Sum n (fun k => inner (x k) (apply_L n adj x k)).
+Definition edges (n : nat) (adj : graph) (x : nat -> C) : R :=
+  Sum n (fun k => Sum n (fun j => if adj k j then Cmod (x j - x k)%C ^ 2 else 0)).
+Definition length_1 : Prop := forall n adj x, undirected adj -> (exists j k, arc n adj j k /\ x j <> x k) ->
+  QL n adj x <> / (2 * INR n) * edges n adj x.
+(* paley.length clause 2 *)
+Definition length_2 : Prop := forall n adj x, (1 <= n)%nat -> undirected adj -> QL n adj x = / (4 * INR n) * edges n adj x.
+
+(* paley.ref clause 1: particle N is n - 1; on every graph these phases are a minimum, on strongly connected ones the only one *)
+Definition ref_1 : Prop := forall n adj th0 th, (1 <= n)%nat ->
+  let F ph := W12 n adj ph + 1 - cos (th0 - ph (n - 1)%nat) in let led := forall k, (k < n)%nat -> expi (th k) = expi th0 in
+  (led -> forall th', F th <= F th') /\ (strongly_connected n adj -> (forall th', F th <= F th') -> led).
+
+(* paley.thm2.center clause 1: the set in which S does not change along motions, the limit set of the invariance principle *)
+Definition center_1 : Prop := forall n adj w0 K0 r th, (1 <= n)%nat -> undirected adj -> no_loops adj -> strongly_connected n adj ->
+  w0 <> 0 -> 0 < K0 -> (forall t, 0 <= t -> particles n r th (u20 n adj w0 K0 (at_time r t) (at_time th t)) t) ->
+  (forall t, 0 <= t -> is_derive (fun s => S17 n adj w0 (at_time r s) (at_time th s)) t 0) ->
+  exists c0, forall k t, (k < n)%nat -> 0 <= t -> is_derive (th k) t w0 /\ ck w0 (at_time r t) (at_time th t) k = c0.
+(* paley.thm2.center clause 2: motions from one initial state have one centre at the end; phases are angles *)
+Definition center_2 : Prop := forall n adj w0 K0 r th r' th', (1 <= n)%nat -> undirected adj -> no_loops adj ->
+  strongly_connected n adj -> w0 <> 0 -> 0 < K0 ->
+  (forall t, 0 <= t -> particles n r th (u20 n adj w0 K0 (at_time r t) (at_time th t)) t) ->
+  (forall t, 0 <= t -> particles n r' th' (u20 n adj w0 K0 (at_time r' t) (at_time th' t)) t) ->
+  (forall k, (k < n)%nat -> r k 0 = r' k 0 /\ expi (th k 0) = expi (th' k 0)) ->
+  exists c0, ends_at n w0 r th c0 /\ ends_at n w0 r' th' c0.
+(* paley.thm2.center clause 3: the centres tend to a point that does not move, and their speeds to 0 *)
+Definition center_3 : Prop := forall n adj w0 K0 r th, (1 <= n)%nat -> undirected adj -> no_loops adj -> strongly_connected n adj ->
+  w0 <> 0 -> 0 < K0 -> (forall t, 0 <= t -> particles n r th (u20 n adj w0 K0 (at_time r t) (at_time th t)) t) ->
+  (exists c0, ends_at n w0 r th c0) /\ forall k e, (k < n)%nat -> 0 < e -> exists T, forall t, T <= t ->
+    exists v, is_velocity (fun s => ck w0 (at_time r s) (at_time th s) k) t v /\ Cmod v < e.
+
+(* fields of the fish: the sum of the unit vectors r_kj/|r_kj|, r_kj = r_k - r_j, over the neighbours; the sum of the distances to
+   them from z; no neighbour is where fish k is *)
+Definition hats (n : nat) (adj : graph) (r : nat -> C) (k : nat) : C :=
+  Csum n (fun j => if adj k j then (r k - r j) / RtoC (Cmod (r k - r j)) else 0)%C.
+Definition distances (n : nat) (adj : graph) (r : nat -> C) (k : nat) (z : C) : R := Sum n (fun j => if adj k j then Cmod (z - r j)%C else 0).
+Definition clear (n : nat) (adj : graph) (r : nat -> C) (k : nat) := forall j, (j < n)%nat -> adj k j = true -> r j <> r k.
+Definition rate_along n adj r k (v : C) (d : R) := is_derive (fun s => distances n adj r k (r k + RtoC s * v)%C) 0 d.
+(* paley.vatt clause 1, refuted: the printed field points from a neighbour, and along it the distances grow wherever it is not zero *)
+Definition vatt_1 : Prop := forall n adj r k, (k < n)%nat -> clear n adj r k -> let v := hats n adj r k in
+  (forall j, (j < n)%nat -> (forall l, (l < n)%nat -> (adj k l = true <-> l = j)) -> inner v (r j - r k)%C = - Cmod (r j - r k)%C) /\
+  (v <> 0%C -> exists d, 0 < d /\ rate_along n adj r k v d).
+(* paley.vatt clause 2, refuted: K_att > 0 turns the heading towards the printed field: the component along the unit vectors to the
+   neighbours does not rise, and falls unless the steering is zero *)
+Definition turns_from (away : bool) n adj r k (v : C) (K : R) := forall (th : R -> R) t,
+  let u := K * inner (Ci * expi (th t))%C v in let side := RtoC (if away then -1 else 1) in
+  is_derive th t u -> exists d, is_derive (fun s => inner (expi (th s)) (side * hats n adj r k)%C) t d /\ d <= 0 /\ (u <> 0 -> d < 0).
+Definition vatt_2 : Prop := forall n adj r k Katt, (k < n)%nat -> clear n adj r k -> 0 < Katt ->
+  turns_from true n adj r k (hats n adj r k) Katt.
+(* paley.vrep clause 1, refuted: the printed field - hats points to a neighbour, and along it the distances shrink *)
+Definition vrep_1 : Prop := forall n adj r k, (k < n)%nat -> clear n adj r k -> let v := Copp (hats n adj r k) in
+  (forall j, (j < n)%nat -> (forall l, (l < n)%nat -> (adj k l = true <-> l = j)) -> inner v (r j - r k)%C = Cmod (r j - r k)%C) /\
+  (v <> 0%C -> exists d, d < 0 /\ rate_along n adj r k v d).
+(* paley.vrep clause 2, refuted: the component along the unit vectors from the neighbours does not rise, and falls unless the
+   steering is zero *)
+Definition vrep_2 : Prop := forall n adj r k Krep, (k < n)%nat -> clear n adj r k -> 0 < Krep ->
+  turns_from false n adj r k (Copp (hats n adj r k)) Krep.
