@@ -164,3 +164,109 @@ Definition vrep_1 : Prop := forall n adj r k, (k < n)%nat -> clear n adj r k -> 
    steering is zero *)
 Definition vrep_2 : Prop := forall n adj r k Krep, (k < n)%nat -> clear n adj r k -> 0 < Krep ->
   turns_from false n adj r k (Copp (hats n adj r k)) Krep.
+
+(* ---- the theorems prove them ---- *)
+From Flockproof Require Import paley_laplacian paley_gradient paley_fourier paley_particles.
+From Flockproof Require paley_fish paley_behaviours paley_centre.
+(* velocities in an interval: unique, of equal motions equal, zero of what stays *)
+Lemma velocity_unique (r : R -> C) t v v' : is_velocity r t v -> is_velocity r t v' -> v = v'.
+Proof.
+  intros [A B] [A' B']. apply injective_projections; [rewrite <- (is_derive_unique _ _ _ A)|rewrite <- (is_derive_unique _ _ _ B)];
+  symmetry; apply is_derive_unique || (symmetry; apply is_derive_unique); assumption.
+Qed.
+Lemma derive_within (f g : R -> R) a b t d : a < t < b -> (forall s, a < s < b -> f s = g s) -> is_derive f t d -> is_derive g t d.
+Proof.
+  intros Ht E. apply is_derive_ext_loc. apply (locally_interval _ t a b); [exact (proj1 Ht)|exact (proj2 Ht)|].
+  intros y A B. cbn in A, B. apply E. lra.
+Qed.
+Lemma velocity_within (f g : R -> C) a b t v : a < t < b -> (forall s, a < s < b -> f s = g s) -> is_velocity f t v -> is_velocity g t v.
+Proof.
+  intros Ht E [A B]. split; [apply (derive_within (fun s => fst (f s)) _ a b)|apply (derive_within (fun s => snd (f s)) _ a b)]; try assumption;
+  intros s Hs; now rewrite (E s Hs).
+Qed.
+Lemma stays (f : R -> R) a b : a <= b -> (forall t, a <= t <= b -> is_derive f t 0) -> f a = f b.
+Proof. intros H D. destruct (MVT_le f (fun _ => 0) a b H D) as [c [_ E]]. lra. Qed.
+Lemma rests (c : R -> C) a b : a <= b -> (forall t, a <= t <= b -> is_velocity c t 0%C) -> c a = c b.
+Proof.
+  intros H D. apply injective_projections; [apply (stays (fun t => fst (c t)))|apply (stays (fun t => snd (c t)))]; try exact H;
+  intros t Ht; apply (D t Ht).
+Qed.
+Lemma W12_is n adj th : W12 n adj th = W1 n adj th.
+Proof. symmetry. apply W1_formula. Qed.
+
+Lemma eq18_1_holds : eq18_1.
+Proof. intros n w0 r th u t _ P k Hk. destruct (P k Hk) as [V D]. exact (paley_particles.eq18 w0 (r k) (th k) t (u k) V D). Qed.
+Lemma Rball_1_holds : Rball_1.
+Proof.
+  intros n w0 r th Hn Hw M. set (c t := ck w0 (at_time r t) (at_time th t)). exists (mass n (c 0)). intros t Ht.
+  assert (E : mass n (c 0) = mass n (c t)).
+  { unfold mass. f_equal. apply Csum_ext. intros k Hk. apply (rests (fun s => c s k)); [exact Ht|]. intros s Hs.
+    pose proof (eq18_1_holds n w0 r th _ s Hw (M s (proj1 Hs)) k Hk) as V. eapply velocity_eq; [exact V|]. cbv beta.
+    replace (1 - / w0 * w0) with 0 by (field; exact Hw). apply Cmult_0_r. }
+  replace (mass n (at_time r t) - mass n (c 0%R))%C with ((RtoC (/ w0) * - Ci) * p7 n (at_time th t))%C.
+  - assert (I : Cmod Ci = 1) by (unfold Cmod; cbn; replace (0 * (0 * 1) + 1 * (1 * 1)) with 1 by ring; apply sqrt_1).
+    rewrite !Cmod_mult, Cmod_opp, I, Cmod_R, Rabs_inv. pose proof (proj2 (order_bounds n (at_time th t) Hn)) as B. change (order n (at_time th t)) with (p7 n (at_time th t)) in B.
+    assert (A : 0 < / Rabs w0) by (apply Rinv_0_lt_compat; now apply Rabs_pos_lt). nra.
+  - rewrite E. unfold mass, c, ck, p7. rewrite Csum_plus, !Csum_scal. ring.
+Qed.
+Lemma beacon_is n c0 c : beacon n c0 c = paley_fish.beacon n c c0.
+Proof. unfold beacon, paley_fish.beacon. f_equal. apply Sum_ext. intros k _. symmetry. apply dist2_Cmod. Qed.
+Lemma beacon_1_holds : beacon_1.
+Proof. intros n c0 c Hn. rewrite beacon_is. exact (paley_fish.beacon_zero n c c0 Hn). Qed.
+(* at right angles to a turning direction over an interval: zero *)
+Lemma turning_zero (w0 : R) (ph : R -> R) z a b : a < b -> w0 <> 0 -> (forall t, a < t < b -> is_derive ph t w0) ->
+  (forall t, a < t < b -> inner (expi (ph t)) z = 0) -> z = 0%C.
+Proof.
+  intros L W D Z. set (t := (a + b) / 2). assert (Ht : a < t < b) by (unfold t; lra).
+  assert (V : is_derive (fun s => inner (expi (ph s)) z) t (inner (RtoC w0 * (Ci * expi (ph t)))%C z + inner (expi (ph t)) 0%C)).
+  { apply (D_inner (fun s => expi (ph s)) (fun _ => z)); [now apply velocity_expi, D|]. split; apply D_const. }
+  assert (O : is_derive (fun s => inner (expi (ph s)) z) t 0).
+  { apply (derive_within (fun _ => 0) _ a b t); [exact Ht| |apply D_const]. intros s Hs. symmetry. now apply Z. }
+  apply is_derive_unique in V, O. rewrite O in V. specialize (Z t Ht). apply inner_self_0. rewrite inner_xy in *. rewrite inner_xy in V. cbn in *.
+  pose proof (sc2 (ph t)) as U. destruct z as [x y]. cbn in *.
+  assert (J : cos (ph t) * y - sin (ph t) * x = 0).
+  { apply (Rmult_eq_reg_l w0); [|exact W]. lra. }
+  set (p := cos (ph t)) in *. set (q := sin (ph t)) in *.
+  transitivity ((p * x + q * y) * (p * x + q * y) + (p * y - q * x) * (p * y - q * x)); [|rewrite Z, J; ring].
+  transitivity ((q * (q * 1) + p * (p * 1)) * (x * x + y * y)); [rewrite U; ring|ring].
+Qed.
+Lemma beacon_2_holds : beacon_2.
+Proof.
+  intros n w0 K c0 r th Hn Hw HK M P s t Hst. pose proof (INR_pos n Hn) as Np.
+  set (a k x := inner (expi (th k x)) (ck w0 (at_time r x) (at_time th x) k - c0)%C).
+  set (rate x := - (K / INR n) * Sum n (fun k => a k x ^ 2)).
+  assert (D : forall x, 0 <= x -> is_derive P x (rate x)).
+  { intros x Hx. eapply D_eq.
+    - apply (is_derive_ext (fun x => paley_fish.beacon n (fun k => circle_centre w0 (r k x) (th k x)) c0)); [intros y; symmetry; apply beacon_is|].
+      apply (paley_fish.beacon_rate n w0 (K * INR n) c0 r th x Hn Hw); [intros k Hk; apply (M x Hx k Hk)|].
+      intros k Hk. eapply D_eq; [apply (M x Hx k Hk)|]. unfold ck, circle_centre. field. lra.
+    - unfold rate. match goal with |- ?p * ?q = ?p' * ?q' => change q with q' end. field. lra. }
+  assert (N : forall x, rate x <= 0).
+  { intros x. unfold rate. pose proof (Sum_ge0 n (fun k => a k x ^ 2) ltac:(intros; apply pow2_ge_0)).
+    assert (0 < K / INR n) by now apply Rdiv_lt_0_compat. nra. }
+  assert (Mono : forall x y, 0 <= x <= y -> P y <= P x) by (intros x y H; apply (decreasing P rate); [lra| |]; intros; [apply D; lra|apply N]).
+  assert (L : P t <= P s) by (apply Mono; lra). split; [exact L|]. intros NZ. apply Rnot_le_lt. intros G. apply NZ.
+  (* P is constant from s to t *)
+  assert (Z : forall x k, s < x < t -> (k < n)%nat -> a k x = 0).
+  { intros x k Hx Hk. assert (D0 : is_derive P x 0).
+    { apply (derive_within (fun _ => P s) _ s t x 0 Hx); [|apply D_const]. intros y Hy. pose proof (Mono s y ltac:(lra)). pose proof (Mono y t ltac:(lra)). lra. }
+    apply is_derive_unique in D0. pose proof (is_derive_unique _ _ _ (D x ltac:(lra))) as E. rewrite E in D0. unfold rate in D0.
+    assert (F : 0 < K / INR n) by now apply Rdiv_lt_0_compat.
+    assert (S0 : Sum n (fun k => a k x ^ 2) = 0) by nra.
+    pose proof (Sum_eq0 n (fun k => a k x ^ 2) (fun _ _ => pow2_ge_0 _) S0 k Hk) as Q. cbv beta in Q. nra. }
+  assert (W : forall x k, s < x < t -> (k < n)%nat -> is_derive (th k) x w0).
+  { intros x k Hx Hk. eapply D_eq; [apply (M x ltac:(lra) k Hk)|]. cbv beta. fold (a k x). rewrite (Z x k Hx Hk). ring. }
+  set (m := (s + t) / 2). assert (Hm : s < m < t) by (unfold m; lra).
+  assert (Eq : P s = P m) by (pose proof (Mono s m ltac:(lra)); pose proof (Mono m t ltac:(lra)); lra).
+  rewrite Eq. unfold P. apply beacon_1_holds; [exact Hn|]. intros k Hk.
+  assert (Rest : forall x y, s < x < t -> s < y < t -> ck w0 (at_time r x) (at_time th x) k = ck w0 (at_time r y) (at_time th y) k).
+  { assert (O : forall x y, s < x -> x <= y -> y < t -> ck w0 (at_time r x) (at_time th x) k = ck w0 (at_time r y) (at_time th y) k).
+    { intros x y H1 H2 H3. apply (rests (fun x => ck w0 (at_time r x) (at_time th x) k)); [exact H2|]. intros z Hz.
+      eapply velocity_eq; [apply (eq18 w0 (r k) (th k) z w0); [apply (M z ltac:(lra) k Hk)|apply W; [lra|exact Hk]]|].
+      replace (1 - / w0 * w0) with 0 by (field; exact Hw). apply Cmult_0_r. }
+    intros x y Hx Hy. destruct (Rle_lt_dec x y); [apply O|symmetry; apply O]; lra. }
+  assert (X : (ck w0 (at_time r m) (at_time th m) k - c0)%C = 0%C).
+  { apply (turning_zero w0 (th k) _ s t ltac:(lra) Hw); [intros x Hx; now apply W|]. intros x Hx.
+    rewrite <- (Z x k Hx Hk). unfold a. rewrite (Rest x m Hx Hm). reflexivity. }
+  rewrite <- (Cplus_0_r c0), <- X. ring.
+Qed.
