@@ -270,3 +270,108 @@ Proof.
     rewrite <- (Z x k Hx Hk). unfold a. rewrite (Rest x m Hx Hm). reflexivity. }
   rewrite <- (Cplus_0_r c0), <- X. ring.
 Qed.
+Lemma cos_ring M d : (1 <= d < M)%nat -> cos (INR d * (2 * PI / INR M)) <= cos (2 * PI / INR M).
+Proof.
+  intros Hd. pose proof PI_RGT_0 as P. assert (M2 : 2 <= INR M) by (apply (le_INR 2); lia).
+  assert (D1 : 1 <= INR d) by (apply (le_INR 1); lia). assert (D2 : INR d + 1 <= INR M) by (rewrite <- S_INR; apply le_INR; lia).
+  set (q := 2 * PI / INR M). assert (E : INR M * q = 2 * PI) by (unfold q; field; lra).
+  assert (q0 : 0 < q) by (unfold q; apply Rdiv_lt_0_compat; lra).
+  assert (A : q <= PI). { apply (Rmult_le_compat_r q) in M2; lra. }
+  assert (B1 : 1 * q <= INR d * q) by (apply Rmult_le_compat_r; lra). assert (B2 : (INR d + 1) * q <= INR M * q) by (apply Rmult_le_compat_r; lra).
+  destruct (Rle_lt_dec (INR d * q) PI) as [L|L]; [apply cos_decr_1; lra|].
+  rewrite <- (cos_neg (INR d * q)). replace (- (INR d * q)) with (2 * PI - INR d * q - 2 * INR 1 * PI) by (cbn; ring).
+  rewrite <- (cos_period (2 * PI - INR d * q - 2 * INR 1 * PI) 1). replace (2 * PI - INR d * q - 2 * INR 1 * PI + 2 * INR 1 * PI) with (2 * PI - INR d * q) by ring.
+  apply cos_decr_1; lra.
+Qed.
+Lemma chord_1_holds : chord_1.
+Proof.
+  intros M a HM rho cluster. pose proof (INR_pos M HM) as P.
+  assert (F : forall l, Cmod (cluster (S l) - cluster l)%C = rho).
+  { intros l. unfold rho. rewrite <- (paley_fish.chord M HM). unfold cluster.
+    replace (a + 2 * PI * INR (S l) / INR M) with (a + 2 * PI * INR l / INR M + 2 * PI / INR M) by (rewrite S_INR; field; lra).
+    set (b := a + 2 * PI * INR l / INR M). rewrite expi_plus.
+    replace (expi b * expi (2 * PI / INR M) - expi b)%C with (expi b * (expi (2 * PI / INR M) - expi 0))%C by (rewrite expi_0; ring).
+    rewrite Cmod_mult, Cmod_expi. ring. }
+  split; [exact F|]. intros l l' Hl Hl' N.
+  assert (R : rho ^ 2 = 2 * (1 - cos (2 * PI / INR M))).
+  { rewrite <- (F 0%nat). unfold cluster. rewrite chord. do 3 f_equal. rewrite S_INR. cbn [INR]. field. lra. }
+  assert (C : Cmod (cluster l - cluster l')%C ^ 2 = 2 * (1 - cos (INR (Nat.max l l' - Nat.min l l') * (2 * PI / INR M)))).
+  { unfold cluster. rewrite chord. f_equal. f_equal. destruct (Nat.le_gt_cases l l').
+    - rewrite Nat.max_r, Nat.min_l by lia. rewrite minus_INR by lia. rewrite <- (cos_neg (_ * _)). f_equal. field. lra.
+    - rewrite Nat.max_l, Nat.min_r by lia. rewrite minus_INR by lia. f_equal. field. lra. }
+  pose proof (cos_ring M (Nat.max l l' - Nat.min l l') ltac:(lia)) as L. pose proof (Cmod_ge_0 (cluster l - cluster l')%C) as G.
+  apply Rnot_lt_le. intros H. assert (Cmod (cluster l - cluster l')%C ^ 2 < rho ^ 2) by nra. lra.
+Qed.
+Lemma energy_1_holds : energy_1.
+Proof.
+  intros n r th u a b M k v Hk V t Ht. assert (E : forall s, a < s < b -> v s = expi (th k s)).
+  { intros s Hs. exact (velocity_unique _ _ _ _ (V s Hs) (proj1 (M s Hs k Hk))). }
+  rewrite (E t Ht). apply (velocity_within (fun s => expi (th k s)) v a b t); [exact Ht|intros s Hs; symmetry; now apply E|].
+  apply (energy (th k) t (u t k)), (M t Ht k Hk).
+Qed.
+Lemma energy_2_holds : energy_2.
+Proof.
+  intros n r th u a b M v V. assert (E : forall k s, (k < n)%nat -> a < s < b -> v k s = expi (th k s)).
+  { intros k s Hk Hs. exact (velocity_unique _ _ _ _ (V k s Hk Hs) (proj1 (M s Hs k Hk))). }
+  split.
+  - intros k t Hk Ht. exists (RtoC (u t k) * (Ci * v k t))%C. split; [apply (energy_1_holds n r th u a b M k (v k) Hk (fun s => V k s Hk) t Ht)|].
+    rewrite (E k t Hk Ht). destruct (energy (th k) t (u t k) (proj2 (M t Ht k Hk))) as [_ [A B]]. split; [|exact B].
+    apply (derive_within (fun s => / 2 * Cmod (expi (th k s)) ^ 2) _ a b t); [exact Ht| |exact A].
+    intros s Hs. rewrite (E k s Hk Hs). field.
+  - intros s t Hs Ht. apply Sum_ext. intros k Hk. now rewrite (E k s Hk Hs), (E k t Hk Ht), !Cmod_expi.
+Qed.
+Lemma eq22_1_holds : eq22_1.
+Proof.
+  intros n adj w0 K0 K1 r th k Hn _ Hw. unfold spac20, ori14, u22.
+  pose proof (paley_particles.eq22 n adj w0 K0 K1 Hn Hw (fun k _ => r k) (fun k _ => th k) 0 k) as E.
+  etransitivity; [|exact E]. unfold control5. change (gW n adj (fun i => th i) k) with (Lth n adj th k).
+  change (aS n adj w0 (fun i => r i) (fun l => th l) k) with (Lc n adj w0 r th k). ring.
+Qed.
+Lemma eq29_1_holds : eq29_1.
+Proof.
+  intros n ori att w0 K0 K1 Hw HK [k [j [Hk [Hj [N A]]]]]. assert (Hn : (1 <= n)%nat) by lia. pose proof (INR_pos n Hn) as P.
+  set (th := fun i => if Nat.eqb i j then PI / 2 else 0). exists th, k. split; [exact Hk|]. intros r E. apply A.
+  pose proof (eq29_corrected n ori att w0 K0 K1 r th k Hn Hw) as C. unfold control5_two in C.
+  change (gW n ori th k) with (Lth n ori th k) in C. change (gW n att th k) with (Lth n att th k) in C.
+  change (aS n att w0 r th k) with (Lc n att w0 r th k) in C. change (row n (lap n att) k r) with (Csum n (fun i => RtoC (lap n att k i) * r i))%C in C.
+  assert (L : forall adj, Lth n adj th k = - w adj k j).
+  { intros adj. change (Lth n adj th k) with (gW n adj th k). rewrite (gW_sines n adj th k Hk).
+    rewrite (Sum_ext n _ (fun i => delta i j * - w adj k i)); [apply (Sum_delta n j (fun i => - w adj k i) Hj)|]. intros i _.
+    unfold th, delta. destruct (Nat.eqb_spec k j) as [->|_]; [now contradict N|]. destruct (Nat.eqb i j).
+    - rewrite Rminus_0_l, sin_neg, sin_PI2. ring.
+    - rewrite Rminus_0_r, sin_0. ring. }
+  unfold printed29, spac20, ori14 in E. rewrite !L in *.
+  assert (X : K0 / INR n * (w ori k j - w att k j) = 0) by lra.
+  apply Rmult_integral in X as [X|X].
+  - exfalso. assert (0 < / INR n) by now apply Rinv_0_lt_compat. unfold Rdiv in X. apply Rmult_integral in X as [X|X]; lra.
+  - unfold w in X. destruct (ori k j), (att k j); trivial; lra.
+Qed.
+Lemma eq7_1_holds : eq7_1.
+Proof. intros n th Hn. apply (eq7 n th Hn). Qed.
+Lemma eq7_2_holds : eq7_2.
+Proof. intros n th Hn S. exact (proj2 (proj2 (proj1 (eq7 n th Hn))) S). Qed.
+Lemma eq7_3_holds : eq7_3.
+Proof. intros n r th u t Hn M. apply (eq7 n (at_time th t) Hn). intros k Hk. apply (M k Hk). Qed.
+Lemma eq7_4_holds : eq7_4.
+Proof.
+  intros n r th u a b Hn M. assert (V : forall t, a < t < b -> is_velocity (fun s => mass n (at_time r s)) t (p7 n (at_time th t))).
+  { intros t Ht. exact (eq7_3_holds n r th (u t) t Hn (M t Ht)). }
+  split; [|split].
+  - intros t Ht. apply (eq7 n (at_time th t) Hn). intros k Hk. apply (M t Ht k Hk).
+  - intros Z. assert (O : forall s t, a < s -> s <= t -> t < b -> mass n (at_time r s) = mass n (at_time r t)).
+    { intros s t H1 H2 H3. apply (rests (fun s => mass n (at_time r s)) s t H2). intros x Hx. eapply velocity_eq; [apply V; lra|]. apply Z. lra. }
+    intros s t Hs Ht. destruct (Rle_lt_dec s t); [apply O|symmetry; apply O]; lra.
+  - intros E t Ht. apply (velocity_unique (fun s => mass n (at_time r s)) t); [now apply V|].
+    apply (velocity_within (fun _ => mass n (at_time r t)) _ a b t); [exact Ht|intros s Hs; now apply E|]. split; apply D_const.
+Qed.
+Lemma fish_zero_1_holds : fish_zero_1.
+Proof. intros n adj th Hn. rewrite W12_is. apply (fish_zero n adj th Hn). Qed.
+Lemma fish_zero_2_holds : fish_zero_2.
+Proof. intros n adj th Hn S. rewrite W12_is. now apply (fish_zero n adj th Hn). Qed.
+Lemma fish_zero_3_holds : fish_zero_3.
+Proof.
+  intros n adj th S Hn Z Con j k Hj Hk. rewrite W12_is in Z. apply (fish_zero n adj th Hn); [exact Z|]. specialize (Con j k Hj Hk). clear Hj Hk.
+  induction Con as [x y [_ [_ A]]|x|x y _ IH|x y z _ IH1 _ IH2]; [now apply rst_step|apply rst_refl|now apply rst_sym|exact (rst_trans _ _ _ y _ IH1 IH2)].
+Qed.
+Lemma fish28_1_holds : fish28_1.
+Proof. intros n adj K0 K1 Kori th k Hn _ E. exact (paley_fish.fish28_alignment n adj K0 K1 Kori th k Hn E). Qed.
