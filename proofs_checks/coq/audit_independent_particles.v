@@ -375,3 +375,95 @@ Proof.
 Qed.
 Lemma fish28_1_holds : fish28_1.
 Proof. intros n adj K0 K1 Kori th k Hn _ E. exact (paley_fish.fish28_alignment n adj K0 K1 Kori th k Hn E). Qed.
+(* networks of the nearest neighbours *)
+Lemma nearest_is n q r adj : paley_fish.nearest n q adj r -> nearest n q r adj.
+Proof. intros H k Hk. destruct (H k Hk) as [A [B D]]. split; [exact A|]. split; [exact B|]. intros j l Hj Hl. now apply D. Qed.
+Lemma nearest_all N r adj : (1 <= N)%nat -> nearest N (N - 1) r adj -> forall j k, (j < N)%nat -> (k < N)%nat -> adj k j = negb (Nat.eqb k j).
+Proof.
+  intros HN H j k Hj Hk. destruct (H k Hk) as [A [B _]]. destruct (Nat.eqb_spec k j) as [<-|E]; [exact A|]. cbn [negb].
+  assert (P : forall i, (i < N)%nat -> 0 <= 1 - w adj k i - delta k i * 1).
+  { intros i _. unfold w, delta. destruct (Nat.eqb_spec k i) as [<-|_]; [rewrite A|destruct (adj k i)]; lra. }
+  assert (Z : Sum N (fun i => 1 - w adj k i - delta k i * 1) = 0).
+  { rewrite (Sum_minus N (fun i => 1 - w adj k i)), (Sum_minus N (fun _ => 1)), Sum_const, (Sum_delta_l N k (fun _ => 1) Hk).
+    change (Sum N (w adj k)) with (deg N adj k). rewrite B, minus_INR by lia. cbn. ring. }
+  pose proof (Sum_eq0 N _ P Z j Hj) as Q. cbv beta in Q. unfold w in Q. rewrite (delta_neq k j E) in Q. destruct (adj k j); [reflexivity|lra].
+Qed.
+Lemma W1_same n adj adj' th : (forall j k, (j < n)%nat -> (k < n)%nat -> adj k j = adj' k j) -> W1 n adj th = W1 n adj' th.
+Proof.
+  intros E. rewrite !W1_arcs. f_equal. apply Sum_ext. intros k Hk. apply Sum_ext. intros j Hj. unfold w. now rewrite (E j k Hj Hk).
+Qed.
+Lemma fishpeak_1_holds : fishpeak_1.
+Proof.
+  intros r adj th m a H Hm E. rewrite W12_is, (W1_same 4 adj complete th (nearest_all 4 r adj ltac:(lia) H)).
+  pose proof (paley_fish.scale_complete_corrected 4 th ltac:(lia)) as Q. change (INR (4 - 1)) with (INR 3) in Q. rewrite Q.
+  assert (O : order 4 th = (RtoC (1 / 2) * expi a)%C).
+  { assert (Op : expi (a + PI) = (- expi a)%C) by (unfold expi; rewrite neg_cos, neg_sin; reflexivity).
+    unfold order, phasors. rewrite !Csum_S. rewrite (E 0%nat), (E 1%nat), (E 2%nat), (E 3%nat) by lia.
+    assert (I : INR 4 = 4) by (cbn; ring). rewrite I.
+    destruct m as [|[|[|[|m]]]]; [..|lia]; cbn [Nat.eqb]; rewrite Op; unfold Csum; apply injective_projections; cbn; field. }
+  rewrite O, Cmod_mult, Cmod_expi, Cmod_R, Rabs_pos_eq by lra. lra.
+Qed.
+Lemma scale_1_holds : scale_1.
+Proof.
+  destruct paley_fish.scale_printed_fails as [A B]. split; intros H; [apply B|apply A]; intros N n adj r th Hn Q; rewrite <- W12_is;
+  exact (proj2 (H N n r adj th Hn (nearest_is _ _ _ _ Q))).
+Qed.
+Lemma scale_2_holds : scale_2.
+Proof.
+  intros N r adj th HN H. rewrite W12_is. assert (D : forall k, (k < N)%nat -> deg N adj k = 1) by (intros k Hk; apply (H k Hk)).
+  pose proof (paley_fish.W1_le_degree N adj th 1 ltac:(lia) D). cbn. lra.
+Qed.
+Lemma scale_4_holds : scale_4.
+Proof.
+  intros z s Hs corner opposed. split.
+  - exists (ring_graph 4), paley_fish.alternating. split.
+    + intros k Hk. destruct (paley_fish.square_nearest k Hk) as [A [B _]]. split; [exact A|]. split; [exact B|]. intros j l Hj Hl N T F.
+      assert (E : forall i, (i < 4)%nat -> expi (INR i * (PI / 2)) = match i with 0%nat => (1, 0) | 1%nat => (0, 1) | 2%nat => (-1, 0) | _ => (0, -1) end).
+      { intros [|[|[|[|i]]]] Hi; [..|lia]; unfold expi; cbn [INR].
+        - now rewrite Rmult_0_l, cos_0, sin_0.
+        - now rewrite Rmult_1_l, cos_PI2, sin_PI2.
+        - replace ((1 + 1) * (PI / 2)) with PI by field. now rewrite cos_PI, sin_PI.
+        - replace ((1 + 1 + 1) * (PI / 2)) with (3 * (PI / 2)) by ring. now rewrite cos_3PI2, sin_3PI2. }
+      assert (D : forall i, (corner i - corner k)%C = (s * (expi (INR i * (PI / 2)) - expi (INR k * (PI / 2))))%C) by (intros i; unfold corner; ring).
+      rewrite !D, !Cmod_mult. apply Rmult_le_compat_l; [apply Cmod_ge_0|]. apply Rsqr_incr_0; try apply Cmod_ge_0.
+      rewrite !Rsqr_pow2, <- !dist2_Cmod, !dist2_xy, (E j Hj), (E k Hk), (E l Hl).
+      destruct k as [|[|[|[|]]]]; try lia; destruct j as [|[|[|[|]]]]; try lia; try discriminate T;
+      destruct l as [|[|[|[|]]]]; try lia; try discriminate F; cbn; lra.
+    + assert (Op : forall a b, a - b = PI \/ b - a = PI -> expi a = Copp (expi b)).
+      { intros a b [X|X]; [replace a with (b + PI) by lra|replace b with (a + PI) by lra]; unfold expi; rewrite neg_cos, neg_sin; apply injective_projections; cbn; ring. }
+      intros k j Hk Hj A. apply Op. unfold paley_fish.alternating.
+      destruct k as [|[|[|[|]]]]; try lia; destruct j as [|[|[|[|]]]]; try lia; try discriminate A; cbn [Nat.even]; lra.
+  - intros adj th Nr Op. rewrite W12_is, W1_arcs.
+    rewrite (Sum_ext 4 _ (fun _ => 2 * 2)); [rewrite Sum_const; cbn; field|]. intros k Hk. destruct (Nr k Hk) as [_ [D _]].
+    rewrite (Sum_ext 4 _ (fun j => 2 * w adj k j)); [rewrite Sum_scal; change (Sum 4 (w adj k)) with (deg 4 adj k); rewrite D; cbn; ring|].
+    intros j Hj. unfold w. destruct (adj k j) eqn:A; [|ring]. rewrite <- inner_expi, (Op k j Hk Hj A).
+    rewrite inner_xy. cbn. pose proof (sc2 (th k)). cbn in *. lra.
+Qed.
+Lemma complete_1_holds : complete_1.
+Proof.
+  intros N r adj HN H. pose proof (nearest_all N r adj ltac:(lia) H) as E. split; [exact E|]. intros th NS. rewrite W12_is, (W1_same N adj complete th E).
+  apply (paley_fish.scale_complete_printed_fails N th HN). intros O. now apply NS, (order_one N th ltac:(lia)).
+Qed.
+Lemma edges_is n adj x : edges n adj x = total n adj x.
+Proof.
+  apply Sum_ext. intros k _. apply Sum_ext. intros j _. unfold w. destruct (adj k j); [|ring]. rewrite <- dist2_Cmod, !dist2_xy. ring.
+Qed.
+Lemma length_2_holds : length_2.
+Proof. intros n adj x Hn S. rewrite edges_is. exact (Q_total n adj x Hn S). Qed.
+Lemma length_1_holds : length_1.
+Proof.
+  intros n adj x S [j [k [A N]]] E. assert (Hn : (1 <= n)%nat) by (destruct A; lia). pose proof (INR_pos n Hn) as P.
+  rewrite (length_2_holds n adj x Hn S), edges_is in E. apply N, (proj1 (total_0 n adj x)); [|exact A].
+  assert (U : 0 < / (4 * INR n)) by (apply Rinv_0_lt_compat; lra).
+  replace (/ (2 * INR n)) with (2 * / (4 * INR n)) in E by (field; lra). nra.
+Qed.
+Lemma ref_1_holds : ref_1.
+Proof.
+  intros n adj th0 th Hn F led. assert (P : forall ph, 0 <= F ph).
+  { intros ph. unfold F. rewrite W12_is. exact (proj1 (paley_fish.reference n adj th0 ph Hn)). } split.
+  - intros L th'. apply Rle_trans with 0; [|apply P]. right. unfold F. rewrite fish_zero_2_holds; [|exact Hn|intros j k Hj Hk; now rewrite (L j Hj), (L k Hk)].
+    rewrite (proj1 (expi_eq_cos th0 (th (n - 1)%nat))); [ring|]. symmetry. apply L. lia.
+  - intros SC M k Hk. specialize (M (fun _ => th0)). pose proof (proj2 (paley_fish.reference n adj th0 th Hn)) as Z. unfold F in M. rewrite (W12_is n adj th), (W12_is n adj (fun _ => th0)) in M.
+    pose proof (W1_ge0 n adj th Hn). pose proof (COS_bound (th0 - th (n - 1)%nat)).
+    transitivity (expi (th (n - 1)%nat)); [apply (W1_strongly n adj th Hn SC); [lra|exact Hk|lia]|]. symmetry. apply expi_eq_cos. lra.
+Qed.
