@@ -167,7 +167,7 @@ Definition vrep_2 : Prop := forall n adj r k Krep, (k < n)%nat -> clear n adj r 
 
 (* ---- the theorems prove them ---- *)
 From Flockproof Require Import paley_laplacian paley_gradient paley_fourier paley_particles.
-From Flockproof Require paley_fish paley_behaviours paley_centre.
+From Flockproof Require paley_fish paley_behaviours.
 (* velocities in an interval: unique, of equal motions equal, zero of what stays *)
 Lemma velocity_unique (r : R -> C) t v v' : is_velocity r t v -> is_velocity r t v' -> v = v'.
 Proof.
@@ -466,4 +466,101 @@ Proof.
   - intros SC M k Hk. specialize (M (fun _ => th0)). pose proof (proj2 (paley_fish.reference n adj th0 th Hn)) as Z. unfold F in M. rewrite (W12_is n adj th), (W12_is n adj (fun _ => th0)) in M.
     pose proof (W1_ge0 n adj th Hn). pose proof (COS_bound (th0 - th (n - 1)%nat)).
     transitivity (expi (th (n - 1)%nat)); [apply (W1_strongly n adj th Hn SC); [lra|exact Hk|lia]|]. symmetry. apply expi_eq_cos. lra.
+Qed.
+Lemma center_1_holds : center_1.
+Proof.
+  intros n adj w0 K0 r th Hn S _ SC Hw HK M Z. pose proof (INR_pos n Hn) as P.
+  set (c t := ck w0 (at_time r t) (at_time th t)).
+  assert (A : forall k t, (k < n)%nat -> 0 <= t -> Lc n adj w0 (at_time r t) (at_time th t) k = 0).
+  { intros k t Hk Ht. destruct (eq20_proved n adj w0 K0 r th t Hn S Hw (M t Ht)) as [D _]. pose proof (is_derive_unique _ _ _ (Z t Ht)) as E.
+    rewrite (is_derive_unique _ _ _ D) in E. assert (F : 0 < K0 / INR n ^ 2) by (apply Rdiv_lt_0_compat; [lra|nra]).
+    assert (T : Sum n (fun k => Lc n adj w0 (at_time r t) (at_time th t) k ^ 2) = 0) by nra.
+    pose proof (Sum_eq0 n _ (fun _ _ => pow2_ge_0 _) T k Hk) as Q. cbv beta in Q. nra. }
+  assert (W : forall k t, (k < n)%nat -> 0 <= t -> is_derive (th k) t w0).
+  { intros k t Hk Ht. eapply D_eq; [apply (M t Ht k Hk)|]. unfold u20. rewrite (A k t Hk Ht). ring. }
+  assert (C : forall k t, (k < n)%nat -> 0 <= t -> c 0 k = c t k).
+  { intros k t Hk Ht. apply (rests (fun s => c s k)); [exact Ht|]. intros s Hs.
+    eapply velocity_eq; [apply (eq18 w0 (r k) (th k) s w0); [apply (M s ltac:(lra) k Hk)|apply W; [exact Hk|lra]]|].
+    replace (1 - / w0 * w0) with 0 by (field; exact Hw). apply Cmult_0_r. }
+  assert (K : forall k, (k < n)%nat -> apply_L n adj (c 0) k = 0%C).
+  { intros k Hk. apply (turning_zero w0 (th k) _ 0 1 ltac:(lra) Hw); [intros t Ht; apply W; [exact Hk|lra]|]. intros t Ht.
+    etransitivity; [|exact (A k t Hk (Rlt_le _ _ (proj1 Ht)))]. unfold Lc, apply_L. f_equal. apply Csum_ext. intros j Hj. exact (f_equal (Cmult (RtoC (lap n adj k j))) (C j t Hj (Rlt_le _ _ (proj1 Ht)))). }
+  assert (Q0 : Q n (lap n adj) (c 0) = 0).
+  { unfold Q. rewrite Sum_zero; [ring|]. intros k Hk. change (row n (lap n adj) k (c 0)) with (apply_L n adj (c 0) k). rewrite (K k Hk), inner_xy. cbn. ring. }
+  apply (Q_kernel n adj (c 0) Hn S SC) in Q0. destruct Q0 as [c0 H]. exists c0. intros k t Hk Ht. split; [now apply W|].
+  change (c t k = c0). rewrite <- (C k t Hk Ht). now apply H.
+Qed.
+Lemma center_2_holds : center_2.
+Proof.
+  intros n adj w0 K0 r th r' th' Hn S NL SC Hw HK M M' E.
+  destruct (thm2_1_proved n adj w0 K0 r th Hn S NL SC Hw HK M) as [c0 H]. destruct (thm2_1_proved n adj w0 K0 r' th' Hn S NL SC Hw HK M') as [c0' H'].
+  assert (T : ends_at n w0 r th c0). { intros k Hk e He. destruct (H k Hk e He) as [X Y]. exists X. intros t Ht. apply (Y t Ht). }
+  assert (T' : ends_at n w0 r' th' c0'). { intros k Hk e He. destruct (H' k Hk e He) as [X Y]. exists X. intros t Ht. apply (Y t Ht). }
+  exists c0. split; [exact T|]. rewrite (thm2_2_proved n adj w0 K0 r th r' th' c0 c0' Hn S NL SC Hw HK M M' E T T'). exact T'.
+Qed.
+Lemma center_3_holds : center_3.
+Proof.
+  intros n adj w0 K0 r th Hn S NL SC Hw HK M. destruct (thm2_1_proved n adj w0 K0 r th Hn S NL SC Hw HK M) as [c0 H]. split.
+  - exists c0. intros k Hk e He. destruct (H k Hk e He) as [X Y]. exists X. intros t Ht. apply (Y t Ht).
+  - intros k e Hk He. assert (W : 0 < Rabs w0) by now apply Rabs_pos_lt. destruct (H k Hk (e * Rabs w0) ltac:(nra)) as [X Y].
+    exists (Rmax 0 X). intros t Ht. pose proof (Rmax_l 0 X). pose proof (Rmax_r 0 X). destruct (Y t ltac:(lra)) as [_ L].
+    eexists. split; [exact (eq18_1_holds n w0 r th _ t Hw (M t ltac:(lra)) k Hk)|]. set (u := u20 _ _ _ _ _ _ k) in *.
+    rewrite Cmod_mult, Cmod_expi, Cmod_R, Rmult_1_l. replace (1 - / w0 * u) with (- (/ w0 * (u - w0))) by (field; exact Hw).
+    rewrite Rabs_Ropp, Rabs_mult, Rabs_inv. apply Rmult_lt_reg_l with (Rabs w0); [exact W|]. rewrite <- Rmult_assoc, Rinv_r by lra. lra.
+Qed.
+(* the fields of the fish *)
+Lemma hats_is n adj r k : clear n adj r k -> hats n adj r k = paley_behaviours.outward n (adj k) r k.
+Proof.
+  intros Cl. apply Csum_ext. intros j Hj. destruct (adj k j) eqn:A; [|ring]. unfold paley_fish.unit_from, Cdiv.
+  rewrite RtoC_inv; [ring|]. intros Z. apply Cmod_eq_0 in Z. apply (Cl j Hj A). rewrite <- (Cplus_0_r (r j)), <- Z. ring.
+Qed.
+Lemma rate_is n adj r k v : clear n adj r k -> rate_along n adj r k v (inner v (hats n adj r k)).
+Proof.
+  intros Cl. rewrite (hats_is n adj r k Cl).
+  apply (is_derive_ext (paley_behaviours.distances n (adj k) r k v)); [|exact (paley_behaviours.distances_rate n (adj k) r k v Cl)].
+  intros s. apply Sum_ext. intros j _. destruct (adj k j); ring.
+Qed.
+Lemma hats_one n adj r k j : clear n adj r k -> (j < n)%nat -> (forall l, (l < n)%nat -> (adj k l = true <-> l = j)) ->
+  inner (hats n adj r k) (r j - r k)%C = - Cmod (r j - r k)%C.
+Proof.
+  intros Cl Hj One. rewrite (hats_is n adj r k Cl), inner_sym. unfold paley_behaviours.outward. rewrite inner_Csum.
+  assert (N : r k <> r j) by (intros E; now apply (Cl j Hj (proj2 (One j Hj) eq_refl))).
+  rewrite (Sum_ext n _ (fun l => delta l j * inner (r j - r k)%C (paley_fish.unit_from (r k) (r l)))).
+  - rewrite (Sum_delta n j _ Hj), inner_sym. pose proof (paley_fish.unit_from_inner (r k) (r j) N) as U.
+    replace (r j - r k)%C with (- (r k - r j))%C by ring. rewrite Cmod_opp, <- U, !inner_xy. cbn. ring.
+  - intros l Hl. rewrite inner_scal. f_equal. unfold delta. specialize (One l Hl).
+    destruct (Nat.eqb_spec l j) as [E|E]; destruct (adj k l); try reflexivity; exfalso; [|apply E, One; reflexivity].
+    apply One in E. discriminate.
+Qed.
+Lemma inner_opp v x : inner (Copp v) x = - inner v x.
+Proof. rewrite !inner_xy. cbn. ring. Qed.
+Lemma inner_pos (v : C) : v <> 0%C -> 0 < inner v v.
+Proof. intros N. destruct (Rle_lt_or_eq_dec _ _ (inner_self_ge0 v)) as [L|E]; [exact L|]. exfalso. now apply N, inner_self_0. Qed.
+Lemma vatt_1_holds : vatt_1.
+Proof.
+  intros n adj r k _ Cl v. split; [intros j Hj One; exact (hats_one n adj r k j Cl Hj One)|].
+  intros N. exists (inner v v). split; [now apply inner_pos|]. exact (rate_is n adj r k v Cl).
+Qed.
+Lemma vrep_1_holds : vrep_1.
+Proof.
+  intros n adj r k _ Cl v. split.
+  - intros j Hj One. unfold v. rewrite inner_opp, (hats_one n adj r k j Cl Hj One). ring.
+  - intros N. exists (- inner v v). split; [pose proof (inner_pos v N); lra|]. pose proof (rate_is n adj r k v Cl) as D.
+    replace (- inner v v) with (inner v (hats n adj r k)); [exact D|]. unfold v. rewrite !inner_xy. cbn. ring.
+Qed.
+Lemma turns_down n adj r k K away : 0 < K -> turns_from away n adj r k (RtoC (if away then 1 else -1) * hats n adj r k)%C K.
+Proof.
+  intros HK th t u side D. set (v := (RtoC (if away then 1 else -1) * hats n adj r k)%C) in *. exists (- (K * inner (Ci * expi (th t))%C v ^ 2)). split; [|split].
+  - apply (is_derive_ext (fun s => - inner (expi (th s)) v)); [|apply D_opp, paley_behaviours.turning; exact D].
+    intros s. unfold v, side. rewrite !inner_scal. destruct away; Rring.
+  - pose proof (pow2_ge_0 (inner (Ci * expi (th t))%C v)). nra.
+  - intros N. assert (X : inner (Ci * expi (th t))%C v <> 0) by (intros X; apply N; unfold u; rewrite X; ring).
+    pose proof (pow2_gt_0 _ X). nra.
+Qed.
+Lemma vatt_2_holds : vatt_2.
+Proof. intros n adj r k K _ _ HK. pose proof (turns_down n adj r k K true HK) as T. cbv iota in T. rewrite Cmult_1_l in T. exact T. Qed.
+Lemma vrep_2_holds : vrep_2.
+Proof.
+  intros n adj r k K _ _ HK. pose proof (turns_down n adj r k K false HK) as T. cbv iota in T.
+  replace (RtoC (-1) * hats n adj r k)%C with (Copp (hats n adj r k)) in T by (apply injective_projections; cbn; ring). exact T.
 Qed.
