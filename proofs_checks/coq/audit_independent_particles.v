@@ -484,7 +484,8 @@ Proof.
     replace (1 - / w0 * w0) with 0 by (field; exact Hw). apply Cmult_0_r. }
   assert (K : forall k, (k < n)%nat -> apply_L n adj (c 0) k = 0%C).
   { intros k Hk. apply (turning_zero w0 (th k) _ 0 1 ltac:(lra) Hw); [intros t Ht; apply W; [exact Hk|lra]|]. intros t Ht.
-    etransitivity; [|exact (A k t Hk (Rlt_le _ _ (proj1 Ht)))]. unfold Lc, apply_L. f_equal. apply Csum_ext. intros j Hj. exact (f_equal (Cmult (RtoC (lap n adj k j))) (C j t Hj (Rlt_le _ _ (proj1 Ht)))). }
+    etransitivity; [|exact (A k t Hk (Rlt_le _ _ (proj1 Ht)))]. unfold Lc, apply_L. f_equal. apply Csum_ext. intros j Hj.
+    exact (f_equal (Cmult (RtoC (lap n adj k j))) (C j t Hj (Rlt_le _ _ (proj1 Ht)))). }
   assert (Q0 : Q n (lap n adj) (c 0) = 0).
   { unfold Q. rewrite Sum_zero; [ring|]. intros k Hk. change (row n (lap n adj) k (c 0)) with (apply_L n adj (c 0) k). rewrite (K k Hk), inner_xy. cbn. ring. }
   apply (Q_kernel n adj (c 0) Hn S SC) in Q0. destruct Q0 as [c0 H]. exists c0. intros k t Hk Ht. split; [now apply W|].
