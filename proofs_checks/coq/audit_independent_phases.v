@@ -1,0 +1,168 @@
+(* More clauses of the claims about Paley's paper (graphs, phase potentials, patterns), formalised from their words before the
+   theorems were looked at; the theorems prove them. Nodes, particles and columns are numbered from 0. *)
+From Coq Require Import Reals Lra Lia List Relations Psatz.
+From Coquelicot Require Import Coquelicot.
+From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_fourier paley_particles paley_patterns.
+From Flockproof Require Import audit_independent_paley.
+From Flockproof Require paley_fish paley_centre paley_convergence paley_composite paley_stability.
+Open Scope R_scope.
+
+(* the complete graph, the cyclic graph, connected graphs *)
+Definition KN : graph := fun k j => negb (Nat.eqb k j).
+Definition CN (n : nat) : graph := fun k j => orb (Nat.eqb j (S k mod n)) (Nat.eqb k (S j mod n)).
+Definition connected (n : nat) (adj : graph) := undirected adj /\ strongly_connected n adj.
+(* moments (23), potentials (24), Laplacian potentials W_m *)
+Definition pm (n m : nat) (th : nat -> R) : C := (RtoC (/ (INR m * INR n)) * Csum n (fun k => expi (INR m * th k)))%C.
+Definition U_m (n m : nat) (th : nat -> R) : R := INR n / 2 * Cmod (pm n m th) ^ 2.
+Definition W_m (n : nat) (adj : graph) (m : nat) (th : nat -> R) : R := S_of n adj (fun k => RtoC (/ INR m) * expi (INR m * th k))%C.
+Definition minimal (f : (nat -> R) -> R) (th : nat -> R) := forall th', f th <= f th'.
+Definition maximal (f : (nat -> R) -> R) (th : nat -> R) := forall th', f th' <= f th.
+Definition phasor (th : nat -> R) (k : nat) : C := expi (th k).
+
+(* paley.CN clause 1 *)
+Definition CN_1 : Prop := forall n k j, (k < n)%nat -> (j < n)%nat ->
+  deg n KN k = INR n - 1 /\ lap n KN 0 j = if Nat.eqb j 0 then INR n - 1 else -1.
+(* paley.CN clause 2 *)
+Definition CN_2 : Prop := forall n, (3 <= n)%nat -> connected n (CN n).
+(* paley.CN clause 3; no node is its own neighbour *)
+Definition CN_3 : Prop := forall n k, (3 <= n)%nat -> (k < n)%nat -> CN n k k = false /\ deg n (CN n) k = 2.
+(* paley.CN clause 4 *)
+Definition CN_4 : Prop := forall n j, (3 <= n)%nat -> (j < n)%nat ->
+  lap n (CN n) 0 j = if Nat.eqb j 0 then 2 else if Nat.eqb j 1 then -1 else if Nat.eqb j (n - 1) then -1 else 0.
+
+(* paley.Um clause 1: where p_m = 0, there the minimum is, and p_m = 0 happens *)
+Definition Um_1 : Prop := forall n m, (2 <= n)%nat -> (1 <= m)%nat ->
+  (forall th, pm n m th = 0%C <-> minimal (U_m n m) th) /\ exists th, pm n m th = 0%C.
+(* paley.Um clause 2 *)
+Definition Um_2 : Prop := forall n m th, (2 <= n)%nat -> (1 <= m)%nat ->
+  (maximal (U_m n m) th <-> forall j k, (j < n)%nat -> (k < n)%nat -> exists z : Z, th j - th k = IZR z * (2 * PI / INR m)).
+
+(* paley.VMN clause 1 as printed: V = K_0 S + U^{M,N} never increases under the control of Theorem 3. It can increase. *)
+Definition VMN_printed : Prop := forall n adj w0 K0 M K r th t (g : nat -> R) d, (1 <= n)%nat -> connected n adj -> no_loops adj ->
+  w0 <> 0 -> 0 < K0 -> (1 <= M)%nat -> Nat.divide M n -> (forall m, (1 <= m < M)%nat -> 0 < K m) -> K M < 0 ->
+  (forall k, (k < n)%nat -> partial (UMN n M K) (at_time th t) k (g k)) ->
+  particles n r th (fun k => w0 + w0 * (K0 / INR n) * Lc n adj w0 (at_time r t) (at_time th t) k - g k) t ->
+  is_derive (fun s => K0 * S17 n adj w0 (at_time r s) (at_time th s) + UMN n M K (at_time th s)) t d -> d <= 0.
+Definition VMN_1 : Prop := ~ VMN_printed.
+
+(* paley.Wm clause 1 as printed, refuted; it fails at every arrangement for every m >= 2 *)
+Definition Wm_printed : Prop := forall n m th, (1 <= n)%nat -> (1 <= m)%nat -> W_m n KN m th = INR n / 2 - U_m n m th.
+Definition Wm_1 : Prop := ~ Wm_printed /\ forall n m th, (1 <= n)%nat -> (2 <= m)%nat -> W_m n KN m th <> INR n / 2 - U_m n m th.
+
+(* paley.eig.sym clause 1 as printed, refuted even for connected undirected graphs *)
+Definition circulant_laplacian (n : nat) (adj : graph) := forall k j k' j', (k < n)%nat -> (j < n)%nat -> (k' < n)%nat -> (j' < n)%nat ->
+  ((j + n - k) mod n = (j' + n - k') mod n)%nat -> lap n adj k j = lap n adj k' j'.
+Definition symmetric_pattern (n : nat) (th : nat -> R) := exists M, Nat.divide M n /\ pattern M n th.
+Definition eig_sym_printed : Prop := forall n adj th lam, (1 <= n)%nat -> connected n adj -> no_loops adj -> circulant_laplacian n adj ->
+  eigenpair n adj lam (phasor th) -> ~ synchronized n th -> symmetric_pattern n th.
+Definition eig_sym_1 : Prop := ~ eig_sym_printed.
+
+(* paley.eq11.kernel clauses 1, 2 *)
+Definition in_span_1 (n : nat) (x : nat -> C) := exists c : C, forall k, (k < n)%nat -> x k = c.
+Definition kernel_1 : Prop := forall n adj x, (1 <= n)%nat -> connected n adj -> (S_of n adj x = 0 <-> in_span_1 n x).
+Definition kernel_2 : Prop := forall n adj x, (1 <= n)%nat -> connected n adj -> ~ in_span_1 n x -> 0 < S_of n adj x.
+
+(* paley.eq13 clauses 1, 2 *)
+Definition eq13_1 : Prop := forall n th, (1 <= n)%nat -> S_of n KN (phasor th) = INR n / 2 - U1 n th.
+Definition eq13_2 : Prop := forall n th, (1 <= n)%nat ->
+  (stationary n (fun th => S_of n KN (phasor th)) th <-> stationary n (U1 n) th).
+
+(* paley.eq16.eigvec clause 1 *)
+Definition eigvec_1 : Prop := forall n adj th lam, (1 <= n)%nat -> undirected adj -> eigenpair n adj lam (phasor th) ->
+  stationary n (W1 n adj) th.
+(* paley.eq16.eigvec clause 2: under (6), (14) all phases turn at the rate w0 and keep their differences *)
+Definition eigvec_2 : Prop := forall n adj th lam w0 K1, (1 <= n)%nat -> undirected adj -> eigenpair n adj lam (phasor th) ->
+  (forall k, (k < n)%nat -> w0 + K1 / INR n * Lth n adj th k = w0) /\
+  forall t k, (k < n)%nat -> is_derive (fun s => th k + w0 * s) t (w0 + K1 / INR n * Lth n adj (fun j => th j + w0 * t) k).
+
+(* paley.eq21 clause 1 as printed, refuted; V of (21) can increase too *)
+Definition V21 n adj w0 K0 K1 (r : nat -> C) (th : nat -> R) := K0 * S17 n adj w0 r th + K1 * / w0 * W1 n adj th.
+Definition case21 n adj w0 K0 K1 r th t := (1 <= n)%nat /\ connected n adj /\ no_loops adj /\ 0 < K0 /\ K1 <> 0 /\ w0 <> 0 /\
+  particles n r th (u22 n adj w0 K0 K1 (at_time r t) (at_time th t)) t.
+Definition eq21_printed : Prop := forall n adj w0 K0 K1 r th t, case21 n adj w0 K0 K1 r th t ->
+  let rate := - / INR n ^ 2 * Sum n (fun k => (K0 * Lc n adj w0 (at_time r t) (at_time th t) k + K1 * / w0 * Lth n adj (at_time th t) k) ^ 2) in
+  is_derive (fun s => V21 n adj w0 K0 K1 (at_time r s) (at_time th s)) t rate /\ rate <= 0.
+Definition eq21_falls : Prop := forall n adj w0 K0 K1 r th t d, case21 n adj w0 K0 K1 r th t ->
+  is_derive (fun s => V21 n adj w0 K0 K1 (at_time r s) (at_time th s)) t d -> d <= 0.
+Definition eq21_1 : Prop := ~ eq21_printed /\ ~ eq21_falls.
+
+(* paley.eq3 clause 1 *)
+Definition eq3_1 : Prop := forall n r th, (forall t, 0 <= t -> particles n r th (fun _ => 0) t) ->
+  forall t k, 0 <= t -> (k < n)%nat -> th k t = th k 0 /\ r k t = (r k 0 + RtoC t * expi (th k 0))%C.
+(* paley.eq3 clause 2: the centre stands still, the particle is at its distance 1/|w0| and turns at the rate w0, so all the way round *)
+Definition eq3_2 : Prop := forall n r th w0, w0 <> 0 -> (forall t, 0 <= t -> particles n r th (fun _ => w0) t) ->
+  forall k, (k < n)%nat -> let c t := ck w0 (at_time r t) (at_time th t) k in
+    (forall t, 0 <= t -> c t = c 0 /\ Cmod (r k t - c 0)%C = / Rabs w0) /\
+    exists phi, forall t, 0 <= t -> r k t = (c 0 + RtoC (/ Rabs w0) * expi (phi + w0 * t))%C.
+(* paley.eq3 clause 3: the velocity is to the left or to the right of the radius *)
+Definition eq3_3 : Prop := forall n r th w0, w0 <> 0 -> (forall t, 0 <= t -> particles n r th (fun _ => w0) t) ->
+  forall k t, (k < n)%nat -> 0 <= t -> let radius := (r k t - ck w0 (at_time r t) (at_time th t) k)%C in
+    (0 < w0 -> 0 < inner (Ci * radius)%C (expi (th k t))) /\ (w0 < 0 -> inner (Ci * radius)%C (expi (th k t)) < 0).
+
+(* paley.eq8.ext clauses 1, 2, 3 *)
+Definition ext_1 : Prop := forall n th a, (1 <= n)%nat -> U1 n (fun k => th k + a) = U1 n th.
+Definition ext_2 : Prop := forall n th, (1 <= n)%nat -> (maximal (U1 n) th <-> synchronized n th).
+Definition ext_3 : Prop := forall n, (2 <= n)%nat -> (forall th, minimal (U1 n) th <-> balanced n th) /\ exists th, balanced n th.
+
+(* paley.eq8_10 clause 3 *)
+Definition eq10 : Prop := forall n w0 K1 (th : nat -> R -> R) t, (1 <= n)%nat ->
+  let u9 k := - K1 * inner (Ci * expi (th k t))%C (order n (at_time th t)) in
+  (forall k, (k < n)%nat -> is_derive (th k) t (w0 + u9 k)) <->
+  (forall k, (k < n)%nat -> is_derive (th k) t (w0 + K1 / INR n * Sum n (fun j => sin (th k t - th j t)))).
+
+(* paley.fig2 clause 1, for every cyclic graph, with the eigenvalues *)
+Definition fig2_1 : Prop := forall n m, (3 <= n)%nat -> (m < n)%nat ->
+  eigenpair n (CN n) (RtoC (2 - 2 * cos (2 * PI * INR m / INR n))) (fourier n m).
+(* paley.fig2 clause 2: the generalised regular polygon {p/d}: p different corners, each the corner before turned by 2 pi d/p,
+   p and d without a common factor; the edges of the graph drawn at the phasors of column m are its sides *)
+Definition polygon (p d : nat) (z : nat -> C) := (1 <= p)%nat /\ Nat.gcd p d = 1%nat /\
+  (forall k, z (S k) = (expi (2 * PI * INR d / INR p) * z k)%C) /\ forall j k, z j = z k <-> (j mod p = k mod p)%nat.
+Definition fig2_2 : Prop := forall n m, (3 <= n)%nat -> (m < n)%nat -> let z k := expi (2 * PI / INR n * (INR m * INR k)) in
+  exists p d, Nat.divide p n /\ polygon p d z /\ forall a b : C,
+    (exists k j, (k < n)%nat /\ (j < n)%nat /\ CN n k j = true /\ a = z k /\ b = z j) <->
+    (exists i, (i < p)%nat /\ ((a = z i /\ b = z (S i)) \/ (b = z i /\ a = z (S i)))).
+
+(* paley.fig2.caption clause 1 *)
+Definition caption_1 : Prop := forall th lam, eigenpair 12 (CN 12) lam (phasor th) -> stationary 12 (W1 12 (CN 12)) th.
+
+(* paley.fig3.max clauses 1, 2, for every even cycle: neighbours on the cycle are opposite *)
+Definition alternating (n : nat) (th : nat -> R) := exists a, forall k, (k < n)%nat -> expi (th k) = expi (a + PI * INR k).
+Definition fig3_1 : Prop := forall q th, (2 <= q)%nat -> alternating (2 * q) th ->
+  balanced (2 * q) th /\ pattern 2 (2 * q) th /\ maximal (W1 (2 * q) (CN (2 * q))) th.
+Definition fig3_2 : Prop := forall q th, (2 <= q)%nat -> maximal (W1 (2 * q) (CN (2 * q))) th -> alternating (2 * q) th.
+
+(* paley.incid: column f of B belongs to the edge from j = tl f to k = hd f *)
+Definition incidence (n e : nat) (tl hd : nat -> nat) (B : nat -> nat -> R) := forall f, (f < e)%nat ->
+  B (hd f) f = 1 /\ B (tl f) f = -1 /\ forall i, (i < n)%nat -> i <> hd f -> i <> tl f -> B i f = 0.
+Definition is_BBT (n e : nat) (adj : graph) (B : nat -> nat -> R) := forall i j, (i < n)%nat -> (j < n)%nat ->
+  lap n adj i j = Sum e (fun f => B i f * B j f).
+(* one column for each directed edge; one for each undirected edge, directed either way *)
+Definition directed_edges n adj e (tl hd : nat -> nat) := (forall f, (f < e)%nat -> arc n adj (tl f) (hd f)) /\
+  forall j k, arc n adj j k -> exists! f, (f < e)%nat /\ tl f = j /\ hd f = k.
+Definition undirected_edges n adj e (tl hd : nat -> nat) := (forall f, (f < e)%nat -> arc n adj (tl f) (hd f)) /\
+  forall j k, arc n adj j k -> exists! f, (f < e)%nat /\ ((tl f = j /\ hd f = k) \/ (tl f = k /\ hd f = j)).
+(* paley.incid clause 1 as printed, refuted; it fails for every graph with an edge *)
+Definition incid_printed : Prop := forall n adj e tl hd B, undirected adj -> no_loops adj -> directed_edges n adj e tl hd ->
+  incidence n e tl hd B -> is_BBT n e adj B.
+Definition incid_1 : Prop := ~ incid_printed /\ forall n adj e tl hd B, undirected adj -> no_loops adj -> directed_edges n adj e tl hd ->
+  incidence n e tl hd B -> (exists j k, arc n adj j k) -> ~ is_BBT n e adj B.
+(* paley.incid clause 2 *)
+Definition incid_2 : Prop := forall n adj e tl hd B, undirected adj -> no_loops adj -> undirected_edges n adj e tl hd ->
+  incidence n e tl hd B -> is_BBT n e adj B.
+
+(* paley.patterns.two clause 1; a splay state: the phases are those of the N roots of unity, turned, in some order *)
+Definition splay (n : nat) (th : nat -> R) := exists a (place : nat -> nat), (forall k, (k < n)%nat -> (place k < n)%nat) /\
+  (forall j k, (j < n)%nat -> (k < n)%nat -> place j = place k -> j = k) /\
+  forall k, (k < n)%nat -> expi (th k) = expi (a + 2 * PI * INR (place k) / INR n).
+Definition two_1 : Prop := forall n, (2 <= n)%nat ->
+  (exists th, pattern 1 n th) /\ (forall th, pattern 1 n th <-> synchronized n th) /\
+  (exists th, pattern n n th) /\ (forall th, pattern n n th <-> splay n th).
+(* paley.patterns.two clause 2: both are symmetric patterns, and no arrangement is both *)
+Definition two_2 : Prop := forall n, (2 <= n)%nat -> Nat.divide 1 n /\ Nat.divide n n /\
+  (forall th, pattern 1 n th \/ pattern n n th -> symmetric_pattern n th) /\ forall th, ~ (pattern 1 n th /\ pattern n n th).
+
+(* paley.zero.dir clause 1 as printed, refuted; a strongly connected subgraph: nodes that reach each other *)
+Definition reach (n : nat) (adj : graph) := clos_refl_trans nat (arc n adj).
+Definition zero_printed : Prop := forall n adj th, (1 <= n)%nat -> no_loops adj -> ~ strongly_connected n adj ->
+  (W1 n adj th = 0 <-> forall j k, (j < n)%nat -> (k < n)%nat -> reach n adj j k -> reach n adj k j -> expi (th j) = expi (th k)).
+Definition zero_1 : Prop := ~ zero_printed.
