@@ -166,3 +166,158 @@ Definition reach (n : nat) (adj : graph) := clos_refl_trans nat (arc n adj).
 Definition zero_printed : Prop := forall n adj th, (1 <= n)%nat -> no_loops adj -> ~ strongly_connected n adj ->
   (W1 n adj th = 0 <-> forall j k, (j < n)%nat -> (k < n)%nat -> reach n adj j k -> reach n adj k j -> expi (th j) = expi (th k)).
 Definition zero_1 : Prop := ~ zero_printed.
+
+(* ---- the theorems prove them ---- *)
+(* graphs that agree on the nodes *)
+Lemma agree_deg n (a b : graph) k : (forall j, (j < n)%nat -> a k j = b k j) -> deg n a k = deg n b k.
+Proof. intros H. unfold deg, w. apply Sum_ext. intros j Hj. now rewrite H. Qed.
+Definition agree n (a b : graph) := forall k j, (k < n)%nat -> (j < n)%nat -> a k j = b k j.
+Lemma agree_lap n a b k j : agree n a b -> (k < n)%nat -> (j < n)%nat -> lap n a k j = lap n b k j.
+Proof. intros H Hk Hj. unfold lap. rewrite (agree_deg n a b k) by (intros; now apply H). unfold w. now rewrite H. Qed.
+Lemma agree_row n a b k x : agree n a b -> (k < n)%nat -> row n (lap n a) k x = row n (lap n b) k x.
+Proof. intros H Hk. unfold row. apply Csum_ext. intros j Hj. now rewrite (agree_lap n a b). Qed.
+Lemma agree_W1 n a b th : agree n a b -> W1 n a th = W1 n b th.
+Proof. intros H. unfold W1, Q. f_equal. apply Sum_ext. intros k Hk. now rewrite (agree_row n a b). Qed.
+Lemma agree_strong n a b : agree n a b -> strongly_connected n a -> strongly_connected n b.
+Proof.
+  intros H S j k Hj Hk. specialize (S j k Hj Hk). clear Hj Hk. induction S as [x y [A [B E]]| |]; [|apply rt_refl|eapply rt_trans; eassumption].
+  apply rt_step. repeat split; try assumption. now rewrite <- H.
+Qed.
+Lemma step_mod n k : (k < n)%nat -> (S k mod n = if Nat.eqb (S k) n then 0 else S k)%nat.
+Proof. intros H. destruct (Nat.eqb_spec (S k) n) as [->|N]; [apply Nat.mod_same; lia|apply Nat.mod_small; lia]. Qed.
+Lemma diff_mod n k j : (k < n)%nat -> (j < n)%nat -> ((j + n - k) mod n = if Nat.leb k j then j - k else j + n - k)%nat.
+Proof.
+  intros Hk Hj. destruct (Nat.leb_spec k j); [|apply Nat.mod_small; lia].
+  replace (j + n - k)%nat with (j - k + 1 * n)%nat by lia. rewrite Nat.mod_add, Nat.mod_small; lia.
+Qed.
+Lemma CN_ring n : (3 <= n)%nat -> agree n (ring_graph n) (CN n).
+Proof.
+  intros Hn k j Hk Hj. unfold CN, ring_graph, ring_offset. rewrite diff_mod, !step_mod by assumption.
+  destruct (Nat.leb_spec k j), (Nat.eqb_spec (S k) n), (Nat.eqb_spec (S j) n);
+  repeat match goal with |- context [Nat.eqb ?a ?b] => destruct (Nat.eqb_spec a b) end; cbn; try reflexivity; lia.
+Qed.
+Lemma CN_undirected n : undirected (CN n).
+Proof. intros k j. unfold CN. apply Bool.orb_comm. Qed.
+
+Lemma CN_1_proved : CN_1.
+Proof.
+  intros n k j Hk Hj. split; [|apply (complete_row n j); lia]. unfold deg.
+  rewrite (Sum_ext n _ (fun j => 1 - delta j k * 1)); [|intros i _; unfold w, KN, delta; rewrite (Nat.eqb_sym k i); destruct (Nat.eqb i k); cbn; ring].
+  rewrite Sum_minus, Sum_const, (Sum_delta n k (fun _ => 1) Hk). ring.
+Qed.
+Lemma CN_2_proved : CN_2.
+Proof.
+  intros n Hn. split; [apply CN_undirected|]. apply (agree_strong n (ring_graph n)); [now apply CN_ring|]. apply ring_connected. lia.
+Qed.
+Lemma CN_3_proved : CN_3.
+Proof.
+  intros n k Hn Hk. split.
+  - unfold CN. rewrite step_mod by assumption. destruct (Nat.eqb_spec (S k) n), (Nat.eqb_spec k 0), (Nat.eqb_spec k (S k)); cbn; try lia; reflexivity.
+  - rewrite <- (agree_deg n (ring_graph n)); [apply ring_row; assumption|]. intros j Hj. now apply CN_ring.
+Qed.
+Lemma CN_4_proved : CN_4.
+Proof.
+  intros n j Hn Hj. rewrite <- (agree_lap n (ring_graph n)); [|now apply CN_ring|lia|assumption].
+  rewrite (proj1 (ring_row n j Hn Hj)). now destruct (Nat.eqb j 0), (Nat.eqb j 1), (Nat.eqb j (n - 1)).
+Qed.
+
+Lemma pm_zero n m : (2 <= n)%nat -> (1 <= m)%nat -> exists th, pm n m th = 0%C.
+Proof.
+  intros Hn Hm. pose proof (INR_pos m Hm). pose proof (INR_pos n ltac:(lia)). exists (fun k => / INR m * wave n 1 k).
+  pose proof (splay_balanced n Hn) as B. unfold balanced, order in B. unfold pm.
+  rewrite (Csum_ext n _ (phasors (wave n 1))) by (intros k _; unfold phasors; f_equal; field; lra).
+  replace (RtoC (/ (INR m * INR n))) with (RtoC (/ INR m) * RtoC (/ INR n))%C by (rewrite <- RtoC_mult; f_equal; field; lra).
+  rewrite <- Cmult_assoc, B. apply Cmult_0_r.
+Qed.
+Lemma Um_1_proved : Um_1.
+Proof.
+  intros n m Hn Hm. split; [|now apply pm_zero]. intros th. destruct (Um_extremes n m th) as (_ & Z & _); try lia. split.
+  - intros E th'. apply Z in E. destruct (Um_extremes n m th') as ((P & _) & _); try lia.
+    change (Um n m th <= Um n m th'). now rewrite E.
+  - intros H. apply Z. destruct (pm_zero n m Hn Hm) as [th' E]. destruct (Um_extremes n m th') as (_ & Z' & _); try lia.
+    specialize (H th'). apply Z' in E. change (Um n m th <= Um n m th') in H. rewrite E in H.
+    destruct (Um_extremes n m th) as ((P & _) & _); try lia. lra.
+Qed.
+Lemma Um_2_proved : Um_2.
+Proof.
+  intros n m th Hn Hm. pose proof (INR_pos m Hm) as Pm. destruct (Um_extremes n m th) as (B & _ & X); try lia. split.
+  - intros H j k Hj Hk. destruct (Um_extremes n m (fun _ => 0)) as (_ & _ & Y); try lia.
+    assert (E : Um n m (fun _ => 0) = INR n / (2 * INR m ^ 2)). { apply Y. intros. exists 0%Z. ring. }
+    specialize (H (fun _ => 0)). change (Um n m (fun _ => 0) <= Um n m th) in H.
+    destruct (proj1 X ltac:(lra) j k Hj Hk) as [z Z]. exists z.
+    apply (Rmult_eq_reg_l (INR m)); [|lra]. rewrite Z. field. lra.
+  - intros H th'. destruct (Um_extremes n m th') as (B' & _); try lia. change (Um n m th' <= Um n m th).
+    assert (E : Um n m th = INR n / (2 * INR m ^ 2)); [|lra]. apply X. intros j k Hj Hk. destruct (H j k Hj Hk) as [z Z].
+    exists z. rewrite Z. field. lra.
+Qed.
+
+Lemma strong_K2 : strongly_connected 2 complete.
+Proof.
+  intros j k Hj Hk. destruct (Nat.eq_dec j k) as [->|N]; [apply rt_refl|]. apply rt_step.
+  repeat split; try assumption. unfold complete. destruct (Nat.eqb_spec k j); [congruence|reflexivity].
+Qed.
+Lemma VMN_1_proved : VMN_1.
+Proof.
+  intros H. destruct paley_composite.along_values as [g0 [g1 [a0 a1]]].
+  set (r := paley_composite.places_along) in *. set (th := paley_composite.phases_along) in *. set (K := fun _ : nat => -1) in *.
+  assert (U : forall k, (k < 2)%nat -> paley_composite.turn0 k = paley_composite.pattern_control 2 complete 2 1 1 K r th 0 k).
+  { intros k Hk. unfold paley_composite.pattern_control. destruct k as [|[|k]]; [| |lia].
+    - rewrite g0, a0. unfold paley_composite.turn0. cbn. field.
+    - rewrite g1, a1. unfold paley_composite.turn0. cbn. field. }
+  assert (R2 : forall k, (k < 2)%nat -> is_derive (th k) 0 (paley_composite.pattern_control 2 complete 2 1 1 K r th 0 k)).
+  { intros k Hk. rewrite <- (U k Hk). apply paley_composite.along_turn. }
+  assert (D := paley_composite.weighted_rate 2 complete 2 1 1 K ltac:(lia) ltac:(lra) complete_undirected r th 0
+    (fun k _ => paley_composite.along_velocity k) R2 1).
+  assert (P : particles 2 r th (fun k => 2 + 2 * (1 / INR 2) * Lc 2 complete 2 (at_time r 0) (at_time th 0) k
+     - paley_composite.gUMN 2 1 K (fun k0 => th k0 0) k) 0).
+  { intros k Hk. split; [apply paley_composite.along_velocity|]. eapply D_eq; [exact (R2 k Hk)|].
+    unfold paley_composite.pattern_control. unfold aS. cbn [INR]. unfold Lc, row, centres, circle_centre, ck. ring. }
+  assert (X := H 2%nat complete 2 1 1%nat K r th 0 (paley_composite.gUMN 2 1 K (fun k => th k 0)) _ ltac:(lia) (conj complete_undirected strong_K2)
+    complete_no_loops ltac:(lra) ltac:(lra) ltac:(lia) (Nat.divide_1_l 2) ltac:(intros; lia) ltac:(unfold K; lra)
+    (fun k Hk => paley_composite.UMN_gradient 2 1 K (fun j => th j 0) k ltac:(lia) Hk) P
+    (is_derive_ext _ _ 0 _ (fun s => f_equal (Rplus _) (Rmult_1_l _)) D)).
+  cbn [Sum] in X. rewrite <- !U, g0, g1, a0, a1 in X by lia. unfold paley_composite.turn0 in X. cbn in X. lra.
+Qed.
+
+Lemma Wm_1_proved : Wm_1.
+Proof.
+  assert (N : forall n m th, (1 <= n)%nat -> (2 <= m)%nat -> W_m n KN m th <> INR n / 2 - U_m n m th).
+  { intros n m th Hn Hm. exact (Wm_printed_fails n m th Hn Hm). }
+  split; [|exact N]. intros H. apply (N 1%nat 2%nat (fun _ => 0)); try lia. apply H; lia.
+Qed.
+Lemma eig_sym_1_proved : eig_sym_1.
+Proof.
+  intros H. destruct rhombus_phasors as (E0 & _ & E2 & _).
+  destruct (H 4%nat complete rhombus (RtoC 4)) as [M [_ P]]; [lia|split; [apply complete_undirected|]|apply complete_no_loops| | | |].
+  - intros j k Hj Hk. destruct (Nat.eq_dec j k) as [->|N]; [apply rt_refl|]. apply rt_step. repeat split; try assumption.
+    unfold complete. destruct (Nat.eqb_spec k j); [congruence|reflexivity].
+  - assert (L : forall k j, (k < 4)%nat -> (j < 4)%nat -> lap 4 complete k j = if Nat.eqb ((j + 4 - k) mod 4)%nat 0 then 3 else -1).
+    { intros k j Hk Hj. unfold lap. change (deg 4 complete k) with (deg 4 KN k). rewrite (proj1 (CN_1_proved 4%nat k j Hk Hj)). rewrite diff_mod by assumption. unfold w, complete, delta.
+      destruct (Nat.leb_spec k j), (Nat.eqb_spec k j); match goal with |- context [Nat.eqb ?a 0] => destruct (Nat.eqb_spec a 0) end; try lia; cbn; ring. }
+    intros k j k' j' Hk Hj Hk' Hj' E. now rewrite !L, E.
+  - split; [exists 0%nat; split; [lia|apply expi_neq0]|]. exact rhombus_eigen_K4.
+  - intros S. specialize (S 0%nat 2%nat ltac:(lia) ltac:(lia)). change (expi 0 = expi PI) in S. rewrite E0, E2 in S. injection S as S. lra.
+  - exact (rhombus_no_pattern 4 M (or_introl eq_refl) P).
+Qed.
+Lemma kernel_1_proved : kernel_1.
+Proof. intros n adj x Hn [S C]. exact (proj2 (Q_kernel n adj x Hn S C)). Qed.
+Lemma kernel_2_proved : kernel_2.
+Proof.
+  intros n adj x Hn [S C] N. destruct (Q_kernel n adj x Hn S C) as [P Z].
+  destruct (Rle_lt_or_eq_dec _ _ P) as [L|E]; [exact L|]. exfalso. apply N, Z. now symmetry.
+Qed.
+Lemma eq13_1_proved : eq13_1.
+Proof. intros n th Hn. exact (eq13 n th Hn). Qed.
+Lemma eq13_2_proved : eq13_2.
+Proof. intros n th Hn. exact (eq13_stationary n th Hn). Qed.
+Lemma eigvec_1_proved : eigvec_1.
+Proof. intros n adj th lam Hn S [_ E]. exact (proj1 (eigenvector_stationary n adj th lam Hn S E)). Qed.
+Lemma eigvec_2_proved : eigvec_2.
+Proof.
+  intros n adj th lam w0 K1 Hn S [_ E]. pose proof (proj2 (eigenvector_stationary n adj th lam Hn S E)) as R.
+  split; [exact (R w0 K1)|]. intros t k Hk. specialize (R w0 K1 k Hk).
+  eapply D_eq; [apply D_plus; [apply D_const|apply D_scal, D_id]|].
+  change (Lth n adj (fun j => th j + w0 * t) k) with (gW n adj (fun j => th j + w0 * t) k).
+  replace (gW n adj (fun j => th j + w0 * t) k) with (gW n adj th k); [rewrite R; ring|].
+  rewrite !gW_lap. apply Sum_ext. intros j _. do 2 f_equal. ring.
+Qed.
