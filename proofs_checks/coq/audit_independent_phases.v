@@ -321,3 +321,118 @@ Proof.
   replace (gW n adj (fun j => th j + w0 * t) k) with (gW n adj th k); [rewrite R; ring|].
   rewrite !gW_lap. apply Sum_ext. intros j _. do 2 f_equal. ring.
 Qed.
+
+(* two particles at the origin with phases 0 and pi/2, w0 = K_0 = 1, K_1 = 2 *)
+Lemma rate21 : case21 2 complete 1 1 2 curve_r curve_th 0 /\
+  is_derive (fun s => V21 2 complete 1 1 2 (at_time curve_r s) (at_time curve_th s)) 0 (3 / 2).
+Proof.
+  destruct values21 as [b0 [b1 [a0 a1]]].
+  assert (U : forall k, (k < 2)%nat -> u21 k = control5 2 complete 1 1 2 curve_r curve_th 0 k).
+  { intros k Hk. unfold control5. destruct k as [|[|k]]; [| |lia].
+    - rewrite b0, a0. unfold u21. cbn. field.
+    - rewrite b1, a1. unfold u21. cbn. field. }
+  split.
+  - split; [lia|]. split; [split; [apply complete_undirected|apply strong_K2]|]. split; [apply complete_no_loops|]. split; [lra|]. split; [lra|]. split; [lra|].
+    intros k Hk. split; [apply curve_r_velocity|]. eapply D_eq; [apply curve_th_rate|]. rewrite (U k Hk).
+    exact (eq22 2 complete 1 1 2 ltac:(lia) ltac:(lra) curve_r curve_th 0 k).
+  - eapply D_eq; [apply (eq21_actual 2 complete 1 1 2 ltac:(lia) ltac:(lra) complete_undirected curve_r curve_th u21 0)|].
+    + intros k _. apply curve_r_velocity.
+    + intros k _. apply curve_th_rate.
+    + exact U.
+    + cbn [Sum INR]. rewrite b0, b1, a0, a1. field.
+Qed.
+Lemma eq21_1_proved : eq21_1.
+Proof.
+  destruct rate21 as [I D]. split.
+  - intros H. destruct (H _ _ _ _ _ _ _ _ I) as [E L]. apply is_derive_unique in E, D. rewrite E in D. lra.
+  - intros H. specialize (H _ _ _ _ _ _ _ _ _ I D). lra.
+Qed.
+
+(* the theorems on (3) speak of all times; here a motion begins at 0, so the same steps from 0 on *)
+Lemma stays (f : R -> R) : (forall t, 0 <= t -> is_derive f t 0) -> forall t, 0 <= t -> f t = f 0.
+Proof.
+  intros D t Ht. destruct (MVT_le f (fun _ => 0) 0 t Ht) as [c [_ E]]; [intros; apply D; lra|]. lra.
+Qed.
+Lemma stays_C (z : R -> C) : (forall t, 0 <= t -> is_velocity z t 0%C) -> forall t, 0 <= t -> z t = z 0.
+Proof.
+  intros D t Ht. apply injective_projections.
+  - apply (stays (fun s => fst (z s))); [|exact Ht]. intros s Hs. apply (D s Hs).
+  - apply (stays (fun s => snd (z s))); [|exact Ht]. intros s Hs. apply (D s Hs).
+Qed.
+Lemma eq3_1_proved : eq3_1.
+Proof.
+  intros n r th M t k Ht Hk.
+  assert (T : forall t, 0 <= t -> th k t = th k 0) by (apply stays; intros s Hs; apply (M s Hs k Hk)). split; [now apply T|].
+  assert (E : (r k t - RtoC t * expi (th k 0%R))%C = (r k 0%R - RtoC 0 * expi (th k 0%R))%C).
+  { apply (stays_C (fun s => r k s - RtoC s * expi (th k 0%R))%C); [|exact Ht]. intros s Hs. destruct (M s Hs k Hk) as [[A B] _].
+    rewrite (T s Hs) in A, B. split; cbn.
+    - apply (is_derive_ext (fun s => fst (r k s) - cos (th k 0) * s)); [intros; cbn; ring|].
+      eapply D_eq; [apply D_minus; [exact A|apply D_scal, D_id]|]. cbn. ring.
+    - apply (is_derive_ext (fun s => snd (r k s) - sin (th k 0) * s)); [intros; cbn; ring|].
+      eapply D_eq; [apply D_minus; [exact B|apply D_scal, D_id]|]. cbn. ring. }
+  replace (r k t) with ((r k t - RtoC t * expi (th k 0%R)) + RtoC t * expi (th k 0%R))%C by ring. rewrite E.
+  apply injective_projections; cbn; ring.
+Qed.
+Definition spoke (w0 a : R) : C := (/ w0 * sin a, - / w0 * cos a).
+Lemma radius_is w0 (r : nat -> C) (th : nat -> R) k : (r k - ck w0 r th k)%C = spoke w0 (th k).
+Proof. unfold ck, spoke. apply injective_projections; cbn; ring. Qed.
+Lemma eq3_2_proved : eq3_2.
+Proof.
+  intros n r th w0 W M k Hk c. assert (A : 0 < Rabs w0) by now apply Rabs_pos_lt.
+  assert (T : forall t, 0 <= t -> th k t = th k 0 + w0 * t).
+  { intros t Ht. assert (E : th k t - w0 * t = th k 0 - w0 * 0); [|lra]. apply (stays (fun t => th k t - w0 * t)); [|exact Ht].
+    intros s Hs. eapply D_eq; [apply D_minus; [apply (M s Hs k Hk)|apply D_scal, D_id]|]. ring. }
+  assert (CC : forall t, 0 <= t -> c t = c 0).
+  { apply stays_C. intros s Hs. destruct (M s Hs k Hk) as [V D]. eapply velocity_eq; [exact (eq18 w0 (r k) (th k) s w0 V D)|].
+    apply injective_projections; cbn; field; lra. }
+  assert (P : exists phi, forall t, 0 <= t -> r k t = (c 0%R + RtoC (/ Rabs w0) * expi (phi + w0 * t))%C).
+  { assert (X : forall t, 0 <= t -> r k t = (c 0%R + spoke w0 (th k t))%C).
+    { intros t Ht. rewrite <- (CC t Ht). pose proof (radius_is w0 (at_time r t) (at_time th t) k) as E. cbv beta in E. rewrite <- E. unfold c. ring. }
+    destruct (Rtotal_order w0 0) as [L|[L|L]]; [|contradiction|].
+    - exists (th k 0 + PI / 2). intros t Ht. rewrite X, (T t) by exact Ht. rewrite Rabs_left by assumption. f_equal. unfold spoke.
+      replace (th k 0 + PI / 2 + w0 * t) with (PI / 2 + (th k 0 + w0 * t)) by ring. apply injective_projections; cbn.
+      + rewrite cos_plus, cos_PI2, sin_PI2. field. lra.
+      + rewrite sin_plus, cos_PI2, sin_PI2. field. lra.
+    - exists (th k 0 - PI / 2). intros t Ht. rewrite X, (T t) by exact Ht. rewrite Rabs_right by lra. f_equal. unfold spoke.
+      replace (th k 0 - PI / 2 + w0 * t) with ((th k 0 + w0 * t) - PI / 2) by ring. apply injective_projections; cbn.
+      + rewrite cos_minus, cos_PI2, sin_PI2. field. lra.
+      + rewrite sin_minus, cos_PI2, sin_PI2. field. lra. }
+  split; [|exact P]. intros t Ht. split; [now apply CC|]. destruct P as [phi P]. rewrite (P t Ht).
+  replace (c 0%R + RtoC (/ Rabs w0) * expi (phi + w0 * t) - c 0%R)%C with (RtoC (/ Rabs w0) * expi (phi + w0 * t))%C by ring.
+  rewrite Cmod_mult, Cmod_expi, Cmod_R, Rabs_pos_eq; [ring|]. left. now apply Rinv_0_lt_compat.
+Qed.
+Lemma eq3_3_proved : eq3_3.
+Proof.
+  intros n r th w0 W M k t Hk Ht radius.
+  assert (E : inner (Ci * radius)%C (expi (th k t)) = / w0).
+  { unfold radius. pose proof (radius_is w0 (at_time r t) (at_time th t) k) as X. cbv beta in X. rewrite X, inner_xy. unfold spoke.
+    transitivity (/ w0 * (sin (th k t) ^ 2 + cos (th k t) ^ 2)); [cbn; ring|]. rewrite sc2. ring. }
+  rewrite E. split; intros H; [now apply Rinv_0_lt_compat|now apply Rinv_lt_0_compat].
+Qed.
+
+Lemma ext_1_proved : ext_1.
+Proof. intros n th a Hn. exact (U1_rotation n th a Hn). Qed.
+Lemma ext_2_proved : ext_2.
+Proof. intros n th Hn. symmetry. exact (proj1 (U1_extremes n th Hn)). Qed.
+Lemma ext_3_proved : ext_3.
+Proof.
+  intros n Hn. split; [intros th; symmetry; exact (U1_minimizers n th Hn)|]. exists (wave n 1). now apply splay_balanced.
+Qed.
+Lemma eq10_proved : eq10.
+Proof.
+  intros n w0 K1 th t Hn u9.
+  assert (E : forall k, w0 + u9 k = w0 + K1 / INR n * Sum n (fun j => sin (th k t - th j t))) by (intros k; exact (control9_sines n (at_time th t) k w0 K1)).
+  split; intros H k Hk; [rewrite <- E|rewrite E]; now apply H.
+Qed.
+
+Lemma fig2_1_proved : fig2_1.
+Proof.
+  intros n m Hn Hm. pose proof (INR_pos n ltac:(lia)) as P. split.
+  - exists 0%nat. split; [lia|]. unfold fourier. apply Cmult_neq_0; [|apply expi_neq0]. intros Z. apply (f_equal fst) in Z. cbn in Z.
+    assert (0 < / sqrt (INR n)) by (apply Rinv_0_lt_compat, sqrt_lt_R0, P). lra.
+  - intros k Hk. rewrite (fourier_is n m k) by lia. rewrite <- (ring_eigenvalue n m Hn).
+    rewrite <- (dft_diagonalizes n (ring_graph n) (ring_offset n) m ltac:(lia) (ring_circulant n) k Hk).
+    rewrite (agree_row n _ (CN n) k _ (CN_ring n Hn) Hk). unfold row. apply Csum_ext. intros j _. now rewrite (fourier_is n m j) by lia.
+Qed.
+Lemma caption_1_proved : caption_1.
+Proof. intros th lam E. apply (eigvec_1_proved 12%nat (CN 12) th lam); [lia|apply CN_undirected|exact E]. Qed.
