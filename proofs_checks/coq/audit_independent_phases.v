@@ -1,6 +1,7 @@
 (* More clauses of the claims about Paley's paper (graphs, phase potentials, patterns), formalised from their words before the
    theorems were looked at; the theorems prove them. Nodes, particles and columns are numbered from 0. *)
 From Coq Require Import Reals Lra Lia List Relations Psatz.
+From Coq Require FinFun.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_fourier paley_particles paley_patterns.
 From Flockproof Require Import audit_independent_paley.
@@ -436,3 +437,213 @@ Proof.
 Qed.
 Lemma caption_1_proved : caption_1.
 Proof. intros th lam E. apply (eigvec_1_proved 12%nat (CN 12) th lam); [lia|apply CN_undirected|exact E]. Qed.
+
+(* the phasors of column m in lowest terms d/p *)
+Lemma same_rest p d a b q : Nat.gcd p d = 1%nat -> (a < p)%nat -> (b <= a)%nat -> (Z.of_nat d * (Z.of_nat a - Z.of_nat b) = q * Z.of_nat p)%Z -> a = b.
+Proof.
+  intros G Ha L E. assert (D : Nat.divide p (a - b)).
+  { apply (Nat.gauss p d); [|exact G]. exists (Z.to_nat q). assert (0 <= q)%Z by nia. apply Nat2Z.inj.
+    rewrite !Nat2Z.inj_mul, Z2Nat.id, Nat2Z.inj_sub by assumption. exact E. }
+  destruct D as [[|y] Y]; [lia|]. cbn in Y. lia.
+Qed.
+Lemma fig2_2_proved : fig2_2.
+Proof.
+  intros n m Hn Hm z. pose proof (INR_pos n ltac:(lia)) as Pn. set (g := Nat.gcd n m).
+  assert (Hg : g <> 0%nat) by (unfold g; intros E; apply Nat.gcd_eq_0_l in E; lia).
+  destruct (Nat.gcd_divide_l n m) as [p Ep]. destruct (Nat.gcd_divide_r n m) as [d Ed]. fold g in Ep, Ed.
+  pose proof (Nat.gcd_div_gcd n m g Hg eq_refl) as CP. rewrite Ep, Ed, !Nat.div_mul in CP by assumption. clearbody g.
+  assert (Hp : (1 <= p)%nat) by (destruct p; lia). pose proof (INR_pos p Hp) as Pp.
+  assert (Pg : 0 < INR g) by (apply lt_0_INR; lia).
+  assert (Z : forall k, z k = expi (2 * PI * INR d * INR k / INR p)).
+  { intros k. unfold z. f_equal. rewrite Ep, Ed, !mult_INR. field. split; lra. }
+  assert (Zm : forall k, z (k mod p) = z k) by (intros k; rewrite !Z; now apply expi_mod).
+  assert (Pol : polygon p d z).
+  { split; [exact Hp|]. split; [exact CP|]. split.
+    - intros k. rewrite !Z, <- expi_plus. f_equal. rewrite S_INR. field. lra.
+    - intros j k. split.
+      + rewrite <- (Zm j), <- (Zm k), !Z. pose proof (Nat.mod_upper_bound j p ltac:(lia)). pose proof (Nat.mod_upper_bound k p ltac:(lia)).
+        generalize dependent (k mod p)%nat. generalize dependent (j mod p)%nat. intros a Ha b Hb E. apply expi_inj_minus, expi_one in E.
+        destruct E as [q E]. assert (F : IZR (Z.of_nat d * (Z.of_nat a - Z.of_nat b)) = IZR (q * Z.of_nat p)).
+        { rewrite !mult_IZR, minus_IZR, <- !INR_IZR_INZ. pose proof PI_RGT_0 as PP. apply (Rmult_eq_reg_l (2 * PI / INR p)).
+          - replace (2 * PI / INR p * (IZR q * INR p)) with (2 * PI * IZR q) by (field; lra). rewrite <- E. field. lra.
+          - apply Rgt_not_eq, Rdiv_lt_0_compat; lra. }
+        apply eq_IZR in F. destruct (Nat.le_ge_cases b a) as [Le|Le]; [apply (same_rest p d a b q)|symmetry; apply (same_rest p d b a (- q)%Z)]; try assumption.
+        lia.
+      + intros E. now rewrite <- (Zm j), <- (Zm k), E. }
+  exists p, d. split; [exists g; lia|]. split; [exact Pol|]. destruct Pol as (_ & _ & _ & Per).
+  assert (Zn : forall k, z (k mod n) = z k).
+  { intros k. apply Per. rewrite (Nat.div_mod k n) at 2 by lia. rewrite Ep at 2. rewrite Nat.add_comm.
+    replace (g * p)%nat with (p * g)%nat by lia. replace (p * g * (k / n))%nat with (g * (k / n) * p)%nat by lia. now rewrite Nat.mod_add by lia. }
+  assert (Sp : forall k, z (S (k mod p)) = z (S k)).
+  { intros k. apply Per. rewrite <- (Nat.add_1_r (k mod p)), Nat.add_mod_idemp_l, Nat.add_1_r by lia. reflexivity. }
+  intros a b. split.
+  - intros (k & j & Hk & Hj & A & -> & ->). unfold CN in A. apply Bool.orb_true_iff in A as [A|A]; apply Nat.eqb_eq in A.
+    + exists (k mod p)%nat. split; [apply Nat.mod_upper_bound; lia|]. left. rewrite Zm, Sp, A, Zn. split; reflexivity.
+    + exists (j mod p)%nat. split; [apply Nat.mod_upper_bound; lia|]. right. rewrite Zm, Sp, A, Zn. split; reflexivity.
+  - intros (i & Hi & H). assert (Hin : (i < n)%nat) by nia. assert (Sn : (S i mod n < n)%nat) by (apply Nat.mod_upper_bound; lia).
+    destruct H as [[-> ->]|[-> ->]].
+    + exists i, (S i mod n)%nat. repeat split; try assumption; [|now rewrite Zn]. unfold CN. now rewrite Nat.eqb_refl.
+    + exists (S i mod n)%nat, i. repeat split; try assumption; [|now rewrite Zn]. unfold CN. now rewrite Nat.eqb_refl, Bool.orb_true_r.
+Qed.
+
+(* alternating phases: each step turns by half a turn *)
+Lemma half_turn a : expi (a + PI) = (- expi a)%C.
+Proof. unfold expi, Copp; cbn. now rewrite neg_cos, neg_sin. Qed.
+Lemma alternate a k : expi (a + PI * INR k) = if Nat.even k then expi a else (- expi a)%C.
+Proof.
+  induction k as [|k IH]; [cbn; f_equal; ring|]. rewrite Nat.even_succ, <- Nat.negb_even, S_INR.
+  replace (a + PI * (INR k + 1)) with (a + PI * INR k + PI) by ring. rewrite half_turn, IH. destruct (Nat.even k); cbn [negb]; [reflexivity|]. ring.
+Qed.
+Lemma flip_cos s t : expi t = (- expi s)%C -> cos (t - s) = -1.
+Proof. intros E. rewrite <- inner_expi, E, inner_xy. cbn. pose proof (sc2 s). lra. Qed.
+Lemma alternating_flips q th : (2 <= q)%nat -> alternating (2 * q) th ->
+  forall k, (k < 2 * q)%nat -> expi (th (S k mod (2 * q))) = (- expi (th k))%C.
+Proof.
+  intros Hq [a A] k Hk. rewrite !A; [|assumption|apply Nat.mod_upper_bound; lia]. rewrite !alternate, step_mod by assumption.
+  destruct (Nat.eqb_spec (S k) (2 * q)) as [E|E].
+  - assert (O : Nat.even k = false). { rewrite <- Nat.negb_odd, <- Nat.even_succ, E, Nat.even_mul. reflexivity. }
+    rewrite O. cbn [Nat.even]. ring.
+  - rewrite Nat.even_succ, <- Nat.negb_even. destruct (Nat.even k); cbn [negb]; [reflexivity|ring].
+Qed.
+Lemma alternating_two q th : (2 <= q)%nat -> alternating (2 * q) th -> W1 (2 * q) (ring_graph (2 * q)) th = 2.
+Proof.
+  intros Hq A. apply (proj2 (paley_fish.ring_max (2 * q) th ltac:(lia))). intros j k [Hj [Hk E]].
+  rewrite (CN_ring (2 * q) ltac:(lia) k j Hk Hj) in E. apply Bool.orb_true_iff in E as [E|E]; apply Nat.eqb_eq in E.
+  - rewrite E. apply flip_cos. now apply alternating_flips.
+  - rewrite E. replace (th j - th (S j mod (2 * q))) with (- (th (S j mod (2 * q)) - th j)) by ring. rewrite cos_neg. apply flip_cos. now apply alternating_flips.
+Qed.
+Lemma fig3_1_proved : fig3_1.
+Proof.
+  intros q th Hq A. pose proof (alternating_two q th Hq A) as E. destruct (paley_fish.ring_maximizer_pattern (2 * q) th ltac:(lia) E) as [P B].
+  split; [exact B|]. split; [exact P|]. intros th'. rewrite <- !(agree_W1 _ _ _ _ (CN_ring (2 * q) ltac:(lia))), E.
+  apply (paley_fish.ring_max (2 * q) th' ltac:(lia)).
+Qed.
+Lemma fig3_2_proved : fig3_2.
+Proof.
+  intros q th Hq H. set (al := fun k => PI * INR k).
+  assert (A : alternating (2 * q) al) by (exists 0; intros k _; f_equal; unfold al; ring).
+  specialize (H al). rewrite <- !(agree_W1 _ _ _ _ (CN_ring (2 * q) ltac:(lia))), (alternating_two q al Hq A) in H.
+  destruct (paley_fish.ring_max (2 * q) th ltac:(lia)) as [L X]. assert (E : W1 (2 * q) (ring_graph (2 * q)) th = 2) by lra.
+  pose proof (proj1 X E) as F. exists (th 0%nat). induction k as [|k IH]; intros Hk; [f_equal; cbn; ring|].
+  assert (Y : arc (2 * q) (ring_graph (2 * q)) (S k) k).
+  { repeat split; [lia|lia|]. rewrite (CN_ring (2 * q) ltac:(lia)) by lia. unfold CN. rewrite (Nat.mod_small (S k)) by lia. now rewrite Nat.eqb_refl. }
+  rewrite (paley_fish.opposite _ _ (F _ _ Y)), IH, S_INR by lia. replace (th 0%nat + PI * (INR k + 1)) with (th 0%nat + PI * INR k + PI) by ring.
+  now rewrite half_turn.
+Qed.
+
+(* the columns that join i and j *)
+Definition joins (tl hd : nat -> nat) (i j f : nat) : R := delta (tl f) i * delta (hd f) j.
+Lemma joins_one tl hd i j f : tl f = i -> hd f = j -> joins tl hd i j f = 1.
+Proof. intros <- <-. unfold joins. rewrite !delta_eq. ring. Qed.
+Lemma joins_zero tl hd i j f : ~ (tl f = i /\ hd f = j) -> joins tl hd i j f = 0.
+Proof. intros H. unfold joins, delta. destruct (Nat.eqb_spec (tl f) i), (Nat.eqb_spec (hd f) j); try ring. tauto. Qed.
+Lemma one_of e (x : nat -> R) f0 : (f0 < e)%nat -> x f0 = 1 -> (forall f, (f < e)%nat -> f <> f0 -> x f = 0) -> Sum e x = 1.
+Proof.
+  intros H0 H1 H. rewrite (Sum_ext e x (fun f => delta f f0 * 1)); [now apply (Sum_delta e f0 (fun _ => 1))|].
+  intros f Hf. destruct (Nat.eq_dec f f0) as [->|N]; [rewrite delta_eq, H1; ring|rewrite delta_neq, H by assumption; ring].
+Qed.
+(* B B^T through the numbers c i j of the columns between i and j *)
+Lemma BBT_count n e tl hd B (c : nat -> nat -> R) i j : (forall f, (f < e)%nat -> (tl f < n)%nat /\ (hd f < n)%nat /\ tl f <> hd f) ->
+  incidence n e tl hd B -> (forall i j, (i < n)%nat -> (j < n)%nat -> Sum e (fun f => joins tl hd i j f + joins tl hd j i f) = c i j) ->
+  (i < n)%nat -> (j < n)%nat -> Sum e (fun f => B i f * B j f) = delta i j * Sum n (c i) - c i j.
+Proof.
+  intros HE HB HC Hi Hj. assert (V : forall l f, (l < n)%nat -> (f < e)%nat -> B l f = delta (hd f) l - delta (tl f) l).
+  { intros l f Hl Hf. destruct (HB f Hf) as (B1 & B2 & B3). destruct (HE f Hf) as (_ & _ & N).
+    destruct (Nat.eq_dec l (hd f)) as [->|N1]; [rewrite delta_eq, delta_neq by assumption; lra|].
+    destruct (Nat.eq_dec l (tl f)) as [->|N2]; [rewrite delta_eq, delta_neq by congruence; lra|].
+    rewrite B3, !delta_neq by congruence. ring. }
+  rewrite <- (HC i j Hi Hj).
+  rewrite (Sum_ext n (c i) (fun l => Sum e (fun f => joins tl hd i l f + joins tl hd l i f))) by (intros l Hl; now rewrite HC).
+  rewrite Sum_swap, <- Sum_scal, <- Sum_minus. apply Sum_ext. intros f Hf. rewrite !V by assumption. destruct (HE f Hf) as (H1 & H2 & N).
+  assert (S1 : Sum n (fun l => joins tl hd i l f) = delta (tl f) i).
+  { rewrite <- (Sum_delta_l n (hd f) (fun _ => delta (tl f) i) H2). apply Sum_ext. intros; unfold joins; ring. }
+  assert (S2 : Sum n (fun l => joins tl hd l i f) = delta (hd f) i) by exact (Sum_delta_l n (tl f) (fun _ => delta (hd f) i) H1).
+  rewrite Sum_plus, S1, S2. unfold joins.
+  destruct (Nat.eq_dec i j) as [->|Nij]; [rewrite delta_eq|rewrite (delta_neq i j) by assumption].
+  - destruct (Nat.eq_dec (tl f) j) as [E1|E1]; [rewrite E1 in *; rewrite delta_eq, (delta_neq (hd f) j) by congruence; ring|rewrite (delta_neq (tl f) j) by assumption].
+    unfold delta. destruct (Nat.eqb (hd f) j); ring.
+  - unfold delta. destruct (Nat.eqb_spec (hd f) i), (Nat.eqb_spec (hd f) j), (Nat.eqb_spec (tl f) i), (Nat.eqb_spec (tl f) j); subst; try congruence; ring.
+Qed.
+Lemma ends_apart n adj e (tl hd : nat -> nat) : no_loops adj -> (forall f, (f < e)%nat -> arc n adj (tl f) (hd f)) ->
+  forall f, (f < e)%nat -> (tl f < n)%nat /\ (hd f < n)%nat /\ tl f <> hd f.
+Proof. intros NL A f Hf. destruct (A f Hf) as (H1 & H2 & H3). repeat split; try assumption. intros E. rewrite E, NL in H3. discriminate. Qed.
+Lemma incid_2_proved : incid_2.
+Proof.
+  intros n adj e tl hd B U NL [A X] HB i j Hi Hj. rewrite (BBT_count n e tl hd B (w adj) i j (ends_apart n adj e tl hd NL A) HB); [reflexivity| |assumption..].
+  clear i j Hi Hj. intros i j Hi Hj. unfold w. destruct (adj i j) eqn:E.
+  - assert (Nij : i <> j) by (intros ->; rewrite NL in E; discriminate).
+    destruct (X j i (conj Hj (conj Hi E))) as [f0 [[F0 F1] F2]]. apply (one_of e _ f0 F0).
+    + destruct F1 as [[T H]|[T H]]; [rewrite (joins_zero tl hd i j), (joins_one tl hd j i)|rewrite (joins_one tl hd i j), (joins_zero tl hd j i)];
+      try assumption; try ring; intros [? ?]; congruence.
+    + intros f Hf N. rewrite !joins_zero; [ring| |]; intros [? ?]; apply N; symmetry; apply F2; tauto.
+  - apply Sum_zero. intros f Hf. pose proof (proj2 (proj2 (A f Hf))) as T. rewrite !joins_zero; [ring| |]; intros [E1 E2]; rewrite E1, E2 in T.
+    + congruence.
+    + rewrite U in T. congruence.
+Qed.
+Lemma twice n adj e tl hd B : undirected adj -> no_loops adj -> directed_edges n adj e tl hd -> incidence n e tl hd B ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> Sum e (fun f => B i f * B j f) = 2 * lap n adj i j.
+Proof.
+  intros U NL [A X] HB i j Hi Hj. rewrite (BBT_count n e tl hd B (fun i j => 2 * w adj i j) i j (ends_apart n adj e tl hd NL A) HB).
+  - rewrite Sum_scal. unfold lap, deg. ring.
+  - clear i j Hi Hj. assert (O : forall i j, (i < n)%nat -> (j < n)%nat -> Sum e (joins tl hd i j) = w adj j i).
+    { intros i j Hi Hj. unfold w. destruct (adj j i) eqn:E.
+      - destruct (X i j (conj Hi (conj Hj E))) as [f0 [(F0 & T & H) F2]]. apply (one_of e _ f0 F0); [now apply joins_one|].
+        intros f Hf N. apply joins_zero. intros [? ?]. apply N. symmetry. now apply F2.
+      - apply Sum_zero. intros f Hf. apply joins_zero. intros [E1 E2]. pose proof (proj2 (proj2 (A f Hf))) as T. rewrite E1, E2 in T. congruence. }
+    intros i j Hi Hj. rewrite Sum_plus, !O by assumption. unfold w. rewrite (U j i). ring.
+  - assumption.
+  - assumption.
+Qed.
+Lemma incid_1_proved : incid_1.
+Proof.
+  assert (N : forall n adj e tl hd B, undirected adj -> no_loops adj -> directed_edges n adj e tl hd ->
+    incidence n e tl hd B -> (exists j k, arc n adj j k) -> ~ is_BBT n e adj B).
+  { intros n adj e tl hd B U NL D HB [j [k (Hj & Hk & E)]] H. specialize (H k j Hk Hj). rewrite (twice n adj e tl hd B U NL D HB k j Hk Hj) in H.
+    unfold lap, w in H. rewrite E in H. rewrite (delta_neq k j) in H by (intros ->; rewrite NL in E; discriminate). lra. }
+  split; [|exact N]. intros H. set (tl := fun f : nat => f). set (hd := fun f => (1 - f)%nat).
+  set (B := fun i f : nat => if Nat.eqb i f then -1 else 1).
+  assert (D : directed_edges 2 complete 2 tl hd).
+  { split.
+    - intros f Hf. unfold tl, hd. destruct f as [|[|f]]; [| |lia]; repeat split; lia.
+    - intros j k (Hj & Hk & E). exists j. unfold tl, hd. assert (j <> k) by (intros ->; rewrite complete_no_loops in E; discriminate).
+      split; [lia|]. intros f (Hf & T & _). now symmetry. }
+  assert (I : incidence 2 2 tl hd B).
+  { intros f Hf. unfold tl, hd, B. destruct f as [|[|f]]; [| |lia]; (split; [reflexivity|]; split; [reflexivity|]; intros; lia). }
+  apply (N 2%nat complete 2%nat tl hd B complete_undirected complete_no_loops D I).
+  - exists 0%nat, 1%nat. repeat split; lia.
+  - exact (H 2%nat complete 2%nat tl hd B complete_undirected complete_no_loops D I).
+Qed.
+
+Lemma two_1_proved : two_1.
+Proof.
+  intros n Hn. destruct (two_patterns n ltac:(lia)) as [P1 Pn]. pose proof (INR_pos n ltac:(lia)) as N0.
+  split; [now exists (pattern_phases 1)|]. split; [|split; [now exists (pattern_phases n)|]].
+  - intros th. split; intros H.
+    + destruct H as [_ [a [cl [H _]]]]. intros j k Hj Hk. destruct (H j Hj) as [Cj ->]. destruct (H k Hk) as [Ck ->].
+      now replace (cl j) with (cl k) by lia.
+    + split; [lia|]. exists (th 0%nat), (fun _ => 0%nat). split.
+      * intros k Hk. split; [lia|]. replace (th 0%nat + 2 * PI * INR 0 / INR 1) with (th 0%nat) by (cbn; field). apply H; lia.
+      * intros l Hl. replace l with 0%nat by lia. rewrite delta_eq, Sum_const. cbn. ring.
+  - intros th. split.
+    + intros [_ [a [cl [H C]]]]. exists a, cl. split; [intros k Hk; apply (H k Hk)|]. split; [|intros k Hk; apply (H k Hk)].
+      intros j k Hj Hk E. destruct (Nat.eq_dec j k) as [|N]; [assumption|]. exfalso. specialize (C (cl k) (proj1 (H k Hk))).
+      assert (L : Sum n (fun i => delta i j * 1) + Sum n (fun i => delta i k * 1) <= Sum n (fun i => delta (cl i) (cl k))).
+      { rewrite <- Sum_plus. apply Sum_le. intros i _. unfold delta.
+        destruct (Nat.eqb_spec i j), (Nat.eqb_spec i k), (Nat.eqb_spec (cl i) (cl k)); subst; try congruence; lra. }
+      rewrite (Sum_delta n j (fun _ => 1) Hj), (Sum_delta n k (fun _ => 1) Hk) in L. nra.
+    + intros (a & pl & B & I & E). split; [lia|]. exists a, pl. split; [intros k Hk; split; [now apply B|now apply E]|]. intros l Hl.
+      destruct (proj1 (FinFun.bInjective_bSurjective B) I l Hl) as [k [Hk K]].
+      rewrite (one_of n _ k Hk); [ring|rewrite K; apply delta_eq|]. intros i Hi N. apply delta_neq. intros F. apply N, I; congruence.
+Qed.
+Lemma two_2_proved : two_2.
+Proof.
+  intros n Hn. split; [apply Nat.divide_1_l|]. split; [apply Nat.divide_refl|]. split.
+  - intros th [P|P]; [exists 1%nat; split; [apply Nat.divide_1_l|exact P]|exists n; split; [apply Nat.divide_refl|exact P]].
+  - intros th [P Q]. exact (two_patterns_differ n th Hn P Q).
+Qed.
+Lemma zero_1_proved : zero_1.
+Proof.
+  intros H. apply zero_dir_printed_fails. intros n adj th Hn NL NS. rewrite (H n adj th Hn NL NS). split; intros F j k Hj Hk.
+  - intros [A B]. now apply F.
+  - intros A B. apply F; [assumption..|]. now split.
+Qed.
