@@ -908,3 +908,10 @@ Check (paley_fish.fourier_column :
 Check (paley_fourier.ring_antipodal :
   forall (p : nat) (x : nat -> C), (1 <= p)%nat -> (forall j, x (j + 2)%nat = (- x j)%C) ->
        eigenvector (4 * p) (lap (4 * p) (ring_graph (4 * p))) (RtoC 2) x).
+Check (paley_fourier.ring_unit_eigenvectors :
+  forall (n : nat) (th : nat -> R) (lam : C), (3 <= n)%nat -> eigenvector n (lap n (ring_graph n)) lam (fun k => expi (th k)) ->
+       (exists m, (m < n)%nat /\ forall k, (k < n)%nat -> expi (th k) = (expi (th 0%nat) * expi (wave n m k))%C) \/
+       ((exists p, n = (4 * p)%nat) /\ forall k, (k < n)%nat -> expi (th ((k + 2) mod n)) = (- expi (th k))%C)).
+Check (paley_fish.ring_patterns :
+  forall n : nat, (3 <= n)%nat ->
+       ((forall lam th, eigenvector n (lap n (ring_graph n)) lam (fun k => expi (th k)) -> exists M, pattern M n th) <-> ~ exists p, n = (4 * p)%nat)).

@@ -376,3 +376,17 @@ Proof.
   intros Hn. split; [|apply wave_pattern; lia]. rewrite <- (ring_eigenvalue n m Hn).
   exact (circulant_eigenvector n (ring_graph n) (ring_offset n) m ltac:(lia) (ring_circulant n)).
 Qed.
+(* every eigenvector of the ring with entries of modulus one is a symmetric pattern iff 4 does not divide the number of nodes *)
+Theorem ring_patterns n : (3 <= n)%nat ->
+  ((forall lam th, eigenvector n (lap n (ring_graph n)) lam (phasors th) -> exists M, pattern M n th) <-> ~ exists p, n = (4 * p)%nat).
+Proof.
+  intros Hn. split.
+  - intros H [p ->]. destruct (H (RtoC 2) rhombus) as [M P]; [|now apply (rhombus_no_pattern (4 * p) M) in P; [|exists p; split; [lia|reflexivity]]].
+    apply ring_antipodal; [lia|]. intros j. unfold phasors, rhombus. destruct rhombus_phasors as (A & B & C & D).
+    assert (Cases : (j mod 4 = 0 /\ (j + 2) mod 4 = 2 \/ j mod 4 = 1 /\ (j + 2) mod 4 = 3 \/ j mod 4 = 2 /\ (j + 2) mod 4 = 0 \/ j mod 4 = 3 /\ (j + 2) mod 4 = 1)%nat).
+    { rewrite <- (Nat.add_mod_idemp_l j 2 4) by lia. pose proof (Nat.mod_upper_bound j 4 ltac:(lia)). destruct (j mod 4)%nat as [|[|[|[|]]]]; cbn; try lia; tauto. }
+    destruct Cases as [[E F]|[[E F]|[[E F]|[E F]]]]; rewrite E, F, ?A, ?B, ?C, ?D; apply injective_projections; cbn; field.
+  - intros N4 lam th E. destruct (ring_unit_eigenvectors n th lam Hn E) as [(m & _ & H)|[F _]]; [|contradiction].
+    destruct (wave_pattern n m ltac:(lia)) as [HM (t0 & cl & K & S)]. exists (n / Nat.gcd n m)%nat. split; [exact HM|]. exists (th 0%nat + t0), cl. split; [|exact S].
+    intros k Hk. destruct (K k Hk) as [L V]. split; [exact L|]. rewrite (H k Hk), V, <- expi_plus. f_equal. ring.
+Qed.
