@@ -391,12 +391,12 @@ Check (tanner_rates.eq9_corrected :
        is_derive (fun x => Vt n adj V (fun i => r i x) (fun i => v i x) (fun i => th i x)) t
          (- Sum n (fun i => th i t * Sum n (fun j => Lw i j * th j t))
           - Sum n (fun i => th i t * (cross (v i t) (grad_i n adj V' (fun j => r j t) i) / norm (v i t) ^ 2)))).
-Check (tanner_rates.Vt_rate :
-  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R) (dth : nat -> R) (t : R),
+Check (tanner1_heading.Vt_rate :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R) (dth : nat -> R) (t : R) (u : nat -> C),
        undirected adj -> (forall i j, V' i j = V' j i) -> (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
        (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
        (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
-       forall u : nat -> C, (forall i, (i < n)%nat -> is_velocity (v i) t (u i)) -> (forall i, (i < n)%nat -> is_derive (th i) t (dth i)) ->
+       (forall i, (i < n)%nat -> is_velocity (v i) t (u i)) -> (forall i, (i < n)%nat -> is_derive (th i) t (dth i)) ->
        is_derive (fun s => Vt n adj V (fun i => r i s) (fun i => v i s) (fun i => th i s)) t
          (Sum n (fun i => inner (grad_i n adj V' (fun i => r i t) i) (v i t)) + Sum n (fun i => inner (v i t) (u i)) + Sum n (fun i => th i t * dth i))).
 Check (tanner_rates.equal_headings_forces :

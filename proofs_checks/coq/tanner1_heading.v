@@ -112,6 +112,27 @@ Proof.
   assert (0 <= V_i n adj V r i); [|lra]. apply Sum_ge0; intros j Hj. unfold w. destruct (adj i j) eqn:A; [|lra].
   rewrite Rmult_1_l. apply P; try assumption. now apply norm_neq, NC.
 Qed.
+(* the rate of V_t by the product rule, whatever the accelerations u_i and the rates of the headings are *)
+Theorem Vt_rate n adj (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R) (dth : nat -> R) (t : R) (u : nat -> C) : undirected adj -> (forall i j, V' i j = V' j i) ->
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
+  (forall i, (i < n)%nat -> is_velocity (v i) t (u i)) -> (forall i, (i < n)%nat -> is_derive (th i) t (dth i)) ->
+  is_derive (fun s => Vt n adj V (fun i => r i s) (fun i => v i s) (fun i => th i s)) t
+    (Sum n (fun i => inner (grad_i n adj V' (fun i => r i t) i) (v i t)) + Sum n (fun i => inner (v i t) (u i)) + Sum n (fun i => th i t * dth i)).
+Proof.
+  intros S VS HR HN HV HU HT.
+  pose proof (energy_chain n (fun i j s => w adj i j * V i j (norm (r i s - r j s)%C)) (pair_grad adj V' (fun i => r i t)) v u t
+    (linked_rate n adj V V' r v t HR HN HV) (fun i j _ _ => pair_grad_antisym adj V' S VS (fun i => r i t) i j) HU) as D.
+  apply (is_derive_ext (fun s => / 2 * Sum n (fun i => V_i n adj V (fun i => r i s) i + inner (v i s) (v i s)) + / 2 * Sum n (fun i => th i s ^ 2))).
+  { intros s. unfold Vt. rewrite (Sum_plus n (fun i => V_i n adj V (fun i => r i s) i + inner (v i s) (v i s)) (fun i => th i s ^ 2)). Rring. }
+  eapply D_eq.
+  - apply (D_plus (fun s => / 2 * Sum n (fun i => V_i n adj V (fun i => r i s) i + inner (v i s) (v i s)))
+      (fun s => / 2 * Sum n (fun i => th i s ^ 2))); [exact D|]. apply D_scal. apply (D_Sum n (fun i s => th i s ^ 2) (fun i => 2 * th i t * dth i)). intros i Hi. now apply D_sqr, HT.
+  - cbv beta. rewrite (Sum_ext n (fun i => 2 * th i t * dth i) (fun i => 2 * (th i t * dth i))) by (intros; ring). rewrite Sum_scal.
+    rewrite (Sum_ext n (fun i => inner (grad_i n adj V' (fun i => r i t) i) (v i t)) (fun i => inner (v i t) (Csum n (pair_grad adj V' (fun i => r i t) i)))) by (intros; apply inner_sym).
+    change (fun i => inner (v i t) (Csum n (fun j => pair_grad adj V' (fun i => r i t) i j))) with (fun i => inner (v i t) (Csum n (pair_grad adj V' (fun i => r i t) i))). field.
+Qed.
 (* eq (9): along (1), (4), (5) the rate of V_t is the sum of theta_i thetadot_i, whatever thetadot is *)
 Theorem eq9_chain n adj (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R) (dth : nat -> R) (t : R) : undirected adj -> (forall i j, V' i j = V' j i) ->
   (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
@@ -121,23 +142,10 @@ Theorem eq9_chain n adj (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th 
   (forall i, (i < n)%nat -> is_derive (th i) t (dth i)) ->
   is_derive (fun s => Vt n adj V (fun i => r i s) (fun i => v i s) (fun i => th i s)) t (Sum n (fun i => th i t * dth i)).
 Proof.
-  intros S VS HR HN HV HU HT.
-  pose proof (energy_chain n (fun i j s => w adj i j * V i j (norm (r i s - r j s)%C)) (pair_grad adj V' (fun i => r i t)) v
-    (accel n adj V' (fun j => r j t) (fun j => v j t) (fun j => th j t)) t
-    (linked_rate n adj V V' r v t HR HN HV) (fun i j _ _ => pair_grad_antisym adj V' S VS (fun i => r i t) i j) HU) as D.
-  apply (is_derive_ext (fun s => / 2 * Sum n (fun i => V_i n adj V (fun i => r i s) i + inner (v i s) (v i s)) + / 2 * Sum n (fun i => th i s ^ 2))).
-  { intros s. unfold Vt. rewrite (Sum_plus n (fun i => V_i n adj V (fun i => r i s) i + inner (v i s) (v i s)) (fun i => th i s ^ 2)). Rring. }
-  eapply D_eq.
-  - apply (D_plus (fun s => / 2 * Sum n (fun i => V_i n adj V (fun i => r i s) i + inner (v i s) (v i s)))
-      (fun s => / 2 * Sum n (fun i => th i s ^ 2))); [exact D|]. apply D_scal. apply (D_Sum n (fun i s => th i s ^ 2) (fun i => 2 * th i t * dth i)). intros i Hi. now apply D_sqr, HT.
-  - cbv beta. rewrite <- Sum_plus. rewrite Sum_zero.
-    + rewrite (Sum_ext n _ (fun i => 2 * (th i t * dth i))) by (intros; ring). rewrite Sum_scal. field.
-    + intros i _. rewrite <- inner_plus. unfold accel, grad_i.
-      replace (Csum n (fun j => pair_grad adj V' (fun i => r i t) i j) + (- Csum n (pair_grad adj V' (fun i => r i t) i) + gyro n adj (fun j => r j t) (fun j => v j t) (fun j => th j t) i))%C
-        with (gyro n adj (fun j => r j t) (fun j => v j t) (fun j => th j t) i).
-      * exact (gyro_no_work n adj (fun j => r j t) (fun j => v j t) (fun j => th j t) i).
-      * change (Csum n (fun j => pair_grad adj V' (fun i => r i t) i j)) with (Csum n (pair_grad adj V' (fun i => r i t) i)).
-        set (A := Csum n _). set (B := gyro _ _ _ _ _ _). ring.
+  intros S VS HR HN HV HU HT. eapply D_eq; [exact (Vt_rate n adj V V' r v th dth t _ S VS HR HN HV HU HT)|].
+  rewrite <- Sum_plus, Sum_zero; [ring|]. intros i _. cbv beta. rewrite (inner_sym (grad_i _ _ _ _ _)), <- inner_plus. unfold accel.
+  set (g := gyro _ _ _ _ _ _). set (f := grad_i _ _ _ _ _). replace (f + (- f + g))%C with g by ring.
+  exact (gyro_no_work n adj (fun j => r j t) (fun j => v j t) (fun j => th j t) i).
 Qed.
 
 (* ---- counterexample: two linked agents, r = (2,1), (0,1), v = (0,1), (1,0), headings pi/2, 0, potential of Figure 2 ---- *)

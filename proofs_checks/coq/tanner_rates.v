@@ -61,31 +61,6 @@ Qed.
 End Headings.
 
 (* ---- the rate of V_t ---- *)
-Section Rate.
-Variables (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R) (dth : nat -> R) (t : R).
-Hypothesis S : undirected adj.
-Hypothesis VS : forall i j, V' i j = V' j i.
-Hypothesis HR : forall i, (i < n)%nat -> is_velocity (r i) t (v i t).
-Hypothesis HN : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t.
-Hypothesis HV : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C)).
-(* whatever the accelerations u_i *)
-Theorem Vt_rate (u : nat -> C) : (forall i, (i < n)%nat -> is_velocity (v i) t (u i)) -> (forall i, (i < n)%nat -> is_derive (th i) t (dth i)) ->
-  is_derive (fun s => Vt n adj V (fun i => r i s) (fun i => v i s) (fun i => th i s)) t
-    (Sum n (fun i => inner (grad_i n adj V' (fun i => r i t) i) (v i t)) + Sum n (fun i => inner (v i t) (u i)) + Sum n (fun i => th i t * dth i)).
-Proof.
-  intros HU HT.
-  pose proof (energy_chain n (fun i j s => w adj i j * V i j (norm (r i s - r j s)%C)) (pair_grad adj V' (fun i => r i t)) v u t
-    (linked_rate n adj V V' r v t HR HN HV) (fun i j _ _ => pair_grad_antisym adj V' S VS (fun i => r i t) i j) HU) as D.
-  apply (is_derive_ext (fun s => / 2 * Sum n (fun i => V_i n adj V (fun i => r i s) i + inner (v i s) (v i s)) + / 2 * Sum n (fun i => th i s ^ 2))).
-  { intros s. unfold Vt. rewrite (Sum_plus n (fun i => V_i n adj V (fun i => r i s) i + inner (v i s) (v i s)) (fun i => th i s ^ 2)). Rring. }
-  eapply D_eq.
-  - apply (D_plus (fun s => / 2 * Sum n (fun i => V_i n adj V (fun i => r i s) i + inner (v i s) (v i s)))
-      (fun s => / 2 * Sum n (fun i => th i s ^ 2))); [exact D|]. apply D_scal. apply (D_Sum n (fun i s => th i s ^ 2) (fun i => 2 * th i t * dth i)). intros i Hi. now apply D_sqr, HT.
-  - cbv beta. rewrite (Sum_ext n (fun i => 2 * th i t * dth i) (fun i => 2 * (th i t * dth i))) by (intros; ring). rewrite Sum_scal.
-    rewrite (Sum_ext n (fun i => inner (grad_i n adj V' (fun i => r i t) i) (v i t)) (fun i => inner (v i t) (Csum n (pair_grad adj V' (fun i => r i t) i)))) by (intros; apply inner_sym).
-    change (fun i => inner (v i t) (Csum n (fun j => pair_grad adj V' (fun i => r i t) i j))) with (fun i => inner (v i t) (Csum n (pair_grad adj V' (fun i => r i t) i))). field.
-Qed.
-End Rate.
 (* (9) as it should be: L_w has the weights 1/|r_ij|^2 *)
 Theorem eq9_corrected n adj (V V' : nat -> nat -> R -> R) (r : nat -> R -> C) (s th : nat -> R -> R) (ds dth : nat -> R) (t : R) :
   let v := fun i x => (RtoC (s i x) * expi (th i x))%C in undirected adj -> (forall i j, V' i j = V' j i) ->
