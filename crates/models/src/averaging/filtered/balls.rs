@@ -384,3 +384,6 @@ impl PairBall {
         within.is_certainly_positive().then_some(true)
     }
 }
+
+#[cfg(test)]
+mod tests;

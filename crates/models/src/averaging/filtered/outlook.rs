@@ -208,3 +208,6 @@ fn apart(place: &[f64], drift: &[f64], distance: f64, speed: f64, limit: f64, dr
     let half_way = (limit * limit - across).max(0.0).sqrt() / speed;
     steps((nearest - half_way) * (1.0 - SLACK) - SLACK * distance / speed - 1.0).min(u64::MAX - 1)
 }
+
+#[cfg(test)]
+mod tests;
