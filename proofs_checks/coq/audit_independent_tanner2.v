@@ -25,7 +25,7 @@ Definition potentials n (adj : graph) (V V' : nat -> nat -> R -> R) := (forall i
 Definition to_zero (z : R -> C) := forall e, 0 < e -> exists T, forall t, T <= t -> Cmod (z t) < e.
 Definition simple_graph adj := undirected adj /\ no_loops adj.
 
-(* tanner2.thm1a, thm1b, thm1c clause 2, cor3 *)
+(* tanner2.thm1a clause 1, tanner2.thm1b clause 1, tanner2.thm1c clause 2, tanner2.cor3 clause 1 *)
 Definition thm1a : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
   motion n adj V' r v -> forall i j, (i < n)%nat -> (j < n)%nat -> to_zero (fun t => v i t - v j t)%C.
 Definition thm1b : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
@@ -603,3 +603,159 @@ Proof.
   intros V V' R0 ri rj z H HR Hc At.
   apply (tanner_saturated.plane_gradient V V' R0 (V' R0) ri rj HR); try assumption; try reflexivity; intros; now apply H.
 Qed.
+
+(* ---- more clauses, stated before their theorems were looked at ---- *)
+(* Definition 3 whole: V_ij attains its unique minimum, at d_ij *)
+Definition def3 n (adj : graph) V V' (d : nat -> nat -> R) := potentials n adj V V' /\
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < d i j /\ forall s, 0 < s -> s <> d i j -> V i j (d i j) < V i j s.
+Definition form n (adj : graph) (x : nat -> R) : R := Sum n (fun i => x i * Sum n (fun j => lap n adj i j * x j)).
+(* lambda_2: the least value of the form on unit vectors normal to 1, and there an eigenvector *)
+Definition lambda2 n (adj : graph) (lam : R) := (forall x, Sum n x = 0 -> lam * Sum n (fun i => x i ^ 2) <= form n adj x) /\
+  exists x, Sum n x = 0 /\ 0 < Sum n (fun i => x i ^ 2) /\ forall i, (i < n)%nat -> Sum n (fun j => lap n adj i j * x j) = lam * x i.
+(* the rate of W at t along a motion *)
+Definition Wdot n adj V (r v : nat -> R -> C) t (w : R) := is_derive (fun s => energy6 n adj V (fun i => r i s) (fun i => v i s)) t w.
+
+(* tanner2.L clause 1: for any two orientations (and orders of the edges); the entries are those of lap *)
+Definition L_1 : Prop := forall n adj O O', simple_graph adj -> tanner_graph.oriented n adj O -> tanner_graph.oriented n adj O' ->
+  forall k m, (k < n)%nat -> (m < n)%nat ->
+  lsum O (fun f => inc k f * inc m f) = lsum O' (fun f => inc k f * inc m f) /\ lsum O (fun f => inc k f * inc m f) = lap n adj k m.
+(* tanner2.L clause 2 *)
+Definition L_2 : Prop := forall n adj O, simple_graph adj -> tanner_graph.oriented n adj O ->
+  let L k m := lsum O (fun f => inc k f * inc m f) in
+  (forall k m, (k < n)%nat -> (m < n)%nat -> L k m = L m k) /\ (forall x, 0 <= Sum n (fun k => x k * Sum n (fun m => L k m * x m))).
+(* tanner2.S_config clause 1, refuted: the printed statement with all the hypotheses of Theorem 1 *)
+Definition S_config_1 : Prop := ~ forall n adj V V' d r v t, simple_graph adj -> strongly_connected n adj -> def3 n adj V V' d ->
+  motion n adj V' r v -> 0 <= t -> Wdot n adj V r v t 0 -> (forall i j, (i < n)%nat -> (j < n)%nat -> v i t = v j t) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> (r i t - r j t = 0)%C.
+(* tanner2.bound_r clause 1, refuted; rho is the largest distance at which V_ij <= c (N - 1), and all pairs have potentials *)
+Definition bound_r_1 : Prop := ~ forall n adj V V' d r v c, (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj ->
+  def3 n complete V V' d -> apart_at n adj r -> 0 < c -> energy6 n adj V r v <= c -> forall i j rho, (i < n)%nat -> (j < n)%nat -> i <> j ->
+  0 < rho -> V i j rho <= c * (INR n - 1) -> (forall s, rho < s -> c * (INR n - 1) < V i j s) -> Cmod (r i - r j)%C <= rho.
+(* tanner2.bound_v clause 1, refuted: both printed inequalities *)
+Definition bound_v_1 : Prop :=
+  let printed (P : R -> C -> Prop) := forall n adj V V' d r v c, simple_graph adj -> strongly_connected n adj -> def3 n adj V V' d ->
+    apart_at n adj r -> 0 < c -> energy6 n adj V r v <= c -> forall i, (i < n)%nat -> P c (v i) in
+  ~ printed (fun c z => inner z z <= c) /\ ~ printed (fun c z => Cmod z <= sqrt c).
+(* tanner2.cor1 clause 1, refuted: distances of linked agents need not tend to the unique minima *)
+Definition cor1_1 : Prop := ~ forall n adj V V' d r v, simple_graph adj -> is_tree n adj -> def3 n adj V V' d -> motion n adj V' r v ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_lim (fun t => Cmod (r i t - r j t)%C) p_infty (d i j).
+(* tanner2.cor1 clause 2: what the display of the proof says, for every vector of gradients, and so for those of a configuration at rest *)
+Definition cor1_2 : Prop := forall n adj, simple_graph adj -> is_tree n adj ->
+  (forall O (g : nat * nat -> C), tanner_graph.oriented n adj O ->
+    (forall k, (k < n)%nat -> lsum O (fun f => inc k f * fst (g f)) = 0 /\ lsum O (fun f => inc k f * snd (g f)) = 0) ->
+    forall f, In f O -> g f = 0%C) /\
+  (forall V V' r, potentials n adj V V' -> apart_at n adj r -> (forall i, (i < n)%nat -> gradV n adj V' r i = 0%C) ->
+    forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> pull adj V' r i j = 0%C).
+(* tanner2.cor1 clause 3, refuted *)
+Definition cor1_3 : Prop := ~ forall V V' d, def3 2 complete V V' d -> forall s, 0 < s -> V' 0%nat 1%nat s = 0 -> s = d 0%nat 1%nat.
+(* tanner2.cor2_decomp clause 1 *)
+Definition parts n (v : nat -> C) (xp xn yp yn : nat -> R) := (forall i j, (i < n)%nat -> (j < n)%nat -> xp i = xp j /\ yp i = yp j) /\
+  Sum n xn = 0 /\ Sum n yn = 0 /\ forall i, (i < n)%nat -> fst (v i) = xp i + xn i /\ snd (v i) = yp i + yn i.
+Definition cor2_decomp : Prop := forall n adj (V V' : nat -> nat -> R -> R) r v t xp xn yp yn, simple_graph adj -> (forall i j s, V i j s = V j i s) ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s)) ->
+  apart_at n adj (fun i => r i t) ->
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
+  parts n (fun i => v i t) xp xn yp yn -> Wdot n adj V r v t (- form n adj xn - form n adj yn).
+(* tanner2.cor2_sub clause 1, refuted *)
+Definition cor2_sub_1 : Prop := ~ forall n adj V V' d r v t lam xp xn yp yn w, (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj ->
+  def3 n adj V V' d -> motion n adj V' r v -> 0 <= t -> lambda2 n adj lam -> parts n (fun i => v i t) xp xn yp yn -> Wdot n adj V r v t w ->
+  w <= - lam * (Sum n (fun i => xp i ^ 2) + Sum n (fun i => yp i ^ 2)).
+(* tanner2.cor2_rate clauses 1, 2, refuted; the rate is that of the loop linearised at the desired distances, where the second
+   derivatives of V_ij are k_ij: modes exp(s t) (x, y) with a complex s and complex amplitudes *)
+Definition mode n (adj : graph) (k : nat -> nat -> R) (r : nat -> C) (s : C) (x y : nat -> C) := forall i, (i < n)%nat ->
+  let ex j := RtoC (fst (r i - r j)%C / Cmod (r i - r j)%C) in let ey j := RtoC (snd (r i - r j)%C / Cmod (r i - r j)%C) in
+  let stretch j := (RtoC (k i j) * (ex j * (x i - x j) + ey j * (y i - y j)))%C in
+  (s * s * x i + s * Csum n (fun j => if adj i j then x i - x j else 0) + Csum n (fun j => if adj i j then ex j * stretch j else 0) = 0 /\
+   s * s * y i + s * Csum n (fun j => if adj i j then y i - y j else 0) + Csum n (fun j => if adj i j then ey j * stretch j else 0) = 0)%C.
+(* all modes but those of rate 0 decay faster than exp(-rho t) *)
+Definition decays n adj k r rho := forall s x y, mode n adj k r s x y -> (exists i, (i < n)%nat /\ (x i <> 0%C \/ y i <> 0%C)) ->
+  fst s = 0 \/ fst s < - rho.
+Definition at_distances n adj V V' d k (r : nat -> C) := (2 <= n)%nat /\ simple_graph adj /\ strongly_connected n adj /\ def3 n adj V V' d /\
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> Cmod (r i - r j)%C = d i j /\ is_derive (V' i j) (d i j) (k i j).
+Definition rate_1 : Prop := ~ forall n adj V V' d k r m adm U U' e q s lam rho, at_distances n adj V V' d k r -> at_distances m adm U U' e q s ->
+  lambda2 n adj lam -> lambda2 m adm lam -> 0 < rho -> decays n adj k r rho -> decays m adm q s rho.
+Definition rate_2 : Prop := ~ forall n adj more V V' d k r s lam mu rho, at_distances n adj V V' d k r -> at_distances n more V V' d k s ->
+  (forall i j, adj i j = true -> more i j = true) -> lambda2 n adj lam -> lambda2 n more mu -> lam < mu ->
+  0 < rho -> decays n adj k r rho -> decays n more k s rho.
+(* tanner2.eq14 clauses 1, 2, 3 in a fixed network; a motion stays in S where the rate of W is 0 at all times *)
+Definition eq14_1 : Prop := forall n adj V V' r v, simple_graph adj -> potentials n adj V V' -> apart_at n adj r ->
+  Sum n (fun i => fst (law4 n adj V' r v i)) = 0 /\ Sum n (fun i => snd (law4 n adj V' r v i)) = 0.
+Definition eq14_2 : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' -> motion n adj V' r v ->
+  (forall t, 0 <= t -> Wdot n adj V r v t 0) -> forall t, 0 <= t -> exists c, forall i, (i < n)%nat -> is_velocity (v i) t c.
+Definition eq14_3 : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' -> motion n adj V' r v ->
+  (forall t, 0 <= t -> Wdot n adj V r v t 0) -> forall t i, 0 <= t -> (i < n)%nat -> is_velocity (v i) t 0%C /\ v i t = v i 0.
+(* tanner2.eq6 clause 1 *)
+Definition eq6_1 : Prop := forall n (adj : graph) (V : nat -> nat -> R -> R) r v, apart_at n adj r ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> 0 <= V i j s) -> 0 <= energy6 n adj V r v.
+(* tanner2.eq7 clause 1 *)
+Definition eq7_1 : Prop := forall n adj V V' c, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
+  exists B, forall r v, apart_at n adj r -> energy6 n adj V r v <= c -> forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (r i - r j)%C <= B.
+(* tanner2.eq7 clause 2; connected or not *)
+Definition eq7_2 : Prop := forall n adj V V' c, simple_graph adj -> potentials n adj V V' ->
+  exists B, forall r v, apart_at n adj r -> energy6 n adj V r v <= c -> forall i, (i < n)%nat -> Cmod (v i) <= B.
+(* tanner2.eq8 clauses 2, 3, 4; gradients by what they are, the edges once each in any orientation *)
+Definition gradient (f : C -> R) (x g : C) := forall w, is_derive (fun h => f (x + RtoC h * w)%C) 0 (inner g w).
+Definition eq8_234 : Prop := forall n adj (V V' : nat -> nat -> R -> R) r v t O (g gi gj : nat -> nat -> C) (G : nat -> C), simple_graph adj ->
+  (forall i j s, V i j s = V j i s) -> (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s)) ->
+  apart_at n adj (fun i => r i t) -> (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) -> tanner_graph.oriented n adj O ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> gradient (fun z => V i j (Cmod z)) (r i t - r j t)%C (g i j) /\
+    gradient (fun z => V i j (Cmod (z - r j t)%C)) (r i t) (gi i j) /\ gradient (fun z => V i j (Cmod (r i t - z)%C)) (r j t) (gj i j)) ->
+  (forall i, (i < n)%nat -> gradient (fun z => Sum n (fun j => if adj i j then V i j (Cmod (z - r j t)%C) else 0)) (r i t) (G i)) ->
+  let by_pair := lsum O (fun f => inner (v (fst f) t - v (snd f) t)%C (g (fst f) (snd f))) in
+  let by_ends := lsum O (fun f => inner (v (fst f) t) (gi (fst f) (snd f)) + inner (v (snd f) t) (gj (fst f) (snd f))) in
+  is_derive (fun s => / 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0))) t by_pair /\
+  by_pair = by_ends /\ by_ends = Sum n (fun i => inner (v i t) (G i)).
+(* tanner2.lem1 clause 1, refuted: regular for no such V at R, so the lemma is false *)
+Definition lem1_1 : Prop := (forall V V' R0, smooth V V' -> 0 < R0 -> 0 < V' R0 -> ~ regular_at (saturate V R0) R0) /\
+  ~ forall V V' d R0, def3 2 complete V V' d -> d 0%nat 1%nat < R0 -> 0 < V' 0%nat 1%nat R0 ->
+    forall s, 0 < s -> regular_at (saturate (V 0%nat 1%nat) R0) s.
+(* tanner2.lem2 clause 1, refuted: empty for no such V *)
+Definition lem2_1 : Prop := forall V V' R0 ri rj, smooth V V' -> 0 < R0 -> 0 < V' R0 -> Cmod (ri - rj)%C = R0 ->
+  exists z, forall w, exists l, clarke_dd2 (fun y => saturate V R0 (Cmod (y - rj)%C)) ri w l /\ inner z w <= l.
+(* tanner2.thm1c clause 1, refuted, even for potentials whose derivatives vanish at the minimum only: V_i comes down to its least value *)
+Definition thm1c_1 : Prop := ~ forall n adj V V' d r v, simple_graph adj -> strongly_connected n adj -> def3 n adj V V' d ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> V' i j s = 0 -> s = d i j) -> motion n adj V' r v ->
+  let Vi q i := Sum n (fun j => if adj i j then V i j (Cmod (q i - q j)%C) else 0) in
+  forall i, (i < n)%nat -> forall q : nat -> C, apart_at n adj q -> forall e, 0 < e -> exists T, forall t, T <= t -> Vi (fun j => r j t) i < Vi q i + e.
+(* tanner2.vdotB clause 1, refuted; vdot is what the law says *)
+Definition vdotB_1 : Prop := ~ forall n adj V V' d r v O, simple_graph adj -> strongly_connected n adj -> def3 n adj V V' d ->
+  apart_at n adj r -> (forall i j, (i < n)%nat -> (j < n)%nat -> v i = v j) -> tanner_graph.oriented n adj O -> forall k, (k < n)%nat ->
+  law4 n adj V' r v k = (- gradV n adj V' r k)%C /\
+  law4 n adj V' r v k = (- lsum O (fun f => inc k f * fst (pull adj V' r (fst f) (snd f))), - lsum O (fun f => inc k f * snd (pull adj V' r (fst f) (snd f)))).
+(* beyond.tanner2.alternating_trees clause 1; agents 0 to 3, tau the time for each; a motion for all times, along which (4) has a value *)
+Definition links_of (l : list (nat * nat)) : graph := fun i j =>
+  existsb (fun f => Nat.eqb i (fst f) && Nat.eqb j (snd f) || Nat.eqb j (fst f) && Nat.eqb i (snd f))%bool l.
+Definition alternating_trees : Prop := forall tau (r v : nat -> R -> C), 0 < tau ->
+  (forall t i, 0 <= t -> (i < 4)%nat -> is_velocity (r i) t (v i t) /\
+    continuity_pt (fun s => fst (v i s)) t /\ continuity_pt (fun s => snd (v i s)) t) ->
+  (forall k t, INR k * tau <= t < INR (k + 1) * tau ->
+    let adj := if Nat.even k then links_of ((0, 1) :: (1, 2) :: (2, 3) :: nil)%nat else links_of ((1, 3) :: (3, 0) :: (0, 2) :: nil)%nat in
+    apart_at 4 adj (fun i => r i t) /\
+    (INR k * tau < t -> forall i, (i < 4)%nat ->
+      is_velocity (v i) t (law4 4 adj (fun _ _ s => 2 * s - 2 / s ^ 3) (fun i => r i t) (fun i => v i t) i))) ->
+  ~ forall i j, (i < 4)%nat -> (j < 4)%nat -> to_zero (fun t => v i t - v j t)%C.
+(* tanner2.arbswitch clause 2: solutions of (10) after Definition 4, K of the whole field. At a state the limits of the field are
+   finitely many, so that their convex hull is closed; N the set of measure zero *)
+Definition limit_of_law n V' R0 (r v y : nat -> C) := forall e, 0 < e -> exists q u : nat -> C,
+  (forall i, (i < n)%nat -> Cmod (q i - r i)%C < e /\ Cmod (u i - v i)%C < e) /\
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (q i - q j)%C <> R0) /\
+  forall i, (i < n)%nat -> Cmod (law4 n (by_distance q R0) V' q u i - y i)%C < e.
+Definition K10 n V' R0 (r v z : nat -> C) := exists m (c : nat -> R) (y : nat -> nat -> C),
+  (forall k, (k < m)%nat -> 0 <= c k /\ limit_of_law n V' R0 r v (y k)) /\ Sum m c = 1 /\
+  forall i, (i < n)%nat -> z i = Csum m (fun k => RtoC (c k) * y k i)%C.
+Definition absolutely_continuous (z : R -> C) := forall T e, 0 < T -> 0 < e -> exists d, 0 < d /\ forall m (a b : nat -> R),
+  (forall k, (k < m)%nat -> 0 <= a k <= b k /\ b k <= T) -> (forall k, (S k < m)%nat -> b k <= a (S k)) ->
+  Sum m (fun k => b k - a k) < d -> Sum m (fun k => Cmod (z (b k) - z (a k))%C) < e.
+Definition negligible (N : R -> Prop) := forall e, 0 < e -> exists a b : nat -> R, (forall k, a k <= b k) /\
+  (forall t, N t -> exists k, a k < t < b k) /\ forall m, Sum m (fun k => b k - a k) <= e.
+Definition motion10 n V' R0 (r v : nat -> R -> C) := apart_at n complete (fun i => r i 0) /\
+  (forall t i, 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t)) /\ (forall i, (i < n)%nat -> absolutely_continuous (v i)) /\
+  exists N, negligible N /\ forall t, 0 <= t -> ~ N t -> apart_at n complete (fun i => r i t) ->
+    exists z, K10 n V' R0 (fun i => r i t) (fun i => v i t) z /\ forall i, (i < n)%nat -> is_velocity (v i) t (z i).
+Definition arbswitch_2 : Prop := forall n V V' R0 r v, 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v ->
+  (forall t, 0 <= t -> strongly_connected n (by_distance (fun i => r i t) R0)) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> to_zero (fun t => v i t - v j t)%C.
+(* tanner2.eq14 clauses 1, 2, 3 where links switch, (14): the limits of the law are normal to 1, and velocities that stay equal do not change *)
+Definition eq14_switching : Prop := forall n V V' R0 r v, 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v ->
+  (forall t z, 0 <= t -> apart_at n complete (fun i => r i t) -> K10 n V' R0 (fun i => r i t) (fun i => v i t) z -> Csum n z = 0%C) /\
+  ((forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> v i t = v j t) -> forall t i, 0 <= t -> (i < n)%nat -> v i t = v i 0).
