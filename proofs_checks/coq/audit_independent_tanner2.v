@@ -3,7 +3,8 @@
 From Coq Require Import Reals Lra Lia List Relations Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient tanner_energy tanner_flock.
-From Flockproof Require tanner_nonsmooth tanner_graph tanner_saturated tanner_trees tanner_paths tanner2_motion tanner2_facts.
+From Flockproof Require tanner_nonsmooth tanner_graph tanner_saturated tanner_trees tanner_paths tanner2_motion tanner2_facts tanner2_examples
+  tanner2_switching.
 Open Scope R_scope.
 
 (* the force of j on i and the control (4) *)
@@ -759,3 +760,329 @@ Definition arbswitch_2 : Prop := forall n V V' R0 r v, 0 < R0 -> potentials n co
 Definition eq14_switching : Prop := forall n V V' R0 r v, 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v ->
   (forall t z, 0 <= t -> apart_at n complete (fun i => r i t) -> K10 n V' R0 (fun i => r i t) (fun i => v i t) z -> Csum n z = 0%C) /\
   ((forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> v i t = v j t) -> forall t i, 0 <= t -> (i < n)%nat -> v i t = v i 0).
+
+(* ---- and the theorems prove these ---- *)
+Lemma L_1_holds : L_1.
+Proof.
+  intros n adj O O' [S _] H H' k m Hk Hm. split; [now apply (tanner_graph.L_orientation n adj)|now apply tanner_graph.L_incidence].
+Qed.
+Lemma L_2_holds : L_2.
+Proof.
+  intros n adj O [S _] H L. assert (E : forall k m, (k < n)%nat -> (m < n)%nat -> L k m = lap n adj k m) by (intros; now apply tanner_graph.L_incidence).
+  split.
+  - intros k m Hk Hm. rewrite !E by assumption. now apply (proj1 (paley_gradient.lap_psd n adj (fun _ => RtoC 0) S)).
+  - intros x. destruct (paley_gradient.lap_psd n adj (fun i => RtoC (x i)) S) as [_ P]. apply Rle_trans with (1 := P). right.
+    apply Sum_ext. intros k Hk. rewrite inner_row, <- Sum_scal. apply Sum_ext. intros m Hm. rewrite (E k m Hk Hm), inner_xy. cbn. ring.
+Qed.
+Lemma eq6_1_holds : eq6_1.
+Proof.
+  intros n adj V r v A P. unfold energy6. apply Rmult_le_pos; [lra|]. apply Sum_ge0. intros i Hi. apply Rplus_le_le_0_compat; [|apply pow2_ge_0].
+  apply Sum_ge0. intros j Hj. destruct (adj i j) eqn:L; [|lra]. apply P; try assumption. apply tanner_flock.norm_neq. now apply A.
+Qed.
+Lemma eq7_1_holds : eq7_1.
+Proof.
+  intros n adj V V' c S SC P. destruct (potentials_are _ _ _ _ (one_of n adj V V' (proj1 S) P)) as (A & _ & C & _). destruct S as [S NL].
+  destruct n as [|n]; [exists 0; intros; lia|].
+  destruct (tanner_flock.all_distances (Datatypes.S n) adj (both V) (both V') c ltac:(lia) S NL SC A C) as [B Q].
+  exists B. intros r v D E. apply (Q r v D). now rewrite <- energy6_is, (energy_both _ adj V r v (proj1 P)).
+Qed.
+Lemma eq7_2_holds : eq7_2.
+Proof.
+  intros n adj V V' c S P. exists (sqrt (2 * c)). intros r v D E i Hi. now apply (bound_v_proved n adj V V' r v c S P D E).
+Qed.
+Lemma cor2_decomp_holds : cor2_decomp.
+Proof.
+  intros n adj V V' r v t xp xn yp yn [S NL] VS D A U (Pp & Zx & Zy & Pv). unfold Wdot.
+  apply (is_derive_ext (fun s => energy6 n adj (both V) (fun i => r i s) (fun i => v i s))); [intros; now apply energy_both|].
+  apply (is_derive_ext (fun s => Wenergy n adj (both V) (fun i => r i s) (fun i => v i s))); [intros; symmetry; apply energy6_is|].
+  assert (K : forall q : nat -> R, (forall i j, (i < n)%nat -> (j < n)%nat -> q i = q j) -> exists c, forall i, (i < n)%nat -> q i = c).
+  { intros q Q. exists (q 0%nat). intros i Hi. apply Q; lia. }
+  apply (tanner2_facts.cor2_decomp n adj (both V) (both V') r v t xp xn yp yn S (both_sym V')); try assumption.
+  - intros i Hi. now apply U.
+  - intros i j Hi Hj L. assert (0 < norm (r i t - r j t)%C) by (apply tanner_flock.norm_neq; now apply A).
+    apply both_derive; [exact VS|now apply D|]. apply D; try assumption. now rewrite S.
+  - intros i Hi. rewrite <- law4_is. destruct (both_law n adj V V' (fun i => r i t) (fun i => v i t) i S VS D Hi A) as (_ & _ & ->). now apply U.
+  - apply K. intros; now apply Pp.
+  - apply K. intros; now apply Pp.
+Qed.
+(* what vanishes from t on has the derivative 0 there *)
+Lemma zero_from (f : R -> R) t l : is_derive f t l -> (forall s, t <= s -> f s = 0) -> l = 0.
+Proof.
+  intros D Z. apply is_derive_Reals in D. apply cond_eq. intros e He. destruct (D e He) as [d Hd].
+  pose proof (cond_pos d) as P. specialize (Hd (d / 2) ltac:(lra)). rewrite Rabs_pos_eq in Hd by lra. specialize (Hd ltac:(lra)).
+  rewrite !Z in Hd by lra. replace ((0 - 0) / (d / 2) - l) with (- (l - 0)) in Hd by (field; lra). now rewrite Rabs_Ropp in Hd.
+Qed.
+Lemma pull_swap n adj V V' r i j : simple_graph adj -> potentials n adj V V' -> apart_at n adj r -> (i < n)%nat -> (j < n)%nat ->
+  pull adj V' r j i = (- pull adj V' r i j)%C.
+Proof.
+  intros [S NL] P A Hi Hj. pose proof (slopes_of n adj V V' P) as D. unfold pull. rewrite (S j i). destruct (adj i j) eqn:L.
+  - assert (N : Cmod (r j - r i)%C = Cmod (r i - r j)%C) by (replace (r j - r i)%C with (- (r i - r j))%C by ring; apply Cmod_opp). rewrite N.
+    pose proof (tanner_flock.norm_neq _ _ (A i j Hi Hj L)) as Q. unfold norm in Q.
+    assert (L' : adj j i = true) by now rewrite S.
+    rewrite <- (both_slope V V' j i _ (proj1 P) (D j i _ Hj Hi L' Q) (D i j _ Hi Hj L Q)), (both_sym V' j i).
+    rewrite (both_slope V V' i j _ (proj1 P) (D i j _ Hi Hj L Q) (D j i _ Hj Hi L' Q)). ring.
+  - apply injective_projections; cbn; ring.
+Qed.
+Lemma eq14_1_holds : eq14_1.
+Proof.
+  intros n adj V V' r v S P A.
+  assert (K : forall p : C -> R, (forall a b, p (a + b)%C = p a + p b) -> (forall a, p (- a)%C = - p a) -> p 0%C = 0 ->
+    (forall f, p (Csum n f) = Sum n (fun j => p (f j))) -> Sum n (fun i => p (law4 n adj V' r v i)) = 0).
+  { intros p P1 P2 P0 P3. rewrite (Sum_ext n _ (fun i => Sum n (fun j => - p (if adj i j then v i - v j else 0)%C - p (pull adj V' r i j)))).
+    - apply Sum_antisym. intros i j Hi Hj. rewrite (pull_swap n adj V V' r i j S P A Hi Hj), P2, (proj1 S j i).
+      destruct (adj i j); [|rewrite P0; ring]. replace (v j - v i)%C with (- (v i - v j))%C by ring. rewrite P2. ring.
+    - intros i Hi. unfold law4, gradV, Cminus. rewrite P1, !P2, !P3, Sum_minus, Sum_opp. reflexivity. }
+  split; (apply K; [intros; reflexivity|intros; reflexivity|reflexivity|intros; reflexivity]).
+Qed.
+Lemma in_S n adj V V' r v : simple_graph adj -> strongly_connected n adj -> potentials n adj V V' -> motion n adj V' r v ->
+  (forall t, 0 <= t -> Wdot n adj V r v t 0) -> forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> v i t = v j t.
+Proof.
+  intros S SC P M Z t i j Ht Hi Hj. pose proof (apart_always n adj V V' r v S P M t Ht) as A.
+  pose proof (eq9_proved n adj V V' r v t S (proj1 P) (slopes_of n adj V V' P) A) as E.
+  assert (U : forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)).
+  { intros k Hk. destruct M as [_ M]. destruct (M t k Ht Hk) as [M1 M2]. split; [exact M1|now apply M2]. }
+  specialize (E U). cbv zeta in E. apply is_derive_unique in E. rewrite (is_derive_unique _ _ _ (Z t Ht)), !form_is in E.
+  apply (tanner2_facts.S_config_corrected n adj (fun i => v i t)); try assumption; [lia|apply S|]. rewrite tanner_energy.kron_split. cbv beta in *. lra.
+Qed.
+Lemma moves_law n adj V V' r v t i : simple_graph adj -> potentials n adj V V' -> motion n adj V' r v -> 0 <= t -> (i < n)%nat ->
+  is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i).
+Proof. intros S P M Ht Hi. destruct (proj2 M t i Ht Hi) as [_ Q]. apply Q. now apply (apart_always n adj V V' r v). Qed.
+Lemma equal_rates (x y : R -> C) t a b : is_velocity x t a -> is_velocity y t b -> (forall s, t <= s -> x s = y s) -> a = b.
+Proof.
+  intros [X1 X2] [Y1 Y2] E. apply injective_projections; apply Rminus_diag_uniq.
+  - apply (zero_from (fun s => fst (x s) - fst (y s)) t); [now apply D_minus|]. intros s Hs. rewrite (E s Hs). ring.
+  - apply (zero_from (fun s => snd (x s) - snd (y s)) t); [now apply D_minus|]. intros s Hs. rewrite (E s Hs). ring.
+Qed.
+Lemma eq14_2_holds : eq14_2.
+Proof.
+  intros n adj V V' r v S SC P M Z t Ht. destruct n as [|n]; [exists 0%C; intros; lia|].
+  exists (law4 (Datatypes.S n) adj V' (fun i => r i t) (fun i => v i t) 0%nat). intros i Hi.
+  replace (law4 _ _ _ _ _ 0%nat) with (law4 (Datatypes.S n) adj V' (fun i => r i t) (fun i => v i t) i); [now apply (moves_law _ _ V)|].
+  apply (equal_rates (v i) (v 0%nat) t); [now apply (moves_law _ _ V)|apply (moves_law _ _ V); try assumption; lia|].
+  intros s Hs. apply (in_S (Datatypes.S n) adj V V' r v); try assumption; [lra|lia].
+Qed.
+Lemma still (f : R -> R) t : 0 <= t -> (forall s, 0 <= s -> is_derive f s 0) -> f t = f 0.
+Proof.
+  intros Ht D. apply Rle_antisym.
+  - apply (decreasing f (fun _ => 0)); [exact Ht|intros; apply D; lra|intros; lra].
+  - apply Ropp_le_cancel. apply (decreasing (fun s => - f s) (fun _ => 0)); [exact Ht| |intros; lra].
+    intros s Hs. eapply D_eq; [apply D_opp, D; lra|]. apply Ropp_0.
+Qed.
+Lemma eq14_3_holds : eq14_3.
+Proof.
+  intros n adj V V' r v S SC P M Z.
+  assert (K : forall t i, 0 <= t -> (i < n)%nat -> is_velocity (v i) t 0%C).
+  { intros t i Ht Hi. pose proof (apart_always n adj V V' r v S P M t Ht) as A.
+    destruct (eq14_2_holds n adj V V' r v S SC P M Z t Ht) as [c Hc].
+    destruct (eq14_1_holds n adj V V' (fun i => r i t) (fun i => v i t) S P A) as [E1 E2].
+    assert (L : forall j, (j < n)%nat -> law4 n adj V' (fun i => r i t) (fun i => v i t) j = c).
+    { intros j Hj. apply (equal_rates (v j) (v j) t); [now apply (moves_law n adj V)|now apply Hc|reflexivity]. }
+    rewrite (Sum_ext n _ (fun _ => fst c)) in E1 by (intros j Hj; now rewrite L). rewrite (Sum_ext n _ (fun _ => snd c)) in E2 by (intros j Hj; now rewrite L).
+    rewrite Sum_const in E1, E2. assert (Pn : 0 < INR n) by (apply lt_0_INR; lia).
+    assert (F1 : fst c = 0) by (apply (Rmult_eq_reg_l (INR n)); lra). assert (F2 : snd c = 0) by (apply (Rmult_eq_reg_l (INR n)); lra).
+    assert (F : c = 0%C) by (apply injective_projections; assumption). rewrite <- F. now apply Hc. }
+  intros t i Ht Hi. split; [now apply K|]. apply injective_projections.
+  - apply (still (fun s => fst (v i s)) t Ht). intros s Hs. apply (K s i Hs Hi).
+  - apply (still (fun s => snd (v i s)) t Ht). intros s Hs. apply (K s i Hs Hi).
+Qed.
+(* V = s^2 + s^-2 - 2, with the minimum 0 at 1 *)
+Definition spring (s : R) : R := s ^ 2 + / s ^ 2 - 2.
+Definition spring' (s : R) : R := 2 * s - 2 / s ^ 3.
+Lemma spring_square s : 0 < s -> spring s = (s - / s) ^ 2.
+Proof. intros Hs. unfold spring. field. lra. Qed.
+Lemma spring_above s t : 1 <= s -> s < t -> spring s < spring t.
+Proof.
+  intros Hs Ht. rewrite !spring_square by lra. assert (/ t < / s) by (apply Rinv_lt_contravar; nra). assert (/ s <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
+  assert (0 <= s - / s < t - / t) by lra. nra.
+Qed.
+Lemma spring_minimum s : 0 < s -> s <> 1 -> spring 1 < spring s.
+Proof.
+  intros Hs N. rewrite !spring_square by lra. replace ((1 - / 1) ^ 2) with 0 by field. apply pow2_gt_0. intros E. apply N.
+  assert ((s - / s) * s = 0) by (rewrite E; ring). replace ((s - / s) * s) with ((s - 1) * (s + 1)) in H by (field; lra).
+  apply Rmult_integral in H. lra.
+Qed.
+Lemma potentials_of n adj (V V' : R -> R) : tanner_flock.potential V V' -> (forall s, 0 < s -> continuity_pt V' s) ->
+  potentials n adj (fun _ _ => V) (fun _ _ => V').
+Proof.
+  intros (P1 & P2 & P3) K. split; [reflexivity|]. intros i j _ _ _. split; [|split; [exact P2|exact P3]]. intros s Hs.
+  destruct (P1 s Hs) as [A B]. split; [exact A|split; [now apply K|exact B]].
+Qed.
+Lemma spring_def3 n adj : def3 n adj (fun _ _ => spring) (fun _ _ => spring') (fun _ _ => 1).
+Proof.
+  split.
+  - apply potentials_of; [exact tanner2_switching.spring_potential|]. intros s Hs. apply continuity_pt_filterlim, (ex_derive_continuous spring').
+    unfold spring'. auto_derive. assert (0 < s ^ 3) by (apply pow_lt; lra). simpl in *. lra.
+  - intros i j _ _ _. split; [lra|]. intros s. apply spring_minimum.
+Qed.
+Lemma lem1_1_holds : lem1_1.
+Proof.
+  assert (F : forall V V' R0, smooth V V' -> 0 < R0 -> 0 < V' R0 -> ~ regular_at (saturate V R0) R0).
+  { intros V V' R0 H HR Hc. apply (tanner_nonsmooth.lemma1_fails V V' R0 (V' R0)); try assumption; try reflexivity; intros; now apply H. }
+  split; [exact F|]. intros Q. pose proof (spring_def3 2 complete) as D.
+  assert (P : 0 < spring' 2) by (unfold spring'; lra).
+  apply (F spring spring' 2); [|lra|exact P|exact (Q _ _ _ 2 D ltac:(lra) P 2 ltac:(lra))].
+  intros s Hs. destruct D as [[_ D] _]. destruct (D 0%nat 1%nat ltac:(lia) ltac:(lia) eq_refl) as [D1 _]. destruct (D1 s Hs) as (A & B & _). now split.
+Qed.
+(* two agents, linked *)
+Lemma complete_simple : simple_graph complete.
+Proof. split; [apply complete_undirected|apply complete_no_loops]. Qed.
+Definition on_line (x : nat -> R) (i : nat) : C := RtoC (x i).
+Lemma line_distance x i j : Cmod (on_line x i - on_line x j)%C = Rabs (x i - x j).
+Proof. unfold on_line. rewrite <- RtoC_minus. apply Cmod_R. Qed.
+Definition at2 (a : R) (i : nat) : R := match i with 0%nat => 0 | _ => a end.
+Lemma pair_apart a : a <> 0 -> apart_at 2 complete (on_line (at2 a)).
+Proof.
+  intros Ha i j Hi Hj L E. apply (f_equal fst) in E. unfold on_line, at2 in E. cbn in E.
+  destruct i as [|[|]], j as [|[|]]; try lia; try discriminate L; congruence.
+Qed.
+Lemma line_velocity (p u : C) t : is_velocity (fun s => p + RtoC s * u)%C t u.
+Proof.
+  split.
+  - apply (is_derive_ext (fun s => fst p + s * fst u)); [intros s; cbn; ring|]. auto_derive; [exact I|ring].
+  - apply (is_derive_ext (fun s => snd p + s * snd u)); [intros s; cbn; ring|]. auto_derive; [exact I|ring].
+Qed.
+Lemma rest_velocity (u : C) t : is_velocity (fun _ => u) t 0%C.
+Proof. split; apply D_const. Qed.
+(* they stay at a distance a at which V' = 0, in a common motion of velocity u *)
+Lemma pair_motion V' a u : 0 < a -> V' a = 0 -> motion 2 complete (fun _ _ => V') (fun i s => on_line (at2 a) i + RtoC s * u)%C (fun _ _ => u).
+Proof.
+  intros Ha Z. split.
+  - intros i j Hi Hj L E. apply (pair_apart a ltac:(lra) i j Hi Hj L). replace (on_line (at2 a) i) with (on_line (at2 a) i + RtoC 0 * u)%C by ring.
+    rewrite E. ring.
+  - intros t i Ht Hi. split; [apply line_velocity|]. intros _.
+    replace (law4 _ _ _ _ _ i) with (RtoC 0); [apply rest_velocity|]. symmetry.
+    assert (N : forall k j, (k < 2)%nat -> (j < 2)%nat -> complete k j = true -> V' (Cmod (on_line (at2 a) k + RtoC t * u - (on_line (at2 a) j + RtoC t * u))%C) = 0).
+    { intros k j Hk Hj L. replace (on_line (at2 a) k + RtoC t * u - (on_line (at2 a) j + RtoC t * u))%C with (on_line (at2 a) k - on_line (at2 a) j)%C by ring.
+      rewrite line_distance. rewrite <- Z. f_equal. unfold at2.
+      destruct k as [|[|]], j as [|[|]]; try lia; try discriminate L; unfold Rabs; destruct (Rcase_abs _); lra. }
+    unfold law4, gradV. rewrite !Csum_0; [ring| |].
+    + intros j Hj. unfold pull. destruct (complete i j) eqn:L; [|reflexivity]. rewrite (N i j Hi Hj L). unfold Rdiv. rewrite Rmult_0_l. ring.
+    + intros j _. destruct (complete i j); [ring|reflexivity].
+Qed.
+Lemma pair_energy V a u : 0 < a -> energy6 2 complete (fun _ _ => V) (on_line (at2 a)) u = V a + / 2 * (Cmod (u 0%nat) ^ 2 + Cmod (u 1%nat) ^ 2).
+Proof.
+  intros Ha. unfold energy6. cbn [Sum complete Nat.eqb negb]. rewrite !line_distance. unfold at2.
+  replace (Rabs (0 - a)) with a by (rewrite Rabs_left; lra). replace (Rabs (a - 0)) with a by (rewrite Rabs_pos_eq; lra). field.
+Qed.
+Lemma energy_moved n adj V p w u : energy6 n adj V (fun i => p i + w)%C u = energy6 n adj V p u.
+Proof.
+  unfold energy6. f_equal. apply Sum_ext. intros i _. f_equal. apply Sum_ext. intros j _.
+  replace (p i + w - (p j + w))%C with (p i - p j)%C by ring. reflexivity.
+Qed.
+Lemma pair_Wdot V a u t : Wdot 2 complete (fun _ _ => V) (fun i s => on_line (at2 a) i + RtoC s * u)%C (fun _ _ => u) t 0.
+Proof.
+  unfold Wdot. apply (is_derive_ext (fun _ => energy6 2 complete (fun _ _ => V) (on_line (at2 a)) (fun _ => u))); [intros s; symmetry; apply energy_moved|].
+  apply D_const.
+Qed.
+Lemma complete_joined n : strongly_connected n complete.
+Proof. apply tanner2_examples.complete_connected. Qed.
+Lemma spring_rest : spring' 1 = 0.
+Proof. unfold spring'. field. Qed.
+Lemma S_config_1_holds : S_config_1.
+Proof.
+  intros Q. pose proof (Q 2%nat complete _ _ _ _ _ 0 complete_simple (complete_joined 2) (spring_def3 2 complete)
+    (pair_motion spring' 1 0%C Rlt_0_1 spring_rest) (Rle_refl 0) (pair_Wdot spring 1 0%C 0) ltac:(reflexivity) 0%nat 1%nat ltac:(lia) ltac:(lia)) as E.
+  apply (f_equal fst) in E. cbn in E. lra.
+Qed.
+Lemma bound_v_1_holds : bound_v_1.
+Proof.
+  set (u := fun i : nat => match i with 0%nat => RtoC 1 | _ => RtoC 0 end).
+  assert (W : energy6 2 complete (fun _ _ => spring) (on_line (at2 1)) u <= / 2).
+  { rewrite pair_energy by lra. unfold u. rewrite !Cmod_R, Rabs_R1, Rabs_R0. unfold spring. lra. }
+  assert (A : apart_at 2 complete (on_line (at2 1))) by (apply pair_apart; lra).
+  split; intros Q; pose proof (Q 2%nat complete _ _ _ _ u (/ 2) complete_simple (complete_joined 2) (spring_def3 2 complete) A ltac:(lra) W 0%nat ltac:(lia)) as E;
+    unfold u in E; cbv beta iota in E.
+  - rewrite inner_self, Cmod_R, Rabs_R1 in E. lra.
+  - rewrite Cmod_R, Rabs_R1 in E. assert (sqrt (/ 2) < sqrt 1) by (apply sqrt_lt_1_alt; lra). rewrite sqrt_1 in H. lra.
+Qed.
+Lemma links_simple l : (forall f, In f l -> fst f <> snd f) -> simple_graph (links_of l).
+Proof.
+  intros H. split.
+  - intros i j. unfold links_of. induction l as [|f l IH]; [reflexivity|]. cbn [existsb]. rewrite IH by (intros; apply H; now right).
+    f_equal. apply Bool.orb_comm.
+  - intros i. unfold links_of. induction l as [|f l IH]; [reflexivity|]. cbn [existsb]. rewrite IH by (intros; apply H; now right).
+    pose proof (H f (or_introl eq_refl)). destruct (Nat.eqb_spec i (fst f)), (Nat.eqb_spec i (snd f)); cbn; congruence.
+Qed.
+Definition three : graph := links_of ((0, 1) :: (1, 2) :: nil)%nat.
+Lemma three_simple : simple_graph three.
+Proof. apply links_simple. intros f [<-|[<-|[]]]; cbn; lia. Qed.
+Lemma three_joined : strongly_connected 3 three.
+Proof.
+  assert (A : forall j k, (j < 3)%nat -> (k < 3)%nat -> three k j = true -> clos_refl_trans nat (arc 3 three) j k) by (intros; apply rt_step; repeat split; assumption).
+  assert (B : forall j, (j < 3)%nat -> clos_refl_trans nat (arc 3 three) j 1%nat /\ clos_refl_trans nat (arc 3 three) 1%nat j).
+  { intros [|[|[|]]] H; try lia; split; try (apply A; [lia|lia|reflexivity]); apply rt_refl. }
+  intros j k Hj Hk. apply rt_trans with 1%nat; now apply B.
+Qed.
+Lemma bound_r_1_holds : bound_r_1.
+Proof.
+  intros Q. assert (A : apart_at 3 three (on_line INR)).
+  { intros i j Hi Hj L E. apply (f_equal fst) in E. apply INR_eq in E. subst. rewrite (proj2 three_simple) in L. discriminate. }
+  assert (W : energy6 3 three (fun _ _ => spring) (on_line INR) (fun _ => 0%C) <= 25 / 72).
+  { unfold energy6. cbn [Sum three links_of existsb Nat.eqb fst snd andb orb]. rewrite !line_distance, Cmod_0. cbn [INR].
+    replace (Rabs (0 - 1)) with 1 by (rewrite Rabs_left; lra). replace (Rabs (1 - 0)) with 1 by (rewrite Rabs_pos_eq; lra).
+    replace (Rabs (1 - (1 + 1))) with 1 by (rewrite Rabs_left; lra). replace (Rabs (1 + 1 - 1)) with 1 by (rewrite Rabs_pos_eq; lra).
+    replace (spring 1) with 0 by (unfold spring; field). lra. }
+  pose proof (Q 3%nat three _ _ _ _ _ (25 / 72) ltac:(lia) three_simple three_joined (spring_def3 3 complete) A ltac:(lra) W 0%nat 2%nat (3 / 2)
+    ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lra)) as E. cbv beta in E.
+  replace (25 / 72 * (INR 3 - 1)) with (spring (3 / 2)) in E by (unfold spring; cbn [INR]; field).
+  specialize (E (Rle_refl _) (fun s Hs => spring_above (3 / 2) s ltac:(lra) Hs)). rewrite line_distance in E. cbn [INR] in E.
+  rewrite Rabs_left in E by lra. lra.
+Qed.
+(* the potential of Corollary 1 that is flat at 2 *)
+Lemma flat_def3 n adj : def3 n adj (fun _ _ => tanner2_examples.VB) (fun _ _ => tanner2_examples.VB') (fun _ _ => 1).
+Proof.
+  split.
+  - apply potentials_of; [exact tanner2_examples.VB_potential|]. intros s Hs. apply continuity_pt_filterlim, (ex_derive_continuous tanner2_examples.VB').
+    unfold tanner2_examples.VB'. auto_derive. assert (0 < s ^ 2) by (apply pow_lt; lra). simpl in *. lra.
+  - intros i j _ _ _. split; [lra|]. apply (proj1 (proj2 tanner2_examples.cor1_stuck)).
+Qed.
+Lemma flat_at_2 : tanner2_examples.VB' 2 = 0.
+Proof. unfold tanner2_examples.VB'. field. Qed.
+Lemma pair_tree : is_tree 2 complete.
+Proof.
+  split; [apply complete_joined|]. intros i [|a [|b l]] Hi N P L; cbn in L; try lia. destruct P as (Ha & _ & Hb & _).
+  inversion N as [|? ? N1 N2]; subst. inversion N2 as [|? ? N3 _]; subst. cbn in N1, N3. lia.
+Qed.
+Lemma cor1_1_holds : cor1_1.
+Proof.
+  intros Q. pose proof (Q 2%nat complete _ _ _ _ _ complete_simple pair_tree (flat_def3 2 complete) (pair_motion _ 2 0%C Rlt_0_2 flat_at_2)
+    0%nat 1%nat ltac:(lia) ltac:(lia) eq_refl) as E. cbv beta in E.
+  apply (is_lim_ext _ (fun _ => 2)) in E.
+  - apply is_lim_unique in E. rewrite Lim_const in E. injection E. lra.
+  - intros t. replace (on_line (at2 2) 0 + RtoC t * 0 - (on_line (at2 2) 1 + RtoC t * 0))%C with (on_line (at2 2) 0%nat - on_line (at2 2) 1%nat)%C by ring.
+    rewrite line_distance. cbn. rewrite Rabs_left; lra.
+Qed.
+Lemma cor1_2_holds : cor1_2.
+Proof.
+  intros n adj S T. split.
+  - intros O g HO Z f Hf. destruct (cor1_5_proved n adj (fun _ _ _ => 0) (fun _ _ _ => 0) (fun _ _ => 0%C) (fun _ _ => 0%C) S T) as [K _].
+    apply injective_projections; [apply (K O (fun f => fst (g f)) HO)|apply (K O (fun f => snd (g f)) HO)]; try assumption; intros k Hk; now apply Z.
+  - intros V V' r P A Z i j Hi Hj L.
+    assert (M : motion n adj V' (fun i _ => r i) (fun _ _ => 0%C)).
+    { split; [exact A|]. intros t k _ Hk. split; [apply rest_velocity|]. intros _.
+      replace (law4 _ _ _ _ _ k) with (RtoC 0); [apply rest_velocity|]. unfold law4. cbv beta.
+      change (gradV n adj V' (fun i => r i) k) with (gradV n adj V' r k). rewrite (Z k Hk), Csum_0; [ring|]. intros m _. destruct (adj k m); [ring|reflexivity]. }
+    pose proof (proj2 (cor1_5_proved n adj V V' _ _ S T) P M i j Hi Hj) as Q. cbv beta in Q.
+    destruct (Req_dec (Cmod (pull adj V' r i j)) 0) as [E|N]; [now apply Cmod_eq_0|exfalso].
+    pose proof (Cmod_ge_0 (pull adj V' r i j)). destruct (Q (Cmod (pull adj V' r i j)) ltac:(lra)) as [T0 B]. specialize (B T0 (Rle_refl _)).
+    cbv beta in B. change (Cmod (pull adj V' r i j) < Cmod (pull adj V' r i j)) in B. lra.
+Qed.
+Lemma cor1_3_holds : cor1_3.
+Proof. intros Q. pose proof (Q _ _ _ (flat_def3 2 complete) 2 Rlt_0_2 flat_at_2). cbv beta in H. lra. Qed.
+Lemma lem2_1_holds : lem2_1.
+Proof.
+  intros V V' R0 ri rj H HR Hc At. exists 0%C. intros w. eexists. split.
+  - apply clarke2_is. apply (tanner_saturated.plane_clarke V V' R0 (V' R0) ri rj HR); try assumption; try reflexivity; intros; now apply H.
+  - rewrite inner_xy. cbn. rewrite !Rmult_0_l, Rplus_0_r. apply Rmax_l.
+Qed.
+Lemma alternating_trees_holds : alternating_trees.
+Proof.
+  intros tau r v Ht M L Q. refine (tanner2_switching.paths_never_agree tau r v Ht _ _ _).
+  - intros t i H Hi. destruct (M t i ltac:(lra) Hi) as (A & B & D). split; [exact A|now split].
+  - intros k t H. assert (E : INR (k + 1) = INR k + 1) by (rewrite plus_INR; reflexivity).
+    destruct (L k t ltac:(rewrite E; lra)) as [A B]. split.
+    + unfold tanner2_switching.turn. destruct (Nat.even k); exact A.
+    + intros i Hi. specialize (B ltac:(lra) i Hi). rewrite law4_is in B. unfold tanner2_switching.turn. destruct (Nat.even k); exact B.
+  - intros i j Hi Hj e He. destruct (Q i j Hi Hj e He) as [T B]. exists (Rmax 0 T). split; [apply Rmax_l|]. intros t Hm. apply B.
+    pose proof (Rmax_r 0 T). lra.
+Qed.
