@@ -1086,3 +1086,326 @@ Proof.
   - intros i j Hi Hj e He. destruct (Q i j Hi Hj e He) as [T B]. exists (Rmax 0 T). split; [apply Rmax_l|]. intros t Hm. apply B.
     pose proof (Rmax_r 0 T). lra.
 Qed.
+Lemma pair_lambda2 : lambda2 2 complete 2.
+Proof.
+  split.
+  - intros x Z. unfold form, lap, deg, w, delta, complete. cbn [Sum Nat.eqb negb] in *. assert (x 1%nat = - x 0%nat) by lra. rewrite H. right. ring.
+  - exists (fun i => match i with 0%nat => 1 | _ => -1 end). cbn [Sum]. split; [ring|]. split; [lra|].
+    intros [|[|]] Hi; try lia; unfold lap, deg, w, delta, complete; cbn [Sum Nat.eqb negb]; ring.
+Qed.
+Lemma cor2_sub_1_holds : cor2_sub_1.
+Proof.
+  intros Q. assert (P : parts 2 (fun _ => RtoC 1) (fun _ => 1) (fun _ => 0) (fun _ => 0) (fun _ => 0)).
+  { split; [split; reflexivity|]. cbn [Sum]. repeat split; try ring; cbn; ring. }
+  pose proof (Q 2%nat complete _ _ _ _ _ 0 2 _ _ _ _ 0 ltac:(lia) complete_simple (complete_joined 2) (spring_def3 2 complete)
+    (pair_motion spring' 1 (RtoC 1) Rlt_0_1 spring_rest) (Rle_refl 0) pair_lambda2 P (pair_Wdot spring 1 (RtoC 1) 0)) as E.
+  cbn [Sum] in E. lra.
+Qed.
+(* ---- the two examples of rates: V = k (s^2 + s^-2 - 2) ---- *)
+Definition soft (k s : R) : R := k * spring s.
+Definition soft' (k s : R) : R := k * spring' s.
+Lemma soft_def3 k n adj : 0 < k -> def3 n adj (fun _ _ => soft k) (fun _ _ => soft' k) (fun _ _ => 1).
+Proof.
+  intros Hk. split.
+  - split; [reflexivity|]. intros i j Hi Hj L. destruct (spring_def3 n adj) as [[_ P] _]. destruct (P i j Hi Hj L) as (P1 & P2 & P3). split; [|split].
+    + intros s Hs. destruct (P1 s Hs) as (A & B & D). split; [now apply D_scal|]. split; [|apply Rmult_le_pos; lra].
+      now apply (continuity_pt_scal spring' k).
+    + intros c. destruct (P2 (c / k)) as [d [Hd B]]. exists d. split; [exact Hd|]. intros s Hs. specialize (B s Hs). unfold soft.
+      apply (Rmult_lt_compat_l k) in B; [|exact Hk]. replace (k * (c / k)) with c in B by (field; lra). exact B.
+    + intros c. destruct (P3 (c / k)) as [d B]. exists d. intros s Hs. specialize (B s Hs). unfold soft.
+      apply (Rmult_lt_compat_l k) in B; [|exact Hk]. replace (k * (c / k)) with c in B by (field; lra). exact B.
+  - intros i j _ _ _. split; [lra|]. intros s Hs N. apply Rmult_lt_compat_l; [exact Hk|now apply spring_minimum].
+Qed.
+Lemma soft_second k : is_derive (soft' k) 1 (8 * k).
+Proof.
+  unfold soft', spring'. auto_derive; [lra|]. field.
+Qed.
+Lemma soft_at_distances k n adj r : 0 < k -> (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> Cmod (r i - r j)%C = 1) ->
+  at_distances n adj (fun _ _ => soft k) (fun _ _ => soft' k) (fun _ _ => 1) (fun _ _ => 8 * k) r.
+Proof.
+  intros Hk Hn S SC D. split; [exact Hn|]. split; [exact S|]. split; [exact SC|]. split; [now apply soft_def3|].
+  intros i j Hi Hj L. split; [now apply D|apply soft_second].
+Qed.
+(* complex roots of s^2 + p s + q *)
+Lemma root_side p q rho s : rho < p / 2 -> 0 < rho ^ 2 - p * rho + q -> (s * s + RtoC p * s + RtoC q = 0)%C -> fst s < - rho.
+Proof.
+  intros Hp Hq E. pose proof (f_equal fst E) as E1. pose proof (f_equal snd E) as E2. destruct s as [a b]. cbn in E1, E2 |- *.
+  assert (F2 : b * (2 * a + p) = 0) by lra. apply Rmult_integral in F2. destruct F2 as [->|F2]; [|lra].
+  apply Rnot_le_lt. intros L. assert (0 <= (a + rho) * (a - rho + p)) by (apply Rmult_le_pos; lra). nra.
+Qed.
+Lemma Cmult_zero (a b : C) : (a * b = 0)%C -> a = 0%C \/ b = 0%C.
+Proof.
+  intros E. destruct (Req_dec (Cmod a) 0) as [A|A]; [left; now apply Cmod_eq_0|]. destruct (Req_dec (Cmod b) 0) as [B|B]; [right; now apply Cmod_eq_0|].
+  exfalso. pose proof (f_equal Cmod E) as F. rewrite Cmod_mult, Cmod_0 in F. apply Rmult_integral in F. tauto.
+Qed.
+(* a combination z of amplitudes with (s^2 + p s + q) z = 0 *)
+Lemma amplitude p q rho s z : 0 < rho < p / 2 -> q = 0 \/ 0 < rho ^ 2 - p * rho + q -> ((s * s + RtoC p * s + RtoC q) * z = 0)%C -> fst s = 0 \/ fst s < - rho \/ z = 0%C.
+Proof.
+  intros Hr Hq E. apply Cmult_zero in E. destruct E as [E|E]; [|tauto]. destruct Hq as [->|Hq].
+  - replace (s * s + RtoC p * s + RtoC 0)%C with (s * (s + RtoC p))%C in E by ring. apply Cmult_zero in E. destruct E as [->|E]; [left; reflexivity|].
+    right. left. pose proof (f_equal fst E) as E1. cbn in E1. lra.
+  - right. left. now apply (root_side p q).
+Qed.
+Lemma amplitude0 s z : (s * s * z = 0)%C -> fst s = 0 \/ z = 0%C.
+Proof. intros E. apply Cmult_zero in E. destruct E as [E|E]; [|tauto]. apply Cmult_zero in E. left. destruct E as [->| ->]; reflexivity. Qed.
+Lemma Csum_2 f : Csum 2 f = (f 0%nat + f 1%nat)%C.
+Proof. apply injective_projections; cbn; ring. Qed.
+Lemma Csum_3 f : Csum 3 f = (f 0%nat + f 1%nat + f 2%nat)%C.
+Proof. apply injective_projections; cbn; ring. Qed.
+(* directions along the line *)
+Lemma line_ex p i j : p i < p j -> fst (on_line p i - on_line p j)%C / Cmod (on_line p i - on_line p j)%C = -1 /\
+  fst (on_line p j - on_line p i)%C / Cmod (on_line p j - on_line p i)%C = 1.
+Proof.
+  intros L. rewrite !line_distance, (Rabs_left (p i - p j)), (Rabs_pos_eq (p j - p i)) by lra. unfold on_line. cbn. split; field; lra.
+Qed.
+Lemma line_ey p i j : snd (on_line p i - on_line p j)%C / Cmod (on_line p i - on_line p j)%C = 0.
+Proof. unfold on_line. cbn. unfold Rdiv. ring. Qed.
+Lemma pair_modes k s x y : mode 2 complete (fun _ _ => k) (on_line (at2 1)) s x y ->
+  (s * s * (x 0%nat + x 1%nat) = 0 /\ (s * s + RtoC 2 * s + RtoC (2 * k)) * (x 0%nat - x 1%nat) = 0 /\
+   s * s * (y 0%nat + y 1%nat) = 0 /\ (s * s + RtoC 2 * s + RtoC 0) * (y 0%nat - y 1%nat) = 0)%C.
+Proof.
+  intros M. destruct (M 0%nat ltac:(lia)) as [A0 B0]. destruct (M 1%nat ltac:(lia)) as [A1 B1]. clear M. cbv zeta in A0, A1, B0, B1.
+  rewrite !Csum_2 in A0, A1, B0, B1. cbn [complete Nat.eqb negb] in A0, A1, B0, B1. rewrite !line_ey in A0, A1, B0, B1.
+  destruct (line_ex (at2 1) 0 1 ltac:(cbn; lra)) as [E1 E2]. rewrite !E1 in A0. rewrite !E1 in B0. rewrite !E2 in A1. rewrite !E2 in B1.
+  replace (RtoC (2 * k)) with (RtoC 2 * RtoC k)%C by (apply injective_projections; cbn; ring).
+  assert (N1 : RtoC (-1) = (- RtoC 1)%C) by (apply injective_projections; cbn; ring). rewrite !N1 in A0. rewrite !N1 in B0.
+  assert (N2 : RtoC 2 = (RtoC 1 + RtoC 1)%C) by (apply injective_projections; cbn; ring). rewrite N2.
+  split; [|split; [|split]].
+  - match type of A0 with ?a0 = _ => match type of A1 with ?a1 = _ => transitivity (a0 + a1)%C; [|rewrite A0, A1; ring] end end. ring.
+  - match type of A0 with ?a0 = _ => match type of A1 with ?a1 = _ => transitivity (a0 - a1)%C; [|rewrite A0, A1; ring] end end. ring.
+  - match type of B0 with ?a0 = _ => match type of B1 with ?a1 = _ => transitivity (a0 + a1)%C; [|rewrite B0, B1; ring] end end. ring.
+  - match type of B0 with ?a0 = _ => match type of B1 with ?a1 = _ => transitivity (a0 - a1)%C; [|rewrite B0, B1; ring] end end. ring.
+Qed.
+Lemma sum_gap (a b : C) : (a + b = 0)%C -> (a - b = 0)%C -> a = 0%C /\ b = 0%C.
+Proof.
+  intros E F. pose proof (f_equal fst E). pose proof (f_equal snd E). pose proof (f_equal fst F). pose proof (f_equal snd F). cbn in *.
+  split; apply injective_projections; cbn; lra.
+Qed.
+Lemma pair_decays : decays 2 complete (fun _ _ => 8 * 1) (on_line (at2 1)) (1 / 2).
+Proof.
+  intros s x y M (i & Hi & N). destruct (pair_modes _ s x y M) as (X0 & X1 & Y0 & Y1). apply amplitude0 in X0. apply amplitude0 in Y0.
+  apply (amplitude _ _ (1 / 2)) in X1; [|lra|right; lra]. apply (amplitude _ _ (1 / 2)) in Y1; [|lra|now left].
+  destruct X0 as [X0|X0]; [now left|]. destruct Y0 as [Y0|Y0]; [now left|]. destruct X1 as [X1|[X1|X1]]; [now left|now right|]. destruct Y1 as [Y1|[Y1|Y1]]; [now left|now right|].
+  exfalso. destruct (sum_gap _ _ X0 X1), (sum_gap _ _ Y0 Y1). destruct i as [|[|]]; try lia; tauto.
+Qed.
+Lemma pair_slow : ~ decays 2 complete (fun _ _ => 8 * / 32) (on_line (at2 1)) (1 / 2).
+Proof.
+  intros D. assert (Q : sqrt (1 / 2) * sqrt (1 / 2) = 1 / 2) by (apply sqrt_sqrt; lra). assert (L : 1 / 2 < sqrt (1 / 2)).
+  { rewrite <- (sqrt_pow2 (1 / 2)) at 1 by lra. apply sqrt_lt_1_alt. lra. }
+  assert (U : sqrt (1 / 2) < 1). { rewrite <- sqrt_1 at 2. apply sqrt_lt_1_alt. lra. }
+  destruct (D (RtoC (-1 + sqrt (1 / 2))) (fun i => match i with 0%nat => RtoC 1 | _ => RtoC (-1) end) (fun _ => 0%C)) as [E|E].
+  - destruct (line_ex (at2 1) 0 1 ltac:(cbn; lra)) as [E1 E2].
+    intros [|[|]] Hi; try lia; cbv zeta; rewrite !Csum_2; cbn [complete Nat.eqb negb]; rewrite !line_ey; rewrite ?E1; rewrite ?E2;
+      split; apply injective_projections; cbn; lra.
+  - exists 0%nat. split; [lia|]. left. intros E. apply (f_equal fst) in E. cbn in E. lra.
+  - cbn in E. lra.
+  - cbn in E. lra.
+Qed.
+Lemma rate_1_holds : rate_1.
+Proof.
+  intros Q. apply pair_slow. assert (D : forall i j, (i < 2)%nat -> (j < 2)%nat -> complete i j = true -> Cmod (on_line (at2 1) i - on_line (at2 1) j)%C = 1).
+  { intros i j Hi Hj L. rewrite line_distance. destruct i as [|[|]], j as [|[|]]; try lia; try discriminate L; cbn; unfold Rabs; destruct (Rcase_abs _); lra. }
+  refine (Q 2%nat complete _ _ _ _ _ 2%nat complete _ _ _ _ _ 2 (1 / 2) (soft_at_distances 1 2 complete _ Rlt_0_1 (le_n 2) complete_simple (complete_joined 2) D)
+    (soft_at_distances (/ 32) 2 complete _ _ (le_n 2) complete_simple (complete_joined 2) D) pair_lambda2 pair_lambda2 _ pair_decays); lra.
+Qed.
+Lemma three_modes k s x y : mode 3 three (fun _ _ => k) (on_line INR) s x y ->
+  (s * s * (x 0%nat + x 1%nat + x 2%nat) = 0 /\ (s * s + RtoC 1 * s + RtoC k) * (x 0%nat - x 2%nat) = 0 /\
+   (s * s + RtoC 3 * s + RtoC (3 * k)) * (x 0%nat + x 2%nat - RtoC 2 * x 1%nat) = 0 /\
+   s * s * (y 0%nat + y 1%nat + y 2%nat) = 0 /\ (s * s + RtoC 1 * s + RtoC 0) * (y 0%nat - y 2%nat) = 0 /\
+   (s * s + RtoC 3 * s + RtoC 0) * (y 0%nat + y 2%nat - RtoC 2 * y 1%nat) = 0)%C.
+Proof.
+  intros M. destruct (M 0%nat ltac:(lia)) as [A0 B0]. destruct (M 1%nat ltac:(lia)) as [A1 B1]. destruct (M 2%nat ltac:(lia)) as [A2 B2]. clear M.
+  cbv zeta in A0, A1, A2, B0, B1, B2. rewrite !Csum_3 in A0, A1, A2, B0, B1, B2.
+  cbn [three links_of existsb Nat.eqb fst snd andb orb] in A0, A1, A2, B0, B1, B2. 
+  repeat rewrite line_ey in A0. repeat rewrite line_ey in A1. repeat rewrite line_ey in A2. repeat rewrite line_ey in B0. repeat rewrite line_ey in B1. repeat rewrite line_ey in B2.
+  destruct (line_ex INR 0 1 ltac:(cbn; lra)) as [E1 E2]. destruct (line_ex INR 1 2 ltac:(cbn; lra)) as [E3 E4].
+  assert (N1 : RtoC (-1) = (- RtoC 1)%C) by (apply injective_projections; cbn; ring).
+  rewrite !E1 in A0. rewrite !E1 in B0. rewrite !E2 in A1. rewrite !E2 in B1. rewrite !E3 in A1. rewrite !E3 in B1. rewrite !E4 in A2. rewrite !E4 in B2.
+  rewrite !N1 in A0. rewrite !N1 in B0. rewrite !N1 in A1. rewrite !N1 in B1.
+  replace (RtoC (3 * k)) with (RtoC 3 * RtoC k)%C by (apply injective_projections; cbn; ring).
+  assert (N2 : RtoC 2 = (RtoC 1 + RtoC 1)%C) by (apply injective_projections; cbn; ring). rewrite N2.
+  assert (N3 : RtoC 3 = (RtoC 1 + RtoC 1 + RtoC 1)%C) by (apply injective_projections; cbn; ring). rewrite N3.
+  match type of A0 with ?a0 = _ => match type of A1 with ?a1 = _ => match type of A2 with ?a2 = _ =>
+    match type of B0 with ?b0 = _ => match type of B1 with ?b1 = _ => match type of B2 with ?b2 = _ =>
+    split; [|split; [|split; [|split; [|split]]]];
+    [transitivity (a0 + a1 + a2)%C; [|rewrite A0, A1, A2; ring]|transitivity (a0 - a2)%C; [|rewrite A0, A2; ring]
+    |transitivity (a0 + a2 - (RtoC 1 + RtoC 1) * a1)%C; [|rewrite A0, A1, A2; ring]
+    |transitivity (b0 + b1 + b2)%C; [|rewrite B0, B1, B2; ring]|transitivity (b0 - b2)%C; [|rewrite B0, B2; ring]
+    |transitivity (b0 + b2 - (RtoC 1 + RtoC 1) * b1)%C; [|rewrite B0, B1, B2; ring]] end end end end end end; ring.
+Qed.
+Lemma three_gaps (a b c : C) : (a + b + c = 0)%C -> (a - c = 0)%C -> (a + c - RtoC 2 * b = 0)%C -> a = 0%C /\ b = 0%C /\ c = 0%C.
+Proof.
+  intros E F G. pose proof (f_equal fst E). pose proof (f_equal snd E). pose proof (f_equal fst F). pose proof (f_equal snd F).
+  pose proof (f_equal fst G). pose proof (f_equal snd G). cbn in *. repeat split; apply injective_projections; cbn; lra.
+Qed.
+Lemma three_decays : decays 3 three (fun _ _ => 8 * / 32) (on_line INR) (1 / 5).
+Proof.
+  intros s x y M (i & Hi & N). destruct (three_modes _ s x y M) as (X0 & X1 & X2 & Y0 & Y1 & Y2). apply amplitude0 in X0. apply amplitude0 in Y0.
+  apply (amplitude _ _ (1 / 5)) in X1; [|lra|right; lra]. apply (amplitude _ _ (1 / 5)) in Y1; [|lra|now left].
+  apply (amplitude _ _ (1 / 5)) in X2; [|lra|right; lra]. apply (amplitude _ _ (1 / 5)) in Y2; [|lra|now left].
+  destruct X0 as [X0|X0]; [now left|]. destruct Y0 as [Y0|Y0]; [now left|]. destruct X1 as [X1|[X1|X1]]; [now left|now right|]. destruct Y1 as [Y1|[Y1|Y1]]; [now left|now right|].
+  destruct X2 as [X2|[X2|X2]]; [now left|now right|]. destruct Y2 as [Y2|[Y2|Y2]]; [now left|now right|].
+  exfalso. destruct (three_gaps _ _ _ X0 X1 X2) as (? & ? & ?), (three_gaps _ _ _ Y0 Y1 Y2) as (? & ? & ?). destruct i as [|[|[|]]]; try lia; tauto.
+Qed.
+Definition corners (i : nat) : C := match i with 0%nat => (0, 0) | 1%nat => (1, 0) | _ => (1 / 2, sqrt 3 / 2) end.
+Lemma sqrt_3 : sqrt 3 * sqrt 3 = 3.
+Proof. apply sqrt_sqrt. lra. Qed.
+Lemma corners_distance i j : (i < 3)%nat -> (j < 3)%nat -> complete i j = true -> Cmod (corners i - corners j)%C = 1.
+Proof.
+  intros Hi Hj L. pose proof sqrt_3 as Q. unfold Cmod. rewrite <- sqrt_1. f_equal.
+  destruct i as [|[|[|]]], j as [|[|[|]]]; try lia; try discriminate L; cbn; nra.
+Qed.
+Lemma corners_slow : ~ decays 3 complete (fun _ _ => 8 * / 32) corners (1 / 5).
+Proof.
+  intros D. assert (Q : sqrt (15 / 2) * sqrt (15 / 2) = 15 / 2) by (apply sqrt_sqrt; lra). pose proof (sqrt_pos (15 / 2)) as P.
+  assert (L : 13 / 5 < sqrt (15 / 2)) by nra. assert (U : sqrt (15 / 2) < 3) by nra.
+  set (q := sqrt (15 / 2)) in *. pose proof sqrt_3 as Q3. set (h := sqrt 3) in *.
+  destruct (D (RtoC ((-3 + q) / 2)) (fun i => match i with 0%nat => RtoC (- h) | 1%nat => RtoC h | _ => 0%C end)
+    (fun i => match i with 0%nat => RtoC 1 | 1%nat => RtoC 1 | _ => RtoC (-2) end)) as [E|E].
+  - assert (K : forall i j, (i < 3)%nat -> (j < 3)%nat -> complete i j = true -> Cmod (corners i - corners j)%C = 1) by exact corners_distance.
+    assert (S2 : (-3 + q) / 2 * ((-3 + q) / 2) = - 3 * ((-3 + q) / 2) - 3 / 8) by nra. set (s := (-3 + q) / 2) in *.
+    pose proof (f_equal (Rmult h) S2) as S3. pose proof (f_equal (Rmult h) Q3) as Q4.
+    intros i Hi; cbv zeta; rewrite !Csum_3.
+    destruct i as [|[|[|]]]; try lia; cbn [complete Nat.eqb negb]; repeat rewrite K by (try lia; reflexivity); unfold corners; fold h;
+      split; apply injective_projections; cbn; lra.
+  - exists 0%nat. split; [lia|]. right. intros E. apply (f_equal fst) in E. cbn in E. lra.
+  - cbn in E. lra.
+  - cbn in E. lra.
+Qed.
+Lemma three_lambda2 : lambda2 3 three 1.
+Proof.
+  split.
+  - intros x Z. unfold form, lap, deg, w, delta, three, links_of. cbn [Sum Nat.eqb existsb fst snd andb orb] in *.
+    assert (E : x 2%nat = - x 0%nat - x 1%nat) by lra. rewrite E. pose proof (pow2_ge_0 (x 1%nat)). lra.
+  - exists (fun i => match i with 0%nat => 1 | 1%nat => 0 | _ => -1 end). cbn [Sum]. split; [ring|]. split; [lra|].
+    intros [|[|[|]]] Hi; try lia; unfold lap, deg, w, delta, three, links_of; cbn [Sum Nat.eqb existsb fst snd andb orb]; ring.
+Qed.
+Lemma corners_lambda2 : lambda2 3 complete 3.
+Proof.
+  split.
+  - intros x Z. unfold form, lap, deg, w, delta, complete. cbn [Sum Nat.eqb negb] in *.
+    assert (E : x 2%nat = - x 0%nat - x 1%nat) by lra. rewrite E. right. ring.
+  - exists (fun i => match i with 0%nat => 1 | 1%nat => 0 | _ => -1 end). cbn [Sum]. split; [ring|]. split; [lra|].
+    intros [|[|[|]]] Hi; try lia; unfold lap, deg, w, delta, complete; cbn [Sum Nat.eqb negb]; ring.
+Qed.
+Lemma rate_2_holds : rate_2.
+Proof.
+  intros Q. apply corners_slow. assert (P : 0 < / 32) by lra.
+  refine (Q 3%nat three complete _ _ _ _ _ _ 1 3 (1 / 5) (soft_at_distances (/ 32) 3 three _ P _ three_simple three_joined _)
+    (soft_at_distances (/ 32) 3 complete _ P _ complete_simple (complete_joined 3) corners_distance) _ three_lambda2 corners_lambda2 _ _ three_decays); try lra; try lia.
+  - intros i j Hi Hj L. rewrite line_distance.
+    destruct i as [|[|[|]]], j as [|[|[|]]]; try lia; try discriminate L; cbn; unfold Rabs; destruct (Rcase_abs _); lra.
+  - intros i j L. unfold complete. destruct (Nat.eqb_spec i j) as [->|]; [|reflexivity]. rewrite (proj2 three_simple) in L. discriminate.
+Qed.
+(* V = 3 s^2 + 8/s^2 of the theorem: the minimum is at the fourth root of 8/3, where alone V' vanishes *)
+Lemma root4 : exists d, 0 < d /\ d ^ 4 = 8 / 3.
+Proof.
+  exists (sqrt (sqrt (8 / 3))). assert (P : 0 < sqrt (8 / 3)) by (apply sqrt_lt_R0; lra). split; [now apply sqrt_lt_R0|].
+  replace (sqrt (sqrt (8 / 3)) ^ 4) with ((sqrt (sqrt (8 / 3)) ^ 2) ^ 2) by ring. rewrite pow2_sqrt by lra. apply pow2_sqrt. lra.
+Qed.
+Lemma fourth_power s d : 0 < s -> 0 < d -> s ^ 4 = d ^ 4 -> s = d.
+Proof.
+  intros Hs Hd E. assert (F : (s - d) * ((s + d) * (s * s + d * d)) = 0) by (replace (_ * _) with (s ^ 4 - d ^ 4) by ring; lra).
+  apply Rmult_integral in F. destruct F as [F|F]; [lra|]. exfalso. assert (0 < (s + d) * (s * s + d * d)) by (apply Rmult_lt_0_compat; nra). lra.
+Qed.
+Lemma thm1c_1_holds : thm1c_1.
+Proof.
+  intros Q. destruct root4 as (d & Hd & D4). set (V := tanner2_examples.VA) in *. set (V' := tanner2_examples.VA') in *.
+  assert (D : def3 3 complete (fun _ _ => V) (fun _ _ => V') (fun _ _ => d)).
+  { split; [apply potentials_of; [exact tanner2_examples.VA_potential|exact tanner2_examples.VA'_continuous]|].
+    intros i j _ _ _. split; [exact Hd|]. intros s Hs N. unfold V, tanner2_examples.VA.
+    assert (I : forall x, 0 < x -> 3 * x ^ 2 + 8 / x ^ 2 = 3 * (x - d ^ 2 / x) ^ 2 + 6 * d ^ 2).
+    { intros x Hx. replace 8 with (3 * d ^ 4) by lra. field. lra. }
+    rewrite !I by assumption. replace (d - d ^ 2 / d) with 0 by (field; lra). assert (0 < (s - d ^ 2 / s) ^ 2); [|lra].
+    apply pow2_gt_0. intros E. apply N. assert (F : (s - d ^ 2 / s) * s = 0) by (rewrite E; ring).
+    replace ((s - d ^ 2 / s) * s) with ((s - d) * (s + d)) in F by (field; lra). apply Rmult_integral in F. lra. }
+  assert (Z : forall i j s, (i < 3)%nat -> (j < 3)%nat -> complete i j = true -> 0 < s -> V' s = 0 -> s = d).
+  { intros _ _ s _ _ _ Hs E. apply fourth_power; try assumption. rewrite D4. unfold V', tanner2_examples.VA' in E.
+    assert (F : (6 * s - 16 / s ^ 3) * s ^ 3 = 0) by (rewrite E; ring). replace ((6 * s - 16 / s ^ 3) * s ^ 3) with (6 * s ^ 4 - 16) in F by (field; lra). lra. }
+  assert (M : motion 3 complete (fun _ _ => V') (fun i _ => tanner2_examples.line3 i) (fun _ _ => 0%C)).
+  { split; [exact tanner2_examples.line3_apart|]. intros t i Ht Hi. split; [apply rest_velocity|]. intros _. rewrite law4_is.
+    destruct tanner2_examples.line3_solution as (_ & _ & _ & _ & _ & _ & _ & _ & _ & _ & S). now apply (S t i). }
+  assert (A : apart_at 3 complete tanner2_examples.better).
+  { intros i j Hi Hj L. destruct i as [|[|[|]]], j as [|[|[|]]]; try lia; try discriminate L; intros E; injection E; lra. }
+  destruct (Q 3%nat complete _ _ _ _ _ complete_simple (complete_joined 3) D Z M 0%nat ltac:(lia) _ A 1 Rlt_0_1) as [T B].
+  specialize (B T (Rle_refl T)). cbv beta zeta in B. cbn [Sum complete Nat.eqb negb] in B.
+  unfold tanner2_examples.line3, tanner2_examples.better in B. rewrite <- !RtoC_minus, !Cmod_R in B.
+  rewrite (Rabs_left (-1 - 0)), (Rabs_left (-1 - 1)), (Rabs_left (0 - 5 / 4)), (Rabs_pos_eq (0 - - (5 / 4))) in B by lra.
+  replace (V (- (-1 - 0))) with 11 in B by (unfold V, tanner2_examples.VA; field). replace (V (- (-1 - 1))) with 14 in B by (unfold V, tanner2_examples.VA; field).
+  replace (V (- (0 - 5 / 4))) with (3923 / 400) in B by (unfold V, tanner2_examples.VA; field). replace (V (0 - - (5 / 4))) with (3923 / 400) in B by (unfold V, tanner2_examples.VA; field). lra.
+Qed.
+Lemma pair_oriented : tanner_graph.oriented 2 complete ((0%nat, 1%nat) :: nil).
+Proof.
+  split; [repeat constructor; intros []|]. split.
+  - intros i j [E|[]]. injection E as <- <-. lia.
+  - intros i j Hi Hj. unfold member, w, complete. destruct i as [|[|]], j as [|[|]]; try lia;
+      repeat match goal with |- context [in_dec ?p ?e ?l] => destruct (in_dec p e l) as [I|I] end;
+      cbn in *; try lra; exfalso; repeat match goal with H : _ \/ _ |- _ => destruct H as [H|H] end; try congruence; tauto.
+Qed.
+Lemma vdotB_1_holds : vdotB_1.
+Proof.
+  intros Q. destruct (Q 2%nat complete _ _ _ (on_line (at2 2)) (fun _ => 0%C) _ complete_simple (complete_joined 2) (spring_def3 2 complete) (pair_apart 2 ltac:(lra))
+    (fun _ _ _ _ => eq_refl) pair_oriented 0%nat ltac:(lia)) as [_ E]. apply (f_equal fst) in E.
+  assert (V : spring' 2 = 15 / 4) by (unfold spring'; lra).
+  unfold law4, gradV, pull in E. rewrite !Csum_2 in E. cbn [complete Nat.eqb negb lsum fold_right fst snd] in E. unfold inc, delta in E. cbn [Nat.eqb fst snd] in E.
+  rewrite !line_distance in E. unfold at2 in E. rewrite !(Rabs_left (0 - 2)) in E by lra. replace (- (0 - 2)) with 2 in E by ring. rewrite V in E.
+  unfold on_line in E. cbn in E. lra.
+Qed.
+Lemma gradient_unique f x g h : gradient f x g -> gradient f x h -> g = h.
+Proof.
+  intros G H. assert (K : forall z, inner g z = inner h z).
+  { intros z. pose proof (is_derive_unique _ _ _ (G z)) as A. pose proof (is_derive_unique _ _ _ (H z)) as B. congruence. }
+  pose proof (K (RtoC 1)) as A. pose proof (K Ci) as B. rewrite !inner_xy in A, B. cbn in A, B. apply injective_projections; lra.
+Qed.
+Lemma lsum_agree O (f g : nat * nat -> R) : (forall e, In e O -> f e = g e) -> lsum O f = lsum O g.
+Proof.
+  intros H. induction O as [|e O IH]; [reflexivity|]. change (f e + lsum O f = g e + lsum O g). rewrite (H e (or_introl eq_refl)), IH; [reflexivity|]. intros; apply H. now right.
+Qed.
+Lemma oriented_edge n adj O i j : tanner_graph.oriented n adj O -> In (i, j) O -> (i < n)%nat /\ (j < n)%nat /\ adj i j = true.
+Proof.
+  intros (_ & B & M) I. destruct (B i j I) as [Hi Hj]. split; [exact Hi|]. split; [exact Hj|]. specialize (M i j Hi Hj). unfold member, w in M.
+  destruct (in_dec pair_dec (i, j) O); [|contradiction]. destruct (adj i j); [reflexivity|]. destruct (in_dec pair_dec (j, i) O); lra.
+Qed.
+Lemma eq8_234_holds : eq8_234.
+Proof.
+  intros n adj V V' r v t O g gi gj G [S NL] VS D A U HO HG HGi by_pair by_ends.
+  set (q := fun i => r i t). set (p := fun i j => pull adj (both V') q i j).
+  assert (Db : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (both V i j) (norm (q i - q j)%C) (both V' i j (norm (q i - q j)%C))).
+  { intros i j Hi Hj L. pose proof (tanner_flock.norm_neq _ _ (A i j Hi Hj L)) as N. apply both_derive; [exact VS|now apply D|]. apply D; try assumption. now rewrite S. }
+  assert (Gr : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> g i j = p i j /\ gi i j = p i j /\ gj i j = (- p i j)%C).
+  { intros i j Hi Hj L. destruct (HG i j Hi Hj L) as (G1 & G2 & G3).
+    assert (P : p i j = grad (both V' i j) (q i) (q j)) by (unfold p, pull; rewrite L; reflexivity).
+    pose proof (fun w => tanner_energy.tanner1_eq8_gradients (both V i j) (both V' i j) (q i) (q j) w (A i j Hi Hj L) (Db i j Hi Hj L)) as T. rewrite <- P in T.
+    split; [|split].
+    - apply (gradient_unique _ _ _ _ G1). intros z. destruct (T z) as (_ & _ & T3). revert T3. apply is_derive_ext. intros h. now apply both_V.
+    - apply (gradient_unique _ _ _ _ G2). intros z. destruct (T z) as (T1 & _ & _). revert T1. apply is_derive_ext. intros h. now apply both_V.
+    - apply (gradient_unique _ _ _ _ G3). intros z. destruct (T z) as (_ & T2 & _). apply (D_eq _ _ (- inner (p i j) z)).
+      + revert T2. apply is_derive_ext. intros h. now apply both_V.
+      + rewrite !inner_xy. cbn. ring. }
+  assert (GG : forall i, (i < n)%nat -> G i = Csum n (p i)).
+  { intros i Hi. apply (gradient_unique _ _ _ _ (HGi i Hi)). intros w. rewrite inner_sym, inner_Csum. apply D_Sum. intros j Hj.
+    destruct (adj i j) eqn:L.
+    - destruct (HG i j Hi Hj L) as (_ & G2 & _). rewrite inner_sym, <- (proj1 (proj2 (Gr i j Hi Hj L))). apply G2.
+    - eapply D_eq; [apply D_const|]. unfold p, pull. rewrite L, inner_xy. cbn. ring. }
+  assert (Ps : forall i j, p j i = (- p i j)%C).
+  { intros i j. unfold p, pull. rewrite (S j i), (both_sym V' j i). replace (q j - q i)%C with (- (q i - q j))%C by ring. rewrite Cmod_opp.
+    destruct (adj i j); [ring|apply injective_projections; cbn; ring]. }
+  assert (E1 : by_pair = Sum n (fun i => inner (v i t) (Csum n (p i)))).
+  { transitivity (lsum O (fun f => inner (v (fst f) t - v (snd f) t)%C (p (fst f) (snd f)))).
+    - apply lsum_agree. intros [i j] I. cbn [fst snd]. destruct (oriented_edge n adj O i j HO I) as (Hi & Hj & L). now rewrite (proj1 (Gr i j Hi Hj L)).
+    - rewrite (tanner_graph.lsum_oriented n adj O (fun f => inner (v (fst f) t - v (snd f) t)%C (p (fst f) (snd f))) HO).
+      + etransitivity; [|exact (tanner_energy.pair_sum_swap n p v t (fun i j _ _ => Ps i j))]. f_equal. apply Sum_ext. intros k _. apply Sum_ext. intros j _. cbn [fst snd].
+        rewrite (Ps k j). unfold w. destruct (adj k j) eqn:L; [rewrite !inner_xy; cbn; ring|].
+        replace (p k j) with (RtoC 0) by (unfold p, pull; now rewrite L). rewrite !inner_xy. cbn. ring.
+      + intros i j. cbn [fst snd]. rewrite (Ps i j), !inner_xy. cbn. ring. }
+  assert (E2 : by_pair = by_ends).
+  { apply lsum_agree. intros [i j] I. cbn [fst snd]. destruct (oriented_edge n adj O i j HO I) as (Hi & Hj & L).
+    destruct (Gr i j Hi Hj L) as (-> & -> & ->). rewrite !inner_xy. cbn. ring. }
+  assert (E3 : Sum n (fun i => inner (v i t) (Csum n (p i))) = Sum n (fun i => inner (v i t) (G i))) by (apply Sum_ext; intros i Hi; now rewrite GG).
+  split; [|split; [exact E2|now rewrite <- E2, E1]].
+  apply (is_derive_ext (fun s => / 2 * Sum n (fun i => V_i n adj (both V) (fun i => r i s) i))).
+  - intros s. f_equal. apply Sum_ext. intros i _. apply Sum_ext. intros j _. unfold w. rewrite (both_V V) by exact VS. unfold norm. destruct (adj i j); ring.
+  - rewrite E1. eapply D_eq; [apply (tanner_energy.eq8_potential n adj (both V) (both V') r v t S (both_sym V') U A Db)|].
+    apply Sum_ext. intros i _. f_equal. apply Csum_ext. intros j _. symmetry. apply pull_is.
+Qed.
