@@ -723,7 +723,7 @@ Definition vdotB_1 : Prop := ~ forall n adj V V' d r v O, simple_graph adj -> st
   apart_at n adj r -> (forall i j, (i < n)%nat -> (j < n)%nat -> v i = v j) -> tanner_graph.oriented n adj O -> forall k, (k < n)%nat ->
   law4 n adj V' r v k = (- gradV n adj V' r k)%C /\
   law4 n adj V' r v k = (- lsum O (fun f => inc k f * fst (pull adj V' r (fst f) (snd f))), - lsum O (fun f => inc k f * snd (pull adj V' r (fst f) (snd f)))).
-(* beyond.tanner2.alternating_trees clause 1; agents 0 to 3, tau the time for each; a motion for all times, along which (4) has a value *)
+(* beyond.tanner2.alternating_trees clause 1, the second corrected clause of tanner2.arbswitch; agents 0 to 3, tau the time for each; a motion for all times, along which (4) has a value *)
 Definition links_of (l : list (nat * nat)) : graph := fun i j =>
   existsb (fun f => Nat.eqb i (fst f) && Nat.eqb j (snd f) || Nat.eqb j (fst f) && Nat.eqb i (snd f))%bool l.
 Definition alternating_trees : Prop := forall tau (r v : nat -> R -> C), 0 < tau ->
@@ -735,7 +735,7 @@ Definition alternating_trees : Prop := forall tau (r v : nat -> R -> C), 0 < tau
     (INR k * tau < t -> forall i, (i < 4)%nat ->
       is_velocity (v i) t (law4 4 adj (fun _ _ s => 2 * s - 2 / s ^ 3) (fun i => r i t) (fun i => v i t) i))) ->
   ~ forall i j, (i < 4)%nat -> (j < 4)%nat -> to_zero (fun t => v i t - v j t)%C.
-(* tanner2.arbswitch clause 2: solutions of (10) after Definition 4, K of the whole field. At a state the limits of the field are
+(* tanner2.arbswitch clause 2, the first corrected one, and tanner2.thm2_vel clause 1: solutions of (10) after Definition 4, K of the whole field. At a state the limits of the field are
    finitely many, so that their convex hull is closed; N the set of measure zero *)
 Definition limit_of_law n V' R0 (r v y : nat -> C) := forall e, 0 < e -> exists q u : nat -> C,
   (forall i, (i < n)%nat -> Cmod (q i - r i)%C < e /\ Cmod (u i - v i)%C < e) /\
@@ -2238,3 +2238,49 @@ Proof.
     + apply (K fst A1). intros u Hu Nu. apply (Z u Hu Nu).
     + apply (K snd A2). intros u Hu Nu. apply (Z u Hu Nu).
 Qed.
+(* the hypotheses can be met: two agents at rest at the desired distance 1, linked below R = 2 *)
+Lemma motion10_met : motion10 2 (fun _ _ => spring') 2 (fun i _ => on_line (at2 1) i) (fun _ _ => 0%C) /\ strongly_connected 2 (by_distance (on_line (at2 1)) 2).
+Proof.
+  assert (D : forall i j, (i < 2)%nat -> (j < 2)%nat -> i <> j -> Cmod (on_line (at2 1) i - on_line (at2 1) j)%C = 1).
+  { intros i j Hi Hj Ne. rewrite line_distance. destruct i as [|[|]], j as [|[|]]; try lia; cbn; unfold Rabs; destruct (Rcase_abs _); lra. }
+  assert (L : forall i, (i < 2)%nat -> law4 2 (by_distance (on_line (at2 1)) 2) (fun _ _ => spring') (on_line (at2 1)) (fun _ => 0%C) i = 0%C).
+  { intros i Hi. rewrite law4_one. apply Csum_0. intros j Hj. unfold pull. destruct (by_distance (on_line (at2 1)) 2 i j) eqn:B; [|ring].
+    assert (Ne : i <> j) by (intros ->; rewrite (proj2 (by_distance_simple _ _)) in B; discriminate). rewrite (D i j Hi Hj Ne), spring_rest. unfold Rdiv. rewrite Rmult_0_l. ring. }
+  split.
+  - split; [apply pair_apart; lra|]. split; [intros; apply rest_velocity|]. split.
+    + intros i _ T e _ He. exists 1. split; [lra|]. intros m a b _ _ _. rewrite Sum_zero; [exact He|]. intros k _. replace (0 - 0)%C with (RtoC 0) by ring. apply Cmod_0.
+    + exists (fun _ => False). split; [apply negligible_none|]. intros t _ _ _. exists (fun _ => 0%C). split; [|intros; apply rest_velocity].
+      exists 1%nat, (fun _ => 1), (fun _ _ => 0%C). split; [|split; [cbn; ring|intros i _; apply injective_projections; cbn; ring]].
+      intros k _. split; [lra|]. intros e He. exists (on_line (at2 1)), (fun _ => 0%C). split; [|split].
+      * intros i _. replace (on_line (at2 1) i - on_line (at2 1) i)%C with (RtoC 0) by ring. replace (0 - 0)%C with (RtoC 0) by ring. rewrite Cmod_0. lra.
+      * intros i j Hi Hj Ne. rewrite (D i j Hi Hj Ne). lra.
+      * intros i Hi. rewrite (L i Hi). replace (0 - 0)%C with (RtoC 0) by ring. now rewrite Cmod_0.
+  - intros j k Hj Hk. destruct (Nat.eq_dec k j) as [->|Ne]; [apply rt_refl|]. apply rt_step. repeat split; try assumption. unfold by_distance.
+    destruct (Nat.eqb_spec k j); [contradiction|]. rewrite (D k j Hk Hj Ne). cbn. destruct (Rlt_dec 1 2); [reflexivity|lra].
+Qed.
+
+(* ---- corrected clauses, stated after the statements above were proved ---- *)
+(* tanner2.S_config clause 2 *)
+Definition S_config_2 : Prop := forall n adj V V' r v t, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
+  motion n adj V' r v -> 0 <= t -> Wdot n adj V r v t 0 -> forall i j, (i < n)%nat -> (j < n)%nat ->
+  v i t = v j t /\ is_velocity (fun s => r i s - r j s)%C t 0%C.
+(* tanner2.cor2_sub clause 2 *)
+Definition cor2_sub_2 : Prop := forall n adj V V' r v t lam xp xn yp yn w, (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj ->
+  potentials n adj V V' -> motion n adj V' r v -> 0 <= t -> lambda2 n adj lam -> parts n (fun i => v i t) xp xn yp yn -> Wdot n adj V r v t w ->
+  w <= - lam * (Sum n (fun i => xn i ^ 2) + Sum n (fun i => yn i ^ 2)).
+(* tanner2.vdotB clause 2; the minus sign with 1 for outgoing edges is the same formula *)
+Definition vdotB_2 : Prop := forall n adj V V' r v O, simple_graph adj -> potentials n adj V V' -> apart_at n adj r ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> v i = v j) -> tanner_graph.oriented n adj O -> forall k, (k < n)%nat ->
+  law4 n adj V' r v k = (lsum O (fun f => inc k f * fst (pull adj V' r (fst f) (snd f))), lsum O (fun f => inc k f * snd (pull adj V' r (fst f) (snd f)))).
+(* tanner2.cor2_rate clause 3 in the plane: with lambda_2, and equality where the deviations are eigenvectors *)
+Definition rate_3_plane : Prop := forall n adj lam (v : nat -> R -> C), (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj -> lambda2 n adj lam ->
+  (forall t i, 0 <= t -> (i < n)%nat -> is_velocity (v i) t (- Csum n (fun j => if adj i j then v i t - v j t else 0))%C) ->
+  let mean t := (RtoC (/ INR n) * Csum n (fun j => v j t))%C in let dev t := sqrt (Sum n (fun i => Cmod (v i t - mean t)%C ^ 2)) in
+  forall t, 0 <= t -> dev t <= exp (- lam * t) * dev 0 /\
+    ((forall i, (i < n)%nat -> Csum n (fun j => RtoC (lap n adj i j) * (v j 0 - mean 0))%C = (RtoC lam * (v i 0 - mean 0))%C) -> dev t = exp (- lam * t) * dev 0).
+(* tanner2.cor2_rate clause 4 *)
+Definition rate_4 : Prop := forall n adj more lam mu, (2 <= n)%nat -> simple_graph adj -> simple_graph more ->
+  (forall i j, adj i j = true -> more i j = true) -> lambda2 n adj lam -> lambda2 n more mu -> lam <= mu.
+(* tanner2.thm2_coll clause 1, for motions for all times: a collision is not excluded by what a motion is, and connected or not *)
+Definition thm2_coll : Prop := forall n V V' R0 r v, 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v ->
+  forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t.
