@@ -2284,3 +2284,67 @@ Definition rate_4 : Prop := forall n adj more lam mu, (2 <= n)%nat -> simple_gra
 (* tanner2.thm2_coll clause 1, for motions for all times: a collision is not excluded by what a motion is, and connected or not *)
 Definition thm2_coll : Prop := forall n V V' R0 r v, 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v ->
   forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t.
+Lemma S_config_2_holds : S_config_2.
+Proof.
+  intros n adj V V' r v t S SC P M Ht Z i j Hi Hj.
+  assert (U : forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)).
+  { intros k Hk. split; [now apply (proj2 M t k)|now apply (moves_law n adj V)]. }
+  pose proof (eq9_proved n adj V V' r v t S (proj1 P) (slopes_of n adj V V' P) (apart_always n adj V V' r v S P M t Ht) U) as E.
+  cbv zeta in E. apply is_derive_unique in E. rewrite (is_derive_unique _ _ _ Z), !form_is in E.
+  assert (Q : v i t = v j t).
+  { apply (tanner2_facts.S_config_corrected n adj (fun i => v i t)); try assumption; [lia|apply S|]. rewrite tanner_energy.kron_split. cbv beta in *. lra. }
+  split; [exact Q|]. replace (RtoC 0) with (v i t - v j t)%C by (rewrite Q; ring). apply tanner_energy.velocity_minus; now apply U.
+Qed.
+Lemma cor2_sub_2_holds : cor2_sub_2.
+Proof.
+  intros n adj V V' r v t lam xp xn yp yn w Hn S SC P M Ht [Lam _] Pa W.
+  assert (U : forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)).
+  { intros k Hk. split; [now apply (proj2 M t k)|now apply (moves_law n adj V)]. }
+  pose proof (cor2_decomp_holds n adj V V' r v t xp xn yp yn S (proj1 P) (slopes_of n adj V V' P) (apart_always n adj V V' r v S P M t Ht) U Pa) as E.
+  unfold Wdot in *. apply is_derive_unique in E. rewrite (is_derive_unique _ _ _ W) in E. destruct Pa as (_ & Zx & Zy & _). pose proof (Lam xn Zx). pose proof (Lam yn Zy). lra.
+Qed.
+Lemma vdotB_2_holds : vdotB_2.
+Proof.
+  intros n adj V V' r v O [S NL] P A Eq HO k Hk. pose proof (slopes_of n adj V V' P) as D.
+  assert (L : law4 n adj V' r v k = (- grad_i n adj (both V') r k)%C).
+  { destruct (both_law n adj V V' r v k S (proj1 P) D Hk A) as (_ & G & _). unfold law4. rewrite <- G, gradV_is.
+    rewrite Csum_0; [ring|]. intros j Hj. destruct (adj k j); [rewrite (Eq k j Hk Hj); ring|reflexivity]. }
+  destruct (tanner_graph.B_gradients n adj O (both V') r k S (both_sym V') HO Hk) as [B1 B2]. unfold tanner_graph.applyB in B1, B2.
+  assert (K : forall f, In f O -> pull adj V' r (fst f) (snd f) = grad (both V' (fst f) (snd f)) (r (fst f)) (r (snd f))).
+  { intros [i j] I. cbn [fst snd]. destruct (oriented_edge n adj O i j HO I) as (Hi & Hj & Lij).
+    destruct (both_law n adj V V' r v i S (proj1 P) D Hi A) as (Q & _). rewrite <- (Q j Hj). unfold pull. rewrite Lij. reflexivity. }
+  rewrite L. apply injective_projections; cbn [fst snd Copp].
+  - rewrite <- B1. apply lsum_agree. intros f I. now rewrite (K f I).
+  - rewrite <- B2. apply lsum_agree. intros f I. now rewrite (K f I).
+Qed.
+Lemma rate_3_plane_holds : rate_3_plane.
+Proof.
+  intros n adj lam v Hn [S NL] SC [Lam _] Mv mean dev t Ht. assert (n1 : (1 <= n)%nat) by lia. assert (Pn : 0 < INR n) by (apply lt_0_INR; lia).
+  set (m := mean 0). set (u := fun (i : nat) (t : R) => (v i t - m)%C).
+  assert (Mu : forall t i, 0 <= t -> (i < n)%nat -> is_velocity (u i) t (- Csum n (fun j => RtoC (w adj i j) * (u i t - u j t)))%C).
+  { intros x i Hx Hi. replace (- Csum n (fun j => RtoC (w adj i j) * (u i x - u j x)))%C with (- Csum n (fun j => if adj i j then v i x - v j x else 0) - 0)%C.
+    - apply tanner_energy.velocity_minus; [now apply Mv|apply rest_velocity].
+    - replace (- Csum n (fun j => if adj i j then v i x - v j x else 0) - 0)%C with (- Csum n (fun j => if adj i j then v i x - v j x else 0))%C by ring.
+      f_equal. apply Csum_ext. intros j _. unfold w, u. destruct (adj i j); ring. }
+  assert (Dv : forall x, tanner2_facts.deviation n (fun i => u i x) = dev x).
+  { intros x. unfold tanner2_facts.deviation, dev. f_equal. apply Sum_ext. intros i _. f_equal. unfold norm. f_equal. unfold centre, mean, u.
+    replace (Csum n (fun i => v i x - m)%C) with (Csum n (fun i => v i x) - RtoC (INR n) * m)%C.
+    - apply injective_projections; cbn; field; lra.
+    - apply injective_projections; cbn; rewrite Sum_plus, Sum_const; ring. }
+  destruct (tanner2_facts.alignment_rate n adj lam u n1 S Mu) as [B1 B2]. rewrite <- !Dv. split.
+  - apply B1; [exact Lam|exact Ht].
+  - intros E. apply B2; [exact E|exact Ht].
+Qed.
+Lemma rate_4_holds : rate_4.
+Proof.
+  intros n adj more lam mu Hn [S _] [S' _] H [L _] [_ (x & Zx & Px & Ex)].
+  destruct (tanner2_facts.more_edges n adj more S S' H) as [F _]. pose proof (L x Zx) as A. pose proof (F x) as B. unfold form in A. rewrite form_is in A.
+  assert (C : qform n (lap n more) x = mu * Sum n (fun i => x i ^ 2)).
+  { unfold qform. rewrite <- Sum_scal. apply Sum_ext. intros i Hi. rewrite (Ex i Hi). ring. }
+  apply (Rmult_le_reg_r (Sum n (fun i => x i ^ 2))); [exact Px|]. lra.
+Qed.
+Lemma thm2_coll_holds : thm2_coll.
+Proof.
+  intros n V V' R0 r v HR P M t i j Ht Hi Hj Ne E. destruct (kept_apart n V V' R0 r v HR P M) as (d & Hd & Far). specialize (Far t i j Ht Hi Hj Ne).
+  rewrite E in Far. replace (r j t - r j t)%C with (RtoC 0) in Far by ring. rewrite Cmod_0 in Far. lra.
+Qed.
