@@ -2348,3 +2348,39 @@ Proof.
   intros n V V' R0 r v HR P M t i j Ht Hi Hj Ne E. destruct (kept_apart n V V' R0 r v HR P M) as (d & Hd & Far). specialize (Far t i j Ht Hi Hj Ne).
   rewrite E in Far. replace (r j t - r j t)%C with (RtoC 0) in Far by ring. rewrite Cmod_0 in Far. lra.
 Qed.
+(* the loop of cor2_rate is that of (4), linearised: the derivative of the forces at the desired distances *)
+Lemma linearised n adj V V' d k r (x y : nat -> R) i : at_distances n adj V V' d k r -> (i < n)%nat ->
+  let ex j := fst (r i - r j)%C / Cmod (r i - r j)%C in let ey j := snd (r i - r j)%C / Cmod (r i - r j)%C in
+  let stretch j := k i j * (ex j * (x i - x j) + ey j * (y i - y j)) in
+  is_velocity (fun h => gradV n adj V' (fun j => r j + RtoC h * (x j, y j))%C i) 0
+    (Sum n (fun j => if adj i j then ex j * stretch j else 0), Sum n (fun j => if adj i j then ey j * stretch j else 0)).
+Proof.
+  intros (_ & S & _ & (P & Md) & Ds) Hi ex ey stretch.
+  assert (K : forall j, (j < n)%nat -> is_velocity (fun h => pull adj V' (fun j => r j + RtoC h * (x j, y j))%C i j) 0
+    (if adj i j then ex j * stretch j else 0, if adj i j then ey j * stretch j else 0)).
+  { intros j Hj. unfold pull. destruct (adj i j) eqn:L; [|split; apply D_const]. destruct (Ds i j Hi Hj L) as [Di Dk]. destruct (Md i j Hi Hj L) as [Dp Mn].
+    assert (Z : V' i j (d i j) = 0).
+    { destruct P as [_ P]. destruct (P i j Hi Hj L) as (P1 & _). destruct (P1 (d i j) Dp) as (Dv & _).
+      assert (Ex : derivable_pt_lim (V i j) (d i j) (V' i j (d i j))) by now apply is_derive_Reals.
+      set (pr := exist _ _ Ex : derivable_pt (V i j) (d i j)). pose proof (deriv_minimum (V i j) (d i j / 2) (d i j + 1) (d i j) pr ltac:(lra) ltac:(lra)) as Q.
+      assert (E : derive_pt (V i j) (d i j) pr = V' i j (d i j)) by reflexivity. rewrite <- E. apply Q. intros u H1 H2. destruct (Req_dec u (d i j)) as [->|Nu]; [lra|]. left. apply Mn; lra. }
+    set (u := fun h => (r i + RtoC h * (x i, y i) - (r j + RtoC h * (x j, y j)))%C).
+    assert (U : is_velocity u 0 ((x i - x j), (y i - y j))).
+    { destruct (line_velocity (r i - r j)%C (x i - x j, y i - y j) 0) as [A B]. split; [revert A|revert B]; apply is_derive_ext; intros h; unfold u; cbn; ring. }
+    assert (U0 : u 0 = (r i - r j)%C) by (unfold u; ring).
+    assert (N0 : u 0 <> RtoC 0) by (rewrite U0; intros E; rewrite E, Cmod_0 in Di; lra).
+    pose proof (tanner_energy.D_norm u 0 _ U N0) as Dn. change (is_derive (fun h => Cmod (u h)) 0 (inner (u 0) (x i - x j, y i - y j) / Cmod (u 0))) in Dn.
+    assert (Dk' : is_derive (V' i j) (Cmod (u 0)) (k i j)) by (rewrite U0, Di; exact Dk).
+    assert (Dq : is_derive (fun h => V' i j (Cmod (u h)) / Cmod (u h)) 0 (k i j * (inner (u 0) (x i - x j, y i - y j) / Cmod (u 0)) / d i j)).
+    { eapply D_eq; [apply (is_derive_div (fun h => V' i j (Cmod (u h))) (fun h => Cmod (u h)) 0 _ _ (D_comp (V' i j) (fun h => Cmod (u h)) 0 (k i j) _ Dk' Dn) Dn)|].
+      - rewrite U0, Di. lra.
+      - rewrite U0, Di, Z. field. lra. }
+    destruct U as [U1 U2]. split; cbn [fst snd].
+    - apply (is_derive_ext (fun h => V' i j (Cmod (u h)) / Cmod (u h) * fst (u h))); [intros h; unfold u; cbn; ring|].
+      eapply D_eq; [apply (D_mult _ _ 0 _ _ Dq U1)|]. rewrite U0, Di, Z, inner_xy. unfold stretch, ex, ey. rewrite Di. cbn. field. lra.
+    - apply (is_derive_ext (fun h => V' i j (Cmod (u h)) / Cmod (u h) * snd (u h))); [intros h; unfold u; cbn; ring|].
+      eapply D_eq; [apply (D_mult _ _ 0 _ _ Dq U2)|]. rewrite U0, Di, Z, inner_xy. unfold stretch, ex, ey. rewrite Di. cbn. field. lra. }
+  split; unfold gradV, Csum; cbn [fst snd].
+  - apply (D_Sum n (fun j h => fst (pull adj V' (fun j => r j + RtoC h * (x j, y j))%C i j)) (fun j => if adj i j then ex j * stretch j else 0)). intros j Hj. apply (K j Hj).
+  - apply (D_Sum n (fun j h => snd (pull adj V' (fun j => r j + RtoC h * (x j, y j))%C i j)) (fun j => if adj i j then ey j * stretch j else 0)). intros j Hj. apply (K j Hj).
+Qed.
