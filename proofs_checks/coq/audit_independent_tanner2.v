@@ -1913,11 +1913,23 @@ Proof.
   pose proof (Rabs_pos (fst z)). pose proof (Rabs_pos (snd z)). unfold Cmod. apply Rsqr_incr_0_var; [|lra]. rewrite Rsqr_sqrt by nra. unfold Rsqr.
   rewrite <- (pow2_abs (fst z)), <- (pow2_abs (snd z)). nra.
 Qed.
+(* motions of (10) while a condition on time holds; what a start allows *)
+Definition moves_while n V' R0 (r v : nat -> R -> C) (during : R -> Prop) := apart_at n complete (fun i => r i 0) /\
+  (forall t i, 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t)) /\ (forall i, (i < n)%nat -> absolutely_continuous (v i)) /\
+  exists N, negligible N /\ forall t, 0 <= t -> during t -> ~ N t -> apart_at n complete (fun i => r i t) ->
+    exists z, K10 n V' R0 (fun i => r i t) (fun i => v i t) z /\ forall i, (i < n)%nat -> is_velocity (v i) t (z i).
+Lemma always_moves n V' R0 r v : motion10 n V' R0 r v -> moves_while n V' R0 r v (fun _ => True).
+Proof. intros (A & B & C & N & HN & Q). split; [exact A|]. split; [exact B|]. split; [exact C|]. exists N. split; [exact HN|]. intros t Ht _. now apply Q. Qed.
+Definition start_power n (V : nat -> nat -> R -> R) R0 (q u : nat -> C) :=
+  / 2 * Sum n (fun i => Sum n (fun j => if Nat.eqb i j then 0 else V i j (Rmin (Cmod (q i - q j)%C) R0)) + (fst (u i) ^ 2 + snd (u i) ^ 2)).
+Definition allows n (V : nat -> nat -> R -> R) R0 (q u : nat -> C) d1 := 0 < d1 < R0 /\ forall i j, (i < n)%nat -> (j < n)%nat -> i <> j ->
+  d1 < Cmod (q i - q j)%C /\ 2 * start_power n V R0 q u < V i j d1.
 Section Switch.
 Variables (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R) (r v : nat -> R -> C).
 Hypothesis HR : 0 < R0.
 Hypothesis P : potentials n complete V V'.
-Hypothesis M : motion10 n V' R0 r v.
+Variable during : R -> Prop.
+Hypothesis M : moves_while n V' R0 r v during.
 Notation s i j t := (Cmod (r i t - r j t)%C).
 Notation rs t := (fun i => r i t).
 Notation vs t := (fun i => v i t).
@@ -2011,15 +2023,15 @@ Proof.
   eapply D_eq; [apply (D_comp (V i j) (fun x => clamp d R0 (s i j x)) t _ _ Dv Dc)|].
   destruct (Rlt_dec (s i j t) R0) as [L|L]; [|ring]. rewrite force_opening by assumption. rewrite clamp_mid, Rmin_left by lra. reflexivity.
 Qed.
-Lemma power_rate : exists N, negligible N /\ forall t, 0 <= t -> ~ N t -> (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> d < s i j t) ->
+Lemma power_rate : exists N, negligible N /\ forall t, 0 <= t -> during t -> ~ N t -> (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> d < s i j t) ->
   exists z, K10 n V' R0 (rs t) (vs t) z /\ (forall i, (i < n)%nat -> is_velocity (v i) t (z i)) /\
     exists l, is_derive power t l /\ l <= - / 2 * near_total n R0 (rs t) (vs t).
 Proof.
   destruct M as (_ & _ & _ & N & HN & Mz). exists (fun t => N t \/ crossing t). split; [apply negligible_or; [exact HN|exact crossing_negligible]|].
-  intros t Ht No Hs. assert (A : apart_at n complete (rs t)).
+  intros t Ht Du No Hs. assert (A : apart_at n complete (rs t)).
   { intros i j Hi Hj L E. assert (Ne : i <> j) by (intros ->; unfold complete in L; rewrite Nat.eqb_refl in L; discriminate).
     specialize (Hs i j Hi Hj Ne). rewrite E in Hs. replace (r j t - r j t)%C with (RtoC 0) in Hs by ring. rewrite Cmod_0 in Hs. lra. }
-  destruct (Mz t Ht ltac:(tauto) A) as (z & Kz & Vz). exists z. split; [exact Kz|]. split; [exact Vz|].
+  destruct (Mz t Ht Du ltac:(tauto) A) as (z & Kz & Vz). exists z. split; [exact Kz|]. split; [exact Vz|].
   exists (near_rate n V' R0 (rs t) (vs t) + Sum n (fun i => inner (v i t) (z i))). split.
   - unfold power. eapply D_eq.
     + apply D_scal. apply (D_Sum n (fun i x => Sum n (fun j => store i j x) + (fst (v i x) ^ 2 + snd (v i x) ^ 2))
@@ -2035,11 +2047,11 @@ Proof.
 Qed.
 Lemma near_total_ge0 t : 0 <= near_total n R0 (rs t) (vs t).
 Proof. apply Sum_ge0. intros i _. apply Sum_ge0. intros j _. destruct (by_distance (rs t) R0 i j); [apply dist2_ge0|lra]. Qed.
-Lemma power_falls a b c : 0 <= a <= b -> (forall t i j, a <= t <= b -> (i < n)%nat -> (j < n)%nat -> i <> j -> d < s i j t) ->
+Lemma power_falls a b c : 0 <= a <= b -> (forall t, a <= t <= b -> during t) -> (forall t i j, a <= t <= b -> (i < n)%nat -> (j < n)%nat -> i <> j -> d < s i j t) ->
   (forall t, a <= t <= b -> 2 * c <= near_total n R0 (rs t) (vs t)) -> power b <= power a - c * (b - a).
 Proof.
-  intros Hab Hs Hc. destruct power_rate as (N & HN & Q). replace (power a - c * (b - a)) with (power a + - c * (b - a)) by ring.
-  apply (ac_le power N a b (- c) power_ac HN Hab). intros t Ht Nt. destruct (Q t ltac:(lra) Nt (fun i j => Hs t i j Ht)) as (z & _ & _ & l & Dl & Hl).
+  intros Hab Du Hs Hc. destruct power_rate as (N & HN & Q). replace (power a - c * (b - a)) with (power a + - c * (b - a)) by ring.
+  apply (ac_le power N a b (- c) power_ac HN Hab). intros t Ht Nt. destruct (Q t ltac:(lra) (Du t Ht) Nt (fun i j => Hs t i j Ht)) as (z & _ & _ & l & Dl & Hl).
   exists l. split; [exact Dl|]. specialize (Hc t Ht). lra.
 Qed.
 End Floor.
@@ -2052,25 +2064,18 @@ Proof.
     apply (Rmult_lt_compat_l (L + 1)) in G; [|lra]. replace ((L + 1) * (e / (L + 1))) with e in G by (field; lra). exact G. }
   apply Rabs_lt_between in Hh. destruct (Rle_or_lt u t) as [G|G]; [rewrite Rabs_minus_sym|]; apply K; lra.
 Qed.
-(* linked or not, the agents keep a distance *)
-Lemma kept_apart : exists d1, 0 < d1 < R0 /\ forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j -> d1 < s i j t.
+(* linked or not, the agents keep a distance that the start allows *)
+Lemma kept_apart_while d1 : allows n V R0 (rs 0) (vs 0) d1 -> forall t, 0 <= t -> (forall u, 0 <= u <= t -> during u) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> d1 < s i j t.
 Proof.
-  destruct M as (A0 & _). set (c0 := / 2 * Sum n (fun i => Sum n (fun j => if Nat.eqb i j then 0 else V i j (Rmin (s i j 0) R0)) + (fst (v i 0) ^ 2 + snd (v i 0) ^ 2))).
-  destruct (small2 n (fun i j e => i <> j -> 2 * e < s i j 0 /\ forall x, 0 < x <= e -> 2 * c0 < V i j x)) as (e & He & Q).
-  { intros i j e e' H L Ne. destruct (H Ne) as [H1 H2]. split; [lra|]. intros x Hx. apply H2. lra. }
-  { intros i j Hi Hj. destruct (Nat.eq_dec i j) as [->|Ne]; [exists 1; split; [lra|congruence]|].
-    pose proof (tanner_flock.norm_neq _ _ (A0 i j Hi Hj (linked_pair i j Ne))) as N. change (0 < s i j 0) in N.
-    destruct (proj2 P i j Hi Hj (linked_pair i j Ne)) as (_ & Z & _). destruct (Z (2 * c0)) as (x & Hx & Zx).
-    exists (Rmin (s i j 0 / 3) (x / 2)). split; [apply Rmin_glb_lt; lra|]. intros _. pose proof (Rmin_l (s i j 0 / 3) (x / 2)). pose proof (Rmin_r (s i j 0 / 3) (x / 2)).
-    split; [lra|]. intros y Hy. apply Zx. lra. }
-  set (d1 := Rmin e (R0 / 2)). pose proof (Rmin_l e (R0 / 2)). pose proof (Rmin_r e (R0 / 2)). assert (H1 : 0 < d1) by (apply Rmin_glb_lt; lra). fold d1 in H, H0.
-  exists d1. split; [lra|]. set (ok := fun t => forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> d1 < s i j t).
-  assert (Ok0 : ok 0) by (intros i j Hi Hj Ne; destruct (Q i j Hi Hj Ne); lra).
-  cut (forall t, 0 <= t -> ok t); [intros K t i j Ht Hi Hj Ne; now apply (K t Ht)|]. intros t2 Ht2. apply NNPP. intros Bad.
+  intros (Hd1 & Al) t2 Ht2 Du. set (c0 := start_power n V R0 (rs 0) (vs 0)) in *. set (ok := fun t => forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> d1 < s i j t).
+  assert (Ok0 : ok 0) by (intros i j Hi Hj Ne; now apply (Al i j)).
+  change (ok t2). apply NNPP. intros Bad.
   destruct (completeness (fun t => 0 <= t /\ forall u, 0 <= u <= t -> ok u)) as (t1 & Ub & Lub).
   { exists t2. intros t [Ht K]. apply Rnot_lt_le. intros L. apply Bad, K. lra. }
   { exists 0. split; [lra|]. intros u Hu. now replace u with 0 by lra. }
   assert (T0 : 0 <= t1) by (apply Ub; split; [lra|]; intros u Hu; now replace u with 0 by lra).
+  assert (T2 : t1 <= t2) by (apply Lub; intros t [Ht K]; apply Rnot_lt_le; intros L; apply Bad, K; lra).
   assert (Before : forall u, 0 <= u < t1 -> ok u).
   { intros u Hu. apply NNPP. intros B. assert (t1 <= u); [|lra]. apply Lub. intros t [Ht K]. apply Rnot_lt_le. intros L. apply B, K. lra. }
   assert (At : forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> d1 <= s i j t1).
@@ -2091,16 +2096,36 @@ Proof.
     { apply NNPP. intros No. apply Meet. intros i j Hi Hj Ne. destruct (At i j Hi Hj Ne) as [L|E]; [exact L|]. exfalso. apply No. exists i, j. now repeat split. }
     destruct Pair as (i & j & Hi & Hj & Ne & E). set (d := d1 / 2). assert (Hd : 0 < d < R0) by (unfold d; lra).
     assert (F : power d t1 <= power d 0 - 0 * (t1 - 0)).
-    { apply (power_falls d Hd); [lra| |].
+    { apply (power_falls d Hd); [lra|intros t Ht; apply Du; lra| |].
       - intros t k l Ht Hk Hl Nkl. assert (d1 <= s k l t); [|unfold d; lra]. destruct (Req_dec t t1) as [->|Nt]; [now apply At|]. left. apply (Before t ltac:(lra)); assumption.
       - intros t _. pose proof (near_total_ge0 t). lra. }
     assert (E0 : power d 0 = c0).
-    { unfold power, c0. f_equal. apply Sum_ext. intros k Hk. f_equal. apply Sum_ext. intros l Hl. unfold store. destruct (Nat.eqb_spec k l) as [_|Nkl]; [reflexivity|].
+    { unfold power, c0, start_power. f_equal. apply Sum_ext. intros k Hk. f_equal. apply Sum_ext. intros l Hl. unfold store. destruct (Nat.eqb_spec k l) as [_|Nkl]; [reflexivity|].
       pose proof (Ok0 k l Hk Hl Nkl). rewrite clamp_mid by (unfold d; lra). reflexivity. }
     pose proof (store_le d Hd i j t1 Hi Hj) as G. unfold store in G. destruct (Nat.eqb_spec i j); [contradiction|].
-    rewrite clamp_mid, Rmin_left in G by (rewrite E; unfold d; lra). rewrite E in G. destruct (Q i j Hi Hj Ne) as [_ Q2]. specialize (Q2 d1 ltac:(lra)). lra.
+    rewrite clamp_mid, Rmin_left in G by (rewrite E; unfold d; lra). rewrite E in G. pose proof (proj2 (Al i j Hi Hj Ne)). lra.
 Qed.
 End Switch.
+Lemma start_allows n V V' R0 q u : 0 < R0 -> potentials n complete V V' -> apart_at n complete q -> exists d1, allows n V R0 q u d1.
+Proof.
+  intros HR P A0. set (c0 := start_power n V R0 q u).
+  destruct (small2 n (fun i j e => i <> j -> 2 * e < Cmod (q i - q j)%C /\ forall x, 0 < x <= e -> 2 * c0 < V i j x)) as (e & He & Q).
+  { intros i j e e' H L Ne. destruct (H Ne) as [H1 H2]. split; [lra|]. intros x Hx. apply H2. lra. }
+  { intros i j Hi Hj. destruct (Nat.eq_dec i j) as [->|Ne]; [exists 1; split; [lra|congruence]|].
+    pose proof (tanner_flock.norm_neq _ _ (A0 i j Hi Hj (linked_pair i j Ne))) as N. change (0 < Cmod (q i - q j)%C) in N.
+    destruct (proj2 P i j Hi Hj (linked_pair i j Ne)) as (_ & Z & _). destruct (Z (2 * c0)) as (x & Hx & Zx).
+    exists (Rmin (Cmod (q i - q j)%C / 3) (x / 2)). split; [apply Rmin_glb_lt; lra|]. intros _.
+    pose proof (Rmin_l (Cmod (q i - q j)%C / 3) (x / 2)). pose proof (Rmin_r (Cmod (q i - q j)%C / 3) (x / 2)).
+    split; [lra|]. intros y Hy. apply Zx. lra. }
+  pose proof (Rmin_l e (R0 / 2)). pose proof (Rmin_r e (R0 / 2)). assert (H1 : 0 < Rmin e (R0 / 2)) by (apply Rmin_glb_lt; lra).
+  exists (Rmin e (R0 / 2)). split; [lra|]. intros i j Hi Hj Ne. destruct (Q i j Hi Hj Ne) as [Q1 Q2]. split; [lra|]. apply Q2. lra.
+Qed.
+Lemma kept_apart n V V' R0 r v : 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v ->
+  exists d1, 0 < d1 < R0 /\ forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j -> d1 < Cmod (r i t - r j t)%C.
+Proof.
+  intros HR P M. destruct (start_allows n V V' R0 (fun i => r i 0) (fun i => v i 0) HR P (proj1 M)) as (d1 & Al). exists d1. split; [apply Al|].
+  intros t i j Ht. apply (kept_apart_while n V V' R0 r v HR P _ (always_moves n V' R0 r v M) d1 Al t Ht). intros; exact I.
+Qed.
 Section Agree.
 Variables (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R) (r v : nat -> R -> C).
 Hypothesis HR : 0 < R0.
@@ -2113,7 +2138,7 @@ Hypothesis Far : forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j ->
 Notation E t := (power n V R0 r v d t).
 Lemma E_falls a b : 0 <= a <= b -> E b <= E a.
 Proof.
-  intros Hab. replace (E a) with (E a - 0 * (b - a)) by ring. apply (power_falls n V V' R0 r v P M d Hd a b 0 Hab).
+  intros Hab. replace (E a) with (E a - 0 * (b - a)) by ring. apply (power_falls n V V' R0 r v P _ (always_moves n V' R0 r v M) d Hd a b 0 Hab (fun _ _ => I)).
   - intros t i j Ht. apply Far. lra.
   - intros t _. pose proof (near_total_ge0 n R0 r v t). lra.
 Qed.
@@ -2131,7 +2156,7 @@ Qed.
 Lemma rates_bounded : exists N B, negligible N /\ 0 < B /\ forall t, 0 <= t -> ~ N t -> exists z, Csum n z = 0%C /\
   forall i, (i < n)%nat -> is_velocity (v i) t (z i) /\ Cmod (z i) <= B.
 Proof.
-  destruct (power_rate n V V' R0 r v P M d Hd) as (N & HN & Q).
+  destruct (power_rate n V V' R0 r v P _ (always_moves n V' R0 r v M) d Hd) as (N & HN & Q).
   assert (Fb : exists b, 0 < b /\ forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> forall x, d <= x <= R0 -> Rabs (V' i j x) <= b).
   { apply (tanner_flock.uniform_pairs n (fun i j b => i <> j -> forall x, d <= x <= R0 -> Rabs (V' i j x) <= b)).
     - intros i j b b' H L Ne x Hx. specialize (H Ne x Hx). lra.
@@ -2141,7 +2166,7 @@ Proof.
       exists L. intros _. exact B. }
   destruct Fb as (b & Hb & Fb). pose proof (E_ge0 0) as G. pose proof (pos_INR n) as Pn.
   exists N, (INR n * (2 * S + b) + 1). split; [exact HN|]. split; [assert (0 <= INR n * (2 * S + b)) by (apply Rmult_le_pos; lra); lra|].
-  intros t Ht Nt. destruct (Q t Ht Nt (fun i j => Far t i j Ht)) as (z & Kz & Vz & _). exists z.
+  intros t Ht Nt. destruct (Q t Ht I Nt (fun i j => Far t i j Ht)) as (z & Kz & Vz & _). exists z.
   assert (A : apart_at n complete (fun i => r i t)).
   { intros i j Hi Hj L X. assert (Ne : i <> j) by (intros ->; unfold complete in L; rewrite Nat.eqb_refl in L; discriminate).
     pose proof (Far t i j Ht Hi Hj Ne) as F. rewrite X in F. replace (r j t - r j t)%C with (RtoC 0) in F by ring. rewrite Cmod_0 in F. lra. }
@@ -2161,7 +2186,7 @@ Proof.
   apply (ac_le (fun t => -1 * gaps t) N a b); [|exact HN|exact Hab|].
   - apply ac_scal. apply (ac_Sum n (fun i t => Sum n (fun j => (fst (v i t) + -1 * fst (v j t)) ^ 2 + (snd (v i t) + -1 * snd (v j t)) ^ 2))). intros i Hi.
     apply (ac_Sum n (fun j t => (fst (v i t) + -1 * fst (v j t)) ^ 2 + (snd (v i t) + -1 * snd (v j t)) ^ 2)). intros j Hj.
-    destruct (v_axes n V' R0 r v M i Hi), (v_axes n V' R0 r v M j Hj).
+    destruct (v_axes n V' R0 r v _ (always_moves n V' R0 r v M) i Hi), (v_axes n V' R0 r v _ (always_moves n V' R0 r v M) j Hj).
     apply ac_plus; apply (ac_sqr (fun t => _ (v i t) + -1 * _ (v j t))); apply ac_plus; try assumption; now apply ac_scal.
   - intros t Ht Nt. destruct (Q t ltac:(lra) Nt) as (z & _ & Vz). eexists. split.
     + apply D_scal. apply (D_Sum n (fun i t => Sum n (fun j => (fst (v i t) + -1 * fst (v j t)) ^ 2 + (snd (v i t) + -1 * snd (v j t)) ^ 2))
@@ -2196,7 +2221,7 @@ Proof.
   - intros e He. set (h := e / (2 * K)). set (c := e / (4 * INR n ^ 4)).
     assert (Ph : 0 < h) by (apply Rdiv_lt_0_compat; lra). assert (Pc : 0 < c) by (apply Rdiv_lt_0_compat; lra).
     exists (c * h), h. split; [now apply Rmult_lt_0_compat|]. split; [exact Ph|]. intros t Ht G.
-    replace (c * h) with (c * (t + h - t)) by ring. apply (power_falls n V V' R0 r v P M d Hd t (t + h) c ltac:(lra)).
+    replace (c * h) with (c * (t + h - t)) by ring. apply (power_falls n V V' R0 r v P _ (always_moves n V' R0 r v M) d Hd t (t + h) c ltac:(lra) (fun _ _ => I)).
     + intros u i j Hu. apply Far. lra.
     + intros u Hu. pose proof (Slow t u ltac:(lra)) as Sx. pose proof (gaps_total u ltac:(lra)) as Gx.
       assert (K * (u - t) <= e / 2). { apply Rle_trans with (K * h); [apply Rmult_le_compat_l; lra|]. unfold h. right. field. lra. }
@@ -2234,7 +2259,7 @@ Proof.
       - apply (ac_falls (fun u => p (v i u)) N 0 t A HN ltac:(lra)). intros u Hu Nu. exists 0. split; [apply D; [lra|exact Nu]|lra].
       - apply Ropp_le_cancel. replace (- p (v i t)) with (-1 * p (v i t)) by ring. replace (- p (v i 0)) with (-1 * p (v i 0)) by ring.
         apply (ac_falls (fun u => -1 * p (v i u)) N 0 t (ac_scal (-1) _ A) HN ltac:(lra)). intros u Hu Nu. exists (-1 * 0). split; [apply D_scal, D; [lra|exact Nu]|lra]. }
-    destruct (v_axes n V' R0 r v M i Hi) as [A1 A2]. apply injective_projections.
+    destruct (v_axes n V' R0 r v _ (always_moves n V' R0 r v M) i Hi) as [A1 A2]. apply injective_projections.
     + apply (K fst A1). intros u Hu Nu. apply (Z u Hu Nu).
     + apply (K snd A2). intros u Hu Nu. apply (Z u Hu Nu).
 Qed.
