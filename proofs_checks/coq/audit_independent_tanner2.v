@@ -2409,3 +2409,69 @@ Proof.
   - apply (D_Sum n (fun j h => fst (pull adj V' (fun j => r j + RtoC h * (x j, y j))%C i j)) (fun j => if adj i j then ex j * stretch j else 0)). intros j Hj. apply (K j Hj).
   - apply (D_Sum n (fun j h => snd (pull adj V' (fun j => r j + RtoC h * (x j, y j))%C i j)) (fun j => if adj i j then ey j * stretch j else 0)). intros j Hj. apply (K j Hj).
 Qed.
+(* tanner2.thm2_coll clause 1 as long as a motion lasts: until T, of which the distance kept does not depend *)
+Definition motion10_until T n V' R0 (r v : nat -> R -> C) := apart_at n complete (fun i => r i 0) /\
+  (forall t i, 0 <= t < T -> (i < n)%nat -> is_velocity (r i) t (v i t)) /\
+  (forall i, (i < n)%nat -> forall T' e, 0 < T' < T -> 0 < e -> exists d, 0 < d /\ forall m (a b : nat -> R),
+    (forall k, (k < m)%nat -> 0 <= a k <= b k /\ b k <= T') -> (forall k, (Datatypes.S k < m)%nat -> b k <= a (Datatypes.S k)) ->
+    Sum m (fun k => b k - a k) < d -> Sum m (fun k => Cmod (v i (b k) - v i (a k))%C) < e) /\
+  exists N, negligible N /\ forall t, 0 <= t < T -> ~ N t -> apart_at n complete (fun i => r i t) ->
+    exists z, K10 n V' R0 (fun i => r i t) (fun i => v i t) z /\ forall i, (i < n)%nat -> is_velocity (v i) t (z i).
+Definition thm2_coll_until : Prop := forall n V V' R0 (r v : nat -> R -> C), 0 < R0 -> potentials n complete V V' -> apart_at n complete (fun i => r i 0) ->
+  exists d, 0 < d /\ forall T, motion10_until T n V' R0 r v -> forall t i j, 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> i <> j -> d < Cmod (r i t - r j t)%C.
+(* a function that goes on straight from c *)
+Lemma straight_on (f : R -> R) c l t l' : 0 <= t -> (t <= c -> is_derive f t l') -> (c <= t -> l' = l) ->
+  is_derive (fun u => f (Rmin u c) + l * Rmax (u - c) 0) t l'.
+Proof.
+  intros Ht D E. destruct (Rtotal_order t c) as [L|[Q|L]].
+  - specialize (D ltac:(lra)). apply (is_derive_ext_loc f); [|exact D]. exists (mkposreal (c - t) ltac:(lra)). intros u Hu. change (Rabs (u - t) < c - t) in Hu.
+    apply Rabs_lt_between in Hu. rewrite Rmin_left, Rmax_right by lra. Rring.
+  - subst t. specialize (D ltac:(lra)). rewrite (E ltac:(lra)) in *.
+    assert (Z : is_derive (fun u => f (Rmin u c) + l * Rmax (u - c) 0 + - l * u) c 0).
+    { apply (D_nearer _ (fun u => f u + - l * u)).
+      - eapply D_eq; [apply D_plus; [exact D|apply D_scal, D_id]|]. Rring.
+      - intros s. rewrite (Rmin_left c c), (Rmax_right (c - c) 0) by lra. destruct (Rle_or_lt s c) as [L|L].
+        + rewrite Rmin_left, Rmax_right by lra. right. f_equal. ring.
+        + rewrite Rmin_right, Rmax_left by lra. replace (f c + l * (s - c) + - l * s - (f c + l * 0 + - l * c)) with 0 by ring. rewrite Rabs_R0. apply Rabs_pos. }
+    apply (is_derive_ext (fun u => f (Rmin u c) + l * Rmax (u - c) 0 + - l * u + l * u)); [intros; Rring|].
+    eapply D_eq; [apply D_plus; [exact Z|apply D_scal, D_id]|]. Rring.
+  - rewrite (E ltac:(lra)). apply (is_derive_ext_loc (fun u => f c + l * (u - c))).
+    + exists (mkposreal (t - c) ltac:(lra)). intros u Hu. change (Rabs (u - t) < t - c) in Hu. apply Rabs_lt_between in Hu. rewrite Rmin_right, Rmax_left by lra. reflexivity.
+    + auto_derive; [exact I|ring].
+Qed.
+Lemma thm2_coll_until_holds : thm2_coll_until.
+Proof.
+  intros n V V' R0 r v HR P A0. destruct (start_allows n V V' R0 (fun i => r i 0) (fun i => v i 0) HR P A0) as (d & Al). exists d. split; [apply Al|].
+  intros T (_ & Mv & Ma & N & HN & Mz) t i j Ht Hi Hj Ne. set (c := (t + T) / 2). assert (Hc : t < c < T) by (unfold c; lra).
+  set (q := fun (i : nat) (u : R) => (r i (Rmin u c) + RtoC (Rmax (u - c) 0) * v i c)%C). set (p := fun (i : nat) (u : R) => v i (Rmin u c)).
+  assert (Eq : forall i u, u <= c -> q i u = r i u /\ p i u = v i u).
+  { intros k u Hu. unfold q, p. rewrite Rmin_left, Rmax_right by lra. split; [ring|reflexivity]. }
+  assert (W : moves_while n V' R0 q p (fun u => u < c)).
+  { split; [|split; [|split]].
+    - intros k l Hk Hl L E. rewrite (proj1 (Eq k 0 ltac:(lra))), (proj1 (Eq l 0 ltac:(lra))) in E. now apply (A0 k l).
+    - intros u k Hu Hk. assert (C1 : u <= c -> p k u = v k u) by (intros; now apply Eq). assert (C2 : c <= u -> p k u = v k c) by (intros; unfold p; now rewrite Rmin_right by lra).
+      split.
+      + apply (is_derive_ext (fun u => fst (r k (Rmin u c)) + fst (v k c) * Rmax (u - c) 0)); [intros; unfold q; cbn; ring|].
+        apply (straight_on (fun u => fst (r k u))); [exact Hu| |intros L; now rewrite C2]. intros L. rewrite C1 by exact L. apply Mv; [lra|exact Hk].
+      + apply (is_derive_ext (fun u => snd (r k (Rmin u c)) + snd (v k c) * Rmax (u - c) 0)); [intros; unfold q; cbn; ring|].
+        apply (straight_on (fun u => snd (r k u))); [exact Hu| |intros L; now rewrite C2]. intros L. rewrite C1 by exact L. apply Mv; [lra|exact Hk].
+    - intros k Hk S e HS He. destruct (Ma k Hk c e ltac:(lra) He) as (h & Hh & Q). exists h. split; [exact Hh|]. intros m a b I O Sm.
+      apply (Q m (fun x => Rmin (a x) c) (fun x => Rmin (b x) c)).
+      + intros x Hx. destruct (I x Hx). split; [|apply Rmin_r]. split; [apply Rmin_glb; lra|apply Rle_min_compat_r; lra].
+      + intros x Hx. apply Rle_min_compat_r. now apply O.
+      + apply Rle_lt_trans with (2 := Sm). apply Sum_le. intros x Hx. destruct (I x Hx). unfold Rmin. destruct (Rle_dec (b x) c), (Rle_dec (a x) c); lra.
+    - exists N. split; [exact HN|]. intros u Hu Lu Nu Au.
+      assert (E1 : (fun k => q k u) = (fun k => r k u)) by (apply FunctionalExtensionality.functional_extensionality; intros k; apply Eq; lra).
+      assert (E2 : (fun k => p k u) = (fun k => v k u)) by (apply FunctionalExtensionality.functional_extensionality; intros k; apply Eq; lra).
+      rewrite E1 in *. rewrite E2. destruct (Mz u ltac:(lra) Nu Au) as (z & Kz & Vz). exists z. split; [exact Kz|]. intros k Hk.
+      assert (Lo : locally u (fun x => v k x = p k x)).
+      { exists (mkposreal (c - u) ltac:(lra)). intros x Hx. change (Rabs (x - u) < c - u) in Hx. apply Rabs_lt_between in Hx. symmetry. apply Eq. lra. }
+      destruct (Vz k Hk) as [V1 V2]. split.
+      + apply (is_derive_ext_loc (fun x => fst (v k x))); [|exact V1]. revert Lo. apply filter_imp. intros x Hx. now rewrite Hx.
+      + apply (is_derive_ext_loc (fun x => snd (v k x))); [|exact V2]. revert Lo. apply filter_imp. intros x Hx. now rewrite Hx. }
+  assert (Al' : allows n V R0 (fun i => q i 0) (fun i => p i 0) d).
+  { assert (E1 : (fun k => q k 0) = (fun k => r k 0)) by (apply FunctionalExtensionality.functional_extensionality; intros k; apply Eq; lra).
+    assert (E2 : (fun k => p k 0) = (fun k => v k 0)) by (apply FunctionalExtensionality.functional_extensionality; intros k; apply Eq; lra). rewrite E1, E2. exact Al. }
+  pose proof (kept_apart_while n V V' R0 q p HR P _ W d Al' t ltac:(lra) ltac:(intros; lra) i j Hi Hj Ne) as K.
+  rewrite (proj1 (Eq i t ltac:(lra))), (proj1 (Eq j t ltac:(lra))) in K. exact K.
+Qed.
