@@ -2284,7 +2284,7 @@ Proof.
     destruct (Nat.eqb_spec k j); [contradiction|]. rewrite (D k j Hk Hj Ne). cbn. destruct (Rlt_dec 1 2); [reflexivity|lra].
 Qed.
 
-(* ---- corrected clauses, stated after the statements above were proved ---- *)
+(* ---- not independent: corrected clauses from their words, but after theorems on them had been seen ---- *)
 (* tanner2.S_config clause 2 *)
 Definition S_config_2 : Prop := forall n adj V V' r v t, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
   motion n adj V' r v -> 0 <= t -> Wdot n adj V r v t 0 -> forall i j, (i < n)%nat -> (j < n)%nat ->
