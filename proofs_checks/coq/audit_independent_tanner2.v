@@ -1,9 +1,10 @@
 (* Clauses of the claims about Tanner's second paper, formalised from their words before the theorems were looked at; the theorems
    prove them. *)
-From Coq Require Import Reals Lra Lia List Relations Psatz.
+From Coq Require Import Reals Lra Lia List Relations Psatz Classical Arith.Cantor.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient tanner_energy tanner_flock.
-From Flockproof Require tanner_nonsmooth tanner_graph tanner_saturated tanner_trees tanner_paths tanner2_motion tanner2_facts.
+From Flockproof Require tanner_nonsmooth tanner_graph tanner_saturated tanner_trees tanner_paths tanner2_motion tanner2_facts tanner2_examples
+  tanner2_switching tanner2_distance.
 Open Scope R_scope.
 
 (* the force of j on i and the control (4) *)
@@ -25,7 +26,7 @@ Definition potentials n (adj : graph) (V V' : nat -> nat -> R -> R) := (forall i
 Definition to_zero (z : R -> C) := forall e, 0 < e -> exists T, forall t, T <= t -> Cmod (z t) < e.
 Definition simple_graph adj := undirected adj /\ no_loops adj.
 
-(* tanner2.thm1a, thm1b, thm1c clause 2, cor3 *)
+(* tanner2.thm1a clause 1, tanner2.thm1b clause 1, tanner2.thm1c clause 2, tanner2.cor3 clause 1 *)
 Definition thm1a : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
   motion n adj V' r v -> forall i j, (i < n)%nat -> (j < n)%nat -> to_zero (fun t => v i t - v j t)%C.
 Definition thm1b : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
@@ -602,4 +603,1875 @@ Lemma lem2_3_proved : lem2_3.
 Proof.
   intros V V' R0 ri rj z H HR Hc At.
   apply (tanner_saturated.plane_gradient V V' R0 (V' R0) ri rj HR); try assumption; try reflexivity; intros; now apply H.
+Qed.
+
+(* ---- more clauses, stated before their theorems were looked at ---- *)
+(* Definition 3 whole: V_ij attains its unique minimum, at d_ij *)
+Definition def3 n (adj : graph) V V' (d : nat -> nat -> R) := potentials n adj V V' /\
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < d i j /\ forall s, 0 < s -> s <> d i j -> V i j (d i j) < V i j s.
+Definition form n (adj : graph) (x : nat -> R) : R := Sum n (fun i => x i * Sum n (fun j => lap n adj i j * x j)).
+(* lambda_2: the least value of the form on unit vectors normal to 1, and there an eigenvector *)
+Definition lambda2 n (adj : graph) (lam : R) := (forall x, Sum n x = 0 -> lam * Sum n (fun i => x i ^ 2) <= form n adj x) /\
+  exists x, Sum n x = 0 /\ 0 < Sum n (fun i => x i ^ 2) /\ forall i, (i < n)%nat -> Sum n (fun j => lap n adj i j * x j) = lam * x i.
+(* the rate of W at t along a motion *)
+Definition Wdot n adj V (r v : nat -> R -> C) t (w : R) := is_derive (fun s => energy6 n adj V (fun i => r i s) (fun i => v i s)) t w.
+
+(* tanner2.L clause 1: for any two orientations (and orders of the edges); the entries are those of lap *)
+Definition L_1 : Prop := forall n adj O O', simple_graph adj -> tanner_graph.oriented n adj O -> tanner_graph.oriented n adj O' ->
+  forall k m, (k < n)%nat -> (m < n)%nat ->
+  lsum O (fun f => inc k f * inc m f) = lsum O' (fun f => inc k f * inc m f) /\ lsum O (fun f => inc k f * inc m f) = lap n adj k m.
+(* tanner2.L clause 2 *)
+Definition L_2 : Prop := forall n adj O, simple_graph adj -> tanner_graph.oriented n adj O ->
+  let L k m := lsum O (fun f => inc k f * inc m f) in
+  (forall k m, (k < n)%nat -> (m < n)%nat -> L k m = L m k) /\ (forall x, 0 <= Sum n (fun k => x k * Sum n (fun m => L k m * x m))).
+(* tanner2.S_config clause 1, refuted: the printed statement with all the hypotheses of Theorem 1 *)
+Definition S_config_1 : Prop := ~ forall n adj V V' d r v t, simple_graph adj -> strongly_connected n adj -> def3 n adj V V' d ->
+  motion n adj V' r v -> 0 <= t -> Wdot n adj V r v t 0 -> (forall i j, (i < n)%nat -> (j < n)%nat -> v i t = v j t) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> (r i t - r j t = 0)%C.
+(* tanner2.bound_r clause 1, refuted; rho is the largest distance at which V_ij <= c (N - 1), and all pairs have potentials *)
+Definition bound_r_1 : Prop := ~ forall n adj V V' d r v c, (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj ->
+  def3 n complete V V' d -> apart_at n adj r -> 0 < c -> energy6 n adj V r v <= c -> forall i j rho, (i < n)%nat -> (j < n)%nat -> i <> j ->
+  0 < rho -> V i j rho <= c * (INR n - 1) -> (forall s, rho < s -> c * (INR n - 1) < V i j s) -> Cmod (r i - r j)%C <= rho.
+(* tanner2.bound_v clause 1, refuted: both printed inequalities *)
+Definition bound_v_1 : Prop :=
+  let printed (P : R -> C -> Prop) := forall n adj V V' d r v c, simple_graph adj -> strongly_connected n adj -> def3 n adj V V' d ->
+    apart_at n adj r -> 0 < c -> energy6 n adj V r v <= c -> forall i, (i < n)%nat -> P c (v i) in
+  ~ printed (fun c z => inner z z <= c) /\ ~ printed (fun c z => Cmod z <= sqrt c).
+(* tanner2.cor1 clause 1, refuted: distances of linked agents need not tend to the unique minima *)
+Definition cor1_1 : Prop := ~ forall n adj V V' d r v, simple_graph adj -> is_tree n adj -> def3 n adj V V' d -> motion n adj V' r v ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_lim (fun t => Cmod (r i t - r j t)%C) p_infty (d i j).
+(* tanner2.cor1 clause 2: what the display of the proof says, for every vector of gradients, and so for those of a configuration at rest *)
+Definition cor1_2 : Prop := forall n adj, simple_graph adj -> is_tree n adj ->
+  (forall O (g : nat * nat -> C), tanner_graph.oriented n adj O ->
+    (forall k, (k < n)%nat -> lsum O (fun f => inc k f * fst (g f)) = 0 /\ lsum O (fun f => inc k f * snd (g f)) = 0) ->
+    forall f, In f O -> g f = 0%C) /\
+  (forall V V' r, potentials n adj V V' -> apart_at n adj r -> (forall i, (i < n)%nat -> gradV n adj V' r i = 0%C) ->
+    forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> pull adj V' r i j = 0%C).
+(* tanner2.cor1 clause 3, refuted *)
+Definition cor1_3 : Prop := ~ forall V V' d, def3 2 complete V V' d -> forall s, 0 < s -> V' 0%nat 1%nat s = 0 -> s = d 0%nat 1%nat.
+(* tanner2.cor2_decomp clause 1 *)
+Definition parts n (v : nat -> C) (xp xn yp yn : nat -> R) := (forall i j, (i < n)%nat -> (j < n)%nat -> xp i = xp j /\ yp i = yp j) /\
+  Sum n xn = 0 /\ Sum n yn = 0 /\ forall i, (i < n)%nat -> fst (v i) = xp i + xn i /\ snd (v i) = yp i + yn i.
+Definition cor2_decomp : Prop := forall n adj (V V' : nat -> nat -> R -> R) r v t xp xn yp yn, simple_graph adj -> (forall i j s, V i j s = V j i s) ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s)) ->
+  apart_at n adj (fun i => r i t) ->
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)) ->
+  parts n (fun i => v i t) xp xn yp yn -> Wdot n adj V r v t (- form n adj xn - form n adj yn).
+(* tanner2.cor2_sub clause 1, refuted *)
+Definition cor2_sub_1 : Prop := ~ forall n adj V V' d r v t lam xp xn yp yn w, (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj ->
+  def3 n adj V V' d -> motion n adj V' r v -> 0 <= t -> lambda2 n adj lam -> parts n (fun i => v i t) xp xn yp yn -> Wdot n adj V r v t w ->
+  w <= - lam * (Sum n (fun i => xp i ^ 2) + Sum n (fun i => yp i ^ 2)).
+(* tanner2.cor2_rate clauses 1, 2, refuted; the rate is that of the loop linearised at the desired distances, where the second
+   derivatives of V_ij are k_ij: modes exp(s t) (x, y) with a complex s and complex amplitudes *)
+Definition mode n (adj : graph) (k : nat -> nat -> R) (r : nat -> C) (s : C) (x y : nat -> C) := forall i, (i < n)%nat ->
+  let ex j := RtoC (fst (r i - r j)%C / Cmod (r i - r j)%C) in let ey j := RtoC (snd (r i - r j)%C / Cmod (r i - r j)%C) in
+  let stretch j := (RtoC (k i j) * (ex j * (x i - x j) + ey j * (y i - y j)))%C in
+  (s * s * x i + s * Csum n (fun j => if adj i j then x i - x j else 0) + Csum n (fun j => if adj i j then ex j * stretch j else 0) = 0 /\
+   s * s * y i + s * Csum n (fun j => if adj i j then y i - y j else 0) + Csum n (fun j => if adj i j then ey j * stretch j else 0) = 0)%C.
+(* all modes but those of rate 0 decay faster than exp(-rho t) *)
+Definition decays n adj k r rho := forall s x y, mode n adj k r s x y -> (exists i, (i < n)%nat /\ (x i <> 0%C \/ y i <> 0%C)) ->
+  fst s = 0 \/ fst s < - rho.
+Definition at_distances n adj V V' d k (r : nat -> C) := (2 <= n)%nat /\ simple_graph adj /\ strongly_connected n adj /\ def3 n adj V V' d /\
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> Cmod (r i - r j)%C = d i j /\ is_derive (V' i j) (d i j) (k i j).
+Definition rate_1 : Prop := ~ forall n adj V V' d k r m adm U U' e q s lam rho, at_distances n adj V V' d k r -> at_distances m adm U U' e q s ->
+  lambda2 n adj lam -> lambda2 m adm lam -> 0 < rho -> decays n adj k r rho -> decays m adm q s rho.
+Definition rate_2 : Prop := ~ forall n adj more V V' d k r s lam mu rho, at_distances n adj V V' d k r -> at_distances n more V V' d k s ->
+  (forall i j, adj i j = true -> more i j = true) -> lambda2 n adj lam -> lambda2 n more mu -> lam < mu ->
+  0 < rho -> decays n adj k r rho -> decays n more k s rho.
+(* tanner2.eq14 clauses 1, 2, 3 in a fixed network; a motion stays in S where the rate of W is 0 at all times *)
+Definition eq14_1 : Prop := forall n adj V V' r v, simple_graph adj -> potentials n adj V V' -> apart_at n adj r ->
+  Sum n (fun i => fst (law4 n adj V' r v i)) = 0 /\ Sum n (fun i => snd (law4 n adj V' r v i)) = 0.
+Definition eq14_2 : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' -> motion n adj V' r v ->
+  (forall t, 0 <= t -> Wdot n adj V r v t 0) -> forall t, 0 <= t -> exists c, forall i, (i < n)%nat -> is_velocity (v i) t c.
+Definition eq14_3 : Prop := forall n adj V V' r v, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' -> motion n adj V' r v ->
+  (forall t, 0 <= t -> Wdot n adj V r v t 0) -> forall t i, 0 <= t -> (i < n)%nat -> is_velocity (v i) t 0%C /\ v i t = v i 0.
+(* tanner2.eq6 clause 1 *)
+Definition eq6_1 : Prop := forall n (adj : graph) (V : nat -> nat -> R -> R) r v, apart_at n adj r ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> 0 <= V i j s) -> 0 <= energy6 n adj V r v.
+(* tanner2.eq7 clause 1 *)
+Definition eq7_1 : Prop := forall n adj V V' c, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
+  exists B, forall r v, apart_at n adj r -> energy6 n adj V r v <= c -> forall i j, (i < n)%nat -> (j < n)%nat -> Cmod (r i - r j)%C <= B.
+(* tanner2.eq7 clause 2; connected or not *)
+Definition eq7_2 : Prop := forall n adj V V' c, simple_graph adj -> potentials n adj V V' ->
+  exists B, forall r v, apart_at n adj r -> energy6 n adj V r v <= c -> forall i, (i < n)%nat -> Cmod (v i) <= B.
+(* tanner2.eq8 clauses 2, 3, 4; gradients by what they are, the edges once each in any orientation *)
+Definition gradient (f : C -> R) (x g : C) := forall w, is_derive (fun h => f (x + RtoC h * w)%C) 0 (inner g w).
+Definition eq8_234 : Prop := forall n adj (V V' : nat -> nat -> R -> R) r v t O (g gi gj : nat -> nat -> C) (G : nat -> C), simple_graph adj ->
+  (forall i j s, V i j s = V j i s) -> (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> is_derive (V i j) s (V' i j s)) ->
+  apart_at n adj (fun i => r i t) -> (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) -> tanner_graph.oriented n adj O ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> gradient (fun z => V i j (Cmod z)) (r i t - r j t)%C (g i j) /\
+    gradient (fun z => V i j (Cmod (z - r j t)%C)) (r i t) (gi i j) /\ gradient (fun z => V i j (Cmod (r i t - z)%C)) (r j t) (gj i j)) ->
+  (forall i, (i < n)%nat -> gradient (fun z => Sum n (fun j => if adj i j then V i j (Cmod (z - r j t)%C) else 0)) (r i t) (G i)) ->
+  let by_pair := lsum O (fun f => inner (v (fst f) t - v (snd f) t)%C (g (fst f) (snd f))) in
+  let by_ends := lsum O (fun f => inner (v (fst f) t) (gi (fst f) (snd f)) + inner (v (snd f) t) (gj (fst f) (snd f))) in
+  is_derive (fun s => / 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0))) t by_pair /\
+  by_pair = by_ends /\ by_ends = Sum n (fun i => inner (v i t) (G i)).
+(* tanner2.lem1 clause 1, refuted: regular for no such V at R, so the lemma is false *)
+Definition lem1_1 : Prop := (forall V V' R0, smooth V V' -> 0 < R0 -> 0 < V' R0 -> ~ regular_at (saturate V R0) R0) /\
+  ~ forall V V' d R0, def3 2 complete V V' d -> d 0%nat 1%nat < R0 -> 0 < V' 0%nat 1%nat R0 ->
+    forall s, 0 < s -> regular_at (saturate (V 0%nat 1%nat) R0) s.
+(* tanner2.lem2 clause 1, refuted: empty for no such V *)
+Definition lem2_1 : Prop := forall V V' R0 ri rj, smooth V V' -> 0 < R0 -> 0 < V' R0 -> Cmod (ri - rj)%C = R0 ->
+  exists z, forall w, exists l, clarke_dd2 (fun y => saturate V R0 (Cmod (y - rj)%C)) ri w l /\ inner z w <= l.
+(* tanner2.thm1c clause 1, refuted, even for potentials whose derivatives vanish at the minimum only: V_i comes down to its least value *)
+Definition thm1c_1 : Prop := ~ forall n adj V V' d r v, simple_graph adj -> strongly_connected n adj -> def3 n adj V V' d ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> V' i j s = 0 -> s = d i j) -> motion n adj V' r v ->
+  let Vi q i := Sum n (fun j => if adj i j then V i j (Cmod (q i - q j)%C) else 0) in
+  forall i, (i < n)%nat -> forall q : nat -> C, apart_at n adj q -> forall e, 0 < e -> exists T, forall t, T <= t -> Vi (fun j => r j t) i < Vi q i + e.
+(* tanner2.vdotB clause 1, refuted; vdot is what the law says *)
+Definition vdotB_1 : Prop := ~ forall n adj V V' d r v O, simple_graph adj -> strongly_connected n adj -> def3 n adj V V' d ->
+  apart_at n adj r -> (forall i j, (i < n)%nat -> (j < n)%nat -> v i = v j) -> tanner_graph.oriented n adj O -> forall k, (k < n)%nat ->
+  law4 n adj V' r v k = (- gradV n adj V' r k)%C /\
+  law4 n adj V' r v k = (- lsum O (fun f => inc k f * fst (pull adj V' r (fst f) (snd f))), - lsum O (fun f => inc k f * snd (pull adj V' r (fst f) (snd f)))).
+(* beyond.tanner2.alternating_trees clause 1, the second corrected clause of tanner2.arbswitch; agents 0 to 3, tau the time for each; a motion for all times, along which (4) has a value *)
+Definition links_of (l : list (nat * nat)) : graph := fun i j =>
+  existsb (fun f => Nat.eqb i (fst f) && Nat.eqb j (snd f) || Nat.eqb j (fst f) && Nat.eqb i (snd f))%bool l.
+Definition alternating_trees : Prop := forall tau (r v : nat -> R -> C), 0 < tau ->
+  (forall t i, 0 <= t -> (i < 4)%nat -> is_velocity (r i) t (v i t) /\
+    continuity_pt (fun s => fst (v i s)) t /\ continuity_pt (fun s => snd (v i s)) t) ->
+  (forall k t, INR k * tau <= t < INR (k + 1) * tau ->
+    let adj := if Nat.even k then links_of ((0, 1) :: (1, 2) :: (2, 3) :: nil)%nat else links_of ((1, 3) :: (3, 0) :: (0, 2) :: nil)%nat in
+    apart_at 4 adj (fun i => r i t) /\
+    (INR k * tau < t -> forall i, (i < 4)%nat ->
+      is_velocity (v i) t (law4 4 adj (fun _ _ s => 2 * s - 2 / s ^ 3) (fun i => r i t) (fun i => v i t) i))) ->
+  ~ forall i j, (i < 4)%nat -> (j < 4)%nat -> to_zero (fun t => v i t - v j t)%C.
+(* tanner2.arbswitch clause 2, the first corrected one, and tanner2.thm2_vel clause 1: solutions of (10) after Definition 4, K of the whole field. At a state the limits of the field are
+   finitely many, so that their convex hull is closed; N the set of measure zero *)
+Definition limit_of_law n V' R0 (r v y : nat -> C) := forall e, 0 < e -> exists q u : nat -> C,
+  (forall i, (i < n)%nat -> Cmod (q i - r i)%C < e /\ Cmod (u i - v i)%C < e) /\
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (q i - q j)%C <> R0) /\
+  forall i, (i < n)%nat -> Cmod (law4 n (by_distance q R0) V' q u i - y i)%C < e.
+Definition K10 n V' R0 (r v z : nat -> C) := exists m (c : nat -> R) (y : nat -> nat -> C),
+  (forall k, (k < m)%nat -> 0 <= c k /\ limit_of_law n V' R0 r v (y k)) /\ Sum m c = 1 /\
+  forall i, (i < n)%nat -> z i = Csum m (fun k => RtoC (c k) * y k i)%C.
+Definition absolutely_continuous (z : R -> C) := forall T e, 0 < T -> 0 < e -> exists d, 0 < d /\ forall m (a b : nat -> R),
+  (forall k, (k < m)%nat -> 0 <= a k <= b k /\ b k <= T) -> (forall k, (S k < m)%nat -> b k <= a (S k)) ->
+  Sum m (fun k => b k - a k) < d -> Sum m (fun k => Cmod (z (b k) - z (a k))%C) < e.
+Definition negligible (N : R -> Prop) := forall e, 0 < e -> exists a b : nat -> R, (forall k, a k <= b k) /\
+  (forall t, N t -> exists k, a k < t < b k) /\ forall m, Sum m (fun k => b k - a k) <= e.
+Definition motion10 n V' R0 (r v : nat -> R -> C) := apart_at n complete (fun i => r i 0) /\
+  (forall t i, 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t)) /\ (forall i, (i < n)%nat -> absolutely_continuous (v i)) /\
+  exists N, negligible N /\ forall t, 0 <= t -> ~ N t -> apart_at n complete (fun i => r i t) ->
+    exists z, K10 n V' R0 (fun i => r i t) (fun i => v i t) z /\ forall i, (i < n)%nat -> is_velocity (v i) t (z i).
+Definition arbswitch_2 : Prop := forall n V V' R0 r v, 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v ->
+  (forall t, 0 <= t -> strongly_connected n (by_distance (fun i => r i t) R0)) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> to_zero (fun t => v i t - v j t)%C.
+(* tanner2.eq14 clauses 1, 2, 3 where links switch, (14): the limits of the law are normal to 1, and velocities that stay equal do not change *)
+Definition eq14_switching : Prop := forall n V V' R0 r v, 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v ->
+  (forall t z, 0 <= t -> apart_at n complete (fun i => r i t) -> K10 n V' R0 (fun i => r i t) (fun i => v i t) z -> Csum n z = 0%C) /\
+  ((forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> v i t = v j t) -> forall t i, 0 <= t -> (i < n)%nat -> v i t = v i 0).
+
+(* ---- and the theorems prove these ---- *)
+Lemma L_1_holds : L_1.
+Proof.
+  intros n adj O O' [S _] H H' k m Hk Hm. split; [now apply (tanner_graph.L_orientation n adj)|now apply tanner_graph.L_incidence].
+Qed.
+Lemma L_2_holds : L_2.
+Proof.
+  intros n adj O [S _] H L. assert (E : forall k m, (k < n)%nat -> (m < n)%nat -> L k m = lap n adj k m) by (intros; now apply tanner_graph.L_incidence).
+  split.
+  - intros k m Hk Hm. rewrite !E by assumption. now apply (proj1 (paley_gradient.lap_psd n adj (fun _ => RtoC 0) S)).
+  - intros x. destruct (paley_gradient.lap_psd n adj (fun i => RtoC (x i)) S) as [_ P]. apply Rle_trans with (1 := P). right.
+    apply Sum_ext. intros k Hk. rewrite inner_row, <- Sum_scal. apply Sum_ext. intros m Hm. rewrite (E k m Hk Hm), inner_xy. cbn. ring.
+Qed.
+Lemma eq6_1_holds : eq6_1.
+Proof.
+  intros n adj V r v A P. unfold energy6. apply Rmult_le_pos; [lra|]. apply Sum_ge0. intros i Hi. apply Rplus_le_le_0_compat; [|apply pow2_ge_0].
+  apply Sum_ge0. intros j Hj. destruct (adj i j) eqn:L; [|lra]. apply P; try assumption. apply tanner_flock.norm_neq. now apply A.
+Qed.
+Lemma eq7_1_holds : eq7_1.
+Proof.
+  intros n adj V V' c S SC P. destruct (potentials_are _ _ _ _ (one_of n adj V V' (proj1 S) P)) as (A & _ & C & _). destruct S as [S NL].
+  destruct n as [|n]; [exists 0; intros; lia|].
+  destruct (tanner_flock.all_distances (Datatypes.S n) adj (both V) (both V') c ltac:(lia) S NL SC A C) as [B Q].
+  exists B. intros r v D E. apply (Q r v D). now rewrite <- energy6_is, (energy_both _ adj V r v (proj1 P)).
+Qed.
+Lemma eq7_2_holds : eq7_2.
+Proof.
+  intros n adj V V' c S P. exists (sqrt (2 * c)). intros r v D E i Hi. now apply (bound_v_proved n adj V V' r v c S P D E).
+Qed.
+Lemma cor2_decomp_holds : cor2_decomp.
+Proof.
+  intros n adj V V' r v t xp xn yp yn [S NL] VS D A U (Pp & Zx & Zy & Pv). unfold Wdot.
+  apply (is_derive_ext (fun s => energy6 n adj (both V) (fun i => r i s) (fun i => v i s))); [intros; now apply energy_both|].
+  apply (is_derive_ext (fun s => Wenergy n adj (both V) (fun i => r i s) (fun i => v i s))); [intros; symmetry; apply energy6_is|].
+  assert (K : forall q : nat -> R, (forall i j, (i < n)%nat -> (j < n)%nat -> q i = q j) -> exists c, forall i, (i < n)%nat -> q i = c).
+  { intros q Q. exists (q 0%nat). intros i Hi. apply Q; lia. }
+  apply (tanner2_facts.cor2_decomp n adj (both V) (both V') r v t xp xn yp yn S (both_sym V')); try assumption.
+  - intros i Hi. now apply U.
+  - intros i j Hi Hj L. assert (0 < norm (r i t - r j t)%C) by (apply tanner_flock.norm_neq; now apply A).
+    apply both_derive; [exact VS|now apply D|]. apply D; try assumption. now rewrite S.
+  - intros i Hi. rewrite <- law4_is. destruct (both_law n adj V V' (fun i => r i t) (fun i => v i t) i S VS D Hi A) as (_ & _ & ->). now apply U.
+  - apply K. intros; now apply Pp.
+  - apply K. intros; now apply Pp.
+Qed.
+(* what vanishes from t on has the derivative 0 there *)
+Lemma zero_from (f : R -> R) t l : is_derive f t l -> (forall s, t <= s -> f s = 0) -> l = 0.
+Proof.
+  intros D Z. apply is_derive_Reals in D. apply cond_eq. intros e He. destruct (D e He) as [d Hd].
+  pose proof (cond_pos d) as P. specialize (Hd (d / 2) ltac:(lra)). rewrite Rabs_pos_eq in Hd by lra. specialize (Hd ltac:(lra)).
+  rewrite !Z in Hd by lra. replace ((0 - 0) / (d / 2) - l) with (- (l - 0)) in Hd by (field; lra). now rewrite Rabs_Ropp in Hd.
+Qed.
+Lemma pull_swap n adj V V' r i j : simple_graph adj -> potentials n adj V V' -> apart_at n adj r -> (i < n)%nat -> (j < n)%nat ->
+  pull adj V' r j i = (- pull adj V' r i j)%C.
+Proof.
+  intros [S NL] P A Hi Hj. pose proof (slopes_of n adj V V' P) as D. unfold pull. rewrite (S j i). destruct (adj i j) eqn:L.
+  - assert (N : Cmod (r j - r i)%C = Cmod (r i - r j)%C) by (replace (r j - r i)%C with (- (r i - r j))%C by ring; apply Cmod_opp). rewrite N.
+    pose proof (tanner_flock.norm_neq _ _ (A i j Hi Hj L)) as Q. unfold norm in Q.
+    assert (L' : adj j i = true) by now rewrite S.
+    rewrite <- (both_slope V V' j i _ (proj1 P) (D j i _ Hj Hi L' Q) (D i j _ Hi Hj L Q)), (both_sym V' j i).
+    rewrite (both_slope V V' i j _ (proj1 P) (D i j _ Hi Hj L Q) (D j i _ Hj Hi L' Q)). ring.
+  - apply injective_projections; cbn; ring.
+Qed.
+Lemma eq14_1_holds : eq14_1.
+Proof.
+  intros n adj V V' r v S P A.
+  assert (K : forall p : C -> R, (forall a b, p (a + b)%C = p a + p b) -> (forall a, p (- a)%C = - p a) -> p 0%C = 0 ->
+    (forall f, p (Csum n f) = Sum n (fun j => p (f j))) -> Sum n (fun i => p (law4 n adj V' r v i)) = 0).
+  { intros p P1 P2 P0 P3. rewrite (Sum_ext n _ (fun i => Sum n (fun j => - p (if adj i j then v i - v j else 0)%C - p (pull adj V' r i j)))).
+    - apply Sum_antisym. intros i j Hi Hj. rewrite (pull_swap n adj V V' r i j S P A Hi Hj), P2, (proj1 S j i).
+      destruct (adj i j); [|rewrite P0; ring]. replace (v j - v i)%C with (- (v i - v j))%C by ring. rewrite P2. ring.
+    - intros i Hi. unfold law4, gradV, Cminus. rewrite P1, !P2, !P3, Sum_minus, Sum_opp. reflexivity. }
+  split; (apply K; [intros; reflexivity|intros; reflexivity|reflexivity|intros; reflexivity]).
+Qed.
+Lemma in_S n adj V V' r v : simple_graph adj -> strongly_connected n adj -> potentials n adj V V' -> motion n adj V' r v ->
+  (forall t, 0 <= t -> Wdot n adj V r v t 0) -> forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> v i t = v j t.
+Proof.
+  intros S SC P M Z t i j Ht Hi Hj. pose proof (apart_always n adj V V' r v S P M t Ht) as A.
+  pose proof (eq9_proved n adj V V' r v t S (proj1 P) (slopes_of n adj V V' P) A) as E.
+  assert (U : forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)).
+  { intros k Hk. destruct M as [_ M]. destruct (M t k Ht Hk) as [M1 M2]. split; [exact M1|now apply M2]. }
+  specialize (E U). cbv zeta in E. apply is_derive_unique in E. rewrite (is_derive_unique _ _ _ (Z t Ht)), !form_is in E.
+  apply (tanner2_facts.S_config_corrected n adj (fun i => v i t)); try assumption; [lia|apply S|]. rewrite tanner_energy.kron_split. cbv beta in *. lra.
+Qed.
+Lemma moves_law n adj V V' r v t i : simple_graph adj -> potentials n adj V V' -> motion n adj V' r v -> 0 <= t -> (i < n)%nat ->
+  is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i).
+Proof. intros S P M Ht Hi. destruct (proj2 M t i Ht Hi) as [_ Q]. apply Q. now apply (apart_always n adj V V' r v). Qed.
+Lemma equal_rates (x y : R -> C) t a b : is_velocity x t a -> is_velocity y t b -> (forall s, t <= s -> x s = y s) -> a = b.
+Proof.
+  intros [X1 X2] [Y1 Y2] E. apply injective_projections; apply Rminus_diag_uniq.
+  - apply (zero_from (fun s => fst (x s) - fst (y s)) t); [now apply D_minus|]. intros s Hs. rewrite (E s Hs). ring.
+  - apply (zero_from (fun s => snd (x s) - snd (y s)) t); [now apply D_minus|]. intros s Hs. rewrite (E s Hs). ring.
+Qed.
+Lemma eq14_2_holds : eq14_2.
+Proof.
+  intros n adj V V' r v S SC P M Z t Ht. destruct n as [|n]; [exists 0%C; intros; lia|].
+  exists (law4 (Datatypes.S n) adj V' (fun i => r i t) (fun i => v i t) 0%nat). intros i Hi.
+  replace (law4 _ _ _ _ _ 0%nat) with (law4 (Datatypes.S n) adj V' (fun i => r i t) (fun i => v i t) i); [now apply (moves_law _ _ V)|].
+  apply (equal_rates (v i) (v 0%nat) t); [now apply (moves_law _ _ V)|apply (moves_law _ _ V); try assumption; lia|].
+  intros s Hs. apply (in_S (Datatypes.S n) adj V V' r v); try assumption; [lra|lia].
+Qed.
+Lemma still (f : R -> R) t : 0 <= t -> (forall s, 0 <= s -> is_derive f s 0) -> f t = f 0.
+Proof.
+  intros Ht D. apply Rle_antisym.
+  - apply (decreasing f (fun _ => 0)); [exact Ht|intros; apply D; lra|intros; lra].
+  - apply Ropp_le_cancel. apply (decreasing (fun s => - f s) (fun _ => 0)); [exact Ht| |intros; lra].
+    intros s Hs. eapply D_eq; [apply D_opp, D; lra|]. apply Ropp_0.
+Qed.
+Lemma eq14_3_holds : eq14_3.
+Proof.
+  intros n adj V V' r v S SC P M Z.
+  assert (K : forall t i, 0 <= t -> (i < n)%nat -> is_velocity (v i) t 0%C).
+  { intros t i Ht Hi. pose proof (apart_always n adj V V' r v S P M t Ht) as A.
+    destruct (eq14_2_holds n adj V V' r v S SC P M Z t Ht) as [c Hc].
+    destruct (eq14_1_holds n adj V V' (fun i => r i t) (fun i => v i t) S P A) as [E1 E2].
+    assert (L : forall j, (j < n)%nat -> law4 n adj V' (fun i => r i t) (fun i => v i t) j = c).
+    { intros j Hj. apply (equal_rates (v j) (v j) t); [now apply (moves_law n adj V)|now apply Hc|reflexivity]. }
+    rewrite (Sum_ext n _ (fun _ => fst c)) in E1 by (intros j Hj; now rewrite L). rewrite (Sum_ext n _ (fun _ => snd c)) in E2 by (intros j Hj; now rewrite L).
+    rewrite Sum_const in E1, E2. assert (Pn : 0 < INR n) by (apply lt_0_INR; lia).
+    assert (F1 : fst c = 0) by (apply (Rmult_eq_reg_l (INR n)); lra). assert (F2 : snd c = 0) by (apply (Rmult_eq_reg_l (INR n)); lra).
+    assert (F : c = 0%C) by (apply injective_projections; assumption). rewrite <- F. now apply Hc. }
+  intros t i Ht Hi. split; [now apply K|]. apply injective_projections.
+  - apply (still (fun s => fst (v i s)) t Ht). intros s Hs. apply (K s i Hs Hi).
+  - apply (still (fun s => snd (v i s)) t Ht). intros s Hs. apply (K s i Hs Hi).
+Qed.
+(* V = s^2 + s^-2 - 2, with the minimum 0 at 1 *)
+Definition spring (s : R) : R := s ^ 2 + / s ^ 2 - 2.
+Definition spring' (s : R) : R := 2 * s - 2 / s ^ 3.
+Lemma spring_square s : 0 < s -> spring s = (s - / s) ^ 2.
+Proof. intros Hs. unfold spring. field. lra. Qed.
+Lemma spring_above s t : 1 <= s -> s < t -> spring s < spring t.
+Proof.
+  intros Hs Ht. rewrite !spring_square by lra. assert (/ t < / s) by (apply Rinv_lt_contravar; nra). assert (/ s <= 1) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra).
+  assert (0 <= s - / s < t - / t) by lra. nra.
+Qed.
+Lemma spring_minimum s : 0 < s -> s <> 1 -> spring 1 < spring s.
+Proof.
+  intros Hs N. rewrite !spring_square by lra. replace ((1 - / 1) ^ 2) with 0 by field. apply pow2_gt_0. intros E. apply N.
+  assert ((s - / s) * s = 0) by (rewrite E; ring). replace ((s - / s) * s) with ((s - 1) * (s + 1)) in H by (field; lra).
+  apply Rmult_integral in H. lra.
+Qed.
+Lemma potentials_of n adj (V V' : R -> R) : tanner_flock.potential V V' -> (forall s, 0 < s -> continuity_pt V' s) ->
+  potentials n adj (fun _ _ => V) (fun _ _ => V').
+Proof.
+  intros (P1 & P2 & P3) K. split; [reflexivity|]. intros i j _ _ _. split; [|split; [exact P2|exact P3]]. intros s Hs.
+  destruct (P1 s Hs) as [A B]. split; [exact A|split; [now apply K|exact B]].
+Qed.
+Lemma spring_def3 n adj : def3 n adj (fun _ _ => spring) (fun _ _ => spring') (fun _ _ => 1).
+Proof.
+  split.
+  - apply potentials_of; [exact tanner2_switching.spring_potential|]. intros s Hs. apply continuity_pt_filterlim, (ex_derive_continuous spring').
+    unfold spring'. auto_derive. assert (0 < s ^ 3) by (apply pow_lt; lra). simpl in *. lra.
+  - intros i j _ _ _. split; [lra|]. intros s. apply spring_minimum.
+Qed.
+Lemma lem1_1_holds : lem1_1.
+Proof.
+  assert (F : forall V V' R0, smooth V V' -> 0 < R0 -> 0 < V' R0 -> ~ regular_at (saturate V R0) R0).
+  { intros V V' R0 H HR Hc. apply (tanner_nonsmooth.lemma1_fails V V' R0 (V' R0)); try assumption; try reflexivity; intros; now apply H. }
+  split; [exact F|]. intros Q. pose proof (spring_def3 2 complete) as D.
+  assert (P : 0 < spring' 2) by (unfold spring'; lra).
+  apply (F spring spring' 2); [|lra|exact P|exact (Q _ _ _ 2 D ltac:(lra) P 2 ltac:(lra))].
+  intros s Hs. destruct D as [[_ D] _]. destruct (D 0%nat 1%nat ltac:(lia) ltac:(lia) eq_refl) as [D1 _]. destruct (D1 s Hs) as (A & B & _). now split.
+Qed.
+(* two agents, linked *)
+Lemma complete_simple : simple_graph complete.
+Proof. split; [apply complete_undirected|apply complete_no_loops]. Qed.
+Definition on_line (x : nat -> R) (i : nat) : C := RtoC (x i).
+Lemma line_distance x i j : Cmod (on_line x i - on_line x j)%C = Rabs (x i - x j).
+Proof. unfold on_line. rewrite <- RtoC_minus. apply Cmod_R. Qed.
+Definition at2 (a : R) (i : nat) : R := match i with 0%nat => 0 | _ => a end.
+Lemma pair_apart a : a <> 0 -> apart_at 2 complete (on_line (at2 a)).
+Proof.
+  intros Ha i j Hi Hj L E. apply (f_equal fst) in E. unfold on_line, at2 in E. cbn in E.
+  destruct i as [|[|]], j as [|[|]]; try lia; try discriminate L; congruence.
+Qed.
+Lemma line_velocity (p u : C) t : is_velocity (fun s => p + RtoC s * u)%C t u.
+Proof.
+  split.
+  - apply (is_derive_ext (fun s => fst p + s * fst u)); [intros s; cbn; ring|]. auto_derive; [exact I|ring].
+  - apply (is_derive_ext (fun s => snd p + s * snd u)); [intros s; cbn; ring|]. auto_derive; [exact I|ring].
+Qed.
+Lemma rest_velocity (u : C) t : is_velocity (fun _ => u) t 0%C.
+Proof. split; apply D_const. Qed.
+(* they stay at a distance a at which V' = 0, in a common motion of velocity u *)
+Lemma pair_motion V' a u : 0 < a -> V' a = 0 -> motion 2 complete (fun _ _ => V') (fun i s => on_line (at2 a) i + RtoC s * u)%C (fun _ _ => u).
+Proof.
+  intros Ha Z. split.
+  - intros i j Hi Hj L E. apply (pair_apart a ltac:(lra) i j Hi Hj L). replace (on_line (at2 a) i) with (on_line (at2 a) i + RtoC 0 * u)%C by ring.
+    rewrite E. ring.
+  - intros t i Ht Hi. split; [apply line_velocity|]. intros _.
+    replace (law4 _ _ _ _ _ i) with (RtoC 0); [apply rest_velocity|]. symmetry.
+    assert (N : forall k j, (k < 2)%nat -> (j < 2)%nat -> complete k j = true -> V' (Cmod (on_line (at2 a) k + RtoC t * u - (on_line (at2 a) j + RtoC t * u))%C) = 0).
+    { intros k j Hk Hj L. replace (on_line (at2 a) k + RtoC t * u - (on_line (at2 a) j + RtoC t * u))%C with (on_line (at2 a) k - on_line (at2 a) j)%C by ring.
+      rewrite line_distance. rewrite <- Z. f_equal. unfold at2.
+      destruct k as [|[|]], j as [|[|]]; try lia; try discriminate L; unfold Rabs; destruct (Rcase_abs _); lra. }
+    unfold law4, gradV. rewrite !Csum_0; [ring| |].
+    + intros j Hj. unfold pull. destruct (complete i j) eqn:L; [|reflexivity]. rewrite (N i j Hi Hj L). unfold Rdiv. rewrite Rmult_0_l. ring.
+    + intros j _. destruct (complete i j); [ring|reflexivity].
+Qed.
+Lemma pair_energy V a u : 0 < a -> energy6 2 complete (fun _ _ => V) (on_line (at2 a)) u = V a + / 2 * (Cmod (u 0%nat) ^ 2 + Cmod (u 1%nat) ^ 2).
+Proof.
+  intros Ha. unfold energy6. cbn [Sum complete Nat.eqb negb]. rewrite !line_distance. unfold at2.
+  replace (Rabs (0 - a)) with a by (rewrite Rabs_left; lra). replace (Rabs (a - 0)) with a by (rewrite Rabs_pos_eq; lra). field.
+Qed.
+Lemma energy_moved n adj V p w u : energy6 n adj V (fun i => p i + w)%C u = energy6 n adj V p u.
+Proof.
+  unfold energy6. f_equal. apply Sum_ext. intros i _. f_equal. apply Sum_ext. intros j _.
+  replace (p i + w - (p j + w))%C with (p i - p j)%C by ring. reflexivity.
+Qed.
+Lemma pair_Wdot V a u t : Wdot 2 complete (fun _ _ => V) (fun i s => on_line (at2 a) i + RtoC s * u)%C (fun _ _ => u) t 0.
+Proof.
+  unfold Wdot. apply (is_derive_ext (fun _ => energy6 2 complete (fun _ _ => V) (on_line (at2 a)) (fun _ => u))); [intros s; symmetry; apply energy_moved|].
+  apply D_const.
+Qed.
+Lemma complete_joined n : strongly_connected n complete.
+Proof. apply tanner2_examples.complete_connected. Qed.
+Lemma spring_rest : spring' 1 = 0.
+Proof. unfold spring'. field. Qed.
+Lemma S_config_1_holds : S_config_1.
+Proof.
+  intros Q. pose proof (Q 2%nat complete _ _ _ _ _ 0 complete_simple (complete_joined 2) (spring_def3 2 complete)
+    (pair_motion spring' 1 0%C Rlt_0_1 spring_rest) (Rle_refl 0) (pair_Wdot spring 1 0%C 0) ltac:(reflexivity) 0%nat 1%nat ltac:(lia) ltac:(lia)) as E.
+  apply (f_equal fst) in E. cbn in E. lra.
+Qed.
+Lemma bound_v_1_holds : bound_v_1.
+Proof.
+  set (u := fun i : nat => match i with 0%nat => RtoC 1 | _ => RtoC 0 end).
+  assert (W : energy6 2 complete (fun _ _ => spring) (on_line (at2 1)) u <= / 2).
+  { rewrite pair_energy by lra. unfold u. rewrite !Cmod_R, Rabs_R1, Rabs_R0. unfold spring. lra. }
+  assert (A : apart_at 2 complete (on_line (at2 1))) by (apply pair_apart; lra).
+  split; intros Q; pose proof (Q 2%nat complete _ _ _ _ u (/ 2) complete_simple (complete_joined 2) (spring_def3 2 complete) A ltac:(lra) W 0%nat ltac:(lia)) as E;
+    unfold u in E; cbv beta iota in E.
+  - rewrite inner_self, Cmod_R, Rabs_R1 in E. lra.
+  - rewrite Cmod_R, Rabs_R1 in E. assert (sqrt (/ 2) < sqrt 1) by (apply sqrt_lt_1_alt; lra). rewrite sqrt_1 in H. lra.
+Qed.
+Lemma links_simple l : (forall f, In f l -> fst f <> snd f) -> simple_graph (links_of l).
+Proof.
+  intros H. split.
+  - intros i j. unfold links_of. induction l as [|f l IH]; [reflexivity|]. cbn [existsb]. rewrite IH by (intros; apply H; now right).
+    f_equal. apply Bool.orb_comm.
+  - intros i. unfold links_of. induction l as [|f l IH]; [reflexivity|]. cbn [existsb]. rewrite IH by (intros; apply H; now right).
+    pose proof (H f (or_introl eq_refl)). destruct (Nat.eqb_spec i (fst f)), (Nat.eqb_spec i (snd f)); cbn; congruence.
+Qed.
+Definition three : graph := links_of ((0, 1) :: (1, 2) :: nil)%nat.
+Lemma three_simple : simple_graph three.
+Proof. apply links_simple. intros f [<-|[<-|[]]]; cbn; lia. Qed.
+Lemma three_joined : strongly_connected 3 three.
+Proof.
+  assert (A : forall j k, (j < 3)%nat -> (k < 3)%nat -> three k j = true -> clos_refl_trans nat (arc 3 three) j k) by (intros; apply rt_step; repeat split; assumption).
+  assert (B : forall j, (j < 3)%nat -> clos_refl_trans nat (arc 3 three) j 1%nat /\ clos_refl_trans nat (arc 3 three) 1%nat j).
+  { intros [|[|[|]]] H; try lia; split; try (apply A; [lia|lia|reflexivity]); apply rt_refl. }
+  intros j k Hj Hk. apply rt_trans with 1%nat; now apply B.
+Qed.
+Lemma bound_r_1_holds : bound_r_1.
+Proof.
+  intros Q. assert (A : apart_at 3 three (on_line INR)).
+  { intros i j Hi Hj L E. apply (f_equal fst) in E. apply INR_eq in E. subst. rewrite (proj2 three_simple) in L. discriminate. }
+  assert (W : energy6 3 three (fun _ _ => spring) (on_line INR) (fun _ => 0%C) <= 25 / 72).
+  { unfold energy6. cbn [Sum three links_of existsb Nat.eqb fst snd andb orb]. rewrite !line_distance, Cmod_0. cbn [INR].
+    replace (Rabs (0 - 1)) with 1 by (rewrite Rabs_left; lra). replace (Rabs (1 - 0)) with 1 by (rewrite Rabs_pos_eq; lra).
+    replace (Rabs (1 - (1 + 1))) with 1 by (rewrite Rabs_left; lra). replace (Rabs (1 + 1 - 1)) with 1 by (rewrite Rabs_pos_eq; lra).
+    replace (spring 1) with 0 by (unfold spring; field). lra. }
+  pose proof (Q 3%nat three _ _ _ _ _ (25 / 72) ltac:(lia) three_simple three_joined (spring_def3 3 complete) A ltac:(lra) W 0%nat 2%nat (3 / 2)
+    ltac:(lia) ltac:(lia) ltac:(lia) ltac:(lra)) as E. cbv beta in E.
+  replace (25 / 72 * (INR 3 - 1)) with (spring (3 / 2)) in E by (unfold spring; cbn [INR]; field).
+  specialize (E (Rle_refl _) (fun s Hs => spring_above (3 / 2) s ltac:(lra) Hs)). rewrite line_distance in E. cbn [INR] in E.
+  rewrite Rabs_left in E by lra. lra.
+Qed.
+(* the potential of Corollary 1 that is flat at 2 *)
+Lemma flat_def3 n adj : def3 n adj (fun _ _ => tanner2_examples.VB) (fun _ _ => tanner2_examples.VB') (fun _ _ => 1).
+Proof.
+  split.
+  - apply potentials_of; [exact tanner2_examples.VB_potential|]. intros s Hs. apply continuity_pt_filterlim, (ex_derive_continuous tanner2_examples.VB').
+    unfold tanner2_examples.VB'. auto_derive. assert (0 < s ^ 2) by (apply pow_lt; lra). simpl in *. lra.
+  - intros i j _ _ _. split; [lra|]. apply (proj1 (proj2 tanner2_examples.cor1_stuck)).
+Qed.
+Lemma flat_at_2 : tanner2_examples.VB' 2 = 0.
+Proof. unfold tanner2_examples.VB'. field. Qed.
+Lemma pair_tree : is_tree 2 complete.
+Proof.
+  split; [apply complete_joined|]. intros i [|a [|b l]] Hi N P L; cbn in L; try lia. destruct P as (Ha & _ & Hb & _).
+  inversion N as [|? ? N1 N2]; subst. inversion N2 as [|? ? N3 _]; subst. cbn in N1, N3. lia.
+Qed.
+Lemma cor1_1_holds : cor1_1.
+Proof.
+  intros Q. pose proof (Q 2%nat complete _ _ _ _ _ complete_simple pair_tree (flat_def3 2 complete) (pair_motion _ 2 0%C Rlt_0_2 flat_at_2)
+    0%nat 1%nat ltac:(lia) ltac:(lia) eq_refl) as E. cbv beta in E.
+  apply (is_lim_ext _ (fun _ => 2)) in E.
+  - apply is_lim_unique in E. rewrite Lim_const in E. injection E. lra.
+  - intros t. replace (on_line (at2 2) 0 + RtoC t * 0 - (on_line (at2 2) 1 + RtoC t * 0))%C with (on_line (at2 2) 0%nat - on_line (at2 2) 1%nat)%C by ring.
+    rewrite line_distance. cbn. rewrite Rabs_left; lra.
+Qed.
+Lemma cor1_2_holds : cor1_2.
+Proof.
+  intros n adj S T. split.
+  - intros O g HO Z f Hf. destruct (cor1_5_proved n adj (fun _ _ _ => 0) (fun _ _ _ => 0) (fun _ _ => 0%C) (fun _ _ => 0%C) S T) as [K _].
+    apply injective_projections; [apply (K O (fun f => fst (g f)) HO)|apply (K O (fun f => snd (g f)) HO)]; try assumption; intros k Hk; now apply Z.
+  - intros V V' r P A Z i j Hi Hj L.
+    assert (M : motion n adj V' (fun i _ => r i) (fun _ _ => 0%C)).
+    { split; [exact A|]. intros t k _ Hk. split; [apply rest_velocity|]. intros _.
+      replace (law4 _ _ _ _ _ k) with (RtoC 0); [apply rest_velocity|]. unfold law4. cbv beta.
+      change (gradV n adj V' (fun i => r i) k) with (gradV n adj V' r k). rewrite (Z k Hk), Csum_0; [ring|]. intros m _. destruct (adj k m); [ring|reflexivity]. }
+    pose proof (proj2 (cor1_5_proved n adj V V' _ _ S T) P M i j Hi Hj) as Q. cbv beta in Q.
+    destruct (Req_dec (Cmod (pull adj V' r i j)) 0) as [E|N]; [now apply Cmod_eq_0|exfalso].
+    pose proof (Cmod_ge_0 (pull adj V' r i j)). destruct (Q (Cmod (pull adj V' r i j)) ltac:(lra)) as [T0 B]. specialize (B T0 (Rle_refl _)).
+    cbv beta in B. change (Cmod (pull adj V' r i j) < Cmod (pull adj V' r i j)) in B. lra.
+Qed.
+Lemma cor1_3_holds : cor1_3.
+Proof. intros Q. pose proof (Q _ _ _ (flat_def3 2 complete) 2 Rlt_0_2 flat_at_2). cbv beta in H. lra. Qed.
+Lemma lem2_1_holds : lem2_1.
+Proof.
+  intros V V' R0 ri rj H HR Hc At. exists 0%C. intros w. eexists. split.
+  - apply clarke2_is. apply (tanner_saturated.plane_clarke V V' R0 (V' R0) ri rj HR); try assumption; try reflexivity; intros; now apply H.
+  - rewrite inner_xy. cbn. rewrite !Rmult_0_l, Rplus_0_r. apply Rmax_l.
+Qed.
+Lemma alternating_trees_holds : alternating_trees.
+Proof.
+  intros tau r v Ht M L Q. refine (tanner2_switching.paths_never_agree tau r v Ht _ _ _).
+  - intros t i H Hi. destruct (M t i ltac:(lra) Hi) as (A & B & D). split; [exact A|now split].
+  - intros k t H. assert (E : INR (k + 1) = INR k + 1) by (rewrite plus_INR; reflexivity).
+    destruct (L k t ltac:(rewrite E; lra)) as [A B]. split.
+    + unfold tanner2_switching.turn. destruct (Nat.even k); exact A.
+    + intros i Hi. specialize (B ltac:(lra) i Hi). rewrite law4_is in B. unfold tanner2_switching.turn. destruct (Nat.even k); exact B.
+  - intros i j Hi Hj e He. destruct (Q i j Hi Hj e He) as [T B]. exists (Rmax 0 T). split; [apply Rmax_l|]. intros t Hm. apply B.
+    pose proof (Rmax_r 0 T). lra.
+Qed.
+Lemma pair_lambda2 : lambda2 2 complete 2.
+Proof.
+  split.
+  - intros x Z. unfold form, lap, deg, w, delta, complete. cbn [Sum Nat.eqb negb] in *. assert (x 1%nat = - x 0%nat) by lra. rewrite H. right. ring.
+  - exists (fun i => match i with 0%nat => 1 | _ => -1 end). cbn [Sum]. split; [ring|]. split; [lra|].
+    intros [|[|]] Hi; try lia; unfold lap, deg, w, delta, complete; cbn [Sum Nat.eqb negb]; ring.
+Qed.
+Lemma cor2_sub_1_holds : cor2_sub_1.
+Proof.
+  intros Q. assert (P : parts 2 (fun _ => RtoC 1) (fun _ => 1) (fun _ => 0) (fun _ => 0) (fun _ => 0)).
+  { split; [split; reflexivity|]. cbn [Sum]. repeat split; try ring; cbn; ring. }
+  pose proof (Q 2%nat complete _ _ _ _ _ 0 2 _ _ _ _ 0 ltac:(lia) complete_simple (complete_joined 2) (spring_def3 2 complete)
+    (pair_motion spring' 1 (RtoC 1) Rlt_0_1 spring_rest) (Rle_refl 0) pair_lambda2 P (pair_Wdot spring 1 (RtoC 1) 0)) as E.
+  cbn [Sum] in E. lra.
+Qed.
+(* ---- the two examples of rates: V = k (s^2 + s^-2 - 2) ---- *)
+Definition soft (k s : R) : R := k * spring s.
+Definition soft' (k s : R) : R := k * spring' s.
+Lemma soft_def3 k n adj : 0 < k -> def3 n adj (fun _ _ => soft k) (fun _ _ => soft' k) (fun _ _ => 1).
+Proof.
+  intros Hk. split.
+  - split; [reflexivity|]. intros i j Hi Hj L. destruct (spring_def3 n adj) as [[_ P] _]. destruct (P i j Hi Hj L) as (P1 & P2 & P3). split; [|split].
+    + intros s Hs. destruct (P1 s Hs) as (A & B & D). split; [now apply D_scal|]. split; [|apply Rmult_le_pos; lra].
+      now apply (continuity_pt_scal spring' k).
+    + intros c. destruct (P2 (c / k)) as [d [Hd B]]. exists d. split; [exact Hd|]. intros s Hs. specialize (B s Hs). unfold soft.
+      apply (Rmult_lt_compat_l k) in B; [|exact Hk]. replace (k * (c / k)) with c in B by (field; lra). exact B.
+    + intros c. destruct (P3 (c / k)) as [d B]. exists d. intros s Hs. specialize (B s Hs). unfold soft.
+      apply (Rmult_lt_compat_l k) in B; [|exact Hk]. replace (k * (c / k)) with c in B by (field; lra). exact B.
+  - intros i j _ _ _. split; [lra|]. intros s Hs N. apply Rmult_lt_compat_l; [exact Hk|now apply spring_minimum].
+Qed.
+Lemma soft_second k : is_derive (soft' k) 1 (8 * k).
+Proof.
+  unfold soft', spring'. auto_derive; [lra|]. field.
+Qed.
+Lemma soft_at_distances k n adj r : 0 < k -> (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> Cmod (r i - r j)%C = 1) ->
+  at_distances n adj (fun _ _ => soft k) (fun _ _ => soft' k) (fun _ _ => 1) (fun _ _ => 8 * k) r.
+Proof.
+  intros Hk Hn S SC D. split; [exact Hn|]. split; [exact S|]. split; [exact SC|]. split; [now apply soft_def3|].
+  intros i j Hi Hj L. split; [now apply D|apply soft_second].
+Qed.
+(* complex roots of s^2 + p s + q *)
+Lemma root_side p q rho s : rho < p / 2 -> 0 < rho ^ 2 - p * rho + q -> (s * s + RtoC p * s + RtoC q = 0)%C -> fst s < - rho.
+Proof.
+  intros Hp Hq E. pose proof (f_equal fst E) as E1. pose proof (f_equal snd E) as E2. destruct s as [a b]. cbn in E1, E2 |- *.
+  assert (F2 : b * (2 * a + p) = 0) by lra. apply Rmult_integral in F2. destruct F2 as [->|F2]; [|lra].
+  apply Rnot_le_lt. intros L. assert (0 <= (a + rho) * (a - rho + p)) by (apply Rmult_le_pos; lra). nra.
+Qed.
+Lemma Cmult_zero (a b : C) : (a * b = 0)%C -> a = 0%C \/ b = 0%C.
+Proof.
+  intros E. destruct (Req_dec (Cmod a) 0) as [A|A]; [left; now apply Cmod_eq_0|]. destruct (Req_dec (Cmod b) 0) as [B|B]; [right; now apply Cmod_eq_0|].
+  exfalso. pose proof (f_equal Cmod E) as F. rewrite Cmod_mult, Cmod_0 in F. apply Rmult_integral in F. tauto.
+Qed.
+(* a combination z of amplitudes with (s^2 + p s + q) z = 0 *)
+Lemma amplitude p q rho s z : 0 < rho < p / 2 -> q = 0 \/ 0 < rho ^ 2 - p * rho + q -> ((s * s + RtoC p * s + RtoC q) * z = 0)%C -> fst s = 0 \/ fst s < - rho \/ z = 0%C.
+Proof.
+  intros Hr Hq E. apply Cmult_zero in E. destruct E as [E|E]; [|tauto]. destruct Hq as [->|Hq].
+  - replace (s * s + RtoC p * s + RtoC 0)%C with (s * (s + RtoC p))%C in E by ring. apply Cmult_zero in E. destruct E as [->|E]; [left; reflexivity|].
+    right. left. pose proof (f_equal fst E) as E1. cbn in E1. lra.
+  - right. left. now apply (root_side p q).
+Qed.
+Lemma amplitude0 s z : (s * s * z = 0)%C -> fst s = 0 \/ z = 0%C.
+Proof. intros E. apply Cmult_zero in E. destruct E as [E|E]; [|tauto]. apply Cmult_zero in E. left. destruct E as [->| ->]; reflexivity. Qed.
+Lemma Csum_2 f : Csum 2 f = (f 0%nat + f 1%nat)%C.
+Proof. apply injective_projections; cbn; ring. Qed.
+Lemma Csum_3 f : Csum 3 f = (f 0%nat + f 1%nat + f 2%nat)%C.
+Proof. apply injective_projections; cbn; ring. Qed.
+(* directions along the line *)
+Lemma line_ex p i j : p i < p j -> fst (on_line p i - on_line p j)%C / Cmod (on_line p i - on_line p j)%C = -1 /\
+  fst (on_line p j - on_line p i)%C / Cmod (on_line p j - on_line p i)%C = 1.
+Proof.
+  intros L. rewrite !line_distance, (Rabs_left (p i - p j)), (Rabs_pos_eq (p j - p i)) by lra. unfold on_line. cbn. split; field; lra.
+Qed.
+Lemma line_ey p i j : snd (on_line p i - on_line p j)%C / Cmod (on_line p i - on_line p j)%C = 0.
+Proof. unfold on_line. cbn. unfold Rdiv. ring. Qed.
+Lemma pair_modes k s x y : mode 2 complete (fun _ _ => k) (on_line (at2 1)) s x y ->
+  (s * s * (x 0%nat + x 1%nat) = 0 /\ (s * s + RtoC 2 * s + RtoC (2 * k)) * (x 0%nat - x 1%nat) = 0 /\
+   s * s * (y 0%nat + y 1%nat) = 0 /\ (s * s + RtoC 2 * s + RtoC 0) * (y 0%nat - y 1%nat) = 0)%C.
+Proof.
+  intros M. destruct (M 0%nat ltac:(lia)) as [A0 B0]. destruct (M 1%nat ltac:(lia)) as [A1 B1]. clear M. cbv zeta in A0, A1, B0, B1.
+  rewrite !Csum_2 in A0, A1, B0, B1. cbn [complete Nat.eqb negb] in A0, A1, B0, B1. rewrite !line_ey in A0, A1, B0, B1.
+  destruct (line_ex (at2 1) 0 1 ltac:(cbn; lra)) as [E1 E2]. rewrite !E1 in A0. rewrite !E1 in B0. rewrite !E2 in A1. rewrite !E2 in B1.
+  replace (RtoC (2 * k)) with (RtoC 2 * RtoC k)%C by (apply injective_projections; cbn; ring).
+  assert (N1 : RtoC (-1) = (- RtoC 1)%C) by (apply injective_projections; cbn; ring). rewrite !N1 in A0. rewrite !N1 in B0.
+  assert (N2 : RtoC 2 = (RtoC 1 + RtoC 1)%C) by (apply injective_projections; cbn; ring). rewrite N2.
+  split; [|split; [|split]].
+  - match type of A0 with ?a0 = _ => match type of A1 with ?a1 = _ => transitivity (a0 + a1)%C; [|rewrite A0, A1; ring] end end. ring.
+  - match type of A0 with ?a0 = _ => match type of A1 with ?a1 = _ => transitivity (a0 - a1)%C; [|rewrite A0, A1; ring] end end. ring.
+  - match type of B0 with ?a0 = _ => match type of B1 with ?a1 = _ => transitivity (a0 + a1)%C; [|rewrite B0, B1; ring] end end. ring.
+  - match type of B0 with ?a0 = _ => match type of B1 with ?a1 = _ => transitivity (a0 - a1)%C; [|rewrite B0, B1; ring] end end. ring.
+Qed.
+Lemma sum_gap (a b : C) : (a + b = 0)%C -> (a - b = 0)%C -> a = 0%C /\ b = 0%C.
+Proof.
+  intros E F. pose proof (f_equal fst E). pose proof (f_equal snd E). pose proof (f_equal fst F). pose proof (f_equal snd F). cbn in *.
+  split; apply injective_projections; cbn; lra.
+Qed.
+Lemma pair_decays : decays 2 complete (fun _ _ => 8 * 1) (on_line (at2 1)) (1 / 2).
+Proof.
+  intros s x y M (i & Hi & N). destruct (pair_modes _ s x y M) as (X0 & X1 & Y0 & Y1). apply amplitude0 in X0. apply amplitude0 in Y0.
+  apply (amplitude _ _ (1 / 2)) in X1; [|lra|right; lra]. apply (amplitude _ _ (1 / 2)) in Y1; [|lra|now left].
+  destruct X0 as [X0|X0]; [now left|]. destruct Y0 as [Y0|Y0]; [now left|]. destruct X1 as [X1|[X1|X1]]; [now left|now right|]. destruct Y1 as [Y1|[Y1|Y1]]; [now left|now right|].
+  exfalso. destruct (sum_gap _ _ X0 X1), (sum_gap _ _ Y0 Y1). destruct i as [|[|]]; try lia; tauto.
+Qed.
+Lemma pair_slow : ~ decays 2 complete (fun _ _ => 8 * / 32) (on_line (at2 1)) (1 / 2).
+Proof.
+  intros D. assert (Q : sqrt (1 / 2) * sqrt (1 / 2) = 1 / 2) by (apply sqrt_sqrt; lra). assert (L : 1 / 2 < sqrt (1 / 2)).
+  { rewrite <- (sqrt_pow2 (1 / 2)) at 1 by lra. apply sqrt_lt_1_alt. lra. }
+  assert (U : sqrt (1 / 2) < 1). { rewrite <- sqrt_1 at 2. apply sqrt_lt_1_alt. lra. }
+  destruct (D (RtoC (-1 + sqrt (1 / 2))) (fun i => match i with 0%nat => RtoC 1 | _ => RtoC (-1) end) (fun _ => 0%C)) as [E|E].
+  - destruct (line_ex (at2 1) 0 1 ltac:(cbn; lra)) as [E1 E2].
+    intros [|[|]] Hi; try lia; cbv zeta; rewrite !Csum_2; cbn [complete Nat.eqb negb]; rewrite !line_ey; rewrite ?E1; rewrite ?E2;
+      split; apply injective_projections; cbn; lra.
+  - exists 0%nat. split; [lia|]. left. intros E. apply (f_equal fst) in E. cbn in E. lra.
+  - cbn in E. lra.
+  - cbn in E. lra.
+Qed.
+Lemma rate_1_holds : rate_1.
+Proof.
+  intros Q. apply pair_slow. assert (D : forall i j, (i < 2)%nat -> (j < 2)%nat -> complete i j = true -> Cmod (on_line (at2 1) i - on_line (at2 1) j)%C = 1).
+  { intros i j Hi Hj L. rewrite line_distance. destruct i as [|[|]], j as [|[|]]; try lia; try discriminate L; cbn; unfold Rabs; destruct (Rcase_abs _); lra. }
+  refine (Q 2%nat complete _ _ _ _ _ 2%nat complete _ _ _ _ _ 2 (1 / 2) (soft_at_distances 1 2 complete _ Rlt_0_1 (le_n 2) complete_simple (complete_joined 2) D)
+    (soft_at_distances (/ 32) 2 complete _ _ (le_n 2) complete_simple (complete_joined 2) D) pair_lambda2 pair_lambda2 _ pair_decays); lra.
+Qed.
+Lemma three_modes k s x y : mode 3 three (fun _ _ => k) (on_line INR) s x y ->
+  (s * s * (x 0%nat + x 1%nat + x 2%nat) = 0 /\ (s * s + RtoC 1 * s + RtoC k) * (x 0%nat - x 2%nat) = 0 /\
+   (s * s + RtoC 3 * s + RtoC (3 * k)) * (x 0%nat + x 2%nat - RtoC 2 * x 1%nat) = 0 /\
+   s * s * (y 0%nat + y 1%nat + y 2%nat) = 0 /\ (s * s + RtoC 1 * s + RtoC 0) * (y 0%nat - y 2%nat) = 0 /\
+   (s * s + RtoC 3 * s + RtoC 0) * (y 0%nat + y 2%nat - RtoC 2 * y 1%nat) = 0)%C.
+Proof.
+  intros M. destruct (M 0%nat ltac:(lia)) as [A0 B0]. destruct (M 1%nat ltac:(lia)) as [A1 B1]. destruct (M 2%nat ltac:(lia)) as [A2 B2]. clear M.
+  cbv zeta in A0, A1, A2, B0, B1, B2. rewrite !Csum_3 in A0, A1, A2, B0, B1, B2.
+  cbn [three links_of existsb Nat.eqb fst snd andb orb] in A0, A1, A2, B0, B1, B2. 
+  repeat rewrite line_ey in A0. repeat rewrite line_ey in A1. repeat rewrite line_ey in A2. repeat rewrite line_ey in B0. repeat rewrite line_ey in B1. repeat rewrite line_ey in B2.
+  destruct (line_ex INR 0 1 ltac:(cbn; lra)) as [E1 E2]. destruct (line_ex INR 1 2 ltac:(cbn; lra)) as [E3 E4].
+  assert (N1 : RtoC (-1) = (- RtoC 1)%C) by (apply injective_projections; cbn; ring).
+  rewrite !E1 in A0. rewrite !E1 in B0. rewrite !E2 in A1. rewrite !E2 in B1. rewrite !E3 in A1. rewrite !E3 in B1. rewrite !E4 in A2. rewrite !E4 in B2.
+  rewrite !N1 in A0. rewrite !N1 in B0. rewrite !N1 in A1. rewrite !N1 in B1.
+  replace (RtoC (3 * k)) with (RtoC 3 * RtoC k)%C by (apply injective_projections; cbn; ring).
+  assert (N2 : RtoC 2 = (RtoC 1 + RtoC 1)%C) by (apply injective_projections; cbn; ring). rewrite N2.
+  assert (N3 : RtoC 3 = (RtoC 1 + RtoC 1 + RtoC 1)%C) by (apply injective_projections; cbn; ring). rewrite N3.
+  match type of A0 with ?a0 = _ => match type of A1 with ?a1 = _ => match type of A2 with ?a2 = _ =>
+    match type of B0 with ?b0 = _ => match type of B1 with ?b1 = _ => match type of B2 with ?b2 = _ =>
+    split; [|split; [|split; [|split; [|split]]]];
+    [transitivity (a0 + a1 + a2)%C; [|rewrite A0, A1, A2; ring]|transitivity (a0 - a2)%C; [|rewrite A0, A2; ring]
+    |transitivity (a0 + a2 - (RtoC 1 + RtoC 1) * a1)%C; [|rewrite A0, A1, A2; ring]
+    |transitivity (b0 + b1 + b2)%C; [|rewrite B0, B1, B2; ring]|transitivity (b0 - b2)%C; [|rewrite B0, B2; ring]
+    |transitivity (b0 + b2 - (RtoC 1 + RtoC 1) * b1)%C; [|rewrite B0, B1, B2; ring]] end end end end end end; ring.
+Qed.
+Lemma three_gaps (a b c : C) : (a + b + c = 0)%C -> (a - c = 0)%C -> (a + c - RtoC 2 * b = 0)%C -> a = 0%C /\ b = 0%C /\ c = 0%C.
+Proof.
+  intros E F G. pose proof (f_equal fst E). pose proof (f_equal snd E). pose proof (f_equal fst F). pose proof (f_equal snd F).
+  pose proof (f_equal fst G). pose proof (f_equal snd G). cbn in *. repeat split; apply injective_projections; cbn; lra.
+Qed.
+Lemma three_decays : decays 3 three (fun _ _ => 8 * / 32) (on_line INR) (1 / 5).
+Proof.
+  intros s x y M (i & Hi & N). destruct (three_modes _ s x y M) as (X0 & X1 & X2 & Y0 & Y1 & Y2). apply amplitude0 in X0. apply amplitude0 in Y0.
+  apply (amplitude _ _ (1 / 5)) in X1; [|lra|right; lra]. apply (amplitude _ _ (1 / 5)) in Y1; [|lra|now left].
+  apply (amplitude _ _ (1 / 5)) in X2; [|lra|right; lra]. apply (amplitude _ _ (1 / 5)) in Y2; [|lra|now left].
+  destruct X0 as [X0|X0]; [now left|]. destruct Y0 as [Y0|Y0]; [now left|]. destruct X1 as [X1|[X1|X1]]; [now left|now right|]. destruct Y1 as [Y1|[Y1|Y1]]; [now left|now right|].
+  destruct X2 as [X2|[X2|X2]]; [now left|now right|]. destruct Y2 as [Y2|[Y2|Y2]]; [now left|now right|].
+  exfalso. destruct (three_gaps _ _ _ X0 X1 X2) as (? & ? & ?), (three_gaps _ _ _ Y0 Y1 Y2) as (? & ? & ?). destruct i as [|[|[|]]]; try lia; tauto.
+Qed.
+Definition corners (i : nat) : C := match i with 0%nat => (0, 0) | 1%nat => (1, 0) | _ => (1 / 2, sqrt 3 / 2) end.
+Lemma sqrt_3 : sqrt 3 * sqrt 3 = 3.
+Proof. apply sqrt_sqrt. lra. Qed.
+Lemma corners_distance i j : (i < 3)%nat -> (j < 3)%nat -> complete i j = true -> Cmod (corners i - corners j)%C = 1.
+Proof.
+  intros Hi Hj L. pose proof sqrt_3 as Q. unfold Cmod. rewrite <- sqrt_1. f_equal.
+  destruct i as [|[|[|]]], j as [|[|[|]]]; try lia; try discriminate L; cbn; nra.
+Qed.
+Lemma corners_slow : ~ decays 3 complete (fun _ _ => 8 * / 32) corners (1 / 5).
+Proof.
+  intros D. assert (Q : sqrt (15 / 2) * sqrt (15 / 2) = 15 / 2) by (apply sqrt_sqrt; lra). pose proof (sqrt_pos (15 / 2)) as P.
+  assert (L : 13 / 5 < sqrt (15 / 2)) by nra. assert (U : sqrt (15 / 2) < 3) by nra.
+  set (q := sqrt (15 / 2)) in *. pose proof sqrt_3 as Q3. set (h := sqrt 3) in *.
+  destruct (D (RtoC ((-3 + q) / 2)) (fun i => match i with 0%nat => RtoC (- h) | 1%nat => RtoC h | _ => 0%C end)
+    (fun i => match i with 0%nat => RtoC 1 | 1%nat => RtoC 1 | _ => RtoC (-2) end)) as [E|E].
+  - assert (K : forall i j, (i < 3)%nat -> (j < 3)%nat -> complete i j = true -> Cmod (corners i - corners j)%C = 1) by exact corners_distance.
+    assert (S2 : (-3 + q) / 2 * ((-3 + q) / 2) = - 3 * ((-3 + q) / 2) - 3 / 8) by nra. set (s := (-3 + q) / 2) in *.
+    pose proof (f_equal (Rmult h) S2) as S3. pose proof (f_equal (Rmult h) Q3) as Q4.
+    intros i Hi; cbv zeta; rewrite !Csum_3.
+    destruct i as [|[|[|]]]; try lia; cbn [complete Nat.eqb negb]; repeat rewrite K by (try lia; reflexivity); unfold corners; fold h;
+      split; apply injective_projections; cbn; lra.
+  - exists 0%nat. split; [lia|]. right. intros E. apply (f_equal fst) in E. cbn in E. lra.
+  - cbn in E. lra.
+  - cbn in E. lra.
+Qed.
+Lemma three_lambda2 : lambda2 3 three 1.
+Proof.
+  split.
+  - intros x Z. unfold form, lap, deg, w, delta, three, links_of. cbn [Sum Nat.eqb existsb fst snd andb orb] in *.
+    assert (E : x 2%nat = - x 0%nat - x 1%nat) by lra. rewrite E. pose proof (pow2_ge_0 (x 1%nat)). lra.
+  - exists (fun i => match i with 0%nat => 1 | 1%nat => 0 | _ => -1 end). cbn [Sum]. split; [ring|]. split; [lra|].
+    intros [|[|[|]]] Hi; try lia; unfold lap, deg, w, delta, three, links_of; cbn [Sum Nat.eqb existsb fst snd andb orb]; ring.
+Qed.
+Lemma corners_lambda2 : lambda2 3 complete 3.
+Proof.
+  split.
+  - intros x Z. unfold form, lap, deg, w, delta, complete. cbn [Sum Nat.eqb negb] in *.
+    assert (E : x 2%nat = - x 0%nat - x 1%nat) by lra. rewrite E. right. ring.
+  - exists (fun i => match i with 0%nat => 1 | 1%nat => 0 | _ => -1 end). cbn [Sum]. split; [ring|]. split; [lra|].
+    intros [|[|[|]]] Hi; try lia; unfold lap, deg, w, delta, complete; cbn [Sum Nat.eqb negb]; ring.
+Qed.
+Lemma rate_2_holds : rate_2.
+Proof.
+  intros Q. apply corners_slow. assert (P : 0 < / 32) by lra.
+  refine (Q 3%nat three complete _ _ _ _ _ _ 1 3 (1 / 5) (soft_at_distances (/ 32) 3 three _ P _ three_simple three_joined _)
+    (soft_at_distances (/ 32) 3 complete _ P _ complete_simple (complete_joined 3) corners_distance) _ three_lambda2 corners_lambda2 _ _ three_decays); try lra; try lia.
+  - intros i j Hi Hj L. rewrite line_distance.
+    destruct i as [|[|[|]]], j as [|[|[|]]]; try lia; try discriminate L; cbn; unfold Rabs; destruct (Rcase_abs _); lra.
+  - intros i j L. unfold complete. destruct (Nat.eqb_spec i j) as [->|]; [|reflexivity]. rewrite (proj2 three_simple) in L. discriminate.
+Qed.
+(* V = 3 s^2 + 8/s^2 of the theorem: the minimum is at the fourth root of 8/3, where alone V' vanishes *)
+Lemma root4 : exists d, 0 < d /\ d ^ 4 = 8 / 3.
+Proof.
+  exists (sqrt (sqrt (8 / 3))). assert (P : 0 < sqrt (8 / 3)) by (apply sqrt_lt_R0; lra). split; [now apply sqrt_lt_R0|].
+  replace (sqrt (sqrt (8 / 3)) ^ 4) with ((sqrt (sqrt (8 / 3)) ^ 2) ^ 2) by ring. rewrite pow2_sqrt by lra. apply pow2_sqrt. lra.
+Qed.
+Lemma fourth_power s d : 0 < s -> 0 < d -> s ^ 4 = d ^ 4 -> s = d.
+Proof.
+  intros Hs Hd E. assert (F : (s - d) * ((s + d) * (s * s + d * d)) = 0) by (replace (_ * _) with (s ^ 4 - d ^ 4) by ring; lra).
+  apply Rmult_integral in F. destruct F as [F|F]; [lra|]. exfalso. assert (0 < (s + d) * (s * s + d * d)) by (apply Rmult_lt_0_compat; nra). lra.
+Qed.
+Lemma thm1c_1_holds : thm1c_1.
+Proof.
+  intros Q. destruct root4 as (d & Hd & D4). set (V := tanner2_examples.VA) in *. set (V' := tanner2_examples.VA') in *.
+  assert (D : def3 3 complete (fun _ _ => V) (fun _ _ => V') (fun _ _ => d)).
+  { split; [apply potentials_of; [exact tanner2_examples.VA_potential|exact tanner2_examples.VA'_continuous]|].
+    intros i j _ _ _. split; [exact Hd|]. intros s Hs N. unfold V, tanner2_examples.VA.
+    assert (I : forall x, 0 < x -> 3 * x ^ 2 + 8 / x ^ 2 = 3 * (x - d ^ 2 / x) ^ 2 + 6 * d ^ 2).
+    { intros x Hx. replace 8 with (3 * d ^ 4) by lra. field. lra. }
+    rewrite !I by assumption. replace (d - d ^ 2 / d) with 0 by (field; lra). assert (0 < (s - d ^ 2 / s) ^ 2); [|lra].
+    apply pow2_gt_0. intros E. apply N. assert (F : (s - d ^ 2 / s) * s = 0) by (rewrite E; ring).
+    replace ((s - d ^ 2 / s) * s) with ((s - d) * (s + d)) in F by (field; lra). apply Rmult_integral in F. lra. }
+  assert (Z : forall i j s, (i < 3)%nat -> (j < 3)%nat -> complete i j = true -> 0 < s -> V' s = 0 -> s = d).
+  { intros _ _ s _ _ _ Hs E. apply fourth_power; try assumption. rewrite D4. unfold V', tanner2_examples.VA' in E.
+    assert (F : (6 * s - 16 / s ^ 3) * s ^ 3 = 0) by (rewrite E; ring). replace ((6 * s - 16 / s ^ 3) * s ^ 3) with (6 * s ^ 4 - 16) in F by (field; lra). lra. }
+  assert (M : motion 3 complete (fun _ _ => V') (fun i _ => tanner2_examples.line3 i) (fun _ _ => 0%C)).
+  { split; [exact tanner2_examples.line3_apart|]. intros t i Ht Hi. split; [apply rest_velocity|]. intros _. rewrite law4_is.
+    destruct tanner2_examples.line3_solution as (_ & _ & _ & _ & _ & _ & _ & _ & _ & _ & S). now apply (S t i). }
+  assert (A : apart_at 3 complete tanner2_examples.better).
+  { intros i j Hi Hj L. destruct i as [|[|[|]]], j as [|[|[|]]]; try lia; try discriminate L; intros E; injection E; lra. }
+  destruct (Q 3%nat complete _ _ _ _ _ complete_simple (complete_joined 3) D Z M 0%nat ltac:(lia) _ A 1 Rlt_0_1) as [T B].
+  specialize (B T (Rle_refl T)). cbv beta zeta in B. cbn [Sum complete Nat.eqb negb] in B.
+  unfold tanner2_examples.line3, tanner2_examples.better in B. rewrite <- !RtoC_minus, !Cmod_R in B.
+  rewrite (Rabs_left (-1 - 0)), (Rabs_left (-1 - 1)), (Rabs_left (0 - 5 / 4)), (Rabs_pos_eq (0 - - (5 / 4))) in B by lra.
+  replace (V (- (-1 - 0))) with 11 in B by (unfold V, tanner2_examples.VA; field). replace (V (- (-1 - 1))) with 14 in B by (unfold V, tanner2_examples.VA; field).
+  replace (V (- (0 - 5 / 4))) with (3923 / 400) in B by (unfold V, tanner2_examples.VA; field). replace (V (0 - - (5 / 4))) with (3923 / 400) in B by (unfold V, tanner2_examples.VA; field). lra.
+Qed.
+Lemma pair_oriented : tanner_graph.oriented 2 complete ((0%nat, 1%nat) :: nil).
+Proof.
+  split; [repeat constructor; intros []|]. split.
+  - intros i j [E|[]]. injection E as <- <-. lia.
+  - intros i j Hi Hj. unfold member, w, complete. destruct i as [|[|]], j as [|[|]]; try lia;
+      repeat match goal with |- context [in_dec ?p ?e ?l] => destruct (in_dec p e l) as [I|I] end;
+      cbn in *; try lra; exfalso; repeat match goal with H : _ \/ _ |- _ => destruct H as [H|H] end; try congruence; tauto.
+Qed.
+Lemma vdotB_1_holds : vdotB_1.
+Proof.
+  intros Q. destruct (Q 2%nat complete _ _ _ (on_line (at2 2)) (fun _ => 0%C) _ complete_simple (complete_joined 2) (spring_def3 2 complete) (pair_apart 2 ltac:(lra))
+    (fun _ _ _ _ => eq_refl) pair_oriented 0%nat ltac:(lia)) as [_ E]. apply (f_equal fst) in E.
+  assert (V : spring' 2 = 15 / 4) by (unfold spring'; lra).
+  unfold law4, gradV, pull in E. rewrite !Csum_2 in E. cbn [complete Nat.eqb negb lsum fold_right fst snd] in E. unfold inc, delta in E. cbn [Nat.eqb fst snd] in E.
+  rewrite !line_distance in E. unfold at2 in E. rewrite !(Rabs_left (0 - 2)) in E by lra. replace (- (0 - 2)) with 2 in E by ring. rewrite V in E.
+  unfold on_line in E. cbn in E. lra.
+Qed.
+Lemma gradient_unique f x g h : gradient f x g -> gradient f x h -> g = h.
+Proof.
+  intros G H. assert (K : forall z, inner g z = inner h z).
+  { intros z. pose proof (is_derive_unique _ _ _ (G z)) as A. pose proof (is_derive_unique _ _ _ (H z)) as B. congruence. }
+  pose proof (K (RtoC 1)) as A. pose proof (K Ci) as B. rewrite !inner_xy in A, B. cbn in A, B. apply injective_projections; lra.
+Qed.
+Lemma lsum_agree O (f g : nat * nat -> R) : (forall e, In e O -> f e = g e) -> lsum O f = lsum O g.
+Proof.
+  intros H. induction O as [|e O IH]; [reflexivity|]. change (f e + lsum O f = g e + lsum O g). rewrite (H e (or_introl eq_refl)), IH; [reflexivity|]. intros; apply H. now right.
+Qed.
+Lemma oriented_edge n adj O i j : tanner_graph.oriented n adj O -> In (i, j) O -> (i < n)%nat /\ (j < n)%nat /\ adj i j = true.
+Proof.
+  intros (_ & B & M) I. destruct (B i j I) as [Hi Hj]. split; [exact Hi|]. split; [exact Hj|]. specialize (M i j Hi Hj). unfold member, w in M.
+  destruct (in_dec pair_dec (i, j) O); [|contradiction]. destruct (adj i j); [reflexivity|]. destruct (in_dec pair_dec (j, i) O); lra.
+Qed.
+Lemma eq8_234_holds : eq8_234.
+Proof.
+  intros n adj V V' r v t O g gi gj G [S NL] VS D A U HO HG HGi by_pair by_ends.
+  set (q := fun i => r i t). set (p := fun i j => pull adj (both V') q i j).
+  assert (Db : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (both V i j) (norm (q i - q j)%C) (both V' i j (norm (q i - q j)%C))).
+  { intros i j Hi Hj L. pose proof (tanner_flock.norm_neq _ _ (A i j Hi Hj L)) as N. apply both_derive; [exact VS|now apply D|]. apply D; try assumption. now rewrite S. }
+  assert (Gr : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> g i j = p i j /\ gi i j = p i j /\ gj i j = (- p i j)%C).
+  { intros i j Hi Hj L. destruct (HG i j Hi Hj L) as (G1 & G2 & G3).
+    assert (P : p i j = grad (both V' i j) (q i) (q j)) by (unfold p, pull; rewrite L; reflexivity).
+    pose proof (fun w => tanner_energy.tanner1_eq8_gradients (both V i j) (both V' i j) (q i) (q j) w (A i j Hi Hj L) (Db i j Hi Hj L)) as T. rewrite <- P in T.
+    split; [|split].
+    - apply (gradient_unique _ _ _ _ G1). intros z. destruct (T z) as (_ & _ & T3). revert T3. apply is_derive_ext. intros h. now apply both_V.
+    - apply (gradient_unique _ _ _ _ G2). intros z. destruct (T z) as (T1 & _ & _). revert T1. apply is_derive_ext. intros h. now apply both_V.
+    - apply (gradient_unique _ _ _ _ G3). intros z. destruct (T z) as (_ & T2 & _). apply (D_eq _ _ (- inner (p i j) z)).
+      + revert T2. apply is_derive_ext. intros h. now apply both_V.
+      + rewrite !inner_xy. cbn. ring. }
+  assert (GG : forall i, (i < n)%nat -> G i = Csum n (p i)).
+  { intros i Hi. apply (gradient_unique _ _ _ _ (HGi i Hi)). intros w. rewrite inner_sym, inner_Csum. apply D_Sum. intros j Hj.
+    destruct (adj i j) eqn:L.
+    - destruct (HG i j Hi Hj L) as (_ & G2 & _). rewrite inner_sym, <- (proj1 (proj2 (Gr i j Hi Hj L))). apply G2.
+    - eapply D_eq; [apply D_const|]. unfold p, pull. rewrite L, inner_xy. cbn. ring. }
+  assert (Ps : forall i j, p j i = (- p i j)%C).
+  { intros i j. unfold p, pull. rewrite (S j i), (both_sym V' j i). replace (q j - q i)%C with (- (q i - q j))%C by ring. rewrite Cmod_opp.
+    destruct (adj i j); [ring|apply injective_projections; cbn; ring]. }
+  assert (E1 : by_pair = Sum n (fun i => inner (v i t) (Csum n (p i)))).
+  { transitivity (lsum O (fun f => inner (v (fst f) t - v (snd f) t)%C (p (fst f) (snd f)))).
+    - apply lsum_agree. intros [i j] I. cbn [fst snd]. destruct (oriented_edge n adj O i j HO I) as (Hi & Hj & L). now rewrite (proj1 (Gr i j Hi Hj L)).
+    - rewrite (tanner_graph.lsum_oriented n adj O (fun f => inner (v (fst f) t - v (snd f) t)%C (p (fst f) (snd f))) HO).
+      + etransitivity; [|exact (tanner_energy.pair_sum_swap n p v t (fun i j _ _ => Ps i j))]. f_equal. apply Sum_ext. intros k _. apply Sum_ext. intros j _. cbn [fst snd].
+        rewrite (Ps k j). unfold w. destruct (adj k j) eqn:L; [rewrite !inner_xy; cbn; ring|].
+        replace (p k j) with (RtoC 0) by (unfold p, pull; now rewrite L). rewrite !inner_xy. cbn. ring.
+      + intros i j. cbn [fst snd]. rewrite (Ps i j), !inner_xy. cbn. ring. }
+  assert (E2 : by_pair = by_ends).
+  { apply lsum_agree. intros [i j] I. cbn [fst snd]. destruct (oriented_edge n adj O i j HO I) as (Hi & Hj & L).
+    destruct (Gr i j Hi Hj L) as (-> & -> & ->). rewrite !inner_xy. cbn. ring. }
+  assert (E3 : Sum n (fun i => inner (v i t) (Csum n (p i))) = Sum n (fun i => inner (v i t) (G i))) by (apply Sum_ext; intros i Hi; now rewrite GG).
+  split; [|split; [exact E2|now rewrite <- E2, E1]].
+  apply (is_derive_ext (fun s => / 2 * Sum n (fun i => V_i n adj (both V) (fun i => r i s) i))).
+  - intros s. f_equal. apply Sum_ext. intros i _. apply Sum_ext. intros j _. unfold w. rewrite (both_V V) by exact VS. unfold norm. destruct (adj i j); ring.
+  - rewrite E1. eapply D_eq; [apply (tanner_energy.eq8_potential n adj (both V) (both V') r v t S (both_sym V') U A Db)|].
+    apply Sum_ext. intros i _. f_equal. apply Csum_ext. intros j _. symmetry. apply pull_is.
+Qed.
+(* ---- solutions after Definition 4: functions that are absolutely continuous on every [0, T] ---- *)
+Definition ac (F : R -> R) := forall T e, 0 < T -> 0 < e -> exists d, 0 < d /\ forall m (a b : nat -> R),
+  (forall k, (k < m)%nat -> 0 <= a k <= b k /\ b k <= T) -> (forall k, (S k < m)%nat -> b k <= a (S k)) ->
+  Sum m (fun k => b k - a k) < d -> Sum m (fun k => Rabs (F (b k) - F (a k))) < e.
+Lemma ac_of (F : R -> R) G : ac G -> (forall T, 0 < T -> exists L, 0 < L /\ forall x y, 0 <= x <= y -> y <= T -> Rabs (F y - F x) <= L * Rabs (G y - G x)) -> ac F.
+Proof.
+  intros A H T e HT He. destruct (H T HT) as (L & HL & B). destruct (A T (e / L) HT ltac:(now apply Rdiv_lt_0_compat)) as (d & Hd & Q).
+  exists d. split; [exact Hd|]. intros m a b I O S. specialize (Q m a b I O S).
+  apply Rle_lt_trans with (Sum m (fun k => L * Rabs (G (b k) - G (a k)))).
+  - apply Sum_le. intros k Hk. destruct (I k Hk). now apply B.
+  - rewrite Sum_scal. apply (Rmult_lt_compat_l L) in Q; [|exact HL]. replace (L * (e / L)) with e in Q by (field; lra). exact Q.
+Qed.
+Lemma ac_id : ac (fun t => t).
+Proof.
+  intros T e HT He. exists e. split; [exact He|]. intros m a b I _ S. rewrite (Sum_ext m _ (fun k => b k - a k)); [exact S|].
+  intros k Hk. destruct (I k Hk). apply Rabs_pos_eq. lra.
+Qed.
+Lemma ac_lipschitz F : (forall T, 0 < T -> exists L, 0 < L /\ forall x y, 0 <= x <= y -> y <= T -> Rabs (F y - F x) <= L * (y - x)) -> ac F.
+Proof.
+  intros H. apply (ac_of F (fun t => t) ac_id). intros T HT. destruct (H T HT) as (L & HL & B). exists L. split; [exact HL|].
+  intros x y Hx Hy. rewrite (Rabs_pos_eq (y - x)) by lra. now apply B.
+Qed.
+Lemma ac_plus F G : ac F -> ac G -> ac (fun t => F t + G t).
+Proof.
+  intros A B T e HT He. destruct (A T (e / 2) HT ltac:(lra)) as (d & Hd & P). destruct (B T (e / 2) HT ltac:(lra)) as (d' & Hd' & Q).
+  exists (Rmin d d'). split; [now apply Rmin_glb_lt|]. intros m a b I O S. pose proof (Rmin_l d d'). pose proof (Rmin_r d d').
+  specialize (P m a b I O ltac:(lra)). specialize (Q m a b I O ltac:(lra)).
+  apply Rle_lt_trans with (Sum m (fun k => Rabs (F (b k) - F (a k)) + Rabs (G (b k) - G (a k)))); [|rewrite Sum_plus; lra].
+  apply Sum_le. intros k _. replace (F (b k) + G (b k) - (F (a k) + G (a k))) with (F (b k) - F (a k) + (G (b k) - G (a k))) by ring. apply Rabs_triang.
+Qed.
+Lemma ac_scal c F : ac F -> ac (fun t => c * F t).
+Proof.
+  intros A. apply (ac_of _ F A). intros T _. exists (Rabs c + 1). pose proof (Rabs_pos c). split; [lra|]. intros x y _ _.
+  replace (c * F y - c * F x) with (c * (F y - F x)) by ring. rewrite Rabs_mult. apply Rmult_le_compat_r; [apply Rabs_pos|lra].
+Qed.
+Lemma ac_Sum n (F : nat -> R -> R) : (forall i, (i < n)%nat -> ac (F i)) -> ac (fun t => Sum n (fun i => F i t)).
+Proof.
+  intros H. induction n as [|n IH].
+  - apply ac_lipschitz. intros T _. exists 1. split; [lra|]. intros x y Hx _. cbn. rewrite Rminus_0_r, Rabs_R0. lra.
+  - cbn [Sum]. apply ac_plus; [apply IH; intros; apply H; lia|apply H; lia].
+Qed.
+Lemma ac_near F T e : ac F -> 0 < T -> 0 < e -> exists d, 0 < d /\ forall x y, 0 <= x <= y -> y <= T -> y - x < d -> Rabs (F y - F x) < e.
+Proof.
+  intros A HT He. destruct (A T e HT He) as (d & Hd & P). exists d. split; [exact Hd|]. intros x y Hx Hy Hd'.
+  specialize (P 1%nat (fun _ => x) (fun _ => y)). cbn [Sum] in P. rewrite !Rplus_0_l in P. apply P; [intros; lra|intros; lia|exact Hd'].
+Qed.
+Lemma ac_continuous F t : ac F -> continuity_pt (fun s => F (Rmax s 0)) t.
+Proof.
+  intros A e He. set (T := Rmax t 0 + 1). pose proof (Rmax_r t 0). destruct (ac_near F T e A ltac:(unfold T; lra) He) as (d & Hd & P).
+  exists (Rmin d 1). split; [apply Rmin_glb_lt; lra|]. intros s [_ Hs]. cbn in *. unfold R_dist in *. pose proof (Rmin_l d 1). pose proof (Rmin_r d 1).
+  assert (Q : 0 <= Rmax s 0 /\ 0 <= Rmax t 0 /\ Rabs (Rmax s 0 - Rmax t 0) <= Rabs (s - t)).
+  { split; [apply Rmax_r|]. split; [apply Rmax_r|]. unfold Rmax, Rabs. destruct (Rle_dec s 0), (Rle_dec t 0); repeat destruct (Rcase_abs _); lra. }
+  destruct Q as (Q1 & Q2 & Q3). destruct (Rle_or_lt (Rmax s 0) (Rmax t 0)) as [L|L].
+  - rewrite Rabs_minus_sym. rewrite Rabs_left1 in Q3 by lra. apply P; unfold T; lra.
+  - rewrite Rabs_pos_eq in Q3 by lra. apply P; unfold T; lra.
+Qed.
+Lemma ac_bounded F T : ac F -> exists B, 0 < B /\ forall t, 0 <= t <= T -> Rabs (F t) <= B.
+Proof.
+  intros A. destruct (Rle_or_lt 0 T) as [HT|HT]; [|exists 1; split; [lra|]; intros; lra].
+  destruct (continuity_ab_maj (fun s => Rabs (F (Rmax s 0))) 0 T HT) as (x & M & _).
+  - intros s _. apply continuity_pt_comp with (f1 := fun s => F (Rmax s 0)) (f2 := Rabs); [now apply ac_continuous|apply Rcontinuity_abs].
+  - exists (Rabs (F (Rmax x 0)) + 1). pose proof (Rabs_pos (F (Rmax x 0))). split; [lra|]. intros t Ht. specialize (M t Ht). cbv beta in M.
+    rewrite (Rmax_left t 0) in M by lra. lra.
+Qed.
+Lemma ac_sqr F : ac F -> ac (fun t => F t ^ 2).
+Proof.
+  intros A. apply (ac_of _ F A). intros T _. destruct (ac_bounded F T A) as (B & HB & M). exists (2 * B). split; [lra|]. intros x y Hx Hy.
+  replace (F y ^ 2 - F x ^ 2) with ((F y + F x) * (F y - F x)) by ring. rewrite Rabs_mult. apply Rmult_le_compat_r; [apply Rabs_pos|].
+  eapply Rle_trans; [apply Rabs_triang|]. pose proof (M x ltac:(lra)). pose proof (M y ltac:(lra)). lra.
+Qed.
+(* it does not grow if its derivative is nowhere positive but on a set of measure zero *)
+Section Grow.
+Variables (F : R -> R) (N : R -> Prop) (a b : R).
+Hypothesis A : ac F.
+Hypothesis HN : negligible N.
+Hypothesis Hab : 0 <= a <= b.
+Hypothesis D : forall t, a <= t <= b -> ~ N t -> exists l, is_derive F t l /\ l <= 0.
+Variables (lo hi : nat -> R) (c : R).
+Hypothesis Hc : 0 < c.
+Hypothesis Lh : forall k, lo k <= hi k.
+Definition inside x j := Rmin (Rmax x (lo j)) (hi j) - lo j.
+Lemma inside_mono x y j : x <= y -> inside x j <= inside y j.
+Proof. intros H. unfold inside, Rmin, Rmax. pose proof (Lh j). destruct (Rle_dec x (lo j)), (Rle_dec y (lo j)); repeat destruct (Rle_dec _ _); lra. Qed.
+Lemma inside_ge0 x j : 0 <= inside x j.
+Proof. unfold inside, Rmin, Rmax. pose proof (Lh j). destruct (Rle_dec x (lo j)); repeat destruct (Rle_dec _ _); lra. Qed.
+Lemma inside_le x j : inside x j <= hi j - lo j.
+Proof. unfold inside. pose proof (Rmin_r (Rmax x (lo j)) (hi j)). lra. Qed.
+Definition reached x := exists m (p q : nat -> R) J, (forall k, (k < m)%nat -> a <= p k <= q k /\ q k <= x) /\ (forall k, (S k < m)%nat -> q k <= p (S k)) /\
+  Sum m (fun k => q k - p k) <= Sum J (inside x) /\ F x <= F a + c * (x - a) + Sum m (fun k => Rabs (F (q k) - F (p k))).
+Lemma reached_first : reached a.
+Proof. exists 0%nat, (fun _ => 0), (fun _ => 0), 0%nat. cbn. repeat split; try (intros; lia); lra. Qed.
+Lemma reached_slope x y : reached x -> x <= y -> F y - F x <= c * (y - x) -> reached y.
+Proof.
+  intros (m & p & q & J & P1 & P2 & P3 & P4) L S. exists m, p, q, J. split; [|split; [exact P2|split]].
+  - intros k Hk. destruct (P1 k Hk). lra.
+  - apply Rle_trans with (1 := P3). apply Sum_le. intros j _. now apply inside_mono.
+  - lra.
+Qed.
+Lemma reached_cover x y j : reached x -> a <= x <= y -> lo j < x -> y < hi j -> reached y.
+Proof.
+  intros (m & p & q & J & P1 & P2 & P3 & P4) L X Y. set (ext := fun (f : nat -> R) z k => if Nat.eqb k m then z else f k).
+  assert (E : forall f z k, (k < m)%nat -> ext f z k = f k) by (intros f z k Hk; unfold ext; destruct (Nat.eqb_spec k m); [lia|reflexivity]).
+  assert (E' : forall f z, ext f z m = z) by (intros; unfold ext; now rewrite Nat.eqb_refl).
+  exists (S m), (ext p x), (ext q y), (J + S j)%nat. split; [|split; [|split]].
+  - intros k Hk. destruct (Nat.eq_dec k m) as [->|Ne]; [rewrite !E'; lra|]. rewrite !E by lia. destruct (P1 k ltac:(lia)). lra.
+  - intros k Hk. rewrite E by lia. destruct (Nat.eq_dec (S k) m) as [E0|Ne]; [rewrite E0, E'; apply (P1 k); lia|]. rewrite E by lia. apply P2. lia.
+  - cbn [Sum]. rewrite !E', (Sum_ext m _ (fun k => q k - p k)) by (intros k Hk; now rewrite !E).
+    assert (M : forall u v g, (forall k, 0 <= g k) -> Sum u g <= Sum (u + v) g).
+    { intros u v g G. induction v as [|v IH]; [rewrite Nat.add_0_r; lra|]. rewrite Nat.add_succ_r. cbn [Sum]. specialize (G (u + v)%nat). lra. }
+    pose proof (M J (S j) (inside x) (inside_ge0 x)) as M1.
+    assert (M2 : inside y j - inside x j <= Sum (J + S j) (fun k => inside y k - inside x k)).
+    { apply (Sum_term_le (J + S j) (fun k => inside y k - inside x k) j); [|lia]. intros k _. pose proof (inside_mono x y k ltac:(lra)). lra. }
+    rewrite Sum_minus in M2. assert (Ix : inside x j = x - lo j) by (unfold inside; rewrite Rmax_left, Rmin_left by lra; ring).
+    assert (Iy : inside y j = y - lo j) by (unfold inside; rewrite Rmax_left, Rmin_left by lra; ring). lra.
+  - cbn [Sum]. rewrite !E', (Sum_ext m _ (fun k => Rabs (F (q k) - F (p k)))) by (intros k Hk; now rewrite !E).
+    pose proof (Rle_abs (F y - F x)). assert (0 <= c * (y - x)) by (apply Rmult_le_pos; lra). lra.
+Qed.
+Hypothesis Cov : forall t, N t -> exists k, lo k < t < hi k.
+Lemma reached_last : reached b.
+Proof.
+  destruct (completeness (fun x => a <= x <= b /\ reached x)) as (m & Ub & Lub).
+  { exists b. intros x [Hx _]. lra. }
+  { exists a. split; [lra|apply reached_first]. }
+  assert (Ma : a <= m) by (apply Ub; split; [lra|apply reached_first]). assert (Mb : m <= b) by (apply Lub; intros x [Hx _]; lra).
+  assert (Near : forall d, 0 < d -> exists x, m - d < x <= m /\ a <= x /\ reached x).
+  { intros d Hd. apply NNPP. intros No. assert (m <= m - d); [|lra]. apply Lub. intros x [Hx Rx]. apply Rnot_lt_le. intros L. apply No.
+    exists x. split; [split; [lra|apply Ub; now split]|]. now split. }
+  assert (Go : exists d, 0 < d /\ forall x y, m - d < x <= m -> a <= x -> m <= y < m + d -> y <= b -> reached x -> reached y).
+  { destruct (classic (N m)) as [Nm|Nm].
+    - destruct (Cov m Nm) as [j Hj]. exists (Rmin (m - lo j) (hi j - m)). split; [apply Rmin_glb_lt; lra|].
+      pose proof (Rmin_l (m - lo j) (hi j - m)). pose proof (Rmin_r (m - lo j) (hi j - m)). intros x y Hx Hax Hy _ Rx. apply (reached_cover x y j Rx); lra.
+    - destruct (D m ltac:(lra) Nm) as (l & Dl & Hl). apply is_derive_Reals in Dl. destruct (Dl c Hc) as [d Hd]. exists d. split; [apply cond_pos|].
+      intros x y Hx Hax Hy Hyb Rx. apply (reached_slope x y Rx); [lra|].
+      assert (Up : forall h, h <> 0 -> Rabs h < d -> 0 < h -> F (m + h) - F m <= c * h).
+      { intros h H0 Hh Hp. specialize (Hd h H0 Hh). apply Rabs_lt_between in Hd. assert (Q : (F (m + h) - F m) / h < c) by lra.
+        apply (Rmult_lt_compat_r h) in Q; [|exact Hp]. replace ((F (m + h) - F m) / h * h) with (F (m + h) - F m) in Q by (field; lra). lra. }
+      assert (Down : forall h, h <> 0 -> Rabs h < d -> h < 0 -> F m - F (m + h) <= c * (- h)).
+      { intros h H0 Hh Hp. specialize (Hd h H0 Hh). apply Rabs_lt_between in Hd. assert (Q : (F (m + h) - F m) / h < c) by lra.
+        apply (Rmult_lt_compat_r (- h)) in Q; [|lra]. replace ((F (m + h) - F m) / h * - h) with (F m - F (m + h)) in Q by (field; lra). lra. }
+      assert (U1 : F y - F m <= c * (y - m)).
+      { destruct (Req_dec y m) as [->|Ne]; [lra|]. specialize (Up (y - m) ltac:(lra) ltac:(rewrite Rabs_pos_eq; lra) ltac:(lra)). replace (m + (y - m)) with y in Up by ring. exact Up. }
+      assert (U2 : F m - F x <= c * (m - x)).
+      { destruct (Req_dec x m) as [->|Ne]; [lra|]. specialize (Down (x - m) ltac:(lra) ltac:(rewrite Rabs_left; lra) ltac:(lra)). replace (m + (x - m)) with x in Down by ring. lra. }
+      lra. }
+  destruct Go as (d & Hd & Go). destruct (Near d Hd) as (x & Hx & Hax & Rx).
+  assert (Rm : reached (Rmin b (m + d / 2))).
+  { pose proof (Rmin_l b (m + d / 2)). pose proof (Rmin_r b (m + d / 2)). apply (Go x); try assumption; [split; [apply Rmin_glb; lra|lra]]. }
+  assert (Le : Rmin b (m + d / 2) <= m) by (apply Ub; split; [split; [apply Rmin_glb; lra|apply Rmin_l]|exact Rm]).
+  replace (Rmin b (m + d / 2)) with b in Rm; [exact Rm|]. unfold Rmin in *. destruct (Rle_dec b (m + d / 2)); lra.
+Qed.
+End Grow.
+Lemma ac_falls F N a b : ac F -> negligible N -> 0 <= a <= b -> (forall t, a <= t <= b -> ~ N t -> exists l, is_derive F t l /\ l <= 0) -> F b <= F a.
+Proof.
+  intros A HN Hab D. apply Rnot_lt_le. intros L. set (e := (F b - F a) / 2). assert (He : 0 < e) by (unfold e; lra).
+  destruct (A (b + 1) e ltac:(lra) He) as (d & Hd & P). destruct (HN (d / 2) ltac:(lra)) as (lo & hi & H1 & H2 & H3).
+  set (c := e / (b - a + 1)). assert (Hc : 0 < c) by (apply Rdiv_lt_0_compat; lra).
+  destruct (reached_last F N a b Hab D lo hi c Hc H1 H2) as (m & p & q & J & P1 & P2 & P3 & P4).
+  specialize (P m p q). assert (Q : Sum m (fun k => Rabs (F (q k) - F (p k))) < e).
+  { apply P; [|exact P2|].
+    - intros k Hk. destruct (P1 k Hk). lra.
+    - apply Rle_lt_trans with (1 := P3). apply Rle_lt_trans with (Sum J (fun k => hi k - lo k)); [apply Sum_le; intros; now apply inside_le|]. specialize (H3 J). lra. }
+  assert (c * (b - a) < e). { unfold c. apply Rmult_lt_reg_r with (b - a + 1); [lra|]. replace (e / (b - a + 1) * (b - a) * (b - a + 1)) with (e * (b - a)) by (field; lra). nra. }
+  unfold e in *. lra.
+Qed.
+Lemma ac_le F N a b c : ac F -> negligible N -> 0 <= a <= b -> (forall t, a <= t <= b -> ~ N t -> exists l, is_derive F t l /\ l <= c) -> F b <= F a + c * (b - a).
+Proof.
+  intros A HN Hab D. assert (Q : F b + - c * b <= F a + - c * a); [|lra].
+  apply (ac_falls (fun t => F t + - c * t) N a b); [apply ac_plus; [exact A|apply ac_scal, ac_id]|exact HN|exact Hab|].
+  intros t Ht Nt. destruct (D t Ht Nt) as (l & Dl & Hl). exists (l + - c * 1). split; [|lra]. apply D_plus; [exact Dl|]. apply D_scal, D_id.
+Qed.
+Lemma Sum_part n m g : (forall k, 0 <= g k) -> (n <= m)%nat -> Sum n g <= Sum m g.
+Proof. intros G. induction 1 as [|m _ IH]; [lra|]. cbn [Sum]. specialize (G m). lra. Qed.
+Lemma negligible_or P Q : negligible P -> negligible Q -> negligible (fun t => P t \/ Q t).
+Proof.
+  intros A B e He. destruct (A (e / 2) ltac:(lra)) as (a & b & A1 & A2 & A3). destruct (B (e / 2) ltac:(lra)) as (a' & b' & B1 & B2 & B3).
+  set (mix := fun (f g : nat -> R) k => if Nat.even k then f (Nat.div2 k) else g (Nat.div2 k)).
+  exists (mix a a'), (mix b b'). split; [|split].
+  - intros k. unfold mix. destruct (Nat.even k); [apply A1|apply B1].
+  - intros t [H|H].
+    + destruct (A2 t H) as [k Hk]. exists (2 * k)%nat. unfold mix. rewrite Nat.even_mul. cbn [Nat.even orb]. now rewrite Nat.div2_double.
+    + destruct (B2 t H) as [k Hk]. exists (Datatypes.S (2 * k)). unfold mix. rewrite Nat.even_succ, <- Nat.negb_even, Nat.even_mul. cbn [Nat.even orb negb]. now rewrite Nat.div2_succ_double.
+  - intros m. assert (K : forall n, Sum (2 * n) (fun k => mix b b' k - mix a a' k) = Sum n (fun k => b k - a k) + Sum n (fun k => b' k - a' k)).
+    { induction n as [|n IH]; [cbn; ring|]. replace (2 * Datatypes.S n)%nat with (Datatypes.S (Datatypes.S (2 * n))) by lia. cbn [Sum]. rewrite IH. unfold mix.
+      rewrite Nat.even_succ, <- Nat.negb_even, Nat.even_mul. cbn [Nat.even orb negb]. rewrite Nat.div2_double, Nat.div2_succ_double. ring. }
+    apply Rle_trans with (Sum (2 * m) (fun k => mix b b' k - mix a a' k)).
+    + apply Sum_part; [|lia]. intros k. unfold mix. specialize (A1 (Nat.div2 k)). specialize (B1 (Nat.div2 k)). destruct (Nat.even k); lra.
+    + rewrite K. specialize (A3 m). specialize (B3 m). lra.
+Qed.
+Lemma negligible_sub (P Q : R -> Prop) : (forall t, P t -> Q t) -> negligible Q -> negligible P.
+Proof. intros H A e He. destruct (A e He) as (a & b & A1 & A2 & A3). exists a, b. split; [exact A1|]. split; [|exact A3]. intros t Ht. apply A2. now apply H. Qed.
+Lemma negligible_none : negligible (fun _ => False).
+Proof. intros e He. exists (fun _ => 0), (fun _ => 0). split; [intros; lra|]. split; [intros t []|]. intros m. rewrite Sum_zero; [lra|]. intros; ring. Qed.
+Lemma negligible_some n (P : nat -> R -> Prop) : (forall i, (i < n)%nat -> negligible (P i)) -> negligible (fun t => exists i, (i < n)%nat /\ P i t).
+Proof.
+  intros H. induction n as [|n IH].
+  - apply (negligible_sub _ (fun _ => False)); [intros t (i & Hi & _); lia|apply negligible_none].
+  - apply (negligible_sub _ (fun t => (exists i, (i < n)%nat /\ P i t) \/ P n t)).
+    + intros t (i & Hi & Q). destruct (Nat.eq_dec i n) as [->|Ne]; [now right|]. left. exists i. split; [lia|exact Q].
+    + apply negligible_or; [apply IH; intros; apply H; lia|apply H; lia].
+Qed.
+(* each point of P has a neighbourhood without another *)
+Lemma negligible_isolated (P : R -> Prop) : (forall t, P t -> 0 <= t /\ exists d, 0 < d /\ forall s, P s -> Rabs (s - t) < d -> s = t) -> negligible P.
+Proof.
+  intros H e He.
+  (* cell j, k: the point of P in [j/2^k, (j + 1)/2^k), if it is alone there *)
+  set (cell := fun n t => let '(j, k) := Cantor.of_nat n in P t /\ INR j <= t * 2 ^ k < INR j + 1 /\ forall s, P s -> INR j <= s * 2 ^ k < INR j + 1 -> s = t).
+  set (x := fun n => real (Lub_Rbar (cell n))). set (h := fun n : nat => e / 4 * (/ 2) ^ n).
+  assert (Hh : forall n, 0 < h n) by (intros n; unfold h; apply Rmult_lt_0_compat; [lra|apply pow_lt; lra]).
+  assert (X : forall n t, cell n t -> x n = t).
+  { intros n t Ct. unfold x. replace (Lub_Rbar (cell n)) with (Finite t); [reflexivity|]. symmetry. apply is_lub_Rbar_unique. split.
+    - intros s Cs. replace s with t; [apply Rle_refl|]. unfold cell in *. destruct (Cantor.of_nat n) as [j k]. destruct Ct as (T1 & T2 & T3), Cs as (S1 & S2 & S3). now apply S3.
+    - intros b Ub. now apply Ub. }
+  exists (fun n => x n - h n), (fun n => x n + h n). split; [intros n; specialize (Hh n); lra|]. split.
+  - intros t Pt. destruct (H t Pt) as (T0 & d & Hd & Iso).
+    destruct (nfloor_ex (/ d) ltac:(left; now apply Rinv_0_lt_compat)) as [k Hk]. pose (q := Datatypes.S k).
+    assert (B : forall m, INR m + 1 <= 2 ^ m) by (induction m as [|m IH]; [cbn; lra|rewrite S_INR; cbn [pow]; pose proof (pos_INR m); lra]).
+    assert (P2 : / d < 2 ^ q) by (pose proof (B q) as Bq; unfold q in *; rewrite S_INR in Bq; lra). assert (Pq : 0 < 2 ^ q) by (apply pow_lt; lra).
+    destruct (nfloor_ex (t * 2 ^ q)) as [j Hj]; [apply Rmult_le_pos; lra|].
+    exists (Cantor.to_nat (j, q)). rewrite (X _ t); [specialize (Hh (Cantor.to_nat (j, q))); lra|]. unfold cell. rewrite Cantor.cancel_of_to.
+    split; [exact Pt|]. split; [lra|]. intros s Ps Hs. apply Iso; [exact Ps|]. apply (Rmult_lt_reg_r (2 ^ q)); [exact Pq|].
+    assert (1 < d * 2 ^ q). { apply (Rmult_lt_compat_l d) in P2; [|exact Hd]. rewrite Rinv_r in P2 by lra. exact P2. }
+    rewrite <- (Rabs_pos_eq (2 ^ q)) at 1 by lra. rewrite <- Rabs_mult, Rmult_minus_distr_r. apply Rle_lt_trans with 1; [apply Rabs_le; lra|exact H0].
+  - intros m. rewrite (Sum_ext m _ (fun n => e / 2 * (/ 2) ^ n)) by (intros n _; unfold h; field).
+    assert (G : Sum m (fun n => e / 2 * (/ 2) ^ n) = e * (1 - (/ 2) ^ m)).
+    { induction m as [|m IH]; cbn [Sum pow]; [ring|]. rewrite IH. field. }
+    rewrite G. assert (0 < (/ 2) ^ m) by (apply pow_lt; lra). nra.
+Qed.
+(* a differentiable function crosses a value in isolated points *)
+Lemma negligible_crossings (s : R -> R) (s' : R -> R) R0 : (forall t, 0 <= t -> s t = R0 -> is_derive s t (s' t)) -> negligible (fun t => 0 <= t /\ s t = R0 /\ s' t <> 0).
+Proof.
+  intros D. apply negligible_isolated. intros t (Ht & E & Ne). split; [exact Ht|]. pose proof (D t Ht E) as Dt. apply is_derive_Reals in Dt.
+  destruct (Dt (Rabs (s' t)) ltac:(now apply Rabs_pos_lt)) as [d Hd]. exists d. split; [apply cond_pos|]. intros u (_ & Eu & _) L.
+  destruct (Req_dec u t) as [Q|Q]; [exact Q|exfalso]. specialize (Hd (u - t) ltac:(lra) L). replace (t + (u - t)) with u in Hd by ring.
+  rewrite Eu, E in Hd. replace ((R0 - R0) / (u - t) - s' t) with (- s' t) in Hd by (field; lra). rewrite Rabs_Ropp in Hd. lra.
+Qed.
+Lemma small n (P : nat -> R -> Prop) : (forall i d d', P i d -> 0 < d' <= d -> P i d') -> (forall i, (i < n)%nat -> exists d, 0 < d /\ P i d) ->
+  exists d, 0 < d /\ forall i, (i < n)%nat -> P i d.
+Proof.
+  intros M. induction n as [|n IH]; intros H; [exists 1; split; [lra|intros; lia]|].
+  destruct IH as (d & Hd & Q); [intros; apply H; lia|]. destruct (H n ltac:(lia)) as (d' & Hd' & Q'). pose proof (Rmin_l d d'). pose proof (Rmin_r d d').
+  assert (0 < Rmin d d') by now apply Rmin_glb_lt. exists (Rmin d d'). split; [assumption|]. intros i Hi.
+  destruct (Nat.eq_dec i n) as [->|Ne]; [apply (M n d'); [exact Q'|lra]|apply (M i d); [apply Q; lia|lra]].
+Qed.
+Lemma small2 n (P : nat -> nat -> R -> Prop) : (forall i j d d', P i j d -> 0 < d' <= d -> P i j d') ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> exists d, 0 < d /\ P i j d) -> exists d, 0 < d /\ forall i j, (i < n)%nat -> (j < n)%nat -> P i j d.
+Proof.
+  intros M H. destruct (small n (fun i d => forall j, (j < n)%nat -> P i j d)) as (d & Hd & Q).
+  - intros i d d' Q L j Hj. apply (M i j d); [now apply Q|exact L].
+  - intros i Hi. apply (small n (fun j d => P i j d)); [intros j; apply M|intros; now apply H].
+  - exists d. split; [exact Hd|]. intros i j Hi Hj. now apply Q.
+Qed.
+(* the force of a pair is continuous where they are apart *)
+Lemma force_near (f : R -> R) z0 e : 0 < Cmod z0 -> continuity_pt f (Cmod z0) -> 0 < e ->
+  exists d, 0 < d /\ forall z, Cmod (z - z0)%C < d -> Cmod (RtoC (f (Cmod z) / Cmod z) * z - RtoC (f (Cmod z0) / Cmod z0) * z0)%C < e.
+Proof.
+  intros Hz Cf He. set (s0 := Cmod z0) in *. set (g := fun s => f s / s).
+  assert (Cg : continuity_pt g s0) by (apply continuity_pt_div; [exact Cf|apply derivable_continuous_pt, derivable_pt_id|cbn; unfold id; lra]).
+  set (e1 := e / (2 * (s0 + 1))). assert (E1 : 0 < e1) by (apply Rdiv_lt_0_compat; lra). destruct (Cg e1 E1) as (d & Hd & Q).
+  set (M := Rabs (g s0) + e1 + 1). assert (HM : 0 < M) by (unfold M; pose proof (Rabs_pos (g s0)); lra).
+  assert (E2 : 0 < e / (2 * M)) by (apply Rdiv_lt_0_compat; lra).
+  exists (Rmin d (e / (2 * M))). split; [now apply Rmin_glb_lt|]. intros z L. pose proof (Rmin_l d (e / (2 * M))). pose proof (Rmin_r d (e / (2 * M))).
+  assert (K : Rabs (g (Cmod z) - g s0) < e1).
+  { destruct (Req_dec (Cmod z) s0) as [->|Ne]; [rewrite Rminus_eq_0, Rabs_R0; exact E1|]. apply (Q (Cmod z)). split; [split; [exact I|now apply not_eq_sym]|].
+    cbn. unfold R_dist. pose proof (tanner_saturated.Cmod_gap z z0) as G. fold s0 in G. lra. }
+  fold (g (Cmod z)) (g s0).
+  replace (RtoC (g (Cmod z)) * z - RtoC (g s0) * z0)%C with (RtoC (g (Cmod z)) * (z - z0) + RtoC (g (Cmod z) - g s0) * z0)%C by (rewrite RtoC_minus; ring).
+  eapply Rle_lt_trans; [apply Cmod_triangle|]. rewrite !Cmod_mult, !Cmod_R. fold s0.
+  assert (B1 : Rabs (g (Cmod z)) <= M). { replace (g (Cmod z)) with (g s0 + (g (Cmod z) - g s0)) by ring. eapply Rle_trans; [apply Rabs_triang|]. unfold M. lra. }
+  assert (T1 : Rabs (g (Cmod z)) * Cmod (z - z0)%C <= e / 2).
+  { apply Rle_trans with (M * (e / (2 * M))); [apply Rmult_le_compat; [apply Rabs_pos|apply Cmod_ge_0|exact B1|lra]|right; field; lra]. }
+  assert (T2 : Rabs (g (Cmod z) - g s0) * s0 < e / 2).
+  { apply Rle_lt_trans with (e1 * s0); [apply Rmult_le_compat_r; lra|]. unfold e1. apply Rmult_lt_reg_r with (2 * (s0 + 1)); [lra|].
+    replace (e / (2 * (s0 + 1)) * s0 * (2 * (s0 + 1))) with (e * s0) by (field; lra). nra. }
+  lra.
+Qed.
+Lemma by_distance_simple q R0 : simple_graph (by_distance q R0).
+Proof.
+  split; [intros i j; rewrite !by_distance_is; apply tanner2_facts.near_undirected|]. intros i. unfold by_distance. now rewrite Nat.eqb_refl.
+Qed.
+Lemma potentials_part n adj V V' : no_loops adj -> potentials n complete V V' -> potentials n adj V V'.
+Proof.
+  intros NL [A P]. split; [exact A|]. intros i j Hi Hj L. apply P; try assumption. unfold complete. destruct (Nat.eqb_spec i j) as [->|]; [|reflexivity].
+  rewrite NL in L. discriminate.
+Qed.
+Lemma apart_part n adj r : no_loops adj -> apart_at n complete r -> apart_at n adj r.
+Proof.
+  intros NL A i j Hi Hj L. apply A; try assumption. unfold complete. destruct (Nat.eqb_spec i j) as [->|]; [|reflexivity]. rewrite NL in L. discriminate.
+Qed.
+Lemma Csum_gap n f g : (Csum n f - Csum n g)%C = Csum n (fun j => f j - g j)%C.
+Proof. apply injective_projections; cbn; rewrite <- Sum_opp, <- Sum_plus; reflexivity. Qed.
+Lemma law4_one n adj V' r v i : law4 n adj V' r v i = Csum n (fun j => - (if adj i j then v i - v j else 0) - pull adj V' r i j)%C.
+Proof. unfold law4, gradV. apply injective_projections; cbn; rewrite <- !Sum_opp, <- Sum_plus; reflexivity. Qed.
+Section Limits.
+Variables (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R) (r v : nat -> C).
+Hypothesis P : potentials n complete V V'.
+Hypothesis A : apart_at n complete r.
+Notation force i j := (pull complete V' r i j).
+Lemma limit_weights y e : limit_of_law n V' R0 r v y -> 0 < e -> exists adj, simple_graph adj /\
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> (Cmod (r i - r j)%C < R0 -> adj i j = true) /\ (R0 < Cmod (r i - r j)%C -> adj i j = false)) /\
+  forall i, (i < n)%nat -> Cmod (y i - law4 n adj V' r v i)%C < e.
+Proof.
+  intros Ly He. set (h := e / (4 * (INR n + 1))). pose proof (pos_INR n) as Pn. assert (Hh : 0 < h) by (apply Rdiv_lt_0_compat; lra).
+  destruct (small2 n (fun i j d => i <> j -> forall q : nat -> C, Cmod (q i - r i)%C < d -> Cmod (q j - r j)%C < d ->
+    (Cmod (r i - r j)%C < R0 -> Cmod (q i - q j)%C < R0) /\ (R0 < Cmod (r i - r j)%C -> R0 < Cmod (q i - q j)%C) /\
+    Cmod (pull complete V' q i j - force i j)%C < h)) as (d & Hd & Q).
+  { intros i j d d' H L Ne q H1 H2. apply (H Ne); lra. }
+  { intros i j Hi Hj. destruct (Nat.eq_dec i j) as [->|Ne]; [exists 1; split; [lra|congruence]|].
+    assert (L : complete i j = true) by (unfold complete; destruct (Nat.eqb_spec i j); [contradiction|reflexivity]).
+    pose proof (tanner_flock.norm_neq _ _ (A i j Hi Hj L)) as N. change (0 < Cmod (r i - r j)%C) in N.
+    destruct P as [_ P']. destruct (P' i j Hi Hj L) as (P1 & _). destruct (P1 _ N) as (_ & Cn & _).
+    destruct (force_near (V' i j) (r i - r j)%C h N Cn Hh) as (d1 & Hd1 & F).
+    set (gap := Rabs (Cmod (r i - r j)%C - R0)). set (d2 := if Req_EM_T gap 0 then 1 else gap). assert (Hd2 : 0 < d2).
+    { unfold d2. destruct (Req_EM_T gap 0); [lra|]. pose proof (Rabs_pos (Cmod (r i - r j)%C - R0)). fold gap in H. lra. }
+    exists (Rmin (d1 / 2) (d2 / 2)). split; [apply Rmin_glb_lt; lra|]. intros _ q H1 H2. pose proof (Rmin_l (d1 / 2) (d2 / 2)). pose proof (Rmin_r (d1 / 2) (d2 / 2)).
+    assert (Z : Cmod (q i - q j - (r i - r j))%C < Rmin d1 d2).
+    { replace (q i - q j - (r i - r j))%C with ((q i - r i) + - (q j - r j))%C by ring. eapply Rle_lt_trans; [apply Cmod_triangle|]. rewrite Cmod_opp.
+      unfold Rmin in *. destruct (Rle_dec d1 d2), (Rle_dec (d1 / 2) (d2 / 2)); lra. }
+    pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2). pose proof (tanner_saturated.Cmod_gap (q i - q j)%C (r i - r j)%C) as G. apply Rabs_le_between in G.
+    split; [|split].
+    - intros Lt. assert (d2 = R0 - Cmod (r i - r j)%C); [|lra]. unfold d2. assert (gap = R0 - Cmod (r i - r j)%C) by (unfold gap; rewrite Rabs_left; lra). destruct (Req_EM_T gap 0); lra.
+    - intros Lt. assert (d2 = Cmod (r i - r j)%C - R0); [|lra]. unfold d2. assert (gap = Cmod (r i - r j)%C - R0) by (unfold gap; rewrite Rabs_pos_eq; lra). destruct (Req_EM_T gap 0); lra.
+    - unfold pull. rewrite L. apply F. lra. }
+  destruct (Ly (Rmin d h) ltac:(now apply Rmin_glb_lt)) as (q & u & Q1 & Q2 & Q3). pose proof (Rmin_l d h). pose proof (Rmin_r d h).
+  pose proof (by_distance_simple q R0) as Sim. exists (by_distance q R0). split; [exact Sim|]. split.
+  - intros i j Hi Hj Ne. destruct (Q1 i Hi), (Q1 j Hj). destruct (Q i j Hi Hj Ne q ltac:(lra) ltac:(lra)) as (N1 & N2 & _). unfold by_distance.
+    destruct (Nat.eqb_spec i j); [contradiction|]. cbn [negb andb]. destruct (Rlt_dec (Cmod (q i - q j)%C) R0) as [L|L]; split; intros H'; try reflexivity.
+    + specialize (N2 H'). lra.
+    + specialize (N1 H'). lra.
+  - intros i Hi. set (G := by_distance q R0) in *.
+    replace (y i - law4 n G V' r v i)%C with (- (law4 n G V' q u i - y i) + (law4 n G V' q u i - law4 n G V' r v i))%C by ring.
+    eapply Rle_lt_trans; [apply Cmod_triangle|]. rewrite Cmod_opp. specialize (Q3 i Hi).
+    assert (E : Cmod (law4 n G V' q u i - law4 n G V' r v i)%C <= INR n * (3 * h)).
+    { rewrite !law4_one, Csum_gap.
+      eapply Rle_trans; [apply tanner_trees.norm_Csum|]. rewrite <- Sum_const. apply Sum_le. intros j Hj. unfold norm, pull.
+        destruct (G i j) eqn:Gij; [|replace (- 0 - 0 - (- 0 - 0))%C with (RtoC 0) by ring; rewrite Cmod_0; lra].
+        assert (Ne : i <> j) by (intros ->; rewrite (proj2 Sim) in Gij; discriminate).
+        assert (L : complete i j = true) by (unfold complete; destruct (Nat.eqb_spec i j); [contradiction|reflexivity]).
+        destruct (Q1 i Hi) as [I1 I2], (Q1 j Hj) as [J1 J2]. destruct (Q i j Hi Hj Ne q ltac:(lra) ltac:(lra)) as (_ & _ & F). unfold pull in F. rewrite L in F.
+        set (a := (RtoC (V' i j (Cmod (q i - q j)) / Cmod (q i - q j)) * (q i - q j))%C) in *. set (b := (RtoC (V' i j (Cmod (r i - r j)) / Cmod (r i - r j)) * (r i - r j))%C) in *.
+        replace (- (u i - u j) - a - (- (v i - v j) - b))%C with (- (u i - v i) + ((u j - v j) + - (a - b)))%C by ring.
+        eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp. pose proof (Cmod_triangle (u j - v j)%C (- (a - b))%C) as T. rewrite Cmod_opp in T. lra. }
+    assert (h * (4 * (INR n + 1)) = e) by (unfold h; field; lra). nra.
+Qed.
+(* what falls while pairs at R keep their distance *)
+Definition near_rate := / 2 * Sum n (fun i => Sum n (fun j => if by_distance r R0 i j then inner (force i j) (v i - v j)%C else 0)).
+Definition near_total := Sum n (fun i => Sum n (fun j => if by_distance r R0 i j then dist2 (v i) (v j) else 0)).
+Lemma graph_power adj : simple_graph adj ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> (Cmod (r i - r j)%C < R0 -> adj i j = true) /\ (R0 < Cmod (r i - r j)%C -> adj i j = false)) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (r i - r j)%C = R0 -> inner (force i j) (v i - v j)%C = 0) ->
+  Sum n (fun i => inner (v i) (law4 n adj V' r v i)) <= - / 2 * near_total - near_rate.
+Proof.
+  intros S W Z. pose proof (potentials_part n adj V V' (proj2 S) P) as Pa. pose proof (apart_part n adj r (proj2 S) A) as Aa.
+  set (g := fun i j => ((if adj i j then v j - v i else 0) - pull adj V' r i j)%C).
+  assert (E : Sum n (fun i => inner (v i) (law4 n adj V' r v i)) = / 2 * Sum n (fun i => Sum n (fun j => inner (g i j) (v i - v j)%C))).
+  { etransitivity; [|symmetry; refine (tanner_energy.pair_sum_swap n g (fun i _ => v i) 0 _)].
+    - apply Sum_ext. intros i _. f_equal. rewrite law4_one. apply Csum_ext. intros j _. unfold g. destruct (adj i j); ring.
+    - intros i j Hi Hj. unfold g. rewrite (pull_swap n adj V V' r i j S Pa Aa Hi Hj), (proj1 S j i). destruct (adj i j); [ring|apply injective_projections; cbn; ring]. }
+  rewrite E. unfold near_total, near_rate.
+  replace (- / 2 * _ - / 2 * _) with (/ 2 * (- Sum n (fun i => Sum n (fun j => if by_distance r R0 i j then dist2 (v i) (v j) else 0)) -
+    Sum n (fun i => Sum n (fun j => if by_distance r R0 i j then inner (force i j) (v i - v j)%C else 0)))) by ring.
+  apply Rmult_le_compat_l; [lra|]. rewrite <- Sum_opp, <- Sum_minus. apply Sum_le. intros i Hi. rewrite <- Sum_opp, <- Sum_minus. apply Sum_le. intros j Hj.
+  unfold g, pull, by_distance. destruct (Nat.eqb_spec i j) as [->|Ne].
+  - cbn [negb andb]. rewrite (proj2 S). rewrite inner_xy. cbn. lra.
+  - cbn [negb andb]. assert (L : complete i j = true) by (unfold complete; destruct (Nat.eqb_spec i j); [contradiction|reflexivity]).
+    destruct (W i j Hi Hj Ne) as [W1 W2]. specialize (Z i j Hi Hj Ne). unfold pull in Z. rewrite L in Z |- *. pose proof (dist2_ge0 (v i) (v j)) as D0. rewrite dist2_xy in *.
+    destruct (Rlt_dec (Cmod (r i - r j)%C) R0) as [Lt|Lt].
+    + rewrite (W1 Lt). rewrite !inner_xy. cbn. lra.
+    + destruct (Req_dec (Cmod (r i - r j)%C) R0) as [Eq|Nq].
+      * specialize (Z Eq). destruct (adj i j); [|rewrite inner_xy; cbn; lra]. rewrite !inner_xy in *. cbn in *. lra.
+      * rewrite (W2 ltac:(lra)), inner_xy. cbn. lra.
+Qed.
+Lemma limit_power y : limit_of_law n V' R0 r v y ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (r i - r j)%C = R0 -> inner (force i j) (v i - v j)%C = 0) ->
+  Sum n (fun i => inner (v i) (y i)) <= - / 2 * near_total - near_rate.
+Proof.
+  intros Ly Z. set (X := - / 2 * near_total - near_rate). set (M := Sum n (fun i => Cmod (v i))).
+  assert (HM : 0 <= M) by (apply Sum_ge0; intros; apply Cmod_ge_0). apply Rnot_lt_le. intros L.
+  set (e := (Sum n (fun i => inner (v i) (y i)) - X) / (M + 1)). assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra).
+  destruct (limit_weights y e Ly He) as (adj & S & W & Q). pose proof (graph_power adj S W Z) as G. fold X in G.
+  assert (B : Sum n (fun i => inner (v i) (y i)) - Sum n (fun i => inner (v i) (law4 n adj V' r v i)) <= e * M).
+  { rewrite <- Sum_minus. unfold M. rewrite <- Sum_scal. apply Sum_le. intros i Hi. rewrite <- inner_minus.
+    eapply Rle_trans; [apply tanner_saturated.inner_le|]. rewrite (Rmult_comm e). apply Rmult_le_compat_l; [apply Cmod_ge_0|]. left. now apply Q. }
+  assert (e * (M + 1) = Sum n (fun i => inner (v i) (y i)) - X) by (unfold e; field; lra). lra.
+Qed.
+Lemma limit_bounded y S b : limit_of_law n V' R0 r v y -> (forall i, (i < n)%nat -> Cmod (v i) <= S) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (r i - r j)%C <= R0 -> Cmod (force i j) <= b) -> 0 <= S -> 0 <= b ->
+  forall i, (i < n)%nat -> Cmod (y i) <= INR n * (2 * S + b).
+Proof.
+  intros Ly HS Hb S0 b0 i Hi. apply Rnot_lt_le. intros L. set (e := Cmod (y i) - INR n * (2 * S + b)) in *. assert (He : 0 < e) by (unfold e; lra).
+  destruct (limit_weights y e Ly He) as (adj & Sg & W & Q). specialize (Q i Hi).
+  assert (B : Cmod (law4 n adj V' r v i) <= INR n * (2 * S + b)).
+  { rewrite law4_one. eapply Rle_trans; [apply tanner_trees.norm_Csum|]. rewrite <- Sum_const. apply Sum_le. intros j Hj. unfold norm, pull.
+    destruct (adj i j) eqn:Gij; [|replace (- 0 - 0)%C with (RtoC 0) by ring; rewrite Cmod_0; lra].
+    assert (Ne : i <> j) by (intros ->; rewrite (proj2 Sg) in Gij; discriminate). destruct (W i j Hi Hj Ne) as [_ W2].
+    assert (Le : Cmod (r i - r j)%C <= R0) by (apply Rnot_lt_le; intros H; rewrite (W2 H) in Gij; discriminate). specialize (Hb i j Hi Hj Ne Le).
+    unfold pull in Hb. replace (complete i j) with true in Hb by (unfold complete; destruct (Nat.eqb_spec i j); [contradiction|reflexivity]).
+    set (a := (RtoC _ * _)%C) in *. unfold Cminus at 1. eapply Rle_trans; [apply Cmod_triangle|]. rewrite !Cmod_opp.
+    pose proof (Cmod_triangle (v i) (- v j)%C) as T. rewrite Cmod_opp in T. pose proof (HS i Hi). pose proof (HS j Hj). unfold Cminus. lra. }
+  pose proof (Cmod_triangle (y i - law4 n adj V' r v i)%C (law4 n adj V' r v i)) as T. replace (y i - law4 n adj V' r v i + law4 n adj V' r v i)%C with (y i) in T by ring.
+  unfold e in *. lra.
+Qed.
+Lemma limit_balanced y : limit_of_law n V' R0 r v y -> Csum n y = 0%C.
+Proof.
+  intros Ly. assert (K : forall p : C -> R, (forall a b, p (a - b)%C = p a - p b) -> (forall a, Rabs (p a) <= Cmod a) ->
+    (forall adj, simple_graph adj -> Sum n (fun i => p (law4 n adj V' r v i)) = 0) -> Sum n (fun i => p (y i)) = 0).
+  { intros p P1 P2 P3. apply cond_eq. intros e He. pose proof (pos_INR n) as Pn. assert (H : 0 < e / (INR n + 1)) by (apply Rdiv_lt_0_compat; lra).
+    destruct (limit_weights y _ Ly H) as (adj & S & _ & Q). unfold R_dist. rewrite Rminus_0_r.
+    replace (Sum n (fun i => p (y i))) with (Sum n (fun i => p (y i)) - Sum n (fun i => p (law4 n adj V' r v i))) by (rewrite (P3 adj S); ring).
+    rewrite <- Sum_minus. eapply Rle_lt_trans; [apply Sum_Rabs|]. apply Rle_lt_trans with (INR n * (e / (INR n + 1))).
+    - rewrite <- Sum_const. apply Sum_le. intros i Hi. rewrite <- P1. eapply Rle_trans; [apply P2|]. left. now apply Q.
+    - apply Rmult_lt_reg_r with (INR n + 1); [lra|]. replace (INR n * (e / (INR n + 1)) * (INR n + 1)) with (INR n * e) by (field; lra). lra. }
+  assert (B : forall adj, simple_graph adj -> Sum n (fun i => fst (law4 n adj V' r v i)) = 0 /\ Sum n (fun i => snd (law4 n adj V' r v i)) = 0).
+  { intros adj S. apply (eq14_1_holds n adj V V' r v S); [apply potentials_part; [apply S|exact P]|apply apart_part; [apply S|exact A]]. }
+  apply injective_projections; cbn; apply K; try reflexivity; try (intros; now apply B).
+  - intros a. eapply Rle_trans; [apply Rmax_l|apply Rmax_Cmod].
+  - intros a. eapply Rle_trans; [apply Rmax_r|apply Rmax_Cmod].
+Qed.
+(* and so for the convex hull *)
+Lemma hull_power z : K10 n V' R0 r v z ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (r i - r j)%C = R0 -> inner (force i j) (v i - v j)%C = 0) ->
+  Sum n (fun i => inner (v i) (z i)) <= - / 2 * near_total - near_rate.
+Proof.
+  intros (m & c & y & Y & C1 & E) Z. set (X := - / 2 * near_total - near_rate).
+  rewrite (Sum_ext n _ (fun i => Sum m (fun k => c k * inner (v i) (y k i)))).
+  - rewrite Sum_swap. replace X with (Sum m (fun k => c k * X)) by (rewrite Sum_scal_r, C1; ring). apply Sum_le. intros k Hk. destruct (Y k Hk) as [Ck Lk].
+    rewrite Sum_scal. apply Rmult_le_compat_l; [exact Ck|]. now apply limit_power.
+  - intros i Hi. rewrite (E i Hi), inner_Csum. apply Sum_ext. intros k _. apply inner_scal.
+Qed.
+Lemma hull_bounded z S b : K10 n V' R0 r v z -> (forall i, (i < n)%nat -> Cmod (v i) <= S) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> Cmod (r i - r j)%C <= R0 -> Cmod (force i j) <= b) -> 0 <= S -> 0 <= b ->
+  forall i, (i < n)%nat -> Cmod (z i) <= INR n * (2 * S + b).
+Proof.
+  intros (m & c & y & Y & C1 & E) HS Hb S0 b0 i Hi. rewrite (E i Hi). eapply Rle_trans; [apply tanner_trees.norm_Csum|]. unfold norm.
+  set (X := INR n * (2 * S + b)). replace X with (Sum m (fun k => c k * X)) by (rewrite Sum_scal_r, C1; ring). apply Sum_le. intros k Hk. destruct (Y k Hk) as [Ck Lk].
+  rewrite Cmod_mult, Cmod_R, Rabs_pos_eq by exact Ck. apply Rmult_le_compat_l; [exact Ck|]. now apply (limit_bounded (y k) S b).
+Qed.
+Lemma hull_balanced z : K10 n V' R0 r v z -> Csum n z = 0%C.
+Proof.
+  intros (m & c & y & Y & C1 & E). assert (Q : forall k, (k < m)%nat -> Csum n (y k) = 0%C) by (intros k Hk; apply limit_balanced; now apply Y).
+  apply injective_projections; cbn.
+  - rewrite (Sum_ext n _ (fun i => Sum m (fun k => c k * fst (y k i)))); [|intros i Hi; rewrite (E i Hi); cbn; apply Sum_ext; intros; ring].
+    rewrite Sum_swap. apply Sum_zero. intros k Hk. rewrite Sum_scal. pose proof (f_equal fst (Q k Hk)) as F. cbn in F. rewrite F. ring.
+  - rewrite (Sum_ext n _ (fun i => Sum m (fun k => c k * snd (y k i)))); [|intros i Hi; rewrite (E i Hi); cbn; apply Sum_ext; intros; ring].
+    rewrite Sum_swap. apply Sum_zero. intros k Hk. rewrite Sum_scal. pose proof (f_equal snd (Q k Hk)) as F. cbn in F. rewrite F. ring.
+Qed.
+End Limits.
+(* a function between two values stops at the lower and at the upper *)
+Definition clamp (d R0 s : R) := Rmin (Rmax s d) R0.
+Lemma clamp_in d R0 s : d < R0 -> d <= clamp d R0 s <= R0.
+Proof. intros H. unfold clamp, Rmin, Rmax. destruct (Rle_dec s d); destruct (Rle_dec _ R0); lra. Qed.
+Lemma clamp_gap d R0 s t : Rabs (clamp d R0 s - clamp d R0 t) <= Rabs (s - t).
+Proof. unfold clamp, Rmin, Rmax, Rabs. destruct (Rle_dec s d), (Rle_dec t d); repeat destruct (Rle_dec _ _); repeat destruct (Rcase_abs _); lra. Qed.
+Lemma clamp_mid d R0 s : d < s -> clamp d R0 s = Rmin s R0.
+Proof. intros H. unfold clamp. now rewrite Rmax_left by lra. Qed.
+(* a derivative that is 0 bounds what lies nearer *)
+Lemma D_nearer (f g : R -> R) t : is_derive g t 0 -> (forall s, Rabs (f s - f t) <= Rabs (g s - g t)) -> is_derive f t 0.
+Proof.
+  intros D H. apply is_derive_Reals. apply is_derive_Reals in D. intros e He. destruct (D e He) as [d Hd]. exists d. intros h H0 Hh. specialize (Hd h H0 Hh).
+  rewrite Rminus_0_r in *. apply Rle_lt_trans with (2 := Hd). unfold Rdiv. rewrite !Rabs_mult. apply Rmult_le_compat_r; [apply Rabs_pos|apply H].
+Qed.
+Lemma D_clamp d R0 (s : R -> R) t s' : d < s t -> d < R0 -> is_derive s t s' -> (s t = R0 -> s' = 0) ->
+  is_derive (fun x => clamp d R0 (s x)) t (if Rlt_dec (s t) R0 then s' else 0).
+Proof.
+  intros Hd HR D Z. assert (C : continuous s t) by (apply (ex_derive_continuous s); now exists s').
+  assert (Near : forall e, 0 < e -> locally t (fun x => Rabs (s x - s t) < e)).
+  { intros e He. apply (C (fun y => Rabs (y - s t) < e)). exists (mkposreal e He). intros y Hy. exact Hy. }
+  destruct (Rlt_dec (s t) R0) as [L|L].
+  - apply (is_derive_ext_loc s); [|exact D]. generalize (Near (Rmin (s t - d) (R0 - s t)) ltac:(apply Rmin_glb_lt; lra)). apply filter_imp. intros x Hx.
+    pose proof (Rmin_l (s t - d) (R0 - s t)). pose proof (Rmin_r (s t - d) (R0 - s t)). apply Rabs_lt_between in Hx. rewrite clamp_mid, Rmin_left by lra. reflexivity.
+  - destruct (Req_dec (s t) R0) as [E|E].
+    + rewrite (Z E) in D. apply (D_nearer _ s t D). intros x. apply clamp_gap.
+    + apply (is_derive_ext_loc (fun _ => R0)); [|apply D_const]. generalize (Near (s t - R0) ltac:(lra)). apply filter_imp. intros x Hx.
+      apply Rabs_lt_between in Hx. rewrite clamp_mid, Rmin_right by lra. reflexivity.
+Qed.
+Lemma slope_bound (f f' : R -> R) d R0 : 0 < d <= R0 -> (forall s, 0 < s -> is_derive f s (f' s) /\ continuity_pt f' s) ->
+  exists L, 0 < L /\ (forall s, d <= s <= R0 -> Rabs (f' s) <= L) /\ forall x y, d <= x <= R0 -> d <= y <= R0 -> Rabs (f y - f x) <= L * Rabs (y - x).
+Proof.
+  intros Hd H. destruct (continuity_ab_maj (fun s => Rabs (f' s)) d R0 ltac:(lra)) as (m & M & _).
+  { intros s Hs. apply continuity_pt_comp with (f1 := f') (f2 := Rabs); [apply H; lra|apply Rcontinuity_abs]. }
+  exists (Rabs (f' m) + 1). pose proof (Rabs_pos (f' m)). split; [lra|]. split; [intros s Hs; specialize (M s Hs); lra|].
+  assert (K : forall x y, d <= x <= y -> y <= R0 -> Rabs (f y - f x) <= (Rabs (f' m) + 1) * Rabs (y - x)).
+  { intros x y Hx Hy. destruct (MVT_le f f' x y ltac:(lra)) as (c & Hc & E); [intros; apply H; lra|]. rewrite E, Rabs_mult. apply Rmult_le_compat_r; [apply Rabs_pos|].
+    specialize (M c ltac:(lra)). lra. }
+  intros x y Hx Hy. destruct (Rle_or_lt x y) as [L|L]; [apply K; lra|]. rewrite (Rabs_minus_sym (f y)), (Rabs_minus_sym y). apply K; lra.
+Qed.
+Lemma ac_axes (z : R -> C) : absolutely_continuous z -> ac (fun t => fst (z t)) /\ ac (fun t => snd (z t)).
+Proof.
+  intros A. split; intros T e HT He; destruct (A T e HT He) as (d & Hd & Q); exists d; (split; [exact Hd|]); intros m a b I O S; apply Rle_lt_trans with (2 := Q m a b I O S);
+    apply Sum_le; intros k _.
+  - eapply Rle_trans; [|apply Rmax_Cmod]. apply Rmax_l.
+  - eapply Rle_trans; [|apply Rmax_Cmod]. apply Rmax_r.
+Qed.
+Lemma travelled (f f' : R -> R) : ac f' -> (forall t, 0 <= t -> is_derive f t (f' t)) -> forall T, 0 < T ->
+  exists L, 0 < L /\ forall x y, 0 <= x <= y -> y <= T -> Rabs (f y - f x) <= L * (y - x).
+Proof.
+  intros A D T HT. destruct (ac_bounded f' T A) as (B & HB & M). exists B. split; [exact HB|]. intros x y Hx Hy.
+  destruct (MVT_le f f' x y ltac:(lra)) as (c & Hc & E); [intros; apply D; lra|]. rewrite E, Rabs_mult, (Rabs_pos_eq (y - x)) by lra.
+  apply Rmult_le_compat_r; [lra|]. apply M. lra.
+Qed.
+Lemma axes_Cmod z : Cmod z <= Rabs (fst z) + Rabs (snd z).
+Proof.
+  pose proof (Rabs_pos (fst z)). pose proof (Rabs_pos (snd z)). unfold Cmod. apply Rsqr_incr_0_var; [|lra]. rewrite Rsqr_sqrt by nra. unfold Rsqr.
+  rewrite <- (pow2_abs (fst z)), <- (pow2_abs (snd z)). nra.
+Qed.
+(* motions of (10) while a condition on time holds; what a start allows *)
+Definition moves_while n V' R0 (r v : nat -> R -> C) (during : R -> Prop) := apart_at n complete (fun i => r i 0) /\
+  (forall t i, 0 <= t -> (i < n)%nat -> is_velocity (r i) t (v i t)) /\ (forall i, (i < n)%nat -> absolutely_continuous (v i)) /\
+  exists N, negligible N /\ forall t, 0 <= t -> during t -> ~ N t -> apart_at n complete (fun i => r i t) ->
+    exists z, K10 n V' R0 (fun i => r i t) (fun i => v i t) z /\ forall i, (i < n)%nat -> is_velocity (v i) t (z i).
+Lemma always_moves n V' R0 r v : motion10 n V' R0 r v -> moves_while n V' R0 r v (fun _ => True).
+Proof. intros (A & B & C & N & HN & Q). split; [exact A|]. split; [exact B|]. split; [exact C|]. exists N. split; [exact HN|]. intros t Ht _. now apply Q. Qed.
+Definition start_power n (V : nat -> nat -> R -> R) R0 (q u : nat -> C) :=
+  / 2 * Sum n (fun i => Sum n (fun j => if Nat.eqb i j then 0 else V i j (Rmin (Cmod (q i - q j)%C) R0)) + (fst (u i) ^ 2 + snd (u i) ^ 2)).
+Definition allows n (V : nat -> nat -> R -> R) R0 (q u : nat -> C) d1 := 0 < d1 < R0 /\ forall i j, (i < n)%nat -> (j < n)%nat -> i <> j ->
+  d1 < Cmod (q i - q j)%C /\ 2 * start_power n V R0 q u < V i j d1.
+Section Switch.
+Variables (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R) (r v : nat -> R -> C).
+Hypothesis HR : 0 < R0.
+Hypothesis P : potentials n complete V V'.
+Variable during : R -> Prop.
+Hypothesis M : moves_while n V' R0 r v during.
+Notation s i j t := (Cmod (r i t - r j t)%C).
+Notation rs t := (fun i => r i t).
+Notation vs t := (fun i => v i t).
+Lemma v_axes i : (i < n)%nat -> ac (fun t => fst (v i t)) /\ ac (fun t => snd (v i t)).
+Proof. intros Hi. apply ac_axes. now apply M. Qed.
+Lemma linked_pair i j : i <> j -> complete i j = true.
+Proof. intros Ne. unfold complete. destruct (Nat.eqb_spec i j); [contradiction|reflexivity]. Qed.
+Lemma pair_slopes i j : (i < n)%nat -> (j < n)%nat -> i <> j -> forall x, 0 < x -> is_derive (V i j) x (V' i j x) /\ continuity_pt (V' i j) x /\ 0 <= V i j x.
+Proof. intros Hi Hj Ne x Hx. apply (proj2 P i j Hi Hj (linked_pair i j Ne)). exact Hx. Qed.
+Lemma distance_lipschitz i j : (i < n)%nat -> (j < n)%nat -> forall T, 0 < T -> exists L, 0 < L /\ forall x y, 0 <= x <= y -> y <= T -> Rabs (s i j y - s i j x) <= L * (y - x).
+Proof.
+  intros Hi Hj T HT. destruct M as (_ & Mv & _).
+  destruct (travelled _ _ (proj1 (v_axes i Hi)) (fun t Ht => proj1 (Mv t i Ht Hi)) T HT) as (L1 & P1 & Q1).
+  destruct (travelled _ _ (proj2 (v_axes i Hi)) (fun t Ht => proj2 (Mv t i Ht Hi)) T HT) as (L2 & P2 & Q2).
+  destruct (travelled _ _ (proj1 (v_axes j Hj)) (fun t Ht => proj1 (Mv t j Ht Hj)) T HT) as (L3 & P3 & Q3).
+  destruct (travelled _ _ (proj2 (v_axes j Hj)) (fun t Ht => proj2 (Mv t j Ht Hj)) T HT) as (L4 & P4 & Q4).
+  exists (L1 + L2 + L3 + L4). split; [lra|]. intros x y Hx Hy. eapply Rle_trans; [apply tanner_saturated.Cmod_gap|].
+  replace (r i y - r j y - (r i x - r j x))%C with ((r i y - r i x) - (r j y - r j x))%C by ring. eapply Rle_trans; [apply Cmod_triangle|]. rewrite Cmod_opp.
+  pose proof (axes_Cmod (r i y - r i x)%C) as A1. pose proof (axes_Cmod (r j y - r j x)%C) as A2. cbn in A1, A2.
+  specialize (Q1 x y Hx Hy). specialize (Q2 x y Hx Hy). specialize (Q3 x y Hx Hy). specialize (Q4 x y Hx Hy). cbv beta in *. unfold Rminus in *. lra.
+Qed.
+(* the rate of a distance of agents that are apart *)
+Definition opening i j t := inner (r i t - r j t)%C (v i t - v j t)%C / s i j t.
+Lemma distance_rate i j t : (i < n)%nat -> (j < n)%nat -> 0 <= t -> 0 < s i j t -> is_derive (fun x => s i j x) t (opening i j t).
+Proof.
+  intros Hi Hj Ht Hs. destruct M as (_ & Mv & _).
+  refine (tanner_energy.D_norm (fun x => r i x - r j x)%C t (v i t - v j t)%C _ _).
+  - apply tanner_energy.velocity_minus; now apply Mv.
+  - intros E. cbv beta in E. rewrite E, Cmod_0 in Hs. lra.
+Qed.
+Section Floor.
+Variable d : R.
+Hypothesis Hd : 0 < d < R0.
+Definition store i j t := if Nat.eqb i j then 0 else V i j (clamp d R0 (s i j t)).
+Definition power t := / 2 * Sum n (fun i => Sum n (fun j => store i j t) + (fst (v i t) ^ 2 + snd (v i t) ^ 2)).
+Lemma store_ac i j : (i < n)%nat -> (j < n)%nat -> ac (store i j).
+Proof.
+  intros Hi Hj. unfold store. destruct (Nat.eqb_spec i j) as [_|Ne].
+  - apply ac_lipschitz. intros T _. exists 1. split; [lra|]. intros. rewrite Rminus_eq_0, Rabs_R0. lra.
+  - apply (ac_of _ (fun t => s i j t)); [apply ac_lipschitz; intros; now apply distance_lipschitz|]. intros T _.
+    destruct (slope_bound (V i j) (V' i j) d R0 ltac:(lra)) as (L & HL & _ & Q); [intros x Hx; destruct (pair_slopes i j Hi Hj Ne x Hx) as (A & B & _); now split|].
+    exists L. split; [exact HL|]. intros x y _ _. eapply Rle_trans; [apply Q; apply clamp_in; lra|]. apply Rmult_le_compat_l; [lra|apply clamp_gap].
+Qed.
+Lemma power_ac : ac power.
+Proof.
+  apply ac_scal. apply (ac_Sum n (fun i t => Sum n (fun j => store i j t) + (fst (v i t) ^ 2 + snd (v i t) ^ 2))). intros i Hi. apply ac_plus.
+  - apply (ac_Sum n (fun j t => store i j t)). intros j Hj. now apply store_ac.
+  - apply ac_plus; apply ac_sqr; now apply v_axes.
+Qed.
+Lemma store_ge0 i j t : (i < n)%nat -> (j < n)%nat -> 0 <= store i j t.
+Proof.
+  intros Hi Hj. unfold store. destruct (Nat.eqb_spec i j) as [_|Ne]; [lra|]. apply pair_slopes; try assumption. pose proof (clamp_in d R0 (s i j t) ltac:(lra)). lra.
+Qed.
+Lemma power_row i t : (i < n)%nat -> Sum n (fun j => store i j t) + (fst (v i t) ^ 2 + snd (v i t) ^ 2) <= 2 * power t.
+Proof.
+  intros Hi. unfold power. replace (2 * (/ 2 * Sum n (fun i => Sum n (fun j => store i j t) + (fst (v i t) ^ 2 + snd (v i t) ^ 2))))
+    with (Sum n (fun i => Sum n (fun j => store i j t) + (fst (v i t) ^ 2 + snd (v i t) ^ 2))) by field.
+  apply (Sum_term_le n (fun i => Sum n (fun j => store i j t) + (fst (v i t) ^ 2 + snd (v i t) ^ 2))); [|exact Hi]. intros k Hk.
+  pose proof (pow2_ge_0 (fst (v k t))). pose proof (pow2_ge_0 (snd (v k t))). assert (0 <= Sum n (fun j => store k j t)) by (apply Sum_ge0; intros; now apply store_ge0). lra.
+Qed.
+Lemma store_le i j t : (i < n)%nat -> (j < n)%nat -> store i j t <= 2 * power t.
+Proof.
+  intros Hi Hj. pose proof (power_row i t Hi). pose proof (pow2_ge_0 (fst (v i t))). pose proof (pow2_ge_0 (snd (v i t))).
+  pose proof (Sum_term_le n (fun j => store i j t) j (fun k Hk => store_ge0 i k t Hi Hk) Hj). cbv beta in *. lra.
+Qed.
+Lemma speed_le i t : (i < n)%nat -> Cmod (v i t) ^ 2 <= 2 * power t.
+Proof.
+  intros Hi. pose proof (power_row i t Hi). assert (0 <= Sum n (fun j => store i j t)) by (apply Sum_ge0; intros; now apply store_ge0).
+  rewrite <- inner_self, inner_xy. lra.
+Qed.
+(* the times at which a rate may be missing *)
+Definition crossing t := exists i, (i < n)%nat /\ exists j, (j < n)%nat /\ 0 <= t /\ s i j t = R0 /\ opening i j t <> 0.
+Lemma crossing_negligible : negligible crossing.
+Proof.
+  unfold crossing. apply (negligible_some n (fun i t => exists j, (j < n)%nat /\ 0 <= t /\ s i j t = R0 /\ opening i j t <> 0)). intros i Hi.
+  apply (negligible_some n (fun j t => 0 <= t /\ s i j t = R0 /\ opening i j t <> 0)). intros j Hj.
+  apply (negligible_crossings (fun t => s i j t) (opening i j) R0). intros t Ht E. apply distance_rate; try assumption. lra.
+Qed.
+Lemma force_opening i j t : (i < n)%nat -> (j < n)%nat -> i <> j -> inner (pull complete V' (rs t) i j) (v i t - v j t)%C = V' i j (s i j t) * opening i j t.
+Proof.
+  intros Hi Hj Ne. unfold pull, opening. rewrite (linked_pair i j Ne), inner_sym, inner_scal, inner_sym. unfold Rdiv. ring.
+Qed.
+Lemma store_rate i j t : (i < n)%nat -> (j < n)%nat -> 0 <= t -> (i <> j -> d < s i j t) -> ~ crossing t ->
+  is_derive (store i j) t (if by_distance (rs t) R0 i j then inner (pull complete V' (rs t) i j) (v i t - v j t)%C else 0).
+Proof.
+  intros Hi Hj Ht Hs Nc. unfold store, by_distance. destruct (Nat.eqb_spec i j) as [_|Ne]; [apply D_const|]. cbn [negb andb]. specialize (Hs Ne).
+  assert (Dc : is_derive (fun x => clamp d R0 (s i j x)) t (if Rlt_dec (s i j t) R0 then opening i j t else 0)).
+  { apply (D_clamp d R0 (fun x => s i j x) t (opening i j t) Hs); [lra|apply distance_rate; try assumption; lra|]. intros E. apply NNPP. intros Q. apply Nc.
+    exists i. split; [exact Hi|]. exists j. now repeat split. }
+  pose proof (clamp_in d R0 (s i j t) ltac:(lra)) as Ci. destruct (pair_slopes i j Hi Hj Ne (clamp d R0 (s i j t)) ltac:(lra)) as (Dv & _).
+  eapply D_eq; [apply (D_comp (V i j) (fun x => clamp d R0 (s i j x)) t _ _ Dv Dc)|].
+  destruct (Rlt_dec (s i j t) R0) as [L|L]; [|ring]. rewrite force_opening by assumption. rewrite clamp_mid, Rmin_left by lra. reflexivity.
+Qed.
+Lemma power_rate : exists N, negligible N /\ forall t, 0 <= t -> during t -> ~ N t -> (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> d < s i j t) ->
+  exists z, K10 n V' R0 (rs t) (vs t) z /\ (forall i, (i < n)%nat -> is_velocity (v i) t (z i)) /\
+    exists l, is_derive power t l /\ l <= - / 2 * near_total n R0 (rs t) (vs t).
+Proof.
+  destruct M as (_ & _ & _ & N & HN & Mz). exists (fun t => N t \/ crossing t). split; [apply negligible_or; [exact HN|exact crossing_negligible]|].
+  intros t Ht Du No Hs. assert (A : apart_at n complete (rs t)).
+  { intros i j Hi Hj L E. assert (Ne : i <> j) by (intros ->; unfold complete in L; rewrite Nat.eqb_refl in L; discriminate).
+    specialize (Hs i j Hi Hj Ne). rewrite E in Hs. replace (r j t - r j t)%C with (RtoC 0) in Hs by ring. rewrite Cmod_0 in Hs. lra. }
+  destruct (Mz t Ht Du ltac:(tauto) A) as (z & Kz & Vz). exists z. split; [exact Kz|]. split; [exact Vz|].
+  exists (near_rate n V' R0 (rs t) (vs t) + Sum n (fun i => inner (v i t) (z i))). split.
+  - unfold power. eapply D_eq.
+    + apply D_scal. apply (D_Sum n (fun i x => Sum n (fun j => store i j x) + (fst (v i x) ^ 2 + snd (v i x) ^ 2))
+        (fun i => Sum n (fun j => if by_distance (rs t) R0 i j then inner (pull complete V' (rs t) i j) (v i t - v j t)%C else 0) +
+          (2 * fst (v i t) * fst (z i) + 2 * snd (v i t) * snd (z i)))).
+      intros i Hi. apply D_plus.
+      * apply (D_Sum n (fun j x => store i j x)). intros j Hj. apply store_rate; try assumption; [now apply Hs|tauto].
+      * apply D_plus; apply D_sqr; now apply Vz.
+    + rewrite Sum_plus, Rmult_plus_distr_l. unfold near_rate. f_equal. rewrite <- Sum_scal. apply Sum_ext. intros i _. rewrite inner_xy. field.
+  - assert (Q : Sum n (fun i => inner (v i t) (z i)) <= - / 2 * near_total n R0 (rs t) (vs t) - near_rate n V' R0 (rs t) (vs t)); [|lra].
+    apply (hull_power n V V' R0 (rs t) (vs t) P A z Kz). intros i j Hi Hj Ne E. rewrite force_opening by assumption.
+    assert (O : opening i j t = 0); [|rewrite O; ring]. apply NNPP. intros Q. apply No. right. exists i. split; [exact Hi|]. exists j. now repeat split.
+Qed.
+Lemma near_total_ge0 t : 0 <= near_total n R0 (rs t) (vs t).
+Proof. apply Sum_ge0. intros i _. apply Sum_ge0. intros j _. destruct (by_distance (rs t) R0 i j); [apply dist2_ge0|lra]. Qed.
+Lemma power_falls a b c : 0 <= a <= b -> (forall t, a <= t <= b -> during t) -> (forall t i j, a <= t <= b -> (i < n)%nat -> (j < n)%nat -> i <> j -> d < s i j t) ->
+  (forall t, a <= t <= b -> 2 * c <= near_total n R0 (rs t) (vs t)) -> power b <= power a - c * (b - a).
+Proof.
+  intros Hab Du Hs Hc. destruct power_rate as (N & HN & Q). replace (power a - c * (b - a)) with (power a + - c * (b - a)) by ring.
+  apply (ac_le power N a b (- c) power_ac HN Hab). intros t Ht Nt. destruct (Q t ltac:(lra) (Du t Ht) Nt (fun i j => Hs t i j Ht)) as (z & _ & _ & l & Dl & Hl).
+  exists l. split; [exact Dl|]. specialize (Hc t Ht). lra.
+Qed.
+End Floor.
+Lemma distance_near i j t e : (i < n)%nat -> (j < n)%nat -> 0 <= t -> 0 < e -> exists h, 0 < h /\ forall u, 0 <= u -> Rabs (u - t) < h -> Rabs (s i j u - s i j t) < e.
+Proof.
+  intros Hi Hj Ht He. destruct (distance_lipschitz i j Hi Hj (t + 1) ltac:(lra)) as (L & HL & Q). assert (E : 0 < e / (L + 1)) by (apply Rdiv_lt_0_compat; lra).
+  exists (Rmin 1 (e / (L + 1))). split; [apply Rmin_glb_lt; lra|]. intros u Hu Hh. pose proof (Rmin_l 1 (e / (L + 1))). pose proof (Rmin_r 1 (e / (L + 1))).
+  assert (K : forall x y, 0 <= x <= y -> y <= t + 1 -> y - x < e / (L + 1) -> Rabs (s i j y - s i j x) < e).
+  { intros x y Hx Hy G. apply Rle_lt_trans with (1 := Q x y Hx Hy). apply Rle_lt_trans with ((L + 1) * (y - x)); [apply Rmult_le_compat_r; lra|].
+    apply (Rmult_lt_compat_l (L + 1)) in G; [|lra]. replace ((L + 1) * (e / (L + 1))) with e in G by (field; lra). exact G. }
+  apply Rabs_lt_between in Hh. destruct (Rle_or_lt u t) as [G|G]; [rewrite Rabs_minus_sym|]; apply K; lra.
+Qed.
+(* linked or not, the agents keep a distance that the start allows *)
+Lemma kept_apart_while d1 : allows n V R0 (rs 0) (vs 0) d1 -> forall t, 0 <= t -> (forall u, 0 <= u <= t -> during u) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> d1 < s i j t.
+Proof.
+  intros (Hd1 & Al) t2 Ht2 Du. set (c0 := start_power n V R0 (rs 0) (vs 0)) in *. set (ok := fun t => forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> d1 < s i j t).
+  assert (Ok0 : ok 0) by (intros i j Hi Hj Ne; now apply (Al i j)).
+  change (ok t2). apply NNPP. intros Bad.
+  destruct (completeness (fun t => 0 <= t /\ forall u, 0 <= u <= t -> ok u)) as (t1 & Ub & Lub).
+  { exists t2. intros t [Ht K]. apply Rnot_lt_le. intros L. apply Bad, K. lra. }
+  { exists 0. split; [lra|]. intros u Hu. now replace u with 0 by lra. }
+  assert (T0 : 0 <= t1) by (apply Ub; split; [lra|]; intros u Hu; now replace u with 0 by lra).
+  assert (T2 : t1 <= t2) by (apply Lub; intros t [Ht K]; apply Rnot_lt_le; intros L; apply Bad, K; lra).
+  assert (Before : forall u, 0 <= u < t1 -> ok u).
+  { intros u Hu. apply NNPP. intros B. assert (t1 <= u); [|lra]. apply Lub. intros t [Ht K]. apply Rnot_lt_le. intros L. apply B, K. lra. }
+  assert (At : forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> d1 <= s i j t1).
+  { intros i j Hi Hj Ne. destruct (Req_dec t1 0) as [->|N0]; [left; now apply Ok0|]. apply Rnot_lt_le. intros L.
+    destruct (distance_near i j t1 (d1 - s i j t1) Hi Hj T0 ltac:(lra)) as (h & Hh & K). set (u := Rmax 0 (t1 - h / 2)).
+    assert (U : 0 <= u < t1 /\ Rabs (u - t1) < h). { unfold u, Rmax. destruct (Rle_dec 0 (t1 - h / 2)); rewrite Rabs_left by lra; lra. }
+    pose proof (Before u (proj1 U) i j Hi Hj Ne). specialize (K u (proj1 (proj1 U)) (proj2 U)). apply Rabs_lt_between in K. lra. }
+  destruct (classic (ok t1)) as [Good|Meet].
+  - destruct (small2 n (fun i j h => i <> j -> forall u, 0 <= u -> Rabs (u - t1) < h -> d1 < s i j u)) as (h & Hh & K).
+    { intros i j h h' K L Ne u Hu Hx. apply (K Ne u Hu). lra. }
+    { intros i j Hi Hj. destruct (Nat.eq_dec i j) as [->|Ne]; [exists 1; split; [lra|congruence]|]. pose proof (Good i j Hi Hj Ne) as G.
+      destruct (distance_near i j t1 (s i j t1 - d1) Hi Hj T0 ltac:(lra)) as (h & Hh & K). exists h. split; [exact Hh|]. intros _ u Hu Hx.
+      specialize (K u Hu Hx). apply Rabs_lt_between in K. lra. }
+    assert (t1 + h / 2 <= t1); [|lra]. apply Ub. split; [lra|]. intros u Hu. destruct (Rlt_le_dec u t1) as [L|L]; [apply Before; lra|].
+    intros i j Hi Hj Ne. apply (K i j Hi Hj Ne u ltac:(lra)). rewrite Rabs_pos_eq; lra.
+  - (* the energy forbids it *)
+    assert (Pair : exists i j, (i < n)%nat /\ (j < n)%nat /\ i <> j /\ s i j t1 = d1).
+    { apply NNPP. intros No. apply Meet. intros i j Hi Hj Ne. destruct (At i j Hi Hj Ne) as [L|E]; [exact L|]. exfalso. apply No. exists i, j. now repeat split. }
+    destruct Pair as (i & j & Hi & Hj & Ne & E). set (d := d1 / 2). assert (Hd : 0 < d < R0) by (unfold d; lra).
+    assert (F : power d t1 <= power d 0 - 0 * (t1 - 0)).
+    { apply (power_falls d Hd); [lra|intros t Ht; apply Du; lra| |].
+      - intros t k l Ht Hk Hl Nkl. assert (d1 <= s k l t); [|unfold d; lra]. destruct (Req_dec t t1) as [->|Nt]; [now apply At|]. left. apply (Before t ltac:(lra)); assumption.
+      - intros t _. pose proof (near_total_ge0 t). lra. }
+    assert (E0 : power d 0 = c0).
+    { unfold power, c0, start_power. f_equal. apply Sum_ext. intros k Hk. f_equal. apply Sum_ext. intros l Hl. unfold store. destruct (Nat.eqb_spec k l) as [_|Nkl]; [reflexivity|].
+      pose proof (Ok0 k l Hk Hl Nkl). rewrite clamp_mid by (unfold d; lra). reflexivity. }
+    pose proof (store_le d Hd i j t1 Hi Hj) as G. unfold store in G. destruct (Nat.eqb_spec i j); [contradiction|].
+    rewrite clamp_mid, Rmin_left in G by (rewrite E; unfold d; lra). rewrite E in G. pose proof (proj2 (Al i j Hi Hj Ne)). lra.
+Qed.
+End Switch.
+Lemma start_allows n V V' R0 q u : 0 < R0 -> potentials n complete V V' -> apart_at n complete q -> exists d1, allows n V R0 q u d1.
+Proof.
+  intros HR P A0. set (c0 := start_power n V R0 q u).
+  destruct (small2 n (fun i j e => i <> j -> 2 * e < Cmod (q i - q j)%C /\ forall x, 0 < x <= e -> 2 * c0 < V i j x)) as (e & He & Q).
+  { intros i j e e' H L Ne. destruct (H Ne) as [H1 H2]. split; [lra|]. intros x Hx. apply H2. lra. }
+  { intros i j Hi Hj. destruct (Nat.eq_dec i j) as [->|Ne]; [exists 1; split; [lra|congruence]|].
+    pose proof (tanner_flock.norm_neq _ _ (A0 i j Hi Hj (linked_pair i j Ne))) as N. change (0 < Cmod (q i - q j)%C) in N.
+    destruct (proj2 P i j Hi Hj (linked_pair i j Ne)) as (_ & Z & _). destruct (Z (2 * c0)) as (x & Hx & Zx).
+    exists (Rmin (Cmod (q i - q j)%C / 3) (x / 2)). split; [apply Rmin_glb_lt; lra|]. intros _.
+    pose proof (Rmin_l (Cmod (q i - q j)%C / 3) (x / 2)). pose proof (Rmin_r (Cmod (q i - q j)%C / 3) (x / 2)).
+    split; [lra|]. intros y Hy. apply Zx. lra. }
+  pose proof (Rmin_l e (R0 / 2)). pose proof (Rmin_r e (R0 / 2)). assert (H1 : 0 < Rmin e (R0 / 2)) by (apply Rmin_glb_lt; lra).
+  exists (Rmin e (R0 / 2)). split; [lra|]. intros i j Hi Hj Ne. destruct (Q i j Hi Hj Ne) as [Q1 Q2]. split; [lra|]. apply Q2. lra.
+Qed.
+Lemma kept_apart n V V' R0 r v : 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v ->
+  exists d1, 0 < d1 < R0 /\ forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j -> d1 < Cmod (r i t - r j t)%C.
+Proof.
+  intros HR P M. destruct (start_allows n V V' R0 (fun i => r i 0) (fun i => v i 0) HR P (proj1 M)) as (d1 & Al). exists d1. split; [apply Al|].
+  intros t i j Ht. apply (kept_apart_while n V V' R0 r v HR P _ (always_moves n V' R0 r v M) d1 Al t Ht). intros; exact I.
+Qed.
+Section Agree.
+Variables (n : nat) (V V' : nat -> nat -> R -> R) (R0 : R) (r v : nat -> R -> C).
+Hypothesis HR : 0 < R0.
+Hypothesis P : potentials n complete V V'.
+Hypothesis M : motion10 n V' R0 r v.
+Notation s i j t := (Cmod (r i t - r j t)%C).
+Variable d : R.
+Hypothesis Hd : 0 < d < R0.
+Hypothesis Far : forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j -> d < s i j t.
+Notation E t := (power n V R0 r v d t).
+Lemma E_falls a b : 0 <= a <= b -> E b <= E a.
+Proof.
+  intros Hab. replace (E a) with (E a - 0 * (b - a)) by ring. apply (power_falls n V V' R0 r v P _ (always_moves n V' R0 r v M) d Hd a b 0 Hab (fun _ _ => I)).
+  - intros t i j Ht. apply Far. lra.
+  - intros t _. pose proof (near_total_ge0 n R0 r v t). lra.
+Qed.
+Lemma E_ge0 t : 0 <= E t.
+Proof.
+  unfold power. apply Rmult_le_pos; [lra|]. apply Sum_ge0. intros i Hi. pose proof (pow2_ge_0 (fst (v i t))). pose proof (pow2_ge_0 (snd (v i t))).
+  assert (0 <= Sum n (fun j => store V R0 r d i j t)) by (apply Sum_ge0; intros; now apply (store_ge0 n V V')). lra.
+Qed.
+Notation S := (2 * E 0 + 1).
+Lemma v_bounded t i : 0 <= t -> (i < n)%nat -> Cmod (v i t) <= S.
+Proof.
+  intros Ht Hi. pose proof (speed_le n V V' R0 r v P d Hd i t Hi) as Q. pose proof (E_falls 0 t ltac:(lra)) as F. pose proof (E_ge0 0) as G.
+  pose proof (Cmod_ge_0 (v i t)) as C0. apply Rnot_lt_le. intros L. nra.
+Qed.
+Lemma rates_bounded : exists N B, negligible N /\ 0 < B /\ forall t, 0 <= t -> ~ N t -> exists z, Csum n z = 0%C /\
+  forall i, (i < n)%nat -> is_velocity (v i) t (z i) /\ Cmod (z i) <= B.
+Proof.
+  destruct (power_rate n V V' R0 r v P _ (always_moves n V' R0 r v M) d Hd) as (N & HN & Q).
+  assert (Fb : exists b, 0 < b /\ forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> forall x, d <= x <= R0 -> Rabs (V' i j x) <= b).
+  { apply (tanner_flock.uniform_pairs n (fun i j b => i <> j -> forall x, d <= x <= R0 -> Rabs (V' i j x) <= b)).
+    - intros i j b b' H L Ne x Hx. specialize (H Ne x Hx). lra.
+    - intros i j Hi Hj. destruct (Nat.eq_dec i j) as [->|Ne]; [exists 1; congruence|].
+      destruct (slope_bound (V i j) (V' i j) d R0 ltac:(lra)) as (L & HL & B & _).
+      { intros x Hx. destruct (pair_slopes n V V' P i j Hi Hj Ne x Hx) as (A1 & A2 & _). now split. }
+      exists L. intros _. exact B. }
+  destruct Fb as (b & Hb & Fb). pose proof (E_ge0 0) as G. pose proof (pos_INR n) as Pn.
+  exists N, (INR n * (2 * S + b) + 1). split; [exact HN|]. split; [assert (0 <= INR n * (2 * S + b)) by (apply Rmult_le_pos; lra); lra|].
+  intros t Ht Nt. destruct (Q t Ht I Nt (fun i j => Far t i j Ht)) as (z & Kz & Vz & _). exists z.
+  assert (A : apart_at n complete (fun i => r i t)).
+  { intros i j Hi Hj L X. assert (Ne : i <> j) by (intros ->; unfold complete in L; rewrite Nat.eqb_refl in L; discriminate).
+    pose proof (Far t i j Ht Hi Hj Ne) as F. rewrite X in F. replace (r j t - r j t)%C with (RtoC 0) in F by ring. rewrite Cmod_0 in F. lra. }
+  split; [now apply (hull_balanced n V V' R0 (fun i => r i t) (fun i => v i t) P A)|]. intros i Hi. split; [now apply Vz|].
+  pose proof (hull_bounded n V V' R0 (fun i => r i t) (fun i => v i t) P A z S b Kz (fun k Hk => v_bounded t k Ht Hk)) as H.
+  specialize (H ltac:(intros k l Hk Hl Ne Le; unfold pull; rewrite (linked_pair k l Ne), Cmod_mult, Cmod_R; pose proof (Far t k l Ht Hk Hl Ne);
+    unfold Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ _)) by (left; apply Rinv_0_lt_compat; lra); rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra; apply Fb; try assumption; lra)
+    ltac:(lra) ltac:(lra) i Hi). lra.
+Qed.
+Definition gaps t := Sum n (fun i => Sum n (fun j => (fst (v i t) + -1 * fst (v j t)) ^ 2 + (snd (v i t) + -1 * snd (v j t)) ^ 2)).
+Lemma gaps_slow : exists K, 0 < K /\ forall a b, 0 <= a <= b -> gaps a - K * (b - a) <= gaps b.
+Proof.
+  destruct rates_bounded as (N & B & HN & HB & Q). pose proof (E_ge0 0) as G. pose proof (pos_INR n) as Pn. set (k := 2 * (2 * S * (2 * B))).
+  assert (Hk : 0 < k) by (unfold k; assert (0 < 2 * S * (2 * B)) by (apply Rmult_lt_0_compat; lra); lra).
+  assert (Hn : 0 <= INR n * (INR n * k)) by (apply Rmult_le_pos; [lra|apply Rmult_le_pos; lra]). exists (INR n * (INR n * k) + 1). split; [lra|]. intros a b Hab.
+  assert (F : -1 * gaps b <= -1 * gaps a + (INR n * (INR n * k) + 1) * (b - a)); [|lra].
+  apply (ac_le (fun t => -1 * gaps t) N a b); [|exact HN|exact Hab|].
+  - apply ac_scal. apply (ac_Sum n (fun i t => Sum n (fun j => (fst (v i t) + -1 * fst (v j t)) ^ 2 + (snd (v i t) + -1 * snd (v j t)) ^ 2))). intros i Hi.
+    apply (ac_Sum n (fun j t => (fst (v i t) + -1 * fst (v j t)) ^ 2 + (snd (v i t) + -1 * snd (v j t)) ^ 2)). intros j Hj.
+    destruct (v_axes n V' R0 r v _ (always_moves n V' R0 r v M) i Hi), (v_axes n V' R0 r v _ (always_moves n V' R0 r v M) j Hj).
+    apply ac_plus; apply (ac_sqr (fun t => _ (v i t) + -1 * _ (v j t))); apply ac_plus; try assumption; now apply ac_scal.
+  - intros t Ht Nt. destruct (Q t ltac:(lra) Nt) as (z & _ & Vz). eexists. split.
+    + apply D_scal. apply (D_Sum n (fun i t => Sum n (fun j => (fst (v i t) + -1 * fst (v j t)) ^ 2 + (snd (v i t) + -1 * snd (v j t)) ^ 2))
+        (fun i => Sum n (fun j => 2 * (fst (v i t) + -1 * fst (v j t)) * (fst (z i) + -1 * fst (z j)) + 2 * (snd (v i t) + -1 * snd (v j t)) * (snd (z i) + -1 * snd (z j))))).
+      intros i Hi. apply (D_Sum n (fun j t => (fst (v i t) + -1 * fst (v j t)) ^ 2 + (snd (v i t) + -1 * snd (v j t)) ^ 2)
+        (fun j => 2 * (fst (v i t) + -1 * fst (v j t)) * (fst (z i) + -1 * fst (z j)) + 2 * (snd (v i t) + -1 * snd (v j t)) * (snd (z i) + -1 * snd (z j)))).
+      intros j Hj. destruct (Vz i Hi) as [[Z1 Z2] _], (Vz j Hj) as [[Z3 Z4] _].
+      apply D_plus; [apply (D_sqr (fun t => fst (v i t) + -1 * fst (v j t)))|apply (D_sqr (fun t => snd (v i t) + -1 * snd (v j t)))]; apply D_plus; try assumption; now apply D_scal.
+    + cbv beta. rewrite <- Sum_scal. apply Rle_trans with (INR n * (INR n * k)); [|lra]. rewrite <- Sum_const. apply Sum_le. intros i Hi. rewrite <- Sum_scal, <- Sum_const.
+      apply Sum_le. intros j Hj. destruct (Vz i Hi) as [_ Bi], (Vz j Hj) as [_ Bj]. pose proof (v_bounded t i ltac:(lra) Hi) as Si. pose proof (v_bounded t j ltac:(lra) Hj) as Sj.
+      pose proof (tanner_saturated.inner_le (v j t - v i t)%C (z i - z j)%C) as I.
+      assert (A1 : Cmod (v j t - v i t)%C <= 2 * S) by (eapply Rle_trans; [apply Cmod_triangle|]; rewrite Cmod_opp; lra).
+      assert (A2 : Cmod (z i - z j)%C <= 2 * B) by (eapply Rle_trans; [apply Cmod_triangle|]; rewrite Cmod_opp; lra).
+      assert (A3 : Cmod (v j t - v i t)%C * Cmod (z i - z j)%C <= 2 * S * (2 * B)) by (apply Rmult_le_compat; try apply Cmod_ge_0; assumption).
+      rewrite inner_xy in I. cbn in I. unfold k. lra.
+Qed.
+Hypothesis Co : forall t, 0 <= t -> strongly_connected n (by_distance (fun i => r i t) R0).
+Lemma gaps_total t : 0 <= t -> gaps t <= INR n ^ 4 * near_total n R0 (fun i => r i t) (fun i => v i t).
+Proof.
+  intros Ht. assert (T : near_total n R0 (fun i => r i t) (fun i => v i t) = total n (by_distance (fun i => r i t) R0) (fun i => v i t)).
+  { apply Sum_ext. intros i _. apply Sum_ext. intros j _. unfold w. destruct (by_distance _ R0 i j); ring. }
+  rewrite T. set (X := total _ _ _). replace (INR n ^ 4 * X) with (INR n * (INR n * (INR n * INR n * X))) by ring.
+  unfold gaps. rewrite <- Sum_const. apply Sum_le. intros i Hi. rewrite <- Sum_const. apply Sum_le. intros j Hj.
+  pose proof (tanner2_distance.connected_le n _ (fun i => v i t) i j (Co t Ht) Hi Hj) as Q. rewrite dist2_xy in Q. fold X in Q. cbv beta in Q. lra.
+Qed.
+Lemma gaps_vanish : (1 <= n)%nat -> forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> gaps t < e.
+Proof.
+  intros Hn. destruct gaps_slow as (K & HK & Slow). assert (Pn : 0 < INR n) by (apply lt_0_INR; lia). assert (P4 : 0 < INR n ^ 4) by now apply pow_lt.
+  apply (tanner2_distance.settles (fun t => E t) gaps).
+  - intros a b Hab. now apply E_falls.
+  - intros t _. apply E_ge0.
+  - intros e He. set (h := e / (2 * K)). set (c := e / (4 * INR n ^ 4)).
+    assert (Ph : 0 < h) by (apply Rdiv_lt_0_compat; lra). assert (Pc : 0 < c) by (apply Rdiv_lt_0_compat; lra).
+    exists (c * h), h. split; [now apply Rmult_lt_0_compat|]. split; [exact Ph|]. intros t Ht G.
+    replace (c * h) with (c * (t + h - t)) by ring. apply (power_falls n V V' R0 r v P _ (always_moves n V' R0 r v M) d Hd t (t + h) c ltac:(lra) (fun _ _ => I)).
+    + intros u i j Hu. apply Far. lra.
+    + intros u Hu. pose proof (Slow t u ltac:(lra)) as Sx. pose proof (gaps_total u ltac:(lra)) as Gx.
+      assert (K * (u - t) <= e / 2). { apply Rle_trans with (K * h); [apply Rmult_le_compat_l; lra|]. unfold h. right. field. lra. }
+      apply (Rmult_le_reg_l (INR n ^ 4)); [exact P4|]. replace (INR n ^ 4 * (2 * c)) with (e / 2) by (unfold c; field; lra). lra.
+Qed.
+End Agree.
+Lemma arbswitch_2_holds : arbswitch_2.
+Proof.
+  intros n V V' R0 r v HR P M Co i j Hi Hj e He. destruct (kept_apart n V V' R0 r v HR P M) as (d & Hd & Far).
+  destruct (gaps_vanish n V V' R0 r v P M d Hd Far Co ltac:(lia) (e ^ 2) ltac:(cbn; nra)) as (T & _ & Q). exists T. intros t Ht. specialize (Q t Ht).
+  apply Rnot_le_lt. intros L. apply (Rlt_irrefl (e ^ 2)). apply Rle_lt_trans with (2 := Q). apply Rle_trans with (Cmod (v i t - v j t)%C ^ 2); [apply pow_incr; lra|].
+  rewrite <- inner_self, inner_xy. unfold gaps.
+  set (g := fun i j => (fst (v i t) + -1 * fst (v j t)) ^ 2 + (snd (v i t) + -1 * snd (v j t)) ^ 2).
+  assert (G0 : forall a b, 0 <= g a b) by (intros a b; unfold g; pose proof (pow2_ge_0 (fst (v a t) + -1 * fst (v b t))); pose proof (pow2_ge_0 (snd (v a t) + -1 * snd (v b t))); lra).
+  apply Rle_trans with (g i j); [unfold g; cbn; right; ring|]. apply Rle_trans with (Sum n (g i)); [now apply (Sum_term_le n (g i) j)|].
+  apply (Sum_term_le n (fun i => Sum n (g i)) i); [|exact Hi]. intros a _. now apply Sum_ge0.
+Qed.
+Lemma eq14_switching_holds : eq14_switching.
+Proof.
+  intros n V V' R0 r v HR P M. split.
+  - intros t z _ A Kz. now apply (hull_balanced n V V' R0 (fun i => r i t) (fun i => v i t) P A).
+  - intros Eq t i Ht Hi. destruct (kept_apart n V V' R0 r v HR P M) as (d & Hd & Far).
+    destruct (rates_bounded n V V' R0 r v P M d Hd Far) as (N & B & HN & _ & Q).
+    assert (Z : forall u, 0 <= u -> ~ N u -> is_velocity (v i) u 0%C).
+    { intros u Hu Nu. destruct (Q u Hu Nu) as (z & Zs & Vz). assert (Pn : 0 < INR n) by (apply lt_0_INR; lia).
+      assert (Ez : forall k, (k < n)%nat -> z k = z i).
+      { intros k Hk. apply (equal_rates (v k) (v i) u); [now apply Vz|now apply Vz|]. intros x Hx. apply Eq; try assumption. lra. }
+      assert (F : z i = 0%C).
+      { pose proof (f_equal fst Zs) as Z1. pose proof (f_equal snd Zs) as Z2. unfold Csum in Z1, Z2. cbn [fst snd RtoC] in Z1, Z2.
+        rewrite (Sum_ext n _ (fun _ => fst (z i))) in Z1 by (intros k Hk; now rewrite Ez). rewrite (Sum_ext n _ (fun _ => snd (z i))) in Z2 by (intros k Hk; now rewrite Ez).
+        rewrite Sum_const in Z1, Z2. apply injective_projections; cbn; apply (Rmult_eq_reg_l (INR n)); lra. }
+      rewrite <- F. now apply Vz. }
+    assert (K : forall p : C -> R, ac (fun u => p (v i u)) -> (forall u, 0 <= u -> ~ N u -> is_derive (fun u => p (v i u)) u 0) -> p (v i t) = p (v i 0)).
+    { intros p A D. apply Rle_antisym.
+      - apply (ac_falls (fun u => p (v i u)) N 0 t A HN ltac:(lra)). intros u Hu Nu. exists 0. split; [apply D; [lra|exact Nu]|lra].
+      - apply Ropp_le_cancel. replace (- p (v i t)) with (-1 * p (v i t)) by ring. replace (- p (v i 0)) with (-1 * p (v i 0)) by ring.
+        apply (ac_falls (fun u => -1 * p (v i u)) N 0 t (ac_scal (-1) _ A) HN ltac:(lra)). intros u Hu Nu. exists (-1 * 0). split; [apply D_scal, D; [lra|exact Nu]|lra]. }
+    destruct (v_axes n V' R0 r v _ (always_moves n V' R0 r v M) i Hi) as [A1 A2]. apply injective_projections.
+    + apply (K fst A1). intros u Hu Nu. apply (Z u Hu Nu).
+    + apply (K snd A2). intros u Hu Nu. apply (Z u Hu Nu).
+Qed.
+(* the hypotheses can be met: two agents at rest at the desired distance 1, linked below R = 2 *)
+Lemma motion10_met : motion10 2 (fun _ _ => spring') 2 (fun i _ => on_line (at2 1) i) (fun _ _ => 0%C) /\ strongly_connected 2 (by_distance (on_line (at2 1)) 2).
+Proof.
+  assert (D : forall i j, (i < 2)%nat -> (j < 2)%nat -> i <> j -> Cmod (on_line (at2 1) i - on_line (at2 1) j)%C = 1).
+  { intros i j Hi Hj Ne. rewrite line_distance. destruct i as [|[|]], j as [|[|]]; try lia; cbn; unfold Rabs; destruct (Rcase_abs _); lra. }
+  assert (L : forall i, (i < 2)%nat -> law4 2 (by_distance (on_line (at2 1)) 2) (fun _ _ => spring') (on_line (at2 1)) (fun _ => 0%C) i = 0%C).
+  { intros i Hi. rewrite law4_one. apply Csum_0. intros j Hj. unfold pull. destruct (by_distance (on_line (at2 1)) 2 i j) eqn:B; [|ring].
+    assert (Ne : i <> j) by (intros ->; rewrite (proj2 (by_distance_simple _ _)) in B; discriminate). rewrite (D i j Hi Hj Ne), spring_rest. unfold Rdiv. rewrite Rmult_0_l. ring. }
+  split.
+  - split; [apply pair_apart; lra|]. split; [intros; apply rest_velocity|]. split.
+    + intros i _ T e _ He. exists 1. split; [lra|]. intros m a b _ _ _. rewrite Sum_zero; [exact He|]. intros k _. replace (0 - 0)%C with (RtoC 0) by ring. apply Cmod_0.
+    + exists (fun _ => False). split; [apply negligible_none|]. intros t _ _ _. exists (fun _ => 0%C). split; [|intros; apply rest_velocity].
+      exists 1%nat, (fun _ => 1), (fun _ _ => 0%C). split; [|split; [cbn; ring|intros i _; apply injective_projections; cbn; ring]].
+      intros k _. split; [lra|]. intros e He. exists (on_line (at2 1)), (fun _ => 0%C). split; [|split].
+      * intros i _. replace (on_line (at2 1) i - on_line (at2 1) i)%C with (RtoC 0) by ring. replace (0 - 0)%C with (RtoC 0) by ring. rewrite Cmod_0. lra.
+      * intros i j Hi Hj Ne. rewrite (D i j Hi Hj Ne). lra.
+      * intros i Hi. rewrite (L i Hi). replace (0 - 0)%C with (RtoC 0) by ring. now rewrite Cmod_0.
+  - intros j k Hj Hk. destruct (Nat.eq_dec k j) as [->|Ne]; [apply rt_refl|]. apply rt_step. repeat split; try assumption. unfold by_distance.
+    destruct (Nat.eqb_spec k j); [contradiction|]. rewrite (D k j Hk Hj Ne). cbn. destruct (Rlt_dec 1 2); [reflexivity|lra].
+Qed.
+
+(* ---- not independent: corrected clauses from their words, but after theorems on them had been seen ---- *)
+(* tanner2.S_config clause 2 *)
+Definition S_config_2 : Prop := forall n adj V V' r v t, simple_graph adj -> strongly_connected n adj -> potentials n adj V V' ->
+  motion n adj V' r v -> 0 <= t -> Wdot n adj V r v t 0 -> forall i j, (i < n)%nat -> (j < n)%nat ->
+  v i t = v j t /\ is_velocity (fun s => r i s - r j s)%C t 0%C.
+(* tanner2.cor2_sub clause 2 *)
+Definition cor2_sub_2 : Prop := forall n adj V V' r v t lam xp xn yp yn w, (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj ->
+  potentials n adj V V' -> motion n adj V' r v -> 0 <= t -> lambda2 n adj lam -> parts n (fun i => v i t) xp xn yp yn -> Wdot n adj V r v t w ->
+  w <= - lam * (Sum n (fun i => xn i ^ 2) + Sum n (fun i => yn i ^ 2)).
+(* tanner2.vdotB clause 2; the minus sign with 1 for outgoing edges is the same formula *)
+Definition vdotB_2 : Prop := forall n adj V V' r v O, simple_graph adj -> potentials n adj V V' -> apart_at n adj r ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> v i = v j) -> tanner_graph.oriented n adj O -> forall k, (k < n)%nat ->
+  law4 n adj V' r v k = (lsum O (fun f => inc k f * fst (pull adj V' r (fst f) (snd f))), lsum O (fun f => inc k f * snd (pull adj V' r (fst f) (snd f)))).
+(* tanner2.cor2_rate clause 3 in the plane: with lambda_2, and equality where the deviations are eigenvectors *)
+Definition rate_3_plane : Prop := forall n adj lam (v : nat -> R -> C), (2 <= n)%nat -> simple_graph adj -> strongly_connected n adj -> lambda2 n adj lam ->
+  (forall t i, 0 <= t -> (i < n)%nat -> is_velocity (v i) t (- Csum n (fun j => if adj i j then v i t - v j t else 0))%C) ->
+  let mean t := (RtoC (/ INR n) * Csum n (fun j => v j t))%C in let dev t := sqrt (Sum n (fun i => Cmod (v i t - mean t)%C ^ 2)) in
+  forall t, 0 <= t -> dev t <= exp (- lam * t) * dev 0 /\
+    ((forall i, (i < n)%nat -> Csum n (fun j => RtoC (lap n adj i j) * (v j 0 - mean 0))%C = (RtoC lam * (v i 0 - mean 0))%C) -> dev t = exp (- lam * t) * dev 0).
+(* tanner2.cor2_rate clause 4 *)
+Definition rate_4 : Prop := forall n adj more lam mu, (2 <= n)%nat -> simple_graph adj -> simple_graph more ->
+  (forall i j, adj i j = true -> more i j = true) -> lambda2 n adj lam -> lambda2 n more mu -> lam <= mu.
+(* tanner2.thm2_coll clause 1, for motions for all times: a collision is not excluded by what a motion is, and connected or not *)
+Definition thm2_coll : Prop := forall n V V' R0 r v, 0 < R0 -> potentials n complete V V' -> motion10 n V' R0 r v ->
+  forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t.
+Lemma S_config_2_holds : S_config_2.
+Proof.
+  intros n adj V V' r v t S SC P M Ht Z i j Hi Hj.
+  assert (U : forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)).
+  { intros k Hk. split; [now apply (proj2 M t k)|now apply (moves_law n adj V)]. }
+  pose proof (eq9_proved n adj V V' r v t S (proj1 P) (slopes_of n adj V V' P) (apart_always n adj V V' r v S P M t Ht) U) as E.
+  cbv zeta in E. apply is_derive_unique in E. rewrite (is_derive_unique _ _ _ Z), !form_is in E.
+  assert (Q : v i t = v j t).
+  { apply (tanner2_facts.S_config_corrected n adj (fun i => v i t)); try assumption; [lia|apply S|]. rewrite tanner_energy.kron_split. cbv beta in *. lra. }
+  split; [exact Q|]. replace (RtoC 0) with (v i t - v j t)%C by (rewrite Q; ring). apply tanner_energy.velocity_minus; now apply U.
+Qed.
+Lemma cor2_sub_2_holds : cor2_sub_2.
+Proof.
+  intros n adj V V' r v t lam xp xn yp yn w Hn S SC P M Ht [Lam _] Pa W.
+  assert (U : forall i, (i < n)%nat -> is_velocity (r i) t (v i t) /\ is_velocity (v i) t (law4 n adj V' (fun i => r i t) (fun i => v i t) i)).
+  { intros k Hk. split; [now apply (proj2 M t k)|now apply (moves_law n adj V)]. }
+  pose proof (cor2_decomp_holds n adj V V' r v t xp xn yp yn S (proj1 P) (slopes_of n adj V V' P) (apart_always n adj V V' r v S P M t Ht) U Pa) as E.
+  unfold Wdot in *. apply is_derive_unique in E. rewrite (is_derive_unique _ _ _ W) in E. destruct Pa as (_ & Zx & Zy & _). pose proof (Lam xn Zx). pose proof (Lam yn Zy). lra.
+Qed.
+Lemma vdotB_2_holds : vdotB_2.
+Proof.
+  intros n adj V V' r v O [S NL] P A Eq HO k Hk. pose proof (slopes_of n adj V V' P) as D.
+  assert (L : law4 n adj V' r v k = (- grad_i n adj (both V') r k)%C).
+  { destruct (both_law n adj V V' r v k S (proj1 P) D Hk A) as (_ & G & _). unfold law4. rewrite <- G, gradV_is.
+    rewrite Csum_0; [ring|]. intros j Hj. destruct (adj k j); [rewrite (Eq k j Hk Hj); ring|reflexivity]. }
+  destruct (tanner_graph.B_gradients n adj O (both V') r k S (both_sym V') HO Hk) as [B1 B2]. unfold tanner_graph.applyB in B1, B2.
+  assert (K : forall f, In f O -> pull adj V' r (fst f) (snd f) = grad (both V' (fst f) (snd f)) (r (fst f)) (r (snd f))).
+  { intros [i j] I. cbn [fst snd]. destruct (oriented_edge n adj O i j HO I) as (Hi & Hj & Lij).
+    destruct (both_law n adj V V' r v i S (proj1 P) D Hi A) as (Q & _). rewrite <- (Q j Hj). unfold pull. rewrite Lij. reflexivity. }
+  rewrite L. apply injective_projections; cbn [fst snd Copp].
+  - rewrite <- B1. apply lsum_agree. intros f I. now rewrite (K f I).
+  - rewrite <- B2. apply lsum_agree. intros f I. now rewrite (K f I).
+Qed.
+Lemma rate_3_plane_holds : rate_3_plane.
+Proof.
+  intros n adj lam v Hn [S NL] SC [Lam _] Mv mean dev t Ht. assert (n1 : (1 <= n)%nat) by lia. assert (Pn : 0 < INR n) by (apply lt_0_INR; lia).
+  set (m := mean 0). set (u := fun (i : nat) (t : R) => (v i t - m)%C).
+  assert (Mu : forall t i, 0 <= t -> (i < n)%nat -> is_velocity (u i) t (- Csum n (fun j => RtoC (w adj i j) * (u i t - u j t)))%C).
+  { intros x i Hx Hi. replace (- Csum n (fun j => RtoC (w adj i j) * (u i x - u j x)))%C with (- Csum n (fun j => if adj i j then v i x - v j x else 0) - 0)%C.
+    - apply tanner_energy.velocity_minus; [now apply Mv|apply rest_velocity].
+    - replace (- Csum n (fun j => if adj i j then v i x - v j x else 0) - 0)%C with (- Csum n (fun j => if adj i j then v i x - v j x else 0))%C by ring.
+      f_equal. apply Csum_ext. intros j _. unfold w, u. destruct (adj i j); ring. }
+  assert (Dv : forall x, tanner2_facts.deviation n (fun i => u i x) = dev x).
+  { intros x. unfold tanner2_facts.deviation, dev. f_equal. apply Sum_ext. intros i _. f_equal. unfold norm. f_equal. unfold centre, mean, u.
+    replace (Csum n (fun i => v i x - m)%C) with (Csum n (fun i => v i x) - RtoC (INR n) * m)%C.
+    - apply injective_projections; cbn; field; lra.
+    - apply injective_projections; cbn; rewrite Sum_plus, Sum_const; ring. }
+  destruct (tanner2_facts.alignment_rate n adj lam u n1 S Mu) as [B1 B2]. rewrite <- !Dv. split.
+  - apply B1; [exact Lam|exact Ht].
+  - intros E. apply B2; [exact E|exact Ht].
+Qed.
+Lemma rate_4_holds : rate_4.
+Proof.
+  intros n adj more lam mu Hn [S _] [S' _] H [L _] [_ (x & Zx & Px & Ex)].
+  destruct (tanner2_facts.more_edges n adj more S S' H) as [F _]. pose proof (L x Zx) as A. pose proof (F x) as B. unfold form in A. rewrite form_is in A.
+  assert (C : qform n (lap n more) x = mu * Sum n (fun i => x i ^ 2)).
+  { unfold qform. rewrite <- Sum_scal. apply Sum_ext. intros i Hi. rewrite (Ex i Hi). ring. }
+  apply (Rmult_le_reg_r (Sum n (fun i => x i ^ 2))); [exact Px|]. lra.
+Qed.
+Lemma thm2_coll_holds : thm2_coll.
+Proof.
+  intros n V V' R0 r v HR P M t i j Ht Hi Hj Ne E. destruct (kept_apart n V V' R0 r v HR P M) as (d & Hd & Far). specialize (Far t i j Ht Hi Hj Ne).
+  rewrite E in Far. replace (r j t - r j t)%C with (RtoC 0) in Far by ring. rewrite Cmod_0 in Far. lra.
+Qed.
+(* the loop of cor2_rate is that of (4), linearised: the derivative of the forces at the desired distances *)
+Lemma linearised n adj V V' d k r (x y : nat -> R) i : at_distances n adj V V' d k r -> (i < n)%nat ->
+  let ex j := fst (r i - r j)%C / Cmod (r i - r j)%C in let ey j := snd (r i - r j)%C / Cmod (r i - r j)%C in
+  let stretch j := k i j * (ex j * (x i - x j) + ey j * (y i - y j)) in
+  is_velocity (fun h => gradV n adj V' (fun j => r j + RtoC h * (x j, y j))%C i) 0
+    (Sum n (fun j => if adj i j then ex j * stretch j else 0), Sum n (fun j => if adj i j then ey j * stretch j else 0)).
+Proof.
+  intros (_ & S & _ & (P & Md) & Ds) Hi ex ey stretch.
+  assert (K : forall j, (j < n)%nat -> is_velocity (fun h => pull adj V' (fun j => r j + RtoC h * (x j, y j))%C i j) 0
+    (if adj i j then ex j * stretch j else 0, if adj i j then ey j * stretch j else 0)).
+  { intros j Hj. unfold pull. destruct (adj i j) eqn:L; [|split; apply D_const]. destruct (Ds i j Hi Hj L) as [Di Dk]. destruct (Md i j Hi Hj L) as [Dp Mn].
+    assert (Z : V' i j (d i j) = 0).
+    { destruct P as [_ P]. destruct (P i j Hi Hj L) as (P1 & _). destruct (P1 (d i j) Dp) as (Dv & _).
+      assert (Ex : derivable_pt_lim (V i j) (d i j) (V' i j (d i j))) by now apply is_derive_Reals.
+      set (pr := exist _ _ Ex : derivable_pt (V i j) (d i j)). pose proof (deriv_minimum (V i j) (d i j / 2) (d i j + 1) (d i j) pr ltac:(lra) ltac:(lra)) as Q.
+      assert (E : derive_pt (V i j) (d i j) pr = V' i j (d i j)) by reflexivity. rewrite <- E. apply Q. intros u H1 H2. destruct (Req_dec u (d i j)) as [->|Nu]; [lra|]. left. apply Mn; lra. }
+    set (u := fun h => (r i + RtoC h * (x i, y i) - (r j + RtoC h * (x j, y j)))%C).
+    assert (U : is_velocity u 0 ((x i - x j), (y i - y j))).
+    { destruct (line_velocity (r i - r j)%C (x i - x j, y i - y j) 0) as [A B]. split; [revert A|revert B]; apply is_derive_ext; intros h; unfold u; cbn; ring. }
+    assert (U0 : u 0 = (r i - r j)%C) by (unfold u; ring).
+    assert (N0 : u 0 <> RtoC 0) by (rewrite U0; intros E; rewrite E, Cmod_0 in Di; lra).
+    pose proof (tanner_energy.D_norm u 0 _ U N0) as Dn. change (is_derive (fun h => Cmod (u h)) 0 (inner (u 0) (x i - x j, y i - y j) / Cmod (u 0))) in Dn.
+    assert (Dk' : is_derive (V' i j) (Cmod (u 0)) (k i j)) by (rewrite U0, Di; exact Dk).
+    assert (Dq : is_derive (fun h => V' i j (Cmod (u h)) / Cmod (u h)) 0 (k i j * (inner (u 0) (x i - x j, y i - y j) / Cmod (u 0)) / d i j)).
+    { eapply D_eq; [apply (is_derive_div (fun h => V' i j (Cmod (u h))) (fun h => Cmod (u h)) 0 _ _ (D_comp (V' i j) (fun h => Cmod (u h)) 0 (k i j) _ Dk' Dn) Dn)|].
+      - rewrite U0, Di. lra.
+      - rewrite U0, Di, Z. field. lra. }
+    destruct U as [U1 U2]. split; cbn [fst snd].
+    - apply (is_derive_ext (fun h => V' i j (Cmod (u h)) / Cmod (u h) * fst (u h))); [intros h; unfold u; cbn; ring|].
+      eapply D_eq; [apply (D_mult _ _ 0 _ _ Dq U1)|]. rewrite U0, Di, Z, inner_xy. unfold stretch, ex, ey. rewrite Di. cbn. field. lra.
+    - apply (is_derive_ext (fun h => V' i j (Cmod (u h)) / Cmod (u h) * snd (u h))); [intros h; unfold u; cbn; ring|].
+      eapply D_eq; [apply (D_mult _ _ 0 _ _ Dq U2)|]. rewrite U0, Di, Z, inner_xy. unfold stretch, ex, ey. rewrite Di. cbn. field. lra. }
+  split; unfold gradV, Csum; cbn [fst snd].
+  - apply (D_Sum n (fun j h => fst (pull adj V' (fun j => r j + RtoC h * (x j, y j))%C i j)) (fun j => if adj i j then ex j * stretch j else 0)). intros j Hj. apply (K j Hj).
+  - apply (D_Sum n (fun j h => snd (pull adj V' (fun j => r j + RtoC h * (x j, y j))%C i j)) (fun j => if adj i j then ey j * stretch j else 0)). intros j Hj. apply (K j Hj).
+Qed.
+(* tanner2.thm2_coll clause 1 as long as a motion lasts: until T, of which the distance kept does not depend *)
+Definition motion10_until T n V' R0 (r v : nat -> R -> C) := apart_at n complete (fun i => r i 0) /\
+  (forall t i, 0 <= t < T -> (i < n)%nat -> is_velocity (r i) t (v i t)) /\
+  (forall i, (i < n)%nat -> forall T' e, 0 < T' < T -> 0 < e -> exists d, 0 < d /\ forall m (a b : nat -> R),
+    (forall k, (k < m)%nat -> 0 <= a k <= b k /\ b k <= T') -> (forall k, (Datatypes.S k < m)%nat -> b k <= a (Datatypes.S k)) ->
+    Sum m (fun k => b k - a k) < d -> Sum m (fun k => Cmod (v i (b k) - v i (a k))%C) < e) /\
+  exists N, negligible N /\ forall t, 0 <= t < T -> ~ N t -> apart_at n complete (fun i => r i t) ->
+    exists z, K10 n V' R0 (fun i => r i t) (fun i => v i t) z /\ forall i, (i < n)%nat -> is_velocity (v i) t (z i).
+Definition thm2_coll_until : Prop := forall n V V' R0 (r v : nat -> R -> C), 0 < R0 -> potentials n complete V V' -> apart_at n complete (fun i => r i 0) ->
+  exists d, 0 < d /\ forall T, motion10_until T n V' R0 r v -> forall t i j, 0 <= t < T -> (i < n)%nat -> (j < n)%nat -> i <> j -> d < Cmod (r i t - r j t)%C.
+(* a function that goes on straight from c *)
+Lemma straight_on (f : R -> R) c l t l' : 0 <= t -> (t <= c -> is_derive f t l') -> (c <= t -> l' = l) ->
+  is_derive (fun u => f (Rmin u c) + l * Rmax (u - c) 0) t l'.
+Proof.
+  intros Ht D E. destruct (Rtotal_order t c) as [L|[Q|L]].
+  - specialize (D ltac:(lra)). apply (is_derive_ext_loc f); [|exact D]. exists (mkposreal (c - t) ltac:(lra)). intros u Hu. change (Rabs (u - t) < c - t) in Hu.
+    apply Rabs_lt_between in Hu. rewrite Rmin_left, Rmax_right by lra. Rring.
+  - subst t. specialize (D ltac:(lra)). rewrite (E ltac:(lra)) in *.
+    assert (Z : is_derive (fun u => f (Rmin u c) + l * Rmax (u - c) 0 + - l * u) c 0).
+    { apply (D_nearer _ (fun u => f u + - l * u)).
+      - eapply D_eq; [apply D_plus; [exact D|apply D_scal, D_id]|]. Rring.
+      - intros s. rewrite (Rmin_left c c), (Rmax_right (c - c) 0) by lra. destruct (Rle_or_lt s c) as [L|L].
+        + rewrite Rmin_left, Rmax_right by lra. right. f_equal. ring.
+        + rewrite Rmin_right, Rmax_left by lra. replace (f c + l * (s - c) + - l * s - (f c + l * 0 + - l * c)) with 0 by ring. rewrite Rabs_R0. apply Rabs_pos. }
+    apply (is_derive_ext (fun u => f (Rmin u c) + l * Rmax (u - c) 0 + - l * u + l * u)); [intros; Rring|].
+    eapply D_eq; [apply D_plus; [exact Z|apply D_scal, D_id]|]. Rring.
+  - rewrite (E ltac:(lra)). apply (is_derive_ext_loc (fun u => f c + l * (u - c))).
+    + exists (mkposreal (t - c) ltac:(lra)). intros u Hu. change (Rabs (u - t) < t - c) in Hu. apply Rabs_lt_between in Hu. rewrite Rmin_right, Rmax_left by lra. reflexivity.
+    + auto_derive; [exact I|ring].
+Qed.
+Lemma thm2_coll_until_holds : thm2_coll_until.
+Proof.
+  intros n V V' R0 r v HR P A0. destruct (start_allows n V V' R0 (fun i => r i 0) (fun i => v i 0) HR P A0) as (d & Al). exists d. split; [apply Al|].
+  intros T (_ & Mv & Ma & N & HN & Mz) t i j Ht Hi Hj Ne. set (c := (t + T) / 2). assert (Hc : t < c < T) by (unfold c; lra).
+  set (q := fun (i : nat) (u : R) => (r i (Rmin u c) + RtoC (Rmax (u - c) 0) * v i c)%C). set (p := fun (i : nat) (u : R) => v i (Rmin u c)).
+  assert (Eq : forall i u, u <= c -> q i u = r i u /\ p i u = v i u).
+  { intros k u Hu. unfold q, p. rewrite Rmin_left, Rmax_right by lra. split; [ring|reflexivity]. }
+  assert (W : moves_while n V' R0 q p (fun u => u < c)).
+  { split; [|split; [|split]].
+    - intros k l Hk Hl L E. rewrite (proj1 (Eq k 0 ltac:(lra))), (proj1 (Eq l 0 ltac:(lra))) in E. now apply (A0 k l).
+    - intros u k Hu Hk. assert (C1 : u <= c -> p k u = v k u) by (intros; now apply Eq). assert (C2 : c <= u -> p k u = v k c) by (intros; unfold p; now rewrite Rmin_right by lra).
+      split.
+      + apply (is_derive_ext (fun u => fst (r k (Rmin u c)) + fst (v k c) * Rmax (u - c) 0)); [intros; unfold q; cbn; ring|].
+        apply (straight_on (fun u => fst (r k u))); [exact Hu| |intros L; now rewrite C2]. intros L. rewrite C1 by exact L. apply Mv; [lra|exact Hk].
+      + apply (is_derive_ext (fun u => snd (r k (Rmin u c)) + snd (v k c) * Rmax (u - c) 0)); [intros; unfold q; cbn; ring|].
+        apply (straight_on (fun u => snd (r k u))); [exact Hu| |intros L; now rewrite C2]. intros L. rewrite C1 by exact L. apply Mv; [lra|exact Hk].
+    - intros k Hk S e HS He. destruct (Ma k Hk c e ltac:(lra) He) as (h & Hh & Q). exists h. split; [exact Hh|]. intros m a b I O Sm.
+      apply (Q m (fun x => Rmin (a x) c) (fun x => Rmin (b x) c)).
+      + intros x Hx. destruct (I x Hx). split; [|apply Rmin_r]. split; [apply Rmin_glb; lra|apply Rle_min_compat_r; lra].
+      + intros x Hx. apply Rle_min_compat_r. now apply O.
+      + apply Rle_lt_trans with (2 := Sm). apply Sum_le. intros x Hx. destruct (I x Hx). unfold Rmin. destruct (Rle_dec (b x) c), (Rle_dec (a x) c); lra.
+    - exists N. split; [exact HN|]. intros u Hu Lu Nu Au.
+      assert (E1 : (fun k => q k u) = (fun k => r k u)) by (apply FunctionalExtensionality.functional_extensionality; intros k; apply Eq; lra).
+      assert (E2 : (fun k => p k u) = (fun k => v k u)) by (apply FunctionalExtensionality.functional_extensionality; intros k; apply Eq; lra).
+      rewrite E1 in *. rewrite E2. destruct (Mz u ltac:(lra) Nu Au) as (z & Kz & Vz). exists z. split; [exact Kz|]. intros k Hk.
+      assert (Lo : locally u (fun x => v k x = p k x)).
+      { exists (mkposreal (c - u) ltac:(lra)). intros x Hx. change (Rabs (x - u) < c - u) in Hx. apply Rabs_lt_between in Hx. symmetry. apply Eq. lra. }
+      destruct (Vz k Hk) as [V1 V2]. split.
+      + apply (is_derive_ext_loc (fun x => fst (v k x))); [|exact V1]. revert Lo. apply filter_imp. intros x Hx. now rewrite Hx.
+      + apply (is_derive_ext_loc (fun x => snd (v k x))); [|exact V2]. revert Lo. apply filter_imp. intros x Hx. now rewrite Hx. }
+  assert (Al' : allows n V R0 (fun i => q i 0) (fun i => p i 0) d).
+  { assert (E1 : (fun k => q k 0) = (fun k => r k 0)) by (apply FunctionalExtensionality.functional_extensionality; intros k; apply Eq; lra).
+    assert (E2 : (fun k => p k 0) = (fun k => v k 0)) by (apply FunctionalExtensionality.functional_extensionality; intros k; apply Eq; lra). rewrite E1, E2. exact Al. }
+  pose proof (kept_apart_while n V V' R0 q p HR P _ W d Al' t ltac:(lra) ltac:(intros; lra) i j Hi Hj Ne) as K.
+  rewrite (proj1 (Eq i t ltac:(lra))), (proj1 (Eq j t ltac:(lra))) in K. exact K.
 Qed.
