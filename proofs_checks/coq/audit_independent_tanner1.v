@@ -296,3 +296,114 @@ Proof.
   - f_equal; [f_equal; unfold align; apply Sum_ext; intros j _; unfold w, norm; destruct (adj i j); ring|].
     f_equal. f_equal. unfold grad_i. apply Csum_ext. intros j _. unfold pair_grad, w, grad, norm. destruct (adj i j); apply injective_projections; cbn; ring.
 Qed.
+
+(* ======== the remaining clauses: statements first ======== *)
+Definition simple_connected n adj := undirected adj /\ no_loops adj /\ strongly_connected n adj.
+(* the headings of moving agents, as atan2 gives them *)
+Definition headings n (v : nat -> R -> C) (th : nat -> R -> R) t := forall i, (i < n)%nat ->
+  v i t <> 0%C /\ v i t = (RtoC (Cmod (v i t)) * expi (th i t))%C /\ - PI < th i t <= PI.
+Definition closed n adj (V V' : nat -> nat -> R -> R) r v (th : nat -> R -> R) t :=
+  loop n adj V V' r v (fun i j s => th i s - th j s) t /\ headings n v th t.
+Definition Vi n (adj : graph) (V : nat -> nat -> R -> R) (r : nat -> C) i := Sum n (fun j => if adj i j then V i j (Cmod (r i - r j)%C) else 0).
+Definition Vt n adj V (r v : nat -> C) (th : nat -> R) := / 2 * Sum n (fun i => Vi n adj V r i + Cmod (v i) ^ 2 + th i ^ 2).
+Definition a_theta n (adj : graph) (r v : nat -> C) (th : nat -> R) i : C :=
+  (- RtoC (Sum n (fun j => if adj i j then (th i - th j) / Cmod (r i - r j)%C ^ 2 else 0)%R) * (Ci * v i))%C.
+Definition gradV n (adj : graph) (V' : nat -> nat -> R -> R) (r : nat -> C) i : C :=
+  Csum n (fun j => if adj i j then RtoC (V' i j (Cmod (r i - r j)) / Cmod (r i - r j)) * (r i - r j) else 0)%C.
+Definition linked_apart n (adj : graph) (r : nat -> C) := forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i <> r j.
+(* the entries of Delta, A and of the incidence matrix D; an arc (i, j) goes from i to j; an orientation takes each edge in one direction *)
+Definition valency n (adj : graph) i k : R := if Nat.eqb i k then Sum n (fun j => if adj i j then 1 else 0) else 0.
+Definition adjacency (adj : graph) i k : R := if adj i k then 1 else 0.
+Definition lapL n adj i k := valency n adj i k - adjacency adj i k.
+Definition incD (i : nat) (e : nat * nat) : R := if Nat.eqb i (snd e) then 1 else if Nat.eqb i (fst e) then - 1 else 0.
+Definition orientation n (adj : graph) (O : list (nat * nat)) := NoDup O /\
+  (forall i j, In (i, j) O -> (i < n)%nat /\ (j < n)%nat /\ adj i j = true) /\
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> (In (i, j) O /\ ~ In (j, i) O) \/ (In (j, i) O /\ ~ In (i, j) O).
+Definition psd n (M : nat -> nat -> R) := forall x : nat -> R, 0 <= Sum n (fun i => x i * Sum n (fun j => M i j * x j)).
+Definition sym n (M : nat -> nat -> R) := forall i j, (i < n)%nat -> (j < n)%nat -> M i j = M j i.
+
+(* tanner1.L clause 1 *)
+Definition L_1 : Prop := forall n adj O i k, undirected adj -> no_loops adj -> orientation n adj O -> (i < n)%nat -> (k < n)%nat ->
+  lapL n adj i k = lsum O (fun e => incD i e * incD k e).
+(* tanner1.L clause 2 *)
+Definition L_2 : Prop := forall n adj O O' i k, undirected adj -> no_loops adj -> orientation n adj O -> orientation n adj O' ->
+  (i < n)%nat -> (k < n)%nat -> lsum O (fun e => incD i e * incD k e) = lsum O' (fun e => incD i e * incD k e).
+(* tanner1.L clause 3 *)
+Definition L_3 : Prop := forall n adj, undirected adj -> no_loops adj -> sym n (lapL n adj) /\ psd n (lapL n adj).
+(* tanner1.L.ones clause 1: refuted, as printed it is said of every graph *)
+Definition L_ones_1 : Prop := ~ forall n adj, undirected adj -> no_loops adj -> forall x : nat -> R,
+  (exists i, (i < n)%nat /\ x i <> 0) -> (forall i, (i < n)%nat -> Sum n (fun j => lapL n adj i j * x j) = 0) ->
+  exists c, forall i, (i < n)%nat -> x i = c.
+(* tanner1.Lw clause 1: refuted; D W D has a value where there are as many edges as vertices, and there each of the properties fails *)
+Definition DWD n (O : list (nat * nat)) (wt : nat -> R) i j := Sum n (fun k => incD i (nth k O (0, 0)%nat) * wt k * incD k (nth j O (0, 0)%nat)).
+Definition square n adj O (wt : nat -> R) := simple_connected n adj /\ orientation n adj O /\ length O = n /\ forall k, 0 < wt k.
+Definition Lw_1 : Prop := (exists n adj O, simple_connected n adj /\ orientation n adj O /\ length O <> n) /\
+  (~ forall n adj O wt, square n adj O wt -> sym n (DWD n O wt)) /\ (~ forall n adj O wt, square n adj O wt -> psd n (DWD n O wt)) /\
+  (~ forall n adj O O' wt, square n adj O wt -> square n adj O' wt ->
+     (forall k, (k < n)%nat -> let e := nth k O (0, 0)%nat in let e' := nth k O' (0, 0)%nat in e' = e \/ e' = (snd e, fst e)) ->
+     forall i j, (i < n)%nat -> (j < n)%nat -> DWD n O wt i j = DWD n O' wt i j) /\
+  (~ forall n adj O wt, square n adj O wt -> forall i, (i < n)%nat -> Sum n (DWD n O wt i) = 0).
+(* tanner1.Lw clause 2; the weight of an edge is a i j = a j i *)
+Definition Lw_2 : Prop := forall n adj O (a : nat -> nat -> R) i k, undirected adj -> no_loops adj -> orientation n adj O ->
+  (forall i j, adj i j = true -> a i j = a j i /\ 0 < a i j) -> (i < n)%nat -> (k < n)%nat ->
+  lsum O (fun e => incD i e * a (fst e) (snd e) * incD k e) =
+  (if Nat.eqb i k then Sum n (fun j => if adj i j then a i j else 0) else 0) - (if adj i k then a i k else 0).
+(* tanner1.Lw clause 3 *)
+Definition Lw_3 : Prop := forall n adj O O' (a : nat -> nat -> R) i k, undirected adj -> no_loops adj -> orientation n adj O -> orientation n adj O' ->
+  (forall i j, adj i j = true -> a i j = a j i /\ 0 < a i j) -> (i < n)%nat -> (k < n)%nat ->
+  lsum O (fun e => incD i e * a (fst e) (snd e) * incD k e) = lsum O' (fun e => incD i e * a (fst e) (snd e) * incD k e).
+(* tanner1.Vmono clause 1: refuted *)
+Definition Vmono_1 : Prop := ~ forall s t, 0 < s <= t -> fig2 0 0 s <= fig2 0 0 t.
+(* tanner1.fig2 clause 1 *)
+Definition fig2_1 : Prop := exists s0, 0 < s0 /\ (forall s, 0 < s -> s <> s0 -> fig2 0 0 s0 < fig2 0 0 s) /\
+  (forall s t, 0 < s < t -> t <= s0 -> fig2 0 0 t < fig2 0 0 s) /\ forall s t, s0 <= s < t -> fig2 0 0 s < fig2 0 0 t.
+(* tanner1.Vt clause 1 *)
+Definition Vt_1 : Prop := forall n adj r v th, linked_apart n adj r -> 0 <= Vt n adj fig2 r v th /\
+  Vt n adj fig2 r v th = / 2 * Sum n (fun i => Sum n (fun j => if adj i j then fig2 i j (Cmod (r i - r j)%C) else 0) + inner (v i) (v i) + th i ^ 2).
+(* tanner1.Vt_inv clause 1: refuted, with the potential of Figure 2 and away from jumps and agents at rest *)
+Definition Vt_inv_1 : Prop := ~ forall n adj r v th T, simple_connected n adj ->
+  (forall t, 0 <= t <= T -> closed n adj fig2 fig2' r v th t /\ forall i, (i < n)%nat -> ex_derive (th i) t) -> forall s t, 0 <= s <= t -> t <= T ->
+  Vt n adj fig2 (fun i => r i t) (fun i => v i t) (fun i => th i t) <= Vt n adj fig2 (fun i => r i s) (fun i => v i s) (fun i => th i s).
+(* tanner1.anyV clause 1: refuted, even for non-negative potentials that tend to infinity with the distance *)
+Definition anyV_1 : Prop := ~ forall n adj V V' r v (th : nat -> R -> R), simple_connected n adj -> symmetric_V V ->
+  (forall i j s, 0 < s -> is_derive (V i j) s (V' i j s) /\ 0 <= V i j s) -> (forall i j, binds (V i j)) -> start_apart n adj r ->
+  (forall t, 0 <= t -> loop_apart n adj V' r v (fun i j s => th i s - th j s) t /\ headings n v th t) ->
+  forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t.
+(* tanner1.anyV clause 2: refuted, even for non-negative potentials that tend to infinity at 0 *)
+Definition anyV_2 : Prop := ~ forall n adj V V' r v (th : nat -> R -> R), simple_connected n adj -> symmetric_V V ->
+  (forall i j, repels (V i j) (V' i j)) -> start_apart n adj r -> (forall t, 0 <= t -> closed n adj V V' r v th t) ->
+  exists B, forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> Cmod (r i t - r j t)%C <= B.
+(* tanner1.collision clause 1: refuted, for connected graphs *)
+Definition collision_1 : Prop := ~ forall n adj i j, simple_connected n adj -> (i < n)%nat -> (j < n)%nat -> i <> j ->
+  forall c, exists d, 0 < d /\ forall r v th, linked_apart n adj r -> r i <> r j -> Cmod (r i - r j)%C < d -> c < Vt n adj fig2 r v th.
+(* tanner1.collision clause 2: refuted, for connected graphs and motions that last *)
+Definition collision_2 : Prop := ~ forall n adj r v th, simple_connected n adj ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> r i 0 <> r j 0) -> (forall t, 0 <= t -> closed n adj fig2 fig2' r v th t) ->
+  forall t i j, 0 <= t -> (i < n)%nat -> (j < n)%nat -> i <> j -> r i t <> r j t.
+(* tanner1.eq7 clause 1: refuted, with the potential of Figure 2 and away from jumps and agents at rest *)
+Definition eq7_1 : Prop := ~ forall n adj r v th t i, simple_connected n adj -> (i < n)%nat ->
+  locally t (closed n adj fig2 fig2' r v th) -> ex_derive (th i) t ->
+  is_derive (th i) t (- Sum n (fun j => if adj i j then (th i t - th j t) / Cmod (r i t - r j t)%C ^ 2 else 0)).
+(* tanner1.eq8 clause 1; gradients of functions of a vector by derivatives in all directions *)
+Definition gradient (F : C -> R) (x g : C) := forall u : C, is_derive (fun h => F (x + RtoC h * u)%C) 0 (inner g u).
+Definition eq8_1 : Prop := forall (V : R -> R) (ri rj : C), ri <> rj -> ex_derive V (Cmod (ri - rj)%C) -> exists g,
+  gradient (fun x => V (Cmod x)) (ri - rj)%C g /\ gradient (fun x => V (Cmod (x - rj)%C)) ri g /\ gradient (fun x => V (Cmod (ri - x)%C)) rj (- g)%C.
+(* tanner1.eq8 clause 2; gradV is the gradient of V_i with respect to r_i *)
+Definition eq8_2 : Prop := forall n adj V V' (r : nat -> R -> C) (v : nat -> C) t, undirected adj -> no_loops adj -> symmetric_V V ->
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i)) -> linked_apart n adj (fun i => r i t) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (Cmod (r i t - r j t)%C) (V' i j (Cmod (r i t - r j t)%C))) ->
+  is_derive (fun s => Sum n (fun i => / 2 * Vi n adj V (fun j => r j s) i)) t (Sum n (fun i => inner (gradV n adj V' (fun j => r j t) i) (v i))) /\
+  forall i, (i < n)%nat -> gradient (fun x => Sum n (fun j => if adj i j then V i j (Cmod (x - r j t)%C) else 0)) (r i t) (gradV n adj V' (fun j => r j t) i).
+(* tanner1.eq9.chain clause 2 *)
+Definition eq9_2 : Prop := forall n adj V V' r v th (dth : nat -> R) t, undirected adj -> no_loops adj -> symmetric_V V ->
+  closed n adj V V' r v th t -> (forall i, (i < n)%nat -> is_derive (th i) t (dth i)) ->
+  is_derive (fun s => Vt n adj V (fun i => r i s) (fun i => v i s) (fun i => th i s)) t (Sum n (fun i => th i t * dth i)).
+(* tanner1.gyro clause 1 *)
+Definition gyro_1 : Prop := forall n adj r v th i, inner (v i) (a_theta n adj r v th i) = 0.
+(* tanner1.gyro clause 2: the kinetic energy changes as if the component were not there *)
+Definition gyro_2 : Prop := forall n adj (r v : nat -> R -> C) (th : nat -> R -> R) (a_r : nat -> C) t,
+  (forall i, (i < n)%nat -> is_velocity (v i) t (a_r i + a_theta n adj (fun j => r j t) (fun j => v j t) (fun j => th j t) i)%C) ->
+  is_derive (fun s => Sum n (fun i => / 2 * Cmod (v i s) ^ 2)) t (Sum n (fun i => inner (v i t) (a_r i))).
+(* tanner1.propIV3b clause 1: refuted; the distances of linked agents need not even tend to limits *)
+Definition propIV3b_1 : Prop := ~ forall n adj r v th, simple_connected n adj -> (forall t, 0 <= t -> closed n adj fig2 fig2' r v th t) ->
+  forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> exists d : R, is_lim (fun t => Cmod (r i t - r j t)%C) p_infty d.

@@ -1,7 +1,8 @@
 (* Clauses of the claims about Veerman's paper, formalised from their words before the theorems were looked at; the theorems
    prove them. *)
-From Coq Require Import Reals Lra Lia List Psatz.
+From Coq Require Import Reals Lra Lia List Relations Psatz.
 From Coquelicot Require Import Coquelicot.
+From Flockproof Require Import RealSums paley_model paley_phase.
 From Flockproof Require veerman_complex veerman_front veerman_chain veerman_stability veerman_lemma1 veerman_numbers veerman_amplitude
   veerman_theorem1 veerman_unsettled veerman_lesser veerman_exponent veerman_size_limit.
 Open Scope R_scope.
@@ -483,3 +484,118 @@ Proof.
   assert (A * t * INR (S N) <= B * q * INR (S N)) by (apply Rmult_le_compat_r; lra).
   replace (B * (INR (S N) * q)) with (B * q * INR (S N)) in L by ring. lra.
 Qed.
+
+(* ======== the remaining clauses: statements first ======== *)
+(* matrices by their entries from 0; agent k is row k - 1 of P_1, P_2; states (x_1, u_1, x_2, u_2, ..) *)
+Definition kron2 (A B : nat -> nat -> R) i j := A (Nat.div2 i) (Nat.div2 j) * B (Nat.modulo i 2) (Nat.modulo j 2).
+Definition unit_m (i j : nat) : R := if Nat.eqb i j then 1 else 0.
+Definition A22 (i j : nat) : R := match i, j with 0%nat, 1%nat => 1 | _, _ => 0 end.
+Definition K22 (f g : R) (i j : nat) : R := match i, j with 1%nat, 0%nat => f | 1%nat, 1%nat => g | _, _ => 0 end.
+Definition P1 (i j : nat) : R := if Nat.eqb i j then 1 else if Nat.eqb i (S j) then - 1 else 0.
+Definition P2 (N i j : nat) : R := if Nat.eqb i j then 1 else if Nat.eqb i (S j) then (if Nat.eqb i N then - 1 else - / 2) else if Nat.eqb (S i) j then - / 2 else 0.
+Definition interleave (h u : nat -> C) (m : nat) : C := if Nat.even m then h (S (Nat.div2 m)) else u (S (Nat.div2 m)).
+Definition times n (M : nat -> nat -> R) (x : nat -> C) i : C := Csum n (fun j => RtoC (M i j) * x j)%C.
+(* xdot = I kron A x + P kron K (x - zeta) + L_l kron (K (x_l - zeta_l)); Ll is the first column of L_i from row 1 on *)
+Definition vector_form N f g (P : nat -> nat -> R) (Ll : nat -> R) (x u : nat -> R -> C) (h : nat -> C) t := forall m, (m < 2 * S N)%nat ->
+  let z := interleave (fun k => x k t) (fun k => u k t) in let zeta := interleave h (fun _ => 0%C) in
+  let lead q := if Nat.eqb q 0 then (x 0%nat t - h 0%nat)%C else u 0%nat t in
+  is_velocity (fun s => interleave (fun k => x k s) (fun k => u k s) m) t
+    (times (2 * S N) (kron2 unit_m A22) z m + times (2 * S N) (kron2 P (K22 f g)) (fun j => z j - zeta j) m
+     + RtoC (Ll (Nat.div2 m)) * times 2 (K22 f g) lead (Nat.modulo m 2))%C.
+(* equations (1), (2) at time t; h k is the desired position of agent k, the motion of the leader 0 is anything *)
+Definition motion_1 N f g (x u : nat -> R -> C) (h : nat -> C) t := forall k, (1 <= k <= S N)%nat -> is_velocity (x k) t (u k t) /\
+  is_velocity (u k) t (RtoC f * ((x k t - h k) - (x (k - 1)%nat t - h (k - 1)%nat)) + RtoC g * (u k t - u (k - 1)%nat t))%C.
+Definition motion_2 N f g (x u : nat -> R -> C) (h : nat -> C) t := forall k, (1 <= k <= S N)%nat -> is_velocity (x k) t (u k t) /\
+  is_velocity (u k) t (if Nat.eqb k (S N)
+    then RtoC f * ((x k t - h k) - (x (k - 1)%nat t - h (k - 1)%nat)) + RtoC g * (u k t - u (k - 1)%nat t)
+    else RtoC f * ((x k t - h k) - / 2 * (x (k - 1)%nat t - h (k - 1)%nat + (x (k + 1)%nat t - h (k + 1)%nat)))
+       + RtoC g * (u k t - / 2 * (u (k - 1)%nat t + u (k + 1)%nat t)))%C.
+(* veerman.eq1_matrix clause 1 *)
+Definition eq1_matrix_1 : Prop := forall N f g x u h t,
+  motion_1 N f g x u h t <-> vector_form N f g P1 (fun i => if Nat.eqb i 0 then - 1 else 0) x u h t.
+(* veerman.eq1_matrix clause 2 *)
+Definition eq1_matrix_2 : Prop := forall N lam,
+  (exists x : nat -> C, (exists i, (i < S N)%nat /\ x i <> 0%C) /\ forall i, (i < S N)%nat -> times (S N) P1 x i = (lam * x i)%C) <-> lam = 1%C.
+(* veerman.eq2_matrix clause 1; a single follower (N = 0) sees the leader fully, else the first sees half of it *)
+Definition eq2_matrix_1 : Prop := forall N f g x u h t, motion_2 N f g x u h t <->
+  vector_form N f g (P2 N) (fun i => if Nat.eqb i 0 then (if Nat.eqb N 0 then - 1 else - / 2) else 0) x u h t.
+(* veerman.cor1.proof clause 1: refuted, in both directions, with all h_k = 0 and for stable systems *)
+Definition substituted f g w (a : nat -> C) := forall k t, (1 <= k)%nat -> is_velocity (fun s => Ci * RtoC w * expi (w * s))%C t
+  (RtoC f * (a k * expi (w * t) - a (k - 1)%nat * expi (w * t)) + RtoC g * (Ci * RtoC w * expi (w * t) - Ci * RtoC w * expi (w * t)))%C.
+Definition recurrence f g w (a : nat -> C) := forall k, (1 <= k)%nat ->
+  (- RtoC (w ^ 2) * a k = RtoC f * (a k - a (k - 1)%nat) + Ci * RtoC w * RtoC g * (a k - a (k - 1)%nat))%C.
+Definition cor1_proof_1 : Prop :=
+  (~ forall f g w a, f < 0 -> g < 0 -> 0 < w -> a 0%nat = 1%C -> substituted f g w a -> recurrence f g w a) /\
+  (~ forall f g w a, f < 0 -> g < 0 -> 0 < w -> a 0%nat = 1%C -> recurrence f g w a -> substituted f g w a).
+(* veerman.gain_iff clause 1: refuted *)
+Definition gain_iff_1 : Prop := ~ forall f g w, f < 0 -> g < 0 -> 0 <= w -> w ^ 2 < 2 * Rabs f -> 1 < Cmod (/ gam f g w)%C.
+(* veerman.gain_iff clause 2 *)
+Definition gain_iff_2 : Prop := forall f g w, f < 0 -> g < 0 -> 0 <= w -> 1 < Cmod (/ gam f g w)%C -> w ^ 2 < 2 * Rabs f.
+(* veerman.gain_max clause 1: refuted, for all f and g *)
+Definition gain_max_1 : Prop := forall f g, f < 0 -> g < 0 -> ~ forall w, 0 <= w -> Cmod (/ gam f g w)%C <= Cmod (/ gam f g (sqrt (Rabs f)))%C.
+(* veerman.lem2_eigvec clauses 1, 2; C (p, q) by the rows of C *)
+Definition CC (G : C) (v : C * C) : C * C := (0 * fst v + 1 * snd v, - (1) * fst v + 2 * G * snd v)%C.
+Definition lem2_eigvec_12 : Prop := forall f g w N a, f < 0 -> g < 0 -> (response2 f g w N a <-> a 0%nat = 1%C /\
+  (forall k, (1 <= k <= N)%nat -> (a k, a (k + 1)%nat) = CC (gam f g w) (a (k - 1)%nat, a k)) /\ a (N + 1)%nat = (/ gam f g w * a N)%C).
+(* veerman.lem2_eigvec clauses 3, 4; for every number G and root of G^2 - 1 *)
+Definition lem2_eigvec_3 : Prop := forall G s : C, (s * s)%C = (G * G - 1)%C ->
+  (forall mu, mu = (G + s)%C \/ mu = (G - s)%C -> CC G (RtoC 1, mu) = (mu * 1, mu * mu)%C) /\
+  forall p q lam : C, (p <> 0 \/ q <> 0)%C -> CC G (p, q) = (lam * p, lam * q)%C -> (lam = G + s \/ lam = G - s)%C /\ q = (p * lam)%C.
+Definition lem2_eigvec_4 : Prop := forall G s : C, (s * s)%C = (G * G - 1)%C ->
+  (1 - G * (G + s) = - s * (G + s))%C /\ (1 - G * (G - s) = s * (G - s))%C.
+(* ---- each agent keeps track of the n-th in front and behind; agents 0 .. N + 1 ---- *)
+Definition nth_graph (n i j : nat) : bool := orb (Nat.eqb (i + n) j) (Nat.eqb (j + n) i).
+Definition nth_motion n N f g (x u : nat -> R -> R) (h : nat -> R) t := forall k, (1 <= k <= S N)%nat -> is_derive (x k) t (u k t) /\
+  let y j := x j t - h j in let front := Nat.leb n k in let behind := Nat.leb (k + n) (S N) in
+  is_derive (u k) t (if andb front behind then f * (y k - / 2 * (y (k - n)%nat + y (k + n)%nat)) + g * (u k t - / 2 * (u (k - n)%nat t + u (k + n)%nat t))
+    else if front then f * (y k - y (k - n)%nat) + g * (u k t - u (k - n)%nat t)
+    else if behind then f * (y k - y (k + n)%nat) + g * (u k t - u (k + n)%nat t) else 0).
+(* veerman.nth_neighbour clause 1: refuted *)
+Definition nth_neighbour_1 : Prop := ~ forall n N, (1 <= n)%nat -> ~ strongly_connected (S (S N)) (nth_graph n).
+(* veerman.nth_neighbour clause 2: refuted; with n = 1, from rest in the places; with every n >= 2, if the start is anything *)
+Definition stays_behind (x : nat -> R -> R) k := forall B, exists t, 0 <= t /\ B < Rabs (x k t - x 0%nat t).
+Definition nth_neighbour_2 : Prop :=
+  (~ forall n N f g x u h, (1 <= n)%nat -> f < 0 -> g < 0 -> (forall t, 0 <= t -> is_derive (x 0%nat) t (u 0%nat t) /\ nth_motion n N f g x u h t) ->
+     is_lim (x 0%nat) p_infty p_infty -> (forall k, (1 <= k <= S N)%nat -> x k 0 = h k /\ u k 0 = 0) ->
+     exists k, (1 <= k <= S N)%nat /\ stays_behind x k) /\
+  forall n N f g, (2 <= n)%nat -> f < 0 -> g < 0 ->
+   ~ forall x u h, (forall t, 0 <= t -> is_derive (x 0%nat) t (u 0%nat t) /\ nth_motion n N f g x u h t) ->
+     is_lim (x 0%nat) p_infty p_infty -> exists k, (1 <= k <= S N)%nat /\ stays_behind x k.
+(* veerman.prop1 clause 1: refuted, even if all cars stay within D *)
+Definition prop1_1 : Prop := ~ forall f g a0 D N a, f < 0 -> g < 0 -> 0 < a0 -> 0 < D -> response1 f g (Rabs f) a ->
+  (forall k, (k <= S N)%nat -> a0 * Cmod (a k) <= D) -> INR N <= 2 * ln (D / a0) / ln (1 + Rabs f / g ^ 2).
+(* veerman.sec7.omega0 clause 1 *)
+Definition omega0_1 : Prop := (forall N, sqrt (Rabs (-1)) * PI / ((INR N + 1) * 2 * sqrt 2) = PI * sqrt 2 / (4 * (INR N + 1))) /\
+  exists K N0, forall N, (N0 <= N)%nat -> forall w A, peak (-1) (-1) N w A -> Rabs (w - PI * sqrt 2 / (4 * (INR N + 1))) <= K / INR N ^ 3.
+(* veerman.sep_remark clause 1: refuted, at every time, for every car *)
+Definition place (h : nat -> R) a0 (a : nat -> C) w k t := h k + a0 * fst (a k * expi (w * t))%C.
+Definition sep_remark_1 : Prop := forall f g w a (h : nat -> R) a0 k t, f < 0 -> g < 0 -> 0 < a0 -> response1 f g w a -> h (S k) - h k = 1 ->
+  place h a0 a w (S k) t - place h a0 a w k t <>
+  a0 * fst (/ power (gam f g w) (S k) * expi (w * t))%C - a0 * fst (/ power (gam f g w) k * expi (w * t) + 1)%C.
+(* veerman.specM clause 1: refuted, at f = 0 for every N and g; L_i has the leader's row of zeros *)
+Definition eig_L N (p : (nat -> C) -> nat -> C) (lam : C) := exists x : nat -> C, (exists k, (k <= S N)%nat /\ x k <> 0%C) /\ (lam * x 0%nat = 0)%C /\
+  forall k, (1 <= k <= S N)%nat -> p x k = (lam * x k)%C.
+Definition eig_AK (f g : R) (lam nu : C) := exists a b : C, (a <> 0 \/ b <> 0)%C /\ b = (nu * a)%C /\ (lam * RtoC f * a + lam * RtoC g * b)%C = (nu * b)%C.
+Definition specM_1 : Prop := forall N p g, p = p1 \/ p = p2 N ->
+  ~ forall nu, (eig_M N p 0 g nu /\ nu <> 0%C) <-> exists lam, eig_L N p lam /\ lam <> 0%C /\ eig_AK 0 g lam nu.
+(* veerman.table1_theory clauses 1, 2: refuted in every row, to within a unit of the last printed digit; n is N + 1, or N *)
+Definition freq1 (n : R) := PI / (n * 2 * sqrt 2).
+Definition amp1 (n : R) := 8 * sqrt 2 / PI ^ 2 * n.
+Definition off (approx : R -> R) (N : nat) (printed last : R) := last < Rabs (approx (INR N + 1) - printed) /\ last < Rabs (approx (INR N) - printed).
+Definition table1_1 : Prop := off freq1 4 0.2727291 0.0000001 /\ off freq1 8 0.1382221 0.0000001 /\ off freq1 16 0.06934994 0.00000001 /\
+  off freq1 32 0.03470038 0.00000001 /\ off freq1 64 0.017353935 0.000000001 /\ off freq1 128 0.008677381 0.000000001.
+Definition table1_2 : Prop := off amp1 4 4.49064609 0.00000001 /\ off amp1 8 9.11739657 0.00000001 /\ off amp1 16 18.3135253 0.0000001 /\
+  off amp1 32 36.6683866 0.0000001 /\ off amp1 64 73.3562112 0.0000001 /\ off amp1 128 146.7227220 0.0000001.
+(* veerman.thm1_amp clause 1 *)
+Definition thm1_amp_1 : Prop := forall f g, f < 0 -> g < 0 -> exists K N0, forall N, (N0 <= N)%nat -> (exists w A, peak f g N w A) /\
+  forall w A, peak f g N w A -> Rabs (A - 8 * sqrt (2 * Rabs f) / (PI ^ 2 * Rabs g) * (INR N + 1)) <= K / INR N.
+(* veerman.thm1_x clauses 1, 2: refuted with the printed x, for both signs and all f but -1 *)
+Definition printed_x f g := PI ^ 2 * Rabs g / (8 * sqrt 2 * Rabs f).
+Definition ordered_roots f g w (mp mm : C) := (mp + mm = 2 * gam f g w)%C /\ (mp * mm = 1)%C /\ Cmod mm <= Cmod mp.
+Definition thm1_x_1 : Prop := forall f g, f < 0 -> g < 0 -> f <> -1 ->
+  (~ exists K N0, forall N, (N0 <= N)%nat -> forall w A mp mm, peak f g N w A -> ordered_roots f g w mp mm ->
+     Rabs (Cmod mp ^ S N - exp (printed_x f g / (INR N + 1))) <= K / INR N ^ 3) /\
+  (~ exists K N0, forall N, (N0 <= N)%nat -> forall w A mp mm, peak f g N w A -> ordered_roots f g w mp mm ->
+     Rabs (Cmod mm ^ S N - exp (- printed_x f g / (INR N + 1))) <= K / INR N ^ 3).
+Definition thm1_x_2 : Prop := forall f g, f < 0 -> g < 0 -> f <> -1 ->
+  ~ exists K N0, forall N, (N0 <= N)%nat -> forall w A, peak f g N w A -> Rabs (A - (INR N + 1) / printed_x f g) <= K / INR N.
