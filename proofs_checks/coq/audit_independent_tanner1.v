@@ -4,7 +4,7 @@ From Coq Require Import Reals Lra Lia List Relations Psatz.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import RealSums paley_model paley_phase paley_laplacian paley_gradient paley_particles tanner_energy tanner_flock
   tanner1_heading tanner1_motion.
-From Flockproof Require tanner1_pair tanner_trees.
+From Flockproof Require tanner1_pair tanner_trees tanner_graph tanner1_examples.
 Open Scope R_scope.
 
 (* agents (1) with (4), (5) at time t; a i j is what the law takes for theta_i - theta_j; V' i j the derivative of V i j *)
@@ -407,3 +407,323 @@ Definition gyro_2 : Prop := forall n adj (r v : nat -> R -> C) (th : nat -> R ->
 (* tanner1.propIV3b clause 1: refuted; the distances of linked agents need not even tend to limits *)
 Definition propIV3b_1 : Prop := ~ forall n adj r v th, simple_connected n adj -> (forall t, 0 <= t -> closed n adj fig2 fig2' r v th t) ->
   forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> exists d : R, is_lim (fun t => Cmod (r i t - r j t)%C) p_infty d.
+
+(* ---- the theorems prove them ---- *)
+Lemma orientation_is n adj O : undirected adj -> no_loops adj -> orientation n adj O -> tanner_graph.oriented n adj O.
+Proof.
+  intros S NL (N & B & E). split; [exact N|]. split; [intros i j H; now apply B in H as (? & ? & _)|]. intros i j Hi Hj. unfold member, w.
+  destruct (adj i j) eqn:A.
+  - destruct (E i j Hi Hj A) as [[P Q]|[P Q]]; destruct (in_dec pair_dec (i, j) O), (in_dec pair_dec (j, i) O); try contradiction; ring.
+  - destruct (in_dec pair_dec (i, j) O) as [P|_]; [apply B in P as (_ & _ & P); congruence|].
+    destruct (in_dec pair_dec (j, i) O) as [P|_]; [apply B in P as (_ & _ & P); rewrite S in P; congruence|]. ring.
+Qed.
+Lemma incD_is n adj O i e : no_loops adj -> orientation n adj O -> In e O -> incD i e = inc i e.
+Proof.
+  intros NL (_ & B & _) I. destruct e as [a b]. apply B in I as (_ & _ & I). unfold incD, inc, delta. cbn [fst snd].
+  assert (a <> b) by (intros ->; rewrite NL in I; discriminate).
+  destruct (Nat.eqb_spec i b), (Nat.eqb_spec i a); try ring. subst. now elim H.
+Qed.
+Lemma lsum_in O f h : (forall e, In e O -> f e = h e) -> lsum O f = lsum O h.
+Proof. intros H. unfold lsum. induction O as [|e O IH]; cbn; [reflexivity|]. rewrite IH, (H e); [reflexivity|now left|intros; apply H; now right]. Qed.
+Lemma lapL_is n adj i k : lapL n adj i k = lap n adj i k.
+Proof. unfold lapL, valency, adjacency, lap, delta, deg, w. destruct (Nat.eqb i k); [|ring]. rewrite Rmult_1_l. reflexivity. Qed.
+Lemma Lw_2_proved : Lw_2.
+Proof.
+  intros n adj O a i k S NL HO Ha Hi Hk. set (W := fun i j => if adj i j then a i j else 1).
+  assert (WS : forall i j, W i j = W j i) by (intros p q; unfold W; rewrite (S q p); destruct (adj p q) eqn:E; [now apply Ha|reflexivity]).
+  rewrite (lsum_in O _ (fun e => inc i e * W (fst e) (snd e) * inc k e)).
+  - rewrite (tanner_graph.Lw_incidence n adj O W i k S (orientation_is n adj O S NL HO) WS Hi Hk). unfold tanner_graph.lapw, delta, w, W.
+    replace (Sum n (fun j => (if adj i j then 1 else 0) * (if adj i j then a i j else 1))) with (Sum n (fun j => if adj i j then a i j else 0))
+      by (apply Sum_ext; intros j _; destruct (adj i j); ring).
+    destruct (Nat.eqb i k), (adj i k); ring.
+  - intros e I. rewrite !(incD_is n adj O _ e NL HO I). destruct e as [p q]. cbn [fst snd]. destruct HO as (_ & B & _).
+    destruct (B p q I) as (_ & _ & E). unfold W. rewrite E. reflexivity.
+Qed.
+Lemma Lw_3_proved : Lw_3.
+Proof. intros n adj O O' a i k S NL H H' Ha Hi Hk. rewrite (Lw_2_proved n adj O a i k), (Lw_2_proved n adj O' a i k); auto. Qed.
+Lemma L_1_proved : L_1.
+Proof.
+  intros n adj O i k S NL HO Hi Hk. rewrite lapL_is, <- (tanner_graph.L_incidence n adj O i k S (orientation_is n adj O S NL HO) Hi Hk).
+  apply lsum_in. intros e I. now rewrite !(incD_is n adj O _ e NL HO I).
+Qed.
+Lemma L_2_proved : L_2.
+Proof. intros n adj O O' i k S NL H H' Hi Hk. rewrite <- (L_1_proved n adj O i k), <- (L_1_proved n adj O' i k); auto. Qed.
+Lemma form_is n M x : Sum n (fun i => x i * Sum n (fun j => M i j * x j)) = qform n M x. Proof. reflexivity. Qed.
+Lemma L_3_proved : L_3.
+Proof.
+  intros n adj S NL. split; [intros i j _ _; rewrite !lapL_is; now apply (lap_psd n adj (fun _ => RtoC 0))|]. intros x.
+  rewrite (Sum_ext n _ (fun k => x k * Sum n (fun j => tanner_graph.lapw n (fun i j => w adj i j * 1) k j * x j))).
+  - now apply (tanner_graph.Lw_kernel n adj (fun _ _ => 1) x S); intros; [|lra].
+  - intros k _. f_equal. apply Sum_ext. intros j _. rewrite lapL_is. unfold lap, tanner_graph.lapw, deg. rewrite Rmult_1_r. f_equal. f_equal. f_equal.
+    apply Sum_ext. intros; ring.
+Qed.
+Lemma L_ones_1_proved : L_ones_1.
+Proof.
+  intros H. apply tanner_graph.L_ones_fails. intros n adj x Hn S NL E.
+  destruct (Classical_Prop.classic (exists i, (i < n)%nat /\ x i <> 0)) as [N|N].
+  - apply (H n adj S NL x N). intros i Hi. rewrite <- (E i Hi). unfold lmul. apply Sum_ext. intros j _. now rewrite lapL_is.
+  - exists 0. intros i Hi. destruct (Req_dec (x i) 0); [assumption|]. elim N. now exists i.
+Qed.
+(* three vertices, three edges *)
+Definition tri0 : list (nat * nat) := ((0, 1) :: (1, 2) :: (2, 0) :: nil)%nat.
+Definition tri1 : list (nat * nat) := ((1, 0) :: (1, 2) :: (2, 0) :: nil)%nat.
+Lemma complete_connected n : simple_connected n complete.
+Proof.
+  split; [exact complete_undirected|]. split; [exact complete_no_loops|]. intros j k Hj Hk. destruct (Nat.eq_dec j k) as [->|N]; [apply rt_refl|].
+  apply rt_step. repeat split; try assumption. unfold complete. destruct (Nat.eqb_spec k j); [congruence|reflexivity].
+Qed.
+Ltac distinct_pairs := repeat constructor; cbn; intuition congruence.
+Lemma tri_square O : O = tri0 \/ O = tri1 -> square 3 complete O (fun _ => 1).
+Proof.
+  intros HO. split; [exact (complete_connected 3)|]. split; [|split; [destruct HO; subst; reflexivity|intros; lra]].
+  split; [destruct HO; subst; distinct_pairs|]. split.
+  - intros i j I. destruct HO; subst; cbn in I; repeat destruct I as [I|I]; try contradiction; injection I; intros; subst; repeat split; first [lia|reflexivity].
+  - intros i j Hi Hj A. destruct HO; subst; destruct i as [|[|[|]]], j as [|[|[|]]]; try lia; try discriminate A; cbn;
+      first [left; split; [intuition congruence|intuition congruence]|right; split; intuition congruence].
+Qed.
+Lemma K2_connected : exists n adj O, simple_connected n adj /\ orientation n adj O /\ length O <> n.
+Proof.
+  exists 2%nat, complete, ((0, 1) :: nil)%nat. split; [exact (complete_connected 2)|]. split; [|cbn; lia]. split; [distinct_pairs|]. split.
+  - intros i j [I|[]]. injection I. intros; subst. repeat split; lia.
+  - intros i j Hi Hj A. destruct i as [|[|]], j as [|[|]]; try lia; try discriminate A; cbn; [left|right]; split; intuition congruence.
+Qed.
+Lemma Lw_1_proved : Lw_1.
+Proof.
+  split; [exact K2_connected|]. split; [|split; [|split]].
+  - intros H. specialize (H _ _ _ _ (tri_square tri0 (or_introl eq_refl)) 0%nat 1%nat ltac:(lia) ltac:(lia)). unfold DWD, incD in H. cbn in H. lra.
+  - intros H. specialize (H _ _ _ _ (tri_square tri1 (or_intror eq_refl)) (fun i => match i with 0%nat => 0 | _ => 1 end)). unfold DWD, incD in H. cbn in H. lra.
+  - intros H. specialize (H 3%nat complete tri0 tri1 (fun _ => 1) (tri_square tri0 (or_introl eq_refl)) (tri_square tri1 (or_intror eq_refl))).
+    assert (E : forall k, (k < 3)%nat -> let e := nth k tri0 (0, 0)%nat in let e' := nth k tri1 (0, 0)%nat in e' = e \/ e' = (snd e, fst e)).
+    { intros k Hk. destruct k as [|[|[|]]]; try lia; cbn; [right|left|left]; reflexivity. }
+    specialize (H E 0%nat 2%nat ltac:(lia) ltac:(lia)). unfold DWD, incD in H. cbn in H. lra.
+  - intros H. specialize (H _ _ _ _ (tri_square tri1 (or_intror eq_refl)) 0%nat ltac:(lia)). unfold DWD, incD in H. cbn in H. lra.
+Qed.
+
+Lemma Vmono_1_proved : Vmono_1.
+Proof. intros H. apply tanner1_heading.Vmono_fails. intros s t [S0 S1]. apply H. lra. Qed.
+Lemma fig2_1_proved : fig2_1.
+Proof.
+  destruct fig2_shape as (A & B & E & M). exists 1. split; [lra|]. split; [|split; [exact A|exact B]].
+  intros s S0 N. specialize (M s S0 N). change (V2 1 < V2 s). rewrite E in *. exact M.
+Qed.
+Lemma Vt_is n adj V r v th : Vt n adj V r v th = tanner1_heading.Vt n adj V r v th.
+Proof.
+  unfold Vt, tanner1_heading.Vt. f_equal. apply Sum_ext. intros i _. f_equal. f_equal.
+  - unfold Vi, V_i. apply Sum_ext. intros j _. unfold w, norm. destruct (adj i j); ring.
+  - rewrite <- norm_sqr. unfold norm. ring.
+Qed.
+Lemma Vt_1_proved : Vt_1.
+Proof.
+  intros n adj r v th A. split.
+  - rewrite Vt_is. apply Vt_ge0; [|exact A]. intros i j s _ _ Hs. change (0 <= fig2 0 0 s). now apply fig2_repels.
+  - unfold Vt. f_equal. apply Sum_ext. intros i _. unfold Vi. f_equal. f_equal. rewrite <- norm_sqr. unfold norm. ring.
+Qed.
+Lemma a_theta_is n adj r v th i : a_theta n adj r v th i = gyro n adj r v th i.
+Proof.
+  unfold a_theta, gyro. f_equal. replace (align n adj r th i) with (Sum n (fun j => if adj i j then (th i - th j) / Cmod (r i - r j)%C ^ 2 else 0)).
+  - apply injective_projections; cbn; ring.
+  - unfold align. apply Sum_ext. intros j _. unfold w, norm. destruct (adj i j); ring.
+Qed.
+Lemma gyro_1_proved : gyro_1.
+Proof. intros n adj r v th i. rewrite a_theta_is. apply gyro_no_work. Qed.
+Lemma gyro_2_proved : gyro_2.
+Proof.
+  intros n adj r v th a t H. apply D_Sum. intros i Hi. specialize (H i Hi). rewrite a_theta_is in H.
+  pose proof (gyro_kinetic n adj (fun j => r j t) (fun j => th j t) v (a i) t i H) as K.
+  apply (is_derive_ext (fun s => / 2 * inner (v i s) (v i s))); [|exact K]. intros s. rewrite <- norm_sqr. unfold norm. cbn. Rring.
+Qed.
+Lemma gradV_is n adj V' r i : gradV n adj V' r i = grad_i n adj V' r i.
+Proof. unfold gradV, grad_i. apply Csum_ext. intros j _. unfold pair_grad, w, grad, norm. destruct (adj i j); apply injective_projections; cbn; ring. Qed.
+Lemma eq8_1_proved : eq8_1.
+Proof.
+  intros V ri rj N [d Hd]. exists (RtoC (d / Cmod (ri - rj)) * (ri - rj))%C.
+  split; [|split]; intros u; destruct (tanner1_eq8_gradients V (fun _ => d) ri rj u N Hd) as (A & B & F); [exact F|exact A|].
+  eapply D_eq; [exact B|]. unfold grad, norm. rewrite !inner_xy. cbn. ring.
+Qed.
+Lemma both_at n adj (V V' : nat -> nat -> R -> R) r : undirected adj -> symmetric_V V ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (Cmod (r i - r j)%C) (V' i j (Cmod (r i - r j)%C))) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (Cmod (r i - r j)%C) (both V' i j (Cmod (r i - r j)%C))) /\
+  forall i, (i < n)%nat -> gradV n adj V' r i = grad_i n adj (both V') r i.
+Proof.
+  intros S VS H. assert (Q : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+    is_derive (V i j) (Cmod (r i - r j)%C) (both V' i j (Cmod (r i - r j)%C)) /\ both V' i j (Cmod (r i - r j)%C) = V' i j (Cmod (r i - r j)%C)).
+  { intros i j Hi Hj A. apply both_slope; [exact VS|now apply H|]. pose proof (H j i Hj Hi ltac:(now rewrite S)) as K.
+    fold (norm (r j - r i)%C) in K. rewrite norm_sym in K. exact K. }
+  split; [intros; now apply Q|]. intros i Hi. rewrite <- gradV_is. unfold gradV. apply Csum_ext. intros j Hj.
+  destruct (adj i j) eqn:A; [|reflexivity]. now rewrite (proj2 (Q i j Hi Hj A)).
+Qed.
+Lemma eq8_2_proved : eq8_2.
+Proof.
+  intros n adj V V' r v t S NL VS HR HN HV. destruct (both_at n adj V V' (fun i => r i t) S VS HV) as [HB G]. split.
+  - pose proof (eq8_potential n adj V (both V') r (fun i _ => v i) t S (both_sym V') HR HN HB) as Q. cbv beta in Q.
+    apply (is_derive_ext (fun s => / 2 * Sum n (fun i => V_i n adj V (fun i => r i s) i))).
+    + intros s. rewrite <- Sum_scal. apply Sum_ext. intros i _. f_equal. unfold Vi, V_i. apply Sum_ext. intros j _. unfold w, norm. destruct (adj i j); ring.
+    + eapply D_eq; [exact Q|]. apply Sum_ext. intros i Hi. rewrite inner_sym. f_equal. symmetry. now apply G.
+  - intros i Hi u. unfold gradV. rewrite inner_sym, inner_Csum. apply (D_Sum n (fun j h => if adj i j then V i j (Cmod (r i t + RtoC h * u - r j t)%C) else 0)
+      (fun j => inner u (if adj i j then RtoC (V' i j (Cmod (r i t - r j t)) / Cmod (r i t - r j t)) * (r i t - r j t) else 0)%C)).
+    intros j Hj. destruct (adj i j) eqn:A.
+    + destruct (tanner1_eq8_gradients (V i j) (V' i j) (r i t) (r j t) u (HN i j Hi Hj A) (HV i j Hi Hj A)) as (F & _ & _).
+      rewrite inner_sym. exact F.
+    + eapply D_eq; [apply D_const|]. rewrite inner_xy. cbn. ring.
+Qed.
+Lemma eq9_2_proved : eq9_2.
+Proof.
+  intros n adj V V' r v th dth t S NL VS [L H] D. pose proof (steered_is _ _ _ _ _ _ _ _ (loop_both _ _ _ _ _ _ _ _ S VS L)) as (A & B & E & F).
+  apply (is_derive_ext (fun s => tanner1_heading.Vt n adj V (fun i => r i s) (fun i => v i s) (fun i => th i s))); [intros s; symmetry; apply Vt_is|].
+  now apply (eq9_chain n adj V (both V') r v th dth t S (both_sym V')).
+Qed.
+
+(* agents on a line, all with the heading 0 *)
+Definition on_line (X : nat -> R -> R) (i : nat) (t : R) : C := RtoC (X i t).
+Definition zero_heading (i : nat) (t : R) : R := 0.
+Definition push n (adj : graph) (V' : nat -> nat -> R -> R) (x : nat -> R) i : R :=
+  - Sum n (fun j => if adj i j then V' i j (Rabs (x i - x j)) / Rabs (x i - x j) * (x i - x j) else 0).
+Lemma Cmod_line x y : Cmod (RtoC x - RtoC y)%C = Rabs (x - y).
+Proof. replace (RtoC x - RtoC y)%C with (RtoC (x - y)) by (apply injective_projections; cbn; ring). apply Cmod_R. Qed.
+Lemma law_line n adj V' (X Y : nat -> R -> R) i t :
+  law n adj V' (fun i j => zero_heading i t - zero_heading j t) (fun i => on_line X i t) (fun i => on_line Y i t) i = RtoC (push n adj V' (fun i => X i t) i).
+Proof.
+  unfold law, push, on_line, zero_heading.
+  rewrite (Csum_ext n _ (fun j => RtoC (if adj i j then V' i j (Rabs (X i t - X j t)) / Rabs (X i t - X j t) * (X i t - X j t) else 0))).
+  - rewrite Sum_zero; [|intros j _; destruct (adj i j); [unfold Rdiv|]; ring].
+    unfold Csum. apply injective_projections; cbn; [ring|]. rewrite Sum_0. ring.
+  - intros j _. destruct (adj i j); [|reflexivity]. rewrite Cmod_line. apply injective_projections; cbn; ring.
+Qed.
+Lemma line_velocity (x : R -> R) (t y : R) : is_derive x t y -> is_velocity (fun s => RtoC (x s)) t (RtoC y).
+Proof. intros H. split; [exact H|exact (D_const 0 t)]. Qed.
+Lemma line_headings n Y t : (forall i, (i < n)%nat -> 0 < Y i t) -> headings n (on_line Y) zero_heading t.
+Proof.
+  intros P i Hi. specialize (P i Hi). pose proof PI_RGT_0. unfold on_line, zero_heading. split; [|split; [|lra]].
+  - intros E. injection E. lra.
+  - rewrite Cmod_R, Rabs_pos_eq by lra. unfold expi. rewrite cos_0, sin_0. apply injective_projections; cbn; ring.
+Qed.
+Lemma line_closed n adj V V' X Y t :
+  (forall i, (i < n)%nat -> is_derive (X i) t (Y i t) /\ 0 < Y i t /\ is_derive (Y i) t (push n adj V' (fun i => X i t) i)) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> X i t <> X j t) ->
+  (forall i j s, (i < n)%nat -> (j < n)%nat -> 0 < s -> is_derive (V i j) s (V' i j s)) -> closed n adj V V' (on_line X) (on_line Y) zero_heading t.
+Proof.
+  intros H N HV. split; [|apply line_headings; intros; now apply H]. intros i Hi. destruct (H i Hi) as (A & B & D).
+  split; [now apply line_velocity|]. split; [rewrite law_line; now apply line_velocity|]. intros j Hj E. unfold on_line. rewrite Cmod_line.
+  specialize (N i j Hi Hj E). split; [intros Q; injection Q; exact N|]. apply HV; try assumption. apply Rabs_pos_lt. lra.
+Qed.
+(* two agents at 2 t +- cos(2 t)/2 with V(s) = s^2: they meet at t = PI/4 *)
+Definition sgn2 (i : nat) : R := match i with 0%nat => 1 | _ => - 1 end.
+Definition spring_x (i : nat) (t : R) : R := 2 * t + sgn2 i * (cos (2 * t) / 2).
+Definition spring_y (i : nat) (t : R) : R := 2 - sgn2 i * sin (2 * t).
+Lemma spring_rates i t : is_derive (spring_x i) t (spring_y i t) /\ is_derive (spring_y i) t (- 2 * sgn2 i * cos (2 * t)).
+Proof.
+  unfold spring_x, spring_y. split.
+  - eapply D_eq; [apply (D_plus (fun s => 2 * s) (fun s => sgn2 i * (cos (2 * s) / 2))); [apply D_scal, D_id|]|].
+    + apply D_scal. apply (is_derive_ext (fun s => / 2 * cos (2 * s))); [intros; unfold Rdiv; Rring|]. apply D_scal, (D_cos (fun s => 2 * s)), D_scal, D_id.
+    + change (2 * 1 + sgn2 i * (/ 2 * (- sin (2 * t) * (2 * 1))) = 2 - sgn2 i * sin (2 * t)). field.
+  - eapply D_eq; [apply (D_minus (fun s => 2) (fun s => sgn2 i * sin (2 * s))); [apply D_const|]|].
+    + apply D_scal. apply (D_sin (fun s => 2 * s)), D_scal, D_id.
+    + ring.
+Qed.
+Lemma anyV_1_proved : anyV_1.
+Proof.
+  intros H. set (V := fun (i j : nat) s => s ^ 2). set (V' := fun (i j : nat) s => 2 * s).
+  refine (H 2%nat complete V V' (on_line spring_x) (on_line spring_y) zero_heading (complete_connected 2) _ _ _ _ _ (PI / 4) 0%nat 1%nat _ _ _ _ _); try lia;
+    try reflexivity; [intros i j s; reflexivity|..].
+  - intros i j s Hs. split; [|unfold V; nra]. eapply D_eq; [apply (D_sqr (fun s => s)), D_id|unfold V'; ring].
+  - intros i j c. exists (Rabs c + 1). intros s Hs. pose proof (Rle_abs c). pose proof (Rabs_pos c). unfold V. nra.
+  - intros i j Hi Hj A E. unfold on_line in E. injection E. unfold spring_x. rewrite !Rmult_0_r, cos_0.
+    destruct i as [|[|]], j as [|[|]]; try lia; try discriminate A; cbn; lra.
+  - intros t _. split.
+    + intros i Hi. destruct (spring_rates i t) as [A B]. split; [now apply line_velocity|]. intros N. rewrite law_line. apply line_velocity. eapply D_eq; [exact B|].
+      unfold push, V'. destruct i as [|[|]]; [| |lia]; cbn [Sum].
+      * specialize (N 0%nat 1%nat ltac:(lia) ltac:(lia) eq_refl). unfold complete. cbn [Nat.eqb negb].
+        assert (P : Rabs (spring_x 0 t - spring_x 1 t) <> 0). { apply Rabs_no_R0. intros E. apply N. unfold on_line. f_equal. lra. }
+        replace (2 * Rabs (spring_x 0 t - spring_x 1 t) / Rabs (spring_x 0 t - spring_x 1 t) * (spring_x 0 t - spring_x 1 t)) with (2 * (spring_x 0 t - spring_x 1 t)) by (field; exact P).
+        unfold spring_x, sgn2. field.
+      * specialize (N 1%nat 0%nat ltac:(lia) ltac:(lia) eq_refl). unfold complete. cbn [Nat.eqb negb].
+        assert (P : Rabs (spring_x 1 t - spring_x 0 t) <> 0). { apply Rabs_no_R0. intros E. apply N. unfold on_line. f_equal. lra. }
+        replace (2 * Rabs (spring_x 1 t - spring_x 0 t) / Rabs (spring_x 1 t - spring_x 0 t) * (spring_x 1 t - spring_x 0 t)) with (2 * (spring_x 1 t - spring_x 0 t)) by (field; exact P).
+        unfold spring_x, sgn2. field.
+    + apply line_headings. intros i _. unfold spring_y, sgn2. pose proof (SIN_bound (2 * t)). destruct i; lra.
+  - pose proof PI_RGT_0. lra.
+  - unfold on_line, spring_x. replace (2 * (PI / 4)) with (PI / 2) by field. rewrite cos_PI2. unfold sgn2. f_equal. field.
+Qed.
+(* two agents at 3 t +- sqrt(1 + 4 t^2)/2 with V(s) = 1/s^2: they part for ever *)
+Definition part (t : R) := sqrt (1 + 4 * t ^ 2).
+Definition part_x (i : nat) (t : R) : R := 3 * t + sgn2 i * (part t / 2).
+Definition part_y (i : nat) (t : R) : R := 3 + sgn2 i * (2 * t / part t).
+Lemma part_pos t : 0 < part t /\ part t * part t = 1 + 4 * t ^ 2.
+Proof. assert (0 < 1 + 4 * t ^ 2) by nra. split; [now apply sqrt_lt_R0|]. unfold part. apply sqrt_sqrt. lra. Qed.
+Lemma part_rate t : is_derive part t (4 * t / part t).
+Proof. destruct (part_pos t) as [P Q]. unfold part in *. auto_derive; [nra|].
+  replace (4 * (t * (t * 1))) with (4 * t ^ 2) by ring. field. lra. Qed.
+Lemma part_rates i t : is_derive (part_x i) t (part_y i t) /\ is_derive (part_y i) t (sgn2 i * (2 / part t ^ 3)).
+Proof.
+  destruct (part_pos t) as [P Q]. unfold part_x, part_y. split.
+  - eapply D_eq; [apply (D_plus (fun s => 3 * s) (fun s => sgn2 i * (part s / 2))); [apply D_scal, D_id|]|].
+    + apply D_scal. apply (is_derive_ext (fun s => / 2 * part s)); [intros; unfold Rdiv; Rring|]. apply D_scal, part_rate.
+    + field. lra.
+  - eapply D_eq; [apply (D_plus (fun s => 3) (fun s => sgn2 i * (2 * s / part s))); [apply D_const|]|].
+    + apply D_scal. apply (is_derive_ext (fun s => (2 * s) * / part s)); [intros; unfold Rdiv; Rring|].
+      apply (D_mult (fun s => 2 * s) (fun s => / part s)); [apply D_scal, D_id|]. apply (is_derive_inv part); [apply part_rate|lra].
+    + rewrite Rplus_0_l. f_equal. replace (2 / part t ^ 3) with (2 * (part t * part t - 4 * t ^ 2) / part t ^ 3) by (rewrite Q; field; lra). field. lra.
+Qed.
+Lemma part_apart i j t : (i < 2)%nat -> (j < 2)%nat -> complete i j = true -> part_x i t <> part_x j t.
+Proof.
+  intros Hi Hj A. destruct (part_pos t) as [P _]. unfold part_x. destruct i as [|[|]], j as [|[|]]; try lia; try discriminate A; cbn; lra.
+Qed.
+Lemma anyV_2_proved : anyV_2.
+Proof.
+  intros H. set (V := fun (i j : nat) s => / s ^ 2). set (V' := fun (i j : nat) s => - 2 / s ^ 3).
+  assert (VD : forall i j s, 0 < s -> is_derive (V i j) s (V' i j s)).
+  { intros i j s Hs. unfold V, V'. assert (0 < s ^ 2) by (apply pow_lt; lra). auto_derive; [repeat split; simpl in *; lra|field; lra]. }
+  assert (VS : symmetric_V V) by (intros i j s; reflexivity).
+  assert (VR : forall i j, repels (V i j) (V' i j)).
+  { intros i j. split.
+    - intros s Hs. split; [now apply VD|]. left. apply Rinv_0_lt_compat, pow_lt. lra.
+    - intros c. pose proof (Rabs_pos c) as C0. pose proof (Rle_abs c) as C1. assert (q0 : 0 < / (Rabs c + 1)) by (apply Rinv_0_lt_compat; lra).
+      assert (q1 : / (Rabs c + 1) <= 1) by (replace 1 with (/ 1) at 2 by apply Rinv_1; apply Rinv_le_contravar; lra).
+      exists (/ (Rabs c + 1)). split; [exact q0|]. intros s [S0 S1]. apply Rlt_le_trans with (Rabs c + 1); [lra|]. unfold V.
+      replace (Rabs c + 1) with (/ / (Rabs c + 1)) by (apply Rinv_inv). apply Rinv_le_contravar; [apply pow_lt; lra|]. nra. }
+  destruct (H 2%nat complete V V' (on_line part_x) (on_line part_y) zero_heading (complete_connected 2) VS VR) as [B HB].
+  - intros i j Hi Hj A E. unfold on_line in E. injection E. now apply part_apart.
+  - intros t _. apply line_closed; [|intros; now apply part_apart|intros; now apply VD]. intros i Hi. destruct (part_rates i t) as [A B]. split; [exact A|].
+    destruct (part_pos t) as [P Q]. split.
+    + unfold part_y. assert (S : Rabs (2 * t / part t) <= 1).
+      { unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq (part t)) by lra. apply Rmult_le_reg_r with (part t); [lra|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r, Rmult_1_l by lra.
+        apply Rabs_le. split; nra. }
+      apply Rabs_le_between in S. destruct i; cbn; lra.
+    + eapply D_eq; [exact B|]. unfold push, V'. destruct i as [|[|]]; [| |lia]; cbn [Sum]; unfold complete; cbn [Nat.eqb negb];
+        unfold part_x, sgn2; [replace (3 * t + 1 * (part t / 2) - (3 * t + - 1 * (part t / 2))) with (part t) by field
+        |replace (3 * t + - 1 * (part t / 2) - (3 * t + 1 * (part t / 2))) with (- part t) by field; rewrite Rabs_Ropp]; rewrite Rabs_pos_eq by lra; field; lra.
+  - specialize (HB (Rabs B + 1) 0%nat 1%nat ltac:(pose proof (Rabs_pos B); lra) ltac:(lia) ltac:(lia)). unfold on_line in HB. rewrite Cmod_line in HB.
+    set (t := Rabs B + 1) in *. destruct (part_pos t) as [P Q]. pose proof (Rle_abs B). pose proof (Rabs_pos B).
+    replace (part_x 0 t - part_x 1 t) with (part t) in HB by (unfold part_x, sgn2; field). rewrite Rabs_pos_eq in HB by lra.
+    assert (t <= part t); [|unfold t in *; lra]. unfold t in *. nra.
+Qed.
+(* a path of three agents: the ends meet *)
+Lemma path3_connected : simple_connected 3 tanner1_examples.path3.
+Proof.
+  split; [intros a b; unfold tanner1_examples.path3; destruct (Nat.eqb a 1), (Nat.eqb b 1); reflexivity|].
+  split; [intros a; unfold tanner1_examples.path3; destruct (Nat.eqb a 1); reflexivity|].
+  assert (A : forall k, (k < 3)%nat -> clos_refl_trans nat (arc 3 tanner1_examples.path3) k 1%nat /\ clos_refl_trans nat (arc 3 tanner1_examples.path3) 1%nat k).
+  { intros k Hk. destruct k as [|[|[|]]]; try lia; split; first [apply rt_refl|apply rt_step; repeat split; lia]. }
+  intros a b Ha Hb. eapply rt_trans; [apply (A a Ha)|apply (A b Hb)].
+Qed.
+Lemma collision_1_proved : collision_1.
+Proof.
+  intros H. destruct (H 3%nat tanner1_examples.path3 0%nat 2%nat path3_connected ltac:(lia) ltac:(lia) ltac:(lia) 4) as [d [Hd P]].
+  set (e := Rmin (d / 2) 1). assert (E : 0 < e <= 1 /\ e < d) by (unfold e; split; [split; [apply Rmin_glb_lt; lra|apply Rmin_r]|pose proof (Rmin_l (d / 2) 1); lra]).
+  set (r := fun i => match i with 0%nat => RtoC 1 | 1%nat => RtoC 0 | _ => RtoC (1 + e) end).
+  specialize (P r (fun _ => RtoC 0) (fun _ => 0)). 
+  assert (X : 4 < Vt 3 tanner1_examples.path3 fig2 r (fun _ => RtoC 0) (fun _ => 0)).
+  { apply P.
+    - intros a b Ha Hb A. destruct a as [|[|[|]]], b as [|[|[|]]]; try lia; try discriminate A; unfold r; intros Q; injection Q; lra.
+    - unfold r. intros Q. injection Q. lra.
+    - unfold r. rewrite Cmod_line. rewrite Rabs_left; lra. }
+  unfold Vt, Vi in X. cbn [Sum] in X. unfold tanner1_examples.path3, r in X. cbn [Nat.eqb negb andb orb] in X. rewrite !Cmod_line, Cmod_0 in X.
+  replace (1 - 0) with 1 in X by ring. replace (0 - 1) with (- (1)) in X by ring. replace (0 - (1 + e)) with (- (1 + e)) in X by ring.
+  replace (1 + e - 0) with (1 + e) in X by ring. rewrite !Rabs_Ropp, Rabs_R1, (Rabs_pos_eq (1 + e)) in X by lra.
+  destruct fig2_shape as (_ & V2up & V21 & _). change (fig2 0 1) with V2 in X. change (fig2 1 0) with V2 in X. change (fig2 1 2) with V2 in X. change (fig2 2 1) with V2 in X.
+  rewrite V21 in X. assert (Y : V2 (1 + e) <= 9 / 4); [|lra].
+  assert (V2 2 <= 9 / 4).
+  { unfold V2. replace (2 ^ 2) with (2 * 2) by ring. rewrite ln_mult by lra. assert (ln 2 < 1); [|lra].
+    rewrite <- (ln_exp 1). apply ln_increasing; [lra|]. pose proof (exp_ineq1 1 ltac:(lra)). lra. }
+  destruct (Req_dec e 1) as [->|N]; [replace (1 + 1) with 2 by ring; lra|]. pose proof (V2up (1 + e) 2 ltac:(lra)). lra.
+Qed.
