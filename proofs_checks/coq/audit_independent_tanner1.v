@@ -727,3 +727,101 @@ Proof.
     rewrite <- (ln_exp 1). apply ln_increasing; [lra|]. pose proof (exp_ineq1 1 ltac:(lra)). lra. }
   destruct (Req_dec e 1) as [->|N]; [replace (1 + 1) with 2 by ring; lra|]. pose proof (V2up (1 + e) 2 ltac:(lra)). lra.
 Qed.
+
+(* two linked agents at the distance 2 turn about one point, at the radii om0, om1, with the headings h and h - PI, until h is PI *)
+Definition om : R := sqrt (PI ^ 2 / 16 + 3 / 4).
+Definition radius (i : nat) : R := match i with 0%nat => 3 / 4 / (om ^ 2 + PI / 4 * om) | _ => - (3 / 4 / (om ^ 2 - PI / 4 * om)) end.
+Definition turn (t : R) : R := PI / 2 + om * t.
+Definition turn_r (i : nat) (t : R) : C := (radius i * sin (turn t), - (radius i * cos (turn t))).
+Definition turn_v (i : nat) (t : R) : C := (om * radius i * cos (turn t), om * radius i * sin (turn t)).
+Definition turn_th (i : nat) (t : R) : R := match i with 0%nat => turn t | _ => turn t - PI end.
+Lemma om_facts : PI / 4 < om /\ om ^ 2 = PI ^ 2 / 16 + 3 / 4.
+Proof.
+  pose proof PI_RGT_0 as P. assert (E : om ^ 2 = PI ^ 2 / 16 + 3 / 4) by (unfold om; apply pow2_sqrt; pose proof (pow2_ge_0 PI); lra).
+  split; [|exact E]. assert (0 <= om) by apply sqrt_pos. apply Rnot_le_lt. intros L. assert (om ^ 2 <= (PI / 4) ^ 2) by (apply pow_incr; lra). lra.
+Qed.
+Lemma radius_facts : 0 < radius 0 /\ radius 1 < 0 /\ radius 0 - radius 1 = 2 /\
+  om ^ 2 * radius 0 = 3 / 4 - PI / 4 * om * radius 0 /\ om ^ 2 * radius 1 = - (3 / 4) + PI / 4 * om * radius 1.
+Proof.
+  destruct om_facts as [L E]. pose proof PI_RGT_0 as P. assert (A : 0 < om ^ 2 + PI / 4 * om) by nra. assert (B : 0 < om ^ 2 - PI / 4 * om) by nra. unfold radius.
+  assert (I : 0 < 3 / 4 / (om ^ 2 + PI / 4 * om)) by (apply Rdiv_lt_0_compat; lra). assert (J : 0 < 3 / 4 / (om ^ 2 - PI / 4 * om)) by (apply Rdiv_lt_0_compat; lra).
+  split; [exact I|]. split; [lra|]. split; [|split; field; lra].
+  replace (3 / 4 / (om ^ 2 + PI / 4 * om) - - (3 / 4 / (om ^ 2 - PI / 4 * om))) with (3 / 2 / (om ^ 2 - PI ^ 2 / 16)) by (field; split; [lra|split; nra]).
+  replace (om ^ 2 - PI ^ 2 / 16) with (3 / 4) by lra. field.
+Qed.
+Lemma turn_rate t : is_derive turn t om.
+Proof. unfold turn. eapply D_eq; [apply (D_plus (fun s => PI / 2) (fun s => om * s)); [apply D_const|apply D_scal, D_id]|]. ring. Qed.
+Lemma turn_th_rate i t : is_derive (turn_th i) t om.
+Proof. destruct i; [apply turn_rate|]. eapply D_eq; [apply (D_minus turn (fun s => PI)); [apply turn_rate|apply D_const]|]. ring. Qed.
+Lemma turn_velocity i t : is_velocity (turn_r i) t (turn_v i t).
+Proof.
+  split; cbn [fst snd turn_r turn_v].
+  - eapply D_eq; [apply D_scal, (D_sin turn), turn_rate|]. ring.
+  - eapply D_eq; [apply D_opp, D_scal, (D_cos turn), turn_rate|]. ring.
+Qed.
+Lemma turn_acceleration i t : is_velocity (turn_v i) t (- (om ^ 2 * radius i * sin (turn t)), om ^ 2 * radius i * cos (turn t)).
+Proof.
+  split; cbn [fst snd turn_v].
+  - eapply D_eq; [apply D_scal, (D_cos turn), turn_rate|]. ring.
+  - eapply D_eq; [apply D_scal, (D_sin turn), turn_rate|]. ring.
+Qed.
+Lemma turn_Cmod (a : R) t : Cmod (a * cos (turn t), a * sin (turn t)) = Rabs a.
+Proof.
+  unfold Cmod. cbn [fst snd]. replace ((a * cos (turn t)) ^ 2 + (a * sin (turn t)) ^ 2) with (Rsqr a * (Rsqr (sin (turn t)) + Rsqr (cos (turn t)))) by (unfold Rsqr; ring).
+  rewrite sin2_cos2, Rmult_1_r. apply sqrt_Rsqr_abs.
+Qed.
+Lemma turn_distance t : Cmod (turn_r 0 t - turn_r 1 t)%C = 2 /\ Cmod (turn_r 1 t - turn_r 0 t)%C = 2.
+Proof.
+  destruct radius_facts as (_ & _ & R2 & _). assert (A : forall a, Cmod (a * sin (turn t), - (a * cos (turn t))) = Rabs a).
+  { intros a. rewrite <- (turn_Cmod a t). unfold Cmod. cbn [fst snd]. f_equal. ring. }
+  split.
+  - replace (turn_r 0 t - turn_r 1 t)%C with (((radius 0 - radius 1) * sin (turn t), - ((radius 0 - radius 1) * cos (turn t))) : C) by (apply injective_projections; cbn; ring).
+    rewrite A, R2, Rabs_pos_eq; lra.
+  - replace (turn_r 1 t - turn_r 0 t)%C with ((- (radius 0 - radius 1) * sin (turn t), - (- (radius 0 - radius 1) * cos (turn t))) : C) by (apply injective_projections; cbn; ring).
+    rewrite A, R2, Rabs_Ropp, Rabs_pos_eq; lra.
+Qed.
+Lemma turn_closed t : 0 < turn t < PI -> closed 2 complete fig2 fig2' turn_r turn_v turn_th t.
+Proof.
+  intros [T0 T1]. destruct radius_facts as (R0 & R1 & R2 & E0 & E1). destruct (turn_distance t) as [D0 D1]. destruct om_facts as [O0 _]. pose proof PI_RGT_0 as P.
+  assert (F : forall i j, fig2' i j 2 = 3 / 4) by (intros; unfold fig2'; field).
+  split; [intros i Hi; split; [apply turn_velocity|split]|].
+  - replace (law _ _ _ _ _ _ _) with ((- (om ^ 2 * radius i * sin (turn t)), om ^ 2 * radius i * cos (turn t)) : C); [apply turn_acceleration|].
+    unfold law, Csum. destruct i as [|[|]]; [| |lia]; cbn [Sum]; unfold complete; cbn [Nat.eqb negb]; rewrite ?D0, ?D1, ?F, ?E0, ?E1;
+      unfold turn_r, turn_v, turn_th; (apply injective_projections; cbn [fst snd Cplus Cminus Copp Cmult RtoC Ci]).
+    + replace (radius 1) with (radius 0 - 2) by lra. field.
+    + replace (radius 1) with (radius 0 - 2) by lra. field.
+    + replace (radius 0) with (radius 1 + 2) by lra. field.
+    + replace (radius 0) with (radius 1 + 2) by lra. field.
+  - intros j Hj A. assert (X : Cmod (turn_r i t - turn_r j t)%C = 2) by (destruct i as [|[|]], j as [|[|]]; try lia; try discriminate A; assumption). split.
+    + intros E. rewrite E in X. replace (turn_r j t - turn_r j t)%C with (RtoC 0) in X by ring. rewrite Cmod_0 in X. lra.
+    + rewrite X. apply (proj1 fig2_repels). lra.
+  - intros i Hi. assert (X : Cmod (turn_v i t) = Rabs (om * radius i)) by exact (turn_Cmod (om * radius i) t). split; [|split].
+    + intros E. rewrite E, Cmod_0 in X. symmetry in X. revert X. apply Rabs_no_R0. destruct i as [|[|]]; [| |lia]; nra.
+    + rewrite X. destruct i as [|[|]]; [| |lia]; unfold turn_th, turn_v, expi.
+      * rewrite Rabs_pos_eq by nra. apply injective_projections; cbn [fst snd Cmult RtoC]; ring.
+      * rewrite Rabs_left by nra. replace (turn t - PI) with (- (PI - turn t)) by ring. rewrite cos_neg, sin_neg.
+        rewrite Rtrigo_facts.cos_pi_minus, Rtrigo_facts.sin_pi_minus. apply injective_projections; cbn [fst snd Cmult RtoC]; ring.
+    + unfold turn_th. destruct i; lra.
+Qed.
+Lemma eq7_1_proved : eq7_1.
+Proof.
+  intros H. pose proof PI_RGT_0 as P. destruct om_facts as [O0 _].
+  assert (Loc : locally 0 (closed 2 complete fig2 fig2' turn_r turn_v turn_th)).
+  { assert (e0 : 0 < / om) by (apply Rinv_0_lt_compat; lra). exists (mkposreal _ e0). intros t Ht. apply turn_closed. unfold ball in Ht. cbn in Ht.
+    unfold AbsRing_ball, abs, minus, plus, opp in Ht. cbn in Ht.
+    rewrite Ropp_0, Rplus_0_r in Ht. apply Rabs_lt_between in Ht. assert (X : om * / om = 1) by (apply Rinv_r; lra). unfold turn. pose proof PI2_1. split; nra. }
+  specialize (H 2%nat complete turn_r turn_v turn_th 0 0%nat (complete_connected 2) ltac:(lia) Loc (ex_intro _ _ (turn_th_rate 0 0))).
+  pose proof (is_derive_unique _ _ _ H) as U1. rewrite (is_derive_unique _ _ _ (turn_th_rate 0 0)) in U1.
+  cbn [Sum] in U1. unfold complete in U1. cbn [Nat.eqb negb] in U1. rewrite (proj1 (turn_distance 0)) in U1. unfold turn_th in U1. lra.
+Qed.
+Lemma Vt_inv_1_proved : Vt_inv_1.
+Proof.
+  intros H. pose proof PI_RGT_0 as P. destruct om_facts as [O0 _]. assert (e0 : 0 < / om) by (apply Rinv_0_lt_compat; lra). assert (X : om * / om = 1) by (apply Rinv_r; lra).
+  specialize (H 2%nat complete turn_r turn_v turn_th (/ om) (complete_connected 2)).
+  assert (M : forall t, 0 <= t <= / om -> closed 2 complete fig2 fig2' turn_r turn_v turn_th t /\ forall i, (i < 2)%nat -> ex_derive (turn_th i) t).
+  { intros t Ht. split; [|intros i _; eexists; apply turn_th_rate]. apply turn_closed. unfold turn. pose proof PI2_1. split; nra. }
+  specialize (H M 0 (/ om) ltac:(lra) ltac:(lra)). unfold Vt, Vi in H. cbn [Sum] in H. unfold complete in H. cbn [Nat.eqb negb] in H.
+  rewrite !(proj1 (turn_distance _)), !(proj2 (turn_distance _)) in H.
+  assert (Y : forall i t, Cmod (turn_v i t) = Rabs (om * radius i)) by (intros i t; exact (turn_Cmod (om * radius i) t)). rewrite !Y in H.
+  unfold turn_th, turn in H. rewrite X, Rmult_0_r in H. nra.
+Qed.
