@@ -825,3 +825,321 @@ Proof.
   assert (Y : forall i t, Cmod (turn_v i t) = Rabs (om * radius i)) by (intros i t; exact (turn_Cmod (om * radius i) t)). rewrite !Y in H.
   unfold turn_th, turn in H. rewrite X, Rmult_0_r in H. nra.
 Qed.
+
+(* ---- an agent swings about its centre for ever: a'' = 2/a^3 - 2/a, by quadrature ---- *)
+Lemma strictly_up (f f' : R -> R) : (forall x, is_derive f x (f' x)) -> (forall x, 0 < f' x) -> forall x y, x < y -> f x < f y.
+Proof. intros D P x y L. destruct (MVT_le f f' x y ltac:(lra) ltac:(intros; apply D)) as (c & _ & E). specialize (P c). nra. Qed.
+Lemma inverse (f f' : R -> R) : (forall x, is_derive f x (f' x)) -> (forall x, 0 < f' x) -> (forall y, exists x, f x = y) ->
+  exists h : R -> R, (forall y, f (h y) = y) /\ (forall x, h (f x) = x) /\ forall y, is_derive h y (/ f' (h y)).
+Proof.
+  intros D P S. pose proof (strictly_up f f' D P) as U. assert (U' : forall x y, f x < f y -> x < y).
+  { intros x y L. destruct (Rtotal_order x y) as [A|[A|A]]; [exact A|subst; lra|apply U in A; lra]. }
+  set (h := fun y => real (Lub_Rbar (fun x => f x <= y))). assert (HF : forall x, h (f x) = x).
+  { intros x. unfold h. rewrite (is_lub_Rbar_unique (fun z => f z <= f x) (Finite x)); [reflexivity|]. split.
+    - intros z Hz. cbn. apply Rnot_lt_le. intros L. apply U in L. lra.
+    - intros b Hb. apply (Hb x). lra. }
+  assert (FH : forall y, f (h y) = y) by (intros y; destruct (S y) as [x <-]; now rewrite HF).
+  exists h. split; [exact FH|]. split; [exact HF|]. intros y. set (x := h y). assert (Y : f x = y) by apply FH. clearbody x.
+  apply is_derive_Reals. intros e He. set (l := f' x). pose proof (P x) as L0. fold l in L0.
+  set (eta := Rmin (l / 2) (e * l ^ 2 / 4)). assert (E0 : 0 < eta) by (apply Rmin_glb_lt; [lra|]; assert (0 < l ^ 2) by (apply pow_lt; lra); nra).
+  pose proof (D x) as Dx. apply is_derive_Reals in Dx. destruct (Dx eta E0) as [d Hd]. pose proof (cond_pos d) as d0.
+  set (m := Rmin (f (x + d) - y) (y - f (x - d))). assert (m0 : 0 < m).
+  { apply Rmin_glb_lt; [pose proof (U x (x + d) ltac:(lra))|pose proof (U (x - d) x ltac:(lra))]; lra. }
+  exists (mkposreal m m0). intros k K0 Kd. cbn in Kd. apply Rabs_lt_between in Kd. pose proof (Rmin_l (f (x + d) - y) (y - f (x - d))). pose proof (Rmin_r (f (x + d) - y) (y - f (x - d))).
+  fold m in H, H0. set (x' := h (y + k)). assert (Y' : f x' = y + k) by apply FH. replace (h y) with x by (rewrite <- Y; symmetry; apply HF).
+  assert (X1 : x' < x + d) by (apply U'; lra). assert (X2 : x - d < x') by (apply U'; lra).
+  assert (N : x' - x <> 0) by (intros Z; apply K0; replace x' with x in Y' by lra; lra).
+  specialize (Hd (x' - x) N ltac:(apply Rabs_def1; lra)). replace (x + (x' - x)) with x' in Hd by ring. fold l in Hd. rewrite Y, Y' in Hd. replace (y + k - y) with k in Hd by ring.
+  set (q := k / (x' - x)) in Hd. assert (Q : Rabs (q - l) < l / 2 /\ Rabs (q - l) < e * l ^ 2 / 4).
+  { split; (eapply Rlt_le_trans; [exact Hd|]); [apply Rmin_l|apply Rmin_r]. }
+  destruct Q as [Q1 Q2]. apply Rabs_lt_between in Q1. replace ((x' - x) / k) with (/ q) by (unfold q; field; split; assumption).
+  replace (/ q - / l) with (- (q - l) * (/ q * / l)) by (field; lra). rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq (/ q * / l)).
+  2: { apply Rmult_le_pos; left; apply Rinv_0_lt_compat; lra. }
+  apply Rle_lt_trans with (Rabs (q - l) * (2 / l * / l)).
+  - apply Rmult_le_compat_l; [apply Rabs_pos|]. apply Rmult_le_compat_r; [left; apply Rinv_0_lt_compat; lra|]. replace (2 / l) with (/ (l / 2)) by (field; lra).
+    apply Rinv_le_contravar; lra.
+  - apply Rle_lt_trans with (e * l ^ 2 / 4 * (2 / l * / l)); [|replace (e * l ^ 2 / 4 * (2 / l * / l)) with (e / 2) by (field; lra); lra].
+    apply Rmult_le_compat_r; [|lra]. assert (0 < / l) by (apply Rinv_0_lt_compat; lra). apply Rmult_le_pos; [unfold Rdiv; nra|lra].
+Qed.
+(* with s^2 = e^y: V - 1 = W(y) = e^-y + y - 1 = g(y)^2 / 2 *)
+Definition W (y : R) := exp (- y) + y - 1.
+Definition k2 (y : R) := if Req_EM_T y 0 then 1 else 2 * W y / y ^ 2.
+Definition k1 (y : R) := if Req_EM_T y 0 then 1 else (1 - exp (- y)) / y.
+Lemma exp_opp_rate t : is_derive (fun s => exp (- s)) t (- exp (- t)).
+Proof. eapply D_eq; [apply (D_comp exp (fun s => - s)); [apply is_derive_exp|apply D_opp, D_id]|]. ring. Qed.
+Lemma W_rate y : is_derive W y (1 - exp (- y)).
+Proof.
+  unfold W. eapply D_eq; [apply (D_minus (fun s => exp (- s) + s) (fun s => 1)); [apply (D_plus (fun s => exp (- s)) (fun s => s)); [apply exp_opp_rate|apply D_id]|apply D_const]|]. ring.
+Qed.
+(* a function with derivative of the sign of y is above its value at 0 *)
+Lemma above (F F' : R -> R) y : (forall x, is_derive F x (F' x)) -> (forall x, 0 <= x -> 0 <= F' x) -> (forall x, x <= 0 -> F' x <= 0) -> F 0 <= F y.
+Proof.
+  intros D P N. destruct (Rle_lt_dec 0 y) as [L|L].
+  - destruct (MVT_le F F' 0 y L ltac:(intros; apply D)) as (c & C & E). specialize (P c ltac:(lra)). nra.
+  - destruct (MVT_le F F' y 0 ltac:(lra) ltac:(intros; apply D)) as (c & C & E). specialize (N c ltac:(lra)). nra.
+Qed.
+Lemma exp_signs x : (0 <= x -> exp (- x) <= 1 /\ 1 <= exp x) /\ (x <= 0 -> 1 <= exp (- x) /\ exp x <= 1).
+Proof. pose proof (exp_ineq1_le x). pose proof (exp_ineq1_le (- x)). assert (exp x * exp (- x) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). split; intros; split; nra. Qed.
+(* W is between y^2/2 and e^-y y^2/2 *)
+Lemma W_between y : (0 <= y -> y ^ 2 / 2 * exp (- y) <= W y <= y ^ 2 / 2) /\ (y <= 0 -> y ^ 2 / 2 <= W y <= y ^ 2 / 2 * exp (- y)).
+Proof.
+  assert (A : forall x, 0 <= W x). { intros x. unfold W. pose proof (exp_ineq1_le (- x)). lra. }
+  assert (D1 : forall x, is_derive (fun x => x ^ 2 / 2 - W x) x (W x)).
+  { intros x. eapply D_eq; [apply (D_minus (fun x => x ^ 2 / 2) W); [|apply W_rate]|].
+    - apply (is_derive_ext (fun x => / 2 * x ^ 2)); [intros; unfold Rdiv; Rring|]. apply D_scal, (D_sqr (fun s => s)), D_id.
+    - unfold W. field. }
+  assert (D2 : forall x, is_derive (fun x => W x - x ^ 2 / 2 * exp (- x)) x (1 - exp (- x) - x * exp (- x) + x ^ 2 / 2 * exp (- x))).
+  { intros x. eapply D_eq; [apply (D_minus W (fun x => x ^ 2 / 2 * exp (- x))); [apply W_rate|apply (D_mult (fun x => x ^ 2 / 2) (fun x => exp (- x))); [|apply exp_opp_rate]]|].
+    - apply (is_derive_ext (fun x => / 2 * x ^ 2)); [intros; unfold Rdiv; Rring|]. apply D_scal, (D_sqr (fun s => s)), D_id.
+    - cbv beta. field. }
+  assert (P2 : forall x, 0 <= 1 - exp (- x) - x * exp (- x) + x ^ 2 / 2 * exp (- x)).
+  { intros x. pose proof (exp_ineq1_le x). assert (E : exp x * exp (- x) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). pose proof (exp_pos (- x)). pose proof (pow2_ge_0 x).
+    replace (1 - exp (- x) - x * exp (- x) + x ^ 2 / 2 * exp (- x)) with (exp x * exp (- x) - exp (- x) - x * exp (- x) + x ^ 2 / 2 * exp (- x)) by (rewrite E; ring).
+    replace (exp x * exp (- x) - exp (- x) - x * exp (- x) + x ^ 2 / 2 * exp (- x)) with ((exp x - 1 - x + x ^ 2 / 2) * exp (- x)) by ring. apply Rmult_le_pos; lra. }
+  assert (W0 : W 0 = 0) by (unfold W; rewrite Ropp_0, exp_0; ring). split; intros L.
+  - destruct (MVT_le _ _ 0 y L (fun x _ => D1 x)) as (c & C & E). destruct (MVT_le _ _ 0 y L (fun x _ => D2 x)) as (c' & C' & E'). cbv beta in E, E'.
+    rewrite W0 in E, E'. pose proof (A c). pose proof (P2 c'). nra.
+  - destruct (MVT_le _ _ y 0 L (fun x _ => D1 x)) as (c & C & E). destruct (MVT_le _ _ y 0 L (fun x _ => D2 x)) as (c' & C' & E'). cbv beta in E, E'.
+    rewrite W0 in E, E'. pose proof (A c). pose proof (P2 c'). nra.
+Qed.
+Lemma k_between y : (exp (- Rabs y) <= k2 y <= exp (Rabs y)) /\ (exp (- Rabs y) <= k1 y <= exp (Rabs y)).
+Proof.
+  unfold k2, k1. destruct (Req_EM_T y 0) as [->|N]; [rewrite Rabs_R0, Ropp_0, exp_0; lra|]. destruct (W_between y) as [A B].
+  assert (E : exp y * exp (- y) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). pose proof (exp_ineq1_le y) as I1. pose proof (exp_ineq1_le (- y)) as I2.
+  pose proof (exp_pos y). pose proof (exp_pos (- y)). assert (Y2 : 0 < y ^ 2) by now apply pow2_gt_0.
+  assert (Q : forall c, 2 * W y / y ^ 2 <= c <-> 2 * W y <= c * y ^ 2).
+  { intros c. split; intros H1.
+    - apply (Rmult_le_compat_r (y ^ 2)) in H1; [|lra]. replace (2 * W y / y ^ 2 * y ^ 2) with (2 * W y) in H1 by (field; lra). exact H1.
+    - apply Rmult_le_reg_r with (y ^ 2); [lra|]. replace (2 * W y / y ^ 2 * y ^ 2) with (2 * W y) by (field; lra). exact H1. }
+  assert (Q' : forall c, c <= 2 * W y / y ^ 2 <-> c * y ^ 2 <= 2 * W y).
+  { intros c. split; intros H1.
+    - apply (Rmult_le_compat_r (y ^ 2)) in H1; [|lra]. replace (2 * W y / y ^ 2 * y ^ 2) with (2 * W y) in H1 by (field; lra). exact H1.
+    - apply Rmult_le_reg_r with (y ^ 2); [lra|]. replace (2 * W y / y ^ 2 * y ^ 2) with (2 * W y) by (field; lra). exact H1. }
+  rewrite Q, Q'. destruct (exp_signs y) as [S1 S2]. destruct (Rtotal_order y 0) as [L|[L|L]]; [|contradiction|].
+  - rewrite Rabs_left by exact L. rewrite Ropp_involutive. destruct (B ltac:(lra)) as [B1 B2]. destruct (S2 ltac:(lra)) as [S3 S4]. split; [split; nra|].
+    split; (apply Rmult_le_reg_r with (- y); [lra|]); replace ((1 - exp (- y)) / y * - y) with (exp (- y) - 1) by (field; lra); nra.
+  - rewrite Rabs_pos_eq by lra. destruct (A ltac:(lra)) as [B1 B2]. destruct (S1 ltac:(lra)) as [S3 S4]. split; [split; nra|].
+    split; (apply Rmult_le_reg_r with y; [lra|]); replace ((1 - exp (- y)) / y * y) with (1 - exp (- y)) by (field; lra); nra.
+Qed.
+Lemma squeeze_0 (k : R -> R) : k 0 = 1 -> (forall y, exp (- Rabs y) <= k y <= exp (Rabs y)) -> continuity_pt k 0.
+Proof.
+  intros K0 B e He. assert (C : continuity_pt exp 0) by (apply derivable_continuous_pt, derivable_pt_exp). destruct (C e He) as (d & d0 & Hd). exists d. split; [exact d0|].
+  assert (X : forall z, Rabs z < d -> Rabs (exp z - 1) < e).
+  { intros z Hz. destruct (Req_dec z 0) as [->|Z]; [rewrite exp_0, Rminus_eq_0, Rabs_R0; exact He|]. specialize (Hd z). unfold dist in Hd. cbn in Hd. unfold R_dist in Hd.
+    rewrite exp_0, Rminus_0_r in Hd. apply Hd. split; [split; [exact I|congruence]|exact Hz]. }
+  intros y [_ Hy]. unfold dist in *. cbn in *. unfold R_dist in *. rewrite Rminus_0_r in Hy. rewrite K0. specialize (B y).
+  pose proof (X (Rabs y) ltac:(rewrite Rabs_Rabsolu; exact Hy)) as X1. pose proof (X (- Rabs y) ltac:(rewrite Rabs_Ropp, Rabs_Rabsolu; exact Hy)) as X2.
+  apply Rabs_lt_between in X1. apply Rabs_lt_between in X2. apply Rabs_def1; lra.
+Qed.
+Lemma continuity_ext_loc (f h : R -> R) x d : 0 < d -> (forall z, Rabs (z - x) < d -> f z = h z) -> continuity_pt f x -> continuity_pt h x.
+Proof.
+  intros d0 E C e He. destruct (C e He) as (d' & d'0 & Hd). exists (Rmin d d'). split; [now apply Rmin_glb_lt|]. intros z [Z1 Z2].
+  unfold dist in *. cbn in *. unfold R_dist in *. pose proof (Rmin_l d d'). pose proof (Rmin_r d d'). rewrite <- !E; [apply Hd; split; [exact Z1|lra]|rewrite Rminus_eq_0, Rabs_R0; lra|lra].
+Qed.
+Lemma k_continuous y : continuity_pt k2 y /\ continuity_pt k1 y.
+Proof.
+  destruct (Req_dec y 0) as [->|N].
+  - split; apply squeeze_0; try (intros; apply k_between); unfold k2, k1; destruct (Req_EM_T 0 0); congruence.
+  - assert (A : 0 < Rabs y) by now apply Rabs_pos_lt.
+    assert (Z : forall z, Rabs (z - y) < Rabs y -> z <> 0). { intros z Hz ->. rewrite Rminus_0_l, Rabs_Ropp in Hz. lra. }
+    assert (Y2 : y ^ 2 <> 0) by now apply pow_nonzero.
+    split.
+    + apply (continuity_ext_loc (fun y => 2 * W y / y ^ 2) k2 y (Rabs y) A).
+      * intros z Hz. unfold k2. destruct (Req_EM_T z 0) as [E|_]; [now apply Z in Hz|reflexivity].
+      * apply derivable_continuous_pt, ex_derive_Reals_0. unfold W. auto_derive. simpl in Y2. assumption.
+    + apply (continuity_ext_loc (fun y => (1 - exp (- y)) / y) k1 y (Rabs y) A).
+      * intros z Hz. unfold k1. destruct (Req_EM_T z 0) as [E|_]; [now apply Z in Hz|reflexivity].
+      * apply derivable_continuous_pt, ex_derive_Reals_0. auto_derive. exact N.
+Qed.
+
+Definition gg (y : R) := y * sqrt (k2 y).
+Definition gg' (y : R) := k1 y / sqrt (k2 y).
+Lemma k_pos y : 0 < k2 y /\ 0 < k1 y.
+Proof. destruct (k_between y) as [[A _] [B _]]. pose proof (exp_pos (- Rabs y)). split; lra. Qed.
+Lemma root_continuous y : continuity_pt (fun y => sqrt (k2 y)) y.
+Proof. apply (continuity_pt_comp k2 sqrt); [apply k_continuous|]. apply continuity_pt_sqrt. left. apply k_pos. Qed.
+Lemma root_pos y : 0 < sqrt (k2 y). Proof. apply sqrt_lt_R0, k_pos. Qed.
+Lemma gg_sqr y : gg y ^ 2 = 2 * W y.
+Proof.
+  unfold gg. rewrite Rpow_mult_distr, pow2_sqrt by (left; apply k_pos). unfold k2. destruct (Req_EM_T y 0) as [->|N]; [|field; exact N].
+  unfold W. rewrite Ropp_0, exp_0. ring.
+Qed.
+Lemma gg_rate y : is_derive gg y (gg' y).
+Proof.
+  destruct (Rtotal_order y 0) as [L|[->|L]].
+  - assert (N : k1 y = (1 - exp (- y)) / y) by (unfold k1; destruct (Req_EM_T y 0); [lra|reflexivity]).
+    assert (S : forall z, z < 0 -> sqrt (2 * W z) = - gg z).
+    { intros z Hz. rewrite <- gg_sqr. replace (gg z ^ 2) with ((- gg z) ^ 2) by ring. apply sqrt_pow2. unfold gg. pose proof (root_pos z). nra. }
+    assert (W0 : 0 < 2 * W y). { rewrite <- gg_sqr. apply pow2_gt_0. unfold gg. pose proof (root_pos y). nra. }
+    apply (is_derive_ext_loc (fun z => - sqrt (2 * W z))).
+    + assert (d0 : 0 < - y) by lra. exists (mkposreal _ d0). intros z Hz. unfold ball in Hz. cbn in Hz. unfold AbsRing_ball, abs, minus, plus, opp in Hz. cbn in Hz.
+      apply Rabs_lt_between in Hz. rewrite S by lra. Rring.
+    + eapply D_eq; [apply D_opp, (D_comp sqrt (fun z => 2 * W z)); [apply is_derive_Reals, derivable_pt_lim_sqrt; exact W0|apply D_scal, W_rate]|].
+      rewrite S by exact L. unfold gg', gg. rewrite N. pose proof (root_pos y). field. split; lra.
+  - apply is_derive_Reals. intros e He. assert (K0 : k2 0 = 1) by (unfold k2; destruct (Req_EM_T 0 0); congruence).
+    assert (K1 : k1 0 = 1) by (unfold k1; destruct (Req_EM_T 0 0); congruence). destruct (root_continuous 0 e He) as (d & d0 & Hd).
+    exists (mkposreal d d0). intros k N Hk. cbn in Hk. unfold gg, gg'. rewrite K1, K0, sqrt_1, Rplus_0_l, Rmult_0_l, Rminus_0_r.
+    replace (k * sqrt (k2 k) / k - 1 / 1) with (sqrt (k2 k) - 1) by (field; exact N). specialize (Hd k). unfold dist in Hd. cbn in Hd. unfold R_dist in Hd.
+    rewrite K0, sqrt_1, Rminus_0_r in Hd. apply Hd. split; [split; [exact I|congruence]|exact Hk].
+  - assert (N : k1 y = (1 - exp (- y)) / y) by (unfold k1; destruct (Req_EM_T y 0); [lra|reflexivity]).
+    assert (S : forall z, 0 < z -> sqrt (2 * W z) = gg z).
+    { intros z Hz. rewrite <- gg_sqr. apply sqrt_pow2. unfold gg. pose proof (root_pos z). nra. }
+    assert (W0 : 0 < 2 * W y). { rewrite <- gg_sqr. apply pow2_gt_0. unfold gg. pose proof (root_pos y). nra. }
+    apply (is_derive_ext_loc (fun z => sqrt (2 * W z))).
+    + exists (mkposreal _ L). intros z Hz. unfold ball in Hz. cbn in Hz. unfold AbsRing_ball, abs, minus, plus, opp in Hz. cbn in Hz.
+      apply Rabs_lt_between in Hz. rewrite S by lra. reflexivity.
+    + eapply D_eq; [apply (D_comp sqrt (fun z => 2 * W z)); [apply is_derive_Reals, derivable_pt_lim_sqrt; exact W0|apply D_scal, W_rate]|].
+      rewrite S by exact L. unfold gg', gg. rewrite N. pose proof (root_pos y). field. split; lra.
+Qed.
+Lemma gg'_pos y : 0 < gg' y. Proof. apply Rdiv_lt_0_compat; [apply k_pos|apply root_pos]. Qed.
+Lemma gg'_continuous y : continuity_pt gg' y.
+Proof. apply continuity_pt_div; [apply k_continuous|apply root_continuous|apply Rgt_not_eq, root_pos]. Qed.
+Lemma derive_continuous (f f' : R -> R) : (forall x, is_derive f x (f' x)) -> forall x, continuity_pt f x.
+Proof. intros D x. apply derivable_continuous_pt, ex_derive_Reals_0. eexists. apply D. Qed.
+Lemma gg_onto u : exists y, gg y = u.
+Proof.
+  pose proof (pow2_ge_0 u) as U2. set (b := u ^ 2 / 2 + 1). assert (B : u <= gg b).
+  { assert (Q : u ^ 2 <= gg b ^ 2) by (rewrite gg_sqr; unfold W, b; pose proof (exp_pos (- (u ^ 2 / 2 + 1))); lra).
+    assert (0 <= gg b) by (unfold gg; pose proof (root_pos b); unfold b in *; nra).
+    apply Rnot_lt_le. intros L. nra. }
+  assert (A : gg (- Rabs u) <= u).
+  { pose proof (Rabs_pos u) as P. destruct (W_between (- Rabs u)) as [_ Q]. specialize (Q ltac:(lra)). destruct Q as [Q _].
+    assert (G : (Rabs u) ^ 2 <= gg (- Rabs u) ^ 2) by (rewrite gg_sqr; replace (Rabs u ^ 2) with ((- Rabs u) ^ 2) by ring; lra).
+    assert (gg (- Rabs u) <= 0) by (unfold gg; pose proof (root_pos (- Rabs u)); nra). pose proof (Rle_abs (- u)) as R1. rewrite Rabs_Ropp in R1. apply Rnot_lt_le. intros L. nra. }
+  destruct (IVT_gen gg (- Rabs u) b u) as (y & _ & Y); [intros x; apply (derive_continuous gg gg' gg_rate)| |now exists y].
+  rewrite Rmin_left, Rmax_right by lra. lra.
+Qed.
+Lemma steep_onto (f f' : R -> R) c : 0 < c -> (forall x, is_derive f x (f' x)) -> (forall x, c <= f' x) -> forall y, exists x, f x = y.
+Proof.
+  intros c0 D P y. set (m := Rabs (y - f 0) / c). assert (M : 0 <= m) by (apply Rmult_le_pos; [apply Rabs_pos|left; now apply Rinv_0_lt_compat]).
+  assert (CM : c * m = Rabs (y - f 0)) by (unfold m; field; lra). pose proof (Rle_abs (y - f 0)) as A1. pose proof (Rle_abs (- (y - f 0))) as A2. rewrite Rabs_Ropp in A2.
+  destruct (MVT_le f f' 0 m M ltac:(intros; apply D)) as (c1 & _ & E1). destruct (MVT_le f f' (- m) 0 ltac:(lra) ltac:(intros; apply D)) as (c2 & _ & E2).
+  pose proof (P c1). pose proof (P c2). destruct (IVT_gen f (- m) m y) as (x & _ & X); [intros x; apply (derive_continuous f f' D)| |now exists x].
+  assert (f (- m) <= y) by nra. assert (y <= f m) by nra. rewrite Rmin_left, Rmax_right by lra. lra.
+Qed.
+Lemma swing_exists : exists a b : R -> R, (forall t, 0 < a t /\ is_derive a t (b t) /\ is_derive b t (- fig2' 0 0 (a t)) /\ Rabs (b t) <= 1) /\
+  a 0 <> 1 /\ forall T, (exists t, T <= t /\ a t = 1) /\ exists t, T <= t /\ a t = a 0.
+Proof.
+  destruct (inverse gg gg' gg_rate gg'_pos gg_onto) as (h & GH & HG & Dh).
+  assert (Ch : forall u, continuity_pt h u) by (intros u; apply (derive_continuous h (fun y => / gg' (h y)) Dh)).
+  set (Ga := fun u => 2 * gg' (h u) * exp (- (h u / 2))).
+  assert (Gp : forall u, 0 < Ga u) by (intros u; unfold Ga; pose proof (gg'_pos (h u)); pose proof (exp_pos (- (h u / 2))); apply Rmult_lt_0_compat; lra).
+  assert (Gc : forall u, continuity_pt Ga u).
+  { intros u. apply continuity_pt_mult.
+    - apply continuity_pt_mult; [apply continuity_pt_const; intros ? ?; reflexivity|]. apply (continuity_pt_comp h gg'); [apply Ch|apply gg'_continuous].
+    - apply (continuity_pt_comp h (fun y => exp (- (y / 2)))); [apply Ch|]. apply derivable_continuous_pt, ex_derive_Reals_0. auto_derive. exact I. }
+  destruct (continuity_ab_maj Ga (-1) 1 ltac:(lra) ltac:(intros; apply Gc)) as (Mx & HM & _). set (c := / Ga Mx). assert (c0 : 0 < c) by (apply Rinv_0_lt_compat, Gp).
+  set (p := fun phi => / Ga (sin phi)). assert (Pc : forall phi, continuous p phi).
+  { intros phi. apply continuity_pt_filterlim. apply (continuity_pt_inv (fun phi => Ga (sin phi))); [|apply Rgt_not_eq, Gp].
+    apply (continuity_pt_comp sin Ga); [apply continuity_sin|apply Gc]. }
+  assert (Pl : forall phi, c <= p phi).
+  { intros phi. apply Rinv_le_contravar; [apply Gp|]. apply HM. pose proof (SIN_bound phi). lra. }
+  set (T := (fun phi => RInt p 0 phi) : R -> R). assert (DT : forall phi, is_derive T phi (p phi)).
+  { intros phi. apply (is_derive_RInt p T 0 phi); [|apply Pc]. apply filter_forall. intros x. apply (@RInt_correct R_CompleteNormedModule), (@ex_RInt_continuous R_CompleteNormedModule). intros; apply Pc. }
+  assert (T0 : T 0 = 0) by (unfold T; rewrite RInt_point; reflexivity).
+  destruct (inverse T p DT (fun x => Rlt_le_trans _ _ _ c0 (Pl x)) (steep_onto T p c c0 DT Pl)) as (Ph & TP & PT & DP).
+  assert (Tl : forall phi, 0 <= phi -> c * phi <= T phi).
+  { intros phi L. destruct (MVT_le T p 0 phi L ltac:(intros; apply DT)) as (z & _ & E). pose proof (Pl z). rewrite T0 in E. nra. }
+  assert (Dphi : forall t, is_derive Ph t (Ga (sin (Ph t)))).
+  { intros t. eapply D_eq; [apply DP|]. unfold p. apply Rinv_inv. }
+  set (s := T (PI / 2)). set (Y := fun t => h (sin (Ph (t + s)))). set (a := fun t => exp (Y t / 2)). set (b := fun t => cos (Ph (t + s))).
+  assert (Ds : forall t, is_derive (fun t => Ph (t + s)) t (Ga (sin (Ph (t + s))))).
+  { intros t. eapply D_eq; [apply (D_comp Ph (fun t => t + s)); [apply Dphi|apply (D_plus (fun t => t) (fun _ => s)); [apply D_id|apply D_const]]|]. ring. }
+  assert (DY : forall t, is_derive Y t (2 * exp (- (Y t / 2)) * b t)).
+  { intros t. unfold Y. eapply D_eq; [apply (D_comp h (fun t => sin (Ph (t + s)))); [apply Dh|apply (D_sin (fun t => Ph (t + s))), Ds]|].
+    unfold Ga, b. pose proof (gg'_pos (h (sin (Ph (t + s))))). field. lra. }
+  assert (XE : forall t, a t * exp (- (Y t / 2)) = 1) by (intros t; unfold a; rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
+  exists a, b. split; [|split].
+  - intros t. split; [apply exp_pos|]. split; [|split].
+    + unfold a. eapply D_eq; [apply (D_comp exp (fun t => Y t / 2)); [apply is_derive_exp|apply (is_derive_ext (fun t => / 2 * Y t)); [intros; unfold Rdiv; Rring|apply D_scal, DY]]|].
+      fold (a t). replace (a t * (/ 2 * (2 * exp (- (Y t / 2)) * b t))) with (a t * exp (- (Y t / 2)) * b t) by field. rewrite XE. ring.
+    + unfold b at 1. eapply D_eq; [apply (D_cos (fun t => Ph (t + s))), Ds|]. set (u := sin (Ph (t + s))). assert (U : u = gg (Y t)) by (unfold Y; fold u; now rewrite GH).
+      unfold Ga. change (h u) with (Y t). rewrite U. set (y := Y t) in *.
+      replace (- gg y * (2 * gg' y * exp (- (y / 2)))) with (- 2 * (gg y * gg' y) * exp (- (y / 2))) by ring.
+      assert (K : gg y * gg' y = 1 - exp (- y)).
+      { unfold gg, gg'. pose proof (root_pos y). replace (y * sqrt (k2 y) * (k1 y / sqrt (k2 y))) with (y * k1 y) by (field; lra). unfold k1.
+        destruct (Req_EM_T y 0) as [->|N]; [rewrite Ropp_0, exp_0; ring|field; exact N]. }
+      rewrite K. assert (A : a t = exp (y / 2)) by reflexivity. assert (E1 : exp (- (y / 2)) = / exp (y / 2)) by apply exp_Ropp.
+      assert (E2 : exp (- y) = / exp (y / 2) * / exp (y / 2)) by (rewrite <- !exp_Ropp, <- exp_plus; f_equal; field). unfold fig2'. rewrite A, E1, E2. pose proof (exp_pos (y / 2)). field. lra.
+    + unfold b. pose proof (COS_bound (Ph (t + s))). apply Rabs_le. lra.
+  - assert (A0 : a 0 = exp (h 1 / 2)) by (unfold a, Y, s; rewrite Rplus_0_l, PT, sin_PI2; reflexivity). rewrite A0. intros E.
+    assert (Z : h 1 = 0). { assert (h 1 / 2 = 0); [|lra]. apply exp_inv. now rewrite exp_0. }
+    pose proof (GH 1) as Q. rewrite Z in Q. unfold gg in Q. lra.
+  - intros T1. assert (PP := PI_RGT_0). destruct (nfloor_ex (Rabs ((T1 + s) / c))) as (n & _ & Hn); [apply Rabs_pos|].
+    assert (BIG : forall q, 0 <= q -> T1 <= T (q + 2 * INR (S n) * PI) - s).
+    { intros q Q. specialize (Tl (q + 2 * INR (S n) * PI)). rewrite S_INR in *. pose proof (Rle_abs ((T1 + s) / c)). assert (N0 := pos_INR n).
+      assert (F : (T1 + s) / c <= q + 2 * (INR n + 1) * PI) by (pose proof PI2_1; nra). apply (Rmult_le_compat_l c) in F; [|lra].
+      replace (c * ((T1 + s) / c)) with (T1 + s) in F by (field; lra). specialize (Tl ltac:(nra)). lra. }
+    split.
+    + exists (T (PI + 2 * INR (S n) * PI) - s). split; [apply BIG; lra|]. unfold a, Y. replace (T (PI + 2 * INR (S n) * PI) - s + s) with (T (PI + 2 * INR (S n) * PI)) by ring.
+      rewrite PT, sin_period, sin_PI. assert (H0 : h 0 = 0) by (replace 0 with (gg 0) at 1 by (unfold gg; ring); apply HG). rewrite H0. unfold Rdiv. rewrite Rmult_0_l. apply exp_0.
+    + exists (T (PI / 2 + 2 * INR (S n) * PI) - s). split; [apply BIG; lra|]. unfold a, Y. replace (T (PI / 2 + 2 * INR (S n) * PI) - s + s) with (T (PI / 2 + 2 * INR (S n) * PI)) by ring.
+      rewrite PT, sin_period. unfold s. now rewrite Rplus_0_l, PT.
+Qed.
+
+(* a star on a line: a centre, two agents at rest beside it at the distance 1, two that swing *)
+Definition star (i j : nat) : bool := xorb (Nat.eqb i 0) (Nat.eqb j 0).
+Definition offset (a : R) (i : nat) : R := match i with 0%nat => 0 | 1%nat => 1 | 2%nat => - (1) | 3%nat => a | _ => - a end.
+Definition drift (b : R) (i : nat) : R := match i with 0%nat | 1%nat | 2%nat => 0 | 3%nat => b | _ => - b end.
+Definition star_x (a : R -> R) (i : nat) (t : R) : R := 2 * t + offset (a t) i.
+Definition star_y (b : R -> R) (i : nat) (t : R) : R := 2 + drift (b t) i.
+Lemma star_connected : simple_connected 5 star.
+Proof.
+  split; [intros i j; unfold star; destruct (Nat.eqb i 0), (Nat.eqb j 0); reflexivity|]. split; [intros i; unfold star; destruct (Nat.eqb i 0); reflexivity|].
+  assert (A : forall k, (k < 5)%nat -> clos_refl_trans nat (arc 5 star) k 0%nat /\ clos_refl_trans nat (arc 5 star) 0%nat k).
+  { intros k Hk. destruct k as [|[|[|[|[|]]]]]; try lia; split; first [apply rt_refl|apply rt_step; repeat split; lia]. }
+  intros i j Hi Hj. eapply rt_trans; [apply (A i Hi)|apply (A j Hj)].
+Qed.
+Lemma star_push a i t : 0 < a t -> (i < 5)%nat -> push 5 star fig2' (fun i => star_x a i t) i = drift (- fig2' 0 0 (a t)) i.
+Proof.
+  intros A Hi. unfold push, star_x. assert (E : forall x y, 2 * t + x - (2 * t + y) = x - y) by (intros; ring).
+  set (u := a t) in *. assert (F1 : fig2' 0 0 1 = 0) by (unfold fig2'; field).
+  assert (P : forall q, 0 < q -> fig2' 0 0 (Rabs q) / Rabs q * q = fig2' 0 0 q) by (intros q Q; rewrite Rabs_pos_eq by lra; field; lra).
+  assert (N : forall q, 0 < q -> fig2' 0 0 (Rabs (- q)) / Rabs (- q) * - q = - fig2' 0 0 q) by (intros q Q; rewrite Rabs_Ropp, Rabs_pos_eq by lra; field; lra).
+  change (- Sum 5 (fun j => if star i j then fig2' 0 0 (Rabs (2 * t + offset u i - (2 * t + offset u j))) / Rabs (2 * t + offset u i - (2 * t + offset u j))
+    * (2 * t + offset u i - (2 * t + offset u j)) else 0)
+    = drift (- fig2' 0 0 u) i).
+  destruct i as [|[|[|[|[|]]]]]; try lia; cbn [Sum]; unfold star; cbn [Nat.eqb xorb]; rewrite !E; cbn [offset drift].
+  - replace (0 - 1) with (- (1)) by ring. replace (0 - - (1)) with 1 by ring. replace (0 - u) with (- u) by ring. replace (0 - - u) with u by ring.
+    rewrite (N 1), (P 1), (N u), (P u) by lra. ring.
+  - replace (1 - 0) with 1 by ring. rewrite (P 1) by lra. rewrite F1. ring.
+  - replace (- (1) - 0) with (- (1)) by ring. rewrite (N 1) by lra. rewrite F1. ring.
+  - replace (u - 0) with u by ring. rewrite (P u) by lra. ring.
+  - replace (- u - 0) with (- u) by ring. rewrite (N u) by lra. ring.
+Qed.
+Lemma star_closed a b t : 0 < a t -> is_derive a t (b t) -> is_derive b t (- fig2' 0 0 (a t)) -> Rabs (b t) <= 1 ->
+  closed 5 star fig2 fig2' (on_line (star_x a)) (on_line (star_y b)) zero_heading t.
+Proof.
+  intros A Da Db B. apply Rabs_le_between in B. apply line_closed.
+  - intros i Hi. split; [|split].
+    + unfold star_x, star_y. assert (D : is_derive (fun s => offset (a s) i) t (drift (b t) i)).
+      { destruct i as [|[|[|[|i]]]]; cbn [offset drift]; [apply D_const|apply D_const|apply D_const|exact Da|now apply D_opp]. }
+      eapply D_eq; [apply (D_plus (fun s => 2 * s) (fun s => offset (a s) i)); [apply D_scal, D_id|exact D]|]. ring.
+    + unfold star_y. destruct i as [|[|[|[|i]]]]; cbn [drift]; lra.
+    + rewrite star_push by assumption. unfold star_y. assert (D : is_derive (fun s => drift (b s) i) t (drift (- fig2' 0 0 (a t)) i)).
+      { destruct i as [|[|[|[|i]]]]; cbn [drift]; [apply D_const|apply D_const|apply D_const|exact Db|now apply D_opp]. }
+      eapply D_eq; [apply (D_plus (fun s => 2) (fun s => drift (b s) i)); [apply D_const|exact D]|]. ring.
+  - intros i j Hi Hj E. unfold star_x. destruct i as [|[|[|[|[|]]]]], j as [|[|[|[|[|]]]]]; try lia; try discriminate E; cbn [offset]; lra.
+  - intros i j s _ _ Hs. apply (proj1 fig2_repels s Hs).
+Qed.
+Lemma collision_2_proved : collision_2.
+Proof.
+  intros H. destruct swing_exists as (a & b & M & A0 & Re). destruct (Re 0) as [(t & T0 & T1) _]. destruct (M 0) as [P0 _].
+  apply (H 5%nat star (on_line (star_x a)) (on_line (star_y b)) zero_heading star_connected) with (t := t) (i := 1%nat) (j := 3%nat); try lia; try exact T0.
+  - intros i j Hi Hj N E. unfold on_line in E. injection E. unfold star_x. destruct i as [|[|[|[|[|]]]]], j as [|[|[|[|[|]]]]]; try lia; cbn [offset]; lra.
+  - intros s _. destruct (M s) as (B1 & B2 & B3 & B4). now apply star_closed.
+  - unfold on_line, star_x. cbn [offset]. now rewrite T1.
+Qed.
+Lemma propIV3b_1_proved : propIV3b_1.
+Proof.
+  intros H. destruct swing_exists as (a & b & M & A0 & Re).
+  destruct (H 5%nat star (on_line (star_x a)) (on_line (star_y b)) zero_heading star_connected) with (i := 3%nat) (j := 0%nat) as [d L]; try lia; try reflexivity.
+  - intros s _. destruct (M s) as (B1 & B2 & B3 & B4). now apply star_closed.
+  - assert (E : forall t, Cmod (on_line (star_x a) 3 t - on_line (star_x a) 0 t)%C = a t).
+    { intros t. unfold on_line. rewrite Cmod_line. unfold star_x. cbn [offset]. destruct (M t) as [P _]. replace (2 * t + a t - (2 * t + 0)) with (a t) by ring. apply Rabs_pos_eq. lra. }
+    apply is_lim_spec in L. assert (e0 : 0 < Rabs (a 0 - 1) / 2) by (assert (0 < Rabs (a 0 - 1)) by (apply Rabs_pos_lt; lra); lra).
+    destruct (L (mkposreal _ e0)) as [B HB]. destruct (Re (B + 1)) as [(t1 & T1 & E1) (t2 & T2 & E2)].
+    pose proof (HB t1 ltac:(lra)) as X1. pose proof (HB t2 ltac:(lra)) as X2. cbn [pos] in X1, X2. rewrite E, E1 in X1. rewrite E, E2 in X2.
+    assert (T : Rabs (a 0 - 1) <= Rabs (a 0 - d) + Rabs (1 - d)); [|lra].
+    replace (a 0 - 1) with ((a 0 - d) - (1 - d)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
+Qed.
