@@ -1017,9 +1017,11 @@ Proof.
   pose proof (P c1). pose proof (P c2). destruct (IVT_gen f (- m) m y) as (x & _ & X); [intros x; apply (derive_continuous f f' D)| |now exists x].
   assert (f (- m) <= y) by nra. assert (y <= f m) by nra. rewrite Rmin_left, Rmax_right by lra. lra.
 Qed.
-Lemma swing_exists : exists a b : R -> R, (forall t, 0 < a t /\ is_derive a t (b t) /\ is_derive b t (- fig2' 0 0 (a t)) /\ Rabs (b t) <= 1) /\
-  a 0 <> 1 /\ forall T, (exists t, T <= t /\ a t = 1) /\ exists t, T <= t /\ a t = a 0.
+Lemma swing_exists y0 : 0 < y0 -> exists a b : R -> R,
+  (forall t, 0 < a t /\ is_derive a t (b t) /\ is_derive b t (- fig2' 0 0 (a t)) /\ b t ^ 2 <= 2 * W y0) /\ a 0 = exp (y0 / 2) /\ b 0 = 0 /\
+  forall T, (exists t, T <= t /\ a t = 1) /\ exists t, T <= t /\ a t = a 0.
 Proof.
+  intros Y0. set (A := gg y0). assert (A0 : 0 < A) by (unfold A, gg; pose proof (root_pos y0); now apply Rmult_lt_0_compat).
   destruct (inverse gg gg' gg_rate gg'_pos gg_onto) as (h & GH & HG & Dh).
   assert (Ch : forall u, continuity_pt h u) by (intros u; apply (derive_continuous h (fun y => / gg' (h y)) Dh)).
   set (Ga := fun u => 2 * gg' (h u) * exp (- (h u / 2))).
@@ -1028,51 +1030,50 @@ Proof.
   { intros u. apply continuity_pt_mult.
     - apply continuity_pt_mult; [apply continuity_pt_const; intros ? ?; reflexivity|]. apply (continuity_pt_comp h gg'); [apply Ch|apply gg'_continuous].
     - apply (continuity_pt_comp h (fun y => exp (- (y / 2)))); [apply Ch|]. apply derivable_continuous_pt, ex_derive_Reals_0. auto_derive. exact I. }
-  destruct (continuity_ab_maj Ga (-1) 1 ltac:(lra) ltac:(intros; apply Gc)) as (Mx & HM & _). set (c := / Ga Mx). assert (c0 : 0 < c) by (apply Rinv_0_lt_compat, Gp).
-  set (p := fun phi => / Ga (sin phi)). assert (Pc : forall phi, continuous p phi).
-  { intros phi. apply continuity_pt_filterlim. apply (continuity_pt_inv (fun phi => Ga (sin phi))); [|apply Rgt_not_eq, Gp].
-    apply (continuity_pt_comp sin Ga); [apply continuity_sin|apply Gc]. }
+  destruct (continuity_ab_maj Ga (- A) A ltac:(lra) ltac:(intros; apply Gc)) as (Mx & HM & _). set (c := / Ga Mx). assert (c0 : 0 < c) by (apply Rinv_0_lt_compat, Gp).
+  set (p := fun phi => / Ga (A * sin phi)). assert (Pc : forall phi, continuous p phi).
+  { intros phi. apply continuity_pt_filterlim. apply (continuity_pt_inv (fun phi => Ga (A * sin phi))); [|apply Rgt_not_eq, Gp].
+    apply (continuity_pt_comp (fun phi => A * sin phi) Ga); [apply derivable_continuous_pt, ex_derive_Reals_0; auto_derive; exact I|apply Gc]. }
   assert (Pl : forall phi, c <= p phi).
-  { intros phi. apply Rinv_le_contravar; [apply Gp|]. apply HM. pose proof (SIN_bound phi). lra. }
+  { intros phi. apply Rinv_le_contravar; [apply Gp|]. apply HM. pose proof (SIN_bound phi). nra. }
   set (T := (fun phi => RInt p 0 phi) : R -> R). assert (DT : forall phi, is_derive T phi (p phi)).
-  { intros phi. apply (is_derive_RInt p T 0 phi); [|apply Pc]. apply filter_forall. intros x. apply (@RInt_correct R_CompleteNormedModule), (@ex_RInt_continuous R_CompleteNormedModule). intros; apply Pc. }
+  { intros phi. apply (is_derive_RInt p T 0 phi); [|apply Pc]. apply filter_forall. intros x.
+    apply (@RInt_correct R_CompleteNormedModule), (@ex_RInt_continuous R_CompleteNormedModule). intros; apply Pc. }
   assert (T0 : T 0 = 0) by (unfold T; rewrite RInt_point; reflexivity).
   destruct (inverse T p DT (fun x => Rlt_le_trans _ _ _ c0 (Pl x)) (steep_onto T p c c0 DT Pl)) as (Ph & TP & PT & DP).
   assert (Tl : forall phi, 0 <= phi -> c * phi <= T phi).
   { intros phi L. destruct (MVT_le T p 0 phi L ltac:(intros; apply DT)) as (z & _ & E). pose proof (Pl z). rewrite T0 in E. nra. }
-  assert (Dphi : forall t, is_derive Ph t (Ga (sin (Ph t)))).
+  assert (Dphi : forall t, is_derive Ph t (Ga (A * sin (Ph t)))).
   { intros t. eapply D_eq; [apply DP|]. unfold p. apply Rinv_inv. }
-  set (s := T (PI / 2)). set (Y := fun t => h (sin (Ph (t + s)))). set (a := fun t => exp (Y t / 2)). set (b := fun t => cos (Ph (t + s))).
-  assert (Ds : forall t, is_derive (fun t => Ph (t + s)) t (Ga (sin (Ph (t + s))))).
+  set (s := T (PI / 2)). set (Y := fun t => h (A * sin (Ph (t + s)))). set (a := fun t => exp (Y t / 2)). set (b := fun t => A * cos (Ph (t + s))).
+  assert (Ds : forall t, is_derive (fun t => Ph (t + s)) t (Ga (A * sin (Ph (t + s))))).
   { intros t. eapply D_eq; [apply (D_comp Ph (fun t => t + s)); [apply Dphi|apply (D_plus (fun t => t) (fun _ => s)); [apply D_id|apply D_const]]|]. ring. }
   assert (DY : forall t, is_derive Y t (2 * exp (- (Y t / 2)) * b t)).
-  { intros t. unfold Y. eapply D_eq; [apply (D_comp h (fun t => sin (Ph (t + s)))); [apply Dh|apply (D_sin (fun t => Ph (t + s))), Ds]|].
-    unfold Ga, b. pose proof (gg'_pos (h (sin (Ph (t + s))))). field. lra. }
+  { intros t. unfold Y. eapply D_eq; [apply (D_comp h (fun t => A * sin (Ph (t + s)))); [apply Dh|apply D_scal, (D_sin (fun t => Ph (t + s))), Ds]|].
+    unfold Ga, b. pose proof (gg'_pos (h (A * sin (Ph (t + s))))). field. lra. }
   assert (XE : forall t, a t * exp (- (Y t / 2)) = 1) by (intros t; unfold a; rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
   exists a, b. split; [|split].
   - intros t. split; [apply exp_pos|]. split; [|split].
     + unfold a. eapply D_eq; [apply (D_comp exp (fun t => Y t / 2)); [apply is_derive_exp|apply (is_derive_ext (fun t => / 2 * Y t)); [intros; unfold Rdiv; Rring|apply D_scal, DY]]|].
       fold (a t). replace (a t * (/ 2 * (2 * exp (- (Y t / 2)) * b t))) with (a t * exp (- (Y t / 2)) * b t) by field. rewrite XE. ring.
-    + unfold b at 1. eapply D_eq; [apply (D_cos (fun t => Ph (t + s))), Ds|]. set (u := sin (Ph (t + s))). assert (U : u = gg (Y t)) by (unfold Y; fold u; now rewrite GH).
-      unfold Ga. change (h u) with (Y t). rewrite U. set (y := Y t) in *.
+    + unfold b at 1. eapply D_eq; [apply D_scal, (D_cos (fun t => Ph (t + s))), Ds|]. set (u := A * sin (Ph (t + s))). assert (U : u = gg (Y t)) by (unfold Y; fold u; now rewrite GH).
+      replace (A * (- sin (Ph (t + s)) * Ga u)) with (- u * Ga u) by (unfold u; ring). unfold Ga. change (h u) with (Y t). rewrite U. set (y := Y t) in *.
       replace (- gg y * (2 * gg' y * exp (- (y / 2)))) with (- 2 * (gg y * gg' y) * exp (- (y / 2))) by ring.
       assert (K : gg y * gg' y = 1 - exp (- y)).
       { unfold gg, gg'. pose proof (root_pos y). replace (y * sqrt (k2 y) * (k1 y / sqrt (k2 y))) with (y * k1 y) by (field; lra). unfold k1.
         destruct (Req_EM_T y 0) as [->|N]; [rewrite Ropp_0, exp_0; ring|field; exact N]. }
-      rewrite K. assert (A : a t = exp (y / 2)) by reflexivity. assert (E1 : exp (- (y / 2)) = / exp (y / 2)) by apply exp_Ropp.
-      assert (E2 : exp (- y) = / exp (y / 2) * / exp (y / 2)) by (rewrite <- !exp_Ropp, <- exp_plus; f_equal; field). unfold fig2'. rewrite A, E1, E2. pose proof (exp_pos (y / 2)). field. lra.
-    + unfold b. pose proof (COS_bound (Ph (t + s))). apply Rabs_le. lra.
-  - assert (A0 : a 0 = exp (h 1 / 2)) by (unfold a, Y, s; rewrite Rplus_0_l, PT, sin_PI2; reflexivity). rewrite A0. intros E.
-    assert (Z : h 1 = 0). { assert (h 1 / 2 = 0); [|lra]. apply exp_inv. now rewrite exp_0. }
-    pose proof (GH 1) as Q. rewrite Z in Q. unfold gg in Q. lra.
-  - intros T1. assert (PP := PI_RGT_0). destruct (nfloor_ex (Rabs ((T1 + s) / c))) as (n & _ & Hn); [apply Rabs_pos|].
+      rewrite K. assert (AT : a t = exp (y / 2)) by reflexivity. assert (E1 : exp (- (y / 2)) = / exp (y / 2)) by apply exp_Ropp.
+      assert (E2 : exp (- y) = / exp (y / 2) * / exp (y / 2)) by (rewrite <- !exp_Ropp, <- exp_plus; f_equal; field). unfold fig2'. rewrite AT, E1, E2. pose proof (exp_pos (y / 2)). field. lra.
+    + unfold b. rewrite <- gg_sqr. fold A. rewrite Rpow_mult_distr. pose proof (COS_bound (Ph (t + s))). assert (cos (Ph (t + s)) ^ 2 <= 1) by nra. assert (0 < A ^ 2) by now apply pow_lt. nra.
+  - unfold a, Y, s. rewrite Rplus_0_l, PT, sin_PI2, Rmult_1_r. unfold A. now rewrite HG.
+  - split; [unfold b, s; rewrite Rplus_0_l, PT, cos_PI2; ring|]. intros T1. assert (PP := PI_RGT_0). destruct (nfloor_ex (Rabs ((T1 + s) / c))) as (n & _ & Hn); [apply Rabs_pos|].
     assert (BIG : forall q, 0 <= q -> T1 <= T (q + 2 * INR (S n) * PI) - s).
     { intros q Q. specialize (Tl (q + 2 * INR (S n) * PI)). rewrite S_INR in *. pose proof (Rle_abs ((T1 + s) / c)). assert (N0 := pos_INR n).
       assert (F : (T1 + s) / c <= q + 2 * (INR n + 1) * PI) by (pose proof PI2_1; nra). apply (Rmult_le_compat_l c) in F; [|lra].
       replace (c * ((T1 + s) / c)) with (T1 + s) in F by (field; lra). specialize (Tl ltac:(nra)). lra. }
     split.
     + exists (T (PI + 2 * INR (S n) * PI) - s). split; [apply BIG; lra|]. unfold a, Y. replace (T (PI + 2 * INR (S n) * PI) - s + s) with (T (PI + 2 * INR (S n) * PI)) by ring.
-      rewrite PT, sin_period, sin_PI. assert (H0 : h 0 = 0) by (replace 0 with (gg 0) at 1 by (unfold gg; ring); apply HG). rewrite H0. unfold Rdiv. rewrite Rmult_0_l. apply exp_0.
+      rewrite PT, sin_period, sin_PI, Rmult_0_r. assert (H0 : h 0 = 0) by (replace 0 with (gg 0) at 1 by (unfold gg; ring); apply HG). rewrite H0. unfold Rdiv. rewrite Rmult_0_l. apply exp_0.
     + exists (T (PI / 2 + 2 * INR (S n) * PI) - s). split; [apply BIG; lra|]. unfold a, Y. replace (T (PI / 2 + 2 * INR (S n) * PI) - s + s) with (T (PI / 2 + 2 * INR (S n) * PI)) by ring.
       rewrite PT, sin_period. unfold s. now rewrite Rplus_0_l, PT.
 Qed.
@@ -1122,9 +1123,17 @@ Proof.
   - intros i j Hi Hj E. unfold star_x. destruct i as [|[|[|[|[|]]]]], j as [|[|[|[|[|]]]]]; try lia; try discriminate E; cbn [offset]; lra.
   - intros i j s _ _ Hs. apply (proj1 fig2_repels s Hs).
 Qed.
+Lemma star_swings : exists a b : R -> R, (forall t, 0 < a t /\ is_derive a t (b t) /\ is_derive b t (- fig2' 0 0 (a t)) /\ Rabs (b t) <= 1) /\
+  a 0 <> 1 /\ forall T, (exists t, T <= t /\ a t = 1) /\ exists t, T <= t /\ a t = a 0.
+Proof.
+  destruct (gg_onto 1) as [y0 Y]. assert (P : 0 < y0) by (unfold gg in Y; pose proof (root_pos y0); nra).
+  destruct (swing_exists y0 P) as (a & b & M & A & _ & Re). exists a, b. split; [|split; [|exact Re]].
+  - intros t. destruct (M t) as (B1 & B2 & B3 & B4). rewrite <- gg_sqr, Y in B4. split; [exact B1|]. split; [exact B2|]. split; [exact B3|]. apply Rabs_le. nra.
+  - rewrite A. pose proof (exp_ineq1 (y0 / 2) ltac:(lra)). lra.
+Qed.
 Lemma collision_2_proved : collision_2.
 Proof.
-  intros H. destruct swing_exists as (a & b & M & A0 & Re). destruct (Re 0) as [(t & T0 & T1) _]. destruct (M 0) as [P0 _].
+  intros H. destruct star_swings as (a & b & M & A0 & Re). destruct (Re 0) as [(t & T0 & T1) _]. destruct (M 0) as [P0 _].
   apply (H 5%nat star (on_line (star_x a)) (on_line (star_y b)) zero_heading star_connected) with (t := t) (i := 1%nat) (j := 3%nat); try lia; try exact T0.
   - intros i j Hi Hj N E. unfold on_line in E. injection E. unfold star_x. destruct i as [|[|[|[|[|]]]]], j as [|[|[|[|[|]]]]]; try lia; cbn [offset]; lra.
   - intros s _. destruct (M s) as (B1 & B2 & B3 & B4). now apply star_closed.
@@ -1132,7 +1141,7 @@ Proof.
 Qed.
 Lemma propIV3b_1_proved : propIV3b_1.
 Proof.
-  intros H. destruct swing_exists as (a & b & M & A0 & Re).
+  intros H. destruct star_swings as (a & b & M & A0 & Re).
   destruct (H 5%nat star (on_line (star_x a)) (on_line (star_y b)) zero_heading star_connected) with (i := 3%nat) (j := 0%nat) as [d L]; try lia; try reflexivity.
   - intros s _. destruct (M s) as (B1 & B2 & B3 & B4). now apply star_closed.
   - assert (E : forall t, Cmod (on_line (star_x a) 3 t - on_line (star_x a) 0 t)%C = a t).
