@@ -1152,3 +1152,342 @@ Proof.
     assert (T : Rabs (a 0 - 1) <= Rabs (a 0 - d) + Rabs (1 - d)); [|lra].
     replace (a 0 - 1) with ((a 0 - d) - (1 - d)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra.
 Qed.
+
+(* tanner1.propIV3b clause 3, for which there was no theorem: there is such a motion, and in every one the headings stay 0 and the distance has no limit *)
+Definition pair_start (r v : nat -> R -> C) := r 0%nat 0 = RtoC 0 /\ r 1%nat 0 = RtoC 2 /\ v 0%nat 0 = RtoC 2 /\ v 1%nat 0 = RtoC 2.
+Definition propIV3b_3 : Prop := (exists r v th, pair_start r v /\ forall t, 0 <= t -> closed 2 complete fig2 fig2' r v th t) /\
+  forall r v th, pair_start r v -> (forall t, 0 <= t -> closed 2 complete fig2 fig2' r v th t) ->
+  (forall t i, 0 <= t -> (i < 2)%nat -> th i t = 0) /\ forall d : R, ~ is_lim (fun t => Cmod (r 0%nat t - r 1%nat t)%C) p_infty d.
+(* a number that cannot become 0 while it is not negative stays positive *)
+Lemma stays (phi : R -> R) : (forall t, 0 <= t -> continuity_pt phi t) -> 0 <= phi 0 ->
+  (forall tau, 0 <= tau -> (forall t, 0 <= t <= tau -> 0 <= phi t) -> 0 < phi tau) -> forall t, 0 <= t -> 0 < phi t.
+Proof.
+  intros C P0 H t1 T1. apply Rnot_le_lt. intros N. set (E := fun tau => 0 <= tau <= t1 /\ forall s, 0 <= s <= tau -> 0 <= phi s).
+  assert (E0 : E 0) by (split; [lra|]; intros s Hs; replace s with 0 by lra; exact P0).
+  destruct (completeness E) as (m & Up & Least); [exists t1; intros x [Hx _]; lra|now exists 0|].
+  assert (M0 : 0 <= m) by now apply Up. assert (M1 : m <= t1) by (apply Least; intros x [Hx _]; lra).
+  assert (B : forall s, 0 <= s < m -> 0 <= phi s).
+  { intros s Hs. apply Rnot_lt_le. intros L. assert (m <= s); [|lra]. apply Least. intros x [Hx Px]. apply Rnot_lt_le. intros Lx. specialize (Px s ltac:(lra)). lra. }
+  assert (Near : forall e, 0 < e -> exists d, 0 < d /\ forall s, Rabs (s - m) < d -> Rabs (phi s - phi m) < e).
+  { intros e He. destruct (C m M0 e He) as (d & d0 & Hd). exists d. split; [exact d0|]. intros s Hs. destruct (Req_dec s m) as [->|Ne]; [rewrite Rminus_eq_0, Rabs_R0; exact He|].
+    apply (Hd s). split; [split; [exact I|congruence]|exact Hs]. }
+  assert (Pm : 0 <= phi m).
+  { apply Rnot_lt_le. intros L. destruct (Req_dec m 0) as [Z|Z]; [rewrite Z in L; lra|]. destruct (Near (- phi m) ltac:(lra)) as (d & d0 & Hd).
+    set (s := Rmax 0 (m - d / 2)). assert (S : 0 <= s < m /\ m - d / 2 <= s) by (unfold s; split; [split; [apply Rmax_l|apply Rmax_lub_lt; lra]|apply Rmax_r]).
+    specialize (Hd s ltac:(apply Rabs_def1; lra)). apply Rabs_lt_between in Hd. specialize (B s ltac:(lra)). lra. }
+  assert (Pm' : 0 < phi m). { apply H; [exact M0|]. intros t Ht. destruct (Req_dec t m) as [->|Ne]; [exact Pm|apply B; lra]. }
+  assert (M2 : m < t1) by (destruct (Req_dec m t1) as [Z|Z]; [rewrite Z in Pm'; lra|lra]). destruct (Near (phi m) Pm') as (d & d0 & Hd).
+  set (s := Rmin t1 (m + d / 2)). assert (S : m < s /\ s <= t1 /\ s <= m + d / 2) by (unfold s; split; [apply Rmin_glb_lt; lra|split; [apply Rmin_l|apply Rmin_r]]).
+  assert (Es : E s); [|apply Up in Es; lra]. split; [lra|]. intros x Hx. destruct (Rlt_le_dec x m) as [L|L]; [apply B; lra|].
+  specialize (Hd x ltac:(apply Rabs_def1; lra)). apply Rabs_lt_between in Hd. lra.
+Qed.
+(* a bounded function whose rate has a limit *)
+Lemma rate_up (f f' : R -> R) (kappa B T : R) : (forall t, 0 <= t -> is_derive f t (f' t)) -> is_lim f' p_infty kappa -> (forall t, T <= t -> Rabs (f t) <= B) -> ~ 0 < kappa.
+Proof.
+  intros D L Bd K. apply is_lim_spec in L. assert (e0 : 0 < kappa / 2) by lra. destruct (L (mkposreal _ e0)) as [M HM]. cbn [pos] in HM.
+  set (a := Rmax 0 (Rmax M T) + 1). assert (A : 1 <= a /\ M < a /\ T < a).
+  { unfold a. pose proof (Rmax_l 0 (Rmax M T)). pose proof (Rmax_r 0 (Rmax M T)). pose proof (Rmax_l M T). pose proof (Rmax_r M T). lra. }
+  set (l := (2 * Rabs B + 1) * (2 / kappa)). assert (l0 : 0 < l) by (apply Rmult_lt_0_compat; [pose proof (Rabs_pos B); lra|apply Rdiv_lt_0_compat; lra]).
+  destruct (MVT_le f f' a (a + l) ltac:(lra) ltac:(intros; apply D; lra)) as (c & Hc & E). specialize (HM c ltac:(lra)). apply Rabs_lt_between in HM.
+  pose proof (Bd a ltac:(lra)) as B1. pose proof (Bd (a + l) ltac:(lra)) as B2. apply Rabs_le_between in B1. apply Rabs_le_between in B2.
+  assert (X : kappa / 2 * l = 2 * Rabs B + 1) by (unfold l; field; lra). pose proof (Rle_abs B). assert (kappa / 2 * l <= f' c * l) by (apply Rmult_le_compat_r; lra).
+  replace (a + l - a) with l in E by ring. lra.
+Qed.
+Lemma rate_0 (f f' : R -> R) (kappa B T : R) : (forall t, 0 <= t -> is_derive f t (f' t)) -> is_lim f' p_infty kappa -> (forall t, T <= t -> Rabs (f t) <= B) -> kappa = 0.
+Proof.
+  intros D L Bd. pose proof (rate_up f f' kappa B T D L Bd) as U.
+  assert (U' : ~ 0 < - kappa).
+  { apply (rate_up (fun t => - f t) (fun t => - f' t) (- kappa) B T); [intros; now apply D_opp, D|exact (is_lim_opp f' p_infty kappa L)|intros; rewrite Rabs_Ropp; now apply Bd]. }
+  lra.
+Qed.
+(* the heading of one that moves forward *)
+Lemma small_heading (v : C) th : v = (RtoC (Cmod v) * expi th)%C -> - PI < th <= PI -> 0 < fst v -> Rabs th * fst v <= Rabs (snd v).
+Proof.
+  intros E T P. pose proof PI_RGT_0 as PP. assert (F := f_equal fst E). assert (S := f_equal snd E). set (m := Cmod v) in *. assert (M : 0 <= m) by apply Cmod_ge_0. unfold expi in F, S. cbn in F, S.
+  replace (m * cos th - 0 * sin th) with (m * cos th) in F by ring. replace (m * sin th + 0 * cos th) with (m * sin th) in S by ring.
+  assert (C : 0 < cos th) by nra.
+  assert (J : forall x, 0 <= x <= PI / 2 -> x * cos x <= sin x).
+  { intros x X. destruct (MVT_le (fun x => sin x - x * cos x) (fun x => x * sin x) 0 x ltac:(lra)) as (c & Hc & Q).
+    - intros t _. eapply D_eq; [apply (D_minus sin (fun t => t * cos t)); [apply is_derive_sin|apply (D_mult (fun t => t) cos); [apply D_id|apply is_derive_cos]]|]. ring.
+    - rewrite sin_0 in Q. assert (0 <= sin c) by (apply sin_ge_0; lra). assert (0 <= c * sin c) by (apply Rmult_le_pos; lra). nra. }
+  destruct (Rle_lt_dec 0 th) as [L|L].
+  - assert (U : th <= PI / 2). { apply Rnot_lt_le. intros U. assert (cos th <= 0) by (apply cos_le_0; lra). lra. }
+    specialize (J th ltac:(lra)). rewrite (Rabs_pos_eq th) by lra. pose proof (Rle_abs (snd v)). rewrite F. replace (th * (m * cos th)) with (m * (th * cos th)) by ring.
+    apply Rle_trans with (m * sin th); [now apply Rmult_le_compat_l|lra].
+  - assert (U : - th <= PI / 2). { apply Rnot_lt_le. intros U. assert (cos (- th) <= 0) by (apply cos_le_0; lra). rewrite cos_neg in H. lra. }
+    specialize (J (- th) ltac:(lra)). rewrite cos_neg, sin_neg in J. rewrite (Rabs_left th) by lra. pose proof (Rle_abs (- snd v)) as A. rewrite Rabs_Ropp in A.
+    rewrite F. replace (- th * (m * cos th)) with (m * (- th * cos th)) by ring. apply Rle_trans with (m * - sin th); [now apply Rmult_le_compat_l|lra].
+Qed.
+Lemma law_pair (r v : nat -> C) (th : nat -> R) : let d := Cmod (r 0%nat - r 1%nat)%C in let F := fig2' 0 0 d / d in let s := (th 0%nat - th 1%nat) / d ^ 2 in
+  law 2 complete fig2' (fun i j => th i - th j) r v 0 = (- (F * (fst (r 0%nat) - fst (r 1%nat))) + s * snd (v 0%nat), - (F * (snd (r 0%nat) - snd (r 1%nat))) - s * fst (v 0%nat)) /\
+  law 2 complete fig2' (fun i j => th i - th j) r v 1 = (F * (fst (r 0%nat) - fst (r 1%nat)) - s * snd (v 1%nat), F * (snd (r 0%nat) - snd (r 1%nat)) + s * fst (v 1%nat)).
+Proof.
+  intros d F s. unfold law, Csum. cbn [Sum]. unfold complete. cbn [Nat.eqb negb]. assert (D : Cmod (r 1%nat - r 0%nat)%C = d) by (unfold d; exact (norm_sym _ _)).
+  rewrite D. fold d. change (fig2' 0 1 d) with (fig2' 0 0 d). change (fig2' 1 0 d) with (fig2' 0 0 d). fold F.
+  replace ((th 1%nat - th 0%nat) / d ^ 2) with (- s) by (unfold s, Rdiv; ring). fold s.
+  split; apply injective_projections; cbn; ring.
+Qed.
+Lemma ln2_small : ln 2 < 7 / 8.
+Proof.
+  rewrite <- (ln_exp (7 / 8)). apply ln_increasing; [lra|]. replace (7 / 8) with (7 / 16 + 7 / 16) by field. rewrite exp_plus. pose proof (exp_ineq1 (7 / 16) ltac:(lra)). nra.
+Qed.
+Lemma fig2_at_2 : fig2 0 0 2 = / 4 + 2 * ln 2.
+Proof. unfold fig2. replace (2 ^ 2) with (2 * 2) by ring. rewrite ln_mult by lra. field. Qed.
+Lemma fig2_ge1 s : 0 < s -> 1 <= fig2 0 0 s.
+Proof. intros Hs. destruct fig2_shape as (_ & _ & E & M). change (1 <= V2 s). destruct (Req_dec s 1) as [->|N]; [lra|]. pose proof (M s Hs N). lra. Qed.
+
+Definition pair_motion (r v : nat -> R -> C) (th : nat -> R -> R) := pair_start r v /\ forall t, 0 <= t -> closed 2 complete fig2 fig2' r v th t.
+Definition dist01 (r : nat -> R -> C) t := Cmod (r 0%nat t - r 1%nat t)%C.
+Definition speed2 (v : nat -> R -> C) i t := fst (v i t) ^ 2 + snd (v i t) ^ 2.
+Lemma Cmod_sqr (z : C) : Cmod z ^ 2 = fst z ^ 2 + snd z ^ 2.
+Proof. unfold Cmod. apply pow2_sqrt. pose proof (pow2_ge_0 (fst z)). pose proof (pow2_ge_0 (snd z)). lra. Qed.
+Lemma pm_energy r v th t : pair_motion r v th -> 0 <= t -> fig2 0 0 (dist01 r t) + (speed2 v 0 t + speed2 v 1 t) / 2 = fig2 0 0 2 + 4.
+Proof.
+  intros [(R0 & R1 & V0 & V1) M] Ht. assert (D : forall s, Cmod (r 1%nat s - r 0%nat s)%C = dist01 r s) by (intros; exact (norm_sym _ _)).
+  pose proof (Vt_inv_3_proved 2%nat complete fig2 fig2' r v (fun i j s => th i s - th j s) complete_undirected (fun _ _ _ => eq_refl) (fun s Hs => proj1 (M s Hs)) t Ht) as E.
+  unfold kinetic_plus_V in E. cbn [Sum] in E. unfold complete in E. cbn [Nat.eqb negb] in E. rewrite !D in E. fold (dist01 r t) (dist01 r 0) in E. rewrite !Cmod_sqr in E.
+  change (fig2 0 1) with (fig2 0 0) in E. change (fig2 1 0) with (fig2 0 0) in E. fold (speed2 v 0 t) (speed2 v 1 t) in E. rewrite V0, V1 in E. cbn [fst snd RtoC] in E.
+  assert (D0 : dist01 r 0 = 2). { unfold dist01. rewrite R0, R1, Cmod_line. replace (0 - 2) with (- (2)) by ring. rewrite Rabs_Ropp, Rabs_pos_eq; lra. }
+  rewrite D0 in E. lra.
+Qed.
+Lemma pm_positive r v th t : pair_motion r v th -> 0 <= t -> 0 < dist01 r t.
+Proof. intros [_ M] Ht. destruct (M t Ht) as [L _]. destruct (L 0%nat ltac:(lia)) as (_ & _ & Q). destruct (Q 1%nat ltac:(lia) eq_refl) as [N _]. exact (norm_neq _ _ N). Qed.
+Lemma pm_bounds r v th : pair_motion r v th -> (exists d, 0 < d /\ forall t, 0 <= t -> d <= dist01 r t) /\ forall t i, 0 <= t -> (i < 2)%nat -> speed2 v i t <= 16.
+Proof.
+  intros M. split.
+  - destruct (proj2 fig2_repels (fig2 0 0 2 + 4)) as (d & d0 & Hd). exists d. split; [exact d0|]. intros t Ht. apply Rnot_lt_le. intros L.
+    specialize (Hd (dist01 r t) (conj (pm_positive r v th t M Ht) L)). pose proof (pm_energy r v th t M Ht) as E. unfold speed2 in E.
+    pose proof (pow2_ge_0 (fst (v 0%nat t))). pose proof (pow2_ge_0 (snd (v 0%nat t))). pose proof (pow2_ge_0 (fst (v 1%nat t))). pose proof (pow2_ge_0 (snd (v 1%nat t))). lra.
+  - intros t i Ht Hi. pose proof (pm_energy r v th t M Ht) as E. pose proof (fig2_ge1 _ (pm_positive r v th t M Ht)). rewrite fig2_at_2 in E. pose proof ln2_small. unfold speed2 in *.
+    pose proof (pow2_ge_0 (fst (v 0%nat t))). pose proof (pow2_ge_0 (snd (v 0%nat t))). pose proof (pow2_ge_0 (fst (v 1%nat t))). pose proof (pow2_ge_0 (snd (v 1%nat t))).
+    destruct i as [|[|]]; [lra|lra|lia].
+Qed.
+(* the force over the distance, and the turn of agent 0 *)
+Definition FF r t := fig2' 0 0 (dist01 r t) / dist01 r t.
+Definition ss (r : nat -> R -> C) (th : nat -> R -> R) t := (th 0%nat t - th 1%nat t) / dist01 r t ^ 2.
+Lemma pm_rates r v th t : pair_motion r v th -> 0 <= t -> (forall i, (i < 2)%nat -> is_velocity (r i) t (v i t)) /\
+  is_velocity (v 0%nat) t (- (FF r t * (fst (r 0%nat t) - fst (r 1%nat t))) + ss r th t * snd (v 0%nat t), - (FF r t * (snd (r 0%nat t) - snd (r 1%nat t))) - ss r th t * fst (v 0%nat t)) /\
+  is_velocity (v 1%nat) t (FF r t * (fst (r 0%nat t) - fst (r 1%nat t)) - ss r th t * snd (v 1%nat t), FF r t * (snd (r 0%nat t) - snd (r 1%nat t)) + ss r th t * fst (v 1%nat t)).
+Proof.
+  intros [_ M] Ht. destruct (M t Ht) as [L _]. destruct (law_pair (fun i => r i t) (fun i => v i t) (fun i => th i t)) as [E0 E1]. cbv zeta in E0, E1.
+  split; [intros i Hi; now apply (L i Hi)|]. destruct (L 0%nat ltac:(lia)) as (_ & A & _). destruct (L 1%nat ltac:(lia)) as (_ & B & _). split.
+  - refine (eq_ind _ (is_velocity (v 0%nat) t) A _ _). exact E0.
+  - refine (eq_ind _ (is_velocity (v 1%nat) t) B _ _). exact E1.
+Qed.
+(* while both move forward they stay on the line *)
+Definition across (r v : nat -> R -> C) t := (snd (r 0%nat t) - snd (r 1%nat t)) ^ 2 + (snd (v 0%nat t) ^ 2 + snd (v 1%nat t) ^ 2).
+Lemma products (D q p F F1 k : R) : 0 <= F1 -> 0 <= k -> Rabs F <= F1 -> 2 * D * (q - p) - 2 * F * D * (q - p) + k * (Rabs q + Rabs p) ^ 2 <= (2 + 2 * F1 + 2 * k) * (D ^ 2 + (q ^ 2 + p ^ 2)).
+Proof.
+  intros F0 K0 HF. apply Rabs_le_between in HF.
+  assert (A : 2 * D * (q - p) <= D ^ 2 + (q - p) ^ 2) by (pose proof (pow2_ge_0 (D - (q - p))); nra).
+  assert (A' : - (2 * D * (q - p)) <= D ^ 2 + (q - p) ^ 2) by (pose proof (pow2_ge_0 (D + (q - p))); nra).
+  assert (B : (q - p) ^ 2 <= 2 * (q ^ 2 + p ^ 2)) by (pose proof (pow2_ge_0 (q + p)); nra).
+  assert (C : (Rabs q + Rabs p) ^ 2 <= 2 * (q ^ 2 + p ^ 2)).
+  { pose proof (pow2_ge_0 (Rabs q - Rabs p)). assert (Rabs q ^ 2 = q ^ 2 /\ Rabs p ^ 2 = p ^ 2) by (rewrite !pow2_abs; split; reflexivity). nra. }
+  assert (S : 0 <= D ^ 2 + (q - p) ^ 2) by (pose proof (pow2_ge_0 D); pose proof (pow2_ge_0 (q - p)); lra).
+  assert (G : - 2 * F * D * (q - p) <= F1 * (D ^ 2 + (q - p) ^ 2)).
+  { set (x := 2 * D * (q - p)) in *. set (y := D ^ 2 + (q - p) ^ 2) in *. replace (- 2 * F * D * (q - p)) with (- F * x) by (unfold x; ring).
+    destruct (Rle_lt_dec 0 x) as [X|X]; nra. }
+  assert (H : k * (Rabs q + Rabs p) ^ 2 <= k * (2 * (q ^ 2 + p ^ 2))) by (apply Rmult_le_compat_l; lra).
+  assert (I : F1 * (D ^ 2 + (q - p) ^ 2) <= F1 * (2 * (D ^ 2 + (q ^ 2 + p ^ 2)))) by (apply Rmult_le_compat_l; [lra|]; pose proof (pow2_ge_0 D); lra).
+  assert (k * (2 * (q ^ 2 + p ^ 2)) <= 2 * k * (D ^ 2 + (q ^ 2 + p ^ 2))) by (pose proof (pow2_ge_0 D); nra).
+  pose proof (pow2_ge_0 D). nra.
+Qed.
+Lemma pm_line r v th tau : pair_motion r v th -> (forall t, 0 <= t <= tau -> 1 <= fst (v 0%nat t) /\ 1 <= fst (v 1%nat t)) ->
+  forall t, 0 <= t <= tau -> snd (r 0%nat t) = snd (r 1%nat t) /\ snd (v 0%nat t) = 0 /\ snd (v 1%nat t) = 0 /\ th 0%nat t = 0 /\ th 1%nat t = 0.
+Proof.
+  intros M P. destruct (pm_bounds r v th M) as [(d & d0 & Hd) Sp]. set (k := 8 / d ^ 2). set (F1 := 2 / d ^ 2 + 2 / d ^ 4). set (K := 2 + 2 * F1 + 2 * k).
+  assert (D2 : 0 < d ^ 2) by now apply pow_lt. assert (D4 : 0 < d ^ 4) by now apply pow_lt.
+  assert (k0 : 0 <= k) by (left; apply Rdiv_lt_0_compat; lra). assert (F0 : 0 <= F1) by (unfold F1; assert (0 < 2 / d ^ 2) by (apply Rdiv_lt_0_compat; lra); assert (0 < 2 / d ^ 4) by (apply
+    Rdiv_lt_0_compat; lra); lra).
+  assert (Small : forall t i, 0 <= t <= tau -> (i < 2)%nat -> Rabs (th i t) <= Rabs (snd (v i t))).
+  { intros t i Ht Hi. destruct (proj2 M t ltac:(lra)) as [_ Hh]. destruct (Hh i Hi) as (_ & E & T). pose proof (P t Ht) as [P0 P1].
+    assert (Pi : 1 <= fst (v i t)) by (destruct i as [|[|]]; [exact P0|exact P1|lia]). pose proof (small_heading _ _ E T ltac:(lra)). pose proof (Rabs_pos (th i t)). nra. }
+  assert (Rate : forall t, 0 <= t <= tau -> exists e', is_derive (across r v) t e' /\ e' <= K * across r v t).
+  { intros t Ht. destruct (pm_rates r v th t M ltac:(lra)) as (HR & [_ A0] & [_ A1]). destruct (HR 0%nat ltac:(lia)) as [_ R0]. destruct (HR 1%nat ltac:(lia)) as [_ R1]. cbn [fst snd] in A0, A1.
+    eexists. split.
+    - apply (D_plus (fun s => (snd (r 0%nat s) - snd (r 1%nat s)) ^ 2) (fun s => snd (v 0%nat s) ^ 2 + snd (v 1%nat s) ^ 2)).
+      + apply (D_sqr (fun s => snd (r 0%nat s) - snd (r 1%nat s))). apply D_minus; [exact R0|exact R1].
+      + apply (D_plus (fun s => snd (v 0%nat s) ^ 2) (fun s => snd (v 1%nat s) ^ 2)); [apply (D_sqr (fun s => snd (v 0%nat s))); exact A0|apply (D_sqr (fun s => snd (v 1%nat s))); exact A1].
+    - unfold across. cbv beta. set (D := snd (r 0%nat t) - snd (r 1%nat t)). set (q := snd (v 0%nat t)). set (p := snd (v 1%nat t)). set (F := FF r t). set (s := ss r th t).
+      assert (HF : Rabs F <= F1).
+      { unfold F, FF. pose proof (Hd t ltac:(lra)) as L. set (x := dist01 r t) in *. assert (X : 0 < x) by lra. replace (fig2' 0 0 x / x) with (2 / x ^ 2 - 2 / x ^ 4) by (unfold fig2'; field; lra).
+        assert (I2 : 0 < 2 / x ^ 2 <= 2 / d ^ 2). { split; [apply Rdiv_lt_0_compat; [lra|now apply pow_lt]|]. apply Rmult_le_compat_l; [lra|].
+          apply Rinv_le_contravar; [exact D2|apply pow_incr; lra]. }
+        assert (I4 : 0 < 2 / x ^ 4 <= 2 / d ^ 4). { split; [apply Rdiv_lt_0_compat; [lra|now apply pow_lt]|]. apply Rmult_le_compat_l; [lra|].
+          apply Rinv_le_contravar; [exact D4|apply pow_incr; lra]. }
+        unfold F1. apply Rabs_le. lra. }
+      assert (HS : Rabs s <= (Rabs q + Rabs p) / d ^ 2).
+      { unfold s, ss. unfold Rdiv. rewrite Rabs_mult. pose proof (Hd t ltac:(lra)) as L. assert (X : 0 < dist01 r t ^ 2) by (apply pow_lt; lra).
+        rewrite (Rabs_pos_eq (/ dist01 r t ^ 2)) by (left; now apply Rinv_0_lt_compat).
+        apply Rmult_le_compat; [apply Rabs_pos|left; now apply Rinv_0_lt_compat| |apply Rinv_le_contravar; [exact D2|apply pow_incr; lra]].
+        unfold Rminus. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. pose proof (Small t 0%nat Ht ltac:(lia)). pose proof (Small t 1%nat Ht ltac:(lia)). unfold q, p. lra. }
+      assert (HP : Rabs (fst (v 0%nat t)) <= 4 /\ Rabs (fst (v 1%nat t)) <= 4).
+      { pose proof (Sp t 0%nat ltac:(lra) ltac:(lia)) as S0. pose proof (Sp t 1%nat ltac:(lra) ltac:(lia)) as S1. unfold speed2 in S0, S1. pose proof (pow2_ge_0 (snd (v 0%nat t))).
+        pose proof (pow2_ge_0 (snd (v 1%nat t))).
+        split; apply Rabs_le; split; nra. }
+      destruct HP as [HP0 HP1]. set (P0 := fst (v 0%nat t)) in *. set (P1 := fst (v 1%nat t)) in *.
+      assert (HX : 2 * q * (- s * P0) + 2 * p * (s * P1) <= k * (Rabs q + Rabs p) ^ 2).
+      { apply Rle_trans with (Rabs (2 * q * (- s * P0)) + Rabs (2 * p * (s * P1))).
+        - pose proof (Rle_abs (2 * q * (- s * P0))). pose proof (Rle_abs (2 * p * (s * P1))). lra.
+        - rewrite !Rabs_mult, Rabs_Ropp, (Rabs_pos_eq 2) by lra. pose proof (Rabs_pos q) as q0. pose proof (Rabs_pos p) as p0. pose proof (Rabs_pos s) as s0. pose proof (Rabs_pos P0) as P00.
+          pose proof (Rabs_pos P1) as P10.
+          set (aq := Rabs q) in *. set (ap := Rabs p) in *. set (as' := Rabs s) in *. set (x0 := Rabs P0) in *. set (x1 := Rabs P1) in *.
+          assert (B0 : as' * x0 <= as' * 4) by (apply Rmult_le_compat_l; lra). assert (B1 : as' * x1 <= as' * 4) by (apply Rmult_le_compat_l; lra).
+          apply Rle_trans with (8 * (aq + ap) * as').
+          + assert (2 * aq * (as' * x0) <= 2 * aq * (as' * 4)) by (apply Rmult_le_compat_l; lra). assert (2 * ap * (as' * x1) <= 2 * ap * (as' * 4)) by (apply Rmult_le_compat_l; lra). lra.
+          + apply Rle_trans with (8 * (aq + ap) * ((aq + ap) / d ^ 2)); [apply Rmult_le_compat_l; lra|]. right. unfold k. field. apply Rgt_not_eq. exact d0. }
+      pose proof (products D q p F F1 k F0 k0 HF) as Q. unfold K. apply Rle_trans with (2 * D * (q - p) - 2 * F * D * (q - p) + k * (Rabs q + Rabs p) ^ 2); [|exact Q].
+      replace (2 * D * (q - p) + (2 * q * (- (F * D) - s * P0) + 2 * p * (F * D + s * P1))) with (2 * D * (q - p) - 2 * F * D * (q - p) + (2 * q * (- s * P0) + 2 * p * (s * P1))) by ring. lra. }
+  assert (A0 : across r v 0 = 0).
+  { destruct M as [(R0 & R1 & V0 & V1) _]. unfold across. rewrite R0, R1, V0, V1. cbn. ring. }
+  assert (Z : forall t, 0 <= t <= tau -> across r v t = 0).
+  { intros t Ht. assert (N : 0 <= across r v t) by (unfold across; pose proof (pow2_ge_0 (snd (r 0%nat t) - snd (r 1%nat t))); pose proof (pow2_ge_0 (snd (v 0%nat t))); pose proof
+    (pow2_ge_0 (snd (v 1%nat t))); lra).
+    assert (Q : across r v t * exp (- K * t) <= across r v 0 * exp (- K * 0)).
+    { apply (decreasing (fun s => across r v s * exp (- K * s)) (fun s => (Derive (across r v) s - K * across r v s) * exp (- K * s)) 0 t ltac:(lra)).
+      - intros s Hs. destruct (Rate s ltac:(lra)) as (e' & De & _). rewrite (is_derive_unique _ _ _ De).
+        eapply D_eq; [apply (D_mult (across r v) (fun s => exp (- K * s))); [exact De|apply (D_comp exp (fun s => - K * s)); [apply is_derive_exp|apply D_scal, D_id]]|]. cbv beta. ring.
+      - intros s Hs. destruct (Rate s ltac:(lra)) as (e' & De & Le). rewrite (is_derive_unique _ _ _ De). pose proof (exp_pos (- K * s)). nra. }
+    rewrite A0, Rmult_0_l in Q. pose proof (exp_pos (- K * t)). nra. }
+  intros t Ht. specialize (Z t Ht). unfold across in Z. pose proof (pow2_ge_0 (snd (r 0%nat t) - snd (r 1%nat t))). pose proof (pow2_ge_0 (snd (v 0%nat t))). pose proof (pow2_ge_0 (snd (v 1%nat t))).
+  assert (Q0 : snd (v 0%nat t) = 0) by nra. assert (Q1 : snd (v 1%nat t) = 0) by nra. pose proof (Small t 0%nat Ht ltac:(lia)) as S0. pose proof (Small t 1%nat Ht ltac:(lia)) as S1.
+  rewrite Q0, Rabs_R0 in S0. rewrite Q1, Rabs_R0 in S1. pose proof (Rabs_pos (th 0%nat t)). pose proof (Rabs_pos (th 1%nat t)).
+  split; [nra|]. split; [exact Q0|]. split; [exact Q1|]. split; [destruct (Req_dec (th 0%nat t) 0) as [E|E]|destruct (Req_dec (th 1%nat t) 0) as [E|E]]; try exact E; apply Rabs_pos_lt in E; lra.
+Qed.
+
+(* ... with velocities 2 -+ p, where p^2 = V(2) - V(distance) < 1 *)
+Lemma pm_speeds r v th tau : pair_motion r v th -> 0 <= tau -> (forall t, 0 <= t <= tau -> 1 <= fst (v 0%nat t) /\ 1 <= fst (v 1%nat t)) ->
+  fst (v 0%nat tau) + fst (v 1%nat tau) = 4 /\ ((fst (v 1%nat tau) - fst (v 0%nat tau)) / 2) ^ 2 = fig2 0 0 2 - fig2 0 0 (dist01 r tau) /\
+  1 < fst (v 0%nat tau) /\ 1 < fst (v 1%nat tau).
+Proof.
+  intros M T P. pose proof (pm_line r v th tau M P) as Z.
+  assert (S : fst (v 0%nat tau) + fst (v 1%nat tau) = 4).
+  { destruct (MVT_le (fun s => fst (v 0%nat s) + fst (v 1%nat s)) (fun _ => 0) 0 tau T) as (c & _ & E).
+    - intros t Ht. destruct (pm_rates r v th t M ltac:(lra)) as (_ & [A0 _] & [A1 _]). cbn [fst snd] in A0, A1. destruct (Z t Ht) as (_ & Q0 & Q1 & _).
+      eapply D_eq; [apply D_plus; [exact A0|exact A1]|]. rewrite Q0, Q1. ring.
+    - destruct M as [(_ & _ & V0 & V1) _]. rewrite V0, V1 in E. cbn in E. lra. }
+  pose proof (pm_energy r v th tau M T) as E. destruct (Z tau ltac:(lra)) as (_ & Q0 & Q1 & _). unfold speed2 in E. rewrite Q0, Q1 in E.
+  set (a := fst (v 0%nat tau)) in *. set (b := fst (v 1%nat tau)) in *. assert (B : b = 4 - a) by lra. split; [exact S|].
+  assert (Q : ((b - a) / 2) ^ 2 = fig2 0 0 2 - fig2 0 0 (dist01 r tau)) by (rewrite B in *; nra). split; [exact Q|].
+  pose proof (fig2_ge1 _ (pm_positive r v th tau M T)). rewrite fig2_at_2 in Q. pose proof ln2_small. assert (W : ((b - a) / 2) ^ 2 < 1) by lra. rewrite B in W. split; nra.
+Qed.
+Lemma velocity_continuous (f : R -> R) t l : is_derive f t l -> continuity_pt f t.
+Proof. intros D. apply derivable_continuous_pt, ex_derive_Reals_0. now exists l. Qed.
+Lemma pm_forward r v th : pair_motion r v th -> forall t, 0 <= t -> 1 < fst (v 0%nat t) /\ 1 < fst (v 1%nat t).
+Proof.
+  intros M. set (m := fun t => Rmin (fst (v 0%nat t)) (fst (v 1%nat t)) - 1).
+  assert (E : forall t, m t = (fst (v 0%nat t) + fst (v 1%nat t) - Rabs (fst (v 0%nat t) - fst (v 1%nat t))) * / 2 - 1).
+  { intros t. unfold m, Rmin. destruct (Rle_dec (fst (v 0%nat t)) (fst (v 1%nat t))); [rewrite Rabs_left1 by lra|rewrite Rabs_pos_eq by lra]; field. }
+  assert (A : forall t, 0 <= t -> 0 < m t).
+  { apply stays.
+    - intros t Ht. destruct (pm_rates r v th t M Ht) as (_ & [A0 _] & [A1 _]). apply velocity_continuous in A0. apply velocity_continuous in A1.
+      assert (C : continuity_pt (fun t => (fst (v 0%nat t) + fst (v 1%nat t) - Rabs (fst (v 0%nat t) - fst (v 1%nat t))) * / 2 - 1) t).
+      { apply continuity_pt_minus; [|apply continuity_pt_const; intros ? ?; reflexivity]. apply continuity_pt_mult; [|apply continuity_pt_const; intros ? ?; reflexivity].
+        apply continuity_pt_minus; [now apply continuity_pt_plus|]. apply (continuity_pt_comp (fun t => fst (v 0%nat t) - fst (v 1%nat t)) Rabs); [now apply continuity_pt_minus|apply
+          Rcontinuity_abs]. }
+      apply (continuity_ext_loc _ m t 1 Rlt_0_1 (fun z _ => eq_sym (E z)) C).
+    - destruct M as [(_ & _ & V0 & V1) _]. unfold m. rewrite V0, V1. cbn. rewrite Rmin_left; lra.
+    - intros tau Ht H. assert (P : forall t, 0 <= t <= tau -> 1 <= fst (v 0%nat t) /\ 1 <= fst (v 1%nat t)).
+      { intros t Htt. specialize (H t Htt). unfold m in H. pose proof (Rmin_l (fst (v 0%nat t)) (fst (v 1%nat t))). pose proof (Rmin_r (fst (v 0%nat t)) (fst (v 1%nat t))). lra. }
+      destruct (pm_speeds r v th tau M Ht P) as (_ & _ & P0 & P1). unfold m. assert (1 < Rmin (fst (v 0%nat tau)) (fst (v 1%nat tau))) by (apply Rmin_glb_lt; lra). lra. }
+  intros t Ht. specialize (A t Ht). unfold m in A. pose proof (Rmin_l (fst (v 0%nat t)) (fst (v 1%nat t))). pose proof (Rmin_r (fst (v 0%nat t)) (fst (v 1%nat t))). lra.
+Qed.
+Lemma pm_gap r v th : pair_motion r v th -> forall t, 0 <= t -> 0 < fst (r 1%nat t) - fst (r 0%nat t) /\ dist01 r t = fst (r 1%nat t) - fst (r 0%nat t).
+Proof.
+  intros M. assert (F : forall t, 0 <= t -> dist01 r t = Rabs (fst (r 1%nat t) - fst (r 0%nat t))).
+  { intros t Ht. destruct (pm_line r v th t M) with (t := t) as (Y & _); [intros s Hs; pose proof (pm_forward r v th M s ltac:(lra)); lra|lra|].
+    unfold dist01. replace (r 0%nat t - r 1%nat t)%C with (RtoC (- (fst (r 1%nat t) - fst (r 0%nat t)))) by (apply injective_projections; cbn; [ring|rewrite Y; ring]).
+    rewrite Cmod_R. apply Rabs_Ropp. }
+  assert (G : forall t, 0 <= t -> 0 < fst (r 1%nat t) - fst (r 0%nat t)).
+  { apply (stays (fun t => fst (r 1%nat t) - fst (r 0%nat t))).
+    - intros t Ht. destruct (pm_rates r v th t M Ht) as (HR & _). destruct (HR 0%nat ltac:(lia)) as [A0 _]. destruct (HR 1%nat ltac:(lia)) as [A1 _].
+      apply velocity_continuous in A0. apply velocity_continuous in A1. now apply continuity_pt_minus.
+    - destruct M as [(R0 & R1 & _) _]. rewrite R0, R1. cbn. lra.
+    - intros tau Ht H. specialize (H tau ltac:(lra)). pose proof (pm_positive r v th tau M Ht) as D. rewrite F in D by exact Ht. rewrite Rabs_pos_eq in D; lra. }
+  intros t Ht. split; [now apply G|]. rewrite F by exact Ht. apply Rabs_pos_eq. specialize (G t Ht). lra.
+Qed.
+Lemma pm_no_limit r v th (d : R) : pair_motion r v th -> ~ is_lim (dist01 r) p_infty d.
+Proof.
+  intros M L. destruct (pm_bounds r v th M) as [(c & c0 & Hc) _].
+  assert (Dc : c <= d).
+  { apply Rnot_lt_le. intros N. pose proof L as L'. apply is_lim_spec in L'. assert (e0 : 0 < c - d) by lra. destruct (L' (mkposreal _ e0)) as [B HB]. cbn [pos] in HB.
+    specialize (HB (Rmax 0 B + 1) ltac:(pose proof (Rmax_r 0 B); lra)). specialize (Hc (Rmax 0 B + 1) ltac:(pose proof (Rmax_l 0 B); lra)). apply Rabs_lt_between in HB. lra. }
+  assert (d0 : 0 < d) by lra.
+  set (p := fun t => (fst (v 1%nat t) - fst (v 0%nat t)) / 2).
+  assert (PW : forall t, 0 <= t -> fst (v 0%nat t) + fst (v 1%nat t) = 4 /\ p t ^ 2 = fig2 0 0 2 - fig2 0 0 (dist01 r t) /\ Rabs (p t) <= 1).
+  { intros t Ht. destruct (pm_speeds r v th t M Ht) as (S & E & P0 & P1); [intros s Hs; pose proof (pm_forward r v th M s ltac:(lra)); lra|].
+    split; [exact S|]. split; [exact E|]. unfold p. apply Rabs_le. lra. }
+  assert (Dp : forall t, 0 <= t -> is_derive p t (- fig2' 0 0 (dist01 r t))).
+  { intros t Ht. destruct (pm_rates r v th t M Ht) as (_ & [A0 _] & [A1 _]). cbn [fst snd] in A0, A1. destruct (pm_gap r v th M t Ht) as [G E].
+    destruct (pm_line r v th t M) with (t := t) as (_ & Q0 & Q1 & _); [intros s Hs; pose proof (pm_forward r v th M s ltac:(lra)); lra|lra|].
+    apply (is_derive_ext (fun s => / 2 * (fst (v 1%nat s) - fst (v 0%nat s)))); [intros; unfold p, Rdiv; Rring|].
+    eapply D_eq; [apply D_scal, D_minus; [exact A1|exact A0]|]. rewrite Q0, Q1. unfold FF. rewrite E in *. field. lra. }
+  set (gp := fun t => (fst (r 1%nat t) - fst (r 0%nat t)) * p t).
+  assert (Dg : forall t, 0 <= t -> is_derive gp t (2 * (fig2 0 0 2 - fig2 0 0 (dist01 r t)) - dist01 r t * fig2' 0 0 (dist01 r t))).
+  { intros t Ht. destruct (pm_rates r v th t M Ht) as (HR & _). destruct (HR 0%nat ltac:(lia)) as [A0 _]. destruct (HR 1%nat ltac:(lia)) as [A1 _].
+    eapply D_eq; [apply (D_mult (fun s => fst (r 1%nat s) - fst (r 0%nat s)) p); [apply D_minus; [exact A1|exact A0]|exact (Dp t Ht)]|].
+    destruct (pm_gap r v th M t Ht) as [_ E]. destruct (PW t Ht) as (_ & W & _). cbv beta. rewrite <- E, <- W. unfold p. field. }
+  assert (C2 : continuous (fig2 0 0) d) by (apply (ex_derive_continuous (fig2 0 0)); eexists; apply (proj1 fig2_repels d d0)).
+  assert (C2' : continuous (fig2' 0 0) d).
+  { apply (ex_derive_continuous (fig2' 0 0)). assert (d ^ 3 <> 0) by (apply pow_nonzero; lra). unfold fig2'. auto_derive. simpl in *. split; [assumption|split; [lra|exact I]]. }
+  assert (L2 := is_lim_comp_continuous (dist01 r) (fig2 0 0) p_infty d L C2). assert (L2' := is_lim_comp_continuous (dist01 r) (fig2' 0 0) p_infty d L C2').
+  assert (Z1 : - fig2' 0 0 d = 0).
+  { apply (rate_0 p (fun t => - fig2' 0 0 (dist01 r t)) (- fig2' 0 0 d) 1 0 Dp); [exact (is_lim_opp _ p_infty _ L2')|intros t Ht; now apply PW]. }
+  assert (D1 : d = 1).
+  { unfold fig2' in Z1. assert (Q : (2 / d ^ 3) * (d ^ 2 - 1) = 0) by (replace (2 / d ^ 3 * (d ^ 2 - 1)) with (- (- (- 2 / d ^ 3 + 2 / d))) by (field; lra); lra).
+    apply Rmult_integral in Q. destruct Q as [Q|Q]; [|nra]. assert (0 < 2 / d ^ 3) by (apply Rdiv_lt_0_compat; [lra|now apply pow_lt]). lra. }
+  assert (Z2 : 2 * (fig2 0 0 2 - fig2 0 0 d) - d * fig2' 0 0 d = 0).
+  { pose proof L as L'. apply is_lim_spec in L'. destruct (L' (mkposreal 1 Rlt_0_1)) as [B HB]. cbn [pos] in HB.
+    apply (rate_0 gp (fun t => 2 * (fig2 0 0 2 - fig2 0 0 (dist01 r t)) - dist01 r t * fig2' 0 0 (dist01 r t)) _ (d + 1) (Rmax 0 B + 1) Dg).
+    - assert (X : is_lim (fun t => fig2 0 0 2 - fig2 0 0 (dist01 r t)) p_infty (fig2 0 0 2 - fig2 0 0 d)) by exact (is_lim_minus' _ _ _ _ _ (is_lim_const _ _) L2).
+      assert (X2 : is_lim (fun t => 2 * (fig2 0 0 2 - fig2 0 0 (dist01 r t))) p_infty (2 * (fig2 0 0 2 - fig2 0 0 d))) by exact (is_lim_scal_l _ 2 _ _ X).
+      assert (Y : is_lim (fun t => dist01 r t * fig2' 0 0 (dist01 r t)) p_infty (d * fig2' 0 0 d)) by exact (is_lim_mult _ _ p_infty d (fig2' 0 0 d) L L2' I).
+      exact (is_lim_minus' _ _ _ _ _ X2 Y).
+    - intros t Ht. pose proof (Rmax_l 0 B). pose proof (Rmax_r 0 B). destruct (pm_gap r v th M t ltac:(lra)) as [G E]. destruct (PW t ltac:(lra)) as (_ & _ & W). specialize (HB t ltac:(lra)).
+      apply Rabs_lt_between in HB.
+      unfold gp. rewrite Rabs_mult, (Rabs_pos_eq (fst (r 1%nat t) - fst (r 0%nat t))) by lra. rewrite <- E in *. pose proof (Rabs_pos (p t)). nra. }
+  rewrite D1 in Z1, Z2. rewrite fig2_at_2 in Z2. destruct fig2_shape as (_ & _ & V21 & _). change (fig2 0 0 1) with (V2 1) in Z2. rewrite V21 in Z2.
+  assert (3 / 8 < ln 2); [|lra]. rewrite <- (ln_exp (3 / 8)). apply ln_increasing; [apply exp_pos|].
+  assert (E : exp (3 / 8) * exp (- (3 / 8)) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). pose proof (exp_ineq1 (- (3 / 8)) ltac:(lra)). pose proof (exp_pos (3 / 8)). nra.
+Qed.
+Lemma sqrt_rate (f : R -> R) l t : (forall s, is_derive f s (l s)) -> is_derive (fun s => f (sqrt 2 * s)) t (sqrt 2 * l (sqrt 2 * t)).
+Proof. intros D. eapply D_eq; [apply (D_comp f (fun s => sqrt 2 * s)); [apply D|apply D_scal, D_id]|]. ring. Qed.
+Lemma propIV3b_3_proved : propIV3b_3.
+Proof.
+  split.
+  - assert (Y0 : 0 < 2 * ln 2) by (pose proof ln_lt_2; lra). destruct (swing_exists (2 * ln 2) Y0) as (a & b & M & A0 & B0 & _).
+    assert (A2 : a 0 = 2) by (rewrite A0; replace (2 * ln 2 / 2) with (ln 2) by field; apply exp_ln; lra).
+    assert (W2 : W (2 * ln 2) < 1).
+    { unfold W. assert (E : exp (- (2 * ln 2)) = / 2 * / 2) by (replace (- (2 * ln 2)) with (- ln 2 + - ln 2) by ring; rewrite exp_plus, !exp_Ropp, exp_ln by lra; reflexivity).
+      rewrite E. pose proof ln2_small. lra. }
+    assert (S2 : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra). assert (S0 : 0 < sqrt 2) by (apply sqrt_lt_R0; lra).
+    set (x := fun (i : nat) (t : R) => 2 * t + 1 + - sgn2 i * (a (sqrt 2 * t) / 2)). set (y := fun (i : nat) (t : R) => 2 + - sgn2 i * (sqrt 2 * b (sqrt 2 * t) / 2)).
+    exists (on_line x), (on_line y), zero_heading. split.
+    + unfold pair_start, on_line, x, y, sgn2. rewrite !Rmult_0_r, A2, B0. repeat split; f_equal; field.
+    + intros t _. destruct (M (sqrt 2 * t)) as (P & _ & _ & Bb). set (d := a (sqrt 2 * t)) in *. set (c := b (sqrt 2 * t)) in *.
+      assert (Da : is_derive (fun s => a (sqrt 2 * s)) t (sqrt 2 * c)) by (apply (sqrt_rate a b); intros; apply M).
+      assert (Db : is_derive (fun s => b (sqrt 2 * s)) t (sqrt 2 * - fig2' 0 0 d)) by (apply (sqrt_rate b (fun s => - fig2' 0 0 (a s))); intros; apply M).
+      apply line_closed.
+      * intros i Hi. split; [|split].
+        -- unfold x, y. fold c. apply (is_derive_ext (fun s => (2 * s + 1) + - sgn2 i * (/ 2 * a (sqrt 2 * s)))); [intros; unfold Rdiv; Rring|].
+           eapply D_eq; [apply (D_plus (fun s => 2 * s + 1) (fun s => - sgn2 i * (/ 2 * a (sqrt 2 * s)))); [apply (D_plus (fun s => 2 * s) (fun s => 1)); [apply D_scal, D_id|apply
+             D_const]|apply D_scal, D_scal, Da]|].
+           field.
+        -- unfold y. fold c. assert (K : Rabs (sqrt 2 * c / 2) <= 1). { apply Rabs_le. assert ((sqrt 2 * c / 2) ^ 2 <= 1); [|split; nra].
+          replace ((sqrt 2 * c / 2) ^ 2) with (sqrt 2 * sqrt 2 * c ^ 2 / 4) by field. rewrite S2. lra. }
+           apply Rabs_le_between in K. destruct i; cbn; lra.
+        -- assert (Dy : is_derive (y i) t (sgn2 i * fig2' 0 0 d)).
+           { unfold y. apply (is_derive_ext (fun s => 2 + - sgn2 i * (sqrt 2 / 2 * b (sqrt 2 * s)))); [intros; unfold Rdiv; Rring|].
+             eapply D_eq; [apply (D_plus (fun s => 2) (fun s => - sgn2 i * (sqrt 2 / 2 * b (sqrt 2 * s)))); [apply D_const|apply D_scal, D_scal, Db]|].
+             replace (0 + - sgn2 i * (sqrt 2 / 2 * (sqrt 2 * - fig2' 0 0 d))) with (sgn2 i * (sqrt 2 * sqrt 2 / 2 * fig2' 0 0 d)) by field. rewrite S2. field. }
+           assert (X01 : x 0%nat t - x 1%nat t = - d) by (unfold x, sgn2; fold d; field). assert (X10 : x 1%nat t - x 0%nat t = d) by (unfold x, sgn2; fold d; field).
+           eapply D_eq; [exact Dy|]. unfold push. destruct i as [|[|]]; [| |lia]; cbn [Sum]; unfold complete; cbn [Nat.eqb negb]; unfold sgn2.
+           ++ change (fig2' 0 1) with (fig2' 0 0). rewrite X01, Rabs_Ropp, Rabs_pos_eq by lra. field. lra.
+           ++ change (fig2' 1 0) with (fig2' 0 0). rewrite X10, Rabs_pos_eq by lra. field. lra.
+      * intros i j Hi Hj E. unfold x. fold d. destruct i as [|[|]], j as [|[|]]; try lia; try discriminate E; cbn [sgn2]; lra.
+      * intros i j s _ _ Hs. apply (proj1 fig2_repels s Hs).
+  - intros r v th St M0. assert (M : pair_motion r v th) by (split; assumption). split; [|intros d; exact (pm_no_limit r v th d M)].
+    intros t i Ht Hi. destruct (pm_line r v th t M) with (t := t) as (_ & _ & _ & H0 & H1); [intros s Hs; pose proof (pm_forward r v th M s ltac:(lra)); lra|lra|].
+    destruct i as [|[|]]; [exact H0|exact H1|lia].
+Qed.
