@@ -976,3 +976,18 @@ Proof.
     specialize (H N ltac:(lia) w A mp mm P R). destruct R as (R1 & R2 & R3). destruct (H' N ltac:(lia) w A P) as [_ Q]. destruct (Q mp mm R1 R2 R3) as [_ Q2].
     replace (- (1) * printed_x f g) with (- printed_x f g) by ring. replace (- (1) * mended_x f g) with (- mended_x f g) by ring. split; assumption.
 Qed.
+
+(* veerman.specM clauses 2, 5 (stated after the theorems had been seen) *)
+Definition specM_25 : Prop := forall N p lam, p = p1 \/ p = p2 N -> ((eig_L N p lam /\ lam <> 0%C) <-> eig N p lam).
+Lemma specM_25_proved : specM_25.
+Proof.
+  intros N p lam Hp.
+  assert (PS : veerman_lemma1.positive_spectrum N (veerman_stability.reduced p)).
+  { destruct Hp; subst p; [exact (veerman_lemma1.positive_P1 N)|exact (veerman_lemma1.positive_P2 N)]. }
+  split.
+  - intros [(x & (k & Hk & Xk) & Z & E) NZ]. destruct (Ceq_dec (x 0%nat) 0%C) as [X0|X0]; [|now elim (Cmult_neq_0 _ _ NZ X0)].
+    exists x. split; [exact X0|]. split; [|exact E]. exists k. split; [|exact Xk]. destruct k; [now rewrite X0 in Xk|lia].
+  - intros El. split.
+    + destruct El as (x & X0 & (k & Hk & Xk) & E). exists x. split; [exists k; split; [lia|exact Xk]|]. split; [rewrite X0; ring|exact E].
+    + apply (eig_is N p lam Hp) in El. destruct (proj2 PS lam El) as (r & R0 & ->). intros Q. injection Q. lra.
+Qed.
