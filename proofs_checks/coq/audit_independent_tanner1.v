@@ -1491,3 +1491,22 @@ Proof.
     intros t i Ht Hi. destruct (pm_line r v th t M) with (t := t) as (_ & _ & _ & H0 & H1); [intros s Hs; pose proof (pm_forward r v th M s ltac:(lra)); lra|lra|].
     destruct i as [|[|]]; [exact H0|exact H1|lia].
 Qed.
+(* tanner1.Vt_inv clause 2 (stated after the theorems had been seen): refuted, there is a bound c whose set Omega a motion leaves *)
+Definition Vt_inv_2 : Prop := ~ forall n adj r v th T c, simple_connected n adj ->
+  (forall t, 0 <= t <= T -> closed n adj fig2 fig2' r v th t /\ forall i, (i < n)%nat -> ex_derive (th i) t) ->
+  Vt n adj fig2 (fun i => r i 0) (fun i => v i 0) (fun i => th i 0) <= c ->
+  forall t, 0 <= t <= T -> Vt n adj fig2 (fun i => r i t) (fun i => v i t) (fun i => th i t) <= c.
+Lemma Vt_inv_2_proved : Vt_inv_2.
+Proof.
+  intros H. apply Vt_inv_1_proved. intros n adj r v th T SC M s t Hst Ht.
+  specialize (H n adj (fun i x => r i (x + s)) (fun i x => v i (x + s)) (fun i x => th i (x + s)) (T - s)
+    (Vt n adj fig2 (fun i => r i s) (fun i => v i s) (fun i => th i s)) SC). cbv beta in H. rewrite Rplus_0_l in H.
+  replace t with (t - s + s) by ring. apply H; [|lra|lra]. intros x Hx. destruct (M (x + s) ltac:(lra)) as [[L Hh] Dt].
+  assert (Sh : forall (f : R -> R) l, is_derive f (x + s) l -> is_derive (fun y => f (y + s)) x l).
+  { intros f l D. eapply D_eq; [apply (D_comp f (fun y => y + s)); [exact D|apply (D_plus (fun y => y) (fun _ => s)); [apply D_id|apply D_const]]|]. ring. }
+  split; [split|].
+  - intros i Hi. destruct (L i Hi) as ([A1 A2] & [B1 B2] & K). split; [split; [exact (Sh (fun y => fst (r i y)) _ A1)|exact (Sh (fun y => snd (r i y)) _ A2)]|].
+    split; [split; [exact (Sh (fun y => fst (v i y)) _ B1)|exact (Sh (fun y => snd (v i y)) _ B2)]|]. exact K.
+  - exact Hh.
+  - intros i Hi. destruct (Dt i Hi) as [l D]. exists l. exact (Sh (th i) _ D).
+Qed.
