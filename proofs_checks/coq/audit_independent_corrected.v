@@ -232,3 +232,610 @@ Definition nth_2 : Prop := forall N n f g (h : nat -> R) (x u : nat -> R -> R), 
   (forall k, (1 <= k <= S N)%nat -> ~ joined N n 0%nat k -> x k 0 = h k /\ u k 0 = 0) ->
   ~ joined N n 0%nat 1%nat /\ forall k, (1 <= k <= S N)%nat -> ~ joined N n 0%nat k -> (forall t, 0 <= t -> x k t = h k) /\
     ((forall b, exists T, forall t, T <= t -> b < x 0%nat t) -> forall b, exists T, forall t, T <= t -> b < x 0%nat t - x k t).
+
+(* ---- the theorems prove them ---- *)
+Lemma Cmod_sq z : Cmod z ^ 2 = fst z ^ 2 + snd z ^ 2.
+Proof. unfold Cmod. apply pow2_sqrt. nra. Qed.
+Lemma near (f : R -> R) t e : continuous f t -> 0 < e -> locally t (fun s => Rabs (f s - f t) < e).
+Proof. intros H He. apply (H (fun y => Rabs (y - f t) < e)). exists (mkposreal e He). intros y Hy. exact Hy. Qed.
+Lemma heading_rate (v : nat -> R -> C) th i t a : is_velocity (v i) t a -> heading v th i t ->
+  is_derive (th i) t (cross (v i t) a / Cmod (v i t) ^ 2).
+Proof.
+  intros [D1 D2] (NZ & Ct & Lc). set (w := v i t) in *.
+  assert (W : 0 < Cmod w) by now apply Cmod_gt_0.
+  set (x := fun s => fst w * snd (v i s) - snd w * fst (v i s)). set (y := fun s => fst w * fst (v i s) + snd w * snd (v i s)).
+  assert (Yt : y t = Cmod w ^ 2) by (unfold y; rewrite Cmod_sq; fold w; ring).
+  assert (Dx : is_derive x t (fst w * snd a - snd w * fst a)) by (apply D_minus; now apply D_scal).
+  assert (Dy : is_derive y t (fst w * fst a + snd w * snd a)) by (apply D_plus; now apply D_scal).
+  assert (P0 : 0 < y t) by (rewrite Yt; apply pow_lt; exact W).
+  assert (Ly : locally t (fun s => 0 < y s)).
+  { apply (filter_imp (fun s => Rabs (y s - y t) < y t)); [|apply near; [apply (ex_derive_continuous y); eexists; exact Dy|exact P0]].
+    intros s Hs. apply Rabs_def2 in Hs. lra. }
+  assert (Lt : locally t (fun s => Rabs (th i s - th i t) < 1)) by (apply near; [exact Ct|lra]).
+  assert (Et : w = (RtoC (Cmod w) * expi (th i t))%C) by exact (locally_singleton _ _ Lc).
+  apply (is_derive_ext_loc (fun s => th i t + atan (x s / y s))).
+  - apply (filter_imp (fun s => (0 < y s /\ Rabs (th i s - th i t) < 1) /\ v i s = (RtoC (Cmod (v i s)) * expi (th i s))%C));
+      [|apply filter_and; [apply filter_and|]; assumption].
+    intros s [[Y B] E]. apply Rabs_def2 in B. pose proof PI_4. pose proof PI2_1. 
+    assert (W12 : fst w = Cmod w * cos (th i t) /\ snd w = Cmod w * sin (th i t)) by (rewrite Et at 1 3; cbn; split; ring).
+    assert (V12 : fst (v i s) = Cmod (v i s) * cos (th i s) /\ snd (v i s) = Cmod (v i s) * sin (th i s)) by (rewrite E at 1 3; cbn; split; ring).
+    destruct W12 as [W1' W2'], V12 as [V1' V2'].
+    assert (X' : x s = Cmod w * Cmod (v i s) * sin (th i s - th i t)).
+    { unfold x. rewrite W1', W2', V1', V2'. rewrite sin_minus. ring. }
+    assert (Y' : y s = Cmod w * Cmod (v i s) * cos (th i s - th i t)).
+    { unfold y. rewrite W1', W2', V1', V2'. rewrite cos_minus. ring. }
+    assert (Q : x s / y s = tan (th i s - th i t)).
+    { unfold tan. rewrite X', Y'. rewrite Y' in Y. field. repeat split; intros Z; rewrite Z in Y; rewrite ?Rmult_0_r, ?Rmult_0_l in Y; lra. }
+    rewrite Q, atan_tan by lra. lra.
+  - eapply D_eq; [apply D_plus; [apply D_const|apply (D_comp atan (fun s => x s / y s)); [apply is_derive_atan|apply is_derive_div; [exact Dx|exact Dy|lra]]]|].
+    assert (X0 : x t = 0) by (unfold x; fold w; ring). rewrite X0, Yt. unfold cross, Rsqr. field. lra.
+Qed.
+Lemma inner_C x y : inner x y = fst x * fst y + snd x * snd y.
+Proof. unfold inner, Cconj, Re. cbn. ring. Qed.
+Lemma dist_rate (r1 r2 : R -> C) t v1 v2 : is_velocity r1 t v1 -> is_velocity r2 t v2 -> r1 t <> r2 t ->
+  is_derive (fun s => Cmod (r1 s - r2 s)%C) t (inner (r1 t - r2 t)%C (v1 - v2)%C / Cmod (r1 t - r2 t)%C).
+Proof.
+  intros [A1 A2] [B1 B2] N. set (q := fun s => (fst (r1 s) - fst (r2 s)) ^ 2 + (snd (r1 s) - snd (r2 s)) ^ 2).
+  assert (P : 0 < Cmod (r1 t - r2 t)%C). { apply Cmod_gt_0. intros Z. apply N. replace (r1 t) with ((r1 t - r2 t) + r2 t)%C by ring. rewrite Z. ring. }
+  assert (E : forall s, Cmod (r1 s - r2 s)%C = sqrt (q s)) by (intros; reflexivity).
+  apply (is_derive_ext (fun s => sqrt (q s))); [intros; now rewrite E|].
+  assert (Q0 : 0 < q t). { rewrite E in P. destruct (Rle_lt_dec (q t) 0) as [L|L]; [|exact L]. rewrite sqrt_neg_0 in P by exact L. lra. }
+  assert (Dq : is_derive q t (2 * (fst (r1 t) - fst (r2 t)) * (fst v1 - fst v2) + 2 * (snd (r1 t) - snd (r2 t)) * (snd v1 - snd v2))).
+  { apply D_plus; apply (D_sqr (fun s => _ (r1 s) - _ (r2 s))); now apply D_minus. }
+  eapply D_eq; [apply (is_derive_sqrt q); [exact Dq|exact Q0]|]. rewrite E, inner_C. rewrite E in P. cbn. field. lra.
+Qed.
+Definition both (V' : nat -> nat -> R -> R) (i j : nat) : R -> R := if Nat.leb i j then V' i j else V' j i.
+Lemma Csum_inner n f z : inner (Csum n f) z = Sum n (fun j => inner (f j) z).
+Proof.
+  rewrite inner_C. unfold Csum. cbn [fst snd]. rewrite <- !Sum_scal_r, <- Sum_plus. apply Sum_ext. intros. now rewrite inner_C.
+Qed.
+(* the rate of V_i *)
+Lemma V_i_rate n (adj : graph) V V' (r v : nat -> R -> C) t i : (i < n)%nat ->
+  (forall j, (j < n)%nat -> is_velocity (r j) t (v j t)) ->
+  (forall j, (j < n)%nat -> adj i j = true -> r i t <> r j t /\ is_derive (V i j) (Cmod (r i t - r j t)%C) (V' i j (Cmod (r i t - r j t)%C))) ->
+  is_derive (fun s => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0)) t
+    (Sum n (fun j => if adj i j then V' i j (Cmod (r i t - r j t)%C) / Cmod (r i t - r j t)%C * inner (r i t - r j t)%C (v i t - v j t)%C else 0)).
+Proof.
+  intros Hi D H. apply (D_Sum n (fun j s => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0)). intros j Hj.
+  destruct (adj i j) eqn:A; [|apply D_const]. destruct (H j Hj A) as [N S].
+  eapply D_eq; [apply (D_comp (V i j) (fun s => Cmod (r i s - r j s)%C)); [exact S|apply dist_rate; [now apply D|now apply D|exact N]]|].
+  unfold Rdiv. ring.
+Qed.
+Lemma Cmod_swap x y : Cmod (x - y)%C = Cmod (y - x)%C.
+Proof. replace (x - y)%C with (- (y - x))%C by ring. now rewrite Cmod_opp. Qed.
+Lemma half_V_rate n (adj : graph) V V' (r v : nat -> R -> C) t : undirected adj -> (forall i j s, V i j s = V j i s) ->
+  (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true ->
+     r i t <> r j t /\ is_derive (V i j) (Cmod (r i t - r j t)%C) (V' i j (Cmod (r i t - r j t)%C))) ->
+  is_derive (fun s => / 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0))) t
+    (Sum n (fun i => inner (gradV n adj V' (fun j => r j t) i) (v i t))).
+Proof.
+  intros S VS D H.
+  eapply D_eq; [apply D_scal; apply (D_Sum n (fun i s => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0))); intros i Hi;
+    apply (V_i_rate n adj V V' r v t i Hi D); intros; now apply H|].
+  set (c := fun i j => if adj i j then V' i j (Cmod (r i t - r j t)%C) / Cmod (r i t - r j t)%C else 0).
+  assert (Cs : forall i j, (i < n)%nat -> (j < n)%nat -> c i j = c j i).
+  { intros i j Hi Hj. unfold c. rewrite (S j i). destruct (adj i j) eqn:A; [|reflexivity]. destruct (H i j Hi Hj A) as [_ P].
+    destruct (H j i Hj Hi ltac:(now rewrite S)) as [_ Q]. rewrite (Cmod_swap (r j t)) in *. f_equal.
+    apply is_derive_unique in P. rewrite <- P. apply is_derive_unique. apply (is_derive_ext (V j i)); [intros; apply VS|exact Q]. }
+  assert (E : forall i, (i < n)%nat -> inner (gradV n adj V' (fun j => r j t) i) (v i t) = Sum n (fun j => c i j * inner (r i t - r j t)%C (v i t))).
+  { intros i Hi. unfold gradV. rewrite Csum_inner. apply Sum_ext. intros j _. unfold c. destruct (adj i j); rewrite !inner_C; cbn; ring. }
+  rewrite (Sum_ext n _ _ E).
+  rewrite (Sum_ext n _ (fun i => Sum n (fun j => c i j * inner (r i t - r j t)%C (v i t)) + Sum n (fun j => c j i * inner (r j t - r i t)%C (v j t)))).
+  - rewrite Sum_plus, (Sum_swap n n (fun i j => c j i * inner (r j t - r i t)%C (v j t))). field.
+  - intros i Hi. rewrite <- Sum_plus. apply Sum_ext. intros j Hj. rewrite (Cs j i Hj Hi). unfold c. destruct (adj i j); [|ring].
+    rewrite !inner_C. cbn. ring.
+Qed.
+Lemma kinetic_rate n (v : nat -> R -> C) a t : (forall i, (i < n)%nat -> is_velocity (v i) t (a i)) ->
+  is_derive (fun s => / 2 * Sum n (fun i => Cmod (v i s) ^ 2)) t (Sum n (fun i => inner (v i t) (a i))).
+Proof.
+  intros D. apply (is_derive_ext (fun s => / 2 * Sum n (fun i => fst (v i s) ^ 2 + snd (v i s) ^ 2))).
+  - intros s. f_equal. apply Sum_ext. intros. now rewrite Cmod_sq.
+  - eapply D_eq; [apply D_scal; apply (D_Sum n (fun i s => fst (v i s) ^ 2 + snd (v i s) ^ 2)); intros i Hi; destruct (D i Hi) as [D1 D2];
+      apply D_plus; (apply (D_sqr (fun s => _ (v i s))); eassumption)|].
+    cbn beta. rewrite <- Sum_scal. apply Sum_ext. intros i _. rewrite inner_C. field.
+Qed.
+Ltac Rfield := match goal with |- @eq _ ?a ?b => change (@eq R a b); field end.
+Lemma energy_split n adj V r v : T1.kinetic_plus_V n adj V r v =
+  / 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i - r j)%C) else 0)) + / 2 * Sum n (fun i => Cmod (v i) ^ 2).
+Proof. unfold T1.kinetic_plus_V. rewrite Sum_plus. ring. Qed.
+Lemma law_work n adj V' a r v i : inner (v i) (T1.law n adj V' a r v i) = - inner (gradV n adj V' r i) (v i).
+Proof. unfold T1.law, gradV. rewrite !inner_C. cbn. ring. Qed.
+Lemma law_turn n adj V' th r v i : cross (v i) (T1.law n adj V' (fun i j => th i - th j) r v i) =
+  - cross (v i) (gradV n adj V' r i) - pulls n adj r th i * Cmod (v i) ^ 2.
+Proof.
+  rewrite Cmod_sq. unfold T1.law, pulls. fold (gradV n adj V' r i). unfold cross. cbn. ring.
+Qed.
+Lemma chain_1_holds : chain_1.
+Proof.
+  intros n adj V V' r v acc th t S VS L H. exists (fun i => cross (v i t) (acc i) / Cmod (v i t) ^ 2).
+  assert (O : forall i, (i < n)%nat -> is_derive (th i) t (cross (v i t) (acc i) / Cmod (v i t) ^ 2)).
+  { intros i Hi. apply heading_rate; [now apply L|now apply H]. }
+  split; [exact O|].
+  apply (is_derive_ext (fun s => (/ 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0)) + / 2 * Sum n (fun i => Cmod (v i s) ^ 2))
+     + / 2 * Sum n (fun i => th i s ^ 2))).
+  - intros s. unfold Vt. now rewrite energy_split.
+  - apply D_plus; [apply D_plus|].
+    + apply half_V_rate; [exact S|exact VS|intros i Hi; now apply L|intros i j Hi Hj A; now apply (L i Hi)].
+    + apply kinetic_rate. intros i Hi. now apply L.
+    + eapply D_eq; [apply D_scal; apply (D_Sum n (fun i s => th i s ^ 2)); intros i Hi; apply (D_sqr (th i)); exact (O i Hi)|].
+      cbn beta. rewrite <- Sum_scal. apply Sum_ext. intros i _. lra.
+Qed.
+Lemma loop_rates n adj V V' r v th t : T1.loop n adj V V' r v (dth th) t -> (forall i, (i < n)%nat -> heading v th i t) -> forall i, (i < n)%nat ->
+  is_derive (th i) t (- pulls n adj (fun j => r j t) (fun j => th j t) i - cross (v i t) (gradV n adj V' (fun j => r j t) i) / Cmod (v i t) ^ 2).
+Proof.
+  intros L H i Hi. destruct (L i Hi) as (_ & A & _). pose proof (heading_rate v th i t _ A (H i Hi)) as D.
+  eapply D_eq; [exact D|]. unfold dth. rewrite (law_turn n adj V' (fun i => th i t) (fun i => r i t) (fun i => v i t) i). field.
+  destruct (H i Hi) as [N _]. intros Z. apply Cmod_eq_0 in Z. contradiction.
+Qed.
+Lemma eq6b_holds : eq6b.
+Proof.
+  intros n adj V V' r v th t L H. eexists. split; [exact (loop_rates n adj V V' r v th t L H)|].
+  apply Sum_zero. intros i Hi. cbv beta. ring.
+Qed.
+Lemma lapw_pulls n adj r th i : (i < n)%nat -> times n (lapw n adj (fun i j => / Cmod (r i - r j)%C ^ 2)) th i = pulls n adj r th i.
+Proof.
+  intros Hi. unfold times, lapw, pulls. set (c := fun j => if adj i j then / Cmod (r i - r j)%C ^ 2 else 0).
+  rewrite (Sum_ext n _ (fun j => delta i j * (Sum n c * th j) - c j * th j)) by (intros; unfold c; ring).
+  rewrite Sum_minus, (Sum_delta_l n i (fun j => Sum n c * th j) Hi), <- Sum_scal_r, <- Sum_minus. apply Sum_ext. intros j _. unfold c, Rdiv.
+  destruct (adj i j); ring.
+Qed.
+Lemma eq9_1_holds : eq9_1.
+Proof.
+  intros n adj V V' r v th t S VS L H.
+  destruct (chain_1_holds n adj V V' r v (T1.law n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t)) th t S VS L H) as (om & O & D).
+  eapply D_eq; [exact D|].
+  rewrite (Sum_ext n (fun i => inner (v i t) _) (fun i => - inner (gradV n adj V' (fun j => r j t) i) (v i t)))
+    by (intros i _; exact (law_work n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t) i)).
+  rewrite Sum_opp.
+  rewrite (Sum_ext n (fun i => th i t * om i) (fun i => - (th i t * pulls n adj (fun j => r j t) (fun j => th j t) i)
+    - th i t * (cross (v i t) (gradV n adj V' (fun j => r j t) i) / Cmod (v i t) ^ 2))).
+  - rewrite Sum_minus, Sum_opp. rewrite (Sum_ext n (fun i => th i t * times n _ _ i) (fun i => th i t * pulls n adj (fun j => r j t) (fun j => th j t) i)); [ring|].
+    intros i Hi. now rewrite lapw_pulls.
+  - intros i Hi. pose proof (is_derive_unique _ _ _ (O i Hi)) as E. rewrite (is_derive_unique _ _ _ (loop_rates n adj V V' r v th t L H i Hi)) in E. rewrite <- E. ring.
+Qed.
+Lemma eq8_1_holds : eq8_1.
+Proof.
+  intros n adj V V' r v t [S NL] VS DV A L. eexists. split.
+  - intros i Hi. apply (V_i_rate n adj V V' r v t i Hi); [intros j Hj; now apply L|]. intros j Hj E. split; [now apply A|]. apply DV; try assumption.
+    apply Cmod_gt_0. intros Z. apply (A i j Hi Hj E). replace (r i t) with ((r i t - r j t) + r j t)%C by ring. rewrite Z. ring.
+  - cbv beta.
+    assert (K : forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t /\ is_derive (V i j) (Cmod (r i t - r j t)%C) (V' i j (Cmod (r i t - r j t)%C))).
+    { intros i j Hi Hj E. split; [now apply A|]. apply DV; try assumption.
+      apply Cmod_gt_0. intros Z. apply (A i j Hi Hj E). replace (r i t) with ((r i t - r j t) + r j t)%C by ring. rewrite Z. ring. }
+    apply (is_derive_ext (fun s => / 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0)) + / 2 * Sum n (fun i => Cmod (v i s) ^ 2)));
+      [intros s; symmetry; exact (energy_split n adj V (fun i => r i s) (fun i => v i s))|].
+    eapply D_eq; [apply D_plus; [apply D_scal, (D_Sum n (fun i s => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0))); intros i Hi;
+      apply (V_i_rate n adj V V' r v t i Hi); [intros j Hj; now apply L|intros j Hj E; now apply K]|apply kinetic_rate; intros i Hi; now apply L]|].
+    cbv beta. rewrite <- (Ropp_involutive (Sum n (fun i => inner (v i t) (T2.law4 _ _ _ _ _ _)))), <- Sum_opp.
+    unfold Rminus. do 2 f_equal. apply Sum_ext. intros i _. unfold T2.law4, T2.gradV, T2.pull, gradV. rewrite !inner_C. cbn. ring.
+Qed.
+Lemma one_heading_line n v th thbar t i a : one_heading n v th thbar t -> (i < n)%nat -> is_velocity (v i) t a ->
+  th i t = thbar /\ 0 < Cmod (v i t) /\ v i t = (RtoC (Cmod (v i t)) * expi thbar)%C /\ exists c, a = (RtoC c * expi thbar)%C.
+Proof.
+  intros H Hi [D1 D2]. pose proof (locally_singleton _ _ H i Hi) as (N & E1 & E2). split; [exact E1|]. split; [now apply Cmod_gt_0|]. split; [exact E2|].
+  set (f := fun s => cos thbar * snd (v i s) - sin thbar * fst (v i s)).
+  assert (F : is_derive f t (cos thbar * snd a - sin thbar * fst a)) by (apply D_minus; now apply D_scal).
+  assert (Z : is_derive f t 0).
+  { apply (is_derive_ext_loc (fun _ => 0)); [|apply D_const]. apply (filter_imp (fun s => forall i, (i < n)%nat ->
+      v i s <> 0%C /\ th i s = thbar /\ v i s = (RtoC (Cmod (v i s)) * expi thbar)%C)); [|exact H].
+    intros s Hs. destruct (Hs i Hi) as (_ & _ & E). unfold f.
+    assert (A : fst (v i s) = Cmod (v i s) * cos thbar /\ snd (v i s) = Cmod (v i s) * sin thbar) by (rewrite E at 1 3; cbn; split; ring).
+    destruct A as [A1 A2]. rewrite A1, A2. Rring. }
+  apply is_derive_unique in F. apply is_derive_unique in Z. rewrite F in Z. exists (cos thbar * fst a + sin thbar * snd a).
+  pose proof (sin2_cos2 thbar) as T. unfold Rsqr in T. apply injective_projections; cbn.
+  - replace (_ - _) with (fst a * (cos thbar * cos thbar) + sin thbar * (cos thbar * snd a)) by ring.
+    replace (cos thbar * snd a) with (sin thbar * fst a) by lra. transitivity (fst a * (sin thbar * sin thbar + cos thbar * cos thbar)); [rewrite T|]; ring.
+  - replace (_ + _) with (snd a * (sin thbar * sin thbar) + cos thbar * (sin thbar * fst a)) by ring.
+    replace (sin thbar * fst a) with (cos thbar * snd a) by lra. transitivity (snd a * (sin thbar * sin thbar + cos thbar * cos thbar)); [rewrite T|]; ring.
+Qed.
+Lemma one_heading_law n adj V' (r v : nat -> R -> C) th thbar t i : one_heading n v th thbar t -> (i < n)%nat ->
+  T1.law n adj V' (fun i j => dth th i j t) (fun i => r i t) (fun i => v i t) i = (- gradV n adj V' (fun j => r j t) i)%C.
+Proof.
+  intros H Hi. unfold T1.law. fold (gradV n adj V' (fun j => r j t) i).
+  rewrite (Sum_zero n _); [ring|]. intros j Hj. unfold dth. pose proof (locally_singleton _ _ H) as E.
+  destruct (E i Hi) as (_ & -> & _), (E j Hj) as (_ & -> & _). destruct (adj i j); [unfold Rdiv; ring|reflexivity].
+Qed.
+Lemma proof_cases_1_holds : proof_cases_1.
+Proof.
+  intros n adj V V' r v th thbar t L H i Hi. destruct (L i Hi) as (_ & A & _). rewrite (one_heading_law n adj V' r v th thbar t i H Hi) in A.
+  destruct (one_heading_line n v th thbar t i _ H Hi A) as (_ & P & E & c & Ec). exists (- c / Cmod (v i t)).
+  transitivity (- (RtoC c * expi thbar))%C; [rewrite <- Ec; ring|].
+  transitivity (RtoC (- c / Cmod (v i t)) * (RtoC (Cmod (v i t)) * expi thbar))%C; [|now rewrite <- E].
+  apply injective_projections; cbn; field; lra.
+Qed.
+Lemma proof_ratio_2_holds : proof_ratio_2.
+Proof.
+  intros n adj V V' r v th thbar t L H i ai Hi Da g k N.
+  destruct (one_heading_line n v th thbar t i _ H Hi Da) as (_ & P & E & c & Ec).
+  destruct (proof_cases_1_holds n adj V V' r v th thbar t L H i Hi) as [c' G]. fold g in G.
+  assert (W : fst (v i t) = Cmod (v i t) * cos thbar /\ snd (v i t) = Cmod (v i t) * sin thbar) by (rewrite E at 1 3; cbn; split; ring).
+  destruct W as [W1' W2']. unfold k. split; intros N'.
+  - rewrite Ec in *. cbn in *. rewrite W1', W2' in *. field.
+    repeat split; intros Z; rewrite Z in *; rewrite ?Rmult_0_l, ?Rmult_0_r, ?Rminus_0_r in *; now (apply N || apply N' || lra).
+  - rewrite G in *. cbn in *. assert (Z' : c' <> 0) by (intros Z; apply N'; rewrite Z; ring). field. repeat split; try assumption; intros Z; apply N; lra.
+Qed.
+(* no rate but at the times in ex *)
+Lemma constant_but (ex : list R) (f : R -> R) : forall A B, (forall t, A <= t <= B -> continuous f t) ->
+  (forall t, A < t < B -> ~ In t ex -> is_derive f t 0) -> A <= B -> f A = f B.
+Proof.
+  induction ex as [|x ex IH]; intros A B Ct D AB.
+  - destruct (MVT_gen f A B (fun _ => 0)) as [c [_ E]]; [| |lra].
+    + intros t Ht. rewrite Rmin_left, Rmax_right in Ht by lra. apply D; [lra|]. intros [].
+    + intros t Ht. rewrite Rmin_left, Rmax_right in Ht by lra. apply continuity_pt_filterlim, Ct. lra.
+  - destruct (Rlt_dec A x) as [Ax|Ax]; [destruct (Rlt_dec x B) as [xB|xB]|].
+    + rewrite (IH A x); [apply (IH x B)| | |lra]; try lra; try (intros; apply Ct; lra);
+        intros t Ht N; apply D; [lra| |lra|]; intros [Z|Z]; (now apply N) || lra.
+    + apply IH; [exact Ct| |exact AB]. intros t Ht N. apply D; [exact Ht|]. intros [Z|Z]; [lra|now apply N].
+    + apply IH; [exact Ct| |exact AB]. intros t Ht N. apply D; [exact Ht|]. intros [Z|Z]; [lra|now apply N].
+Qed.
+Lemma cont_Sum n (f : nat -> R -> R) t : (forall i, (i < n)%nat -> continuous (f i) t) -> continuous (fun s => Sum n (fun i => f i s)) t.
+Proof.
+  induction n; intros H; cbn; [apply continuous_const|].
+  apply (continuous_plus (fun s => Sum n (fun i => f i s)) (f n)); [apply IHn; intros; apply H; lia|apply H; lia].
+Qed.
+Lemma Vt_inv_2_holds : Vt_inv_2.
+Proof.
+  intros n adj V V' r v a A B ex c S VS C0 L.
+  set (K := fun s => T1.kinetic_plus_V n adj V (fun i => r i s) (fun i => v i s)).
+  set (U := fun s => / 2 * Sum n (fun i => Sum n (fun j => if adj i j then V i j (Cmod (r i s - r j s)%C) else 0))).
+  set (M := fun s => / 2 * Sum n (fun i => Cmod (v i s) ^ 2)).
+  assert (E : forall s, U s + M s = K s) by (intros s; unfold K; now rewrite energy_split).
+  assert (DU : forall t, A <= t <= B -> is_derive U t (Sum n (fun i => inner (gradV n adj V' (fun j => r j t) i) (v i t)))).
+  { intros t Ht. apply half_V_rate; [exact S|exact VS|intros i Hi; now apply (C0 t Ht i Hi)|intros i j Hi Hj Q; now apply (C0 t Ht i Hi)]. }
+  assert (CM : forall t, A <= t <= B -> continuous M t).
+  { intros t Ht. apply (continuous_ext (fun s => / 2 * Sum n (fun i => fst (v i s) * fst (v i s) + snd (v i s) * snd (v i s)))).
+    - intros s. unfold M. f_equal. apply Sum_ext. intros. rewrite Cmod_sq. ring.
+    - apply (continuous_mult (fun _ : R => / 2)); [apply continuous_const|]. apply (cont_Sum n (fun i s => fst (v i s) * fst (v i s) + snd (v i s) * snd (v i s))). intros i Hi.
+      destruct (C0 t Ht i Hi) as (_ & C1 & C2 & _).
+      apply (continuous_plus (fun s => fst (v i s) * fst (v i s)) (fun s => snd (v i s) * snd (v i s)));
+        [apply (continuous_mult (fun s => fst (v i s)) (fun s => fst (v i s)))|apply (continuous_mult (fun s => snd (v i s)) (fun s => snd (v i s)))]; assumption. }
+  assert (CK : forall t, A <= t <= B -> continuous K t).
+  { intros t Ht. apply (continuous_ext (fun s => U s + M s)); [exact E|].
+    apply (continuous_plus U M); [apply (ex_derive_continuous U); eexists; now apply DU|now apply CM]. }
+  assert (DK : forall t, A <= t <= B -> ~ In t ex -> is_derive K t 0).
+  { intros t Ht N. apply (is_derive_ext (fun s => U s + M s)); [exact E|]. specialize (L t Ht N).
+    eapply D_eq; [apply D_plus; [now apply DU|apply kinetic_rate; intros i Hi; now apply (L i Hi)]|]. rewrite <- Sum_plus. apply Sum_zero. intros i Hi.
+    rewrite (law_work n adj V' (fun i j => a i j t) (fun i => r i t) (fun i => v i t) i). ring. }
+  assert (Q : forall s t, A <= s <= B -> A <= t <= B -> s <= t -> K s = K t).
+  { intros s t Hs Ht st. apply (constant_but ex); [intros x Hx; apply CK; lra|intros x Hx; apply DK; lra|exact st]. }
+  intros s t Hs Ht H. fold (K s) in H. fold (K t). destruct (Rle_or_lt s t) as [st|ts]; [rewrite <- (Q s t)|rewrite (Q t s)]; try assumption. lra.
+Qed.
+Lemma fig2_potentials n adj : T2.potentials n adj T1.fig2 T1.fig2'.
+Proof.
+  split; [reflexivity|]. intros i j _ _ _. destruct T1.fig2_repels as [R1 R2]. split; [|split; [exact R2|]].
+  - intros s Hs. destruct (R1 s Hs) as [D P]. split; [exact D|]. split; [|exact P].
+    apply derivable_continuous_pt. unfold T1.fig2'. apply ex_derive_Reals_0. auto_derive. repeat split; try lra; repeat apply Rmult_integral_contrapositive_currified; lra.
+  - intros c. exists (exp c + 1). intros s Hs. pose proof (exp_pos c). unfold T1.fig2.
+    assert (P : 0 < / s ^ 2) by (apply Rinv_0_lt_compat, pow_lt; lra).
+    assert (L : c < ln (s ^ 2)); [|lra]. rewrite <- (ln_exp c) at 1. apply ln_increasing; [exact H|]. nra.
+Qed.
+Lemma energy_of_Vt n adj V r v th c : Vt n adj V r v th <= c -> T2.energy6 n adj V r v <= c.
+Proof.
+  unfold Vt. intros H. assert (0 <= Sum n (fun i => th i ^ 2)) by (apply Sum_ge0; intros; apply pow2_ge_0).
+  change (T2.energy6 n adj V r v) with (T1.kinetic_plus_V n adj V r v). lra.
+Qed.
+Lemma Omega_1_holds : Omega_1.
+Proof.
+  intros n adj c S NL SC. pose proof (exp_pos c). exists (Rmax 0 ((INR n - 1) * (exp c + 1))). intros r v th A H0 i j Hi Hj. apply energy_of_Vt in H0.
+  destruct (Nat.le_gt_cases 2 n) as [L|L].
+  - eapply Rle_trans; [|apply Rmax_r].
+    apply (T2.bound_r_proved n adj T1.fig2 T1.fig2' r v c (exp c + 1) L (conj S NL) SC (fig2_potentials n adj) A H0); [|exact Hi|exact Hj].
+    intros a b s _ _ _ Hs Q. unfold T1.fig2 in Q. assert (P : 0 < / s ^ 2) by (apply Rinv_0_lt_compat, pow_lt; lra).
+    apply Rnot_lt_le. intros B. assert (K : c < ln (s ^ 2)); [|lra]. rewrite <- (ln_exp c) at 1. apply ln_increasing; [exact H|]. nra.
+  - replace j with i by lia. replace (r i - r i)%C with (RtoC 0) by ring. rewrite Cmod_0. apply Rmax_l.
+Qed.
+Lemma Omega_2_holds : Omega_2.
+Proof.
+  intros n adj c S NL. exists (sqrt (2 * c)). intros r v th A H i Hi. apply energy_of_Vt in H.
+  exact (proj2 (T2.bound_v_proved n adj T1.fig2 T1.fig2' r v c (conj S NL) (fig2_potentials n adj) A H i Hi)).
+Qed.
+Lemma rangeB_3_holds : rangeB_3.
+Proof. intros n adj O y S T HO Z. exact (proj1 (T2.cor1_5_proved n adj (fun _ _ _ => 0) (fun _ _ _ => 0) (fun _ _ => RtoC 0) (fun _ _ => RtoC 0) S T) O y HO Z). Qed.
+
+(* ---- Veerman ---- *)
+Lemma eig_not_0 N p : p = V.p1 \/ p = V.p2 N -> ~ V.eig N p 0%C.
+Proof.
+  intros Hp H. apply (proj2 (V.specM_proved N p 1 1 Hp) ltac:(lra)). apply (proj1 (V.specM_proved N p 1 1 Hp)). exists 0%C. split; [exact H|ring].
+Qed.
+Lemma specM_3_holds : specM_3.
+Proof.
+  intros N p Hp lam. split.
+  - intros [(x & [k [Hk NZ]] & X0 & E) L]. exists x. assert (Z : x 0%nat = 0%C).
+    { destruct (Ceq_dec (x 0%nat) 0%C) as [Z|Z]; [exact Z|]. exfalso. exact (Cmult_neq_0 _ _ L Z X0). }
+    split; [exact Z|]. split; [|exact E]. exists k. split; [|exact NZ]. destruct k; [now rewrite Z in NZ|lia].
+  - intros H. split; [|intros Z; subst lam; exact (eig_not_0 N p Hp H)]. destruct H as (x & X0 & (k & Hk & NZ) & E).
+    exists x. split; [exists k; split; [lia|exact NZ]|]. split; [rewrite X0; ring|exact E].
+Qed.
+Lemma specM_2_holds : specM_2.
+Proof.
+  intros N p f g Hp Hf. destruct (V.specM_proved N p f g Hp) as [A B]. specialize (B Hf). split; [exact B|]. intros nu.
+  assert (Q : V.eig_M N p f g nu <-> exists lam, (eig_L N p lam /\ lam <> 0%C) /\ eig_AK f g lam nu).
+  { rewrite A. split; intros (lam & E1 & E2); exists lam; (split; [now apply (specM_3_holds N p Hp lam)|]); now apply (proj1 (V.eigAK_proved f g lam nu)). }
+  rewrite <- Q. split; [now intros [H _]|]. intros H. split; [exact H|]. intros Z. subst nu. now apply B.
+Qed.
+(* the followers that are not joined: k mod n <> 0 *)
+Lemma joined_mod N n k j : joined N n k j -> (k mod n = j mod n)%nat.
+Proof.
+  intros H. induction H as [x y (_ & _ & E)|x|x y _ IH|x y z _ IH1 _ IH2]; [|reflexivity|now symmetry|now rewrite IH1].
+  subst x. destruct n as [|n]; [now rewrite Nat.add_0_r|]. rewrite <- (Nat.mul_1_l (S n)) at 1. now rewrite Nat.mod_add by lia.
+Qed.
+Lemma joined_is N n k : (2 <= n)%nat -> (k <= S N)%nat -> (joined N n 0%nat k <-> (k mod n = 0)%nat).
+Proof.
+  intros Hn Hk. split.
+  - intros H. apply joined_mod in H. rewrite Nat.mod_0_l in H by lia. now symmetry.
+  - intros E. apply Nat.mod_divides in E as [q ->]; [|lia]. induction q as [|q IH].
+    + rewrite Nat.mul_0_r. apply rst_refl.
+    + apply rst_trans with (n * q)%nat; [apply IH; lia|]. apply rst_sym, rst_step. repeat split; lia.
+Qed.
+(* ---- cycles ---- *)
+Lemma uvuv_next u v k : uvuv u v (k + 2) = (- uvuv u v k)%C.
+Proof.
+  unfold uvuv. rewrite (Nat.div_mod k 4) at 1 by lia. set (q := (k / 4)%nat). set (m := (k mod 4)%nat).
+  assert (m < 4)%nat by (apply Nat.mod_upper_bound; lia). rewrite <- Nat.add_assoc, Nat.add_comm, Nat.mul_comm, Nat.mod_add by lia.
+  destruct m as [|[|[|[|m]]]]; [reflexivity|reflexivity| | |lia]; cbn; ring.
+Qed.
+Lemma cycle_row n adj (x : nat -> C) k : (3 <= n)%nat -> cyclic n adj -> (k < n)%nat ->
+  Csum n (fun j => RtoC (lap n adj k j) * x j)%C = (2 * x k - x ((k + 1) mod n)%nat - x ((k + (n - 1)) mod n)%nat)%C.
+Proof.
+  intros Hn Cy Hk. set (a := ((k + 1) mod n)%nat). set (b := ((k + (n - 1)) mod n)%nat).
+  assert (La : (a < n)%nat) by (apply Nat.mod_upper_bound; lia). assert (Lb : (b < n)%nat) by (apply Nat.mod_upper_bound; lia).
+  assert (Ea : a = if Nat.eqb (k + 1) n then 0%nat else (k + 1)%nat).
+  { unfold a. destruct (Nat.eqb_spec (k + 1) n) as [E|E]; [rewrite E; apply Nat.mod_same; lia|apply Nat.mod_small; lia]. }
+  assert (Eb : b = if Nat.eqb k 0 then (n - 1)%nat else (k - 1)%nat).
+  { unfold b. destruct (Nat.eqb_spec k 0) as [E|E]; [rewrite E; apply Nat.mod_small; lia|].
+    replace (k + (n - 1))%nat with (k - 1 + 1 * n)%nat by lia. rewrite Nat.mod_add by lia. apply Nat.mod_small; lia. }
+  assert (W : forall j, (j < n)%nat -> w adj k j = delta j a + delta j b).
+  { intros j Hj. unfold w. specialize (Cy k j Hk Hj). fold a in Cy.
+    assert (Q : k = ((j + 1) mod n)%nat <-> j = b).
+    { destruct (Nat.eq_dec (j + 1) n) as [E|E].
+      - rewrite E, Nat.mod_same by lia. rewrite Eb. destruct (Nat.eqb_spec k 0); lia.
+      - rewrite Nat.mod_small by lia. rewrite Eb. destruct (Nat.eqb_spec k 0); lia. }
+    rewrite Q in Cy. destruct (Nat.eq_dec j a) as [->|Na].
+    - rewrite (proj2 Cy) by now left. rewrite delta_eq, delta_neq; [ring|]. rewrite Ea, Eb.
+      destruct (Nat.eqb_spec (k + 1) n), (Nat.eqb_spec k 0); lia.
+    - destruct (Nat.eq_dec j b) as [->|Nb].
+      + rewrite (proj2 Cy) by now right. rewrite delta_eq, delta_neq; [ring|exact Na].
+      + rewrite !delta_neq by assumption. destruct (adj k j); [|ring]. exfalso. destruct (proj1 Cy eq_refl); contradiction. }
+  assert (D : deg n adj k = 2).
+  { unfold deg. rewrite (Sum_ext n _ (fun j => delta j a * 1 + delta j b * 1)) by (intros j Hj; rewrite (W j Hj); ring).
+    rewrite Sum_plus, (Sum_delta n a (fun _ => 1)), (Sum_delta n b (fun _ => 1)) by assumption. ring. }
+  assert (G : forall f : nat -> R, Sum n (fun j => lap n adj k j * f j) = 2 * f k - f a - f b).
+  { intros f. unfold lap. rewrite D. rewrite (Sum_ext n _ (fun j => delta k j * (2 * f j) - (delta j a * f j + delta j b * f j)))
+      by (intros j Hj; rewrite (W j Hj); ring).
+    rewrite Sum_minus, Sum_plus, (Sum_delta_l n k (fun j => 2 * f j)), !Sum_delta by assumption. ring. }
+  unfold Csum. apply injective_projections; cbn.
+  - rewrite (Sum_ext n _ (fun j => lap n adj k j * fst (x j))) by (intros; ring). rewrite (G (fun j => fst (x j))). ring.
+  - rewrite (Sum_ext n _ (fun j => lap n adj k j * snd (x j))) by (intros; ring). rewrite (G (fun j => snd (x j))). ring.
+Qed.
+Lemma cyclic_3_holds : cyclic_3.
+Proof.
+  intros q adj u v Hq Cy Hu Hv. split.
+  - exists 0%nat. split; [lia|]. cbn. intros Z. rewrite Z, Cmod_0 in Hu. lra.
+  - intros k Hk. rewrite (cycle_row (4 * q) adj (uvuv u v) k) by (assumption || lia).
+    assert (M : forall j, uvuv u v (j mod (4 * q)) = uvuv u v j).
+    { intros j. unfold uvuv. assert (E : (j mod 4 = (j mod (4 * q)) mod 4)%nat).
+      { pose proof (Nat.div_mod j (4 * q) ltac:(lia)) as E. set (r := (j mod (4 * q))%nat) in *. set (d := (j / (4 * q))%nat) in *.
+        rewrite E. replace (4 * q * d + r)%nat with (r + q * d * 4)%nat by ring. now rewrite Nat.mod_add by lia. }
+      now rewrite E. }
+    rewrite !M.
+    assert (P : uvuv u v (k + (4 * q - 1)) = (- uvuv u v (k + 1))%C).
+    { rewrite <- uvuv_next. unfold uvuv. replace (k + (4 * q - 1))%nat with (k + 1 + 2 + (q - 1) * 4)%nat by lia. now rewrite Nat.mod_add by lia. }
+    rewrite P. ring.
+Qed.
+Lemma fig2_4_holds : fig2_4.
+Proof. intros adj u v Cy Hu Hv. exact (cyclic_3_holds 3%nat adj u v ltac:(lia) Cy Hu Hv). Qed.
+(* ---- Paley ---- *)
+Lemma row_among n adj x k : (k < n)%nat -> Csum n (fun j => RtoC (lap n adj k j) * x j)%C = among n adj k (fun j => x k - x j)%C.
+Proof.
+  intros Hk. assert (G : forall f : nat -> R, Sum n (fun j => lap n adj k j * f j) = Sum n (fun j => if adj k j then f k - f j else 0)).
+  { intros f. unfold lap. rewrite (Sum_ext n _ (fun j => delta k j * (deg n adj k * f j) - w adj k j * f j)) by (intros; ring).
+    rewrite Sum_minus, (Sum_delta_l n k (fun j => deg n adj k * f j) Hk). unfold deg. rewrite <- Sum_scal_r, <- Sum_minus. apply Sum_ext. intros j _. unfold w.
+    destruct (adj k j); ring. }
+  unfold among, Csum. apply injective_projections; cbn [fst snd].
+  - rewrite (Sum_ext n _ (fun j => lap n adj k j * fst (x j))) by (intros; cbn; ring). rewrite (G (fun j => fst (x j))).
+    apply Sum_ext. intros j _. destruct (adj k j); cbn; ring.
+  - rewrite (Sum_ext n _ (fun j => lap n adj k j * snd (x j))) by (intros; cbn; ring). rewrite (G (fun j => snd (x j))).
+    apply Sum_ext. intros j _. destruct (adj k j); cbn; ring.
+Qed.
+Lemma among_inner n adj k f z : inner z (among n adj k f) = Sum n (fun j => if adj k j then inner z (f j) else 0).
+Proof.
+  unfold among. rewrite inner_C. unfold Csum. cbn [fst snd]. rewrite <- !Sum_scal, <- Sum_plus. apply Sum_ext. intros j _.
+  destruct (adj k j); rewrite ?inner_C; cbn; ring.
+Qed.
+Lemma inner_e a b : inner (Ci * expi a)%C (expi b) = sin (b - a).
+Proof. rewrite inner_C, sin_minus. cbn. ring. Qed.
+Lemma among_none n adj k f : (forall j, (j < n)%nat -> adj k j = false) -> among n adj k f = 0%C.
+Proof.
+  intros H. unfold among. rewrite (Csum_ext n _ (fun _ => 0%C)) by (intros j Hj; now rewrite (H j Hj)).
+  unfold Csum. apply injective_projections; cbn; apply Sum_0.
+Qed.
+Lemma ori_is n ori Kori th k : (k < n)%nat -> ori_term n ori Kori th k = Kori * inner (Ci * expi (th k))%C (among n ori k (fun j => expi (th j))).
+Proof.
+  intros Hk. unfold ori_term. rewrite (row_among n ori (fun j => expi (th j)) k Hk), !among_inner, <- !Sum_scal. apply Sum_ext. intros j _.
+  destruct (ori k j); [|ring]. rewrite !inner_C. cbn. ring.
+Qed.
+Lemma att_is n att Katt r th k : (k < n)%nat -> att_term n att Katt r th k = Katt * inner (Ci * expi (th k))%C (among n att k (fun j => r j - r k)%C).
+Proof.
+  intros Hk. unfold att_term. rewrite (row_among n att r k Hk), !among_inner, <- !Sum_scal. apply Sum_ext. intros j _.
+  destruct (att k j); [|ring]. rewrite !inner_C. cbn. ring.
+Qed.
+Lemma u27_is n rep ori att w0 Krep Kori Katt r th (f : nat -> C) k : (k < n)%nat -> (forall j, (j < n)%nat -> rep k j = false) ->
+  u27 n rep ori w0 Krep Kori Katt r th (- among n att k f)%C k = w0 k + ori_term n ori Kori th k - Katt * inner (Ci * expi (th k))%C (among n att k f).
+Proof.
+  intros Hk Hr. rewrite (ori_is n ori Kori th k Hk). unfold u27. rewrite (among_none n rep k _ Hr). rewrite !inner_C. cbn. ring.
+Qed.
+Lemma eq28_1_holds : eq28_1.
+Proof.
+  intros n rep ori att w0 Krep Kori Katt r th k Hk Hr. rewrite u27_is by assumption. unfold u28, att_term. rewrite (row_among n att r k Hk). ring.
+Qed.
+Lemma steers K th d : 0 < K -> steers_towards (K * inner (Ci * expi th)%C d) th d.
+Proof.
+  intros HK. split.
+  - intros ->. rewrite inner_C. cbn. ring.
+  - intros rho psi Hr ->. replace (inner (Ci * expi th)%C (RtoC rho * expi psi)%C) with (rho * sin (psi - th)) by (rewrite inner_C, sin_minus; cbn; ring).
+    assert (0 < K * rho) by now apply Rmult_lt_0_compat. split; [|split]; intros Hs.
+    + rewrite <- Rmult_assoc. now apply Rmult_lt_0_compat.
+    + rewrite <- Rmult_assoc. replace 0 with (K * rho * 0) by ring. now apply Rmult_lt_compat_l.
+    + rewrite Hs. ring.
+Qed.
+Lemma eq28_2_holds : eq28_2.
+Proof. intros n att Katt r th k Hk HK. rewrite att_is by exact Hk. now apply steers. Qed.
+Lemma eq28_3_holds : eq28_3.
+Proof. intros n ori Kori th k Hk HK. rewrite ori_is by exact Hk. now apply steers. Qed.
+Definition pt (y : R) : C := (0, y).
+Lemma eq28_4_holds : eq28_4.
+Proof.
+  split.
+  - intros n rep ori att w0 Krep Kori Katt r th k Hk Hr H1. rewrite u27_is by assumption. unfold u28, att_term. rewrite (row_among n att r k Hk), !among_inner.
+    rewrite (Sum_ext n _ (fun j => if att k j then inner (Ci * expi (th k))%C (r k - r j)%C else 0)); [ring|]. intros j Hj. destruct (att k j) eqn:E; [|reflexivity].
+    unfold hat. rewrite (H1 j Hj E). f_equal. apply injective_projections; cbn; field.
+  - intros Krep Kori Katt HK.
+    exists 2%nat, (fun _ _ => false), (fun _ _ => false), (fun k j => negb (Nat.eqb k j)), (fun _ => 0), (fun j => pt (2 * INR j)%R), (fun _ => 0), 0%nat.
+    split; [lia|]. split; [reflexivity|]. split.
+    + intros [|[|j]] Hj E; [discriminate| |lia]. intros Z. apply (f_equal snd) in Z. cbn in Z. lra.
+    + rewrite (u27_is 2 (fun _ _ => false)) by (lia || reflexivity). unfold u28. rewrite att_is by lia. intros E.
+      assert (E2 : - inner (Ci * expi 0)%C (among 2 (fun k j => negb (Nat.eqb k j)) 0 (fun j => hat (pt (2 * INR 0)%R - pt (2 * INR j)%R)%C)) =
+        inner (Ci * expi 0)%C (among 2 (fun k j => negb (Nat.eqb k j)) 0 (fun j => pt (2 * INR j)%R - pt (2 * INR 0)%R)%C)).
+      { apply (Rmult_eq_reg_l Katt); [|exact HK]. lra. }
+      rewrite !among_inner in E2. cbn [Sum Nat.eqb negb] in E2. unfold hat in E2. cbv beta in E2.
+      replace (Cmod (pt (2 * INR 0)%R - pt (2 * INR 1)%R)%C) with 2 in E2.
+      2:{ unfold Cmod, pt. cbn. replace (_ + _) with (2 ^ 2) by ring. now rewrite sqrt_pow2 by lra. }
+      rewrite !inner_C in E2. cbn in E2. rewrite cos_0, sin_0 in E2. lra.
+Qed.
+Lemma velocity_one r t v v' : is_velocity r t v -> is_velocity r t v' -> v = v'.
+Proof.
+  intros [A1 A2] [B1 B2]. apply injective_projections.
+  - apply is_derive_unique in A1. apply is_derive_unique in B1. now rewrite <- A1, <- B1.
+  - apply is_derive_unique in A2. apply is_derive_unique in B2. now rewrite <- A2, <- B2.
+Qed.
+Lemma expi_shift a b c : expi a = expi b -> expi (a + c) = expi (b + c).
+Proof.
+  intros E. assert (A := f_equal fst E). assert (B := f_equal snd E). cbn in A, B. unfold expi. rewrite !cos_plus, !sin_plus, A, B. reflexivity.
+Qed.
+Lemma sync_always n r th u t0 : sync_arrangement n r th u t0 -> (forall t, synchronized n (fun k => th k t)) /\
+  forall t j k, (j < n)%nat -> (k < n)%nat -> u j t = u k t.
+Proof.
+  intros (M & L & S). split.
+  - intros t j k Hj Hk. pose proof (constant (fun s => th k s - th j s) (fun s => L s j k Hj Hk) t t0) as E. cbv beta in E.
+    replace (th j t) with (th j t0 + (th j t - th j t0)) by ring. replace (th k t) with (th k t0 + (th j t - th j t0)) by lra.
+    apply expi_shift. now apply S.
+  - intros t j k Hj Hk. pose proof (L t j k Hj Hk) as E. pose proof (D_minus _ _ _ _ _ (proj2 (M t k Hk)) (proj2 (M t j Hj))) as F.
+    apply is_derive_unique in E. apply is_derive_unique in F. rewrite E in F. lra.
+Qed.
+Lemma expi_rate (th : R -> R) t a : is_derive th t a -> is_velocity (fun s => expi (th s)) t (RtoC a * (Ci * expi (th t)))%C.
+Proof.
+  intros D. split; cbn.
+  - eapply D_eq; [apply D_cos; exact D|]. ring.
+  - eapply D_eq; [apply D_sin; exact D|]. ring.
+Qed.
+Lemma Cmod_expi a : Cmod (expi a) = 1.
+Proof. unfold Cmod, expi. cbn [fst snd]. pose proof (sin2_cos2 a) as E. unfold Rsqr in E. replace (_ + _) with 1 by (rewrite <- E; ring). apply sqrt_1. Qed.
+Lemma sync_par_1_holds : sync_par_1.
+Proof.
+  intros n r th u t0 Hn H. destruct (sync_always n r th u t0 H) as [S U]. destruct H as (M & _ & _).
+  exists (fun t => expi (th 0%nat t)), (u 0%nat). intros t. split; [apply Cmod_expi|]. split.
+  - intros k Hk. rewrite (S t 0%nat k) by lia. split; [now apply M|]. split; [reflexivity|]. now apply U.
+  - apply expi_rate. now apply M.
+Qed.
+Lemma ori_sync n ori th : (exists K1, ori = ori9 n K1 \/ exists adj, ori = ori14 n adj K1) -> synchronized n th ->
+  forall k, (k < n)%nat -> ori th k = 0.
+Proof.
+  intros (K1 & [->|[adj ->]]) S k Hk.
+  - unfold ori9. replace (inner _ _) with (/ INR n * Sum n (fun j => inner (Ci * expi (th k))%C (expi (th j)))).
+    + rewrite Sum_zero; [ring|]. intros j Hj. rewrite (S j k Hj Hk), inner_e, Rminus_diag_eq, sin_0; reflexivity.
+    + rewrite inner_C. unfold Csum. rewrite (Sum_ext n _ (fun j => fst (Ci * expi (th k))%C * fst (expi (th j)) + snd (Ci * expi (th k))%C * snd (expi (th j))))
+        by (intros; apply inner_C). rewrite Sum_plus, !Sum_scal. cbn [fst snd Cmult RtoC]. ring.
+  - unfold ori14. rewrite (row_among n adj (fun j => expi (th j)) k Hk), among_inner, Sum_zero; [ring|]. intros j Hj. destruct (adj k j); [|reflexivity].
+    rewrite (S j k Hj Hk), inner_C. cbn. ring.
+Qed.
+Lemma sync_par_2_holds : sync_par_2.
+Proof.
+  intros n w0 ori Ho th t D S k Hk. eapply D_eq; [exact (D k Hk)|]. rewrite (ori_sync n ori _ Ho S k Hk). ring.
+Qed.
+Lemma sync_par_3_holds : sync_par_3.
+Proof.
+  assert (A : forall n r th u t0, (1 <= n)%nat -> sync_arrangement n r th u t0 -> (parallel n r <-> forall t k, (k < n)%nat -> u k t = 0)).
+  { intros n r th u t0 Hn H. destruct (sync_par_1_holds n r th u t0 Hn H) as (d & rate & Q). split.
+    - intros [d0 P] t k Hk. destruct (Q t) as (D1 & D2 & D3). destruct (D2 k Hk) as (_ & _ & ->).
+      assert (E : forall s, d s = d0) by (intros s; exact (velocity_one _ _ _ _ (proj1 (proj1 (proj2 (Q s)) k Hk)) (P s k Hk))).
+      assert (Z : is_velocity d t 0%C).
+      { split; [apply (is_derive_ext (fun _ => fst d0))|apply (is_derive_ext (fun _ => snd d0))]; try (intros s; now rewrite (E s)); apply D_const. }
+      pose proof (velocity_one _ _ _ _ D3 Z) as F. destruct (Req_dec (rate t) 0) as [R0|R0]; [exact R0|]. exfalso.
+      apply (f_equal Cmod) in F. rewrite !Cmod_mult, Cmod_0, D1 in F. rewrite Cmod_R in F. assert (Cmod Ci = 1).
+      { unfold Cmod, Ci. cbn. replace (_ + _) with 1 by ring. apply sqrt_1. }
+      rewrite H0 in F. pose proof (Rabs_pos_lt _ R0). lra.
+    - intros U. exists (d 0). intros t k Hk. replace (d 0) with (d t); [now apply (Q t)|].
+      assert (R0 : forall s, rate s = 0). { intros s. destruct (Q s) as (_ & D2 & _). destruct (D2 0%nat ltac:(lia)) as (_ & _ & <-). apply U. lia. }
+      assert (Dz : forall s, is_derive (fun x => fst (d x)) s 0 /\ is_derive (fun x => snd (d x)) s 0).
+      { intros s. destruct (Q s) as (_ & _ & [D1 D2]). rewrite R0 in D1, D2. split; (eapply D_eq; [eassumption|]); cbn; ring. }
+      apply injective_projections; [apply (constant (fun x => fst (d x)))|apply (constant (fun x => snd (d x)))]; intros s; apply Dz. }
+  split; [exact A|]. intros n w0 ori r th t0 Hn Ho H. rewrite (A n r th _ t0 Hn H). destruct (sync_always _ _ _ _ _ H) as [S _]. split.
+  - intros U. specialize (U 0 0%nat ltac:(lia)). cbv beta in U. rewrite (ori_sync n ori (fun j => th j 0) Ho (S 0)) in U by lia. lra.
+  - intros -> t k Hk. cbv beta. rewrite (ori_sync n ori (fun j => th j t) Ho (S t) k Hk). ring.
+Qed.
+Lemma ori9_sines n K1 th k : ori9 n K1 th k = - K1 * (/ INR n * Sum n (fun j => sin (th j - th k))).
+Proof.
+  unfold ori9. f_equal. rewrite (Sum_ext n _ (fun j => fst (Ci * expi (th k))%C * fst (expi (th j)) + snd (Ci * expi (th k))%C * snd (expi (th j))))
+    by (intros; now rewrite <- inner_e, inner_C).
+  rewrite inner_C. unfold Csum. rewrite Sum_plus, !Sum_scal. cbn [fst snd Cmult RtoC]. ring.
+Qed.
+Lemma sines_equilibrium n th : (forall j k, (j < n)%nat -> (k < n)%nat -> sin (th k - th j) = 0) -> equilibrium9 n th.
+Proof.
+  intros Z w0 K1 t k Hk. assert (E : forall s, ori9 n K1 (fun j => th j + s) k = 0).
+  { intros s. rewrite ori9_sines, Sum_zero; [ring|]. intros j Hj. replace (th j + s - (th k + s)) with (th j - th k) by ring. now apply Z. }
+  rewrite E. split.
+  - eapply D_eq; [apply D_plus; [apply D_const|apply D_scal, D_id]|]. ring.
+  - assert (E0 : ori9 n K1 th k = 0); [|rewrite E0; ring]. rewrite ori9_sines, Sum_zero; [ring|]. intros j Hj. now apply Z.
+Qed.
+Lemma saddle_3_holds : saddle_3.
+Proof.
+  intros n th S N B. apply sines_equilibrium. destruct n as [|n]; [intros j k Hj; lia|].
+  exact (proj2 (P.saddle_12_proved (Datatypes.S n) th ltac:(lia) S N B)).
+Qed.
+Lemma unbal_1_holds : unbal_1.
+Proof.
+  intros n M th0 th first HM N2 E H.
+  assert (Z : forall j k, (j < n)%nat -> (k < n)%nat -> sin (th k - th j) = 0).
+  { intros j k Hj Hk. assert (G : forall i, (i < n)%nat -> exists s, expi (th i) = (s * cos th0, s * sin th0)).
+    { intros i Hi. rewrite (H i Hi). destruct (first i); [exists 1|exists (-1)]; unfold expi; rewrite ?neg_cos, ?neg_sin; f_equal; ring. }
+    destruct (G j Hj) as [a Ea], (G k Hk) as [b Eb]. rewrite sin_minus.
+    replace (sin (th k)) with (snd (expi (th k))) by reflexivity. replace (cos (th k)) with (fst (expi (th k))) by reflexivity.
+    replace (sin (th j)) with (snd (expi (th j))) by reflexivity. replace (cos (th j)) with (fst (expi (th j))) by reflexivity.
+    rewrite Ea, Eb. cbn. ring. }
+  split; [now apply sines_equilibrium|]. intros k Hk. destruct (P.eq8_124_proved n th ltac:(lia)) as (G & _).
+  pose proof (G k Hk) as D. cbv beta in D. replace (inner (Ci * expi (th k))%C (order n th)) with 0 in D; [exact D|].
+  pose proof (ori9_sines n 1 th k) as Q. rewrite Sum_zero in Q by (intros j Hj; now apply Z). unfold ori9 in Q. unfold order, phasors.
+  change (fun j => expi (th j)) with (fun j => expi (th j)) in Q. lra.
+Qed.
+Lemma WL_is n adj th : WL n adj th = W1 n adj th.
+Proof.
+  destruct (W1_formula n adj th) as [_ F]. rewrite F. unfold WL. f_equal. apply Sum_ext. intros k Hk.
+  rewrite (row_among n adj (fun j => expi (th j)) k Hk), among_inner. unfold deg. fold (w adj k). rewrite <- Sum_minus. apply Sum_ext. intros j _. unfold w.
+  destruct (adj k j); [|ring]. rewrite !inner_C. cbn. pose proof (sin2_cos2 (th k)) as T. unfold Rsqr in T. lra.
+Qed.
+Lemma eq12_pos_4_holds : eq12_pos_4.
+Proof.
+  intros n adj th SC N. rewrite WL_is. destruct n as [|n]; [exfalso; apply N; intros j k Hj; lia|].
+  now apply (P.eq12_proved (S n) adj th ltac:(lia)).
+Qed.
+Lemma zero_dir_2_holds : zero_dir_2.
+Proof.
+  intros n adj th N. rewrite WL_is. destruct n as [|n]; [exfalso; apply N; intros j k Hj; lia|].
+  apply (P.zero_dir_proved (S n) adj th ltac:(lia)). intros A. apply N. intros j k _ _. apply A.
+Qed.
+Lemma WL_arcs n adj th : WL n adj th = / (2 * INR n) * Sum n (fun k => Sum n (fun j => if adj k j then 1 - cos (th k - th j) else 0)).
+Proof.
+  unfold WL. f_equal. apply Sum_ext. intros k Hk. rewrite (row_among n adj (fun j => expi (th j)) k Hk), among_inner. apply Sum_ext. intros j _.
+  destruct (adj k j); [|reflexivity]. rewrite inner_C, cos_minus. cbn. pose proof (sin2_cos2 (th k)) as T. unfold Rsqr in T. lra.
+Qed.
+Lemma figS3_1_holds : figS3_1.
+Proof.
+  intros n r th one all Hn H1 HN.
+  assert (A : forall m adj, (1 <= m)%nat -> nearest_graph n m r adj ->
+    mean_over_arcs n adj (fun k j => 1 - cos (th k - th j)) = 2 * (WL n adj th / INR m)).
+  { intros m adj Hm H. unfold mean_over_arcs. rewrite WL_arcs.
+    rewrite (Sum_ext n (fun k => Sum n (fun j => if adj k j then 1 else 0)) (fun _ => INR m)) by (intros k Hk; now apply (H k Hk)).
+    rewrite Sum_const. assert (0 < INR n) by (apply lt_0_INR; lia). assert (0 < INR m) by (apply lt_0_INR; lia). field. lra. }
+  rewrite (A 1%nat one ltac:(lia) H1), (A (n - 1)%nat all ltac:(lia) HN). cbn [INR]. lra.
+Qed.
