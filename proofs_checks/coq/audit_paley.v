@@ -851,3 +851,67 @@ Check (paley_convergence.thm2 :
          Rabs (th k t - (psi + w0 * t)) <= A * exp (- m * t) /\
          Cmod (r k t - (c0 + RtoC (/ Rabs w0) * expi (phi + w0 * t)))%C <= A * exp (- m * t) /\
          circle_centre w0 (c0 + RtoC (/ Rabs w0) * expi (phi + w0 * t))%C (psi + w0 * t) = c0).
+
+(* paley.eq12.pos, paley.zero.dir *)
+Check (paley_laplacian.W1_positive :
+  forall (n : nat) (adj : graph) (th : nat -> R), (1 <= n)%nat ->
+       ~ (forall j k, clos_refl_sym_trans nat (arc n adj) j k -> expi (th j) = expi (th k)) -> 0 < W1 n adj th).
+(* paley.eq28, corrected: (27) with its three fields, z the heading of fish k *)
+Check (eq_refl : behaviour = fun wk Krep Kori Katt z rep ori att => wk + inner (Ci * z)%C (RtoC Krep * rep + RtoC Kori * ori + RtoC Katt * att)%C).
+Check (eq_refl : v_ori = fun n nbr th k => (expi (th k) + Csum n (fun j => RtoC (if nbr j then 1 else 0) * expi (th j)))%C).
+Check (eq_refl : v_att_plain = fun n nbr r k => (- Csum n (fun j => RtoC (if nbr j then 1 else 0) * (r k - r j)))%C).
+Check (paley_behaviours.eq28_corrected :
+  forall (n : nat) (rep : nat -> bool) (ori att : graph) (r : nat -> C) (th : nat -> R) (wk Krep Kori Katt : R) (k : nat),
+       (k < n)%nat -> (forall j, (j < n)%nat -> rep j = false) ->
+       behaviour wk Krep Kori Katt (expi (th k)) (v_rep n rep r k) (v_ori n (ori k) th k) (v_att_plain n (att k) r k) =
+       wk - Kori * inner (Ci * expi (th k))%C (row n (lap n ori) k (fun j => expi (th j))) - Katt * inner (Ci * expi (th k))%C (row n (lap n att) k r)).
+Check (paley_behaviours.eq28_steers :
+  forall (n : nat) (ori att : graph) (r : nat -> C) (th : nat -> R) (K : R) (k : nat), (k < n)%nat ->
+       let s := Csum n (fun j => RtoC (w att k j) * (r j - r k))%C in let m := Csum n (fun j => RtoC (w ori k j) * expi (th j))%C in
+       - K * inner (Ci * expi (th k))%C (row n (lap n att) k r) = K * inner (Ci * expi (th k))%C s /\
+       - K * inner (Ci * expi (th k))%C (row n (lap n ori) k (fun j => expi (th j))) = K * inner (Ci * expi (th k))%C m /\
+       forall (v : C) (ph : R -> R) t, v = s \/ v = m -> 0 < K -> is_derive ph t (K * inner (Ci * expi (ph t))%C v) ->
+         exists d, is_derive (fun x => inner (expi (ph x)) v) t d /\ 0 <= d /\ (inner (Ci * expi (ph t))%C v <> 0 -> 0 < d)).
+Check (paley_behaviours.eq28_distances :
+  (forall (n : nat) (att : nat -> bool) (r : nat -> C) (th : nat -> R) (wk Krep Kori Katt : R) (rep ori : C) (k : nat),
+       (forall j, (j < n)%nat -> att j = true -> Cmod (r k - r j)%C = 1) ->
+       behaviour wk Krep Kori Katt (expi (th k)) rep ori (- v_att n att r k)%C = behaviour wk Krep Kori Katt (expi (th k)) rep ori (v_att_plain n att r k)) /\
+  exists (r : nat -> C) (att : nat -> bool) (th : nat -> R), r 0%nat <> r 1%nat /\
+       behaviour 0 0 0 1 (expi (th 0%nat)) (RtoC 0) (RtoC 0) (- v_att 2 att r 0)%C <> behaviour 0 0 0 1 (expi (th 0%nat)) (RtoC 0) (RtoC 0) (v_att_plain 2 att r 0)).
+(* paley.figS3.difference *)
+Check (paley_fish.figS3_difference :
+  forall (n : nat) (g h : graph) (a b : nat) (th : nat -> R), (1 <= n)%nat -> (1 <= a)%nat -> (1 <= b)%nat ->
+       (forall k, (k < n)%nat -> deg n g k = INR a) -> (forall k, (k < n)%nat -> deg n h k = INR b) ->
+       let mean := fun f => Sum n (fun k => Sum n (fun j => w f k j * (1 - cos (th j - th k)))) / Sum n (deg n f) in
+       (0 < W1 n h th / INR b - W1 n g th / INR a <-> mean g < mean h)).
+(* paley.sync.par, corrected; paley.unbal, paley.thm1.saddle: equilibria *)
+Check (paley_fish.sync_par :
+  forall (n : nat) (th dth : nat -> R -> R), (forall k t, (k < n)%nat -> is_derive (th k) t (dth k t)) ->
+       (forall t j k, (j < n)%nat -> (k < n)%nat -> expi (th j t) = expi (th k t)) ->
+       (forall j k t, (j < n)%nat -> (k < n)%nat -> dth j t = dth k t) /\
+       (forall k t, (k < n)%nat -> is_velocity (fun s => expi (th k s)) t (RtoC (dth k t) * (Ci * expi (th k t)))%C) /\
+       (forall k t, (k < n)%nat -> (is_velocity (fun s => expi (th k s)) t (RtoC 0) <-> dth k t = 0))).
+Check (paley_fish.sync_rate :
+  forall (n : nat) (adj : graph) (th : nat -> R) (w0 K : R) (k : nat), (k < n)%nat ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> expi (th i) = expi (th j)) ->
+       w0 + - K * inner (Ci * expi (th k))%C (order n th) = w0 /\ w0 + K / INR n * gW n adj th k = w0).
+Check (paley_fish.sines_rest :
+  forall (n : nat) (th : nat -> R) (w0 K : R) (k : nat), (forall j, (j < n)%nat -> sin (th k - th j) = 0) ->
+       w0 + - K * inner (Ci * expi (th k))%C (order n th) = w0).
+Check (paley_fish.clusters_rest :
+  forall (n : nat) (th : nat -> R) (a w0 K : R) (k : nat), (k < n)%nat -> (forall j, (j < n)%nat -> th j = a \/ th j = a + PI) ->
+       w0 + - K * inner (Ci * expi (th k))%C (order n th) = w0).
+(* columns of the Fourier matrix and (u, v, -u, -v, ..) on the ring: beyond.paley.cyclic_eigenvectors, paley.fig2.caption *)
+Check (paley_fish.fourier_column :
+  forall n m : nat, (3 <= n)%nat ->
+       eigenvector n (lap n (ring_graph n)) (RtoC (2 - 2 * cos (2 * PI * INR m / INR n))) (fun k => expi (wave n m k)) /\ pattern (n / Nat.gcd n m) n (wave n m)).
+Check (paley_fourier.ring_antipodal :
+  forall (p : nat) (x : nat -> C), (1 <= p)%nat -> (forall j, x (j + 2)%nat = (- x j)%C) ->
+       eigenvector (4 * p) (lap (4 * p) (ring_graph (4 * p))) (RtoC 2) x).
+Check (paley_fourier.ring_unit_eigenvectors :
+  forall (n : nat) (th : nat -> R) (lam : C), (3 <= n)%nat -> eigenvector n (lap n (ring_graph n)) lam (fun k => expi (th k)) ->
+       (exists m, (m < n)%nat /\ forall k, (k < n)%nat -> expi (th k) = (expi (th 0%nat) * expi (wave n m k))%C) \/
+       ((exists p, n = (4 * p)%nat) /\ forall k, (k < n)%nat -> expi (th ((k + 2) mod n)) = (- expi (th k))%C)).
+Check (paley_fish.ring_patterns :
+  forall n : nat, (3 <= n)%nat ->
+       ((forall lam th, eigenvector n (lap n (ring_graph n)) lam (fun k => expi (th k)) -> exists M, pattern M n th) <-> ~ exists p, n = (4 * p)%nat)).

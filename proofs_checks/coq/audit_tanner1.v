@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums tanner1_pair paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner1_motion tanner2_examples tanner2_facts tanner_graph paley_stability.
+From Flockproof Require Import RealSums tanner_rates tanner_components tanner1_pair paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner1_motion tanner2_examples tanner2_facts tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -369,3 +369,75 @@ Check (tanner1_pair.two_agents_gather :
        (forall t, a < t < b -> ~ In t L ->
           steered 2 adj V V' r v th t /\ tanner1_pair.wrapped (th 0%nat t - th 1%nat t) (phi 0%nat t - phi 1%nat t)) ->
        norm (v 0%nat a + v 1%nat a)%C <= norm (v 0%nat b + v 1%nat b)%C).
+
+(* headings of moving agents, rates of V_t; components (tanner1.eq6b, eq9, eq9.chain, proof_cases, proof_ratio, Vt_inv, Omega.bounded, L, Lw) *)
+Check (eq_refl : align = fun n adj r th i => Sum n (fun j => w adj i j * ((th i - th j) / Cmod (r i - r j)%C ^ 2))).
+Check (eq_refl : accel = fun n adj V' r v th i => (- grad_i n adj V' r i + RtoC (- align n adj r th i) * (Ci * v i))%C).
+Check (eq_refl : Vt = fun n adj V r v th => / 2 * Sum n (fun i => V_i n adj V r i + inner (v i) (v i) + th i ^ 2)).
+Check (tanner_rates.eq6b_corrected :
+  forall (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (r : nat -> C) (s th : nat -> R -> R) (ds dth : nat -> R) (t : R),
+       (forall i, (i < n)%nat -> 0 < s i t) -> (forall i, (i < n)%nat -> is_derive (s i) t (ds i)) -> (forall i, (i < n)%nat -> is_derive (th i) t (dth i)) ->
+       let v := fun i => (RtoC (s i t) * expi (th i t))%C in
+       (forall i, (i < n)%nat -> is_velocity (fun x => RtoC (s i x) * expi (th i x))%C t (accel n adj V' r v (fun j => th j t) i)) ->
+       Sum n (fun i => inner (r i) (v i) * (dth i + align n adj r (fun j => th j t) i + cross (v i) (grad_i n adj V' r i) / norm (v i) ^ 2)) = 0).
+Check (tanner_rates.eq9_corrected :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r : nat -> R -> C) (s th : nat -> R -> R) (ds dth : nat -> R) (t : R),
+       let v := fun i x => (RtoC (s i x) * expi (th i x))%C in undirected adj -> (forall i j, V' i j = V' j i) ->
+       (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) -> (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
+       (forall i, (i < n)%nat -> 0 < s i t /\ is_derive (s i) t (ds i) /\ is_derive (th i) t (dth i)) ->
+       (forall i, (i < n)%nat -> is_velocity (v i) t (accel n adj V' (fun j => r j t) (fun j => v j t) (fun j => th j t) i)) ->
+       let Lw := lapw n (fun i j => w adj i j * / norm (r i t - r j t)%C ^ 2) in
+       is_derive (fun x => Vt n adj V (fun i => r i x) (fun i => v i x) (fun i => th i x)) t
+         (- Sum n (fun i => th i t * Sum n (fun j => Lw i j * th j t))
+          - Sum n (fun i => th i t * (cross (v i t) (grad_i n adj V' (fun j => r j t) i) / norm (v i t) ^ 2)))).
+Check (tanner_rates.Vt_rate :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (th : nat -> R -> R) (dth : nat -> R) (t : R),
+       undirected adj -> (forall i j, V' i j = V' j i) -> (forall i, (i < n)%nat -> is_velocity (r i) t (v i t)) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> r i t <> r j t) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i t - r j t)%C) (V' i j (norm (r i t - r j t)%C))) ->
+       forall u : nat -> C, (forall i, (i < n)%nat -> is_velocity (v i) t (u i)) -> (forall i, (i < n)%nat -> is_derive (th i) t (dth i)) ->
+       is_derive (fun s => Vt n adj V (fun i => r i s) (fun i => v i s) (fun i => th i s)) t
+         (Sum n (fun i => inner (grad_i n adj V' (fun i => r i t) i) (v i t)) + Sum n (fun i => inner (v i t) (u i)) + Sum n (fun i => th i t * dth i))).
+Check (tanner_rates.equal_headings_forces :
+  forall (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (r : nat -> C) (s th : nat -> R -> R) (ds dth : nat -> R) (t : R),
+       (forall i, (i < n)%nat -> 0 < s i t) -> (forall i, (i < n)%nat -> is_derive (s i) t (ds i)) -> (forall i, (i < n)%nat -> is_derive (th i) t (dth i)) ->
+       let v := fun i => (RtoC (s i t) * expi (th i t))%C in
+       (forall i, (i < n)%nat -> is_velocity (fun x => RtoC (s i x) * expi (th i x))%C t (accel n adj V' r v (fun j => th j t) i)) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> th i t = th j t) -> (forall i, (i < n)%nat -> dth i = 0) ->
+       forall i, (i < n)%nat -> cross (v i) (grad_i n adj V' r i) = 0 /\ exists c : R, grad_i n adj V' r i = (RtoC c * v i)%C).
+Check (tanner_rates.equal_headings_ratios :
+  forall (n : nat) (adj : graph) (V' : nat -> nat -> R -> R) (r : nat -> C) (s th : nat -> R -> R) (ds dth : nat -> R) (t : R),
+       (forall i, (i < n)%nat -> 0 < s i t) -> (forall i, (i < n)%nat -> is_derive (s i) t (ds i)) -> (forall i, (i < n)%nat -> is_derive (th i) t (dth i)) ->
+       let v := fun i => (RtoC (s i t) * expi (th i t))%C in
+       (forall i, (i < n)%nat -> is_velocity (fun x => RtoC (s i x) * expi (th i x))%C t (accel n adj V' r v (fun j => th j t) i)) ->
+       (forall i j, (i < n)%nat -> (j < n)%nat -> th i t = th j t) -> (forall i, (i < n)%nat -> dth i = 0) ->
+       forall i, (i < n)%nat -> let a := accel n adj V' r v (fun j => th j t) i in let g := grad_i n adj V' r i in
+       fst (v i) <> 0 -> fst a <> 0 -> fst g <> 0 -> snd a / fst a = snd (v i) / fst (v i) /\ snd g / fst g = snd (v i) / fst (v i)).
+Check (tanner_rates.sublevel_invariant :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (q : nat -> R -> R) (c t : R),
+       undirected adj -> (forall i j, V' i j = V' j i) -> 0 <= t ->
+       (forall x, 0 <= x <= t -> turning n adj V' r v q x /\ distinct n adj (fun i => r i x) /\
+         forall i j, (i < n)%nat -> (j < n)%nat -> adj i j = true -> is_derive (V i j) (norm (r i x - r j x)%C) (V' i j (norm (r i x - r j x)%C))) ->
+       (mechanical n adj V (fun i => r i 0) (fun i => v i 0) <= c <-> mechanical n adj V (fun i => r i t) (fun i => v i t) <= c)).
+Check (tanner_rates.Omega_bounded :
+  forall (n : nat) (adj : graph) (c : R), (1 <= n)%nat -> undirected adj -> no_loops adj -> strongly_connected n adj ->
+       exists B, forall (r v : nat -> C) (th : nat -> R), distinct n adj r -> Vt n adj (fun _ _ s => / s ^ 2 + ln (s ^ 2)) r v th <= c ->
+         (forall i j, (i < n)%nat -> (j < n)%nat -> norm (r i - r j)%C <= B) /\ forall i, (i < n)%nat -> norm (v i) <= sqrt (2 * c)).
+(* a list with one node of each component *)
+Check (eq_refl : tanner_components.one_of_each = fun n adj l => NoDup l /\ (forall a, In a l -> (a < n)%nat) /\
+  (forall a b, In a l -> In b l -> clos_refl_trans nat (arc n adj) a b -> a = b) /\ forall k, (k < n)%nat -> exists a, In a l /\ clos_refl_trans nat (arc n adj) a k).
+Check (tanner_components.components_exist : forall (n : nat) (adj : graph), undirected adj -> exists l, tanner_components.one_of_each n adj l).
+Check (tanner_components.zero_multiplicity :
+  forall (n : nat) (adj : graph) (W : nat -> nat -> R) (l : list nat),
+       undirected adj -> (forall i j, W i j = W j i) -> (forall i j, 0 < W i j) -> tanner_components.one_of_each n adj l ->
+       let L := fun x k => Sum n (fun j => lapw n (fun i j => w adj i j * W i j) k j * x j) in let null := fun x => forall k, (k < n)%nat -> L x k = 0 in
+       (forall y, exists x, null x /\ forall a, In a l -> x a = y a) /\
+       (forall x x', null x -> null x' -> (forall a, In a l -> x a = x' a) -> forall k, (k < n)%nat -> x k = x' k) /\
+       (forall x, null (L x) -> null x)).
+Check (tanner_components.zero_multiplicity_L :
+  forall (n : nat) (adj : graph) (l : list nat), undirected adj -> tanner_components.one_of_each n adj l ->
+       let null := fun x => forall k, (k < n)%nat -> Sum n (fun j => lap n adj k j * x j) = 0 in
+       (forall y, exists x, null x /\ forall a, In a l -> x a = y a) /\
+       (forall x x', null x -> null x' -> (forall a, In a l -> x a = x' a) -> forall k, (k < n)%nat -> x k = x' k) /\
+       (forall x, null (fun k => Sum n (fun j => lap n adj k j * x j)) -> null x)).

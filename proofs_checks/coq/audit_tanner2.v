@@ -2,7 +2,7 @@
    The objects of the statements are restated first. *)
 From Coq Require Import Reals Lra Lia ZArith Relations List.
 From Coquelicot Require Import Coquelicot.
-From Flockproof Require Import RealSums tanner_saturated tanner_trees tanner2_switching tanner2_distance paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_path tanner2_facts tanner2_motion tanner_paths tanner_graph paley_stability.
+From Flockproof Require Import RealSums tanner_rates tanner_components tanner_saturated tanner_trees tanner2_switching tanner2_distance paley_model paley_phase paley_laplacian paley_gradient paley_particles paley_fourier paley_patterns paley_fish tanner_energy tanner_flock tanner_nonsmooth tanner1_heading tanner1_examples tanner2_examples tanner2_path tanner2_facts tanner2_motion tanner_paths tanner_graph paley_stability.
 Open Scope R_scope.
 
 (* the objects: phasors, inner product, graph Laplacian, quadratic form, order parameter, potentials *)
@@ -629,3 +629,23 @@ Check (tanner_trees.forces_vanish :
        (forall i j s, (i < n)%nat -> (j < n)%nat -> adj i j = true -> 0 < s -> continuity_pt (V' i j) s) ->
        (forall t, 0 <= t -> moves n adj V' r v t) ->
        forall e, 0 < e -> exists T, 0 <= T /\ forall t i, T <= t -> (i < n)%nat -> norm (grad_i n adj V' (fun j => r j t) i) < e).
+
+(* tanner2.eq8, the product rule; dV i is whatever the rate of V_i is *)
+Check (tanner_rates.eq8_product :
+  forall (n : nat) (adj : graph) (V V' : nat -> nat -> R -> R) (r v : nat -> R -> C) (dV : nat -> R) (t : R),
+       (forall i, (i < n)%nat -> is_derive (fun x => V_i n adj V (fun j => r j x) i) t (dV i)) ->
+       (forall i, (i < n)%nat -> is_velocity (v i) t (control4 n adj V' (fun j => r j t) (fun j => v j t) i)) ->
+       is_derive (fun x => Wenergy n adj V (fun i => r i x) (fun i => v i x)) t (/ 2 * Sum n dV -
+         Sum n (fun i => inner (v i t) (Csum n (fun j => RtoC (w adj i j) * (v i t - v j t)) + grad_i n adj V' (fun j => r j t) i)%C))).
+(* tanner2.rangeB: a tree is connected, and no longer so without any one of its edges *)
+Check (eq_refl : tree = fun n adj => strongly_connected n adj /\ forall a b, arc n adj a b -> ~ strongly_connected n (without adj a b)).
+Check (tanner_components.tree_edges : forall (n : nat) (adj : graph) (O : list (nat * nat)), (1 <= n)%nat -> undirected adj -> tree n adj ->
+       oriented n adj O -> (length O + 1 = n)%nat).
+(* tanner2.eq13.interval: the links of pairs at the distance R are free *)
+Check (eq_refl : rhs13 = fun n r v R0 x => exists a b, allowed n r R0 a /\ allowed n r R0 b /\
+  - qform (2 * n) (kron2 (lap n a)) (stack v) <= x <= - qform (2 * n) (kron2 (lap n b)) (stack v)).
+Check (tanner2_facts.eq13_interval :
+  forall (n : nat) (r v : nat -> C) (R0 : R), exists e f, e <= f <= 0 /\ forall x, rhs13 n r v R0 x <-> e <= x <= f).
+Check (tanner2_facts.eq13_no_tie :
+  forall (n : nat) (r v : nat -> C) (R0 : R) (adj : graph), (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> norm (r i - r j)%C <> R0) ->
+       allowed n r R0 adj -> forall x, rhs13 n r v R0 x <-> x = - qform (2 * n) (kron2 (lap n adj)) (stack v)).

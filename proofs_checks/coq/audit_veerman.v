@@ -3,7 +3,7 @@
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 From Flockproof Require Import veerman_complex veerman_matrices veerman_front veerman_chain veerman_stability veerman_lemma1.
-From Flockproof Require veerman_numbers veerman_amplitude veerman_theorem1 veerman_size_limit veerman_exponent veerman_lesser certificate_peaks veerman_resonances.
+From Flockproof Require veerman_numbers veerman_rest veerman_amplitude veerman_theorem1 veerman_size_limit veerman_exponent veerman_lesser certificate_peaks veerman_resonances.
 From Flockproof Require Import veerman_settling veerman_rates veerman_unsettled.
 Open Scope R_scope.
 
@@ -471,3 +471,18 @@ Check (@veerman_lesser.corollary_3 :
   exists M0 : R, forall N : nat, M0 <= INR (S N) -> forall main : R, veerman_amplitude.main_resonance f g N main ->
   exists w : R, 0 < w /\ Rabs (w / main - (2 * INR k - 1)) <= e /\
     veerman_lesser.local_maximum (veerman_amplitude.amplitude f g N) w).
+
+(* veerman.specM, corrected: both systems *)
+Check (spectrum_L_systems :
+  forall (N : nat) (lam : C), (L_eigenvalue N row1 lam /\ lam <> 0%C <-> eigenvalue N P1 lam) /\
+       (L_eigenvalue N (row2 N) lam /\ lam <> 0%C <-> eigenvalue N (P2 N) lam)).
+Check (spectrum_M_nonzero :
+  forall (N : nat) (f g : R), f <> 0 -> ~ eigenvalue_M N P1 f g 0%C /\ ~ eigenvalue_M N (P2 N) f g 0%C).
+(* veerman.nth_neighbour, corrected *)
+Check (eq_refl : veerman_rest.follows = fun n N f g rho z v => (forall k j, rho k j <> 0 -> veerman_numbers.tracks n N k j) /\
+  forall k t, (1 <= k <= S N)%nat -> 0 <= t -> is_derive (z k) t (v k t) /\
+  is_derive (v k) t (RealSums.Sum (S (S N)) (fun j => rho k j * (f * (z k t - z j t) + g * (v k t - v j t))))).
+Check (veerman_rest.unjoined_rest :
+  forall (n N : nat) (f g : R) (rho : nat -> nat -> R) (z v : nat -> R -> R), veerman_rest.follows n N f g rho z v ->
+       (forall k, (1 <= k <= S N)%nat -> ~ veerman_numbers.joined n N 0 k -> z k 0 = 0 /\ v k 0 = 0) ->
+       forall k t, (1 <= k <= S N)%nat -> ~ veerman_numbers.joined n N 0 k -> 0 <= t -> z k t = 0 /\ v k t = 0).

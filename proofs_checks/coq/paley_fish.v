@@ -106,6 +106,49 @@ Proof.
   - intros; ring.
 Qed.
 
+(* synchronised at all times: one direction, which turns at the common rate; the formation is parallel where that is zero, and (9) and (14) make it w0 *)
+Theorem sync_par n (th dth : nat -> R -> R) : (forall k t, (k < n)%nat -> is_derive (th k) t (dth k t)) -> (forall t, synchronized n (fun k => th k t)) ->
+  (forall j k t, (j < n)%nat -> (k < n)%nat -> dth j t = dth k t) /\
+  (forall k t, (k < n)%nat -> is_velocity (fun s => expi (th k s)) t (RtoC (dth k t) * (Ci * expi (th k t)))%C) /\
+  (forall k t, (k < n)%nat -> (is_velocity (fun s => expi (th k s)) t (RtoC 0) <-> dth k t = 0)).
+Proof.
+  intros D S.
+  assert (V : forall k t, (k < n)%nat -> is_velocity (fun s => expi (th k s)) t (RtoC (dth k t) * (Ci * expi (th k t)))%C) by (intros; now apply velocity_expi, D).
+  assert (U : forall (z : R -> C) t a b, is_velocity z t a -> is_velocity z t b -> a = b).
+  { intros z t a b [A1 A2] [B1 B2]. apply is_derive_unique in A1, A2, B1, B2. apply injective_projections; congruence. }
+  assert (I : forall a b x, (RtoC a * (Ci * expi x))%C = (RtoC b * (Ci * expi x))%C -> a = b).
+  { intros a b x E. assert (E1 := f_equal fst E). assert (E2 := f_equal snd E). cbn in E1, E2. pose proof (sin2_cos2 x) as T. unfold Rsqr in T.
+    transitivity (a * (sin x * sin x + cos x * cos x)); [rewrite T; ring|]. transitivity (b * (sin x * sin x + cos x * cos x)); [|rewrite T; ring].
+    assert (a * sin x = b * sin x) by lra. assert (a * cos x = b * cos x) by lra.
+    rewrite !Rmult_plus_distr_l, <- !Rmult_assoc. congruence. }
+  split; [|split; [exact V|]].
+  - intros j k t Hj Hk. apply (I _ _ (th k t)). apply (U (fun s => expi (th k s)) t); [|now apply V].
+    rewrite <- (S t j k Hj Hk). destruct (V j t Hj) as [A B]. split; [eapply is_derive_ext; [|exact A]|eapply is_derive_ext; [|exact B]]; intros s; cbv beta; now rewrite (S s j k Hj Hk).
+  - intros k t Hk. split; intros H.
+    + apply (I _ _ (th k t)). rewrite (U _ _ _ _ (V k t Hk) H). ring.
+    + pose proof (V k t Hk) as P. rewrite H in P. now rewrite Cmult_0_l in P.
+Qed.
+(* phases that differ by multiples of pi do not move under (9) but by w0 *)
+Theorem sines_rest n th w0 K k : (forall j, (j < n)%nat -> sin (th k - th j) = 0) -> w0 + - K * g1 n th k = w0.
+Proof. intros Z. rewrite control9_sines, Sum_zero; [ring|exact Z]. Qed.
+Theorem sync_rate n adj th w0 K k : (k < n)%nat -> synchronized n th ->
+  w0 + - K * g1 n th k = w0 /\ w0 + K / INR n * gW n adj th k = w0.
+Proof.
+  intros Hk S. assert (Z : forall j, (j < n)%nat -> sin (th k - th j) = 0).
+  { intros j Hj. pose proof (S k j Hk Hj) as E. unfold expi in E. injection E as E1 E2. rewrite sin_minus, E1, E2. ring. }
+  split; [now apply sines_rest|].
+  rewrite gW_sines, Sum_zero; [ring| |exact Hk]. intros j Hj. rewrite (Z j Hj). ring.
+Qed.
+(* two clusters in opposite directions, of any sizes *)
+Corollary clusters_rest n th a w0 K k : (k < n)%nat -> (forall j, (j < n)%nat -> th j = a \/ th j = a + PI) -> w0 + - K * g1 n th k = w0.
+Proof.
+  intros Hk H. apply sines_rest. intros j Hj. destruct (H k Hk) as [-> | ->], (H j Hj) as [-> | ->].
+  - replace (a - a) with 0 by ring. apply sin_0.
+  - replace (a - (a + PI)) with (- PI) by ring. rewrite sin_neg, sin_PI. ring.
+  - replace (a + PI - a) with PI by ring. apply sin_PI.
+  - replace (a + PI - (a + PI)) with 0 by ring. apply sin_0.
+Qed.
+
 (* ---- the reference phase and the beacon ---- *)
 Theorem reference n adj th0 th : (1 <= n)%nat -> 0 <= W1 n adj th + 1 - cos (th0 - th (n - 1)%nat) /\
   W1 n adj (fun _ => th0) + 1 - cos (th0 - th0) = 0.
@@ -312,4 +355,38 @@ Proof.
   rewrite W1_arcs. unfold w, complete. cbn [Sum Nat.eqb negb]. cbn.
   replace (a - (a + PI)) with (- PI) by ring. replace (a + PI - a) with PI by ring. replace (a - a) with 0 by ring.
   rewrite ?cos_neg, cos_PI, cos_0. field.
+Qed.
+
+(* the difference of W_1/m for two graphs in which every node has m and m' neighbours *)
+Definition arcs_mean (n : nat) (adj : graph) (th : nat -> R) : R :=
+  Sum n (fun k => Sum n (fun j => w adj k j * (1 - cos (th j - th k)))) / Sum n (deg n adj).
+Theorem figS3_difference n (g h : graph) (a b : nat) th : (1 <= n)%nat -> (1 <= a)%nat -> (1 <= b)%nat ->
+  (forall k, (k < n)%nat -> deg n g k = INR a) -> (forall k, (k < n)%nat -> deg n h k = INR b) ->
+  (0 < W1 n h th / INR b - W1 n g th / INR a <-> arcs_mean n g th < arcs_mean n h th).
+Proof.
+  intros Hn Ha Hb G H. pose proof (INR_pos n Hn) as Pn. pose proof (INR_pos a Ha) as Pa. pose proof (INR_pos b Hb) as Pb.
+  assert (F : forall (f : graph) m, 0 < m -> (forall k, (k < n)%nat -> deg n f k = m) -> W1 n f th / m = arcs_mean n f th / 2).
+  { intros f m Pm D. unfold arcs_mean. rewrite (Sum_ext n (deg n f) (fun _ => m) D), Sum_const, W1_arcs. field. lra. }
+  rewrite (F g (INR a) Pa G), (F h (INR b) Pb H). split; lra.
+Qed.
+(* column m + 1 of the Fourier matrix on the ring: an eigenvector, and a symmetric pattern *)
+Theorem fourier_column n m : (3 <= n)%nat -> eigenvector n (lap n (ring_graph n)) (RtoC (2 - 2 * cos (2 * PI * INR m / INR n))) (phasors (wave n m)) /\
+  pattern (n / Nat.gcd n m) n (wave n m).
+Proof.
+  intros Hn. split; [|apply wave_pattern; lia]. rewrite <- (ring_eigenvalue n m Hn).
+  exact (circulant_eigenvector n (ring_graph n) (ring_offset n) m ltac:(lia) (ring_circulant n)).
+Qed.
+(* every eigenvector of the ring with entries of modulus one is a symmetric pattern iff 4 does not divide the number of nodes *)
+Theorem ring_patterns n : (3 <= n)%nat ->
+  ((forall lam th, eigenvector n (lap n (ring_graph n)) lam (phasors th) -> exists M, pattern M n th) <-> ~ exists p, n = (4 * p)%nat).
+Proof.
+  intros Hn. split.
+  - intros H [p ->]. destruct (H (RtoC 2) rhombus) as [M P]; [|now apply (rhombus_no_pattern (4 * p) M) in P; [|exists p; split; [lia|reflexivity]]].
+    apply ring_antipodal; [lia|]. intros j. unfold phasors, rhombus. destruct rhombus_phasors as (A & B & C & D).
+    assert (Cases : (j mod 4 = 0 /\ (j + 2) mod 4 = 2 \/ j mod 4 = 1 /\ (j + 2) mod 4 = 3 \/ j mod 4 = 2 /\ (j + 2) mod 4 = 0 \/ j mod 4 = 3 /\ (j + 2) mod 4 = 1)%nat).
+    { rewrite <- (Nat.add_mod_idemp_l j 2 4) by lia. pose proof (Nat.mod_upper_bound j 4 ltac:(lia)). destruct (j mod 4)%nat as [|[|[|[|]]]]; cbn; try lia; tauto. }
+    destruct Cases as [[E F]|[[E F]|[[E F]|[E F]]]]; rewrite E, F, ?A, ?B, ?C, ?D; apply injective_projections; cbn; field.
+  - intros N4 lam th E. destruct (ring_unit_eigenvectors n th lam Hn E) as [(m & _ & H)|[F _]]; [|contradiction].
+    destruct (wave_pattern n m ltac:(lia)) as [HM (t0 & cl & K & S)]. exists (n / Nat.gcd n m)%nat. split; [exact HM|]. exists (th 0%nat + t0), cl. split; [|exact S].
+    intros k Hk. destruct (K k Hk) as [L V]. split; [exact L|]. rewrite (H k Hk), V, <- expi_plus. f_equal. ring.
 Qed.

@@ -168,6 +168,115 @@ Proof.
   - rewrite (Sum_ext n _ (fun d => (if ring_offset n d then 1 else 0) * (- sin (wave n m d)))) by (intros; cbn; ring).
     rewrite ring_sum by assumption. rewrite E3s, E1. ring.
 Qed.
+(* the neighbours on a ring, and phasors that are opposite two nodes apart, on a ring of a number of nodes that 4 divides *)
+Lemma ring_neighbours n k (f : nat -> R) : (3 <= n)%nat -> (k < n)%nat ->
+  Sum n (fun j => w (ring_graph n) k j * f j) = f ((k + 1) mod n) + f ((k + (n - 1)) mod n).
+Proof.
+  intros Hn Hk. rewrite <- (ring_sum n (fun d => f ((k + d) mod n)) Hn).
+  rewrite <- (Sum_rotate n k (fun d => (if ring_offset n d then 1 else 0) * f ((k + d) mod n)) Hk).
+  apply Sum_ext; intros j Hj. unfold w, ring_graph. do 2 f_equal.
+  rewrite Nat.add_mod_idemp_r by lia. replace (k + (j + n - k))%nat with (j + 1 * n)%nat by lia. rewrite Nat.mod_add, Nat.mod_small; lia.
+Qed.
+Theorem ring_antipodal p (x : nat -> C) : (1 <= p)%nat -> (forall j, x (j + 2)%nat = (- x j)%C) ->
+  eigenvector (4 * p) (lap (4 * p) (ring_graph (4 * p))) (RtoC 2) x.
+Proof.
+  intros Hp A k Hk. set (n := (4 * p)%nat) in *. assert (Hn : (3 <= n)%nat) by (unfold n; lia).
+  assert (A4 : forall q j, x (j + 4 * q)%nat = x j).
+  { induction q as [|q IH]; intros j; [f_equal; lia|]. replace (j + 4 * Datatypes.S q)%nat with (j + 4 * q + 2 + 2)%nat by lia. rewrite !A, IH. ring. }
+  assert (Am : forall j, x (j mod n) = x j).
+  { intros j. rewrite (Nat.div_mod j n) at 2 by lia. rewrite Nat.add_comm. replace (n * (j / n))%nat with (4 * (p * (j / n)))%nat by (unfold n; now rewrite Nat.mul_assoc). symmetry. apply A4. }
+  assert (B : x ((k + (n - 1)) mod n) = (- x ((k + 1) mod n))%C).
+  { rewrite !Am, <- A. replace (k + (n - 1))%nat with (k + 1 + 2 + 4 * (p - 1))%nat by (unfold n; lia). apply A4. }
+  rewrite row_lap by exact Hk. unfold Csum. apply injective_projections; cbn [fst snd].
+  - rewrite (Sum_ext n _ (fun j => w (ring_graph n) k j * (fst (x k) - fst (x j)))) by (intros; cbn; ring).
+    rewrite (ring_neighbours n k (fun j => fst (x k) - fst (x j)) Hn Hk), B. cbn. ring.
+  - rewrite (Sum_ext n _ (fun j => w (ring_graph n) k j * (snd (x k) - snd (x j)))) by (intros; cbn; ring).
+    rewrite (ring_neighbours n k (fun j => snd (x k) - snd (x j)) Hn Hk), B. cbn. ring.
+Qed.
+(* ---- the eigenvectors of the ring with entries of modulus one: columns of the Fourier matrix up to rotation, or opposite two nodes apart ---- *)
+Lemma unit_sqr t : fst (expi t) ^ 2 + snd (expi t) ^ 2 = 1.
+Proof. unfold expi; cbn [fst snd]. pose proof (sin2_cos2 t) as H. unfold Rsqr in H. lra. Qed.
+Theorem ring_unit_eigenvectors n th lam : (3 <= n)%nat -> eigenvector n (lap n (ring_graph n)) lam (phasors th) ->
+  (exists m, (m < n)%nat /\ forall k, (k < n)%nat -> expi (th k) = (expi (th 0%nat) * expi (wave n m k))%C) \/
+  ((exists p, n = (4 * p)%nat) /\ forall k, (k < n)%nat -> expi (th ((k + 2) mod n)) = (- expi (th k))%C).
+Proof.
+  intros Hn E. pose proof (INR_pos n ltac:(lia)) as Pn.
+  (* around the ring for ever: psi (k + n) = psi k; the turn from k to k + 1 is q + i p *)
+  set (ps := fun k => th (k mod n)). set (c := (RtoC 2 - lam)%C).
+  assert (Per : forall k, ps (k + n)%nat = ps k).
+  { intros k. unfold ps. f_equal. replace (k + n)%nat with (k + 1 * n)%nat by lia. rewrite Nat.mod_add by lia. reflexivity. }
+  assert (Rec : forall k, (expi (ps k) + expi (ps (k + 2)%nat))%C = (c * expi (ps (k + 1)%nat))%C).
+  { intros k. set (j := ((k + 1) mod n)%nat). assert (Hj : (j < n)%nat) by (apply Nat.mod_upper_bound; lia). pose proof (E j Hj) as R.
+    assert (A : ((j + 1) mod n)%nat = ((k + 2) mod n)%nat) by (unfold j; rewrite Nat.add_mod_idemp_l by lia; f_equal; lia).
+    assert (B : ((j + (n - 1)) mod n)%nat = (k mod n)%nat).
+    { unfold j. rewrite Nat.add_mod_idemp_l by lia. replace (k + 1 + (n - 1))%nat with (k + 1 * n)%nat by lia. apply Nat.mod_add. lia. }
+    assert (S : row n (lap n (ring_graph n)) j (phasors th) = (RtoC 2 * expi (ps (k + 1)%nat) - (expi (ps k) + expi (ps (k + 2)%nat)))%C).
+    { rewrite row_lap by exact Hj. unfold Csum, ps. apply injective_projections; cbn [fst snd].
+      - rewrite (Sum_ext n _ (fun i => w (ring_graph n) j i * (fst (phasors th j) - fst (phasors th i)))) by (intros; cbn; ring).
+        rewrite (ring_neighbours n j (fun i => fst (phasors th j) - fst (phasors th i)) Hn Hj), A, B. unfold phasors. fold j. cbn. ring.
+      - rewrite (Sum_ext n _ (fun i => w (ring_graph n) j i * (snd (phasors th j) - snd (phasors th i)))) by (intros; cbn; ring).
+        rewrite (ring_neighbours n j (fun i => snd (phasors th j) - snd (phasors th i)) Hn Hj), A, B. unfold phasors. fold j. cbn. ring. }
+    rewrite S in R. unfold phasors in R. change (th j) with (ps (k + 1)%nat) in R. unfold c.
+    transitivity (RtoC 2 * expi (ps (k + 1)%nat) - (RtoC 2 * expi (ps (k + 1)%nat) - (expi (ps k) + expi (ps (k + 2)%nat))))%C; [ring|]. rewrite R. ring. }
+  set (d := fun k => ps (k + 1)%nat - ps k). set (p := fun k => cos (d k)). set (q := fun k => sin (d k)).
+  assert (PQ : forall k, p k ^ 2 + q k ^ 2 = 1) by (intros k; exact (unit_sqr (d k))).
+  assert (Turn : forall k, p (k + 1)%nat + p k = fst c /\ q (k + 1)%nat - q k = snd c).
+  { intros k. pose proof (Rec k) as R. unfold p, q, d. replace (k + 1 + 1)%nat with (k + 2)%nat by lia. unfold expi in R.
+    assert (R1 := f_equal fst R). assert (R2 := f_equal snd R). cbn [fst snd Cplus Cmult] in R1, R2. rewrite !cos_minus, !sin_minus.
+    pose proof (sin2_cos2 (ps (k + 1)%nat)) as U. unfold Rsqr in U. set (s1 := sin (ps (k + 1)%nat)) in *. set (c1 := cos (ps (k + 1)%nat)) in *. split.
+    - transitivity ((cos (ps k) + cos (ps (k + 2)%nat)) * c1 + (sin (ps k) + sin (ps (k + 2)%nat)) * s1); [ring|]. rewrite R1, R2.
+      transitivity (fst c * (s1 * s1 + c1 * c1)); [ring|rewrite U; ring].
+    - transitivity ((sin (ps k) + sin (ps (k + 2)%nat)) * c1 - (cos (ps k) + cos (ps (k + 2)%nat)) * s1); [ring|]. rewrite R1, R2.
+      transitivity (snd c * (s1 * s1 + c1 * c1)); [ring|rewrite U; ring]. }
+  assert (Qk : forall k, q k = q 0%nat + INR k * snd c).
+  { induction k as [|k IH]; [cbn; ring|]. rewrite S_INR. destruct (Turn k) as [_ T]. replace (Datatypes.S k) with (k + 1)%nat by lia. lra. }
+  assert (Im : snd c = 0).
+  { assert (Q : q n = q 0%nat). { unfold q, d. replace (n + 1)%nat with (1 + n)%nat by lia. rewrite Per, (Per 0%nat : ps n = ps 0%nat). reflexivity. }
+    rewrite (Qk n) in Q. apply (Rmult_eq_reg_l (INR n)); lra. }
+  assert (Qc : forall k, q k = q 0%nat) by (intros k; rewrite Qk, Im; ring).
+  destruct (Req_dec (fst c) 0) as [Z|NZ].
+  - (* opposite two nodes apart *)
+    right. assert (Op : forall k, expi (ps (k + 2)%nat) = (- expi (ps k))%C).
+    { intros k. pose proof (Rec k) as R. assert (C0 : c = RtoC 0) by (apply injective_projections; [exact Z|exact Im]). rewrite C0, Cmult_0_l in R.
+      transitivity ((expi (ps k) + expi (ps (k + 2)%nat)) - expi (ps k))%C; [ring|]. rewrite R. ring. }
+    assert (Op2 : forall j k, expi (ps (k + 2 * j)%nat) = (RtoC ((-1) ^ j) * expi (ps k))%C).
+    { induction j as [|j IH]; intros k; [rewrite Nat.mul_0_r, Nat.add_0_r; cbn; ring|].
+      replace (k + 2 * Datatypes.S j)%nat with (k + 2 * j + 2)%nat by lia. rewrite Op, IH. cbn [pow]. rewrite RtoC_mult. apply injective_projections; cbn; ring. }
+    split.
+    + assert (Sign : forall j, expi (ps (0 + 2 * j)%nat) = expi (ps 0%nat) -> (-1) ^ j = 1).
+      { intros j H. rewrite Op2 in H. assert (H1 := f_equal fst H). assert (H2 := f_equal snd H). cbn in H1, H2. pose proof (sin2_cos2 (ps 0%nat)) as U. unfold Rsqr in U.
+        assert (A : ((-1) ^ j - 1) * cos (ps 0%nat) = 0) by lra. assert (B : ((-1) ^ j - 1) * sin (ps 0%nat) = 0) by lra.
+        assert (C : ((-1) ^ j - 1) * (sin (ps 0%nat) * sin (ps 0%nat) + cos (ps 0%nat) * cos (ps 0%nat)) = 0).
+        { rewrite Rmult_plus_distr_l, <- !Rmult_assoc, A, B. ring. } rewrite U in C. lra. }
+      destruct (Nat.Even_or_Odd n) as [[h H]|[h H]].
+      * assert (S1 : (-1) ^ h = 1) by (apply Sign; f_equal; rewrite <- H; exact (Per 0%nat)).
+        destruct (Nat.Even_or_Odd h) as [[g G]|[g G]]; [exists g; lia|]. exfalso. rewrite G, pow_add, pow_1, pow_1_even in S1. lra.
+      * exfalso. assert (S1 : (-1) ^ n = 1). { apply Sign. f_equal. replace (0 + 2 * n)%nat with (0 + n + n)%nat by lia. rewrite !Per. reflexivity. }
+        rewrite H, pow_add, pow_1, pow_1_even in S1. lra.
+    + intros k Hk. pose proof (Op k) as R. unfold ps in R. now rewrite (Nat.mod_small k n Hk) in R.
+  - (* one turn for all *)
+    left. assert (Pc : forall k, p k = fst c / 2).
+    { intros k. destruct (Turn k) as [T _]. pose proof (PQ k) as A. pose proof (PQ (k + 1)%nat) as B. rewrite Qc in A, B.
+      assert (M : fst c * (fst c - 2 * p k) = 0). { replace (p (k + 1)%nat) with (fst c - p k) in B by lra. lra. }
+      apply Rmult_integral in M as [M|M]; [contradiction|lra]. }
+    set (phi := d 0%nat). assert (Step : forall k, expi (ps (k + 1)%nat) = (expi (ps k) * expi phi)%C).
+    { intros k. rewrite <- expi_plus. replace (ps (k + 1)%nat) with (ps k + d k) by (unfold d; ring). rewrite !expi_plus. f_equal. unfold expi. f_equal.
+      - change (p k = p 0%nat). now rewrite !Pc.
+      - change (q k = q 0%nat). apply Qc. }
+    assert (All : forall k, expi (ps k) = (expi (ps 0%nat) * expi (INR k * phi))%C).
+    { induction k as [|k IH]; [cbn [INR]; rewrite Rmult_0_l, expi_0; ring|]. replace (Datatypes.S k) with (k + 1)%nat by lia. rewrite Step, IH, plus_INR. cbn [INR].
+      rewrite Rmult_plus_distr_r, Rmult_1_l, expi_plus. ring. }
+    assert (One : expi (INR n * phi) = RtoC 1).
+    { pose proof (All n) as R. rewrite (Per 0%nat : ps n = ps 0%nat) in R. transitivity (/ expi (ps 0%nat) * (expi (ps 0%nat) * expi (INR n * phi)))%C; [field; apply expi_neq0|]. rewrite <- R. field. apply expi_neq0. }
+    destruct (expi_one _ One) as [z Hz]. assert (Hph : phi = 2 * PI * IZR z / INR n) by (apply (Rmult_eq_reg_l (INR n)); [rewrite Hz; field; lra|lra]).
+    set (m := Z.to_nat (z mod Z.of_nat n)). assert (Bz : (0 <= z mod Z.of_nat n < Z.of_nat n)%Z) by (apply Z.mod_pos_bound; lia).
+    exists m. split; [unfold m; lia|]. intros k Hk. pose proof (All k) as R. unfold ps in R at 1. rewrite (Nat.mod_small k n Hk) in R. rewrite R. unfold ps. rewrite Nat.mod_0_l by lia. f_equal.
+    assert (Zm : IZR z = INR n * IZR (z / Z.of_nat n) + INR m).
+    { rewrite (Z.div_mod z (Z.of_nat n)) at 1 by lia. rewrite plus_IZR, mult_IZR, <- INR_IZR_INZ. unfold m. rewrite (INR_IZR_INZ (Z.to_nat _)), Z2Nat.id by lia. reflexivity. }
+    unfold wave. replace (INR k * phi) with (2 * PI * IZR (Z.of_nat k * (z / Z.of_nat n)) + 2 * PI * INR m * INR k / INR n).
+    + rewrite expi_plus, expi_2PI. ring.
+    + rewrite Hph, Zm, mult_IZR, <- INR_IZR_INZ. field. lra.
+Qed.
 (* consecutive phasors of a Fourier column differ by one rotation: the edges of C_N are drawn as the polygon {N/m} *)
 Theorem wave_polygon n m k : (1 <= n)%nat -> (k < n)%nat ->
   expi (wave n m ((k + 1) mod n)) = (expi (2 * PI * INR m / INR n) * expi (wave n m k))%C.

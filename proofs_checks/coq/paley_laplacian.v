@@ -227,6 +227,10 @@ Proof.
   - intros H j k P. induction P; [now apply H|reflexivity|now symmetry|congruence].
   - intros H j k A. apply H. now apply rst_step.
 Qed.
+Corollary W1_positive n adj th : (1 <= n)%nat -> ~ (forall j k, weakly_joined n adj j k -> expi (th j) = expi (th k)) -> 0 < W1 n adj th.
+Proof.
+  intros Hn H. destruct (W1_ge0 n adj th Hn) as [P|Z]; [exact P|]. exfalso. apply H, (W1_weakly n adj th Hn). now symmetry.
+Qed.
 Theorem fish_zero n adj th : (1 <= n)%nat -> 0 <= W1 n adj th /\ (synchronized n th -> W1 n adj th = 0) /\
   (W1 n adj th = 0 -> forall j k, weakly_joined n adj j k -> expi (th j) = expi (th k)).
 Proof.

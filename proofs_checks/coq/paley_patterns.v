@@ -275,9 +275,9 @@ Proof.
   assert (H : forall a, expi (2 * a) = (expi a * expi a)%C) by (intros; rewrite <- expi_plus; f_equal; ring).
   rewrite !H, A, B, C0, D. unfold Cmult; cbn. repeat split; f_equal; nra.
 Qed.
-Lemma rhombus_no_pattern n M : n = 4%nat \/ n = 12%nat -> ~ pattern M n rhombus.
+Lemma rhombus_no_pattern n M : (exists p, (1 <= p)%nat /\ n = (4 * p)%nat) -> ~ pattern M n rhombus.
 Proof.
-  intros Hn P. assert (N1 : (1 <= n)%nat) by lia. pose proof (proj1 P) as HM. pose proof (INR_pos n N1) as Pn.
+  intros (p & Hp & Hn) P. assert (N1 : (4 <= n)%nat) by lia. pose proof (proj1 P) as HM. pose proof (INR_pos n ltac:(lia)) as Pn.
   destruct rhombus_twice as [A [B [C0 D]]]. destruct rhombus_phasors as [A1 [B1 _]].
   destruct (Nat.eq_dec M 1) as [->|M1]; [|destruct (Nat.eq_dec M 2) as [->|M2]].
   - destruct P as [_ [th0 [cl [H _]]]]. pose proof (H 0%nat ltac:(lia)) as [L0 E0]. pose proof (H 1%nat ltac:(lia)) as [L1 E1].
@@ -291,15 +291,20 @@ Proof.
     rewrite W in E0, E1. rewrite <- E1 in E0. unfold rhombus in E0; cbn in E0.
     replace ((1 + 1) * 0) with (2 * 0) in E0 by ring. replace ((1 + 1) * (PI / 3)) with (2 * (PI / 3)) in E0 by ring.
     rewrite A, B in E0. injection E0 as E _. lra.
-  - destruct (eq23 M n rhombus N1 P) as [Z _]. specialize (Z 2%nat ltac:(lia)). unfold moment in Z.
+  - destruct (eq23 M n rhombus ltac:(lia) P) as [Z _]. specialize (Z 2%nat ltac:(lia)). unfold moment in Z.
     assert (E : forall k, expi (INR 2 * rhombus k) = if Nat.even k then (1, 0) else (- (1 / 2), sqrt 3 / 2)).
     { intros k. unfold rhombus. replace (INR 2) with 2 by (cbn; ring).
       assert (EV : Nat.even k = Nat.even (k mod 4)).
       { rewrite (Nat.div_mod k 4) at 1 by lia. rewrite Nat.even_add, Nat.even_mul. now destruct (Nat.even (k mod 4)). }
       rewrite EV. pose proof (Nat.mod_upper_bound k 4 ltac:(lia)). destruct (k mod 4)%nat as [|[|[|[|]]]]; cbn; try assumption. lia. }
-    rewrite (Csum_ext n _ (fun k => if Nat.even k then (1, 0) else (- (1 / 2), sqrt 3 / 2))) in Z by (intros; apply E).
-    injection Z as _ Z. assert (S3 : 0 < sqrt 3) by (apply sqrt_lt_R0; lra).
-    destruct Hn as [-> | ->]; cbn in Z; lra.
+    set (g := (fun k => if Nat.even k then (1, 0) else (- (1 / 2), sqrt 3 / 2)) : nat -> C).
+    rewrite (Csum_ext n _ g) in Z by (intros; apply E). injection Z as _ Z. assert (S3 : 0 < sqrt 3) by (apply sqrt_lt_R0; lra).
+    set (f := fun k => snd (g k)).
+    assert (F0 : forall k, 0 <= f k) by (intros k; unfold f, g; destruct (Nat.even k); cbn; lra).
+    pose proof (Sum_term_le n f 1 (fun k _ => F0 k) ltac:(lia)) as T. unfold f at 1, g at 1 in T. cbn [Nat.even snd] in T.
+    assert (Y : / ((1 + 1) * INR n) * Sum n f = 0) by (etransitivity; [|exact Z]; unfold f; ring).
+    apply Rmult_integral in Y as [Y|Y]; [|lra].
+    assert (0 < / ((1 + 1) * INR n)) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; [lra|exact Pn]). lra.
 Qed.
 Lemma rhombus_eigen_K4 : eigenvector 4 (lap 4 complete) (RtoC 4) (phasors rhombus).
 Proof.
@@ -324,9 +329,9 @@ Proof.
   - intros S. destruct rhombus_phasors as [A [B _]]. specialize (S 0%nat 1%nat ltac:(lia) ltac:(lia)). unfold rhombus in S; cbn in S.
     rewrite A, B in S. injection S as E _. lra.
   - exact rhombus_eigen_K4.
-  - now apply (rhombus_no_pattern 4 M) in P; [|left].
+  - now apply (rhombus_no_pattern 4 M) in P; [|exists 1%nat; lia].
 Qed.
 Theorem fig2_caption_printed_fails : ~ forall lam th, eigenvector 12 (lap 12 (ring_graph 12)) lam (phasors th) -> exists M, pattern M 12 th.
 Proof.
-  intros H. destruct (H (RtoC 2) rhombus rhombus_eigen_C12) as [M P]. now apply (rhombus_no_pattern 12 M) in P; [|right].
+  intros H. destruct (H (RtoC 2) rhombus rhombus_eigen_C12) as [M P]. now apply (rhombus_no_pattern 12 M) in P; [|exists 3%nat; lia].
 Qed.

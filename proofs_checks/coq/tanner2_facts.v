@@ -352,3 +352,57 @@ Proof.
   intros H. destruct (H 2%nat pair1 (fun _ => RtoC 0) 2) as [e [He E]]. assert (R : rhs13 2 pair1 (fun _ => RtoC 0) 2 e) by (apply E; lra).
   destruct R as [a [b [_ [_ [R1 _]]]]]. rewrite kron_split in R1. unfold qform in R1. rewrite !Sum_zero in R1; [lra|intros; cbn; ring..].
 Qed.
+(* ---- (13): the links of the pairs at the threshold are free, and each of them adds |v_i - v_j|^2 to the form ---- *)
+Definition linked_below (r : nat -> C) (R0 : R) : graph := fun i j => (negb (i =? j)%nat && if Rlt_dec (norm (r i - r j)%C) R0 then true else false)%bool.
+Definition linked_upto (r : nat -> C) (R0 : R) : graph := fun i j => (negb (i =? j)%nat && if Rle_dec (norm (r i - r j)%C) R0 then true else false)%bool.
+Notation form n adj v := (qform (2 * n) (kron2 (lap n adj)) (stack v)).
+Lemma form_total n adj v : undirected adj -> form n adj v = / 2 * total n adj v.
+Proof. intros S. rewrite kron_split, <- form_split, lap_form by assumption. reflexivity. Qed.
+Lemma total_mono n (g h : graph) v : (forall i j, (i < n)%nat -> (j < n)%nat -> g i j = true -> h i j = true) -> total n g v <= total n h v.
+Proof.
+  intros M. unfold total. apply Sum_le; intros i Hi. apply Sum_le; intros j Hj. pose proof (dist2_ge0 (v i) (v j)) as P. specialize (M i j Hi Hj).
+  unfold w. destruct (g i j), (h i j); try lra.
+Qed.
+Lemma below_allowed n r R0 : allowed n r R0 (linked_below r R0).
+Proof.
+  split; [|split].
+  - intros i j. unfold linked_below. rewrite (Nat.eqb_sym i j), (norm_sym (r i) (r j)). reflexivity.
+  - intros i. unfold linked_below. now rewrite Nat.eqb_refl.
+  - intros i j _ _ N. unfold linked_below. apply Nat.eqb_neq in N. rewrite N. split; intros L; destruct (Rlt_dec _ R0); try reflexivity; lra.
+Qed.
+Lemma upto_allowed n r R0 : allowed n r R0 (linked_upto r R0).
+Proof.
+  split; [|split].
+  - intros i j. unfold linked_upto. rewrite (Nat.eqb_sym i j), (norm_sym (r i) (r j)). reflexivity.
+  - intros i. unfold linked_upto. now rewrite Nat.eqb_refl.
+  - intros i j _ _ N. unfold linked_upto. apply Nat.eqb_neq in N. rewrite N. split; intros L; destruct (Rle_dec _ R0); try reflexivity; lra.
+Qed.
+Lemma allowed_between n r v R0 adj : allowed n r R0 adj ->
+  form n (linked_below r R0) v <= form n adj v <= form n (linked_upto r R0) v.
+Proof.
+  intros (S & NL & A). rewrite (form_total n adj v S), (form_total n _ v (proj1 (below_allowed n r R0))), (form_total n _ v (proj1 (upto_allowed n r R0))). split; apply Rmult_le_compat_l; try lra; apply total_mono; intros i j Hi Hj L.
+  - unfold linked_below in L. destruct (Nat.eqb_spec i j) as [->|N]; [discriminate|]. cbn in L. destruct (Rlt_dec _ R0) as [Lt|]; [|discriminate]. now apply (A i j).
+  - unfold linked_upto. destruct (Nat.eqb_spec i j) as [->|N]; [rewrite NL in L; discriminate|]. cbn. destruct (Rle_dec _ R0) as [|G]; [reflexivity|].
+    destruct (A i j Hi Hj N) as [_ Q]. rewrite Q in L by lra. discriminate.
+Qed.
+Theorem eq13_interval n r v R0 : exists e f, e <= f <= 0 /\ forall x, rhs13 n r v R0 x <-> e <= x <= f.
+Proof.
+  exists (- form n (linked_upto r R0) v), (- form n (linked_below r R0) v).
+  assert (P : 0 <= form n (linked_below r R0) v).
+  { rewrite (form_total n _ v (proj1 (below_allowed n r R0))). apply Rmult_le_pos; [lra|apply total_ge0]. }
+  pose proof (allowed_between n r v R0 _ (below_allowed n r R0)) as [_ U]. split; [lra|]. intros x. split.
+  - intros (a & b & Aa & Ab & H). pose proof (allowed_between n r v R0 a Aa). pose proof (allowed_between n r v R0 b Ab). lra.
+  - intros H. exists (linked_upto r R0), (linked_below r R0). split; [apply upto_allowed|]. split; [apply below_allowed|exact H].
+Qed.
+Theorem eq13_no_tie n r v R0 adj : (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> norm (r i - r j)%C <> R0) -> allowed n r R0 adj ->
+  forall x, rhs13 n r v R0 x <-> x = - form n adj v.
+Proof.
+  intros NT A. pose proof (allowed_between n r v R0 adj A) as B.
+  assert (E : form n (linked_upto r R0) v <= form n (linked_below r R0) v).
+  { rewrite (form_total n _ v (proj1 (below_allowed n r R0))), (form_total n _ v (proj1 (upto_allowed n r R0))). apply Rmult_le_compat_l; [lra|]. apply total_mono. intros i j Hi Hj L.
+    unfold linked_upto in L. unfold linked_below. destruct (Nat.eqb_spec i j) as [->|N]; [discriminate|]. cbn in L |- *. destruct (Rle_dec _ R0) as [Le|]; [|discriminate].
+    destruct (Rlt_dec _ R0) as [|G]; [reflexivity|]. exfalso. apply (NT i j Hi Hj N). lra. }
+  intros x. split.
+  - intros (a & b & Aa & Ab & H). pose proof (allowed_between n r v R0 a Aa). pose proof (allowed_between n r v R0 b Ab). lra.
+  - intros ->. exists adj, adj. split; [exact A|]. split; [exact A|lra].
+Qed.

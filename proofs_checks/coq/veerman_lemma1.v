@@ -96,6 +96,28 @@ Proof.
   - intros x y k Hk E. unfold row2. destruct (Nat.eqb_spec k (S N)) as [L|L]; now rewrite !E by lia.
 Qed.
 
+(* 0 is no eigenvalue of P_1, P_2, so the nonzero eigenvalues of L are all of those of P; and none of M if f <> 0 *)
+Theorem spectrum_L_systems N lam : (L_eigenvalue N row1 lam /\ lam <> 0%C <-> eigenvalue N P1 lam) /\
+  (L_eigenvalue N (row2 N) lam /\ lam <> 0%C <-> eigenvalue N (P2 N) lam).
+Proof.
+  assert (G : forall row, positive_spectrum N (reduced row) -> (forall x y k, (1 <= k <= S N)%nat -> (forall j, (j <= S N)%nat -> x j = y j) -> row x k = row y k) ->
+    (L_eigenvalue N row lam /\ lam <> 0%C <-> eigenvalue N (reduced row) lam)).
+  { intros row [_ POS] LE. split.
+    - intros [H NZ]. now apply (spectrum_L N row lam LE NZ).
+    - intros H. assert (NZ : lam <> 0%C). { destruct (POS lam H) as (r & R0 & E). rewrite E. intros Z. injection Z as Z. lra. }
+      split; [now apply (spectrum_L N row lam LE NZ)|exact NZ]. }
+  split; apply G; [apply positive_P1| |apply positive_P2|]; intros x y k Hk E.
+  - unfold row1. now rewrite !E by lia.
+  - unfold row2. destruct (Nat.eqb_spec k (S N)) as [L|L]; now rewrite !E by lia.
+Qed.
+Theorem spectrum_M_nonzero N f g : f <> 0 -> ~ eigenvalue_M N P1 f g 0%C /\ ~ eigenvalue_M N (P2 N) f g 0%C.
+Proof.
+  intros F. assert (G : forall lam : C, lam <> 0%C -> ~ eigenvalue_AK f g lam 0%C).
+  { intros lam NZ H. apply eigenvalue_AK_iff in H. assert (E : (lam * f)%C = 0%C) by (transitivity (- (0 * 0 - lam * g * 0 - lam * f))%C; [ring|rewrite H; ring]).
+    apply NZ, (Cmult_cancel_r _ _ (RtoC f)); [intros Z; injection Z as Z; contradiction|rewrite E; ring]. }
+  split; intros H; [apply (proj1 (spectrum_M_systems N f g 0%C)) in H|apply (proj2 (spectrum_M_systems N f g 0%C)) in H]; destruct H as (lam & _ & NZ & H); now apply (G lam NZ).
+Qed.
+
 (* as printed, with 0 removed on the left only, it fails at f = 0: 0 is then an eigenvalue of every A + lambda K *)
 Theorem spectrum_M_printed_fails N g : exists nu lam, L_eigenvalue N row1 lam /\ lam <> 0%C /\ eigenvalue_AK 0 g lam nu /\
   ~ (eigenvalue_M N P1 0 g nu /\ nu <> 0%C).

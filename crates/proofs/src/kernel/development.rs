@@ -11,7 +11,7 @@ macro_rules! sources {
 }
 
 /// In an order in which they compile; the same as in `_CoqProject`.
-const SOURCES: [(&str, &str); 98] = sources![
+const SOURCES: [(&str, &str); 102] = sources![
     "IntervalStdZ",
     "RealSums",
     "chazelle_birds",
@@ -66,6 +66,8 @@ const SOURCES: [(&str, &str); 98] = sources![
     "tanner2_switching",
     "tanner2_distance",
     "tanner_graph",
+    "tanner_components",
+    "tanner_rates",
     "veerman_complex",
     "veerman_front",
     "veerman_chain",
@@ -73,6 +75,7 @@ const SOURCES: [(&str, &str); 98] = sources![
     "veerman_lemma1",
     "veerman_matrices",
     "veerman_numbers",
+    "veerman_rest",
     "veerman_amplitude",
     "veerman_settling",
     "veerman_rates",
@@ -107,6 +110,7 @@ const SOURCES: [(&str, &str); 98] = sources![
     "audit_independent_chazelle",
     "audit_independent_angle",
     "audit_independent_paley",
+    "audit_independent_particles",
     "audit_independent_tanner1",
     "audit_independent_tanner2",
     "audit_independent_veerman",
